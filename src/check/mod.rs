@@ -4,8 +4,10 @@
 mod comments;
 mod suppression;
 
+use std::collections::BTreeSet;
+
 use crate::compat;
-use crate::diagnostic::Findings;
+use crate::diagnostic::{Diagnostic, Findings};
 #[cfg(feature = "xdd")]
 use crate::format::xdd::wording;
 use crate::format::{Description, Syntax};
@@ -32,6 +34,7 @@ pub fn check_with(description: &Description, options: &Options) -> Findings {
         findings.append(description.portability_findings(device));
         findings = compat::react(findings, description, &options.tools);
     }
+    let mut findings = without_fixes_of_lost(description, findings);
     #[cfg(feature = "xdd")]
     if is_xml {
         findings = wording::of_xdd(findings, |at| description.span_of(at));
@@ -45,4 +48,23 @@ pub fn check_with(description: &Description, options: &Options) -> Findings {
         (start, finding.rule.id)
     });
     findings
+}
+
+/// The findings without the fixes of what a lost header explains: what its object seems to lack is in the section above.
+fn without_fixes_of_lost(description: &Description, findings: Findings) -> Findings {
+    let is_header = |finding: &Diagnostic| {
+        let line = finding.labels.first().map(|label| description.span_of(&label.at)).unwrap_or_default();
+        line.of(description.source().text()).trim_end().ends_with(']')
+    };
+    let is_lost = |finding: &&Diagnostic| match finding.rule.id {
+        "cia306/missing-header" => true,
+        "cia306/junk-line" => is_header(finding),
+        _ => false,
+    };
+    let explained = findings.iter().filter(is_lost).flat_map(|finding| finding.rule.explains);
+    let rules: BTreeSet<&str> = explained.flat_map(|one| one.rules).copied().collect();
+    findings.filter_map(|mut finding| {
+        finding.fix = finding.fix.filter(|_| !rules.contains(finding.rule.name()));
+        Some(finding)
+    })
 }

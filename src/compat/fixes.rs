@@ -29,7 +29,14 @@ const fn choice(rule: &'static str, better: &'static [Tool], worse: &'static [To
 }
 
 const CHOICES: [Choice; 10] = [
-    choice("cia306/junk-line", &[DcfTools, PythonCanopen, CanOpenEditor], &[]),
+    Choice {
+        // without its header, a section would be read into the one above
+        when: |description, finding| {
+            let line = shown(description, finding);
+            line.contains('[') || !line.contains(']')
+        },
+        ..choice("cia306/junk-line", &[DcfTools, PythonCanopen, CanOpenEditor], &[])
+    },
     // all readers of lists but this one do without the objects, which have no entries
     choice("cia306/listed-object-missing", &[DcfTools], &[]),
     Choice {

@@ -1,15 +1,16 @@
 //! Which findings another one explains, so that a report says the cause alone.
 
 use super::Subject;
-use crate::diagnostic::{At, Diagnostic, Reach, Severity};
-use crate::model::ObjectList;
+use crate::diagnostic::{At, Diagnostic, Reach, Severity, Text};
+use crate::format::eds;
+use crate::model::{Field, ObjectList};
 use crate::source::Span;
 
 /// The findings without those that others among them explain.
 pub(super) fn without_consequences(subject: Subject<'_>, findings: Vec<Diagnostic>) -> Vec<Diagnostic> {
     let places = Places::new(subject, &findings);
     let located = || findings.iter().zip(&places.spans).filter(|(finding, _)| !finding.labels.is_empty());
-    let mut explained: Vec<(&[&str], Severity, Extent)> = Vec::new();
+    let mut explained: Vec<(&[&str], Severity, Extent<'_>)> = Vec::new();
     for (finding, span) in located() {
         let extents = finding.rule.explains.iter();
         explained.extend(extents.filter_map(|one| {
@@ -19,10 +20,10 @@ pub(super) fn without_consequences(subject: Subject<'_>, findings: Vec<Diagnosti
     let is_explained = |(finding, span): (&Diagnostic, &Span)| {
         let section = places.section(*span);
         // a cause of a lower severity would change what fails a run
-        let is_it = |(rules, severity, extent): &(&[&str], Severity, Extent)| {
+        let is_it = |(rules, severity, extent): &(&[&str], Severity, Extent<'_>)| {
             rules.contains(&finding.rule.name())
                 && finding.severity <= *severity
-                && extent.covers(finding, *span, section)
+                && extent.covers(finding, places.text, *span, section)
         };
         !finding.labels.is_empty() && explained.iter().any(is_it)
     };
@@ -32,7 +33,7 @@ pub(super) fn without_consequences(subject: Subject<'_>, findings: Vec<Diagnosti
 }
 
 /// What one cause explains. It is made once for each cause, because a file may have many of them.
-enum Extent {
+enum Extent<'a> {
     All,
     /// What has this offset in it.
     At(u32),
@@ -40,23 +41,29 @@ enum Extent {
     Behind(u32, u32),
     Section(usize),
     Object(u16),
+    /// What shows a key of a section that the text names.
+    Keys(&'a Text),
     /// As [`Self::Behind`], and what names the object or section.
     Header(u32, u32, Option<u16>, String),
 }
 
-impl Extent {
+impl Extent<'_> {
     /// An object, and what names it.
     fn named(index: u16) -> Self {
         Self::Header(0, 0, Some(index), format!("{index:04X}h"))
     }
 
-    fn covers(&self, finding: &Diagnostic, span: Span, section: usize) -> bool {
+    fn covers(&self, finding: &Diagnostic, text: &str, span: Span, section: usize) -> bool {
         match self {
             Self::All => true,
             Self::At(offset) => (span.start..=span.end).contains(offset),
             Self::Behind(start, end) => span.start > *start && span.start <= *end,
             Self::Section(number) => *number == section,
             Self::Object(index) => index_of(finding) == Some(*index),
+            Self::Keys(message) => {
+                let key = Field::from_name(span.of(text));
+                message.names_part(|part| eds::is_key_of(part, &key))
+            }
             Self::Header(start, end, index, name) => {
                 (span.start > *start && span.start <= *end)
                     || index.is_some() && index_of(finding) == *index
@@ -105,7 +112,7 @@ impl<'a> Places<'a> {
         self.headers.partition_point(|&header| header < span.start)
     }
 
-    fn extent(&self, reach: Reach, finding: &Diagnostic, cause: Span) -> Option<Extent> {
+    fn extent<'b>(&self, reach: Reach, finding: &'b Diagnostic, cause: Span) -> Option<Extent<'b>> {
         let line = || line(self.text, cause.start);
         match reach {
             Reach::File => Some(Extent::All),
@@ -117,6 +124,7 @@ impl<'a> Places<'a> {
                 (None, Some(index)) => Some(Extent::named(index)),
                 (None, None) => self.object_of(cause),
             },
+            Reach::Keys => Some(Extent::Keys(&finding.message)),
             Reach::Lost => self.lost.map(Extent::named),
             Reach::List => {
                 let name = self.header_above(cause)?;
@@ -151,7 +159,7 @@ impl<'a> Places<'a> {
         u16::from_str_radix(self.header_above(cause)?.get(..4)?, 16).ok()
     }
 
-    fn object_of(&self, cause: Span) -> Option<Extent> {
+    fn object_of(&self, cause: Span) -> Option<Extent<'static>> {
         let (before, behind) = self.text.split_at_checked(cause.start as usize)?;
         let (start, end) = (before.rfind("CANopenObject ")?, behind.find("CANopenObject>")?);
         let end = u32::try_from(end).ok()?.checked_add(cause.start)?;
@@ -256,6 +264,17 @@ mod tests {
             (0..1200).map(|number| format!("<<<<<<< {number}\n") + &"x=1\n".repeat(100)).collect();
         let text = format!("[FileInfo]\n{conflicts}");
         assert!(shown("a.eds", &text, Format::Eds).contains(&"cia306/junk-line"));
+    }
+
+    /// The keys of a section without its header are not each a finding; those of others are.
+    #[test]
+    fn a_missing_section_explains_its_own_keys() {
+        let eds = EDS.replace("\r\n", "\n").replacen("[1001]\n", "[1001]\nUnit=V\n", 1);
+        for section in ["DeviceInfo", "DummyUsage", "OptionalObjects"] {
+            let text = eds.replacen(&format!("[{section}]\n"), "", 1);
+            let rules = shown("io-401.eds", &text, Format::Eds);
+            assert_eq!(rules, ["cia306/missing-section", "cia306/unknown-key"], "{section}");
+        }
     }
 
     #[test]

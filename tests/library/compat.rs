@@ -168,6 +168,18 @@ fn fixes_are_those_that_the_tool_needs() {
 }
 
 #[test]
+fn what_a_lost_header_explains_is_left() {
+    let device = std::fs::read_to_string(support::fixtures().join("eds/io-401.eds")).unwrap();
+    for header in ["1008", "1003sub0", "1003sub2"] {
+        for rest in ["", &format!("{header}]\r\n")] {
+            let lost = device.replacen(&format!("[{header}]\r\n"), rest, 1);
+            assert!(lost.len() < device.len());
+            assert!(fixed_for(Tool::DcfTools, &lost) == lost, "{header}");
+        }
+    }
+}
+
+#[test]
 fn canchkeds_does_not_check_configurations() {
     for path in support::files("dcf", &["dcf"]) {
         assert!(check(&path, &[Tool::CanChkEds]).is_empty(), "{}", path.display());

@@ -25,13 +25,17 @@ pub(super) fn key(part: &Part, name: &str) -> Option<Key> {
 }
 
 /// Whether the section of a part may have a key.
-fn is_key_of(part: &Part, field: &Field) -> bool {
+pub fn is_key_of(part: &Part, field: &Field) -> bool {
+    let is_numbered = |head: &str| matches!(field, Field::Named(name) if is_numbered(name, head));
     match part {
         Part::FileInfo => (Field::FileName..=Field::LastEds).contains(field),
         Part::DeviceInfo => (Field::VendorName..=Field::CanOpenSafetySupported).contains(field),
-        Part::Comments | Part::Module(_, ModulePart::Comments) => *field == Field::Lines,
+        Part::DummyUsage => is_numbered("Dummy"),
+        Part::Comments | Part::Module(_, ModulePart::Comments) => {
+            *field == Field::Lines || is_numbered("Line")
+        }
         Part::Commissioning => (Field::NodeId..=Field::LssSerialNumber).contains(field),
-        Part::List(_) => *field == Field::SupportedObjects,
+        Part::List(_) => matches!(field, Field::SupportedObjects | Field::Item(_)),
         Part::SupportedModules
         | Part::ConnectedModules
         | Part::CompactNames(_)
@@ -52,6 +56,11 @@ fn is_key_of(part: &Part, field: &Field) -> bool {
         Part::Tool(_) => matches!(field, Field::Name | Field::Command),
         _ => false,
     }
+}
+
+fn is_numbered(name: &str, head: &str) -> bool {
+    let (word, digits) = name.split_at_checked(head.len()).unwrap_or_default();
+    word.eq_ignore_ascii_case(head) && digits.bytes().all(|digit| digit.is_ascii_hexdigit())
 }
 
 fn is_of_entry(field: &Field) -> bool {

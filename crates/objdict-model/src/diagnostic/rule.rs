@@ -86,6 +86,8 @@ pub enum Reach {
     Lost,
     /// At the only object that belongs in the object list of the cause and is not listed.
     List,
+    /// At the keys of the section that the cause says is missing.
+    Keys,
     /// At the object that the line of the cause names as its value.
     Value,
     /// Between the marks of a merge conflict, the first of which is the cause.

@@ -3,7 +3,7 @@ use crate::model::{Device, DeviceKind, Field, ObjectList, Part, Place};
 use crate::rule;
 
 rule! {
-    "cia306/missing-section", Error, Device(check), fix Safe, explains File ["unknown-key"];
+    "cia306/missing-section", Error, Device(check), fix Safe, explains Keys ["unknown-key"];
     summary: "a standard section is missing",
     checks: "Whether `[FileInfo]`, `[DeviceInfo]`, `[DummyUsage]`, `[Comments]` and the three object lists are in the file. A missing `[FileInfo]` or `[DeviceInfo]` of an EDS is an error, and so is a missing list of described objects. DCFs get lower severities: tools that write them need not record the author. In real files, mostly DCFs without `[Comments]` or `[FileInfo]` are reported, as a harmless note; the errors are fragments and lists whose absence hides whole ranges of objects. An empty file has its own finding.",
     why: "Objects of a missing list are not listed at all, so most tools do not see them. Without `[DeviceInfo]` the device is unknown. The other sections may be empty, but some readers refuse a file without them.",
