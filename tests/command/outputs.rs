@@ -160,3 +160,19 @@ fn what_cannot_be_fixed_is_still_reported() {
     assert_eq!(findings(&after), findings(&before));
     assert_eq!(fs::read_to_string(&path).unwrap(), text);
 }
+
+#[test]
+fn what_an_edit_keeps_is_said_to_be_invalid() {
+    let folder = folder();
+    fs::copy("fixtures/broken/odd-spellings.xdd", folder.path().join("odd.xdd")).unwrap();
+    let kept = objdict(folder.path(), "convert odd.xdd -o copy.xdd");
+    assert!(kept.status.success());
+    assert!(errors(&kept).starts_with("warning: `odd.xdd` violates CiA 311 in "), "{}", errors(&kept));
+    let written = objdict(folder.path(), "convert odd.xdd -o valid.xdd --canonical");
+    assert!(written.status.success());
+    let again = objdict(folder.path(), "convert valid.xdd -o copy.xdd");
+    assert_eq!(
+        (again.status.code(), errors(&written), errors(&again)),
+        (Some(0), String::new(), String::new())
+    );
+}

@@ -3,7 +3,10 @@
 
 use std::collections::BTreeMap;
 
-use objdict::model::{Access, DataType, Device, Entry, Object, ObjectType, PdoMapping, TypeKind, Value};
+use objdict::format::literal::{self, Intended, Quirks};
+use objdict::model::{
+    Access, DataType, Device, Entry, Field, Object, ObjectType, PdoMapping, TypeKind, Value,
+};
 
 /// Capacity of strings with a shorter default, see docs/generate.md.
 const STRING_ROOM: usize = 32;
@@ -122,9 +125,12 @@ impl Facts {
             None if object.object_type() == ObjectType::DefType && sub == 0 => DataType::UNSIGNED32,
             None if object.object_type() == ObjectType::DefStruct && sub == 0 => DataType::UNSIGNED8,
             None if object.object_type() == ObjectType::DefStruct => DataType::UNSIGNED16,
+            None if object.object_type().has_subs() && sub == 0 => DataType::UNSIGNED8,
             None => return None,
         };
-        let access = entry.access.unwrap_or(match (domain, definition) {
+        let invalid = entry.invalid_values.get(&Field::AccessType);
+        let access = entry.access.or(invalid.and_then(|text| text.intended_access()));
+        let access = access.unwrap_or(match (domain, definition) {
             (true, _) => Access::Rw,
             (_, true) => Access::Const,
             _ => Access::Ro,
@@ -144,7 +150,19 @@ impl Facts {
             access,
             mapping: entry.pdo_mapping.unwrap_or_default(),
             size: 0,
-            value: entry.value().cloned(),
+            value: match entry.value() {
+                Some(Value::Raw(text)) if entry.data_type.is_none() => {
+                    literal::value(text, Some(data_type), &mut Quirks::default()).ok()
+                }
+                Some(value) => Some(value.clone()),
+                None => {
+                    match entry.invalid_values.get(&Field::DefaultValue).map(|text| text.intended(data_type))
+                    {
+                        Some(Some(Intended::Value(value))) => Some(value),
+                        _ => None,
+                    }
+                }
+            },
             low: limit(&entry.low_limit),
             high: limit(&entry.high_limit),
         };

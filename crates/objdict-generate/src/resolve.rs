@@ -1,7 +1,7 @@
 //! A resolved entry: the data that tables need, as numbers and bytes.
 
 use super::{LONGEST_VALUE, Note, Options};
-use crate::literal::Intended;
+use crate::literal::{self, Intended, Quirks};
 use crate::model::{
     Access, DataType, Device, Entry, Field, InvalidValue, Object, ObjectType, PdoMapping, Place, TypeKind,
     Value,
@@ -191,7 +191,12 @@ impl<'a> Resolver<'a> {
             self.errors.push(Note::new(place, text));
             return None;
         }
-        let word = word(value, data_type);
+        // the type is not stated, but known
+        let typed = match value {
+            Value::Raw(text) => literal::value(text, Some(data_type), &mut Quirks::default()).ok(),
+            _ => None,
+        };
+        let word = word(typed.as_ref().unwrap_or(value), data_type);
         if word.is_none() {
             self.errors.push(Note::new(place, format!("`{value}` is not a valid {data_type}")));
         }

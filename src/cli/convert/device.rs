@@ -10,11 +10,12 @@ use super::super::annotation::Described;
 use super::super::args::ConvertArgs;
 use super::super::input::FileKind;
 use super::super::node::{Wanted, commissioning};
-use super::super::{Failure, note};
+use super::super::{Failure, note, tell};
 use super::Job;
 use crate::download::{ConciseDcf, NeededFile, Plan, PlanError, PlanOptions, Scope};
 use crate::format::{self, Description, Format, Loss, LossKind, Syntax, concise, json};
 use crate::model::{Commissioning, Device, DeviceKind, Object, Place};
+use crate::report::plural;
 use crate::source::Folder;
 
 /// What a file became.
@@ -49,6 +50,7 @@ pub(super) fn of_description(
         let is_narrower = to.syntax() == Syntax::Xml || args.canonical.dialect.is_other();
         return of_device(args, job, device, !args.no_embed && is_narrower);
     }
+    warn_of_violations(job, description);
     if from == job.to && (to.kind() == DeviceKind::Type || !args.changes_node()) {
         return Ok(Converted::whole(description.source().to_bytes()));
     }
@@ -74,6 +76,17 @@ pub(super) fn of_description(
     let mut losses = format::losses(&expected, &bytes, to, description.source().encoding());
     losses.extend(rate);
     Ok(Converted { bytes, losses })
+}
+
+/// Says that a text is not valid that the output will have.
+fn warn_of_violations(job: &Job, description: &Description) {
+    let count = description.violations().len();
+    if count > 0 {
+        let (file, places) = (job.input.display(), plural(count, "place"));
+        tell(&format!(
+            "warning: `{file}` violates CiA 311 in {places}, which the output keeps\n  help: `objdict check` shows them; `--canonical` writes the file anew, valid\n"
+        ));
+    }
 }
 
 /// A device that has no text, or whose text has another syntax.

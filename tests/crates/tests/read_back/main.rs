@@ -3,6 +3,7 @@
 
 #![allow(clippy::unwrap_used, reason = "a test fails by panicking")]
 
+mod canopen_host;
 mod canopen_rs;
 #[path = "../../src/devices.rs"]
 mod devices;
