@@ -5,7 +5,7 @@ use std::collections::BTreeMap;
 use std::io::{self, Write};
 
 use super::Subject;
-use crate::diagnostic::{Diagnostic, Findings, Severity};
+use crate::diagnostic::{Diagnostic, Findings, Fix, Severity};
 
 /// What a report shows.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
@@ -47,7 +47,7 @@ pub struct Statistic {
     pub findings: usize,
     /// The number of files with a finding.
     pub files: usize,
-    /// The number of findings that can be fixed by their fix.
+    /// The number of findings whose fix is offered ([`Fix::is_offered`]).
     pub fixable: usize,
 }
 
@@ -61,7 +61,7 @@ impl Statistics {
             let count = counts.entry(rule).or_insert_with(new);
             count.severity = count.severity.max(severity);
             count.findings += 1;
-            count.fixable += usize::from(is_fixable(subject, finding));
+            count.fixable += usize::from(offer(subject, finding).is_some());
         }
         for (rule, omitted) in findings.omitted() {
             if let Some(count) = counts.get_mut(rule) {
@@ -105,9 +105,11 @@ impl Statistics {
     }
 }
 
-pub(super) fn is_fixable(subject: Subject<'_>, finding: &Diagnostic) -> bool {
-    let fixes = || std::iter::once(finding).chain(&finding.also).filter_map(|one| one.fix.as_ref());
-    subject.description().is_some_and(|description| fixes().any(|fix| description.can_fix(fix)))
+/// The first fix that is offered for the findings of a cause.
+pub(super) fn offer<'a>(subject: Subject<'_>, finding: &'a Diagnostic) -> Option<&'a Fix> {
+    let description = subject.description()?;
+    let mut fixes = std::iter::once(finding).chain(&finding.also).filter_map(|one| one.fix.as_ref());
+    fixes.find(|fix| fix.is_offered && description.can_fix(fix))
 }
 
 #[cfg(test)]

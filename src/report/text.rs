@@ -14,7 +14,7 @@ use miette::LabeledSpan;
 use self::excerpt::Excerpts;
 use self::printer::Printer;
 pub(crate) use self::problem::problem;
-use super::statistics::is_fixable;
+use super::statistics::offer;
 use super::{Detail, Report, Statistics, Subject, Tally};
 use crate::diagnostic::visible;
 use crate::diagnostic::{Applicability, Diagnostic, Findings, Severity};
@@ -75,8 +75,7 @@ impl<W: Write> TextReport<W> {
 
 impl<W> TextReport<W> {
     fn count_fixes(&mut self, subject: Subject<'_>, findings: &Findings) {
-        let fixable = findings.iter().filter(|finding| is_fixable(subject, finding));
-        for fix in fixable.filter_map(|finding| finding.fix.as_ref()) {
+        for fix in findings.iter().filter_map(|finding| offer(subject, finding)) {
             self.fixable[usize::from(fix.safety == Applicability::Unsafe)] += 1;
         }
     }
@@ -219,7 +218,7 @@ mod tests {
     use proptest::prelude::*;
 
     use super::*;
-    use crate::diagnostic::{RuleInfo, Severity};
+    use crate::diagnostic::{Fix, RuleInfo, Severity};
     use crate::format::{self, Format};
     use crate::source::{SourceFile, Span};
 
@@ -281,6 +280,18 @@ mod tests {
         assert_eq!(shown.matches("a warning").count(), MAX_BRIEF - 1);
         assert!(shown.contains("a.eds: … and 2 more, shown with `--all`"), "{shown}");
         assert!(shown.contains("      22      1        0  error     test/test\n"), "{shown}");
+    }
+
+    #[test]
+    fn only_offered_fixes_are_counted() {
+        let description = format::read(SourceFile::from_text("a.eds", "x"), Format::Eds);
+        let mut findings = Findings::new();
+        for is_offered in [true, false] {
+            let fix = Fix { is_offered, ..Fix::safe("remove it").replace(Span::new(0, 1), "") };
+            findings.push(Diagnostic::new(&TEST, Span::empty(0), "m").fix(fix));
+        }
+        let shown = listed((&description).into(), &findings).unwrap();
+        assert!(shown.ends_with("\n1 can be fixed with `--fix`\n"), "{shown}");
     }
 
     #[test]

@@ -333,24 +333,79 @@ fn sections(text: &str) -> BTreeMap<u64, Option<String>> {
     lines.filter_map(|(number, line)| Some((number, place(&header(line)?)))).collect()
 }
 
+/// The place of each object and sub-object of an XDD, by its first line; `None` behind it.
+fn elements(text: &str) -> BTreeMap<u64, Option<String>> {
+    let attribute = |tag: &str, name: &str| {
+        let (_, value) = tag.split_once(&format!(" {name}=\""))?;
+        u16::from_str_radix(value.split('"').next()?, 16).ok()
+    };
+    let (mut places, mut object, mut line) = (BTreeMap::new(), None, 1);
+    for tag in text.split('<') {
+        let (tag_text, _) = tag.split_once('>').unwrap_or((tag, ""));
+        let name = tag_text.split_whitespace().next().unwrap_or_default().trim_end_matches('/');
+        let end = line + tag_text.matches('\n').count() as u64;
+        let is_closed = tag_text.ends_with('/');
+        match name.rsplit(':').next().unwrap_or_default() {
+            "CANopenObject" => {
+                object = attribute(tag_text, "index").map(|index| format!("0x{index:04X}"));
+                places.insert(line, object.clone());
+                object = object.filter(|_| !is_closed);
+                places.insert(end + 1, object.clone());
+            }
+            "CANopenSubObject" => {
+                let sub = attribute(tag_text, "subIndex");
+                places.insert(
+                    line,
+                    object.as_ref().zip(sub).map(|(object, sub)| format!("{object}sub{sub:X}")),
+                );
+                places.insert(end + 1, object.clone());
+            }
+            "/CANopenObject" => {
+                object = None;
+                places.insert(end + 1, None);
+            }
+            _ => {}
+        }
+        line += tag.matches('\n').count() as u64;
+    }
+    places
+}
+
 #[test]
 fn findings_in_the_section_of_an_object_have_its_place() {
     let document: Value = serde_json::from_str(check("json --all")).expect("JSON");
     let mut texts = BTreeMap::new();
-    let mut compared = 0;
+    let mut compared = [0; 2];
     for finding in list(&document, "findings") {
         let file = finding["file"].as_str().expect("a path");
+        let is_xml = file.ends_with(".xdd") || file.ends_with(".xdc");
         let sections = texts.entry(file).or_insert_with(|| {
             let bytes = std::fs::read(support::fixtures().join("..").join(file)).expect("the fixture");
-            sections(&String::from_utf8_lossy(&bytes))
+            let of_text = if is_xml { elements } else { sections };
+            of_text(&String::from_utf8_lossy(&bytes))
         });
         let line = finding["line"].as_u64().expect("a line");
         let Some((_, Some(section))) = sections.range(..=line).next_back() else { continue };
         let place = finding["place"].as_str().unwrap_or_default();
         assert!(place.starts_with(&**section), "{section}: {finding}");
-        compared += 1;
+        compared[usize::from(is_xml)] += 1;
     }
-    assert!(compared > 400, "{compared} findings");
+    assert!(compared[0] > 400 && compared[1] > 40, "{compared:?} findings");
+}
+
+#[test]
+fn elements_without_names_are_one_finding() {
+    let document: Value = serde_json::from_str(check("json")).expect("JSON");
+    let is_it = |finding: &&Value| finding["file"] == "fixtures/rules/cia306/missing-name/bad-elements.eds";
+    let findings: Vec<&Value> = list(&document, "findings").iter().filter(is_it).collect();
+    let [finding] = findings[..] else { panic!("{findings:?}") };
+    let message = "sub-index 1 of 2000h has no name; 2 more like this: 2000h:02 to 2000h:03";
+    assert_eq!(
+        (finding["place"].as_str(), finding["message"].as_str()),
+        (Some("0x2000sub1 / ParameterName"), Some(message))
+    );
+    let places = list(finding, "places").iter().map(|one| one["place"].as_str().unwrap_or_default());
+    assert_eq!(places.collect::<Vec<_>>(), ["0x2000sub2 / ParameterName", "0x2000sub3 / ParameterName"]);
 }
 
 #[test]
