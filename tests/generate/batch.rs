@@ -33,8 +33,9 @@ impl Batch {
     /// Adds a program; its name is in the path of compiler errors. The generated files are in the same
     /// folder, so the program can use `include!("od.rs")`.
     pub(crate) fn add(&mut self, name: &str, generated: &Generated, source: &str) {
-        let module = name.replace(|c: char| !c.is_ascii_alphanumeric(), "_");
-        let module = format!("of_{}_{module}", self.count);
+        let file = Path::new(name).file_name().unwrap_or_default().to_string_lossy().to_ascii_lowercase();
+        let words = file.split(|c: char| !c.is_ascii_alphanumeric()).filter(|word| !word.is_empty());
+        let module = format!("of_{}_{}", self.count, words.collect::<Vec<_>>().join("_"));
         let folder = self.path().join(&module);
         std::fs::create_dir(&folder).unwrap();
         for file in &generated.files {

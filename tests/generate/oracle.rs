@@ -185,10 +185,14 @@ impl Facts {
         let length = self.default_on(1).len();
         let stated = entry.stack.as_ref().and_then(|stack| stack.min_string_length).unwrap_or(0);
         let bytes = if self.kind == Some(TypeKind::UnicodeString) { 2 } else { 1 };
-        let least = if stated > 0 { stated as usize * bytes } else { STRING_ROOM };
-        let domain = self.kind == Some(TypeKind::Domain);
-        let grows = length == 0 || self.access.is_writable();
-        if grows && !domain && self.access != Access::Const { length.max(least) } else { length }
+        if self.kind == Some(TypeKind::Domain) {
+            return length;
+        }
+        let grows = self.access != Access::Const && (length == 0 || self.access.is_writable());
+        length.max(match stated {
+            0 if grows => STRING_ROOM,
+            stated => stated as usize * bytes,
+        })
     }
 
     pub(crate) fn has_no_data(&self) -> bool {

@@ -148,8 +148,8 @@ fn rustfmt_changes_nothing() {
         return;
     }
     let folder = tempfile::tempdir().unwrap();
-    for (name, device) in devices() {
-        let folder = folder.path().join(&name);
+    for (number, (name, device)) in devices().into_iter().enumerate() {
+        let folder = folder.path().join(number.to_string());
         std::fs::create_dir(&folder).unwrap();
         generate_into(&folder, &device, "rust");
         let mut rustfmt = Command::new(&program);

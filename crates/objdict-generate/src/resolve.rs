@@ -227,17 +227,16 @@ impl<'a> Resolver<'a> {
     /// options.
     fn capacity(&self, data_type: DataType, access: Access, length: usize, entry: &Entry) -> u16 {
         let length = u16::try_from(length).unwrap_or(u16::MAX); // longer ones are already errors
-        let room = match data_type.kind() {
-            TypeKind::Domain => self.options.domain_capacity,
-            TypeKind::UnicodeString => {
-                characters(entry, 2).unwrap_or(self.options.string_capacity.max(2) & !1)
-            }
-            _ => characters(entry, 1).unwrap_or(self.options.string_capacity.max(1)),
+        let (stated, room) = match data_type.kind() {
+            TypeKind::Domain => (None, self.options.domain_capacity),
+            TypeKind::UnicodeString => (characters(entry, 2), self.options.string_capacity.max(2) & !1),
+            _ => (characters(entry, 1), self.options.string_capacity.max(1)),
         };
-        match access {
-            Access::Const => length,
-            _ if access.is_writable() || length == 0 => length.max(room),
-            _ => length,
+        match (access, stated) {
+            (_, Some(stated)) => length.max(stated),
+            (Access::Const, None) => length,
+            (_, None) if access.is_writable() || length == 0 => length.max(room),
+            (_, None) => length,
         }
     }
 

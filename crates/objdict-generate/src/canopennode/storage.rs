@@ -1,6 +1,5 @@
 //! Storage of a value in CANopenNode: type, length, attributes and initialiser in C.
 
-use crate::LONGEST_VALUE;
 use crate::dictionary::ResolvedEntry;
 use crate::model::{DataType, SrdoAccess, TypeKind};
 use crate::resolve::{Datum, Resolved, Shape};
@@ -27,11 +26,9 @@ impl Storage {
         let (type_, elements, length, value) = match (resolved.shape, &resolved.default) {
             (Shape::Word(data_type), default) => word(data_type, bits(default)),
             (Shape::Bytes(data_type, room), Datum::Bytes(bytes)) => {
-                let stated = entry.entry.stack.as_ref().and_then(|stack| stack.min_string_length);
-                let width = if data_type == DataType::UNICODE_STRING { 2 } else { 1 };
-                let stated =
-                    usize::try_from(stated.unwrap_or(0)).unwrap_or(0).min(LONGEST_VALUE / width) * width;
-                text(data_type, stated.max(usize::from(room)), stated > 0, bytes)
+                let has_room =
+                    entry.entry.stack.as_ref().is_some_and(|stack| stack.min_string_length > Some(0));
+                text(data_type, usize::from(room), has_room, bytes)
             }
             (Shape::Bytes(..), _) => (None, None, 0, Vec::new()), // numbers do not have this shape
             (Shape::Block(_), Datum::Bytes(block)) => bytes(block.len(), block),
