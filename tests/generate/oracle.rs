@@ -9,7 +9,7 @@ use objdict::model::{
 };
 
 /// Capacity of strings with a shorter default, see docs/generate.md.
-const STRING_ROOM: usize = 32;
+pub(crate) const STRING_ROOM: usize = 32;
 
 /// The dictionary of a node.
 pub(crate) struct Dictionary {

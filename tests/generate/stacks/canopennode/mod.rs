@@ -13,7 +13,7 @@ use objdict::model::{Device, TypeKind};
 
 use crate::compile::{c_compiler, cc, succeed};
 use crate::devices::{arbitrary_devices, devices, for_all};
-use crate::oracle::{Answer, Dictionary, Facts, facts_of, hex};
+use crate::oracle::{Answer, Dictionary, Facts, STRING_ROOM, facts_of, hex};
 use crate::processors::build;
 use crate::script::edges;
 use crate::stacks::truth::{Lack, Row, compare, truth, without};
@@ -30,9 +30,15 @@ const LACKS: &[Lack] = &[
         instead: |row| Some(Row { data_type: None, ..row }),
     },
     Lack {
-        what: "blocks of bytes have no room to grow",
+        what: "blocks of bytes have no room to grow, unless the description states their length",
         of: |row| matches!(row.kind, Some(TypeKind::OctetString | TypeKind::Domain)),
-        instead: |row| Some(Row { size: row.default.as_ref().map(Vec::len), ..row }),
+        instead: |row| {
+            let mut bytes = row.default.clone().unwrap_or_default();
+            let stated =
+                row.size.filter(|&size| size != STRING_ROOM && row.kind == Some(TypeKind::OctetString));
+            bytes.resize(stated.unwrap_or(bytes.len()).max(bytes.len()), 0);
+            Some(Row { size: Some(bytes.len()), default: Some(bytes), ..row })
+        },
     },
     Lack {
         what: "texts end at a zero",
