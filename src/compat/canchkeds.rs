@@ -91,7 +91,7 @@ pub static MESSAGES: &[Reaction] = &[
     error("cia306/object-listed-twice", "error E37"),
     warning("cia306/object-not-listed", "warning W1"),
     error("cia306/reserved-index", "error E32")
-        .only("below 1000h", |_, finding| finding.message.shown().starts_with("00")),
+        .only("below 1000h", |_, finding| finding.message.shown().starts_with('0')),
     warning("cia306/reserved-key", "warning W22"),
     error("cia306/section-spelling", "error E12"),
     error("cia306/stray-compact-section", "error E40"),
@@ -110,9 +110,9 @@ pub static MESSAGES: &[Reaction] = &[
     error("cia306/wrong-count", "error E5").only("fewer entries", has_fewer),
     warning("cia306/wrong-count", "warning W21")
         .only("more entries", |description, finding| !has_fewer(description, finding)),
-    error("cia306/wrong-highest-sub-index", "error E36")
-        .only("with a value", |description, finding| !is_at_header(description, finding)),
-    warning("cia306/wrong-highest-sub-index", "warning W24").only("without a value", is_at_header),
+    error("cia306/wrong-highest-sub-index", "error E36").only("with a value", has_value),
+    warning("cia306/wrong-highest-sub-index", "warning W24")
+        .only("without a value", |description, finding| !has_value(description, finding)),
     error("cia306/wrong-object-list", "error E28"),
     error("cia306/wrong-pdo-count", "error E62"),
     error("portability/empty-text", "error E21"),
@@ -128,6 +128,12 @@ fn is_warning(_: &Description, finding: &Diagnostic) -> bool {
 
 fn is_of_information(description: &Description, finding: &Diagnostic) -> bool {
     section_of(description, finding).to_ascii_lowercase().ends_with("info")
+}
+
+/// Whether the place of a finding is a number. It is the header or the key where there is none.
+fn has_value(description: &Description, finding: &Diagnostic) -> bool {
+    let is_number = shown(description, finding).starts_with(|first: char| first.is_ascii_digit());
+    is_number && !is_at_header(description, finding)
 }
 
 /// Whether a count is above what the fix writes. A count that is missing or not a number is not.

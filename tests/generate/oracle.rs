@@ -129,7 +129,7 @@ impl Facts {
             None => return None,
         };
         let invalid = entry.invalid_values.get(&Field::AccessType);
-        let access = entry.access.or(invalid.and_then(|text| text.intended_access()));
+        let access = entry.access.or(invalid.and_then(objdict::model::InvalidValue::intended_access));
         let access = access.unwrap_or(match (domain, definition) {
             (true, _) => Access::Rw,
             (_, true) => Access::Const,

@@ -3,8 +3,8 @@
 use std::collections::BTreeSet;
 use std::path::{Path, PathBuf};
 
-use objdict::compat::{Effect, MESSAGES, REACTIONS};
-use objdict::diagnostic::{Applicability, Findings, Severity, Tool};
+use objdict::compat::{Effect, MESSAGES, REACTIONS, Reaction};
+use objdict::diagnostic::{Applicability, Diagnostic, Findings, Severity, Tool};
 use objdict::format::{self, Format};
 use objdict::lint::Options;
 use objdict::registry;
@@ -126,6 +126,28 @@ fn a_vendor_sees_the_severity_that_canchkeds_has() {
         assert_eq!(finding.severity, Severity::Error);
         assert!(finding.help.as_ref().unwrap().shown().ends_with("; canchkeds: error E11"));
     }
+}
+
+/// Each message is shown by a device of its rule.
+#[test]
+fn every_message_of_canchkeds_has_a_fixture() {
+    let is_shown = |message: &&Reaction| {
+        let folder = support::fixtures().join("rules").join(message.rule);
+        let text = format!("canchkeds: {}", message.what);
+        crate::rules::devices(&folder, "bad").iter().any(|path| {
+            let findings = check(path, &[Tool::CanChkEds]);
+            let is_it = |finding: &Diagnostic| {
+                let texts = finding.help.iter().chain([&finding.message]);
+                finding.rule.id == message.rule
+                    && finding.severity >= message.effect.severity()
+                    && texts.map(ToString::to_string).any(|shown| shown.ends_with(&text))
+            };
+            findings.iter().any(is_it)
+        })
+    };
+    let missing: Vec<_> = MESSAGES.iter().filter(|message| !is_shown(message)).collect();
+    let missing: Vec<_> = missing.iter().map(|message| (message.rule, message.what)).collect();
+    assert!(missing.is_empty(), "{missing:#?}");
 }
 
 /// A fixture after the safe fixes for a tool.

@@ -24,6 +24,7 @@ fn check(rule: &'static RuleInfo, facts: &Facts<'_>, applied: &Applied<'_>, find
         say!("{} is never sent: analogue inputs raise no events until {:04X}h {}", pdo, at(index), condition);
     let finding = Diagnostic::new(rule, device.value_place(at(index), sub), message);
     let finding = finding.label(device.value_place(pdo.communication_index(), 2), "event-driven");
-    let help = if sub == 0 { say!("write `{ParameterValue=1}`") } else { say!("select an event, such as 7") };
+    let help =
+        if sub == 0 { say!("write `{ParameterValue=1}`") } else { say!("select an event, such as 7,") };
     findings.push(finding.help(say!("{} or set the event timer of the TPDO", help)));
 }
