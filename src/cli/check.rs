@@ -172,9 +172,8 @@ impl Worker<'_> {
                 }
             },
         };
-        // what these formats offer, other programs apply without a check of the result; the others count it
-        let formats = [ReportFormat::Json, ReportFormat::Sarif, ReportFormat::Text];
-        let is_offered = formats.contains(&self.args.format) || self.args.statistics.is_some();
+        // what these formats offer, other programs apply without a check of the result; only to count fixes, it takes too long
+        let is_offered = matches!(self.args.format, ReportFormat::Json | ReportFormat::Sarif);
         let examine = |description: &Description| match check(description) {
             findings if is_offered => crate::with_sound_fixes(description, findings, check),
             findings => findings,
