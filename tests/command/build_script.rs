@@ -145,7 +145,8 @@ fn an_error_can_be_made_milder_or_passed_over() {
 #[test]
 fn an_error_that_concerns_no_table_is_shown() {
     let out = TempDir::new().unwrap();
-    let eds = fixture("broken/octal.eds");
+    let eds = out.path().join("octal.eds");
+    fs::copy(fixture("broken/octal.eds"), &eds).unwrap();
     let builder = || Builder::new(&eds).out_dir(out.path()).no_config().max_warnings(0);
     let (built, cargo) = run(builder());
     assert_eq!(names(&built.unwrap()), ["od.rs"]);
@@ -158,10 +159,7 @@ fn an_error_that_concerns_no_table_is_shown() {
     let known = out.path().join("known.json");
     let description = objdict::format::open(&eds, &Default::default()).unwrap();
     let mut baseline = objdict::baseline::Baseline::default();
-    let name = std::path::absolute(&eds).unwrap();
-    let up = "../".repeat(out.path().components().count() - 1);
-    let name = up + name.strip_prefix("/").unwrap().to_str().unwrap();
-    baseline.add(&name, &description, &objdict::check(&description));
+    baseline.add("octal.eds", &description, &objdict::check(&description));
     fs::write(&known, baseline.write()).unwrap();
     let (built, cargo) = run(builder().deny(Severity::Error).baseline(&known));
     built.unwrap();
