@@ -7,7 +7,7 @@ mod suppression;
 use std::collections::BTreeSet;
 
 use crate::compat;
-use crate::diagnostic::{Diagnostic, Findings};
+use crate::diagnostic::{Diagnostic, Findings, Reach};
 #[cfg(feature = "xdd")]
 use crate::format::xdd::wording;
 use crate::format::{Description, Syntax};
@@ -56,13 +56,15 @@ fn without_fixes_of_lost(description: &Description, findings: Findings) -> Findi
         let line = finding.labels.first().map(|label| description.span_of(&label.at)).unwrap_or_default();
         line.of(description.source().text()).trim_end().ends_with(']')
     };
-    let is_lost = |finding: &&Diagnostic| match finding.rule.id {
-        "cia306/missing-header" => true,
-        "cia306/junk-line" => is_header(finding),
-        _ => false,
+    let is_lost = |finding: &&Diagnostic| {
+        let reaches = |reach| finding.rule.explains.iter().any(|explained| explained.reach == reach);
+        reaches(Reach::Lost) || reaches(Reach::Header) && is_header(finding)
     };
     let explained = findings.iter().filter(is_lost).flat_map(|finding| finding.rule.explains);
     let rules: BTreeSet<&str> = explained.flat_map(|one| one.rules).copied().collect();
+    if rules.is_empty() {
+        return findings;
+    }
     findings.filter_map(|mut finding| {
         finding.fix = finding.fix.filter(|_| !rules.contains(finding.rule.name()));
         Some(finding)

@@ -404,13 +404,10 @@ fn is_repeated(description: &Description, finding: &Diagnostic) -> bool {
 /// Whether the first place of a finding is in an entry of an integer type that node-canopen keeps in 64 bits.
 fn is_wide(description: &Description, finding: &Diagnostic) -> bool {
     let place = finding.labels.first().and_then(|label| description.place_of(&label.at));
-    let entry = place.and_then(|place| match place.part {
-        Part::Object(index) => description.device().object(index).map(|object| &object.main),
-        Part::Entry(index, sub) => description.device().object(index)?.subs.get(sub),
-        _ => None,
-    });
+    let data_type =
+        place.and_then(|place| description.device().data_type_of(&place.part, &Field::DefaultValue));
     let wide = [DataType::INTEGER56, DataType::INTEGER64, DataType::UNSIGNED56, DataType::UNSIGNED64];
-    entry.and_then(|entry| entry.data_type).is_some_and(|data_type| wide.contains(&data_type))
+    data_type.is_some_and(|data_type| wide.contains(&data_type))
 }
 
 fn is_limit(description: &Description, finding: &Diagnostic) -> bool {

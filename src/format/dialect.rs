@@ -163,9 +163,8 @@ fn complete(object: &mut Object) {
 }
 
 fn complete_entry(entry: &mut Entry, data_type: DataType, access: Access) {
-    let is_domain = entry.object_type == Some(ObjectType::Domain);
-    entry.data_type.get_or_insert(if is_domain { DataType::DOMAIN } else { data_type });
-    entry.access.get_or_insert(if is_domain { Access::Rw } else { access });
+    entry.data_type = entry.implied_type().or(Some(data_type));
+    entry.access = entry.implied_access().or(Some(access));
     let stated = [Field::DataType, Field::AccessType, Field::ObjectType];
     entry.invalid_values.retain(|invalid| !stated.contains(&invalid.field));
 }

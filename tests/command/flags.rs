@@ -165,3 +165,56 @@ fn a_severity_stops_the_generation() {
     assert_eq!(code(" --deny warning"), Some(1));
     assert_eq!(code(" --deny warning --force"), Some(0));
 }
+
+#[test]
+fn only_what_makes_a_table_wrong_stops_it() {
+    let text = fs::read_to_string("fixtures/eds/minimal.eds").unwrap().replace('\r', "");
+    let folder = tempfile::tempdir().unwrap();
+    let vendor_id = "[1018sub1]\nParameterName=Vendor-ID\nObjectType=0x7\nDataType=0x0007\nAccessType=ro\n";
+    let count = "[1018sub0]\nParameterName=Highest sub-index supported\nObjectType=0x7\nDataType=0x0005\n";
+    let without_type =
+        |section: &str| section.replace("DataType=0x0007\n", "").replace("DataType=0x0005\n", "");
+    let type_1000 = "DataType=0x0007\nAccessType=ro\nDefaultValue=0x00000000\n";
+    let cases = [
+        (count, without_type(count), "", 0),
+        (vendor_id, without_type(vendor_id), "", 1),
+        (vendor_id, vendor_id.replace("AccessType=ro", "AccessType=(ro)"), "", 0),
+        (vendor_id, vendor_id.replace("AccessType=ro", "AccessType=yes"), "", 1),
+        ("ObjectType=0x9\nSubNumber=5", "ObjectType=RECORD\nSubNumber=5".to_owned(), "", 1),
+        (type_1000, type_1000.replace("0x0007\n", "0x0007\nDataType=0x0007\n"), "", 0),
+        (type_1000, type_1000.replace("0x0007\n", "0x0007\nDataType=0x0005\n"), "", 1),
+        // which line a tool reads makes a fix certain, but does not change what is read
+        (type_1000, type_1000.replace("0x0007\n", "0x0007\nDataType=0x0005\n"), "compat = ['dcf-tools']", 1),
+        // the next object is lost
+        ("[1018]\n", String::new(), "", 1),
+        ("[1000]\n", "[1000\n".to_owned(), "", 0),
+        (type_1000, "DataType=0x000F\nAccessType=rw\nDefaultValue=0\n".to_owned(), "", 0),
+        (
+            "ObjectType=0x7\nDataType=0x0007\nAccessType=ro\nDefaultValue=0x00000000",
+            "ObjectType=0x2\nDefaultValue=0".to_owned(),
+            "",
+            0,
+        ),
+    ];
+    for (old, new, config, expected) in cases {
+        assert!(text.contains(old), "{old}");
+        fs::write(folder.path().join("d.eds"), text.replacen(old, &new, 1)).unwrap();
+        fs::write(folder.path().join("objdict.toml"), config).unwrap();
+        let output = run(folder.path(), "generate d.eds --target rust,c -o gen");
+        assert_eq!(
+            output.status.code(),
+            Some(expected),
+            "{new}: {}",
+            String::from_utf8_lossy(&output.stderr)
+        );
+    }
+    let text = fs::read_to_string("fixtures/xdd/valve.xdd").unwrap();
+    for (index, expected) in [("0x1001", 0), ("10G1", 1)] {
+        let new =
+            text.replacen("<CANopenObject index=\"1001\"", &format!("<CANopenObject index=\"{index}\""), 1);
+        assert_ne!(new, text);
+        fs::write(folder.path().join("d.xdd"), new).unwrap();
+        let output = run(folder.path(), "generate d.xdd --target rust --no-config -o gen");
+        assert_eq!(output.status.code(), Some(expected), "{index}");
+    }
+}

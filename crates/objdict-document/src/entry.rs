@@ -7,7 +7,7 @@ use super::anchor::Anchor;
 use super::details::{self, Details};
 use super::page::Context;
 use crate::describe::Reader;
-use crate::model::{DataType, Entry, Field, ObjectType, PdoKind, PdoMapping, Value};
+use crate::model::{DataType, Entry, Field, PdoKind, PdoMapping, Value};
 use crate::profile::ObjectFacts;
 
 /// The view of a sub-index.
@@ -116,10 +116,9 @@ impl<'a> EntryView<'a> {
 }
 
 fn data_type(entry: &Entry) -> Cow<'static, str> {
-    match (entry.data_type, entry.object_type) {
-        (None, Some(ObjectType::Domain)) => "DOMAIN".into(),
-        (None, _) => "".into(),
-        (Some(data_type), _) => match data_type.name() {
+    match entry.implied_type() {
+        None => "".into(),
+        Some(data_type) => match data_type.name() {
             Some(name) => name.into(),
             None => data_type.to_string().into(),
         },

@@ -140,7 +140,7 @@ impl<const DIGITS: usize> fmt::Display for Hex<DIGITS> {
 }
 
 /// The same as template filters, and filters for indexes and sub-indexes.
-#[allow(unreachable_pub)] // the attribute generates `pub` items
+#[allow(unreachable_pub, reason = "the attribute generates `pub` items")]
 pub(super) mod filters {
     use std::borrow::Borrow;
 

@@ -114,16 +114,13 @@ impl<'a> Resolver<'a> {
 
     /// The data type of an entry, stated or implied by its object.
     fn data_type(&mut self, object: &Object, (index, sub): (u16, u8), entry: &Entry) -> Option<DataType> {
-        let implied = match (entry.object_type, object.object_type(), sub) {
-            (Some(ObjectType::Domain), _, _) => Some(DataType::DOMAIN),
-            (_, ObjectType::DefType, 0) => Some(DataType::UNSIGNED32), // its length in bits
-            (_, ObjectType::DefStruct, 0) => Some(DataType::UNSIGNED8), // its highest sub-index
-            (_, ObjectType::DefStruct, _) => Some(DataType::UNSIGNED16), // the type of a member
-            // the type of the count is always the same, except in the numbers of PDOs (CiA 301 §7.4.7.2)
-            (_, ObjectType::Array | ObjectType::Record, 0) if index != 0x1004 => Some(DataType::UNSIGNED8),
+        let implied = || match (object.object_type(), sub) {
+            (ObjectType::DefType, 0) => Some(DataType::UNSIGNED32), // its length in bits
+            (ObjectType::DefStruct, 1..) => Some(DataType::UNSIGNED16), // the type of a member
+            (object_type, 0) if object_type.has_subs() => DataType::of_sub_0(index),
             _ => None,
         };
-        let data_type = entry.data_type.or(implied);
+        let data_type = entry.implied_type().or_else(implied);
         if data_type.is_none() {
             let place = Place::entry(index, sub).field(Field::DataType);
             self.notes.push(match entry.invalid_values.get(&Field::DataType) {
@@ -137,27 +134,22 @@ impl<'a> Resolver<'a> {
     }
 
     fn access(&mut self, object: &Object, place: &Place, entry: &Entry) -> Access {
-        if let Some(access) = entry.access {
+        if let Some(access) = entry.implied_access() {
             return access;
-        }
-        if entry.object_type == Some(ObjectType::Domain) {
-            return Access::Rw; // CiA 306-1 §4.6.3.2: default access of a DOMAIN
         }
         if matches!(object.object_type(), ObjectType::DefType | ObjectType::DefStruct) {
             return Access::Const;
         }
         let place = place.clone().field(Field::AccessType);
         let invalid = entry.invalid_values.get(&Field::AccessType);
-        if let Some(access) = invalid.and_then(InvalidValue::intended_access) {
-            return access;
-        }
+        let access = invalid.and_then(InvalidValue::intended_access).unwrap_or(Access::Ro);
         self.notes.push(match invalid {
-            Some(invalid) => {
-                Note::new(place, format!("`{}` is not an access type; `ro` is assumed", invalid.text))
+            Some(InvalidValue { text, .. }) => {
+                Note::new(place, format!("`{text}` is not an access type; it is read as `{access}`"))
             }
-            None => Note::new(place, "an entry without an access type is assumed to be `ro`"),
+            None => Note::new(place, format!("an entry without an access type is assumed to be `{access}`")),
         });
-        Access::Ro
+        access
     }
 
     /// Notes texts that are not valid values.

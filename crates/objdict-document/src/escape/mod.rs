@@ -25,7 +25,7 @@ fn shown(character: char, next: Option<char>) -> Option<char> {
 }
 
 /// The same as template filters.
-#[allow(unreachable_pub)] // the attribute generates `pub` items
+#[allow(unreachable_pub, reason = "the attribute generates `pub` items")]
 pub(crate) mod filters {
     use askama::filters::Safe;
     use askama::{Result, Values};

@@ -73,7 +73,8 @@ text_rule! {
         explains Lost [
             "listed-object-missing", "sub-without-object", "mapped-object-missing", "link-to-missing-object",
             "stray-compact-section", "missing-mandatory-object", "missing-object", "pdo-without-mapping"
-        ];
+        ],
+        stops "*";
     summary: "the header of a section is missing",
     checks: "Whether the keys of an object or sub-index begin anew inside a section: `ParameterName`, or a key below an empty line, is defined again, and so is one of the next three. The keys are reported once, not each as defined twice.",
     why: "The object or sub-index does not exist for readers, and its keys are read into the section above, or the file is refused.",

@@ -105,6 +105,8 @@ pub struct Diagnostic {
     pub fix: Option<Fix>,
     /// Other findings of the same cause, where findings are joined for a report.
     pub also: Vec<Diagnostic>,
+    /// Whether objdict reads what is plainly meant, so that the model is right.
+    pub is_understood: bool,
 }
 
 impl Diagnostic {
@@ -118,23 +120,23 @@ impl Diagnostic {
             help: None,
             fix: None,
             also: Vec::new(),
+            is_understood: false,
         }
     }
 
     /// Whether the table of this target would be wrong: the rule says so of the fields that the finding is about, it is an
-    /// error, and no safe fix says what is meant.
+    /// error, and what is meant was not read.
     pub fn stops(&self, target: &str) -> bool {
-        let is_clear = self.fix.as_ref().is_some_and(|fix| fix.safety == Applicability::Safe);
         let fields = || {
             self.labels.iter().filter_map(|label| match &label.at {
                 At::Place(place) => place.field.as_ref(),
                 _ => None,
             })
         };
-        let applies = |stop: &Stop| matches!(stop.target, "*") || stop.target == target;
+        let applies = |stop: &Stop| ["*", target].contains(&stop.target);
         let is_about =
             |stop: &Stop| stop.fields.is_empty() || fields().any(|field| stop.fields.contains(field));
-        let is_error = self.severity == Severity::Error && !is_clear;
+        let is_error = self.severity == Severity::Error && !self.is_understood;
         is_error && self.rule.stops.iter().any(|stop| applies(stop) && is_about(stop))
             || self.also.iter().any(|other| other.stops(target))
     }
@@ -143,6 +145,13 @@ impl Diagnostic {
     #[must_use]
     pub fn severity(mut self, severity: Severity) -> Self {
         self.severity = severity;
+        self
+    }
+
+    /// Says that objdict reads what is plainly meant.
+    #[must_use]
+    pub fn understood(mut self) -> Self {
+        self.is_understood = true;
         self
     }
 

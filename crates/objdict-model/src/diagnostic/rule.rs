@@ -35,7 +35,7 @@ pub struct RuleInfo {
     pub stops: &'static [Stop],
 }
 
-/// Generated tables that are wrong where a finding is an error and no safe fix says what is meant.
+/// Generated tables that are wrong where a finding is an error, unless objdict [reads](super::Diagnostic::is_understood) what is meant.
 #[derive(Clone, Copy, Debug)]
 pub struct Stop {
     /// The name of the target, or `*` for all.
@@ -56,7 +56,7 @@ impl fmt::Display for Stop {
             let others = if others.is_empty() { String::new() } else { others.join(", ") + " or " };
             write!(f, " in {others}`{}`", last.name())?;
         }
-        f.write_str(", unless a safe fix says what is meant.")
+        f.write_str(", unless its meaning is clear.")
     }
 }
 

@@ -121,6 +121,12 @@ static_types! {
 }
 
 impl DataType {
+    /// The type of sub-index 0 of an object with sub-indexes (CiA 301 §7.4.7.2); `None` for the obsolete 1004h, which has
+    /// numbers of PDOs there.
+    pub const fn of_sub_0(index: u16) -> Option<Self> {
+        if index == 0x1004 { None } else { Some(Self::UNSIGNED8) }
+    }
+
     /// The number of bits of a value in a PDO; `None` if the length varies or is unknown.
     pub const fn bit_length(self) -> Option<u8> {
         match self.kind() {

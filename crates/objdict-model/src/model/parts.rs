@@ -72,9 +72,9 @@ impl Device {
         let is_value =
             matches!(field, Field::DefaultValue | Field::LowLimit | Field::HighLimit | Field::ParameterValue);
         match part {
-            Part::Object(index) if is_value => self.object(*index)?.main.data_type,
-            Part::Entry(index, sub) if is_value => self.object(*index)?.subs.get(*sub)?.data_type,
-            Part::CompactValues(index) => self.object(*index)?.main.data_type,
+            Part::Object(index) if is_value => self.object(*index)?.main.implied_type(),
+            Part::Entry(index, sub) if is_value => self.object(*index)?.subs.get(*sub)?.implied_type(),
+            Part::CompactValues(index) => self.object(*index)?.main.implied_type(),
             _ => None,
         }
     }

@@ -78,7 +78,7 @@ impl<'a> Settings<'a> {
         let count = sub == 0 && object.object_type().has_subs() && !is_mapping(index);
         let has_value = entry.value().is_some() || unreadable || from_file;
         let wanted = differs || self.writes_all() && has_value && !count;
-        let entry_type = EntryType::of(self.device, object, sub, entry);
+        let entry_type = EntryType::of(self.device, object, (index, sub), entry);
         self.entries.push(((index, sub), Setting { object, entry, entry_type, wanted }));
     }
 

@@ -17,15 +17,14 @@ pub(super) struct EntryType {
 
 impl EntryType {
     /// The type of an entry; if not stated, the type implied by its place.
-    pub(super) fn of(device: &Device, object: &Object, sub: u8, entry: &Entry) -> Self {
+    pub(super) fn of(device: &Device, object: &Object, (index, sub): (u16, u8), entry: &Entry) -> Self {
         let has_subs = object.object_type().has_subs();
         let transferred = match entry.data_type {
             Some(data_type) if data_type.kind() == TypeKind::Defined => own_type(device, data_type),
             Some(data_type) => Some(data_type),
-            None if has_subs && sub == 0 => Some(DataType::UNSIGNED8),
+            None if has_subs && sub == 0 => DataType::of_sub_0(index),
             None if has_subs && sub == 0xFF => Some(DataType::UNSIGNED32),
-            None if entry.object_type == Some(ObjectType::Domain) => Some(DataType::DOMAIN),
-            None => None,
+            None => entry.implied_type(),
         };
         Self { stated: entry.data_type, transferred }
     }
@@ -56,7 +55,7 @@ impl EntryType {
 pub fn transferred_type(device: &Device, index: u16, sub: u8) -> Option<DataType> {
     let object = device.object(index)?;
     let entry = object.entry(sub)?;
-    EntryType::of(device, object, sub, &entry).transferred
+    EntryType::of(device, object, (index, sub), &entry).transferred
 }
 
 /// Encodes a value for a transfer to the node `node_id`.
@@ -73,7 +72,7 @@ pub fn bytes_of(
     let unknown = || ProblemKind::UnknownType { value: value.clone(), data_type: None };
     let object = device.object(index).ok_or_else(unknown)?;
     let entry = object.entry(sub).ok_or_else(unknown)?;
-    EntryType::of(device, object, sub, &entry).bytes(value, node_id)
+    EntryType::of(device, object, (index, sub), &entry).bytes(value, node_id)
 }
 
 /// The static type of a simple device-specific type. A DEFTYPE object states its number of bits (CiA 301

@@ -25,11 +25,13 @@ pub(in crate::eds) fn duplicate_key(item: &Item<'_>, first: &Item<'_>) -> Diagno
             item.value
         )
     };
-    Diagnostic::new(&DUPLICATE_KEY, item.name_at, message)
+    let finding = Diagnostic::new(&DUPLICATE_KEY, item.name_at, message)
         .severity(if same { Severity::Warning } else { Severity::Error })
         .label(first.name_at, "first here")
-        .help("remove one of the two lines")
-        .fix(remove_line(item, same || item.value.is_empty()))
+        .help("remove one of the two lines");
+    let is_idle = same || item.value.is_empty();
+    let finding = finding.fix(remove_line(item, is_idle));
+    if is_idle { finding.understood() } else { finding }
 }
 
 /// The keys of another section begin with `item`, which repeats `first`, in the section `name`.
@@ -58,6 +60,7 @@ pub(in crate::eds) fn repeated_number(item: &Item<'_>, other: &Item<'_>, number:
         .label(other.name_at, "the other one")
         .help(say!("write `{}={}`", number, item.value))
         .fix(Fix::safe(say!("number the {} one {}", which, number)).replace(item.name_at, number.to_string()))
+        .understood()
 }
 
 /// Removes a line that is not read; safe only if it says nothing else.
@@ -93,7 +96,7 @@ pub(in crate::eds) fn duplicate_section(
     let title = "remove the second, unread section";
     match kind {
         DuplicateKind::Joined => finding,
-        DuplicateKind::Equal => finding.fix(Fix::safe(title).with(Change::RemoveSection(at))),
+        DuplicateKind::Equal => finding.fix(Fix::safe(title).with(Change::RemoveSection(at))).understood(),
         DuplicateKind::Other => finding.fix(Fix::risky(title).with(Change::RemoveSection(at))),
     }
 }

@@ -217,10 +217,7 @@ fn read_values(entry: &mut Entry, values: &Values<'_>, items: &mut Items<'_>) {
 }
 
 fn read_value(item: &Item<'_>, entry: &mut Entry, items: &mut Items<'_>) -> Option<Value> {
-    let data_type = match (entry.data_type, entry.object_type) {
-        (None, Some(ObjectType::Domain)) => Some(DataType::DOMAIN),
-        (data_type, _) => data_type,
-    };
+    let data_type = entry.implied_type();
     if let Some(value) = literal::plain_value(item.value, data_type) {
         return Some(value);
     }

@@ -24,11 +24,22 @@ fn check(device: &Device, findings: &mut Findings) {
             // tools do not depend on dates
             let severity = if is_date { Severity::Warning } else { Severity::Error };
             let finding = finding.severity(severity).help(help(invalid, data_type));
-            findings.push(match fix {
+            let finding = match fix {
                 Some(fix) => finding.fix(fix),
                 None => finding,
-            });
+            };
+            findings.push(if is_understood(invalid, data_type) { finding.understood() } else { finding });
         }
+    }
+}
+
+/// Whether tables have what the text means.
+fn is_understood(invalid: &InvalidValue, data_type: Option<DataType>) -> bool {
+    match invalid.field {
+        Field::AccessType => invalid.intended_access().is_some(),
+        Field::DefaultValue => data_type.and_then(|data_type| invalid.intended(data_type)).is_some(),
+        Field::CompactSubObj => invalid.text.trim() == "255", // read as 254
+        _ => false,
     }
 }
 

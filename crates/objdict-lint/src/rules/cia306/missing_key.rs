@@ -59,6 +59,9 @@ fn check_value(at: &EntryAt<'_>, kind: &str, findings: &mut Findings) {
         let title = say!("write `{}`", Argument::setting(Field::DataType, &text));
         finding = finding.fix(Fix::safe(title).set(at.field(Field::DataType), text));
     }
+    if missing == [Field::DataType] && type_of_count(at).is_some() {
+        finding = finding.understood();
+    }
     findings.push(finding.help(match missing.as_slice() {
         [Field::DataType] => say!("add `{DataType}` with the type of the value"),
         [Field::AccessType] => say!("add `{AccessType}`, such as `{AccessType=rw}`"),
@@ -70,9 +73,8 @@ fn check_value(at: &EntryAt<'_>, kind: &str, findings: &mut Findings) {
 
 /// The only type that an entry can have.
 fn prescribed_type(at: &EntryAt<'_>) -> Option<DataType> {
-    // sub-index 0 has one type (CiA 301 §7.4.7.2), except the numbers of PDOs in 1004h
-    if at.sub == Some(0) && at.index != 0x1004 && is_structure(at) {
-        return Some(DataType::UNSIGNED8);
+    if let Some(data_type) = type_of_count(at) {
+        return Some(data_type);
     }
     let object = profile::for_all(at.device).find_map(|document| document.object(at.index))?;
     match *object.entry(at.sub.unwrap_or_default())?.data_types {
@@ -81,8 +83,10 @@ fn prescribed_type(at: &EntryAt<'_>) -> Option<DataType> {
     }
 }
 
-fn is_structure(at: &EntryAt<'_>) -> bool {
-    stated::object_type(at.object).is_some_and(ObjectType::has_subs)
+/// The type of sub-index 0 of a structure.
+fn type_of_count(at: &EntryAt<'_>) -> Option<DataType> {
+    let is_count = at.sub == Some(0) && stated::object_type(at.object).is_some_and(ObjectType::has_subs);
+    DataType::of_sub_0(at.index).filter(|_| is_count)
 }
 
 fn check_sub_number(at: &EntryAt<'_>, object_type: ObjectType, findings: &mut Findings) {

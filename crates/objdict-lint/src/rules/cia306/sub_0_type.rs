@@ -13,13 +13,12 @@ rule! {
 }
 
 fn check(at: &EntryAt<'_>, findings: &mut Findings) {
-    if at.sub != Some(0) || at.index == 0x1004 {
-        return;
-    }
-    let Some(data_type) = at.entry.data_type.filter(|&data_type| data_type != DataType::UNSIGNED8) else {
+    let (Some(0), Some(expected), Some(data_type)) =
+        (at.sub, DataType::of_sub_0(at.index), at.entry.data_type)
+    else {
         return;
     };
-    if stated::object_type(at.object).is_some_and(ObjectType::has_subs) {
+    if data_type != expected && stated::object_type(at.object).is_some_and(ObjectType::has_subs) {
         let message = say!("sub-index 0 of {:04X}h is {}, not UNSIGNED8", at.index, data_type);
         let finding = Diagnostic::new(&RULE.info, at.field(Field::DataType), message);
         let fix = Fix::risky(say!("write `{DataType=0x0005}`")).set(at.field(Field::DataType), "0x0005");

@@ -55,7 +55,7 @@ impl<'a> Node<'a> {
         if entry.flags().refuses_write() || object.main.flags().refuses_write() {
             return Err(ObjectionKind::RefusesDownload);
         }
-        let entry_type = EntryType::of(self.device, object, download.sub, &entry);
+        let entry_type = EntryType::of(self.device, object, (download.index, download.sub), &entry);
         let Some(data_type) = entry_type.transferred else { return Ok(()) };
         let value = value_of(data_type, &download.data)?;
         match value.as_ref().and_then(|value| Some((value, beyond(&entry, value, self.node_id)?))) {
@@ -104,8 +104,8 @@ impl<'a> Node<'a> {
     fn default(&mut self, (index, sub): Key) -> Option<Vec<u8>> {
         let object = self.device.object(index)?;
         let entry = object.entry(sub)?;
-        let bytes =
-            EntryType::of(self.device, object, sub, &entry).bytes(entry.default.as_ref()?, self.node_id);
+        let bytes = EntryType::of(self.device, object, (index, sub), &entry)
+            .bytes(entry.default.as_ref()?, self.node_id);
         if matches!(bytes, Err(ProblemKind::NeedsNodeId(_))) {
             self.unknown.insert((index, sub));
         }

@@ -96,7 +96,9 @@ impl Node<'_> {
             return Err(refused);
         }
         length(
-            EntryType::of(self.device, object, mapped.sub, &entry).transferred.and_then(DataType::bit_length),
+            EntryType::of(self.device, object, (mapped.index, mapped.sub), &entry)
+                .transferred
+                .and_then(DataType::bit_length),
         )
     }
 

@@ -3,6 +3,7 @@
 use crate::diagnostic::{Diagnostic, Findings, Fix, Severity, listing, say, text_rules};
 use crate::literal;
 use crate::source::Span;
+use crate::xdd::fact;
 use crate::xdd::schema::{BAUD_RATES, Kind, decimal, is_language, whole_number};
 
 text_rules! {
@@ -30,7 +31,7 @@ text_rules! {
     remedy: "Write `true` or `false`.",
     source: "CiA 311 annex A",
 
-    INVALID_HEX = "cia311/invalid-hex", Error;
+    INVALID_HEX = "cia311/invalid-hex", Error, stops "*";
     summary: "a hexadecimal number has the wrong form",
     checks: "Whether `index` has four hexadecimal digits, `subIndex` two, `dataType` two or four, `objFlags` pairs of them, without `0x` and without `h`.",
     why: "Tools reject the file, or do not find the object.",
@@ -130,8 +131,10 @@ fn finding(text: &str, kind: Kind, at: Span, name: &str) -> Diagnostic {
             } else {
                 format!("{least} to {most} hexadecimal digits in pairs")
             };
-            new(&INVALID_HEX, &format!("not a valid `{name}`: {digits} are expected"))
-                .help(hex_help(text, least))
+            let finding = new(&INVALID_HEX, &format!("not a valid `{name}`: {digits} are expected"))
+                .help(hex_help(text, least));
+            let is_read = fact::hex(text.trim(), most).is_some();
+            if is_read { finding.understood() } else { finding }
         }
         Kind::Date => {
             let finding = new(&INVALID_DATE, "not a date of the form `yyyy-mm-dd`")
