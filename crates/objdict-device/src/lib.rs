@@ -1,11 +1,31 @@
-//! What a CANopen device needs beside its object dictionary, for firmware: no standard library, no allocation,
-//! no `unsafe`, no dependency.
+//! The core of a CANopen device for firmware: no standard library, no allocation, no `unsafe`, no dependency.
 //!
 //! `objdict generate --target rust` writes the dictionary of a device as a table. [`table`] is the code that
-//! serves such a table; it is the same for every device.
+//! serves such a table; it is the same for every device. The other modules serve any [`Dictionary`]: SDO servers, PDOs
+//! whose mapping changes at run time, NMT state and heartbeat. Each takes frames and the time, and returns frames: driver, clock and
+//! main loop belong to the application.
+//!
+//! This is a core to attach to a driver, not a complete stack: there is no SDO client, no SYNC or TIME producer, no LSS, no
+//! node guarding, no remote frame and no 29-bit identifier.
 
 #![no_std]
+// values are cut to the width of their field in a frame
+#![allow(clippy::cast_possible_truncation)]
 
+mod dictionary;
+mod emergency;
+mod frame;
+mod nmt;
+mod node;
+mod pdo;
+mod sdo;
 pub mod table;
 
+pub use dictionary::{Attributes, Dictionary};
+pub use emergency::emergency;
+pub use frame::Frame;
+pub use nmt::{Heartbeat, HeartbeatConsumer, Nmt, NmtCommand, NmtState};
+pub use node::{Node, Received};
+pub use pdo::{Guarded, Pdos, Reception};
+pub use sdo::SdoServer;
 pub use table::Abort;

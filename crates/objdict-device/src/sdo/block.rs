@@ -1,0 +1,190 @@
+//! Block transfers (CiA 301 §7.2.4.3.9 to §7.2.4.3.15).
+
+use super::crc::crc;
+use super::{SdoServer, Transfer, with_command};
+use crate::{Abort, Dictionary};
+
+/// Segments in a sub-block of a download: as many as there can be, because the buffer takes them all.
+const SEGMENTS: u8 = 127;
+
+/// Bit of a sequence number: the last segment of the transfer.
+const LAST: u8 = 0x80;
+
+/// Where a block transfer is.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Block {
+    /// Whether the client wants a CRC.
+    crc: bool,
+    /// Segments in a sub-block.
+    size: u8,
+    /// The sequence number of the last segment that was sent or that came in order; 0 at the start of a sub-block.
+    sequence: u8,
+    /// Of an upload: whether the last segment of the value was sent.
+    is_last: bool,
+    /// Of a download: whether the segments were acknowledged because none came any more.
+    is_late: bool,
+}
+
+impl Block {
+    const fn new(crc: bool, size: u8) -> Self {
+        Self { crc, size, sequence: 0, is_last: false, is_late: false }
+    }
+
+    /// Whether segments of an upload are to be sent before the client acknowledges them.
+    pub(super) const fn is_sending(&self) -> bool {
+        self.sequence < self.size && !self.is_last
+    }
+
+    /// Acknowledges the segments that came, so that the client goes on after them.
+    const fn acknowledge(&mut self) -> [u8; 8] {
+        let sequence = self.sequence;
+        self.sequence = 0;
+        [0xA2, sequence, SEGMENTS, 0, 0, 0, 0, 0]
+    }
+
+    /// The same, once, when no segment comes any more: the end of the sub-block was lost.
+    pub(super) fn acknowledge_late(&mut self) -> Option<[u8; 8]> {
+        let is_first = !core::mem::replace(&mut self.is_late, true);
+        is_first.then(|| self.acknowledge())
+    }
+}
+
+impl<const BUFFER: usize> SdoServer<BUFFER> {
+    pub(super) fn start_block_download<D: Dictionary + ?Sized>(
+        &mut self,
+        dictionary: &mut D,
+        command: u8,
+        data: [u8; 4],
+    ) -> Result<[u8; 8], Abort> {
+        let length = (command & 2 != 0).then(|| u32::from_le_bytes(data));
+        self.expect(dictionary, length)?;
+        self.transfer = Transfer::BlockDownload(Block::new(command & 4 != 0, SEGMENTS));
+        Ok(self.with_entry((0xA4, [SEGMENTS, 0, 0, 0])))
+    }
+
+    /// Takes a segment of a download. One that is out of order is ignored up to the end of its sub-block: the client repeats
+    /// what is not acknowledged.
+    pub(super) fn take_segment(
+        &mut self,
+        mut block: Block,
+        bytes: [u8; 8],
+    ) -> Result<Option<[u8; 8]>, Abort> {
+        let [command, segment @ ..] = bytes;
+        let (sequence, is_last) = (command & !LAST, command & LAST != 0);
+        if sequence == 0 {
+            return Err(Abort::SequenceNumber);
+        }
+        block.is_late = false;
+        let in_order = sequence == block.sequence + 1;
+        if in_order {
+            block.sequence = sequence;
+            self.keep_segment(&segment, is_last)?;
+        }
+        let answer = (is_last || sequence >= block.size).then(|| block.acknowledge());
+        self.transfer = if is_last && in_order {
+            Transfer::BlockDownloadEnd(block)
+        } else {
+            Transfer::BlockDownload(block)
+        };
+        Ok(answer)
+    }
+
+    /// Appends a segment. Only the end of the transfer says how many bytes of the last one are used, so they may exceed the buffer.
+    fn keep_segment(&mut self, segment: &[u8; 7], is_last: bool) -> Result<(), Abort> {
+        if !is_last {
+            return self.keep(segment);
+        }
+        let bytes = self.buffer.iter_mut().skip(self.done);
+        bytes.zip(segment).for_each(|(byte, &value)| *byte = value);
+        self.done += 7;
+        Ok(())
+    }
+
+    pub(super) fn end_block_download<D: Dictionary + ?Sized>(
+        &mut self,
+        dictionary: &mut D,
+        block: Block,
+        bytes: [u8; 8],
+    ) -> Result<[u8; 8], Abort> {
+        let [command, low, high, ..] = bytes;
+        self.done = self.done.saturating_sub(usize::from(command >> 2 & 7));
+        let value = self.buffer.get(..self.done).ok_or(Abort::OutOfMemory)?;
+        if block.crc && crc(value) != u16::from_le_bytes([low, high]) {
+            return Err(Abort::Crc);
+        }
+        self.finish_download(dictionary)?;
+        Ok([0xA1, 0, 0, 0, 0, 0, 0, 0])
+    }
+
+    /// The threshold for a change to another protocol, in the fifth byte, is ignored, as CiA 301 allows.
+    pub(super) fn start_block_upload<D: Dictionary + ?Sized>(
+        &mut self,
+        dictionary: &mut D,
+        command: u8,
+        [size, ..]: [u8; 4],
+    ) -> Result<[u8; 8], Abort> {
+        let size = block_size(size)?;
+        let length = self.load(dictionary)?;
+        self.transfer = Transfer::BlockUploadStart(Block::new(command & 4 != 0, size));
+        Ok(self.with_entry((0xC6, (length as u32).to_le_bytes())))
+    }
+
+    /// What the client says in a block upload: start, acknowledged segments, or end.
+    pub(super) fn go_on_with_upload(
+        &mut self,
+        transfer: Transfer,
+        bytes: [u8; 8],
+    ) -> Result<Option<[u8; 8]>, Abort> {
+        let [command, sequence, size, ..] = bytes;
+        match (command & 3, transfer) {
+            (3, Transfer::BlockUploadStart(block)) => {
+                self.transfer = Transfer::BlockUpload(block);
+                Ok(None)
+            }
+            (2, Transfer::BlockUpload(block)) => self.acknowledged(block, sequence, size),
+            (1, Transfer::BlockUploadEnd) => {
+                self.transfer = Transfer::None;
+                Ok(None)
+            }
+            _ => Err(Abort::UnknownCommand),
+        }
+    }
+
+    /// Goes on after the segments that the client has; it may ask for the rest before the sub-block is complete.
+    fn acknowledged(&mut self, block: Block, sequence: u8, size: u8) -> Result<Option<[u8; 8]>, Abort> {
+        if sequence > block.sequence {
+            return Err(Abort::SequenceNumber);
+        }
+        if block.is_last && sequence == block.sequence {
+            self.transfer = Transfer::BlockUploadEnd;
+            return Ok(Some(self.end_of_upload(block)));
+        }
+        self.done += 7 * usize::from(sequence);
+        self.transfer = Transfer::BlockUpload(Block::new(block.crc, block_size(size)?));
+        Ok(None)
+    }
+
+    fn end_of_upload(&self, block: Block) -> [u8; 8] {
+        let value = self.buffer.get(..self.length.unwrap_or(0)).unwrap_or(&[]);
+        // an empty value has one segment too
+        let unused = match value.len() % 7 {
+            0 if !value.is_empty() => 0,
+            used => 7 - used as u8,
+        };
+        let [low, high] = if block.crc { crc(value).to_le_bytes() } else { [0; 2] };
+        [0xC1 | unused << 2, low, high, 0, 0, 0, 0, 0]
+    }
+
+    pub(super) fn next_segment(&mut self) -> [u8; 8] {
+        let Transfer::BlockUpload(mut block) = self.transfer else { return [0; 8] };
+        let (bytes, _, is_last) = self.segment(self.done + 7 * usize::from(block.sequence));
+        block.sequence += 1;
+        block.is_last = is_last;
+        self.transfer = Transfer::BlockUpload(block);
+        with_command(block.sequence | if is_last { LAST } else { 0 }, bytes)
+    }
+}
+
+fn block_size(size: u8) -> Result<u8, Abort> {
+    if (1..=SEGMENTS).contains(&size) { Ok(size) } else { Err(Abort::BlockSize) }
+}

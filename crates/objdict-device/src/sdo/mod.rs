@@ -1,0 +1,335 @@
+//! SDO servers: one channel each.
+
+mod block;
+mod crc;
+
+use crate::frame::can_id;
+use crate::{Abort, Dictionary, Frame};
+
+use block::Block;
+
+/// The bit of a COB-ID that says that the channel is not valid.
+const NOT_VALID: u32 = 1 << 31;
+
+/// The server of one SDO channel (CiA 301 §7.2.4): expedited, segmented and block transfers of values of at most `BUFFER` bytes.
+///
+/// It knows no driver and no clock: [`SdoServer::receive`] takes a frame, [`SdoServer::poll`] the time, and each returns at most
+/// one frame to send.
+#[derive(Clone, Debug)]
+pub struct SdoServer<const BUFFER: usize> {
+    object: u16,
+    node_id: u8,
+    timeout: u64,
+    transfer: Transfer,
+    /// The entry of the transfer as in a frame: index and sub-index.
+    entry: [u8; 3],
+    /// When the last frame came or went.
+    since: u64,
+    /// Bytes of the value that were transferred; at the end of a block download up to six more.
+    done: usize,
+    /// Bytes of the value; of a download as far as the client says so.
+    length: Option<usize>,
+    buffer: [u8; BUFFER],
+}
+
+/// What the server waits for.
+#[derive(Clone, Copy, Debug)]
+enum Transfer {
+    None,
+    /// A segment with this toggle bit.
+    Download {
+        toggle: u8,
+    },
+    /// The request of a segment with this toggle bit.
+    Upload {
+        toggle: u8,
+    },
+    BlockDownload(Block),
+    BlockDownloadEnd(Block),
+    BlockUploadStart(Block),
+    BlockUpload(Block),
+    BlockUploadEnd,
+}
+
+/// The first byte and the last four of an answer with the entry in between.
+type Answer = (u8, [u8; 4]);
+
+impl<const BUFFER: usize> SdoServer<BUFFER> {
+    /// Time without a frame, in microseconds, after which a transfer is aborted, unless [`SdoServer::with_timeout`] says otherwise.
+    pub const TIMEOUT: u64 = 500_000;
+
+    /// The server of the channel with this number: 0 for the default channel, whose object 1200h a device may lack, `n` for
+    /// the channel of object 1200h + `n`.
+    #[must_use]
+    pub const fn new(number: u8, node_id: u8) -> Self {
+        Self {
+            object: 0x1200 | (number & 0x7F) as u16,
+            node_id,
+            timeout: Self::TIMEOUT,
+            transfer: Transfer::None,
+            entry: [0; 3],
+            since: 0,
+            done: 0,
+            length: None,
+            buffer: [0; BUFFER],
+        }
+    }
+
+    /// Aborts transfers after this time without a frame, in microseconds. After half of it the server acknowledges what it has
+    /// of a sub-block, so that the client repeats a lost last segment.
+    #[must_use]
+    pub const fn with_timeout(mut self, timeout: u64) -> Self {
+        self.timeout = timeout;
+        self
+    }
+
+    /// Whether a transfer is under way.
+    #[must_use]
+    pub const fn is_busy(&self) -> bool {
+        !matches!(self.transfer, Transfer::None)
+    }
+
+    /// Ends a transfer without an answer, as when the node stops or resets.
+    pub const fn reset(&mut self) {
+        self.transfer = Transfer::None;
+    }
+
+    /// Takes a frame at a time in microseconds, and returns the answer. Frames that are not for this channel are ignored.
+    pub fn receive<D: Dictionary + ?Sized>(
+        &mut self,
+        dictionary: &mut D,
+        frame: &Frame,
+        now: u64,
+    ) -> Option<Frame> {
+        let (request, response) = self.cob_ids(dictionary)?;
+        if frame.id() != can_id(request) || frame.data().len() != 8 {
+            return None;
+        }
+        self.since = now;
+        let bytes = frame.bytes();
+        let answer = match self.transfer {
+            Transfer::BlockDownload(block) if bytes[0] != 0x80 => self.take_segment(block, bytes),
+            _ => self.answer(dictionary, bytes),
+        };
+        self.send(response, answer)
+    }
+
+    /// Returns a frame that is due at a time in microseconds: the next segment of a block upload, or an abort after a timeout.
+    /// Call it until it returns `None`.
+    pub fn poll<D: Dictionary + ?Sized>(&mut self, dictionary: &mut D, now: u64) -> Option<Frame> {
+        if !self.is_busy() {
+            return None;
+        }
+        let (_, response) = self.cob_ids(dictionary)?;
+        let waited = now.saturating_sub(self.since);
+        let due = match &mut self.transfer {
+            _ if waited >= self.timeout => Err(Abort::Timeout),
+            Transfer::BlockUpload(block) if block.is_sending() => {
+                self.since = now;
+                Ok(Some(self.next_segment()))
+            }
+            Transfer::BlockDownload(block) if waited >= self.timeout / 2 => Ok(block.acknowledge_late()),
+            _ => Ok(None),
+        };
+        self.send(response, due)
+    }
+
+    /// The COB-IDs of request and response; `None` while the channel is not valid.
+    fn cob_ids<D: Dictionary + ?Sized>(&self, dictionary: &mut D) -> Option<(u32, u32)> {
+        let mut cob_id = |sub| dictionary.number(self.object, sub).map(|number| number as u32);
+        let node_id = u32::from(self.node_id);
+        match (cob_id(1), cob_id(2)) {
+            (Ok(request), Ok(response)) => {
+                ((request | response) & NOT_VALID == 0).then_some((request, response))
+            }
+            _ => (self.object == 0x1200).then_some((0x600 | node_id, 0x580 | node_id)),
+        }
+    }
+
+    fn send(&mut self, response: u32, answer: Result<Option<[u8; 8]>, Abort>) -> Option<Frame> {
+        let bytes = answer.unwrap_or_else(|abort| {
+            self.transfer = Transfer::None;
+            Some(self.with_entry((0x80, abort.code().to_le_bytes())))
+        });
+        Some(Frame::full(response, bytes?))
+    }
+
+    const fn with_entry(&self, (command, [a, b, c, d]): Answer) -> [u8; 8] {
+        let [low, high, sub] = self.entry;
+        [command, low, high, sub, a, b, c, d]
+    }
+
+    /// Index and sub-index of the transfer.
+    const fn address(&self) -> (u16, u8) {
+        let [low, high, sub] = self.entry;
+        (u16::from_le_bytes([low, high]), sub)
+    }
+
+    /// Answers a request outside of sub-blocks, by its command specifier. A new transfer replaces one that the client left.
+    fn answer<D: Dictionary + ?Sized>(
+        &mut self,
+        dictionary: &mut D,
+        bytes: [u8; 8],
+    ) -> Result<Option<[u8; 8]>, Abort> {
+        let [command, entry @ .., a, b, c, d] = bytes;
+        let data = [a, b, c, d];
+        let transfer = self.transfer;
+        let starts =
+            matches!(command >> 5, 1 | 2) || matches!(command & 0xE1, 0xC0) || matches!(command & 0xE3, 0xA0);
+        if starts || !self.is_busy() {
+            self.transfer = Transfer::None;
+            self.entry = entry;
+        }
+        match (command >> 5, transfer) {
+            (1, _) => self.start_download(dictionary, command, data).map(Some),
+            (2, _) => self.start_upload(dictionary).map(Some),
+            (5, _) if starts => self.start_block_upload(dictionary, command, data).map(Some),
+            (6, _) if starts => self.start_block_download(dictionary, command, data).map(Some),
+            (0, Transfer::Download { toggle }) => self.download_segment(dictionary, toggle, bytes).map(Some),
+            (3, Transfer::Upload { toggle }) => self.upload_segment(toggle, command).map(Some),
+            (4, _) => {
+                self.transfer = Transfer::None;
+                Ok(None)
+            }
+            (5, _) => self.go_on_with_upload(transfer, bytes),
+            (6, Transfer::BlockDownloadEnd(block)) if command & 1 == 1 => {
+                self.end_block_download(dictionary, block, bytes).map(Some)
+            }
+            _ => Err(Abort::UnknownCommand),
+        }
+    }
+
+    fn start_download<D: Dictionary + ?Sized>(
+        &mut self,
+        dictionary: &mut D,
+        command: u8,
+        data: [u8; 4],
+    ) -> Result<[u8; 8], Abort> {
+        const EXPEDITED: u8 = 2;
+        const SIZE: u8 = 1;
+        let (index, sub) = self.address();
+        if command & EXPEDITED == 0 {
+            let length = (command & SIZE != 0).then(|| u32::from_le_bytes(data));
+            self.expect(dictionary, length)?;
+            self.transfer = Transfer::Download { toggle: 0 };
+        } else {
+            let length = match command & SIZE {
+                0 => dictionary.attributes(index, sub)?.size.min(4),
+                _ => 4 - usize::from(command >> 2 & 3),
+            };
+            dictionary.write(index, sub, data.get(..length).unwrap_or(&data))?;
+        }
+        Ok(self.with_entry((0x60, [0; 4])))
+    }
+
+    /// Checks what is known before the data come: access and length.
+    fn expect<D: Dictionary + ?Sized>(
+        &mut self,
+        dictionary: &mut D,
+        length: Option<u32>,
+    ) -> Result<(), Abort> {
+        let (index, sub) = self.address();
+        let attributes = dictionary.attributes(index, sub)?;
+        if !attributes.writable {
+            return Err(Abort::ReadOnly);
+        }
+        let length = length.map(|length| usize::try_from(length).unwrap_or(usize::MAX));
+        if length.is_some_and(|length| length > attributes.size) {
+            return Err(if attributes.size == 0 { Abort::CannotStore } else { Abort::TooLong });
+        }
+        if length.is_some_and(|length| length > BUFFER) {
+            return Err(Abort::OutOfMemory);
+        }
+        (self.done, self.length) = (0, length);
+        Ok(())
+    }
+
+    fn download_segment<D: Dictionary + ?Sized>(
+        &mut self,
+        dictionary: &mut D,
+        toggle: u8,
+        bytes: [u8; 8],
+    ) -> Result<[u8; 8], Abort> {
+        const TOGGLE: u8 = 0x10;
+        let [command, segment @ ..] = bytes;
+        if command & TOGGLE != toggle {
+            return Err(Abort::ToggleBit);
+        }
+        let used = 7 - usize::from(command >> 1 & 7);
+        self.keep(segment.get(..used).unwrap_or(&segment))?;
+        self.transfer = Transfer::Download { toggle: toggle ^ TOGGLE };
+        if command & 1 != 0 {
+            self.finish_download(dictionary)?;
+        }
+        Ok([0x20 | toggle, 0, 0, 0, 0, 0, 0, 0])
+    }
+
+    /// Appends to the value in the buffer.
+    fn keep(&mut self, bytes: &[u8]) -> Result<(), Abort> {
+        let end = self.done + bytes.len();
+        if self.length.is_some_and(|length| end > length) {
+            return Err(Abort::TooLong);
+        }
+        self.buffer.get_mut(self.done..end).ok_or(Abort::OutOfMemory)?.copy_from_slice(bytes);
+        self.done = end;
+        Ok(())
+    }
+
+    fn finish_download<D: Dictionary + ?Sized>(&mut self, dictionary: &mut D) -> Result<(), Abort> {
+        let value = self.buffer.get(..self.done).ok_or(Abort::OutOfMemory)?;
+        match self.length {
+            Some(length) if self.done < length => return Err(Abort::TooShort),
+            Some(length) if self.done > length => return Err(Abort::TooLong),
+            _ => {}
+        }
+        let (index, sub) = self.address();
+        self.transfer = Transfer::None;
+        dictionary.write(index, sub, value)
+    }
+
+    /// Reads the value into the buffer, so that it does not change during the transfer.
+    fn load<D: Dictionary + ?Sized>(&mut self, dictionary: &mut D) -> Result<usize, Abort> {
+        let (index, sub) = self.address();
+        let length = dictionary.read(index, sub, &mut self.buffer)?;
+        (self.done, self.length) = (0, Some(length));
+        Ok(length)
+    }
+
+    fn start_upload<D: Dictionary + ?Sized>(&mut self, dictionary: &mut D) -> Result<[u8; 8], Abort> {
+        let length = self.load(dictionary)?;
+        let mut data = [0; 4];
+        match (self.buffer.get(..length), data.get_mut(..length)) {
+            (Some(value @ [_, ..]), Some(data)) => {
+                data.copy_from_slice(value);
+            }
+            _ => {
+                self.transfer = Transfer::Upload { toggle: 0 };
+                return Ok(self.with_entry((0x41, (length as u32).to_le_bytes())));
+            }
+        }
+        let unused = 4 - length as u8;
+        Ok(self.with_entry((0x43 | unused << 2, data)))
+    }
+
+    fn upload_segment(&mut self, toggle: u8, command: u8) -> Result<[u8; 8], Abort> {
+        if command & 0x10 != toggle {
+            return Err(Abort::ToggleBit);
+        }
+        let (bytes, used, is_last) = self.segment(self.done);
+        self.done += usize::from(used);
+        self.transfer = if is_last { Transfer::None } else { Transfer::Upload { toggle: toggle ^ 0x10 } };
+        Ok(with_command(toggle | (7 - used) << 1 | u8::from(is_last), bytes))
+    }
+
+    /// The segment of the value that begins there, how many of its bytes are used, and whether it is the last one.
+    fn segment(&self, start: usize) -> ([u8; 7], u8, bool) {
+        let rest = self.buffer.get(start..self.length.unwrap_or(0)).unwrap_or(&[]);
+        let mut bytes = [0; 7];
+        bytes.iter_mut().zip(rest).for_each(|(byte, &value)| *byte = value);
+        (bytes, rest.len().min(7) as u8, rest.len() <= 7)
+    }
+}
+
+const fn with_command(command: u8, [a, b, c, d, e, f, g]: [u8; 7]) -> [u8; 8] {
+    [command, a, b, c, d, e, f, g]
+}

@@ -1,0 +1,24 @@
+//! The services of a device, with clients and masters that are written here.
+
+#![allow(clippy::unwrap_used, reason = "a test may fail by panicking")]
+
+mod client;
+mod dictionary;
+mod nmt;
+mod node;
+mod pdo;
+mod sdo;
+
+use objdict_device::Frame;
+
+/// A frame of eight bytes at most.
+fn frame(id: u16, data: &[u8]) -> Frame {
+    Frame::new(id, data).unwrap()
+}
+
+#[test]
+fn frames_have_11_bits_and_eight_bytes() {
+    assert_eq!(Frame::new(0x800, &[]), None);
+    assert_eq!(Frame::new(0x7FF, &[0; 9]), None);
+    assert_eq!(frame(0x7FF, &[1, 2]).data(), [1, 2]);
+}
