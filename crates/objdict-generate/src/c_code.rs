@@ -19,6 +19,16 @@ pub(crate) fn file_stem(options: &Options) -> String {
     }
 }
 
+/// The name of files without a name that an application expects: the prefix, else the [`file_stem`] and what the
+/// files contain (`od` only once).
+pub(crate) fn file_name(options: &Options, content: &str) -> String {
+    match (options.prefix.is_some(), file_stem(options)) {
+        (true, stem) => stem,
+        (false, stem) if stem == content => stem,
+        (false, stem) => format!("{stem}_{content}"),
+    }
+}
+
 /// The C type of exactly this data type's size and range; `None` if C has none.
 pub(crate) fn exact_type(data_type: DataType) -> Option<&'static str> {
     Some(match data_type.kind() {

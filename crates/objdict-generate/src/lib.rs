@@ -43,6 +43,8 @@ mod dictionary;
 mod escape;
 mod frames;
 mod hooks;
+#[cfg(feature = "stacks")]
+mod lely;
 mod meanings;
 mod memory;
 #[cfg(feature = "stacks")]
@@ -115,6 +117,8 @@ targets! {
     MICROCANOPEN = microcanopen::MicroCanopen,
     #[cfg(feature = "stacks")]
     OBJDICT_MACROS = objdict_macros::ObjdictMacros,
+    #[cfg(feature = "stacks")]
+    LELY = lely::Lely,
 }
 
 /// Maximum size of a string, octet string or DOMAIN value in a table, in bytes.

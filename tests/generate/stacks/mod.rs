@@ -11,6 +11,7 @@ mod canopen_stack;
 mod canopennode;
 mod columns;
 mod figures;
+mod lely;
 mod measure;
 mod microcanopen;
 mod objdict_macros;

@@ -12,7 +12,7 @@ use crate::compile::{DRIVER, c_compiler, cc, driver, generate_into, succeed};
 use crate::devices::{arbitrary_devices, devices, for_all};
 use crate::stacks::columns::{Aspect, Column, agree};
 use crate::stacks::truth::truth;
-use crate::stacks::{c_structs, canopen_stack, canopennode, microcanopen, objdict_macros};
+use crate::stacks::{c_structs, canopen_stack, canopennode, lely, microcanopen, objdict_macros};
 
 /// The node-ID of all tests.
 const NODE_ID: u8 = 5;
@@ -98,6 +98,10 @@ fn columns(compiler: &str, folder: &Path, device: &Device, in_rust: Column) -> R
     let (dump, notes) = objdict_macros::dump(compiler, &folder("objdict-macros")?, device, NODE_ID)?;
     let column = Column::of_dump("objdict-macros", &dump, notes);
     columns.push(Column { untold: &[Aspect::Type], excuses: OF_OBJDICT_MACROS, ..column });
+
+    let (dump, notes) = lely::dump(compiler, &folder("lely")?, device, NODE_ID)?;
+    let column = Column::of_dump("lely", &dump, notes);
+    columns.push(Column { untold: &[Aspect::Size], excuses: OF_LELY, ..column });
     Ok(columns)
 }
 
@@ -127,6 +131,14 @@ const OF_MICROCANOPEN: &[(Aspect, &str)] = &[
     (Aspect::Entry, "the stack serves the entry itself"),
     (Aspect::Access, "entries outside of the process image cannot be written"),
     (Aspect::Size, "entries outside of the process image cannot be written"),
+];
+
+const OF_LELY: &[(Aspect, &str)] = &[
+    (Aspect::Entry, "an object of the stack has at most 255 entries"),
+    (Aspect::Type, "the stack has no types of the device"),
+    (Aspect::Access, "in place of a value"),
+    (Aspect::Default, "in place of a value"),
+    (Aspect::Default, "truncates a UNICODE_STRING at its first zero"),
 ];
 
 const OF_OBJDICT_MACROS: &[(Aspect, &str)] = &[

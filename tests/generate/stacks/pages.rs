@@ -35,7 +35,7 @@ const PLAIN: Page = Page {
     prints: None,
 };
 
-const PAGES: [Page; 5] = [
+const PAGES: [Page; 6] = [
     Page {
         name: "c-structs",
         fixture: "eds/minimal.eds",
@@ -49,6 +49,7 @@ const PAGES: [Page; 5] = [
     },
     Page { name: "canopennode", stack: Some("canopennode"), ..PLAIN },
     Page { name: "canopen-stack", stack: Some("canopen_stack"), ..PLAIN },
+    Page { name: "lely", stack: Some("lely"), ..PLAIN },
     Page {
         name: "microcanopen",
         fixture: "eds/io-401.eds",

@@ -109,6 +109,10 @@ pub(super) fn microcanopen(tools: &Tools) -> Vec<Call> {
     vec![with_declarations(tools, "microcanopen").argument("-DOD_NODE_ID=5")]
 }
 
+pub(super) fn lely(tools: &Tools) -> Vec<Call> {
+    vec![with_declarations(tools, "lely")]
+}
+
 /// With our declarations; with those of the stack, and the stack with the tables, where there is a checkout.
 pub(super) fn canopennode(tools: &Tools) -> Vec<Call> {
     let mut calls = vec![with_declarations(tools, "canopennode")];

@@ -13,7 +13,7 @@ mod sizes;
 mod special;
 mod view;
 
-use super::c_code::file_stem;
+use super::c_code::file_name;
 use super::dictionary::Dictionary;
 use super::notes::{in_order, once_per_object};
 use super::{Backend, Choice, GenerateError, Generated, Options, Sizes, render};
@@ -45,7 +45,7 @@ impl Backend for CanopenStack {
     fn generate(&self, device: &Device, options: &Options) -> Result<Generated, GenerateError> {
         let mut dictionary = Dictionary::new(device, options)?;
         let prefix = options.prefix_or("od")?;
-        let stem = file_name(options);
+        let stem = file_name(options, "od");
         let mut notes = std::mem::take(&mut dictionary.notes);
         let mut planner = cell::Planner { node_id: dictionary.node_id, notes: &mut notes };
         let planned = planner.plan(&dictionary);
@@ -71,14 +71,5 @@ impl Backend for CanopenStack {
         let parameters = para::Parameters::new(&dictionary, &planned, &mut layout, &prefix, &mut notes);
         let rows = view::rows(&dictionary, &planned, &layout);
         Ok(Sizes::Known(sizes::report(&dictionary, &planned, &layout, &parameters, &rows)))
-    }
-}
-
-/// The name of the files.
-fn file_name(options: &Options) -> String {
-    match (options.prefix.is_some(), file_stem(options)) {
-        (true, stem) => stem,
-        (false, stem) if stem == "od" => stem,
-        (false, stem) => format!("{stem}_od"),
     }
 }

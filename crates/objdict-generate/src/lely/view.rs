@@ -1,0 +1,268 @@
+//! Views of the Lely core templates.
+
+use askama::Template;
+
+use super::value::{UNCONFIGURED, data_type, has_limits, initial, limit, type_name};
+use crate::c_code::literal;
+use crate::dictionary::{Dictionary, ResolvedEntry, ResolvedObject};
+use crate::escape::{c_text, filters, shown};
+use crate::model::{Access, DataType, Entry, ObjectType, Place, TypeKind};
+use crate::resolve::{Datum, Shape};
+use crate::{Note, Options};
+
+/// Data common to both files.
+pub(super) struct Head {
+    lower: String,
+    upper: String,
+    stem: String,
+    made_by: String,
+    product: String,
+    vendor: String,
+    /// The members of `struct co_sdev` before its objects, with their values.
+    members: Vec<(&'static str, String)>,
+}
+
+/// An object: a `struct co_sobj`.
+pub(super) struct SdevObject {
+    index: u16,
+    code: &'static str,
+    name: String,
+    rows: Vec<SdevRow>,
+}
+
+/// An entry: a `struct co_ssub`.
+struct SdevRow {
+    sub: u8,
+    name: String,
+    data_type: &'static str,
+    /// Both limits; `None` if values of the type have none.
+    limits: Option<(String, String)>,
+    default: String,
+    value: String,
+    access: &'static str,
+    /// 1 if a PDO may map it.
+    mapping: u8,
+    flags: String,
+}
+
+/// The static device.
+#[derive(Template)]
+#[template(path = "lely/sdev.c", escape = "none")]
+pub(super) struct Source<'a> {
+    head: &'a Head,
+    objects: &'a [SdevObject],
+}
+
+/// Its declaration.
+#[derive(Template)]
+#[template(path = "lely/sdev.h", escape = "none")]
+pub(super) struct Header<'a> {
+    head: &'a Head,
+}
+
+impl<'a> Source<'a> {
+    pub(super) fn new(head: &'a Head, objects: &'a [SdevObject]) -> Self {
+        Self { head, objects }
+    }
+}
+
+impl<'a> Header<'a> {
+    pub(super) fn new(head: &'a Head) -> Self {
+        Self { head }
+    }
+}
+
+impl Head {
+    pub(super) fn new(dictionary: &Dictionary<'_>, options: &Options, prefix: &str, stem: &str) -> Self {
+        let device = dictionary.device;
+        let info = device.device_info.clone().unwrap_or_default();
+        let node = device.commissioning.as_ref();
+        let named = |name: Option<&String>| match name {
+            Some(name) if options.entry_names => text(name),
+            _ => "NULL".to_owned(),
+        };
+        let number = |number: Option<u32>| format!("0x{:08X}u", number.unwrap_or(0));
+        let dummies =
+            device.dummy_usage.iter().flat_map(|usage| &usage.types).filter(|(_, allowed)| **allowed);
+        let dummies = dummies.filter(|(data_type, _)| data_type.0 < 32);
+        let dummies = dummies.fold(0, |bits: u32, (data_type, _)| bits | 1 << data_type.0);
+        let mut rates: Vec<String> =
+            info.baud_rates.supported().map(|rate| format!("CO_BAUD_{rate}")).collect();
+        rates.reverse(); // the highest first
+        rates.extend((info.baud_rates.auto == Some(true)).then(|| "CO_BAUD_AUTO".to_owned()));
+        let rate = node.and_then(|node| node.baud_rate).unwrap_or(0);
+        let members = vec![
+            ("id", format!("0x{:02X}u", dictionary.node_id.unwrap_or(UNCONFIGURED))),
+            ("name", named(node.and_then(|node| node.node_name.as_ref()))),
+            ("vendor_name", named(info.vendor_name.as_ref())),
+            ("vendor_id", number(info.vendor_number)),
+            ("product_name", named(info.product_name.as_ref())),
+            ("product_code", number(info.product_number)),
+            ("revision", number(info.revision_number)),
+            ("order_code", named(info.order_code.as_ref())),
+            ("baud", if rates.is_empty() { "0".to_owned() } else { rates.join(" | ") }),
+            ("rate", format!("{rate}u")),
+            ("lss", u8::from(info.lss_supported == Some(true)).to_string()),
+            ("dummy", format!("0x{dummies:08X}u")),
+        ];
+        Self {
+            lower: prefix.to_owned(),
+            upper: prefix.to_ascii_uppercase(),
+            stem: stem.to_owned(),
+            made_by: options.made_by(),
+            product: info.product_name.unwrap_or_default(),
+            vendor: info.vendor_name.unwrap_or_default(),
+            members,
+        }
+    }
+}
+
+/// A text of the description, whole if C has a literal for it.
+fn text(text: &str) -> String {
+    literal(text.as_bytes()).unwrap_or_else(|| c_text(text))
+}
+
+/// The objects of a dictionary; `defaults` is the dictionary of the same device without configuration.
+pub(super) fn objects(
+    dictionary: &Dictionary<'_>,
+    defaults: &Dictionary<'_>,
+    names: bool,
+    notes: &mut Vec<Note>,
+) -> Vec<SdevObject> {
+    let node_id = dictionary.node_id.unwrap_or(UNCONFIGURED);
+    let rows = |object: &ResolvedObject<'_>, default: &ResolvedObject<'_>, notes: &mut Vec<Note>| {
+        let pairs = object.entries.iter().zip(&default.entries).take(usize::from(u8::MAX)); // `nsub` is a byte
+        pairs.map(|(entry, default)| row((object, entry), default, (names, node_id), notes)).collect()
+    };
+    let pairs = dictionary.objects.iter().zip(&defaults.objects);
+    let objects = pairs.map(|(object, default)| {
+        if let Some(entry) = object.entries.get(usize::from(u8::MAX)) {
+            let text = "an object of the stack has at most 255 entries; the last one is omitted";
+            notes.push(Note::new(Place::entry(object.index, entry.sub), text));
+        }
+        SdevObject {
+            index: object.index,
+            code: code(object.object.object_type()),
+            name: if names { text(name_of(&object.object.main)) } else { "NULL".to_owned() },
+            rows: rows(object, default, notes),
+        }
+    });
+    objects.collect()
+}
+
+/// The object type in the library.
+fn code(object_type: ObjectType) -> &'static str {
+    match object_type {
+        ObjectType::Null => "CO_OBJECT_NULL",
+        ObjectType::Domain => "CO_OBJECT_DOMAIN",
+        ObjectType::DefType => "CO_OBJECT_DEFTYPE",
+        ObjectType::DefStruct => "CO_OBJECT_DEFSTRUCT",
+        ObjectType::Array => "CO_OBJECT_ARRAY",
+        ObjectType::Record => "CO_OBJECT_RECORD",
+        ObjectType::Var => "CO_OBJECT_VAR",
+    }
+}
+
+/// The denotation, else the name.
+fn name_of(entry: &Entry) -> &str {
+    let denotation = entry.configured.as_ref().and_then(|configured| configured.denotation.as_deref());
+    denotation.filter(|text| !text.is_empty()).unwrap_or(&entry.name)
+}
+
+fn row(
+    (object, entry): (&ResolvedObject<'_>, &ResolvedEntry<'_>),
+    default: &ResolvedEntry<'_>,
+    (names, node_id): (bool, u8),
+    notes: &mut Vec<Note>,
+) -> SdevRow {
+    let resolved = &entry.resolved;
+    let place = Place::entry(object.index, entry.sub);
+    let data_type = data_type(resolved.shape);
+    if let Shape::Block(_) = resolved.shape {
+        let text =
+            "the stack has no types of the device; the entry is the UNSIGNED or OCTET_STRING of its length";
+        notes.push(Note::new(place.clone(), text));
+    }
+    let file = file_of(&entry.entry, data_type);
+    if let Some((_, name)) = file {
+        let text = format!("the library transfers the file `{}` in place of a value", shown(name));
+        notes.push(Note::new(place.clone(), text));
+    }
+    if data_type.kind() == TypeKind::UnicodeString
+        && matches!(&resolved.default, Datum::Bytes(bytes) if bytes.chunks(2).any(|pair| pair == [0, 0]))
+    {
+        notes.push(Note::new(place, "the library truncates a UNICODE_STRING at its first zero character"));
+    }
+    let limits = |low: &Option<Datum>, high: &Option<Datum>| {
+        let of = |datum: &Option<Datum>, of_type| limit(datum.as_ref(), data_type, of_type, node_id);
+        (of(low, "MIN"), of(high, "MAX"))
+    };
+    let value = initial(resolved, node_id);
+    SdevRow {
+        sub: entry.sub,
+        name: if names { text(name_of(&entry.entry)) } else { "NULL".to_owned() },
+        data_type: type_name(data_type),
+        limits: has_limits(data_type).then(|| limits(&resolved.low, &resolved.high)),
+        default: initial(&default.resolved, node_id),
+        value: file.map_or(value, |(_, name)| super::value::file(name)),
+        access: file.map_or_else(|| access(entry), |(flag, _)| access_of_file(flag)),
+        mapping: u8::from(resolved.tpdo || resolved.rpdo),
+        flags: flags(entry, &default.resolved.default, file.map(|(flag, _)| flag)),
+    }
+}
+
+/// Uploads read the file, downloads write it.
+const UPLOAD: &str = "UPLOAD_FILE";
+const DOWNLOAD: &str = "DOWNLOAD_FILE";
+
+/// The file that the library uses in place of a value, and its flag.
+fn file_of(entry: &Entry, data_type: DataType) -> Option<(&'static str, &str)> {
+    let configured = entry.configured.as_ref().filter(|_| data_type.kind() == TypeKind::Domain)?;
+    if configured.value.is_some() {
+        return None;
+    }
+    let upload = configured.upload_file.as_deref().map(|name| (UPLOAD, name));
+    upload.or(configured.download_file.as_deref().map(|name| (DOWNLOAD, name)))
+}
+
+/// The library demands the access type that fits the direction.
+fn access_of_file(flag: &str) -> &'static str {
+    if flag == UPLOAD { "RO" } else { "WO" }
+}
+
+/// The access type, which states for a `rw` entry which PDOs map it.
+fn access(entry: &ResolvedEntry<'_>) -> &'static str {
+    let resolved = &entry.resolved;
+    match (resolved.access, resolved.tpdo, resolved.rpdo) {
+        (Access::Rw, true, false) => "RWR",
+        (Access::Rw, false, true) => "RWW",
+        (Access::Ro, ..) => "RO",
+        (Access::Wo, ..) => "WO",
+        (Access::Rw, ..) => "RW",
+        (Access::Rwr, ..) => "RWR",
+        (Access::Rww, ..) => "RWW",
+        (Access::Const, ..) => "CONST",
+    }
+}
+
+/// The flags of a row: `ObjFlags`, files, and where the node-ID is part of a number.
+fn flags(entry: &ResolvedEntry<'_>, default: &Datum, file: Option<&'static str>) -> String {
+    let resolved = &entry.resolved;
+    let formula = |datum: Option<&Datum>| matches!(datum, Some(Datum::Formula(_)));
+    let of_file = |set: Option<bool>| set.unwrap_or_default();
+    let flags = entry.entry.flags();
+    let named = [
+        ("READ", flags.0 & 1 != 0), // the library names the bits by what they refuse on an upload and a download
+        ("WRITE", flags.0 & 2 != 0),
+        (UPLOAD, of_file(file.map(|flag| flag == UPLOAD))),
+        (DOWNLOAD, of_file(file.map(|flag| flag == DOWNLOAD))),
+        ("MIN_NODEID", formula(resolved.low.as_ref())),
+        ("MAX_NODEID", formula(resolved.high.as_ref())),
+        ("DEF_NODEID", formula(Some(default))),
+        ("VAL_NODEID", formula(Some(&resolved.default))),
+        ("PARAMETER_VALUE", entry.entry.configured_value().is_some()),
+    ];
+    let set: Vec<String> =
+        named.iter().filter(|(_, set)| *set).map(|(name, _)| format!("CO_OBJ_FLAGS_{name}")).collect();
+    if set.is_empty() { "0".to_owned() } else { set.join(" | ") }
+}

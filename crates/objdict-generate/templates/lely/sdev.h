@@ -1,0 +1,22 @@
+/*
+ * {{ head.made_by }}; do not edit.
+ *
+ * The static device {{ head.product|c_comment }} by {{ head.vendor|c_comment }}, for Lely core 2.4.
+ */
+#ifndef {{ head.upper }}_SDEV_H
+#define {{ head.upper }}_SDEV_H
+
+#include <lely/co/sdev.h>
+
+#ifdef __cplusplus
+extern "C" {
+#endif
+
+/* The argument of co_dev_create_from_sdev(). */
+extern const struct co_sdev {{ head.lower }}_sdev;
+
+#ifdef __cplusplus
+}
+#endif
+
+#endif

@@ -1,0 +1,58 @@
+/*
+ * Loads a static device with the library, gives it the node-ID of the argument, and prints its entries.
+ */
+#include <lely/co/dev.h>
+#include <lely/co/obj.h>
+#include <lely/co/sdev.h>
+
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+extern const struct co_sdev SDEV;
+
+static void print(const co_obj_t *obj, const co_sub_t *sub)
+{
+    static unsigned char bytes[0x20000];
+    const unsigned type = co_sub_get_type(sub);
+    const unsigned access = co_sub_get_access(sub);
+    const void *const val = co_sub_get_val(sub);
+    const size_t size = co_val_write(co_sub_get_type(sub), val, NULL, NULL);
+    const int mapping = co_sub_get_pdo_mapping(sub);
+    size_t at;
+    co_val_write(co_sub_get_type(sub), val, bytes, bytes + size);
+    printf("%04X %02X %02X ", co_obj_get_idx(obj), co_sub_get_subidx(sub), type);
+    if (co_type_is_array(co_sub_get_type(sub))) {
+        putchar('-');
+    } else {
+        printf("%u", (unsigned)size);
+    }
+    printf(" %c%c%c%c ", (access & CO_ACCESS_READ) ? 'r' : '-', (access & CO_ACCESS_WRITE) ? 'w' : '-',
+           mapping && (access & CO_ACCESS_TPDO) ? 't' : '-', mapping && (access & CO_ACCESS_RPDO) ? 'p' : '-');
+    for (at = 0u; at < size; at++) {
+        printf("%02X", bytes[at]);
+    }
+    puts(size > 0u ? "" : "-");
+}
+
+int main(int count, char **arguments)
+{
+    static co_unsigned16_t indexes[0x10000];
+    co_dev_t *const dev = co_dev_create_from_sdev(&SDEV);
+    co_unsigned16_t objects, at;
+    if (dev == NULL || count < 2 || co_dev_set_id(dev, (co_unsigned8_t)atoi(arguments[1])) == -1) {
+        return 1;
+    }
+    objects = co_dev_get_idx(dev, 0xFFFF, indexes);
+    for (at = 0u; at < objects; at++) {
+        const co_obj_t *const obj = co_dev_find_obj(dev, indexes[at]);
+        co_unsigned8_t subs[0xFF];
+        const co_unsigned8_t entries = co_obj_get_subidx(obj, 0xFF, subs);
+        co_unsigned8_t sub;
+        for (sub = 0u; sub < entries; sub++) {
+            print(obj, co_obj_find_sub(obj, subs[sub]));
+        }
+    }
+    co_dev_destroy(dev);
+    return 0;
+}

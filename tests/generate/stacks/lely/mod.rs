@@ -1,0 +1,234 @@
+//! The target `lely`.
+
+mod real;
+
+use std::path::Path;
+
+use objdict::generate::{Note, Options, Target, generate};
+use objdict::model::{DataType, Device, TypeKind, Value};
+
+use crate::compile::{c_compiler, cc};
+use crate::devices::{arbitrary_devices, device, devices, for_all};
+use crate::oracle::facts_of;
+use crate::processors::build;
+use crate::stacks::beside;
+use crate::stacks::truth::{Lack, Row, compare, truth, without};
+
+/// What the rows lack.
+const LACKS: [Lack; 4] = [
+    Lack {
+        what: "arrays of any length",
+        of: |row| is_array(row),
+        instead: |row| Some(Row { size: None, ..row }),
+    },
+    Lack {
+        what: "types of the device",
+        of: |row| row.kind.is_none(),
+        instead: |row| {
+            let (data_type, size) = of_length(row.size.unwrap());
+            Some(Row { data_type: Some(data_type.0), size, ..row })
+        },
+    },
+    Lack {
+        what: "UNICODE_STRINGs with a zero",
+        of: |row| row.kind == Some(TypeKind::UnicodeString),
+        instead: |row| {
+            let characters = row.default.as_deref().unwrap_or_default().chunks(2);
+            let default =
+                characters.take_while(|character| character != b"\0\0").flatten().copied().collect();
+            Some(Row { default: Some(default), ..row })
+        },
+    },
+    Lack { what: "256 entries", of: |row| row.sub == 0xFF && row.index == 0x3304, instead: |_| None },
+];
+
+fn is_array(row: &Row) -> bool {
+    use TypeKind::{Domain, OctetString, UnicodeString, VisibleString};
+    matches!(row.kind, Some(VisibleString | OctetString | UnicodeString | Domain))
+}
+
+/// The type of the library with this length, and its size.
+fn of_length(length: usize) -> (DataType, Option<usize>) {
+    let numbers = DataType::STATIC
+        .iter()
+        .copied()
+        .filter(|data_type| matches!(data_type.kind(), TypeKind::Unsigned(_)));
+    let mut numbers = numbers.filter(|data_type| data_type.byte_length().map(usize::from) == Some(length));
+    numbers.next().map_or((DataType::OCTET_STRING, None), |data_type| (data_type, Some(length)))
+}
+
+/// A device without the files that the library transfers in place of values.
+fn without_files(device: &Device) -> Device {
+    let mut device = device.clone();
+    for object in device.objects.values_mut() {
+        let entries = object.subs.iter_mut().map(|(_, entry)| entry).chain([&mut object.main]);
+        for configured in entries.filter_map(|entry| entry.configured.as_mut()) {
+            (configured.upload_file, configured.download_file) = (None, None);
+        }
+    }
+    device
+}
+
+fn options(node_id: u8) -> Options {
+    let mut options = Options::default();
+    options.node_id = Some(node_id);
+    options.file_stem = "device".to_owned();
+    options
+}
+
+fn write(folder: &Path, device: &Device, options: &Options) -> Vec<Note> {
+    let generated = generate(device, Target::LELY, options).unwrap_or_else(|error| panic!("{error}"));
+    for file in &generated.files {
+        std::fs::write(folder.join(&file.path), &file.contents).unwrap();
+    }
+    generated.notes
+}
+
+/// The rows, one per line, and the notes. With `arguments`, details too; with `flags` of a configuration.
+fn dump_with(
+    compiler: &str,
+    folder: &Path,
+    (device, node_id): (&Device, u8),
+    (flags, arguments): (&[&str], &[&str]),
+) -> Result<(String, Vec<Note>), String> {
+    let notes = write(folder, device, &options(node_id));
+    let mut cc = cc(compiler, folder);
+    cc.arg("-I.").arg(format!("-I{}", beside("lely", "include").display())).args(flags);
+    cc.args(["-DSDEV=od_sdev", "-o", "harness", "device_sdev.c"]);
+    Ok((build(cc.arg(beside("lely", "harness.c")))?.run(arguments, "")?, notes))
+}
+
+pub(crate) fn dump(
+    compiler: &str,
+    folder: &Path,
+    device: &Device,
+    node_id: u8,
+) -> Result<(String, Vec<Note>), String> {
+    dump_with(compiler, folder, (device, node_id), (&[], &[]))
+}
+
+/// The limits of all integers, as the harness prints them: those of the description, else those of the type.
+fn limits(device: &Device, node_id: u8) -> Vec<((u16, u8), String)> {
+    let facts = facts_of(device).filter(|(at, facts)| facts.kind.is_some() && *at != (0x3304, 0xFF));
+    let limits = facts.filter_map(|(at, facts)| {
+        let range = facts.data_type.integer_range()?;
+        let bytes = |limit: &Option<Value>, of_type: i128| {
+            let value = limit.as_ref().and_then(|limit| limit.resolve(facts.data_type, node_id));
+            let value = value.or_else(|| Value::from_integer(of_type, facts.data_type)).unwrap();
+            crate::oracle::hex(&value.to_bytes(facts.data_type).unwrap())
+        };
+        let (low, high) = (bytes(&facts.low, range.0), bytes(&facts.high, range.1));
+        Some((at, format!(" min={low} max={high} ")))
+    });
+    limits.collect()
+}
+
+#[test]
+fn the_library_reads_what_the_description_says() {
+    let Some(compiler) = c_compiler() else { return };
+    for_all(&[devices(), arbitrary_devices(12)].concat(), |(name, device)| {
+        for (node_id, flags) in [(5, [].as_slice()), (127, &WITHOUT)] {
+            let fail = |error: String| format!("{name}, node {node_id}: {error}");
+            let folder = tempfile::tempdir().map_err(|error| error.to_string())?;
+            let device = &without_files(device);
+            let (dump, _) =
+                dump_with(&compiler, folder.path(), (device, node_id), (flags, &[])).map_err(fail)?;
+            compare(name, &without(&LACKS, truth(device, node_id)), &dump).map_err(fail)?;
+        }
+        Ok(())
+    });
+}
+
+/// A configuration of the library without the members that it can lack.
+const WITHOUT: [&str; 3] =
+    ["-DLELY_NO_CO_OBJ_NAME=1", "-DLELY_NO_CO_OBJ_LIMITS=1", "-DLELY_NO_CO_OBJ_DEFAULT=1"];
+
+#[test]
+fn every_integer_has_limits() {
+    let Some(compiler) = c_compiler() else { return };
+    let devices: Vec<_> = devices().into_iter().filter(|(name, _)| name != "words").collect();
+    for_all(&devices, |(name, device)| {
+        let folder = tempfile::tempdir().map_err(|error| error.to_string())?;
+        let (dump, _) = dump_with(&compiler, folder.path(), (device, 5), (&[], &["all"]))?;
+        let mut lines = dump.lines();
+        for ((index, sub), limits) in limits(device, 5) {
+            let start = format!("{index:04X} {sub:02X} ");
+            let line = lines.find(|line| line.starts_with(&start)).unwrap_or("");
+            if !line.contains(&limits) {
+                return Err(format!("{name}: `{line}` has not{limits}"));
+            }
+        }
+        Ok(())
+    });
+}
+
+/// A node with what only its configuration states.
+const NODE: &str = "
+[DeviceInfo]
+VendorName=Example
+VendorNumber=0x3F9
+ProductName=Lamp \"one\"
+BaudRate_10=1
+BaudRate_1000=1
+LSS_Supported=1
+[DummyUsage]
+Dummy0005=1
+[DeviceComissioning]
+NodeID=5
+NodeName=Entrance
+Baudrate=10
+[ManufacturerObjects]
+SupportedObjects=4
+1=0x2000
+2=0x2001
+3=0x2002
+4=0x2003
+[2000]
+ParameterName=COB-ID
+Denotation=Lamp COB-ID
+DataType=0x0007
+AccessType=rw
+DefaultValue=$NODEID+0x180
+ParameterValue=0x181
+HighLimit=$NODEID+0x200
+ObjFlags=1
+[2001]
+ParameterName=Program
+ObjectType=0x2
+DataType=0x000F
+AccessType=rw
+UploadFile=lamp.bin
+[2002]
+ParameterName=Key
+DataType=0x000A
+AccessType=ro
+DefaultValue=DEAD00EF
+[2003]
+ParameterName=Brightness
+DataType=0x0008
+AccessType=rw
+PDOMapping=1
+DefaultValue=1.5
+";
+
+#[test]
+fn a_table_and_its_details() {
+    let folder = tempfile::tempdir().unwrap();
+    std::fs::write(folder.path().join("lamp.dcf"), NODE).unwrap();
+    let device = device(&folder.path().join("lamp.dcf"));
+    let notes =
+        write(folder.path(), &device, &Options { file_stem: "lamp".to_owned(), ..Options::default() });
+    assert_eq!(
+        notes[0].to_string(),
+        "0x2001sub0: the library transfers the file `lamp.bin` in place of a value"
+    );
+    assert_eq!(notes.len(), 1);
+    let file = |name: &str| std::fs::read_to_string(folder.path().join(name)).unwrap();
+    insta::assert_snapshot!(
+        "lamp_sdev.c",
+        file("lamp_sdev.c").replace(env!("CARGO_PKG_VERSION"), "[version]")
+    );
+    let Some(compiler) = c_compiler() else { return };
+    let (dump, _) = dump_with(&compiler, folder.path(), (&device, 5), (&[], &["all"])).unwrap();
+    insta::assert_snapshot!("lamp", dump);
+}
