@@ -72,7 +72,9 @@ mod zencan;
 use std::borrow::Cow;
 use std::fmt;
 
-pub use options::{CTable, Choice, Derive, Names, OptionField, OptionValue, Options, StorageGroup};
+pub use options::{
+    CTable, Choice, Derive, Names, OptionField, OptionValue, Options, StackLayout, StorageGroup,
+};
 pub use renames::ChoiceError;
 #[cfg(feature = "toml")]
 pub use renames::renames;

@@ -121,6 +121,14 @@ macro_rules! with_options {
                 argument: Option<CTable> [help_heading = "Size", value_name = "LAYOUT", value_parser = one_of::<CTable>(), default_value = "compact"],
                 method: table(table: CTable) => Ok(table),
             }
+            /// What has storage in the table of the target `canopennode`
+            ///
+            /// Default: [`StackLayout::Complete`].
+            Layout "layout" {
+                field: layout: StackLayout = StackLayout::default(),
+                argument: Option<StackLayout> [help_heading = "Storage", value_name = "OF", value_parser = one_of::<StackLayout>(), default_value = "complete"],
+                method: layout(layout: StackLayout) => Ok(layout),
+            }
             /// Omit the names of entries
             ///
             /// Names help to read the table on the device. Layouts without room for names ignore this option.
@@ -242,7 +250,7 @@ macro_rules! single_values {
     };
 }
 
-single_values!(bool u16 Names CTable);
+single_values!(bool u16 Names CTable StackLayout);
 
 impl<T> OptionField for Option<T> {
     type Value = T;
@@ -303,6 +311,35 @@ impl OptionValue for CTable {
     const ALL: &'static [(Self, &'static str, &'static str)] = &[
         (Self::Compact, "compact", "Short rows, with functions that answer as an SDO server does"),
         (Self::Structs, "structs", "An array of structures with pointers, for a stack of one's own"),
+    ];
+}
+
+/// What has storage in the table of the target `canopennode`, and under which names.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub enum StackLayout {
+    /// Every value that the stack has a type for.
+    #[default]
+    Complete,
+    /// As CANopenEditor generates it, so that stored images of devices in the field still fit: only what has a default or a
+    /// stated length has storage, and groups are those that the description states.
+    CanOpenEditor,
+    /// The same with the names that CANopenEditor made before July 2021: `cell_1_Temp` instead of `cell1Temp`.
+    CanOpenEditor2020,
+}
+
+impl OptionValue for StackLayout {
+    const ALL: &'static [(Self, &'static str, &'static str)] = &[
+        (Self::Complete, "complete", "Every value that the stack has a type for"),
+        (
+            Self::CanOpenEditor,
+            "canopeneditor",
+            "As CANopenEditor: only what has a default or a stated length",
+        ),
+        (
+            Self::CanOpenEditor2020,
+            "canopeneditor-2020",
+            "The same with its names before July 2021: `cell_1_Temp`",
+        ),
     ];
 }
 

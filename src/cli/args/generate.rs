@@ -9,7 +9,9 @@ use super::{Deny, ExpandArgs, node_id};
 use crate::cli::input::InputArgs;
 use crate::cli::profiles::ProfileArgs;
 use crate::cli::settings::ConfigArgs;
-use crate::generate::{CTable, Derive, Names, OptionField, OptionValue, Options, StorageGroup, Target};
+use crate::generate::{
+    CTable, Derive, Names, OptionField, OptionValue, Options, StackLayout, StorageGroup, Target,
+};
 use crate::model::Address;
 
 /// Generate code and configuration from a description

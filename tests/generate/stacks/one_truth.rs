@@ -77,7 +77,7 @@ fn columns(compiler: &str, folder: &Path, device: &Device, in_rust: Column) -> R
     let (dump, notes) = c_structs::dump(compiler, &folder("structs")?, device, (NODE_ID, true))?;
     columns.push(Column::of_dump("c --table structs", &dump, notes));
 
-    let (dump, notes) = canopennode::dump(compiler, &folder("canopennode")?, device)?;
+    let (dump, notes) = canopennode::dump(compiler, &folder("canopennode")?, device, &Options::default())?;
     let column = Column::of_dump("canopennode", &dump, notes);
     columns.push(Column { untold: &[Aspect::Type], excuses: OF_CANOPENNODE, ..column });
 

@@ -1,22 +1,25 @@
 //! Storage groups: structs of values that CANopenNode stores together.
 
 use super::names::word;
-use crate::Options;
 use crate::dictionary::ResolvedObject;
+use crate::{Options, StackLayout};
 
 /// Names not available for groups: `OD_<name>` and `OD_<name>_t` have another meaning.
-const TAKEN: &str =
-    "t size attr entry stream io extension attributes applyNodeId initLimits writeLimited H DEFINITION";
+const TAKEN: &str = "t size attr entry stream io extension attributes applyNodeId initHooks initLimits writeLimited H DEFINITION";
 
 /// Prefixes of other macros of the tables.
-const BEGINS: [&str; 6] = ["CNT_", "ENTRY_", "ATTR_", "FLAGS_", "obj_", "INIT_"];
+const BEGINS: [&str; 8] = ["read_", "write_", "CNT_", "ENTRY_", "ATTR_", "FLAGS_", "obj_", "INIT_"];
 
 /// The group of an object: from the description, else from the options, else by index.
 pub(super) fn group(object: &ResolvedObject<'_>, options: &Options) -> String {
     let stack = object.object.main.stack.as_ref();
     let stated = stack.and_then(|stack| stack.storage_group.as_deref());
     let name = stated.filter(|name| !name.trim().is_empty()).or_else(|| options.group_of(object.index));
-    name.map_or_else(|| by_index(object.index).to_owned(), identifier)
+    match (name, options.layout) {
+        (Some(name), _) => identifier(name),
+        (None, StackLayout::Complete) => by_index(object.index).to_owned(),
+        (None, _) => "RAM".to_owned(),
+    }
 }
 
 /// Communication parameters are stored by default; commands, states and application values are not.

@@ -47,7 +47,7 @@ pub(super) fn limited(
         let resolved = &member.entry.resolved;
         resolved.access.is_writable() && (resolved.low.is_some() || resolved.high.is_some())
     });
-    let of_stack = OF_STACK.iter().any(|(first, last)| (*first..=*last).contains(&object.index));
+    let of_stack = is_of_stack(object.index);
     if enforce && !of_stack {
         return members
             .filter_map(|member| row((object.index, position), member.entry.sub, &member.entry.resolved))
@@ -65,6 +65,11 @@ pub(super) fn limited(
         }
     }));
     Vec::new()
+}
+
+/// Whether the stack itself reads and writes an object through an extension.
+pub(super) fn is_of_stack(index: u16) -> bool {
+    OF_STACK.iter().any(|(first, last)| (*first..=*last).contains(&index))
 }
 
 fn row((index, position): (u16, usize), sub: u8, resolved: &Resolved) -> Option<Limited> {

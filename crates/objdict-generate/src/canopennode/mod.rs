@@ -2,6 +2,7 @@
 
 mod config;
 mod groups;
+mod hooks;
 mod limits;
 mod names;
 mod node_id;
@@ -11,9 +12,11 @@ mod sizes;
 mod storage;
 mod view;
 
+use std::borrow::Cow;
+
 use super::dictionary::Dictionary;
 use super::notes::in_order;
-use super::{Backend, Choice, GenerateError, Generated, Options, Sizes, render};
+use super::{Backend, Choice, GenerateError, Generated, Options, Sizes, StackLayout, render};
 use crate::model::Device;
 
 /// The object dictionary of CANopenNode.
@@ -35,11 +38,14 @@ impl Backend for CanOpenNode {
             Choice::Prefix,
             Choice::Groups,
             Choice::StringCapacity,
+            Choice::Hooks,
             Choice::Limits,
+            Choice::Layout,
         ]
     }
 
     fn generate(&self, device: &Device, options: &Options) -> Result<Generated, GenerateError> {
+        let options = &*with_lengths(options);
         let prefix = options.prefix_or("od")?.to_ascii_uppercase();
         let mut dictionary = Dictionary::new(device, options)?;
         let mut own = Vec::new();
@@ -60,11 +66,20 @@ impl Backend for CanOpenNode {
     }
 
     fn size(&self, device: &Device, options: &Options) -> Result<Sizes, GenerateError> {
+        let options = &*with_lengths(options);
         let prefix = options.prefix_or("od")?.to_ascii_uppercase();
         let dictionary = Dictionary::new(device, options)?;
         let mut notes = Vec::new();
         let objects = plan::plan(&dictionary, options, &mut notes);
         let tables = view::Tables::new(&dictionary, &objects, options, &prefix, &mut notes);
         Ok(Sizes::Known(sizes::report(&dictionary, &objects, &tables)))
+    }
+}
+
+/// The options with the capacities of the layout: CANopenEditor adds no room to a default.
+fn with_lengths(options: &Options) -> Cow<'_, Options> {
+    match options.layout {
+        StackLayout::Complete => Cow::Borrowed(options),
+        _ => Cow::Owned(Options { string_capacity: 1, ..options.clone() }),
     }
 }

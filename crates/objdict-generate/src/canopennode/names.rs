@@ -3,6 +3,7 @@
 
 use std::collections::HashSet;
 
+use crate::StackLayout;
 use crate::names::without_mark;
 
 /// Maximum length of a name. Applications write names in full, so they are only truncated beyond the maximum
@@ -34,17 +35,20 @@ const RESERVED: &str = "
 ///
 /// Words are joined in camel case; the first word starts in lower case unless it is an abbreviation. `-`
 /// becomes `_`, and `_` separates two abbreviations. Accents of Latin letters are removed; all other
-/// characters separate words.
-pub(super) fn cname(name: &str) -> String {
+/// characters separate words. Before July 2021, `_` also stood before and after a word with a digit.
+pub(super) fn cname(name: &str, layout: StackLayout) -> String {
+    let is_old = layout == StackLayout::CanOpenEditor2020;
     let plain: String = name.chars().take(4 * LONGEST).map(without_mark).collect();
     let plain = plain.replace('-', "_");
     let mut joined = String::new();
     let mut words = plain.split(|c: char| !c.is_ascii_alphanumeric() && c != '_');
     while let (Some(word), true) = (words.next(), joined.len() < LONGEST) {
-        if joined.ends_with(is_capital) && word.starts_with(is_capital) {
+        let meets_digit =
+            is_old && (joined.ends_with(is_digit) || !joined.is_empty() && word.starts_with(is_digit));
+        if meets_digit || joined.ends_with(is_capital) && word.starts_with(is_capital) {
             joined.push('_');
         }
-        match word.char_indices().nth(1) {
+        match word.char_indices().nth(1).filter(|_| !meets_digit) {
             Some((second, _)) => {
                 joined.push_str(&word[..second].to_ascii_uppercase());
                 joined.push_str(&word[second..]);
@@ -55,7 +59,7 @@ pub(super) fn cname(name: &str) -> String {
     if joined.bytes().all(|byte| byte == b'_') {
         return String::new();
     }
-    if joined.starts_with(|c: char| c.is_ascii_digit()) {
+    if joined.starts_with(is_digit) {
         joined.insert(0, '_');
     }
     joined.truncate(LONGEST); // the text is ASCII
@@ -72,18 +76,24 @@ pub(super) fn behind_index(index: u16, cname: &str) -> String {
 }
 
 /// The member names of a record.
-#[derive(Default)]
-pub(super) struct Members(HashSet<String>);
+pub(super) struct Members {
+    layout: StackLayout,
+    taken: HashSet<String>,
+}
 
 impl Members {
+    pub(super) fn new(layout: StackLayout) -> Self {
+        Self { layout, taken: HashSet::new() }
+    }
+
     /// Claims the member name for an entry: its own name, or a similar one that is valid and free.
     pub(super) fn claim(&mut self, name: &str, sub: u8) -> String {
-        let cname = cname(name);
+        let cname = cname(name, self.layout);
         let plain = if cname.is_empty() { format!("sub{sub:02X}") } else { cname };
         let plain = if is_reserved(&plain) { format!("{plain}_") } else { plain };
         let mut candidate = plain.clone();
         for number in 1_u32.. {
-            if self.0.insert(candidate.clone()) {
+            if self.taken.insert(candidate.clone()) {
                 break;
             }
             candidate = match number {
@@ -115,6 +125,10 @@ fn is_reserved(name: &str) -> bool {
 
 fn is_capital(c: char) -> bool {
     c.is_ascii_uppercase()
+}
+
+fn is_digit(c: char) -> bool {
+    c.is_ascii_digit()
 }
 
 /// Letters, digits and `_` of a text, for a group or label.
@@ -149,14 +163,22 @@ mod tests {
             ("速度", ""),
             (" -- ", ""),
         ] {
-            assert_eq!(cname(name), expected, "{name}");
+            assert_eq!(cname(name, StackLayout::Complete), expected, "{name}");
         }
-        assert_eq!(cname(&"very long ".repeat(1000)).len(), LONGEST);
+        assert_eq!(cname(&"very long ".repeat(1000), StackLayout::Complete).len(), LONGEST);
+        for (name, expected) in [
+            ("Cell 1 Temp", "cell_1_Temp"),
+            ("RPDO 2 mapped object 4", "RPDO_2_mappedObject_4"),
+            ("COB-ID used by PDO", "COB_IDUsedByPDO"),
+            ("Device type", "deviceType"),
+        ] {
+            assert_eq!(cname(name, StackLayout::CanOpenEditor2020), expected, "{name}");
+        }
     }
 
     #[test]
     fn members_are_distinguished() {
-        let mut members = Members::default();
+        let mut members = Members::new(StackLayout::Complete);
         assert_eq!(members.claim("Mode", 1), "mode");
         assert_eq!(members.claim("mode", 2), "mode_02");
         assert_eq!(members.claim("mode_03", 2), "mode_03");
@@ -174,7 +196,7 @@ mod tests {
         fn any_names_become_valid_and_unique_members(
             names in proptest::collection::vec(prop_oneof![any::<String>(), "[a-bA-B_ -]{0,3}"], 0..40)
         ) {
-            let mut members = Members::default();
+            let mut members = Members::new(StackLayout::Complete);
             let mut seen = HashSet::new();
             for (name, sub) in names.iter().zip(0_u8..) {
                 let member = members.claim(name, sub);

@@ -74,19 +74,20 @@ fn text(member: &Member<'_>) -> Option<Note> {
     }
 }
 
-/// Notes for bytes, and for texts without capacity: the stack does not support values of variable length.
+/// Notes for bytes, and for values without memory: the stack does not support values of variable length.
 fn octets(member: &Member<'_>) -> Option<Note> {
-    let Shape::Bytes(data_type, _) = member.entry.resolved.shape else { return None };
-    let access = member.entry.resolved.access;
+    let shape = member.entry.resolved.shape;
+    let (Shape::Bytes(data_type, _) | Shape::Word(data_type)) = shape else { return None };
+    let is_fixed = matches!(shape, Shape::Bytes(..)) && !is_text(data_type);
     match member.storage.type_ {
         None if data_type != DataType::DOMAIN => Some(
             Note::new(
                 Place::device(),
-                format!("a {data_type} without a default has no memory in the tables"),
+                format!("a value of type {data_type} without a default has no memory in the tables"),
             )
             .help("attach an extension to the entry in the application"),
         ),
-        Some(_) if access.is_writable() && !is_text(data_type) => Some(Note::new(
+        Some(_) if is_fixed && member.entry.resolved.access.is_writable() => Some(Note::new(
             Place::device(),
             format!("a {data_type} of the stack has a fixed length, here {} bytes", member.storage.length),
         )),

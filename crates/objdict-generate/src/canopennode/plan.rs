@@ -6,7 +6,7 @@ use super::storage::Storage;
 use crate::dictionary::{Dictionary, ResolvedEntry, ResolvedObject};
 use crate::model::{DataType, ObjectType, Place};
 use crate::resolve::Shape;
-use crate::{Note, Options};
+use crate::{Note, Options, StackLayout};
 
 /// Maximum number of entries of an object in the stack.
 const MOST_ENTRIES: usize = u8::MAX as usize;
@@ -89,12 +89,16 @@ fn planned<'a>(object: &'a ResolvedObject<'a>, options: &Options, notes: &mut Ve
         notes.push(Note::new(Place::entry(object.index, last.sub), text));
         entries = others;
     }
-    let mut names = Members::default();
+    let is_array = object.object.object_type() == ObjectType::Array;
+    let is_stored = |entry: &ResolvedEntry<'_>| options.layout == StackLayout::Complete || has_value(entry);
+    // the elements of an array are one variable
+    let are_stored = is_array && entries.iter().any(|entry| entry.sub > 0 && is_stored(entry));
+    let mut names = Members::new(options.layout);
     let mut members = entries.iter().map(|entry| {
         let name = names.claim(&entry.name, entry.sub);
-        Member { name, entry, storage: Storage::new(entry) }
+        let storage = Storage::new(entry, is_stored(entry) || are_stored && entry.sub > 0);
+        Member { name, entry, storage }
     });
-    let is_array = object.object.object_type() == ObjectType::Array;
     let layout = match members.next() {
         Some(only) if object.is_single() => Layout::Var(only),
         Some(first) if is_array => {
@@ -115,11 +119,17 @@ fn planned<'a>(object: &'a ResolvedObject<'a>, options: &Options, notes: &mut Ve
     let count = (is_array || COUNTED.contains(&object.index)) && elements > 0;
     Planned {
         index: object.index,
-        cname: cname(&object.name),
+        cname: cname(&object.name, options.layout),
         group: group(object, options),
         layout,
         count: count.then_some(elements),
     }
+}
+
+/// Whether CANopenEditor gives an entry storage: it has a value, or a text of stated length.
+fn has_value(entry: &ResolvedEntry<'_>) -> bool {
+    let length = entry.entry.stack.as_ref().and_then(|stack| stack.min_string_length);
+    entry.entry.value().is_some() || length > Some(0)
 }
 
 /// Why entries do not form an array of the stack.

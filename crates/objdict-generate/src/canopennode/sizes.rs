@@ -58,6 +58,9 @@ pub(super) fn report(dictionary: &Dictionary<'_>, objects: &[Planned<'_>], table
     // the end of the list, OD_t, and its pointer
     let head = Extent::structure([Extent::HALF, Extent::POINTER]);
     tally.rest(Memory::Initialised, list_entry().size + head.size + Extent::POINTER.size);
+    for hook in &tables.hooks {
+        tally.of(hook.index, Memory::Initialised, extension().size);
+    }
     if let Some(limits) = tables.limits.as_ref().filter(|limits| !limits.rows.is_empty()) {
         for row in &limits.rows {
             tally.of(row.index, Memory::Flash, limit().size);

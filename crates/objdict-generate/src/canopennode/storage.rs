@@ -21,7 +21,8 @@ pub(super) struct Storage {
 }
 
 impl Storage {
-    pub(super) fn new(entry: &ResolvedEntry<'_>) -> Self {
+    /// The storage of an entry; without it, the stack only knows its length.
+    pub(super) fn new(entry: &ResolvedEntry<'_>, is_stored: bool) -> Self {
         let resolved = &entry.resolved;
         let (type_, elements, length, value) = match (resolved.shape, &resolved.default) {
             (Shape::Word(data_type), default) => word(data_type, bits(default)),
@@ -34,7 +35,8 @@ impl Storage {
             (Shape::Block(_), Datum::Bytes(block)) => bytes(block.len(), block),
             (Shape::Block(length), _) => bytes(usize::from(length), &[]),
         };
-        Self { type_, elements, length, attribute: attribute(entry, type_), value }
+        let attribute = attribute(entry, type_);
+        Self { type_: type_.filter(|_| is_stored), elements, length, attribute, value }
     }
 
     /// Whether elements of an array can share this storage.

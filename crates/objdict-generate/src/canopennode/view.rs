@@ -3,6 +3,7 @@
 use askama::Template;
 
 use super::config::config;
+use super::hooks::{Hooked, hooked};
 use super::limits::{Limited, limited};
 use super::node_id::{Applied, applied};
 use super::plan::{Layout, Member, Planned};
@@ -38,6 +39,8 @@ pub(super) struct Tables {
     groups: Vec<GroupView>,
     objects: Vec<ObjectView>,
     applied: Vec<Applied>,
+    /// Objects with an extension of the application.
+    pub(super) hooks: Vec<Hooked>,
     /// `None` if limits are not enforced.
     pub(super) limits: Option<Limits>,
     /// Whether math.h is needed.
@@ -117,6 +120,7 @@ impl Tables {
             groups: groups(objects, prefix),
             objects: objects.iter().map(|object| object_view(object, prefix)).collect(),
             applied: objects.iter().flat_map(|object| applied(object, prefix)).collect(),
+            hooks: hooked(objects, options, notes),
             limits: options.limits.then_some(limits),
             math: members.any(|member| member.storage.value.iter().any(not_finite)),
             has_consumers: objects.iter().any(|object| object.index == 0x1016),

@@ -87,6 +87,23 @@ void {{ od }}_applyNodeId(uint8_t nodeId)
 {%- endfor %}
 {%- endif %}
 }
+{%- if !tables.hooks.is_empty() %}
+
+static OD_extension_t hookExtensions[{{ tables.hooks.len() }}] = {
+{%- for hook in tables.hooks %}
+    {.read = {% if hook.is_read %}{{ od }}_read_H{{ hook.index|hex4 }}{% else %}OD_readOriginal{% endif %},
+     .write = {% if hook.is_written %}{{ od }}_write_H{{ hook.index|hex4 }}{% else %}OD_writeOriginal{% endif %}},
+{%- endfor %}
+};
+
+void {{ od }}_initHooks(void *object)
+{
+{%- for hook in tables.hooks %}
+    hookExtensions[{{ loop.index0 }}].object = object;
+    (void)OD_extension_init(&ODList[{{ hook.position }}], &hookExtensions[{{ loop.index0 }}]);
+{%- endfor %}
+}
+{%- endif %}
 {%- if let Some(limits) = tables.limits %}
 {% include "canopennode/limits.c" %}
 {%- endif %}

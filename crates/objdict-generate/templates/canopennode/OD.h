@@ -64,6 +64,30 @@ extern {{ od }}_ATTR_OD OD_t *{{ od }};
 /* Adds the node-ID, of which only the lower seven bits are used, to formulas that the stack does not evaluate. Call this when the
    node-ID is known, before CO_CANopenInit(), and again when it changes; restore stored values afterwards. */
 void {{ od }}_applyNodeId(uint8_t nodeId);
+{%- if let Some(first) = tables.hooks.first() %}
+
+/* Hooks: the application defines these functions, and {{ od }}_initHooks() attaches them before CO_CANopenInit(){% if tables.limits.is_some() %} and {{ od }}_initLimits(){% endif %}.
+   stream->subIndex is the entry, stream->object the argument of {{ od }}_initHooks(). A function that changes nothing calls
+   OD_readOriginal() or {% if tables.limits.is_some() %}{{ od }}_writeLimited(){% else %}OD_writeOriginal(){% endif %}:
+
+   ODR_t {{ od }}_write_H{{ first.index|hex4 }}(OD_stream_t *stream, const void *buf, OD_size_t count, OD_size_t *countWritten)
+   {
+       const ODR_t answer = {% if tables.limits.is_some() %}{{ od }}_writeLimited{% else %}OD_writeOriginal{% endif %}(stream, buf, count, countWritten);
+       if (answer == ODR_OK) {
+           use the new value
+       }
+       return answer;
+   } */
+void {{ od }}_initHooks(void *object);
+{%- for hook in tables.hooks %}
+{%- if hook.is_read %}
+ODR_t {{ od }}_read_H{{ hook.index|hex4 }}(OD_stream_t *stream, void *buf, OD_size_t count, OD_size_t *countRead);
+{%- endif %}
+{%- if hook.is_written %}
+ODR_t {{ od }}_write_H{{ hook.index|hex4 }}(OD_stream_t *stream, const void *buf, OD_size_t count, OD_size_t *countWritten);
+{%- endif %}
+{%- endfor %}
+{%- endif %}
 {%- if tables.limits.is_some() %}
 
 /* Adds an extension that enforces limits to each object with limits and without an extension. The node-ID is for limits

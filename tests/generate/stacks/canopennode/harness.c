@@ -109,6 +109,7 @@ ODR_t OD_getSub(const OD_entry_t *entry, uint8_t subIndex, OD_IO_t *io, bool_t o
     io->read = OD_readOriginal;
     io->write = OD_writeOriginal;
     if (entry->extension != NULL && !odOrig) {
+        stream->object = entry->extension->object;
         io->read = entry->extension->read;
         io->write = entry->extension->write;
     }
@@ -174,11 +175,11 @@ static void dump_entry(OD_IO_t *io)
     const OD_attr_t flags = stream->attribute;
     OD_size_t length = 0;
     const ODR_t answer = io->read(&io->stream, buffer, sizeof buffer, &length);
-    if (answer != (stream->dataLength == 0 ? ODR_SUB_NOT_EXIST : ODR_OK)) {
+    if (answer != (stream->dataOrig == NULL ? ODR_SUB_NOT_EXIST : ODR_OK)) {
         fprintf(stderr, "%04X %02X: %d\n", stream->index, stream->subIndex, (int)answer);
         exit(1);
     }
-    if ((flags & ODA_MB) != 0 && (size_t)stream->dataOrig % alignment(length) != 0) {
+    if ((flags & ODA_MB) != 0 && length > 0 && (size_t)stream->dataOrig % alignment(length) != 0) {
         fprintf(stderr, "%04X %02X: not aligned\n", stream->index, stream->subIndex);
         exit(1);
     }
@@ -267,6 +268,9 @@ int main(int argc, char **argv)
         dump();
         return 0;
     }
+#ifdef WITH_HOOKS
+    OD_initHooks(buffer);
+#endif
 #ifdef WITH_LIMITS
     OD_initLimits(node_id);
 #endif

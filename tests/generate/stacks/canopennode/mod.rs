@@ -100,8 +100,13 @@ fn with_declarations(compiler: &str, folder: &Path) -> Command {
 }
 
 /// The entries found by the stack, one per line, and the notes.
-pub(crate) fn dump(compiler: &str, folder: &Path, device: &Device) -> Result<(String, Vec<Note>), String> {
-    let notes = generate_into(folder, device, &Options::default());
+pub(crate) fn dump(
+    compiler: &str,
+    folder: &Path,
+    device: &Device,
+    options: &Options,
+) -> Result<(String, Vec<Note>), String> {
+    let notes = generate_into(folder, device, options);
     let mut cc = with_declarations(compiler, folder);
     cc.args(["-o", "harness", "OD.c"]).arg(beside("canopennode", "harness.c"));
     Ok((build(&cc)?.run(&["dump", &NODE_ID.to_string()], "")?, notes))
@@ -117,7 +122,7 @@ fn the_tables_hold_what_the_description_says() {
         let folder = tempfile::tempdir().map_err(|error| error.to_string())?;
         let folder = folder.path();
         let fail = |error: String| format!("{name}: {error}");
-        let (output, notes) = dump(&compiler, folder, device).map_err(fail)?;
+        let (output, notes) = dump(&compiler, folder, device, &Options::default()).map_err(fail)?;
         let expected = expected(device);
         entries.fetch_add(expected.len(), Ordering::Relaxed);
         compare(name, &expected, &output)?;

@@ -1,11 +1,13 @@
 //! The output files, and known mistakes of generators for the stack.
 
-use objdict::generate::{Options, Target, generate};
+use objdict::generate::{Options, StackLayout, Target, generate};
 use objdict::model::Device;
 
-use super::dump;
+use super::{dump, generate_into, with_declarations};
 use crate::compile::c_compiler;
 use crate::devices::device;
+use crate::processors::build;
+use crate::stacks::beside;
 use crate::support::fixtures;
 
 #[test]
@@ -81,10 +83,10 @@ AccessType=rw
 DefaultValue=$NODEID+0x680
 ";
 
-fn traps() -> Device {
+fn described(text: &str) -> Device {
     let folder = tempfile::tempdir().unwrap();
-    let path = folder.path().join("traps.eds");
-    std::fs::write(&path, TRAPS.replace('\n', "\r\n")).unwrap();
+    let path = folder.path().join("device.eds");
+    std::fs::write(&path, text.replace('\n', "\r\n")).unwrap();
     device(&path)
 }
 
@@ -92,7 +94,7 @@ fn traps() -> Device {
 fn nothing_falls_into_the_known_traps() {
     let Some(compiler) = c_compiler() else { return };
     let folder = tempfile::tempdir().unwrap();
-    let (output, _) = dump(&compiler, folder.path(), &traps()).unwrap();
+    let (output, _) = dump(&compiler, folder.path(), &described(TRAPS), &Options::default()).unwrap();
     let value = |address: &str| {
         let line = output.lines().find(|line| line.starts_with(address)).unwrap();
         line.rsplit(' ').next().unwrap().to_owned()
@@ -110,10 +112,139 @@ fn nothing_falls_into_the_known_traps() {
     assert!(apply.split("\n}").next().unwrap().contains("x2004_customCOB_ID"), "{apply}");
 }
 
+/// What CANopenEditor gives no storage: entries without a default. An element with a default gives it to all.
+const HALF_EMPTY: &str = "\
+[DeviceInfo]
+VendorName=Halves
+[MandatoryObjects]
+SupportedObjects=0
+[ManufacturerObjects]
+SupportedObjects=5
+1=0x1017
+2=0x2000
+3=0x2001
+4=0x2002
+5=0x2003
+[1017]
+ParameterName=Producer heartbeat time
+DataType=6
+AccessType=rw
+[2000]
+ParameterName=Cell 1 Temp
+DataType=6
+AccessType=rw
+DefaultValue=7
+[2001]
+ParameterName=Serial text
+DataType=9
+AccessType=rw
+DefaultValue=abcd
+[2002]
+ParameterName=Levels
+ObjectType=8
+DataType=5
+AccessType=rw
+CompactSubObj=2
+[2002Value]
+NrOfEntries=1
+2=9
+[2003]
+ParameterName=Axis
+ObjectType=9
+SubNumber=2
+[2003sub0]
+ParameterName=Highest sub-index supported
+DataType=5
+AccessType=const
+DefaultValue=1
+[2003sub1]
+ParameterName=Mode
+DataType=5
+AccessType=rw
+";
+
+#[test]
+fn the_layout_of_canopeneditor_has_no_storage_for_what_has_no_default() {
+    let Some(compiler) = c_compiler() else { return };
+    let device = described(HALF_EMPTY);
+    let dump = |layout| {
+        let folder = tempfile::tempdir().unwrap();
+        let mut options = Options::default();
+        options.layout = layout;
+        let (output, _) = dump(&compiler, folder.path(), &device, &options).unwrap();
+        (output, std::fs::read_to_string(folder.path().join("OD.h")).unwrap())
+    };
+    let (output, header) = dump(StackLayout::CanOpenEditor);
+    let lines = [
+        "1017 00 - 2 rw-- -",
+        "2000 00 - 2 rw-- 0700",
+        "2001 00 - 4 rw-- 61626364",
+        "2002 00 - 1 r--- 02",
+        "2002 01 - 1 rw-- 00",
+        "2002 02 - 1 rw-- 09",
+        "2003 00 - 1 r--- 01",
+        "2003 01 - 1 rw-- -",
+    ];
+    assert_eq!(output.lines().collect::<Vec<_>>(), lines);
+    assert!(header.contains("uint16_t x2000_cell1Temp;") && header.contains("char x2001_serialText[5];"));
+    assert!(!header.contains("PERSIST_COMM") && !header.contains("uint16_t x1017"), "{header}");
+    let (old, header) = dump(StackLayout::CanOpenEditor2020);
+    assert_eq!(old, output);
+    assert!(header.contains("uint16_t x2000_cell_1_Temp;"), "{header}");
+    let (complete, _) = dump(StackLayout::Complete);
+    assert!(
+        complete.contains("1017 00 - 2 rw-- 0000\n") && complete.contains("2001 00 - 32 rw-- 61626364\n")
+    );
+}
+
+/// Hooks that let the tables hold the value, except for one number.
+const HOOKS: &str = r#"
+#include "301/CO_ODinterface.h"
+#include "OD.h"
+#include <string.h>
+
+ODR_t OD_read_H6040(OD_stream_t *stream, void *buf, OD_size_t count, OD_size_t *countRead)
+{
+    return OD_readOriginal(stream, buf, count, countRead);
+}
+
+ODR_t OD_write_H6040(OD_stream_t *stream, const void *buf, OD_size_t count, OD_size_t *countWritten)
+{
+    uint16_t value;
+    memcpy(&value, buf, sizeof value);
+    return value == 0x80 && stream->object != NULL ? ODR_INVALID_VALUE : OD_writeLimited(stream, buf, count, countWritten);
+}
+"#;
+
+#[test]
+fn a_hook_answers_writes() {
+    let Some(compiler) = c_compiler() else { return };
+    let folder = tempfile::tempdir().unwrap();
+    let mut options = Options::default();
+    options.limits = true;
+    options.hooks = ["6040", "1017", "7000"].map(|at| at.parse().unwrap()).into();
+    let drive = device(&fixtures().join("eds/drive-402.eds"));
+    let notes = generate_into(folder.path(), &drive, &options);
+    let hooks: Vec<_> =
+        notes.iter().filter(|note| note.message.contains("hook")).map(|note| &*note.message).collect();
+    assert_eq!(
+        hooks,
+        ["the stack has its own extension of the object, so there is no hook", "no entry to call a hook for"]
+    );
+    std::fs::write(folder.path().join("hooks.c"), HOOKS).unwrap();
+    let mut cc = with_declarations(&compiler, folder.path());
+    cc.args(["-DWITH_LIMITS", "-DWITH_HOOKS", "-o", "harness", "OD.c", "hooks.c"])
+        .arg(beside("canopennode", "harness.c"));
+    let input = "6040 00 8000\n6040 00 0F00\n6060 00 80\n";
+    let output = build(&cc).unwrap().run(&["write", "5"], input).unwrap();
+    assert_eq!(output.lines().take(2).collect::<Vec<_>>(), ["06090030", "00000000"]);
+}
+
 /// Problems that make the stack stop compilation or fail to start are warnings with a help text.
 #[test]
 fn what_the_stack_demands_is_a_warning() {
-    let generated = generate(&traps(), Target::named("canopennode").unwrap(), &Options::default()).unwrap();
+    let generated =
+        generate(&described(TRAPS), Target::named("canopennode").unwrap(), &Options::default()).unwrap();
     let warnings: Vec<_> = generated
         .notes
         .iter()

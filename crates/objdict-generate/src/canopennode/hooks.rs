@@ -1,0 +1,52 @@
+//! Extensions through which the stack calls the application (`--hook`).
+
+use super::limits::is_of_stack;
+use super::plan::Planned;
+use crate::model::{Address, Place};
+use crate::{Note, Options};
+
+/// An object with an extension of the application.
+pub(super) struct Hooked {
+    pub(super) index: u16,
+    /// Position of the object in the list.
+    pub(super) position: usize,
+    /// Whether SDOs or PDOs read an entry of it.
+    pub(super) is_read: bool,
+    /// Whether SDOs or PDOs write an entry of it.
+    pub(super) is_written: bool,
+}
+
+/// The objects that the options name. Notes report what an extension of the stack cannot do.
+pub(super) fn hooked(objects: &[Planned<'_>], options: &Options, notes: &mut Vec<Note>) -> Vec<Hooked> {
+    let mut hooked: Vec<Hooked> = Vec::new();
+    for &Address { index, sub } in &options.hooks {
+        let place = sub.map_or(Place::object(index), |sub| Place::entry(index, sub));
+        let found = objects.iter().position(|object| object.index == index);
+        let has_entry = |object: &Planned<'_>| {
+            sub.is_none_or(|sub| object.members().any(|member| member.entry.sub == sub))
+        };
+        let Some((position, object)) = found
+            .and_then(|position| Some((position, objects.get(position)?)))
+            .filter(|(_, object)| has_entry(object))
+        else {
+            notes.push(Note::new(place, "no entry to call a hook for"));
+            continue;
+        };
+        if is_of_stack(index) {
+            notes
+                .push(Note::new(place, "the stack has its own extension of the object, so there is no hook"));
+            continue;
+        }
+        if sub.is_some() && object.members().nth(1).is_some() {
+            notes.push(Note::new(place, "the stack calls the hook for all entries of the object"));
+        }
+        if hooked.last().is_some_and(|last| last.index == index) {
+            continue;
+        }
+        let accesses = || object.members().map(|member| member.entry.resolved.access);
+        let (is_read, is_written) =
+            (accesses().any(|access| access.is_readable()), accesses().any(|access| access.is_writable()));
+        hooked.push(Hooked { index, position, is_read, is_written });
+    }
+    hooked
+}
