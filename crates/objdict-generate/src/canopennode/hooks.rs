@@ -2,7 +2,7 @@
 
 use super::limits::is_of_stack;
 use super::plan::Planned;
-use crate::model::{Address, Place};
+use crate::model::{Access, Address, Place};
 use crate::{Note, Options};
 
 /// An object with an extension of the application.
@@ -45,7 +45,7 @@ pub(super) fn hooked(objects: &[Planned<'_>], options: &Options, notes: &mut Vec
         }
         let accesses = || object.members().map(|member| member.entry.resolved.access);
         let (is_read, is_written) =
-            (accesses().any(|access| access.is_readable()), accesses().any(|access| access.is_writable()));
+            (accesses().any(Access::is_readable), accesses().any(Access::is_writable));
         hooked.push(Hooked { index, position, is_read, is_written });
     }
     hooked
