@@ -31,6 +31,10 @@
 mod c;
 mod c_code;
 #[cfg(feature = "stacks")]
+mod c_words;
+#[cfg(feature = "stacks")]
+mod canfestival;
+#[cfg(feature = "stacks")]
 mod canopen_rs;
 #[cfg(feature = "stacks")]
 mod canopen_stack;
@@ -121,6 +125,8 @@ targets! {
     OBJDICT_MACROS = objdict_macros::ObjdictMacros,
     #[cfg(feature = "stacks")]
     LELY = lely::Lely,
+    #[cfg(feature = "stacks")]
+    CANFESTIVAL = canfestival::CanFestival,
 }
 
 /// Maximum size of a string, octet string or DOMAIN value in a table, in bytes.

@@ -109,8 +109,8 @@ impl Members {
     }
 }
 
-/// The group stated for an object, else the requested one.
-fn group_of<'a>(object: &'a ResolvedObject<'_>, options: &'a Options) -> Option<&'a str> {
+/// The group stated for an object, else the requested one; `None` if it is not kept without power.
+pub(crate) fn group_of<'a>(object: &'a ResolvedObject<'_>, options: &'a Options) -> Option<&'a str> {
     let stated = object.object.main.stack.as_ref().and_then(|stack| stack.storage_group.as_deref());
     let stated = stated.map(str::trim).filter(|name| !name.is_empty());
     let name = stated.or_else(|| options.group_of(object.index))?;

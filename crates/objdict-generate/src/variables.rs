@@ -23,11 +23,10 @@ pub(crate) struct Variable<S> {
 }
 
 /// The variables of a dictionary in order. Entries without `kind` have no variable; entries of equal kinds
-/// can form an array.
+/// can form an array. `name` gives the name of an entry, or of an array (`None`).
 pub(crate) fn variables<S: PartialEq>(
     objects: &[ResolvedObject<'_>],
-    prefix: &str,
-    scope: &mut Scope,
+    mut name: impl FnMut(&ResolvedObject<'_>, Option<usize>) -> String,
     kind: impl Fn(usize, usize) -> Option<S>,
 ) -> Vec<Variable<S>> {
     let mut variables = Vec::new();
@@ -39,7 +38,7 @@ pub(crate) fn variables<S: PartialEq>(
                 continue;
             };
             let array = elements.contains(&entry);
-            let name = claim(scope, prefix, object, (!array).then_some(entry));
+            let name = name(object, (!array).then_some(entry));
             let entries = if array { elements.clone() } else { entry..entry + 1 };
             variables.push(Variable { name, object: number, entries, array, kind });
         }

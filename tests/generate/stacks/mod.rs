@@ -7,6 +7,7 @@
 //! headers.
 
 mod c_structs;
+mod canfestival;
 mod canopen_stack;
 mod canopennode;
 mod columns;

@@ -12,7 +12,7 @@ use crate::compile::{DRIVER, c_compiler, cc, driver, generate_into, succeed};
 use crate::devices::{arbitrary_devices, devices, for_all};
 use crate::stacks::columns::{Aspect, Column, agree};
 use crate::stacks::truth::truth;
-use crate::stacks::{c_structs, canopen_stack, canopennode, lely, microcanopen, objdict_macros};
+use crate::stacks::{c_structs, canfestival, canopen_stack, canopennode, lely, microcanopen, objdict_macros};
 
 /// The node-ID of all tests.
 const NODE_ID: u8 = 5;
@@ -99,6 +99,10 @@ fn columns(compiler: &str, folder: &Path, device: &Device, in_rust: Column) -> R
     let column = Column::of_dump("objdict-macros", &dump, notes);
     columns.push(Column { untold: &[Aspect::Type], excuses: OF_OBJDICT_MACROS, ..column });
 
+    let (dump, notes) = canfestival::dump(compiler, &folder("canfestival")?, device, NODE_ID)?;
+    let column = Column::of_dump("canfestival", &dump, notes);
+    columns.push(Column { untold: &[Aspect::Type, Aspect::Mapping], excuses: OF_CANFESTIVAL, ..column });
+
     let (dump, notes) = lely::dump(compiler, &folder("lely")?, device, NODE_ID)?;
     let column = Column::of_dump("lely", &dump, notes);
     columns.push(Column { untold: &[Aspect::Size], excuses: OF_LELY, ..column });
@@ -131,6 +135,12 @@ const OF_MICROCANOPEN: &[(Aspect, &str)] = &[
     (Aspect::Entry, "the stack serves the entry itself"),
     (Aspect::Access, "entries outside of the process image cannot be written"),
     (Aspect::Size, "entries outside of the process image cannot be written"),
+];
+
+const OF_CANFESTIVAL: &[(Aspect, &str)] = &[
+    (Aspect::Entry, "an object of the stack has at most 255 rows"),
+    (Aspect::Default, "the stack truncates a text at its first zero byte"),
+    (Aspect::Default, "a row has a fixed length"),
 ];
 
 const OF_LELY: &[(Aspect, &str)] = &[

@@ -109,6 +109,10 @@ pub(super) fn microcanopen(tools: &Tools) -> Vec<Call> {
     vec![with_declarations(tools, "microcanopen").argument("-DOD_NODE_ID=5")]
 }
 
+pub(super) fn canfestival(tools: &Tools) -> Vec<Call> {
+    vec![with_declarations(tools, "canfestival")]
+}
+
 pub(super) fn lely(tools: &Tools) -> Vec<Call> {
     vec![with_declarations(tools, "lely")]
 }

@@ -9,7 +9,8 @@ use crate::dictionary::{Dictionary, ResolvedEntry, ResolvedObject};
 use crate::memory::{self, Extent, Memory};
 use crate::model::Place;
 use crate::names::{Scope, words};
-use crate::variables::{Variable, variables};
+use crate::stored;
+use crate::variables::{Variable, claim, variables};
 use crate::{Note, Options};
 
 /// A variable in RAM.
@@ -87,18 +88,9 @@ pub(super) struct Layout {
     texts: HashSet<Vec<u8>>,
 }
 
-/// CANopenNode names of groups that are not kept without power.
-const VOLATILE: [&str; 2] = ["RAM", "ROM"];
-
 /// The storage group of an object; `None` if the stack determines its values.
 fn group_of<'a>(object: &'a ResolvedObject<'_>, options: &'a Options) -> Option<&'a str> {
-    if matches!(object.index, 0x1001 | 0x1003) {
-        return None;
-    }
-    let described = object.object.main.stack.as_ref().and_then(|stack| stack.storage_group.as_deref());
-    let group = described.or_else(|| options.group_of(object.index))?;
-    let kept = !VOLATILE.iter().any(|name| name.eq_ignore_ascii_case(group)) && !group.trim().is_empty();
-    kept.then_some(group)
+    if matches!(object.index, 0x1001 | 0x1003) { None } else { stored::group_of(object, options) }
 }
 
 /// The group of each object; one common group if only sub-index 1 can store them.
@@ -145,7 +137,8 @@ impl Layout {
             layout.join(name, object.index, &mut scope, prefix);
         }
         let kind = |object: usize, entry: usize| ram(&planned[object][entry].cell);
-        for variable in variables(&dictionary.objects, prefix, &mut scope, kind) {
+        let name = |object: &ResolvedObject<'_>, entry| claim(&mut scope, prefix, object, entry);
+        for variable in variables(&dictionary.objects, name, kind) {
             let object = &dictionary.objects[variable.object];
             let group = groups[variable.object].as_deref();
             layout.place(object, &variable, &planned[variable.object], group, (prefix, notes));

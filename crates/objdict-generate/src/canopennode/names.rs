@@ -4,32 +4,12 @@
 use std::collections::HashSet;
 
 use crate::StackLayout;
+use crate::c_words::is_reserved;
 use crate::names::without_mark;
 
 /// Maximum length of a name. Applications write names in full, so they are only truncated beyond the maximum
 /// of the standard (`ParameterName` has up to 241 characters).
 const LONGEST: usize = 240;
-
-/// Names not available for members: keywords of C and C++, types of members, and macros of the stack's
-/// headers.
-const RESERVED: &str = "
-    auto break case char const continue default do double else enum extern float for goto if inline int
-    long register restrict return short signed sizeof static struct switch typedef union unsigned void
-    volatile while _Alignas _Alignof _Atomic _Bool _Complex _Generic _Imaginary _Noreturn
-    _Static_assert _Thread_local alignas alignof asm constexpr nullptr static_assert thread_local typeof
-    and and_eq bitand bitor bool catch char16_t char32_t char8_t class co_await co_return co_yield compl
-    concept const_cast consteval constinit decltype delete dynamic_cast explicit export false friend
-    mutable namespace new noexcept not not_eq operator or or_eq private protected public
-    reinterpret_cast requires static_cast template this throw true try typeid typename using virtual
-    wchar_t xor xor_eq
-    bool_t int8_t int16_t int32_t int64_t uint8_t uint16_t uint32_t uint64_t float32_t float64_t
-    NULL INFINITY NAN HUGE_VAL offsetof assert errno linux unix i386 stdin stdout stderr setjmp
-    I EOF BUFSIZ FILENAME_MAX FOPEN_MAX L_tmpnam TMP_MAX SEEK_SET SEEK_CUR SEEK_END _IOFBF _IOLBF _IONBF
-    EXIT_SUCCESS EXIT_FAILURE RAND_MAX MB_CUR_MAX MB_LEN_MAX CHAR_BIT CLOCKS_PER_SEC TIME_UTC TRUE FALSE
-    EDOM EILSEQ ERANGE ENOENT EINVAL EIO EAGAIN ENOMEM EACCES EBUSY EEXIST EPERM EPIPE EINTR ENODEV ENOSPC
-    ETIMEDOUT SIGABRT SIGFPE SIGILL SIGINT SIGSEGV SIGTERM SIGKILL SIGHUP SIGALRM SIGPIPE SIG_DFL SIG_IGN SIG_ERR
-    MATH_ERRNO MATH_ERREXCEPT DECIMAL_DIG
-";
 
 /// The C name of an object or entry; empty if the text has no usable character.
 ///
@@ -103,24 +83,6 @@ impl Members {
         }
         candidate
     }
-}
-
-/// Whether a name is reserved: keywords, and names like macros of the stack or of `stdint.h`.
-fn is_reserved(name: &str) -> bool {
-    let is_macro =
-        name.bytes().all(|byte| byte.is_ascii_uppercase() || byte.is_ascii_digit() || byte == b'_');
-    let starts = |starts: &[&str]| starts.iter().any(|start| name.starts_with(start));
-    let ends = |ends: &[&str]| ends.iter().any(|end| name.ends_with(end));
-    RESERVED.split_ascii_whitespace().any(|word| word == name)
-        || name.starts_with("__")
-        || starts(&["OD_", "CO_"])
-        || is_macro && starts(&["FLT_", "DBL_", "LDBL_", "FP_", "FE_", "LC_", "M_"])
-        || is_macro
-            && starts(&[
-                "INT", "UINT", "SIZE", "PTRDIFF", "SIG", "WCHAR", "WINT", "CHAR", "SCHAR", "UCHAR", "SHRT",
-                "USHRT", "LONG", "ULONG", "LLONG", "ULLONG",
-            ])
-            && ends(&["_MAX", "_MIN", "_C", "_WIDTH"])
 }
 
 fn is_capital(c: char) -> bool {
@@ -202,7 +164,7 @@ mod tests {
                 let member = members.claim(name, sub);
                 prop_assert!(member.bytes().all(|byte| byte.is_ascii_alphanumeric() || byte == b'_'));
                 prop_assert!(!member.starts_with(|c: char| c.is_ascii_digit()));
-                prop_assert!(!RESERVED.split_ascii_whitespace().any(|word| word == member));
+                prop_assert!(!is_reserved(&member));
                 prop_assert!(seen.insert(member));
             }
         }

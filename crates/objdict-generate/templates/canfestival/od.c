@@ -1,0 +1,197 @@
+/*
+ * {{ head.made_by }}; do not edit.
+ *
+ * Object dictionary of {{ head.product|c_comment }} by {{ head.vendor|c_comment }}, for CanFestival 3.
+ * Numbers of 24 and of 40 to 56 bits and times are bytes, for a little-endian processor.
+ *
+ * With {{ head.upper }}_CALLBACK_IN_ROW it is for forks of the stack whose rows have a callback.
+ */
+#include "{{ head.stem }}.h"
+
+#include <stddef.h>
+#include <stdint.h>
+#include <string.h>
+
+#ifdef {{ head.upper }}_CALLBACK_IN_ROW
+#define {{ head.upper }}_ROW(access, type, size, object) {access, type, size, (void *)(object), NULL}
+#define {{ head.upper }}_ROWS static subindex
+#else
+#define {{ head.upper }}_ROW(access, type, size, object) {access, type, size, (void *)(object)}
+#define {{ head.upper }}_ROWS static const subindex
+#endif
+
+/* The variables. */
+{%- for definition in plan.definitions %}
+{% if !definition.is_variable() %}static {% endif %}{{ definition.declaration() }} = {{ definition.initializer }}; /* {{ definition.comment }} */
+{%- endfor %}
+
+UNS32 {{ head.node }}_zero = 0u;
+
+/* The node-ID. */
+UNS8 {{ head.node }}_bDeviceNodeId = {{ head.node_id }}u;
+const UNS8 {{ head.node }}_iam_a_slave = {{ head.slave }}u;
+TIMER_HANDLE {{ head.node }}_heartBeatTimers[{{ plan.consumers }}] = {
+{%- for _ in 0..plan.consumers %}
+    TIMER_NONE,
+{%- endfor %}
+};
+{%- if plan.ranges.unsigned %}
+
+static UNS64 {{ head.node }}_unsigned(const void *value, unsigned size)
+{
+    UNS64 number = 0u;
+    while (size > 0u) {
+        size--;
+        number = (number << 8) | ((const UNS8 *)value)[size];
+    }
+    return number;
+}
+{%- endif %}
+{%- if plan.ranges.signed %}
+
+static INTEGER64 {{ head.node }}_signed(const void *value, unsigned size)
+{
+    const UNS64 sign = UINT64_C(1) << (8u * size - 1u);
+    return (INTEGER64)(({{ head.node }}_unsigned(value, size) ^ sign) - sign);
+}
+{%- endif %}
+
+/* Limits: types of the dictionary that the stack has no numbers for. The abort codes are those of CiA 301. */
+#define valueRange_EMC 0x9F
+{%- for range in plan.ranges.list %}
+#define {{ range.name() }} 0x{{ range.code|hex2 }}
+{%- endfor %}
+
+UNS32 {{ head.node }}_valueRangeTest(UNS8 typeValue, void *value)
+{
+    switch (typeValue) {
+    case valueRange_EMC:
+        return *(UNS8 *)value == 0u ? 0u : 0x06090030u;
+{%- for range in plan.ranges.list %}
+    case {{ range.name() }}: { /* {{ range.type_name() }} */
+        {{ range.declaration }}
+{%- if let Some(condition) = range.too_low %}
+        if ({{ condition }}) {
+            return 0x06090032u;
+        }
+{%- endif %}
+{%- if let Some(condition) = range.too_high %}
+        if ({{ condition }}) {
+            return 0x06090031u;
+        }
+{%- endif %}
+        return 0u;
+    }
+{%- endfor %}
+    default:
+        return 0u;
+    }
+}
+{%- for object in plan.objects %}
+
+/* {{ object.index|hex4 }}h: {{ object.name|c_comment }} */
+{%- if object.callbacks %}
+#ifndef {{ head.upper }}_CALLBACK_IN_ROW
+static ODCallback_t {{ head.node }}_Index{{ object.index|hex4 }}_callbacks[{{ object.rows.len() }}] = {NULL};
+#endif
+{%- endif %}
+{{ head.upper }}_ROWS {{ head.node }}_Index{{ object.index|hex4 }}[{{ object.rows.len() }}] = {
+{%- for row in object.rows %}
+    {{ head.upper }}_ROW({{ row.access }}, {{ row.data_type }}, {{ row.size }}u, &{{ row.object }}),
+{%- endfor %}
+};
+{%- endfor %}
+{%- if no_pdo %}
+
+/* The parameters of a mapping without any: a PDO that is not valid. */
+static UNS32 {{ head.node }}_noCobId = 0x80000000u;
+{{ head.upper }}_ROWS {{ head.node }}_noPdo[6] = {
+    {{ head.upper }}_ROW(RO, uint8, 1u, &{{ head.node }}_zero),
+    {{ head.upper }}_ROW(RO, uint32, 4u, &{{ head.node }}_noCobId),
+    {{ head.upper }}_ROW(RO, uint8, 1u, &{{ head.node }}_zero),
+    {{ head.upper }}_ROW(RO, uint16, 2u, &{{ head.node }}_zero),
+    {{ head.upper }}_ROW(RO, uint8, 1u, &{{ head.node }}_zero),
+    {{ head.upper }}_ROW(RO, uint16, 2u, &{{ head.node }}_zero),
+};
+{%- endif %}
+{%- if no_mapping %}
+
+/* The mapping of a PDO without any. */
+{{ head.upper }}_ROWS {{ head.node }}_noMapping[1] = { {{- head.upper }}_ROW(RO, uint8, 1u, &{{ head.node }}_zero)};
+{%- endif %}
+
+const indextable {{ head.node }}_objdict[] = {
+{%- for slot in slots.list %}
+{%- match slot %}
+{%- when Slot::Object with (number) %}
+{%- let object = plan.objects[*number] %}
+    {(subindex *){{ head.node }}_Index{{ object.index|hex4 }}, {{ object.rows.len() }}u, 0x{{ object.index|hex4 }}u},
+{%- when Slot::Nothing %}
+    {NULL, 0u, 0u},
+{%- when Slot::NoPdo %}
+    {(subindex *){{ head.node }}_noPdo, 6u, 0u},
+{%- when Slot::NoMapping %}
+    {(subindex *){{ head.node }}_noMapping, 1u, 0u},
+{%- endmatch %}
+{%- endfor %}
+};
+
+#ifdef {{ head.upper }}_CALLBACK_IN_ROW
+#define {{ head.upper }}_CALLBACKS(array)
+const indextable *{{ head.node }}_scanIndexOD(CO_Data *d, UNS16 wIndex, UNS32 *errorCode)
+#else
+#define {{ head.upper }}_CALLBACKS(array) *callbacks = array;
+const indextable *{{ head.node }}_scanIndexOD(UNS16 wIndex, UNS32 *errorCode, ODCallback_t **callbacks)
+#endif
+{
+    int i;
+#ifdef {{ head.upper }}_CALLBACK_IN_ROW
+    (void)d;
+#else
+    *callbacks = NULL;
+#endif
+    switch (wIndex) {
+{%- for (position, number) in self.positions() %}
+{%- let object = plan.objects[number] %}
+    case 0x{{ object.index|hex4 }}: i = {{ position }};{% if object.callbacks %} {{ head.upper }}_CALLBACKS({{ head.node }}_Index{{ object.index|hex4 }}_callbacks){% endif %} break;
+{%- endfor %}
+    default:
+        *errorCode = OD_NO_SUCH_OBJECT;
+        return NULL;
+    }
+    *errorCode = OD_SUCCESSFUL;
+    return &{{ head.node }}_objdict[i];
+}
+
+/* The TPDOs. */
+s_PDO_status {{ head.node }}_PDO_status[{{ slots.transmitted() }}] = {
+{%- for _ in 0..slots.transmitted() %}
+    s_PDO_status_Initializer,
+{%- endfor %}
+};
+
+/* SDO servers and clients, RPDOs and their mappings, TPDOs and their mappings. */
+const quick_index {{ head.node }}_firstIndex = { {%- for position in slots.first %}{{ position }}u{% if !loop.last %}, {% endif %}{% endfor -%} };
+const quick_index {{ head.node }}_lastIndex = { {%- for position in slots.last %}{{ position }}u{% if !loop.last %}, {% endif %}{% endfor -%} };
+const UNS16 {{ head.node }}_ObjdictSize = sizeof({{ head.node }}_objdict) / sizeof({{ head.node }}_objdict[0]);
+
+CO_Data {{ head.node }}_Data = CANOPEN_NODE_DATA_INITIALIZER({{ head.node }});
+{%- if !plan.formulas.is_empty() %}
+{%- if plan.stores_bytes %}
+
+static void {{ head.node }}_store(UNS8 *bytes, UNS64 number, unsigned size)
+{
+    unsigned at;
+    for (at = 0u; at < size; at++) {
+        bytes[at] = (UNS8)(number >> (8u * at));
+    }
+}
+{%- endif %}
+
+void {{ head.node }}_applyNodeId(UNS8 nodeId)
+{
+{%- for formula in plan.formulas %}
+    {{ formula }}
+{%- endfor %}
+}
+{%- endif %}
