@@ -34,11 +34,9 @@ pub fn check_with(description: &Description, options: &Options) -> Findings {
         findings.append(description.portability_findings(device));
         findings = compat::react(findings, description, &options.tools);
     }
-    let mut findings = without_fixes_of_lost(description, findings);
+    let findings = without_fixes_of_lost(description, findings);
     #[cfg(feature = "xdd")]
-    if is_xml {
-        findings = wording::of_xdd(findings, |at| description.span_of(at));
-    }
+    let findings = if is_xml { wording::of_xdd(findings, |at| description.span_of(at)) } else { findings };
     let findings = lint::without_disabled(description.device(), findings);
     let mut findings = options.severities.apply(findings);
     let about_comments = suppression::apply(description, options, &mut findings);

@@ -8,16 +8,18 @@ use super::args::{GenerateArgs, SizeFormat};
 use super::input::name_of;
 use super::output::Output;
 use super::progress::Progress;
-use super::save::{Saved, keep, require_other, save};
+use super::save::{Saved, keep, require_other, save, save_in_place};
 use super::sizes;
 use super::table::Table;
 use super::{Failure, Outcome, note, tell};
 use crate::diagnostic::Severity;
 use crate::download::ConciseDcf;
 use crate::format::ReadError;
+use crate::format::input::Input;
 use crate::generate::Target;
 use crate::pipeline::{Error, Generation, Judged, Request, Room, depfile, report_lines};
 use crate::report::{Tally, plural};
+use crate::scaffold;
 use crate::source::{self, DEFAULT_MAX_SIZE};
 
 /// The mark of objdict is in so many bytes at the start of a file.
@@ -25,7 +27,10 @@ const HEAD: usize = 400;
 
 pub(super) fn run(args: &GenerateArgs, out: &mut Output) -> Result<Outcome, Failure> {
     let request = request(args)?;
-    let bytes = args.input.size.read(&args.file)?;
+    let mut bytes = args.input.size.read(&args.file)?;
+    if args.add_missing {
+        bytes = supply(args, &request, bytes)?;
+    }
     // make cannot wait for the standard input
     let mut files: Vec<PathBuf> =
         Some(args.file.clone()).into_iter().filter(|file| file != Path::new("-")).collect();
@@ -57,6 +62,33 @@ pub(super) fn run(args: &GenerateArgs, out: &mut Output) -> Result<Outcome, Fail
         tell(&lines(warnings));
     }
     Ok(Outcome::Clean)
+}
+
+/// Adds the objects to the file that CANopenNode does not compile or start without.
+fn supply(args: &GenerateArgs, request: &Request, bytes: Vec<u8>) -> Result<Vec<u8>, Failure> {
+    let name = name_of(&args.file);
+    let refuse = |help: &str| Failure::new(format_args!("no objects can be added to `{name}`")).help(help);
+    if !request.targets.iter().any(|target| target.name() == "canopennode") {
+        return Err(refuse("`--add-missing` is for the target `canopennode`"));
+    }
+    let (_, Input::Description(description)) = request.reading.read_one(&name, bytes.clone())? else {
+        return Err(refuse("name an EDS, DCF, XDD or XDC"));
+    };
+    let device = description.device();
+    let mut missing: Vec<u16> =
+        objdict_model::canopennode::unmet(device).into_iter().filter_map(|unmet| unmet.missing).collect();
+    missing.retain(|index| !device.objects.contains_key(index)); // it is disabled
+    missing.sort_unstable();
+    if missing.is_empty() {
+        return Ok(bytes);
+    }
+    let mut complete = device.clone();
+    scaffold::add_objects(&mut complete, &missing);
+    let added = missing.iter().map(|index| format!("{index:04X}h")).collect::<Vec<_>>().join(", ");
+    let bytes = description.with_objects(&complete).ok_or_else(|| refuse(&format!("describe {added}")))?;
+    save_in_place(&args.file, &bytes)?;
+    note(&format!("note: added {added} to `{name}`\n"));
+    Ok(bytes)
 }
 
 fn write(

@@ -60,6 +60,15 @@ impl Description {
         Ok(ConfiguredFile { bytes, device, is_edited: false })
     }
 
+    /// The bytes of this text with the additional objects of `device`; `None` where edits cannot add them.
+    pub fn with_objects(&self, device: &Device) -> Option<Vec<u8>> {
+        #[cfg(feature = "xdd")]
+        if let Some(tree) = self.tree() {
+            return super::xdd::with_objects(tree, device)?.ok();
+        }
+        Some(self.with_values(device)?.source().to_bytes())
+    }
+
     /// The description with the objects and values of `device`; `None` where edits cannot make it of this text.
     fn with_values(&self, device: &Device) -> Option<Self> {
         let values = self.device().reconfigured(device);

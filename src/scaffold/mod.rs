@@ -8,8 +8,8 @@ mod objects;
 mod pdos;
 
 use crate::model::{
-    BaudRates, ClockTime, DataType, Date, Device, DeviceInfo, DummyUsage, FileInfo, ObjectLists, PdoKind,
-    Value,
+    BaudRates, ClockTime, DataType, Date, Device, DeviceInfo, DummyUsage, FileInfo, ObjectList, ObjectLists,
+    PdoKind, Value,
 };
 use crate::profile::{self, Profile};
 
@@ -160,7 +160,7 @@ pub fn scaffold(wanted: &Wanted) -> Device {
     let general = profile::named("301");
     let own = wanted.functions.profile().and_then(profile::of_number);
     let documents: Vec<&Profile> = general.into_iter().chain(own).collect();
-    let maker = objects::Maker { wanted, documents: &documents };
+    let maker = objects::Maker { wanted: Some(wanted), functions: wanted.functions, documents: &documents };
     for index in [0x1000, 0x1001, 0x1008, 0x1014, 0x1017, 0x1018] {
         maker.add(&mut device, index);
     }
@@ -179,6 +179,20 @@ pub fn scaffold(wanted: &Wanted) -> Device {
     device.lists = ObjectLists::naming(device.objects.keys().copied());
     device.device_info = Some(device_info(wanted, &device));
     device
+}
+
+/// Adds communication objects as CiA 301 describes them, with their usual values, to a device that lacks them.
+pub fn add_objects(device: &mut Device, indexes: &[u16]) {
+    let documents: Vec<&Profile> = profile::named("301").into_iter().collect();
+    let maker = objects::Maker { wanted: None, functions: Functions::Bare, documents: &documents };
+    for &index in indexes {
+        maker.add(device, index);
+        if let Some(list) = ObjectList::of(index) {
+            let members = device.lists.get_mut(list).get_or_insert_default();
+            let at = members.partition_point(|&member| member < index);
+            members.insert(at, index);
+        }
+    }
 }
 
 /// Whether a document has an object, and not only for other devices.

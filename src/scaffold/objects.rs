@@ -6,7 +6,9 @@ use crate::profile::{EntryFacts, Mapping, ObjectFacts, Profile};
 
 /// Makes objects of what the documents say of them, the general document first.
 pub(super) struct Maker<'a> {
-    pub(super) wanted: &'a Wanted,
+    /// What is wanted of a new device; `None` for an existing one.
+    pub(super) wanted: Option<&'a Wanted>,
+    pub(super) functions: Functions,
     pub(super) documents: &'a [&'a Profile],
 }
 
@@ -28,7 +30,8 @@ impl Maker<'_> {
         let Some(object) = device.objects.get_mut(&index) else { return };
         if has_subs {
             object.subs = entries.into_iter().collect();
-            let highest = object.highest_sub().unwrap_or(0);
+            // sub-index 0 of the error history is the number of errors
+            let highest = if index == 0x1003 { 0 } else { object.highest_sub().unwrap_or(0) };
             if let Some(entry) = object.subs.get_mut(0) {
                 entry.default = number(highest.into(), DataType::UNSIGNED8);
             }
@@ -47,7 +50,7 @@ impl Maker<'_> {
     /// The sub-indexes of an object: those that it needs, and as many as there are channels.
     fn subs(&self, device: &Device, index: u16) -> impl Iterator<Item = u8> {
         let facts = self.facts(index);
-        let count = self.wanted.functions.count(index);
+        let count = self.functions.count(index);
         let is_needed = move |sub: u8| {
             // a product is identified by its complete identity
             let is_identity = index == 0x1018;
@@ -93,19 +96,18 @@ impl Maker<'_> {
 
     /// The value of an entry that depends on the device.
     fn value(&self, index: u16, sub: u8) -> Option<Value> {
-        let wanted = self.wanted;
-        let is_encoder = matches!(wanted.functions, Functions::Encoder(_));
+        let is_encoder = matches!(self.functions, Functions::Encoder(_));
         Some(match (index, sub) {
-            (0x1000, 0) => Value::Unsigned(wanted.functions.device_type().into()),
+            (0x1000, 0) => Value::Unsigned(self.functions.device_type().into()),
             (0x1005, 0) => Value::Unsigned(predefined::SYNC.into()),
-            (0x1008, 0) => Value::Text(wanted.product_name.as_str().into()),
+            (0x1008, 0) => Value::Text(self.wanted?.product_name.as_str().into()),
             (0x1014, 0) => predefined::per_node(predefined::EMCY).to_value(),
             (0x1017, 0) => Value::Unsigned(HEARTBEAT),
             // an encoder sees at least one step of one revolution
             (0x6001 | 0x6002 | 0x6501 | 0x6502, 0) | (0x6005, 1 | 2) if is_encoder => Value::Unsigned(1),
-            (0x1018, 1) => Value::Unsigned(wanted.vendor_id.into()),
-            (0x1018, 2) => Value::Unsigned(wanted.product_code.into()),
-            (0x1018, 3) => Value::Unsigned(wanted.revision.into()),
+            (0x1018, 1) => Value::Unsigned(self.wanted?.vendor_id.into()),
+            (0x1018, 2) => Value::Unsigned(self.wanted?.product_code.into()),
+            (0x1018, 3) => Value::Unsigned(self.wanted?.revision.into()),
             _ => return None,
         })
     }

@@ -11,7 +11,7 @@ const MULTI_SENSOR: u8 = 10;
 
 /// Adds the PDOs.
 pub(super) fn add(device: &mut Device, maker: &Maker<'_>) {
-    let pdos = match maker.wanted.functions {
+    let pdos = match maker.functions {
         Functions::Bare => Vec::new(),
         Functions::InputsOutputs(channels) => default_mapping::of_channels(&counts(channels)),
         Functions::Encoder(encoder) => positions(encoder),
@@ -70,7 +70,7 @@ fn communication_record(maker: &Maker<'_>, pdo: &PdoMap, index: u16) -> Object {
         match sub {
             0 => entry.default = number(subs.last().copied().unwrap_or(0).into(), DataType::UNSIGNED8),
             1 => entry.default = Some(cob_id.to_value()),
-            2 => entry.default = number(transmission_type(maker.wanted.functions, pdo), DataType::UNSIGNED8),
+            2 => entry.default = number(transmission_type(maker.functions, pdo), DataType::UNSIGNED8),
             _ => {}
         }
         (sub, entry)

@@ -218,3 +218,34 @@ fn only_what_makes_a_table_wrong_stops_it() {
         assert_eq!(output.status.code(), Some(expected), "{index}");
     }
 }
+
+#[test]
+fn objects_that_the_stack_needs_are_added_to_the_description() {
+    let folder = tempfile::tempdir().unwrap();
+    for (fixture, name) in [("eds/minimal.eds", "d.eds"), ("xdd/valve.xdd", "d.xdd")] {
+        let old = fs::read_to_string(Path::new("fixtures").join(fixture)).unwrap();
+        fs::write(folder.path().join(name), &old).unwrap();
+        let line = format!("generate {name} --target canopennode --no-config -o gen --add-missing");
+        let output = run(folder.path(), &line);
+        let said = String::from_utf8(output.stderr).unwrap();
+        assert!(said.contains(&format!("note: added 1003h, 1014h to `{name}`")), "{said}");
+        assert!(!said.contains("is missing"), "{said}");
+        let new = fs::read_to_string(folder.path().join(name)).unwrap();
+        let is_kept = |line: &&str| new.contains(line);
+        let changed = old.lines().filter(|line| !is_kept(line)).count();
+        assert!(changed <= 4, "{changed} lines are not as they were");
+        let found = |options: &str| {
+            let line =
+                format!("check {name} --no-config --format concise --ignore cia306/file-name {options}");
+            String::from_utf8(run(folder.path(), &line).stdout).unwrap()
+        };
+        assert!(!found("").contains(" error "), "{}", found(""));
+        assert_eq!(found("--compat canopennode").matches("portability/no-error-history").count(), 0);
+        let again = run(folder.path(), &line);
+        assert!(!String::from_utf8(again.stderr).unwrap().contains("added"));
+    }
+    let output = run(folder.path(), "generate d.eds --target rust -o gen --add-missing");
+    assert!(
+        String::from_utf8(output.stderr).unwrap().contains("`--add-missing` is for the target `canopennode`")
+    );
+}

@@ -37,6 +37,9 @@ pub(in crate::cli) struct GenerateArgs {
     /// Write the inputs of the stamp as a rule of make
     #[arg(long, value_name = "FILE", requires = "stamp", help_heading = "Output")]
     pub depfile: Option<PathBuf>,
+    /// Add the objects to the description without which CANopenNode does not compile or start, as CiA 301 describes them
+    #[arg(long, help_heading = "Stacks")]
+    pub add_missing: bool,
     /// Generate even if errors make the tables wrong
     #[arg(long, help_heading = "Output")]
     pub force: bool,
@@ -174,8 +177,8 @@ mod tests {
     const RENAMED: [(&str, &str); 3] = [("file", "new"), ("output", "out_dir"), ("from", "from_kind")];
 
     /// Arguments that are about a terminal or make.
-    const OF_THE_COMMAND: [&str; 9] =
-        ["color", "quiet", "verbose", "help", "report", "format", "list", "stamp", "depfile"];
+    const OF_THE_COMMAND: [&str; 10] =
+        ["color", "quiet", "verbose", "help", "report", "format", "list", "stamp", "depfile", "add-missing"];
 
     /// A build script can do all that the command can.
     #[test]

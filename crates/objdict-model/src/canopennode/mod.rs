@@ -22,6 +22,8 @@ pub struct Unmet {
     pub message: String,
     /// The help of the finding.
     pub help: String,
+    /// The object that would meet the requirement.
+    pub missing: Option<u16>,
 }
 
 /// The kind of requirement.
@@ -150,7 +152,12 @@ impl Wanted<'_> {
     }
 
     fn push(&mut self, cause: Cause, place: Place, message: String, help: impl Into<String>) {
-        self.unmet.push(Unmet { cause, place, message, help: help.into() });
+        self.unmet.push(Unmet { cause, place, message, help: help.into(), missing: None });
+    }
+
+    /// Reports an object whose description meets a requirement.
+    fn lack(&mut self, cause: Cause, place: Place, index: u16, message: String, help: impl Into<String>) {
+        self.unmet.push(Unmet { cause, place, message, help: help.into(), missing: Some(index) });
     }
 
     fn services(&mut self) {
@@ -187,16 +194,12 @@ impl Wanted<'_> {
         }
         if self.counters.count("SYNC") > 0 && self.object(0x1006).is_none() {
             let help = "describe 1006h; a period of 0 disables the SYNC producer";
-            self.push(
-                Cause::Missing,
-                Place::object(0x1005),
-                "1005h is described without 1006h".to_owned(),
-                help,
-            );
+            let message = "1005h is described without 1006h".to_owned();
+            self.lack(Cause::Missing, Place::object(0x1005), 0x1006, message, help);
         }
         if self.object(0x1003).is_none() {
             let message = "1003h is missing".to_owned();
-            self.push(Cause::NoHistory, Place::device(), message, "describe the object");
+            self.lack(Cause::NoHistory, Place::device(), 0x1003, message, "describe the object");
         }
         let consumers =
             self.object(0x1016).map(|object| object.entries().filter(|(sub, _)| *sub > 0).count());
@@ -213,7 +216,7 @@ impl Wanted<'_> {
 
     fn missing(&mut self, index: u16, message: String) {
         let help = format!("describe {index:04X}h, which the stack requires");
-        self.push(Cause::Missing, Place::device(), message, help);
+        self.lack(Cause::Missing, Place::device(), index, message, help);
     }
 
     /// Objects that the stack accesses consecutively, by the number of objects of the service.
@@ -277,7 +280,9 @@ impl Wanted<'_> {
 
 /// The unmet requirement of an entry that the stack reads as a number of `bytes` bytes.
 fn entry(index: u16, object: &Object, sub: u8, bytes: u8, optional: bool) -> Option<Unmet> {
-    let unmet = |place, message, help: String| Some(Unmet { cause: Cause::Entry, place, message, help });
+    let unmet = |place, message, help: String| {
+        Some(Unmet { cause: Cause::Entry, place, message, help, missing: None })
+    };
     let Some(entry) = object.entry(sub) else {
         let message = format!("sub-index {sub:02X}h of {index:04X}h is missing");
         let help = format!("describe the entry with {bytes} {}", plural(bytes));

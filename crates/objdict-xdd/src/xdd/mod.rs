@@ -1,5 +1,6 @@
 //! XDD and XDC: device descriptions and configurations in XML (CiA 311).
 
+mod additions;
 mod configure;
 mod defaults;
 mod fact;
@@ -18,6 +19,7 @@ pub mod write;
 mod written_ids;
 mod xdd_writer;
 
+pub use self::additions::with_objects;
 pub use self::configure::{to_xdc, to_xdd};
 pub use self::fix::edits;
 pub use self::layout::{containers, is_network, is_project};
