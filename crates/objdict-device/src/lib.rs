@@ -19,6 +19,8 @@ mod nmt;
 mod node;
 mod pdo;
 mod sdo;
+#[cfg(feature = "source")]
+pub mod source;
 pub mod table;
 
 pub use dictionary::{Attributes, Dictionary};

@@ -1,7 +1,9 @@
 macro_rules! aborts {
     ($($name:ident = $code:literal, $text:literal;)*) => {
-        /// Why an SDO transfer is aborted (`CiA` 301 §7.2.4.3.17).
+        /// Why an SDO transfer is aborted (`CiA` 301, 7.2.4.3.17).
         #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+        #[cfg_attr(feature = "defmt", derive(defmt::Format))]
+        #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
         pub enum Abort {
             $(#[doc = concat!($text, ".")] $name,)*
             /// A code without a meaning in `CiA` 301.
