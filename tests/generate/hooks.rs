@@ -93,20 +93,20 @@ mod od {
 
 struct Application;
 
-impl od::Hooks for Application {
+impl od::Hooks<od::Data> for Application {
     fn before_read(&mut self, data: &mut od::Data, index: u16, sub: u8) -> Result<(), od::Abort> {
         println!("before {index:04X} {sub:02X}");
-        data.counter += u16::from(index == 0x2000);
+        data.put(od::COUNTER, data.get(od::COUNTER) + u16::from(index == 0x2000));
         if index == 0x2004 { Err(od::Abort::Hardware) } else { Ok(()) }
     }
 
     fn after_write(&mut self, data: &mut od::Data, index: u16, sub: u8) -> Result<(), od::Abort> {
-        println!("after {index:04X} {sub:02X} {}", data.counter);
-        if index == 0x2000 && data.counter == 13 {
+        println!("after {index:04X} {sub:02X} {}", data.get(od::COUNTER));
+        if index == 0x2000 && data.get(od::COUNTER) == 13 {
             Err(od::Abort::Incompatible)
-        } else if data.label.as_slice() == b"bad ones" {
+        } else if data.get(od::LABEL) == b"bad ones" {
             Err(od::Abort::DeviceState)
-        } else if data.clock.days == 0xFFFF {
+        } else if data.get(od::CLOCK).days == 0xFFFF {
             Err(od::Abort::LocalControl)
         } else {
             Ok(())
@@ -117,7 +117,7 @@ impl od::Hooks for Application {
 /// Hooks without requested entries.
 struct Silent;
 
-impl od::Hooks for Silent {}
+impl od::Hooks<od::Data> for Silent {}
 
 fn main() {
     let mut data = od::Data::new(1);
@@ -134,7 +134,7 @@ fn main() {
             let bytes: Vec<u8> = (0..words[3].len() / 2)
                 .map(|at| u8::from_str_radix(&words[3][2 * at..2 * at + 2], 16).unwrap())
                 .collect();
-            let hooks: &mut dyn od::Hooks = &mut Application;
+            let hooks: &mut dyn od::Hooks<od::Data> = &mut Application;
             data.write_with(hooks, index, sub, &bytes).map(|()| String::from("-"))
         };
         match answer {

@@ -10,6 +10,7 @@ mod crates;
 mod defaults;
 mod devices;
 mod gates;
+mod handles;
 mod hooks;
 mod meanings;
 mod notes;

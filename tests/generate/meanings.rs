@@ -482,16 +482,17 @@ fn the_valve_reads_as_people_would_write_it() {
         use od::enums::{ChannelState, ValveMode};
         fn main() {
             let mut data = od::Data::new(5);
-            assert_eq!(ValveMode::try_from(data.mode), Ok(ValveMode::Manual));
+            assert_eq!(ValveMode::try_from(data.get(od::MODE)), Ok(ValveMode::Manual));
             assert_eq!(ValveMode::AUTOMATIC, ValveMode::ClosedLoop);
             assert_eq!(ValveMode::from_value(7), None);
-            data.mode = ValveMode::Service.value();
-            assert_eq!(data.mode, -1);
-            assert_eq!(ChannelState::from_value(status_word::state::get(data.status)), Some(ChannelState::Working));
-            assert_eq!(status_word::trim::get(data.status), 13);
-            data.status = status_word::trim::with(data.status, -3);
-            assert_eq!((status_word::trim::get(data.status), status_word::ready::get(data.status)), (-3, true));
-            assert_eq!(ChannelState::from_value(data.channel_states[1]), Some(ChannelState::BrokenWire));
+            data.set(od::MODE, ValveMode::Service.value()).unwrap();
+            assert_eq!(data.get(od::MODE), -1);
+            let status = data.get(od::STATUS);
+            assert_eq!(ChannelState::from_value(status_word::state::get(status)), Some(ChannelState::Working));
+            assert_eq!(status_word::trim::get(status), 13);
+            let status = status_word::trim::with(status, -3);
+            assert_eq!((status_word::trim::get(status), status_word::ready::get(status)), (-3, true));
+            assert_eq!(ChannelState::from_value(data.get(od::CHANNEL_STATES.at(2))), Some(ChannelState::BrokenWire));
         }
     "#;
     let mut batch = Batch::new();

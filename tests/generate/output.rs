@@ -6,6 +6,7 @@ use std::process::Command;
 use objdict::generate::{Options, OutputFile, Target, generate};
 use objdict::model::Device;
 
+use crate::batch::Batch;
 use crate::compile::{c_compiler, cc, generate_into, generate_with, rustc, succeed};
 use crate::processors::build;
 use crate::{device, devices, support};
@@ -110,7 +111,7 @@ fn a_node_id_is_named_as_the_default() {
     assert_eq!(lines(&device, &Options::default()), (true, true));
 }
 
-/// 32-bit offsets where 16 bits are too few.
+/// Offsets where 16 bits are too few.
 #[test]
 fn large_dictionaries_get_longer_places() {
     let mut device = device(&support::fixtures().join("eds/minimal.eds"));
@@ -124,11 +125,23 @@ fn large_dictionaries_get_longer_places() {
     }
     let small = files(&crate::device(&support::fixtures().join("eds/minimal.eds")), &Options::default());
     let large = files(&device, &Options::default());
-    let (in_rust, in_c) = ("type Offset = u16;", "typedef uint16_t od_offset_t;");
-    assert!(self::text(&small[0]).contains(in_rust) && self::text(&small[1]).contains(in_c));
-    let (in_rust, in_c) = ("type Offset = u32;", "typedef uint32_t od_offset_t;");
-    assert!(!self::text(&large[0]).contains(in_rust), "one text of 60,000 bytes is kept once");
-    assert!(self::text(&large[1]).contains(in_c), "two fields of 60,000 bytes");
+    assert!(self::text(&small[1]).contains("typedef uint16_t od_offset_t;"));
+    assert!(self::text(&large[1]).contains("typedef uint32_t od_offset_t;"), "two fields of 60,000 bytes");
+    let mut batch = Batch::new();
+    let program = r#"
+        mod od { include!("od.rs"); }
+        fn main() {
+            let mut data = od::Data::new(5);
+            let mut buffer = vec![0; od::MAX_SIZE];
+            assert_eq!(data.read(0x2001, 0, &mut buffer), Ok(60_000));
+            assert_eq!(data.get(od::TEXT_1), buffer);
+            data.set(od::TEXT_1, b"short").unwrap();
+            assert_eq!((data.get(od::TEXT_0), data.get(od::TEXT_1)), (&buffer[..], &b"short"[..]));
+        }
+    "#;
+    batch.add("large", &generate(&device, Target::RUST, &Options::default()).unwrap(), program);
+    batch.build(&["-Adead-code"]);
+    batch.run("large", "").unwrap();
 }
 
 /// Whether a tool of the Rust distribution is installed; prints a message if it is not and not required.
@@ -171,10 +184,12 @@ fn clippy_finds_nothing() {
     let folder = tempfile::tempdir().unwrap();
     let folder = folder.path();
     std::fs::create_dir(folder.join("src")).unwrap();
-    let manifest = "[package]\nname = \"tables\"\nversion = \"0.0.0\"\nedition = \"2021\"\n\n[workspace]\n";
+    let manifest = "[package]\nname = \"tables\"\nversion = \"0.0.0\"\nedition = \"2024\"\n\n[workspace]\n";
     std::fs::write(folder.join("Cargo.toml"), manifest).unwrap();
-    let mut modules =
-        String::from("#![no_std]\n#![deny(warnings, clippy::all, clippy::pedantic)]\n//! Tables.\n");
+    let mut modules = String::from(
+        "#![no_std]\n#![deny(warnings, clippy::all, clippy::pedantic, clippy::nursery)]\n\
+         #![deny(clippy::indexing_slicing, clippy::arithmetic_side_effects)]\n//! Tables.\n",
+    );
     let chosen = [
         "odd",
         "constant",

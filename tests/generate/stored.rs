@@ -19,21 +19,16 @@ use crate::{odd, support};
 struct Group {
     /// The member of the struct of values.
     field: &'static str,
-    /// Its type in Rust.
-    type_name: &'static str,
     first: u16,
     last: u16,
 }
 
-const fn group(field: &'static str, type_name: &'static str, first: u16, last: u16) -> Group {
-    Group { field, type_name, first, last }
+const fn group(field: &'static str, first: u16, last: u16) -> Group {
+    Group { field, first, last }
 }
 
-const GROUPS: [Group; 3] = [
-    group("comm", "Comm", 0x0001, 0x2FFF),
-    group("values", "Values", 0x3000, 0x34FF),
-    group("a_1", "A1", 0x6000, 0x9FFF),
-];
+const GROUPS: [Group; 3] =
+    [group("comm", 0x0001, 0x2FFF), group("values", 0x3000, 0x34FF), group("a_1", 0x6000, 0x9FFF)];
 
 /// Options with groups and hooks.
 pub(crate) fn options() -> Options {
@@ -337,13 +332,13 @@ fn programs(groups: &[Group], has_write: bool) -> (String, String) {
 ",
         );
     }
-    for Group { field, type_name, .. } in groups {
+    for Group { field, .. } in groups {
         let upper = field.to_uppercase();
         writeln!(
             rust,
-            "[\"s\", \"{field}\"] => {{ let mut image = [0xEE; od::{type_name}::IMAGE_SIZE]; \
-             data.{field}.save(&mut image); hex(&image) }}
-             [\"l\", \"{field}\", image] => answer(data.{field}.load(&bytes(image))),"
+            "[\"s\", \"{field}\"] => {{ let mut image = [0xEE; od::groups::{upper}.image_size()]; \
+             data.save(od::groups::{upper}, &mut image); hex(&image) }}
+             [\"l\", \"{field}\", image] => answer(data.load(od::groups::{upper}, &bytes(image))),"
         )
         .unwrap();
         let skip = 3 + field.len();
@@ -422,30 +417,30 @@ fn images_are_the_same_in_both_languages() {
 fn stated_groups_get_names_of_their_own() {
     let mut device = odd::device();
     let stated = [
-        ("速度", "group", "Group"),
-        ("type", "type_", "Type"),
-        ("*/ } #error", "error", "Error"),
-        ("self", "self_", "SelfGroup"),
-        ("tpdo1", "tpdo1_group", "Tpdo1Group"),
-        ("Data", "data_group", "DataGroup"),
-        ("a 1", "a_1", "A1"),
-        ("A-1", "a_1_3201", "A13201"),
-        ("a1", "a1", "A1Group"),
-        ("node_id", "node_id_3203", "NodeId3203"),
-        ("option", "option", "OptionGroup"),
-        ("\u{202E}", "group_3205", "Group3205"),
-        (" RAM ", "", ""),
-        ("rom", "", ""),
+        ("速度", "group"),
+        ("type", "type_"),
+        ("*/ } #error", "error"),
+        ("self", "self_"),
+        ("tpdo1", "tpdo1_group"),
+        ("Data", "data_group"),
+        ("a 1", "a_1"),
+        ("A-1", "a_1_3201"),
+        ("a1", "a1"),
+        ("node_id", "node_id_3203"),
+        ("option", "option"),
+        ("\u{202E}", "group_3205"),
+        (" RAM ", ""),
+        ("rom", ""),
     ];
     let mut groups = Vec::new();
     let indexes: Vec<u16> = device.objects.range(0x3100..).map(|(&index, _)| index).collect();
     let mut free = indexes.into_iter().filter(|index| !matches!(index, 0x3100 | 0x3101));
-    for (name, field, type_name) in stated {
+    for (name, field) in stated {
         let index = free.next().unwrap();
         let stack = StackOptions { storage_group: Some(name.into()), ..StackOptions::default() };
         device.objects.get_mut(&index).unwrap().main.stack = Some(Box::new(stack));
         if !field.is_empty() {
-            groups.push(group(field, type_name, index, index));
+            groups.push(group(field, index, index));
         }
     }
     run(&[Case { name: "stated".to_owned(), device, options: Options::default(), groups }]);

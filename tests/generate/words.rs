@@ -23,9 +23,9 @@ const WORDS: &str = "
 /// A device whose objects and entries have every word of the templates as a name, and some more.
 pub(crate) fn device() -> Device {
     let mut words: BTreeSet<String> = WORDS.split_ascii_whitespace().map(str::to_owned).collect();
-    for file in
-        support::files_below(&Path::new(env!("CARGO_MANIFEST_DIR")).join("templates/code"), &["rs", "c", "h"])
-    {
+    let folder = |name| Path::new(env!("CARGO_MANIFEST_DIR")).join(name);
+    let sources = ["templates/code", "crates/objdict-device/src/table"].map(folder);
+    for file in sources.iter().flat_map(|folder| support::files_below(folder, &["rs", "c", "h"])) {
         let text = std::fs::read_to_string(file).unwrap();
         let of_text = text.split(|c: char| !c.is_ascii_alphanumeric() && c != '_');
         words.extend(of_text.map(|word| word.trim_matches('_').to_owned()));

@@ -372,7 +372,7 @@ pub struct Identifier {
     pub index: u16,
     /// The sub-index; `None` for the index of an object.
     pub sub: Option<u8>,
-    /// The constant in Rust: `od::identity_object::VENDOR_ID`.
+    /// The constant in Rust: `od::identity_object::VENDOR_ID`, `od::DEVICE_TYPE` for an object with one value.
     pub rust: String,
     /// The macro in C: `OD_IDENTITY_OBJECT_VENDOR_ID`.
     pub c: String,

@@ -122,9 +122,11 @@ pub(crate) fn without_mark(c: char) -> char {
     }
 }
 
-/// The first `length` bytes of an identifier, without a trailing `_`.
-fn clip(identifier: &str, length: usize) -> &str {
-    let end = identifier.len().min(length);
+/// The words of an identifier that fit into `length` bytes; of a longer first word its beginning.
+pub(crate) fn clip(identifier: &str, length: usize) -> &str {
+    let Some(rest) = identifier.get(length..) else { return identifier.trim_end_matches('_') };
+    let whole = if rest.is_empty() || rest.starts_with('_') { Some(length) } else { None };
+    let end = whole.or_else(|| identifier[..length].rfind('_').filter(|&end| end > 0)).unwrap_or(length);
     identifier[..end].trim_end_matches('_')
 }
 
@@ -132,13 +134,15 @@ fn clip(identifier: &str, length: usize) -> &str {
 #[derive(Debug, Default)]
 pub(crate) struct Scope {
     taken: HashSet<String>,
+    /// What several will claim, see [`Scope::foresee`].
+    shared: HashSet<String>,
     keywords: bool,
 }
 
 impl Scope {
     /// A namespace for constants and macros with these words in use. No language has upper-case keywords.
     pub(crate) fn of_constants(taken: &str) -> Self {
-        Self { taken: taken.split_whitespace().map(str::to_owned).collect(), keywords: false }
+        Self { taken: taken.split_whitespace().map(str::to_owned).collect(), ..Self::default() }
     }
 
     /// A namespace for fields and modules, which must also differ from keywords.
@@ -162,19 +166,30 @@ impl Scope {
         self.taken.insert(identifier);
     }
 
+    /// Notes the words of all claims to come: what several of them claim gets a suffix in each, so that the name of
+    /// one never depends on the order of the others.
+    pub(crate) fn foresee<'a>(&mut self, all: impl IntoIterator<Item = &'a str>) {
+        let mut once = HashSet::new();
+        self.shared = all
+            .into_iter()
+            .map(|words| clip(words, LONGEST))
+            .filter(|words| !once.insert(*words))
+            .map(str::to_owned)
+            .collect();
+    }
+
     /// Claims an identifier for `words`.
     ///
-    /// The first claim gets the plain identifier, a keyword with `_` appended. Later claims get `suffix` (the
-    /// index and usually the sub-index) appended.
+    /// It is the plain identifier, a keyword with `_` appended; if that is taken or will be claimed again, with
+    /// `suffix` (the index and usually the sub-index) appended.
     pub(crate) fn claim(&mut self, words: &str, suffix: fmt::Arguments<'_>) -> String {
-        let mut plain = match clip(words, LONGEST) {
-            "" => format!("x{suffix}"),
-            plain => plain.to_owned(),
-        };
+        let words = clip(words, LONGEST);
+        let is_shared = self.shared.contains(words);
+        let mut plain = if words.is_empty() { format!("x{suffix}") } else { words.to_owned() };
         if self.keywords && is_reserved(&plain) {
             plain.push('_');
         }
-        if self.taken.insert(plain.clone()) {
+        if (!is_shared || words.is_empty()) && self.taken.insert(plain.clone()) {
             return plain;
         }
         let mut behind = format!("_{suffix}");
@@ -217,9 +232,12 @@ mod tests {
     }
 
     #[test]
-    fn long_names_are_cut_between_words_where_that_falls_so() {
+    fn long_names_are_cut_between_words() {
         assert_eq!(words(&"a".repeat(10_000)).len(), LONGEST_PART);
         assert_eq!(words(&"Ab".repeat(10_000)).len(), LONGEST_PART - 1);
+        let name = "Maximum number of bytes in the receive buffer of the second interface";
+        assert_eq!(words(name), "maximum_number_of_bytes_in_the_receive_buffer_of");
+        assert_eq!(words(&format!("{} tail", "b".repeat(LONGEST_PART - 2))), "b".repeat(LONGEST_PART - 2));
         assert_eq!(words(&format!("{} tail", "b".repeat(LONGEST_PART - 1))), "b".repeat(LONGEST_PART - 1));
     }
 
@@ -235,6 +253,20 @@ mod tests {
         assert_eq!(scope.claim("type", format_args!("2005")), "type_");
         assert_eq!(scope.claim("type", format_args!("2006")), "type_2006");
         assert_eq!(scope.claim("uint8_t", format_args!("2007")), "uint8_t_");
+    }
+
+    #[test]
+    fn what_several_claim_is_plain_for_none() {
+        let names = |all: [(&str, u16); 3]| {
+            let mut scope = Scope::of_lower_case("");
+            scope.foresee(all.map(|(words, _)| words));
+            all.map(|(words, index)| scope.claim(words, format_args!("{index:04x}")))
+        };
+        let in_order = names([("speed", 0x2000), ("gain", 0x2001), ("speed", 0x2002)]);
+        assert_eq!(in_order, ["speed_2000", "gain", "speed_2002"]);
+        let mut reversed = names([("speed", 0x2002), ("gain", 0x2001), ("speed", 0x2000)]);
+        reversed.reverse();
+        assert_eq!(in_order, reversed);
     }
 
     #[test]

@@ -62,9 +62,10 @@ const COUNTED: &str =
 pub(crate) struct Layout {
     /// Size of a row in bytes.
     pub(crate) row: usize,
-    /// Whether values are in ascending order of alignment, after the node-ID; otherwise the compiler orders
-    /// them without padding.
-    pub(crate) is_ascending: bool,
+    /// Size of all values in bytes, with the node-ID.
+    pub(crate) ram: usize,
+    /// Size of one value in RAM, in bytes.
+    pub(crate) value: fn(Shape) -> usize,
 }
 
 impl SizeReport {
@@ -87,19 +88,17 @@ impl SizeReport {
             .map(|object| {
                 let rows = &table.rows[object.rows.clone()];
                 let rom: usize = rows.iter().map(&mut rom_of).sum();
-                let fields = table.fields.iter().filter(|field| object.rows.contains(&field.rows.start));
+                let values = rows.iter().filter(|row| row.slot.is_some());
+                let ram = values.map(|row| (layout.value)(row.resolved.shape)).sum();
                 ObjectSize {
                     index: object.index,
                     name: object.name.clone(),
                     entries: rows.len(),
-                    size: Size { flash: rows.len() * layout.row + rom, ram: fields.map(field_size).sum() },
+                    size: Size { flash: rows.len() * layout.row + rom, ram },
                 }
             })
             .collect();
-        let total = Size {
-            flash: table.rows.len() * layout.row + table.rom.len(),
-            ram: ram(table, layout.is_ascending),
-        };
+        let total = Size { flash: table.rows.len() * layout.row + table.rom.len(), ram: layout.ram };
         let of_objects = objects.iter().fold(Size::default(), |sum, object| sum + object.size);
         let rest = Size {
             flash: total.flash.saturating_sub(of_objects.flash),
@@ -117,11 +116,11 @@ impl std::ops::Add for Size {
     }
 }
 
-/// Size of the struct of values, including the one-byte node-ID.
-pub(crate) fn ram(table: &Table, is_ascending: bool) -> usize {
+/// Size of the struct of values in C, including the one-byte node-ID.
+pub(crate) fn ram(table: &Table) -> usize {
     let fields = |group| table.members(group).map(|field| (alignment(field.shape), field_size(field)));
     let groups = (0..table.groups.len()).map(|group| structure(fields(Some(group)), false));
-    let (_, size) = structure(fields(None).chain(groups).chain([(1, 1)]), is_ascending);
+    let (_, size) = structure(fields(None).chain(groups).chain([(1, 1)]), true);
     size
 }
 

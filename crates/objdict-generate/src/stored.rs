@@ -7,7 +7,7 @@
 use std::collections::BTreeMap;
 
 use super::dictionary::{Dictionary, ResolvedObject};
-use super::names::{Scope, words};
+use super::names::{Scope, clip, words};
 use super::notes::in_order;
 use super::resolve::Shape;
 use super::table::{Row, Table};
@@ -33,8 +33,6 @@ pub(crate) struct TableGroup {
     pub(crate) name: String,
     /// Its member in the struct of values: unique there; not a keyword.
     pub(crate) field: String,
-    /// The first object with values in it.
-    pub(crate) first: u16,
     /// Its sub-index of 1010h and 1011h, if CiA 301 defines it.
     pub(crate) sub_index: Option<u8>,
     /// A hash of index, sub-index, data type and length of all entries.
@@ -79,7 +77,7 @@ impl Members {
         }
         let field = fields.claim(&identifier(name), format_args!("{first:04x}"));
         let name = name.to_owned();
-        self.groups.push(TableGroup { name, field, first, sub_index: None, layout: 0, image_size: 0 });
+        self.groups.push(TableGroup { name, field, sub_index: None, layout: 0, image_size: 0 });
         self.groups.len() - 1
     }
 
@@ -120,7 +118,7 @@ pub(crate) fn group_of<'a>(object: &'a ResolvedObject<'_>, options: &'a Options)
 /// The identifier of a group; must differ from functions of PDOs.
 fn identifier(name: &str) -> String {
     let words = words(name);
-    let words = words[..words.len().min(LONGEST)].trim_end_matches('_');
+    let words = clip(&words, LONGEST);
     let number = words.strip_prefix("rpdo").or_else(|| words.strip_prefix("tpdo"));
     let is_pdo = number.is_some_and(|number| number.bytes().all(|byte| byte.is_ascii_digit()));
     match words {
@@ -191,7 +189,7 @@ mod tests {
             ("tpdo1", "tpdo1_group"),
             ("Data", "data_group"),
             ("速度", "group"),
-            ("a group whose name is very long", "a_group_whose_name_is_ve"),
+            ("a group whose name is very long", "a_group_whose_name_is"),
         ] {
             assert_eq!(identifier(name), expected);
         }

@@ -97,6 +97,8 @@ pub(crate) struct Slot {
 pub(crate) struct TableField {
     /// Unique among fields; not a keyword.
     pub(crate) name: String,
+    /// Whether its name is that of the object, without an entry.
+    is_object: bool,
     pub(crate) shape: Shape,
     /// Its rows: one, or the elements of an array.
     pub(crate) rows: std::ops::Range<usize>,
@@ -140,7 +142,6 @@ impl Table {
         let mut fields = Scope::of_lower_case("node_id");
         let members = Members::new(&dictionary, options, &mut fields);
         let mut builder = Builder {
-            modules: Scope::of_lower_case("od pdo defaults enums bits serde defmt serde_array serde_blocks"), // used as modules in the templates
             fields,
             constants: Scope::of_constants(""),
             rom: Rom::default(),
@@ -150,6 +151,7 @@ impl Table {
             let group = members.group(object.index);
             builder.object(object, group);
         }
+        builder.name_all();
         let mut table = Self { rom: builder.rom.into_bytes(), notes: dictionary.notes, ..builder.table };
         members.finish(device, &mut table);
         hooks::mark(device, options, &mut table);
@@ -158,7 +160,7 @@ impl Table {
 
     /// Whether locations in RAM or flash need more than 16 bits.
     pub(crate) fn is_wide(&self) -> bool {
-        ram(self, true).max(self.rom.len()) > usize::from(u16::MAX)
+        ram(self).max(self.rom.len()) > usize::from(u16::MAX)
     }
 
     /// The path of a value in the struct of values: `persist_comm.speed[1]`.
@@ -210,8 +212,13 @@ impl fmt::Display for FieldPath<'_> {
     }
 }
 
+/// Items of the templates beside those of objects.
+const ITEMS: &str = "
+    od pdo defaults enums bits serde defmt groups table data_types communication manufacturer profile interface
+    entries node_id max_size
+";
+
 struct Builder {
-    modules: Scope,
     fields: Scope,
     /// The entries of one object.
     constants: Scope,
@@ -225,6 +232,8 @@ impl Builder {
         let object_name = words(&resolved.name);
         let first = self.table.rows.len();
         self.constants.reset("index");
+        let names: Vec<String> = resolved.entries.iter().map(|entry| words(&entry.name)).collect();
+        self.constants.foresee(names.iter().map(String::as_str));
         for ResolvedEntry { sub, entry, name, resolved } in resolved.entries {
             let constant = self.constants.claim(&words(&name), format_args!("{sub:02x}"));
             let block = block(&resolved);
@@ -240,8 +249,26 @@ impl Builder {
         let first = self.table.fields.len();
         self.place_fields(object, &name, rows.clone());
         self.table.fields[first..].iter_mut().for_each(|field| field.group = group);
-        let module = self.modules.claim(&name, format_args!("{index:04x}"));
-        self.table.objects.push(TableObject { index, name: object.name().to_owned(), module, single, rows });
+        let object = TableObject { index, name: object.name().to_owned(), module: name, single, rows };
+        self.table.objects.push(object);
+    }
+
+    /// Makes the names of objects and fields unique.
+    fn name_all(&mut self) {
+        let Table { objects, fields, rows, .. } = &mut self.table;
+        let mut modules = Scope::of_lower_case(ITEMS);
+        modules.foresee(objects.iter().map(|object| object.module.as_str()));
+        for TableObject { index, module, .. } in objects {
+            *module = modules.claim(module, format_args!("{index:04x}"));
+        }
+        self.fields.foresee(fields.iter().map(|field| field.name.as_str()));
+        for TableField { name, rows: of_field, is_object, .. } in fields {
+            let Row { index, sub, .. } = rows[of_field.start];
+            *name = match *is_object {
+                true => self.fields.claim(name, format_args!("{index:04x}")),
+                false => self.fields.claim(name, format_args!("{index:04x}_{sub:02x}")),
+            };
+        }
     }
 
     /// Assigns fields to the writable entries of an object.
@@ -280,17 +307,13 @@ impl Builder {
         if row.resolved.constant || shape.size() == 0 {
             return; // in flash, or a DOMAIN without capacity
         }
-        let name = if array || !(object.object_type().has_subs() || object.compact.is_some()) {
-            self.fields.claim(name, format_args!("{:04x}", row.index))
-        } else {
-            let words = [name, "_", &row.constant].concat();
-            self.fields.claim(&words, format_args!("{:04x}_{:02x}", row.index, row.sub))
-        };
+        let is_object = array || !(object.object_type().has_subs() || object.compact.is_some());
+        let name = if is_object { name.to_owned() } else { [name, "_", &row.constant].concat() };
         let field = self.table.fields.len();
         for (element, at) in rows.clone().enumerate() {
             self.table.rows[at].slot = Some(Slot { field, element: array.then_some(element) });
         }
-        self.table.fields.push(TableField { name, shape, rows, array, group: None });
+        self.table.fields.push(TableField { name, is_object, shape, rows, array, group: None });
     }
 }
 

@@ -4,7 +4,7 @@
 use std::ops::Range;
 
 use super::dictionary::ResolvedObject;
-use super::names::{LONGEST, Scope, words};
+use super::names::{LONGEST, Scope, clip, words};
 use crate::model::ObjectType;
 
 /// A variable with the entries of one object in it.
@@ -81,5 +81,5 @@ pub(crate) fn claim(
         }
     };
     let room = LONGEST - prefix.len() - 4 - suffix.len(); // for the prefix, the suffix and a number
-    scope.claim(&name[..name.len().min(room)], format_args!("{suffix}"))
+    scope.claim(clip(&name, room), format_args!("{suffix}"))
 }

@@ -21,12 +21,12 @@ fn read(node: &mut Node, index: u16, sub: u8) -> Result<Vec<u8>, u32> {
 #[test]
 fn what_is_written_is_read() {
     let mut node = node();
-    assert_eq!(read(&mut node, od::identity::INDEX, od::identity::VENDOR_ID), Ok(vec![0xF9, 0x03, 0, 0]));
+    assert_eq!(read(&mut node, od::identity::INDEX, od::identity::VENDOR_ID.sub()), Ok(vec![0xF9, 0x03, 0, 0]));
     assert_eq!(node.answer([0x2B, 0x17, 0x10, 0, 0xF4, 0x01, 0, 0]), Some([0x60, 0x17, 0x10, 0, 0, 0, 0, 0]));
-    assert_eq!(read(&mut node, od::producer_heartbeat_time::INDEX, 0), Ok(vec![0xF4, 0x01]));
+    assert_eq!(read(&mut node, od::PRODUCER_HEARTBEAT_TIME.index(), 0), Ok(vec![0xF4, 0x01]));
     // the frame does not say how many bytes it has
     assert_eq!(node.answer([0x22, 0x17, 0x10, 0, 0x64, 0, 0, 0]), Some([0x60, 0x17, 0x10, 0, 0, 0, 0, 0]));
-    assert_eq!(node.data.producer_heartbeat_time, 100);
+    assert_eq!(node.data.get(od::PRODUCER_HEARTBEAT_TIME), 100);
 }
 
 #[test]
@@ -34,9 +34,9 @@ fn what_cannot_be_done_is_aborted() {
     let mut node = node();
     assert_eq!(read(&mut node, 0x3000, 0), Err(0x0602_0000));
     assert_eq!(read(&mut node, od::climate::INDEX, 3), Err(0x0609_0011));
-    assert_eq!(read(&mut node, od::password::INDEX, 0), Err(0x0601_0001));
+    assert_eq!(read(&mut node, od::PASSWORD.index(), 0), Err(0x0601_0001));
     // the device name has seven bytes, which need segments
-    assert_eq!(read(&mut node, od::device_name::INDEX, 0), Err(0x0504_0005));
+    assert_eq!(read(&mut node, od::DEVICE_NAME.index(), 0), Err(0x0504_0005));
     for (request, code) in [
         ([0x2B, 0x00, 0x20, 1, 0, 0, 0, 0], 0x0601_0002_u32),
         ([0x2B, 0x10, 0x20, 2, 0x53, 0x03, 0, 0], 0x0609_0031),
@@ -50,7 +50,7 @@ fn what_cannot_be_done_is_aborted() {
         assert_eq!((answer[0], answer[4..].to_vec()), (0x80, code.to_le_bytes().to_vec()), "{request:02X?}");
     }
     assert_eq!(node.answer([0x80, 0, 0, 0, 0, 0, 0, 0]), None);
-    assert_eq!(node.data.alarm_limits_highest_temperature, 600);
+    assert_eq!(node.data.get(od::alarm_limits::HIGHEST_TEMPERATURE), 600);
 }
 
 /// The TPDO carries what its mapping says, bit by bit: read back through the dictionary's own mapping entries.

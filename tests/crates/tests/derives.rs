@@ -26,25 +26,29 @@ fn values_come_back() {
 }
 
 #[test]
-fn values_are_people_s_in_json() {
+fn values_are_lists_of_numbers() {
     let mut data = minimal::Data::new(5);
-    data.producer_heartbeat_time = 250;
+    data.put(minimal::PRODUCER_HEARTBEAT_TIME, 250);
     let json = serde_json::to_string(&data).unwrap();
-    assert!(json.contains("\"producer_heartbeat_time\":250"), "{json}");
+    // index, sub-index, number of bytes, bytes
+    assert!(json.starts_with("[5,4096,0,4,0,0,0,0,") && json.contains(",4119,0,2,250,0,"), "{json}");
     assert_eq!(serde_json::from_str::<minimal::Data>(&json).unwrap(), data);
-    let mut data = odd::Data::new(5);
-    data.texts[0].set(b"hello").unwrap();
-    data.all[200] = 77;
-    let bytes = postcard::to_stdvec(&data).unwrap();
-    let back: odd::Data = postcard::from_bytes(&bytes).unwrap();
-    assert_eq!((back.texts[0].as_slice(), back.all[200]), (&b"hello"[..], 77));
+    let some = serde_json::from_str::<minimal::Data>("[9,4119,0,2,7,0]").unwrap();
+    assert_eq!((some.node_id(), some.get(minimal::PRODUCER_HEARTBEAT_TIME)), (9, 7));
 }
 
 #[test]
-fn too_many_bytes_are_refused() {
-    let json = serde_json::to_string(&odd::Octets::<3>::new(b"abc")).unwrap();
-    assert_eq!(json, "[97,98,99]");
-    assert!(serde_json::from_str::<odd::Octets<3>>(&json).is_ok());
-    let error = serde_json::from_str::<odd::Octets<2>>(&json).unwrap_err();
-    assert!(error.to_string().contains("at most 2 bytes"), "{error}");
+fn what_the_table_cannot_hold_is_refused() {
+    for json in [
+        "[]",
+        "[300]",
+        "[5,4119]",
+        "[5,4119,0,2,7]",
+        "[5,4119,0,1,7]",
+        "[5,4119,0,3,7,0,0]",
+        "[5,16384,0,1,0]",
+        "[5,4104,0,1,65]",
+    ] {
+        assert!(serde_json::from_str::<minimal::Data>(json).is_err(), "{json}");
+    }
 }

@@ -6,7 +6,7 @@ use super::view::{macro_name, word_type};
 use crate::escape::filters;
 use crate::meanings::{EnumType, Named, WordPart, WordType};
 use crate::model::{DataType, TypeKind};
-use crate::names::Scope;
+use crate::names::{Scope, clip};
 
 /// The macros.
 #[derive(Template)]
@@ -117,7 +117,7 @@ fn part_name(macros: &mut Scope, prefix: &str, words: &str, first: u8) -> String
     let mut suffix = first.to_string();
     loop {
         let room = crate::names::LONGEST - prefix.len() - 8 - suffix.len();
-        let name = macros.claim(&words[..words.len().min(room)], format_args!("{suffix}"));
+        let name = macros.claim(clip(words, room), format_args!("{suffix}"));
         let all = OF_PARTS.map(|what| format!("{name}_{what}"));
         if all.iter().all(|name| macros.is_free(name)) {
             all.into_iter().for_each(|name| macros.take(name));

@@ -12,7 +12,7 @@ use super::Identifier;
 use super::frames::frames;
 use super::hooks::has_hooks;
 use super::notes::in_order;
-use super::size::Layout;
+use super::size::{Layout, element_size, ram};
 use super::table::Table;
 use super::{Backend, CTable, Choice, GenerateError, Generated, Note, Options, SizeReport, Sizes, render};
 use crate::model::{Device, Place};
@@ -30,7 +30,10 @@ pub(super) fn identifiers(device: &Device, options: &Options) -> Result<Vec<Iden
     let mut identifiers = Vec::with_capacity(table.objects.len() + table.rows.len());
     for view::ObjectView { object, name, entries } in &header.objects {
         let mut add = |sub: Option<u8>, constant: &str, name: &str| {
-            let rust = format!("{module}::{}::{constant}", object.module);
+            let rust = match object.single {
+                true => format!("{module}::{}", object.module.to_ascii_uppercase()),
+                false => format!("{module}::{}::{constant}", object.module),
+            };
             let c = format!("{}_{name}", header.upper);
             identifiers.push(Identifier { index: object.index, sub, rust, c });
         };
@@ -102,6 +105,6 @@ impl Backend for C {
             return Ok(Sizes::Known(structs::size(&table, &prefix, options.entry_names)));
         }
         let row = if table.is_wide() { 16 } else { 10 };
-        Ok(Sizes::Known(SizeReport::of_table(&table, Layout { row, is_ascending: true })))
+        Ok(Sizes::Known(SizeReport::of_table(&table, Layout { row, ram: ram(&table), value: element_size })))
     }
 }

@@ -191,7 +191,7 @@ pub(super) fn size(table: &Table, prefix: &str, names: bool) -> SizeReport {
     for (index, bytes) in constants.taken {
         tally.of(index, Memory::Flash, bytes);
     }
-    let mut gaps = ram(table, true);
+    let mut gaps = ram(table);
     for field in &table.fields {
         gaps -= field_size(field);
         tally.of(table.rows[field.rows.start].index, Memory::Zeroed, field_size(field));

@@ -12,7 +12,7 @@ use crate::escape::filters;
 use crate::hooks;
 use crate::meanings::{Named, meanings};
 use crate::model::{DataType, Device, TypeKind};
-use crate::names::{LONGEST, Scope};
+use crate::names::{LONGEST, Scope, clip};
 use crate::resolve::Shape;
 use crate::table::{FieldPath, Row, Table, TableField, TableObject};
 use crate::{Note, Options};
@@ -206,7 +206,7 @@ pub(super) fn macro_name(
     (suffix, length): (fmt::Arguments<'_>, usize),
 ) -> String {
     let room = LONGEST - prefix.len() - 2 - length; // leaves room for the suffix
-    macros.claim(&words[..words.len().min(room)], suffix)
+    macros.claim(clip(words, room), suffix)
 }
 
 pub(super) fn field_view<'a>(table: &'a Table, field: &'a TableField, prefix: &str) -> FieldView<'a> {

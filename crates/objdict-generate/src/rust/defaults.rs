@@ -2,7 +2,7 @@
 
 use askama::Template;
 
-use super::view::{grouped, hex};
+use super::literal::{grouped, hex};
 use crate::defaults::{Constant, ConstantValue};
 use crate::model::CobId;
 

@@ -4,7 +4,7 @@ use std::collections::HashSet;
 
 use askama::Template;
 
-use super::view::{value_of, word_type};
+use super::literal::{value_of, word_type};
 use crate::escape::filters;
 use crate::meanings::{EnumType, Named, WordPart, WordType};
 use crate::model::{DataType, TypeKind};
@@ -71,15 +71,11 @@ struct PartView<'a> {
 }
 
 impl<'a> Meanings<'a> {
-    pub(super) fn new(named: &'a Named) -> Self {
+    /// `derives` are attribute lines.
+    pub(super) fn new(named: &'a Named, derives: String) -> Self {
         let mut taken = HashSet::from(["Self".to_owned()]);
         let enums = named.enums.iter().map(|of| enum_view(of, &mut taken)).collect();
-        Self { enums, words: named.words.iter().map(word_view).collect(), derives: String::new() }
-    }
-
-    /// Adds derives.
-    pub(super) fn with(self, derives: String) -> Self {
-        Self { derives, ..self }
+        Self { enums, words: named.words.iter().map(word_view).collect(), derives }
     }
 }
 
@@ -199,7 +195,7 @@ fn part_view<'a>(of: &WordType, part: &'a WordPart) -> PartView<'a> {
         word,
         unsigned,
         type_,
-        mask: super::view::hex(part.mask),
+        mask: super::literal::hex(part.mask),
         get,
         with,
     }

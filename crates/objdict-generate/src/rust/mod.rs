@@ -1,13 +1,16 @@
 //! The target `rust`: one file without dependencies, `od.rs`.
 
 mod defaults;
+mod literal;
 mod meanings;
+mod objects;
+mod paste;
 mod pdo;
-mod stored;
+mod places;
 mod view;
 
 #[cfg(feature = "stacks")]
-pub(super) use view::{value_of, word_type};
+pub(super) use literal::{value_of, word_type};
 
 use super::defaults::constants;
 use super::frames::frames;
@@ -52,14 +55,14 @@ impl Backend for Rust {
         let frames = frames(device, &table, &mut notes);
         let constants = constants(device, &table, &mut notes);
         let named = meanings(device, &table, options, &mut notes);
-        let od = view::Od::new(&table, &frames, &constants, &named).with(options);
+        let od = view::Od::new(device, &table, options, &frames, &constants, &named)?;
         let file = render(format!("{module}.rs"), &od)?;
         Ok(Generated { files: vec![file], notes: in_order(notes) })
     }
 
     fn size(&self, device: &Device, options: &Options) -> Result<Sizes, GenerateError> {
         let table = Table::new(device, options)?;
-        let row = if view::has_wide_places(&table) { 14 } else { 10 };
-        Ok(Sizes::Known(SizeReport::of_table(&table, Layout { row, is_ascending: false })))
+        let ram = places::Places::new(&table)?.total;
+        Ok(Sizes::Known(SizeReport::of_table(&table, Layout { row: 10, ram, value: places::value_size })))
     }
 }

@@ -1,9 +1,9 @@
 //! View of templates/rust/_pdo.rs: structs of PDO frames.
 
-use super::view::{hex, value_of, word_type};
+use super::literal::{hex, word_type};
+use super::objects::path;
 use crate::frames::{Carried, Frame, FrameField};
-use crate::model::DataType;
-use crate::resolve::{Datum, Shape};
+use crate::resolve::Shape;
 use crate::table::{Row, Table};
 
 /// A frame.
@@ -14,8 +14,6 @@ pub(super) struct FrameView<'a> {
     /// The COB-ID as an expression of `node_id`.
     pub(super) cob_id: Option<String>,
     pub(super) depends_on_node_id: bool,
-    /// Whether a field is loaded from the struct of values.
-    pub(super) reads_data: bool,
     /// Whether a field is stored there.
     pub(super) writes_data: bool,
     pub(super) fields: Vec<FieldView<'a>>,
@@ -26,14 +24,10 @@ pub(super) struct FieldView<'a> {
     pub(super) field: &'a FrameField,
     pub(super) row: &'a Row,
     pub(super) type_: String,
-    /// An initial value of the type.
-    pub(super) zero: String,
-    /// The value in the dictionary, an expression of `data`.
+    /// The value in the dictionary.
     pub(super) load: String,
-    /// Its location in the dictionary; `None` for constants.
-    pub(super) place: Option<String>,
-    /// The value to store, an expression of `self`.
-    pub(super) store: String,
+    /// The statement that stores it there; `None` for constants.
+    pub(super) store: Option<String>,
 }
 
 impl<'a> FrameView<'a> {
@@ -52,8 +46,7 @@ impl<'a> FrameView<'a> {
                 false => hex(number.into()),
             }),
             depends_on_node_id: cob_id.is_some_and(|(_, per_node)| per_node),
-            reads_data: fields.iter().any(|field| field.load.contains("data.")),
-            writes_data: fields.iter().any(|field| field.place.is_some()),
+            writes_data: fields.iter().any(|field| field.store.is_some()),
             fields,
         }
     }
@@ -61,48 +54,25 @@ impl<'a> FrameView<'a> {
 
 fn field_view<'a>(table: &'a Table, field: &'a FrameField) -> FieldView<'a> {
     let row = &table.rows[field.row];
-    let place = row.slot.map(|slot| format!("data.{}", table.place(slot)));
-    let name = &field.name;
-    let (type_, zero) = match field.carried {
-        Carried::Number(data_type) => of_number(data_type),
-        Carried::Bytes(length) => (format!("[u8; {length}]"), format!("[0; {length}]")),
+    let (handle, name) = (format!("super::{}", path(table, row)), &field.name);
+    let is_whole = matches!(field.carried, Carried::Number(_));
+    let type_ = match field.carried {
+        Carried::Number(data_type) => match word_type(data_type) {
+            "Time" => "super::Time".to_owned(),
+            number => number.to_owned(),
+        },
+        Carried::Bytes(length) => format!("[u8; {length}]"),
     };
-    let load = match (&place, field.carried, row.resolved.shape) {
-        (Some(place), Carried::Number(_), _) => place.clone(),
-        (Some(place), Carried::Bytes(length), Shape::Bytes(..)) => {
-            format!("super::Octets::<{length}>::new({place}.as_slice()).bytes")
-        }
-        (Some(place), Carried::Bytes(length), _) => format!("super::Octets::<{length}>::new(&{place}).bytes"),
-        (None, carried, shape) => constant(carried, shape, &row.resolved.default),
+    let load = match row.resolved.shape {
+        _ if is_whole => format!("data.get({handle})"),
+        Shape::Bytes(..) => format!("first(data.get({handle}))"),
+        _ => format!("first(&data.get({handle}))"),
     };
-    let store = match row.resolved.shape {
-        Shape::Word(_) => format!("self.{name}"),
-        Shape::Bytes(..) => format!("super::Octets::new(&self.{name})"),
-        Shape::Block(length) => format!("super::Octets::<{length}>::new(&self.{name}).bytes"),
+    let value = match row.resolved.shape {
+        _ if is_whole => format!("self.{name}"),
+        Shape::Bytes(..) => format!("&self.{name}"),
+        _ => format!("first(&self.{name})"),
     };
-    FieldView { field, row, type_, zero, load, place, store }
-}
-
-/// The type of a number, and its zero.
-fn of_number(data_type: DataType) -> (String, String) {
-    match word_type(data_type) {
-        "bool" => ("bool".to_owned(), "false".to_owned()),
-        "Time" => ("super::Time".to_owned(), "super::Time { milliseconds: 0, days: 0 }".to_owned()),
-        real @ ("f32" | "f64") => (real.to_owned(), format!("0.0_{real}")),
-        integer => (integer.to_owned(), format!("0_{integer}")),
-    }
-}
-
-/// The value of an entry in flash.
-fn constant(carried: Carried, shape: Shape, default: &Datum) -> String {
-    match (carried, default) {
-        (Carried::Bytes(length), Datum::Bytes(bytes)) => {
-            let bytes = crate::escape::byte_string(bytes);
-            format!("super::Octets::<{length}>::new(b\"{bytes}\").bytes")
-        }
-        (_, Datum::Formula(_)) => {
-            format!("{{ let node_id = data.node_id; {} }}", value_of(shape, default))
-        }
-        _ => value_of(shape, default).replace("Time {", "super::Time {"),
-    }
+    let store = row.slot.map(|_| format!("data.put({handle}, {value})"));
+    FieldView { field, row, type_, load, store }
 }

@@ -1,6 +1,7 @@
 /// Default values of identity and services, decoded. COB-IDs are functions of the node-ID. `Data`
 /// contains the present values.
-#[allow(dead_code, unreachable_pub, clippy::cast_lossless)]
+#[allow(dead_code, unreachable_pub)]
+#[allow(clippy::arithmetic_side_effects, clippy::cast_lossless)]
 #[rustfmt::skip]
 pub mod defaults {
 {%- for item in items %}

@@ -62,7 +62,8 @@ pub mod enums {
 /// Bit fields of entries: `get` extracts the value, `with` returns the word with a new value.
 #[allow(dead_code, unreachable_pub)]
 #[allow(clippy::cast_lossless, clippy::cast_possible_truncation, clippy::cast_possible_wrap)]
-#[allow(clippy::cast_sign_loss, clippy::precedence, clippy::unnecessary_cast)]
+#[allow(clippy::arithmetic_side_effects, clippy::cast_sign_loss, clippy::precedence)]
+#[allow(clippy::unnecessary_cast)]
 #[rustfmt::skip]
 pub mod bits {
 {%- for view in words %}

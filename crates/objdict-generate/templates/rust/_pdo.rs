@@ -2,9 +2,13 @@
 {% if gates -%}
 #[cfg(feature = "od-pdo")]
 {% endif -%}
-#[allow(dead_code, unreachable_pub)]
+#[allow(dead_code, unreachable_pub, unused_imports)]
+#[allow(clippy::arithmetic_side_effects, clippy::indexing_slicing)]
+#[allow(clippy::derive_partial_eq_without_eq)]
 pub mod pdo {
-{%- for frame in frames %}
+    use super::table::{first, pack, unpack};
+    use super::Data;
+{% for frame in frames %}
     /// {{ frame.frame.title }} (`0x{{ frame.frame.communication_index|hex4 }}`, `0x{{ frame.frame.mapping_index|hex4 }}`).
     #[allow(clippy::struct_excessive_bools)]
     #[derive(Clone, Copy, Debug, PartialEq)]{{ derives("    ") }}
@@ -16,7 +20,7 @@ pub mod pdo {
     }
 
     #[rustfmt::skip]
-    #[allow(clippy::approx_constant, clippy::cast_lossless)]
+    #[allow(clippy::cast_lossless)]
     impl {{ frame.type_name }} {
         /// Length of a frame in bytes.
         pub const LENGTH: usize = {{ frame.frame.length }};
@@ -36,7 +40,7 @@ pub mod pdo {
 
         /// Reads the present values from the dictionary.
         #[must_use]
-        pub fn load({% if !frame.reads_data %}_{% endif %}data: &super::Data) -> Self {
+        pub fn load(data: &Data) -> Self {
             Self {
 {%- for field in frame.fields %}
                 {{ field.field.name }}: {{ field.load }},
@@ -45,10 +49,10 @@ pub mod pdo {
         }
 
         /// Writes the values to the dictionary without checking limits; constants are unchanged.
-        pub fn store(&self, {% if !frame.writes_data %}_{% endif %}data: &mut super::Data) {
+        pub fn store(&self, {% if !frame.writes_data %}_{% endif %}data: &mut Data) {
 {%- for field in frame.fields %}
-{%- if let Some(place) = field.place %}
-            {{ place }} = {{ field.store }};
+{%- if let Some(store) = field.store %}
+            {{ store }};
 {%- endif %}
 {%- endfor %}
         }
@@ -58,7 +62,7 @@ pub mod pdo {
         pub fn pack(&self) -> [u8; {{ frame.frame.length }}] {
             let frame = {% for field in frame.fields %}
 {%- if !loop.first %}
-                | {% endif %}put(&self.{{ field.field.name }}, {{ field.field.first }}, {{ field.field.bits }})
+                | {% endif %}pack::<{{ field.type_ }}>(self.{{ field.field.name }}, {{ field.field.first }}, {{ field.field.bits }})
 {%- endfor %};
             let bytes = frame.to_le_bytes();
             core::array::from_fn(|at| bytes[at])
@@ -70,37 +74,10 @@ pub mod pdo {
             let frame = frame.iter().rev().fold(0, |frame, &byte| (frame << 8) | u64::from(byte));
             Self {
 {%- for field in frame.fields %}
-                {{ field.field.name }}: take({{ field.zero }}, frame, {{ field.field.first }}, {{ field.field.bits }}, {{ field.field.is_signed() }}),
+                {{ field.field.name }}: unpack(frame, {{ field.field.first }}, {{ field.field.bits }}, {{ field.field.is_signed() }}),
 {%- endfor %}
             }
         }
     }
-{% endfor %}
-    /// Shifts a value to its position in a frame: its lowest `bits` bits, 1 to 64, from bit `first` on.
-    fn put(value: &impl super::Field, first: u32, bits: u32) -> u64 {
-        let shift = |number: u64, &byte: &u8| (number << 8) | u64::from(byte);
-        let number = match value.load() {
-            super::Value::Number(number) => u64::from_le_bytes(number),
-            super::Value::Bytes(bytes) => bytes.iter().rev().fold(0, shift),
-        };
-        (number & (u64::MAX >> (64 - bits))) << first
-    }
-
-    /// Extracts a value from a frame in the type of `value`, with sign extension.
-    fn take<T: super::Field>(mut value: T, frame: u64, first: u32, bits: u32, signed: bool) -> T {
-        let lowest = u64::MAX >> (64 - bits);
-        let number = (frame >> first) & lowest;
-        let negative = signed && number > lowest >> 1;
-        let number = if negative { number | !lowest } else { number };
-        let bytes = number.to_le_bytes();
-        let length = match value.load() {
-            super::Value::Number(_) => None,
-            super::Value::Bytes(bytes) => Some(bytes.len().min(8)),
-        };
-        value.store(match length {
-            None => super::Value::Number(bytes),
-            Some(length) => super::Value::Bytes(&bytes[..length]),
-        });
-        value
-    }
+{% endfor -%}
 }

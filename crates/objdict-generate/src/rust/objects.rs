@@ -1,0 +1,183 @@
+//! View of templates/rust/_objects.rs: objects and entries as typed constants.
+
+use askama::Template;
+
+use super::literal::{value_of, word_type};
+use crate::escape::{code_span, filters};
+use crate::model::{DataType, Device, TypeKind};
+use crate::resolve::{Datum, Shape};
+use crate::table::{Row, Table, TableField, TableObject};
+
+/// The areas of indexes (CiA 301 §7.4.1) as modules: name, title, first and last index.
+pub(super) const AREAS: [(&str, &str, u16, u16); 5] = [
+    ("data_types", "Definitions of data types", 0x0000, 0x0FFF),
+    ("communication", "Communication objects", 0x1000, 0x1FFF),
+    ("manufacturer", "Objects of the manufacturer", 0x2000, 0x5FFF),
+    ("profile", "Objects of the device profile", 0x6000, 0x9FFF),
+    ("interface", "Network variables and objects of interface profiles", 0xA000, 0xFFFF),
+];
+
+/// The modules of all areas with objects.
+#[derive(Template)]
+#[template(path = "rust/_objects.rs", escape = "none")]
+pub(super) struct Objects<'a> {
+    areas: Vec<AreaView<'a>>,
+}
+
+struct AreaView<'a> {
+    name: &'static str,
+    title: &'static str,
+    first: u16,
+    last: u16,
+    objects: Vec<ObjectView<'a>>,
+}
+
+/// An object: one value, or a module of entries.
+struct ObjectView<'a> {
+    object: &'a TableObject,
+    single: Option<HandleView>,
+    array: Option<ArrayView>,
+    entries: Vec<HandleView>,
+}
+
+/// An entry as a constant.
+struct HandleView {
+    name: String,
+    /// The documentation.
+    doc: String,
+    /// The type of a value, and the access.
+    type_: String,
+    access: &'static str,
+    sub: u8,
+}
+
+/// Elements with a common type.
+struct ArrayView {
+    name: String,
+    type_: String,
+    access: &'static str,
+    length: usize,
+}
+
+impl<'a> Objects<'a> {
+    pub(super) fn new(device: &Device, table: &'a Table) -> Self {
+        let meanings = device.meanings();
+        let unit = |row: &Row| {
+            let object = device.object(row.index)?;
+            let entry = object.subs.get(row.sub).unwrap_or(&object.main);
+            let labels = &meanings.scaling_of(entry).unit?.labels;
+            Some(labels.name_in("en")?.to_owned())
+        };
+        let areas = AREAS.into_iter().map(|(name, title, first, last)| {
+            let objects = table.objects.iter().filter(|object| (first..=last).contains(&object.index));
+            let objects = objects.map(|object| object_view(table, object, unit)).collect();
+            AreaView { name, title, first, last, objects }
+        });
+        Self { areas: areas.filter(|area| !area.objects.is_empty()).collect() }
+    }
+}
+
+fn object_view<'a>(
+    table: &Table,
+    object: &'a TableObject,
+    unit: impl Fn(&Row) -> Option<String>,
+) -> ObjectView<'a> {
+    let rows = &table.rows[object.rows.clone()];
+    let upper = object.module.to_ascii_uppercase();
+    let handle = |row: &Row, name: String| HandleView {
+        name,
+        doc: doc(row, unit(row)),
+        type_: type_of(row.resolved.shape),
+        access: access(row),
+        sub: row.sub,
+    };
+    let is_array = |field: &&TableField| field.array && object.rows.contains(&field.rows.start);
+    let array = table.fields.iter().find(is_array).map(|field| {
+        let elements = &table.rows[field.rows.clone()];
+        let kinds: Vec<&str> = elements.iter().map(access).collect();
+        let is_mixed = kinds.iter().any(|kind| *kind != kinds[0]);
+        ArrayView {
+            name: upper.clone(),
+            type_: type_of(field.shape),
+            access: if is_mixed { "Ro" } else { kinds[0] },
+            length: elements.len(),
+        }
+    });
+    match rows {
+        [row] if object.single => {
+            ObjectView { object, single: Some(handle(row, upper)), array: None, entries: Vec::new() }
+        }
+        rows => {
+            let entries = rows.iter().map(|row| handle(row, row.constant.to_ascii_uppercase()));
+            ObjectView { object, single: None, array, entries: entries.collect() }
+        }
+    }
+}
+
+/// The path of an entry's constant.
+pub(super) fn path(table: &Table, row: &Row) -> String {
+    let object = table.objects.iter().find(|object| object.index == row.index);
+    match object {
+        Some(object) if object.single => object.module.to_ascii_uppercase(),
+        Some(object) => format!("{}::{}", object.module, row.constant.to_ascii_uppercase()),
+        None => row.constant.to_ascii_uppercase(),
+    }
+}
+
+/// The type of an entry's values.
+pub(super) fn type_of(shape: Shape) -> String {
+    match shape {
+        Shape::Word(data_type) => word_type(data_type).to_owned(),
+        Shape::Bytes(..) => "[u8]".to_owned(),
+        Shape::Block(length) => format!("[u8; {length}]"),
+    }
+}
+
+fn access(row: &Row) -> &'static str {
+    let access = row.access();
+    match (row.slot.is_some(), access.is_readable(), access.is_writable()) {
+        (true, true, true) => "Rw",
+        (true, false, _) => "Wo",
+        (true, ..) => "Ro",
+        (false, ..) if !row.resolved.constant => "Elsewhere",
+        (false, ..) if matches!(row.resolved.default, Datum::Formula(_)) => "NodeConst",
+        (false, ..) => "Const",
+    }
+}
+
+/// Name, access, default, limits, unit and PDO mapping.
+fn doc(row: &Row, unit: Option<String>) -> String {
+    let resolved = &row.resolved;
+    let value = |datum: &Datum| match (resolved.shape, datum) {
+        (shape @ Shape::Word(_), Datum::Word(_)) => format!("`{}`", value_of(shape, datum)),
+        (_, Datum::Formula(0) | Datum::Word(_)) => "the node-ID".to_owned(),
+        (_, Datum::Formula(offset)) => format!("`{}` plus the node-ID", super::literal::hex(*offset)),
+        (Shape::Bytes(data_type, _), Datum::Bytes(bytes)) if is_text(data_type, bytes) => {
+            code_span(&String::from_utf8_lossy(bytes))
+        }
+        (_, Datum::Bytes(bytes)) => format!("{} bytes", bytes.len()),
+    };
+    let mut doc =
+        format!("{}, `{}`, default {}", code_span(&row.name), row.access(), value(&resolved.default));
+    match (&resolved.low, &resolved.high) {
+        (Some(low), Some(high)) => doc.push_str(&format!(", {} to {}", value(low), value(high))),
+        (Some(low), None) => doc.push_str(&format!(", at least {}", value(low))),
+        (None, Some(high)) => doc.push_str(&format!(", at most {}", value(high))),
+        (None, None) => {}
+    }
+    if let Some(unit) = unit {
+        doc.push_str(&format!(", in {}", code_span(&unit)));
+    }
+    match (resolved.tpdo, resolved.rpdo) {
+        (true, true) => doc.push_str(", in any PDO"),
+        (true, false) => doc.push_str(", in TPDOs"),
+        (false, true) => doc.push_str(", in RPDOs"),
+        (false, false) => {}
+    }
+    doc
+}
+
+/// Whether bytes are shown as a text.
+fn is_text(data_type: DataType, bytes: &[u8]) -> bool {
+    data_type.kind() == TypeKind::VisibleString && !bytes.is_empty()
+}

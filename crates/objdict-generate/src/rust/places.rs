@@ -1,0 +1,72 @@
+//! Where the values are in the array of bytes: behind the node-ID, as an SDO transfers them, those of a storage group
+//! in a row.
+
+use crate::resolve::Shape;
+use crate::stored::TableGroup;
+use crate::table::Table;
+use crate::{GenerateError, Note};
+
+/// Offsets in rows have 19 bits.
+const LARGEST: usize = 1 << 19;
+
+/// The places of all values.
+#[derive(Debug)]
+pub(super) struct Places {
+    /// The offset of each row; 0 for a value in flash.
+    pub(super) rows: Vec<usize>,
+    /// The first offset of each storage group.
+    groups: Vec<usize>,
+    /// Size of the array, with the node-ID.
+    pub(super) total: usize,
+}
+
+/// A storage group as a constant.
+pub(super) struct GroupView<'a> {
+    pub(super) group: &'a TableGroup,
+    pub(super) name: String,
+    pub(super) first: usize,
+    pub(super) layout: String,
+    /// Its sub-index of 1010h and 1011h, an `Option`.
+    pub(super) store: String,
+}
+
+impl Places {
+    pub(super) fn new(table: &Table) -> Result<Self, GenerateError> {
+        let mut places = Self { rows: vec![0; table.rows.len()], groups: Vec::new(), total: 1 };
+        places.put(table, None);
+        for group in 0..table.groups.len() {
+            places.groups.push(places.total);
+            places.put(table, Some(group));
+        }
+        if places.total.max(table.rom.len()) > LARGEST {
+            let text = format!("the tables are larger than {LARGEST} bytes");
+            return Err(GenerateError::Inexpressible(vec![Note::new(crate::model::Place::device(), text)]));
+        }
+        Ok(places)
+    }
+
+    fn put(&mut self, table: &Table, group: Option<usize>) {
+        for field in table.members(group) {
+            for row in field.rows.clone() {
+                self.rows[row] = self.total;
+                self.total += value_size(field.shape);
+            }
+        }
+    }
+
+    pub(super) fn groups<'a>(&self, table: &'a Table) -> Vec<GroupView<'a>> {
+        let groups = table.groups.iter().zip(&self.groups).map(|(group, &first)| GroupView {
+            group,
+            name: group.field.to_ascii_uppercase(),
+            first,
+            layout: super::literal::hex(group.layout.into()),
+            store: format!("{:?}", group.sub_index),
+        });
+        groups.collect()
+    }
+}
+
+/// Size of a value in the array: a text is behind its length.
+pub(super) fn value_size(shape: Shape) -> usize {
+    crate::stored::image_length(shape)
+}
