@@ -69,6 +69,10 @@ fn write_table(target: &str, report: &SizeReport, out: &mut dyn Write) -> io::Re
     }
     let entries: usize = report.objects.iter().map(|object| object.entries).sum();
     table.row(row("rest".to_owned(), String::new(), report.rest, "of no object, and gaps"));
+    if report.code > 0 {
+        let code = Size { flash: report.code, ram: 0 };
+        table.row(row("code".to_owned(), String::new(), code, "to read, write and initialise"));
+    }
     table.row(row("total".to_owned(), entries.to_string(), report.total, ""));
     table.write(out)
 }

@@ -27,6 +27,7 @@ mod stored;
 mod support;
 #[cfg(feature = "template")]
 mod template;
+mod thumb;
 mod words;
 
 use std::sync::atomic::{AtomicUsize, Ordering};

@@ -40,7 +40,9 @@ pub struct SizeReport {
     pub objects: Vec<ObjectSize>,
     /// Bytes without an object: the node-ID, end marks, and padding.
     pub rest: Size,
-    /// The sum.
+    /// Bytes of code in flash; 0 if it is not counted.
+    pub code: usize,
+    /// The sum, with the code.
     pub total: Size,
 }
 
@@ -53,10 +55,6 @@ pub enum Sizes {
     Unknown(&'static str),
 }
 
-/// What the sizes of a [`Table`] include.
-const COUNTED: &str =
-    "the tables and values, on any processor that aligns numbers to their size; without code";
-
 /// The table layout of a target.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Layout {
@@ -66,12 +64,16 @@ pub(crate) struct Layout {
     pub(crate) ram: usize,
     /// Size of one value in RAM, in bytes.
     pub(crate) value: fn(Shape) -> usize,
+    /// Size of the code in flash, 0 if it is not counted.
+    pub(crate) code: usize,
+    /// See [`SizeReport::counted`].
+    pub(crate) counted: &'static str,
 }
 
 impl SizeReport {
     pub(crate) fn new(counted: &'static str, objects: Vec<ObjectSize>, rest: Size) -> Self {
         let total = objects.iter().fold(rest, |sum, object| sum + object.size);
-        Self { counted, objects, rest, total }
+        Self { counted, objects, rest, code: 0, total }
     }
 
     pub(crate) fn of_table(table: &Table, layout: Layout) -> Self {
@@ -104,7 +106,8 @@ impl SizeReport {
             flash: total.flash.saturating_sub(of_objects.flash),
             ram: total.ram.saturating_sub(of_objects.ram),
         };
-        Self { counted: COUNTED, objects, rest, total }
+        let Layout { code, counted, .. } = layout;
+        Self { counted, objects, rest, code, total: Size { flash: total.flash + code, ..total } }
     }
 }
 

@@ -42,7 +42,7 @@ fn entry(name: String, number: u16) -> Entry {
 }
 
 /// This number of VARs, and of RECORDs with three members and sub-index 0.
-fn device(vars: u16, records: u16) -> Device {
+pub(crate) fn device(vars: u16, records: u16) -> Device {
     let mut device = Device::default();
     for number in 0..vars {
         let main = entry(format!("Parameter {number}"), number);

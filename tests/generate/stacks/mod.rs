@@ -11,7 +11,7 @@ mod canfestival;
 mod canopen_stack;
 mod canopennode;
 mod columns;
-mod figures;
+pub(crate) mod figures;
 mod lely;
 mod measure;
 mod microcanopen;

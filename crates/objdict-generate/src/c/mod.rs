@@ -105,6 +105,9 @@ impl Backend for C {
             return Ok(Sizes::Known(structs::size(&table, &prefix, options.entry_names)));
         }
         let row = if table.is_wide() { 16 } else { 10 };
-        Ok(Sizes::Known(SizeReport::of_table(&table, Layout { row, ram: ram(&table), value: element_size })))
+        let counted =
+            "the tables and values, on any processor that aligns numbers to their size; without code";
+        let layout = Layout { row, ram: ram(&table), value: element_size, code: 0, counted };
+        Ok(Sizes::Known(SizeReport::of_table(&table, layout)))
     }
 }

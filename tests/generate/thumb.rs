@@ -1,0 +1,145 @@
+//! What Rust tables take on a Cortex-M4: core is built with the compiler of Debian (`rustc-web`, `rust-web-src`), and
+//! each device is linked alone. Without these packages the test is skipped with a message, except with `CI=true`.
+
+use std::fmt::Write;
+use std::path::Path;
+use std::process::Command;
+
+use objdict::generate::{Options, SizeReport, Sizes, Target, size};
+use objdict::model::Device;
+
+use crate::compile::{generate_into, succeed};
+use crate::stacks::figures;
+use crate::{device, odd, support};
+
+const RUSTC: &str = "/usr/bin/rustc";
+const TARGET: &str = "thumbv7em-none-eabihf";
+const LINKER: &str = "arm-none-eabi-ld";
+
+/// The promise: the code for any device.
+const MOST: usize = 3 * 1024;
+
+const MANIFEST: &str = "[package]\nname = \"tables\"\nversion = \"0.0.0\"\nedition = \"2021\"\n
+[lib]\ncrate-type = [\"staticlib\"]\n
+[profile.release]\nopt-level = \"s\"\npanic = \"abort\"\ncodegen-units = 1\nlto = \"fat\"\n\n[workspace]\n";
+
+const HEAD: &str = "#![no_std]\n#[panic_handler]\nfn panic(_: &core::panic::PanicInfo) -> ! { loop {} }\n";
+
+/// Whether the compilers are here.
+fn can_build() -> bool {
+    let has = |program: &str| {
+        Command::new(program).arg("--version").output().is_ok_and(|output| output.status.success())
+    };
+    let can = has(RUSTC) && has(LINKER) && Path::new("/usr/lib/rustlib/src/rust/library/core").is_dir();
+    assert!(can || std::env::var("CI").as_deref() != Ok("true"), "no rustc-web, rust-web-src or {LINKER}");
+    if !can {
+        eprintln!("skipped: no rustc-web, rust-web-src or {LINKER}");
+    }
+    can
+}
+
+/// Devices with few and many entries, with and without limits and texts.
+fn devices() -> Vec<(&'static str, Device)> {
+    let fixture = |name: &'static str| (name, device(&support::fixtures().join("eds").join(name)));
+    let names = ["minimal.eds", "io-401.eds", "all-types.eds", "manager-302.eds"];
+    let large = ("1,028 entries", figures::device(600, 107));
+    names.into_iter().map(fixture).chain([("odd", odd::device()), large]).collect()
+}
+
+/// The functions of an SDO server for a device.
+fn functions(number: usize) -> String {
+    format!(
+        "mod od{number} {{
+    include!(\"od{number}/od.rs\");
+    #[no_mangle] pub fn new_{number}(data: &mut Data, node_id: u8) {{ *data = Data::new(node_id); }}
+    #[no_mangle] pub fn read_{number}(data: &Data, index: u16, sub: u8, buffer: &mut [u8]) -> Result<usize, Abort> {{
+        data.read(index, sub, buffer)
+    }}
+    #[no_mangle] pub fn write_{number}(data: &mut Data, index: u16, sub: u8, bytes: &[u8]) -> Result<(), Abort> {{
+        data.write(index, sub, bytes)
+    }}
+}}\n"
+    )
+}
+
+/// Typed access to an entry of the first device.
+const HANDLES: &str = "
+#[no_mangle] pub fn get(data: &od0::Data) -> u16 { data.get(od0::PRODUCER_HEARTBEAT_TIME) }
+#[no_mangle] pub fn put(data: &mut od0::Data, value: u16) { data.put(od0::PRODUCER_HEARTBEAT_TIME, value) }
+";
+
+/// Links functions of the archive; returns the size of each symbol, and of all.
+fn link(folder: &Path, archive: &Path, roots: &[String]) -> (Vec<(String, usize)>, usize) {
+    let undefined = roots.iter().flat_map(|root| ["-u", root]);
+    let mut ld = Command::new(LINKER);
+    ld.current_dir(folder)
+        .args(["--gc-sections", "-e", &roots[0], "-o", "out.elf"])
+        .args(undefined)
+        .arg(archive);
+    succeed(&mut ld, "").unwrap();
+    let symbols =
+        succeed(Command::new("arm-none-eabi-nm").args(["-S", "out.elf"]).current_dir(folder), "").unwrap();
+    let symbols = symbols.lines().filter_map(|line| {
+        let [_, size, _, name] = line.split_whitespace().collect::<Vec<_>>()[..] else { return None };
+        Some((name.to_owned(), usize::from_str_radix(size, 16).unwrap()))
+    });
+    let sizes = succeed(Command::new("arm-none-eabi-size").arg("out.elf").current_dir(folder), "").unwrap();
+    let text = sizes.lines().nth(1).unwrap().split_whitespace().next().unwrap().parse().unwrap();
+    (symbols.collect(), text)
+}
+
+#[test]
+fn the_code_is_small_for_any_device_and_a_handle_is_a_load() {
+    if !can_build() {
+        return;
+    }
+    let folder = tempfile::tempdir().unwrap();
+    let folder = folder.path();
+    std::fs::create_dir(folder.join("src")).unwrap();
+    std::fs::write(folder.join("Cargo.toml"), MANIFEST).unwrap();
+    let mut source = HEAD.to_owned();
+    let devices = devices();
+    for (number, (_, device)) in devices.iter().enumerate() {
+        let module = folder.join(format!("src/od{number}"));
+        std::fs::create_dir(&module).unwrap();
+        generate_into(&module, device, "rust");
+        source.push_str(&functions(number));
+    }
+    write!(source, "{HANDLES}").unwrap();
+    std::fs::write(folder.join("src/lib.rs"), source).unwrap();
+    let target = Path::new(env!("CARGO_TARGET_TMPDIR")).join("thumb"); // core is built once
+    let mut cargo = Command::new(std::env::var("CARGO").unwrap_or_else(|_| "cargo".to_owned()));
+    cargo.args(["build", "--quiet", "--release", "-Zbuild-std=core", "--target", TARGET]).current_dir(folder);
+    cargo
+        .env("RUSTC", RUSTC)
+        .env("RUSTC_BOOTSTRAP", "1")
+        .env("CARGO_TARGET_DIR", &target)
+        .env_remove("RUSTFLAGS");
+    succeed(&mut cargo, "").unwrap();
+    let archive = target.join(TARGET).join("release/libtables.a");
+
+    let mut most = 0;
+    for (number, (name, device)) in devices.iter().enumerate() {
+        let Sizes::Known(SizeReport { total, code, .. }) =
+            size(device, Target::RUST, &Options::default()).unwrap()
+        else {
+            panic!("{name}: no sizes")
+        };
+        let roots = ["new", "read", "write"].map(|root| format!("{root}_{number}"));
+        let (_, flash) = link(folder, &archive, &roots);
+        let unused = total.flash.checked_sub(flash);
+        assert!(
+            unused.is_some_and(|unused| unused < 200),
+            "{name}: {flash} bytes of flash, {} reported",
+            total.flash
+        );
+        most = most.max(flash + code - total.flash);
+    }
+    assert!((1..=MOST).contains(&most), "{most} bytes of code");
+
+    let (symbols, _) = link(folder, &archive, &["get".to_owned(), "put".to_owned()]);
+    for handle in ["get", "put"] {
+        let (_, size) = symbols.iter().find(|(name, _)| name == handle).unwrap();
+        assert!(*size <= 12, "`{handle}` has {size} bytes");
+    }
+}
