@@ -41,6 +41,8 @@ mod canopen_stack;
 #[cfg(feature = "stacks")]
 mod canopennode;
 #[cfg(feature = "stacks")]
+mod canopennode_v1;
+#[cfg(feature = "stacks")]
 mod concise;
 mod defaults;
 mod dictionary;
@@ -127,6 +129,8 @@ targets! {
     LELY = lely::Lely,
     #[cfg(feature = "stacks")]
     CANFESTIVAL = canfestival::CanFestival,
+    #[cfg(feature = "stacks")]
+    CANOPENNODE_V1 = canopennode_v1::CanOpenNodeV1,
 }
 
 /// Maximum size of a string, octet string or DOMAIN value in a table, in bytes.

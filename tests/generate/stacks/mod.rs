@@ -10,6 +10,7 @@ mod c_structs;
 mod canfestival;
 mod canopen_stack;
 mod canopennode;
+mod canopennode_v1;
 mod columns;
 pub(crate) mod figures;
 mod lely;

@@ -12,7 +12,9 @@ use crate::compile::{DRIVER, c_compiler, cc, driver, generate_into, succeed};
 use crate::devices::{arbitrary_devices, devices, for_all};
 use crate::stacks::columns::{Aspect, Column, agree};
 use crate::stacks::truth::truth;
-use crate::stacks::{c_structs, canfestival, canopen_stack, canopennode, lely, microcanopen, objdict_macros};
+use crate::stacks::{
+    c_structs, canfestival, canopen_stack, canopennode, canopennode_v1, lely, microcanopen, objdict_macros,
+};
 
 /// The node-ID of all tests.
 const NODE_ID: u8 = 5;
@@ -103,6 +105,10 @@ fn columns(compiler: &str, folder: &Path, device: &Device, in_rust: Column) -> R
     let column = Column::of_dump("canfestival", &dump, notes);
     columns.push(Column { untold: &[Aspect::Type, Aspect::Mapping], excuses: OF_CANFESTIVAL, ..column });
 
+    let (dump, notes) = canopennode_v1::dump(compiler, &folder("canopennode-v1")?, device)?;
+    let column = Column::of_dump("canopennode-v1", &dump, notes);
+    columns.push(Column { untold: &[Aspect::Type], excuses: OF_CANOPENNODE_V1, ..column });
+
     let (dump, notes) = lely::dump(compiler, &folder("lely")?, device, NODE_ID)?;
     let column = Column::of_dump("lely", &dump, notes);
     columns.push(Column { untold: &[Aspect::Size], excuses: OF_LELY, ..column });
@@ -141,6 +147,13 @@ const OF_CANFESTIVAL: &[(Aspect, &str)] = &[
     (Aspect::Entry, "an object of the stack has at most 255 rows"),
     (Aspect::Default, "the stack truncates a text at its first zero byte"),
     (Aspect::Default, "a row has a fixed length"),
+];
+
+const OF_CANOPENNODE_V1: &[(Aspect, &str)] = &[
+    (Aspect::Entry, "the stack answers with the number of errors"),
+    (Aspect::Default, "a row has a fixed length"),
+    (Aspect::Default, "the stack adds the node-ID to"),
+    (Aspect::Default, "the stack sets it to"),
 ];
 
 const OF_LELY: &[(Aspect, &str)] = &[

@@ -35,7 +35,7 @@ const PLAIN: Page = Page {
     prints: None,
 };
 
-const PAGES: [Page; 7] = [
+const PAGES: [Page; 8] = [
     Page {
         name: "c-structs",
         fixture: "eds/minimal.eds",
@@ -49,6 +49,7 @@ const PAGES: [Page; 7] = [
     },
     Page { name: "canopennode", stack: Some("canopennode"), ..PLAIN },
     Page { name: "canfestival", stack: Some("canfestival"), ..PLAIN },
+    Page { name: "canopennode-v1", stack: Some("canopennode_v1"), ..PLAIN },
     Page { name: "canopen-stack", stack: Some("canopen_stack"), ..PLAIN },
     Page { name: "lely", stack: Some("lely"), ..PLAIN },
     Page {

@@ -17,7 +17,7 @@ struct Case {
     options: fn(&mut Options),
 }
 
-const CASES: [Case; 8] = [
+const CASES: [Case; 9] = [
     Case { target: "c", declarations: "c_structs", options: |_| {} },
     Case { target: "c", declarations: "c_structs", options: |options| options.table = CTable::Structs },
     Case {
@@ -42,6 +42,7 @@ const CASES: [Case; 8] = [
             options.groups = vec![group("1000-1FFF=COMM"), group("2000-9FFF=APP"), group("2100=ram")];
         },
     },
+    Case { target: "canopennode-v1", declarations: "canopennode_v1/include", options: |_| {} },
     Case { target: "microcanopen", declarations: "microcanopen/include", options: |_| {} },
     Case { target: "objdict-macros", declarations: "objdict_macros", options: |_| {} },
 ];

@@ -113,6 +113,10 @@ pub(super) fn canfestival(tools: &Tools) -> Vec<Call> {
     vec![with_declarations(tools, "canfestival")]
 }
 
+pub(super) fn canopennode_v1(tools: &Tools) -> Vec<Call> {
+    vec![with_declarations(tools, "canopennode_v1")]
+}
+
 pub(super) fn lely(tools: &Tools) -> Vec<Call> {
     vec![with_declarations(tools, "lely")]
 }

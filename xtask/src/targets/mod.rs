@@ -57,6 +57,7 @@ const TRIALS: &[Trial] = &[
     Trial { name: "microcanopen", target: "microcanopen", calls: compile::microcanopen, ..PLAIN },
     Trial { name: "objdict-macros", target: "objdict-macros", calls: compile::c, ..PLAIN },
     Trial { name: "canfestival", target: "canfestival", calls: compile::canfestival, ..PLAIN },
+    Trial { name: "canopennode-v1", target: "canopennode-v1", calls: compile::canopennode_v1, ..PLAIN },
     Trial { name: "lely", target: "lely", calls: compile::lely, ..PLAIN },
     Trial { name: "canopen-rs", target: "canopen-rs", calls: compile::canopen_rs, ..PLAIN },
     Trial { name: "zencan", target: "zencan", ..PLAIN },

@@ -3,7 +3,7 @@
 use super::names::Names;
 use super::ranges::Ranges;
 use super::special::{Family, LISTS, VALUES, misfit};
-use crate::c_code::{bytes, exact_type, little_endian, number};
+use crate::c_code::{bytes, exact_type, literal, little_endian, number};
 use crate::dictionary::{Dictionary, ResolvedEntry, ResolvedObject};
 use crate::model::{DataType, Place, TypeKind};
 use crate::resolve::{Datum, Shape};
@@ -252,6 +252,9 @@ impl Builder<'_> {
     fn initializer(&self, entry: &ResolvedEntry<'_>, kind: &VariableType) -> String {
         let resolved = &entry.resolved;
         let word = match &resolved.default {
+            Datum::Bytes(value) if is_text(resolved.shape) => {
+                return literal(value).unwrap_or_else(|| bytes(value));
+            }
             Datum::Bytes(value) => return bytes(value),
             Datum::Word(word) => *word,
             Datum::Formula(offset) => offset + u64::from(self.node_id), // fits for every node-ID
@@ -359,12 +362,11 @@ impl Builder<'_> {
 
     /// Texts end at their first zero, other bytes have a fixed length.
     fn note_bytes(&mut self, place: &Place, entry: &ResolvedEntry<'_>) {
-        let (Shape::Bytes(data_type, room), Datum::Bytes(value)) =
-            (entry.resolved.shape, &entry.resolved.default)
+        let (Shape::Bytes(_, room), Datum::Bytes(value)) = (entry.resolved.shape, &entry.resolved.default)
         else {
             return;
         };
-        if data_type.kind() == TypeKind::VisibleString {
+        if is_text(entry.resolved.shape) {
             if value.contains(&0) {
                 let text = "the stack truncates a text at its first zero byte";
                 self.notes.push(Note::new(place.clone(), text));
@@ -407,12 +409,16 @@ fn gap(node: &str) -> RowData {
     }
 }
 
+/// Whether the stack takes a value for a text that ends at a zero.
+fn is_text(shape: Shape) -> bool {
+    matches!(shape, Shape::Bytes(data_type, _) if data_type.kind() == TypeKind::VisibleString)
+}
+
 /// The type of an entry's variable; `None` without data.
 fn kind(object: &ResolvedObject<'_>, entry: &ResolvedEntry<'_>) -> Option<VariableType> {
     let resolved = &entry.resolved;
     let size = resolved.shape.size();
-    let is_text =
-        matches!(resolved.shape, Shape::Bytes(data_type, _) if data_type.kind() == TypeKind::VisibleString);
+    let is_text = is_text(resolved.shape);
     if size == 0 && !is_text {
         return None;
     }

@@ -16,7 +16,7 @@ const LONGEST: usize = 240;
 /// Words are joined in camel case; the first word starts in lower case unless it is an abbreviation. `-`
 /// becomes `_`, and `_` separates two abbreviations. Accents of Latin letters are removed; all other
 /// characters separate words. Before July 2021, `_` also stood before and after a word with a digit.
-pub(super) fn cname(name: &str, layout: StackLayout) -> String {
+pub(crate) fn cname(name: &str, layout: StackLayout) -> String {
     let is_old = layout == StackLayout::CanOpenEditor2020;
     let plain: String = name.chars().take(4 * LONGEST).map(without_mark).collect();
     let plain = plain.replace('-', "_");
@@ -56,18 +56,18 @@ pub(super) fn behind_index(index: u16, cname: &str) -> String {
 }
 
 /// The member names of a record.
-pub(super) struct Members {
+pub(crate) struct Members {
     layout: StackLayout,
     taken: HashSet<String>,
 }
 
 impl Members {
-    pub(super) fn new(layout: StackLayout) -> Self {
+    pub(crate) fn new(layout: StackLayout) -> Self {
         Self { layout, taken: HashSet::new() }
     }
 
     /// Claims the member name for an entry: its own name, or a similar one that is valid and free.
-    pub(super) fn claim(&mut self, name: &str, sub: u8) -> String {
+    pub(crate) fn claim(&mut self, name: &str, sub: u8) -> String {
         let cname = cname(name, self.layout);
         let plain = if cname.is_empty() { format!("sub{sub:02X}") } else { cname };
         let plain = if is_reserved(&plain) { format!("{plain}_") } else { plain };

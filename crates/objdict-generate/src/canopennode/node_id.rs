@@ -1,8 +1,9 @@
 //! Values that depend on the node-ID: those computed by the stack, and all others.
 
-use super::plan::{Member, Planned};
+use super::plan::Planned;
 use super::storage::bits;
 use crate::Note;
+use crate::dictionary::ResolvedEntry;
 use crate::model::Place;
 use crate::resolve::{Datum, Shape};
 
@@ -40,7 +41,7 @@ pub(super) fn applied(object: &Planned<'_>, prefix: &str) -> Vec<Applied> {
 }
 
 /// Whether the stack adds the node-ID to a value, because it is the COB-ID of the predefined connection set.
-fn stack_adds(index: u16, sub: u8, value: u64) -> bool {
+pub(crate) fn stack_adds(index: u16, sub: u8, value: u64) -> bool {
     predefined(index, sub).is_some_and(|base| value & 0x7FF == base)
 }
 
@@ -59,16 +60,16 @@ fn predefined(index: u16, sub: u8) -> Option<u64> {
 /// Notes fixed numbers that the stack replaces because it treats them as COB-IDs without node-ID.
 pub(super) fn notes(object: &Planned<'_>, node_id: Option<u8>, notes: &mut Vec<Note>) {
     for member in object.members() {
-        if let Some(text) = replaced(object.index, member, node_id) {
+        if let Some(text) = replaced(object.index, member.entry, node_id) {
             notes.push(Note::new(Place::entry(object.index, member.entry.sub), text));
         }
     }
 }
 
-fn replaced(index: u16, member: &Member<'_>, node_id: Option<u8>) -> Option<String> {
-    let base = predefined(index, member.entry.sub)?;
-    let (Shape::Word(_), Datum::Word(value)) = (member.entry.resolved.shape, &member.entry.resolved.default)
-    else {
+/// What the stack does with a fixed number that it treats as a COB-ID without node-ID.
+pub(crate) fn replaced(index: u16, entry: &ResolvedEntry<'_>, node_id: Option<u8>) -> Option<String> {
+    let base = predefined(index, entry.sub)?;
+    let (Shape::Word(_), Datum::Word(value)) = (entry.resolved.shape, &entry.resolved.default) else {
         return None;
     };
     if value & 0x7FF == base {

@@ -165,6 +165,15 @@ fn limits_are_checked() {
     });
 }
 
+#[test]
+fn the_files_of_a_small_device() {
+    let device = crate::devices::device(&crate::support::fixtures().join("eds/minimal.eds"));
+    for file in generate(&device, Target::CANFESTIVAL, &options(5)).unwrap().files {
+        let text = String::from_utf8(file.contents).unwrap().replace(env!("CARGO_PKG_VERSION"), "[version]");
+        insta::assert_snapshot!(file.path, text);
+    }
+}
+
 /// The stack counts from the first object of a family: each PDO is where its mapping is.
 #[test]
 fn pdos_are_where_their_mappings_are() {

@@ -20,7 +20,7 @@ use crate::stacks::truth::{Lack, Row, compare, truth, without};
 use crate::stacks::{beside, checkout};
 
 /// The node-ID of all tests.
-const NODE_ID: u8 = 5;
+pub(crate) const NODE_ID: u8 = 5;
 
 /// Features that the stack does not support.
 const LACKS: &[Lack] = &[
@@ -60,7 +60,7 @@ fn up_to_zeros(mut bytes: Vec<u8>) -> Vec<u8> {
 }
 
 /// The value that the stack uses for a COB-ID.
-fn predefined(row: &Row) -> Option<Vec<u8>> {
+pub(crate) fn predefined(row: &Row) -> Option<Vec<u8>> {
     let bytes: [u8; 4] = row.default.as_deref()?.try_into().ok()?;
     let value = u32::from_le_bytes(bytes);
     let function = match (row.index, row.sub) {

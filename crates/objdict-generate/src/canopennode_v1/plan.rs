@@ -1,0 +1,570 @@
+//! Structures, macros and rows of a dictionary.
+
+use std::collections::HashSet;
+
+use super::cell::{Cell, Location, NAMES, c_type};
+use super::special::{FAMILIES, Family, Form, IDENTITY, NAMED, named};
+use crate::c_code::number;
+use crate::c_words::is_reserved;
+use crate::canopennode::names::{Members, cname};
+use crate::canopennode::node_id::{replaced, stack_adds};
+use crate::dictionary::{Dictionary, ResolvedEntry, ResolvedObject};
+use crate::memory::Extent;
+use crate::model::{DataType, Field, ObjectType, Place};
+use crate::resolve::{Datum, Shape};
+use crate::{Note, Options};
+
+/// The largest value that the SDO server of the stack transfers, and what it transfers by default.
+const SDO_BUFFER: (usize, usize) = (889, 32);
+
+/// A structure type: members with type, name and size.
+pub(super) struct StructType {
+    pub(super) index: u16,
+    pub(super) name: String,
+    pub(super) members: Vec<String>,
+}
+
+/// A member of the structure of a memory.
+pub(super) struct Variable {
+    pub(super) index: u16,
+    pub(super) location: Location,
+    pub(super) declaration: String,
+    pub(super) initializer: String,
+    /// Its extent, by object.
+    pub(super) extents: Vec<(Option<u16>, Extent)>,
+}
+
+/// A macro for a variable, a length or an element.
+pub(super) struct Alias {
+    pub(super) name: String,
+    pub(super) value: String,
+}
+
+/// A row of a record.
+#[derive(Clone)]
+pub(super) struct RecordRow {
+    pub(super) data: String,
+    pub(super) attribute: u16,
+    pub(super) length: usize,
+}
+
+/// An object: a row of the dictionary, with those of its record.
+pub(super) struct OdRow {
+    pub(super) index: u16,
+    pub(super) described: String,
+    pub(super) max_sub: u8,
+    /// Of a value or of elements; for a record, it is in its rows.
+    pub(super) row: RecordRow,
+    pub(super) record: Vec<RecordRow>,
+}
+
+/// Everything that the files define.
+#[derive(Default)]
+pub(super) struct Plan {
+    pub(super) types: Vec<StructType>,
+    pub(super) variables: Vec<Variable>,
+    pub(super) aliases: Vec<Alias>,
+    pub(super) rows: Vec<OdRow>,
+    /// Statements that add the node-ID.
+    pub(super) formulas: Vec<String>,
+    /// The number of objects of each family.
+    pub(super) counts: [usize; 6],
+    pub(super) sync: u8,
+    pub(super) time: u8,
+    pub(super) lss: u8,
+    pub(super) master: u8,
+}
+
+impl Plan {
+    pub(super) fn new(dictionary: &Dictionary<'_>, options: &Options, notes: &mut Vec<Note>) -> Self {
+        let taken = NAMED.iter().map(|named| named.name).chain(FAMILIES.iter().map(|family| family.name));
+        let taken = taken.chain(["identity", "FirstWord", "LastWord"]).map(str::to_owned).collect();
+        let mut builder = Builder {
+            dictionary,
+            options,
+            notes,
+            names: taken,
+            macros: HashSet::new(),
+            plan: Self::default(),
+        };
+        for object in &dictionary.objects {
+            builder.object(object);
+        }
+        builder.families();
+        builder.missing();
+        builder.features();
+        builder.plan.rows.sort_by_key(|row| row.index);
+        builder.long();
+        builder.plan
+    }
+
+    /// The variables of a memory.
+    pub(super) fn of(&self, location: &Location) -> impl Iterator<Item = &Variable> {
+        self.variables.iter().filter(move |variable| variable.location == *location)
+    }
+}
+
+struct Builder<'a> {
+    dictionary: &'a Dictionary<'a>,
+    options: &'a Options,
+    notes: &'a mut Vec<Note>,
+    /// Names of variables in use.
+    names: HashSet<String>,
+    macros: HashSet<String>,
+    plan: Plan,
+}
+
+impl Builder<'_> {
+    fn object(&mut self, object: &ResolvedObject<'_>) {
+        for entry in &object.entries {
+            self.check(object, entry);
+        }
+        if Family::of(object.index).is_some() {
+            return; // with the others of its family
+        }
+        let location = Location::of(object, self.options);
+        let fixed = named(object);
+        if let Err(wanted) = &fixed {
+            let text = format!("the stack expects another type here and uses a `{}` of its own", wanted.name);
+            self.notes.push(Note::new(Place::object(object.index), text));
+        }
+        let fixed = fixed.ok().flatten();
+        let name = match fixed {
+            Some(fixed) => fixed.name.to_owned(),
+            None if object.index == 0x1018 => "identity".to_owned(),
+            None => self.claim(object),
+        };
+        let cells: Vec<Cell> =
+            object.entries.iter().map(|entry| self.cell(object, entry, location)).collect();
+        if object.entries.len() == 1 && object.entries.iter().all(|entry| entry.sub == 0) {
+            self.value(object, &name, (location, &cells));
+        } else if is_array(object, &cells) {
+            self.array(object, &name, (location, &cells));
+        } else {
+            let is_used = matches!(fixed.map(|fixed| fixed.form), Some(Form::List(..)));
+            let record = if is_used { format!("{name}_{:04X}", object.index) } else { name.clone() };
+            self.record(object, &record, (location, &cells));
+            if is_used {
+                let text = format!("the stack expects an ARRAY here and uses a `{name}` of its own");
+                self.notes.push(Note::new(Place::object(object.index), text));
+            }
+        }
+    }
+
+    /// The name of an object's variable: as the editors make it, or a similar one that is valid and free.
+    fn claim(&mut self, object: &ResolvedObject<'_>) -> String {
+        let plain = cname(&object.name, NAMES);
+        let is_word = !plain.is_empty() && !is_reserved(&plain) && !plain.ends_with("_t");
+        let index = object.index;
+        let plain = match (plain.as_str(), is_word) {
+            ("", _) => format!("object_{index:04X}"),
+            (_, true) => plain,
+            _ => format!("{plain}_{index:04X}"),
+        };
+        let mut candidate = plain.clone();
+        for number in 1_u32.. {
+            if self.names.insert(candidate.clone()) {
+                break;
+            }
+            candidate = match number {
+                1 => format!("{plain}_{index:04X}"),
+                _ => format!("{plain}_{index:04X}_{number}"),
+            };
+        }
+        candidate
+    }
+
+    /// The value of an entry, with the node-ID where the stack does not add it.
+    fn cell(&mut self, object: &ResolvedObject<'_>, entry: &ResolvedEntry<'_>, location: Location) -> Cell {
+        let node_id = u64::from(self.dictionary.node_id.unwrap_or(0));
+        let word = match (object.index, entry.sub, &entry.resolved.default) {
+            (0x1200, 1, _) => Some(0x600), // of the default SDO server: the stack adds the node-ID
+            (0x1200, 2, _) => Some(0x580),
+            (index, sub, Datum::Formula(offset)) if !stack_adds(index, sub, *offset) => {
+                Some(offset + node_id)
+            }
+            _ => None,
+        };
+        Cell::new(entry, location, word)
+    }
+
+    /// Notes the statement that adds the node-ID to a variable.
+    fn formula(&mut self, object: &ResolvedObject<'_>, entry: &ResolvedEntry<'_>, variable: &str) {
+        let (Datum::Formula(offset), Shape::Word(data_type)) =
+            (&entry.resolved.default, entry.resolved.shape)
+        else {
+            return;
+        };
+        if stack_adds(object.index, entry.sub, *offset) {
+            return;
+        }
+        self.plan.formulas.push(match (c_type(data_type), number(*offset, data_type)) {
+            (Some(c_type), Some(number)) => format!("{variable} = ({c_type})({number} + nodeId);"),
+            _ => {
+                let size = entry.resolved.shape.size();
+                format!("CO_OD_store({variable}, UINT64_C(0x{offset:X}) + nodeId, {size}u);")
+            }
+        });
+    }
+
+    fn alias(&mut self, name: String, value: String) {
+        if self.macros.insert(name.clone()) {
+            self.plan.aliases.push(Alias { name, value });
+        }
+    }
+
+    fn value(&mut self, object: &ResolvedObject<'_>, name: &str, (location, cells): (Location, &[Cell])) {
+        let (Some(cell), Some(entry)) = (cells.first(), object.entries.first()) else { return };
+        let variable = format!("CO_OD_{}.{name}", location.name());
+        let mut row = RecordRow { data: "0".to_owned(), attribute: cell.attribute, length: 0 };
+        if cell.is_stored() {
+            self.formula(object, entry, &variable);
+            let element = if cell.room.is_some() { "[0]" } else { "" };
+            row = RecordRow { data: format!("&{variable}{element}"), length: cell.length, ..row };
+            self.alias(format!("OD_{name}"), variable);
+            if let Some(room) = cell.room {
+                self.alias(format!("ODL_{name}_stringLength"), room.to_string());
+            }
+            self.plan.variables.push(Variable {
+                index: object.index,
+                location,
+                declaration: format!("{} {name}{}", cell.c_type, cell.suffix()),
+                initializer: cell.value.clone(),
+                extents: vec![(Some(object.index), cell.extent())],
+            });
+        }
+        self.push(object, 0, row, Vec::new());
+    }
+
+    fn array(&mut self, object: &ResolvedObject<'_>, name: &str, (location, cells): (Location, &[Cell])) {
+        let elements = cells.get(1..).unwrap_or_default();
+        let Some(first) = elements.first() else { return };
+        let variable = format!("CO_OD_{}.{name}", location.name());
+        for (number, entry) in object.entries.iter().skip(1).enumerate() {
+            let at = format!("{variable}[{number}]");
+            self.formula(object, entry, &at);
+            let element = cname(&entry.name, NAMES);
+            if !element.is_empty() {
+                self.alias(format!("ODA_{name}_{element}"), number.to_string());
+            }
+        }
+        let values: Vec<&str> = elements.iter().map(|cell| cell.value.as_str()).collect();
+        self.plan.variables.push(Variable {
+            index: object.index,
+            location,
+            declaration: format!("{} {name}[{}]{}", first.c_type, elements.len(), first.suffix()),
+            initializer: format!("{{{}}}", values.join(", ")),
+            extents: vec![(Some(object.index), first.extent().times(elements.len()))],
+        });
+        self.alias(format!("OD_{name}"), variable.clone());
+        self.alias(format!("ODL_{name}_arrayLength"), elements.len().to_string());
+        let element = if first.room.is_some() { "[0][0]" } else { "[0]" };
+        let row = RecordRow {
+            data: format!("&{variable}{element}"),
+            attribute: first.attribute,
+            length: first.length,
+        };
+        let max_sub = u8::try_from(elements.len()).unwrap_or(u8::MAX);
+        self.push(object, max_sub, row, Vec::new());
+    }
+
+    fn record(&mut self, object: &ResolvedObject<'_>, name: &str, (location, cells): (Location, &[Cell])) {
+        let mut names = Members::new(NAMES);
+        let variable = format!("CO_OD_{}.{name}", location.name());
+        let (mut members, mut values, mut extents) = (Vec::new(), Vec::new(), Vec::new());
+        let mut rows: Vec<RecordRow> = Vec::new();
+        for (entry, cell) in object.entries.iter().zip(cells) {
+            let member = match (object.index, entry.sub) {
+                (_, 0) => names.claim("maxSubIndex", 0),
+                (0x1018, sub @ 1..=4) => names.claim(IDENTITY[usize::from(sub) - 1], sub),
+                (_, sub) => names.claim(&entry.name, sub),
+            };
+            let place = format!("{variable}.{member}");
+            if cell.is_stored() {
+                self.formula(object, entry, &place);
+                members.push(format!("{} {member}{}", cell.c_type, cell.suffix()));
+                values.push(cell.value.clone());
+                extents.push(cell.extent());
+            }
+            rows.resize_with(usize::from(entry.sub), no_entry);
+            rows.push(row(cell, &place));
+        }
+        if !members.is_empty() {
+            let type_name = format!("OD_{name}_t");
+            self.plan.variables.push(Variable {
+                index: object.index,
+                location,
+                declaration: format!("{type_name} {name}"),
+                initializer: format!("{{{}}}", values.join(", ")),
+                extents: vec![(Some(object.index), Extent::structure(extents))],
+            });
+            self.plan.types.push(StructType { index: object.index, name: type_name, members });
+            self.alias(format!("OD_{name}"), variable);
+        }
+        self.push_record(object, rows);
+    }
+
+    /// A record is read by its rows; one with sub-index 0 only would be read as a value.
+    fn push_record(&mut self, object: &ResolvedObject<'_>, mut rows: Vec<RecordRow>) {
+        match <[RecordRow; 1]>::try_from(rows) {
+            Ok([only]) => self.push(object, 0, only, Vec::new()),
+            Err(more) => {
+                rows = more;
+                let max_sub = u8::try_from(rows.len().saturating_sub(1)).unwrap_or(u8::MAX);
+                let data = format!("&OD_record{:04X}", object.index);
+                self.push(object, max_sub, RecordRow { data, attribute: 0, length: 0 }, rows);
+            }
+        }
+    }
+
+    fn push(&mut self, object: &ResolvedObject<'_>, max_sub: u8, row: RecordRow, record: Vec<RecordRow>) {
+        let described = object.object.name().to_owned();
+        self.plan.rows.push(OdRow { index: object.index, described, max_sub, row, record });
+    }
+
+    /// The arrays of structures of the stack; objects that are missing between others are not valid.
+    fn families(&mut self) {
+        for (at, family) in FAMILIES.iter().enumerate() {
+            let objects: Vec<&ResolvedObject<'_>> = self
+                .dictionary
+                .objects
+                .iter()
+                .filter(|object| (family.first..=family.last).contains(&object.index))
+                .collect();
+            let highest = objects.last().map_or(0, |object| usize::from(object.index - family.first) + 1);
+            self.plan.counts[at] = highest.max(usize::from(family.needed));
+        }
+        // the stack has as many mappings as PDOs
+        for pdo in [2, 4] {
+            let count = self.plan.counts[pdo].max(self.plan.counts[pdo + 1]);
+            self.plan.counts[pdo] = count;
+            self.plan.counts[pdo + 1] = count;
+        }
+        for (at, family) in FAMILIES.iter().enumerate() {
+            self.family(family, self.plan.counts[at]);
+        }
+    }
+
+    fn family(&mut self, family: &'static Family, count: usize) {
+        let objects = self.dictionary.objects.iter();
+        let objects: Vec<_> =
+            objects.filter(|object| (family.first..=family.last).contains(&object.index)).collect();
+        let location = objects.first().map_or(Location::Rom, |object| Location::of(object, self.options));
+        let type_name = format!("OD_{}_t", family.name);
+        let member = |field: &super::special::Field| {
+            format!("{} {}", c_type(field.data_type).unwrap_or("UNSIGNED32"), field.name)
+        };
+        let members = family.fields.iter().map(member).collect();
+        self.plan.types.push(StructType { index: family.first, name: type_name.clone(), members });
+        if count == 0 {
+            return;
+        }
+        let mut elements = Vec::new();
+        let mut extents = Vec::new();
+        for number in 0..count {
+            let index = family.first + u16::try_from(number).unwrap_or(0); // at most 512
+            let object = objects.iter().find(|object| object.index == index);
+            extents.push((object.map(|object| object.index), structure(family)));
+            let path = format!("CO_OD_{}.{}[{number}]", location.name(), family.name);
+            let values = self.element(family, object.copied(), (location, &path));
+            elements.push(format!("{{{}}}", values.join(", ")));
+        }
+        self.plan.variables.push(Variable {
+            index: family.first,
+            location,
+            declaration: format!("{type_name} {}[{count}]", family.name),
+            initializer: format!("{{{}}}", elements.join(",\n        ")),
+            extents,
+        });
+        self.alias(format!("OD_{}", family.name), format!("CO_OD_{}.{}", location.name(), family.name));
+    }
+
+    /// The values of one structure; rows of its object, and variables for what the structure has no member for.
+    fn element(
+        &mut self,
+        family: &Family,
+        object: Option<&ResolvedObject<'_>>,
+        (location, path): (Location, &str),
+    ) -> Vec<String> {
+        let missing = |field: &super::special::Field| format!("0x{:X}u", Family::missing(field));
+        let mut values: Vec<String> = family.fields.iter().map(missing).collect();
+        let Some(object) = object else { return values };
+        let mut rows: Vec<RecordRow> = Vec::new();
+        for entry in &object.entries {
+            let cell = self.cell(object, entry, location);
+            rows.resize_with(usize::from(entry.sub), no_entry);
+            let place = match family.field(entry) {
+                Some(field) => {
+                    if let Some(value) = values.get_mut(usize::from(entry.sub)) {
+                        value.clone_from(&cell.value);
+                    }
+                    format!("{path}.{}", field.name)
+                }
+                None => {
+                    let name = format!("{}_{:04X}_{:02X}", family.name, object.index, entry.sub);
+                    if cell.is_stored() {
+                        self.plan.variables.push(Variable {
+                            index: object.index,
+                            location,
+                            declaration: format!("{} {name}{}", cell.c_type, cell.suffix()),
+                            initializer: cell.value.clone(),
+                            extents: vec![(Some(object.index), cell.extent())],
+                        });
+                    }
+                    if entry.sub > 0 {
+                        let text = "the stack has no member for the entry and ignores it";
+                        self.notes.push(Note::new(Place::entry(object.index, entry.sub), text));
+                    }
+                    format!("CO_OD_{}.{name}", location.name())
+                }
+            };
+            self.formula(object, entry, &place);
+            rows.push(row(&cell, &place));
+        }
+        self.push_record(object, rows);
+        values
+    }
+
+    /// Variables that the stack refers to and the description lacks.
+    fn missing(&mut self) {
+        for named in &NAMED {
+            if self.macros.contains(&format!("OD_{}", named.name)) {
+                continue;
+            }
+            let (c_type, suffix, value, extent) = match named.form {
+                Form::Value(data_type, value) => {
+                    (c_type(data_type), String::new(), format!("0x{value:X}u"), data_type)
+                }
+                Form::List(data_type, least) => {
+                    (c_type(data_type), format!("[{least}]"), "{0}".to_owned(), data_type)
+                }
+                Form::Octets(least) => {
+                    (Some("OCTET_STRING"), format!("[{least}]"), "{0}".to_owned(), DataType::UNSIGNED8)
+                }
+            };
+            let count = match named.form {
+                Form::Value(..) => 1,
+                Form::List(_, least) | Form::Octets(least) => least,
+            };
+            let size = usize::from(extent.byte_length().unwrap_or(1));
+            self.plan.variables.push(Variable {
+                index: named.index,
+                location: Location::Ram,
+                declaration: format!("{} {}{suffix}", c_type.unwrap_or("UNSIGNED32"), named.name),
+                initializer: value,
+                extents: vec![(None, Extent::number(size).times(count))],
+            });
+            self.alias(format!("OD_{}", named.name), format!("CO_OD_RAM.{}", named.name));
+            match named.form {
+                Form::Value(..) => {}
+                Form::List(..) => self.alias(format!("ODL_{}_arrayLength", named.name), count.to_string()),
+                Form::Octets(_) => self.alias(format!("ODL_{}_stringLength", named.name), count.to_string()),
+            }
+        }
+    }
+
+    fn features(&mut self) {
+        let device = self.dictionary.device;
+        let has = |index| u8::from(device.object(index).is_some());
+        let info = device.device_info.as_ref();
+        let identity = self.dictionary.objects.iter().find(|object| object.index == 0x1018);
+        let is_whole = identity.is_some_and(|object| {
+            (1..=4).all(|sub| {
+                object.entries.iter().any(|entry| {
+                    entry.sub == sub && entry.resolved.shape == Shape::Word(DataType::UNSIGNED32)
+                })
+            })
+        });
+        self.plan.sync = has(0x1005);
+        self.plan.time = has(0x1012);
+        self.plan.lss = u8::from(is_whole && info.is_some_and(|info| info.lss_supported == Some(true)));
+        let node = device.commissioning.as_ref();
+        self.plan.master = u8::from(node.is_some_and(|node| node.manager == Some(true)));
+    }
+
+    /// Notes what the stack does with a value otherwise than described.
+    fn check(&mut self, object: &ResolvedObject<'_>, entry: &ResolvedEntry<'_>) {
+        let resolved = &entry.resolved;
+        let place = Place::entry(object.index, entry.sub);
+        let mut say = |place: Place, text: &str| self.notes.push(Note::new(place, text));
+        if resolved.access.is_writable() && (resolved.low.is_some() || resolved.high.is_some()) {
+            let field = if resolved.low.is_some() { Field::LowLimit } else { Field::HighLimit };
+            say(place.clone().field(field), "the stack does not enforce limits");
+        }
+        if let (Shape::Bytes(_, room), Datum::Bytes(value)) = (resolved.shape, &resolved.default)
+            && value.len() < usize::from(room)
+        {
+            let text = format!("a row has a fixed length; the value always has {room} bytes, padded with 0");
+            say(place.clone(), &text);
+        }
+        if object.index == 0x1003 && entry.sub == 0 {
+            say(place.clone(), "the stack answers with the number of errors, and takes 0 for erasing them");
+        }
+        if let Some(text) = replaced(object.index, entry, self.dictionary.node_id) {
+            say(place, &text);
+        }
+    }
+
+    /// Notes values that are longer than the buffer of the SDO server.
+    fn long(&mut self) {
+        let (most, usual) = SDO_BUFFER;
+        let entries = self.dictionary.objects.iter().flat_map(|object| {
+            object.entries.iter().map(|entry| (object.index, entry.sub, entry.resolved.shape.size()))
+        });
+        let mut longest = 0;
+        let mut notes = Vec::new();
+        for (index, sub, size) in entries {
+            longest = longest.max(size);
+            if size > most {
+                let text = format!("SDOs of the stack transfer at most {most} bytes");
+                notes.push(Note::new(Place::entry(index, sub), text));
+            }
+        }
+        if longest > usual {
+            let text =
+                format!("the longest value has {longest} bytes, more than the stack transfers by default");
+            let help =
+                format!("define `CO_SDO_BUFFER_SIZE` as {} when you compile the stack", longest.min(most));
+            notes.push(Note::new(Place::device(), text).help(help));
+        }
+        self.notes.append(&mut notes);
+    }
+}
+
+/// The structure of a family.
+fn structure(family: &Family) -> Extent {
+    let size = |data_type: DataType| Extent::number(usize::from(data_type.byte_length().unwrap_or(4)));
+    Extent::structure(family.fields.iter().map(|field| size(field.data_type)))
+}
+
+/// The row of an entry.
+fn row(cell: &Cell, place: &str) -> RecordRow {
+    let element = if cell.room.is_some() { "[0]" } else { "" };
+    let data = if cell.is_stored() { format!("&{place}{element}") } else { "0".to_owned() };
+    RecordRow { data, attribute: cell.attribute, length: cell.length }
+}
+
+/// The row of a sub-index without an entry: it can be neither read nor written.
+fn no_entry() -> RecordRow {
+    RecordRow { data: "&CO_OD_noEntry".to_owned(), attribute: 0, length: 1 }
+}
+
+/// Whether the stack can know an object as an array: elements alike, and their number in sub-index 0, which is
+/// not stored.
+fn is_array(object: &ResolvedObject<'_>, cells: &[Cell]) -> bool {
+    let is_list = object.object.object_type() == ObjectType::Array
+        || object.object.compact.is_some()
+        || matches!(object.index, 0x1003 | 0x1016 | 0x1029);
+    let [count, elements @ ..] = object.entries.as_slice() else { return false };
+    let Some(first) = cells.get(1) else { return false };
+    let number = u64::try_from(elements.len()).unwrap_or(u64::MAX);
+    let is_count = count.sub == 0
+        && count.resolved.shape == Shape::Word(DataType::UNSIGNED8)
+        && (object.index == 0x1003
+            || !count.resolved.access.is_writable()
+                && !count.resolved.tpdo
+                && count.resolved.default == Datum::Word(number));
+    let numbered = elements.iter().zip(1_u16..).all(|(entry, sub)| u16::from(entry.sub) == sub);
+    let alike = cells.iter().skip(1).all(|cell| cell.is_like(first) && cell.is_stored());
+    is_list && is_count && numbered && alike && elements.len() < usize::from(u8::MAX)
+}

@@ -1,0 +1,57 @@
+/*
+ * {{ head.made_by }}; do not edit.
+ *
+ * Object dictionary of {{ head.product|c_comment }} by {{ head.vendor|c_comment }}, for CANopenNode 1.3.
+ */
+#include "CO_driver.h"
+#include "CO_OD.h"
+#include "CO_SDO.h"
+{%- for location in Location::ALL %}
+
+struct sCO_OD_{{ location.name() }} CO_OD_{{ location.name() }} = {
+    CO_OD_FIRST_LAST_WORD,
+{%- for variable in plan.of(location) %}
+    {{ variable.initializer }}, /* {{ variable.index|hex4 }}h */
+{%- endfor %}
+    CO_OD_FIRST_LAST_WORD,
+};
+{%- endfor %}
+
+/* What a sub-index without an entry refers to. */
+const UNSIGNED8 CO_OD_noEntry = 0u;
+
+/* The rows of records, by sub-index. */
+{%- for object in plan.rows %}
+{%- if !object.record.is_empty() %}
+const CO_OD_entryRecord_t OD_record{{ object.index|hex4 }}[{{ object.record.len() }}] = {
+{%- for row in object.record %}
+    {(void *){{ row.data }}, 0x{{ row.attribute|hex4 }}, {{ row.length }}},
+{%- endfor %}
+};
+{%- endif %}
+{%- endfor %}
+
+const CO_OD_entry_t CO_OD[CO_OD_NoOfElements] = {
+{%- for object in plan.rows %}
+    {0x{{ object.index|hex4 }}, {{ object.max_sub }}, 0x{{ object.row.attribute|hex4 }}, {{ object.row.length }}, (void *){{ object.row.data }}}, /* {{ object.described|c_comment }} */
+{%- endfor %}
+};
+{%- if !plan.formulas.is_empty() %}
+{%- if stores_bytes %}
+
+static void CO_OD_store(UNSIGNED8 *bytes, UNSIGNED64 number, unsigned size)
+{
+    unsigned at;
+    for (at = 0u; at < size; at++) {
+        bytes[at] = (UNSIGNED8)(number >> (8u * at));
+    }
+}
+{%- endif %}
+
+void CO_OD_applyNodeId(uint8_t nodeId)
+{
+{%- for formula in plan.formulas %}
+    {{ formula }}
+{%- endfor %}
+}
+{%- endif %}

@@ -1,0 +1,70 @@
+/*
+ * {{ head.made_by }}; do not edit.
+ *
+ * Object dictionary of {{ head.product|c_comment }} by {{ head.vendor|c_comment }}, for CANopenNode 1.3.
+ */
+#ifndef CO_OD_H
+#define CO_OD_H
+
+typedef uint8_t UNSIGNED8;
+typedef uint16_t UNSIGNED16;
+typedef uint32_t UNSIGNED32;
+typedef uint64_t UNSIGNED64;
+typedef int8_t INTEGER8;
+typedef int16_t INTEGER16;
+typedef int32_t INTEGER32;
+typedef int64_t INTEGER64;
+typedef float REAL32;
+typedef double REAL64;
+typedef char VISIBLE_STRING;
+typedef unsigned char OCTET_STRING;
+
+/* What the stack is compiled for. */
+#define CO_NO_SYNC {{ plan.sync }}
+#define CO_NO_TIME {{ plan.time }}
+#define CO_NO_EMERGENCY 1
+#define CO_NO_SDO_SERVER {{ plan.counts[0] }}
+#define CO_NO_SDO_CLIENT {{ plan.counts[1] }}
+#define CO_NO_RPDO {{ plan.counts[2] }}
+#define CO_NO_TPDO {{ plan.counts[4] }}
+#define CO_NO_NMT_MASTER {{ plan.master }}
+#define CO_NO_TRACE 0
+#define CO_NO_LSS_SERVER {{ plan.lss }}
+#define CO_NO_LSS_CLIENT 0
+
+#define CO_OD_NoOfElements {{ plan.rows.len() }}
+
+/* Records. */
+{%- for record in plan.types %}
+typedef struct { /* {{ record.index|hex4 }}h */
+{%- for member in record.members %}
+    {{ member }};
+{%- endfor %}
+} {{ record.name }};
+{%- endfor %}
+
+/* The first and the last word of each memory: other values mean that it has other contents. */
+#define CO_OD_FIRST_LAST_WORD 0x55
+{%- for location in Location::ALL %}
+
+struct sCO_OD_{{ location.name() }} {
+    UNSIGNED32 FirstWord;
+{%- for variable in plan.of(location) %}
+    {{ variable.declaration }}; /* {{ variable.index|hex4 }}h */
+{%- endfor %}
+    UNSIGNED32 LastWord;
+};
+extern struct sCO_OD_{{ location.name() }} CO_OD_{{ location.name() }};
+{%- endfor %}
+
+/* The variables, their lengths, and the elements of arrays. */
+{%- for alias in plan.aliases %}
+#define {{ alias.name }} {{ alias.value }}
+{%- endfor %}
+{%- if !plan.formulas.is_empty() %}
+
+/* Adds the node-ID to the values that are formulas and to which the stack does not add it. */
+void CO_OD_applyNodeId(uint8_t nodeId);
+{%- endif %}
+
+#endif
