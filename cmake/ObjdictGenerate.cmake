@@ -27,15 +27,14 @@
 
 include_guard(GLOBAL)
 
-set(OBJDICT_EXECUTABLE "" CACHE FILEPATH "The command objdict; empty: the one in the PATH")
-
 # The command, as an absolute path.
 function(_objdict_find result)
-  if(OBJDICT_EXECUTABLE)
-    set(found "${OBJDICT_EXECUTABLE}")
-  else()
-    find_program(found objdict HINTS ENV CARGO_HOME "$ENV{HOME}/.cargo" PATH_SUFFIXES bin NO_CACHE)
+  if(NOT OBJDICT_EXECUTABLE)
+    unset(OBJDICT_EXECUTABLE CACHE) # an empty one counts as found
   endif()
+  find_program(OBJDICT_EXECUTABLE objdict HINTS ENV CARGO_HOME "$ENV{HOME}/.cargo" PATH_SUFFIXES bin
+    DOC "The command objdict; empty: the one in the PATH")
+  set(found "${OBJDICT_EXECUTABLE}")
   if(NOT found)
     message(FATAL_ERROR "there is no objdict in the PATH: `cargo install objdict`, or set OBJDICT_EXECUTABLE")
   endif()

@@ -341,7 +341,7 @@ fn in_rust(text: &str, device: &Device) -> Result<String, String> {
 fn macros(text: &str) -> Vec<(String, Vec<String>)> {
     let mut found: Vec<(String, Vec<String>)> = Vec::new();
     for line in text.lines() {
-        if let Some(rest) = line.strip_prefix("/* ") {
+        if let Some(rest) = line.strip_prefix("/** ") {
             found.push((rest.trim_end_matches(" */").to_owned(), Vec::new()));
         } else if let (Some(rest), Some((_, names))) = (line.strip_prefix("#define "), found.last_mut()) {
             names.push(rest.split([' ', '(']).next().unwrap_or_default().to_owned());
@@ -353,7 +353,7 @@ fn macros(text: &str) -> Vec<(String, Vec<String>)> {
 fn in_c(folder: &Path, text: &str, compiler: &str, device: &Device) -> Result<(), String> {
     let (enums, words) = model(device);
     let start = if enums.is_empty() { "/* Bit fields of entries" } else { "/* Named values of entries" };
-    let section = part_of_text(text, start, "/* A time of day");
+    let section = part_of_text(text, start, "/** A time of day");
     let (of_enums, of_words) = match section.split_once("/* Bit fields of entries") {
         Some(parts) => parts,
         None => (section, ""),

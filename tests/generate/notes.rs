@@ -109,7 +109,7 @@ fn what_is_assumed_is_named() {
         ),
         (
             Entry { access: None, ..invalid(Field::AccessType, "rx") },
-            "0x2000sub0 / AccessType: `rx` is not an access type; `ro` is assumed",
+            "0x2000sub0 / AccessType: `rx` is not an access type; it is assumed to be `ro`",
         ),
         (
             invalid(Field::DefaultValue, "256"),

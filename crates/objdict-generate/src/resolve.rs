@@ -142,10 +142,12 @@ impl<'a> Resolver<'a> {
         }
         let place = place.clone().field(Field::AccessType);
         let invalid = entry.invalid_values.get(&Field::AccessType);
-        let access = invalid.and_then(InvalidValue::intended_access).unwrap_or(Access::Ro);
+        let intended = invalid.and_then(InvalidValue::intended_access);
+        let access = intended.unwrap_or(Access::Ro);
+        let instead = if intended.is_some() { "it is read as" } else { "it is assumed to be" };
         self.notes.push(match invalid {
             Some(InvalidValue { text, .. }) => {
-                Note::new(place, format!("`{text}` is not an access type; it is read as `{access}`"))
+                Note::new(place, format!("`{text}` is not an access type; {instead} `{access}`"))
             }
             None => Note::new(place, format!("an entry without an access type is assumed to be `{access}`")),
         });

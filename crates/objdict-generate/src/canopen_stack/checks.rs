@@ -9,6 +9,9 @@ use crate::resolve::Datum;
 /// Maximum number of rows in the stack.
 const MOST_ROWS: usize = i16::MAX as usize;
 
+/// The bit of a COB-ID that says that it is not valid.
+const NOT_VALID: u64 = 1 << 31;
+
 /// Adds notes about entries and PDOs, and about missing objects.
 pub(super) fn check(dictionary: &Dictionary<'_>, rows: usize, notes: &mut Vec<Note>) {
     let mut common = Vec::new();
@@ -52,6 +55,12 @@ fn entry(index: u16, entry: &ResolvedEntry<'_>, notes: &mut Vec<Note>) {
     }
     if (0x1800..=0x19FF).contains(&index) && entry.sub == 6 {
         notes.push(Note::new(place(), "the stack ignores the SYNC start value"));
+    }
+    let is_off = |value: &Datum| matches!(value, Datum::Word(cob_id) if cob_id & NOT_VALID != 0);
+    if index == 0x1200 && matches!(entry.sub, 1 | 2) && is_off(&resolved.default) {
+        let note =
+            Note::new(place(), "the COB-ID is not valid (bit 31), so the stack has no SDO server").warning();
+        notes.push(note.help("write `$NODEID+0x600` in sub-index 1 and `$NODEID+0x580` in sub-index 2"));
     }
     if resolved.access == Access::Wo && index == 0x1003 {
         notes.push(Note::new(place(), "an SDO can read the entry although it is write-only"));

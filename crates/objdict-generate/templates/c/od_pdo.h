@@ -1,4 +1,5 @@
-/*
+/**
+ * @file
  * {{ table.made_by }}; do not edit.
  *
  * The default mapping of PDOs: one struct per PDO with its members in frame order.
@@ -18,7 +19,7 @@ extern "C" {
 #endif
 {%- for frame in frames %}
 
-/* {{ frame.frame.title }} ({{ frame.frame.communication_index|hex4 }}h, {{ frame.frame.mapping_index|hex4 }}h) */
+/** {{ frame.frame.title }} ({{ frame.frame.communication_index|hex4 }}h, {{ frame.frame.mapping_index|hex4 }}h) */
 #define {{ frame.macro_prefix }}_LENGTH {{ frame.frame.length }}u
 {%- if let Some(transmission_type) = frame.frame.transmission_type %}
 #define {{ frame.macro_prefix }}_TRANSMISSION_TYPE {{ transmission_type }}u
@@ -29,7 +30,7 @@ extern "C" {
 
 typedef struct {
 {%- for field in frame.fields %}
-    {{ field.declaration }}; /* {{ field.row.index|hex4 }}h sub-index {{ field.row.sub|hex2 }}h: {{ field.row.name|c_comment }} */
+    {{ field.declaration }}; /**< {{ field.row.index|hex4 }}h sub-index {{ field.row.sub|hex2 }}h: {{ field.row.name|c_comment }} */
 {%- endfor %}
 } {{ frame.type_name }}_t;
 

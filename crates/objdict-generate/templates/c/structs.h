@@ -1,4 +1,5 @@
-/*
+/**
+ * @file
  * {{ plain.table.made_by }}; do not edit.
  *
  * Object dictionary of {{ plain.table.product|c_comment }} by {{ plain.table.vendor|c_comment }}.
@@ -17,17 +18,17 @@ extern "C" {
 #endif
 {%- if let Some(node_id) = plain.table.node_id %}
 
-/* The configured node-ID. */
+/** The configured node-ID. */
 #define {{ plain.upper }}_NODE_ID {{ node_id }}u
 {%- endif %}
 
 /* Indexes of objects and sub-indexes of their entries. */
 {%- for view in plain.objects %}
 
-/* {{ view.object.index|hex4 }}h: {{ view.object.name|c_comment }} */
+/** {{ view.object.index|hex4 }}h: {{ view.object.name|c_comment }} */
 #define {{ plain.upper }}_{{ view.name }} 0x{{ view.object.index|hex4 }}u
 {%- for (name, row) in view.entries %}
-#define {{ plain.upper }}_{{ name }} 0x{{ row.sub|hex2 }}u /* {{ row.name|c_comment }} */
+#define {{ plain.upper }}_{{ name }} 0x{{ row.sub|hex2 }}u /**< {{ row.name|c_comment }} */
 {%- endfor %}
 {%- endfor %}
 
@@ -38,69 +39,69 @@ extern "C" {
 {%- endif %}
 
 {%- if time || !plain.groups.is_empty() %}
-/* A time of day since 1984-01-01, or a time difference. */
+/** A time of day since 1984-01-01, or a time difference. */
 typedef struct {
-    uint32_t milliseconds; /* after midnight, 28 bits */
+    uint32_t milliseconds; /**< after midnight, 28 bits */
     uint16_t days;
 } {{ plain.lower }}_time_t;
 {%- endif %}
 {%- for group in plain.groups %}
 
-/* The storage group {{ group.group.name|c_comment }}. */
+/** The storage group {{ group.group.name|c_comment }}. */
 typedef struct {
 {%- for field in group.fields %}
-    {{ field.declaration }}; /* {{ field.first.index|hex4 }}h sub-index {{ field.first.sub|hex2 }}h
+    {{ field.declaration }}; /**< {{ field.first.index|hex4 }}h sub-index {{ field.first.sub|hex2 }}h
     {%- if field.array %} to {{ field.last.sub|hex2 }}h{% endif %}, {{ field.first.access() }}: {{ field.first.name|c_comment }} */
 {%- endfor %}
 } {{ group.lower }}_t;
 {%- endfor %}
 
-/* The variable values; constants are in flash. A string, octet string or DOMAIN is preceded by its length. */
+/** The variable values; constants are in flash. A string, octet string or DOMAIN is preceded by its length. */
 typedef struct {
-    uint8_t node_id; /* set by {{ plain.lower }}_init() */
+    uint8_t node_id; /**< set by {{ plain.lower }}_init() */
 {%- for member in fields() %}
 {%- match member %}
 {%- when MemberView::Field(field) %}
-    {{ field.declaration }}; /* {{ field.first.index|hex4 }}h sub-index {{ field.first.sub|hex2 }}h
+    {{ field.declaration }}; /**< {{ field.first.index|hex4 }}h sub-index {{ field.first.sub|hex2 }}h
     {%- if field.array %} to {{ field.last.sub|hex2 }}h{% endif %}, {{ field.first.access() }}: {{ field.first.name|c_comment }} */
 {%- when MemberView::Group(group) %}
-    {{ group.lower }}_t {{ group.group.field }}; /* the storage group {{ group.group.name|c_comment }} */
+    {{ group.lower }}_t {{ group.group.field }}; /**< the storage group {{ group.group.name|c_comment }} */
 {%- endmatch %}
 {%- endfor %}
 } {{ plain.lower }}_data_t;
 extern {{ plain.lower }}_data_t {{ plain.lower }}_data;
 
-/* An entry of the dictionary. data, low, high and def point to the C type of the data type as in
+/** An entry of the dictionary. data, low, high and def point to the C type of the data type as in
    {{ plain.lower }}_data_t; an integer of 24 to 56 bits uses the next larger type. */
 typedef struct {
     uint16_t index;
     uint8_t sub;
-    uint8_t data_type; /* {{ plain.upper }}_UNSIGNED32 and the like */
-    uint8_t flags;     /* {{ plain.upper }}_READ and the like */
-    uint16_t size;     /* maximum size of a value in an SDO transfer, in bytes */
-    void *data;        /* the value; for a constant, its default in flash. NULL: the application must provide it */
-    const void *low;   /* limits; NULL if there are none */
+    uint8_t data_type; /**< {{ plain.upper }}_UNSIGNED32 and the like */
+    uint8_t flags;     /**< {{ plain.upper }}_READ and the like */
+    uint16_t size;     /**< maximum size of a value in an SDO transfer, in bytes */
+    void *data;        /**< the value; for a constant, its default in flash. NULL: the application must provide it */
+    const void *low;   /**< limits; NULL if there are none */
     const void *high;
-    const void *def;   /* the default */
+    const void *def;   /**< the default */
 {%- if names %}
-    const char *name; /* the name in the description, UTF-8 */
+    const char *name; /**< the name in the description, UTF-8 */
 {%- endif %}
 } {{ plain.lower }}_entry_t;
 
 /* Flags of an entry. */
-#define {{ plain.upper }}_READ 0x01u            /* readable by SDO */
-#define {{ plain.upper }}_WRITE 0x02u           /* writable by SDO */
-#define {{ plain.upper }}_TPDO 0x04u            /* mappable to TPDOs */
-#define {{ plain.upper }}_RPDO 0x08u            /* mappable to RPDOs */
-#define {{ plain.upper }}_NODE_ID_DEFAULT 0x10u /* the node-ID must be added to the default */
-#define {{ plain.upper }}_LOW_NODE_ID 0x20u     /* the node-ID is to be added to the low limit */
-#define {{ plain.upper }}_HIGH_NODE_ID 0x40u    /* the node-ID is to be added to the high limit */
+#define {{ plain.upper }}_READ 0x01u            /**< readable by SDO */
+#define {{ plain.upper }}_WRITE 0x02u           /**< writable by SDO */
+#define {{ plain.upper }}_TPDO 0x04u            /**< mappable to TPDOs */
+#define {{ plain.upper }}_RPDO 0x08u            /**< mappable to RPDOs */
+#define {{ plain.upper }}_NODE_ID_DEFAULT 0x10u /**< the node-ID must be added to the default */
+#define {{ plain.upper }}_LOW_NODE_ID 0x20u     /**< the node-ID is to be added to the low limit */
+#define {{ plain.upper }}_HIGH_NODE_ID 0x40u    /**< the node-ID is to be added to the high limit */
 {%- if plain.hooks %}
-#define {{ plain.upper }}_HOOK 0x80u           /* selected with --hook: the application handles reads and writes */
+#define {{ plain.upper }}_HOOK 0x80u           /**< selected with --hook: the application handles reads and writes */
 {%- endif %}
 
 /* Data types, by their index in CiA 301. */
-#define {{ plain.upper }}_BLOCK 0x00u /* a device-specific type */
+#define {{ plain.upper }}_BLOCK 0x00u /**< a device-specific type */
 #define {{ plain.upper }}_BOOLEAN 0x01u
 #define {{ plain.upper }}_INTEGER8 0x02u
 #define {{ plain.upper }}_INTEGER16 0x03u
@@ -127,14 +128,14 @@ typedef struct {
 #define {{ plain.upper }}_UNSIGNED56 0x1Au
 #define {{ plain.upper }}_UNSIGNED64 0x1Bu
 
-/* All entries in ascending order of index and sub-index. */
+/** All entries in ascending order of index and sub-index. */
 #define {{ plain.upper }}_ENTRY_COUNT {{ plain.table.rows.len() }}u
 extern const {{ plain.lower }}_entry_t {{ plain.lower }}_entries[{{ plain.upper }}_ENTRY_COUNT];
 
-/* Finds the entry with an index and a sub-index by binary search; NULL if there is none. */
+/** Finds the entry with an index and a sub-index by binary search; NULL if there is none. */
 const {{ plain.lower }}_entry_t *{{ plain.lower }}_find(uint16_t index, uint8_t sub);
 
-/* Sets all values to the defaults for node_id, 1 to 127; only the lower seven bits are used. */
+/** Sets all values to the defaults for node_id, 1 to 127; only the lower seven bits are used. */
 void {{ plain.lower }}_init(uint8_t node_id);
 {%- if !plain.groups.is_empty() %}
 {%- let lower = plain.lower %}

@@ -6,10 +6,11 @@ use objdict::generate::{Generated, Note, Options, StorageGroup, Target, generate
 use objdict::model::Device;
 
 use crate::compile::{c_compiler, cc, succeed};
-use crate::devices::{arbitrary_devices, devices, for_all};
+use crate::devices::{arbitrary_devices, device, devices, for_all};
 use crate::processors::build;
 use crate::stacks::truth::{Lack, Row, compare, truth, without};
 use crate::stacks::{beside, checkout};
+use crate::support;
 
 /// Data missing in the rows of the stack.
 const LACKS: [Lack; 5] = [
@@ -131,4 +132,20 @@ fn the_headers_of_the_real_stack_take_the_files() {
         cc.args(["-fsyntax-only", "device_od.c", "device_od_spec.c"]);
         succeed(&mut cc, "").map_err(|error| format!("{name}: {error}")).map(drop)
     });
+}
+
+#[test]
+fn a_server_without_a_valid_cob_id_is_a_warning() {
+    let text = std::fs::read_to_string(support::fixtures().join("eds/io-401.eds")).unwrap();
+    let folder = tempfile::tempdir().unwrap();
+    let warnings = |text: &str| {
+        let path = folder.path().join("device.eds");
+        std::fs::write(&path, text).unwrap();
+        let notes = write(folder.path(), &device(&path), &Options::default()).notes;
+        notes.iter().filter(|note| note.message.contains("so the stack has no SDO server")).count()
+    };
+    assert!(text.contains("DefaultValue=$NODEID+0x600"));
+    assert_eq!(warnings(&text), 0);
+    let off = text.replace("$NODEID+0x600", "0x80000000").replace("$NODEID+0x580", "0x80000000");
+    assert_eq!(warnings(&off), 1, "one note for both COB-IDs");
 }
