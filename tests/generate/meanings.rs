@@ -13,6 +13,7 @@ use objdict::model::{
 
 use crate::batch::Batch;
 use crate::compile::{c_compiler, cc, generate_into, succeed};
+use crate::odd::{entry, of_type};
 use crate::{device, for_all, support};
 
 /// Test words.
@@ -499,4 +500,70 @@ fn the_valve_reads_as_people_would_write_it() {
     batch.add("valve", &generate(&valve, Target::RUST, &Options::default()).unwrap(), program);
     batch.build(&["-Adead-code"]);
     batch.run("valve", "").unwrap();
+}
+
+/// Words that the device profile defines, where the description says nothing of them.
+#[test]
+fn words_of_a_profile_have_the_names_of_its_document() {
+    let drive = device(&support::fixtures().join("eds/drive-402.eds"));
+    let program = r#"
+        mod od { include!("od.rs"); }
+        use od::bits::{controlword, statusword};
+        use od::enums::{ModesOfOperation, StatuswordState};
+        fn main() {
+            let mut data = od::Data::new(5);
+            assert_eq!(data.set(od::MODES_OF_OPERATION, ModesOfOperation::CyclicSynchronousPosition.value()), Ok(()));
+            assert_eq!(data.get(od::MODES_OF_OPERATION), 8);
+            assert_eq!((ModesOfOperation::from_value(-1), ModesOfOperation::from_value(5)), (None, None));
+            // whether the voltage is enabled is no matter of the state
+            for word in [0x0227, 0x0237] {
+                let state = StatuswordState::from_value(statusword::state::get(word));
+                assert_eq!(state, Some(StatuswordState::OperationEnabled));
+                assert_eq!(statusword::voltage_enabled::get(word), word == 0x0237);
+            }
+            assert_eq!(StatuswordState::from_value(statusword::state::get(0x0008)), Some(StatuswordState::Fault));
+            let word = controlword::enable_voltage::with(controlword::quick_stop_off::with(0, true), true);
+            assert_eq!((word, controlword::fault_reset::get(0x0080)), (0x0006, true));
+        }
+    "#;
+    let mut batch = Batch::new();
+    batch.add("drive", &generate(&drive, Target::RUST, &Options::default()).unwrap(), program);
+    batch.build(&["-Adead-code"]);
+    batch.run("drive", "").unwrap();
+
+    let text = |device: &Device, target: Target, file: usize| {
+        let generated = generate(device, target, &Options::default()).unwrap();
+        String::from_utf8(generated.files[file].contents.clone()).unwrap()
+    };
+    let header = text(&drive, Target::C, 0);
+    for line in [
+        "#define OD_STATUSWORD_STATE_OPERATION_ENABLED 39u ",
+        "#define OD_STATUSWORD_STATE_OPERATION_ENABLED_55 55u ",
+        "#define OD_MODES_OF_OPERATION_HOMING 6 ",
+        "#define OD_CONTROLWORD_OF_THE_MODE_4_SHIFT 4u ",
+        "#define OD_CONTROLWORD_OF_THE_MODE_9_SHIFT 9u ",
+    ] {
+        assert!(header.contains(line), "no `{line}`");
+    }
+    let encoder = device(&support::fixtures().join("eds/encoder-406.eds"));
+    assert!(text(&encoder, Target::RUST, 0).contains("pub mod operating_parameters"));
+    // the elements of an array have one word
+    let mut io = device(&support::fixtures().join("eds/io-401.eds"));
+    let subs =
+        (1..=2).map(|sub| (sub, entry(&format!("Input {sub}"), DataType::UNSIGNED8, Access::Rw, None)));
+    io.objects.insert(0x6421, of_type(ObjectType::Array, "Trigger", subs));
+    let entries =
+        "/// `Trigger`: `0x6421` sub-index `0x01`, `0x6421` sub-index `0x02`.\n    pub mod trigger {";
+    assert!(text(&io, Target::RUST, 0).contains(entries));
+
+    // the names of the device come first
+    let mut own = drive;
+    let mode = &mut own.objects.get_mut(&0x6060).unwrap().main;
+    let value = ScaledValue { value: "1".into(), labels: label("Press"), ..ScaledValue::default() };
+    let allowed = AllowedValues { values: vec![value], ..AllowedValues::default() };
+    mode.parameter = Some(Box::new(Parameter { allowed_values: Some(allowed), ..Parameter::default() }));
+    let text = text(&own, Target::RUST, 0);
+    let (_, modes) = text.split_once("pub enum ModesOfOperation {").unwrap();
+    assert!(modes.split_once('}').unwrap().0.contains("Press = 1,"));
+    assert!(!modes.split_once('}').unwrap().0.contains("ProfilePosition"));
 }

@@ -1,10 +1,13 @@
 //! Enumerations and bit fields with identifiers for the targets `rust` and `c`. The model defines their
-//! contents ([`crate::model::Meanings`]).
+//! contents ([`crate::model::Meanings`]); for the objects of a device profile that it says nothing of, the document does.
 
 use super::names::{Scope, words};
-use super::table::{Row, Table};
+use super::resolve::Shape;
+use super::table::{Row, Table, TableObject};
 use super::{Names, Note, Options};
-use crate::model::{BitStruct, DataType, Device, Enumeration, Meaning, NamedValue, Part, Place};
+use crate::model::{
+    BitField, BitStruct, DataType, Device, Enumeration, Meaning, NamedValue, Part, Place, Scaling,
+};
 
 /// Named values and bit fields of a device.
 #[derive(Debug, Default)]
@@ -35,6 +38,8 @@ pub(crate) struct EnumValue {
     /// The name in the description.
     pub(crate) label: String,
     pub(crate) number: i128,
+    /// Further numbers with this meaning.
+    pub(crate) others: Vec<i128>,
     /// An earlier value with the same number.
     pub(crate) alias_of: Option<usize>,
 }
@@ -106,38 +111,26 @@ pub(crate) fn meanings(device: &Device, table: &Table, options: &Options, notes:
         table,
         notes,
     };
-    if device.application.is_empty() && !has_parameters(device) {
-        return namer.named;
-    }
     let meanings = device.meanings();
     for row in &table.rows {
         match meanings.of(row.index, row.sub) {
             Some(Meaning::Enumeration(enumeration)) => namer.enumeration(row, &enumeration, None),
             Some(Meaning::BitStruct(word)) => namer.word(row, &word),
+            None if OF_PROFILES.contains(&row.index) => namer.documented(device, row),
             None => {}
         }
     }
     namer.named
 }
 
-fn has_parameters(device: &Device) -> bool {
-    let has_parameter = |entry: &crate::model::Entry| entry.parameter.is_some();
-    device.objects.values().any(|object| {
-        has_parameter(&object.main) || object.subs.iter().any(|(_, entry)| has_parameter(entry))
-    })
-}
+/// The objects of device profiles (CiA 301 §7.4.1).
+const OF_PROFILES: std::ops::RangeInclusive<u16> = 0x6000..=0x9FFF;
 
 impl Namer<'_> {
     /// `part` is the described name of the bit field with these values.
     fn enumeration(&mut self, row: &Row, enumeration: &Enumeration<'_>, part: Option<&str>) {
         let key = key_of(row, enumeration, part);
-        let at = (row.index, row.sub);
-        if let Some(known) = self.keys.iter().position(|other| *other == key) {
-            if let Some(known) =
-                self.named.enums.get_mut(known).filter(|known| known.entries.last() != Some(&at))
-            {
-                known.entries.push(at);
-            }
+        if self.is_known(row, &key) {
             return;
         }
         self.note(row, &enumeration.defects);
@@ -150,14 +143,112 @@ impl Namer<'_> {
             (_, Some(part)) => (format!("{}_{}", self.name_of(row), words(part)), part.to_owned()),
             (defined, None) => (self.name_of(row), defined.unwrap_or(&row.name).to_owned()),
         };
-        let name = self.enum_names.claim(&base, format_args!("{:04x}_{:02x}", row.index, row.sub));
+        self.add_enum(row, key, (&base, title), enumeration.data_type, values(&enumeration.values));
+    }
+
+    /// Whether there is such an enumeration, which is also that of the entry then.
+    fn is_known(&mut self, row: &Row, key: &Key) -> bool {
+        let at = (row.index, row.sub);
+        let Some(known) = self.keys.iter().position(|other| other == key) else { return false };
+        if let Some(known) = self.named.enums.get_mut(known).filter(|known| known.entries.last() != Some(&at))
+        {
+            known.entries.push(at);
+        }
+        true
+    }
+
+    fn add_enum(
+        &mut self,
+        row: &Row,
+        key: Key,
+        (base, title): (&str, String),
+        data_type: DataType,
+        values: Vec<EnumValue>,
+    ) {
+        let name = self.enum_names.claim(base, format_args!("{:04x}_{:02x}", row.index, row.sub));
         self.keys.push(key);
-        self.named.enums.push(EnumType {
+        let entries = vec![(row.index, row.sub)];
+        self.named.enums.push(EnumType { name, title, entries, data_type, values });
+    }
+
+    /// The bits of an entry in the document of the device's profile.
+    fn documented(&mut self, device: &Device, row: &Row) {
+        let Shape::Word(data_type) = row.resolved.shape else { return };
+        let (Some((low, _)), Some(bits)) = (data_type.integer_range(), data_type.bit_length()) else {
+            return;
+        };
+        let documents = objdict_profile::of_object(device, row.index).map(|(_, facts)| facts);
+        let mut fields = objdict_profile::bits(documents, row.sub);
+        fields.retain(|field| field.last < bits);
+        let part = |field: &objdict_profile::BitField<'static>| BitField {
+            name: field.name,
+            first: field.first,
+            bits: field.last - field.first + 1,
+            is_signed: false,
+            values: None,
+            scaling: Scaling::default(),
+        };
+        let parts: Vec<BitField<'static>> = fields.iter().map(part).collect();
+        let is_whole = matches!(parts.as_slice(), [part] if part.bits == bits);
+        let (name, title) = match self.array_of(row) {
+            Some(array) => (array.module.clone(), array.name.clone()),
+            None => (self.name_of(row), row.name.clone()),
+        };
+        for (field, part) in fields.iter().zip(&parts) {
+            let values = documented_values(field, (is_whole && low < 0).then_some(bits));
+            let listed = values.iter().map(|value| (value.label.clone(), value.number));
+            let listed = listed.chain([(part.name.to_owned(), part.first.into())]).collect();
+            let key = Key::Listed(row.index, data_type, listed);
+            if values.is_empty() || self.is_known(row, &key) {
+                continue;
+            }
+            if is_whole {
+                self.add_enum(row, key, (&name, title.clone()), data_type, values);
+            } else {
+                let base = format!("{name}_{}", words(part.name));
+                self.add_enum(row, key, (&base, part.name.to_owned()), part.data_type(), values);
+            }
+        }
+        if is_whole || parts.is_empty() {
+            return;
+        }
+        let bits: Vec<_> = parts.iter().map(|part| (part.name, part.first, part.bits)).collect();
+        let key = (format!("{:04X}h {bits:?}", row.index).into(), data_type);
+        match self.word_keys.iter().position(|other| *other == key) {
+            Some(known) => self.named.words[known].entries.push((row.index, row.sub)),
+            None => self.add_word(row, key, (&name, title), data_type, &parts),
+        }
+    }
+
+    fn add_word(
+        &mut self,
+        row: &Row,
+        key: (Box<str>, DataType),
+        (base, title): (&str, String),
+        data_type: DataType,
+        fields: &[BitField<'_>],
+    ) {
+        let name = self.word_names.claim(base, format_args!("{:04x}_{:02x}", row.index, row.sub));
+        let mut scope = Scope::of_lower_case("");
+        let names: Vec<String> = fields.iter().map(|field| words(field.name)).collect();
+        scope.foresee(names.iter().map(String::as_str));
+        let parts = fields.iter().zip(&names).map(|(field, name)| WordPart {
+            name: scope.claim(name, format_args!("{}", field.first)),
+            label: field.name.to_owned(),
+            first: field.first,
+            bits: field.bits,
+            is_signed: field.is_signed,
+            mask: field.mask(),
+            data_type: field.data_type(),
+        });
+        let parts = parts.collect();
+        self.word_keys.push(key);
+        self.named.words.push(WordType {
             name,
             title,
-            entries: vec![at],
-            data_type: enumeration.data_type,
-            values: values(&enumeration.values),
+            entries: vec![(row.index, row.sub)],
+            data_type,
+            parts,
         });
     }
 
@@ -179,20 +270,13 @@ impl Namer<'_> {
         }
         let title = word.definition.name.to_string();
         let base = if self.by_index { self.name_of(row) } else { words(&title) };
-        let name = self.word_names.claim(&base, format_args!("{:04x}_{:02x}", row.index, row.sub));
-        let mut scope = Scope::of_lower_case("");
-        let parts = word.fields.iter().map(|field| WordPart {
-            name: scope.claim(&words(field.name), format_args!("{}", field.first)),
-            label: field.name.to_owned(),
-            first: field.first,
-            bits: field.bits,
-            is_signed: field.is_signed,
-            mask: field.mask(),
-            data_type: field.data_type(),
-        });
-        let parts = parts.collect();
-        self.word_keys.push(key);
-        self.named.words.push(WordType { name, title, entries: vec![at], data_type: word.data_type, parts });
+        self.add_word(row, key, (&base, title), word.data_type, &word.fields);
+    }
+
+    /// The array that an entry is an element of.
+    fn array_of(&self, row: &Row) -> Option<&TableObject> {
+        let is_element = row.slot.is_some_and(|slot| slot.element.is_some());
+        self.table.objects.iter().find(|object| is_element && object.index == row.index)
     }
 
     /// The source of an entry's identifiers.
@@ -249,8 +333,32 @@ fn values(named: &[NamedValue<'_>]) -> Vec<EnumValue> {
             name: scope.claim(&base, format_args!("{suffix}")),
             label,
             number,
+            others: Vec::new(),
             alias_of,
         });
+    }
+    values
+}
+
+/// The named values of a bit field in a document: each name once. Of a whole signed number of so many bits the
+/// highest bit is a sign. A range of values has no name.
+fn documented_values(field: &objdict_profile::BitField<'_>, signed: Option<u8>) -> Vec<EnumValue> {
+    let single = field.meanings().filter(|(range, _)| range.start() == range.end());
+    let number = |(range, label): (std::ops::RangeInclusive<u64>, &str)| {
+        let number = i128::from(*range.start());
+        let is_negative = signed.is_some_and(|bits| number >> (bits - 1) & 1 == 1);
+        (label.to_owned(), if is_negative { number - (1 << signed.unwrap_or(0)) } else { number })
+    };
+    let mut values: Vec<EnumValue> = Vec::new();
+    let mut scope = Scope::of_constants("");
+    for (label, number) in single.map(number) {
+        match values.iter_mut().find(|value| value.label == label) {
+            Some(known) => known.others.push(number),
+            None => {
+                let name = scope.claim(&words(&label), format_args!("{number}"));
+                values.push(EnumValue { name, label, number, others: Vec::new(), alias_of: None });
+            }
+        }
     }
     values
 }

@@ -60,20 +60,26 @@ impl<'a> Meanings<'a> {
 }
 
 fn enum_view<'a>(of: &'a EnumType, prefix: &str, macros: &mut Scope) -> EnumView<'a> {
-    let values = of.values.iter().map(|value| {
-        let suffix = if value.number < 0 { format!("m{}", -value.number) } else { value.number.to_string() };
+    let numbers = of.values.iter().flat_map(|value| {
+        let others =
+            value.others.iter().map(move |&number| (value, number, format!("_{}", suffix_of(number))));
+        std::iter::once((value, value.number, String::new())).chain(others)
+    });
+    let values = numbers.map(|(value, of_it, behind)| {
+        let suffix = suffix_of(of_it);
+        let words = format!("{}_{}{behind}", of.name, value.name);
         ValueView {
-            name: macro_name(
-                macros,
-                prefix,
-                &format!("{}_{}", of.name, value.name),
-                (format_args!("{suffix}"), suffix.len()),
-            ),
+            name: macro_name(macros, prefix, &words, (format_args!("{suffix}"), suffix.len())),
             label: &value.label,
-            number: number(value.number, of.data_type),
+            number: number(of_it, of.data_type),
         }
     });
     EnumView { of, entries: entries(&of.entries), values: values.collect() }
+}
+
+/// A number as a part of a name.
+fn suffix_of(number: i128) -> String {
+    if number < 0 { format!("m{}", -number) } else { number.to_string() }
 }
 
 /// A number of a data type as an expression.

@@ -38,7 +38,7 @@ struct EnumView<'a> {
 struct VariantView<'a> {
     name: String,
     label: &'a str,
-    /// A literal of type `repr`, and one of type `type_`.
+    /// A literal of type `repr`, and a pattern of type `type_`.
     number: String,
     pattern: String,
 }
@@ -88,14 +88,17 @@ fn enum_view<'a>(of: &'a EnumType, taken: &mut HashSet<String>) -> EnumView<'a> 
     };
     let mut names = HashSet::from(["Self".to_owned()]);
     let mut all: Vec<String> = Vec::new();
-    let (mut variants, mut aliases) = (Vec::new(), Vec::new());
+    let (mut variants, mut aliases, mut count) = (Vec::new(), Vec::new(), 0_usize);
     for value in &of.values {
         match value.alias_of {
             None => {
                 let name = type_name(&value.name, &mut names);
                 all.push(name.clone());
                 let number = literal(value.number, kept_as);
-                let pattern = literal(value.number, of.data_type);
+                let patterns = std::iter::once(&value.number).chain(&value.others);
+                count += 1 + value.others.len();
+                let patterns: Vec<String> = patterns.map(|&number| literal(number, of.data_type)).collect();
+                let pattern = patterns.join(" | ");
                 variants.push(VariantView { name, label: &value.label, number, pattern });
             }
             Some(first) => {
@@ -119,7 +122,7 @@ fn enum_view<'a>(of: &'a EnumType, taken: &mut HashSet<String>) -> EnumView<'a> 
         entries: entries(&of.entries),
         type_: word_type(of.data_type),
         repr: word_type(kept_as),
-        is_complete: has_whole_range(of.data_type) && variants.len() as i128 == high - low + 1,
+        is_complete: has_whole_range(of.data_type) && count as i128 == high - low + 1,
         variants,
         aliases,
     }
