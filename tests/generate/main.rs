@@ -13,6 +13,7 @@ mod gates;
 mod handles;
 mod hooks;
 mod meanings;
+mod misra;
 mod notes;
 mod odd;
 mod oracle;

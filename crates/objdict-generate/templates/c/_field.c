@@ -4,21 +4,21 @@ static uint64_t {{ lower }}_load(const uint8_t *field, uint8_t data_type, size_t
     uint64_t number = 0u;
     if ({{ lower }}_is_time(data_type)) {
         {{ lower }}_time_t time;
-        memcpy(&time, field, sizeof time);
+        (void)memcpy(&time, field, sizeof time);
         return (time.milliseconds & 0x0FFFFFFFu) | ((uint64_t)time.days << 32);
     }
     if (size == 1u) {
         number = *field;
     } else if (size == 2u) {
         uint16_t value;
-        memcpy(&value, field, sizeof value);
+        (void)memcpy(&value, field, sizeof value);
         number = value;
     } else if (size <= 4u) {
         uint32_t value;
-        memcpy(&value, field, sizeof value);
+        (void)memcpy(&value, field, sizeof value);
         number = value;
     } else {
-        memcpy(&number, field, sizeof number);
+        (void)memcpy(&number, field, sizeof number);
     }
     return number;
 }
@@ -28,20 +28,20 @@ static void {{ lower }}_store(uint8_t *field, uint8_t data_type, size_t size, ui
 {
     if ({{ lower }}_is_time(data_type)) {
         {{ lower }}_time_t time;
-        memset(&time, 0, sizeof time);
+        (void)memset(&time, 0, sizeof time);
         time.milliseconds = (uint32_t)(number & 0x0FFFFFFFu);
         time.days = (uint16_t)((number >> 32) & 0xFFFFu);
-        memcpy(field, &time, sizeof time);
+        (void)memcpy(field, &time, sizeof time);
     } else if (size == 1u) {
         *field = (uint8_t)(number & 0xFFu);
     } else if (size == 2u) {
         const uint16_t value = (uint16_t)(number & 0xFFFFu);
-        memcpy(field, &value, sizeof value);
+        (void)memcpy(field, &value, sizeof value);
     } else if (size <= 4u) {
         const uint32_t value = (uint32_t)(number & 0xFFFFFFFFu);
-        memcpy(field, &value, sizeof value);
+        (void)memcpy(field, &value, sizeof value);
     } else {
-        memcpy(field, &number, sizeof number);
+        (void)memcpy(field, &number, sizeof number);
     }
 }
 
@@ -50,11 +50,11 @@ static void {{ lower }}_store_bytes(uint8_t *field, const {{ lower }}_entry_t *e
 {
     if (entry->data_type != {{ upper }}_BLOCK) {
         const uint16_t count = (uint16_t)length;
-        memcpy(field, &count, sizeof count);
+        (void)memcpy(field, &count, sizeof count);
         field += sizeof count;
-        memset(field, 0, {{ lower }}_size(entry));
+        (void)memset(field, 0, {{ lower }}_size(entry));
     }
     if (length > 0u) {
-        memcpy(field, bytes, length);
+        (void)memcpy(field, bytes, length);
     }
 }

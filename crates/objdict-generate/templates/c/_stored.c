@@ -40,7 +40,8 @@ static uint8_t *{{ lower }}_put(uint8_t *image, uint64_t number, size_t size)
 {
     while (size > 0u) {
         size--;
-        *image++ = (uint8_t)(number & 0xFFu);
+        *image = (uint8_t)(number & 0xFFu);
+        image++;
         number >>= 8;
     }
     return image;
@@ -59,17 +60,17 @@ static void {{ lower }}_save(const uint8_t *group, const {{ lower }}_kept_t *kep
         if ({{ lower }}_number_size(entry->data_type) > 0u) {
             next = {{ lower }}_put(next, {{ lower }}_load(group + at, entry->data_type, size), size);
         } else if (entry->data_type == {{ upper }}_BLOCK) {
-            memcpy(next, group + at, size);
+            (void)memcpy(next, group + at, size);
             next += size;
         } else {
             uint16_t length;
-            memcpy(&length, group + at, sizeof length);
+            (void)memcpy(&length, group + at, sizeof length);
             if (length > size) {
                 length = (uint16_t)size;
             }
             next = {{ lower }}_put(next, length, sizeof length);
-            memset(next, 0, size); /* unused bytes after the text */
-            memcpy(next, group + at + sizeof length, length);
+            (void)memset(next, 0, size); /* unused bytes after the text */
+            (void)memcpy(next, group + at + sizeof length, length);
             next += size;
         }
     }

@@ -144,7 +144,7 @@ void {{ lower }}_init({{ lower }}_data_t *data, uint8_t node_id)
 {
     uint8_t *const ram = (uint8_t *)data;
     const {{ lower }}_entry_t *entry;
-    memset(data, 0, sizeof *data);
+    (void)memset(data, 0, sizeof *data);
     data->node_id = node_id & 0x7Fu;
     for (entry = {{ lower }}_entries; entry < {{ lower }}_entries + {{ upper }}_ENTRY_COUNT; entry++) {
         const size_t size = {{ lower }}_number_size(entry->data_type);
@@ -209,7 +209,7 @@ uint32_t {{ lower }}_read({% if !hooks %}const {% endif %}{{ lower }}_data_t *da
         count = {{ lower }}_size(entry);
     } else {
         uint16_t filled;
-        memcpy(&filled, field, sizeof filled);
+        (void)memcpy(&filled, field, sizeof filled);
         bytes = field + sizeof filled;
         count = filled < {{ lower }}_size(entry) ? filled : {{ lower }}_size(entry);
     }
@@ -217,7 +217,7 @@ uint32_t {{ lower }}_read({% if !hooks %}const {% endif %}{{ lower }}_data_t *da
         return {{ upper }}_ABORT_OUT_OF_MEMORY;
     }
     if (count > 0u) {
-        memcpy(buffer, bytes, count);
+        (void)memcpy(buffer, bytes, count);
     }
     *length = count;
     return {{ upper }}_OK;
@@ -297,7 +297,7 @@ uint32_t {{ lower }}_write({{ lower }}_data_t *data, uint16_t index, uint8_t sub
     field = (uint8_t *)data + entry->ram;
 {%- if hooks %}
     if ((entry->flags & {{ upper }}_HOOK) != 0u) {
-        memcpy(old, field, {{ lower }}_kept_size(entry));
+        (void)memcpy(old, field, {{ lower }}_kept_size(entry));
     }
 {%- endif %}
     size = {{ lower }}_number_size(entry->data_type);
@@ -314,7 +314,7 @@ uint32_t {{ lower }}_write({{ lower }}_data_t *data, uint16_t index, uint8_t sub
     if (answer == {{ upper }}_OK && (entry->flags & {{ upper }}_HOOK) != 0u) {
         answer = {{ lower }}_after_write(data, index, sub);
         if (answer != {{ upper }}_OK) {
-            memcpy(field, old, {{ lower }}_kept_size(entry));
+            (void)memcpy(field, old, {{ lower }}_kept_size(entry));
         }
     }
 {%- endif %}

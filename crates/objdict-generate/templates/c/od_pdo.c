@@ -10,7 +10,8 @@
 /* The lowest bits of a number, 1 to 64. */
 static uint64_t {{ lower }}_lowest(uint64_t number, unsigned bits)
 {
-    return number & (UINT64_MAX >> (64u - bits));
+    const unsigned unused = 64u - bits;
+    return number & (UINT64_MAX >> unused);
 }
 
 /* Converts a frame to a number; the first byte is the lowest. */
@@ -37,9 +38,10 @@ static void {{ lower }}_to_frame(uint64_t number, uint8_t *frame, size_t length)
 /* Converts the given number of bits to a signed number. */
 static int64_t {{ lower }}_signed(uint64_t number, unsigned bits)
 {
-    const uint64_t lowest = UINT64_MAX >> (64u - bits);
+    const uint64_t lowest = {{ lower }}_lowest(UINT64_MAX, bits);
     if (number > (lowest >> 1)) {
-        return -(int64_t)(lowest - number) - 1;
+        const uint64_t below = lowest - number;
+        return -(int64_t)below - 1;
     }
     return (int64_t)number;
 }
@@ -49,7 +51,7 @@ static int64_t {{ lower }}_signed(uint64_t number, unsigned bits)
 static uint64_t {{ lower }}_from_real32(float value)
 {
     uint32_t bits;
-    memcpy(&bits, &value, sizeof bits);
+    (void)memcpy(&bits, &value, sizeof bits);
     return bits;
 }
 
@@ -57,7 +59,7 @@ static float {{ lower }}_to_real32(uint64_t number)
 {
     const uint32_t bits = (uint32_t)number;
     float value;
-    memcpy(&value, &bits, sizeof value);
+    (void)memcpy(&value, &bits, sizeof value);
     return value;
 }
 {%- endif %}
@@ -66,14 +68,14 @@ static float {{ lower }}_to_real32(uint64_t number)
 static uint64_t {{ lower }}_from_real64(double value)
 {
     uint64_t bits;
-    memcpy(&bits, &value, sizeof bits);
+    (void)memcpy(&bits, &value, sizeof bits);
     return bits;
 }
 
 static double {{ lower }}_to_real64(uint64_t number)
 {
     double value;
-    memcpy(&value, &number, sizeof value);
+    (void)memcpy(&value, &number, sizeof value);
     return value;
 }
 {%- endif %}
@@ -101,7 +103,7 @@ void {{ frame.type_name }}_load(const {{ lower }}_data_t *data, {{ frame.type_na
 {%- if !frame.reads_data %}
     (void)data;
 {%- endif %}
-    memset(pdo, 0, sizeof *pdo);
+    (void)memset(pdo, 0, sizeof *pdo);
 {%- for field in frame.fields %}
     {{ field.load }};
 {%- endfor %}

@@ -70,31 +70,31 @@ static void {{ lower }}_add_node_id(void *data, size_t size, uint8_t node_id)
 {
     if (size == 1u) {
         uint8_t number;
-        memcpy(&number, data, sizeof number);
+        (void)memcpy(&number, data, sizeof number);
         number = (uint8_t)(number + node_id);
-        memcpy(data, &number, sizeof number);
+        (void)memcpy(data, &number, sizeof number);
     } else if (size == 2u) {
         uint16_t number;
-        memcpy(&number, data, sizeof number);
+        (void)memcpy(&number, data, sizeof number);
         number = (uint16_t)(number + node_id);
-        memcpy(data, &number, sizeof number);
+        (void)memcpy(data, &number, sizeof number);
     } else if (size == 4u) {
         uint32_t number;
-        memcpy(&number, data, sizeof number);
+        (void)memcpy(&number, data, sizeof number);
         number += node_id;
-        memcpy(data, &number, sizeof number);
+        (void)memcpy(data, &number, sizeof number);
     } else {
         uint64_t number;
-        memcpy(&number, data, sizeof number);
+        (void)memcpy(&number, data, sizeof number);
         number += node_id;
-        memcpy(data, &number, sizeof number);
+        (void)memcpy(data, &number, sizeof number);
     }
 }
 
 void {{ lower }}_init(uint8_t node_id)
 {
     const {{ lower }}_entry_t *entry;
-    memset(&{{ lower }}_data, 0, sizeof {{ lower }}_data);
+    (void)memset(&{{ lower }}_data, 0, sizeof {{ lower }}_data);
     {{ lower }}_data.node_id = node_id & 0x7Fu;
     for (entry = {{ lower }}_entries; entry < {{ lower }}_entries + {{ upper }}_ENTRY_COUNT; entry++) {
         size_t size = {{ lower }}_stored_size(entry);
@@ -105,11 +105,11 @@ void {{ lower }}_init(uint8_t node_id)
         if ((entry->data_type >= {{ upper }}_VISIBLE_STRING && entry->data_type <= {{ upper }}_UNICODE_STRING)
             || entry->data_type == {{ upper }}_DOMAIN) {
             uint16_t length;
-            memcpy(&length, entry->def, sizeof length);
+            (void)memcpy(&length, entry->def, sizeof length);
             size = sizeof length + length;
         }
 {%- endif %}
-        memcpy(entry->data, entry->def, size);
+        (void)memcpy(entry->data, entry->def, size);
         if ((entry->flags & {{ upper }}_NODE_ID_DEFAULT) != 0u) {
             {{ lower }}_add_node_id(entry->data, size, {{ lower }}_data.node_id);
         }

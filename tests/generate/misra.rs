@@ -1,0 +1,60 @@
+//! What the page on MISRA C says of the C files is what a checker finds.
+
+use std::collections::BTreeSet;
+use std::process::Command;
+
+use objdict::generate::{CTable, Options, Target, generate};
+
+use crate::{device, odd, support};
+
+/// The rules that the page names for a layout.
+fn documented(table: CTable) -> BTreeSet<String> {
+    let page = include_str!("../../docs/targets/c.md");
+    let rows = page.lines().filter_map(|line| {
+        let cells: Vec<&str> = line.split('|').map(str::trim).collect();
+        let [_, rule, kind, layout, ..] = *cells else { return None };
+        let is_rule = matches!(kind, "advisory" | "required");
+        (is_rule && (layout.is_empty() || table == CTable::Structs)).then(|| rule.to_owned())
+    });
+    rows.collect()
+}
+
+fn found(options: &Options) -> BTreeSet<String> {
+    let mut devices: Vec<_> =
+        ["eds/dspic-sensors.eds", "xdd/valve.xdd"].map(|name| device(&support::fixtures().join(name))).into();
+    devices.push(odd::device());
+    let mut rules = BTreeSet::new();
+    for device in devices {
+        let folder = tempfile::tempdir().unwrap();
+        let mut command = Command::new("cppcheck");
+        command.current_dir(folder.path()).args(["--addon=misra", "--std=c99", "--quiet"]);
+        for file in generate(&device, Target::named("c").unwrap(), options).unwrap().files {
+            std::fs::write(folder.path().join(&file.path), &file.contents).unwrap();
+            if file.path.ends_with(".c") {
+                command.arg(&file.path);
+            }
+        }
+        let output = command.output().unwrap();
+        let text = String::from_utf8_lossy(&output.stderr).into_owned();
+        let findings = text.split("[misra-c2012-").skip(1).filter_map(|rest| rest.split_once(']'));
+        rules.extend(findings.map(|(rule, _)| rule.to_owned()));
+    }
+    rules
+}
+
+#[test]
+fn the_deviations_are_those_of_the_page() {
+    if Command::new("cppcheck").arg("--version").output().is_err() {
+        eprintln!("skipped: there is no cppcheck");
+        return;
+    }
+    for table in [CTable::Compact, CTable::Structs] {
+        let mut options = Options::default();
+        options.table = table;
+        options.groups = vec!["2000-2FFF=APP".parse().unwrap()];
+        options.hooks = ["2000".parse().unwrap()].into();
+        let (documented, found) = (documented(table), found(&options));
+        let untold: Vec<_> = found.difference(&documented).collect();
+        assert!(!found.is_empty() && untold.is_empty(), "{table:?}: {untold:?} are not in docs/targets/c.md");
+    }
+}
