@@ -15,6 +15,7 @@ fn main() -> Result<(), Box<dyn std::error::Error>> {
     let out = PathBuf::from(std::env::var_os("OUT_DIR").ok_or("cargo sets OUT_DIR")?);
     let (mut canopen_rs, mut dictionaries) = (String::new(), String::new());
     derived(&out)?;
+    served(&out)?;
     let (mut zencan, mut nodes) = (String::new(), String::new());
     for (name, device) in devices::devices() {
         let path = written(&out.join("canopen-rs").join(&name), &device, "canopen-rs", &name)?;
@@ -63,6 +64,29 @@ fn derived(out: &Path) -> Result<(), Box<dyn std::error::Error>> {
     )?;
     writeln!(serde, "const DEVICES: &[Trip] = &[\n{list}];")?;
     std::fs::write(out.join("serde.rs"), serde)?;
+    Ok(())
+}
+
+/// Rust tables that use `objdict-device`, and their PDOs.
+fn served(out: &Path) -> Result<(), Box<dyn std::error::Error>> {
+    let (mut modules, mut pdos) = (String::new(), String::new());
+    for (name, device) in devices::devices() {
+        let mut options = Options::default();
+        options.runtime = true;
+        let generated = generate(&device, Target::RUST, &options)?;
+        let contents = std::str::from_utf8(&generated.files[0].contents)?;
+        let path = out.join(format!("{name}_runtime.rs"));
+        std::fs::write(&path, contents)?;
+        writeln!(modules, "pub(crate) mod {name} {{ include!({:?}); }}", path.display().to_string())?;
+        let implementations = contents.split("impl objdict_device::Pdo for ").skip(1);
+        for type_name in implementations.filter_map(|rest| rest.split(' ').next()) {
+            let direction = if type_name.starts_with('T') { "transmits" } else { "receives" };
+            let path = format!("{name}::pdo::{type_name}");
+            writeln!(pdos, "({path:?}, || {direction}::<_, {path}, _>({name}::Data::new(5))),")?;
+        }
+    }
+    let list = "/// A PDO and its test.\ntype Exchange = (&'static str, fn() -> bool);\n\nconst PDOS: &[Exchange] = &[";
+    std::fs::write(out.join("runtime.rs"), format!("{modules}{list}\n{pdos}];\n"))?;
     Ok(())
 }
 

@@ -100,9 +100,9 @@ impl od::Hooks<od::Data> for Application {
         if index == 0x2004 { Err(od::Abort::Hardware) } else { Ok(()) }
     }
 
-    fn after_write(&mut self, data: &mut od::Data, index: u16, sub: u8) -> Result<(), od::Abort> {
-        println!("after {index:04X} {sub:02X} {}", data.get(od::COUNTER));
-        if index == 0x2000 && data.get(od::COUNTER) == 13 {
+    fn after_write(&mut self, data: &mut od::Data, change: od::Change<'_>) -> Result<(), od::Abort> {
+        println!("after {:04X} {:02X} {}", change.index(), change.sub(), data.get(od::COUNTER));
+        if change.old(od::COUNTER).is_some() && data.get(od::COUNTER) == 13 {
             Err(od::Abort::Incompatible)
         } else if data.get(od::LABEL) == b"bad ones" {
             Err(od::Abort::DeviceState)
@@ -258,10 +258,11 @@ fn answers_are_the_same_with_hooks_and_groups() {
     batch.build(&[]);
     for_all(&devices, |(name, device)| {
         let fail = |error: String| format!("{name}: {error}");
-        let script = script::of(device);
+        let script = script::in_rust(device);
         let output = batch.run(name, &script.input).map_err(fail)?;
         compare(name, "Rust", &script, &output)?;
         let Some(compiler) = c_compiler() else { return Ok(()) };
+        let script = script::in_c(device);
         let folder = tempfile::tempdir().map_err(|error| error.to_string())?;
         let folder = folder.path();
         generate_with(folder, device, "c", &options(device));

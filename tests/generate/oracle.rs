@@ -28,6 +28,16 @@ impl Dictionary {
         Self { node_id, values: values.collect(), facts }
     }
 
+    /// SDOs cannot write PDO mappings, as in Rust without `--runtime`.
+    pub(crate) fn freeze_mappings(&mut self) {
+        let is_mapping = |index| matches!(index, 0x1600..=0x17FF | 0x1A00..=0x1BFF);
+        let facts = self
+            .facts
+            .iter_mut()
+            .filter(|((index, _), facts)| is_mapping(*index) && facts.access.is_writable());
+        facts.for_each(|(_, facts)| facts.access = Access::Ro);
+    }
+
     fn facts(&self, index: u16, sub: u8) -> Result<&Facts, u32> {
         let exists = self.facts.range((index, 0)..=(index, 0xFF)).next().is_some();
         let missing = if exists { 0x0609_0011 } else { 0x0602_0000 };

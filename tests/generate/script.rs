@@ -14,11 +14,21 @@ pub(crate) struct Script {
     pub(crate) expected: Vec<String>,
 }
 
-/// All operations on a device, for two node-IDs.
-pub(crate) fn of(device: &Device) -> Script {
+/// All operations on a device in Rust, for two node-IDs.
+pub(crate) fn in_rust(device: &Device) -> Script {
+    of(device, Dictionary::freeze_mappings)
+}
+
+/// All operations on a device in C, for two node-IDs.
+pub(crate) fn in_c(device: &Device) -> Script {
+    of(device, |_| {})
+}
+
+fn of(device: &Device, change: fn(&mut Dictionary)) -> Script {
     let mut script = Script::default();
     for node_id in [5, 127] {
         let mut dictionary = Dictionary::new(device, node_id);
+        change(&mut dictionary);
         writeln!(script.input, "i {node_id:02X}\nt").unwrap();
         script.expected.extend(dictionary.table());
         let entries: BTreeMap<(u16, u8), Facts> = facts_of(device).collect();

@@ -127,11 +127,14 @@ impl Session {
         let mut session = Self::default();
         let all: Vec<(Group, Vec<_>)> = groups.iter().map(|&group| (group, members(device, group))).collect();
         let (mut values, others) = (Dictionary::new(device, 5), Dictionary::new(device, 127));
+        // the same answers in Rust, where SDOs cannot write mappings, and in C
+        let is_mapping = |index: u16| matches!(index, 0x1600..=0x17FF | 0x1A00..=0x1BFF);
         session.line(format_args!("i 05"), "0");
         for (group, members) in &all {
             session.save(*group, &image(members, &values));
         }
-        for (index, sub, facts) in all.iter().flat_map(|(_, members)| members) {
+        let written = all.iter().flat_map(|(_, members)| members).filter(|(index, ..)| !is_mapping(*index));
+        for (index, sub, facts) in written {
             let longer = if has_length(facts) { vec![0x41; facts.size & !1] } else { Vec::new() };
             for value in edges(facts).into_iter().chain([longer]).filter(|_| writes) {
                 let answer = values.write(*index, *sub, &value).err().unwrap_or(0);
@@ -524,7 +527,11 @@ fn the_examples_of_the_documentation_run() {
     let folder = tempfile::tempdir().unwrap();
     let folder = folder.path();
     for target in ["rust", "c"] {
-        assert_eq!(generate_with(folder, &device, target, &options).notes, []);
+        let notes = generate_with(folder, &device, target, &options).notes;
+        assert!(
+            notes.iter().all(|note| note.message.starts_with("SDOs cannot write PDO mappings")),
+            "{notes:?}"
+        );
     }
     std::fs::write(folder.join("example.rs"), example("rust")).unwrap();
     succeed(rustc(folder).args(["-o", "in-rust", "example.rs"]), "").unwrap();

@@ -1,6 +1,7 @@
 //! What a server needs of an object dictionary.
 
 use crate::Abort;
+use crate::table::{Data, Entry, Table};
 
 /// What is known of an entry without its value.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -49,5 +50,32 @@ pub trait Dictionary {
         let length = self.read(index, sub, &mut bytes)?.min(8);
         bytes.iter_mut().skip(length).for_each(|byte| *byte = 0);
         Ok(u64::from_le_bytes(bytes))
+    }
+}
+
+impl<D: Table> From<&Entry<D>> for Attributes {
+    fn from(entry: &Entry<D>) -> Self {
+        Self {
+            size: entry.size(),
+            data_type: entry.data_type(),
+            readable: entry.is_readable(),
+            writable: entry.is_writable(),
+            fits_tpdo: entry.fits_tpdo(),
+            fits_rpdo: entry.fits_rpdo(),
+        }
+    }
+}
+
+impl<D: Table, const RAM: usize> Dictionary for Data<D, RAM> {
+    fn attributes(&self, index: u16, sub: u8) -> Result<Attributes, Abort> {
+        Entry::<D>::find(index, sub).map(Attributes::from)
+    }
+
+    fn read(&mut self, index: u16, sub: u8, buffer: &mut [u8]) -> Result<usize, Abort> {
+        Self::read(self, index, sub, buffer)
+    }
+
+    fn write(&mut self, index: u16, sub: u8, bytes: &[u8]) -> Result<(), Abort> {
+        Self::write(self, index, sub, bytes)
     }
 }

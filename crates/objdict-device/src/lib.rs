@@ -19,15 +19,21 @@ mod nmt;
 mod node;
 mod pdo;
 mod sdo;
+#[cfg(feature = "critical-section")]
+mod shared;
 #[cfg(feature = "source")]
 pub mod source;
 pub mod table;
+mod watched;
 
 pub use dictionary::{Attributes, Dictionary};
 pub use emergency::emergency;
 pub use frame::Frame;
 pub use nmt::{Heartbeat, HeartbeatConsumer, Nmt, NmtCommand, NmtState};
 pub use node::{Node, Received};
-pub use pdo::{Guarded, Pdos, Reception};
+pub use pdo::{Guarded, Pdo, Pdos, Reception};
 pub use sdo::SdoServer;
+#[cfg(feature = "critical-section")]
+pub use shared::Shared;
 pub use table::Abort;
+pub use watched::Watched;

@@ -145,6 +145,15 @@ macro_rules! with_options {
                 argument: bool [help_heading = "Size"],
                 method: feature_gates(gates: bool) => Ok(gates),
             }
+            /// Generate Rust that uses the crate `objdict-device`, so that SDOs may change PDO mappings
+            ///
+            /// The code of the table is in the crate then, and the values implement its `Dictionary`. Without it the file has no
+            /// dependency, and mappings are read-only, because the structs of PDOs have those of the description.
+            Runtime "runtime" {
+                field: runtime: bool = false,
+                argument: bool [help_heading = "Stacks"],
+                method: runtime(is_used: bool) => Ok(is_used),
+            }
             /// Derive traits of other crates for the Rust types
             ///
             /// Can be called several times.

@@ -1,8 +1,8 @@
-//! The frames of a driver are those of `objdict-device`, by way of `embedded-can`.
+//! The features of `objdict-device`: frames of a driver, by way of `embedded-can`, and values that threads share.
 
 #![allow(clippy::unwrap_used, reason = "a test fails by panicking")]
 
-use objdict_device::Frame;
+use objdict_device::{Frame, Shared};
 use socketcan::{CanDataFrame, CanFrame, EmbeddedFrame, ExtendedId, StandardId};
 
 #[test]
@@ -20,4 +20,15 @@ fn remote_frames_and_long_identifiers_are_left_out() {
     let remote: CanFrame = EmbeddedFrame::new_remote(StandardId::new(0x605).unwrap(), 8).unwrap();
     let long: CanFrame = EmbeddedFrame::new(ExtendedId::new(0x605).unwrap(), &[1]).unwrap();
     assert_eq!([Frame::from_driver(&remote), Frame::from_driver(&long)], [None, None]);
+}
+
+#[test]
+fn interrupts_and_the_main_program_share_values() {
+    static COUNT: Shared<u32> = Shared::new(0);
+    std::thread::scope(|scope| {
+        for _ in 0..4 {
+            scope.spawn(|| (0..1000).for_each(|_| COUNT.with(|count| *count += 1).unwrap()));
+        }
+    });
+    assert_eq!(COUNT.with(|count| (*count, COUNT.with(|_| ()))), Some((4000, None)));
 }

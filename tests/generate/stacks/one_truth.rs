@@ -115,6 +115,8 @@ fn columns(compiler: &str, folder: &Path, device: &Device, in_rust: Column) -> R
     Ok(columns)
 }
 
+const OF_RUST: &[(Aspect, &str)] = &[(Aspect::Access, "SDOs cannot write PDO mappings")];
+
 const OF_CANOPENNODE: &[(Aspect, &str)] = &[
     (Aspect::Entry, "an object of the stack has at most 255 entries"),
     (Aspect::Size, "of the stack has a fixed length"),
@@ -185,6 +187,7 @@ fn every_target_has_what_every_other_has() {
     for_all(&devices, |(name, device)| {
         let folder = tempfile::tempdir().map_err(|error| error.to_string())?;
         let rust = plain("rust", &batch.run(name, &table())?, in_rust(device).notes)?;
+        let rust = Column { excuses: OF_RUST, ..rust };
         let columns =
             columns(&compiler, folder.path(), device, rust).map_err(|error| format!("{name}: {error}"))?;
         cells.fetch_add(agree(name, &columns)?, Ordering::Relaxed);

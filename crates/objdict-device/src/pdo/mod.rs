@@ -35,6 +35,28 @@ pub struct Pdos<const R: usize, const T: usize> {
     is_running: bool,
 }
 
+/// A PDO with the mapping of the description, as a struct of its values. The generated file implements it.
+pub trait Pdo: Sized {
+    /// The values of the device.
+    type Data;
+    /// The index of its communication parameters, such as 1800h.
+    const INDEX: u16;
+    /// Length of a frame in bytes.
+    const LENGTH: usize;
+
+    /// Reads the present values.
+    fn load(data: &Self::Data) -> Self;
+
+    /// Writes the values without checking limits; constants are unchanged.
+    fn store(&self, data: &mut Self::Data);
+
+    /// The values as in a frame, with zeros beyond its length.
+    fn to_bytes(&self) -> [u8; 8];
+
+    /// The values of a frame.
+    fn from_bytes(bytes: [u8; 8]) -> Self;
+}
+
 /// What became of a received frame. PDOs are named by the index of their communication parameters.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Reception {

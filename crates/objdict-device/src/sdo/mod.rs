@@ -58,8 +58,8 @@ impl<const BUFFER: usize> SdoServer<BUFFER> {
     /// Time without a frame, in microseconds, after which a transfer is aborted, unless [`SdoServer::with_timeout`] says otherwise.
     pub const TIMEOUT: u64 = 500_000;
 
-    /// The server of the channel with this number: 0 for the default channel, whose object 1200h a device may lack, `n` for
-    /// the channel of object 1200h + `n`.
+    /// The server of the channel with this number: 0 for the default channel, whose COB-IDs no device can change, `n` for the channel
+    /// of object 1200h + `n`.
     #[must_use]
     pub const fn new(number: u8, node_id: u8) -> Self {
         Self {
@@ -136,14 +136,13 @@ impl<const BUFFER: usize> SdoServer<BUFFER> {
 
     /// The COB-IDs of request and response; `None` while the channel is not valid.
     fn cob_ids<D: Dictionary + ?Sized>(&self, dictionary: &mut D) -> Option<(u32, u32)> {
-        let mut cob_id = |sub| dictionary.number(self.object, sub).map(|number| number as u32);
-        let node_id = u32::from(self.node_id);
-        match (cob_id(1), cob_id(2)) {
-            (Ok(request), Ok(response)) => {
-                ((request | response) & NOT_VALID == 0).then_some((request, response))
-            }
-            _ => (self.object == 0x1200).then_some((0x600 | node_id, 0x580 | node_id)),
+        if self.object == 0x1200 {
+            let node_id = u32::from(self.node_id);
+            return Some((0x600 + node_id, 0x580 + node_id));
         }
+        let mut cob_id = |sub| dictionary.number(self.object, sub).map(|number| number as u32);
+        let (request, response) = (cob_id(1).ok()?, cob_id(2).ok()?);
+        ((request | response) & NOT_VALID == 0).then_some((request, response))
     }
 
     fn send(&mut self, response: u32, answer: Result<Option<[u8; 8]>, Abort>) -> Option<Frame> {

@@ -1,4 +1,4 @@
-use super::{Abort, Data, Entry, Table};
+use super::{Abort, Data, Entry, Handle, Table, Typed, Variable};
 
 /// Hooks of the application for the entries selected with `--hook`; `V` is [`Data`].
 pub trait Hooks<V> {
@@ -11,14 +11,43 @@ pub trait Hooks<V> {
         Ok(())
     }
 
-    /// Called after such an entry was written; the entry has its new value.
+    /// Called after such an entry was written; `data` has its new value.
     ///
     /// # Errors
     /// The code to abort the download with: the old value is restored; other changes of
     /// the hook remain.
-    fn after_write(&mut self, data: &mut V, index: u16, sub: u8) -> Result<(), Abort> {
-        let _ = (data, index, sub);
+    fn after_write(&mut self, data: &mut V, change: Change<'_>) -> Result<(), Abort> {
+        let _ = (data, change);
         Ok(())
+    }
+}
+
+/// What was written, for [`Hooks::after_write`].
+#[derive(Clone, Copy, Debug)]
+pub struct Change<'a> {
+    index: u16,
+    sub: u8,
+    old: &'a [u8],
+}
+
+impl<'a> Change<'a> {
+    /// The index of the entry.
+    #[must_use]
+    pub const fn index(self) -> u16 {
+        self.index
+    }
+
+    /// The sub-index of the entry.
+    #[must_use]
+    pub const fn sub(self) -> u8 {
+        self.sub
+    }
+
+    /// The value before, if this is the entry that was written.
+    #[must_use]
+    pub fn old<D: Table, T: Typed + ?Sized, A>(self, handle: Handle<D, T, A>) -> Option<T::Value<'a>> {
+        let is_this = self.index == handle.index() && self.sub == handle.sub();
+        is_this.then(|| T::load(self.old))
     }
 }
 
@@ -61,8 +90,33 @@ impl<D: Hooked, const RAM: usize> Data<D, RAM> {
         bytes: &[u8],
     ) -> Result<(), Abort> {
         let entry = Entry::find(index, sub)?;
+        if entry.is_writable() { self.write_entry_with(hooks, entry, bytes) } else { Err(Abort::ReadOnly) }
+    }
+
+    /// Like [`Data::set`], with hooks.
+    ///
+    /// # Errors
+    /// Why the value is not valid, or what the hook answered; the value is unchanged.
+    pub fn set_with<T: Typed + ?Sized, A: Variable>(
+        &mut self,
+        hooks: &mut (impl Hooks<Self> + ?Sized),
+        handle: Handle<D, T, A>,
+        value: T::Value<'_>,
+    ) -> Result<(), Abort> {
+        if !T::fits(value, handle.size()) {
+            return Err(Abort::InvalidValue);
+        }
+        T::with_bytes(value, handle.size(), |bytes| self.write_entry_with(hooks, handle.entry(), bytes))
+    }
+
+    fn write_entry_with(
+        &mut self,
+        hooks: &mut (impl Hooks<Self> + ?Sized),
+        entry: &Entry<D>,
+        bytes: &[u8],
+    ) -> Result<(), Abort> {
         if !entry.is_hooked() {
-            return self.write(index, sub, bytes);
+            return self.write_entry(entry, bytes);
         }
         let mut room = D::ROOM;
         let old = self.value(entry).and_then(|value| {
@@ -70,8 +124,9 @@ impl<D: Hooked, const RAM: usize> Data<D, RAM> {
             place.copy_from_slice(value);
             Some(&*place)
         });
-        self.write(index, sub, bytes)?;
-        let answer = hooks.after_write(self, index, sub);
+        self.write_entry(entry, bytes)?;
+        let change = Change { index: entry.index(), sub: entry.sub(), old: old.unwrap_or(&[]) };
+        let answer = hooks.after_write(self, change);
         if let (Err(_), Some(old)) = (answer, old) {
             self.keep(entry, old);
         }

@@ -20,7 +20,7 @@ pub use codes::*;
 pub use data::{Configured, Data};
 pub use entry::{Entry, Table};
 pub use handle::{Array, Const, Elsewhere, Handle, NodeConst, Ro, Rw, Variable, Wo};
-pub use hooks::{Hooked, Hooks};
+pub use hooks::{Change, Hooked, Hooks};
 pub use pdo::{first, pack, unpack};
 pub use stored::{Group, ImageError};
 pub use value::{Time, Typed};

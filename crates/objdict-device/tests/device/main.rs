@@ -8,6 +8,7 @@ mod nmt;
 mod node;
 mod pdo;
 mod sdo;
+mod watched;
 
 use objdict_device::Frame;
 

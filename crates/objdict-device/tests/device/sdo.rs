@@ -171,7 +171,7 @@ fn a_transfer_times_out_and_a_new_one_replaces_it() {
 
 #[test]
 fn each_channel_has_its_cob_ids() {
-    let ids = [0x1200, 0x1201].into_iter().zip([[0x605, 0x585], [0x640, 0x8000_05C0]]);
+    let ids = [0x1200, 0x1201].into_iter().zip([[0x666, 0x8000_0555], [0x640, 0x8000_05C0]]);
     let map =
         ids.fold(Map::default().number(0x2000, 0, UNSIGNED16, 7), |map, (index, [request, response])| {
             map.number(index, 1, UNSIGNED32, request).number(index, 2, UNSIGNED32, response)
@@ -186,7 +186,7 @@ fn each_channel_has_its_cob_ids() {
             .map(|answer| answer.id())
             .collect()
     };
-    assert_eq!(answers(&mut map, 0x605), [0x585]);
+    assert_eq!(answers(&mut map, 0x605), [0x585], "those of the default channel are fixed");
     assert_eq!(answers(&mut map, 0x640), [0_u16; 0], "bit 31: the channel is not valid");
     map.set(0x1201, 2, &0x5C0_u32.to_le_bytes());
     assert_eq!(answers(&mut map, 0x640), [0x5C0]);

@@ -15,11 +15,11 @@ pub(super) use literal::{value_of, word_type};
 use super::defaults::constants;
 use super::frames::frames;
 use super::meanings::meanings;
-use super::notes::in_order;
+use super::notes::{in_order, once_per_device};
 use super::size::Layout;
 use super::table::Table;
-use super::{Backend, Choice, GenerateError, Generated, Options, SizeReport, Sizes, render};
-use crate::model::Device;
+use super::{Backend, Choice, GenerateError, Generated, Note, Options, SizeReport, Sizes, render};
+use crate::model::{Access, Device, Place};
 
 /// Bytes of `Data::new`, `read` and `write` with everything they call, for a device that needs all of it.
 const CODE: usize = 2_700;
@@ -48,6 +48,7 @@ impl Backend for Rust {
             Choice::EntryNames,
             Choice::FeatureGates,
             Choice::Derives,
+            Choice::Runtime,
         ]
     }
 
@@ -55,6 +56,9 @@ impl Backend for Rust {
         let module = options.module_or("od")?;
         let mut table = Table::new(device, options)?;
         let mut notes = std::mem::take(&mut table.notes);
+        if !options.runtime {
+            notes.extend(freeze_mappings(&mut table));
+        }
         let frames = frames(device, &table, &mut notes);
         let constants = constants(device, &table, &mut notes);
         let named = meanings(device, &table, options, &mut notes);
@@ -70,4 +74,16 @@ impl Backend for Rust {
         let layout = Layout { row: 10, ram, value: places::value_size, code: CODE, counted };
         Ok(Sizes::Known(SizeReport::of_table(&table, layout)))
     }
+}
+
+/// Makes PDO mappings read-only: the structs of PDOs would not follow another one.
+fn freeze_mappings(table: &mut Table) -> Vec<Note> {
+    let is_mapping = |index| matches!(index, 0x1600..=0x17FF | 0x1A00..=0x1BFF);
+    let rows = table.rows.iter_mut().filter(|row| is_mapping(row.index) && row.access().is_writable());
+    let notes = rows.map(|row| {
+        row.resolved.access = Access::Ro;
+        let text = "SDOs cannot write PDO mappings; `--runtime` allows it";
+        Note::new(Place::entry(row.index, row.sub), text)
+    });
+    once_per_device(notes.collect())
 }

@@ -37,6 +37,10 @@ pub(super) struct Od<'a> {
     defaults: Defaults,
     meanings: Option<Meanings<'a>>,
     frames: Vec<FrameView<'a>>,
+    /// The communication parameters of RPDOs and of TPDOs.
+    pdos: [Vec<u16>; 2],
+    /// Whether the code of the table is in a crate.
+    runtime: bool,
     /// Whether the entries have names.
     names: bool,
     /// Whether optional parts depend on features.
@@ -72,12 +76,17 @@ impl<'a> Od<'a> {
             ram: places.total,
             objects: Objects::new(device, table),
             groups: places.groups(table),
-            hook_room: hooks::has_hooks(table).then(|| hooks::room(table)),
+            hook_room: (options.runtime || hooks::has_hooks(table)).then(|| hooks::room(table)),
             rows,
             rom: table.rom.chunks(16).map(hex_bytes).collect(),
             defaults: Defaults::new(constants),
             meanings: (!named.is_empty()).then(|| Meanings::new(named, derives)),
             frames: frames.iter().map(|frame| FrameView::new(table, frame)).collect(),
+            pdos: [0x1400..=0x15FF, 0x1800..=0x19FF].map(|indexes| {
+                let cob_ids = table.rows.iter().filter(|row| row.sub == 1 && indexes.contains(&row.index));
+                cob_ids.map(|row| row.index).collect()
+            }),
+            runtime: options.runtime,
             names: options.entry_names,
             gates: options.feature_gates,
             derives: &options.derives,
@@ -93,6 +102,12 @@ impl<'a> Od<'a> {
             derives: self.derives,
         };
         parts.text()
+    }
+
+    /// A list of indexes as an array of Rust.
+    fn indexes(indexes: &[u16]) -> String {
+        let indexes: Vec<String> = indexes.iter().map(|index| format!("0x{index:04X}")).collect();
+        format!("[{}]", indexes.join(", "))
     }
 
     /// The attribute lines after the standard derives, indented.

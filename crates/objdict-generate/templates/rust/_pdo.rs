@@ -8,6 +8,14 @@
 pub mod pdo {
     use super::table::{first, pack, unpack};
     use super::Data;
+{%- if runtime %}
+
+    /// The communication parameters of the RPDOs.
+    pub const RPDOS: [u16; {{ pdos[0].len() }}] = {{ Self::indexes(pdos[0]) }};
+
+    /// The communication parameters of the TPDOs.
+    pub const TPDOS: [u16; {{ pdos[1].len() }}] = {{ Self::indexes(pdos[1]) }};
+{%- endif %}
 {% for frame in frames %}
     /// {{ frame.frame.title }} (`0x{{ frame.frame.communication_index|hex4 }}`, `0x{{ frame.frame.mapping_index|hex4 }}`).
     #[allow(clippy::struct_excessive_bools)]
@@ -79,5 +87,29 @@ pub mod pdo {
             }
         }
     }
+{%- if runtime %}
+
+    impl objdict_device::Pdo for {{ frame.type_name }} {
+        type Data = Data;
+        const INDEX: u16 = 0x{{ frame.frame.communication_index|hex4 }};
+        const LENGTH: usize = {{ frame.frame.length }};
+
+        fn load(data: &Data) -> Self {
+            Self::load(data)
+        }
+
+        fn store(&self, data: &mut Data) {
+            Self::store(self, data);
+        }
+
+        fn to_bytes(&self) -> [u8; 8] {
+            first(&self.pack())
+        }
+
+        fn from_bytes(bytes: [u8; 8]) -> Self {
+            Self::unpack(first(&bytes))
+        }
+    }
+{%- endif %}
 {% endfor -%}
 }

@@ -3,7 +3,7 @@
 // Object dictionary of {{ table.product|code_span }} by {{ table.vendor|code_span }}.
 //
 // `Data` contains the variable values: `get` and `set` take the constants of this file, `read` and
-// `write` index and sub-index, as an SDO does. The file has no dependencies and needs no standard
+// `write` index and sub-index, as an SDO does. The file {% if runtime %}depends on `objdict-device`{% else %}has no dependencies{% endif %} and needs no standard
 // library; use it as a module or with `include!`. Products rarely use all of it, so dead code is
 // allowed; `unreachable_pub` depends on where it is included.
 {%- if let Some(node_id) = table.node_id %}
@@ -43,7 +43,7 @@ pub type Handle<T, A> = table::Handle<Od, T, A>;
 pub type Array<T, A> = table::Array<Od, T, A>;
 
 #[allow(unused_imports, unreachable_pub)]
-pub use table::{Abort, Const, Elsewhere, {% if hook_room.is_some() %}Hooks, {% endif %}{% if !groups.is_empty() %}ImageError, {% endif %}NodeConst, Ro, Rw, Time, Wo};
+pub use table::{Abort, {% if hook_room.is_some() %}Change, {% endif %}Const, Elsewhere, {% if hook_room.is_some() %}Hooks, {% endif %}{% if !groups.is_empty() %}ImageError, {% endif %}NodeConst, Ro, Rw, Time, Wo};
 
 /// Finds the entry with an index and a sub-index by binary search.
 ///
@@ -73,7 +73,7 @@ pub mod groups {
 {{ meanings }}
 
 {% endif -%}
-{%- if !frames.is_empty() -%}
+{%- if runtime || !frames.is_empty() -%}
 {% include "_pdo.rs" %}
 
 {% endif -%}
@@ -130,6 +130,16 @@ impl table::Hooked for Od {
 }
 {%- endif %}
 
+{%- if runtime %}
+
+/// The values with the hooks of the application.
+#[allow(dead_code, unreachable_pub)]
+pub type Watched<H> = objdict_device::Watched<Data, H, {{ rows.len().div_ceil(8) }}>;
+
+#[allow(unreachable_pub)]
+pub use objdict_device::table;
+{%- else %}
+
 /// The code that serves the table, which is the same for every device.
 #[allow(dead_code, unreachable_pub)]
 #[allow(clippy::arithmetic_side_effects, clippy::nursery, clippy::pedantic)]
@@ -137,3 +147,4 @@ impl table::Hooked for Od {
 pub mod table {
 {{ code() }}
 }
+{%- endif %}

@@ -1,0 +1,79 @@
+//! Values with the hooks of the application.
+
+use crate::table::{Data, Entry, Handle, Hooked, Hooks, Typed, Variable};
+use crate::{Abort, Attributes, Dictionary};
+
+/// The values of a device with the hooks of its application, which are called for SDOs, RPDOs and [`Watched::set`] alike, and a flag
+/// for each entry that was written. `FLAGS` is a byte for every eight entries; the generated file has a type with it.
+#[derive(Clone, Debug)]
+pub struct Watched<V, H, const FLAGS: usize> {
+    /// The values. What is written to them directly calls no hook and raises no flag.
+    pub data: V,
+    /// The hooks.
+    pub hooks: H,
+    changed: [u8; FLAGS],
+}
+
+impl<V, H, const FLAGS: usize> Watched<V, H, FLAGS> {
+    /// Values with hooks and no flag.
+    #[must_use]
+    pub const fn new(data: V, hooks: H) -> Self {
+        Self { data, hooks, changed: [0; FLAGS] }
+    }
+}
+
+impl<D: Hooked, H: Hooks<Data<D, RAM>>, const RAM: usize, const FLAGS: usize>
+    Watched<Data<D, RAM>, H, FLAGS>
+{
+    /// Sets a value as an SDO does, hooks and limits included; access does not matter.
+    ///
+    /// # Errors
+    /// Why the value is not valid, or what a hook answered; the value is unchanged.
+    pub fn set<T: Typed + ?Sized, A: Variable>(
+        &mut self,
+        handle: Handle<D, T, A>,
+        value: T::Value<'_>,
+    ) -> Result<(), Abort> {
+        self.data.set_with(&mut self.hooks, handle, value)?;
+        self.raise(handle.entry());
+        Ok(())
+    }
+
+    /// Whether the entry was written since the last call.
+    pub fn take_changed(&mut self, entry: &Entry<D>) -> bool {
+        let Some((byte, bit)) = self.flag(entry) else { return false };
+        let was_changed = *byte & bit != 0;
+        *byte &= !bit;
+        was_changed
+    }
+
+    fn raise(&mut self, entry: &Entry<D>) {
+        if let Some((byte, bit)) = self.flag(entry) {
+            *byte |= bit;
+        }
+    }
+
+    fn flag(&mut self, entry: &Entry<D>) -> Option<(&mut u8, u8)> {
+        let key = |entry: &Entry<D>| (entry.index(), entry.sub());
+        let row = D::ENTRIES.binary_search_by_key(&key(entry), key).ok()?;
+        Some((self.changed.get_mut(row / 8)?, 1 << (row % 8)))
+    }
+}
+
+impl<D: Hooked, H: Hooks<Data<D, RAM>>, const RAM: usize, const FLAGS: usize> Dictionary
+    for Watched<Data<D, RAM>, H, FLAGS>
+{
+    fn attributes(&self, index: u16, sub: u8) -> Result<Attributes, Abort> {
+        self.data.attributes(index, sub)
+    }
+
+    fn read(&mut self, index: u16, sub: u8, buffer: &mut [u8]) -> Result<usize, Abort> {
+        self.data.read_with(&mut self.hooks, index, sub, buffer)
+    }
+
+    fn write(&mut self, index: u16, sub: u8, bytes: &[u8]) -> Result<(), Abort> {
+        self.data.write_with(&mut self.hooks, index, sub, bytes)?;
+        self.raise(Entry::find(index, sub)?);
+        Ok(())
+    }
+}

@@ -1,0 +1,10 @@
+//! Makes `od.rs` of the EDS that the variable `NODE_EDS` names.
+
+use objdict::build_script::{Builder, Error};
+
+fn main() -> Result<(), Error> {
+    println!("cargo:rerun-if-env-changed=NODE_EDS");
+    let eds = std::env::var("NODE_EDS").unwrap_or_else(|_| "../../fixtures/eds/all-types.eds".to_owned());
+    Builder::new(eds).node_id(5).domain_capacity(1000).runtime(true).generate()?;
+    Ok(())
+}
