@@ -21,7 +21,10 @@ fn read(node: &mut Node, index: u16, sub: u8) -> Result<Vec<u8>, u32> {
 #[test]
 fn what_is_written_is_read() {
     let mut node = node();
-    assert_eq!(read(&mut node, od::identity::INDEX, od::identity::VENDOR_ID.sub()), Ok(vec![0xF9, 0x03, 0, 0]));
+    assert_eq!(
+        read(&mut node, od::identity::INDEX, od::identity::VENDOR_ID.sub()),
+        Ok(vec![0xF9, 0x03, 0, 0])
+    );
     assert_eq!(node.answer([0x2B, 0x17, 0x10, 0, 0xF4, 0x01, 0, 0]), Some([0x60, 0x17, 0x10, 0, 0, 0, 0, 0]));
     assert_eq!(read(&mut node, od::PRODUCER_HEARTBEAT_TIME.index(), 0), Ok(vec![0xF4, 0x01]));
     // the frame does not say how many bytes it has
