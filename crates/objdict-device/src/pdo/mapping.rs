@@ -68,15 +68,27 @@ pub(super) fn unpack<D: Dictionary + ?Sized>(
 ) -> Result<(), Abort> {
     let mut answer = Ok(());
     walk(dictionary, mapping, |dictionary, mapped, first| {
-        let bytes = (frame >> first & lowest(mapped.bits)).to_le_bytes();
-        let length = mapped.bits.div_ceil(8) as usize;
         if !mapped.is_dummy() {
-            let written = dictionary.write(mapped.index, mapped.sub, bytes.get(..length).unwrap_or(&bytes));
-            answer = answer.and(written);
+            answer = answer.and(write(dictionary, mapped, frame >> first));
         }
         Ok(())
     })?;
     answer
+}
+
+/// Writes the lowest bits to a mapped entry. A description may map a part of a number, whose other bits follow its sign.
+fn write<D: Dictionary + ?Sized>(dictionary: &mut D, mapped: Mapped, bits: u64) -> Result<(), Abort> {
+    let entry = dictionary.attributes(mapped.index, mapped.sub)?;
+    let mask = lowest(mapped.bits);
+    let is_negative = matches!(entry.data_type, 0x02..=0x04 | 0x10 | 0x12..=0x15) && bits & mask > mask >> 1;
+    let value = if is_negative { bits | !mask } else { bits & mask };
+    // texts, bytes and DOMAIN have the length that is mapped
+    let length = match entry.data_type {
+        0x09..=0x0B | 0x0F => mapped.bits.div_ceil(8) as usize,
+        _ => entry.size,
+    };
+    let bytes = value.to_le_bytes();
+    dictionary.write(mapped.index, mapped.sub, bytes.get(..length).unwrap_or(&bytes))
 }
 
 /// A mask of so many bits, 1 to 64.

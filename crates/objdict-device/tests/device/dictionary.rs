@@ -5,6 +5,7 @@ use std::collections::BTreeMap;
 use objdict_device::{Abort, Attributes, Dictionary};
 
 pub(crate) const BOOLEAN: u8 = 1;
+pub(crate) const INTEGER16: u8 = 3;
 pub(crate) const UNSIGNED8: u8 = 5;
 pub(crate) const UNSIGNED16: u8 = 6;
 pub(crate) const UNSIGNED32: u8 = 7;
@@ -20,7 +21,7 @@ impl Map {
     pub(crate) fn number(mut self, index: u16, sub: u8, data_type: u8, value: u32) -> Self {
         let size = match data_type {
             UNSIGNED32 => 4,
-            UNSIGNED16 => 2,
+            INTEGER16 | UNSIGNED16 => 2,
             _ => 1,
         };
         let attributes =

@@ -5,7 +5,7 @@ use std::collections::BTreeSet;
 use objdict_device::{Abort, Dictionary, Frame, Pdos, Reception};
 use proptest::prelude::*;
 
-use crate::dictionary::{BOOLEAN, Map, UNSIGNED8, UNSIGNED16, UNSIGNED32};
+use crate::dictionary::{BOOLEAN, INTEGER16, Map, UNSIGNED8, UNSIGNED16, UNSIGNED32};
 use crate::frame;
 
 const NOT_VALID: u32 = 1 << 31;
@@ -108,6 +108,21 @@ fn an_rpdo_is_mapped_and_received() {
     device.map = device.map.with(0x2000, 1, |attributes| attributes.writable = false);
     assert_eq!(device.receive(0x305, &[5, 5, 5, 1]), Reception::Refused(0x1401, Abort::ReadOnly));
     assert_eq!((device.map.value(0x2000, 1), device.map.value(0x2000, 2)), (&[1, 2][..], &[1][..]));
+}
+
+/// No master can map a part of a number, but a description may.
+#[test]
+fn a_part_of_a_number_keeps_its_sign() {
+    let mut device = Device::new();
+    device.map = device.map.number(0x2004, 0, INTEGER16, 0);
+    assert_eq!(device.map(0x1601, &[0x2004_000C]), Err(Abort::NotMappable));
+    device.map.set(0x1601, 1, &0x2004_000C_u32.to_le_bytes());
+    device.map.set(0x1601, 2, &0x2000_010C_u32.to_le_bytes());
+    device.map.set(0x1601, 0, &[2]);
+    device.cob_id(0x1401, 0x305).unwrap();
+    assert_eq!(device.receive(0x305, &[0xFE, 0xEF, 0xFF]), Reception::Written(0x1401));
+    assert_eq!(device.map.value(0x2004, 0), (-2_i16).to_le_bytes());
+    assert_eq!(device.map.value(0x2000, 1), 0x0FFE_u16.to_le_bytes());
 }
 
 #[test]
