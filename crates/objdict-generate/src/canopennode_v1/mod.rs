@@ -4,6 +4,7 @@
 //! there, so that its sources compile with any description.
 
 mod cell;
+mod notes;
 mod plan;
 mod sizes;
 mod special;

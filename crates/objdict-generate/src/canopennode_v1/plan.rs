@@ -3,19 +3,17 @@
 use std::collections::HashSet;
 
 use super::cell::{Cell, Location, NAMES, c_type};
-use super::special::{FAMILIES, Family, Form, IDENTITY, NAMED, named};
+use super::notes;
+use super::special::{self, FAMILIES, Family, Form, IDENTITY, NAMED, named};
 use crate::c_code::number;
 use crate::c_words::is_reserved;
 use crate::canopennode::names::{Members, cname};
-use crate::canopennode::node_id::{replaced, stack_adds};
+use crate::canopennode::node_id::stack_adds;
 use crate::dictionary::{Dictionary, ResolvedEntry, ResolvedObject};
 use crate::memory::Extent;
-use crate::model::{DataType, Field, ObjectType, Place};
+use crate::model::{DataType, ObjectType, Place};
 use crate::resolve::{Datum, Shape};
 use crate::{Note, Options};
-
-/// The largest value that the SDO server of the stack transfers, and what it transfers by default.
-const SDO_BUFFER: (usize, usize) = (889, 32);
 
 /// A structure type: members with type, name and size.
 pub(super) struct StructType {
@@ -94,7 +92,7 @@ impl Plan {
         builder.missing();
         builder.features();
         builder.plan.rows.sort_by_key(|row| row.index);
-        builder.long();
+        notes::of_lengths(dictionary, builder.notes);
         builder.plan
     }
 
@@ -117,7 +115,7 @@ struct Builder<'a> {
 impl Builder<'_> {
     fn object(&mut self, object: &ResolvedObject<'_>) {
         for entry in &object.entries {
-            self.check(object, entry);
+            notes::of_entry(object.index, entry, self.dictionary.node_id, self.notes);
         }
         if Family::of(object.index).is_some() {
             return; // with the others of its family
@@ -180,9 +178,10 @@ impl Builder<'_> {
         let word = match (object.index, entry.sub, &entry.resolved.default) {
             (0x1200, 1, _) => Some(0x600), // of the default SDO server: the stack adds the node-ID
             (0x1200, 2, _) => Some(0x580),
-            (index, sub, Datum::Formula(offset)) if !stack_adds(index, sub, *offset) => {
-                Some(offset + node_id)
+            (0x1014, 0, Datum::Word(value)) if notes::is_of_node(*value, self.dictionary.node_id) => {
+                Some(value - node_id)
             }
+            (index, sub, Datum::Formula(offset)) if !is_added(index, sub, *offset) => Some(offset + node_id),
             _ => None,
         };
         Cell::new(entry, location, word)
@@ -195,7 +194,7 @@ impl Builder<'_> {
         else {
             return;
         };
-        if stack_adds(object.index, entry.sub, *offset) {
+        if is_added(object.index, entry.sub, *offset) {
             return;
         }
         self.plan.formulas.push(match (c_type(data_type), number(*offset, data_type)) {
@@ -351,7 +350,7 @@ impl Builder<'_> {
             objects.filter(|object| (family.first..=family.last).contains(&object.index)).collect();
         let location = objects.first().map_or(Location::Rom, |object| Location::of(object, self.options));
         let type_name = format!("OD_{}_t", family.name);
-        let member = |field: &super::special::Field| {
+        let member = |field: &special::Field| {
             format!("{} {}", c_type(field.data_type).unwrap_or("UNSIGNED32"), field.name)
         };
         let members = family.fields.iter().map(member).collect();
@@ -386,7 +385,7 @@ impl Builder<'_> {
         object: Option<&ResolvedObject<'_>>,
         (location, path): (Location, &str),
     ) -> Vec<String> {
-        let missing = |field: &super::special::Field| format!("0x{:X}u", Family::missing(field));
+        let missing = |field: &special::Field| format!("0x{:X}u", family.missing(field));
         let mut values: Vec<String> = family.fields.iter().map(missing).collect();
         let Some(object) = object else { return values };
         let mut rows: Vec<RecordRow> = Vec::new();
@@ -481,54 +480,11 @@ impl Builder<'_> {
         let node = device.commissioning.as_ref();
         self.plan.master = u8::from(node.is_some_and(|node| node.manager == Some(true)));
     }
+}
 
-    /// Notes what the stack does with a value otherwise than described.
-    fn check(&mut self, object: &ResolvedObject<'_>, entry: &ResolvedEntry<'_>) {
-        let resolved = &entry.resolved;
-        let place = Place::entry(object.index, entry.sub);
-        let mut say = |place: Place, text: &str| self.notes.push(Note::new(place, text));
-        if resolved.access.is_writable() && (resolved.low.is_some() || resolved.high.is_some()) {
-            let field = if resolved.low.is_some() { Field::LowLimit } else { Field::HighLimit };
-            say(place.clone().field(field), "the stack does not enforce limits");
-        }
-        if let (Shape::Bytes(_, room), Datum::Bytes(value)) = (resolved.shape, &resolved.default)
-            && value.len() < usize::from(room)
-        {
-            let text = format!("a row has a fixed length; the value always has {room} bytes, padded with 0");
-            say(place.clone(), &text);
-        }
-        if object.index == 0x1003 && entry.sub == 0 {
-            say(place.clone(), "the stack answers with the number of errors, and takes 0 for erasing them");
-        }
-        if let Some(text) = replaced(object.index, entry, self.dictionary.node_id) {
-            say(place, &text);
-        }
-    }
-
-    /// Notes values that are longer than the buffer of the SDO server.
-    fn long(&mut self) {
-        let (most, usual) = SDO_BUFFER;
-        let entries = self.dictionary.objects.iter().flat_map(|object| {
-            object.entries.iter().map(|entry| (object.index, entry.sub, entry.resolved.shape.size()))
-        });
-        let mut longest = 0;
-        let mut notes = Vec::new();
-        for (index, sub, size) in entries {
-            longest = longest.max(size);
-            if size > most {
-                let text = format!("SDOs of the stack transfer at most {most} bytes");
-                notes.push(Note::new(Place::entry(index, sub), text));
-            }
-        }
-        if longest > usual {
-            let text =
-                format!("the longest value has {longest} bytes, more than the stack transfers by default");
-            let help =
-                format!("define `CO_SDO_BUFFER_SIZE` as {} when you compile the stack", longest.min(most));
-            notes.push(Note::new(Place::device(), text).help(help));
-        }
-        self.notes.append(&mut notes);
-    }
+/// Whether the stack adds the node-ID to a value: in 1014h to any.
+fn is_added(index: u16, sub: u8, value: u64) -> bool {
+    index == 0x1014 || stack_adds(index, sub, value)
 }
 
 /// The structure of a family.
@@ -550,9 +506,9 @@ fn no_entry() -> RecordRow {
 }
 
 /// Whether the stack can know an object as an array: elements alike, and their number in sub-index 0, which is
-/// not stored.
+/// not stored. LSS reads the identity as a record.
 fn is_array(object: &ResolvedObject<'_>, cells: &[Cell]) -> bool {
-    let is_list = object.object.object_type() == ObjectType::Array
+    let is_list = object.object.object_type() == ObjectType::Array && object.index != 0x1018
         || object.object.compact.is_some()
         || matches!(object.index, 0x1003 | 0x1016 | 0x1029);
     let [count, elements @ ..] = object.entries.as_slice() else { return false };

@@ -146,9 +146,14 @@ impl Family {
         (entry.resolved.shape == Shape::Word(field.data_type)).then_some(field)
     }
 
-    /// The initial value of a member without an entry: a PDO or SDO without COB-ID is not valid.
-    pub(super) fn missing(field: &Field) -> u32 {
-        if field.name.starts_with("COB_ID") { 0x8000_0000 } else { 0 }
+    /// The initial value of a member without an entry: a PDO or SDO without COB-ID is not valid, and the stack
+    /// checks the number of members.
+    pub(super) fn missing(&self, field: &Field) -> u32 {
+        match field.name {
+            "maxSubIndex" => u32::try_from(self.fields.len() - 1).unwrap_or(0),
+            name if name.starts_with("COB_ID") => 0x8000_0000,
+            _ => 0,
+        }
     }
 }
 

@@ -98,7 +98,7 @@ fn expected(device: &Device, node_id: u8, dump: &str) -> Vec<Row> {
 }
 
 /// Index and sub-index of a line.
-fn address(line: &str) -> Option<(u16, u8)> {
+pub(crate) fn address(line: &str) -> Option<(u16, u8)> {
     let mut words = line.split(' ').map(|word| u16::from_str_radix(word, 16));
     Some((words.next()?.ok()?, u8::try_from(words.next()?.ok()?).ok()?))
 }

@@ -54,7 +54,7 @@ static uint32_t added(unsigned index, unsigned sub, uint32_t value, uint32_t nod
     if (index == 0x1200u && (sub == 1u || sub == 2u)) {
         return value + node_id;
     }
-    if ((index == 0x1014u && sub == 0u && id == 0x80u)
+    if ((index == 0x1014u && sub == 0u)
         || (index >= 0x1400u && index <= 0x1403u && sub == 1u && id == 0x200u + 0x100u * (index & 3u))
         || (index >= 0x1800u && index <= 0x1803u && sub == 1u && id == 0x180u + 0x100u * (index & 3u))) {
         return value + node_id;

@@ -1,0 +1,72 @@
+//! What the stack does otherwise than described.
+
+use crate::Note;
+use crate::canopennode::node_id::replaced;
+use crate::dictionary::{Dictionary, ResolvedEntry};
+use crate::model::{Field, Place};
+use crate::resolve::{Datum, Shape};
+
+/// The largest value that the SDO server of the stack transfers, and what it transfers by default.
+const SDO_BUFFER: (usize, usize) = (889, 32);
+
+/// Whether a number is the COB-ID of emergencies of this node, which is stored without the node-ID.
+pub(super) fn is_of_node(number: u64, node_id: Option<u8>) -> bool {
+    node_id.is_some_and(|node_id| number & 0x7FF == 0x80 + u64::from(node_id))
+}
+
+/// Notes about an entry.
+pub(super) fn of_entry(index: u16, entry: &ResolvedEntry<'_>, node_id: Option<u8>, notes: &mut Vec<Note>) {
+    let resolved = &entry.resolved;
+    let place = Place::entry(index, entry.sub);
+    let mut say = |place: Place, text: &str| notes.push(Note::new(place, text));
+    if resolved.access.is_writable() && (resolved.low.is_some() || resolved.high.is_some()) {
+        let field = if resolved.low.is_some() { Field::LowLimit } else { Field::HighLimit };
+        say(place.clone().field(field), "the stack does not enforce limits");
+    }
+    if let (Shape::Bytes(_, room), Datum::Bytes(value)) = (resolved.shape, &resolved.default)
+        && value.len() < usize::from(room)
+    {
+        let text = format!("a row has a fixed length; the value always has {room} bytes, padded with 0");
+        say(place.clone(), &text);
+    }
+    match (index, entry.sub, &resolved.default) {
+        (0x1003, 0, _) => {
+            say(place.clone(), "the stack answers with the number of errors, and takes 0 for erasing them");
+        }
+        (0x1280..=0x12FF, 0, default) if *default != Datum::Word(3) => {
+            say(place.clone(), "the stack does not start with another number than 3 here");
+        }
+        (0x1280..=0x12FF, 1, default) if !matches!(default, Datum::Word(0 | 0x8000_0000)) => {
+            say(place.clone(), "an SDO client of the stack begins without a server");
+        }
+        (0x1800..=0x19FF, 4, _) => say(place.clone(), "the stack answers that the entry does not exist"),
+        (0x1014, 0, Datum::Word(value)) if !is_of_node(*value, node_id) => {
+            say(place.clone(), &format!("the stack adds the node-ID to `0x{value:X}`"));
+        }
+        _ => {}
+    }
+    if let Some(text) = replaced(index, entry, node_id).filter(|_| index != 0x1014) {
+        say(place, &text);
+    }
+}
+
+/// Notes values that are longer than the buffer of the SDO server.
+pub(super) fn of_lengths(dictionary: &Dictionary<'_>, notes: &mut Vec<Note>) {
+    let (most, usual) = SDO_BUFFER;
+    let mut longest = 0;
+    for object in &dictionary.objects {
+        for entry in &object.entries {
+            let size = entry.resolved.shape.size();
+            longest = longest.max(size);
+            if size > most {
+                let text = format!("SDOs of the stack transfer at most {most} bytes");
+                notes.push(Note::new(Place::entry(object.index, entry.sub), text));
+            }
+        }
+    }
+    if longest > usual {
+        let text = format!("the longest value has {longest} bytes, more than the stack transfers by default");
+        let help = format!("define `CO_SDO_BUFFER_SIZE` as {} when you compile the stack", longest.min(most));
+        notes.push(Note::new(Place::device(), text).help(help));
+    }
+}

@@ -1,0 +1,54 @@
+/*
+ * Starts the stack with the tables on the node of the argument, and prints every entry that its SDO server reads, in the lines of
+ * the harness. Without a bus: with the driver template of the stack.
+ */
+#include "CANopen.h"
+
+#include <stdio.h>
+#include <stdlib.h>
+
+extern const CO_OD_entry_t CO_OD[CO_OD_NoOfElements];
+void CO_OD_applyNodeId(uint8_t nodeId) __attribute__((weak));
+
+static void print(CO_SDO_t *server, uint16_t index, uint8_t sub)
+{
+    uint16_t at, length;
+    if (CO_SDO_initTransfer(server, index, sub) != 0u || server->ODF_arg.ODdataStorage == NULL
+        || CO_SDO_readOD(server, CO_SDO_BUFFER_SIZE) != 0u) {
+        return;
+    }
+    length = server->ODF_arg.dataLength;
+    printf("%04X %02X - %u %c%c%c%c ", index, sub, length, 'r', (server->ODF_arg.attribute & CO_ODA_WRITEABLE) ? 'w' : '-',
+           sub > 0u || CO_OD[server->entryNo].maxSubIndex == 0u || CO_OD[server->entryNo].attribute == 0u
+                   ? (server->ODF_arg.attribute & CO_ODA_TPDO_MAPABLE) ? 't' : '-' : '-',
+           (server->ODF_arg.attribute & CO_ODA_RPDO_MAPABLE) ? 'p' : '-');
+    for (at = 0u; at < length; at++) {
+        printf("%02X", server->databuffer[at]);
+    }
+    puts(length > 0u ? "" : "-");
+}
+
+int main(int count, char **arguments)
+{
+    const uint8_t node_id = (uint8_t)atoi(arguments[count - 1]);
+    unsigned at;
+    if (CO_OD_applyNodeId != NULL) {
+        CO_OD_applyNodeId(node_id);
+    }
+    if (CO_new() != CO_ERROR_NO || CO_CANinit(NULL, 125u) != CO_ERROR_NO) {
+        return 2;
+    }
+#if CO_NO_LSS_SERVER == 1
+    (void)CO_LSSinit(node_id, 125u); /* fails without a serial number, which a product sets */
+#endif
+    if (CO_CANopenInit(node_id) != CO_ERROR_NO) {
+        return 4;
+    }
+    for (at = 0u; at < CO_OD_NoOfElements; at++) {
+        unsigned sub;
+        for (sub = 0u; sub <= CO_OD[at].maxSubIndex; sub++) {
+            print(CO->SDO[0], CO_OD[at].index, (uint8_t)sub);
+        }
+    }
+    return 0;
+}
