@@ -35,7 +35,15 @@ const PLAIN: Page = Page {
     prints: None,
 };
 
-const PAGES: [Page; 8] = [
+const PAGES: [Page; 9] = [
+    Page {
+        name: "c",
+        around: Some((
+            "#include \"od.h\"\nvoid irq_disable(void);\nvoid irq_enable(void);\nvoid serve(uint16_t index, uint8_t sub, const uint8_t *bytes, size_t length);\nstatic od_data_t data;\nvoid serve(uint16_t index, uint8_t sub, const uint8_t *bytes, size_t length)\n{\n",
+            "(void)answer;\n}\n",
+        )),
+        ..PLAIN
+    },
     Page {
         name: "c-structs",
         fixture: "eds/minimal.eds",
