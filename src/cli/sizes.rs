@@ -73,6 +73,15 @@ fn write_table(target: &str, report: &SizeReport, out: &mut dyn Write) -> io::Re
         let code = Size { flash: report.code, ram: 0 };
         table.row(row("code".to_owned(), String::new(), code, "to read, write and initialise"));
     }
+    if report.names > 0 {
+        let names = Size { flash: report.names, ram: 0 };
+        table.row(row(
+            "(names)".to_owned(),
+            String::new(),
+            names,
+            "if the program uses them, not in the total",
+        ));
+    }
     table.row(row("total".to_owned(), entries.to_string(), report.total, ""));
     table.write(out)
 }

@@ -1,6 +1,8 @@
 //! Size of a target's tables in flash and RAM: rows, defaults, limits and values, without the code that uses
 //! them.
 
+use std::collections::BTreeSet;
+
 use super::resolve::Shape;
 use super::table::{Row, Table, TableField};
 use crate::model::TypeKind;
@@ -42,7 +44,9 @@ pub struct SizeReport {
     pub rest: Size,
     /// Bytes of code in flash; 0 if it is not counted.
     pub code: usize,
-    /// The sum, with the code.
+    /// Bytes of the names of entries in flash, if the program uses them; 0 if they are omitted or in the rows.
+    pub names: usize,
+    /// The sum, with the code and without the names.
     pub total: Size,
 }
 
@@ -66,6 +70,8 @@ pub(crate) struct Layout {
     pub(crate) value: fn(Shape) -> usize,
     /// Size of the code in flash, 0 if it is not counted.
     pub(crate) code: usize,
+    /// Size of a name: of its row, and of its end mark; `None` without names.
+    pub(crate) name: Option<(usize, usize)>,
     /// See [`SizeReport::counted`].
     pub(crate) counted: &'static str,
 }
@@ -73,7 +79,7 @@ pub(crate) struct Layout {
 impl SizeReport {
     pub(crate) fn new(counted: &'static str, objects: Vec<ObjectSize>, rest: Size) -> Self {
         let total = objects.iter().fold(rest, |sum, object| sum + object.size);
-        Self { counted, objects, rest, code: 0, total }
+        Self { counted, objects, rest, code: 0, names: 0, total }
     }
 
     pub(crate) fn of_table(table: &Table, layout: Layout) -> Self {
@@ -107,7 +113,11 @@ impl SizeReport {
             ram: total.ram.saturating_sub(of_objects.ram),
         };
         let Layout { code, counted, .. } = layout;
-        Self { counted, objects, rest, code, total: Size { flash: total.flash + code, ..total } }
+        let names = layout.name.map_or(0, |(row, end)| {
+            let texts: BTreeSet<&str> = table.rows.iter().map(|row| row.name.as_ref()).collect(); // equal ones are one
+            table.rows.len() * row + texts.iter().map(|text| text.len() + end).sum::<usize>()
+        });
+        Self { counted, objects, rest, code, names, total: Size { flash: total.flash + code, ..total } }
     }
 }
 

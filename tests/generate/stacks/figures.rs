@@ -3,7 +3,7 @@
 
 use std::path::Path;
 
-use objdict::generate::{Options, Target, generate};
+use objdict::generate::{Options, Sizes, Target, generate, size};
 use objdict::model::{Access, DataType, Device, Entry, Object, ObjectType, Value};
 
 use crate::compile::{c_compiler, cc, succeed};
@@ -80,24 +80,34 @@ fn the_plain_table_takes_no_more_than_that_of_canopennode() {
     let device = device(49, 27);
     let entries: usize = device.objects.values().map(|object| object.entries().count()).sum();
     assert_eq!((device.objects.len(), entries), (76, 157));
-    let measured = |target: &str, sources: &[&str]| -> Measured {
+    let measured = |target: &str, sources: &[&str], options: &[&str]| -> Measured {
         let folder = tempfile::tempdir().unwrap();
         write(folder.path(), &device, target);
         std::fs::write(folder.path().join("data.c"), "#include \"od.h\"\nod_data_t data;\n").unwrap();
         let mut cc = tools.cc(folder.path());
-        cc.arg("-I.").arg(format!("-I{}", beside("canopennode", "include").display())).args(sources);
+        cc.arg("-I.")
+            .arg(format!("-I{}", beside("canopennode", "include").display()))
+            .args(sources)
+            .args(options);
         succeed(&mut cc, "").unwrap();
         tools.measure(folder.path()).unwrap()
     };
     // tables only: the code is part of the stack or of `od.c`, and its size does not depend on the number of
     // entries
-    let plain = measured("c", &["od.c", "data.c"]);
-    let stack = measured("canopennode", &["OD.c"]);
+    let plain = measured("c", &["od.c", "data.c"], &[]);
+    let stack = measured("canopennode", &["OD.c"], &[]);
     assert!(plain.flash <= stack.flash && plain.ram <= stack.ram, "{plain:?}, {stack:?}");
     assert!(plain.flash <= CONSTANTS + VALUES && plain.ram <= VALUES, "{plain:?}");
     assert!(plain.flash <= 16 * entries, "{plain:?}");
     let all = |measured: Measured| measured.flash + measured.ram + measured.code;
     assert!(all(plain) <= all(stack), "{plain:?}, {stack:?}"); // even including the code
+
+    let with_names = measured("c", &["od.c", "data.c"], &["-UOD_NO_NAMES"]);
+    let Sizes::Known(report) = size(&device, Target::named("c").unwrap(), &Options::default()).unwrap()
+    else {
+        panic!("the sizes are unknown");
+    };
+    assert_eq!(with_names.flash - plain.flash, report.names);
 }
 
 const COUNTS: &str = r#"

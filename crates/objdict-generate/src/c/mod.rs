@@ -107,7 +107,8 @@ impl Backend for C {
         let row = if table.is_wide() { 16 } else { 10 };
         let counted =
             "the tables and values, on any processor that aligns numbers to their size; without code";
-        let layout = Layout { row, ram: ram(&table), value: element_size, code: 0, counted };
+        let name = options.entry_names.then_some((4, 1)); // a pointer of 32 bits, and the zero
+        let layout = Layout { row, ram: ram(&table), value: element_size, code: 0, name, counted };
         Ok(Sizes::Known(SizeReport::of_table(&table, layout)))
     }
 }

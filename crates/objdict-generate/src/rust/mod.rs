@@ -71,7 +71,8 @@ impl Backend for Rust {
         let table = Table::new(device, options)?;
         let ram = places::Places::new(&table)?.total;
         let counted = "the tables and values, on any processor; the code on a Cortex-M4, optimised for size";
-        let layout = Layout { row: 10, ram, value: places::value_size, code: CODE, counted };
+        let name = options.entry_names.then_some((8, 0)); // a slice on 32 bits
+        let layout = Layout { row: 10, ram, value: places::value_size, code: CODE, name, counted };
         Ok(Sizes::Known(SizeReport::of_table(&table, layout)))
     }
 }
