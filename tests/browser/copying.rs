@@ -20,7 +20,7 @@ fn an_entry_is_named_and_read() {
     let Some(page) = Page::with(&fixtures().join("eds/io-401.eds"), &options, "") else { return };
     assert_eq!(
         offered(&page, "1000"),
-        ["1000:00", "605#4000100000000000", "OD_DEVICE_TYPE", "od::device_type::INDEX"]
+        ["1000:00", "605#4000100000000000", "OD_DEVICE_TYPE", "od::DEVICE_TYPE"]
     );
     assert_eq!(
         offered(&page, "1018sub1"),

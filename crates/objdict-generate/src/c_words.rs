@@ -1,7 +1,7 @@
 //! Words that are taken in C sources, for targets whose names keep the spelling of the description.
 
 /// Keywords of C and C++, types of headers, and macros of the standard library.
-const RESERVED: &str = "
+pub(crate) const RESERVED: &str = "
     auto break case char const continue default do double else enum extern float for goto if inline int
     long register restrict return short signed sizeof static struct switch typedef union unsigned void
     volatile while _Alignas _Alignof _Atomic _Bool _Complex _Generic _Imaginary _Noreturn

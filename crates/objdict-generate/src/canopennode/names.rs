@@ -70,7 +70,11 @@ impl Members {
     pub(crate) fn claim(&mut self, name: &str, sub: u8) -> String {
         let cname = cname(name, self.layout);
         let plain = if cname.is_empty() { format!("sub{sub:02X}") } else { cname };
-        let plain = if is_reserved(&plain) { format!("{plain}_") } else { plain };
+        let plain = match is_reserved(&plain) {
+            true if plain.starts_with('_') => format!("x{plain}"), // names of the compiler
+            true => format!("{plain}_"),
+            false => plain,
+        };
         let mut candidate = plain.clone();
         for number in 1_u32.. {
             if self.taken.insert(candidate.clone()) {
@@ -104,6 +108,7 @@ mod tests {
     use proptest::prelude::*;
 
     use super::*;
+    use crate::c_words::RESERVED;
 
     #[test]
     fn names_are_those_that_applications_write() {
@@ -164,7 +169,8 @@ mod tests {
                 let member = members.claim(name, sub);
                 prop_assert!(member.bytes().all(|byte| byte.is_ascii_alphanumeric() || byte == b'_'));
                 prop_assert!(!member.starts_with(|c: char| c.is_ascii_digit()));
-                prop_assert!(!is_reserved(&member));
+                let is_word = RESERVED.split_ascii_whitespace().any(|word| word == member);
+                prop_assert!(!is_word && !member.starts_with("__"));
                 prop_assert!(seen.insert(member));
             }
         }
