@@ -9,8 +9,7 @@
 //! node guarding, no remote frame and no 29-bit identifier.
 
 #![no_std]
-// values are cut to the width of their field in a frame
-#![allow(clippy::cast_possible_truncation)]
+#![allow(clippy::cast_possible_truncation, reason = "values are cut to the width of their field in a frame")]
 
 mod dictionary;
 mod emergency;

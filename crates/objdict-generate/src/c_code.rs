@@ -85,14 +85,22 @@ pub(crate) fn bytes(bytes: &[u8]) -> String {
     if used == 0 {
         return "{0}".to_owned();
     }
+    listed(bytes[..used].iter().map(|byte| format!("0x{byte:02X}")), "    ")
+}
+
+/// A list in braces, 16 elements in a line; `indent` is that of further lines.
+pub(crate) fn listed(elements: impl Iterator<Item = String>, indent: &str) -> String {
     let mut text = String::from("{");
-    for (number, byte) in bytes[..used].iter().enumerate() {
-        let separator = match number {
-            0 => "",
-            _ if number % 16 == 0 => ",\n    ",
-            _ => ", ",
-        };
-        let _ = write!(text, "{separator}0x{byte:02X}"); // writing to a String cannot fail
+    for (number, element) in elements.enumerate() {
+        match number {
+            0 => {}
+            _ if number % 16 == 0 => {
+                text.push_str(",\n");
+                text.push_str(indent);
+            }
+            _ => text.push_str(", "),
+        }
+        text.push_str(&element);
     }
     text + "}"
 }

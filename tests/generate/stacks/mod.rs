@@ -24,6 +24,8 @@ mod truth;
 
 use std::path::{Path, PathBuf};
 
+use objdict::generate::Options;
+
 /// A file or folder next to the tests of a stack.
 fn beside(stack: &str, name: &str) -> PathBuf {
     Path::new(env!("CARGO_MANIFEST_DIR")).join("tests/generate/stacks").join(stack).join(name)
@@ -34,4 +36,12 @@ fn checkout(variable: &str) -> Option<PathBuf> {
     let folder = PathBuf::from(std::env::var_os(variable)?);
     assert!(folder.is_dir(), "`{variable}` names no folder: {}", folder.display());
     Some(folder)
+}
+
+/// The options for the files of a node.
+pub(crate) fn for_node(node_id: u8) -> Options {
+    let mut options = Options::default();
+    options.node_id = Some(node_id);
+    options.file_stem = "device".to_owned();
+    options
 }

@@ -118,21 +118,6 @@ macro_rules! defaults {
     };
 }
 
-defaults! {
-    bool, bits => bits != 0;
-    i8, bits => bits as i8;
-    i16, bits => bits as i16;
-    i32, bits => bits as i32;
-    i64, bits => bits as i64;
-    u8, bits => bits as u8;
-    u16, bits => bits as u16;
-    u32, bits => bits as u32;
-    u64, bits => bits;
-    f32, bits => f32::from_bits(bits as u32);
-    f64, bits => f64::from_bits(bits);
-    Time, bits => Time::from_number(bits);
-}
-
 macro_rules! limits {
     ($($number:ty, $bits:ident => $value:expr;)*) => {
         $(impl<D: Table, A> Handle<D, $number, A> {
@@ -157,7 +142,14 @@ macro_rules! limits {
     };
 }
 
-limits! {
+macro_rules! numbers {
+    ($($number:ty, $bits:ident => $value:expr;)*) => {
+        defaults! { $($number, $bits => $value;)* }
+        limits! { $($number, $bits => $value;)* }
+    };
+}
+
+numbers! {
     i8, bits => bits as i8;
     i16, bits => bits as i16;
     i32, bits => bits as i32;
@@ -168,6 +160,11 @@ limits! {
     u64, bits => bits;
     f32, bits => f32::from_bits(bits as u32);
     f64, bits => f64::from_bits(bits);
+}
+
+defaults! {
+    bool, bits => bits != 0;
+    Time, bits => Time::from_number(bits);
 }
 
 impl<D: Table, A> Handle<D, [u8], A> {

@@ -32,6 +32,19 @@ pub(super) struct Variable {
     pub(super) extents: Vec<(Option<u16>, Extent)>,
 }
 
+impl Variable {
+    /// The variable of a single entry.
+    fn of(index: u16, location: Location, name: &str, cell: &Cell) -> Self {
+        Self {
+            index,
+            location,
+            declaration: format!("{} {name}{}", cell.c_type, cell.suffix()),
+            initializer: cell.value.clone(),
+            extents: vec![(Some(index), cell.extent())],
+        }
+    }
+}
+
 /// A macro for a variable, a length or an element.
 pub(super) struct Alias {
     pub(super) name: String,
@@ -224,13 +237,7 @@ impl Builder<'_> {
             if let Some(room) = cell.room {
                 self.alias(format!("ODL_{name}_stringLength"), room.to_string());
             }
-            self.plan.variables.push(Variable {
-                index: object.index,
-                location,
-                declaration: format!("{} {name}{}", cell.c_type, cell.suffix()),
-                initializer: cell.value.clone(),
-                extents: vec![(Some(object.index), cell.extent())],
-            });
+            self.plan.variables.push(Variable::of(object.index, location, name, cell));
         }
         self.push(object, 0, row, Vec::new());
     }
@@ -402,13 +409,7 @@ impl Builder<'_> {
                 None => {
                     let name = format!("{}_{:04X}_{:02X}", family.name, object.index, entry.sub);
                     if cell.is_stored() {
-                        self.plan.variables.push(Variable {
-                            index: object.index,
-                            location,
-                            declaration: format!("{} {name}{}", cell.c_type, cell.suffix()),
-                            initializer: cell.value.clone(),
-                            extents: vec![(Some(object.index), cell.extent())],
-                        });
+                        self.plan.variables.push(Variable::of(object.index, location, &name, &cell));
                     }
                     if entry.sub > 0 {
                         let text = "the stack has no member for the entry and ignores it";

@@ -1,10 +1,11 @@
 //! Values as initializers of `union co_val`.
 
-use std::fmt::Write;
-
-use crate::c_code::{literal, number};
+use crate::c_code::{listed, literal, number};
 use crate::model::{DataType, TypeKind};
 use crate::resolve::{Datum, Resolved, Shape};
+
+/// The indentation of further lines of a value.
+const INDENT: &str = "        ";
 
 /// The node-ID of an unconfigured node (CiA 305).
 pub(super) const UNCONFIGURED: u8 = 0xFF;
@@ -112,7 +113,7 @@ fn texts(bytes: &[u8], data_type: DataType) -> String {
     if bytes.is_empty() {
         return format!(".{member} = NULL");
     }
-    let list = |bytes: &[u8]| listed(bytes.iter().map(|byte| format!("0x{byte:02X}")));
+    let list = |bytes: &[u8]| listed(bytes.iter().map(|byte| format!("0x{byte:02X}")), INDENT);
     match (data_type.kind(), literal(bytes)) {
         (TypeKind::VisibleString, Some(text)) => format!(".vs = CO_VISIBLE_STRING_C({text})"),
         (TypeKind::OctetString, Some(text)) => format!(".os = CO_OCTET_STRING_C({text})"),
@@ -122,7 +123,7 @@ fn texts(bytes: &[u8], data_type: DataType) -> String {
                 _ => "0x0000".to_owned(), // a UNICODE_STRING has whole characters
             });
             let ended = characters.chain(std::iter::once("0x0000".to_owned()));
-            format!(".us = CO_UNICODE_STRING_C({})", listed(ended))
+            format!(".us = CO_UNICODE_STRING_C({})", listed(ended, INDENT))
         }
         (TypeKind::Domain, _) => format!(".dom = CO_DOMAIN_C(co_unsigned8_t, {})", list(bytes)),
         // longer than a literal; one byte more, for a zero at the end
@@ -138,20 +139,6 @@ fn texts(bytes: &[u8], data_type: DataType) -> String {
 pub(super) fn file(name: &str) -> String {
     let ended: Vec<u8> = name.bytes().chain([0]).collect();
     texts(&ended, DataType::DOMAIN)
-}
-
-/// A list in braces, 16 elements in a line.
-fn listed(elements: impl Iterator<Item = String>) -> String {
-    let mut text = String::from("{");
-    for (number, element) in elements.enumerate() {
-        let separator = match number {
-            0 => "",
-            _ if number % 16 == 0 => ",\n        ",
-            _ => ", ",
-        };
-        let _ = write!(text, "{separator}{element}"); // writing to a String cannot fail
-    }
-    text + "}"
 }
 
 #[cfg(test)]

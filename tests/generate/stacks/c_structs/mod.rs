@@ -2,10 +2,10 @@
 
 use std::path::Path;
 
-use objdict::generate::{CTable, Note, Options, Target, generate};
+use objdict::generate::{CTable, Note, Options};
 use objdict::model::{DataType, Device, Value};
 
-use crate::compile::{c_compiler, cc};
+use crate::compile::{c_compiler, cc, generate_with};
 use crate::devices::{arbitrary_devices, devices, for_all};
 use crate::oracle::{facts_of, hex};
 use crate::processors::{Programs, build};
@@ -41,10 +41,7 @@ pub(crate) fn dump(
     let mut options = Options::default();
     options.table = CTable::Structs;
     options.entry_names = names;
-    let generated = generate(device, Target::named("c").unwrap(), &options).unwrap();
-    for file in &generated.files {
-        std::fs::write(folder.join(&file.path), &file.contents).unwrap();
-    }
+    let generated = generate_with(folder, device, "c", &options);
     let mut cc = cc(compiler, folder);
     let sources = generated.files.iter().map(|file| &file.path).filter(|path| path.ends_with(".c"));
     cc.args(["-I.", "-o", "harness"]).args(sources).arg(beside("c_structs", "harness.c"));

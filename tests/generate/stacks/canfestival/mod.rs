@@ -8,12 +8,12 @@ use std::path::Path;
 use objdict::generate::{Note, Options, Target, generate};
 use objdict::model::{DataType, Device, TypeKind, Value};
 
-use crate::compile::{c_compiler, cc, succeed};
+use crate::compile::{c_compiler, cc, generate_with, succeed};
 use crate::devices::{arbitrary_devices, devices, for_all};
 use crate::oracle::{facts_of, hex};
 use crate::processors::build;
-use crate::stacks::beside;
 use crate::stacks::truth::{Lack, Row, compare, truth, without};
+use crate::stacks::{beside, for_node};
 
 /// What the rows lack.
 const LACKS: [Lack; 5] = [
@@ -48,19 +48,8 @@ const LACKS: [Lack; 5] = [
     },
 ];
 
-fn options(node_id: u8) -> Options {
-    let mut options = Options::default();
-    options.node_id = Some(node_id);
-    options.file_stem = "device".to_owned();
-    options
-}
-
 fn write(folder: &Path, device: &Device, options: &Options) -> Vec<Note> {
-    let generated = generate(device, Target::CANFESTIVAL, options).unwrap_or_else(|error| panic!("{error}"));
-    for file in &generated.files {
-        std::fs::write(folder.join(&file.path), &file.contents).unwrap();
-    }
-    generated.notes
+    generate_with(folder, device, "canfestival", options).notes
 }
 
 /// What the harness prints for an input, with these flags, and the notes.
@@ -70,7 +59,7 @@ fn run(
     (device, node_id): (&Device, u8),
     (flags, arguments, input): (&[&str], &[&str], &str),
 ) -> Result<(String, Vec<Note>), String> {
-    let notes = write(folder, device, &options(node_id));
+    let notes = write(folder, device, &for_node(node_id));
     let mut cc = cc(compiler, folder);
     cc.arg("-I.").arg(format!("-I{}", beside("canfestival", "include").display())).args(flags);
     cc.args(["-o", "harness", "device_od.c"]);
@@ -168,7 +157,7 @@ fn limits_are_checked() {
 #[test]
 fn the_files_of_a_small_device() {
     let device = crate::devices::device(&crate::support::fixtures().join("eds/minimal.eds"));
-    for file in generate(&device, Target::CANFESTIVAL, &options(5)).unwrap().files {
+    for file in generate(&device, Target::CANFESTIVAL, &for_node(5)).unwrap().files {
         let text = String::from_utf8(file.contents).unwrap().replace(env!("CARGO_PKG_VERSION"), "[version]");
         insta::assert_snapshot!(file.path, text);
     }
@@ -179,7 +168,7 @@ fn the_files_of_a_small_device() {
 fn pdos_are_where_their_mappings_are() {
     let device = crate::odd::device();
     let folder = tempfile::tempdir().unwrap();
-    write(folder.path(), &device, &options(5));
+    write(folder.path(), &device, &for_node(5));
     let source = std::fs::read_to_string(folder.path().join("device_od.c")).unwrap();
     assert!(source.contains("od_firstIndex = {0u, 0u, 0u, 0u, 0u, 0u};"), "no families");
     let folder = tempfile::tempdir().unwrap();
@@ -188,7 +177,7 @@ fn pdos_are_where_their_mappings_are() {
     device.objects.remove(&0x1A01);
     device.objects.remove(&0x1800);
     device.objects.retain(|index, _| *index >= 0x1400);
-    write(folder.path(), &device, &options(5));
+    write(folder.path(), &device, &for_node(5));
     let source = std::fs::read_to_string(folder.path().join("device_od.c")).unwrap();
     let start = source.find("const indextable od_objdict").unwrap();
     insta::assert_snapshot!("positions", &source[start..source.find("/* The TPDOs.").unwrap()]);

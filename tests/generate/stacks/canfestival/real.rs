@@ -5,11 +5,11 @@ use std::process::Command;
 
 use objdict::model::Device;
 
-use super::{address, expected, options, write};
+use super::{address, expected, write};
 use crate::compile::{c_compiler, succeed};
 use crate::devices::{arbitrary_devices, devices, for_all};
 use crate::stacks::truth::compare;
-use crate::stacks::{beside, checkout};
+use crate::stacks::{beside, checkout, for_node};
 
 /// The stack, compiled for Linux.
 struct Stack {
@@ -53,7 +53,7 @@ impl Stack {
 
     /// The entries of a node that starts with a table for node 5.
     fn print(&self, folder: &Path, device: &Device, node_id: u8) -> Result<String, String> {
-        write(folder, device, &options(5));
+        write(folder, device, &for_node(5));
         let mut cc = self.cc(folder);
         cc.args(["-o", "node", "device_od.c"]).arg(beside("canfestival", "node.c"));
         succeed(cc.arg(self.folder.path().join("stack.a")), "")?;

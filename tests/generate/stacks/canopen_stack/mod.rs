@@ -2,10 +2,10 @@
 
 use std::path::Path;
 
-use objdict::generate::{Generated, Note, Options, StorageGroup, Target, generate};
+use objdict::generate::{Generated, Note, Options, StorageGroup};
 use objdict::model::Device;
 
-use crate::compile::{c_compiler, cc, succeed};
+use crate::compile::{c_compiler, cc, generate_with, succeed};
 use crate::devices::{arbitrary_devices, device, devices, for_all};
 use crate::processors::build;
 use crate::stacks::truth::{Lack, Row, compare, truth, without};
@@ -55,12 +55,7 @@ pub(crate) fn options(node_id: u8, grouped: bool) -> Options {
 }
 
 fn write(folder: &Path, device: &Device, options: &Options) -> Generated {
-    let target = Target::named("canopen-stack").unwrap();
-    let generated = generate(device, target, options).unwrap_or_else(|error| panic!("{error}"));
-    for file in &generated.files {
-        std::fs::write(folder.join(&file.path), &file.contents).unwrap();
-    }
-    generated
+    generate_with(folder, device, "canopen-stack", options)
 }
 
 /// The expected rows of the stack; without 1200h, its default one.

@@ -8,10 +8,10 @@ use std::path::Path;
 use std::process::Command;
 use std::sync::atomic::{AtomicUsize, Ordering};
 
-use objdict::generate::{Note, Options, Target, generate};
+use objdict::generate::{Note, Options};
 use objdict::model::{Device, TypeKind};
 
-use crate::compile::{c_compiler, cc, succeed};
+use crate::compile::{c_compiler, cc, generate_with, succeed};
 use crate::devices::{arbitrary_devices, devices, for_all};
 use crate::oracle::{Answer, Dictionary, Facts, STRING_ROOM, facts_of, hex};
 use crate::processors::build;
@@ -84,12 +84,7 @@ fn expected(device: &Device) -> Vec<Row> {
 }
 
 fn generate_into(folder: &Path, device: &Device, options: &Options) -> Vec<Note> {
-    let target = Target::named("canopennode").unwrap();
-    let generated = generate(device, target, options).unwrap_or_else(|error| panic!("{error}"));
-    for file in &generated.files {
-        std::fs::write(folder.join(&file.path), &file.contents).unwrap();
-    }
-    generated.notes
+    generate_with(folder, device, "canopennode", options).notes
 }
 
 /// A compiler command with the project's declarations and the generated files.

@@ -6,7 +6,7 @@ use std::path::Path;
 use objdict::generate::{Note, Options, Target, generate};
 use objdict::model::{Device, Value};
 
-use crate::compile::{c_compiler, cc, succeed};
+use crate::compile::{c_compiler, cc, generate_with, succeed};
 use crate::devices::{arbitrary_devices, devices, for_all};
 use crate::processors::build;
 use crate::stacks::canfestival::address;
@@ -55,12 +55,7 @@ fn expected(device: &Device) -> Vec<Row> {
 }
 
 fn write(folder: &Path, device: &Device, options: &Options) -> Vec<Note> {
-    let generated =
-        generate(device, Target::CANOPENNODE_V1, options).unwrap_or_else(|error| panic!("{error}"));
-    for file in &generated.files {
-        std::fs::write(folder.join(&file.path), &file.contents).unwrap();
-    }
-    generated.notes
+    generate_with(folder, device, "canopennode-v1", options).notes
 }
 
 /// The entries, one per line, without the number of errors, and the notes.

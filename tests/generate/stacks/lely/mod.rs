@@ -4,15 +4,15 @@ mod real;
 
 use std::path::Path;
 
-use objdict::generate::{Note, Options, Target, generate};
+use objdict::generate::{Note, Options};
 use objdict::model::{DataType, Device, TypeKind, Value};
 
-use crate::compile::{c_compiler, cc};
+use crate::compile::{c_compiler, cc, generate_with};
 use crate::devices::{arbitrary_devices, device, devices, for_all};
 use crate::oracle::facts_of;
 use crate::processors::build;
-use crate::stacks::beside;
 use crate::stacks::truth::{Lack, Row, compare, truth, without};
+use crate::stacks::{beside, for_node};
 
 /// What the rows lack.
 const LACKS: [Lack; 4] = [
@@ -69,19 +69,8 @@ fn without_files(device: &Device) -> Device {
     device
 }
 
-fn options(node_id: u8) -> Options {
-    let mut options = Options::default();
-    options.node_id = Some(node_id);
-    options.file_stem = "device".to_owned();
-    options
-}
-
 fn write(folder: &Path, device: &Device, options: &Options) -> Vec<Note> {
-    let generated = generate(device, Target::LELY, options).unwrap_or_else(|error| panic!("{error}"));
-    for file in &generated.files {
-        std::fs::write(folder.join(&file.path), &file.contents).unwrap();
-    }
-    generated.notes
+    generate_with(folder, device, "lely", options).notes
 }
 
 /// The rows, one per line, and the notes. With `arguments`, details too; with `flags` of a configuration.
@@ -91,7 +80,7 @@ fn dump_with(
     (device, node_id): (&Device, u8),
     (flags, arguments): (&[&str], &[&str]),
 ) -> Result<(String, Vec<Note>), String> {
-    let notes = write(folder, device, &options(node_id));
+    let notes = write(folder, device, &for_node(node_id));
     let mut cc = cc(compiler, folder);
     cc.arg("-I.").arg(format!("-I{}", beside("lely", "include").display())).args(flags);
     cc.args(["-DSDEV=od_sdev", "-o", "harness", "device_sdev.c"]);

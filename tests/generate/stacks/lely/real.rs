@@ -8,11 +8,11 @@ use std::sync::atomic::{AtomicUsize, Ordering};
 use objdict::generate::Options;
 use objdict::model::Device;
 
-use super::{LACKS, options, without_files, write};
+use super::{LACKS, without_files, write};
 use crate::compile::{c_compiler, succeed};
 use crate::devices::{arbitrary_devices, devices, for_all};
 use crate::stacks::truth::{compare, truth, without};
-use crate::stacks::{beside, checkout};
+use crate::stacks::{beside, checkout, for_node};
 
 /// The library, compiled.
 struct Library {
@@ -73,7 +73,7 @@ fn the_library_loads_the_tables_for_any_node() {
     for_all(&[devices(), arbitrary_devices(12)].concat(), |(name, device)| {
         let device = &without_files(device);
         let folder = tempfile::tempdir().map_err(|error| error.to_string())?;
-        write(folder.path(), device, &options(5));
+        write(folder.path(), device, &for_node(5));
         let fail = |error: String| format!("{name}: {error}");
         for node_id in [5, 127] {
             let arguments = [node_id.to_string()];

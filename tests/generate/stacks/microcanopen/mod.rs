@@ -2,14 +2,14 @@
 
 use std::path::Path;
 
-use objdict::generate::{Generated, Note, Options, Target, generate};
+use objdict::generate::{Generated, Note};
 use objdict::model::{Device, TypeKind};
 
-use crate::compile::{c_compiler, cc};
+use crate::compile::{c_compiler, cc, generate_with};
 use crate::devices::{arbitrary_devices, device, devices, for_all};
 use crate::processors::{Programs, build};
-use crate::stacks::beside;
 use crate::stacks::truth::{Lack, Row, compare, truth, without};
+use crate::stacks::{beside, for_node};
 use crate::support::fixtures;
 
 /// Whether the stored length is the actual length of a value.
@@ -52,14 +52,7 @@ const LACKS: [Lack; 5] = [
 ];
 
 fn write(folder: &Path, device: &Device, node_id: u8) -> Generated {
-    let mut options = Options::default();
-    options.node_id = Some(node_id);
-    options.file_stem = "device".to_owned();
-    let generated = generate(device, Target::named("microcanopen").unwrap(), &options).unwrap();
-    for file in &generated.files {
-        std::fs::write(folder.join(&file.path), &file.contents).unwrap();
-    }
-    generated
+    generate_with(folder, device, "microcanopen", &for_node(node_id))
 }
 
 fn built(compiler: &str, folder: &Path) -> Result<Programs, String> {

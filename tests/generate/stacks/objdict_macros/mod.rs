@@ -2,14 +2,14 @@
 
 use std::path::Path;
 
-use objdict::generate::{Note, Options, Target, generate};
+use objdict::generate::Note;
 use objdict::model::{Device, PdoKind};
 
-use crate::compile::{c_compiler, cc};
+use crate::compile::{c_compiler, cc, generate_with};
 use crate::devices::{arbitrary_devices, devices, for_all};
 use crate::processors::{Programs, build};
-use crate::stacks::beside;
 use crate::stacks::truth::{Lack, Row, compare, truth, without};
+use crate::stacks::{beside, for_node};
 
 /// Data missing in the rows.
 const LACKS: [Lack; 3] = [
@@ -53,12 +53,7 @@ pub(crate) fn dump(
     device: &Device,
     node_id: u8,
 ) -> Result<(String, Vec<Note>), String> {
-    let mut options = Options::default();
-    options.node_id = Some(node_id);
-    let generated = generate(device, Target::named("objdict-macros").unwrap(), &options).unwrap();
-    for file in &generated.files {
-        std::fs::write(folder.join(&file.path), &file.contents).unwrap();
-    }
+    let generated = generate_with(folder, device, "objdict-macros", &for_node(node_id));
     let mut cc = cc(compiler, folder);
     let cc = cc.args(["-I.", "-o", "harness", "objdict.c", "mapping.c"]);
     Ok((build(cc.arg(beside("objdict_macros", "harness.c")))?.run(&[], "")?, generated.notes))
