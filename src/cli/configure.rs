@@ -118,8 +118,18 @@ fn settings_file(args: &ConfigureArgs) -> Result<SettingsFile, Failure> {
 
 /// What is wanted, in the order in which it is taken: a later one of the same entry counts.
 fn settings(args: &ConfigureArgs, file: &SettingsFile) -> Vec<Setting> {
-    let options = [&args.set, &args.map, &args.cob_id, &args.heartbeat_consumer];
-    file.settings.iter().chain(options.into_iter().flatten()).cloned().collect()
+    let repeatable = [
+        &args.set,
+        &args.map,
+        &args.cob_id,
+        &args.transmission,
+        &args.inhibit,
+        &args.event_timer,
+        &args.sync_start,
+    ];
+    let services = [&args.sync, &args.emcy, &args.time, &args.guard];
+    let options = repeatable.into_iter().flatten().chain(services.into_iter().flatten());
+    file.settings.iter().chain(options).chain(&args.heartbeat_consumer).cloned().collect()
 }
 
 fn plugged(device: &Device, modules: &[u16]) -> Result<Device, Failure> {

@@ -2,12 +2,12 @@
 
 use std::path::Path;
 
-use objdict::configure::{Setting, SettingProblem, configure};
+use objdict::configure::{NoSetting, Setting, SettingProblem, configure};
 use objdict::coupler::{ModuleProblem, flatten};
 use objdict::download::{ConciseDcf, PlanOptions};
 use objdict::format::{self, Description, Format, NodeSettings, WriteOptions};
 use objdict::lint::{self, Options};
-use objdict::model::{Commissioning, Device, Value};
+use objdict::model::{Access, Assignment, Commissioning, DataType, Device, Entry, Object, Value};
 use objdict::source::{SourceFile, SourceOptions};
 
 fn open(path: &str) -> Description {
@@ -129,6 +129,13 @@ fn all_problems_are_told_at_once() {
         id("rpdo1=0x185"),
         id("tpdo9=0x190"),
         Setting::heartbeat_consumer("5=100").unwrap(),
+        value("1005=0x80"),
+        value("100C=100"),
+        value("1800:3=50us"),
+        value("6002:1=5ms"),
+        id("tpdo1=0x85"),
+        Setting::sync_start("tpdo1=3").unwrap(),
+        Setting::time("consumer").unwrap(),
     ];
     let problems = configure(&device, 5, &settings).unwrap_err();
     let told = |problem: &SettingProblem| match &problem.help {
@@ -136,6 +143,96 @@ fn all_problems_are_told_at_once() {
         None => problem.to_string(),
     };
     insta::assert_snapshot!(problems.iter().map(told).collect::<Vec<_>>().join("\n"));
+}
+
+/// The I/O module with SYNC, TIME and guarding, and with SYNC start values.
+fn with_services() -> Device {
+    let mut device = open("eds/io-401.eds").into_device();
+    let entry = |data_type, default| Entry {
+        data_type: Some(data_type),
+        access: Some(Access::Rw),
+        default: Some(Value::Unsigned(default)),
+        ..Entry::default()
+    };
+    for (index, data_type, default) in [
+        (0x1005, DataType::UNSIGNED32, 0x80),
+        (0x1006, DataType::UNSIGNED32, 0),
+        (0x100C, DataType::UNSIGNED16, 0),
+        (0x100D, DataType::UNSIGNED8, 0),
+        (0x1012, DataType::UNSIGNED32, 0x100),
+        (0x2000, DataType::UNSIGNED16, 7),
+    ] {
+        device.objects.insert(index, Object { main: entry(data_type, default), ..Object::default() });
+    }
+    device.objects.get_mut(&0x1800).unwrap().subs.insert(6, entry(DataType::UNSIGNED8, 0));
+    device
+}
+
+/// What settings change: `1017:00=1000`.
+fn values(device: &Device, settings: &[Result<Setting, NoSetting>]) -> Vec<String> {
+    let settings: Vec<Setting> = settings.iter().cloned().collect::<Result<_, _>>().unwrap();
+    let assignments = configure(device, 5, &settings).unwrap();
+    let written = |Assignment { index, sub, value }: Assignment| match value.as_integer() {
+        Some(number) if number > 0xFFFF => format!("{index:04X}:{sub:02X}={number:#X}"),
+        _ => format!("{index:04X}:{sub:02X}={value}"),
+    };
+    assignments.into_iter().map(written).collect()
+}
+
+#[test]
+fn times_have_the_unit_of_their_entry() {
+    let device = with_services();
+    let settings = [
+        Setting::value("1006=33.5ms"),
+        Setting::value("1017=1.5s"),
+        Setting::value("1800:3=5ms"),
+        Setting::value("1801:5=default"),
+        Setting::inhibit("tpdo2=300us"),
+    ];
+    let expected = ["1006:00=33500", "1017:00=1500", "1800:03=50", "1801:03=3", "1801:05=1000"];
+    assert_eq!(values(&device, &settings), expected);
+}
+
+#[test]
+fn services_and_parameters_of_pdos() {
+    let device = with_services();
+    let settings = [
+        Setting::transmission("tpdo1=sync/4"),
+        Setting::transmission("rpdo1=event-vendor"),
+        Setting::event_timer("tpdo2=0.1s"),
+        Setting::sync_start("tpdo1=3"),
+        Setting::sync("producer,33ms"),
+        Setting::time("0x101,consumer").and(Setting::time("consumer")),
+        Setting::emcy("0xA0"),
+        Setting::guard("100msx3"),
+    ];
+    let expected = [
+        "1005:00=0x40000080",
+        "1006:00=33000",
+        "100C:00=100",
+        "100D:00=3",
+        "1012:00=0x80000100",
+        "1014:00=160",
+        "1400:02=254",
+        "1800:02=4",
+        "1800:06=3",
+        "1801:05=100",
+    ];
+    assert_eq!(values(&device, &settings), expected);
+    let off = [Setting::time("off"), Setting::emcy("off"), Setting::sync("0x90,consumer")];
+    assert_eq!(values(&device, &off), ["1005:00=144", "1012:00=256", "1014:00=$NODEID+0x80000080"]);
+}
+
+/// A PDO gets its predefined CAN-ID, or a free one when another service has that.
+#[test]
+fn free_can_ids_are_found() {
+    let device = with_services();
+    let auto = |pdo: &str| Setting::cob_id(&format!("{pdo}=auto"));
+    let settings = [Setting::cob_id("tpdo1=0x285"), auto("tpdo2"), auto("rpdo2")];
+    let before = [Setting::cob_id("tpdo2=off"), Setting::cob_id("rpdo1=0x680")];
+    let found = values(&device, &before.into_iter().chain(settings).collect::<Vec<_>>());
+    let expected = ["1400:01=1664", "1401:01=$NODEID+0x300", "1800:01=645", "1801:01=1665"];
+    assert_eq!(found, expected);
 }
 
 #[test]

@@ -10,3 +10,4 @@ mod resolve;
 pub use resolve::{ObjectName, candidates, resolve};
 
 use objdict_model::{diagnostic, literal, model};
+use objdict_profile as profile;

@@ -38,15 +38,39 @@ pub(in crate::cli) struct ConfigureArgs {
     /// The node name
     #[arg(long, alias = "node-name", value_name = "NAME", value_parser = node_name)]
     pub name: Option<String>,
-    /// Set the value of an entry, by index or name: `1017=250`, `1800:2=0xFE`, `Producer heartbeat time=250`; repeatable
+    /// Set the value of an entry, by index or name: `1017=250`, `1017=1s`, `Producer heartbeat time=default`; repeatable
     #[arg(long, value_name = "ENTRY=VALUE", value_parser = Setting::value)]
     pub set: Vec<Setting>,
     /// Map entries into a PDO, by index or name: `tpdo1=6000:1,6401:2`, `tpdo1=Statusword`; repeatable
     #[arg(long, value_name = "PDO=ENTRIES", value_parser = Setting::map)]
     pub map: Vec<Setting>,
-    /// Set the CAN-ID of a PDO: `rpdo2=0x2AA`, `tpdo1=$NODEID+0x180`, `tpdo3=off`; repeatable
+    /// Set the CAN-ID of a PDO: `rpdo2=0x2AA`, `tpdo1=$NODEID+0x180`, `tpdo2=auto`, `tpdo3=off`; repeatable
     #[arg(long, value_name = "PDO=ID", value_parser = Setting::cob_id)]
     pub cob_id: Vec<Setting>,
+    /// Set the transmission type of a PDO: `tpdo1=sync/1`, `event`, `event-vendor`, `rtr` or a number; repeatable
+    #[arg(long, value_name = "PDO=TYPE", value_parser = Setting::transmission)]
+    pub transmission: Vec<Setting>,
+    /// Set the inhibit time of a PDO: `tpdo1=5ms`; repeatable
+    #[arg(long, value_name = "PDO=TIME", value_parser = Setting::inhibit)]
+    pub inhibit: Vec<Setting>,
+    /// Set the event timer of a PDO: `tpdo1=100ms`; repeatable
+    #[arg(long, value_name = "PDO=TIME", value_parser = Setting::event_timer)]
+    pub event_timer: Vec<Setting>,
+    /// Set the SYNC counter value that a PDO starts with: `tpdo1=3`; repeatable
+    #[arg(long, value_name = "PDO=NUMBER", value_parser = Setting::sync_start)]
+    pub sync_start: Vec<Setting>,
+    /// Set up SYNC: CAN-ID, `producer` or `consumer`, period: `producer,33ms`
+    #[arg(long, value_name = "SYNC", value_parser = Setting::sync)]
+    pub sync: Option<Setting>,
+    /// Set the CAN-ID of EMCY: `$NODEID+0x80`, `auto` or `off`
+    #[arg(long, value_name = "ID", value_parser = Setting::emcy)]
+    pub emcy: Option<Setting>,
+    /// Set up TIME: CAN-ID, `producer`, `consumer`, or `off`: `0x100,consumer`
+    #[arg(long, value_name = "TIME", value_parser = Setting::time)]
+    pub time: Option<Setting>,
+    /// Set guard time and life time factor: `100msx3`
+    #[arg(long, value_name = "TIMExFACTOR", value_parser = Setting::guard)]
+    pub guard: Option<Setting>,
     /// Monitor the heartbeat of a node: `7=750ms`; repeatable
     #[arg(long, value_name = "NODE=TIME", value_parser = Setting::heartbeat_consumer)]
     pub heartbeat_consumer: Vec<Setting>,

@@ -2,11 +2,12 @@
 
 use std::borrow::Cow;
 
+use super::time::{in_unit_of, nanoseconds};
 use super::{Desk, Wrong};
 use crate::diagnostic::{listing, nearest, series, sub_index};
 use crate::download::{Beyond, beyond, bytes_of, transferred_type};
 use crate::literal::{self, Quirk, Quirks};
-use crate::model::{Access, Address, Entry, Object, ObjectType, Value};
+use crate::model::{Access, Address, DataType, Entry, Object, ObjectType, Value};
 use crate::resolve::{ObjectName, candidates};
 
 /// Maximum number of candidates listed for an ambiguous name.
@@ -48,8 +49,13 @@ impl<'a> Desk<'a> {
     /// Sets an entry to the value of a text.
     pub(super) fn set(&mut self, at: Address, text: &str) -> Result<(), Wrong> {
         let (sub, entry) = self.writable(at)?;
-        let value = self.read(at.index, sub, text)?;
+        let value = self.read(at.index, sub, &entry, text)?;
         self.put(at.index, sub, &entry, value)
+    }
+
+    /// Sets an entry of an object that a setting does not name, so a problem has to.
+    pub(super) fn set_implied(&mut self, at: Address, text: &str) -> Result<(), Wrong> {
+        self.set(at, text).map_err(|wrong| wrong.about(at))
     }
 
     /// Sets an entry after checking data type and limits.
@@ -70,12 +76,20 @@ impl<'a> Desk<'a> {
     }
 
     /// Parses a text as a value of the entry's data type.
-    fn read(&self, index: u16, sub: u8, text: &str) -> Result<Value, Wrong> {
+    fn read(&self, index: u16, sub: u8, entry: &Entry, text: &str) -> Result<Value, Wrong> {
         let Some(data_type) = transferred_type(self.device, index, sub) else {
             return Err(Wrong::new("the description does not state the data type of the entry"));
         };
         if text.is_empty() {
             return Err(Wrong::new("the value is missing").help(format!("write a value of {data_type}")));
+        }
+        let is_text = matches!(data_type, DataType::VISIBLE_STRING | DataType::UNICODE_STRING);
+        if text.eq_ignore_ascii_case("default") && !is_text {
+            let missing = || Wrong::new("the description states no default of the entry");
+            return entry.default.clone().ok_or_else(missing);
+        }
+        if let Some(time) = nanoseconds(text).filter(|_| data_type.is_integer()) {
+            return in_unit_of(self.device, (index, sub), text, time).map(Value::Unsigned);
         }
         let mut quirks = Quirks::default();
         let value = literal::value(text, Some(data_type), &mut quirks)
@@ -110,14 +124,7 @@ impl<'a> Desk<'a> {
     pub(super) fn entry(&self, at: Address) -> Result<(&'a Object, u8, Cow<'a, Entry>), Wrong> {
         let device = self.device;
         let Some(object) = device.object(at.index) else {
-            let wrong = Wrong::new(format!("the device has no object `{:04X}`", at.index));
-            let indexes: Vec<String> = device.objects.keys().map(|index| format!("{index:04X}")).collect();
-            let wanted = format!("{:04X}", at.index);
-            let meant = same_digits(&wanted, &indexes);
-            return Err(match meant.or_else(|| nearest(&wanted, indexes.iter().map(String::as_str))) {
-                Some(meant) => wrong.help(format!("did you mean `{meant}`?")),
-                None => wrong.help("`objdict show` lists the objects"),
-            });
+            return Err(self.no_object(at.index));
         };
         let has_subs = object.object_type().has_subs() || object.compact.is_some();
         let sub = match at.sub {
@@ -138,18 +145,6 @@ impl<'a> Desk<'a> {
             }
         }
     }
-}
-
-/// Finds an index with two digits swapped, the most common typing error.
-fn same_digits<'a>(wanted: &str, indexes: &'a [String]) -> Option<&'a str> {
-    let sorted = |text: &str| {
-        let mut digits = text.as_bytes().to_vec();
-        digits.sort_unstable();
-        digits
-    };
-    let differing = |index: &str| index.bytes().zip(wanted.bytes()).filter(|(a, b)| a != b).count();
-    let mut indexes = indexes.iter().map(String::as_str);
-    indexes.find(|index| differing(index) == 2 && sorted(index) == sorted(wanted))
 }
 
 /// Lists the sub-indexes of an object; consecutive ones as a range.

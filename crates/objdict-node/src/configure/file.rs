@@ -4,6 +4,8 @@
 //! node-id = 5
 //! bit-rate = 250
 //! name = "pump"
+//! sync = "0x80,consumer"
+//! emcy = "auto"
 //!
 //! [set]
 //! "1017" = 250
@@ -14,6 +16,9 @@
 //!
 //! [cob-id]
 //! rpdo2 = "0x2AA"
+//!
+//! [transmission]
+//! tpdo1 = "sync/1"
 //!
 //! [heartbeat-consumer]
 //! 7 = "750ms"
@@ -35,7 +40,7 @@ pub struct SettingsFile {
     pub baud_rate: Option<u16>,
     /// `name`.
     pub name: Option<String>,
-    /// The settings: values, mappings, CAN-IDs, heartbeat consumers.
+    /// The settings: values, mappings, parameters of PDOs, services, heartbeat consumers.
     pub settings: Vec<Setting>,
 }
 
@@ -58,14 +63,56 @@ struct Document {
     #[serde(alias = "baudrate")]
     bit_rate: Option<u16>,
     name: Option<String>,
+    sync: Option<Toml>,
+    emcy: Option<Toml>,
+    time: Option<Toml>,
+    guard: Option<String>,
     #[serde(default)]
-    set: BTreeMap<String, Toml>,
+    set: Table,
     #[serde(default)]
     map: BTreeMap<String, Vec<String>>,
     #[serde(default)]
-    cob_id: BTreeMap<String, Toml>,
+    cob_id: Table,
     #[serde(default)]
-    heartbeat_consumer: BTreeMap<String, Toml>,
+    transmission: Table,
+    #[serde(default)]
+    inhibit: Table,
+    #[serde(default)]
+    event_timer: Table,
+    #[serde(default)]
+    sync_start: Table,
+    #[serde(default)]
+    heartbeat_consumer: Table,
+}
+
+/// The settings of one option, by what is in front of `=`.
+type Table = BTreeMap<String, Toml>;
+
+/// Reads a setting as the option of its name.
+type Read = fn(&str) -> Result<Setting, NoSetting>;
+
+impl Document {
+    /// The settings in the order in which they apply, later ones of an entry over earlier ones.
+    fn settings(&self) -> Vec<Result<Setting, NoSetting>> {
+        let pairs = |table: &Table, read: Read| -> Vec<_> {
+            table.iter().map(|(at, value)| read(&format!("{at}={}", plain(value)))).collect()
+        };
+        let service = |value: &Option<Toml>, read: Read| value.as_ref().map(|value| read(&plain(value)));
+        let mut settings = pairs(&self.set, Setting::value);
+        let maps = self.map.iter().map(|(pdo, objects)| format!("{pdo}={}", objects.join(",")));
+        settings.extend(maps.map(|map| Setting::map(&map)));
+        settings.extend(pairs(&self.cob_id, Setting::cob_id));
+        settings.extend(pairs(&self.transmission, Setting::transmission));
+        settings.extend(pairs(&self.inhibit, Setting::inhibit));
+        settings.extend(pairs(&self.event_timer, Setting::event_timer));
+        settings.extend(pairs(&self.sync_start, Setting::sync_start));
+        settings.extend(service(&self.sync, Setting::sync));
+        settings.extend(service(&self.emcy, Setting::emcy));
+        settings.extend(service(&self.time, Setting::time));
+        settings.extend(self.guard.as_deref().map(Setting::guard));
+        settings.extend(pairs(&self.heartbeat_consumer, Setting::heartbeat_consumer));
+        settings
+    }
 }
 
 impl SettingsFile {
@@ -75,16 +122,9 @@ impl SettingsFile {
     /// Fails on invalid TOML, unknown keys and invalid values.
     pub fn parse(text: &str) -> Result<Self, SettingsFileError> {
         let document: Document = toml::from_str(text).map_err(SettingsFileError::Toml)?;
-        let values = document.set.iter().map(|(at, value)| Setting::value(&format!("{at}={}", plain(value))));
-        let maps =
-            document.map.iter().map(|(pdo, objects)| Setting::map(&format!("{pdo}={}", objects.join(","))));
-        let ids = document.cob_id.iter().map(|(pdo, id)| Setting::cob_id(&format!("{pdo}={}", plain(id))));
-        let consumers = document.heartbeat_consumer.iter();
-        let consumers =
-            consumers.map(|(node, time)| Setting::heartbeat_consumer(&format!("{node}={}", plain(time))));
         let mut settings = Vec::new();
         let mut wrong = Vec::new();
-        for setting in values.chain(maps).chain(ids).chain(consumers) {
+        for setting in document.settings() {
             match setting {
                 Ok(setting) => settings.push(setting),
                 Err(error) => wrong.push(error),
@@ -119,8 +159,10 @@ mod tests {
     #[test]
     fn a_file_says_what_the_options_say() {
         let text = "node-id = 5\nbit-rate = 250\nname = 'pump'\n[set]\n'1017' = 250\n'1800:2' = '0xFE'\n'2000' = true\n'Producer heartbeat time' = 5\n\
-                    [map]\ntpdo1 = ['6000:1', '6401:2']\n[cob-id]\nrpdo2 = 0x2AA\n[heartbeat-consumer]\n7 = '750ms'\n";
-        let file = SettingsFile::parse(text).unwrap();
+                    [map]\ntpdo1 = ['6000:1', '6401:2']\n[cob-id]\nrpdo2 = 0x2AA\n[heartbeat-consumer]\n7 = '750ms'\n\
+                    [transmission]\ntpdo1 = 1\n[inhibit]\ntpdo1 = '5ms'\n[event-timer]\ntpdo1 = 100\n[sync-start]\ntpdo1 = 3\n";
+        let text = format!("sync = 'producer,33ms'\nemcy = 'auto'\ntime = 0x100\nguard = '100x3'\n{text}");
+        let file = SettingsFile::parse(&text).unwrap();
         assert_eq!((file.node_id, file.baud_rate, file.name.as_deref()), (Some(5), Some(250), Some("pump")));
         let settings: Vec<String> = file.settings.iter().map(ToString::to_string).collect();
         let expected = [
@@ -130,6 +172,14 @@ mod tests {
             "Producer heartbeat time=5",
             "tpdo1=6000:1,6401:2",
             "rpdo2=0x2AA",
+            "transmission tpdo1=1",
+            "inhibit tpdo1=5ms",
+            "event-timer tpdo1=100",
+            "sync-start tpdo1=3",
+            "sync producer,33ms",
+            "emcy auto",
+            "time 0x100",
+            "guard 100msx3",
             "7=750ms",
         ];
         assert_eq!(settings, expected);

@@ -12,7 +12,7 @@ impl Desk<'_> {
             return Err(Wrong::new("a node cannot monitor its own heartbeat"));
         }
         let Some(object) = self.device.object(CONSUMERS) else {
-            return Err(Wrong::new("the device has no 1016h, so it cannot monitor heartbeats"));
+            return Err(self.no_object(CONSUMERS));
         };
         let subs: Vec<u8> =
             object.entries().map(|(sub, _)| sub).filter(|sub| (1..=0x7F).contains(sub)).collect();

@@ -26,17 +26,21 @@ mod entry;
 #[cfg(feature = "toml")]
 mod file;
 mod heartbeat;
+mod missing;
 mod pdo;
+mod service;
 mod setting;
+mod time;
 
 use std::collections::BTreeMap;
 use std::fmt;
 
-use crate::model::{Assignment, Device, Value};
+use crate::model::{Address, Assignment, Device, Value};
+use crate::resolve::ObjectName;
 
 #[cfg(feature = "toml")]
 pub use file::{SettingsFile, SettingsFileError};
-pub use setting::{CanId, NoSetting, PdoName, Setting};
+pub use setting::{CanId, NoSetting, PdoName, PdoParameter, Setting};
 
 /// A setting that cannot be applied.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -68,6 +72,12 @@ impl Wrong {
 
     pub(crate) fn help(mut self, help: impl Into<String>) -> Self {
         self.help = Some(help.into());
+        self
+    }
+
+    /// The problem of an entry that the setting does not name.
+    pub(crate) fn about(mut self, at: Address) -> Self {
+        self.message = format!("`{}`: {}", ObjectName::Address(at), self.message);
         self
     }
 }
@@ -111,6 +121,11 @@ impl Desk<'_> {
             Setting::Map { pdo, objects } => self.map(*pdo, objects),
             Setting::CobId { pdo, id } => self.cob_id(*pdo, *id),
             Setting::HeartbeatConsumer { node_id, milliseconds } => self.watch(*node_id, *milliseconds),
+            Setting::Pdo { pdo, parameter, text } => self.pdo_parameter(*pdo, *parameter, text),
+            Setting::Sync { id, producer, period } => self.sync(*id, *producer, period.as_deref()),
+            Setting::Emcy(id) => self.emcy(*id),
+            Setting::TimeStamp { id, producer, consumer } => self.time_stamp(*id, *producer, *consumer),
+            Setting::Guard { milliseconds, factor } => self.guard(*milliseconds, *factor),
         }
     }
 

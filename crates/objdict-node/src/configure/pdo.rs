@@ -1,9 +1,9 @@
-//! Mappings and CAN-IDs of PDOs.
+//! Mappings and parameters of PDOs.
 
-use super::{CanId, Desk, PdoName, Wrong};
+use super::{Desk, PdoName, PdoParameter, Wrong};
 use crate::diagnostic::listing;
 use crate::download::transferred_type;
-use crate::model::{Address, CobId, DataType, MappedObject, PdoKind, Value, restricted};
+use crate::model::{Address, DataType, MappedObject, PdoKind, Value};
 use crate::resolve::ObjectName;
 
 /// Bits of a CAN data field.
@@ -58,7 +58,24 @@ impl Desk<'_> {
         index.ok_or_else(|| self.no_pdo(pdo))
     }
 
-    fn no_pdo(&self, pdo: PdoName) -> Wrong {
+    /// Sets a parameter of a PDO.
+    pub(super) fn pdo_parameter(
+        &mut self,
+        pdo: PdoName,
+        parameter: PdoParameter,
+        text: &str,
+    ) -> Result<(), Wrong> {
+        let index = self.communication_of(pdo)?;
+        self.set_implied(Address { index, sub: Some(parameter.sub()) }, text)
+    }
+
+    /// The index of the communication parameter.
+    pub(super) fn communication_of(&self, pdo: PdoName) -> Result<u16, Wrong> {
+        let index = pdo.kind.communication_index(pdo.number);
+        index.filter(|index| self.device.object(*index).is_some()).ok_or_else(|| self.no_pdo(pdo))
+    }
+
+    pub(super) fn no_pdo(&self, pdo: PdoName) -> Wrong {
         let names = self.device.pdos().filter(|other| other.kind == pdo.kind);
         let names: Vec<String> =
             names.map(|other| PdoName { kind: other.kind, number: other.number }.to_string()).collect();
@@ -100,56 +117,4 @@ impl Desk<'_> {
             None => Err(Wrong::new(format!("`{name}` has no fixed length"))),
         }
     }
-
-    /// Sets the CAN-ID of a PDO. Bit 30 of a TPDO (no RTR) is preserved.
-    pub(super) fn cob_id(&mut self, pdo: PdoName, id: CanId) -> Result<(), Wrong> {
-        let index = pdo.kind.communication_index(pdo.number);
-        let Some(index) = index.filter(|index| self.device.object(*index).is_some()) else {
-            return Err(self.no_pdo(pdo));
-        };
-        let at = Address { index, sub: Some(1) };
-        let (sub, entry) = self.writable(at)?;
-        let present = self.value(index, sub).as_ref().and_then(CobId::from_value);
-        let kept = present.map_or(0, CobId::number) & CobId::BIT_30;
-        let cob_id = match id {
-            CanId::Off => present.unwrap_or(CobId::new(0)).disabled(),
-            CanId::Number(number) => CobId::new(kept | framed(number)),
-            CanId::PerNode(number) => CobId::per_node(kept | framed(number))
-                .ok_or_else(|| Wrong::new(format!("`{id}` is too large for a CAN-ID")))?,
-        };
-        if id != CanId::Off {
-            self.free(pdo, cob_id)?;
-        }
-        self.put(index, sub, &entry, cob_id.to_value())
-    }
-
-    /// Rejects a CAN-ID that another service of the node uses or that is not allowed for PDOs.
-    fn free(&self, pdo: PdoName, cob_id: CobId) -> Result<(), Wrong> {
-        let can_id = cob_id.can_id(self.node_id);
-        if !cob_id.is_extended() && cob_id.stray_bits() != 0 {
-            return Err(Wrong::new(format!("`{cob_id}` is above 7FFh, the highest 11-bit CAN-ID")));
-        }
-        if let Some(owner) = restricted(can_id).filter(|_| !cob_id.is_extended()) {
-            return Err(Wrong::new(format!("the CAN-ID `0x{can_id:X}` is reserved: {owner}")));
-        }
-        for other in self.device.pdos().filter(|other| (other.kind, other.number) != (pdo.kind, pdo.number)) {
-            let present = self.value(other.communication_index(), 1).as_ref().and_then(CobId::from_value);
-            let is_same = |other: CobId| {
-                other.can_id(self.node_id) == can_id && other.is_extended() == cob_id.is_extended()
-            };
-            if present.is_some_and(|other| other.is_valid() && is_same(other)) {
-                let other = PdoName { kind: other.kind, number: other.number };
-                let wrong = Wrong::new(format!("{other} already has the CAN-ID `0x{can_id:X}`"));
-                return Err(
-                    wrong.help(format!("disable it first with `--cob-id {other}=off`, or change its CAN-ID"))
-                );
-            }
-        }
-        Ok(())
-    }
-}
-
-/// Sets bit 29 if the CAN-ID needs 29 bits.
-fn framed(can_id: u32) -> u32 {
-    if can_id > 0x7FF { can_id | CobId::FRAME } else { can_id }
 }

@@ -3,6 +3,7 @@
 use std::fmt;
 use std::str::FromStr;
 
+use super::time::{milliseconds, nanoseconds};
 use crate::model::PdoKind;
 use crate::resolve::ObjectName;
 
@@ -38,6 +39,103 @@ pub enum Setting {
         /// The consumer heartbeat time in milliseconds.
         milliseconds: u16,
     },
+    /// Sets a communication parameter of a PDO.
+    Pdo {
+        /// The PDO.
+        pdo: PdoName,
+        /// The parameter.
+        parameter: PdoParameter,
+        /// The value: a number, or a time with a unit.
+        text: String,
+    },
+    /// Sets up SYNC (1005h, 1006h). What is `None` stays.
+    Sync {
+        /// The CAN-ID; [`CanId::Off`] is not possible.
+        id: Option<CanId>,
+        /// Whether the node produces SYNC.
+        producer: Option<bool>,
+        /// The communication cycle period: microseconds, or a time with a unit.
+        period: Option<String>,
+    },
+    /// Sets the CAN-ID of EMCY (1014h).
+    Emcy(CanId),
+    /// Sets up TIME (1012h). What is `None` stays.
+    TimeStamp {
+        /// The CAN-ID; [`CanId::Off`]: the node neither produces nor consumes TIME.
+        id: Option<CanId>,
+        /// Whether the node produces TIME.
+        producer: Option<bool>,
+        /// Whether the node consumes TIME.
+        consumer: Option<bool>,
+    },
+    /// Sets up node guarding (100Ch, 100Dh).
+    Guard {
+        /// The guard time in milliseconds; 0: no guarding.
+        milliseconds: u16,
+        /// The life time factor.
+        factor: u8,
+    },
+}
+
+/// A parameter of a PDO, a sub-index of its communication parameter (CiA 301 §7.5.2.35, §7.5.2.37).
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum PdoParameter {
+    /// Transmission type.
+    Transmission,
+    /// Inhibit time, in multiples of 100 µs.
+    Inhibit,
+    /// Event timer in milliseconds.
+    EventTimer,
+    /// SYNC start value.
+    SyncStart,
+}
+
+impl PdoParameter {
+    /// All parameters.
+    pub const ALL: [Self; 4] = [Self::Transmission, Self::Inhibit, Self::EventTimer, Self::SyncStart];
+
+    /// The name of its option and of its table in a settings file.
+    pub const fn name(self) -> &'static str {
+        match self {
+            Self::Transmission => "transmission",
+            Self::Inhibit => "inhibit",
+            Self::EventTimer => "event-timer",
+            Self::SyncStart => "sync-start",
+        }
+    }
+
+    /// Its sub-index in the communication parameter.
+    pub const fn sub(self) -> u8 {
+        match self {
+            Self::Transmission => 2,
+            Self::Inhibit => 3,
+            Self::EventTimer => 5,
+            Self::SyncStart => 6,
+        }
+    }
+}
+
+/// Transmission types with names (CiA 301 §7.5.2.35); `sync/N` are the numbers 1 to 240.
+const TRANSMISSION: [(&str, u8); 7] = [
+    ("sync", 1),
+    ("sync/0", 0),
+    ("rtr-sync", 252),
+    ("rtr", 253),
+    ("event-vendor", 254),
+    ("event", 255),
+    ("event-profile", 255),
+];
+
+/// The number of a transmission type: `sync/1`, `event`, `254`.
+fn transmission_type(text: &str) -> Option<u8> {
+    let lower = text.trim().to_ascii_lowercase();
+    if let Some(&(_, number)) = TRANSMISSION.iter().find(|(name, _)| *name == lower) {
+        return Some(number);
+    }
+    match lower.strip_prefix("sync/") {
+        Some(number) => number.parse().ok().filter(|number| *number <= 240),
+        None => number(&lower).and_then(|number| u8::try_from(number).ok()),
+    }
 }
 
 /// A PDO by its name, such as `tpdo1`.
@@ -56,6 +154,9 @@ pub enum CanId {
     Number(u32),
     /// The node-ID plus an offset.
     PerNode(u32),
+    /// The CAN-ID of the predefined connection set, if it is free, else for a PDO the first free one from 680h
+    /// on, which CiA 301 assigns to no service.
+    Auto,
     /// No CAN-ID: the PDO is not valid.
     Off,
 }
@@ -77,7 +178,7 @@ impl NoSetting {
 }
 
 impl Setting {
-    /// `1017=250`, `1800:2=1`, `2001="a text"`, `Producer heartbeat time=250`.
+    /// `1017=250`, `1800:2=1`, `2001="a text"`, `Producer heartbeat time=250`, `1017=1s`, `1017=default`.
     ///
     /// # Errors
     /// Fails if the text does not match this syntax.
@@ -102,7 +203,7 @@ impl Setting {
         Ok(Self::Map { pdo, objects: objects.collect::<Result<_, _>>()? })
     }
 
-    /// `rpdo2=0x2AA`, `tpdo1=$NODEID+0x180`, `tpdo3=off`.
+    /// `rpdo2=0x2AA`, `tpdo1=$NODEID+0x180`, `tpdo3=off`, `tpdo1=auto`.
     ///
     /// # Errors
     /// Fails if the text does not match this syntax.
@@ -127,6 +228,148 @@ impl Setting {
         let milliseconds = milliseconds(time).ok_or_else(wrong)?;
         Ok(Self::HeartbeatConsumer { node_id, milliseconds })
     }
+
+    /// `tpdo1=sync/1`, `tpdo1=event`, `tpdo1=254`.
+    ///
+    /// # Errors
+    /// Fails if the text does not match this syntax.
+    pub fn transmission(text: &str) -> Result<Self, NoSetting> {
+        Self::pdo(PdoParameter::Transmission, text)
+    }
+
+    /// `tpdo1=5ms`, `tpdo1=50` (multiples of 100 µs).
+    ///
+    /// # Errors
+    /// Fails if the text does not match this syntax.
+    pub fn inhibit(text: &str) -> Result<Self, NoSetting> {
+        Self::pdo(PdoParameter::Inhibit, text)
+    }
+
+    /// `tpdo1=100ms`, `tpdo1=100`.
+    ///
+    /// # Errors
+    /// Fails if the text does not match this syntax.
+    pub fn event_timer(text: &str) -> Result<Self, NoSetting> {
+        Self::pdo(PdoParameter::EventTimer, text)
+    }
+
+    /// `tpdo1=3`.
+    ///
+    /// # Errors
+    /// Fails if the text does not match this syntax.
+    pub fn sync_start(text: &str) -> Result<Self, NoSetting> {
+        Self::pdo(PdoParameter::SyncStart, text)
+    }
+
+    /// A parameter of a PDO, as the functions of their names read it.
+    ///
+    /// # Errors
+    /// Fails if the text does not match the syntax.
+    pub fn pdo(parameter: PdoParameter, text: &str) -> Result<Self, NoSetting> {
+        let wrong = || {
+            NoSetting::new(
+                text,
+                match parameter {
+                    PdoParameter::Transmission => {
+                        "write a PDO and its transmission type: `tpdo1=sync/1`, up to `sync/240`, `event`, `event-vendor`, `rtr`, `rtr-sync` or a number up to 255"
+                    }
+                    PdoParameter::Inhibit => "write a PDO and its inhibit time, as in `tpdo1=5ms`",
+                    PdoParameter::EventTimer => "write a PDO and its event timer, as in `tpdo1=100ms`",
+                    PdoParameter::SyncStart => {
+                        "write a PDO and the SYNC that it starts with, as in `tpdo1=3`"
+                    }
+                },
+            )
+        };
+        let (pdo, value) = text.split_once('=').ok_or_else(wrong)?;
+        let pdo = pdo.parse().map_err(|()| wrong())?;
+        let value = match parameter {
+            PdoParameter::Transmission => transmission_type(value).map(|number| number.to_string()),
+            PdoParameter::SyncStart => {
+                number(value).filter(|number| *number <= 240).map(|number| number.to_string())
+            }
+            _ => Some(value.trim().to_owned()).filter(|value| !value.is_empty()),
+        };
+        Ok(Self::Pdo { pdo, parameter, text: value.ok_or_else(wrong)? })
+    }
+
+    /// `producer,33ms`, `0x80`, `0x90,consumer`: a CAN-ID, what the node does with SYNC, and its period; all
+    /// optional, in any order.
+    ///
+    /// # Errors
+    /// Fails if the text does not match this syntax.
+    pub fn sync(text: &str) -> Result<Self, NoSetting> {
+        let wrong = || {
+            NoSetting::new(
+                text,
+                "write a CAN-ID, `producer` or `consumer`, and a period, as in `0x80,producer,33ms`",
+            )
+        };
+        let (mut id, mut producer, mut period) = (None, None, None);
+        for part in text.split(',').map(str::trim) {
+            let is_new = match (part, part.parse()) {
+                ("producer" | "consumer", _) => producer.replace(part == "producer").is_none(),
+                (_, Ok(CanId::Off)) => false,
+                (_, Ok(can_id)) => id.replace(can_id).is_none(),
+                _ => nanoseconds(part).is_some() && period.replace(part.to_owned()).is_none(),
+            };
+            if !is_new {
+                return Err(wrong());
+            }
+        }
+        Ok(Self::Sync { id, producer, period })
+    }
+
+    /// `0x90`, `$NODEID+0x80`, `off`, `auto`.
+    ///
+    /// # Errors
+    /// Fails if the text does not match this syntax.
+    pub fn emcy(text: &str) -> Result<Self, NoSetting> {
+        let wrong =
+            || NoSetting::new(text, "write the CAN-ID of EMCY, as in `$NODEID+0x80`, `auto` or `off`");
+        text.parse().map(Self::Emcy).map_err(|()| wrong())
+    }
+
+    /// `consumer`, `0x100,producer`, `off`: a CAN-ID and what the node does with TIME.
+    ///
+    /// # Errors
+    /// Fails if the text does not match this syntax.
+    pub fn time(text: &str) -> Result<Self, NoSetting> {
+        let wrong = || {
+            NoSetting::new(
+                text,
+                "write a CAN-ID, `producer` and `consumer`, as in `0x100,consumer`, or `off`",
+            )
+        };
+        let (mut id, mut producer, mut consumer) = (None, None, None);
+        for part in text.split(',').map(str::trim) {
+            let is_new = match part {
+                "producer" => producer.replace(true).is_none(),
+                "consumer" => consumer.replace(true).is_none(),
+                _ => id.replace(part.parse().map_err(|()| wrong())?).is_none(),
+            };
+            if !is_new || id == Some(CanId::Off) && text.contains(',') {
+                return Err(wrong());
+            }
+        }
+        Ok(Self::TimeStamp { id, producer, consumer })
+    }
+
+    /// `100x3`, `0.1s x 3`: guard time and life time factor; `0x0` is no guarding.
+    ///
+    /// # Errors
+    /// Fails if the text does not match this syntax.
+    pub fn guard(text: &str) -> Result<Self, NoSetting> {
+        let wrong = || {
+            NoSetting::new(
+                text,
+                "write a guard time up to 65535 ms, `x` and a life time factor up to 255, as in `100msx3`",
+            )
+        };
+        let (time, factor) = text.rsplit_once('x').ok_or_else(wrong)?;
+        let milliseconds = milliseconds(time).ok_or_else(wrong)?;
+        Ok(Self::Guard { milliseconds, factor: factor.trim().parse().map_err(|_| wrong())? })
+    }
 }
 
 /// A decimal number, or a hexadecimal one with prefix `0x`.
@@ -138,21 +381,6 @@ fn number(text: &str) -> Option<u32> {
         None if text.starts_with('+') => None,
         None => text.parse().ok(),
     }
-}
-
-fn milliseconds(text: &str) -> Option<u16> {
-    let text = text.trim();
-    if let Some(number) = text.strip_suffix("ms") {
-        return number.trim().parse().ok();
-    }
-    let Some(seconds) = text.strip_suffix('s') else { return text.parse().ok() };
-    let (whole, fraction) = seconds.trim().split_once('.').unwrap_or((seconds.trim(), ""));
-    if fraction.len() > 3 || !fraction.bytes().all(|digit| digit.is_ascii_digit()) {
-        return None;
-    }
-    let whole: u32 = whole.parse().ok()?;
-    let fraction: u32 = format!("{fraction:0<3}").parse().ok()?;
-    u16::try_from(whole.checked_mul(1000)?.checked_add(fraction)?).ok()
 }
 
 impl FromStr for PdoName {
@@ -183,6 +411,9 @@ impl FromStr for CanId {
         if text.eq_ignore_ascii_case("off") {
             return Ok(Self::Off);
         }
+        if text.eq_ignore_ascii_case("auto") {
+            return Ok(Self::Auto);
+        }
         let upper = text.to_ascii_uppercase();
         let (id, is_per_node) = match upper.strip_prefix("$NODEID") {
             Some("") => (Some(0), true),
@@ -206,11 +437,12 @@ impl fmt::Display for CanId {
             Self::Number(number) => write!(f, "0x{number:X}"),
             Self::PerNode(number) => write!(f, "$NODEID+0x{number:X}"),
             Self::Off => f.write_str("off"),
+            Self::Auto => f.write_str("auto"),
         }
     }
 }
 
-/// The syntax of the command-line option.
+/// The syntax of the command-line option, for those about one service behind the name of the option.
 impl fmt::Display for Setting {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match self {
@@ -221,8 +453,27 @@ impl fmt::Display for Setting {
             }
             Self::CobId { pdo, id } => write!(f, "{pdo}={id}"),
             Self::HeartbeatConsumer { node_id, milliseconds } => write!(f, "{node_id}={milliseconds}ms"),
+            Self::Pdo { pdo, parameter, text } => write!(f, "{} {pdo}={text}", parameter.name()),
+            Self::Sync { id, producer, period } => {
+                let role = producer.map(|yes| if yes { "producer" } else { "consumer" }.to_owned());
+                write_parts(f, "sync", [id.map(|id| id.to_string()), role, period.clone()])
+            }
+            Self::Emcy(id) => write!(f, "emcy {id}"),
+            Self::TimeStamp { id, producer, consumer } => {
+                let role = |is: &Option<bool>, word: &str| is.filter(|yes| *yes).map(|_| word.to_owned());
+                let roles = [role(producer, "producer"), role(consumer, "consumer")];
+                let [producer, consumer] = roles;
+                write_parts(f, "time", [id.map(|id| id.to_string()), producer, consumer])
+            }
+            Self::Guard { milliseconds, factor } => write!(f, "guard {milliseconds}msx{factor}"),
         }
     }
+}
+
+/// `sync 0x80,producer`: the name of an option and the parts that are there.
+fn write_parts(f: &mut fmt::Formatter<'_>, name: &str, parts: [Option<String>; 3]) -> fmt::Result {
+    let parts: Vec<String> = parts.into_iter().flatten().collect();
+    write!(f, "{name} {}", parts.join(","))
 }
 
 #[cfg(test)]
@@ -239,7 +490,7 @@ mod tests {
         for text in ["tpdo1=6000:1,6401:2", "rpdo512=0005,6200:1", "tpdo3=", "tpdo1=Statusword,6064"] {
             assert_eq!(Setting::map(text).map(|setting| setting.to_string()).as_deref(), Ok(text));
         }
-        for text in ["rpdo2=0x2AA", "tpdo1=$NODEID+0x180", "tpdo3=off"] {
+        for text in ["rpdo2=0x2AA", "tpdo1=$NODEID+0x180", "tpdo3=off", "tpdo4=auto"] {
             assert_eq!(Setting::cob_id(text).map(|setting| setting.to_string()).as_deref(), Ok(text));
         }
         for (text, read) in [("7=750ms", "7=750ms"), ("0x7F=750", "127=750ms"), ("9=1.5s", "9=1500ms")] {
@@ -248,6 +499,19 @@ mod tests {
                 Ok(read)
             );
         }
+    }
+
+    #[test]
+    fn settings_of_services_are_written_behind_their_option() {
+        let written = |setting: Result<Setting, NoSetting>| {
+            setting.map(|setting| setting.to_string()).unwrap_or_default()
+        };
+        assert_eq!(written(Setting::transmission("tpdo1=sync/4")), "transmission tpdo1=4");
+        assert_eq!(written(Setting::inhibit("tpdo1= 5ms")), "inhibit tpdo1=5ms");
+        assert_eq!(written(Setting::sync("33ms, producer,0x80")), "sync 0x80,producer,33ms");
+        assert_eq!(written(Setting::emcy("$NODEID+0x80")), "emcy $NODEID+0x80");
+        assert_eq!(written(Setting::time("producer,consumer")), "time producer,consumer");
+        assert_eq!(written(Setting::guard("0.1s x 3")), "guard 100msx3");
     }
 
     #[test]
@@ -261,6 +525,22 @@ mod tests {
         for text in ["tpdo1=0x1FFFFFFF", "tpdo1=-1", "tpdo1=$NODEID-1", "tpdo1"] {
             assert!(Setting::cob_id(text).is_err(), "{text}");
         }
+        for text in ["tpdo1=sync/241", "tpdo1=events", "tpdo1=256", "tpdo1=", "tpdo1"] {
+            assert!(Setting::transmission(text).is_err(), "{text}");
+        }
+        for text in ["", "off", "0x80,0x90", "producer,consumer", "33", "33ms,33ms"] {
+            let is_id = text == "33";
+            assert_eq!(Setting::sync(text).is_ok(), is_id, "{text}");
+        }
+        for text in ["", "off,consumer", "consumer,off", "consumer,consumer", "33ms"] {
+            assert!(Setting::time(text).is_err(), "{text}");
+        }
+        assert!(Setting::sync_start("tpdo1=241").is_err() && Setting::inhibit("tpdo1=").is_err());
+        assert!(
+            Setting::guard("100").is_err()
+                && Setting::guard("66sx3").is_err()
+                && Setting::guard("1x256").is_err()
+        );
         for text in ["0=1", "128=1", "7=65536", "7=66s", "7=1.2345s", "7=-1", "7=", "7"] {
             assert!(Setting::heartbeat_consumer(text).is_err(), "{text}");
         }

@@ -1,0 +1,92 @@
+//! Times with units, and the units of entries.
+
+use super::Wrong;
+use crate::model::Device;
+use crate::profile;
+
+/// The units of a time with their lengths in nanoseconds; longer words first.
+const UNITS: [(&str, u64); 5] =
+    [("ms", 1_000_000), ("µs", 1000), ("μs", 1000), ("us", 1000), ("s", 1_000_000_000)];
+
+/// Decimal places of a second in nanoseconds.
+const PLACES: usize = 9;
+
+/// A time such as `33ms`, `1.5 s` or `250us`, in nanoseconds; `None` for any other text.
+pub(super) fn nanoseconds(text: &str) -> Option<u64> {
+    let text = text.trim();
+    let (number, unit) =
+        UNITS.iter().find_map(|&(word, length)| Some((text.strip_suffix(word)?.trim_end(), length)))?;
+    let (whole, fraction) = number.split_once('.').unwrap_or((number, "0"));
+    let are_digits = [whole, fraction]
+        .iter()
+        .all(|digits| !digits.is_empty() && digits.bytes().all(|digit| digit.is_ascii_digit()));
+    if !are_digits || fraction.len() > PLACES {
+        return None;
+    }
+    let fraction: u64 = format!("{fraction:0<PLACES$}").parse().ok()?;
+    let scaled = u128::from(fraction) * u128::from(unit);
+    let scale = 10_u128.pow(9);
+    if !scaled.is_multiple_of(scale) {
+        return None;
+    }
+    whole.parse::<u64>().ok()?.checked_mul(unit)?.checked_add(u64::try_from(scaled / scale).ok()?)
+}
+
+/// A time in milliseconds: with a unit, or a plain number of milliseconds.
+pub(super) fn milliseconds(text: &str) -> Option<u16> {
+    let number = match nanoseconds(text) {
+        Some(time) if time.is_multiple_of(1_000_000) => time / 1_000_000,
+        Some(_) => return None,
+        None => text.trim().parse().ok()?,
+    };
+    u16::try_from(number).ok()
+}
+
+/// The number that an entry has for a time: in its unit, which the CiA documents of the device state
+/// (1006h: 1 µs, 1017h: 1 ms, inhibit times: 100 µs).
+pub(super) fn in_unit_of(
+    device: &Device,
+    (index, sub): (u16, u8),
+    text: &str,
+    time: u64,
+) -> Result<u64, Wrong> {
+    let unit = unit_of(device, index, sub);
+    let length = unit.and_then(|unit| {
+        let is_counted = unit.starts_with(|first: char| first.is_ascii_digit());
+        nanoseconds(&if is_counted { unit.to_owned() } else { format!("1{unit}") })
+    });
+    match (length, unit) {
+        (Some(length), _) if time.is_multiple_of(length) => Ok(time / length),
+        (Some(_), Some(unit)) => {
+            let wrong = Wrong::new(format!("`{text}` is not a multiple of the unit of the entry, {unit}"));
+            Err(wrong.help(format!("write a multiple, or a number in the unit {unit}")))
+        }
+        _ => {
+            let wrong =
+                Wrong::new(format!("`{text}` is a time, but no CiA document states a unit of time here"));
+            Err(wrong.help("write a number in the unit of the device"))
+        }
+    }
+}
+
+/// The unit of an entry by the profile of the device or by the documents for all devices.
+fn unit_of(device: &Device, index: u16, sub: u8) -> Option<&'static str> {
+    profile::of_object(device, index).find_map(|(_, facts)| facts.entry(sub)?.unit)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn times_have_units() {
+        let read = [("33ms", 33_000_000), ("1.5 s", 1_500_000_000), ("250us", 250_000), ("0.0005ms", 500)];
+        for (text, time) in read {
+            assert_eq!(nanoseconds(text), Some(time), "{text}");
+        }
+        for text in ["33", "ms", "-1ms", "+1ms", "1.ms", ".5s", "1e3ms", "0x10ms", "0.0000001us", "5 min"] {
+            assert_eq!(nanoseconds(text), None, "{text}");
+        }
+        assert_eq!(["9", "1.5s", "0.5ms", "66s"].map(milliseconds), [Some(9), Some(1500), None, None]);
+    }
+}
