@@ -8,7 +8,7 @@ use ini::{Ini, ParseOption, Properties};
 use super::identify::is_topology;
 use super::ini::Lines;
 use crate::format::literal::{self, Quirks};
-use crate::model::{Network, NetworkNode, NodeList};
+use crate::model::{NodeList, Topology, TopologyNode};
 use crate::source::SourceFile;
 
 /// Why a text is no node list.
@@ -79,8 +79,8 @@ fn parse(text: &str) -> Result<Ini, NodeListError> {
         .map_err(|error| NodeListError::Ini { line: error.line, message: error.msg.into_owned() })
 }
 
-fn network(section: &str, properties: &Properties) -> Result<Network, NodeListError> {
-    let mut network = Network::default();
+fn network(section: &str, properties: &Properties) -> Result<Topology, NodeListError> {
+    let mut network = Topology::default();
     for (key, text) in properties {
         let number = |low, high| number(section, key, text, (low, high));
         let word = || Some(text.to_owned()).filter(|text| !text.is_empty());
@@ -112,9 +112,9 @@ fn node_key(key: &str) -> Option<(u8, &'static str)> {
     Some((id, what))
 }
 
-fn node(network: &mut Network, id: u8) -> &mut NetworkNode {
+fn node(network: &mut Topology, id: u8) -> &mut TopologyNode {
     let position = network.nodes.iter().position(|node| node.id == id).unwrap_or_else(|| {
-        network.nodes.push(NetworkNode { id, ..NetworkNode::default() });
+        network.nodes.push(TopologyNode { id, ..TopologyNode::default() });
         network.nodes.len() - 1
     });
     &mut network.nodes[position]

@@ -8,7 +8,7 @@ use crate::cli::args::{ShowArgs, ShowFormat};
 use crate::cli::input::name_of;
 use crate::cli::output::Output;
 use crate::cli::table::{Table, fit};
-use crate::model::{Network, NodeList};
+use crate::model::{NodeList, Topology};
 use crate::report::plural;
 
 /// The most characters of a name.
@@ -59,14 +59,14 @@ fn write_tables(list: &NodeList, file: &Path, out: &mut dyn Write) -> io::Result
 
 /// Whether a file is there, seen from the node list or from the folder of descriptions that it names. Projects come from
 /// systems with the other separator.
-fn exists(node_list: &Path, network: &Network, name: &str) -> bool {
+fn exists(node_list: &Path, network: &Topology, name: &str) -> bool {
     let folder = node_list.parent().unwrap_or(Path::new(""));
     let is_file = |name: &str| folder.join(name).is_file() || folder.join(name.replace('\\', "/")).is_file();
     let in_eds_folder = network.eds_folder.as_ref().map(|folder| format!("{folder}/{name}"));
     is_file(name) || in_eds_folder.is_some_and(|name| is_file(&name))
 }
 
-fn summary(network: &Network) -> String {
+fn summary(network: &Topology) -> String {
     let name = network.name.as_deref().unwrap_or("network without a name");
     let reference =
         network.reference_designator.as_ref().map(|text| format!(" ({text})")).unwrap_or_default();

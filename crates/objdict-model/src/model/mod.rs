@@ -81,7 +81,7 @@ pub use identity::Identity;
 pub use label::{Label, Labels, TextRef};
 pub use meaning::{BitField, BitStruct, Enumeration, Meaning, Meanings, NamedValue, Scaling};
 pub use module::{Extension, ExtensionCount, Module, Modules};
-pub use node_list::{Network, NetworkNode, NodeList};
+pub use node_list::{NodeList, Topology, TopologyNode};
 pub use object::{Compact, Object, Subs};
 pub use object_type::ObjectType;
 pub use parameter::{

@@ -8,14 +8,14 @@ use super::Extra;
 #[cfg_attr(feature = "serde", serde(default))]
 pub struct NodeList {
     /// The networks, in the order of the file: `Topology`, `Topology2` and so on.
-    pub networks: Vec<Network>,
+    pub networks: Vec<Topology>,
 }
 
 /// One network.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 #[cfg_attr(feature = "serde", serde(default))]
-pub struct Network {
+pub struct Topology {
     /// `NetName`.
     #[cfg_attr(feature = "serde", serde(skip_serializing_if = "Option::is_none"))]
     pub name: Option<String>,
@@ -29,7 +29,7 @@ pub struct Network {
     #[cfg_attr(feature = "serde", serde(skip_serializing_if = "Option::is_none"))]
     pub eds_folder: Option<String>,
     /// The nodes in the file, in ascending order of their node-IDs.
-    pub nodes: Vec<NetworkNode>,
+    pub nodes: Vec<TopologyNode>,
     /// Keys that the standard does not define; vendors may add their own.
     #[cfg_attr(feature = "serde", serde(skip_serializing_if = "Extra::is_empty"))]
     pub extra: Extra,
@@ -39,7 +39,7 @@ pub struct Network {
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 #[cfg_attr(feature = "serde", serde(default))]
-pub struct NetworkNode {
+pub struct TopologyNode {
     /// The node-ID, 1 to 127.
     pub id: u8,
     /// `NodeXPresent`: whether the node is in the network.
@@ -55,7 +55,7 @@ pub struct NetworkNode {
     pub dcf: Option<String>,
 }
 
-impl Network {
+impl Topology {
     /// The number of nodes that are present in the network.
     pub fn present(&self) -> usize {
         self.nodes.iter().filter(|node| node.present).count()

@@ -1,0 +1,12 @@
+//! CANopen networks: nodes with their descriptions, the manager that boots them, and who says what to whom. Part of
+//! [objdict](https://docs.rs/objdict); depend on that crate instead.
+//!
+//! A [`Network`] is what somebody wants; [`compile`] makes it what each node is told ([`Compiled`]), with findings about what
+//! does not fit. All outputs and checks are made of these two.
+
+mod network;
+
+pub use network::*;
+
+use objdict_model::{model, source};
+use objdict_node::configure;

@@ -1,0 +1,310 @@
+//! What a network shall be.
+
+use std::collections::BTreeMap;
+
+use crate::configure::{PdoName, Setting};
+use crate::model::{Address, Device};
+use crate::source::Span;
+
+/// Something that the network file says, with its place there; an empty place for what follows from the rest.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub struct Said<T> {
+    /// What it says.
+    pub value: T,
+    /// Where it says so.
+    pub at: Span,
+}
+
+impl<T> Said<T> {
+    /// Something with its place.
+    pub const fn new(value: T, at: Span) -> Self {
+        Self { value, at }
+    }
+}
+
+/// A network as its file describes it. Nodes are known by their positions in [`nodes`](Self::nodes).
+#[derive(Clone, Debug, Default)]
+pub struct Network {
+    /// The name of the network.
+    pub name: Option<String>,
+    /// The bit rate in kbit/s.
+    pub bit_rate: Option<Said<u16>>,
+    /// The manager, which configures and starts the other nodes (CiA 302-2).
+    pub manager: Option<Manager>,
+    /// The described nodes, in the order of the file; the manager among them, if it has a description.
+    pub nodes: Vec<Node>,
+    /// The folder in which the manager finds the configurations of the nodes when it runs.
+    pub run_time_folder: String,
+}
+
+/// A node and what it shall be told.
+#[derive(Clone, Debug, Default)]
+pub struct Node {
+    /// The name, unique in the network.
+    pub name: Said<String>,
+    /// The file with its description, as the network file names it.
+    pub file: Said<String>,
+    /// The description, with plugged modules.
+    pub device: Device,
+    /// The node-ID: that of the network file, else that of the description; `None` without either.
+    pub node_id: Option<Said<u8>>,
+    /// Heartbeat, as producer and as consumer.
+    pub heartbeat: Heartbeat,
+    /// Guard time in milliseconds (100Ch) and life time factor (100Dh).
+    pub guarding: (Option<Said<u16>>, Option<Said<u8>>),
+    /// COB-ID of TIME (1012h).
+    pub time_cob_id: Option<Said<u32>>,
+    /// What the node does on an error of a class (1029h), by sub-index.
+    pub error_behavior: Vec<(u8, Said<u8>)>,
+    /// PDOs, in the order of configuration: RPDOs before TPDOs.
+    pub pdos: Vec<PdoWish>,
+    /// Values by entry, checked like those of `objdict configure`.
+    pub settings: Vec<Said<Setting>>,
+    /// Downloads at the end of the configuration, in this order, whatever the present values are.
+    pub downloads: Vec<Said<DownloadWish>>,
+    /// How the manager boots the node.
+    pub boot: Boot,
+    /// The expected revision number (1F87h).
+    pub revision_number: Option<Said<u32>>,
+    /// The expected serial number (1F88h).
+    pub serial_number: Option<Said<u32>>,
+    /// The folder of [`Network::run_time_folder`] for this node.
+    pub run_time_folder: Option<String>,
+}
+
+/// Heartbeat of a node.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Heartbeat {
+    /// Producer heartbeat time in milliseconds (1017h).
+    pub producer: Option<Said<u16>>,
+    /// After how many producer heartbeat times consumers give the node up.
+    pub factor: f64,
+    /// Whether the node monitors the manager; for the manager, whether it monitors the nodes.
+    pub consumer: Option<Said<bool>>,
+    /// Further nodes that it monitors.
+    pub watched: Vec<Said<Watch>>,
+}
+
+impl Heartbeat {
+    /// What dcfgen and most managers take.
+    pub const DEFAULT_FACTOR: f64 = 3.0;
+
+    /// The consumer time for a producer time, both in milliseconds; `None` if it does not fit 1016h.
+    pub fn consumer_time(&self, producer: u16) -> Option<u16> {
+        let time = (f64::from(producer) * self.factor).trunc();
+        // a float that is in range and whole converts without loss
+        (0.0..=65535.0).contains(&time).then_some(time as u16)
+    }
+}
+
+impl Default for Heartbeat {
+    fn default() -> Self {
+        Self { producer: None, factor: Self::DEFAULT_FACTOR, consumer: None, watched: Vec::new() }
+    }
+}
+
+/// Another node whose heartbeat is monitored.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Watch {
+    /// The name of the node.
+    pub node: String,
+    /// The consumer heartbeat time.
+    pub time: WatchTime,
+}
+
+/// A consumer heartbeat time.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum WatchTime {
+    /// So many producer heartbeat times.
+    Times(f64),
+    /// Milliseconds.
+    Milliseconds(u16),
+}
+
+/// A PDO and how it shall be configured; what is `None` stays as the description says.
+#[derive(Clone, Debug, PartialEq)]
+pub struct PdoWish {
+    /// Where the network file says so.
+    pub at: Span,
+    /// The PDO.
+    pub pdo: PdoName,
+    /// Whether it is valid in the end.
+    pub enabled: bool,
+    /// COB-ID.
+    pub cob_id: Option<Said<CobIdWish>>,
+    /// Transmission type.
+    pub transmission: Option<Said<u8>>,
+    /// Inhibit time in multiples of 100 µs.
+    pub inhibit_time: Option<Said<u16>>,
+    /// Event timer in milliseconds.
+    pub event_timer: Option<Said<u16>>,
+    /// The time in milliseconds after which a receiver misses the PDO.
+    pub deadline: Option<Said<u16>>,
+    /// SYNC start value.
+    pub sync_start: Option<Said<u8>>,
+    /// The mapped entries; for an RPDO also data types as dummies.
+    pub mapping: Option<Vec<Said<Address>>>,
+}
+
+impl PdoWish {
+    /// A PDO that stays as it is.
+    pub const fn new(pdo: PdoName, at: Span) -> Self {
+        Self {
+            at,
+            pdo,
+            enabled: true,
+            cob_id: None,
+            transmission: None,
+            inhibit_time: None,
+            event_timer: None,
+            deadline: None,
+            sync_start: None,
+            mapping: None,
+        }
+    }
+}
+
+/// The COB-ID of a PDO.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum CobIdWish {
+    /// That of the predefined connection set; for PDO 5 and above a free one.
+    Auto,
+    /// The value of sub-index 1, with its flags.
+    Number(u32),
+}
+
+/// A download.
+#[derive(Clone, Debug, PartialEq)]
+pub struct DownloadWish {
+    /// The index of the object.
+    pub index: u16,
+    /// The sub-index of the entry.
+    pub sub: u8,
+    /// The value.
+    pub value: ValueWish,
+}
+
+/// A value as the network file spells it; the data type of the entry says what it is.
+#[derive(Clone, Debug, PartialEq)]
+pub enum ValueWish {
+    /// A whole number.
+    Integer(i128),
+    /// A number with a fraction.
+    Real(f64),
+    /// A text, spelled as in a DCF.
+    Text(String),
+}
+
+/// How the manager boots a node (1F81h and what belongs to it).
+#[derive(Clone, Debug, PartialEq)]
+pub struct Boot {
+    /// Whether it configures and starts the node.
+    pub boot: bool,
+    /// Whether the network stops without the node.
+    pub mandatory: bool,
+    /// Whether it may reset the communication of a node that is operational.
+    pub reset_communication: bool,
+    /// How often an error control service may fail; for node guarding.
+    pub retry_factor: Said<u8>,
+    /// The program for the node (1F58h), as a file of the manager.
+    pub software_file: Option<String>,
+    /// The expected software identification (1F55h); 0 is not checked.
+    pub software_version: u32,
+    /// The sub-index of 1011h that restores the defaults before the configuration (1F8Ah); 0 restores nothing.
+    pub restore_configuration: Said<u8>,
+}
+
+impl Default for Boot {
+    fn default() -> Self {
+        Self {
+            boot: true,
+            mandatory: false,
+            reset_communication: true,
+            retry_factor: Said::new(3, Span::empty(0)),
+            software_file: None,
+            software_version: 0,
+            restore_configuration: Said::default(),
+        }
+    }
+}
+
+/// The manager. Times are those of its objects.
+#[derive(Clone, Debug, Default)]
+pub struct Manager {
+    /// Its name in the network file.
+    pub name: Said<String>,
+    /// Its node-ID.
+    pub node_id: Option<Said<u8>>,
+    /// Its position in [`Network::nodes`]; `None` without a description.
+    pub node: Option<usize>,
+    /// Vendor-ID, product code and revision number (1018h).
+    pub identity: [u32; 3],
+    /// Serial number (1018h:04).
+    pub serial_number: u32,
+    /// Communication cycle period in microseconds (1006h); 0: no SYNC.
+    pub sync_period: Said<u32>,
+    /// Synchronous window length in microseconds (1007h).
+    pub sync_window: Said<u32>,
+    /// Synchronous counter overflow value (1019h).
+    pub sync_overflow: Said<u8>,
+    /// COB-ID of TIME (1012h).
+    pub time_cob_id: Option<Said<u32>>,
+    /// Inhibit time of EMCY in multiples of 100 µs (1015h).
+    pub emcy_inhibit_time: u16,
+    /// Inhibit time of NMT commands in multiples of 100 µs (102Ah).
+    pub nmt_inhibit_time: u16,
+    /// Its heartbeat; it monitors the nodes unless that is switched off.
+    pub heartbeat: Heartbeat,
+    /// What it does on an error of a class (1029h), by sub-index.
+    pub error_behavior: BTreeMap<u8, u8>,
+    /// How it starts the network.
+    pub startup: Startup,
+    /// The time in milliseconds in which all mandatory nodes boot (1F89h); 0: for ever.
+    pub boot_time: Said<u32>,
+}
+
+/// NMT startup (1F80h).
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Startup {
+    /// Whether the manager becomes operational by itself.
+    pub start: bool,
+    /// Whether it starts the nodes.
+    pub start_nodes: bool,
+    /// Whether it starts all nodes by one command.
+    pub start_all_nodes: bool,
+    /// Whether it resets all nodes when a mandatory one fails.
+    pub reset_all_nodes: bool,
+    /// Whether it stops all nodes when a mandatory one fails.
+    pub stop_all_nodes: bool,
+}
+
+impl Startup {
+    /// The value of 1F80h of a manager (CiA 302-2).
+    pub const fn to_number(self) -> u32 {
+        1 | (self.start_all_nodes as u32) << 1
+            | (!self.start as u32) << 2
+            | (!self.start_nodes as u32) << 3
+            | (self.reset_all_nodes as u32) << 4
+            | (self.stop_all_nodes as u32) << 6
+    }
+}
+
+impl Default for Startup {
+    fn default() -> Self {
+        Self {
+            start: true,
+            start_nodes: true,
+            start_all_nodes: false,
+            reset_all_nodes: false,
+            stop_all_nodes: false,
+        }
+    }
+}
+
+impl Network {
+    /// The nodes that the manager boots: all but itself.
+    pub fn slaves(&self) -> impl Iterator<Item = (usize, &Node)> {
+        let manager = self.manager.as_ref().and_then(|manager| manager.node);
+        self.nodes.iter().enumerate().filter(move |(position, _)| Some(*position) != manager)
+    }
+}
