@@ -88,7 +88,7 @@ pub(super) enum Command {
     Generate(Box<GenerateArgs>),
     Docs(Box<DocsArgs>),
     Convert(ConvertArgs),
-    Configure(ConfigureArgs),
+    Configure(Box<ConfigureArgs>),
     Modules(ModulesArgs),
     Dcf(DcfArgs),
     New(NewArgs),
