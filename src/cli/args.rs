@@ -403,11 +403,21 @@ fn node_name(text: &str) -> Result<String, String> {
 
 /// 1 to 127, in decimal or as `0x7F`.
 pub(super) fn node_id(text: &str) -> Result<u8, String> {
-    let number = match text.strip_prefix("0x").or_else(|| text.strip_prefix("0X")) {
-        Some(digits) => u8::from_str_radix(digits, 16).ok(),
-        None => text.parse().ok(),
-    };
+    let number = number(text).and_then(|number| u8::try_from(number).ok());
     number.filter(|id| (1..=127).contains(id)).ok_or_else(|| "a node-ID is a number from 1 to 127".to_owned())
+}
+
+/// 32 bits, in decimal or as `0x1234`.
+fn serial_number(text: &str) -> Result<u32, String> {
+    number(text).ok_or_else(|| "a serial number is a number of 32 bits".to_owned())
+}
+
+/// A number in decimal or as `0x7F`.
+fn number(text: &str) -> Option<u32> {
+    match text.strip_prefix("0x").or_else(|| text.strip_prefix("0X")) {
+        Some(digits) => u32::from_str_radix(digits, 16).ok(),
+        None => text.parse().ok(),
+    }
 }
 
 /// The name of objects, which a device resolves.

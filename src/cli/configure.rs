@@ -4,19 +4,21 @@ use std::borrow::Cow;
 use std::io::Write;
 use std::path::Path;
 
+use objdict_node::ObjectName;
+
 use super::args::ConfigureArgs;
 use super::input::{Input, name_of};
-use super::node::{Wanted, commissioning};
+use super::node::commissioning;
 use super::output::Output;
 use super::save::{keep, save, save_in_place};
 use super::settings::{Settings, SettingsArgs};
-use super::{Failure, Outcome, tell};
-use crate::configure::{Setting, SettingProblem, SettingsFile, configure};
+use super::{Failure, Outcome, note, tell};
+use crate::configure::{Rebased, Setting, SettingProblem, SettingsFile, configure, rebase};
 use crate::coupler::flatten;
-use crate::diagnostic::{Diagnostic, Severity};
+use crate::diagnostic::{At, Diagnostic, Severity};
 use crate::format::{self, Description, Format, NodeSettings, WriteOptions};
 use crate::lint::{self, Options};
-use crate::model::{Device, DeviceKind};
+use crate::model::{Assignment, Commissioning, Device, DeviceKind, Part};
 use crate::report::plural;
 use crate::source::{MAX_TOML_SIZE, read_text};
 
@@ -30,26 +32,26 @@ pub(super) fn run(args: &ConfigureArgs, out: &mut Output) -> Result<Outcome, Fai
         return Err(failure.help("name the file to write with `--output`"));
     }
     let plugged = if args.modules.is_empty() { None } else { Some(plugged(own, &args.modules)?) };
-    let base = plugged.as_ref().unwrap_or(own);
     let is_xml = description.format() == Format::Xdd || description.format() == Format::Xdc;
-    let wanted = Wanted {
-        node_id: args.node_id.or(file.node_id),
-        baud_rate: args.bit_rate.or(file.baud_rate),
-        name: args.name.clone().or_else(|| file.name.clone()),
-        kind: if is_xml { "XDC" } else { "DCF" },
-    };
-    let node = commissioning(base, &wanted)?;
+    let kind = if is_xml { "XDC" } else { "DCF" };
+    let node = commissioning(own, &wanted(args, &file), kind)?;
+    let mut base = Cow::Borrowed(plugged.as_ref().unwrap_or(own));
+    let followers = if args.no_rebase { Vec::new() } else { followers(&base, &node) };
+    if !followers.is_empty() {
+        base.to_mut().assign(&followers);
+    }
     let settings = settings(args, &file);
-    let assignments = match configure(base, node.node_id.unwrap_or_default(), &settings) {
-        Ok(assignments) => assignments,
+    let assignments = match configure(&base, node.node_id.unwrap_or_default(), &settings) {
+        Ok(assignments) => [followers, assignments].concat(),
         Err(problems) => return Ok(refuse(&problems)),
     };
-    let file_name = file_name(args, wanted.kind);
+    let file_name = file_name(args, kind);
     let parts = NodeSettings { node: &node, plugged: plugged.as_ref(), assignments: &assignments };
     let mut configured = description.configured(&file_name, &parts).map_err(Failure::new)?;
     let worse = worse(own, &configured.device, &options(args, configured.device.node_id())?);
     if !worse.is_empty() && !args.force {
-        return Ok(refuse_findings(&worse));
+        let causes = Causes { args, settings: &settings, base: &base, node: &node };
+        return Ok(refuse_findings(&worse, &causes));
     }
     if args.dialect.is_other() && !is_xml {
         let options = WriteOptions { embed: true, ..args.dialect.options() };
@@ -114,6 +116,45 @@ fn settings_file(args: &ConfigureArgs) -> Result<SettingsFile, Failure> {
         }
         None => Ok(file),
     }
+}
+
+/// What is stated of the node.
+fn wanted(args: &ConfigureArgs, file: &SettingsFile) -> Commissioning {
+    Commissioning {
+        node_id: args.node_id.or(file.node_id),
+        baud_rate: args.bit_rate.or(file.baud_rate),
+        node_name: args.name.clone().or_else(|| file.name.clone()),
+        net_number: args.net_number.or(file.net_number),
+        network_name: args.network_name.clone().or_else(|| file.network_name.clone()),
+        manager: args.manager.or(file.manager),
+        lss_serial_number: args.lss_serial_number.or(file.lss_serial_number),
+        ..Commissioning::default()
+    }
+}
+
+/// The node-ID of a DCF that gets another one.
+fn former_node_id(device: &Device, node: &Commissioning) -> Option<u8> {
+    let former = device.node_id().filter(|former| (1..=127).contains(former))?;
+    (Some(former) != node.node_id).then_some(former)
+}
+
+/// The CAN-IDs that follow the node-ID when it changes. All that do not are reported.
+fn followers(device: &Device, node: &Commissioning) -> Vec<Assignment> {
+    let Some(former) = former_node_id(device, node) else { return Vec::new() };
+    let Rebased { assignments, kept } = rebase(device, former);
+    if !assignments.is_empty() {
+        let shown = assignments
+            .iter()
+            .map(|Assignment { index, sub, value }| format!("{index:04X}:{sub:X} = {value}"));
+        let shown: Vec<String> = shown.collect();
+        note(&format!("note: the node-ID was {former}, so these CAN-IDs follow it: {}\n", shown.join(", ")));
+    }
+    if !kept.is_empty() {
+        let shown: Vec<String> =
+            kept.iter().map(|(at, id)| format!("{} = {id}", ObjectName::Address(*at))).collect();
+        note(&format!("note: these CAN-IDs do not depend on the node-ID and stay: {}\n", shown.join(", ")));
+    }
+    assignments
 }
 
 /// What is wanted, in the order in which it is taken: a later one of the same entry counts.
@@ -184,9 +225,13 @@ fn refuse(problems: &[SettingProblem]) -> Outcome {
     Outcome::Findings
 }
 
-fn refuse_findings(findings: &[Diagnostic]) -> Outcome {
+fn refuse_findings(findings: &[Diagnostic], causes: &Causes<'_>) -> Outcome {
     for finding in findings {
-        let failure = Failure::new(format_args!("{}: {}", finding.rule.id, finding.message));
+        let message = format!("{}: {}", finding.rule.id, finding.message);
+        let failure = Failure::new(match causes.of(finding) {
+            Some(cause) => format!("`{cause}`: {message}"),
+            None => message,
+        });
         match &finding.help {
             Some(help) => failure.help(help.to_string()).print(),
             None => failure.print(),
@@ -194,4 +239,38 @@ fn refuse_findings(findings: &[Diagnostic]) -> Outcome {
     }
     tell("the settings cause these errors, so nothing is written; `--force` writes the file anyway\n");
     Outcome::Findings
+}
+
+/// What may bring an error into a description.
+struct Causes<'a> {
+    args: &'a ConfigureArgs,
+    settings: &'a [Setting],
+    base: &'a Device,
+    node: &'a Commissioning,
+}
+
+impl Causes<'_> {
+    /// The setting of an object that the finding is about, else the option about the node.
+    fn of(&self, finding: &Diagnostic) -> Option<String> {
+        let places = finding.labels.iter().filter_map(|label| match &label.at {
+            At::Place(place) => Some(place),
+            At::Span(_) => None,
+        });
+        let node_id = self.node.node_id?;
+        let objects: Vec<u16> = places.clone().filter_map(|place| place.part.object()).collect();
+        let sets = |setting: &&Setting| {
+            let assignments =
+                configure(self.base, node_id, std::slice::from_ref(*setting)).unwrap_or_default();
+            assignments.iter().any(|assignment| objects.contains(&assignment.index))
+        };
+        // the last one of an entry counts
+        if let Some(setting) = self.settings.iter().rev().find(sets) {
+            return Some(setting.to_string());
+        }
+        let is_of_node = places.clone().any(|place| place.part == Part::Commissioning);
+        match self.args.bit_rate.filter(|_| is_of_node) {
+            Some(rate) => Some(format!("--bit-rate {rate}")),
+            None => former_node_id(self.base, self.node).map(|_| format!("--node-id {node_id}")),
+        }
+    }
 }

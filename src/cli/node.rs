@@ -3,42 +3,35 @@
 use super::{Failure, note};
 use crate::model::{Commissioning, Device};
 
-/// What the arguments say of the node.
-pub(super) struct Wanted {
-    pub node_id: Option<u8>,
-    pub baud_rate: Option<u16>,
-    pub name: Option<String>,
-    /// What the file is that states it.
-    pub kind: &'static str,
-}
-
-/// The node of the output: that of the device, with what the arguments change.
-pub(super) fn commissioning(device: &Device, wanted: &Wanted) -> Result<Commissioning, Failure> {
-    let mut node = device.commissioning.clone().unwrap_or_default();
-    node.node_id = wanted.node_id.or(node.node_id);
-    node.baud_rate = wanted.baud_rate.or(node.baud_rate);
-    if let Some(name) = &wanted.name {
-        node.node_name = Some(name.clone());
-    }
+/// The node of the output, a `kind` of file: that of the device, with what the arguments change.
+pub(super) fn commissioning(
+    device: &Device,
+    wanted: &Commissioning,
+    kind: &str,
+) -> Result<Commissioning, Failure> {
+    let node = restated(device, wanted);
     if node.node_id.is_none() {
         return Err(
             Failure::new("missing node-ID: a DCF or XDC is for one node").help("set it with `--node-id`")
         );
     }
     if node.baud_rate.is_none() {
-        let rate = usual_bit_rate(device);
-        node.baud_rate = Some(rate);
-        note(&format!(
-            "note: the {} has the bit rate {rate} kbit/s; change it with `--bit-rate`\n",
-            wanted.kind
-        ));
+        note(&format!("note: the {kind} states no bit rate; set it with `--bit-rate`\n"));
     }
     Ok(node)
 }
 
-/// A bit rate that the device has, the most usual one first.
-fn usual_bit_rate(device: &Device) -> u16 {
-    let rates = device.device_info.as_ref().map(|info| info.baud_rates).unwrap_or_default();
-    let usual = [250, 125, 500, 1000, 50, 20, 800, 10];
-    usual.into_iter().find(|&rate| rates.get(rate) == Some(true)).unwrap_or(250)
+/// The node of a device, with what is stated of it anew.
+pub(super) fn restated(device: &Device, wanted: &Commissioning) -> Commissioning {
+    let own = device.commissioning.clone().unwrap_or_default();
+    Commissioning {
+        node_id: wanted.node_id.or(own.node_id),
+        node_name: wanted.node_name.clone().or(own.node_name),
+        baud_rate: wanted.baud_rate.or(own.baud_rate),
+        net_number: wanted.net_number.or(own.net_number),
+        network_name: wanted.network_name.clone().or(own.network_name),
+        manager: wanted.manager.or(own.manager),
+        lss_serial_number: wanted.lss_serial_number.or(own.lss_serial_number),
+        ..own
+    }
 }

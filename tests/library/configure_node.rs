@@ -2,7 +2,7 @@
 
 use std::path::Path;
 
-use objdict::configure::{NoSetting, Setting, SettingProblem, configure};
+use objdict::configure::{NoSetting, Rebased, Setting, SettingProblem, configure, rebase};
 use objdict::coupler::{ModuleProblem, flatten};
 use objdict::download::{ConciseDcf, PlanOptions};
 use objdict::format::{self, Description, Format, NodeSettings, WriteOptions};
@@ -233,6 +233,55 @@ fn free_can_ids_are_found() {
     let found = values(&device, &before.into_iter().chain(settings).collect::<Vec<_>>());
     let expected = ["1400:01=1664", "1401:01=$NODEID+0x300", "1800:01=645", "1801:01=1665"];
     assert_eq!(found, expected);
+}
+
+/// A node that gets another node-ID: CAN-IDs of the former one follow, a link to another node stays.
+#[test]
+fn can_ids_follow_the_node_id() {
+    let mut device = open("eds/io-401.eds").into_device();
+    let fixed = [
+        (0x1014, 0, 0x83),
+        (0x1200, 1, 0x603),
+        (0x1400, 1, 0x8000_0203),
+        (0x1401, 1, 0x185),
+        (0x1800, 1, 0x4000_0283),
+        (0x1801, 1, 0x683),
+    ];
+    device.assign(&fixed.map(|(index, sub, number)| Assignment {
+        index,
+        sub,
+        value: Value::Unsigned(number),
+    }));
+    let Rebased { assignments, kept } = rebase(&device, 3);
+    let followers: Vec<String> = assignments
+        .iter()
+        .map(|Assignment { index, sub, value }| format!("{index:04X}:{sub}={value}"))
+        .collect();
+    let expected = [
+        "1014:0=$NODEID+0x80",
+        "1200:1=$NODEID+0x600",
+        "1400:1=$NODEID+0x80000200",
+        "1800:1=$NODEID+0x40000280",
+    ];
+    assert_eq!(followers, expected);
+    let kept: Vec<(u16, u32)> = kept.iter().map(|(at, id)| (at.index, id.number())).collect();
+    assert_eq!(kept, [(0x1401, 0x185), (0x1801, 0x683)]);
+    assert_eq!(rebase(&open("eds/io-401.eds").into_device(), 3), Rebased::default());
+}
+
+#[test]
+fn numbers_of_the_node_keep_their_spelling() {
+    let text = "[DeviceComissioning]\nNodeID=0x03\nNodeName=07\nNetNumber=0x1\nCANopenManager=0\nLSS_SerialNumber=0x00001234\n";
+    let source =
+        SourceFile::from_bytes("n.dcf", text.as_bytes().to_vec(), &SourceOptions::default()).unwrap();
+    let description = format::read(source, Format::Dcf);
+    let mut node = description.device().commissioning.clone().unwrap();
+    node.node_name = Some("7".to_owned());
+    let settings = NodeSettings { node: &node, plugged: None, assignments: &[] };
+    let bytes = description.configured("n.dcf", &settings).unwrap().bytes;
+    let changed = String::from_utf8(bytes).unwrap();
+    assert!(changed.contains("NodeID=0x03\nNodeName=7\nNetNumber=0x1\n"), "{changed}");
+    assert!(changed.contains("LSS_SerialNumber=0x00001234\n"), "{changed}");
 }
 
 #[test]

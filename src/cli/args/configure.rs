@@ -6,7 +6,7 @@ use std::path::{Path, PathBuf};
 
 use clap::{Parser, ValueEnum};
 
-use super::{DialectArgs, node_id, node_name};
+use super::{DialectArgs, node_id, node_name, serial_number};
 use crate::cli::input::{EntriesArgs, InputArgs, SizeArgs};
 use crate::cli::save::is_stdout;
 use crate::cli::settings::ConfigFileArgs;
@@ -38,6 +38,24 @@ pub(in crate::cli) struct ConfigureArgs {
     /// The node name
     #[arg(long, alias = "node-name", value_name = "NAME", value_parser = node_name)]
     pub name: Option<String>,
+    /// The number of the network
+    #[arg(long, value_name = "N")]
+    pub net_number: Option<u32>,
+    /// The name of the network
+    #[arg(long, value_name = "NAME", value_parser = node_name)]
+    pub network_name: Option<String>,
+    /// Whether the node is the CANopen manager of the network [values: true (default), false]
+    #[arg(long, value_name = "BOOL", num_args = 0..=1, require_equals = true, default_missing_value = "true", hide_possible_values = true)]
+    pub manager: Option<bool>,
+    /// The serial number for LSS, which is that of the device in 1018h
+    #[arg(long, value_name = "NUMBER", value_parser = serial_number)]
+    pub lss_serial_number: Option<u32>,
+    /// Make CAN-IDs that belong to the former node-ID of a DCF follow the new one (default)
+    #[arg(long, overrides_with = "no_rebase")]
+    rebase: bool,
+    /// Keep CAN-IDs as they are when the node-ID changes
+    #[arg(long)]
+    pub no_rebase: bool,
     /// Set the value of an entry, by index or name: `1017=250`, `1017=1s`, `Producer heartbeat time=default`; repeatable
     #[arg(long, value_name = "ENTRY=VALUE", value_parser = Setting::value)]
     pub set: Vec<Setting>,

@@ -9,7 +9,7 @@ use objdict_model::canopennode::is_disabled;
 use super::super::annotation::Described;
 use super::super::args::ConvertArgs;
 use super::super::input::FileKind;
-use super::super::node::{Wanted, commissioning};
+use super::super::node::{commissioning, restated};
 use super::super::{Failure, note, tell};
 use super::Job;
 use crate::download::{ConciseDcf, NeededFile, Plan, PlanError, PlanOptions, Scope};
@@ -56,12 +56,10 @@ pub(super) fn of_description(
     }
     let file_name = base_name(&job.output);
     let mut expected = device.clone();
-    let mut rate = None;
     let bytes = match to.kind() {
         DeviceKind::Node => {
             let node = node(args, job, device)?;
             let bytes = description.to_node(&file_name, &node.clone().unwrap_or_default());
-            rate = invented_rate(args, device, node.as_ref());
             expected.kind = DeviceKind::Node;
             expected.commissioning = node;
             expected.file_info.get_or_insert_default();
@@ -73,8 +71,7 @@ pub(super) fn of_description(
     if let Some(info) = &mut expected.file_info {
         info.file_name = Some(file_name);
     }
-    let mut losses = format::losses(&expected, &bytes, to, description.source().encoding());
-    losses.extend(rate);
+    let losses = format::losses(&expected, &bytes, to, description.source().encoding());
     Ok(Converted { bytes, losses })
 }
 
@@ -115,13 +112,9 @@ pub(super) fn of_device(
         FileKind::Eds | FileKind::Xdd => anew(args, job, device.into_owned(), embed),
         FileKind::Dcf | FileKind::Xdc => {
             let mut node_device = device.into_owned();
-            let node = node(args, job, &node_device)?;
-            let rate = invented_rate(args, &node_device, node.as_ref());
-            node_device.commissioning = node;
+            node_device.commissioning = node(args, job, &node_device)?;
             node_device.kind = DeviceKind::Node;
-            let mut converted = anew(args, job, node_device, embed)?;
-            converted.losses.extend(rate);
-            Ok(converted)
+            anew(args, job, node_device, embed)
         }
     }
 }
@@ -172,25 +165,17 @@ fn base_name(path: &Path) -> String {
 
 /// The node of the output. A DCF or XDC may leave it to the network which node-ID a device gets.
 fn node(args: &ConvertArgs, job: &Job, device: &Device) -> Result<Option<Commissioning>, Failure> {
-    let (node_id, baud_rate, name) = (args.node_id, args.bit_rate, args.name.clone());
-    if device.kind == DeviceKind::Node && node_id.or(device.node_id()).is_none() {
-        let mut node = device.commissioning.clone();
-        if baud_rate.is_some() || name.is_some() {
-            let node = node.get_or_insert_default();
-            node.baud_rate = baud_rate.or(node.baud_rate);
-            node.node_name = name.or_else(|| node.node_name.take());
-        }
-        return Ok(node);
+    let wanted = Commissioning {
+        node_id: args.node_id,
+        baud_rate: args.bit_rate,
+        node_name: args.name.clone(),
+        ..Commissioning::default()
+    };
+    if device.kind == DeviceKind::Node && wanted.node_id.or(device.node_id()).is_none() {
+        let is_stated = wanted != Commissioning::default() || device.commissioning.is_some();
+        return Ok(is_stated.then(|| restated(device, &wanted)));
     }
-    let node = commissioning(device, &Wanted { node_id, baud_rate, name, kind: job.to.name() })?;
-    Ok(Some(node))
-}
-
-/// The bit rate of a node for which neither the device nor an argument states one.
-fn invented_rate(args: &ConvertArgs, device: &Device, node: Option<&Commissioning>) -> Option<Loss> {
-    let stated = args.bit_rate.or(device.commissioning.as_ref().and_then(|node| node.baud_rate));
-    let rate = node?.baud_rate.filter(|_| stated.is_none())?;
-    Some(Loss::invented("/commissioning/baud_rate".to_owned(), rate.into()))
+    commissioning(device, &wanted, job.to.name()).map(Some)
 }
 
 /// The downloads that configure a node as the device says.

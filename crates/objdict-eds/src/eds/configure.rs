@@ -3,7 +3,8 @@
 
 use super::section::SectionName;
 use crate::ini::{Document, Editor, Section};
-use crate::model::{Commissioning, Part};
+use crate::literal::{self, Quirks};
+use crate::model::{Commissioning, DataType, Part};
 use crate::source::EditError;
 
 /// The keys that only a DCF has (CiA 306-1 §5.3.1).
@@ -30,7 +31,10 @@ pub fn to_dcf(
     }
     let settings = settings(node);
     match sections.find(&Part::Commissioning) {
-        Some(section) => settings.iter().for_each(|(key, value)| editor.set(section, key, value)),
+        Some(section) => {
+            let changed = settings.iter().filter(|(key, value)| !has_number(document, section, key, value));
+            changed.for_each(|(key, value)| editor.set(section, key, value));
+        }
         None => {
             let behind = [Part::Comments, Part::DummyUsage, Part::DeviceInfo, Part::FileInfo];
             let behind = behind.iter().find_map(|part| sections.find(part));
@@ -88,6 +92,17 @@ impl Sections {
     fn find(&self, part: &Part) -> Option<&Section> {
         self.all.iter().find(|(other, _)| other == part).map(|(_, section)| section)
     }
+}
+
+/// Whether a key has this number already, in any spelling.
+fn has_number(document: &Document, section: &Section, key: &str, number: &str) -> bool {
+    const NUMBERS: [&str; 5] = ["NodeID", "Baudrate", "NetNumber", "CANopenManager", "LSS_SerialNumber"];
+    let value = |text: &str| literal::value(text, Some(DataType::UNSIGNED32), &mut Quirks::default()).ok();
+    let mut entries = section.entries.iter().filter(|_| NUMBERS.contains(&key));
+    let entry = entries.find(|entry| entry.key.of(document.text()).eq_ignore_ascii_case(key));
+    entry
+        .and_then(|entry| value(entry.value.of(document.text())))
+        .is_some_and(|old| value(number) == Some(old))
 }
 
 /// The keys of `DeviceComissioning` (CiA 306-1 §5.4): those that readers require, and others if set.

@@ -40,6 +40,14 @@ pub struct SettingsFile {
     pub baud_rate: Option<u16>,
     /// `name`.
     pub name: Option<String>,
+    /// `net-number`.
+    pub net_number: Option<u32>,
+    /// `network-name`.
+    pub network_name: Option<String>,
+    /// `manager`: whether the node is the CANopen manager of the network.
+    pub manager: Option<bool>,
+    /// `lss-serial-number`.
+    pub lss_serial_number: Option<u32>,
     /// The settings: values, mappings, parameters of PDOs, services, heartbeat consumers.
     pub settings: Vec<Setting>,
 }
@@ -63,6 +71,10 @@ struct Document {
     #[serde(alias = "baudrate")]
     bit_rate: Option<u16>,
     name: Option<String>,
+    net_number: Option<u32>,
+    network_name: Option<String>,
+    manager: Option<bool>,
+    lss_serial_number: Option<u32>,
     sync: Option<Toml>,
     emcy: Option<Toml>,
     time: Option<Toml>,
@@ -133,8 +145,16 @@ impl SettingsFile {
         if !wrong.is_empty() {
             return Err(SettingsFileError::Settings(wrong));
         }
-        let Document { node_id, bit_rate, name, .. } = document;
-        Ok(Self { node_id, baud_rate: bit_rate, name, settings })
+        Ok(Self {
+            node_id: document.node_id,
+            baud_rate: document.bit_rate,
+            name: document.name,
+            net_number: document.net_number,
+            network_name: document.network_name,
+            manager: document.manager,
+            lss_serial_number: document.lss_serial_number,
+            settings,
+        })
     }
 }
 
@@ -161,9 +181,14 @@ mod tests {
         let text = "node-id = 5\nbit-rate = 250\nname = 'pump'\n[set]\n'1017' = 250\n'1800:2' = '0xFE'\n'2000' = true\n'Producer heartbeat time' = 5\n\
                     [map]\ntpdo1 = ['6000:1', '6401:2']\n[cob-id]\nrpdo2 = 0x2AA\n[heartbeat-consumer]\n7 = '750ms'\n\
                     [transmission]\ntpdo1 = 1\n[inhibit]\ntpdo1 = '5ms'\n[event-timer]\ntpdo1 = 100\n[sync-start]\ntpdo1 = 3\n";
+        let text = format!(
+            "net-number = 2\nnetwork-name = 'line 2'\nmanager = false\nlss-serial-number = 0x1234\n{text}"
+        );
         let text = format!("sync = 'producer,33ms'\nemcy = 'auto'\ntime = 0x100\nguard = '100x3'\n{text}");
         let file = SettingsFile::parse(&text).unwrap();
         assert_eq!((file.node_id, file.baud_rate, file.name.as_deref()), (Some(5), Some(250), Some("pump")));
+        let network = (file.net_number, file.network_name.as_deref(), file.manager, file.lss_serial_number);
+        assert_eq!(network, (Some(2), Some("line 2"), Some(false), Some(0x1234)));
         let settings: Vec<String> = file.settings.iter().map(ToString::to_string).collect();
         let expected = [
             "1017=250",

@@ -28,6 +28,7 @@ mod file;
 mod heartbeat;
 mod missing;
 mod pdo;
+mod rebase;
 mod service;
 mod setting;
 mod time;
@@ -40,6 +41,7 @@ use crate::resolve::ObjectName;
 
 #[cfg(feature = "toml")]
 pub use file::{SettingsFile, SettingsFileError};
+pub use rebase::{Rebased, rebase};
 pub use setting::{CanId, NoSetting, PdoName, PdoParameter, Setting};
 
 /// A setting that cannot be applied.

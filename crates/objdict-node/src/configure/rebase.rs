@@ -1,0 +1,74 @@
+//! COB-IDs of a node that gets another node-ID.
+
+use std::borrow::Cow;
+
+use crate::model::{Access, Address, Assignment, CobId, Device, Entry, predefined};
+
+/// COB-IDs with fixed numbers, seen from the node-ID that they were made for.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct Rebased {
+    /// The COB-IDs that were the former node-ID plus a number of the predefined connection set, or plus the
+    /// number in the formula of their default: each as a formula, in ascending order.
+    pub assignments: Vec<Assignment>,
+    /// The other valid COB-IDs, which do not depend on the node-ID.
+    pub kept: Vec<(Address, CobId)>,
+}
+
+/// Separates the COB-IDs of PDOs, SDOs and EMCY that are fixed numbers by whether they follow the node-ID:
+/// those of `former` become formulas, so that they are right for any node-ID.
+pub fn rebase(device: &Device, former: u8) -> Rebased {
+    let mut rebased = Rebased::default();
+    for (at, entry) in cob_ids(device) {
+        let Some(cob_id) = entry.value().and_then(CobId::from_value).filter(|id| !id.depends_on_node_id())
+        else {
+            continue;
+        };
+        let is_changeable =
+            entry.configured_value().is_some() || entry.access.is_some_and(Access::is_writable);
+        match formula(at, &entry, cob_id, former).filter(|_| is_changeable) {
+            Some(formula) => rebased.assignments.push(Assignment {
+                index: at.index,
+                sub: at.sub.unwrap_or_default(),
+                value: formula.to_value(),
+            }),
+            None if cob_id.is_valid() => rebased.kept.push((at, cob_id)),
+            None => {}
+        }
+    }
+    rebased
+}
+
+/// The entries that have a COB-ID of a service between two nodes.
+fn cob_ids(device: &Device) -> impl Iterator<Item = (Address, Cow<'_, Entry>)> {
+    let ids = device.objects.keys().flat_map(|&index| {
+        let subs: &[Option<u8>] = match index {
+            0x1014 => &[None],
+            0x1200..=0x12FF => &[Some(1), Some(2)],
+            0x1400..=0x15FF | 0x1800..=0x19FF => &[Some(1)],
+            _ => &[],
+        };
+        subs.iter().map(move |&sub| Address { index, sub })
+    });
+    ids.filter_map(|at| Some((at, device.entry(at.index, at.sub.unwrap_or_default())?)))
+}
+
+/// The formula that gives the COB-ID on the former node; `None` if there is none.
+fn formula(at: Address, entry: &Entry, cob_id: CobId, former: u8) -> Option<CobId> {
+    let default = entry.default.as_ref().and_then(CobId::from_value).filter(|id| id.depends_on_node_id());
+    let base = cob_id.can_id(former).checked_sub(former.into())?;
+    let is_default = default.is_some_and(|default| {
+        default.can_id(former) == cob_id.can_id(former) && default.is_extended() == cob_id.is_extended()
+    });
+    let is_predefined = !cob_id.is_extended()
+        && match at.index {
+            0x1014 => base == u32::from(predefined::EMCY),
+            0x1200..=0x12FF => {
+                base == u32::from(predefined::SDO_REQUEST) || base == u32::from(predefined::SDO_RESPONSE)
+            }
+            _ => (0x180..=0x500).contains(&base) && base.is_multiple_of(0x80),
+        };
+    if !is_default && !is_predefined {
+        return None;
+    }
+    CobId::per_node(cob_id.number() - u32::from(former))
+}
