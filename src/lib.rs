@@ -220,6 +220,8 @@ pub use objdict_document::{self as document, describe};
 pub use objdict_generate as generate;
 pub use objdict_lint as lint;
 pub use objdict_model::{Language, diagnostic, model, source};
+#[cfg(feature = "network")]
+pub use objdict_network as network;
 #[cfg(feature = "node")]
 pub use objdict_node::{configure, coupler, download};
 pub use objdict_profile as profile;
@@ -239,7 +241,7 @@ macro_rules! rule_pages {
 
 // addresses of rules in reports lead here
 #[cfg(all(doc, not(doctest)))]
-rule_pages! { cia301 cia302 cia304 cia305 cia306 cia311 cia401 cia402 cia404 cia406 custom naming objdict portability xml }
+rule_pages! { cia301 cia302 cia304 cia305 cia306 cia311 cia401 cia402 cia404 cia406 custom naming network objdict portability xml }
 
 /// The examples of the README are compiled with those of this page.
 #[cfg(doctest)]

@@ -11,6 +11,8 @@ pub mod identify;
 pub mod input;
 #[cfg(feature = "json")]
 pub mod json;
+#[cfg(feature = "network")]
+pub mod network;
 #[cfg(feature = "node")]
 pub mod nodelist;
 #[cfg(all(feature = "json", feature = "xdd"))]
@@ -83,6 +85,8 @@ pub(crate) fn rules() -> impl Iterator<Item = &'static RuleInfo> {
     let rules = of_lines.chain(eds::portability::RULES).copied();
     #[cfg(all(feature = "json", feature = "xdd"))]
     let rules = rules.chain(embedded::RULES.iter().copied());
+    #[cfg(feature = "network")]
+    let rules = rules.chain(network::rules());
     #[cfg(feature = "xdd")]
     let rules = rules.chain(xml::findings::rules()).chain(xdd::findings::rules());
     rules

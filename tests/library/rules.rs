@@ -13,6 +13,7 @@ use std::sync::Arc;
 use objdict::compat::{MESSAGES, REACTIONS, Reaction};
 use objdict::config::Config;
 use objdict::diagnostic::{Applicability, At, Diagnostic, Findings, FixSafety, Tool};
+use objdict::format::network::NetworkFile;
 use objdict::format::xml::Tree;
 use objdict::format::{self, Description, Format};
 use objdict::lint::Options;
@@ -47,7 +48,7 @@ pub(crate) fn rule_folders() -> Vec<(String, PathBuf)> {
     folders.collect()
 }
 
-const ENDINGS: [&str; 5] = ["eds", "dcf", "xdd", "xdc", "toml"];
+const ENDINGS: [&str; 6] = ["eds", "dcf", "xdd", "xdc", "toml", "yml"];
 
 /// The devices and configurations of a folder whose name starts with `prefix`.
 pub(crate) fn devices(folder: &Path, prefix: &str) -> Vec<PathBuf> {
@@ -87,14 +88,18 @@ enum Examined {
     Tree(Box<Tree>, Findings),
     /// A configuration.
     Config(Box<Config>),
+    Network(Box<NetworkFile>),
 }
 
 impl Examined {
     fn new(path: &Path) -> Self {
+        let is_of = |group: &str| path.starts_with(support::fixtures().join("rules").join(group));
+        if is_of("network") {
+            return Self::Network(Box::new(NetworkFile::open(path, &BTreeMap::new()).unwrap()));
+        }
         if path.extension().is_some_and(|ending| ending == "toml") {
             return Self::Config(Box::new(Config::open(path).unwrap()));
         }
-        let is_of = |group: &str| path.starts_with(support::fixtures().join("rules").join(group));
         let is_damaged = is_of("xml") || (is_of("cia311") && name(path).starts_with("bad"));
         if !is_damaged {
             let description = open(path);
@@ -114,6 +119,7 @@ impl Examined {
         match self {
             Self::Description(_, findings) | Self::Tree(_, findings) => findings,
             Self::Config(config) => config.findings(),
+            Self::Network(network) => &network.findings,
         }
     }
 
@@ -122,14 +128,15 @@ impl Examined {
             Self::Description(description, _) => description.source(),
             Self::Tree(tree, _) => tree.source(),
             Self::Config(config) => config.source(),
+            Self::Network(network) => &network.source,
         }
     }
 
     fn span_of(&self, at: &At) -> Span {
         match (self, at) {
             (Self::Description(description, _), at) => description.span_of(at),
-            (Self::Tree(..) | Self::Config(_), At::Span(span)) => *span,
-            (Self::Tree(..) | Self::Config(_), At::Place(place)) => panic!("there is no place {place}"),
+            (_, At::Span(span)) => *span,
+            (_, At::Place(place)) => panic!("there is no place {place}"),
         }
     }
 }
@@ -306,7 +313,7 @@ fn a_rule_offers_the_fixes_that_it_declares() {
             let (description, findings) = match Examined::new(&path) {
                 Examined::Description(description, findings) => (*description, findings),
                 Examined::Tree(_, findings) => (open(&path), findings),
-                Examined::Config(_) => continue,
+                Examined::Config(_) | Examined::Network(_) => continue,
             };
             offer(&description, &findings);
             // what is a fix for one of the tools

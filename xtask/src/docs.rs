@@ -12,7 +12,7 @@ use objdict::registry;
 use crate::shares::{self, Shares};
 
 /// What the rules of each group are about.
-const GROUPS: [(&str, &str); 15] = [
+const GROUPS: [(&str, &str); 16] = [
     ("cia301", "communication objects (CiA 301)"),
     ("cia302", "network managers (CiA 302)"),
     ("cia304", "safety-relevant data objects (CiA 304)"),
@@ -25,6 +25,7 @@ const GROUPS: [(&str, &str); 15] = [
     ("cia406", "encoders (CiA 406)"),
     ("custom", "custom profiles"),
     ("naming", "names"),
+    ("network", "networks and their files"),
     ("objdict", "the configuration of objdict"),
     ("portability", "what other tools reject or misread"),
     ("xml", "well-formed XML"),

@@ -1,0 +1,138 @@
+//! Networks: `bus.yml` of dcfgen and ros2_canopen.
+
+mod bus_keys;
+mod bus_yml;
+mod rules;
+pub mod schema;
+mod section;
+mod tree;
+mod yaml;
+
+use std::collections::BTreeMap;
+use std::env;
+use std::path::{Path, PathBuf};
+use std::rc::Rc;
+
+use self::rules::UNREADABLE_NODE;
+use super::Description;
+use super::input::{Input, Reading};
+use crate::diagnostic::{Diagnostic, Findings, RuleInfo};
+use crate::model::Device;
+use crate::network::{Network, Said};
+use crate::source::{MAX_TOML_SIZE, SourceError, SourceFile, SourceOptions};
+
+/// The rules about the text of a network file.
+pub(super) fn rules() -> impl Iterator<Item = &'static RuleInfo> {
+    rules::RULES.iter().copied()
+}
+
+/// A network with its file and the descriptions of its nodes.
+#[derive(Debug)]
+pub struct NetworkFile {
+    /// The text.
+    pub source: SourceFile,
+    /// What it says; `None` if it cannot be read at all.
+    pub network: Option<Network>,
+    /// The description of each node of [`Network::nodes`], by its path in the file; a device as JSON has none.
+    pub descriptions: BTreeMap<String, Rc<Description>>,
+    /// What is wrong with the text.
+    pub findings: Findings,
+}
+
+impl NetworkFile {
+    /// Reads a network and the descriptions of its nodes; `variables` replace `@NAME@`, `$NAME` and `${NAME}` in paths.
+    ///
+    /// # Errors
+    /// When the file cannot be opened. Descriptions that cannot be opened are findings.
+    pub fn open(path: &Path, variables: &BTreeMap<String, String>) -> Result<Self, SourceError> {
+        let source = SourceFile::open(path, &SourceOptions { encoding: None, max_size: MAX_TOML_SIZE })?;
+        let folder = path.parent().map(Path::to_owned).unwrap_or_default();
+        let mut descriptions = Descriptions { folder, variables, read: BTreeMap::new() };
+        let mut findings = Findings::new();
+        let network = bus_yml::read(source.text(), &mut descriptions, &mut findings);
+        let descriptions = descriptions
+            .read
+            .into_iter()
+            .filter_map(|(name, read)| Some((name, read?.description?)))
+            .collect();
+        Ok(Self { source, network, descriptions, findings })
+    }
+}
+
+/// The descriptions of nodes, each read once.
+struct Descriptions<'v> {
+    /// The folder of the network file.
+    folder: PathBuf,
+    variables: &'v BTreeMap<String, String>,
+    /// What was read of each path; `None` after a failure.
+    read: BTreeMap<String, Option<Read>>,
+}
+
+#[derive(Clone)]
+struct Read {
+    device: Device,
+    description: Option<Rc<Description>>,
+}
+
+impl Descriptions<'_> {
+    /// The device that a node is described by.
+    fn read(&mut self, node: &str, file: &Said<String>, findings: &mut Findings) -> Option<Device> {
+        if !self.read.contains_key(&file.value) {
+            let read = self.open(&file.value);
+            if let Err(reason) = &read {
+                let message = format!("the description of `{node}`: {reason}");
+                let help =
+                    "correct the path: it is relative to the network file, else to the working directory";
+                findings.push(Diagnostic::new(&UNREADABLE_NODE, file.at, message).help(help));
+            }
+            self.read.insert(file.value.clone(), read.ok());
+        }
+        self.read.get(&file.value)?.as_ref().map(|read| read.device.clone())
+    }
+
+    fn open(&self, file: &str) -> Result<Read, String> {
+        let name = PathBuf::from(self.expanded(file));
+        let beside = self.folder.join(&name);
+        let path = if beside.exists() { beside } else { name };
+        match Reading::default().open(&path).map_err(|error| error.to_string())? {
+            (_, Input::Description(description)) => {
+                Ok(Read { device: description.device().clone(), description: Some(Rc::new(*description)) })
+            }
+            (_, Input::Device(device)) => Ok(Read { device: *device, description: None }),
+            (kind, _) => Err(format!("`{}` is a {}, not a description", path.display(), kind.name())),
+        }
+    }
+
+    /// A text with the values of its variables; one that is not known stays as it is.
+    fn expanded(&self, text: &str) -> String {
+        let value = |name: &str| self.variables.get(name).cloned().or_else(|| env::var(name).ok());
+        let mut expanded = String::with_capacity(text.len());
+        let mut rest = text;
+        while let Some(start) = rest.find(['@', '$']) {
+            expanded.push_str(&rest[..start]);
+            rest = &rest[start..];
+            let (name, length) = variable(rest);
+            match value(name).filter(|_| length > 0) {
+                Some(value) => expanded.push_str(&value),
+                None => expanded.push_str(&rest[..length.max(1)]),
+            }
+            rest = &rest[length.max(1)..];
+        }
+        expanded + rest
+    }
+}
+
+/// The name of the variable that a text begins with, and the length of both with what marks it; 0 if it is none.
+fn variable(text: &str) -> (&str, usize) {
+    let named = |start: usize, ending: &str| {
+        let rest = text.get(start..).unwrap_or_default();
+        let length = rest.bytes().take_while(|byte| byte.is_ascii_alphanumeric() || *byte == b'_').count();
+        let is_complete = length > 0 && rest[length..].starts_with(ending);
+        (&rest[..length], if is_complete { start + length + ending.len() } else { 0 })
+    };
+    match text.as_bytes() {
+        [b'@', ..] => named(1, "@"),
+        [b'$', b'{', ..] => named(2, "}"),
+        _ => named(1, ""),
+    }
+}

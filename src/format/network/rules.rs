@@ -1,0 +1,69 @@
+//! The rules about the text of a network file.
+
+use crate::diagnostic::text_rules;
+
+text_rules! {
+    INVALID_YAML = "network/invalid-yaml", Error;
+    summary: "the network file is not valid YAML",
+    checks: "Whether the text can be read as YAML. If it cannot, nothing else of it is checked.",
+    why: "dcfgen and the launch files of ROS refuse the file too, with a message about the parser.",
+    example: "`dcf_path: @BUS_CONFIG_PATH@`: a text that begins with `@` must be quoted",
+    remedy: "Correct the reported line.",
+    source: "YAML 1.1",
+
+    DUPLICATE_KEY = "network/duplicate-key", Error;
+    summary: "a key is defined twice",
+    checks: "Whether a key is there more than once in a map: a node, a PDO or a setting.",
+    why: "dcfgen takes the last one without a word, so a node that was copied and not renamed is lost.",
+    example: "two nodes that are both called `drive_1`",
+    remedy: "Remove one of the two, or give it another name.",
+    source: "YAML 1.1 §3.2.1.3",
+
+    UNKNOWN_KEY = "network/unknown-key", Warning;
+    summary: "an unknown key",
+    checks: "Whether each key of the file is one that dcfgen, the launch files of ROS or objdict knows.",
+    why: "The key is probably misspelled. dcfgen passes over it, so the node keeps its default.",
+    example: "`heartbeat_produce: 500`",
+    remedy: "Correct the name or remove the key.",
+    source: "dcf-tools 2.4.2; objdict, docs/network.md",
+
+    WRONG_TYPE = "network/wrong-type", Error;
+    summary: "a value of the wrong type",
+    checks: "Whether each value is a number, a text, true or false, a list or a map as its key demands. A number with a fraction where a whole one belongs, and a decimal number in quotes, are warnings.",
+    why: "dcfgen stops with a traceback, or takes something else: a quoted `\"false\"` is true.",
+    example: "`cob_id: \"0x205\"`, `mandatory: \"no\"`",
+    remedy: "Write the value as the message says.",
+    source: "dcf-tools 2.4.2; objdict, docs/network.md",
+
+    OUT_OF_RANGE = "network/out-of-range", Error;
+    summary: "a number out of its range",
+    checks: "Whether each number fits the object of the dictionary that it goes into.",
+    why: "dcfgen stops with a traceback, or writes a value that the manager does not load.",
+    example: "`node_id: 200`, `sync_period: -1`",
+    remedy: "Write a number in the range that the message states.",
+    source: "CiA 301; CiA 302-2",
+
+    MISSING_KEY = "network/missing-key", Error;
+    summary: "a required key is missing",
+    checks: "Whether the network has a manager, and each node the file with its description.",
+    why: "Nothing can be built without it.",
+    example: "a node without `dcf`",
+    remedy: "Add the key.",
+    source: "dcf-tools 2.4.2; objdict, docs/network.md",
+
+    OVERRIDDEN_KEY = "network/overridden-key", Warning;
+    summary: "a key of `defaults` overrides that of a node",
+    checks: "Whether a node has a key with another value than `defaults` has for it.",
+    why: "ros2_canopen replaces the keys of each node by those of `defaults`, so the node cannot deviate.",
+    example: "`period: 10` in `defaults`, and `period: 20` in a node",
+    remedy: "Move the key from `defaults` to the nodes.",
+    source: "ros2_canopen, cogen",
+
+    UNREADABLE_NODE = "network/unreadable-node", Error;
+    summary: "the description of a node cannot be read",
+    checks: "Whether the file of each node exists and is an EDS, a DCF, an XDD, an XDC or a device as JSON.",
+    why: "Without it nothing is known of the node.",
+    example: "`dcf: drive.eds`, which is in another folder",
+    remedy: "Correct the path. It is relative to the network file, else to the working directory.",
+    source: "objdict, docs/network.md",
+}

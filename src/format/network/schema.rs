@@ -1,0 +1,75 @@
+//! JSON Schemas of network files, made of the tables that they are read by. Editors complete and check with them.
+
+use serde_json::{Map, Value, json};
+
+use super::bus_keys::{MASTER, NODE, OPTIONS};
+use super::section::{Key, Shape};
+
+/// The JSON Schema of `bus.yml`, as dcfgen reads it and as ros2_canopen does.
+pub fn bus_yml() -> Value {
+    let ros = json!({
+        "required": ["nodes"],
+        "properties": {
+            "defaults": object(NODE),
+            "nodes": { "type": "object", "additionalProperties": { "$ref": "#/$defs/node" } },
+        },
+    });
+    json!({
+        "$schema": "https://json-schema.org/draft/2020-12/schema",
+        "title": "bus.yml of dcfgen and ros2_canopen",
+        "type": "object",
+        "required": ["master"],
+        "properties": { "options": object(OPTIONS), "master": object(MASTER) },
+        "if": { "required": ["nodes"] },
+        "then": ros,
+        "else": {
+            "patternProperties": { "^\\.": true },
+            "additionalProperties": { "$ref": "#/$defs/node" },
+            "properties": { "options": true, "master": true },
+        },
+        "$defs": { "node": object(NODE) },
+    })
+}
+
+/// A map with these keys and no others.
+pub(super) fn object(keys: &[Key]) -> Value {
+    let properties: Map<String, Value> =
+        keys.iter().map(|key| (key.name.to_owned(), property(key))).collect();
+    json!({ "type": "object", "properties": properties, "additionalProperties": false })
+}
+
+fn property(key: &Key) -> Value {
+    let mut value = shape(&key.shape);
+    if let Some(fields) = value.as_object_mut() {
+        fields.insert("description".to_owned(), key.meaning.into());
+    }
+    value
+}
+
+fn shape(shape: &Shape) -> Value {
+    match shape {
+        Shape::Integer(low, high) => integer(*low, *high),
+        Shape::Number => json!({ "type": "number", "exclusiveMinimum": 0 }),
+        Shape::Flag => json!({ "type": "boolean" }),
+        Shape::Text => json!({ "type": ["string", "number"] }),
+        Shape::IntegerOr(low, high, word) => json!({ "anyOf": [integer(*low, *high), { "const": word }] }),
+        Shape::Value => json!({ "type": ["integer", "number", "string", "boolean"] }),
+        Shape::List(keys) => json!({ "type": "array", "items": object(keys) }),
+        Shape::Numbered(low, high, keys) => by_number(*low, *high, &object(keys)),
+        Shape::Numbers((low, high), values) => by_number(*low, *high, &integer(values.0, values.1)),
+        Shape::Foreign => json!({}),
+    }
+}
+
+fn integer(low: i128, high: i128) -> Value {
+    // all ranges are of objects of 32 bits
+    json!({ "type": "integer", "minimum": i64::try_from(low).ok(), "maximum": i64::try_from(high).ok() })
+}
+
+/// A map by number. JSON has no keys but texts, so the range is that of their length.
+fn by_number(low: i128, high: i128, values: &Value) -> Value {
+    let digits = high.to_string().len();
+    let first = if low > 0 { "[1-9]" } else { "[0-9]" };
+    let pattern = format!("^{first}[0-9]{{0,{}}}$", digits - 1);
+    json!({ "type": "object", "patternProperties": { pattern: values }, "additionalProperties": false })
+}

@@ -1,0 +1,264 @@
+//! Reading maps by a table of their keys, which also makes their JSON Schema.
+
+use super::rules::{MISSING_KEY, OUT_OF_RANGE, UNKNOWN_KEY, WRONG_TYPE};
+use super::tree::{Entry, Kind, Tree};
+use crate::diagnostic::{Diagnostic, Findings, Severity, nearest, say};
+use crate::network::Said;
+use crate::source::Span;
+
+/// A key that a map may have.
+#[derive(Debug)]
+pub(super) struct Key {
+    /// The name in the file.
+    pub(super) name: &'static str,
+    /// What its value is.
+    pub(super) shape: Shape,
+    /// What it means: a sentence for the JSON Schema and the documentation.
+    pub(super) meaning: &'static str,
+}
+
+/// What a value is.
+#[derive(Debug)]
+pub(super) enum Shape {
+    /// A whole number in a range.
+    Integer(i128, i128),
+    /// A number above 0, also with a fraction.
+    Number,
+    /// True or false.
+    Flag,
+    /// A text.
+    Text,
+    /// A whole number in a range, or this word.
+    IntegerOr(i128, i128, &'static str),
+    /// A number or a text.
+    Value,
+    /// A list of such maps.
+    List(&'static [Key]),
+    /// A map of such maps by number.
+    Numbered(i128, i128, &'static [Key]),
+    /// A map of numbers in the second range by numbers in the first one.
+    Numbers((i128, i128), (i128, i128)),
+    /// Something for other programs.
+    Foreign,
+}
+
+/// All numbers of this many bits.
+pub(super) const fn bits(bits: u32) -> Shape {
+    Shape::Integer(0, (1 << bits) - 1)
+}
+
+/// A map of the file with the table of its keys.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Section<'t> {
+    span: Span,
+    entries: &'t [Entry],
+    keys: &'static [Key],
+}
+
+impl<'t> Section<'t> {
+    /// Reports a value that is no map, and unknown keys.
+    pub(super) fn new(
+        name: &str,
+        tree: &'t Tree,
+        keys: &'static [Key],
+        findings: &mut Findings,
+    ) -> Option<Self> {
+        let Some(entries) = tree.entries() else {
+            let message = say!("`{}` is {}, not a table of keys", name, tree.kind_name());
+            findings.push(Diagnostic::new(&WRONG_TYPE, tree.span, message).help("write its keys below it"));
+            return None;
+        };
+        let section = Self { span: tree.span, entries, keys };
+        for entry in entries {
+            let key = entry.key.spelled();
+            if !keys.iter().any(|known| known.name == key) {
+                let finding =
+                    Diagnostic::new(&UNKNOWN_KEY, entry.key.span, say!("`{}` has no key `{}`", name, key));
+                findings.push(match nearest(&key, keys.iter().map(|known| known.name)) {
+                    Some(meant) => finding.help(say!("did you mean `{}`?", meant)),
+                    None => finding.help("remove it, or see docs/network.md for the keys"),
+                });
+            }
+        }
+        Some(section)
+    }
+
+    /// Where the map is.
+    pub(super) const fn span(&self) -> Span {
+        self.span
+    }
+
+    /// The value of a key.
+    pub(super) fn get(&self, name: &str) -> Option<&'t Tree> {
+        debug_assert!(self.keys.iter().any(|key| key.name == name), "{name} is not in the table");
+        self.entries.iter().find(|entry| entry.key.text() == Some(name)).map(|entry| &entry.value)
+    }
+
+    /// The value of a key that must be there.
+    pub(super) fn required(&self, owner: &str, name: &str, findings: &mut Findings) -> Option<&'t Tree> {
+        let value = self.get(name);
+        if value.is_none() {
+            let start = Span::new(self.span.start, self.span.start);
+            let finding = Diagnostic::new(&MISSING_KEY, start, say!("`{}` has no key `{}`", owner, name));
+            findings.push(finding.help(say!("add `{}`", name)));
+        }
+        value
+    }
+
+    /// The range of a number in the table.
+    fn range(&self, name: &str) -> (i128, i128) {
+        self.keys
+            .iter()
+            .find(|key| key.name == name)
+            .and_then(|key| match key.shape {
+                Shape::Integer(low, high) | Shape::IntegerOr(low, high, _) => Some((low, high)),
+                _ => None,
+            })
+            .unwrap_or((i128::MIN, i128::MAX))
+    }
+
+    /// A whole number.
+    pub(super) fn integer<T: TryFrom<i128>>(&self, name: &str, findings: &mut Findings) -> Option<Said<T>> {
+        let tree = self.get(name)?;
+        let number = integer(name, tree, self.range(name), findings)?;
+        Some(Said::new(T::try_from(number).ok()?, tree.span))
+    }
+
+    /// True or false.
+    pub(super) fn flag(&self, name: &str, findings: &mut Findings) -> Option<Said<bool>> {
+        let tree = self.get(name)?;
+        match &*tree.kind {
+            Kind::Bool(flag) => Some(Said::new(*flag, tree.span)),
+            Kind::Integer(number) => Some(Said::new(*number != 0, tree.span)),
+            _ => {
+                let finding = wrong(name, tree, "true or false");
+                findings.push(
+                    finding.help("write `true` or `false` without quotes: dcfgen takes any text for true"),
+                );
+                None
+            }
+        }
+    }
+
+    /// A number above 0.
+    pub(super) fn number(&self, name: &str, findings: &mut Findings) -> Option<Said<f64>> {
+        let tree = self.get(name)?;
+        let number = match &*tree.kind {
+            // numbers of a file are far below 2^53
+            Kind::Integer(number) => *number as f64,
+            Kind::Float(number) => *number,
+            _ => {
+                findings
+                    .push(wrong(name, tree, "a number").help(say!("write a number, as in `{}: 1.5`", name)));
+                return None;
+            }
+        };
+        if number.is_finite() && number > 0.0 {
+            return Some(Said::new(number, tree.span));
+        }
+        let message = say!("`{}` is {}, which is not above 0", name, number);
+        findings.push(Diagnostic::new(&OUT_OF_RANGE, tree.span, message).help("write a number above 0"));
+        None
+    }
+
+    /// A text; numbers are taken as they are spelled.
+    pub(super) fn text(&self, name: &str, findings: &mut Findings) -> Option<Said<String>> {
+        let tree = self.get(name)?;
+        match &*tree.kind {
+            Kind::Text(_) | Kind::Integer(_) | Kind::Float(_) => Some(Said::new(tree.spelled(), tree.span)),
+            _ => {
+                findings.push(wrong(name, tree, "a text").help("write a text in quotes"));
+                None
+            }
+        }
+    }
+
+    /// The items of a list.
+    pub(super) fn list(&self, name: &str, findings: &mut Findings) -> Option<&'t [Tree]> {
+        let tree = self.get(name)?;
+        match &*tree.kind {
+            Kind::List(items) => Some(items),
+            _ => {
+                findings.push(
+                    wrong(name, tree, "a list")
+                        .help("write each item in a line of its own after `- `, or `[]` for none"),
+                );
+                None
+            }
+        }
+    }
+
+    /// The entries of a map by number, each with its number.
+    pub(super) fn numbered(&self, name: &str, findings: &mut Findings) -> Vec<(i128, Said<&'t Tree>)> {
+        let Some(tree) = self.get(name) else { return Vec::new() };
+        let range = self.keys.iter().find(|key| key.name == name).map(|key| &key.shape);
+        let (low, high) = match range {
+            Some(Shape::Numbered(low, high, _) | Shape::Numbers((low, high), _)) => (*low, *high),
+            _ => (i128::MIN, i128::MAX),
+        };
+        let Some(entries) = tree.entries() else {
+            findings.push(wrong(name, tree, "a table of keys").help("write the numbers as keys below it"));
+            return Vec::new();
+        };
+        let mut numbered = Vec::with_capacity(entries.len());
+        for Entry { key, value } in entries {
+            if key.text().is_some() {
+                let finding = wrong(name, key, "a number");
+                findings.push(finding.help("write the number without quotes"));
+            } else if let Some(number) = integer(name, key, (low, high), findings) {
+                numbered.push((number, Said::new(value, key.span)));
+            }
+        }
+        numbered
+    }
+}
+
+/// A whole number in a range. What dcfgen takes for one in silence is a warning.
+pub(super) fn integer(
+    name: &str,
+    tree: &Tree,
+    (low, high): (i128, i128),
+    findings: &mut Findings,
+) -> Option<i128> {
+    let number = match &*tree.kind {
+        Kind::Integer(number) => *number,
+        Kind::Float(number) if number.is_finite() && number.abs() < 1e18 => {
+            let cut = number.trunc() as i128;
+            if number.fract() != 0.0 {
+                let message = say!("`{}` is {}, of which dcfgen takes {}", name, number, cut);
+                let finding = Diagnostic::new(&WRONG_TYPE, tree.span, message).severity(Severity::Warning);
+                findings.push(finding.help("write a whole number"));
+            }
+            cut
+        }
+        Kind::Text(text) if text.parse::<i128>().is_ok() => {
+            let finding = wrong(name, tree, "a number").severity(Severity::Warning);
+            findings.push(finding.help("write it without quotes"));
+            text.parse().ok()?
+        }
+        _ => {
+            findings.push(wrong(name, tree, "a whole number").help(say!(
+                "write a number from {} to {}",
+                low,
+                high
+            )));
+            return None;
+        }
+    };
+    if (low..=high).contains(&number) {
+        return Some(number);
+    }
+    let message = say!("`{}` is {}, which is not {} to {}", name, number, low, high);
+    findings.push(Diagnostic::new(&OUT_OF_RANGE, tree.span, message).help(say!(
+        "write a number from {} to {}",
+        low,
+        high
+    )));
+    None
+}
+
+/// `cob_id` is a text where a number belongs.
+pub(super) fn wrong(name: &str, tree: &Tree, expected: &'static str) -> Diagnostic {
+    let message = say!("`{}` is `{}`, {} where {} belongs", name, tree.spelled(), tree.kind_name(), expected);
+    Diagnostic::new(&WRONG_TYPE, tree.span, message)
+}
