@@ -93,7 +93,7 @@ int main(void)
 #ifndef OD_NO_NAMES
     size_t at;
     for (at = 0u; at < OD_ENTRY_COUNT; at++) {
-        printf("%u %u %s\n", (unsigned)od_entries[at].index, (unsigned)od_entries[at].sub, od_name(&od_entries[at]));
+        printf("%u %u %s\n", (unsigned)od_index(&od_entries[at]), (unsigned)od_entries[at].sub, od_name(&od_entries[at]));
     }
 #endif
     return 0;

@@ -3,8 +3,8 @@
 
 use std::process::Command;
 
-use objdict::generate::{Options, OutputFile, Target, generate};
-use objdict::model::Device;
+use objdict::generate::{Options, OutputFile, Sizes, Target, generate, size};
+use objdict::model::{Access, DataType, Device, Entry, Object, ObjectType, PdoMapping, Value};
 
 use crate::batch::Batch;
 use crate::compile::{c_compiler, cc, generate_into, generate_with, rustc, succeed};
@@ -115,11 +115,11 @@ fn a_node_id_is_named_as_the_default() {
 #[test]
 fn large_dictionaries_get_longer_places() {
     let mut device = device(&support::fixtures().join("eds/minimal.eds"));
-    let text = objdict::model::Value::Text("0123456789".repeat(6000).into());
+    let text = Value::Text("0123456789".repeat(6000).into());
     for (number, index) in [0x2000, 0x2001].into_iter().enumerate() {
         let mut object = device.objects[&0x1008].clone();
         object.main.default = Some(text.clone());
-        object.main.access = Some(objdict::model::Access::Rw);
+        object.main.access = Some(Access::Rw);
         object.main.name = format!("Text {number}").into();
         device.objects.insert(index, object);
     }
@@ -142,6 +142,87 @@ fn large_dictionaries_get_longer_places() {
     batch.add("large", &generate(&device, Target::RUST, &Options::default()).unwrap(), program);
     batch.build(&["-Adead-code"]);
     batch.run("large", "").unwrap();
+}
+
+/// A device whose numbers need wider rows in C: long texts, pairs of data type and flags, entries.
+fn wide([texts, kinds, entries]: [bool; 3]) -> Device {
+    let mut device = device(&support::fixtures().join("eds/minimal.eds"));
+    let var = device.objects[&0x1001].clone();
+    for number in 0..if texts { 2 } else { 0 } {
+        let mut object = device.objects[&0x1008].clone();
+        object.main.default = Some(Value::Text("0123456789".repeat(6000).into()));
+        object.main.access = Some(Access::Rw);
+        device.objects.insert(0x2000 + number, object);
+    }
+    let accesses = [Access::Ro, Access::Rw, Access::Rwr, Access::Rww, Access::Wo];
+    let types = [1, 2, 3, 4, 5, 6, 7, 0x10, 0x12, 0x13, 0x18, 0x19, 0x14, 0x15, 0x1B, 0x16];
+    for number in 0..if kinds { 16 * 5 * 4 } else { 0 } {
+        let mut object = var.clone();
+        object.main.data_type = Some(DataType(types[number % 16]));
+        object.main.access = Some(accesses[number / 16 % 5]);
+        object.main.pdo_mapping = Some(PdoMapping::Optional);
+        object.main.low_limit = (number / 80 % 2 == 1).then_some(Value::Unsigned(0));
+        object.main.high_limit = (number / 160 == 1).then_some(Value::Unsigned(1));
+        device.objects.insert(0x3000 + number as u16, object);
+    }
+    for number in 0..if entries { 260 } else { 0 } {
+        let entry = Entry { access: Some(Access::Const), ..var.main.clone() };
+        let main = Entry { object_type: Some(ObjectType::Record), ..var.main.clone() };
+        let subs = (0..=255).map(|sub| (sub, entry.clone())).collect();
+        device.objects.insert(0x4000 + number, Object { main, subs, ..Object::default() });
+    }
+    device
+}
+
+const WIDE: &str = r#"
+#include <stdio.h>
+#include <string.h>
+#include "od.c"
+static od_data_t data;
+static char text[60000];
+
+int main(void)
+{
+    size_t at;
+    size_t length;
+    od_init(&data, 5);
+    for (at = 0u; at < OD_ENTRY_COUNT; at++) {
+        const od_entry_t *entry = &od_entries[at];
+        if (od_find(od_index(entry), entry->sub) != entry) {
+            printf("%04X %02X is lost; ", (unsigned)od_index(entry), (unsigned)entry->sub);
+        }
+    }
+    if (od_find(0x2001, 0) != NULL && (od_read(&data, 0x2001, 0, text, sizeof text, &length) != OD_OK || memcmp(&text[59990], "0123456789", 10) != 0)) {
+        printf("the text is wrong; ");
+    }
+    if (od_find(0x313F, 0) != NULL && (od_data_type(od_find(0x313F, 0)) != OD_UNSIGNED24 || od_flags(od_find(0x313F, 0)) != (OD_WRITE | OD_RPDO | OD_LOW | OD_HIGH))) {
+        printf("the last kind is wrong; ");
+    }
+    printf("%lu %lu %lu", (unsigned long)sizeof(od_entry_t), (unsigned long)sizeof(od_object_t),
+           (unsigned long)(sizeof od_entries + sizeof od_kinds + sizeof od_objects + sizeof od_rom));
+    return 0;
+}
+"#;
+
+#[test]
+fn rows_in_c_are_as_wide_as_the_device_needs() {
+    let Some(compiler) = c_compiler() else { return };
+    let cases = [
+        ([false; 3], "6 4"),
+        ([true, false, false], "12 4"),
+        ([false, true, false], "8 4"),
+        ([false, false, true], "6 8"),
+        ([true; 3], "12 8"),
+    ];
+    for (case, rows) in cases {
+        let device = wide(case);
+        let folder = tempfile::tempdir().unwrap();
+        generate_into(folder.path(), &device, "c");
+        std::fs::write(folder.path().join("wide.c"), WIDE).unwrap();
+        let programs = build(cc(&compiler, folder.path()).args(["-I.", "-o", "wide", "wide.c"])).unwrap();
+        let Sizes::Known(report) = size(&device, Target::C, &Options::default()).unwrap() else { panic!() };
+        assert_eq!(programs.run(&[], "").unwrap(), format!("{rows} {}", report.total.flash), "{case:?}");
+    }
 }
 
 /// Whether a tool of the Rust distribution is installed; prints a message if it is not and not required.

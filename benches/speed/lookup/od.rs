@@ -677,163 +677,163 @@ pub mod pdo {
 pub static ENTRIES: [Entry; 157] = {
     use table::*;
     [
-        Entry::new(0x2000, 0x00, UNSIGNED32, READ | WRITE, 1, 0), // `Parameter 0`
-        Entry::new(0x2007, 0x00, UNSIGNED32, READ | WRITE, 5, 4), // `Parameter 1`
-        Entry::new(0x200E, 0x00, UNSIGNED32, READ | WRITE, 9, 8), // `Parameter 2`
-        Entry::new(0x2015, 0x00, UNSIGNED32, READ | WRITE, 13, 12), // `Parameter 3`
-        Entry::new(0x201C, 0x00, UNSIGNED32, READ | WRITE, 17, 16), // `Parameter 4`
-        Entry::new(0x2023, 0x00, UNSIGNED32, READ | WRITE, 21, 20), // `Parameter 5`
-        Entry::new(0x202A, 0x00, UNSIGNED32, READ | WRITE, 25, 24), // `Parameter 6`
-        Entry::new(0x2031, 0x00, UNSIGNED32, READ | WRITE, 29, 28), // `Parameter 7`
-        Entry::new(0x2038, 0x00, UNSIGNED32, READ | WRITE, 33, 32), // `Parameter 8`
-        Entry::new(0x203F, 0x00, UNSIGNED32, READ | WRITE, 37, 36), // `Parameter 9`
-        Entry::new(0x2046, 0x00, UNSIGNED32, READ | WRITE, 41, 40), // `Parameter 10`
-        Entry::new(0x204D, 0x00, UNSIGNED32, READ | WRITE, 45, 44), // `Parameter 11`
-        Entry::new(0x2054, 0x00, UNSIGNED32, READ | WRITE, 49, 48), // `Parameter 12`
-        Entry::new(0x205B, 0x00, UNSIGNED32, READ | WRITE, 53, 52), // `Parameter 13`
-        Entry::new(0x2062, 0x00, UNSIGNED32, READ | WRITE, 57, 56), // `Parameter 14`
-        Entry::new(0x2069, 0x00, UNSIGNED32, READ | WRITE, 61, 60), // `Parameter 15`
-        Entry::new(0x2070, 0x00, UNSIGNED32, READ | WRITE, 65, 64), // `Parameter 16`
-        Entry::new(0x2077, 0x00, UNSIGNED32, READ | WRITE, 69, 68), // `Parameter 17`
-        Entry::new(0x207E, 0x00, UNSIGNED32, READ | WRITE, 73, 72), // `Parameter 18`
-        Entry::new(0x2085, 0x00, UNSIGNED32, READ | WRITE, 77, 76), // `Parameter 19`
-        Entry::new(0x208C, 0x00, UNSIGNED32, READ | WRITE, 81, 80), // `Parameter 20`
-        Entry::new(0x2093, 0x00, UNSIGNED32, READ | WRITE, 85, 84), // `Parameter 21`
-        Entry::new(0x209A, 0x00, UNSIGNED32, READ | WRITE, 89, 88), // `Parameter 22`
-        Entry::new(0x20A1, 0x00, UNSIGNED32, READ | WRITE, 93, 92), // `Parameter 23`
-        Entry::new(0x20A8, 0x00, UNSIGNED32, READ | WRITE, 97, 96), // `Parameter 24`
-        Entry::new(0x20AF, 0x00, UNSIGNED32, READ | WRITE, 101, 100), // `Parameter 25`
-        Entry::new(0x20B6, 0x00, UNSIGNED32, READ | WRITE, 105, 104), // `Parameter 26`
-        Entry::new(0x20BD, 0x00, UNSIGNED32, READ | WRITE, 109, 108), // `Parameter 27`
-        Entry::new(0x20C4, 0x00, UNSIGNED32, READ | WRITE, 113, 112), // `Parameter 28`
-        Entry::new(0x20CB, 0x00, UNSIGNED32, READ | WRITE, 117, 116), // `Parameter 29`
-        Entry::new(0x20D2, 0x00, UNSIGNED32, READ | WRITE, 121, 120), // `Parameter 30`
-        Entry::new(0x20D9, 0x00, UNSIGNED32, READ | WRITE, 125, 124), // `Parameter 31`
-        Entry::new(0x20E0, 0x00, UNSIGNED32, READ | WRITE, 129, 128), // `Parameter 32`
-        Entry::new(0x20E7, 0x00, UNSIGNED32, READ | WRITE, 133, 132), // `Parameter 33`
-        Entry::new(0x20EE, 0x00, UNSIGNED32, READ | WRITE, 137, 136), // `Parameter 34`
-        Entry::new(0x20F5, 0x00, UNSIGNED32, READ | WRITE, 141, 140), // `Parameter 35`
-        Entry::new(0x20FC, 0x00, UNSIGNED32, READ | WRITE, 145, 144), // `Parameter 36`
-        Entry::new(0x2103, 0x00, UNSIGNED32, READ | WRITE, 149, 148), // `Parameter 37`
-        Entry::new(0x210A, 0x00, UNSIGNED32, READ | WRITE, 153, 152), // `Parameter 38`
-        Entry::new(0x2111, 0x00, UNSIGNED32, READ | WRITE, 157, 156), // `Parameter 39`
-        Entry::new(0x2118, 0x00, UNSIGNED32, READ | WRITE, 161, 160), // `Parameter 40`
-        Entry::new(0x211F, 0x00, UNSIGNED32, READ | WRITE, 165, 164), // `Parameter 41`
-        Entry::new(0x2126, 0x00, UNSIGNED32, READ | WRITE, 169, 168), // `Parameter 42`
-        Entry::new(0x212D, 0x00, UNSIGNED32, READ | WRITE, 173, 172), // `Parameter 43`
-        Entry::new(0x2134, 0x00, UNSIGNED32, READ | WRITE, 177, 176), // `Parameter 44`
-        Entry::new(0x213B, 0x00, UNSIGNED32, READ | WRITE, 181, 180), // `Parameter 45`
-        Entry::new(0x2142, 0x00, UNSIGNED32, READ | WRITE, 185, 184), // `Parameter 46`
-        Entry::new(0x2149, 0x00, UNSIGNED32, READ | WRITE, 189, 188), // `Parameter 47`
-        Entry::new(0x2150, 0x00, UNSIGNED32, READ | WRITE, 193, 192), // `Parameter 48`
-        Entry::new(0x6000, 0x00, UNSIGNED8, READ, 0, 12), // `Highest sub-index supported`
-        Entry::new(0x6000, 0x01, UNSIGNED32, READ | WRITE, 197, 4), // `Gain 1`
-        Entry::new(0x6000, 0x02, UNSIGNED32, READ | WRITE, 201, 8), // `Gain 2`
-        Entry::new(0x6000, 0x03, UNSIGNED32, READ | WRITE, 205, 12), // `Gain 3`
-        Entry::new(0x6010, 0x00, UNSIGNED8, READ, 0, 12), // `Highest sub-index supported`
-        Entry::new(0x6010, 0x01, UNSIGNED32, READ | WRITE, 209, 4), // `Gain 1`
-        Entry::new(0x6010, 0x02, UNSIGNED32, READ | WRITE, 213, 8), // `Gain 2`
-        Entry::new(0x6010, 0x03, UNSIGNED32, READ | WRITE, 217, 12), // `Gain 3`
-        Entry::new(0x6020, 0x00, UNSIGNED8, READ, 0, 12), // `Highest sub-index supported`
-        Entry::new(0x6020, 0x01, UNSIGNED32, READ | WRITE, 221, 4), // `Gain 1`
-        Entry::new(0x6020, 0x02, UNSIGNED32, READ | WRITE, 225, 8), // `Gain 2`
-        Entry::new(0x6020, 0x03, UNSIGNED32, READ | WRITE, 229, 12), // `Gain 3`
-        Entry::new(0x6030, 0x00, UNSIGNED8, READ, 0, 12), // `Highest sub-index supported`
-        Entry::new(0x6030, 0x01, UNSIGNED32, READ | WRITE, 233, 4), // `Gain 1`
-        Entry::new(0x6030, 0x02, UNSIGNED32, READ | WRITE, 237, 8), // `Gain 2`
-        Entry::new(0x6030, 0x03, UNSIGNED32, READ | WRITE, 241, 12), // `Gain 3`
-        Entry::new(0x6040, 0x00, UNSIGNED8, READ, 0, 12), // `Highest sub-index supported`
-        Entry::new(0x6040, 0x01, UNSIGNED32, READ | WRITE, 245, 4), // `Gain 1`
-        Entry::new(0x6040, 0x02, UNSIGNED32, READ | WRITE, 249, 8), // `Gain 2`
-        Entry::new(0x6040, 0x03, UNSIGNED32, READ | WRITE, 253, 12), // `Gain 3`
-        Entry::new(0x6050, 0x00, UNSIGNED8, READ, 0, 12), // `Highest sub-index supported`
-        Entry::new(0x6050, 0x01, UNSIGNED32, READ | WRITE, 257, 4), // `Gain 1`
-        Entry::new(0x6050, 0x02, UNSIGNED32, READ | WRITE, 261, 8), // `Gain 2`
-        Entry::new(0x6050, 0x03, UNSIGNED32, READ | WRITE, 265, 12), // `Gain 3`
-        Entry::new(0x6060, 0x00, UNSIGNED8, READ, 0, 12), // `Highest sub-index supported`
-        Entry::new(0x6060, 0x01, UNSIGNED32, READ | WRITE, 269, 4), // `Gain 1`
-        Entry::new(0x6060, 0x02, UNSIGNED32, READ | WRITE, 273, 8), // `Gain 2`
-        Entry::new(0x6060, 0x03, UNSIGNED32, READ | WRITE, 277, 12), // `Gain 3`
-        Entry::new(0x6070, 0x00, UNSIGNED8, READ, 0, 12), // `Highest sub-index supported`
-        Entry::new(0x6070, 0x01, UNSIGNED32, READ | WRITE, 281, 4), // `Gain 1`
-        Entry::new(0x6070, 0x02, UNSIGNED32, READ | WRITE, 285, 8), // `Gain 2`
-        Entry::new(0x6070, 0x03, UNSIGNED32, READ | WRITE, 289, 12), // `Gain 3`
-        Entry::new(0x6080, 0x00, UNSIGNED8, READ, 0, 12), // `Highest sub-index supported`
-        Entry::new(0x6080, 0x01, UNSIGNED32, READ | WRITE, 293, 4), // `Gain 1`
-        Entry::new(0x6080, 0x02, UNSIGNED32, READ | WRITE, 297, 8), // `Gain 2`
-        Entry::new(0x6080, 0x03, UNSIGNED32, READ | WRITE, 301, 12), // `Gain 3`
-        Entry::new(0x6090, 0x00, UNSIGNED8, READ, 0, 12), // `Highest sub-index supported`
-        Entry::new(0x6090, 0x01, UNSIGNED32, READ | WRITE, 305, 4), // `Gain 1`
-        Entry::new(0x6090, 0x02, UNSIGNED32, READ | WRITE, 309, 8), // `Gain 2`
-        Entry::new(0x6090, 0x03, UNSIGNED32, READ | WRITE, 313, 12), // `Gain 3`
-        Entry::new(0x60A0, 0x00, UNSIGNED8, READ, 0, 12), // `Highest sub-index supported`
-        Entry::new(0x60A0, 0x01, UNSIGNED32, READ | WRITE, 317, 4), // `Gain 1`
-        Entry::new(0x60A0, 0x02, UNSIGNED32, READ | WRITE, 321, 8), // `Gain 2`
-        Entry::new(0x60A0, 0x03, UNSIGNED32, READ | WRITE, 325, 12), // `Gain 3`
-        Entry::new(0x60B0, 0x00, UNSIGNED8, READ, 0, 12), // `Highest sub-index supported`
-        Entry::new(0x60B0, 0x01, UNSIGNED32, READ | WRITE, 329, 4), // `Gain 1`
-        Entry::new(0x60B0, 0x02, UNSIGNED32, READ | WRITE, 333, 8), // `Gain 2`
-        Entry::new(0x60B0, 0x03, UNSIGNED32, READ | WRITE, 337, 12), // `Gain 3`
-        Entry::new(0x60C0, 0x00, UNSIGNED8, READ, 0, 12), // `Highest sub-index supported`
-        Entry::new(0x60C0, 0x01, UNSIGNED32, READ | WRITE, 341, 4), // `Gain 1`
-        Entry::new(0x60C0, 0x02, UNSIGNED32, READ | WRITE, 345, 8), // `Gain 2`
-        Entry::new(0x60C0, 0x03, UNSIGNED32, READ | WRITE, 349, 12), // `Gain 3`
-        Entry::new(0x60D0, 0x00, UNSIGNED8, READ, 0, 12), // `Highest sub-index supported`
-        Entry::new(0x60D0, 0x01, UNSIGNED32, READ | WRITE, 353, 4), // `Gain 1`
-        Entry::new(0x60D0, 0x02, UNSIGNED32, READ | WRITE, 357, 8), // `Gain 2`
-        Entry::new(0x60D0, 0x03, UNSIGNED32, READ | WRITE, 361, 12), // `Gain 3`
-        Entry::new(0x60E0, 0x00, UNSIGNED8, READ, 0, 12), // `Highest sub-index supported`
-        Entry::new(0x60E0, 0x01, UNSIGNED32, READ | WRITE, 365, 4), // `Gain 1`
-        Entry::new(0x60E0, 0x02, UNSIGNED32, READ | WRITE, 369, 8), // `Gain 2`
-        Entry::new(0x60E0, 0x03, UNSIGNED32, READ | WRITE, 373, 12), // `Gain 3`
-        Entry::new(0x60F0, 0x00, UNSIGNED8, READ, 0, 12), // `Highest sub-index supported`
-        Entry::new(0x60F0, 0x01, UNSIGNED32, READ | WRITE, 377, 4), // `Gain 1`
-        Entry::new(0x60F0, 0x02, UNSIGNED32, READ | WRITE, 381, 8), // `Gain 2`
-        Entry::new(0x60F0, 0x03, UNSIGNED32, READ | WRITE, 385, 12), // `Gain 3`
-        Entry::new(0x6100, 0x00, UNSIGNED8, READ, 0, 12), // `Highest sub-index supported`
-        Entry::new(0x6100, 0x01, UNSIGNED32, READ | WRITE, 389, 4), // `Gain 1`
-        Entry::new(0x6100, 0x02, UNSIGNED32, READ | WRITE, 393, 8), // `Gain 2`
-        Entry::new(0x6100, 0x03, UNSIGNED32, READ | WRITE, 397, 12), // `Gain 3`
-        Entry::new(0x6110, 0x00, UNSIGNED8, READ, 0, 12), // `Highest sub-index supported`
-        Entry::new(0x6110, 0x01, UNSIGNED32, READ | WRITE, 401, 4), // `Gain 1`
-        Entry::new(0x6110, 0x02, UNSIGNED32, READ | WRITE, 405, 8), // `Gain 2`
-        Entry::new(0x6110, 0x03, UNSIGNED32, READ | WRITE, 409, 12), // `Gain 3`
-        Entry::new(0x6120, 0x00, UNSIGNED8, READ, 0, 12), // `Highest sub-index supported`
-        Entry::new(0x6120, 0x01, UNSIGNED32, READ | WRITE, 413, 4), // `Gain 1`
-        Entry::new(0x6120, 0x02, UNSIGNED32, READ | WRITE, 417, 8), // `Gain 2`
-        Entry::new(0x6120, 0x03, UNSIGNED32, READ | WRITE, 421, 12), // `Gain 3`
-        Entry::new(0x6130, 0x00, UNSIGNED8, READ, 0, 12), // `Highest sub-index supported`
-        Entry::new(0x6130, 0x01, UNSIGNED32, READ | WRITE, 425, 4), // `Gain 1`
-        Entry::new(0x6130, 0x02, UNSIGNED32, READ | WRITE, 429, 8), // `Gain 2`
-        Entry::new(0x6130, 0x03, UNSIGNED32, READ | WRITE, 433, 12), // `Gain 3`
-        Entry::new(0x6140, 0x00, UNSIGNED8, READ, 0, 12), // `Highest sub-index supported`
-        Entry::new(0x6140, 0x01, UNSIGNED32, READ | WRITE, 437, 4), // `Gain 1`
-        Entry::new(0x6140, 0x02, UNSIGNED32, READ | WRITE, 441, 8), // `Gain 2`
-        Entry::new(0x6140, 0x03, UNSIGNED32, READ | WRITE, 445, 12), // `Gain 3`
-        Entry::new(0x6150, 0x00, UNSIGNED8, READ, 0, 12), // `Highest sub-index supported`
-        Entry::new(0x6150, 0x01, UNSIGNED32, READ | WRITE, 449, 4), // `Gain 1`
-        Entry::new(0x6150, 0x02, UNSIGNED32, READ | WRITE, 453, 8), // `Gain 2`
-        Entry::new(0x6150, 0x03, UNSIGNED32, READ | WRITE, 457, 12), // `Gain 3`
-        Entry::new(0x6160, 0x00, UNSIGNED8, READ, 0, 12), // `Highest sub-index supported`
-        Entry::new(0x6160, 0x01, UNSIGNED32, READ | WRITE, 461, 4), // `Gain 1`
-        Entry::new(0x6160, 0x02, UNSIGNED32, READ | WRITE, 465, 8), // `Gain 2`
-        Entry::new(0x6160, 0x03, UNSIGNED32, READ | WRITE, 469, 12), // `Gain 3`
-        Entry::new(0x6170, 0x00, UNSIGNED8, READ, 0, 12), // `Highest sub-index supported`
-        Entry::new(0x6170, 0x01, UNSIGNED32, READ | WRITE, 473, 4), // `Gain 1`
-        Entry::new(0x6170, 0x02, UNSIGNED32, READ | WRITE, 477, 8), // `Gain 2`
-        Entry::new(0x6170, 0x03, UNSIGNED32, READ | WRITE, 481, 12), // `Gain 3`
-        Entry::new(0x6180, 0x00, UNSIGNED8, READ, 0, 12), // `Highest sub-index supported`
-        Entry::new(0x6180, 0x01, UNSIGNED32, READ | WRITE, 485, 4), // `Gain 1`
-        Entry::new(0x6180, 0x02, UNSIGNED32, READ | WRITE, 489, 8), // `Gain 2`
-        Entry::new(0x6180, 0x03, UNSIGNED32, READ | WRITE, 493, 12), // `Gain 3`
-        Entry::new(0x6190, 0x00, UNSIGNED8, READ, 0, 12), // `Highest sub-index supported`
-        Entry::new(0x6190, 0x01, UNSIGNED32, READ | WRITE, 497, 4), // `Gain 1`
-        Entry::new(0x6190, 0x02, UNSIGNED32, READ | WRITE, 501, 8), // `Gain 2`
-        Entry::new(0x6190, 0x03, UNSIGNED32, READ | WRITE, 505, 12), // `Gain 3`
-        Entry::new(0x61A0, 0x00, UNSIGNED8, READ, 0, 12), // `Highest sub-index supported`
-        Entry::new(0x61A0, 0x01, UNSIGNED32, READ | WRITE, 509, 4), // `Gain 1`
-        Entry::new(0x61A0, 0x02, UNSIGNED32, READ | WRITE, 513, 8), // `Gain 2`
-        Entry::new(0x61A0, 0x03, UNSIGNED32, READ | WRITE, 517, 12), // `Gain 3`
+        Entry::new(0x2000, 0x00, UNSIGNED32, READ | WRITE, 1, 1), // `Parameter 0`
+        Entry::new(0x2007, 0x00, UNSIGNED32, READ | WRITE, 5, 189), // `Parameter 1`
+        Entry::new(0x200E, 0x00, UNSIGNED32, READ | WRITE, 9, 185), // `Parameter 2`
+        Entry::new(0x2015, 0x00, UNSIGNED32, READ | WRITE, 13, 181), // `Parameter 3`
+        Entry::new(0x201C, 0x00, UNSIGNED32, READ | WRITE, 17, 177), // `Parameter 4`
+        Entry::new(0x2023, 0x00, UNSIGNED32, READ | WRITE, 21, 173), // `Parameter 5`
+        Entry::new(0x202A, 0x00, UNSIGNED32, READ | WRITE, 25, 169), // `Parameter 6`
+        Entry::new(0x2031, 0x00, UNSIGNED32, READ | WRITE, 29, 165), // `Parameter 7`
+        Entry::new(0x2038, 0x00, UNSIGNED32, READ | WRITE, 33, 161), // `Parameter 8`
+        Entry::new(0x203F, 0x00, UNSIGNED32, READ | WRITE, 37, 157), // `Parameter 9`
+        Entry::new(0x2046, 0x00, UNSIGNED32, READ | WRITE, 41, 153), // `Parameter 10`
+        Entry::new(0x204D, 0x00, UNSIGNED32, READ | WRITE, 45, 149), // `Parameter 11`
+        Entry::new(0x2054, 0x00, UNSIGNED32, READ | WRITE, 49, 145), // `Parameter 12`
+        Entry::new(0x205B, 0x00, UNSIGNED32, READ | WRITE, 53, 141), // `Parameter 13`
+        Entry::new(0x2062, 0x00, UNSIGNED32, READ | WRITE, 57, 137), // `Parameter 14`
+        Entry::new(0x2069, 0x00, UNSIGNED32, READ | WRITE, 61, 133), // `Parameter 15`
+        Entry::new(0x2070, 0x00, UNSIGNED32, READ | WRITE, 65, 129), // `Parameter 16`
+        Entry::new(0x2077, 0x00, UNSIGNED32, READ | WRITE, 69, 125), // `Parameter 17`
+        Entry::new(0x207E, 0x00, UNSIGNED32, READ | WRITE, 73, 121), // `Parameter 18`
+        Entry::new(0x2085, 0x00, UNSIGNED32, READ | WRITE, 77, 117), // `Parameter 19`
+        Entry::new(0x208C, 0x00, UNSIGNED32, READ | WRITE, 81, 113), // `Parameter 20`
+        Entry::new(0x2093, 0x00, UNSIGNED32, READ | WRITE, 85, 109), // `Parameter 21`
+        Entry::new(0x209A, 0x00, UNSIGNED32, READ | WRITE, 89, 105), // `Parameter 22`
+        Entry::new(0x20A1, 0x00, UNSIGNED32, READ | WRITE, 93, 101), // `Parameter 23`
+        Entry::new(0x20A8, 0x00, UNSIGNED32, READ | WRITE, 97, 97), // `Parameter 24`
+        Entry::new(0x20AF, 0x00, UNSIGNED32, READ | WRITE, 101, 93), // `Parameter 25`
+        Entry::new(0x20B6, 0x00, UNSIGNED32, READ | WRITE, 105, 89), // `Parameter 26`
+        Entry::new(0x20BD, 0x00, UNSIGNED32, READ | WRITE, 109, 85), // `Parameter 27`
+        Entry::new(0x20C4, 0x00, UNSIGNED32, READ | WRITE, 113, 81), // `Parameter 28`
+        Entry::new(0x20CB, 0x00, UNSIGNED32, READ | WRITE, 117, 77), // `Parameter 29`
+        Entry::new(0x20D2, 0x00, UNSIGNED32, READ | WRITE, 121, 73), // `Parameter 30`
+        Entry::new(0x20D9, 0x00, UNSIGNED32, READ | WRITE, 125, 69), // `Parameter 31`
+        Entry::new(0x20E0, 0x00, UNSIGNED32, READ | WRITE, 129, 65), // `Parameter 32`
+        Entry::new(0x20E7, 0x00, UNSIGNED32, READ | WRITE, 133, 61), // `Parameter 33`
+        Entry::new(0x20EE, 0x00, UNSIGNED32, READ | WRITE, 137, 57), // `Parameter 34`
+        Entry::new(0x20F5, 0x00, UNSIGNED32, READ | WRITE, 141, 53), // `Parameter 35`
+        Entry::new(0x20FC, 0x00, UNSIGNED32, READ | WRITE, 145, 49), // `Parameter 36`
+        Entry::new(0x2103, 0x00, UNSIGNED32, READ | WRITE, 149, 45), // `Parameter 37`
+        Entry::new(0x210A, 0x00, UNSIGNED32, READ | WRITE, 153, 41), // `Parameter 38`
+        Entry::new(0x2111, 0x00, UNSIGNED32, READ | WRITE, 157, 37), // `Parameter 39`
+        Entry::new(0x2118, 0x00, UNSIGNED32, READ | WRITE, 161, 33), // `Parameter 40`
+        Entry::new(0x211F, 0x00, UNSIGNED32, READ | WRITE, 165, 29), // `Parameter 41`
+        Entry::new(0x2126, 0x00, UNSIGNED32, READ | WRITE, 169, 25), // `Parameter 42`
+        Entry::new(0x212D, 0x00, UNSIGNED32, READ | WRITE, 173, 21), // `Parameter 43`
+        Entry::new(0x2134, 0x00, UNSIGNED32, READ | WRITE, 177, 17), // `Parameter 44`
+        Entry::new(0x213B, 0x00, UNSIGNED32, READ | WRITE, 181, 13), // `Parameter 45`
+        Entry::new(0x2142, 0x00, UNSIGNED32, READ | WRITE, 185, 9), // `Parameter 46`
+        Entry::new(0x2149, 0x00, UNSIGNED32, READ | WRITE, 189, 5), // `Parameter 47`
+        Entry::new(0x2150, 0x00, UNSIGNED32, READ | WRITE, 193, 0), // `Parameter 48`
+        Entry::new(0x6000, 0x00, UNSIGNED8, READ, 0, 181), // `Highest sub-index supported`
+        Entry::new(0x6000, 0x01, UNSIGNED32, READ | WRITE, 197, 189), // `Gain 1`
+        Entry::new(0x6000, 0x02, UNSIGNED32, READ | WRITE, 201, 185), // `Gain 2`
+        Entry::new(0x6000, 0x03, UNSIGNED32, READ | WRITE, 205, 181), // `Gain 3`
+        Entry::new(0x6010, 0x00, UNSIGNED8, READ, 0, 181), // `Highest sub-index supported`
+        Entry::new(0x6010, 0x01, UNSIGNED32, READ | WRITE, 209, 189), // `Gain 1`
+        Entry::new(0x6010, 0x02, UNSIGNED32, READ | WRITE, 213, 185), // `Gain 2`
+        Entry::new(0x6010, 0x03, UNSIGNED32, READ | WRITE, 217, 181), // `Gain 3`
+        Entry::new(0x6020, 0x00, UNSIGNED8, READ, 0, 181), // `Highest sub-index supported`
+        Entry::new(0x6020, 0x01, UNSIGNED32, READ | WRITE, 221, 189), // `Gain 1`
+        Entry::new(0x6020, 0x02, UNSIGNED32, READ | WRITE, 225, 185), // `Gain 2`
+        Entry::new(0x6020, 0x03, UNSIGNED32, READ | WRITE, 229, 181), // `Gain 3`
+        Entry::new(0x6030, 0x00, UNSIGNED8, READ, 0, 181), // `Highest sub-index supported`
+        Entry::new(0x6030, 0x01, UNSIGNED32, READ | WRITE, 233, 189), // `Gain 1`
+        Entry::new(0x6030, 0x02, UNSIGNED32, READ | WRITE, 237, 185), // `Gain 2`
+        Entry::new(0x6030, 0x03, UNSIGNED32, READ | WRITE, 241, 181), // `Gain 3`
+        Entry::new(0x6040, 0x00, UNSIGNED8, READ, 0, 181), // `Highest sub-index supported`
+        Entry::new(0x6040, 0x01, UNSIGNED32, READ | WRITE, 245, 189), // `Gain 1`
+        Entry::new(0x6040, 0x02, UNSIGNED32, READ | WRITE, 249, 185), // `Gain 2`
+        Entry::new(0x6040, 0x03, UNSIGNED32, READ | WRITE, 253, 181), // `Gain 3`
+        Entry::new(0x6050, 0x00, UNSIGNED8, READ, 0, 181), // `Highest sub-index supported`
+        Entry::new(0x6050, 0x01, UNSIGNED32, READ | WRITE, 257, 189), // `Gain 1`
+        Entry::new(0x6050, 0x02, UNSIGNED32, READ | WRITE, 261, 185), // `Gain 2`
+        Entry::new(0x6050, 0x03, UNSIGNED32, READ | WRITE, 265, 181), // `Gain 3`
+        Entry::new(0x6060, 0x00, UNSIGNED8, READ, 0, 181), // `Highest sub-index supported`
+        Entry::new(0x6060, 0x01, UNSIGNED32, READ | WRITE, 269, 189), // `Gain 1`
+        Entry::new(0x6060, 0x02, UNSIGNED32, READ | WRITE, 273, 185), // `Gain 2`
+        Entry::new(0x6060, 0x03, UNSIGNED32, READ | WRITE, 277, 181), // `Gain 3`
+        Entry::new(0x6070, 0x00, UNSIGNED8, READ, 0, 181), // `Highest sub-index supported`
+        Entry::new(0x6070, 0x01, UNSIGNED32, READ | WRITE, 281, 189), // `Gain 1`
+        Entry::new(0x6070, 0x02, UNSIGNED32, READ | WRITE, 285, 185), // `Gain 2`
+        Entry::new(0x6070, 0x03, UNSIGNED32, READ | WRITE, 289, 181), // `Gain 3`
+        Entry::new(0x6080, 0x00, UNSIGNED8, READ, 0, 181), // `Highest sub-index supported`
+        Entry::new(0x6080, 0x01, UNSIGNED32, READ | WRITE, 293, 189), // `Gain 1`
+        Entry::new(0x6080, 0x02, UNSIGNED32, READ | WRITE, 297, 185), // `Gain 2`
+        Entry::new(0x6080, 0x03, UNSIGNED32, READ | WRITE, 301, 181), // `Gain 3`
+        Entry::new(0x6090, 0x00, UNSIGNED8, READ, 0, 181), // `Highest sub-index supported`
+        Entry::new(0x6090, 0x01, UNSIGNED32, READ | WRITE, 305, 189), // `Gain 1`
+        Entry::new(0x6090, 0x02, UNSIGNED32, READ | WRITE, 309, 185), // `Gain 2`
+        Entry::new(0x6090, 0x03, UNSIGNED32, READ | WRITE, 313, 181), // `Gain 3`
+        Entry::new(0x60A0, 0x00, UNSIGNED8, READ, 0, 181), // `Highest sub-index supported`
+        Entry::new(0x60A0, 0x01, UNSIGNED32, READ | WRITE, 317, 189), // `Gain 1`
+        Entry::new(0x60A0, 0x02, UNSIGNED32, READ | WRITE, 321, 185), // `Gain 2`
+        Entry::new(0x60A0, 0x03, UNSIGNED32, READ | WRITE, 325, 181), // `Gain 3`
+        Entry::new(0x60B0, 0x00, UNSIGNED8, READ, 0, 181), // `Highest sub-index supported`
+        Entry::new(0x60B0, 0x01, UNSIGNED32, READ | WRITE, 329, 189), // `Gain 1`
+        Entry::new(0x60B0, 0x02, UNSIGNED32, READ | WRITE, 333, 185), // `Gain 2`
+        Entry::new(0x60B0, 0x03, UNSIGNED32, READ | WRITE, 337, 181), // `Gain 3`
+        Entry::new(0x60C0, 0x00, UNSIGNED8, READ, 0, 181), // `Highest sub-index supported`
+        Entry::new(0x60C0, 0x01, UNSIGNED32, READ | WRITE, 341, 189), // `Gain 1`
+        Entry::new(0x60C0, 0x02, UNSIGNED32, READ | WRITE, 345, 185), // `Gain 2`
+        Entry::new(0x60C0, 0x03, UNSIGNED32, READ | WRITE, 349, 181), // `Gain 3`
+        Entry::new(0x60D0, 0x00, UNSIGNED8, READ, 0, 181), // `Highest sub-index supported`
+        Entry::new(0x60D0, 0x01, UNSIGNED32, READ | WRITE, 353, 189), // `Gain 1`
+        Entry::new(0x60D0, 0x02, UNSIGNED32, READ | WRITE, 357, 185), // `Gain 2`
+        Entry::new(0x60D0, 0x03, UNSIGNED32, READ | WRITE, 361, 181), // `Gain 3`
+        Entry::new(0x60E0, 0x00, UNSIGNED8, READ, 0, 181), // `Highest sub-index supported`
+        Entry::new(0x60E0, 0x01, UNSIGNED32, READ | WRITE, 365, 189), // `Gain 1`
+        Entry::new(0x60E0, 0x02, UNSIGNED32, READ | WRITE, 369, 185), // `Gain 2`
+        Entry::new(0x60E0, 0x03, UNSIGNED32, READ | WRITE, 373, 181), // `Gain 3`
+        Entry::new(0x60F0, 0x00, UNSIGNED8, READ, 0, 181), // `Highest sub-index supported`
+        Entry::new(0x60F0, 0x01, UNSIGNED32, READ | WRITE, 377, 189), // `Gain 1`
+        Entry::new(0x60F0, 0x02, UNSIGNED32, READ | WRITE, 381, 185), // `Gain 2`
+        Entry::new(0x60F0, 0x03, UNSIGNED32, READ | WRITE, 385, 181), // `Gain 3`
+        Entry::new(0x6100, 0x00, UNSIGNED8, READ, 0, 181), // `Highest sub-index supported`
+        Entry::new(0x6100, 0x01, UNSIGNED32, READ | WRITE, 389, 189), // `Gain 1`
+        Entry::new(0x6100, 0x02, UNSIGNED32, READ | WRITE, 393, 185), // `Gain 2`
+        Entry::new(0x6100, 0x03, UNSIGNED32, READ | WRITE, 397, 181), // `Gain 3`
+        Entry::new(0x6110, 0x00, UNSIGNED8, READ, 0, 181), // `Highest sub-index supported`
+        Entry::new(0x6110, 0x01, UNSIGNED32, READ | WRITE, 401, 189), // `Gain 1`
+        Entry::new(0x6110, 0x02, UNSIGNED32, READ | WRITE, 405, 185), // `Gain 2`
+        Entry::new(0x6110, 0x03, UNSIGNED32, READ | WRITE, 409, 181), // `Gain 3`
+        Entry::new(0x6120, 0x00, UNSIGNED8, READ, 0, 181), // `Highest sub-index supported`
+        Entry::new(0x6120, 0x01, UNSIGNED32, READ | WRITE, 413, 189), // `Gain 1`
+        Entry::new(0x6120, 0x02, UNSIGNED32, READ | WRITE, 417, 185), // `Gain 2`
+        Entry::new(0x6120, 0x03, UNSIGNED32, READ | WRITE, 421, 181), // `Gain 3`
+        Entry::new(0x6130, 0x00, UNSIGNED8, READ, 0, 181), // `Highest sub-index supported`
+        Entry::new(0x6130, 0x01, UNSIGNED32, READ | WRITE, 425, 189), // `Gain 1`
+        Entry::new(0x6130, 0x02, UNSIGNED32, READ | WRITE, 429, 185), // `Gain 2`
+        Entry::new(0x6130, 0x03, UNSIGNED32, READ | WRITE, 433, 181), // `Gain 3`
+        Entry::new(0x6140, 0x00, UNSIGNED8, READ, 0, 181), // `Highest sub-index supported`
+        Entry::new(0x6140, 0x01, UNSIGNED32, READ | WRITE, 437, 189), // `Gain 1`
+        Entry::new(0x6140, 0x02, UNSIGNED32, READ | WRITE, 441, 185), // `Gain 2`
+        Entry::new(0x6140, 0x03, UNSIGNED32, READ | WRITE, 445, 181), // `Gain 3`
+        Entry::new(0x6150, 0x00, UNSIGNED8, READ, 0, 181), // `Highest sub-index supported`
+        Entry::new(0x6150, 0x01, UNSIGNED32, READ | WRITE, 449, 189), // `Gain 1`
+        Entry::new(0x6150, 0x02, UNSIGNED32, READ | WRITE, 453, 185), // `Gain 2`
+        Entry::new(0x6150, 0x03, UNSIGNED32, READ | WRITE, 457, 181), // `Gain 3`
+        Entry::new(0x6160, 0x00, UNSIGNED8, READ, 0, 181), // `Highest sub-index supported`
+        Entry::new(0x6160, 0x01, UNSIGNED32, READ | WRITE, 461, 189), // `Gain 1`
+        Entry::new(0x6160, 0x02, UNSIGNED32, READ | WRITE, 465, 185), // `Gain 2`
+        Entry::new(0x6160, 0x03, UNSIGNED32, READ | WRITE, 469, 181), // `Gain 3`
+        Entry::new(0x6170, 0x00, UNSIGNED8, READ, 0, 181), // `Highest sub-index supported`
+        Entry::new(0x6170, 0x01, UNSIGNED32, READ | WRITE, 473, 189), // `Gain 1`
+        Entry::new(0x6170, 0x02, UNSIGNED32, READ | WRITE, 477, 185), // `Gain 2`
+        Entry::new(0x6170, 0x03, UNSIGNED32, READ | WRITE, 481, 181), // `Gain 3`
+        Entry::new(0x6180, 0x00, UNSIGNED8, READ, 0, 181), // `Highest sub-index supported`
+        Entry::new(0x6180, 0x01, UNSIGNED32, READ | WRITE, 485, 189), // `Gain 1`
+        Entry::new(0x6180, 0x02, UNSIGNED32, READ | WRITE, 489, 185), // `Gain 2`
+        Entry::new(0x6180, 0x03, UNSIGNED32, READ | WRITE, 493, 181), // `Gain 3`
+        Entry::new(0x6190, 0x00, UNSIGNED8, READ, 0, 181), // `Highest sub-index supported`
+        Entry::new(0x6190, 0x01, UNSIGNED32, READ | WRITE, 497, 189), // `Gain 1`
+        Entry::new(0x6190, 0x02, UNSIGNED32, READ | WRITE, 501, 185), // `Gain 2`
+        Entry::new(0x6190, 0x03, UNSIGNED32, READ | WRITE, 505, 181), // `Gain 3`
+        Entry::new(0x61A0, 0x00, UNSIGNED8, READ, 0, 181), // `Highest sub-index supported`
+        Entry::new(0x61A0, 0x01, UNSIGNED32, READ | WRITE, 509, 189), // `Gain 1`
+        Entry::new(0x61A0, 0x02, UNSIGNED32, READ | WRITE, 513, 185), // `Gain 2`
+        Entry::new(0x61A0, 0x03, UNSIGNED32, READ | WRITE, 517, 181), // `Gain 3`
     ]
 };
 
@@ -842,20 +842,20 @@ impl table::Table for Od {
 
     #[rustfmt::skip]
     const ROM: &'static [u8] = {
-        static ROM: [u8; 196] = [
-            0x00, 0x00, 0x00, 0x00, 0x01, 0x00, 0x00, 0x00, 0x02, 0x00, 0x00, 0x00, 0x03, 0x00, 0x00, 0x00,
-            0x04, 0x00, 0x00, 0x00, 0x05, 0x00, 0x00, 0x00, 0x06, 0x00, 0x00, 0x00, 0x07, 0x00, 0x00, 0x00,
-            0x08, 0x00, 0x00, 0x00, 0x09, 0x00, 0x00, 0x00, 0x0A, 0x00, 0x00, 0x00, 0x0B, 0x00, 0x00, 0x00,
-            0x0C, 0x00, 0x00, 0x00, 0x0D, 0x00, 0x00, 0x00, 0x0E, 0x00, 0x00, 0x00, 0x0F, 0x00, 0x00, 0x00,
-            0x10, 0x00, 0x00, 0x00, 0x11, 0x00, 0x00, 0x00, 0x12, 0x00, 0x00, 0x00, 0x13, 0x00, 0x00, 0x00,
-            0x14, 0x00, 0x00, 0x00, 0x15, 0x00, 0x00, 0x00, 0x16, 0x00, 0x00, 0x00, 0x17, 0x00, 0x00, 0x00,
-            0x18, 0x00, 0x00, 0x00, 0x19, 0x00, 0x00, 0x00, 0x1A, 0x00, 0x00, 0x00, 0x1B, 0x00, 0x00, 0x00,
-            0x1C, 0x00, 0x00, 0x00, 0x1D, 0x00, 0x00, 0x00, 0x1E, 0x00, 0x00, 0x00, 0x1F, 0x00, 0x00, 0x00,
-            0x20, 0x00, 0x00, 0x00, 0x21, 0x00, 0x00, 0x00, 0x22, 0x00, 0x00, 0x00, 0x23, 0x00, 0x00, 0x00,
-            0x24, 0x00, 0x00, 0x00, 0x25, 0x00, 0x00, 0x00, 0x26, 0x00, 0x00, 0x00, 0x27, 0x00, 0x00, 0x00,
-            0x28, 0x00, 0x00, 0x00, 0x29, 0x00, 0x00, 0x00, 0x2A, 0x00, 0x00, 0x00, 0x2B, 0x00, 0x00, 0x00,
-            0x2C, 0x00, 0x00, 0x00, 0x2D, 0x00, 0x00, 0x00, 0x2E, 0x00, 0x00, 0x00, 0x2F, 0x00, 0x00, 0x00,
-            0x30, 0x00, 0x00, 0x00,
+        static ROM: [u8; 193] = [
+            0x30, 0x00, 0x00, 0x00, 0x00, 0x2F, 0x00, 0x00, 0x00, 0x2E, 0x00, 0x00, 0x00, 0x2D, 0x00, 0x00,
+            0x00, 0x2C, 0x00, 0x00, 0x00, 0x2B, 0x00, 0x00, 0x00, 0x2A, 0x00, 0x00, 0x00, 0x29, 0x00, 0x00,
+            0x00, 0x28, 0x00, 0x00, 0x00, 0x27, 0x00, 0x00, 0x00, 0x26, 0x00, 0x00, 0x00, 0x25, 0x00, 0x00,
+            0x00, 0x24, 0x00, 0x00, 0x00, 0x23, 0x00, 0x00, 0x00, 0x22, 0x00, 0x00, 0x00, 0x21, 0x00, 0x00,
+            0x00, 0x20, 0x00, 0x00, 0x00, 0x1F, 0x00, 0x00, 0x00, 0x1E, 0x00, 0x00, 0x00, 0x1D, 0x00, 0x00,
+            0x00, 0x1C, 0x00, 0x00, 0x00, 0x1B, 0x00, 0x00, 0x00, 0x1A, 0x00, 0x00, 0x00, 0x19, 0x00, 0x00,
+            0x00, 0x18, 0x00, 0x00, 0x00, 0x17, 0x00, 0x00, 0x00, 0x16, 0x00, 0x00, 0x00, 0x15, 0x00, 0x00,
+            0x00, 0x14, 0x00, 0x00, 0x00, 0x13, 0x00, 0x00, 0x00, 0x12, 0x00, 0x00, 0x00, 0x11, 0x00, 0x00,
+            0x00, 0x10, 0x00, 0x00, 0x00, 0x0F, 0x00, 0x00, 0x00, 0x0E, 0x00, 0x00, 0x00, 0x0D, 0x00, 0x00,
+            0x00, 0x0C, 0x00, 0x00, 0x00, 0x0B, 0x00, 0x00, 0x00, 0x0A, 0x00, 0x00, 0x00, 0x09, 0x00, 0x00,
+            0x00, 0x08, 0x00, 0x00, 0x00, 0x07, 0x00, 0x00, 0x00, 0x06, 0x00, 0x00, 0x00, 0x05, 0x00, 0x00,
+            0x00, 0x04, 0x00, 0x00, 0x00, 0x03, 0x00, 0x00, 0x00, 0x02, 0x00, 0x00, 0x00, 0x01, 0x00, 0x00,
+            0x00,
         ];
         &ROM
     };

@@ -40,7 +40,7 @@ pub struct SizeReport {
     pub counted: &'static str,
     /// The objects, by index.
     pub objects: Vec<ObjectSize>,
-    /// Bytes without an object: the node-ID, end marks, and padding.
+    /// Bytes without an object: the node-ID, what rows share, end marks, and padding.
     pub rest: Size,
     /// Bytes of code in flash; 0 if it is not counted.
     pub code: usize,
@@ -64,6 +64,10 @@ pub enum Sizes {
 pub(crate) struct Layout {
     /// Size of a row in bytes.
     pub(crate) row: usize,
+    /// Size of an object without its rows, in bytes.
+    pub(crate) object: usize,
+    /// Size of what rows share beside defaults and limits, in bytes.
+    pub(crate) shared: usize,
     /// Size of all values in bytes, with the node-ID.
     pub(crate) ram: usize,
     /// Size of one value in RAM, in bytes.
@@ -102,11 +106,12 @@ impl SizeReport {
                     index: object.index,
                     name: object.name.clone(),
                     entries: rows.len(),
-                    size: Size { flash: rows.len() * layout.row + rom, ram },
+                    size: Size { flash: layout.object + rows.len() * layout.row + rom, ram },
                 }
             })
             .collect();
-        let total = Size { flash: table.rows.len() * layout.row + table.rom.len(), ram: layout.ram };
+        let rows = objects.len() * layout.object + table.rows.len() * layout.row;
+        let total = Size { flash: rows + layout.shared + table.rom.len(), ram: layout.ram };
         let of_objects = objects.iter().fold(Size::default(), |sum, object| sum + object.size);
         let rest = Size {
             flash: total.flash.saturating_sub(of_objects.flash),

@@ -20,8 +20,7 @@ use super::dictionary::{Dictionary, ResolvedEntry, ResolvedObject};
 use super::hooks;
 use super::names::{Scope, words};
 use super::resolve::{Datum, Resolved, Shape};
-use super::rom::Rom;
-use super::size::ram;
+use super::rom;
 use super::stored::{Members, TableGroup};
 use super::{GenerateError, Note, Options};
 use crate::model::{Access, DataType, Device, Object, ObjectType};
@@ -144,7 +143,7 @@ impl Table {
         let mut builder = Builder {
             fields,
             constants: Scope::of_constants(""),
-            rom: Rom::default(),
+            blocks: Vec::new(),
             table: Self::empty(&dictionary, options),
         };
         for object in dictionary.objects {
@@ -152,15 +151,11 @@ impl Table {
             builder.object(object, group);
         }
         builder.name_all();
-        let mut table = Self { rom: builder.rom.into_bytes(), notes: dictionary.notes, ..builder.table };
+        builder.place_blocks();
+        let mut table = Self { notes: dictionary.notes, ..builder.table };
         members.finish(device, &mut table);
         hooks::mark(device, options, &mut table);
         Ok(table)
-    }
-
-    /// Whether locations in RAM or flash need more than 16 bits.
-    pub(crate) fn is_wide(&self) -> bool {
-        ram(self).max(self.rom.len()) > usize::from(u16::MAX)
     }
 
     /// The path of a value in the struct of values: `persist_comm.speed[1]`.
@@ -222,7 +217,8 @@ struct Builder {
     fields: Scope,
     /// The entries of one object.
     constants: Scope,
-    rom: Rom,
+    /// The data in flash of each row.
+    blocks: Vec<Vec<u8>>,
     table: Table,
 }
 
@@ -236,12 +232,10 @@ impl Builder {
         self.constants.foresee(names.iter().map(String::as_str));
         for ResolvedEntry { sub, entry, name, resolved } in resolved.entries {
             let constant = self.constants.claim(&words(&name), format_args!("{sub:02x}"));
-            let block = block(&resolved);
-            let rom_length = block.len();
-            let rom = self.rom.place(block);
+            self.blocks.push(block(&resolved));
             let name = entry.name.to_string();
             let hooked = false;
-            let row = Row { index, sub, name, constant, resolved, slot: None, rom, rom_length, hooked };
+            let row = Row { index, sub, name, constant, resolved, slot: None, rom: 0, rom_length: 0, hooked };
             self.table.rows.push(row);
         }
         let rows = first..self.table.rows.len();
@@ -251,6 +245,14 @@ impl Builder {
         self.table.fields[first..].iter_mut().for_each(|field| field.group = group);
         let object = TableObject { index, name: object.name().to_owned(), module: name, single, rows };
         self.table.objects.push(object);
+    }
+
+    fn place_blocks(&mut self) {
+        let (rom, offsets) = rom::pack(self.blocks.iter().map(Vec::as_slice));
+        for (row, block) in self.table.rows.iter_mut().zip(&self.blocks) {
+            (row.rom, row.rom_length) = (offsets[block.as_slice()], block.len());
+        }
+        self.table.rom = rom;
     }
 
     /// Makes the names of objects and fields unique.

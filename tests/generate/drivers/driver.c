@@ -37,12 +37,13 @@ static void print_table(void)
         const uint8_t *bytes = od_default(entry, &length);
         uint64_t limit = 0;
         bool exists;
-        if (od_find(entry->index, entry->sub) != entry) {
+        const uint16_t flags = od_flags(entry);
+        if (od_find(od_index(entry), entry->sub) != entry) {
             printf("lost ");
         }
-        printf("%04X %02X %02X ", (unsigned int)entry->index, (unsigned int)entry->sub, (unsigned int)entry->data_type);
-        printf("%d%d%d%d%d ", (entry->flags & OD_READ) != 0, (entry->flags & OD_WRITE) != 0,
-               (entry->flags & OD_TPDO) != 0, (entry->flags & OD_RPDO) != 0, (entry->flags & OD_NODE_ID_DEFAULT) != 0);
+        printf("%04X %02X %02X ", (unsigned int)od_index(entry), (unsigned int)entry->sub, (unsigned int)od_data_type(entry));
+        printf("%d%d%d%d%d ", (flags & OD_READ) != 0, (flags & OD_WRITE) != 0,
+               (flags & OD_TPDO) != 0, (flags & OD_RPDO) != 0, (flags & OD_NODE_ID_DEFAULT) != 0);
         printf("%lu ", (unsigned long)od_size(entry));
         print_bytes(bytes, length);
         exists = od_low_limit(entry, data.node_id, &limit);

@@ -3,6 +3,7 @@
 mod defaults;
 mod meanings;
 mod pdo;
+mod rows;
 mod stored;
 mod structs;
 mod view;
@@ -104,11 +105,20 @@ impl Backend for C {
             let prefix = options.prefix_or("od")?;
             return Ok(Sizes::Known(structs::size(&table, &prefix, options.entry_names)));
         }
-        let row = if table.is_wide() { 16 } else { 10 };
+        let rows = rows::Rows::new(&table, "");
         let counted =
             "the tables and values, on any processor that aligns numbers to their size; without code";
         let name = options.entry_names.then_some((4, 1)); // a pointer of 32 bits, and the zero
-        let layout = Layout { row, ram: ram(&table), value: element_size, code: 0, name, counted };
+        let layout = Layout {
+            row: rows.row_size(),
+            object: rows.object_size(),
+            shared: rows.kinds_size(),
+            ram: ram(&table),
+            value: element_size,
+            code: 0,
+            name,
+            counted,
+        };
         Ok(Sizes::Known(SizeReport::of_table(&table, layout)))
     }
 }

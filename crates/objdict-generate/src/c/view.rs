@@ -6,6 +6,7 @@ use askama::Template;
 
 use super::defaults::{Defaults, take_names};
 use super::meanings::Meanings;
+use super::rows::Rows;
 use super::stored::{self, GroupView, MemberView};
 use crate::defaults::{Constant, constants};
 use crate::escape::filters;
@@ -25,8 +26,7 @@ pub(super) struct Header<'a> {
     pub(super) lower: &'a str,
     pub(super) upper: String,
     pub(super) table: &'a Table,
-    /// The integer type of offsets into RAM and flash.
-    offset: &'static str,
+    shared: Rows,
     pub(super) objects: Vec<ObjectView<'a>>,
     /// Whether the entries have names.
     names: bool,
@@ -64,6 +64,7 @@ pub(super) struct Source<'a> {
     lower: &'a str,
     upper: String,
     table: &'a Table,
+    shared: Rows,
     rows: Vec<RowView<'a>>,
     rom: Vec<String>,
     groups: Vec<GroupView<'a>>,
@@ -97,14 +98,14 @@ pub(super) struct FieldView<'a> {
 /// A row of the table.
 struct RowView<'a> {
     row: &'a Row,
-    type_: &'static str,
-    flags: String,
+    /// The number of its data type and flags.
+    kind: usize,
     ram: Option<FieldPath<'a>>,
 }
 
 /// The macros of the templates in lower case, without the prefix.
 const MACROS: &str = "
-    h c ram rom_size entry_count node_id read write tpdo rpdo low high node_id_default low_node_id
+    h c ram rom_size object_count entry_count node_id read write tpdo rpdo low high node_id_default low_node_id
     high_node_id block boolean integer8 integer16 integer24 integer32 integer40 integer48 integer56
     integer64 unsigned8 unsigned16 unsigned24 unsigned32 unsigned40 unsigned48 unsigned56 unsigned64
     real32 real64 visible_string octet_string unicode_string time_of_day time_difference domain ok
@@ -135,12 +136,13 @@ impl<'a> Header<'a> {
             .zip(names)
             .map(|(object, name)| object_view(table, object, name, (prefix, &mut macros)))
             .collect();
+        let upper = prefix.to_ascii_uppercase();
         let meanings = (!facts.named.is_empty()).then(|| Meanings::new(&facts.named, prefix, &mut macros));
         Self {
             lower: prefix,
-            upper: prefix.to_ascii_uppercase(),
+            shared: Rows::new(table, &upper),
+            upper,
             table,
-            offset: if table.is_wide() { "uint32_t" } else { "uint16_t" },
             objects,
             names: facts.names,
             defaults: Defaults::new(&facts.constants, prefix),
@@ -155,10 +157,17 @@ impl<'a> Header<'a> {
 impl<'a> Source<'a> {
     pub(super) fn new(table: &'a Table, prefix: &'a str, names: bool) -> Self {
         let upper = prefix.to_ascii_uppercase();
+        let shared = Rows::new(table, &upper);
+        let rows = table.rows.iter().zip(&shared.kind_of).map(|(row, &kind)| RowView {
+            row,
+            kind,
+            ram: row.slot.map(|slot| table.place(slot)),
+        });
         Self {
             lower: prefix,
             table,
-            rows: table.rows.iter().map(|row| row_view(table, row, &upper)).collect(),
+            rows: rows.collect(),
+            shared,
             names,
             rom: table.rom.chunks(16).map(hex_bytes).collect(),
             groups: stored::group_views(table, prefix),
@@ -222,11 +231,6 @@ pub(super) fn field_view<'a>(table: &'a Table, field: &'a TableField, prefix: &s
     };
     let (first, last) = (&table.rows[field.rows.start], &table.rows[field.rows.end - 1]);
     FieldView { declaration, first, last, array: field.array }
-}
-
-fn row_view<'a>(table: &'a Table, row: &'a Row, upper: &str) -> RowView<'a> {
-    let ram = row.slot.map(|slot| table.place(slot));
-    RowView { row, type_: type_name(row.resolved.shape), flags: flags(row.flags(), upper), ram }
 }
 
 /// Flags as an expression.

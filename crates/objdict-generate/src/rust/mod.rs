@@ -72,7 +72,16 @@ impl Backend for Rust {
         let ram = places::Places::new(&table)?.total;
         let counted = "the tables and values, on any processor; the code on a Cortex-M4, optimised for size";
         let name = options.entry_names.then_some((8, 0)); // a slice on 32 bits
-        let layout = Layout { row: 10, ram, value: places::value_size, code: CODE, name, counted };
+        let layout = Layout {
+            row: 10,
+            object: 0,
+            shared: 0,
+            ram,
+            value: places::value_size,
+            code: CODE,
+            name,
+            counted,
+        };
         Ok(Sizes::Known(SizeReport::of_table(&table, layout)))
     }
 }

@@ -48,7 +48,7 @@ static void {{ lower }}_store(uint8_t *field, uint8_t data_type, size_t size, ui
 /* Writes bytes to a field: after their length, or all bytes of a block. */
 static void {{ lower }}_store_bytes(uint8_t *field, const {{ lower }}_entry_t *entry, const uint8_t *bytes, size_t length)
 {
-    if (entry->data_type != {{ upper }}_BLOCK) {
+    if ({{ lower }}_data_type(entry) != {{ upper }}_BLOCK) {
         const uint16_t count = (uint16_t)length;
         (void)memcpy(field, &count, sizeof count);
         field += sizeof count;

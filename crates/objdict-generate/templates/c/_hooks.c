@@ -28,8 +28,8 @@
 /* Size of an entry's value in {{ lower }}_data_t, in bytes. */
 static size_t {{ lower }}_kept_size(const {{ lower }}_entry_t *entry)
 {
-    const size_t size = {{ lower }}_number_size(entry->data_type);
-    if ({{ lower }}_is_time(entry->data_type)) {
+    const size_t size = {{ lower }}_number_size({{ lower }}_data_type(entry));
+    if ({{ lower }}_is_time({{ lower }}_data_type(entry))) {
         return sizeof({{ lower }}_time_t);
     }
     if (size > 2u) {
@@ -38,5 +38,5 @@ static size_t {{ lower }}_kept_size(const {{ lower }}_entry_t *entry)
     if (size > 0u) {
         return size;
     }
-    return {{ lower }}_size(entry) + (entry->data_type == {{ upper }}_BLOCK ? 0u : 2u);
+    return {{ lower }}_size(entry) + ({{ lower }}_data_type(entry) == {{ upper }}_BLOCK ? 0u : 2u);
 }

@@ -57,9 +57,9 @@ static void {{ lower }}_save(const uint8_t *group, const {{ lower }}_kept_t *kep
         if (!{{ lower }}_is_kept(entry, kept, &at)) {
             continue;
         }
-        if ({{ lower }}_number_size(entry->data_type) > 0u) {
-            next = {{ lower }}_put(next, {{ lower }}_load(group + at, entry->data_type, size), size);
-        } else if (entry->data_type == {{ upper }}_BLOCK) {
+        if ({{ lower }}_number_size({{ lower }}_data_type(entry)) > 0u) {
+            next = {{ lower }}_put(next, {{ lower }}_load(group + at, {{ lower }}_data_type(entry), size), size);
+        } else if ({{ lower }}_data_type(entry) == {{ upper }}_BLOCK) {
             (void)memcpy(next, group + at, size);
             next += size;
         } else {
@@ -88,17 +88,17 @@ static bool {{ lower }}_take(uint8_t *group, const {{ lower }}_kept_t *kept, con
         if (!{{ lower }}_is_kept(entry, kept, &at)) {
             continue;
         }
-        if ({{ lower }}_number_size(entry->data_type) > 0u) {
-            const uint64_t number = {{ lower }}_number(entry->data_type, next, size);
-            if (entry->data_type == {{ upper }}_BOOLEAN && number > 1u) {
+        if ({{ lower }}_number_size({{ lower }}_data_type(entry)) > 0u) {
+            const uint64_t number = {{ lower }}_number({{ lower }}_data_type(entry), next, size);
+            if ({{ lower }}_data_type(entry) == {{ upper }}_BOOLEAN && number > 1u) {
                 return false;
             }
             if (group != NULL) {
-                {{ lower }}_store(group + at, entry->data_type, size, number);
+                {{ lower }}_store(group + at, {{ lower }}_data_type(entry), size, number);
             }
         } else {
             size_t length = size;
-            if (entry->data_type != {{ upper }}_BLOCK) {
+            if ({{ lower }}_data_type(entry) != {{ upper }}_BLOCK) {
                 length = (size_t)next[0] | ((size_t)next[1] << 8);
                 next += 2;
             }

@@ -20,7 +20,19 @@ typedef char {{ lower }}_double_has_8_bytes[sizeof(double) == 8 ? 1 : -1];
 
 const {{ lower }}_entry_t {{ lower }}_entries[{{ upper }}_ENTRY_COUNT] = {
 {%- for view in rows %}
-    {0x{{ view.row.index|hex4 }}u, 0x{{ view.row.sub|hex2 }}u, {{ upper }}_{{ view.type_ }}, {{ view.flags }}, {% if let Some(ram) = view.ram %}{{ upper }}_RAM({{ ram }}){% else %}0u{% endif %}, {{ view.row.rom }}u}, /* {{ view.row.name|c_comment }} */
+    {0x{{ view.row.sub|hex2 }}u, {{ view.kind }}u, {% if let Some(ram) = view.ram %}{{ upper }}_RAM({{ ram }}){% else %}0u{% endif %}, {{ view.row.rom }}u}, /* {{ view.row.index|hex4 }}h: {{ view.row.name|c_comment }} */
+{%- endfor %}
+};
+
+const uint16_t {{ lower }}_kinds[{{ shared.kinds.len() }}] = {
+{%- for (data_type, flags) in shared.kinds %}
+    (({{ flags }}) << 5) | {{ upper }}_{{ data_type }},
+{%- endfor %}
+};
+
+const {{ lower }}_object_t {{ lower }}_objects[{{ upper }}_OBJECT_COUNT] = {
+{%- for object in table.objects %}
+    {0x{{ object.index|hex4 }}u, {{ object.rows.start }}u}, /* {{ object.name|c_comment }} */
 {%- endfor %}
 };
 
@@ -33,38 +45,63 @@ static const uint8_t {{ lower }}_rom[{{ upper }}_ROM_SIZE] = {
 {%- endfor %}
 };
 
-static uint32_t {{ lower }}_key(uint16_t index, uint8_t sub)
-{
-    return ((uint32_t)index << 8) | sub;
-}
-
 /* Finds an entry, or returns what is missing. */
 static uint32_t {{ lower }}_lookup(uint16_t index, uint8_t sub, const {{ lower }}_entry_t **found)
 {
-    const uint32_t key = {{ lower }}_key(index, sub);
-    const {{ lower }}_entry_t *entry = {{ lower }}_entries;
-    size_t count = {{ upper }}_ENTRY_COUNT;
-    while (count > 1u) { /* ends at the last entry not greater than the key */
+    const {{ lower }}_entry_t *entry;
+    size_t object = 0u;
+    size_t count = {{ upper }}_OBJECT_COUNT;
+    while (count > 1u) { /* ends at the last object not greater than the index */
         const size_t half = count / 2u;
-        if ({{ lower }}_key(entry[half].index, entry[half].sub) <= key) {
+        if ({{ lower }}_objects[object + half].index <= index) {
+            object += half;
+        }
+        count -= half;
+    }
+    if ({{ lower }}_objects[object].index != index) {
+        return {{ upper }}_ABORT_NO_OBJECT;
+    }
+    entry = &{{ lower }}_entries[{{ lower }}_objects[object].first];
+    count = (object + 1u < {{ upper }}_OBJECT_COUNT ? {{ lower }}_objects[object + 1u].first : {{ upper }}_ENTRY_COUNT) - {{ lower }}_objects[object].first;
+    while (count > 1u) { /* ends at its last entry not greater than the sub-index */
+        const size_t half = count / 2u;
+        if (entry[half].sub <= sub) {
             entry += half;
         }
         count -= half;
     }
-    if (entry->index == index && entry->sub == sub) {
-        *found = entry;
-        return {{ upper }}_OK;
-    }
-    if (entry->index != index && entry + 1 < {{ lower }}_entries + {{ upper }}_ENTRY_COUNT) {
-        entry++; /* the object may start at the next entry */
-    }
-    return entry->index == index ? {{ upper }}_ABORT_NO_SUB_INDEX : {{ upper }}_ABORT_NO_OBJECT;
+    *found = entry;
+    return entry->sub == sub ? {{ upper }}_OK : {{ upper }}_ABORT_NO_SUB_INDEX;
 }
 
 const {{ lower }}_entry_t *{{ lower }}_find(uint16_t index, uint8_t sub)
 {
     const {{ lower }}_entry_t *entry = NULL;
     return {{ lower }}_lookup(index, sub, &entry) == {{ upper }}_OK ? entry : NULL;
+}
+
+uint16_t {{ lower }}_index(const {{ lower }}_entry_t *entry)
+{
+    size_t object = 0u;
+    size_t count = {{ upper }}_OBJECT_COUNT;
+    while (count > 1u) { /* ends at the last object that does not start after the entry */
+        const size_t half = count / 2u;
+        if (&{{ lower }}_entries[{{ lower }}_objects[object + half].first] <= entry) {
+            object += half;
+        }
+        count -= half;
+    }
+    return {{ lower }}_objects[object].index;
+}
+
+uint8_t {{ lower }}_data_type(const {{ lower }}_entry_t *entry)
+{
+    return (uint8_t)({{ lower }}_kinds[entry->kind] & 0x1Fu);
+}
+
+uint16_t {{ lower }}_flags(const {{ lower }}_entry_t *entry)
+{
+    return (uint16_t)({{ lower }}_kinds[entry->kind] >> 5);
 }
 
 {% include "_number.c" %}
@@ -100,20 +137,20 @@ static size_t {{ lower }}_head(const {{ lower }}_entry_t *entry, size_t skip)
 /* Reads a number from flash and adds the node-ID if the flag is set. */
 static uint64_t {{ lower }}_rom_number(const {{ lower }}_entry_t *entry, size_t block, unsigned int flag, uint8_t node_id)
 {
-    const size_t size = {{ lower }}_number_size(entry->data_type);
-    const uint64_t number = {{ lower }}_number(entry->data_type, &{{ lower }}_rom[entry->rom + block * size], size);
-    return (entry->flags & flag) == 0u ? number : number + (node_id & 0x7Fu);
+    const size_t size = {{ lower }}_number_size({{ lower }}_data_type(entry));
+    const uint64_t number = {{ lower }}_number({{ lower }}_data_type(entry), &{{ lower }}_rom[entry->rom + block * size], size);
+    return ({{ lower }}_flags(entry) & flag) == 0u ? number : number + (node_id & 0x7Fu);
 }
 
 size_t {{ lower }}_size(const {{ lower }}_entry_t *entry)
 {
-    const size_t size = {{ lower }}_number_size(entry->data_type);
+    const size_t size = {{ lower }}_number_size({{ lower }}_data_type(entry));
     return size == 0u ? {{ lower }}_head(entry, 0u) : size;
 }
 
 const uint8_t *{{ lower }}_default(const {{ lower }}_entry_t *entry, size_t *length)
 {
-    const size_t size = {{ lower }}_number_size(entry->data_type);
+    const size_t size = {{ lower }}_number_size({{ lower }}_data_type(entry));
     *length = size == 0u ? {{ lower }}_head(entry, 2u) : size;
     return {{ lower }}_rom + entry->rom + (size == 0u ? 4u : 0u); /* can be the end of {{ lower }}_rom if the default is empty */
 }
@@ -121,7 +158,7 @@ const uint8_t *{{ lower }}_default(const {{ lower }}_entry_t *entry, size_t *len
 #ifndef {{ upper }}_NO_LIMITS
 bool {{ lower }}_low_limit(const {{ lower }}_entry_t *entry, uint8_t node_id, uint64_t *limit)
 {
-    if ((entry->flags & {{ upper }}_LOW) == 0u) {
+    if (({{ lower }}_flags(entry) & {{ upper }}_LOW) == 0u) {
         return false;
     }
     *limit = {{ lower }}_rom_number(entry, 1u, {{ upper }}_LOW_NODE_ID, node_id);
@@ -130,10 +167,10 @@ bool {{ lower }}_low_limit(const {{ lower }}_entry_t *entry, uint8_t node_id, ui
 
 bool {{ lower }}_high_limit(const {{ lower }}_entry_t *entry, uint8_t node_id, uint64_t *limit)
 {
-    if ((entry->flags & {{ upper }}_HIGH) == 0u) {
+    if (({{ lower }}_flags(entry) & {{ upper }}_HIGH) == 0u) {
         return false;
     }
-    *limit = {{ lower }}_rom_number(entry, (entry->flags & {{ upper }}_LOW) == 0u ? 1u : 2u, {{ upper }}_HIGH_NODE_ID, node_id);
+    *limit = {{ lower }}_rom_number(entry, ({{ lower }}_flags(entry) & {{ upper }}_LOW) == 0u ? 1u : 2u, {{ upper }}_HIGH_NODE_ID, node_id);
     return true;
 }
 #endif
@@ -147,13 +184,13 @@ void {{ lower }}_init({{ lower }}_data_t *data, uint8_t node_id)
     (void)memset(data, 0, sizeof *data);
     data->node_id = node_id & 0x7Fu;
     for (entry = {{ lower }}_entries; entry < {{ lower }}_entries + {{ upper }}_ENTRY_COUNT; entry++) {
-        const size_t size = {{ lower }}_number_size(entry->data_type);
+        const size_t size = {{ lower }}_number_size({{ lower }}_data_type(entry));
         if (entry->ram == 0u) {
             continue;
         }
         if (size > 0u) {
             const uint64_t number = {{ lower }}_rom_number(entry, 0u, {{ upper }}_NODE_ID_DEFAULT, node_id);
-            {{ lower }}_store(ram + entry->ram, entry->data_type, size, number);
+            {{ lower }}_store(ram + entry->ram, {{ lower }}_data_type(entry), size, number);
         } else {
             size_t length;
             const uint8_t *bytes = {{ lower }}_default(entry, &length);
@@ -170,6 +207,7 @@ uint32_t {{ lower }}_read({% if !hooks %}const {% endif %}{{ lower }}_data_t *da
 {
     const {{ lower }}_entry_t *entry = NULL;
     const uint32_t missing = {{ lower }}_lookup(index, sub, &entry);
+    uint8_t data_type;
     const uint8_t *field;
     const uint8_t *bytes;
     uint8_t number_bytes[8];
@@ -177,11 +215,12 @@ uint32_t {{ lower }}_read({% if !hooks %}const {% endif %}{{ lower }}_data_t *da
     if (missing != {{ upper }}_OK) {
         return missing;
     }
-    if ((entry->flags & {{ upper }}_READ) == 0u) {
+    data_type = {{ lower }}_data_type(entry);
+    if (({{ lower }}_flags(entry) & {{ upper }}_READ) == 0u) {
         return {{ upper }}_ABORT_WRITE_ONLY;
     }
 {%- if hooks %}
-    if ((entry->flags & {{ upper }}_HOOK) != 0u) {
+    if (({{ lower }}_flags(entry) & {{ upper }}_HOOK) != 0u) {
         const uint32_t answer = {{ lower }}_before_read(data, index, sub);
         if (answer != {{ upper }}_OK) {
             return answer;
@@ -189,10 +228,10 @@ uint32_t {{ lower }}_read({% if !hooks %}const {% endif %}{{ lower }}_data_t *da
     }
 {%- endif %}
     field = (const uint8_t *)data + entry->ram;
-    count = {{ lower }}_number_size(entry->data_type);
+    count = {{ lower }}_number_size(data_type);
     if (count > 0u) {
         uint64_t number = entry->ram == 0u ? {{ lower }}_rom_number(entry, 0u, {{ upper }}_NODE_ID_DEFAULT, data->node_id)
-                                           : {{ lower }}_load(field, entry->data_type, count);
+                                           : {{ lower }}_load(field, data_type, count);
         size_t at;
         for (at = 0u; at < sizeof number_bytes; at++) {
             number_bytes[at] = (uint8_t)(number & 0xFFu);
@@ -200,11 +239,11 @@ uint32_t {{ lower }}_read({% if !hooks %}const {% endif %}{{ lower }}_data_t *da
         }
         bytes = number_bytes;
     } else if (entry->ram == 0u) {
-        if (entry->data_type == {{ upper }}_DOMAIN && {{ lower }}_size(entry) == 0u) {
+        if (data_type == {{ upper }}_DOMAIN && {{ lower }}_size(entry) == 0u) {
             return {{ upper }}_ABORT_NO_DATA;
         }
         bytes = {{ lower }}_default(entry, &count);
-    } else if (entry->data_type == {{ upper }}_BLOCK) {
+    } else if (data_type == {{ upper }}_BLOCK) {
         bytes = field;
         count = {{ lower }}_size(entry);
     } else {
@@ -225,14 +264,16 @@ uint32_t {{ lower }}_read({% if !hooks %}const {% endif %}{{ lower }}_data_t *da
 
 static uint32_t {{ lower }}_check_length(const {{ lower }}_entry_t *entry, size_t length)
 {
-    const bool exact = {{ lower }}_number_size(entry->data_type) > 0u || entry->data_type == {{ upper }}_BLOCK;
-    if (length > {{ lower }}_size(entry)) {
+    const uint8_t data_type = {{ lower }}_data_type(entry);
+    const size_t capacity = {{ lower }}_size(entry);
+    const bool exact = {{ lower }}_number_size(data_type) > 0u || data_type == {{ upper }}_BLOCK;
+    if (length > capacity) {
         return {{ upper }}_ABORT_TOO_LONG;
     }
-    if (exact && length < {{ lower }}_size(entry)) {
+    if (exact && length < capacity) {
         return {{ upper }}_ABORT_TOO_SHORT;
     }
-    if (entry->data_type == {{ upper }}_UNICODE_STRING && (length & 1u) != 0u) {
+    if (data_type == {{ upper }}_UNICODE_STRING && (length & 1u) != 0u) {
         return {{ upper }}_ABORT_LENGTH_MISMATCH;
     }
     return {{ upper }}_OK;
@@ -241,18 +282,19 @@ static uint32_t {{ lower }}_check_length(const {{ lower }}_entry_t *entry, size_
 #ifndef {{ upper }}_NO_LIMITS
 static uint32_t {{ lower }}_check_limits(const {{ lower }}_entry_t *entry, uint64_t number, uint8_t node_id)
 {
+    const uint8_t data_type = {{ lower }}_data_type(entry);
     uint64_t value;
     uint64_t limit = 0u;
-    if ((entry->flags & ({{ upper }}_LOW | {{ upper }}_HIGH)) == 0u) {
+    if (({{ lower }}_flags(entry) & ({{ upper }}_LOW | {{ upper }}_HIGH)) == 0u) {
         return {{ upper }}_OK;
     }
-    if (!{{ lower }}_order(entry->data_type, number, &value)) {
+    if (!{{ lower }}_order(data_type, number, &value)) {
         return {{ upper }}_ABORT_INVALID_VALUE;
     }
-    if ({{ lower }}_low_limit(entry, node_id, &limit) && {{ lower }}_order(entry->data_type, limit, &limit) && value < limit) {
+    if ({{ lower }}_low_limit(entry, node_id, &limit) && {{ lower }}_order(data_type, limit, &limit) && value < limit) {
         return {{ upper }}_ABORT_TOO_LOW;
     }
-    if ({{ lower }}_high_limit(entry, node_id, &limit) && {{ lower }}_order(entry->data_type, limit, &limit) && value > limit) {
+    if ({{ lower }}_high_limit(entry, node_id, &limit) && {{ lower }}_order(data_type, limit, &limit) && value > limit) {
         return {{ upper }}_ABORT_TOO_HIGH;
     }
     return {{ upper }}_OK;
@@ -261,7 +303,7 @@ static uint32_t {{ lower }}_check_limits(const {{ lower }}_entry_t *entry, uint6
 
 static uint32_t {{ lower }}_check_value(const {{ lower }}_entry_t *entry, uint64_t number, uint8_t node_id)
 {
-    if (entry->data_type == {{ upper }}_BOOLEAN && number > 1u) {
+    if ({{ lower }}_data_type(entry) == {{ upper }}_BOOLEAN && number > 1u) {
         return {{ upper }}_ABORT_INVALID_VALUE;
     }
 #ifdef {{ upper }}_NO_LIMITS
@@ -277,6 +319,7 @@ uint32_t {{ lower }}_write({{ lower }}_data_t *data, uint16_t index, uint8_t sub
     const {{ lower }}_entry_t *entry = NULL;
     uint32_t answer = {{ lower }}_lookup(index, sub, &entry);
     size_t size;
+    uint8_t data_type;
     uint8_t *field;
 {%- if hooks %}
     uint8_t old[{{ hook_room }}];
@@ -284,7 +327,7 @@ uint32_t {{ lower }}_write({{ lower }}_data_t *data, uint16_t index, uint8_t sub
     if (answer != {{ upper }}_OK) {
         return answer;
     }
-    if ((entry->flags & {{ upper }}_WRITE) == 0u) {
+    if (({{ lower }}_flags(entry) & {{ upper }}_WRITE) == 0u) {
         return {{ upper }}_ABORT_READ_ONLY;
     }
     if (entry->ram == 0u) {
@@ -296,22 +339,23 @@ uint32_t {{ lower }}_write({{ lower }}_data_t *data, uint16_t index, uint8_t sub
     }
     field = (uint8_t *)data + entry->ram;
 {%- if hooks %}
-    if ((entry->flags & {{ upper }}_HOOK) != 0u) {
+    if (({{ lower }}_flags(entry) & {{ upper }}_HOOK) != 0u) {
         (void)memcpy(old, field, {{ lower }}_kept_size(entry));
     }
 {%- endif %}
-    size = {{ lower }}_number_size(entry->data_type);
+    data_type = {{ lower }}_data_type(entry);
+    size = {{ lower }}_number_size(data_type);
     if (size > 0u) {
-        const uint64_t number = {{ lower }}_number(entry->data_type, (const uint8_t *)bytes, size);
+        const uint64_t number = {{ lower }}_number(data_type, (const uint8_t *)bytes, size);
         answer = {{ lower }}_check_value(entry, number, data->node_id);
         if (answer == {{ upper }}_OK) {
-            {{ lower }}_store(field, entry->data_type, size, number);
+            {{ lower }}_store(field, data_type, size, number);
         }
     } else {
         {{ lower }}_store_bytes(field, entry, (const uint8_t *)bytes, length);
     }
 {%- if hooks %}
-    if (answer == {{ upper }}_OK && (entry->flags & {{ upper }}_HOOK) != 0u) {
+    if (answer == {{ upper }}_OK && ({{ lower }}_flags(entry) & {{ upper }}_HOOK) != 0u) {
         answer = {{ lower }}_after_write(data, index, sub);
         if (answer != {{ upper }}_OK) {
             (void)memcpy(field, old, {{ lower }}_kept_size(entry));

@@ -69,17 +69,21 @@ typedef struct {
 } {{ lower }}_data_t;
 
 /** A location in {{ lower }}_data_t (0: none, the value is in flash) or in the defaults and limits. */
-typedef {{ offset }} {{ lower }}_offset_t;
+typedef {{ shared.offset() }} {{ lower }}_offset_t;
 
-/** An entry of the dictionary. */
+/** An entry of the dictionary; functions return what it has in common with others. */
 typedef struct {
-    uint16_t index;
     uint8_t sub;
-    uint8_t data_type; /**< {{ upper }}_UNSIGNED32 and the like */
-    uint16_t flags;    /**< {{ upper }}_READ and the like */
+    {{ shared.kind() }} kind; /**< its data type and flags in {{ lower }}_kinds */
     {{ lower }}_offset_t ram;
     {{ lower }}_offset_t rom;
 } {{ lower }}_entry_t;
+
+/** An object of the dictionary. */
+typedef struct {
+    uint16_t index;
+    {{ shared.first() }} first; /**< the number of its first entry; its last one is before that of the next object */
+} {{ lower }}_object_t;
 
 /* Flags of an entry. */
 #define {{ upper }}_READ 0x001u            /**< readable by SDO */
@@ -152,12 +156,28 @@ typedef struct {
 #define {{ upper }}_ENTRY_COUNT {{ table.rows.len() }}u
 /** All entries in ascending order of index and sub-index. */
 extern const {{ lower }}_entry_t {{ lower }}_entries[{{ upper }}_ENTRY_COUNT];
+/** Data types and flags of the entries: the type in the lowest five bits. */
+extern const uint16_t {{ lower }}_kinds[{{ shared.kinds.len() }}];
+
+/** The number of objects. */
+#define {{ upper }}_OBJECT_COUNT {{ table.objects.len() }}u
+/** All objects in ascending order of index. */
+extern const {{ lower }}_object_t {{ lower }}_objects[{{ upper }}_OBJECT_COUNT];
 
 /** Sets all values to the defaults for node_id, 1 to 127; only the lower seven bits are used. */
 void {{ lower }}_init({{ lower }}_data_t *data, uint8_t node_id);
 
 /** Finds the entry with an index and a sub-index by binary search; NULL if there is none. */
 const {{ lower }}_entry_t *{{ lower }}_find(uint16_t index, uint8_t sub);
+
+/** The index of the object that an entry belongs to, by binary search. */
+uint16_t {{ lower }}_index(const {{ lower }}_entry_t *entry);
+
+/** The data type of an entry, {{ upper }}_UNSIGNED32 and the like. */
+uint8_t {{ lower }}_data_type(const {{ lower }}_entry_t *entry);
+
+/** The flags of an entry, {{ upper }}_READ and the like. */
+uint16_t {{ lower }}_flags(const {{ lower }}_entry_t *entry);
 
 /** Maximum size of a value in an SDO transfer, in bytes. */
 size_t {{ lower }}_size(const {{ lower }}_entry_t *entry);

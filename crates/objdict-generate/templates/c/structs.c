@@ -122,6 +122,11 @@ static size_t {{ lower }}_size(const {{ lower }}_entry_t *entry)
     return entry->size;
 }
 
+static uint8_t {{ lower }}_data_type(const {{ lower }}_entry_t *entry)
+{
+    return entry->data_type;
+}
+
 {% include "_number.c" %}
 
 {% include "_field.c" %}

@@ -1,0 +1,80 @@
+//! The rows of the compact table: what they share, and how wide their numbers are.
+
+use std::collections::HashMap;
+
+use super::view::{flags, type_name};
+use crate::memory::Extent;
+use crate::size::ram;
+use crate::table::Table;
+
+/// The types of the numbers in rows, each as narrow as the device allows, and what rows have in common.
+pub(super) struct Rows {
+    /// The pairs of data type and flags that rows have, as macros after the prefix and as an expression.
+    pub(super) kinds: Vec<(&'static str, String)>,
+    /// The kind of each row.
+    pub(super) kind_of: Vec<usize>,
+    /// Bits of the number of a kind.
+    kind: usize,
+    /// Bits of a location in RAM or flash.
+    offset: usize,
+    /// Bits of the number of a row.
+    first: usize,
+}
+
+impl Rows {
+    pub(super) fn new(table: &Table, upper: &str) -> Self {
+        let mut kinds = Vec::new();
+        let mut known = HashMap::new();
+        let kind_of = table.rows.iter().map(|row| {
+            let kind = (type_name(row.resolved.shape), flags(row.flags(), upper));
+            *known.entry(kind).or_insert_with_key(|kind| {
+                kinds.push(kind.clone());
+                kinds.len() - 1
+            })
+        });
+        let kind_of = kind_of.collect();
+        Self {
+            kind: if kinds.len() > 1 << 8 { 16 } else { 8 },
+            offset: bits(ram(table).max(table.rom.len())),
+            first: bits(table.rows.len()),
+            kinds,
+            kind_of,
+        }
+    }
+
+    /// The type of the number of a kind.
+    pub(super) fn kind(&self) -> String {
+        format!("uint{}_t", self.kind)
+    }
+
+    /// The type of a location in RAM or flash.
+    pub(super) fn offset(&self) -> String {
+        format!("uint{}_t", self.offset)
+    }
+
+    /// The type of the number of a row.
+    pub(super) fn first(&self) -> String {
+        format!("uint{}_t", self.first)
+    }
+
+    /// Bytes of a row.
+    pub(super) fn row_size(&self) -> usize {
+        let offset = Extent::number(self.offset / 8);
+        Extent::structure([Extent::BYTE, Extent::number(self.kind / 8), offset, offset]).size
+    }
+
+    /// Bytes of an object.
+    pub(super) fn object_size(&self) -> usize {
+        Extent::structure([Extent::HALF, Extent::number(self.first / 8)]).size
+    }
+
+    /// Bytes of all kinds.
+    pub(super) fn kinds_size(&self) -> usize {
+        Extent::HALF.times(self.kinds.len()).size
+    }
+}
+
+/// The bits of an unsigned type for numbers up to this one.
+fn bits(largest: usize) -> usize {
+    if largest > usize::from(u16::MAX) { 32 } else { 16 }
+}
