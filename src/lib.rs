@@ -145,7 +145,7 @@
 //! let assignments = configure(eds.device(), 5, &wanted).expect("the device has all that");
 //!
 //! let node = &Commissioning { node_id: Some(5), baud_rate: Some(250), ..Commissioning::default() };
-//! let settings = NodeSettings { node, plugged: None, assignments: &assignments };
+//! let settings = NodeSettings { node, plugged: None, assignments: &assignments, downloads: &[] };
 //! let dcf = eds.configured("door.dcf", &settings)?;
 //! assert!(dcf.is_edited && dcf.device.node_id() == Some(5));
 //! # Ok::<(), Box<dyn std::error::Error>>(())

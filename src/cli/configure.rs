@@ -13,7 +13,9 @@ use super::output::Output;
 use super::save::{keep, save, save_in_place};
 use super::settings::{Settings, SettingsArgs};
 use super::{Failure, Outcome, note, tell};
-use crate::configure::{Rebased, Setting, SettingProblem, SettingsFile, configure, rebase};
+use crate::configure::{
+    Configuration, Rebased, Setting, SettingProblem, SettingsFile, configuration, configure, rebase,
+};
 use crate::coupler::flatten;
 use crate::diagnostic::{At, Diagnostic, Severity};
 use crate::format::{self, Description, Format, NodeSettings, WriteOptions};
@@ -41,12 +43,19 @@ pub(super) fn run(args: &ConfigureArgs, out: &mut Output) -> Result<Outcome, Fai
         base.to_mut().assign(&followers);
     }
     let settings = settings(args, &file);
-    let assignments = match configure(&base, node.node_id.unwrap_or_default(), &settings) {
-        Ok(assignments) => [followers, assignments].concat(),
-        Err(problems) => return Ok(refuse(&problems)),
-    };
+    let Configuration { values, downloads } =
+        match configuration(&base, node.node_id.unwrap_or_default(), &settings) {
+            Ok(configuration) => configuration,
+            Err(problems) => return Ok(refuse(&problems)),
+        };
+    let assignments = [followers, values].concat();
     let file_name = file_name(args, kind);
-    let parts = NodeSettings { node: &node, plugged: plugged.as_ref(), assignments: &assignments };
+    let parts = NodeSettings {
+        node: &node,
+        plugged: plugged.as_ref(),
+        assignments: &assignments,
+        downloads: &downloads,
+    };
     let mut configured = description.configured(&file_name, &parts).map_err(Failure::new)?;
     let worse = worse(own, &configured.device, &options(args, configured.device.node_id())?);
     if !worse.is_empty() && !args.force {
@@ -70,12 +79,13 @@ pub(super) fn run(args: &ConfigureArgs, out: &mut Output) -> Result<Outcome, Fai
                 false => save(path, &configured.bytes)?,
             };
             let count = plural(assignments.len(), "value");
-            let modules = match args.modules.len() {
+            let also = |count: usize, what: &str| match count {
                 0 => String::new(),
-                count => format!(", {}", plural(count, "module")),
+                count => format!(", {}", plural(count, what)),
             };
+            let more = also(args.modules.len(), "module") + &also(downloads.len(), "download");
             let node_id = node.node_id.unwrap_or_default();
-            let line = format!("{}: node {node_id}, {count}{modules}", path.display());
+            let line = format!("{}: node {node_id}, {count}{more}", path.display());
             writeln!(out, "{}", super::shown(&line))?;
         }
         None => out.write_all(&configured.bytes)?,
@@ -160,6 +170,8 @@ fn followers(device: &Device, node: &Commissioning) -> Vec<Assignment> {
 /// What is wanted, in the order in which it is taken: a later one of the same entry counts.
 fn settings(args: &ConfigureArgs, file: &SettingsFile) -> Vec<Setting> {
     let repeatable = [
+        &args.sdo_before,
+        &args.sdo,
         &args.set,
         &args.map,
         &args.cob_id,

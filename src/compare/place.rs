@@ -17,6 +17,7 @@ pub(super) fn of(path: &str) -> Place {
         "dummy_usage" => whole(Part::DummyUsage),
         "comments" => whole(Part::Comments),
         "commissioning" => with_field(Part::Commissioning, &rest, node_field),
+        "downloads" => named(Part::Commissioning, &[&[first], rest.as_slice()].concat()),
         "lists" => list(&rest),
         "objects" => object(&rest, &Part::Object, &Part::Entry),
         "modules" => modules(&rest),

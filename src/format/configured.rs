@@ -1,9 +1,9 @@
 //! A description configured for a node: by edits of its text where that is possible.
 
 use super::literal::{self, Spelling};
-use super::{Description, Format, Syntax, WriteOptions, eds};
+use super::{Description, Format, Syntax, WriteOptions, eds, embedded};
 use crate::diagnostic::{Change, Fix};
-use crate::model::{Assignment, Commissioning, Device, DeviceKind, Field, Part, Place};
+use crate::model::{Assignment, Commissioning, Device, DeviceKind, ExplicitDownload, Field, Part, Place};
 use crate::source::{EditError, Edits, SourceFile, SourceOptions};
 
 /// What a node is configured to be.
@@ -16,6 +16,9 @@ pub struct NodeSettings<'a> {
     pub plugged: Option<&'a Device>,
     /// The values ([`crate::configure::configure`]).
     pub assignments: &'a [Assignment],
+    /// The downloads beside the values ([`crate::configure::configuration`]), in place of those of the description;
+    /// none: those stay.
+    pub downloads: &'a [ExplicitDownload],
 }
 
 /// A description that was configured.
@@ -41,6 +44,9 @@ impl Description {
     ) -> Result<ConfiguredFile, EditError> {
         let mut device = settings.plugged.unwrap_or(self.device()).clone();
         device.assign(settings.assignments);
+        if !settings.downloads.is_empty() {
+            device.downloads = settings.downloads.to_vec();
+        }
         device.kind = DeviceKind::Node;
         device.commissioning = Some(settings.node.clone());
         if let Some(info) = &mut device.file_info {
@@ -76,15 +82,26 @@ impl Description {
         let mut fix = Fix { changes: changes(self.device(), &values, has_values), ..Fix::safe("configure") };
         match self.format().syntax() {
             Syntax::Ini => fix.changes.extend(eds::additions(self.device(), device)?),
+            Syntax::Xml if device.downloads != self.device().downloads => return None,
             Syntax::Xml if device.objects.len() != self.device().objects.len() => return None,
             Syntax::Xml => {}
         }
-        if fix.changes.is_empty() {
-            return self.again(&self.source().to_bytes());
-        }
         let mut edits = Edits::new(self.source());
-        for (span, text) in self.edits(&fix)? {
-            edits.replace(span, text);
+        if !fix.changes.is_empty() {
+            for (span, text) in self.edits(&fix)? {
+                edits.replace(span, text);
+            }
+        }
+        if device.downloads != self.device().downloads {
+            let downloads = (!device.downloads.is_empty()).then_some(&device.downloads);
+            embedded::edit_lines(
+                &mut edits,
+                "/downloads",
+                downloads.and_then(|all| serde_json::to_value(all).ok()),
+            );
+        }
+        if edits.is_empty() {
+            return self.again(&self.source().to_bytes());
         }
         self.again(&edits.to_bytes().ok()?)
     }

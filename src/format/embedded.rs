@@ -12,6 +12,7 @@ use crate::model::{
     Characteristic, CharacteristicsList, Device, DeviceFunction, EMBEDDED_COMMENT, EMBEDDED_SECTION, Entry,
     Extra, ExtraSection, Field, Labels, Part, Place, Property,
 };
+use crate::source::{Edits, Span};
 
 /// The prefix of the path in the name of a property.
 const PREFIX: &str = "objdict:";
@@ -68,15 +69,7 @@ pub(super) fn embed(device: &mut Device, changes: &[DatumChange], room: Room) {
     match room {
         Room::Lines => {
             let mut entries = Extra::default();
-            for change in changes {
-                for (number, piece) in
-                    pieces(&print(change), room_behind(&change.path)).into_iter().enumerate()
-                {
-                    let key =
-                        if number == 0 { change.path.clone() } else { format!("{}#{number}", change.path) };
-                    entries.push(&key, &piece);
-                }
-            }
+            changes.iter().flat_map(lines).for_each(|(key, piece)| entries.push(&key, &piece));
             device.extra.push(ExtraSection::new(EMBEDDED_SECTION, &entries));
         }
         Room::Properties => {
@@ -104,6 +97,39 @@ pub(super) fn embed(device: &mut Device, changes: &[DatumChange], room: Room) {
             }
         }
     }
+}
+
+/// The keys and values of the lines of a change.
+fn lines(change: &DatumChange) -> Vec<(String, String)> {
+    let pieces = pieces(&print(change), room_behind(&change.path)).into_iter().enumerate();
+    let line = |(number, piece)| match number {
+        0 => (change.path.clone(), piece),
+        number => (format!("{}#{number}", change.path), piece),
+    };
+    pieces.map(line).collect()
+}
+
+/// The edits that put a datum in place of the one at its path in the comment lines of an EDS or DCF, or remove it.
+pub(super) fn edit_lines(edits: &mut Edits<'_>, path: &str, datum: Option<Value>) {
+    let text = edits.source().text();
+    let mut start = 0;
+    for line in text.split_inclusive('\n') {
+        let key = line.trim_start().strip_prefix(';').and_then(|line| line.strip_prefix(EMBEDDED_COMMENT));
+        let key = key.and_then(|line| line.split('=').next()).and_then(|key| key.split('#').next());
+        let end = start + line.len();
+        if key.is_some_and(|key| key.trim() == path) {
+            edits.replace(Span::new(start as u32, end as u32), "");
+        }
+        start = end;
+    }
+    let Some(after) = datum else { return };
+    let change = DatumChange { path: path.to_owned(), before: None, after: Some(after) };
+    let line_end = if text.contains("\r\n") { "\r\n" } else { "\n" };
+    let mut added = if text.is_empty() || text.ends_with('\n') { String::new() } else { line_end.to_owned() };
+    for (key, piece) in lines(&change) {
+        added.push_str(&format!(";{EMBEDDED_COMMENT}{key}={piece}{line_end}"));
+    }
+    edits.replace(Span::new(start as u32, start as u32), added);
 }
 
 /// Takes what was embedded out of a device again. What cannot be understood stays.

@@ -35,7 +35,7 @@ fn every_configured_node_has_a_stream_that_reads_back() {
 
 #[test]
 fn every_device_can_be_written_in_full() {
-    let all = PlanOptions { node_id: Some(5), scope: Scope::All, commands: true };
+    let all = PlanOptions { node_id: Some(5), scope: Scope::All, commands: true, ..PlanOptions::default() };
     for path in support::good_devices() {
         let device = format::open(&path, &SourceOptions::default()).unwrap().into_device();
         let configuration = configuration(&device, &all);

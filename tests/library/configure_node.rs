@@ -2,12 +2,14 @@
 
 use std::path::Path;
 
-use objdict::configure::{NoSetting, Rebased, Setting, SettingProblem, configure, rebase};
+use objdict::configure::{
+    Configuration, NoSetting, Rebased, Setting, SettingProblem, configuration, configure, rebase,
+};
 use objdict::coupler::{ModuleProblem, flatten};
 use objdict::download::{ConciseDcf, PlanOptions};
 use objdict::format::{self, Description, Format, NodeSettings, WriteOptions};
 use objdict::lint::{self, Options};
-use objdict::model::{Access, Assignment, Commissioning, DataType, Device, Entry, Object, Value};
+use objdict::model::{Access, Assignment, Commissioning, DataType, Device, Entry, Moment, Object, Value};
 use objdict::source::{SourceFile, SourceOptions};
 
 fn open(path: &str) -> Description {
@@ -22,7 +24,8 @@ fn node(node_id: u8) -> Commissioning {
 /// The DCF of an EDS with these settings, read back.
 fn configured(eds: &Description, node_id: u8, settings: &[Setting]) -> Description {
     let assignments = configure(eds.device(), node_id, settings).unwrap();
-    let settings = NodeSettings { node: &node(node_id), plugged: None, assignments: &assignments };
+    let settings =
+        NodeSettings { node: &node(node_id), plugged: None, assignments: &assignments, downloads: &[] };
     let configured = eds.configured("node.dcf", &settings).unwrap();
     assert!(configured.is_edited);
     let dcf = format::read(
@@ -269,6 +272,35 @@ fn can_ids_follow_the_node_id() {
     assert_eq!(rebase(&open("eds/io-401.eds").into_device(), 3), Rebased::default());
 }
 
+/// Downloads beside the values stay in the file: in comment lines of a DCF, in a characteristic of an XDC.
+#[test]
+fn explicit_downloads_stay_in_the_file() {
+    let configured = |description: &Description, settings: &[Setting]| {
+        let Configuration { values, downloads } = configuration(description.device(), 5, settings).unwrap();
+        let settings =
+            NodeSettings { node: &node(5), plugged: None, assignments: &values, downloads: &downloads };
+        let configured = description.configured("node", &settings).unwrap();
+        let format = if description.format().name().starts_with('X') { Format::Xdc } else { Format::Dcf };
+        let source = SourceFile::from_bytes("node", configured.bytes, &SourceOptions::default()).unwrap();
+        (format::read(source, format), configured.is_edited)
+    };
+    let sdo = |when, text| Setting::downloads(when, text).unwrap();
+    for (file, edits) in [("eds/drive-402.eds", true), ("xdd/drive-402.xdd", false)] {
+        let first = [sdo(Moment::After, "6040=6,7,15"), sdo(Moment::Before, "6060=1")];
+        let (node, is_edited) = configured(&open(file), &first);
+        assert_eq!(is_edited, edits, "{file}");
+        let expected =
+            "04000000606000010000000140600002000000060040600002000000070040600002000000".to_owned() + "0F00";
+        assert_eq!(stream(&node), expected, "{file}");
+        let (same, _) = configured(&node, &[Setting::value("1017=1s").unwrap()]);
+        assert_eq!(same.device().downloads, node.device().downloads, "{file}");
+        let (other, _) = configured(&node, &[sdo(Moment::After, "6040=128")]);
+        assert_eq!(other.device().downloads.len(), 1, "{file}");
+        let text = other.source().text();
+        assert_eq!(text.matches("/downloads").count(), 1, "{file}");
+    }
+}
+
 #[test]
 fn numbers_of_the_node_keep_their_spelling() {
     let text = "[DeviceComissioning]\nNodeID=0x03\nNodeName=07\nNetNumber=0x1\nCANopenManager=0\nLSS_SerialNumber=0x00001234\n";
@@ -277,7 +309,7 @@ fn numbers_of_the_node_keep_their_spelling() {
     let description = format::read(source, Format::Dcf);
     let mut node = description.device().commissioning.clone().unwrap();
     node.node_name = Some("7".to_owned());
-    let settings = NodeSettings { node: &node, plugged: None, assignments: &[] };
+    let settings = NodeSettings { node: &node, plugged: None, assignments: &[], downloads: &[] };
     let bytes = description.configured("n.dcf", &settings).unwrap().bytes;
     let changed = String::from_utf8(bytes).unwrap();
     assert!(changed.contains("NodeID=0x03\nNodeName=7\nNetNumber=0x1\n"), "{changed}");
@@ -350,7 +382,8 @@ fn modular_configurations_are_clean() {
         [&[1], &[2], &[3], &[4], &[4, 4], &[1, 1, 2, 3], &[3, 5], &[4, 1, 4], &[1, 2, 3, 4, 5], &[1; 17]];
     for rack in racks {
         let plugged = flatten(coupler.device(), rack).unwrap();
-        let settings = NodeSettings { node: &node(10), plugged: Some(&plugged), assignments: &[] };
+        let settings =
+            NodeSettings { node: &node(10), plugged: Some(&plugged), assignments: &[], downloads: &[] };
         let configured = coupler.configured("rack.dcf", &settings).unwrap();
         assert!(configured.is_edited, "{rack:?}");
         let source = SourceFile::from_bytes("rack.dcf", configured.bytes, &SourceOptions::default()).unwrap();

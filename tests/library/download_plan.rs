@@ -1,11 +1,11 @@
 //! Plans of devices built here, compared byte for byte with streams that were made by hand.
 
 use objdict::download::{
-    ConciseDcf, Download, PlanError, PlanOptions, Problem, ProblemKind, Scope, SkipReason, Step,
+    ConciseDcf, Download, Order, PlanError, PlanOptions, Problem, ProblemKind, Scope, SkipReason, Step,
 };
 use objdict::model::{
-    Access, Commissioning, Compact, DataType, Device, Entry, Field, ObjFlags, Object, ObjectType, Place,
-    Reason, Value,
+    Access, Commissioning, Compact, DataType, Device, Entry, ExplicitDownload, Field, Moment, ObjFlags,
+    Object, ObjectType, Place, Reason, Value,
 };
 
 const U8: DataType = DataType::UNSIGNED8;
@@ -75,21 +75,21 @@ impl Node {
         node
     }
 
-    fn stream(&self, options: PlanOptions) -> String {
+    fn stream(&self, options: &PlanOptions) -> String {
         hex(&self.configuration(options).write().unwrap())
     }
 
-    fn configuration(&self, options: PlanOptions) -> ConciseDcf {
-        let plan = ConciseDcf::plan(&self.0, &options).unwrap_or_else(|error| panic!("{error}"));
+    fn configuration(&self, options: &PlanOptions) -> ConciseDcf {
+        let plan = ConciseDcf::plan(&self.0, options).unwrap_or_else(|error| panic!("{error}"));
         plan.into_concise(|file| Err(format!("needs {file:?}"))).unwrap()
     }
 
     fn downloads(&self) -> Vec<Download> {
-        self.configuration(PlanOptions::default()).0
+        self.configuration(&PlanOptions::default()).0
     }
 
     fn changed(&self) -> String {
-        self.stream(PlanOptions::default())
+        self.stream(&PlanOptions::default())
     }
 }
 
@@ -155,7 +155,7 @@ fn storing_comes_last_and_only_on_request() {
         .sub(0x1020, 2, entry(U32, unsigned(0), unsigned(0x5E_C9A0)));
     let on_request = PlanOptions { commands: true, ..PlanOptions::default() };
     let expected = "03000000201001040000001700000020100204000000A0C95E001010010400000073617665";
-    assert_eq!(node.stream(on_request), expected);
+    assert_eq!(node.stream(&on_request), expected);
 
     let plan = ConciseDcf::plan(&node.0, &PlanOptions::default()).unwrap();
     assert_eq!(plan.steps.len(), 2);
@@ -383,7 +383,7 @@ fn a_full_download_writes_every_value_but_counts() {
         .var(0x2001, entry(U8, unsigned(8), unsigned(9)));
     let all = PlanOptions { scope: Scope::All, ..PlanOptions::default() };
     let expected = [download(0x2000, 1, &[7]), download(0x2001, 0, &[9])];
-    assert_eq!(node.configuration(all).0, expected);
+    assert_eq!(node.configuration(&all).0, expected);
     // a configured count is written: it is requested
     let node = node.sub(0x2000, 0, entry(U8, unsigned(2), unsigned(1)));
     assert_eq!(node.downloads()[0], download(0x2000, 0, &[1]));
@@ -399,7 +399,7 @@ fn compactly_stored_entries_are_planned_like_described_ones() {
     node.0.objects.insert(0x2000, object);
     let all = PlanOptions { scope: Scope::All, ..PlanOptions::default() };
     let elements = [(1, 7), (2, 9), (3, 7)].map(|(sub, value)| download(0x2000, sub, &[value]));
-    assert_eq!(node.configuration(all).0, [&elements[..], &[download(0x2001, 0, &[8])]].concat());
+    assert_eq!(node.configuration(&all).0, [&elements[..], &[download(0x2001, 0, &[8])]].concat());
     assert_eq!(node.downloads(), elements[1..2]);
 
     // an invalid text is named, in every entry
@@ -424,7 +424,7 @@ fn every_entry_that_needs_the_node_id_is_named() {
     assert_eq!(error.to_string(), "these values need the node-ID: `0x1400sub1`, `0x1800sub1`, `0x2000`");
     assert!(error.help().unwrap().contains("--node-id"));
     let with_node = PlanOptions { node_id: Some(3), ..PlanOptions::default() };
-    assert_eq!(node.configuration(with_node).0[0], download(0x2000, 0, &[8, 0]));
+    assert_eq!(node.configuration(&with_node).0[0], download(0x2000, 0, &[8, 0]));
     let wrong = PlanOptions { node_id: Some(128), ..PlanOptions::default() };
     assert_eq!(ConciseDcf::plan(&node.0, &wrong), Err(PlanError::NodeId(128)));
 }
@@ -504,4 +504,95 @@ fn types_of_the_device_itself_have_a_length() {
         .var(0x2001, entry(DataType(0x61), Some(Value::Raw("50".into())), Some(Value::Raw("-2".into()))));
     let expected = [download(0x2000, 0, &[0xFF, 1]), download(0x2001, 0, &[0xFE, 0xFF])];
     assert_eq!(node.downloads(), expected);
+}
+
+fn explicit(when: Moment, index: u16, number: u64) -> ExplicitDownload {
+    ExplicitDownload { when, index, sub: 0, value: Value::Unsigned(number) }
+}
+
+#[test]
+fn explicit_downloads_surround_the_values() {
+    let mut node = Node::new(5)
+        .var(0x1017, entry(U16, unsigned(0), unsigned(250)))
+        .var(0x6040, entry(U16, unsigned(6), None));
+    node.0.downloads = vec![
+        explicit(Moment::After, 0x6040, 6),
+        explicit(Moment::Before, 0x6040, 0x80),
+        explicit(Moment::After, 0x6040, 7),
+    ];
+    let expected = [
+        download(0x6040, 0, &[0x80, 0]),
+        download(0x1017, 0, &[250, 0]),
+        download(0x6040, 0, &[6, 0]),
+        download(0x6040, 0, &[7, 0]),
+    ];
+    assert_eq!(node.downloads(), expected);
+    let only = PlanOptions { only: Some([0x1017].into()), ..PlanOptions::default() };
+    assert_eq!(node.configuration(&only).0, [download(0x1017, 0, &[250, 0])]);
+    node.0.downloads = vec![explicit(Moment::After, 0x6040, 0x1_0000), explicit(Moment::After, 0x7000, 1)];
+    let error = ConciseDcf::plan(&node.0, &PlanOptions::default()).unwrap_err().to_string();
+    assert_eq!(error.lines().count(), 2, "{error}");
+}
+
+/// The complete configuration of PDOs has unchanged ones too; other entries only when they changed.
+#[test]
+fn complete_pdos() {
+    let node = Node::new(5)
+        .var(0x1017, entry(U16, unsigned(0), unsigned(250)))
+        .var(0x2000, entry(U16, unsigned(7), None))
+        .pdo(0x1800, 0x180, None, &[0x6000_0108], &[]);
+    let expected = [
+        download(0x1017, 0, &[250, 0]),
+        download(0x1800, 1, &[0x85, 1, 0, 0x80]),
+        download(0x1800, 2, &[255]),
+        download(0x1A00, 0, &[0]),
+        download(0x1A00, 1, &[8, 1, 0, 0x60]),
+        download(0x1A00, 0, &[1]),
+        download(0x1800, 1, &[0x85, 1, 0, 0]),
+    ];
+    let pdos = PlanOptions { scope: Scope::Pdos, ..PlanOptions::default() };
+    assert_eq!(node.configuration(&pdos).0, expected);
+}
+
+/// The file that dcfgen writes for a drive: services, PDOs, all others, each PDO with its new CAN-ID.
+#[test]
+fn the_order_of_dcfgen() {
+    let mapping = |node: Node, index, objects: [(u64, Option<u64>); 2], counts: (u64, u64)| {
+        let changed =
+            |(default, value): (u64, Option<u64>)| entry(U32, unsigned(default), value.map(Value::Unsigned));
+        node.sub(index, 0, entry(U8, unsigned(counts.0), unsigned(counts.1)))
+            .sub(index, 1, changed(objects[0]))
+            .sub(index, 2, changed(objects[1]))
+    };
+    let per_node = |offset| Some(Value::NodeId(offset));
+    let mut node = Node::new(5)
+        .var(0x100C, entry(U16, unsigned(0), unsigned(100)))
+        .var(0x1012, entry(U32, unsigned(0x100), unsigned(0x8000_0100)))
+        .sub(0x1016, 1, entry(U32, unsigned(0), unsigned(0x0001_05DC)))
+        .var(0x1017, entry(U16, unsigned(0), unsigned(200)))
+        .sub(0x1029, 1, entry(U8, unsigned(0), unsigned(2)))
+        .sub(0x1400, 1, entry(U32, per_node(0x200), None))
+        .sub(0x1400, 2, entry(U8, unsigned(255), unsigned(1)))
+        .sub(0x1401, 1, entry(U32, per_node(0x300), unsigned(0x8000_0305)))
+        .sub(0x1402, 1, entry(U32, unsigned(0x8000_0000), unsigned(0x405)))
+        .sub(0x1800, 1, entry(U32, per_node(0x4000_0180), None))
+        .sub(0x1800, 2, entry(U8, unsigned(255), unsigned(1)))
+        .sub(0x1800, 3, entry(U16, unsigned(0), unsigned(10)))
+        .sub(0x1800, 5, entry(U16, unsigned(0), unsigned(100)))
+        .sub(0x1800, 6, entry(U8, unsigned(0), unsigned(3)))
+        .sub(0x1801, 1, entry(U32, per_node(0x4000_0280), unsigned(0x8000_0285)))
+        .sub(0x1804, 1, entry(U32, unsigned(0xC000_0000), unsigned(0x680)))
+        .var(0x6040, entry(U16, None, None))
+        .var(0x6081, entry(U32, unsigned(1000), None));
+    node = mapping(node, 0x1600, [(0x6040_0010, None), (0, Some(0x607A_0020))], (1, 2));
+    node = mapping(node, 0x1A00, [(0x6041_0010, None), (0, Some(0x6064_0020))], (1, 2));
+    node = mapping(node, 0x1A04, [(0, Some(0x6041_0010)), (0, None)], (0, 1));
+    node.0.downloads = [(0x6081, 1000), (0x6040, 6), (0x6040, 7)]
+        .map(|(index, value)| explicit(Moment::After, index, value))
+        .into();
+    let expected = "2200000016100104000000DC050100121000040000000001008017100002000000C8000C1000020000006400291001010000000200140104000000050200800014020100000001001600010000000000160104000000100040600016020400000020007A600016000100000002001401040000\
+        000502000001140104000000050300800214010400000005040080021401040000000504000000180104000000850100C00018020100000001001803020000000A000018050200000064000018060100000003001A000100000000001A010400000010004160001A020400000020006460001A\
+        000100000002001801040000008501004001180104000000850200800418010400000080060080041A000100000000041A010400000010004160041A000100000001041801040000008006000081600004000000E8030000406000020000000600406000020000000700";
+    let dcfgen = PlanOptions { order: Order::Dcfgen, ..PlanOptions::default() };
+    assert_eq!(node.stream(&dcfgen), expected);
 }

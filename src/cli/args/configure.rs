@@ -12,6 +12,7 @@ use crate::cli::save::is_stdout;
 use crate::cli::settings::ConfigFileArgs;
 use crate::configure::Setting;
 use crate::format::input::{FileKind, Reading};
+use crate::model::Moment;
 use crate::source::Encoding;
 
 /// Create the DCF of a node from an EDS
@@ -92,6 +93,12 @@ pub(in crate::cli) struct ConfigureArgs {
     /// Monitor the heartbeat of a node: `7=750ms`; repeatable
     #[arg(long, value_name = "NODE=TIME", value_parser = Setting::heartbeat_consumer)]
     pub heartbeat_consumer: Vec<Setting>,
+    /// Downloads after the values of entries, in this order, even of values that the node has: `6040=6,7,15`; repeatable
+    #[arg(long, value_name = "ENTRY=VALUES", value_parser = |text: &str| Setting::downloads(Moment::After, text))]
+    pub sdo: Vec<Setting>,
+    /// Downloads before the values of entries; repeatable
+    #[arg(long, value_name = "ENTRY=VALUES", value_parser = |text: &str| Setting::downloads(Moment::Before, text))]
+    pub sdo_before: Vec<Setting>,
     /// A file of settings (see `objdict help settings`); options override it
     #[arg(long, value_name = "FILE")]
     settings: Option<PathBuf>,

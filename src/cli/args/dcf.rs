@@ -1,5 +1,6 @@
 //! The arguments of `objdict dcf`.
 
+use std::ops::RangeInclusive;
 use std::path::PathBuf;
 
 use clap::{Parser, Subcommand, ValueEnum};
@@ -40,11 +41,20 @@ pub(in crate::cli) struct PackArgs {
     #[arg(long, alias = "format", value_enum, default_value = "bin", value_name = "FORMAT")]
     pub to: BlobFormat,
     /// Write values that differ from the defaults (default)
-    #[arg(long, conflicts_with = "all")]
+    #[arg(long, conflicts_with_all = ["all", "pdos"])]
     pub changed: bool,
     /// Write all values
-    #[arg(long)]
+    #[arg(long, conflicts_with = "pdos")]
     pub all: bool,
+    /// Write values that differ from the defaults, and the complete configuration of all PDOs
+    #[arg(long)]
+    pub pdos: bool,
+    /// Write values of these objects only: `1017,1800,1A00`, `1400-1BFF`
+    #[arg(long, value_name = "INDEXES", value_delimiter = ',', value_parser = indexes)]
+    pub only: Vec<RangeInclusive<u16>>,
+    /// The order of the downloads: by CiA 301, or that of dcfgen of lely-core
+    #[arg(long, value_enum, default_value = "safe", hide_possible_values = true, value_name = "safe|dcfgen")]
+    pub order: PackOrder,
     /// The EDS of the node: provides the defaults, and the stream is verified against it
     #[arg(long, value_name = "FILE")]
     pub eds: Option<PathBuf>,
@@ -61,6 +71,27 @@ pub(in crate::cli) struct PackArgs {
     pub expand: ExpandArgs,
     #[command(flatten)]
     pub input: InputArgs,
+}
+
+/// The order of downloads.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
+pub(in crate::cli) enum PackOrder {
+    /// The order that a node accepts by CiA 301
+    Safe,
+    /// The order of dcfgen of lely-core
+    Dcfgen,
+}
+
+/// An index, or a range of them: `1400-1BFF`.
+fn indexes(text: &str) -> Result<RangeInclusive<u16>, String> {
+    let index = |text: &str| {
+        let digits = text.trim().trim_start_matches("0x");
+        u16::from_str_radix(digits, 16).map_err(|_| format!("`{text}` is not an index, such as `1800`"))
+    };
+    match text.split_once('-') {
+        Some((first, last)) => Ok(index(first)?..=index(last)?),
+        None => index(text).map(|index| index..=index),
+    }
 }
 
 /// Write a stream as text, one download per line, to review, edit and pack again

@@ -3,13 +3,13 @@
 use std::path::Path;
 
 use super::super::annotation::Described;
-use super::super::args::PackArgs;
+use super::super::args::{PackArgs, PackOrder};
 use super::super::convert::{read_data, refusal, tell_skipped};
 use super::super::input::{Input, name_of};
 use super::super::output::Output;
 use super::super::{Failure, Outcome, tell};
 use super::{count, deliver, device, hex_of, stream_of, verify};
-use crate::download::{ConciseDcf, PlanOptions, Scope};
+use crate::download::{ConciseDcf, Order, PlanOptions, Scope};
 use crate::format::concise::BlobSpelling;
 use crate::format::input::FileKind;
 use crate::model::Device;
@@ -78,9 +78,20 @@ fn content(args: &PackArgs, eds: Option<&Device>) -> Result<Content, Failure> {
 
 /// The downloads that bring a node to what the device says.
 fn planned(args: &PackArgs, device: &Device, eds: Option<&Device>) -> Result<ConciseDcf, Failure> {
-    let scope = if args.all { Scope::All } else { Scope::Changed };
-    let node_id = node_id(args, Some(device), eds);
-    let options = PlanOptions { node_id, scope, ..PlanOptions::default() };
+    let options = PlanOptions {
+        node_id: node_id(args, Some(device), eds),
+        scope: match (args.all, args.pdos) {
+            (true, _) => Scope::All,
+            (_, true) => Scope::Pdos,
+            _ => Scope::Changed,
+        },
+        order: match args.order {
+            PackOrder::Safe => Order::Safe,
+            PackOrder::Dcfgen => Order::Dcfgen,
+        },
+        only: (!args.only.is_empty()).then(|| args.only.iter().cloned().flatten().collect()),
+        ..PlanOptions::default()
+    };
     let rebased = eds.map(|eds| ConciseDcf::rebased(device, eds));
     let plan =
         ConciseDcf::plan(rebased.as_ref().unwrap_or(device), &options).map_err(|error| refusal(&error))?;

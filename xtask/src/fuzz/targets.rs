@@ -147,7 +147,7 @@ fn configured(format: Format, bytes: &[u8]) {
     let node = Commissioning { node_id: Some(5), baud_rate: Some(250), ..Commissioning::default() };
     for settings in [&file.settings[..], &settings, &settings[..settings.len().min(1)], &[]] {
         let Ok(assignments) = configure(description.device(), 5, settings) else { continue };
-        let parts = NodeSettings { node: &node, plugged: None, assignments: &assignments };
+        let parts = NodeSettings { node: &node, plugged: None, assignments: &assignments, downloads: &[] };
         let Ok(configured) = description.configured("node.dcf", &parts) else { continue };
         let to = if format == Format::Eds || format == Format::Dcf { Format::Dcf } else { Format::Xdc };
         let Some(read) = read(to, &configured.bytes) else { continue };

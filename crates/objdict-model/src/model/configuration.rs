@@ -13,6 +13,7 @@ impl Device {
         let mut device = self.clone();
         device.kind = DeviceKind::Type;
         device.commissioning = None;
+        device.downloads.clear();
         if let Some(info) = &mut device.file_info {
             info.last_eds = None;
         }

@@ -4,8 +4,8 @@ use std::collections::BTreeMap;
 
 use super::{
     ApplicationProcess, Commissioning, DataType, DeviceFunction, DeviceIdentity, DeviceInfo, DeviceManager,
-    DynamicChannels, ExtraSection, FileInfo, InvalidValues, ModuleObjects, Modules, NetworkIdentity, Object,
-    ObjectList, ProfileHeaders, ToolCommand,
+    DynamicChannels, ExplicitDownload, ExtraSection, FileInfo, InvalidValues, ModuleObjects, Modules,
+    NetworkIdentity, Object, ObjectList, ProfileHeaders, ToolCommand,
 };
 
 /// A device description, independent of its format.
@@ -30,6 +30,9 @@ pub struct Device {
     /// The configured node.
     #[cfg_attr(feature = "serde", serde(skip_serializing_if = "Option::is_none"))]
     pub commissioning: Option<Commissioning>,
+    /// Downloads that configure the node beside the values of its entries, in order.
+    #[cfg_attr(feature = "serde", serde(skip_serializing_if = "Vec::is_empty"))]
+    pub downloads: Vec<ExplicitDownload>,
     /// The object lists.
     #[cfg_attr(feature = "serde", serde(skip_serializing_if = "super::is_default"))]
     pub lists: ObjectLists,

@@ -20,6 +20,7 @@ mod device_profile;
 mod dynamic;
 mod entry;
 mod expand;
+mod explicit;
 mod field;
 mod file_info;
 #[cfg(feature = "serde")]
@@ -75,6 +76,7 @@ pub use device_profile::{
 };
 pub use dynamic::{DynamicChannels, Segment, ToolCommand};
 pub use entry::{Configured, Entry, ObjFlags, SafetyMapping};
+pub use explicit::{ExplicitDownload, Moment};
 pub use field::Field;
 pub use file_info::{ClockTime, Date, FileInfo};
 pub use identity::Identity;

@@ -7,7 +7,7 @@ use super::{Desk, Wrong};
 use crate::diagnostic::{listing, nearest, series, sub_index};
 use crate::download::{Beyond, beyond, bytes_of, transferred_type};
 use crate::literal::{self, Quirk, Quirks};
-use crate::model::{Access, Address, DataType, Entry, Object, ObjectType, Value};
+use crate::model::{Access, Address, DataType, Entry, ExplicitDownload, Moment, Object, ObjectType, Value};
 use crate::resolve::{ObjectName, candidates};
 
 /// Maximum number of candidates listed for an ambiguous name.
@@ -53,6 +53,17 @@ impl<'a> Desk<'a> {
         self.put(at.index, sub, &entry, value)
     }
 
+    /// Adds downloads of an entry.
+    pub(super) fn download(&mut self, when: Moment, at: Address, texts: &[String]) -> Result<(), Wrong> {
+        let (sub, entry) = self.writable(at)?;
+        for text in texts {
+            let value = self.read(at.index, sub, &entry, text)?;
+            self.check(at.index, sub, &entry, &value)?;
+            self.downloads.push(ExplicitDownload { when, index: at.index, sub, value });
+        }
+        Ok(())
+    }
+
     /// Sets an entry of an object that a setting does not name, so a problem has to.
     pub(super) fn set_implied(&mut self, at: Address, text: &str) -> Result<(), Wrong> {
         self.set(at, text).map_err(|wrong| wrong.about(at))
@@ -60,19 +71,24 @@ impl<'a> Desk<'a> {
 
     /// Sets an entry after checking data type and limits.
     pub(super) fn put(&mut self, index: u16, sub: u8, entry: &Entry, value: Value) -> Result<(), Wrong> {
-        let bytes = bytes_of(self.device, index, sub, &value, Some(self.node_id));
-        bytes.map_err(|problem| Wrong::new(problem.to_string()))?;
-        match beyond(entry, &value, Some(self.node_id)) {
-            Some(Beyond::Low(limit)) => {
-                return Err(Wrong::new(format!("`{value}` is below the low limit `{limit}`")));
-            }
-            Some(Beyond::High(limit)) => {
-                return Err(Wrong::new(format!("`{value}` is above the high limit `{limit}`")));
-            }
-            None => {}
-        }
+        self.check(index, sub, entry, &value)?;
         self.values.insert((index, sub), value);
         Ok(())
+    }
+
+    /// Checks data type and limits.
+    fn check(&self, index: u16, sub: u8, entry: &Entry, value: &Value) -> Result<(), Wrong> {
+        let bytes = bytes_of(self.device, index, sub, value, Some(self.node_id));
+        bytes.map_err(|problem| Wrong::new(problem.to_string()))?;
+        match beyond(entry, value, Some(self.node_id)) {
+            Some(Beyond::Low(limit)) => {
+                Err(Wrong::new(format!("`{value}` is below the low limit `{limit}`")))
+            }
+            Some(Beyond::High(limit)) => {
+                Err(Wrong::new(format!("`{value}` is above the high limit `{limit}`")))
+            }
+            None => Ok(()),
+        }
     }
 
     /// Parses a text as a value of the entry's data type.

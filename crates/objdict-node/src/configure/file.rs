@@ -22,6 +22,10 @@
 //!
 //! [heartbeat-consumer]
 //! 7 = "750ms"
+//!
+//! [[sdo]]
+//! entry = "6040"
+//! value = [6, 7, 15]
 //! ```
 
 use std::collections::BTreeMap;
@@ -30,6 +34,7 @@ use serde::Deserialize;
 use toml::Value as Toml;
 
 use super::{NoSetting, Setting};
+use crate::model::Moment;
 
 /// The content of a settings file.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
@@ -95,6 +100,41 @@ struct Document {
     sync_start: Table,
     #[serde(default)]
     heartbeat_consumer: Table,
+    #[serde(default)]
+    sdo: Vec<Sdo>,
+}
+
+/// Downloads of one entry.
+#[derive(Deserialize)]
+#[serde(rename_all = "kebab-case", deny_unknown_fields)]
+struct Sdo {
+    entry: String,
+    /// One value, or several in order.
+    value: Toml,
+    #[serde(default)]
+    when: When,
+}
+
+#[derive(Clone, Copy, Default, Deserialize)]
+#[serde(rename_all = "kebab-case")]
+enum When {
+    Before,
+    #[default]
+    After,
+}
+
+impl Sdo {
+    fn setting(&self) -> Result<Setting, NoSetting> {
+        let when = match self.when {
+            When::Before => Moment::Before,
+            When::After => Moment::After,
+        };
+        let values = match &self.value {
+            Toml::Array(values) => values.iter().map(plain).collect(),
+            value => vec![plain(value)],
+        };
+        Setting::downloads(when, &format!("{}={}", self.entry, values.join(",")))
+    }
 }
 
 /// The settings of one option, by what is in front of `=`.
@@ -123,6 +163,7 @@ impl Document {
         settings.extend(service(&self.time, Setting::time));
         settings.extend(self.guard.as_deref().map(Setting::guard));
         settings.extend(pairs(&self.heartbeat_consumer, Setting::heartbeat_consumer));
+        settings.extend(self.sdo.iter().map(Sdo::setting));
         settings
     }
 }
@@ -180,7 +221,8 @@ mod tests {
     fn a_file_says_what_the_options_say() {
         let text = "node-id = 5\nbit-rate = 250\nname = 'pump'\n[set]\n'1017' = 250\n'1800:2' = '0xFE'\n'2000' = true\n'Producer heartbeat time' = 5\n\
                     [map]\ntpdo1 = ['6000:1', '6401:2']\n[cob-id]\nrpdo2 = 0x2AA\n[heartbeat-consumer]\n7 = '750ms'\n\
-                    [transmission]\ntpdo1 = 1\n[inhibit]\ntpdo1 = '5ms'\n[event-timer]\ntpdo1 = 100\n[sync-start]\ntpdo1 = 3\n";
+                    [transmission]\ntpdo1 = 1\n[inhibit]\ntpdo1 = '5ms'\n[event-timer]\ntpdo1 = 100\n[sync-start]\ntpdo1 = 3\n\
+                    [[sdo]]\nentry = '6040'\nvalue = [6, '0x7']\n[[sdo]]\nentry = '2001'\nvalue = 1\nwhen = 'before'\n";
         let text = format!(
             "net-number = 2\nnetwork-name = 'line 2'\nmanager = false\nlss-serial-number = 0x1234\n{text}"
         );
@@ -206,6 +248,8 @@ mod tests {
             "time 0x100",
             "guard 100msx3",
             "7=750ms",
+            "sdo 6040=6,0x7",
+            "sdo-before 2001=1",
         ];
         assert_eq!(settings, expected);
     }

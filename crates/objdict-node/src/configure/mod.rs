@@ -36,7 +36,7 @@ mod time;
 use std::collections::BTreeMap;
 use std::fmt;
 
-use crate::model::{Address, Assignment, Device, Value};
+use crate::model::{Address, Assignment, Device, ExplicitDownload, Value};
 use crate::resolve::ObjectName;
 
 #[cfg(feature = "toml")]
@@ -94,7 +94,28 @@ pub fn configure(
     node_id: u8,
     settings: &[Setting],
 ) -> Result<Vec<Assignment>, Vec<SettingProblem>> {
-    let mut desk = Desk { device, node_id, values: BTreeMap::new() };
+    configuration(device, node_id, settings).map(|configuration| configuration.values)
+}
+
+/// What settings make of a node.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct Configuration {
+    /// The values that [`configure`] returns.
+    pub values: Vec<Assignment>,
+    /// The downloads of [`Setting::Downloads`], in the order of the settings.
+    pub downloads: Vec<ExplicitDownload>,
+}
+
+/// Computes what [`configure`] does, and the downloads that are made beside the values.
+///
+/// # Errors
+/// Lists every setting that cannot be applied.
+pub fn configuration(
+    device: &Device,
+    node_id: u8,
+    settings: &[Setting],
+) -> Result<Configuration, Vec<SettingProblem>> {
+    let mut desk = Desk { device, node_id, values: BTreeMap::new(), downloads: Vec::new() };
     let mut problems = Vec::new();
     for setting in settings {
         if let Err(wrong) = desk.take(setting) {
@@ -106,7 +127,8 @@ pub fn configure(
         return Err(problems);
     }
     let values = desk.values.into_iter();
-    Ok(values.map(|((index, sub), value)| Assignment { index, sub, value }).collect())
+    let values = values.map(|((index, sub), value)| Assignment { index, sub, value }).collect();
+    Ok(Configuration { values, downloads: desk.downloads })
 }
 
 /// The device and the values set so far.
@@ -114,6 +136,7 @@ struct Desk<'a> {
     device: &'a Device,
     node_id: u8,
     values: BTreeMap<(u16, u8), Value>,
+    downloads: Vec<ExplicitDownload>,
 }
 
 impl Desk<'_> {
@@ -127,6 +150,9 @@ impl Desk<'_> {
             Setting::Sync { id, producer, period } => self.sync(*id, *producer, period.as_deref()),
             Setting::Emcy(id) => self.emcy(*id),
             Setting::TimeStamp { id, producer, consumer } => self.time_stamp(*id, *producer, *consumer),
+            Setting::Downloads { when, at, texts } => {
+                self.address(at).and_then(|at| self.download(*when, at, texts))
+            }
             Setting::Guard { milliseconds, factor } => self.guard(*milliseconds, *factor),
         }
     }

@@ -4,7 +4,7 @@ use std::fmt;
 use std::str::FromStr;
 
 use super::time::{milliseconds, nanoseconds};
-use crate::model::PdoKind;
+use crate::model::{Moment, PdoKind};
 use crate::resolve::ObjectName;
 
 /// One setting.
@@ -67,6 +67,15 @@ pub enum Setting {
         producer: Option<bool>,
         /// Whether the node consumes TIME.
         consumer: Option<bool>,
+    },
+    /// Downloads that are made as stated, beside the values of entries.
+    Downloads {
+        /// Whether they come before or after the values of entries.
+        when: Moment,
+        /// The entry; for a VAR, the object.
+        at: ObjectName,
+        /// The values in order, spelled as in a DCF.
+        texts: Vec<String>,
     },
     /// Sets up node guarding (100Ch, 100Dh).
     Guard {
@@ -188,6 +197,21 @@ impl Setting {
         let (at, value) = text.split_once('=').ok_or_else(wrong)?;
         let at = at.parse().map_err(|_| wrong())?;
         Ok(Self::Value { at, text: value.trim().to_owned() })
+    }
+
+    /// `6040=6,7,15`: downloads of an entry in this order, before or after the values of entries.
+    ///
+    /// # Errors
+    /// Fails if the text does not match this syntax.
+    pub fn downloads(when: Moment, text: &str) -> Result<Self, NoSetting> {
+        let wrong = || NoSetting::new(text, "write an entry and its values in order, as in `6040=6,7,15`");
+        let (at, values) = text.split_once('=').ok_or_else(wrong)?;
+        let at = at.parse().map_err(|_| wrong())?;
+        let texts: Vec<String> = split_values(values).map(|value| value.trim().to_owned()).collect();
+        if texts.iter().any(String::is_empty) {
+            return Err(wrong());
+        }
+        Ok(Self::Downloads { when, at, texts })
     }
 
     /// `tpdo1=6000:1,6401:2`, `tpdo1=Statusword`; an empty list after `=` clears the mapping.
@@ -372,6 +396,15 @@ impl Setting {
     }
 }
 
+/// The parts between commas outside of quotes.
+fn split_values(text: &str) -> impl Iterator<Item = &str> {
+    let mut is_quoted = false;
+    text.split(move |c: char| {
+        is_quoted ^= c == '"';
+        c == ',' && !is_quoted
+    })
+}
+
 /// A decimal number, or a hexadecimal one with prefix `0x`.
 fn number(text: &str) -> Option<u32> {
     let text = text.trim();
@@ -465,6 +498,10 @@ impl fmt::Display for Setting {
                 let [producer, consumer] = roles;
                 write_parts(f, "time", [id.map(|id| id.to_string()), producer, consumer])
             }
+            Self::Downloads { when, at, texts } => {
+                let option = if *when == Moment::Before { "sdo-before" } else { "sdo" };
+                write!(f, "{option} {at}={}", texts.join(","))
+            }
             Self::Guard { milliseconds, factor } => write!(f, "guard {milliseconds}msx{factor}"),
         }
     }
@@ -511,6 +548,12 @@ mod tests {
         assert_eq!(written(Setting::sync("33ms, producer,0x80")), "sync 0x80,producer,33ms");
         assert_eq!(written(Setting::emcy("$NODEID+0x80")), "emcy $NODEID+0x80");
         assert_eq!(written(Setting::time("producer,consumer")), "time producer,consumer");
+        assert_eq!(written(Setting::downloads(Moment::After, "6040=6, 7,15")), "sdo 6040=6,7,15");
+        assert_eq!(
+            written(Setting::downloads(Moment::Before, "2001=\"a,b\",c")),
+            "sdo-before 2001=\"a,b\",c"
+        );
+        assert!(Setting::downloads(Moment::After, "6040=6,,7").is_err());
         assert_eq!(written(Setting::guard("0.1s x 3")), "guard 100msx3");
     }
 

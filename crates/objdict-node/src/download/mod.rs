@@ -22,7 +22,7 @@ use crate::model::hex;
 use crate::model::{hex_number, hex_text};
 
 pub use difference::{Difference, Differences};
-pub use plan::{NeededFile, Plan, PlanOptions, Scope, Step};
+pub use plan::{NeededFile, Order, Plan, PlanOptions, Scope, Step};
 pub use problem::{PlanError, Problem, ProblemKind, SkipReason, Skipped};
 pub use stream::{DecodeError, DecodeErrorKind, EncodeError};
 pub(crate) use transfer::{Beyond, beyond};

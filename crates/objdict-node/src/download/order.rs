@@ -4,6 +4,7 @@
 //! Application objects precede the PDOs that map them. The verify configuration follows all writes that clear
 //! it, and storing is last.
 
+pub(super) mod dcfgen;
 mod pdo;
 
 use std::collections::BTreeSet;

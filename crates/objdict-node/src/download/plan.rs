@@ -1,18 +1,24 @@
 //! The plan: the downloads and their order.
 
-use super::order::arrange;
+use std::collections::BTreeSet;
+
+use super::order::{arrange, dcfgen};
 use super::settings::Settings;
 use super::{ConciseDcf, Download, PlanError, Skipped};
-use crate::model::Device;
+use crate::model::{Device, Moment};
 
 /// Options of a plan.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+#[derive(Clone, Debug, Default, PartialEq, Eq)]
 pub struct PlanOptions {
     /// The node-ID for formulas such as `$NODEID+0x180`; `None` uses the commissioned node-ID of the
     /// description.
     pub node_id: Option<u8>,
     /// Which entries are written.
     pub scope: Scope,
+    /// The order of the downloads.
+    pub order: Order,
+    /// The objects whose values are written; `None`: all.
+    pub only: Option<BTreeSet<u16>>,
     /// Whether to write configured values to entries that start an action, such as 1010h (store).
     pub commands: bool,
 }
@@ -23,8 +29,21 @@ pub enum Scope {
     /// Entries with a configured value that differs from the default.
     #[default]
     Changed,
+    /// The same, and every parameter and mapping of every PDO.
+    Pdos,
     /// All writable entries that have a value.
     All,
+}
+
+/// The order of the downloads of a plan.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub enum Order {
+    /// The order that a node accepts by CiA 301.
+    #[default]
+    Safe,
+    /// The order of dcfgen of lely-core: services, RPDOs, TPDOs, all other entries. A PDO gets its new CAN-ID
+    /// while it is valid, which a strict node rejects.
+    Dcfgen,
 }
 
 /// The downloads of a node in order, and the skipped entries.
@@ -86,7 +105,7 @@ impl ConciseDcf {
     ///
     /// The node is assumed to have its default values. The target is the configured value, else the default.
     /// Read-only entries, commands, and entries that refuse a download are left out; those with a configured
-    /// value are listed in the plan. Services are disabled using their present identifier, changed, and
+    /// value are listed in the plan. [`Device::downloads`] are made as stated, before and after. Services are disabled using their present identifier, changed, and
     /// enabled again (CiA 301 §7.5.2).
     ///
     /// # Errors
@@ -99,7 +118,12 @@ impl ConciseDcf {
         let compact = device.objects.iter().filter(|(_, object)| object.compact.is_some());
         let expanded = compact.map(|(&index, object)| (index, object.expanded().into_owned())).collect();
         let mut settings = Settings::collect(device, &expanded, options);
-        let steps = arrange(&mut settings);
+        let mut steps = settings.explicit(Moment::Before);
+        steps.extend(match options.order {
+            Order::Safe => arrange(&mut settings),
+            Order::Dcfgen => dcfgen::arrange(&mut settings),
+        });
+        steps.extend(settings.explicit(Moment::After));
         settings.finish(steps)
     }
 }

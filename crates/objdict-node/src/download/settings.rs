@@ -2,12 +2,12 @@
 
 use std::collections::BTreeMap;
 
-use super::transfer::{Beyond, EntryType, beyond};
+use super::transfer::{Beyond, EntryType, beyond, bytes_of};
 use super::{
     Download, NeededFile, Plan, PlanError, PlanOptions, Problem, ProblemKind, Scope, SkipReason, Skipped,
     Step,
 };
-use crate::model::{Access, Device, Entry, Field, Object, ObjectType, Place};
+use crate::model::{Access, Device, Entry, ExplicitDownload, Field, Moment, Object, ObjectType, Place};
 
 /// Index and sub-index.
 pub(super) type Key = (u16, u8);
@@ -39,6 +39,11 @@ const fn is_command(index: u16) -> bool {
     matches!(index, 0x1010 | 0x1011 | 0x1023..=0x1026 | 0x1F25 | 0x1F50 | 0x1F51 | 0x1F82 | 0x1F83)
 }
 
+/// Whether the object is a parameter of a PDO.
+const fn is_pdo(index: u16) -> bool {
+    matches!(index, 0x1400..=0x1BFF)
+}
+
 /// Whether sub-index 0 of the object is the number of mapped objects.
 const fn is_mapping(index: u16) -> bool {
     matches!(index, 0x1381..=0x13C0 | 0x1600..=0x17FF | 0x1A00..=0x1BFF)
@@ -52,7 +57,8 @@ impl<'a> Settings<'a> {
         expanded: &'a BTreeMap<u16, Object>,
         options: &PlanOptions,
     ) -> Self {
-        let options = PlanOptions { node_id: options.node_id.or_else(|| device.node_id()), ..*options };
+        let options =
+            PlanOptions { node_id: options.node_id.or_else(|| device.node_id()), ..options.clone() };
         let (entries, problems, skipped) = Default::default();
         let mut settings = Self { device, options, entries, problems, skipped };
         for (index, object) in &device.objects {
@@ -65,21 +71,48 @@ impl<'a> Settings<'a> {
     }
 
     fn add(&mut self, (index, sub): Key, object: &'a Object, entry: &'a Entry) {
+        let is_asked = self.is_asked(index);
         let unreadable = unreadable_value(entry).is_some();
         let from_file = download_file(entry).is_some();
         let differs =
             from_file || is_configured(entry) && (unreadable || entry.is_changed(self.options.node_id));
         if let Some(reason) = skip_reason(index, object, entry, &self.options) {
-            if differs {
+            if differs && is_asked {
                 self.skipped.insert((index, sub), Skipped { place: place((index, sub), object), reason });
             }
             return;
         }
         let count = sub == 0 && object.object_type().has_subs() && !is_mapping(index);
         let has_value = entry.value().is_some() || unreadable || from_file;
-        let wanted = differs || self.writes_all() && has_value && !count;
+        let is_complete = self.writes_all() || self.options.scope == Scope::Pdos && is_pdo(index);
+        let wanted = is_asked && (differs || is_complete && has_value && !count);
         let entry_type = EntryType::of(self.device, object, (index, sub), entry);
         self.entries.push(((index, sub), Setting { object, entry, entry_type, wanted }));
+    }
+
+    /// Whether the options ask for the object.
+    fn is_asked(&self, index: u16) -> bool {
+        self.options.only.as_ref().is_none_or(|only| only.contains(&index))
+    }
+
+    /// The downloads that the description demands beside the values.
+    pub(super) fn explicit(&mut self, when: Moment) -> Vec<Step> {
+        let device = self.device;
+        let mut steps = Vec::new();
+        for ExplicitDownload { when: moment, index, sub, value } in &device.downloads {
+            if *moment != when || !self.is_asked(*index) {
+                continue;
+            }
+            match bytes_of(device, *index, *sub, value, self.options.node_id) {
+                Ok(data) => steps.push(Step::Write(Download::new(*index, *sub, data))),
+                Err(kind) => {
+                    let place = device.object(*index).map(|object| place((*index, *sub), object));
+                    let place = place.unwrap_or_else(|| Place::entry(*index, *sub));
+                    self.problems.entry((*index, *sub)).or_insert(Problem { place, kind });
+                }
+            }
+        }
+        steps
     }
 
     fn find(&self, key: Key) -> Option<&Setting<'a>> {

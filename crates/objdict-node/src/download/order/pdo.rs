@@ -64,21 +64,25 @@ impl Arranger<'_, '_> {
             None if self.settings.can_write(cob_id) => self.settings.no_cob_id(cob_id),
             None => {}
         }
-        for sub in self.settings.subs(pdo.communication) {
-            let key = (pdo.communication, sub);
-            if key != cob_id && self.settings.wants(key) {
-                self.write(Stage::Pdo, key);
-            }
-        }
+        self.parameters(pdo.communication);
         self.mapping(Stage::Pdo, pdo.communication + PDO_MAPPING);
         if let Some(new) = on {
             self.put_number(Stage::Pdo, cob_id, new);
         }
     }
 
+    /// Writes the wanted parameters of a PDO except its COB-ID.
+    pub(super) fn parameters(&mut self, communication: u16) {
+        for key in self.settings.subs(communication).into_iter().map(|sub| (communication, sub)) {
+            if key.1 != 1 && self.settings.wants(key) {
+                self.write(Stage::Pdo, key);
+            }
+        }
+    }
+
     /// Writes a mapping: number 0, the objects, the number of objects. All mapped objects are written,
     /// because some devices clear them when the number becomes 0.
-    fn mapping(&mut self, stage: Stage, mapping: u16) {
+    pub(super) fn mapping(&mut self, stage: Stage, mapping: u16) {
         let subs = self.settings.subs(mapping);
         if !subs.iter().any(|&sub| self.settings.wants((mapping, sub))) {
             return;
