@@ -28,7 +28,7 @@ impl Dictionary {
         Self { node_id, values: values.collect(), facts }
     }
 
-    /// SDOs cannot write PDO mappings, as in Rust without `--runtime`.
+    /// SDOs cannot write PDO mappings, as without hooks and `--runtime`.
     pub(crate) fn freeze_mappings(&mut self) {
         let is_mapping = |index| matches!(index, 0x1600..=0x17FF | 0x1A00..=0x1BFF);
         let facts = self

@@ -14,13 +14,13 @@ pub(crate) struct Script {
     pub(crate) expected: Vec<String>,
 }
 
-/// All operations on a device in Rust, for two node-IDs.
-pub(crate) fn in_rust(device: &Device) -> Script {
+/// All operations on a device, for two node-IDs.
+pub(crate) fn without_hooks(device: &Device) -> Script {
     of(device, Dictionary::freeze_mappings)
 }
 
-/// All operations on a device in C, for two node-IDs.
-pub(crate) fn in_c(device: &Device) -> Script {
+/// All operations on a device with hooks for all entries, for two node-IDs.
+pub(crate) fn with_hooks(device: &Device) -> Script {
     of(device, |_| {})
 }
 

@@ -5,9 +5,10 @@
 
 use super::Note;
 use super::names::{Scope, words};
+use super::notes::once_per_device;
 use super::resolve::{Resolved, Shape};
 use super::table::{Row, Table};
-use crate::model::{CobId, DataType, Device, MappedObject, Pdo, PdoKind, Place, TypeKind};
+use crate::model::{Access, CobId, DataType, Device, MappedObject, Pdo, PdoKind, Place, TypeKind};
 
 /// Bits of a classical CAN data field.
 const MAX_BITS: u32 = 64;
@@ -67,6 +68,20 @@ impl Frame {
     pub(crate) fn cob_id_number(&self) -> Option<(u32, bool)> {
         self.cob_id.map(|cob_id| (cob_id.number(), cob_id.depends_on_node_id()))
     }
+}
+
+/// Makes PDO mappings read-only, because the structs of PDOs would not follow another one. Those with a hook are
+/// left to the application. `unless` says what allows SDOs to write them.
+pub(crate) fn freeze_mappings(table: &mut Table, unless: &str) -> Vec<Note> {
+    let is_mapping = |index| matches!(index, 0x1600..=0x17FF | 0x1A00..=0x1BFF);
+    let rows = table.rows.iter_mut();
+    let frozen = rows.filter(|row| is_mapping(row.index) && !row.hooked && row.access().is_writable());
+    let notes = frozen.map(|row| {
+        row.resolved.access = Access::Ro;
+        let text = format!("SDOs cannot write PDO mappings; {unless}");
+        Note::new(Place::entry(row.index, row.sub), text)
+    });
+    once_per_device(notes.collect())
 }
 
 /// The frames of the default mapping. PDOs that cannot become a struct are noted.

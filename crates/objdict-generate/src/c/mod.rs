@@ -10,13 +10,16 @@ mod view;
 
 #[cfg(feature = "rust")]
 use super::Identifier;
-use super::frames::frames;
+use super::frames::{frames, freeze_mappings};
 use super::hooks::has_hooks;
 use super::notes::in_order;
 use super::size::{Layout, element_size, ram};
 use super::table::Table;
 use super::{Backend, CTable, Choice, GenerateError, Generated, Note, Options, SizeReport, Sizes, render};
 use crate::model::{Device, Place};
+
+/// What allows SDOs to write PDO mappings.
+const UNLESS: &str = "`--hook` allows it";
 
 /// Tables for C.
 pub(super) struct C;
@@ -73,6 +76,7 @@ impl Backend for C {
         let prefix = options.prefix_or("od")?;
         let mut table = Table::new(device, options)?;
         let mut notes = std::mem::take(&mut table.notes);
+        notes.extend(freeze_mappings(&mut table, UNLESS));
         let frames = frames(device, &table, &mut notes);
         let facts = view::Facts::new(device, &table, options, &mut notes);
         let (header, source) = (format!("{prefix}.h"), format!("{prefix}.c"));
@@ -100,7 +104,8 @@ impl Backend for C {
     }
 
     fn size(&self, device: &Device, options: &Options) -> Result<Sizes, GenerateError> {
-        let table = Table::new(device, options)?;
+        let mut table = Table::new(device, options)?;
+        freeze_mappings(&mut table, UNLESS);
         if options.table == CTable::Structs {
             let prefix = options.prefix_or("od")?;
             return Ok(Sizes::Known(structs::size(&table, &prefix, options.entry_names)));

@@ -13,13 +13,13 @@ mod view;
 pub(super) use literal::{value_of, word_type};
 
 use super::defaults::constants;
-use super::frames::frames;
+use super::frames::{frames, freeze_mappings};
 use super::meanings::meanings;
-use super::notes::{in_order, once_per_device};
+use super::notes::in_order;
 use super::size::Layout;
 use super::table::Table;
-use super::{Backend, Choice, GenerateError, Generated, Note, Options, SizeReport, Sizes, render};
-use crate::model::{Access, Device, Place};
+use super::{Backend, Choice, GenerateError, Generated, Options, SizeReport, Sizes, render};
+use crate::model::Device;
 
 /// Bytes of `Data::new`, `read` and `write` with everything they call, for a device that needs all of it.
 const CODE: usize = 2_700;
@@ -57,7 +57,7 @@ impl Backend for Rust {
         let mut table = Table::new(device, options)?;
         let mut notes = std::mem::take(&mut table.notes);
         if !options.runtime {
-            notes.extend(freeze_mappings(&mut table));
+            notes.extend(freeze_mappings(&mut table, "`--runtime` or `--hook` allows it"));
         }
         let frames = frames(device, &table, &mut notes);
         let constants = constants(device, &table, &mut notes);
@@ -84,16 +84,4 @@ impl Backend for Rust {
         };
         Ok(Sizes::Known(SizeReport::of_table(&table, layout)))
     }
-}
-
-/// Makes PDO mappings read-only: the structs of PDOs would not follow another one.
-fn freeze_mappings(table: &mut Table) -> Vec<Note> {
-    let is_mapping = |index| matches!(index, 0x1600..=0x17FF | 0x1A00..=0x1BFF);
-    let rows = table.rows.iter_mut().filter(|row| is_mapping(row.index) && row.access().is_writable());
-    let notes = rows.map(|row| {
-        row.resolved.access = Access::Ro;
-        let text = "SDOs cannot write PDO mappings; `--runtime` allows it";
-        Note::new(Place::entry(row.index, row.sub), text)
-    });
-    once_per_device(notes.collect())
 }
