@@ -2,6 +2,7 @@
 
 use std::collections::BTreeMap;
 
+use crate::Link;
 use crate::configure::{PdoName, Setting};
 use crate::model::{Address, Device};
 use crate::source::Span;
@@ -33,6 +34,8 @@ pub struct Network {
     pub manager: Option<Manager>,
     /// The described nodes, in the order of the file; the manager among them, if it has a description.
     pub nodes: Vec<Node>,
+    /// Which entries go where, in the order of the file.
+    pub links: Vec<Link>,
     /// The folder in which the manager finds the configurations of the nodes when it runs.
     pub run_time_folder: String,
 }

@@ -1,0 +1,135 @@
+//! CAN-IDs: which are in use, and which are free for links.
+
+use std::collections::{HashMap, HashSet};
+
+use crate::configure::PdoName;
+use crate::model::{CobId, PdoKind, restricted};
+use crate::source::Span;
+use crate::{CobIdWish, Network, Node, PdoWish};
+
+/// What sends or receives a CAN-ID.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) enum User {
+    /// A PDO of a node.
+    Pdo(usize, PdoName),
+    /// Another service of a node.
+    Service(usize, &'static str),
+}
+
+/// The CAN-IDs of a network.
+#[derive(Default)]
+pub(super) struct CanIds {
+    /// Who uses a CAN-ID, and where the network file says so.
+    users: HashMap<u32, Vec<(User, Span)>>,
+    /// CAN-IDs that links demand.
+    demanded: HashSet<u32>,
+    /// The free ranges in the order in which they are used up.
+    pool: Vec<u32>,
+}
+
+impl CanIds {
+    pub(super) fn new(network: &Network) -> Self {
+        let mut ids = Self::default();
+        ids.demanded.extend(network.links.iter().filter_map(|link| link.parameters.can_id));
+        let mut shared = SHARED.clone();
+        for (position, node) in network.nodes.iter().enumerate() {
+            ids.add_services(position, node);
+            for wish in node.pdos.iter().filter(|wish| wish.enabled) {
+                let can_id = match wish.cob_id.map(|said| said.value) {
+                    Some(CobIdWish::Number(number)) => {
+                        Some(number).filter(|number| number & CobId::BIT_31 == 0)
+                    }
+                    Some(CobIdWish::Auto) => predefined(node, wish.pdo).or_else(|| shared.next()),
+                    None => present(node, wish),
+                };
+                if let Some(can_id) = can_id {
+                    ids.add(plain(can_id), User::Pdo(position, wish.pdo), wish.at);
+                }
+            }
+        }
+        let manager = network.manager.iter().filter_map(|manager| manager.node_id);
+        let nodes = network.nodes.iter().filter_map(|node| node.node_id).chain(manager);
+        let nodes: HashSet<u32> = nodes.map(|said| said.value.into()).collect();
+        // numbers of nodes that may come later are the last resort
+        let unused = (0x181..=0x57F).rev().filter(|id| !nodes.contains(&(id & 0x7F)));
+        ids.pool = SHARED.chain([0x580, 0x600, 0x700]).chain(unused).collect();
+        ids.pool.reverse();
+        ids
+    }
+
+    fn add_services(&mut self, position: usize, node: &Node) {
+        let services = node.device.services();
+        let node_id = node.node_id.map(|said| said.value);
+        let emcy = services.emcy.filter(|emcy| emcy.is_valid());
+        for (cob_id, name) in [(emcy, "EMCY"), (services.sync, "SYNC"), (services.time, "TIME")] {
+            let can_id = cob_id.and_then(|cob_id| on_node(cob_id, node_id));
+            if let Some(can_id) = can_id {
+                self.add(plain(can_id), User::Service(position, name), Span::default());
+            }
+        }
+    }
+
+    pub(super) fn add(&mut self, can_id: u32, user: User, at: Span) {
+        self.users.entry(can_id).or_default().push((user, at));
+    }
+
+    /// A user that does not use the CAN-ID any more.
+    pub(super) fn release(&mut self, can_id: u32, user: User) {
+        if let Some(users) = self.users.get_mut(&can_id) {
+            users.retain(|(other, _)| *other != user);
+        }
+    }
+
+    /// The first of these CAN-IDs that is free, else one of the free ranges.
+    pub(super) fn choose(&mut self, preferred: impl IntoIterator<Item = u32>) -> Option<u32> {
+        let free = preferred.into_iter().find(|id| self.is_free(*id));
+        free.or_else(|| {
+            while let Some(id) = self.pool.pop() {
+                if self.is_free(id) {
+                    return Some(id);
+                }
+            }
+            None
+        })
+    }
+
+    fn is_free(&self, can_id: u32) -> bool {
+        restricted(can_id).is_none()
+            && !self.demanded.contains(&can_id)
+            && self.users.get(&can_id).is_none_or(Vec::is_empty)
+    }
+
+    /// Another sender of a CAN-ID.
+    pub(super) fn other_sender(&self, can_id: u32, user: User) -> Option<(User, Span)> {
+        let sends = |user: User| !matches!(user, User::Pdo(_, PdoName { kind: PdoKind::Rpdo, .. }));
+        self.users.get(&can_id)?.iter().copied().find(|(other, _)| sends(*other) && *other != user)
+    }
+}
+
+/// The range that CiA 301 assigns to no service; also PDOs with the CAN-ID `auto` take theirs from it.
+const SHARED: std::ops::RangeInclusive<u32> = 0x680..=0x6DF;
+
+/// The CAN-ID of a COB-ID without flags.
+pub(super) const fn plain(cob_id: u32) -> u32 {
+    let cob_id = CobId::new(cob_id);
+    cob_id.number() & cob_id.can_id_mask()
+}
+
+/// The CAN-ID of a PDO in the predefined connection set.
+pub(super) fn predefined(node: &Node, pdo: PdoName) -> Option<u32> {
+    let base = pdo.kind.predefined_can_id(pdo.number)?;
+    Some(u32::from(base) + u32::from(node.node_id?.value))
+}
+
+/// The COB-ID on a node; `None` if it depends on a node-ID that is unknown.
+pub(super) fn on_node(cob_id: CobId, node_id: Option<u8>) -> Option<u32> {
+    match node_id {
+        Some(node_id) => Some(cob_id.on_node(node_id)),
+        None => Some(cob_id.number()).filter(|_| !cob_id.depends_on_node_id()),
+    }
+}
+
+fn present(node: &Node, wish: &PdoWish) -> Option<u32> {
+    let pdo = node.device.pdo(wish.pdo.kind, wish.pdo.number)?;
+    on_node(pdo.cob_id.filter(|cob_id| cob_id.is_valid())?, node.node_id.map(|said| said.value))
+}

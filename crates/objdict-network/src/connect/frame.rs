@@ -1,0 +1,99 @@
+//! What a PDO of a producer carries, and what each consumer takes of it.
+
+use std::collections::BTreeMap;
+
+use super::ends::Carried;
+use super::streams::{Receiver, Signal};
+use crate::model::MappedObject;
+
+/// Bits of a CAN data field.
+pub(super) const MAX_BITS: u32 = 64;
+
+/// The entries of a stream in a PDO.
+pub(super) struct Frame<'a> {
+    /// Signals by the position of their first bit.
+    signals: Vec<(u32, &'a Signal)>,
+    /// What the producer maps.
+    pub(super) mapped: Vec<MappedObject>,
+    /// The length of the PDO.
+    pub(super) bits: u32,
+}
+
+/// What a node takes of a frame with one RPDO.
+pub(super) struct Share {
+    pub(super) node: usize,
+    pub(super) receivers: Vec<(u32, Receiver)>,
+}
+
+impl<'a> Frame<'a> {
+    /// Signals one after the other, as many as fit.
+    pub(super) fn of(signals: &[&'a Signal], slots: usize) -> Self {
+        let mut frame = Self { signals: Vec::new(), mapped: Vec::new(), bits: 0 };
+        for signal in signals.iter().take(slots) {
+            let Carried { index, sub, bits, .. } = signal.entry;
+            if frame.bits + u32::from(bits) > MAX_BITS {
+                break;
+            }
+            frame.signals.push((frame.bits, signal));
+            frame.mapped.push(MappedObject { index, sub, bits });
+            frame.bits += u32::from(bits);
+        }
+        frame
+    }
+
+    /// Those of the signals that a fixed mapping has.
+    pub(super) fn of_fixed(signals: &[&'a Signal], mapped: &[MappedObject]) -> Self {
+        let mut frame = Self { signals: Vec::new(), mapped: mapped.to_vec(), bits: 0 };
+        for object in mapped {
+            let carried = |signal: &Carried| {
+                (signal.index, signal.sub, signal.bits) == (object.index, object.sub, object.bits)
+            };
+            if let Some(signal) = signals.iter().find(|signal| carried(&signal.entry)) {
+                frame.signals.push((frame.bits, signal));
+            }
+            frame.bits += u32::from(object.bits);
+        }
+        frame
+    }
+
+    /// The number of signals.
+    pub(super) const fn len(&self) -> usize {
+        self.signals.len()
+    }
+
+    pub(super) fn carries(&self, signal: &Signal) -> bool {
+        self.signals.iter().any(|(_, carried)| std::ptr::eq(*carried, signal))
+    }
+
+    pub(super) fn signals(&self) -> impl Iterator<Item = &'a Signal> + '_ {
+        self.signals.iter().map(|(_, signal)| *signal)
+    }
+
+    /// What each consumer takes, in the order of the nodes; a node that has two entries for a signal takes it twice.
+    pub(super) fn shares(&self) -> Vec<Share> {
+        let mut shares: BTreeMap<(usize, usize), Share> = BTreeMap::new();
+        for (position, signal) in &self.signals {
+            let mut times: BTreeMap<usize, usize> = BTreeMap::new();
+            for receiver in &signal.receivers {
+                let time = times.entry(receiver.node).or_default();
+                let share = shares.entry((receiver.node, *time));
+                let share = share.or_insert(Share { node: receiver.node, receivers: Vec::new() });
+                share.receivers.push((*position, *receiver));
+                *time += 1;
+            }
+        }
+        shares.into_values().collect()
+    }
+}
+
+impl Share {
+    /// The entries by the position of their first bit.
+    pub(super) fn entries(&self) -> Vec<(u32, Carried)> {
+        self.receivers.iter().map(|(position, receiver)| (*position, receiver.entry)).collect()
+    }
+
+    /// The shortest of the times after which the node misses the PDO.
+    pub(super) fn deadline(&self) -> Option<u16> {
+        self.receivers.iter().filter_map(|(_, receiver)| receiver.deadline).filter(|time| *time > 0).min()
+    }
+}

@@ -1,0 +1,32 @@
+//! Links become PDOs.
+
+mod can_ids;
+mod ends;
+mod frame;
+mod pack;
+mod pdos;
+mod streams;
+#[cfg(test)]
+mod tests;
+
+use crate::Network;
+use crate::diagnostic::Findings;
+
+/// Makes PDOs of the [links](Network::links): a [`PdoWish`](crate::PdoWish) for each PDO of a producer and of its consumers.
+///
+/// Links of a producer with the same consumers and the same parameters share PDOs, as few as fit; an entry that is sent
+/// already is not sent again. A consumer that takes parts of a PDO has dummies in the gaps. CAN-IDs are those of the
+/// predefined connection set for the PDO of the producer or of the first consumer, then free ones (CiA 301 §7.3.5), and what is
+/// added at the end of the network changes none of them. PDOs that the network file configures itself are left alone.
+///
+/// A link that does not become a PDO is a finding.
+pub fn connect(network: &mut Network, findings: &mut Findings) {
+    let streams = streams::collect(network, findings);
+    let wishes = pack::pack(network, streams, findings);
+    for (node, wish) in wishes {
+        network.nodes[node].pdos.push(wish);
+    }
+    for node in &mut network.nodes {
+        node.pdos.sort_by_key(|wish| wish.pdo.kind);
+    }
+}

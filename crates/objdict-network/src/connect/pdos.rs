@@ -1,0 +1,219 @@
+//! The PDOs of a node that links may use, and what each can carry.
+
+use super::can_ids::on_node;
+use super::ends::Carried;
+use crate::configure::PdoName;
+use crate::model::{Access, Address, CobId, DataType, Device, MappedObject, Pdo, PdoKind};
+use crate::{LinkParameters, Node};
+
+/// The PDOs of a node.
+pub(super) struct NodePdos {
+    /// RPDOs, then TPDOs, by number.
+    pub(super) pdos: Vec<Candidate>,
+    dummies: Vec<Dummy>,
+}
+
+/// A PDO as it is before a link uses it.
+#[derive(Debug)]
+pub(super) struct Candidate {
+    pub(super) name: PdoName,
+    /// Whether a link or the network file uses it.
+    pub(super) is_used: bool,
+    /// The COB-ID with its flags.
+    pub(super) cob_id: Option<u32>,
+    is_cob_id_fixed: bool,
+    parameters: Vec<Parameter>,
+    mapped: Vec<MappedObject>,
+    /// How many entries can be mapped; `None` if the mapping is fixed.
+    slots: Option<usize>,
+}
+
+/// A communication parameter: sub-index, number, and whether it can be written.
+#[derive(Debug)]
+struct Parameter(u8, u32, bool);
+
+/// A data type that fills gaps in RPDOs.
+struct Dummy {
+    data_type: DataType,
+    bits: u8,
+}
+
+/// A mapping; `None` if the present one stays.
+pub(super) type Mapping = Option<Vec<Address>>;
+
+impl NodePdos {
+    pub(super) fn of(node: &Node) -> Self {
+        let device = node.device.with_implicit_pdos();
+        let used = |pdo: &Pdo<'_>| node.pdos.iter().any(|wish| wish.pdo == name_of(pdo));
+        let pdos = device.pdos().filter(|pdo| pdo.communication.is_some());
+        let pdos = pdos.map(|pdo| {
+            let mut candidate = Candidate::of(&device, &pdo, node.node_id.map(|said| said.value));
+            candidate.is_used = used(&pdo);
+            candidate
+        });
+        Self { pdos: pdos.collect(), dummies: dummies(&device) }
+    }
+
+    /// The unused PDOs of a kind for an entry, best first: those that map it, then those that do nothing, then the others.
+    pub(super) fn candidates(&self, kind: PdoKind, first: Carried) -> Vec<usize> {
+        let unused = self.pdos.iter().enumerate();
+        let unused = unused.filter(|(_, pdo)| pdo.name.kind == kind && !pdo.is_used);
+        let mut ranked: Vec<(u8, usize)> =
+            unused.filter_map(|(at, pdo)| Some((pdo.rank(first)?, at))).collect();
+        ranked.sort_unstable();
+        ranked.into_iter().map(|(_, at)| at).collect()
+    }
+
+    /// The mapping of an RPDO that puts entries at these positions of a frame; `None` if it cannot.
+    pub(super) fn received(&self, pdo: usize, wanted: &[(u32, Carried)], frame: u32) -> Option<Mapping> {
+        let candidate = &self.pdos[pdo];
+        let Some(slots) = candidate.slots else {
+            return candidate.receives(wanted, frame).then_some(None);
+        };
+        let mut mapping = Vec::new();
+        let mut end = 0;
+        for &(position, entry) in wanted {
+            mapping.extend(self.fill(position.checked_sub(end)?)?);
+            mapping.push(MappedObject { index: entry.index, sub: entry.sub, bits: entry.bits });
+            end = position + u32::from(entry.bits);
+        }
+        (mapping.len() <= slots).then(|| candidate.changed(&mapping))
+    }
+
+    /// The fewest dummies of so many bits.
+    fn fill(&self, gap: u32) -> Option<Vec<MappedObject>> {
+        let mut fewest: Vec<Option<Vec<MappedObject>>> = vec![Some(Vec::new())];
+        for bits in 1..=gap as usize {
+            let with = |dummy: &Dummy| {
+                let mut filled = fewest[bits.checked_sub(dummy.bits.into())?].clone()?;
+                filled.push(MappedObject { index: dummy.data_type.0, sub: 0, bits: dummy.bits });
+                Some(filled)
+            };
+            let best = self.dummies.iter().filter_map(with).min_by_key(Vec::len);
+            fewest.push(best);
+        }
+        fewest.pop().flatten()
+    }
+}
+
+impl Candidate {
+    fn of(device: &Device, pdo: &Pdo<'_>, node_id: Option<u8>) -> Self {
+        let name = name_of(pdo);
+        let (communication, mapping) = (pdo.communication_index(), pdo.mapping_index());
+        let is_writable = |index, sub| {
+            let entry = device.entry(index, sub);
+            entry.is_some_and(|entry| entry.access.is_none_or(Access::is_writable))
+        };
+        let slots = (1..=64).take_while(|sub| is_writable(mapping, *sub)).count();
+        let parameters = [
+            (2, pdo.transmission_type.map(u32::from)),
+            (3, pdo.inhibit_time.map(u32::from)),
+            (5, pdo.event_timer.map(u32::from)),
+        ];
+        let parameter = |(sub, number): (u8, Option<u32>)| {
+            Parameter(sub, number.unwrap_or(0), is_writable(communication, sub))
+        };
+        Self {
+            name,
+            is_used: false,
+            cob_id: pdo.cob_id.and_then(|cob_id| on_node(cob_id, node_id)),
+            is_cob_id_fixed: !is_writable(communication, 1),
+            parameters: parameters.into_iter().map(parameter).collect(),
+            mapped: pdo.mapped().collect(),
+            slots: Some(slots).filter(|slots| *slots > 0 && is_writable(mapping, 0)),
+        }
+    }
+
+    /// The present COB-ID, if the PDO is valid.
+    pub(super) fn valid_cob_id(&self) -> Option<u32> {
+        self.cob_id.filter(|cob_id| cob_id & CobId::BIT_31 == 0)
+    }
+
+    /// The COB-ID that cannot be changed: `Err` if the PDO is not valid for ever.
+    pub(super) fn fixed_cob_id(&self) -> Result<Option<u32>, ()> {
+        if self.is_cob_id_fixed { self.valid_cob_id().map(Some).ok_or(()) } else { Ok(None) }
+    }
+
+    pub(super) const fn is_fixed(&self) -> bool {
+        self.slots.is_none()
+    }
+
+    fn maps(&self, entry: Carried) -> bool {
+        self.mapped.iter().any(|mapped| (mapped.index, mapped.sub) == (entry.index, entry.sub))
+    }
+
+    fn rank(&self, first: Carried) -> Option<u8> {
+        match self.maps(first) {
+            true => Some(0),
+            false if self.is_fixed() => None,
+            false if self.valid_cob_id().is_none() || self.mapped.is_empty() => Some(1),
+            false => Some(2),
+        }
+    }
+
+    /// Whether the PDO has these parameters or can get them.
+    pub(super) fn can_have(&self, wanted: &LinkParameters) -> bool {
+        let wanted = [
+            wanted.transmission.map(u32::from),
+            wanted.inhibit_time.map(u32::from),
+            wanted.event_timer.map(u32::from),
+        ];
+        let mut pairs = wanted.into_iter().zip(&self.parameters);
+        pairs.all(|(wanted, Parameter(_, present, is_writable))| {
+            *is_writable || wanted.is_none_or(|wanted| wanted == *present)
+        })
+    }
+
+    /// Whether a communication parameter can be written.
+    pub(super) fn is_writable(&self, sub: u8) -> bool {
+        self.parameters.iter().any(|parameter| parameter.0 == sub && parameter.2)
+    }
+
+    /// The objects of a fixed mapping; for others how many entries can be mapped.
+    pub(super) fn mapping(&self) -> Result<usize, &[MappedObject]> {
+        self.slots.ok_or(&self.mapped)
+    }
+
+    /// The mapping that is to be written; `None` if it is there already.
+    pub(super) fn changed(&self, mapping: &[MappedObject]) -> Mapping {
+        let address = |mapped: &MappedObject| Address { index: mapped.index, sub: Some(mapped.sub) };
+        (self.mapped != mapping).then(|| mapping.iter().map(address).collect())
+    }
+
+    /// Whether the fixed mapping receives these entries, all of them and no others, from a frame of so many bits.
+    fn receives(&self, wanted: &[(u32, Carried)], frame: u32) -> bool {
+        let mut wanted = wanted.iter();
+        let mut position = 0;
+        for mapped in &self.mapped {
+            if !mapped.is_dummy() {
+                let is_next = wanted.next().is_some_and(|(at, entry)| {
+                    (*at, entry.index, entry.sub, entry.bits)
+                        == (position, mapped.index, mapped.sub, mapped.bits)
+                });
+                if !is_next {
+                    return false;
+                }
+            }
+            position += u32::from(mapped.bits);
+        }
+        position <= frame && wanted.next().is_none()
+    }
+}
+
+const fn name_of(pdo: &Pdo<'_>) -> PdoName {
+    PdoName { kind: pdo.kind, number: pdo.number }
+}
+
+/// The data types that the device allows as dummies, of each length one.
+fn dummies(device: &Device) -> Vec<Dummy> {
+    let Some(usage) = &device.dummy_usage else { return Vec::new() };
+    let allowed = usage.types.iter().filter(|(data_type, is_allowed)| **is_allowed && data_type.is_dummy());
+    let mut dummies: Vec<Dummy> = allowed
+        .filter_map(|(data_type, _)| Some(Dummy { data_type: *data_type, bits: data_type.bit_length()? }))
+        .collect();
+    // unsigned types are the ones that devices have rather than signed ones
+    dummies
+        .sort_by_key(|dummy| (dummy.bits, dummy.data_type.integer_range().is_some_and(|(low, _)| low < 0)));
+    dummies.dedup_by_key(|dummy| dummy.bits);
+    dummies
+}

@@ -1,0 +1,106 @@
+//! The rules about networks.
+
+use crate::diagnostic::{RuleInfo, text_rule};
+
+/// Every rule of this crate.
+pub static RULES: &[&RuleInfo] = &[
+    &UNKNOWN_NODE,
+    &UNKNOWN_ENTRY,
+    &LINK_DIRECTION,
+    &LINK_MISMATCH,
+    &LINK_TYPE,
+    &LINK_TOO_LONG,
+    &LINK_CAN_ID,
+    &NO_FREE_PDO,
+    &FIXED_PDO,
+];
+
+text_rule! {
+    UNKNOWN_NODE = "network/unknown-node", Error;
+    summary: "a link names a node that is not in the network",
+    checks: "Whether both ends of each link begin with the name of a node that has a description.",
+    why: "The link has no entries, so no PDO is configured for it.",
+    example: r#"`from = "lefft.6000:1-5"` in a network with the nodes `left` and `plc`"#,
+    remedy: "Write the name of the node, or describe the node.",
+    source: "objdict",
+}
+
+text_rule! {
+    UNKNOWN_ENTRY = "network/unknown-entry", Error;
+    summary: "a link names an entry that the node does not have",
+    checks: "Whether the object, and each sub-index of a range, is in the description of the node, and whether a name means one object or entry.",
+    why: "The node refuses to map the entry (SDO abort 0602 0000h or 0609 0011h).",
+    example: r#"`from = "left.6000:1-9"` where 6000h has eight inputs"#,
+    remedy: "Name entries of the description; `objdict show` lists them.",
+    source: "CiA 301 §7.5.2.36, §7.5.2.38",
+}
+
+text_rule! {
+    LINK_DIRECTION = "network/link-direction", Error;
+    summary: "a node cannot send or receive a linked entry",
+    checks: "Whether a TPDO of the producer and an RPDO of another node can carry each entry: by `PDOMapping`, by its access, and by its data type.",
+    why: "The node refuses to map the entry (SDO abort 0604 0041h).",
+    example: r#"`from = "left.6200:1"`, an output with the access `rww`"#,
+    remedy: "Exchange `from` and `to`, or link another entry.",
+    source: "CiA 301 §7.4.7.1; CiA 306-1 §4.6.3",
+}
+
+text_rule! {
+    LINK_MISMATCH = "network/link-mismatch", Error;
+    summary: "the ends of a link have different numbers of entries or bits",
+    checks: "Whether both ends name as many entries, and whether each entry has as many bits as the one that receives it.",
+    why: "PDOs have no types: bits are received by position, so the first difference shifts all entries behind it.",
+    example: r#"`from = "left.6000:1-5"`, `to = "plc.5200:1-4"`"#,
+    remedy: "Name as many entries of the same length at both ends.",
+    source: "CiA 301 §7.4.7.1",
+}
+
+text_rule! {
+    LINK_TYPE = "network/link-type", Warning;
+    summary: "linked entries have data types with different meanings",
+    checks: "Whether linked entries are both signed, both unsigned or both of the same other type. Their length is the matter of `network/link-mismatch`.",
+    why: "The consumer takes the bits as they are: -1 becomes 65535, and a REAL32 a meaningless integer.",
+    example: "an INTEGER16 to an UNSIGNED16",
+    remedy: "Link an entry of the same type, or convert the value in the consumer.",
+    source: "CiA 301 §7.1.4",
+}
+
+text_rule! {
+    LINK_TOO_LONG = "network/link-too-long", Error;
+    summary: "the entries of a link with a CAN-ID need more than one PDO",
+    checks: "Whether the linked entries for which a CAN-ID is given have at most 64 bits.",
+    why: "A CAN-ID has one sender and one layout. Without a CAN-ID, the entries are divided.",
+    example: r#"`from = "left.6000:1-9"` with `can-id = 0x18B`"#,
+    remedy: "Leave the CAN-ID out, or divide the link into several ones.",
+    source: "CiA 301 §7.2.2",
+}
+
+text_rule! {
+    LINK_CAN_ID = "network/link-can-id", Error;
+    summary: "the CAN-ID of a link is not available",
+    checks: "Whether a CAN-ID that a link or a node without a choice demands is sent by nothing else and is not restricted, and whether a free one is left for every other link.",
+    why: "Two senders of a CAN-ID destroy each other's frames, and consumers take the data of both.",
+    example: r#"`can-id = 0x20B` in a link from `middle`, and in another one from `plc`"#,
+    remedy: "Leave the CAN-ID out, or use another one.",
+    source: "CiA 301 §7.3.5",
+}
+
+text_rule! {
+    NO_FREE_PDO = "network/no-free-pdo", Error;
+    summary: "a node has no PDO left for a link",
+    checks: "Whether the producer has a TPDO, and each consumer an RPDO, that neither another link uses nor the network file configures itself.",
+    why: "The entries are not sent or not received.",
+    example: "links from five nodes to a node with four RPDOs",
+    remedy: "Link fewer entries, or entries that fit into PDOs together: links with the same nodes and the same parameters share PDOs.",
+    source: "CiA 301 §7.5.2.35 to §7.5.2.38",
+}
+
+text_rule! {
+    FIXED_PDO = "network/fixed-pdo", Error;
+    summary: "the PDOs of a node cannot be configured as a link needs it",
+    checks: "Whether one of the PDOs that are left can carry the linked entries: its mapping, its COB-ID and the parameters that the link sets can be written or are as needed already. An RPDO also needs as many mapping entries, and data types for the gaps that `DummyUsage` allows.",
+    why: "A device refuses to write constant parameters (SDO abort 0601 0002h).",
+    example: "a node with the constant mapping 6000h:01 in TPDO 1, and a link from 6000h:02",
+    remedy: "Link the entries that the PDO carries, in the order of its mapping, and leave out parameters that it does not have.",
+    source: "CiA 301 §7.5.2.35 to §7.5.2.38",
+}
