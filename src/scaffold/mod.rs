@@ -173,7 +173,8 @@ pub fn scaffold(wanted: &Wanted) -> Device {
     while let Some(index) = missing(&device, &documents) {
         maker.add(&mut device, index);
     }
-    if device.pdos().any(|pdo| pdo.is_synchronous()) {
+    // the transmission types of the PDOs can be changed to synchronous ones
+    if device.pdos().next().is_some() {
         maker.add(&mut device, 0x1005);
     }
     device.lists = ObjectLists::naming(device.objects.keys().copied());

@@ -1,10 +1,10 @@
 //! Concise DCF of the healthy configurations: planned, encoded, decoded.
 
-use objdict::download::{ConciseDcf, NeededFile, PlanOptions, Scope};
-use objdict::format::{self, concise};
+use objdict::download::{ConciseDcf, NeededFile, PlanOptions, Scope, SkipReason};
+use objdict::format::{self, Format, concise};
 use objdict::generate::{Options, Target, generate};
-use objdict::model::{Device, Value};
-use objdict::source::SourceOptions;
+use objdict::model::{Device, Place, Value};
+use objdict::source::{SourceFile, SourceOptions};
 
 use crate::support;
 
@@ -52,6 +52,25 @@ fn the_stream_in_a_manager_is_read() {
     let Some(Value::Bytes(stream)) = entry.configured_value() else { panic!("{entry:?}") };
     let configuration = ConciseDcf::parse(stream).unwrap();
     insta::assert_snapshot!(concise::table(&configuration));
+}
+
+/// The mapping that a manager has for its own PDOs: compact storage, whose sub-index 0 cannot be written.
+#[test]
+fn a_fixed_mapping_is_left_out_once() {
+    let text = "[DeviceComissioning]\nNodeID=1\n[1400]\nSubNumber=2\nParameterName=RPDO\nObjectType=0x09\n\
+        [1400sub0]\nParameterName=highest\nDataType=0x0005\nAccessType=const\nDefaultValue=1\n\
+        [1400sub1]\nParameterName=COB-ID\nDataType=0x0007\nAccessType=rw\nDefaultValue=0x182\nParameterValue=0x183\n\
+        [1600]\nParameterName=mapping\nObjectType=0x09\nDataType=0x0007\nAccessType=rw\nCompactSubObj=2\n\
+        [1600Value]\nNrOfEntries=2\n1=0x20000110\n2=0x20000220\n";
+    let source = SourceFile::from_text("master.dcf", text.to_owned());
+    let device = format::read(source, Format::Dcf).into_device();
+    let plan = ConciseDcf::plan(&device, &PlanOptions::default()).unwrap();
+    let skipped: Vec<(Place, SkipReason)> =
+        plan.skipped.iter().map(|skipped| (skipped.place.clone(), skipped.reason)).collect();
+    assert_eq!(skipped, [(Place::object(0x1600), SkipReason::FixedMapping)]);
+    let configuration = plan.into_concise(read).unwrap();
+    assert!(configuration.0.iter().all(|download| download.index == 0x1400), "{configuration:?}");
+    assert!(configuration.verify(&device, None).is_accepted());
 }
 
 #[test]

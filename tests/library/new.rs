@@ -58,6 +58,7 @@ fn an_io_module_has_the_default_mapping() {
     let channels = ChannelCounts { digital_inputs: 16, analog_outputs: 2, ..ChannelCounts::default() };
     let device = assert_clean(Functions::InputsOutputs(channels));
     assert_eq!(device.object(0x6000).unwrap().highest_sub(), Some(2));
+    assert_eq!(device.object(0x1005).and_then(|sync| sync.value(0)?.as_integer()), Some(0x80));
     assert_eq!(device.object(0x6411).unwrap().highest_sub(), Some(2));
     assert!(device.object(0x6200).is_none() && device.object(0x6401).is_none());
     let mapped = |kind, number| -> Vec<String> {

@@ -12,7 +12,8 @@ use super::super::input::FileKind;
 use super::super::node::{commissioning, restated};
 use super::super::{Failure, note, tell};
 use super::Job;
-use crate::download::{ConciseDcf, NeededFile, Plan, PlanError, PlanOptions, Scope};
+use crate::diagnostic::series;
+use crate::download::{ConciseDcf, NeededFile, Plan, PlanError, PlanOptions, Scope, Skipped};
 use crate::format::{self, Description, Format, Loss, LossKind, Syntax, concise, json};
 use crate::model::{Commissioning, Device, DeviceKind, Object, Place};
 use crate::report::plural;
@@ -209,10 +210,16 @@ pub(in crate::cli) fn read_data(folder: &Folder, file: &NeededFile) -> Result<Ve
     })
 }
 
-/// Says what a plan leaves out.
+/// Says what a plan leaves out, each reason once.
 pub(in crate::cli) fn tell_skipped(plan: &Plan) {
-    for skipped in &plan.skipped {
-        print_note(&format!("{}: not part of the stream: {}", skipped.place, skipped.reason));
+    const SHOWN: usize = 4;
+    let mut rest: Vec<&Skipped> = plan.skipped.iter().collect();
+    while let Some(reason) = rest.first().map(|skipped| skipped.reason) {
+        let (same, others): (Vec<_>, Vec<_>) = rest.into_iter().partition(|skipped| skipped.reason == reason);
+        let more = same.len().checked_sub(SHOWN).filter(|&more| more > 0).map(|more| format!("{more} more"));
+        let places = same.iter().take(SHOWN).map(|skipped| skipped.place.to_string());
+        print_note(&format!("{}: not part of the stream: {reason}", series(places.chain(more))));
+        rest = others;
     }
     if plan.steps.is_empty() {
         print_note(

@@ -91,6 +91,8 @@ pub enum SkipReason {
     Definition,
     /// A mapping entry of value 0 after the last mapped object.
     Unused,
+    /// The number of mapped objects cannot be written, so the device has this mapping and no other.
+    FixedMapping,
 }
 
 impl PlanError {
@@ -178,6 +180,7 @@ impl fmt::Display for SkipReason {
             Self::ClearsHistory => "a write clears the error history",
             Self::Definition => "it defines a data type",
             Self::Unused => "no object is mapped there",
+            Self::FixedMapping => "the mapping is fixed: its sub-index 0 cannot be written",
         })
     }
 }

@@ -66,6 +66,9 @@ impl<'a> Settings<'a> {
             for (sub, entry) in object.stated() {
                 settings.add((*index, sub), object, entry);
             }
+            if is_mapping(*index) {
+                settings.leave_fixed(*index, object);
+            }
         }
         settings
     }
@@ -88,6 +91,25 @@ impl<'a> Settings<'a> {
         let wanted = is_asked && (differs || is_complete && has_value && !count);
         let entry_type = EntryType::of(self.device, object, (index, sub), entry);
         self.entries.push(((index, sub), Setting { object, entry, entry_type, wanted }));
+    }
+
+    /// Leaves a mapping out whose number of mapped objects is not 0 and cannot be written: its entries cannot
+    /// change (CiA 301 §7.5.2.36).
+    fn leave_fixed(&mut self, index: u16, object: &Object) {
+        let count = object.entry(0).and_then(|entry| entry.value()?.as_integer());
+        if self.can_write((index, 0)) || count.is_none_or(|count| count == 0) {
+            return;
+        }
+        let first = self.entries.partition_point(|&(key, _)| key < (index, 0));
+        let mut is_configured = false;
+        for (_, setting) in &mut self.entries[first..] {
+            is_configured |= setting.wanted && setting.entry.configured_value().is_some();
+            setting.wanted = false;
+        }
+        if is_configured {
+            let skipped = Skipped { place: Place::object(index), reason: SkipReason::FixedMapping };
+            self.skipped.insert((index, 0), skipped);
+        }
     }
 
     /// Whether the options ask for the object.
