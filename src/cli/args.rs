@@ -6,6 +6,7 @@ mod convert;
 mod dcf;
 mod docs;
 mod generate;
+mod network;
 mod new;
 
 use std::borrow::Cow;
@@ -25,6 +26,10 @@ pub(super) use self::dcf::{
 };
 pub(super) use self::docs::DocsArgs;
 pub(super) use self::generate::{GenerateArgs, SizeFormat};
+pub(super) use self::network::{
+    NetworkArgs, NetworkBuildArgs, NetworkCheckArgs, NetworkCommand, NetworkFormat, NetworkInputArgs,
+    NetworkSchemaArgs, NetworkTarget,
+};
 pub(super) use self::new::NewArgs;
 use super::baseline::BaselineArgs;
 use super::fix::FixArgs;
@@ -90,6 +95,7 @@ pub(super) enum Command {
     Convert(ConvertArgs),
     Configure(Box<ConfigureArgs>),
     Modules(ModulesArgs),
+    Network(NetworkArgs),
     Dcf(DcfArgs),
     New(NewArgs),
     Profile(ProfileCommandArgs),
@@ -112,16 +118,8 @@ pub(super) struct CheckArgs {
     /// In folders all descriptions are checked except hidden files and files that a `.gitignore` names.
     #[arg(default_value = ".", value_name = "PATH")]
     pub files: Vec<PathBuf>,
-    /// The form of the report
-    #[arg(long, value_enum, default_value = "text")]
-    pub format: ReportFormat,
-    /// Report all findings, each on its own: by default those of one cause are one finding with places, and the text
-    /// report shows 20 of a file
-    #[arg(long)]
-    pub all: bool,
-    /// Count the findings of each rule; `=only` hides the findings. For the formats text, concise and json
-    #[arg(long, value_enum, value_name = "WHICH", num_args = 0..=1, require_equals = true, default_missing_value = "also")]
-    pub statistics: Option<Counting>,
+    #[command(flatten)]
+    pub report: ReportArgs,
     /// Number of files to check in parallel [default: number of processors]
     #[arg(long, value_name = "N")]
     pub jobs: Option<NonZeroUsize>,
@@ -133,6 +131,21 @@ pub(super) struct CheckArgs {
     pub baseline: BaselineArgs,
     #[command(flatten)]
     pub fixing: FixArgs,
+}
+
+/// How findings are reported.
+#[derive(Debug, clap::Args)]
+pub(super) struct ReportArgs {
+    /// The form of the report
+    #[arg(long, value_enum, default_value = "text")]
+    pub format: ReportFormat,
+    /// Report all findings, each on its own: by default those of one cause are one finding with places, and the text
+    /// report shows 20 of a file
+    #[arg(long)]
+    pub all: bool,
+    /// Count the findings of each rule; `=only` hides the findings. For the formats text, concise and json
+    #[arg(long, value_enum, value_name = "WHICH", num_args = 0..=1, require_equals = true, default_missing_value = "also")]
+    pub statistics: Option<Counting>,
 }
 
 /// Recognise files by their content

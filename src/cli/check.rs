@@ -3,8 +3,8 @@
 use std::collections::BTreeMap;
 use std::path::Path;
 
-use super::args::{CheckArgs, ReportFormat};
-use super::baseline::Known;
+use super::args::{CheckArgs, ReportArgs, ReportFormat};
+use super::baseline::{BaselineArgs, Known};
 use super::files::{File, gather};
 use super::fix::{Amended, FixArgs, Fixing, amend};
 use super::input::Candidate;
@@ -24,7 +24,7 @@ pub(super) fn run(args: &CheckArgs, out: &mut Output) -> Result<Outcome, Failure
     if args.fixing.diff {
         return show_changes(&worker, &files, &failures, out);
     }
-    let mut reporter = Reporter::new(args, out)?;
+    let mut reporter = Reporter::new(&args.report, &args.baseline, out)?;
     for failure in failures {
         reporter.fail(&failure)?;
     }
@@ -43,7 +43,7 @@ pub(super) fn run(args: &CheckArgs, out: &mut Output) -> Result<Outcome, Failure
             reporter.take(checked)
         },
     )?;
-    reporter.finish()
+    reporter.finish(Some(&args.fixing))
 }
 
 /// Prints what would be fixed, and reports nothing else.
@@ -173,7 +173,7 @@ impl Worker<'_> {
             },
         };
         // what these formats offer, other programs apply without a check of the result; only to count fixes, it takes too long
-        let is_offered = matches!(self.args.format, ReportFormat::Json | ReportFormat::Sarif);
+        let is_offered = matches!(self.args.report.format, ReportFormat::Json | ReportFormat::Sarif);
         let examine = |description: &Description| match check(description) {
             findings if is_offered => crate::with_sound_fixes(description, findings, check),
             findings => findings,
@@ -202,14 +202,13 @@ fn check_devices(
 }
 
 /// Writes what was found, and keeps account of it.
-struct Reporter<'a> {
+pub(super) struct Reporter<'a> {
     report: Box<dyn Report + 'a>,
     known: Known,
     /// Whether a finding fails the run.
     has_denied: bool,
     has_failed: bool,
     fixing: Fixing,
-    args: &'a FixArgs,
     /// Whether each finding is reported on its own.
     all: bool,
     /// How many files of a folder are no descriptions, by what they are.
@@ -217,27 +216,30 @@ struct Reporter<'a> {
 }
 
 impl<'a> Reporter<'a> {
-    fn new(args: &'a CheckArgs, out: &'a mut Output) -> Result<Self, Failure> {
+    pub(super) fn new(
+        args: &ReportArgs,
+        baseline: &'a BaselineArgs,
+        out: &'a mut Output,
+    ) -> Result<Self, Failure> {
         Ok(Self {
-            known: Known::new(&args.baseline)?,
+            known: Known::new(baseline)?,
             report: report::new(args, out)?,
             has_denied: false,
             has_failed: false,
             fixing: Fixing::default(),
-            args: &args.fixing,
             all: args.all,
             skipped: BTreeMap::new(),
         })
     }
 
-    fn fail(&mut self, failure: &Failure) -> Result<(), Failure> {
+    pub(super) fn fail(&mut self, failure: &Failure) -> Result<(), Failure> {
         failure.print();
         self.has_failed = true;
         Ok(self.report.unread(&failure.message)?)
     }
 
     /// Errors in a configuration; one without errors is not mentioned.
-    fn take_project(&mut self, project: &Project, settings: &Settings<'_>) -> Result<(), Failure> {
+    pub(super) fn take_project(&mut self, project: &Project, settings: &Settings<'_>) -> Result<(), Failure> {
         for failure in &project.failures {
             self.fail(&failure.into())?;
         }
@@ -251,7 +253,7 @@ impl<'a> Reporter<'a> {
         self.report_on(config.source().into(), findings, settings.deny(Some(project)))
     }
 
-    fn report_on(
+    pub(super) fn report_on(
         &mut self,
         subject: Subject<'_>,
         mut findings: Findings,
@@ -288,7 +290,8 @@ impl<'a> Reporter<'a> {
         Ok(())
     }
 
-    fn finish(mut self) -> Result<Outcome, Failure> {
+    /// `fixing` is what was asked for, where files may be fixed.
+    pub(super) fn finish(mut self, fixing: Option<&FixArgs>) -> Result<Outcome, Failure> {
         let outcome = match (self.has_failed, self.has_denied) {
             (true, _) => Outcome::Failed,
             (false, true) => Outcome::Findings,
@@ -296,7 +299,9 @@ impl<'a> Reporter<'a> {
         };
         self.report.exit_code(outcome.code());
         self.report.finish()?;
-        self.fixing.finish(self.args);
+        if let Some(args) = fixing {
+            self.fixing.finish(args);
+        }
         let skipped: usize = self.skipped.values().sum();
         if skipped > 0 {
             let kinds = series(self.skipped.iter().map(|(kind, count)| format!("{count} {kind}")));

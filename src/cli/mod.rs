@@ -18,6 +18,7 @@ mod help;
 mod identify;
 mod input;
 mod modules;
+mod network;
 mod new;
 mod node;
 mod output;
@@ -60,6 +61,7 @@ pub fn run() -> ExitCode {
         Command::Configure(command) => configure::run(command, &mut out),
         Command::Modules(command) => modules::run(command, &mut out),
         Command::Dcf(command) => dcf::run(&command.command, &mut out),
+        Command::Network(command) => network::run(&command.command, &mut out),
         Command::Identify(command) => identify::run(command, &mut out),
         Command::Generate(command) => generate::run(command, &mut out),
         Command::Docs(command) => docs::run(command, &mut out),

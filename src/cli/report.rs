@@ -3,12 +3,12 @@
 use std::path::PathBuf;
 
 use super::Failure;
-use super::args::{CheckArgs, Counting, ReportFormat};
+use super::args::{Counting, ReportArgs, ReportFormat};
 use super::output::Output;
 use crate::report::{Concise, Detail, Github, Gitlab, Json, Junit, Report, Sarif, TextReport};
 
 /// The report that was asked for. Services get paths as they are seen from the current folder.
-pub(super) fn new<'a>(args: &CheckArgs, out: &'a mut Output) -> Result<Box<dyn Report + 'a>, Failure> {
+pub(super) fn new<'a>(args: &ReportArgs, out: &'a mut Output) -> Result<Box<dyn Report + 'a>, Failure> {
     let detail = detail(args)?;
     let base = std::env::current_dir().unwrap_or_else(|_| PathBuf::new());
     Ok(match args.format {
@@ -27,7 +27,7 @@ pub(super) fn new<'a>(args: &CheckArgs, out: &'a mut Output) -> Result<Box<dyn R
 }
 
 /// What is shown; only the formats of objdict have a place for statistics.
-fn detail(args: &CheckArgs) -> Result<Detail, Failure> {
+fn detail(args: &ReportArgs) -> Result<Detail, Failure> {
     use ReportFormat::{Concise, Github, Gitlab, Json, Junit, Sarif, Text};
     match (args.statistics, args.format) {
         (None, _) => Ok(Detail::Findings),

@@ -88,14 +88,16 @@ enum Examined {
     Tree(Box<Tree>, Findings),
     /// A configuration.
     Config(Box<Config>),
-    Network(Box<NetworkFile>),
+    Network(Box<NetworkFile>, Findings),
 }
 
 impl Examined {
     fn new(path: &Path) -> Self {
         let is_of = |group: &str| path.starts_with(support::fixtures().join("rules").join(group));
         if is_of("network") {
-            return Self::Network(Box::new(NetworkFile::open(path, &BTreeMap::new()).unwrap()));
+            let file = NetworkFile::open(path, &BTreeMap::new()).unwrap();
+            let findings = file.check();
+            return Self::Network(Box::new(file), findings);
         }
         if path.extension().is_some_and(|ending| ending == "toml") {
             return Self::Config(Box::new(Config::open(path).unwrap()));
@@ -119,7 +121,7 @@ impl Examined {
         match self {
             Self::Description(_, findings) | Self::Tree(_, findings) => findings,
             Self::Config(config) => config.findings(),
-            Self::Network(network) => &network.findings,
+            Self::Network(_, findings) => findings,
         }
     }
 
@@ -128,7 +130,7 @@ impl Examined {
             Self::Description(description, _) => description.source(),
             Self::Tree(tree, _) => tree.source(),
             Self::Config(config) => config.source(),
-            Self::Network(network) => &network.source,
+            Self::Network(network, _) => &network.source,
         }
     }
 
@@ -313,7 +315,7 @@ fn a_rule_offers_the_fixes_that_it_declares() {
             let (description, findings) = match Examined::new(&path) {
                 Examined::Description(description, findings) => (*description, findings),
                 Examined::Tree(_, findings) => (open(&path), findings),
-                Examined::Config(_) | Examined::Network(_) => continue,
+                Examined::Config(_) | Examined::Network(..) => continue,
             };
             offer(&description, &findings);
             // what is a fix for one of the tools

@@ -217,6 +217,20 @@ pub struct Boot {
     pub restore_configuration: Said<u8>,
 }
 
+impl Boot {
+    /// The value of 1F81h for the node; the guard time is in milliseconds (CiA 302-2).
+    pub fn to_number(&self, guard_time: u16) -> u32 {
+        1 | u32::from(self.boot) << 2
+            | u32::from(self.mandatory) << 3
+            | u32::from(!self.reset_communication) << 4
+            | u32::from(self.software_version != 0) << 5
+            | u32::from(self.software_file.is_some()) << 6
+            | u32::from(self.restore_configuration.value != 0) << 7
+            | u32::from(self.retry_factor.value) << 8
+            | u32::from(guard_time) << 16
+    }
+}
+
 impl Default for Boot {
     fn default() -> Self {
         Self {
@@ -264,6 +278,13 @@ pub struct Manager {
     pub startup: Startup,
     /// The time in milliseconds in which all mandatory nodes boot (1F89h); 0: for ever.
     pub boot_time: Said<u32>,
+}
+
+impl Manager {
+    /// Whether it monitors the heartbeats of the nodes.
+    pub fn monitors_nodes(&self) -> bool {
+        self.heartbeat.consumer.is_none_or(|consumer| consumer.value)
+    }
 }
 
 /// NMT startup (1F80h).

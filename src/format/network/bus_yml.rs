@@ -208,7 +208,11 @@ impl Reader<'_, '_> {
         let described = device.node_id().map(|node_id| Said::new(node_id, file.at));
         let mut node = Node {
             name: Said::new(name, entry.key.span),
-            node_id: section.integer("node_id", findings).or(described),
+            // one that is out of range is reported, and not replaced by another
+            node_id: match section.get("node_id") {
+                Some(_) => Some(section.integer("node_id", findings)?),
+                None => described,
+            },
             heartbeat,
             guarding: (
                 section.integer("guard_time", findings),

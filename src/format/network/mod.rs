@@ -16,14 +16,14 @@ use std::rc::Rc;
 use self::rules::UNREADABLE_NODE;
 use super::Description;
 use super::input::{Input, Reading};
-use crate::diagnostic::{Diagnostic, Findings, RuleInfo};
+use crate::diagnostic::{At, Diagnostic, Findings, RuleInfo};
 use crate::model::Device;
-use crate::network::{Network, Said};
+use crate::network::{self, Network, Said};
 use crate::source::{MAX_TOML_SIZE, SourceError, SourceFile, SourceOptions};
 
-/// The rules about the text of a network file.
+/// The rules about networks and their files.
 pub(super) fn rules() -> impl Iterator<Item = &'static RuleInfo> {
-    rules::RULES.iter().copied()
+    rules::RULES.iter().copied().chain(network::rules())
 }
 
 /// A network with its file and the descriptions of its nodes.
@@ -35,8 +35,10 @@ pub struct NetworkFile {
     pub network: Option<Network>,
     /// The description of each node of [`Network::nodes`], by its path in the file; a device as JSON has none.
     pub descriptions: BTreeMap<String, Rc<Description>>,
+    /// The files of the descriptions.
+    pub files: Vec<PathBuf>,
     /// What is wrong with the text.
-    pub findings: Findings,
+    findings: Findings,
 }
 
 impl NetworkFile {
@@ -47,15 +49,29 @@ impl NetworkFile {
     pub fn open(path: &Path, variables: &BTreeMap<String, String>) -> Result<Self, SourceError> {
         let source = SourceFile::open(path, &SourceOptions { encoding: None, max_size: MAX_TOML_SIZE })?;
         let folder = path.parent().map(Path::to_owned).unwrap_or_default();
-        let mut descriptions = Descriptions { folder, variables, read: BTreeMap::new() };
+        let mut descriptions = Descriptions { folder, variables, read: BTreeMap::new(), files: Vec::new() };
         let mut findings = Findings::new();
         let network = bus_yml::read(source.text(), &mut descriptions, &mut findings);
+        let files = std::mem::take(&mut descriptions.files);
         let descriptions = descriptions
             .read
             .into_iter()
             .filter_map(|(name, read)| Some((name, read?.description?)))
             .collect();
-        Ok(Self { source, network, descriptions, findings })
+        Ok(Self { source, network, descriptions, files, findings })
+    }
+
+    /// What is wrong with the text, and with the network that it describes, in the order of the text.
+    pub fn check(&self) -> Findings {
+        let mut findings = self.findings.clone();
+        if let Some(network) = &self.network {
+            network::check(network, &mut findings);
+        }
+        findings.sort_by_key(|finding| match finding.labels.first().map(|label| &label.at) {
+            Some(At::Span(span)) => span.start,
+            _ => 0,
+        });
+        findings
     }
 }
 
@@ -66,6 +82,7 @@ struct Descriptions<'v> {
     variables: &'v BTreeMap<String, String>,
     /// What was read of each path; `None` after a failure.
     read: BTreeMap<String, Option<Read>>,
+    files: Vec<PathBuf>,
 }
 
 #[derive(Clone)]
@@ -90,10 +107,11 @@ impl Descriptions<'_> {
         self.read.get(&file.value)?.as_ref().map(|read| read.device.clone())
     }
 
-    fn open(&self, file: &str) -> Result<Read, String> {
+    fn open(&mut self, file: &str) -> Result<Read, String> {
         let name = PathBuf::from(self.expanded(file));
         let beside = self.folder.join(&name);
         let path = if beside.exists() { beside } else { name };
+        self.files.push(path.clone());
         match Reading::default().open(&path).map_err(|error| error.to_string())? {
             (_, Input::Description(description)) => {
                 Ok(Read { device: description.device().clone(), description: Some(Rc::new(*description)) })

@@ -106,8 +106,9 @@ impl Builder<'_> {
             }
             Event::SequenceEnd | Event::MappingEnd => {
                 let Some(open) = self.open.pop() else { return Ok(None) };
-                // the end of a block stands where the next thing begins
-                let end = open.items.last().map_or(span.end, |last| last.span.end.max(open.start));
+                // the end of a block stands where the next thing begins, and has no length
+                let last = open.items.last().map_or(open.start, |last| last.span.end.max(open.start));
+                let end = if span.is_empty() { last } else { span.end };
                 let kind = if open.is_map { self.map(open.items) } else { Kind::List(open.items) };
                 Ok(self.complete(open.anchor, kind, Span::new(open.start, end)))
             }
@@ -183,7 +184,8 @@ impl Builder<'_> {
         self.findings.push(
             Diagnostic::new(&DUPLICATE_KEY, second.span, message)
                 .label(first.span, "first defined here")
-                .help("remove one of the two; the last one counts"),
+                .help("remove one of the two; the last one counts")
+                .understood(),
         );
     }
 }

@@ -1,21 +1,8 @@
-//! The rules about networks.
+//! The rules about links.
 
-use crate::diagnostic::{RuleInfo, text_rule};
+use crate::diagnostic::text_rules;
 
-/// Every rule of this crate.
-pub static RULES: &[&RuleInfo] = &[
-    &UNKNOWN_NODE,
-    &UNKNOWN_ENTRY,
-    &LINK_DIRECTION,
-    &LINK_MISMATCH,
-    &LINK_TYPE,
-    &LINK_TOO_LONG,
-    &LINK_CAN_ID,
-    &NO_FREE_PDO,
-    &FIXED_PDO,
-];
-
-text_rule! {
+text_rules! {
     UNKNOWN_NODE = "network/unknown-node", Error;
     summary: "a link names a node that is not in the network",
     checks: "Whether both ends of each link begin with the name of a node that has a description.",
@@ -23,9 +10,7 @@ text_rule! {
     example: r#"`from = "lefft.6000:1-5"` in a network with the nodes `left` and `plc`"#,
     remedy: "Write the name of the node, or describe the node.",
     source: "objdict",
-}
 
-text_rule! {
     UNKNOWN_ENTRY = "network/unknown-entry", Error;
     summary: "a link names an entry that the node does not have",
     checks: "Whether the object, and each sub-index of a range, is in the description of the node, and whether a name means one object or entry.",
@@ -33,9 +18,7 @@ text_rule! {
     example: r#"`from = "left.6000:1-9"` where 6000h has eight inputs"#,
     remedy: "Name entries of the description; `objdict show` lists them.",
     source: "CiA 301 §7.5.2.36, §7.5.2.38",
-}
 
-text_rule! {
     LINK_DIRECTION = "network/link-direction", Error;
     summary: "a node cannot send or receive a linked entry",
     checks: "Whether a TPDO of the producer and an RPDO of another node can carry each entry: by `PDOMapping`, by its access, and by its data type.",
@@ -43,9 +26,7 @@ text_rule! {
     example: r#"`from = "left.6200:1"`, an output with the access `rww`"#,
     remedy: "Exchange `from` and `to`, or link another entry.",
     source: "CiA 301 §7.4.7.1; CiA 306-1 §4.6.3",
-}
 
-text_rule! {
     LINK_MISMATCH = "network/link-mismatch", Error;
     summary: "the ends of a link have different numbers of entries or bits",
     checks: "Whether both ends name as many entries, and whether each entry has as many bits as the one that receives it.",
@@ -53,9 +34,7 @@ text_rule! {
     example: r#"`from = "left.6000:1-5"`, `to = "plc.5200:1-4"`"#,
     remedy: "Name as many entries of the same length at both ends.",
     source: "CiA 301 §7.4.7.1",
-}
 
-text_rule! {
     LINK_TYPE = "network/link-type", Warning;
     summary: "linked entries have data types with different meanings",
     checks: "Whether linked entries are both signed, both unsigned or both of the same other type. Their length is the matter of `network/link-mismatch`.",
@@ -63,9 +42,7 @@ text_rule! {
     example: "an INTEGER16 to an UNSIGNED16",
     remedy: "Link an entry of the same type, or convert the value in the consumer.",
     source: "CiA 301 §7.1.4",
-}
 
-text_rule! {
     LINK_TOO_LONG = "network/link-too-long", Error;
     summary: "the entries of a link with a CAN-ID need more than one PDO",
     checks: "Whether the linked entries for which a CAN-ID is given have at most 64 bits.",
@@ -73,9 +50,7 @@ text_rule! {
     example: r#"`from = "left.6000:1-9"` with `can-id = 0x18B`"#,
     remedy: "Leave the CAN-ID out, or divide the link into several ones.",
     source: "CiA 301 §7.2.2",
-}
 
-text_rule! {
     LINK_CAN_ID = "network/link-can-id", Error;
     summary: "the CAN-ID of a link is not available",
     checks: "Whether a CAN-ID that a link or a node without a choice demands is sent by nothing else and is not restricted, and whether a free one is left for every other link.",
@@ -83,9 +58,7 @@ text_rule! {
     example: r#"`can-id = 0x20B` in a link from `middle`, and in another one from `plc`"#,
     remedy: "Leave the CAN-ID out, or use another one.",
     source: "CiA 301 §7.3.5",
-}
 
-text_rule! {
     NO_FREE_PDO = "network/no-free-pdo", Error;
     summary: "a node has no PDO left for a link",
     checks: "Whether the producer has a TPDO, and each consumer an RPDO, that neither another link uses nor the network file configures itself.",
@@ -93,9 +66,7 @@ text_rule! {
     example: "links from five nodes to a node with four RPDOs",
     remedy: "Link fewer entries, or entries that fit into PDOs together: links with the same nodes and the same parameters share PDOs.",
     source: "CiA 301 §7.5.2.35 to §7.5.2.38",
-}
 
-text_rule! {
     FIXED_PDO = "network/fixed-pdo", Error;
     summary: "the PDOs of a node cannot be configured as a link needs it",
     checks: "Whether one of the PDOs that are left can carry the linked entries: its mapping, its COB-ID and the parameters that the link sets can be written or are as needed already. An RPDO also needs as many mapping entries, and data types for the gaps that `DummyUsage` allows.",

@@ -1,0 +1,217 @@
+//! The files of Lely's master: `master.dcf` and `master.bin`, as dcfgen 2.4.2 writes them.
+//!
+//! The master has an RPDO for each TPDO of a node, and a TPDO for each RPDO, with objects of its own behind them.
+
+mod objects;
+mod text;
+
+use self::text::Text;
+use crate::download::{ConciseDcf, Download};
+use crate::model::PdoKind;
+use crate::network::{Heartbeat, Manager, Network, Node};
+use crate::stream::{Manner, PdoState, Slave};
+
+/// Options of Lely's files.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub struct LelyOptions {
+    /// Whether the errors of dcfgen are copied.
+    pub manner: Manner,
+    /// Whether the master knows the mappings of the nodes' PDOs (5800h to 5FFFh), so that programs can use their entries by
+    /// index.
+    pub remote_pdos: bool,
+}
+
+/// The files of the master.
+#[derive(Clone, Debug)]
+pub struct LelyMaster {
+    /// `master.dcf`.
+    pub dcf: String,
+    /// The downloads of `master.bin`, which is not written without one.
+    pub bin: ConciseDcf,
+}
+
+/// The name of the file with the configuration of a node; `None` for one that is told nothing.
+pub fn configuration_file(network: &Network, slave: &Slave) -> Option<String> {
+    let node = &network.nodes[slave.node];
+    (!slave.downloads.0.is_empty()).then(|| format!("{}.bin", node.name.value))
+}
+
+/// The files of the master; `None` for a network without one.
+pub fn lely_master(network: &Network, slaves: &[Slave], options: &LelyOptions) -> Option<LelyMaster> {
+    let manager = network.manager.as_ref()?;
+    let writer = Writer { network, manager, slaves, options, out: Text::default() };
+    Some(LelyMaster { dcf: writer.dcf(), bin: bin(network, manager, slaves) })
+}
+
+fn bin(network: &Network, manager: &Manager, slaves: &[Slave]) -> ConciseDcf {
+    let mut downloads = Vec::new();
+    let mut put = |index, sub, number: u32| {
+        if number != 0 {
+            downloads.push(Download::new(index, sub, number.to_le_bytes()));
+        }
+    };
+    put(0x1018, 4, manager.serial_number);
+    for slave in slaves {
+        let node = &network.nodes[slave.node];
+        let [_, _, _, revision, serial] = slave.identity;
+        let stated = |sub, number| if node.device.entry(0x1018, sub).is_some() { number } else { 0 };
+        put(0x1F55, slave.node_id, node.boot.software_version);
+        put(0x1F87, slave.node_id, stated(3, revision));
+        put(0x1F88, slave.node_id, stated(4, serial));
+    }
+    ConciseDcf(downloads)
+}
+
+/// A PDO of a node, which the master has the other side of.
+#[derive(Clone, Copy)]
+struct Mirrored<'a> {
+    node: &'a Node,
+    slave: &'a Slave,
+    state: &'a PdoState,
+}
+
+struct Writer<'a> {
+    network: &'a Network,
+    manager: &'a Manager,
+    slaves: &'a [Slave],
+    options: &'a LelyOptions,
+    out: Text,
+}
+
+impl<'a> Writer<'a> {
+    fn is_strict(&self) -> bool {
+        self.options.manner == Manner::Strict
+    }
+
+    fn node(&self, slave: &Slave) -> &'a Node {
+        &self.network.nodes[slave.node]
+    }
+
+    /// The PDOs of the nodes in a direction, by node and number. dcfgen takes those that end switched off too.
+    fn mirrored(&self, kind: PdoKind) -> Vec<Mirrored<'a>> {
+        let is_used = |state: &&PdoState| {
+            state.pdo.kind == kind
+                && state.cob_id >> 31 == 0
+                && !state.mapping.is_empty()
+                && (state.is_enabled || self.is_strict())
+        };
+        let of_slave = |slave: &'a Slave| {
+            let node = self.node(slave);
+            let mut pdos: Vec<_> = slave.pdos.iter().filter(is_used).collect();
+            pdos.sort_by_key(|state| state.pdo.number);
+            pdos.into_iter().map(move |state| Mirrored { node, slave, state })
+        };
+        self.slaves.iter().flat_map(of_slave).collect()
+    }
+
+    /// The path of the configuration of a node for 1F22h. dcfgen forgets one that is about 1016h alone.
+    fn upload(&self, slave: &Slave) -> Option<String> {
+        let file = configuration_file(self.network, slave)
+            .filter(|_| !self.is_strict() || !slave.has_only_consumers)?;
+        let folder = self.node(slave).run_time_folder.as_deref().unwrap_or(&self.network.run_time_folder);
+        let between = if folder.is_empty() || folder.ends_with('/') { "" } else { "/" };
+        Some(format!("{folder}{between}{file}"))
+    }
+
+    fn dcf(mut self) -> String {
+        let (received, sent) = (self.mirrored(PdoKind::Tpdo), self.mirrored(PdoKind::Rpdo));
+        self.head(received.len(), sent.len());
+        self.lists(&received, &sent);
+        self.communication();
+        self.pdos(&received, &sent);
+        self.boot();
+        self.application(&received, &sent);
+        self.out.0
+    }
+
+    fn head(&mut self, received: usize, sent: usize) {
+        let manager = self.manager;
+        let [vendor, product, revision] = manager.identity;
+        let out = &mut self.out;
+        out.section("DeviceComissioning");
+        out.key("NodeID", manager.node_id.map_or(255, |node_id| node_id.value));
+        out.keys(&["NodeName", "NodeRefd"]);
+        out.key("Baudrate", self.network.bit_rate.map_or(1000, |rate| rate.value));
+        out.key("NetNumber", 1);
+        out.keys(&["NetworkName", "NetRefd"]);
+        out.key("CANopenManager", 1);
+        out.hex("LSS_SerialNumber", manager.serial_number);
+        out.section("DeviceInfo");
+        out.keys(&["VendorName"]);
+        out.hex("VendorNumber", vendor);
+        out.keys(&["ProductName"]);
+        out.hex("ProductNumber", product);
+        out.hex("RevisionNumber", revision);
+        out.keys(&["OrderCode"]);
+        for rate in [10, 20, 50, 125, 250, 500, 800, 1000] {
+            out.key(&format!("BaudRate_{rate}"), 1);
+        }
+        for (key, value) in [
+            ("SimpleBootUpMaster", 1),
+            ("SimpleBootUpSlave", 0),
+            ("Granularity", 1),
+            ("DynamicChannelsSupported", 0),
+            ("GroupMessaging", 0),
+            ("NrOfRxPDO", received),
+            ("NrOfTxPDO", sent),
+            ("LSS_Supported", 1),
+        ] {
+            out.key(key, value);
+        }
+        out.section("DummyUsage");
+        for data_type in (1..=7).chain([0x10]).chain(0x12..=0x16).chain(0x18..=0x1B) {
+            out.key(&format!("Dummy{data_type:04X}"), 1);
+        }
+    }
+
+    /// The objects of the master, in the order of its lists.
+    fn lists(&mut self, received: &[Mirrored<'_>], sent: &[Mirrored<'_>]) {
+        let range = |first: u16, count: usize| (first..).take(count);
+        let some = |index, is_there: bool| is_there.then_some(index);
+        let optional = [0x1003, 0x1005, 0x1006, 0x1007, 0x1012, 0x1013, 0x1014, 0x1015].into_iter();
+        let optional = optional
+            .chain(some(0x1016, self.manager.monitors_nodes()))
+            .chain([0x1017, 0x1019, 0x1028, 0x1029, 0x102A])
+            .chain(range(0x1400, received.len()))
+            .chain(range(0x1600, received.len()))
+            .chain(range(0x1800, sent.len()))
+            .chain(range(0x1A00, sent.len()))
+            .chain(some(0x1F22, self.slaves.iter().any(|slave| self.upload(slave).is_some())))
+            .chain([0x1F25, 0x1F55])
+            .chain(some(
+                0x1F58,
+                self.slaves.iter().any(|slave| self.node(slave).boot.software_file.is_some()),
+            ))
+            .chain(0x1F80..=0x1F82)
+            .chain(0x1F84..=0x1F8A)
+            .collect();
+        let remote = |first, count: usize| range(first, if self.options.remote_pdos { count } else { 0 });
+        let manufacturer = objects::indexes(0x2000, received)
+            .chain(objects::indexes(0x2200, sent))
+            .chain(remote(0x5800, received.len()))
+            .chain(remote(0x5A00, received.len()))
+            .chain(remote(0x5C00, sent.len()))
+            .chain(remote(0x5E00, sent.len()))
+            .collect();
+        self.out.list("MandatoryObjects", vec![0x1000, 0x1001, 0x1018]);
+        self.out.list("OptionalObjects", optional);
+        self.out.list("ManufacturerObjects", manufacturer);
+    }
+
+    fn heartbeat_consumers(&self) -> Vec<(u8, u32)> {
+        let monitored = self.slaves.iter().filter(|slave| slave.heartbeat != 0);
+        let number = |slave: &Slave| {
+            let heartbeat: &Heartbeat = &self.node(slave).heartbeat;
+            let time = match (heartbeat.consumer_time(slave.heartbeat), self.options.manner) {
+                (Some(time), _) => u32::from(time),
+                // what is left of the bits of a time that does not fit
+                (None, Manner::Strict) => {
+                    (f64::from(slave.heartbeat) * heartbeat.factor) as u64 as u32 & 0xFFFF
+                }
+                (None, Manner::Repaired) => return None,
+            };
+            Some(u32::from(slave.node_id) << 16 | time)
+        };
+        (1..).zip(monitored.filter_map(number)).collect()
+    }
+}

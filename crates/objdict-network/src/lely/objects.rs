@@ -1,0 +1,294 @@
+//! The objects of the master.
+
+use std::collections::BTreeMap;
+
+use super::text::{Type, hex};
+use super::{Mirrored, Slave, Writer};
+use crate::model::MappedObject;
+
+const ARRAY: u8 = 8;
+const RECORD: u8 = 9;
+
+/// As many nodes as a network has.
+const NODES: usize = 127;
+
+/// Where the entries of a node's PDOs are in the master: an entry that an earlier PDO of the node carries keeps its place.
+struct Places<'a> {
+    /// The first index.
+    first: u16,
+    /// The place of an entry, by node, index and sub-index.
+    places: BTreeMap<(usize, u16, u8), (u16, u8)>,
+    /// What each PDO adds.
+    added: Vec<Vec<(MappedObject, Mirrored<'a>)>>,
+}
+
+impl<'a> Places<'a> {
+    fn new(first: u16, pdos: &[Mirrored<'a>]) -> Self {
+        let mut places = Self { first, places: BTreeMap::new(), added: Vec::new() };
+        for (number, pdo) in (0_u16..).zip(pdos) {
+            let mut added = Vec::new();
+            for object in pdo.state.mapping.values() {
+                let key = (pdo.slave.node, object.index, object.sub);
+                places.places.entry(key).or_insert_with(|| {
+                    added.push((*object, *pdo));
+                    // a PDO maps 64 objects at most
+                    (first + number, added.len() as u8)
+                });
+            }
+            places.added.push(added);
+        }
+        places
+    }
+
+    fn of(&self, pdo: &Mirrored<'_>, object: &MappedObject) -> MappedObject {
+        let (index, sub) =
+            self.places.get(&(pdo.slave.node, object.index, object.sub)).copied().unwrap_or_default();
+        MappedObject { index, sub, bits: object.bits }
+    }
+}
+
+/// The indexes of the objects for the entries of PDOs.
+pub(super) fn indexes<'a>(first: u16, pdos: &[Mirrored<'a>]) -> impl Iterator<Item = u16> + use<'a> {
+    let added = Places::new(first, pdos).added;
+    (first..).zip(added).filter(|(_, added)| !added.is_empty()).map(|(index, _)| index)
+}
+
+impl<'a> Writer<'a> {
+    /// 1000h to 102Ah.
+    pub(super) fn communication(&mut self) {
+        let manager = self.manager;
+        let [vendor, product, revision] = manager.identity;
+        let produces_sync = self.is_strict() || manager.sync_period.value != 0;
+        let consumers = manager.monitors_nodes().then(|| self.heartbeat_consumers());
+        let emcy: Vec<(u8, String)> =
+            self.slaves.iter().filter_map(|slave| Some((slave.node_id, hex(slave.emcy?)))).collect();
+        let mut errors: BTreeMap<u8, u8> = [(1, 0)].into();
+        errors.extend(&manager.error_behavior);
+        let out = &mut self.out;
+        out.value("1000", "Device type", Type::U32, "ro", hex(0));
+        out.var("1001", "Error register", Type::U8, "ro");
+        out.compact("1003", "Pre-defined error field", (ARRAY, Type::U32), "ro", None, 254);
+        out.value("1005", "COB-ID SYNC message", Type::U32, "rw", hex(u32::from(produces_sync) << 30 | 0x80));
+        out.value("1006", "Communication cycle period", Type::U32, "rw", manager.sync_period.value);
+        out.value("1007", "Synchronous window length", Type::U32, "rw", manager.sync_window.value);
+        let time = manager.time_cob_id.map_or(0x100, |cob_id| cob_id.value);
+        out.value("1012", "COB-ID time stamp object", Type::U32, "rw", hex(time));
+        out.var("1013", "High resolution time stamp", Type::U32, "rw");
+        out.key("PDOMapping", 1);
+        out.value("1014", "COB-ID EMCY", Type::U32, "rw", "$NODEID+0x80");
+        out.value("1015", "Inhibit time EMCY", Type::U16, "rw", manager.emcy_inhibit_time);
+        if let Some(consumers) = consumers {
+            out.compact("1016", "Consumer heartbeat time", (ARRAY, Type::U32), "rw", None, NODES);
+            out.values("1016", consumers.into_iter().map(|(sub, number)| (sub, hex(number))));
+        }
+        let heartbeat = manager.heartbeat.producer.map_or(0, |time| time.value);
+        out.value("1017", "Producer heartbeat time", Type::U16, "rw", heartbeat);
+        out.record("1018", "Identity Object", RECORD, 4, "Highest sub-index supported");
+        out.value("1018sub1", "Vendor-ID", Type::U32, "ro", hex(vendor));
+        out.value("1018sub2", "Product code", Type::U32, "ro", hex(product));
+        out.value("1018sub3", "Revision number", Type::U32, "ro", hex(revision));
+        out.var("1018sub4", "Serial number", Type::U32, "ro");
+        out.value("1019", "Synchronous counter overflow value", Type::U8, "rw", manager.sync_overflow.value);
+        out.compact("1028", "Emergency consumer object", (ARRAY, Type::U32), "rw", Some(1 << 31), NODES);
+        out.values("1028", emcy);
+        out.compact("1029", "Error behavior object", (ARRAY, Type::U8), "rw", None, 254);
+        out.values(
+            "1029",
+            errors.into_iter().map(|(sub, value)| (sub, format!("0x{value:02X}"))).collect::<Vec<_>>(),
+        );
+        out.value("102A", "NMT inhibit time", Type::U16, "rw", manager.nmt_inhibit_time);
+    }
+
+    /// 1400h to 1BFFh.
+    pub(super) fn pdos(&mut self, received: &[Mirrored<'_>], sent: &[Mirrored<'_>]) {
+        let out = &mut self.out;
+        for (index, pdo) in (0x1400_u16..).zip(received) {
+            let section = format!("{index:04X}");
+            let sub = |number: u8| format!("{section}sub{number}");
+            let state = pdo.state;
+            out.record(&section, "RPDO communication parameter", RECORD, 5, "highest sub-index supported");
+            out.value(&sub(1), "COB-ID used by RPDO", Type::U32, "rw", hex(state.cob_id));
+            out.value(
+                &sub(2),
+                "transmission type",
+                Type::U8,
+                "rw",
+                format_args!("0x{:02X}", state.transmission),
+            );
+            out.var(&sub(3), "inhibit time", Type::U16, "rw");
+            out.var(&sub(4), "compatibility entry", Type::U8, "rw");
+            out.value(&sub(5), "event-timer", Type::U16, "rw", state.deadline);
+        }
+        self.mappings(0x1600, "RPDO mapping parameter", &Places::new(0x2000, received), received);
+        let out = &mut self.out;
+        for (index, pdo) in (0x1800_u16..).zip(sent) {
+            let section = format!("{index:04X}");
+            let sub = |number: u8| format!("{section}sub{number}");
+            let state = pdo.state;
+            out.record(&section, "TPDO communication parameter", RECORD, 6, "highest sub-index supported");
+            out.value(&sub(1), "COB-ID used by TPDO", Type::U32, "rw", hex(state.cob_id));
+            out.value(
+                &sub(2),
+                "transmission type",
+                Type::U8,
+                "rw",
+                format_args!("0x{:02X}", state.transmission),
+            );
+            out.value(&sub(3), "inhibit time", Type::U16, "rw", state.inhibit_time);
+            out.var(&sub(4), "reserved", Type::U8, "rw");
+            out.value(&sub(5), "event timer", Type::U16, "rw", state.event_timer);
+            out.value(&sub(6), "SYNC start value", Type::U8, "rw", state.sync_start);
+        }
+        self.mappings(0x1A00, "TPDO mapping parameter", &Places::new(0x2200, sent), sent);
+    }
+
+    fn mappings(&mut self, first: u16, name: &str, places: &Places<'_>, pdos: &[Mirrored<'_>]) {
+        for (index, pdo) in (first..).zip(pdos) {
+            let mapped: Vec<MappedObject> =
+                pdo.state.mapping.values().map(|object| places.of(pdo, object)).collect();
+            self.mapping(index, name, RECORD, &mapped);
+        }
+    }
+
+    fn mapping(&mut self, index: u16, name: &str, kind: u8, mapped: &[MappedObject]) {
+        let section = format!("{index:04X}");
+        self.out.compact(&section, name, (kind, Type::U32), "rw", None, mapped.len());
+        let values: Vec<(u8, String)> =
+            (1..).zip(mapped.iter().map(|object| hex(object.to_number()))).collect();
+        self.out.values(&section, values);
+    }
+
+    /// 1F22h to 1F8Ah.
+    pub(super) fn boot(&mut self) {
+        const OF_NODES: usize = NODES;
+        let uploads: Vec<(u8, String)> =
+            self.slaves.iter().filter_map(|slave| Some((slave.node_id, self.upload(slave)?))).collect();
+        self.files("1F22", "Concise DCF", "Node-ID", &uploads);
+        // CiA 302-3: 666E6F63h ("conf"), for one node or by sub-index 80h for all; dcfgen has a byte and no such sub-index
+        let (request, all) = if self.is_strict() { (Type::U8, 0) } else { (Type::U32, 1) };
+        self.out.compact("1F25", "Configuration request", (ARRAY, request), "wo", None, OF_NODES + all);
+        self.out.compact(
+            "1F55",
+            "Expected software identification",
+            (ARRAY, Type::U32),
+            "rw",
+            None,
+            OF_NODES,
+        );
+        let programs: Vec<(u8, String)> = self
+            .slaves
+            .iter()
+            .filter_map(|slave| Some((slave.node_id, self.node(slave).boot.software_file.clone()?)))
+            .collect();
+        self.files("1F58", "Program data", "Program data of node-ID", &programs);
+        self.out.value("1F80", "NMT startup", Type::U32, "rw", hex(self.manager.startup.to_number()));
+        self.out.compact("1F81", "NMT slave assignment", (ARRAY, Type::U32), "rw", None, OF_NODES);
+        let assignment = |slave: &Slave| hex(self.node(slave).boot.to_number(slave.guard_time));
+        let assignments: Vec<_> =
+            self.slaves.iter().map(|slave| (slave.node_id, assignment(slave))).collect();
+        self.out.values("1F81", assignments);
+        self.out.compact("1F82", "Request NMT", (ARRAY, Type::U8), "rw", None, OF_NODES + all);
+        let identity = ["Device type identification", "Vendor identification", "Product code"];
+        for ((position, index), name) in (0..).zip(0x1F84_u16..).zip(identity) {
+            self.identity(position, &format!("{index:04X}"), name);
+        }
+        self.out.compact("1F87", "Revision_number", (ARRAY, Type::U32), "rw", None, OF_NODES);
+        self.out.compact("1F88", "Serial number", (ARRAY, Type::U32), "rw", None, OF_NODES);
+        self.out.value("1F89", "Boot time", Type::U32, "rw", self.manager.boot_time.value);
+        self.out.compact("1F8A", "Restore configuration", (ARRAY, Type::U8), "rw", None, OF_NODES);
+        let restored = |slave: &Slave| self.node(slave).boot.restore_configuration.value;
+        let restored: Vec<_> = self
+            .slaves
+            .iter()
+            .map(|slave| (slave.node_id, restored(slave)))
+            .filter(|(_, sub)| *sub != 0)
+            .map(|(node_id, sub)| (node_id, format!("0x{sub:02X}")))
+            .collect();
+        self.out.values("1F8A", restored);
+    }
+
+    /// An array of files by node-ID; nothing without a file.
+    fn files(&mut self, section: &str, name: &str, of_node: &str, files: &[(u8, String)]) {
+        if files.is_empty() {
+            return;
+        }
+        self.out.record(section, name, ARRAY, NODES, "Highest sub-index supported");
+        for node_id in 1..=NODES as u8 {
+            self.out.section(&format!("{section}sub{node_id:X}"));
+            self.out.key("ParameterName", format_args!("{of_node} {node_id}"));
+            self.out.data(0x000F, "ro");
+            for (_, file) in files.iter().filter(|(other, _)| *other == node_id) {
+                self.out.key("UploadFile", file);
+            }
+        }
+    }
+
+    /// 1F84h to 1F86h.
+    fn identity(&mut self, position: usize, section: &str, name: &str) {
+        self.out.compact(section, name, (ARRAY, Type::U32), "rw", None, NODES);
+        let stated = self.slaves.iter().filter(|slave| slave.identity[position] != 0);
+        let stated: Vec<&Slave> = stated.collect();
+        let has_it = |slave: &&&Slave| position != 2 || self.node(slave).device.entry(0x1018, 2).is_some();
+        let listed = stated.iter().filter(has_it).map(|slave| (slave.node_id, hex(slave.identity[position])));
+        let listed: Vec<(u8, String)> = listed.collect();
+        let count = if self.is_strict() { stated.len() } else { listed.len() };
+        self.out.section(&format!("{section}Value"));
+        self.out.key("NrOfEntries", count);
+        for (node_id, number) in listed {
+            self.out.key(&node_id.to_string(), number);
+        }
+    }
+
+    /// The objects for the entries of the nodes' PDOs, and the mappings of the nodes.
+    pub(super) fn application(&mut self, received: &[Mirrored<'_>], sent: &[Mirrored<'_>]) {
+        self.entries("RPDO", "rww", &Places::new(0x2000, received));
+        self.entries("TPDO", "rwr", &Places::new(0x2200, sent));
+        if self.options.remote_pdos {
+            self.remote(0x5800, "TPDO", received);
+            self.remote(0x5C00, "RPDO", sent);
+        }
+    }
+
+    fn entries(&mut self, kind: &str, access: &str, places: &Places<'_>) {
+        for ((number, index), added) in (1..).zip(places.first..).zip(&places.added) {
+            if added.is_empty() {
+                continue;
+            }
+            let section = format!("{index:04X}");
+            let name = format!("Mapped application objects for {kind} {number}");
+            self.out.record(&section, &name, RECORD, added.len(), "Highest sub-index supported");
+            for (sub, (object, pdo)) in (1_u8..).zip(added) {
+                let (name, data_type) = described(pdo, object);
+                self.out.section(&format!("{section}sub{:X}", sub));
+                self.out.key("ParameterName", format_args!("{}: {name}", pdo.node.name.value));
+                self.out.data(data_type, access);
+                self.out.key("PDOMapping", 1);
+            }
+        }
+    }
+
+    fn remote(&mut self, first: u16, kind: &str, pdos: &[Mirrored<'_>]) {
+        for (index, pdo) in (first..).zip(pdos) {
+            let number = u32::from(pdo.state.pdo.number) << 8 | u32::from(pdo.slave.node_id);
+            let name = format!("Remote {kind} number and node-ID");
+            self.out.value(&format!("{index:04X}"), &name, Type::U32, "rw", hex(number));
+        }
+        for (index, pdo) in (first + 0x200..).zip(pdos) {
+            let mapped: Vec<MappedObject> = pdo.state.mapping.values().copied().collect();
+            self.mapping(index, &format!("Remote {kind} mapping parameter"), ARRAY, &mapped);
+        }
+    }
+}
+
+/// The name and the data type of a mapped entry; those of the data type for a dummy.
+fn described(pdo: &Mirrored<'_>, object: &MappedObject) -> (String, u16) {
+    if object.is_dummy() {
+        return (crate::model::DataType(object.index).to_string(), object.index);
+    }
+    let device = &pdo.node.device;
+    let entry = device.entry(object.index, object.sub);
+    let data_type = crate::download::transferred_type(device, object.index, object.sub);
+    let denotation = entry.as_ref().and_then(|entry| entry.configured.as_ref()?.denotation.clone());
+    let name = denotation.or_else(|| entry.map(|entry| entry.name.clone())).unwrap_or_default();
+    (name.into(), data_type.map_or(0, |data_type| data_type.0))
+}

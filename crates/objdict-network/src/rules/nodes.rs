@@ -1,0 +1,77 @@
+//! The rules about what nodes are told.
+
+use crate::diagnostic::text_rules;
+
+text_rules! {
+    UNKNOWN_NODE_ID = "network/unknown-node-id", Error;
+    summary: "the node-ID of a node is not known",
+    checks: "Whether each node has a node-ID from 1 to 127: in the network file, or in its DCF or XDC.",
+    why: "Nothing can be sent to the node. dcfgen leaves it out with a warning, or stops with a traceback.",
+    example: "a node of an EDS without `node_id`",
+    remedy: "Give the node its node-ID.",
+    source: "CiA 301 §7.3.5",
+
+    MISSING_ENTRY = "network/missing-entry", Error;
+    summary: "a setting needs an entry that the node does not have",
+    checks: "Whether the description of a node has each object and sub-index that the network file writes or maps. A service that the node does not have is a warning: it stays off.",
+    why: "The node aborts the download with 0602 0000h or 0609 0011h, and the manager does not start it.",
+    example: "`heartbeat_producer: 500` for a node without 1017h",
+    remedy: "Remove the setting, or correct index and sub-index.",
+    source: "CiA 301 §7.2.4.3.17",
+
+    READ_ONLY_ENTRY = "network/read-only-entry", Error;
+    summary: "an entry is written that cannot be written",
+    checks: "Whether each entry that the network file writes is writable by its access type.",
+    why: "The node aborts the download with 0601 0002h, and the manager does not start it.",
+    example: "an `sdo` for 1000h",
+    remedy: "Remove the setting, or write another entry.",
+    source: "CiA 301 §7.2.4.3.17",
+
+    INVALID_VALUE = "network/invalid-value", Error;
+    summary: "a value does not fit its entry",
+    checks: "Whether each value that the network file gives to an entry is one of its data type and inside its limits.",
+    why: "dcfgen stops with a traceback or cuts the value; the node aborts the download with 0609 0030h.",
+    example: "300 for an INTEGER8",
+    remedy: "Write a value of the data type and inside the limits.",
+    source: "CiA 301 §7.2.4.3.17",
+
+    UNMAPPABLE_ENTRY = "network/unmappable-entry", Error;
+    summary: "an entry is mapped that no such PDO can carry",
+    checks: "Whether each mapped entry supports PDO mapping, has a fixed length, and can be written by an RPDO or read by a TPDO.",
+    why: "The node aborts the download of the mapping with 0604 0041h.",
+    example: "the statusword 6041h, which is `ro`, in an RPDO",
+    remedy: "Map another entry, or move it to a PDO of the other direction.",
+    source: "CiA 301 §7.5.2.36, §7.5.2.38",
+
+    PDO_TOO_LONG = "network/pdo-too-long", Error;
+    summary: "more is mapped into a PDO than a frame carries",
+    checks: "Whether the mapped entries of each PDO have at most 64 bits.",
+    why: "The node aborts the download of the mapping with 0604 0042h. dcfgen warns.",
+    example: "three entries of 32 bits in one PDO",
+    remedy: "Move entries to another PDO.",
+    source: "CiA 301 §7.5.2.36",
+
+    NO_FREE_CAN_ID = "network/no-free-can-id", Error;
+    summary: "no CAN-ID is left for a PDO",
+    checks: "Whether each PDO with `cob_id: auto` gets a CAN-ID: PDO 1 to 4 that of the predefined connection set, others one of 680h to 6DFh.",
+    why: "The PDO cannot be used.",
+    example: "100 nodes that use PDO 5",
+    remedy: "Give CAN-IDs by number.",
+    source: "CiA 301 §7.3.5; dcf-tools 2.4.2",
+
+    NO_HEARTBEAT_CONSUMER = "network/no-heartbeat-consumer", Warning;
+    summary: "a node cannot monitor a heartbeat",
+    checks: "Whether a node that shall monitor another one has a free sub-index in 1016h, and whether the time fits into it.",
+    why: "The node does not notice that the other one is gone.",
+    example: "`heartbeat_consumer: true` for a node without 1016h",
+    remedy: "Remove the setting, or free a sub-index of 1016h.",
+    source: "CiA 301 §7.5.2.19",
+
+    HEARTBEAT_AND_GUARDING = "network/heartbeat-and-guarding", Warning;
+    summary: "a node uses heartbeat and node guarding",
+    checks: "Whether a node has a producer heartbeat time as well as a guard time and a life time factor.",
+    why: "A node uses one of the two; with a producer heartbeat time it does not answer the guarding.",
+    example: "`heartbeat_producer: 500`, `guard_time: 100` and `life_time_factor: 3`",
+    remedy: "Remove `guard_time` and `life_time_factor`.",
+    source: "CiA 301 §7.2.8.3",
+}

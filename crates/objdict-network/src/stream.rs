@@ -1,0 +1,277 @@
+//! What each node is told, in the order of dcfgen 2.4.2.
+
+mod desk;
+mod pdo;
+
+use objdict_model::diagnostic::Severity;
+
+use self::desk::Desk;
+pub use self::pdo::PdoState;
+use crate::diagnostic::{Diagnostic, Findings, say};
+use crate::download::{ConciseDcf, Download};
+use crate::model::Address;
+use crate::network::{DownloadWish, Manager, Network, Node, Said, ValueWish};
+use crate::rules::{
+    HEARTBEAT_AND_GUARDING, INVALID_VALUE, MISSING_ENTRY, NO_HEARTBEAT_CONSUMER, UNKNOWN_NODE_ID,
+};
+use crate::source::Span;
+
+/// A node with its configuration.
+#[derive(Clone, Debug)]
+pub struct Slave {
+    /// Its position in [`Network::nodes`].
+    pub node: usize,
+    /// Its node-ID.
+    pub node_id: u8,
+    /// The downloads that configure it.
+    pub downloads: ConciseDcf,
+    /// How many of them, at the end, are sent whatever the present values are.
+    pub(crate) unconditional: usize,
+    /// Whether all it is told is that it need not monitor the manager.
+    pub(crate) has_only_consumers: bool,
+    /// Its PDOs after the configuration, RPDOs before TPDOs, by number.
+    pub pdos: Vec<PdoState>,
+    /// Producer heartbeat time in milliseconds; 0: none.
+    pub heartbeat: u16,
+    /// COB-ID of EMCY; `None` if the node sends none, or the description does not say which.
+    pub emcy: Option<u32>,
+    /// Guard time in milliseconds, if the node is guarded; else 0.
+    pub guard_time: u16,
+    /// Device type (1000h), vendor-ID, product code, revision number and serial number (1018h); 0 where not stated.
+    pub identity: [u32; 5],
+}
+
+/// How close the records are to those of dcfgen.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub enum Manner {
+    /// The records and the order of dcfgen 2.4.2, without its errors.
+    #[default]
+    Repaired,
+    /// With its errors.
+    Strict,
+}
+
+/// The first and the last CAN-ID for PDOs from number 5 on.
+const POOL: std::ops::RangeInclusive<u32> = 0x680..=0x6DF;
+
+/// What the nodes but the manager are told. A node without a node-ID is left out.
+pub fn slaves(network: &Network, manner: Manner, findings: &mut Findings) -> Vec<Slave> {
+    let mut pool = POOL;
+    let mut slaves = Vec::new();
+    for (position, node) in network.slaves() {
+        let Some(node_id) = node.node_id.filter(|node_id| (1..=127).contains(&node_id.value)) else {
+            let message = say!("the node-ID of `{}` is not known", node.name.value);
+            let finding = Diagnostic::new(&UNKNOWN_NODE_ID, node.name.at, message);
+            findings.push(finding.help("add the node-ID, or use a DCF that states it"));
+            continue;
+        };
+        let mut desk = Desk::new(node, node_id.value, manner, findings);
+        let slave = slave(&mut desk, position, network.manager.as_ref(), &mut pool);
+        slaves.push(slave);
+    }
+    slaves
+}
+
+fn slave(
+    desk: &mut Desk<'_, '_>,
+    position: usize,
+    manager: Option<&Manager>,
+    pool: &mut std::ops::RangeInclusive<u32>,
+) -> Slave {
+    let node = desk.node;
+    time(desk);
+    let heartbeat = heartbeat(desk);
+    if manager.is_some_and(Manager::monitors_nodes) {
+        monitored(desk, heartbeat);
+    }
+    let guard_time = guarding(desk, heartbeat);
+    for &(sub, value) in &node.error_behavior {
+        desk.change(Address { index: 0x1029, sub: Some(sub) }, value.value.into(), value.at);
+    }
+    let mut pdos = pdo::states(desk);
+    for wish in &node.pdos {
+        pdo::configure(desk, &mut pdos, wish, pool);
+    }
+    let conditional = desk.downloads.len();
+    for wish in &node.downloads {
+        download(desk, wish);
+    }
+    let unconditional = desk.downloads.len() - conditional;
+    let has_others = !desk.downloads.is_empty();
+    let consumers = manager.map_or_else(Vec::new, |manager| consumers(desk, manager));
+    let has_only_consumers = !has_others && !consumers.is_empty();
+    let own = std::mem::take(&mut desk.downloads);
+    let downloads = ConciseDcf(consumers.into_iter().chain(own).collect());
+    Slave {
+        node: position,
+        node_id: desk.node_id,
+        downloads,
+        unconditional,
+        has_only_consumers,
+        pdos,
+        heartbeat,
+        emcy: desk.emcy(),
+        guard_time,
+        identity: identity(desk),
+    }
+}
+
+/// 1012h. dcfgen compares with 100h, whatever the node has.
+fn time(desk: &mut Desk<'_, '_>) {
+    let Some(wish) = desk.node.time_cob_id else { return };
+    let at = Address { index: 0x1012, sub: None };
+    match desk.manner {
+        Manner::Strict if wish.value == 0x100 => {}
+        Manner::Strict => desk.write(at, wish.value.into(), wish.at, Severity::Warning),
+        Manner::Repaired => desk.change(at, wish.value.into(), wish.at),
+    }
+}
+
+/// 1017h; the time that holds in the end.
+fn heartbeat(desk: &mut Desk<'_, '_>) -> u16 {
+    let at = Address { index: 0x1017, sub: None };
+    if let Some(wish) = desk.node.heartbeat.producer {
+        desk.change(at, wish.value.into(), wish.at);
+        // dcfgen has the manager wait for the heartbeat of a node that cannot send one
+        if desk.manner == Manner::Strict || desk.has(at) {
+            return wish.value;
+        }
+    }
+    u16::try_from(desk.present(0x1017, 0)).unwrap_or(0)
+}
+
+/// Reports a consumer heartbeat time of the manager that does not fit into 1016h.
+fn monitored(desk: &mut Desk<'_, '_>, heartbeat: u16) {
+    let heartbeats = &desk.node.heartbeat;
+    if heartbeats.consumer_time(heartbeat).is_none() {
+        let at = heartbeats.producer.map_or(desk.node.name.at, |producer| producer.at);
+        desk.findings.push(too_long(at, heartbeats.factor, heartbeat));
+    }
+}
+
+/// A consumer heartbeat time that does not fit into 1016h.
+fn too_long(at: Span, factor: f64, producer: u16) -> Diagnostic {
+    let message = say!("{} times {} ms is more than 65535 ms, the longest time in 1016h", factor, producer);
+    let finding = Diagnostic::new(&NO_HEARTBEAT_CONSUMER, at, message).severity(Severity::Error);
+    finding.help("lower the producer heartbeat time or the multiplier")
+}
+
+/// 100Ch and 100Dh; the guard time for the manager.
+fn guarding(desk: &mut Desk<'_, '_>, heartbeat: u16) -> u16 {
+    let (time, factor) = desk.node.guarding;
+    let mut values = [
+        time.map(|time| Said::new(u32::from(time.value), time.at)),
+        factor.map(|factor| Said::new(u32::from(factor.value), factor.at)),
+    ]
+    .into_iter()
+    .zip([0x100C, 0x100D])
+    .map(|(wish, index)| match wish {
+        Some(wish) => {
+            desk.change(Address { index, sub: None }, wish.value.into(), wish.at);
+            wish.value
+        }
+        None => u32::try_from(desk.present(index, 0)).unwrap_or(0),
+    })
+    .collect::<Vec<_>>()
+    .into_iter();
+    let (time, factor) = (values.next().unwrap_or(0), values.next().unwrap_or(0));
+    if time != 0 && factor != 0 && heartbeat != 0 {
+        let at = desk.node.guarding.0.map_or(desk.node.name.at, |time| time.at);
+        let message = say!("`{}` has a heartbeat as well as node guarding", desk.node.name.value);
+        let finding = Diagnostic::new(&HEARTBEAT_AND_GUARDING, at, message);
+        desk.findings.push(
+            finding.help("remove the guard time and the life time factor; the manager uses the heartbeat"),
+        );
+        return 0;
+    }
+    u16::try_from(time).unwrap_or(0)
+}
+
+/// A download that is sent whatever the present value is.
+fn download(desk: &mut Desk<'_, '_>, wish: &Said<DownloadWish>) {
+    let DownloadWish { index, sub, value } = &wish.value;
+    let at = Address { index: *index, sub: Some(*sub) };
+    match value {
+        ValueWish::Integer(number) => desk.write(at, *number, wish.at, Severity::Error),
+        ValueWish::Real(number) => desk.write_real(at, *number, wish.at),
+        ValueWish::Text(text) => desk.write_text(at, text, wish.at),
+    }
+}
+
+/// 1016h: the node monitors the manager, or no longer does.
+fn consumers(desk: &mut Desk<'_, '_>, manager: &Manager) -> Vec<Download> {
+    const CONSUMERS: u16 = 0x1016;
+    let Some(manager_id) = manager.node_id.map(|node_id| node_id.value) else { return Vec::new() };
+    let producer = manager.heartbeat.producer.map_or(0, |time| time.value);
+    let time = if producer == 0 { Some(0) } else { manager.heartbeat.consumer_time(producer) };
+    let subs: Vec<(u8, u32)> = (1..=254)
+        .filter(|&sub| desk.has(Address { index: CONSUMERS, sub: Some(sub) }))
+        .map(|sub| (sub, u32::try_from(desk.present(CONSUMERS, sub)).unwrap_or(0)))
+        .collect();
+    let node_of = |consumer: u32| (consumer >> 16) as u8;
+    let put = |desk: &mut Desk<'_, '_>, sub, value: u32| {
+        let at = Address { index: CONSUMERS, sub: Some(sub) };
+        desk.write(at, value.into(), desk.node.name.at, Severity::Error);
+        desk.downloads.pop()
+    };
+    let wish = desk.node.heartbeat.consumer.filter(|wish| wish.value);
+    let Some(wish) = wish.filter(|_| time != Some(0)) else {
+        let stale = subs
+            .into_iter()
+            .filter(|&(_, consumer)| consumer & 0xFFFF != 0 && node_of(consumer) == manager_id);
+        let stale: Vec<u8> = stale.map(|(sub, _)| sub).collect();
+        // each is put in front of those before it
+        return stale
+            .into_iter()
+            .rev()
+            .filter_map(|sub| put(desk, sub, u32::from(manager_id) << 16))
+            .collect();
+    };
+    let unused = |consumer: u32| consumer & 0xFFFF == 0 || !(1..=127).contains(&node_of(consumer));
+    let own = subs.iter().find(|&&(_, consumer)| node_of(consumer) == manager_id);
+    let place = own.or_else(|| subs.iter().find(|&&(_, consumer)| unused(consumer))).map(|&(sub, _)| sub);
+    let finding = |message| Diagnostic::new(&NO_HEARTBEAT_CONSUMER, wish.at, message);
+    let name = &desk.node.name.value;
+    match (place, time) {
+        (Some(sub), Some(time)) => {
+            return put(desk, sub, u32::from(manager_id) << 16 | u32::from(time)).into_iter().collect();
+        }
+        (Some(_), None) => desk.findings.push(too_long(wish.at, manager.heartbeat.factor, producer)),
+        (None, _) if subs.is_empty() => desk.findings.push(
+            finding(say!("`{}` has no 1016h, so it cannot monitor the manager", name))
+                .help("remove `heartbeat_consumer`"),
+        ),
+        (None, _) => desk.findings.push(
+            finding(say!("all entries of 1016h of `{}` monitor other nodes", name))
+                .help("free one by a download of 0, or remove `heartbeat_consumer`"),
+        ),
+    }
+    Vec::new()
+}
+
+/// What the manager expects of the node: `DeviceInfo` counts more than 1018h, as in dcfgen.
+fn identity(desk: &Desk<'_, '_>) -> [u32; 5] {
+    let info = desk.node.device.device_info.as_ref();
+    let serial = desk.node.device.commissioning.as_ref().and_then(|node| node.lss_serial_number);
+    let present = |index, sub| u32::try_from(desk.present(index, sub)).unwrap_or(0);
+    [
+        present(0x1000, 0),
+        info.and_then(|info| info.vendor_number).unwrap_or_else(|| present(0x1018, 1)),
+        info.and_then(|info| info.product_number).unwrap_or_else(|| present(0x1018, 2)),
+        desk.node
+            .revision_number
+            .map(|number| number.value)
+            .or_else(|| info.and_then(|info| info.revision_number))
+            .unwrap_or_else(|| present(0x1018, 3)),
+        desk.node.serial_number.map(|number| number.value).or(serial).unwrap_or_else(|| present(0x1018, 4)),
+    ]
+}
+
+/// A finding about an entry that the node does not have.
+fn missing(node: &Node, at: Address) -> crate::diagnostic::Text {
+    let name = &node.name.value;
+    match (node.device.object(at.index), at.sub) {
+        (Some(_), Some(sub)) => say!("`{}` has no {:04X}h:{:02X}", name, at.index, sub),
+        _ => say!("`{}` has no {:04X}h", name, at.index),
+    }
+}

@@ -1,0 +1,177 @@
+//! A node while its downloads are made.
+
+use super::{INVALID_VALUE, MISSING_ENTRY, Manner, missing};
+use crate::diagnostic::{Diagnostic, Findings, Severity, say};
+use crate::download::{Download, bytes_of, transferred_type};
+use crate::literal::{self, Quirks};
+use crate::model::{Access, Address, DataType, Value};
+use crate::network::Node;
+use crate::rules::READ_ONLY_ENTRY;
+use crate::source::Span;
+
+/// A node, its downloads so far, and what is wrong with them.
+pub(super) struct Desk<'n, 'f> {
+    pub(super) node: &'n Node,
+    pub(super) node_id: u8,
+    pub(super) manner: Manner,
+    pub(super) downloads: Vec<Download>,
+    pub(super) findings: &'f mut Findings,
+}
+
+impl<'n, 'f> Desk<'n, 'f> {
+    pub(super) fn new(node: &'n Node, node_id: u8, manner: Manner, findings: &'f mut Findings) -> Self {
+        Self { node, node_id, manner, downloads: Vec::new(), findings }
+    }
+
+    /// Whether the node has the entry.
+    pub(super) fn has(&self, at: Address) -> bool {
+        self.node.device.entry(at.index, at.sub.unwrap_or(0)).is_some()
+    }
+
+    /// The number in an entry before the configuration; 0 if it is not stated.
+    pub(super) fn present(&self, index: u16, sub: u8) -> i128 {
+        let value = self.node.device.object(index).and_then(|object| object.value(sub));
+        value.and_then(|value| value.integer_for(self.node_id)).unwrap_or(0)
+    }
+
+    /// COB-ID of EMCY (1014h), unless it is not valid.
+    pub(super) fn emcy(&self) -> Option<u32> {
+        let object = self.node.device.object(0x1014)?;
+        let stated = object.value(0).and_then(|value| value.integer_for(self.node_id));
+        let number = match (stated, self.manner) {
+            (Some(number), _) => u32::try_from(number).ok()?,
+            (None, Manner::Strict) => 0,
+            (None, Manner::Repaired) => return None,
+        };
+        (number >> 31 == 0).then_some(number)
+    }
+
+    /// Writes an entry unless it has the value; a service that the node does not have stays off.
+    pub(super) fn change(&mut self, at: Address, number: i128, said: Span) {
+        if self.has(at) && self.present(at.index, at.sub.unwrap_or(0)) == number {
+            return;
+        }
+        self.write(at, number, said, Severity::Warning);
+    }
+
+    /// Writes a number to an entry. A node without it is a finding of this severity.
+    pub(super) fn write(&mut self, at: Address, number: i128, said: Span, if_missing: Severity) {
+        if !self.exists(at, said, if_missing) {
+            return;
+        }
+        let sub = at.sub.unwrap_or(0);
+        let data_type = transferred_type(&self.node.device, at.index, sub);
+        let value = match data_type {
+            // a whole number is exact up to 2^53
+            Some(data_type) => {
+                real(number as f64, data_type).or_else(|| Value::from_integer(number, data_type))
+            }
+            None => None,
+        };
+        match value {
+            Some(value) => self.write_value(at, &value, said),
+            None => self.invalid(at, &number.to_string(), said),
+        }
+    }
+
+    /// Writes a number with a fraction, of which dcfgen takes the whole part.
+    pub(super) fn write_real(&mut self, at: Address, number: f64, said: Span) {
+        if self.manner == Manner::Strict {
+            return self.write(at, number.trunc() as i128, said, Severity::Error);
+        }
+        if !self.exists(at, said, Severity::Error) {
+            return;
+        }
+        let data_type = transferred_type(&self.node.device, at.index, at.sub.unwrap_or(0));
+        match data_type.and_then(|data_type| real(number, data_type)) {
+            Some(value) => self.write_value(at, &value, said),
+            None => self.invalid(at, &number.to_string(), said),
+        }
+    }
+
+    /// Writes a text, spelled as in a DCF.
+    pub(super) fn write_text(&mut self, at: Address, text: &str, said: Span) {
+        if !self.exists(at, said, Severity::Error) {
+            return;
+        }
+        let data_type = transferred_type(&self.node.device, at.index, at.sub.unwrap_or(0));
+        match literal::value(text, data_type, &mut Quirks::default()) {
+            Ok(value) => self.write_value(at, &value, said),
+            Err(_) => self.invalid(at, text, said),
+        }
+    }
+
+    /// Writes a value to an entry.
+    fn write_value(&mut self, at: Address, value: &Value, said: Span) {
+        if !self.exists(at, said, Severity::Error) {
+            return;
+        }
+        let sub = at.sub.unwrap_or(0);
+        let Ok(data) = bytes_of(&self.node.device, at.index, sub, value, Some(self.node_id)) else {
+            return self.invalid(at, &value.to_string(), said);
+        };
+        self.check(at, value, said);
+        self.downloads.push(Download::new(at.index, sub, data));
+    }
+
+    /// Whether the node has the entry; if not, that is reported.
+    fn exists(&mut self, at: Address, said: Span, severity: Severity) -> bool {
+        let exists = self.has(at);
+        if !exists {
+            let finding = Diagnostic::new(&MISSING_ENTRY, said, missing(self.node, at)).severity(severity);
+            self.findings.push(finding.help("remove the setting, or correct index and sub-index"));
+        }
+        exists
+    }
+
+    /// Reports what the node refuses although the value can be sent.
+    fn check(&mut self, at: Address, value: &Value, said: Span) {
+        let sub = at.sub.unwrap_or(0);
+        let Some(entry) = self.node.device.entry(at.index, sub) else { return };
+        if let Some(access) = entry.implied_access().filter(|access: &Access| !access.is_writable()) {
+            let message = say!("{:04X}h:{:02X} of `{}` is `{}`", at.index, sub, self.node.name.value, access);
+            let finding = Diagnostic::new(&READ_ONLY_ENTRY, said, message);
+            self.findings.push(finding.help("remove the setting, or write another entry").understood());
+        }
+        let number = |value: &Value| value.integer_for(self.node_id);
+        let (low, high) =
+            (entry.low_limit.as_ref().and_then(number), entry.high_limit.as_ref().and_then(number));
+        let Some(number) = number(value) else { return };
+        let is_below = low.is_some_and(|low| number < low);
+        if is_below || high.is_some_and(|high| number > high) {
+            let (side, limit) = if is_below { ("below the low", low) } else { ("above the high", high) };
+            let message =
+                say!("{} is {} limit {} of {:04X}h:{:02X}", number, side, limit.unwrap_or(0), at.index, sub);
+            let finding = Diagnostic::new(&INVALID_VALUE, said, message);
+            self.findings.push(finding.help("write a value inside the limits of the entry").understood());
+        }
+    }
+
+    fn invalid(&mut self, at: Address, value: &str, said: Span) {
+        let sub = at.sub.unwrap_or(0);
+        let data_type = transferred_type(&self.node.device, at.index, sub);
+        let finding = match data_type {
+            Some(data_type) => {
+                let message =
+                    say!("`{}` is not a valid {} for {:04X}h:{:02X}", value, data_type, at.index, sub);
+                Diagnostic::new(&INVALID_VALUE, said, message)
+                    .help("write a value of the data type of the entry")
+            }
+            None => {
+                let message = say!("the data type of {:04X}h:{:02X} is not known", at.index, sub);
+                Diagnostic::new(&INVALID_VALUE, said, message)
+                    .help("correct the description: `objdict check` shows the place")
+            }
+        };
+        self.findings.push(finding);
+    }
+}
+
+/// A number as a value of REAL32 or REAL64; `None` for other data types.
+fn real(number: f64, data_type: DataType) -> Option<Value> {
+    match data_type {
+        DataType::REAL32 => Some(Value::Real32(number as f32)),
+        DataType::REAL64 => Some(Value::Real64(number)),
+        _ => None,
+    }
+}

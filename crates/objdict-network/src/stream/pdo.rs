@@ -1,0 +1,235 @@
+//! The PDOs of a node.
+
+use std::collections::BTreeMap;
+use std::ops::RangeInclusive;
+
+use super::Manner;
+use super::desk::Desk;
+use crate::configure::PdoName;
+use crate::diagnostic::{Diagnostic, Severity, say};
+use crate::download::transferred_type;
+use crate::model::{Address, CobId, DataType, MappedObject, PdoKind};
+use crate::network::{CobIdWish, PdoWish, Said};
+use crate::rules::{MISSING_ENTRY, NO_FREE_CAN_ID, PDO_TOO_LONG, UNMAPPABLE_ENTRY};
+
+/// A PDO after the configuration.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct PdoState {
+    /// The PDO.
+    pub pdo: PdoName,
+    /// COB-ID with its flags.
+    pub cob_id: u32,
+    /// Whether the PDO is switched on in the end, if its COB-ID is valid.
+    pub is_enabled: bool,
+    /// Transmission type.
+    pub transmission: u8,
+    /// Inhibit time in multiples of 100 µs.
+    pub inhibit_time: u16,
+    /// Event timer in milliseconds.
+    pub event_timer: u16,
+    /// The time in milliseconds after which a receiver misses the PDO.
+    pub deadline: u16,
+    /// SYNC start value.
+    pub sync_start: u8,
+    /// The number of mapped objects as the node counts them.
+    count: u8,
+    /// The mapped objects by sub-index, without unused ones.
+    pub mapping: BTreeMap<u8, MappedObject>,
+}
+
+/// The PDOs as the description has them.
+pub(super) fn states(desk: &Desk<'_, '_>) -> Vec<PdoState> {
+    let pdos = desk.node.device.pdos().filter(|pdo| pdo.communication.is_some());
+    pdos.map(|pdo| state(desk, PdoName { kind: pdo.kind, number: pdo.number })).collect()
+}
+
+fn state(desk: &Desk<'_, '_>, pdo: PdoName) -> PdoState {
+    let (communication, mapping) = indexes(pdo);
+    let count = desk.present(communication, 0);
+    let number = |sub: u8| if i128::from(sub) <= count { desk.present(communication, sub) } else { 0 };
+    let is_tpdo = pdo.kind == PdoKind::Tpdo;
+    let timer = u16::try_from(number(5)).unwrap_or(0);
+    let has_cob_id = count >= 1 && desk.has(Address { index: communication, sub: Some(1) });
+    let mapped = u8::try_from(desk.present(mapping, 0)).unwrap_or(0);
+    let objects = (1..=mapped).filter_map(|sub| {
+        let object = MappedObject::from_number(u32::try_from(desk.present(mapping, sub)).ok()?);
+        (!object.is_unused()).then_some((sub, object))
+    });
+    PdoState {
+        pdo,
+        cob_id: if has_cob_id { u32::try_from(number(1)).unwrap_or(CobId::BIT_31) } else { CobId::BIT_31 },
+        is_enabled: true,
+        transmission: u8::try_from(number(2)).unwrap_or(0),
+        inhibit_time: if is_tpdo { u16::try_from(number(3)).unwrap_or(0) } else { 0 },
+        event_timer: if is_tpdo { timer } else { 0 },
+        deadline: if is_tpdo { 0 } else { timer },
+        sync_start: if is_tpdo { u8::try_from(number(6)).unwrap_or(0) } else { 0 },
+        count: mapped,
+        mapping: objects.collect(),
+    }
+}
+
+/// Communication and mapping parameter.
+fn indexes(pdo: PdoName) -> (u16, u16) {
+    let index = pdo.kind.communication_index(pdo.number).unwrap_or_default();
+    (index, index + 0x200)
+}
+
+/// Configures a PDO: off, parameters, mapping, on.
+pub(super) fn configure(
+    desk: &mut Desk<'_, '_>,
+    states: &mut [PdoState],
+    wish: &PdoWish,
+    pool: &mut RangeInclusive<u32>,
+) {
+    let Some(state) = states.iter_mut().find(|state| state.pdo == wish.pdo) else {
+        let message = say!("`{}` has no {} {}", desk.node.name.value, wish.pdo.kind, wish.pdo.number);
+        let finding = Diagnostic::new(&MISSING_ENTRY, wish.at, message);
+        desk.findings.push(finding.help("remove the PDO, or use one that the node has"));
+        return;
+    };
+    let (communication, _) = indexes(wish.pdo);
+    let cob_id_at = Address { index: communication, sub: Some(1) };
+    let before = state.cob_id;
+    let said = wish.cob_id.map_or(wish.at, |cob_id| cob_id.at);
+    match wish.cob_id.map(|cob_id| cob_id.value) {
+        Some(CobIdWish::Number(number)) => state.cob_id = number,
+        Some(CobIdWish::Auto) => match automatic(wish.pdo, desk.node_id, pool) {
+            Some(cob_id) => state.cob_id = cob_id,
+            None => {
+                let message = say!(
+                    "no CAN-ID is left for {} {} of `{}`",
+                    wish.pdo.kind,
+                    wish.pdo.number,
+                    desk.node.name.value
+                );
+                let finding = Diagnostic::new(&NO_FREE_CAN_ID, said, message);
+                desk.findings.push(finding.help("give it a CAN-ID by number"));
+            }
+        },
+        None => {}
+    }
+    let off = state.cob_id | CobId::BIT_31;
+    if before != off {
+        desk.write(cob_id_at, off.into(), said, Severity::Error);
+    }
+    if state.cob_id & CobId::BIT_31 != 0 {
+        return;
+    }
+    parameters(desk, state, wish, communication);
+    if let Some(objects) = &wish.mapping {
+        map(desk, state, objects, wish);
+    }
+    state.is_enabled = wish.enabled;
+    if wish.enabled {
+        desk.write(cob_id_at, state.cob_id.into(), said, Severity::Error);
+    }
+}
+
+/// The CAN-ID of a PDO: predefined for PDO 1 to 4, else the next of the pool.
+fn automatic(pdo: PdoName, node_id: u8, pool: &mut RangeInclusive<u32>) -> Option<u32> {
+    match pdo.kind.predefined_can_id(pdo.number) {
+        Some(base) => Some(u32::from(base) + u32::from(node_id)),
+        None => pool.next(),
+    }
+}
+
+/// The sub-indexes 2 to 6. Those that a receiver does not have say what the sender, the manager, does.
+fn parameters(desk: &mut Desk<'_, '_>, state: &mut PdoState, wish: &PdoWish, index: u16) {
+    let is_tpdo = wish.pdo.kind == PdoKind::Tpdo;
+    let mut set = |sub, wish: Option<Said<u16>>, present: &mut u16, is_own: bool| {
+        let Some(wish) = wish.filter(|wish| wish.value != *present) else { return };
+        *present = wish.value;
+        if is_own {
+            desk.write(Address { index, sub: Some(sub) }, wish.value.into(), wish.at, Severity::Error);
+        }
+    };
+    let wide = |wish: Option<Said<u8>>| wish.map(|wish| Said::new(u16::from(wish.value), wish.at));
+    let mut transmission = state.transmission.into();
+    set(2, wide(wish.transmission), &mut transmission, true);
+    set(3, wish.inhibit_time, &mut state.inhibit_time, is_tpdo);
+    set(5, wish.event_timer, &mut state.event_timer, is_tpdo);
+    set(5, wish.deadline, &mut state.deadline, !is_tpdo);
+    let mut sync_start = state.sync_start.into();
+    set(6, wide(wish.sync_start), &mut sync_start, is_tpdo);
+    // both come from a byte
+    state.transmission = transmission as u8;
+    state.sync_start = sync_start as u8;
+}
+
+fn map(desk: &mut Desk<'_, '_>, state: &mut PdoState, objects: &[Said<Address>], wish: &PdoWish) {
+    let (_, index) = indexes(wish.pdo);
+    let count_at = Address { index, sub: Some(0) };
+    if state.count > 0 || !objects.is_empty() {
+        state.count = 0;
+        state.mapping.clear();
+        desk.write(count_at, 0, wish.at, Severity::Error);
+    }
+    let mut bits = 0;
+    for object in objects {
+        let Some(mapped) = mapped(desk, wish.pdo.kind, object) else { continue };
+        bits += u32::from(mapped.bits);
+        let Some(sub) = state.count.checked_add(1) else { break };
+        state.count = sub;
+        state.mapping.insert(sub, mapped);
+        desk.write(Address { index, sub: Some(sub) }, mapped.to_number().into(), object.at, Severity::Error);
+    }
+    if bits > 64 {
+        let message = say!(
+            "{} {} of `{}` maps {} bits, but a frame has 64",
+            wish.pdo.kind,
+            wish.pdo.number,
+            desk.node.name.value,
+            bits
+        );
+        desk.findings.push(
+            Diagnostic::new(&PDO_TOO_LONG, wish.at, message).help("move entries to another PDO").understood(),
+        );
+    }
+    if state.count > 0 {
+        desk.write(count_at, state.count.into(), wish.at, Severity::Error);
+    }
+}
+
+/// The content of a mapping entry.
+fn mapped(desk: &mut Desk<'_, '_>, kind: PdoKind, object: &Said<Address>) -> Option<MappedObject> {
+    let Address { index, sub } = object.value;
+    let sub = sub.unwrap_or(0);
+    let device = &desk.node.device;
+    let data_type = DataType(index);
+    if index < 0x20 && desk.manner == Manner::Repaired {
+        let usage = device.dummy_usage.as_ref().and_then(|usage| usage.types.get(&data_type));
+        let is_allowed = kind == PdoKind::Rpdo && data_type.is_dummy() && usage != Some(&false);
+        if let Some(bits) = data_type.bit_length().filter(|_| is_allowed) {
+            return Some(MappedObject { index, sub, bits });
+        }
+        let message = say!("{} of `{}` cannot be a dummy of this {}", data_type, desk.node.name.value, kind);
+        let finding = Diagnostic::new(&UNMAPPABLE_ENTRY, object.at, message);
+        desk.findings.push(finding.help("use a data type that `DummyUsage` of the node allows"));
+        return None;
+    }
+    let Some(entry) = device.entry(index, sub) else {
+        let finding = Diagnostic::new(&MISSING_ENTRY, object.at, super::missing(desk.node, object.value));
+        desk.findings.push(finding.help("correct index and sub-index"));
+        return None;
+    };
+    let reason = if !entry.is_mappable() {
+        Some("does not support PDO mapping")
+    } else if !entry.fits_pdo(kind) {
+        Some(if kind == PdoKind::Rpdo { "cannot be written by an RPDO" } else { "cannot be read by a TPDO" })
+    } else {
+        None
+    };
+    if let Some(reason) = reason {
+        let message = say!("{:04X}h:{:02X} of `{}` {}", index, sub, desk.node.name.value, reason);
+        desk.findings.push(
+            Diagnostic::new(&UNMAPPABLE_ENTRY, object.at, message).help("map another entry").understood(),
+        );
+    }
+    let bits = transferred_type(device, index, sub).and_then(DataType::bit_length);
+    if bits.is_none() {
+        let message = say!("{:04X}h:{:02X} of `{}` has no fixed length", index, sub, desk.node.name.value);
+        desk.findings.push(Diagnostic::new(&UNMAPPABLE_ENTRY, object.at, message).help("map another entry"));
+    }
+    Some(MappedObject { index, sub, bits: bits? })
+}

@@ -1,0 +1,107 @@
+//! The arguments of `objdict network`.
+
+use std::path::PathBuf;
+
+use clap::{Parser, Subcommand, ValueEnum};
+
+use super::ReportArgs;
+use crate::cli::baseline::BaselineArgs;
+use crate::cli::settings::SettingsArgs;
+
+/// Check networks, and build what their nodes and their manager are configured with
+#[derive(Debug, Parser)]
+pub(in crate::cli) struct NetworkArgs {
+    #[command(subcommand)]
+    pub command: NetworkCommand,
+}
+
+#[derive(Debug, Subcommand)]
+pub(in crate::cli) enum NetworkCommand {
+    Check(NetworkCheckArgs),
+    Build(NetworkBuildArgs),
+    Schema(NetworkSchemaArgs),
+}
+
+/// How the file of a network is read.
+#[derive(Debug, clap::Args)]
+#[command(next_help_heading = "Input")]
+pub(in crate::cli) struct NetworkInputArgs {
+    /// Replace `@NAME@`, `$NAME` and `${NAME}` in paths; repeatable
+    #[arg(short = 'D', long = "define", value_name = "NAME=VALUE", value_parser = variable)]
+    pub define: Vec<(String, String)>,
+}
+
+fn variable(text: &str) -> Result<(String, String), &'static str> {
+    match text.split_once('=') {
+        Some((name, value)) if !name.is_empty() => Ok((name.to_owned(), value.to_owned())),
+        _ => Err("write a name and its value, as in `BUS_CONFIG_PATH=/opt/bus`"),
+    }
+}
+
+/// Check networks
+///
+/// Exits with 1 when there is a finding of severity error (see --deny), with 2 when a file cannot be read.
+#[derive(Debug, Parser)]
+pub(in crate::cli) struct NetworkCheckArgs {
+    /// Files of networks: `bus.yml` of dcfgen or ros2_canopen
+    #[arg(required = true, value_name = "FILE")]
+    pub files: Vec<PathBuf>,
+    #[command(flatten)]
+    pub report: ReportArgs,
+    #[command(flatten)]
+    pub input: NetworkInputArgs,
+    #[command(flatten)]
+    pub settings: SettingsArgs,
+    #[command(flatten)]
+    pub baseline: BaselineArgs,
+}
+
+/// Build what the nodes and the manager of a network are configured with
+///
+/// Checks the network first and builds nothing if there is an error. Files are written only if they change, and atomically.
+#[derive(Debug, Parser)]
+pub(in crate::cli) struct NetworkBuildArgs {
+    /// The file of the network: `bus.yml` of dcfgen or ros2_canopen
+    pub file: PathBuf,
+    /// What to build
+    #[arg(long, value_enum)]
+    pub target: NetworkTarget,
+    /// The folder to write to
+    #[arg(short, long, value_name = "PATH")]
+    pub output: PathBuf,
+    /// Build even if there are errors
+    #[arg(long)]
+    pub force: bool,
+    /// Lely: the manager knows the mappings of the nodes' PDOs, as with `dcfgen -r`
+    #[arg(short, long, help_heading = "Lely")]
+    pub remote_pdo: bool,
+    /// Lely: byte for byte what dcfgen 2.4.2 writes, with its errors; refuses only what dcfgen refuses
+    #[arg(long, help_heading = "Lely")]
+    pub strict_dcfgen: bool,
+    #[command(flatten)]
+    pub input: NetworkInputArgs,
+}
+
+/// What is built of a network.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
+pub(in crate::cli) enum NetworkTarget {
+    /// The files of Lely's master: master.dcf, master.bin and one .bin a node
+    Lely,
+    /// One concise DCF a node, in an order that nodes accept
+    Concise,
+}
+
+/// Print the JSON Schema of a file format, with which editors complete and check
+#[derive(Debug, Parser)]
+pub(in crate::cli) struct NetworkSchemaArgs {
+    /// The file format
+    #[arg(value_enum)]
+    pub format: NetworkFormat,
+}
+
+/// A file format of networks.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
+pub(in crate::cli) enum NetworkFormat {
+    /// bus.yml of dcfgen and ros2_canopen
+    Bus,
+}
