@@ -259,7 +259,7 @@ impl<'a> Writer<'a> {
             self.out.record(&section, &name, RECORD, added.len(), "Highest sub-index supported");
             for (sub, (object, pdo)) in (1_u8..).zip(added) {
                 let (name, data_type) = described(pdo, object);
-                self.out.section(&format!("{section}sub{:X}", sub));
+                self.out.section(&format!("{section}sub{sub:X}"));
                 self.out.key("ParameterName", format_args!("{}: {name}", pdo.node.name.value));
                 self.out.data(data_type, access);
                 self.out.key("PDOMapping", 1);
