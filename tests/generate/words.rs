@@ -3,6 +3,7 @@
 use std::collections::BTreeSet;
 use std::path::Path;
 
+use objdict::generate::{Options, Target, generate};
 use objdict::model::{Access, DataType, Device, ObjectType, Value};
 
 use crate::odd::{entry, of_type, var};
@@ -53,4 +54,57 @@ pub(crate) fn device() -> Device {
         device.objects.insert(index, record);
     }
     device
+}
+
+/// The identifiers in all files of a target.
+fn identifiers(device: &Device, target: Target) -> BTreeSet<String> {
+    let mut options = Options::default();
+    options.node_id = Some(5);
+    let files = generate(device, target, &options).unwrap().files;
+    let texts = files.iter().map(|file| String::from_utf8_lossy(&file.contents));
+    let words = texts.flat_map(|text| {
+        let words = text.split(|c: char| !c.is_ascii_alphanumeric() && c != '_');
+        words.map(str::to_owned).collect::<Vec<_>>()
+    });
+    words.filter(|word| word.starts_with(|c: char| c.is_ascii_alphabetic() || c == '_')).collect()
+}
+
+/// Of several objects, entries, enumerations or words with one name none is plain.
+#[test]
+fn an_object_in_front_renames_no_other() {
+    // these keep to the rules of the programs that they replace, where the first of equal names is plain
+    let others = ["canfestival", "canopennode-v1"];
+    let mut device = crate::device(&support::fixtures().join("xdd/valve.xdd"));
+    let object = |number: u64| {
+        let value = |name, access| entry(name, DataType::UNSIGNED16, access, Some(Value::Unsigned(number)));
+        let count = entry("Count", DataType::UNSIGNED8, Access::Const, Some(Value::Unsigned(3)));
+        let subs = [
+            (0, count),
+            (1, value("Gain", Access::Rw)),
+            (2, value("Gain", Access::Rw)),
+            (3, value("Limit", Access::Rw)),
+        ];
+        of_type(ObjectType::Record, "Axis", subs)
+    };
+    let single =
+        |number| var(entry("Speed", DataType::UNSIGNED16, Access::Rw, Some(Value::Unsigned(number))));
+    for number in 0..2 {
+        device.objects.insert(0x2F10 + number, single(7));
+        device.objects.insert(0x2F20 + number, object(7));
+    }
+    let mut longer = device.clone();
+    longer.objects.insert(0x2E1F, single(7));
+    longer.objects.insert(0x2E2F, object(7));
+    for target in
+        Target::all().filter(|target| !others.contains(&target.name()) && target.name() != "template")
+    {
+        let (before, after) = (identifiers(&device, target), identifiers(&longer, target));
+        let is_of_the_new = |word: &&String| {
+            let word = word.to_ascii_lowercase();
+            word.contains("2e1f") || word.contains("2e2f")
+        };
+        let lost: Vec<_> = before.difference(&after).collect();
+        let new: Vec<_> = after.difference(&before).filter(|word| !is_of_the_new(word)).collect();
+        assert!(lost.is_empty() && new.is_empty(), "{}: without {lost:?}, with {new:?}", target.name());
+    }
 }

@@ -92,8 +92,6 @@ struct Namer<'a> {
     named: Named,
     keys: Vec<Key>,
     word_keys: Vec<(Box<str>, DataType)>,
-    enum_names: Scope,
-    word_names: Scope,
     by_index: bool,
     table: &'a Table,
     notes: &'a mut Vec<Note>,
@@ -105,8 +103,6 @@ pub(crate) fn meanings(device: &Device, table: &Table, options: &Options, notes:
         named: Named::default(),
         keys: Vec::new(),
         word_keys: Vec::new(),
-        enum_names: Scope::of_constants("self"),
-        word_names: Scope::of_lower_case(""),
         by_index: options.names == Names::Index,
         table,
         notes,
@@ -120,7 +116,18 @@ pub(crate) fn meanings(device: &Device, table: &Table, options: &Options, notes:
             None => {}
         }
     }
+    let Named { enums, words, .. } = &mut namer.named;
+    name_all(Scope::of_constants("self"), enums.iter_mut().map(|of| (&mut of.name, of.entries[0])).collect());
+    name_all(Scope::of_lower_case(""), words.iter_mut().map(|of| (&mut of.name, of.entries[0])).collect());
     namer.named
+}
+
+/// Makes names unique by their first entries, without regard to their order.
+fn name_all(mut scope: Scope, mut names: Vec<(&mut String, (u16, u8))>) {
+    scope.foresee(names.iter().map(|(name, _)| name.as_str()));
+    for (name, (index, sub)) in &mut names {
+        **name = scope.claim(name, format_args!("{index:04x}_{sub:02x}"));
+    }
 }
 
 /// The objects of device profiles (CiA 301 §7.4.1).
@@ -165,7 +172,7 @@ impl Namer<'_> {
         data_type: DataType,
         values: Vec<EnumValue>,
     ) {
-        let name = self.enum_names.claim(base, format_args!("{:04x}_{:02x}", row.index, row.sub));
+        let name = base.to_owned();
         self.keys.push(key);
         let entries = vec![(row.index, row.sub)];
         self.named.enums.push(EnumType { name, title, entries, data_type, values });
@@ -228,7 +235,6 @@ impl Namer<'_> {
         data_type: DataType,
         fields: &[BitField<'_>],
     ) {
-        let name = self.word_names.claim(base, format_args!("{:04x}_{:02x}", row.index, row.sub));
         let mut scope = Scope::of_lower_case("");
         let names: Vec<String> = fields.iter().map(|field| words(field.name)).collect();
         scope.foresee(names.iter().map(String::as_str));
@@ -244,7 +250,7 @@ impl Namer<'_> {
         let parts = parts.collect();
         self.word_keys.push(key);
         self.named.words.push(WordType {
-            name,
+            name: base.to_owned(),
             title,
             entries: vec![(row.index, row.sub)],
             data_type,

@@ -23,13 +23,13 @@ pub(crate) struct Variable<S> {
 }
 
 /// The variables of a dictionary in order. Entries without `kind` have no variable; entries of equal kinds
-/// can form an array. `name` gives the name of an entry, or of an array (`None`).
+/// can form an array. `names` gives the names of all of them: of entries, or of arrays (`None`).
 pub(crate) fn variables<S: PartialEq>(
     objects: &[ResolvedObject<'_>],
-    mut name: impl FnMut(&ResolvedObject<'_>, Option<usize>) -> String,
+    names: impl FnOnce(&[Wanted<'_>]) -> Vec<String>,
     kind: impl Fn(usize, usize) -> Option<S>,
 ) -> Vec<Variable<S>> {
-    let mut variables = Vec::new();
+    let (mut variables, mut wanted) = (Vec::new(), Vec::new());
     for (number, object) in objects.iter().enumerate() {
         let kinds: Vec<Option<S>> = (0..object.entries.len()).map(|entry| kind(number, entry)).collect();
         let elements = elements(object, &kinds);
@@ -38,10 +38,13 @@ pub(crate) fn variables<S: PartialEq>(
                 continue;
             };
             let array = elements.contains(&entry);
-            let name = name(object, (!array).then_some(entry));
+            wanted.push((object, (!array).then_some(entry)));
             let entries = if array { elements.clone() } else { entry..entry + 1 };
-            variables.push(Variable { name, object: number, entries, array, kind });
+            variables.push(Variable { name: String::new(), object: number, entries, array, kind });
         }
+    }
+    for (variable, name) in variables.iter_mut().zip(names(&wanted)) {
+        variable.name = name;
     }
     variables
 }
@@ -60,13 +63,18 @@ fn elements<S: PartialEq>(object: &ResolvedObject<'_>, kinds: &[Option<S>]) -> R
     if alike && (start..end).zip(1..).all(numbered) { start..end } else { none }
 }
 
-/// Claims a name for an entry, or for a whole object.
-pub(crate) fn claim(
-    scope: &mut Scope,
-    prefix: &str,
-    object: &ResolvedObject<'_>,
-    entry: Option<usize>,
-) -> String {
+/// An entry of an object by its number, or the whole object, that needs a name.
+pub(crate) type Wanted<'a> = (&'a ResolvedObject<'a>, Option<usize>);
+
+/// Claims a name for each of them, which does not depend on their order.
+pub(crate) fn claim(scope: &mut Scope, prefix: &str, wanted: &[Wanted<'_>]) -> Vec<String> {
+    let wanted: Vec<(String, String)> = wanted.iter().map(|wanted| described(prefix, wanted)).collect();
+    scope.foresee(wanted.iter().map(|(name, _)| name.as_str()));
+    wanted.iter().map(|(name, suffix)| scope.claim(name, format_args!("{suffix}"))).collect()
+}
+
+/// The words of a name, and what makes it unique.
+fn described(prefix: &str, &(object, entry): &Wanted<'_>) -> (String, String) {
     let index = object.index;
     let object_name = words(&object.name);
     let object_name = if object_name.is_empty() { format!("x{index:04x}") } else { object_name };
@@ -81,5 +89,5 @@ pub(crate) fn claim(
         }
     };
     let room = LONGEST - prefix.len() - 4 - suffix.len(); // for the prefix, the suffix and a number
-    scope.claim(clip(&name, room), format_args!("{suffix}"))
+    (clip(&name, room).to_owned(), suffix)
 }

@@ -8,7 +8,7 @@ use crate::dictionary::{Dictionary, ResolvedEntry, ResolvedObject};
 use crate::model::{DataType, Place, TypeKind};
 use crate::resolve::{Datum, Shape};
 use crate::stored;
-use crate::variables::variables;
+use crate::variables::{Wanted, variables};
 use crate::{Note, Options};
 
 /// The most rows of an object.
@@ -163,14 +163,18 @@ impl Builder<'_> {
             objects.iter().map(|object| vec![String::new(); object.entries.len()]).collect();
         let mut names = Names::new(self.node);
         let misfits = self.misfits.clone();
-        let name = |object: &ResolvedObject<'_>, entry: Option<usize>| {
-            names.claim(object, entry.and_then(|entry| object.entries.get(entry)))
+        let names = |wanted: &[Wanted<'_>]| {
+            let wanted = wanted.iter();
+            let claims = wanted.map(|&(object, entry)| {
+                names.claim(object, entry.and_then(|entry| object.entries.get(entry)))
+            });
+            claims.collect()
         };
         let kind = |object: usize, entry: usize| {
             let is_element = LISTS.contains(&objects[object].index) && misfits[object].is_none() && entry > 0;
             (!is_element).then(|| kind(&objects[object], &objects[object].entries[entry])).flatten()
         };
-        for variable in variables(objects, name, kind) {
+        for variable in variables(objects, names, kind) {
             let object = &objects[variable.object];
             let entries = &object.entries[variable.entries.clone()];
             // what the stack expects under this name has another type

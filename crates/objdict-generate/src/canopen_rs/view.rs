@@ -6,9 +6,10 @@ use super::losses::is_modelled;
 use crate::dictionary::{Dictionary, ResolvedEntry};
 use crate::escape::{byte_string, filters};
 use crate::model::{Access, DataType, TypeKind};
-use crate::names::{Scope, words};
+use crate::names::Scope;
 use crate::resolve::{Datum, Shape};
 use crate::rust::{value_of, word_type};
+use crate::variables::{Wanted, claim};
 
 /// The file.
 #[derive(Template)]
@@ -43,38 +44,30 @@ struct Row {
 impl Od {
     pub(super) fn new(dictionary: &Dictionary<'_>, made_by: String, function: String) -> Self {
         let info = dictionary.device.device_info.as_ref();
-        let mut constants = Scope::of_constants("");
-        let mut rows = Vec::new();
-        let mut has_formulas = false;
-        for object in &dictionary.objects {
-            let object_words = words(&object.name);
-            let object_words =
-                if object_words.is_empty() { format!("x{:04x}", object.index) } else { object_words };
-            for entry in &object.entries {
-                let (identifier, suffix, name) = if object.is_single() {
-                    (object_words.clone(), format!("{:04x}", object.index), object.object.name().to_owned())
-                } else {
-                    let entry_words = words(&entry.name);
-                    let entry_words =
-                        if entry_words.is_empty() { format!("x{:02x}", entry.sub) } else { entry_words };
-                    let name = format!("{} / {}", object.object.name(), entry.entry.name);
-                    (
-                        format!("{object_words}_{entry_words}"),
-                        format!("{:04x}_{:02x}", object.index, entry.sub),
-                        name,
-                    )
-                };
-                has_formulas |= matches!(entry.resolved.default, Datum::Formula(_));
-                rows.push(Row {
-                    index: object.index,
-                    sub: entry.sub,
-                    name,
-                    constant: constants.claim(&identifier, format_args!("{suffix}")).to_ascii_uppercase(),
-                    access: access(entry.resolved.access),
-                    value: value(entry),
-                });
-            }
-        }
+        let objects = dictionary.objects.iter();
+        let wanted: Vec<Wanted<'_>> = objects
+            .flat_map(|object| (0..object.entries.len()).map(move |entry| (object, Some(entry))))
+            .collect();
+        let constants = claim(&mut Scope::of_constants(""), "", &wanted);
+        let entries = dictionary
+            .objects
+            .iter()
+            .flat_map(|object| object.entries.iter().map(move |entry| (object, entry)));
+        let rows = entries.zip(constants).map(|((object, entry), constant)| Row {
+            index: object.index,
+            sub: entry.sub,
+            name: match object.is_single() {
+                true => object.object.name().to_owned(),
+                false => format!("{} / {}", object.object.name(), entry.entry.name),
+            },
+            constant: constant.to_ascii_uppercase(),
+            access: access(entry.resolved.access),
+            value: value(entry),
+        });
+        let rows: Vec<Row> = rows.collect();
+        let mut defaults =
+            dictionary.objects.iter().flat_map(|object| &object.entries).map(|entry| &entry.resolved.default);
+        let has_formulas = defaults.any(|default| matches!(default, Datum::Formula(_)));
         let has_octets = rows.iter().any(|row| row.value.contains("octets("));
         Self {
             made_by,

@@ -10,7 +10,7 @@ use crate::memory::{self, Extent, Memory};
 use crate::model::Place;
 use crate::names::{Scope, words};
 use crate::stored;
-use crate::variables::{Variable, claim, variables};
+use crate::variables::{Variable, Wanted, claim, variables};
 use crate::{Note, Options};
 
 /// A variable in RAM.
@@ -137,8 +137,8 @@ impl Layout {
             layout.join(name, object.index, &mut scope, prefix);
         }
         let kind = |object: usize, entry: usize| ram(&planned[object][entry].cell);
-        let name = |object: &ResolvedObject<'_>, entry| claim(&mut scope, prefix, object, entry);
-        for variable in variables(&dictionary.objects, name, kind) {
+        let names = |wanted: &[Wanted<'_>]| claim(&mut scope, prefix, wanted);
+        for variable in variables(&dictionary.objects, names, kind) {
             let object = &dictionary.objects[variable.object];
             let group = groups[variable.object].as_deref();
             layout.place(object, &variable, &planned[variable.object], group, (prefix, notes));

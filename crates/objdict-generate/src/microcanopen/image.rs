@@ -54,8 +54,7 @@ fn belongs(index: u16, entry: &ResolvedEntry<'_>) -> bool {
 impl Image {
     /// Collects the entries of the image without placing them.
     pub(super) fn new(dictionary: &Dictionary<'_>, prefix: &str, notes: &mut Vec<Note>) -> Self {
-        let mut scope = Scope::of_constants("");
-        let mut entries = Vec::new();
+        let (mut entries, mut wanted) = (Vec::new(), Vec::new());
         for object in &dictionary.objects {
             for (number, entry) in object.entries.iter().enumerate() {
                 let place = Place::entry(object.index, entry.sub);
@@ -71,10 +70,11 @@ impl Image {
                     let text = text.replace("OD", &prefix.to_ascii_uppercase());
                     notes.push(Note::new(place, text));
                 }
+                wanted.push((object, Some(number)));
                 entries.push(ImageEntry {
                     index: object.index,
                     sub: entry.sub,
-                    name: claim(&mut scope, prefix, object, Some(number)).to_ascii_uppercase(),
+                    name: String::new(),
                     described: entry.entry.name.to_string(),
                     size: resolved.shape.size(),
                     read: resolved.access.is_readable(),
@@ -83,6 +83,9 @@ impl Image {
                     offset: None,
                 });
             }
+        }
+        for (entry, name) in entries.iter_mut().zip(claim(&mut Scope::of_constants(""), prefix, &wanted)) {
+            entry.name = name.to_ascii_uppercase();
         }
         Self { entries, size: 0 }
     }

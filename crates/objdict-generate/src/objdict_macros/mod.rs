@@ -9,12 +9,12 @@ mod mapping;
 mod view;
 
 use super::c_code::{bytes, exact_type, little_endian, number};
-use super::dictionary::{Dictionary, ResolvedEntry, ResolvedObject};
+use super::dictionary::{Dictionary, ResolvedEntry};
 use super::memory::{self, Extent, Memory, Tally};
 use super::names::Scope;
 use super::notes::{in_order, once_per_device};
 use super::resolve::{Datum, Shape};
-use super::variables::{claim, variables};
+use super::variables::{Wanted, claim, variables};
 use super::{Backend, Choice, GenerateError, Generated, Note, Options, SizeReport, Sizes, render};
 use crate::model::{Device, Place};
 
@@ -129,8 +129,8 @@ impl Objects {
         let mut addresses: Vec<Vec<String>> =
             dictionary.objects.iter().map(|object| vec![String::new(); object.entries.len()]).collect();
         let mut definitions = Vec::new();
-        let name = |object: &ResolvedObject<'_>, entry| claim(&mut scope, prefix, object, entry);
-        for variable in variables(&dictionary.objects, name, kind) {
+        let names = |wanted: &[Wanted<'_>]| claim(&mut scope, prefix, wanted);
+        for variable in variables(&dictionary.objects, names, kind) {
             let name = format!("{prefix}_{}", variable.name);
             let values: Vec<String> = variable
                 .entries

@@ -21,12 +21,15 @@ impl Maker<'_> {
         }
         // zencan generates sub-index 0, and FFh would count as the highest one
         let subs = object.entries.iter().filter(|entry| !matches!(entry.sub, 0 | 0xFF));
+        let names: Vec<String> = subs.clone().map(|entry| words(&entry.name)).collect();
         let mut fields = Scope::of_lower_case("flags sub0");
+        fields.foresee(names.iter().map(String::as_str));
         let subs: Vec<SubView> = subs
-            .map(|entry| SubView {
+            .zip(&names)
+            .map(|(entry, name)| SubView {
                 sub: entry.sub,
                 name: toml_string(&entry.entry.name),
-                field: fields.claim(&words(&entry.name), format_args!("{:02x}", entry.sub)),
+                field: fields.claim(name, format_args!("{:02x}", entry.sub)),
                 entry: self.entry(object, entry),
             })
             .collect();
