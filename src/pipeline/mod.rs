@@ -30,7 +30,7 @@ use crate::diagnostic::{At, Diagnostic, Findings, Severity};
 use crate::format::Description;
 use crate::format::ReadError;
 use crate::format::input::{Input, Reading};
-use crate::generate::{self, Generated, Note, Options, Size, Sizes, Target, files_of, without_effect};
+use crate::generate::{self, Generated, Note, Options, Size, Sizes, Target, files_of, general_notes};
 use crate::lint::{self, Severities};
 use crate::model::{Address, Device, Place};
 use crate::profile::{self, Profile};
@@ -277,7 +277,7 @@ impl Request {
         }
         self.room.is_measured(&sizes)?;
         if let Some((_, first)) = outputs.first_mut() {
-            first.notes.splice(0..0, without_effect(&self.targets, &options));
+            first.notes.splice(0..0, general_notes(&device, &self.targets, &options));
         }
         let entries = device.objects.values().map(|object| object.entries().count()).sum();
         Ok(Generation { objects: device.objects.len(), entries, outputs, sizes })

@@ -195,3 +195,26 @@ fn notes_about_entries_of_one_object_are_one() {
     device.objects.insert(0x4000, Object { main, subs, ..Object::default() });
     insta::assert_snapshot!("odd_notes", notes(&device).join("\n"));
 }
+
+#[test]
+fn implied_pdos_are_one_note_on_every_target() {
+    let device = crate::device(&crate::support::fixtures().join("eds/compact.eds"));
+    let expected = format!(
+        "`CompactPDO` implies {} PDOs without objects, so no table has them; `--implicit-pdos` adds the objects",
+        device.implicit_pdos().len()
+    );
+    let mut options = Options::default();
+    options.node_id = Some(5);
+    for target in Target::all().filter(|target| target.name() != "template") {
+        let of = |device: &Device| {
+            let notes = generate(device, target, &options).unwrap().notes;
+            notes
+                .into_iter()
+                .filter(|note| note.message.contains("CompactPDO"))
+                .map(|note| note.message)
+                .collect::<Vec<_>>()
+        };
+        assert_eq!(of(&device), [expected.clone()], "{}", target.name());
+        assert_eq!(of(&device.with_implicit_pdos()), [""; 0], "{}", target.name());
+    }
+}

@@ -88,7 +88,7 @@ pub use size::{ObjectSize, Size, SizeReport, Sizes};
 
 use objdict_model::{diagnostic, literal, model};
 
-use crate::diagnostic::Severity;
+use crate::diagnostic::{Severity, counted};
 use crate::model::{Device, Place};
 
 /// All backends with the names of their [`Target`] constants, one per line, in the order of help.
@@ -349,23 +349,31 @@ fn list(notes: &[Note]) -> String {
 /// Fails if a value cannot be represented, see [`GenerateError`].
 pub fn generate(device: &Device, target: Target, options: &Options) -> Result<Generated, GenerateError> {
     let mut generated = files_of(device, target, options)?;
-    generated.notes.splice(0..0, without_effect(&[target], options));
+    generated.notes.splice(0..0, general_notes(device, &[target], options));
     Ok(generated)
 }
 
-/// The same without notes about options that have no effect.
+/// The same without the notes that belong to no target.
 pub fn files_of(device: &Device, target: Target, options: &Options) -> Result<Generated, GenerateError> {
     target.0.generate(device, options)
 }
 
-/// Notes options that have no effect on any of the targets.
-pub fn without_effect(targets: &[Target], options: &Options) -> Vec<Note> {
+/// Notes that belong to no target: options that have no effect on any of them, and PDOs that are only implied.
+pub fn general_notes(device: &Device, targets: &[Target], options: &Options) -> Vec<Note> {
     let has_effect = |choice: &Choice| targets.iter().any(|target| target.0.uses().contains(choice));
     let without = options.chosen().filter(|choice| !has_effect(choice));
     let note = |choice: Choice| {
         Note::new(Place::device(), format!("the option `{}` has no effect on this target", choice.name()))
     };
-    without.map(note).collect()
+    let implied = device.implicit_pdos().len();
+    let implied = (implied > 0).then(|| {
+        let (pdos, add) = (counted(implied, "PDO", "PDOs"), "`--implicit-pdos` adds the objects");
+        Note::new(
+            Place::device(),
+            format!("`CompactPDO` implies {pdos} without objects, so no table has them; {add}"),
+        )
+    });
+    without.map(note).chain(implied).collect()
 }
 
 /// The identifiers of an object or an entry in generated code.
