@@ -14,6 +14,7 @@ use objdict::model::{
 use crate::batch::Batch;
 use crate::compile::{c_compiler, cc, generate_into, succeed};
 use crate::odd::{entry, of_type};
+use crate::processors::build;
 use crate::{device, for_all, support};
 
 /// Test words.
@@ -503,6 +504,28 @@ fn the_valve_reads_as_people_would_write_it() {
 }
 
 /// Words that the device profile defines, where the description says nothing of them.
+/// Prints which numbers are two states.
+const STATES: &str = r#"
+#include <stdio.h>
+#include "od.h"
+#define PRINT(state) \
+    for (word = 0u; word < 0x80u; word++) { \
+        if ((OD_STATUSWORD_STATE_GET(word | 0x200u) & state##_MASK) == state) { \
+            printf("%u ", word); \
+        } \
+    }
+
+int main(void)
+{
+    unsigned int word;
+    PRINT(OD_STATUSWORD_STATE_OPERATION_ENABLED)
+    printf("- ");
+    PRINT(OD_STATUSWORD_STATE_NOT_READY_TO_SWITCH_ON)
+    printf("-");
+    return 0;
+}
+"#;
+
 #[test]
 fn words_of_a_profile_have_the_names_of_its_document() {
     let drive = device(&support::fixtures().join("eds/drive-402.eds"));
@@ -538,12 +561,21 @@ fn words_of_a_profile_have_the_names_of_its_document() {
     let header = text(&drive, Target::C, 0);
     for line in [
         "#define OD_STATUSWORD_STATE_OPERATION_ENABLED 39u ",
-        "#define OD_STATUSWORD_STATE_OPERATION_ENABLED_55 55u ",
+        "#define OD_STATUSWORD_STATE_OPERATION_ENABLED_MASK 111u ",
+        "#define OD_STATUSWORD_STATE_NOT_READY_TO_SWITCH_ON 0u ",
+        "#define OD_STATUSWORD_STATE_NOT_READY_TO_SWITCH_ON_MASK 79u ",
         "#define OD_MODES_OF_OPERATION_HOMING 6 ",
         "#define OD_CONTROLWORD_OF_THE_MODE_4_SHIFT 4u ",
         "#define OD_CONTROLWORD_OF_THE_MODE_9_SHIFT 9u ",
     ] {
         assert!(header.contains(line), "no `{line}`");
+    }
+    if let Some(compiler) = c_compiler() {
+        let folder = tempfile::tempdir().unwrap();
+        generate_into(folder.path(), &drive, "c");
+        std::fs::write(folder.path().join("states.c"), STATES).unwrap();
+        let programs = build(cc(&compiler, folder.path()).args(["-I.", "-o", "states", "states.c"])).unwrap();
+        assert_eq!(programs.run(&[], "").unwrap(), "39 55 - 0 16 32 48 -");
     }
     let encoder = device(&support::fixtures().join("eds/encoder-406.eds"));
     assert!(text(&encoder, Target::RUST, 0).contains("pub mod operating_parameters"));

@@ -26,6 +26,8 @@ pub(crate) struct EnumType {
     pub(crate) entries: Vec<(u16, u8)>,
     /// The type of the values.
     pub(crate) data_type: DataType,
+    /// Bits of a value.
+    pub(crate) bits: u8,
     /// At least one.
     pub(crate) values: Vec<EnumValue>,
 }
@@ -150,7 +152,8 @@ impl Namer<'_> {
             (_, Some(part)) => (format!("{}_{}", self.name_of(row), words(part)), part.to_owned()),
             (defined, None) => (self.name_of(row), defined.unwrap_or(&row.name).to_owned()),
         };
-        self.add_enum(row, key, (&base, title), enumeration.data_type, values(&enumeration.values));
+        let bits = enumeration.data_type.bit_length().unwrap_or(64);
+        self.add_enum(row, key, (&base, title), (enumeration.data_type, bits), values(&enumeration.values));
     }
 
     /// Whether there is such an enumeration, which is also that of the entry then.
@@ -169,13 +172,13 @@ impl Namer<'_> {
         row: &Row,
         key: Key,
         (base, title): (&str, String),
-        data_type: DataType,
+        (data_type, bits): (DataType, u8),
         values: Vec<EnumValue>,
     ) {
         let name = base.to_owned();
         self.keys.push(key);
         let entries = vec![(row.index, row.sub)];
-        self.named.enums.push(EnumType { name, title, entries, data_type, values });
+        self.named.enums.push(EnumType { name, title, entries, data_type, bits, values });
     }
 
     /// The bits of an entry in the document of the device's profile.
@@ -210,10 +213,11 @@ impl Namer<'_> {
                 continue;
             }
             if is_whole {
-                self.add_enum(row, key, (&name, title.clone()), data_type, values);
+                self.add_enum(row, key, (&name, title.clone()), (data_type, bits), values);
             } else {
                 let base = format!("{name}_{}", words(part.name));
-                self.add_enum(row, key, (&base, part.name.to_owned()), part.data_type(), values);
+                let of_part = (part.data_type(), part.bits);
+                self.add_enum(row, key, (&base, part.name.to_owned()), of_part, values);
             }
         }
         if is_whole || parts.is_empty() {

@@ -1,5 +1,7 @@
 //! View of templates/c/_meanings.h: enumerations and bit fields.
 
+use std::collections::BTreeSet;
+
 use askama::Template;
 
 use super::view::{macro_name, word_type};
@@ -60,21 +62,37 @@ impl<'a> Meanings<'a> {
 }
 
 fn enum_view<'a>(of: &'a EnumType, prefix: &str, macros: &mut Scope) -> EnumView<'a> {
-    let numbers = of.values.iter().flat_map(|value| {
-        let others =
-            value.others.iter().map(move |&number| (value, number, format!("_{}", suffix_of(number))));
-        std::iter::once((value, value.number, String::new())).chain(others)
-    });
-    let values = numbers.map(|(value, of_it, behind)| {
-        let suffix = suffix_of(of_it);
-        let words = format!("{}_{}{behind}", of.name, value.name);
-        ValueView {
-            name: macro_name(macros, prefix, &words, (format_args!("{suffix}"), suffix.len())),
-            label: &value.label,
-            number: number(of_it, of.data_type),
-        }
-    });
-    EnumView { of, entries: entries(&of.entries), values: values.collect() }
+    let mut values = Vec::new();
+    for value in &of.values {
+        let numbers: Vec<i128> = std::iter::once(value.number).chain(value.others.iter().copied()).collect();
+        let named: Vec<(String, i128)> = match common_bits(&numbers, of.bits) {
+            Some((common, mask)) => vec![(String::new(), common), ("_mask".to_owned(), mask)],
+            None => {
+                let others = numbers[1..].iter().map(|&number| (format!("_{}", suffix_of(number)), number));
+                std::iter::once((String::new(), value.number)).chain(others).collect()
+            }
+        };
+        values.extend(named.into_iter().map(|(behind, of_it)| {
+            let suffix = suffix_of(of_it);
+            let words = format!("{}_{}{behind}", of.name, value.name);
+            ValueView {
+                name: macro_name(macros, prefix, &words, (format_args!("{suffix}"), suffix.len())),
+                label: &value.label,
+                number: number(of_it, of.data_type),
+            }
+        }));
+    }
+    EnumView { of, entries: entries(&of.entries), values }
+}
+
+/// What several numbers have in common, if they are all numbers with it: the value of these bits, and their mask in
+/// a value of so many bits.
+fn common_bits(numbers: &[i128], bits: u8) -> Option<(i128, i128)> {
+    let common = numbers.iter().copied().reduce(|all, number| all & number)?;
+    let free = common ^ numbers.iter().copied().reduce(|any, number| any | number)?;
+    let distinct: BTreeSet<_> = numbers.iter().collect();
+    let is_complete = 1_usize.checked_shl(free.count_ones()) == Some(distinct.len());
+    (common >= 0 && free != 0 && is_complete).then_some((common, (1 << bits.min(64)) - 1 - free))
 }
 
 /// A number as a part of a name.

@@ -1,5 +1,5 @@
 {% if !enums.is_empty() -%}
-/* Named values of entries. */
+/* Named values of entries. With ..._MASK, the value is that of these bits; any others are possible. */
 {%- for view in enums %}
 
 /** {{ view.of.title|c_comment }}: {{ view.entries }} */
