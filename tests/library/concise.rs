@@ -3,7 +3,7 @@
 use objdict::download::{ConciseDcf, NeededFile, PlanOptions, Scope, SkipReason};
 use objdict::format::{self, Format, concise};
 use objdict::generate::{Options, Target, generate};
-use objdict::model::{Device, Place, Value};
+use objdict::model::{Access, Device, Place, Value};
 use objdict::source::{SourceFile, SourceOptions};
 
 use crate::support;
@@ -68,6 +68,11 @@ fn a_fixed_mapping_is_left_out_once() {
     let skipped: Vec<(Place, SkipReason)> =
         plan.skipped.iter().map(|skipped| (skipped.place.clone(), skipped.reason)).collect();
     assert_eq!(skipped, [(Place::object(0x1600), SkipReason::FixedMapping)]);
+    // a valid PDO whose COB-ID is constant cannot be disabled, so the complete configuration has nothing of it
+    let mut constant = device.clone();
+    constant.objects.get_mut(&0x1400).unwrap().subs.get_mut(1).unwrap().access = Some(Access::Const);
+    let pdos = PlanOptions { scope: Scope::Pdos, ..PlanOptions::default() };
+    assert_eq!(configuration(&constant, &pdos), ConciseDcf::default());
     let configuration = plan.into_concise(read).unwrap();
     assert!(configuration.0.iter().all(|download| download.index == 0x1400), "{configuration:?}");
     assert!(configuration.verify(&device, None).is_accepted());

@@ -221,6 +221,9 @@ fn summary(view: &View<'_>) -> String {
     if let Some(modules) = device.modules.as_ref().filter(|modules| !modules.supported.is_empty()) {
         facts.push(format!("{} to plug in", plural(modules.supported.len(), "module")));
     }
+    if !device.downloads.is_empty() {
+        facts.push(plural(device.downloads.len(), "ordered download"));
+    }
     fit(&format!("{product}{vendor}"), LINE) + "\n" + &fit(&facts.join(", "), LINE)
 }
 

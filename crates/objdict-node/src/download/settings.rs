@@ -7,7 +7,9 @@ use super::{
     Download, NeededFile, Plan, PlanError, PlanOptions, Problem, ProblemKind, Scope, SkipReason, Skipped,
     Step,
 };
-use crate::model::{Access, Device, Entry, ExplicitDownload, Field, Moment, Object, ObjectType, Place};
+use crate::model::{
+    Access, CobId, Device, Entry, ExplicitDownload, Field, Moment, Object, ObjectType, Place,
+};
 
 /// Index and sub-index.
 pub(super) type Key = (u16, u8);
@@ -66,7 +68,7 @@ impl<'a> Settings<'a> {
             for (sub, entry) in object.stated() {
                 settings.add((*index, sub), object, entry);
             }
-            if is_mapping(*index) {
+            if is_pdo(*index) {
                 settings.leave_fixed(*index, object);
             }
         }
@@ -93,20 +95,27 @@ impl<'a> Settings<'a> {
         self.entries.push(((index, sub), Setting { object, entry, entry_type, wanted }));
     }
 
-    /// Leaves a mapping out whose number of mapped objects is not 0 and cannot be written: its entries cannot
-    /// change (CiA 301 §7.5.2.36).
+    /// Leaves out what a node does not let change: a mapping whose number of mapped objects is not 0 and cannot be
+    /// written (CiA 301 §7.5.2.36), and unchanged values of a PDO that cannot be disabled.
     fn leave_fixed(&mut self, index: u16, object: &Object) {
         let count = object.entry(0).and_then(|entry| entry.value()?.as_integer());
-        if self.can_write((index, 0)) || count.is_none_or(|count| count == 0) {
+        let is_fixed =
+            is_mapping(index) && !self.can_write((index, 0)) && count.is_some_and(|count| count > 0);
+        let cob_id = (index & !0x0200, 1);
+        let present =
+            self.device.object(cob_id.0).and_then(|object| CobId::from_value(object.value(1)?.as_ref()));
+        let is_locked = !self.can_write(cob_id) && present.is_some_and(CobId::is_valid);
+        if !is_fixed && !is_locked {
             return;
         }
         let first = self.entries.partition_point(|&(key, _)| key < (index, 0));
-        let mut is_configured = false;
+        let mut leaves_configured = false;
         for (_, setting) in &mut self.entries[first..] {
-            is_configured |= setting.wanted && setting.entry.configured_value().is_some();
-            setting.wanted = false;
+            setting.wanted &= is_configured(setting.entry);
+            leaves_configured |= setting.wanted;
+            setting.wanted &= !is_fixed;
         }
-        if is_configured {
+        if leaves_configured && is_fixed {
             let skipped = Skipped { place: Place::object(index), reason: SkipReason::FixedMapping };
             self.skipped.insert((index, 0), skipped);
         }
