@@ -214,7 +214,7 @@ fn implied_pdos_are_one_note_on_every_target() {
                 .map(|note| note.message)
                 .collect::<Vec<_>>()
         };
-        assert_eq!(of(&device), [expected.clone()], "{}", target.name());
+        assert_eq!(of(&device), std::slice::from_ref(&expected), "{}", target.name());
         assert_eq!(of(&device.with_implicit_pdos()), [""; 0], "{}", target.name());
     }
 }

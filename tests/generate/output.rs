@@ -3,13 +3,13 @@
 
 use std::process::Command;
 
-use objdict::generate::{Options, OutputFile, Sizes, Target, generate, size};
+use objdict::generate::{CTable, Options, OutputFile, Sizes, Target, generate, size};
 use objdict::model::{Access, DataType, Device, Entry, Object, ObjectType, PdoMapping, Value};
 
 use crate::batch::Batch;
 use crate::compile::{c_compiler, cc, generate_into, generate_with, rustc, succeed};
 use crate::processors::build;
-use crate::{device, devices, support};
+use crate::{device, devices, odd, support};
 
 /// All files of the table targets.
 fn files(device: &Device, options: &Options) -> Vec<OutputFile> {
@@ -254,6 +254,44 @@ fn rustfmt_changes_nothing() {
     let mut rustfmt = Command::new(&program);
     let rustfmt = rustfmt.args(["--edition=2021", "--check", "--config-path", "/dev/null", "od.rs"]);
     succeed(rustfmt.current_dir(folder.path()), "").unwrap();
+}
+
+/// Names that Doxygen would take for commands, tags, entities, links and fences.
+const MARKUP: &str = r#"@brief torque|a\param b|<b>bold & co|#hash ::global|`tick|``` fence|~~~|%percent $dollar
+    |x[0](y)|* star _u_|"quoted|&amp; &nbsp|@code|\endcode|@{|@}|--dash|1. list|foo() bar::baz|:::|<!-- c|</b>
+    |<a href=x>|@|\|C:\temp\new|@@ \\|@"#;
+
+#[test]
+fn doxygen_warns_of_nothing() {
+    if Command::new("doxygen").arg("--version").output().is_err() {
+        eprintln!("skipped: there is no doxygen");
+        return;
+    }
+    let mut hostile = device(&support::fixtures().join("eds/dspic-sensors.eds"));
+    for (name, index) in MARKUP.split('|').zip(0x2800..) {
+        let mut object = device(&support::fixtures().join("eds/minimal.eds")).objects[&0x1001].clone();
+        object.main.name = name.trim().into();
+        object.main.access = Some(Access::Rw);
+        hostile.objects.insert(index, object);
+    }
+    let info = hostile.device_info.get_or_insert_default();
+    (info.vendor_name, info.product_name) = (Some("<x>@y".into()), Some("\\a".into()));
+    let valve = device(&support::fixtures().join("xdd/valve.xdd"));
+    for device in [hostile, valve, odd::device()] {
+        for table in [CTable::Compact, CTable::Structs] {
+            let mut options = Options::default();
+            options.table = table;
+            options.groups = vec!["2800-280F=APP".parse().unwrap()];
+            options.hooks = ["2000".parse().unwrap()].into();
+            let folder = tempfile::tempdir().unwrap();
+            generate_with(folder.path(), &device, "c", &options);
+            let settings =
+                "QUIET=YES\nEXTRACT_ALL=YES\nGENERATE_HTML=NO\nGENERATE_LATEX=NO\nGENERATE_XML=YES\n";
+            std::fs::write(folder.path().join("Doxyfile"), settings).unwrap();
+            let output = Command::new("doxygen").current_dir(folder.path()).output().unwrap();
+            assert_eq!(String::from_utf8_lossy(&output.stderr), "", "{table:?}");
+        }
+    }
 }
 
 #[test]

@@ -39,6 +39,20 @@ pub(super) fn c_comment(text: &str) -> String {
     if comment.is_empty() { "(no name)".to_owned() } else { comment }
 }
 
+/// For the text of a comment for Doxygen: what would be a command, a tag, an entity or a link is escaped.
+pub(super) fn doxygen(text: &str) -> String {
+    let comment = c_comment(text);
+    let mut escaped = String::with_capacity(comment.len() + 8);
+    for (at, c) in comment.char_indices() {
+        let is_scope = comment[at..].starts_with("::") && !escaped.ends_with(':');
+        if is_scope || matches!(c, '\\' | '@' | '<' | '>' | '&' | '#' | '%' | '$' | '"') {
+            escaped.push('\\');
+        }
+        escaped.push(c);
+    }
+    escaped
+}
+
 /// A string literal of C in UTF-8.
 pub(super) fn c_text(text: &str) -> String {
     super::c_code::literal(printable(text).trim().as_bytes()).unwrap_or_else(|| "\"\"".to_owned()) // never that long
@@ -183,6 +197,11 @@ pub(super) mod filters {
     }
 
     #[askama::filter_fn]
+    pub(crate) fn doxygen(text: impl AsRef<str>, _: &dyn Values) -> Result<String> {
+        Ok(super::doxygen(text.as_ref()))
+    }
+
+    #[askama::filter_fn]
     pub(crate) fn c_text(text: impl AsRef<str>, _: &dyn Values) -> Result<String> {
         let literal = super::c_text(text.as_ref());
         Ok(literal)
@@ -201,6 +220,7 @@ mod tests {
         assert_eq!(c_comment("a */ system(\"x\"); /* ??/ \\"), "a * / system(\"x\"); / * ? ?");
         assert_eq!(c_comment("a*//*/b"), "a* // * /b");
         assert_eq!(c_comment("/"), "(no name)");
+        assert_eq!(doxygen("a@b \\c <d>::e *"), "a\\@b \\\\c \\<d\\>\\::e");
         assert_eq!(code_span("  "), "(no name)");
         assert_eq!(code_span("Größe 速度"), "`Größe 速度`");
         assert_eq!(code_span(&"x".repeat(10_000)).len(), SHOWN + 5);

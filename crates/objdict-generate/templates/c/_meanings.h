@@ -2,9 +2,9 @@
 /* Named values of entries. With ..._MASK, the value is that of these bits; any others are possible. */
 {%- for view in enums %}
 
-/** {{ view.of.title|c_comment }}: {{ view.entries }} */
+/** {{ view.of.title|doxygen }}: {{ view.entries }} */
 {%- for value in view.values %}
-#define {{ upper }}_{{ value.name|upper }} {{ value.number }} /**< {{ value.label|c_comment }} */
+#define {{ upper }}_{{ value.name|upper }} {{ value.number }} /**< {{ value.label|doxygen }} */
 {%- endfor %}
 {%- endfor %}
 {%- if !words.is_empty() %}
@@ -16,9 +16,9 @@
    only the lowest bits are used. */
 {%- for view in words %}
 
-/** {{ view.of.title|c_comment }}: {{ view.entries }} */
+/** {{ view.of.title|doxygen }}: {{ view.entries }} */
 {%- for part in view.parts %}
-#define {{ part.name }}_SHIFT {{ part.of.first }}u /**< {{ part.of.label|c_comment }} */
+#define {{ part.name }}_SHIFT {{ part.of.first }}u /**< {{ part.of.label|doxygen }} */
 #define {{ part.name }}_BITS {{ part.of.bits }}u
 #define {{ part.name }}_MASK {{ part.mask }}
 #define {{ part.name }}_GET(word) {{ part.get }}

@@ -30,7 +30,7 @@ extern "C" {
 
 typedef struct {
 {%- for field in frame.fields %}
-    {{ field.declaration }}; /**< {{ field.row.index|hex4 }}h sub-index {{ field.row.sub|hex2 }}h: {{ field.row.name|c_comment }} */
+    {{ field.declaration }}; /**< {{ field.row.index|hex4 }}h sub-index {{ field.row.sub|hex2 }}h: {{ field.row.name|doxygen }} */
 {%- endfor %}
 } {{ frame.type_name }}_t;
 

@@ -2,7 +2,7 @@
  * @file
  * {{ plain.table.made_by }}; do not edit.
  *
- * Object dictionary of {{ plain.table.product|c_comment }} by {{ plain.table.vendor|c_comment }}.
+ * Object dictionary of {{ plain.table.product|doxygen }} by {{ plain.table.vendor|doxygen }}.
  *
  * {{ plain.lower }}_entries is an array of structures, one per entry; {{ plain.lower }}_data contains the variable values.
  */
@@ -25,10 +25,10 @@ extern "C" {
 /* Indexes of objects and sub-indexes of their entries. */
 {%- for view in plain.objects %}
 
-/** {{ view.object.index|hex4 }}h: {{ view.object.name|c_comment }} */
+/** {{ view.object.index|hex4 }}h: {{ view.object.name|doxygen }} */
 #define {{ plain.upper }}_{{ view.name }} 0x{{ view.object.index|hex4 }}u
 {%- for (name, row) in view.entries %}
-#define {{ plain.upper }}_{{ name }} 0x{{ row.sub|hex2 }}u /**< {{ row.name|c_comment }} */
+#define {{ plain.upper }}_{{ name }} 0x{{ row.sub|hex2 }}u /**< {{ row.name|doxygen }} */
 {%- endfor %}
 {%- endfor %}
 
@@ -47,11 +47,11 @@ typedef struct {
 {%- endif %}
 {%- for group in plain.groups %}
 
-/** The storage group {{ group.group.name|c_comment }}. */
+/** The storage group {{ group.group.name|doxygen }}. */
 typedef struct {
 {%- for field in group.fields %}
     {{ field.declaration }}; /**< {{ field.first.index|hex4 }}h sub-index {{ field.first.sub|hex2 }}h
-    {%- if field.array %} to {{ field.last.sub|hex2 }}h{% endif %}, {{ field.first.access() }}: {{ field.first.name|c_comment }} */
+    {%- if field.array %} to {{ field.last.sub|hex2 }}h{% endif %}, {{ field.first.access() }}: {{ field.first.name|doxygen }} */
 {%- endfor %}
 } {{ group.lower }}_t;
 {%- endfor %}
@@ -63,9 +63,9 @@ typedef struct {
 {%- match member %}
 {%- when MemberView::Field(field) %}
     {{ field.declaration }}; /**< {{ field.first.index|hex4 }}h sub-index {{ field.first.sub|hex2 }}h
-    {%- if field.array %} to {{ field.last.sub|hex2 }}h{% endif %}, {{ field.first.access() }}: {{ field.first.name|c_comment }} */
+    {%- if field.array %} to {{ field.last.sub|hex2 }}h{% endif %}, {{ field.first.access() }}: {{ field.first.name|doxygen }} */
 {%- when MemberView::Group(group) %}
-    {{ group.lower }}_t {{ group.group.field }}; /**< the storage group {{ group.group.name|c_comment }} */
+    {{ group.lower }}_t {{ group.group.field }}; /**< the storage group {{ group.group.name|doxygen }} */
 {%- endmatch %}
 {%- endfor %}
 } {{ plain.lower }}_data_t;
