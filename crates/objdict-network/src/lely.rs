@@ -94,6 +94,7 @@ impl<'a> Writer<'a> {
                 && state.cob_id >> 31 == 0
                 && !state.mapping.is_empty()
                 && (state.is_enabled || self.is_strict())
+                && (self.is_strict() || !self.is_between_nodes(state))
         };
         let of_slave = |slave: &'a Slave| {
             let node = self.node(slave);
@@ -102,6 +103,15 @@ impl<'a> Writer<'a> {
             pdos.into_iter().map(move |state| Mirrored { node, slave, state })
         };
         self.slaves.iter().flat_map(of_slave).collect()
+    }
+
+    /// Whether a node receives what another one sends: a manager that sent it too would be a second sender.
+    fn is_between_nodes(&self, state: &PdoState) -> bool {
+        let mut pdos = self.slaves.iter().flat_map(|slave| &slave.pdos);
+        let is_sent = |other: &PdoState| {
+            other.pdo.kind == PdoKind::Tpdo && other.is_active() && other.can_id() == state.can_id()
+        };
+        state.pdo.kind == PdoKind::Rpdo && pdos.any(is_sent)
     }
 
     /// The path of the configuration of a node for 1F22h. dcfgen forgets one that is about 1016h alone.

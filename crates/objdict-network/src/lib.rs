@@ -1,27 +1,26 @@
 //! CANopen networks: nodes with their descriptions, the manager that boots them, and who says what to whom. Part of
 //! [objdict](https://docs.rs/objdict); depend on that crate instead.
 //!
-//! A [`Network`] is what somebody wants; [`connect`] makes PDOs of its links, and [`slaves`] is what each node is told.
+//! A [`Network`] is what somebody wants; [`connect`] makes PDOs of its links, and [`compile`] says what each node is told.
 
+mod check;
 mod configured;
 mod connect;
 mod lely;
 mod link;
+mod messages;
 mod network;
 mod rules;
 mod stream;
 
+pub use check::check;
 pub use connect::connect;
 pub use lely::{LelyMaster, LelyOptions, configuration_file, lely_master};
 pub use link::{Link, LinkEnd, LinkParameters, LinkedEntries, NoLinkEnd};
+pub use messages::{CanId, Message, Messages, Party, Service};
 pub use network::*;
 pub use rules::rules;
-pub use stream::{Manner, PdoState, Slave, slaves};
+pub use stream::{Compiled, Manner, PdoState, Slave, compile};
 
 use objdict_model::{diagnostic, literal, model, source};
 use objdict_node::{configure, download};
-
-/// What is wrong with a network.
-pub fn check(network: &Network, findings: &mut diagnostic::Findings) {
-    slaves(network, Manner::Repaired, findings);
-}

@@ -7,9 +7,10 @@ use objdict_model::diagnostic::Severity;
 
 use self::desk::Desk;
 pub use self::pdo::PdoState;
+use crate::configured::configured;
 use crate::diagnostic::{Diagnostic, Findings, say};
 use crate::download::{ConciseDcf, Download};
-use crate::model::Address;
+use crate::model::{Address, Device};
 use crate::network::{DownloadWish, Manager, Network, Node, Said, ValueWish};
 use crate::rules::{
     HEARTBEAT_AND_GUARDING, INVALID_VALUE, MISSING_ENTRY, NO_HEARTBEAT_CONSUMER, UNKNOWN_NODE_ID,
@@ -23,6 +24,8 @@ pub struct Slave {
     pub node: usize,
     /// Its node-ID.
     pub node_id: u8,
+    /// The device with the values that it has in the end.
+    pub device: Device,
     /// The downloads that configure it.
     pub downloads: ConciseDcf,
     /// How many of them, at the end, are sent whatever the present values are.
@@ -54,11 +57,28 @@ pub enum Manner {
 /// The first and the last CAN-ID for PDOs from number 5 on.
 const POOL: std::ops::RangeInclusive<u32> = 0x680..=0x6DF;
 
-/// What the nodes but the manager are told. A node without a node-ID is left out.
-pub fn slaves(network: &Network, manner: Manner, findings: &mut Findings) -> Vec<Slave> {
+/// What the nodes are told. One without a node-ID is left out.
+#[derive(Clone, Debug)]
+pub struct Compiled {
+    /// The nodes but the manager, in the order of the network.
+    pub slaves: Vec<Slave>,
+    /// The manager, if it has a description: what it is told itself.
+    pub manager: Option<Slave>,
+}
+
+impl Compiled {
+    /// All nodes that have a description.
+    pub fn nodes(&self) -> impl Iterator<Item = &Slave> {
+        self.slaves.iter().chain(&self.manager)
+    }
+}
+
+/// Makes the downloads of all nodes.
+pub fn compile(network: &Network, manner: Manner, findings: &mut Findings) -> Compiled {
     let mut pool = POOL;
-    let mut slaves = Vec::new();
-    for (position, node) in network.slaves() {
+    let mut compiled = Compiled { slaves: Vec::new(), manager: None };
+    let own = network.manager.as_ref().and_then(|manager| manager.node);
+    for (position, node) in network.nodes.iter().enumerate() {
         let Some(node_id) = node.node_id.filter(|node_id| (1..=127).contains(&node_id.value)) else {
             let message = say!("the node-ID of `{}` is not known", node.name.value);
             let finding = Diagnostic::new(&UNKNOWN_NODE_ID, node.name.at, message);
@@ -66,10 +86,16 @@ pub fn slaves(network: &Network, manner: Manner, findings: &mut Findings) -> Vec
             continue;
         };
         let mut desk = Desk::new(node, node_id.value, manner, findings);
-        let slave = slave(&mut desk, position, network.manager.as_ref(), &mut pool);
-        slaves.push(slave);
+        let is_manager = own == Some(position);
+        let manager = network.manager.as_ref().filter(|_| !is_manager);
+        let slave = slave(&mut desk, position, manager, &mut pool);
+        if is_manager {
+            compiled.manager = Some(slave);
+        } else {
+            compiled.slaves.push(slave);
+        }
     }
-    slaves
+    compiled
 }
 
 fn slave(
@@ -88,6 +114,9 @@ fn slave(
     for &(sub, value) in &node.error_behavior {
         desk.change(Address { index: 0x1029, sub: Some(sub) }, value.value.into(), value.at);
     }
+    for setting in &node.settings {
+        desk.set(setting);
+    }
     let mut pdos = pdo::states(desk);
     for wish in &node.pdos {
         pdo::configure(desk, &mut pdos, wish, pool);
@@ -105,6 +134,7 @@ fn slave(
     Slave {
         node: position,
         node_id: desk.node_id,
+        device: configured(&node.device, desk.node_id, &downloads.0),
         downloads,
         unconditional,
         has_only_consumers,

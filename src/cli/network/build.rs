@@ -6,7 +6,7 @@ use super::super::{Failure, Outcome, tell};
 use super::open;
 use crate::diagnostic::{Findings, Severity};
 use crate::download::ConciseDcf;
-use crate::network::{LelyOptions, Manner, Network, Slave, configuration_file, lely_master, slaves};
+use crate::network::{LelyOptions, Manner, Network, Slave, compile, configuration_file, lely_master};
 use crate::report::{Tally, listed};
 
 /// A file to write: its name and its bytes.
@@ -42,7 +42,7 @@ pub(super) fn run(args: &NetworkBuildArgs) -> Result<Outcome, Failure> {
 
 fn lely(args: &NetworkBuildArgs, network: &Network) -> Result<Vec<File>, Failure> {
     let manner = if args.strict_dcfgen { Manner::Strict } else { Manner::Repaired };
-    let slaves = slaves(network, manner, &mut Findings::new());
+    let slaves = compile(network, manner, &mut Findings::new()).slaves;
     let options = LelyOptions { manner, remote_pdos: args.remote_pdo };
     let Some(master) = lely_master(network, &slaves, &options) else {
         return Err(Failure::new("a network without a manager has no files for Lely").help("add `master`"));
@@ -57,7 +57,7 @@ fn lely(args: &NetworkBuildArgs, network: &Network) -> Result<Vec<File>, Failure
 
 /// One stream a node, in an order that nodes accept.
 fn concise(network: &Network) -> Result<Vec<File>, Failure> {
-    let slaves = slaves(network, Manner::Repaired, &mut Findings::new());
+    let slaves = compile(network, Manner::Repaired, &mut Findings::new()).slaves;
     let stream = |slave: &Slave| {
         let node = &network.nodes[slave.node];
         let downloads = slave.arranged(node).map_err(|error| {

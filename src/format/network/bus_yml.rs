@@ -40,7 +40,8 @@ pub(super) fn read(
         None => {
             let finding = Diagnostic::new(&MISSING_KEY, Span::empty(0), "the network has no `master`");
             reader.findings.push(finding.help("add `master` with its `node_id`"));
-            None
+            // without one, all PDOs would be reported too
+            Some(Manager { name: Said::new("master".to_owned(), Span::empty(0)), ..Manager::default() })
         }
     };
     let nodes = if tree.get("nodes").is_some() { reader.ros_nodes(&tree) } else { nodes(entries) };

@@ -231,6 +231,13 @@ pub(super) fn integer(
             }
             cut
         }
+        Kind::Bool(flag) => {
+            let message =
+                say!("`{}` is {}, which dcfgen takes for {}", name, flag.to_string(), u8::from(*flag));
+            let finding = Diagnostic::new(&WRONG_TYPE, tree.span, message).severity(Severity::Warning);
+            findings.push(finding.help("write a number"));
+            (*flag).into()
+        }
         Kind::Text(text) if text.parse::<i128>().is_ok() => {
             let finding = wrong(name, tree, "a number").severity(Severity::Warning);
             findings.push(finding.help("write it without quotes"));

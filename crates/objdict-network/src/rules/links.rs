@@ -1,4 +1,4 @@
-//! The rules about links.
+//! The rules about links, settings and described managers, which our own format has.
 
 use crate::diagnostic::text_rules;
 
@@ -74,4 +74,28 @@ text_rules! {
     example: "a node with the constant mapping 6000h:01 in TPDO 1, and a link from 6000h:02",
     remedy: "Link the entries that the PDO carries, in the order of its mapping, and leave out parameters that it does not have.",
     source: "CiA 301 §7.5.2.35 to §7.5.2.38",
+
+    INVALID_SETTING = "network/invalid-setting", Error;
+    summary: "a setting does not fit the node",
+    checks: "Whether each setting of a node fits its dictionary, as `objdict configure` checks it.",
+    why: "The node cannot be configured with it.",
+    example: r#"`"1017" = "2 minutes"`"#,
+    remedy: "Correct the setting as the help says.",
+    source: "objdict, docs/dcf.md",
+
+    RPDO_WITHOUT_SENDER = "network/rpdo-without-sender", Warning;
+    summary: "nobody sends what a node receives",
+    checks: "Whether the CAN-ID of each valid RPDO that maps something is sent by a node of the network. A manager without a description sends all that remains.",
+    why: "The outputs of the node never change.",
+    example: "an RPDO on 18Ch in a network without node 12",
+    remedy: "Correct the CAN-ID, or switch the RPDO off.",
+    source: "CiA 301 §7.2.2",
+
+    TPDO_WITHOUT_RECEIVER = "network/tpdo-without-receiver", Note;
+    summary: "nobody receives what a node sends",
+    checks: "Whether the CAN-ID of each valid TPDO that maps something is received by a node of the network.",
+    why: "The PDO takes a part of the bus for nothing.",
+    example: "TPDO 2 of a node, which is valid by default",
+    remedy: "Switch the TPDO off, or link its entries.",
+    source: "CiA 301 §7.2.2",
 }

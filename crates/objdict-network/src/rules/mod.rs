@@ -1,8 +1,10 @@
 //! The rules about networks.
 
+mod bus;
 mod links;
 mod nodes;
 
+pub(crate) use bus::*;
 pub(crate) use links::*;
 pub(crate) use nodes::*;
 
@@ -10,5 +12,5 @@ use crate::diagnostic::RuleInfo;
 
 /// The rules about networks.
 pub fn rules() -> impl Iterator<Item = &'static RuleInfo> {
-    nodes::RULES.iter().copied()
+    nodes::RULES.iter().chain(bus::RULES).copied()
 }

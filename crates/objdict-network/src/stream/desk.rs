@@ -1,12 +1,13 @@
 //! A node while its downloads are made.
 
 use super::{INVALID_VALUE, MISSING_ENTRY, Manner, missing};
+use crate::configure::{Setting, configure};
 use crate::diagnostic::{Diagnostic, Findings, Severity, say};
 use crate::download::{Download, bytes_of, transferred_type};
 use crate::literal::{self, Quirks};
-use crate::model::{Access, Address, DataType, Value};
-use crate::network::Node;
-use crate::rules::READ_ONLY_ENTRY;
+use crate::model::{Access, Address, Assignment, DataType, Value};
+use crate::network::{Node, Said};
+use crate::rules::{INVALID_SETTING, READ_ONLY_ENTRY};
 use crate::source::Span;
 
 /// A node, its downloads so far, and what is wrong with them.
@@ -76,17 +77,24 @@ impl<'n, 'f> Desk<'n, 'f> {
 
     /// Writes a number with a fraction, of which dcfgen takes the whole part.
     pub(super) fn write_real(&mut self, at: Address, number: f64, said: Span) {
-        if self.manner == Manner::Strict {
-            return self.write(at, number.trunc() as i128, said, Severity::Error);
-        }
-        if !self.exists(at, said, Severity::Error) {
-            return;
-        }
         let data_type = transferred_type(&self.node.device, at.index, at.sub.unwrap_or(0));
-        match data_type.and_then(|data_type| real(number, data_type)) {
-            Some(value) => self.write_value(at, &value, said),
-            None => self.invalid(at, &number.to_string(), said),
+        let value = data_type.and_then(|data_type| real(number, data_type));
+        if let (Some(value), Manner::Repaired) = (&value, self.manner) {
+            return self.write_value(at, value, said);
         }
+        let whole = number.trunc() as i128;
+        if value.is_none() && self.has(at) {
+            let message = say!(
+                "{:04X}h:{:02X} takes whole numbers, so `{}` becomes {}",
+                at.index,
+                at.sub.unwrap_or(0),
+                number,
+                whole
+            );
+            let finding = Diagnostic::new(&INVALID_VALUE, said, message).understood();
+            self.findings.push(finding.help("write a whole number in the unit of the entry"));
+        }
+        self.write(at, whole, said, Severity::Error);
     }
 
     /// Writes a text, spelled as in a DCF.
@@ -114,6 +122,25 @@ impl<'n, 'f> Desk<'n, 'f> {
         self.downloads.push(Download::new(at.index, sub, data));
     }
 
+    /// Makes a setting, as `objdict configure` does.
+    pub(super) fn set(&mut self, setting: &Said<Setting>) {
+        match configure(&self.node.device, self.node_id, std::slice::from_ref(&setting.value)) {
+            Ok(values) => {
+                for Assignment { index, sub, value } in values {
+                    self.write_value(Address { index, sub: Some(sub) }, &value, setting.at);
+                }
+            }
+            Err(problems) => {
+                for problem in problems {
+                    let message = format!("`{}`: {}", self.node.name.value, problem.message);
+                    let finding = Diagnostic::new(&INVALID_SETTING, setting.at, message);
+                    let help = problem.help.unwrap_or_else(|| "correct the setting".to_owned());
+                    self.findings.push(finding.help(help));
+                }
+            }
+        }
+    }
+
     /// Whether the node has the entry; if not, that is reported.
     fn exists(&mut self, at: Address, said: Span, severity: Severity) -> bool {
         let exists = self.has(at);
@@ -128,7 +155,11 @@ impl<'n, 'f> Desk<'n, 'f> {
     fn check(&mut self, at: Address, value: &Value, said: Span) {
         let sub = at.sub.unwrap_or(0);
         let Some(entry) = self.node.device.entry(at.index, sub) else { return };
-        if let Some(access) = entry.implied_access().filter(|access: &Access| !access.is_writable()) {
+        let access = entry.implied_access().filter(|access: &Access| !access.is_writable());
+        // PDOs write some entries twice
+        if let Some(access) =
+            access.filter(|_| self.downloads.iter().all(|other| (other.index, other.sub) != (at.index, sub)))
+        {
             let message = say!("{:04X}h:{:02X} of `{}` is `{}`", at.index, sub, self.node.name.value, access);
             let finding = Diagnostic::new(&READ_ONLY_ENTRY, said, message);
             self.findings.push(finding.help("remove the setting, or write another entry").understood());

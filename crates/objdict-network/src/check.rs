@@ -1,0 +1,72 @@
+//! What does not fit together in a network.
+
+mod boot;
+mod can_ids;
+mod heartbeat;
+mod timing;
+
+use std::borrow::Cow;
+
+use crate::diagnostic::Findings;
+use crate::messages::{Messages, Party};
+use crate::network::Network;
+use crate::stream::{Compiled, Manner, Slave, compile};
+
+/// Reports what is wrong with a network: what nodes cannot be told, and what does not fit together.
+pub fn check(network: &Network, findings: &mut Findings) {
+    let compiled = compile(network, Manner::Repaired, findings);
+    let messages = Messages::new(network, &compiled);
+    let mut check = Check { network, compiled: &compiled, messages: &messages, findings };
+    check.nodes();
+    check.can_ids();
+    check.pdos();
+    check.sync();
+    check.times();
+    check.load();
+    check.heartbeats();
+    check.identities();
+    check.boot_time();
+}
+
+struct Check<'n, 'f> {
+    network: &'n Network,
+    compiled: &'n Compiled,
+    messages: &'n Messages,
+    findings: &'f mut Findings,
+}
+
+impl<'n> Check<'n, '_> {
+    /// The name of who sends or receives.
+    fn name(&self, party: &Party) -> &'n str {
+        match (party.node, &self.network.manager) {
+            (Some(node), _) => &self.network.nodes[node].name.value,
+            (None, Some(manager)) => &manager.name.value,
+            (None, None) => "",
+        }
+    }
+
+    /// `TPDO 1 of drive`.
+    fn described(&self, party: &Party) -> String {
+        format!("{} of `{}`", party.service, self.name(party))
+    }
+
+    /// The bit rate in kbit/s; without one, the fastest, which is the mildest for checks of time.
+    fn bit_rate(&self) -> u64 {
+        self.network.bit_rate.map_or(1000, |rate| rate.value.max(1)).into()
+    }
+
+    /// The node of a position.
+    fn slave(&self, node: usize) -> Option<&'n Slave> {
+        self.compiled.nodes().find(|slave| slave.node == node)
+    }
+
+    /// Who a node-ID belongs to: its name, and its producer heartbeat time.
+    fn producer(&self, node_id: u8) -> Option<(Cow<'n, str>, u16)> {
+        if let Some(slave) = self.compiled.nodes().find(|slave| slave.node_id == node_id) {
+            return Some((self.network.nodes[slave.node].name.value.as_str().into(), slave.heartbeat));
+        }
+        let manager = self.network.manager.as_ref()?;
+        manager.node_id.filter(|own| own.value == node_id)?;
+        Some((manager.name.value.as_str().into(), manager.heartbeat.producer.map_or(0, |time| time.value)))
+    }
+}

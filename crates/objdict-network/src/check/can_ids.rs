@@ -1,0 +1,154 @@
+//! Node-IDs, bit rates and CAN-IDs.
+
+use std::collections::BTreeMap;
+
+use super::Check;
+use crate::diagnostic::{Diagnostic, Severity, say};
+use crate::messages::{CanId, Message, Party, Service};
+use crate::model::{PdoKind, restricted};
+use crate::network::Said;
+use crate::rules::{
+    DUPLICATE_CAN_ID, DUPLICATE_NODE_ID, DUPLICATE_SYNC_SENDER, PDO_LENGTH, RESTRICTED_CAN_ID,
+    RPDO_WITHOUT_SENDER, TPDO_WITHOUT_RECEIVER, UNSUPPORTED_BIT_RATE,
+};
+use crate::stream::PdoState;
+
+impl Check<'_, '_> {
+    pub(super) fn nodes(&mut self) {
+        self.node_ids();
+        let Some(rate) = self.network.bit_rate else { return };
+        for node in &self.network.nodes {
+            let rates = node.device.device_info.as_ref().map(|info| &info.baud_rates);
+            let is_refused = rates.is_some_and(|rates| rates.get(rate.value) == Some(false));
+            let stated = node.device.commissioning.as_ref().and_then(|node| node.baud_rate);
+            let finding = |message| {
+                Diagnostic::new(&UNSUPPORTED_BIT_RATE, node.file.at, message)
+                    .label(rate.at, "the bit rate of the network")
+            };
+            if is_refused {
+                let message = say!("`{}` does not support {} kbit/s", node.name.value, rate.value);
+                self.findings
+                    .push(finding(message).help("use a bit rate that all nodes support").understood());
+            } else if let Some(stated) = stated.filter(|stated| ![0, rate.value].contains(stated)) {
+                let message = say!("`{}` is configured for {} kbit/s", node.name.value, stated);
+                let finding = finding(message).severity(Severity::Warning);
+                self.findings.push(finding.help(say!("set its bit rate to {} kbit/s", rate.value)));
+            }
+        }
+    }
+
+    fn node_ids(&mut self) {
+        let described = self.network.nodes.iter().map(|node| (&node.name.value, node.node_id));
+        let manager = self.network.manager.iter().filter(|manager| manager.node.is_none());
+        let all = manager.map(|manager| (&manager.name.value, manager.node_id)).chain(described);
+        let mut known: BTreeMap<u8, Said<&str>> = BTreeMap::new();
+        for (name, node_id) in all {
+            let Some(Said { value: node_id, at }) = node_id else { continue };
+            let Some(first) = known.get(&node_id) else {
+                known.insert(node_id, Said::new(name, at));
+                continue;
+            };
+            let message = say!("`{}` has the node-ID {} of `{}`", name, node_id, first.value);
+            let finding = Diagnostic::new(&DUPLICATE_NODE_ID, at, message).label(first.at, "it is used here");
+            self.findings.push(finding.help("give one of them another node-ID").understood());
+        }
+    }
+
+    pub(super) fn can_ids(&mut self) {
+        for (can_id, message) in &self.messages.0 {
+            self.senders(*can_id, message);
+            let parties = message.senders.iter().chain(&message.receivers);
+            for party in parties.filter(|party| matches!(party.service, Service::Pdo(_))) {
+                let Some(owner) = restricted(can_id.number).filter(|_| !can_id.is_extended) else { continue };
+                let message = format!(
+                    "{} has the CAN-ID {can_id}, which is restricted: {owner}",
+                    self.described(party)
+                );
+                let finding = Diagnostic::new(&RESTRICTED_CAN_ID, party.at, message);
+                self.findings.push(finding.help("use a CAN-ID of 181h to 57Fh or 680h to 6DFh").understood());
+            }
+        }
+    }
+
+    /// One sender a CAN-ID. Nodes with one node-ID share all of them, which is said once.
+    fn senders(&mut self, can_id: CanId, message: &Message) {
+        let Some((first, others)) = message.senders.split_first() else { return };
+        let node_id = |party: &Party| {
+            let manager = || self.network.manager.as_ref()?.node_id;
+            party
+                .node
+                .map_or_else(manager, |node| self.network.nodes[node].node_id)
+                .map(|node_id| node_id.value)
+        };
+        let mut findings = Vec::new();
+        for other in others {
+            let is_general = |service| matches!(service, Service::Sync | Service::Time);
+            let is_same_service = other.service == first.service && is_general(first.service);
+            if node_id(first) == node_id(other)
+                && (first.node != other.node || first.service == other.service)
+            {
+                continue;
+            }
+            let rule = if is_same_service { &DUPLICATE_SYNC_SENDER } else { &DUPLICATE_CAN_ID };
+            let message =
+                format!("{} and {} both send {can_id}", self.described(first), self.described(other));
+            let finding = Diagnostic::new(rule, other.at, message).label(first.at, "the other sender");
+            findings.push(finding.help("give one of them another CAN-ID, or switch it off").understood());
+        }
+        findings.into_iter().for_each(|finding| self.findings.push(finding));
+    }
+
+    /// The PDO of a party.
+    fn state(&self, party: &Party) -> Option<&PdoState> {
+        let Service::Pdo(pdo) = party.service else { return None };
+        self.slave(party.node?)?.pdos.iter().find(|state| state.pdo == pdo)
+    }
+
+    /// Who sends what others receive, and in which length.
+    pub(super) fn pdos(&mut self) {
+        let mut findings = Vec::new();
+        for (can_id, message) in &self.messages.0 {
+            let is_pdo = |party: &&Party| matches!(party.service, Service::Pdo(_));
+            if message.senders.is_empty() {
+                for party in message.receivers.iter().filter(is_pdo) {
+                    let text = format!("nobody sends {can_id}, which {} receives", self.described(party));
+                    let finding = Diagnostic::new(&RPDO_WITHOUT_SENDER, party.at, text);
+                    findings.push(finding.help("correct the CAN-ID, or switch the RPDO off"));
+                }
+            }
+            if message.receivers.is_empty() {
+                for party in message.senders.iter().filter(is_pdo) {
+                    let text = format!("nobody receives {can_id}, which {} sends", self.described(party));
+                    let finding = Diagnostic::new(&TPDO_WITHOUT_RECEIVER, party.at, text);
+                    findings.push(finding.help("switch the TPDO off, or link its entries"));
+                }
+            }
+            let sender = message.senders.iter().find_map(|party| Some((party, self.state(party)?)));
+            let Some((sender, sent)) = sender.filter(|(_, sent)| sent.pdo.kind == PdoKind::Tpdo) else {
+                continue;
+            };
+            for receiver in &message.receivers {
+                let Some(received) = self.state(receiver).filter(|state| state.bits() != sent.bits()) else {
+                    continue;
+                };
+                let text = format!(
+                    "{} takes {} bits of the {} that {} sends",
+                    self.described(receiver),
+                    received.bits(),
+                    sent.bits(),
+                    self.described(sender)
+                );
+                let finding = Diagnostic::new(&PDO_LENGTH, receiver.at, text)
+                    .label(sender.at, "the sender")
+                    .understood();
+                findings.push(match received.bits() > sent.bits() {
+                    true => {
+                        finding.help("map fewer entries: the node does not process a PDO that is too short")
+                    }
+                    false => finding.severity(Severity::Warning).help("fill the rest with dummies"),
+                });
+            }
+        }
+        findings.into_iter().for_each(|finding| self.findings.push(finding));
+    }
+}

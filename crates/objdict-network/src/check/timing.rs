@@ -1,0 +1,226 @@
+//! SYNC, the times of PDOs, and the load of the bus.
+
+use super::Check;
+use crate::diagnostic::{Diagnostic, Severity, say};
+use crate::messages::{Message, Party, Service};
+use crate::model::PdoKind;
+use crate::network::{Network, Said};
+use crate::rules::{BUS_LOAD, NO_SYNC_SENDER, PDO_TIMES, SYNC_COUNTER, SYNC_WINDOW};
+use crate::source::Span;
+use crate::stream::{PdoState, Slave};
+
+/// The most bits of a data frame with so many bytes, with stuff bits and the space to the next frame.
+pub(super) const fn frame_bits(bytes: u64, is_extended: bool) -> u64 {
+    if is_extended { 80 + 10 * bytes } else { 55 + 10 * bytes }
+}
+
+/// The most bits of the download of a value: expedited up to 4 bytes, else in segments of 7.
+pub(super) const fn sdo_bits(size: usize) -> u64 {
+    let segments = if size <= 4 { 0 } else { size.div_ceil(7) as u64 };
+    (2 + 2 * segments) * frame_bits(8, false)
+}
+
+/// Who sends SYNC, and how.
+struct Sync {
+    period: u64,
+    window: Said<u64>,
+    overflow: u8,
+    bytes: u64,
+    at: Span,
+    node: Option<usize>,
+}
+
+impl Check<'_, '_> {
+    /// The one that sends SYNC.
+    fn sync_sender(&self) -> Option<Sync> {
+        let senders = self.messages.0.values().flat_map(|message| &message.senders);
+        let party = senders.clone().find(|party| party.service == Service::Sync)?;
+        let (period, window, overflow) = match party.node {
+            None => {
+                let manager = self.network.manager.as_ref()?;
+                (manager.sync_period.value, manager.sync_window, manager.sync_overflow.value)
+            }
+            Some(position) => {
+                let services = self.slave(position)?.device.services();
+                let window = Said::new(services.synchronous_window.unwrap_or(0), party.at);
+                (services.communication_cycle_period?, window, services.sync_counter_overflow.unwrap_or(0))
+            }
+        };
+        Some(Sync {
+            period: period.into(),
+            window: Said::new(window.value.into(), window.at),
+            overflow,
+            bytes: u64::from(overflow > 1),
+            at: party.at,
+            node: party.node,
+        })
+    }
+
+    /// All PDOs that are sent, with who sends them.
+    fn sent(&self) -> Vec<(&Slave, &PdoState)> {
+        let active = |slave| {
+            move |state: &&PdoState| {
+                let _: &Slave = slave;
+                state.is_active()
+            }
+        };
+        self.compiled
+            .nodes()
+            .flat_map(|slave| slave.pdos.iter().filter(active(slave)).map(move |state| (slave, state)))
+            .collect()
+    }
+
+    pub(super) fn sync(&mut self) {
+        let pdos = self.sent();
+        let synchronous: Vec<_> = pdos.into_iter().filter(|(_, state)| state.is_synchronous()).collect();
+        let Some(sync) = self.sync_sender() else {
+            let findings: Vec<_> =
+                synchronous.iter().map(|(slave, state)| no_sync(self.network, slave, state)).collect();
+            findings.into_iter().for_each(|finding| self.findings.push(finding));
+            return;
+        };
+        let mut findings = Vec::new();
+        let mut counted = Vec::new();
+        for (slave, _) in &synchronous {
+            if Some(slave.node) == sync.node || counted.contains(&slave.node) {
+                continue;
+            }
+            counted.push(slave.node);
+            let node = &self.network.nodes[slave.node];
+            let overflow = slave.device.services().sync_counter_overflow;
+            // a node without 1019h takes a SYNC of any length
+            if let Some(overflow) = overflow.filter(|overflow| *overflow != sync.overflow) {
+                let message = say!(
+                    "`{}` expects SYNC with the counter overflow {}, but it is {}",
+                    node.name.value,
+                    overflow,
+                    sync.overflow
+                );
+                let finding =
+                    Diagnostic::new(&SYNC_COUNTER, node.name.at, message).label(sync.at, "who sends SYNC");
+                findings.push(finding.help("set 1019h to the same value in all nodes").understood());
+            }
+        }
+        // with types above 1 PDOs may still meet in one cycle
+        let burst: u64 =
+            synchronous.iter().map(|(_, state)| pdo_bits(state)).sum::<u64>() + frame_bits(sync.bytes, false);
+        let time = (burst * 1000).div_ceil(self.bit_rate());
+        let (limit, what, at) = match sync.window.value {
+            0 => (sync.period, "communication cycle period", sync.at),
+            window => (window, "synchronous window length", sync.window.at),
+        };
+        if time > limit {
+            let message = say!(
+                "SYNC and the synchronous PDOs take up to {} µs, but the {} is {} µs",
+                time,
+                what,
+                limit
+            );
+            let help = "lengthen it, or send PDOs less often";
+            findings.push(Diagnostic::new(&SYNC_WINDOW, at, message).help(help));
+        }
+        findings.into_iter().for_each(|finding| self.findings.push(finding));
+    }
+
+    /// Inhibit time, event timer and deadline.
+    pub(super) fn times(&mut self) {
+        let mut findings = Vec::new();
+        for (slave, state) in self.sent() {
+            let node = &self.network.nodes[slave.node];
+            let at = node.pdos.iter().find(|wish| wish.pdo == state.pdo).map_or(node.name.at, |wish| wish.at);
+            let (inhibit, timer) = (u32::from(state.inhibit_time), u32::from(state.event_timer) * 10);
+            if state.pdo.kind == PdoKind::Tpdo && timer != 0 && timer < inhibit {
+                let message = say!(
+                    "the event timer of {} {} of `{}` is {} ms, shorter than its inhibit time of {} times 100 µs",
+                    state.pdo.kind,
+                    state.pdo.number,
+                    node.name.value,
+                    state.event_timer,
+                    state.inhibit_time
+                );
+                findings.push(Diagnostic::new(&PDO_TIMES, at, message).help("lengthen the event timer"));
+            }
+            let sender = self.messages.0.get(&state.can_id()).and_then(|message| self.sender_of(message));
+            let Some(sent) = sender.filter(|_| state.pdo.kind == PdoKind::Rpdo && state.deadline != 0) else {
+                continue;
+            };
+            if sent.event_timer != 0 && sent.event_timer >= state.deadline {
+                let message = say!(
+                    "{} {} of `{}` is missed after {} ms, but sent each {} ms",
+                    state.pdo.kind,
+                    state.pdo.number,
+                    node.name.value,
+                    state.deadline,
+                    sent.event_timer
+                );
+                findings.push(
+                    Diagnostic::new(&PDO_TIMES, at, message).help("lengthen the deadline of the receiver"),
+                );
+            }
+        }
+        findings.into_iter().for_each(|finding| self.findings.push(finding));
+    }
+
+    fn sender_of(&self, message: &Message) -> Option<&PdoState> {
+        message.senders.iter().find_map(|Party { node, service, .. }| {
+            let Service::Pdo(pdo) = *service else { return None };
+            self.slave((*node)?)?.pdos.iter().find(|state| state.pdo == pdo)
+        })
+    }
+
+    /// The share of the bit rate that is used all the time.
+    pub(super) fn load(&mut self) {
+        let Some(rate) = self.network.bit_rate else { return };
+        let sync = self.sync_sender();
+        // bits a second, times a thousand
+        let mut load: u64 = sync
+            .as_ref()
+            .map_or(0, |sync| frame_bits(sync.bytes, false) * 1_000_000_000 / sync.period.max(1));
+        let mut can_ids = std::collections::BTreeSet::new();
+        for (_, state) in self.sent() {
+            let period = period(state, sync.as_ref());
+            if let Some(period) = period.filter(|_| can_ids.insert(state.can_id())) {
+                load += pdo_bits(state) * 1_000_000_000 / period.max(1);
+            }
+        }
+        for slave in self.compiled.nodes().filter(|slave| slave.heartbeat != 0) {
+            load += frame_bits(1, false) * 1_000_000 / u64::from(slave.heartbeat);
+        }
+        let percent = load / (u64::from(rate.value) * 10_000);
+        if percent > 80 {
+            let severity = if percent > 100 { Severity::Error } else { Severity::Warning };
+            let message = say!("cyclic messages take {} % of {} kbit/s", percent, rate.value);
+            let finding = Diagnostic::new(&BUS_LOAD, rate.at, message).severity(severity).understood();
+            self.findings.push(finding.help("lengthen times, map entries together, or raise the bit rate"));
+        }
+    }
+}
+
+/// The shortest time in microseconds between two of them; `None` for PDOs that an event triggers at any time.
+fn period(state: &PdoState, sync: Option<&Sync>) -> Option<u64> {
+    match state.transmission {
+        0..=240 => sync.map(|sync| sync.period * u64::from(state.transmission.max(1))),
+        _ => [u64::from(state.inhibit_time) * 100, u64::from(state.event_timer) * 1000]
+            .into_iter()
+            .find(|time| *time != 0),
+    }
+}
+
+fn pdo_bits(state: &PdoState) -> u64 {
+    frame_bits(u64::from(state.bits().div_ceil(8)).min(8), state.can_id().is_extended)
+}
+
+fn no_sync(network: &Network, slave: &Slave, state: &PdoState) -> Diagnostic {
+    let node = &network.nodes[slave.node];
+    let said = node.pdos.iter().find(|wish| wish.pdo == state.pdo);
+    let at =
+        said.map_or(node.name.at, |wish| wish.transmission.map_or(wish.at, |transmission| transmission.at));
+    let message = say!(
+        "{} {} of `{}` waits for SYNC, which nobody sends",
+        state.pdo.kind,
+        state.pdo.number,
+        node.name.value
+    );
+    Diagnostic::new(&NO_SYNC_SENDER, at, message)
+        .help("set the SYNC period of the manager, or use an event-driven transmission type")
+}

@@ -1,0 +1,244 @@
+//! Who sends and who receives which CAN-ID.
+
+use std::collections::BTreeMap;
+
+use crate::configure::PdoName;
+use crate::model::{CobId, PdoKind, predefined};
+use crate::network::{Manager, Network};
+use crate::source::Span;
+use crate::stream::{Compiled, PdoState, Slave};
+
+/// A CAN-ID; base frames before extended ones.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
+pub struct CanId {
+    /// Whether it has 29 bits.
+    pub is_extended: bool,
+    /// The bits.
+    pub number: u32,
+}
+
+impl CanId {
+    /// The CAN-ID of 11 bits of a service.
+    const fn base(number: u32) -> Self {
+        Self { is_extended: false, number }
+    }
+
+    fn of(cob_id: u32) -> Self {
+        let cob_id = CobId::new(cob_id);
+        Self { is_extended: cob_id.is_extended(), number: cob_id.can_id(0) }
+    }
+}
+
+/// `18Bh`, `1ABCDEFFh`.
+impl std::fmt::Display for CanId {
+    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+        let width = if self.is_extended { 8 } else { 3 };
+        write!(f, "{:0width$X}h", self.number)
+    }
+}
+
+/// A service of CiA 301, as one node uses it.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
+pub enum Service {
+    /// SYNC.
+    Sync,
+    /// TIME.
+    Time,
+    /// EMCY.
+    Emcy,
+    /// A PDO of the node.
+    Pdo(PdoName),
+    /// A PDO that the manager has the other side of, without a number that anybody has to know.
+    MirroredPdo,
+    /// The request of the default SDO.
+    SdoRequest,
+    /// The response of the default SDO.
+    SdoResponse,
+    /// Heartbeat, boot-up and guarding.
+    ErrorControl,
+}
+
+/// `TPDO 1`, `SDO request`.
+impl std::fmt::Display for Service {
+    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+        f.write_str(match self {
+            Self::Pdo(PdoName { kind, number }) => return write!(f, "{kind} {number}"),
+            Self::Sync => "SYNC",
+            Self::Time => "TIME",
+            Self::Emcy => "EMCY",
+            Self::MirroredPdo => "PDO",
+            Self::SdoRequest => "SDO request",
+            Self::SdoResponse => "SDO response",
+            Self::ErrorControl => "heartbeat",
+        })
+    }
+}
+
+/// A node that sends or receives a message.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Party {
+    /// Its position in [`Network::nodes`]; `None` for a manager without a description.
+    pub node: Option<usize>,
+    /// With which of its services.
+    pub service: Service,
+    /// Where the network file says so, at least the name of the node.
+    pub at: Span,
+}
+
+/// A CAN-ID with those who use it.
+#[derive(Clone, Debug, Default)]
+pub struct Message {
+    /// Who sends it: one, where the network is sound.
+    pub senders: Vec<Party>,
+    /// Who receives it.
+    pub receivers: Vec<Party>,
+}
+
+/// All messages of a network by their CAN-IDs, which are their priorities too.
+#[derive(Clone, Debug, Default)]
+pub struct Messages(pub BTreeMap<CanId, Message>);
+
+impl Messages {
+    /// What goes over the bus after the configuration.
+    pub fn new(network: &Network, compiled: &Compiled) -> Self {
+        let mut messages = Self::default();
+        for slave in compiled.nodes() {
+            messages.node(network, slave);
+        }
+        if let Some(manager) = &network.manager {
+            messages.manager(manager, compiled);
+        }
+        messages
+    }
+
+    fn send(&mut self, can_id: CanId, party: Party) {
+        self.0.entry(can_id).or_default().senders.push(party);
+    }
+
+    fn receive(&mut self, can_id: CanId, party: Party) {
+        self.0.entry(can_id).or_default().receivers.push(party);
+    }
+
+    fn node(&mut self, network: &Network, slave: &Slave) {
+        let node = &network.nodes[slave.node];
+        let at = node.node_id.map_or(node.name.at, |node_id| node_id.at);
+        let party = |service| Party { node: Some(slave.node), service, at };
+        for state in slave.pdos.iter().filter(|state| state.is_active()) {
+            let said = node.pdos.iter().find(|wish| wish.pdo == state.pdo);
+            let at = said.map_or(node.name.at, |wish| wish.cob_id.map_or(wish.at, |cob_id| cob_id.at));
+            let party = Party { at, ..party(Service::Pdo(state.pdo)) };
+            match state.pdo.kind {
+                PdoKind::Tpdo => self.send(state.can_id(), party),
+                PdoKind::Rpdo => self.receive(state.can_id(), party),
+            }
+        }
+        self.services(slave, &party);
+    }
+
+    /// SYNC, TIME, EMCY, SDO and error control of a described node.
+    fn services(&mut self, slave: &Slave, party: &dyn Fn(Service) -> Party) {
+        let services = slave.device.services();
+        let number = |cob_id: CobId| cob_id.on_node(slave.node_id);
+        if let Some(sync) = services.sync.map(number) {
+            if sync & CobId::BIT_30 != 0 && services.communication_cycle_period.unwrap_or(0) != 0 {
+                self.send(CanId::of(sync), party(Service::Sync));
+            } else if slave.pdos.iter().any(|state| state.is_active() && state.is_synchronous()) {
+                self.receive(CanId::of(sync), party(Service::Sync));
+            }
+        }
+        if let Some(time) = services.time.map(number) {
+            if time & CobId::BIT_30 != 0 {
+                self.send(CanId::of(time), party(Service::Time));
+            }
+            if time & CobId::BIT_31 != 0 {
+                self.receive(CanId::of(time), party(Service::Time));
+            }
+        }
+        if let Some(emcy) = slave.emcy {
+            self.send(CanId::of(emcy), party(Service::Emcy));
+        }
+        let node_id = u32::from(slave.node_id);
+        self.receive(CanId::base(u32::from(predefined::SDO_REQUEST) + node_id), party(Service::SdoRequest));
+        self.send(CanId::base(u32::from(predefined::SDO_RESPONSE) + node_id), party(Service::SdoResponse));
+        self.send(CanId::base(u32::from(predefined::ERROR_CONTROL) + node_id), party(Service::ErrorControl));
+        for consumer in services.heartbeat_consumers {
+            let watched = u32::from(predefined::ERROR_CONTROL) + u32::from(consumer.node_id);
+            self.receive(CanId::base(watched), party(Service::ErrorControl));
+        }
+    }
+
+    /// The other side of the manager: it configures the nodes and, without a description, has all of their PDOs.
+    fn manager(&mut self, manager: &Manager, compiled: &Compiled) {
+        let party = |service| Party { node: manager.node, service, at: manager.name.at };
+        for slave in &compiled.slaves {
+            let node_id = u32::from(slave.node_id);
+            self.send(CanId::base(u32::from(predefined::SDO_REQUEST) + node_id), party(Service::SdoRequest));
+            self.receive(
+                CanId::base(u32::from(predefined::SDO_RESPONSE) + node_id),
+                party(Service::SdoResponse),
+            );
+            if manager.monitors_nodes() && slave.heartbeat != 0 {
+                self.receive(
+                    CanId::base(u32::from(predefined::ERROR_CONTROL) + node_id),
+                    party(Service::ErrorControl),
+                );
+            }
+            if let Some(emcy) = slave.emcy {
+                self.receive(CanId::of(emcy), party(Service::Emcy));
+            }
+        }
+        if manager.node.is_some() {
+            return;
+        }
+        if manager.sync_period.value != 0 {
+            let party = Party { at: manager.sync_period.at, ..party(Service::Sync) };
+            self.send(CanId::base(predefined::SYNC.into()), party);
+        }
+        if let Some(time) = manager.time_cob_id.filter(|time| time.value & CobId::BIT_30 != 0) {
+            self.send(CanId::of(time.value), Party { at: time.at, ..party(Service::Time) });
+        }
+        if let Some(node_id) = manager.node_id {
+            let own = |base: u16| CanId::base(u32::from(base) + u32::from(node_id.value));
+            let party = |service| Party { at: node_id.at, ..party(service) };
+            self.send(own(predefined::EMCY), party(Service::Emcy));
+            self.send(own(predefined::ERROR_CONTROL), party(Service::ErrorControl));
+        }
+        // a CAN-ID that a node sends goes from node to node, and the manager listens
+        let pdos = |message: &Message| {
+            let is_pdo = |party: &&Party| matches!(party.service, Service::Pdo(_));
+            (
+                message.senders.iter().any(|party| is_pdo(&party)),
+                message.receivers.iter().any(|party| is_pdo(&party)),
+            )
+        };
+        for message in self.0.values_mut() {
+            match pdos(message) {
+                (true, _) => message.receivers.push(party(Service::MirroredPdo)),
+                (false, true) => message.senders.push(party(Service::MirroredPdo)),
+                (false, false) => {}
+            }
+        }
+    }
+}
+
+impl PdoState {
+    /// Whether the PDO is on in the end and carries something.
+    pub fn is_active(&self) -> bool {
+        self.cob_id >> 31 == 0 && self.is_enabled && !self.mapping.is_empty()
+    }
+
+    /// Its CAN-ID.
+    pub fn can_id(&self) -> CanId {
+        CanId::of(self.cob_id)
+    }
+
+    /// Whether SYNC triggers it.
+    pub fn is_synchronous(&self) -> bool {
+        self.transmission <= 240 || self.transmission == 252 && self.pdo.kind == PdoKind::Tpdo
+    }
+
+    /// The bits that it carries.
+    pub fn bits(&self) -> u32 {
+        self.mapping.values().map(|object| u32::from(object.bits)).sum()
+    }
+}

@@ -1,0 +1,125 @@
+//! The rules about what nodes share: the bus, the CAN-IDs, and each other's services.
+
+use crate::diagnostic::text_rules;
+
+text_rules! {
+    DUPLICATE_NODE_ID = "network/duplicate-node-id", Error;
+    summary: "two nodes have the same node-ID",
+    checks: "Whether each node-ID is that of one node, the manager included.",
+    why: "Both nodes answer at once, and each destroys the frames of the other. dcfgen says nothing.",
+    example: "a node that was copied, with the node-ID of the original",
+    remedy: "Give one of them another node-ID.",
+    source: "CiA 301 §7.3.5",
+
+    UNSUPPORTED_BIT_RATE = "network/unsupported-bit-rate", Error;
+    summary: "a node does not support the bit rate of the network",
+    checks: "Whether the `BaudRate_x` keys of each description allow the bit rate, and a DCF or XDC states the same one.",
+    why: "The node goes bus-off, or keeps the others from sending.",
+    example: "a network of 1000 kbit/s with a node that has `BaudRate_1000=0`",
+    remedy: "Use a bit rate that all nodes support, or correct the DCF.",
+    source: "CiA 306-1 §4.6.2",
+
+    DUPLICATE_CAN_ID = "network/duplicate-can-id", Error;
+    summary: "two nodes send the same CAN-ID",
+    checks: "Whether each CAN-ID is sent by one node: PDOs, EMCY, SDO responses and heartbeats of all nodes, and what the manager sends.",
+    why: "CAN has no arbitration between equal CAN-IDs: frames with different data destroy each other, and receivers take the data of both.",
+    example: "TPDO 1 of two nodes on 18Bh, or a TPDO on 585h, where node 5 answers SDOs",
+    remedy: "Give one of them another CAN-ID. What a node shall receive is in its RPDO.",
+    source: "CiA 301 §7.3.3",
+
+    RESTRICTED_CAN_ID = "network/restricted-can-id", Error;
+    summary: "a PDO has a CAN-ID that belongs to another service",
+    checks: "Whether the CAN-ID of each valid PDO is one that CiA 301 leaves to PDOs.",
+    why: "The PDO disturbs NMT, SDO or error control of other nodes, also of those that are added later.",
+    example: "`cob_id: 0x605`",
+    remedy: "Use a CAN-ID of 181h to 57Fh or 680h to 6DFh.",
+    source: "CiA 301 §7.3.5, table 40",
+
+    PDO_LENGTH = "network/pdo-length", Error;
+    summary: "sender and receiver of a PDO disagree about its length",
+    checks: "Whether an RPDO maps as many bits as the TPDO with its CAN-ID. A receiver that takes less is a warning.",
+    why: "A node does not process a PDO that is too short, and sends EMCY 8210h; for one that is too long it sends 8220h.",
+    example: "a TPDO with 16 bits, received by an RPDO with 32",
+    remedy: "Map the same lengths, with dummies for what the receiver does not need.",
+    source: "CiA 301 §7.2.2, §7.4.7.1",
+
+    NO_SYNC_SENDER = "network/no-sync-sender", Warning;
+    summary: "a PDO waits for SYNC, which nobody sends",
+    checks: "Whether a node sends SYNC where a valid PDO has a transmission type that SYNC triggers.",
+    why: "The PDO is never sent, or takes no effect.",
+    example: "`transmission: 1` without `sync_period`",
+    remedy: "Set the SYNC period of the manager, or use an event-driven transmission type.",
+    source: "CiA 301 §7.2.2.2",
+
+    DUPLICATE_SYNC_SENDER = "network/duplicate-sync-sender", Error;
+    summary: "two nodes send SYNC or TIME",
+    checks: "Whether at most one node sends SYNC, and one TIME.",
+    why: "Synchronous PDOs are sent at twice the rate, and their counter is wrong.",
+    example: "`sync_period` of the manager, and a DCF in which 1005h has bit 30",
+    remedy: "Leave one of them; clear bit 30 in the others.",
+    source: "CiA 301 §7.5.2.5",
+
+    SYNC_COUNTER = "network/sync-counter", Error;
+    summary: "nodes count SYNC differently",
+    checks: "Whether 1019h of all nodes that use SYNC has the value of the one that sends it.",
+    why: "A SYNC of another length is an EMCY 8240h, and PDOs with a SYNC start value never start.",
+    example: "`sync_overflow: 10` of the manager and 1019h = 0 in a node",
+    remedy: "Set 1019h to the same value in all nodes.",
+    source: "CiA 301 §7.5.2.22",
+
+    SYNC_WINDOW = "network/sync-window", Warning;
+    summary: "the synchronous PDOs do not fit into their time",
+    checks: "Whether SYNC and all synchronous TPDOs, each with the most stuff bits, fit into the synchronous window length, or else into the communication cycle period.",
+    why: "Nodes drop a synchronous PDO that they could not send inside the window; without a window PDOs fall into the next cycle.",
+    example: "20 PDOs of 8 bytes and a cycle of 10 ms at 125 kbit/s",
+    remedy: "Lengthen the window or the cycle, or divide the PDOs by transmission types and SYNC start values.",
+    source: "CiA 301 §7.5.2.7",
+
+    PDO_TIMES = "network/pdo-times", Warning;
+    summary: "the times of a PDO contradict each other",
+    checks: "Whether the event timer of a TPDO is not shorter than its inhibit time, and each receiver waits longer than the event timer.",
+    why: "A PDO is not sent more often than its inhibit time allows; a receiver that waits too short reports EMCY 8250h all the time.",
+    example: "an inhibit time of 100 ms, an event timer of 50 ms",
+    remedy: "Make the event timer longer than the inhibit time, and the deadline longer than the event timer.",
+    source: "CiA 301 §7.5.2.35, §7.5.2.37",
+
+    SHORT_HEARTBEAT_TIME = "network/short-heartbeat-time", Warning;
+    summary: "a node waits too short for a heartbeat",
+    checks: "Whether each consumer heartbeat time is at least 1.5 times the producer heartbeat time of the node that it monitors.",
+    why: "A heartbeat has the lowest priority, so under load nodes report the loss of others that are there.",
+    example: "`heartbeat_multiplier: 1.0`",
+    remedy: "Use a consumer heartbeat time of 1.5 to 3 times the producer heartbeat time.",
+    source: "CiA 301 §7.2.8.3.2",
+
+    SILENT_NODE = "network/silent-node", Warning;
+    summary: "a heartbeat is monitored that nobody sends",
+    checks: "Whether each node that 1016h of another one monitors is in the network and has a producer heartbeat time.",
+    why: "The monitoring never begins, or reports the loss of the node for ever.",
+    example: "1016h:01 with node 7 in a network without it",
+    remedy: "Set the producer heartbeat time of the node, or free the sub-index of 1016h.",
+    source: "CiA 301 §7.5.2.19",
+
+    WRONG_IDENTITY = "network/wrong-identity", Warning;
+    summary: "the manager expects another device than the description says",
+    checks: "Whether revision number and serial number of the network file, and 1F84h to 1F88h and 1028h of a described manager, are those of the description of the node.",
+    why: "The manager does not start the node, or does not hear its emergencies.",
+    example: "`revision_number: 0x20000` for an EDS with the revision 10000h",
+    remedy: "Correct the number, or use the description that belongs to the device.",
+    source: "CiA 302-2, 1F84h to 1F88h",
+
+    BOOT_TIME = "network/boot-time", Warning;
+    summary: "the configuration takes longer than the boot time",
+    checks: "Whether the downloads of each mandatory node take less than the boot time of the manager, on a bus that carries nothing else.",
+    why: "The manager gives the network up before it is configured.",
+    example: "`boot_time: 50` with 100 downloads at 125 kbit/s",
+    remedy: "Lengthen the boot time, store the configuration in the nodes, or leave downloads out.",
+    source: "CiA 302-2, 1F89h",
+
+    BUS_LOAD = "network/bus-load", Warning;
+    summary: "the bus is loaded too much",
+    checks: "Whether cyclic PDOs, SYNC and heartbeats, each with the most stuff bits, take at most 80 % of the bit rate. Event-driven PDOs count with their inhibit time or event timer.",
+    why: "PDOs are late, and there is no time for SDO and emergencies.",
+    example: "30 PDOs of 8 bytes each 10 ms at 250 kbit/s",
+    remedy: "Lengthen times, map entries together, or raise the bit rate.",
+    source: "CiA 301 §7.2.2",
+}
