@@ -170,8 +170,6 @@ fn followers(device: &Device, node: &Commissioning) -> Vec<Assignment> {
 /// What is wanted, in the order in which it is taken: a later one of the same entry counts.
 fn settings(args: &ConfigureArgs, file: &SettingsFile) -> Vec<Setting> {
     let repeatable = [
-        &args.sdo_before,
-        &args.sdo,
         &args.set,
         &args.map,
         &args.cob_id,
@@ -182,7 +180,8 @@ fn settings(args: &ConfigureArgs, file: &SettingsFile) -> Vec<Setting> {
     ];
     let services = [&args.sync, &args.emcy, &args.time, &args.guard];
     let options = repeatable.into_iter().flatten().chain(services.into_iter().flatten());
-    file.settings.iter().chain(options).chain(&args.heartbeat_consumer).cloned().collect()
+    let rest = [&args.heartbeat_consumer, &args.sdo_before, &args.sdo];
+    file.settings.iter().chain(options).chain(rest.into_iter().flatten()).cloned().collect()
 }
 
 fn plugged(device: &Device, modules: &[u16]) -> Result<Device, Failure> {

@@ -34,13 +34,21 @@ pub(super) fn run(args: &VerifyArgs, out: &mut Output) -> Result<Outcome, Failur
     Ok(if verification.is_accepted() { Outcome::Clean } else { Outcome::Findings })
 }
 
-/// What is said of the downloads, the first one that is refused first.
+/// What is said of the downloads, the first one that is refused first; what is said of several of them once.
 pub(super) fn text(verification: &Verification, described: Described<'_>) -> String {
     let mut text = String::new();
     let first = verification.refusals().next();
     let others = verification.objections.iter().filter(|&objection| Some(objection) != first);
+    let mut groups: Vec<(String, Vec<&Objection>)> = Vec::new();
     for objection in first.into_iter().chain(others) {
-        text.push_str(&one(objection, described));
+        let message = objection.kind.to_string();
+        match groups.iter_mut().find(|(other, _)| *other == message) {
+            Some((_, group)) => group.push(objection),
+            None => groups.push((message, vec![objection])),
+        }
+    }
+    for (_, group) in &groups {
+        text.push_str(&one(group, described));
     }
     if !verification.unknown.is_empty() {
         let places: Vec<String> = verification.unknown.iter().map(|place| format!("`{place}`")).collect();
@@ -53,7 +61,9 @@ pub(super) fn text(verification: &Verification, described: Described<'_>) -> Str
     shown(&text)
 }
 
-fn one(objection: &Objection, described: Described<'_>) -> String {
+/// What is said of the first download of a group and also of the others.
+fn one(group: &[&Objection], described: Described<'_>) -> String {
+    let Some((objection, others)) = group.split_first() else { return String::new() };
     let kind = &objection.kind;
     let severity = if kind.is_refusal() { "error" } else { "warning" };
     let mut text = format!(
@@ -63,6 +73,12 @@ fn one(objection: &Objection, described: Described<'_>) -> String {
     let name = described.name_of(objection.index, objection.sub);
     if !name.is_empty() {
         text.push_str(&format!("  entry: {name}\n"));
+    }
+    if !others.is_empty() {
+        let places: Vec<String> =
+            others.iter().map(|other| format!("{} (`{}`)", other.number, other.place)).collect();
+        let downloads = if places.len() == 1 { "download" } else { "downloads" };
+        text.push_str(&format!("  also: {downloads} {}\n", places.join(", ")));
     }
     if let Some(abort) = kind.abort() {
         text.push_str(&format!("  abort: {abort}, {}\n", abort.text()));

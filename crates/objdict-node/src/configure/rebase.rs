@@ -72,3 +72,50 @@ fn formula(at: Address, entry: &Entry, cob_id: CobId, former: u8) -> Option<CobI
     }
     CobId::per_node(cob_id.number() - u32::from(former))
 }
+
+#[cfg(test)]
+mod tests {
+    use proptest::prelude::*;
+
+    use super::*;
+    use crate::model::{DataType, Object, Value};
+
+    /// A device whose TPDO 1 has this COB-ID.
+    fn device(number: u32, default: Option<Value>) -> Device {
+        let mut entry = Entry {
+            data_type: Some(DataType::UNSIGNED32),
+            access: Some(Access::Rw),
+            default,
+            ..Entry::default()
+        };
+        entry.configured_mut().value = Some(Value::Unsigned(number.into()));
+        let mut object = Object::default();
+        object.main.object_type = Some(crate::model::ObjectType::Record);
+        object.subs.insert(1, entry);
+        let mut device = Device::default();
+        device.objects.insert(0x1800, object);
+        device
+    }
+
+    #[test]
+    fn the_formula_of_a_default_counts() {
+        let own = device(0x1F3, Some(Value::NodeId(0x1F0)));
+        assert_eq!(rebase(&own, 3).assignments[0].value, Value::NodeId(0x1F0));
+        assert_eq!(rebase(&device(0x1F3, None), 3).kept.len(), 1);
+    }
+
+    proptest! {
+        #[test]
+        fn a_formula_gives_the_number_on_the_former_node(number in any::<u32>(), former in 1u8..=127) {
+            let number = number & !0x0000_0780 | (number % 16) << 7;
+            let Rebased { assignments, kept } = rebase(&device(number, None), former);
+            prop_assert!(assignments.len() + kept.len() <= 1);
+            for Assignment { value, .. } in assignments {
+                prop_assert_eq!(value.integer_for(former), Some(i128::from(number)));
+            }
+            for (_, cob_id) in kept {
+                prop_assert_eq!(cob_id.number(), number);
+            }
+        }
+    }
+}

@@ -48,6 +48,9 @@ impl Desk<'_> {
         if id.is_some() || producer.is_some() {
             self.service(SYNC, id, CobId::new(predefined::SYNC.into()), [producer, None])?;
         }
+        if producer == Some(true) && self.device.object(SYNC_PERIOD.index).is_none() {
+            return Err(self.no_object(SYNC_PERIOD.index));
+        }
         let is_stopped = producer == Some(true) && self.number(SYNC_PERIOD.index, 0) == Some(0);
         if is_stopped {
             let wrong = Wrong::new("the node produces no SYNC while its period (1006h) is 0");

@@ -42,7 +42,7 @@ pub enum Order {
     #[default]
     Safe,
     /// The order of dcfgen of lely-core: services, RPDOs, TPDOs, all other entries. A PDO gets its new CAN-ID
-    /// while it is valid, which a strict node rejects.
+    /// while it is valid, which some nodes reject.
     Dcfgen,
 }
 
