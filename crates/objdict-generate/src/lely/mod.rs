@@ -10,7 +10,7 @@ use super::c_code::file_name;
 use super::dictionary::Dictionary;
 use super::notes::{in_order, once_per_device};
 use super::{Backend, Choice, GenerateError, Generated, Options, Sizes, render};
-use crate::model::Device;
+use crate::model::{Device, DeviceKind};
 
 /// The static device of Lely core.
 pub(super) struct Lely;
@@ -34,8 +34,10 @@ impl Backend for Lely {
         // the library allocates the memory of texts and DOMAINs, so their capacity has no limit
         let unlimited = Options { domain_capacity: u16::MAX, ..options.clone() };
         let mut dictionary = Dictionary::new(device, &unlimited)?;
-        let plain = device.unconfigured();
-        let defaults = Dictionary::new(&plain, &unlimited)?;
+        // an EDS may have configured values as well
+        let configured = Device { kind: DeviceKind::Node, ..device.clone() };
+        let defaults = configured.unconfigured();
+        let defaults = Dictionary::new(&defaults, &unlimited)?;
         let mut notes = std::mem::take(&mut dictionary.notes);
         let objects = view::objects(&dictionary, &defaults, options.entry_names, &mut notes);
         let head = view::Head::new(&dictionary, options, &prefix, &stem);

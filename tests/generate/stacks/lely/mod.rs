@@ -4,8 +4,8 @@ mod real;
 
 use std::path::Path;
 
-use objdict::generate::{Note, Options};
-use objdict::model::{DataType, Device, TypeKind, Value};
+use objdict::generate::{Note, Options, Target, generate};
+use objdict::model::{DataType, Device, DeviceKind, TypeKind, Value};
 
 use crate::compile::{c_compiler, cc, generate_with};
 use crate::devices::{arbitrary_devices, device, devices, for_all};
@@ -55,6 +55,23 @@ fn of_length(length: usize) -> (DataType, Option<usize>) {
         .filter(|data_type| matches!(data_type.kind(), TypeKind::Unsigned(_)));
     let mut numbers = numbers.filter(|data_type| data_type.byte_length().map(usize::from) == Some(length));
     numbers.next().map_or((DataType::OCTET_STRING, None), |data_type| (data_type, Some(length)))
+}
+
+/// An EDS may have configured values too: they are values, not defaults.
+#[test]
+fn configured_values_are_no_defaults() {
+    let mut device = device(&crate::support::fixtures().join("dcf/io-401-node5.dcf"));
+    let mut of = |kind| {
+        device.kind = kind;
+        let generated = generate(&device, Target::named("lely").unwrap(), &for_node(5)).unwrap();
+        String::from_utf8(generated.files[0].contents.clone()).unwrap()
+    };
+    let [node, of_type] = [DeviceKind::Node, DeviceKind::Type].map(&mut of);
+    let defaults = |text: &str| {
+        text.lines().filter(|line| line.contains("_DEFAULT(")).map(str::to_owned).collect::<Vec<_>>()
+    };
+    assert_eq!(defaults(&of_type), defaults(&node));
+    assert!(of_type.contains("CO_OBJ_FLAGS_PARAMETER_VALUE"), "{of_type}");
 }
 
 /// A device without the files that the library transfers in place of values.
