@@ -8,7 +8,7 @@ use objdict_node::ObjectName;
 
 use super::args::ConfigureArgs;
 use super::input::{Input, name_of};
-use super::node::commissioning;
+use super::node::{commissioning, former_node_id};
 use super::output::Output;
 use super::save::{keep, save, save_in_place};
 use super::settings::{Settings, SettingsArgs};
@@ -140,12 +140,6 @@ fn wanted(args: &ConfigureArgs, file: &SettingsFile) -> Commissioning {
         lss_serial_number: args.lss_serial_number.or(file.lss_serial_number),
         ..Commissioning::default()
     }
-}
-
-/// The node-ID of a DCF that gets another one.
-fn former_node_id(device: &Device, node: &Commissioning) -> Option<u8> {
-    let former = device.node_id().filter(|former| (1..=127).contains(former))?;
-    (Some(former) != node.node_id).then_some(former)
 }
 
 /// The CAN-IDs that follow the node-ID when it changes. All that do not are reported.

@@ -35,3 +35,9 @@ pub(super) fn restated(device: &Device, wanted: &Commissioning) -> Commissioning
         ..own
     }
 }
+
+/// The node-ID of a DCF that gets another one.
+pub(super) fn former_node_id(device: &Device, node: &Commissioning) -> Option<u8> {
+    let former = device.node_id().filter(|former| (1..=127).contains(former))?;
+    (Some(former) != node.node_id).then_some(former)
+}

@@ -9,9 +9,10 @@ use objdict_model::canopennode::is_disabled;
 use super::super::annotation::Described;
 use super::super::args::ConvertArgs;
 use super::super::input::FileKind;
-use super::super::node::{commissioning, restated};
+use super::super::node::{commissioning, former_node_id, restated};
 use super::super::{Failure, note, tell};
 use super::Job;
+use crate::configure::rebase;
 use crate::diagnostic::series;
 use crate::download::{ConciseDcf, NeededFile, Plan, PlanError, PlanOptions, Scope, Skipped};
 use crate::format::{self, Description, Format, Loss, LossKind, Syntax, concise, json};
@@ -176,7 +177,14 @@ fn node(args: &ConvertArgs, job: &Job, device: &Device) -> Result<Option<Commiss
         let is_stated = wanted != Commissioning::default() || device.commissioning.is_some();
         return Ok(is_stated.then(|| restated(device, &wanted)));
     }
-    commissioning(device, &wanted, job.to.name()).map(Some)
+    let node = commissioning(device, &wanted, job.to.name())?;
+    let former = former_node_id(device, &node);
+    if let Some(former) = former.filter(|&former| !rebase(device, former).assignments.is_empty()) {
+        print_note(&format!(
+            "the CAN-IDs of the former node-ID {former} stay; `objdict configure --node-id` makes them follow the new one"
+        ));
+    }
+    Ok(Some(node))
 }
 
 /// The downloads that configure a node as the device says.
