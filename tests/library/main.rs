@@ -24,6 +24,7 @@ mod interop;
 mod json;
 mod lossless;
 mod namesakes;
+mod network;
 mod new;
 #[cfg(feature = "cli")]
 mod pages;

@@ -87,8 +87,20 @@ pub(in crate::cli) struct NetworkBuildArgs {
 pub(in crate::cli) enum NetworkTarget {
     /// The files of Lely's master: master.dcf, master.bin and one .bin a node
     Lely,
+    /// The DCF or XDC of each node, and the DCF of the manager
+    Dcf,
     /// One concise DCF a node, in an order that nodes accept
     Concise,
+    /// The DCF of the manager, with the concise DCF of each node in 1F22h
+    Manager,
+    /// bus.yml of dcfgen, with the descriptions of the nodes
+    Busyml,
+    /// A node list (CiA 306-3) with the DCF or XDC of each node
+    Cpj,
+    /// C tables of the manager for its own firmware
+    C,
+    /// Rust tables of the manager for its own firmware
+    Rust,
 }
 
 /// Print the JSON Schema of a file format, with which editors complete and check

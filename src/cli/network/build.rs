@@ -2,15 +2,14 @@
 
 use super::super::args::{NetworkBuildArgs, NetworkTarget};
 use super::super::save::save;
-use super::super::{Failure, Outcome, tell};
+use super::super::{Failure, Outcome, note, tell};
 use super::open;
-use crate::diagnostic::{Findings, Severity};
-use crate::download::ConciseDcf;
-use crate::network::{LelyOptions, Manner, Network, Slave, compile, configuration_file, lely_master};
+use crate::diagnostic::Severity;
+use crate::format::network::{Build, BuiltFile};
+use crate::generate::{Options, Target, generate};
+use crate::network::{LelyOptions, Manner};
+use crate::pipeline::report_lines;
 use crate::report::{Tally, listed};
-
-/// A file to write: its name and its bytes.
-type File = (String, Vec<u8>);
 
 pub(super) fn run(args: &NetworkBuildArgs) -> Result<Outcome, Failure> {
     let file = open(&args.file, &args.input)?;
@@ -20,9 +19,6 @@ pub(super) fn run(args: &NetworkBuildArgs) -> Result<Outcome, Failure> {
     if !findings.is_empty() {
         tell(&listed((&file.source).into(), &findings)?);
     }
-    let Some(network) = &file.network else {
-        return Err(Failure::new(format_args!("`{}` is no network", args.file.display())));
-    };
     // what dcfgen has no word about, it builds
     let is_clear = findings.iter().all(|finding| finding.severity < Severity::Error || finding.is_understood);
     if tally.errors > 0 && !args.force && !(args.strict_dcfgen && is_clear) {
@@ -30,49 +26,36 @@ pub(super) fn run(args: &NetworkBuildArgs) -> Result<Outcome, Failure> {
         failure.help("correct them; `--force` builds anyway").print();
         return Ok(Outcome::Findings);
     }
-    let files = match args.target {
-        NetworkTarget::Lely => lely(args, network)?,
-        NetworkTarget::Concise => concise(network)?,
-    };
-    for (name, bytes) in files {
+    let manner = if args.strict_dcfgen { Manner::Strict } else { Manner::Repaired };
+    let build = file.build(manner).map_err(Failure::new)?;
+    for BuiltFile { name, bytes } in files(args, &build, manner)? {
         save(&args.output.join(name), &bytes)?;
     }
     Ok(Outcome::Clean)
 }
 
-fn lely(args: &NetworkBuildArgs, network: &Network) -> Result<Vec<File>, Failure> {
-    let manner = if args.strict_dcfgen { Manner::Strict } else { Manner::Repaired };
-    let slaves = compile(network, manner, &mut Findings::new()).slaves;
-    let options = LelyOptions { manner, remote_pdos: args.remote_pdo };
-    let Some(master) = lely_master(network, &slaves, &options) else {
-        return Err(Failure::new("a network without a manager has no files for Lely").help("add `master`"));
+fn files(args: &NetworkBuildArgs, build: &Build<'_>, manner: Manner) -> Result<Vec<BuiltFile>, Failure> {
+    let files = match args.target {
+        NetworkTarget::Lely => build.lely(&LelyOptions { manner, remote_pdos: args.remote_pdo }),
+        NetworkTarget::Concise => build.concise(),
+        NetworkTarget::Dcf => build.dcfs(),
+        NetworkTarget::Manager => build.manager().map(|file| vec![file]),
+        NetworkTarget::Busyml => Ok(build.bus_yml()),
+        NetworkTarget::Cpj => build.node_list(),
+        NetworkTarget::C => return tables(build, "c"),
+        NetworkTarget::Rust => return tables(build, "rust"),
     };
-    let mut files = vec![("master.dcf".to_owned(), master.dcf.into_bytes())];
-    if !master.bin.0.is_empty() {
-        files.push(("master.bin".to_owned(), written(&master.bin)?));
+    files.map_err(Failure::new)
+}
+
+/// The tables of the manager for its own firmware.
+fn tables(build: &Build<'_>, target: &str) -> Result<Vec<BuiltFile>, Failure> {
+    let device = build.manager_device().map_err(Failure::new)?;
+    let target = Target::named(target).map_err(Failure::new)?;
+    let options = Options { node_id: device.node_id(), ..Options::default() };
+    let generated = generate(&device, target, &options).map_err(Failure::new)?;
+    for item in generated.notes {
+        note(&report_lines(target.name(), &item));
     }
-    files.extend(streams(network, &slaves)?);
-    Ok(files)
-}
-
-/// One stream a node, in an order that nodes accept.
-fn concise(network: &Network) -> Result<Vec<File>, Failure> {
-    let slaves = compile(network, Manner::Repaired, &mut Findings::new()).slaves;
-    let stream = |slave: &Slave| {
-        let node = &network.nodes[slave.node];
-        let downloads = slave.arranged(node).map_err(|error| {
-            Failure::new(format_args!("the configuration of `{}`: {error}", node.name.value))
-        })?;
-        Ok((format!("{}.cdcf", node.name.value), written(&downloads)?))
-    };
-    slaves.iter().map(stream).collect()
-}
-
-fn streams(network: &Network, slaves: &[Slave]) -> Result<Vec<File>, Failure> {
-    let named = slaves.iter().filter_map(|slave| Some((configuration_file(network, slave)?, slave)));
-    named.map(|(name, slave)| Ok((name, written(&slave.downloads)?))).collect()
-}
-
-fn written(downloads: &ConciseDcf) -> Result<Vec<u8>, Failure> {
-    downloads.write().map_err(Failure::new)
+    Ok(generated.files.into_iter().map(|file| BuiltFile { name: file.path, bytes: file.contents }).collect())
 }

@@ -2,6 +2,7 @@
 
 mod bus_keys;
 mod bus_yml;
+mod outputs;
 mod rules;
 pub mod schema;
 mod section;
@@ -13,6 +14,7 @@ use std::env;
 use std::path::{Path, PathBuf};
 use std::rc::Rc;
 
+pub use self::outputs::{Build, BuildError, BuiltFile};
 use self::rules::UNREADABLE_NODE;
 use super::Description;
 use super::input::{Input, Reading};

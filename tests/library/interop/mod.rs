@@ -30,6 +30,7 @@ use crate::support;
 
 #[cfg(feature = "document")]
 mod dbc;
+mod networks;
 
 const PACKAGES: [&str; 4] = ["canopen==2.4.1", "dcf-tools==2.4.2", "cantools==45.1.0", "canmatrix==1.3.3"];
 

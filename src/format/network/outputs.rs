@@ -1,0 +1,210 @@
+//! What is built of a network.
+
+mod bus;
+mod manager;
+
+use super::NetworkFile;
+use crate::diagnostic::Findings;
+use crate::download::{ConciseDcf, EncodeError, PlanError};
+use crate::format::{self, EditError, Format, NodeSettings, WriteOptions};
+use crate::model::{Commissioning, Device};
+use crate::network::{
+    Compiled, LelyOptions, Manner, Network, Slave, compile, configuration_file, lely_master,
+};
+
+/// A file that is built.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct BuiltFile {
+    /// Its name, without a folder.
+    pub name: String,
+    /// Its content.
+    pub bytes: Vec<u8>,
+}
+
+/// Why a network cannot be built.
+#[derive(Debug, thiserror::Error)]
+#[non_exhaustive]
+pub enum BuildError {
+    /// The file of the network cannot be read.
+    #[error("the file describes no network")]
+    NoNetwork,
+    /// There is no manager.
+    #[error("the network has no manager")]
+    NoManager,
+    /// The configuration of a node cannot be sent.
+    #[error("the configuration of `{node}`: {error}")]
+    Plan {
+        /// The name of the node.
+        node: String,
+        /// The reason.
+        error: PlanError,
+    },
+    /// A stream is too long.
+    #[error(transparent)]
+    Encode(#[from] EncodeError),
+    /// A DCF cannot be written.
+    #[error("the DCF of `{node}`: {error}")]
+    Edit {
+        /// The name of the node.
+        node: String,
+        /// The reason.
+        error: EditError,
+    },
+}
+
+/// A network that was compiled, for its outputs.
+#[derive(Debug)]
+pub struct Build<'a> {
+    file: &'a NetworkFile,
+    network: &'a Network,
+    compiled: Compiled,
+}
+
+impl NetworkFile {
+    /// Compiles the network.
+    ///
+    /// # Errors
+    /// When the file describes none.
+    pub fn build(&self, manner: Manner) -> Result<Build<'_>, BuildError> {
+        let network = self.network.as_ref().ok_or(BuildError::NoNetwork)?;
+        let compiled = compile(network, manner, &mut Findings::new());
+        Ok(Build { file: self, network, compiled })
+    }
+}
+
+impl Build<'_> {
+    /// The files of Lely's master: `master.dcf`, `master.bin` and one `.bin` a node.
+    ///
+    /// # Errors
+    /// When there is no manager, or a stream is too long.
+    pub fn lely(&self, options: &LelyOptions) -> Result<Vec<BuiltFile>, BuildError> {
+        let master =
+            lely_master(self.network, &self.compiled.slaves, options).ok_or(BuildError::NoManager)?;
+        let mut files = vec![BuiltFile { name: "master.dcf".to_owned(), bytes: master.dcf.into_bytes() }];
+        let master =
+            Some(("master.bin".to_owned(), &master.bin)).filter(|(_, downloads)| !downloads.0.is_empty());
+        let nodes = self.compiled.slaves.iter();
+        let nodes =
+            nodes.filter_map(|slave| Some((configuration_file(self.network, slave)?, &slave.downloads)));
+        for (name, downloads) in master.into_iter().chain(nodes) {
+            files.push(BuiltFile { name, bytes: downloads.write()? });
+        }
+        Ok(files)
+    }
+
+    /// One concise DCF a node, in an order that nodes accept.
+    ///
+    /// # Errors
+    /// When the configuration of a node cannot be sent.
+    pub fn concise(&self) -> Result<Vec<BuiltFile>, BuildError> {
+        let stream = |slave| {
+            let name = format!("{}.cdcf", self.name(slave));
+            Ok(BuiltFile { name, bytes: self.arranged(slave)?.write()? })
+        };
+        self.compiled.slaves.iter().map(stream).collect()
+    }
+
+    /// The DCF or XDC of each node, and the DCF of the manager.
+    ///
+    /// # Errors
+    /// When a DCF cannot be written.
+    pub fn dcfs(&self) -> Result<Vec<BuiltFile>, BuildError> {
+        let nodes = self.compiled.slaves.iter();
+        let mut files: Vec<BuiltFile> = nodes
+            .map(|slave| self.dcf(slave, &slave.described(&self.network.nodes[slave.node])))
+            .collect::<Result<_, _>>()?;
+        if self.network.manager.is_some() {
+            files.push(self.manager()?);
+        }
+        Ok(files)
+    }
+
+    /// The node list (CiA 306-3) with its DCFs.
+    ///
+    /// # Errors
+    /// When a DCF cannot be written.
+    pub fn node_list(&self) -> Result<Vec<BuiltFile>, BuildError> {
+        let mut files = self.dcfs()?;
+        let manager = self.network.manager.as_ref();
+        let manager = manager.and_then(|manager| Some((manager.node_id?.value, manager.name.value.as_str())));
+        let nodes = self.compiled.slaves.iter().map(|slave| (slave.node_id, self.name(slave)));
+        let mut nodes: Vec<(u8, &str, &str)> = nodes
+            .chain(manager)
+            .zip(&files)
+            .map(|((node_id, name), file)| (node_id, name, file.name.as_str()))
+            .collect();
+        nodes.sort_unstable();
+        let mut text = format!(
+            "[Topology]\r\nNetName={}\r\nNodes=0x{:02X}\r\n",
+            self.network.name.as_deref().unwrap_or_default(),
+            nodes.len()
+        );
+        for (node_id, name, file) in nodes {
+            text += &format!(
+                "Node{node_id}Present=0x01\r\nNode{node_id}Name={name}\r\nNode{node_id}DCFName={file}\r\n"
+            );
+        }
+        files.push(BuiltFile { name: "nodelist.cpj".to_owned(), bytes: text.into_bytes() });
+        Ok(files)
+    }
+
+    fn name(&self, slave: &Slave) -> &str {
+        &self.network.nodes[slave.node].name.value
+    }
+
+    fn arranged(&self, slave: &Slave) -> Result<ConciseDcf, BuildError> {
+        let node = &self.network.nodes[slave.node];
+        slave.arranged(node).map_err(|error| BuildError::Plan { node: node.name.value.clone(), error })
+    }
+
+    /// What the DCF of a node says of the network.
+    fn commissioning(&self, name: &str, node_id: u8, device: &Device, is_manager: bool) -> Commissioning {
+        let own = device.commissioning.clone().unwrap_or_default();
+        Commissioning {
+            node_id: Some(node_id),
+            node_name: Some(name.to_owned()),
+            baud_rate: self.network.bit_rate.map(|rate| rate.value).or(own.baud_rate),
+            network_name: self.network.name.clone().or(own.network_name),
+            manager: Some(is_manager),
+            ..own
+        }
+    }
+
+    /// The DCF of a device of a node: its description with the values, as far as that is a text.
+    fn dcf(&self, slave: &Slave, device: &Device) -> Result<BuiltFile, BuildError> {
+        let node = &self.network.nodes[slave.node];
+        let name = &node.name.value;
+        let failed = |error| BuildError::Edit { node: name.clone(), error };
+        let is_manager = self.compiled.manager.as_ref().is_some_and(|manager| manager.node == slave.node);
+        let commissioning = self.commissioning(name, slave.node_id, device, is_manager);
+        let Some(description) = self.file.descriptions.get(&node.file.value) else {
+            return written(name, device.clone(), commissioning);
+        };
+        let ending = if description.format().syntax() == format::Syntax::Xml { "xdc" } else { "dcf" };
+        let file_name = format!("{name}.{ending}");
+        let settings = NodeSettings {
+            node: &commissioning,
+            plugged: Some(device),
+            assignments: &[],
+            downloads: &device.downloads,
+        };
+        let configured = description.configured(&file_name, &settings).map_err(failed)?;
+        Ok(BuiltFile { name: file_name, bytes: configured.bytes })
+    }
+}
+
+/// A new DCF of a device.
+fn written(name: &str, mut device: Device, commissioning: Commissioning) -> Result<BuiltFile, BuildError> {
+    let file_name = format!("{name}.dcf");
+    device.commissioning = Some(commissioning);
+    let info = device.file_info.get_or_insert_default();
+    info.file_name = Some(file_name.clone());
+    info.file_version.get_or_insert(1);
+    info.file_revision.get_or_insert(0);
+    info.description.get_or_insert_with(|| format!("Manager `{name}`"));
+    info.created_by.get_or_insert_with(|| "objdict".to_owned());
+    let options = WriteOptions { embed: true, ..WriteOptions::default() };
+    let written = format::write(&device, Format::Dcf, &options);
+    let written = written.map_err(|error| BuildError::Edit { node: name.to_owned(), error })?;
+    Ok(BuiltFile { name: file_name, bytes: written.bytes })
+}

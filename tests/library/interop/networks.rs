@@ -1,0 +1,68 @@
+//! dcfgen builds the same of a network, and python-canopen's device takes what is built.
+
+use std::fs;
+use std::path::Path;
+use std::process::Command;
+
+use objdict::format::network::BuiltFile;
+use objdict::network::{LelyOptions, Manner};
+
+use super::{environment, text_of};
+use crate::network::{lely, new_folder, open, path};
+
+const NETWORKS: [&str; 2] = ["worked.yml", "cell.yml"];
+
+fn write(folder: &Path, files: Vec<BuiltFile>) {
+    for BuiltFile { name, bytes } in files {
+        fs::write(folder.join(name), bytes).unwrap();
+    }
+}
+
+#[test]
+fn dcfgen_builds_the_same() {
+    let Some(programs) = environment() else { return };
+    for name in NETWORKS {
+        let folder = new_folder(&format!("dcfgen-{name}"));
+        let mut dcfgen = Command::new(programs.join("dcfgen"));
+        // without -S it checks the descriptions too
+        dcfgen.args(["-r", "-d"]).arg(&folder).arg(path(name)).current_dir(path(""));
+        let output = dcfgen.output().unwrap();
+        assert!(output.status.success(), "{name}: {}", text_of(&output));
+        let built = lely(name, &LelyOptions { manner: Manner::Strict, remote_pdos: true });
+        let mut names: Vec<String> = fs::read_dir(&folder)
+            .unwrap()
+            .map(|entry| entry.unwrap().file_name().into_string().unwrap())
+            .collect();
+        let mut ours: Vec<&str> = built.iter().map(|file| file.name.as_str()).collect();
+        names.sort_unstable();
+        ours.sort_unstable();
+        assert_eq!(ours, names, "{name}");
+        for file in &built {
+            let other = fs::read(folder.join(&file.name)).unwrap();
+            let [ours, other] = [&file.bytes, &other].map(|bytes| String::from_utf8_lossy(bytes));
+            assert_eq!(ours, other, "{name}: {}", file.name);
+        }
+    }
+}
+
+/// Each node on a virtual bus takes its configuration, and has the values of its DCF in the end.
+#[test]
+fn nodes_take_their_configurations() {
+    let Some(programs) = environment() else { return };
+    for name in NETWORKS {
+        let folder = new_folder(&format!("nodes-{name}"));
+        let network = open(name);
+        let build = network.build(Manner::Repaired).unwrap();
+        write(&folder, build.concise().unwrap());
+        write(&folder, build.dcfs().unwrap());
+        let nodes = &network.network.as_ref().unwrap().nodes;
+        for node in nodes {
+            fs::copy(path(&node.file.value), folder.join(format!("{}.eds", node.name.value))).unwrap();
+        }
+        let script = Path::new(env!("CARGO_MANIFEST_DIR")).join("tests/library/interop/configure.py");
+        let names = nodes.iter().map(|node| &node.name.value);
+        let output =
+            Command::new(programs.join("python")).arg(script).arg(&folder).args(names).output().unwrap();
+        assert!(output.status.success(), "{name}: {}", text_of(&output));
+    }
+}

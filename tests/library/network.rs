@@ -1,0 +1,149 @@
+//! Networks: what is built of them.
+
+use std::collections::BTreeMap;
+use std::path::PathBuf;
+
+use objdict::format::network::{BuiltFile, NetworkFile, schema};
+use objdict::network::{LelyOptions, Manner};
+
+use crate::support;
+
+pub(crate) fn open(name: &str) -> NetworkFile {
+    NetworkFile::open(&path(name), &BTreeMap::new()).unwrap()
+}
+
+pub(crate) fn path(name: &str) -> PathBuf {
+    support::fixtures().join("network").join(name)
+}
+
+/// The files of Lely's master.
+pub(crate) fn lely(name: &str, options: &LelyOptions) -> Vec<BuiltFile> {
+    open(name).build(options.manner).unwrap().lely(options).unwrap()
+}
+
+/// An empty folder.
+pub(crate) fn new_folder(name: &str) -> PathBuf {
+    let folder = PathBuf::from(env!("CARGO_TARGET_TMPDIR")).join(name);
+    std::fs::remove_dir_all(&folder).ok();
+    std::fs::create_dir_all(&folder).unwrap();
+    folder
+}
+
+fn file<'a>(files: &'a [BuiltFile], name: &str) -> &'a [u8] {
+    &files.iter().find(|file| file.name == name).unwrap_or_else(|| panic!("{name} is not built")).bytes
+}
+
+/// The worked example of the documentation of dcfgen's records: each of the 34 downloads, byte by byte.
+#[test]
+fn the_records_of_a_node_are_those_of_dcfgen() {
+    let options = LelyOptions { manner: Manner::Strict, remote_pdos: true };
+    let files = lely("worked.yml", &options);
+    let drive = objdict::download::ConciseDcf::parse(file(&files, "drive.bin")).unwrap();
+    let text: Vec<String> = drive.0.iter().map(|download| format!("{download:?}")).collect();
+    insta::assert_snapshot!(text.join("\n"));
+    assert_eq!(file(&files, "drive.bin").len(), 336);
+    let master = objdict::download::ConciseDcf::parse(file(&files, "master.bin")).unwrap();
+    let text: Vec<String> = master.0.iter().map(|download| format!("{download:?}")).collect();
+    assert_eq!(text, ["1018:04 34120000", "1F87:05 02000100", "1F88:05 4D000000"]);
+}
+
+/// What dcfgen does wrong is right by default, and nothing else differs.
+#[test]
+fn the_errors_of_dcfgen_are_not_copied() {
+    let text = |manner| {
+        String::from_utf8(
+            file(&lely("cell.yml", &LelyOptions { manner, remote_pdos: false }), "master.dcf").to_vec(),
+        )
+        .unwrap()
+    };
+    let (strict, repaired) = (text(Manner::Strict), text(Manner::Repaired));
+    let differences: Vec<String> = different_lines(&strict, &repaired);
+    assert_eq!(
+        differences,
+        [
+            "DataType=0x0005 -> DataType=0x0007",
+            "CompactSubObj=127 -> CompactSubObj=128",
+            "CompactSubObj=127 -> CompactSubObj=128"
+        ]
+    );
+}
+
+/// The lines that differ between two texts of as many lines.
+fn different_lines(a: &str, b: &str) -> Vec<String> {
+    assert_eq!(a.lines().count(), b.lines().count());
+    let pairs = a.lines().zip(b.lines()).filter(|(a, b)| a != b);
+    pairs.map(|(a, b)| format!("{a} -> {b}")).collect()
+}
+
+#[test]
+fn every_stream_is_accepted_by_its_node() {
+    for name in ["worked.yml", "cell.yml"] {
+        let network = open(name);
+        assert!(!network.check().has_errors(), "{name}");
+        let build = network.build(Manner::Repaired).unwrap();
+        for BuiltFile { name, bytes } in build.concise().unwrap() {
+            let node = network
+                .network
+                .as_ref()
+                .unwrap()
+                .nodes
+                .iter()
+                .find(|node| name == format!("{}.cdcf", node.name.value));
+            let node = node.unwrap();
+            let stream = objdict::download::ConciseDcf::parse(&bytes).unwrap();
+            let verification = stream.verify(&node.device, node.node_id.map(|node_id| node_id.value));
+            assert!(
+                verification.is_accepted() && verification.unknown.is_empty(),
+                "{name}: {verification:?}"
+            );
+        }
+    }
+}
+
+/// A `bus.yml` that is written says what was read.
+#[test]
+fn a_written_bus_yml_builds_the_same() {
+    for name in ["worked.yml", "cell.yml"] {
+        let folder = new_folder(&format!("bus-yml-{name}"));
+        for BuiltFile { name, bytes } in open(name).build(Manner::Repaired).unwrap().bus_yml() {
+            std::fs::write(folder.join(name), bytes).unwrap();
+        }
+        let again = NetworkFile::open(&folder.join("bus.yml"), &BTreeMap::new()).unwrap();
+        let options = LelyOptions::default();
+        let again = again.build(Manner::Repaired).unwrap().lely(&options).unwrap();
+        assert_eq!(again, lely(name, &options), "{name}");
+    }
+}
+
+/// The manager's DCF holds what is built for each node.
+#[test]
+fn the_manager_has_the_configuration_of_each_node() {
+    let network = open("cell.yml");
+    let build = network.build(Manner::Repaired).unwrap();
+    let device = build.manager_device().unwrap();
+    let value = |index: u16, sub: u8| {
+        device.object(index).and_then(|object| object.value(sub)).map(|value| value.to_string())
+    };
+    for (node_id, stream) in [(11, &build.concise().unwrap()[0]), (12, &build.concise().unwrap()[1])] {
+        let held = device.object(0x1F22).unwrap().value(node_id).unwrap().into_owned();
+        assert_eq!(held, objdict::model::Value::Bytes(stream.bytes.clone().into()), "{node_id}");
+    }
+    assert_eq!(value(0x1F81, 11).as_deref(), Some((0x030D).to_string()).as_deref());
+    assert_eq!(value(0x1F81, 3).as_deref(), Some((0x0064_0205).to_string()).as_deref());
+    assert_eq!(value(0x1F80, 0).as_deref(), Some("9"));
+    assert_eq!(value(0x1016, 1).as_deref(), Some((11 << 16 | 500).to_string()).as_deref());
+    assert_eq!(value(0x1028, 12).as_deref(), Some("140"));
+}
+
+#[test]
+fn the_schema_names_every_key() {
+    let schema = schema::bus_yml();
+    let node = &schema["$defs"]["node"]["properties"];
+    for key in ["dcf", "node_id", "rpdo", "sdo", "scale_pos_to_dev"] {
+        assert!(node[key].is_object(), "{key}");
+    }
+    assert_eq!(
+        node["rpdo"]["patternProperties"]["^[1-9][0-9]{0,2}$"]["properties"]["cob_id"]["anyOf"][1]["const"],
+        "auto"
+    );
+}
