@@ -22,6 +22,7 @@ mod identify;
 mod ini_oracle;
 mod interop;
 mod json;
+mod links;
 mod lossless;
 mod namesakes;
 mod network;

@@ -77,7 +77,7 @@ fn different_lines(a: &str, b: &str) -> Vec<String> {
 
 #[test]
 fn every_stream_is_accepted_by_its_node() {
-    for name in ["worked.yml", "cell.yml"] {
+    for name in ["worked.yml", "cell.yml", "chapter4.toml"] {
         let network = open(name);
         assert!(!network.check().has_errors(), "{name}");
         let build = network.build(Manner::Repaired).unwrap();

@@ -7,7 +7,7 @@ use std::str::FromStr;
 use objdict_node::ObjectName;
 
 use crate::Said;
-use crate::model::NoAddress;
+use crate::model::{Address, NoAddress};
 use crate::source::Span;
 
 /// Entries of a node whose values other nodes receive. [`connect`](crate::connect()) makes PDOs of it.
@@ -94,6 +94,15 @@ pub struct LinkedEntries {
     pub object: ObjectName,
     /// A range of its sub-indexes; `None`: the entry itself, or each entry of the object that a PDO can carry.
     pub subs: Option<RangeInclusive<u8>>,
+}
+
+impl LinkedEntries {
+    /// The addresses of the entries; `None` for a name.
+    pub fn addresses(&self) -> Option<impl Iterator<Item = Address> + use<>> {
+        let ObjectName::Address(Address { index, sub }) = self.object else { return None };
+        let subs = self.subs.clone().or(sub.map(|sub| sub..=sub)).unwrap_or(0..=0);
+        Some(subs.map(move |sub| Address { index, sub: Some(sub) }))
+    }
 }
 
 /// Numbers are hexadecimal, as in addresses.

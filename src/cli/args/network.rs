@@ -43,7 +43,7 @@ fn variable(text: &str) -> Result<(String, String), &'static str> {
 /// Exits with 1 when there is a finding of severity error (see --deny), with 2 when a file cannot be read.
 #[derive(Debug, Parser)]
 pub(in crate::cli) struct NetworkCheckArgs {
-    /// Files of networks: `bus.yml` of dcfgen or ros2_canopen
+    /// Files of networks: `network.toml`, or `bus.yml` of dcfgen or ros2_canopen
     #[arg(required = true, value_name = "FILE")]
     pub files: Vec<PathBuf>,
     #[command(flatten)]
@@ -61,7 +61,7 @@ pub(in crate::cli) struct NetworkCheckArgs {
 /// Checks the network first and builds nothing if there is an error. Files are written only if they change, and atomically.
 #[derive(Debug, Parser)]
 pub(in crate::cli) struct NetworkBuildArgs {
-    /// The file of the network: `bus.yml` of dcfgen or ros2_canopen
+    /// The file of the network: `network.toml`, or `bus.yml` of dcfgen or ros2_canopen
     pub file: PathBuf,
     /// What to build
     #[arg(long, value_enum)]
@@ -116,4 +116,6 @@ pub(in crate::cli) struct NetworkSchemaArgs {
 pub(in crate::cli) enum NetworkFormat {
     /// bus.yml of dcfgen and ros2_canopen
     Bus,
+    /// network.toml of objdict
+    Network,
 }

@@ -31,6 +31,7 @@ fn open(path: &Path, input: &NetworkInputArgs) -> Result<NetworkFile, Failure> {
 fn print_schema(args: &NetworkSchemaArgs, out: &mut Output) -> Result<Outcome, Failure> {
     let schema = match args.format {
         NetworkFormat::Bus => schema::bus_yml(),
+        NetworkFormat::Network => schema::network_toml(),
     };
     writeln!(out, "{schema:#}")?;
     Ok(Outcome::Clean)

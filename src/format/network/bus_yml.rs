@@ -4,7 +4,7 @@ use std::collections::BTreeMap;
 
 use super::bus_keys::{MAPPING, MASTER, NODE, OPTIONS, PDO, SDO};
 use super::rules::{MISSING_KEY, OVERRIDDEN_KEY, UNKNOWN_KEY, WRONG_TYPE};
-use super::section::{Section, integer, wrong};
+use super::section::{Section, value_wish, wrong};
 use super::tree::{Entry, Kind, Tree};
 use super::{Descriptions, yaml};
 use crate::configure::PdoName;
@@ -110,8 +110,8 @@ impl Reader<'_, '_> {
     fn manager(&mut self, tree: &Tree, bit_rate: &mut Option<Said<u16>>) -> Option<Manager> {
         let section = Section::new("master", tree, MASTER, self.findings)?;
         let heartbeat = self.heartbeat(&section);
-        let error_behavior = self
-            .numbers(&section, "error_behavior")
+        let error_behavior = section
+            .numbers("error_behavior", self.findings)
             .into_iter()
             .map(|(sub, value)| (sub, value.value))
             .collect();
@@ -199,7 +199,7 @@ impl Reader<'_, '_> {
         let name = entry.key.spelled();
         let section = Section::new(&name, &entry.value, NODE, self.findings)?;
         let heartbeat = self.heartbeat(&section);
-        let error_behavior = self.numbers(&section, "error_behavior");
+        let error_behavior = section.numbers("error_behavior", self.findings);
         let pdos = PdoKind::ALL.into_iter().flat_map(|kind| self.pdos(&section, kind)).collect();
         let downloads = self.downloads(&section);
         section.required(&name, "dcf", self.findings)?;
@@ -251,19 +251,6 @@ impl Reader<'_, '_> {
         Some(node)
     }
 
-    /// Numbers by sub-index.
-    fn numbers(&mut self, section: &Section<'_>, name: &str) -> Vec<(u8, Said<u8>)> {
-        let numbered = section.numbered(name, self.findings);
-        let mut numbers = Vec::with_capacity(numbered.len());
-        for (sub, tree) in numbered {
-            let value = integer(name, tree.value, (0, 255), self.findings);
-            if let (Ok(sub), Some(Ok(value))) = (u8::try_from(sub), value.map(u8::try_from)) {
-                numbers.push((sub, Said::new(value, tree.value.span)));
-            }
-        }
-        numbers
-    }
-
     fn pdos(&mut self, section: &Section<'_>, kind: PdoKind) -> Vec<PdoWish> {
         let name = kind.name().to_ascii_lowercase();
         let numbered = section.numbered(&name, self.findings);
@@ -305,17 +292,10 @@ impl Reader<'_, '_> {
     fn download(&mut self, item: &Tree) -> Option<Said<DownloadWish>> {
         let (Said { value: Address { index, sub }, .. }, section) = address("sdo", item, SDO, self.findings)?;
         let tree = section.get("value");
-        let value = match tree.map(|tree| &*tree.kind) {
-            None => ValueWish::Integer(0),
-            Some(Kind::Integer(number)) => ValueWish::Integer(*number),
-            Some(Kind::Bool(flag)) => ValueWish::Integer((*flag).into()),
-            Some(Kind::Float(number)) => ValueWish::Real(*number),
-            Some(Kind::Text(text)) => ValueWish::Text(text.clone()),
-            Some(_) => {
-                let finding = wrong("value", tree?, "a number");
-                self.findings.push(finding.help("write a number, or a text in quotes"));
-                return None;
-            }
+        let Some(value) = tree.map_or(Some(ValueWish::Integer(0)), value_wish) else {
+            let finding = wrong("value", tree?, "a number");
+            self.findings.push(finding.help("write a number, or a text in quotes"));
+            return None;
         };
         let at = tree.map_or(item.span, |tree| tree.span);
         Some(Said::new(DownloadWish { index, sub: sub.unwrap_or(0), value }, at))

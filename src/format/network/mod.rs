@@ -1,11 +1,14 @@
-//! Networks: `bus.yml` of dcfgen and ros2_canopen.
+//! Networks: `network.toml`, and `bus.yml` of dcfgen and ros2_canopen.
 
 mod bus_keys;
 mod bus_yml;
+mod network_keys;
+mod network_toml;
 mod outputs;
 mod rules;
 pub mod schema;
 mod section;
+mod toml;
 mod tree;
 mod yaml;
 
@@ -53,7 +56,8 @@ impl NetworkFile {
         let folder = path.parent().map(Path::to_owned).unwrap_or_default();
         let mut descriptions = Descriptions { folder, variables, read: BTreeMap::new(), files: Vec::new() };
         let mut findings = Findings::new();
-        let network = bus_yml::read(source.text(), &mut descriptions, &mut findings);
+        let read = if toml::is_toml(source.text()) { network_toml::read } else { bus_yml::read };
+        let network = read(source.text(), &mut descriptions, &mut findings);
         let files = std::mem::take(&mut descriptions.files);
         let descriptions = descriptions
             .read

@@ -11,6 +11,14 @@ text_rules! {
     remedy: "Correct the reported line.",
     source: "YAML 1.1",
 
+    INVALID_TOML = "network/invalid-toml", Error;
+    summary: "the network file is not valid TOML",
+    checks: "Whether the text can be read as TOML. If it cannot, nothing else of it is checked. A text that begins with a header or with `name =` is TOML, any other is YAML.",
+    why: "Nothing of the network is known.",
+    example: "`file = left.eds` without quotes",
+    remedy: "Correct the reported line.",
+    source: "TOML 1.0",
+
     DUPLICATE_KEY = "network/duplicate-key", Error;
     summary: "a key is defined twice",
     checks: "Whether a key is there more than once in a map: a node, a PDO or a setting.",

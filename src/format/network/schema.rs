@@ -3,7 +3,10 @@
 use serde_json::{Map, Value, json};
 
 use super::bus_keys::{MASTER, NODE, OPTIONS};
+use super::network_keys::NETWORK;
 use super::section::{Key, Shape};
+
+const DIALECT: &str = "https://json-schema.org/draft/2020-12/schema";
 
 /// The JSON Schema of `bus.yml`, as dcfgen reads it and as ros2_canopen does.
 pub fn bus_yml() -> Value {
@@ -15,7 +18,7 @@ pub fn bus_yml() -> Value {
         },
     });
     json!({
-        "$schema": "https://json-schema.org/draft/2020-12/schema",
+        "$schema": DIALECT,
         "title": "bus.yml of dcfgen and ros2_canopen",
         "type": "object",
         "required": ["master"],
@@ -29,6 +32,16 @@ pub fn bus_yml() -> Value {
         },
         "$defs": { "node": object(NODE) },
     })
+}
+
+/// The JSON Schema of `network.toml`.
+pub fn network_toml() -> Value {
+    let mut schema = object(NETWORK);
+    if let Some(fields) = schema.as_object_mut() {
+        fields.insert("$schema".to_owned(), DIALECT.into());
+        fields.insert("title".to_owned(), "network.toml of objdict".into());
+    }
+    schema
 }
 
 /// A map with these keys and no others.
@@ -54,6 +67,18 @@ fn shape(shape: &Shape) -> Value {
         Shape::Text => json!({ "type": ["string", "number"] }),
         Shape::IntegerOr(low, high, word) => json!({ "anyOf": [integer(*low, *high), { "const": word }] }),
         Shape::Value => json!({ "type": ["integer", "number", "string", "boolean"] }),
+        Shape::Time(high, _) => json!({ "anyOf": [integer(0, *high), { "type": "string" }] }),
+        Shape::ValueOrList => {
+            let value = self::shape(&Shape::Value);
+            json!({ "anyOf": [value, { "type": "array", "items": value }] })
+        }
+        Shape::Values => json!({ "type": "object", "additionalProperties": self::shape(&Shape::Value) }),
+        Shape::Texts => {
+            json!({ "anyOf": [{ "type": "string" }, { "type": "array", "items": { "type": "string" } }] })
+        }
+        Shape::Numerals(low, high) => json!({ "type": "array", "items": integer(*low, *high) }),
+        Shape::Map(keys) => object(keys),
+        Shape::Named(keys) => json!({ "type": "object", "additionalProperties": object(keys) }),
         Shape::List(keys) => json!({ "type": "array", "items": object(keys) }),
         Shape::Numbered(low, high, keys) => by_number(*low, *high, &object(keys)),
         Shape::Numbers((low, high), values) => by_number(*low, *high, &integer(values.0, values.1)),

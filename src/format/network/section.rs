@@ -2,8 +2,9 @@
 
 use super::rules::{MISSING_KEY, OUT_OF_RANGE, UNKNOWN_KEY, WRONG_TYPE};
 use super::tree::{Entry, Kind, Tree};
+use crate::configure::nanoseconds;
 use crate::diagnostic::{Diagnostic, Findings, Severity, nearest, say};
-use crate::network::Said;
+use crate::network::{Said, ValueWish};
 use crate::source::Span;
 
 /// A key that a map may have.
@@ -30,8 +31,22 @@ pub(super) enum Shape {
     Text,
     /// A whole number in a range, or this word.
     IntegerOr(i128, i128, &'static str),
+    /// A time: a text with a unit, or a whole number up to the first one of units of so many nanoseconds.
+    Time(i128, u64),
     /// A number or a text.
     Value,
+    /// Such a value, or a list of them.
+    ValueOrList,
+    /// A map of values by any names.
+    Values,
+    /// A text, or a list of texts.
+    Texts,
+    /// A list of whole numbers in a range.
+    Numerals(i128, i128),
+    /// Such a map.
+    Map(&'static [Key]),
+    /// A map of such maps by any names.
+    Named(&'static [Key]),
     /// A list of such maps.
     List(&'static [Key]),
     /// A map of such maps by number.
@@ -105,16 +120,17 @@ impl<'t> Section<'t> {
         value
     }
 
+    /// What the table says of a value.
+    fn shape(&self, name: &str) -> Option<&'static Shape> {
+        self.keys.iter().find(|key| key.name == name).map(|key| &key.shape)
+    }
+
     /// The range of a number in the table.
     fn range(&self, name: &str) -> (i128, i128) {
-        self.keys
-            .iter()
-            .find(|key| key.name == name)
-            .and_then(|key| match key.shape {
-                Shape::Integer(low, high) | Shape::IntegerOr(low, high, _) => Some((low, high)),
-                _ => None,
-            })
-            .unwrap_or((i128::MIN, i128::MAX))
+        match self.shape(name) {
+            Some(Shape::Integer(low, high) | Shape::IntegerOr(low, high, _)) => (*low, *high),
+            _ => (i128::MIN, i128::MAX),
+        }
     }
 
     /// A whole number.
@@ -161,6 +177,69 @@ impl<'t> Section<'t> {
         None
     }
 
+    /// A time in its unit.
+    pub(super) fn time<T: TryFrom<i128>>(&self, name: &str, findings: &mut Findings) -> Option<Said<T>> {
+        let tree = self.get(name)?;
+        let Some(&Shape::Time(high, unit)) = self.shape(name) else { return None };
+        let number = match tree.text().map(nanoseconds) {
+            None => integer(name, tree, (0, high), findings)?,
+            Some(Some(time)) if time.is_multiple_of(unit) && i128::from(time / unit) <= high => {
+                (time / unit).into()
+            }
+            Some(time) => {
+                let longest = spelled_time(high.saturating_mul(unit.into()));
+                let (rule, expected) = match time {
+                    Some(time) if time.is_multiple_of(unit) => (&OUT_OF_RANGE, say!("{} at most", longest)),
+                    Some(_) => (&OUT_OF_RANGE, say!("in multiples of {}", spelled_time(unit.into()))),
+                    None => (&WRONG_TYPE, say!("a time")),
+                };
+                let message = say!("`{}` is `{}`, which is not {}", name, tree.spelled(), expected);
+                let finding = Diagnostic::new(rule, tree.span, message);
+                findings.push(finding.help("write a number with a unit, as in `33ms`, `1.5 s` or `250us`"));
+                return None;
+            }
+        };
+        Some(Said::new(T::try_from(number).ok()?, tree.span))
+    }
+
+    /// A text or several ones.
+    pub(super) fn texts(&self, name: &str, findings: &mut Findings) -> Vec<Said<&'t str>> {
+        let items = self.get(name).map_or(&[][..], |tree| match &*tree.kind {
+            Kind::List(items) => items,
+            _ => std::slice::from_ref(tree),
+        });
+        let mut texts = Vec::with_capacity(items.len());
+        for item in items {
+            match item.text() {
+                Some(text) => texts.push(Said::new(text, item.span)),
+                None => findings.push(wrong(name, item, "a text").help("write a text in quotes")),
+            }
+        }
+        texts
+    }
+
+    /// Numbers of 8 bits by numbers.
+    pub(super) fn numbers(&self, name: &str, findings: &mut Findings) -> Vec<(u8, Said<u8>)> {
+        let numbered = self.numbered(name, findings);
+        let mut numbers = Vec::with_capacity(numbered.len());
+        for (sub, tree) in numbered {
+            let value = integer(name, tree.value, (0, 255), findings);
+            if let (Ok(sub), Some(Ok(value))) = (u8::try_from(sub), value.map(u8::try_from)) {
+                numbers.push((sub, Said::new(value, tree.value.span)));
+            }
+        }
+        numbers
+    }
+
+    /// The entries of a map by name.
+    pub(super) fn named(&self, name: &str, findings: &mut Findings) -> &'t [Entry] {
+        let Some(tree) = self.get(name) else { return &[] };
+        tree.entries().unwrap_or_else(|| {
+            findings.push(wrong(name, tree, "a table of keys").help("write the names as keys below it"));
+            &[]
+        })
+    }
+
     /// A text; numbers are taken as they are spelled.
     pub(super) fn text(&self, name: &str, findings: &mut Findings) -> Option<Said<String>> {
         let tree = self.get(name)?;
@@ -179,10 +258,9 @@ impl<'t> Section<'t> {
         match &*tree.kind {
             Kind::List(items) => Some(items),
             _ => {
-                findings.push(
-                    wrong(name, tree, "a list")
-                        .help("write each item in a line of its own after `- `, or `[]` for none"),
-                );
+                findings.push(wrong(name, tree, "a list").help(
+                    "write each item in a line of its own after `- `, or all in brackets, `[]` for none",
+                ));
                 None
             }
         }
@@ -191,8 +269,7 @@ impl<'t> Section<'t> {
     /// The entries of a map by number, each with its number.
     pub(super) fn numbered(&self, name: &str, findings: &mut Findings) -> Vec<(i128, Said<&'t Tree>)> {
         let Some(tree) = self.get(name) else { return Vec::new() };
-        let range = self.keys.iter().find(|key| key.name == name).map(|key| &key.shape);
-        let (low, high) = match range {
+        let (low, high) = match self.shape(name) {
             Some(Shape::Numbered(low, high, _) | Shape::Numbers((low, high), _)) => (*low, *high),
             _ => (i128::MIN, i128::MAX),
         };
@@ -211,6 +288,17 @@ impl<'t> Section<'t> {
         }
         numbered
     }
+}
+
+/// The value of an entry; `None` for a list, a map or nothing.
+pub(super) fn value_wish(tree: &Tree) -> Option<ValueWish> {
+    Some(match &*tree.kind {
+        Kind::Integer(number) => ValueWish::Integer(*number),
+        Kind::Bool(flag) => ValueWish::Integer((*flag).into()),
+        Kind::Float(number) => ValueWish::Real(*number),
+        Kind::Text(text) => ValueWish::Text(text.clone()),
+        Kind::Null | Kind::List(_) | Kind::Map(_) => return None,
+    })
 }
 
 /// A whole number in a range. What dcfgen takes for one in silence is a warning.
@@ -262,6 +350,16 @@ pub(super) fn integer(
         high
     )));
     None
+}
+
+/// A time in the largest unit that has no fraction.
+fn spelled_time(nanoseconds: i128) -> String {
+    let units = [(1_000_000_000, "s"), (1_000_000, "ms"), (1000, "us")];
+    let unit = units.iter().find(|(length, _)| nanoseconds % length == 0);
+    unit.map_or_else(
+        || format!("{nanoseconds}ns"),
+        |(length, unit)| format!("{}{unit}", nanoseconds / length),
+    )
 }
 
 /// `cob_id` is a text where a number belongs.

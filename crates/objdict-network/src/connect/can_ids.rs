@@ -3,8 +3,7 @@
 use std::collections::{HashMap, HashSet};
 
 use crate::configure::PdoName;
-use crate::model::{CobId, PdoKind, restricted};
-use crate::source::Span;
+use crate::model::{CobId, restricted};
 use crate::{CobIdWish, Network, Node, PdoWish};
 
 /// What sends or receives a CAN-ID.
@@ -13,14 +12,13 @@ pub(super) enum User {
     /// A PDO of a node.
     Pdo(usize, PdoName),
     /// Another service of a node.
-    Service(usize, &'static str),
+    Service(usize),
 }
 
 /// The CAN-IDs of a network.
 #[derive(Default)]
 pub(super) struct CanIds {
-    /// Who uses a CAN-ID, and where the network file says so.
-    users: HashMap<u32, Vec<(User, Span)>>,
+    users: HashMap<u32, Vec<User>>,
     /// CAN-IDs that links demand.
     demanded: HashSet<u32>,
     /// The free ranges in the order in which they are used up.
@@ -43,7 +41,7 @@ impl CanIds {
                     None => present(node, wish),
                 };
                 if let Some(can_id) = can_id {
-                    ids.add(plain(can_id), User::Pdo(position, wish.pdo), wish.at);
+                    ids.add(plain(can_id), User::Pdo(position, wish.pdo));
                 }
             }
         }
@@ -61,22 +59,22 @@ impl CanIds {
         let services = node.device.services();
         let node_id = node.node_id.map(|said| said.value);
         let emcy = services.emcy.filter(|emcy| emcy.is_valid());
-        for (cob_id, name) in [(emcy, "EMCY"), (services.sync, "SYNC"), (services.time, "TIME")] {
+        for cob_id in [emcy, services.sync, services.time] {
             let can_id = cob_id.and_then(|cob_id| on_node(cob_id, node_id));
             if let Some(can_id) = can_id {
-                self.add(plain(can_id), User::Service(position, name), Span::default());
+                self.add(plain(can_id), User::Service(position));
             }
         }
     }
 
-    pub(super) fn add(&mut self, can_id: u32, user: User, at: Span) {
-        self.users.entry(can_id).or_default().push((user, at));
+    pub(super) fn add(&mut self, can_id: u32, user: User) {
+        self.users.entry(can_id).or_default().push(user);
     }
 
     /// A user that does not use the CAN-ID any more.
     pub(super) fn release(&mut self, can_id: u32, user: User) {
         if let Some(users) = self.users.get_mut(&can_id) {
-            users.retain(|(other, _)| *other != user);
+            users.retain(|other| *other != user);
         }
     }
 
@@ -97,12 +95,6 @@ impl CanIds {
         restricted(can_id).is_none()
             && !self.demanded.contains(&can_id)
             && self.users.get(&can_id).is_none_or(Vec::is_empty)
-    }
-
-    /// Another sender of a CAN-ID.
-    pub(super) fn other_sender(&self, can_id: u32, user: User) -> Option<(User, Span)> {
-        let sends = |user: User| !matches!(user, User::Pdo(_, PdoName { kind: PdoKind::Rpdo, .. }));
-        self.users.get(&can_id)?.iter().copied().find(|(other, _)| sends(*other) && *other != user)
     }
 }
 

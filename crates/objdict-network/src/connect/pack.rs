@@ -8,8 +8,8 @@ use super::pdos::{Mapping, NodePdos};
 use super::streams::{Signal, Stream};
 use crate::configure::PdoName;
 use crate::diagnostic::{Diagnostic, Findings, say};
-use crate::model::{CobId, PdoKind, restricted};
-use crate::rules::{FIXED_PDO, LINK_CAN_ID, LINK_TOO_LONG, NO_FREE_PDO};
+use crate::model::{CobId, PdoKind};
+use crate::rules::{FIXED_PDO, LINK_TOO_LONG, NO_FREE_CAN_ID, NO_FREE_PDO};
 use crate::source::Span;
 use crate::{CobIdWish, LinkParameters, Network, Node, PdoWish, Said};
 
@@ -24,7 +24,6 @@ pub(super) fn pack(
         pdos: network.nodes.iter().map(NodePdos::of).collect(),
         can_ids: CanIds::new(network),
         wishes: Vec::new(),
-        demanded: Vec::new(),
     };
     packer.add_present_pdos();
     // in the order of the links, so that those at the end take nothing from others
@@ -37,11 +36,6 @@ pub(super) fn pack(
             Err(finding) => findings.push(*finding),
         }
     }
-    for &(can_id, user, at) in &packer.demanded {
-        if let Some(finding) = packer.conflict(can_id, user, at) {
-            findings.push(finding);
-        }
-    }
     packer.wishes
 }
 
@@ -50,8 +44,6 @@ struct Packer<'a> {
     pdos: Vec<NodePdos>,
     can_ids: CanIds,
     wishes: Vec<(usize, PdoWish)>,
-    /// CAN-IDs without a choice, with their senders.
-    demanded: Vec<(u32, User, Span)>,
 }
 
 /// A PDO of a consumer for a share of a frame.
@@ -95,7 +87,7 @@ impl Packer<'_> {
         for (node, pdos) in self.pdos.iter().enumerate() {
             for pdo in pdos.pdos.iter().filter(|pdo| !pdo.is_used) {
                 if let Some(cob_id) = pdo.valid_cob_id() {
-                    self.can_ids.add(plain(cob_id), User::Pdo(node, pdo.name), Span::default());
+                    self.can_ids.add(plain(cob_id), User::Pdo(node, pdo.name));
                 }
             }
         }
@@ -218,10 +210,7 @@ impl Packer<'_> {
             receptions.iter().map(|reception| self.take(reception.node, reception.pdo)).collect();
         let user = User::Pdo(producer, tpdo);
         let can_id = match can_id {
-            Some(can_id) => {
-                self.demanded.push((can_id, user, stream.at));
-                can_id
-            }
+            Some(can_id) => can_id,
             None => {
                 let of_producer = predefined(&self.nodes[producer], tpdo);
                 let of_consumers = receptions.iter().zip(&rpdos);
@@ -232,12 +221,13 @@ impl Packer<'_> {
                 chosen.ok_or_else(|| Box::new(no_can_id(stream.at)))?
             }
         };
-        self.can_ids.add(can_id, user, stream.at);
+        self.can_ids.add(can_id, user);
         let extended = if can_id > 0x7FF { CobId::FRAME } else { 0 };
         for (reception, pdo) in receptions.into_iter().zip(rpdos) {
-            self.can_ids.add(can_id, User::Pdo(reception.node, pdo), reception.at);
+            self.can_ids.add(can_id, User::Pdo(reception.node, pdo));
+            let (node, at) = (reception.node, reception.pdo);
             let wish = self.received(stream, reception, pdo, can_id | extended);
-            self.wishes.push(wish);
+            self.wish(node, at, wish);
         }
         let candidate = &self.pdos[producer].pdos[transfer.pdo];
         // only a TPDO says by bit 30 that it cannot be requested
@@ -251,12 +241,19 @@ impl Packer<'_> {
             mapping: spanned(candidate.changed(&transfer.frame.mapped), stream.at),
             ..PdoWish::new(tpdo, stream.at)
         };
-        self.wishes.push((producer, wish));
+        self.wish(producer, transfer.pdo, wish);
         Ok(())
     }
 
+    /// Adds what a node is told, unless its PDO is so for ever.
+    fn wish(&mut self, node: usize, pdo: usize, wish: PdoWish) {
+        if !self.pdos[node].pdos[pdo].is_for_ever(&wish) {
+            self.wishes.push((node, wish));
+        }
+    }
+
     /// What a consumer is told.
-    fn received(&self, stream: &Stream, reception: Reception, pdo: PdoName, cob_id: u32) -> (usize, PdoWish) {
+    fn received(&self, stream: &Stream, reception: Reception, pdo: PdoName, cob_id: u32) -> PdoWish {
         let Reception { node, at, mapping, deadline, .. } = reception;
         // a PDO on request is an event for who receives it (CiA 301 §7.5.2.35)
         let transmission = stream.parameters.transmission.map(|number| match number {
@@ -264,7 +261,7 @@ impl Packer<'_> {
             number => number,
         });
         let candidate = &self.pdos[node].pdos[reception.pdo];
-        let wish = PdoWish {
+        PdoWish {
             cob_id: Some(Said::new(CobIdWish::Number(cob_id), at)),
             transmission: transmission
                 .filter(|_| candidate.is_writable(2))
@@ -272,8 +269,7 @@ impl Packer<'_> {
             deadline: deadline.map(|time| Said::new(time, at)),
             mapping: spanned(mapping, at),
             ..PdoWish::new(pdo, at)
-        };
-        (node, wish)
+        }
     }
 
     fn take(&mut self, node: usize, pdo: usize) -> PdoName {
@@ -314,31 +310,6 @@ impl Packer<'_> {
         );
         Diagnostic::new(&FIXED_PDO, stream.at, message).help(help)
     }
-
-    /// What is wrong with a CAN-ID without a choice.
-    fn conflict(&self, can_id: u32, user: User, at: Span) -> Option<Diagnostic> {
-        if let Some(owner) = restricted(can_id) {
-            let message = say!("CAN-ID {:03X}h is not for PDOs: {}", can_id, owner);
-            return Some(
-                Diagnostic::new(&LINK_CAN_ID, at, message).help("use another CAN-ID, or leave it out"),
-            );
-        }
-        let (other, place) = self.can_ids.other_sender(can_id, user)?;
-        let (node, service) = match other {
-            User::Pdo(node, pdo) => (node, pdo.to_string()),
-            User::Service(node, service) => (node, service.to_owned()),
-        };
-        let message = say!(
-            "CAN-ID {:03X}h has two senders: the link, and {} of `{}`",
-            can_id,
-            service,
-            self.nodes[node].name.value
-        );
-        let finding = Diagnostic::new(&LINK_CAN_ID, at, message)
-            .help("use another CAN-ID, leave it out, or give the other sender another one");
-        let is_said = place != Span::default() && place != at;
-        Some(if is_said { finding.label(place, "the other sender") } else { finding })
-    }
 }
 
 /// A stream for what a consumer cannot take from a frame.
@@ -359,7 +330,7 @@ fn separate(stream: &Stream, frame: &Frame<'_>, share: &Share) -> Stream {
 }
 
 fn no_can_id(at: Span) -> Diagnostic {
-    Diagnostic::new(&LINK_CAN_ID, at, "no CAN-ID is left for the link")
+    Diagnostic::new(&NO_FREE_CAN_ID, at, "no CAN-ID is left for the link")
         .help("give the link a CAN-ID, or make PDOs invalid that are not needed")
 }
 

@@ -4,7 +4,7 @@ use super::can_ids::on_node;
 use super::ends::Carried;
 use crate::configure::PdoName;
 use crate::model::{Access, Address, CobId, DataType, Device, MappedObject, Pdo, PdoKind};
-use crate::{LinkParameters, Node};
+use crate::{LinkParameters, Node, PdoWish};
 
 /// The PDOs of a node.
 pub(super) struct NodePdos {
@@ -162,6 +162,20 @@ impl Candidate {
         pairs.all(|(wanted, Parameter(_, present, is_writable))| {
             *is_writable || wanted.is_none_or(|wanted| wanted == *present)
         })
+    }
+
+    /// Whether the PDO is already as it shall be, and its COB-ID, which starts and ends each change, cannot be written.
+    pub(super) fn is_for_ever(&self, wish: &PdoWish) -> bool {
+        let wanted = [
+            wish.transmission.map(|said| said.value.into()),
+            wish.inhibit_time.map(|said| said.value.into()),
+            wish.event_timer.or(wish.deadline).map(|said| said.value.into()),
+        ];
+        let mut pairs = wanted.into_iter().zip(&self.parameters);
+        self.is_cob_id_fixed
+            && wish.mapping.is_none()
+            && pairs
+                .all(|(wanted, Parameter(_, present, _))| wanted.is_none_or(|wanted: u32| wanted == *present))
     }
 
     /// Whether a communication parameter can be written.

@@ -51,14 +51,6 @@ text_rules! {
     remedy: "Leave the CAN-ID out, or divide the link into several ones.",
     source: "CiA 301 §7.2.2",
 
-    LINK_CAN_ID = "network/link-can-id", Error;
-    summary: "the CAN-ID of a link is not available",
-    checks: "Whether a CAN-ID that a link or a node without a choice demands is sent by nothing else and is not restricted, and whether a free one is left for every other link.",
-    why: "Two senders of a CAN-ID destroy each other's frames, and consumers take the data of both.",
-    example: r#"`can-id = 0x20B` in a link from `middle`, and in another one from `plc`"#,
-    remedy: "Leave the CAN-ID out, or use another one.",
-    source: "CiA 301 §7.3.5",
-
     NO_FREE_PDO = "network/no-free-pdo", Error;
     summary: "a node has no PDO left for a link",
     checks: "Whether the producer has a TPDO, and each consumer an RPDO, that neither another link uses nor the network file configures itself.",

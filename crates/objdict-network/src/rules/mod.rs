@@ -12,5 +12,5 @@ use crate::diagnostic::RuleInfo;
 
 /// The rules about networks.
 pub fn rules() -> impl Iterator<Item = &'static RuleInfo> {
-    nodes::RULES.iter().chain(bus::RULES).copied()
+    links::RULES.iter().chain(nodes::RULES).chain(bus::RULES).copied()
 }

@@ -53,7 +53,7 @@ text_rules! {
 
     NO_FREE_CAN_ID = "network/no-free-can-id", Error;
     summary: "no CAN-ID is left for a PDO",
-    checks: "Whether each PDO with `cob_id: auto` gets a CAN-ID: PDO 1 to 4 that of the predefined connection set, others one of 680h to 6DFh.",
+    checks: "Whether each PDO with `cob_id: auto` gets a CAN-ID: PDO 1 to 4 that of the predefined connection set, others one of 680h to 6DFh; and whether each link without a CAN-ID gets one.",
     why: "The PDO cannot be used.",
     example: "100 nodes that use PDO 5",
     remedy: "Give CAN-IDs by number.",

@@ -42,7 +42,8 @@ use crate::resolve::ObjectName;
 #[cfg(feature = "toml")]
 pub use file::{SettingsFile, SettingsFileError};
 pub use rebase::{Rebased, rebase};
-pub use setting::{CanId, NoSetting, PdoName, PdoParameter, Setting};
+pub use setting::{CanId, NoSetting, PdoName, PdoParameter, Setting, transmission_type};
+pub use time::nanoseconds;
 
 /// A setting that cannot be applied.
 #[derive(Clone, Debug, PartialEq, Eq)]

@@ -136,7 +136,7 @@ const TRANSMISSION: [(&str, u8); 7] = [
 ];
 
 /// The number of a transmission type: `sync/1`, `event`, `254`.
-fn transmission_type(text: &str) -> Option<u8> {
+pub fn transmission_type(text: &str) -> Option<u8> {
     let lower = text.trim().to_ascii_lowercase();
     if let Some(&(_, number)) = TRANSMISSION.iter().find(|(name, _)| *name == lower) {
         return Some(number);

@@ -12,7 +12,7 @@ const UNITS: [(&str, u64); 5] =
 const PLACES: usize = 9;
 
 /// A time such as `33ms`, `1.5 s` or `250us`, in nanoseconds; `None` for any other text.
-pub(super) fn nanoseconds(text: &str) -> Option<u64> {
+pub fn nanoseconds(text: &str) -> Option<u64> {
     let text = text.trim();
     let (number, unit) =
         UNITS.iter().find_map(|&(word, length)| Some((text.strip_suffix(word)?.trim_end(), length)))?;

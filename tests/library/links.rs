@@ -1,0 +1,111 @@
+//! The network of the book's chapter 4, and networks of many nodes.
+
+use std::collections::BTreeMap;
+use std::fmt::Write;
+use std::fs;
+
+use objdict::diagnostic::Findings;
+use objdict::format::network::NetworkFile;
+use objdict::network::{Manner, Messages, Network, Party, compile};
+
+use crate::support;
+
+/// A network whose files are those of `fixtures/network`.
+fn open(name: &str, text: &str) -> NetworkFile {
+    let folder = support::fixtures().join("network");
+    let text = text.replace("file = \"", &format!("file = \"{}/", folder.display()));
+    let path = std::env::temp_dir().join(format!("objdict-{}-{name}.toml", std::process::id()));
+    fs::write(&path, text).unwrap();
+    let file = NetworkFile::open(&path, &BTreeMap::new()).unwrap();
+    fs::remove_file(path).unwrap();
+    file
+}
+
+fn chapter_4() -> String {
+    fs::read_to_string(support::fixtures().join("network/chapter4.toml")).unwrap()
+}
+
+/// The PDOs of a network, a line each: CAN-ID, sender and receivers.
+fn pdos(network: &Network) -> Vec<String> {
+    let compiled = compile(network, Manner::Repaired, &mut Findings::new());
+    let named =
+        |party: &Party| format!("{} {}", network.nodes[party.node.unwrap()].name.value, party.service);
+    let is_pdo = |party: &&Party| party.service.to_string().contains("PDO");
+    let messages = Messages::new(network, &compiled).0;
+    let lines = messages.iter().filter_map(|(can_id, message)| {
+        let sender = message.senders.iter().find(is_pdo)?;
+        let receivers: Vec<String> = message.receivers.iter().filter(is_pdo).map(named).collect();
+        Some(format!("{can_id} {}: {}", named(sender), receivers.join(", ")))
+    });
+    lines.collect()
+}
+
+#[test]
+fn the_network_of_chapter_4_comes_out_as_printed() {
+    let file = open("chapter4", &chapter_4());
+    let found: Vec<String> = file.check().iter().map(|finding| finding.message.to_string()).collect();
+    assert_eq!(found, [""; 0]);
+    let network = file.network.unwrap();
+    assert_eq!(
+        pdos(&network),
+        [
+            "18Bh left TPDO 1: plc RPDO 1",
+            "20Bh plc TPDO 1: left RPDO 1",
+            "28Bh left TPDO 2: plc RPDO 2",
+            "30Bh plc TPDO 2: left RPDO 2",
+            "381h plc TPDO 3: right RPDO 1",
+            "401h right TPDO 1: plc RPDO 3",
+            "481h plc TPDO 4: right RPDO 2",
+            "501h right TPDO 2: plc RPDO 4",
+        ]
+    );
+    let compiled = compile(&network, Manner::Repaired, &mut Findings::new());
+    let left = &compiled.slaves[0];
+    let stream = left.arranged(&network.nodes[left.node]).unwrap();
+    assert_eq!((stream.0.len(), stream.write().unwrap().len()), (33, 325));
+    let plc = compiled.manager.unwrap();
+    let services = plc.device.services();
+    assert_eq!(services.communication_cycle_period, Some(33_000));
+    assert!(services.sync.unwrap().bit_30(), "the controller sends SYNC");
+    let received = plc.device.pdo(objdict::model::PdoKind::Rpdo, 1).unwrap();
+    let mapped: Vec<String> = received.mapped().map(|object| object.to_string()).collect();
+    assert_eq!(
+        mapped.join("; "),
+        (1..=5).map(|sub| format!("5200h:{sub:02X}, 8 bits")).collect::<Vec<_>>().join("; ")
+    );
+}
+
+#[test]
+fn the_printed_error_of_chapter_4_is_found() {
+    let middle = "\n[node.middle]\nfile = \"middle.eds\"\nid = 13\n\n[[link]]\nfrom = \"middle.6000\"\nto = \"plc.5200:B-C\"\ncan-id = 0x20B\n";
+    let found = open("middle", &(chapter_4() + middle)).check();
+    let found: Vec<_> = found.iter().map(|finding| (finding.rule.id, finding.message.to_string())).collect();
+    assert!(
+        found.iter().any(|(rule, message)| *rule == "network/duplicate-can-id" && message.contains("20Bh")),
+        "{found:?}"
+    );
+}
+
+/// `count` islands with four links each to one controller and to each other.
+fn many(count: usize) -> String {
+    let mut text = String::from("[node.n0]\nfile = \"island.eds\"\nid = 1\n");
+    for node in 1..count {
+        writeln!(text, "[node.n{node}]\nfile = \"island.eds\"\nid = {}", node + 1).unwrap();
+        for sub in 1..=4 {
+            let next = (node + 1) % count;
+            writeln!(text, "[[link]]\nfrom = \"n{node}.6000:{sub}\"\nto = \"n{next}.6200:{sub}\"").unwrap();
+        }
+    }
+    text
+}
+
+#[test]
+fn a_ring_of_127_nodes_has_a_pdo_for_each_node() {
+    let network = open("ring", &many(127)).network.unwrap();
+    assert_eq!((network.nodes.len(), network.links.len()), (127, 504));
+    let lines = pdos(&network);
+    for node in 1..127 {
+        let line = format!("{:03X}h n{node} TPDO 1: n{} RPDO 1", 0x181 + node, (node + 1) % 127);
+        assert!(lines.contains(&line), "{line}");
+    }
+}
