@@ -76,7 +76,7 @@ text_rules! {
     source: "objdict, docs/dcf.md",
 
     RPDO_WITHOUT_SENDER = "network/rpdo-without-sender", Warning;
-    summary: "nobody sends what a node receives",
+    summary: "no node sends what another one receives",
     checks: "Whether the CAN-ID of each valid RPDO that maps something is sent by a node of the network. A manager without a description sends all that remains.",
     why: "The outputs of the node never change.",
     example: "an RPDO on 18Ch in a network without node 12",
@@ -84,7 +84,7 @@ text_rules! {
     source: "CiA 301 §7.2.2",
 
     TPDO_WITHOUT_RECEIVER = "network/tpdo-without-receiver", Note;
-    summary: "nobody receives what a node sends",
+    summary: "no node receives what another one sends",
     checks: "Whether the CAN-ID of each valid TPDO that maps something is received by a node of the network.",
     why: "The PDO takes a part of the bus for nothing.",
     example: "TPDO 2 of a node, which is valid by default",
