@@ -28,8 +28,19 @@ fn pages() {
         fs::create_dir(folder.path().join("page.out")).unwrap();
         let input = folder.path().join("page.in");
         for fixtures in [
-            "eds", "dcf", "xdd", "cnxml", "nxdd", "broken", "torture", "nodelist", "foreign", "profiles",
+            "eds",
+            "dcf",
+            "xdd",
+            "cnxml",
+            "nxdd",
+            "broken",
+            "torture",
+            "nodelist",
+            "foreign",
+            "profiles",
             "concise",
+            "network",
+            "rules/network/link-mismatch",
         ] {
             copy_folder(&Path::new("fixtures").join(fixtures), &input.join("fixtures").join(fixtures));
         }

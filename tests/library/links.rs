@@ -109,3 +109,36 @@ fn a_ring_of_127_nodes_has_a_pdo_for_each_node() {
         assert!(lines.contains(&line), "{line}");
     }
 }
+
+/// Every key of the JSON Schema is on the page.
+#[test]
+fn the_reference_has_every_key() {
+    fn keys(schema: &serde_json::Value, found: &mut Vec<String>) {
+        if let Some(properties) = schema.get("properties").and_then(serde_json::Value::as_object) {
+            found.extend(properties.keys().cloned());
+        }
+        match schema {
+            serde_json::Value::Object(fields) => fields.values().for_each(|value| keys(value, found)),
+            serde_json::Value::Array(items) => items.iter().for_each(|value| keys(value, found)),
+            _ => {}
+        }
+    }
+    let page = include_str!("../../docs/network.md");
+    let mut found = Vec::new();
+    keys(&objdict::format::network::schema::network_toml(), &mut found);
+    assert!(found.len() > 50, "{found:?}");
+    for key in found {
+        let spellings = [
+            format!("`{key}`"),
+            format!("`{key} ="),
+            format!("`{key}."),
+            format!("[[{key}]]"),
+            format!("[{key}"),
+            format!(".{key}]"),
+        ];
+        assert!(
+            spellings.iter().any(|spelling| page.contains(spelling)),
+            "`{key}` is not in docs/network.md"
+        );
+    }
+}
