@@ -5,6 +5,8 @@ mod concise;
 mod docs;
 mod large;
 mod lookup;
+#[cfg(feature = "network")]
+mod network;
 mod read;
 mod xml;
 
