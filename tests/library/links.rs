@@ -110,6 +110,19 @@ fn a_ring_of_127_nodes_has_a_pdo_for_each_node() {
     }
 }
 
+#[test]
+fn a_node_watches_others_beside_the_manager() {
+    let text = "[manager]\nid = 127\nheartbeat = \"100ms\"\n[node.left]\nfile = \"island.eds\"\nid = 11\nwatches-manager = true\nwatches = { right = \"1.5x\", nowhere = \"500ms\" }\n[node.right]\nfile = \"island.eds\"\nid = 12\nheartbeat = \"200ms\"\n";
+    let file = open("watches", text);
+    let found: Vec<_> = file.check().iter().map(|finding| finding.message.to_string()).collect();
+    assert!(found.contains(&"`left` cannot watch `nowhere`: there is no such node".to_owned()), "{found:?}");
+    let compiled = compile(&file.network.unwrap(), Manner::Repaired, &mut Findings::new());
+    let consumers = compiled.slaves[0].device.services().heartbeat_consumers;
+    let consumers: Vec<_> =
+        consumers.iter().map(|consumer| (consumer.sub, consumer.node_id, consumer.time)).collect();
+    assert_eq!(consumers, [(1, 127, 300), (2, 12, 300)]);
+}
+
 /// Every key of the JSON Schema is on the page.
 #[test]
 fn the_reference_has_every_key() {

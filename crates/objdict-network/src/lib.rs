@@ -12,6 +12,7 @@ mod messages;
 mod network;
 mod rules;
 mod stream;
+mod watch;
 
 pub use check::check;
 pub use connect::connect;
@@ -21,6 +22,7 @@ pub use messages::{CanId, Message, Messages, Party, Service};
 pub use network::*;
 pub use rules::rules;
 pub use stream::{Compiled, Manner, PdoState, Slave, compile};
+pub use watch::watch;
 
 use objdict_model::{diagnostic, literal, model, source};
 use objdict_node::{configure, download};

@@ -11,7 +11,7 @@ use crate::diagnostic::{Diagnostic, Findings, Text, say};
 use crate::model::{Address, Device, PdoKind};
 use crate::network::{
     Boot, CobIdWish, DownloadWish, Heartbeat, Link, LinkEnd, LinkParameters, LinkedEntries, Manager, Network,
-    Node, PdoWish, Said, Startup, Watch, WatchTime, connect,
+    Node, PdoWish, Said, Startup, Watch, WatchTime, connect, watch,
 };
 use crate::source::Span;
 
@@ -31,6 +31,7 @@ pub(super) fn read(
         ..Network::default()
     };
     reader.bus(&section, &mut network);
+    watch(&mut network, reader.findings);
     connect(&mut network, reader.findings);
     Some(network)
 }
