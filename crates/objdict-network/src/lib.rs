@@ -18,7 +18,7 @@ pub use check::check;
 pub use connect::connect;
 pub use lely::{LelyMaster, LelyOptions, configuration_file, lely_master};
 pub use link::{Link, LinkEnd, LinkParameters, LinkedEntries, NoLinkEnd};
-pub use messages::{CanId, Message, Messages, Party, Service};
+pub use messages::{Message, MessageId, Messages, Party, Service};
 pub use network::*;
 pub use rules::rules;
 pub use stream::{Compiled, Manner, PdoState, Slave, compile};

@@ -10,14 +10,14 @@ use crate::stream::{Compiled, PdoState, Slave};
 
 /// A CAN-ID; base frames before extended ones.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
-pub struct CanId {
+pub struct MessageId {
     /// Whether it has 29 bits.
     pub is_extended: bool,
     /// The bits.
     pub number: u32,
 }
 
-impl CanId {
+impl MessageId {
     /// The CAN-ID of 11 bits of a service.
     const fn base(number: u32) -> Self {
         Self { is_extended: false, number }
@@ -30,7 +30,7 @@ impl CanId {
 }
 
 /// `18Bh`, `1ABCDEFFh`.
-impl std::fmt::Display for CanId {
+impl std::fmt::Display for MessageId {
     fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
         let width = if self.is_extended { 8 } else { 3 };
         write!(f, "{:0width$X}h", self.number)
@@ -96,7 +96,7 @@ pub struct Message {
 
 /// All messages of a network by their CAN-IDs, which are their priorities too.
 #[derive(Clone, Debug, Default)]
-pub struct Messages(pub BTreeMap<CanId, Message>);
+pub struct Messages(pub BTreeMap<MessageId, Message>);
 
 impl Messages {
     /// What goes over the bus after the configuration.
@@ -111,11 +111,11 @@ impl Messages {
         messages
     }
 
-    fn send(&mut self, can_id: CanId, party: Party) {
+    fn send(&mut self, can_id: MessageId, party: Party) {
         self.0.entry(can_id).or_default().senders.push(party);
     }
 
-    fn receive(&mut self, can_id: CanId, party: Party) {
+    fn receive(&mut self, can_id: MessageId, party: Party) {
         self.0.entry(can_id).or_default().receivers.push(party);
     }
 
@@ -141,29 +141,38 @@ impl Messages {
         let number = |cob_id: CobId| cob_id.on_node(slave.node_id);
         if let Some(sync) = services.sync.map(number) {
             if sync & CobId::BIT_30 != 0 && services.communication_cycle_period.unwrap_or(0) != 0 {
-                self.send(CanId::of(sync), party(Service::Sync));
+                self.send(MessageId::of(sync), party(Service::Sync));
             } else if slave.pdos.iter().any(|state| state.is_active() && state.is_synchronous()) {
-                self.receive(CanId::of(sync), party(Service::Sync));
+                self.receive(MessageId::of(sync), party(Service::Sync));
             }
         }
         if let Some(time) = services.time.map(number) {
             if time & CobId::BIT_30 != 0 {
-                self.send(CanId::of(time), party(Service::Time));
+                self.send(MessageId::of(time), party(Service::Time));
             }
             if time & CobId::BIT_31 != 0 {
-                self.receive(CanId::of(time), party(Service::Time));
+                self.receive(MessageId::of(time), party(Service::Time));
             }
         }
         if let Some(emcy) = slave.emcy {
-            self.send(CanId::of(emcy), party(Service::Emcy));
+            self.send(MessageId::of(emcy), party(Service::Emcy));
         }
         let node_id = u32::from(slave.node_id);
-        self.receive(CanId::base(u32::from(predefined::SDO_REQUEST) + node_id), party(Service::SdoRequest));
-        self.send(CanId::base(u32::from(predefined::SDO_RESPONSE) + node_id), party(Service::SdoResponse));
-        self.send(CanId::base(u32::from(predefined::ERROR_CONTROL) + node_id), party(Service::ErrorControl));
+        self.receive(
+            MessageId::base(u32::from(predefined::SDO_REQUEST) + node_id),
+            party(Service::SdoRequest),
+        );
+        self.send(
+            MessageId::base(u32::from(predefined::SDO_RESPONSE) + node_id),
+            party(Service::SdoResponse),
+        );
+        self.send(
+            MessageId::base(u32::from(predefined::ERROR_CONTROL) + node_id),
+            party(Service::ErrorControl),
+        );
         for consumer in services.heartbeat_consumers {
             let watched = u32::from(predefined::ERROR_CONTROL) + u32::from(consumer.node_id);
-            self.receive(CanId::base(watched), party(Service::ErrorControl));
+            self.receive(MessageId::base(watched), party(Service::ErrorControl));
         }
     }
 
@@ -172,19 +181,22 @@ impl Messages {
         let party = |service| Party { node: manager.node, service, at: manager.name.at };
         for slave in &compiled.slaves {
             let node_id = u32::from(slave.node_id);
-            self.send(CanId::base(u32::from(predefined::SDO_REQUEST) + node_id), party(Service::SdoRequest));
+            self.send(
+                MessageId::base(u32::from(predefined::SDO_REQUEST) + node_id),
+                party(Service::SdoRequest),
+            );
             self.receive(
-                CanId::base(u32::from(predefined::SDO_RESPONSE) + node_id),
+                MessageId::base(u32::from(predefined::SDO_RESPONSE) + node_id),
                 party(Service::SdoResponse),
             );
             if manager.monitors_nodes() && slave.heartbeat != 0 {
                 self.receive(
-                    CanId::base(u32::from(predefined::ERROR_CONTROL) + node_id),
+                    MessageId::base(u32::from(predefined::ERROR_CONTROL) + node_id),
                     party(Service::ErrorControl),
                 );
             }
             if let Some(emcy) = slave.emcy {
-                self.receive(CanId::of(emcy), party(Service::Emcy));
+                self.receive(MessageId::of(emcy), party(Service::Emcy));
             }
         }
         if manager.node.is_some() {
@@ -192,13 +204,13 @@ impl Messages {
         }
         if manager.sync_period.value != 0 {
             let party = Party { at: manager.sync_period.at, ..party(Service::Sync) };
-            self.send(CanId::base(predefined::SYNC.into()), party);
+            self.send(MessageId::base(predefined::SYNC.into()), party);
         }
         if let Some(time) = manager.time_cob_id.filter(|time| time.value & CobId::BIT_30 != 0) {
-            self.send(CanId::of(time.value), Party { at: time.at, ..party(Service::Time) });
+            self.send(MessageId::of(time.value), Party { at: time.at, ..party(Service::Time) });
         }
         if let Some(node_id) = manager.node_id {
-            let own = |base: u16| CanId::base(u32::from(base) + u32::from(node_id.value));
+            let own = |base: u16| MessageId::base(u32::from(base) + u32::from(node_id.value));
             let party = |service| Party { at: node_id.at, ..party(service) };
             self.send(own(predefined::EMCY), party(Service::Emcy));
             self.send(own(predefined::ERROR_CONTROL), party(Service::ErrorControl));
@@ -228,8 +240,8 @@ impl PdoState {
     }
 
     /// Its CAN-ID.
-    pub fn can_id(&self) -> CanId {
-        CanId::of(self.cob_id)
+    pub fn can_id(&self) -> MessageId {
+        MessageId::of(self.cob_id)
     }
 
     /// Whether SYNC triggers it.

@@ -1,4 +1,4 @@
-//! What a network shall be.
+//! The wanted network.
 
 use std::collections::BTreeMap;
 
@@ -40,7 +40,7 @@ pub struct Network {
     pub run_time_folder: String,
 }
 
-/// A node and what it shall be told.
+/// A node and its wanted configuration.
 #[derive(Clone, Debug, Default)]
 pub struct Node {
     /// The name, unique in the network.
@@ -124,7 +124,7 @@ pub enum WatchTime {
     Milliseconds(u16),
 }
 
-/// A PDO and how it shall be configured; what is `None` stays as the description says.
+/// A PDO and its wanted configuration; what is `None` stays as the description says.
 #[derive(Clone, Debug, PartialEq)]
 pub struct PdoWish {
     /// Where the network file says so.

@@ -1,17 +1,20 @@
 //! `objdict network build`.
 
+use std::io::Write;
+
 use super::super::args::{NetworkBuildArgs, NetworkTarget};
+use super::super::output::Output;
 use super::super::save::save;
-use super::super::{Failure, Outcome, note, tell};
+use super::super::{Failure, Outcome, note, shown, tell};
 use super::open;
 use crate::diagnostic::Severity;
 use crate::format::network::{Build, BuiltFile};
 use crate::generate::{Options, Target, generate};
 use crate::network::{LelyOptions, Manner};
 use crate::pipeline::report_lines;
-use crate::report::{Tally, listed};
+use crate::report::{Tally, listed, plural};
 
-pub(super) fn run(args: &NetworkBuildArgs) -> Result<Outcome, Failure> {
+pub(super) fn run(args: &NetworkBuildArgs, out: &mut Output) -> Result<Outcome, Failure> {
     let file = open(&args.file, &args.input)?;
     let findings = file.check();
     let mut tally = Tally::default();
@@ -28,9 +31,12 @@ pub(super) fn run(args: &NetworkBuildArgs) -> Result<Outcome, Failure> {
     }
     let manner = if args.strict_dcfgen { Manner::Strict } else { Manner::Repaired };
     let build = file.build(manner).map_err(Failure::new)?;
-    for BuiltFile { name, bytes } in files(args, &build, manner)? {
-        save(&args.output.join(name), &bytes)?;
+    let files = files(args, &build, manner)?;
+    for BuiltFile { name, bytes } in &files {
+        save(&args.output.join(name), bytes)?;
     }
+    let line = format!("{}: {}", args.output.display(), plural(files.len(), "file"));
+    writeln!(out, "{}", shown(&line))?;
     Ok(Outcome::Clean)
 }
 

@@ -15,7 +15,7 @@ use crate::format::network::{NetworkFile, schema};
 pub(super) fn run(command: &NetworkCommand, out: &mut Output) -> Result<Outcome, Failure> {
     match command {
         NetworkCommand::Check(args) => check::run(args, out),
-        NetworkCommand::Build(args) => build::run(args),
+        NetworkCommand::Build(args) => build::run(args, out),
         NetworkCommand::Schema(args) => print_schema(args, out),
     }
 }

@@ -4,7 +4,7 @@ use std::collections::BTreeMap;
 
 use super::Check;
 use crate::diagnostic::{Diagnostic, Severity, say};
-use crate::messages::{CanId, Message, Party, Service};
+use crate::messages::{Message, MessageId, Party, Service};
 use crate::model::{PdoKind, restricted};
 use crate::network::Said;
 use crate::rules::{
@@ -71,7 +71,7 @@ impl Check<'_, '_> {
     }
 
     /// One sender a CAN-ID. Nodes with one node-ID share all of them, which is said once.
-    fn senders(&mut self, can_id: CanId, message: &Message) {
+    fn senders(&mut self, can_id: MessageId, message: &Message) {
         let Some((first, others)) = message.senders.split_first() else { return };
         let node_id = |party: &Party| {
             let manager = || self.network.manager.as_ref()?.node_id;
@@ -111,14 +111,14 @@ impl Check<'_, '_> {
             let is_pdo = |party: &&Party| matches!(party.service, Service::Pdo(_));
             if message.senders.is_empty() {
                 for party in message.receivers.iter().filter(is_pdo) {
-                    let text = format!("nobody sends {can_id}, which {} receives", self.described(party));
+                    let text = format!("no node sends {can_id}, which {} receives", self.described(party));
                     let finding = Diagnostic::new(&RPDO_WITHOUT_SENDER, party.at, text);
                     findings.push(finding.help("correct the CAN-ID, or switch the RPDO off"));
                 }
             }
             if message.receivers.is_empty() {
                 for party in message.senders.iter().filter(is_pdo) {
-                    let text = format!("nobody receives {can_id}, which {} sends", self.described(party));
+                    let text = format!("no node receives {can_id}, which {} sends", self.described(party));
                     let finding = Diagnostic::new(&TPDO_WITHOUT_RECEIVER, party.at, text);
                     findings.push(finding.help("switch the TPDO off, or link its entries"));
                 }

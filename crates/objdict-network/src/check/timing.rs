@@ -216,7 +216,7 @@ fn no_sync(network: &Network, slave: &Slave, state: &PdoState) -> Diagnostic {
     let at =
         said.map_or(node.name.at, |wish| wish.transmission.map_or(wish.at, |transmission| transmission.at));
     let message = say!(
-        "{} {} of `{}` waits for SYNC, which nobody sends",
+        "{} {} of `{}` waits for SYNC, which no node sends",
         state.pdo.kind,
         state.pdo.number,
         node.name.value

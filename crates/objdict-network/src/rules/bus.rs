@@ -24,7 +24,7 @@ text_rules! {
     checks: "Whether each CAN-ID is sent by one node: PDOs, EMCY, SDO responses and heartbeats of all nodes, and what the manager sends.",
     why: "CAN has no arbitration between equal CAN-IDs: frames with different data destroy each other, and receivers take the data of both.",
     example: "TPDO 1 of two nodes on 18Bh, or a TPDO on 585h, where node 5 answers SDOs",
-    remedy: "Give one of them another CAN-ID. What a node shall receive is in its RPDO.",
+    remedy: "Give one of them another CAN-ID. What a node is to receive is in its RPDO.",
     source: "CiA 301 §7.3.3",
 
     RESTRICTED_CAN_ID = "network/restricted-can-id", Error;
@@ -44,7 +44,7 @@ text_rules! {
     source: "CiA 301 §7.2.2, §7.4.7.1",
 
     NO_SYNC_SENDER = "network/no-sync-sender", Warning;
-    summary: "a PDO waits for SYNC, which nobody sends",
+    summary: "a PDO waits for SYNC, which no node sends",
     checks: "Whether a node sends SYNC where a valid PDO has a transmission type that SYNC triggers.",
     why: "The PDO is never sent, or takes no effect.",
     example: "`transmission: 1` without `sync_period`",
@@ -92,7 +92,7 @@ text_rules! {
     source: "CiA 301 §7.2.8.3.2",
 
     SILENT_NODE = "network/silent-node", Warning;
-    summary: "a heartbeat is monitored that nobody sends",
+    summary: "a heartbeat is monitored that no node sends",
     checks: "Whether each node that 1016h of another one monitors is in the network and has a producer heartbeat time.",
     why: "The monitoring never begins, or reports the loss of the node for ever.",
     example: "1016h:01 with node 7 in a network without it",

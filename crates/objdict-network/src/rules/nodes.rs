@@ -61,7 +61,7 @@ text_rules! {
 
     NO_HEARTBEAT_CONSUMER = "network/no-heartbeat-consumer", Warning;
     summary: "a node cannot monitor a heartbeat",
-    checks: "Whether a node that shall monitor another one has a free sub-index in 1016h, and whether the time fits into it.",
+    checks: "Whether a node that is to monitor another one has a free sub-index in 1016h, and whether the time fits into it.",
     why: "The node does not notice that the other one is gone.",
     example: "`heartbeat_consumer: true` for a node without 1016h",
     remedy: "Remove the setting, or free a sub-index of 1016h.",
