@@ -12,7 +12,7 @@ use crate::messages::{Messages, Party};
 use crate::network::Network;
 use crate::stream::{Compiled, Manner, Slave, compile};
 
-/// Reports what is wrong with a network: what nodes cannot be told, and what does not fit together.
+/// Reports the problems of a network: of the configurations, and between nodes.
 pub fn check(network: &Network, findings: &mut Findings) {
     let compiled = compile(network, Manner::Repaired, findings);
     let messages = Messages::new(network, &compiled);
@@ -50,7 +50,7 @@ impl<'n> Check<'n, '_> {
         format!("{} of `{}`", party.service, self.name(party))
     }
 
-    /// The bit rate in kbit/s; without one, the fastest, which is the mildest for checks of time.
+    /// The bit rate in kbit/s; without one, the fastest, with which checks of time find least.
     fn bit_rate(&self) -> u64 {
         self.network.bit_rate.map_or(1000, |rate| rate.value.max(1)).into()
     }

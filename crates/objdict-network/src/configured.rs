@@ -24,8 +24,8 @@ fn value(device: &Device, download: &Download) -> Option<Assignment> {
 }
 
 impl Slave {
-    /// The device as its DCF describes it: with the values that it is given, and apart from them the downloads that are sent
-    /// whatever the present values are.
+    /// The device as its DCF describes it: with the values that it is given, and apart from them the downloads that
+    /// are sent also of values that the node already has.
     pub fn described(&self, node: &Node) -> Device {
         let (conditional, unconditional) =
             self.downloads.0.split_at(self.downloads.0.len() - self.unconditional);

@@ -30,7 +30,7 @@ pub struct LelyMaster {
     pub bin: ConciseDcf,
 }
 
-/// The name of the file with the configuration of a node; `None` for one that is told nothing.
+/// The name of the file with the configuration of a node; `None` for one without downloads.
 pub fn configuration_file(network: &Network, slave: &Slave) -> Option<String> {
     let node = &network.nodes[slave.node];
     (!slave.downloads.0.is_empty()).then(|| format!("{}.bin", node.name.value))

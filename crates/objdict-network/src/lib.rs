@@ -1,7 +1,7 @@
 //! CANopen networks: nodes with their descriptions, the manager that boots them, and who says what to whom. Part of
 //! [objdict](https://docs.rs/objdict); depend on that crate instead.
 //!
-//! A [`Network`] is what somebody wants; [`connect`] makes PDOs of its links, and [`compile`] says what each node is told.
+//! A [`Network`] is the wanted one; [`connect`] makes PDOs of its links, and [`compile`] the downloads of each node.
 
 mod check;
 mod configured;

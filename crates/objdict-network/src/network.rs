@@ -63,7 +63,7 @@ pub struct Node {
     pub pdos: Vec<PdoWish>,
     /// Values by entry, checked like those of `objdict configure`.
     pub settings: Vec<Said<Setting>>,
-    /// Downloads at the end of the configuration, in this order, whatever the present values are.
+    /// Downloads at the end of the configuration, in this order, also of values that the node already has.
     pub downloads: Vec<Said<DownloadWish>>,
     /// How the manager boots the node.
     pub boot: Boot,

@@ -1,4 +1,4 @@
-//! What each node is told, in the order of dcfgen 2.4.2.
+//! The downloads of each node, in the order of dcfgen 2.4.2.
 
 mod desk;
 mod pdo;
@@ -28,9 +28,9 @@ pub struct Slave {
     pub device: Device,
     /// The downloads that configure it.
     pub downloads: ConciseDcf,
-    /// How many of them, at the end, are sent whatever the present values are.
+    /// How many of them, at the end, are sent also of values that the node already has.
     pub(crate) unconditional: usize,
-    /// Whether all it is told is that it need not monitor the manager.
+    /// Whether all of them are about the monitoring of the manager.
     pub(crate) has_only_consumers: bool,
     /// Its PDOs after the configuration, RPDOs before TPDOs, by number.
     pub pdos: Vec<PdoState>,
@@ -57,12 +57,12 @@ pub enum Manner {
 /// The first and the last CAN-ID for PDOs from number 5 on.
 const POOL: std::ops::RangeInclusive<u32> = 0x680..=0x6DF;
 
-/// What the nodes are told. One without a node-ID is left out.
+/// The configurations of the nodes. One without a node-ID is left out.
 #[derive(Clone, Debug)]
 pub struct Compiled {
     /// The nodes but the manager, in the order of the network.
     pub slaves: Vec<Slave>,
-    /// The manager, if it has a description: what it is told itself.
+    /// The manager, if it has a description: its own configuration.
     pub manager: Option<Slave>,
 }
 
@@ -146,7 +146,7 @@ fn slave(
     }
 }
 
-/// 1012h. dcfgen compares with 100h, whatever the node has.
+/// 1012h. dcfgen compares with 100h and not with the value of the node.
 fn time(desk: &mut Desk<'_, '_>) {
     let Some(wish) = desk.node.time_cob_id else { return };
     let at = Address { index: 0x1012, sub: None };
@@ -217,7 +217,7 @@ fn guarding(desk: &mut Desk<'_, '_>, heartbeat: u16) -> u16 {
     u16::try_from(time).unwrap_or(0)
 }
 
-/// A download that is sent whatever the present value is.
+/// A download that is sent also of a value that the node already has.
 fn download(desk: &mut Desk<'_, '_>, wish: &Said<DownloadWish>) {
     let DownloadWish { index, sub, value } = &wish.value;
     let at = Address { index: *index, sub: Some(*sub) };

@@ -42,7 +42,7 @@ pub struct NetworkFile {
     pub descriptions: BTreeMap<String, Rc<Description>>,
     /// The files of the descriptions.
     pub files: Vec<PathBuf>,
-    /// What is wrong with the text.
+    /// The problems of the text.
     findings: Findings,
 }
 
@@ -67,7 +67,7 @@ impl NetworkFile {
         Ok(Self { source, network, descriptions, files, findings })
     }
 
-    /// What is wrong with the text, and with the network that it describes, in the order of the text.
+    /// The problems of the text and of the network that it describes, in the order of the text.
     pub fn check(&self) -> Findings {
         let mut findings = self.findings.clone();
         if let Some(network) = &self.network {

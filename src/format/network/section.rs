@@ -301,7 +301,7 @@ pub(super) fn value_wish(tree: &Tree) -> Option<ValueWish> {
     })
 }
 
-/// A whole number in a range. What dcfgen takes for one in silence is a warning.
+/// A whole number in a range. What dcfgen silently takes for one is a warning.
 pub(super) fn integer(
     name: &str,
     tree: &Tree,

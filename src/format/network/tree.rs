@@ -4,7 +4,7 @@ use std::rc::Rc;
 
 use crate::source::Span;
 
-/// A value and where it stands.
+/// A value and its place.
 #[derive(Clone, Debug)]
 pub(super) struct Tree {
     pub(super) span: Span,

@@ -12,7 +12,7 @@ use super::tree::{Entry, Kind, Tree};
 use crate::diagnostic::{Diagnostic, Findings, say};
 use crate::source::Span;
 
-/// How deep lists and maps may stand in each other.
+/// The maximum depth of lists and maps.
 const MAX_DEPTH: usize = 64;
 
 /// Reads a text; `None` if it is no YAML, which is a finding.
@@ -95,7 +95,7 @@ impl Builder<'_> {
             },
             Event::SequenceStart(anchor, _) | Event::MappingStart(anchor, _) => {
                 if self.open.len() == MAX_DEPTH {
-                    let message = say!("lists and maps stand in each other more than {} deep", MAX_DEPTH);
+                    let message = say!("lists and maps are nested more than {} deep", MAX_DEPTH);
                     return Err(Box::new(
                         Diagnostic::new(&INVALID_YAML, span, message).help("write them flat"),
                     ));
@@ -106,7 +106,7 @@ impl Builder<'_> {
             }
             Event::SequenceEnd | Event::MappingEnd => {
                 let Some(open) = self.open.pop() else { return Ok(None) };
-                // the end of a block stands where the next thing begins, and has no length
+                // the end of a block is the start of what follows, and has no length
                 let last = open.items.last().map_or(open.start, |last| last.span.end.max(open.start));
                 let end = if span.is_empty() { last } else { span.end };
                 let kind = if open.is_map { self.map(open.items) } else { Kind::List(open.items) };

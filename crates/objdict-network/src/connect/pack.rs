@@ -201,7 +201,7 @@ impl Packer<'_> {
         })
     }
 
-    /// Takes the PDOs of a transfer, gives them a CAN-ID, and adds what the nodes are told.
+    /// Takes the PDOs of a transfer, gives them a CAN-ID, and adds the wishes of the nodes.
     fn commit(&mut self, stream: &Stream, transfer: Transfer<'_>) -> Result<(), Box<Diagnostic>> {
         let producer = stream.producer;
         let tpdo = self.take(producer, transfer.pdo);
@@ -245,14 +245,14 @@ impl Packer<'_> {
         Ok(())
     }
 
-    /// Adds what a node is told, unless its PDO is so for ever.
+    /// Adds the wish of a node, unless its PDO is so for ever.
     fn wish(&mut self, node: usize, pdo: usize, wish: PdoWish) {
         if !self.pdos[node].pdos[pdo].is_for_ever(&wish) {
             self.wishes.push((node, wish));
         }
     }
 
-    /// What a consumer is told.
+    /// The wish of a consumer.
     fn received(&self, stream: &Stream, reception: Reception, pdo: PdoName, cob_id: u32) -> PdoWish {
         let Reception { node, at, mapping, deadline, .. } = reception;
         // a PDO on request is an event for who receives it (CiA 301 §7.5.2.35)

@@ -164,7 +164,7 @@ impl Candidate {
         })
     }
 
-    /// Whether the PDO is already as it shall be, and its COB-ID, which starts and ends each change, cannot be written.
+    /// Whether the PDO is already as wanted, and its COB-ID, which starts and ends each change, cannot be written.
     pub(super) fn is_for_ever(&self, wish: &PdoWish) -> bool {
         let wanted = [
             wish.transmission.map(|said| said.value.into()),

@@ -425,7 +425,7 @@ fn kits() -> impl Strategy<Value = Vec<Kit>> {
     let fixed = prop::sample::subsequence(vec![0x1400, 0x1600, 0x1601, 0x1800, 0x1A00], 0..=2);
     let kit = (4..9_u16, 6..13_u16, 2..9_u8, dummies, fixed, any::<bool>());
     let kit = kit.prop_map(|(tpdos, rpdos, slots, dummies, fixed, is_mapped)| {
-        // a PDO that is as linked, with a constant COB-ID, is told nothing
+        // a PDO that is as linked, with a constant COB-ID, is not configured
         let is_mapped = is_mapped && !fixed.contains(&0x1800);
         let mapped = vec![(0x1A00, vec![0x6000_0108, 0x6000_0208]), (0x1601, vec![0x6200_0108])];
         Kit { tpdos, rpdos, slots, dummies, fixed, mapped: if is_mapped { mapped } else { Vec::new() } }

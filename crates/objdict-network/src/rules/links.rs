@@ -1,4 +1,4 @@
-//! The rules about links, settings and described managers, which our own format has.
+//! The rules about links, settings and described managers, which `network.toml` has.
 
 use crate::diagnostic::text_rules;
 

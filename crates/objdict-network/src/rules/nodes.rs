@@ -1,4 +1,4 @@
-//! The rules about what nodes are told.
+//! The rules about the configuration of nodes.
 
 use crate::diagnostic::text_rules;
 

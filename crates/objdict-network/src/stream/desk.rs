@@ -10,7 +10,7 @@ use crate::network::{Node, Said};
 use crate::rules::{INVALID_SETTING, READ_ONLY_ENTRY};
 use crate::source::Span;
 
-/// A node, its downloads so far, and what is wrong with them.
+/// A node, its downloads so far, and their problems.
 pub(super) struct Desk<'n, 'f> {
     pub(super) node: &'n Node,
     pub(super) node_id: u8,

@@ -97,7 +97,7 @@ fn errors(text: &mut String, values: impl Iterator<Item = (u8, u8)>) {
     number(text, "error_behavior", (!values.is_empty()).then(|| format!("{{{}}}", values.join(", "))));
 }
 
-/// What a node is told.
+/// The configuration of a node.
 fn written(node: &Node, text: &mut String) {
     number(text, "dcf_path", node.run_time_folder.as_ref().map(|folder| quoted(folder)));
     number(text, "revision_number", value(node.revision_number));
