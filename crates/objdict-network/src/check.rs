@@ -11,6 +11,7 @@ use crate::diagnostic::Findings;
 use crate::messages::{Messages, Party};
 use crate::network::Network;
 use crate::stream::{Compiled, Manner, Slave, compile};
+use crate::traffic::Traffic;
 
 /// Reports the problems of a network: of the configurations, and between nodes.
 pub fn check(network: &Network, findings: &mut Findings) {
@@ -53,6 +54,10 @@ impl<'n> Check<'n, '_> {
     /// The bit rate in kbit/s; without one, the fastest, with which checks of time find least.
     fn bit_rate(&self) -> u64 {
         self.network.bit_rate.map_or(1000, |rate| rate.value.max(1)).into()
+    }
+
+    fn traffic(&self) -> Traffic<'n> {
+        Traffic { network: self.network, compiled: self.compiled, messages: self.messages }
     }
 
     /// The node of a position.

@@ -12,6 +12,7 @@ mod messages;
 mod network;
 mod rules;
 mod stream;
+mod traffic;
 mod watch;
 
 pub use check::check;

@@ -4,15 +4,10 @@ use super::Check;
 use crate::diagnostic::{Diagnostic, Severity, say};
 use crate::messages::{Message, Party, Service};
 use crate::model::PdoKind;
-use crate::network::{Network, Said};
+use crate::network::Network;
 use crate::rules::{BUS_LOAD, NO_SYNC_SENDER, PDO_TIMES, SYNC_COUNTER, SYNC_WINDOW};
-use crate::source::Span;
 use crate::stream::{PdoState, Slave};
-
-/// The most bits of a data frame with so many bytes, with stuff bits and the space to the next frame.
-pub(super) const fn frame_bits(bytes: u64, is_extended: bool) -> u64 {
-    if is_extended { 80 + 10 * bytes } else { 55 + 10 * bytes }
-}
+use crate::traffic::frame_bits;
 
 /// The most bits of the download of a value: expedited up to 4 bytes, else in segments of 7.
 pub(super) const fn sdo_bits(size: usize) -> u64 {
@@ -20,60 +15,11 @@ pub(super) const fn sdo_bits(size: usize) -> u64 {
     (2 + 2 * segments) * frame_bits(8, false)
 }
 
-/// Who sends SYNC, and how.
-struct Sync {
-    period: u64,
-    window: Said<u64>,
-    overflow: u8,
-    bytes: u64,
-    at: Span,
-    node: Option<usize>,
-}
-
 impl Check<'_, '_> {
-    /// The one that sends SYNC.
-    fn sync_sender(&self) -> Option<Sync> {
-        let senders = self.messages.0.values().flat_map(|message| &message.senders);
-        let party = senders.clone().find(|party| party.service == Service::Sync)?;
-        let (period, window, overflow) = match party.node {
-            None => {
-                let manager = self.network.manager.as_ref()?;
-                (manager.sync_period.value, manager.sync_window, manager.sync_overflow.value)
-            }
-            Some(position) => {
-                let services = self.slave(position)?.device.services();
-                let window = Said::new(services.synchronous_window.unwrap_or(0), party.at);
-                (services.communication_cycle_period?, window, services.sync_counter_overflow.unwrap_or(0))
-            }
-        };
-        Some(Sync {
-            period: period.into(),
-            window: Said::new(window.value.into(), window.at),
-            overflow,
-            bytes: u64::from(overflow > 1),
-            at: party.at,
-            node: party.node,
-        })
-    }
-
-    /// All PDOs that are sent, with who sends them.
-    fn sent(&self) -> Vec<(&Slave, &PdoState)> {
-        let active = |slave| {
-            move |state: &&PdoState| {
-                let _: &Slave = slave;
-                state.is_active()
-            }
-        };
-        self.compiled
-            .nodes()
-            .flat_map(|slave| slave.pdos.iter().filter(active(slave)).map(move |state| (slave, state)))
-            .collect()
-    }
-
     pub(super) fn sync(&mut self) {
-        let pdos = self.sent();
+        let pdos = self.traffic().sent();
         let synchronous: Vec<_> = pdos.into_iter().filter(|(_, state)| state.is_synchronous()).collect();
-        let Some(sync) = self.sync_sender() else {
+        let Some(sync) = self.traffic().sync() else {
             let findings: Vec<_> =
                 synchronous.iter().map(|(slave, state)| no_sync(self.network, slave, state)).collect();
             findings.into_iter().for_each(|finding| self.findings.push(finding));
@@ -102,8 +48,8 @@ impl Check<'_, '_> {
             }
         }
         // with types above 1 PDOs may still meet in one cycle
-        let burst: u64 =
-            synchronous.iter().map(|(_, state)| pdo_bits(state)).sum::<u64>() + frame_bits(sync.bytes, false);
+        let burst: u64 = synchronous.iter().map(|(_, state)| state.frame_bits()).sum::<u64>()
+            + frame_bits(sync.bytes, false);
         let time = (burst * 1000).div_ceil(self.bit_rate());
         let (limit, what, at) = match sync.window.value {
             0 => (sync.period, "communication cycle period", sync.at),
@@ -125,7 +71,7 @@ impl Check<'_, '_> {
     /// Inhibit time, event timer and deadline.
     pub(super) fn times(&mut self) {
         let mut findings = Vec::new();
-        for (slave, state) in self.sent() {
+        for (slave, state) in self.traffic().sent() {
             let node = &self.network.nodes[slave.node];
             let at = node.pdos.iter().find(|wish| wish.pdo == state.pdo).map_or(node.name.at, |wish| wish.at);
             let (inhibit, timer) = (u32::from(state.inhibit_time), u32::from(state.event_timer) * 10);
@@ -170,23 +116,8 @@ impl Check<'_, '_> {
 
     /// The share of the bit rate that is used all the time.
     pub(super) fn load(&mut self) {
-        let Some(rate) = self.network.bit_rate else { return };
-        let sync = self.sync_sender();
-        // bits a second, times a thousand
-        let mut load: u64 = sync
-            .as_ref()
-            .map_or(0, |sync| frame_bits(sync.bytes, false) * 1_000_000_000 / sync.period.max(1));
-        let mut can_ids = std::collections::BTreeSet::new();
-        for (_, state) in self.sent() {
-            let period = period(state, sync.as_ref());
-            if let Some(period) = period.filter(|_| can_ids.insert(state.can_id())) {
-                load += pdo_bits(state) * 1_000_000_000 / period.max(1);
-            }
-        }
-        for slave in self.compiled.nodes().filter(|slave| slave.heartbeat != 0) {
-            load += frame_bits(1, false) * 1_000_000 / u64::from(slave.heartbeat);
-        }
-        let percent = load / (u64::from(rate.value) * 10_000);
+        let (Some(rate), Some(load)) = (self.network.bit_rate, self.traffic().load()) else { return };
+        let percent = load / 10;
         if percent > 80 {
             let severity = if percent > 100 { Severity::Error } else { Severity::Warning };
             let message = say!("cyclic messages take {} % of {} kbit/s", percent, rate.value);
@@ -194,20 +125,6 @@ impl Check<'_, '_> {
             self.findings.push(finding.help("lengthen times, map entries together, or raise the bit rate"));
         }
     }
-}
-
-/// The shortest time in microseconds between two of them; `None` for PDOs that an event triggers at any time.
-fn period(state: &PdoState, sync: Option<&Sync>) -> Option<u64> {
-    match state.transmission {
-        0..=240 => sync.map(|sync| sync.period * u64::from(state.transmission.max(1))),
-        _ => [u64::from(state.inhibit_time) * 100, u64::from(state.event_timer) * 1000]
-            .into_iter()
-            .find(|time| *time != 0),
-    }
-}
-
-fn pdo_bits(state: &PdoState) -> u64 {
-    frame_bits(u64::from(state.bits().div_ceil(8)).min(8), state.can_id().is_extended)
 }
 
 fn no_sync(network: &Network, slave: &Slave, state: &PdoState) -> Diagnostic {

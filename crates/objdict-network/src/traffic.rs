@@ -1,0 +1,110 @@
+//! How often messages are sent, and how much of the bus they take.
+
+use std::collections::BTreeSet;
+
+use crate::messages::{Messages, Service};
+use crate::network::{Network, Said};
+use crate::source::Span;
+use crate::stream::{Compiled, PdoState, Slave};
+
+/// The most bits of a data frame with so many bytes, with stuff bits and the space to the next frame.
+pub(crate) const fn frame_bits(bytes: u64, is_extended: bool) -> u64 {
+    if is_extended { 80 + 10 * bytes } else { 55 + 10 * bytes }
+}
+
+/// Who sends SYNC, and how.
+pub(crate) struct Sync {
+    /// The communication cycle period in microseconds.
+    pub(crate) period: u64,
+    /// The synchronous window length in microseconds; 0: none.
+    pub(crate) window: Said<u64>,
+    /// The synchronous counter overflow value.
+    pub(crate) overflow: u8,
+    pub(crate) bytes: u64,
+    pub(crate) at: Span,
+    pub(crate) node: Option<usize>,
+}
+
+/// The messages of a network in time.
+#[derive(Clone, Copy)]
+pub(crate) struct Traffic<'n> {
+    pub(crate) network: &'n Network,
+    pub(crate) compiled: &'n Compiled,
+    pub(crate) messages: &'n Messages,
+}
+
+impl<'n> Traffic<'n> {
+    /// The one that sends SYNC.
+    pub(crate) fn sync(self) -> Option<Sync> {
+        let senders = self.messages.0.values().flat_map(|message| &message.senders);
+        let party = senders.clone().find(|party| party.service == Service::Sync)?;
+        let (period, window, overflow) = match party.node {
+            None => {
+                let manager = self.network.manager.as_ref()?;
+                (manager.sync_period.value, manager.sync_window, manager.sync_overflow.value)
+            }
+            Some(position) => {
+                let services = self.compiled.nodes().find(|slave| slave.node == position)?.device.services();
+                let window = Said::new(services.synchronous_window.unwrap_or(0), party.at);
+                (services.communication_cycle_period?, window, services.sync_counter_overflow.unwrap_or(0))
+            }
+        };
+        Some(Sync {
+            period: period.into(),
+            window: Said::new(window.value.into(), window.at),
+            overflow,
+            bytes: u64::from(overflow > 1),
+            at: party.at,
+            node: party.node,
+        })
+    }
+
+    /// All PDOs that are on, of senders and of receivers.
+    pub(crate) fn sent(self) -> Vec<(&'n Slave, &'n PdoState)> {
+        let pdos = |slave: &'n Slave| slave.pdos.iter().map(move |state| (slave, state));
+        self.compiled.nodes().flat_map(pdos).filter(|(_, state)| state.is_active()).collect()
+    }
+
+    /// The share of the bit rate that is used all the time, in thousandths; `None` without a bit rate.
+    pub(crate) fn load(self) -> Option<u64> {
+        let rate = self.network.bit_rate?;
+        let sync = self.sync();
+        // bits a second, times a thousand
+        let mut load: u64 = sync
+            .as_ref()
+            .map_or(0, |sync| frame_bits(sync.bytes, false) * 1_000_000_000 / sync.period.max(1));
+        let mut can_ids = BTreeSet::new();
+        for (_, state) in self.sent() {
+            let period = state.period(sync.as_ref());
+            if let Some(period) = period.filter(|_| can_ids.insert(state.can_id())) {
+                load += state.frame_bits() * 1_000_000_000 / period.max(1);
+            }
+        }
+        for slave in self.compiled.nodes().filter(|slave| slave.heartbeat != 0) {
+            load += frame_bits(1, false) * 1_000_000 / u64::from(slave.heartbeat);
+        }
+        Some(load / (u64::from(rate.value) * 1000).max(1))
+    }
+}
+
+impl PdoState {
+    /// The shortest time in microseconds between two of them; `None` for PDOs that an event triggers at any time.
+    pub(crate) fn period(&self, sync: Option<&Sync>) -> Option<u64> {
+        match self.transmission {
+            0..=240 => sync.map(|sync| sync.period * u64::from(self.transmission.max(1))),
+            _ => [u64::from(self.inhibit_time) * 100, u64::from(self.event_timer) * 1000]
+                .into_iter()
+                .find(|time| *time != 0),
+        }
+    }
+
+    /// The bytes that it has on the bus.
+    pub(crate) fn bytes(&self) -> u64 {
+        u64::from(self.bits().div_ceil(8)).min(8)
+    }
+
+    /// The bits that it takes there.
+    pub(crate) fn frame_bits(&self) -> u64 {
+        frame_bits(self.bytes(), self.can_id().is_extended)
+    }
+}
