@@ -28,7 +28,7 @@ pub(super) use self::docs::DocsArgs;
 pub(super) use self::generate::{GenerateArgs, SizeFormat};
 pub(super) use self::network::{
     NetworkArgs, NetworkBuildArgs, NetworkCheckArgs, NetworkCommand, NetworkFormat, NetworkInputArgs,
-    NetworkSchemaArgs, NetworkTarget,
+    NetworkSchemaArgs, NetworkShowArgs, NetworkTarget,
 };
 pub(super) use self::new::NewArgs;
 use super::baseline::BaselineArgs;

@@ -19,7 +19,7 @@ pub struct MessageId {
 
 impl MessageId {
     /// The CAN-ID of 11 bits of a service.
-    const fn base(number: u32) -> Self {
+    pub(crate) const fn base(number: u32) -> Self {
         Self { is_extended: false, number }
     }
 
@@ -40,6 +40,8 @@ impl std::fmt::Display for MessageId {
 /// A service of CiA 301, as one node uses it.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
 pub enum Service {
+    /// NMT commands.
+    Nmt,
     /// SYNC.
     Sync,
     /// TIME.
@@ -63,6 +65,7 @@ impl std::fmt::Display for Service {
     fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
         f.write_str(match self {
             Self::Pdo(PdoName { kind, number }) => return write!(f, "{kind} {number}"),
+            Self::Nmt => "NMT",
             Self::Sync => "SYNC",
             Self::Time => "TIME",
             Self::Emcy => "EMCY",

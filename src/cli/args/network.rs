@@ -4,7 +4,7 @@ use std::path::PathBuf;
 
 use clap::{Parser, Subcommand, ValueEnum};
 
-use super::ReportArgs;
+use super::{ReportArgs, ShowFormat};
 use crate::cli::baseline::BaselineArgs;
 use crate::cli::settings::SettingsArgs;
 
@@ -19,6 +19,7 @@ pub(in crate::cli) struct NetworkArgs {
 pub(in crate::cli) enum NetworkCommand {
     Check(NetworkCheckArgs),
     Build(NetworkBuildArgs),
+    Show(NetworkShowArgs),
     Schema(NetworkSchemaArgs),
 }
 
@@ -101,6 +102,18 @@ pub(in crate::cli) enum NetworkTarget {
     C,
     /// Rust tables of the manager for its own firmware
     Rust,
+}
+
+/// Show nodes, links, CAN-IDs, boot plan and bus load of a network
+#[derive(Debug, Parser)]
+pub(in crate::cli) struct NetworkShowArgs {
+    /// The file of the network
+    pub file: PathBuf,
+    /// How it is shown
+    #[arg(long, value_enum, default_value = "table")]
+    pub format: ShowFormat,
+    #[command(flatten)]
+    pub input: NetworkInputArgs,
 }
 
 /// Print the JSON Schema of a file format, with which editors complete and check

@@ -2,20 +2,26 @@
 
 mod build;
 mod check;
+mod show;
 
 use std::io::Write;
 use std::path::Path;
 
 use super::args::{NetworkCommand, NetworkFormat, NetworkInputArgs, NetworkSchemaArgs};
+use super::input::name_of;
 use super::output::Output;
 use super::save::keep;
-use super::{Failure, Outcome};
+use super::{Failure, Outcome, tell};
+use crate::diagnostic::{Findings, Severity};
 use crate::format::network::{NetworkFile, schema};
+use crate::network::{Compiled, Manner, Network, compile};
+use crate::report::plural;
 
 pub(super) fn run(command: &NetworkCommand, out: &mut Output) -> Result<Outcome, Failure> {
     match command {
         NetworkCommand::Check(args) => check::run(args, out),
         NetworkCommand::Build(args) => build::run(args, out),
+        NetworkCommand::Show(args) => show::run(args, out),
         NetworkCommand::Schema(args) => print_schema(args, out),
     }
 }
@@ -26,6 +32,22 @@ fn open(path: &Path, input: &NetworkInputArgs) -> Result<NetworkFile, Failure> {
     keep(path);
     file.files.iter().for_each(|path| keep(path));
     Ok(file)
+}
+
+/// Reads a network that is to be shown, with what its nodes are told. Its errors are left to `network check`.
+fn compiled(path: &Path, input: &NetworkInputArgs) -> Result<(Network, Compiled), Failure> {
+    let file = open(path, input)?;
+    let errors = file.check().iter().filter(|finding| finding.severity == Severity::Error).count();
+    let help = format!("`objdict network check {}` says which", name_of(path));
+    let Some(network) = file.network else {
+        return Err(Failure::new(format_args!("`{}` is no network", name_of(path))).help(help));
+    };
+    if errors > 0 {
+        let warning = format!("the network has {}, so what it does may differ", plural(errors, "error"));
+        tell(&format!("warning: {warning}\n  help: {help}\n"));
+    }
+    let compiled = compile(&network, Manner::Repaired, &mut Findings::new());
+    Ok((network, compiled))
 }
 
 fn print_schema(args: &NetworkSchemaArgs, out: &mut Output) -> Result<Outcome, Failure> {

@@ -125,6 +125,8 @@ impl fmt::Display for CobId {
 pub mod predefined {
     use super::CobId;
 
+    /// The CAN-ID of NMT commands.
+    pub const NMT: u16 = 0x000;
     /// The CAN-ID of SYNC.
     pub const SYNC: u16 = 0x080;
     /// The CAN-ID of TIME.

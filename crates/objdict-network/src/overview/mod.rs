@@ -1,0 +1,285 @@
+//! A network in tables: its nodes, its messages with what they carry, and how it boots.
+
+mod boot;
+mod entries;
+
+pub use self::boot::{BootPlan, BootStep};
+pub use self::entries::{CarriedEntry, LinkRow};
+use crate::messages::{CanId, Message, Messages, Party, Service};
+use crate::model::{Device, predefined};
+use crate::network::Network;
+use crate::stream::{Compiled, PdoState, Slave};
+use crate::traffic::{Sync, Traffic};
+
+/// What a network is and does, ready to be shown.
+#[derive(Clone, Debug)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize))]
+pub struct Overview {
+    /// The name of the network.
+    pub name: Option<String>,
+    /// The bit rate in kbit/s.
+    pub bit_rate: Option<u16>,
+    /// The share of the bit rate that cyclic messages take, in thousandths, with the most stuff bits; `None` without a bit
+    /// rate.
+    pub load: Option<u64>,
+    /// All nodes by node-ID; those without one are last.
+    pub nodes: Vec<NodeRow>,
+    /// What PDOs carry, by CAN-ID: a link for each receiver, and one without for a PDO that no node receives.
+    pub links: Vec<LinkRow>,
+    /// All messages by CAN-ID, so in order of priority.
+    pub messages: Vec<MessageRow>,
+    /// How the manager boots the network; `None` without a manager.
+    pub boot: Option<BootPlan>,
+}
+
+/// A node.
+#[derive(Clone, Debug)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize))]
+pub struct NodeRow {
+    /// The node-ID.
+    pub node_id: Option<u8>,
+    /// The name in the network.
+    pub name: String,
+    /// The product name of the description, else its file.
+    pub description: String,
+    /// Whether the node boots the others.
+    pub is_manager: bool,
+    /// The producer heartbeat time in milliseconds; 0: none.
+    pub heartbeat: u16,
+    /// The guard time in milliseconds; 0: none.
+    pub guard_time: u16,
+    /// How many downloads configure the node.
+    pub downloads: usize,
+    /// The bytes of its concise DCF; 0 without downloads.
+    pub bytes: usize,
+    /// The position in [`Network::nodes`]; `None` for a manager without a description.
+    #[cfg_attr(feature = "serde", serde(skip))]
+    pub position: Option<usize>,
+}
+
+/// A message on the bus.
+#[derive(Clone, Debug)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize))]
+pub struct MessageRow {
+    /// The CAN-ID.
+    #[cfg_attr(feature = "serde", serde(serialize_with = "hex"))]
+    pub can_id: CanId,
+    /// Who sends it.
+    pub senders: Vec<End>,
+    /// Who receives it.
+    pub receivers: Vec<End>,
+    /// The bytes that it has at most; `None` where the description does not say.
+    pub bytes: Option<u8>,
+    /// What triggers it, in words.
+    pub trigger: String,
+    /// The shortest time in microseconds between two of them; `None` for messages without a rhythm.
+    pub period: Option<u64>,
+}
+
+/// A node that sends or receives a message.
+#[derive(Clone, Debug, PartialEq, Eq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize))]
+pub struct End {
+    /// The name of the node.
+    pub node: String,
+    /// With which of its services: `TPDO 1`, `SYNC`.
+    #[cfg_attr(feature = "serde", serde(serialize_with = "text"))]
+    pub service: Service,
+}
+
+/// `TPDO 1 of drive`.
+impl std::fmt::Display for End {
+    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+        write!(f, "{} of {}", self.service, self.node)
+    }
+}
+
+#[cfg(feature = "serde")]
+fn hex<S: serde::Serializer>(can_id: &CanId, serializer: S) -> Result<S::Ok, S::Error> {
+    let width = if can_id.is_extended { 10 } else { 5 };
+    serializer.collect_str(&format_args!("{:#0width$X}", can_id.number))
+}
+
+#[cfg(feature = "serde")]
+fn text<S: serde::Serializer>(service: &Service, serializer: S) -> Result<S::Ok, S::Error> {
+    serializer.collect_str(service)
+}
+
+impl Overview {
+    /// The tables of a network.
+    pub fn new(network: &Network, compiled: &Compiled) -> Self {
+        let messages = Messages::new(network, compiled);
+        let view = View { network, compiled };
+        let traffic = Traffic { network, compiled, messages: &messages };
+        let sync = traffic.sync();
+        let row = |(can_id, message): (&CanId, &Message)| view.message(*can_id, message, sync.as_ref());
+        Self {
+            name: network.name.clone(),
+            bit_rate: network.bit_rate.map(|rate| rate.value),
+            load: traffic.load(),
+            nodes: view.nodes(),
+            links: messages.0.iter().flat_map(|(can_id, message)| view.links(*can_id, message)).collect(),
+            messages: view.nmt().into_iter().chain(messages.0.iter().map(row)).collect(),
+            boot: network.manager.as_ref().map(|manager| BootPlan::new(network, manager, compiled)),
+        }
+    }
+}
+
+/// A network with what its nodes are told.
+#[derive(Clone, Copy)]
+struct View<'n> {
+    network: &'n Network,
+    compiled: &'n Compiled,
+}
+
+impl<'n> View<'n> {
+    fn nodes(self) -> Vec<NodeRow> {
+        let manager = self.network.manager.as_ref();
+        let undescribed = manager.filter(|manager| manager.node.is_none()).map(|manager| NodeRow {
+            node_id: manager.node_id.map(|node_id| node_id.value),
+            name: manager.name.value.clone(),
+            description: String::new(),
+            is_manager: true,
+            heartbeat: manager.heartbeat.producer.map_or(0, |time| time.value),
+            guard_time: 0,
+            downloads: 0,
+            bytes: 0,
+            position: None,
+        });
+        let described = self.network.nodes.iter().enumerate().map(|(position, node)| {
+            let slave = self.slave(position);
+            // what cannot be arranged is counted as the network file has it
+            let downloads = slave.map(|slave| slave.arranged(node).unwrap_or(slave.downloads.clone()));
+            let stream = downloads.as_ref().filter(|downloads| !downloads.0.is_empty());
+            NodeRow {
+                node_id: node.node_id.map(|node_id| node_id.value),
+                name: node.name.value.clone(),
+                description: product_name(&node.device).unwrap_or(&node.file.value).to_owned(),
+                is_manager: manager.is_some_and(|manager| manager.node == Some(position)),
+                heartbeat: slave.map_or(0, |slave| slave.heartbeat),
+                guard_time: slave.map_or(0, |slave| slave.guard_time),
+                downloads: stream.map_or(0, |stream| stream.0.len()),
+                bytes: stream.and_then(|stream| stream.write().ok()).map_or(0, |bytes| bytes.len()),
+                position: Some(position),
+            }
+        });
+        let mut rows: Vec<NodeRow> = undescribed.into_iter().chain(described).collect();
+        rows.sort_by_key(|row| row.node_id.unwrap_or(u8::MAX));
+        rows
+    }
+
+    fn slave(self, position: usize) -> Option<&'n Slave> {
+        self.compiled.nodes().find(|slave| slave.node == position)
+    }
+
+    /// The configured PDO of a party.
+    fn state(self, party: &Party) -> Option<&'n PdoState> {
+        let Service::Pdo(pdo) = party.service else { return None };
+        self.slave(party.node?)?.pdos.iter().find(|state| state.pdo == pdo)
+    }
+
+    fn end(self, party: &Party) -> End {
+        let manager = || self.network.manager.as_ref().map(|manager| manager.name.value.clone());
+        let node = match party.node {
+            Some(position) => self.network.nodes[position].name.value.clone(),
+            None => manager().unwrap_or_default(),
+        };
+        End { node, service: party.service }
+    }
+
+    fn message(self, can_id: CanId, message: &Message, sync: Option<&Sync>) -> MessageRow {
+        let ends = |parties: &[Party]| parties.iter().map(|party| self.end(party)).collect();
+        let mut parties = message.senders.iter().chain(&message.receivers);
+        // the manager has the other side of PDOs without parameters of its own
+        let pdo = parties.clone().find_map(|party| self.state(party));
+        let (bytes, trigger, period) = match (pdo, parties.next()) {
+            (Some(pdo), _) => (u8::try_from(pdo.bytes()).ok(), triggered(pdo), pdo.period(sync)),
+            (None, Some(party)) => self.service(message, party, sync),
+            (None, None) => (None, String::new(), None),
+        };
+        MessageRow {
+            can_id,
+            senders: ends(&message.senders),
+            receivers: ends(&message.receivers),
+            bytes,
+            trigger,
+            period,
+        }
+    }
+
+    /// NMT commands of the manager, which is the only one that may send them.
+    fn nmt(self) -> Option<MessageRow> {
+        let manager = self.network.manager.as_ref()?;
+        let party = |node| Party { node, service: Service::Nmt, at: manager.name.at };
+        let receivers = self.network.slaves().map(|(position, _)| party(Some(position))).collect();
+        let message = Message { senders: vec![party(manager.node)], receivers };
+        Some(self.message(CanId::base(predefined::NMT.into()), &message, None))
+    }
+
+    /// Bytes, trigger and period of a message that is no PDO.
+    fn service(
+        self,
+        message: &Message,
+        party: &Party,
+        sync: Option<&Sync>,
+    ) -> (Option<u8>, String, Option<u64>) {
+        match party.service {
+            Service::Nmt => (Some(2), "a command".to_owned(), None),
+            Service::Sync => {
+                let bytes = sync.and_then(|sync| u8::try_from(sync.bytes).ok());
+                (bytes, "cyclic".to_owned(), sync.map(|sync| sync.period))
+            }
+            Service::Time => (Some(6), "the application".to_owned(), None),
+            Service::Emcy => (Some(8), "an error".to_owned(), None),
+            Service::SdoRequest | Service::SdoResponse => (Some(8), "an SDO transfer".to_owned(), None),
+            Service::ErrorControl => self.error_control(message),
+            Service::Pdo(_) | Service::MirroredPdo => (None, String::new(), None),
+        }
+    }
+
+    fn error_control(self, message: &Message) -> (Option<u8>, String, Option<u64>) {
+        let sender = message.senders.first();
+        let slave = sender.and_then(|party| self.slave(party.node?));
+        let own = || self.network.manager.as_ref()?.heartbeat.producer;
+        let is_manager = sender.is_some_and(|party| party.node.is_none());
+        let heartbeat = match slave {
+            Some(slave) => slave.heartbeat,
+            None => own().filter(|_| is_manager).map_or(0, |time| time.value),
+        };
+        let guard_time = slave.map_or(0, |slave| slave.guard_time);
+        let (trigger, time) = match (heartbeat, guard_time) {
+            (0, 0) => return (Some(1), "boot-up".to_owned(), None),
+            (0, time) => ("guarding", time),
+            (time, _) => ("cyclic", time),
+        };
+        (Some(1), trigger.to_owned(), Some(u64::from(time) * 1000))
+    }
+}
+
+/// The name of the product, where there is one.
+fn product_name(device: &Device) -> Option<&str> {
+    let name = device.device_info.as_ref()?.product_name.as_deref()?.trim();
+    (!name.is_empty()).then_some(name)
+}
+
+/// What triggers a PDO, in the words of the settings: `sync/1`, `event, inhibit 5 ms`.
+fn triggered(pdo: &PdoState) -> String {
+    let kind = match pdo.transmission {
+        number @ 0..=240 => format!("sync/{number}"),
+        252 => "rtr-sync".to_owned(),
+        253 => "rtr".to_owned(),
+        254 => "event-vendor".to_owned(),
+        255 => "event".to_owned(),
+        number => format!("reserved type {number}"),
+    };
+    let mut words = vec![kind];
+    if pdo.inhibit_time != 0 && pdo.transmission >= 254 {
+        let (whole, tenth) = (pdo.inhibit_time / 10, pdo.inhibit_time % 10);
+        let fraction = if tenth == 0 { String::new() } else { format!(".{tenth}") };
+        words.push(format!("inhibit {whole}{fraction} ms"));
+    }
+    if pdo.event_timer != 0 && pdo.transmission >= 254 {
+        words.push(format!("timer {} ms", pdo.event_timer));
+    }
+    words.join(", ")
+}

@@ -1,0 +1,154 @@
+//! `objdict network show`.
+
+use std::io::{self, Write};
+
+use serde::Serialize;
+
+use super::super::args::{NetworkShowArgs, ShowFormat};
+use super::super::input::name_of;
+use super::super::output::Output;
+use super::super::table::{Table, fit};
+use super::super::{Failure, Outcome};
+use super::compiled;
+use crate::network::{BootPlan, End, Overview};
+use crate::report::plural;
+
+/// The version of the JSON document. It changes when a field is removed or means something else, not when one is added.
+const VERSION: u32 = 1;
+
+/// The most characters of a cell.
+const CELL: usize = 72;
+
+#[derive(Serialize)]
+struct Document<'a> {
+    version: u32,
+    file: &'a str,
+    #[serde(flatten)]
+    overview: &'a Overview,
+}
+
+pub(super) fn run(args: &NetworkShowArgs, out: &mut Output) -> Result<Outcome, Failure> {
+    let (network, compiled) = compiled(&args.file, &args.input)?;
+    let overview = Overview::new(&network, &compiled);
+    match args.format {
+        ShowFormat::Json => {
+            let document = Document { version: VERSION, file: &name_of(&args.file), overview: &overview };
+            serde_json::to_writer(&mut *out, &document).map_err(io::Error::from)?;
+            writeln!(out)?;
+        }
+        ShowFormat::Table => tables(&overview, out)?,
+    }
+    Ok(Outcome::Clean)
+}
+
+fn tables(overview: &Overview, out: &mut dyn Write) -> io::Result<()> {
+    writeln!(out, "{}\n", fit(&summary(overview), CELL * 3))?;
+    nodes(overview, out)?;
+    if !overview.links.is_empty() {
+        writeln!(out, "\nLinks\n")?;
+        links(overview, out)?;
+    }
+    writeln!(out, "\nCAN-IDs, highest priority first\n")?;
+    can_ids(overview, out)?;
+    match &overview.boot {
+        Some(plan) => boot(plan, out),
+        None => Ok(()),
+    }
+}
+
+fn summary(overview: &Overview) -> String {
+    let mut words = vec![plural(overview.nodes.len(), "node")];
+    words.extend(overview.bit_rate.map(|rate| format!("{rate} kbit/s")));
+    let load = |load: u64| format!("cyclic messages take up to {}.{} %", load / 10, load % 10);
+    words.extend(overview.load.map(load));
+    let name = overview.name.as_deref().unwrap_or("network without a name");
+    format!("{name}: {}", words.join(", "))
+}
+
+/// A time in milliseconds; empty for 0.
+fn milliseconds(time: u16) -> String {
+    if time == 0 { String::new() } else { format!("{time} ms") }
+}
+
+fn nodes(overview: &Overview, out: &mut dyn Write) -> io::Result<()> {
+    let headings = ["Node", "Name", "", "Description", "Heartbeat", "Guarding", "Downloads", "Bytes"];
+    let mut table = Table::new(headings, CELL);
+    for node in &overview.nodes {
+        table.row([
+            node.node_id.map_or_else(|| "?".to_owned(), |node_id| node_id.to_string()),
+            node.name.clone(),
+            if node.is_manager { "manager" } else { "" }.to_owned(),
+            node.description.clone(),
+            milliseconds(node.heartbeat),
+            milliseconds(node.guard_time),
+            node.downloads.to_string(),
+            node.bytes.to_string(),
+        ]);
+    }
+    table.write(out)
+}
+
+fn links(overview: &Overview, out: &mut dyn Write) -> io::Result<()> {
+    let mut table = Table::new(["CAN-ID", "From", "Entry", "To", "Entry"], CELL);
+    for link in &overview.links {
+        let end = |end: &Option<End>| end.as_ref().map_or_else(|| "no node".to_owned(), End::to_string);
+        let ends = [link.can_id.to_string(), end(&link.sender), end(&link.receiver)];
+        if link.entries.is_empty() {
+            let [can_id, from, to] = ends.clone();
+            table.row([can_id, from, String::new(), to, String::new()]);
+        }
+        for entry in &link.entries {
+            let [can_id, from, to] = ends.clone();
+            let text = |entry: &Option<String>| entry.clone().unwrap_or_default();
+            table.row([can_id, from, text(&entry.from), to, text(&entry.to)]);
+        }
+    }
+    table.write(out)
+}
+
+fn can_ids(overview: &Overview, out: &mut dyn Write) -> io::Result<()> {
+    let mut table = Table::new(["CAN-ID", "From", "To", "Bytes", "Trigger", "Period"], CELL);
+    for message in &overview.messages {
+        let ends = |ends: &[End]| ends.iter().map(End::to_string).collect::<Vec<_>>().join(", ");
+        // the same service of many nodes is one word
+        let receivers = match message.receivers.as_slice() {
+            [first, .., last] if message.receivers.len() > 4 && first.service == last.service => {
+                format!("{} of {}", first.service, plural(message.receivers.len(), "node"))
+            }
+            receivers => ends(receivers),
+        };
+        table.row([
+            message.can_id.to_string(),
+            ends(&message.senders),
+            receivers,
+            message.bytes.map(|bytes| bytes.to_string()).unwrap_or_default(),
+            message.trigger.clone(),
+            message.period.map(period).unwrap_or_default(),
+        ]);
+    }
+    table.write(out)
+}
+
+/// Microseconds as milliseconds.
+fn period(time: u64) -> String {
+    match time % 1000 {
+        0 => format!("{} ms", time / 1000),
+        rest => format!("{}.{} ms", time / 1000, format!("{rest:03}").trim_end_matches('0')),
+    }
+}
+
+fn boot(plan: &BootPlan, out: &mut dyn Write) -> io::Result<()> {
+    writeln!(out, "\nBoot plan of {} (1F80h = {:08X}h)\n", fit(&plan.manager, CELL), plan.startup)?;
+    for words in &plan.general {
+        writeln!(out, "  {words}")?;
+    }
+    for node in &plan.nodes {
+        let mandatory = if node.is_mandatory { "mandatory" } else { "optional" };
+        let name = fit(&node.name, CELL);
+        writeln!(out, "\nNode {} {name}: {mandatory} (1F81h = {:08X}h)\n", node.node_id, node.assignment)?;
+        for step in &node.steps {
+            writeln!(out, "  {}", fit(step, CELL * 3))?;
+        }
+    }
+    Ok(())
+}
