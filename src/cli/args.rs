@@ -27,8 +27,8 @@ pub(super) use self::dcf::{
 pub(super) use self::docs::DocsArgs;
 pub(super) use self::generate::{GenerateArgs, SizeFormat};
 pub(super) use self::network::{
-    NetworkArgs, NetworkBuildArgs, NetworkCheckArgs, NetworkCommand, NetworkFormat, NetworkInputArgs,
-    NetworkSchemaArgs, NetworkShowArgs, NetworkTarget,
+    GraphFormat, NetworkArgs, NetworkBuildArgs, NetworkCheckArgs, NetworkCommand, NetworkDiffArgs,
+    NetworkFormat, NetworkGraphArgs, NetworkInputArgs, NetworkSchemaArgs, NetworkShowArgs, NetworkTarget,
 };
 pub(super) use self::new::NewArgs;
 use super::baseline::BaselineArgs;

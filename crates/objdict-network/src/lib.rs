@@ -6,6 +6,7 @@
 mod check;
 mod configured;
 mod connect;
+pub mod graph;
 mod lely;
 mod link;
 mod messages;

@@ -20,6 +20,8 @@ pub(in crate::cli) enum NetworkCommand {
     Check(NetworkCheckArgs),
     Build(NetworkBuildArgs),
     Show(NetworkShowArgs),
+    Graph(NetworkGraphArgs),
+    Diff(NetworkDiffArgs),
     Schema(NetworkSchemaArgs),
 }
 
@@ -112,6 +114,42 @@ pub(in crate::cli) struct NetworkShowArgs {
     /// How it is shown
     #[arg(long, value_enum, default_value = "table")]
     pub format: ShowFormat,
+    #[command(flatten)]
+    pub input: NetworkInputArgs,
+}
+
+/// Draw the nodes of a network and their messages, each with its CAN-ID
+///
+/// SDO transfers are left out.
+#[derive(Debug, Parser)]
+pub(in crate::cli) struct NetworkGraphArgs {
+    /// The file of the network
+    pub file: PathBuf,
+    /// How it is drawn
+    #[arg(long, value_enum, default_value = "svg")]
+    pub format: GraphFormat,
+    #[command(flatten)]
+    pub input: NetworkInputArgs,
+}
+
+/// A format of pictures.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
+pub(in crate::cli) enum GraphFormat {
+    /// A picture for browsers and documents, with a column for each node and a row for each message
+    Svg,
+    /// A graph that Graphviz lays out
+    Dot,
+}
+
+/// Compare two networks: nodes, CAN-IDs, boot plan, and the downloads of each node
+///
+/// Exits with 1 when they differ.
+#[derive(Debug, Parser)]
+pub(in crate::cli) struct NetworkDiffArgs {
+    /// The file of the first network
+    pub first: PathBuf,
+    /// The file of the second network
+    pub second: PathBuf,
     #[command(flatten)]
     pub input: NetworkInputArgs,
 }

@@ -2,11 +2,12 @@
 
 use std::io::Write;
 
+use super::super::annotation::Described;
 use super::super::args::DcfDiffArgs;
 use super::super::output::Output;
 use super::super::{Failure, Outcome, shown};
 use super::stream;
-use crate::download::{ConciseDcf, Difference, Download};
+use crate::download::{ConciseDcf, Difference, Differences, Download};
 use crate::format::concise;
 
 pub(super) fn run(args: &DcfDiffArgs, out: &mut Output) -> Result<Outcome, Failure> {
@@ -15,7 +16,17 @@ pub(super) fn run(args: &DcfDiffArgs, out: &mut Output) -> Result<Outcome, Failu
     let described = names.described(device.as_ref());
     let first = stream(&args.first, &names.input, described.node_id)?;
     let second = stream(&args.second, &names.input, described.node_id)?;
-    let differences = first.differences(&second);
+    let found = first.differences(&second);
+    differences(&found, described, out)?;
+    Ok(if found.is_empty() { Outcome::Clean } else { Outcome::Findings })
+}
+
+/// Prints what two streams write differently.
+pub(in crate::cli) fn differences(
+    differences: &Differences,
+    described: Described<'_>,
+    out: &mut Output,
+) -> Result<(), Failure> {
     for difference in &differences.entries {
         for (sign, side) in [('-', &difference.first), ('+', &difference.second)] {
             let text = concise::print(&downloads(difference, side), |download| described.annotate(download));
@@ -27,7 +38,7 @@ pub(super) fn run(args: &DcfDiffArgs, out: &mut Output) -> Result<Outcome, Failu
     if differences.is_reordered {
         writeln!(out, "downloads that both have come in another order")?;
     }
-    Ok(if differences.is_empty() { Outcome::Clean } else { Outcome::Findings })
+    Ok(())
 }
 
 /// What one side writes to the entry.

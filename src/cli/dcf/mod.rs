@@ -8,6 +8,7 @@ mod verify;
 use std::io::Write;
 use std::path::Path;
 
+pub(super) use self::diff::differences;
 use super::annotation::Described;
 use super::args::{DcfCommand, ExpandArgs, NamingArgs};
 use super::input::{Input, InputArgs, name_of};

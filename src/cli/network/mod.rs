@@ -2,6 +2,8 @@
 
 mod build;
 mod check;
+mod diff;
+mod graph;
 mod show;
 
 use std::io::Write;
@@ -22,6 +24,8 @@ pub(super) fn run(command: &NetworkCommand, out: &mut Output) -> Result<Outcome,
         NetworkCommand::Check(args) => check::run(args, out),
         NetworkCommand::Build(args) => build::run(args, out),
         NetworkCommand::Show(args) => show::run(args, out),
+        NetworkCommand::Graph(args) => graph::run(args, out),
+        NetworkCommand::Diff(args) => diff::run(args, out),
         NetworkCommand::Schema(args) => print_schema(args, out),
     }
 }

@@ -1,7 +1,8 @@
 //! How the manager boots the network, in words.
 
-use crate::network::{Manager, Network, Node};
-use crate::stream::{Compiled, Slave};
+use super::{NodeRow, View};
+use crate::network::{Manager, Node};
+use crate::stream::Slave;
 
 /// What the manager does.
 #[derive(Clone, Debug)]
@@ -34,10 +35,14 @@ pub struct BootStep {
 }
 
 impl BootPlan {
-    pub(super) fn new(network: &Network, manager: &Manager, compiled: &Compiled) -> Self {
-        let step = |slave: &Slave| step(manager, &network.nodes[slave.node], slave);
-        let mut nodes: Vec<BootStep> = compiled.slaves.iter().map(step).collect();
-        nodes.sort_by_key(|step| step.node_id);
+    pub(super) fn new(manager: &Manager, view: View<'_>, rows: &[NodeRow]) -> Self {
+        let booted = rows.iter().filter(|row| !row.is_manager);
+        let step = |row: &NodeRow| {
+            let position = row.position?;
+            let node = &view.network.nodes[position];
+            Some(step(manager, node, view.slave(position)?, row.downloads))
+        };
+        let nodes = booted.filter_map(step).collect();
         Self {
             manager: manager.name.value.clone(),
             startup: manager.startup.to_number(),
@@ -79,7 +84,7 @@ fn general(manager: &Manager) -> Vec<String> {
     words
 }
 
-fn step(manager: &Manager, node: &Node, slave: &Slave) -> BootStep {
+fn step(manager: &Manager, node: &Node, slave: &Slave, downloads: usize) -> BootStep {
     let boot = &node.boot;
     let mut steps = Vec::new();
     if boot.boot {
@@ -97,7 +102,7 @@ fn step(manager: &Manager, node: &Node, slave: &Slave) -> BootStep {
         if boot.restore_configuration.value != 0 {
             steps.push(format!("restores the defaults by 1011h:{:02X}", boot.restore_configuration.value));
         }
-        match slave.downloads.0.len() {
+        match downloads {
             0 => {}
             1 => steps.push("configures the node by 1 download".to_owned()),
             count => steps.push(format!("configures the node by {count} downloads")),

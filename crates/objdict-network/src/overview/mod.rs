@@ -113,14 +113,15 @@ impl Overview {
         let traffic = Traffic { network, compiled, messages: &messages };
         let sync = traffic.sync();
         let row = |(can_id, message): (&CanId, &Message)| view.message(*can_id, message, sync.as_ref());
+        let nodes = view.nodes();
         Self {
             name: network.name.clone(),
             bit_rate: network.bit_rate.map(|rate| rate.value),
             load: traffic.load(),
-            nodes: view.nodes(),
+            boot: network.manager.as_ref().map(|manager| BootPlan::new(manager, view, &nodes)),
+            nodes,
             links: messages.0.iter().flat_map(|(can_id, message)| view.links(*can_id, message)).collect(),
             messages: view.nmt().into_iter().chain(messages.0.iter().map(row)).collect(),
-            boot: network.manager.as_ref().map(|manager| BootPlan::new(network, manager, compiled)),
         }
     }
 }

@@ -1,0 +1,226 @@
+//! Pictures of a network: its nodes, and which message goes from which to which.
+//!
+//! Nodes are columns and messages are rows, so nothing overlaps, however many there are. SDO transfers, which go between the
+//! manager and every node, are left out.
+
+use std::fmt::Write;
+
+use askama::Template;
+
+use crate::diagnostic::visible;
+use crate::messages::Service;
+use crate::overview::{End, MessageRow, NodeRow, Overview};
+
+/// Left edge of the first column; CAN-IDs and services are to the left.
+const LEFT: usize = 130;
+/// The vertical place of the line of the bus.
+const BUS: usize = 24;
+const ROW: usize = 20;
+/// Half the length of an arrowhead.
+const HEAD: usize = 5;
+
+/// The columns of a picture.
+#[derive(Clone, Copy)]
+struct Columns {
+    /// The width of a column.
+    width: usize,
+    /// The height of the box of a node.
+    height: usize,
+    /// Whether names are turned.
+    is_turned: bool,
+    /// The most characters of a name.
+    limit: usize,
+}
+
+impl Columns {
+    /// Wide ones for few nodes, narrow ones with turned names for many.
+    const fn of(nodes: usize) -> Self {
+        if nodes <= 10 {
+            Self { width: 130, height: 40, is_turned: false, limit: 16 }
+        } else {
+            Self { width: 30, height: 170, is_turned: true, limit: 22 }
+        }
+    }
+
+    const fn centre(self, column: usize) -> usize {
+        LEFT + column * self.width + self.width / 2
+    }
+
+    const fn top(self) -> usize {
+        BUS + 16
+    }
+
+    const fn bottom(self) -> usize {
+        self.top() + self.height
+    }
+}
+
+#[derive(Template)]
+#[template(path = "topology.svg")]
+struct Picture {
+    label: String,
+    bus: String,
+    width: usize,
+    height: usize,
+    columns: Columns,
+    nodes: Vec<Column>,
+    rows: Vec<Row>,
+}
+
+struct Column {
+    x: usize,
+    node_id: String,
+    name: String,
+    title: String,
+    is_manager: bool,
+}
+
+struct Row {
+    y: usize,
+    can_id: String,
+    service: String,
+    title: String,
+    class: &'static str,
+    /// The line over all nodes that send or receive it, and the arrowheads.
+    path: String,
+    senders: Vec<usize>,
+}
+
+/// The network as SVG, without scripts and without references to other files.
+pub fn svg(overview: &Overview) -> String {
+    let columns = Columns::of(overview.nodes.len());
+    let rows: Vec<Row> = drawn(overview)
+        .enumerate()
+        .map(|(number, message)| Row::new(overview, message, columns, columns.bottom() + ROW * (number + 1)))
+        .collect();
+    let name = overview.name.as_deref().unwrap_or("CANopen network");
+    let rate = overview.bit_rate.map_or_else(String::new, |rate| format!("{rate} kbit/s"));
+    let picture = Picture {
+        label: cut(name, 80),
+        bus: rate,
+        width: columns.centre(overview.nodes.len()) - columns.width / 2 + 20,
+        height: columns.bottom() + ROW * (rows.len() + 1),
+        columns,
+        nodes: overview.nodes.iter().enumerate().map(|(at, node)| Column::new(node, columns, at)).collect(),
+        rows,
+    };
+    // writing to a text cannot fail
+    picture.render().unwrap_or_default()
+}
+
+/// The network for Graphviz: an arrow from each sender to each receiver.
+pub fn dot(overview: &Overview) -> String {
+    let mut text = String::from("digraph network {\n  rankdir=LR;\n  node [shape=box];\n");
+    for (number, node) in overview.nodes.iter().enumerate() {
+        let label = format!("{} {}", id(node), node.name);
+        let _ = writeln!(text, "  n{number} [label=\"{}\"];", quoted(&label));
+    }
+    for message in drawn(overview) {
+        let positions =
+            |ends: &[End]| ends.iter().filter_map(|end| position(overview, end)).collect::<Vec<_>>();
+        let label = format!("{} {}", message.can_id, service(message));
+        for from in positions(&message.senders) {
+            for to in positions(&message.receivers).into_iter().filter(|to| *to != from) {
+                let _ = writeln!(text, "  n{from} -> n{to} [label=\"{}\"];", quoted(&label));
+            }
+        }
+    }
+    text + "}\n"
+}
+
+/// PDOs, and other messages but SDO that a node receives.
+fn drawn(overview: &Overview) -> impl Iterator<Item = &MessageRow> {
+    overview.messages.iter().filter(|message| match main_service(message) {
+        Some(Service::SdoRequest | Service::SdoResponse) | None => false,
+        Some(Service::Pdo(_) | Service::MirroredPdo) => true,
+        Some(_) => !message.senders.is_empty() && !message.receivers.is_empty(),
+    })
+}
+
+/// With which service a message is sent; of one that no node sends, with which it is received.
+fn main_service(message: &MessageRow) -> Option<Service> {
+    message.senders.iter().chain(&message.receivers).next().map(|end| end.service)
+}
+
+/// `TPDO 1`; that of the receivers if the manager has the other side without a number.
+fn service(message: &MessageRow) -> String {
+    let ends = message.senders.iter().chain(&message.receivers);
+    let numbered = ends.clone().find(|end| end.service != Service::MirroredPdo);
+    numbered.or(ends.into_iter().next()).map_or_else(String::new, |end| end.service.to_string())
+}
+
+fn position(overview: &Overview, end: &End) -> Option<usize> {
+    overview.nodes.iter().position(|node| node.name == end.node)
+}
+
+fn id(node: &NodeRow) -> String {
+    node.node_id.map_or_else(|| "?".to_owned(), |node_id| node_id.to_string())
+}
+
+/// A text for a string of DOT.
+fn quoted(text: &str) -> String {
+    text.chars().map(visible).collect::<String>().replace('\\', "\\\\").replace('"', "\\\"")
+}
+
+/// A text of at most so many characters.
+fn cut(text: &str, limit: usize) -> String {
+    let mut shown: String = text.chars().take(limit).map(visible).collect();
+    if text.chars().nth(limit).is_some() {
+        shown.pop();
+        shown.push('…');
+    }
+    shown
+}
+
+impl Column {
+    fn new(node: &NodeRow, columns: Columns, at: usize) -> Self {
+        Self {
+            x: columns.centre(at),
+            node_id: id(node),
+            name: cut(&node.name, columns.limit),
+            title: cut(&format!("node {} {}: {}", id(node), node.name, node.description), 120),
+            is_manager: node.is_manager,
+        }
+    }
+}
+
+impl Row {
+    fn new(overview: &Overview, message: &MessageRow, columns: Columns, y: usize) -> Self {
+        let places = |ends: &[End]| -> Vec<usize> {
+            let places = ends.iter().filter_map(|end| position(overview, end));
+            places.map(|column| columns.centre(column)).collect()
+        };
+        let (senders, receivers) = (places(&message.senders), places(&message.receivers));
+        let words = |ends: &[End]| ends.iter().map(End::to_string).collect::<Vec<_>>().join(", ");
+        Self {
+            y,
+            can_id: message.can_id.to_string(),
+            service: service(message),
+            title: cut(
+                &format!("{} {} → {}", message.can_id, words(&message.senders), words(&message.receivers)),
+                240,
+            ),
+            class: match main_service(message) {
+                Some(Service::Pdo(_) | Service::MirroredPdo) => "pdo",
+                _ => "other",
+            },
+            path: line(&senders, &receivers, y),
+            senders,
+        }
+    }
+}
+
+/// A line over all places, and arrowheads at the receivers, which point away from the first sender.
+fn line(senders: &[usize], receivers: &[usize], y: usize) -> String {
+    let all = || senders.iter().chain(receivers).copied();
+    let (Some(first), Some(last)) = (all().min(), all().max()) else { return String::new() };
+    let mut path = format!("M{first} {y}H{last}");
+    let from = senders.first().copied().unwrap_or(0);
+    for &to in receivers {
+        let tail = if to < from { to + 2 * HEAD } else { to - 2 * HEAD };
+        let (above, below) = (y - HEAD, y + HEAD);
+        // writing to a text cannot fail
+        let _ = write!(path, "M{tail} {above}L{to} {y}L{tail} {below}");
+    }
+    path
+}

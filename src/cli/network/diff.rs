@@ -1,0 +1,117 @@
+//! `objdict network diff`.
+
+use std::collections::BTreeMap;
+use std::io::{self, Write};
+
+use super::super::annotation::Described;
+use super::super::args::NetworkDiffArgs;
+use super::super::dcf::differences;
+use super::super::output::Output;
+use super::super::{Failure, Outcome, shown};
+use super::compiled;
+use crate::download::ConciseDcf;
+use crate::network::{Compiled, End, Network, Overview, Service};
+
+/// A network in lines, by what they are about.
+type Sections = BTreeMap<(Order, String), Vec<String>>;
+
+/// The order of the sections.
+#[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
+enum Order {
+    Bus,
+    Nodes,
+    Messages,
+    Boot,
+}
+
+pub(super) fn run(args: &NetworkDiffArgs, out: &mut Output) -> Result<Outcome, Failure> {
+    let first = compiled(&args.first, &args.input)?;
+    let second = compiled(&args.second, &args.input)?;
+    let (before, after) = (sections(&first), sections(&second));
+    let mut is_same = true;
+    let none = Vec::new();
+    let titles: std::collections::BTreeSet<_> = before.keys().chain(after.keys()).collect();
+    for section in titles {
+        let old = before.get(section).unwrap_or(&none);
+        let new = after.get(section).unwrap_or(&none);
+        is_same &= lines(&section.1, old, new, out)?;
+    }
+    for name in first.0.nodes.iter().map(|node| &node.name.value) {
+        is_same &= configuration(name, &first, &second, out)?;
+    }
+    Ok(if is_same { Outcome::Clean } else { Outcome::Findings })
+}
+
+fn sections((network, compiled): &(Network, Compiled)) -> Sections {
+    let overview = Overview::new(network, compiled);
+    let mut sections = Sections::new();
+    let bus = overview.name.iter().map(|name| format!("name {name}"));
+    let bus = bus.chain(overview.bit_rate.map(|rate| format!("{rate} kbit/s")));
+    sections.insert((Order::Bus, "bus".to_owned()), bus.collect());
+    let nodes = overview.nodes.iter().map(|node| {
+        let node_id = node.node_id.map_or_else(|| "?".to_owned(), |node_id| node_id.to_string());
+        format!("{node_id} {}: {}", node.name, node.description)
+    });
+    sections.insert((Order::Nodes, "nodes".to_owned()), nodes.collect());
+    let messages = overview.messages.iter().flat_map(|message| {
+        let line =
+            move |verb: &str, end: &End| format!("{} {verb} {end}: {}", message.can_id, message.trigger);
+        // these follow from the node-IDs
+        let follows =
+            |end: &&End| matches!(end.service, Service::Nmt | Service::SdoRequest | Service::SdoResponse);
+        let sent = message.senders.iter().filter(move |end| !follows(end)).map(move |end| line("from", end));
+        let received = message.receivers.iter().filter(move |end| !follows(end));
+        sent.chain(received.map(move |end| line("to", end)))
+    });
+    sections.insert((Order::Messages, "CAN-IDs".to_owned()), messages.collect());
+    if let Some(plan) = &overview.boot {
+        let title = format!("boot plan of {}", plan.manager);
+        sections.insert((Order::Boot, title), plan.general.clone());
+        for node in &plan.nodes {
+            let mandatory = if node.is_mandatory { "mandatory" } else { "optional" };
+            let steps = std::iter::once(mandatory.to_owned()).chain(node.steps.iter().cloned());
+            sections.insert((Order::Boot, format!("boot of {}", node.name)), steps.collect());
+        }
+    }
+    sections
+}
+
+/// Prints the lines that only one side has; whether there are none.
+fn lines(title: &str, old: &[String], new: &[String], out: &mut dyn Write) -> io::Result<bool> {
+    let removed = old.iter().filter(|line| !new.contains(line)).map(|line| ('-', line));
+    let added = new.iter().filter(|line| !old.contains(line)).map(|line| ('+', line));
+    let changed: Vec<_> = removed.chain(added).collect();
+    if !changed.is_empty() {
+        writeln!(out, "{}", shown(&format!("{title}:")))?;
+    }
+    for (sign, line) in &changed {
+        writeln!(out, "{}", shown(&format!("{sign} {line}")))?;
+    }
+    Ok(changed.is_empty())
+}
+
+/// Prints the downloads of a node that differ; whether there are none. A node that only one side has is reported as such.
+fn configuration(
+    name: &str,
+    first: &(Network, Compiled),
+    second: &(Network, Compiled),
+    out: &mut Output,
+) -> Result<bool, Failure> {
+    let downloads = |(network, compiled): &(Network, Compiled)| -> Option<ConciseDcf> {
+        let slave = compiled.nodes().find(|slave| network.nodes[slave.node].name.value == name)?;
+        Some(slave.arranged(&network.nodes[slave.node]).unwrap_or_else(|_| slave.downloads.clone()))
+    };
+    let (Some(old), Some(new)) = (downloads(first), downloads(second)) else { return Ok(true) };
+    let found = old.differences(&new);
+    if found.is_empty() {
+        return Ok(true);
+    }
+    let node = second.0.nodes.iter().find(|node| node.name.value == name);
+    let described = Described {
+        device: node.map(|node| &node.device),
+        node_id: node.and_then(|node| node.node_id).map(|node_id| node_id.value),
+    };
+    writeln!(out, "{}", shown(&format!("downloads of {name}:")))?;
+    differences(&found, described, out)?;
+    Ok(false)
+}

@@ -1,0 +1,20 @@
+//! `objdict network graph`.
+
+use std::io::Write;
+
+use super::super::args::{GraphFormat, NetworkGraphArgs};
+use super::super::output::Output;
+use super::super::{Failure, Outcome};
+use super::compiled;
+use crate::network::{Overview, graph};
+
+pub(super) fn run(args: &NetworkGraphArgs, out: &mut Output) -> Result<Outcome, Failure> {
+    let (network, compiled) = compiled(&args.file, &args.input)?;
+    let overview = Overview::new(&network, &compiled);
+    let text = match args.format {
+        GraphFormat::Svg => graph::svg(&overview) + "\n",
+        GraphFormat::Dot => graph::dot(&overview),
+    };
+    out.write_all(text.as_bytes())?;
+    Ok(Outcome::Clean)
+}
