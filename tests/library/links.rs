@@ -11,7 +11,7 @@ use objdict::network::{Manner, Messages, Network, Party, compile};
 use crate::support;
 
 /// A network whose files are those of `fixtures/network`.
-fn open(name: &str, text: &str) -> NetworkFile {
+pub(crate) fn open(name: &str, text: &str) -> NetworkFile {
     let folder = support::fixtures().join("network");
     let text = text.replace("file = \"", &format!("file = \"{}/", folder.display()));
     let path = std::env::temp_dir().join(format!("objdict-{}-{name}.toml", std::process::id()));
@@ -87,7 +87,7 @@ fn the_printed_error_of_chapter_4_is_found() {
 }
 
 /// `count` islands with four links each to one controller and to each other.
-fn many(count: usize) -> String {
+pub(crate) fn many(count: usize) -> String {
     let mut text = String::from("[node.n0]\nfile = \"island.eds\"\nid = 1\n");
     for node in 1..count {
         writeln!(text, "[node.n{node}]\nfile = \"island.eds\"\nid = {}", node + 1).unwrap();

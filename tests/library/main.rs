@@ -18,6 +18,7 @@ mod download_plan;
 mod errata;
 mod fix;
 mod fmt;
+mod graph;
 mod identify;
 mod ini_oracle;
 mod interop;

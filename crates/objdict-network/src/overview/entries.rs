@@ -1,7 +1,7 @@
 //! What PDOs carry from node to node.
 
 use super::{End, View};
-use crate::messages::{CanId, Message, Party, Service};
+use crate::messages::{Message, MessageId, Party, Service};
 use crate::model::{Device, MappedObject};
 use crate::stream::PdoState;
 
@@ -11,7 +11,7 @@ use crate::stream::PdoState;
 pub struct LinkRow {
     /// The CAN-ID.
     #[cfg_attr(feature = "serde", serde(serialize_with = "super::hex"))]
-    pub can_id: CanId,
+    pub can_id: MessageId,
     /// Who sends it; `None` if no node does.
     pub sender: Option<End>,
     /// Who receives it; `None` if no node does.
@@ -37,7 +37,7 @@ pub struct CarriedEntry {
 
 impl View<'_> {
     /// The links of a message; none if it is no PDO.
-    pub(super) fn links(self, can_id: CanId, message: &Message) -> Vec<LinkRow> {
+    pub(super) fn links(self, can_id: MessageId, message: &Message) -> Vec<LinkRow> {
         let is_pdo = |party: &&Party| matches!(party.service, Service::Pdo(_) | Service::MirroredPdo);
         let of = |parties: &[Party]| -> Vec<Option<Party>> {
             let parties: Vec<_> = parties.iter().filter(is_pdo).map(|party| Some(*party)).collect();

@@ -5,7 +5,7 @@ mod entries;
 
 pub use self::boot::{BootPlan, BootStep};
 pub use self::entries::{CarriedEntry, LinkRow};
-use crate::messages::{CanId, Message, Messages, Party, Service};
+use crate::messages::{Message, MessageId, Messages, Party, Service};
 use crate::model::{Device, predefined};
 use crate::network::Network;
 use crate::stream::{Compiled, PdoState, Slave};
@@ -63,7 +63,7 @@ pub struct NodeRow {
 pub struct MessageRow {
     /// The CAN-ID.
     #[cfg_attr(feature = "serde", serde(serialize_with = "hex"))]
-    pub can_id: CanId,
+    pub can_id: MessageId,
     /// Who sends it.
     pub senders: Vec<End>,
     /// Who receives it.
@@ -95,7 +95,7 @@ impl std::fmt::Display for End {
 }
 
 #[cfg(feature = "serde")]
-fn hex<S: serde::Serializer>(can_id: &CanId, serializer: S) -> Result<S::Ok, S::Error> {
+fn hex<S: serde::Serializer>(can_id: &MessageId, serializer: S) -> Result<S::Ok, S::Error> {
     let width = if can_id.is_extended { 10 } else { 5 };
     serializer.collect_str(&format_args!("{:#0width$X}", can_id.number))
 }
@@ -112,7 +112,7 @@ impl Overview {
         let view = View { network, compiled };
         let traffic = Traffic { network, compiled, messages: &messages };
         let sync = traffic.sync();
-        let row = |(can_id, message): (&CanId, &Message)| view.message(*can_id, message, sync.as_ref());
+        let row = |(can_id, message): (&MessageId, &Message)| view.message(*can_id, message, sync.as_ref());
         let nodes = view.nodes();
         Self {
             name: network.name.clone(),
@@ -188,7 +188,7 @@ impl<'n> View<'n> {
         End { node, service: party.service }
     }
 
-    fn message(self, can_id: CanId, message: &Message, sync: Option<&Sync>) -> MessageRow {
+    fn message(self, can_id: MessageId, message: &Message, sync: Option<&Sync>) -> MessageRow {
         let ends = |parties: &[Party]| parties.iter().map(|party| self.end(party)).collect();
         let mut parties = message.senders.iter().chain(&message.receivers);
         // the manager has the other side of PDOs without parameters of its own
@@ -214,7 +214,7 @@ impl<'n> View<'n> {
         let party = |node| Party { node, service: Service::Nmt, at: manager.name.at };
         let receivers = self.network.slaves().map(|(position, _)| party(Some(position))).collect();
         let message = Message { senders: vec![party(manager.node)], receivers };
-        Some(self.message(CanId::base(predefined::NMT.into()), &message, None))
+        Some(self.message(MessageId::base(predefined::NMT.into()), &message, None))
     }
 
     /// Bytes, trigger and period of a message that is no PDO.
