@@ -128,7 +128,7 @@ fn the_manager_has_the_configuration_of_each_node() {
         let held = device.object(0x1F22).unwrap().value(node_id).unwrap().into_owned();
         assert_eq!(held, objdict::model::Value::Bytes(stream.bytes.clone().into()), "{node_id}");
     }
-    assert_eq!(value(0x1F81, 11).as_deref(), Some((0x030D).to_string()).as_deref());
+    assert_eq!(value(0x1F81, 11).as_deref(), Some((0x000D).to_string()).as_deref());
     assert_eq!(value(0x1F81, 3).as_deref(), Some((0x0064_0205).to_string()).as_deref());
     assert_eq!(value(0x1F80, 0).as_deref(), Some("9"));
     assert_eq!(value(0x1016, 1).as_deref(), Some((11 << 16 | 500).to_string()).as_deref());
@@ -146,4 +146,28 @@ fn the_schema_names_every_key() {
         node["rpdo"]["patternProperties"]["^[1-9][0-9]{0,2}$"]["properties"]["cob_id"]["anyOf"][1]["const"],
         "auto"
     );
+}
+
+/// The manager of chapter 4: what it expects of both islands.
+#[test]
+fn the_manager_of_chapter_4_boots_two_islands() {
+    let network = open("chapter4.toml");
+    let device = network.build(Manner::Repaired).unwrap().manager_device().unwrap();
+    let value = |index: u16, sub: u8| {
+        let value = device.object(index).and_then(|object| Some(object.value(sub)?.into_owned()));
+        value.and_then(|value| value.integer_for(1)).map(|number| format!("{number:08X}"))
+    };
+    for (index, sub, expected) in [
+        (0x1006, 0, "000080E8"),
+        (0x1016, 1, "000B0384"),
+        (0x1016, 2, "000C0384"),
+        (0x1028, 11, "0000008B"),
+        (0x1028, 12, "0000008C"),
+        (0x1F80, 0, "00000001"),
+        (0x1F81, 11, "00000005"),
+        (0x1F81, 12, "00000005"),
+        (0x1F85, 11, "000003F9"),
+    ] {
+        assert_eq!(value(index, sub).as_deref(), Some(expected), "{index:04X}:{sub:X}");
+    }
 }

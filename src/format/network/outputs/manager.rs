@@ -3,7 +3,7 @@
 use super::{Build, BuildError, BuiltFile, written};
 use crate::format::{self, Format};
 use crate::model::{Access, Assignment, Device, DeviceKind, Object, ObjectList, Value};
-use crate::network::{LelyOptions, lely_master};
+use crate::network::{LelyOptions, Slave, lely_master};
 use crate::source::SourceFile;
 
 /// The objects about the nodes (CiA 301, CiA 302-2, CiA 302-3).
@@ -81,7 +81,15 @@ impl Build<'_> {
                 value: Value::Unsigned(slave.identity[position].into()),
             })
         };
-        let stated: Vec<Assignment> = identity(3, 0x1F87).chain(identity(4, 0x1F88)).collect();
+        // CiA 302-2: without a guard time the retry factor has no effect; dcfgen states it for all nodes
+        let assignment = |slave: &Slave| {
+            let number = self.network.nodes[slave.node].boot.to_number(slave.guard_time);
+            let value = if slave.guard_time == 0 { number & !0xFF00 } else { number };
+            Assignment { index: 0x1F81, sub: slave.node_id, value: Value::Unsigned(value.into()) }
+        };
+        let assignments = self.compiled.slaves.iter().map(assignment);
+        let stated: Vec<Assignment> =
+            identity(3, 0x1F87).chain(identity(4, 0x1F88)).chain(assignments).collect();
         device.assign(&stated);
         Ok(device)
     }
