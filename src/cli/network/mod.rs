@@ -38,7 +38,7 @@ fn open(path: &Path, input: &NetworkInputArgs) -> Result<NetworkFile, Failure> {
     Ok(file)
 }
 
-/// Reads a network that is to be shown, with what its nodes are told. Its errors are left to `network check`.
+/// Reads a network that is to be shown, with the configuration of its nodes. Its errors are left to `network check`.
 fn compiled(path: &Path, input: &NetworkInputArgs) -> Result<(Network, Compiled), Failure> {
     let file = open(path, input)?;
     let errors = file.check().iter().filter(|finding| finding.severity == Severity::Error).count();

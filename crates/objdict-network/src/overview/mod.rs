@@ -126,7 +126,7 @@ impl Overview {
     }
 }
 
-/// A network with what its nodes are told.
+/// A network with the configuration of its nodes.
 #[derive(Clone, Copy)]
 struct View<'n> {
     network: &'n Network,
