@@ -1,6 +1,8 @@
 /*
- * Loads a static device with the library, gives it the node-ID of the argument, and prints its entries.
+ * Loads a device with the library, gives it the node-ID of the first argument, and prints its entries. The device is SDEV; without
+ * it, that of the EDS or DCF of the second argument, which then takes the concise DCF of the third, if there is one.
  */
+#include <lely/co/dcf.h>
 #include <lely/co/dev.h>
 #include <lely/co/obj.h>
 #include <lely/co/sdev.h>
@@ -9,7 +11,9 @@
 #include <stdlib.h>
 #include <string.h>
 
+#ifdef SDEV
 extern const struct co_sdev SDEV;
+#endif
 
 static void print(const co_obj_t *obj, const co_sub_t *sub)
 {
@@ -38,9 +42,16 @@ static void print(const co_obj_t *obj, const co_sub_t *sub)
 int main(int count, char **arguments)
 {
     static co_unsigned16_t indexes[0x10000];
+#ifdef SDEV
     co_dev_t *const dev = co_dev_create_from_sdev(&SDEV);
+#else
+    co_dev_t *const dev = count > 2 ? co_dev_create_from_dcf_file(arguments[2]) : NULL;
+#endif
     co_unsigned16_t objects, at;
     if (dev == NULL || count < 2 || co_dev_set_id(dev, (co_unsigned8_t)atoi(arguments[1])) == -1) {
+        return 1;
+    }
+    if (count > 3 && co_dev_read_dcf_file(dev, NULL, NULL, arguments[3]) == -1) {
         return 1;
     }
     objects = co_dev_get_idx(dev, 0xFFFF, indexes);

@@ -1,5 +1,7 @@
 //! The target `lely`.
 
+#[cfg(feature = "network")]
+mod network;
 mod real;
 
 use std::path::Path;

@@ -16,14 +16,14 @@ use crate::stacks::truth::{compare, truth, without};
 use crate::stacks::{beside, checkout, for_node};
 
 /// The library, compiled.
-struct Library {
+pub(super) struct Library {
     compiler: String,
     checkout: PathBuf,
     folder: tempfile::TempDir,
 }
 
 impl Library {
-    fn build() -> Option<Self> {
+    pub(super) fn build() -> Option<Self> {
         let (checkout, compiler) = (checkout("OBJDICT_LELY_DIR")?, c_compiler()?);
         let library = Self { compiler, checkout, folder: tempfile::tempdir().unwrap() };
         let mut cc = library.cc(library.folder.path());
@@ -53,7 +53,7 @@ impl Library {
     }
 
     /// Builds a program of the tests with a table, and returns what it prints.
-    fn print(
+    pub(super) fn print(
         &self,
         folder: &Path,
         program: &str,
