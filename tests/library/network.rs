@@ -3,7 +3,7 @@
 use std::collections::BTreeMap;
 use std::path::PathBuf;
 
-use objdict::format::network::{BuiltFile, NetworkFile, schema};
+use objdict::format::network::{BuiltFile, ConfigurationTime, NetworkFile, schema};
 use objdict::network::{LelyOptions, Manner};
 
 use crate::support;
@@ -170,4 +170,20 @@ fn the_manager_of_chapter_4_boots_two_islands() {
     ] {
         assert_eq!(value(index, sub).as_deref(), Some(expected), "{index:04X}:{sub:X}");
     }
+}
+
+/// Nodes and manager have the same date and time: 2026-11-22 is 15666 days after 1984-01-01, 11:30 41 400 000 ms.
+#[test]
+fn nodes_keep_the_time_of_their_configuration() {
+    assert_eq!(objdict::model::Date::from_iso("2026-11-22").unwrap().days_after_1984(), Some(15666));
+    assert_eq!(objdict::model::Date::from_iso("1984-01-24").unwrap().days_after_1984(), Some(23));
+    let time = ConfigurationTime { days: 15666, milliseconds: 41_400_000 };
+    let network = open("chapter4.toml");
+    let build = network.build(Manner::Repaired).unwrap().configured_at(time);
+    let device = build.manager_device().unwrap();
+    let value = |index: u16| device.object(index).unwrap().value(11).map(|value| value.to_string());
+    assert_eq!([value(0x1F26), value(0x1F27)].map(Option::unwrap), ["15666", "41400000"]);
+    let stream = objdict::download::ConciseDcf::parse(file(&build.concise().unwrap(), "left.cdcf")).unwrap();
+    let last: Vec<String> = stream.0.iter().rev().take(2).map(|download| format!("{download:?}")).collect();
+    assert_eq!(last, ["1020:02 C0B67702", "1020:01 323D0000"]);
 }

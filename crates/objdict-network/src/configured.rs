@@ -42,14 +42,22 @@ impl Slave {
         device
     }
 
-    /// The configuration in an order that every node accepts: services are switched off by their present identifiers before
+    /// The downloads that give a node the values of a device, in an order that every node accepts: services are switched off by their present identifiers before
     /// they change, and application objects come before the PDOs that map them.
     ///
     /// # Errors
     /// When the description of the node has configured values that cannot be sent.
     pub fn arranged(&self, node: &Node) -> Result<ConciseDcf, PlanError> {
+        self.arrange(&self.described(node))
+    }
+
+    /// The same for a device that has further values.
+    ///
+    /// # Errors
+    /// When the description of the node has configured values that cannot be sent.
+    pub fn arrange(&self, device: &Device) -> Result<ConciseDcf, PlanError> {
         let options = PlanOptions { node_id: Some(self.node_id), ..PlanOptions::default() };
-        let plan = ConciseDcf::plan(&self.described(node), &options)?;
+        let plan = ConciseDcf::plan(device, &options)?;
         let steps = plan.steps.into_iter().filter_map(|step| match step {
             Step::Write(download) => Some(download),
             Step::File(_) => None,

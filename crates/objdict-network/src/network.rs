@@ -218,15 +218,17 @@ pub struct Boot {
 }
 
 impl Boot {
-    /// The value of 1F81h for the node; the guard time is in milliseconds (CiA 302-2).
+    /// The value of 1F81h for the node; the guard time is in milliseconds (CiA 302-2). Without one the retry factor has no
+    /// effect and is 0.
     pub fn to_number(&self, guard_time: u16) -> u32 {
+        let retry_factor = if guard_time == 0 { 0 } else { self.retry_factor.value };
         1 | u32::from(self.boot) << 2
             | u32::from(self.mandatory) << 3
             | u32::from(!self.reset_communication) << 4
             | u32::from(self.software_version != 0) << 5
             | u32::from(self.software_file.is_some()) << 6
             | u32::from(self.restore_configuration.value != 0) << 7
-            | u32::from(self.retry_factor.value) << 8
+            | u32::from(retry_factor) << 8
             | u32::from(guard_time) << 16
     }
 }

@@ -7,6 +7,8 @@ use clap::{Parser, Subcommand, ValueEnum};
 use super::{ReportArgs, ShowFormat};
 use crate::cli::baseline::BaselineArgs;
 use crate::cli::settings::SettingsArgs;
+use crate::format::network::ConfigurationTime;
+use crate::model::Date;
 
 /// Check networks, and build what their nodes and their manager are configured with
 #[derive(Debug, Parser)]
@@ -32,6 +34,22 @@ pub(in crate::cli) struct NetworkInputArgs {
     /// Replace `@NAME@`, `$NAME` and `${NAME}` in paths; repeatable
     #[arg(short = 'D', long = "define", value_name = "NAME=VALUE", value_parser = variable)]
     pub define: Vec<(String, String)>,
+}
+
+fn configuration_time(text: &str) -> Result<ConfigurationTime, &'static str> {
+    let time = || {
+        let (date, time) = text.split_once('T')?;
+        let days = Date::from_iso(date)?.days_after_1984().filter(|days| *days > 0)?;
+        let (hours, minutes) = time.split_once(':')?;
+        let number = |text: &str, end: u32| {
+            let is_number = text.len() == 2 && text.bytes().all(|byte| byte.is_ascii_digit());
+            text.parse::<u32>().ok().filter(|number| is_number && *number < end)
+        };
+        let minutes: u32 = number(hours, 24)? * 60 + number(minutes, 60)?;
+        // midnight is a millisecond late, because 0 means that no time is expected
+        Some(ConfigurationTime { days, milliseconds: (minutes * 60_000).max(1) })
+    };
+    time().ok_or("write date and time, as in `2026-11-22T11:30`")
 }
 
 fn variable(text: &str) -> Result<(String, String), &'static str> {
@@ -72,6 +90,9 @@ pub(in crate::cli) struct NetworkBuildArgs {
     /// The folder to write to
     #[arg(short, long, value_name = "PATH")]
     pub output: PathBuf,
+    /// When the configuration was made, such as 2026-11-22T11:30: nodes with 1020h keep it, and the manager expects it
+    #[arg(long, value_name = "TIME", value_parser = configuration_time)]
+    pub configured_at: Option<ConfigurationTime>,
     /// Build even if there are errors
     #[arg(long)]
     pub force: bool,

@@ -30,7 +30,10 @@ pub(super) fn run(args: &NetworkBuildArgs, out: &mut Output) -> Result<Outcome, 
         return Ok(Outcome::Findings);
     }
     let manner = if args.strict_dcfgen { Manner::Strict } else { Manner::Repaired };
-    let build = file.build(manner).map_err(Failure::new)?;
+    let mut build = file.build(manner).map_err(Failure::new)?;
+    if let Some(time) = args.configured_at {
+        build = build.configured_at(time);
+    }
     let files = files(args, &build, manner)?;
     for BuiltFile { name, bytes } in &files {
         save(&args.output.join(name), bytes)?;

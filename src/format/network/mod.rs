@@ -17,7 +17,7 @@ use std::env;
 use std::path::{Path, PathBuf};
 use std::rc::Rc;
 
-pub use self::outputs::{Build, BuildError, BuiltFile};
+pub use self::outputs::{Build, BuildError, BuiltFile, ConfigurationTime};
 use self::rules::UNREADABLE_NODE;
 use super::Description;
 use super::input::{Input, Reading};

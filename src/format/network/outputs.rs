@@ -7,7 +7,7 @@ use super::NetworkFile;
 use crate::diagnostic::Findings;
 use crate::download::{ConciseDcf, EncodeError, PlanError};
 use crate::format::{self, EditError, Format, NodeSettings, WriteOptions};
-use crate::model::{Commissioning, Device};
+use crate::model::{Assignment, Commissioning, Device, Value};
 use crate::network::{
     Compiled, LelyOptions, Manner, Network, Slave, compile, configuration_file, lely_master,
 };
@@ -58,6 +58,16 @@ pub struct Build<'a> {
     file: &'a NetworkFile,
     network: &'a Network,
     compiled: Compiled,
+    configured_at: Option<ConfigurationTime>,
+}
+
+/// When a configuration was made (1020h of a node, 1F26h and 1F27h of the manager). A node that has it already is not configured again.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct ConfigurationTime {
+    /// Days since 1984-01-01, not 0.
+    pub days: u32,
+    /// Milliseconds since midnight, not 0: a manager takes 0 for nothing expected.
+    pub milliseconds: u32,
 }
 
 impl NetworkFile {
@@ -68,11 +78,32 @@ impl NetworkFile {
     pub fn build(&self, manner: Manner) -> Result<Build<'_>, BuildError> {
         let network = self.network.as_ref().ok_or(BuildError::NoNetwork)?;
         let compiled = compile(network, manner, &mut Findings::new());
-        Ok(Build { file: self, network, compiled })
+        Ok(Build { file: self, network, compiled, configured_at: None })
     }
 }
 
 impl Build<'_> {
+    /// States when the configuration was made.
+    #[must_use]
+    pub fn configured_at(self, time: ConfigurationTime) -> Self {
+        Self { configured_at: Some(time), ..self }
+    }
+
+    /// A node as its DCF describes it.
+    fn described(&self, slave: &Slave) -> Device {
+        let mut device = slave.described(&self.network.nodes[slave.node]);
+        if let Some(time) = self.configured_at {
+            let numbers = [(1, time.days), (2, time.milliseconds)];
+            let values = numbers.map(|(sub, number)| Assignment {
+                index: 0x1020,
+                sub,
+                value: Value::Unsigned(number.into()),
+            });
+            device.assign(&values);
+        }
+        device
+    }
+
     /// The files of Lely's master: `master.dcf`, `master.bin` and one `.bin` a node.
     ///
     /// # Errors
@@ -110,9 +141,8 @@ impl Build<'_> {
     /// When a DCF cannot be written.
     pub fn dcfs(&self) -> Result<Vec<BuiltFile>, BuildError> {
         let nodes = self.compiled.slaves.iter();
-        let mut files: Vec<BuiltFile> = nodes
-            .map(|slave| self.dcf(slave, &slave.described(&self.network.nodes[slave.node])))
-            .collect::<Result<_, _>>()?;
+        let mut files: Vec<BuiltFile> =
+            nodes.map(|slave| self.dcf(slave, &self.described(slave))).collect::<Result<_, _>>()?;
         if self.network.manager.is_some() {
             files.push(self.manager()?);
         }
@@ -154,7 +184,9 @@ impl Build<'_> {
 
     fn arranged(&self, slave: &Slave) -> Result<ConciseDcf, BuildError> {
         let node = &self.network.nodes[slave.node];
-        slave.arranged(node).map_err(|error| BuildError::Plan { node: node.name.value.clone(), error })
+        slave
+            .arrange(&self.described(slave))
+            .map_err(|error| BuildError::Plan { node: node.name.value.clone(), error })
     }
 
     /// What the DCF of a node says of the network.

@@ -110,6 +110,15 @@ impl Date {
         }
     }
 
+    /// The number of days after 1984-01-01, as CiA 301 and CiA 302-3 count them; `None` for an earlier day.
+    pub fn days_after_1984(self) -> Option<u32> {
+        let months = (1984..=self.year).flat_map(|year| (1..=12).map(move |month| (year, month)));
+        let before = months.take_while(|&(year, month)| (year, month) < (self.year, self.month));
+        let days =
+            before.map(|(year, month)| u32::from(Self { year, month, day: 1 }.days_of_month())).sum::<u32>();
+        (self.year >= 1984).then(|| days + u32::from(self.day) - 1)
+    }
+
     /// Parses a date of ISO 8601 such as `2024-03-04`.
     pub fn from_iso(text: &str) -> Option<Self> {
         let mut parts = text.splitn(3, '-');

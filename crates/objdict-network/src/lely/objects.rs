@@ -183,7 +183,11 @@ impl<'a> Writer<'a> {
         self.files("1F58", "Program data", "Program data of node-ID", &programs);
         self.out.value("1F80", "NMT startup", Type::U32, "rw", hex(self.manager.startup.to_number()));
         self.out.compact("1F81", "NMT slave assignment", (ARRAY, Type::U32), "rw", None, OF_NODES);
-        let assignment = |slave: &Slave| hex(self.node(slave).boot.to_number(slave.guard_time));
+        // dcfgen states the retry factor without guarding too
+        let assignment = |slave: &Slave| {
+            let boot = &self.node(slave).boot;
+            hex(boot.to_number(slave.guard_time) | u32::from(boot.retry_factor.value) << 8)
+        };
         let assignments: Vec<_> =
             self.slaves.iter().map(|slave| (slave.node_id, assignment(slave))).collect();
         self.out.values("1F81", assignments);

@@ -2,14 +2,16 @@
 
 use super::{Build, BuildError, BuiltFile, written};
 use crate::format::{self, Format};
-use crate::model::{Access, Assignment, Device, DeviceKind, Object, ObjectList, Value};
+use crate::model::{
+    Access, Assignment, Compact, DataType, Device, DeviceKind, Entry, Object, ObjectList, ObjectType, Value,
+};
 use crate::network::{LelyOptions, Slave, lely_master};
 use crate::source::SourceFile;
 
 /// The objects about the nodes (CiA 301, CiA 302-2, CiA 302-3).
-const OBJECTS: [u16; 16] = [
-    0x1016, 0x1028, 0x1F22, 0x1F25, 0x1F55, 0x1F80, 0x1F81, 0x1F82, 0x1F84, 0x1F85, 0x1F86, 0x1F87, 0x1F88,
-    0x1F89, 0x1F8A, 0x102A,
+const OBJECTS: [u16; 18] = [
+    0x1016, 0x1028, 0x1F22, 0x1F25, 0x1F26, 0x1F27, 0x1F55, 0x1F80, 0x1F81, 0x1F82, 0x1F84, 0x1F85, 0x1F86,
+    0x1F87, 0x1F88, 0x1F89, 0x1F8A, 0x102A,
 ];
 
 const CONCISE_DCF: u16 = 0x1F22;
@@ -81,17 +83,43 @@ impl Build<'_> {
                 value: Value::Unsigned(slave.identity[position].into()),
             })
         };
-        // CiA 302-2: without a guard time the retry factor has no effect; dcfgen states it for all nodes
+        // without the retry factor that dcfgen states for all nodes
         let assignment = |slave: &Slave| {
             let number = self.network.nodes[slave.node].boot.to_number(slave.guard_time);
-            let value = if slave.guard_time == 0 { number & !0xFF00 } else { number };
-            Assignment { index: 0x1F81, sub: slave.node_id, value: Value::Unsigned(value.into()) }
+            Assignment { index: 0x1F81, sub: slave.node_id, value: Value::Unsigned(number.into()) }
         };
         let assignments = self.compiled.slaves.iter().map(assignment);
         let stated: Vec<Assignment> =
             identity(3, 0x1F87).chain(identity(4, 0x1F88)).chain(assignments).collect();
         device.assign(&stated);
+        if let Some(time) = self.configured_at {
+            self.expect(&mut device, 0x1F26, "Expected configuration date", time.days);
+            self.expect(&mut device, 0x1F27, "Expected configuration time", time.milliseconds);
+        }
         Ok(device)
+    }
+}
+
+impl Build<'_> {
+    /// Adds an array with the same number for each node that can keep it (1020h).
+    fn expect(&self, device: &mut Device, index: u16, name: &str, number: u32) {
+        let has_it = |slave: &&Slave| slave.device.object(0x1020).is_some();
+        let values = self.compiled.slaves.iter().filter(has_it);
+        let mut values: Vec<(u8, Value)> =
+            values.map(|slave| (slave.node_id, Value::Unsigned(number.into()))).collect();
+        values.sort_unstable_by_key(|(node_id, _)| *node_id);
+        let main = Entry {
+            name: name.into(),
+            object_type: Some(ObjectType::Array),
+            data_type: Some(DataType::UNSIGNED32),
+            access: Some(Access::Rw),
+            ..Entry::default()
+        };
+        let compact = Some(Box::new(Compact { count: 127, values, ..Compact::default() }));
+        device.objects.insert(index, Object { main, compact, ..Object::default() });
+        if let Some(list) = ObjectList::of(index) {
+            device.lists.get_mut(list).get_or_insert_default().push(index);
+        }
     }
 }
 
