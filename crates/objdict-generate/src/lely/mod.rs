@@ -1,7 +1,8 @@
 //! The target `lely`: the static device (`struct co_sdev`) of Lely core 2.4.
 //!
 //! The table is that of the generator dcf2c of Lely core, one row per sub-index. What dcf2c drops or writes
-//! wrong is right here: OCTET_STRING and DOMAIN defaults, REAL defaults, TIME_DIFFERENCE, quotes in texts.
+//! wrong is right here: OCTET_STRING and DOMAIN defaults, REAL defaults, TIME_DIFFERENCE, quotes in texts. A library
+//! without `malloc()` has the device in static memory, which a function of the source makes of the same table.
 
 mod value;
 mod view;

@@ -107,11 +107,11 @@ fn wrapped(sum: u64, data_type: DataType) -> u64 {
     }
 }
 
-/// A text, octet string or DOMAIN; the library takes a missing array for an empty one.
+/// A text, octet string or DOMAIN; `EMPTY_ARRAY` is defined by the source, for libraries with and without `malloc()`.
 fn texts(bytes: &[u8], data_type: DataType) -> String {
     let member = member(data_type);
     if bytes.is_empty() {
-        return format!(".{member} = NULL");
+        return format!(".{member} = EMPTY_ARRAY");
     }
     let list = |bytes: &[u8]| listed(bytes.iter().map(|byte| format!("0x{byte:02X}")), INDENT);
     match (data_type.kind(), literal(bytes)) {
@@ -159,7 +159,7 @@ mod tests {
             ".us = CO_UNICODE_STRING_C({0x0041, 0x0000})"
         );
         assert_eq!(bytes(&[1, 2], DataType::DOMAIN), ".dom = CO_DOMAIN_C(co_unsigned8_t, {0x01, 0x02})");
-        assert_eq!(bytes(&[], DataType::OCTET_STRING), ".os = NULL");
+        assert_eq!(bytes(&[], DataType::OCTET_STRING), ".os = EMPTY_ARRAY");
         assert_eq!(bytes(&[1, 2, 3], DataType::UNSIGNED24), ".u24 = 0x00030201u");
         assert_eq!(file("a"), ".dom = CO_DOMAIN_C(co_unsigned8_t, {0x61, 0x00})");
     }

@@ -64,6 +64,11 @@ impl<'a> Source<'a> {
     pub(super) fn new(head: &'a Head, objects: &'a [SdevObject]) -> Self {
         Self { head, objects }
     }
+
+    /// The number of entries of all objects.
+    fn entries(&self) -> usize {
+        self.objects.iter().map(|object| object.rows.len()).sum()
+    }
 }
 
 impl<'a> Header<'a> {

@@ -15,6 +15,11 @@ extern "C" {
 /* The argument of co_dev_create_from_sdev(). */
 extern const struct co_sdev {{ head.lower }}_sdev;
 
+#if LELY_NO_MALLOC
+/* In place of co_dev_create_from_sdev(): makes the one device in static memory; NULL for an invalid node-ID. Call it once. */
+co_dev_t *{{ head.lower }}_create(void);
+#endif
+
 #ifdef __cplusplus
 }
 #endif

@@ -1,6 +1,7 @@
 /*
- * Loads a device with the library, gives it the node-ID of the first argument, and prints its entries. The device is SDEV; without
- * it, that of the EDS or DCF of the second argument, which then takes the concise DCF of the third, if there is one.
+ * Loads a device with the library, gives it the node-ID of the first argument, and prints its entries. The device is SDEV, or with
+ * LELY_NO_MALLOC what CREATE makes; else that of the EDS or DCF of the second argument, which then takes the concise DCF of the
+ * third, if there is one.
  */
 #include <lely/co/dcf.h>
 #include <lely/co/dev.h>
@@ -11,9 +12,36 @@
 #include <stdlib.h>
 #include <string.h>
 
-#ifdef SDEV
+#if LELY_NO_MALLOC
+extern co_dev_t *CREATE(void);
+#elif defined(SDEV)
 extern const struct co_sdev SDEV;
 #endif
+
+/* The device of the arguments of the program; NULL if it cannot be loaded. */
+static co_dev_t *load(int count, char **arguments)
+{
+    co_dev_t *dev = NULL;
+    if (count < 2) {
+        return NULL;
+    }
+#if LELY_NO_MALLOC
+    dev = CREATE();
+#elif defined(SDEV)
+    dev = co_dev_create_from_sdev(&SDEV);
+#else
+    dev = count > 2 ? co_dev_create_from_dcf_file(arguments[2]) : NULL;
+#endif
+    if (dev == NULL || co_dev_set_id(dev, (co_unsigned8_t)atoi(arguments[1])) == -1) {
+        return NULL;
+    }
+#if !LELY_NO_MALLOC
+    if (count > 3 && co_dev_read_dcf_file(dev, NULL, NULL, arguments[3]) == -1) {
+        return NULL;
+    }
+#endif
+    return dev;
+}
 
 static void print(const co_obj_t *obj, const co_sub_t *sub)
 {
@@ -42,16 +70,9 @@ static void print(const co_obj_t *obj, const co_sub_t *sub)
 int main(int count, char **arguments)
 {
     static co_unsigned16_t indexes[0x10000];
-#ifdef SDEV
-    co_dev_t *const dev = co_dev_create_from_sdev(&SDEV);
-#else
-    co_dev_t *const dev = count > 2 ? co_dev_create_from_dcf_file(arguments[2]) : NULL;
-#endif
+    co_dev_t *const dev = load(count, arguments);
     co_unsigned16_t objects, at;
-    if (dev == NULL || count < 2 || co_dev_set_id(dev, (co_unsigned8_t)atoi(arguments[1])) == -1) {
-        return 1;
-    }
-    if (count > 3 && co_dev_read_dcf_file(dev, NULL, NULL, arguments[3]) == -1) {
+    if (dev == NULL) {
         return 1;
     }
     objects = co_dev_get_idx(dev, 0xFFFF, indexes);
@@ -64,6 +85,8 @@ int main(int count, char **arguments)
             print(obj, co_obj_find_sub(obj, subs[sub]));
         }
     }
+#if !LELY_NO_MALLOC
     co_dev_destroy(dev);
+#endif
     return 0;
 }

@@ -31,6 +31,7 @@ const LACKS: [Lack; 4] = [
             Some(Row { data_type: Some(data_type.0), size, ..row })
         },
     },
+    Lack { what: "256 entries", of: |row| row.sub == 0xFF && row.index == 0x3304, instead: |_| None },
     Lack {
         what: "UNICODE_STRINGs with a zero",
         of: |row| row.kind == Some(TypeKind::UnicodeString),
@@ -41,7 +42,6 @@ const LACKS: [Lack; 4] = [
             Some(Row { default: Some(default), ..row })
         },
     },
-    Lack { what: "256 entries", of: |row| row.sub == 0xFF && row.index == 0x3304, instead: |_| None },
 ];
 
 fn is_array(row: &Row) -> bool {

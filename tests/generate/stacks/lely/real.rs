@@ -12,7 +12,7 @@ use objdict::model::{Device, ObjectType};
 use super::{LACKS, without_files, write};
 use crate::compile::{c_compiler, succeed};
 use crate::devices::{arbitrary_devices, devices, for_all};
-use crate::stacks::truth::{compare, truth, without};
+use crate::stacks::truth::{Lack, compare, truth, without};
 use crate::stacks::{beside, checkout, for_node};
 
 /// The library, compiled.
@@ -20,12 +20,26 @@ pub(super) struct Library {
     compiler: String,
     checkout: PathBuf,
     folder: tempfile::TempDir,
+    /// The macros with which it and its users are compiled.
+    macros: &'static [&'static str],
 }
 
 impl Library {
+    /// With dcf2c, which needs all of it.
     pub(super) fn build() -> Option<Self> {
+        let library = Self::with(&[])?;
+        let mut dcf2c = library.cc(library.folder.path());
+        dcf2c
+            .args(["-std=gnu99", "-D_GNU_SOURCE", "-w", "-o", "dcf2c"])
+            .arg(library.checkout.join("tools/dcf2c.c"));
+        succeed(dcf2c.arg("-I").arg(library.checkout.join("src")).args(["lely.a", "-lm", "-lpthread"]), "")
+            .unwrap();
+        Some(library)
+    }
+
+    fn with(macros: &'static [&'static str]) -> Option<Self> {
         let (checkout, compiler) = (checkout("OBJDICT_LELY_DIR")?, c_compiler()?);
-        let library = Self { compiler, checkout, folder: tempfile::tempdir().unwrap() };
+        let library = Self { compiler, checkout, folder: tempfile::tempdir().unwrap(), macros };
         let mut cc = library.cc(library.folder.path());
         cc.args(["-std=gnu99", "-D_GNU_SOURCE", "-w", "-c"]).arg("-I").arg(library.checkout.join("src"));
         for part in ["util", "libc", "co", "can"] {
@@ -33,12 +47,10 @@ impl Library {
             let files = files.map(|file| file.unwrap().path());
             cc.args(files.filter(|path| path.extension().is_some_and(|extension| extension == "c")));
         }
-        succeed(cc.arg(library.checkout.join("tools/dcf2c.c")), "").unwrap();
+        succeed(&mut cc, "").unwrap();
         let objects = std::fs::read_dir(library.folder.path()).unwrap().map(|file| file.unwrap().path());
-        let objects: Vec<PathBuf> = objects.filter(|path| !path.ends_with("dcf2c.o")).collect();
+        let objects: Vec<PathBuf> = objects.collect();
         succeed(Command::new("ar").arg("rcs").arg(library.path("lely.a")).args(objects), "").unwrap();
-        let mut link = library.cc(library.folder.path());
-        succeed(link.args(["-o", "dcf2c", "dcf2c.o", "lely.a", "-lm", "-lpthread"]), "").unwrap();
         Some(library)
     }
 
@@ -48,7 +60,12 @@ impl Library {
 
     fn cc(&self, folder: &Path) -> Command {
         let mut command = Command::new(&self.compiler);
-        command.current_dir(folder).arg("-isystem").arg(self.checkout.join("include")).arg("-I.");
+        command
+            .current_dir(folder)
+            .arg("-isystem")
+            .arg(self.checkout.join("include"))
+            .arg("-I.")
+            .args(self.macros);
         command
     }
 
@@ -70,7 +87,20 @@ impl Library {
 
 #[test]
 fn the_library_loads_the_tables_for_any_node() {
-    let Some(library) = Library::build() else { return };
+    if let Some(library) = Library::with(&[]) {
+        loads_the_tables(&library, "-DSDEV=od_sdev", &LACKS);
+    }
+}
+
+#[test]
+fn without_malloc_the_device_is_in_static_memory() {
+    if let Some(library) = Library::with(&["-DLELY_NO_MALLOC=1"]) {
+        let [texts_are_whole @ .., _] = &LACKS;
+        loads_the_tables(&library, "-DCREATE=od_create", texts_are_whole);
+    }
+}
+
+fn loads_the_tables(library: &Library, source: &str, lacks: &[Lack]) {
     for_all(&[devices(), arbitrary_devices(12)].concat(), |(name, device)| {
         let device = &without_files(device);
         let folder = tempfile::tempdir().map_err(|error| error.to_string())?;
@@ -79,9 +109,9 @@ fn the_library_loads_the_tables_for_any_node() {
         for node_id in [5, 127] {
             let arguments = [node_id.to_string()];
             let arguments: Vec<&str> = arguments.iter().map(String::as_str).collect();
-            let sources = ["-DSDEV=od_sdev", "device_sdev.c"];
+            let sources = [source, "device_sdev.c"];
             let printed = library.print(folder.path(), "loaded.c", &sources, &arguments).map_err(fail)?;
-            compare(name, &without(&LACKS, truth(device, node_id)), &printed).map_err(fail)?;
+            compare(name, &without(lacks, truth(device, node_id)), &printed).map_err(fail)?;
         }
         Ok(())
     });
