@@ -48,7 +48,7 @@ pub(crate) fn rule_folders() -> Vec<(String, PathBuf)> {
     folders.collect()
 }
 
-const ENDINGS: [&str; 6] = ["eds", "dcf", "xdd", "xdc", "toml", "yml"];
+const ENDINGS: [&str; 7] = ["eds", "dcf", "xdd", "xdc", "toml", "yml", "cpj"];
 
 /// The devices and configurations of a folder whose name starts with `prefix`.
 pub(crate) fn devices(folder: &Path, prefix: &str) -> Vec<PathBuf> {

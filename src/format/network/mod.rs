@@ -1,4 +1,4 @@
-//! Networks: `network.toml`, and `bus.yml` of dcfgen and ros2_canopen.
+//! Networks: `network.toml`, `bus.yml` of dcfgen and ros2_canopen, and node lists.
 
 mod bus_keys;
 mod bus_yml;
@@ -9,6 +9,7 @@ mod rules;
 pub mod schema;
 mod section;
 mod toml;
+mod topology;
 mod tree;
 mod yaml;
 
@@ -20,6 +21,7 @@ use std::rc::Rc;
 pub use self::outputs::{Build, BuildError, BuiltFile, ConfigurationTime};
 use self::rules::UNREADABLE_NODE;
 use super::Description;
+use super::identify::{ContentKind, identify_source};
 use super::input::{Input, Reading};
 use crate::diagnostic::{At, Diagnostic, Findings, RuleInfo};
 use crate::model::Device;
@@ -56,8 +58,13 @@ impl NetworkFile {
         let folder = path.parent().map(Path::to_owned).unwrap_or_default();
         let mut descriptions = Descriptions { folder, variables, read: BTreeMap::new(), files: Vec::new() };
         let mut findings = Findings::new();
-        let read = if toml::is_toml(source.text()) { network_toml::read } else { bus_yml::read };
-        let network = read(source.text(), &mut descriptions, &mut findings);
+        let network = match identify_source(&source).kind {
+            ContentKind::NodeList => topology::read(&source, &mut descriptions, &mut findings),
+            _ if toml::is_toml(source.text()) => {
+                network_toml::read(source.text(), &mut descriptions, &mut findings)
+            }
+            _ => bus_yml::read(source.text(), &mut descriptions, &mut findings),
+        };
         let files = std::mem::take(&mut descriptions.files);
         let descriptions = descriptions
             .read

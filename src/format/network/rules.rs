@@ -19,7 +19,7 @@ text_rules! {
     remedy: "Correct the reported line.",
     source: "TOML 1.0",
 
-    DUPLICATE_KEY = "network/duplicate-key", Error;
+    DUPLICATE_KEY = "network/key-defined-twice", Error;
     summary: "a key is defined twice",
     checks: "Whether a key is there more than once in a map: a node, a PDO or a setting.",
     why: "dcfgen takes the last one without a word, so a node that was copied and not renamed is lost.",
@@ -66,6 +66,30 @@ text_rules! {
     example: "`period: 10` in `defaults`, and `period: 20` in a node",
     remedy: "Move the key from `defaults` to the nodes.",
     source: "ros2_canopen, cogen",
+
+    INVALID_NODE_LIST = "network/invalid-node-list", Error;
+    summary: "the node list cannot be read",
+    checks: "Whether the text is an INI file with numbers where CiA 306-3 demands them.",
+    why: "Nothing is known of the network.",
+    example: "`Nodes=many`",
+    remedy: "Correct the line that the message names.",
+    source: "CiA 306-3",
+
+    NODE_COUNT = "network/node-count", Warning;
+    summary: "a node list states another number of nodes than it has",
+    checks: "Whether `Nodes` is the number of nodes with `NodeXPresent=1`.",
+    why: "A tool that trusts the number leaves nodes out.",
+    example: "`Nodes=0x03` and two nodes that are present",
+    remedy: "Correct the number.",
+    source: "CiA 306-3",
+
+    OTHER_NODE_ID = "network/other-node-id", Error;
+    summary: "a DCF is listed for another node",
+    checks: "Whether the DCF of `NodeX` has the node-ID X.",
+    why: "The manager sends the configuration of one node to another one.",
+    example: "`Node5DCFName=left.dcf`, where `left.dcf` has `NodeID=11`",
+    remedy: "List the DCF of the node, or correct its node-ID.",
+    source: "CiA 306-3",
 
     UNREADABLE_NODE = "network/unreadable-node", Error;
     summary: "the description of a node cannot be read",

@@ -104,7 +104,7 @@ mod tests {
         assert!(matches!(*numbered.key.kind, Kind::Integer(1)));
         assert_eq!(numbered.value.span.of(text), "'ä'");
         for (text, rule) in
-            [("a = 1\na = 2", "duplicate-key"), ("[a", "invalid-toml"), ("a: 1", "invalid-toml")]
+            [("a = 1\na = 2", "key-defined-twice"), ("[a", "invalid-toml"), ("a: 1", "invalid-toml")]
         {
             let mut findings = Findings::new();
             assert!(read(text, &mut findings).is_none());
