@@ -178,7 +178,7 @@ impl Description {
     pub fn span_of(&self, at: &At) -> Span {
         match at {
             At::Span(span) => *span,
-            At::Place(place) => self.locate(place).unwrap_or_default(),
+            At::Place(place) | At::Node(_, place) => self.locate(place).unwrap_or_default(),
         }
     }
 
@@ -186,7 +186,7 @@ impl Description {
     /// `None` outside the parts of a description.
     pub fn place_of<'a>(&self, at: &'a At) -> Option<Cow<'a, Place>> {
         let span = match at {
-            At::Place(place) => return Some(Cow::Borrowed(place)),
+            At::Place(place) | At::Node(_, place) => return Some(Cow::Borrowed(place)),
             At::Span(span) => span,
         };
         let place = match &self.text {

@@ -115,7 +115,7 @@ fn base(subject: Subject<'_>, sections: &Sections, finding: &Diagnostic) -> Fing
         hash.field(&[finding.severity as u8, u8::from(finding.fix.is_some())]);
     } else if let Some(label) = finding.labels.first() {
         match &label.at {
-            At::Place(place) => at_place(subject, place, &mut hash),
+            At::Place(place) | At::Node(_, place) => at_place(subject, place, &mut hash),
             At::Span(span) => at_line(subject, sections, *span, &mut hash),
         }
         hash.field(label.text.shown().as_bytes());

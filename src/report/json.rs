@@ -30,7 +30,7 @@ struct Finding<'a> {
     rule: &'a str,
     severity: Severity,
     #[serde(flatten)]
-    at: Position<'a>,
+    at: Position,
     message: Cow<'a, str>,
     #[serde(skip_serializing_if = "Option::is_none")]
     help: Option<Cow<'a, str>>,
@@ -63,21 +63,21 @@ struct Edit {
 
 #[derive(Serialize)]
 struct Related<'a> {
+    #[serde(skip_serializing_if = "Option::is_none")]
+    file: Option<&'a str>,
     #[serde(flatten)]
-    at: Position<'a>,
+    at: Position,
     message: Cow<'a, str>,
 }
 
 #[derive(Serialize)]
-struct Position<'a> {
+struct Position {
     line: u32,
     column: u32,
     end_line: u32,
     end_column: u32,
     #[serde(skip_serializing_if = "Option::is_none")]
     place: Option<String>,
-    #[serde(skip)]
-    text: Cow<'a, str>,
 }
 
 #[derive(Debug, Serialize)]
@@ -178,39 +178,45 @@ impl<W: Write> Report for Json<W> {
 
 fn record<'a>(
     file: &'a str,
-    subject: Subject<'_>,
+    subject: Subject<'a>,
     finding: &'a Diagnostic,
     fingerprint: Fingerprint,
 ) -> Finding<'a> {
-    let mut positions = Location::all(subject, finding).into_iter().map(position);
-    let start =
-        || Position { line: 1, column: 1, end_line: 1, end_column: 1, place: None, text: Cow::Borrowed("") };
-    let place = |other: &'a Diagnostic| {
-        let at = other.labels.first().map_or_else(start, |label| position(Location::new(subject, label)));
-        Related { at, message: other.message.shown() }
+    let start = || Position { line: 1, column: 1, end_line: 1, end_column: 1, place: None };
+    let first = |finding: &'a Diagnostic| {
+        finding.labels.first().map_or_else(start, |label| position(&Location::new(subject, label)))
+    };
+    let place = |other| Related { file: None, at: first(other), message: other.message.shown() };
+    let related = |label| {
+        let location = Location::new(subject, label);
+        let name = location.source.name();
+        Related {
+            file: Some(name).filter(|name| *name != file),
+            at: position(&location),
+            message: location.text,
+        }
     };
     Finding {
         file,
         rule: finding.rule.id,
         severity: finding.severity,
-        at: positions.next().unwrap_or_else(start),
+        at: first(finding),
         message: finding.message.shown(),
         help: finding.help.as_ref().map(Text::shown),
-        related: positions.map(|at| Related { message: at.text.clone(), at }).collect(),
+        related: finding.labels.iter().skip(1).map(related).collect(),
         places: finding.also.iter().map(place).collect(),
         fingerprint,
         fix: fix(subject, finding),
     }
 }
 
-fn position(location: Location<'_>) -> Position<'_> {
+fn position(location: &Location<'_>) -> Position {
     Position {
         line: location.start.line,
         column: location.start.column,
         end_line: location.end.line,
         end_column: location.end.column,
-        place: location.place.map(|place| place.to_string()),
-        text: location.text,
+        place: location.place.as_deref().map(ToString::to_string),
     }
 }
 

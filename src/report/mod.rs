@@ -30,7 +30,7 @@ use std::io;
 
 use crate::diagnostic::{Diagnostic, Findings, Severity, SourceLabel};
 use crate::model::Place;
-use crate::source::{LineColumn, Span};
+use crate::source::{LineColumn, SourceFile, Span};
 
 pub use concise::Concise;
 #[cfg(feature = "json")]
@@ -92,6 +92,8 @@ pub trait Report {
 /// Where a label points, in the words of the file and of the model.
 #[derive(Clone, Debug)]
 pub struct Location<'a> {
+    /// The file: that of the finding, or the description of a node of a network.
+    pub source: &'a SourceFile,
     /// The bytes of the decoded text.
     pub span: Span,
     /// Line and column of the first character.
@@ -105,11 +107,13 @@ pub struct Location<'a> {
 }
 
 impl<'a> Location<'a> {
-    /// The location of a label in the text that its finding is about.
-    pub fn new(subject: Subject<'_>, label: &'a SourceLabel) -> Self {
+    /// The location of a label of a finding about `subject`.
+    pub fn new(subject: Subject<'a>, label: &'a SourceLabel) -> Self {
+        let subject = subject.of_label(&label.at);
         let span = subject.span_of(&label.at);
         let source = subject.source();
         Self {
+            source,
             span,
             start: source.line_column(span.start),
             end: source.line_column(span.end),
@@ -130,7 +134,7 @@ impl<'a> Location<'a> {
     }
 
     /// The locations of a finding: where it is, then the related ones.
-    pub fn all(subject: Subject<'_>, finding: &'a Diagnostic) -> Vec<Self> {
+    pub fn all(subject: Subject<'a>, finding: &'a Diagnostic) -> Vec<Self> {
         finding.labels.iter().map(|label| Self::new(subject, label)).collect()
     }
 }

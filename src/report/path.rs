@@ -25,8 +25,10 @@ impl Base {
     }
 }
 
-/// A path as the reference of a URI (RFC 3986): relative as it is, absolute as `file:`.
+/// A path as the reference of a URI (RFC 3986): relative as it is, absolute as `file:`, without segments that `..` takes
+/// back, as a reader of the URI removes them (§5.2.4).
 pub(super) fn uri(path: &str) -> String {
+    let path = &without_detours(path);
     let mut uri = String::with_capacity(path.len() + 8);
     let is_drive = path.as_bytes().get(1) == Some(&b':') && cfg!(windows);
     if path.starts_with('/') {
@@ -43,6 +45,17 @@ pub(super) fn uri(path: &str) -> String {
         }
     }
     uri
+}
+
+fn without_detours(path: &str) -> String {
+    let mut segments: Vec<&str> = Vec::new();
+    for segment in path.split('/') {
+        match segments.last() {
+            Some(last) if segment == ".." && !["", ".", ".."].contains(last) => _ = segments.pop(),
+            _ => segments.push(segment),
+        }
+    }
+    segments.join("/")
 }
 
 #[cfg(test)]
@@ -75,5 +88,7 @@ mod tests {
             if cfg!(windows) { "file:///c:%C3%A4%3F.eds" } else { "c%3A%C3%A4%3F.eds" }
         );
         assert_eq!(uri("/a/<b>"), "file:///a/%3Cb%3E");
+        assert_eq!(uri("rules/one/../../network/a.eds"), "network/a.eds");
+        assert_eq!(uri("../../rules/../a.eds"), "../../a.eds");
     }
 }

@@ -2,6 +2,8 @@
 
 use crate::diagnostic::At;
 use crate::format::Description;
+#[cfg(feature = "network")]
+use crate::format::network::NetworkFile;
 use crate::source::{SourceFile, Span};
 
 /// What the findings of a file are about.
@@ -9,6 +11,9 @@ use crate::source::{SourceFile, Span};
 pub enum Subject<'a> {
     /// A description.
     Description(&'a Description),
+    /// A network; its findings have spans, and labels that point into the descriptions of its nodes.
+    #[cfg(feature = "network")]
+    Network(&'a NetworkFile),
     /// Another text, such as the configuration; its findings have spans and no places.
     Text(&'a SourceFile),
 }
@@ -18,16 +23,31 @@ impl<'a> Subject<'a> {
     pub fn source(self) -> &'a SourceFile {
         match self {
             Self::Description(description) => description.source(),
+            #[cfg(feature = "network")]
+            Self::Network(network) => &network.source,
             Self::Text(source) => source,
         }
     }
 
-    /// Where a label points; the start of the text for what is not in it.
-    pub fn span_of(self, at: &At) -> Span {
+    /// What a label points into: the description of a node, for a label of a network that does, else this subject.
+    #[must_use]
+    pub fn of_label(self, at: &At) -> Self {
         match (self, at) {
+            #[cfg(feature = "network")]
+            (Self::Network(network), At::Node(node, _)) => {
+                network.description(*node).map_or(self, Self::Description)
+            }
+            _ => self,
+        }
+    }
+
+    /// Where a label points in the text of [what it points into](Self::of_label); the start of the text for what is not
+    /// in it.
+    pub fn span_of(self, at: &At) -> Span {
+        match (self.of_label(at), at) {
             (Self::Description(description), at) => description.span_of(at),
-            (Self::Text(_), At::Span(span)) => *span,
-            (Self::Text(_), At::Place(_)) => Span::default(),
+            (_, At::Span(span)) => *span,
+            _ => Span::default(),
         }
     }
 
@@ -35,7 +55,7 @@ impl<'a> Subject<'a> {
     pub fn description(self) -> Option<&'a Description> {
         match self {
             Self::Description(description) => Some(description),
-            Self::Text(_) => None,
+            _ => None,
         }
     }
 }
@@ -43,6 +63,13 @@ impl<'a> Subject<'a> {
 impl<'a> From<&'a Description> for Subject<'a> {
     fn from(description: &'a Description) -> Self {
         Self::Description(description)
+    }
+}
+
+#[cfg(feature = "network")]
+impl<'a> From<&'a NetworkFile> for Subject<'a> {
+    fn from(network: &'a NetworkFile) -> Self {
+        Self::Network(network)
     }
 }
 

@@ -6,18 +6,19 @@ mod problem;
 mod wrap;
 
 use std::cmp::Reverse;
+use std::collections::BTreeMap;
 use std::fmt;
 use std::io::{self, Write};
 
 use miette::LabeledSpan;
 
-use self::excerpt::Excerpts;
+use self::excerpt::{Excerpted, Excerpts};
 use self::printer::Printer;
 pub(crate) use self::problem::problem;
 use super::statistics::offer;
 use super::{Detail, Report, Statistics, Subject, Tally};
 use crate::diagnostic::visible;
-use crate::diagnostic::{Applicability, Diagnostic, Findings, Severity};
+use crate::diagnostic::{Applicability, At, Diagnostic, Findings, Severity};
 
 /// The most characters of a message that are shown.
 const MAX_MESSAGE: usize = 600;
@@ -101,9 +102,8 @@ impl<W: Write> Report for TextReport<W> {
         }
         for finding in shown {
             text.clear();
-            self.printer
-                .draw(&mut text, &Rendered::new(subject, &excerpts, finding))
-                .map_err(io::Error::other)?;
+            let rendered = Rendered::new(subject, &excerpts, finding);
+            self.printer.draw(&mut text, &rendered, &rendered.others).map_err(io::Error::other)?;
             text.push('\n');
             self.out.write_all(text.as_bytes())?;
         }
@@ -152,21 +152,33 @@ struct Rendered<'a> {
     help: Option<String>,
     excerpts: &'a Excerpts<'a>,
     labels: Vec<LabeledSpan>,
+    /// The labels in the descriptions of nodes.
+    others: Vec<Excerpted<'a>>,
 }
 
 impl<'a> Rendered<'a> {
-    fn new(subject: Subject<'_>, excerpts: &'a Excerpts<'a>, finding: &'a Diagnostic) -> Self {
+    fn new(subject: Subject<'a>, excerpts: &'a Excerpts<'a>, finding: &'a Diagnostic) -> Self {
         let mut labels = Vec::with_capacity(finding.labels.len());
+        let mut others = BTreeMap::new();
         for (position, label) in finding.labels.iter().enumerate() {
             let text = Some(label.text.to_string()).filter(|text| !text.is_empty());
-            let span = excerpts.cut(subject.span_of(&label.at));
+            let span = subject.span_of(&label.at);
+            if let At::Node(..) = label.at {
+                let source = subject.of_label(&label.at).source();
+                let new = || (Excerpts::new(source), Vec::new());
+                let (excerpts, labels): &mut Excerpted<'_> = others.entry(source.name()).or_insert_with(new);
+                labels.push(LabeledSpan::new_with_span(text, excerpts.cut(span)));
+                continue;
+            }
+            let span = excerpts.cut(span);
             labels.push(match position {
                 0 => LabeledSpan::new_primary_with_span(text, span),
                 _ => LabeledSpan::new_with_span(text, span),
             });
         }
+        let others = others.into_values().collect();
         let help = finding.help.as_ref().map(|help| shown(&help.shown()));
-        Self { finding, message: shown(&finding.message.shown()), help, excerpts, labels }
+        Self { finding, message: shown(&finding.message.shown()), help, excerpts, labels, others }
     }
 }
 

@@ -1,6 +1,6 @@
 //! Every output of findings, over all fixtures that have some: each is what its readers take.
 
-use std::collections::{BTreeMap, HashSet};
+use std::collections::{BTreeMap, BTreeSet, HashSet};
 use std::io::Read;
 use std::path::{Path, PathBuf};
 use std::process::{Command, Output, Stdio};
@@ -21,24 +21,49 @@ fn objdict(arguments: &[&str]) -> Output {
     command().args(arguments).output().expect("the command runs")
 }
 
-/// What `check` writes in a format, and with the options behind it, over the broken fixtures and those of the rules, and once for all tests.
+/// What `check` writes in a format, and with the options behind it, over the broken fixtures and those of the rules; once for
+/// all tests.
 fn check(format: &str) -> &'static str {
-    static TEXTS: Mutex<BTreeMap<String, &'static str>> = Mutex::new(BTreeMap::new());
-    let mut texts = TEXTS.lock().unwrap_or_else(PoisonError::into_inner);
-    texts.entry(format.to_owned()).or_insert_with(|| checked(format).leak())
+    once(&format!("check --format {format}"), checked)
 }
 
-fn checked(format: &str) -> String {
-    let folders = ["fixtures/broken", "fixtures/rules", "fixtures/xdd"];
-    let format = format.split(' ');
-    let arguments: Vec<&str> = ["check", "--format"].into_iter().chain(format).chain(folders).collect();
-    let output = objdict(&arguments);
+fn checked(command: &str) -> String {
+    found(command, ["fixtures/broken", "fixtures/rules", "fixtures/xdd"].map(str::to_owned))
+}
+
+/// What `network check` writes in a format over the networks of the rules.
+fn networks(format: &str) -> &'static str {
+    once(&format!("network check --format {format}"), |command| {
+        let folders = std::fs::read_dir(support::fixtures().join("rules/network")).expect("the fixtures");
+        let folders: BTreeSet<_> = folders.map(|folder| folder.expect("a folder").path()).collect();
+        let files = folders.iter().flat_map(|folder| {
+            ["yml", "toml", "cpj"].map(|ending| folder.join(format!("bad.{ending}"))).into_iter()
+        });
+        let name = |file: PathBuf| {
+            let name = file.strip_prefix(support::fixtures()).expect("a fixture");
+            format!("fixtures/{}", name.to_str().expect("UTF-8"))
+        };
+        found(command, files.filter(|file| file.exists()).map(name))
+    })
+}
+
+fn once(command: &str, run: impl FnOnce(&str) -> String) -> &'static str {
+    static TEXTS: Mutex<BTreeMap<String, &'static str>> = Mutex::new(BTreeMap::new());
+    let mut texts = TEXTS.lock().unwrap_or_else(PoisonError::into_inner);
+    texts.entry(command.to_owned()).or_insert_with(|| run(command).leak())
+}
+
+/// What a command writes that finds something in files.
+fn found(command: &str, files: impl IntoIterator<Item = String>) -> String {
+    let arguments: Vec<String> = command.split(' ').map(str::to_owned).chain(files).collect();
+    let output = objdict(&arguments.iter().map(String::as_str).collect::<Vec<_>>());
     assert_eq!(output.status.code(), Some(1), "{}", String::from_utf8_lossy(&output.stderr));
     String::from_utf8(output.stdout).expect("UTF-8")
 }
 
-fn sarif() -> Value {
-    serde_json::from_str(check("sarif")).expect("JSON")
+/// The logs about descriptions and about networks.
+fn logs() -> [Value; 2] {
+    [check("sarif"), networks("sarif")].map(|text| serde_json::from_str(text).expect("JSON"))
 }
 
 /// What a property holds.
@@ -186,17 +211,28 @@ fn list<'a>(value: &'a Value, name: &str) -> &'a [Value] {
 
 #[test]
 fn sarif_has_the_shape_of_the_standard() {
-    assert_shape("log", &sarif(), "log");
+    logs().iter().for_each(|log| assert_shape("log", log, "log"));
 }
 
 #[test]
 fn sarif_refers_to_rules_and_files_that_it_lists() {
-    let log = sarif();
-    let run = &log["runs"][0];
+    let [descriptions, networks] = logs();
+    assert_refers_to_what_is_listed(&descriptions["runs"][0], 150);
+    let run = &networks["runs"][0];
+    assert_refers_to_what_is_listed(run, 40);
+    let files = list(run, "artifacts").iter().filter_map(|file| file["location"]["uri"].as_str());
+    assert!(
+        files.clone().any(|file| file == "fixtures/network/servo.eds"),
+        "{:?}",
+        files.collect::<Vec<_>>()
+    );
+}
+
+fn assert_refers_to_what_is_listed(run: &Value, least: usize) {
     let rules = list(&run["tool"]["driver"], "rules");
     let ids: HashSet<&str> = rules.iter().filter_map(|rule| rule["id"].as_str()).collect();
     assert_eq!(ids.len(), rules.len(), "a rule is listed once");
-    assert!(rules.len() > 150, "the fixtures are about most rules, and {} found something", rules.len());
+    assert!(rules.len() > least, "the fixtures are about most rules, and {} found something", rules.len());
     for rule in rules {
         assert!(rule["shortDescription"]["text"].as_str().is_some_and(|text| !text.is_empty()), "{rule}");
         assert!(rule["fullDescription"]["text"].as_str().is_some_and(|text| !text.is_empty()), "{rule}");
@@ -224,11 +260,13 @@ fn sarif_refers_to_rules_and_files_that_it_lists() {
 /// The bytes and the lines of a region are the same text.
 #[test]
 fn regions_of_sarif_are_right_in_bytes_and_in_utf_16() {
-    let log = sarif();
+    let logs = logs();
     let mut compared = 0;
     let mut beyond_ascii = 0;
-    for result in list(&log["runs"][0], "results") {
-        let location = &result["locations"][0]["physicalLocation"];
+    let results = || logs.iter().flat_map(|log| list(&log["runs"][0], "results"));
+    let related = results().flat_map(|result| list(result, "relatedLocations"));
+    for location in results().map(|result| &result["locations"][0]).chain(related) {
+        let location = &location["physicalLocation"];
         let region = &location["region"];
         let number = |name: &str| region[name].as_u64().expect("a number") as usize;
         if region.get("byteOffset").is_none() {
@@ -241,7 +279,7 @@ fn regions_of_sarif_are_right_in_bytes_and_in_utf_16() {
         let text = text.strip_prefix('\u{FEFF}').unwrap_or(&text);
         let from = offset(text, number("startLine"), number("startColumn"));
         let to = offset(text, number("endLine"), number("endColumn"));
-        assert_eq!(&text.as_bytes()[from..to], by_bytes, "{result}");
+        assert_eq!(&text.as_bytes()[from..to], by_bytes, "{location}");
         compared += 1;
         beyond_ascii += usize::from(!text.is_ascii());
     }
@@ -305,15 +343,17 @@ fn sarif_is_valid_against_its_schema() {
         .and_then(|schema| Ok((schema, support::python("sarif-venv", &["fastjsonschema==2.22.3"])?)));
     let Some((schema, programs)) = support::unless_offline(needed) else { return };
     let folder = tempfile::tempdir().expect("a folder");
-    for format in ["sarif", "sarif --all"] {
+    for (name, text) in
+        [("all", check("sarif --all")), ("joined", check("sarif")), ("networks", networks("sarif"))]
+    {
         let log = folder.path().join("log.sarif");
-        std::fs::write(&log, check(format)).expect("it is written");
+        std::fs::write(&log, text).expect("it is written");
         let script = "import json, sys, fastjsonschema\n\
             schema, log = (json.load(open(path, encoding='utf-8')) for path in sys.argv[1:])\n\
             fastjsonschema.compile(schema)(log)";
         let mut python = Command::new(programs.join("python"));
         let judged = support::run(python.args(["-c", script]).arg(&schema).arg(&log));
-        assert_eq!(judged, Ok(()), "{format}");
+        assert_eq!(judged, Ok(()), "{name}");
     }
 }
 
@@ -406,6 +446,24 @@ fn elements_without_names_are_one_finding() {
     );
     let places = list(finding, "places").iter().map(|one| one["place"].as_str().unwrap_or_default());
     assert_eq!(places.collect::<Vec<_>>(), ["0x2000sub2 / ParameterName", "0x2000sub3 / ParameterName"]);
+}
+
+/// What is related to a finding about a network may be in the description of a node.
+#[test]
+fn a_related_place_in_a_description_names_its_file() {
+    let document: Value = serde_json::from_str(networks("json")).expect("JSON");
+    let findings = list(&document, "findings").iter();
+    let mut rates = findings.filter(|finding| finding["rule"] == "network/unsupported-bit-rate");
+    let [of_network, of_node] = list(rates.next().expect("a finding"), "related") else {
+        panic!("two related places")
+    };
+    assert_eq!((of_network.get("file"), of_network.get("place")), (None, None));
+    let file = of_node["file"].as_str().expect("a path");
+    assert!(file.ends_with("/network/servo.eds"), "{file}");
+    let text = std::fs::read_to_string(support::fixtures().join("..").join(file)).expect("the description");
+    let line = of_node["line"].as_u64().expect("a line") as usize;
+    assert_eq!(text.lines().nth(line - 1), Some("BaudRate_50=0"));
+    assert_eq!(of_node["place"], "DeviceInfo / BaudRate_50");
 }
 
 #[test]
@@ -502,7 +560,7 @@ fn statistics_count_what_is_found() {
 #[test]
 fn the_same_run_gives_the_same_bytes() {
     for format in ["sarif", "junit"] {
-        assert!(check(format) == checked(format), "{format}");
+        assert!(check(format) == checked(&format!("check --format {format}")), "{format}");
     }
 }
 

@@ -19,6 +19,7 @@ use objdict::format::{self, Description, Format};
 use objdict::lint::Options;
 use objdict::profile::Profile;
 use objdict::registry;
+use objdict::report::Subject;
 use objdict::source::{SourceFile, SourceOptions, Span};
 
 use crate::support;
@@ -134,11 +135,16 @@ impl Examined {
         }
     }
 
-    fn span_of(&self, at: &At) -> Span {
+    /// The file that a label is in, and where.
+    fn resolve(&self, at: &At) -> (&SourceFile, Span) {
         match (self, at) {
-            (Self::Description(description, _), at) => description.span_of(at),
-            (_, At::Span(span)) => *span,
-            (_, At::Place(place)) => panic!("there is no place {place}"),
+            (Self::Description(description, _), at) => (description.source(), description.span_of(at)),
+            (Self::Network(network, _), At::Node(..)) => {
+                let subject = Subject::Network(network);
+                (subject.of_label(at).source(), subject.span_of(at))
+            }
+            (_, At::Span(span)) => (self.source(), *span),
+            (_, At::Place(place) | At::Node(_, place)) => panic!("there is no place {place}"),
         }
     }
 }
@@ -155,9 +161,8 @@ fn report(path: &Path) -> String {
 }
 
 fn report_finding(examined: &Examined, finding: &Diagnostic, report: &mut String) {
-    let source = examined.source();
     for (number, label) in finding.labels.iter().enumerate() {
-        let span = examined.span_of(&label.at);
+        let (source, span) = examined.resolve(&label.at);
         let at = source.line_column(span.start);
         let shown: String = span.of(source.text()).chars().take(60).collect();
         if number == 0 {
@@ -165,7 +170,11 @@ fn report_finding(examined: &Examined, finding: &Diagnostic, report: &mut String
             writeln!(report, "{}:{} {severity} {rule}: {message}", at.line, at.column).unwrap();
             writeln!(report, "  at {shown:?}").unwrap();
         } else {
-            writeln!(report, "  {}:{} {shown:?} {}", at.line, at.column, label.text).unwrap();
+            let file = match source.name() == examined.source().name() {
+                true => String::new(),
+                false => format!("{}:", name(source.name().as_ref())),
+            };
+            writeln!(report, "  {file}{}:{} {shown:?} {}", at.line, at.column, label.text).unwrap();
         }
     }
     if let Some(help) = &finding.help {

@@ -32,7 +32,7 @@ impl Finding {
     pub fn new(finding: &Diagnostic, line: Option<u32>) -> Self {
         let place = finding.labels.iter().find_map(|label| match &label.at {
             At::Place(place) => Some(place.clone()),
-            At::Span(_) => None,
+            At::Span(_) | At::Node(..) => None,
         });
         Self {
             severity: finding.severity,

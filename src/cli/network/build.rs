@@ -20,7 +20,7 @@ pub(super) fn run(args: &NetworkBuildArgs, out: &mut Output) -> Result<Outcome, 
     let mut tally = Tally::default();
     tally.add(&findings);
     if !findings.is_empty() {
-        tell(&listed((&file.source).into(), &findings)?);
+        tell(&listed((&file).into(), &findings)?);
     }
     // what dcfgen has no word about, it builds
     let is_clear = findings.iter().all(|finding| finding.severity < Severity::Error || finding.is_understood);

@@ -21,7 +21,7 @@ pub(super) fn run(args: &NetworkCheckArgs, out: &mut Output) -> Result<Outcome, 
         };
         let severities = settings.options(path, project.as_deref()).severities;
         let findings = severities.apply(file.check());
-        reporter.report_on((&file.source).into(), findings, settings.deny(project.as_deref()))?;
+        reporter.report_on((&file).into(), findings, settings.deny(project.as_deref()))?;
     }
     for project in settings.projects() {
         reporter.take_project(project, &settings)?;

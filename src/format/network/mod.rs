@@ -5,6 +5,7 @@ mod bus_yml;
 mod network_keys;
 mod network_toml;
 mod outputs;
+mod places;
 mod rules;
 pub mod schema;
 mod section;
@@ -84,7 +85,7 @@ impl NetworkFile {
             Some(At::Span(span)) => span.start,
             _ => 0,
         });
-        findings
+        self.with_places(findings)
     }
 }
 

@@ -95,8 +95,8 @@ impl<W: Write> Sarif<W> {
             ArtifactLocation { uri, uri_base_id: is_relative.then_some(SOURCE_ROOT), index: number };
         if number == next {
             let role = match subject {
-                Subject::Description(_) => "analysisTarget",
                 Subject::Text(_) => "userSpecifiedConfiguration",
+                _ => "analysisTarget",
             };
             let encoding = encoding(source.encoding());
             self.artifacts.push(Artifact { location: location.clone(), encoding, roles: [role] });
@@ -111,14 +111,14 @@ impl<W: Write> Sarif<W> {
 
 impl<W: Write> Report for Sarif<W> {
     fn file(&mut self, subject: Subject<'_>, findings: &Findings) -> io::Result<()> {
-        let artifact = self.artifact(subject);
-        let mut file = File { subject, artifact, columns: Columns::new(subject.source()) };
+        let mut file = self.open(subject);
         for (finding, fingerprint) in findings.iter().zip(fingerprints(subject, findings)) {
             let number = self.rule(finding.rule);
             self.start()?;
             self.out.write_all(if self.is_empty { b"\n" } else { b",\n" })?;
             self.is_empty = false;
-            serde_json::to_writer(&mut self.out, &file.result(finding, number, fingerprint))?;
+            let result = self.result(&mut file, finding, number, fingerprint);
+            serde_json::to_writer(&mut self.out, &result)?;
         }
         for (rule, count) in findings.omitted() {
             let text = format!("{}: {count} more findings of {rule} are not shown", subject.source().name());
@@ -155,24 +155,31 @@ impl<W: Write> Report for Sarif<W> {
     }
 }
 
-/// A file whose findings are written.
-struct File<'a> {
-    subject: Subject<'a>,
-    artifact: ArtifactLocation,
-    columns: Columns<'a>,
-}
+impl<W: Write> Sarif<W> {
+    /// A file that places are in.
+    fn open<'a>(&mut self, subject: Subject<'a>) -> File<'a> {
+        File { subject, artifact: self.artifact(subject), columns: Columns::new(subject.source()) }
+    }
 
-impl File<'_> {
-    fn result(&mut self, finding: &Diagnostic, rule_index: usize, fingerprint: Fingerprint) -> Finding {
+    fn result(
+        &mut self,
+        file: &mut File<'_>,
+        finding: &Diagnostic,
+        rule_index: usize,
+        fingerprint: Fingerprint,
+    ) -> Finding {
         let mut labels = finding.labels.iter();
-        let primary = labels.next().map(|label| self.location(None, &label.at, &label.text.shown()));
+        let primary = labels.next().map(|label| file.location(None, &label.at, &label.text.shown()));
         let others = finding
             .also
             .iter()
             .filter_map(|other| other.labels.first().map(|label| (&label.at, other.message.shown())));
         let related = labels.map(|label| (&label.at, label.text.shown())).chain(others).enumerate();
-        let related: Vec<Location> =
-            related.map(|(id, (at, text))| self.location(Some(id), at, &text)).collect();
+        let related = related.map(|(id, (at, text))| match at {
+            At::Node(..) => self.open(file.subject.of_label(at)).location(Some(id), at, &text),
+            _ => file.location(Some(id), at, &text),
+        });
+        let related: Vec<Location> = related.collect();
         let text = match &finding.help {
             Some(help) => format!("{}\nhelp: {help}", finding.message),
             None => finding.message.to_string(),
@@ -185,10 +192,19 @@ impl File<'_> {
             locations: primary.into_iter().collect(),
             related_locations: related,
             partial_fingerprints: [(FINGERPRINT_NAME, fingerprint)].into(),
-            fixes: self.fix(finding).into_iter().collect(),
+            fixes: file.fix(finding).into_iter().collect(),
         }
     }
+}
 
+/// A file whose findings are written, or to which they refer.
+struct File<'a> {
+    subject: Subject<'a>,
+    artifact: ArtifactLocation,
+    columns: Columns<'a>,
+}
+
+impl File<'_> {
     fn location(&mut self, id: Option<usize>, at: &At, text: &str) -> Location {
         let span = self.subject.span_of(at);
         let mut region = self.region(span);

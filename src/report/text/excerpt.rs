@@ -3,7 +3,7 @@
 
 use std::borrow::Cow;
 
-use miette::{MietteError, MietteSpanContents, SourceCode, SourceSpan, SpanContents};
+use miette::{LabeledSpan, MietteError, MietteSpanContents, SourceCode, SourceSpan, SpanContents};
 
 use crate::diagnostic::visible;
 use crate::source::{SourceFile, Span};
@@ -24,6 +24,9 @@ pub(super) struct Excerpts<'a> {
     name: String,
     text: Cow<'a, str>,
 }
+
+/// A source with labels in it.
+pub(super) type Excerpted<'a> = (Excerpts<'a>, Vec<LabeledSpan>);
 
 impl<'a> Excerpts<'a> {
     pub(super) fn new(source: &'a SourceFile) -> Self {

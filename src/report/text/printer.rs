@@ -6,6 +6,7 @@ use std::ops::Range;
 
 use miette::{Diagnostic, LabeledSpan, Severity, SourceCode, SourceSpan, SpanContents};
 
+use super::excerpt::Excerpted;
 use super::wrap;
 
 /// Columns that a message may take before it goes on in the next line.
@@ -56,8 +57,13 @@ impl Printer {
         Styled(self.colour.then_some(style), text)
     }
 
-    /// Adds what is found to a text.
-    pub(super) fn draw(&self, out: &mut String, diagnostic: &dyn Diagnostic) -> fmt::Result {
+    /// Adds what is found to a text, with what other files have to do with it below its own lines.
+    pub(super) fn draw(
+        &self,
+        out: &mut String,
+        diagnostic: &dyn Diagnostic,
+        others: &[Excerpted<'_>],
+    ) -> fmt::Result {
         let (icon, style) = match diagnostic.severity() {
             Some(Severity::Advice) => ('☞', "36"),
             Some(Severity::Warning) => ('⚠', "33"),
@@ -73,6 +79,9 @@ impl Printer {
         }
         if let (Some(source), Some(labels)) = (diagnostic.source_code(), diagnostic.labels()) {
             self.draw_excerpts(out, source, &mut labels.collect::<Vec<_>>())?;
+        }
+        for (source, labels) in others {
+            self.draw_excerpts(out, source, &mut labels.clone())?;
         }
         let Some(help) = diagnostic.help() else { return Ok(()) };
         const HELP: &str = "  help: ";

@@ -65,6 +65,8 @@ pub enum At {
     Span(Span),
     /// An address in the model.
     Place(Place),
+    /// An address in the description of a node of a network, by the position of the node; for related places.
+    Node(usize, Place),
 }
 
 impl From<Span> for At {
@@ -159,6 +161,14 @@ impl Diagnostic {
     #[must_use]
     pub fn label(mut self, at: impl Into<At>, text: impl Into<Text>) -> Self {
         self.labels.push(SourceLabel { at: at.into(), text: text.into() });
+        self
+    }
+
+    /// Adds related places that have one text; `None` adds none.
+    #[must_use]
+    pub fn label_each(mut self, places: impl IntoIterator<Item = At>, text: impl Into<Text>) -> Self {
+        let text = text.into();
+        self.labels.extend(places.into_iter().map(|at| SourceLabel { at, text: text.clone() }));
         self
     }
 

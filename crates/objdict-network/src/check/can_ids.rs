@@ -3,9 +3,9 @@
 use std::collections::BTreeMap;
 
 use super::Check;
-use crate::diagnostic::{Diagnostic, Severity, say};
+use crate::diagnostic::{At, Diagnostic, Severity, say};
 use crate::messages::{Message, MessageId, Party, Service};
-use crate::model::{PdoKind, restricted};
+use crate::model::{Field, Part, PdoKind, Place, restricted};
 use crate::network::Said;
 use crate::rules::{
     DUPLICATE_CAN_ID, DUPLICATE_NODE_ID, DUPLICATE_SYNC_SENDER, PDO_LENGTH, RESTRICTED_CAN_ID,
@@ -17,21 +17,30 @@ impl Check<'_, '_> {
     pub(super) fn nodes(&mut self) {
         self.node_ids();
         let Some(rate) = self.network.bit_rate else { return };
-        for node in &self.network.nodes {
-            let rates = node.device.device_info.as_ref().map(|info| &info.baud_rates);
-            let is_refused = rates.is_some_and(|rates| rates.get(rate.value) == Some(false));
+        for (position, node) in self.network.nodes.iter().enumerate() {
+            let info = node.device.device_info.as_ref();
+            let mut rates = info.into_iter().flat_map(|info| info.baud_rates.iter());
+            let refused =
+                rates.find(|(known, _, is_supported)| (*known, *is_supported) == (rate.value, Some(false)));
+            let at = |place: Place| At::Node(position, place);
             let stated = node.device.commissioning.as_ref().and_then(|node| node.baud_rate);
             let finding = |message| {
                 Diagnostic::new(&UNSUPPORTED_BIT_RATE, node.file.at, message)
                     .label(rate.at, "the bit rate of the network")
             };
-            if is_refused {
+            if let Some((_, field, _)) = refused {
                 let message = say!("`{}` does not support {} kbit/s", node.name.value, rate.value);
-                self.findings
-                    .push(finding(message).help("use a bit rate that all nodes support").understood());
+                let finding =
+                    finding(message).label(at(Place::of(Part::DeviceInfo).field(field)), "not supported");
+                self.findings.push(finding.help("use a bit rate that all nodes support").understood());
             } else if let Some(stated) = stated.filter(|stated| ![0, rate.value].contains(stated)) {
                 let message = say!("`{}` is configured for {} kbit/s", node.name.value, stated);
-                let finding = finding(message).severity(Severity::Warning);
+                let finding = finding(message)
+                    .label(
+                        at(Place::of(Part::Commissioning).field(Field::Baudrate)),
+                        "the configured bit rate",
+                    )
+                    .severity(Severity::Warning);
                 self.findings.push(finding.help(say!("set its bit rate to {} kbit/s", rate.value)));
             }
         }

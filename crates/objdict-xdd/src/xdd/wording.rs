@@ -163,7 +163,7 @@ pub fn of_xdd(findings: Findings, span_of: impl Fn(&At) -> Span) -> Findings {
 fn field(finding: &Diagnostic) -> Option<&Field> {
     match &finding.labels.first()?.at {
         At::Place(place) => place.field.as_ref(),
-        At::Span(_) => None,
+        At::Span(_) | At::Node(..) => None,
     }
 }
 
