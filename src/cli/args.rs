@@ -28,7 +28,8 @@ pub(super) use self::docs::DocsArgs;
 pub(super) use self::generate::{GenerateArgs, SizeFormat};
 pub(super) use self::network::{
     GraphFormat, NetworkArgs, NetworkBuildArgs, NetworkCheckArgs, NetworkCommand, NetworkDiffArgs,
-    NetworkFormat, NetworkGraphArgs, NetworkInputArgs, NetworkSchemaArgs, NetworkShowArgs, NetworkTarget,
+    NetworkFormat, NetworkGraphArgs, NetworkInitArgs, NetworkInputArgs, NetworkSchemaArgs, NetworkShowArgs,
+    NetworkTarget,
 };
 pub(super) use self::new::NewArgs;
 use super::baseline::BaselineArgs;

@@ -62,7 +62,7 @@ impl FileKind {
     }
 
     /// The kind of a content that commands read.
-    fn of_content(kind: ContentKind) -> Option<Self> {
+    pub(super) fn of_content(kind: ContentKind) -> Option<Self> {
         match kind {
             ContentKind::CanopenNodeProject => Some(Self::CanopenNode),
             ContentKind::NodeList => Some(Self::Cpj),

@@ -3,8 +3,9 @@
 use std::collections::BTreeMap;
 use std::path::PathBuf;
 
-use objdict::format::network::{BuiltFile, ConfigurationTime, NetworkFile, schema};
-use objdict::network::{LelyOptions, Manner};
+use objdict::diagnostic::Findings;
+use objdict::format::network::{BuiltFile, ConfigurationTime, NetworkFile, init, schema};
+use objdict::network::{End, LelyOptions, Manner, MessageRow, Overview, compile};
 
 use crate::support;
 
@@ -186,4 +187,84 @@ fn nodes_keep_the_time_of_their_configuration() {
     let stream = objdict::download::ConciseDcf::parse(file(&build.concise().unwrap(), "left.cdcf")).unwrap();
     let last: Vec<String> = stream.0.iter().rev().take(2).map(|download| format!("{download:?}")).collect();
     assert_eq!(last, ["1020:02 C0B67702", "1020:01 323D0000"]);
+}
+
+/// The DCFs of a network are the same network, with the same messages.
+#[test]
+fn configured_nodes_are_a_network() {
+    let folder = new_folder("configured-nodes");
+    let network = open("chapter4.toml");
+    let mut paths = Vec::new();
+    for BuiltFile { name, bytes } in network.build(Manner::Repaired).unwrap().dcfs().unwrap() {
+        std::fs::write(folder.join(&name), bytes).unwrap();
+        paths.push(folder.join(name));
+    }
+    let again = NetworkFile::of_descriptions(&paths).unwrap();
+    assert!(!again.check().has_errors(), "{:?}", again.check());
+    let messages = |file: &NetworkFile| {
+        let network = file.network.as_ref().unwrap();
+        let compiled = compile(network, Manner::Repaired, &mut Findings::new());
+        let mut overview = Overview::new(network, &compiled);
+        overview.messages.iter_mut().for_each(|message| message.receivers.sort_by_key(End::to_string));
+        let shown = |message: &MessageRow| {
+            format!("{} {:?} {:?} {}", message.can_id, message.senders, message.receivers, message.trigger)
+        };
+        overview.messages.iter().map(shown).collect::<Vec<_>>()
+    };
+    assert_eq!(messages(&again), messages(&network));
+    assert_eq!(paths.len(), 3);
+}
+
+/// Each device of a file with several is a node; the path has its number.
+#[test]
+fn a_file_with_several_devices_is_a_network() {
+    let folder = new_folder("several-devices");
+    let containers = ["valve.xdd", "io-401.xdd"].map(|name| {
+        let text = std::fs::read_to_string(support::fixtures().join("xdd").join(name)).unwrap();
+        text.split_once("?>").unwrap().1.to_owned()
+    });
+    let path = folder.join("plant.nxdd");
+    let text =
+        format!("<?xml version=\"1.0\"?><CanOpenProject_1_1>{}</CanOpenProject_1_1>", containers.concat());
+    std::fs::write(&path, text).unwrap();
+    let started = init(std::slice::from_ref(&path)).unwrap();
+    for number in [1, 2] {
+        let quoted = format!("file = \"{}#{number}\"\nid = {number}  #", path.display());
+        assert!(started.contains(&quoted), "{started}");
+    }
+    let network = NetworkFile::of_descriptions(&[path.clone()]).unwrap();
+    let nodes = &network.network.as_ref().unwrap().nodes;
+    let counts: Vec<_> = nodes.iter().map(|node| node.device.objects.iter().count()).collect();
+    assert!(matches!(counts[..], [first, second] if first != second), "{counts:?}");
+    assert_eq!(network.build(Manner::Repaired).unwrap().dcfs().unwrap().len(), 2);
+    let one = format!("[node.a]\nid = 1\nfile = \"{}\"\n", path.display());
+    std::fs::write(folder.join("network.toml"), one).unwrap();
+    let findings = NetworkFile::open(&folder.join("network.toml"), &BTreeMap::new()).unwrap().check();
+    let message = findings.iter().next().unwrap().message.to_string();
+    assert!(
+        message.ends_with(
+            "describes 2 devices; add the number of one, as in `{path}#1`"
+                .replace("{path}", &path.display().to_string())
+                .as_str()
+        ),
+        "{message}"
+    );
+}
+
+/// The list of CanFestival's editor names files in the folder of its descriptions.
+#[test]
+fn the_folder_of_descriptions_is_searched() {
+    let folder = new_folder("eds-folder");
+    std::fs::create_dir(folder.join("eds")).unwrap();
+    std::fs::copy(path("servo.eds"), folder.join("eds/servo.eds")).unwrap();
+    let list = "[TOPOLOGY]\nNetName=None\nNodes=0x01\nNode5Present=0x01\nNode5Name=Servo 5\n\
+                Node5DCFName=servo.eds\nEDSBaseName=eds\n[TOPOLOGY2]\nNodes=0\n";
+    std::fs::write(folder.join("nodelist.cpj"), list).unwrap();
+    let file = NetworkFile::open(&folder.join("nodelist.cpj"), &BTreeMap::new()).unwrap();
+    assert_eq!(file.network.as_ref().unwrap().nodes.len(), 1);
+    let findings = file.check();
+    let others = findings.iter().find(|finding| finding.rule.name() == "invalid-node-list").unwrap();
+    assert_eq!(others.message.to_string(), "the file has 2 networks; only the first is read");
+    let started = init(&[folder.join("nodelist.cpj")]).unwrap();
+    assert!(started.contains("[node.servo_5]\n") && started.contains("\nid = 5\n"), "{started}");
 }

@@ -6,7 +6,7 @@ use clap::{Parser, Subcommand, ValueEnum};
 
 use super::{ReportArgs, ShowFormat};
 use crate::cli::baseline::BaselineArgs;
-use crate::cli::settings::SettingsArgs;
+use crate::cli::settings::{ConfigFileArgs, SettingsArgs};
 use crate::format::network::ConfigurationTime;
 use crate::model::Date;
 
@@ -24,6 +24,7 @@ pub(in crate::cli) enum NetworkCommand {
     Show(NetworkShowArgs),
     Graph(NetworkGraphArgs),
     Diff(NetworkDiffArgs),
+    Init(NetworkInitArgs),
     Schema(NetworkSchemaArgs),
 }
 
@@ -64,7 +65,7 @@ fn variable(text: &str) -> Result<(String, String), &'static str> {
 /// Exits with 1 when there is a finding of severity error (see --deny), with 2 when a file cannot be read.
 #[derive(Debug, Parser)]
 pub(in crate::cli) struct NetworkCheckArgs {
-    /// Files of networks: `network.toml`, or `bus.yml` of dcfgen or ros2_canopen
+    /// Networks: `network.toml`, `bus.yml` of dcfgen or ros2_canopen, node lists; descriptions are the nodes of one more
     #[arg(required = true, value_name = "FILE")]
     pub files: Vec<PathBuf>,
     #[command(flatten)]
@@ -82,8 +83,9 @@ pub(in crate::cli) struct NetworkCheckArgs {
 /// Checks the network first and builds nothing if there is an error. Files are written only if they change, and atomically.
 #[derive(Debug, Parser)]
 pub(in crate::cli) struct NetworkBuildArgs {
-    /// The file of the network: `network.toml`, or `bus.yml` of dcfgen or ros2_canopen
-    pub file: PathBuf,
+    /// The network: `network.toml`, `bus.yml` of dcfgen or ros2_canopen, a node list, or the descriptions of its nodes
+    #[arg(required = true, value_name = "FILE")]
+    pub files: Vec<PathBuf>,
     /// What to build
     #[arg(long, value_enum)]
     pub target: NetworkTarget,
@@ -96,14 +98,16 @@ pub(in crate::cli) struct NetworkBuildArgs {
     /// Build even if there are errors
     #[arg(long)]
     pub force: bool,
-    /// Lely: the manager knows the mappings of the nodes' PDOs, as with `dcfgen -r`
+    /// The manager knows the mappings of the nodes' PDOs, as with `dcfgen -r`
     #[arg(short, long, help_heading = "Lely")]
     pub remote_pdo: bool,
-    /// Lely: byte for byte what dcfgen 2.4.2 writes, with its errors; refuses only what dcfgen refuses
+    /// Byte for byte what dcfgen 2.4.2 writes, with its errors; refuses only what dcfgen refuses
     #[arg(long, help_heading = "Lely")]
     pub strict_dcfgen: bool,
     #[command(flatten)]
     pub input: NetworkInputArgs,
+    #[command(flatten)]
+    pub config: ConfigFileArgs,
 }
 
 /// What is built of a network.
@@ -130,8 +134,9 @@ pub(in crate::cli) enum NetworkTarget {
 /// Show nodes, links, CAN-IDs, boot plan and bus load of a network
 #[derive(Debug, Parser)]
 pub(in crate::cli) struct NetworkShowArgs {
-    /// The file of the network
-    pub file: PathBuf,
+    /// The network, or the descriptions of its nodes
+    #[arg(required = true, value_name = "FILE")]
+    pub files: Vec<PathBuf>,
     /// How it is shown
     #[arg(long, value_enum, default_value = "table")]
     pub format: ShowFormat,
@@ -144,8 +149,9 @@ pub(in crate::cli) struct NetworkShowArgs {
 /// SDO transfers are left out.
 #[derive(Debug, Parser)]
 pub(in crate::cli) struct NetworkGraphArgs {
-    /// The file of the network
-    pub file: PathBuf,
+    /// The network, or the descriptions of its nodes
+    #[arg(required = true, value_name = "FILE")]
+    pub files: Vec<PathBuf>,
     /// How it is drawn
     #[arg(long, value_enum, default_value = "svg")]
     pub format: GraphFormat,
@@ -167,12 +173,22 @@ pub(in crate::cli) enum GraphFormat {
 /// Exits with 1 when they differ.
 #[derive(Debug, Parser)]
 pub(in crate::cli) struct NetworkDiffArgs {
-    /// The file of the first network
+    /// The first network
     pub first: PathBuf,
-    /// The file of the second network
+    /// The second network
     pub second: PathBuf,
     #[command(flatten)]
     pub input: NetworkInputArgs,
+}
+
+/// Print the start of a `network.toml` for nodes with these descriptions
+///
+/// It has the node-IDs, the bit rate and the manager that they state, and comments on what can be added.
+#[derive(Debug, Parser)]
+pub(in crate::cli) struct NetworkInitArgs {
+    /// Descriptions, files with several (`.nxdd`, `.nxdc`), and node lists
+    #[arg(required = true, value_name = "FILE")]
+    pub files: Vec<PathBuf>,
 }
 
 /// Print the JSON Schema of a file format, with which editors complete and check

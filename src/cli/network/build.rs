@@ -5,8 +5,9 @@ use std::io::Write;
 use super::super::args::{NetworkBuildArgs, NetworkTarget};
 use super::super::output::Output;
 use super::super::save::save;
+use super::super::settings::{Settings, SettingsArgs};
 use super::super::{Failure, Outcome, note, shown, tell};
-use super::open;
+use super::{findings, open_one};
 use crate::diagnostic::Severity;
 use crate::format::network::{Build, BuiltFile};
 use crate::generate::{Options, Target, generate};
@@ -15,8 +16,9 @@ use crate::pipeline::report_lines;
 use crate::report::{Tally, listed, plural};
 
 pub(super) fn run(args: &NetworkBuildArgs, out: &mut Output) -> Result<Outcome, Failure> {
-    let file = open(&args.file, &args.input)?;
-    let findings = file.check();
+    let file = open_one(&args.files, &args.input)?;
+    let settings = SettingsArgs::from(&args.config);
+    let findings = findings(&file, &args.files[0], &mut Settings::new(&settings)?)?;
     let mut tally = Tally::default();
     tally.add(&findings);
     if !findings.is_empty() {

@@ -5,22 +5,25 @@ use super::super::check::Reporter;
 use super::super::output::Output;
 use super::super::settings::Settings;
 use super::super::{Failure, Outcome};
-use super::open;
+use super::{findings, of_descriptions, open, parted};
 
 pub(super) fn run(args: &NetworkCheckArgs, out: &mut Output) -> Result<Outcome, Failure> {
     let mut settings = Settings::new(&args.settings)?;
     let mut reporter = Reporter::new(&args.report, &args.baseline, out)?;
-    for path in &args.files {
-        let project = settings.project_of(path)?;
-        let file = match open(path, &args.input) {
+    let (networks, descriptions) = parted(&args.files);
+    let described = (!descriptions.is_empty()).then(|| of_descriptions(&descriptions));
+    let described = described.map(|file| (&descriptions[0], file));
+    let files = networks.iter().map(|path| (path, open(path, &args.input))).chain(described);
+    for (path, file) in files {
+        let file = match file {
             Ok(file) => file,
             Err(failure) => {
                 reporter.fail(&failure)?;
                 continue;
             }
         };
-        let severities = settings.options(path, project.as_deref()).severities;
-        let findings = severities.apply(file.check());
+        let findings = findings(&file, path, &mut settings)?;
+        let project = settings.project_of(path)?;
         reporter.report_on((&file).into(), findings, settings.deny(project.as_deref()))?;
     }
     for project in settings.projects() {

@@ -2,6 +2,7 @@
 
 use std::collections::BTreeMap;
 use std::io::{self, Write};
+use std::slice;
 
 use super::super::annotation::Described;
 use super::super::args::NetworkDiffArgs;
@@ -25,8 +26,8 @@ enum Order {
 }
 
 pub(super) fn run(args: &NetworkDiffArgs, out: &mut Output) -> Result<Outcome, Failure> {
-    let first = compiled(&args.first, &args.input)?;
-    let second = compiled(&args.second, &args.input)?;
+    let first = compiled(slice::from_ref(&args.first), &args.input)?;
+    let second = compiled(slice::from_ref(&args.second), &args.input)?;
     let (before, after) = (sections(&first), sections(&second));
     let mut is_same = true;
     let none = Vec::new();

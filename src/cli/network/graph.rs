@@ -9,7 +9,7 @@ use super::compiled;
 use crate::network::{Overview, graph};
 
 pub(super) fn run(args: &NetworkGraphArgs, out: &mut Output) -> Result<Outcome, Failure> {
-    let (network, compiled) = compiled(&args.file, &args.input)?;
+    let (network, compiled) = compiled(&args.files, &args.input)?;
     let overview = Overview::new(&network, &compiled);
     let text = match args.format {
         GraphFormat::Svg => graph::svg(&overview) + "\n",

@@ -7,15 +7,18 @@ mod graph;
 mod show;
 
 use std::io::Write;
-use std::path::Path;
+use std::path::{Path, PathBuf};
 
-use super::args::{NetworkCommand, NetworkFormat, NetworkInputArgs, NetworkSchemaArgs};
+use super::args::{NetworkCommand, NetworkFormat, NetworkInitArgs, NetworkInputArgs, NetworkSchemaArgs};
 use super::input::name_of;
 use super::output::Output;
 use super::save::keep;
-use super::{Failure, Outcome, tell};
+use super::settings::Settings;
+use super::{Failure, Outcome, note, tell};
 use crate::diagnostic::{Findings, Severity};
-use crate::format::network::{NetworkFile, schema};
+use crate::format::ReadError;
+use crate::format::identify::ContentKind;
+use crate::format::network::{NetworkFile, init, schema};
 use crate::network::{Compiled, Manner, Network, compile};
 use crate::report::plural;
 
@@ -26,25 +29,69 @@ pub(super) fn run(command: &NetworkCommand, out: &mut Output) -> Result<Outcome,
         NetworkCommand::Show(args) => show::run(args, out),
         NetworkCommand::Graph(args) => graph::run(args, out),
         NetworkCommand::Diff(args) => diff::run(args, out),
+        NetworkCommand::Init(args) => print_start(args, out),
         NetworkCommand::Schema(args) => print_schema(args, out),
     }
 }
 
 /// Reads a network; none of its files is written to.
 fn open(path: &Path, input: &NetworkInputArgs) -> Result<NetworkFile, Failure> {
-    let file = NetworkFile::open(path, &input.define.iter().cloned().collect()).map_err(Failure::new)?;
     keep(path);
+    Ok(kept(NetworkFile::open(path, &input.define.iter().cloned().collect()).map_err(Failure::new)?))
+}
+
+fn kept(file: NetworkFile) -> NetworkFile {
     file.files.iter().for_each(|path| keep(path));
-    Ok(file)
+    file
+}
+
+/// The network of the nodes that files describe.
+fn of_descriptions(paths: &[PathBuf]) -> Result<NetworkFile, Failure> {
+    Ok(kept(NetworkFile::of_descriptions(paths)?))
+}
+
+/// The findings of a network with the severities of its configuration; a note says which text they are about if it is no file.
+fn findings(file: &NetworkFile, path: &Path, settings: &mut Settings<'_>) -> Result<Findings, Failure> {
+    let project = settings.project_of(path)?;
+    let findings = settings.options(path, project.as_deref()).severities.apply(file.check());
+    if file.is_made && !findings.is_empty() {
+        note(
+            "note: places are those of the `network.toml` that `objdict network init` makes of these files\n",
+        );
+    }
+    Ok(findings)
+}
+
+/// The networks among files, and the descriptions of nodes. One that cannot be opened is found out when it is read.
+fn parted(paths: &[PathBuf]) -> (Vec<PathBuf>, Vec<PathBuf>) {
+    paths.iter().cloned().partition(|path| NetworkFile::is_network(path).unwrap_or(true))
+}
+
+/// Reads the network of one file, or of the nodes that several files describe.
+fn open_one(paths: &[PathBuf], input: &NetworkInputArgs) -> Result<NetworkFile, Failure> {
+    let (networks, descriptions) = parted(paths);
+    match (networks.as_slice(), descriptions.as_slice()) {
+        ([], descriptions) => of_descriptions(descriptions),
+        ([network], []) => open(network, input),
+        ([network, ..], _) => {
+            let message = format!("`{}` is a network, so no other file can be named", name_of(network));
+            Err(Failure::new(message).help("name one network, or the descriptions of its nodes"))
+        }
+    }
+}
+
+/// The names of files, as a command takes them.
+fn names_of(paths: &[PathBuf]) -> String {
+    paths.iter().map(|path| name_of(path)).collect::<Vec<_>>().join(" ")
 }
 
 /// Reads a network that is to be shown, with the configuration of its nodes. Its errors are left to `network check`.
-fn compiled(path: &Path, input: &NetworkInputArgs) -> Result<(Network, Compiled), Failure> {
-    let file = open(path, input)?;
+fn compiled(paths: &[PathBuf], input: &NetworkInputArgs) -> Result<(Network, Compiled), Failure> {
+    let file = open_one(paths, input)?;
     let errors = file.check().iter().filter(|finding| finding.severity == Severity::Error).count();
-    let help = format!("`objdict network check {}` says which", name_of(path));
+    let help = format!("`objdict network check {}` says which", names_of(paths));
     let Some(network) = file.network else {
-        return Err(Failure::new(format_args!("`{}` is no network", name_of(path))).help(help));
+        return Err(Failure::new(format_args!("`{}` is no network", file.source.name())).help(help));
     };
     if errors > 0 {
         let warning = format!("the network has {}, so what it does may differ", plural(errors, "error"));
@@ -52,6 +99,18 @@ fn compiled(path: &Path, input: &NetworkInputArgs) -> Result<(Network, Compiled)
     }
     let compiled = compile(&network, Manner::Repaired, &mut Findings::new());
     Ok((network, compiled))
+}
+
+fn print_start(args: &NetworkInitArgs, out: &mut Output) -> Result<Outcome, Failure> {
+    args.files.iter().for_each(|path| keep(path));
+    let text = init(&args.files).map_err(|error| match error {
+        ReadError::Foreign { ref found, .. } if found.kind == ContentKind::Unknown => {
+            Failure::new(error).help("name descriptions or node lists")
+        }
+        error => error.into(),
+    })?;
+    out.write_all(text.as_bytes())?;
+    Ok(Outcome::Clean)
 }
 
 fn print_schema(args: &NetworkSchemaArgs, out: &mut Output) -> Result<Outcome, Failure> {

@@ -5,11 +5,10 @@ use std::io::{self, Write};
 use serde::Serialize;
 
 use super::super::args::{NetworkShowArgs, ShowFormat};
-use super::super::input::name_of;
 use super::super::output::Output;
 use super::super::table::{Table, fit};
 use super::super::{Failure, Outcome};
-use super::compiled;
+use super::{compiled, names_of};
 use crate::network::{BootPlan, End, Overview};
 use crate::report::plural;
 
@@ -28,11 +27,11 @@ struct Document<'a> {
 }
 
 pub(super) fn run(args: &NetworkShowArgs, out: &mut Output) -> Result<Outcome, Failure> {
-    let (network, compiled) = compiled(&args.file, &args.input)?;
+    let (network, compiled) = compiled(&args.files, &args.input)?;
     let overview = Overview::new(&network, &compiled);
     match args.format {
         ShowFormat::Json => {
-            let document = Document { version: VERSION, file: &name_of(&args.file), overview: &overview };
+            let document = Document { version: VERSION, file: &names_of(&args.files), overview: &overview };
             serde_json::to_writer(&mut *out, &document).map_err(io::Error::from)?;
             writeln!(out)?;
         }

@@ -2,6 +2,7 @@
 
 mod bus_keys;
 mod bus_yml;
+mod init;
 mod network_keys;
 mod network_toml;
 mod outputs;
@@ -16,14 +17,16 @@ mod yaml;
 
 use std::collections::BTreeMap;
 use std::env;
+use std::num::NonZeroUsize;
 use std::path::{Path, PathBuf};
 use std::rc::Rc;
 
+pub use self::init::init;
 pub use self::outputs::{Build, BuildError, BuiltFile, ConfigurationTime};
 use self::rules::UNREADABLE_NODE;
 use super::Description;
 use super::identify::{ContentKind, identify_source};
-use super::input::{Input, Reading};
+use super::input::{FileKind, Input, ReadError, Reading};
 use crate::diagnostic::{At, Diagnostic, Findings, RuleInfo};
 use crate::model::Device;
 use crate::network::{self, Network, Said};
@@ -39,6 +42,8 @@ pub(super) fn rules() -> impl Iterator<Item = &'static RuleInfo> {
 pub struct NetworkFile {
     /// The text.
     pub source: SourceFile,
+    /// Whether the text is that of no file, but what [`init`] makes of descriptions.
+    pub is_made: bool,
     /// What it says; `None` if it cannot be read at all.
     pub network: Option<Network>,
     /// The description of each node of [`Network::nodes`], by its path in the file; a device as JSON has none.
@@ -57,6 +62,29 @@ impl NetworkFile {
     pub fn open(path: &Path, variables: &BTreeMap<String, String>) -> Result<Self, SourceError> {
         let source = SourceFile::open(path, &SourceOptions { encoding: None, max_size: MAX_TOML_SIZE })?;
         let folder = path.parent().map(Path::to_owned).unwrap_or_default();
+        Ok(Self::read(source, folder, variables))
+    }
+
+    /// Whether a file is read as a network: a node list, or what no other format knows.
+    ///
+    /// # Errors
+    /// When it cannot be opened.
+    pub fn is_network(path: &Path) -> Result<bool, SourceError> {
+        let source = SourceFile::open(path, &SourceOptions::default())?;
+        let kind = FileKind::of_content(identify_source(&source).kind);
+        Ok(kind.is_none_or(|kind| kind == FileKind::Cpj))
+    }
+
+    /// The network of the nodes that these files describe: what [`init`] makes of them.
+    ///
+    /// # Errors
+    /// When a file cannot be read, or describes no device.
+    pub fn of_descriptions(paths: &[PathBuf]) -> Result<Self, ReadError> {
+        let source = SourceFile::from_text("network.toml", init(paths)?);
+        Ok(Self { is_made: true, ..Self::read(source, PathBuf::new(), &BTreeMap::new()) })
+    }
+
+    fn read(source: SourceFile, folder: PathBuf, variables: &BTreeMap<String, String>) -> Self {
         let mut descriptions = Descriptions { folder, variables, read: BTreeMap::new(), files: Vec::new() };
         let mut findings = Findings::new();
         let network = match identify_source(&source).kind {
@@ -72,7 +100,7 @@ impl NetworkFile {
             .into_iter()
             .filter_map(|(name, read)| Some((name, read?.description?)))
             .collect();
-        Ok(Self { source, network, descriptions, files, findings })
+        Self { source, is_made: false, network, descriptions, files, findings }
     }
 
     /// The problems of the text and of the network that it describes, in the order of the text.
@@ -122,17 +150,33 @@ impl Descriptions<'_> {
     }
 
     fn open(&mut self, file: &str) -> Result<Read, String> {
-        let name = PathBuf::from(self.expanded(file));
-        let beside = self.folder.join(&name);
-        let path = if beside.exists() { beside } else { name };
+        let name = self.expanded(file);
+        let (name, device) = match self.path(&name).exists() {
+            true => (name.as_str(), None),
+            false => numbered(&name),
+        };
+        let path = self.path(name);
         self.files.push(path.clone());
-        match Reading::default().open(&path).map_err(|error| error.to_string())? {
+        let reading = Reading { device, ..Reading::default() };
+        let refused = |error: ReadError| match error {
+            ReadError::SeveralDevices { .. } => format!("{error}; add the number of one, as in `{name}#1`"),
+            error => error.to_string(),
+        };
+        match reading.open(&path).map_err(refused)? {
             (_, Input::Description(description)) => {
-                Ok(Read { device: description.device().clone(), description: Some(Rc::new(*description)) })
+                let description =
+                    reading.select(&path.display().to_string(), *description).map_err(refused)?;
+                Ok(Read { device: description.device().clone(), description: Some(Rc::new(description)) })
             }
             (_, Input::Device(device)) => Ok(Read { device: *device, description: None }),
             (kind, _) => Err(format!("`{}` is a {}, not a description", path.display(), kind.name())),
         }
+    }
+
+    /// A file beside that of the network, else in the working directory.
+    fn path(&self, name: &str) -> PathBuf {
+        let beside = self.folder.join(name);
+        if beside.exists() { beside } else { name.into() }
     }
 
     /// A text with the values of its variables; one that is not known stays as it is.
@@ -152,6 +196,17 @@ impl Descriptions<'_> {
         }
         expanded + rest
     }
+}
+
+/// A path and the number of a device in that file, counted from 1: `plant.nxdc#2`.
+fn numbered(name: &str) -> (&str, Option<NonZeroUsize>) {
+    let parts = name.rsplit_once('#').and_then(|(path, number)| Some((path, number.parse().ok()?)));
+    parts.map_or((name, None), |(path, number)| (path, Some(number)))
+}
+
+/// A text in quotes, as JSON has it, of which YAML and TOML take all.
+fn quoted(text: &str) -> String {
+    serde_json::Value::from(text).to_string()
 }
 
 /// The name of the variable that a text begins with, and the length of both with what marks it; 0 if it is none.

@@ -88,7 +88,11 @@ pub(super) const MANAGER: &[Key] = &[
 ];
 
 pub(super) const NODE: &[Key] = &[
-    key("file", Shape::Text, "The file with the description, relative to this file."),
+    key(
+        "file",
+        Shape::Text,
+        "The file with the description, relative to this file; `plant.nxdc#2` is the second device of a file with several.",
+    ),
     key("id", NODE_ID, "The node-ID; that of the description without this key."),
     key(
         "modules",

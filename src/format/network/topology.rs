@@ -1,8 +1,10 @@
 //! Node lists (CiA 306-3): a network of DCFs, each of which says all of its node.
 
+use std::path::Path;
+
 use super::Descriptions;
 use super::rules::{INVALID_NODE_LIST, NODE_COUNT, OTHER_NODE_ID};
-use crate::diagnostic::{Diagnostic, Findings, say};
+use crate::diagnostic::{Diagnostic, Findings, Severity, say};
 use crate::format::nodelist;
 use crate::model::{Topology, TopologyNode};
 use crate::network::{Heartbeat, Manager, Network, Node, Said};
@@ -22,12 +24,23 @@ pub(super) fn read(
             return None;
         }
     };
+    let others = list.networks.len().saturating_sub(1);
     let topology = list.networks.into_iter().next()?;
     let mut reader = Reader { text: source.text(), descriptions, findings };
+    if others > 0 {
+        let message = say!("the file has {} networks; only the first is read", others + 1);
+        let finding =
+            Diagnostic::new(&INVALID_NODE_LIST, Span::empty(0), message).severity(Severity::Warning);
+        reader.findings.push(finding.help("write a file for each network"));
+    }
     reader.count(&topology);
     let mut network = Network { name: topology.name.clone(), ..Network::default() };
-    network.nodes =
-        topology.nodes.iter().filter(|node| node.present).filter_map(|node| reader.node(node)).collect();
+    network.nodes = topology
+        .nodes
+        .iter()
+        .filter(|node| node.present)
+        .filter_map(|node| reader.node(&topology, node))
+        .collect();
     let stated = |node: &Node| node.device.commissioning.as_ref().and_then(|node| node.baud_rate);
     network.bit_rate = network
         .nodes
@@ -52,6 +65,16 @@ fn manager(position: usize, node: &Node) -> Manager {
         heartbeat,
         ..Manager::default()
     }
+}
+
+/// The file of a node, from the folder of the list; it is there, or in the folder of the descriptions.
+pub(super) fn location(folder: &Path, topology: &Topology, listed: &TopologyNode) -> String {
+    // the paths are those of Windows
+    let path = |text: &str| text.replace('\\', "/");
+    let name = path(listed.dcf.as_deref().unwrap_or_default());
+    let among =
+        topology.eds_folder.as_deref().map(|folder| format!("{}/{name}", path(folder).trim_end_matches('/')));
+    among.filter(|path| !folder.join(&name).exists() && folder.join(path).exists()).unwrap_or(name)
 }
 
 struct Reader<'a, 'd> {
@@ -86,12 +109,11 @@ impl Reader<'_, '_> {
         self.findings.push(finding.help(say!("write `Nodes=0x{:02X}`", topology.present())));
     }
 
-    fn node(&mut self, listed: &TopologyNode) -> Option<Node> {
+    fn node(&mut self, topology: &Topology, listed: &TopologyNode) -> Option<Node> {
         let key = format!("Node{}DCFName", listed.id);
         let at = self.span(&key);
         let name = listed.name.clone().unwrap_or_else(|| format!("node{}", listed.id));
-        // the paths are those of Windows
-        let file = Said::new(listed.dcf.clone().unwrap_or_default().replace('\\', "/"), at);
+        let file = Said::new(location(&self.descriptions.folder, topology, listed), at);
         let device = self.descriptions.read(&name, &file, self.findings)?;
         if let Some(stated) = device.node_id().filter(|stated| *stated != listed.id) {
             let message =

@@ -2,6 +2,7 @@
 
 use std::fmt::Write as _;
 
+use super::super::quoted;
 use super::{Build, BuiltFile};
 use crate::configure::Setting;
 use crate::model::PdoKind;
@@ -63,11 +64,6 @@ impl Build<'_> {
         }
         number(text, "boot_time", present(manager.boot_time.value));
     }
-}
-
-/// A text in quotes, as JSON has it, of which YAML takes all.
-fn quoted(text: &str) -> String {
-    serde_json::Value::from(text).to_string()
 }
 
 fn value<T>(said: Option<Said<T>>) -> Option<T> {
