@@ -232,9 +232,9 @@ fn a_file_with_several_devices_is_a_network() {
         let quoted = format!("file = \"{}#{number}\"\nid = {number}  #", path.display());
         assert!(started.contains(&quoted), "{started}");
     }
-    let network = NetworkFile::of_descriptions(&[path.clone()]).unwrap();
+    let network = NetworkFile::of_descriptions(std::slice::from_ref(&path)).unwrap();
     let nodes = &network.network.as_ref().unwrap().nodes;
-    let counts: Vec<_> = nodes.iter().map(|node| node.device.objects.iter().count()).collect();
+    let counts: Vec<_> = nodes.iter().map(|node| node.device.objects.len()).collect();
     assert!(matches!(counts[..], [first, second] if first != second), "{counts:?}");
     assert_eq!(network.build(Manner::Repaired).unwrap().dcfs().unwrap().len(), 2);
     let one = format!("[node.a]\nid = 1\nfile = \"{}\"\n", path.display());
