@@ -32,7 +32,8 @@ use crate::support;
 mod dbc;
 mod networks;
 
-const PACKAGES: [&str; 4] = ["canopen==2.4.1", "dcf-tools==2.4.2", "cantools==45.1.0", "canmatrix==1.3.3"];
+const PACKAGES: [&str; 5] =
+    ["canopen==2.4.1", "dcf-tools==2.4.2", "cantools==45.1.0", "canmatrix==1.3.3", "jsonschema==4.25.1"];
 
 /// The folder with the programs of the environment, made once; `None` when it cannot be made here.
 fn environment() -> Option<&'static Path> {

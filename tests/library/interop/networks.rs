@@ -1,14 +1,16 @@
-//! dcfgen builds the same of a network, and python-canopen's device takes what is built.
+//! dcfgen builds the same of a network, python-canopen's device takes what is built, and jsonschema validates with the schemas.
 
+use std::collections::BTreeMap;
 use std::fs;
-use std::path::Path;
+use std::path::{Path, PathBuf};
 use std::process::Command;
 
-use objdict::format::network::BuiltFile;
+use objdict::format::network::{BuiltFile, NetworkFile, schema};
 use objdict::network::{LelyOptions, Manner};
 
 use super::{environment, text_of};
 use crate::network::{lely, new_folder, open, path};
+use crate::support;
 
 const NETWORKS: [&str; 2] = ["worked.yml", "cell.yml"];
 
@@ -65,4 +67,43 @@ fn nodes_take_their_configurations() {
             Command::new(programs.join("python")).arg(script).arg(&folder).args(names).output().unwrap();
         assert!(output.status.success(), "{name}: {}", text_of(&output));
     }
+}
+
+/// The rules about what a schema says too.
+const OF_SCHEMAS: [&str; 4] = ["missing-key", "out-of-range", "unknown-key", "wrong-type"];
+
+/// A file that is rejected has a finding of these rules, and each example of them is rejected.
+#[test]
+fn the_schemas_say_what_the_reader_says() {
+    let Some(programs) = environment() else { return };
+    let folder = new_folder("schemas");
+    let schemas = [("bus.json", schema::bus_yml()), ("network.json", schema::network_toml())];
+    let schemas = schemas.map(|(name, schema)| {
+        fs::write(folder.join(name), schema.to_string()).unwrap();
+        folder.join(name)
+    });
+    let rules = fs::read_dir(support::fixtures().join("rules/network")).unwrap();
+    let mut files: Vec<PathBuf> = rules
+        .flat_map(|rule| fs::read_dir(rule.unwrap().path()).unwrap())
+        .map(|file| file.unwrap().path())
+        .filter(|path| path.extension().is_some_and(|ending| ending == "toml" || ending == "yml"))
+        .filter(|path| !path.ends_with("invalid-toml/bad.toml") && !path.ends_with("invalid-yaml/bad.yml"))
+        .filter(|path| !path.ends_with("key-defined-twice/bad.toml"))
+        .collect();
+    files.extend(["worked.yml", "cell.yml", "chapter4.toml"].map(path));
+    let script = Path::new(env!("CARGO_MANIFEST_DIR")).join("tests/library/interop/validate.py");
+    let output =
+        Command::new(programs.join("python")).arg(script).args(schemas).args(&files).output().unwrap();
+    assert!(output.status.success(), "{}", text_of(&output));
+    let rejected: Vec<PathBuf> = String::from_utf8_lossy(&output.stdout).lines().map(PathBuf::from).collect();
+    let mut differing = Vec::new();
+    for file in &files {
+        let findings = NetworkFile::open(file, &BTreeMap::new()).unwrap().check();
+        let is_found = findings.iter().any(|finding| OF_SCHEMAS.contains(&finding.rule.name()));
+        if rejected.contains(file) != is_found {
+            differing.push(file);
+        }
+    }
+    assert!(differing.is_empty(), "{differing:?}");
+    assert!(rejected.len() >= OF_SCHEMAS.len());
 }

@@ -1,0 +1,29 @@
+"""Validates networks against the schema of their format; prints the names of those that it rejects.
+
+usage: validate.py BUS.json NETWORK.json FILE...
+"""
+
+import json
+import sys
+import tomllib
+
+import jsonschema
+import yaml
+
+
+def keyed(value):
+    """JSON has texts as keys only."""
+    if isinstance(value, dict):
+        return {str(key): keyed(item) for key, item in value.items()}
+    return [keyed(item) for item in value] if isinstance(value, list) else value
+
+
+bus, network = (jsonschema.Draft202012Validator(json.load(open(name))) for name in sys.argv[1:3])
+for validator in (bus, network):
+    validator.check_schema(validator.schema)
+for name in sys.argv[3:]:
+    is_toml = name.endswith(".toml")
+    with open(name, "rb") as file:
+        value = tomllib.load(file) if is_toml else yaml.safe_load(file)
+    if not (network if is_toml else bus).is_valid(keyed(value)):
+        print(name)
