@@ -3,6 +3,7 @@
 mod boot;
 mod can_ids;
 mod heartbeat;
+mod managers;
 mod timing;
 
 use std::borrow::Cow;
@@ -25,6 +26,8 @@ pub fn check(network: &Network, findings: &mut Findings) {
     check.times();
     check.load();
     check.heartbeats();
+    check.managers();
+    check.assigned_slaves();
     check.identities();
     check.boot_time();
 }

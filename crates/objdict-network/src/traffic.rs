@@ -65,6 +65,13 @@ impl<'n> Traffic<'n> {
         self.compiled.nodes().flat_map(pdos).filter(|(_, state)| state.is_active()).collect()
     }
 
+    /// The producer heartbeat times of all nodes that have one, in milliseconds.
+    fn heartbeats(self) -> impl Iterator<Item = u16> {
+        let manager = self.network.manager.as_ref().filter(|manager| manager.node.is_none());
+        let manager = manager.and_then(|manager| manager.heartbeat.producer).map(|time| time.value);
+        self.compiled.nodes().map(|slave| slave.heartbeat).chain(manager).filter(|time| *time != 0)
+    }
+
     /// The share of the bit rate that is used all the time, in thousandths; `None` without a bit rate.
     pub(crate) fn load(self) -> Option<u64> {
         let rate = self.network.bit_rate?;
@@ -80,8 +87,13 @@ impl<'n> Traffic<'n> {
                 load += state.frame_bits() * 1_000_000_000 / period.max(1);
             }
         }
-        for slave in self.compiled.nodes().filter(|slave| slave.heartbeat != 0) {
-            load += frame_bits(1, false) * 1_000_000 / u64::from(slave.heartbeat);
+        for time in self.heartbeats() {
+            load += frame_bits(1, false) * 1_000_000 / u64::from(time);
+        }
+        // the manager asks, and the node answers
+        let guard_times = self.compiled.nodes().map(|slave| slave.guard_time).filter(|time| *time != 0);
+        for time in guard_times {
+            load += (frame_bits(0, false) + frame_bits(1, false)) * 1_000_000 / u64::from(time);
         }
         Some(load / (u64::from(rate.value) * 1000).max(1))
     }

@@ -74,4 +74,20 @@ text_rules! {
     example: "`heartbeat_producer: 500`, `guard_time: 100` and `life_time_factor: 3`",
     remedy: "Remove `guard_time` and `life_time_factor`.",
     source: "CiA 301 §7.2.8.3",
+
+    DUPLICATE_MANAGER = "network/duplicate-manager", Error;
+    summary: "two nodes are managers",
+    checks: "Whether the DCF or XDC of a node that is not the manager says `CANopenManager=1`. Flying masters (bit 5 of 1F80h) are passed over: they take turns.",
+    why: "Both managers configure and start the nodes, and undo what the other one did.",
+    example: "the DCF of a slave that was copied from that of the manager",
+    remedy: "Write `CANopenManager=0` into the DCF of the node.",
+    source: "CiA 302-2; CiA 306-1, `CANopenManager`",
+
+    ABSENT_SLAVE = "network/absent-slave", Warning;
+    summary: "the manager waits for a node that is not in the network",
+    checks: "Whether each node-ID that 1F81h of the manager assigns as a slave belongs to a node of the network. A mandatory one that is absent is an error.",
+    why: "The manager looks for the node for ever. Without a mandatory one it does not start the network.",
+    example: "1F81h:09 is 1, but no node has the node-ID 9",
+    remedy: "Describe the node, or write 0 into the sub-index.",
+    source: "CiA 302-2, 1F81h",
 }

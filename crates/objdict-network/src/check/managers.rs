@@ -1,0 +1,60 @@
+//! The one manager of a network, and the nodes that it boots.
+
+use super::Check;
+use crate::diagnostic::{Diagnostic, Severity, say};
+use crate::model::Device;
+use crate::rules::{ABSENT_SLAVE, DUPLICATE_MANAGER};
+
+/// 1F80h: the node takes part in the election of a manager.
+const FLYING: i128 = 1 << 5;
+
+/// 1F81h: the node is a slave.
+const SLAVE: i128 = 1;
+
+/// 1F81h: the network does not start without the node.
+const MANDATORY: i128 = 1 << 3;
+
+impl Check<'_, '_> {
+    pub(super) fn managers(&mut self) {
+        let Some(manager) = &self.network.manager else { return };
+        for slave in &self.compiled.slaves {
+            let node = &self.network.nodes[slave.node];
+            let commissioning = node.device.commissioning.as_ref();
+            let is_manager = commissioning.is_some_and(|node| node.manager == Some(true));
+            if !is_manager || is_flying(&slave.device) {
+                continue;
+            }
+            let message = say!("`{}` is a manager beside `{}`", node.name.value, manager.name.value);
+            let finding = Diagnostic::new(&DUPLICATE_MANAGER, node.file.at, message);
+            self.findings.push(finding.help("write `CANopenManager=0` into its DCF").understood());
+        }
+    }
+
+    pub(super) fn assigned_slaves(&mut self) {
+        let Some(manager) = &self.compiled.manager else { return };
+        let Some(assigned) = manager.device.object(0x1F81) else { return };
+        let manager = &self.network.nodes[manager.node];
+        for (sub, entry) in assigned.entries().filter(|(sub, _)| (1..=127).contains(sub)) {
+            let number = entry.value().and_then(|value| value.integer_for(sub)).unwrap_or(0);
+            let is_there = self.compiled.nodes().any(|slave| slave.node_id == sub);
+            if number & SLAVE == 0 || is_there {
+                continue;
+            }
+            let message = say!(
+                "1F81h of `{}` assigns node {}, which the network does not have",
+                manager.name.value,
+                sub
+            );
+            let finding = Diagnostic::new(&ABSENT_SLAVE, manager.name.at, message);
+            let is_mandatory = number & MANDATORY != 0;
+            let finding = if is_mandatory { finding.severity(Severity::Error) } else { finding };
+            self.findings
+                .push(finding.help(say!("describe the node, or set 1F81h:{:02X} to 0", sub)).understood());
+        }
+    }
+}
+
+fn is_flying(device: &Device) -> bool {
+    let startup = device.object(0x1F80).and_then(|object| object.value(0)?.as_integer());
+    startup.is_some_and(|number| number & FLYING != 0)
+}
