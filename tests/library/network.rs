@@ -206,8 +206,10 @@ fn configured_nodes_are_a_network() {
         let compiled = compile(network, Manner::Repaired, &mut Findings::new());
         let mut overview = Overview::new(network, &compiled);
         overview.messages.iter_mut().for_each(|message| message.receivers.sort_by_key(End::to_string));
+        let ends = |ends: &[End]| ends.iter().map(End::to_string).collect::<Vec<_>>().join(", ");
         let shown = |message: &MessageRow| {
-            format!("{} {:?} {:?} {}", message.can_id, message.senders, message.receivers, message.trigger)
+            let (senders, receivers) = (ends(&message.senders), ends(&message.receivers));
+            format!("{} {senders} to {receivers}: {}", message.can_id, message.trigger)
         };
         overview.messages.iter().map(shown).collect::<Vec<_>>()
     };

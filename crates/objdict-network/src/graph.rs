@@ -93,7 +93,8 @@ pub fn svg(overview: &Overview) -> String {
         .enumerate()
         .map(|(number, message)| Row::new(overview, message, columns, columns.bottom() + ROW * (number + 1)))
         .collect();
-    let name = overview.name.as_deref().unwrap_or("CANopen network");
+    let name =
+        overview.name.as_deref().unwrap_or(overview.language.pick("CANopen network", "CANopen-Netzwerk"));
     let rate = overview.bit_rate.map_or_else(String::new, |rate| format!("{rate} kbit/s"));
     let picture = Picture {
         label: cut(name, 80),
@@ -101,7 +102,12 @@ pub fn svg(overview: &Overview) -> String {
         width: columns.centre(overview.nodes.len()) - columns.width / 2 + 20,
         height: columns.bottom() + ROW * (rows.len() + 1),
         columns,
-        nodes: overview.nodes.iter().enumerate().map(|(at, node)| Column::new(node, columns, at)).collect(),
+        nodes: overview
+            .nodes
+            .iter()
+            .enumerate()
+            .map(|(at, node)| Column::new(overview, node, columns, at))
+            .collect(),
         rows,
     };
     // writing to a text cannot fail
@@ -118,7 +124,7 @@ pub fn dot(overview: &Overview) -> String {
     for message in drawn(overview) {
         let positions =
             |ends: &[End]| ends.iter().filter_map(|end| position(overview, end)).collect::<Vec<_>>();
-        let label = format!("{} {}", message.can_id, service(message));
+        let label = format!("{} {}", message.can_id, service(overview, message));
         for from in positions(&message.senders) {
             for to in positions(&message.receivers).into_iter().filter(|to| *to != from) {
                 let _ = writeln!(text, "  n{from} -> n{to} [label=\"{}\"];", quoted(&label));
@@ -143,14 +149,15 @@ fn main_service(message: &MessageRow) -> Option<Service> {
 }
 
 /// `TPDO 1`; that of the receivers if the manager has the other side without a number.
-fn service(message: &MessageRow) -> String {
+fn service(overview: &Overview, message: &MessageRow) -> String {
     let ends = message.senders.iter().chain(&message.receivers);
     let numbered = ends.clone().find(|end| end.service != Service::MirroredPdo);
-    numbered.or(ends.into_iter().next()).map_or_else(String::new, |end| end.service.to_string())
+    let shown = numbered.or(ends.into_iter().next());
+    shown.map_or_else(String::new, |end| end.service.name(overview.language).into_owned())
 }
 
 fn position(overview: &Overview, end: &End) -> Option<usize> {
-    overview.nodes.iter().position(|node| node.name == end.node)
+    overview.nodes.iter().position(|node| node.position == end.position)
 }
 
 fn id(node: &NodeRow) -> String {
@@ -173,12 +180,13 @@ fn cut(text: &str, limit: usize) -> String {
 }
 
 impl Column {
-    fn new(node: &NodeRow, columns: Columns, at: usize) -> Self {
+    fn new(overview: &Overview, node: &NodeRow, columns: Columns, at: usize) -> Self {
+        let word = overview.language.pick("node", "Knoten");
         Self {
             x: columns.centre(at),
             node_id: id(node),
             name: cut(&node.name, columns.limit),
-            title: cut(&format!("node {} {}: {}", id(node), node.name, node.description), 120),
+            title: cut(&format!("{word} {} {}: {}", id(node), node.name, node.description), 120),
             is_manager: node.is_manager,
         }
     }
@@ -191,11 +199,15 @@ impl Row {
             places.map(|column| columns.centre(column)).collect()
         };
         let (senders, receivers) = (places(&message.senders), places(&message.receivers));
-        let words = |ends: &[End]| ends.iter().map(End::to_string).collect::<Vec<_>>().join(", ");
+        let of = overview.language.pick("of", "von");
+        let words = |ends: &[End]| {
+            let end = |end: &End| format!("{} {of} {}", end.service.name(overview.language), end.node);
+            ends.iter().map(end).collect::<Vec<_>>().join(", ")
+        };
         Self {
             y,
             can_id: message.can_id.to_string(),
-            service: service(message),
+            service: service(overview, message),
             title: cut(
                 &format!("{} {} → {}", message.can_id, words(&message.senders), words(&message.receivers)),
                 240,

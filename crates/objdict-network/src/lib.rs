@@ -23,10 +23,12 @@ pub use lely::{LelyMaster, LelyOptions, configuration_file, lely_master};
 pub use link::{Link, LinkEnd, LinkParameters, LinkedEntries, NoLinkEnd};
 pub use messages::{Message, MessageId, Messages, Party, Service};
 pub use network::*;
-pub use overview::{BootPlan, BootStep, CarriedEntry, End, LinkRow, MessageRow, NodeRow, Overview};
+pub use overview::{
+    BootPlan, BootStep, CarriedEntry, End, LinkRow, MappedEntry, MessageRow, NodeRow, Overview,
+};
 pub use rules::rules;
 pub use stream::{Compiled, Manner, PdoState, Slave, compile};
 pub use watch::watch;
 
-use objdict_model::{diagnostic, literal, model, source};
+use objdict_model::{Language, diagnostic, literal, model, source};
 use objdict_node::{configure, download};

@@ -1,7 +1,9 @@
 //! Who sends and who receives which CAN-ID.
 
+use std::borrow::Cow;
 use std::collections::BTreeMap;
 
+use crate::Language;
 use crate::configure::PdoName;
 use crate::model::{CobId, PdoKind, predefined};
 use crate::network::{Manager, Network};
@@ -60,20 +62,27 @@ pub enum Service {
     ErrorControl,
 }
 
-/// `TPDO 1`, `SDO request`.
-impl std::fmt::Display for Service {
-    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
-        f.write_str(match self {
-            Self::Pdo(PdoName { kind, number }) => return write!(f, "{kind} {number}"),
+impl Service {
+    /// `TPDO 1`, `SDO request`.
+    pub fn name(self, language: Language) -> Cow<'static, str> {
+        Cow::Borrowed(match self {
+            Self::Pdo(PdoName { kind, number }) => return Cow::Owned(format!("{kind} {number}")),
             Self::Nmt => "NMT",
             Self::Sync => "SYNC",
             Self::Time => "TIME",
             Self::Emcy => "EMCY",
             Self::MirroredPdo => "PDO",
-            Self::SdoRequest => "SDO request",
-            Self::SdoResponse => "SDO response",
-            Self::ErrorControl => "heartbeat",
+            Self::SdoRequest => language.pick("SDO request", "SDO-Anfrage"),
+            Self::SdoResponse => language.pick("SDO response", "SDO-Antwort"),
+            Self::ErrorControl => language.pick("heartbeat", "Heartbeat"),
         })
+    }
+}
+
+/// The name in English.
+impl std::fmt::Display for Service {
+    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+        f.write_str(&self.name(Language::English))
     }
 }
 

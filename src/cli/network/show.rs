@@ -9,7 +9,7 @@ use super::super::output::Output;
 use super::super::table::{Table, fit};
 use super::super::{Failure, Outcome};
 use super::{compiled, names_of};
-use crate::network::{BootPlan, End, Overview};
+use crate::network::{BootPlan, End, MappedEntry, Overview};
 use crate::report::plural;
 
 /// The version of the JSON document. It changes when a field is removed or means something else, not when one is added.
@@ -98,7 +98,8 @@ fn links(overview: &Overview, out: &mut dyn Write) -> io::Result<()> {
         }
         for entry in &link.entries {
             let [can_id, from, to] = ends.clone();
-            let text = |entry: &Option<String>| entry.clone().unwrap_or_default();
+            let text =
+                |entry: &Option<MappedEntry>| entry.as_ref().map(ToString::to_string).unwrap_or_default();
             table.row([can_id, from, text(&entry.from), to, text(&entry.to)]);
         }
     }

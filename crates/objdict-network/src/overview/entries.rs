@@ -1,8 +1,10 @@
 //! What PDOs carry from node to node.
 
+use std::fmt;
+
 use super::{End, View};
 use crate::messages::{Message, MessageId, Party, Service};
-use crate::model::{Device, MappedObject};
+use crate::model::{Address, Device, Entry, MappedObject};
 use crate::stream::PdoState;
 
 /// A PDO from its sender to one receiver.
@@ -28,11 +30,38 @@ pub struct CarriedEntry {
     pub bit: u32,
     /// The number of bits.
     pub bits: u32,
-    /// The entry of the sender with its name: `6041h Statusword`; `None` where its mapping is not known or has another
-    /// layout.
-    pub from: Option<String>,
+    /// The entry of the sender; `None` where its mapping is not known or has another layout.
+    pub from: Option<MappedEntry>,
     /// The entry of the receiver.
-    pub to: Option<String>,
+    pub to: Option<MappedEntry>,
+}
+
+/// A mapped entry with its name.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct MappedEntry {
+    /// The entry, or the object that is its only one; `None` for a data type as a dummy.
+    pub address: Option<Address>,
+    /// The names of object and entry: `Statusword`, `Read input / Input 1 to 8`; empty if the description does not have it.
+    pub name: String,
+}
+
+/// `6041h Statusword`, `6000h:01 Read input / Input 1 to 8`, `dummy`.
+impl fmt::Display for MappedEntry {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self.address {
+            None => return f.write_str(&self.name),
+            Some(Address { index, sub: None }) => write!(f, "{index:04X}h")?,
+            Some(Address { index, sub: Some(sub) }) => write!(f, "{index:04X}h:{sub:02X}")?,
+        }
+        if self.name.is_empty() { Ok(()) } else { write!(f, " {}", self.name) }
+    }
+}
+
+#[cfg(feature = "serde")]
+impl serde::Serialize for MappedEntry {
+    fn serialize<S: serde::Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
+        serializer.collect_str(self)
+    }
 }
 
 impl View<'_> {
@@ -58,21 +87,56 @@ impl View<'_> {
     fn linked(self, sender: Option<Party>, receiver: Option<Party>) -> Vec<CarriedEntry> {
         let parts = |party: Option<Party>| -> Vec<Part> {
             let state = party.and_then(|party| Some((self.state(&party)?, party.node?)));
-            state.map_or_else(Vec::new, |(state, node)| parts(state, &self.network.nodes[node].device))
+            state.map_or_else(Vec::new, |(state, node)| self.parts(state, &self.network.nodes[node].device))
         };
         let (sent, received) = (parts(sender), parts(receiver));
         let is_same = |one: &Part, other: &Part| (one.bit, one.bits) == (other.bit, other.bits);
         let mut entries: Vec<CarriedEntry> = Vec::new();
         for part in &sent {
-            let to = received.iter().find(|other| is_same(part, other)).map(|other| other.name.clone());
-            entries.push(CarriedEntry { bit: part.bit, bits: part.bits, from: Some(part.name.clone()), to });
+            let to = received.iter().find(|other| is_same(part, other)).map(|other| other.entry.clone());
+            entries.push(CarriedEntry { bit: part.bit, bits: part.bits, from: Some(part.entry.clone()), to });
         }
         for part in received.iter().filter(|part| !sent.iter().any(|other| is_same(part, other))) {
-            let to = Some(part.name.clone());
+            let to = Some(part.entry.clone());
             entries.push(CarriedEntry { bit: part.bit, bits: part.bits, from: None, to });
         }
         entries.sort_by_key(|entry| (entry.bit, entry.bits));
         entries
+    }
+
+    fn parts(self, pdo: &PdoState, device: &Device) -> Vec<Part> {
+        let mut next = 0;
+        let part = |object: &MappedObject| {
+            let bit = next;
+            next += u32::from(object.bits);
+            Part { bit, bits: object.bits.into(), entry: self.named(device, *object) }
+        };
+        pdo.mapping.values().map(part).collect()
+    }
+
+    fn named(self, device: &Device, mapped: MappedObject) -> MappedEntry {
+        if mapped.is_dummy() {
+            let name = self.language.pick("dummy", "unbenutzt").to_owned();
+            return MappedEntry { address: None, name };
+        }
+        let MappedObject { index, sub, .. } = mapped;
+        let Some(object) = device.object(index) else {
+            return MappedEntry { address: Some(Address { index, sub: Some(sub) }), name: String::new() };
+        };
+        let of_object = self.name(&object.main);
+        match object.entry(sub).filter(|_| object.object_type().has_subs()) {
+            Some(entry) => MappedEntry {
+                address: Some(Address { index, sub: Some(sub) }),
+                name: format!("{of_object} / {}", self.name(&entry)),
+            },
+            None => MappedEntry { address: Some(Address { index, sub: None }), name: of_object.to_owned() },
+        }
+    }
+
+    /// The name in the language of the tables, else the one in the file.
+    fn name(self, entry: &Entry) -> &str {
+        let label = entry.parameter.as_ref().and_then(|parameter| parameter.labels.name_in(self.tag));
+        label.map(str::trim).filter(|label| !label.is_empty()).unwrap_or(&entry.name)
     }
 }
 
@@ -80,28 +144,5 @@ impl View<'_> {
 struct Part {
     bit: u32,
     bits: u32,
-    name: String,
-}
-
-fn parts(pdo: &PdoState, device: &Device) -> Vec<Part> {
-    let mut next = 0;
-    let part = |object: &MappedObject| {
-        let bit = next;
-        next += u32::from(object.bits);
-        Part { bit, bits: object.bits.into(), name: named(device, *object) }
-    };
-    pdo.mapping.values().map(part).collect()
-}
-
-/// `6041h Statusword`, `6000h:01 Read input / Input 1 to 8`, `dummy`.
-fn named(device: &Device, mapped: MappedObject) -> String {
-    if mapped.is_dummy() {
-        return "dummy".to_owned();
-    }
-    let MappedObject { index, sub, .. } = mapped;
-    let Some(object) = device.object(index) else { return format!("{index:04X}h:{sub:02X}") };
-    match object.entry(sub).filter(|_| object.object_type().has_subs()) {
-        Some(entry) => format!("{index:04X}h:{sub:02X} {} / {}", object.name(), entry.name),
-        None => format!("{index:04X}h {}", object.name()),
-    }
+    entry: MappedEntry,
 }

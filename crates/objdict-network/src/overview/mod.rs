@@ -4,7 +4,8 @@ mod boot;
 mod entries;
 
 pub use self::boot::{BootPlan, BootStep};
-pub use self::entries::{CarriedEntry, LinkRow};
+pub use self::entries::{CarriedEntry, LinkRow, MappedEntry};
+use crate::Language;
 use crate::messages::{Message, MessageId, Messages, Party, Service};
 use crate::model::{Device, predefined};
 use crate::network::Network;
@@ -15,6 +16,9 @@ use crate::traffic::{Sync, Traffic};
 #[derive(Clone, Debug)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize))]
 pub struct Overview {
+    /// The language of its words.
+    #[cfg_attr(feature = "serde", serde(skip))]
+    pub language: Language,
     /// The name of the network.
     pub name: Option<String>,
     /// The bit rate in kbit/s.
@@ -82,6 +86,9 @@ pub struct MessageRow {
 pub struct End {
     /// The name of the node.
     pub node: String,
+    /// The position in [`Network::nodes`]; `None` for a manager without a description.
+    #[cfg_attr(feature = "serde", serde(skip))]
+    pub position: Option<usize>,
     /// With which of its services: `TPDO 1`, `SYNC`.
     #[cfg_attr(feature = "serde", serde(serialize_with = "text"))]
     pub service: Service,
@@ -106,15 +113,23 @@ fn text<S: serde::Serializer>(service: &Service, serializer: S) -> Result<S::Ok,
 }
 
 impl Overview {
-    /// The tables of a network.
+    /// The tables of a network in English.
     pub fn new(network: &Network, compiled: &Compiled) -> Self {
+        Self::in_language(network, compiled, Language::default().tag())
+    }
+
+    /// The tables with the names of entries in a language, where a description has it (RFC 5646, such as `de`). Other words
+    /// are in that language if objdict supports it ([`Language::of_tag`]), else in English.
+    pub fn in_language(network: &Network, compiled: &Compiled, tag: &str) -> Self {
         let messages = Messages::new(network, compiled);
-        let view = View { network, compiled };
+        let language = Language::of_tag(tag).unwrap_or_default();
+        let view = View { network, compiled, tag, language };
         let traffic = Traffic { network, compiled, messages: &messages };
         let sync = traffic.sync();
         let row = |(can_id, message): (&MessageId, &Message)| view.message(*can_id, message, sync.as_ref());
         let nodes = view.nodes();
         Self {
+            language,
             name: network.name.clone(),
             bit_rate: network.bit_rate.map(|rate| rate.value),
             load: traffic.load(),
@@ -131,6 +146,10 @@ impl Overview {
 struct View<'n> {
     network: &'n Network,
     compiled: &'n Compiled,
+    /// The language of the names of entries.
+    tag: &'n str,
+    /// The language of words.
+    language: Language,
 }
 
 impl<'n> View<'n> {
@@ -185,7 +204,7 @@ impl<'n> View<'n> {
             Some(position) => self.network.nodes[position].name.value.clone(),
             None => manager().unwrap_or_default(),
         };
-        End { node, service: party.service }
+        End { node, position: party.node, service: party.service }
     }
 
     fn message(self, can_id: MessageId, message: &Message, sync: Option<&Sync>) -> MessageRow {
@@ -194,7 +213,7 @@ impl<'n> View<'n> {
         // the manager has the other side of PDOs without parameters of its own
         let pdo = parties.clone().find_map(|party| self.state(party));
         let (bytes, trigger, period) = match (pdo, parties.next()) {
-            (Some(pdo), _) => (u8::try_from(pdo.bytes()).ok(), triggered(pdo), pdo.period(sync)),
+            (Some(pdo), _) => (u8::try_from(pdo.bytes()).ok(), self.triggered(pdo), pdo.period(sync)),
             (None, Some(party)) => self.service(message, party, sync),
             (None, None) => (None, String::new(), None),
         };
@@ -224,15 +243,18 @@ impl<'n> View<'n> {
         party: &Party,
         sync: Option<&Sync>,
     ) -> (Option<u8>, String, Option<u64>) {
+        let said = |english: &str, german: &str| self.language.pick(english, german).to_owned();
         match party.service {
-            Service::Nmt => (Some(2), "a command".to_owned(), None),
+            Service::Nmt => (Some(2), said("a command", "ein Kommando"), None),
             Service::Sync => {
                 let bytes = sync.and_then(|sync| u8::try_from(sync.bytes).ok());
-                (bytes, "cyclic".to_owned(), sync.map(|sync| sync.period))
+                (bytes, said("cyclic", "zyklisch"), sync.map(|sync| sync.period))
             }
-            Service::Time => (Some(6), "the application".to_owned(), None),
-            Service::Emcy => (Some(8), "an error".to_owned(), None),
-            Service::SdoRequest | Service::SdoResponse => (Some(8), "an SDO transfer".to_owned(), None),
+            Service::Time => (Some(6), said("the application", "die Anwendung"), None),
+            Service::Emcy => (Some(8), said("an error", "ein Fehler"), None),
+            Service::SdoRequest | Service::SdoResponse => {
+                (Some(8), said("an SDO transfer", "ein SDO-Transfer"), None)
+            }
             Service::ErrorControl => self.error_control(message),
             Service::Pdo(_) | Service::MirroredPdo => (None, String::new(), None),
         }
@@ -249,11 +271,33 @@ impl<'n> View<'n> {
         };
         let guard_time = slave.map_or(0, |slave| slave.guard_time);
         let (trigger, time) = match (heartbeat, guard_time) {
-            (0, 0) => return (Some(1), "boot-up".to_owned(), None),
-            (0, time) => ("guarding", time),
-            (time, _) => ("cyclic", time),
+            (0, 0) => return (Some(1), self.language.pick("boot-up", "Boot-up").to_owned(), None),
+            (0, time) => (self.language.pick("guarding", "Guarding"), time),
+            (time, _) => (self.language.pick("cyclic", "zyklisch"), time),
         };
         (Some(1), trigger.to_owned(), Some(u64::from(time) * 1000))
+    }
+
+    /// What triggers a PDO, in the words of the settings: `sync/1`, `event, inhibit 5 ms`.
+    fn triggered(self, pdo: &PdoState) -> String {
+        let kind = match pdo.transmission {
+            number @ 0..=240 => format!("sync/{number}"),
+            252 => "rtr-sync".to_owned(),
+            253 => "rtr".to_owned(),
+            254 => "event-vendor".to_owned(),
+            255 => "event".to_owned(),
+            number => format!("{} {number}", self.language.pick("reserved type", "reservierter Typ")),
+        };
+        let mut words = vec![kind];
+        if pdo.inhibit_time != 0 && pdo.transmission >= 254 {
+            let (whole, tenth) = (pdo.inhibit_time / 10, pdo.inhibit_time % 10);
+            let fraction = if tenth == 0 { String::new() } else { format!(".{tenth}") };
+            words.push(format!("{} {whole}{fraction} ms", self.language.pick("inhibit", "Inhibit-Time")));
+        }
+        if pdo.event_timer != 0 && pdo.transmission >= 254 {
+            words.push(format!("{} {} ms", self.language.pick("timer", "Event-Timer"), pdo.event_timer));
+        }
+        words.join(", ")
     }
 }
 
@@ -261,26 +305,4 @@ impl<'n> View<'n> {
 fn product_name(device: &Device) -> Option<&str> {
     let name = device.device_info.as_ref()?.product_name.as_deref()?.trim();
     (!name.is_empty()).then_some(name)
-}
-
-/// What triggers a PDO, in the words of the settings: `sync/1`, `event, inhibit 5 ms`.
-fn triggered(pdo: &PdoState) -> String {
-    let kind = match pdo.transmission {
-        number @ 0..=240 => format!("sync/{number}"),
-        252 => "rtr-sync".to_owned(),
-        253 => "rtr".to_owned(),
-        254 => "event-vendor".to_owned(),
-        255 => "event".to_owned(),
-        number => format!("reserved type {number}"),
-    };
-    let mut words = vec![kind];
-    if pdo.inhibit_time != 0 && pdo.transmission >= 254 {
-        let (whole, tenth) = (pdo.inhibit_time / 10, pdo.inhibit_time % 10);
-        let fraction = if tenth == 0 { String::new() } else { format!(".{tenth}") };
-        words.push(format!("inhibit {whole}{fraction} ms"));
-    }
-    if pdo.event_timer != 0 && pdo.transmission >= 254 {
-        words.push(format!("timer {} ms", pdo.event_timer));
-    }
-    words.join(", ")
 }
