@@ -36,6 +36,8 @@ pub enum ContentKind {
     JsonConciseDcf,
     /// Bus configuration in YAML, from which Lely's dcfgen and `ros2_canopen` make DCF and concise DCF.
     BusConfiguration,
+    /// Network of this crate: its nodes and links in TOML (docs/network.md).
+    Network,
     /// XML device description of Ethernet POWERLINK (EPSG 311).
     PowerlinkXdd,
     /// XML device configuration of Ethernet POWERLINK (EPSG 311).
@@ -84,6 +86,7 @@ impl ContentKind {
             Self::JsonDevice => "device as JSON",
             Self::JsonConciseDcf => "concise DCF as JSON",
             Self::BusConfiguration => "bus configuration",
+            Self::Network => "network",
             Self::PowerlinkConcise => "CDC",
             Self::EthercatEsi => "ESI",
             Self::FpgaConstraints => "FPGA constraints",
@@ -126,7 +129,13 @@ impl ContentKind {
                 | Self::JsonDevice
                 | Self::JsonConciseDcf
                 | Self::BusConfiguration
+                | Self::Network
         )
+    }
+
+    /// Whether it names the descriptions of several nodes, in place of describing a device.
+    pub const fn is_network(self) -> bool {
+        matches!(self, Self::NodeList | Self::BusConfiguration | Self::Network)
     }
 
     /// Whether it is something that people take for a file of CANopen, and is none.
@@ -152,6 +161,7 @@ impl ContentKind {
             }
             Self::JsonDevice => Some("convert it to an EDS or DCF"),
             Self::BusConfiguration => Some("its keys `dcf` name the descriptions"),
+            Self::Network => Some("its keys `file` name the descriptions"),
             Self::PowerlinkXdd | Self::PowerlinkXdc => Some("ask the vendor for the CANopen EDS or XDD"),
             Self::PowerlinkConcise => {
                 Some("its layout is that of a concise DCF, so `--from cdcf` shows what is in it")

@@ -117,6 +117,7 @@ impl Identification {
             Kind::BusConfiguration => {
                 "is a bus configuration for Lely's dcfgen or ros2_canopen and describes no device"
             }
+            Kind::Network => "is a network of objdict and describes no device",
             Kind::PowerlinkXdd => "describes an Ethernet POWERLINK device (EPSG 311), not a CANopen one",
             Kind::PowerlinkXdc => {
                 "describes a configured Ethernet POWERLINK device (EPSG 311), not a CANopen one"

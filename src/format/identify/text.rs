@@ -15,6 +15,7 @@ pub(super) fn identify(content: &Content<'_>, text: &str) -> Option<Identificati
     gsd(text)
         .or_else(|| dbc(text))
         .or_else(|| fpga_constraints(text))
+        .or_else(|| network(content, text))
         .or_else(|| bus_configuration(content, text))
 }
 
@@ -91,6 +92,18 @@ fn fpga_constraints(text: &str) -> Option<Identification> {
         let reason = format!("it has Tcl commands such as `{command} … {object}`");
         Some(foreign(ContentKind::FpgaConstraints, "Vivado", reason))
     })
+}
+
+/// TOML for objdict: the tables of nodes, links and the bus, two of which must be there.
+fn network(content: &Content<'_>, text: &str) -> Option<Identification> {
+    const TABLES: [(&str, &str); 4] =
+        [("[bus]", "[bus]"), ("[manager]", "[manager]"), ("[node.", "[node.…]"), ("[[link]]", "[[link]]")];
+    let is_there = |start: &str| text.lines().any(|line| line.trim_start().starts_with(start));
+    let found = TABLES.into_iter().filter(|(start, _)| is_there(start));
+    let found: Vec<String> = found.map(|(_, table)| format!("`{table}`")).collect();
+    let enough = if content.is_called(&["toml"]) { 1 } else { 2 };
+    let reason = || format!("it is TOML with the tables {}", list(&found));
+    (found.len() >= enough).then(|| Identification::new(ContentKind::Network, reason()))
 }
 
 /// YAML for dcfgen: keys of nodes, of which at least the description or the node-ID must be there.
