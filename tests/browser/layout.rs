@@ -30,24 +30,47 @@ fn no_page_is_wider_than_its_window() {
 
 #[test]
 fn a_site_leads_to_its_pages() {
-    let Some(tab) = Tab::new() else { return };
+    for (files, pages) in [("dcf", 5), ("network/chapter4.toml", 3), ("network/wider.yml", 2)] {
+        let Some(tab) = Tab::new() else { return };
+        leads_to_its_pages(&tab, files, pages);
+    }
+}
+
+fn leads_to_its_pages(tab: &Tab, files: &str, count: usize) {
     let folder = tempfile::tempdir().unwrap();
-    make(&fixtures().join("dcf"), &["--lang", "de"], folder.path());
-    tab.open(&folder.path().join("index.html"), "");
+    make(&fixtures().join(files), &["--lang", "de"], folder.path());
+    let index = folder.path().join("index.html");
+    tab.open(&index, "");
+    let lost = "[...document.links].map(link => link.getAttribute('href'))
+        .filter(to => to.startsWith('#') && !document.getElementById(to.slice(1)))";
+    assert_eq!(tab.texts(lost), [""; 0]);
     for width in [1280, 400, 320] {
         tab.resize(width, 800);
         tab.settle();
-        assert_fits(&tab, &format!("the index at {width}"));
+        assert_fits(tab, &format!("the index of {files} at {width}"));
     }
     for scheme in ["light", "dark"] {
         tab.medium("screen", scheme);
-        assert_contrast(&tab, &format!("the index, {scheme}"));
+        assert_contrast(tab, &format!("the index of {files}, {scheme}"));
     }
-    let pages = tab.texts("[...new Set([...document.links].map(link => link.href.split('#')[0]))]");
-    assert_eq!(pages.len(), 5, "{pages:?}");
-    for page in pages {
+    let pages = tab.texts(
+        "[...new Set([...document.links].map(link => link.href))].filter(to => to.startsWith('file:') && !to.includes('/index.html'))",
+    );
+    let mut addresses: Vec<&str> = pages.iter().map(|to| to.split('#').next().unwrap()).collect();
+    addresses.sort_unstable();
+    addresses.dedup();
+    assert_eq!(addresses.len(), count, "{addresses:?}");
+    for page in addresses {
         tab.open(Path::new(page.strip_prefix("file://").unwrap()), "");
         assert!(tab.is("document.querySelector('#objects') !== null"), "{page}");
+        // each entry that the index names is there
+        let anchors: Vec<&str> =
+            pages.iter().filter_map(|to| to.strip_prefix(page)?.strip_prefix('#')).collect();
+        for anchor in anchors {
+            assert!(tab.is(&format!("document.getElementById('{anchor}') !== null")), "{page}#{anchor}");
+        }
+        tab.click("nav a[href='index.html']");
+        tab.wait("location.pathname.endsWith('/index.html')");
     }
     assert_eq!(tab.complaints(), [""; 0]);
     assert_eq!(tab.requests(), [""; 0]);

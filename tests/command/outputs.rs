@@ -176,3 +176,27 @@ fn what_an_edit_keeps_is_said_to_be_invalid() {
         (Some(0), String::new(), String::new())
     );
 }
+
+/// In a network each node has the page of the DCF that is built for it.
+#[test]
+fn pages_of_nodes_are_those_of_their_dcfs() {
+    let folder = tempfile::tempdir().unwrap();
+    let network = std::env::current_dir().unwrap().join("fixtures/network/chapter4.toml");
+    let network = network.to_str().unwrap();
+    for line in [
+        format!("network build {network} --target dcf -o built"),
+        format!("docs {network} -o site"),
+        "docs built/left.dcf -o left.html".to_owned(),
+        "docs built/plc.dcf -o plc.html".to_owned(),
+    ] {
+        let output = objdict(folder.path(), &line);
+        assert_eq!(output.status.code(), Some(0), "{line}: {}", errors(&output));
+    }
+    for page in ["left.html", "plc.html"] {
+        let read = |path: String| fs::read_to_string(folder.path().join(path)).unwrap();
+        let back = "<li><a href=\"index.html\">Overview</a></li>\n";
+        let of_site = read(format!("site/{page}"));
+        assert_eq!(of_site.matches(back).count(), 1, "{page}");
+        assert!(of_site.replace(back, "") == read(page.to_owned()), "{page} differs");
+    }
+}

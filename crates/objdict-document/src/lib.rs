@@ -32,6 +32,7 @@ mod texts;
 use std::collections::BTreeMap;
 
 pub use self::finding::Finding;
+pub use self::network::SiteNetwork;
 use self::page::{Context, Page};
 pub use self::site::{Site, SiteFile};
 use crate::model::Device;

@@ -30,6 +30,8 @@ pub(crate) struct Page<'a> {
     pub(crate) groups: Vec<ShownGroup<'a>>,
     /// Whether any entry has a configured value.
     pub(crate) is_configured: bool,
+    /// The URL of the index of the site; `None` for a page alone.
+    pub(crate) site: Option<String>,
 }
 
 impl<'a> Page<'a> {
@@ -52,6 +54,7 @@ impl<'a> Page<'a> {
             groups: groups::groups(context),
             areas,
             is_configured,
+            site: None,
         }
     }
 

@@ -8,7 +8,7 @@ use std::path::Path;
 use askama::Template;
 
 use super::anchor::Anchor;
-use super::network::{self, Network, Node};
+use super::network::{NetworkView, SiteNetwork, StatedNode, stated, tables};
 use super::page::{Context, Page};
 use super::texts::Texts;
 use super::{Form, Options, Subject, csv, write_page};
@@ -29,7 +29,7 @@ use crate::model::PdoKind;
 ///     Subject { device: &device, file: "io-401.eds", format: "EDS", findings: None, identifiers: &identifiers };
 /// let page = site.add(&subject);
 /// assert_eq!(page.name, "io-401.md");
-/// assert!(site.index().text.contains("(io-401.md)"));
+/// assert!(site.index()[0].text.contains("(io-401.md)"));
 /// ```
 #[derive(Debug)]
 pub struct Site {
@@ -39,7 +39,8 @@ pub struct Site {
     /// The number of pages per lower-case name.
     taken: BTreeMap<String, usize>,
     devices: Vec<Listed>,
-    nodes: Vec<Node>,
+    networks: Vec<SiteNetwork>,
+    nodes: Vec<StatedNode>,
     places: Places,
 }
 
@@ -78,12 +79,17 @@ pub(crate) struct Listed {
 impl Site {
     /// Creates a site without pages. The title applies to the site; pages are titled by product.
     pub fn new(form: Form, options: &Options) -> Self {
+        let reserved: &[&str] = match form {
+            Form::Csv => &["index", "links", "messages"],
+            Form::Html | Form::Markdown => &["index"],
+        };
         Self {
             form,
             title: options.title.clone(),
             options: Options { title: None, ..options.clone() },
-            taken: BTreeMap::from([("index".to_owned(), 1)]),
+            taken: reserved.iter().map(|name| ((*name).to_owned(), 1)).collect(),
             devices: Vec::new(),
+            networks: Vec::new(),
             nodes: Vec::new(),
             places: BTreeMap::new(),
         }
@@ -95,8 +101,9 @@ impl Site {
         let name = self.page_name(subject.file);
         let link = address(&name);
         let context = Context::new(subject, &self.options);
-        let page = Page::new(subject, &self.options, &context);
-        self.nodes.extend(Node::new(&context, &page.title, &link));
+        let index = Some(format!("index.{}", self.form.extension()));
+        let page = Page { site: index, ..Page::new(subject, &self.options, &context) };
+        self.nodes.extend(StatedNode::new(&context, &page.title, &name));
         add_places(&mut self.places, self.devices.len(), &page);
         self.devices.push(Listed::new(subject, &context, &page, link));
         SiteFile { name, text: write_page(&page, subject.device, self.form) }
@@ -115,15 +122,36 @@ impl Site {
         }
     }
 
-    /// Returns the index after all pages are added.
-    pub fn index(&self) -> SiteFile {
+    /// Adds a network to the index. Configured nodes of none of them are shown as the networks that their descriptions state.
+    pub fn add_network(&mut self, network: SiteNetwork) {
+        self.networks.push(network);
+    }
+
+    /// Returns the index after all pages and networks are added, and the files beside it: pictures and tables of networks.
+    pub fn index(mut self) -> Vec<SiteFile> {
+        let is_given = |node: &StatedNode| {
+            let mut pages = self.networks.iter().flat_map(|network| &network.pages);
+            pages.any(|page| page.as_ref() == Some(&node.page))
+        };
+        self.nodes.retain(|node| !is_given(node));
+        self.networks.extend(stated(self.nodes, self.options.tag()));
         let language = self.options.own_language();
+        let texts = Texts::of(language);
+        let name_of = match self.networks.as_slice() {
+            [network] if network.file.is_some() => {
+                network.overview.name.as_deref().or(network.file.as_deref())
+            }
+            _ => None,
+        };
+        let networks = (1..).zip(&self.networks);
         let index = Index {
             language,
-            texts: Texts::of(language),
-            title: self.title.as_deref().unwrap_or(Texts::of(language).devices),
+            texts,
+            title: self.title.as_deref().or(name_of).unwrap_or(texts.devices),
             devices: &self.devices,
-            networks: network::networks(&self.nodes),
+            networks: networks
+                .map(|(number, network)| NetworkView::new(network, number, self.form))
+                .collect(),
             places: &self.places,
             version: env!("CARGO_PKG_VERSION"),
         };
@@ -133,7 +161,14 @@ impl Site {
             Form::Markdown => MarkdownIndex { index: &index }.render().unwrap_or_default() + "\n",
             Form::Csv => index_csv(&self.devices),
         };
-        SiteFile { name: format!("index.{}", self.form.extension()), text }
+        let mut files = vec![SiteFile { name: format!("index.{}", self.form.extension()), text }];
+        let file = |(name, text): (&str, String)| SiteFile { name: name.to_owned(), text };
+        files.extend(index.networks.iter().filter_map(NetworkView::picture).map(file));
+        if self.form == Form::Csv && !self.networks.is_empty() {
+            let overviews = self.networks.iter().map(|network| &network.overview);
+            files.extend(tables(overviews).map(file));
+        }
+        files
     }
 }
 
@@ -195,7 +230,7 @@ struct Index<'a> {
     texts: &'static Texts,
     title: &'a str,
     devices: &'a [Listed],
-    networks: Vec<Network<'a>>,
+    networks: Vec<NetworkView<'a>>,
     places: &'a Places,
     version: &'static str,
 }
@@ -272,7 +307,7 @@ fn index_csv(devices: &[Listed]) -> String {
 }
 
 /// The relative URL of a file in the same folder, percent-encoded so that no name becomes another URL.
-fn address(name: &str) -> String {
+pub(crate) fn address(name: &str) -> String {
     let mut address = String::with_capacity(name.len());
     for &byte in name.as_bytes() {
         match byte {

@@ -135,7 +135,6 @@ texts! {
     warnings: "Warnings", "Warnungen";
     notes: "Notes", "Hinweise";
     sent_by: "Sent by", "Gesendet von";
-    carries: "Carries", "Inhalt";
     received_by: "Received by", "Empfangen von";
     doubled: "several nodes with the node-ID", "mehrere Knoten mit der Knotennummer";
     sent_twice: "sent by several", "mehrfach gesendet";
@@ -144,4 +143,26 @@ texts! {
     search_all: "Filter devices, search objects", "Geräte filtern, Objekte suchen";
     search_hint: "device, index, name", "Gerät, Index, Name";
     too_short: "waits for more", "erwartet mehr";
+    overview: "Overview", "Übersicht";
+    // networks
+    topology: "Topology", "Topologie";
+    bus_load: "cyclic messages take up to", "zyklische Nachrichten belegen bis zu";
+    network_nodes: "Nodes", "Knoten";
+    manager: "manager", "Manager";
+    heartbeat: "Heartbeat", "Heartbeat";
+    guarding: "Guarding", "Guarding";
+    downloads: "Downloads", "Downloads";
+    bytes: "Bytes", "Bytes";
+    matrix: "Who sends to whom", "Wer sendet an wen";
+    network_links: "Links", "Verbindungen";
+    no_node: "no node", "kein Knoten";
+    source: "Source", "Quelle";
+    destination: "Destination", "Ziel";
+    messages: "CAN-IDs, highest priority first", "CAN-IDs, höchste Priorität zuerst";
+    trigger: "Trigger", "Auslöser";
+    period: "Period", "Periode";
+    boot_plan: "Boot plan", "Hochlauf";
+    steps: "Steps", "Schritte";
+    mandatory: "mandatory", "notwendig";
+    optional: "optional", "optional";
 }

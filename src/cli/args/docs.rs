@@ -4,19 +4,21 @@ use std::path::PathBuf;
 
 use clap::{Parser, ValueEnum};
 
-use super::ExpandArgs;
+use super::{ExpandArgs, NetworkInputArgs};
 use crate::cli::input::InputArgs;
 use crate::cli::settings::SettingsArgs;
 use crate::document::Form;
 
-/// Document devices as HTML, Markdown or CSV
+/// Document devices and networks as HTML, Markdown or CSV
 ///
-/// Several descriptions make one site with an index page. Pages include the findings of `check`, which do not change the exit
-/// code unless --deny is given.
+/// Several descriptions make one site with an index page. So does a network: the index has its topology, links, CAN-IDs and boot
+/// plan, and each node has a page of its description as configured; a network in one file is this index alone. Pages include the
+/// findings of `check`, which do not change the exit code unless --deny is given.
 #[derive(Debug, Parser)]
 #[command(mut_arg("deny", |deny| deny.help("Lowest severity that fails the run: note, warning or error [default: none]")))]
 pub(in crate::cli) struct DocsArgs {
-    /// Files, folders and patterns such as `devices/**/*.eds`; `-` is the standard input
+    /// Files, folders and patterns such as `devices/**/*.eds`; networks (`network.toml`, `bus.yml`, a node list); `-` is the
+    /// standard input
     #[arg(required = true, value_name = "PATH")]
     pub files: Vec<PathBuf>,
     /// The file to write, or the folder for a site; `-` is the standard output
@@ -25,7 +27,7 @@ pub(in crate::cli) struct DocsArgs {
     /// The format of the pages [default: by the extension of the output, else html]
     #[arg(long, alias = "format", value_enum, value_name = "FORMAT")]
     pub to: Option<DocsFormat>,
-    /// The title of the page or site [default: the product name]
+    /// The title of the page or site [default: the name of the product or network]
     #[arg(long, value_name = "TEXT")]
     pub title: Option<String>,
     /// The language of names and descriptions, if the file has it; headings and sentences are in English or German
@@ -35,6 +37,8 @@ pub(in crate::cli) struct DocsArgs {
     pub expand: ExpandArgs,
     #[command(flatten)]
     pub input: InputArgs,
+    #[command(flatten)]
+    pub network: NetworkInputArgs,
     #[command(flatten)]
     pub settings: SettingsArgs,
 }

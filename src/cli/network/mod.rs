@@ -35,7 +35,7 @@ pub(super) fn run(command: &NetworkCommand, out: &mut Output) -> Result<Outcome,
 }
 
 /// Reads a network; none of its files is written to.
-fn open(path: &Path, input: &NetworkInputArgs) -> Result<NetworkFile, Failure> {
+pub(super) fn open(path: &Path, input: &NetworkInputArgs) -> Result<NetworkFile, Failure> {
     keep(path);
     Ok(kept(NetworkFile::open(path, &input.define.iter().cloned().collect()).map_err(Failure::new)?))
 }

@@ -9,7 +9,7 @@ use crate::download::{ConciseDcf, EncodeError, PlanError};
 use crate::format::{self, EditError, Format, NodeSettings, WriteOptions};
 use crate::model::{Assignment, Commissioning, Device, Value};
 use crate::network::{
-    Compiled, LelyOptions, Manner, Network, Slave, compile, configuration_file, lely_master,
+    Compiled, LelyOptions, Manner, Network, Overview, Slave, compile, configuration_file, lely_master,
 };
 
 /// A file that is built.
@@ -140,13 +140,19 @@ impl Build<'_> {
     /// # Errors
     /// When a DCF cannot be written.
     pub fn dcfs(&self) -> Result<Vec<BuiltFile>, BuildError> {
+        self.each_dcf().map(|(_, dcf)| dcf).collect()
+    }
+
+    /// The same, each with the position of its node in [`Network::nodes`]: `None` for a manager without a description.
+    pub fn each_dcf(&self) -> impl Iterator<Item = (Option<usize>, Result<BuiltFile, BuildError>)> {
         let nodes = self.compiled.slaves.iter();
-        let mut files: Vec<BuiltFile> =
-            nodes.map(|slave| self.dcf(slave, &self.described(slave))).collect::<Result<_, _>>()?;
-        if self.network.manager.is_some() {
-            files.push(self.manager()?);
-        }
-        Ok(files)
+        let nodes = nodes.map(|slave| (Some(slave.node), self.dcf(slave, &self.described(slave))));
+        nodes.chain(self.network.manager.iter().map(|manager| (manager.node, self.manager())))
+    }
+
+    /// The network in tables, in a language.
+    pub fn overview(&self, tag: &str) -> Overview {
+        Overview::in_language(self.network, &self.compiled, tag)
     }
 
     /// The node list (CiA 306-3) with its DCFs.

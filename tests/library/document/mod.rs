@@ -1,4 +1,5 @@
 //! Documentation in its three forms: what it looks like, and that every text of a description comes out of it as that text.
+mod network;
 mod read;
 
 use std::collections::BTreeSet;
@@ -241,12 +242,22 @@ fn several_devices_make_a_site() {
                 site.add(&Subject { device, file, format, findings: Some(&[]), identifiers: &identifiers });
             assert_eq!(Path::new(&page.name).extension().unwrap().to_str().unwrap(), form.extension());
         }
-        let index = site.index();
-        assert_eq!(index.name, format!("index.{}", form.extension()));
+        let files = site.index();
+        let names: Vec<&str> = files.iter().map(|file| &*file.name).collect();
+        let index = &files[0].text;
         match form {
-            Form::Html => assert!(read::html(&index.text).contains("Line <1>")),
-            Form::Markdown => insta::assert_snapshot!("index.md", index.text),
-            Form::Csv => insta::assert_snapshot!("index.csv", index.text.replace('\r', "")),
+            Form::Html => {
+                assert_eq!(names, ["index.html"]);
+                assert!(read::html(index).contains("Line <1>"));
+            }
+            Form::Markdown => {
+                assert_eq!(names, ["index.md", "network-1.svg"]);
+                insta::assert_snapshot!("index.md", index);
+            }
+            Form::Csv => {
+                assert_eq!(names, ["index.csv", "links.csv", "messages.csv"]);
+                insta::assert_snapshot!("index.csv", index.replace('\r', ""));
+            }
         }
     }
 }

@@ -145,7 +145,11 @@ fn resolved(text: &str) -> String {
             "lt" => "<",
             "gt" => ">",
             "quot" => "\"",
+            "#34" => "\"",
+            "#38" => "&",
             "#39" => "'",
+            "#60" => "<",
+            "#62" => ">",
             "nbsp" | "#160" => "\u{A0}",
             _ => panic!("&{name};"),
         });
@@ -179,12 +183,12 @@ pub(crate) fn markdown(page: &str) -> String {
                 let leads_out = dest_url.contains(':') || dest_url.starts_with('/');
                 assert!(!leads_out || dest_url.starts_with(RULE_PAGES), "{dest_url}");
             }
+            Event::Start(Tag::Image { dest_url, .. }) => {
+                let picture = dest_url.strip_prefix("network-").and_then(|name| name.strip_suffix(".svg"));
+                assert!(picture.is_some_and(|number| number.parse::<u32>().is_ok()), "{dest_url}");
+            }
             Event::Start(
-                Tag::FootnoteDefinition(_)
-                | Tag::Image { .. }
-                | Tag::Strikethrough
-                | Tag::CodeBlock(_)
-                | Tag::BlockQuote(_),
+                Tag::FootnoteDefinition(_) | Tag::Strikethrough | Tag::CodeBlock(_) | Tag::BlockQuote(_),
             )
             | Event::FootnoteReference(_)
             | Event::InlineMath(_)

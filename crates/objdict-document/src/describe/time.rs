@@ -18,7 +18,7 @@ pub(crate) fn of_microseconds(time: u32, language: Language) -> String {
 }
 
 /// A number with this many decimal places, without trailing zeros.
-fn decimal(number: u32, digits: u32, language: Language) -> String {
+pub(crate) fn decimal(number: u32, digits: u32, language: Language) -> String {
     let scale = 10_u32.pow(digits);
     let (whole, rest) = (number / scale, number % scale);
     if rest == 0 {

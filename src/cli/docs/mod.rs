@@ -1,22 +1,26 @@
 //! `objdict docs`.
 
+mod network;
+
 use std::collections::BTreeSet;
 use std::io::Write;
-use std::path::Path;
+use std::path::{Path, PathBuf};
 
 use serde_json::Value;
 
+use self::network::DocumentedNetwork;
 use super::args::DocsArgs;
 use super::files::{self, File};
-use super::input::{Input, name_of};
+use super::input::{FileKind, Input, name_of};
 use super::output::Output;
 use super::progress::Progress;
 use super::save::{Saved, is_folder, is_stdout, save};
 use super::settings::Settings;
 use super::{Failure, Outcome};
 use crate::diagnostic::{Diagnostic, Findings};
-use crate::document::{self, CodeName, Finding, Form, Identifiers, Options, Site, Subject};
+use crate::document::{self, CodeName, Finding, Form, Identifiers, Options, Site, SiteFile, Subject};
 use crate::format::Description;
+use crate::format::identify::identify;
 use crate::lint;
 use crate::model::Device;
 use crate::report::Location;
@@ -48,6 +52,11 @@ impl Documented {
             identifiers: &self.identifiers,
         }
     }
+
+    /// The name of its page in a folder of its own.
+    fn page_name(&self, form: Form) -> PathBuf {
+        PathBuf::from(&self.file).with_extension(form.extension())
+    }
 }
 
 pub(super) fn run(args: &DocsArgs, out: &mut Output) -> Result<Outcome, Failure> {
@@ -63,44 +72,128 @@ pub(super) fn run(args: &DocsArgs, out: &mut Output) -> Result<Outcome, Failure>
         failure.print();
         outcome = Outcome::Failed;
     }
-    let mut devices = Vec::new();
+    let mut read = Read::default();
+    let one_file = files.len() == 1 && is_file(args);
     let progress = Progress::new("reading", files.len());
     for file in &files {
-        match read(args, &settings, file) {
-            Ok(read) => devices.extend(read),
-            Err(failure) => {
-                failure.print();
-                outcome = Outcome::Failed;
-            }
+        if let Err(failure) = read.add(args, &settings, file, !one_file, &mut outcome) {
+            failure.print();
+            outcome = Outcome::Failed;
         }
         progress.step();
     }
     drop(progress);
-    require_language(args, &devices)?;
+    require_language(args, &read)?;
+    let is_denied = args
+        .settings
+        .stated_deny()
+        .is_some_and(|deny| read.findings().any(|finding| finding.severity >= deny));
     let options =
         Options { title: args.title.clone(), node_id: args.settings.node_id(), language: args.lang.clone() };
-    let is_one = matches!((files.as_slice(), devices.as_slice()), ([_], [_])) && !is_folder(&args.output);
-    match (is_one, devices.as_slice()) {
-        (_, []) => {}
-        (true, [one]) => write_one(args, &document::write(&one.subject(), form, &options), out)?,
-        (_, devices) => write_site(args, devices, form, &options, out)?,
+    match (read.devices.as_slice(), read.networks.as_slice()) {
+        ([], []) => {}
+        ([one], []) if files.len() == 1 => {
+            let page = document::write(&one.subject(), form, &options);
+            match is_folder(&args.output) {
+                true => tell_saved(&args.output.join(one.page_name(form)), &page, out)?,
+                false => write_one(args, &page, out)?,
+            }
+        }
+        ([], [_]) if one_file => {
+            if form == Form::Csv {
+                let failure = Failure::new("the tables of a network do not fit into one file");
+                return Err(failure.help("name a folder"));
+            }
+            let index = read.into_site(form, &options, |_| Ok(()))?.index();
+            index.first().map_or(Ok(()), |index| write_one(args, &index.text, out))?;
+        }
+        _ => write_site(args, read, form, &options, out)?,
     }
-    let is_denied = args.settings.stated_deny().is_some_and(|deny| {
-        devices.iter().flat_map(|device| &device.findings).any(|finding| finding.severity >= deny)
-    });
     Ok(match outcome {
         Outcome::Clean if is_denied => Outcome::Findings,
         outcome => outcome,
     })
 }
 
+/// Whether the output is one file, whatever is documented: the standard output, or a name with an extension.
+fn is_file(args: &DocsArgs) -> bool {
+    is_stdout(&args.output) || args.output.extension().is_some() && !is_folder(&args.output)
+}
+
+/// What is documented.
+#[derive(Default)]
+struct Read {
+    devices: Vec<Documented>,
+    networks: Vec<DocumentedNetwork>,
+}
+
+impl Read {
+    /// Adds the devices or the network of a file; `has_pages` says whether the nodes of a network have pages.
+    fn add(
+        &mut self,
+        args: &DocsArgs,
+        settings: &Settings<'_>,
+        file: &File,
+        has_pages: bool,
+        outcome: &mut Outcome,
+    ) -> Result<(), Failure> {
+        let bytes = args.input.size.read(&file.path)?;
+        let name = name_of(&file.path);
+        let is_network = match args.input.from {
+            None => identify(&name, &bytes).kind.is_network(),
+            Some(kind) => kind == FileKind::Cpj,
+        };
+        if is_network {
+            self.networks.push(DocumentedNetwork::read(args, settings, file, has_pages, outcome)?);
+        } else {
+            let (kind, input) = args.input.reading().read(&name, bytes)?;
+            self.devices.extend(devices(args, settings, file, kind, input)?);
+        }
+        Ok(())
+    }
+
+    /// All devices, those of networks among them.
+    fn all(&self) -> impl Iterator<Item = &Documented> {
+        self.devices.iter().chain(self.networks.iter().flat_map(|network| network.nodes.iter().flatten()))
+    }
+
+    fn findings(&self) -> impl Iterator<Item = &Finding> {
+        let of_networks = self.networks.iter().flat_map(|network| &network.findings);
+        self.all().flat_map(|device| &device.findings).chain(of_networks)
+    }
+
+    /// The site; `write` is given each page.
+    fn into_site(
+        self,
+        form: Form,
+        options: &Options,
+        mut write: impl FnMut(&SiteFile) -> Result<(), Failure>,
+    ) -> Result<Site, Failure> {
+        let mut site = Site::new(form, options);
+        let mut add = |site: &mut Site, device: &Documented| {
+            let page = site.add(&device.subject());
+            write(&page).map(|()| page.name)
+        };
+        for device in &self.devices {
+            add(&mut site, device)?;
+        }
+        for network in self.networks {
+            let pages = network.nodes.iter();
+            let pages = pages.map(|node| node.as_ref().map(|node| add(&mut site, node)).transpose());
+            let pages = pages.collect::<Result<_, _>>()?;
+            site.add_network(network.into_part(pages));
+        }
+        Ok(site)
+    }
+}
+
 /// The language that was asked for is one that objdict writes in, or one that a description has texts in.
-fn require_language(args: &DocsArgs, devices: &[Documented]) -> Result<(), Failure> {
+fn require_language(args: &DocsArgs, read: &Read) -> Result<(), Failure> {
     let Some(asked) = args.lang.as_deref().filter(|tag| Language::of_tag(tag).is_none()) else {
         return Ok(());
     };
     let mut known: BTreeSet<String> = Language::ALL.map(|language| language.tag().to_owned()).into();
-    for device in devices {
+    for device in read.all() {
         collect_languages(&serde_json::to_value(&device.device).unwrap_or_default(), &mut known);
     }
     let primary = |tag: &str| tag.split(['-', '_']).next().unwrap_or_default().to_lowercase();
@@ -137,30 +230,30 @@ fn form(args: &DocsArgs) -> Result<Form, Failure> {
     }
 }
 
-/// The devices of a file; a network file has several.
-fn read(args: &DocsArgs, settings: &Settings<'_>, file: &File) -> Result<Vec<Documented>, Failure> {
+/// The devices of a file; one of CANopenEditor may have several.
+fn devices(
+    args: &DocsArgs,
+    settings: &Settings<'_>,
+    file: &File,
+    kind: FileKind,
+    input: Input,
+) -> Result<Vec<Documented>, Failure> {
     let options = settings.options(&file.path, file.project.as_deref());
-    let (kind, input) = args.input.read(&file.path)?;
     let name = file_name(&file.path);
-    let described = |file: String, description: &Description| {
-        let findings = crate::check_with(description, &options);
-        let subject = description.into();
-        let findings = reported(&findings, |finding| Location::line_of(subject, finding));
-        let device = args.expand.device(description.device()).into_owned();
-        Documented::new(file, description.format().name(), device, findings)
-    };
     match input {
         Input::Description(description) if description.device_count() > 1 && args.input.device.is_none() => {
             let mut next = Some(*description);
             let mut devices = Vec::new();
             while let Some(description) = next.take() {
-                devices.push(described(format!("{name} [{}]", devices.len() + 1), &description));
+                let name = format!("{name} [{}]", devices.len() + 1);
+                devices.push(described(args, &options, name, &description));
                 next = description.select(devices.len());
             }
             Ok(devices)
         }
         Input::Description(description) => {
-            Ok(vec![described(name, &args.input.selected(&file.path, *description)?)])
+            let description = args.input.selected(&file.path, *description)?;
+            Ok(vec![described(args, &options, name, &description)])
         }
         Input::Device(device) => {
             let findings = options.severities.apply(lint::check(&device, &options));
@@ -176,6 +269,20 @@ fn read(args: &DocsArgs, settings: &Settings<'_>, file: &File) -> Result<Vec<Doc
             Err(Failure::new(message).help("name the descriptions of the devices"))
         }
     }
+}
+
+/// A description with its findings.
+fn described(
+    args: &DocsArgs,
+    options: &lint::Options,
+    file: String,
+    description: &Description,
+) -> Documented {
+    let findings = crate::check_with(description, options);
+    let subject = description.into();
+    let findings = reported(&findings, |finding| Location::line_of(subject, finding));
+    let device = args.expand.device(description.device()).into_owned();
+    Documented::new(file, description.format().name(), device, findings)
 }
 
 /// The findings as pages show them; `line` gives the line of one.
@@ -207,7 +314,7 @@ fn tell_saved(path: &Path, page: &str, out: &mut Output) -> Result<(), Failure> 
 
 fn write_site(
     args: &DocsArgs,
-    devices: &[Documented],
+    read: Read,
     form: Form,
     options: &Options,
     out: &mut Output,
@@ -215,17 +322,14 @@ fn write_site(
     if is_stdout(&args.output) {
         return Err(Failure::new("several pages cannot go to the standard output").help("name a folder"));
     }
-    let mut site = Site::new(form, options);
-    let progress = Progress::new("writing", devices.len());
-    for device in devices {
-        let page = site.add(&device.subject());
-        tell_saved(&args.output.join(page.name), &page.text, out)?;
-        progress.step_with(out)?;
-    }
+    let progress = Progress::new("writing", read.all().count());
+    let site = read.into_site(form, options, |page| {
+        tell_saved(&args.output.join(&page.name), &page.text, out)?;
+        progress.step_with(out)
+    })?;
     drop(progress);
-    if devices.len() > 1 {
-        let index = site.index();
-        tell_saved(&args.output.join(index.name), &index.text, out)?;
+    for file in site.index() {
+        tell_saved(&args.output.join(file.name), &file.text, out)?;
     }
     Ok(())
 }

@@ -1,0 +1,246 @@
+//! Networks on the index page of a site: who is in them, what goes from which node to which, and how they boot.
+
+mod stated;
+mod tables;
+
+use std::borrow::Cow;
+
+use askama::Template;
+use objdict_network::{CarriedEntry, End, LinkRow, MappedEntry, MessageId, NodeRow, Overview, graph};
+
+pub(crate) use self::stated::{StatedNode, stated};
+pub(crate) use self::tables::tables;
+use super::Form;
+use super::anchor::Anchor;
+use super::escape::filters;
+use super::finding::{Finding, Found};
+use super::texts::Texts;
+use crate::Language;
+use crate::describe::{decimal, of_microseconds, of_milliseconds, spelled};
+use crate::model::Address;
+
+/// A network for the index of a site.
+#[derive(Clone, Debug)]
+pub struct SiteNetwork {
+    /// What the network is and does, in the language of the site.
+    pub overview: Overview,
+    /// The file of the network, as readers know it; `None` if only its nodes are described.
+    pub file: Option<String>,
+    /// The names of the nodes' pages by the position of the node in the network; `None` for a node without a page.
+    pub pages: Vec<Option<String>>,
+    /// The findings of `network check`; `None` if it did not run.
+    pub findings: Option<Vec<Finding>>,
+}
+
+/// A network in words.
+pub(crate) struct NetworkView<'a> {
+    language: Language,
+    texts: &'static Texts,
+    network: &'a SiteNetwork,
+    overview: &'a Overview,
+    /// What addresses on the page begin with.
+    prefix: String,
+    /// The name of the picture beside the page; empty if there is none.
+    picture: String,
+    /// The URLs of the pages of nodes.
+    pages: Vec<Option<String>>,
+    findings: Option<Vec<Found<'a>>>,
+    links: Vec<Link<'a>>,
+}
+
+/// A PDO from its sender to one receiver.
+struct Link<'a> {
+    row: &'a LinkRow,
+    can_id: String,
+    /// Whether the receiver expects more bits than are sent, and therefore ignores the PDO.
+    is_too_short: bool,
+}
+
+impl<'a> Link<'a> {
+    fn new(row: &'a LinkRow) -> Self {
+        let end = |of: fn(&CarriedEntry) -> &Option<MappedEntry>| {
+            let mapped = row.entries.iter().filter(|entry| of(entry).is_some());
+            mapped.map(|entry| entry.bit + entry.bits).max().unwrap_or(0)
+        };
+        let (sent, received) = (end(|entry| &entry.from), end(|entry| &entry.to));
+        Self { row, can_id: can_id(row.can_id), is_too_short: sent != 0 && sent < received }
+    }
+
+    /// The lines of the link in a table.
+    fn rows(&self) -> usize {
+        self.row.entries.len().max(1)
+    }
+
+    /// The entries in short: `0x6000:01–05, 0x6401:01`; those of the sender, where they are known.
+    fn span(&self) -> String {
+        let entries = self.row.entries.iter().filter_map(|entry| entry.from.as_ref().or(entry.to.as_ref()));
+        let mut spans: Vec<(Address, u8)> = Vec::new();
+        for Address { index, sub } in entries.filter_map(|entry| entry.address) {
+            let number = sub.unwrap_or(0);
+            match spans.last_mut() {
+                Some((first, last)) if first.index == index && last.checked_add(1) == Some(number) => {
+                    *last = number;
+                }
+                _ => spans.push((Address { index, sub }, number)),
+            }
+        }
+        let shown = |(first, last): (Address, u8)| {
+            let anchor = Anchor { index: first.index, sub: first.sub };
+            let is_one = first.sub.unwrap_or(0) == last;
+            if is_one { anchor.spoken() } else { format!("{}–{last:02X}", anchor.spoken()) }
+        };
+        spans.into_iter().map(shown).collect::<Vec<_>>().join(", ")
+    }
+}
+
+/// A number of 32 bits.
+fn hex(number: u32) -> String {
+    format!("0x{number:08X}")
+}
+
+/// `0x185`; eight digits for an extended frame.
+fn can_id(id: MessageId) -> String {
+    spelled(id.number, id.is_extended)
+}
+
+impl<'a> NetworkView<'a> {
+    /// The view of the network with this number on the page, counted from 1.
+    pub(crate) fn new(network: &'a SiteNetwork, number: usize, form: Form) -> Self {
+        let overview = &network.overview;
+        let has_pages = network.pages.iter().any(Option::is_some);
+        Self {
+            language: overview.language,
+            texts: Texts::of(overview.language),
+            network,
+            overview,
+            prefix: format!("network-{number}"),
+            // a page without others beside it has no picture there either
+            picture: match form {
+                Form::Markdown if has_pages => format!("network-{number}.svg"),
+                _ => String::new(),
+            },
+            pages: network.pages.iter().map(|page| page.as_deref().map(super::site::address)).collect(),
+            findings: network.findings.as_deref().map(Found::by_rule),
+            links: overview.links.iter().map(Link::new).collect(),
+        }
+    }
+
+    /// The picture and its file name, if it is a file of its own.
+    pub(crate) fn picture(&self) -> Option<(&str, String)> {
+        (!self.picture.is_empty()).then(|| (self.picture.as_str(), self.drawn() + "\n"))
+    }
+
+    /// The picture of nodes and messages (SVG).
+    fn drawn(&self) -> String {
+        graph::svg(self.overview)
+    }
+
+    /// `chapter 4`; empty for a network without a name.
+    pub(crate) fn name(&self) -> &'a str {
+        self.overview.name.as_deref().unwrap_or_default()
+    }
+
+    /// File, bit rate and load.
+    fn summary(&self) -> String {
+        let mut words: Vec<String> = self.network.file.iter().cloned().collect();
+        words.extend(self.overview.bit_rate.map(|rate| format!("{rate} kbit/s")));
+        let load = |load| {
+            let load = decimal(u32::try_from(load).unwrap_or(u32::MAX), 1, self.language);
+            format!("{} {load} %", self.texts.bus_load)
+        };
+        words.extend(self.overview.load.map(load));
+        words.join(", ")
+    }
+
+    /// The number of findings.
+    fn finding_count(&self) -> usize {
+        self.findings.iter().flatten().map(|found| found.findings.len()).sum()
+    }
+
+    /// Node-IDs of several nodes, which CANopen does not allow.
+    fn doubled(&self) -> Vec<u8> {
+        let mut ids: Vec<u8> = self.overview.nodes.iter().filter_map(|node| node.node_id).collect();
+        let mut doubled: Vec<u8> = Vec::new();
+        ids.sort_unstable();
+        doubled.extend(ids.windows(2).filter(|pair| pair[0] == pair[1]).map(|pair| pair[0]));
+        doubled.dedup();
+        doubled
+    }
+
+    /// The URL of the page of a node; `None` without one.
+    fn page(&self, position: Option<usize>) -> Option<&str> {
+        self.pages.get(position?)?.as_deref()
+    }
+
+    /// `5 pump`.
+    fn label(&self, position: Option<usize>) -> String {
+        let node = self.overview.nodes.iter().find(|node| node.position == position);
+        node.map_or_else(String::new, called)
+    }
+
+    /// The URL of an entry; `None` without a page or for a dummy.
+    fn entry_page(&self, end: Option<&End>, entry: &MappedEntry) -> Option<String> {
+        let Address { index, sub } = entry.address?;
+        Some(format!("{}#{}", self.page(end?.position)?, Anchor { index, sub }))
+    }
+
+    /// What goes from one node to another, with the numbers of the links.
+    fn between(&self, from: &NodeRow, to: &NodeRow) -> Vec<(usize, &Link<'a>)> {
+        let is =
+            |end: &Option<End>, node: &NodeRow| end.as_ref().is_some_and(|end| end.position == node.position);
+        let links = self.links.iter().enumerate();
+        links.filter(|(_, link)| is(&link.row.sender, from) && is(&link.row.receiver, to)).collect()
+    }
+
+    /// What a service is called.
+    fn service(&self, end: &End) -> Cow<'static, str> {
+        end.service.name(self.language)
+    }
+
+    /// A period in microseconds; empty without one.
+    fn period(&self, period: Option<u64>) -> String {
+        let shown = |time| of_microseconds(u32::try_from(time).unwrap_or(u32::MAX), self.language);
+        period.map(shown).unwrap_or_default()
+    }
+
+    /// A time in milliseconds; empty for 0.
+    fn time(&self, time: u16) -> String {
+        if time == 0 { String::new() } else { of_milliseconds(time.into(), self.language) }
+    }
+}
+
+/// `5 pump`.
+fn called(node: &NodeRow) -> String {
+    let id = node.node_id.map_or_else(|| "?".to_owned(), |id| id.to_string());
+    format!("{id} {}", node.name)
+}
+
+/// `0x6000:01`; empty for a dummy.
+fn spoken(entry: &MappedEntry) -> String {
+    entry.address.map_or_else(String::new, |Address { index, sub }| Anchor { index, sub }.spoken())
+}
+
+#[derive(Template)]
+#[template(path = "html/_network.html")]
+struct HtmlNetwork<'a> {
+    network: &'a NetworkView<'a>,
+}
+
+#[derive(Template)]
+#[template(path = "markdown/_network.md")]
+struct MarkdownNetwork<'a> {
+    network: &'a NetworkView<'a>,
+}
+
+impl NetworkView<'_> {
+    /// The network as a part of an HTML page.
+    pub(crate) fn html(&self) -> String {
+        // writing to a text cannot fail, nor do the filters
+        HtmlNetwork { network: self }.render().unwrap_or_default()
+    }
+
+    /// The network as a part of a Markdown page.
+    pub(crate) fn markdown(&self) -> String {
+        MarkdownNetwork { network: self }.render().unwrap_or_default()
+    }
+}
