@@ -41,6 +41,7 @@ fn pages() {
             "concise",
             "network",
             "rules/network/link-mismatch",
+            "rules/network/link-type",
         ] {
             copy_folder(&Path::new("fixtures").join(fixtures), &input.join("fixtures").join(fixtures));
         }

@@ -30,6 +30,7 @@ mod network;
 mod new;
 #[cfg(feature = "cli")]
 mod pages;
+mod related;
 mod rules;
 mod structure;
 #[path = "../support/mod.rs"]

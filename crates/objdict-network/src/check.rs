@@ -6,9 +6,7 @@ mod heartbeat;
 mod managers;
 mod timing;
 
-use std::borrow::Cow;
-
-use crate::diagnostic::Findings;
+use crate::diagnostic::{At, Findings};
 use crate::messages::{Messages, Party};
 use crate::network::Network;
 use crate::stream::{Compiled, Manner, Slave, compile};
@@ -68,13 +66,19 @@ impl<'n> Check<'n, '_> {
         self.compiled.nodes().find(|slave| slave.node == node)
     }
 
-    /// Who a node-ID belongs to: its name, and its producer heartbeat time.
-    fn producer(&self, node_id: u8) -> Option<(Cow<'n, str>, u16)> {
+    /// Where a description has the CAN-ID of a party.
+    fn can_id_origin(&self, party: &Party) -> Option<At> {
+        self.slave(party.node?)?.can_id_origin(self.network, party.service)
+    }
+
+    /// Who a node-ID belongs to: its name, its producer heartbeat time, and where its description has that.
+    fn producer(&self, node_id: u8) -> Option<(&'n str, u16, Option<At>)> {
         if let Some(slave) = self.compiled.nodes().find(|slave| slave.node_id == node_id) {
-            return Some((self.network.nodes[slave.node].name.value.as_str().into(), slave.heartbeat));
+            let name = &self.network.nodes[slave.node].name.value;
+            return Some((name, slave.heartbeat, slave.origin(self.network, 0x1017, 0)));
         }
         let manager = self.network.manager.as_ref()?;
         manager.node_id.filter(|own| own.value == node_id)?;
-        Some((manager.name.value.as_str().into(), manager.heartbeat.producer.map_or(0, |time| time.value)))
+        Some((&manager.name.value, manager.heartbeat.producer.map_or(0, |time| time.value), None))
     }
 }

@@ -7,10 +7,12 @@ use objdict_model::diagnostic::Severity;
 
 use self::desk::Desk;
 pub use self::pdo::PdoState;
+pub(crate) use self::pdo::indexes;
 use crate::configured::configured;
-use crate::diagnostic::{Diagnostic, Findings, say};
+use crate::diagnostic::{At, Diagnostic, Findings, say};
 use crate::download::{ConciseDcf, Download};
-use crate::model::{Address, Device};
+use crate::identity;
+use crate::model::{Address, Device, Field, Part, Place};
 use crate::network::{DownloadWish, Manager, Network, Node, Said, ValueWish};
 use crate::rules::{
     HEARTBEAT_AND_GUARDING, INVALID_VALUE, MISSING_ENTRY, NO_HEARTBEAT_CONSUMER, UNKNOWN_NODE_ID,
@@ -81,14 +83,16 @@ pub fn compile(network: &Network, manner: Manner, findings: &mut Findings) -> Co
     for (position, node) in network.nodes.iter().enumerate() {
         let Some(node_id) = node.node_id.filter(|node_id| (1..=127).contains(&node_id.value)) else {
             let message = say!("the node-ID of `{}` is not known", node.name.value);
-            let finding = Diagnostic::new(&UNKNOWN_NODE_ID, node.name.at, message);
+            let place = Place::of(Part::Commissioning).field(Field::NodeId);
+            let finding = Diagnostic::new(&UNKNOWN_NODE_ID, node.name.at, message)
+                .label(At::Node(position, place), "no node-ID");
             findings.push(finding.help("add the node-ID, or use a DCF that states it"));
             continue;
         };
-        let mut desk = Desk::new(node, node_id.value, manner, findings);
+        let mut desk = Desk::new((position, node), node_id.value, manner, findings);
         let is_manager = own == Some(position);
         let manager = network.manager.as_ref().filter(|_| !is_manager);
-        let slave = slave(&mut desk, position, manager, &mut pool);
+        let slave = slave(&mut desk, manager, &mut pool);
         if is_manager {
             compiled.manager = Some(slave);
         } else {
@@ -100,7 +104,6 @@ pub fn compile(network: &Network, manner: Manner, findings: &mut Findings) -> Co
 
 fn slave(
     desk: &mut Desk<'_, '_>,
-    position: usize,
     manager: Option<&Manager>,
     pool: &mut std::ops::RangeInclusive<u32>,
 ) -> Slave {
@@ -132,7 +135,7 @@ fn slave(
     let own = std::mem::take(&mut desk.downloads);
     let downloads = ConciseDcf(consumers.into_iter().chain(own).collect());
     Slave {
-        node: position,
+        node: desk.position,
         node_id: desk.node_id,
         device: configured(&node.device, desk.node_id, &downloads.0),
         downloads,
@@ -142,7 +145,7 @@ fn slave(
         heartbeat,
         emcy: desk.emcy(),
         guard_time,
-        identity: identity(desk),
+        identity: identity::expected(node, desk.node_id),
     }
 }
 
@@ -175,7 +178,8 @@ fn monitored(desk: &mut Desk<'_, '_>, heartbeat: u16) {
     let heartbeats = &desk.node.heartbeat;
     if heartbeats.consumer_time(heartbeat).is_none() {
         let at = heartbeats.producer.map_or(desk.node.name.at, |producer| producer.at);
-        desk.findings.push(too_long(at, heartbeats.factor, heartbeat));
+        let finding = too_long(at, heartbeats.factor, heartbeat);
+        desk.findings.push(finding.label_each(desk.origin(0x1017, 0), "the heartbeat time"));
     }
 }
 
@@ -208,7 +212,10 @@ fn guarding(desk: &mut Desk<'_, '_>, heartbeat: u16) -> u16 {
     if time != 0 && factor != 0 && heartbeat != 0 {
         let at = desk.node.guarding.0.map_or(desk.node.name.at, |time| time.at);
         let message = say!("`{}` has a heartbeat as well as node guarding", desk.node.name.value);
-        let finding = Diagnostic::new(&HEARTBEAT_AND_GUARDING, at, message);
+        let finding = Diagnostic::new(&HEARTBEAT_AND_GUARDING, at, message)
+            .label_each(desk.origin(0x1017, 0), "the heartbeat time")
+            .label_each(desk.origin(0x100C, 0), "the guard time")
+            .label_each(desk.origin(0x100D, 0), "the life time factor");
         desk.findings.push(
             finding.help("remove the guard time and the life time factor; the manager uses the heartbeat"),
         );
@@ -273,28 +280,11 @@ fn consumers(desk: &mut Desk<'_, '_>, manager: &Manager) -> Vec<Download> {
         ),
         (None, _) => desk.findings.push(
             finding(say!("all entries of 1016h of `{}` monitor other nodes", name))
+                .label(desk.place(Place::object(CONSUMERS)), "no entry is free")
                 .help("free one by a download of 0, or remove `heartbeat_consumer`"),
         ),
     }
     Vec::new()
-}
-
-/// What the manager expects of the node: `DeviceInfo` counts more than 1018h, as in dcfgen.
-fn identity(desk: &Desk<'_, '_>) -> [u32; 5] {
-    let info = desk.node.device.device_info.as_ref();
-    let serial = desk.node.device.commissioning.as_ref().and_then(|node| node.lss_serial_number);
-    let present = |index, sub| u32::try_from(desk.present(index, sub)).unwrap_or(0);
-    [
-        present(0x1000, 0),
-        info.and_then(|info| info.vendor_number).unwrap_or_else(|| present(0x1018, 1)),
-        info.and_then(|info| info.product_number).unwrap_or_else(|| present(0x1018, 2)),
-        desk.node
-            .revision_number
-            .map(|number| number.value)
-            .or_else(|| info.and_then(|info| info.revision_number))
-            .unwrap_or_else(|| present(0x1018, 3)),
-        desk.node.serial_number.map(|number| number.value).or(serial).unwrap_or_else(|| present(0x1018, 4)),
-    ]
 }
 
 /// A finding about an entry that the node does not have.

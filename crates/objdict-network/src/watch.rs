@@ -2,8 +2,9 @@
 
 use crate::configure::Setting;
 use crate::diagnostic::{Diagnostic, Findings, say};
-use crate::model::Object;
+use crate::model::{Object, Place};
 use crate::network::{Heartbeat, Network, Node, Said, Watch, WatchTime};
+use crate::origin::because;
 use crate::rules::NO_HEARTBEAT_CONSUMER;
 
 /// Makes settings of the nodes that a node [watches](Heartbeat::watched). One that cannot be monitored is a finding.
@@ -12,7 +13,9 @@ pub fn watch(network: &mut Network, findings: &mut Findings) {
     for (position, node) in network.nodes.iter().enumerate() {
         let mut free = free(node);
         for said in &node.heartbeat.watched {
+            let mut place = None;
             let setting = consumer(network, &said.value).and_then(|number| {
+                place = Some(Place::object(0x1016));
                 let sub = free.next().ok_or("1016h has no free sub-index")?;
                 Setting::value(&format!("1016:{sub:X}={number}")).map_err(|_| "1016h cannot be written")
             });
@@ -21,8 +24,9 @@ pub fn watch(network: &mut Network, findings: &mut Findings) {
                 Err(reason) => {
                     let message =
                         say!("`{}` cannot watch `{}`: {}", node.name.value, said.value.node, reason);
-                    let finding = Diagnostic::new(&NO_HEARTBEAT_CONSUMER, said.at, message);
-                    findings.push(finding.help("watch a node that has a node-ID and a `heartbeat`"));
+                    let finding = Diagnostic::new(&NO_HEARTBEAT_CONSUMER, said.at, message)
+                        .help("watch a node that has a node-ID and a `heartbeat`");
+                    findings.push(because(finding, position, place));
                 }
             }
         }

@@ -4,9 +4,9 @@ use std::path::Path;
 
 use super::Descriptions;
 use super::rules::{INVALID_NODE_LIST, NODE_COUNT, OTHER_NODE_ID};
-use crate::diagnostic::{Diagnostic, Findings, Severity, say};
+use crate::diagnostic::{At, Diagnostic, Findings, Severity, say};
 use crate::format::nodelist;
-use crate::model::{Topology, TopologyNode};
+use crate::model::{Field, Part, Place, Topology, TopologyNode};
 use crate::network::{Heartbeat, Manager, Network, Node, Said};
 use crate::source::{SourceFile, Span};
 
@@ -35,12 +35,10 @@ pub(super) fn read(
     }
     reader.count(&topology);
     let mut network = Network { name: topology.name.clone(), ..Network::default() };
-    network.nodes = topology
-        .nodes
-        .iter()
-        .filter(|node| node.present)
-        .filter_map(|node| reader.node(&topology, node))
-        .collect();
+    for listed in topology.nodes.iter().filter(|node| node.present) {
+        let node = reader.node(&topology, listed, network.nodes.len());
+        network.nodes.extend(node);
+    }
     let stated = |node: &Node| node.device.commissioning.as_ref().and_then(|node| node.baud_rate);
     network.bit_rate = network
         .nodes
@@ -109,7 +107,8 @@ impl Reader<'_, '_> {
         self.findings.push(finding.help(say!("write `Nodes=0x{:02X}`", topology.present())));
     }
 
-    fn node(&mut self, topology: &Topology, listed: &TopologyNode) -> Option<Node> {
+    /// The node that gets this position in the network.
+    fn node(&mut self, topology: &Topology, listed: &TopologyNode, position: usize) -> Option<Node> {
         let key = format!("Node{}DCFName", listed.id);
         let at = self.span(&key);
         let name = listed.name.clone().unwrap_or_else(|| format!("node{}", listed.id));
@@ -118,7 +117,9 @@ impl Reader<'_, '_> {
         if let Some(stated) = device.node_id().filter(|stated| *stated != listed.id) {
             let message =
                 say!("`{}` is configured for node {}, but listed as node {}", name, stated, listed.id);
-            let finding = Diagnostic::new(&OTHER_NODE_ID, at, message);
+            let place = Place::of(Part::Commissioning).field(Field::NodeId);
+            let finding =
+                Diagnostic::new(&OTHER_NODE_ID, at, message).label(At::Node(position, place), "the node-ID");
             self.findings.push(finding.help("list the DCF of the node, or correct its node-ID").understood());
         }
         let node_id = Some(Said::new(listed.id, at));

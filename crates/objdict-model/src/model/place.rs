@@ -183,6 +183,15 @@ impl Place {
 }
 
 impl Device {
+    /// The place that says what an entry is: that of the sub-index if it is described, else that of the object, which
+    /// describes a VAR and all sub-indexes of a compact object.
+    pub fn entry_place(&self, index: u16, sub: u8) -> Place {
+        match self.object(index).and_then(|object| object.subs.get(sub)) {
+            Some(_) => Place::entry(index, sub),
+            None => Place::object(index),
+        }
+    }
+
     /// The place of the value of a sub-index: the configured value of a DCF, else the default
     /// ([`Object::value`](super::Object::value)).
     pub fn value_place(&self, index: u16, sub: u8) -> Place {

@@ -2,10 +2,10 @@
 
 use super::Check;
 use super::timing::sdo_bits;
-use crate::diagnostic::{Diagnostic, say};
-use crate::model::Device;
+use crate::diagnostic::{At, Diagnostic, say};
+use crate::identity::{self, number};
 use crate::rules::{BOOT_TIME, WRONG_IDENTITY};
-use crate::source::Span;
+use crate::stream::Slave;
 
 impl Check<'_, '_> {
     pub(super) fn identities(&mut self) {
@@ -24,30 +24,42 @@ impl Check<'_, '_> {
                         wish.value,
                         described
                     );
-                    let finding = Diagnostic::new(&WRONG_IDENTITY, wish.at, message);
+                    let place = At::Node(slave.node, node.device.value_place(0x1018, sub));
+                    let finding = Diagnostic::new(&WRONG_IDENTITY, wish.at, message)
+                        .label(place, "the described number");
                     self.findings
                         .push(finding.help("correct the number, or use the description of that device"));
                 }
             }
-            let Some(manager) = self.compiled.manager.as_ref().map(|manager| &manager.device) else {
-                continue;
-            };
-            let expected = (0x1F84..).zip(slave.identity);
-            for (index, is) in expected.chain(slave.emcy.map(|emcy| (0x1028, emcy))) {
-                let Some(wanted) = number(manager, index, slave.node_id, slave.node_id) else { continue };
-                let is_off = wanted == 0 || index == 0x1028 && wanted >> 31 != 0;
-                if !is_off && is != 0 && wanted != is {
-                    let message = say!(
-                        "{:04X}h of the manager expects {:X}h of `{}`, which has {:X}h",
-                        index,
-                        wanted,
-                        name,
-                        is
-                    );
-                    let at: Span = node.name.at;
-                    let finding = Diagnostic::new(&WRONG_IDENTITY, at, message);
-                    self.findings.push(finding.help("correct the value in the description of the manager"));
-                }
+            self.expected_identity(slave);
+        }
+    }
+
+    /// The objects of a described manager against the node.
+    fn expected_identity(&mut self, slave: &Slave) {
+        let Some(manager) = &self.compiled.manager else { return };
+        let node = &self.network.nodes[slave.node];
+        let described = identity::described(&node.device, slave.node_id).into_iter().zip(slave.identity);
+        let identity = (0x1F84..).zip(described).map(|(index, ((number, place), is))| {
+            // the network file may state another one
+            (index, is, (number == is).then_some(At::Node(slave.node, place)))
+        });
+        let emcy = slave.emcy.map(|emcy| (0x1028, emcy, slave.origin(self.network, 0x1014, 0)));
+        for (index, is, origin) in identity.chain(emcy) {
+            let Some(wanted) = number(&manager.device, index, slave.node_id, slave.node_id) else { continue };
+            let is_off = wanted == 0 || index == 0x1028 && wanted >> 31 != 0;
+            if !is_off && is != 0 && wanted != is {
+                let message = say!(
+                    "{:04X}h of the manager expects {:X}h of `{}`, which has {:X}h",
+                    index,
+                    wanted,
+                    node.name.value,
+                    is
+                );
+                let finding = Diagnostic::new(&WRONG_IDENTITY, node.name.at, message)
+                    .label_each(manager.origin(self.network, index, slave.node_id), "the expected number")
+                    .label_each(origin, "the described number");
+                self.findings.push(finding.help("correct the value in the description of the manager"));
             }
         }
     }
@@ -77,10 +89,4 @@ impl Check<'_, '_> {
             }
         }
     }
-}
-
-/// The number in an entry after the configuration.
-fn number(device: &Device, index: u16, sub: u8, node_id: u8) -> Option<u32> {
-    let number = device.object(index)?.value(sub)?.integer_for(node_id)?;
-    u32::try_from(number).ok()
 }

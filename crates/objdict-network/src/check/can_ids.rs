@@ -11,9 +11,9 @@ use crate::rules::{
     DUPLICATE_CAN_ID, DUPLICATE_NODE_ID, DUPLICATE_SYNC_SENDER, PDO_LENGTH, RESTRICTED_CAN_ID,
     RPDO_WITHOUT_SENDER, TPDO_WITHOUT_RECEIVER, UNSUPPORTED_BIT_RATE,
 };
-use crate::stream::PdoState;
+use crate::stream::{PdoState, indexes};
 
-impl Check<'_, '_> {
+impl<'n> Check<'n, '_> {
     pub(super) fn nodes(&mut self) {
         self.node_ids();
         let Some(rate) = self.network.bit_rate else { return };
@@ -47,18 +47,21 @@ impl Check<'_, '_> {
     }
 
     fn node_ids(&mut self) {
-        let described = self.network.nodes.iter().map(|node| (&node.name.value, node.node_id));
+        let described = self.network.nodes.iter().enumerate();
+        let described = described.map(|(at, node)| (&node.name.value, node.node_id, node.node_id_origin(at)));
         let manager = self.network.manager.iter().filter(|manager| manager.node.is_none());
-        let all = manager.map(|manager| (&manager.name.value, manager.node_id)).chain(described);
-        let mut known: BTreeMap<u8, Said<&str>> = BTreeMap::new();
-        for (name, node_id) in all {
+        let all = manager.map(|manager| (&manager.name.value, manager.node_id, None)).chain(described);
+        let mut known: BTreeMap<u8, (Said<&str>, Option<At>)> = BTreeMap::new();
+        for (name, node_id, origin) in all {
             let Some(Said { value: node_id, at }) = node_id else { continue };
-            let Some(first) = known.get(&node_id) else {
-                known.insert(node_id, Said::new(name, at));
+            let Some((first, first_origin)) = known.get(&node_id) else {
+                known.insert(node_id, (Said::new(name, at), origin));
                 continue;
             };
             let message = say!("`{}` has the node-ID {} of `{}`", name, node_id, first.value);
-            let finding = Diagnostic::new(&DUPLICATE_NODE_ID, at, message).label(first.at, "it is used here");
+            let finding = Diagnostic::new(&DUPLICATE_NODE_ID, at, message)
+                .label(first.at, "it is used here")
+                .label_each(origin.into_iter().chain(first_origin.clone()), "the node-ID");
             self.findings.push(finding.help("give one of them another node-ID").understood());
         }
     }
@@ -73,7 +76,8 @@ impl Check<'_, '_> {
                     "{} has the CAN-ID {can_id}, which is restricted: {owner}",
                     self.described(party)
                 );
-                let finding = Diagnostic::new(&RESTRICTED_CAN_ID, party.at, message);
+                let finding = Diagnostic::new(&RESTRICTED_CAN_ID, party.at, message)
+                    .label_each(self.can_id_origin(party), "the CAN-ID");
                 self.findings.push(finding.help("use a CAN-ID of 181h to 57Fh or 680h to 6DFh").understood());
             }
         }
@@ -101,16 +105,25 @@ impl Check<'_, '_> {
             let rule = if is_same_service { &DUPLICATE_SYNC_SENDER } else { &DUPLICATE_CAN_ID };
             let message =
                 format!("{} and {} both send {can_id}", self.described(first), self.described(other));
-            let finding = Diagnostic::new(rule, other.at, message).label(first.at, "the other sender");
+            let finding = Diagnostic::new(rule, other.at, message)
+                .label(first.at, "the other sender")
+                .label_each(self.can_id_origin(other), say!("the CAN-ID of {}", other.service.to_string()))
+                .label_each(self.can_id_origin(first), say!("the CAN-ID of {}", first.service.to_string()));
             findings.push(finding.help("give one of them another CAN-ID, or switch it off").understood());
         }
         findings.into_iter().for_each(|finding| self.findings.push(finding));
     }
 
     /// The PDO of a party.
-    fn state(&self, party: &Party) -> Option<&PdoState> {
+    pub(super) fn state(&self, party: &Party) -> Option<&'n PdoState> {
         let Service::Pdo(pdo) = party.service else { return None };
         self.slave(party.node?)?.pdos.iter().find(|state| state.pdo == pdo)
+    }
+
+    /// Where a description has the mapping of the PDO of a party.
+    fn mapping_origin(&self, party: &Party) -> Option<At> {
+        let Service::Pdo(pdo) = party.service else { return None };
+        self.slave(party.node?)?.origin(self.network, indexes(pdo).1, 0)
     }
 
     /// Who sends what others receive, and in which length.
@@ -121,14 +134,16 @@ impl Check<'_, '_> {
             if message.senders.is_empty() {
                 for party in message.receivers.iter().filter(is_pdo) {
                     let text = format!("no node sends {can_id}, which {} receives", self.described(party));
-                    let finding = Diagnostic::new(&RPDO_WITHOUT_SENDER, party.at, text);
+                    let finding = Diagnostic::new(&RPDO_WITHOUT_SENDER, party.at, text)
+                        .label_each(self.can_id_origin(party), "the CAN-ID");
                     findings.push(finding.help("correct the CAN-ID, or switch the RPDO off"));
                 }
             }
             if message.receivers.is_empty() {
                 for party in message.senders.iter().filter(is_pdo) {
                     let text = format!("no node receives {can_id}, which {} sends", self.described(party));
-                    let finding = Diagnostic::new(&TPDO_WITHOUT_RECEIVER, party.at, text);
+                    let finding = Diagnostic::new(&TPDO_WITHOUT_RECEIVER, party.at, text)
+                        .label_each(self.can_id_origin(party), "the CAN-ID");
                     findings.push(finding.help("switch the TPDO off, or link its entries"));
                 }
             }
@@ -149,6 +164,8 @@ impl Check<'_, '_> {
                 );
                 let finding = Diagnostic::new(&PDO_LENGTH, receiver.at, text)
                     .label(sender.at, "the sender")
+                    .label_each(self.mapping_origin(receiver), say!("{} bits are mapped", received.bits()))
+                    .label_each(self.mapping_origin(sender), say!("{} bits are mapped", sent.bits()))
                     .understood();
                 findings.push(match received.bits() > sent.bits() {
                     true => {

@@ -1,22 +1,75 @@
 //! Monitoring.
 
 use super::Check;
-use crate::diagnostic::{Diagnostic, say};
+use crate::diagnostic::{At, Diagnostic, say};
 use crate::rules::{SHORT_HEARTBEAT_TIME, SILENT_NODE};
 use crate::source::Span;
 
 /// A heartbeat is late by the frames that wait before it, so a consumer waits half a period longer at least.
 const LEAST_FACTOR: f64 = 1.5;
 
-impl Check<'_, '_> {
+/// A node that monitors another one.
+struct Consumer<'n> {
+    name: &'n str,
+    at: Span,
+    /// Where its description has the time.
+    origin: Option<At>,
+    node_id: u8,
+    milliseconds: u16,
+}
+
+impl<'n> Check<'n, '_> {
     /// The consumer heartbeat times of nodes and manager against the producers.
     pub(super) fn heartbeats(&mut self) {
-        let mut consumers: Vec<(String, Span, u8, u16)> = Vec::new();
+        for consumer in self.consumers() {
+            let Consumer { name, at, origin, node_id, milliseconds } = consumer;
+            let finding = |rule, message| {
+                Diagnostic::new(rule, at, message).label_each(origin, "the consumer heartbeat time")
+            };
+            let finding = match self.producer(node_id) {
+                None => {
+                    let message = say!("`{}` monitors node {}, which is not in the network", name, node_id);
+                    finding(&SILENT_NODE, message).help("free the sub-index of 1016h, or add the node")
+                }
+                Some((producer, 0, place)) => {
+                    let message = say!("`{}` monitors `{}`, which sends no heartbeat", name, producer);
+                    finding(&SILENT_NODE, message)
+                        .label_each(place, "the producer heartbeat time")
+                        .help("set the producer heartbeat time of the node (1017h)")
+                }
+                Some((producer, period, place))
+                    if f64::from(milliseconds) < f64::from(period) * LEAST_FACTOR =>
+                {
+                    let message = say!(
+                        "`{}` gives `{}` up after {} ms, but a heartbeat comes each {} ms",
+                        name,
+                        producer,
+                        milliseconds,
+                        period
+                    );
+                    finding(&SHORT_HEARTBEAT_TIME, message)
+                        .label_each(place, "the producer heartbeat time")
+                        .help("wait 1.5 to 3 times as long as the producer heartbeat time")
+                }
+                Some(_) => continue,
+            };
+            self.findings.push(finding);
+        }
+    }
+
+    fn consumers(&self) -> Vec<Consumer<'n>> {
+        let mut consumers = Vec::new();
         for slave in self.compiled.nodes() {
             let node = &self.network.nodes[slave.node];
             let at = node.heartbeat.consumer.map_or(node.name.at, |consumer| consumer.at);
             for consumer in slave.device.services().heartbeat_consumers {
-                consumers.push((node.name.value.clone(), at, consumer.node_id, consumer.time));
+                consumers.push(Consumer {
+                    name: &node.name.value,
+                    at,
+                    origin: slave.origin(self.network, 0x1016, consumer.sub),
+                    node_id: consumer.node_id,
+                    milliseconds: consumer.time,
+                });
             }
         }
         if let Some(manager) = self.network.manager.as_ref().filter(|manager| manager.monitors_nodes()) {
@@ -24,36 +77,15 @@ impl Check<'_, '_> {
                 let node = &self.network.nodes[slave.node];
                 let at = node.heartbeat.producer.map_or(node.name.at, |producer| producer.at);
                 let time = node.heartbeat.consumer_time(slave.heartbeat);
-                consumers.extend(time.map(|time| (manager.name.value.clone(), at, slave.node_id, time)));
+                consumers.extend(time.map(|milliseconds| Consumer {
+                    name: &manager.name.value,
+                    at,
+                    origin: None,
+                    node_id: slave.node_id,
+                    milliseconds,
+                }));
             }
         }
-        for (consumer, at, node_id, time) in consumers {
-            match self.producer(node_id) {
-                None => {
-                    let message =
-                        say!("`{}` monitors node {}, which is not in the network", consumer, node_id);
-                    let finding = Diagnostic::new(&SILENT_NODE, at, message);
-                    self.findings.push(finding.help("free the sub-index of 1016h, or add the node"));
-                }
-                Some((producer, 0)) => {
-                    let message = say!("`{}` monitors `{}`, which sends no heartbeat", consumer, producer);
-                    let finding = Diagnostic::new(&SILENT_NODE, at, message);
-                    self.findings.push(finding.help("set the producer heartbeat time of the node (1017h)"));
-                }
-                Some((producer, period)) if f64::from(time) < f64::from(period) * LEAST_FACTOR => {
-                    let message = say!(
-                        "`{}` gives `{}` up after {} ms, but a heartbeat comes each {} ms",
-                        consumer,
-                        producer,
-                        time,
-                        period
-                    );
-                    let finding = Diagnostic::new(&SHORT_HEARTBEAT_TIME, at, message);
-                    self.findings
-                        .push(finding.help("wait 1.5 to 3 times as long as the producer heartbeat time"));
-                }
-                Some(_) => {}
-            }
-        }
+        consumers
     }
 }

@@ -2,11 +2,11 @@
 
 use super::Check;
 use crate::diagnostic::{Diagnostic, Severity, say};
-use crate::messages::{Message, Party, Service};
+use crate::messages::Message;
 use crate::model::PdoKind;
 use crate::network::Network;
 use crate::rules::{BUS_LOAD, NO_SYNC_SENDER, PDO_TIMES, SYNC_COUNTER, SYNC_WINDOW};
-use crate::stream::{PdoState, Slave};
+use crate::stream::{PdoState, Slave, indexes};
 use crate::traffic::frame_bits;
 
 /// The most bits of the download of a value: expedited up to 4 bytes, else in segments of 7.
@@ -15,7 +15,7 @@ pub(super) const fn sdo_bits(size: usize) -> u64 {
     (2 + 2 * segments) * frame_bits(8, false)
 }
 
-impl Check<'_, '_> {
+impl<'n> Check<'n, '_> {
     pub(super) fn sync(&mut self) {
         let pdos = self.traffic().sent();
         let synchronous: Vec<_> = pdos.into_iter().filter(|(_, state)| state.is_synchronous()).collect();
@@ -42,8 +42,12 @@ impl Check<'_, '_> {
                     overflow,
                     sync.overflow
                 );
-                let finding =
-                    Diagnostic::new(&SYNC_COUNTER, node.name.at, message).label(sync.at, "who sends SYNC");
+                let sender = sync.node.and_then(|node| self.slave(node));
+                let of_sender = sender.and_then(|sender| sender.origin(self.network, 0x1019, 0));
+                let finding = Diagnostic::new(&SYNC_COUNTER, node.name.at, message)
+                    .label(sync.at, "who sends SYNC")
+                    .label_each(slave.origin(self.network, 0x1019, 0), "the overflow value")
+                    .label_each(of_sender, "the overflow value of the sender");
                 findings.push(finding.help("set 1019h to the same value in all nodes").understood());
             }
         }
@@ -51,9 +55,9 @@ impl Check<'_, '_> {
         let burst: u64 = synchronous.iter().map(|(_, state)| state.frame_bits()).sum::<u64>()
             + frame_bits(sync.bytes, false);
         let time = (burst * 1000).div_ceil(self.bit_rate());
-        let (limit, what, at) = match sync.window.value {
-            0 => (sync.period, "communication cycle period", sync.at),
-            window => (window, "synchronous window length", sync.window.at),
+        let (limit, what, at, index) = match sync.window.value {
+            0 => (sync.period, "communication cycle period", sync.at, 0x1006),
+            window => (window, "synchronous window length", sync.window.at, 0x1007),
         };
         if time > limit {
             let message = say!(
@@ -62,8 +66,10 @@ impl Check<'_, '_> {
                 what,
                 limit
             );
-            let help = "lengthen it, or send PDOs less often";
-            findings.push(Diagnostic::new(&SYNC_WINDOW, at, message).help(help));
+            let sender = sync.node.and_then(|node| self.slave(node));
+            let origin = sender.and_then(|sender| sender.origin(self.network, index, 0));
+            let finding = Diagnostic::new(&SYNC_WINDOW, at, message).label_each(origin, say!("the {}", what));
+            findings.push(finding.help("lengthen it, or send PDOs less often"));
         }
         findings.into_iter().for_each(|finding| self.findings.push(finding));
     }
@@ -74,6 +80,7 @@ impl Check<'_, '_> {
         for (slave, state) in self.traffic().sent() {
             let node = &self.network.nodes[slave.node];
             let at = node.pdos.iter().find(|wish| wish.pdo == state.pdo).map_or(node.name.at, |wish| wish.at);
+            let (communication, _) = indexes(state.pdo);
             let (inhibit, timer) = (u32::from(state.inhibit_time), u32::from(state.event_timer) * 10);
             if state.pdo.kind == PdoKind::Tpdo && timer != 0 && timer < inhibit {
                 let message = say!(
@@ -84,10 +91,15 @@ impl Check<'_, '_> {
                     state.event_timer,
                     state.inhibit_time
                 );
-                findings.push(Diagnostic::new(&PDO_TIMES, at, message).help("lengthen the event timer"));
+                let finding = Diagnostic::new(&PDO_TIMES, at, message)
+                    .label_each(slave.origin(self.network, communication, 5), "the event timer")
+                    .label_each(slave.origin(self.network, communication, 3), "the inhibit time");
+                findings.push(finding.help("lengthen the event timer"));
             }
             let sender = self.messages.0.get(&state.can_id()).and_then(|message| self.sender_of(message));
-            let Some(sent) = sender.filter(|_| state.pdo.kind == PdoKind::Rpdo && state.deadline != 0) else {
+            let Some((sender, sent)) =
+                sender.filter(|_| state.pdo.kind == PdoKind::Rpdo && state.deadline != 0)
+            else {
                 continue;
             };
             if sent.event_timer != 0 && sent.event_timer >= state.deadline {
@@ -99,19 +111,18 @@ impl Check<'_, '_> {
                     state.deadline,
                     sent.event_timer
                 );
-                findings.push(
-                    Diagnostic::new(&PDO_TIMES, at, message).help("lengthen the deadline of the receiver"),
-                );
+                let timer = sender.origin(self.network, indexes(sent.pdo).0, 5);
+                let finding = Diagnostic::new(&PDO_TIMES, at, message)
+                    .label_each(slave.origin(self.network, communication, 5), "the deadline")
+                    .label_each(timer, "the event timer of the sender");
+                findings.push(finding.help("lengthen the deadline of the receiver"));
             }
         }
         findings.into_iter().for_each(|finding| self.findings.push(finding));
     }
 
-    fn sender_of(&self, message: &Message) -> Option<&PdoState> {
-        message.senders.iter().find_map(|Party { node, service, .. }| {
-            let Service::Pdo(pdo) = *service else { return None };
-            self.slave((*node)?)?.pdos.iter().find(|state| state.pdo == pdo)
-        })
+    fn sender_of(&self, message: &Message) -> Option<(&'n Slave, &'n PdoState)> {
+        message.senders.iter().find_map(|party| Some((self.slave(party.node?)?, self.state(party)?)))
     }
 
     /// The share of the bit rate that is used all the time.
@@ -139,5 +150,6 @@ fn no_sync(network: &Network, slave: &Slave, state: &PdoState) -> Diagnostic {
         node.name.value
     );
     Diagnostic::new(&NO_SYNC_SENDER, at, message)
+        .label_each(slave.origin(network, indexes(state.pdo).0, 2), "the transmission type")
         .help("set the SYNC period of the manager, or use an event-driven transmission type")
 }

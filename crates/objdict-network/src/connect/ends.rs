@@ -5,8 +5,9 @@ use std::collections::HashMap;
 use objdict_node::download::transferred_type;
 use objdict_node::{ObjectName, resolve};
 
-use crate::diagnostic::{Diagnostic, RuleInfo, Text, listing, nearest, say};
-use crate::model::{Address, DataType, Device, Object, PdoKind};
+use crate::diagnostic::{At, Diagnostic, RuleInfo, Text, listing, nearest, say};
+use crate::model::{Address, DataType, Device, Field, Object, PdoKind, Place};
+use crate::origin::{because, refusing_field};
 use crate::rules::{LINK_DIRECTION, LINK_MISMATCH, LINK_TYPE, UNKNOWN_ENTRY, UNKNOWN_NODE};
 use crate::{Link, LinkEnd, Network, Node};
 
@@ -26,7 +27,7 @@ impl Carried {
 
     /// As in messages: `6000:1`.
     pub(super) fn name(self) -> String {
-        ObjectName::Address(self.address()).to_string()
+        name(self.address())
     }
 
     /// Whether a value keeps its meaning in an entry of this type.
@@ -67,7 +68,7 @@ impl<'a> Names<'a> {
                     continue;
                 }
             };
-            match compare(link, end, &from, &to) {
+            match self.compare(link, end, &from, &to) {
                 Err(finding) if finding.rule.id != LINK_TYPE.id => report(*finding),
                 result => {
                     result.err().into_iter().for_each(|finding| report(*finding));
@@ -80,7 +81,8 @@ impl<'a> Names<'a> {
 
     fn end(&self, end: &LinkEnd, kind: PdoKind) -> Found<End> {
         let position = *self.positions.get(&*end.node).ok_or_else(|| self.unknown_node(end))?;
-        Ok((position, entries(&self.network.nodes[position], end, kind)?))
+        let node = &self.network.nodes[position];
+        Ok((position, Named { position, node, end, kind }.entries()?))
     }
 
     fn unknown_node(&self, end: &LinkEnd) -> Box<Diagnostic> {
@@ -94,6 +96,47 @@ impl<'a> Names<'a> {
         };
         wrong(&UNKNOWN_NODE, end, say!("there is no node `{}`", end.node), help)
     }
+
+    /// Compares the two ends of a link, entry by entry.
+    fn compare(&self, link: &Link, end: &LinkEnd, from: &End, to: &End) -> Found<()> {
+        let related = |rule, message, help: &'static str| {
+            wrong(rule, end, message, help).label(link.from.at, "the producer")
+        };
+        if from.0 == to.0 {
+            let message = say!("`{}` is linked to itself", end.node);
+            let help = "link it to another node; a node does not receive its own PDOs";
+            return Err(Box::new(related(&LINK_DIRECTION, message, help)));
+        }
+        if from.1.len() != to.1.len() {
+            let message = say!("{} entries are linked to {}", from.1.len(), to.1.len());
+            let help = "name as many entries of the consumer as of the producer";
+            return Err(Box::new(related(&LINK_MISMATCH, message, help)));
+        }
+        let pairs = || from.1.iter().zip(&to.1);
+        let other_length = pairs().find(|(from, to)| from.bits != to.bits);
+        let Some((sent, taken)) =
+            other_length.or_else(|| pairs().find(|(from, to)| !from.means_the_same(**to)))
+        else {
+            return Ok(());
+        };
+        let finding = if other_length.is_some() {
+            let message =
+                say!("`{}` has {} bits, `{}` has {}", sent.name(), sent.bits, taken.name(), taken.bits);
+            let help = "link entries of the same length; bits of a PDO are received by position";
+            related(&LINK_MISMATCH, message, help)
+        } else {
+            let message =
+                say!("`{}` is {}, `{}` is {}", sent.name(), sent.data_type, taken.name(), taken.data_type);
+            let help = "link entries of the same type, or convert the value in the consumer";
+            related(&LINK_TYPE, message, help)
+        };
+        let data_type = |position: usize, entry: &Carried| {
+            let place = self.network.nodes[position].device.entry_place(entry.index, entry.sub);
+            At::Node(position, place.field(Field::DataType))
+        };
+        let finding = finding.label(data_type(to.0, taken), say!("the data type of `{}`", taken.name()));
+        Err(Box::new(finding.label(data_type(from.0, sent), say!("the data type of `{}`", sent.name()))))
+    }
 }
 
 fn wrong(
@@ -105,37 +148,104 @@ fn wrong(
     Box::new(Diagnostic::new(rule, end.at, message).help(help))
 }
 
-/// The entries at an end, in the order of their sub-indexes.
-fn entries(node: &Node, end: &LinkEnd, kind: PdoKind) -> Found<Vec<Carried>> {
-    let at = address(node, end)?;
-    let unknown = || unknown_entry(node, end);
-    let object = node.device.object(at.index).ok_or_else(unknown)?;
-    let entry = |sub| carried(node, end, (at.index, sub), kind);
-    match (at.sub, &end.entries.subs) {
-        (Some(_), Some(_)) => Err(unknown()),
-        (Some(sub), None) => Ok(vec![entry(sub)?]),
-        (None, Some(subs)) => subs.clone().map(entry).collect(),
-        (None, None) if !object.object_type().has_subs() => Ok(vec![entry(0)?]),
-        (None, None) => all(&node.device, at.index, object, kind)
-            .ok_or_else(|| direction(node, end, &ObjectName::Address(at).to_string(), kind)),
+/// What an end names on its node.
+struct Named<'a> {
+    position: usize,
+    node: &'a Node,
+    end: &'a LinkEnd,
+    kind: PdoKind,
+}
+
+impl Named<'_> {
+    /// The entries, in the order of their sub-indexes.
+    fn entries(&self) -> Found<Vec<Carried>> {
+        let at = self.address()?;
+        let object = self.node.device.object(at.index).ok_or_else(|| self.unknown_entry())?;
+        let entry = |sub| self.carried(at.index, sub);
+        match (at.sub, &self.end.entries.subs) {
+            (Some(_), Some(_)) => Err(self.unknown_entry()),
+            (Some(sub), None) => Ok(vec![entry(sub)?]),
+            (None, Some(subs)) => subs.clone().map(entry).collect(),
+            (None, None) if !object.object_type().has_subs() => Ok(vec![entry(0)?]),
+            (None, None) => all(&self.node.device, at.index, object, self.kind)
+                .ok_or_else(|| self.because(self.direction(at), Place::object(at.index))),
+        }
+    }
+
+    fn address(&self) -> Found<Address> {
+        let text = match &self.end.entries.object {
+            ObjectName::Address(at) => return Ok(*at),
+            ObjectName::Text(text) => text,
+        };
+        match *resolve(&self.node.device, text) {
+            [at] => Ok(at),
+            [] => Err(self.unknown_entry()),
+            ref several => {
+                let names = several.iter().take(5).map(|at| ObjectName::Address(*at).to_string());
+                let message = say!("`{}` names several entries of `{}`", text, self.node.name.value);
+                let help = say!("write the index of one: {}", listing(names));
+                Err(wrong(&UNKNOWN_ENTRY, self.end, message, help))
+            }
+        }
+    }
+
+    fn carried(&self, index: u16, sub: u8) -> Found<Carried> {
+        let at = Address { index, sub: Some(sub) };
+        let device = &self.node.device;
+        let place = |field| device.entry_place(index, sub).field(field);
+        let Some(entry) = device.entry(index, sub) else {
+            let message = say!("`{}` has no entry `{}`", self.node.name.value, name(at));
+            let finding = wrong(&UNKNOWN_ENTRY, self.end, message, list_subs(device, index));
+            return Err(self.because(finding, Place::object(index)));
+        };
+        let refusing = || place(refusing_field(&entry, self.kind));
+        if !entry.is_mappable() {
+            let message = say!("no PDO of `{}` can carry `{}`", self.node.name.value, name(at));
+            let help = "link an entry with `PDOMapping=1`; the manager can write others by SDO";
+            let finding = wrong(&LINK_DIRECTION, self.end, message, help);
+            return Err(self.because(finding, refusing()));
+        }
+        if !entry.fits_pdo(self.kind) {
+            return Err(self.because(self.direction(at), refusing()));
+        }
+        typed(device, index, sub).ok_or_else(|| {
+            let message = say!("`{}` of `{}` has no fixed length", name(at), self.node.name.value);
+            let help = "link entries whose data type has a fixed length";
+            let finding = wrong(&LINK_DIRECTION, self.end, message, help);
+            self.because(finding, place(Field::DataType))
+        })
+    }
+
+    fn direction(&self, at: Address) -> Box<Diagnostic> {
+        let (node, name) = (&self.node.name.value, name(at));
+        let message = match self.kind {
+            PdoKind::Tpdo => say!("`{}` cannot send `{}`", node, name),
+            PdoKind::Rpdo => say!("`{}` cannot receive `{}`", node, name),
+        };
+        wrong(&LINK_DIRECTION, self.end, message, "exchange `from` and `to`, or link another entry")
+    }
+
+    fn unknown_entry(&self) -> Box<Diagnostic> {
+        let message = say!("`{}` has no entry `{}`", self.node.name.value, self.end.entries.to_string());
+        let near = match &self.end.entries.object {
+            ObjectName::Text(text) => nearest(text, self.node.device.objects.values().map(Object::name)),
+            ObjectName::Address(_) => None,
+        };
+        let help = match near {
+            Some(name) => say!("did you mean `{}`?", name),
+            None => say!("`objdict show {}` lists the entries", self.node.file.value),
+        };
+        wrong(&UNKNOWN_ENTRY, self.end, message, help)
+    }
+
+    fn because(&self, finding: Box<Diagnostic>, place: Place) -> Box<Diagnostic> {
+        Box::new(because(*finding, self.position, place))
     }
 }
 
-fn address(node: &Node, end: &LinkEnd) -> Found<Address> {
-    let text = match &end.entries.object {
-        ObjectName::Address(at) => return Ok(*at),
-        ObjectName::Text(text) => text,
-    };
-    match *resolve(&node.device, text) {
-        [at] => Ok(at),
-        [] => Err(unknown_entry(node, end)),
-        ref several => {
-            let names = several.iter().take(5).map(|at| ObjectName::Address(*at).to_string());
-            let message = say!("`{}` names several entries of `{}`", text, node.name.value);
-            let help = say!("write the index of one: {}", listing(names));
-            Err(wrong(&UNKNOWN_ENTRY, end, message, help))
-        }
-    }
+/// An entry or object as in messages: `6000:1`.
+fn name(at: Address) -> String {
+    ObjectName::Address(at).to_string()
 }
 
 /// Each entry of an object that a PDO can carry; `None` without any.
@@ -153,99 +263,9 @@ fn typed(device: &Device, index: u16, sub: u8) -> Option<Carried> {
     Some(Carried { index, sub, data_type, bits: data_type.bit_length()? })
 }
 
-fn carried(node: &Node, end: &LinkEnd, (index, sub): (u16, u8), kind: PdoKind) -> Found<Carried> {
-    let name = ObjectName::Address(Address { index, sub: Some(sub) }).to_string();
-    let Some(entry) = node.device.entry(index, sub) else {
-        let message = say!("`{}` has no entry `{}`", node.name.value, name);
-        return Err(wrong(&UNKNOWN_ENTRY, end, message, list_subs(&node.device, index)));
-    };
-    if !entry.is_mappable() {
-        let message = say!("no PDO of `{}` can carry `{}`", node.name.value, name);
-        return Err(wrong(
-            &LINK_DIRECTION,
-            end,
-            message,
-            "link an entry with `PDOMapping=1`; the manager can write others by SDO",
-        ));
-    }
-    if !entry.fits_pdo(kind) {
-        return Err(direction(node, end, &name, kind));
-    }
-    typed(&node.device, index, sub).ok_or_else(|| {
-        let message = say!("`{}` of `{}` has no fixed length", name, node.name.value);
-        wrong(&LINK_DIRECTION, end, message, "link entries whose data type has a fixed length")
-    })
-}
-
-fn direction(node: &Node, end: &LinkEnd, name: &str, kind: PdoKind) -> Box<Diagnostic> {
-    let message = match kind {
-        PdoKind::Tpdo => say!("`{}` cannot send `{}`", node.name.value, name),
-        PdoKind::Rpdo => say!("`{}` cannot receive `{}`", node.name.value, name),
-    };
-    wrong(&LINK_DIRECTION, end, message, "exchange `from` and `to`, or link another entry")
-}
-
-fn unknown_entry(node: &Node, end: &LinkEnd) -> Box<Diagnostic> {
-    let message = say!("`{}` has no entry `{}`", node.name.value, end.entries.to_string());
-    let near = match &end.entries.object {
-        ObjectName::Text(text) => nearest(text, node.device.objects.values().map(Object::name)),
-        ObjectName::Address(_) => None,
-    };
-    let help = match near {
-        Some(name) => say!("did you mean `{}`?", name),
-        None => say!("`objdict show {}` lists the entries", node.file.value),
-    };
-    wrong(&UNKNOWN_ENTRY, end, message, help)
-}
-
 fn list_subs(device: &Device, index: u16) -> String {
     match device.object(index).and_then(Object::highest_sub) {
         Some(highest) => format!("{index:04X}h has sub-indexes up to {highest:X}h"),
         None => format!("the description has no object {index:04X}h"),
-    }
-}
-
-/// Compares the two ends of a link, entry by entry.
-fn compare(link: &Link, end: &LinkEnd, from: &End, to: &End) -> Found<()> {
-    let related = |rule, message, help: &'static str| {
-        let finding = *wrong(rule, end, message, help);
-        Box::new(finding.label(link.from.at, "the producer"))
-    };
-    if from.0 == to.0 {
-        let message = say!("`{}` is linked to itself", end.node);
-        return Err(related(
-            &LINK_DIRECTION,
-            message,
-            "link it to another node; a node does not receive its own PDOs",
-        ));
-    }
-    if from.1.len() != to.1.len() {
-        let message = say!("{} entries are linked to {}", from.1.len(), to.1.len());
-        return Err(related(
-            &LINK_MISMATCH,
-            message,
-            "name as many entries of the consumer as of the producer",
-        ));
-    }
-    let pairs = || from.1.iter().zip(&to.1);
-    if let Some((from, to)) = pairs().find(|(from, to)| from.bits != to.bits) {
-        let message = say!("`{}` has {} bits, `{}` has {}", from.name(), from.bits, to.name(), to.bits);
-        return Err(related(
-            &LINK_MISMATCH,
-            message,
-            "link entries of the same length; bits of a PDO are received by position",
-        ));
-    }
-    match pairs().find(|(from, to)| !from.means_the_same(**to)) {
-        Some((from, to)) => {
-            let message =
-                say!("`{}` is {}, `{}` is {}", from.name(), from.data_type, to.name(), to.data_type);
-            Err(related(
-                &LINK_TYPE,
-                message,
-                "link entries of the same type, or convert the value in the consumer",
-            ))
-        }
-        None => Ok(()),
     }
 }

@@ -7,10 +7,11 @@ use super::frame::{Frame, MAX_BITS, Share};
 use super::pdos::{Mapping, NodePdos};
 use super::streams::{Signal, Stream};
 use crate::configure::PdoName;
-use crate::diagnostic::{Diagnostic, Findings, say};
-use crate::model::{CobId, PdoKind};
+use crate::diagnostic::{At, Diagnostic, Findings, say};
+use crate::model::{CobId, PdoKind, Place};
 use crate::rules::{FIXED_PDO, LINK_TOO_LONG, NO_FREE_CAN_ID, NO_FREE_PDO};
 use crate::source::Span;
+use crate::stream::indexes;
 use crate::{CobIdWish, LinkParameters, Network, Node, PdoWish, Said};
 
 /// The PDOs of all streams with their nodes, in the order of the streams.
@@ -308,7 +309,11 @@ impl Packer<'_> {
             "left are {}, whose mapping, COB-ID or parameters cannot be changed as needed: link what they carry by default",
             free
         );
-        Diagnostic::new(&FIXED_PDO, stream.at, message).help(help)
+        let places = own().filter(|pdo| !pdo.is_used).map(|pdo| {
+            let (communication, mapping) = indexes(pdo.name);
+            At::Node(node, Place::object(if pdo.is_fixed() { mapping } else { communication }))
+        });
+        Diagnostic::new(&FIXED_PDO, stream.at, message).label_each(places, "not writable").help(help)
     }
 }
 

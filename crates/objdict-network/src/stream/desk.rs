@@ -2,17 +2,20 @@
 
 use super::{INVALID_VALUE, MISSING_ENTRY, Manner, missing};
 use crate::configure::{Setting, configure};
-use crate::diagnostic::{Diagnostic, Findings, Severity, say};
+use crate::diagnostic::{At, Diagnostic, Findings, Severity, say};
 use crate::download::{Download, bytes_of, transferred_type};
 use crate::literal::{self, Quirks};
-use crate::model::{Access, Address, Assignment, DataType, Value};
+use crate::model::{Access, Address, Assignment, DataType, Field, Place, Value};
 use crate::network::{Node, Said};
+use crate::origin::because;
 use crate::rules::{INVALID_SETTING, READ_ONLY_ENTRY};
 use crate::source::Span;
 
 /// A node, its downloads so far, and their problems.
 pub(super) struct Desk<'n, 'f> {
     pub(super) node: &'n Node,
+    /// The position of the node in the network.
+    pub(super) position: usize,
     pub(super) node_id: u8,
     pub(super) manner: Manner,
     pub(super) downloads: Vec<Download>,
@@ -20,8 +23,29 @@ pub(super) struct Desk<'n, 'f> {
 }
 
 impl<'n, 'f> Desk<'n, 'f> {
-    pub(super) fn new(node: &'n Node, node_id: u8, manner: Manner, findings: &'f mut Findings) -> Self {
-        Self { node, node_id, manner, downloads: Vec::new(), findings }
+    pub(super) fn new(
+        (position, node): (usize, &'n Node),
+        node_id: u8,
+        manner: Manner,
+        findings: &'f mut Findings,
+    ) -> Self {
+        Self { node, position, node_id, manner, downloads: Vec::new(), findings }
+    }
+
+    /// A place in the description of the node.
+    pub(super) fn place(&self, place: Place) -> At {
+        At::Node(self.position, place)
+    }
+
+    /// Reports what comes from a field of an entry in the description.
+    pub(super) fn report(&mut self, finding: Diagnostic, at: Address, field: Field) {
+        let place = self.node.device.entry_place(at.index, at.sub.unwrap_or(0)).field(field);
+        self.findings.push(because(finding, self.position, place));
+    }
+
+    /// Where the description has the value of an entry; `None` if a download so far replaces it.
+    pub(super) fn origin(&self, index: u16, sub: u8) -> Option<At> {
+        self.node.origin(self.position, &self.downloads, (index, sub))
     }
 
     /// Whether the node has the entry.
@@ -92,7 +116,8 @@ impl<'n, 'f> Desk<'n, 'f> {
                 whole
             );
             let finding = Diagnostic::new(&INVALID_VALUE, said, message).understood();
-            self.findings.push(finding.help("write a whole number in the unit of the entry"));
+            let finding = finding.help("write a whole number in the unit of the entry");
+            self.report(finding, at, Field::DataType);
         }
         self.write(at, whole, said, Severity::Error);
     }
@@ -133,9 +158,9 @@ impl<'n, 'f> Desk<'n, 'f> {
             Err(problems) => {
                 for problem in problems {
                     let message = format!("`{}`: {}", self.node.name.value, problem.message);
-                    let finding = Diagnostic::new(&INVALID_SETTING, setting.at, message);
                     let help = problem.help.unwrap_or_else(|| "correct the setting".to_owned());
-                    self.findings.push(finding.help(help));
+                    let finding = Diagnostic::new(&INVALID_SETTING, setting.at, message).help(help);
+                    self.findings.push(because(finding, self.position, problem.place));
                 }
             }
         }
@@ -146,7 +171,8 @@ impl<'n, 'f> Desk<'n, 'f> {
         let exists = self.has(at);
         if !exists {
             let finding = Diagnostic::new(&MISSING_ENTRY, said, missing(self.node, at)).severity(severity);
-            self.findings.push(finding.help("remove the setting, or correct index and sub-index"));
+            let finding = finding.help("remove the setting, or correct index and sub-index");
+            self.findings.push(because(finding, self.position, Place::object(at.index)));
         }
         exists
     }
@@ -161,8 +187,9 @@ impl<'n, 'f> Desk<'n, 'f> {
             access.filter(|_| self.downloads.iter().all(|other| (other.index, other.sub) != (at.index, sub)))
         {
             let message = say!("{:04X}h:{:02X} of `{}` is `{}`", at.index, sub, self.node.name.value, access);
-            let finding = Diagnostic::new(&READ_ONLY_ENTRY, said, message);
-            self.findings.push(finding.help("remove the setting, or write another entry").understood());
+            let finding = Diagnostic::new(&READ_ONLY_ENTRY, said, message).understood();
+            let finding = finding.help("remove the setting, or write another entry");
+            self.report(finding, at, Field::AccessType);
         }
         let number = |value: &Value| value.integer_for(self.node_id);
         let (low, high) =
@@ -170,11 +197,14 @@ impl<'n, 'f> Desk<'n, 'f> {
         let Some(number) = number(value) else { return };
         let is_below = low.is_some_and(|low| number < low);
         if is_below || high.is_some_and(|high| number > high) {
-            let (side, limit) = if is_below { ("below the low", low) } else { ("above the high", high) };
+            let (side, limit, field) = match is_below {
+                true => ("below the low", low, Field::LowLimit),
+                false => ("above the high", high, Field::HighLimit),
+            };
             let message =
                 say!("{} is {} limit {} of {:04X}h:{:02X}", number, side, limit.unwrap_or(0), at.index, sub);
-            let finding = Diagnostic::new(&INVALID_VALUE, said, message);
-            self.findings.push(finding.help("write a value inside the limits of the entry").understood());
+            let finding = Diagnostic::new(&INVALID_VALUE, said, message).understood();
+            self.report(finding.help("write a value inside the limits of the entry"), at, field);
         }
     }
 
@@ -194,7 +224,7 @@ impl<'n, 'f> Desk<'n, 'f> {
                     .help("correct the description: `objdict check` shows the place")
             }
         };
-        self.findings.push(finding);
+        self.report(finding, at, Field::DataType);
     }
 }
 

@@ -8,8 +8,9 @@ use super::desk::Desk;
 use crate::configure::PdoName;
 use crate::diagnostic::{Diagnostic, Severity, say};
 use crate::download::transferred_type;
-use crate::model::{Address, CobId, DataType, MappedObject, PdoKind};
+use crate::model::{Address, CobId, DataType, Field, MappedObject, Part, PdoKind, Place};
 use crate::network::{CobIdWish, PdoWish, Said};
+use crate::origin::{because, refusing_field};
 use crate::rules::{MISSING_ENTRY, NO_FREE_CAN_ID, PDO_TOO_LONG, UNMAPPABLE_ENTRY};
 
 /// A PDO after the configuration.
@@ -70,7 +71,7 @@ fn state(desk: &Desk<'_, '_>, pdo: PdoName) -> PdoState {
 }
 
 /// Communication and mapping parameter.
-fn indexes(pdo: PdoName) -> (u16, u16) {
+pub(crate) fn indexes(pdo: PdoName) -> (u16, u16) {
     let index = pdo.kind.communication_index(pdo.number).unwrap_or_default();
     (index, index + 0x200)
 }
@@ -204,13 +205,17 @@ fn mapped(desk: &mut Desk<'_, '_>, kind: PdoKind, object: &Said<Address>) -> Opt
             return Some(MappedObject { index, sub, bits });
         }
         let message = say!("{} of `{}` cannot be a dummy of this {}", data_type, desk.node.name.value, kind);
-        let finding = Diagnostic::new(&UNMAPPABLE_ENTRY, object.at, message);
+        let place = Place::of(Part::DummyUsage).field(Field::Named(format!("Dummy{index:04X}").into()));
+        let refused = (usage == Some(&false)).then(|| desk.place(place));
+        let finding =
+            Diagnostic::new(&UNMAPPABLE_ENTRY, object.at, message).label_each(refused, "not allowed");
         desk.findings.push(finding.help("use a data type that `DummyUsage` of the node allows"));
         return None;
     }
     let Some(entry) = device.entry(index, sub) else {
-        let finding = Diagnostic::new(&MISSING_ENTRY, object.at, super::missing(desk.node, object.value));
-        desk.findings.push(finding.help("correct index and sub-index"));
+        let finding = Diagnostic::new(&MISSING_ENTRY, object.at, super::missing(desk.node, object.value))
+            .help("correct index and sub-index");
+        desk.findings.push(because(finding, desk.position, Place::object(index)));
         return None;
     };
     let reason = if !entry.is_mappable() {
@@ -222,14 +227,14 @@ fn mapped(desk: &mut Desk<'_, '_>, kind: PdoKind, object: &Said<Address>) -> Opt
     };
     if let Some(reason) = reason {
         let message = say!("{:04X}h:{:02X} of `{}` {}", index, sub, desk.node.name.value, reason);
-        desk.findings.push(
-            Diagnostic::new(&UNMAPPABLE_ENTRY, object.at, message).help("map another entry").understood(),
-        );
+        let finding = Diagnostic::new(&UNMAPPABLE_ENTRY, object.at, message).help("map another entry");
+        desk.report(finding.understood(), object.value, refusing_field(&entry, kind));
     }
     let bits = transferred_type(device, index, sub).and_then(DataType::bit_length);
     if bits.is_none() {
         let message = say!("{:04X}h:{:02X} of `{}` has no fixed length", index, sub, desk.node.name.value);
-        desk.findings.push(Diagnostic::new(&UNMAPPABLE_ENTRY, object.at, message).help("map another entry"));
+        let finding = Diagnostic::new(&UNMAPPABLE_ENTRY, object.at, message).help("map another entry");
+        desk.report(finding, object.value, Field::DataType);
     }
     Some(MappedObject { index, sub, bits: bits? })
 }

@@ -7,7 +7,9 @@ use super::{Desk, Wrong};
 use crate::diagnostic::{listing, nearest, series, sub_index};
 use crate::download::{Beyond, beyond, bytes_of, transferred_type};
 use crate::literal::{self, Quirk, Quirks};
-use crate::model::{Access, Address, DataType, Entry, ExplicitDownload, Moment, Object, ObjectType, Value};
+use crate::model::{
+    Access, Address, DataType, Entry, ExplicitDownload, Field, Moment, Object, ObjectType, Value,
+};
 use crate::resolve::{ObjectName, candidates};
 
 /// Maximum number of candidates listed for an ambiguous name.
@@ -78,23 +80,23 @@ impl<'a> Desk<'a> {
 
     /// Checks data type and limits.
     fn check(&self, index: u16, sub: u8, entry: &Entry, value: &Value) -> Result<(), Wrong> {
+        let place = |field| self.device.entry_place(index, sub).field(field);
         let bytes = bytes_of(self.device, index, sub, value, Some(self.node_id));
-        bytes.map_err(|problem| Wrong::new(problem.to_string()))?;
-        match beyond(entry, value, Some(self.node_id)) {
-            Some(Beyond::Low(limit)) => {
-                Err(Wrong::new(format!("`{value}` is below the low limit `{limit}`")))
-            }
-            Some(Beyond::High(limit)) => {
-                Err(Wrong::new(format!("`{value}` is above the high limit `{limit}`")))
-            }
-            None => Ok(()),
-        }
+        bytes.map_err(|problem| Wrong::new(problem.to_string()).at(place(Field::DataType)))?;
+        let (side, limit, field) = match beyond(entry, value, Some(self.node_id)) {
+            Some(Beyond::Low(limit)) => ("below the low", limit, Field::LowLimit),
+            Some(Beyond::High(limit)) => ("above the high", limit, Field::HighLimit),
+            None => return Ok(()),
+        };
+        Err(Wrong::new(format!("`{value}` is {side} limit `{limit}`")).at(place(field)))
     }
 
     /// Parses a text as a value of the entry's data type.
     fn read(&self, index: u16, sub: u8, entry: &Entry, text: &str) -> Result<Value, Wrong> {
+        let place = || self.device.entry_place(index, sub).field(Field::DataType);
         let Some(data_type) = transferred_type(self.device, index, sub) else {
-            return Err(Wrong::new("the description does not state the data type of the entry"));
+            let wrong = Wrong::new("the description does not state the data type of the entry");
+            return Err(wrong.at(place()));
         };
         if text.is_empty() {
             return Err(Wrong::new("the value is missing").help(format!("write a value of {data_type}")));
@@ -109,7 +111,7 @@ impl<'a> Desk<'a> {
         }
         let mut quirks = Quirks::default();
         let value = literal::value(text, Some(data_type), &mut quirks)
-            .map_err(|_| Wrong::new(format!("`{text}` is not a valid {data_type}")))?;
+            .map_err(|_| Wrong::new(format!("`{text}` is not a valid {data_type}")).at(place()))?;
         if quirks.has(Quirk::Octal) {
             let wrong =
                 Wrong::new(format!("`{text}` is octal by CiA 306, but some tools read it as decimal"));
@@ -122,15 +124,17 @@ impl<'a> Desk<'a> {
     pub(super) fn writable(&self, at: Address) -> Result<(u8, Cow<'a, Entry>), Wrong> {
         let (object, sub, entry) = self.entry(at)?;
         let is_domain = entry.object_type == Some(ObjectType::Domain);
+        let place = |field| self.device.entry_place(at.index, sub).field(field);
         match entry.access.or(is_domain.then_some(Access::Rw)) {
             Some(access) if !access.is_writable() => {
-                return Err(Wrong::new(format!("the entry is `{access}`, so it cannot be configured")));
+                let wrong = Wrong::new(format!("the entry is `{access}`, so it cannot be configured"));
+                return Err(wrong.at(place(Field::AccessType)));
             }
             _ if at.index < 0x1000 => return Err(Wrong::new("a data type has no value to configure")),
             _ => {}
         }
         if entry.flags().refuses_write() || object.main.flags().refuses_write() {
-            let wrong = Wrong::new("ObjFlags bit 0 forbids the download");
+            let wrong = Wrong::new("ObjFlags bit 0 forbids the download").at(place(Field::ObjFlags));
             return Err(wrong.help("write it by SDO while the node is running"));
         }
         Ok((sub, entry))

@@ -36,7 +36,7 @@ mod time;
 use std::collections::BTreeMap;
 use std::fmt;
 
-use crate::model::{Address, Assignment, Device, ExplicitDownload, Value};
+use crate::model::{Address, Assignment, Device, ExplicitDownload, Place, Value};
 use crate::resolve::ObjectName;
 
 #[cfg(feature = "toml")]
@@ -54,6 +54,8 @@ pub struct SettingProblem {
     pub message: String,
     /// How to fix it.
     pub help: Option<String>,
+    /// What the description says against the setting.
+    pub place: Option<Place>,
 }
 
 impl fmt::Display for SettingProblem {
@@ -66,15 +68,22 @@ impl fmt::Display for SettingProblem {
 pub(crate) struct Wrong {
     message: String,
     help: Option<String>,
+    place: Option<Place>,
 }
 
 impl Wrong {
     pub(crate) fn new(message: impl Into<String>) -> Self {
-        Self { message: message.into(), help: None }
+        Self { message: message.into(), help: None, place: None }
     }
 
     pub(crate) fn help(mut self, help: impl Into<String>) -> Self {
         self.help = Some(help.into());
+        self
+    }
+
+    /// With the place of the description that the problem comes from.
+    pub(crate) fn at(mut self, place: Place) -> Self {
+        self.place = Some(place);
         self
     }
 
@@ -120,8 +129,8 @@ pub fn configuration(
     let mut problems = Vec::new();
     for setting in settings {
         if let Err(wrong) = desk.take(setting) {
-            let Wrong { message, help } = wrong;
-            problems.push(SettingProblem { setting: setting.to_string(), message, help });
+            let Wrong { message, help, place } = wrong;
+            problems.push(SettingProblem { setting: setting.to_string(), message, help, place });
         }
     }
     if !problems.is_empty() {

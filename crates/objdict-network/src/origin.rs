@@ -1,0 +1,69 @@
+//! Where the descriptions of nodes have what findings are about.
+
+use crate::diagnostic::{At, Diagnostic};
+use crate::download::Download;
+use crate::messages::Service;
+use crate::model::{Entry, Field, Part, PdoKind, PdoMapping, Place};
+use crate::network::{Network, Node};
+use crate::stream::{Slave, indexes};
+
+/// Adds what the description of a node says that a finding comes from.
+pub(crate) fn because(finding: Diagnostic, node: usize, place: impl Into<Option<Place>>) -> Diagnostic {
+    let Some(place) = place.into() else { return finding };
+    let text = match &place.field {
+        None => "the object",
+        Some(Field::DataType) => "the data type",
+        Some(Field::AccessType) => "the access",
+        Some(Field::PdoMapping) => "the PDO mapping",
+        Some(Field::LowLimit | Field::HighLimit) => "the limit",
+        Some(_) => "in the description",
+    };
+    finding.label(At::Node(node, place), text)
+}
+
+/// The field of an entry because of which no PDO of this direction carries it.
+pub(crate) fn refusing_field(entry: &Entry, kind: PdoKind) -> Field {
+    let other = if kind == PdoKind::Rpdo { PdoMapping::Tpdo } else { PdoMapping::Rpdo };
+    match entry.pdo_mapping.filter(|mapping| mapping.is_mappable() && *mapping != other) {
+        Some(_) => Field::AccessType,
+        None => Field::PdoMapping,
+    }
+}
+
+impl Node {
+    /// Where the description of the node has the value of an entry; `None` if a download replaces it. The node is the one
+    /// at `position`.
+    pub(crate) fn origin(
+        &self,
+        position: usize,
+        downloads: &[Download],
+        (index, sub): (u16, u8),
+    ) -> Option<At> {
+        let is_written = downloads.iter().any(|download| (download.index, download.sub) == (index, sub));
+        (!is_written).then(|| At::Node(position, self.device.value_place(index, sub)))
+    }
+
+    /// Where the description has the node-ID; `None` if the network file states it.
+    pub(crate) fn node_id_origin(&self, position: usize) -> Option<At> {
+        let is_described = self.node_id.is_some_and(|node_id| node_id.at == self.file.at);
+        is_described.then(|| At::Node(position, Place::of(Part::Commissioning).field(Field::NodeId)))
+    }
+}
+
+impl Slave {
+    /// Where the description has the value of an entry; `None` if the configuration replaces it.
+    pub(crate) fn origin(&self, network: &Network, index: u16, sub: u8) -> Option<At> {
+        network.nodes[self.node].origin(self.node, &self.downloads.0, (index, sub))
+    }
+
+    /// Where the description has the CAN-ID of a service, which may follow from the node-ID.
+    pub(crate) fn can_id_origin(&self, network: &Network, service: Service) -> Option<At> {
+        match service {
+            Service::Pdo(pdo) => self.origin(network, indexes(pdo).0, 1),
+            Service::Sync => self.origin(network, 0x1005, 0),
+            Service::Time => self.origin(network, 0x1012, 0),
+            Service::Emcy => self.origin(network, 0x1014, 0),
+            _ => network.nodes[self.node].node_id_origin(self.node),
+        }
+    }
+}
