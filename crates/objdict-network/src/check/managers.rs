@@ -1,8 +1,8 @@
 //! The one manager of a network, and the nodes that it boots.
 
 use super::Check;
-use crate::diagnostic::{Diagnostic, Severity, say};
-use crate::model::Device;
+use crate::diagnostic::{At, Diagnostic, Severity, say};
+use crate::model::{Device, Field, Part, Place};
 use crate::rules::{ABSENT_SLAVE, DUPLICATE_MANAGER};
 
 /// 1F80h: the node takes part in the election of a manager.
@@ -25,15 +25,19 @@ impl Check<'_, '_> {
                 continue;
             }
             let message = say!("`{}` is a manager beside `{}`", node.name.value, manager.name.value);
-            let finding = Diagnostic::new(&DUPLICATE_MANAGER, node.file.at, message);
+            let place = Place::of(Part::Commissioning).field(Field::CanOpenManager);
+            let places = [Some(slave.node), manager.node].into_iter().flatten();
+            let places = places.map(|node| At::Node(node, place.clone()));
+            let finding =
+                Diagnostic::new(&DUPLICATE_MANAGER, node.file.at, message).label_each(places, "the manager");
             self.findings.push(finding.help("write `CANopenManager=0` into its DCF").understood());
         }
     }
 
     pub(super) fn assigned_slaves(&mut self) {
-        let Some(manager) = &self.compiled.manager else { return };
-        let Some(assigned) = manager.device.object(0x1F81) else { return };
-        let manager = &self.network.nodes[manager.node];
+        let Some(own) = &self.compiled.manager else { return };
+        let Some(assigned) = own.device.object(0x1F81) else { return };
+        let manager = &self.network.nodes[own.node];
         for (sub, entry) in assigned.entries().filter(|(sub, _)| (1..=127).contains(sub)) {
             let number = entry.value().and_then(|value| value.integer_for(sub)).unwrap_or(0);
             let is_there = self.compiled.nodes().any(|slave| slave.node_id == sub);
@@ -45,7 +49,8 @@ impl Check<'_, '_> {
                 manager.name.value,
                 sub
             );
-            let finding = Diagnostic::new(&ABSENT_SLAVE, manager.name.at, message);
+            let finding = Diagnostic::new(&ABSENT_SLAVE, manager.name.at, message)
+                .label_each(own.origin(self.network, 0x1F81, sub), "the assigned node");
             let is_mandatory = number & MANDATORY != 0;
             let finding = if is_mandatory { finding.severity(Severity::Error) } else { finding };
             self.findings
