@@ -200,3 +200,30 @@ fn pages_of_nodes_are_those_of_their_dcfs() {
         assert!(of_site.replace(back, "") == read(page.to_owned()), "{page} differs");
     }
 }
+
+/// The name of a node leads to no other folder.
+#[test]
+fn nodes_are_built_into_the_folder() {
+    let folder = tempfile::tempdir().unwrap();
+    fs::copy("fixtures/network/island.eds", folder.path().join("island.eds")).unwrap();
+    for name in ["../evil", "a/b", "/tmp/evil"] {
+        let text = format!(
+            "[manager]\nid = 1\n[node.\"{name}\"]\nfile = \"island.eds\"\nid = 2\nheartbeat = \"100ms\"\n"
+        );
+        fs::write(folder.path().join("network.toml"), text).unwrap();
+        for target in ["dcf", "concise", "lely"] {
+            let output =
+                objdict(folder.path(), &format!("network build network.toml --target {target} -o a/built"));
+            assert_eq!(output.status.code(), Some(2), "{name}, {target}");
+            assert!(errors(&output).contains("is not a valid name of a file"), "{}", errors(&output));
+        }
+        let output = objdict(folder.path(), "docs network.toml -o a/site");
+        assert_eq!(output.status.code(), Some(0), "{}", errors(&output));
+        let page = Path::new(name).with_extension("html");
+        assert!(folder.path().join("a/site").join(page.file_name().unwrap()).exists(), "{name}");
+    }
+    let mut left: Vec<_> =
+        fs::read_dir(folder.path()).unwrap().map(|entry| entry.unwrap().file_name()).collect();
+    left.sort();
+    assert_eq!(left, ["a", "island.eds", "network.toml"]);
+}

@@ -1,6 +1,7 @@
 //! `objdict network build`.
 
 use std::io::Write;
+use std::path::Path;
 
 use super::super::args::{NetworkBuildArgs, NetworkTarget};
 use super::super::output::Output;
@@ -37,6 +38,13 @@ pub(super) fn run(args: &NetworkBuildArgs, out: &mut Output) -> Result<Outcome, 
         build = build.configured_at(time);
     }
     let files = files(args, &build, manner)?;
+    // names of nodes become names of files
+    if let Some(file) =
+        files.iter().find(|file| Path::new(&file.name).file_name() != Some(file.name.as_ref()))
+    {
+        let failure = Failure::new(format_args!("`{}` is not a valid name of a file", file.name));
+        return Err(failure.help("give the node a name without separators of folders"));
+    }
     for BuiltFile { name, bytes } in &files {
         save(&args.output.join(name), bytes)?;
     }
