@@ -73,10 +73,10 @@ pub(super) fn run(args: &DocsArgs, out: &mut Output) -> Result<Outcome, Failure>
         outcome = Outcome::Failed;
     }
     let mut read = Read::default();
-    let one_file = files.len() == 1 && is_file(args);
+    let has_pages = files.len() > 1 || !is_file(args);
     let progress = Progress::new("reading", files.len());
     for file in &files {
-        if let Err(failure) = read.add(args, &settings, file, !one_file, &mut outcome) {
+        if let Err(failure) = read.add(args, &settings, file, has_pages, &mut outcome) {
             failure.print();
             outcome = Outcome::Failed;
         }
@@ -88,31 +88,36 @@ pub(super) fn run(args: &DocsArgs, out: &mut Output) -> Result<Outcome, Failure>
         .settings
         .stated_deny()
         .is_some_and(|deny| read.findings().any(|finding| finding.severity >= deny));
+    write(args, read, files.len(), form, out)?;
+    Ok(match outcome {
+        Outcome::Clean if is_denied => Outcome::Findings,
+        outcome => outcome,
+    })
+}
+
+/// Writes what was read of so many files: one page, or a site.
+fn write(args: &DocsArgs, read: Read, files: usize, form: Form, out: &mut Output) -> Result<(), Failure> {
     let options =
         Options { title: args.title.clone(), node_id: args.settings.node_id(), language: args.lang.clone() };
     match (read.devices.as_slice(), read.networks.as_slice()) {
-        ([], []) => {}
-        ([one], []) if files.len() == 1 => {
+        ([], []) => Ok(()),
+        ([one], []) if files == 1 => {
             let page = document::write(&one.subject(), form, &options);
             match is_folder(&args.output) {
-                true => tell_saved(&args.output.join(one.page_name(form)), &page, out)?,
-                false => write_one(args, &page, out)?,
+                true => tell_saved(&args.output.join(one.page_name(form)), &page, out),
+                false => write_one(args, &page, out),
             }
         }
-        ([], [_]) if one_file => {
+        ([], [_]) if files == 1 && is_file(args) => {
             if form == Form::Csv {
                 let failure = Failure::new("the tables of a network do not fit into one file");
                 return Err(failure.help("name a folder"));
             }
             let index = read.into_site(form, &options, |_| Ok(()))?.index();
-            index.first().map_or(Ok(()), |index| write_one(args, &index.text, out))?;
+            index.first().map_or(Ok(()), |index| write_one(args, &index.text, out))
         }
-        _ => write_site(args, read, form, &options, out)?,
+        _ => write_site(args, read, form, &options, out),
     }
-    Ok(match outcome {
-        Outcome::Clean if is_denied => Outcome::Findings,
-        outcome => outcome,
-    })
 }
 
 /// Whether the output is one file, whatever is documented: the standard output, or a name with an extension.
