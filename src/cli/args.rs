@@ -22,7 +22,8 @@ pub(super) use self::canonical::{CanonicalArgs, DialectArgs};
 pub(super) use self::configure::{ConfigureArgs, ModulesArgs, ModulesFormat};
 pub(super) use self::convert::ConvertArgs;
 pub(super) use self::dcf::{
-    DcfArgs, DcfCommand, DcfDiffArgs, NamingArgs, PackArgs, PackOrder, UnpackArgs, VerdictFormat, VerifyArgs,
+    BlobFormat, DcfArgs, DcfCommand, DcfDiffArgs, NamingArgs, PackArgs, PackOrder, UnpackArgs, VerdictFormat,
+    VerifyArgs,
 };
 pub(super) use self::docs::DocsArgs;
 pub(super) use self::generate::{GenerateArgs, SizeFormat};

@@ -37,9 +37,9 @@ pub(in crate::cli) struct PackArgs {
     /// The file to write [default: the standard output]
     #[arg(short, long, value_name = "FILE")]
     pub output: Option<PathBuf>,
-    /// The format to write
-    #[arg(long, alias = "format", value_enum, default_value = "bin", value_name = "FORMAT")]
-    pub to: BlobFormat,
+    /// The format to write [default: that of the name of the output, else bin]
+    #[arg(long, alias = "format", value_enum, value_name = "FORMAT")]
+    pub to: Option<BlobFormat>,
     /// Write values that differ from the defaults (default)
     #[arg(long, conflicts_with_all = ["all", "pdos"])]
     pub changed: bool,
@@ -163,6 +163,8 @@ pub(in crate::cli) struct NamingArgs {
 pub(in crate::cli) enum BlobFormat {
     /// The bytes
     Bin,
+    /// One download a line, as `unpack` writes it (`.cdcf.txt`)
+    Text,
     /// Pairs of hex digits
     Hex,
     /// `const uint8_t name[]`
@@ -171,14 +173,16 @@ pub(in crate::cli) enum BlobFormat {
     Rust,
 }
 
-impl From<BlobFormat> for BlobSpelling {
-    fn from(format: BlobFormat) -> Self {
-        match format {
-            BlobFormat::Bin => Self::Binary,
-            BlobFormat::Hex => Self::Hex,
-            BlobFormat::C => Self::C,
-            BlobFormat::Rust => Self::Rust,
-        }
+impl BlobFormat {
+    /// The spelling of the bytes; `None` for the text.
+    pub(in crate::cli) const fn spelling(self) -> Option<BlobSpelling> {
+        Some(match self {
+            Self::Bin => BlobSpelling::Binary,
+            Self::Text => return None,
+            Self::Hex => BlobSpelling::Hex,
+            Self::C => BlobSpelling::C,
+            Self::Rust => BlobSpelling::Rust,
+        })
     }
 }
 

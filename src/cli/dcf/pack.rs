@@ -3,14 +3,14 @@
 use std::path::Path;
 
 use super::super::annotation::Described;
-use super::super::args::{PackArgs, PackOrder};
+use super::super::args::{BlobFormat, PackArgs, PackOrder};
 use super::super::convert::{read_data, refusal, tell_skipped};
 use super::super::input::{Input, name_of};
 use super::super::output::Output;
 use super::super::{Failure, Outcome, tell};
 use super::{count, deliver, device, hex_of, stream_of, verify};
 use crate::download::{ConciseDcf, Order, PlanOptions, Scope};
-use crate::format::concise::BlobSpelling;
+use crate::format::concise;
 use crate::format::input::FileKind;
 use crate::model::Device;
 use crate::source::Folder;
@@ -22,10 +22,11 @@ pub(super) fn run(args: &PackArgs, out: &mut Output) -> Result<Outcome, Failure>
         Content::Stream(configuration) => (configuration, None),
     };
     let mut outcome = Outcome::Clean;
-    if let Some(against) = eds.as_ref().or(own.as_deref()) {
-        let node_id = node_id(args, own.as_deref(), eds.as_ref());
+    let node_id = node_id(args, own.as_deref(), eds.as_ref());
+    let described = Described { device: eds.as_ref().or(own.as_deref()), node_id };
+    if let Some(against) = described.device {
         let verification = configuration.verify(against, node_id);
-        tell(&verify::text(&verification, Described { device: Some(against), node_id }));
+        tell(&verify::text(&verification, described));
         if !verification.is_accepted() {
             let refused = verification.refusals().count();
             if !args.force {
@@ -40,7 +41,10 @@ pub(super) fn run(args: &PackArgs, out: &mut Output) -> Result<Outcome, Failure>
         }
     }
     let stream = configuration.write().map_err(Failure::new)?;
-    let spelled = BlobSpelling::from(args.to).spell(&stream, &stem(args));
+    let spelled = match format(args).spelling() {
+        Some(spelling) => spelling.spell(&stream, &stem(args)),
+        None => concise::print(&configuration, |download| described.annotate(download)).into_bytes(),
+    };
     let what = format!("{}, {} bytes", count(&configuration), stream.len());
     deliver(args.output.as_deref(), &spelled, &what, out)?;
     Ok(outcome)
@@ -105,6 +109,12 @@ fn planned(args: &PackArgs, device: &Device, eds: Option<&Device>) -> Result<Con
 
 fn node_id(args: &PackArgs, own: Option<&Device>, eds: Option<&Device>) -> Option<u8> {
     args.node_id.or_else(|| own?.node_id()).or_else(|| eds?.node_id())
+}
+
+/// What is written: a file of texts holds a text.
+fn format(args: &PackArgs) -> BlobFormat {
+    let named = args.output.as_deref().and_then(FileKind::of);
+    args.to.unwrap_or(if named == Some(FileKind::CdcfText) { BlobFormat::Text } else { BlobFormat::Bin })
 }
 
 /// What an identifier is made of.

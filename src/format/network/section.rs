@@ -149,7 +149,7 @@ impl<'t> Section<'t> {
             _ => {
                 let finding = wrong(name, tree, "true or false");
                 findings.push(
-                    finding.help("write `true` or `false` without quotes: dcfgen takes any text for true"),
+                    finding.help("write `true` or `false` without quotes; dcfgen takes any text as true"),
                 );
                 None
             }
@@ -301,7 +301,7 @@ pub(super) fn value_wish(tree: &Tree) -> Option<ValueWish> {
     })
 }
 
-/// A whole number in a range. What dcfgen silently takes for one is a warning.
+/// A whole number in a range. What dcfgen silently reads as one is a warning.
 pub(super) fn integer(
     name: &str,
     tree: &Tree,
@@ -313,15 +313,14 @@ pub(super) fn integer(
         Kind::Float(number) if number.is_finite() && number.abs() < 1e18 => {
             let cut = number.trunc() as i128;
             if number.fract() != 0.0 {
-                let message = say!("`{}` is {}, of which dcfgen takes {}", name, number, cut);
+                let message = say!("`{}` is {}, which is read as {}", name, number, cut);
                 let finding = Diagnostic::new(&WRONG_TYPE, tree.span, message).severity(Severity::Warning);
                 findings.push(finding.help("write a whole number"));
             }
             cut
         }
         Kind::Bool(flag) => {
-            let message =
-                say!("`{}` is {}, which dcfgen takes for {}", name, flag.to_string(), u8::from(*flag));
+            let message = say!("`{}` is {}, which is read as {}", name, flag.to_string(), u8::from(*flag));
             let finding = Diagnostic::new(&WRONG_TYPE, tree.span, message).severity(Severity::Warning);
             findings.push(finding.help("write a number"));
             (*flag).into()
