@@ -214,7 +214,7 @@ fn configured_nodes_are_a_network() {
         overview.messages.iter().map(shown).collect::<Vec<_>>()
     };
     assert_eq!(messages(&again), messages(&network));
-    assert_eq!(paths.len(), 3);
+    assert_eq!(paths.len(), 5);
 }
 
 /// Each device of a file with several is a node; the path has its number.

@@ -99,9 +99,9 @@ fn networks_have_tables() {
     );
     let messages = read::csv(named(&files, "messages.csv"));
     assert_eq!(messages[0].join(","), "network,can_id,senders,receivers,bytes,trigger,period_us");
-    assert_eq!((links.len(), messages.len()), (21, 23));
+    assert_eq!((links.len(), messages.len()), (23, 31));
     assert!(links.iter().all(|line| line.len() == links[0].len()));
-    assert_eq!(messages[6].join("|"), "chapter 4|0x18B|TPDO 1 of left|RPDO 1 of plc|5|sync/1|33000");
+    assert_eq!(messages[7].join("|"), "chapter 4|0x18B|TPDO 1 of left|RPDO 1 of plc|5|sync/1|33000");
 }
 
 /// Names of networks, nodes and entries come out as themselves.
