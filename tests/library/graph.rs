@@ -23,7 +23,7 @@ fn number(node: Node<'_, '_>, name: &str) -> f64 {
 fn nothing_overlaps_in_pictures_of_few_and_of_many_nodes() {
     for nodes in [2, 10, 11, 127] {
         let overview = overview(nodes, "a <b> & \"c\"");
-        let svg = graph::svg(&overview);
+        let svg = graph::svg(&overview, |can_id| can_id.to_string());
         let document = Document::parse(&svg).unwrap();
         let root = document.root_element();
         let boxes: Vec<Node<'_, '_>> = root

@@ -16,7 +16,7 @@ use crate::Language;
 use crate::diagnostic::Severity;
 use crate::model::PdoKind;
 
-/// A site under construction. Pages are written one by one; only the data for the index are kept.
+/// A site under construction. Pages are written one by one; kept are only the data for the index, and configured nodes.
 ///
 /// ```
 /// use objdict_document::{Form, Options, Site, Subject};

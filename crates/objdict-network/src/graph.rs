@@ -8,7 +8,7 @@ use std::fmt::Write;
 use askama::Template;
 
 use crate::diagnostic::visible;
-use crate::messages::Service;
+use crate::messages::{MessageId, Service};
 use crate::overview::{End, MessageRow, NodeRow, Overview};
 
 /// Left edge of the first column; CAN-IDs and services are to the left.
@@ -86,12 +86,16 @@ struct Row {
     senders: Vec<usize>,
 }
 
-/// The network as SVG, without scripts and without references to other files.
-pub fn svg(overview: &Overview) -> String {
+/// The network as SVG, without scripts and without references to other files. `spelled` writes CAN-IDs as the document has them
+/// that the picture is for.
+pub fn svg(overview: &Overview, spelled: impl Fn(MessageId) -> String) -> String {
     let columns = Columns::of(overview.nodes.len());
     let rows: Vec<Row> = drawn(overview)
         .enumerate()
-        .map(|(number, message)| Row::new(overview, message, columns, columns.bottom() + ROW * (number + 1)))
+        .map(|(number, message)| {
+            let y = columns.bottom() + ROW * (number + 1);
+            Row::new(overview, message, spelled(message.can_id), columns, y)
+        })
         .collect();
     let name =
         overview.name.as_deref().unwrap_or(overview.language.pick("CANopen network", "CANopen-Netzwerk"));
@@ -193,7 +197,7 @@ impl Column {
 }
 
 impl Row {
-    fn new(overview: &Overview, message: &MessageRow, columns: Columns, y: usize) -> Self {
+    fn new(overview: &Overview, message: &MessageRow, can_id: String, columns: Columns, y: usize) -> Self {
         let places = |ends: &[End]| -> Vec<usize> {
             let places = ends.iter().filter_map(|end| position(overview, end));
             places.map(|column| columns.centre(column)).collect()
@@ -206,12 +210,9 @@ impl Row {
         };
         Self {
             y,
-            can_id: message.can_id.to_string(),
             service: service(overview, message),
-            title: cut(
-                &format!("{} {} → {}", message.can_id, words(&message.senders), words(&message.receivers)),
-                240,
-            ),
+            title: cut(&format!("{can_id} {} → {}", words(&message.senders), words(&message.receivers)), 240),
+            can_id,
             class: match main_service(message) {
                 Some(Service::Pdo(_) | Service::MirroredPdo) => "pdo",
                 _ => "other",

@@ -12,7 +12,7 @@ pub(super) fn run(args: &NetworkGraphArgs, out: &mut Output) -> Result<Outcome, 
     let (network, compiled) = compiled(&args.files, &args.input)?;
     let overview = Overview::new(&network, &compiled);
     let text = match args.format {
-        GraphFormat::Svg => graph::svg(&overview) + "\n",
+        GraphFormat::Svg => graph::svg(&overview, |can_id| can_id.to_string()) + "\n",
         GraphFormat::Dot => graph::dot(&overview),
     };
     out.write_all(text.as_bytes())?;

@@ -132,7 +132,7 @@ impl<'a> NetworkView<'a> {
 
     /// The picture of nodes and messages (SVG).
     fn drawn(&self) -> String {
-        graph::svg(self.overview)
+        graph::svg(self.overview, can_id)
     }
 
     /// `chapter 4`; empty for a network without a name.
