@@ -7,7 +7,7 @@ use std::path::Path;
 use objdict::diagnostic::{At, Diagnostic};
 use objdict::format::json;
 use objdict::format::network::NetworkFile;
-use objdict::report::{Location, Subject};
+use objdict::report::{Location, Subject, fingerprints};
 
 use crate::network::new_folder;
 use crate::{rules, support};
@@ -251,4 +251,13 @@ fn a_device_as_json_has_no_places() {
     };
     assert_eq!(drive_places(&of_json), 0);
     assert!(drive_places(&of_eds) > 3);
+}
+
+/// Baselines know a finding by the text of the network alone.
+#[test]
+fn descriptions_do_not_change_fingerprints() {
+    let file = open(&new_folder("related-prints"), "1800sub1=0x6E0 1017=100 100C=50 100D=2", "", NETWORK);
+    let findings = file.check();
+    assert!(findings.iter().any(|finding| !places(&file, finding).is_empty()));
+    assert_eq!(fingerprints(&file, &findings), fingerprints(&file.source, &findings));
 }
