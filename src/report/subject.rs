@@ -1,6 +1,11 @@
 //! What findings are about.
 
+#[cfg(feature = "network")]
+use std::collections::BTreeMap;
+
 use crate::diagnostic::At;
+#[cfg(feature = "network")]
+use crate::diagnostic::Findings;
 use crate::format::Description;
 #[cfg(feature = "network")]
 use crate::format::network::NetworkFile;
@@ -14,6 +19,9 @@ pub enum Subject<'a> {
     /// A network; its findings have spans, and labels that point into the descriptions of its nodes.
     #[cfg(feature = "network")]
     Network(&'a NetworkFile),
+    /// The description of a node of a network that has no file; labels point into the descriptions of the other nodes too.
+    #[cfg(feature = "network")]
+    Node(&'a NetworkFile, usize),
     /// Another text, such as the configuration; its findings have spans and no places.
     Text(&'a SourceFile),
 }
@@ -25,6 +33,10 @@ impl<'a> Subject<'a> {
             Self::Description(description) => description.source(),
             #[cfg(feature = "network")]
             Self::Network(network) => &network.source,
+            #[cfg(feature = "network")]
+            Self::Node(network, node) => {
+                network.description(node).map_or(&network.source, Description::source)
+            }
             Self::Text(source) => source,
         }
     }
@@ -34,9 +46,11 @@ impl<'a> Subject<'a> {
     pub fn of_label(self, at: &At) -> Self {
         match (self, at) {
             #[cfg(feature = "network")]
-            (Self::Network(network), At::Node(node, _)) => {
+            (Self::Network(network) | Self::Node(network, _), At::Node(node, _)) => {
                 network.description(*node).map_or(self, Self::Description)
             }
+            #[cfg(feature = "network")]
+            (Self::Node(..), _) => self.description().map_or(self, Self::Description),
             _ => self,
         }
     }
@@ -55,8 +69,30 @@ impl<'a> Subject<'a> {
     pub fn description(self) -> Option<&'a Description> {
         match self {
             Self::Description(description) => Some(description),
+            #[cfg(feature = "network")]
+            Self::Node(network, node) => network.description(node),
             _ => None,
         }
+    }
+
+    /// The findings of a network by what they are about: its file or, if it has none, the descriptions of its nodes.
+    #[cfg(feature = "network")]
+    pub fn of_network(network: &'a NetworkFile, findings: Findings) -> Vec<(Self, Findings)> {
+        if !network.is_made {
+            return vec![(network.into(), findings)];
+        }
+        let nodes = network.described_nodes();
+        let mut by_node: BTreeMap<Option<usize>, Findings> =
+            nodes.map(|node| (Some(node), Findings::new())).collect();
+        for finding in findings.iter() {
+            let described = network.in_description(finding);
+            let (node, finding) =
+                described.map_or_else(|| (None, finding.clone()), |(node, finding)| (Some(node), finding));
+            by_node.entry(node).or_default().push(finding);
+        }
+        let subject =
+            |node: Option<usize>| node.map_or(Self::Network(network), |node| Self::Node(network, node));
+        by_node.into_iter().map(|(node, findings)| (subject(node), findings)).collect()
     }
 }
 

@@ -165,6 +165,13 @@ impl PdoWish {
             mapping: None,
         }
     }
+
+    /// Whether anything but the COB-ID is wanted.
+    pub fn has_parameters(&self) -> bool {
+        let Self { transmission, inhibit_time, event_timer, deadline, sync_start, mapping, .. } = self;
+        let has_time = inhibit_time.or(*event_timer).or(*deadline).is_some();
+        has_time || transmission.or(*sync_start).is_some() || mapping.is_some()
+    }
 }
 
 /// The COB-ID of a PDO.

@@ -14,7 +14,7 @@ use crate::format::network::{Build, BuiltFile};
 use crate::generate::{Options, Target, generate};
 use crate::network::{LelyOptions, Manner};
 use crate::pipeline::report_lines;
-use crate::report::{Tally, listed, plural};
+use crate::report::{Subject, Tally, listed, plural};
 
 pub(super) fn run(args: &NetworkBuildArgs, out: &mut Output) -> Result<Outcome, Failure> {
     let file = open_one(&args.files, &args.input)?;
@@ -22,11 +22,13 @@ pub(super) fn run(args: &NetworkBuildArgs, out: &mut Output) -> Result<Outcome, 
     let findings = findings(&file, &args.files[0], &mut Settings::new(&settings)?)?;
     let mut tally = Tally::default();
     tally.add(&findings);
-    if !findings.is_empty() {
-        tell(&listed((&file).into(), &findings)?);
-    }
     // what dcfgen has no word about, it builds
     let is_clear = findings.iter().all(|finding| finding.severity < Severity::Error || finding.is_understood);
+    for (subject, findings) in
+        Subject::of_network(&file, findings).iter().filter(|(_, findings)| !findings.is_empty())
+    {
+        tell(&listed(*subject, findings)?);
+    }
     if tally.errors > 0 && !args.force && !(args.strict_dcfgen && is_clear) {
         let failure = Failure::new(format_args!("{tally}, so nothing is built"));
         failure.help("correct them; `--force` builds anyway").print();

@@ -6,6 +6,7 @@ use super::super::output::Output;
 use super::super::settings::Settings;
 use super::super::{Failure, Outcome};
 use super::{findings, of_descriptions, open, parted};
+use crate::report::Subject;
 
 pub(super) fn run(args: &NetworkCheckArgs, out: &mut Output) -> Result<Outcome, Failure> {
     let mut settings = Settings::new(&args.settings)?;
@@ -24,7 +25,9 @@ pub(super) fn run(args: &NetworkCheckArgs, out: &mut Output) -> Result<Outcome, 
         };
         let findings = findings(&file, path, &mut settings)?;
         let project = settings.project_of(path)?;
-        reporter.report_on((&file).into(), findings, settings.deny(project.as_deref()))?;
+        for (subject, findings) in Subject::of_network(&file, findings) {
+            reporter.report_on(subject, findings, settings.deny(project.as_deref()))?;
+        }
     }
     for project in settings.projects() {
         reporter.take_project(project, &settings)?;

@@ -14,7 +14,7 @@ use super::input::name_of;
 use super::output::Output;
 use super::save::keep;
 use super::settings::Settings;
-use super::{Failure, Outcome, note, tell};
+use super::{Failure, Outcome, tell};
 use crate::diagnostic::{Findings, Severity};
 use crate::format::ReadError;
 use crate::format::identify::ContentKind;
@@ -50,16 +50,10 @@ fn of_descriptions(paths: &[PathBuf]) -> Result<NetworkFile, Failure> {
     Ok(kept(NetworkFile::of_descriptions(paths)?))
 }
 
-/// The findings of a network with the severities of its configuration; a note says which text they are about if it is no file.
+/// The findings of a network with the severities of its configuration.
 fn findings(file: &NetworkFile, path: &Path, settings: &mut Settings<'_>) -> Result<Findings, Failure> {
     let project = settings.project_of(path)?;
-    let findings = settings.options(path, project.as_deref()).severities.apply(file.check());
-    if file.is_made && !findings.is_empty() {
-        note(
-            "note: places are those of the `network.toml` that `objdict network init` makes of these files\n",
-        );
-    }
-    Ok(findings)
+    Ok(settings.options(path, project.as_deref()).severities.apply(file.check()))
 }
 
 /// The networks among files, and the descriptions of nodes. One that cannot be opened is found out when it is read.

@@ -43,6 +43,14 @@ text_rules! {
     remedy: "Map another entry, or move it to a PDO of the other direction.",
     source: "CiA 301 §7.5.2.36, §7.5.2.38",
 
+    IDLE_PDO = "network/idle-pdo", Warning;
+    summary: "a PDO is configured that stays off",
+    checks: "Whether a PDO that the network file configures has a valid COB-ID: in the file, or in the description of the node.",
+    why: "Bit 31 of the COB-ID switches the PDO off. dcfgen sends none of its settings, without a word.",
+    example: "`tpdo: 3: {transmission: 1}` for a node whose 1802h:01 is 8000 0000h",
+    remedy: "Give the PDO a COB-ID, or `auto`.",
+    source: "CiA 301 §7.5.2.35, §7.5.2.37",
+
     PDO_TOO_LONG = "network/pdo-too-long", Error;
     summary: "more is mapped into a PDO than a frame carries",
     checks: "Whether the mapped entries of each PDO have at most 64 bits.",

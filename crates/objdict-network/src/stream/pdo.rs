@@ -6,12 +6,12 @@ use std::ops::RangeInclusive;
 use super::Manner;
 use super::desk::Desk;
 use crate::configure::PdoName;
-use crate::diagnostic::{Diagnostic, Severity, say};
+use crate::diagnostic::{At, Diagnostic, Severity, say};
 use crate::download::transferred_type;
 use crate::model::{Address, CobId, DataType, Field, MappedObject, Part, PdoKind, Place};
 use crate::network::{CobIdWish, PdoWish, Said};
 use crate::origin::{because, refusing_field};
-use crate::rules::{MISSING_ENTRY, NO_FREE_CAN_ID, PDO_TOO_LONG, UNMAPPABLE_ENTRY};
+use crate::rules::{IDLE_PDO, MISSING_ENTRY, NO_FREE_CAN_ID, PDO_TOO_LONG, UNMAPPABLE_ENTRY};
 
 /// A PDO after the configuration.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -115,6 +115,9 @@ pub(super) fn configure(
         desk.write(cob_id_at, off.into(), said, Severity::Error);
     }
     if state.cob_id & CobId::BIT_31 != 0 {
+        if wish.enabled && wish.cob_id.is_none() && wish.has_parameters() {
+            idle(desk, wish);
+        }
         return;
     }
     parameters(desk, state, wish, communication);
@@ -125,6 +128,17 @@ pub(super) fn configure(
     if wish.enabled {
         desk.write(cob_id_at, state.cob_id.into(), said, Severity::Error);
     }
+}
+
+/// Reports that settings of a PDO are not sent.
+fn idle(desk: &mut Desk<'_, '_>, wish: &PdoWish) {
+    let PdoName { kind, number } = wish.pdo;
+    let name = &desk.node.name.value;
+    let message =
+        say!("{} {} of `{}` has no valid COB-ID, so its settings have no effect", kind, number, name);
+    let finding = Diagnostic::new(&IDLE_PDO, wish.at, message).help("add its COB-ID, or `auto`");
+    let place = desk.node.device.value_place(indexes(wish.pdo).0, 1);
+    desk.findings.push(finding.label(At::Node(desk.position, place), "the COB-ID"));
 }
 
 /// The CAN-ID of a PDO: predefined for PDO 1 to 4, else the next of the pool.
