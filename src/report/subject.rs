@@ -84,7 +84,7 @@ impl<'a> Subject<'a> {
         let nodes = network.described_nodes();
         let mut by_node: BTreeMap<Option<usize>, Findings> =
             nodes.map(|node| (Some(node), Findings::new())).collect();
-        for finding in findings.iter() {
+        for finding in &findings {
             let described = network.in_description(finding);
             let (node, finding) =
                 described.map_or_else(|| (None, finding.clone()), |(node, finding)| (Some(node), finding));
