@@ -10,7 +10,7 @@ use crate::compat;
 use crate::diagnostic::{Diagnostic, Findings, Reach};
 #[cfg(feature = "xdd")]
 use crate::format::xdd::wording;
-use crate::format::{Description, Syntax};
+use crate::format::{Description, Syntax, eds};
 use crate::lint::{self, Options};
 
 /// All findings of a description, in the order of its text.
@@ -34,6 +34,10 @@ pub fn check_with(description: &Description, options: &Options) -> Findings {
         findings.append(description.portability_findings(device));
         findings = compat::react(findings, description, &options.tools);
     }
+    let findings = match description.document() {
+        Some(document) => eds::findings::idle(document.text(), findings),
+        None => findings,
+    };
     let findings = without_fixes_of_lost(description, findings);
     #[cfg(feature = "xdd")]
     let findings = if is_xml { wording::of_xdd(findings, |at| description.span_of(at)) } else { findings };

@@ -1,5 +1,6 @@
 //! The rules about spelling and structure that need the text of an EDS or DCF.
 
+mod idle;
 mod raise;
 
 use super::file_name::FILE_NAME;
@@ -8,6 +9,7 @@ use crate::diagnostic::Findings;
 use crate::diagnostic::{RuleInfo, text_rule};
 use crate::literal::{self, Quirks};
 use crate::model::Value;
+pub use idle::idle;
 pub(super) use raise::{
     DuplicateKind, date_spelling, duplicate_key, duplicate_section, invalid_list_entry, list_numbering,
     missing_header, misspelt_key, misspelt_section, quoted_name, repeated_number, section_spelling,

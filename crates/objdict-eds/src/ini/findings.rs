@@ -4,6 +4,7 @@
 pub mod lines;
 
 pub use self::lines::check;
+pub(crate) use self::lines::is_merge_mark;
 use crate::diagnostic::{RuleInfo, text_rule};
 
 /// Every rule of this module.

@@ -107,7 +107,7 @@ pub struct Diagnostic {
     pub fix: Option<Fix>,
     /// Other findings of the same cause, where findings are joined for a report.
     pub also: Vec<Diagnostic>,
-    /// Whether objdict reads what is plainly meant, so that the model is right.
+    /// Whether the entries of the model are right: objdict reads what is plainly meant, or none depends on what is found.
     pub is_understood: bool,
 }
 
@@ -150,7 +150,7 @@ impl Diagnostic {
         self
     }
 
-    /// Says that objdict reads what is plainly meant.
+    /// Says that the entries of the model are right.
     #[must_use]
     pub fn understood(mut self) -> Self {
         self.is_understood = true;

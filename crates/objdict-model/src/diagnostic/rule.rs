@@ -56,7 +56,7 @@ impl fmt::Display for Stop {
             let others = if others.is_empty() { String::new() } else { others.join(", ") + " or " };
             write!(f, " in {others}`{}`", last.name())?;
         }
-        f.write_str(", unless its meaning is clear.")
+        f.write_str(", unless its meaning is clear or no entry depends on it.")
     }
 }
 

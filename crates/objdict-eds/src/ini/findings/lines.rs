@@ -201,11 +201,10 @@ impl LineCheck<'_> {
 
     fn junk(&mut self, line: &Line) {
         let text = line.span.of(self.text).trim();
-        let is_merge = ["<<<<<<<", "=======", ">>>>>>>", "|||||||"].iter().any(|mark| text.starts_with(mark));
         let shown: String = text.chars().take(40).collect();
         let finding =
             Diagnostic::new(&JUNK_LINE, line.span, say!("`{}` is not a section, key or comment", shown));
-        self.findings.push(if is_merge {
+        self.findings.push(if is_merge_mark(text) {
             finding.help("resolve the merge conflict: keep one of the two versions and remove the markers")
         } else if let Some(before) = before_header(text) {
             let start = line.span.of(self.text).find(before).unwrap_or_default() as u32 + line.span.start;
@@ -289,6 +288,11 @@ impl LineCheck<'_> {
             self.findings.push(finding.help("check the file name: the file is not an EDS or DCF"));
         }
     }
+}
+
+/// Whether a line is one of the marks around the versions of a merge.
+pub(crate) fn is_merge_mark(line: &str) -> bool {
+    ["<<<<<<<", "=======", ">>>>>>>", "|||||||"].iter().any(|mark| line.trim_start().starts_with(mark))
 }
 
 /// The text before a section header in the same line.
