@@ -577,8 +577,8 @@ fn words_of_a_profile_have_the_names_of_its_document() {
         let programs = build(cc(&compiler, folder.path()).args(["-I.", "-o", "states", "states.c"])).unwrap();
         assert_eq!(programs.run(&[], "").unwrap(), "39 55 - 0 16 32 48 -");
     }
-    let encoder = device(&support::fixtures().join("eds/encoder-406.eds"));
-    assert!(text(&encoder, Target::RUST, 0).contains("pub mod operating_parameters"));
+    let encoder = text(&device(&support::fixtures().join("eds/encoder-406.eds")), Target::RUST, 0);
+    assert!(encoder.contains("pub mod operating_parameters") && encoder.contains("Clockwise = 0,"));
     // the elements of an array have one word
     let mut io = device(&support::fixtures().join("eds/io-401.eds"));
     let subs =
@@ -587,7 +587,6 @@ fn words_of_a_profile_have_the_names_of_its_document() {
     let entries =
         "/// `Trigger`: `0x6421` sub-index `0x01`, `0x6421` sub-index `0x02`.\n    pub mod trigger {";
     assert!(text(&io, Target::RUST, 0).contains(entries));
-
     // the names of the device come first
     let mut own = drive;
     let mode = &mut own.objects.get_mut(&0x6060).unwrap().main;
@@ -595,7 +594,6 @@ fn words_of_a_profile_have_the_names_of_its_document() {
     let allowed = AllowedValues { values: vec![value], ..AllowedValues::default() };
     mode.parameter = Some(Box::new(Parameter { allowed_values: Some(allowed), ..Parameter::default() }));
     let text = text(&own, Target::RUST, 0);
-    let (_, modes) = text.split_once("pub enum ModesOfOperation {").unwrap();
-    assert!(modes.split_once('}').unwrap().0.contains("Press = 1,"));
-    assert!(!modes.split_once('}').unwrap().0.contains("ProfilePosition"));
+    let modes = part_of_text(&text, "pub enum ModesOfOperation {", "}");
+    assert!(modes.contains("Press = 1,") && !modes.contains("ProfilePosition"));
 }

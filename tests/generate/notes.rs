@@ -95,6 +95,24 @@ fn what_is_left_out_is_named() {
     }
 }
 
+/// The type and the access that the standard has for an entry.
+#[test]
+fn the_standard_fills_gaps() {
+    let gap = Entry { data_type: None, access: None, default: Some(Value::Raw("0x12345".into())), ..byte() };
+    let mut device = Device::default();
+    device.objects.insert(0x1006, Object { main: gap, ..Object::default() });
+    assert_eq!(
+        notes(&device),
+        [
+            "0x1006 / DataType: an entry without a data type; the standard has UNSIGNED32",
+            "0x1006 / AccessType: an entry without an access type; the standard has `rw`",
+        ]
+    );
+    let code = run(&device).unwrap().files.remove(0).contents;
+    let code = String::from_utf8_lossy(&code);
+    assert!(code.contains("Handle<u32, Rw>") && code.contains("0x45, 0x23, 0x01"), "{code}");
+}
+
 #[test]
 fn what_is_assumed_is_named() {
     let invalid = |field: Field, text: &str| {

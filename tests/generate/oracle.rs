@@ -7,6 +7,7 @@ use objdict::format::literal::{self, Intended, Quirks};
 use objdict::model::{
     Access, DataType, Device, Entry, Field, Object, ObjectType, PdoMapping, TypeKind, Value,
 };
+use objdict::profile;
 
 /// Capacity of strings with a shorter default, see docs/generate.md.
 pub(crate) const STRING_ROOM: usize = 32;
@@ -102,7 +103,9 @@ pub(crate) fn facts_of(device: &Device) -> impl Iterator<Item = ((u16, u8), Fact
     objects.flat_map(move |(&index, object)| {
         object
             .entries()
-            .filter_map(move |(sub, entry)| Some(((index, sub), Facts::new(device, object, sub, &entry)?)))
+            .filter_map(move |(sub, entry)| {
+                Some(((index, sub), Facts::new(device, object, (index, sub), &entry)?))
+            })
             .collect::<Vec<_>>()
     })
 }
@@ -123,23 +126,33 @@ pub(crate) struct Facts {
 
 impl Facts {
     /// `None` if a table does not contain it.
-    fn new(device: &Device, object: &Object, sub: u8, entry: &Entry) -> Option<Self> {
+    fn new(device: &Device, object: &Object, (index, sub): (u16, u8), entry: &Entry) -> Option<Self> {
         if entry.object_type == Some(ObjectType::Null) {
             return None;
         }
         let definition = matches!(object.object_type(), ObjectType::DefType | ObjectType::DefStruct);
         let domain = entry.object_type == Some(ObjectType::Domain);
+        // the section that describes it: of compact sub-objects that of the object
+        let is_compact = sub > 0 && object.compact.is_some() && object.subs.get(sub).is_none();
+        let described = (!is_compact && object.object_type().has_subs()).then_some(sub);
         let data_type = match entry.data_type {
             Some(data_type) => data_type,
             None if domain => DataType::DOMAIN,
             None if object.object_type() == ObjectType::DefType && sub == 0 => DataType::UNSIGNED32,
             None if object.object_type() == ObjectType::DefStruct && sub == 0 => DataType::UNSIGNED8,
             None if object.object_type() == ObjectType::DefStruct => DataType::UNSIGNED16,
+            None if definition => return None,
             None if object.object_type().has_subs() && sub == 0 => DataType::UNSIGNED8,
-            None => return None,
+            None if entry.invalid_values.get(&Field::DataType).is_some() => return None,
+            None => profile::data_type(device, index, described)?,
         };
         let invalid = entry.invalid_values.get(&Field::AccessType);
-        let access = entry.access.or(invalid.and_then(objdict::model::InvalidValue::intended_access));
+        let access = match invalid {
+            Some(invalid) => invalid.intended_access(),
+            None if domain || definition => None,
+            None => profile::access(device, index, described),
+        };
+        let access = entry.access.or(access);
         let access = access.unwrap_or(match (domain, definition) {
             (true, _) => Access::Rw,
             (_, true) => Access::Const,

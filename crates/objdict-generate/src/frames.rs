@@ -78,6 +78,7 @@ pub(crate) fn freeze_mappings(table: &mut Table, unless: &str) -> Vec<Note> {
     let frozen = rows.filter(|row| is_mapping(row.index) && !row.hooked && row.access().is_writable());
     let notes = frozen.map(|row| {
         row.resolved.access = Access::Ro;
+        row.resolved.rpdo = false;
         let text = format!("SDOs cannot write PDO mappings; {unless}");
         Note::new(Place::entry(row.index, row.sub), text)
     });

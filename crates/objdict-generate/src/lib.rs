@@ -48,6 +48,7 @@ mod defaults;
 mod dictionary;
 mod escape;
 mod frames;
+mod gaps;
 mod hooks;
 #[cfg(feature = "stacks")]
 mod lely;
@@ -355,7 +356,10 @@ pub fn generate(device: &Device, target: Target, options: &Options) -> Result<Ge
 
 /// The same without the notes that belong to no target.
 pub fn files_of(device: &Device, target: Target, options: &Options) -> Result<Generated, GenerateError> {
-    target.0.generate(device, options)
+    let (device, notes) = gaps::filled(device);
+    let mut generated = target.0.generate(&device, options)?;
+    generated.notes.splice(0..0, notes);
+    Ok(generated)
 }
 
 /// Notes that belong to no target: options that have no effect on any of them, and PDOs that are only implied.
@@ -397,7 +401,7 @@ pub struct Identifier {
 /// Same as [`generate`].
 #[cfg(all(feature = "c", feature = "rust"))]
 pub fn identifiers(device: &Device, options: &Options) -> Result<Vec<Identifier>, GenerateError> {
-    c::identifiers(device, options)
+    c::identifiers(&gaps::filled(device).0, options)
 }
 
 /// Computes the size of the tables of `target` in flash and RAM, without the code that uses them, or states
@@ -406,7 +410,7 @@ pub fn identifiers(device: &Device, options: &Options) -> Result<Vec<Identifier>
 /// # Errors
 /// Same as [`generate`].
 pub fn size(device: &Device, target: Target, options: &Options) -> Result<Sizes, GenerateError> {
-    target.0.size(device, options)
+    target.0.size(&gaps::filled(device).0, options)
 }
 
 /// Renders a template as a file that ends with one line feed.

@@ -19,7 +19,12 @@ pub(crate) fn respell(invalid: &InvalidValue, data_type: Option<DataType>, place
         (_, Reason::NotANumber) if is_hex(text) && data_type.is_none() => risky(format!("0x{text}")),
         (field, _) => match invalid.intended(data_type?)? {
             Intended::Value(value) => safe(print(&value, Spelling::default())),
-            Intended::Nothing => return Some(Fix::safe(say!("remove `{}`", field)).remove(place)),
+            Intended::Nothing => {
+                let title = say!("remove `{}`", field);
+                // a text as the bytes of a DOMAIN says something
+                let is_text = invalid.reason == Reason::NotHexBytes && !matches!(text, "0" | "0x0");
+                return Some(if is_text { Fix::risky(title) } else { Fix::safe(title) }.remove(place));
+            }
         },
     };
     Some(fix.set(place, value))

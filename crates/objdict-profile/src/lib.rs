@@ -26,8 +26,8 @@ pub use facts::{BitField, Confidence, EntryFacts, Mapping, Need, ObjectFacts};
 pub use load::ProfileError;
 #[cfg(feature = "toml")]
 pub use open::{OpenError, open};
+pub use standard::{access, data_type, named, obsolete, standard};
 pub use standard::{for_all, of_number};
-pub use standard::{named, obsolete, standard};
 
 use objdict_model::model;
 #[cfg(feature = "toml")]

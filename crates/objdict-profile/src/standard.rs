@@ -2,9 +2,9 @@
 
 use std::ops::RangeInclusive;
 
-use super::Profile;
 use super::constants::DOCUMENTS;
-use crate::model::Device;
+use super::{EntryFacts, Profile};
+use crate::model::{Access, DataType, Device};
 
 /// Documents below this number apply to devices of any profile (CiA 301 and its additions).
 const FIRST_DEVICE_PROFILE: u16 = 400;
@@ -35,6 +35,39 @@ pub fn for_all(device: &Device) -> impl Iterator<Item = &'static Profile> {
     for_it.map(|&(_, profile)| profile)
 }
 
+/// The only data type that the documents for all devices allow for an entry. The sub-index `None` means what the object itself
+/// describes: its value, or all of its compact sub-objects.
+pub fn data_type(device: &Device, index: u16, sub: Option<u8>) -> Option<DataType> {
+    let only = |entry: EntryFacts<'static>| match *entry.data_types {
+        [data_type] => Some(data_type),
+        _ => None,
+    };
+    common(device, index, sub, only)
+}
+
+/// The access type that the documents for all devices define for a described entry, in their current edition; see [`data_type`].
+pub fn access(device: &Device, index: u16, sub: Option<u8>) -> Option<Access> {
+    common(device, index, sub, |entry| entry.access.first().copied())
+}
+
+/// What the documents say of all entries that a section describes.
+fn common<T: PartialEq>(
+    device: &Device,
+    index: u16,
+    sub: Option<u8>,
+    fact: impl Fn(EntryFacts<'static>) -> Option<T>,
+) -> Option<T> {
+    let object = for_all(device).find_map(|document| document.object(index))?;
+    let compact = device.object(index).and_then(|object| object.compact.as_ref());
+    let subs = match (sub, compact) {
+        (Some(sub), _) => sub..=sub,
+        (None, Some(compact)) => 1..=compact.count,
+        (None, None) => 0..=0,
+    };
+    let facts = subs.map(|sub| fact(object.entry(sub)?));
+    facts.reduce(|one, other| one.filter(|one| Some(one) == other.as_ref()))?
+}
+
 /// The objects of CiA 302, which are only required if the device has at least one of them.
 const OF_MANAGERS: RangeInclusive<u16> = 0x1F00..=0x1FFF;
 
@@ -53,7 +86,6 @@ pub fn obsolete(index: u16) -> Option<&'static str> {
 mod tests {
     use super::*;
     use crate::Need;
-    use crate::model::Access;
 
     #[test]
     fn constants_are_what_the_documents_say() {

@@ -18,6 +18,8 @@ impl InvalidValue {
         let text = self.text.trim();
         let number = |number: i128| Value::from_integer(number, data_type).map(Intended::Value);
         match self.reason {
+            // the application transfers a DOMAIN, and no tool takes a text as its bytes
+            Reason::NotHexBytes if data_type == DataType::DOMAIN => Some(Intended::Nothing),
             Reason::NotHexBytes => matches!(text, "0" | "0x0").then_some(Intended::Nothing),
             // a digit 8 or 9 cannot be octal, so the number is decimal
             Reason::NotOctal => number(text.parse().ok()?),
@@ -73,7 +75,8 @@ mod tests {
         };
         for (text, data_type, expected) in [
             ("0", DataType::DOMAIN, Some(Intended::Nothing)),
-            ("@ABC", DataType::DOMAIN, None),
+            ("@ABC", DataType::DOMAIN, Some(Intended::Nothing)),
+            ("@ABC", DataType::OCTET_STRING, None),
             ("None", DataType::UNSIGNED8, Some(Intended::Nothing)),
             ("5.00", DataType::INTEGER16, Some(Intended::Value(Value::Signed(5)))),
             ("5.5", DataType::INTEGER16, None),

@@ -52,14 +52,20 @@ fn check_value(at: &EntryAt<'_>, kind: &str, findings: &mut Findings) {
     };
     let message = say!("{} needs {}", kind, listing(&missing));
     let mut finding = Diagnostic::new(&RULE.info, at.field(first.clone()), message);
+    let data_type = type_of_count(at).or_else(|| profile::data_type(at.device, at.index, at.sub));
+    let access = profile::access(at.device, at.index, at.sub);
     if missing == [Field::DataType]
-        && let Some(data_type) = prescribed_type(at)
+        && let Some(data_type) = data_type
     {
         let text = format!("0x{:04X}", data_type.0);
         let title = say!("write `{}`", Argument::setting(Field::DataType, &text));
         finding = finding.fix(Fix::safe(title).set(at.field(Field::DataType), text));
     }
-    if missing == [Field::DataType] && type_of_count(at).is_some() {
+    let is_known = |field: &Field| match field {
+        Field::DataType => data_type.is_some(),
+        _ => access.is_some(),
+    };
+    if missing.iter().all(is_known) {
         finding = finding.understood();
     }
     findings.push(finding.help(match missing.as_slice() {
@@ -69,18 +75,6 @@ fn check_value(at: &EntryAt<'_>, kind: &str, findings: &mut Findings) {
             say!("add `{DataType}` with the type of the value, and `{AccessType}`, such as `{AccessType=rw}`")
         }
     }));
-}
-
-/// The only type that an entry can have.
-fn prescribed_type(at: &EntryAt<'_>) -> Option<DataType> {
-    if let Some(data_type) = type_of_count(at) {
-        return Some(data_type);
-    }
-    let object = profile::for_all(at.device).find_map(|document| document.object(at.index))?;
-    match *object.entry(at.sub.unwrap_or_default())?.data_types {
-        [data_type] => Some(data_type),
-        _ => None,
-    }
 }
 
 /// The type of sub-index 0 of a structure.

@@ -1,0 +1,87 @@
+//! What a description leaves out and the standard says.
+
+use std::borrow::Cow;
+
+use super::Note;
+use super::notes::once_per_object;
+use crate::literal::{self, Quirks};
+use crate::model::{Access, DataType, Device, Entry, Field, Object, ObjectType, Place, Value};
+
+/// What an entry lacks and the standard has.
+struct Gap {
+    index: u16,
+    /// `None` for the entry of the object itself.
+    sub: Option<u8>,
+    data_type: Option<DataType>,
+    access: Option<Access>,
+}
+
+/// The device with the data types and access types that the documents for all devices define for entries without, and a note for
+/// each.
+pub(crate) fn filled(device: &Device) -> (Cow<'_, Device>, Vec<Note>) {
+    let gaps: Vec<Gap> =
+        device.objects.iter().flat_map(|(&index, object)| gaps_of(device, index, object)).collect();
+    if gaps.is_empty() {
+        return (Cow::Borrowed(device), Vec::new());
+    }
+    let notes = gaps.iter().flat_map(Gap::notes).collect();
+    let mut device = device.clone();
+    for Gap { index, sub, data_type, access } in gaps {
+        let Some(object) = device.objects.get_mut(&index) else { continue };
+        let entry = sub.map_or(Some(&mut object.main), |sub| object.subs.get_mut(sub));
+        if let Some(entry) = entry {
+            entry.access = entry.access.or(access);
+            data_type.into_iter().for_each(|data_type| set_type(entry, data_type));
+        }
+    }
+    (Cow::Owned(device), once_per_object(notes))
+}
+
+fn gaps_of(device: &Device, index: u16, object: &Object) -> Vec<Gap> {
+    let has_subs = object.object_type().has_subs();
+    if matches!(object.object_type(), ObjectType::DefType | ObjectType::DefStruct) {
+        return Vec::new();
+    }
+    // the object states the type of compact sub-objects, and nothing of others
+    let has_value = object.compact.is_some() || !has_subs && object.subs.is_empty();
+    let entries = object.described().filter(|(sub, _)| sub.is_some() || has_value);
+    let gaps = entries.map(|(sub, entry)| {
+        let lacks = |field, value: bool| !value && entry.invalid_values.get(&field).is_none();
+        let is_count = has_subs && sub == Some(0); // whose type is known
+        let lacks_type = !is_count && lacks(Field::DataType, entry.implied_type().is_some());
+        let lacks_access = lacks(Field::AccessType, entry.implied_access().is_some());
+        let data_type = lacks_type.then(|| objdict_profile::data_type(device, index, sub));
+        let access = lacks_access.then(|| objdict_profile::access(device, index, sub));
+        Gap { index, sub, data_type: data_type.flatten(), access: access.flatten() }
+    });
+    gaps.filter(|gap| gap.data_type.is_some() || gap.access.is_some()).collect()
+}
+
+impl Gap {
+    fn notes(&self) -> impl Iterator<Item = Note> {
+        let place = self.sub.map_or(Place::object(self.index), |sub| Place::entry(self.index, sub));
+        let data_type = self.data_type.map(|data_type| {
+            let text = format!("an entry without a data type; the standard has {data_type}");
+            Note::new(place.clone().field(Field::DataType), text)
+        });
+        let access = self.access.map(|access| {
+            let text = format!("an entry without an access type; the standard has `{access}`");
+            Note::new(place.field(Field::AccessType), text)
+        });
+        data_type.into_iter().chain(access)
+    }
+}
+
+/// Gives an entry a type, and its values the type too.
+fn set_type(entry: &mut Entry, data_type: DataType) {
+    entry.data_type = Some(data_type);
+    let configured = entry.configured.as_mut().and_then(|configured| configured.value.as_mut());
+    let values = [entry.default.as_mut(), entry.low_limit.as_mut(), entry.high_limit.as_mut(), configured];
+    for value in values.into_iter().flatten() {
+        if let Value::Raw(text) = value
+            && let Ok(typed) = literal::value(text, Some(data_type), &mut Quirks::default())
+        {
+            *value = typed;
+        }
+    }
+}
