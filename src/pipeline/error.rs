@@ -98,16 +98,6 @@ pub enum Error {
         /// Why it is not known.
         why: &'static str,
     },
-    /// Two targets would write the same file.
-    #[error("the targets `{first}` and `{second}` both write `{path}`")]
-    SameFile {
-        /// The target that was asked for first.
-        first: &'static str,
-        /// The other one.
-        second: &'static str,
-        /// The file below the output folder.
-        path: String,
-    },
     /// A file cannot be written.
     #[error("cannot write `{}`: {error}", path.display())]
     Unwritable {
@@ -153,7 +143,6 @@ impl Error {
                 Some("`objdict generate --report size` shows what each object takes".to_owned())
             }
             Self::NotMeasured { .. } => Some("see the map file of the linker".to_owned()),
-            Self::SameFile { .. } => Some("generate them into two folders".to_owned()),
             Self::NoOutDir => {
                 Some("Cargo sets it for build scripts; otherwise set the folder with `out_dir`".to_owned())
             }

@@ -8,7 +8,9 @@ mod save;
 
 use std::borrow::Cow;
 use std::cmp::Reverse;
+#[cfg(feature = "lint")]
 use std::collections::BTreeMap;
+use std::collections::BTreeSet;
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
@@ -30,7 +32,9 @@ use crate::diagnostic::{At, Diagnostic, Findings, Severity};
 use crate::format::Description;
 use crate::format::ReadError;
 use crate::format::input::{Input, Reading};
-use crate::generate::{self, Generated, Note, Options, Size, Sizes, Target, files_of, general_notes};
+use crate::generate::{
+    self, Generated, Note, Options, OutputFile, Size, Sizes, Target, files_of, general_notes,
+};
 use crate::lint::{self, Severities};
 use crate::model::{Address, Device, Place};
 use crate::profile::{self, Profile};
@@ -254,7 +258,7 @@ impl Request {
         let options = self.options(judged, files)?;
         let mut outputs: Vec<(Target, Generated)> = Vec::new();
         let mut sizes = Vec::new();
-        let mut paths: BTreeMap<String, &'static str> = BTreeMap::new();
+        let mut paths: BTreeSet<String> = BTreeSet::new();
         for &target in &self.targets {
             if outputs.iter().any(|(other, _)| other.name() == target.name()) {
                 continue;
@@ -266,13 +270,15 @@ impl Request {
                 generated.notes.extend(self.room.admit(target, &size)?);
                 sizes.push((target, size));
             }
-            for file in &generated.files {
-                // `od.h` and `OD.h` are one file on many systems
-                if let Some(first) = paths.insert(file.path.to_ascii_lowercase(), target.name()) {
-                    let (second, path) = (target.name(), file.path.clone());
-                    return Err(Error::SameFile { first, second, path });
-                }
+            // `od.h` and `OD.h` are one file on many systems
+            let is_taken = |file: &OutputFile| paths.contains(&file.path.to_ascii_lowercase());
+            if generated.files.iter().any(is_taken) {
+                generated
+                    .files
+                    .iter_mut()
+                    .for_each(|file| file.path = format!("{}/{}", target.name(), file.path));
             }
+            paths.extend(generated.files.iter().map(|file| file.path.to_ascii_lowercase()));
             outputs.push((target, generated));
         }
         self.room.is_measured(&sizes)?;

@@ -177,7 +177,9 @@ fn only_what_makes_a_table_wrong_stops_it() {
     let type_1000 = "DataType=0x0007\nAccessType=ro\nDefaultValue=0x00000000\n";
     let cases = [
         (count, without_type(count), "", 0),
-        (vendor_id, without_type(vendor_id), "", 1),
+        // CiA 301 has one type for it
+        (vendor_id, without_type(vendor_id), "", 0),
+        (vendor_id, without_type(vendor_id).replace("[1018sub1]", "[1018sub7]"), "", 1),
         (vendor_id, vendor_id.replace("AccessType=ro", "AccessType=(ro)"), "", 0),
         (vendor_id, vendor_id.replace("AccessType=ro", "AccessType=yes"), "", 1),
         ("ObjectType=0x9\nSubNumber=5", "ObjectType=RECORD\nSubNumber=5".to_owned(), "", 1),
@@ -195,6 +197,14 @@ fn only_what_makes_a_table_wrong_stops_it() {
             "",
             0,
         ),
+        // no entry depends on these sections
+        ("[FileInfo]\n", "from the archive\n[FileInfo]\nCreatedBy=another\njunk\n".to_owned(), "", 0),
+        ("[FileInfo]\n", "[Comments]\nLines=0\n[Comments]\nLines=0\n[FileInfo]\n".to_owned(), "", 0),
+        // a header that is malformed, or alone in its line; a merge
+        ("[FileInfo]\n", "[FileInfo]\n2000]\n".to_owned(), "", 1),
+        ("[FileInfo]\n", "[FileInfo]\n2000sub1\n".to_owned(), "", 1),
+        ("[FileInfo]\n", "[FileInfo]\n<<<<<<< HEAD\n".to_owned(), "", 1),
+        ("[1000]\n", "[1000]\njunk\n".to_owned(), "", 1),
     ];
     for (old, new, config, expected) in cases {
         assert!(text.contains(old), "{old}");
@@ -216,6 +226,15 @@ fn only_what_makes_a_table_wrong_stops_it() {
         fs::write(folder.path().join("d.xdd"), new).unwrap();
         let output = run(folder.path(), "generate d.xdd --target rust --no-config -o gen");
         assert_eq!(output.status.code(), Some(expected), "{index}");
+    }
+    // one stack reads a mapping of the wrong length in another way than the others
+    let text = fs::read_to_string("fixtures/eds/io-401.eds").unwrap();
+    let new = text.replacen("=0x60000108", "=0x60000110", 1);
+    assert_ne!(new, text);
+    fs::write(folder.path().join("d.eds"), new).unwrap();
+    for (target, expected) in [("c,canopennode", 0), ("c,canopen-stack", 1)] {
+        let output = run(folder.path(), &format!("generate d.eds --target {target} --no-config -o gen"));
+        assert_eq!(output.status.code(), Some(expected), "{target}");
     }
 }
 

@@ -427,7 +427,7 @@ const LONGEST_PREFIX: usize = 16;
 
 /// Modules and files of Rust packages and headers of C, which a module or file of the same name would hide.
 const FILES: &str = "
-    self super crate build lib main mod core std alloc complex ctype fenv inttypes iso646 limits locale math setjmp signal stdalign
+    self super crate build lib main mod core std alloc assert complex ctype errno fenv float inttypes iso646 limits locale math setjmp signal stdalign
     stdarg stdatomic stdbool stddef stdint stdio stdlib stdnoreturn string tgmath threads time uchar wchar wctype
 ";
 
@@ -461,7 +461,7 @@ mod tests {
     fn a_prefix_is_an_identifier() {
         let options = |prefix: &str| Options { prefix: Some(prefix.to_owned()), ..Options::default() };
         assert_eq!(options("Motor_2").prefix_or("od").ok().as_deref(), Some("motor_2"));
-        for text in ["self", "mod", "stdint", "String"] {
+        for text in ["self", "mod", "stdint", "String", "assert"] {
             let error = options(text).prefix_or("od");
             assert!(matches!(error, Err(GenerateError::Hides { option: "prefix", .. })), "{text}");
         }

@@ -110,8 +110,9 @@ fn mapping(dictionary: &Dictionary<'_>, pdo: &Pdo<'_>, notes: &mut Vec<Note>) {
     }
     for slot in pdo.used_slots() {
         let Some(mapped) = slot.object.filter(|object| !object.is_unused()) else { continue };
-        let text = if mapped.bits % 8 != 0 || mapped.bits == 0 {
-            "the stack maps whole bytes only"
+        let is_misread = mapped.bits % 8 != 0 || mapped.bits == 0;
+        let text = if is_misread {
+            "the stack maps whole bytes only, and misreads the entries behind"
         } else if mapped.is_dummy() && pdo.kind == PdoKind::Rpdo && (2..=7).contains(&mapped.index) {
             continue;
         } else if mapped.is_dummy() {
@@ -121,7 +122,8 @@ fn mapping(dictionary: &Dictionary<'_>, pdo: &Pdo<'_>, notes: &mut Vec<Note>) {
         } else {
             continue;
         };
-        notes.push(Note::new(Place::entry(index, slot.sub), format!("{text} (`{mapped}`)")));
+        let note = Note::new(Place::entry(index, slot.sub), format!("{text} (`{mapped}`)"));
+        notes.push(if is_misread { note.warning() } else { note });
     }
 }
 

@@ -3,7 +3,8 @@ use crate::model::{DataType, Field, MappedObject, Place};
 use crate::{Facts, PdoFacts, Target, rule};
 
 rule! {
-    "cia301/wrong-mapping-length", Error, Pdo(check), fix Unsafe;
+    // canopen-stack takes the length of the object, so that what follows is at another place of the frame
+    "cia301/wrong-mapping-length", Error, Pdo(check), fix Unsafe, stops "canopen-stack";
     summary: "the length in a PDO mapping differs from the length of the object",
     checks: "Whether the last two digits of each mapping entry, the length in bits, match the data type of the object. Objects of variable length are not checked. A BOOLEAN with 8 bits is a warning: devices that map only whole bytes do this, such as those with CANopenNode.",
     why: "The device rejects the mapping with an abort; a receiver reads the following objects from the wrong position of the frame.",
