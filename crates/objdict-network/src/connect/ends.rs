@@ -184,7 +184,14 @@ impl Named<'_> {
                 let names = several.iter().take(5).map(|at| ObjectName::Address(*at).to_string());
                 let message = say!("`{}` names several entries of `{}`", text, self.node.name.value);
                 let help = say!("write the index of one: {}", listing(names));
-                Err(wrong(&UNKNOWN_ENTRY, self.end, message, help))
+                let place = |at: &Address| match at.sub {
+                    Some(sub) => self.node.device.entry_place(at.index, sub),
+                    None => Place::object(at.index),
+                };
+                let places = several.iter().take(5).map(|at| place(at).field(Field::ParameterName));
+                let places = places.map(|place| At::Node(self.position, place));
+                let finding = wrong(&UNKNOWN_ENTRY, self.end, message, help);
+                Err(Box::new(finding.label_each(places, "the name")))
             }
         }
     }
