@@ -54,11 +54,15 @@ int main(int argc, char **argv)
     struct can_frame frame;
     node_t node;
 
-    bus.fd = argc == 2 ? open_bus(argv[1]) : -1;
-    bus.events = POLLIN;
-    if (bus.fd < 0) {
+    if (argc != 2) {
         (void)fprintf(stderr, "usage: %s INTERFACE, such as vcan0 or can0\n", argv[0]);
         return 2;
+    }
+    bus.fd = open_bus(argv[1]);
+    bus.events = POLLIN;
+    if (bus.fd < 0) {
+        perror(argv[1]);
+        return 1;
     }
     node_init(&node, OD_NODE_ID);
     send_frame(bus.fd, 0x700u + OD_NODE_ID, &boot_up, 1u);
