@@ -7,6 +7,7 @@ mod names;
 mod plan;
 mod positions;
 mod ranges;
+mod sizes;
 mod special;
 mod view;
 
@@ -56,9 +57,9 @@ impl Backend for CanFestival {
         Ok(Generated { files, notes: once_per_device(in_order(notes)) })
     }
 
-    fn size(&self, _: &Device, _: &Options) -> Result<Sizes, GenerateError> {
-        Ok(Sizes::Unknown(
-            "the files have the state of the stack, whose configuration decides how long it is",
-        ))
+    fn size(&self, device: &Device, options: &Options) -> Result<Sizes, GenerateError> {
+        let dictionary = Dictionary::new(device, options)?;
+        let plan = plan::Plan::new(&dictionary, options, "od", &mut Vec::new());
+        Ok(Sizes::Known(sizes::report(&dictionary, &plan, &positions::slots(&plan.objects))))
     }
 }

@@ -5,6 +5,7 @@ use super::ranges::Ranges;
 use super::special::{Family, LISTS, VALUES, misfit};
 use crate::c_code::{bytes, exact_type, literal, little_endian, number};
 use crate::dictionary::{Dictionary, ResolvedEntry, ResolvedObject};
+use crate::memory::{Extent, is_zero};
 use crate::model::{DataType, Place, TypeKind};
 use crate::resolve::{Datum, Shape};
 use crate::stored;
@@ -24,6 +25,12 @@ pub(super) struct Definition {
     pub(super) suffix: String,
     pub(super) initializer: String,
     pub(super) comment: String,
+    /// The object that it belongs to, or that the stack expects.
+    pub(super) index: u16,
+    /// The number of bytes.
+    pub(super) size: usize,
+    /// Whether its initial value is all zeros.
+    pub(super) is_zero: bool,
 }
 
 impl Definition {
@@ -218,6 +225,12 @@ impl Builder<'_> {
             suffix: if array { format!("[{}]{room}", entries.len()) } else { room },
             initializer: if array { format!("{{{}}}", values.join(", ")) } else { values.concat() },
             comment: format!("{:04X}h sub-index {subs}h", object.index),
+            index: object.index,
+            size: kind.room.unwrap_or(Extent::of_c(&kind.base).size) * entries.len(),
+            is_zero: entries.iter().all(|entry| match &entry.resolved.default {
+                Datum::Formula(offset) => offset + u64::from(self.node_id) == 0,
+                default => is_zero(default),
+            }),
         });
     }
 
@@ -383,22 +396,31 @@ impl Builder<'_> {
 
     /// Defines what the stack refers to and the description lacks.
     fn missing(&mut self) {
-        let mut define = |base: &str, name: String, suffix: &str, initializer: String| {
-            let name = format!("{}_{name}", self.node);
+        let mut define = |index: u16, base: &str, name: &str, suffix: &str, value: u32| {
+            let name = format!("{}_{name}obj{index:04X}", self.node);
             if !self.plan.definitions.iter().any(|known| known.name == name) {
-                let (base, suffix) = (base.to_owned(), suffix.to_owned());
-                let comment = "not in the description".to_owned();
-                self.plan.definitions.push(Definition { base, name, suffix, initializer, comment });
+                let initializer =
+                    if suffix.is_empty() { format!("{value}u") } else { format!("{{{value}u}}") };
+                self.plan.definitions.push(Definition {
+                    base: base.to_owned(),
+                    name,
+                    suffix: suffix.to_owned(),
+                    initializer,
+                    comment: "not in the description".to_owned(),
+                    index,
+                    size: Extent::of_c(base).size,
+                    is_zero: value == 0,
+                });
             }
         };
         for (index, data_type) in VALUES {
             let base = c_type(data_type).unwrap_or("UNS32");
             let value = if index == 0x1014 { 0x80 + u32::from(self.node_id) } else { 0 };
-            define(base, format!("obj{index:04X}"), "", format!("{value}u"));
+            define(index, base, "", "", value);
         }
         for index in LISTS {
-            define("UNS32", format!("obj{index:04X}"), "[1]", "{0u}".to_owned());
-            define("UNS8", format!("highestSubIndex_obj{index:04X}"), "", "0u".to_owned());
+            define(index, "UNS32", "", "[1]", 0);
+            define(index, "UNS8", "highestSubIndex_", "", 0);
         }
     }
 }
