@@ -156,3 +156,17 @@ fn the_reference_has_every_key() {
         );
     }
 }
+
+/// A factor is of the heartbeat time that the network file states, else of that of the description.
+#[test]
+fn a_watched_node_may_have_its_heartbeat_time_in_its_description() {
+    let text = "[node.plc]\nfile = \"plc.eds\"\nid = 1\nwatches = { bare = \"1.5x\" }\n\
+                [node.bare]\nfile = \"bare.dcf\"\n";
+    let file = open("watched", text);
+    assert!(file.check().is_empty(), "{:?}", file.check());
+    let network = file.network.unwrap();
+    let compiled = compile(&network, Manner::Repaired, &mut Findings::new());
+    let consumers = compiled.slaves[0].device.services().heartbeat_consumers;
+    let watched: Vec<_> = consumers.iter().map(|consumer| (consumer.node_id, consumer.time)).collect();
+    assert_eq!(watched, [(5, 1500)]);
+}

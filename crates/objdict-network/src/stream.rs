@@ -276,12 +276,12 @@ fn consumers(desk: &mut Desk<'_, '_>, manager: &Manager) -> Vec<Download> {
         (Some(_), None) => desk.findings.push(too_long(wish.at, manager.heartbeat.factor, producer)),
         (None, _) if subs.is_empty() => desk.findings.push(
             finding(say!("`{}` has no 1016h, so it cannot monitor the manager", name))
-                .help("remove `heartbeat_consumer`"),
+                .help("do not let it monitor the manager"),
         ),
         (None, _) => desk.findings.push(
             finding(say!("all entries of 1016h of `{}` monitor other nodes", name))
                 .label(desk.place(Place::object(CONSUMERS)), "no entry is free")
-                .help("free one by a download of 0, or remove `heartbeat_consumer`"),
+                .help("free one by a download of 0, or do not let it monitor the manager"),
         ),
     }
     Vec::new()

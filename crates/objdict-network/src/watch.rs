@@ -49,19 +49,24 @@ fn free(node: &Node) -> impl Iterator<Item = u8> + use<> {
 fn consumer(network: &Network, watch: &Watch) -> Result<u32, &'static str> {
     let node = network.nodes.iter().find(|node| node.name.value == watch.node);
     let manager = network.manager.as_ref().filter(|manager| manager.name.value == watch.node);
-    let (node_id, heartbeat) = match (node, manager) {
-        (Some(node), _) => (node.node_id, &node.heartbeat),
-        (None, Some(manager)) => (manager.node_id, &manager.heartbeat),
+    let (node_id, producer) = match (node, manager) {
+        (Some(node), _) => (node.node_id, producer(node)),
+        (None, Some(manager)) => (manager.node_id, manager.heartbeat.producer.map(|time| time.value)),
         (None, None) => return Err("there is no such node"),
     };
     let node_id = node_id.ok_or("its node-ID is not known")?.value;
     let milliseconds = match watch.time {
         WatchTime::Milliseconds(milliseconds) => milliseconds,
         WatchTime::Times(factor) => {
-            let producer = heartbeat.producer.ok_or("it has no heartbeat time")?.value;
+            let producer = producer.filter(|time| *time != 0).ok_or("it has no heartbeat time")?;
             let consumer = Heartbeat { factor, ..Heartbeat::default() };
             consumer.consumer_time(producer).ok_or("the time is longer than 65535 ms")?
         }
     };
     Ok(u32::from(node_id) << 16 | u32::from(milliseconds))
+}
+
+/// The producer heartbeat time in milliseconds: that of the network file, else that of the description.
+fn producer(node: &Node) -> Option<u16> {
+    node.heartbeat.producer.map(|time| time.value).or_else(|| node.device.services().heartbeat_time)
 }
