@@ -10,7 +10,9 @@ use super::{Built, Error};
 use crate::diagnostic::{Selection, Severity, Text, counted};
 use crate::format::ReadError;
 use crate::format::input::FileKind;
-use crate::generate::{CTable, ChoiceError, Derive, Names, OptionField, StackLayout, StorageGroup, Target};
+use crate::generate::{
+    CTable, ChoiceError, Derive, Names, OptionField, SharedCell, StackLayout, StorageGroup, Target,
+};
 use crate::lint::{Level, Severities};
 use crate::model::Address;
 #[cfg(feature = "lint")]

@@ -3,7 +3,7 @@
 use std::fmt::Write as _;
 use std::path::{Path, PathBuf};
 
-use objdict::generate::{Derive, Options, Target, generate};
+use objdict::generate::{Derive, Options, SharedCell, Target, generate};
 use objdict::model::Device;
 
 #[path = "src/devices.rs"]
@@ -73,6 +73,8 @@ fn served(out: &Path) -> Result<(), Box<dyn std::error::Error>> {
     for (name, device) in devices::devices() {
         let mut options = Options::default();
         options.runtime = true;
+        options.node_id = Some(5);
+        options.cell = Some(SharedCell::CriticalSection);
         let generated = generate(&device, Target::RUST, &options)?;
         let contents = std::str::from_utf8(&generated.files[0].contents)?;
         let path = out.join(format!("{name}_runtime.rs"));

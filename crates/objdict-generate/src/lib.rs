@@ -80,7 +80,7 @@ use std::borrow::Cow;
 use std::fmt;
 
 pub use options::{
-    CTable, Choice, Derive, Names, OptionField, OptionValue, Options, StackLayout, StorageGroup,
+    CTable, Choice, Derive, Names, OptionField, OptionValue, Options, SharedCell, StackLayout, StorageGroup,
 };
 pub use renames::ChoiceError;
 #[cfg(feature = "toml")]
@@ -313,6 +313,9 @@ pub enum GenerateError {
         /// The places with the problems; at least one.
         Vec<Note>,
     ),
+    /// Shared values were requested without the crate for them, or without the node-ID that they start with.
+    #[error("`--cell` needs `--runtime` and a node-ID (`--node-id N`)")]
+    NoCell,
     /// The target `template` was requested without a template.
     #[error("the target `template` needs a template (`--template FILE`)")]
     NoTemplate,

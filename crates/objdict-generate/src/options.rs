@@ -154,6 +154,14 @@ macro_rules! with_options {
                 argument: bool [help_heading = "Stacks"],
                 method: runtime(is_used: bool) => Ok(is_used),
             }
+            /// Generate a `static` with the values in Rust, for interrupts and the main program; with `--runtime`
+            ///
+            /// The values start with the defaults of the node-ID, which must be known.
+            Cell "cell" {
+                field: cell: Option<SharedCell> = None,
+                argument: Option<SharedCell> [help_heading = "Stacks", value_name = "KIND", value_parser = one_of::<SharedCell>(), requires = "runtime"],
+                method: cell(kind: SharedCell) => Ok(kind),
+            }
             /// Derive traits of other crates for the Rust types
             ///
             /// Can be called several times.
@@ -350,6 +358,21 @@ impl OptionValue for StackLayout {
             "The same with its names before July 2021: `cell_1_Temp`",
         ),
     ];
+}
+
+/// What protects values that interrupts and the main program share.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum SharedCell {
+    /// `Shared` of the crate `objdict-device`, with its feature `critical-section`.
+    CriticalSection,
+}
+
+impl OptionValue for SharedCell {
+    const ALL: &'static [(Self, &'static str, &'static str)] = &[(
+        Self::CriticalSection,
+        "critical-section",
+        "`SHARED`, a `Shared<Data>` of `objdict-device` with the feature `critical-section`",
+    )];
 }
 
 /// Traits of other crates derived for generated Rust types.

@@ -210,7 +210,7 @@ impl fmt::Display for FieldPath<'_> {
 /// Items of the templates beside those of objects.
 const ITEMS: &str = "
     od pdo defaults enums bits serde defmt groups table data_types communication manufacturer profile interface
-    entries node_id max_size
+    entries node_id max_size shared
 ";
 
 struct Builder {

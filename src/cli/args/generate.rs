@@ -10,7 +10,7 @@ use crate::cli::input::InputArgs;
 use crate::cli::profiles::ProfileArgs;
 use crate::cli::settings::ConfigArgs;
 use crate::generate::{
-    CTable, Derive, Names, OptionField, OptionValue, Options, StackLayout, StorageGroup, Target,
+    CTable, Derive, Names, OptionField, OptionValue, Options, SharedCell, StackLayout, StorageGroup, Target,
 };
 use crate::model::Address;
 

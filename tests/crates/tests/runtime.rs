@@ -50,3 +50,13 @@ fn pdos_are_those_of_the_structs() {
     let (done, others): (Vec<_>, Vec<_>) = exchanged.into_iter().partition(|(_, is_done)| *is_done);
     assert!(done.len() > 20 && others.len() < 5, "{} exchanged, not {others:?}", done.len());
 }
+
+/// With `--cell critical-section` the values are a `static`, with the defaults of the node-ID.
+#[test]
+fn the_values_of_a_table_are_shared() {
+    let set = |value: u16| io_401::SHARED.with(|data| data.write(0x1017, 0, &value.to_le_bytes()).unwrap());
+    std::thread::spawn(move || set(250)).join().unwrap();
+    let number = |index, sub| io_401::SHARED.with(|data| data.number(index, sub)).unwrap();
+    assert_eq!(number(0x1017, 0), Ok(250));
+    assert_eq!(number(0x1014, 0), Ok(0x85), "node-ID 5");
+}

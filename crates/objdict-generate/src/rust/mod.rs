@@ -49,6 +49,7 @@ impl Backend for Rust {
             Choice::FeatureGates,
             Choice::Derives,
             Choice::Runtime,
+            Choice::Cell,
         ]
     }
 
@@ -56,6 +57,9 @@ impl Backend for Rust {
         let module = options.module_or("od")?;
         let mut table = Table::new(device, options)?;
         let mut notes = std::mem::take(&mut table.notes);
+        if options.cell.is_some() && !(options.runtime && table.node_id.is_some()) {
+            return Err(GenerateError::NoCell);
+        }
         if !options.runtime {
             notes.extend(freeze_mappings(&mut table, "`--runtime` or `--hook` allows it"));
         }

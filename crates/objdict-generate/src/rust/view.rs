@@ -41,6 +41,8 @@ pub(super) struct Od<'a> {
     pdos: [Vec<u16>; 2],
     /// Whether the code of the table is in a crate.
     runtime: bool,
+    /// Whether there is a `static` with the values.
+    shared: bool,
     /// Whether the entries have names.
     names: bool,
     /// Whether optional parts depend on features.
@@ -87,6 +89,7 @@ impl<'a> Od<'a> {
                 cob_ids.map(|row| row.index).collect()
             }),
             runtime: options.runtime,
+            shared: options.cell.is_some(),
             names: options.entry_names,
             gates: options.feature_gates,
             derives: &options.derives,

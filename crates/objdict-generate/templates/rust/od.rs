@@ -130,6 +130,13 @@ impl table::Hooked for Od {
 }
 {%- endif %}
 
+{%- if shared %}
+
+/// The values, for interrupts and the main program: `SHARED.with(|data| data.get(…))`.
+#[allow(dead_code, unreachable_pub)]
+pub static SHARED: objdict_device::Shared<Data> = objdict_device::Shared::new(Data::new(NODE_ID));
+{%- endif %}
+
 {%- if runtime %}
 
 /// The values with the hooks of the application.
