@@ -19,13 +19,13 @@ fn limit(limit: Option<&Value>, data_type: DataType, node_id: u8) -> String {
     hex(&on_node.as_ref().unwrap_or(limit).to_bytes(data_type).unwrap())
 }
 
-/// The expected rows: SDOs cannot write PDO mappings.
+/// The expected rows: neither SDOs nor RPDOs can write PDO mappings.
 fn rows(device: &Device, node_id: u8) -> Vec<Row> {
     let mut rows = truth(device, node_id);
     for row in
         rows.iter_mut().filter(|row| row.write && matches!(row.index, 0x1600..=0x17FF | 0x1A00..=0x1BFF))
     {
-        (row.read, row.write) = (true, false);
+        (row.read, row.write, row.rpdo) = (true, false, false);
     }
     rows
 }
