@@ -43,19 +43,14 @@ impl Start {
         let shown = path.display().to_string();
         match Reading::default().open(path)? {
             (_, Input::Device(device)) => self.node(shown, *device, None),
-            (_, Input::Description(description)) if description.device_count() == 1 => {
-                self.node(shown, description.device().clone(), None);
-            }
             (_, Input::Description(description)) => {
                 let mut description = *description;
-                for number in 0..description.device_count() {
-                    let several = || ReadError::NoSuchDevice {
-                        name: shown.clone(),
-                        number: NonZeroUsize::MIN.saturating_add(number),
-                        count: number,
-                    };
-                    description = description.select(number).ok_or_else(several)?;
-                    self.node(format!("{shown}#{}", number + 1), description.device().clone(), None);
+                let count = description.device_count();
+                for device in (1..=count).map(NonZeroUsize::new) {
+                    description = Reading { device, ..Reading::default() }.select(&shown, description)?;
+                    let number = device.filter(|_| count > 1).map(|number| format!("#{number}"));
+                    let file = shown.clone() + &number.unwrap_or_default();
+                    self.node(file, description.device().clone(), None);
                 }
             }
             (_, Input::NodeList(list)) => self.list(path.parent().unwrap_or(Path::new("")), list)?,
