@@ -170,3 +170,27 @@ fn a_watched_node_may_have_its_heartbeat_time_in_its_description() {
     let watched: Vec<_> = consumers.iter().map(|consumer| (consumer.node_id, consumer.time)).collect();
     assert_eq!(watched, [(5, 1500)]);
 }
+
+/// A PDO that cannot be switched off can have other times. dcfgen tries to switch it off.
+#[test]
+fn a_pdo_with_a_constant_cob_id_stays_on() {
+    let folder = crate::network::new_folder("constant-cob-id");
+    let description = fs::read_to_string(support::fixtures().join("network/constant.eds")).unwrap();
+    let (before, entry) = description.split_once("[1800sub1]").unwrap();
+    let entry = entry.replacen("AccessType=rw", "AccessType=const", 1).replacen("0x80000180", "0x180", 1);
+    fs::write(folder.join("constant.eds"), format!("{before}[1800sub1]{entry}")).unwrap();
+    let text = "[node.inputs]\nfile = \"constant.eds\"\nid = 5\ntpdo.1 = { event-timer = \"20ms\" }\n";
+    fs::write(folder.join("network.toml"), text).unwrap();
+    let file = NetworkFile::open(&folder.join("network.toml"), &BTreeMap::new()).unwrap();
+    assert!(!file.check().has_errors(), "{:?}", file.check());
+    let downloads = |manner| {
+        let compiled = compile(file.network.as_ref().unwrap(), manner, &mut Findings::new());
+        let downloads = &compiled.slaves[0].downloads.0;
+        downloads
+            .iter()
+            .map(|download| format!("{:04X}:{}", download.index, download.sub))
+            .collect::<Vec<_>>()
+    };
+    assert_eq!(downloads(Manner::Repaired), ["1800:5"]);
+    assert_eq!(downloads(Manner::Strict), ["1800:1", "1800:5", "1800:1"]);
+}

@@ -177,6 +177,12 @@ impl<'n, 'f> Desk<'n, 'f> {
         exists
     }
 
+    /// Whether the node has the entry and refuses to have it written.
+    pub(super) fn is_constant(&self, at: Address) -> bool {
+        let entry = self.node.device.entry(at.index, at.sub.unwrap_or(0));
+        entry.and_then(|entry| entry.implied_access()).is_some_and(|access| !access.is_writable())
+    }
+
     /// Reports what the node refuses although the value can be sent.
     fn check(&mut self, at: Address, value: &Value, said: Span) {
         let sub = at.sub.unwrap_or(0);

@@ -111,7 +111,10 @@ pub(super) fn configure(
         None => {}
     }
     let off = state.cob_id | CobId::BIT_31;
-    if before != off {
+    // a PDO that cannot be switched off can have other times
+    let stays = state.cob_id == before && wish.enabled && wish.mapping.is_none();
+    let stays = stays && desk.manner == Manner::Repaired && desk.is_constant(cob_id_at);
+    if before != off && !stays {
         desk.write(cob_id_at, off.into(), said, Severity::Error);
     }
     if state.cob_id & CobId::BIT_31 != 0 {
@@ -125,7 +128,7 @@ pub(super) fn configure(
         map(desk, state, objects, wish);
     }
     state.is_enabled = wish.enabled;
-    if wish.enabled {
+    if wish.enabled && !stays {
         desk.write(cob_id_at, state.cob_id.into(), said, Severity::Error);
     }
 }
