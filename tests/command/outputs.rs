@@ -177,6 +177,20 @@ fn what_an_edit_keeps_is_said_to_be_invalid() {
     );
 }
 
+/// A network is built with the severities of its configuration.
+#[test]
+fn a_configuration_may_allow_what_stops_a_build() {
+    let folder = folder();
+    let network = std::env::current_dir().unwrap().join("fixtures/rules/network/pdo-length/bad.yml");
+    let line = format!("network build {} --target concise -o built", network.display());
+    assert_eq!(objdict(folder.path(), &line).status.code(), Some(1));
+    assert!(!folder.path().join("built").exists());
+    fs::write(folder.path().join("plant.toml"), "[rules]\n\"network/pdo-length\" = \"off\"\n").unwrap();
+    let output = objdict(folder.path(), &(line + " --config plant.toml"));
+    assert!(output.status.success(), "{}", errors(&output));
+    assert_eq!(fs::read_dir(folder.path().join("built")).unwrap().count(), 2);
+}
+
 /// In a network each node has the page of the DCF that is built for it.
 #[test]
 fn pages_of_nodes_are_those_of_their_dcfs() {
