@@ -84,7 +84,8 @@ impl NetworkFile {
         Ok(Self { is_made: true, ..Self::read(source, PathBuf::new(), &BTreeMap::new()) })
     }
 
-    fn read(source: SourceFile, folder: PathBuf, variables: &BTreeMap<String, String>) -> Self {
+    /// Reads a network from its text; paths of descriptions are relative to `folder`.
+    pub fn read(source: SourceFile, folder: PathBuf, variables: &BTreeMap<String, String>) -> Self {
         let mut descriptions = Descriptions { folder, variables, read: BTreeMap::new(), files: Vec::new() };
         let mut findings = Findings::new();
         let network = match identify_source(&source).kind {

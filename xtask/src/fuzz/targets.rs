@@ -1,23 +1,26 @@
 //! What is fuzzed: every reader, writer and transformer takes any bytes without a panic and keeps its promise about them. The
 //! driver of this package and libFuzzer (`fuzz`) call the same functions.
 
-use std::collections::BTreeSet;
+use std::collections::{BTreeMap, BTreeSet};
+use std::path::Path;
 use std::sync::{Arc, LazyLock};
 
 use objdict::compare::differences;
 use objdict::config::Config;
 use objdict::configure::{SettingsFile, configure};
-use objdict::diagnostic::{Applicability, Fix, Tool};
+use objdict::diagnostic::{Applicability, Findings, Fix, Tool};
 use objdict::document::dbc::{self, BusNode, DbcOptions};
 use objdict::document::{self, Form};
 use objdict::download::ConciseDcf;
 use objdict::format::input::{Input, Reading};
+use objdict::format::network::NetworkFile;
 use objdict::format::{
     self, Description, Dialect, Format, NodeSettings, WriteOptions, concise, json, nodelist,
 };
 use objdict::generate::{self, Target};
 use objdict::lint::Options;
 use objdict::model::Commissioning;
+use objdict::network::{LelyOptions, Manner, Overview, compile, graph};
 use objdict::profile::Profile;
 use objdict::source::{SourceFile, SourceOptions};
 
@@ -31,7 +34,7 @@ pub(crate) struct Fuzzed {
 const DESCRIPTIONS: &[&str] = &["eds", "dcf", "xdd", "xdc"];
 
 /// All of them.
-pub(crate) const FUZZED: [Fuzzed; 13] = [
+pub(crate) const FUZZED: [Fuzzed; 14] = [
     Fuzzed { name: "check", endings: DESCRIPTIONS, run: check },
     Fuzzed { name: "fix", endings: DESCRIPTIONS, run: fix },
     Fuzzed { name: "fmt", endings: &["eds", "dcf"], run: arrange },
@@ -49,6 +52,7 @@ pub(crate) const FUZZED: [Fuzzed; 13] = [
     Fuzzed { name: "concise", endings: &["cdcf"], run: |_, bytes| stream(bytes) },
     Fuzzed { name: "text", endings: &["txt", "cpj"], run: |_, bytes| text(bytes) },
     Fuzzed { name: "toml", endings: &["toml"], run: |_, bytes| toml(bytes) },
+    Fuzzed { name: "network", endings: &["toml", "yml", "cpj"], run: |_, bytes| network(bytes) },
 ];
 
 /// All profiles and all tools.
@@ -299,4 +303,24 @@ fn toml(bytes: &[u8]) {
     let text = utf8(bytes);
     let _ = (Profile::from_toml(text), SettingsFile::parse(text), generate::renames(text));
     Config::read(SourceFile::from_text("objdict.toml", text), ".");
+}
+
+/// A network of the descriptions in `fixtures/network`, with all that is made of it.
+fn network(bytes: &[u8]) {
+    let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("../fixtures/network");
+    let text = String::from_utf8_lossy(bytes).replace("../../../network/", "");
+    let file = NetworkFile::read(SourceFile::from_text("fuzzed", text), folder, &BTreeMap::new());
+    let findings = file.check();
+    let Some(network) = &file.network else {
+        assert!(!findings.is_empty(), "what is no network has a finding");
+        return;
+    };
+    for manner in [Manner::Repaired, Manner::Strict] {
+        let compiled = compile(network, manner, &mut Findings::new());
+        let overview = Overview::new(network, &compiled);
+        let _ = (graph::svg(&overview, |can_id| can_id.to_string()), graph::dot(&overview));
+        let Ok(build) = file.build(manner) else { continue };
+        let _ = (build.lely(&LelyOptions { manner, remote_pdos: true }), build.concise(), build.dcfs());
+        let _ = (build.manager_device(), build.node_list(), build.bus_yml());
+    }
 }
