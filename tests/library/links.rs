@@ -62,7 +62,7 @@ fn the_network_of_chapter_4_comes_out_as_printed() {
     );
     let compiled = compile(&network, Manner::Repaired, &mut Findings::new());
     let left = &compiled.slaves[0];
-    let stream = left.arranged(&network.nodes[left.node]).unwrap();
+    let stream = left.arranged().unwrap();
     assert_eq!((stream.0.len(), stream.write().unwrap().len()), (33, 325));
     let plc = compiled.manager.unwrap();
     let services = plc.device.services();

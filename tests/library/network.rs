@@ -1,6 +1,6 @@
 //! Networks: what is built of them.
 
-use std::collections::BTreeMap;
+use std::collections::{BTreeMap, BTreeSet};
 use std::path::PathBuf;
 
 use objdict::diagnostic::Findings;
@@ -189,32 +189,91 @@ fn nodes_keep_the_time_of_their_configuration() {
     assert_eq!(last, ["1020:02 C0B67702", "1020:01 323D0000"]);
 }
 
-/// The DCFs of a network are the same network, with the same messages.
-#[test]
-fn configured_nodes_are_a_network() {
-    let folder = new_folder("configured-nodes");
-    let network = open("chapter4.toml");
+/// The messages of a network in words, and its findings that depend on values.
+fn said(file: &NetworkFile) -> (Vec<String>, BTreeSet<String>) {
+    let network = file.network.as_ref().unwrap();
+    let compiled = compile(network, Manner::Repaired, &mut Findings::new());
+    let mut overview = Overview::new(network, &compiled);
+    overview.messages.iter_mut().for_each(|message| message.receivers.sort_by_key(End::to_string));
+    let ends = |ends: &[End]| ends.iter().map(End::to_string).collect::<Vec<_>>().join(", ");
+    let shown = |message: &MessageRow| {
+        let (senders, receivers) = (ends(&message.senders), ends(&message.receivers));
+        format!("{} {senders} to {receivers}: {}", message.can_id, message.trigger)
+    };
+    let findings = file.check();
+    // these are about what the network file says twice or in vain
+    let of_file = ["contradictory-values", "idle-pdo"];
+    let findings = findings.iter().filter(|finding| !of_file.contains(&finding.rule.name()));
+    let findings = findings.map(|finding| format!("{}: {}", finding.rule.name(), finding.message));
+    (overview.messages.iter().map(shown).collect(), findings.collect())
+}
+
+/// The same network as its DCFs describe it.
+fn written(network: &NetworkFile, folder: &str) -> NetworkFile {
+    let folder = new_folder(folder);
     let mut paths = Vec::new();
     for BuiltFile { name, bytes } in network.build(Manner::Repaired).unwrap().dcfs().unwrap() {
         std::fs::write(folder.join(&name), bytes).unwrap();
         paths.push(folder.join(name));
     }
-    let again = NetworkFile::of_descriptions(&paths).unwrap();
+    NetworkFile::of_descriptions(&paths).unwrap()
+}
+
+/// The DCFs of a network are the same network, with the same messages.
+#[test]
+fn configured_nodes_are_a_network() {
+    let network = open("chapter4.toml");
+    let again = written(&network, "configured-nodes");
     assert!(!again.check().has_errors(), "{:?}", again.check());
-    let messages = |file: &NetworkFile| {
-        let network = file.network.as_ref().unwrap();
-        let compiled = compile(network, Manner::Repaired, &mut Findings::new());
-        let mut overview = Overview::new(network, &compiled);
-        overview.messages.iter_mut().for_each(|message| message.receivers.sort_by_key(End::to_string));
-        let ends = |ends: &[End]| ends.iter().map(End::to_string).collect::<Vec<_>>().join(", ");
-        let shown = |message: &MessageRow| {
-            let (senders, receivers) = (ends(&message.senders), ends(&message.receivers));
-            format!("{} {senders} to {receivers}: {}", message.can_id, message.trigger)
-        };
-        overview.messages.iter().map(shown).collect::<Vec<_>>()
-    };
-    assert_eq!(messages(&again), messages(&network));
-    assert_eq!(paths.len(), 5);
+    assert_eq!(said(&again).0, said(&network).0);
+    assert_eq!(again.network.unwrap().nodes.len(), 5);
+}
+
+/// Whatever writes an entry, the network is checked and shown with its value, and the same is in the DCFs.
+#[test]
+fn every_value_counts_wherever_it_is_said() {
+    let rows: &[(&str, i64, &str, &str)] = &[
+        ("1800:1", 0x185, "duplicate-can-id", "185h TPDO 1 of servo, TPDO 1 of other"),
+        ("1014", 0x85, "duplicate-can-id", "085h EMCY of servo, EMCY of other"),
+        ("1400:1", 0x185, "", "185h TPDO 1 of other to RPDO 1 of servo"),
+        ("1800:2", 1, "no-sync-sender", "186h TPDO 1 of servo to RPDO 1 of other: sync/1"),
+        (
+            "1800:5",
+            20,
+            "pdo-times",
+            "186h TPDO 1 of servo to RPDO 1 of other: event, inhibit 50 ms, timer 20 ms",
+        ),
+        ("1800:1", 0x8000_0186, "rpdo-without-sender", "186h  to RPDO 1 of other"),
+        ("1A00:0", 1, "pdo-length", "186h TPDO 1 of servo to RPDO 1 of other"),
+        ("1017", 0, "silent-node", "706h heartbeat of servo to heartbeat of other"),
+    ];
+    for (row, (entry, value, rule, message)) in rows.iter().enumerate() {
+        for (part, text) in [
+            ("set", format!("set = {{ \"{entry}\" = {value} }}")),
+            ("sdo", format!("sdo = [{{ entry = \"{entry}\", value = {value} }}]")),
+        ] {
+            let file = path("servo.eds").display().to_string();
+            let text = format!(
+                "[node.servo]\nfile = {file:?}\nid = 6\n{text}\n[node.other]\nfile = {file:?}\nid = 5\n\
+                 rpdo.1 = {{ cob-id = 0x186, map = [\"6040\", \"607A\"] }}\n\
+                 tpdo.1 = {{ cob-id = 0x185 }}\nset = {{ \"1016:1\" = {} }}\n",
+                6 << 16 | 300
+            );
+            let text = text.replace("id = 6\n", "id = 6\ntpdo.1 = { inhibit = \"50ms\", map = [\"6041\", \"6064\"] }\nheartbeat = \"100ms\"\n");
+            let source = objdict::source::SourceFile::from_text("network.toml", text);
+            let network = NetworkFile::read(source, PathBuf::new(), &BTreeMap::new());
+            let (messages, findings) = said(&network);
+            assert!(messages.iter().any(|line| line.starts_with(message)), "{entry} {part}: {messages:#?}");
+            assert!(
+                rule.is_empty() || findings.iter().any(|line| line.starts_with(rule)),
+                "{entry} {part}: {findings:#?}"
+            );
+            let again = written(&network, &format!("values-{row}-{part}"));
+            let (again, findings_again) = said(&again);
+            assert_eq!(again, messages, "{entry} {part}");
+            assert_eq!(findings_again, findings, "{entry} {part}");
+        }
+    }
 }
 
 /// Each device of a file with several is a node; the path has its number.

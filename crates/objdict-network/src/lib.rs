@@ -4,8 +4,8 @@
 //! A [`Network`] is the wanted one; [`connect`] makes PDOs of its links, and [`compile`] the downloads of each node.
 
 mod check;
-mod configured;
 mod connect;
+mod effective;
 pub mod graph;
 mod identity;
 mod lely;

@@ -8,7 +8,7 @@ use crate::configure::PdoName;
 use crate::model::{CobId, PdoKind, predefined};
 use crate::network::{Manager, Network};
 use crate::source::Span;
-use crate::stream::{Compiled, PdoState, Slave};
+use crate::stream::{Compiled, PdoState, Slave, indexes};
 
 /// A CAN-ID; base frames before extended ones.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
@@ -137,7 +137,8 @@ impl Messages {
         let party = |service| Party { node: Some(slave.node), service, at };
         for state in slave.pdos.iter().filter(|state| state.is_active()) {
             let said = node.pdos.iter().find(|wish| wish.pdo == state.pdo);
-            let at = said.map_or(node.name.at, |wish| wish.cob_id.map_or(wish.at, |cob_id| cob_id.at));
+            let wished = || said.map(|wish| wish.cob_id.map_or(wish.at, |cob_id| cob_id.at));
+            let at = slave.said(indexes(state.pdo).0, 1).or_else(wished).unwrap_or(node.name.at);
             let party = Party { at, ..party(Service::Pdo(state.pdo)) };
             match state.pdo.kind {
                 PdoKind::Tpdo => self.send(state.can_id(), party),
@@ -151,23 +152,27 @@ impl Messages {
     fn services(&mut self, slave: &Slave, party: &dyn Fn(Service) -> Party) {
         let services = slave.device.services();
         let number = |cob_id: CobId| cob_id.on_node(slave.node_id);
+        let stated = |service, index| {
+            let party = party(service);
+            Party { at: slave.said(index, 0).unwrap_or(party.at), ..party }
+        };
         if let Some(sync) = services.sync.map(number) {
             if sync & CobId::BIT_30 != 0 && services.communication_cycle_period.unwrap_or(0) != 0 {
-                self.send(MessageId::of(sync), party(Service::Sync));
+                self.send(MessageId::of(sync), stated(Service::Sync, 0x1005));
             } else if slave.pdos.iter().any(|state| state.is_active() && state.is_synchronous()) {
-                self.receive(MessageId::of(sync), party(Service::Sync));
+                self.receive(MessageId::of(sync), stated(Service::Sync, 0x1005));
             }
         }
         if let Some(time) = services.time.map(number) {
             if time & CobId::BIT_30 != 0 {
-                self.send(MessageId::of(time), party(Service::Time));
+                self.send(MessageId::of(time), stated(Service::Time, 0x1012));
             }
             if time & CobId::BIT_31 != 0 {
-                self.receive(MessageId::of(time), party(Service::Time));
+                self.receive(MessageId::of(time), stated(Service::Time, 0x1012));
             }
         }
         if let Some(emcy) = slave.emcy {
-            self.send(MessageId::of(emcy), party(Service::Emcy));
+            self.send(MessageId::of(emcy), stated(Service::Emcy, 0x1014));
         }
         let node_id = u32::from(slave.node_id);
         self.receive(

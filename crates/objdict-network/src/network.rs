@@ -4,6 +4,7 @@ use std::collections::BTreeMap;
 
 use crate::Link;
 use crate::configure::{PdoName, Setting};
+use crate::download::Order;
 use crate::model::{Address, Device};
 use crate::source::Span;
 
@@ -36,6 +37,8 @@ pub struct Network {
     pub nodes: Vec<Node>,
     /// Which entries go where, in the order of the file.
     pub links: Vec<Link>,
+    /// The order in which Lely's master configures the nodes: that of dcfgen for its files, which list downloads by themselves.
+    pub order: Order,
     /// The folder in which the manager finds the configurations of the nodes when it runs.
     pub run_time_folder: String,
 }
@@ -61,6 +64,8 @@ pub struct Node {
     pub error_behavior: Vec<(u8, Said<u8>)>,
     /// PDOs, in the order of configuration: RPDOs before TPDOs.
     pub pdos: Vec<PdoWish>,
+    /// Settings that follow from keys of the network, such as those of SYNC.
+    pub implied: Vec<Said<Setting>>,
     /// Values by entry, checked like those of `objdict configure`.
     pub settings: Vec<Said<Setting>>,
     /// Downloads at the end of the configuration, in this order, also of values that the node already has.

@@ -5,14 +5,14 @@ mod pdo;
 
 use objdict_model::diagnostic::Severity;
 
-use self::desk::Desk;
+use self::desk::{Desk, Part};
 pub use self::pdo::PdoState;
 pub(crate) use self::pdo::indexes;
-use crate::configured::configured;
 use crate::diagnostic::{At, Diagnostic, Findings, say};
-use crate::download::{ConciseDcf, Download};
+use crate::download::ConciseDcf;
+use crate::effective::Origins;
 use crate::identity;
-use crate::model::{Address, Device, Field, Part, Place};
+use crate::model::{Address, Device, Field, Part as DevicePart, Place};
 use crate::network::{DownloadWish, Manager, Network, Node, Said, ValueWish};
 use crate::rules::{
     HEARTBEAT_AND_GUARDING, INVALID_VALUE, MISSING_ENTRY, NO_HEARTBEAT_CONSUMER, UNKNOWN_NODE_ID,
@@ -26,8 +26,11 @@ pub struct Slave {
     pub node: usize,
     /// Its node-ID.
     pub node_id: u8,
-    /// The device with the values that it has in the end.
+    /// The effective dictionary: the description, its configured values, then every download in order. All that is said and
+    /// written about the node comes from it.
     pub device: Device,
+    /// Where the network file has the final values of entries.
+    pub(crate) origins: Origins,
     /// The downloads that configure it.
     pub downloads: ConciseDcf,
     /// How many of them, at the end, are sent also of values that the node already has.
@@ -83,7 +86,7 @@ pub fn compile(network: &Network, manner: Manner, findings: &mut Findings) -> Co
     for (position, node) in network.nodes.iter().enumerate() {
         let Some(node_id) = node.node_id.filter(|node_id| (1..=127).contains(&node_id.value)) else {
             let message = say!("the node-ID of `{}` is not known", node.name.value);
-            let place = Place::of(Part::Commissioning).field(Field::NodeId);
+            let place = Place::of(DevicePart::Commissioning).field(Field::NodeId);
             let finding = Diagnostic::new(&UNKNOWN_NODE_ID, node.name.at, message)
                 .label(At::Node(position, place), "no node-ID");
             findings.push(finding.help("add the node-ID, or use a DCF that states it"));
@@ -109,43 +112,55 @@ fn slave(
 ) -> Slave {
     let node = desk.node;
     time(desk);
-    let heartbeat = heartbeat(desk);
-    if manager.is_some_and(Manager::monitors_nodes) {
-        monitored(desk, heartbeat);
-    }
-    let guard_time = guarding(desk, heartbeat);
+    heartbeat(desk);
+    guarding(desk);
     for &(sub, value) in &node.error_behavior {
         desk.change(Address { index: 0x1029, sub: Some(sub) }, value.value.into(), value.at);
     }
-    for setting in &node.settings {
-        desk.set(setting);
-    }
+    node.implied.iter().for_each(|setting| desk.set(setting));
+    desk.part = Part::Setting;
+    node.settings.iter().for_each(|setting| desk.set(setting));
+    desk.part = Part::Key;
     let mut pdos = pdo::states(desk);
     for wish in &node.pdos {
         pdo::configure(desk, &mut pdos, wish, pool);
     }
     let conditional = desk.downloads.len();
+    desk.part = Part::Download;
     for wish in &node.downloads {
         download(desk, wish);
     }
-    let unconditional = desk.downloads.len() - conditional;
-    let has_others = !desk.downloads.is_empty();
-    let consumers = manager.map_or_else(Vec::new, |manager| consumers(desk, manager));
-    let has_only_consumers = !has_others && !consumers.is_empty();
-    let own = std::mem::take(&mut desk.downloads);
-    let downloads = ConciseDcf(consumers.into_iter().chain(own).collect());
+    desk.part = Part::Key;
+    let own = desk.downloads.len();
+    if let Some(manager) = manager {
+        consumers(desk, manager);
+    }
+    desk.contradictions();
+    let heartbeat = desk.heartbeat();
+    if manager.is_some_and(Manager::monitors_nodes) {
+        monitored(desk, heartbeat);
+    }
+    let guard_time = guard_time(desk, heartbeat);
+    if desk.manner == Manner::Repaired {
+        pdos = pdo::effective(desk, &pdos);
+    }
+    // what is about the monitoring of the manager comes first
+    let consumers = desk.downloads.split_off(own);
+    let has_only_consumers = own == 0 && !consumers.is_empty();
+    desk.downloads.splice(0..0, consumers);
     Slave {
         node: desk.position,
         node_id: desk.node_id,
-        device: configured(&node.device, desk.node_id, &downloads.0),
-        downloads,
-        unconditional,
+        downloads: ConciseDcf(std::mem::take(&mut desk.downloads)),
+        unconditional: own - conditional,
         has_only_consumers,
         pdos,
         heartbeat,
         emcy: desk.emcy(),
         guard_time,
         identity: identity::expected(node, desk.node_id),
+        origins: std::mem::take(&mut desk.origins),
+        device: std::mem::take(&mut desk.device),
     }
 }
 
@@ -160,24 +175,18 @@ fn time(desk: &mut Desk<'_, '_>) {
     }
 }
 
-/// 1017h; the time that holds in the end.
-fn heartbeat(desk: &mut Desk<'_, '_>) -> u16 {
-    let at = Address { index: 0x1017, sub: None };
+/// 1017h.
+fn heartbeat(desk: &mut Desk<'_, '_>) {
     if let Some(wish) = desk.node.heartbeat.producer {
-        desk.change(at, wish.value.into(), wish.at);
-        // dcfgen has the manager wait for the heartbeat of a node that cannot send one
-        if desk.manner == Manner::Strict || desk.has(at) {
-            return wish.value;
-        }
+        desk.change(Address { index: 0x1017, sub: None }, wish.value.into(), wish.at);
     }
-    u16::try_from(desk.present(0x1017, 0)).unwrap_or(0)
 }
 
 /// Reports a consumer heartbeat time of the manager that does not fit into 1016h.
 fn monitored(desk: &mut Desk<'_, '_>, heartbeat: u16) {
     let heartbeats = &desk.node.heartbeat;
     if heartbeats.consumer_time(heartbeat).is_none() {
-        let at = heartbeats.producer.map_or(desk.node.name.at, |producer| producer.at);
+        let at = desk.said(0x1017).unwrap_or(desk.node.name.at);
         let finding = too_long(at, heartbeats.factor, heartbeat);
         desk.findings.push(finding.label_each(desk.origin(0x1017, 0), "the heartbeat time"));
     }
@@ -190,27 +199,29 @@ fn too_long(at: Span, factor: f64, producer: u16) -> Diagnostic {
     finding.help("lower the producer heartbeat time or the multiplier")
 }
 
-/// 100Ch and 100Dh; the guard time for the manager.
-fn guarding(desk: &mut Desk<'_, '_>, heartbeat: u16) -> u16 {
+/// 100Ch and 100Dh.
+fn guarding(desk: &mut Desk<'_, '_>) {
     let (time, factor) = desk.node.guarding;
-    let mut values = [
-        time.map(|time| Said::new(u32::from(time.value), time.at)),
-        factor.map(|factor| Said::new(u32::from(factor.value), factor.at)),
-    ]
-    .into_iter()
-    .zip([0x100C, 0x100D])
-    .map(|(wish, index)| match wish {
-        Some(wish) => {
+    let factor = factor.map(|factor| Said::new(u16::from(factor.value), factor.at));
+    for (index, wish) in [(0x100C, time), (0x100D, factor)] {
+        if let Some(wish) = wish {
             desk.change(Address { index, sub: None }, wish.value.into(), wish.at);
-            wish.value
         }
-        None => u32::try_from(desk.present(index, 0)).unwrap_or(0),
-    })
-    .collect::<Vec<_>>()
-    .into_iter();
-    let (time, factor) = (values.next().unwrap_or(0), values.next().unwrap_or(0));
+    }
+}
+
+/// The guard time for the manager in the end: none beside a heartbeat.
+fn guard_time(desk: &mut Desk<'_, '_>, heartbeat: u16) -> u16 {
+    // dcfgen has the manager guard a node without the objects
+    let wished = |wish: Option<u16>, index| match wish.filter(|_| desk.manner == Manner::Strict) {
+        Some(wish) => wish.into(),
+        None => desk.present(index, 0),
+    };
+    let (time, factor) = desk.node.guarding;
+    let time = wished(time.map(|time| time.value), 0x100C);
+    let factor = wished(factor.map(|factor| factor.value.into()), 0x100D);
     if time != 0 && factor != 0 && heartbeat != 0 {
-        let at = desk.node.guarding.0.map_or(desk.node.name.at, |time| time.at);
+        let at = desk.said(0x100C).unwrap_or(desk.node.name.at);
         let message = say!("`{}` has a heartbeat as well as node guarding", desk.node.name.value);
         let finding = Diagnostic::new(&HEARTBEAT_AND_GUARDING, at, message)
             .label_each(desk.origin(0x1017, 0), "the heartbeat time")
@@ -236,9 +247,9 @@ fn download(desk: &mut Desk<'_, '_>, wish: &Said<DownloadWish>) {
 }
 
 /// 1016h: the node monitors the manager, or no longer does.
-fn consumers(desk: &mut Desk<'_, '_>, manager: &Manager) -> Vec<Download> {
+fn consumers(desk: &mut Desk<'_, '_>, manager: &Manager) {
     const CONSUMERS: u16 = 0x1016;
-    let Some(manager_id) = manager.node_id.map(|node_id| node_id.value) else { return Vec::new() };
+    let Some(manager_id) = manager.node_id.map(|node_id| node_id.value) else { return };
     let producer = manager.heartbeat.producer.map_or(0, |time| time.value);
     let time = if producer == 0 { Some(0) } else { manager.heartbeat.consumer_time(producer) };
     let subs: Vec<(u8, u32)> = (1..=254)
@@ -246,23 +257,22 @@ fn consumers(desk: &mut Desk<'_, '_>, manager: &Manager) -> Vec<Download> {
         .map(|sub| (sub, u32::try_from(desk.present(CONSUMERS, sub)).unwrap_or(0)))
         .collect();
     let node_of = |consumer: u32| (consumer >> 16) as u8;
+    let wish = desk.node.heartbeat.consumer.filter(|wish| wish.value);
+    let said = wish.map_or(desk.node.name.at, |wish| wish.at);
     let put = |desk: &mut Desk<'_, '_>, sub, value: u32| {
         let at = Address { index: CONSUMERS, sub: Some(sub) };
-        desk.write(at, value.into(), desk.node.name.at, Severity::Error);
-        desk.downloads.pop()
+        desk.write(at, value.into(), said, Severity::Error);
     };
-    let wish = desk.node.heartbeat.consumer.filter(|wish| wish.value);
     let Some(wish) = wish.filter(|_| time != Some(0)) else {
-        let stale = subs
-            .into_iter()
-            .filter(|&(_, consumer)| consumer & 0xFFFF != 0 && node_of(consumer) == manager_id);
-        let stale: Vec<u8> = stale.map(|(sub, _)| sub).collect();
-        // each is put in front of those before it
-        return stale
-            .into_iter()
-            .rev()
-            .filter_map(|sub| put(desk, sub, u32::from(manager_id) << 16))
-            .collect();
+        // what the network file writes itself stays
+        let is_stale = |&(sub, consumer): &(u8, u32)| {
+            let is_of_manager = consumer & 0xFFFF != 0 && node_of(consumer) == manager_id;
+            is_of_manager && !desk.origins.contains_key(&(CONSUMERS, sub))
+        };
+        let stale: Vec<u8> = subs.iter().filter(|sub| is_stale(sub)).map(|(sub, _)| *sub).collect();
+        // dcfgen puts each in front of those before it
+        stale.into_iter().rev().for_each(|sub| put(desk, sub, u32::from(manager_id) << 16));
+        return;
     };
     let unused = |consumer: u32| consumer & 0xFFFF == 0 || !(1..=127).contains(&node_of(consumer));
     let own = subs.iter().find(|&&(_, consumer)| node_of(consumer) == manager_id);
@@ -270,9 +280,7 @@ fn consumers(desk: &mut Desk<'_, '_>, manager: &Manager) -> Vec<Download> {
     let finding = |message| Diagnostic::new(&NO_HEARTBEAT_CONSUMER, wish.at, message);
     let name = &desk.node.name.value;
     match (place, time) {
-        (Some(sub), Some(time)) => {
-            return put(desk, sub, u32::from(manager_id) << 16 | u32::from(time)).into_iter().collect();
-        }
+        (Some(sub), Some(time)) => put(desk, sub, u32::from(manager_id) << 16 | u32::from(time)),
         (Some(_), None) => desk.findings.push(too_long(wish.at, manager.heartbeat.factor, producer)),
         (None, _) if subs.is_empty() => desk.findings.push(
             finding(say!("`{}` has no 1016h, so it cannot monitor the manager", name))
@@ -284,7 +292,6 @@ fn consumers(desk: &mut Desk<'_, '_>, manager: &Manager) -> Vec<Download> {
                 .help("free one by a download of 0, or do not let it monitor the manager"),
         ),
     }
-    Vec::new()
 }
 
 /// A finding about an entry that the node does not have.

@@ -100,7 +100,7 @@ fn configuration(
 ) -> Result<bool, Failure> {
     let downloads = |(network, compiled): &(Network, Compiled)| -> Option<ConciseDcf> {
         let slave = compiled.nodes().find(|slave| network.nodes[slave.node].name.value == name)?;
-        Some(slave.arranged(&network.nodes[slave.node]).unwrap_or_else(|_| slave.downloads.clone()))
+        Some(slave.arranged().unwrap_or_else(|_| slave.downloads.clone()))
     };
     let (Some(old), Some(new)) = (downloads(first), downloads(second)) else { return Ok(true) };
     let found = old.differences(&new);

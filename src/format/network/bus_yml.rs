@@ -9,6 +9,7 @@ use super::tree::{Entry, Kind, Tree};
 use super::{Descriptions, yaml};
 use crate::configure::PdoName;
 use crate::diagnostic::{Diagnostic, Findings, say};
+use crate::download::Order;
 use crate::model::{Address, PdoKind};
 use crate::network::{
     CobIdWish, DownloadWish, Heartbeat, Manager, Network, Node, PdoWish, Said, Startup, ValueWish,
@@ -34,7 +35,11 @@ pub(super) fn read(
     if let Some(options) = tree.get("options") {
         reader.options(options);
     }
-    let mut network = Network { run_time_folder: reader.options.folder.clone(), ..Network::default() };
+    let mut network = Network {
+        run_time_folder: reader.options.folder.clone(),
+        order: Order::Dcfgen,
+        ..Network::default()
+    };
     network.manager = match tree.get("master") {
         Some(master) => reader.manager(master, &mut network.bit_rate),
         None => {

@@ -220,6 +220,7 @@ impl Reader<'_, '_> {
             time_cob_id: section.integer("time-cob-id", findings),
             error_behavior,
             pdos,
+            implied: Vec::new(),
             settings,
             downloads,
             boot,
@@ -433,7 +434,7 @@ fn describe(manager: &Manager, node: &mut Node) {
         (sync_period.value, sync_period.at, Setting::sync(&format!("producer,{}us", sync_period.value))),
     ];
     let said = settings.into_iter().filter(|(value, ..)| *value > 0);
-    node.settings.extend(said.filter_map(|(_, at, setting)| Some(Said::new(setting.ok()?, at))));
+    node.implied.extend(said.filter_map(|(_, at, setting)| Some(Said::new(setting.ok()?, at))));
 }
 
 /// The factor of `1.5x`.

@@ -91,7 +91,7 @@ impl Build<'_> {
 
     /// A node as its DCF describes it.
     fn described(&self, slave: &Slave) -> Device {
-        let mut device = slave.described(&self.network.nodes[slave.node]);
+        let mut device = slave.described();
         if let Some(time) = self.configured_at {
             let numbers = [(1, time.days), (2, time.milliseconds)];
             let values = numbers.map(|(sub, number)| Assignment {
@@ -112,12 +112,12 @@ impl Build<'_> {
         let master =
             lely_master(self.network, &self.compiled.slaves, options).ok_or(BuildError::NoManager)?;
         let mut files = vec![BuiltFile { name: "master.dcf".to_owned(), bytes: master.dcf.into_bytes() }];
-        let master =
-            Some(("master.bin".to_owned(), &master.bin)).filter(|(_, downloads)| !downloads.0.is_empty());
-        let nodes = self.compiled.slaves.iter();
-        let nodes =
-            nodes.filter_map(|slave| Some((configuration_file(self.network, slave)?, &slave.downloads)));
-        for (name, downloads) in master.into_iter().chain(nodes) {
+        if !master.bin.0.is_empty() {
+            files.push(BuiltFile { name: "master.bin".to_owned(), bytes: master.bin.write()? });
+        }
+        for slave in &self.compiled.slaves {
+            let Some(name) = configuration_file(self.network, slave) else { continue };
+            let downloads = slave.sent(self.network.order).map_err(|error| self.unplanned(slave, error))?;
             files.push(BuiltFile { name, bytes: downloads.write()? });
         }
         Ok(files)
@@ -189,10 +189,11 @@ impl Build<'_> {
     }
 
     fn arranged(&self, slave: &Slave) -> Result<ConciseDcf, BuildError> {
-        let node = &self.network.nodes[slave.node];
-        slave
-            .arrange(&self.described(slave))
-            .map_err(|error| BuildError::Plan { node: node.name.value.clone(), error })
+        slave.arrange(&self.described(slave)).map_err(|error| self.unplanned(slave, error))
+    }
+
+    fn unplanned(&self, slave: &Slave, error: PlanError) -> BuildError {
+        BuildError::Plan { node: self.name(slave).to_owned(), error }
     }
 
     /// What the DCF of a node says of the network.

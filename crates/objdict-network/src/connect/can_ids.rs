@@ -4,15 +4,16 @@ use std::collections::{HashMap, HashSet};
 
 use crate::configure::PdoName;
 use crate::model::{CobId, restricted};
-use crate::{CobIdWish, Network, Node, PdoWish};
+use crate::stream::Compiled;
+use crate::{Messages, Network, Node, Service};
 
 /// What sends or receives a CAN-ID.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) enum User {
     /// A PDO of a node.
     Pdo(usize, PdoName),
-    /// Another service of a node.
-    Service(usize),
+    /// Another service.
+    Service,
 }
 
 /// The CAN-IDs of a network.
@@ -26,22 +27,18 @@ pub(super) struct CanIds {
 }
 
 impl CanIds {
-    pub(super) fn new(network: &Network) -> Self {
+    pub(super) fn new(network: &Network, compiled: &Compiled) -> Self {
         let mut ids = Self::default();
         ids.demanded.extend(network.links.iter().filter_map(|link| link.parameters.can_id));
-        let mut shared = SHARED.clone();
-        for (position, node) in network.nodes.iter().enumerate() {
-            ids.add_services(position, node);
-            for wish in node.pdos.iter().filter(|wish| wish.enabled) {
-                let can_id = match wish.cob_id.map(|said| said.value) {
-                    Some(CobIdWish::Number(number)) => {
-                        Some(number).filter(|number| number & CobId::BIT_31 == 0)
-                    }
-                    Some(CobIdWish::Auto) => predefined(node, wish.pdo).or_else(|| shared.next()),
-                    None => present(node, wish),
-                };
-                if let Some(can_id) = can_id {
-                    ids.add(plain(can_id), User::Pdo(position, wish.pdo));
+        for slave in compiled.nodes() {
+            for state in slave.pdos.iter().filter(|state| state.cob_id & CobId::BIT_31 == 0) {
+                ids.add(state.can_id().number, User::Pdo(slave.node, state.pdo));
+            }
+        }
+        for (can_id, message) in &Messages::new(network, compiled).0 {
+            for party in message.senders.iter().chain(&message.receivers) {
+                if !matches!(party.service, Service::Pdo(_) | Service::MirroredPdo) {
+                    ids.add(can_id.number, User::Service);
                 }
             }
         }
@@ -53,18 +50,6 @@ impl CanIds {
         ids.pool = SHARED.chain([0x580, 0x600, 0x700]).chain(unused).collect();
         ids.pool.reverse();
         ids
-    }
-
-    fn add_services(&mut self, position: usize, node: &Node) {
-        let services = node.device.services();
-        let node_id = node.node_id.map(|said| said.value);
-        let emcy = services.emcy.filter(|emcy| emcy.is_valid());
-        for cob_id in [emcy, services.sync, services.time] {
-            let can_id = cob_id.and_then(|cob_id| on_node(cob_id, node_id));
-            if let Some(can_id) = can_id {
-                self.add(plain(can_id), User::Service(position));
-            }
-        }
     }
 
     pub(super) fn add(&mut self, can_id: u32, user: User) {
@@ -119,9 +104,4 @@ pub(super) fn on_node(cob_id: CobId, node_id: Option<u8>) -> Option<u32> {
         Some(node_id) => Some(cob_id.on_node(node_id)),
         None => Some(cob_id.number()).filter(|_| !cob_id.depends_on_node_id()),
     }
-}
-
-fn present(node: &Node, wish: &PdoWish) -> Option<u32> {
-    let pdo = node.device.pdo(wish.pdo.kind, wish.pdo.number)?;
-    on_node(pdo.cob_id.filter(|cob_id| cob_id.is_valid())?, node.node_id.map(|said| said.value))
 }

@@ -11,18 +11,23 @@ mod tests;
 
 use crate::Network;
 use crate::diagnostic::Findings;
+use crate::stream::{Manner, compile};
 
 /// Makes PDOs of the [links](Network::links): a [`PdoWish`](crate::PdoWish) for each PDO of a producer and of its consumers.
 ///
 /// Links of a producer with the same consumers and the same parameters share PDOs, as few as fit; an entry that is sent
 /// already is not sent again. A consumer that takes parts of a PDO has dummies in the gaps. CAN-IDs are those of the
 /// predefined connection set for the PDO of the producer or of the first consumer, then free ones (CiA 301 §7.3.5), and what is
-/// added at the end of the network changes none of them. PDOs that the network file configures itself are left alone.
+/// added at the end of the network changes none of them. PDOs whose COB-ID or mapping the network file states itself are left alone.
 ///
 /// A link that does not become a PDO is a finding.
 pub fn connect(network: &mut Network, findings: &mut Findings) {
+    if network.links.is_empty() {
+        return;
+    }
     let streams = streams::collect(network, findings);
-    let wishes = pack::pack(network, streams, findings);
+    let compiled = compile(network, Manner::Repaired, &mut Findings::new());
+    let wishes = pack::pack(network, &compiled, streams, findings);
     for (node, wish) in wishes {
         network.nodes[node].pdos.push(wish);
     }

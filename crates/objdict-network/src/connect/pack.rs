@@ -11,22 +11,24 @@ use crate::diagnostic::{At, Diagnostic, Findings, say};
 use crate::model::{CobId, PdoKind, Place};
 use crate::rules::{FIXED_PDO, LINK_TOO_LONG, NO_FREE_CAN_ID, NO_FREE_PDO};
 use crate::source::Span;
-use crate::stream::indexes;
+use crate::stream::{Compiled, indexes};
 use crate::{CobIdWish, LinkParameters, Network, Node, PdoWish, Said};
 
 /// The PDOs of all streams with their nodes, in the order of the streams.
 pub(super) fn pack(
     network: &Network,
+    compiled: &Compiled,
     streams: Vec<Stream>,
     findings: &mut Findings,
 ) -> Vec<(usize, PdoWish)> {
+    let slave = |position| compiled.nodes().find(|slave| slave.node == position);
+    let pdos = network.nodes.iter().enumerate().map(|(position, node)| NodePdos::of(node, slave(position)));
     let mut packer = Packer {
         nodes: &network.nodes,
-        pdos: network.nodes.iter().map(NodePdos::of).collect(),
-        can_ids: CanIds::new(network),
+        pdos: pdos.collect(),
+        can_ids: CanIds::new(network, compiled),
         wishes: Vec::new(),
     };
-    packer.add_present_pdos();
     // in the order of the links, so that those at the end take nothing from others
     let mut order = 0..;
     let mut ordered = |stream: Stream| ((stream.link, order.next()), stream);
@@ -83,17 +85,6 @@ struct Refusal {
 }
 
 impl Packer<'_> {
-    /// CAN-IDs of the PDOs that are valid without links.
-    fn add_present_pdos(&mut self) {
-        for (node, pdos) in self.pdos.iter().enumerate() {
-            for pdo in pdos.pdos.iter().filter(|pdo| !pdo.is_used) {
-                if let Some(cob_id) = pdo.valid_cob_id() {
-                    self.can_ids.add(plain(cob_id), User::Pdo(node, pdo.name));
-                }
-            }
-        }
-    }
-
     /// Gives a stream as many PDOs as needed. What single consumers cannot take from them is returned as streams of their own.
     fn place(&mut self, stream: &Stream) -> Result<Vec<Stream>, Box<Diagnostic>> {
         let bits: u32 = stream.signals.iter().map(|signal| u32::from(signal.entry.bits)).sum();

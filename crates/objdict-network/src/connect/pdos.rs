@@ -4,6 +4,7 @@ use super::can_ids::on_node;
 use super::ends::Carried;
 use crate::configure::PdoName;
 use crate::model::{Access, Address, CobId, DataType, Device, MappedObject, Pdo, PdoKind};
+use crate::stream::Slave;
 use crate::{LinkParameters, Node, PdoWish};
 
 /// The PDOs of a node.
@@ -17,7 +18,7 @@ pub(super) struct NodePdos {
 #[derive(Debug)]
 pub(super) struct Candidate {
     pub(super) name: PdoName,
-    /// Whether a link or the network file uses it.
+    /// Whether a link uses it, or the network file states its COB-ID or mapping.
     pub(super) is_used: bool,
     /// The COB-ID with its flags.
     pub(super) cob_id: Option<u32>,
@@ -42,9 +43,17 @@ struct Dummy {
 pub(super) type Mapping = Option<Vec<Address>>;
 
 impl NodePdos {
-    pub(super) fn of(node: &Node) -> Self {
-        let device = node.device.with_implicit_pdos();
-        let used = |pdo: &Pdo<'_>| node.pdos.iter().any(|wish| wish.pdo == name_of(pdo));
+    /// Those of a node; its effective dictionary counts, if it has one.
+    pub(super) fn of(node: &Node, slave: Option<&Slave>) -> Self {
+        let device = slave.map_or(&node.device, |slave| &slave.device).with_implicit_pdos();
+        let states = |pdo: &Pdo<'_>, slave: &Slave| {
+            let (communication, mapping) = (pdo.communication_index(), pdo.mapping_index());
+            slave.said(communication, 1).is_some() || (0..=64).any(|sub| slave.said(mapping, sub).is_some())
+        };
+        let used = |pdo: &Pdo<'_>| {
+            node.pdos.iter().any(|wish| wish.pdo == name_of(pdo))
+                || slave.is_some_and(|slave| states(pdo, slave))
+        };
         let pdos = device.pdos().filter(|pdo| pdo.communication.is_some());
         let pdos = pdos.map(|pdo| {
             let mut candidate = Candidate::of(&device, &pdo, node.node_id.map(|said| said.value));

@@ -19,6 +19,14 @@ text_rules! {
     remedy: "Remove the setting, or correct index and sub-index.",
     source: "CiA 301 §7.2.4.3.17",
 
+    CONTRADICTION = "network/contradictory-values", Error;
+    summary: "an entry is set to two values",
+    checks: "Whether `set` gives an entry the same value as the other keys of the network and its links. A download of `sdo` with another value is a warning: it is the last one, so its value remains.",
+    why: "One of the two is not what the node does.",
+    example: r#"`heartbeat = "200ms"` and `set = { "1017" = 0 }`"#,
+    remedy: "Remove one of the two.",
+    source: "objdict, docs/network.md",
+
     READ_ONLY_ENTRY = "network/read-only-entry", Error;
     summary: "an entry is written that cannot be written",
     checks: "Whether each entry that the network file writes is writable by its access type.",

@@ -1,19 +1,40 @@
 //! A node while its downloads are made.
 
+use std::collections::BTreeMap;
+
 use super::{INVALID_VALUE, MISSING_ENTRY, Manner, missing};
 use crate::configure::{Setting, configure};
 use crate::diagnostic::{At, Diagnostic, Findings, Severity, say};
 use crate::download::{Download, bytes_of, transferred_type};
+use crate::effective::{Origins, before};
 use crate::literal::{self, Quirks};
-use crate::model::{Access, Address, Assignment, DataType, Field, Place, Value};
+use crate::model::{Access, Address, Assignment, DataType, Device, Field, Place, Value, hex};
 use crate::network::{Node, Said};
 use crate::origin::because;
-use crate::rules::{INVALID_SETTING, READ_ONLY_ENTRY};
+use crate::rules::{CONTRADICTION, INVALID_SETTING, READ_ONLY_ENTRY};
 use crate::source::Span;
+
+/// Which part of a network file gives an entry its value.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
+pub(super) enum Part {
+    /// A key, or a link.
+    Key,
+    /// `set`.
+    Setting,
+    /// The list of downloads at the end.
+    Download,
+}
 
 /// A node, its downloads so far, and their problems.
 pub(super) struct Desk<'n, 'f> {
     pub(super) node: &'n Node,
+    /// The node as it is after the downloads so far.
+    pub(super) device: Device,
+    /// What writes at present.
+    pub(super) part: Part,
+    /// The last value that each part gives to an entry, and where it says so.
+    written: BTreeMap<(u16, u8), BTreeMap<Part, (Span, Vec<u8>)>>,
+    pub(super) origins: Origins,
     /// The position of the node in the network.
     pub(super) position: usize,
     pub(super) node_id: u8,
@@ -29,7 +50,18 @@ impl<'n, 'f> Desk<'n, 'f> {
         manner: Manner,
         findings: &'f mut Findings,
     ) -> Self {
-        Self { node, position, node_id, manner, downloads: Vec::new(), findings }
+        Self {
+            node,
+            device: before(node, node_id),
+            part: Part::Key,
+            written: BTreeMap::new(),
+            origins: Origins::new(),
+            position,
+            node_id,
+            manner,
+            downloads: Vec::new(),
+            findings,
+        }
     }
 
     /// A place in the description of the node.
@@ -53,20 +85,34 @@ impl<'n, 'f> Desk<'n, 'f> {
         self.node.device.entry(at.index, at.sub.unwrap_or(0)).is_some()
     }
 
-    /// The number in an entry before the configuration; 0 if it is not stated.
+    /// The number in an entry after the downloads so far, for dcfgen before all of them; 0 if it is not stated.
     pub(super) fn present(&self, index: u16, sub: u8) -> i128 {
-        let value = self.node.device.object(index).and_then(|object| object.value(sub));
+        let device = if self.manner == Manner::Strict { &self.node.device } else { &self.device };
+        let value = device.object(index).and_then(|object| object.value(sub));
         value.and_then(|value| value.integer_for(self.node_id)).unwrap_or(0)
+    }
+
+    /// Where the network file has the value of an object so far.
+    pub(super) fn said(&self, index: u16) -> Option<Span> {
+        self.origins.get(&(index, 0)).copied()
+    }
+
+    /// The producer heartbeat time in the end, in milliseconds; 0: none.
+    pub(super) fn heartbeat(&self) -> u16 {
+        // dcfgen has the manager wait for the heartbeat of a node that cannot send one
+        let wish = self.node.heartbeat.producer.filter(|_| self.manner == Manner::Strict);
+        wish.map_or_else(|| u16::try_from(self.present(0x1017, 0)).unwrap_or(0), |wish| wish.value)
     }
 
     /// COB-ID of EMCY (1014h), unless it is not valid.
     pub(super) fn emcy(&self) -> Option<u32> {
-        let object = self.node.device.object(0x1014)?;
+        let is_strict = self.manner == Manner::Strict;
+        let object = if is_strict { &self.node.device } else { &self.device }.object(0x1014)?;
         let stated = object.value(0).and_then(|value| value.integer_for(self.node_id));
-        let number = match (stated, self.manner) {
-            (Some(number), _) => u32::try_from(number).ok()?,
-            (None, Manner::Strict) => 0,
-            (None, Manner::Repaired) => return None,
+        let number = match stated {
+            Some(number) => u32::try_from(number).ok()?,
+            None if is_strict => 0,
+            None => return None,
         };
         (number >> 31 == 0).then_some(number)
     }
@@ -144,12 +190,43 @@ impl<'n, 'f> Desk<'n, 'f> {
             return self.invalid(at, &value.to_string(), said);
         };
         self.check(at, value, said);
-        self.downloads.push(Download::new(at.index, sub, data));
+        let parts = self.written.entry((at.index, sub)).or_default();
+        parts.insert(self.part, (said, data.clone()));
+        self.origins.insert((at.index, sub), said);
+        let download = Download::new(at.index, sub, data);
+        self.device.assign(download.assignment(&self.device).as_slice());
+        self.downloads.push(download);
+    }
+
+    /// Reports entries that get one value by a key and another one by a setting or a download.
+    pub(super) fn contradictions(&mut self) {
+        for ((index, sub), parts) in std::mem::take(&mut self.written) {
+            let mut parts = parts.into_iter();
+            let Some((_, (first, wanted))) = parts.next() else { continue };
+            for (part, (said, data)) in parts.filter(|(_, (_, data))| *data != wanted) {
+                let shown = |data: &[u8]| match Download::new(index, sub, data).value(&self.device) {
+                    // COB-IDs and mapped entries
+                    Some(Value::Unsigned(number)) if data.len() == 4 => format!("{number:X}h"),
+                    Some(value) => value.to_string(),
+                    None => hex::print(data).to_string(),
+                };
+                let (is, wanted) = (shown(&data), shown(&wanted));
+                let name = &self.node.name.value;
+                let message =
+                    say!("{:04X}h:{:02X} of `{}` is set to {}, but also to {}", index, sub, name, is, wanted);
+                let finding = Diagnostic::new(&CONTRADICTION, said, message)
+                    .label(first, "the other value")
+                    .help("remove one of the two");
+                // a download at the end is meant to be the last word
+                let severity = if part == Part::Download { Severity::Warning } else { Severity::Error };
+                self.findings.push(finding.severity(severity).understood());
+            }
+        }
     }
 
     /// Makes a setting, as `objdict configure` does.
     pub(super) fn set(&mut self, setting: &Said<Setting>) {
-        match configure(&self.node.device, self.node_id, std::slice::from_ref(&setting.value)) {
+        match configure(&self.device, self.node_id, std::slice::from_ref(&setting.value)) {
             Ok(values) => {
                 for Assignment { index, sub, value } in values {
                     self.write_value(Address { index, sub: Some(sub) }, &value, setting.at);

@@ -20,17 +20,17 @@ pub struct PdoState {
     pub pdo: PdoName,
     /// COB-ID with its flags.
     pub cob_id: u32,
-    /// Whether the PDO is switched on in the end, if its COB-ID is valid.
+    /// Whether the network file leaves the PDO on; `false` only in [`Manner::Strict`], whose COB-IDs are the wanted ones.
     pub is_enabled: bool,
     /// Transmission type.
     pub transmission: u8,
-    /// Inhibit time in multiples of 100 µs.
+    /// Inhibit time in multiples of 100 µs; of an RPDO that of the manager that sends it.
     pub inhibit_time: u16,
-    /// Event timer in milliseconds.
+    /// Event timer in milliseconds; of an RPDO that of the manager that sends it.
     pub event_timer: u16,
-    /// The time in milliseconds after which a receiver misses the PDO.
+    /// The time in milliseconds after which a receiver misses the PDO; of a TPDO that of the manager that receives it.
     pub deadline: u16,
-    /// SYNC start value.
+    /// SYNC start value; of an RPDO that of the manager that sends it.
     pub sync_start: u8,
     /// The number of mapped objects as the node counts them.
     count: u8,
@@ -38,9 +38,9 @@ pub struct PdoState {
     pub mapping: BTreeMap<u8, MappedObject>,
 }
 
-/// The PDOs as the description has them.
+/// The PDOs as they are after the downloads so far.
 pub(super) fn states(desk: &Desk<'_, '_>) -> Vec<PdoState> {
-    let pdos = desk.node.device.pdos().filter(|pdo| pdo.communication.is_some());
+    let pdos = desk.device.pdos().filter(|pdo| pdo.communication.is_some());
     pdos.map(|pdo| state(desk, PdoName { kind: pdo.kind, number: pdo.number })).collect()
 }
 
@@ -68,6 +68,21 @@ fn state(desk: &Desk<'_, '_>, pdo: PdoName) -> PdoState {
         count: mapped,
         mapping: objects.collect(),
     }
+}
+
+/// The PDOs as the effective dictionary has them. What the other side of the manager does is known from the wishes alone.
+pub(super) fn effective(desk: &Desk<'_, '_>, wished: &[PdoState]) -> Vec<PdoState> {
+    let mut pdos = states(desk);
+    for (state, wished) in pdos.iter_mut().zip(wished) {
+        match state.pdo.kind {
+            PdoKind::Tpdo => state.deadline = wished.deadline,
+            PdoKind::Rpdo => {
+                let PdoState { inhibit_time, event_timer, sync_start, .. } = *wished;
+                *state = PdoState { inhibit_time, event_timer, sync_start, ..state.clone() };
+            }
+        }
+    }
+    pdos
 }
 
 /// Communication and mapping parameter.

@@ -6,6 +6,7 @@
 //! [`Plan::into_concise`] reads it.
 
 mod difference;
+mod effective;
 mod order;
 mod plan;
 mod problem;
@@ -22,6 +23,7 @@ use crate::model::hex;
 use crate::model::{hex_number, hex_text};
 
 pub use difference::{Difference, Differences};
+pub use effective::effective;
 pub use plan::{NeededFile, Order, Plan, PlanOptions, Scope, Step};
 pub use problem::{PlanError, Problem, ProblemKind, SkipReason, Skipped};
 pub use stream::{DecodeError, DecodeErrorKind, EncodeError};

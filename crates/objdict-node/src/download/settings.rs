@@ -37,7 +37,7 @@ struct Setting<'a> {
 /// Objects that trigger an action when written: store and restore (1010h, 1011h), OS commands (1023h-1026h),
 /// configure slave (1F25h), program download and control (1F50h, 1F51h), request NMT and guarding (1F82h,
 /// 1F83h).
-const fn is_command(index: u16) -> bool {
+pub(super) const fn is_command(index: u16) -> bool {
     matches!(index, 0x1010 | 0x1011 | 0x1023..=0x1026 | 0x1F25 | 0x1F50 | 0x1F51 | 0x1F82 | 0x1F83)
 }
 
@@ -90,7 +90,12 @@ impl<'a> Settings<'a> {
         let count = sub == 0 && object.object_type().has_subs() && !is_mapping(index);
         let has_value = entry.value().is_some() || unreadable || from_file;
         let is_complete = self.writes_all() || self.options.scope == Scope::Pdos && is_pdo(index);
-        let wanted = is_asked && (differs || is_complete && has_value && !count);
+        // an ordered download that comes later gives it its value
+        let is_given =
+            self.device.downloads.iter().any(|download| {
+                download.when == Moment::After && (download.index, download.sub) == (index, sub)
+            });
+        let wanted = is_asked && !is_given && (differs || is_complete && has_value && !count);
         let entry_type = EntryType::of(self.device, object, (index, sub), entry);
         self.entries.push(((index, sub), Setting { object, entry, entry_type, wanted }));
     }

@@ -40,7 +40,7 @@ impl Build<'_> {
     pub fn manager_device(&self) -> Result<Device, BuildError> {
         let made = self.made()?;
         let Some(manager) = &self.compiled.manager else { return Ok(made) };
-        let mut device = manager.described(&self.network.nodes[manager.node]);
+        let mut device = manager.described();
         for index in OBJECTS {
             let Some(object) = made.object(index) else { continue };
             if device.object(index).is_none() {
