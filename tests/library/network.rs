@@ -244,7 +244,7 @@ fn every_value_counts_wherever_it_is_said() {
             "186h TPDO 1 of servo to RPDO 1 of other: event, inhibit 50 ms, timer 20 ms",
         ),
         ("1800:1", 0x8000_0186, "rpdo-without-sender", "186h  to RPDO 1 of other"),
-        ("1A00:0", 1, "pdo-length", "186h TPDO 1 of servo to RPDO 1 of other"),
+        ("1A00:0", 0, "rpdo-without-sender", "186h  to RPDO 1 of other"),
         ("1017", 0, "silent-node", "706h heartbeat of servo to heartbeat of other"),
     ];
     for (row, (entry, value, rule, message)) in rows.iter().enumerate() {
@@ -255,11 +255,12 @@ fn every_value_counts_wherever_it_is_said() {
             let file = path("servo.eds").display().to_string();
             let text = format!(
                 "[node.servo]\nfile = {file:?}\nid = 6\n{text}\n[node.other]\nfile = {file:?}\nid = 5\n\
-                 rpdo.1 = {{ cob-id = 0x186, map = [\"6040\", \"607A\"] }}\n\
+                 rpdo.1 = {{ cob-id = 0x186 }}\n\
                  tpdo.1 = {{ cob-id = 0x185 }}\nset = {{ \"1016:1\" = {} }}\n",
                 6 << 16 | 300
             );
-            let text = text.replace("id = 6\n", "id = 6\ntpdo.1 = { inhibit = \"50ms\", map = [\"6041\", \"6064\"] }\nheartbeat = \"100ms\"\n");
+            let text =
+                text.replace("id = 6\n", "id = 6\ntpdo.1 = { inhibit = \"50ms\" }\nheartbeat = \"100ms\"\n");
             let source = objdict::source::SourceFile::from_text("network.toml", text);
             let network = NetworkFile::read(source, PathBuf::new(), &BTreeMap::new());
             let (messages, findings) = said(&network);
