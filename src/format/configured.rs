@@ -52,7 +52,9 @@ impl Description {
         if let Some(info) = &mut device.file_info {
             info.file_name = Some(file_name.to_owned());
         }
-        let edited = self.with_values(&device).filter(|description| description.is_as_valid_as(self));
+        let edited = self.with_values(&device);
+        let edited =
+            edited.filter(|edited| edited.is_as_valid_as(self) && has_values_of(edited.device(), &device));
         let edited = edited.map(|description| description.to_node(file_name, settings.node));
         if let Some(bytes) = edited.transpose()? {
             return Ok(ConfiguredFile { bytes, device, is_edited: true });
@@ -114,6 +116,16 @@ impl Description {
         let source = SourceFile::from_bytes(source.name(), bytes.to_vec(), &options).ok()?;
         super::read(source, self.format()).select(self.number())
     }
+}
+
+/// Whether `device` has the value of each entry of `wanted`.
+fn has_values_of(device: &Device, wanted: &Device) -> bool {
+    wanted.objects.iter().all(|(&index, object)| {
+        let read = device.object(index);
+        object.entries().all(|(sub, entry)| {
+            read.is_some_and(|read| read.has(sub) && read.value(sub).as_deref() == entry.value())
+        })
+    })
 }
 
 /// The text of a value, spelled as `ParameterValue` holds it.

@@ -5,10 +5,14 @@ use std::fs;
 use std::path::{Path, PathBuf};
 use std::process::Command;
 
+use objdict::diagnostic::Tool;
 use objdict::format::network::{BuiltFile, NetworkFile, schema};
+use objdict::format::{self, Format, WriteOptions};
+use objdict::model::{Device, Value};
 use objdict::network::{LelyOptions, Manner};
+use objdict::source::SourceOptions;
 
-use super::{environment, text_of};
+use super::{environment, readings, text_of};
 use crate::network::{lely, new_folder, open, path};
 use crate::support;
 
@@ -67,6 +71,115 @@ fn nodes_take_their_configurations() {
             Command::new(programs.join("python")).arg(script).arg(&folder).args(names).output().unwrap();
         assert!(output.status.success(), "{name}: {}", text_of(&output));
     }
+}
+
+/// What a device says of the nodes in objects of a manager, by index and sub-index.
+fn of_nodes(device: &Device) -> BTreeMap<String, Value> {
+    let objects =
+        device.objects.iter().filter(|(index, _)| matches!(index, 0x1016 | 0x1028 | 0x1F20..=0x1F9F));
+    let entries = objects.flat_map(|(index, object)| {
+        object.entries().map(move |(sub, entry)| (format!("{index:04X}sub{sub:X}"), entry.value().cloned()))
+    });
+    entries.filter_map(|(name, value)| Some((name, value?))).collect()
+}
+
+/// Managers whose descriptions lack objects, have compact ones, are XDD, or are missing: each file of theirs, in each format that
+/// it is converted to, says of the nodes what was compiled, to this reader and to others.
+#[test]
+fn the_file_of_a_manager_has_its_boot_data() {
+    let folder = new_folder("managers");
+    for file in fs::read_dir(path("")).unwrap() {
+        let file = file.unwrap();
+        fs::copy(file.path(), folder.join(file.file_name())).unwrap();
+    }
+    let plc = format::open(&path("plc.eds"), &SourceOptions::default()).unwrap();
+    let xdd = format::write(plc.device(), Format::Xdd, &WriteOptions::default()).unwrap();
+    fs::write(folder.join("plc.xdd"), xdd.bytes).unwrap();
+    let chapter = fs::read_to_string(path("chapter4.toml")).unwrap();
+    fs::write(folder.join("xml.toml"), chapter.replace("plc.eds", "plc.xdd")).unwrap();
+    let plain = WriteOptions::default();
+    let mut compact = WriteOptions::default();
+    compact.eds.compact = true;
+    let mut files: Vec<(PathBuf, BTreeMap<String, Value>)> = Vec::new();
+    for name in ["chapter4.toml", "xml.toml", "cell.yml"] {
+        let network = NetworkFile::open(&folder.join(name), &BTreeMap::new()).unwrap();
+        let build = network.build(Manner::Repaired).unwrap();
+        let compiled = of_nodes(&build.manager_device().unwrap());
+        assert!(compiled.keys().any(|name| name.starts_with("1F81sub")), "{name}: {compiled:?}");
+        let BuiltFile { name: built, bytes } = build.manager().unwrap();
+        let built = folder.join(format!("{name}-{built}"));
+        fs::write(&built, bytes).unwrap();
+        let read = format::open(&built, &SourceOptions::default()).unwrap();
+        let device = read.device();
+        let other = match read.format() {
+            Format::Xdc => ("plain.dcf", Format::Dcf, &plain),
+            _ => ("plain.xdc", Format::Xdc, &plain),
+        };
+        for (ending, format, options) in [("compact.dcf", Format::Dcf, &compact), other] {
+            let path = built.with_extension(ending);
+            fs::write(&path, format::write(device, format, options).unwrap().bytes).unwrap();
+            files.push((path, compiled.clone()));
+        }
+        let json = format::json::read_device(&format::json::write_device(device)).unwrap();
+        assert_eq!(of_nodes(&json), compiled, "{name} as JSON");
+        files.push((built, compiled));
+    }
+    let programs = environment();
+    let paths: Vec<&Path> = files.iter().map(|(path, _)| path.as_path()).collect();
+    let mut answers = programs.map(|programs| readings(programs, &paths)).into_iter().flatten();
+    for (path, compiled) in &files {
+        let shown = path.display();
+        let read = format::open(path, &SourceOptions::default()).unwrap();
+        assert_eq!(&of_nodes(read.device()), compiled, "{shown}");
+        let answer = answers.next();
+        if read.format() == Format::Xdc {
+            assert_eq!(of_xdc(&fs::read_to_string(path).unwrap()), numbers(compiled), "{shown}");
+            continue;
+        }
+        // python-canopen makes up the entries of compact storage, and refuses it in records
+        let is_compact = |name: &str| {
+            let index = u16::from_str_radix(&name[..4], 16).unwrap();
+            path.to_string_lossy().ends_with("compact.dcf")
+                || read.device().object(index).is_some_and(|object| object.compact.is_some())
+        };
+        for (name, number) in numbers(compiled) {
+            for tool in [Tool::DcfTools, Tool::PythonCanopen] {
+                let Some(answer) = answer.as_ref().map(|answer| &answer[tool.name()]) else { continue };
+                if tool == Tool::DcfTools || !is_compact(&name) {
+                    assert_eq!(answer[&name][5].as_i64(), Some(number), "{shown}: {tool}: {name}");
+                }
+            }
+        }
+    }
+}
+
+/// The values that are numbers, for node-ID 5.
+fn numbers(values: &BTreeMap<String, Value>) -> BTreeMap<String, i64> {
+    let number = |value: &Value| i64::try_from(value.integer_for(5)?).ok();
+    values.iter().filter_map(|(name, value)| Some((name.clone(), number(value)?))).collect()
+}
+
+/// The numbers of [`of_nodes`] in the attributes of an XDC.
+fn of_xdc(text: &str) -> BTreeMap<String, i64> {
+    let document = roxmltree::Document::parse(text).unwrap();
+    let mut values = BTreeMap::new();
+    for object in document.descendants().filter(|node| node.has_tag_name("CANopenObject")) {
+        let index = object.attribute("index").unwrap();
+        for entry in object.children().filter(|node| node.has_tag_name("CANopenSubObject")).chain([object]) {
+            let value = ["actualValue", "defaultValue"].iter().find_map(|name| entry.attribute(*name));
+            let sub = entry.attribute("subIndex").map_or(0, |sub| u8::from_str_radix(sub, 16).unwrap());
+            let number = value.map(|value| {
+                value.strip_prefix("0x").map_or(value.parse(), |hex| i64::from_str_radix(hex, 16))
+            });
+            if let Some(Ok(number)) = number {
+                values.insert(format!("{index}sub{sub:X}"), number);
+            }
+        }
+    }
+    // the streams in 1F22h are bytes
+    let is_of_nodes = |name: &str| ["1016", "1028", "1F"].iter().any(|index| name.starts_with(index));
+    values.retain(|name, _| is_of_nodes(name) && !name.starts_with("1F22sub") || name == "1F22sub0");
+    values
 }
 
 /// The rules about what a schema says too.

@@ -9,8 +9,8 @@ use crate::model::{Device, Field, Object, Part, Place, Value};
 use crate::source::{SourceFile, Span};
 
 /// The changes that turn the text of `before` into one of `after`, which has additional objects and
-/// sub-indexes, and other lists, counts and connected modules. `None` if an object with new entries is
-/// stored compactly: its text has no place for single entries.
+/// sub-indexes, and other lists, counts and connected modules. Additional objects are not stored compactly, as in the
+/// canonical text. `None` if an object with new entries is stored compactly: its text has no place for single entries.
 pub fn additions(before: &Device, after: &Device) -> Option<Vec<Change>> {
     let mut changes = Vec::new();
     let mut new = Device { kind: after.kind, ..Device::default() };
@@ -36,8 +36,8 @@ pub fn additions(before: &Device, after: &Device) -> Option<Vec<Change>> {
     }
     changes.extend(sections(&new).into_iter().filter_map(|(part, fields)| match part {
         Part::Object(index) if before.objects.contains_key(&index) => None,
-        Part::Object(_) | Part::Entry(..) => Some(Change::Add(part, fields)),
-        _ => None,
+        // all that describes an object: its links and the unknown keys of its compact storage too
+        _ => part.object().is_some().then_some(Change::Add(part, fields)),
     }));
     for list in crate::model::ObjectList::ALL {
         if before.lists.get(list) != after.lists.get(list) {
@@ -89,7 +89,7 @@ fn connected(before: &Device, after: &Device) -> Vec<Change> {
 
 /// The sections that describe the objects of a device, with their keys.
 fn sections(device: &Device) -> Vec<(Part, Vec<(Field, String)>)> {
-    let text = String::from_utf8(write::write(device, &Style { compact: true, ..Style::default() }));
+    let text = String::from_utf8(write::write(device, &Style::default()));
     let document = Document::new(SourceFile::from_text("additions", text.unwrap_or_default()));
     let text = document.text();
     let mut sections = Vec::new();
