@@ -181,16 +181,6 @@ const ROWS: &[Row] = &[
         "unsupported-bit-rate",
         &["drive.eds DeviceComissioning / Baudrate `500`: the configured bit rate"],
     ),
-    (
-        "",
-        "1F85=0x1234",
-        "",
-        "wrong-identity",
-        &[
-            "plc.eds 0x1F85Value / 5 `0x1234`: the expected number",
-            "drive.eds DeviceInfo / VendorNumber `0x00000360`: the described number",
-        ],
-    ),
 ];
 
 #[test]
@@ -203,6 +193,25 @@ fn findings_point_into_descriptions() {
         let finding = found.next().unwrap_or_else(|| panic!("no {rule}"));
         assert_eq!(places(&file, finding), *expected, "{rule}");
     }
+}
+
+/// In a network of descriptions the manager expects what its own says.
+#[test]
+fn a_configured_manager_is_compared_with_the_nodes() {
+    let folder = new_folder("related-manager");
+    let node = |text: String, node_id, is_manager| {
+        format!("{text}[DeviceComissioning]\nNodeID={node_id}\nCANopenManager={is_manager}\n")
+    };
+    fs::write(folder.join("drive.dcf"), node(described("counter.eds", ""), 5, 0)).unwrap();
+    fs::write(folder.join("plc.dcf"), node(described("plc.eds", "1F85=0x1234"), 1, 1)).unwrap();
+    let file = NetworkFile::of_descriptions(&["drive.dcf", "plc.dcf"].map(|name| folder.join(name))).unwrap();
+    let findings = file.check();
+    let finding = findings.iter().find(|finding| finding.rule.name() == "wrong-identity").unwrap();
+    let expected = [
+        "plc.dcf 0x1F85Value / 5 `0x1234`: the expected number",
+        "drive.dcf DeviceInfo / VendorNumber `0x00000360`: the described number",
+    ];
+    assert_eq!(places(&file, finding), expected);
 }
 
 /// Without node-IDs in the network file those of the descriptions are in conflict.

@@ -7,8 +7,9 @@ mod text;
 
 use self::text::Text;
 use crate::download::{ConciseDcf, Download};
+use crate::manager::Knowledge;
 use crate::model::PdoKind;
-use crate::network::{Heartbeat, Manager, Network, Node};
+use crate::network::{Manager, Network, Node};
 use crate::stream::{Manner, PdoState, Slave};
 
 /// Options of Lely's files.
@@ -86,6 +87,11 @@ impl<'a> Writer<'a> {
 
     fn node(&self, slave: &Slave) -> &'a Node {
         &self.network.nodes[slave.node]
+    }
+
+    fn knowledge(&self) -> Knowledge<'a> {
+        let Self { network, manager, slaves, options, .. } = *self;
+        Knowledge { network, manager, slaves, manner: options.manner }
     }
 
     /// The PDOs of the nodes in a direction, by node and number. dcfgen takes those that end switched off too.
@@ -207,22 +213,5 @@ impl<'a> Writer<'a> {
         self.out.list("MandatoryObjects", vec![0x1000, 0x1001, 0x1018]);
         self.out.list("OptionalObjects", optional);
         self.out.list("ManufacturerObjects", manufacturer);
-    }
-
-    fn heartbeat_consumers(&self) -> Vec<(u8, u32)> {
-        let monitored = self.slaves.iter().filter(|slave| slave.heartbeat != 0);
-        let number = |slave: &Slave| {
-            let heartbeat: &Heartbeat = &self.node(slave).heartbeat;
-            let time = match (heartbeat.consumer_time(slave.heartbeat), self.options.manner) {
-                (Some(time), _) => u32::from(time),
-                // what is left of the bits of a time that does not fit
-                (None, Manner::Strict) => {
-                    (f64::from(slave.heartbeat) * heartbeat.factor) as u64 as u32 & 0xFFFF
-                }
-                (None, Manner::Repaired) => return None,
-            };
-            Some(u32::from(slave.node_id) << 16 | time)
-        };
-        (1..).zip(monitored.filter_map(number)).collect()
     }
 }

@@ -10,6 +10,7 @@ pub mod graph;
 mod identity;
 mod lely;
 mod link;
+mod manager;
 mod messages;
 mod network;
 mod origin;
@@ -23,6 +24,7 @@ pub use check::check;
 pub use connect::connect;
 pub use lely::{LelyMaster, LelyOptions, configuration_file, lely_master};
 pub use link::{Link, LinkEnd, LinkParameters, LinkedEntries, NoLinkEnd};
+pub use manager::expected;
 pub use messages::{Message, MessageId, Messages, Party, Service};
 pub use network::*;
 pub use overview::{

@@ -5,7 +5,7 @@ use std::collections::BTreeMap;
 
 use crate::Language;
 use crate::configure::PdoName;
-use crate::model::{CobId, PdoKind, predefined};
+use crate::model::{CobId, Object, PdoKind, predefined};
 use crate::network::{Manager, Network};
 use crate::source::Span;
 use crate::stream::{Compiled, PdoState, Slave, indexes};
@@ -191,6 +191,14 @@ impl Messages {
             let watched = u32::from(predefined::ERROR_CONTROL) + u32::from(consumer.node_id);
             self.receive(MessageId::base(watched), party(Service::ErrorControl));
         }
+        let emergencies = slave.device.object(0x1028).into_iter().flat_map(Object::entries);
+        for (_, entry) in emergencies.filter(|(sub, _)| (1..=127).contains(sub)) {
+            let cob_id = entry.value().and_then(|value| CobId::from_value(value));
+            // 0 is NMT, and the value of entries that are not in use in many descriptions
+            if let Some(cob_id) = cob_id.map(number).filter(|cob_id| cob_id >> 31 == 0 && *cob_id != 0) {
+                self.receive(MessageId::of(cob_id), party(Service::Emcy));
+            }
+        }
     }
 
     /// The other side of the manager: it configures the nodes and, without a description, has all of their PDOs.
@@ -206,6 +214,10 @@ impl Messages {
                 MessageId::base(u32::from(predefined::SDO_RESPONSE) + node_id),
                 party(Service::SdoResponse),
             );
+            // a described manager has 1016h and 1028h
+            if manager.node.is_some() {
+                continue;
+            }
             if manager.monitors_nodes() && slave.heartbeat != 0 {
                 self.receive(
                     MessageId::base(u32::from(predefined::ERROR_CONTROL) + node_id),

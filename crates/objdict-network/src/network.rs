@@ -41,6 +41,8 @@ pub struct Network {
     pub order: Order,
     /// The folder in which the manager finds the configurations of the nodes when it runs.
     pub run_time_folder: String,
+    /// Whether the network is made of descriptions that are configured already, so that the manager expects what its own says.
+    pub is_as_described: bool,
 }
 
 /// A node and its wanted configuration.
@@ -324,6 +326,17 @@ impl Startup {
             | (!self.start_nodes as u32) << 3
             | (self.reset_all_nodes as u32) << 4
             | (self.stop_all_nodes as u32) << 6
+    }
+
+    /// What a value of 1F80h says.
+    pub const fn from_number(number: u32) -> Self {
+        Self {
+            start: number >> 2 & 1 == 0,
+            start_nodes: number >> 3 & 1 == 0,
+            start_all_nodes: number >> 1 & 1 != 0,
+            reset_all_nodes: number >> 4 & 1 != 0,
+            stop_all_nodes: number >> 6 & 1 != 0,
+        }
     }
 }
 

@@ -1,7 +1,7 @@
 //! Where the descriptions of nodes have what findings are about.
 
 use crate::diagnostic::{At, Diagnostic};
-use crate::download::Download;
+use crate::effective::Origins;
 use crate::messages::Service;
 use crate::model::{Entry, Field, Part, PdoKind, PdoMapping, Place};
 use crate::network::{Network, Node};
@@ -31,16 +31,11 @@ pub(crate) fn refusing_field(entry: &Entry, kind: PdoKind) -> Field {
 }
 
 impl Node {
-    /// Where the description of the node has the value of an entry; `None` if a download replaces it. The node is the one
+    /// Where the description of the node has the value of an entry; `None` if the network replaces it. The node is the one
     /// at `position`.
-    pub(crate) fn origin(
-        &self,
-        position: usize,
-        downloads: &[Download],
-        (index, sub): (u16, u8),
-    ) -> Option<At> {
-        let is_written = downloads.iter().any(|download| (download.index, download.sub) == (index, sub));
-        (!is_written).then(|| At::Node(position, self.device.value_place(index, sub)))
+    pub(crate) fn origin(&self, position: usize, origins: &Origins, (index, sub): (u16, u8)) -> Option<At> {
+        let is_said = origins.contains_key(&(index, sub));
+        (!is_said).then(|| At::Node(position, self.device.value_place(index, sub)))
     }
 
     /// Where the description has the node-ID; `None` if the network file states it.
@@ -53,7 +48,7 @@ impl Node {
 impl Slave {
     /// Where the description has the value of an entry; `None` if the configuration replaces it.
     pub(crate) fn origin(&self, network: &Network, index: u16, sub: u8) -> Option<At> {
-        network.nodes[self.node].origin(self.node, &self.downloads.0, (index, sub))
+        network.nodes[self.node].origin(self.node, &self.origins, (index, sub))
     }
 
     /// Where the description has the CAN-ID of a service, which may follow from the node-ID.

@@ -12,6 +12,7 @@ use crate::diagnostic::{At, Diagnostic, Findings, say};
 use crate::download::ConciseDcf;
 use crate::effective::Origins;
 use crate::identity;
+use crate::manager::complete;
 use crate::model::{Address, Device, Field, Part as DevicePart, Place};
 use crate::network::{DownloadWish, Manager, Network, Node, Said, ValueWish};
 use crate::rules::{
@@ -67,7 +68,7 @@ const POOL: std::ops::RangeInclusive<u32> = 0x680..=0x6DF;
 pub struct Compiled {
     /// The nodes but the manager, in the order of the network.
     pub slaves: Vec<Slave>,
-    /// The manager, if it has a description: its own configuration.
+    /// The manager, if it has a description: its own configuration, and what it expects of the nodes.
     pub manager: Option<Slave>,
 }
 
@@ -101,6 +102,9 @@ pub fn compile(network: &Network, manner: Manner, findings: &mut Findings) -> Co
         } else {
             compiled.slaves.push(slave);
         }
+    }
+    if let Some(manager) = compiled.manager.as_mut().filter(|_| manner == Manner::Repaired) {
+        complete(network, &compiled.slaves, manager, findings);
     }
     compiled
 }

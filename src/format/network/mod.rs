@@ -81,7 +81,8 @@ impl NetworkFile {
     /// When a file cannot be read, or describes no device.
     pub fn of_descriptions(paths: &[PathBuf]) -> Result<Self, ReadError> {
         let source = SourceFile::from_text("network.toml", init(paths)?);
-        Ok(Self { is_made: true, ..Self::read(source, PathBuf::new(), &BTreeMap::new()) })
+        let file = Self::read(source, PathBuf::new(), &BTreeMap::new());
+        Ok(Self { is_made: true, network: file.network.map(Network::as_described), ..file })
     }
 
     /// Reads a network from its text; paths of descriptions are relative to `folder`.

@@ -423,8 +423,13 @@ impl Reader<'_, '_> {
 /// What `bus` and `manager` say, as settings of the described manager.
 fn describe(manager: &Manager, node: &mut Node) {
     node.heartbeat.producer = manager.heartbeat.producer;
+    node.time_cob_id = manager.time_cob_id.or(node.time_cob_id);
+    let errors = manager.error_behavior.iter();
+    node.error_behavior.extend(errors.map(|(sub, value)| (*sub, Said::new(*value, manager.name.at))));
     let Manager { sync_period, sync_window, sync_overflow, .. } = manager;
+    let inhibit_time = manager.emcy_inhibit_time;
     let settings = [
+        (inhibit_time.into(), manager.name.at, Setting::value(&format!("1015={inhibit_time}"))),
         (
             sync_overflow.value.into(),
             sync_overflow.at,

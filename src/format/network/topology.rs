@@ -46,7 +46,7 @@ pub(super) fn read(
         .find_map(|node| Some(Said::new(stated(node).filter(|rate| *rate != 0)?, node.file.at)));
     network.manager =
         network.nodes.iter().position(is_manager).map(|position| manager(position, &network.nodes[position]));
-    Some(network)
+    Some(network.as_described())
 }
 
 fn is_manager(node: &Node) -> bool {

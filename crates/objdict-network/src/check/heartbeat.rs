@@ -61,8 +61,9 @@ impl<'n> Check<'n, '_> {
         let mut consumers = Vec::new();
         for slave in self.compiled.nodes() {
             let node = &self.network.nodes[slave.node];
-            let at = node.heartbeat.consumer.map_or(node.name.at, |consumer| consumer.at);
+            let wish = node.heartbeat.consumer.map_or(node.name.at, |consumer| consumer.at);
             for consumer in slave.device.services().heartbeat_consumers {
+                let at = slave.said(0x1016, consumer.sub).unwrap_or(wish);
                 consumers.push(Consumer {
                     name: &node.name.value,
                     at,
@@ -72,7 +73,9 @@ impl<'n> Check<'n, '_> {
                 });
             }
         }
-        if let Some(manager) = self.network.manager.as_ref().filter(|manager| manager.monitors_nodes()) {
+        let manager = self.network.manager.as_ref();
+        // a described one has 1016h
+        if let Some(manager) = manager.filter(|manager| manager.node.is_none() && manager.monitors_nodes()) {
             for slave in self.compiled.slaves.iter().filter(|slave| slave.heartbeat != 0) {
                 let node = &self.network.nodes[slave.node];
                 let at = node.heartbeat.producer.map_or(node.name.at, |producer| producer.at);

@@ -59,9 +59,9 @@ impl<'a> Writer<'a> {
         let manager = self.manager;
         let [vendor, product, revision] = manager.identity;
         let produces_sync = self.is_strict() || manager.sync_period.value != 0;
-        let consumers = manager.monitors_nodes().then(|| self.heartbeat_consumers());
-        let emcy: Vec<(u8, String)> =
-            self.slaves.iter().filter_map(|slave| Some((slave.node_id, hex(slave.emcy?)))).collect();
+        let knowledge = self.knowledge();
+        let consumers: Option<Vec<_>> =
+            manager.monitors_nodes().then(|| (1..).zip(knowledge.heartbeats()).collect());
         let mut errors: BTreeMap<u8, u8> = [(1, 0)].into();
         errors.extend(&manager.error_behavior);
         let out = &mut self.out;
@@ -79,7 +79,7 @@ impl<'a> Writer<'a> {
         out.value("1015", "Inhibit time EMCY", Type::U16, "rw", manager.emcy_inhibit_time);
         if let Some(consumers) = consumers {
             out.compact("1016", "Consumer heartbeat time", (ARRAY, Type::U32), "rw", None, NODES);
-            out.values("1016", consumers.into_iter().map(|(sub, number)| (sub, hex(number))));
+            out.numbers("1016", consumers);
         }
         let heartbeat = manager.heartbeat.producer.map_or(0, |time| time.value);
         out.value("1017", "Producer heartbeat time", Type::U16, "rw", heartbeat);
@@ -90,7 +90,7 @@ impl<'a> Writer<'a> {
         out.var("1018sub4", "Serial number", Type::U32, "ro");
         out.value("1019", "Synchronous counter overflow value", Type::U8, "rw", manager.sync_overflow.value);
         out.compact("1028", "Emergency consumer object", (ARRAY, Type::U32), "rw", Some(1 << 31), NODES);
-        out.values("1028", emcy);
+        out.numbers("1028", knowledge.emergencies());
         out.compact("1029", "Error behavior object", (ARRAY, Type::U8), "rw", None, 254);
         out.values(
             "1029",
@@ -200,14 +200,8 @@ impl<'a> Writer<'a> {
         self.out.compact("1F88", "Serial number", (ARRAY, Type::U32), "rw", None, OF_NODES);
         self.out.value("1F89", "Boot time", Type::U32, "rw", self.manager.boot_time.value);
         self.out.compact("1F8A", "Restore configuration", (ARRAY, Type::U8), "rw", None, OF_NODES);
-        let restored = |slave: &Slave| self.node(slave).boot.restore_configuration.value;
-        let restored: Vec<_> = self
-            .slaves
-            .iter()
-            .map(|slave| (slave.node_id, restored(slave)))
-            .filter(|(_, sub)| *sub != 0)
-            .map(|(node_id, sub)| (node_id, format!("0x{sub:02X}")))
-            .collect();
+        let restored = self.knowledge().restored().into_iter();
+        let restored: Vec<_> = restored.map(|(node_id, sub)| (node_id, format!("0x{sub:02X}"))).collect();
         self.out.values("1F8A", restored);
     }
 
@@ -230,16 +224,19 @@ impl<'a> Writer<'a> {
     /// 1F84h to 1F86h.
     fn identity(&mut self, position: usize, section: &str, name: &str) {
         self.out.compact(section, name, (ARRAY, Type::U32), "rw", None, NODES);
-        let stated = self.slaves.iter().filter(|slave| slave.identity[position] != 0);
-        let stated: Vec<&Slave> = stated.collect();
-        let has_it = |slave: &&&Slave| position != 2 || self.node(slave).device.entry(0x1018, 2).is_some();
-        let listed = stated.iter().filter(has_it).map(|slave| (slave.node_id, hex(slave.identity[position])));
-        let listed: Vec<(u8, String)> = listed.collect();
-        let count = if self.is_strict() { stated.len() } else { listed.len() };
+        let stated = self.knowledge().identities(position);
+        let count = stated.len();
+        let has_it = |node_id: u8| {
+            let slave = self.slaves.iter().find(|slave| slave.node_id == node_id);
+            slave.is_some_and(|slave| self.node(slave).device.entry(0x1018, 2).is_some())
+        };
+        let listed = stated.into_iter().filter(|(node_id, _)| position != 2 || has_it(*node_id));
+        let listed: Vec<(u8, u32)> = listed.collect();
+        let count = if self.is_strict() { count } else { listed.len() };
         self.out.section(&format!("{section}Value"));
         self.out.key("NrOfEntries", count);
         for (node_id, number) in listed {
-            self.out.key(&node_id.to_string(), number);
+            self.out.key(&node_id.to_string(), hex(number));
         }
     }
 

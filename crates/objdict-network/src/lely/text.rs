@@ -112,6 +112,11 @@ impl Text {
         self.key("NrOfEntries", values.len());
         values.for_each(|(sub, value)| self.key(&sub.to_string(), value));
     }
+
+    /// The same of numbers with eight hexadecimal digits.
+    pub(super) fn numbers(&mut self, section: &str, values: Vec<(u8, u32)>) {
+        self.values(section, values.into_iter().map(|(sub, number)| (sub, hex(number))));
+    }
 }
 
 /// `0x0000002A`.

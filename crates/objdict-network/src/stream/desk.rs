@@ -77,7 +77,7 @@ impl<'n, 'f> Desk<'n, 'f> {
 
     /// Where the description has the value of an entry; `None` if a download so far replaces it.
     pub(super) fn origin(&self, index: u16, sub: u8) -> Option<At> {
-        self.node.origin(self.position, &self.downloads, (index, sub))
+        self.node.origin(self.position, &self.origins, (index, sub))
     }
 
     /// Whether the node has the entry.

@@ -3,16 +3,11 @@
 use super::{Build, BuildError, BuiltFile, written};
 use crate::format::{self, Format};
 use crate::model::{
-    Access, Assignment, Compact, DataType, Device, DeviceKind, Entry, Object, ObjectList, ObjectType, Value,
+    Access, Assignment, Compact, DataType, Device, DeviceKind, Entry, Object, ObjectList, ObjectType, Subs,
+    Value,
 };
-use crate::network::{LelyOptions, Slave, lely_master};
+use crate::network::{LelyOptions, Slave, expected, lely_master};
 use crate::source::SourceFile;
-
-/// The objects about the nodes (CiA 301, CiA 302-2, CiA 302-3).
-const OBJECTS: [u16; 18] = [
-    0x1016, 0x1028, 0x1F22, 0x1F25, 0x1F26, 0x1F27, 0x1F55, 0x1F80, 0x1F81, 0x1F82, 0x1F84, 0x1F85, 0x1F86,
-    0x1F87, 0x1F88, 0x1F89, 0x1F8A, 0x102A,
-];
 
 const CONCISE_DCF: u16 = 0x1F22;
 
@@ -38,19 +33,14 @@ impl Build<'_> {
     /// # Errors
     /// When there is none, or the configuration of a node cannot be sent.
     pub fn manager_device(&self) -> Result<Device, BuildError> {
-        let made = self.made()?;
-        let Some(manager) = &self.compiled.manager else { return Ok(made) };
-        let mut device = manager.described();
-        for index in OBJECTS {
-            let Some(object) = made.object(index) else { continue };
-            if device.object(index).is_none() {
-                device.objects.insert(index, object.clone());
-                if let Some(list) = ObjectList::of(index) {
-                    device.lists.get_mut(list).get_or_insert_default().push(index);
-                }
-                continue;
-            }
-            device.assign(&values(index, object));
+        let mut device = match &self.compiled.manager {
+            Some(manager) => manager.described(),
+            None => self.made()?,
+        };
+        self.configure(&mut device)?;
+        if let Some(time) = self.configured_at {
+            self.expect(&mut device, 0x1F26, "Expected configuration date", time.days);
+            self.expect(&mut device, 0x1F27, "Expected configuration time", time.milliseconds);
         }
         Ok(device)
     }
@@ -63,44 +53,29 @@ impl Build<'_> {
         let description = format::read(SourceFile::from_text("master.dcf", master.dcf), Format::Dcf);
         let mut device = description.device().clone();
         device.kind = DeviceKind::Node;
-        for slave in &self.compiled.slaves {
-            let stream = self.arranged(slave)?;
-            let Some(entry) =
-                device.objects.get_mut(&CONCISE_DCF).and_then(|object| object.subs.get_mut(slave.node_id))
-            else {
-                continue;
-            };
-            entry.access = Some(Access::Rw);
-            let configured = entry.configured_mut();
-            configured.upload_file = None;
-            configured.value = Some(Value::Bytes(stream.write()?.into()));
-        }
-        let identity = |position: usize, index| {
-            let of = self.compiled.slaves.iter().filter(move |slave| slave.identity[position] != 0);
-            of.map(move |slave| Assignment {
-                index,
-                sub: slave.node_id,
-                value: Value::Unsigned(slave.identity[position].into()),
-            })
-        };
-        // without the retry factor that dcfgen states for all nodes
-        let assignment = |slave: &Slave| {
-            let number = self.network.nodes[slave.node].boot.to_number(slave.guard_time);
-            Assignment { index: 0x1F81, sub: slave.node_id, value: Value::Unsigned(number.into()) }
-        };
-        let assignments = self.compiled.slaves.iter().map(assignment);
-        let stated: Vec<Assignment> =
-            identity(3, 0x1F87).chain(identity(4, 0x1F88)).chain(assignments).collect();
-        device.assign(&stated);
-        if let Some(time) = self.configured_at {
-            self.expect(&mut device, 0x1F26, "Expected configuration date", time.days);
-            self.expect(&mut device, 0x1F27, "Expected configuration time", time.milliseconds);
-        }
+        // for the others Lely's master has downloads of its own
+        device.assign(&expected(self.network, &self.compiled.slaves));
         Ok(device)
     }
-}
 
-impl Build<'_> {
+    /// Puts the concise DCF of each node into 1F22h.
+    fn configure(&self, device: &mut Device) -> Result<(), BuildError> {
+        if device.object(CONCISE_DCF).is_none() {
+            add(device, CONCISE_DCF, domains("Concise DCF"));
+        }
+        for slave in &self.compiled.slaves {
+            let stream = self.arranged(slave)?.write()?;
+            let Some(object) = device.objects.get_mut(&CONCISE_DCF) else { continue };
+            if let Some(entry) = object.subs.get_mut(slave.node_id) {
+                entry.access = Some(Access::Rw);
+                entry.configured_mut().upload_file = None;
+            }
+            let value = Value::Bytes(stream.into());
+            device.assign(&[Assignment { index: CONCISE_DCF, sub: slave.node_id, value }]);
+        }
+        Ok(())
+    }
+
     /// Adds an array with the same number for each node that can keep it (1020h).
     fn expect(&self, device: &mut Device, index: u16, name: &str, number: u32) {
         let has_it = |slave: &&Slave| slave.device.object(0x1020).is_some();
@@ -108,6 +83,10 @@ impl Build<'_> {
         let mut values: Vec<(u8, Value)> =
             values.map(|slave| (slave.node_id, Value::Unsigned(number.into()))).collect();
         values.sort_unstable_by_key(|(node_id, _)| *node_id);
+        if device.object(index).is_some() {
+            let values = values.into_iter().map(|(sub, value)| Assignment { index, sub, value });
+            return device.assign(&values.collect::<Vec<_>>());
+        }
         let main = Entry {
             name: name.into(),
             object_type: Some(ObjectType::Array),
@@ -116,15 +95,38 @@ impl Build<'_> {
             ..Entry::default()
         };
         let compact = Some(Box::new(Compact { count: 127, values, ..Compact::default() }));
-        device.objects.insert(index, Object { main, compact, ..Object::default() });
-        if let Some(list) = ObjectList::of(index) {
-            device.lists.get_mut(list).get_or_insert_default().push(index);
-        }
+        add(device, index, Object { main, compact, ..Object::default() });
     }
 }
 
-/// The values of an object.
-fn values(index: u16, object: &Object) -> Vec<Assignment> {
-    let stated = object.entries().filter(|(sub, _)| *sub > 0 || !object.object_type().has_subs());
-    stated.filter_map(|(sub, entry)| Some(Assignment { index, sub, value: entry.value()?.clone() })).collect()
+/// Adds an object to a dictionary and its lists.
+fn add(device: &mut Device, index: u16, object: Object) {
+    device.objects.insert(index, object);
+    if let Some(list) = ObjectList::of(index) {
+        device.lists.get_mut(list).get_or_insert_default().push(index);
+    }
+}
+
+/// An array with a DOMAIN for each node.
+fn domains(name: &str) -> Object {
+    let entry = |name: String| Entry {
+        name: name.into(),
+        object_type: Some(ObjectType::Var),
+        data_type: Some(DataType::DOMAIN),
+        access: Some(Access::Rw),
+        ..Entry::default()
+    };
+    let main = Entry { name: name.into(), object_type: Some(ObjectType::Array), ..Entry::default() };
+    let mut subs = Subs::default();
+    let highest = Entry {
+        data_type: Some(DataType::UNSIGNED8),
+        access: Some(Access::Const),
+        default: Some(Value::Unsigned(127)),
+        ..entry("Highest sub-index supported".to_owned())
+    };
+    subs.insert(0, highest);
+    for node_id in 1..=127 {
+        subs.insert(node_id, entry(format!("Node-ID {node_id}")));
+    }
+    Object { main, subs, sub_number: Some(128), ..Object::default() }
 }
