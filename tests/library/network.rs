@@ -4,8 +4,12 @@ use std::collections::{BTreeMap, BTreeSet};
 use std::path::PathBuf;
 
 use objdict::diagnostic::Findings;
+use objdict::download::{ConciseDcf, effective};
 use objdict::format::network::{BuiltFile, ConfigurationTime, NetworkFile, init, schema};
+use objdict::format::{self, Description, Format};
+use objdict::model::{Device, Value};
 use objdict::network::{End, LelyOptions, Manner, MessageRow, Overview, compile};
+use objdict::source::{SourceFile, SourceOptions};
 
 use crate::support;
 
@@ -113,6 +117,78 @@ fn a_written_bus_yml_builds_the_same() {
         let options = LelyOptions::default();
         let again = again.build(Manner::Repaired).unwrap().lely(&options).unwrap();
         assert_eq!(again, lely(name, &options), "{name}");
+    }
+}
+
+/// The values of all entries of a device, as numbers of its node or as text.
+fn values(device: &Device, node_id: u8) -> BTreeMap<(u16, u8), String> {
+    let entries = device.objects.iter().flat_map(|(&index, object)| {
+        object.entries().map(move |(sub, entry)| ((index, sub), entry)).collect::<Vec<_>>()
+    });
+    let shown = |value: &Value| match value.integer_for(node_id) {
+        Some(number) => number.to_string(),
+        None => format!("{value:?}"),
+    };
+    entries.filter_map(|(at, entry)| Some((at, shown(entry.value()?)))).collect()
+}
+
+/// What differs, a line each.
+fn differences(one: &BTreeMap<(u16, u8), String>, other: &BTreeMap<(u16, u8), String>) -> Vec<String> {
+    let keys: BTreeSet<_> = one.keys().chain(other.keys()).collect();
+    let differing = keys.into_iter().filter(|key| one.get(key) != other.get(key));
+    differing
+        .map(|key| format!("{:04X}:{:02X}: {:?}, {:?}", key.0, key.1, one.get(key), other.get(key)))
+        .collect()
+}
+
+/// The description in the bytes of a DCF.
+fn read_dcf(bytes: Vec<u8>) -> Description {
+    let source = SourceFile::from_bytes("node.dcf", bytes, &SourceOptions::default()).unwrap();
+    format::read(source, Format::Dcf)
+}
+
+/// The device as it is after the downloads of a written stream.
+fn downloaded(device: &Device, stream: &[u8]) -> Device {
+    let mut device = effective(device).into_owned();
+    for download in &ConciseDcf::parse(stream).unwrap().0 {
+        device.assign(download.assignment(&device).as_slice());
+    }
+    device
+}
+
+/// Each target writes the effective dictionary: it is what is read from the bytes again.
+#[test]
+fn what_is_written_has_the_effective_values() {
+    for name in ["worked.yml", "cell.yml", "chapter4.toml"] {
+        let network = open(name);
+        let nodes = &network.network.as_ref().unwrap().nodes;
+        let compiled = compile(network.network.as_ref().unwrap(), Manner::Repaired, &mut Findings::new());
+        let build = network.build(Manner::Repaired).unwrap();
+        let dcfs = build.dcfs().unwrap();
+        let [concise, lely] = [build.concise().unwrap(), build.lely(&LelyOptions::default()).unwrap()];
+        let of = |name: &str, files: &[BuiltFile]| {
+            files.iter().find(|file| file.name == name).map(|file| file.bytes.clone())
+        };
+        for slave in compiled.nodes() {
+            let node = &nodes[slave.node].name.value;
+            let wanted = values(&slave.device, slave.node_id);
+            let written = read_dcf(of(&format!("{node}.dcf"), &dcfs).unwrap());
+            let mut read = values(&effective(written.device()), slave.node_id);
+            // the configurations of the nodes are compared below
+            read.retain(|(index, _), _| *index != 0x1F22 || slave.device.object(0x1F22).is_some());
+            assert_eq!(differences(&read, &wanted), [""; 0], "{name}: {node}.dcf");
+            let streams = [of(&format!("{node}.cdcf"), &concise), of(&format!("{node}.bin"), &lely)];
+            for stream in streams.into_iter().flatten() {
+                let device = downloaded(&nodes[slave.node].device, &stream);
+                assert_eq!(differences(&values(&device, slave.node_id), &wanted), [""; 0], "{name}: {node}");
+            }
+        }
+        let manager = read_dcf(build.manager().unwrap().bytes);
+        for slave in &compiled.slaves {
+            let stream = of(&format!("{}.cdcf", nodes[slave.node].name.value), &concise).unwrap();
+            let held = manager.device().object(0x1F22).unwrap().value(slave.node_id).unwrap().into_owned();
+            assert_eq!(held, Value::Bytes(stream.into()), "{name}: 1F22h:{:02X}", slave.node_id);
+        }
     }
 }
 

@@ -121,9 +121,14 @@ fn python_canopen_uploads_what_we_wrote() {
             json!({ "file": name, "node_id": node_id, "entries": entries })
         })
         .collect();
-    fs::write(folder.join("expected.json"), serde_json::to_string(&expected).unwrap()).unwrap();
+    upload(&programs, &folder, &expected);
+}
+
+/// Uploads the expected entries of descriptions in a folder.
+fn upload(programs: &Path, folder: &Path, expected: &[serde_json::Value]) {
+    fs::write(folder.join("expected.json"), serde_json::to_string(expected).unwrap()).unwrap();
     let script = Path::new(env!("CARGO_MANIFEST_DIR")).join("tests/library/interop/read_back.py");
-    let output = Command::new(programs.join("python")).arg(script).arg(&folder).output().unwrap();
+    let output = Command::new(programs.join("python")).arg(script).arg(folder).output().unwrap();
     assert!(output.status.success(), "{}", text_of(&output));
 }
 

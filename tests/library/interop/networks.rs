@@ -5,14 +5,15 @@ use std::fs;
 use std::path::{Path, PathBuf};
 use std::process::Command;
 
-use objdict::diagnostic::Tool;
+use objdict::diagnostic::{Findings, Tool};
 use objdict::format::network::{BuiltFile, NetworkFile, schema};
 use objdict::format::{self, Format, WriteOptions};
 use objdict::model::{Device, Value};
-use objdict::network::{LelyOptions, Manner};
+use objdict::network::{LelyOptions, Manner, Slave, compile};
 use objdict::source::SourceOptions;
+use serde_json::json;
 
-use super::{environment, readings, text_of};
+use super::{environment, expected_entries, readings, text_of, upload};
 use crate::network::{lely, new_folder, open, path};
 use crate::support;
 
@@ -180,6 +181,30 @@ fn of_xdc(text: &str) -> BTreeMap<String, i64> {
     let is_of_nodes = |name: &str| ["1016", "1028", "1F"].iter().any(|index| name.starts_with(index));
     values.retain(|name, _| is_of_nodes(name) && !name.starts_with("1F22sub") || name == "1F22sub0");
     values
+}
+
+/// python-canopen reads the effective values of every node, the manager among them, in the DCFs.
+#[test]
+fn dcfs_have_the_effective_values() {
+    let Some(programs) = environment() else { return };
+    for name in NETWORKS.into_iter().chain(["chapter4.toml"]) {
+        let folder = new_folder(&format!("effective-{name}"));
+        let file = open(name);
+        let network = file.network.as_ref().unwrap();
+        let build = file.build(Manner::Repaired).unwrap();
+        write(&folder, build.dcfs().unwrap());
+        let compiled = compile(network, Manner::Repaired, &mut Findings::new());
+        let described = |slave: &Slave| {
+            let mut device = slave.device.clone();
+            // python-canopen reads no values of compact storage
+            device.objects.retain(|_, object| object.compact.is_none());
+            let file = format!("{}.dcf", network.nodes[slave.node].name.value);
+            let entries = expected_entries(&device, slave.node_id);
+            json!({ "file": file, "node_id": slave.node_id, "entries": entries })
+        };
+        let expected: Vec<_> = compiled.nodes().map(described).collect();
+        upload(&programs, &folder, &expected);
+    }
 }
 
 /// The rules about what a schema says too.
