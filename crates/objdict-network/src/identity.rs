@@ -1,7 +1,41 @@
 //! What a node is by its description.
 
+use crate::download::Order;
 use crate::model::{Device, Field, Part, Place};
-use crate::network::Node;
+use crate::network::{Network, Node};
+use crate::stream::Manner;
+
+/// Which numbers of 1000h and 1018h the manager checks before it boots a node; each level has those before it.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, PartialOrd, Ord)]
+pub enum IdentityLevel {
+    /// No number.
+    None,
+    /// Device type and vendor-ID (1F84h, 1F85h).
+    Vendor,
+    /// The product code (1F86h).
+    Product,
+    /// The revision number (1F87h).
+    Revision,
+    /// The serial number (1F88h), where a configured node states it.
+    #[default]
+    Serial,
+}
+
+impl IdentityLevel {
+    /// All levels.
+    pub const ALL: [Self; 5] = [Self::None, Self::Vendor, Self::Product, Self::Revision, Self::Serial];
+
+    /// The word in `network.toml`.
+    pub const fn word(self) -> &'static str {
+        ["none", "vendor", "product", "revision", "serial"][self as usize]
+    }
+
+    /// The level of each number of an identity.
+    const OF_NUMBERS: [Self; 5] = [Self::Vendor, Self::Vendor, Self::Product, Self::Revision, Self::Serial];
+}
+
+/// What vendors write for a number that they do not know.
+const PLACEHOLDER: u32 = u32::MAX;
 
 /// The number in an entry.
 pub(crate) fn number(device: &Device, index: u16, sub: u8, node_id: u8) -> Option<u32> {
@@ -9,29 +43,58 @@ pub(crate) fn number(device: &Device, index: u16, sub: u8, node_id: u8) -> Optio
     u32::try_from(number).ok()
 }
 
-/// Device type, vendor-ID, product code, revision number and serial number (0 where not stated), each with its place:
-/// `DeviceInfo` counts more than 1018h, as in dcfgen.
-pub(crate) fn described(device: &Device, node_id: u8) -> [(u32, Place); 5] {
+/// A number with the place that states it.
+pub(crate) type Stated = (u32, Place);
+
+/// The numbers that `DeviceInfo` and the commissioning state: vendor-ID, product code, revision number and serial number.
+pub(crate) fn stated(device: &Device) -> [Option<Stated>; 4] {
     let info = device.device_info.as_ref();
     let of_info = |number: Option<u32>, field| Some((number?, Place::of(Part::DeviceInfo).field(field)));
     let serial = device.commissioning.as_ref().and_then(|node| node.lss_serial_number);
-    let place = Place::of(Part::Commissioning).field(Field::LssSerialNumber);
-    let or = |stated: Option<(u32, Place)>, index, sub| {
-        let present = || (number(device, index, sub, node_id).unwrap_or(0), device.value_place(index, sub));
-        stated.unwrap_or_else(present)
-    };
+    let serial = serial.map(|serial| (serial, Place::of(Part::Commissioning).field(Field::LssSerialNumber)));
     [
-        or(None, 0x1000, 0),
-        or(info.and_then(|info| of_info(info.vendor_number, Field::VendorNumber)), 0x1018, 1),
-        or(info.and_then(|info| of_info(info.product_number, Field::ProductNumber)), 0x1018, 2),
-        or(info.and_then(|info| of_info(info.revision_number, Field::RevisionNumber)), 0x1018, 3),
-        or(serial.map(|serial| (serial, place)), 0x1018, 4),
+        info.and_then(|info| of_info(info.vendor_number, Field::VendorNumber)),
+        info.and_then(|info| of_info(info.product_number, Field::ProductNumber)),
+        info.and_then(|info| of_info(info.revision_number, Field::RevisionNumber)),
+        serial,
     ]
 }
 
+/// The number of 1018h; `None` for a placeholder.
+pub(crate) fn present(device: &Device, sub: u8, node_id: u8) -> Option<Stated> {
+    let number = number(device, 0x1018, sub, node_id).filter(|number| *number != PLACEHOLDER)?;
+    Some((number, device.value_place(0x1018, sub)))
+}
+
+/// Device type, vendor-ID, product code, revision number and serial number (0 where not stated), each with its place:
+/// `DeviceInfo` counts more than 1018h, as in dcfgen. The default of a serial number is that of no device.
+pub(crate) fn described(device: &Device, node_id: u8, order: Order) -> [Stated; 5] {
+    let device_type = number(device, 0x1000, 0, node_id).unwrap_or(0);
+    let mut identity = [0, 1, 2, 3, 4].map(|_: u8| (device_type, device.value_place(0x1000, 0)));
+    for (sub, stated) in (1..).zip(stated(device)) {
+        let is_default = || device.entry(0x1018, sub).is_none_or(|entry| entry.configured_value().is_none());
+        let present = present(device, sub, node_id)
+            .filter(|_| sub != 4 || order == Order::Dcfgen || !is_default())
+            .unwrap_or_else(|| (0, device.value_place(0x1018, sub)));
+        identity[usize::from(sub)] = stated.filter(|(number, _)| *number != PLACEHOLDER).unwrap_or(present);
+    }
+    identity
+}
+
 /// What the manager expects of the node: what the network file states counts more than the description.
-pub(crate) fn expected(node: &Node, node_id: u8) -> [u32; 5] {
-    let mut identity = described(&node.device, node_id).map(|(number, _)| number);
+pub(crate) fn expected(network: &Network, node: &Node, node_id: u8, manner: Manner) -> [u32; 5] {
+    let device = &node.device;
+    let mut identity = described(device, node_id, network.order).map(|(number, _)| number);
+    if manner == Manner::Strict {
+        // dcfgen knows no placeholders
+        for (number, stated) in identity[1..].iter_mut().zip(stated(device)) {
+            *number = stated.map_or(*number, |(number, _)| number);
+        }
+    }
+    let level = node.identity.or(network.identity).unwrap_or_default();
+    for (number, of) in identity.iter_mut().zip(IdentityLevel::OF_NUMBERS) {
+        *number = if of <= level { *number } else { 0 };
+    }
     for (stated, place) in [(node.revision_number, 3), (node.serial_number, 4)] {
         identity[place] = stated.map_or(identity[place], |stated| stated.value);
     }

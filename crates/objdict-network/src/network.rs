@@ -2,11 +2,11 @@
 
 use std::collections::BTreeMap;
 
-use crate::Link;
 use crate::configure::{PdoName, Setting};
 use crate::download::Order;
 use crate::model::{Address, Device};
 use crate::source::Span;
+use crate::{IdentityLevel, Link};
 
 /// Something that the network file says, with its place there; an empty place for what follows from the rest.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
@@ -39,6 +39,8 @@ pub struct Network {
     pub links: Vec<Link>,
     /// The order in which Lely's master configures the nodes: that of dcfgen for its files, which list downloads by themselves.
     pub order: Order,
+    /// Which numbers of the nodes the manager checks; `None`: all that are stated.
+    pub identity: Option<IdentityLevel>,
     /// The folder in which the manager finds the configurations of the nodes when it runs.
     pub run_time_folder: String,
     /// Whether the network is made of descriptions that are configured already, so that the manager expects what its own says.
@@ -74,6 +76,8 @@ pub struct Node {
     pub downloads: Vec<Said<DownloadWish>>,
     /// How the manager boots the node.
     pub boot: Boot,
+    /// Which numbers the manager checks; `None`: as in the [network](Network::identity).
+    pub identity: Option<IdentityLevel>,
     /// The expected revision number (1F87h).
     pub revision_number: Option<Said<u32>>,
     /// The expected serial number (1F88h).

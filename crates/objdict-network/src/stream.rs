@@ -96,7 +96,7 @@ pub fn compile(network: &Network, manner: Manner, findings: &mut Findings) -> Co
         let mut desk = Desk::new((position, node), node_id.value, manner, findings);
         let is_manager = own == Some(position);
         let manager = network.manager.as_ref().filter(|_| !is_manager);
-        let slave = slave(&mut desk, manager, &mut pool);
+        let slave = slave(network, &mut desk, manager, &mut pool);
         if is_manager {
             compiled.manager = Some(slave);
         } else {
@@ -110,6 +110,7 @@ pub fn compile(network: &Network, manner: Manner, findings: &mut Findings) -> Co
 }
 
 fn slave(
+    network: &Network,
     desk: &mut Desk<'_, '_>,
     manager: Option<&Manager>,
     pool: &mut std::ops::RangeInclusive<u32>,
@@ -162,7 +163,7 @@ fn slave(
         heartbeat,
         emcy: desk.emcy(),
         guard_time,
-        identity: identity::expected(node, desk.node_id),
+        identity: identity::expected(network, node, desk.node_id, desk.manner),
         origins: std::mem::take(&mut desk.origins),
         device: std::mem::take(&mut desk.device),
     }

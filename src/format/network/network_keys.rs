@@ -23,6 +23,7 @@ const DEADLINE: &str =
     "The time after which a receiver misses the PDO: a text with a unit, or a number of ms.";
 const HEARTBEAT: &str = "Producer heartbeat time (1017h): a text with a unit, or a number of ms.";
 const WATCH: &str = "After how many producer heartbeat times others give it up: `1.5x`.";
+const IDENTITY: Shape = Shape::Word(&["none", "vendor", "product", "revision", "serial"]);
 const ERROR_BEHAVIOR: &str = "Reactions to classes of errors (1029h), by sub-index.";
 
 pub(super) const NETWORK: &[Key] = &[
@@ -51,6 +52,11 @@ pub(super) const BUS: &[Key] = &[
         "Synchronous window length (1007h): a text with a unit, or a number of µs.",
     ),
     key("sync-overflow", bits(8), "Synchronous counter overflow value (1019h)."),
+    key(
+        "identity",
+        IDENTITY,
+        "Which numbers of the nodes the manager checks before it boots them (1F84h to 1F88h).",
+    ),
     key(
         "run-time-folder",
         Shape::Text,
@@ -118,6 +124,11 @@ pub(super) const NODE: &[Key] = &[
     key("software-file", Shape::Text, "The program for the node (1F58h)."),
     key("software-version", bits(32), "The expected software identification (1F55h)."),
     key("restore", bits(8), "The sub-index of 1011h that restores the defaults (1F8Ah)."),
+    key(
+        "identity",
+        IDENTITY,
+        "Which numbers the manager checks before it boots the node; that of `bus` without this key.",
+    ),
     key("revision-number", bits(32), "The expected revision number (1F87h)."),
     key("serial-number", bits(32), "The expected serial number (1F88h)."),
     key(

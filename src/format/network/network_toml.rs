@@ -10,8 +10,8 @@ use crate::coupler::flatten;
 use crate::diagnostic::{Diagnostic, Findings, Text, say};
 use crate::model::{Address, Device, PdoKind};
 use crate::network::{
-    Boot, CobIdWish, DownloadWish, Heartbeat, Link, LinkEnd, LinkParameters, LinkedEntries, Manager, Network,
-    Node, PdoWish, Said, Startup, Watch, WatchTime, connect, watch,
+    Boot, CobIdWish, DownloadWish, Heartbeat, IdentityLevel, Link, LinkEnd, LinkParameters, LinkedEntries,
+    Manager, Network, Node, PdoWish, Said, Startup, Watch, WatchTime, connect, watch,
 };
 use crate::source::Span;
 
@@ -50,6 +50,7 @@ impl Reader<'_, '_> {
         let findings = &mut *self.findings;
         network.name = bus.text("name", findings).map(|name| name.value);
         network.bit_rate = bus.integer("bit-rate", findings);
+        network.identity = identity(&bus, findings);
         network.run_time_folder = self.folder(&bus).unwrap_or_default();
         let named = bus.text("manager", self.findings);
         let node = named
@@ -224,6 +225,7 @@ impl Reader<'_, '_> {
             settings,
             downloads,
             boot,
+            identity: identity(&section, findings),
             revision_number: section.integer("revision-number", findings),
             serial_number: section.integer("serial-number", findings),
             run_time_folder,
@@ -418,6 +420,11 @@ impl Reader<'_, '_> {
         }
         end.ok()
     }
+}
+
+fn identity(section: &Section<'_>, findings: &mut Findings) -> Option<IdentityLevel> {
+    let word = section.word("identity", findings)?;
+    IdentityLevel::ALL.into_iter().find(|level| level.word() == word.value)
 }
 
 /// What `bus` and `manager` say, as settings of the described manager.

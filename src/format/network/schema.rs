@@ -65,6 +65,7 @@ fn shape(shape: &Shape) -> Value {
         Shape::Number => json!({ "type": "number", "exclusiveMinimum": 0 }),
         Shape::Flag => json!({ "type": "boolean" }),
         Shape::Text => json!({ "type": ["string", "number"] }),
+        Shape::Word(words) => json!({ "enum": words }),
         Shape::IntegerOr(low, high, word) => json!({ "anyOf": [integer(*low, *high), { "const": word }] }),
         Shape::Value => json!({ "type": ["integer", "number", "string", "boolean"] }),
         Shape::Time(high, _) => json!({ "anyOf": [integer(0, *high), { "type": "string" }] }),

@@ -3,7 +3,7 @@
 use super::rules::{MISSING_KEY, OUT_OF_RANGE, UNKNOWN_KEY, WRONG_TYPE};
 use super::tree::{Entry, Kind, Tree};
 use crate::configure::nanoseconds;
-use crate::diagnostic::{Diagnostic, Findings, Severity, nearest, say};
+use crate::diagnostic::{Diagnostic, Findings, Severity, listing, nearest, say};
 use crate::network::{Said, ValueWish};
 use crate::source::Span;
 
@@ -29,6 +29,8 @@ pub(super) enum Shape {
     Flag,
     /// A text.
     Text,
+    /// One of these words.
+    Word(&'static [&'static str]),
     /// A whole number in a range, or this word.
     IntegerOr(i128, i128, &'static str),
     /// A time: a text with a unit, or a whole number up to the first one of units of so many nanoseconds.
@@ -250,6 +252,20 @@ impl<'t> Section<'t> {
                 None
             }
         }
+    }
+
+    /// A text that is one of the words of the key.
+    pub(super) fn word(&self, name: &str, findings: &mut Findings) -> Option<Said<String>> {
+        let text = self.text(name, findings)?;
+        let key = self.keys.iter().find(|key| key.name == name);
+        let Some(Shape::Word(words)) = key.map(|key| &key.shape) else { return Some(text) };
+        if words.contains(&text.value.as_str()) {
+            return Some(text);
+        }
+        let message = say!("`{}` is not a value of `{}`", text.value, name);
+        let help = say!("write {}", listing(words.iter().map(|word| format!("`{word}`"))));
+        findings.push(Diagnostic::new(&WRONG_TYPE, text.at, message).help(help));
+        None
     }
 
     /// The items of a list.

@@ -3,8 +3,9 @@
 use super::Check;
 use super::timing::sdo_bits;
 use crate::diagnostic::{At, Diagnostic, say};
+use crate::download::Order;
 use crate::identity::{self, number};
-use crate::rules::{BOOT_TIME, WRONG_IDENTITY};
+use crate::rules::{AMBIGUOUS_IDENTITY, BOOT_TIME, WRONG_IDENTITY};
 use crate::stream::Slave;
 
 impl Check<'_, '_> {
@@ -31,7 +32,48 @@ impl Check<'_, '_> {
                         .push(finding.help("correct the number, or use the description of that device"));
                 }
             }
+            self.ambiguous_identity(slave);
             self.expected_identity(slave);
+        }
+    }
+
+    /// Numbers that a description states in two ways, of which the manager checks one.
+    fn ambiguous_identity(&mut self, slave: &Slave) {
+        let node = &self.network.nodes[slave.node];
+        if self.network.manager.is_none() || !node.boot.boot || self.network.is_as_described {
+            return;
+        }
+        let numbers = ["vendor-ID", "product code", "revision number"];
+        for ((position, what), stated) in (1..).zip(numbers).zip(identity::stated(&node.device)) {
+            let Some((stated, place)) = stated else { continue };
+            let Some((present, other)) = identity::present(&node.device, position, slave.node_id) else {
+                continue;
+            };
+            // 0 is not checked, nor is what the network file does not want checked
+            let is_checked = slave.identity[usize::from(position)] == stated && stated != 0;
+            if !is_checked || present == 0 || present == stated {
+                continue;
+            }
+            let name = &node.name.value;
+            let message = say!(
+                "the manager expects the {} {:X}h of `{}`, but 1018h:{:02X} has {:X}h",
+                what,
+                stated,
+                name,
+                position,
+                present
+            );
+            let finding = Diagnostic::new(&AMBIGUOUS_IDENTITY, node.file.at, message)
+                .label(At::Node(slave.node, place), "the expected number")
+                .label(At::Node(slave.node, other), "the number in 1018h");
+            self.findings.push(finding.help(match (position, self.network.order) {
+                (3, Order::Dcfgen) => "state the right one: `revision_number`",
+                (_, Order::Dcfgen) => "correct the description",
+                (3, Order::Safe) => {
+                    "state the right one: `revision-number`, or check less: `identity = \"product\"`"
+                }
+                (_, Order::Safe) => "correct the description, or check less, as with `identity = \"none\"`",
+            }));
         }
     }
 
@@ -39,7 +81,9 @@ impl Check<'_, '_> {
     fn expected_identity(&mut self, slave: &Slave) {
         let Some(manager) = &self.compiled.manager else { return };
         let node = &self.network.nodes[slave.node];
-        let described = identity::described(&node.device, slave.node_id).into_iter().zip(slave.identity);
+        let described = identity::described(&node.device, slave.node_id, self.network.order)
+            .into_iter()
+            .zip(slave.identity);
         let identity = (0x1F84..).zip(described).map(|(index, ((number, place), is))| {
             // the network file may state another one
             (index, is, (number == is).then_some(At::Node(slave.node, place)))
@@ -74,7 +118,8 @@ impl Check<'_, '_> {
             if !node.boot.mandatory {
                 continue;
             }
-            let bits: u64 = slave.downloads.0.iter().map(|download| sdo_bits(download.data.len())).sum();
+            let downloads = slave.arranged().unwrap_or_else(|_| slave.downloads.clone());
+            let bits: u64 = downloads.0.iter().map(|download| sdo_bits(download.data.len())).sum();
             let milliseconds = bits.div_ceil(self.bit_rate());
             if milliseconds > manager.boot_time.value.into() {
                 let message = say!(

@@ -107,6 +107,14 @@ text_rules! {
     remedy: "Correct the number, or use the description that belongs to the device.",
     source: "CiA 302-2, 1F84h to 1F88h",
 
+    AMBIGUOUS_IDENTITY = "network/ambiguous-identity", Warning;
+    summary: "a description states two numbers for what the manager checks",
+    checks: "Whether vendor-ID, product code and revision number of `DeviceInfo`, which the manager expects in 1F85h to 1F87h, are those of 1018h in the same description. 0 and FFFFFFFFh count as not stated.",
+    why: "The manager does not boot a node that answers with another number. Vendors often write a version of the file as `RevisionNumber`.",
+    example: "`RevisionNumber=1` for a device with 1018h:03 = 10002h",
+    remedy: "State the number of the device, correct the description, or let the manager check less.",
+    source: "CiA 302-2, 1F85h to 1F87h; CiA 306-1, `RevisionNumber`",
+
     BOOT_TIME = "network/boot-time", Warning;
     summary: "the configuration takes longer than the boot time",
     checks: "Whether the downloads of each mandatory node take less than the boot time of the manager, on a bus that carries nothing else.",
