@@ -33,9 +33,8 @@ pub struct LelyMaster {
 
 /// The name of the file with the configuration of a node; `None` for one without downloads.
 pub fn configuration_file(network: &Network, slave: &Slave) -> Option<String> {
-    let node = &network.nodes[slave.node];
     let is_empty = slave.sent(network.order).is_ok_and(|downloads| downloads.0.is_empty());
-    (!is_empty).then(|| format!("{}.bin", node.name.value))
+    (!is_empty).then(|| format!("{}.bin", network.file_stems()[slave.node]))
 }
 
 /// The files of the master; `None` for a network without one.

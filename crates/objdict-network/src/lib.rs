@@ -6,6 +6,7 @@
 mod check;
 mod connect;
 mod effective;
+mod files;
 pub mod graph;
 mod identity;
 mod lely;

@@ -59,6 +59,8 @@ pub struct Build<'a> {
     network: &'a Network,
     compiled: Compiled,
     configured_at: Option<ConfigurationTime>,
+    /// What the files of the nodes are called, see [`Network::file_stems`].
+    stems: Vec<String>,
 }
 
 /// When a configuration was made (1020h of a node, 1F26h and 1F27h of the manager). A node that has it already is not configured again.
@@ -78,7 +80,7 @@ impl NetworkFile {
     pub fn build(&self, manner: Manner) -> Result<Build<'_>, BuildError> {
         let network = self.network.as_ref().ok_or(BuildError::NoNetwork)?;
         let compiled = compile(network, manner, &mut Findings::new());
-        Ok(Build { file: self, network, compiled, configured_at: None })
+        Ok(Build { file: self, network, compiled, configured_at: None, stems: network.file_stems() })
     }
 }
 
@@ -128,8 +130,8 @@ impl Build<'_> {
     /// # Errors
     /// When the configuration of a node cannot be sent.
     pub fn concise(&self) -> Result<Vec<BuiltFile>, BuildError> {
-        let stream = |slave| {
-            let name = format!("{}.cdcf", self.name(slave));
+        let stream = |slave: &Slave| {
+            let name = format!("{}.cdcf", self.stems[slave.node]);
             Ok(BuiltFile { name, bytes: self.arranged(slave)?.write()? })
         };
         self.compiled.slaves.iter().map(stream).collect()
@@ -217,10 +219,10 @@ impl Build<'_> {
         let is_manager = self.compiled.manager.as_ref().is_some_and(|manager| manager.node == slave.node);
         let commissioning = self.commissioning(name, slave.node_id, device, is_manager);
         let Some(description) = self.file.descriptions.get(&node.file.value) else {
-            return written(name, device.clone(), commissioning);
+            return written(name, &self.stems[slave.node], device.clone(), commissioning);
         };
         let ending = if description.format().syntax() == format::Syntax::Xml { "xdc" } else { "dcf" };
-        let file_name = format!("{name}.{ending}");
+        let file_name = format!("{}.{ending}", self.stems[slave.node]);
         let settings = NodeSettings {
             node: &commissioning,
             plugged: Some(device),
@@ -233,8 +235,13 @@ impl Build<'_> {
 }
 
 /// A new DCF of a device.
-fn written(name: &str, mut device: Device, commissioning: Commissioning) -> Result<BuiltFile, BuildError> {
-    let file_name = format!("{name}.dcf");
+fn written(
+    name: &str,
+    stem: &str,
+    mut device: Device,
+    commissioning: Commissioning,
+) -> Result<BuiltFile, BuildError> {
+    let file_name = format!("{stem}.dcf");
     device.commissioning = Some(commissioning);
     let info = device.file_info.get_or_insert_default();
     info.file_name = Some(file_name.clone());

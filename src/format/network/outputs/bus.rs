@@ -1,5 +1,7 @@
 //! `bus.yml` for dcfgen and ros2_canopen.
 
+use std::collections::BTreeMap;
+use std::collections::btree_map::Entry;
 use std::fmt::Write as _;
 
 use super::super::quoted;
@@ -12,6 +14,7 @@ impl Build<'_> {
     /// The network as dcfgen takes it, with the descriptions of the nodes.
     pub fn bus_yml(&self) -> Vec<BuiltFile> {
         let mut files: Vec<BuiltFile> = Vec::new();
+        let mut copied = BTreeMap::new();
         let mut text = String::new();
         if !self.network.run_time_folder.is_empty() {
             let _ = writeln!(text, "options:\n  dcf_path: {}\n", quoted(&self.network.run_time_folder));
@@ -21,17 +24,34 @@ impl Build<'_> {
         }
         for slave in &self.compiled.slaves {
             let node = &self.network.nodes[slave.node];
-            let name = node.file.value.rsplit(['/', '\\']).next().unwrap_or_default();
-            let _ = writeln!(text, "\n{}:\n  dcf: {}", quoted(&node.name.value), quoted(name));
+            let (name, is_new) = self.copied(slave.node, &mut copied);
+            let _ = writeln!(text, "\n{}:\n  dcf: {}", quoted(&node.name.value), quoted(&name));
             number(&mut text, "node_id", Some(slave.node_id));
             written(node, &mut text);
-            let is_new = files.iter().all(|file| file.name != name);
             if let Some(description) = self.file.descriptions.get(&node.file.value).filter(|_| is_new) {
-                files.push(BuiltFile { name: name.to_owned(), bytes: description.source().to_bytes() });
+                files.push(BuiltFile { name, bytes: description.source().to_bytes() });
             }
         }
         files.insert(0, BuiltFile { name: "bus.yml".to_owned(), bytes: text.into_bytes() });
         files
+    }
+
+    /// The name of the copy of a node's description, and whether it is a new one. Files of one name in different folders get
+    /// the name of the node too.
+    fn copied<'a>(&'a self, node: usize, copied: &mut BTreeMap<String, &'a str>) -> (String, bool) {
+        let file = self.network.nodes[node].file.value.as_str();
+        let name = file.rsplit(['/', '\\']).next().unwrap_or_default();
+        for name in [name.to_owned(), format!("{}-{name}", self.stems[node])] {
+            match copied.entry(name.to_lowercase()) {
+                Entry::Vacant(entry) => {
+                    entry.insert(file);
+                    return (name, true);
+                }
+                Entry::Occupied(entry) if *entry.get() == file => return (name, false),
+                Entry::Occupied(_) => {}
+            }
+        }
+        (name.to_owned(), false)
     }
 
     fn master(&self, manager: &Manager, text: &mut String) {

@@ -25,7 +25,8 @@ impl Build<'_> {
         let manager = self.network.manager.as_ref().ok_or(BuildError::NoManager)?;
         let node_id = manager.node_id.ok_or(BuildError::NoManager)?;
         let commissioning = self.commissioning(&manager.name.value, node_id.value, &device, true);
-        written(&manager.name.value, device, commissioning)
+        let stem = self.stems.last().unwrap_or(&manager.name.value);
+        written(&manager.name.value, stem, device, commissioning)
     }
 
     /// The manager with its values.

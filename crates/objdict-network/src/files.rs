@@ -1,0 +1,44 @@
+//! Names of files.
+
+use std::collections::HashSet;
+
+use crate::network::Network;
+
+impl Network {
+    /// What the files of each node are called, without an extension: by its position in [`nodes`](Self::nodes), and a manager
+    /// without a description at the end. It is the name of the node; of names that are one on systems which do not distinguish
+    /// upper and lower case, the later ones get the node-ID (`plc-5`).
+    pub fn file_stems(&self) -> Vec<String> {
+        let nodes = self.nodes.iter().map(|node| (&node.name.value, node.node_id));
+        let manager = self.manager.iter().filter(|manager| manager.node.is_none());
+        let manager = manager.map(|manager| (&manager.name.value, manager.node_id));
+        let mut taken: HashSet<String> = HashSet::new();
+        let stem = |(name, node_id): (&String, Option<crate::Said<u8>>)| {
+            let numbered = node_id.map(|node_id| format!("{name}-{}", node_id.value));
+            let further = (2..).map(|number| format!("{name}-{number}"));
+            let mut stems = std::iter::once(name.clone()).chain(numbered).chain(further);
+            // one of the endless names is free
+            stems.find(|stem| taken.insert(stem.to_lowercase())).unwrap_or_default()
+        };
+        nodes.chain(manager).map(stem).collect()
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::network::{Node, Said};
+    use crate::source::Span;
+
+    #[test]
+    fn stems_differ_in_more_than_their_case() {
+        let node = |name: &str, node_id| Node {
+            name: Said::new(name.to_owned(), Span::empty(0)),
+            node_id: Some(Said::new(node_id, Span::empty(0))),
+            ..Node::default()
+        };
+        let nodes = vec![node("PLC", 1), node("plc", 5), node("left", 2), node("Plc-5", 3), node("plc", 5)];
+        let network = Network { nodes, ..Network::default() };
+        assert_eq!(network.file_stems(), ["PLC", "plc-5", "left", "Plc-5-3", "plc-2"]);
+    }
+}
