@@ -17,7 +17,7 @@ use crate::lint::{Level, Severities};
 use crate::model::Address;
 #[cfg(feature = "lint")]
 use crate::pipeline::Configuration;
-use crate::pipeline::{Generation, Judged, Request, placed, save};
+use crate::pipeline::{Generation, Judged, OutputFolder, Request, Used, placed};
 use crate::registry;
 use crate::source::{self, Encoding};
 
@@ -32,6 +32,7 @@ const MAX_WARNINGS: usize = 20;
 pub struct Builder {
     request: Request,
     out_dir: Option<PathBuf>,
+    overwrite: bool,
     max_warnings: usize,
     /// The first invalid option.
     failure: Option<Error>,
@@ -41,7 +42,7 @@ impl Builder {
     /// Generates from the description at `path`: EDS, DCF, XDD, XDC, or the JSON of a device.
     pub fn new(path: impl AsRef<Path>) -> Self {
         let request = Request { file: path.as_ref().to_owned(), ..Request::default() };
-        Self { request, out_dir: None, max_warnings: MAX_WARNINGS, failure: None }
+        Self { request, out_dir: None, overwrite: false, max_warnings: MAX_WARNINGS, failure: None }
     }
 
     /// What to generate; may be called several times. Without it, the first
@@ -54,6 +55,13 @@ impl Builder {
     /// The folder that the files go to, instead of the one that the variable `OUT_DIR` names.
     pub fn out_dir(mut self, folder: impl AsRef<Path>) -> Self {
         self.out_dir = Some(folder.as_ref().to_owned());
+        self
+    }
+
+    /// Whether to replace files in the folder that objdict did not write, or that were changed since. The inputs are never
+    /// replaced.
+    pub fn overwrite(mut self, overwrite: bool) -> Self {
+        self.overwrite = overwrite;
         self
     }
 
@@ -218,7 +226,8 @@ impl Builder {
         let (judged, generation) = produced?;
         self.warn(&judged, &generation, &mut cargo).map_err(Error::Cargo)?;
         let folder = self.out_dir.or_else(|| std::env::var_os("OUT_DIR").map(PathBuf::from));
-        write(&generation, &folder.ok_or(Error::NoOutDir)?)
+        let folder = OutputFolder::open(&folder.ok_or(Error::NoOutDir)?, "generate", self.overwrite)?;
+        write(&generation, folder, &files)
     }
 
     fn produce(&self, files: &mut Vec<PathBuf>) -> Result<(Judged, Generation), Error> {
@@ -307,16 +316,18 @@ fn with_advice(line: String, help: Option<&str>) -> String {
     }
 }
 
-fn write(generation: &Generation, folder: &Path) -> Result<Built, Error> {
+fn write(generation: &Generation, mut folder: OutputFolder, read: &[PathBuf]) -> Result<Built, Error> {
+    let mut used = Used::default();
+    read.iter().for_each(|file| used.add(file));
+    let files = || generation.outputs.iter().flat_map(|(_, generated)| &generated.files);
+    files().try_for_each(|file| folder.admit(&file.path, &file.contents, &used))?;
     let Generation { objects, entries, .. } = *generation;
     let sizes = generation.sizes.iter().map(|(target, sizes)| (target.name(), sizes.clone())).collect();
     let mut built = Built { objects, entries, files: Vec::new(), sizes };
-    for file in generation.outputs.iter().flat_map(|(_, generated)| &generated.files) {
-        let path = folder.join(&file.path);
-        if let Err(error) = save(&path, &file.contents) {
-            return Err(Error::Unwritable { path, error });
-        }
-        built.files.push(path);
+    for file in files() {
+        folder.save(&file.path, &file.contents, &mut used)?;
+        built.files.push(folder.join(&file.path));
     }
+    folder.finish()?;
     Ok(built)
 }

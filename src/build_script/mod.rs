@@ -43,7 +43,7 @@ use std::path::{Path, PathBuf};
 
 pub use self::builder::Builder;
 use crate::generate::Sizes;
-pub use crate::pipeline::Error;
+pub use crate::pipeline::{Error, OutputError};
 
 /// What a build script made.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]

@@ -30,7 +30,7 @@ pub(super) use self::generate::{GenerateArgs, SizeFormat};
 pub(super) use self::network::{
     GraphFormat, NetworkArgs, NetworkBuildArgs, NetworkCheckArgs, NetworkCommand, NetworkDiffArgs,
     NetworkFormat, NetworkGraphArgs, NetworkInitArgs, NetworkInputArgs, NetworkSchemaArgs, NetworkShowArgs,
-    NetworkTarget,
+    NetworkTarget, NetworkVerifyArgs,
 };
 pub(super) use self::new::NewArgs;
 use super::baseline::BaselineArgs;
@@ -236,6 +236,14 @@ pub(super) enum ShowFormat {
     Json,
 }
 
+/// What is replaced in a folder.
+#[derive(Clone, Copy, Debug, Default, clap::Args)]
+pub(super) struct OverwriteArgs {
+    /// Also replace files in the folder that objdict did not write, or that were changed since
+    #[arg(long)]
+    pub overwrite: bool,
+}
+
 /// What is added to the device that a file describes.
 #[derive(Debug, clap::Args)]
 #[command(next_help_heading = "Input")]
@@ -398,6 +406,8 @@ pub(super) struct ManArgs {
     /// The same, in its old place
     #[arg(value_name = "DIR", hide = true, conflicts_with = "output")]
     folder: Option<PathBuf>,
+    #[command(flatten)]
+    pub overwrite: OverwriteArgs,
 }
 
 impl ManArgs {

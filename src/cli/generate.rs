@@ -8,22 +8,17 @@ use super::args::{GenerateArgs, SizeFormat};
 use super::input::name_of;
 use super::output::Output;
 use super::progress::Progress;
-use super::save::{Saved, keep, require_other, save, save_in_place};
+use super::save::{Folder, Saved, keep, require_other, save, save_in_place};
 use super::sizes;
 use super::table::Table;
 use super::{Failure, Outcome, note, tell};
 use crate::diagnostic::Severity;
-use crate::download::ConciseDcf;
 use crate::format::ReadError;
 use crate::format::input::Input;
 use crate::generate::Target;
 use crate::pipeline::{Error, Generation, Judged, Request, Room, depfile, report_lines};
 use crate::report::{Tally, plural};
 use crate::scaffold;
-use crate::source::{self, DEFAULT_MAX_SIZE};
-
-/// The mark of objdict is in so many bytes at the start of a file.
-const HEAD: usize = 400;
 
 pub(super) fn run(args: &GenerateArgs, out: &mut Output) -> Result<Outcome, Failure> {
     let request = request(args)?;
@@ -47,8 +42,8 @@ pub(super) fn run(args: &GenerateArgs, out: &mut Output) -> Result<Outcome, Fail
     if args.list {
         list(args, &generation, out)?;
     } else {
-        admit(args, &generation, &files)?;
-        write(args, &judged, &generation, out)?;
+        let folder = admit(args, &generation, &files)?;
+        write(args, &judged, &generation, folder, out)?;
         stamp(args, &files)?;
     }
     for (target, generated) in &generation.outputs {
@@ -95,13 +90,14 @@ fn write(
     args: &GenerateArgs,
     judged: &Judged,
     generation: &Generation,
+    mut folder: Folder,
     out: &mut Output,
 ) -> Result<(), Failure> {
     let mut table = Table::new(["", "", "", ""], usize::MAX);
     for (target, generated) in &generation.outputs {
         for file in &generated.files {
             let path = args.output.join(&file.path);
-            let saved = match save(&path, &file.contents)? {
+            let saved = match folder.save(&file.path, &file.contents)? {
                 Saved::Written => "",
                 Saved::Unchanged => "unchanged",
             };
@@ -109,6 +105,7 @@ fn write(
             table.row([format!("  {}", target.name()), path.display().to_string(), size, saved.to_owned()]);
         }
     }
+    folder.finish()?;
     if args.report.is_some() && args.format == SizeFormat::Json {
         sizes::write_json(&generation.sizes, out)?;
     } else {
@@ -121,31 +118,14 @@ fn write(
     Ok(out.flush()?)
 }
 
-/// Refuses to write over what is read, and over what objdict did not make. Nothing is written before all is admitted.
-fn admit(args: &GenerateArgs, generation: &Generation, read: &[PathBuf]) -> Result<(), Failure> {
+/// Refuses to write over what is read, and over what objdict did not write. Nothing is written before all is admitted.
+fn admit(args: &GenerateArgs, generation: &Generation, read: &[PathBuf]) -> Result<Folder, Failure> {
     read.iter().for_each(|file| keep(file));
     args.stamp.iter().chain(&args.depfile).try_for_each(|path| require_other(path))?;
-    for file in generation.outputs.iter().flat_map(|(_, generated)| &generated.files) {
-        let path = args.output.join(&file.path);
-        require_other(&path)?;
-        if !args.force && !is_made(&path, &file.contents) {
-            let failure = Failure::new(format_args!("`{}` was not made by objdict", path.display()));
-            return Err(failure.help("name another folder, or overwrite it with `--force`"));
-        }
-    }
-    Ok(())
-}
-
-/// Whether the contents may be written to a path: a file there is empty, is a concise DCF, begins with the mark of objdict
-/// or, as the output of a custom template need not have that, with the line that the new one begins with.
-fn is_made(path: &Path, contents: &[u8]) -> bool {
-    let Ok(old) = source::read(path, DEFAULT_MAX_SIZE) else { return !path.is_file() };
-    let first = |text: &[u8]| text.split(|&byte| byte == b'\n').next().map(<[u8]>::to_vec);
-    let head = &old[..old.len().min(HEAD)];
-    old.is_empty()
-        || memchr::memmem::find(head, b"objdict").is_some()
-        || first(&old) == first(contents)
-        || (path.extension().is_some_and(|ending| ending == "cdcf") && ConciseDcf::parse(&old).is_ok())
+    let folder = Folder::open(&args.output, "generate", &args.overwrite)?;
+    let mut files = generation.outputs.iter().flat_map(|(_, generated)| &generated.files);
+    files.try_for_each(|file| folder.admit(&file.path, &file.contents))?;
+    Ok(folder)
 }
 
 fn list(args: &GenerateArgs, generation: &Generation, out: &mut Output) -> Result<(), Failure> {

@@ -125,6 +125,7 @@ impl SizeArgs {
     /// The bytes of a file as they are.
     fn bytes(&self, path: &Path) -> Result<Vec<u8>, Failure> {
         if path == Path::new("-") {
+            keep(Path::new("/dev/stdin"));
             let bytes = source::read_stream(io::stdin().lock(), STDIN, self.max_size, Vec::new());
             return Ok(bytes.map_err(ReadError::from)?);
         }

@@ -55,9 +55,9 @@ pub(super) fn run(args: &NewArgs, out: &mut Output) -> Result<Outcome, Failure> 
         out.write_all(&bytes)?;
         return Ok(Outcome::Clean);
     }
-    if args.output.exists() && !args.force {
+    if args.output.exists() && !args.overwrite {
         let message = format!("`{}` exists", args.output.display());
-        return Err(Failure::new(message).help("name another file, or overwrite it with `--force`"));
+        return Err(Failure::new(message).help("name another file, or replace it with `--overwrite`"));
     }
     save(&args.output, &bytes)?;
     let (pdos, objects) = (device.pdos().count(), device.objects.len());

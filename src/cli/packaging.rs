@@ -5,7 +5,7 @@ use clap_mangen::Man;
 
 use super::args::{Args, CompletionsArgs, ManArgs};
 use super::output::Output;
-use super::save::save;
+use super::save::Folder;
 use super::{Failure, Outcome};
 
 /// The completions of a shell.
@@ -23,17 +23,19 @@ pub(super) fn completions(args: &CompletionsArgs, out: &mut Output) -> Result<Ou
 pub(super) fn man(args: &ManArgs) -> Result<Outcome, Failure> {
     let mut command = <Args>::command();
     command.build();
+    let mut folder = Folder::open(args.output(), "man", &args.overwrite)?;
     let commands = command.get_subcommands().filter(|command| !command.is_hide_set());
     for page in std::iter::once(&command).chain(commands) {
         let name = page.get_display_name().unwrap_or(page.get_name());
-        save(&args.output().join(format!("{name}.1")), &render(page)?)?;
+        folder.save(&format!("{name}.1"), &render(page)?)?;
     }
+    folder.finish()?;
     Ok(Outcome::Clean)
 }
 
 fn render(page: &Command) -> Result<Vec<u8>, Failure> {
-    let mut text = Vec::new();
     let source = concat!("objdict ", env!("CARGO_PKG_VERSION"));
+    let mut text = format!(".\\\" Made by {source}; do not edit.\n").into_bytes();
     Man::new(page.clone()).manual("objdict").source(source).render(&mut text)?;
     Ok(text)
 }

@@ -1,72 +1,94 @@
 //! Files that a command writes, none of which takes the place of one that it reads.
 
-use std::collections::HashSet;
 use std::path::Path;
-use std::sync::{Mutex, Once, PoisonError};
+use std::sync::{Mutex, MutexGuard, Once, PoisonError};
 
 use super::Failure;
-use crate::pipeline;
+use super::args::OverwriteArgs;
 pub(super) use crate::pipeline::Saved;
+use crate::pipeline::{self, OutputError, OutputFolder, Used};
 
 /// The files that this run reads or has written.
-static KNOWN: Mutex<Option<HashSet<Identity>>> = Mutex::new(None);
+static USED: Mutex<Option<Used>> = Mutex::new(None);
 
-/// What a file is, whatever it is called: its device and its number there, or its full path where files have no numbers.
-#[cfg(unix)]
-type Identity = (u64, u64);
-#[cfg(not(unix))]
-type Identity = std::path::PathBuf;
-
-/// `None` for what does not exist, and for pipes and devices: writing to these takes nothing away.
-#[cfg(unix)]
-fn identity(path: &Path) -> Option<Identity> {
-    use std::os::unix::fs::MetadataExt;
-    path.metadata().ok().filter(std::fs::Metadata::is_file).map(|file| (file.dev(), file.ino()))
-}
-
-#[cfg(not(unix))]
-fn identity(path: &Path) -> Option<Identity> {
-    path.canonicalize().ok().filter(|path| path.is_file())
+fn with_used<T>(act: impl FnOnce(&mut Used) -> Result<T, OutputError>) -> Result<T, Failure> {
+    let mut used: MutexGuard<'_, Option<Used>> = USED.lock().unwrap_or_else(PoisonError::into_inner);
+    Ok(act(used.get_or_insert_default())?)
 }
 
 /// Notes that this run uses a file, so that nothing is written over it.
 pub(super) fn keep(path: &Path) {
-    if let Some(identity) = identity(path) {
-        KNOWN.lock().unwrap_or_else(PoisonError::into_inner).get_or_insert_default().insert(identity);
-    }
+    let _ = with_used(|used| {
+        used.add(path);
+        Ok(())
+    });
 }
 
-/// Gives the file at `path` its contents: all of them or, when something fails, none. Folders are made.
+/// Gives the file at `path`, which an argument names, its contents: all of them or, when something fails, none. Folders are
+/// made.
 ///
 /// # Errors
 /// When it cannot be written, or is a file that this run reads or has written.
 pub(super) fn save(path: &Path, contents: &[u8]) -> Result<Saved, Failure> {
-    require_other(path)?;
-    let saved = save_in_place(path, contents)?;
-    keep(path);
-    Ok(saved)
+    end_well();
+    with_used(|used| used.save(path, contents))
 }
 
 /// The same for a file that is changed by what is read from it.
 pub(super) fn save_in_place(path: &Path, contents: &[u8]) -> Result<Saved, Failure> {
+    end_well();
+    pipeline::save(path, contents)
+        .map_err(|error| OutputError::Unwritable { path: path.to_owned(), error }.into())
+}
+
+/// Leaves no temporary file when the command is interrupted.
+fn end_well() {
     static SIGNALS: Once = Once::new();
     SIGNALS.call_once(|| {
-        // without it, a temporary file may be left when the command is interrupted
         let _ = ctrlc::set_handler(|| pipeline::abandon(|| std::process::exit(130)));
     });
-    pipeline::save(path, contents)
-        .map_err(|error| Failure::new(format_args!("cannot write `{}`: {error}", path.display())))
 }
 
 /// Refuses an output that is a file which this run reads or has written.
 pub(super) fn require_other(path: &Path) -> Result<(), Failure> {
-    let known = KNOWN.lock().unwrap_or_else(PoisonError::into_inner);
-    match (&*known, identity(path)) {
-        (Some(known), Some(identity)) if known.contains(&identity) => {
-            let message = format_args!("`{}` is another input or output of this run", path.display());
-            Err(Failure::new(message).help("name another file for the output"))
-        }
-        _ => Ok(()),
+    with_used(|used| used.require_other(path))
+}
+
+/// A folder that a command writes into, where only what objdict wrote is replaced.
+pub(super) struct Folder(OutputFolder);
+
+impl Folder {
+    /// The folder at `path`; `origin` is the command.
+    pub(super) fn open(path: &Path, origin: &str, args: &OverwriteArgs) -> Result<Self, Failure> {
+        Ok(Self(OutputFolder::open(path, origin, args.overwrite)?))
+    }
+
+    /// Refuses a file that must not be written.
+    pub(super) fn admit(&self, name: &str, contents: &[u8]) -> Result<(), Failure> {
+        with_used(|used| self.0.admit(name, contents, used))
+    }
+
+    /// As [`save`], for a file in the folder.
+    pub(super) fn save(&mut self, name: &str, contents: &[u8]) -> Result<Saved, Failure> {
+        end_well();
+        with_used(|used| self.0.save(name, contents, used))
+    }
+
+    /// Writes all files or none, and returns the names of those of earlier runs; see [`OutputFolder::replace`].
+    pub(super) fn replace(self, files: &[(&str, &[u8])]) -> Result<Vec<String>, Failure> {
+        end_well();
+        with_used(|used| self.0.replace(files, used))
+    }
+
+    /// Notes which files were written.
+    pub(super) fn finish(self) -> Result<(), Failure> {
+        Ok(self.0.finish()?)
+    }
+}
+
+impl From<OutputError> for Failure {
+    fn from(error: OutputError) -> Self {
+        Self { help: error.help("--overwrite"), ..Self::new(error) }
     }
 }
 

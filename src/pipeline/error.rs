@@ -4,6 +4,7 @@ use std::fmt::{self, Display};
 use std::io;
 use std::path::PathBuf;
 
+use super::OutputError;
 #[cfg(all(feature = "json", feature = "lint"))]
 use crate::baseline::BaselineError;
 use crate::diagnostic::{Findings, one_line};
@@ -98,14 +99,9 @@ pub enum Error {
         /// Why it is not known.
         why: &'static str,
     },
-    /// A file cannot be written.
-    #[error("cannot write `{}`: {error}", path.display())]
-    Unwritable {
-        /// The file.
-        path: PathBuf,
-        /// What the system said.
-        error: io::Error,
-    },
+    /// A file is not written.
+    #[error(transparent)]
+    Output(#[from] OutputError),
     /// No output folder is set.
     #[error("the variable `OUT_DIR` is not set")]
     NoOutDir,
@@ -146,11 +142,8 @@ impl Error {
             Self::NoOutDir => {
                 Some("Cargo sets it for build scripts; otherwise set the folder with `out_dir`".to_owned())
             }
-            Self::Config(_)
-            | Self::Choice(_)
-            | Self::Target { .. }
-            | Self::Unwritable { .. }
-            | Self::Cargo(_) => None,
+            Self::Output(error) => error.help("overwrite"),
+            Self::Config(_) | Self::Choice(_) | Self::Target { .. } | Self::Cargo(_) => None,
         }
     }
 

@@ -4,7 +4,7 @@
 #[cfg(feature = "cli")]
 mod depfile;
 mod error;
-mod save;
+mod output;
 
 use std::borrow::Cow;
 use std::cmp::Reverse;
@@ -20,9 +20,10 @@ pub use self::error::Error;
 pub(crate) use self::error::placed;
 #[cfg(feature = "cli")]
 pub(crate) use self::error::report_lines;
-pub(crate) use self::save::save;
+pub use self::output::OutputError;
 #[cfg(feature = "cli")]
-pub(crate) use self::save::{Saved, abandon};
+pub(crate) use self::output::{Manifest, State, abandon};
+pub(crate) use self::output::{OutputFolder, Saved, Used, save};
 #[cfg(all(feature = "json", feature = "lint"))]
 use crate::baseline::{self, Baseline};
 #[cfg(feature = "lint")]

@@ -3,7 +3,7 @@
 use std::fs;
 use std::path::Path;
 
-use objdict::build_script::{Builder, Built, Error};
+use objdict::build_script::{Builder, Built, Error, OutputError};
 use objdict::diagnostic::Severity;
 use objdict::format::input::FileKind;
 use objdict::generate::{Names, Target};
@@ -62,7 +62,7 @@ fn the_command_writes_the_same() {
         .unwrap();
     assert!(status.status.success(), "{}", String::from_utf8_lossy(&status.stderr));
     let files = names(&built);
-    assert_eq!(fs::read_dir(theirs.path()).unwrap().count(), files.len());
+    assert_eq!(fs::read_dir(theirs.path()).unwrap().count(), files.len() + 1, "and the list of files");
     for name in ["od.rs", "io.h", "io.c", "io-401-node5.cdcf"] {
         assert!(files.iter().any(|file| file == name), "{name} is not in {files:?}");
     }
@@ -290,4 +290,36 @@ fn a_missing_folder_for_the_files_is_reported() {
         let error = run(Builder::new(fixture("eds/minimal.eds"))).0.unwrap_err();
         assert!(matches!(error, Error::NoOutDir));
     }
+}
+
+/// What the build script writes replaces what it wrote, and no input.
+#[test]
+fn files_of_others_stay() {
+    let out = TempDir::new().unwrap();
+    let eds = out.path().join("od.rs");
+    fs::copy(fixture("eds/minimal.eds"), &eds).unwrap();
+    let error = run(Builder::new(&eds).out_dir(out.path()).overwrite(true).no_config()).0.unwrap_err();
+    assert!(matches!(error, Error::Output(OutputError::InUse { .. })), "{error:?}");
+    assert_eq!(fs::read(&eds).unwrap(), fs::read(fixture("eds/minimal.eds")).unwrap());
+    fs::remove_file(&eds).unwrap();
+
+    let builder = || {
+        let builder = Builder::new(fixture("dcf/io-401-node5.dcf")).out_dir(out.path());
+        builder.target(Target::RUST).target(Target::CONCISE)
+    };
+    let path = out.path().join("io-401-node5.cdcf");
+    fs::write(&path, "by hand").unwrap();
+    let error = run(builder()).0.unwrap_err();
+    assert!(matches!(error, Error::Output(OutputError::Foreign { .. })), "{error:?}");
+    assert!(
+        format!("{error:?}").ends_with("\n  help: name another folder, or replace the file with `overwrite`")
+    );
+    assert_eq!(fs::read(&path).unwrap(), b"by hand");
+    assert!(!out.path().join("od.rs").exists(), "nothing is written");
+    run(builder().overwrite(true)).0.unwrap();
+    run(builder()).0.unwrap();
+    run(builder().node_id(7)).0.unwrap();
+    fs::write(&path, "changed").unwrap();
+    let error = run(builder()).0.unwrap_err();
+    assert!(matches!(error, Error::Output(OutputError::Changed { .. })), "{error:?}");
 }

@@ -41,7 +41,7 @@ fn walk(folder: &Path) -> Vec<String> {
 }
 
 /// Each flag as it was called before, and as it is called now.
-const RENAMED: [(&str, &str); 15] = [
+const RENAMED: [(&str, &str); 13] = [
     (
         "generate FIXTURES/eds/minimal.eds --target c --out gen",
         "generate FIXTURES/eds/minimal.eds --target c -o gen",
@@ -55,14 +55,8 @@ const RENAMED: [(&str, &str); 15] = [
         "generate FIXTURES/eds/minimal.eds --target c -o gen --report size --report-format json",
         "generate FIXTURES/eds/minimal.eds --target c -o gen --report size --format json",
     ),
-    ("convert FIXTURES/eds/minimal.eds copy.xdd", "convert FIXTURES/eds/minimal.eds -o copy.xdd"),
-    ("convert FIXTURES/eds/minimal.eds - --to xdd", "convert FIXTURES/eds/minimal.eds --to xdd"),
     (
-        "convert FIXTURES/eds/minimal.eds FIXTURES/eds/io-401.eds new/ --to json",
-        "convert FIXTURES/eds/minimal.eds FIXTURES/eds/io-401.eds --output new/ --to json",
-    ),
-    (
-        "convert FIXTURES/eds/minimal.eds a.dcf --node-id 5 --baudrate 125 --node-name pump",
+        "convert FIXTURES/eds/minimal.eds -o a.dcf --node-id 5 --baudrate 125 --node-name pump",
         "convert FIXTURES/eds/minimal.eds -o a.dcf --node-id 5 --bit-rate 125 --name pump",
     ),
     (
@@ -78,6 +72,10 @@ const RENAMED: [(&str, &str); 15] = [
         "dcf pack FIXTURES/dcf/encoder-406-node3.dcf --to hex",
     ),
     ("man pages", "man -o pages"),
+    (
+        "new --digital-inputs 8 --date 2026-11-21 -o node.toml --to eds --force",
+        "new --digital-inputs 8 --date 2026-11-21 -o node.toml --to eds --overwrite",
+    ),
     (
         "new --digital-inputs 8 --analogue-inputs 2 --date 2026-11-21 -o io.eds",
         "new --digital-inputs 8 --analog-inputs 2 --date 2026-11-21 --output io.eds",

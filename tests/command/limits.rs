@@ -153,12 +153,12 @@ fn compact_storage_does_not_explode() {
     };
     // what is compared and what is carried is not in memory at once for all entries
     fs::write(folder.path().join("some.eds"), (0..40).map(compact).collect::<String>()).unwrap();
-    assert_eq!(refusal(folder.path(), 36 * 1024, "convert some.eds some.xdd").0, Some(0));
+    assert_eq!(refusal(folder.path(), 36 * 1024, "convert some.eds -o some.xdd").0, Some(0));
     let many: String = (0..4000).map(compact).collect();
     fs::write(folder.path().join("many.eds"), &many).unwrap();
     for line in [
-        "convert many.eds many.xdd",
-        "convert many.eds many.json",
+        "convert many.eds -o many.xdd",
+        "convert many.eds -o many.json",
         "generate many.eds --target c -o out",
         "docs many.eds -o many.html",
         "show many.eds",
@@ -171,7 +171,7 @@ fn compact_storage_does_not_explode() {
         assert!(message.contains("raise the limit with `--max-entries`"), "{line}: {message}");
     }
     fs::write(folder.path().join("few.eds"), compact(0)).unwrap();
-    let convert = "convert few.eds few.json --max-entries";
+    let convert = "convert few.eds -o few.json --max-entries";
     assert_eq!(refusal(folder.path(), 1 << 20, &format!("{convert} 253")).0, Some(2));
     assert_eq!(refusal(folder.path(), 1 << 20, &format!("{convert} 254")).0, Some(0));
 }

@@ -14,6 +14,7 @@ mod flags;
 mod limits;
 mod outputs;
 mod page;
+mod replaced;
 mod reports;
 #[path = "../support/mod.rs"]
 mod support;

@@ -72,28 +72,141 @@ fn a_dcf_is_changed_in_place_on_request() {
     assert!(text.contains("NodeID=5"), "{text}");
 }
 
+/// A second path is one more input, wherever it is.
 #[test]
-fn generated_files_replace_only_generated_files() {
+fn only_an_option_names_an_output() {
     let folder = folder();
-    let own = folder.path().join("gen/od.h");
+    let other = fs::read("fixtures/eds/minimal.eds").unwrap();
+    fs::write(folder.path().join("b.eds"), &other).unwrap();
+    for (line, message) in [
+        ("convert a.eds b.eds", "missing output"),
+        ("convert a.eds b.xdd", "missing output"),
+        ("convert a.eds b.eds --to xdd", "2 files cannot go to the standard output"),
+        ("convert a.eds b.eds --to xdd -o -", "2 files cannot go to the standard output"),
+        ("convert a.eds b.eds -o b.eds --to xdd", "cannot write `b.eds/"),
+    ] {
+        let output = objdict(folder.path(), line);
+        assert_eq!(output.status.code(), Some(2), "{line}: {}", errors(&output));
+        assert!(errors(&output).contains(message), "{line}: {}", errors(&output));
+        assert_eq!(fs::read(folder.path().join("a.eds")).unwrap(), fs::read(SOURCE).unwrap(), "{line}");
+        assert_eq!(fs::read(folder.path().join("b.eds")).unwrap(), other, "{line}");
+        assert_eq!(names(folder.path()), ["a.eds", "b.eds"], "{line}");
+    }
+    assert_eq!(objdict(folder.path(), "convert a.eds b.eds -o out --to xdd").status.code(), Some(0));
+    assert_eq!(names(&folder.path().join("out")), ["a.xdd", "b.xdd", "objdict.sha256"]);
+}
+
+/// A file that an option names is replaced, as compilers do.
+#[test]
+fn a_named_output_replaces_what_is_there() {
+    let folder = folder();
+    for (line, name) in [
+        ("convert a.eds -o x.xdd", "x.xdd"),
+        ("configure a.eds --node-id 3 --bit-rate 125 -o x.dcf", "x.dcf"),
+        ("docs a.eds -o x.html", "x.html"),
+        ("dcf pack a.eds --node-id 1 --all -o x.cdcf", "x.cdcf"),
+        ("check a.eds --write-baseline x.json", "x.json"),
+    ] {
+        fs::write(folder.path().join(name), "of another program").unwrap();
+        let output = objdict(folder.path(), line);
+        assert_eq!(output.status.code(), Some(0), "{line}: {}", errors(&output));
+        assert!(fs::read(folder.path().join(name)).unwrap() != b"of another program", "{line}");
+    }
+    // what it writes is edited by hand
+    let new = "new --digital-inputs 8 --date 2026-11-21 -o x.eds";
+    let codes =
+        [new, new, &format!("{new} --overwrite")].map(|line| objdict(folder.path(), line).status.code());
+    assert_eq!(codes, [Some(0), Some(2), Some(0)]);
+}
+
+/// The commands that write into a folder, each with a file that it writes there and a change of the input that changes the file.
+fn folder_commands() -> [(&'static str, &'static str); 7] {
+    [
+        ("generate a.eds --target c -o out", "od.h"),
+        ("generate a.eds --target concise --node-id 3 -o out", "a.cdcf"),
+        ("generate a.eds --target template --template od.txt.j2 -o out", "od.txt"),
+        ("convert a.eds -o out/ --to json", "a.json"),
+        ("docs a.eds -o out/", "a.html"),
+        ("docs a.eds network.toml -o out --to markdown", "index.md"),
+        ("network build network.toml --target dcf -o out", "io.dcf"),
+    ]
+}
+
+/// In folders, only what objdict wrote is replaced.
+#[test]
+fn files_of_others_stay() {
+    let source = fs::read_to_string(SOURCE).unwrap();
+    for (line, name) in folder_commands() {
+        let folder = folder();
+        let path = folder.path().join("out").join(name);
+        let run = |line: &str, code: i32, message: &str| {
+            let output = objdict(folder.path(), line);
+            assert_eq!(output.status.code(), Some(code), "{line}: {}", errors(&output));
+            assert!(errors(&output).contains(message), "{line}: {}", errors(&output));
+        };
+        fs::create_dir(folder.path().join("out")).unwrap();
+        let network = "[manager]\nid = 1\n[node.io]\nfile = \"a.eds\"\nid = 2\n";
+        fs::write(folder.path().join("network.toml"), network).unwrap();
+        fs::write(folder.path().join("od.txt.j2"), "{{ device.file_info.description }}\n").unwrap();
+        fs::write(&path, "by hand\n").unwrap();
+        run(line, 2, &format!("`out/{name}` was not written by objdict\n"));
+        run(&line.replace(" -o", " --force -o"), 2, "");
+        assert_eq!(fs::read(&path).unwrap(), b"by hand\n", "{line}");
+        run(&format!("{line} --overwrite"), 0, "");
+        let first = fs::read(&path).unwrap();
+        run(line, 0, "");
+        // changed input, changed output
+        let changed =
+            source.replace("ProductName=", "ProductName=New ").replace("Description=", "Description=New ");
+        fs::write(folder.path().join("a.eds"), changed.replace("Producer heartbeat", "Heartbeat")).unwrap();
+        run(line, 0, "");
+        if !line.contains("concise") {
+            assert!(fs::read(&path).unwrap() != first, "{line}");
+        }
+        // a file that says in its first lines that it is generated is no place for changes
+        if name != "od.h" {
+            fs::write(&path, "changed by hand\n").unwrap();
+            run(line, 2, &format!("`out/{name}` was changed after objdict wrote it\n"));
+            assert_eq!(fs::read(&path).unwrap(), b"changed by hand\n", "{line}");
+        }
+        run(&format!("{line} --overwrite"), 0, "");
+    }
+}
+
+/// `--force` goes on despite errors, and replaces nothing.
+#[test]
+fn nothing_is_written_beside_a_file_of_others() {
+    let folder = folder();
     fs::create_dir(folder.path().join("gen")).unwrap();
-    fs::write(&own, "/* by hand */\n").unwrap();
-    let generate = "generate a.eds --target c -o gen";
-    let output = objdict(folder.path(), generate);
-    assert_eq!(output.status.code(), Some(2));
-    assert!(errors(&output).contains("`gen/od.h` was not made by objdict"), "{}", errors(&output));
-    assert_eq!(fs::read_to_string(&own).unwrap(), "/* by hand */\n");
-    assert_eq!(fs::read_dir(folder.path().join("gen")).unwrap().count(), 1, "nothing else is written");
-    for line in [&format!("{generate} --force"), generate, "generate a.eds --target concise -o gen"] {
-        assert_eq!(objdict(folder.path(), line).status.code(), Some(0), "{line}");
+    fs::write(folder.path().join("gen/od.c"), "/* by hand */\n").unwrap();
+    let output = objdict(folder.path(), "generate a.eds --target c -o gen --force");
+    assert_eq!(output.status.code(), Some(2), "{}", errors(&output));
+    assert_eq!(names(&folder.path().join("gen")), ["od.c"]);
+}
+
+/// Windows cannot have files of these names.
+#[test]
+fn names_that_windows_reserves_are_refused() {
+    let folder = folder();
+    for name in ["con.eds", "Aux.v2.eds", "what?.eds"] {
+        fs::copy(SOURCE, folder.path().join(name)).unwrap();
+        let output = objdict(folder.path(), &format!("convert {name} -o out/ --to json"));
+        assert_eq!(output.status.code(), Some(2), "{name}");
+        assert!(errors(&output).contains("is not a valid name of a file: Windows"), "{}", errors(&output));
     }
-    // changed tables are written over the former ones
-    fs::write(folder.path().join("gen/a.cdcf"), [1, 0, 0, 0, 0x17, 0x10, 0, 1, 0, 0, 0, 5]).unwrap();
-    let text = fs::read_to_string(folder.path().join("a.eds")).unwrap();
-    fs::write(folder.path().join("a.eds"), text.replace("Producer heartbeat", "Heartbeat")).unwrap();
-    for line in [generate, "generate a.eds --target concise -o gen"] {
-        assert_eq!(objdict(folder.path(), line).status.code(), Some(0), "{line}");
+    for (node, code) in [("nul", 2), ("io:1", 2), ("COM7", 2), ("com", 0)] {
+        let network = format!("[manager]\nid = 1\n[node.\"{node}\"]\nfile = \"a.eds\"\nid = 2\n");
+        fs::write(folder.path().join("network.toml"), network).unwrap();
+        let output = objdict(folder.path(), "network build network.toml --target dcf -o built");
+        assert_eq!(output.status.code(), Some(code), "{node}: {}", errors(&output));
     }
+}
+
+fn names(folder: &Path) -> Vec<String> {
+    let entries = fs::read_dir(folder).unwrap().map(|entry| entry.unwrap().file_name());
+    let mut names: Vec<String> = entries.map(|name| name.into_string().unwrap()).collect();
+    names.sort();
+    names
 }
 
 #[cfg(unix)]
@@ -188,7 +301,7 @@ fn a_configuration_may_allow_what_stops_a_build() {
     fs::write(folder.path().join("plant.toml"), "[rules]\n\"network/pdo-length\" = \"off\"\n").unwrap();
     let output = objdict(folder.path(), &(line + " --config plant.toml"));
     assert!(output.status.success(), "{}", errors(&output));
-    assert_eq!(fs::read_dir(folder.path().join("built")).unwrap().count(), 2);
+    assert_eq!(names(&folder.path().join("built")), ["arm.cdcf", "drive.cdcf", "objdict.sha256"]);
 }
 
 /// In a network each node has the page of the DCF that is built for it.
@@ -236,8 +349,5 @@ fn nodes_are_built_into_the_folder() {
         let page = Path::new(name).with_extension("html");
         assert!(folder.path().join("a/site").join(page.file_name().unwrap()).exists(), "{name}");
     }
-    let mut left: Vec<_> =
-        fs::read_dir(folder.path()).unwrap().map(|entry| entry.unwrap().file_name()).collect();
-    left.sort();
-    assert_eq!(left, ["a", "island.eds", "network.toml"]);
+    assert_eq!(names(folder.path()), ["a", "island.eds", "network.toml"]);
 }

@@ -4,7 +4,7 @@ use std::path::{Path, PathBuf};
 
 use clap::{Parser, ValueEnum};
 
-use super::{CanonicalArgs, ExpandArgs, node_id, node_name};
+use super::{CanonicalArgs, ExpandArgs, OverwriteArgs, node_id, node_name};
 use crate::cli::input::{FileKind, InputArgs};
 use crate::format::XddVersion;
 use crate::source::Folder;
@@ -19,11 +19,13 @@ use crate::source::Folder;
 pub(in crate::cli) struct ConvertArgs {
     /// Files to convert; `-` is the standard input
     #[arg(required = true, value_name = "FILE")]
-    files: Vec<PathBuf>,
-    /// The file to write: .eds .dcf .xdd .xdc .json .cdcf (concise DCF) .cdcf.txt .dbc; `-` is the standard output. For several
-    /// files a folder, with --to, or the DBC of all of them
+    pub files: Vec<PathBuf>,
+    /// The file to write: .eds .dcf .xdd .xdc .json .cdcf (concise DCF) .cdcf.txt .dbc; `-` is the standard output, the default
+    /// with --to. For several files a folder, with --to, or the DBC of all of them
     #[arg(short, long, value_name = "PATH")]
-    output: Option<PathBuf>,
+    pub output: Option<PathBuf>,
+    #[command(flatten)]
+    pub overwrite: OverwriteArgs,
     /// The format to write [default: by the extension of the output]
     #[arg(long, value_enum, value_name = "FORMAT")]
     pub to: Option<WrittenKind>,
@@ -86,19 +88,6 @@ impl ConvertArgs {
     /// The folders that files named in `input` may be read from.
     pub(in crate::cli) fn folder_of(&self, input: &Path) -> Folder {
         self.allow_path.iter().fold(Folder::of(input), Folder::allow)
-    }
-
-    /// The inputs and the output. Without `--output` the last of several files is the output, as in `cp`.
-    pub(in crate::cli) fn paths(&self) -> (&[PathBuf], Option<&Path>) {
-        match (&self.output, self.files.as_slice()) {
-            (None, [inputs @ .., output]) if !inputs.is_empty() => (inputs, Some(output)),
-            (output, inputs) => (inputs, output.as_deref()),
-        }
-    }
-
-    /// Whether the output is the last of the files, or not stated.
-    pub(in crate::cli) fn has_no_output(&self) -> bool {
-        self.output.is_none()
     }
 
     /// Whether anything about the node is to be changed.

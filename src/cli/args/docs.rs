@@ -4,7 +4,7 @@ use std::path::PathBuf;
 
 use clap::{Parser, ValueEnum};
 
-use super::{ExpandArgs, NetworkInputArgs};
+use super::{ExpandArgs, NetworkInputArgs, OverwriteArgs};
 use crate::cli::input::InputArgs;
 use crate::cli::settings::SettingsArgs;
 use crate::document::Form;
@@ -24,6 +24,8 @@ pub(in crate::cli) struct DocsArgs {
     /// The file to write, or the folder for a site; `-` is the standard output
     #[arg(short, long, alias = "out", value_name = "PATH")]
     pub output: PathBuf,
+    #[command(flatten)]
+    pub overwrite: OverwriteArgs,
     /// The format of the pages [default: by the extension of the output, else html]
     #[arg(long, alias = "format", value_enum, value_name = "FORMAT")]
     pub to: Option<DocsFormat>,

@@ -5,7 +5,7 @@ use std::path::PathBuf;
 use clap::builder::{PossibleValue, PossibleValuesParser, TypedValueParser};
 use clap::{Args, Parser, ValueEnum};
 
-use super::{Deny, ExpandArgs, node_id};
+use super::{Deny, ExpandArgs, OverwriteArgs, node_id};
 use crate::cli::input::InputArgs;
 use crate::cli::profiles::ProfileArgs;
 use crate::cli::settings::ConfigArgs;
@@ -45,6 +45,8 @@ pub(in crate::cli) struct GenerateArgs {
     pub force: bool,
     #[command(flatten)]
     pub options: OptionArgs,
+    #[command(flatten, next_help_heading = "Output")]
+    pub overwrite: OverwriteArgs,
     /// Report the flash and RAM of the tables, object by object
     #[arg(long, value_enum, value_name = "WHAT", help_heading = "Size")]
     pub report: Option<ReportArg>,

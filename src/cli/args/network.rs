@@ -4,7 +4,7 @@ use std::path::PathBuf;
 
 use clap::{Parser, Subcommand, ValueEnum};
 
-use super::{ReportArgs, ShowFormat};
+use super::{OverwriteArgs, ReportArgs, ShowFormat};
 use crate::cli::baseline::BaselineArgs;
 use crate::cli::settings::{ConfigFileArgs, SettingsArgs};
 use crate::format::network::ConfigurationTime;
@@ -21,6 +21,7 @@ pub(in crate::cli) struct NetworkArgs {
 pub(in crate::cli) enum NetworkCommand {
     Check(NetworkCheckArgs),
     Build(NetworkBuildArgs),
+    Verify(NetworkVerifyArgs),
     Show(NetworkShowArgs),
     Graph(NetworkGraphArgs),
     Diff(NetworkDiffArgs),
@@ -92,6 +93,8 @@ pub(in crate::cli) struct NetworkBuildArgs {
     /// The folder to write to
     #[arg(short, long, value_name = "PATH")]
     pub output: PathBuf,
+    #[command(flatten)]
+    pub overwrite: OverwriteArgs,
     /// When the configuration was made, such as 2026-11-22T11:30: nodes with 1020h keep it, and the manager expects it
     #[arg(long, value_name = "TIME", value_parser = configuration_time)]
     pub configured_at: Option<ConfigurationTime>,
@@ -108,6 +111,17 @@ pub(in crate::cli) struct NetworkBuildArgs {
     pub input: NetworkInputArgs,
     #[command(flatten)]
     pub config: ConfigFileArgs,
+}
+
+/// Verify that the files of a folder are as objdict wrote them
+///
+/// `network build` writes their hashes (SHA-256) to `objdict.sha256`, which `sha256sum -c` checks too. Exits with 1 when a file is
+/// missing or was changed, or when a build was interrupted.
+#[derive(Debug, Parser)]
+pub(in crate::cli) struct NetworkVerifyArgs {
+    /// The folder
+    #[arg(value_name = "DIR")]
+    pub folder: PathBuf,
 }
 
 /// What is built of a network.

@@ -62,9 +62,9 @@ pub(in crate::cli) struct NewArgs {
     /// Date of the description, such as 2026-11-21 [default: SOURCE_DATE_EPOCH, else now]
     #[arg(long, value_name = "DATE", value_parser = date)]
     pub date: Option<Date>,
-    /// Overwrite an existing file
-    #[arg(long)]
-    pub force: bool,
+    /// Replace an existing file
+    #[arg(long, alias = "force")]
+    pub overwrite: bool,
 }
 
 /// A format of new descriptions.

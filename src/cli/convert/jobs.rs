@@ -6,7 +6,7 @@ use std::path::{Path, PathBuf};
 use super::super::Failure;
 use super::super::args::ConvertArgs;
 use super::super::input::FileKind;
-use super::super::save::is_folder;
+use super::super::save::{is_folder, is_stdout};
 
 /// A file to convert.
 #[derive(Clone)]
@@ -32,28 +32,18 @@ const KNOWN: &str = "`.eds`, `.dcf`, `.xdd`, `.xdc`, `.json`, `.cdcf` (concise D
 /// What the arguments ask for: one file for one, a folder for all of them, or one DBC of all of them.
 pub(super) fn plan(args: &ConvertArgs) -> Result<Vec<Job>, Failure> {
     let stated = args.to.map(FileKind::from);
-    let (inputs, output) = args.paths();
-    let output = match (output, stated) {
+    let inputs = args.files.as_slice();
+    let output = match (&args.output, stated) {
         (Some(output), _) => output,
         (None, Some(_)) => Path::new("-"),
-        (None, None) => {
-            return Err(Failure::new("missing output").help("name the file to write with `--output`"));
-        }
+        (None, None) => return Err(no_output(inputs)),
     };
     let named = FileKind::of(output);
+    let job =
+        |input: &PathBuf, to| Job { input: input.clone(), output: output.to_owned(), to, is_named: false };
     match inputs {
         inputs if !is_folder(output) && stated.or(named) == Some(FileKind::Dbc) => {
-            if args.has_no_output() && named.is_some_and(|named| named != FileKind::Dbc) {
-                let message = format!("`{}` is not the name of a DBC", output.display());
-                return Err(Failure::new(message).help("name the file to write with `--output`"));
-            }
-            let job = |input: &PathBuf| Job {
-                input: input.clone(),
-                output: output.to_owned(),
-                to: FileKind::Dbc,
-                is_named: false,
-            };
-            Ok(inputs.iter().map(job).collect())
+            Ok(inputs.iter().map(|input| job(input, FileKind::Dbc)).collect())
         }
         [input] if !is_folder(output) => {
             let to = stated.or(named).ok_or_else(|| {
@@ -63,7 +53,11 @@ pub(super) fn plan(args: &ConvertArgs) -> Result<Vec<Job>, Failure> {
             if to == FileKind::Cpj {
                 return Err(Failure::new("node lists are not written").help(KNOWN));
             }
-            Ok(vec![Job { input: input.clone(), output: output.to_owned(), to, is_named: false }])
+            Ok(vec![job(input, to)])
+        }
+        inputs if is_stdout(output) => {
+            let message = format!("{} files cannot go to the standard output", inputs.len());
+            Err(Failure::new(message).help("name a folder with `--output`"))
         }
         inputs => {
             let Some(to) = stated else {
@@ -75,16 +69,27 @@ pub(super) fn plan(args: &ConvertArgs) -> Result<Vec<Job>, Failure> {
     }
 }
 
+fn no_output(inputs: &[PathBuf]) -> Failure {
+    let failure = Failure::new("missing output");
+    match inputs {
+        [_] => failure.help("name the file to write with `--output`"),
+        // as `cp` and former versions of objdict take them
+        _ => failure.help("all of these files are inputs; name the file or folder to write with `--output`"),
+    }
+}
+
 fn into_folder(inputs: &[PathBuf], folder: &Path, to: FileKind) -> Result<Vec<Job>, Failure> {
-    let mut made: BTreeMap<PathBuf, &Path> = BTreeMap::new();
+    // `A.eds` and `a.eds` are one file on many systems
+    let mut made: BTreeMap<String, &Path> = BTreeMap::new();
     let mut jobs = Vec::new();
     for input in inputs {
         if input == Path::new("-") {
             return Err(Failure::new("the standard input has no name for a file in a folder")
                 .help("name the file to write"));
         }
-        let output = folder.join(format!("{}.{}", stem(input), to.ending()));
-        if let Some(other) = made.insert(output.clone(), input) {
+        let name = format!("{}.{}", stem(input), to.ending());
+        let output = folder.join(&name);
+        if let Some(other) = made.insert(name.to_lowercase(), input) {
             let message = format!(
                 "`{}` and `{}` would both become `{}`",
                 other.display(),
@@ -125,5 +130,7 @@ mod tests {
         let inputs = [PathBuf::from("a/drive.eds"), PathBuf::from("b/drive.dcf")];
         let failure = into_folder(&inputs, Path::new("out"), FileKind::Json).err().unwrap();
         assert!(failure.message.contains("would both become"), "{}", failure.message);
+        let inputs = [PathBuf::from("PLC.eds"), PathBuf::from("plc.dcf")];
+        assert!(into_folder(&inputs, Path::new("out"), FileKind::Json).is_err(), "one file on Windows");
     }
 }

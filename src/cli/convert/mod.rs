@@ -16,7 +16,7 @@ use super::args::ConvertArgs;
 use super::input::{FileKind, Input, name_of};
 use super::output::Output;
 use super::progress::{Progress, give_way};
-use super::save::{Saved, is_stdout, keep, require_other, save};
+use super::save::{Folder, Saved, is_stdout, keep, require_other, save};
 use super::{Failure, Outcome};
 use crate::download::ConciseDcf;
 use crate::format::{LossKind, concise, json};
@@ -28,10 +28,11 @@ pub(super) fn run(args: &ConvertArgs, out: &mut Output) -> Result<Outcome, Failu
     args.loss_report.iter().try_for_each(|path| require_other(path))?;
     let mut report = LossReport::default();
     let mut all_done = true;
+    let mut place = Place::new(args, &jobs)?;
     let progress = Progress::new("converting", jobs.len());
     for jobs in jobs.chunk_by(|job, next| job.output == next.output) {
         let done = match jobs {
-            [job] if job.to != FileKind::Dbc => convert_one(args, job, &mut report, out),
+            [job] if job.to != FileKind::Dbc => convert_one(args, job, &mut place, &mut report, out),
             jobs => dbc::convert(args, jobs, &mut report, out),
         };
         if let Err(failure) = done {
@@ -43,6 +44,7 @@ pub(super) fn run(args: &ConvertArgs, out: &mut Output) -> Result<Outcome, Failu
         }
     }
     drop(progress);
+    place.finish()?;
     if let Some(path) = &args.loss_report {
         let document = report.to_json();
         match is_stdout(path) {
@@ -57,10 +59,46 @@ pub(super) fn run(args: &ConvertArgs, out: &mut Output) -> Result<Outcome, Failu
     })
 }
 
+/// Where files go.
+enum Place {
+    /// To the path that the arguments name.
+    Named,
+    /// Into a folder.
+    Folder(Folder),
+}
+
+impl Place {
+    fn new(args: &ConvertArgs, jobs: &[Job]) -> Result<Self, Failure> {
+        match &args.output {
+            Some(folder) if jobs.iter().any(|job| job.is_named) => {
+                Ok(Self::Folder(Folder::open(folder, "convert", &args.overwrite)?))
+            }
+            _ => Ok(Self::Named),
+        }
+    }
+
+    fn save(&mut self, job: &Job, bytes: &[u8]) -> Result<Saved, Failure> {
+        match self {
+            Self::Named => save(&job.output, bytes),
+            Self::Folder(folder) => {
+                folder.save(&job.output.file_name().unwrap_or_default().to_string_lossy(), bytes)
+            }
+        }
+    }
+
+    fn finish(self) -> Result<(), Failure> {
+        match self {
+            Self::Named => Ok(()),
+            Self::Folder(folder) => folder.finish(),
+        }
+    }
+}
+
 /// Converts one file: the device in it, or into a folder all of them.
 fn convert_one(
     args: &ConvertArgs,
     job: &Job,
+    place: &mut Place,
     report: &mut LossReport,
     out: &mut Output,
 ) -> Result<(), Failure> {
@@ -75,20 +113,20 @@ fn convert_one(
                 };
                 let own = if count == 1 { job.clone() } else { job.of_device(number) };
                 let converted = device::of_description(args, &own, &description, from)?;
-                finish(&own, from, converted, report, out)?;
+                finish(&own, from, converted, place, report, out)?;
                 next = Some(description);
             }
             Ok(())
         }
         Input::Description(description) => {
             let description = args.input.selected(&job.input, *description)?;
-            finish(job, from, device::of_description(args, job, &description, from)?, report, out)
+            finish(job, from, device::of_description(args, job, &description, from)?, place, report, out)
         }
         Input::Device(device) => {
-            finish(job, from, device::of_device(args, job, &device, !args.no_embed)?, report, out)
+            finish(job, from, device::of_device(args, job, &device, !args.no_embed)?, place, report, out)
         }
         Input::Concise(configuration) => {
-            finish(job, from, of_configuration(job, &configuration)?, report, out)
+            finish(job, from, of_configuration(job, &configuration)?, place, report, out)
         }
         Input::NodeList(_) => {
             let failure = Failure::new("a node list holds no device");
@@ -103,6 +141,7 @@ fn finish(
     job: &Job,
     from: FileKind,
     converted: Converted,
+    place: &mut Place,
     report: &mut LossReport,
     out: &mut Output,
 ) -> Result<(), Failure> {
@@ -114,7 +153,7 @@ fn finish(
         let shown: Vec<_> = losses.iter().filter(|loss| loss.kind != LossKind::Embedded).cloned().collect();
         super::tell(&losses::text(&shown));
     } else {
-        let note = match save(&job.output, &bytes)? {
+        let note = match place.save(job, &bytes)? {
             Saved::Written => "",
             Saved::Unchanged => ", unchanged",
         };

@@ -14,7 +14,7 @@ use super::files::{self, File};
 use super::input::{FileKind, Input, name_of};
 use super::output::Output;
 use super::progress::Progress;
-use super::save::{Saved, is_folder, is_stdout, save};
+use super::save::{Folder, Saved, is_folder, is_stdout, save};
 use super::settings::Settings;
 use super::{Failure, Outcome};
 use crate::diagnostic::{Diagnostic, Findings};
@@ -104,7 +104,11 @@ fn write(args: &DocsArgs, read: Read, files: usize, form: Form, out: &mut Output
         ([one], []) if files == 1 => {
             let page = document::write(&one.subject(), form, &options);
             match is_folder(&args.output) {
-                true => tell_saved(&args.output.join(one.page_name(form)), &page, out),
+                true => {
+                    let mut folder = Folder::open(&args.output, "docs", &args.overwrite)?;
+                    save_page(args, &mut folder, &one.page_name(form).to_string_lossy(), &page, out)?;
+                    folder.finish()
+                }
                 false => write_one(args, &page, out),
             }
         }
@@ -305,11 +309,22 @@ fn write_one(args: &DocsArgs, page: &str, out: &mut Output) -> Result<(), Failur
         out.write_all(page.as_bytes())?;
         return Ok(());
     }
-    tell_saved(&args.output, page, out)
+    tell_saved(&args.output, page, save(&args.output, page.as_bytes())?, out)
 }
 
-fn tell_saved(path: &Path, page: &str, out: &mut Output) -> Result<(), Failure> {
-    let unchanged = match save(path, page.as_bytes())? {
+fn save_page(
+    args: &DocsArgs,
+    folder: &mut Folder,
+    name: &str,
+    page: &str,
+    out: &mut Output,
+) -> Result<(), Failure> {
+    let saved = folder.save(name, page.as_bytes())?;
+    tell_saved(&args.output.join(name), page, saved, out)
+}
+
+fn tell_saved(path: &Path, page: &str, saved: Saved, out: &mut Output) -> Result<(), Failure> {
+    let unchanged = match saved {
         Saved::Written => "",
         Saved::Unchanged => ", unchanged",
     };
@@ -327,14 +342,15 @@ fn write_site(
     if is_stdout(&args.output) {
         return Err(Failure::new("several pages cannot go to the standard output").help("name a folder"));
     }
+    let mut folder = Folder::open(&args.output, "docs", &args.overwrite)?;
     let progress = Progress::new("writing", read.all().count());
     let site = read.into_site(form, options, |page| {
-        tell_saved(&args.output.join(&page.name), &page.text, out)?;
+        save_page(args, &mut folder, &page.name, &page.text, out)?;
         progress.step_with(out)
     })?;
     drop(progress);
     for file in site.index() {
-        tell_saved(&args.output.join(file.name), &file.text, out)?;
+        save_page(args, &mut folder, &file.name, &file.text, out)?;
     }
-    Ok(())
+    folder.finish()
 }

@@ -1,15 +1,17 @@
 //! `objdict network build`.
 
 use std::io::Write;
-use std::path::Path;
+use std::path::PathBuf;
+
+use clap::ValueEnum;
 
 use super::super::args::{NetworkBuildArgs, NetworkTarget};
 use super::super::output::Output;
-use super::super::save::save;
+use super::super::save::Folder;
 use super::super::settings::{Settings, SettingsArgs};
 use super::super::{Failure, Outcome, note, shown, tell};
 use super::{findings, open_one};
-use crate::diagnostic::Severity;
+use crate::diagnostic::{Severity, one_line};
 use crate::format::network::{Build, BuiltFile};
 use crate::generate::{Options, Target, generate};
 use crate::network::{LelyOptions, Manner};
@@ -40,19 +42,25 @@ pub(super) fn run(args: &NetworkBuildArgs, out: &mut Output) -> Result<Outcome, 
         build = build.configured_at(time);
     }
     let files = files(args, &build, manner)?;
-    // names of nodes become names of files
-    if let Some(file) =
-        files.iter().find(|file| Path::new(&file.name).file_name() != Some(file.name.as_ref()))
-    {
-        let failure = Failure::new(format_args!("`{}` is not a valid name of a file", file.name));
-        return Err(failure.help("give the node a name without separators of folders"));
-    }
-    for BuiltFile { name, bytes } in &files {
-        save(&args.output.join(name), bytes)?;
+    let folder = Folder::open(&args.output, &origin(args), &args.overwrite)?;
+    let contents: Vec<_> = files.iter().map(|file| (file.name.as_str(), file.bytes.as_slice())).collect();
+    for name in folder.replace(&contents)? {
+        let path = args.output.join(name);
+        note(&format!("note: `{}` is of an earlier build\n", path.display()));
     }
     let line = format!("{}: {}", args.output.display(), plural(files.len(), "file"));
     writeln!(out, "{}", shown(&line))?;
     Ok(Outcome::Clean)
+}
+
+/// What builds the files: a build of the same network for the same target replaces all of them.
+fn origin(args: &NetworkBuildArgs) -> String {
+    let name =
+        |path: &PathBuf| path.file_name().map(|name| one_line(&name.to_string_lossy())).unwrap_or_default();
+    let names: Vec<String> = args.files.iter().map(name).collect();
+    let target = args.target.to_possible_value();
+    let target = target.as_ref().map_or("", |value| value.get_name());
+    format!("network build --target {target} {}", names.join(" "))
 }
 
 fn files(args: &NetworkBuildArgs, build: &Build<'_>, manner: Manner) -> Result<Vec<BuiltFile>, Failure> {

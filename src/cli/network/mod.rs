@@ -5,6 +5,7 @@ mod check;
 mod diff;
 mod graph;
 mod show;
+mod verify;
 
 use std::io::Write;
 use std::path::{Path, PathBuf};
@@ -26,6 +27,7 @@ pub(super) fn run(command: &NetworkCommand, out: &mut Output) -> Result<Outcome,
     match command {
         NetworkCommand::Check(args) => check::run(args, out),
         NetworkCommand::Build(args) => build::run(args, out),
+        NetworkCommand::Verify(args) => verify::run(args, out),
         NetworkCommand::Show(args) => show::run(args, out),
         NetworkCommand::Graph(args) => graph::run(args, out),
         NetworkCommand::Diff(args) => diff::run(args, out),
