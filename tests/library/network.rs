@@ -353,6 +353,34 @@ fn every_value_counts_wherever_it_is_said() {
     }
 }
 
+/// What the manager sends counts more than the DCF of a node: a stale 1F22h with the CAN-ID of another node is found.
+#[test]
+fn the_configurations_of_the_manager_are_sent() {
+    let network = open("chapter4.toml");
+    let folder = new_folder("stale-manager");
+    let mut paths = Vec::new();
+    for BuiltFile { name, bytes } in network.build(Manner::Repaired).unwrap().dcfs().unwrap() {
+        // TPDO 1 of node 11 gets the CAN-ID of node 12
+        let mut text = String::from_utf8(bytes).unwrap();
+        if name == "plc.dcf" {
+            let stale = text.replacen("001801040000008B010000", "0018010400000001040000", 1);
+            assert_ne!(stale, text);
+            text = stale;
+        }
+        std::fs::write(folder.join(&name), text).unwrap();
+        paths.push(folder.join(name));
+    }
+    let findings = NetworkFile::of_descriptions(&paths).unwrap().check();
+    let found: Vec<String> =
+        findings.iter().map(|finding| format!("{}: {}", finding.rule.name(), finding.message)).collect();
+    for expected in [
+        "other-configuration: 1F22h:0B of `plc` sets 1800h:01 of `left` to 401h, but its own description has 18Bh",
+        "duplicate-can-id: TPDO 1 of `left` and TPDO 1 of `right` both send 401h",
+    ] {
+        assert!(found.iter().any(|line| line == expected), "{found:#?}");
+    }
+}
+
 /// Each device of a file with several is a node; the path has its number.
 #[test]
 fn a_file_with_several_devices_is_a_network() {

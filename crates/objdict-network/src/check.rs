@@ -4,6 +4,7 @@ mod boot;
 mod can_ids;
 mod heartbeat;
 mod managers;
+mod stored;
 mod timing;
 
 use crate::diagnostic::{At, Findings};
@@ -28,6 +29,7 @@ pub fn check(network: &Network, findings: &mut Findings) {
     check.assigned_slaves();
     check.identities();
     check.boot_time();
+    check.stored_configurations();
 }
 
 struct Check<'n, 'f> {

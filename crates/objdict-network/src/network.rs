@@ -3,7 +3,7 @@
 use std::collections::BTreeMap;
 
 use crate::configure::{PdoName, Setting};
-use crate::download::Order;
+use crate::download::{ConciseDcf, Order};
 use crate::model::{Address, Device};
 use crate::source::Span;
 use crate::{IdentityLevel, Link};
@@ -74,6 +74,9 @@ pub struct Node {
     pub settings: Vec<Said<Setting>>,
     /// Downloads at the end of the configuration, in this order, also of values that the node already has.
     pub downloads: Vec<Said<DownloadWish>>,
+    /// The configurations of the node that the description of the manager holds. They are its last downloads in a network
+    /// that is as its descriptions say.
+    pub stored: Vec<Stored>,
     /// How the manager boots the node.
     pub boot: Boot,
     /// Which numbers the manager checks; `None`: as in the [network](Network::identity).
@@ -84,6 +87,15 @@ pub struct Node {
     pub serial_number: Option<Said<u32>>,
     /// The folder of [`Network::run_time_folder`] for this node.
     pub run_time_folder: Option<String>,
+}
+
+/// A configuration that the description of the manager holds for a node (CiA 302-3).
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Stored {
+    /// The object of the manager: 1F20h for a DCF, 1F22h for a concise DCF.
+    pub index: u16,
+    /// Its downloads.
+    pub downloads: ConciseDcf,
 }
 
 /// Heartbeat of a node.

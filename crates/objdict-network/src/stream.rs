@@ -136,6 +136,9 @@ fn slave(
         download(desk, wish);
     }
     desk.part = Part::Key;
+    if network.is_as_described {
+        desk.take_stored();
+    }
     let own = desk.downloads.len();
     if let Some(manager) = manager {
         consumers(desk, manager);

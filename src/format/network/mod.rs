@@ -10,6 +10,7 @@ mod places;
 mod rules;
 pub mod schema;
 mod section;
+mod stored;
 mod toml;
 mod topology;
 mod tree;
@@ -89,13 +90,16 @@ impl NetworkFile {
     pub fn read(source: SourceFile, folder: PathBuf, variables: &BTreeMap<String, String>) -> Self {
         let mut descriptions = Descriptions { folder, variables, read: BTreeMap::new(), files: Vec::new() };
         let mut findings = Findings::new();
-        let network = match identify_source(&source).kind {
+        let mut network = match identify_source(&source).kind {
             ContentKind::NodeList => topology::read(&source, &mut descriptions, &mut findings),
             _ if toml::is_toml(source.text()) => {
                 network_toml::read(source.text(), &mut descriptions, &mut findings)
             }
             _ => bus_yml::read(source.text(), &mut descriptions, &mut findings),
         };
+        if let Some(network) = &mut network {
+            stored::read(network, &mut findings);
+        }
         let files = std::mem::take(&mut descriptions.files);
         let descriptions = descriptions
             .read

@@ -222,6 +222,7 @@ impl Reader<'_, '_> {
             error_behavior,
             pdos,
             implied: Vec::new(),
+            stored: Vec::new(),
             settings,
             downloads,
             boot,

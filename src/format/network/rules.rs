@@ -91,6 +91,14 @@ text_rules! {
     remedy: "List the DCF of the node, or correct its node-ID.",
     source: "CiA 306-3",
 
+    INVALID_CONFIGURATION = "network/invalid-configuration", Error;
+    summary: "the manager holds a configuration that is not valid",
+    checks: "Whether 1F20h in the description of the manager has DCFs, and 1F22h concise DCFs, each for a node of the network.",
+    why: "The manager cannot configure the node.",
+    example: "a concise DCF that states 9 downloads and has 8",
+    remedy: "Write the DCF of the manager anew.",
+    source: "CiA 302-3, 1F20h, 1F22h",
+
     UNREADABLE_NODE = "network/unreadable-node", Error;
     summary: "the description of a node cannot be read",
     checks: "Whether the file of each node exists and is an EDS, a DCF, an XDD, an XDC or a device as JSON.",

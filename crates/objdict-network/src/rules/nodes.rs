@@ -99,6 +99,30 @@ text_rules! {
     remedy: "Write `CANopenManager=0` into the DCF of the node.",
     source: "CiA 302-2; CiA 306-1, `CANopenManager`",
 
+    REFUSED_CONFIGURATION = "network/refused-configuration", Error;
+    summary: "a node refuses the configuration that the manager holds",
+    checks: "Whether each node accepts every download of its DCF (1F20h) and of its concise DCF (1F22h) in the description of the manager.",
+    why: "The manager does not start a node that aborts a download.",
+    example: "1F22h:05 of the manager writes to 2FFFh, which node 5 does not have",
+    remedy: "Write the DCF of the manager anew.",
+    source: "CiA 302-3, 1F20h, 1F22h; CiA 301 §7.2.4.3.17",
+
+    OTHER_CONFIGURATION = "network/other-configuration", Error;
+    summary: "the manager sends other values than the DCF of the node has",
+    checks: "Whether 1F20h and 1F22h of a configured manager give each entry the value that the DCF of the node has.",
+    why: "The values of the manager are sent last, so the node does not do what its DCF says, perhaps with the CAN-ID of another node.",
+    example: "1F22h:0B of the manager sets 1800h:01 to 18Ch, the CAN-ID of node 12",
+    remedy: "Write the DCFs of node and manager anew.",
+    source: "CiA 302-3, 1F20h, 1F22h",
+
+    CONFIGURATION_DATE = "network/configuration-date", Warning;
+    summary: "a node has another configuration date than the manager expects",
+    checks: "Whether date and time of the configuration in 1F26h and 1F27h of the manager are those in 1020h of the node. 0 is not checked.",
+    why: "The manager configures the node at each start.",
+    example: "1F26h:05 is 15666, and 1020h:01 of node 5 is 15600",
+    remedy: "Write the DCFs of node and manager anew, with the same date.",
+    source: "CiA 302-3, 1F26h, 1F27h; CiA 301 §7.5.2.22",
+
     ABSENT_SLAVE = "network/absent-slave", Warning;
     summary: "the manager waits for a node that is not in the network",
     checks: "Whether each node-ID that 1F81h of the manager assigns as a slave belongs to a node of the network. A mandatory one that is absent is an error.",

@@ -224,6 +224,18 @@ impl<'n, 'f> Desk<'n, 'f> {
         }
     }
 
+    /// Applies what the description of the manager sends, which no network file has to send again.
+    pub(super) fn take_stored(&mut self) {
+        for download in self.node.stored.iter().flat_map(|stored| &stored.downloads.0) {
+            let Some(assignment) = download.assignment(&self.device) else { continue };
+            let present = bytes_of_present(&self.device, download, self.node_id);
+            if present.as_ref() != Some(&download.data) {
+                self.origins.insert((download.index, download.sub), self.node.name.at);
+            }
+            self.device.assign(&[assignment]);
+        }
+    }
+
     /// Makes a setting, as `objdict configure` does.
     pub(super) fn set(&mut self, setting: &Said<Setting>) {
         match configure(&self.device, self.node_id, std::slice::from_ref(&setting.value)) {
@@ -309,6 +321,12 @@ impl<'n, 'f> Desk<'n, 'f> {
         };
         self.report(finding, at, Field::DataType);
     }
+}
+
+/// The bytes of the entry of a download before it.
+fn bytes_of_present(device: &Device, download: &Download, node_id: u8) -> Option<Vec<u8>> {
+    let value = device.object(download.index)?.value(download.sub)?.into_owned();
+    bytes_of(device, download.index, download.sub, &value, Some(node_id)).ok()
 }
 
 /// A number as a value of REAL32 or REAL64; `None` for other data types.
