@@ -111,6 +111,8 @@ pub static REACTIONS: &[Reaction] = &[
     row("cia306/key-before-section", PYTHON, Refused, "the file is refused"),
     row("cia306/leading-zero", PYTHON, Refused, "the number is refused, and usually the file")
         .when("outside [FileInfo], except 00", is_read_number),
+    row("cia306/limit-above-type", DCF_TOOLS, Refused, "the file is refused"),
+    row("cia306/limit-above-type", PYTHON_CANOPEN, Wrong, "the limit is read as a negative number"),
     row("cia306/limits-on-text", DCF_TOOLS, Refused, "the file is refused"),
     row("cia306/list-numbering", DCF_TOOLS, Refused, "the file is refused")
         .when("outside [Comments]", |description, finding| !is_of_comments(description, finding)),

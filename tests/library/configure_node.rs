@@ -6,11 +6,14 @@ use objdict::configure::{
     Configuration, NoSetting, Rebased, Setting, SettingProblem, configuration, configure, rebase,
 };
 use objdict::coupler::{ModuleProblem, flatten};
+use objdict::diagnostic::{Applicability, Diagnostic};
 use objdict::download::{ConciseDcf, PlanOptions};
 use objdict::format::{self, Description, Format, NodeSettings, WriteOptions};
 use objdict::lint::{self, Options};
 use objdict::model::{Access, Assignment, Commissioning, DataType, Device, Entry, Moment, Object, Value};
 use objdict::source::{SourceFile, SourceOptions};
+
+use crate::support;
 
 fn open(path: &str) -> Description {
     let path = Path::new(env!("CARGO_MANIFEST_DIR")).join("fixtures").join(path);
@@ -54,6 +57,49 @@ fn heartbeat_producer_and_consumer() {
     ];
     let dcf = configured(&open("eds/io-401.eds"), 5, &settings);
     assert_eq!(stream(&dcf), "0300000017100002000000FA0016100104000000EE02070016100204000000DC050900");
+}
+
+/// An INTEGER32 with these limits in 2000h of the smallest device.
+fn with_limits(low: &str, high: &str) -> Description {
+    let text = std::fs::read_to_string(support::fixtures().join("bases/small.eds")).unwrap();
+    let limits = format!("DataType=0x0004\nLowLimit={low}\nHighLimit={high}\nDefaultValue=0\n");
+    let (general, object) = text.split_once("[2000]").unwrap();
+    let text = format!("{general}[2000]{}", object.replacen("DataType=0x0006\n", &limits, 1));
+    format::read(SourceFile::from_text("limits.eds", text), Format::Eds)
+}
+
+/// Hex digits above a signed type limit nothing, in no format and to no fix.
+#[test]
+fn a_high_limit_above_its_type_is_the_largest_number() {
+    let eds = with_limits("0", "0xFFFFFFFF");
+    let limit = |device: &Device| device.object(0x2000).unwrap().main.high_limit.clone();
+    assert_eq!(limit(eds.device()), Some(Value::Signed(i32::MAX.into())));
+    configured(&eds, 5, &[Setting::value("2000=5").unwrap()]);
+    for ending in [Format::Eds, Format::Xdd] {
+        let written = format::write(eds.device(), ending, &WriteOptions::default()).unwrap();
+        let text = String::from_utf8(written.bytes).unwrap();
+        assert!(text.contains("2147483647") && !text.contains("\"-1\""), "{text}");
+        let attributes = text.replace("\"2147483647\"", "\"0xFFFFFFFF\"");
+        let again = format::read(SourceFile::from_text("again", attributes), ending);
+        assert_eq!(limit(again.device()), limit(eds.device()));
+        let of_limit = |finding: &Diagnostic| finding.rule.id == "cia306/limit-above-type";
+        assert_eq!(again.findings().iter().any(of_limit), ending == Format::Xdd);
+    }
+    let before = eds.source().text().to_owned();
+    let fixed = objdict::fix(eds, Applicability::Safe, objdict::check);
+    assert!(
+        before.contains("HighLimit=0xFFFFFFFF")
+            && fixed.description.source().text().contains("HighLimit=0xFFFFFFFF")
+    );
+}
+
+/// The limits are what is wrong, and `check` says so.
+#[test]
+fn limits_that_no_value_keeps_refuse_none() {
+    let eds = with_limits("10", "2");
+    assert!(objdict::check(&eds).iter().any(|finding| finding.rule.id == "cia306/low-limit-above-high"));
+    let dcf = configured(&eds, 5, &[Setting::value("2000=5").unwrap()]);
+    assert_eq!(stream(&dcf), "010000000020000400000005000000");
 }
 
 /// Exercise 2.7.2: RPDO 1 of node 5 listens to TPDO 1 of node 6.

@@ -9,7 +9,7 @@ mod spelling;
 
 pub use calendar::{clock_time, date};
 pub use intended::Intended;
-pub use parse::{Quirk, Quirks, integer, plain_value, small_number, strip_comment, value};
+pub use parse::{Quirk, Quirks, high_limit, integer, plain_value, small_number, strip_comment, value};
 pub use print::{RealSpelling, Spelling, print};
 pub use respell::{respell, trailing_comment};
 pub use spelling::{QUOTED, RULES, spelling, spelling_in_line};

@@ -1,6 +1,6 @@
 //! Parses values.
 
-use crate::model::{DataType, Reason, Time, TypeKind, Value, hex};
+use crate::model::{DataType, Entry, Reason, Time, TypeKind, Value, hex};
 
 /// An accepted spelling that is not standard, or that other tools interpret differently.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -28,6 +28,8 @@ pub enum Quirk {
     BooleanWord = 1 << 9,
     /// Bytes with a `0x` prefix or spaces between them.
     DecoratedBytes = 1 << 10,
+    /// A high limit in hex digits that are above its signed type, and as two's complement below other values.
+    AboveType = 1 << 11,
 }
 
 /// A set of [`Quirk`]s.
@@ -67,6 +69,22 @@ pub fn value(text: &str, data_type: Option<DataType>, quirks: &mut Quirks) -> Re
         TypeKind::TimeOfDay | TypeKind::TimeDifference => time(text, quirks),
         TypeKind::Structure | TypeKind::Defined | TypeKind::Reserved => Ok(Value::Raw(text.into())),
     }
+}
+
+/// The high limit of an entry, read as [`value`] with these quirks. Where two's complement is below the low limit or the
+/// default of the entry, the digits mean a number above the type: the limit is then the largest of the type, as Lely reads it.
+pub fn high_limit(read: Value, entry: &Entry, quirks: &mut Quirks) -> Value {
+    let others = [&entry.low_limit, &entry.default].into_iter().flatten();
+    let is_below = |other: &Value| other.as_integer() > read.as_integer();
+    if !quirks.has(Quirk::TwosComplement) || !others.into_iter().any(is_below) {
+        return read;
+    }
+    let data_type = entry.implied_type();
+    let largest =
+        data_type.and_then(|data_type| Value::from_integer(data_type.integer_range()?.1, data_type));
+    quirks.0 &= !(Quirk::TwosComplement as u16);
+    quirks.add(Quirk::AboveType);
+    largest.unwrap_or(read)
 }
 
 /// A whole number in decimal, hex or octal, signed or not, within `low..=high`.
@@ -418,6 +436,29 @@ mod tests {
         assert_eq!(quirky("5 # five", DataType::UNSIGNED8, Quirk::TrailingComment), Value::Unsigned(5));
         assert_eq!(quirky("true", DataType::BOOLEAN, Quirk::BooleanWord), Value::Boolean(true));
         assert_eq!(read("018", DataType::UNSIGNED8).0, Err(Reason::NotOctal));
+    }
+
+    #[test]
+    fn a_high_limit_is_not_below_the_low_limit_or_the_default() {
+        let limit = |text: &str, low: Option<i64>, default: Option<i64>| {
+            let value = |number: i64| Value::Signed(number);
+            let entry = Entry {
+                data_type: Some(DataType::INTEGER16),
+                low_limit: low.map(value),
+                default: default.map(value),
+                ..Entry::default()
+            };
+            let (read, mut quirks) = read(text, DataType::INTEGER16);
+            let limit = high_limit(read.unwrap(), &entry, &mut quirks);
+            (limit.as_integer().unwrap(), quirks.has(Quirk::AboveType), quirks.has(Quirk::TwosComplement))
+        };
+        assert_eq!(limit("0xFFFF", Some(0), None), (32767, true, false));
+        assert_eq!(limit("0xFFFF", None, Some(5)), (32767, true, false));
+        assert_eq!(limit("0xFFF0", Some(-5), None), (32767, true, false));
+        for (low, default) in [(None, None), (Some(-5), None), (Some(-1), Some(-1)), (None, Some(-7))] {
+            assert_eq!(limit("0xFFFF", low, default), (-1, false, true));
+        }
+        assert_eq!(limit("-1", Some(0), Some(0)), (-1, false, false), "a limit in decimal is what it is");
     }
 
     #[test]

@@ -14,7 +14,9 @@ pub fn respell(text: &str, quirk: Quirk, value: Option<&Value>) -> Option<String
         Quirk::Octal | Quirk::LeadingZero => terms(core, |term| without_zero(term, quirk)) + tail,
         Quirk::CSuffix => terms(core, |term| Some(without_suffix(term))) + tail,
         Quirk::NodeIdLast | Quirk::FormulaSpelling => formula(core)? + tail,
-        Quirk::RealAsBits | Quirk::TwosComplement | Quirk::DecoratedBytes => printed()? + tail,
+        Quirk::RealAsBits | Quirk::TwosComplement | Quirk::DecoratedBytes | Quirk::AboveType => {
+            printed()? + tail
+        }
         Quirk::BooleanWord => printed()?,
         Quirk::Quoted => unquoted(text)?.to_owned(),
     };

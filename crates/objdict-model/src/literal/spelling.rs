@@ -18,6 +18,7 @@ pub static RULES: &[&RuleInfo] = &[
     &QUOTED_STRING,
     &BOOLEAN_WORD,
     &HEX_PREFIX_IN_BYTES,
+    &LIMIT_ABOVE_TYPE,
 ];
 
 /// The rule about quotes, which also applies to names.
@@ -92,13 +93,13 @@ fn finding(text: &str, at: At, quirk: Quirk, rule: &'static RuleInfo, help: &'st
 fn fix_of(quirk: Quirk, text: &str) -> Fix {
     match quirk {
         Quirk::Quoted => Fix::risky("remove the quotes"),
-        Quirk::RealAsBits => Fix::risky(say!("write `{}`", text)),
+        Quirk::RealAsBits | Quirk::AboveType => Fix::risky(say!("write `{}`", text)),
         Quirk::TrailingComment => Fix::safe("put the comment on a separate line"),
         _ => Fix::safe(say!("write `{}`", text)),
     }
 }
 
-const SPELLINGS: [(Quirk, &RuleInfo, &str); 11] = [
+const SPELLINGS: [(Quirk, &RuleInfo, &str); 12] = [
     (Quirk::Octal, &OCTAL_NUMBER, "write the number in decimal without leading zeros, or in hex"),
     (Quirk::LeadingZero, &LEADING_ZERO, "remove the leading zero"),
     (Quirk::NodeIdLast, &NODE_ID_LAST, "write `$NODEID+` first, then the number"),
@@ -110,6 +111,7 @@ const SPELLINGS: [(Quirk, &RuleInfo, &str); 11] = [
     (Quirk::Quoted, &QUOTED_STRING, "remove the quotes, unless the file is for Lely"),
     (Quirk::BooleanWord, &BOOLEAN_WORD, "write `1` or `0`"),
     (Quirk::DecoratedBytes, &HEX_PREFIX_IN_BYTES, "write two hex digits per byte and nothing else"),
+    (Quirk::AboveType, &LIMIT_ABOVE_TYPE, "write the limit in decimal, or correct the data type"),
 ];
 
 fn rule_text(quirk: Quirk) -> &'static str {
@@ -125,6 +127,7 @@ fn rule_text(quirk: Quirk) -> &'static str {
         Quirk::Quoted => "is in quotes, which are not part of the string",
         Quirk::BooleanWord => "is a word, but a BOOLEAN is 0 or 1",
         Quirk::DecoratedBytes => "contains more than hex digits",
+        Quirk::AboveType => "is above its signed data type, and is read as the largest value",
     }
 }
 
@@ -236,4 +239,14 @@ text_rule! {
     example: "`DefaultValue=0x01 A1 05`",
     remedy: "Write `01A105`.",
     source: "CiA 306-1 §4.3",
+}
+
+text_rule! {
+    LIMIT_ABOVE_TYPE = "cia306/limit-above-type", Warning, fix Unsafe;
+    summary: "a high limit in hex is above its signed data type",
+    checks: "Whether `HighLimit` of a signed type is a hex number with the sign bit set, which as two's complement is below `LowLimit` or `DefaultValue`. It is read as the largest number of the type, as Lely does.",
+    why: "dcf-tools refuses the file; python-canopen reads a negative limit, which no value is within.",
+    example: "`LowLimit=0` and `HighLimit=0xFFFFFFFF` of an INTEGER32",
+    remedy: "Write the largest number, `2147483647`, or correct the data type.",
+    source: "CiA 306-1 §4.6.3.2",
 }

@@ -5,7 +5,7 @@ use std::collections::BTreeMap;
 use super::{INVALID_VALUE, MISSING_ENTRY, Manner, missing};
 use crate::configure::{Setting, configure};
 use crate::diagnostic::{At, Diagnostic, Findings, Severity, say};
-use crate::download::{Download, bytes_of, transferred_type};
+use crate::download::{Beyond, Download, beyond, bytes_of, transferred_type};
 use crate::effective::{Origins, before};
 use crate::literal::{self, Quirks};
 use crate::model::{Access, Address, Assignment, DataType, Device, Field, Place, Value, hex};
@@ -286,21 +286,14 @@ impl<'n, 'f> Desk<'n, 'f> {
             let finding = finding.help("remove the setting, or write another entry");
             self.report(finding, at, Field::AccessType);
         }
-        let number = |value: &Value| value.integer_for(self.node_id);
-        let (low, high) =
-            (entry.low_limit.as_ref().and_then(number), entry.high_limit.as_ref().and_then(number));
-        let Some(number) = number(value) else { return };
-        let is_below = low.is_some_and(|low| number < low);
-        if is_below || high.is_some_and(|high| number > high) {
-            let (side, limit, field) = match is_below {
-                true => ("below the low", low, Field::LowLimit),
-                false => ("above the high", high, Field::HighLimit),
-            };
-            let message =
-                say!("{} is {} limit {} of {:04X}h:{:02X}", number, side, limit.unwrap_or(0), at.index, sub);
-            let finding = Diagnostic::new(&INVALID_VALUE, said, message).understood();
-            self.report(finding.help("write a value inside the limits of the entry"), at, field);
-        }
+        let Some(limit) = beyond(&entry, value, Some(self.node_id)) else { return };
+        let (side, limit, field) = match limit {
+            Beyond::Low(limit) => ("below the low", limit, Field::LowLimit),
+            Beyond::High(limit) => ("above the high", limit, Field::HighLimit),
+        };
+        let message = say!("{} is {} limit {} of {:04X}h:{:02X}", value, side, limit, at.index, sub);
+        let finding = Diagnostic::new(&INVALID_VALUE, said, message).understood();
+        self.report(finding.help("write a value inside the limits of the entry"), at, field);
     }
 
     fn invalid(&mut self, at: Address, value: &str, said: Span) {

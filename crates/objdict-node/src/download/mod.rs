@@ -27,8 +27,7 @@ pub use effective::effective;
 pub use plan::{NeededFile, Order, Plan, PlanOptions, Scope, Step};
 pub use problem::{PlanError, Problem, ProblemKind, SkipReason, Skipped};
 pub use stream::{DecodeError, DecodeErrorKind, EncodeError};
-pub(crate) use transfer::{Beyond, beyond};
-pub use transfer::{bytes_of, transferred_type};
+pub use transfer::{Beyond, beyond, bytes_of, transferred_type};
 pub use verify::{AbortCode, Objection, ObjectionKind, Verification};
 
 /// One SDO download: an entry and the transferred bytes.

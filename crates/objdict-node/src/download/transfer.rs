@@ -105,15 +105,20 @@ fn number_of_own_type(text: &str, data_type: DataType) -> Option<Value> {
 
 /// A limit that a value violates.
 #[derive(Clone, Debug, PartialEq, Eq)]
-pub(crate) enum Beyond {
+pub enum Beyond {
     /// Below `LowLimit`.
     Low(Value),
     /// Above `HighLimit`.
     High(Value),
 }
 
-/// The limit that a value violates on a node; limits that cannot be compared are ignored.
-pub(crate) fn beyond(entry: &Entry, value: &Value, node_id: Option<u8>) -> Option<Beyond> {
+/// The limit that a value violates on a node. Limits that cannot be compared are ignored, and so are those that no value keeps,
+/// because the low one is above the high one.
+pub fn beyond(entry: &Entry, value: &Value, node_id: Option<u8>) -> Option<Beyond> {
+    let limits = entry.low_limit.as_ref().zip(entry.high_limit.as_ref());
+    if limits.is_some_and(|(low, high)| compare(low, high, node_id) == Some(Ordering::Greater)) {
+        return None;
+    }
     let against = |limit: &Option<Value>, wrong: Ordering| {
         limit.as_ref().filter(|limit| compare(value, limit, node_id) == Some(wrong)).cloned()
     };

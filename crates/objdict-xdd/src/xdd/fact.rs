@@ -167,9 +167,25 @@ impl<'a> Text<'a> {
         data_type: Option<DataType>,
         findings: &mut Findings,
     ) -> Result<Option<Value>, Reason> {
+        self.value_as(data_type, |value, _| value, findings)
+    }
+
+    /// The high limit of an entry with these other values.
+    pub(crate) fn high_limit(&self, entry: &Entry, findings: &mut Findings) -> Result<Option<Value>, Reason> {
+        let meant = |value, quirks: &mut _| literal::high_limit(value, entry, quirks);
+        self.value_as(entry.implied_type(), meant, findings)
+    }
+
+    fn value_as(
+        &self,
+        data_type: Option<DataType>,
+        meant: impl FnOnce(Value, &mut Quirks) -> Value,
+        findings: &mut Findings,
+    ) -> Result<Option<Value>, Reason> {
         let Some(text) = value_text(&self.text, data_type) else { return Ok(None) };
         let mut quirks = Quirks::default();
         let value = value(text, data_type, &mut quirks)?;
+        let value = meant(value, &mut quirks);
         literal::spelling(text, self.at, quirks, Some(&value), findings);
         Ok(Some(value))
     }

@@ -210,6 +210,7 @@ fn read_values(entry: &mut Entry, values: &Values<'_>, items: &mut Items<'_>) {
     };
     entry.default = read(&values.default, entry);
     entry.low_limit = read(&values.low, entry);
+    // what it means depends on the two
     entry.high_limit = read(&values.high, entry);
     if let Some(value) = read(&values.configured, entry) {
         entry.configured_mut().value = Some(value);
@@ -225,6 +226,10 @@ fn read_value(item: &Item<'_>, entry: &mut Entry, items: &mut Items<'_>) -> Opti
     let value = literal::value(item.value, data_type, &mut quirks);
     match value {
         Ok(value) => {
+            let value = match item.field() {
+                Some(Field::HighLimit) => literal::high_limit(value, entry, &mut quirks),
+                _ => value,
+            };
             if !quirks.is_empty() {
                 findings::quirks(item, quirks, Some(&value), items.findings);
             }

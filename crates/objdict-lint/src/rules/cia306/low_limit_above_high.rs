@@ -1,7 +1,7 @@
 use std::cmp::Ordering;
 
-use crate::diagnostic::{Diagnostic, Findings, Fix, Text, say};
-use crate::model::{DataType, Field, TypeKind, Value};
+use crate::diagnostic::{Diagnostic, Findings, Fix, say};
+use crate::model::{Field, Value};
 use crate::{EntryAt, rule, stated};
 
 rule! {
@@ -20,7 +20,7 @@ fn check(at: &EntryAt<'_>, findings: &mut Findings) {
     if !above || !at.holds_value() {
         return;
     }
-    let message = say!("`{LowLimit}` is {}, but `{HighLimit}` is {}", low, shown(high, at.entry.data_type));
+    let message = say!("`{LowLimit}` is {}, but `{HighLimit}` is {}", low, high);
     let finding = Diagnostic::new(&RULE.info, at.field(Field::LowLimit), message)
         .label(at.field(Field::HighLimit), "the high limit");
     let is_formula = [low, high].into_iter().any(|limit| matches!(limit, Value::NodeId(_)));
@@ -37,15 +37,4 @@ fn check(at: &EntryAt<'_>, findings: &mut Findings) {
 fn is_negative(low: &Value, high: &Value) -> bool {
     let (Some(low), Some(high)) = (low.as_integer(), high.as_integer()) else { return false };
     [16, 32].into_iter().any(|bits| low >> (bits - 1) == 1 && low - (1_i128 << bits) <= high)
-}
-
-/// A limit, if negative also as bits: `0xFFFF` may be meant as a positive number.
-fn shown(limit: &Value, data_type: Option<DataType>) -> Text {
-    match (limit, data_type.map(|data_type| (data_type, data_type.kind()))) {
-        (Value::Signed(number @ ..0), Some((data_type, TypeKind::Signed(bits)))) => {
-            let mask = u64::MAX >> 64u8.saturating_sub(bits);
-            say!("{:#X} ({} as {})", number.cast_unsigned() & mask, *number, data_type)
-        }
-        _ => say!("{}", limit),
-    }
 }

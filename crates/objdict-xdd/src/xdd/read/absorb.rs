@@ -162,7 +162,10 @@ impl Values<'_> {
             return is_plain && &*invalid.text == text;
         }
         let mut quirks = Quirks::default();
-        let read = fact::value(text, self.data_type, &mut quirks);
+        let read = fact::value(text, self.data_type, &mut quirks).map(|value| match slot {
+            Slots::High => literal::high_limit(value, self.entry, &mut quirks),
+            _ => value,
+        });
         if let Some(own) = slot.get(self.entry) {
             return is_plain && read.as_ref() == Ok(own);
         }

@@ -4,7 +4,7 @@ use crate::diagnostic::Findings;
 use crate::model::{Entry, StackOptions};
 use crate::xdd::defaults::{self, Placeholders};
 use crate::xdd::fact::{self, Text, hex};
-use crate::xdd::schema::{At, OBJECT};
+use crate::xdd::schema::{At, OBJECT, Slots};
 use crate::xdd::shape::stack_attribute;
 use crate::xml::{Attribute, Element, Name, n};
 
@@ -105,11 +105,24 @@ impl<'a> EntryAttributes<'a> {
         for (known, attribute) in OBJECT.attributes.iter().zip(self.known) {
             let (At::Value(place), Some(attribute)) = (known.at, attribute) else { continue };
             let text = Text::of(attribute);
-            match text.value(data_type, findings) {
+            let value = match place {
+                // its spelling is judged once the default is known
+                Slots::High => text.value(data_type, &mut Findings::new()),
+                _ => text.value(data_type, findings),
+            };
+            match value {
                 Ok(Some(value)) => place.set(entry, value),
                 Ok(None) => {}
                 Err(reason) => entry.invalid_values.push(place.field(), &text.text, reason),
             }
+        }
+    }
+
+    /// Reads the high limit again beside the other values, of which the parameter may have stated some.
+    pub(crate) fn settle_high_limit(&self, entry: &mut Entry, findings: &mut Findings) {
+        let Some(text) = self.get(n::highLimit).map(Text::of) else { return };
+        if let Ok(Some(value)) = text.high_limit(entry, findings) {
+            entry.high_limit = Some(value);
         }
     }
 }

@@ -174,6 +174,7 @@ impl<'t> Entries<'t, '_> {
             Some(source) if is_structure => absorb::name(&mut entry, &mut source.parameter().labels),
             Some(source) => absorb(&mut entry, source.parameter(), self.definitions, &place, self.findings),
         }
+        attributes.settle_high_limit(&mut entry, self.findings);
         match (source, attributes.get(n::uniqueIDRef)) {
             (Some(Source::Own(mut parameter)), _) => {
                 take_stack_options(&mut entry.stack, &mut parameter.properties);
