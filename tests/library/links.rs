@@ -116,7 +116,7 @@ fn a_node_watches_others_beside_the_manager() {
     let text = "[manager]\nid = 127\nheartbeat = \"100ms\"\n[node.left]\nfile = \"island.eds\"\nid = 11\nwatches-manager = true\nwatches = { right = \"1.5x\", nowhere = \"500ms\" }\n[node.right]\nfile = \"island.eds\"\nid = 12\nheartbeat = \"200ms\"\n";
     let file = open("watches", text);
     let found: Vec<_> = file.check().iter().map(|finding| finding.message.to_string()).collect();
-    assert!(found.contains(&"`left` cannot watch `nowhere`: there is no such node".to_owned()), "{found:?}");
+    assert!(found.contains(&"there is no node `nowhere`, which `left` watches".to_owned()), "{found:?}");
     let compiled = compile(&file.network.unwrap(), Manner::Repaired, &mut Findings::new());
     let consumers = compiled.slaves[0].device.services().heartbeat_consumers;
     let consumers: Vec<_> =

@@ -91,13 +91,20 @@ const ROWS: &[Row] = &[
         &["drive.eds 0x1016sub1 / ParameterValue `0x00090064`: the consumer heartbeat time"],
     ),
     (
-        "1016sub1=0x00050064 1017=90",
+        "1016sub1=0x00050064",
         "",
+        "",
+        "silent-node",
+        &["drive.eds 0x1016sub1 / ParameterValue `0x00050064`: the consumer heartbeat time"],
+    ),
+    (
+        "1016sub1=0x00010064",
+        "1017=90",
         "",
         "short-heartbeat-time",
         &[
-            "drive.eds 0x1016sub1 / ParameterValue `0x00050064`: the consumer heartbeat time",
-            "drive.eds 0x1017 / ParameterValue `90`: the producer heartbeat time",
+            "drive.eds 0x1016sub1 / ParameterValue `0x00010064`: the consumer heartbeat time",
+            "plc.eds 0x1017 / ParameterValue `90`: the producer heartbeat time",
         ],
     ),
     (

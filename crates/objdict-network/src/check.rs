@@ -4,11 +4,13 @@ mod boot;
 mod can_ids;
 mod heartbeat;
 mod managers;
+mod reserved;
 mod stored;
+mod sync;
 mod timing;
 
 use crate::diagnostic::{At, Findings};
-use crate::messages::{Messages, Party};
+use crate::messages::{MessageId, Messages, Party};
 use crate::network::Network;
 use crate::stream::{Compiled, Manner, Slave, compile};
 use crate::traffic::Traffic;
@@ -22,11 +24,14 @@ pub fn check(network: &Network, findings: &mut Findings) {
     check.can_ids();
     check.pdos();
     check.sync();
+    check.reserved();
     check.times();
     check.load();
     check.heartbeats();
     check.managers();
     check.assigned_slaves();
+    check.own_tables();
+    check.unbooted();
     check.identities();
     check.boot_time();
     check.stored_configurations();
@@ -69,8 +74,8 @@ impl<'n> Check<'n, '_> {
     }
 
     /// Where a description has the CAN-ID of a party.
-    fn can_id_origin(&self, party: &Party) -> Option<At> {
-        self.slave(party.node?)?.can_id_origin(self.network, party.service)
+    fn can_id_origin(&self, can_id: MessageId, party: &Party) -> Option<At> {
+        self.slave(party.node?)?.can_id_origin(self.network, can_id, party.service)
     }
 
     /// Who a node-ID belongs to: its name, its producer heartbeat time, and where its description has that.

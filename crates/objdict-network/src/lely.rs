@@ -8,7 +8,7 @@ mod text;
 use self::text::Text;
 use crate::download::{ConciseDcf, Download};
 use crate::manager::Knowledge;
-use crate::model::PdoKind;
+use crate::model::{BaudRates, PdoKind};
 use crate::network::{Manager, Network, Node};
 use crate::stream::{Manner, PdoState, Slave};
 
@@ -159,7 +159,7 @@ impl<'a> Writer<'a> {
         out.hex("ProductNumber", product);
         out.hex("RevisionNumber", revision);
         out.keys(&["OrderCode"]);
-        for rate in [10, 20, 50, 125, 250, 500, 800, 1000] {
+        for rate in BaudRates::DEFINED {
             out.key(&format!("BaudRate_{rate}"), 1);
         }
         for (key, value) in [

@@ -13,6 +13,7 @@ mod lely;
 mod link;
 mod manager;
 mod messages;
+mod names;
 mod network;
 mod origin;
 mod overview;
@@ -28,6 +29,7 @@ pub use lely::{LelyMaster, LelyOptions, configuration_file, lely_master};
 pub use link::{Link, LinkEnd, LinkParameters, LinkedEntries, NoLinkEnd};
 pub use manager::expected;
 pub use messages::{Message, MessageId, Messages, Party, Service};
+pub use names::named_manager;
 pub use network::*;
 pub use overview::{
     BootPlan, BootStep, CarriedEntry, End, LinkRow, MappedEntry, MessageRow, NodeRow, Overview,

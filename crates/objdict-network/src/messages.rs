@@ -5,7 +5,7 @@ use std::collections::BTreeMap;
 
 use crate::Language;
 use crate::configure::PdoName;
-use crate::model::{CobId, Object, PdoKind, predefined};
+use crate::model::{CobId, Object, PdoKind, SdoChannel, predefined};
 use crate::network::{Manager, Network};
 use crate::source::Span;
 use crate::stream::{Compiled, PdoState, Slave, indexes};
@@ -54,9 +54,9 @@ pub enum Service {
     Pdo(PdoName),
     /// A PDO that the manager has the other side of, without a number that anybody has to know.
     MirroredPdo,
-    /// The request of the default SDO.
+    /// The request of an SDO channel.
     SdoRequest,
-    /// The response of the default SDO.
+    /// The response of an SDO channel.
     SdoResponse,
     /// Heartbeat, boot-up and guarding.
     ErrorControl,
@@ -124,11 +124,11 @@ impl Messages {
     }
 
     fn send(&mut self, can_id: MessageId, party: Party) {
-        self.0.entry(can_id).or_default().senders.push(party);
+        add(&mut self.0.entry(can_id).or_default().senders, party);
     }
 
     fn receive(&mut self, can_id: MessageId, party: Party) {
-        self.0.entry(can_id).or_default().receivers.push(party);
+        add(&mut self.0.entry(can_id).or_default().receivers, party);
     }
 
     fn node(&mut self, network: &Network, slave: &Slave) {
@@ -152,41 +152,39 @@ impl Messages {
     fn services(&mut self, slave: &Slave, party: &dyn Fn(Service) -> Party) {
         let services = slave.device.services();
         let number = |cob_id: CobId| cob_id.on_node(slave.node_id);
-        let stated = |service, index| {
+        let stated = |service, (index, sub)| {
             let party = party(service);
-            Party { at: slave.said(index, 0).unwrap_or(party.at), ..party }
+            Party { at: slave.said(index, sub).unwrap_or(party.at), ..party }
         };
-        if let Some(sync) = services.sync.map(number) {
-            if sync & CobId::BIT_30 != 0 && services.communication_cycle_period.unwrap_or(0) != 0 {
-                self.send(MessageId::of(sync), stated(Service::Sync, 0x1005));
+        if let Some((sync, can_id)) = services.sync.zip(slave.sync_can_id()) {
+            if sync.bit_30() && services.communication_cycle_period.unwrap_or(0) != 0 {
+                self.send(can_id, stated(Service::Sync, (0x1005, 0)));
             } else if slave.pdos.iter().any(|state| state.is_active() && state.is_synchronous()) {
-                self.receive(MessageId::of(sync), stated(Service::Sync, 0x1005));
+                self.receive(can_id, stated(Service::Sync, (0x1005, 0)));
             }
         }
         if let Some(time) = services.time.map(number) {
             if time & CobId::BIT_30 != 0 {
-                self.send(MessageId::of(time), stated(Service::Time, 0x1012));
+                self.send(MessageId::of(time), stated(Service::Time, (0x1012, 0)));
             }
             if time & CobId::BIT_31 != 0 {
-                self.receive(MessageId::of(time), stated(Service::Time, 0x1012));
+                self.receive(MessageId::of(time), stated(Service::Time, (0x1012, 0)));
             }
         }
         if let Some(emcy) = slave.emcy {
-            self.send(MessageId::of(emcy), stated(Service::Emcy, 0x1014));
+            self.send(MessageId::of(emcy), stated(Service::Emcy, (0x1014, 0)));
         }
-        let node_id = u32::from(slave.node_id);
-        self.receive(
-            MessageId::base(u32::from(predefined::SDO_REQUEST) + node_id),
-            party(Service::SdoRequest),
-        );
-        self.send(
-            MessageId::base(u32::from(predefined::SDO_RESPONSE) + node_id),
-            party(Service::SdoResponse),
-        );
-        self.send(
-            MessageId::base(u32::from(predefined::ERROR_CONTROL) + node_id),
-            party(Service::ErrorControl),
-        );
+        let of_node = |base: u16| MessageId::base(u32::from(base) + u32::from(slave.node_id));
+        self.receive(of_node(predefined::SDO_REQUEST), party(Service::SdoRequest));
+        self.send(of_node(predefined::SDO_RESPONSE), party(Service::SdoResponse));
+        for SdoCanId { can_id, entry, is_sent } in slave.sdo_channels() {
+            let service = if entry.1 == 1 { Service::SdoRequest } else { Service::SdoResponse };
+            match is_sent {
+                true => self.send(can_id, stated(service, entry)),
+                false => self.receive(can_id, stated(service, entry)),
+            }
+        }
+        self.send(of_node(predefined::ERROR_CONTROL), party(Service::ErrorControl));
         for consumer in services.heartbeat_consumers {
             let watched = u32::from(predefined::ERROR_CONTROL) + u32::from(consumer.node_id);
             self.receive(MessageId::base(watched), party(Service::ErrorControl));
@@ -205,24 +203,15 @@ impl Messages {
     fn manager(&mut self, manager: &Manager, compiled: &Compiled) {
         let party = |service| Party { node: manager.node, service, at: manager.name.at };
         for slave in &compiled.slaves {
-            let node_id = u32::from(slave.node_id);
-            self.send(
-                MessageId::base(u32::from(predefined::SDO_REQUEST) + node_id),
-                party(Service::SdoRequest),
-            );
-            self.receive(
-                MessageId::base(u32::from(predefined::SDO_RESPONSE) + node_id),
-                party(Service::SdoResponse),
-            );
+            let of_node = |base: u16| MessageId::base(u32::from(base) + u32::from(slave.node_id));
+            self.send(of_node(predefined::SDO_REQUEST), party(Service::SdoRequest));
+            self.receive(of_node(predefined::SDO_RESPONSE), party(Service::SdoResponse));
             // a described manager has 1016h and 1028h
             if manager.node.is_some() {
                 continue;
             }
             if manager.monitors_nodes() && slave.heartbeat != 0 {
-                self.receive(
-                    MessageId::base(u32::from(predefined::ERROR_CONTROL) + node_id),
-                    party(Service::ErrorControl),
-                );
+                self.receive(of_node(predefined::ERROR_CONTROL), party(Service::ErrorControl));
             }
             if let Some(emcy) = slave.emcy {
                 self.receive(MessageId::of(emcy), party(Service::Emcy));
@@ -259,6 +248,49 @@ impl Messages {
                 (false, false) => {}
             }
         }
+    }
+}
+
+/// Adds a party unless it is there: the manager may have the SDO channels that it uses in 1280h and up too.
+fn add(parties: &mut Vec<Party>, party: Party) {
+    if parties.iter().all(|other| (other.node, other.service) != (party.node, party.service)) {
+        parties.push(party);
+    }
+}
+
+/// The CAN-ID of a request or response of an SDO channel.
+pub(crate) struct SdoCanId {
+    pub(crate) can_id: MessageId,
+    /// Index and sub-index of the entry that has it: 1 for the request, 2 for the response.
+    pub(crate) entry: (u16, u8),
+    /// Whether the node sends it.
+    is_sent: bool,
+}
+
+impl Slave {
+    /// The CAN-ID of SYNC (1005h).
+    pub(crate) fn sync_can_id(&self) -> Option<MessageId> {
+        Some(MessageId::of(self.device.services().sync?.on_node(self.node_id)))
+    }
+
+    /// The valid SDO channels of the node, without the one that each node has by default.
+    pub(crate) fn sdo_channels(&self) -> Vec<SdoCanId> {
+        let can_id = |cob_id: Option<CobId>| {
+            let cob_id = cob_id.filter(|cob_id| cob_id.is_valid())?;
+            Some(MessageId::of(cob_id.on_node(self.node_id))).filter(|can_id| can_id.number != 0)
+        };
+        let services = self.device.services();
+        let servers = services.sdo_servers.iter().filter(|server| server.number > 1);
+        let channels = servers.map(|server| (server, false));
+        let channels = channels.chain(services.sdo_clients.iter().map(|client| (client, true)));
+        let valid = channels.filter_map(|(SdoChannel { index, request, response, .. }, is_client)| {
+            let (request, response) = can_id(*request).zip(can_id(*response))?;
+            Some([
+                SdoCanId { can_id: request, entry: (*index, 1), is_sent: is_client },
+                SdoCanId { can_id: response, entry: (*index, 2), is_sent: !is_client },
+            ])
+        });
+        valid.flatten().collect()
     }
 }
 

@@ -2,7 +2,7 @@
 
 use crate::diagnostic::{At, Diagnostic};
 use crate::effective::Origins;
-use crate::messages::Service;
+use crate::messages::{MessageId, SdoCanId, Service};
 use crate::model::{Entry, Field, Part, PdoKind, PdoMapping, Place};
 use crate::network::{Network, Node};
 use crate::stream::{Slave, indexes};
@@ -51,13 +51,31 @@ impl Slave {
         network.nodes[self.node].origin(self.node, &self.origins, (index, sub))
     }
 
+    /// Whether an entry has a value on purpose: the network file states it, or a DCF one that is not the default.
+    pub(crate) fn is_configured(&self, network: &Network, index: u16, sub: u8) -> bool {
+        let by_dcf = || {
+            let entry = network.nodes[self.node].device.entry(index, sub)?;
+            let value = entry.configured_value()?;
+            Some(entry.default.as_ref() != Some(value))
+        };
+        self.said(index, sub).is_some() || by_dcf().unwrap_or(false)
+    }
+
     /// Where the description has the CAN-ID of a service, which may follow from the node-ID.
-    pub(crate) fn can_id_origin(&self, network: &Network, service: Service) -> Option<At> {
+    pub(crate) fn can_id_origin(&self, network: &Network, can_id: MessageId, service: Service) -> Option<At> {
         match service {
             Service::Pdo(pdo) => self.origin(network, indexes(pdo).0, 1),
             Service::Sync => self.origin(network, 0x1005, 0),
             Service::Time => self.origin(network, 0x1012, 0),
             Service::Emcy => self.origin(network, 0x1014, 0),
+            Service::SdoRequest | Service::SdoResponse => {
+                match self.sdo_channels().iter().find(|channel| channel.can_id == can_id) {
+                    Some(SdoCanId { entry: (index, sub), .. }) => self.origin(network, *index, *sub),
+                    // the manager uses the channels of other nodes
+                    None if can_id.number & 0x7F != self.node_id.into() => None,
+                    None => network.nodes[self.node].node_id_origin(self.node),
+                }
+            }
             _ => network.nodes[self.node].node_id_origin(self.node),
         }
     }

@@ -44,8 +44,10 @@ impl<'n> Traffic<'n> {
                 (manager.sync_period.value, manager.sync_window, manager.sync_overflow.value)
             }
             Some(position) => {
-                let services = self.compiled.nodes().find(|slave| slave.node == position)?.device.services();
-                let window = Said::new(services.synchronous_window.unwrap_or(0), party.at);
+                let slave = self.compiled.nodes().find(|slave| slave.node == position)?;
+                let services = slave.device.services();
+                let at = slave.said(0x1007, 0).unwrap_or(party.at);
+                let window = Said::new(services.synchronous_window.unwrap_or(0), at);
                 (services.communication_cycle_period?, window, services.sync_counter_overflow.unwrap_or(0))
             }
         };

@@ -1,11 +1,13 @@
 //! Nodes that monitor the heartbeat of others.
 
 use crate::configure::Setting;
-use crate::diagnostic::{Diagnostic, Findings, say};
+use crate::diagnostic::{Diagnostic, Findings, Severity, say};
 use crate::model::{Device, Object, Place};
+use crate::names::unknown_node;
 use crate::network::{Heartbeat, Network, Said, Watch, WatchTime};
 use crate::origin::because;
-use crate::rules::NO_HEARTBEAT_CONSUMER;
+use crate::rules::{NO_HEARTBEAT_CONSUMER, SILENT_NODE};
+use crate::source::Span;
 use crate::stream::{Compiled, Manner, compile};
 
 /// Makes settings of the nodes that a node [watches](Heartbeat::watched). One that cannot be monitored is a finding.
@@ -14,11 +16,25 @@ pub fn watch(network: &mut Network, findings: &mut Findings) {
         return;
     }
     let compiled = compile(network, Manner::Repaired, &mut Findings::new());
+    let manager = network.manager.as_ref();
     let mut settings = Vec::new();
     for (position, node) in network.nodes.iter().enumerate() {
         let slave = compiled.nodes().find(|slave| slave.node == position);
         let mut free = free(slave.map_or(&node.device, |slave| &slave.device));
         for said in &node.heartbeat.watched {
+            if said.value.node == node.name.value {
+                findings.push(monitors_itself(said.at, &node.name.value));
+                continue;
+            }
+            let names =
+                network.nodes.iter().map(|node| &node.name).chain(manager.map(|manager| &manager.name));
+            if names.clone().all(|name| name.value != said.value.node) {
+                let message =
+                    say!("there is no node `{}`, which `{}` watches", said.value.node, node.name.value);
+                let names = names.map(|name| &*name.value);
+                findings.push(unknown_node(said.at, &said.value.node, message, names));
+                continue;
+            }
             let mut place = None;
             let setting = consumer(network, &compiled, &said.value).and_then(|number| {
                 place = Some(Place::object(0x1016));
@@ -40,6 +56,13 @@ pub fn watch(network: &mut Network, findings: &mut Findings) {
     for (position, setting) in settings {
         network.nodes[position].implied.push(setting);
     }
+}
+
+/// A node that watches its own heartbeat, which it does not receive.
+pub(crate) fn monitors_itself(at: Span, name: &str) -> Diagnostic {
+    let message = say!("`{}` monitors itself, but a node does not receive its own heartbeat", name);
+    let finding = Diagnostic::new(&SILENT_NODE, at, message).severity(Severity::Error);
+    finding.help("monitor another node").understood()
 }
 
 /// The free sub-indexes of 1016h.

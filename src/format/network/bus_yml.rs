@@ -4,7 +4,7 @@ use std::collections::BTreeMap;
 
 use super::bus_keys::{MAPPING, MASTER, NODE, OPTIONS, PDO, SDO};
 use super::rules::{MISSING_KEY, OVERRIDDEN_KEY, UNKNOWN_KEY, WRONG_TYPE};
-use super::section::{Section, value_wish, wrong};
+use super::section::{Section, or_foreign, value_wish, wrong};
 use super::tree::{Entry, Kind, Tree};
 use super::{Descriptions, yaml};
 use crate::configure::PdoName;
@@ -18,6 +18,9 @@ use crate::source::Span;
 
 /// The largest number of nodes on a bus.
 const MAX_NODES: usize = 127;
+
+/// What ros2_canopen has beside the nodes.
+const KEYS_OF_ROS: [&str; 4] = ["options", "master", "defaults", "nodes"];
 
 /// Reads a network; `None` if the text is no YAML.
 pub(super) fn read(
@@ -90,7 +93,7 @@ struct Reader<'a, 'd> {
 impl Reader<'_, '_> {
     fn options(&mut self, tree: &Tree) {
         let findings = &mut *self.findings;
-        let Some(section) = Section::new("options", tree, OPTIONS, findings) else { return };
+        let Some(section) = Section::shared("options", tree, OPTIONS, findings) else { return };
         if let Some(folder) = section.text("dcf_path", findings) {
             self.options.folder = self.descriptions.expanded(&folder.value);
         }
@@ -113,7 +116,7 @@ impl Reader<'_, '_> {
     }
 
     fn manager(&mut self, tree: &Tree, bit_rate: &mut Option<Said<u16>>) -> Option<Manager> {
-        let section = Section::new("master", tree, MASTER, self.findings)?;
+        let section = Section::shared("master", tree, MASTER, self.findings)?;
         let heartbeat = self.heartbeat(&section);
         let error_behavior = section
             .numbers("error_behavior", self.findings)
@@ -157,10 +160,11 @@ impl Reader<'_, '_> {
     fn ros_nodes(&mut self, tree: &Tree) -> Vec<Entry> {
         for entry in tree.entries().unwrap_or_default() {
             let name = entry.key.spelled();
-            if !matches!(&*name, "options" | "master" | "defaults" | "nodes") {
+            if !KEYS_OF_ROS.contains(&&*name) {
                 let message = say!("`{}` beside `nodes` is no node", name);
                 let finding = Diagnostic::new(&UNKNOWN_KEY, entry.key.span, message);
-                self.findings.push(finding.help("move it below `nodes`"));
+                let finding = or_foreign(finding, &name, KEYS_OF_ROS);
+                self.findings.push(finding.help("move it below `nodes`, or correct it"));
             }
         }
         let nodes = tree.get("nodes").and_then(Tree::entries);
@@ -202,7 +206,7 @@ impl Reader<'_, '_> {
 
     fn node(&mut self, entry: &Entry) -> Option<Node> {
         let name = entry.key.spelled();
-        let section = Section::new(&name, &entry.value, NODE, self.findings)?;
+        let section = Section::shared(&name, &entry.value, NODE, self.findings)?;
         let heartbeat = self.heartbeat(&section);
         let error_behavior = section.numbers("error_behavior", self.findings);
         let pdos = PdoKind::ALL.into_iter().flat_map(|kind| self.pdos(&section, kind)).collect();
@@ -265,7 +269,7 @@ impl Reader<'_, '_> {
     fn pdo(&mut self, kind: PdoKind, number: i128, tree: &Said<&Tree>) -> Option<PdoWish> {
         let pdo = PdoName { kind, number: u16::try_from(number).ok()? };
         let findings = &mut *self.findings;
-        let section = Section::new(&pdo.to_string(), tree.value, PDO, findings)?;
+        let section = Section::shared(&pdo.to_string(), tree.value, PDO, findings)?;
         let cob_id = match section.get("cob_id") {
             Some(tree) if tree.text() == Some("auto") => Some(Said::new(CobIdWish::Auto, tree.span)),
             _ => section.integer("cob_id", findings).map(|id| Said::new(CobIdWish::Number(id.value), id.at)),
@@ -314,7 +318,7 @@ fn address<'t>(
     keys: &'static [super::section::Key],
     findings: &mut Findings,
 ) -> Option<(Said<Address>, Section<'t>)> {
-    let section = Section::new(name, item, keys, findings)?;
+    let section = Section::shared(name, item, keys, findings)?;
     section.required(name, "index", findings)?;
     let index = section.integer("index", findings)?.value;
     let sub = match section.get("sub_index") {

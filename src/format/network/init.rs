@@ -9,7 +9,7 @@ use super::super::input::{Input, ReadError, Reading};
 use super::quoted;
 use super::topology::location;
 use crate::diagnostic::Findings;
-use crate::model::{Device, MappedObject, NodeList, PdoKind};
+use crate::model::{BaudRates, Device, MappedObject, NodeList, PdoKind};
 use crate::network::{Manner, Network, Node, PdoState, Said, Slave, compile};
 use crate::source::Span;
 
@@ -170,7 +170,7 @@ impl Start {
                 node.device.device_info.as_ref().is_some_and(|info| info.baud_rates.get(rate) == Some(false))
             })
         };
-        let rates = [10, 20, 50, 125, 250, 500, 800, 1000].into_iter().filter(|rate| !is_refused(*rate));
+        let rates = BaudRates::DEFINED.into_iter().filter(|rate| !is_refused(*rate));
         let rates: Vec<String> = rates.map(|rate| rate.to_string()).collect();
         if let Some(last) = rates.last() {
             let _ = writeln!(text, "# bit-rate = {last}  # supported by all nodes: {}", rates.join(", "));

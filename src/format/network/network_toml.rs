@@ -11,7 +11,7 @@ use crate::diagnostic::{Diagnostic, Findings, Text, say};
 use crate::model::{Address, Device, PdoKind};
 use crate::network::{
     Boot, CobIdWish, DownloadWish, Heartbeat, IdentityLevel, Link, LinkEnd, LinkParameters, LinkedEntries,
-    Manager, Network, Node, PdoWish, Said, Startup, Watch, WatchTime, connect, watch,
+    Manager, Network, Node, PdoWish, Said, Startup, Watch, WatchTime, connect, named_manager, watch,
 };
 use crate::source::Span;
 
@@ -53,15 +53,19 @@ impl Reader<'_, '_> {
         network.identity = identity(&bus, findings);
         network.run_time_folder = self.folder(&bus).unwrap_or_default();
         let named = bus.text("manager", self.findings);
-        let node = named
-            .as_ref()
-            .and_then(|named| network.nodes.iter().position(|node| node.name.value == named.value));
         let settings = root.get("manager");
-        if let Some(named) = named.as_ref().filter(|_| node.is_none() && settings.is_none()) {
-            let message = say!("there is no node `{}`, which is the manager", named.value);
-            let help = "describe it, or add `manager` with its `id`";
-            self.findings.push(Diagnostic::new(&MISSING_KEY, named.at, message).help(help));
-        }
+        let has_id = settings.is_some_and(|settings| settings.get("id").is_some());
+        let node = match &named {
+            Some(named) => named_manager(named, has_id, &network.nodes, self.findings),
+            None => {
+                if let Some(settings) = settings.filter(|_| !has_id) {
+                    let start = Span::empty(settings.span.start);
+                    let finding = Diagnostic::new(&MISSING_KEY, start, "`manager` has no key `id`");
+                    self.findings.push(finding.help("add `id`, or name a node as `manager` of `bus`"));
+                }
+                None
+            }
+        };
         let mut manager = match (settings, node) {
             (Some(settings), _) => self.manager(settings, node.map(|at| &network.nodes[at])),
             (None, Some(at)) => self.manager(&empty, Some(&network.nodes[at])),
@@ -108,9 +112,6 @@ impl Reader<'_, '_> {
     /// The manager; what its table does not say follows from its description.
     fn manager(&mut self, tree: &Tree, node: Option<&Node>) -> Option<Manager> {
         let section = Section::new("manager", tree, MANAGER, self.findings)?;
-        if node.is_none() {
-            section.required("manager", "id", self.findings);
-        }
         let mut heartbeat = self.heartbeat(&section, "watches-nodes");
         if let Some(node) = node {
             heartbeat.producer = heartbeat.producer.or(node.heartbeat.producer);
@@ -430,7 +431,7 @@ fn identity(section: &Section<'_>, findings: &mut Findings) -> Option<IdentityLe
 
 /// What `bus` and `manager` say, as settings of the described manager.
 fn describe(manager: &Manager, node: &mut Node) {
-    node.heartbeat.producer = manager.heartbeat.producer;
+    node.heartbeat.producer = node.heartbeat.producer.or(manager.heartbeat.producer);
     node.time_cob_id = manager.time_cob_id.or(node.time_cob_id);
     let errors = manager.error_behavior.iter();
     node.error_behavior.extend(errors.map(|(sub, value)| (*sub, Said::new(*value, manager.name.at))));

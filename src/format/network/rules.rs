@@ -27,10 +27,10 @@ text_rules! {
     remedy: "Remove one of the two, or give it another name.",
     source: "YAML 1.1 §3.2.1.3",
 
-    UNKNOWN_KEY = "network/unknown-key", Warning;
+    UNKNOWN_KEY = "network/unknown-key", Error;
     summary: "an unknown key",
-    checks: "Whether each key of the file is one that dcfgen, the launch files of ROS or objdict knows.",
-    why: "The key is probably misspelled. dcfgen passes over it, so the node keeps its default.",
+    checks: "Whether each key of a `network.toml` is in the tables of docs/network.md, and each key of a `bus.yml` one that dcfgen or the launch files of ROS know. Other programs may have keys in a `bus.yml`, so there an unknown key is a warning, unless it differs in one or two letters from one that dcfgen reads.",
+    why: "The key is misspelled or in the wrong table. dcfgen passes over it, so the node keeps its default.",
     example: "`heartbeat_produce: 500`",
     remedy: "Correct the name or remove the key.",
     source: "dcf-tools 2.4.2; objdict, docs/network.md",

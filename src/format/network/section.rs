@@ -3,7 +3,7 @@
 use super::rules::{MISSING_KEY, OUT_OF_RANGE, UNKNOWN_KEY, WRONG_TYPE};
 use super::tree::{Entry, Kind, Tree};
 use crate::configure::nanoseconds;
-use crate::diagnostic::{Diagnostic, Findings, Severity, listing, nearest, say};
+use crate::diagnostic::{Diagnostic, Findings, Severity, listing, misspelled, nearest, say};
 use crate::network::{Said, ValueWish};
 use crate::source::Span;
 
@@ -80,6 +80,28 @@ impl<'t> Section<'t> {
         keys: &'static [Key],
         findings: &mut Findings,
     ) -> Option<Self> {
+        Self::with_unknown(name, tree, keys, |finding, _| finding, findings)
+    }
+
+    /// The same for a map in which other programs may have keys: an unknown key is a warning, unless it is plainly another
+    /// one that is misspelled.
+    pub(super) fn shared(
+        name: &str,
+        tree: &'t Tree,
+        keys: &'static [Key],
+        findings: &mut Findings,
+    ) -> Option<Self> {
+        let own = || keys.iter().filter(|key| !matches!(key.shape, Shape::Foreign)).map(|key| key.name);
+        Self::with_unknown(name, tree, keys, |finding, key| or_foreign(finding, key, own()), findings)
+    }
+
+    fn with_unknown(
+        name: &str,
+        tree: &'t Tree,
+        keys: &'static [Key],
+        rated: impl Fn(Diagnostic, &str) -> Diagnostic,
+        findings: &mut Findings,
+    ) -> Option<Self> {
         let Some(entries) = tree.entries() else {
             let message = say!("`{}` is {}, not a table of keys", name, tree.kind_name());
             findings.push(Diagnostic::new(&WRONG_TYPE, tree.span, message).help("write its keys below it"));
@@ -91,6 +113,7 @@ impl<'t> Section<'t> {
             if !keys.iter().any(|known| known.name == key) {
                 let finding =
                     Diagnostic::new(&UNKNOWN_KEY, entry.key.span, say!("`{}` has no key `{}`", name, key));
+                let finding = rated(finding, &key);
                 findings.push(match nearest(&key, keys.iter().map(|known| known.name)) {
                     Some(meant) => finding.help(say!("did you mean `{}`?", meant)),
                     None => finding.help("remove it, or see docs/network.md for the keys"),
@@ -303,6 +326,18 @@ impl<'t> Section<'t> {
             }
         }
         numbered
+    }
+}
+
+/// A finding about an unknown key that another program may know, if it is not one of these words, misspelled.
+pub(super) fn or_foreign<'a>(
+    finding: Diagnostic,
+    key: &str,
+    words: impl IntoIterator<Item = &'a str>,
+) -> Diagnostic {
+    match misspelled(key, words) {
+        Some(_) => finding.understood(),
+        None => finding.severity(Severity::Warning),
     }
 }
 

@@ -12,8 +12,16 @@ pub fn sub_index(sub: u8) -> String {
 
 /// The known word closest to `wanted`; `None` if none is similar.
 pub fn nearest<'a>(wanted: &str, words: impl IntoIterator<Item = &'a str>) -> Option<&'a str> {
+    closest(wanted, words, wanted.chars().count() / 3 + 1)
+}
+
+/// The known word that `wanted` is plainly meant for: at most two letters differ, and at most a third of them.
+pub fn misspelled<'a>(wanted: &str, words: impl IntoIterator<Item = &'a str>) -> Option<&'a str> {
+    closest(wanted, words, (wanted.chars().count() / 3).min(2))
+}
+
+fn closest<'a>(wanted: &str, words: impl IntoIterator<Item = &'a str>, most: usize) -> Option<&'a str> {
     let wanted = wanted.to_ascii_lowercase();
-    let most = wanted.chars().count() / 3 + 1;
     let distance = |word: &str| edits(&wanted, &word.to_ascii_lowercase());
     let words = words.into_iter().map(|word| (distance(word), word));
     words
@@ -22,16 +30,24 @@ pub fn nearest<'a>(wanted: &str, words: impl IntoIterator<Item = &'a str>) -> Op
         .map(|(_, word)| word)
 }
 
-/// The number of letters to change, add or remove to turn one word into the other (Levenshtein).
+/// The number of letters to change, add, remove or exchange with their neighbours to turn one word into the other (optimal
+/// string alignment).
 fn edits(from: &str, to: &str) -> usize {
-    let mut row: Vec<usize> = (0..=to.chars().count()).collect();
-    for (number, a) in from.chars().enumerate() {
-        let mut diagonal = std::mem::replace(&mut row[0], number + 1);
-        for (column, b) in to.chars().enumerate() {
-            let replaced = diagonal + usize::from(a != b);
-            diagonal = row[column + 1];
-            row[column + 1] = replaced.min(row[column] + 1).min(diagonal + 1);
+    let (from, to): (Vec<char>, Vec<char>) = (from.chars().collect(), to.chars().collect());
+    let mut before = Vec::new();
+    let mut row: Vec<usize> = (0..=to.len()).collect();
+    for (number, a) in from.iter().enumerate() {
+        let mut next = vec![number + 1];
+        for (column, b) in to.iter().enumerate() {
+            let replaced = row[column] + usize::from(a != b);
+            let mut least = replaced.min(row[column + 1] + 1).min(next[column] + 1);
+            let is_exchanged = number > 0 && column > 0 && *a == to[column - 1] && from[number - 1] == *b;
+            if is_exchanged {
+                least = least.min(before[column - 1] + 1);
+            }
+            next.push(least);
         }
+        before = std::mem::replace(&mut row, next);
     }
     row.last().copied().unwrap_or_default()
 }
@@ -64,12 +80,24 @@ mod tests {
         assert_eq!(edits("duplicate-key", "duplicate-key"), 0);
         assert_eq!(edits("duplcate-keys", "duplicate-key"), 2);
         assert_eq!(edits("", "abc"), 3);
+        assert_eq!(edits("pcl", "plc"), 1);
+        assert_eq!(edits("heartbeat_prodcuer", "heartbeat_producer"), 1);
     }
 
     #[test]
     fn the_nearest_word_is_one_that_is_near() {
         assert_eq!(nearest("Waring", ["note", "warning", "error"]), Some("warning"));
         assert_eq!(nearest("x", ["note", "warning", "error"]), None);
+    }
+
+    #[test]
+    fn a_misspelled_word_is_nearly_the_known_one() {
+        let words = ["plc", "transmission", "offset_pos_to_dev"];
+        assert_eq!(misspelled("pcl", words), Some("plc"));
+        assert_eq!(misspelled("transmision", words), Some("transmission"));
+        assert_eq!(misspelled("PLC", words), Some("plc"));
+        assert_eq!(misspelled("hmi", words), None);
+        assert_eq!(misspelled("offset_vel_to_dev", words), None);
     }
 
     #[test]

@@ -152,6 +152,9 @@ impl DeviceInfo {
 }
 
 impl BaudRates {
+    /// The bit rates of CiA 301 in kbit/s (§6.2).
+    pub const DEFINED: [u16; 8] = [10, 20, 50, 125, 250, 500, 800, 1000];
+
     /// Every bit rate of CiA 301 in kbit/s, with its field and whether it is supported.
     pub fn iter(&self) -> impl Iterator<Item = (u16, Field, Option<bool>)> {
         [

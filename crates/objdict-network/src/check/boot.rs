@@ -2,7 +2,7 @@
 
 use super::Check;
 use super::timing::sdo_bits;
-use crate::diagnostic::{At, Diagnostic, say};
+use crate::diagnostic::{At, Diagnostic, Severity, say};
 use crate::download::Order;
 use crate::identity::{self, number};
 use crate::rules::{AMBIGUOUS_IDENTITY, BOOT_TIME, WRONG_IDENTITY};
@@ -92,7 +92,12 @@ impl Check<'_, '_> {
         for (index, is, origin) in identity.chain(emcy) {
             let Some(wanted) = number(&manager.device, index, slave.node_id, slave.node_id) else { continue };
             let is_off = wanted == 0 || index == 0x1028 && wanted >> 31 != 0;
-            if !is_off && is != 0 && wanted != is {
+            // a device type of 0 is one
+            let is_stated = is != 0 || index == 0x1F84 && node.device.value(0x1000, 0).is_some();
+            let said = manager.said(index, slave.node_id);
+            // a setting beside a number that follows from the node is a contradiction
+            let is_reported = said.is_some() && is != 0;
+            if !is_off && !is_reported && is_stated && wanted != is {
                 let message = say!(
                     "{:04X}h of the manager expects {:X}h of `{}`, which has {:X}h",
                     index,
@@ -100,10 +105,16 @@ impl Check<'_, '_> {
                     node.name.value,
                     is
                 );
-                let finding = Diagnostic::new(&WRONG_IDENTITY, node.name.at, message)
+                let finding = Diagnostic::new(&WRONG_IDENTITY, said.unwrap_or(node.name.at), message)
                     .label_each(manager.origin(self.network, index, slave.node_id), "the expected number")
-                    .label_each(origin, "the described number");
-                self.findings.push(finding.help("correct the value in the description of the manager"));
+                    .label_each(origin, "the described number")
+                    .help("correct the value of the manager, or use the description of that device");
+                // the revision may be another one than that of the description
+                let is_other_device = (0x1F84..=0x1F86).contains(&index);
+                self.findings.push(match is_other_device {
+                    true => finding.severity(Severity::Error).understood(),
+                    false => finding,
+                });
             }
         }
     }

@@ -3,10 +3,10 @@
 use std::collections::BTreeMap;
 
 use super::Check;
-use crate::diagnostic::{At, Diagnostic, Severity, say};
+use crate::diagnostic::{At, Diagnostic, Severity, say, series};
 use crate::messages::{Message, MessageId, Party, Service};
-use crate::model::{Field, Part, PdoKind, Place, restricted};
-use crate::network::Said;
+use crate::model::{BaudRates, Field, Part, PdoKind, Place, restricted};
+use crate::network::{Node, Said};
 use crate::rules::{
     DUPLICATE_CAN_ID, DUPLICATE_NODE_ID, DUPLICATE_SYNC_SENDER, PDO_LENGTH, RESTRICTED_CAN_ID,
     RPDO_WITHOUT_SENDER, TPDO_WITHOUT_RECEIVER, UNSUPPORTED_BIT_RATE,
@@ -16,33 +16,52 @@ use crate::stream::{PdoState, indexes};
 impl<'n> Check<'n, '_> {
     pub(super) fn nodes(&mut self) {
         self.node_ids();
-        let Some(rate) = self.network.bit_rate else { return };
+        self.bit_rates();
+    }
+
+    /// The bit rate of the network, else the first one that a DCF states, against the nodes.
+    fn bit_rates(&mut self) {
+        let stated = |node: &Node| node.device.commissioning.as_ref()?.baud_rate.filter(|rate| *rate != 0);
+        let of_node = |node: usize| At::Node(node, Place::of(Part::Commissioning).field(Field::Baudrate));
+        let nodes = || self.network.nodes.iter().enumerate();
+        let (rate, at, whose) = match self.network.bit_rate {
+            Some(Said { value, at }) => (value, at.into(), say!("the bit rate of the network")),
+            None => match nodes().find_map(|(position, node)| Some((position, node, stated(node)?))) {
+                Some((position, node, rate)) => {
+                    (rate, of_node(position), say!("the bit rate of `{}`", node.name.value))
+                }
+                None => return,
+            },
+        };
+        if let Some(said) = self.network.bit_rate.filter(|rate| !BaudRates::DEFINED.contains(&rate.value)) {
+            let message = say!("{} kbit/s is not a bit rate of CiA 301", rate);
+            let finding = Diagnostic::new(&UNSUPPORTED_BIT_RATE, said.at, message).understood();
+            let help = say!("use one of the bit rates in kbit/s: {}", series(BaudRates::DEFINED));
+            self.findings.push(finding.help(help));
+        }
         for (position, node) in self.network.nodes.iter().enumerate() {
             let info = node.device.device_info.as_ref();
             let mut rates = info.into_iter().flat_map(|info| info.baud_rates.iter());
             let refused =
-                rates.find(|(known, _, is_supported)| (*known, *is_supported) == (rate.value, Some(false)));
-            let at = |place: Place| At::Node(position, place);
-            let stated = node.device.commissioning.as_ref().and_then(|node| node.baud_rate);
-            let finding = |message| {
-                Diagnostic::new(&UNSUPPORTED_BIT_RATE, node.file.at, message)
-                    .label(rate.at, "the bit rate of the network")
+                rates.find(|(known, _, is_supported)| (*known, *is_supported) == (rate, Some(false)));
+            let (message, label, help) = if let Some((_, field, _)) = refused {
+                (
+                    say!("`{}` does not support {} kbit/s", node.name.value, rate),
+                    (At::Node(position, Place::of(Part::DeviceInfo).field(field)), "not supported"),
+                    say!("use a bit rate that all nodes support"),
+                )
+            } else if let Some(stated) = stated(node).filter(|stated| *stated != rate) {
+                (
+                    say!("`{}` is configured for {} kbit/s", node.name.value, stated),
+                    (of_node(position), "the configured bit rate"),
+                    say!("set its bit rate to {} kbit/s", rate),
+                )
+            } else {
+                continue;
             };
-            if let Some((_, field, _)) = refused {
-                let message = say!("`{}` does not support {} kbit/s", node.name.value, rate.value);
-                let finding =
-                    finding(message).label(at(Place::of(Part::DeviceInfo).field(field)), "not supported");
-                self.findings.push(finding.help("use a bit rate that all nodes support").understood());
-            } else if let Some(stated) = stated.filter(|stated| ![0, rate.value].contains(stated)) {
-                let message = say!("`{}` is configured for {} kbit/s", node.name.value, stated);
-                let finding = finding(message)
-                    .label(
-                        at(Place::of(Part::Commissioning).field(Field::Baudrate)),
-                        "the configured bit rate",
-                    )
-                    .severity(Severity::Warning);
-                self.findings.push(finding.help(say!("set its bit rate to {} kbit/s", rate.value)));
-            }
+            let finding = Diagnostic::new(&UNSUPPORTED_BIT_RATE, node.file.at, message);
+            let finding = finding.label(at.clone(), whose.clone()).label(label.0, label.1);
+            self.findings.push(finding.help(help).understood());
         }
     }
 
@@ -77,7 +96,7 @@ impl<'n> Check<'n, '_> {
                     self.described(party)
                 );
                 let finding = Diagnostic::new(&RESTRICTED_CAN_ID, party.at, message)
-                    .label_each(self.can_id_origin(party), "the CAN-ID");
+                    .label_each(self.can_id_origin(*can_id, party), "the CAN-ID");
                 self.findings.push(finding.help("use a CAN-ID of 181h to 57Fh or 680h to 6DFh").understood());
             }
         }
@@ -102,14 +121,30 @@ impl<'n> Check<'n, '_> {
             {
                 continue;
             }
+            let are_clients = (first.service, other.service) == (Service::SdoRequest, Service::SdoRequest);
+            // the manager is the client by rule
+            let is_manager = self.network.manager.as_ref().is_some_and(|manager| manager.node == other.node);
+            let (first, other) = if are_clients && is_manager { (other, first) } else { (first, other) };
             let rule = if is_same_service { &DUPLICATE_SYNC_SENDER } else { &DUPLICATE_CAN_ID };
             let message =
                 format!("{} and {} both send {can_id}", self.described(first), self.described(other));
             let finding = Diagnostic::new(rule, other.at, message)
                 .label(first.at, "the other sender")
-                .label_each(self.can_id_origin(other), say!("the CAN-ID of {}", other.service.to_string()))
-                .label_each(self.can_id_origin(first), say!("the CAN-ID of {}", first.service.to_string()));
-            findings.push(finding.help("give one of them another CAN-ID, or switch it off").understood());
+                .label_each(
+                    self.can_id_origin(can_id, other),
+                    say!("the CAN-ID of {}", other.service.to_string()),
+                )
+                .label_each(
+                    self.can_id_origin(can_id, first),
+                    say!("the CAN-ID of {}", first.service.to_string()),
+                );
+            let help = match are_clients {
+                true => {
+                    "give one of the clients a channel of its own (1280h), which the node has in 1201h too"
+                }
+                false => "give one of them another CAN-ID, or switch it off",
+            };
+            findings.push(finding.help(help).understood());
         }
         findings.into_iter().for_each(|finding| self.findings.push(finding));
     }
@@ -135,7 +170,7 @@ impl<'n> Check<'n, '_> {
                 for party in message.receivers.iter().filter(is_pdo) {
                     let text = format!("no node sends {can_id}, which {} receives", self.described(party));
                     let finding = Diagnostic::new(&RPDO_WITHOUT_SENDER, party.at, text)
-                        .label_each(self.can_id_origin(party), "the CAN-ID");
+                        .label_each(self.can_id_origin(*can_id, party), "the CAN-ID");
                     findings.push(finding.help("correct the CAN-ID, or switch the RPDO off"));
                 }
             }
@@ -143,7 +178,7 @@ impl<'n> Check<'n, '_> {
                 for party in message.senders.iter().filter(is_pdo) {
                     let text = format!("no node receives {can_id}, which {} sends", self.described(party));
                     let finding = Diagnostic::new(&TPDO_WITHOUT_RECEIVER, party.at, text)
-                        .label_each(self.can_id_origin(party), "the CAN-ID");
+                        .label_each(self.can_id_origin(*can_id, party), "the CAN-ID");
                     findings.push(finding.help("switch the TPDO off, or link its entries"));
                 }
             }

@@ -1,9 +1,10 @@
 //! Monitoring.
 
 use super::Check;
-use crate::diagnostic::{At, Diagnostic, say};
+use crate::diagnostic::{At, Diagnostic, Severity, say};
 use crate::rules::{SHORT_HEARTBEAT_TIME, SILENT_NODE};
 use crate::source::Span;
+use crate::watch::monitors_itself;
 
 /// A heartbeat is late by the frames that wait before it, so a consumer waits half a period longer at least.
 const LEAST_FACTOR: f64 = 1.5;
@@ -11,6 +12,9 @@ const LEAST_FACTOR: f64 = 1.5;
 /// A node that monitors another one.
 struct Consumer<'n> {
     name: &'n str,
+    own: Option<u8>,
+    /// Whether the network file has the time.
+    is_said: bool,
     at: Span,
     /// Where its description has the time.
     origin: Option<At>,
@@ -22,14 +26,21 @@ impl<'n> Check<'n, '_> {
     /// The consumer heartbeat times of nodes and manager against the producers.
     pub(super) fn heartbeats(&mut self) {
         for consumer in self.consumers() {
-            let Consumer { name, at, origin, node_id, milliseconds } = consumer;
+            let Consumer { name, own, is_said, at, origin, node_id, milliseconds } = consumer;
+            if own == Some(node_id) {
+                let finding = monitors_itself(at, name);
+                self.findings.push(finding.label_each(origin, "the consumer heartbeat time"));
+                continue;
+            }
             let finding = |rule, message| {
                 Diagnostic::new(rule, at, message).label_each(origin, "the consumer heartbeat time")
             };
             let finding = match self.producer(node_id) {
                 None => {
                     let message = say!("`{}` monitors node {}, which is not in the network", name, node_id);
-                    finding(&SILENT_NODE, message).help("free the sub-index of 1016h, or add the node")
+                    let finding =
+                        finding(&SILENT_NODE, message).help("free the sub-index of 1016h, or add the node");
+                    if is_said { finding.severity(Severity::Error).understood() } else { finding }
                 }
                 Some((producer, 0, place)) => {
                     let message = say!("`{}` monitors `{}`, which sends no heartbeat", name, producer);
@@ -63,10 +74,12 @@ impl<'n> Check<'n, '_> {
             let node = &self.network.nodes[slave.node];
             let wish = node.heartbeat.consumer.map_or(node.name.at, |consumer| consumer.at);
             for consumer in slave.device.services().heartbeat_consumers {
-                let at = slave.said(0x1016, consumer.sub).unwrap_or(wish);
+                let said = slave.said(0x1016, consumer.sub);
                 consumers.push(Consumer {
                     name: &node.name.value,
-                    at,
+                    own: Some(slave.node_id),
+                    is_said: said.is_some(),
+                    at: said.unwrap_or(wish),
                     origin: slave.origin(self.network, 0x1016, consumer.sub),
                     node_id: consumer.node_id,
                     milliseconds: consumer.time,
@@ -82,6 +95,8 @@ impl<'n> Check<'n, '_> {
                 let time = node.heartbeat.consumer_time(slave.heartbeat);
                 consumers.extend(time.map(|milliseconds| Consumer {
                     name: &manager.name.value,
+                    own: None,
+                    is_said: false,
                     at,
                     origin: None,
                     node_id: slave.node_id,

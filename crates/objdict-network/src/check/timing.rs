@@ -1,11 +1,10 @@
-//! SYNC, the times of PDOs, and the load of the bus.
+//! The times of PDOs, and the load of the bus.
 
 use super::Check;
 use crate::diagnostic::{Diagnostic, Severity, say};
 use crate::messages::Message;
 use crate::model::PdoKind;
-use crate::network::Network;
-use crate::rules::{BUS_LOAD, NO_SYNC_SENDER, PDO_TIMES, SYNC_COUNTER, SYNC_WINDOW};
+use crate::rules::{BUS_LOAD, PDO_TIMES};
 use crate::stream::{PdoState, Slave, indexes};
 use crate::traffic::frame_bits;
 
@@ -16,64 +15,6 @@ pub(super) const fn sdo_bits(size: usize) -> u64 {
 }
 
 impl<'n> Check<'n, '_> {
-    pub(super) fn sync(&mut self) {
-        let pdos = self.traffic().sent();
-        let synchronous: Vec<_> = pdos.into_iter().filter(|(_, state)| state.is_synchronous()).collect();
-        let Some(sync) = self.traffic().sync() else {
-            let findings: Vec<_> =
-                synchronous.iter().map(|(slave, state)| no_sync(self.network, slave, state)).collect();
-            findings.into_iter().for_each(|finding| self.findings.push(finding));
-            return;
-        };
-        let mut findings = Vec::new();
-        let mut counted = Vec::new();
-        for (slave, _) in &synchronous {
-            if Some(slave.node) == sync.node || counted.contains(&slave.node) {
-                continue;
-            }
-            counted.push(slave.node);
-            let node = &self.network.nodes[slave.node];
-            let overflow = slave.device.services().sync_counter_overflow;
-            // a node without 1019h takes a SYNC of any length
-            if let Some(overflow) = overflow.filter(|overflow| *overflow != sync.overflow) {
-                let message = say!(
-                    "`{}` expects SYNC with the counter overflow {}, but it is {}",
-                    node.name.value,
-                    overflow,
-                    sync.overflow
-                );
-                let sender = sync.node.and_then(|node| self.slave(node));
-                let of_sender = sender.and_then(|sender| sender.origin(self.network, 0x1019, 0));
-                let finding = Diagnostic::new(&SYNC_COUNTER, node.name.at, message)
-                    .label(sync.at, "who sends SYNC")
-                    .label_each(slave.origin(self.network, 0x1019, 0), "the overflow value")
-                    .label_each(of_sender, "the overflow value of the sender");
-                findings.push(finding.help("set 1019h to the same value in all nodes").understood());
-            }
-        }
-        // with types above 1 PDOs may still meet in one cycle
-        let burst: u64 = synchronous.iter().map(|(_, state)| state.frame_bits()).sum::<u64>()
-            + frame_bits(sync.bytes, false);
-        let time = (burst * 1000).div_ceil(self.bit_rate());
-        let (limit, what, at, index) = match sync.window.value {
-            0 => (sync.period, "communication cycle period", sync.at, 0x1006),
-            window => (window, "synchronous window length", sync.window.at, 0x1007),
-        };
-        if time > limit {
-            let message = say!(
-                "SYNC and the synchronous PDOs take up to {} µs, but the {} is {} µs",
-                time,
-                what,
-                limit
-            );
-            let sender = sync.node.and_then(|node| self.slave(node));
-            let origin = sender.and_then(|sender| sender.origin(self.network, index, 0));
-            let finding = Diagnostic::new(&SYNC_WINDOW, at, message).label_each(origin, say!("the {}", what));
-            findings.push(finding.help("lengthen it, or send PDOs less often"));
-        }
-        findings.into_iter().for_each(|finding| self.findings.push(finding));
-    }
-
     /// Inhibit time, event timer and deadline.
     pub(super) fn times(&mut self) {
         let mut findings = Vec::new();
@@ -136,20 +77,4 @@ impl<'n> Check<'n, '_> {
             self.findings.push(finding.help("lengthen times, map entries together, or raise the bit rate"));
         }
     }
-}
-
-fn no_sync(network: &Network, slave: &Slave, state: &PdoState) -> Diagnostic {
-    let node = &network.nodes[slave.node];
-    let said = node.pdos.iter().find(|wish| wish.pdo == state.pdo);
-    let at =
-        said.map_or(node.name.at, |wish| wish.transmission.map_or(wish.at, |transmission| transmission.at));
-    let message = say!(
-        "{} {} of `{}` waits for SYNC, which no node sends",
-        state.pdo.kind,
-        state.pdo.number,
-        node.name.value
-    );
-    Diagnostic::new(&NO_SYNC_SENDER, at, message)
-        .label_each(slave.origin(network, indexes(state.pdo).0, 2), "the transmission type")
-        .help("set the SYNC period of the manager, or use an event-driven transmission type")
 }

@@ -7,8 +7,9 @@ use objdict_node::{ObjectName, resolve};
 
 use crate::diagnostic::{At, Diagnostic, RuleInfo, Text, listing, nearest, say};
 use crate::model::{Address, DataType, Device, Field, Object, PdoKind, Place};
+use crate::names::unknown_node;
 use crate::origin::{because, refusing_field};
-use crate::rules::{LINK_DIRECTION, LINK_MISMATCH, LINK_TYPE, UNKNOWN_ENTRY, UNKNOWN_NODE};
+use crate::rules::{LINK_DIRECTION, LINK_MISMATCH, LINK_TYPE, UNKNOWN_ENTRY};
 use crate::{Link, LinkEnd, Network, Node};
 
 /// An entry in a PDO.
@@ -87,14 +88,14 @@ impl<'a> Names<'a> {
 
     fn unknown_node(&self, end: &LinkEnd) -> Box<Diagnostic> {
         let manager = self.network.manager.as_ref().is_some_and(|manager| manager.name.value == end.node);
-        let help = match nearest(&end.node, self.positions.keys().copied()) {
-            _ if manager => {
-                "give the manager a node with a description, which has the entries for the link".into()
+        let message = say!("there is no node `{}`", end.node);
+        let finding = unknown_node(end.at, &end.node, message, self.positions.keys().copied());
+        Box::new(match manager {
+            true => {
+                finding.help("give the manager a node with a description, which has the entries for the link")
             }
-            Some(name) => say!("write `{}`, or describe the node", name),
-            None => "describe the node, or write the name of one that is described".into(),
-        };
-        wrong(&UNKNOWN_NODE, end, say!("there is no node `{}`", end.node), help)
+            false => finding,
+        })
     }
 
     /// Compares the two ends of a link, entry by entry.

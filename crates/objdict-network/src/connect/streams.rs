@@ -3,7 +3,8 @@
 use std::collections::HashMap;
 
 use super::ends::{Carried, End, Names};
-use crate::diagnostic::Findings;
+use crate::diagnostic::{Diagnostic, Findings, Severity, Text, say};
+use crate::rules::TWO_PRODUCERS;
 use crate::source::Span;
 use crate::{Link, LinkParameters, Network};
 
@@ -56,6 +57,11 @@ pub(super) fn collect(network: &Network, findings: &mut Findings) -> Vec<Stream>
     for (position, link) in network.links.iter().enumerate() {
         match names.ends(link, |finding| findings.push(finding)) {
             Ok((from, consumers)) if !consumers.is_empty() => {
+                for to in &consumers {
+                    if let Some(finding) = collection.written_twice(network, link, &from, to) {
+                        findings.push(finding);
+                    }
+                }
                 collection.add((position, link), &from, &consumers);
             }
             Ok(_) => {}
@@ -72,6 +78,8 @@ struct Collection {
     alike: HashMap<(usize, Vec<usize>, LinkParameters), usize>,
     /// Where an entry of a producer is: stream and signal.
     sent: HashMap<(usize, u16, u8), Vec<(usize, usize)>>,
+    /// What an entry of a consumer receives: the producer, its entry, and the place of the link.
+    written: HashMap<(usize, u16, u8), (usize, Carried, Span)>,
 }
 
 impl Collection {
@@ -84,9 +92,55 @@ impl Collection {
                 at: link.at,
                 deadline: link.deadline.map(|said| said.value),
             };
-            let receivers = consumers.iter().map(receiver);
-            self.signal((number, link), *producer, *entry, consumers).receivers.extend(receivers);
+            let receivers = &mut self.signal((number, link), *producer, *entry, consumers).receivers;
+            for receiver in consumers.iter().map(receiver) {
+                // a link that is there twice needs no second place
+                if receivers.iter().all(|other| (other.node, other.entry) != (receiver.node, receiver.entry))
+                {
+                    receivers.push(receiver);
+                }
+            }
         }
+    }
+
+    /// Entries of a consumer that another link writes already.
+    fn written_twice(
+        &mut self,
+        network: &Network,
+        link: &Link,
+        (producer, entries): &End,
+        (consumer, targets): &End,
+    ) -> Option<Diagnostic> {
+        let name = |node: usize| &network.nodes[node].name.value;
+        let end = link.to.iter().find(|end| end.node == *name(*consumer));
+        let at = end.map_or(link.at, |end| end.at);
+        let mut twice = Vec::new();
+        for (entry, target) in entries.iter().zip(targets) {
+            let new = (*producer, *entry, at);
+            let first = *self.written.entry((*consumer, target.index, target.sub)).or_insert(new);
+            if first != new {
+                twice.push((*target, *entry, first));
+            }
+        }
+        twice.sort_by_key(|(_, entry, first)| (first.0, first.1) == (*producer, *entry));
+        let (target, entry, (other, sent, place)) = twice.first()?;
+        let what: Text = match twice.len() {
+            1 => say!("`{}` of `{}`", target.name(), name(*consumer)),
+            count => say!("`{}` of `{}` and {} more entries", target.name(), name(*consumer), count - 1),
+        };
+        let finding = |message| Diagnostic::new(&TWO_PRODUCERS, at, message).label(*place, "the other link");
+        Some(match (*other, *sent) == (*producer, *entry) {
+            true => {
+                let finding = finding(say!("{} is linked twice to `{}`", what, name(*producer)));
+                finding.severity(Severity::Warning).help("remove one of the links")
+            }
+            false => {
+                let first = say!("`{}` of `{}`", sent.name(), name(*other));
+                let second = say!("`{}` of `{}`", entry.name(), name(*producer));
+                finding(say!("two links write {}: from {} and {}", what, first, second))
+                    .help("link each producer to an entry of its own")
+            }
+        })
     }
 
     /// The signal of an entry: one that is sent as the link says, else a new one.

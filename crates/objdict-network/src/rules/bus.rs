@@ -13,15 +13,15 @@ text_rules! {
 
     UNSUPPORTED_BIT_RATE = "network/unsupported-bit-rate", Error;
     summary: "a node does not support the bit rate of the network",
-    checks: "Whether the `BaudRate_x` keys of each description allow the bit rate, and a DCF or XDC states the same one.",
+    checks: "Whether the bit rate is one of CiA 301, the `BaudRate_x` keys of each description allow it, and each DCF or XDC states the same one. Without a bit rate of the network, DCFs are compared with the first one.",
     why: "The node goes bus-off, or keeps the others from sending.",
-    example: "a network of 1000 kbit/s with a node that has `BaudRate_1000=0`",
+    example: "a network of 1000 kbit/s with a node that has `BaudRate_1000=0`, `bit-rate = 100`",
     remedy: "Use a bit rate that all nodes support, or correct the DCF.",
-    source: "CiA 306-1 §4.6.2",
+    source: "CiA 301 §6.2; CiA 306-1 §4.6.2",
 
     DUPLICATE_CAN_ID = "network/duplicate-can-id", Error;
     summary: "two nodes send the same CAN-ID",
-    checks: "Whether each CAN-ID is sent by one node: PDOs, EMCY, SDO responses and heartbeats of all nodes, and what the manager sends.",
+    checks: "Whether each CAN-ID is sent by one node: PDOs, EMCY, SDO and heartbeats of all nodes, and what the manager sends. The manager is the client of the default SDO of each node, so no other client (1280h) may use its CAN-IDs.",
     why: "CAN has no arbitration between equal CAN-IDs: frames with different data destroy each other, and receivers take the data of both.",
     example: "TPDO 1 of two nodes on 18Bh, or a TPDO on 585h, where node 5 answers SDOs",
     remedy: "Give one of them another CAN-ID. What a node is to receive is in its RPDO.",
@@ -43,13 +43,13 @@ text_rules! {
     remedy: "Map the same lengths, with dummies for what the receiver does not need.",
     source: "CiA 301 §7.2.2, §7.4.7.1",
 
-    NO_SYNC_SENDER = "network/no-sync-sender", Warning;
+    NO_SYNC_SENDER = "network/no-sync-sender", Error;
     summary: "a PDO waits for SYNC, which no node sends",
-    checks: "Whether a node sends SYNC where a valid PDO has a transmission type that SYNC triggers.",
+    checks: "Whether a node sends SYNC, with the CAN-ID of 1005h, where a valid PDO has a transmission type that SYNC triggers. PDOs that the network file does not configure and that no described node shares are a warning.",
     why: "The PDO is never sent, or takes no effect.",
-    example: "`transmission: 1` without `sync_period`",
-    remedy: "Set the SYNC period of the manager, or use an event-driven transmission type.",
-    source: "CiA 301 §7.2.2.2",
+    example: "`transmission: 1` without `sync_period`, 1005h = 81h in one node",
+    remedy: "Set the SYNC period of the manager, give SYNC one CAN-ID, or use an event-driven transmission type.",
+    source: "CiA 301 §7.2.2.2, §7.5.2.5",
 
     DUPLICATE_SYNC_SENDER = "network/duplicate-sync-sender", Error;
     summary: "two nodes send SYNC or TIME",
@@ -69,7 +69,7 @@ text_rules! {
 
     SYNC_WINDOW = "network/sync-window", Warning;
     summary: "the synchronous PDOs do not fit into their time",
-    checks: "Whether SYNC and all synchronous TPDOs, each with the most stuff bits, fit into the synchronous window length, or else into the communication cycle period.",
+    checks: "Whether SYNC and all synchronous PDOs, each with the most stuff bits, fit into the synchronous window length, or else into the communication cycle period. A window that is longer than the period is an error.",
     why: "Nodes drop a synchronous PDO that they could not send inside the window; without a window PDOs fall into the next cycle.",
     example: "20 PDOs of 8 bytes and a cycle of 10 ms at 125 kbit/s",
     remedy: "Lengthen the window or the cycle, or divide the PDOs by transmission types and SYNC start values.",
@@ -93,7 +93,7 @@ text_rules! {
 
     SILENT_NODE = "network/silent-node", Warning;
     summary: "a heartbeat is monitored that no node sends",
-    checks: "Whether each node that 1016h of another one monitors is in the network and has a producer heartbeat time.",
+    checks: "Whether each node that 1016h of another one monitors is in the network and has a producer heartbeat time. A node that monitors itself is an error, and so is one that the network file writes into 1016h and that is not there.",
     why: "The monitoring never begins, or reports the loss of the node for ever.",
     example: "1016h:01 with node 7 in a network without it",
     remedy: "Set the producer heartbeat time of the node, or free the sub-index of 1016h.",
@@ -101,7 +101,7 @@ text_rules! {
 
     WRONG_IDENTITY = "network/wrong-identity", Warning;
     summary: "the manager expects another device than the description says",
-    checks: "Whether revision number and serial number of the network file, and 1F84h to 1F88h and 1028h of a described manager, are those of the description of the node.",
+    checks: "Whether revision number and serial number of the network file, and 1F84h to 1F88h and 1028h of a described manager, are those of the description of the node. Another device type, vendor-ID or product code in the manager is an error.",
     why: "The manager does not start the node, or does not hear its emergencies.",
     example: "`revision_number: 0x20000` for an EDS with the revision 10000h",
     remedy: "Correct the number, or use the description that belongs to the device.",

@@ -4,9 +4,9 @@ use crate::diagnostic::text_rules;
 
 text_rules! {
     UNKNOWN_NODE = "network/unknown-node", Error;
-    summary: "a link names a node that is not in the network",
-    checks: "Whether both ends of each link begin with the name of a node that has a description.",
-    why: "The link has no entries, so no PDO is configured for it.",
+    summary: "a node is named that is not in the network",
+    checks: "Whether both ends of each link begin with the name of a node that has a description, and `watches` and `manager` name nodes.",
+    why: "The link has no entries, so no PDO is configured for it; nothing is monitored; the node that is meant does not become the manager.",
     example: r#"`from = "lefft.6000:1-5"` in a network with the nodes `left` and `plc`"#,
     remedy: "Write the name of the node, or describe the node.",
     source: "objdict",
@@ -49,6 +49,14 @@ text_rules! {
     why: "A CAN-ID has one sender and one layout. Without a CAN-ID, the entries are divided.",
     example: r#"`from = "left.6000:1-9"` with `can-id = 0x18B`"#,
     remedy: "Leave the CAN-ID out, or divide the link into several ones.",
+    source: "CiA 301 §7.2.2",
+
+    TWO_PRODUCERS = "network/two-producers", Error;
+    summary: "two links write one entry",
+    checks: "Whether each entry of a consumer receives one entry of one producer. The same link twice is a warning.",
+    why: "The entry has the value of the PDO that came last.",
+    example: r#"`from = "left.6000:1"` and `from = "right.6000:1"`, both with `to = "plc.5200:1"`"#,
+    remedy: "Link each producer to an entry of its own.",
     source: "CiA 301 §7.2.2",
 
     NO_FREE_PDO = "network/no-free-pdo", Error;

@@ -21,7 +21,7 @@ text_rules! {
 
     CONTRADICTION = "network/contradictory-values", Error;
     summary: "an entry is set to two values",
-    checks: "Whether `set` gives an entry the same value as the other keys of the network and its links. A download of `sdo` with another value is a warning: it is the last one, so its value remains.",
+    checks: "Whether `set` gives an entry the same value as the other keys of the network and its links. A download of `sdo` with another value is a warning: it is the last one, so its value remains. `id` and `heartbeat` of a described manager are the same in its two tables.",
     why: "One of the two is not what the node does.",
     example: r#"`heartbeat = "200ms"` and `set = { "1017" = 0 }`"#,
     remedy: "Remove one of the two.",
@@ -37,9 +37,9 @@ text_rules! {
 
     INVALID_VALUE = "network/invalid-value", Error;
     summary: "a value does not fit its entry",
-    checks: "Whether each value that the network file gives to an entry is one of its data type and inside its limits.",
+    checks: "Whether each value that the network file gives to an entry is one of its data type and inside its limits, and whether transmission types and overflow values of the SYNC counter (1019h) are reserved. A reserved type of a PDO that the network does not need is a warning.",
     why: "dcfgen stops with a traceback or cuts the value; the node aborts the download with 0609 0030h.",
-    example: "300 for an INTEGER8",
+    example: "300 for an INTEGER8, `transmission: 245`",
     remedy: "Write a value of the data type and inside the limits.",
     source: "CiA 301 §7.2.4.3.17",
 
@@ -122,6 +122,14 @@ text_rules! {
     example: "1F26h:05 is 15666, and 1020h:01 of node 5 is 15600",
     remedy: "Write the DCFs of node and manager anew, with the same date.",
     source: "CiA 302-3, 1F26h, 1F27h; CiA 301 §7.5.2.22",
+
+    MANDATORY_NOT_BOOTED = "network/mandatory-not-booted", Warning;
+    summary: "the manager does not boot a mandatory node",
+    checks: "Whether the manager configures and starts each node that is mandatory: by the keys of the network file, and in 1F81h of a described manager.",
+    why: "The manager waits for the node, but neither checks nor configures nor starts it, so the network starts while the node is in the state pre-operational, with the values of its description.",
+    example: "`mandatory = true` and `boot = false`",
+    remedy: "Have the manager boot the node, or leave `mandatory` out.",
+    source: "CiA 302-2, 1F81h",
 
     ABSENT_SLAVE = "network/absent-slave", Warning;
     summary: "the manager waits for a node that is not in the network",

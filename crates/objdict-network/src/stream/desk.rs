@@ -203,7 +203,11 @@ impl<'n, 'f> Desk<'n, 'f> {
         for ((index, sub), parts) in std::mem::take(&mut self.written) {
             let mut parts = parts.into_iter();
             let Some((_, (first, wanted))) = parts.next() else { continue };
-            for (part, (said, data)) in parts.filter(|(_, (_, data))| *data != wanted) {
+            // the period of SYNC says that the node sends it, and no CAN-ID
+            let is_sender = |data: &[u8]| data.last().is_some_and(|byte| byte & 0x40 != 0);
+            let are_same =
+                |data: &[u8]| *data == *wanted || index == 0x1005 && is_sender(data) && is_sender(&wanted);
+            for (part, (said, data)) in parts.filter(|(_, (_, data))| !are_same(data)) {
                 let shown = |data: &[u8]| match Download::new(index, sub, data).value(&self.device) {
                     // COB-IDs and mapped entries
                     Some(Value::Unsigned(number)) if data.len() == 4 => format!("{number:X}h"),

@@ -1,5 +1,5 @@
 use crate::diagnostic::{Diagnostic, Findings, Severity, say, series};
-use crate::model::{Device, Field, Part, Place};
+use crate::model::{BaudRates, Device, Field, Part, Place};
 use crate::rule;
 
 rule! {
@@ -12,12 +12,10 @@ rule! {
     source: "CiA 306-1 §5.4, CiA 301 §6.2",
 }
 
-const RATES: [u16; 8] = [10, 20, 50, 125, 250, 500, 800, 1000];
-
 fn check(device: &Device, findings: &mut Findings) {
     let Some(rate) = device.commissioning.as_ref().and_then(|node| node.baud_rate) else { return };
     let place = Place::of(Part::Commissioning).field(Field::Baudrate);
-    if !RATES.contains(&rate) {
+    if !BaudRates::DEFINED.contains(&rate) {
         let message = match rate {
             0 => say!("`{Baudrate}` is 0: no bit rate is selected").to_owned(),
             _ => say!("`{Baudrate}` is {}, but CANopen does not define this bit rate", rate),
@@ -27,7 +25,7 @@ fn check(device: &Device, findings: &mut Findings) {
         } else {
             Severity::Error
         });
-        findings.push(finding.help(say!("write one of the bit rates in kbit/s: {}", series(RATES))));
+        findings.push(finding.help(say!("write one of the bit rates in kbit/s: {}", series(BaudRates::DEFINED))));
         return;
     }
     let Some(info) = &device.device_info else { return };
