@@ -98,13 +98,13 @@ const ROWS: &[Row] = &[
         &["drive.eds 0x1016sub1 / ParameterValue `0x00050064`: the consumer heartbeat time"],
     ),
     (
-        "1016sub1=0x00010064",
-        "1017=90",
+        "1016sub1=0x00060064 1017=90",
         "",
+        "[node.copy]\nfile = \"drive.eds\"\nid = 6",
         "short-heartbeat-time",
         &[
-            "drive.eds 0x1016sub1 / ParameterValue `0x00010064`: the consumer heartbeat time",
-            "plc.eds 0x1017 / ParameterValue `90`: the producer heartbeat time",
+            "drive.eds 0x1016sub1 / ParameterValue `0x00060064`: the consumer heartbeat time",
+            "drive.eds 0x1017 / ParameterValue `90`: the producer heartbeat time",
         ],
     ),
     (
