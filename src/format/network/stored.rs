@@ -57,7 +57,7 @@ pub(super) fn read(network: &mut Network, findings: &mut Findings) {
     }
 }
 
-/// The downloads that a DCF stands for.
+/// The downloads that configure a node as its DCF says.
 fn of_dcf(bytes: &[u8], node_id: u8) -> Result<ConciseDcf, String> {
     let source = SourceFile::from_bytes("1F20h", bytes.to_vec(), &SourceOptions::default())
         .map_err(|error| error.to_string())?;
