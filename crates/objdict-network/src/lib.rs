@@ -19,6 +19,7 @@ mod overview;
 mod rules;
 mod stream;
 mod traffic;
+mod unlinked;
 mod watch;
 
 pub use check::check;
@@ -30,7 +31,8 @@ pub use manager::expected;
 pub use messages::{Message, MessageId, Messages, Party, Service};
 pub use network::*;
 pub use overview::{
-    BootPlan, BootStep, CarriedEntry, End, LinkRow, MappedEntry, MessageRow, NodeRow, Overview,
+    BootPlan, BootStep, CarriedEntry, End, LinkRow, MappedEntry, MessageRow, NodeRow, Overview, UnlinkedEnd,
+    UnlinkedRow,
 };
 pub use rules::rules;
 pub use stream::{Compiled, Manner, PdoState, Slave, compile};

@@ -9,7 +9,7 @@ use crate::model::{Field, Part, PdoKind, Place, restricted};
 use crate::network::Said;
 use crate::rules::{
     DUPLICATE_CAN_ID, DUPLICATE_NODE_ID, DUPLICATE_SYNC_SENDER, PDO_LENGTH, RESTRICTED_CAN_ID,
-    RPDO_WITHOUT_SENDER, TPDO_WITHOUT_RECEIVER, UNSUPPORTED_BIT_RATE,
+    UNSUPPORTED_BIT_RATE,
 };
 use crate::stream::{PdoState, indexes};
 
@@ -126,27 +126,10 @@ impl<'n> Check<'n, '_> {
         self.slave(party.node?)?.origin(self.network, indexes(pdo).1, 0)
     }
 
-    /// Who sends what others receive, and in which length.
-    pub(super) fn pdos(&mut self) {
+    /// Whether sender and receivers of a PDO agree about its length.
+    pub(super) fn pdo_lengths(&mut self) {
         let mut findings = Vec::new();
-        for (can_id, message) in &self.messages.0 {
-            let is_pdo = |party: &&Party| matches!(party.service, Service::Pdo(_));
-            if message.senders.is_empty() {
-                for party in message.receivers.iter().filter(is_pdo) {
-                    let text = format!("no node sends {can_id}, which {} receives", self.described(party));
-                    let finding = Diagnostic::new(&RPDO_WITHOUT_SENDER, party.at, text)
-                        .label_each(self.can_id_origin(party), "the CAN-ID");
-                    findings.push(finding.help("correct the CAN-ID, or switch the RPDO off"));
-                }
-            }
-            if message.receivers.is_empty() {
-                for party in message.senders.iter().filter(is_pdo) {
-                    let text = format!("no node receives {can_id}, which {} sends", self.described(party));
-                    let finding = Diagnostic::new(&TPDO_WITHOUT_RECEIVER, party.at, text)
-                        .label_each(self.can_id_origin(party), "the CAN-ID");
-                    findings.push(finding.help("switch the TPDO off, or link its entries"));
-                }
-            }
+        for message in self.messages.0.values() {
             let sender = message.senders.iter().find_map(|party| Some((party, self.state(party)?)));
             let Some((sender, sent)) = sender.filter(|(_, sent)| sent.pdo.kind == PdoKind::Tpdo) else {
                 continue;

@@ -11,6 +11,7 @@ use crate::model::{Device, predefined};
 use crate::network::Network;
 use crate::stream::{Compiled, PdoState, Slave};
 use crate::traffic::{Sync, Traffic};
+use crate::unlinked::UnlinkedPdos;
 
 /// What a network is and does, ready to be shown.
 #[derive(Clone, Debug)]
@@ -30,6 +31,8 @@ pub struct Overview {
     pub nodes: Vec<NodeRow>,
     /// What PDOs carry, by CAN-ID: a link for each receiver, and one without for a PDO that no node receives.
     pub links: Vec<LinkRow>,
+    /// The PDOs that are valid by default and whose other side no node has, by node.
+    pub unlinked: Vec<UnlinkedRow>,
     /// All messages by CAN-ID, so in order of priority.
     pub messages: Vec<MessageRow>,
     /// How the manager boots the network; `None` without a manager.
@@ -59,6 +62,31 @@ pub struct NodeRow {
     /// The position in [`Network::nodes`]; `None` for a manager without a description.
     #[cfg_attr(feature = "serde", serde(skip))]
     pub position: Option<usize>,
+}
+
+/// The PDOs of a node that are as its description has them by default, and that no other node sends or receives.
+#[derive(Clone, Debug)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize))]
+pub struct UnlinkedRow {
+    /// The name of the node.
+    pub node: String,
+    /// The position in [`Network::nodes`].
+    #[cfg_attr(feature = "serde", serde(skip))]
+    pub position: usize,
+    /// RPDOs, then TPDOs, by CAN-ID.
+    pub pdos: Vec<UnlinkedEnd>,
+}
+
+/// A PDO whose other side no node has.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize))]
+pub struct UnlinkedEnd {
+    /// The CAN-ID.
+    #[cfg_attr(feature = "serde", serde(serialize_with = "hex"))]
+    pub can_id: MessageId,
+    /// The PDO: `TPDO 1`.
+    #[cfg_attr(feature = "serde", serde(serialize_with = "text"))]
+    pub service: Service,
 }
 
 /// A message on the bus.
@@ -136,8 +164,17 @@ impl Overview {
             boot: network.manager.as_ref().map(|manager| BootPlan::new(manager, view, &nodes)),
             nodes,
             links: messages.0.iter().flat_map(|(can_id, message)| view.links(*can_id, message)).collect(),
+            unlinked: view.unlinked(&messages),
             messages: view.nmt().into_iter().chain(messages.0.iter().map(row)).collect(),
         }
+    }
+}
+
+impl Overview {
+    /// Whether an end without another one is one of the [`unlinked`](Self::unlinked) PDOs.
+    pub fn is_unlinked(&self, can_id: MessageId, end: &End) -> bool {
+        let pdo = UnlinkedEnd { can_id, service: end.service };
+        self.unlinked.iter().any(|row| Some(row.position) == end.position && row.pdos.contains(&pdo))
     }
 }
 
@@ -185,6 +222,21 @@ impl<'n> View<'n> {
         });
         let mut rows: Vec<NodeRow> = undescribed.into_iter().chain(described).collect();
         rows.sort_by_key(|row| row.node_id.unwrap_or(u8::MAX));
+        rows
+    }
+
+    fn unlinked(self, messages: &Messages) -> Vec<UnlinkedRow> {
+        let mut rows: Vec<UnlinkedRow> = Vec::new();
+        for ((position, _), pdos) in UnlinkedPdos::new(self.network, self.compiled, messages).default {
+            let pdos = pdos.iter().map(|pdo| UnlinkedEnd { can_id: pdo.can_id, service: pdo.party.service });
+            match rows.last_mut().filter(|row| row.position == position) {
+                Some(row) => row.pdos.extend(pdos),
+                None => {
+                    let node = self.network.nodes[position].name.value.clone();
+                    rows.push(UnlinkedRow { node, position, pdos: pdos.collect() });
+                }
+            }
+        }
         rows
     }
 

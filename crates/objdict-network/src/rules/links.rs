@@ -77,17 +77,17 @@ text_rules! {
 
     RPDO_WITHOUT_SENDER = "network/rpdo-without-sender", Warning;
     summary: "no node sends what another one receives",
-    checks: "Whether the CAN-ID of each valid RPDO that maps something is sent by a node of the network. A manager without a description sends all that remains.",
+    checks: "Whether the CAN-ID of each valid RPDO that maps something is sent by a node of the network. A manager without a description sends all that remains. RPDOs that are as the description has them by default are one finding for each node.",
     why: "The outputs of the node never change.",
     example: "an RPDO on 18Ch in a network without node 12",
-    remedy: "Correct the CAN-ID, or switch the RPDO off.",
+    remedy: "Correct the CAN-ID, or switch the RPDO off. `unused-pdos = \"off\"` of a `network.toml` switches off all PDOs that no link and no key uses.",
     source: "CiA 301 §7.2.2",
 
     TPDO_WITHOUT_RECEIVER = "network/tpdo-without-receiver", Note;
     summary: "no node receives what another one sends",
-    checks: "Whether the CAN-ID of each valid TPDO that maps something is received by a node of the network.",
+    checks: "Whether the CAN-ID of each valid TPDO that maps something is received by a node of the network. TPDOs that are as the description has them by default are one finding for each node.",
     why: "The PDO takes a part of the bus for nothing.",
     example: "TPDO 2 of a node, which is valid by default",
-    remedy: "Switch the TPDO off, or link its entries.",
+    remedy: "Link the entries of the TPDO, or switch it off. `unused-pdos = \"off\"` of a `network.toml` switches off all PDOs that no link and no key uses.",
     source: "CiA 301 §7.2.2",
 }
