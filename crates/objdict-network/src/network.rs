@@ -68,6 +68,8 @@ pub struct Node {
     pub error_behavior: Vec<(u8, Said<u8>)>,
     /// PDOs, in the order of configuration: RPDOs before TPDOs.
     pub pdos: Vec<PdoWish>,
+    /// Where the network file says that PDOs without a link and without a key are switched off; `None`: they stay as they are.
+    pub switches_off: Option<Span>,
     /// Settings that follow from keys of the network, such as those of SYNC.
     pub implied: Vec<Said<Setting>>,
     /// Values by entry, checked like those of `objdict configure`.

@@ -29,7 +29,8 @@ pub(super) fn run(args: &NetworkBuildArgs, out: &mut Output) -> Result<Outcome, 
     // the full report is that of `network check`
     let is_error = |finding: &Diagnostic| finding.severity == Severity::Error;
     let errors = findings.clone().filter_map(|finding| is_error(&finding).then_some(finding));
-    for (subject, errors) in Subject::of_network(&file, errors).iter().filter(|(_, errors)| !errors.is_empty())
+    for (subject, errors) in
+        Subject::of_network(&file, errors).iter().filter(|(_, errors)| !errors.is_empty())
     {
         tell(&listed(*subject, errors)?);
     }

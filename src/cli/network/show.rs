@@ -108,7 +108,8 @@ fn unlinked(overview: &Overview, out: &mut dyn Write) -> io::Result<()> {
     for row in &overview.unlinked {
         let pdos = |kind: PdoKind| {
             let of_kind = |end: &&UnlinkedEnd| matches!(end.service, Service::Pdo(pdo) if pdo.kind == kind);
-            let shown = row.pdos.iter().filter(of_kind).map(|end| format!("{} ({})", end.service, end.can_id));
+            let shown =
+                row.pdos.iter().filter(of_kind).map(|end| format!("{} ({})", end.service, end.can_id));
             shown.collect::<Vec<_>>().join(", ")
         };
         table.row([row.node.clone(), pdos(PdoKind::Tpdo), pdos(PdoKind::Rpdo)]);

@@ -3,6 +3,7 @@
 use std::collections::BTreeMap;
 
 use super::Check;
+use crate::connect::NodePdos;
 use crate::diagnostic::{At, Diagnostic, Severity, say};
 use crate::messages::{Message, MessageId, Party, Service};
 use crate::model::{Field, Part, PdoKind, Place, restricted};
@@ -126,6 +127,15 @@ impl<'n> Check<'n, '_> {
         self.slave(party.node?)?.origin(self.network, indexes(pdo).1, 0)
     }
 
+    /// What can be done for a receiver that takes less than is sent.
+    fn remedy(&self, receiver: &Party, received: &PdoState, sent: &PdoState) -> &'static str {
+        let node = receiver.node.map(|node| NodePdos::of(&self.network.nodes[node], self.slave(node)));
+        match node.is_some_and(|node| node.has_room(received.pdo, sent.bits() - received.bits())) {
+            true => "fill the rest with dummies",
+            false => "send fewer entries: the RPDO has no room for dummies",
+        }
+    }
+
     /// Whether sender and receivers of a PDO agree about its length.
     pub(super) fn pdo_lengths(&mut self) {
         let mut findings = Vec::new();
@@ -154,7 +164,7 @@ impl<'n> Check<'n, '_> {
                     true => {
                         finding.help("map fewer entries: the node does not process a PDO that is too short")
                     }
-                    false => finding.severity(Severity::Warning).help("fill the rest with dummies"),
+                    false => finding.severity(Severity::Warning).help(self.remedy(receiver, received, sent)),
                 });
             }
         }

@@ -16,7 +16,10 @@ impl Check<'_, '_> {
         let UnlinkedPdos { configured, default } =
             UnlinkedPdos::new(self.network, self.compiled, self.messages);
         let single = configured.iter().map(|pdo| self.alone(pdo));
-        let several = default.values().filter_map(|pdos| match pdos.as_slice() {
+        // what `unused-pdos` cannot switch off is reported as that
+        let stays = |node: usize| self.network.nodes[node].switches_off.is_some();
+        let default = default.iter().filter(|((node, _), _)| !stays(*node));
+        let several = default.filter_map(|(_, pdos)| match pdos.as_slice() {
             [pdo] => Some(self.alone(pdo)),
             pdos => self.together(pdos),
         });

@@ -2,8 +2,9 @@
 
 use std::collections::HashMap;
 
-use super::ends::{Carried, End, Names};
+use super::ends::{Carried, Flow, Names};
 use crate::diagnostic::Findings;
+use crate::model::PdoKind;
 use crate::source::Span;
 use crate::{Link, LinkParameters, Network};
 
@@ -14,19 +15,23 @@ pub(super) struct Stream {
     pub(super) link: usize,
     /// The place of its first link.
     pub(super) at: Span,
-    /// The producer.
-    pub(super) producer: usize,
+    /// The producer, or the consumer of what a manager without a description sends.
+    pub(super) lead: usize,
+    /// The direction of the lead's PDOs.
+    pub(super) kind: PdoKind,
     /// The nodes that receive all of it. Others may receive parts.
     pub(super) partners: Vec<usize>,
     pub(super) parameters: LinkParameters,
     pub(super) signals: Vec<Signal>,
 }
 
-/// An entry of the producer with all that receive it.
+/// An entry of the lead with all described nodes that receive it.
 #[derive(Clone, Debug)]
 pub(super) struct Signal {
     pub(super) entry: Carried,
     pub(super) receivers: Vec<Receiver>,
+    /// The time in milliseconds after which the receiving one of the lead and a manager without a description misses the PDO.
+    pub(super) deadline: Option<u16>,
 }
 
 impl Signal {
@@ -54,74 +59,71 @@ pub(super) fn collect(network: &Network, findings: &mut Findings) -> Vec<Stream>
     let names = Names::new(network);
     let mut collection = Collection::default();
     for (position, link) in network.links.iter().enumerate() {
-        match names.ends(link, |finding| findings.push(finding)) {
-            Ok((from, consumers)) if !consumers.is_empty() => {
-                collection.add((position, link), &from, &consumers);
-            }
-            Ok(_) => {}
+        match names.flows(link, |finding| findings.push(finding)) {
+            Ok(flows) => flows.iter().for_each(|flow| collection.add((position, link), flow)),
             Err(finding) => findings.push(*finding),
         }
     }
     collection.streams
 }
 
+/// Who configures the first PDO of a stream: a node, and the direction.
+type Lead = (usize, PdoKind);
+
 #[derive(Default)]
 struct Collection {
     streams: Vec<Stream>,
-    /// Streams by producer, partners and parameters.
-    alike: HashMap<(usize, Vec<usize>, LinkParameters), usize>,
-    /// Where an entry of a producer is: stream and signal.
-    sent: HashMap<(usize, u16, u8), Vec<(usize, usize)>>,
+    /// Streams by lead, partners and parameters.
+    alike: HashMap<(Lead, Vec<usize>, LinkParameters), usize>,
+    /// Where an entry of a lead is: stream and signal.
+    sent: HashMap<(Lead, u16, u8), Vec<(usize, usize)>>,
 }
 
 impl Collection {
-    fn add(&mut self, (number, link): (usize, &Link), (producer, entries): &End, consumers: &[End]) {
-        for (position, entry) in entries.iter().enumerate() {
-            let receiver = |(node, entries): &End| Receiver {
+    fn add(&mut self, (number, link): (usize, &Link), flow: &Flow) {
+        let deadline = link.deadline.map(|said| said.value);
+        for (position, entry) in flow.lead.1.iter().enumerate() {
+            let receivers = flow.consumers.iter().map(|(node, entries)| Receiver {
                 node: *node,
                 entry: entries[position],
                 link: number,
                 at: link.at,
-                deadline: link.deadline.map(|said| said.value),
-            };
-            let receivers = consumers.iter().map(receiver);
-            self.signal((number, link), *producer, *entry, consumers).receivers.extend(receivers);
+                deadline,
+            });
+            let signal = self.signal((number, link), *entry, flow);
+            signal.receivers.extend(receivers);
+            let own = deadline.filter(|time| flow.has_manager && *time > 0);
+            signal.deadline = signal.deadline.into_iter().chain(own).min();
         }
     }
 
     /// The signal of an entry: one that is sent as the link says, else a new one.
-    fn signal(
-        &mut self,
-        (number, link): (usize, &Link),
-        producer: usize,
-        entry: Carried,
-        consumers: &[End],
-    ) -> &mut Signal {
+    fn signal(&mut self, (number, link): (usize, &Link), entry: Carried, flow: &Flow) -> &mut Signal {
         let streams = &mut self.streams;
-        let sent = self.sent.entry((producer, entry.index, entry.sub)).or_default();
+        let lead = (flow.lead.0, flow.kind);
+        let sent = self.sent.entry((lead, entry.index, entry.sub)).or_default();
         let present = sent.iter().find(|(stream, _)| streams[*stream].parameters.satisfy(&link.parameters));
         let (stream, signal) = match present {
             Some(found) => *found,
             None => {
-                let mut partners: Vec<usize> = consumers.iter().map(|(node, _)| *node).collect();
+                let mut partners: Vec<usize> = flow.consumers.iter().map(|(node, _)| *node).collect();
                 partners.sort_unstable();
                 partners.dedup();
-                let key = (producer, partners, link.parameters);
+                let key = (lead, partners, link.parameters);
                 let stream = *self.alike.entry(key).or_insert_with_key(|(_, partners, parameters)| {
-                    let partners = partners.clone();
-                    let signals = Vec::new();
                     streams.push(Stream {
                         link: number,
                         at: link.at,
-                        producer,
-                        partners,
+                        lead: lead.0,
+                        kind: lead.1,
+                        partners: partners.clone(),
                         parameters: *parameters,
-                        signals,
+                        signals: Vec::new(),
                     });
                     streams.len() - 1
                 });
                 let signals = &mut streams[stream].signals;
-                signals.push(Signal { entry, receivers: Vec::new() });
+                signals.push(Signal { entry, receivers: Vec::new(), deadline: None });
                 let found = (stream, signals.len() - 1);
                 sent.push(found);
                 found
