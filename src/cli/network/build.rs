@@ -34,15 +34,15 @@ pub(super) fn run(args: &NetworkBuildArgs, out: &mut Output) -> Result<Outcome, 
     {
         tell(&listed(*subject, errors)?);
     }
-    let mut others = Tally::default();
-    others.add(&findings.filter_map(|finding| (!is_error(&finding)).then_some(finding)));
-    if others.files_with_findings > 0 {
-        note(&format!("{others}: `objdict network check {}` lists them\n", names_of(&args.files)));
-    }
     if tally.errors > 0 && !args.force && !(args.strict_dcfgen && is_clear) {
         let failure = Failure::new(format_args!("{tally}, so nothing is built"));
         failure.help("correct them; `--force` builds anyway").print();
         return Ok(Outcome::Findings);
+    }
+    let mut others = Tally::default();
+    others.add(&findings.filter_map(|finding| (!is_error(&finding)).then_some(finding)));
+    if others.files_with_findings > 0 {
+        note(&format!("{others}: `objdict network check {}` lists them\n", names_of(&args.files)));
     }
     let manner = if args.strict_dcfgen { Manner::Strict } else { Manner::Repaired };
     let mut build = file.build(manner).map_err(Failure::new)?;

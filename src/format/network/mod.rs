@@ -14,6 +14,7 @@ mod stored;
 mod toml;
 mod topology;
 mod tree;
+mod types;
 mod yaml;
 
 use std::collections::BTreeMap;

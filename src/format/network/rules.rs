@@ -53,7 +53,7 @@ text_rules! {
 
     MISSING_KEY = "network/missing-key", Error;
     summary: "a required key is missing",
-    checks: "Whether the network has a manager, and each node the file with its description.",
+    checks: "Whether the network has a manager, each node the file with its description, and each type that a node uses is there.",
     why: "Nothing can be built without it.",
     example: "a node without `dcf`",
     remedy: "Add the key.",

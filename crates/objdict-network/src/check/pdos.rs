@@ -17,8 +17,7 @@ impl Check<'_, '_> {
             UnlinkedPdos::new(self.network, self.compiled, self.messages);
         let single = configured.iter().map(|pdo| self.alone(pdo));
         // what `unused-pdos` cannot switch off is reported as that
-        let stays = |node: usize| self.network.nodes[node].switches_off.is_some();
-        let default = default.iter().filter(|((node, _), _)| !stays(*node));
+        let default = default.iter().filter(|((node, _), _)| self.network.switches_off(*node).is_none());
         let several = default.filter_map(|(_, pdos)| match pdos.as_slice() {
             [pdo] => Some(self.alone(pdo)),
             pdos => self.together(pdos),

@@ -22,10 +22,10 @@ use crate::stream::{Manner, compile};
 /// predefined connection set for the PDO of the producer or of the first consumer, then free ones (CiA 301 §7.3.5), and what is
 /// added at the end of the network changes none of them. PDOs whose COB-ID or mapping the network file states itself are left alone.
 ///
-/// A link that does not become a PDO is a finding. Nodes that [say so](crate::Node::switches_off) get a wish to switch off each
+/// A link that does not become a PDO is a finding. Nodes that [say so](crate::Node::unused_pdos) get a wish to switch off each
 /// valid PDO that no link and no key uses.
 pub fn connect(network: &mut Network, findings: &mut Findings) {
-    if network.links.is_empty() && network.nodes.iter().all(|node| node.switches_off.is_none()) {
+    if network.links.is_empty() && (0..network.nodes.len()).all(|node| network.switches_off(node).is_none()) {
         return;
     }
     let streams = streams::collect(network, findings);

@@ -59,7 +59,7 @@ pub(super) fn stay_valid(pdos: &[&Candidate], (position, node): (usize, &Node), 
     let rest = if pdos.len() > MAX_NAMES { ", …" } else { "" };
     let name = &node.name.value;
     let listed = joined(names, ", ");
-    let message = say!("`{}` cannot switch off {}{}: the COB-ID is constant", name, listed, rest);
+    let message = say!("`{}` cannot switch off PDOs with a constant COB-ID: {}{}", name, listed, rest);
     let places = pdos.iter().take(MAX_LABELS).map(|pdo| node.device.value_place(indexes(pdo.name).0, 1));
     let finding = Diagnostic::new(&FIXED_PDO, at, message).severity(Severity::Warning);
     let finding = finding.label_each(places.map(|place| At::Node(position, place)), "constant");

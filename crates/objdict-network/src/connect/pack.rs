@@ -41,7 +41,7 @@ pub(super) fn pack(
         }
     }
     for slave in compiled.nodes() {
-        if let Some(at) = network.nodes[slave.node].switches_off {
+        if let Some(at) = network.switches_off(slave.node) {
             packer.switch_off(network, slave, at, findings);
         }
     }

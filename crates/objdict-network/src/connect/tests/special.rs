@@ -5,7 +5,7 @@ use crate::configure::{PdoName, Setting};
 use crate::diagnostic::{At, Findings};
 use crate::model::PdoKind;
 use crate::source::Span;
-use crate::{Link, LinkParameters, Manager, Network, PdoWish, Said};
+use crate::{Link, LinkParameters, Manager, Network, PdoWish, Said, UnusedPdos};
 
 /// What is against each PDO that is left, with the help.
 fn reasons(kits: &[Kit], links: Vec<Link>) -> (Vec<String>, String) {
@@ -170,7 +170,8 @@ fn ends_without_entries_are_those_of_a_manager_without_a_description() {
 fn pdos_without_a_link_and_without_a_key_are_switched_off() {
     let kit = Kit { fixed: vec![0x1803], tpdos: 5, ..Kit::default() };
     let mut network = network(&[kit, Kit::default()], vec![link("a.6000:1", &["b.6200:1"])]);
-    network.nodes[0].switches_off = Some(Span::new(7, 9));
+    network.unused_pdos = Some(Said::new(UnusedPdos::Off, Span::new(7, 9)));
+    network.nodes[1].unused_pdos = Some(Said::new(UnusedPdos::Keep, Span::default()));
     let set = Setting::value("1802:5=100").unwrap();
     network.nodes[0].settings.push(Said::new(set, Span::new(3, 4)));
     let rpdo = PdoName { kind: PdoKind::Rpdo, number: 3 };
@@ -178,7 +179,7 @@ fn pdos_without_a_link_and_without_a_key_are_switched_off() {
     let mut findings = Findings::new();
     connect(&mut network, &mut findings);
     let found: Vec<_> = findings.iter().map(|finding| finding.message.to_string()).collect();
-    assert_eq!(found, ["`a` cannot switch off TPDO 4: the COB-ID is constant"]);
+    assert_eq!(found, ["`a` cannot switch off PDOs with a constant COB-ID: TPDO 4"]);
     let off = network.nodes[0].pdos.iter().filter(|wish| !wish.enabled);
     let off: Vec<_> = off.map(|wish| format!("{} at {}", wish.pdo, wish.at.start)).collect();
     // TPDO 1 is linked, TPDO 3 has a setting and RPDO 3 a key; TPDO 5 is not valid
