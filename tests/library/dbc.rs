@@ -16,6 +16,10 @@ fn device(file: &str) -> Device {
     format::open(&support::fixtures().join(file), &SourceOptions::default()).unwrap().device().clone()
 }
 
+fn node(device: &Device, node_id: u8) -> BusNode<'_> {
+    BusNode { device, node_id, name: None, is_counterpart: false }
+}
+
 /// A DBC, and what it does not have.
 fn shown(nodes: &[BusNode<'_>], options: DbcOptions) -> String {
     let written = dbc::write(nodes, options);
@@ -30,8 +34,7 @@ fn shown(nodes: &[BusNode<'_>], options: DbcOptions) -> String {
 #[test]
 fn a_network() {
     let [io, drive] = ["dcf/io-401-node5.dcf", "dcf/drive-402-node8.dcf"].map(device);
-    let nodes =
-        [BusNode { device: &io, node_id: 5, name: None }, BusNode { device: &drive, node_id: 8, name: None }];
+    let nodes = [(&io, 5), (&drive, 8)].map(|(device, node_id)| node(device, node_id));
     insta::assert_snapshot!(shown(&nodes, DbcOptions::default()));
 }
 
@@ -41,7 +44,7 @@ fn bits_and_scales_of_an_xdd() {
     // a PDO for what it measures: 2000h is scaled
     let mapping = press.objects.get_mut(&0x1A01).unwrap();
     mapping.subs.get_mut(2).unwrap().default = Some(Value::Unsigned(0x2000_0020));
-    let node = BusNode { device: &press, node_id: 3, name: Some("press") };
+    let node = BusNode { name: Some("press"), ..node(&press, 3) };
     insta::assert_snapshot!(shown(&[node], DbcOptions { bits: true, sdo: false }));
 }
 
@@ -89,7 +92,7 @@ fn units_and_scales_of_shared_parameters_and_members() {
         device.objects.extend(device_of_one_tpdo());
         device.application = vec![process.clone()];
         device.objects.get_mut(&0x2000).unwrap().main.extra.push("uniqueIDRef", id);
-        let node = BusNode { device: &device, node_id: 3, name: Some("n") };
+        let node = BusNode { name: Some("n"), ..node(&device, 3) };
         let text = shown(&[node], DbcOptions { bits, sdo: false });
         let found: Vec<&str> =
             text.lines().filter(|line| line.contains(" SG_ Pressure")).filter_map(scale_and_unit).collect();

@@ -32,7 +32,7 @@ impl Cases {
     fn add(&mut self, devices: &[(Device, u8)], options: DbcOptions) {
         let bus: Vec<_> = devices
             .iter()
-            .map(|(device, node_id)| BusNode { device, node_id: *node_id, name: None })
+            .map(|(device, node_id)| BusNode { device, node_id: *node_id, name: None, is_counterpart: false })
             .collect();
         let number = self.cases.len();
         let written = dbc::write(&bus, options);

@@ -40,7 +40,7 @@ fn device() -> Device {
 }
 
 fn node(device: &Device, node_id: u8) -> BusNode<'_> {
-    BusNode { device, node_id, name: None }
+    BusNode { device, node_id, name: None, is_counterpart: false }
 }
 
 fn lines(dbc: &Dbc, start: &str) -> Vec<String> {
