@@ -36,6 +36,7 @@ pub use overview::{
 };
 pub use rules::rules;
 pub use stream::{Compiled, Manner, PdoState, Slave, compile};
+pub use traffic::Uncounted;
 pub use watch::watch;
 
 use objdict_model::{Language, diagnostic, literal, model, source};

@@ -42,7 +42,12 @@ pub(super) fn run(args: &NetworkShowArgs, out: &mut Output) -> Result<Outcome, F
 }
 
 fn tables(overview: &Overview, out: &mut dyn Write) -> io::Result<()> {
-    writeln!(out, "{}\n", fit(&summary(overview), CELL * 3))?;
+    writeln!(out, "{}", fit(&summary(overview), CELL * 3))?;
+    let uncounted = overview.uncounted.words(overview.language, |can_id| can_id.to_string());
+    if overview.load.is_some() && !uncounted.is_empty() {
+        writeln!(out, "Not counted: {uncounted}")?;
+    }
+    writeln!(out)?;
     nodes(overview, out)?;
     let (links, unlinked): (Vec<_>, Vec<_>) =
         overview.links.iter().partition(|link| !is_unlinked(overview, link));

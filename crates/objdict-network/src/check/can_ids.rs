@@ -117,8 +117,7 @@ impl<'n> Check<'n, '_> {
 
     /// The PDO of a party.
     pub(super) fn state(&self, party: &Party) -> Option<&'n PdoState> {
-        let Service::Pdo(pdo) = party.service else { return None };
-        self.slave(party.node?)?.pdos.iter().find(|state| state.pdo == pdo)
+        self.compiled.pdo(party)
     }
 
     /// Where a description has the mapping of the PDO of a party.

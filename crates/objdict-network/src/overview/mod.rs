@@ -10,7 +10,7 @@ use crate::messages::{Message, MessageId, Messages, Party, Service};
 use crate::model::{Device, predefined};
 use crate::network::Network;
 use crate::stream::{Compiled, PdoState, Slave};
-use crate::traffic::{Sync, Traffic};
+use crate::traffic::{Sync, Traffic, Uncounted};
 use crate::unlinked::UnlinkedPdos;
 
 /// What a network is and does, ready to be shown.
@@ -27,6 +27,8 @@ pub struct Overview {
     /// The share of the bit rate that cyclic messages take, in thousandths, with the most stuff bits; `None` without a bit
     /// rate.
     pub load: Option<u64>,
+    /// What the load does not count.
+    pub uncounted: Uncounted,
     /// All nodes by node-ID; those without one are last.
     pub nodes: Vec<NodeRow>,
     /// What PDOs carry, by CAN-ID: a link for each receiver, and one without for a PDO that no node receives.
@@ -136,6 +138,13 @@ fn hex<S: serde::Serializer>(can_id: &MessageId, serializer: S) -> Result<S::Ok,
 }
 
 #[cfg(feature = "serde")]
+pub(crate) fn hexes<S: serde::Serializer>(can_ids: &[MessageId], serializer: S) -> Result<S::Ok, S::Error> {
+    #[derive(serde::Serialize)]
+    struct Hex(#[serde(serialize_with = "hex")] MessageId);
+    serializer.collect_seq(can_ids.iter().map(|can_id| Hex(*can_id)))
+}
+
+#[cfg(feature = "serde")]
 fn text<S: serde::Serializer>(service: &Service, serializer: S) -> Result<S::Ok, S::Error> {
     serializer.collect_str(service)
 }
@@ -161,6 +170,7 @@ impl Overview {
             name: network.name.clone(),
             bit_rate: network.bit_rate.map(|rate| rate.value),
             load: traffic.load(),
+            uncounted: traffic.uncounted(),
             boot: network.manager.as_ref().map(|manager| BootPlan::new(manager, view, &nodes)),
             nodes,
             links: messages.0.iter().flat_map(|(can_id, message)| view.links(*can_id, message)).collect(),
@@ -246,8 +256,7 @@ impl<'n> View<'n> {
 
     /// The configured PDO of a party.
     fn state(self, party: &Party) -> Option<&'n PdoState> {
-        let Service::Pdo(pdo) = party.service else { return None };
-        self.slave(party.node?)?.pdos.iter().find(|state| state.pdo == pdo)
+        self.compiled.pdo(party)
     }
 
     fn end(self, party: &Party) -> End {
