@@ -53,11 +53,19 @@ text_rules! {
 
     MISSING_KEY = "network/missing-key", Error;
     summary: "a required key is missing",
-    checks: "Whether the network has a manager, each node the file with its description, and each type that a node uses is there.",
+    checks: "Whether the network has a manager, and each node the file with its description.",
     why: "Nothing can be built without it.",
     example: "a node without `dcf`",
     remedy: "Add the key.",
     source: "dcf-tools 2.4.2; objdict, docs/network.md",
+
+    UNKNOWN_TYPE = "network/unknown-type", Error;
+    summary: "a node uses a type that is not in the file",
+    checks: "Whether the type that a node or another type names with `use` is a table below `type`, and no type uses itself.",
+    why: "The node has none of the keys of its type.",
+    example: "`use = \"drvie\"` beside `[type.drive]`",
+    remedy: "Correct the name, or add the type.",
+    source: "objdict, docs/network.md",
 
     OVERRIDDEN_KEY = "network/overridden-key", Warning;
     summary: "a key of `defaults` overrides that of a node",

@@ -1,7 +1,7 @@
 //! Node types of `network.toml`: keys that several nodes have in common.
 
 use super::network_keys::NODE;
-use super::rules::{MISSING_KEY, WRONG_TYPE};
+use super::rules::UNKNOWN_TYPE;
 use super::section::wrong;
 use super::tree::{Entry, Kind, Tree};
 use crate::diagnostic::{Diagnostic, Findings, nearest, say};
@@ -23,19 +23,19 @@ pub(super) fn with_type(node: &Entry, types: &[Entry], findings: &mut Findings) 
                 break;
             }
         };
-        let finding = |rule, message, help| Diagnostic::new(rule, tree.span, message).help(help);
+        let finding = |message, help| Diagnostic::new(&UNKNOWN_TYPE, tree.span, message).help(help);
         let Some(found) = types.iter().find(|entry| entry.key.spelled() == name) else {
             let known: Vec<String> = types.iter().map(|entry| entry.key.spelled()).collect();
             let help = match nearest(&name, known.iter().map(String::as_str)) {
                 Some(meant) => say!("did you mean `{}`?", meant),
                 None => say!("add `[type.{}]` with the keys that its nodes have in common", name),
             };
-            findings.push(finding(&MISSING_KEY, say!("there is no type `{}`", name), help));
+            findings.push(finding(say!("there is no type `{}`", name), help));
             break;
         };
         if names.contains(&name) {
             let help = say!("remove a `use` of the types that use each other");
-            findings.push(finding(&WRONG_TYPE, say!("the type `{}` uses itself", name), help));
+            findings.push(finding(say!("the type `{}` uses itself", name), help));
             break;
         }
         names.push(name);
