@@ -8,6 +8,7 @@ use objdict::model::{
     ApplicationProcess, DataTypeRef, Device, Labels, Object, Parameter, SimpleType, TypeDefinition,
     TypeShape, Unit, Value, VarDeclaration,
 };
+use objdict::network::Manner;
 use objdict::source::{SourceFile, SourceOptions};
 
 use crate::support;
@@ -36,6 +37,26 @@ fn a_network() {
     let [io, drive] = ["dcf/io-401-node5.dcf", "dcf/drive-402-node8.dcf"].map(device);
     let nodes = [(&io, 5), (&drive, 8)].map(|(device, node_id)| node(device, node_id));
     insta::assert_snapshot!(shown(&nodes, DbcOptions::default()));
+}
+
+/// The effective nodes of a network, and a manager without a description, which has the other side of their PDOs.
+#[test]
+fn a_network_file() {
+    let nodes =
+        super::network::open("line.toml").build(Manner::Repaired).unwrap().configured_nodes().unwrap();
+    let bus = nodes.iter().map(|node| BusNode {
+        device: &node.device,
+        node_id: node.node_id,
+        name: Some(&node.name),
+        is_counterpart: node.node.is_none(),
+    });
+    let text = shown(&bus.collect::<Vec<_>>(), DbcOptions::default());
+    let is_shown = |line: &&str| {
+        let of_services =
+            ["_EMCY", "_heartbeat", "CM_", "VAL_", "BA_DEF", "SG_ Error", "SG_ State", "node 3: "];
+        !line.trim().is_empty() && !of_services.iter().any(|part| line.contains(part))
+    };
+    insta::assert_snapshot!(text.lines().filter(is_shown).collect::<Vec<_>>().join("\n"));
 }
 
 #[test]

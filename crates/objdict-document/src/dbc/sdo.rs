@@ -135,12 +135,12 @@ impl Database<'_> {
         let mut entry = within(entry, &[[with_value; 2]]);
         entry.mux.selects = true;
         message.push(entry);
-        signals.into_iter().for_each(|signal| message.push(signal));
         // its bits are those of a value in other frames
         let alone = Signal::new("Entry_without_value", 8, 24).with_values(names);
         message.push(within(alone, &[[without_value; 2], [ABORT; 2]]));
         message.push(within(Signal::new("Abort_code", 32, 32).with_values(aborts()), &[[ABORT; 2]]));
         message.push(within(Signal::new("Data", 8, 56), &way.others()));
+        signals.into_iter().for_each(|signal| message.push(signal));
         // the manager is the client of the default SDO
         let client = self.manager().filter(|&manager| number.is_empty() && manager != node);
         match way {
