@@ -8,12 +8,17 @@ use objdict::model::{
     ApplicationProcess, DataTypeRef, Device, Labels, Object, Parameter, SimpleType, TypeDefinition,
     TypeShape, Unit, Value, VarDeclaration,
 };
+use objdict::network::Manner;
 use objdict::source::{SourceFile, SourceOptions};
 
 use crate::support;
 
 fn device(file: &str) -> Device {
     format::open(&support::fixtures().join(file), &SourceOptions::default()).unwrap().device().clone()
+}
+
+fn node(device: &Device, node_id: u8) -> BusNode<'_> {
+    BusNode { device, node_id, name: None, is_counterpart: false }
 }
 
 /// A DBC, and what it does not have.
@@ -30,9 +35,28 @@ fn shown(nodes: &[BusNode<'_>], options: DbcOptions) -> String {
 #[test]
 fn a_network() {
     let [io, drive] = ["dcf/io-401-node5.dcf", "dcf/drive-402-node8.dcf"].map(device);
-    let nodes =
-        [BusNode { device: &io, node_id: 5, name: None }, BusNode { device: &drive, node_id: 8, name: None }];
+    let nodes = [(&io, 5), (&drive, 8)].map(|(device, node_id)| node(device, node_id));
     insta::assert_snapshot!(shown(&nodes, DbcOptions::default()));
+}
+
+/// The effective nodes of a network, and a manager without a description, which has the other side of their PDOs.
+#[test]
+fn a_network_file() {
+    let nodes =
+        super::network::open("line.toml").build(Manner::Repaired).unwrap().configured_nodes().unwrap();
+    let bus = nodes.iter().map(|node| BusNode {
+        device: &node.device,
+        node_id: node.node_id,
+        name: Some(&node.name),
+        is_counterpart: node.node.is_none(),
+    });
+    let text = shown(&bus.collect::<Vec<_>>(), DbcOptions::default());
+    let is_shown = |line: &&str| {
+        let of_services =
+            ["_EMCY", "_heartbeat", "CM_", "VAL_", "BA_DEF", "SG_ Error", "SG_ State", "node 3: "];
+        !line.trim().is_empty() && !of_services.iter().any(|part| line.contains(part))
+    };
+    insta::assert_snapshot!(text.lines().filter(is_shown).collect::<Vec<_>>().join("\n"));
 }
 
 #[test]
@@ -41,7 +65,7 @@ fn bits_and_scales_of_an_xdd() {
     // a PDO for what it measures: 2000h is scaled
     let mapping = press.objects.get_mut(&0x1A01).unwrap();
     mapping.subs.get_mut(2).unwrap().default = Some(Value::Unsigned(0x2000_0020));
-    let node = BusNode { device: &press, node_id: 3, name: Some("press") };
+    let node = BusNode { name: Some("press"), ..node(&press, 3) };
     insta::assert_snapshot!(shown(&[node], DbcOptions { bits: true, sdo: false }));
 }
 
@@ -89,7 +113,7 @@ fn units_and_scales_of_shared_parameters_and_members() {
         device.objects.extend(device_of_one_tpdo());
         device.application = vec![process.clone()];
         device.objects.get_mut(&0x2000).unwrap().main.extra.push("uniqueIDRef", id);
-        let node = BusNode { device: &device, node_id: 3, name: Some("n") };
+        let node = BusNode { name: Some("n"), ..node(&device, 3) };
         let text = shown(&[node], DbcOptions { bits, sdo: false });
         let found: Vec<&str> =
             text.lines().filter(|line| line.contains(" SG_ Pressure")).filter_map(scale_and_unit).collect();

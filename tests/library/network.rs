@@ -82,7 +82,7 @@ fn different_lines(a: &str, b: &str) -> Vec<String> {
 
 #[test]
 fn every_stream_is_accepted_by_its_node() {
-    for name in ["worked.yml", "cell.yml", "chapter4.toml"] {
+    for name in ["worked.yml", "cell.yml", "chapter4.toml", "line.toml"] {
         let network = open(name);
         assert!(!network.check().has_errors(), "{name}");
         let build = network.build(Manner::Repaired).unwrap();
@@ -159,7 +159,7 @@ fn downloaded(device: &Device, stream: &[u8]) -> Device {
 /// Each target writes the effective dictionary: it is what is read from the bytes again.
 #[test]
 fn what_is_written_has_the_effective_values() {
-    for name in ["worked.yml", "cell.yml", "chapter4.toml"] {
+    for name in ["worked.yml", "cell.yml", "chapter4.toml", "line.toml"] {
         let network = open(name);
         let nodes = &network.network.as_ref().unwrap().nodes;
         let compiled = compile(network.network.as_ref().unwrap(), Manner::Repaired, &mut Findings::new());
@@ -223,6 +223,96 @@ fn the_schema_names_every_key() {
         node["rpdo"]["patternProperties"]["^[1-9][0-9]{0,2}$"]["properties"]["cob_id"]["anyOf"][1]["const"],
         "auto"
     );
+    let schema = schema::network_toml();
+    let of = |key: &str| &schema["properties"][key]["additionalProperties"]["properties"];
+    assert_eq!(of("type"), of("node"));
+    assert!(of("node")["use"].is_object());
+    for owner in [of("node"), &schema["properties"]["bus"]["properties"]] {
+        assert_eq!(owner["unused-pdos"]["enum"], serde_json::json!(["keep", "off"]));
+    }
+}
+
+/// A network from its text; descriptions are those of the fixtures.
+fn read(text: &str) -> NetworkFile {
+    let source = objdict::source::SourceFile::from_text("network.toml", text.to_owned());
+    NetworkFile::read(source, path(""), &BTreeMap::new())
+}
+
+/// Keys of a node count more than those of its type, and these more than those of the type that it uses; tables are joined.
+#[test]
+fn a_node_has_the_keys_of_its_type() {
+    let of_type = "
+        [type.any]
+        heartbeat = \"500ms\"
+        watch = \"2x\"
+        sdo = [{ entry = \"1017\", value = 100 }, { entry = \"1017\", value = 200 }]
+        [type.island]
+        use = \"any\"
+        file = \"island.eds\"
+        heartbeat = \"300ms\"
+        set = { \"1800:5\" = \"20ms\", \"1801:5\" = \"40ms\" }
+        tpdo.1 = { type = \"event\", inhibit = \"5ms\", map = [\"6000:1-2\"] }
+        [node.left]
+        use = \"island\"
+        id = 11
+        heartbeat = \"200ms\"
+        set = { \"1801:5\" = \"60ms\", \"1801:3\" = \"10ms\" }
+        tpdo.1 = { inhibit = \"2ms\", map = [\"6000:3\"] }
+        tpdo.2 = { enabled = false }
+        sdo = [{ entry = \"1017\", value = 150 }]
+        [node.right]
+        use = \"island\"
+        id = 12
+        watch = \"3x\"";
+    let plain = "
+        [node.left]
+        file = \"island.eds\"
+        id = 11
+        heartbeat = \"200ms\"
+        watch = \"2x\"
+        set = { \"1800:5\" = \"20ms\", \"1801:5\" = \"60ms\", \"1801:3\" = \"10ms\" }
+        tpdo.1 = { type = \"event\", inhibit = \"2ms\", map = [\"6000:3\"] }
+        tpdo.2 = { enabled = false }
+        sdo = [{ entry = \"1017\", value = 150 }]
+        [node.right]
+        file = \"island.eds\"
+        id = 12
+        heartbeat = \"300ms\"
+        watch = \"3x\"
+        set = { \"1800:5\" = \"20ms\", \"1801:5\" = \"40ms\" }
+        tpdo.1 = { type = \"event\", inhibit = \"5ms\", map = [\"6000:1-2\"] }
+        sdo = [{ entry = \"1017\", value = 100 }, { entry = \"1017\", value = 200 }]";
+    let [one, other] = [of_type, plain].map(read);
+    assert!(!one.check().has_errors(), "{:?}", one.check());
+    let files = |file: &NetworkFile| file.build(Manner::Repaired).unwrap().dcfs().unwrap();
+    assert_eq!(files(&one), files(&other));
+    let factors = |file: &NetworkFile| -> Vec<f64> {
+        file.network.as_ref().unwrap().nodes.iter().map(|node| node.heartbeat.factor).collect()
+    };
+    assert_eq!((factors(&one), factors(&other)), (vec![2.0, 3.0], vec![2.0, 3.0]));
+}
+
+/// What the load counts has a period, and everything else is named.
+#[test]
+fn the_load_says_what_it_leaves_out() {
+    let uncounted = |keys: &str| {
+        let text = format!(
+            "[bus]\nbit-rate = 250\nunused-pdos = \"off\"\n[manager]\nid = 1\n[node.left]\nfile = \"island.eds\"\nid = 11\n\
+             tpdo.1 = {{ {keys} }}\nrpdo.1 = {{ event-timer = \"1s\" }}\n"
+        );
+        let file = read(&text);
+        let overview = file.build(Manner::Repaired).unwrap().overview("en");
+        let pdo = overview.messages.iter().find(|message| message.can_id.to_string() == "18Bh").unwrap();
+        assert_eq!(pdo.period.is_none(), !overview.uncounted.pdos.is_empty(), "{keys}");
+        (overview.uncounted.words(overview.language, |id| id.to_string()), overview.load)
+    };
+    let all = "NMT, EMCY, SDO, 1 PDO without inhibit time and event timer (18Bh)";
+    // one RPDO of 8 bytes each second
+    assert_eq!(uncounted("type = \"event\""), (all.to_owned(), Some(0)));
+    assert_eq!(uncounted("type = \"rtr\""), (all.to_owned(), Some(0)));
+    for keys in ["type = \"event\", inhibit = \"5ms\"", "type = \"event\", event-timer = \"5ms\""] {
+        assert_eq!(uncounted(keys), ("NMT, EMCY, SDO".to_owned(), Some(108)), "{keys}");
+    }
 }
 
 /// The manager of chapter 4: what it expects of both islands.

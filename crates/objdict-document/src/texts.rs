@@ -147,6 +147,7 @@ texts! {
     // networks
     topology: "Topology", "Topologie";
     bus_load: "cyclic messages take up to", "zyklische Nachrichten belegen bis zu";
+    not_counted: "Not counted", "Nicht mitgezählt";
     network_nodes: "Nodes", "Knoten";
     manager: "manager", "Manager";
     heartbeat: "Heartbeat", "Heartbeat";

@@ -4,6 +4,7 @@ mod boot;
 mod can_ids;
 mod heartbeat;
 mod managers;
+mod pdos;
 mod reserved;
 mod stored;
 mod sync;
@@ -22,7 +23,8 @@ pub fn check(network: &Network, findings: &mut Findings) {
     let mut check = Check { network, compiled: &compiled, messages: &messages, findings };
     check.nodes();
     check.can_ids();
-    check.pdos();
+    check.unlinked();
+    check.pdo_lengths();
     check.sync();
     check.reserved();
     check.times();

@@ -20,6 +20,7 @@ mod overview;
 mod rules;
 mod stream;
 mod traffic;
+mod unlinked;
 mod watch;
 
 pub use check::check;
@@ -32,10 +33,12 @@ pub use messages::{Message, MessageId, Messages, Party, Service};
 pub use names::named_manager;
 pub use network::*;
 pub use overview::{
-    BootPlan, BootStep, CarriedEntry, End, LinkRow, MappedEntry, MessageRow, NodeRow, Overview,
+    BootPlan, BootStep, CarriedEntry, End, LinkRow, MappedEntry, MessageRow, NodeRow, Overview, UnlinkedEnd,
+    UnlinkedRow,
 };
 pub use rules::rules;
 pub use stream::{Compiled, Manner, PdoState, Slave, compile};
+pub use traffic::Uncounted;
 pub use watch::watch;
 
 use objdict_model::{Language, diagnostic, literal, model, source};

@@ -58,19 +58,20 @@ pub struct LinkEnd {
     pub at: Span,
     /// The name of the node.
     pub node: String,
-    /// Its entries.
-    pub entries: LinkedEntries,
+    /// Its entries; `None` for a manager without a description, which has the other side of each PDO.
+    pub entries: Option<LinkedEntries>,
 }
 
 impl LinkEnd {
-    /// The end that a text names, such as `left.6000:1-5`.
+    /// The end that a text names, such as `left.6000:1-5`, or `plc` for a manager without a description.
     ///
     /// # Errors
     /// Fails without a node, or if the entries are neither an address nor a name.
     pub fn parse(text: &str, at: Span) -> Result<Self, NoLinkEnd> {
-        let (node, entries) = text.split_once('.').ok_or(NoLinkEnd)?;
+        let (node, entries) =
+            text.split_once('.').map_or((text, None), |(node, entries)| (node, Some(entries)));
         let node = node.trim().to_owned();
-        let entries = entries.parse().map_err(|NoAddress| NoLinkEnd)?;
+        let entries = entries.map(str::parse).transpose().map_err(|NoAddress| NoLinkEnd)?;
         if node.is_empty() { Err(NoLinkEnd) } else { Ok(Self { at, node, entries }) }
     }
 }
@@ -156,9 +157,11 @@ mod tests {
             ("left.Read input 8 bit:1-5", "left", "Read input 8 bit:1-5"),
         ] {
             let end = LinkEnd::parse(text, Span::default()).unwrap();
-            assert_eq!((&*end.node, &*end.entries.to_string()), (node, entries), "{text}");
+            assert_eq!((&*end.node, &*end.entries.unwrap().to_string()), (node, entries), "{text}");
         }
-        for text in ["", "left", ".6000", "left.", "left.6000:5-1", "left.60000:1", "left.6000:100"] {
+        let end = LinkEnd::parse(" plc ", Span::default()).unwrap();
+        assert_eq!((&*end.node, end.entries), ("plc", None));
+        for text in ["", ".6000", "left.", "left.6000:5-1", "left.60000:1", "left.6000:100"] {
             assert_eq!(LinkEnd::parse(text, Span::default()), Err(NoLinkEnd), "{text}");
         }
     }

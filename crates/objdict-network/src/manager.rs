@@ -15,6 +15,8 @@ const NODES: u8 = 127;
 
 const CONSUMERS: u16 = 0x1016;
 
+const EMERGENCIES: u16 = 0x1028;
+
 /// What the manager knows of the nodes, by node-ID.
 #[derive(Clone, Copy)]
 pub(crate) struct Knowledge<'a> {
@@ -97,7 +99,7 @@ impl<'a> Knowledge<'a> {
         let bytes = |known: Known| Known { data_type: DataType::UNSIGNED8, ..known };
         let commands = |known: Known| Known { access: Access::Wo, ..known };
         let mut objects = vec![
-            known(0x1028, "Emergency consumer object", self.emergencies()),
+            known(EMERGENCIES, "Emergency consumer object", self.emergencies()),
             commands(known(0x1F25, "Configuration request", Vec::new())),
             known(0x1F55, "Expected software identification", self.software()),
             known(0x1F80, "NMT startup", vec![(0, self.manager.startup.to_number())]),
@@ -141,6 +143,10 @@ impl Known {
         if self.is_variable() {
             main.configured_mut().value = self.values.first().map(|(_, number)| value(*number));
             return Object { main, ..Object::default() };
+        }
+        if self.index == EMERGENCIES {
+            // not valid: 0 would be the CAN-ID of NMT
+            main.default = Some(value(1 << 31));
         }
         // 1F25h and 1F82h have a sub-index for all nodes (CiA 302-2)
         let count = NODES + u8::from(self.access == Access::Wo);

@@ -41,6 +41,8 @@ pub struct Network {
     pub order: Order,
     /// Which numbers of the nodes the manager checks; `None`: all that are stated.
     pub identity: Option<IdentityLevel>,
+    /// What becomes of PDOs without a link and without a key; `None`: they stay as they are.
+    pub unused_pdos: Option<Said<UnusedPdos>>,
     /// The folder in which the manager finds the configurations of the nodes when it runs.
     pub run_time_folder: String,
     /// Whether the network is made of descriptions that are configured already, so that the manager expects what its own says.
@@ -68,6 +70,8 @@ pub struct Node {
     pub error_behavior: Vec<(u8, Said<u8>)>,
     /// PDOs, in the order of configuration: RPDOs before TPDOs.
     pub pdos: Vec<PdoWish>,
+    /// What becomes of PDOs without a link and without a key; `None`: as in the [network](Network::unused_pdos).
+    pub unused_pdos: Option<Said<UnusedPdos>>,
     /// Settings that follow from keys of the network, such as those of SYNC.
     pub implied: Vec<Said<Setting>>,
     /// Values by entry, checked like those of `objdict configure`.
@@ -195,6 +199,15 @@ impl PdoWish {
         let has_time = inhibit_time.or(*event_timer).or(*deadline).is_some();
         has_time || transmission.or(*sync_start).is_some() || mapping.is_some()
     }
+}
+
+/// What becomes of a valid PDO that no link uses and of which the network file states nothing.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum UnusedPdos {
+    /// It stays as it is.
+    Keep,
+    /// A download switches it off.
+    Off,
 }
 
 /// The COB-ID of a PDO.
@@ -369,6 +382,12 @@ impl Default for Startup {
 }
 
 impl Network {
+    /// Where the network file says that the unused PDOs of a node are switched off.
+    pub(crate) fn switches_off(&self, node: usize) -> Option<Span> {
+        let said = self.nodes[node].unused_pdos.or(self.unused_pdos);
+        said.filter(|said| said.value == UnusedPdos::Off).map(|said| said.at)
+    }
+
     /// The nodes that the manager boots: all but itself.
     pub fn slaves(&self) -> impl Iterator<Item = (usize, &Node)> {
         let manager = self.manager.as_ref().and_then(|manager| manager.node);

@@ -13,6 +13,7 @@ use crate::download::ConciseDcf;
 use crate::effective::Origins;
 use crate::identity;
 use crate::manager::complete;
+use crate::messages::{Party, Service};
 use crate::model::{Address, Device, Field, Part as DevicePart, Place};
 use crate::network::{DownloadWish, Manager, Network, Node, Said, ValueWish};
 use crate::rules::{
@@ -76,6 +77,13 @@ impl Compiled {
     /// All nodes that have a description.
     pub fn nodes(&self) -> impl Iterator<Item = &Slave> {
         self.slaves.iter().chain(&self.manager)
+    }
+
+    /// The PDO that a party sends or receives.
+    pub(crate) fn pdo(&self, party: &Party) -> Option<&PdoState> {
+        let Service::Pdo(pdo) = party.service else { return None };
+        let slave = self.nodes().find(|slave| Some(slave.node) == party.node)?;
+        slave.pdos.iter().find(|state| state.pdo == pdo)
     }
 }
 

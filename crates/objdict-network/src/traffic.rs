@@ -1,8 +1,7 @@
 //! How often messages are sent, and how much of the bus they take.
 
-use std::collections::BTreeSet;
-
-use crate::messages::{Messages, Service};
+use crate::Language;
+use crate::messages::{MessageId, Messages, Service};
 use crate::network::{Network, Said};
 use crate::source::Span;
 use crate::stream::{Compiled, PdoState, Slave};
@@ -23,6 +22,37 @@ pub(crate) struct Sync {
     pub(crate) bytes: u64,
     pub(crate) at: Span,
     pub(crate) node: Option<usize>,
+}
+
+/// Messages without a rhythm, which the load of the bus does not count.
+#[derive(Clone, Debug, Default, PartialEq, Eq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize))]
+pub struct Uncounted {
+    /// The CAN-IDs of PDOs that an event or a request triggers and that have neither inhibit time nor event timer.
+    #[cfg_attr(feature = "serde", serde(serialize_with = "crate::overview::hexes"))]
+    pub pdos: Vec<MessageId>,
+    /// Other services: `NMT`, `TIME`, `EMCY`, `SDO`.
+    pub services: Vec<&'static str>,
+}
+
+impl Uncounted {
+    /// The most CAN-IDs in words.
+    const MAX_LISTED: usize = 8;
+
+    /// `NMT, EMCY, SDO, 2 PDOs without inhibit time and event timer (18Dh, 20Bh)`, with CAN-IDs as the document has them. Empty if all is
+    /// counted.
+    pub fn words(&self, language: Language, spelled: impl Fn(MessageId) -> String) -> String {
+        let mut words: Vec<String> = self.services.iter().map(ToString::to_string).collect();
+        let shown = self.pdos.iter().take(Self::MAX_LISTED).map(|id| spelled(*id)).collect::<Vec<_>>();
+        let rest = if self.pdos.len() > shown.len() { ", …" } else { "" };
+        let s = if self.pdos.len() == 1 { "" } else { "s" };
+        let without =
+            language.pick("without inhibit time and event timer", "ohne Inhibit-Time und Event-Timer");
+        if !self.pdos.is_empty() {
+            words.push(format!("{} PDO{s} {without} ({}{rest})", self.pdos.len(), shown.join(", ")));
+        }
+        words.join(", ")
+    }
 }
 
 /// The messages of a network in time.
@@ -67,6 +97,34 @@ impl<'n> Traffic<'n> {
         self.compiled.nodes().flat_map(pdos).filter(|(_, state)| state.is_active()).collect()
     }
 
+    /// The PDOs that a node sends, by CAN-ID, with the parameters of the sender, else of a receiver.
+    fn pdos(self) -> impl Iterator<Item = &'n PdoState> {
+        let sent = self.messages.0.values().filter(|message| !message.senders.is_empty());
+        sent.filter_map(move |message| {
+            let mut parties = message.senders.iter().chain(&message.receivers);
+            parties.find_map(|party| self.compiled.pdo(party))
+        })
+    }
+
+    /// What [`load`](Self::load) does not count.
+    pub(crate) fn uncounted(self) -> Uncounted {
+        let sync = self.sync();
+        // without SYNC a synchronous PDO is not sent
+        let is_uncounted =
+            |state: &&PdoState| state.period(sync.as_ref()).is_none() && state.transmission > 240;
+        let pdos = self.pdos().filter(is_uncounted).map(PdoState::can_id).collect();
+        let parties = || self.messages.0.values().flat_map(|message| &message.senders);
+        let is_sent = |services: &[Service]| parties().any(|party| services.contains(&party.service));
+        let services = [
+            ("NMT", self.network.manager.is_some()),
+            ("TIME", is_sent(&[Service::Time])),
+            ("EMCY", is_sent(&[Service::Emcy])),
+            ("SDO", is_sent(&[Service::SdoRequest, Service::SdoResponse])),
+        ];
+        let services = services.into_iter().filter(|(_, is_sent)| *is_sent).map(|(name, _)| name).collect();
+        Uncounted { pdos, services }
+    }
+
     /// The producer heartbeat times of all nodes that have one, in milliseconds.
     fn heartbeats(self) -> impl Iterator<Item = u16> {
         let manager = self.network.manager.as_ref().filter(|manager| manager.node.is_none());
@@ -82,10 +140,8 @@ impl<'n> Traffic<'n> {
         let mut load: u64 = sync
             .as_ref()
             .map_or(0, |sync| frame_bits(sync.bytes, false) * 1_000_000_000 / sync.period.max(1));
-        let mut can_ids = BTreeSet::new();
-        for (_, state) in self.sent() {
-            let period = state.period(sync.as_ref());
-            if let Some(period) = period.filter(|_| can_ids.insert(state.can_id())) {
+        for state in self.pdos() {
+            if let Some(period) = state.period(sync.as_ref()) {
                 load += state.frame_bits() * 1_000_000_000 / period.max(1);
             }
         }

@@ -4,6 +4,7 @@ use std::path::{Path, PathBuf};
 
 use clap::{Parser, ValueEnum};
 
+use super::network::NetworkInputArgs;
 use super::{CanonicalArgs, ExpandArgs, OverwriteArgs, node_id, node_name};
 use crate::cli::input::{FileKind, InputArgs};
 use crate::format::XddVersion;
@@ -13,7 +14,7 @@ use crate::source::Folder;
 ///
 /// EDS to EDS and DCF to DCF keep every byte. EDS to DCF and back edit the text and keep comments, order and spelling; so do XDD
 /// to XDC and back. Between INI and XML files everything is written anew, and data without a place in the other format go into
-/// properties or comment lines of objdict (docs/formats.md). A DBC has the messages of one node, or of all nodes of a network. Exits
+/// properties or comment lines of objdict (docs/formats.md). A DBC has the messages of one node, or of all nodes of a network (`network.toml`, `bus.yml`, node list). Exits
 /// with 1 when --deny-loss is given and data are lost or invented.
 #[derive(Debug, Parser)]
 pub(in crate::cli) struct ConvertArgs {
@@ -70,6 +71,8 @@ pub(in crate::cli) struct ConvertArgs {
     pub expand: ExpandArgs,
     #[command(flatten)]
     pub input: InputArgs,
+    #[command(flatten)]
+    pub network: NetworkInputArgs,
 }
 
 /// What a DBC describes.

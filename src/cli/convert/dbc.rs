@@ -2,19 +2,23 @@
 
 use std::io::Write;
 use std::path::Path;
+use std::slice;
 
-use super::super::Failure;
 use super::super::args::ConvertArgs;
 use super::super::input::{FileKind, Input, name_of};
 use super::super::output::Output;
 use super::super::save::{Saved, is_stdout, keep, save};
+use super::super::{Failure, network};
 use super::Job;
 use super::losses::{self, LossReport};
 use crate::diagnostic::counted;
 use crate::document::dbc::{self, BusNode, DbcOptions, Omission};
+use crate::format::identify::{ContentKind, identify};
 use crate::format::input::Reading;
+use crate::format::network::ConfiguredNode;
 use crate::format::{Description, Loss, LossKind};
 use crate::model::{Device, NodeList, Part};
+use crate::network::Manner;
 
 /// A node of the bus.
 struct Node {
@@ -24,8 +28,10 @@ struct Node {
     device: Device,
     /// That of the node list or the device; `None` if neither states one.
     node_id: Option<u8>,
-    /// That of the node list.
+    /// That of the node list or network.
     name: Option<String>,
+    /// Whether it is the manager of a network without a description, whose PDOs are the other sides of those of the nodes.
+    is_counterpart: bool,
 }
 
 /// Writes the DBC of the nodes in all files.
@@ -41,6 +47,7 @@ pub(super) fn convert(
         device: &node.device,
         node_id: *node_id,
         name: name.or(node.name.as_deref()),
+        is_counterpart: node.is_counterpart,
     });
     let options = DbcOptions { sdo: args.dbc.sdo, bits: args.dbc.bits };
     let written = dbc::write(&bus.collect::<Vec<_>>(), options);
@@ -60,7 +67,8 @@ pub(super) fn convert(
         let (output, size) = (job.output.display(), written.bytes.len());
         lines.push_str(&format!("{what} to {output} (DBC), {size} bytes{unchanged}\n"));
     }
-    for (position, (node, node_id)) in nodes.iter().enumerate() {
+    let described = nodes.iter().enumerate().filter(|(_, (node, _))| !node.is_counterpart);
+    for (position, (node, node_id)) in described {
         let omissions = written.omissions.iter().filter(|omission| omission.node == position);
         let losses: Vec<Loss> = omissions.map(|omission| loss(&node.device, omission)).collect();
         if nodes.len() > 1 {
@@ -82,7 +90,14 @@ pub(super) fn convert(
 fn nodes(args: &ConvertArgs, jobs: &[Job]) -> Result<Vec<(Node, u8)>, Failure> {
     let mut found = Vec::new();
     for job in jobs {
-        match args.input.read(&job.input)? {
+        let bytes = args.input.size.read(&job.input)?;
+        let name = name_of(&job.input);
+        let kind = identify(&name, &bytes).kind;
+        if args.input.from.is_none() && matches!(kind, ContentKind::Network | ContentKind::BusConfiguration) {
+            found.append(&mut nodes_of_network(args, job)?);
+            continue;
+        }
+        match args.input.reading().read(&name, bytes)? {
             (_, Input::NodeList(list)) => found.append(&mut nodes_of_list(args, job, &list)?),
             (from, input) => {
                 let devices = devices_in(&args.input.reading(), job, input)?;
@@ -114,6 +129,38 @@ fn nodes(args: &ConvertArgs, jobs: &[Job]) -> Result<Vec<(Node, u8)>, Failure> {
         nodes.push((node, node_id));
     }
     Ok(nodes)
+}
+
+/// The nodes of a network after their configuration, and its manager.
+fn nodes_of_network(args: &ConvertArgs, job: &Job) -> Result<Vec<Node>, Failure> {
+    let name = name_of(&job.input);
+    if job.input == Path::new("-") {
+        let failure = Failure::new("a network cannot be read from the standard input");
+        return Err(failure.help("name its file: the paths of descriptions are relative to it"));
+    }
+    if args.node_id.is_some() {
+        let failure = Failure::new(format_args!("`{name}` is a network, whose nodes have node-IDs"));
+        return Err(failure.help("leave `--node-id` out"));
+    }
+    let file = network::shown_network(slice::from_ref(&job.input), &args.network)?;
+    let nodes = file.build(Manner::Repaired).and_then(|build| build.configured_nodes());
+    let nodes = nodes.map_err(|error| {
+        let help = format!("`objdict network check {name}` says why");
+        Failure::new(format_args!("`{name}`: {error}")).help(help)
+    })?;
+    let node = |node: ConfiguredNode| {
+        let description = node.node.and_then(|position| file.description(position));
+        let input = description.map_or_else(|| job.input.clone(), |of| of.source().name().into());
+        Node {
+            job: Job { input, ..job.clone() },
+            from: description.map_or(FileKind::Json, |of| of.format().into()),
+            device: node.device,
+            node_id: Some(node.node_id),
+            name: Some(node.name),
+            is_counterpart: node.node.is_none(),
+        }
+    };
+    Ok(nodes.into_iter().map(node).collect())
 }
 
 /// The nodes of a network that are present, from the files that the list names. The list says which nodes they are.
@@ -157,7 +204,8 @@ fn nodes_of_list(args: &ConvertArgs, job: &Job, list: &NodeList) -> Result<Vec<N
 fn nodes_in(args: &ConvertArgs, job: &Job, from: FileKind, devices: Vec<Device>) -> Vec<Node> {
     let node = |device: Device| {
         let device = args.expand.device(&device).into_owned();
-        Node { job: job.clone(), from, node_id: device.node_id(), device, name: None }
+        let node_id = device.node_id();
+        Node { job: job.clone(), from, node_id, device, name: None, is_counterpart: false }
     };
     devices.into_iter().map(node).collect()
 }
@@ -180,7 +228,7 @@ fn devices_in(reading: &Reading, job: &Job, input: Input) -> Result<Vec<Device>,
         Input::Device(device) => Ok(vec![*device]),
         Input::Concise(_) | Input::NodeList(_) => {
             let failure = Failure::new(format_args!("`{}` describes no node", name_of(&job.input)));
-            Err(failure.help("name an EDS, DCF, XDD, XDC, JSON or node list"))
+            Err(failure.help("name an EDS, DCF, XDD, XDC, JSON, node list or network"))
         }
     }
 }

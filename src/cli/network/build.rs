@@ -10,8 +10,8 @@ use super::super::output::Output;
 use super::super::save::Folder;
 use super::super::settings::{Settings, SettingsArgs};
 use super::super::{Failure, Outcome, note, shown, tell};
-use super::{findings, open_one};
-use crate::diagnostic::{Severity, one_line};
+use super::{findings, names_of, open_one};
+use crate::diagnostic::{Diagnostic, Severity, one_line};
 use crate::format::network::{Build, BuiltFile};
 use crate::generate::{Options, Target, generate};
 use crate::network::{LelyOptions, Manner};
@@ -26,15 +26,23 @@ pub(super) fn run(args: &NetworkBuildArgs, out: &mut Output) -> Result<Outcome, 
     tally.add(&findings);
     // what dcfgen has no word about, it builds
     let is_clear = findings.iter().all(|finding| finding.severity < Severity::Error || finding.is_understood);
-    for (subject, findings) in
-        Subject::of_network(&file, findings).iter().filter(|(_, findings)| !findings.is_empty())
+    // the full report is that of `network check`
+    let is_error = |finding: &Diagnostic| finding.severity == Severity::Error;
+    let errors = findings.clone().filter_map(|finding| is_error(&finding).then_some(finding));
+    for (subject, errors) in
+        Subject::of_network(&file, errors).iter().filter(|(_, errors)| !errors.is_empty())
     {
-        tell(&listed(*subject, findings)?);
+        tell(&listed(*subject, errors)?);
     }
     if tally.errors > 0 && !args.force && !(args.strict_dcfgen && is_clear) {
         let failure = Failure::new(format_args!("{tally}, so nothing is built"));
         failure.help("correct them; `--force` builds anyway").print();
         return Ok(Outcome::Findings);
+    }
+    let mut others = Tally::default();
+    others.add(&findings.filter_map(|finding| (!is_error(&finding)).then_some(finding)));
+    if others.files_with_findings > 0 {
+        note(&format!("{others}: `objdict network check {}` lists them\n", names_of(&args.files)));
     }
     let manner = if args.strict_dcfgen { Manner::Strict } else { Manner::Repaired };
     let mut build = file.build(manner).map_err(Failure::new)?;

@@ -81,18 +81,24 @@ fn names_of(paths: &[PathBuf]) -> String {
     paths.iter().map(|path| name_of(path)).collect::<Vec<_>>().join(" ")
 }
 
-/// Reads a network that is to be shown, with the configuration of its nodes. Its errors are left to `network check`.
-fn compiled(paths: &[PathBuf], input: &NetworkInputArgs) -> Result<(Network, Compiled), Failure> {
+/// Reads a network that is to be shown. Its errors are left to `network check`.
+pub(super) fn shown_network(paths: &[PathBuf], input: &NetworkInputArgs) -> Result<NetworkFile, Failure> {
     let file = open_one(paths, input)?;
     let errors = file.check().iter().filter(|finding| finding.severity == Severity::Error).count();
     let help = format!("`objdict network check {}` says which", names_of(paths));
-    let Some(network) = file.network else {
+    if file.network.is_none() {
         return Err(Failure::new(format_args!("`{}` is no network", file.source.name())).help(help));
-    };
+    }
     if errors > 0 {
         let warning = format!("the network has {}, so what it does may differ", plural(errors, "error"));
         tell(&format!("warning: {warning}\n  help: {help}\n"));
     }
+    Ok(file)
+}
+
+/// Reads a network that is to be shown, with the configuration of its nodes.
+fn compiled(paths: &[PathBuf], input: &NetworkInputArgs) -> Result<(Network, Compiled), Failure> {
+    let network = shown_network(paths, input)?.network.unwrap_or_default();
     let compiled = compile(&network, Manner::Repaired, &mut Findings::new());
     Ok((network, compiled))
 }

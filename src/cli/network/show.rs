@@ -9,7 +9,8 @@ use super::super::output::Output;
 use super::super::table::{Table, fit};
 use super::super::{Failure, Outcome};
 use super::{compiled, names_of};
-use crate::network::{BootPlan, End, MappedEntry, Overview};
+use crate::model::PdoKind;
+use crate::network::{BootPlan, End, LinkRow, MappedEntry, MessageRow, Overview, Service, UnlinkedEnd};
 use crate::report::plural;
 
 /// The version of the JSON document. It changes when a field is removed or means something else, not when one is added.
@@ -41,11 +42,22 @@ pub(super) fn run(args: &NetworkShowArgs, out: &mut Output) -> Result<Outcome, F
 }
 
 fn tables(overview: &Overview, out: &mut dyn Write) -> io::Result<()> {
-    writeln!(out, "{}\n", fit(&summary(overview), CELL * 3))?;
+    writeln!(out, "{}", fit(&summary(overview), CELL * 3))?;
+    let uncounted = overview.uncounted.words(overview.language, |can_id| can_id.to_string());
+    if overview.load.is_some() && !uncounted.is_empty() {
+        writeln!(out, "Not counted: {uncounted}")?;
+    }
+    writeln!(out)?;
     nodes(overview, out)?;
-    if !overview.links.is_empty() {
+    let (links, unlinked): (Vec<_>, Vec<_>) =
+        overview.links.iter().partition(|link| !is_unlinked(overview, link));
+    if !links.is_empty() {
         writeln!(out, "\nLinks\n")?;
-        links(overview, out)?;
+        self::links(&links, out)?;
+    }
+    if !unlinked.is_empty() {
+        writeln!(out, "\nValid by default, without a link\n")?;
+        self::unlinked(overview, out)?;
     }
     writeln!(out, "\nCAN-IDs, highest priority first\n")?;
     can_ids(overview, out)?;
@@ -87,9 +99,32 @@ fn nodes(overview: &Overview, out: &mut dyn Write) -> io::Result<()> {
     table.write(out)
 }
 
-fn links(overview: &Overview, out: &mut dyn Write) -> io::Result<()> {
+/// Whether a PDO is as its description has it by default, and no node has the other side.
+fn is_unlinked(overview: &Overview, link: &LinkRow) -> bool {
+    match (&link.sender, &link.receiver) {
+        (Some(end), None) | (None, Some(end)) => overview.is_unlinked(link.can_id, end),
+        _ => false,
+    }
+}
+
+/// A line for each node.
+fn unlinked(overview: &Overview, out: &mut dyn Write) -> io::Result<()> {
+    let mut table = Table::new(["Node", "No node receives", "No node sends"], CELL * 2);
+    for row in &overview.unlinked {
+        let pdos = |kind: PdoKind| {
+            let of_kind = |end: &&UnlinkedEnd| matches!(end.service, Service::Pdo(pdo) if pdo.kind == kind);
+            let shown =
+                row.pdos.iter().filter(of_kind).map(|end| format!("{} ({})", end.service, end.can_id));
+            shown.collect::<Vec<_>>().join(", ")
+        };
+        table.row([row.node.clone(), pdos(PdoKind::Tpdo), pdos(PdoKind::Rpdo)]);
+    }
+    table.write(out)
+}
+
+fn links(links: &[&LinkRow], out: &mut dyn Write) -> io::Result<()> {
     let mut table = Table::new(["CAN-ID", "From", "Entry", "To", "Entry"], CELL);
-    for link in &overview.links {
+    for link in links {
         let end = |end: &Option<End>| end.as_ref().map_or_else(|| "no node".to_owned(), End::to_string);
         let ends = [link.can_id.to_string(), end(&link.sender), end(&link.receiver)];
         if link.entries.is_empty() {
@@ -108,7 +143,12 @@ fn links(overview: &Overview, out: &mut dyn Write) -> io::Result<()> {
 
 fn can_ids(overview: &Overview, out: &mut dyn Write) -> io::Result<()> {
     let mut table = Table::new(["CAN-ID", "From", "To", "Bytes", "Trigger", "Period"], CELL);
-    for message in &overview.messages {
+    // what only waits by default is not on the bus
+    let waits = |message: &&MessageRow| {
+        let is_unlinked = |end: &End| overview.is_unlinked(message.can_id, end);
+        message.senders.is_empty() && message.receivers.iter().all(is_unlinked)
+    };
+    for message in overview.messages.iter().filter(|message| !waits(message)) {
         let ends = |ends: &[End]| ends.iter().map(End::to_string).collect::<Vec<_>>().join(", ");
         // the same service of many nodes is one word
         let receivers = match message.receivers.as_slice() {

@@ -14,6 +14,7 @@ mod stored;
 mod toml;
 mod topology;
 mod tree;
+mod types;
 mod yaml;
 
 use std::collections::BTreeMap;
@@ -23,7 +24,7 @@ use std::path::{Path, PathBuf};
 use std::rc::Rc;
 
 pub use self::init::init;
-pub use self::outputs::{Build, BuildError, BuiltFile, ConfigurationTime};
+pub use self::outputs::{Build, BuildError, BuiltFile, ConfigurationTime, ConfiguredNode};
 use self::rules::UNREADABLE_NODE;
 use super::Description;
 use super::identify::{ContentKind, identify_source};

@@ -16,6 +16,8 @@ const TENTHS: Shape = time(16, 100_000);
 const NODE_ID: Shape = Shape::Integer(1, 127);
 const NUMBERS: Shape = Shape::Numbers((1, 254), (0, 255));
 
+const UNUSED_PDOS: Shape = Shape::Word(&["keep", "off"]);
+
 const TYPE: &str = "The transmission type: `sync/1` to `sync/240`, `event`, `rtr`, or its number.";
 const INHIBIT: &str = "The inhibit time: a text with a unit, or a number of 100 µs.";
 const EVENT_TIMER: &str = "The event timer: a text with a unit, or a number of ms.";
@@ -30,6 +32,7 @@ pub(super) const NETWORK: &[Key] = &[
     key("bus", Shape::Map(BUS), "The network as a whole."),
     key("manager", Shape::Map(MANAGER), "The manager, which configures and starts the nodes (CiA 302-2)."),
     key("node", Shape::Named(NODE), "The nodes by their names."),
+    key("type", Shape::Named(NODE), "Keys that several nodes have in common, by the name that nodes `use`."),
     key("link", Shape::List(LINK), "Which entries go where."),
 ];
 
@@ -57,6 +60,7 @@ pub(super) const BUS: &[Key] = &[
         IDENTITY,
         "Which numbers of the nodes the manager checks before it boots them (1F84h to 1F88h).",
     ),
+    key("unused-pdos", UNUSED_PDOS, "`off`: downloads switch off PDOs that no link and no key uses."),
     key(
         "run-time-folder",
         Shape::Text,
@@ -100,6 +104,7 @@ pub(super) const NODE: &[Key] = &[
         "The file with the description, relative to this file; `plant.nxdc#2` is the second device of a file with several.",
     ),
     key("id", NODE_ID, "The node-ID; that of the description without this key."),
+    key("use", Shape::Text, "The `type` whose keys it has too, where it does not have them itself."),
     key(
         "modules",
         Shape::Numerals(1, 0xFFFF),
@@ -116,6 +121,7 @@ pub(super) const NODE: &[Key] = &[
     key("set", Shape::Values, "Values by entry, as `objdict configure --set` takes them."),
     key("rpdo", Shape::Numbered(1, 512, PDO), "RPDOs that links leave alone, by PDO number."),
     key("tpdo", Shape::Numbered(1, 512, PDO), "TPDOs that links leave alone, by PDO number."),
+    key("unused-pdos", UNUSED_PDOS, "`off`: downloads switch off its PDOs that no link and no key uses."),
     key("sdo", Shape::List(SDO), "Downloads at the end of the configuration, in this order."),
     key("boot", Shape::Flag, "Whether the manager configures and starts the node."),
     key("mandatory", Shape::Flag, "Whether the network stops without the node."),
@@ -163,8 +169,12 @@ pub(super) const SDO: &[Key] = &[
 ];
 
 pub(super) const LINK: &[Key] = &[
-    key("from", Shape::Text, "The entries of the producer: `left.6000:1-5`, `left.Statusword`."),
-    key("to", Shape::Texts, "As many entries of one consumer, or of each in a list."),
+    key(
+        "from",
+        Shape::Text,
+        "The entries of the producer: `left.6000:1-5`, `left.Statusword`; only the name of a manager without a description.",
+    ),
+    key("to", Shape::Texts, "As many entries of one consumer, or of each in a list; a manager as in `from`."),
     key("type", Shape::Text, TYPE),
     key("inhibit", TENTHS, INHIBIT),
     key("event-timer", MILLISECONDS, EVENT_TIMER),

@@ -4,6 +4,7 @@ use super::network_keys::{BUS, LINK, MANAGER, NETWORK, NODE, PDO, SDO};
 use super::rules::{MISSING_KEY, UNREADABLE_NODE, WRONG_TYPE};
 use super::section::{Section, integer, value_wish, wrong};
 use super::tree::{Entry, Kind, Tree};
+use super::types::with_type;
 use super::{Descriptions, toml};
 use crate::configure::{PdoName, Setting, nanoseconds, transmission_type};
 use crate::coupler::flatten;
@@ -11,7 +12,8 @@ use crate::diagnostic::{Diagnostic, Findings, Text, say};
 use crate::model::{Address, Device, PdoKind};
 use crate::network::{
     Boot, CobIdWish, DownloadWish, Heartbeat, IdentityLevel, Link, LinkEnd, LinkParameters, LinkedEntries,
-    Manager, Network, Node, PdoWish, Said, Startup, Watch, WatchTime, connect, named_manager, watch,
+    Manager, Network, Node, PdoWish, Said, Startup, UnusedPdos, Watch, WatchTime, connect, named_manager,
+    watch,
 };
 use crate::source::Span;
 
@@ -24,12 +26,8 @@ pub(super) fn read(
     let tree = toml::read(text, findings)?;
     let section = Section::new("the network", &tree, NETWORK, findings)?;
     let mut reader = Reader { descriptions, findings };
-    let nodes = section.named("node", reader.findings);
-    let mut network = Network {
-        nodes: nodes.iter().filter_map(|entry| reader.node(entry)).collect(),
-        links: reader.links(&section),
-        ..Network::default()
-    };
+    let nodes = reader.nodes(&section);
+    let mut network = Network { nodes, links: reader.links(&section), ..Network::default() };
     reader.bus(&section, &mut network);
     watch(&mut network, reader.findings);
     connect(&mut network, reader.findings);
@@ -51,6 +49,7 @@ impl Reader<'_, '_> {
         network.name = bus.text("name", findings).map(|name| name.value);
         network.bit_rate = bus.integer("bit-rate", findings);
         network.identity = identity(&bus, findings);
+        network.unused_pdos = unused_pdos(&bus, findings);
         network.run_time_folder = self.folder(&bus).unwrap_or_default();
         let named = bus.text("manager", self.findings);
         let settings = root.get("manager");
@@ -197,6 +196,32 @@ impl Reader<'_, '_> {
         self.findings.push(Diagnostic::new(&WRONG_TYPE, at, message.clone()).help(help));
     }
 
+    fn nodes(&mut self, root: &Section<'_>) -> Vec<Node> {
+        let types = root.named("type", self.findings);
+        for kind in types {
+            Section::new(&format!("type {}", kind.key.spelled()), &kind.value, NODE, self.findings);
+        }
+        let nodes = root.named("node", self.findings).iter();
+        nodes.filter_map(|entry| self.node_with_type(entry, types)).collect()
+    }
+
+    /// A node; what is wrong with its type is reported for the first node that uses it.
+    fn node_with_type(&mut self, entry: &Entry, types: &[Entry]) -> Option<Node> {
+        let mut found = Findings::new();
+        let entry = with_type(entry, types, &mut found);
+        let node = Reader { descriptions: &mut *self.descriptions, findings: &mut found }.node(&entry);
+        for finding in found.into_vec() {
+            let is_same = |other: &Diagnostic| {
+                (other.rule.id, &other.labels, other.message.shown())
+                    == (finding.rule.id, &finding.labels, finding.message.shown())
+            };
+            if !self.findings.iter().any(is_same) {
+                self.findings.push(finding);
+            }
+        }
+        node
+    }
+
     fn node(&mut self, entry: &Entry) -> Option<Node> {
         let name = entry.key.spelled();
         let section = Section::new(&name, &entry.value, NODE, self.findings)?;
@@ -222,6 +247,7 @@ impl Reader<'_, '_> {
             time_cob_id: section.integer("time-cob-id", findings),
             error_behavior,
             pdos,
+            unused_pdos: unused_pdos(&section, findings),
             implied: Vec::new(),
             stored: Vec::new(),
             settings,
@@ -427,6 +453,11 @@ impl Reader<'_, '_> {
 fn identity(section: &Section<'_>, findings: &mut Findings) -> Option<IdentityLevel> {
     let word = section.word("identity", findings)?;
     IdentityLevel::ALL.into_iter().find(|level| level.word() == word.value)
+}
+
+fn unused_pdos(section: &Section<'_>, findings: &mut Findings) -> Option<Said<UnusedPdos>> {
+    let word = section.word("unused-pdos", findings)?;
+    Some(Said::new(if word.value == "off" { UnusedPdos::Off } else { UnusedPdos::Keep }, word.at))
 }
 
 /// What `bus` and `manager` say, as settings of the described manager.

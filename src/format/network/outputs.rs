@@ -63,6 +63,20 @@ pub struct Build<'a> {
     stems: Vec<String>,
 }
 
+/// A node after its configuration.
+#[derive(Clone, Debug)]
+pub struct ConfiguredNode {
+    /// Its position in [`Network::nodes`]; `None` for a manager without a description, whose PDOs are the other sides of those
+    /// of the nodes.
+    pub node: Option<usize>,
+    /// Its name.
+    pub name: String,
+    /// Its node-ID.
+    pub node_id: u8,
+    /// The effective dictionary, with what the network says of the node.
+    pub device: Device,
+}
+
 /// When a configuration was made (1020h of a node, 1F26h and 1F27h of the manager). A node that has it already is not configured again.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct ConfigurationTime {
@@ -150,6 +164,32 @@ impl Build<'_> {
         let nodes = self.compiled.slaves.iter();
         let nodes = nodes.map(|slave| (Some(slave.node), self.dcf(slave, &self.described(slave))));
         nodes.chain(self.network.manager.iter().map(|manager| (manager.node, self.manager())))
+    }
+
+    /// The nodes as their DCFs describe them, the manager last.
+    ///
+    /// # Errors
+    /// When the configuration of a node cannot be sent.
+    pub fn configured_nodes(&self) -> Result<Vec<ConfiguredNode>, BuildError> {
+        let configured = |node, name: &str, node_id, mut device: Device, is_manager| {
+            device.commissioning = Some(self.commissioning(name, node_id, &device, is_manager));
+            ConfiguredNode { node, name: name.to_owned(), node_id, device }
+        };
+        let slaves = self.compiled.slaves.iter();
+        let mut nodes: Vec<_> = slaves
+            .map(|slave| {
+                let device = self.described(slave);
+                configured(Some(slave.node), self.name(slave), slave.node_id, device, false)
+            })
+            .collect();
+        let Some(manager) = &self.network.manager else { return Ok(nodes) };
+        let compiled = self.compiled.manager.as_ref().map(|slave| slave.node_id);
+        let stated = manager.node_id.filter(|_| manager.node.is_none()).map(|node_id| node_id.value);
+        if let Some(node_id) = compiled.or(stated) {
+            let name = manager.node.map_or(&manager.name.value, |node| &self.network.nodes[node].name.value);
+            nodes.push(configured(manager.node, name, node_id, self.manager_device()?, true));
+        }
+        Ok(nodes)
     }
 
     /// The network in tables, in a language.

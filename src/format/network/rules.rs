@@ -59,6 +59,14 @@ text_rules! {
     remedy: "Add the key.",
     source: "dcf-tools 2.4.2; objdict, docs/network.md",
 
+    UNKNOWN_TYPE = "network/unknown-type", Error;
+    summary: "a node uses a type that is not in the file",
+    checks: "Whether the type that a node or another type names with `use` is a table below `type`, and no type uses itself.",
+    why: "The node has none of the keys of its type.",
+    example: "`use = \"drvie\"` beside `[type.drive]`",
+    remedy: "Correct the name, or add the type.",
+    source: "objdict, docs/network.md",
+
     OVERRIDDEN_KEY = "network/overridden-key", Warning;
     summary: "a key of `defaults` overrides that of a node",
     checks: "Whether a node has a key with another value than `defaults` has for it.",

@@ -3,8 +3,8 @@
 usage: dbc.py FOLDER
 
 FOLDER holds the files and `cases.json`: a list of cases with `dbc`, the file, and `nodes`: each with `json`, the file of
-its model, `node_id`, and `omitted`, the places (index and sub-index) that the DBC does not have. Prints a line for each
-difference; exit code 1 when there is one.
+its model, `node_id`, `omitted`, the places (index and sub-index) that the DBC does not have, and `counterpart`, whether it has
+only the other sides of the PDOs of the other nodes. Prints a line for each difference; exit code 1 when there is one.
 """
 
 import json
@@ -39,7 +39,8 @@ def number(value, node_id):
 class Node:
     """The dictionary of a node."""
 
-    def __init__(self, path, node_id, omitted):
+    def __init__(self, path, node_id, omitted, is_counterpart):
+        self.is_counterpart = is_counterpart
         self.objects = json.loads(path.read_text())["device"]["objects"]
         self.node_id = node_id
         self.omitted = {tuple(place) for place in omitted}
@@ -137,7 +138,9 @@ class Case:
         self.differences, self.entries = [], 0
         self.name = case["dbc"]
         path = folder / case["dbc"]
-        self.nodes = [Node(folder / node["json"], node["node_id"], node["omitted"]) for node in case["nodes"]]
+        self.nodes = [
+            Node(folder / node["json"], node["node_id"], node["omitted"], node["counterpart"]) for node in case["nodes"]
+        ]
         self.has_bits = case["bits"]
         self.random = random.Random(case["dbc"])
         try:
@@ -152,7 +155,12 @@ class Case:
             self.differ("", "the tools see other messages")
         for node in self.nodes:
             for key, name, mapping, fields, end in node.pdos():
-                self.check_pdo(node, key, name, mapping, fields, end)
+                if node.is_counterpart:
+                    self.check_counterpart(node, key, name, mapping)
+                else:
+                    self.check_pdo(node, key, name, mapping, fields, end)
+                if name.startswith("TPDO") and key in self.messages:
+                    self.check_cycle(node, key, name, mapping - 0x200)
             if case["sdo"]:
                 self.check_sdo(node)
 
@@ -220,13 +228,54 @@ class Case:
             if stated and not all(map(math.isclose, stated, (signal.scale, signal.offset))):
                 self.differ(place, f"{signal.name}: scaled by {signal.scale}, {signal.offset}, stated {stated}")
 
+    def sync(self, node):
+        """The SYNC period in microseconds that a node listens to; None without a producer."""
+        cob_id = node.number(0x1005, 0)
+        can_id = 0x80 if cob_id is None else cob_id & 0x1FFFFFFF
+        for other in self.nodes:
+            produced = other.number(0x1005, 0) or 0
+            if produced >> 30 & 1 and produced & 0x1FFFFFFF == can_id and other.number(0x1006, 0):
+                return other.number(0x1006, 0)
+        return None
+
+    def check_cycle(self, node, key, name, communication):
+        """A synchronous TPDO has the time of so many SYNC, another one that of its event timer."""
+        place = f"node {node.node_id} {name}"
+        if {(communication, 1), (communication + 0x200, 0)} & node.omitted:
+            return
+        kind = node.number(communication, 2)
+        expected = None
+        if kind is not None and 1 <= kind <= 240:
+            period = self.sync(node)
+            expected = period * kind / 1000 if period else None
+        elif kind is None or kind > 253:
+            expected = node.number(communication, 5) or None
+        if expected is not None and (expected != int(expected) or expected > 4294967):
+            expected = None
+        found = self.messages[key].cycle_time or None
+        other = self.frames[key].cycle_time or None
+        if (found, other) != (expected, expected):
+            self.differ(place, f"cycle time of {expected}, cantools has {found} and canmatrix {other}")
+
+    def check_counterpart(self, node, key, name, mapping):
+        """It sends what a node receives, and receives what a node sends."""
+        place, message = f"counterpart {name}", self.messages.get(key)
+        if message is None:
+            return self.differ(place, f"no message {key}")
+        (own,) = [n.name for n in self.database.nodes if n.comment.startswith(f"node-ID {node.node_id}:")]
+        if name.startswith("TPDO"):
+            if message.senders != [own]:
+                self.differ(place, f"sent by {message.senders}")
+        elif any(own not in signal.receivers for signal in message.signals):
+            self.differ(place, f"not received by {own}")
+
     def check_sdo(self, node):
         key = (False, 0x580 + node.node_id)
         message = self.messages.get(key)
         if message is None:
             return
         for signal in message.signals:
-            if not signal.multiplexer_ids:
+            if signal.multiplexer_signal != "Entry":
                 continue
             (selected,) = signal.multiplexer_ids
             index, sub = selected & 0xFFFF, selected >> 16
@@ -239,6 +288,28 @@ class Case:
             self.entries += 1
             if found[signal.name] != value.value or found["Command"] != 2:
                 self.differ(f"{index:04X}h:{sub:02X}", f"SDO of {value.value} is decoded as {found}")
+        for way in (0x580, 0x600):
+            self.check_other_commands((False, way + node.node_id))
+
+    def check_other_commands(self, key):
+        """An abort has its code and the entry, and frames without an entry are decoded too."""
+        message, frame = self.messages[key], self.frames[key]
+        data = struct.pack("<BHBI", 0x80, 0x1000, 0, 0x06090011)
+        expected = (4, 0x1000, 0x06090011)
+        found = message.decode(data, decode_choices=False)
+        plain = tuple(found[name] for name in ("Command", "Entry_without_value", "Abort_code"))
+        named = str(message.decode(data)["Abort_code"])
+        other = frame.decode(data)
+        values = tuple(other[name].raw_value for name in ("Command", "Entry_without_value", "Abort_code"))
+        if (plain, values) != (expected, expected) or len(found) != 3:
+            self.differ(f"{key}", f"an abort is decoded as {found} and {values}")
+        for text in (named, other["Abort_code"].named_value):
+            if text != "the object has no such sub-index":
+                self.differ(f"{key}", f"the abort code is called {text}")
+        for command in (0, 3, 5, 6) if key[1] >= 0x600 else (0, 1, 5, 6):
+            data = bytes([command << 5, 1, 2, 3, 4, 5, 6, 7])
+            if message.decode(data)["Data"] != int.from_bytes(data[1:], "little"):
+                self.differ(f"{key}", f"command {command} is decoded as {message.decode(data)}")
 
 
 def main():

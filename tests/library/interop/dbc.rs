@@ -8,10 +8,12 @@ use std::process::Command;
 use objdict::document::dbc::{self, BusNode, Dbc, DbcOptions};
 use objdict::format::{self, json};
 use objdict::model::{DataType, Device, Entry, MappedObject, Object, ObjectType, Part, PdoKind, Value};
+use objdict::network::Manner;
 use objdict::source::SourceOptions;
 use serde_json::json;
 
 use super::{environment, text_of};
+use crate::network::open;
 use crate::support;
 
 /// The files for the script, and what it is to do with them.
@@ -30,10 +32,26 @@ impl Cases {
 
     /// The DBC of devices on one bus.
     fn add(&mut self, devices: &[(Device, u8)], options: DbcOptions) {
-        let bus: Vec<_> = devices
-            .iter()
-            .map(|(device, node_id)| BusNode { device, node_id: *node_id, name: None })
-            .collect();
+        self.add_with(devices, options, None);
+    }
+
+    /// The DBC of a network.
+    fn add_network(&mut self, name: &str, options: DbcOptions) {
+        let nodes = open(name).build(Manner::Repaired).unwrap().configured_nodes().unwrap();
+        let counterpart = nodes.iter().position(|node| node.node.is_none());
+        let devices: Vec<_> = nodes.into_iter().map(|node| (node.device, node.node_id)).collect();
+        self.add_with(&devices, options, counterpart);
+    }
+
+    /// The DBC of devices on one bus, and the one that has the other side of all PDOs.
+    fn add_with(&mut self, devices: &[(Device, u8)], options: DbcOptions, counterpart: Option<usize>) {
+        let node = |(position, (device, node_id))| {
+            let is_counterpart = counterpart == Some(position);
+            let (device, node_id): (&Device, &u8) = (device, node_id);
+            BusNode { device, node_id: *node_id, name: None, is_counterpart }
+        };
+        let bus: Vec<_> =
+            devices.iter().map(|(device, node_id)| (device, node_id)).enumerate().map(node).collect();
         let number = self.cases.len();
         let written = dbc::write(&bus, options);
         let nodes: Vec<serde_json::Value> = devices
@@ -42,7 +60,9 @@ impl Cases {
             .map(|(position, (device, node_id))| {
                 let file = format!("{number}-{position}.json");
                 fs::write(self.folder.join(&file), json::write_device(device)).unwrap();
-                json!({ "json": file, "node_id": node_id, "omitted": omitted(&written, position) })
+                let is_counterpart = counterpart == Some(position);
+                let omitted = omitted(&written, position);
+                json!({ "json": file, "node_id": node_id, "omitted": omitted, "counterpart": is_counterpart })
             })
             .collect();
         let file = format!("{number}.dbc");
@@ -120,6 +140,11 @@ fn frames_decode_to_the_values_that_packed_them() {
     }
     let network: Vec<_> = support::files("dcf", &["dcf"]).iter().map(|path| read(path).unwrap()).collect();
     cases.add(&network, DbcOptions::default());
+    for name in ["worked.yml", "cell.yml", "chapter4.toml", "line.toml"] {
+        for sdo in [false, true] {
+            cases.add_network(name, DbcOptions { sdo, bits: false });
+        }
+    }
     for path in support::files("torture", &["eds"]) {
         cases.add(&[read(&path).unwrap()], DbcOptions::default());
     }

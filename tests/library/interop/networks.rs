@@ -56,7 +56,7 @@ fn dcfgen_builds_the_same() {
 #[test]
 fn nodes_take_their_configurations() {
     let Some(programs) = environment() else { return };
-    for name in NETWORKS.into_iter().chain(["chapter4.toml"]) {
+    for name in NETWORKS.into_iter().chain(["chapter4.toml", "line.toml"]) {
         let folder = new_folder(&format!("nodes-{name}"));
         let network = open(name);
         let build = network.build(Manner::Repaired).unwrap();
@@ -102,7 +102,7 @@ fn the_file_of_a_manager_has_its_boot_data() {
     let mut compact = WriteOptions::default();
     compact.eds.compact = true;
     let mut files: Vec<(PathBuf, BTreeMap<String, Value>)> = Vec::new();
-    for name in ["chapter4.toml", "xml.toml", "cell.yml"] {
+    for name in ["chapter4.toml", "xml.toml", "cell.yml", "line.toml"] {
         let network = NetworkFile::open(&folder.join(name), &BTreeMap::new()).unwrap();
         let build = network.build(Manner::Repaired).unwrap();
         let compiled = of_nodes(&build.manager_device().unwrap());
@@ -187,7 +187,7 @@ fn of_xdc(text: &str) -> BTreeMap<String, i64> {
 #[test]
 fn dcfs_have_the_effective_values() {
     let Some(programs) = environment() else { return };
-    for name in NETWORKS.into_iter().chain(["chapter4.toml"]) {
+    for name in NETWORKS.into_iter().chain(["chapter4.toml", "line.toml"]) {
         let folder = new_folder(&format!("effective-{name}"));
         let file = open(name);
         let network = file.network.as_ref().unwrap();
@@ -228,7 +228,7 @@ fn the_schemas_say_what_the_reader_says() {
         .filter(|path| !path.ends_with("invalid-toml/bad.toml") && !path.ends_with("invalid-yaml/bad.yml"))
         .filter(|path| !path.ends_with("key-defined-twice/bad.toml"))
         .collect();
-    files.extend(["worked.yml", "cell.yml", "chapter4.toml"].map(path));
+    files.extend(["worked.yml", "cell.yml", "chapter4.toml", "line.toml"].map(path));
     let script = Path::new(env!("CARGO_MANIFEST_DIR")).join("tests/library/interop/validate.py");
     let output =
         Command::new(programs.join("python")).arg(script).args(schemas).args(&files).output().unwrap();

@@ -240,7 +240,7 @@ fn pages(format: Format, bytes: &[u8]) {
 
 fn messages(format: Format, bytes: &[u8]) {
     let Some(device) = read(format, bytes).map(Description::into_device) else { return };
-    let nodes = [BusNode { device: &device, node_id: 5, name: None }];
+    let nodes = [BusNode { device: &device, node_id: 5, name: None, is_counterpart: false }];
     for (sdo, bits) in [(false, false), (true, true)] {
         let text: String =
             dbc::write(&nodes, DbcOptions { sdo, bits }).bytes.into_iter().map(char::from).collect();

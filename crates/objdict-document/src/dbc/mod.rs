@@ -16,7 +16,7 @@ mod tests;
 mod text;
 mod value;
 
-use std::collections::BTreeSet;
+use std::collections::{BTreeMap, BTreeSet};
 
 use self::message::Message;
 use self::station::Station;
@@ -31,6 +31,9 @@ pub struct BusNode<'a> {
     pub node_id: u8,
     /// The name; `None` for the one that the device states.
     pub name: Option<&'a str>,
+    /// Whether its PDOs are only the other sides of those of the other nodes, as for a manager without a description: it
+    /// sends and receives their messages.
+    pub is_counterpart: bool,
 }
 
 /// What a DBC describes beyond PDOs and the services of CiA 301.
@@ -86,6 +89,8 @@ struct Database<'a> {
     omissions: Vec<Omission>,
     /// The entries with a signal: node, index, sub-index.
     carried: BTreeSet<(usize, u16, u8)>,
+    /// The communication cycle periods in microseconds, by the CAN-ID of SYNC.
+    cycles: BTreeMap<message::CanId, u32>,
     names: identifier::Scope,
 }
 
@@ -99,6 +104,7 @@ impl<'a> Database<'a> {
             messages: Vec::new(),
             omissions: Vec::new(),
             carried: BTreeSet::new(),
+            cycles: BTreeMap::new(),
             names: identifier::Scope::default(),
         }
     }

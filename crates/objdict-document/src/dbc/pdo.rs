@@ -2,14 +2,14 @@
 
 use std::collections::BTreeMap;
 
-use super::Database;
 use super::identifier::words;
 use super::message::{CanId, Message};
 use super::signal::{Number, Signal};
 use super::value::Carried;
+use super::{Database, Omission, services};
 use crate::describe::spelled;
 use crate::layout::{Content, Field, FieldKind, Layout};
-use crate::model::{DataType, Pdo, PdoKind, Place, TypeKind, restricted};
+use crate::model::{CobId, DataType, Pdo, PdoKind, Place, TypeKind, predefined, restricted};
 
 /// A PDO of a node.
 struct Port<'a> {
@@ -42,6 +42,7 @@ impl<'a> Database<'a> {
                 let layout = Layout::new(device, &pdo, &|_| String::new());
                 match can_id(&pdo, &layout, self.stations[node].node_id) {
                     Ok(id) => frames.entry(id).or_default().push(Port { node, pdo, layout }),
+                    Err(_) if self.stations[node].is_counterpart => {}
                     Err(Refusal { place, is_lost, reason }) => self.omit(node, place, is_lost, reason),
                 }
             }
@@ -52,17 +53,26 @@ impl<'a> Database<'a> {
     }
 
     fn add_frame(&mut self, id: CanId, mut ports: Vec<Port<'a>>) {
+        let is_counterpart = |port: &Port<'_>| self.stations[port.node].is_counterpart;
+        if ports.iter().all(is_counterpart) {
+            return; // the reason is that of the node's PDO
+        }
+        // the node that sends the frame describes it, else the first that receives it
+        ports.sort_by_key(|port| (is_counterpart(port), port.pdo.kind == PdoKind::Rpdo));
         if let Some(other) = self.messages.iter().find(|message| message.id == id) {
             let other = other.comment.split(':').next().unwrap_or_default();
             let reason = format!("CAN-ID {} is that of {other}", spelled(id.number, id.is_extended));
-            for port in ports {
+            for port in ports.iter().filter(|port| !self.stations[port.node].is_counterpart) {
                 let place = Place::entry(port.pdo.communication_index(), 1);
-                self.omit(port.node, place, true, reason.clone());
+                self.omissions.push(Omission {
+                    node: port.node,
+                    place,
+                    is_lost: true,
+                    reason: reason.clone(),
+                });
             }
             return;
         }
-        // the node that sends the frame describes it, else the first that receives it
-        ports.sort_by_key(|port| port.pdo.kind == PdoKind::Rpdo);
         let Some((main, others)) = ports.split_first() else { return };
         let mut message = self.message(id, main);
         for other in others {
@@ -89,13 +99,28 @@ impl<'a> Database<'a> {
             _ => self.put_fields(&mut message, port),
         }
         match port.pdo.kind {
-            PdoKind::Tpdo => {
-                message.senders.push(port.node);
-                message.cycle = port.pdo.event_timer.filter(|&time| time > 0).map(u32::from);
-            }
+            PdoKind::Tpdo => self.sent_by(&mut message, port),
             PdoKind::Rpdo => message.received_by(port.node),
         }
         message
+    }
+
+    /// Adds the sender of a message, with the time between two frames: that of SYNC, or the event timer.
+    fn sent_by(&mut self, message: &mut Message, port: &Port<'a>) {
+        message.senders.push(port.node);
+        let Port { node, pdo, .. } = port;
+        message.cycle = match pdo.transmission_type {
+            Some(cycles @ 1..=240) => {
+                let station = &self.stations[*node];
+                let stated = station.device.services().sync.unwrap_or(CobId::new(predefined::SYNC.into()));
+                let period = self.cycles.get(&services::can_id(stated, station.node_id)).copied();
+                let place = Place::entry(pdo.communication_index(), 2);
+                period
+                    .and_then(|period| self.milliseconds(*node, u64::from(period) * u64::from(cycles), place))
+            }
+            Some(0 | 241..=253) => None,
+            _ => pdo.event_timer.filter(|&time| time > 0).map(u32::from),
+        };
     }
 
     /// `TPDO 1 of Drive (1800h, 1A00h)`.
@@ -146,6 +171,14 @@ impl<'a> Database<'a> {
 
     /// Adds another PDO with the CAN-ID of a message.
     fn join(&mut self, message: &mut Message, main: &Port<'a>, other: &Port<'a>) {
+        if self.stations[other.node].is_counterpart {
+            match other.pdo.kind {
+                PdoKind::Tpdo if message.senders.is_empty() => self.sent_by(message, other),
+                PdoKind::Tpdo => {}
+                PdoKind::Rpdo => message.received_by(other.node),
+            }
+            return;
+        }
         let title = self.title(main);
         if other.pdo.kind == PdoKind::Tpdo {
             let place = Place::entry(other.pdo.communication_index(), 1);

@@ -1,4 +1,6 @@
-//! Messages of SDOs: a multiplexed signal for each entry of at most 4 bytes, which one frame transfers.
+//! Messages of SDOs: a multiplexed signal for each entry of at most 4 bytes, which one frame transfers, and the abort code.
+
+use objdict_device::Abort;
 
 use super::Database;
 use super::identifier::words;
@@ -11,6 +13,10 @@ use crate::model::{Access, CobId, DataType, Place, predefined};
 /// The bits of a value in a frame.
 const FIRST: u32 = 32;
 const LONGEST: u32 = 32;
+
+/// The positions of the signals in their messages that select others.
+const COMMAND: usize = 0;
+const ENTRY: usize = 1;
 
 /// The commands of a client, and those of a server (CiA 301 §7.2.4.3).
 const REQUESTS: [(i128, &str); 7] = [
@@ -32,6 +38,8 @@ const RESPONSES: [(i128, &str); 7] = [
     (6, "block upload"),
 ];
 
+const ABORT: u32 = 4;
+
 /// Which way an SDO goes.
 #[derive(Clone, Copy, PartialEq, Eq)]
 enum Way {
@@ -39,10 +47,41 @@ enum Way {
     Response,
 }
 
+impl Way {
+    /// The command with a value, and the one with the entry alone.
+    const fn commands(self) -> [u32; 2] {
+        match self {
+            Self::Request => [1, 2],
+            Self::Response => [2, 3],
+        }
+    }
+
+    /// The commands without an entry: of segments and blocks.
+    const fn others(self) -> [[u32; 2]; 3] {
+        match self {
+            Self::Request => [[0, 0], [3, 3], [5, 6]],
+            Self::Response => [[0, 0], [1, 1], [5, 6]],
+        }
+    }
+}
+
+/// The abort codes of CiA 301 with their meanings.
+fn aborts() -> impl Iterator<Item = (i128, String)> {
+    let codes = (0x0500..=0x0800_u32).flat_map(|class| (0..=0xFF).map(move |code| class << 16 | code));
+    let known = codes.map(Abort::from).filter(|abort| !matches!(abort, Abort::Other(_)));
+    known.map(|abort| {
+        let text = abort.to_string();
+        let meaning = text.split_once(": ").map_or(text.as_str(), |(_, meaning)| meaning);
+        (abort.code().into(), meaning.to_owned())
+    })
+}
+
 impl Database<'_> {
     /// The SDO servers of all nodes.
     pub(super) fn add_sdos(&mut self) {
-        for node in 0..self.stations.len() {
+        // a manager without a description is a client
+        let servers = (0..self.stations.len()).filter(|&node| !self.stations[node].is_counterpart);
+        for node in servers.collect::<Vec<_>>() {
             let device = self.stations[node].device;
             let channels = device.services().sdo_servers;
             if device.object(0x1200).is_none() {
@@ -79,21 +118,40 @@ impl Database<'_> {
         let name = self.names.claim(&words(&format!("{title} {name}{number}")), &format!("{:X}", id.number));
         let comment = format!("SDO{number} of {title}: values of at most 4 bytes");
         let mut message = Message::new(id, name, 8, comment);
-        message.push(Signal::new("Command", 5, 3).with_values(commands));
-        let mut selector = Signal::new("Entry", 8, 24);
-        selector.mux = Mux::Selector;
+        let [with_value, without_value] = way.commands();
+        let within =
+            |signal: Signal, ranges: &[[u32; 2]]| Signal { mux: Mux::within(COMMAND, ranges), ..signal };
+        let mut command = Signal::new("Command", 5, 3).with_values(commands);
+        command.mux.selects = true;
+        message.push(command);
         let signals = self.entries(node, way);
-        let names = signals.iter().filter_map(|signal| match signal.mux {
-            Mux::In(entry) => {
-                Some((entry.into(), signal.comment.split(':').take(2).collect::<Vec<_>>().join(":")))
-            }
-            _ => None,
+        let names = signals.iter().filter_map(|signal| {
+            let (_, ranges) = signal.mux.within.as_ref()?;
+            let name = signal.comment.split(':').take(2).collect::<Vec<_>>().join(":");
+            Some((ranges.first()?[0].into(), name))
         });
-        message.push(selector.with_values(names));
+        let names: Vec<(i128, String)> = names.collect();
+        let entry = Signal::new("Entry", 8, 24).with_values(names.iter().cloned());
+        let mut entry = within(entry, &[[with_value; 2]]);
+        entry.mux.selects = true;
+        message.push(entry);
+        // its bits are those of a value in other frames
+        let alone = Signal::new("Entry_without_value", 8, 24).with_values(names);
+        message.push(within(alone, &[[without_value; 2], [ABORT; 2]]));
+        message.push(within(Signal::new("Abort_code", 32, 32).with_values(aborts()), &[[ABORT; 2]]));
+        message.push(within(Signal::new("Data", 8, 56), &way.others()));
         signals.into_iter().for_each(|signal| message.push(signal));
+        // the manager is the client of the default SDO
+        let client = self.manager().filter(|&manager| number.is_empty() && manager != node);
         match way {
-            Way::Request => message.received_by(node),
-            Way::Response => message.senders.push(node),
+            Way::Request => {
+                message.senders.extend(client);
+                message.received_by(node);
+            }
+            Way::Response => {
+                message.senders.push(node);
+                client.into_iter().for_each(|client| message.received_by(client));
+            }
         }
         message
     }
@@ -114,7 +172,7 @@ impl Database<'_> {
                 let Ok(own) = carried.signals(bits, false) else { continue };
                 self.carried.insert((node, index, sub));
                 signals.extend(own.into_iter().map(|signal| Signal {
-                    mux: Mux::In(u32::from(index) | u32::from(sub) << 16),
+                    mux: Mux::within(ENTRY, &[[u32::from(index) | u32::from(sub) << 16; 2]]),
                     first: signal.first + FIRST,
                     ..signal
                 }));

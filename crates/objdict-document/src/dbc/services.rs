@@ -43,7 +43,7 @@ impl Database<'_> {
     }
 
     /// The position of the manager of the network, if a node states that it is.
-    fn manager(&self) -> Option<usize> {
+    pub(super) fn manager(&self) -> Option<usize> {
         let is_manager = |of: &crate::model::Commissioning| of.manager == Some(true);
         self.stations.iter().position(|station| station.device.commissioning.as_ref().is_some_and(is_manager))
     }
@@ -94,14 +94,27 @@ impl Database<'_> {
             for ((node, cob_id), facts) in users.into_iter().zip(facts) {
                 if cob_id.bit_30() {
                     message.senders.push(node);
-                    let period = facts.communication_cycle_period.map(|period| period / 1000);
-                    message.cycle = message.cycle.or(period.filter(|&period| period > 0));
+                    let period = facts.communication_cycle_period.filter(|&period| period > 0);
+                    if let Some(period) = period.filter(|_| message.cycle.is_none()) {
+                        self.cycles.insert(id, period);
+                        message.cycle = self.milliseconds(node, period.into(), Place::entry(0x1006, 0));
+                    }
                 } else {
                     message.received_by(node);
                 }
             }
             self.messages.push(message);
         }
+    }
+
+    /// A time in microseconds as a DBC has it. One that is not a whole number of milliseconds is left out.
+    pub(super) fn milliseconds(&mut self, node: usize, time: u64, place: Place) -> Option<u32> {
+        if !time.is_multiple_of(1000) {
+            let reason = format!("GenMsgCycleTime has whole milliseconds, and the time is {time} µs");
+            self.omit(node, place, true, reason);
+            return None;
+        }
+        u32::try_from(time / 1000).ok()
     }
 
     fn add_time(&mut self) {

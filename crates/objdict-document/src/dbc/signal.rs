@@ -28,15 +28,20 @@ pub(super) struct Signal {
     pub(super) comment: String,
 }
 
-/// How a signal is multiplexed.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(super) enum Mux {
-    /// It is in every frame.
-    None,
-    /// It selects the others.
-    Selector,
-    /// It is in frames whose selector has this value.
-    In(u32),
+/// How a signal is multiplexed. One in every frame that selects no others has the default.
+#[derive(Clone, Debug, Default, PartialEq, Eq)]
+pub(super) struct Mux {
+    /// Whether it selects others.
+    pub(super) selects: bool,
+    /// The signal that selects it, by its position in the message, and the ranges of values for which it is in the frame.
+    pub(super) within: Option<(usize, Vec<[u32; 2]>)>,
+}
+
+impl Mux {
+    /// A signal that is in frames for which another one has a value in these ranges.
+    pub(super) fn within(selector: usize, ranges: &[[u32; 2]]) -> Self {
+        Self { selects: false, within: Some((selector, ranges.to_vec())) }
+    }
 }
 
 /// How bits are a number.
@@ -70,7 +75,7 @@ impl Signal {
         Self {
             words: words.into(),
             suffix: first.to_string(),
-            mux: Mux::None,
+            mux: Mux::default(),
             first,
             bits,
             number: Number::Unsigned,

@@ -15,6 +15,8 @@ pub(super) struct Station<'a> {
     pub(super) name: Identifier,
     /// The name that the device states, or the node-ID.
     pub(super) title: String,
+    /// Whether its PDOs are the other sides of those of the other nodes.
+    pub(super) is_counterpart: bool,
 }
 
 /// The language of names.
@@ -22,7 +24,7 @@ pub(super) const LANGUAGE: &str = "en";
 
 impl<'a> Station<'a> {
     pub(super) fn new(node: &BusNode<'a>, names: &mut Scope) -> Self {
-        let BusNode { device, node_id, name } = *node;
+        let BusNode { device, node_id, name, is_counterpart } = *node;
         let stated = device.commissioning.as_ref().and_then(|of| of.node_name.as_deref());
         let product = device.device_info.as_ref().and_then(|info| info.product_name.as_deref());
         let mut titles = [name, stated, product].into_iter().flatten().map(str::trim);
@@ -39,6 +41,7 @@ impl<'a> Station<'a> {
             meanings: device.meanings_in(LANGUAGE),
             name,
             title,
+            is_counterpart,
         }
     }
 

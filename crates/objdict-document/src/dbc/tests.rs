@@ -40,7 +40,7 @@ fn device() -> Device {
 }
 
 fn node(device: &Device, node_id: u8) -> BusNode<'_> {
-    BusNode { device, node_id, name: None }
+    BusNode { device, node_id, name: None, is_counterpart: false }
 }
 
 fn lines(dbc: &Dbc, start: &str) -> Vec<String> {
@@ -133,6 +133,70 @@ fn senders_and_receivers_share_a_message() {
     assert_eq!(omitted(&dbc), [format!("lost 0x1600sub3: {reason}")]);
 }
 
+/// Synchronous PDOs have the cycle of the SYNC that their node listens to; times with a fraction of a millisecond are reported.
+#[test]
+fn synchronous_pdos_are_cyclic() {
+    let number = |value: u64| record(&[(0, Some(value))]);
+    let with_types = |first: u64, second: u64| {
+        let mut device = device();
+        for (position, transmission) in (0..).zip([first, second]) {
+            let cob_id = 0x181 + 0x100 * u64::from(position);
+            map(&mut device, 0x1800 + position, cob_id, &[0x2001_0010]);
+            let communication = device.objects.get_mut(&(0x1800 + position)).unwrap();
+            communication.subs.get_mut(2).unwrap().default = Some(Value::Unsigned(transmission));
+        }
+        device
+    };
+    let mut producer = Device::default();
+    producer.objects.insert(0x1005, number(0x4000_0080));
+    for (period, cycles, missing) in [
+        (10_000, ["128 10", "385 10", "641 2400"], &[][..]),
+        (
+            2500,
+            ["385 10", "641 600", ""],
+            &["lost 0x1006sub0: GenMsgCycleTime has whole milliseconds, and the time is 2500 µs"],
+        ),
+    ] {
+        producer.objects.insert(0x1006, number(period));
+        let consumer = if period == 2500 { with_types(4, 240) } else { with_types(1, 240) };
+        let dbc = write(&[node(&consumer, 1), node(&producer, 2)], DbcOptions::default());
+        let found = lines(&dbc, "BA_ \"GenMsgCycleTime\"");
+        let expected = cycles.iter().filter(|cycle| !cycle.is_empty());
+        let expected: Vec<String> =
+            expected.map(|cycle| format!("BA_ \"GenMsgCycleTime\" BO_ {cycle};")).collect();
+        assert_eq!((found, omitted(&dbc)), (expected, missing.iter().map(ToString::to_string).collect()));
+    }
+    // acyclic, and on another SYNC
+    let mut consumer = with_types(0, 1);
+    consumer.objects.insert(0x1005, number(0x90));
+    let dbc = write(&[node(&consumer, 1), node(&producer, 2)], DbcOptions::default());
+    assert_eq!(lines(&dbc, "BA_ \"GenMsgCycleTime\""), [""; 0]);
+}
+
+/// A manager without a description sends what nodes receive, and receives what they send.
+#[test]
+fn a_counterpart_has_the_other_side() {
+    let (mut drive, mut manager) = (device(), device());
+    map(&mut drive, 0x1400, 0x201, &[0x2001_0010]);
+    map(&mut drive, 0x1800, 0x181, &[0x2006_0010]);
+    map(&mut manager, 0x1400, 0x181, &[0x2200_0110]);
+    map(&mut manager, 0x1800, 0x201, &[0x2000_0110]);
+    map(&mut manager, 0x1801, 0x301, &[0x2000_0110]);
+    let timed = [(0, Some(5)), (1, Some(0x201)), (2, Some(255)), (5, Some(20))];
+    manager.objects.insert(0x1800, record(&timed));
+    let counterpart = BusNode { name: Some("plc"), is_counterpart: true, ..node(&manager, 2) };
+    let dbc = write(&[node(&drive, 1), counterpart], DbcOptions { sdo: true, bits: false });
+    let messages = lines(&dbc, "BO_ ");
+    let pdos: Vec<_> = messages.iter().filter(|line| line.contains("PDO")).collect();
+    assert_eq!(pdos, ["BO_ 385 Node_1_TPDO1: 2 Node_1", "BO_ 513 Node_1_RPDO1: 2 plc"]);
+    let signals = lines(&dbc, " SG_ ");
+    assert!(signals.contains(&" SG_ Word : 0|16@1+ (1,0) [0|0] \"\" plc".to_owned()), "{signals:#?}");
+    assert!(signals.contains(&" SG_ Level : 0|16@1- (1,0) [0|0] \"\" Node_1".to_owned()), "{signals:#?}");
+    assert_eq!(lines(&dbc, "BA_ \"GenMsgCycleTime\""), ["BA_ \"GenMsgCycleTime\" BO_ 513 20;"]);
+    assert_eq!(omitted(&dbc), [""; 0]);
+    assert!(!messages.iter().any(|line| line.contains("plc_SDO")), "{messages:#?}");
+}
+
 #[test]
 fn words_can_be_bits_and_sdos_are_multiplexed() {
     let mut device = Device::default();
@@ -147,7 +211,33 @@ fn words_can_be_bits_and_sdos_are_multiplexed() {
     let has = |signal: &str| signals.iter().any(|line| line.starts_with(signal));
     assert!(has(" SG_ Controlword_fault_reset : 7|1@1+ (1,0) [0|0] \"\" Node_1"), "{signals:#?}");
     assert!(has(" SG_ Controlword_of_the_mode : 4|3@1+") && has(" SG_ Controlword_of_the_mode_9 : 9|1@1+"));
-    assert!(has(" SG_ Entry M : 8|24@1+") && has(" SG_ Controlword m24640 : 32|16@1+"));
+    for (name, command) in [("request", 1), ("response", 2)] {
+        assert!(has(&format!(" SG_ Entry m{command}M : 8|24@1+")), "{name}: {signals:#?}");
+    }
+    assert!(has(" SG_ Controlword m24640 : 32|16@1+") && has(" SG_ Abort_code m4 : 32|32@1+"));
+    // the request is 601h, and the word can be read and written
+    let selected = |id: u32| -> Vec<String> {
+        let of_word = ["Entry", "Entry_without_value", "Abort_code", "Data", "Controlword"];
+        let name = |line: &String| of_word.contains(&line.split(' ').nth(2).unwrap());
+        lines(&dbc, &format!("SG_MUL_VAL_ {id} ")).into_iter().filter(name).collect()
+    };
+    for (id, commands) in [(0x601, ["1-1", "2-2", "0-0, 3-3, 5-6"]), (0x581, ["2-2", "3-3", "0-0, 1-1, 5-6"])]
+    {
+        let [with_value, without_value, others] = commands;
+        assert_eq!(
+            selected(id),
+            [
+                format!("SG_MUL_VAL_ {id} Entry Command {with_value};"),
+                format!("SG_MUL_VAL_ {id} Entry_without_value Command {without_value}, 4-4;"),
+                format!("SG_MUL_VAL_ {id} Abort_code Command 4-4;"),
+                format!("SG_MUL_VAL_ {id} Data Command {others};"),
+                format!("SG_MUL_VAL_ {id} Controlword Entry 24640-24640;"),
+            ]
+        );
+    }
+    let codes = lines(&dbc, "VAL_ 1409 Abort_code");
+    assert!(codes[0].contains(r#" 100728834 "attempt to write a read-only entry" "#), "{codes:?}");
+    assert_eq!(codes[0].matches('"').count() / 2, 31, "all codes of CiA 301");
 }
 
 #[test]

@@ -5,7 +5,7 @@ use std::fmt::Write;
 use super::Database;
 use super::identifier::Identifier;
 use super::message::Message;
-use super::signal::{Mux, Number, Signal};
+use super::signal::{Number, Signal};
 use crate::source::transliterate;
 
 /// The node of frames that no known node sends or receives.
@@ -68,10 +68,12 @@ impl Text<'_> {
     }
 
     fn signal(&self, name: &Identifier, signal: &Signal) -> String {
-        let mux = match signal.mux {
-            Mux::None => String::new(),
-            Mux::Selector => " M".to_owned(),
-            Mux::In(value) => format!(" m{value}"),
+        let first = signal.mux.within.as_ref().and_then(|(_, ranges)| ranges.first());
+        let mux = match (first, signal.mux.selects) {
+            (None, false) => String::new(),
+            (None, true) => " M".to_owned(),
+            (Some([value, _]), false) => format!(" m{value}"),
+            (Some([value, _]), true) => format!(" m{value}M"),
         };
         let sign = if signal.number == Number::Unsigned { '+' } else { '-' };
         let limits = signal.limits.map_or_else(|| "0|0".to_owned(), |[low, high]| format!("{low}|{high}"));
@@ -139,7 +141,8 @@ impl Text<'_> {
 
     /// The bit rate in kbit/s that all nodes state that state one.
     fn bit_rate(&self) -> Option<u16> {
-        let stations = self.database.stations.iter();
+        // that of a manager without a description is the one of the network, or none
+        let stations = self.database.stations.iter().filter(|station| !station.is_counterpart);
         let mut rates = stations.filter_map(|station| station.device.commissioning.as_ref()?.baud_rate);
         let first = rates.next()?;
         rates.all(|rate| rate == first).then_some(first)
@@ -161,6 +164,13 @@ impl Text<'_> {
                 Number::Real64 => 2,
             };
             let _ = write!(lines, "SIG_VALTYPE_ {} {} : {kind};\r\n", message.id.in_file(), name.short);
+        }
+        for (message, name, signal) in self.signals() {
+            let Some((selector, ranges)) = &signal.mux.within else { continue };
+            let Some((selector, _)) = message.signals.get(*selector) else { continue };
+            let ranges = ranges.iter().map(|[first, last]| format!("{first}-{last}")).collect::<Vec<_>>();
+            let (id, ranges) = (message.id.in_file(), ranges.join(", "));
+            let _ = write!(lines, "SG_MUL_VAL_ {id} {} {} {ranges};\r\n", name.short, selector.short);
         }
         self.lines.push_str(&lines);
     }

@@ -152,6 +152,15 @@ impl<'a> NetworkView<'a> {
         words.join(", ")
     }
 
+    /// What the load does not count; empty without a load.
+    fn uncounted(&self) -> String {
+        let words = self.overview.uncounted.words(self.language, can_id);
+        if self.overview.load.is_none() || words.is_empty() {
+            return String::new();
+        }
+        format!("{}: {words}", self.texts.not_counted)
+    }
+
     /// The number of findings.
     fn finding_count(&self) -> usize {
         self.findings.iter().flatten().map(|found| found.findings.len()).sum()

@@ -3,13 +3,14 @@
 use std::collections::BTreeMap;
 
 use super::Check;
+use crate::connect::NodePdos;
 use crate::diagnostic::{At, Diagnostic, Severity, say, series};
 use crate::messages::{Message, MessageId, Party, Service};
 use crate::model::{BaudRates, Field, Part, PdoKind, Place, restricted};
 use crate::network::{Node, Said};
 use crate::rules::{
     DUPLICATE_CAN_ID, DUPLICATE_NODE_ID, DUPLICATE_SYNC_SENDER, PDO_LENGTH, RESTRICTED_CAN_ID,
-    RPDO_WITHOUT_SENDER, TPDO_WITHOUT_RECEIVER, UNSUPPORTED_BIT_RATE,
+    UNSUPPORTED_BIT_RATE,
 };
 use crate::stream::{PdoState, indexes};
 
@@ -151,8 +152,7 @@ impl<'n> Check<'n, '_> {
 
     /// The PDO of a party.
     pub(super) fn state(&self, party: &Party) -> Option<&'n PdoState> {
-        let Service::Pdo(pdo) = party.service else { return None };
-        self.slave(party.node?)?.pdos.iter().find(|state| state.pdo == pdo)
+        self.compiled.pdo(party)
     }
 
     /// Where a description has the mapping of the PDO of a party.
@@ -161,27 +161,19 @@ impl<'n> Check<'n, '_> {
         self.slave(party.node?)?.origin(self.network, indexes(pdo).1, 0)
     }
 
-    /// Who sends what others receive, and in which length.
-    pub(super) fn pdos(&mut self) {
+    /// What can be done for a receiver that takes less than is sent.
+    fn remedy(&self, receiver: &Party, received: &PdoState, sent: &PdoState) -> &'static str {
+        let node = receiver.node.map(|node| NodePdos::of(&self.network.nodes[node], self.slave(node)));
+        match node.is_some_and(|node| node.has_room(received.pdo, sent.bits() - received.bits())) {
+            true => "fill the rest with dummies",
+            false => "send fewer entries: the RPDO has no room for dummies",
+        }
+    }
+
+    /// Whether sender and receivers of a PDO agree about its length.
+    pub(super) fn pdo_lengths(&mut self) {
         let mut findings = Vec::new();
-        for (can_id, message) in &self.messages.0 {
-            let is_pdo = |party: &&Party| matches!(party.service, Service::Pdo(_));
-            if message.senders.is_empty() {
-                for party in message.receivers.iter().filter(is_pdo) {
-                    let text = format!("no node sends {can_id}, which {} receives", self.described(party));
-                    let finding = Diagnostic::new(&RPDO_WITHOUT_SENDER, party.at, text)
-                        .label_each(self.can_id_origin(*can_id, party), "the CAN-ID");
-                    findings.push(finding.help("correct the CAN-ID, or switch the RPDO off"));
-                }
-            }
-            if message.receivers.is_empty() {
-                for party in message.senders.iter().filter(is_pdo) {
-                    let text = format!("no node receives {can_id}, which {} sends", self.described(party));
-                    let finding = Diagnostic::new(&TPDO_WITHOUT_RECEIVER, party.at, text)
-                        .label_each(self.can_id_origin(*can_id, party), "the CAN-ID");
-                    findings.push(finding.help("switch the TPDO off, or link its entries"));
-                }
-            }
+        for message in self.messages.0.values() {
             let sender = message.senders.iter().find_map(|party| Some((party, self.state(party)?)));
             let Some((sender, sent)) = sender.filter(|(_, sent)| sent.pdo.kind == PdoKind::Tpdo) else {
                 continue;
@@ -206,7 +198,7 @@ impl<'n> Check<'n, '_> {
                     true => {
                         finding.help("map fewer entries: the node does not process a PDO that is too short")
                     }
-                    false => finding.severity(Severity::Warning).help("fill the rest with dummies"),
+                    false => finding.severity(Severity::Warning).help(self.remedy(receiver, received, sent)),
                 });
             }
         }

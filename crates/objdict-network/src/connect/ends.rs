@@ -9,8 +9,8 @@ use crate::diagnostic::{At, Diagnostic, RuleInfo, Text, listing, nearest, say};
 use crate::model::{Address, DataType, Device, Field, Object, PdoKind, Place};
 use crate::names::unknown_node;
 use crate::origin::{because, refusing_field};
-use crate::rules::{LINK_DIRECTION, LINK_MISMATCH, LINK_TYPE, UNKNOWN_ENTRY};
-use crate::{Link, LinkEnd, Network, Node};
+use crate::rules::{LINK_DIRECTION, LINK_MISMATCH, LINK_TOO_LONG, LINK_TYPE, UNKNOWN_ENTRY, UNKNOWN_NODE};
+use crate::{Link, LinkEnd, LinkedEntries, Network, Node};
 
 /// An entry in a PDO.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -45,6 +45,18 @@ type Found<T> = Result<T, Box<Diagnostic>>;
 /// A node with some of its entries.
 pub(super) type End = (usize, Vec<Carried>);
 
+/// What a link sends.
+pub(super) struct Flow {
+    /// The producer, or the consumer of what a manager without a description sends.
+    pub(super) lead: End,
+    /// The direction of the lead's PDO.
+    pub(super) kind: PdoKind,
+    /// The consumers with a description, each with as many entries as the lead.
+    pub(super) consumers: Vec<End>,
+    /// Whether a manager without a description has the other side.
+    pub(super) has_manager: bool,
+}
+
 /// The nodes by name.
 pub(super) struct Names<'a> {
     network: &'a Network,
@@ -57,11 +69,19 @@ impl<'a> Names<'a> {
         Self { network, positions: positions.collect() }
     }
 
-    /// The producer and the consumers of a link, each with as many entries; consumers that do not fit are findings.
-    pub(super) fn ends(&self, link: &Link, mut report: impl FnMut(Diagnostic)) -> Found<(End, Vec<End>)> {
+    /// What a link sends; consumers that do not fit are findings.
+    pub(super) fn flows(&self, link: &Link, mut report: impl FnMut(Diagnostic)) -> Found<Vec<Flow>> {
+        if self.is_undescribed_manager(&link.from) {
+            return self.sent_by_manager(link, report);
+        }
         let from = self.end(&link.from, PdoKind::Tpdo)?;
         let mut consumers = Vec::with_capacity(link.to.len());
+        let mut has_manager = false;
         for end in &link.to {
+            if self.is_undescribed_manager(end) {
+                has_manager = true;
+                continue;
+            }
             let to = match self.end(end, PdoKind::Rpdo) {
                 Ok(to) => to,
                 Err(finding) => {
@@ -77,25 +97,69 @@ impl<'a> Names<'a> {
                 }
             }
         }
-        Ok((from, consumers))
+        let is_received = has_manager || !consumers.is_empty();
+        let flow = Flow { lead: from, kind: PdoKind::Tpdo, consumers, has_manager };
+        Ok(if is_received { vec![flow] } else { Vec::new() })
+    }
+
+    /// A manager without a description sends a PDO of its own to each consumer.
+    fn sent_by_manager(&self, link: &Link, mut report: impl FnMut(Diagnostic)) -> Found<Vec<Flow>> {
+        if link.parameters.can_id.is_some() && link.to.len() > 1 {
+            let message = say!("`{}` sends a PDO to each of {} consumers", link.from.node, link.to.len());
+            let help = "leave the CAN-ID out, or write a link for each consumer";
+            return Err(wrong(&LINK_TOO_LONG, &link.from, message, help));
+        }
+        let mut flows = Vec::with_capacity(link.to.len());
+        for end in &link.to {
+            let found = match self.is_undescribed_manager(end) {
+                true => Err(self.to_itself(link, end)),
+                false => self.end(end, PdoKind::Rpdo),
+            };
+            match found {
+                Ok(lead) => {
+                    let consumers = Vec::new();
+                    flows.push(Flow { lead, kind: PdoKind::Rpdo, consumers, has_manager: true });
+                }
+                Err(finding) => report(*finding),
+            }
+        }
+        Ok(flows)
+    }
+
+    /// Whether an end is that of a manager which has the other side of all PDOs.
+    fn is_undescribed_manager(&self, end: &LinkEnd) -> bool {
+        end.entries.is_none() && !self.positions.contains_key(&*end.node) && self.is_manager(&end.node)
+    }
+
+    fn is_manager(&self, name: &str) -> bool {
+        self.network.manager.as_ref().is_some_and(|manager| manager.name.value == name)
     }
 
     fn end(&self, end: &LinkEnd, kind: PdoKind) -> Found<End> {
         let position = *self.positions.get(&*end.node).ok_or_else(|| self.unknown_node(end))?;
         let node = &self.network.nodes[position];
-        Ok((position, Named { position, node, end, kind }.entries()?))
+        let Some(entries) = &end.entries else {
+            let message = say!("the link names no entries of `{}`", end.node);
+            let help = say!("write them behind a point, as in `{}.6000:1-5`", end.node);
+            return Err(wrong(&UNKNOWN_ENTRY, end, message, help));
+        };
+        Ok((position, Named { position, node, end, entries, kind }.entries()?))
     }
 
     fn unknown_node(&self, end: &LinkEnd) -> Box<Diagnostic> {
-        let manager = self.network.manager.as_ref().is_some_and(|manager| manager.name.value == end.node);
+        if self.is_manager(&end.node) {
+            let message = say!("the manager `{}` has no description and so no entries", end.node);
+            let help = say!("write `{}` alone: it has the other side of each PDO", end.node);
+            return wrong(&UNKNOWN_NODE, end, message, help);
+        }
         let message = say!("there is no node `{}`", end.node);
-        let finding = unknown_node(end.at, &end.node, message, self.positions.keys().copied());
-        Box::new(match manager {
-            true => {
-                finding.help("give the manager a node with a description, which has the entries for the link")
-            }
-            false => finding,
-        })
+        Box::new(unknown_node(end.at, &end.node, message, self.positions.keys().copied()))
+    }
+
+    fn to_itself(&self, link: &Link, end: &LinkEnd) -> Box<Diagnostic> {
+        let message = say!("`{}` is linked to itself", end.node);
+        let help = "link it to another node; a node does not receive its own PDOs";
+        Box::new(wrong(&LINK_DIRECTION, end, message, help).label(link.from.at, "the producer"))
     }
 
     /// Compares the two ends of a link, entry by entry.
@@ -104,9 +168,7 @@ impl<'a> Names<'a> {
             wrong(rule, end, message, help).label(link.from.at, "the producer")
         };
         if from.0 == to.0 {
-            let message = say!("`{}` is linked to itself", end.node);
-            let help = "link it to another node; a node does not receive its own PDOs";
-            return Err(Box::new(related(&LINK_DIRECTION, message, help)));
+            return Err(self.to_itself(link, end));
         }
         if from.1.len() != to.1.len() {
             let message = say!("{} entries are linked to {}", from.1.len(), to.1.len());
@@ -154,6 +216,7 @@ struct Named<'a> {
     position: usize,
     node: &'a Node,
     end: &'a LinkEnd,
+    entries: &'a LinkedEntries,
     kind: PdoKind,
 }
 
@@ -163,7 +226,7 @@ impl Named<'_> {
         let at = self.address()?;
         let object = self.node.device.object(at.index).ok_or_else(|| self.unknown_entry())?;
         let entry = |sub| self.carried(at.index, sub);
-        match (at.sub, &self.end.entries.subs) {
+        match (at.sub, &self.entries.subs) {
             (Some(_), Some(_)) => Err(self.unknown_entry()),
             (Some(sub), None) => Ok(vec![entry(sub)?]),
             (None, Some(subs)) => subs.clone().map(entry).collect(),
@@ -174,7 +237,7 @@ impl Named<'_> {
     }
 
     fn address(&self) -> Found<Address> {
-        let text = match &self.end.entries.object {
+        let text = match &self.entries.object {
             ObjectName::Address(at) => return Ok(*at),
             ObjectName::Text(text) => text,
         };
@@ -234,8 +297,8 @@ impl Named<'_> {
     }
 
     fn unknown_entry(&self) -> Box<Diagnostic> {
-        let message = say!("`{}` has no entry `{}`", self.node.name.value, self.end.entries.to_string());
-        let near = match &self.end.entries.object {
+        let message = say!("`{}` has no entry `{}`", self.node.name.value, self.entries.to_string());
+        let near = match &self.entries.object {
             ObjectName::Text(text) => nearest(text, self.node.device.objects.values().map(Object::name)),
             ObjectName::Address(_) => None,
         };

@@ -1,4 +1,4 @@
-//! What a PDO of a producer carries, and what each consumer takes of it.
+//! What the PDO of a lead carries, and what each consumer takes of it.
 
 use std::collections::BTreeMap;
 
@@ -13,7 +13,7 @@ pub(super) const MAX_BITS: u32 = 64;
 pub(super) struct Frame<'a> {
     /// Signals by the position of their first bit.
     signals: Vec<(u32, &'a Signal)>,
-    /// What the producer maps.
+    /// What the lead maps.
     pub(super) mapped: Vec<MappedObject>,
     /// The length of the PDO.
     pub(super) bits: u32,
@@ -67,6 +67,11 @@ impl<'a> Frame<'a> {
 
     pub(super) fn signals(&self) -> impl Iterator<Item = &'a Signal> + '_ {
         self.signals.iter().map(|(_, signal)| *signal)
+    }
+
+    /// The shortest of the times after which the lead, or the manager that receives from it, misses the PDO.
+    pub(super) fn deadline(&self) -> Option<u16> {
+        self.signals().filter_map(|signal| signal.deadline).min()
     }
 
     /// What each consumer takes, in the order of the nodes; a node that has two entries for a signal takes it twice.

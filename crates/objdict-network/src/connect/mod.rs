@@ -3,12 +3,14 @@
 mod can_ids;
 mod ends;
 mod frame;
+mod obstacles;
 mod pack;
 mod pdos;
 mod streams;
 #[cfg(test)]
 mod tests;
 
+pub(crate) use self::pdos::NodePdos;
 use crate::Network;
 use crate::diagnostic::Findings;
 use crate::stream::{Manner, compile};
@@ -20,9 +22,10 @@ use crate::stream::{Manner, compile};
 /// predefined connection set for the PDO of the producer or of the first consumer, then free ones (CiA 301 §7.3.5), and what is
 /// added at the end of the network changes none of them. PDOs whose COB-ID or mapping the network file states itself are left alone.
 ///
-/// A link that does not become a PDO is a finding.
+/// A link that does not become a PDO is a finding. Nodes that [say so](crate::Node::unused_pdos) get a wish to switch off each
+/// valid PDO that no link and no key uses.
 pub fn connect(network: &mut Network, findings: &mut Findings) {
-    if network.links.is_empty() {
+    if network.links.is_empty() && (0..network.nodes.len()).all(|node| network.switches_off(node).is_none()) {
         return;
     }
     let streams = streams::collect(network, findings);

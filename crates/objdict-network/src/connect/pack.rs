@@ -4,14 +4,15 @@ use std::collections::BTreeMap;
 
 use super::can_ids::{CanIds, User, plain, predefined};
 use super::frame::{Frame, MAX_BITS, Share};
-use super::pdos::{Mapping, NodePdos};
+use super::obstacles;
+use super::pdos::{Candidate, Mapping, NodePdos, Obstacle};
 use super::streams::{Signal, Stream};
 use crate::configure::PdoName;
-use crate::diagnostic::{At, Diagnostic, Findings, say};
-use crate::model::{CobId, PdoKind, Place};
+use crate::diagnostic::{Diagnostic, Findings, say};
+use crate::model::{CobId, PdoKind};
 use crate::rules::{FIXED_PDO, LINK_TOO_LONG, NO_FREE_CAN_ID, NO_FREE_PDO};
 use crate::source::Span;
-use crate::stream::{Compiled, indexes};
+use crate::stream::{Compiled, Slave};
 use crate::{CobIdWish, LinkParameters, Network, Node, PdoWish, Said};
 
 /// The PDOs of all streams with their nodes, in the order of the streams.
@@ -39,6 +40,11 @@ pub(super) fn pack(
             Err(finding) => findings.push(*finding),
         }
     }
+    for slave in compiled.nodes() {
+        if let Some(at) = network.switches_off(slave.node) {
+            packer.switch_off(network, slave, at, findings);
+        }
+    }
     packer.wishes
 }
 
@@ -62,7 +68,7 @@ struct Reception {
 /// A frame with PDOs at both ends.
 struct Transfer<'a> {
     frame: Frame<'a>,
-    /// The position of the TPDO.
+    /// The position of the lead's PDO.
     pdo: usize,
     receivers: Receivers,
 }
@@ -78,10 +84,11 @@ struct Receivers {
 }
 
 /// Why there is no transfer.
-#[derive(Clone, Copy)]
 struct Refusal {
     node: usize,
     kind: PdoKind,
+    /// What is against the PDOs of the node, by position. Others have a constant mapping without the entry.
+    obstacles: Vec<(usize, Obstacle)>,
 }
 
 impl Packer<'_> {
@@ -99,7 +106,7 @@ impl Packer<'_> {
         while !rest.is_empty() {
             let transfer = match self.transfer(stream, &rest) {
                 Ok(transfer) => transfer,
-                Err(refusal) => return Err(Box::new(self.refused(stream, rest[0], refusal))),
+                Err(refusal) => return Err(Box::new(self.refused(stream, rest[0], &refusal))),
             };
             rest.retain(|signal| !transfer.frame.carries(signal));
             alone
@@ -111,22 +118,29 @@ impl Packer<'_> {
 
     /// A PDO for the first of the signals and as many more as possible.
     fn transfer<'a>(&self, stream: &Stream, rest: &[&'a Signal]) -> Result<Transfer<'a>, Refusal> {
-        let pdos = &self.pdos[stream.producer];
-        let mut refusal = Refusal { node: stream.producer, kind: PdoKind::Tpdo };
-        for pdo in pdos.candidates(PdoKind::Tpdo, rest[0].entry) {
+        let pdos = &self.pdos[stream.lead];
+        let mut of_lead = Refusal { node: stream.lead, kind: stream.kind, obstacles: Vec::new() };
+        let mut of_consumer = None;
+        for pdo in pdos.candidates(stream.kind, rest[0].entry) {
             let candidate = &pdos.pdos[pdo];
-            let Ok(fixed) = candidate.fixed_cob_id() else { continue };
-            if !candidate.can_have(&stream.parameters) {
-                continue;
-            }
+            let can_id = match self.can_lead(stream, candidate, rest) {
+                Ok(can_id) => can_id,
+                Err(obstacle) => {
+                    of_lead.obstacles.push((pdo, obstacle));
+                    continue;
+                }
+            };
             let mut frame = match candidate.mapping() {
                 Ok(slots) => Frame::of(rest, slots),
                 Err(mapped) => Frame::of_fixed(rest, mapped),
             };
+            if frame.len() == 0 {
+                of_lead.obstacles.push((pdo, Obstacle::Mapping));
+            }
             while frame.len() > 0 {
-                match self.receivers(stream, &frame, fixed.map(plain)) {
+                match self.receivers(stream, &frame, can_id) {
                     Ok(receivers) => return Ok(Transfer { frame, pdo, receivers }),
-                    Err(refused) => refusal = refused,
+                    Err(refused) => of_consumer = Some(refused),
                 }
                 frame = match candidate.is_fixed() {
                     true => break,
@@ -134,7 +148,32 @@ impl Packer<'_> {
                 };
             }
         }
-        Err(refusal)
+        Err(of_consumer.unwrap_or(of_lead))
+    }
+
+    /// The CAN-ID that a link demands, or that a PDO of the lead has for ever.
+    fn can_lead(
+        &self,
+        stream: &Stream,
+        candidate: &Candidate,
+        rest: &[&Signal],
+    ) -> Result<Option<u32>, Obstacle> {
+        let demanded = stream.parameters.can_id;
+        let constant = candidate.constant_can_id()?;
+        if let Some(constant) = constant.filter(|constant| demanded.is_some_and(|id| id != *constant)) {
+            return Err(Obstacle::CanId(constant));
+        }
+        let transmission = stream.parameters.transmission;
+        candidate.can_have(&match stream.kind {
+            PdoKind::Tpdo => stream.parameters,
+            // the manager has the other times
+            PdoKind::Rpdo => LinkParameters {
+                transmission: transmission.map(received_type),
+                event_timer: rest.iter().filter_map(|signal| signal.deadline).min(),
+                ..LinkParameters::default()
+            },
+        })?;
+        Ok(constant.or(demanded))
     }
 
     /// RPDOs for a frame: partners must receive it, others may, but have no say in its CAN-ID.
@@ -142,74 +181,89 @@ impl Packer<'_> {
         &self,
         stream: &Stream,
         frame: &Frame<'_>,
-        fixed: Option<u32>,
+        can_id: Option<u32>,
     ) -> Result<Receivers, Refusal> {
-        let demanded = stream.parameters.can_id;
-        if fixed.is_some() && demanded.is_some() && fixed != demanded {
-            return Err(Refusal { node: stream.producer, kind: PdoKind::Tpdo });
-        }
         let is_partner = |share: &Share| stream.partners.contains(&share.node);
         let (partners, others): (Vec<_>, Vec<_>) = frame.shares().into_iter().partition(is_partner);
-        let mut receivers = Receivers { can_id: fixed.or(demanded), ..Receivers::default() };
+        let mut receivers = Receivers { can_id, ..Receivers::default() };
         for share in partners {
             let can_id = receivers.can_id;
             let reception = self.reception(&share, frame.bits, &receivers.receptions, |fixed| {
                 can_id.is_none_or(|can_id| can_id == fixed)
             });
-            let (reception, fixed) = reception.ok_or(Refusal { node: share.node, kind: PdoKind::Rpdo })?;
+            let (reception, fixed) = reception.map_err(|obstacles| {
+                let (node, kind) = (share.node, PdoKind::Rpdo);
+                Refusal { node, kind, obstacles }
+            })?;
             receivers.can_id = can_id.or(fixed);
             receivers.receptions.push(reception);
         }
         for share in others {
             let can_id = receivers.can_id;
             match self.reception(&share, frame.bits, &receivers.receptions, |fixed| can_id == Some(fixed)) {
-                Some((reception, _)) => receivers.receptions.push(reception),
-                None => receivers.left.push(share),
+                Ok((reception, _)) => receivers.receptions.push(reception),
+                Err(_) => receivers.left.push(share),
             }
         }
         Ok(receivers)
     }
 
-    /// The best RPDO for a share, and its CAN-ID if it cannot be changed.
+    /// The best RPDO for a share, and its CAN-ID if it cannot be changed; else what is against each.
     fn reception(
         &self,
         share: &Share,
         bits: u32,
         others: &[Reception],
         is_possible: impl Fn(u32) -> bool,
-    ) -> Option<(Reception, Option<u32>)> {
+    ) -> Result<(Reception, Option<u32>), Vec<(usize, Obstacle)>> {
         let pdos = &self.pdos[share.node];
         let entries = share.entries();
-        let (_, first) = share.receivers.first()?;
         let deadline = share.deadline();
         let wanted = LinkParameters { event_timer: deadline, ..LinkParameters::default() };
-        pdos.candidates(PdoKind::Rpdo, first.entry).into_iter().find_map(|pdo| {
+        let mut obstacles = Vec::new();
+        // each share has an entry
+        for (pdo, (_, first)) in share.receivers.first().into_iter().flat_map(|first| {
+            pdos.candidates(PdoKind::Rpdo, first.1.entry).into_iter().map(move |pdo| (pdo, first))
+        }) {
             let candidate = &pdos.pdos[pdo];
-            let fixed = candidate.fixed_cob_id().ok()?.map(plain);
-            let is_free = !others.iter().any(|other| (other.node, other.pdo) == (share.node, pdo));
-            let is_usable = is_free && candidate.can_have(&wanted) && fixed.is_none_or(&is_possible);
-            let mapping = pdos.received(pdo, &entries, bits).filter(|_| is_usable)?;
-            Some((Reception { node: share.node, pdo, mapping, deadline, at: first.at }, fixed))
-        })
+            let found = candidate.constant_can_id().and_then(|fixed| {
+                candidate.can_have(&wanted)?;
+                match fixed {
+                    _ if others.iter().any(|other| (other.node, other.pdo) == (share.node, pdo)) => {
+                        Err(Obstacle::Taken)
+                    }
+                    Some(fixed) if !is_possible(fixed) => Err(Obstacle::CanId(fixed)),
+                    _ => Ok((pdos.received(pdo, &entries, bits)?, fixed)),
+                }
+            });
+            match found {
+                Ok((mapping, fixed)) => {
+                    let reception = Reception { node: share.node, pdo, mapping, deadline, at: first.at };
+                    return Ok((reception, fixed));
+                }
+                Err(obstacle) => obstacles.push((pdo, obstacle)),
+            }
+        }
+        Err(obstacles)
     }
 
     /// Takes the PDOs of a transfer, gives them a CAN-ID, and adds the wishes of the nodes.
     fn commit(&mut self, stream: &Stream, transfer: Transfer<'_>) -> Result<(), Box<Diagnostic>> {
-        let producer = stream.producer;
-        let tpdo = self.take(producer, transfer.pdo);
+        let lead = stream.lead;
+        let own = self.take(lead, transfer.pdo);
         let Receivers { receptions, can_id, .. } = transfer.receivers;
         let rpdos: Vec<PdoName> =
             receptions.iter().map(|reception| self.take(reception.node, reception.pdo)).collect();
-        let user = User::Pdo(producer, tpdo);
+        let user = User::Pdo(lead, own);
         let can_id = match can_id {
             Some(can_id) => can_id,
             None => {
-                let of_producer = predefined(&self.nodes[producer], tpdo);
+                let of_lead = predefined(&self.nodes[lead], own);
                 let of_consumers = receptions.iter().zip(&rpdos);
                 let of_consumers = of_consumers.filter(|(to, _)| stream.partners.contains(&to.node));
                 let of_consumers =
                     of_consumers.filter_map(|(to, pdo)| predefined(&self.nodes[to.node], *pdo));
-                let chosen = self.can_ids.choose(of_producer.into_iter().chain(of_consumers));
+                let chosen = self.can_ids.choose(of_lead.into_iter().chain(of_consumers));
                 chosen.ok_or_else(|| Box::new(no_can_id(stream.at)))?
             }
         };
@@ -221,20 +275,30 @@ impl Packer<'_> {
             let wish = self.received(stream, reception, pdo, can_id | extended);
             self.wish(node, at, wish);
         }
-        let candidate = &self.pdos[producer].pdos[transfer.pdo];
-        // only a TPDO says by bit 30 that it cannot be requested
-        let no_rtr = candidate.cob_id.unwrap_or(0) & CobId::BIT_30;
-        let said = |value| Said::new(value, stream.at);
-        let wish = PdoWish {
-            cob_id: Some(Said::new(CobIdWish::Number(can_id | extended | no_rtr), stream.at)),
-            transmission: stream.parameters.transmission.map(|value| Said::new(value, stream.at)),
-            inhibit_time: stream.parameters.inhibit_time.map(said),
-            event_timer: stream.parameters.event_timer.map(said),
-            mapping: spanned(candidate.changed(&transfer.frame.mapped), stream.at),
-            ..PdoWish::new(tpdo, stream.at)
-        };
-        self.wish(producer, transfer.pdo, wish);
+        let wish = self.led(stream, &transfer.frame, transfer.pdo, can_id | extended);
+        self.wish(lead, transfer.pdo, wish);
         Ok(())
+    }
+
+    /// The wish of the lead.
+    fn led(&self, stream: &Stream, frame: &Frame<'_>, pdo: usize, cob_id: u32) -> PdoWish {
+        let candidate = &self.pdos[stream.lead].pdos[pdo];
+        let parameters = stream.parameters;
+        // only a TPDO says by bit 30 that it cannot be requested
+        let (no_rtr, transmission) = match stream.kind {
+            PdoKind::Tpdo => (candidate.cob_id.unwrap_or(0) & CobId::BIT_30, parameters.transmission),
+            PdoKind::Rpdo => (0, parameters.transmission.map(received_type)),
+        };
+        let said = |value| Said::new(value, stream.at);
+        PdoWish {
+            cob_id: Some(Said::new(CobIdWish::Number(cob_id | no_rtr), stream.at)),
+            transmission: transmission.map(|value| Said::new(value, stream.at)),
+            inhibit_time: parameters.inhibit_time.map(said),
+            event_timer: parameters.event_timer.map(said),
+            deadline: frame.deadline().map(said),
+            mapping: spanned(candidate.changed(&frame.mapped), stream.at),
+            ..PdoWish::new(candidate.name, stream.at)
+        }
     }
 
     /// Adds the wish of a node, unless its PDO is so for ever.
@@ -247,11 +311,7 @@ impl Packer<'_> {
     /// The wish of a consumer.
     fn received(&self, stream: &Stream, reception: Reception, pdo: PdoName, cob_id: u32) -> PdoWish {
         let Reception { node, at, mapping, deadline, .. } = reception;
-        // a PDO on request is an event for who receives it (CiA 301 §7.5.2.35)
-        let transmission = stream.parameters.transmission.map(|number| match number {
-            241..=253 => 255,
-            number => number,
-        });
+        let transmission = stream.parameters.transmission.map(received_type);
         let candidate = &self.pdos[node].pdos[reception.pdo];
         PdoWish {
             cob_id: Some(Said::new(CobIdWish::Number(cob_id), at)),
@@ -264,6 +324,22 @@ impl Packer<'_> {
         }
     }
 
+    /// Switches off the valid PDOs of a node that no link and no key uses. One whose COB-ID is constant is a finding.
+    fn switch_off(&mut self, network: &Network, slave: &Slave, at: Span, findings: &mut Findings) {
+        let pdos = self.pdos[slave.node].pdos.iter();
+        let unused = pdos.filter(|pdo| !pdo.is_used && pdo.valid_cob_id().is_some());
+        // those that a description only implies have no entries to write
+        let is_there = |pdo: &&Candidate| slave.pdos.iter().any(|state| state.pdo == pdo.name);
+        let unused = unused.filter(is_there).filter(|pdo| slave.stated(network, pdo.name).is_none());
+        let (constant, others): (Vec<_>, Vec<_>) = unused.partition(|pdo| pdo.is_cob_id_constant());
+        let off = |pdo: &Candidate| (slave.node, PdoWish { enabled: false, ..PdoWish::new(pdo.name, at) });
+        self.wishes.extend(others.into_iter().map(off));
+        findings.push(match constant.as_slice() {
+            [] => return,
+            stay => obstacles::stay_valid(stay, (slave.node, &network.nodes[slave.node]), at),
+        });
+    }
+
     fn take(&mut self, node: usize, pdo: usize) -> PdoName {
         let candidate = &mut self.pdos[node].pdos[pdo];
         candidate.is_used = true;
@@ -274,8 +350,8 @@ impl Packer<'_> {
         name
     }
 
-    fn refused(&self, stream: &Stream, signal: &Signal, refusal: Refusal) -> Diagnostic {
-        let Refusal { node, kind } = refusal;
+    fn refused(&self, stream: &Stream, signal: &Signal, refusal: &Refusal) -> Diagnostic {
+        let Refusal { node, kind, .. } = *refusal;
         let name = &self.nodes[node].name.value;
         let own = || self.pdos[node].pdos.iter().filter(|pdo| pdo.name.kind == kind);
         let entry = match kind {
@@ -293,18 +369,17 @@ impl Packer<'_> {
             };
             return Diagnostic::new(&NO_FREE_PDO, stream.at, message).help(help);
         }
-        let free =
-            own().filter(|pdo| !pdo.is_used).map(|pdo| pdo.name.to_string()).collect::<Vec<_>>().join(", ");
         let message = say!("no {} of `{}` can be configured to carry `{}` as linked", kind, name, entry);
-        let help = say!(
-            "left are {}, whose mapping, COB-ID or parameters cannot be changed as needed: link what they carry by default",
-            free
-        );
-        let places = own().filter(|pdo| !pdo.is_used).map(|pdo| {
-            let (communication, mapping) = indexes(pdo.name);
-            At::Node(node, Place::object(if pdo.is_fixed() { mapping } else { communication }))
-        });
-        Diagnostic::new(&FIXED_PDO, stream.at, message).label_each(places, "not writable").help(help)
+        let finding = Diagnostic::new(&FIXED_PDO, stream.at, message);
+        obstacles::explained(finding, (node, &self.nodes[node]), &self.pdos[node], kind, &refusal.obstacles)
+    }
+}
+
+/// The transmission type of an RPDO: a PDO on request is an event for who receives it (CiA 301 §7.5.2.35).
+const fn received_type(number: u8) -> u8 {
+    match number {
+        241..=253 => 255,
+        number => number,
     }
 }
 
@@ -313,12 +388,17 @@ fn separate(stream: &Stream, frame: &Frame<'_>, share: &Share) -> Stream {
     let first = share.receivers.iter().map(|(_, receiver)| receiver).min_by_key(|receiver| receiver.link);
     let parts = frame.signals().flat_map(|signal| {
         let receivers = share.receivers.iter().filter(|(_, receiver)| signal.has(receiver));
-        receivers.map(|(_, receiver)| Signal { entry: signal.entry, receivers: vec![*receiver] })
+        receivers.map(|(_, receiver)| Signal {
+            entry: signal.entry,
+            receivers: vec![*receiver],
+            deadline: None,
+        })
     });
     Stream {
         link: first.map_or(stream.link, |receiver| receiver.link),
         at: first.map_or(stream.at, |receiver| receiver.at),
-        producer: stream.producer,
+        lead: stream.lead,
+        kind: stream.kind,
         partners: vec![share.node],
         parameters: LinkParameters { can_id: None, ..stream.parameters },
         signals: parts.collect(),

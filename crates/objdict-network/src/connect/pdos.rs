@@ -1,14 +1,15 @@
 //! The PDOs of a node that links may use, and what each can carry.
 
-use super::can_ids::on_node;
+use super::can_ids::{on_node, plain};
 use super::ends::Carried;
+use super::frame::MAX_BITS;
 use crate::configure::PdoName;
 use crate::model::{Access, Address, CobId, DataType, Device, MappedObject, Pdo, PdoKind};
 use crate::stream::Slave;
 use crate::{LinkParameters, Node, PdoWish};
 
 /// The PDOs of a node.
-pub(super) struct NodePdos {
+pub(crate) struct NodePdos {
     /// RPDOs, then TPDOs, by number.
     pub(super) pdos: Vec<Candidate>,
     dummies: Vec<Dummy>,
@@ -16,7 +17,7 @@ pub(super) struct NodePdos {
 
 /// A PDO as it is before a link uses it.
 #[derive(Debug)]
-pub(super) struct Candidate {
+pub(crate) struct Candidate {
     pub(super) name: PdoName,
     /// Whether a link uses it, or the network file states its COB-ID or mapping.
     pub(super) is_used: bool,
@@ -42,9 +43,28 @@ struct Dummy {
 /// A mapping; `None` if the present one stays.
 pub(super) type Mapping = Option<Vec<Address>>;
 
+/// Why a PDO cannot be as a link needs it.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) enum Obstacle {
+    /// The mapping is constant and another one.
+    Mapping,
+    /// So many entries can be mapped, but so many are needed.
+    Slots(usize, usize),
+    /// No data type that the device allows as a dummy fills a gap of so many bits.
+    Gap(u32),
+    /// The COB-ID is constant and not valid.
+    Invalid,
+    /// The CAN-ID is constant and another one.
+    CanId(u32),
+    /// The communication parameter with this sub-index is constant and another one, or missing.
+    Parameter(u8),
+    /// Another part of the same PDO takes it.
+    Taken,
+}
+
 impl NodePdos {
     /// Those of a node; its effective dictionary counts, if it has one.
-    pub(super) fn of(node: &Node, slave: Option<&Slave>) -> Self {
+    pub(crate) fn of(node: &Node, slave: Option<&Slave>) -> Self {
         let device = slave.map_or(&node.device, |slave| &slave.device).with_implicit_pdos();
         let states = |pdo: &Pdo<'_>, slave: &Slave| {
             let (communication, mapping) = (pdo.communication_index(), pdo.mapping_index());
@@ -73,24 +93,52 @@ impl NodePdos {
         ranked.into_iter().map(|(_, at)| at).collect()
     }
 
-    /// The mapping of an RPDO that puts entries at these positions of a frame; `None` if it cannot.
-    pub(super) fn received(&self, pdo: usize, wanted: &[(u32, Carried)], frame: u32) -> Option<Mapping> {
+    /// The mapping of an RPDO that puts entries at these positions of a frame. Dummies for the rest of the frame are added where there is room.
+    pub(super) fn received(
+        &self,
+        pdo: usize,
+        wanted: &[(u32, Carried)],
+        frame: u32,
+    ) -> Result<Mapping, Obstacle> {
         let candidate = &self.pdos[pdo];
         let Some(slots) = candidate.slots else {
-            return candidate.receives(wanted, frame).then_some(None);
+            return candidate.receives(wanted, frame).then_some(None).ok_or(Obstacle::Mapping);
         };
         let mut mapping = Vec::new();
         let mut end = 0;
         for &(position, entry) in wanted {
-            mapping.extend(self.fill(position.checked_sub(end)?)?);
+            // entries of a frame do not overlap
+            let gap = position.saturating_sub(end);
+            mapping.extend(self.fill(gap).ok_or(Obstacle::Gap(gap))?);
             mapping.push(MappedObject { index: entry.index, sub: entry.sub, bits: entry.bits });
             end = position + u32::from(entry.bits);
         }
-        (mapping.len() <= slots).then(|| candidate.changed(&mapping))
+        if mapping.len() > slots {
+            return Err(Obstacle::Slots(slots, mapping.len()));
+        }
+        mapping.extend(self.rest(slots - mapping.len(), frame.saturating_sub(end)).unwrap_or_default());
+        Ok(candidate.changed(&mapping))
     }
 
-    /// The fewest dummies of so many bits.
+    /// The dummies for the rest of a frame in so many slots.
+    fn rest(&self, slots: usize, bits: u32) -> Option<Vec<MappedObject>> {
+        self.fill(bits).filter(|dummies| dummies.len() <= slots)
+    }
+
+    /// Whether dummies of so many bits can be mapped behind the entries of an RPDO.
+    pub(crate) fn has_room(&self, pdo: PdoName, bits: u32) -> bool {
+        let candidate = self.pdos.iter().find(|candidate| candidate.name == pdo);
+        candidate.is_some_and(|candidate| {
+            let free = candidate.slots.and_then(|slots| slots.checked_sub(candidate.mapped.len()));
+            free.is_some_and(|free| self.rest(free, bits).is_some())
+        })
+    }
+
+    /// The fewest dummies of so many bits, of at most a frame.
     fn fill(&self, gap: u32) -> Option<Vec<MappedObject>> {
+        if gap > MAX_BITS {
+            return None;
+        }
         let mut fewest: Vec<Option<Vec<MappedObject>>> = vec![Some(Vec::new())];
         for bits in 1..=gap as usize {
             let with = |dummy: &Dummy| {
@@ -138,9 +186,12 @@ impl Candidate {
         self.cob_id.filter(|cob_id| cob_id & CobId::BIT_31 == 0)
     }
 
-    /// The COB-ID that cannot be changed: `Err` if the PDO is not valid for ever.
-    pub(super) fn fixed_cob_id(&self) -> Result<Option<u32>, ()> {
-        if self.is_cob_id_fixed { self.valid_cob_id().map(Some).ok_or(()) } else { Ok(None) }
+    /// The CAN-ID that cannot be changed, if the PDO has one.
+    pub(super) fn constant_can_id(&self) -> Result<Option<u32>, Obstacle> {
+        if !self.is_cob_id_fixed {
+            return Ok(None);
+        }
+        self.valid_cob_id().map(plain).map(Some).ok_or(Obstacle::Invalid)
     }
 
     pub(super) const fn is_fixed(&self) -> bool {
@@ -161,30 +212,42 @@ impl Candidate {
     }
 
     /// Whether the PDO has these parameters or can get them.
-    pub(super) fn can_have(&self, wanted: &LinkParameters) -> bool {
+    pub(super) fn can_have(&self, wanted: &LinkParameters) -> Result<(), Obstacle> {
         let wanted = [
             wanted.transmission.map(u32::from),
             wanted.inhibit_time.map(u32::from),
             wanted.event_timer.map(u32::from),
         ];
         let mut pairs = wanted.into_iter().zip(&self.parameters);
-        pairs.all(|(wanted, Parameter(_, present, is_writable))| {
-            *is_writable || wanted.is_none_or(|wanted| wanted == *present)
-        })
+        let refused = pairs.find(|(wanted, Parameter(_, present, is_writable))| {
+            !is_writable && wanted.is_some_and(|wanted| wanted != *present)
+        });
+        refused.map_or(Ok(()), |(_, Parameter(sub, ..))| Err(Obstacle::Parameter(*sub)))
     }
 
     /// Whether the PDO is already as wanted, and its COB-ID, which starts and ends each change, cannot be written.
     pub(super) fn is_for_ever(&self, wish: &PdoWish) -> bool {
+        // the other times are those of the manager
+        let (inhibit_time, timer, of_manager) = match self.name.kind {
+            PdoKind::Tpdo => (wish.inhibit_time, wish.event_timer, wish.deadline),
+            PdoKind::Rpdo => (None, wish.deadline, wish.inhibit_time.or(wish.event_timer)),
+        };
         let wanted = [
             wish.transmission.map(|said| said.value.into()),
-            wish.inhibit_time.map(|said| said.value.into()),
-            wish.event_timer.or(wish.deadline).map(|said| said.value.into()),
+            inhibit_time.map(|said| said.value.into()),
+            timer.map(|said| said.value.into()),
         ];
         let mut pairs = wanted.into_iter().zip(&self.parameters);
         self.is_cob_id_fixed
             && wish.mapping.is_none()
+            && of_manager.is_none()
             && pairs
                 .all(|(wanted, Parameter(_, present, _))| wanted.is_none_or(|wanted: u32| wanted == *present))
+    }
+
+    /// Whether the COB-ID is constant.
+    pub(super) const fn is_cob_id_constant(&self) -> bool {
+        self.is_cob_id_fixed
     }
 
     /// Whether a communication parameter can be written.

@@ -2,8 +2,9 @@
 
 use std::collections::HashMap;
 
-use super::ends::{Carried, End, Names};
+use super::ends::{Carried, Flow, Names};
 use crate::diagnostic::{Diagnostic, Findings, Severity, Text, say};
+use crate::model::PdoKind;
 use crate::rules::TWO_PRODUCERS;
 use crate::source::Span;
 use crate::{Link, LinkParameters, Network};
@@ -15,19 +16,23 @@ pub(super) struct Stream {
     pub(super) link: usize,
     /// The place of its first link.
     pub(super) at: Span,
-    /// The producer.
-    pub(super) producer: usize,
+    /// The producer, or the consumer of what a manager without a description sends.
+    pub(super) lead: usize,
+    /// The direction of the lead's PDOs.
+    pub(super) kind: PdoKind,
     /// The nodes that receive all of it. Others may receive parts.
     pub(super) partners: Vec<usize>,
     pub(super) parameters: LinkParameters,
     pub(super) signals: Vec<Signal>,
 }
 
-/// An entry of the producer with all that receive it.
+/// An entry of the lead with all described nodes that receive it.
 #[derive(Clone, Debug)]
 pub(super) struct Signal {
     pub(super) entry: Carried,
     pub(super) receivers: Vec<Receiver>,
+    /// The time in milliseconds after which the receiving one of the lead and a manager without a description misses the PDO.
+    pub(super) deadline: Option<u16>,
 }
 
 impl Signal {
@@ -55,127 +60,136 @@ pub(super) fn collect(network: &Network, findings: &mut Findings) -> Vec<Stream>
     let names = Names::new(network);
     let mut collection = Collection::default();
     for (position, link) in network.links.iter().enumerate() {
-        match names.ends(link, |finding| findings.push(finding)) {
-            Ok((from, consumers)) if !consumers.is_empty() => {
-                for to in &consumers {
-                    if let Some(finding) = collection.written_twice(network, link, &from, to) {
-                        findings.push(finding);
-                    }
+        match names.flows(link, |finding| findings.push(finding)) {
+            Ok(flows) => {
+                for flow in &flows {
+                    let twice = collection.written_twice(network, link, flow);
+                    twice.into_iter().for_each(|finding| findings.push(finding));
+                    collection.add((position, link), flow);
                 }
-                collection.add((position, link), &from, &consumers);
             }
-            Ok(_) => {}
             Err(finding) => findings.push(*finding),
         }
     }
     collection.streams
 }
 
+/// Who configures the first PDO of a stream: a node, and the direction.
+type Lead = (usize, PdoKind);
+
 #[derive(Default)]
 struct Collection {
     streams: Vec<Stream>,
-    /// Streams by producer, partners and parameters.
-    alike: HashMap<(usize, Vec<usize>, LinkParameters), usize>,
-    /// Where an entry of a producer is: stream and signal.
-    sent: HashMap<(usize, u16, u8), Vec<(usize, usize)>>,
-    /// What an entry of a consumer receives: the producer, its entry, and the place of the link.
-    written: HashMap<(usize, u16, u8), (usize, Carried, Span)>,
+    /// Streams by lead, partners and parameters.
+    alike: HashMap<(Lead, Vec<usize>, LinkParameters), usize>,
+    /// Where an entry of a lead is: stream and signal.
+    sent: HashMap<(Lead, u16, u8), Vec<(usize, usize)>>,
+    /// What an entry of a consumer receives: the producer (`None`: a manager without a description), its entry, and the place
+    /// of the link.
+    written: HashMap<(usize, u16, u8), (Option<usize>, Carried, Span)>,
 }
 
 impl Collection {
-    fn add(&mut self, (number, link): (usize, &Link), (producer, entries): &End, consumers: &[End]) {
-        for (position, entry) in entries.iter().enumerate() {
-            let receiver = |(node, entries): &End| Receiver {
+    fn add(&mut self, (number, link): (usize, &Link), flow: &Flow) {
+        let deadline = link.deadline.map(|said| said.value);
+        for (position, entry) in flow.lead.1.iter().enumerate() {
+            let receivers = flow.consumers.iter().map(|(node, entries)| Receiver {
                 node: *node,
                 entry: entries[position],
                 link: number,
                 at: link.at,
-                deadline: link.deadline.map(|said| said.value),
-            };
-            let receivers = &mut self.signal((number, link), *producer, *entry, consumers).receivers;
-            for receiver in consumers.iter().map(receiver) {
+                deadline,
+            });
+            let signal = self.signal((number, link), *entry, flow);
+            for receiver in receivers {
+                let known = &mut signal.receivers;
                 // a link that is there twice needs no second place
-                if receivers.iter().all(|other| (other.node, other.entry) != (receiver.node, receiver.entry))
-                {
-                    receivers.push(receiver);
+                if known.iter().all(|other| (other.node, other.entry) != (receiver.node, receiver.entry)) {
+                    known.push(receiver);
                 }
             }
+            let own = deadline.filter(|time| flow.has_manager && *time > 0);
+            signal.deadline = signal.deadline.into_iter().chain(own).min();
         }
     }
 
-    /// Entries of a consumer that another link writes already.
-    fn written_twice(
-        &mut self,
-        network: &Network,
-        link: &Link,
-        (producer, entries): &End,
-        (consumer, targets): &End,
-    ) -> Option<Diagnostic> {
-        let name = |node: usize| &network.nodes[node].name.value;
-        let end = link.to.iter().find(|end| end.node == *name(*consumer));
-        let at = end.map_or(link.at, |end| end.at);
-        let mut twice = Vec::new();
-        for (entry, target) in entries.iter().zip(targets) {
-            let new = (*producer, *entry, at);
-            let first = *self.written.entry((*consumer, target.index, target.sub)).or_insert(new);
-            if first != new {
-                twice.push((*target, *entry, first));
-            }
-        }
-        twice.sort_by_key(|(_, entry, first)| (first.0, first.1) == (*producer, *entry));
-        let (target, entry, (other, sent, place)) = twice.first()?;
-        let what: Text = match twice.len() {
-            1 => say!("`{}` of `{}`", target.name(), name(*consumer)),
-            count => say!("`{}` of `{}` and {} more entries", target.name(), name(*consumer), count - 1),
+    /// Entries of consumers that another link writes already.
+    fn written_twice(&mut self, network: &Network, link: &Link, flow: &Flow) -> Vec<Diagnostic> {
+        let (lead, entries) = &flow.lead;
+        // what a manager without a description sends has no entries but those of the consumer
+        let producer = (flow.kind == PdoKind::Tpdo).then_some(*lead);
+        let of_lead = producer.is_none().then_some(&flow.lead);
+        let name = |producer: Option<usize>| match producer {
+            Some(node) => &network.nodes[node].name.value,
+            None => network.manager.as_ref().map_or(&link.from.node, |manager| &manager.name.value),
         };
-        let finding = |message| Diagnostic::new(&TWO_PRODUCERS, at, message).label(*place, "the other link");
-        Some(match (*other, *sent) == (*producer, *entry) {
-            true => {
-                let finding = finding(say!("{} is linked twice to `{}`", what, name(*producer)));
-                finding.severity(Severity::Warning).help("remove one of the links")
+        let mut findings = Vec::new();
+        for (consumer, targets) in flow.consumers.iter().chain(of_lead) {
+            let end = link.to.iter().find(|end| end.node == *name(Some(*consumer)));
+            let at = end.map_or(link.at, |end| end.at);
+            let mut twice = Vec::new();
+            for (entry, target) in entries.iter().zip(targets) {
+                let new = (producer, *entry, at);
+                let first = *self.written.entry((*consumer, target.index, target.sub)).or_insert(new);
+                if first != new {
+                    twice.push((*target, *entry, first));
+                }
             }
-            false => {
-                let first = say!("`{}` of `{}`", sent.name(), name(*other));
-                let second = say!("`{}` of `{}`", entry.name(), name(*producer));
-                finding(say!("two links write {}: from {} and {}", what, first, second))
-                    .help("link each producer to an entry of its own")
-            }
-        })
+            twice.sort_by_key(|(_, entry, first)| (first.0, first.1) == (producer, *entry));
+            let Some((target, entry, (other, sent, place))) = twice.first() else { continue };
+            let consumer = name(Some(*consumer));
+            let what: Text = match twice.len() {
+                1 => say!("`{}` of `{}`", target.name(), consumer),
+                count => say!("`{}` of `{}` and {} more entries", target.name(), consumer, count - 1),
+            };
+            let finding =
+                |message| Diagnostic::new(&TWO_PRODUCERS, at, message).label(*place, "the other link");
+            findings.push(match (*other, *sent) == (producer, *entry) {
+                true => {
+                    let finding = finding(say!("{} is linked twice to `{}`", what, name(producer)));
+                    finding.severity(Severity::Warning).help("remove one of the links")
+                }
+                false => {
+                    let source = |producer: Option<usize>, entry: &Carried| match producer {
+                        Some(_) => say!("`{}` of `{}`", entry.name(), name(producer)),
+                        None => say!("`{}`", name(producer)),
+                    };
+                    let (first, second) = (source(*other, sent), source(producer, entry));
+                    finding(say!("two links write {}: from {} and {}", what, first, second))
+                        .help("link each producer to an entry of its own")
+                }
+            });
+        }
+        findings
     }
 
     /// The signal of an entry: one that is sent as the link says, else a new one.
-    fn signal(
-        &mut self,
-        (number, link): (usize, &Link),
-        producer: usize,
-        entry: Carried,
-        consumers: &[End],
-    ) -> &mut Signal {
+    fn signal(&mut self, (number, link): (usize, &Link), entry: Carried, flow: &Flow) -> &mut Signal {
         let streams = &mut self.streams;
-        let sent = self.sent.entry((producer, entry.index, entry.sub)).or_default();
+        let lead = (flow.lead.0, flow.kind);
+        let sent = self.sent.entry((lead, entry.index, entry.sub)).or_default();
         let present = sent.iter().find(|(stream, _)| streams[*stream].parameters.satisfy(&link.parameters));
         let (stream, signal) = match present {
             Some(found) => *found,
             None => {
-                let mut partners: Vec<usize> = consumers.iter().map(|(node, _)| *node).collect();
+                let mut partners: Vec<usize> = flow.consumers.iter().map(|(node, _)| *node).collect();
                 partners.sort_unstable();
                 partners.dedup();
-                let key = (producer, partners, link.parameters);
+                let key = (lead, partners, link.parameters);
                 let stream = *self.alike.entry(key).or_insert_with_key(|(_, partners, parameters)| {
-                    let partners = partners.clone();
-                    let signals = Vec::new();
                     streams.push(Stream {
                         link: number,
                         at: link.at,
-                        producer,
-                        partners,
+                        lead: lead.0,
+                        kind: lead.1,
+                        partners: partners.clone(),
                         parameters: *parameters,
-                        signals,
+                        signals: Vec::new(),
                     });
                     streams.len() - 1
                 });
                 let signals = &mut streams[stream].signals;
-                signals.push(Signal { entry, receivers: Vec::new() });
+                signals.push(Signal { entry, receivers: Vec::new(), deadline: None });
                 let found = (stream, signals.len() - 1);
                 sent.push(found);
                 found

@@ -1,3 +1,5 @@
+mod special;
+
 use std::collections::{BTreeMap, BTreeSet};
 use std::fmt::Write;
 
@@ -238,6 +240,19 @@ fn an_entry_is_sent_once_and_gaps_have_dummies() {
 }
 
 #[test]
+fn the_rest_of_a_frame_has_dummies_where_there_is_room() {
+    let links = || vec![link("a.6000:1-5", &["b.6200:1-5"]), link("a.6000:1-2", &["c.6200:1-2"])];
+    let consumer = |slots, dummies| {
+        let kit = Kit { slots, dummies, ..Kit::default() };
+        connected(&[Kit::default(), Kit::default(), kit], links()).pop().unwrap()
+    };
+    assert_eq!(consumer(8, vec![5, 6]), "c RPDO 1 181: 6200:1 6200:2 6:0 5:0");
+    assert_eq!(consumer(4, vec![5, 6]), "c RPDO 1 181: 6200:1 6200:2 6:0 5:0");
+    assert_eq!(consumer(3, vec![5, 6]), "c RPDO 1 181: 6200:1 6200:2");
+    assert_eq!(consumer(8, Vec::new()), "c RPDO 1 181: 6200:1 6200:2");
+}
+
+#[test]
 fn pdos_that_carry_an_entry_by_default_come_first_and_others_stay() {
     let mapped = Kit {
         mapped: vec![(0x1A00, vec![0x6401_0110]), (0x1A02, vec![0x6000_0108, 0x6000_0208])],
@@ -271,7 +286,7 @@ fn fixed_mappings_are_respected() {
     let with_dummies = Kit { dummies: vec![5], ..Kit::default() };
     assert_eq!(
         connected(&[sender.clone(), with_dummies], vec![link("a.6000:2-3", &["b.6200:1-2"])]),
-        ["a TPDO 2 281: 6000:1 6000:2 6000:3 6000:4", "b RPDO 1 281: 5:0 6200:1 6200:2"]
+        ["a TPDO 2 281: 6000:1 6000:2 6000:3 6000:4", "b RPDO 1 281: 5:0 6200:1 6200:2 5:0"]
     );
     assert_eq!(
         connected(&[sender.clone(), receiver.clone()], vec![link("a.6000:1-2", &["b.6200:1-2"])]),
@@ -456,6 +471,11 @@ fn links(drawn: &[Drawn], nodes: usize) -> Vec<Link> {
     links.filter(|link| !link.to.is_empty()).collect()
 }
 
+/// The sub-indexes of an end that names a range of them.
+fn subs(end: &LinkEnd) -> std::ops::RangeInclusive<u8> {
+    end.entries.clone().and_then(|entries| entries.subs).unwrap()
+}
+
 /// Where an entry of a node is in PDOs: COB-ID without flags and first bit.
 fn positions(node: &Node, kind: PdoKind, index: u16) -> BTreeMap<u8, BTreeSet<(u32, u32)>> {
     let mut positions: BTreeMap<u8, BTreeSet<(u32, u32)>> = BTreeMap::new();
@@ -497,7 +517,7 @@ proptest! {
             let sent = positions(of(&link.from.node), PdoKind::Tpdo, 0x6000);
             for to in &link.to {
                 let received = positions(of(&to.node), PdoKind::Rpdo, 0x6200);
-                let pairs = link.from.entries.subs.clone().unwrap().zip(to.entries.subs.clone().unwrap());
+                let pairs = subs(&link.from).zip(subs(to));
                 for (from, to) in pairs {
                     prop_assert!(!sent[&from].is_disjoint(&received[&to]), "{from} to {to}: {:?}", shown(&network));
                 }

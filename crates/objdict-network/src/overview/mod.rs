@@ -10,7 +10,8 @@ use crate::messages::{Message, MessageId, Messages, Party, Service};
 use crate::model::{Device, predefined};
 use crate::network::Network;
 use crate::stream::{Compiled, PdoState, Slave};
-use crate::traffic::{Sync, Traffic};
+use crate::traffic::{Sync, Traffic, Uncounted};
+use crate::unlinked::UnlinkedPdos;
 
 /// What a network is and does, ready to be shown.
 #[derive(Clone, Debug)]
@@ -26,10 +27,14 @@ pub struct Overview {
     /// The share of the bit rate that cyclic messages take, in thousandths, with the most stuff bits; `None` without a bit
     /// rate.
     pub load: Option<u64>,
+    /// What the load does not count.
+    pub uncounted: Uncounted,
     /// All nodes by node-ID; those without one are last.
     pub nodes: Vec<NodeRow>,
     /// What PDOs carry, by CAN-ID: a link for each receiver, and one without for a PDO that no node receives.
     pub links: Vec<LinkRow>,
+    /// The PDOs that are valid by default and whose other side no node has, by node.
+    pub unlinked: Vec<UnlinkedRow>,
     /// All messages by CAN-ID, so in order of priority.
     pub messages: Vec<MessageRow>,
     /// How the manager boots the network; `None` without a manager.
@@ -59,6 +64,31 @@ pub struct NodeRow {
     /// The position in [`Network::nodes`]; `None` for a manager without a description.
     #[cfg_attr(feature = "serde", serde(skip))]
     pub position: Option<usize>,
+}
+
+/// The PDOs of a node that are as its description has them by default, and that no other node sends or receives.
+#[derive(Clone, Debug)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize))]
+pub struct UnlinkedRow {
+    /// The name of the node.
+    pub node: String,
+    /// The position in [`Network::nodes`].
+    #[cfg_attr(feature = "serde", serde(skip))]
+    pub position: usize,
+    /// RPDOs, then TPDOs, by CAN-ID.
+    pub pdos: Vec<UnlinkedEnd>,
+}
+
+/// A PDO whose other side no node has.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize))]
+pub struct UnlinkedEnd {
+    /// The CAN-ID.
+    #[cfg_attr(feature = "serde", serde(serialize_with = "hex"))]
+    pub can_id: MessageId,
+    /// The PDO: `TPDO 1`.
+    #[cfg_attr(feature = "serde", serde(serialize_with = "text"))]
+    pub service: Service,
 }
 
 /// A message on the bus.
@@ -108,6 +138,13 @@ fn hex<S: serde::Serializer>(can_id: &MessageId, serializer: S) -> Result<S::Ok,
 }
 
 #[cfg(feature = "serde")]
+pub(crate) fn hexes<S: serde::Serializer>(can_ids: &[MessageId], serializer: S) -> Result<S::Ok, S::Error> {
+    #[derive(serde::Serialize)]
+    struct Hex(#[serde(serialize_with = "hex")] MessageId);
+    serializer.collect_seq(can_ids.iter().map(|can_id| Hex(*can_id)))
+}
+
+#[cfg(feature = "serde")]
 fn text<S: serde::Serializer>(service: &Service, serializer: S) -> Result<S::Ok, S::Error> {
     serializer.collect_str(service)
 }
@@ -133,11 +170,21 @@ impl Overview {
             name: network.name.clone(),
             bit_rate: network.bit_rate.map(|rate| rate.value),
             load: traffic.load(),
+            uncounted: traffic.uncounted(),
             boot: network.manager.as_ref().map(|manager| BootPlan::new(manager, view, &nodes)),
             nodes,
             links: messages.0.iter().flat_map(|(can_id, message)| view.links(*can_id, message)).collect(),
+            unlinked: view.unlinked(&messages),
             messages: view.nmt().into_iter().chain(messages.0.iter().map(row)).collect(),
         }
+    }
+}
+
+impl Overview {
+    /// Whether an end without another one is one of the [`unlinked`](Self::unlinked) PDOs.
+    pub fn is_unlinked(&self, can_id: MessageId, end: &End) -> bool {
+        let pdo = UnlinkedEnd { can_id, service: end.service };
+        self.unlinked.iter().any(|row| Some(row.position) == end.position && row.pdos.contains(&pdo))
     }
 }
 
@@ -188,14 +235,28 @@ impl<'n> View<'n> {
         rows
     }
 
+    fn unlinked(self, messages: &Messages) -> Vec<UnlinkedRow> {
+        let mut rows: Vec<UnlinkedRow> = Vec::new();
+        for ((position, _), pdos) in UnlinkedPdos::new(self.network, self.compiled, messages).default {
+            let pdos = pdos.iter().map(|pdo| UnlinkedEnd { can_id: pdo.can_id, service: pdo.party.service });
+            match rows.last_mut().filter(|row| row.position == position) {
+                Some(row) => row.pdos.extend(pdos),
+                None => {
+                    let node = self.network.nodes[position].name.value.clone();
+                    rows.push(UnlinkedRow { node, position, pdos: pdos.collect() });
+                }
+            }
+        }
+        rows
+    }
+
     fn slave(self, position: usize) -> Option<&'n Slave> {
         self.compiled.nodes().find(|slave| slave.node == position)
     }
 
     /// The configured PDO of a party.
     fn state(self, party: &Party) -> Option<&'n PdoState> {
-        let Service::Pdo(pdo) = party.service else { return None };
-        self.slave(party.node?)?.pdos.iter().find(|state| state.pdo == pdo)
+        self.compiled.pdo(party)
     }
 
     fn end(self, party: &Party) -> End {

@@ -5,15 +5,15 @@ use crate::diagnostic::text_rules;
 text_rules! {
     UNKNOWN_NODE = "network/unknown-node", Error;
     summary: "a node is named that is not in the network",
-    checks: "Whether both ends of each link begin with the name of a node that has a description, and `watches` and `manager` name nodes.",
+    checks: "Whether both ends of each link begin with the name of a node that has a description, or are the name of a manager without one, and whether `watches` and `manager` name nodes.",
     why: "The link has no entries, so no PDO is configured for it; nothing is monitored; the node that is meant does not become the manager.",
     example: r#"`from = "lefft.6000:1-5"` in a network with the nodes `left` and `plc`"#,
-    remedy: "Write the name of the node, or describe the node.",
+    remedy: "Write the name of the node, or describe the node. A manager without a description is written without entries.",
     source: "objdict",
 
     UNKNOWN_ENTRY = "network/unknown-entry", Error;
     summary: "a link names an entry that the node does not have",
-    checks: "Whether the object, and each sub-index of a range, is in the description of the node, and whether a name means one object or entry.",
+    checks: "Whether a link names entries of each node with a description; whether the object, and each sub-index of a range, is in the description of the node, and whether a name means one object or entry.",
     why: "The node refuses to map the entry (SDO abort 0602 0000h or 0609 0011h).",
     example: r#"`from = "left.6000:1-9"` where 6000h has eight inputs"#,
     remedy: "Name entries of the description; `objdict show` lists them.",
@@ -45,7 +45,7 @@ text_rules! {
 
     LINK_TOO_LONG = "network/link-too-long", Error;
     summary: "the entries of a link with a CAN-ID need more than one PDO",
-    checks: "Whether the linked entries for which a CAN-ID is given have at most 64 bits.",
+    checks: "Whether the linked entries for which a CAN-ID is given have at most 64 bits, and one consumer if a manager without a description sends them.",
     why: "A CAN-ID has one sender and one layout. Without a CAN-ID, the entries are divided.",
     example: r#"`from = "left.6000:1-9"` with `can-id = 0x18B`"#,
     remedy: "Leave the CAN-ID out, or divide the link into several ones.",
@@ -68,11 +68,11 @@ text_rules! {
     source: "CiA 301 §7.5.2.35 to §7.5.2.38",
 
     FIXED_PDO = "network/fixed-pdo", Error;
-    summary: "the PDOs of a node cannot be configured as a link needs it",
-    checks: "Whether one of the PDOs that are left can carry the linked entries: its mapping, its COB-ID and the parameters that the link sets can be written or are as needed already. An RPDO also needs as many mapping entries, and data types for the gaps that `DummyUsage` allows.",
+    summary: "the PDOs of a node cannot be configured as the network needs it",
+    checks: "Whether one of the PDOs that are left can carry the linked entries: its mapping, its COB-ID and the parameters that the link sets can be written or are as needed already. An RPDO also needs as many mapping entries, and data types for the gaps that `DummyUsage` allows. The help says what is against each PDO. A PDO that `unused-pdos` cannot switch off is a warning.",
     why: "A device refuses to write constant parameters (SDO abort 0601 0002h).",
     example: "a node with the constant mapping 6000h:01 in TPDO 1, and a link from 6000h:02",
-    remedy: "Link the entries that the PDO carries, in the order of its mapping, and leave out parameters that it does not have.",
+    remedy: "Link the entries that the PDO carries, in the order of its mapping, and remove parameters that it does not have.",
     source: "CiA 301 §7.5.2.35 to §7.5.2.38",
 
     INVALID_SETTING = "network/invalid-setting", Error;
@@ -85,17 +85,17 @@ text_rules! {
 
     RPDO_WITHOUT_SENDER = "network/rpdo-without-sender", Warning;
     summary: "no node sends what another one receives",
-    checks: "Whether the CAN-ID of each valid RPDO that maps something is sent by a node of the network. A manager without a description sends all that remains.",
+    checks: "Whether the CAN-ID of each valid RPDO that maps something is sent by a node of the network. A manager without a description sends all that remains. RPDOs that are as the description has them by default are one finding for each node.",
     why: "The outputs of the node never change.",
     example: "an RPDO on 18Ch in a network without node 12",
-    remedy: "Correct the CAN-ID, or switch the RPDO off.",
+    remedy: "Correct the CAN-ID, or switch the RPDO off. `unused-pdos = \"off\"` of a `network.toml` switches off all PDOs that no link and no key uses.",
     source: "CiA 301 §7.2.2",
 
     TPDO_WITHOUT_RECEIVER = "network/tpdo-without-receiver", Note;
     summary: "no node receives what another one sends",
-    checks: "Whether the CAN-ID of each valid TPDO that maps something is received by a node of the network.",
+    checks: "Whether the CAN-ID of each valid TPDO that maps something is received by a node of the network. TPDOs that are as the description has them by default are one finding for each node.",
     why: "The PDO takes a part of the bus for nothing.",
     example: "TPDO 2 of a node, which is valid by default",
-    remedy: "Switch the TPDO off, or link its entries.",
+    remedy: "Link the entries of the TPDO, or switch it off. `unused-pdos = \"off\"` of a `network.toml` switches off all PDOs that no link and no key uses.",
     source: "CiA 301 §7.2.2",
 }

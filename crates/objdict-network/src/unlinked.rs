@@ -1,0 +1,69 @@
+//! PDOs that no other node sends or receives.
+
+use std::collections::BTreeMap;
+
+use crate::configure::PdoName;
+use crate::messages::{MessageId, Messages, Party, Service};
+use crate::model::{Object, PdoKind};
+use crate::network::Network;
+use crate::source::Span;
+use crate::stream::{Compiled, Slave, indexes};
+
+/// A PDO whose other side no node has.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct UnlinkedPdo {
+    pub(crate) can_id: MessageId,
+    pub(crate) pdo: PdoName,
+    pub(crate) party: Party,
+}
+
+/// The PDOs whose other side no node has.
+#[derive(Default)]
+pub(crate) struct UnlinkedPdos {
+    /// Those that the network file or a DCF configures, by CAN-ID.
+    pub(crate) configured: Vec<UnlinkedPdo>,
+    /// Those that are as a description has them by default, by node and direction.
+    pub(crate) default: BTreeMap<(usize, PdoKind), Vec<UnlinkedPdo>>,
+}
+
+impl UnlinkedPdos {
+    pub(crate) fn new(network: &Network, compiled: &Compiled, messages: &Messages) -> Self {
+        let mut unlinked = Self::default();
+        for (can_id, message) in &messages.0 {
+            let parties = match (message.senders.as_slice(), message.receivers.as_slice()) {
+                (parties, []) | ([], parties) => parties,
+                _ => continue,
+            };
+            for party in parties {
+                let (Service::Pdo(pdo), Some(node)) = (party.service, party.node) else { continue };
+                let found = UnlinkedPdo { can_id: *can_id, pdo, party: *party };
+                let slave = compiled.nodes().find(|slave| slave.node == node);
+                match slave.is_some_and(|slave| slave.configures(network, pdo)) {
+                    true => unlinked.configured.push(found),
+                    false => unlinked.default.entry((node, pdo.kind)).or_default().push(found),
+                }
+            }
+        }
+        unlinked
+    }
+}
+
+impl Slave {
+    /// Where the network file states something of a PDO.
+    pub(crate) fn stated(&self, network: &Network, pdo: PdoName) -> Option<Span> {
+        let (communication, mapping) = indexes(pdo);
+        let wish = network.nodes[self.node].pdos.iter().find(|wish| wish.pdo == pdo);
+        let said = |index: u16| self.origins.range((index, 0)..=(index, u8::MAX)).map(|(_, at)| *at).next();
+        wish.map(|wish| wish.at).or_else(|| said(communication)).or_else(|| said(mapping))
+    }
+
+    /// Whether the network file states something of a PDO, or a value of it is not the default of the description.
+    fn configures(&self, network: &Network, pdo: PdoName) -> bool {
+        let (communication, mapping) = indexes(pdo);
+        let is_changed = |index: u16| {
+            let entries = self.device.object(index).into_iter().flat_map(Object::entries);
+            entries.into_iter().any(|(_, entry)| entry.is_changed(Some(self.node_id)))
+        };
+        self.stated(network, pdo).is_some() || is_changed(communication) || is_changed(mapping)
+    }
+}
