@@ -1,5 +1,6 @@
 //! `objdict network`: several nodes and their manager.
 
+mod boot;
 mod build;
 mod check;
 mod diff;
@@ -28,6 +29,7 @@ pub(super) fn run(command: &NetworkCommand, out: &mut Output) -> Result<Outcome,
         NetworkCommand::Check(args) => check::run(args, out),
         NetworkCommand::Build(args) => build::run(args, out),
         NetworkCommand::Verify(args) => verify::run(args, out),
+        NetworkCommand::Boot(args) => boot::run(args, out),
         NetworkCommand::Show(args) => show::run(args, out),
         NetworkCommand::Graph(args) => graph::run(args, out),
         NetworkCommand::Diff(args) => diff::run(args, out),
@@ -81,18 +83,24 @@ fn names_of(paths: &[PathBuf]) -> String {
     paths.iter().map(|path| name_of(path)).collect::<Vec<_>>().join(" ")
 }
 
-/// Reads a network that is to be shown, with the configuration of its nodes. Its errors are left to `network check`.
-fn compiled(paths: &[PathBuf], input: &NetworkInputArgs) -> Result<(Network, Compiled), Failure> {
+/// Reads a network that is to be shown or booted. Its errors are left to `network check`.
+fn open_despite_errors(paths: &[PathBuf], input: &NetworkInputArgs) -> Result<NetworkFile, Failure> {
     let file = open_one(paths, input)?;
     let errors = file.check().iter().filter(|finding| finding.severity == Severity::Error).count();
     let help = format!("`objdict network check {}` says which", names_of(paths));
-    let Some(network) = file.network else {
+    if file.network.is_none() {
         return Err(Failure::new(format_args!("`{}` is no network", file.source.name())).help(help));
-    };
+    }
     if errors > 0 {
         let warning = format!("the network has {}, so what it does may differ", plural(errors, "error"));
         tell(&format!("warning: {warning}\n  help: {help}\n"));
     }
+    Ok(file)
+}
+
+/// The same with the configuration of its nodes.
+fn compiled(paths: &[PathBuf], input: &NetworkInputArgs) -> Result<(Network, Compiled), Failure> {
+    let network = open_despite_errors(paths, input)?.network.unwrap_or_default();
     let compiled = compile(&network, Manner::Repaired, &mut Findings::new());
     Ok((network, compiled))
 }

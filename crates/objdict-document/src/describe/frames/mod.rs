@@ -204,8 +204,10 @@ fn described(talker: Talker<'_>, (index, sub): (u16, u8), value: &Value, is_name
     }
 }
 
-fn nmt_state(state: u8) -> String {
+/// An NMT state as in a heartbeat: `operational`.
+pub fn nmt_state(state: u8) -> String {
     match state {
+        0 => "initialising".to_owned(),
         4 => "stopped".to_owned(),
         5 => "operational".to_owned(),
         0x7F => "pre-operational".to_owned(),
