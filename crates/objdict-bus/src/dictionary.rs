@@ -5,7 +5,7 @@ use std::cmp::Ordering;
 use objdict_device::{Abort, Attributes, Dictionary};
 use objdict_generate::{LiveEntry, Options, live_entries};
 
-use crate::model::{Assignment, DataType, Device, Object, TypeKind, Value};
+use crate::model::{Access, Assignment, DataType, Device, Object, TypeKind, Value};
 
 /// "save" and "load", which 1010h and 1011h take (CiA 301 §7.5.2.13, §7.5.2.14).
 const SAVE: [u8; 4] = *b"save";
@@ -22,6 +22,31 @@ pub enum PowerOn {
     Defaults,
     /// The configured values of its DCF, which the node has stored.
     Configured,
+}
+
+impl PowerOn {
+    /// A device without the configured values that its node has only after a download.
+    pub(crate) fn values_of(self, device: &Device) -> Device {
+        let mut device = device.with_implicit_pdos().into_owned();
+        if self == Self::Configured {
+            return device;
+        }
+        for object in device.objects.values_mut() {
+            let Object { main, subs, compact, .. } = object;
+            let is_writable = |access: Option<Access>| access.is_some_and(Access::is_writable);
+            if let Some(compact) = compact.as_mut().filter(|_| is_writable(main.access)) {
+                compact.values.clear();
+            }
+            for entry in subs.iter_mut().map(|(_, entry)| entry).chain([main]) {
+                if is_writable(entry.implied_access())
+                    && let Some(configured) = &mut entry.configured
+                {
+                    configured.value = None;
+                }
+            }
+        }
+        device
+    }
 }
 
 /// The values of a node, with the access, the limits and the types of its description: what the generated table of this description
@@ -49,11 +74,7 @@ impl LiveDictionary {
 
     /// The same with the room that the options of a generated table give texts and DOMAINs.
     pub fn with_options(device: &Device, node_id: u8, power_on: PowerOn, options: &Options) -> Self {
-        let device = device.with_implicit_pdos();
-        let entries = match power_on {
-            PowerOn::Configured => live_entries(&device, node_id, options),
-            PowerOn::Defaults => live_entries(&with_defaults(&device), node_id, options),
-        };
+        let entries = live_entries(&power_on.values_of(device), node_id, options);
         let values: Vec<Vec<u8>> = entries.iter().map(|entry| entry.value.clone()).collect();
         Self { entries, stored: values.clone(), values, dropped: Vec::new(), written: Vec::new() }
     }
@@ -168,27 +189,6 @@ fn is_stored(sub: u8, index: u16) -> bool {
             3 => (0x6000..0xA000).contains(&index),
             _ => (0x2000..0x6000).contains(&index),
         }
-}
-
-/// A device without the configured values that its node has only after a download.
-fn with_defaults(device: &Device) -> Device {
-    let mut device = device.clone();
-    for object in device.objects.values_mut() {
-        let Object { main, subs, compact, .. } = object;
-        let is_writable =
-            |access: Option<crate::model::Access>| access.is_some_and(crate::model::Access::is_writable);
-        if let Some(compact) = compact.as_mut().filter(|_| is_writable(main.access)) {
-            compact.values.clear();
-        }
-        for entry in subs.iter_mut().map(|(_, entry)| entry).chain([main]) {
-            if is_writable(entry.implied_access())
-                && let Some(configured) = &mut entry.configured
-            {
-                configured.value = None;
-            }
-        }
-    }
-    device
 }
 
 /// Whether values have lengths of their own.

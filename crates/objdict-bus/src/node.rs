@@ -105,7 +105,8 @@ struct Producer {
 pub(crate) struct SimulatedNode {
     pub(crate) node_id: u8,
     services: Box<dyn Services>,
-    consumers: HeartbeatConsumer<127>,
+    /// Monitors other nodes; `None` for the manager, which does so itself.
+    consumers: Option<HeartbeatConsumer<127>>,
     guarding: Guarding,
     producer: Option<Producer>,
     /// When a reset ends.
@@ -118,11 +119,11 @@ pub(crate) struct SimulatedNode {
 
 impl SimulatedNode {
     /// A node that is switched off.
-    pub(crate) fn new(node_id: u8, dictionary: LiveDictionary, response: u64) -> Self {
+    pub(crate) fn new(node_id: u8, dictionary: LiveDictionary, response: u64, is_manager: bool) -> Self {
         Self {
             node_id,
             services: services(node_id, dictionary),
-            consumers: HeartbeatConsumer::new(),
+            consumers: (!is_manager).then(HeartbeatConsumer::new),
             guarding: Guarding::default(),
             producer: None,
             boots: None,
@@ -168,7 +169,7 @@ impl SimulatedNode {
     pub(crate) fn boot(&mut self, now: u64) -> Frame {
         let frame = self.services.boot(micro(now));
         self.guarding = Guarding::default();
-        self.consumers.load(self.services.dictionary_mut());
+        self.load_consumers();
         self.services.dictionary_mut().take_written();
         self.load_producer(now);
         frame
@@ -196,8 +197,10 @@ impl SimulatedNode {
             Received::Pdo(Reception::TooShort(index)) => self.report(PDO_TOO_SHORT, index, now),
             Received::Pdo(_) | Received::Ignored => {}
         }
-        if self.state() != NmtState::Initialising {
-            self.consumers.receive(data, micro(now));
+        if let Some(consumers) =
+            self.consumers.as_mut().filter(|_| self.services.state() != NmtState::Initialising)
+        {
+            consumers.receive(data, micro(now));
         }
         self.follow(now);
     }
@@ -229,7 +232,9 @@ impl SimulatedNode {
         while let Some(index) = self.services.overdue(micro(now)) {
             self.report(RPDO_TIMED_OUT, index, now);
         }
-        while let Some(Heartbeat::Lost(_)) = self.consumers.poll(micro(now)) {
+        while let Some(Heartbeat::Lost(_)) =
+            self.consumers.as_mut().and_then(|consumers| consumers.poll(micro(now)))
+        {
             self.fail(now);
         }
         self.guard(now);
@@ -245,10 +250,16 @@ impl SimulatedNode {
     fn follow(&mut self, now: u64) {
         for index in self.services.dictionary_mut().take_written() {
             match index {
-                0x1016 => self.consumers.load(self.services.dictionary_mut()),
+                0x1016 => self.load_consumers(),
                 0x1005 | 0x1006 | 0x1019 => self.load_producer(now),
                 _ => {}
             }
+        }
+    }
+
+    fn load_consumers(&mut self) {
+        if let Some(consumers) = &mut self.consumers {
+            consumers.load(self.services.dictionary_mut());
         }
     }
 

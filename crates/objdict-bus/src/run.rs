@@ -5,6 +5,7 @@ use objdict_device::NmtState;
 use crate::frame::BusFrame;
 use crate::manager::Milestone;
 use crate::model::Device;
+use crate::node::MILLISECOND;
 
 /// What happened on the bus from the time when the manager was switched on. Times are in nanoseconds.
 #[derive(Clone, Debug)]
@@ -19,6 +20,10 @@ pub struct Run {
     pub waits_for_application: bool,
     /// When the simulation ended.
     pub end: u64,
+    /// How long the bus was in use.
+    pub busy: u64,
+    /// How long the frame that waited longest at the end had waited for the bus.
+    pub waiting: u64,
     /// Whether it ended before the boot was over, and by what.
     pub cut: Option<Cut>,
 }
@@ -116,6 +121,11 @@ impl Run {
     pub fn is_booted(&self) -> bool {
         let has_conflict = self.events.iter().any(|event| matches!(event.kind, EventKind::TwoSenders { .. }));
         !has_conflict && self.nodes.iter().all(|node| node.has_arrived(self.waits_for_application))
+    }
+
+    /// Whether frames of low priority do not get through: one waited longer than any heartbeat.
+    pub const fn is_overloaded(&self) -> bool {
+        self.waiting >= 1000 * MILLISECOND
     }
 
     /// The frames with their times and senders.

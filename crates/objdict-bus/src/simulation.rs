@@ -39,6 +39,13 @@ pub struct PlantNode {
     pub must_boot: Option<bool>,
 }
 
+impl PlantNode {
+    /// The description with the values that the node is switched on with, where they are not its defaults.
+    pub fn switched_on(&self) -> Device {
+        self.power_on.values_of(&self.device)
+    }
+}
+
 /// The conditions of a simulation. Times are in nanoseconds.
 #[derive(Clone, Copy, Debug)]
 pub struct Conditions {
@@ -88,6 +95,7 @@ struct Simulation {
     wire: Option<Transmission>,
     events: Vec<Event>,
     frames: usize,
+    busy: u64,
     /// Who sent a CAN-ID first, and whether a second sender is reported.
     senders: BTreeMap<u16, (usize, bool)>,
     /// Since when the manager waits for boot-up messages alone.
@@ -100,7 +108,7 @@ impl Simulation {
     fn new(plant: &Plant, conditions: Conditions) -> Self {
         let of_manager = dictionary(&plant.manager);
         let manager = Manager::new(plant.manager.node_id, &of_manager, &plant.configurations);
-        let own = SimulatedNode::new(plant.manager.node_id, of_manager, conditions.response);
+        let own = SimulatedNode::new(plant.manager.node_id, of_manager, conditions.response, true);
         let mut simulation = Self {
             bit_rate: plant.bit_rate,
             conditions,
@@ -111,6 +119,7 @@ impl Simulation {
             wire: None,
             events: Vec::new(),
             frames: 0,
+            busy: 0,
             senders: BTreeMap::new(),
             idle: None,
             arrived: None,
@@ -126,7 +135,8 @@ impl Simulation {
             self.manager.assignments().map(|(node_id, assignment)| (node_id, assignment.0)).collect();
         let mut nodes: Vec<(NodeRun, Option<SimulatedNode>)> = Vec::new();
         for node in &plant.nodes {
-            let mut on_bus = SimulatedNode::new(node.node_id, dictionary(node), self.conditions.response);
+            let mut on_bus =
+                SimulatedNode::new(node.node_id, dictionary(node), self.conditions.response, false);
             // it was switched on before the manager
             let _ = on_bus.boot(0);
             nodes.push((node_run(node, false, assignments.get(&node.node_id).copied()), Some(on_bus)));
@@ -272,8 +282,9 @@ impl Simulation {
         if let Some(node) = &mut self.nodes[sender] {
             node.queue.remove(at);
         }
-        let end = self.now + frame.duration(self.bit_rate);
-        self.wire = Some(Transmission { end, sender, frame });
+        let duration = frame.duration(self.bit_rate);
+        self.busy += duration;
+        self.wire = Some(Transmission { end: self.now + duration, sender, frame });
     }
 
     /// The next time at which something happens. Timers of milliseconds are looked at each millisecond.
@@ -295,6 +306,8 @@ impl Simulation {
             let of = plant.nodes.iter().chain([&plant.manager]).find(|of| of.node_id == run.node_id);
             run.device = of.map(|of| node.dictionary().present(&of.device));
         }
+        let pending = self.nodes.iter().flatten().flat_map(|node| &node.queue);
+        let waiting = pending.map(|pending| self.now.saturating_sub(pending.ready)).max().unwrap_or(0);
         let is_operational = self.runs.iter().all(|run| run.has_arrived(false));
         let times = self.runs.iter().filter(|run| run.must_boot).filter_map(|run| run.operational);
         Run {
@@ -303,6 +316,8 @@ impl Simulation {
             nodes: self.runs,
             waits_for_application,
             end: self.now,
+            busy: self.busy,
+            waiting,
             cut,
         }
     }

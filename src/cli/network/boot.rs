@@ -288,13 +288,18 @@ impl<'r> Report<'r> {
             }
             _ => None,
         });
-        of_node.chain(conflicts).collect()
+        let overload = self
+            .run
+            .is_overloaded()
+            .then(|| "the bus is overloaded: frames of low priority are not sent".to_owned());
+        of_node.chain(conflicts).chain(overload).collect()
     }
 
     fn verdict(&self) -> String {
         let Run { operational, end, cut, .. } = self.run;
         let frames = plural(self.run.frames().count(), "frame");
-        let rate = format!("at {} kbit/s", self.bit_rate);
+        let load = self.run.busy * 100 / self.run.end.max(1);
+        let rate = format!("at {} kbit/s, {load} % load", self.bit_rate);
         match (operational, cut) {
             _ if !self.run.is_booted() => {
                 let why = match cut {
@@ -302,7 +307,7 @@ impl<'r> Report<'r> {
                     Some(Cut::Frames) => ", too many frames",
                     None => "",
                 };
-                format!("not booted: ended after {} ms{why}, {frames} {rate}", milliseconds(end / 1000))
+                format!("not booted: ended after {} ms{why}, {rate}, {frames}", milliseconds(end / 1000))
             }
             (Some(time), _) => format!("operational after {} ms {rate}, {frames}", milliseconds(time / 1000)),
             (None, _) => {

@@ -124,6 +124,7 @@ pub fn install(files: &[BuiltFile], network: Option<&NetworkFile>) -> Result<Ins
         ));
     }
     let manager = configured(manager, files)?;
+    let nodes = nodes.into_iter().map(|node| with_identity(node, &manager.device)).collect();
     let configurations = configurations(&manager.device, files);
     Ok(Installation { plant: Plant { bit_rate, manager, configurations, nodes }, notes })
 }
@@ -237,6 +238,32 @@ fn nodes(
         Some((first, second, node_id)) => Err(InstallError::NodeIds(first, second, node_id)),
         None => Ok(nodes),
     }
+}
+
+/// A node with an identity: that of 1018h, where the description has no number there, that of `DeviceInfo`, else what the manager expects. The
+/// default of a serial number is none, because an EDS describes all devices of a type.
+fn with_identity(mut node: PlantNode, manager: &Device) -> PlantNode {
+    let device = &node.device;
+    let info = device.device_info.as_ref();
+    let serial = device.commissioning.as_ref().and_then(|node| node.lss_serial_number);
+    let identity = device.identity();
+    let is_configured = device.entry(0x1018, 4).is_some_and(|entry| entry.configured_value().is_some());
+    let of_node = |(sub, own, stated): (u8, Option<u32>, Option<u32>)| {
+        let expected =
+            manager.value(0x1F84 + u16::from(sub), node.node_id).and_then(|value| value.as_integer());
+        let expected = expected.and_then(|number| u32::try_from(number).ok());
+        let number = [own, stated, expected].into_iter().flatten().find(|number| *number != 0)?;
+        Some(Assignment { index: 0x1018, sub, value: Value::Unsigned(number.into()) })
+    };
+    let values = [
+        (1, identity.vendor_id, info.and_then(|info| info.vendor_number)),
+        (2, identity.product_code, info.and_then(|info| info.product_number)),
+        (3, identity.revision_number, info.and_then(|info| info.revision_number)),
+        (4, identity.serial_number.filter(|_| is_configured), serial),
+    ];
+    let values: Vec<Assignment> = values.into_iter().filter_map(of_node).collect();
+    node.device.assign(&values);
+    node
 }
 
 /// The bit rate that a description is set to.
