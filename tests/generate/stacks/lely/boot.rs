@@ -15,8 +15,11 @@ use super::real::Library;
 use crate::compile::succeed;
 use crate::support::fixtures;
 
-/// How long the library runs, in milliseconds.
-const TIME: u64 = 8000;
+/// Nanoseconds of a millisecond.
+const MILLISECOND: u64 = 1_000_000;
+
+/// How long a booted network runs, in nanoseconds.
+const AFTER: u64 = 5000 * MILLISECOND;
 
 /// What the master finds out about a node, and the state that the node has.
 type Outcome = (u8, char, u8);
@@ -57,6 +60,7 @@ fn theirs(
     folder: &Path,
     file: &NetworkFile,
     nodes: &[PlantNode],
+    time: u64,
 ) -> Result<Theirs, String> {
     let build = file.build(Manner::Repaired).map_err(|error| error.to_string())?;
     let mut configuration = "-";
@@ -75,7 +79,7 @@ fn theirs(
         }
         std::fs::write(folder.join(built.name), bytes).unwrap();
     }
-    let mut arguments = [&TIME.to_string(), "master.dcf", configuration].map(str::to_owned).to_vec();
+    let mut arguments = [&time.to_string(), "master.dcf", configuration].map(str::to_owned).to_vec();
     for node in nodes {
         let name = format!("node{}.eds", node.node_id);
         let written = write(&description(node), Format::Eds, &WriteOptions::default());
@@ -132,15 +136,21 @@ fn differences(library: &Library, path: &Path) -> Result<Vec<String>, String> {
     // the library has a bus without bits
     let mut plant = installation.plant;
     plant.bit_rate = u16::MAX;
-    let conditions = Conditions { response: 0, after: TIME * 1_000_000, ..Conditions::default() };
+    let conditions = Conditions { response: 0, after: AFTER, ..Conditions::default() };
     let run = boot(&plant, &conditions);
     let folder = tempfile::tempdir().map_err(|error| error.to_string())?;
-    let theirs = theirs(library, folder.path(), &file, &plant.nodes)?;
+    let time = (run.end + AFTER) / MILLISECOND;
+    let theirs = theirs(library, folder.path(), &file, &plant.nodes, time)?;
     let frames = ours(&run);
     let mut differences = Vec::new();
     for node in &run.nodes {
         let (ours, id) = (outcome(node), node.node_id);
         let found = theirs.outcomes.iter().find(|outcome| outcome.0 == id);
+        // the library resets such a node, and takes its boot-up message before the process that waits for it
+        let is_kept_alive = node.assignment.is_some_and(|assignment| assignment & 0x11 == 0x11);
+        if is_kept_alive && ours.1 == '-' && found.is_some_and(|theirs| matches!(theirs.1, 'E' | 'F')) {
+            continue;
+        }
         if found.is_some_and(|theirs| *theirs != ours) {
             differences.push(format!("node {id}: {ours:?}, and {found:?} of the library"));
         }
