@@ -157,6 +157,7 @@ struct Document<'a> {
     #[serde(skip_serializing_if = "Option::is_none")]
     operational: Option<u64>,
     end: u64,
+    busy: u64,
     frames: usize,
     problems: Vec<String>,
     nodes: Vec<NodeRow<'a>>,
@@ -346,6 +347,7 @@ impl<'r> Report<'r> {
             waits_for_application: self.run.waits_for_application,
             operational: micro(self.run.operational),
             end: self.run.end / 1000,
+            busy: self.run.busy / 1000,
             frames: self.run.frames().count(),
             problems: self.problems(),
             nodes: self.run.nodes.iter().map(row).collect(),

@@ -51,7 +51,7 @@ impl Assignment {
     }
 }
 
-/// Where the process "boot NMT slave" stands. Times are in nanoseconds.
+/// The state of the process "boot NMT slave". Times are in nanoseconds.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub(super) enum Step {
     /// Waits for the boot-up message.
