@@ -149,7 +149,7 @@ impl Transfer {
         match (command >> 5, &mut self.way, self.is_started) {
             (4, ..) if is_same => Ok(Next::End(Err(Abort::from(u32::from_le_bytes(data))))),
             // the answer to an earlier transfer that was aborted
-            (2 | 3 | 4, ..) if !is_same => Ok(Next::Nothing),
+            (2..=4, ..) if !is_same => Ok(Next::Nothing),
             (3, Way::Download(value, _), false) => {
                 self.is_started = true;
                 if matches!(value.len(), 1..=4) {

@@ -140,7 +140,7 @@ impl Slave {
     pub(super) fn new(node_id: u8, dictionary: &LiveDictionary, configurations: &Configurations) -> Self {
         let word = |index: u16| dictionary.word(index, node_id);
         let consumers = (1..=127).map(|sub| dictionary.word(0x1016, sub));
-        let watching = consumers.filter(|consumer| consumer >> 16 & 0x7F == u32::from(node_id));
+        let mut watching = consumers.filter(|consumer| consumer >> 16 & 0x7F == u32::from(node_id));
         Self {
             node_id,
             assignment: Assignment(word(0x1F81)),
@@ -148,7 +148,7 @@ impl Slave {
             software: word(0x1F55),
             configured_at: [0x1F26, 0x1F27].map(word),
             restore: word(0x1F8A) as u8,
-            consumer_time: watching.last().unwrap_or(0) as u16,
+            consumer_time: watching.next_back().unwrap_or(0) as u16,
             downloads: configurations.get(&node_id).cloned().unwrap_or(Ok(Vec::new())),
             client: Client::new(node_id),
             step: Step::Idle,
