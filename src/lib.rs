@@ -214,6 +214,8 @@ pub mod scaffold;
 pub use check::{check, check_with};
 #[cfg(feature = "lint")]
 pub use fix::{AppliedFix, Fixed, fix, with_sound_fixes};
+#[cfg(feature = "network")]
+pub use objdict_bus as bus;
 #[cfg(feature = "document")]
 pub use objdict_document::{self as document, describe};
 #[cfg(any(feature = "rust", feature = "c", feature = "stacks", feature = "template"))]

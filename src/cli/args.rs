@@ -28,9 +28,9 @@ pub(super) use self::dcf::{
 pub(super) use self::docs::DocsArgs;
 pub(super) use self::generate::{GenerateArgs, SizeFormat};
 pub(super) use self::network::{
-    GraphFormat, NetworkArgs, NetworkBuildArgs, NetworkCheckArgs, NetworkCommand, NetworkDiffArgs,
-    NetworkFormat, NetworkGraphArgs, NetworkInitArgs, NetworkInputArgs, NetworkSchemaArgs, NetworkShowArgs,
-    NetworkTarget, NetworkVerifyArgs,
+    BootTarget, GraphFormat, NetworkArgs, NetworkBootArgs, NetworkBuildArgs, NetworkCheckArgs,
+    NetworkCommand, NetworkDiffArgs, NetworkFormat, NetworkGraphArgs, NetworkInitArgs, NetworkInputArgs,
+    NetworkSchemaArgs, NetworkShowArgs, NetworkTarget, NetworkVerifyArgs,
 };
 pub(super) use self::new::NewArgs;
 use super::baseline::BaselineArgs;

@@ -12,6 +12,8 @@ mod devices;
 mod gates;
 mod handles;
 mod hooks;
+#[cfg(feature = "network")]
+mod live;
 mod meanings;
 mod misra;
 mod notes;

@@ -206,7 +206,7 @@ fn the_manager_has_the_configuration_of_each_node() {
         assert_eq!(held, objdict::model::Value::Bytes(stream.bytes.clone().into()), "{node_id}");
     }
     assert_eq!(value(0x1F81, 11).as_deref(), Some((0x000D).to_string()).as_deref());
-    assert_eq!(value(0x1F81, 3).as_deref(), Some((0x0064_0205).to_string()).as_deref());
+    assert_eq!(value(0x1F81, 3).as_deref(), Some((0x0064_0215).to_string()).as_deref());
     assert_eq!(value(0x1F80, 0).as_deref(), Some("9"));
     assert_eq!(value(0x1016, 1).as_deref(), Some((11 << 16 | 500).to_string()).as_deref());
     assert_eq!(value(0x1028, 12).as_deref(), Some("140"));

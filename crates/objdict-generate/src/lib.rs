@@ -52,6 +52,7 @@ mod gaps;
 mod hooks;
 #[cfg(feature = "stacks")]
 mod lely;
+mod live;
 mod meanings;
 mod memory;
 #[cfg(feature = "stacks")]
@@ -79,6 +80,7 @@ mod zencan;
 use std::borrow::Cow;
 use std::fmt;
 
+pub use live::{LiveEntry, live_entries};
 pub use options::{
     CTable, Choice, Derive, Names, OptionField, OptionValue, Options, SharedCell, StackLayout, StorageGroup,
 };

@@ -63,6 +63,11 @@ pub enum Service {
 }
 
 impl Service {
+    /// A PDO of a node.
+    pub const fn pdo(kind: PdoKind, number: u16) -> Self {
+        Self::Pdo(PdoName { kind, number })
+    }
+
     /// `TPDO 1`, `SDO request`.
     pub fn name(self, language: Language) -> Cow<'static, str> {
         Cow::Borrowed(match self {

@@ -7,6 +7,7 @@ use clap::{Parser, Subcommand, ValueEnum};
 use super::{OverwriteArgs, ReportArgs, ShowFormat};
 use crate::cli::baseline::BaselineArgs;
 use crate::cli::settings::{ConfigFileArgs, SettingsArgs};
+use crate::configure::nanoseconds;
 use crate::format::network::ConfigurationTime;
 use crate::model::Date;
 
@@ -22,6 +23,7 @@ pub(in crate::cli) enum NetworkCommand {
     Check(NetworkCheckArgs),
     Build(NetworkBuildArgs),
     Verify(NetworkVerifyArgs),
+    Boot(NetworkBootArgs),
     Show(NetworkShowArgs),
     Graph(NetworkGraphArgs),
     Diff(NetworkDiffArgs),
@@ -52,6 +54,14 @@ fn configuration_time(text: &str) -> Result<ConfigurationTime, &'static str> {
         Some(ConfigurationTime { days, milliseconds: (minutes * 60_000).max(1) })
     };
     time().ok_or("write date and time, as in `2026-11-22T11:30`")
+}
+
+/// A time of at most an hour in nanoseconds.
+fn duration(text: &str) -> Result<u64, &'static str> {
+    const HOUR: u64 = 3600 * 1_000_000_000;
+    nanoseconds(text)
+        .filter(|time| *time <= HOUR)
+        .ok_or("write a time of at most an hour, as in `100ms` or `1.5s`")
 }
 
 fn variable(text: &str) -> Result<(String, String), &'static str> {
@@ -122,6 +132,51 @@ pub(in crate::cli) struct NetworkVerifyArgs {
     /// The folder
     #[arg(value_name = "DIR")]
     pub folder: PathBuf,
+}
+
+/// Boot a network in simulated time
+///
+/// The manager boots the files that `network build` writes: built in memory, or read from a folder. The nodes answer as their descriptions say, with
+/// frames that are arbitrated by their CAN-IDs. Prints each frame with its meaning, and when which node is operational. Exits with 1 when a node
+/// that the manager must boot is not.
+#[derive(Debug, Parser)]
+pub(in crate::cli) struct NetworkBootArgs {
+    /// The network, the descriptions of its nodes, or a folder that `network build` wrote; with a folder that has no descriptions of nodes also
+    /// the network that has them
+    #[arg(required = true, value_name = "FILE")]
+    pub files: Vec<PathBuf>,
+    /// The files that are built and booted [default: lely for bus.yml, dcf for others]
+    #[arg(long, value_enum, value_name = "TARGET")]
+    pub target: Option<BootTarget>,
+    /// How the boot is shown
+    #[arg(long, value_enum, default_value = "table")]
+    pub format: ShowFormat,
+    /// Leave out the frames: only show what came of each node
+    #[arg(long)]
+    pub summary: bool,
+    /// The bit rate in kbit/s [default: that of the network]
+    #[arg(long, value_name = "KBIT", value_parser = clap::value_parser!(u16).range(1..=1000), help_heading = "Simulation")]
+    pub bit_rate: Option<u16>,
+    /// The time that a node takes for an answer and for a reset, such as 1ms
+    #[arg(long, value_name = "TIME", default_value = "1ms", value_parser = duration, help_heading = "Simulation")]
+    pub response_time: u64,
+    /// How long the network runs after its boot
+    #[arg(long, value_name = "TIME", default_value = "100ms", value_parser = duration, help_heading = "Simulation")]
+    pub run_time: u64,
+    /// The longest simulated time, at most an hour
+    #[arg(long, value_name = "TIME", default_value = "60s", value_parser = duration, help_heading = "Simulation")]
+    pub time_limit: u64,
+    #[command(flatten)]
+    pub input: NetworkInputArgs,
+}
+
+/// The files that boot a network.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
+pub(in crate::cli) enum BootTarget {
+    /// The DCF or XDC of each node, and the DCF of the manager
+    Dcf,
+    /// The files of Lely's master; the nodes are their descriptions
+    Lely,
 }
 
 /// What is built of a network.

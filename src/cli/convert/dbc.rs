@@ -142,7 +142,7 @@ fn nodes_of_network(args: &ConvertArgs, job: &Job) -> Result<Vec<Node>, Failure>
         let failure = Failure::new(format_args!("`{name}` is a network, whose nodes have node-IDs"));
         return Err(failure.help("leave `--node-id` out"));
     }
-    let file = network::shown_network(slice::from_ref(&job.input), &args.network)?;
+    let file = network::open_despite_errors(slice::from_ref(&job.input), &args.network)?;
     let nodes = file.build(Manner::Repaired).and_then(|build| build.configured_nodes());
     let nodes = nodes.map_err(|error| {
         let help = format!("`objdict network check {name}` says why");

@@ -1,5 +1,6 @@
 //! `objdict network`: several nodes and their manager.
 
+mod boot;
 mod build;
 mod check;
 mod diff;
@@ -28,6 +29,7 @@ pub(super) fn run(command: &NetworkCommand, out: &mut Output) -> Result<Outcome,
         NetworkCommand::Check(args) => check::run(args, out),
         NetworkCommand::Build(args) => build::run(args, out),
         NetworkCommand::Verify(args) => verify::run(args, out),
+        NetworkCommand::Boot(args) => boot::run(args, out),
         NetworkCommand::Show(args) => show::run(args, out),
         NetworkCommand::Graph(args) => graph::run(args, out),
         NetworkCommand::Diff(args) => diff::run(args, out),
@@ -81,8 +83,11 @@ fn names_of(paths: &[PathBuf]) -> String {
     paths.iter().map(|path| name_of(path)).collect::<Vec<_>>().join(" ")
 }
 
-/// Reads a network that is to be shown. Its errors are left to `network check`.
-pub(super) fn shown_network(paths: &[PathBuf], input: &NetworkInputArgs) -> Result<NetworkFile, Failure> {
+/// Reads a network that is to be shown or booted. Its errors are left to `network check`.
+pub(super) fn open_despite_errors(
+    paths: &[PathBuf],
+    input: &NetworkInputArgs,
+) -> Result<NetworkFile, Failure> {
     let file = open_one(paths, input)?;
     let errors = file.check().iter().filter(|finding| finding.severity == Severity::Error).count();
     let help = format!("`objdict network check {}` says which", names_of(paths));
@@ -96,9 +101,9 @@ pub(super) fn shown_network(paths: &[PathBuf], input: &NetworkInputArgs) -> Resu
     Ok(file)
 }
 
-/// Reads a network that is to be shown, with the configuration of its nodes.
+/// The same with the configuration of its nodes.
 fn compiled(paths: &[PathBuf], input: &NetworkInputArgs) -> Result<(Network, Compiled), Failure> {
-    let network = shown_network(paths, input)?.network.unwrap_or_default();
+    let network = open_despite_errors(paths, input)?.network.unwrap_or_default();
     let compiled = compile(&network, Manner::Repaired, &mut Findings::new());
     Ok((network, compiled))
 }

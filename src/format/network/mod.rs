@@ -1,5 +1,6 @@
 //! Networks: `network.toml`, `bus.yml` of dcfgen and ros2_canopen, and node lists.
 
+mod boot;
 mod bus_keys;
 mod bus_yml;
 mod init;
@@ -23,6 +24,7 @@ use std::num::NonZeroUsize;
 use std::path::{Path, PathBuf};
 use std::rc::Rc;
 
+pub use self::boot::{BootFiles, InstallError, Installation, install};
 pub use self::init::init;
 pub use self::outputs::{Build, BuildError, BuiltFile, ConfigurationTime, ConfiguredNode};
 use self::rules::UNREADABLE_NODE;

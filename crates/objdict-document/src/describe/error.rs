@@ -65,17 +65,21 @@ impl Decoder<'_> {
         if number == 0 {
             return self.pick("no error", "kein Fehler").to_owned();
         }
+        let information = self.pick("additional information", "Zusatzinformation");
+        format!("0x{code:04X} ({}), {information} 0x{additional:04X}", self.error_code(code))
+    }
+
+    /// The error code of an emergency message.
+    pub(super) fn error_code(&self, code: u32) -> &'static str {
         let known = CODES.into_iter().find(|(mask, of, ..)| code & mask == *of);
-        let name = match (known, code >> 8) {
+        match (known, code >> 8) {
             (Some((.., english, german)), _) => self.pick(english, german),
             (None, 0x80..=0x8F) => self.pick("monitoring", "Überwachung"),
             (None, 0x90..=0x9F) => self.pick("external error", "externer Fehler"),
             (None, 0xF0..=0xFE) => self.pick("additional functions", "Zusatzfunktionen"),
             (None, 0xFF) => self.pick("of the device", "gerätespezifisch"),
             (None, _) => self.pick("reserved", "reserviert"),
-        };
-        let information = self.pick("additional information", "Zusatzinformation");
-        format!("0x{code:04X} ({name}), {information} 0x{additional:04X}")
+        }
     }
 
     /// The error behaviour (1029h).

@@ -4,6 +4,7 @@
 mod cob_id;
 mod device;
 mod error;
+pub mod frames;
 mod pdo;
 pub(crate) mod time;
 mod value;

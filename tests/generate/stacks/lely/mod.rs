@@ -1,6 +1,8 @@
 //! The target `lely`.
 
 #[cfg(feature = "network")]
+mod boot;
+#[cfg(feature = "network")]
 mod network;
 mod real;
 

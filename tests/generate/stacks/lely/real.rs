@@ -77,11 +77,17 @@ impl Library {
         sources: &[&str],
         arguments: &[&str],
     ) -> Result<String, String> {
+        let program = self.program(folder, program, sources)?;
+        succeed(Command::new(program).args(arguments), "")
+    }
+
+    /// Builds a program of the tests in a folder.
+    pub(super) fn program(&self, folder: &Path, program: &str, sources: &[&str]) -> Result<PathBuf, String> {
         let mut cc = self.cc(folder);
         cc.args(["-std=c99", "-Wall", "-Wextra", "-Werror", "-o", "program"]).args(sources);
         cc.arg(beside("lely", program)).arg(self.path("lely.a")).args(["-lm", "-lpthread"]);
         succeed(&mut cc, "")?;
-        succeed(Command::new(folder.join("program")).args(arguments), "")
+        Ok(folder.join("program"))
     }
 }
 

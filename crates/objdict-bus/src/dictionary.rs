@@ -1,0 +1,284 @@
+//! The dictionary of a description at run time.
+
+use std::cmp::Ordering;
+
+use objdict_device::{Abort, Attributes, Dictionary};
+use objdict_generate::{LiveEntry, Options, live_entries};
+
+use crate::model::{Access, Assignment, DataType, Device, Object, TypeKind, Value};
+
+/// "save" and "load", which 1010h and 1011h take (CiA 301 §7.5.2.13, §7.5.2.14).
+const SAVE: [u8; 4] = *b"save";
+const LOAD: [u8; 4] = *b"load";
+
+/// Room for texts and DOMAINs, in bytes.
+const ROOM: u16 = 0xFFFF;
+
+/// The values that a node has when it is switched on.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub enum PowerOn {
+    /// The defaults. What cannot be written, such as the identity, has its configured value.
+    #[default]
+    Defaults,
+    /// The configured values of its DCF, which the node has stored.
+    Configured,
+}
+
+impl PowerOn {
+    /// A device without the configured values that its node has only after a download.
+    pub(crate) fn values_of(self, device: &Device) -> Device {
+        let mut device = device.with_implicit_pdos().into_owned();
+        if self == Self::Configured {
+            return device;
+        }
+        for object in device.objects.values_mut() {
+            let Object { main, subs, compact, .. } = object;
+            let is_writable = |access: Option<Access>| access.is_some_and(Access::is_writable);
+            if let Some(compact) = compact.as_mut().filter(|_| is_writable(main.access)) {
+                compact.values.clear();
+            }
+            for entry in subs.iter_mut().map(|(_, entry)| entry).chain([main]) {
+                if is_writable(entry.implied_access())
+                    && let Some(configured) = &mut entry.configured
+                {
+                    configured.value = None;
+                }
+            }
+        }
+        device
+    }
+}
+
+/// The values of a node, with the access, the limits and the types of its description: what the generated table of this description
+/// answers. Beyond that, 1010h stores and 1011h restores, and a write clears 1020h.
+#[derive(Clone, Debug)]
+pub struct LiveDictionary {
+    /// In ascending order.
+    entries: Vec<LiveEntry>,
+    values: Vec<Vec<u8>>,
+    /// What the node restarts with.
+    stored: Vec<Vec<u8>>,
+    /// Storage that 1011h marked to be dropped at the next reset, by sub-index.
+    dropped: Vec<u8>,
+    /// The indexes that SDOs wrote since the last look.
+    written: Vec<u16>,
+}
+
+impl LiveDictionary {
+    /// The values of a device on a node, which has just been switched on.
+    pub fn new(device: &Device, node_id: u8, power_on: PowerOn) -> Self {
+        let mut options = Options::default();
+        (options.string_capacity, options.domain_capacity) = (ROOM, ROOM);
+        Self::with_options(device, node_id, power_on, &options)
+    }
+
+    /// The same with the room that the options of a generated table give texts and DOMAINs.
+    pub fn with_options(device: &Device, node_id: u8, power_on: PowerOn, options: &Options) -> Self {
+        let entries = live_entries(&power_on.values_of(device), node_id, options);
+        let values: Vec<Vec<u8>> = entries.iter().map(|entry| entry.value.clone()).collect();
+        Self { entries, stored: values.clone(), values, dropped: Vec::new(), written: Vec::new() }
+    }
+
+    /// The objects of the communication parameters of PDOs, of RPDOs and of TPDOs.
+    pub(crate) fn pdos(&self) -> [Vec<u16>; 2] {
+        let of = |range: std::ops::RangeInclusive<u16>| {
+            let first = |entry: &&LiveEntry| entry.sub <= 1 && range.contains(&entry.index);
+            let mut indexes: Vec<u16> = self.entries.iter().filter(first).map(|entry| entry.index).collect();
+            indexes.dedup();
+            indexes
+        };
+        [of(0x1400..=0x15FF), of(0x1800..=0x19FF)]
+    }
+
+    /// Whether there is an entry.
+    pub(crate) fn has(&self, index: u16, sub: u8) -> bool {
+        self.find(index, sub).is_ok()
+    }
+
+    /// The bytes of an entry, without a look at its access.
+    pub fn bytes(&self, index: u16, sub: u8) -> Option<&[u8]> {
+        self.find(index, sub).ok().map(|at| self.values[at].as_slice())
+    }
+
+    /// The value of an entry of at most four bytes, without a look at its access; 0 if there is none.
+    pub(crate) fn word(&self, index: u16, sub: u8) -> u32 {
+        let bytes = self.bytes(index, sub).unwrap_or_default();
+        bytes.iter().take(4).rev().fold(0, |number, &byte| number << 8 | u32::from(byte))
+    }
+
+    /// Sets a value that fits, without a look at access and limits: for what a device does by itself.
+    pub(crate) fn put(&mut self, index: u16, sub: u8, bytes: &[u8]) {
+        if let Ok(at) = self.find(index, sub)
+            && (bytes.len() == self.entries[at].size || has_length(&self.entries[at]))
+        {
+            self.values[at] = bytes.to_vec();
+        }
+    }
+
+    /// The indexes that SDOs wrote since the last look.
+    pub(crate) fn take_written(&mut self) -> Vec<u16> {
+        std::mem::take(&mut self.written)
+    }
+
+    /// Gives the entries the values that they restart with: those of 1000h to 1FFFh, or all (CiA 301 §7.3.2.2.1).
+    pub(crate) fn reset(&mut self, is_application: bool) {
+        for sub in std::mem::take(&mut self.dropped) {
+            for (at, entry) in
+                self.entries.iter().enumerate().filter(|(_, entry)| is_stored(sub, entry.index))
+            {
+                self.stored[at].clone_from(&entry.value);
+            }
+        }
+        for (at, entry) in self.entries.iter().enumerate() {
+            if is_application || (0x1000..0x2000).contains(&entry.index) {
+                self.values[at].clone_from(&self.stored[at]);
+            }
+        }
+    }
+
+    /// A device with the present values as configured ones.
+    pub fn present(&self, device: &Device) -> Device {
+        let mut device = device.with_implicit_pdos().into_owned();
+        let values = self.entries.iter().zip(&self.values).filter(|(entry, _)| entry.is_writable);
+        let assignments = values.filter_map(|(entry, bytes)| {
+            let value = Value::from_bytes(bytes, entry.data_type?)?;
+            Some(Assignment { index: entry.index, sub: entry.sub, value })
+        });
+        let assignments: Vec<Assignment> = assignments.collect();
+        device.assign(&assignments);
+        device
+    }
+
+    fn find(&self, index: u16, sub: u8) -> Result<usize, Abort> {
+        let found = self.entries.binary_search_by_key(&(index, sub), |entry| (entry.index, entry.sub));
+        found.map_err(|at| {
+            let neighbours = [at.checked_sub(1), Some(at)].into_iter().flatten();
+            let is_object = |at: usize| self.entries.get(at).is_some_and(|entry| entry.index == index);
+            if neighbours.into_iter().any(is_object) { Abort::NoSubIndex } else { Abort::NoObject }
+        })
+    }
+
+    /// 1010h: keeps the present values for the next reset. 1011h: drops them at the next reset.
+    fn command(&mut self, index: u16, sub: u8, bytes: &[u8]) -> Result<(), Abort> {
+        if index == 0x1011 {
+            if bytes != LOAD {
+                return Err(Abort::CannotStore);
+            }
+            self.dropped.push(sub);
+            return Ok(());
+        }
+        if bytes != SAVE {
+            return Err(Abort::CannotStore);
+        }
+        for (at, entry) in self.entries.iter().enumerate() {
+            if entry.is_writable && is_stored(sub, entry.index) {
+                self.stored[at].clone_from(&self.values[at]);
+            }
+        }
+        Ok(())
+    }
+}
+
+/// Whether a sub-index of 1010h and 1011h is about an object.
+fn is_stored(sub: u8, index: u16) -> bool {
+    let is_command = matches!(index, 0x1010 | 0x1011);
+    !is_command
+        && match sub {
+            1 => true,
+            2 => (0x1000..0x2000).contains(&index),
+            3 => (0x6000..0xA000).contains(&index),
+            _ => (0x2000..0x6000).contains(&index),
+        }
+}
+
+/// Whether values have lengths of their own.
+fn has_length(entry: &LiveEntry) -> bool {
+    entry.data_type.is_some_and(|data_type| data_type.byte_length().is_none())
+}
+
+/// Whether a value may be written, as in a generated table.
+fn check(entry: &LiveEntry, bytes: &[u8]) -> Result<(), Abort> {
+    if bytes.len() > entry.size {
+        return Err(Abort::TooLong);
+    }
+    if bytes.len() < entry.size && !has_length(entry) {
+        return Err(Abort::TooShort);
+    }
+    match entry.data_type.map(DataType::kind) {
+        Some(TypeKind::UnicodeString) if bytes.len() % 2 == 1 => return Err(Abort::LengthMismatch),
+        Some(TypeKind::Boolean) if bytes != [0] && bytes != [1] => return Err(Abort::InvalidValue),
+        _ => {}
+    }
+    let against = |limit: Option<u64>| match (limit, entry.data_type) {
+        (Some(limit), Some(data_type)) => order(data_type, bytes, limit).map(Some).ok_or(Abort::InvalidValue),
+        _ => Ok(None),
+    };
+    if against(entry.low)? == Some(Ordering::Less) {
+        return Err(Abort::TooLow);
+    }
+    if against(entry.high)? == Some(Ordering::Greater) { Err(Abort::TooHigh) } else { Ok(()) }
+}
+
+/// The order of a value and a limit; `None` for a value that is not a number.
+fn order(data_type: DataType, bytes: &[u8], limit: u64) -> Option<Ordering> {
+    let value = Value::from_bytes(bytes, data_type)?;
+    match (data_type.kind(), &value) {
+        (TypeKind::Real32, _) => value.as_real()?.partial_cmp(&f64::from(f32::from_bits(limit as u32))),
+        (TypeKind::Real64, _) => value.as_real()?.partial_cmp(&f64::from_bits(limit)),
+        (TypeKind::Signed(_), Value::Signed(value)) => Some(value.cmp(&limit.cast_signed())),
+        _ => Some(value.as_integer()?.cmp(&i128::from(limit))),
+    }
+}
+
+impl Dictionary for LiveDictionary {
+    fn attributes(&self, index: u16, sub: u8) -> Result<Attributes, Abort> {
+        let entry = &self.entries[self.find(index, sub)?];
+        Ok(Attributes {
+            size: entry.size,
+            data_type: entry.data_type.and_then(|data_type| u8::try_from(data_type.0).ok()).unwrap_or(0),
+            readable: entry.is_readable,
+            writable: entry.is_writable,
+            fits_tpdo: entry.fits_tpdo,
+            fits_rpdo: entry.fits_rpdo,
+        })
+    }
+
+    fn read(&mut self, index: u16, sub: u8, buffer: &mut [u8]) -> Result<usize, Abort> {
+        let at = self.find(index, sub)?;
+        if !self.entries[at].is_readable {
+            return Err(Abort::WriteOnly);
+        }
+        let (entry, value) = (&self.entries[at], &self.values[at]);
+        if entry.size == 0 && entry.data_type == Some(DataType::DOMAIN) {
+            return Err(Abort::NoData);
+        }
+        buffer.get_mut(..value.len()).ok_or(Abort::OutOfMemory)?.copy_from_slice(value);
+        Ok(value.len())
+    }
+
+    fn write(&mut self, index: u16, sub: u8, bytes: &[u8]) -> Result<(), Abort> {
+        let at = self.find(index, sub)?;
+        let entry = &self.entries[at];
+        if !entry.is_writable {
+            return Err(Abort::ReadOnly);
+        }
+        if entry.size == 0 && entry.data_type == Some(DataType::DOMAIN) {
+            return Err(Abort::CannotStore);
+        }
+        if matches!(index, 0x1010 | 0x1011) && sub > 0 {
+            return self.command(index, sub, bytes);
+        }
+        check(entry, bytes)?;
+        let mut value = bytes.to_vec();
+        if matches!(entry.data_type, Some(DataType::TIME_OF_DAY | DataType::TIME_DIFFERENCE)) {
+            value[3] &= 0x0F; // void bits
+        }
+        let is_new = self.values[at] != value;
+        self.values[at] = value;
+        if is_new && index != 0x1020 {
+            (1..=2).for_each(|sub| self.put(0x1020, sub, &[0; 4]));
+        }
+        self.written.push(index);
+        Ok(())
+    }
+}

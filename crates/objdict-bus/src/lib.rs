@@ -1,0 +1,23 @@
+//! Nodes and their manager on a simulated bus. Part of [objdict](https://docs.rs/objdict); depend on that crate instead.
+//!
+//! A [`Plant`] is a network of descriptions and of the objects of its manager. [`boot`] lets the manager boot it (CiA 302-2): real
+//! frames, arbitrated by CAN-ID and as long as the bit rate makes them, between an NMT master and nodes that are
+//! `objdict-device` over a [`LiveDictionary`]. What happens is a [`Run`], the same in every run.
+
+mod client;
+mod dictionary;
+mod frame;
+mod manager;
+mod node;
+mod run;
+mod simulation;
+
+pub use dictionary::{LiveDictionary, PowerOn};
+pub use frame::BusFrame;
+pub use manager::{BootFailure, Configurations, Milestone};
+pub use objdict_device::{Abort, Dictionary, NmtState};
+pub use run::{Cut, Event, EventKind, NodeRun, Run};
+pub use simulation::{Conditions, Plant, PlantNode, boot};
+
+use objdict_model::model;
+use objdict_node::download;

@@ -1,0 +1,241 @@
+//! The process "boot NMT slave" (CiA 302-2): step by step, each with what ends it.
+
+use objdict_device::{Abort, Frame, NmtState};
+
+use super::{
+    BootFailure, GUARDING, Manager, Monitor, PATIENCE, Progress, RESET_COMMUNICATION, RESET_NODE, Step,
+};
+use crate::node::{MILLISECOND, SimulatedNode, error_control};
+
+/// What 1011h takes.
+const LOAD: &[u8] = b"load";
+
+impl Manager {
+    /// Begins to boot a node.
+    pub(super) fn begin(&mut self, at: usize, own: &mut SimulatedNode, now: u64) {
+        let slave = &mut self.slaves[at];
+        (slave.monitor, slave.is_running, slave.accepted) = (Monitor::None, false, 0);
+        if slave.assignment.boots() {
+            self.read(at, Step::DeviceType, (0x1000, 0), own, now);
+        } else {
+            self.control(at, own, now);
+        }
+    }
+
+    /// A node is there.
+    pub(super) fn take_boot_up(&mut self, at: usize, own: &mut SimulatedNode, now: u64) {
+        match self.slaves[at].step {
+            Step::Idle | Step::BootUp(_) | Step::Retry(_) | Step::Finished => self.begin(at, own, now),
+            Step::State(_) => self.reset(at, own, now),
+            Step::Reset(_) => self.check_software(at, own, now),
+            Step::Restored(_) => self.configure(at, 0, own, now),
+            _ => {}
+        }
+    }
+
+    /// A node says in which state it is: by a heartbeat, or as it was asked.
+    pub(super) fn take_state(&mut self, at: usize, state: u8, own: &mut SimulatedNode, now: u64) {
+        let slave = &mut self.slaves[at];
+        slave.monitor = match slave.monitor {
+            Monitor::None => Monitor::None,
+            Monitor::Heartbeat(_) => Monitor::Heartbeat(now),
+            Monitor::Guarding(next, _) => Monitor::Guarding(next, 0),
+        };
+        match slave.step {
+            Step::State(_) if state & 0x7F == NmtState::Operational.code() => {
+                slave.is_running = true;
+                self.control(at, own, now);
+            }
+            Step::State(_) => self.reset(at, own, now),
+            Step::Monitor(_) => self.finish(at, None, own, now),
+            _ => {}
+        }
+    }
+
+    /// What a step waits for did not come.
+    pub(super) fn give_up_waiting(&mut self, at: usize, own: &mut SimulatedNode, now: u64) {
+        let slave = &self.slaves[at];
+        let failure = match slave.step {
+            Step::BootUp(_) | Step::Retry(_) => return self.begin(at, own, now),
+            Step::State(_) if slave.consumer_time != 0 => BootFailure::NoState(slave.consumer_time),
+            Step::State(_) => BootFailure::NoGuarding,
+            Step::Monitor(_) => BootFailure::NoHeartbeat(slave.consumer_time),
+            _ => BootFailure::NoRestart,
+        };
+        self.finish(at, Some(failure), own, now);
+    }
+
+    /// Goes on with a transfer.
+    pub(super) fn advance(&mut self, at: usize, progress: Progress, own: &mut SimulatedNode, now: u64) {
+        let result = match progress {
+            Progress::None => return,
+            Progress::Send(frame) => return own.send(now, frame),
+            Progress::Done(result) => result,
+            Progress::Aborted(frame, abort) => {
+                own.send(now, frame);
+                Err(abort)
+            }
+        };
+        self.conclude(at, result, own, now);
+    }
+
+    /// Goes on after a transfer.
+    fn conclude(&mut self, at: usize, result: Result<Vec<u8>, Abort>, own: &mut SimulatedNode, now: u64) {
+        let number = |result: Result<Vec<u8>, Abort>| {
+            result.map(|bytes| {
+                bytes.iter().take(4).rev().fold(0, |number, &byte| number << 8 | u32::from(byte))
+            })
+        };
+        match (self.slaves[at].step.clone(), result) {
+            (Step::DeviceType, Err(abort)) => self.miss(at, abort, own, now),
+            (Step::DeviceType, result) => self.compare(at, (0x1000, 0), number(result), own, now),
+            (Step::Identity(sub), result) => self.compare(at, (0x1018, sub), number(result), own, now),
+            (Step::Software, result) => {
+                let (expected, found) = (self.slaves[at].software, number(result));
+                if found == Ok(expected) {
+                    self.check_configuration(at, own, now);
+                } else {
+                    self.finish(at, Some(BootFailure::Software { expected, found }), own, now);
+                }
+            }
+            (Step::Verification(sub), result) => {
+                let is_kept = number(result) == Ok(self.slaves[at].configured_at[usize::from(sub == 2)]);
+                match (is_kept, sub) {
+                    (true, 1) => self.read(at, Step::Verification(2), (0x1020, 2), own, now),
+                    (true, _) => self.control(at, own, now),
+                    (false, _) => self.restore(at, own, now),
+                }
+            }
+            (Step::Restore, Ok(_)) => {
+                let (node_id, sub) = (self.slaves[at].node_id, self.slaves[at].restore);
+                let command = if sub == 2 { RESET_COMMUNICATION } else { RESET_NODE };
+                self.slaves[at].step = Step::Restored(now + PATIENCE);
+                self.command(command, node_id, own, now);
+            }
+            (Step::Restore, Err(abort)) => {
+                let failure = BootFailure::Restore(self.slaves[at].restore, abort);
+                self.finish(at, Some(failure), own, now);
+            }
+            (Step::Download(number), Ok(_)) => {
+                self.slaves[at].accepted = number + 1;
+                self.configure(at, number + 1, own, now);
+            }
+            (Step::Download(number), Err(abort)) => {
+                let download = self.slaves[at].downloads.iter().flatten().nth(number);
+                let (index, sub) = download.map_or((0, 0), |download| (download.index, download.sub));
+                let failure = BootFailure::Download { number: number + 1, index, sub, abort };
+                self.finish(at, Some(failure), own, now);
+            }
+            _ => {}
+        }
+    }
+
+    fn read(&mut self, at: usize, step: Step, (index, sub): (u16, u8), own: &mut SimulatedNode, now: u64) {
+        let slave = &mut self.slaves[at];
+        slave.step = step;
+        own.send(now, slave.client.upload(index, sub, now));
+    }
+
+    /// A node does not answer: it is asked again later, a mandatory one as long as 1F89h says.
+    fn miss(&mut self, at: usize, abort: Abort, own: &mut SimulatedNode, now: u64) {
+        let is_over = self.boot_time != 0 && now.saturating_sub(self.began) >= self.boot_time;
+        let slave = &mut self.slaves[at];
+        if slave.assignment.is_mandatory() && is_over {
+            return self.finish(at, Some(BootFailure::NoAnswer(abort)), own, now);
+        }
+        slave.failure = Some(BootFailure::NoAnswer(abort));
+        slave.step = Step::Retry(now + PATIENCE);
+    }
+
+    /// Compares an entry with what is expected; 0 is not compared.
+    fn compare(
+        &mut self,
+        at: usize,
+        (index, sub): (u16, u8),
+        found: Result<u32, Abort>,
+        own: &mut SimulatedNode,
+        now: u64,
+    ) {
+        let slave = &self.slaves[at];
+        let position = if index == 0x1000 { 0 } else { sub };
+        let expected = slave.expected[usize::from(position)];
+        if expected != 0 && found != Ok(expected) {
+            return self.finish(at, Some(BootFailure::Identity { index, sub, expected, found }), own, now);
+        }
+        match (position + 1..=4).find(|sub| slave.expected[usize::from(*sub)] != 0) {
+            Some(sub) => self.read(at, Step::Identity(sub), (0x1018, sub), own, now),
+            None if slave.assignment.is_kept_alive() => self.look(at, own, now),
+            None => self.check_software(at, own, now),
+        }
+    }
+
+    /// Looks whether a node that must not be reset is operational.
+    fn look(&mut self, at: usize, own: &mut SimulatedNode, now: u64) {
+        let slave = &mut self.slaves[at];
+        slave.step = match slave.consumer_time {
+            0 => {
+                own.queue_remote(error_control(slave.node_id), now);
+                Step::State(now + GUARDING)
+            }
+            time => Step::State(now + u64::from(time) * MILLISECOND),
+        };
+    }
+
+    fn reset(&mut self, at: usize, own: &mut SimulatedNode, now: u64) {
+        self.slaves[at].step = Step::Reset(now + PATIENCE);
+        self.command(RESET_COMMUNICATION, self.slaves[at].node_id, own, now);
+    }
+
+    fn check_software(&mut self, at: usize, own: &mut SimulatedNode, now: u64) {
+        let slave = &self.slaves[at];
+        match (slave.assignment.checks_software(), slave.software) {
+            (false, _) => self.check_configuration(at, own, now),
+            (true, 0) => self.finish(at, Some(BootFailure::NoSoftwareExpected), own, now),
+            (true, _) => self.read(at, Step::Software, (0x1F56, 1), own, now),
+        }
+    }
+
+    /// A node that has the configuration already is not configured again.
+    fn check_configuration(&mut self, at: usize, own: &mut SimulatedNode, now: u64) {
+        if self.slaves[at].configured_at.contains(&0) {
+            self.restore(at, own, now);
+        } else {
+            self.read(at, Step::Verification(1), (0x1020, 1), own, now);
+        }
+    }
+
+    fn restore(&mut self, at: usize, own: &mut SimulatedNode, now: u64) {
+        let slave = &mut self.slaves[at];
+        if !slave.assignment.restores() || slave.restore == 0 {
+            return self.configure(at, 0, own, now);
+        }
+        slave.step = Step::Restore;
+        let request = slave.client.download(0x1011, slave.restore, LOAD.to_vec(), now);
+        own.send(now, request);
+    }
+
+    /// Makes a download, counted from 0.
+    fn configure(&mut self, at: usize, number: usize, own: &mut SimulatedNode, now: u64) {
+        let slave = &mut self.slaves[at];
+        let download = match &slave.downloads {
+            Ok(downloads) => downloads.get(number).cloned(),
+            Err(reason) => {
+                let failure = BootFailure::Configuration(reason.clone());
+                return self.finish(at, Some(failure), own, now);
+            }
+        };
+        let Some(download) = download else { return self.control(at, own, now) };
+        slave.step = Step::Download(number);
+        let request: Frame = slave.client.download(download.index, download.sub, download.data, now);
+        own.send(now, request);
+    }
+
+    /// Starts the error control: waits for the first heartbeat, or begins to ask.
+    fn control(&mut self, at: usize, own: &mut SimulatedNode, now: u64) {
+        let slave = &mut self.slaves[at];
+        if slave.consumer_time == 0 {
+            return self.finish(at, None, own, now);
+        }
+        slave.step = Step::Monitor(now + u64::from(slave.consumer_time) * MILLISECOND);
+    }
+}

@@ -1,0 +1,138 @@
+//! What came of a simulated boot.
+
+use objdict_device::NmtState;
+
+use crate::frame::BusFrame;
+use crate::manager::Milestone;
+use crate::model::Device;
+use crate::node::MILLISECOND;
+
+/// What happened on the bus from the time when the manager was switched on. Times are in nanoseconds.
+#[derive(Clone, Debug)]
+pub struct Run {
+    /// In the order of time.
+    pub events: Vec<Event>,
+    /// The manager, then the other nodes by node-ID.
+    pub nodes: Vec<NodeRun>,
+    /// When the last node became operational that had to; `None` if one did not, or if the application has to start them.
+    pub operational: Option<u64>,
+    /// Whether starting the nodes is left to the application (1F80h): then they are booted when they are configured and monitored.
+    pub waits_for_application: bool,
+    /// When the simulation ended.
+    pub end: u64,
+    /// How long the bus was in use.
+    pub busy: u64,
+    /// How long the frame that waited longest at the end had waited for the bus.
+    pub waiting: u64,
+    /// Whether it ended before the boot was over, and by what.
+    pub cut: Option<Cut>,
+}
+
+/// A limit that ended a simulation.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Cut {
+    /// The simulated time was over.
+    Time,
+    /// There were too many frames.
+    Frames,
+}
+
+/// Something that happened.
+#[derive(Clone, Debug)]
+pub struct Event {
+    /// When: of a frame, when it was received.
+    pub time: u64,
+    /// What.
+    pub kind: EventKind,
+}
+
+/// The kinds of events. Nodes are known by their positions in [`Run::nodes`].
+#[derive(Clone, Debug, PartialEq, Eq)]
+#[non_exhaustive]
+pub enum EventKind {
+    /// A frame.
+    Frame {
+        /// Who sent it.
+        sender: usize,
+        /// The frame.
+        frame: BusFrame,
+    },
+    /// The manager found something out about a node.
+    Milestone {
+        /// The node.
+        node: usize,
+        /// What.
+        milestone: Milestone,
+    },
+    /// The NMT state of a node changed.
+    State {
+        /// The node.
+        node: usize,
+        /// The new state.
+        state: NmtState,
+    },
+    /// A second node sends data frames with a CAN-ID, which destroys frames of both on a real bus.
+    TwoSenders {
+        /// The CAN-ID.
+        id: u16,
+        /// Both nodes.
+        senders: [usize; 2],
+    },
+}
+
+/// What came of a node.
+#[derive(Clone, Debug)]
+pub struct NodeRun {
+    /// The name.
+    pub name: String,
+    /// The node-ID.
+    pub node_id: u8,
+    /// Whether it is the manager.
+    pub is_manager: bool,
+    /// Whether the manager must configure and start it.
+    pub must_boot: bool,
+    /// Its value of 1F81h in the manager; `None` if the manager does not manage it.
+    pub assignment: Option<u32>,
+    /// Its device with the values at the end; `None` for a node that is not on the bus.
+    pub device: Option<Device>,
+    /// Its NMT state at the end.
+    pub state: Option<NmtState>,
+    /// What the manager found out about it last.
+    pub milestone: Option<Milestone>,
+    /// When it was configured and monitored.
+    pub booted: Option<u64>,
+    /// Since when it is operational.
+    pub operational: Option<u64>,
+    /// The downloads that it accepted in its last boot.
+    pub downloads: usize,
+    /// The emergency messages that it sent.
+    pub emergencies: usize,
+}
+
+impl NodeRun {
+    /// Whether it is as it must be: operational, or booted if the application starts it.
+    pub(crate) fn has_arrived(&self, waits_for_application: bool) -> bool {
+        !self.must_boot || self.operational.is_some() || (waits_for_application && self.booted.is_some())
+    }
+}
+
+impl Run {
+    /// Whether each node became operational that had to, or is ready to be started by the application, and no two nodes share a CAN-ID.
+    pub fn is_booted(&self) -> bool {
+        let has_conflict = self.events.iter().any(|event| matches!(event.kind, EventKind::TwoSenders { .. }));
+        !has_conflict && self.nodes.iter().all(|node| node.has_arrived(self.waits_for_application))
+    }
+
+    /// Whether frames of low priority do not get through: one waited longer than any heartbeat.
+    pub const fn is_overloaded(&self) -> bool {
+        self.waiting >= 1000 * MILLISECOND
+    }
+
+    /// The frames with their times and senders.
+    pub fn frames(&self) -> impl Iterator<Item = (u64, usize, BusFrame)> + '_ {
+        self.events.iter().filter_map(|event| match event.kind {
+            EventKind::Frame { sender, frame } => Some((event.time, sender, frame)),
+            _ => None,
+        })
+    }
+}

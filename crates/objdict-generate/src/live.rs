@@ -1,0 +1,77 @@
+//! The entries of a device as the generated tables have them, for programs that serve a description without compiling it.
+
+use super::Options;
+use super::gaps;
+use super::resolve::{Datum, Resolver, Shape};
+use crate::model::{DataType, Device};
+
+/// An entry of a device on a node: what a row of a generated table holds.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct LiveEntry {
+    /// Index of the object.
+    pub index: u16,
+    /// Sub-index of the entry.
+    pub sub: u8,
+    /// The data type of its transfers; `None` for a device-specific type.
+    pub data_type: Option<DataType>,
+    /// The most bytes of a value, at the same time the least for all but texts, octets and DOMAINs; 0 for a DOMAIN without room.
+    pub size: usize,
+    /// Whether an SDO upload may read it.
+    pub is_readable: bool,
+    /// Whether an SDO download may write it.
+    pub is_writable: bool,
+    /// Whether TPDOs may map it.
+    pub fits_tpdo: bool,
+    /// Whether RPDOs may map it.
+    pub fits_rpdo: bool,
+    /// The value at power-on: the configured one, else the default, as an SDO transfers it.
+    pub value: Vec<u8>,
+    /// The lowest value: two's complement with sign, or the bits of a REAL.
+    pub low: Option<u64>,
+    /// The highest value, as [`LiveEntry::low`].
+    pub high: Option<u64>,
+}
+
+/// The entries of a device on a node in ascending order. What a table cannot have is left out; a value that cannot be
+/// represented is 0.
+pub fn live_entries(device: &Device, node_id: u8, options: &Options) -> Vec<LiveEntry> {
+    let (device, _) = gaps::filled(device);
+    let mut resolver = Resolver::new(&device, options);
+    let mut entries = Vec::new();
+    let is_there = |disabled: Option<bool>| disabled != Some(true);
+    for (&index, object) in &device.objects {
+        if !is_there(object.main.stack.as_ref().and_then(|stack| stack.disabled)) {
+            continue;
+        }
+        for (sub, entry) in object.entries() {
+            let Some(resolved) = resolver.entry(object, index, sub, &entry) else { continue };
+            let word = |datum: &Datum| match datum {
+                Datum::Word(word) => *word,
+                Datum::Formula(offset) => offset.wrapping_add(node_id.into()),
+                Datum::Bytes(_) => 0,
+            };
+            let size = resolved.shape.size();
+            let value = match &resolved.default {
+                Datum::Bytes(bytes) => bytes.clone(),
+                number => word(number).to_le_bytes().into_iter().take(size).collect(),
+            };
+            entries.push(LiveEntry {
+                index,
+                sub,
+                data_type: match resolved.shape {
+                    Shape::Word(data_type) | Shape::Bytes(data_type, _) => Some(data_type),
+                    Shape::Block(_) => None,
+                },
+                size,
+                is_readable: resolved.access.is_readable(),
+                is_writable: resolved.access.is_writable(),
+                fits_tpdo: resolved.tpdo,
+                fits_rpdo: resolved.rpdo,
+                value,
+                low: resolved.low.as_ref().map(word),
+                high: resolved.high.as_ref().map(word),
+            });
+        }
+    }
+    entries
+}

@@ -1,0 +1,209 @@
+//! Built networks boot, and files that were changed since do not.
+
+use std::collections::BTreeSet;
+
+use objdict::bus::{BootFailure, Conditions, Milestone, NodeRun, Run, boot};
+use objdict::diagnostic::Findings;
+use objdict::format::network::{BootFiles, BuiltFile, InstallError, Installation, NetworkFile, install};
+use objdict::model::{Device, PdoKind};
+use objdict::network::{LelyOptions, Manner, compile};
+use objdict::source::SourceFile;
+
+use crate::network::{open, path};
+
+/// The networks of the fixtures.
+const NETWORKS: [&str; 4] = ["chapter4.toml", "cell.yml", "worked.yml", "wider.yml"];
+
+fn run(installation: &Installation) -> Run {
+    boot(&installation.plant, &Conditions::default())
+}
+
+/// The DCFs of chapter 4.
+fn dcfs() -> Vec<BuiltFile> {
+    open("chapter4.toml").build(Manner::Repaired).unwrap().dcfs().unwrap()
+}
+
+/// Replaces a text in a file; it must be there.
+fn replace(files: &mut [BuiltFile], name: &str, from: &str, to: &str) {
+    let file = files.iter_mut().find(|file| file.name == name).unwrap();
+    let text = String::from_utf8(file.bytes.clone()).unwrap();
+    assert!(text.contains(from), "{name} has no `{from}`");
+    file.bytes = text.replacen(from, to, 1).into_bytes();
+}
+
+fn node<'r>(run: &'r Run, name: &str) -> &'r NodeRun {
+    run.nodes.iter().find(|node| node.name == name).unwrap()
+}
+
+fn failure<'r>(run: &'r Run, name: &str) -> &'r BootFailure {
+    match &node(run, name).milestone {
+        Some(Milestone::Failed(failure)) => failure,
+        milestone => panic!("{name}: {milestone:?}"),
+    }
+}
+
+/// The entries that RPDOs write while the network runs.
+fn received(device: &Device) -> BTreeSet<(u16, u8)> {
+    let rpdos = device.pdos().filter(|pdo| pdo.kind == PdoKind::Rpdo);
+    rpdos.flat_map(|pdo| pdo.mapped().map(|object| (object.index, object.sub)).collect::<Vec<_>>()).collect()
+}
+
+/// Where a node differs from the dictionary that everything else is computed from.
+fn differences(node: &NodeRun, effective: &Device) -> Vec<String> {
+    let device = node.device.as_ref().unwrap();
+    let received = received(effective);
+    let mut differences = Vec::new();
+    for (&index, object) in &effective.objects {
+        for (sub, entry) in object.entries() {
+            let (Some(wanted), true) =
+                (entry.value(), entry.access.is_some_and(|access| access.is_writable()))
+            else {
+                continue;
+            };
+            let number = |value: &objdict::model::Value| value.integer_for(node.node_id);
+            let found = device.entry(index, sub).and_then(|entry| entry.value().and_then(number));
+            if number(wanted).is_some() && found != number(wanted) && !received.contains(&(index, sub)) {
+                differences
+                    .push(format!("{}: {index:04X}:{sub:02X} is {found:?} in place of {wanted}", node.name));
+            }
+        }
+    }
+    differences
+}
+
+#[test]
+fn the_fixtures_boot_and_have_their_effective_values() {
+    for name in NETWORKS {
+        let file = open(name);
+        let network = file.network.as_ref().unwrap();
+        let compiled = compile(network, Manner::Repaired, &mut Findings::new());
+        for files in [BootFiles::Dcf, BootFiles::Lely] {
+            let installation = file.install(files).unwrap();
+            assert!(installation.notes.is_empty(), "{name}: {:?}", installation.notes);
+            let run = run(&installation);
+            assert!(run.is_booted(), "{name}, {files:?}");
+            for slave in compiled.slaves.iter().filter(|slave| network.nodes[slave.node].boot.boot) {
+                let node = run.nodes.iter().find(|node| node.node_id == slave.node_id).unwrap();
+                assert_eq!(differences(node, &slave.device), Vec::<String>::new(), "{name}, {files:?}");
+            }
+        }
+    }
+}
+
+#[test]
+fn a_folder_boots_without_the_network_file() {
+    let installation = install(&dcfs(), None).unwrap();
+    let run = run(&installation);
+    assert!(run.is_booted());
+    let names: Vec<&str> = run.nodes.iter().map(|node| node.name.as_str()).collect();
+    assert_eq!(names, ["plc", "left", "right", "middle", "tool"]);
+    assert!(run.nodes[..4].iter().all(|node| node.operational.is_some()));
+    assert!(!node(&run, "tool").must_boot);
+}
+
+#[test]
+fn a_missing_node_is_named() {
+    let mut files = dcfs();
+    files.retain(|file| file.name != "right.dcf");
+    let run = run(&install(&files, None).unwrap());
+    let missing = node(&run, "node 12");
+    assert!(!run.is_booted() && missing.state.is_none() && missing.must_boot);
+    assert!(node(&run, "left").operational.is_some());
+}
+
+#[test]
+fn another_device_is_not_configured() {
+    let mut files = dcfs();
+    replace(
+        &mut files,
+        "left.dcf",
+        "ParameterName=Product code\r\nObjectType=0x7\r\nDataType=0x0007\r\nAccessType=ro\r\nDefaultValue=0x0000000B",
+        "ParameterName=Product code\r\nObjectType=0x7\r\nDataType=0x0007\r\nAccessType=ro\r\nDefaultValue=0x0000000C",
+    );
+    let run = run(&install(&files, None).unwrap());
+    assert_eq!(failure(&run, "left").status(), 'M');
+    assert_eq!(node(&run, "left").downloads, 0);
+}
+
+#[test]
+fn a_refused_write_is_named() {
+    let mut files = dcfs();
+    let entry = "ParameterName=Producer heartbeat time\r\nObjectType=0x7\r\nDataType=0x0006\r\nAccessType=";
+    replace(&mut files, "right.dcf", &format!("{entry}rw"), &format!("{entry}ro"));
+    let run = run(&install(&files, None).unwrap());
+    let words = "refuses download 1, 1017:00: SDO abort 06010002h: attempt to write a read-only entry";
+    assert_eq!(failure(&run, "right").to_string(), words);
+}
+
+#[test]
+fn a_node_with_another_bit_rate_is_not_on_the_bus() {
+    let mut files = dcfs();
+    replace(&mut files, "middle.dcf", "Baudrate=125", "Baudrate=250");
+    let installation = install(&files, None).unwrap();
+    assert_eq!(installation.notes, ["`middle` is set to 250 kbit/s and the bus to 125, so it is left out"]);
+    assert!(!run(&installation).is_booted());
+}
+
+#[test]
+fn a_manager_without_boot_data_boots_nothing() {
+    let mut files = dcfs();
+    let file = files.iter_mut().find(|file| file.name == "plc.dcf").unwrap();
+    file.bytes = String::from_utf8(file.bytes.clone()).unwrap().replace("1F81", "1FFF").into_bytes();
+    let run = run(&install(&files, None).unwrap());
+    assert!(!run.is_booted() && node(&run, "left").assignment.is_none());
+}
+
+#[test]
+fn files_without_a_manager_or_with_two_do_not_boot() {
+    let mut files = dcfs();
+    replace(&mut files, "left.dcf", "CANopenManager=0", "CANopenManager=1");
+    assert!(matches!(install(&files, None), Err(InstallError::Managers(..))));
+    files.retain(|file| file.name == "right.dcf");
+    let error = install(&files, None).unwrap_err();
+    assert!(matches!(error, InstallError::NoManager) && error.help().is_some());
+    let mut twice = dcfs();
+    replace(&mut twice, "right.dcf", "NodeID=12", "NodeID=11");
+    assert!(matches!(install(&twice, None), Err(InstallError::NodeIds(_, _, 11))));
+}
+
+#[test]
+fn the_files_of_lely_boot_with_the_nodes_of_the_network() {
+    let file = open("worked.yml");
+    let mut files = file.build(Manner::Repaired).unwrap().lely(&LelyOptions::default()).unwrap();
+    assert!(run(&install(&files, Some(&file)).unwrap()).is_booted());
+    files.retain(|file| file.name != "drive.bin");
+    let run = run(&install(&files, Some(&file)).unwrap());
+    let words = "has no valid configuration: `drive.bin` (1F22h) is missing";
+    assert_eq!(failure(&run, "drive").to_string(), words);
+}
+
+/// What `network check` reports, the bus shows: the file is built despite its errors.
+#[test]
+fn two_senders_of_a_can_id_are_found() {
+    let text = "[bus]\nbit-rate = 125\nsync = \"33ms\"\n[manager]\nid = 1\n\
+        [node.left]\nfile = \"island.eds\"\nid = 11\nset = { \"1800:2\" = 1 }\n\
+        [node.right]\nfile = \"island.eds\"\nid = 12\nset = { \"1800:1\" = 0x18B, \"1800:2\" = 1 }\n";
+    let source = SourceFile::from_text("network.toml", text);
+    let folder = path("chapter4.toml").parent().unwrap().to_owned();
+    let file = NetworkFile::read(source, folder, &std::collections::BTreeMap::new());
+    let run = run(&file.install(BootFiles::Dcf).unwrap());
+    assert!(!run.is_booted() && run.operational.is_some());
+}
+
+#[test]
+fn corrupted_files_boot_or_say_why_not() {
+    let files = dcfs();
+    for (number, text) in ["0x", "=", "1F22", "\n", "[", "9"].iter().enumerate() {
+        for name in ["plc.dcf", "left.dcf"] {
+            let mut files = files.clone();
+            let file = files.iter_mut().find(|file| file.name == name).unwrap();
+            let corrupted =
+                String::from_utf8(file.bytes.clone()).unwrap().replace(text, ["", "FF", "]"][number % 3]);
+            file.bytes = corrupted.into_bytes();
+            match install(&files, None) {
+                Ok(installation) => assert!(run(&installation).end > 0),
+                Err(error) => assert!(!error.to_string().is_empty()),
+            }
+        }
+    }
+}
