@@ -205,7 +205,7 @@ impl Reader<'_, '_> {
         nodes.filter_map(|entry| self.node_with_type(entry, types)).collect()
     }
 
-    /// A node; what is wrong with its type is reported for the first node that uses it.
+    /// A node; problems of its type are reported for the first node that uses it.
     fn node_with_type(&mut self, entry: &Entry, types: &[Entry]) -> Option<Node> {
         let mut found = Findings::new();
         let entry = with_type(entry, types, &mut found);
