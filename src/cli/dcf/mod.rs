@@ -11,7 +11,7 @@ use std::path::Path;
 pub(super) use self::diff::differences;
 use super::annotation::Described;
 use super::args::{DcfCommand, ExpandArgs, NamingArgs};
-use super::input::{Input, InputArgs, name_of};
+use super::input::{Input, InputArgs, name_of, source_name};
 use super::output::Output;
 use super::save::{is_stdout, save};
 use super::{Failure, Outcome};
@@ -33,7 +33,7 @@ pub(super) fn run(command: &DcfCommand, out: &mut Output) -> Result<Outcome, Fai
 
 /// A stream in any of its spellings.
 fn stream(path: &Path, input: &InputArgs, node_id: Option<u8>) -> Result<ConciseDcf, Failure> {
-    stream_of(&name_of(path), input.size.read(path)?, input, node_id)
+    stream_of(&source_name(path), input.size.read(path)?, input, node_id)
 }
 
 /// The bytes of a file that has only hex digits, when its format is not given.
@@ -55,13 +55,13 @@ fn stream_of(
     let reading = Reading { node_id, ..input.reading() };
     let resembles = input.from.is_some() || resembles_stream(&bytes);
     let kind = match reading.recognised(name, bytes.clone()) {
-        Ok((FileKind::Cdcf, _)) if !resembles => return Err(unknown(name, identify(name, &bytes))),
+        Ok((FileKind::Cdcf, _)) if !resembles => return Err(unknown(name, &identify(name, &bytes))),
         Ok((kind, _)) => kind,
         // the errors of a stream are worth a report
         Err(ReadError::Foreign { found, .. }) if found.kind == ContentKind::Unknown && resembles => {
             FileKind::Cdcf
         }
-        Err(ReadError::Foreign { found, .. }) => return Err(unknown(name, *found)),
+        Err(ReadError::Foreign { found, .. }) => return Err(unknown(name, &found)),
         Err(error) => return Err(error.into()),
     };
     match (Reading { from: Some(kind), ..reading }).read(name, bytes)? {
@@ -77,13 +77,12 @@ fn stream_of(
 }
 
 /// A file that is no concise DCF in any spelling, with what it is.
-fn unknown(name: &str, found: Identification) -> Failure {
+fn unknown(name: &str, found: &Identification) -> Failure {
     let help = match found.kind {
         ContentKind::Unknown => Some("read it as a stream nevertheless with `--from cdcf`"),
         _ => found.advice(),
     };
-    let failure = Failure::new(format_args!("`{name}` {}", found.verdict()));
-    help.into_iter().fold(failure, Failure::help)
+    Failure::new(format_args!("`{name}` {}", found.verdict())).maybe_help(help)
 }
 
 /// Whether bytes begin as a stream does: with a count that a node can have, and the index of an object.
@@ -98,7 +97,7 @@ fn resembles_stream(bytes: &[u8]) -> bool {
 fn device(path: &Path, input: &InputArgs, expand: &ExpandArgs) -> Result<Device, Failure> {
     // `--from` is about the stream
     let reading = Reading { from: None, ..input.reading() };
-    let name = name_of(path);
+    let name = source_name(path);
     let device = match reading.read_one(&name, input.size.read(path)?)? {
         (_, Input::Description(description)) => description.device().clone(),
         (_, Input::Device(device)) => *device,
@@ -129,9 +128,9 @@ fn deliver(path: Option<&Path>, bytes: &[u8], what: &str, out: &mut Output) -> R
     match path.filter(|path| !is_stdout(path)) {
         Some(path) => {
             save(path, bytes)?;
-            writeln!(out, "{}: {what}", path.display())?;
+            out.summary(format_args!("{}: {what}", name_of(path)))?;
         }
-        None => out.write_all(bytes)?,
+        None => out.raw()?.write_all(bytes)?,
     }
     Ok(())
 }
