@@ -88,7 +88,7 @@ impl Baseline {
                 let line = Line { file, rule, fingerprint: fingerprint.to_string(), message };
                 text.push_str(separator);
                 // a struct of texts is always JSON
-                text.push_str(&serde_json::to_string(&line).unwrap_or_default());
+                text.push_str(&crate::json::text(&line).unwrap_or_default());
                 separator = ",\n";
             }
         }

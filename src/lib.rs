@@ -204,6 +204,8 @@ pub mod config;
 #[cfg(feature = "lint")]
 mod fix;
 pub mod format;
+#[cfg(feature = "json")]
+mod json;
 #[cfg(any(feature = "rust", feature = "c", feature = "stacks", feature = "template"))]
 mod pipeline;
 pub mod registry;

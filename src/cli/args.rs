@@ -61,7 +61,7 @@ pub(super) struct TerminalArgs {
     /// When to use colours
     #[arg(long, global = true, value_enum, default_value = "auto", value_name = "WHEN", display_order = 900)]
     pub color: Color,
-    /// Write no notes, summaries and progress to the standard error
+    /// Write no notes, summaries and progress
     #[arg(short, long, global = true, conflicts_with = "verbose", display_order = 901)]
     pub quiet: bool,
     /// Write the name of each file that is read to the standard error

@@ -5,6 +5,7 @@ use std::path::{Path, PathBuf};
 
 use clap::Args;
 
+use super::input::name_of;
 use super::save::{keep, save};
 use super::{Failure, note};
 use crate::baseline::{Baseline, MAX_SIZE, folder_of, name_in};
@@ -83,7 +84,7 @@ impl Known {
                     let (entries, are) = if fixed == 1 { ("entry", "is") } else { ("entries", "are") };
                     note(&format!(
                         "note: {fixed} {entries} of the baseline `{path}` {are} no longer found\n  help: write it again: `--write-baseline {path}`\n",
-                        path = path.display()
+                        path = name_of(&path)
                     ));
                 }
             }
@@ -92,7 +93,7 @@ impl Known {
                 let files = baseline.files().filter(|(_, count)| *count > 0).count();
                 note(&format!(
                     "note: the baseline `{}` has {} in {}\n",
-                    path.display(),
+                    name_of(&path),
                     counted(baseline.len(), "finding", "findings"),
                     plural(files, "file")
                 ));
@@ -104,8 +105,8 @@ impl Known {
 
 fn read(path: &Path) -> Result<Baseline, Failure> {
     keep(path);
-    let help = || format!("`--write-baseline {}` writes it", path.display());
+    let help = || format!("`--write-baseline {}` writes it", name_of(path));
     let text = read_text(path, MAX_SIZE).map_err(|error| Failure::new(error).help(help()))?;
-    let invalid = |error| Failure::new(format_args!("`{}` {error}", path.display())).help(help() + " anew");
+    let invalid = |error| Failure::new(format_args!("`{}` {error}", name_of(path))).help(help() + " anew");
     Baseline::read(&text).map_err(invalid)
 }

@@ -7,7 +7,7 @@ use super::args::{CheckArgs, ReportArgs, ReportFormat};
 use super::baseline::{BaselineArgs, Known};
 use super::files::{File, gather};
 use super::fix::{Amended, FixArgs, Fixing, amend};
-use super::input::Candidate;
+use super::input::{Candidate, name_of};
 use super::output::Output;
 use super::parallel::in_order;
 use super::progress::give_way;
@@ -167,7 +167,7 @@ impl Worker<'_> {
                 },
                 Some((description, amended)) => (description, amended, None),
                 None => {
-                    let message = format_args!("cannot fix `{}`", file.path.display());
+                    let message = format_args!("cannot fix `{}`", name_of(&file.path));
                     return Checked::Failed(Failure::new(message));
                 }
             },

@@ -7,7 +7,7 @@ use std::path::Path;
 use objdict_node::ObjectName;
 
 use super::args::ConfigureArgs;
-use super::input::{Input, name_of};
+use super::input::{Input, name_of, source_name};
 use super::node::{commissioning, former_node_id};
 use super::output::Output;
 use super::save::{keep, save, save_in_place};
@@ -18,7 +18,7 @@ use crate::configure::{
 };
 use crate::coupler::flatten;
 use crate::diagnostic::{At, Diagnostic, Severity};
-use crate::format::{self, Description, Format, NodeSettings, WriteOptions};
+use crate::format::{self, Description, Format, NodeSettings, WriteOptions, stated_name};
 use crate::lint::{self, Options};
 use crate::model::{Assignment, Commissioning, Device, DeviceKind, Part};
 use crate::report::plural;
@@ -85,24 +85,23 @@ pub(super) fn run(args: &ConfigureArgs, out: &mut Output) -> Result<Outcome, Fai
             };
             let more = also(args.modules.len(), "module") + &also(downloads.len(), "download");
             let node_id = node.node_id.unwrap_or_default();
-            let line = format!("{}: node {node_id}, {count}{more}", path.display());
-            writeln!(out, "{}", super::shown(&line))?;
+            out.summary(format_args!("{}: node {node_id}, {count}{more}", name_of(path)))?;
         }
-        None => out.write_all(&configured.bytes)?,
+        None => out.raw()?.write_all(&configured.bytes)?,
     }
     Ok(Outcome::Clean)
 }
 
 /// The description that is configured; a device as JSON is one that is written as an EDS first.
 fn description(args: &ConfigureArgs) -> Result<Description, Failure> {
-    match args.reading().read_one(&name_of(&args.file), args.size.read(&args.file)?)? {
+    match args.reading().read_one(&source_name(&args.file), args.size.read(&args.file)?)? {
         (_, Input::Description(description)) => Ok(*description),
         (_, Input::Device(device)) => {
             let options = WriteOptions { embed: true, ..WriteOptions::default() };
             let kind = if device.kind == DeviceKind::Node { Format::Dcf } else { Format::Eds };
             let bytes = format::write(&device, kind, &options).map_err(Failure::new)?.bytes;
             let text = String::from_utf8_lossy(&bytes).into_owned();
-            let source = crate::source::SourceFile::from_text(name_of(&args.file), text);
+            let source = crate::source::SourceFile::from_text(source_name(&args.file), text);
             Ok(format::read(source, kind))
         }
         (kind, _) => {
@@ -118,10 +117,10 @@ fn settings_file(args: &ConfigureArgs) -> Result<SettingsFile, Failure> {
     keep(path);
     let text = read_text(path, MAX_TOML_SIZE).map_err(Failure::new)?;
     let file = SettingsFile::parse(&text)
-        .map_err(|error| Failure::new(format_args!("`{}`: {error}", path.display())))?;
+        .map_err(|error| Failure::new(format_args!("`{}`: {error}", name_of(path))))?;
     match file.node_id.filter(|node_id| !(1..=127).contains(node_id)) {
         Some(node_id) => {
-            Err(Failure::new(format_args!("`{}`: `{node_id}` is not a valid node-ID", path.display()))
+            Err(Failure::new(format_args!("`{}`: `{node_id}` is not a valid node-ID", name_of(path)))
                 .help("a node-ID is a number from 1 to 127"))
         }
         None => Ok(file),
@@ -181,18 +180,18 @@ fn settings(args: &ConfigureArgs, file: &SettingsFile) -> Vec<Setting> {
 fn plugged(device: &Device, modules: &[u16]) -> Result<Device, Failure> {
     flatten(device, modules).map_err(|problems| {
         let problems: Vec<String> = problems.iter().map(ToString::to_string).collect();
-        Failure::new(problems.join("\n")).help("`objdict modules` lists the modules")
+        Failure::of_lines(problems).help("`objdict modules` lists the modules")
     })
 }
 
 /// The name that the description states of itself.
 fn file_name(args: &ConfigureArgs, kind: &str) -> String {
-    let name = |path: &Path| path.file_name().map(|name| name.to_string_lossy().into_owned());
+    let name = |path: &Path| path.file_name().map(|name| stated_name(&name.to_string_lossy()));
     let ending = kind.to_ascii_lowercase();
     args.output().and_then(name).unwrap_or_else(|| {
         let stem = args.file.file_stem().filter(|_| args.file != Path::new("-")).unwrap_or_default();
         let stem = if stem.is_empty() { Cow::Borrowed("device") } else { stem.to_string_lossy() };
-        format!("{stem}.{ending}")
+        stated_name(&format!("{stem}.{ending}"))
     })
 }
 

@@ -6,6 +6,7 @@ use std::sync::Arc;
 
 use ignore::WalkBuilder;
 
+use super::input::name_of;
 use super::settings::{Project, Settings};
 use super::{Failure, detail};
 
@@ -53,7 +54,7 @@ impl Gathered<'_, '_> {
             let before = self.files.len();
             self.walk(argument)?;
             if self.files.len() == before {
-                self.nothing_in(format_args!("there is no description in `{}`", argument.display()));
+                self.nothing_in(format_args!("there is no description in `{}`", name_of(argument)));
             }
         } else if is_pattern(argument) && !argument.exists() {
             self.expand(argument)?;
@@ -83,7 +84,7 @@ impl Gathered<'_, '_> {
 
     /// The files that a pattern matches, whatever their ending, and the descriptions in the folders that it matches.
     fn expand(&mut self, pattern: &Path) -> Result<(), Failure> {
-        let shown = pattern.display();
+        let shown = name_of(pattern);
         let matches = match glob::glob(&pattern.to_string_lossy()) {
             Ok(matches) => matches,
             Err(error) => {
@@ -98,7 +99,7 @@ impl Gathered<'_, '_> {
                 Ok(path) if path.is_dir() => self.walk(&path)?,
                 Ok(path) if path.is_file() => self.push(path, false)?,
                 Ok(path) => {
-                    let message = format_args!("`{}` is a pipe or a device, not a file", path.display());
+                    let message = format_args!("`{}` is a pipe or a device, not a file", name_of(&path));
                     self.failures.push(Failure::new(message).help("name it to read it"));
                 }
                 Err(error) => self.failures.push(Failure::new(error)),

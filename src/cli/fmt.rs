@@ -5,7 +5,7 @@ use std::path::Path;
 
 use super::args::FmtArgs;
 use super::files::{File, gather};
-use super::input::Candidate;
+use super::input::{Candidate, name_of};
 use super::output::Output;
 use super::parallel::in_order;
 use super::progress::give_way;
@@ -146,10 +146,10 @@ fn write(args: &FmtArgs, arranged: &Arranged, is_changed: bool, out: &mut Output
         }
     } else if args.check {
         if is_changed {
-            writeln!(out, "{}", arranged.file.display())?;
+            writeln!(out, "{}", name_of(&arranged.file))?;
         }
     } else if is_stdin {
-        out.write_all(&arranged.bytes)?;
+        out.raw()?.write_all(&arranged.bytes)?;
     } else if is_changed {
         let _: Saved = save_in_place(&arranged.file, &arranged.bytes)?;
     }

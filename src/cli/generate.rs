@@ -5,14 +5,14 @@ use std::io::Write;
 use std::path::{Path, PathBuf};
 
 use super::args::{GenerateArgs, SizeFormat};
-use super::input::name_of;
+use super::input::{name_of, source_name};
 use super::output::Output;
 use super::progress::Progress;
 use super::save::{Folder, Saved, keep, require_other, save, save_in_place};
 use super::sizes;
 use super::table::Table;
-use super::{Failure, Outcome, note, tell};
-use crate::diagnostic::Severity;
+use super::{Failure, Outcome, is_quiet, note, tell};
+use crate::diagnostic::{Severity, one_line};
 use crate::format::ReadError;
 use crate::format::input::Input;
 use crate::generate::Target;
@@ -30,7 +30,7 @@ pub(super) fn run(args: &GenerateArgs, out: &mut Output) -> Result<Outcome, Fail
     let mut files: Vec<PathBuf> =
         Some(args.file.clone()).into_iter().filter(|file| file != Path::new("-")).collect();
     let progress = Progress::new("generating", 1);
-    let produced = request.judge(&name_of(&args.file), bytes, &mut files).and_then(|judged| {
+    let produced = request.judge(&source_name(&args.file), bytes, &mut files).and_then(|judged| {
         let generation = request.produce(&judged, &mut files)?;
         Ok((judged, generation))
     });
@@ -61,7 +61,7 @@ pub(super) fn run(args: &GenerateArgs, out: &mut Output) -> Result<Outcome, Fail
 
 /// Adds the objects to the file that CANopenNode does not compile or start without.
 fn supply(args: &GenerateArgs, request: &Request, bytes: Vec<u8>) -> Result<Vec<u8>, Failure> {
-    let name = name_of(&args.file);
+    let name = source_name(&args.file);
     let refuse = |help: &str| Failure::new(format_args!("no objects can be added to `{name}`")).help(help);
     if !request.targets.iter().any(|target| target.name() == "canopennode") {
         return Err(refuse("`--add-missing` is for the target `canopennode`"));
@@ -82,7 +82,7 @@ fn supply(args: &GenerateArgs, request: &Request, bytes: Vec<u8>) -> Result<Vec<
     let added = missing.iter().map(|index| format!("{index:04X}h")).collect::<Vec<_>>().join(", ");
     let bytes = description.with_objects(&complete).ok_or_else(|| refuse(&format!("describe {added}")))?;
     save_in_place(&args.file, &bytes)?;
-    note(&format!("note: added {added} to `{name}`\n"));
+    note(&format!("note: added {added} to `{}`\n", one_line(&name)));
     Ok(bytes)
 }
 
@@ -102,15 +102,17 @@ fn write(
                 Saved::Unchanged => "unchanged",
             };
             let size = format!("{} bytes", file.contents.len());
-            table.row([format!("  {}", target.name()), path.display().to_string(), size, saved.to_owned()]);
+            table.row([format!("  {}", target.name()), name_of(&path), size, saved.to_owned()]);
         }
     }
     folder.finish()?;
     if args.report.is_some() && args.format == SizeFormat::Json {
-        sizes::write_json(&generation.sizes, out)?;
+        sizes::write_json(&generation.sizes, &mut out.raw()?)?;
     } else {
-        writeln!(out, "{}: {}", name_of(&args.file), facts(judged, generation))?;
-        table.write(out)?;
+        out.summary(format_args!("{}: {}", name_of(&args.file), facts(judged, generation)))?;
+        if !is_quiet() {
+            table.write(out)?;
+        }
         if args.report.is_some() {
             sizes::write_tables(&generation.sizes, out)?;
         }
@@ -130,7 +132,7 @@ fn admit(args: &GenerateArgs, generation: &Generation, read: &[PathBuf]) -> Resu
 
 fn list(args: &GenerateArgs, generation: &Generation, out: &mut Output) -> Result<(), Failure> {
     for file in generation.outputs.iter().flat_map(|(_, generated)| &generated.files) {
-        writeln!(out, "{}", args.output.join(&file.path).display())?;
+        writeln!(out, "{}", name_of(&args.output.join(&file.path)))?;
     }
     Ok(())
 }
@@ -148,7 +150,7 @@ fn stamp(args: &GenerateArgs, files: &[PathBuf]) -> Result<(), Failure> {
     let folder = stamp.parent().unwrap_or(Path::new(""));
     fs::create_dir_all(folder)
         .and_then(|()| fs::write(stamp, "done\n"))
-        .map_err(|error| Failure::new(format_args!("cannot write `{}`: {error}", stamp.display())))
+        .map_err(|error| Failure::new(format_args!("cannot write `{}`: {error}", name_of(stamp))))
 }
 
 /// What the arguments ask for.
@@ -182,14 +184,14 @@ fn refused(error: Error) -> Result<Outcome, Failure> {
         }
         Error::Profile(error) => Err(error.into()),
         error @ Error::TooLarge { .. } => {
-            Failure { help: error.help(), ..Failure::new(error) }.print();
+            Failure::new(&error).maybe_help(error.help()).print();
             Ok(Outcome::Findings)
         }
         error => {
             if let Some(report) = error.report() {
                 tell(&report);
             }
-            Err(Failure { help: error.help(), ..Failure::new(error) })
+            Err(Failure::new(&error).maybe_help(error.help()))
         }
     }
 }

@@ -6,10 +6,12 @@ use std::path::Path;
 use serde::Serialize;
 
 use super::args::{AnswerFormat, IdentifyArgs};
-use super::input::name_of;
+use super::input::{name_of, source_name};
 use super::output::Output;
 use super::{Failure, Outcome};
+use crate::diagnostic::one_line;
 use crate::format::identify::{Identification, identify};
+use crate::json;
 
 /// The version of the JSON document. It changes when a field is removed or means something else.
 const VERSION: u32 = 1;
@@ -33,7 +35,7 @@ pub(super) fn run(args: &IdentifyArgs, out: &mut Output) -> Result<Outcome, Fail
     }
     for path in &args.files {
         let found = match args.size.read(path) {
-            Ok(bytes) => identify(&name_of(path), &bytes),
+            Ok(bytes) => identify(&source_name(path), &bytes),
             Err(failure) => {
                 failure.print();
                 outcome = Outcome::Failed;
@@ -47,7 +49,7 @@ pub(super) fn run(args: &IdentifyArgs, out: &mut Output) -> Result<Outcome, Fail
             AnswerFormat::Text => text(path, &found, out)?,
             AnswerFormat::Json => {
                 out.write_all(if rows == 0 { b"\n" } else { b",\n" })?;
-                json(path, &found, out)?;
+                write_row(path, &found, out)?;
             }
         }
         rows += 1;
@@ -59,18 +61,18 @@ pub(super) fn run(args: &IdentifyArgs, out: &mut Output) -> Result<Outcome, Fail
 }
 
 fn text(path: &Path, found: &Identification, out: &mut Output) -> Result<(), Failure> {
-    writeln!(out, "{}", super::shown(&format!("{}: {found}", name_of(path)).replace('\n', "\u{FFFD}")))?;
+    writeln!(out, "{}: {}", name_of(path), one_line(&found.to_string()))?;
     if let Some(advice) = found.advice().filter(|_| !found.kind.is_canopen()) {
         writeln!(out, "  help: {advice}")?;
     }
     Ok(())
 }
 
-fn json(path: &Path, found: &Identification, out: &mut Output) -> Result<(), Failure> {
-    let file = name_of(path);
+fn write_row(path: &Path, found: &Identification, out: &mut Output) -> Result<(), Failure> {
+    let file = source_name(path);
     let is_canopen = found.kind.is_canopen();
     let advice = found.advice().filter(|_| !is_canopen);
     let row = Row { file: &file, found, name: found.kind.name(), is_canopen, advice };
-    serde_json::to_writer(&mut *out, &row).map_err(std::io::Error::from)?;
+    json::write(&mut out.raw()?, &row)?;
     Ok(())
 }

@@ -8,6 +8,7 @@ use clap::Args;
 
 use super::save::keep;
 use super::{Failure, detail};
+use crate::diagnostic::one_line;
 use crate::format::identify::ContentKind;
 use crate::format::input::{DEFAULT_MAX_ENTRIES, Reading};
 pub(super) use crate::format::input::{FileKind, Input};
@@ -73,24 +74,24 @@ impl InputArgs {
     /// What is in a file, and as what kind it was read; `-` is the standard input.
     pub(super) fn read(&self, path: &Path) -> Result<(FileKind, Input), Failure> {
         let bytes = self.size.read(path)?;
-        Ok(self.reading().read(&name_of(path), bytes)?)
+        Ok(self.reading().read(&source_name(path), bytes)?)
     }
 
     /// What is in a file, and as what kind it was read; of several devices the one that was asked for.
     pub(super) fn read_one(&self, path: &Path) -> Result<(FileKind, Input), Failure> {
         let bytes = self.size.read(path)?;
-        Ok(self.reading().read_one(&name_of(path), bytes)?)
+        Ok(self.reading().read_one(&source_name(path), bytes)?)
     }
 
     /// The device of a file that was asked for: the only one, or the one of a number.
     pub(super) fn selected(&self, path: &Path, description: Description) -> Result<Description, Failure> {
-        Ok(self.reading().select(&name_of(path), description)?)
+        Ok(self.reading().select(&source_name(path), description)?)
     }
 
     /// A file that is to be checked.
     pub(super) fn candidate(&self, path: &Path) -> Result<Candidate, Failure> {
         let bytes = self.size.bytes(path)?;
-        let name = name_of(path);
+        let name = source_name(path);
         let (kind, source) = match self.reading().recognised(&name, bytes) {
             Ok(recognised) => recognised,
             // what is called a description and shows nothing of one is no other file that happens to be there
@@ -133,17 +134,22 @@ impl SizeArgs {
         let bytes = match path.metadata() {
             // one that is named may be a pipe, as in `objdict check <(unzip -p device.zip)`
             Ok(found) if !found.is_file() && !found.is_dir() => File::open(path)
-                .map_err(|error| SourceError::Io { path: name_of(path), error })
-                .and_then(|file| source::read_stream(file, &name_of(path), self.max_size, Vec::new())),
+                .map_err(|error| SourceError::Io { path: source_name(path), error })
+                .and_then(|file| source::read_stream(file, &source_name(path), self.max_size, Vec::new())),
             _ => source::read(path, self.max_size),
         };
         Ok(bytes.map_err(ReadError::from)?)
     }
 }
 
-/// What reports call a file.
-pub(super) fn name_of(path: &Path) -> String {
+/// What the source of a file is called, as it is: in JSON, and where the name decides.
+pub(super) fn source_name(path: &Path) -> String {
     if path == Path::new("-") { STDIN.to_owned() } else { path.display().to_string() }
+}
+
+/// A path as it is printed.
+pub(super) fn name_of(path: &Path) -> String {
+    one_line(&source_name(path))
 }
 
 impl From<ReadError> for Failure {
@@ -159,7 +165,14 @@ impl From<ReadError> for Failure {
             ReadError::SeveralDevices { .. } => Some("choose one with `--device`, counted from 1".to_owned()),
             error => error.help(),
         };
-        Self { help, ..Self::new(error) }
+        match &error {
+            // there may be several mistakes in it
+            ReadError::Content { name, error } => {
+                let text = format!("cannot read `{}`: {error}", one_line(name));
+                Self::of_lines(text.lines()).maybe_help(help)
+            }
+            _ => Self::new(&error).maybe_help(help),
+        }
     }
 }
 

@@ -42,14 +42,14 @@ use std::sync::OnceLock;
 
 use self::args::{Args, Command, TerminalArgs};
 use self::output::Output;
-use crate::diagnostic::visible;
+use crate::diagnostic::{one_line, printable_lines};
 
 /// Runs the command that the arguments of the process name.
 pub fn run() -> ExitCode {
     let args = match Args::of_process() {
         Ok(args) => args,
         Err(error) => {
-            let _ = error.print(); // there is no other place to report an error of this
+            print_usage(&error);
             return if error.use_stderr() { Outcome::Failed.into() } else { Outcome::Clean.into() };
         }
     };
@@ -82,6 +82,18 @@ pub fn run() -> ExitCode {
             Outcome::Failed
         })
         .into()
+}
+
+/// Prints the help, or an error of the arguments, which quotes them.
+fn print_usage(error: &clap::Error) {
+    let plain = error.render().to_string();
+    let shown = printable_lines(&plain);
+    // there is no other place to report an error of this
+    let _ = if error.use_stderr() && shown != plain {
+        std::io::stderr().write_all(shown.as_bytes())
+    } else {
+        error.print()
+    };
 }
 
 /// How a command ended.
@@ -122,13 +134,24 @@ struct Failure {
 }
 
 impl Failure {
+    /// A message of one line.
     fn new(message: impl std::fmt::Display) -> Self {
-        Self { message: message.to_string(), help: None, excerpt: None }
+        Self { message: one_line(&message.to_string()), help: None, excerpt: None }
     }
 
-    fn help(mut self, help: impl Into<String>) -> Self {
-        self.help = Some(help.into());
+    /// A message of several lines.
+    fn of_lines(lines: impl IntoIterator<Item = impl AsRef<str>>) -> Self {
+        let lines: Vec<String> = lines.into_iter().map(|line| one_line(line.as_ref())).collect();
+        Self { message: lines.join("\n"), help: None, excerpt: None }
+    }
+
+    fn help(mut self, help: impl AsRef<str>) -> Self {
+        self.help = Some(one_line(help.as_ref()));
         self
+    }
+
+    fn maybe_help(self, help: Option<impl AsRef<str>>) -> Self {
+        help.into_iter().fold(self, Self::help)
     }
 
     fn excerpt(mut self, excerpt: String) -> Self {
@@ -156,9 +179,14 @@ fn terminal() -> Option<&'static TerminalArgs> {
     TERMINAL.get()
 }
 
+/// Whether `--quiet` is given.
+fn is_quiet() -> bool {
+    terminal().is_some_and(|terminal| terminal.quiet)
+}
+
 /// Writes a note or a summary to the standard error, unless `--quiet` is given.
 fn note(text: &str) {
-    if !terminal().is_some_and(|terminal| terminal.quiet) {
+    if !is_quiet() {
         tell(text);
     }
 }
@@ -170,16 +198,11 @@ fn detail(path: &Path) {
     }
 }
 
-/// Writes to the standard error; the text may quote anything from a file.
+/// Writes lines to the standard error; they may quote anything from a file.
 fn tell(text: &str) {
     let _line = progress::hide();
     // there is no other place to report an error of this
-    let _ = std::io::stderr().write_all(shown(text).as_bytes());
-}
-
-/// Lines without control characters.
-fn shown(text: &str) -> String {
-    text.chars().map(|c| if c == '\n' { c } else { visible(c) }).collect()
+    let _ = std::io::stderr().write_all(printable_lines(text).as_bytes());
 }
 
 impl From<std::io::Error> for Failure {

@@ -5,10 +5,11 @@ use std::io::{self, Write};
 use serde::Serialize;
 
 use super::args::{ModulesArgs, ModulesFormat};
-use super::input::{Input, name_of};
+use super::input::{Input, name_of, source_name};
 use super::output::Output;
 use super::table::Table;
 use super::{Failure, Outcome};
+use crate::json;
 use crate::model::{Device, ExtensionCount, Module};
 
 /// The version of the JSON document, see docs/json.md.
@@ -36,8 +37,10 @@ pub(super) fn run(args: &ModulesArgs, out: &mut Output) -> Result<Outcome, Failu
     match args.format {
         ModulesFormat::Text => text(&rows, out)?,
         ModulesFormat::Json => {
+            let file = source_name(&args.file);
             let document = Document { version: VERSION, file: &file, connected, modules: rows };
-            json(&document, out)?;
+            json::write_pretty(&mut out.raw()?, &document)?;
+            writeln!(out)?;
         }
     }
     Ok(Outcome::Clean)
@@ -75,11 +78,6 @@ struct Added {
     /// Bits of a sub-index that modules share.
     #[serde(skip_serializing_if = "Option::is_none")]
     bits: Option<u8>,
-}
-
-fn json(document: &Document<'_>, out: &mut dyn Write) -> io::Result<()> {
-    serde_json::to_writer_pretty(&mut *out, document)?;
-    writeln!(out)
 }
 
 fn row<'a>(number: u16, module: &'a Module, connected: Option<&[u16]>) -> Row<'a> {

@@ -4,7 +4,7 @@ use std::io::Write;
 use std::time::{SystemTime, UNIX_EPOCH};
 
 use super::args::NewArgs;
-use super::input::FileKind;
+use super::input::{FileKind, name_of};
 use super::output::Output;
 use super::save::{is_stdout, save};
 use super::{Failure, Outcome, note};
@@ -52,17 +52,17 @@ pub(super) fn run(args: &NewArgs, out: &mut Output) -> Result<Outcome, Failure> 
         },
     };
     if is_stdout {
-        out.write_all(&bytes)?;
+        out.raw()?.write_all(&bytes)?;
         return Ok(Outcome::Clean);
     }
     if args.output.exists() && !args.overwrite {
-        let message = format!("`{}` exists", args.output.display());
+        let message = format!("`{}` exists", name_of(&args.output));
         return Err(Failure::new(message).help("name another file, or replace it with `--overwrite`"));
     }
     save(&args.output, &bytes)?;
     let (pdos, objects) = (device.pdos().count(), device.objects.len());
-    let file = super::shown(&args.output.display().to_string());
-    writeln!(out, "{file} ({}), {objects} objects, {pdos} PDOs", kind.name())?;
+    let file = name_of(&args.output);
+    out.summary(format_args!("{file} ({}), {objects} objects, {pdos} PDOs", kind.name()))?;
     Ok(Outcome::Clean)
 }
 

@@ -15,7 +15,7 @@ pub(super) fn completions(args: &CompletionsArgs, out: &mut Output) -> Result<Ou
     // the generator panics when it cannot write, and a vector always takes it
     let mut text = Vec::new();
     clap_complete::generate(args.shell, &mut command, name, &mut text);
-    std::io::Write::write_all(out, &text)?;
+    std::io::Write::write_all(&mut out.raw()?, &text)?;
     Ok(Outcome::Clean)
 }
 

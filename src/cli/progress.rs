@@ -8,7 +8,7 @@ use std::thread::{self, JoinHandle};
 use std::time::Duration;
 
 use super::output::Output;
-use super::{Failure, terminal};
+use super::{Failure, is_quiet};
 
 /// What takes less shows nothing.
 const PATIENCE: Duration = Duration::from_secs(1);
@@ -34,8 +34,7 @@ struct Count {
 impl Progress {
     pub(super) fn new(verb: &'static str, total: usize) -> Self {
         let is_dumb = std::env::var_os("TERM").is_none_or(|term| term == "dumb");
-        let is_quiet = terminal().is_some_and(|terminal| terminal.quiet);
-        let is_wanted = total > 0 && stderr().is_terminal() && !is_dumb && !is_quiet;
+        let is_wanted = total > 0 && stderr().is_terminal() && !is_dumb && !is_quiet();
         let count = Arc::new(Count { verb, total, done: AtomicUsize::new(0) });
         let ticker = is_wanted.then(|| {
             let (sender, end) = channel();

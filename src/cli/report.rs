@@ -18,11 +18,11 @@ pub(super) fn new<'a>(args: &ReportArgs, out: &'a mut Output) -> Result<Box<dyn 
             Box::new(if args.all { report } else { report.brief() })
         }
         ReportFormat::Concise => Box::new(Concise::new(out).detail(detail)),
-        ReportFormat::Json => Box::new(Json::new(out).detail(detail)),
-        ReportFormat::Sarif => Box::new(Sarif::new(out).base(&base)),
-        ReportFormat::Github => Box::new(Github::new(out).base(&base)),
-        ReportFormat::Gitlab => Box::new(Gitlab::new(out).base(&base)),
-        ReportFormat::Junit => Box::new(Junit::new(out).base(&base)),
+        ReportFormat::Json => Box::new(Json::new(out.raw()?).detail(detail)),
+        ReportFormat::Sarif => Box::new(Sarif::new(out.raw()?).base(&base)),
+        ReportFormat::Github => Box::new(Github::new(out.raw()?).base(&base)),
+        ReportFormat::Gitlab => Box::new(Gitlab::new(out.raw()?).base(&base)),
+        ReportFormat::Junit => Box::new(Junit::new(out.raw()?).base(&base)),
     })
 }
 

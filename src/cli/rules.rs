@@ -9,6 +9,7 @@ use super::output::Output;
 use super::table::Table;
 use super::{Failure, Outcome};
 use crate::diagnostic::{FixSafety, RuleInfo, Severity, listing, nearest};
+use crate::json;
 use crate::model::Address;
 use crate::registry;
 
@@ -59,8 +60,8 @@ pub(super) fn list(args: &RulesArgs, out: &mut Output) -> Result<Outcome, Failur
                 docs: rule.page(),
             };
             let document = Document { version: VERSION, rules: rules.map(rule).collect() };
-            serde_json::to_writer_pretty(&mut *out, &document).map_err(std::io::Error::from)?;
-            out.write_all(b"\n")?;
+            json::write_pretty(&mut out.raw()?, &document)?;
+            writeln!(out)?;
         }
     }
     Ok(Outcome::Clean)

@@ -88,7 +88,7 @@ impl Folder {
 
 impl From<OutputError> for Failure {
     fn from(error: OutputError) -> Self {
-        Self { help: error.help("--overwrite"), ..Self::new(error) }
+        Self::new(&error).maybe_help(error.help("--overwrite"))
     }
 }
 

@@ -6,6 +6,7 @@ use serde::Serialize;
 
 use super::table::Table;
 use crate::generate::{Size, SizeReport, Sizes, Target};
+use crate::json;
 
 /// The version of the JSON document, see docs/json.md.
 const VERSION: u32 = 1;
@@ -41,7 +42,7 @@ impl<'a> OfTarget<'a> {
 /// All reports as one JSON document.
 pub(super) fn write_json(reports: &[(Target, Sizes)], out: &mut dyn Write) -> io::Result<()> {
     let targets = reports.iter().map(OfTarget::new).collect();
-    serde_json::to_writer_pretty(&mut *out, &Document { version: VERSION, targets })?;
+    json::write_pretty(out, &Document { version: VERSION, targets })?;
     writeln!(out)
 }
 

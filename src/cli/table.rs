@@ -2,7 +2,7 @@
 
 use std::io::{self, Write};
 
-use crate::diagnostic::visible;
+use crate::diagnostic::one_line;
 
 /// Columns with a heading; a column that is empty in every row is left out, and the headings when there are none.
 pub(in crate::cli) struct Table<const N: usize> {
@@ -44,13 +44,10 @@ impl<const N: usize> Table<N> {
 
 /// A text as one line of at most `limit` characters, safe for a terminal.
 pub(in crate::cli) fn fit(text: &str, limit: usize) -> String {
-    let mut shown: String =
-        text.chars().take(limit).map(|c| if c == '\t' { ' ' } else { visible(c) }).collect();
-    if text.chars().nth(limit).is_some() {
-        shown.pop();
-        shown.push('…');
+    match text.chars().nth(limit) {
+        None => one_line(text),
+        Some(_) => one_line(&text.chars().take(limit.saturating_sub(1)).collect::<String>()) + "…",
     }
-    shown
 }
 
 #[cfg(test)]

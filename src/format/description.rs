@@ -10,7 +10,7 @@ use super::ini::Document;
 use super::{Format, Syntax, eds, ini};
 #[cfg(feature = "xdd")]
 use super::{xdd, xml::Tree};
-use crate::diagnostic::{At, Change, Findings, Fix};
+use crate::diagnostic::{At, Change, Findings, Fix, one_line};
 use crate::model::{Commissioning, Device, DeviceKind, EMBEDDED_COMMENT, EMBEDDED_SECTION, Place};
 use crate::source::{EditError, Encoding, SourceFile, Span};
 
@@ -33,6 +33,11 @@ enum Text {
     /// Elements of XML.
     #[cfg(feature = "xdd")]
     Xml(Tree, OnceLock<xdd::Locator>),
+}
+
+/// The name of a file as a description states it: on one line, in any encoding.
+pub(crate) fn stated_name(name: &str) -> String {
+    one_line(name).replace(char::REPLACEMENT_CHARACTER, "_")
 }
 
 impl Description {
@@ -209,7 +214,8 @@ impl Description {
     /// When an edited text cannot be written in the encoding of the file.
     #[cfg(any(feature = "json", not(feature = "xdd")))]
     pub fn to_node(&self, file_name: &str, node: &Commissioning) -> Result<Vec<u8>, EditError> {
-        let last_eds = self.source().name().rsplit(['/', '\\']).next();
+        let last_eds = self.source().name().rsplit(['/', '\\']).next().map(stated_name);
+        let last_eds = last_eds.as_deref();
         let last_eds = last_eds.filter(|_| self.device.kind == DeviceKind::Type);
         match &self.text {
             Text::Ini(document, _) => eds::to_dcf(document, file_name, last_eds, node),

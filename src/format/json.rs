@@ -112,7 +112,7 @@ fn expect(text: &str, expected: DocumentKind) -> Result<(), JsonError> {
 
 fn print(document: &impl Serialize) -> String {
     // only a map with keys that are no texts could fail, and the model has none
-    let mut text = serde_json::to_string_pretty(document).unwrap_or_default();
+    let mut text = crate::json::pretty(document).unwrap_or_default();
     text.push('\n');
     text
 }

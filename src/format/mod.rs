@@ -21,6 +21,7 @@ mod write;
 #[cfg(feature = "node")]
 pub use self::configured::{ConfiguredFile, NodeSettings};
 pub use self::description::Description;
+pub(crate) use self::description::stated_name;
 #[cfg(all(feature = "json", feature = "xdd"))]
 pub use self::dialect::Dialect;
 pub use self::input::{ReadError, open};

@@ -5,8 +5,7 @@ use std::path::Path;
 
 use super::path::Base;
 use super::{Location, Report, Subject, Tally};
-use crate::diagnostic::one_line;
-use crate::diagnostic::{Diagnostic, Findings, Severity};
+use crate::diagnostic::{Diagnostic, Findings, Severity, one_line, printable};
 
 /// Findings as a workflow command each, and a sum for the log at the end.
 #[derive(Debug)]
@@ -68,7 +67,7 @@ impl<W: Write> Report for Github<W> {
     }
 
     fn unread(&mut self, message: &str) -> io::Result<()> {
-        writeln!(self.out, "::error title=objdict::{}", data(message))
+        writeln!(self.out, "::error title=objdict::{}", data(&one_line(message)))
     }
 
     fn finish(&mut self) -> io::Result<()> {
@@ -79,9 +78,9 @@ impl<W: Write> Report for Github<W> {
     }
 }
 
-/// The text of a command: what would end its line is escaped.
+/// The text of a command: what would end its line is escaped, and nothing in it steers a terminal.
 fn data(text: &str) -> String {
-    text.replace('%', "%25").replace('\r', "%0D").replace('\n', "%0A")
+    printable(&text.replace('%', "%25").replace('\r', "%0D").replace('\n', "%0A")).into_owned()
 }
 
 /// A property of a command: also what would end the property is escaped.
@@ -118,6 +117,20 @@ mod tests {
              ::100 %25, a: b\u{FFFD}::error::no\u{FFFD}%0Ahelp: do, it: so\n1 error in 1 file\n"
         );
         assert_eq!(data("a\r\n%0A"), "a%0D%0A%250A");
+    }
+
+    #[test]
+    fn names_are_no_commands() {
+        let name = "a\u{1B}]0;x\n::error::b\u{9B}";
+        let line = "::error file=a\u{FFFD}]0;x%0A%3A%3Aerror%3A%3Ab\u{FFFD},line=1,";
+        assert!(shown(name, Diagnostic::new(&TEST, Span::new(0, 1), "m")).starts_with(line));
+        let mut findings = Findings::new();
+        (0..2000).for_each(|_| findings.push(Diagnostic::new(&TEST, Span::new(0, 1), "m")));
+        let source = SourceFile::from_text("::error::b", "[A]");
+        let mut out = Vec::new();
+        Github::new(&mut out).file((&source).into(), &findings).unwrap();
+        let text = String::from_utf8(out).unwrap();
+        assert!(text.ends_with("\n\u{FFFD}:error::b: 1000 more findings of test/test are not shown\n"));
     }
 
     #[test]

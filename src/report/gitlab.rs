@@ -59,7 +59,7 @@ impl<W: Write> Report for Gitlab<W> {
         for (finding, fingerprint) in findings.iter().zip(fingerprints(subject, findings)) {
             self.out.write_all(if self.is_empty { b"[\n" } else { b",\n" })?;
             self.is_empty = false;
-            serde_json::to_writer(&mut self.out, &issue(&path, subject, finding, fingerprint))?;
+            crate::json::write(&mut self.out, &issue(&path, subject, finding, fingerprint))?;
         }
         Ok(())
     }

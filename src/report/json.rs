@@ -130,7 +130,7 @@ impl<W: Write> Json<W> {
             self.start()?;
             self.out.write_all(if self.is_empty { b"\n" } else { b",\n" })?;
             self.is_empty = false;
-            serde_json::to_writer(&mut self.out, &record(file, subject, finding, fingerprint))?;
+            crate::json::write(&mut self.out, &record(file, subject, finding, fingerprint))?;
         }
         Ok(())
     }
@@ -160,17 +160,16 @@ impl<W: Write> Report for Json<W> {
             write!(self.out, "{{\"version\":{VERSION},")?;
         }
         if self.detail.has_statistics() {
-            let rows: Result<Vec<String>, _> =
-                self.statistics.rows().iter().map(serde_json::to_string).collect();
+            let rows: Result<Vec<String>, _> = self.statistics.rows().iter().map(crate::json::text).collect();
             let rows = rows?;
             let (start, end) = if rows.is_empty() { ("", "") } else { ("\n", "\n") };
             writeln!(self.out, "\"statistics\":[{start}{}{end}],", rows.join(",\n"))?;
         }
         self.out.write_all(b"\"omitted\":")?;
-        serde_json::to_writer(&mut self.out, &self.omitted)?;
+        crate::json::write(&mut self.out, &self.omitted)?;
         self.out.write_all(b",\n\"summary\":")?;
         let Tally { files, errors, warnings, notes, suppressed, .. } = self.tally;
-        serde_json::to_writer(&mut self.out, &Summary { files, errors, warnings, notes, suppressed })?;
+        crate::json::write(&mut self.out, &Summary { files, errors, warnings, notes, suppressed })?;
         self.out.write_all(b"}\n")?;
         self.out.flush()
     }

@@ -17,7 +17,7 @@ use self::printer::Printer;
 pub(crate) use self::problem::problem;
 use super::statistics::offer;
 use super::{Detail, Report, Statistics, Subject, Tally};
-use crate::diagnostic::visible;
+use crate::diagnostic::one_line;
 use crate::diagnostic::{Applicability, At, Diagnostic, Findings, Severity};
 
 /// The most characters of a message that are shown.
@@ -184,11 +184,10 @@ impl<'a> Rendered<'a> {
 
 /// A message without control characters and not endless: it may quote anything in a file.
 fn shown(message: &str) -> String {
-    let mut shown: String = message.chars().take(MAX_MESSAGE).map(visible).collect();
-    if shown.len() < message.len() && message.chars().nth(MAX_MESSAGE).is_some() {
-        shown.push('…');
+    match message.char_indices().nth(MAX_MESSAGE) {
+        Some((end, _)) => one_line(&message[..end]) + "…",
+        None => one_line(message),
     }
-    shown
 }
 
 impl fmt::Display for Rendered<'_> {

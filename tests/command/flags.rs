@@ -128,6 +128,26 @@ fn quiet_and_verbose_are_global() {
     assert!(errors(convert).starts_with("note: "));
     assert_eq!(errors(&format!("{convert} -q")), "");
     assert_eq!(errors(&format!("--quiet {convert}")), "");
+    // what became of files is said neither there nor on the standard output
+    for line in [
+        convert,
+        "convert FIXTURES/eds/minimal.eds -o a.xdd",
+        "convert FIXTURES/eds/minimal.eds FIXTURES/eds/io-401.eds -o out --to json",
+        "convert FIXTURES/dcf/io-401-node5.dcf -o a.dbc",
+        "configure FIXTURES/eds/minimal.eds --node-id 5 -o a.dcf",
+        "generate FIXTURES/eds/minimal.eds --target c -o out",
+        "docs FIXTURES/eds/minimal.eds -o a.html",
+        "dcf pack FIXTURES/dcf/io-401-node5.dcf -o a.cdcf",
+        "new --digital-inputs 8 -o new.eds",
+        "network build FIXTURES/network/chapter4.toml --target dcf -o out",
+    ] {
+        assert!(!result(line).0.stdout.is_empty(), "{line}");
+        let (output, files) = result(&format!("{line} -q"));
+        assert_eq!((output.stdout, output.stderr), (Vec::new(), Vec::new()), "{line}");
+        assert!(files.len() > 1, "{line}");
+    }
+    let (output, _) = result("convert FIXTURES/eds/minimal.eds --to xdd -q");
+    assert!(output.stdout.starts_with(b"<?xml") && output.stderr.is_empty());
     assert!(errors(&format!("{convert} --verbose")).contains("eds/minimal.eds\nnote: "));
     assert!(errors("check -v FIXTURES/eds/minimal.eds --no-config").starts_with("reading "));
     assert!(errors("show -q no-such-file").starts_with("error: "), "errors are no notes");

@@ -7,7 +7,7 @@ use std::fmt::Write;
 
 use askama::Template;
 
-use crate::diagnostic::visible;
+use crate::diagnostic::one_line;
 use crate::messages::{MessageId, Service};
 use crate::overview::{End, MessageRow, NodeRow, Overview};
 
@@ -170,17 +170,15 @@ fn id(node: &NodeRow) -> String {
 
 /// A text for a string of DOT.
 fn quoted(text: &str) -> String {
-    text.chars().map(visible).collect::<String>().replace('\\', "\\\\").replace('"', "\\\"")
+    one_line(text).replace('\\', "\\\\").replace('"', "\\\"")
 }
 
 /// A text of at most so many characters.
 fn cut(text: &str, limit: usize) -> String {
-    let mut shown: String = text.chars().take(limit).map(visible).collect();
-    if text.chars().nth(limit).is_some() {
-        shown.pop();
-        shown.push('…');
+    match text.chars().nth(limit) {
+        None => one_line(text),
+        Some(_) => one_line(&text.chars().take(limit.saturating_sub(1)).collect::<String>()) + "…",
     }
-    shown
 }
 
 impl Column {

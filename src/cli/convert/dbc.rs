@@ -5,10 +5,10 @@ use std::path::Path;
 use std::slice;
 
 use super::super::args::ConvertArgs;
-use super::super::input::{FileKind, Input, name_of};
+use super::super::input::{FileKind, Input, name_of, source_name};
 use super::super::output::Output;
 use super::super::save::{Saved, is_stdout, keep, save};
-use super::super::{Failure, network};
+use super::super::{Failure, network, note};
 use super::Job;
 use super::losses::{self, LossReport};
 use crate::diagnostic::counted;
@@ -54,7 +54,7 @@ pub(super) fn convert(
     let [job, ..] = jobs else { return Ok(()) };
     let mut lines = String::new();
     if is_stdout(&job.output) {
-        out.write_all(&written.bytes)?;
+        out.raw()?.write_all(&written.bytes)?;
     } else {
         let unchanged = match save(&job.output, &written.bytes)? {
             Saved::Written => "",
@@ -64,7 +64,7 @@ pub(super) fn convert(
             [(node, _)] => format!("{} ({})", name_of(&node.job.input), node.from.name()),
             nodes => format!("{} nodes", nodes.len()),
         };
-        let (output, size) = (job.output.display(), written.bytes.len());
+        let (output, size) = (name_of(&job.output), written.bytes.len());
         lines.push_str(&format!("{what} to {output} (DBC), {size} bytes{unchanged}\n"));
     }
     let described = nodes.iter().enumerate().filter(|(_, (node, _))| !node.is_counterpart);
@@ -79,9 +79,9 @@ pub(super) fn convert(
         report.add(&node.job, node.from, losses);
     }
     if is_stdout(&job.output) {
-        super::super::tell(&lines);
+        note(&lines);
     } else {
-        out.write_all(super::super::shown(&lines).as_bytes())?;
+        out.summary(lines.trim_end_matches('\n'))?;
     }
     Ok(())
 }
@@ -192,7 +192,7 @@ fn nodes_of_list(args: &ConvertArgs, job: &Job, list: &NodeList) -> Result<Vec<N
         keep(&input);
         let own = Job { input, ..job.clone() };
         let reading = Reading { from: None, device: None, ..args.input.reading() };
-        let (from, input) = reading.read(&name_of(&own.input), bytes)?;
+        let (from, input) = reading.read(&source_name(&own.input), bytes)?;
         for found in nodes_in(args, &own, from, devices_in(&reading, &own, input)?) {
             nodes.push(Node { node_id: Some(node.id), name: node.name.clone(), ..found });
         }
@@ -214,7 +214,7 @@ fn nodes_in(args: &ConvertArgs, job: &Job, from: FileKind, devices: Vec<Device>)
 fn devices_in(reading: &Reading, job: &Job, input: Input) -> Result<Vec<Device>, Failure> {
     match input {
         Input::Description(description) if reading.device.is_some() => {
-            Ok(vec![reading.select(&name_of(&job.input), *description)?.into_device()])
+            Ok(vec![reading.select(&source_name(&job.input), *description)?.into_device()])
         }
         Input::Description(description) => {
             let mut devices = Vec::new();

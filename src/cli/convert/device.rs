@@ -8,14 +8,14 @@ use objdict_model::canopennode::is_disabled;
 
 use super::super::annotation::Described;
 use super::super::args::ConvertArgs;
-use super::super::input::FileKind;
+use super::super::input::{FileKind, name_of};
 use super::super::node::{commissioning, former_node_id, restated};
 use super::super::{Failure, note, tell};
 use super::Job;
 use crate::configure::rebase;
 use crate::diagnostic::series;
 use crate::download::{ConciseDcf, NeededFile, Plan, PlanError, PlanOptions, Scope, Skipped};
-use crate::format::{self, Description, Format, Loss, LossKind, Syntax, concise, json};
+use crate::format::{self, Description, Format, Loss, LossKind, Syntax, concise, json, stated_name};
 use crate::model::{Commissioning, Device, DeviceKind, Object, Place};
 use crate::report::plural;
 use crate::source::Folder;
@@ -81,7 +81,7 @@ pub(super) fn of_description(
 fn warn_of_violations(job: &Job, description: &Description) {
     let count = description.violations().len();
     if count > 0 {
-        let (file, places) = (job.input.display(), plural(count, "place"));
+        let (file, places) = (name_of(&job.input), plural(count, "place"));
         tell(&format!(
             "warning: `{file}` violates CiA 311 in {places}, which the output keeps\n  help: `objdict check` shows them; `--canonical` writes the file anew, valid\n"
         ));
@@ -162,7 +162,7 @@ fn remove_disabled(device: &mut Device) -> Vec<Loss> {
 }
 
 fn base_name(path: &Path) -> String {
-    path.file_name().unwrap_or_default().to_string_lossy().into_owned()
+    stated_name(&path.file_name().unwrap_or_default().to_string_lossy())
 }
 
 /// The node of the output. A DCF or XDC may leave it to the network which node-ID a device gets.

@@ -5,7 +5,7 @@ use std::path::{Path, PathBuf};
 
 use super::super::Failure;
 use super::super::args::ConvertArgs;
-use super::super::input::FileKind;
+use super::super::input::{FileKind, name_of};
 use super::super::save::{is_folder, is_stdout};
 
 /// A file to convert.
@@ -47,7 +47,7 @@ pub(super) fn plan(args: &ConvertArgs) -> Result<Vec<Job>, Failure> {
         }
         [input] if !is_folder(output) => {
             let to = stated.or(named).ok_or_else(|| {
-                let message = format!("`{}` has no extension of a known format", output.display());
+                let message = format!("`{}` has no extension of a known format", name_of(output));
                 Failure::new(message).help(format!("{KNOWN}; or name the format with `--to`"))
             })?;
             if to == FileKind::Cpj {
@@ -61,7 +61,7 @@ pub(super) fn plan(args: &ConvertArgs) -> Result<Vec<Job>, Failure> {
         }
         inputs => {
             let Some(to) = stated else {
-                let message = format!("missing format of the files in the folder `{}`", output.display());
+                let message = format!("missing format of the files in the folder `{}`", name_of(output));
                 return Err(Failure::new(message).help("name it with `--to`"));
             };
             into_folder(inputs, output, to)
@@ -92,9 +92,9 @@ fn into_folder(inputs: &[PathBuf], folder: &Path, to: FileKind) -> Result<Vec<Jo
         if let Some(other) = made.insert(name.to_lowercase(), input) {
             let message = format!(
                 "`{}` and `{}` would both become `{}`",
-                other.display(),
-                input.display(),
-                output.display()
+                name_of(other),
+                name_of(input),
+                name_of(&output)
             );
             return Err(Failure::new(message).help("convert them into different folders"));
         }

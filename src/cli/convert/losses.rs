@@ -2,9 +2,10 @@
 
 use serde::Serialize;
 
-use super::super::input::{FileKind, name_of};
+use super::super::input::{FileKind, source_name};
 use super::Job;
 use crate::format::{Loss, LossKind};
+use crate::json;
 
 /// The version of the JSON document. It changes when a field is removed or means something else.
 const VERSION: u32 = 1;
@@ -42,10 +43,10 @@ struct Summary {
 impl LossReport {
     pub(super) fn add(&mut self, job: &Job, from: FileKind, losses: Vec<Loss>) {
         self.files.push(FileLosses {
-            file: name_of(&job.input),
+            file: source_name(&job.input),
             from: from.name(),
             to: job.to.name(),
-            written: job.output.display().to_string(),
+            written: source_name(&job.output),
             losses,
         });
     }
@@ -69,7 +70,7 @@ impl LossReport {
         };
         let document = Document { version: VERSION, files: &self.files, summary };
         // all keys are texts, so there is nothing that could fail
-        let mut text = serde_json::to_string_pretty(&document).unwrap_or_default();
+        let mut text = json::pretty(&document).unwrap_or_default();
         text.push('\n');
         text
     }

@@ -17,7 +17,7 @@ use super::input::{FileKind, Input, name_of};
 use super::output::Output;
 use super::progress::{Progress, give_way};
 use super::save::{Folder, Saved, is_stdout, keep, require_other, save};
-use super::{Failure, Outcome};
+use super::{Failure, Outcome, note};
 use crate::download::ConciseDcf;
 use crate::format::{LossKind, concise, json};
 
@@ -48,7 +48,7 @@ pub(super) fn run(args: &ConvertArgs, out: &mut Output) -> Result<Outcome, Failu
     if let Some(path) = &args.loss_report {
         let document = report.to_json();
         match is_stdout(path) {
-            true => out.write_all(document.as_bytes())?,
+            true => out.raw()?.write_all(document.as_bytes())?,
             false => save(path, document.as_bytes()).map(|_| ())?,
         }
     }
@@ -130,7 +130,7 @@ fn convert_one(
         }
         Input::NodeList(_) => {
             let failure = Failure::new("a node list holds no device");
-            let file = job.input.display();
+            let file = name_of(&job.input);
             Err(failure.help(format!("`objdict show {file}` names the files of its nodes")))
         }
     }
@@ -149,17 +149,22 @@ fn finish(
     let to = job.to;
     give_way();
     if is_stdout(&job.output) {
-        out.write_all(&bytes)?;
+        out.raw()?.write_all(&bytes)?;
         let shown: Vec<_> = losses.iter().filter(|loss| loss.kind != LossKind::Embedded).cloned().collect();
-        super::tell(&losses::text(&shown));
+        note(&losses::text(&shown));
     } else {
-        let note = match place.save(job, &bytes)? {
+        let unchanged = match place.save(job, &bytes)? {
             Saved::Written => "",
             Saved::Unchanged => ", unchanged",
         };
-        let (file, written, size) = (name_of(&job.input), job.output.display(), bytes.len());
-        writeln!(out, "{file} ({}) to {written} ({}), {size} bytes{note}", from.name(), to.name())?;
-        out.write_all(super::shown(&losses::text(&losses)).as_bytes())?;
+        let (file, written, size) = (name_of(&job.input), name_of(&job.output), bytes.len());
+        let losses = losses::text(&losses);
+        let line = format!(
+            "{file} ({}) to {written} ({}), {size} bytes{unchanged}\n{losses}",
+            from.name(),
+            to.name()
+        );
+        out.summary(line.trim_end_matches('\n'))?;
     }
     report.add(job, from, losses);
     Ok(())

@@ -5,7 +5,7 @@ use std::io::Write;
 use super::super::annotation::Described;
 use super::super::args::DcfDiffArgs;
 use super::super::output::Output;
-use super::super::{Failure, Outcome, shown};
+use super::super::{Failure, Outcome};
 use super::stream;
 use crate::download::{ConciseDcf, Difference, Differences, Download};
 use crate::format::concise;
@@ -31,7 +31,7 @@ pub(in crate::cli) fn differences(
         for (sign, side) in [('-', &difference.first), ('+', &difference.second)] {
             let text = concise::print(&downloads(difference, side), |download| described.annotate(download));
             for line in text.lines() {
-                writeln!(out, "{}", shown(&format!("{sign} {line}")))?;
+                writeln!(out, "{sign} {line}")?;
             }
         }
     }

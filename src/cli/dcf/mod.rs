@@ -11,13 +11,14 @@ use std::path::Path;
 pub(super) use self::diff::differences;
 use super::annotation::Described;
 use super::args::{DcfCommand, ExpandArgs, NamingArgs};
-use super::input::{Input, InputArgs, name_of};
+use super::input::{Input, InputArgs, name_of, source_name};
 use super::output::Output;
 use super::save::{is_stdout, save};
 use super::{Failure, Outcome};
 use crate::download::ConciseDcf;
-use crate::format::concise;
+use crate::format::identify::{ContentKind, Identification, identify};
 use crate::format::input::{FileKind, Reading};
+use crate::format::{ReadError, concise};
 use crate::model::Device;
 use crate::report::plural;
 
@@ -32,7 +33,7 @@ pub(super) fn run(command: &DcfCommand, out: &mut Output) -> Result<Outcome, Fai
 
 /// A stream in any of its spellings.
 fn stream(path: &Path, input: &InputArgs, node_id: Option<u8>) -> Result<ConciseDcf, Failure> {
-    stream_of(&name_of(path), input.size.read(path)?, input, node_id)
+    stream_of(&source_name(path), input.size.read(path)?, input, node_id)
 }
 
 /// The bytes of a file that has only hex digits, when its format is not given.
@@ -51,23 +52,52 @@ fn stream_of(
         return ConciseDcf::parse(&stream)
             .map_err(|error| Failure::new(format_args!("`{name}`, hex digits: {error}")));
     }
-    // what is not recognised as something else is a stream, and its errors are worth a report
     let reading = Reading { node_id, ..input.reading() };
+    let resembles = input.from.is_some() || resembles_stream(&bytes);
     let kind = match reading.recognised(name, bytes.clone()) {
-        Ok((kind @ (FileKind::CdcfText | FileKind::Json | FileKind::Cdcf), _)) => kind,
-        _ => FileKind::Cdcf,
+        Ok((FileKind::Cdcf, _)) if !resembles => return Err(unknown(name, &identify(name, &bytes))),
+        Ok((kind, _)) => kind,
+        // the errors of a stream are worth a report
+        Err(ReadError::Foreign { found, .. }) if found.kind == ContentKind::Unknown && resembles => {
+            FileKind::Cdcf
+        }
+        Err(ReadError::Foreign { found, .. }) => return Err(unknown(name, &found)),
+        Err(error) => return Err(error.into()),
     };
     match (Reading { from: Some(kind), ..reading }).read(name, bytes)? {
         (_, Input::Concise(configuration)) => Ok(configuration),
-        _ => Err(Failure::new(format_args!("`{name}` is no concise DCF"))),
+        (_, Input::Description(_) | Input::Device(_)) => {
+            let message = format!("`{name}` is read as {} and is no concise DCF", kind.name());
+            Err(Failure::new(message).help(format!("`objdict dcf pack {name}` makes one of it")))
+        }
+        (_, Input::NodeList(_)) => {
+            Err(Failure::new(format_args!("`{name}` is read as {} and is no concise DCF", kind.name())))
+        }
     }
+}
+
+/// A file that is no concise DCF in any spelling, with what it is.
+fn unknown(name: &str, found: &Identification) -> Failure {
+    let help = match found.kind {
+        ContentKind::Unknown => Some("read it as a stream nevertheless with `--from cdcf`"),
+        _ => found.advice(),
+    };
+    Failure::new(format_args!("`{name}` {}", found.verdict())).maybe_help(help)
+}
+
+/// Whether bytes begin as a stream does: with a count that a node can have, and the index of an object.
+fn resembles_stream(bytes: &[u8]) -> bool {
+    const MAX_COUNT: u32 = 1 << 20;
+    let count = bytes.first_chunk().map(|count| u32::from_le_bytes(*count));
+    let index = bytes.get(4..).and_then(|rest| rest.first_chunk()).map(|index| u16::from_le_bytes(*index));
+    count.is_some_and(|count| count <= MAX_COUNT) && index.is_none_or(|index| index >= 0x1000)
 }
 
 /// The device of a description.
 fn device(path: &Path, input: &InputArgs, expand: &ExpandArgs) -> Result<Device, Failure> {
     // `--from` is about the stream
     let reading = Reading { from: None, ..input.reading() };
-    let name = name_of(path);
+    let name = source_name(path);
     let device = match reading.read_one(&name, input.size.read(path)?)? {
         (_, Input::Description(description)) => description.device().clone(),
         (_, Input::Device(device)) => *device,
@@ -98,9 +128,9 @@ fn deliver(path: Option<&Path>, bytes: &[u8], what: &str, out: &mut Output) -> R
     match path.filter(|path| !is_stdout(path)) {
         Some(path) => {
             save(path, bytes)?;
-            writeln!(out, "{}: {what}", path.display())?;
+            out.summary(format_args!("{}: {what}", name_of(path)))?;
         }
-        None => out.write_all(bytes)?,
+        None => out.raw()?.write_all(bytes)?,
     }
     Ok(())
 }

@@ -5,7 +5,7 @@ use std::path::Path;
 use super::super::annotation::Described;
 use super::super::args::{BlobFormat, PackArgs, PackOrder};
 use super::super::convert::{read_data, refusal, tell_skipped};
-use super::super::input::{Input, name_of};
+use super::super::input::{Input, source_name};
 use super::super::output::Output;
 use super::super::{Failure, Outcome, tell};
 use super::{count, deliver, device, hex_of, stream_of, verify};
@@ -58,7 +58,7 @@ enum Content {
 }
 
 fn content(args: &PackArgs, eds: Option<&Device>) -> Result<Content, Failure> {
-    let name = name_of(&args.file);
+    let name = source_name(&args.file);
     let bytes = args.input.size.read(&args.file)?; // once: it may be the standard input
     let reading = args.input.reading();
     let is_stream = hex_of(&bytes, &args.input).is_some()

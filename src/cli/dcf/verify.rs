@@ -6,11 +6,12 @@ use serde::Serialize;
 
 use super::super::annotation::Described;
 use super::super::args::{VerdictFormat, VerifyArgs};
-use super::super::input::name_of;
+use super::super::input::{name_of, source_name};
 use super::super::output::Output;
-use super::super::{Failure, Outcome, shown};
+use super::super::{Failure, Outcome};
 use super::{count, device, stream};
 use crate::download::{Objection, Verification};
+use crate::json;
 
 /// The version of the JSON document, see docs/json.md.
 const VERSION: u32 = 1;
@@ -20,16 +21,15 @@ pub(super) fn run(args: &VerifyArgs, out: &mut Output) -> Result<Outcome, Failur
     let node_id = args.node_id.or_else(|| device.node_id());
     let configuration = stream(&args.blob, &args.input, node_id)?;
     let verification = configuration.verify(&device, node_id);
-    let file = name_of(&args.blob);
     match args.format {
         VerdictFormat::Text => {
             let refused = verification.refusals().count();
             let verdict = if refused == 0 { "none refused".to_owned() } else { format!("{refused} refused") };
             let described = Described { device: Some(&device), node_id };
-            writeln!(out, "{}", shown(&format!("{file}: {}, {verdict}", count(&configuration))))?;
+            writeln!(out, "{}: {}, {verdict}", name_of(&args.blob), count(&configuration))?;
             out.write_all(text(&verification, described).as_bytes())?;
         }
-        VerdictFormat::Json => json(&file, &verification, out)?,
+        VerdictFormat::Json => write_json(&source_name(&args.blob), &verification, out)?,
     }
     Ok(if verification.is_accepted() { Outcome::Clean } else { Outcome::Findings })
 }
@@ -58,7 +58,7 @@ pub(super) fn text(verification: &Verification, described: Described<'_>) -> Str
             places.join(", ")
         ));
     }
-    shown(&text)
+    text
 }
 
 /// What is said of the first download of a group and also of the others.
@@ -112,7 +112,7 @@ struct Row {
     help: Option<String>,
 }
 
-fn json(file: &str, verification: &Verification, out: &mut dyn Write) -> io::Result<()> {
+fn write_json(file: &str, verification: &Verification, out: &mut Output) -> io::Result<()> {
     let row = |objection: &Objection| Row {
         offset: objection.offset,
         download: objection.number,
@@ -130,6 +130,6 @@ fn json(file: &str, verification: &Verification, out: &mut dyn Write) -> io::Res
         objections: verification.objections.iter().map(row).collect(),
         unknown: verification.unknown.iter().map(ToString::to_string).collect(),
     };
-    serde_json::to_writer_pretty(&mut *out, &document)?;
+    json::write_pretty(&mut out.raw()?, &document)?;
     writeln!(out)
 }

@@ -8,7 +8,7 @@ use std::ops::Range;
 use self::lines::{LineChange, changes};
 use super::Failure;
 use super::output::Output;
-use crate::diagnostic::visible;
+use crate::diagnostic::{one_line, printable};
 use crate::source::SourceFile;
 
 /// Lines that are shown around each change.
@@ -17,7 +17,7 @@ const AROUND: usize = 3;
 /// Prints the difference of two versions of a file with three lines around each change. Lines end as they do in the file, so
 /// that the difference can be applied.
 pub(super) fn print(before: &SourceFile, after: &SourceFile, out: &mut Output) -> Result<(), Failure> {
-    let name: String = before.name().chars().map(visible).collect();
+    let name = one_line(before.name());
     writeln!(out, "--- {name}\n+++ {name}")?;
     if before.encoding() != after.encoding() {
         writeln!(out, "# the encoding {} becomes {}", before.encoding(), after.encoding())?;
@@ -60,13 +60,13 @@ fn place(lines: &Range<usize>) -> String {
 fn print_lines(mark: &str, lines: &[&str], out: &mut Output) -> Result<(), Failure> {
     for value in lines {
         let line = value.trim_end_matches(['\n', '\r']);
-        let shown: String = line.chars().map(visible).collect();
+        let shown = format!("{mark}{line}");
         let end = match &value[line.len()..] {
             "" => "\n\\ No newline at end of file\n",
             "\r" => "\r\n",
             end => end,
         };
-        write!(out, "{mark}{shown}{end}")?;
+        write!(out.raw()?, "{}{end}", printable(&shown))?;
     }
     Ok(())
 }

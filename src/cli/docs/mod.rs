@@ -11,13 +11,13 @@ use serde_json::Value;
 use self::network::DocumentedNetwork;
 use super::args::DocsArgs;
 use super::files::{self, File};
-use super::input::{FileKind, Input, name_of};
+use super::input::{FileKind, Input, name_of, source_name};
 use super::output::Output;
 use super::progress::Progress;
 use super::save::{Folder, Saved, is_folder, is_stdout, save};
 use super::settings::Settings;
 use super::{Failure, Outcome};
-use crate::diagnostic::{Diagnostic, Findings};
+use crate::diagnostic::{Diagnostic, Findings, one_line};
 use crate::document::{self, CodeName, Finding, Form, Identifiers, Options, Site, SiteFile, Subject};
 use crate::format::Description;
 use crate::format::identify::identify;
@@ -147,7 +147,7 @@ impl Read {
         outcome: &mut Outcome,
     ) -> Result<(), Failure> {
         let bytes = args.input.size.read(&file.path)?;
-        let name = name_of(&file.path);
+        let name = source_name(&file.path);
         let is_network = match args.input.from {
             None => identify(&name, &bytes).kind.is_network(),
             Some(kind) => kind == FileKind::Cpj,
@@ -233,7 +233,7 @@ fn form(args: &DocsArgs) -> Result<Form, Failure> {
     match args.output.extension().filter(|_| !is_folder(&args.output)) {
         None => Ok(Form::Html),
         Some(ending) => Form::of_extension(&ending.to_string_lossy()).ok_or_else(|| {
-            let message = format!("`{}` has no extension of a known format", args.output.display());
+            let message = format!("`{}` has no extension of a known format", name_of(&args.output));
             Failure::new(message).help("`.html`, `.md` and `.csv` are known; or name the format with `--to`")
         }),
     }
@@ -301,12 +301,12 @@ fn reported(findings: &Findings, line: impl Fn(&Diagnostic) -> Option<u32>) -> V
 
 fn file_name(path: &Path) -> String {
     let name = path.file_name().filter(|_| path != Path::new("-"));
-    name.map_or_else(|| name_of(path), |name| name.to_string_lossy().into_owned())
+    name.map_or_else(|| name_of(path), |name| one_line(&name.to_string_lossy()))
 }
 
 fn write_one(args: &DocsArgs, page: &str, out: &mut Output) -> Result<(), Failure> {
     if is_stdout(&args.output) {
-        out.write_all(page.as_bytes())?;
+        out.raw()?.write_all(page.as_bytes())?;
         return Ok(());
     }
     tell_saved(&args.output, page, save(&args.output, page.as_bytes())?, out)
@@ -328,8 +328,7 @@ fn tell_saved(path: &Path, page: &str, saved: Saved, out: &mut Output) -> Result
         Saved::Written => "",
         Saved::Unchanged => ", unchanged",
     };
-    writeln!(out, "{}: {} bytes{unchanged}", path.display(), page.len())?;
-    Ok(())
+    Ok(out.summary(format_args!("{}: {} bytes{unchanged}", name_of(path), page.len()))?)
 }
 
 fn write_site(

@@ -6,14 +6,16 @@ use std::path::{Path, PathBuf};
 use serde::Serialize;
 
 use super::super::args::{BootTarget, NetworkBootArgs, ShowFormat};
+use super::super::input::name_of;
 use super::super::output::Output;
 use super::super::save::keep;
 use super::super::table::{Table, fit};
 use super::super::{Failure, Outcome, note};
-use super::{names_of, open_despite_errors};
+use super::{open_despite_errors, source_names_of};
 use crate::bus::{BusFrame, Conditions, Cut, Event, EventKind, Milestone, NodeRun, Run, boot};
 use crate::describe::frames::{FrameReader, Talker, nmt_state};
 use crate::format::network::{BootFiles, BuiltFile, InstallError, Installation, install};
+use crate::json;
 use crate::report::plural;
 use crate::source::{self, DEFAULT_MAX_SIZE};
 
@@ -47,7 +49,7 @@ pub(super) fn run(args: &NetworkBootArgs, out: &mut Output) -> Result<Outcome, F
     let run = boot(plant, &conditions);
     let report = Report { run: &run, bit_rate: plant.bit_rate };
     match args.format {
-        ShowFormat::Json => report.json(&names_of(&args.files), notes, args.summary, out)?,
+        ShowFormat::Json => report.json(&source_names_of(&args.files), notes, args.summary, out)?,
         ShowFormat::Table => {
             notes.iter().for_each(|text| note(&format!("note: {text}\n")));
             if !args.summary {
@@ -91,7 +93,7 @@ impl From<BootTarget> for BootFiles {
 
 /// The files of a folder, in the order of their names.
 fn read(folder: &Path) -> Result<Vec<BuiltFile>, Failure> {
-    let failed = |error: io::Error| Failure::new(format_args!("cannot read `{}`: {error}", folder.display()));
+    let failed = |error: io::Error| Failure::new(format_args!("cannot read `{}`: {error}", name_of(folder)));
     let mut paths = Vec::new();
     for entry in std::fs::read_dir(folder).map_err(failed)? {
         let path = entry.map_err(failed)?.path();
@@ -102,10 +104,7 @@ fn read(folder: &Path) -> Result<Vec<BuiltFile>, Failure> {
     }
     if paths.len() > FILES {
         let count = paths.len();
-        return Err(Failure::new(format_args!(
-            "`{}` has {count} files, more than {FILES}",
-            folder.display()
-        )));
+        return Err(Failure::new(format_args!("`{}` has {count} files, more than {FILES}", name_of(folder))));
     }
     paths.sort();
     let file = |path: PathBuf| {
@@ -353,7 +352,7 @@ impl<'r> Report<'r> {
             nodes: self.run.nodes.iter().map(row).collect(),
             trace: (!is_short).then(|| self.lines().collect()),
         };
-        serde_json::to_writer(&mut *out, &document).map_err(io::Error::from)?;
+        json::write(&mut out.raw()?, &document)?;
         writeln!(out)
     }
 }

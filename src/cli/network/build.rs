@@ -1,15 +1,15 @@
 //! `objdict network build`.
 
-use std::io::Write;
 use std::path::PathBuf;
 
 use clap::ValueEnum;
 
 use super::super::args::{NetworkBuildArgs, NetworkTarget};
+use super::super::input::name_of;
 use super::super::output::Output;
 use super::super::save::Folder;
 use super::super::settings::{Settings, SettingsArgs};
-use super::super::{Failure, Outcome, note, shown, tell};
+use super::super::{Failure, Outcome, note, tell};
 use super::{findings, names_of, open_one};
 use crate::diagnostic::{Diagnostic, Severity, one_line};
 use crate::format::network::{Build, BuiltFile};
@@ -54,10 +54,9 @@ pub(super) fn run(args: &NetworkBuildArgs, out: &mut Output) -> Result<Outcome, 
     let contents: Vec<_> = files.iter().map(|file| (file.name.as_str(), file.bytes.as_slice())).collect();
     for name in folder.replace(&contents)? {
         let path = args.output.join(name);
-        note(&format!("note: `{}` is of an earlier build\n", path.display()));
+        note(&format!("note: `{}` is of an earlier build\n", name_of(&path)));
     }
-    let line = format!("{}: {}", args.output.display(), plural(files.len(), "file"));
-    writeln!(out, "{}", shown(&line))?;
+    out.summary(format_args!("{}: {}", name_of(&args.output), plural(files.len(), "file")))?;
     Ok(Outcome::Clean)
 }
 

@@ -8,8 +8,9 @@ use super::super::annotation::Described;
 use super::super::args::NetworkDiffArgs;
 use super::super::dcf::differences;
 use super::super::output::Output;
-use super::super::{Failure, Outcome, shown};
+use super::super::{Failure, Outcome};
 use super::compiled;
+use crate::diagnostic::one_line;
 use crate::download::ConciseDcf;
 use crate::network::{Compiled, End, Network, Overview, Service};
 
@@ -83,10 +84,10 @@ fn lines(title: &str, old: &[String], new: &[String], out: &mut dyn Write) -> io
     let added = new.iter().filter(|line| !old.contains(line)).map(|line| ('+', line));
     let changed: Vec<_> = removed.chain(added).collect();
     if !changed.is_empty() {
-        writeln!(out, "{}", shown(&format!("{title}:")))?;
+        writeln!(out, "{title}:")?;
     }
     for (sign, line) in &changed {
-        writeln!(out, "{}", shown(&format!("{sign} {line}")))?;
+        writeln!(out, "{sign} {line}")?;
     }
     Ok(changed.is_empty())
 }
@@ -112,7 +113,7 @@ fn configuration(
         device: node.map(|node| &node.device),
         node_id: node.and_then(|node| node.node_id).map(|node_id| node_id.value),
     };
-    writeln!(out, "{}", shown(&format!("downloads of {name}:")))?;
+    writeln!(out, "downloads of {}:", one_line(name))?;
     differences(&found, described, out)?;
     Ok(false)
 }

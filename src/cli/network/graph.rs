@@ -15,6 +15,6 @@ pub(super) fn run(args: &NetworkGraphArgs, out: &mut Output) -> Result<Outcome, 
         GraphFormat::Svg => graph::svg(&overview, |can_id| can_id.to_string()) + "\n",
         GraphFormat::Dot => graph::dot(&overview),
     };
-    out.write_all(text.as_bytes())?;
+    out.raw()?.write_all(text.as_bytes())?;
     Ok(Outcome::Clean)
 }

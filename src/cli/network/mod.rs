@@ -12,7 +12,7 @@ use std::io::Write;
 use std::path::{Path, PathBuf};
 
 use super::args::{NetworkCommand, NetworkFormat, NetworkInitArgs, NetworkInputArgs, NetworkSchemaArgs};
-use super::input::name_of;
+use super::input::{name_of, source_name};
 use super::output::Output;
 use super::save::keep;
 use super::settings::Settings;
@@ -21,6 +21,7 @@ use crate::diagnostic::{Findings, Severity};
 use crate::format::ReadError;
 use crate::format::identify::ContentKind;
 use crate::format::network::{NetworkFile, init, schema};
+use crate::json;
 use crate::network::{Compiled, Manner, Network, compile};
 use crate::report::plural;
 
@@ -83,6 +84,11 @@ fn names_of(paths: &[PathBuf]) -> String {
     paths.iter().map(|path| name_of(path)).collect::<Vec<_>>().join(" ")
 }
 
+/// The same as JSON has them.
+fn source_names_of(paths: &[PathBuf]) -> String {
+    paths.iter().map(|path| source_name(path)).collect::<Vec<_>>().join(" ")
+}
+
 /// Reads a network that is to be shown or booted. Its errors are left to `network check`.
 pub(super) fn open_despite_errors(
     paths: &[PathBuf],
@@ -116,7 +122,7 @@ fn print_start(args: &NetworkInitArgs, out: &mut Output) -> Result<Outcome, Fail
         }
         error => error.into(),
     })?;
-    out.write_all(text.as_bytes())?;
+    out.raw()?.write_all(text.as_bytes())?;
     Ok(Outcome::Clean)
 }
 
@@ -125,6 +131,7 @@ fn print_schema(args: &NetworkSchemaArgs, out: &mut Output) -> Result<Outcome, F
         NetworkFormat::Bus => schema::bus_yml(),
         NetworkFormat::Network => schema::network_toml(),
     };
-    writeln!(out, "{schema:#}")?;
+    json::write_pretty(&mut out.raw()?, &schema)?;
+    writeln!(out)?;
     Ok(Outcome::Clean)
 }

@@ -8,7 +8,8 @@ use super::super::args::{NetworkShowArgs, ShowFormat};
 use super::super::output::Output;
 use super::super::table::{Table, fit};
 use super::super::{Failure, Outcome};
-use super::{compiled, names_of};
+use super::{compiled, source_names_of};
+use crate::json;
 use crate::model::PdoKind;
 use crate::network::{BootPlan, End, LinkRow, MappedEntry, MessageRow, Overview, Service, UnlinkedEnd};
 use crate::report::plural;
@@ -32,8 +33,9 @@ pub(super) fn run(args: &NetworkShowArgs, out: &mut Output) -> Result<Outcome, F
     let overview = Overview::new(&network, &compiled);
     match args.format {
         ShowFormat::Json => {
-            let document = Document { version: VERSION, file: &names_of(&args.files), overview: &overview };
-            serde_json::to_writer(&mut *out, &document).map_err(io::Error::from)?;
+            let document =
+                Document { version: VERSION, file: &source_names_of(&args.files), overview: &overview };
+            json::write(&mut out.raw()?, &document)?;
             writeln!(out)?;
         }
         ShowFormat::Table => tables(&overview, out)?,

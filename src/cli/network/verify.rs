@@ -4,13 +4,14 @@ use std::fs;
 use std::io::Write;
 
 use super::super::args::NetworkVerifyArgs;
+use super::super::input::name_of;
 use super::super::output::Output;
 use super::super::{Failure, Outcome, note};
 use crate::pipeline::{Manifest, State};
 use crate::report::plural;
 
 pub(super) fn run(args: &NetworkVerifyArgs, out: &mut Output) -> Result<Outcome, Failure> {
-    let folder = args.folder.display();
+    let folder = name_of(&args.folder);
     let unusable = |error| Failure::new(format_args!("cannot read `{folder}/{}`: {error}", Manifest::NAME));
     let Some(manifest) = Manifest::open(&args.folder).map_err(unusable)? else {
         let failure = Failure::new(format_args!("`{folder}` has no `{}`", Manifest::NAME));
@@ -30,12 +31,12 @@ pub(super) fn run(args: &NetworkVerifyArgs, out: &mut Output) -> Result<Outcome,
             }
         };
         others += 1;
-        writeln!(out, "{}: {problem}", args.folder.join(name).display())?;
+        writeln!(out, "{}: {problem}", name_of(&args.folder.join(name)))?;
     }
     for entry in fs::read_dir(&args.folder).into_iter().flatten().flatten() {
         let (name, path) = (entry.file_name(), entry.path());
         if path.is_file() && !manifest.lists(&name.to_string_lossy()) {
-            note(&format!("note: `{}` is not in the list\n", path.display()));
+            note(&format!("note: `{}` is not in the list\n", name_of(&path)));
         }
     }
     if is_interrupted {

@@ -4,6 +4,7 @@ use std::io::{self, Write};
 
 use serde_json::{Map, Value as Json, json};
 
+use crate::json;
 use crate::model::Value;
 use crate::profile::{BitField, EntryFacts, Mapping, Need, ObjectFacts, Profile};
 
@@ -22,7 +23,7 @@ pub(super) fn profile<'a>(
     objects: impl Iterator<Item = ObjectFacts<'a>>,
     out: &mut dyn Write,
 ) -> io::Result<()> {
-    let head = Json::Object(head(profile));
+    let head = json::text(&head(profile))?;
     write!(out, "{{\"version\":{VERSION},\"profile\":{head},\"objects\":[")?;
     lines(objects.map(|facts| Json::Object(object(&facts))), out)
 }
@@ -30,7 +31,7 @@ pub(super) fn profile<'a>(
 fn lines(items: impl Iterator<Item = Json>, out: &mut dyn Write) -> io::Result<()> {
     let mut separator = "\n";
     for item in items {
-        write!(out, "{separator}{item}")?;
+        write!(out, "{separator}{}", json::text(&item)?)?;
         separator = ",\n";
     }
     out.write_all(b"\n]}\n")

@@ -21,7 +21,7 @@ pub(super) fn run(command: &ProfileCommand, out: &mut Output) -> Result<Outcome,
 fn list(args: &ProfileListArgs, out: &mut Output) -> Result<(), Failure> {
     match args.format {
         ProfileFormat::Text => text::list(standard(), out)?,
-        ProfileFormat::Json => json::list(standard(), out)?,
+        ProfileFormat::Json => json::list(standard(), &mut out.raw()?)?,
     }
     Ok(())
 }
@@ -32,9 +32,9 @@ fn show(args: &ProfileShowArgs, out: &mut Output) -> Result<(), Failure> {
     match (args.format, object) {
         (ProfileFormat::Text, None) => text::profile(&profile, out)?,
         (ProfileFormat::Text, Some(object)) => text::object(&profile, &object, out)?,
-        (ProfileFormat::Json, None) => json::profile(&profile, profile.objects(), out)?,
+        (ProfileFormat::Json, None) => json::profile(&profile, profile.objects(), &mut out.raw()?)?,
         (ProfileFormat::Json, Some(object)) => {
-            json::profile(&profile, std::iter::once(object), out)?;
+            json::profile(&profile, std::iter::once(object), &mut out.raw()?)?;
         }
     }
     Ok(())

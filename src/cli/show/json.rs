@@ -8,6 +8,7 @@ use serde_json::Value as Json;
 
 use super::View;
 use crate::describe::Reader;
+use crate::json;
 use crate::model::{Entry, InvalidValue, Object, PdoMapping, Value};
 
 /// The version of the document. It changes when a field is removed or means something else, not when one is added.
@@ -47,7 +48,7 @@ pub(super) fn write<'a>(
     is_wanted: impl Fn(u8) -> bool,
     out: &mut dyn Write,
 ) -> io::Result<()> {
-    write!(out, "{{\"version\":{VERSION},\"file\":{},", Json::from(view.file))?;
+    write!(out, "{{\"version\":{VERSION},\"file\":{},", json::text(&view.file)?)?;
     write!(
         out,
         "\"format\":{},\"node_id\":{},\"entries\":[",
@@ -58,7 +59,7 @@ pub(super) fn write<'a>(
     for (index, object) in objects {
         for (sub, entry) in object.entries().filter(|(sub, entry)| is_wanted(*sub) && view.shows(entry)) {
             out.write_all(separator.as_bytes())?;
-            serde_json::to_writer(&mut *out, &row(view.reader(index), sub, object, &entry))?;
+            json::write(out, &row(view.reader(index), sub, object, &entry))?;
             separator = ",\n";
         }
     }
@@ -66,7 +67,7 @@ pub(super) fn write<'a>(
 }
 
 fn row<'a>(reader: Reader, sub: u8, object: &'a Object, entry: &'a Entry) -> Row<'a> {
-    let value = |value: &Option<Value>| Some(json(&reader.resolve(value.as_ref()?, entry.data_type)));
+    let value = |value: &Option<Value>| Some(to_json(&reader.resolve(value.as_ref()?, entry.data_type)));
     Row {
         index: format!("0x{:04X}", reader.index),
         sub: format!("0x{sub:02X}"),
@@ -90,7 +91,7 @@ fn invalid(invalid: &InvalidValue) -> (String, Json) {
 }
 
 /// Whole numbers and finite REAL as numbers, BOOLEAN as such, everything else as the text that a table shows.
-fn json(value: &Value) -> Json {
+fn to_json(value: &Value) -> Json {
     match value {
         Value::Boolean(value) => Json::from(*value),
         Value::Signed(value) => Json::from(*value),

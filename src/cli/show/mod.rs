@@ -8,7 +8,7 @@ use std::borrow::Cow;
 use std::io::Write;
 
 use super::args::{ShowArgs, ShowFormat};
-use super::input::{Input, name_of};
+use super::input::{Input, source_name};
 use super::output::Output;
 use super::table::fit;
 use super::{Failure, Outcome};
@@ -52,7 +52,7 @@ pub(super) fn run(args: &ShowArgs, out: &mut Output) -> Result<Outcome, Failure>
             return show_configuration(configuration, args, out).map(|()| Outcome::Clean);
         }
     };
-    let file = name_of(&args.file);
+    let file = source_name(&args.file);
     let device = args.expand.device(device);
     let view = View {
         file: &file,
@@ -89,7 +89,7 @@ fn show_configuration(configuration: &ConciseDcf, args: &ShowArgs, out: &mut Out
     if args.format == ShowFormat::Json {
         let wanted = configuration.0.iter().filter(|download| is_wanted(download));
         let text = json_format::write_configuration(&ConciseDcf(wanted.cloned().collect()));
-        out.write_all(text.as_bytes())?;
+        out.raw()?.write_all(text.as_bytes())?;
         return Ok(());
     }
     // two lines of headings, then a line a download
@@ -107,7 +107,7 @@ fn show_device(view: &View<'_>, format: ShowFormat, out: &mut Output) -> Result<
         ShowFormat::Table => text::device(view, out)?,
         ShowFormat::Json => {
             let objects = view.device.objects.iter().map(|(&index, object)| (index, object));
-            json::write(view, objects, |_| true, out)?;
+            json::write(view, objects, |_| true, &mut out.raw()?)?;
         }
     }
     Ok(())
@@ -124,7 +124,7 @@ fn show_address(view: &View<'_>, at: Address, format: ShowFormat, out: &mut Outp
     match format {
         ShowFormat::Json => {
             let is_wanted = |sub| at.sub.is_none_or(|wanted| wanted == sub);
-            json::write(view, std::iter::once((at.index, object)), is_wanted, out)?;
+            json::write(view, std::iter::once((at.index, object)), is_wanted, &mut out.raw()?)?;
         }
         ShowFormat::Table => match entry {
             Some((sub, entry)) => text::entry(view, (at.index, sub), object, &entry, out)?,
@@ -144,7 +144,7 @@ fn show_addresses(
     if format == ShowFormat::Json {
         let is_wanted = |index| addresses.iter().any(|at| at.index == index);
         let objects = view.device.objects.iter().filter(|(index, _)| is_wanted(**index));
-        json::write(view, objects.map(|(&index, object)| (index, object)), |_| true, out)?;
+        json::write(view, objects.map(|(&index, object)| (index, object)), |_| true, &mut out.raw()?)?;
         return Ok(());
     }
     for (number, &address) in addresses.iter().enumerate() {

@@ -3,16 +3,26 @@
 use std::io::{self, Write};
 use std::path::Path;
 
+use serde::Serialize;
+
 use crate::cli::Failure;
 use crate::cli::args::{ShowArgs, ShowFormat};
-use crate::cli::input::name_of;
+use crate::cli::input::{name_of, source_name};
 use crate::cli::output::Output;
 use crate::cli::table::{Table, fit};
+use crate::json;
 use crate::model::{NodeList, Topology};
 use crate::report::plural;
 
 /// The most characters of a name.
 const CELL: usize = 60;
+
+#[derive(Serialize)]
+struct Document<'a> {
+    version: u32,
+    file: &'a str,
+    networks: &'a [Topology],
+}
 
 pub(super) fn show(list: &NodeList, args: &ShowArgs, out: &mut Output) -> Result<(), Failure> {
     if args.object.is_some() {
@@ -23,10 +33,9 @@ pub(super) fn show(list: &NodeList, args: &ShowArgs, out: &mut Output) -> Result
     match args.format {
         ShowFormat::Table => write_tables(list, &args.file, out)?,
         ShowFormat::Json => {
-            write!(out, "{{\"version\":1,\"file\":{},", serde_json::Value::from(name_of(&args.file)))?;
-            out.write_all(b"\"networks\":")?;
-            serde_json::to_writer(&mut *out, &list.networks).map_err(io::Error::from)?;
-            out.write_all(b"}\n")?;
+            let document = Document { version: 1, file: &source_name(&args.file), networks: &list.networks };
+            json::write(&mut out.raw()?, &document)?;
+            writeln!(out)?;
         }
     }
     Ok(())

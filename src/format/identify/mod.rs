@@ -25,6 +25,21 @@ const HEAD: usize = 1 << 16;
 /// So many characters of a text from a file are quoted.
 const QUOTED: usize = 100;
 
+/// What files of other programs begin with.
+const SIGNATURES: [(&[u8], &str); 11] = [
+    (b"\x89PNG\r\n", "it is a PNG image"),
+    (b"\xFF\xD8\xFF", "it is a JPEG image"),
+    (b"GIF8", "it is a GIF image"),
+    (b"%PDF-", "it is a PDF document"),
+    (b"PK\x03\x04", "it is a ZIP archive"),
+    (b"\x1F\x8B\x08", "it is a gzip archive"),
+    (b"7z\xBC\xAF\x27\x1C", "it is a 7z archive"),
+    (b"Rar!\x1A\x07", "it is a RAR archive"),
+    (b"\x7FELF", "it is a program (ELF)"),
+    (b"MZ", "it is a program of Windows"),
+    (b"\xD0\xCF\x11\xE0", "it is a document of Microsoft Office"),
+];
+
 /// What a file is, and why it is taken for that.
 #[derive(Clone, Debug, PartialEq, Eq)]
 #[cfg_attr(feature = "json", derive(serde::Serialize))]
@@ -252,10 +267,10 @@ fn behind_junk(_: &Content<'_>) -> Option<Identification> {
 }
 
 fn unknown(content: &Content<'_>) -> Identification {
-    let reason = if content.looks_binary() {
-        "binary data that is no concise DCF"
-    } else {
-        "a text without anything that a known format has"
+    let reason = match SIGNATURES.iter().find(|(start, _)| content.bytes.starts_with(start)) {
+        Some((_, what)) => what,
+        None if content.looks_binary() => "binary data that is no concise DCF",
+        None => "a text without anything that a known format has",
     };
     Identification::new(ContentKind::Unknown, reason)
 }

@@ -215,7 +215,7 @@ fn numbered(name: &str) -> (&str, Option<NonZeroUsize>) {
 
 /// A text in quotes, as JSON has it, of which YAML and TOML take all.
 fn quoted(text: &str) -> String {
-    serde_json::Value::from(text).to_string()
+    crate::json::text(&text).unwrap_or_default()
 }
 
 /// The name of the variable that a text begins with, and the length of both with what marks it; 0 if it is none.

@@ -253,15 +253,15 @@ impl<'a> Run<'a> {
     /// Writes the properties behind `results`.
     pub(super) fn write(&self, out: &mut impl Write) -> io::Result<()> {
         out.write_all(b",\n\"tool\":{\"driver\":")?;
-        serde_json::to_writer(&mut *out, &self.driver)?;
+        crate::json::write(&mut *out, &self.driver)?;
         out.write_all(b"},\n\"artifacts\":")?;
-        serde_json::to_writer(&mut *out, self.artifacts)?;
+        crate::json::write(&mut *out, self.artifacts)?;
         if !self.bases.is_empty() {
             out.write_all(b",\n\"originalUriBaseIds\":")?;
-            serde_json::to_writer(&mut *out, &self.bases)?;
+            crate::json::write(&mut *out, &self.bases)?;
         }
         out.write_all(b",\n\"invocations\":[")?;
-        serde_json::to_writer(&mut *out, &self.invocation)?;
+        crate::json::write(&mut *out, &self.invocation)?;
         out.write_all(b"]")
     }
 }

@@ -13,7 +13,7 @@ use super::group::joint_fix;
 use super::path::{Base, uri};
 use super::utf16::Columns;
 use super::{FINGERPRINT_NAME, Fingerprint, Report, Subject, fingerprints};
-use crate::diagnostic::visible;
+use crate::diagnostic::printable_lines;
 use crate::diagnostic::{At, Diagnostic, Findings, RuleInfo, Severity};
 use crate::model::Place;
 use crate::source::{Encoding, SourceFile, Span};
@@ -118,7 +118,7 @@ impl<W: Write> Report for Sarif<W> {
             self.out.write_all(if self.is_empty { b"\n" } else { b",\n" })?;
             self.is_empty = false;
             let result = self.result(&mut file, finding, number, fingerprint);
-            serde_json::to_writer(&mut self.out, &result)?;
+            crate::json::write(&mut self.out, &result)?;
         }
         for (rule, count) in findings.omitted() {
             let text = format!("{}: {count} more findings of {rule} are not shown", subject.source().name());
@@ -291,8 +291,7 @@ fn level(severity: Severity) -> &'static str {
 /// A text as a message (§3.11): braces are doubled, for `{0}` is a placeholder, and nothing is a link, for messages quote
 /// untrusted files.
 fn message(text: &str) -> Message {
-    let shown = |character| if character == '\n' { character } else { visible(character) };
-    let text: String = text.chars().map(shown).collect();
+    let text = printable_lines(text);
     Message { text: text.replace('{', "{{").replace('}', "}}").replace("](", "] (") }
 }
 

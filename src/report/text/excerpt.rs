@@ -5,7 +5,7 @@ use std::borrow::Cow;
 
 use miette::{LabeledSpan, MietteError, MietteSpanContents, SourceCode, SourceSpan, SpanContents};
 
-use crate::diagnostic::visible;
+use crate::diagnostic::{one_line, visible};
 use crate::source::{SourceFile, Span};
 
 /// The most bytes of a line that are shown; of a longer one a window around the label.
@@ -30,7 +30,7 @@ pub(super) type Excerpted<'a> = (Excerpts<'a>, Vec<LabeledSpan>);
 
 impl<'a> Excerpts<'a> {
     pub(super) fn new(source: &'a SourceFile) -> Self {
-        Self { source, name: source.name().chars().map(visible).collect(), text: printable(source.text()) }
+        Self { source, name: one_line(source.name()), text: visible_text(source.text()) }
     }
 
     /// What reports call the source.
@@ -121,7 +121,7 @@ impl SourceCode for Excerpts<'_> {
 
 /// The text with every character that would steer a terminal replaced by one of the same length, so that all offsets
 /// stay; a lone CR is shown as the line end that it is.
-fn printable(text: &str) -> Cow<'_, str> {
+fn visible_text(text: &str) -> Cow<'_, str> {
     let is_odd = |byte: u8| (byte.wrapping_sub(b' ') > b'~' - b' ') & !matches!(byte, b'\t' | b'\n' | b'\r');
     let bytes = text.as_bytes();
     // without an early exit the loop over a chunk is a few vector instructions

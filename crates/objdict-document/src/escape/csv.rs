@@ -3,6 +3,7 @@
 use std::borrow::Cow;
 
 use super::shown;
+use crate::diagnostic::printable;
 
 /// Escapes a field: quoted if necessary, on one line, and never a formula.
 ///
@@ -35,7 +36,7 @@ fn one_line(text: &str) -> String {
             other => other,
         }));
     }
-    line
+    printable(&line).into_owned()
 }
 
 /// Whether a text is a signed decimal number, which spreadsheets do not evaluate as a formula.

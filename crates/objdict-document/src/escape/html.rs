@@ -14,20 +14,28 @@ impl Escaper for Html {
     fn write_escaped_str<W: fmt::Write>(&self, mut dest: W, text: &str) -> fmt::Result {
         // fast path: most texts are names and numbers, and a page of a large device has a hundred thousand of
         // them
-        if text.bytes().all(is_plain) {
+        if text.bytes().all(is_plain) && !text.trim_start().starts_with("::") {
             return dest.write_str(text);
         }
         let mut written = 0;
+        // whether there are only blanks before in the line
+        let mut starts_line = true;
         let mut characters = text.char_indices().peekable();
         while let Some((at, character)) = characters.next() {
+            let next = characters.peek().map(|(_, next)| *next);
+            let was_start = starts_line;
+            starts_line = is_blank(character, was_start);
             let reference = match character {
+                // a page that is printed has no commands for CI services, see `diagnostic::printable`
+                '#' if next == Some('#') => "&#35;",
+                ':' if was_start && next == Some(':') => "&#58;",
                 '&' => "&amp;",
                 '<' => "&lt;",
                 '>' => "&gt;",
                 '"' => "&quot;",
                 '\'' => "&#39;",
                 ' '..='~' => continue,
-                _ => match shown(character, characters.peek().map(|(_, next)| *next)) {
+                _ => match shown(character, next) {
                     Some(same) if same == character => continue,
                     Some('\n') => "\n",
                     Some(_) => "\u{FFFD}",
@@ -44,7 +52,12 @@ impl Escaper for Html {
 
 /// Whether a character needs no escaping.
 const fn is_plain(byte: u8) -> bool {
-    matches!(byte, b' '..=b'~') && !matches!(byte, b'&' | b'<' | b'>' | b'"' | b'\'')
+    matches!(byte, b' '..=b'~') && !matches!(byte, b'&' | b'<' | b'>' | b'"' | b'\'' | b'#')
+}
+
+/// Whether a line has had only blanks behind a character.
+fn is_blank(character: char, starts_line: bool) -> bool {
+    matches!(character, '\n' | '\r') || (starts_line && character.is_whitespace())
 }
 
 /// A text as HTML on one line.
@@ -73,6 +86,7 @@ mod tests {
             escaped("</title><script>'a' & \"b\""),
             "&lt;/title&gt;&lt;script&gt;&#39;a&#39; &amp; &quot;b&quot;"
         );
+        assert_eq!(escaped("::a\n ::b::c ##[d] #e"), "&#58;:a\n &#58;:b::c &#35;#[d] #e");
         assert_eq!(
             escaped("a\0b\u{202E}\r\nc\rd\u{1B}[31m Größe 速度"),
             "a\u{FFFD}b\u{FFFD}\nc\nd\u{FFFD}[31m Größe 速度"

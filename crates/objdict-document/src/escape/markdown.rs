@@ -12,6 +12,7 @@ use std::fmt;
 use askama::filters::Escaper;
 
 use super::shown;
+use crate::diagnostic::printable;
 
 /// The escaper of `.md` templates. Pass each text in one piece: the escaping of a character depends on its
 /// neighbours. At the start and end of a piece the escaper assumes the worst case.
@@ -93,7 +94,9 @@ pub(crate) fn code(text: &str) -> String {
     };
     let blank =
         text.is_empty() || text.starts_with(char::is_whitespace) || text.ends_with(char::is_whitespace);
-    if !blank && !text.contains(awkward) && !text.contains('\n') {
+    // what a CI service takes for a command is escaped, which code cannot be
+    let is_awkward = text.contains(awkward) || printable(text) != text;
+    if !blank && !is_awkward {
         return format!("`{text}`");
     }
     format!("<code>{}</code>", escaped(text))

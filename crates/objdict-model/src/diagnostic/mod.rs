@@ -26,7 +26,7 @@ pub use rule::{Explained, HOME, Reach, RuleInfo, Stop};
 pub use selection::Selection;
 pub use text::{Argument, MAX_QUOTED, Sayable, Text, joined, listing, series};
 pub use tool::Tool;
-pub use words::{counted, misspelled, nearest, one_line, sub_index, visible};
+pub use words::{counted, misspelled, nearest, one_line, printable, printable_lines, sub_index, visible};
 
 /// The severity of a finding.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]

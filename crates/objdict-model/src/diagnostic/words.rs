@@ -1,5 +1,7 @@
 //! Words for messages.
 
+use std::borrow::Cow;
+
 /// "1 entry", "2 entries".
 pub fn counted(number: usize, one: &str, many: &str) -> String {
     format!("{number} {}", if number == 1 { one } else { many })
@@ -59,16 +61,43 @@ pub fn visible(character: char) -> char {
         '\u{061C}'
         | '\u{200B}'..='\u{200F}'
         | '\u{2028}'..='\u{202E}'
-        | '\u{2060}'..='\u{2069}'
-        | '\u{FEFF}' => char::REPLACEMENT_CHARACTER,
+        | '\u{2060}'..='\u{206F}'
+        | '\u{FEFF}'
+        | '\u{FFF9}'..='\u{FFFB}' => char::REPLACEMENT_CHARACTER,
         _ if character.is_control() => char::REPLACEMENT_CHARACTER,
         _ => character,
     }
 }
 
-/// A text as one line without terminal control characters, because it may quote any text of a file.
+/// A text as one line, because it may quote any text of a file: as [`printable`], with blanks for tabs.
 pub fn one_line(text: &str) -> String {
-    text.chars().map(|character| if character == '\t' { ' ' } else { visible(character) }).collect()
+    printable(text).replace('\t', " ")
+}
+
+/// Lines as they are printed, each [`printable`].
+pub fn printable_lines(text: &str) -> String {
+    text.split('\n').map(printable).collect::<Vec<_>>().join("\n")
+}
+
+/// A line as it is printed. Each character is [`visible`], and nothing is a command to a CI service that reads the output:
+/// `::error::…` at the start of a line (GitHub), `##[…]`, `##vso[…]` and `##teamcity[…]` anywhere (GitHub, Azure Pipelines,
+/// TeamCity). U+FFFD takes the place of what would be.
+pub fn printable(line: &str) -> Cow<'_, str> {
+    const MARKS: [&str; 3] = ["##[", "##vso[", "##teamcity["];
+    let is_plain = line.bytes().all(|byte| matches!(byte, b'\t' | b' '..=b'~'));
+    let is_command = || line.trim_start().starts_with("::");
+    let has_mark = || line.contains("##") && MARKS.iter().any(|mark| line.contains(mark));
+    if is_plain && !is_command() && !has_mark() {
+        return Cow::Borrowed(line);
+    }
+    let mut text: String = line.chars().map(visible).collect();
+    for mark in MARKS {
+        text = text.replace(mark, &mark.replacen('#', "\u{FFFD}", 1));
+    }
+    if text.trim_start().starts_with("::") {
+        text = text.replacen(':', "\u{FFFD}", 1);
+    }
+    Cow::Owned(text)
 }
 
 #[cfg(test)]
@@ -98,6 +127,25 @@ mod tests {
         assert_eq!(misspelled("PLC", words), Some("plc"));
         assert_eq!(misspelled("hmi", words), None);
         assert_eq!(misspelled("offset_vel_to_dev", words), None);
+    }
+
+    #[test]
+    fn nothing_steers_a_terminal_or_a_ci_service() {
+        for (text, expected) in [
+            ("plain: a::b #[c] \t~", "plain: a::b #[c] \t~"),
+            ("größer ↓", "größer ↓"),
+            ("a\u{1B}[31m\r\u{7F}\u{9B}b", "a\u{FFFD}[31m\u{FFFD}\u{FFFD}\u{FFFD}b"),
+            ("\u{202E}cba\u{2066}", "\u{FFFD}cba\u{FFFD}"),
+            ("::error::x", "\u{FFFD}:error::x"),
+            (" \t::error::x", " \t\u{FFFD}:error::x"),
+            ("a ##[error]b", "a \u{FFFD}#[error]b"),
+            ("##vso[x] ##teamcity[y]", "\u{FFFD}#vso[x] \u{FFFD}#teamcity[y]"),
+        ] {
+            assert_eq!(printable(text), expected);
+            assert_eq!(printable(expected), expected, "twice is once");
+        }
+        assert_eq!(one_line("a\tb\n::c"), "a b\u{FFFD}::c");
+        assert_eq!(printable_lines("a\n::b\n"), "a\n\u{FFFD}:b\n");
     }
 
     #[test]

@@ -10,6 +10,7 @@
 
 use std::fmt::{self, Write};
 
+use crate::diagnostic::one_line;
 use crate::download::{ConciseDcf, Download};
 use crate::literal::{self, Quirks, Spelling};
 use crate::model::{Address, DataType, TypeKind, Value, hex};
@@ -76,7 +77,7 @@ pub fn print(configuration: &ConciseDcf, annotate: impl Fn(&Download) -> Annotat
         let start = format!("{:04X}:{:02X}  {word:TYPE_WIDTH$} ", download.index, download.sub);
         // writing to a String cannot fail
         let _ = write!(text, "{start}{value}");
-        let comment: String = comment.chars().map(|c| if c.is_control() { ' ' } else { c }).collect();
+        let comment = one_line(&comment);
         if !comment.trim().is_empty() {
             let used = start.len() + value.rsplit('\n').next().map_or(0, |line| line.chars().count());
             let gap = COMMENT_COLUMN.saturating_sub(used).max(2);
@@ -111,9 +112,9 @@ fn value_text(download: &Download, data_type: DataType) -> Option<String> {
     })
 }
 
-/// Quotes a text; `None` if the text cannot be written on one line.
+/// Quotes a text; `None` if the text cannot be written on one line, or cannot be printed.
 fn quoted(text: &str) -> Option<String> {
-    if text.chars().any(char::is_control) {
+    if one_line(text) != text {
         return None;
     }
     Some(format!("\"{}\"", text.replace('\\', "\\\\").replace('"', "\\\"")))

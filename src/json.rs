@@ -1,0 +1,65 @@
+//! JSON as objdict writes it: characters that steer a terminal or the direction of text are escapes, and so is the start of what
+//! a CI service takes for a command.
+
+use std::io::{self, Write};
+
+use serde::Serialize;
+
+use crate::diagnostic::visible;
+
+/// Writes a value in one line.
+pub(crate) fn write(out: &mut dyn Write, value: &(impl Serialize + ?Sized)) -> io::Result<()> {
+    out.write_all(text(value)?.as_bytes())
+}
+
+/// Writes a value in lines, without an end of the last one.
+#[cfg(feature = "cli")]
+pub(crate) fn write_pretty(out: &mut dyn Write, value: &(impl Serialize + ?Sized)) -> io::Result<()> {
+    out.write_all(pretty(value)?.as_bytes())
+}
+
+/// A value in one line.
+pub(crate) fn text(value: &(impl Serialize + ?Sized)) -> serde_json::Result<String> {
+    serde_json::to_string(value).map(escaped)
+}
+
+/// A value in lines.
+pub(crate) fn pretty(value: &(impl Serialize + ?Sized)) -> serde_json::Result<String> {
+    serde_json::to_string_pretty(value).map(escaped)
+}
+
+/// JSON with the same meaning, in which nothing but line ends steers anything. Outside of texts it has no such characters.
+fn escaped(json: String) -> String {
+    let is_plain = |byte: u8| matches!(byte, b'\n' | b' '..=b'~');
+    if json.bytes().all(is_plain) && !json.contains("##") {
+        return json;
+    }
+    let mut escaped = String::with_capacity(json.len());
+    let mut characters = json.chars().peekable();
+    while let Some(character) = characters.next() {
+        let is_mark = character == '#' && characters.peek() == Some(&'#');
+        if is_mark || (character != '\n' && visible(character) != character) {
+            // all of these are in the basic plane
+            escaped.push_str(&format!("\\u{:04x}", u32::from(character)));
+        } else {
+            escaped.push(character);
+        }
+    }
+    escaped
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn texts_read_back() {
+        let hostile = "a\u{1B}\u{7F}\u{85}\u{9B}\u{202E}\u{2066}\u{FEFF}##[error]#[b] \u{FFFD} größer\n";
+        for json in [text(&hostile).unwrap(), pretty(&vec![hostile]).unwrap()] {
+            assert!(json.chars().all(|c| c == '\n' || visible(c) == c), "{json}");
+            assert!(!json.contains("##") && json.contains("größer"), "{json}");
+            assert!(json.contains("\\u202e") && json.contains("\\u009b"), "{json}");
+        }
+        assert_eq!(serde_json::from_str::<String>(&text(&hostile).unwrap()).unwrap(), hostile);
+    }
+}
