@@ -320,7 +320,7 @@ impl<'r> Report<'r> {
         }
     }
 
-    fn json(&self, file: &str, notes: &[String], is_short: bool, out: &mut dyn Write) -> io::Result<()> {
+    fn json(&self, file: &str, notes: &[String], is_short: bool, out: &mut Output) -> io::Result<()> {
         let micro = |time: Option<u64>| time.map(|time| time / 1000);
         let row = |node: &'r NodeRun| NodeRow {
             node_id: node.node_id,
