@@ -4,7 +4,7 @@ use std::collections::BTreeMap;
 use std::fmt::Write;
 use std::fs;
 
-use objdict::diagnostic::Findings;
+use objdict::diagnostic::{Findings, Severity};
 use objdict::format::network::NetworkFile;
 use objdict::network::{Manner, Messages, Network, Party, compile};
 
@@ -193,4 +193,42 @@ fn a_pdo_with_a_constant_cob_id_stays_on() {
     };
     assert_eq!(downloads(Manner::Repaired), ["1800:5"]);
     assert_eq!(downloads(Manner::Strict), ["1800:1", "1800:5", "1800:1"]);
+}
+
+/// `--strict-dcfgen` builds what dcfgen builds, so errors of a `bus.yml` that it does not report leave no doubt about what is built.
+#[test]
+fn what_dcfgen_passes_over_is_built_as_dcfgen_does() {
+    let text = format!(
+        "master: {{node_id: 1, sync_period: 10000, sync_overflow: 255, sync_window: 20000, baudrate: 100, boot_tiem: 3}}\n\
+        drive:\n  dcf: {}\n  node_id: 5\n  tpdo:\n    2: {{cob_id: auto, transmission: 245, mapping: [{{index: 0x6064}}]}}\n  \
+        sdo:\n    - {{index: 0x1005, value: 0x81}}\n    - {{index: 0x1016, sub_index: 1, value: 0x000503E8}}\n    \
+        - {{index: 0x1016, sub_index: 2, value: 0x000903E8}}\n    - {{index: 0x1800, sub_index: 2, value: 1}}\n",
+        support::fixtures().join("network/servo.eds").display()
+    );
+    let findings = open("passed-over", &text).check();
+    let errors = || findings.iter().filter(|finding| finding.severity == Severity::Error);
+    let mut rules: Vec<&str> = errors().map(|finding| finding.rule.name()).collect();
+    rules.sort_unstable();
+    let expected = [
+        "invalid-value",
+        "invalid-value",
+        "no-sync-sender",
+        "silent-node",
+        "silent-node",
+        "sync-window",
+        "unknown-key",
+        "unsupported-bit-rate",
+    ];
+    assert_eq!(rules, expected);
+    assert!(errors().all(|finding| finding.is_understood));
+}
+
+/// A node whose description cannot be read is not an unknown one.
+#[test]
+fn an_unreadable_manager_is_one_finding() {
+    let text =
+        "[bus]\nmanager = \"plc\"\n[manager]\nheartbeat = \"100ms\"\n[node.plc]\nfile = \"nowhere.eds\"\n";
+    let findings = open("unreadable", text).check();
+    let rules: Vec<&str> = findings.iter().map(|finding| finding.rule.name()).collect();
+    assert_eq!(rules, ["unreadable-node"]);
 }

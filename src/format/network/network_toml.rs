@@ -55,6 +55,8 @@ impl Reader<'_, '_> {
         let settings = root.get("manager");
         let has_id = settings.is_some_and(|settings| settings.get("id").is_some());
         let node = match &named {
+            // a node whose description cannot be read has its own finding
+            Some(named) if is_unread(root, &network.nodes, &named.value) => None,
             Some(named) => named_manager(named, has_id, &network.nodes, self.findings),
             None => {
                 if let Some(settings) = settings.filter(|_| !has_id) {
@@ -458,6 +460,12 @@ fn identity(section: &Section<'_>, findings: &mut Findings) -> Option<IdentityLe
 fn unused_pdos(section: &Section<'_>, findings: &mut Findings) -> Option<Said<UnusedPdos>> {
     let word = section.word("unused-pdos", findings)?;
     Some(Said::new(if word.value == "off" { UnusedPdos::Off } else { UnusedPdos::Keep }, word.at))
+}
+
+/// Whether the file has a node of this name that cannot be read.
+fn is_unread(root: &Section<'_>, nodes: &[Node], name: &str) -> bool {
+    let is_there = root.get("node").is_some_and(|table| table.get(name).is_some());
+    is_there && nodes.iter().all(|node| node.name.value != name)
 }
 
 /// What `bus` and `manager` say, as settings of the described manager.
