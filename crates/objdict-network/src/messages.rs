@@ -196,7 +196,7 @@ impl Messages {
         }
         let emergencies = slave.device.object(0x1028).into_iter().flat_map(Object::entries);
         for (_, entry) in emergencies.filter(|(sub, _)| (1..=127).contains(sub)) {
-            let cob_id = entry.value().and_then(|value| CobId::from_value(value));
+            let cob_id = entry.value().and_then(CobId::from_value);
             // 0 is NMT, and the value of entries that are not in use in many descriptions
             if let Some(cob_id) = cob_id.map(number).filter(|cob_id| cob_id >> 31 == 0 && *cob_id != 0) {
                 self.receive(MessageId::of(cob_id), party(Service::Emcy));

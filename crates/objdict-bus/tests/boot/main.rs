@@ -2,7 +2,7 @@
 
 mod plant;
 
-use objdict_bus::{Cut, Dictionary, EventKind, LiveDictionary, Milestone, NmtState, PowerOn};
+use objdict_bus::{Abort, Cut, Dictionary, EventKind, LiveDictionary, Milestone, NmtState, PowerOn};
 use objdict_model::model::Access;
 
 use plant::{MILLISECOND, Network, device, failure, frames, milestones, node_rows, outcome};
@@ -372,7 +372,7 @@ fn what_is_stored_survives_a_reset() {
         (0x1020, 2, 32, Access::Rw, 0),
     ]);
     let mut dictionary = LiveDictionary::new(&device(&rows), 5, PowerOn::Defaults);
-    assert_eq!(dictionary.write(0x1010, 1, b"evas").map_err(|abort| abort.code()), Err(0x0800_0020));
+    assert_eq!(dictionary.write(0x1010, 1, b"evas").map_err(Abort::code), Err(0x0800_0020));
     dictionary.write(0x1020, 1, &[1, 0, 0, 0]).unwrap();
     dictionary.write(0x1017, 0, &[100, 0]).unwrap();
     assert_eq!(dictionary.number(0x1020, 1), Ok(0));

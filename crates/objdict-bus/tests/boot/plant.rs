@@ -95,8 +95,8 @@ pub(crate) fn manager_rows() -> Vec<Row> {
     rows
 }
 
-/// Sets values in rows; what is not there is added.
-pub(crate) fn set(rows: &mut Vec<Row>, values: &[(u16, u8, u32)]) {
+/// Sets values in rows, which must be there.
+pub(crate) fn set(rows: &mut [Row], values: &[(u16, u8, u32)]) {
     for &(index, sub, value) in values {
         let row = rows.iter_mut().find(|row| (row.0, row.1) == (index, sub));
         row.unwrap_or_else(|| panic!("{index:04X}:{sub:02X}")).4 = value;

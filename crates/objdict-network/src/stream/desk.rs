@@ -25,6 +25,9 @@ pub(super) enum Part {
     Download,
 }
 
+/// The last value that each part gives to an entry, and where it says so.
+type Written = BTreeMap<Part, (Span, Vec<u8>)>;
+
 /// A node, its downloads so far, and their problems.
 pub(super) struct Desk<'n, 'f> {
     pub(super) node: &'n Node,
@@ -32,8 +35,8 @@ pub(super) struct Desk<'n, 'f> {
     pub(super) device: Device,
     /// What writes at present.
     pub(super) part: Part,
-    /// The last value that each part gives to an entry, and where it says so.
-    written: BTreeMap<(u16, u8), BTreeMap<Part, (Span, Vec<u8>)>>,
+    /// What is written to each entry.
+    written: BTreeMap<(u16, u8), Written>,
     pub(super) origins: Origins,
     /// The position of the node in the network.
     pub(super) position: usize,
