@@ -30,9 +30,9 @@ impl UnlinkedPdos {
     pub(crate) fn new(network: &Network, compiled: &Compiled, messages: &Messages) -> Self {
         let mut unlinked = Self::default();
         for (can_id, message) in &messages.0 {
-            let parties = match (message.senders.as_slice(), message.receivers.as_slice()) {
-                (parties, []) | ([], parties) => parties,
-                _ => continue,
+            let ((parties, []) | ([], parties)) = (message.senders.as_slice(), message.receivers.as_slice())
+            else {
+                continue;
             };
             for party in parties {
                 let (Service::Pdo(pdo), Some(node)) = (party.service, party.node) else { continue };

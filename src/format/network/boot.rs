@@ -8,7 +8,7 @@ use super::{Build, BuildError, BuiltFile, NetworkFile};
 use crate::download::{ConciseDcf, Order};
 use crate::format::input::{FileKind, Input, ReadError, Reading};
 use crate::model::{Assignment, Device, DeviceKind, Entry, Value};
-use crate::network::{LelyOptions, Manner, Node};
+use crate::network::{LelyOptions, Manner, Network, Node};
 
 /// The bit rate in kbit/s of a network that states none.
 const BIT_RATE: u16 = 125;
@@ -224,7 +224,7 @@ fn nodes(
     if nodes.is_empty() {
         nodes = network
             .into_iter()
-            .flat_map(|network| network.slaves())
+            .flat_map(Network::slaves)
             .filter_map(|(_, node)| of_network(node))
             .collect();
     }

@@ -65,6 +65,9 @@ struct Reception {
     at: Span,
 }
 
+/// What is against the PDOs of a node, by their positions.
+type Obstacles = Vec<(usize, Obstacle)>;
+
 /// A frame with PDOs at both ends.
 struct Transfer<'a> {
     frame: Frame<'a>,
@@ -88,7 +91,7 @@ struct Refusal {
     node: usize,
     kind: PdoKind,
     /// What is against the PDOs of the node, by position. Others have a constant mapping without the entry.
-    obstacles: Vec<(usize, Obstacle)>,
+    obstacles: Obstacles,
 }
 
 impl Packer<'_> {
@@ -215,7 +218,7 @@ impl Packer<'_> {
         bits: u32,
         others: &[Reception],
         is_possible: impl Fn(u32) -> bool,
-    ) -> Result<(Reception, Option<u32>), Vec<(usize, Obstacle)>> {
+    ) -> Result<(Reception, Option<u32>), Obstacles> {
         let pdos = &self.pdos[share.node];
         let entries = share.entries();
         let deadline = share.deadline();

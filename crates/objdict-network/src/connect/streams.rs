@@ -77,6 +77,9 @@ pub(super) fn collect(network: &Network, findings: &mut Findings) -> Vec<Stream>
 /// Who configures the first PDO of a stream: a node, and the direction.
 type Lead = (usize, PdoKind);
 
+/// Where the value of a consumer's entry comes from: the producer, its entry, and the place of the link.
+type Source = (Option<usize>, Carried, Span);
+
 #[derive(Default)]
 struct Collection {
     streams: Vec<Stream>,
@@ -84,9 +87,8 @@ struct Collection {
     alike: HashMap<(Lead, Vec<usize>, LinkParameters), usize>,
     /// Where an entry of a lead is: stream and signal.
     sent: HashMap<(Lead, u16, u8), Vec<(usize, usize)>>,
-    /// What an entry of a consumer receives: the producer (`None`: a manager without a description), its entry, and the place
-    /// of the link.
-    written: HashMap<(usize, u16, u8), (Option<usize>, Carried, Span)>,
+    /// What an entry of a consumer receives; a manager without a description is no node.
+    written: HashMap<(usize, u16, u8), Source>,
 }
 
 impl Collection {
