@@ -222,11 +222,8 @@ fn nodes(
         }
     }
     if nodes.is_empty() {
-        nodes = network
-            .into_iter()
-            .flat_map(Network::slaves)
-            .filter_map(|(_, node)| of_network(node))
-            .collect();
+        nodes =
+            network.into_iter().flat_map(Network::slaves).filter_map(|(_, node)| of_network(node)).collect();
     }
     nodes.sort_by_key(|node| node.node_id);
     let own = manager.device.node_id();

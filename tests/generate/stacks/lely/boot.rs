@@ -4,7 +4,7 @@ use std::collections::BTreeMap;
 use std::path::{Path, PathBuf};
 use std::process::Command;
 
-use objdict::bus::{Conditions, Milestone, NodeRun, PlantNode, Run, boot};
+use objdict::bus::{Conditions, Milestone, NmtState, NodeRun, PlantNode, Run, boot};
 use objdict::diagnostic::Severity;
 use objdict::format::network::{BootFiles, NetworkFile};
 use objdict::format::{Format, WriteOptions, write};
@@ -112,7 +112,7 @@ fn outcome(node: &NodeRun) -> Outcome {
         Some(Milestone::Running) => 'L',
         Some(_) => '-',
     };
-    (node.node_id, status, node.state.map_or(0, |state| state.code()))
+    (node.node_id, status, node.state.map_or(0, NmtState::code))
 }
 
 /// The SDO requests of the manager to a node.
