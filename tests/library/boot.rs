@@ -5,7 +5,7 @@ use std::collections::BTreeSet;
 use objdict::bus::{BootFailure, Conditions, Milestone, NodeRun, Run, boot};
 use objdict::diagnostic::Findings;
 use objdict::format::network::{BootFiles, BuiltFile, InstallError, Installation, NetworkFile, install};
-use objdict::model::{Device, PdoKind};
+use objdict::model::{Access, Device, PdoKind};
 use objdict::network::{LelyOptions, Manner, compile};
 use objdict::source::SourceFile;
 
@@ -55,9 +55,7 @@ fn differences(node: &NodeRun, effective: &Device) -> Vec<String> {
     let mut differences = Vec::new();
     for (&index, object) in &effective.objects {
         for (sub, entry) in object.entries() {
-            let (Some(wanted), true) =
-                (entry.value(), entry.access.is_some_and(|access| access.is_writable()))
-            else {
+            let (Some(wanted), true) = (entry.value(), entry.access.is_some_and(Access::is_writable)) else {
                 continue;
             };
             let number = |value: &objdict::model::Value| value.integer_for(node.node_id);

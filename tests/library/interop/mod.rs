@@ -121,7 +121,7 @@ fn python_canopen_uploads_what_we_wrote() {
             json!({ "file": name, "node_id": node_id, "entries": entries })
         })
         .collect();
-    upload(&programs, &folder, &expected);
+    upload(programs, &folder, &expected);
 }
 
 /// Uploads the expected entries of descriptions in a folder.

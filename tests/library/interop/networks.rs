@@ -203,7 +203,7 @@ fn dcfs_have_the_effective_values() {
             json!({ "file": file, "node_id": slave.node_id, "entries": entries })
         };
         let expected: Vec<_> = compiled.nodes().map(described).collect();
-        upload(&programs, &folder, &expected);
+        upload(programs, &folder, &expected);
     }
 }
 
