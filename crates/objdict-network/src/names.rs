@@ -59,7 +59,7 @@ mod tests {
     fn a_misspelled_manager_is_no_other_device() {
         let node = |name: &str| Node { name: Said::new(name.to_owned(), Span::default()), ..Node::default() };
         let nodes = ["plc", "drive1", "axis_a"].map(node);
-        let mut named = |name: &str, has_id| {
+        let named = |name: &str, has_id| {
             let mut findings = Findings::new();
             let named = Said::new(name.to_owned(), Span::default());
             (named_manager(&named, has_id, &nodes, &mut findings), findings.iter().count())

@@ -45,7 +45,9 @@ fn findings_say_what_is_against_each_pdo() {
         };
         (1..=count).map(one).collect()
     };
-    let rows: Vec<(Vec<Kit>, Vec<Link>, &[&str], &str)> = vec![
+    /// Nodes, links, what is against each PDO, and the help.
+    type Row<'a> = (Vec<Kit>, Vec<Link>, &'a [&'a str], &'a str);
+    let rows: Vec<Row<'_>> = vec![
         (
             vec![constant.clone(), narrow],
             vec![four()],
