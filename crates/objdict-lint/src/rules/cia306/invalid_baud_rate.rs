@@ -25,7 +25,8 @@ fn check(device: &Device, findings: &mut Findings) {
         } else {
             Severity::Error
         });
-        findings.push(finding.help(say!("write one of the bit rates in kbit/s: {}", series(BaudRates::DEFINED))));
+        findings
+            .push(finding.help(say!("write one of the bit rates in kbit/s: {}", series(BaudRates::DEFINED))));
         return;
     }
     let Some(info) = &device.device_info else { return };
