@@ -328,6 +328,30 @@ fn pages_of_nodes_are_those_of_their_dcfs() {
     }
 }
 
+/// The full report is that of `network check`: building and showing do not repeat it.
+#[test]
+fn a_build_lists_errors_and_counts_other_findings() {
+    let folder = tempfile::tempdir().unwrap();
+    fs::copy("fixtures/network/island.eds", folder.path().join("island.eds")).unwrap();
+    let node = "[node.left]\nfile = \"island.eds\"\nid = 11\n";
+    fs::write(folder.path().join("network.toml"), node).unwrap();
+    fs::write(folder.path().join("wrong.toml"), format!("{node}set = {{ \"1F00\" = 1 }}\n")).unwrap();
+    let build =
+        |name: &str| objdict(folder.path(), &format!("network build {name} --target concise -o built"));
+    let output = build("network.toml");
+    assert_eq!(output.status.code(), Some(0));
+    let counts = "1 warning, 1 note in 1 file: `objdict network check network.toml` lists them\n";
+    assert_eq!(errors(&output), counts);
+    let output = build("wrong.toml");
+    assert_eq!(output.status.code(), Some(1));
+    let text = errors(&output);
+    assert!(text.contains("the device has no object `1F00`"), "{text}");
+    assert!(text.contains("1 error, 1 warning, 1 note in 1 file, so nothing is built"), "{text}");
+    assert!(!text.contains("without-"), "{text}");
+    let output = objdict(folder.path(), "network show network.toml");
+    assert_eq!((output.status.code(), errors(&output).as_str()), (Some(0), ""));
+}
+
 /// The name of a node leads to no other folder.
 #[test]
 fn nodes_are_built_into_the_folder() {
