@@ -33,7 +33,6 @@ fn complete(node: &Commissioning) -> Commissioning {
     Commissioning {
         net_number: Some(node.net_number.unwrap_or(0)),
         network_name: Some(node.network_name.clone().unwrap_or_default()),
-        lss_serial_number: Some(node.lss_serial_number.unwrap_or(0)),
         ..node.clone()
     }
 }

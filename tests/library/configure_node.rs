@@ -348,7 +348,7 @@ fn explicit_downloads_stay_in_the_file() {
 }
 
 #[test]
-fn numbers_of_the_node_keep_their_spelling() {
+fn numbers_of_the_node_keep_their_spelling_but_for_those_of_other_tools() {
     let text = "[DeviceComissioning]\nNodeID=0x03\nNodeName=07\nNetNumber=0x1\nCANopenManager=0\nLSS_SerialNumber=0x00001234\n";
     let source =
         SourceFile::from_bytes("n.dcf", text.as_bytes().to_vec(), &SourceOptions::default()).unwrap();
@@ -358,7 +358,7 @@ fn numbers_of_the_node_keep_their_spelling() {
     let settings = NodeSettings { node: &node, plugged: None, assignments: &[], downloads: &[] };
     let bytes = description.configured("n.dcf", &settings).unwrap().bytes;
     let changed = String::from_utf8(bytes).unwrap();
-    assert!(changed.contains("NodeID=0x03\nNodeName=7\nNetNumber=0x1\n"), "{changed}");
+    assert!(changed.contains("NodeID=3\nNodeName=7\nNetNumber=0x1\n"), "{changed}");
     assert!(changed.contains("LSS_SerialNumber=0x00001234\n"), "{changed}");
 }
 

@@ -10,6 +10,12 @@ use crate::source::EditError;
 /// The keys that only a DCF has (CiA 306-1 §5.3.1).
 const DCF_KEYS: [&str; 5] = ["ParameterValue", "Denotation", "UploadFile", "DownloadFile", "ParamRefd"];
 
+/// The section of the node, as other tools look for it.
+const COMMISSIONING: &str = "DeviceComissioning";
+
+/// Its keys that other tools look for in this spelling, and read as decimal numbers.
+const PLAIN_KEYS: [&str; 2] = ["NodeID", "Baudrate"];
+
 /// The bytes of `document` as a DCF with the name `file_name` for the node `node`. The values of `node`
 /// replace those of the document; `last_eds` is the file it was created from.
 ///
@@ -32,13 +38,21 @@ pub fn to_dcf(
     let settings = settings(node);
     match sections.find(&Part::Commissioning) {
         Some(section) => {
-            let changed = settings.iter().filter(|(key, value)| !has_number(document, section, key, value));
-            changed.for_each(|(key, value)| editor.set(section, key, value));
+            if !sections.all.iter().any(|(_, section)| has_standard_name(document, section)) {
+                editor.rename_section(section, COMMISSIONING);
+            }
+            for (key, value) in &settings {
+                if PLAIN_KEYS.contains(key) {
+                    set_plain(&mut editor, document, section, key, value);
+                } else if !has_number(document, section, key, value) {
+                    editor.set(section, key, value);
+                }
+            }
         }
         None => {
             let behind = [Part::Comments, Part::DummyUsage, Part::DeviceInfo, Part::FileInfo];
             let behind = behind.iter().find_map(|part| sections.find(part));
-            editor.insert_section(behind, "DeviceComissioning", &settings);
+            editor.insert_section(behind, COMMISSIONING, &settings);
         }
     }
     editor.to_bytes()
@@ -94,9 +108,37 @@ impl Sections {
     }
 }
 
+/// Whether the header of a section is the one of the standard, letter by letter.
+fn has_standard_name(document: &Document, section: &Section) -> bool {
+    section
+        .header
+        .is_some_and(|header| header.line.of(document.text()).trim() == format!("[{COMMISSIONING}]"))
+}
+
+/// Sets a key that must be spelled as in the standard. All lines of the key get the value, because other tools take the one with this spelling.
+fn set_plain(editor: &mut Editor<'_>, document: &Document, section: &Section, key: &str, value: &str) {
+    let text = document.text();
+    let spellings = section.entries.iter().filter(|entry| entry.key.of(text).eq_ignore_ascii_case(key));
+    let spellings: Vec<_> = spellings.collect();
+    if spellings.is_empty() {
+        editor.set(section, key, value);
+        return;
+    }
+    if spellings.iter().all(|entry| entry.key.of(text) != key) {
+        editor.replace(spellings[0].key, key);
+    }
+    for entry in spellings {
+        // these tools skip a comment behind the number
+        let number = entry.value.of(text).split_once(" ;").map_or(entry.value.of(text), |(number, _)| number);
+        if number.trim_end() != value {
+            editor.replace(entry.value, value);
+        }
+    }
+}
+
 /// Whether a key has this number already, in any spelling.
 fn has_number(document: &Document, section: &Section, key: &str, number: &str) -> bool {
-    const NUMBERS: [&str; 5] = ["NodeID", "Baudrate", "NetNumber", "CANopenManager", "LSS_SerialNumber"];
+    const NUMBERS: [&str; 3] = ["NetNumber", "CANopenManager", "LSS_SerialNumber"];
     let value = |text: &str| literal::value(text, Some(DataType::UNSIGNED32), &mut Quirks::default()).ok();
     let mut entries = section.entries.iter().filter(|_| NUMBERS.contains(&key));
     let entry = entries.find(|entry| entry.key.of(document.text()).eq_ignore_ascii_case(key));
@@ -117,8 +159,9 @@ fn settings(node: &Commissioning) -> Vec<(&'static str, String)> {
         ("NetNumber", number(node.net_number)),
         ("NetworkName", text(&node.network_name)),
         ("CANopenManager", number(node.manager.map(u32::from))),
-        ("LSS_SerialNumber", number(node.lss_serial_number)),
     ]);
+    // Lely refuses a serial number without 1018h sub-index 4, so none is invented
+    settings.extend(node.lss_serial_number.map(|number| ("LSS_SerialNumber", number.to_string())));
     let designators =
         [("NodeRefd", &node.node_reference_designator), ("NetRefd", &node.net_reference_designator)];
     settings

@@ -46,6 +46,20 @@ impl<'a> Editor<'a> {
         }
     }
 
+    /// Gives a section another name.
+    pub fn rename_section(&mut self, section: &Section, name: &str) {
+        self.check_line(name);
+        let Some(header) = section.header else { return };
+        let line = header.line.of(self.document.text());
+        // blanks between brackets and name are part of the name for some tools
+        let inside = line.find('[').zip(line.rfind(']')).filter(|(open, close)| open < close);
+        let inside = inside.map(|(open, close)| {
+            let at = |offset: usize| header.line.start + u32::try_from(offset).unwrap_or_default();
+            Span::new(at(open + 1), at(close))
+        });
+        self.replace(inside.unwrap_or(header.name), name);
+    }
+
     /// Removes the line of a key.
     pub fn remove_key(&mut self, section: &Section, key: &str) {
         let text = self.document.text();
