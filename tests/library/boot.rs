@@ -4,12 +4,13 @@ use std::collections::BTreeSet;
 
 use objdict::bus::{BootFailure, Conditions, Milestone, NodeRun, Run, boot};
 use objdict::diagnostic::Findings;
+use objdict::download::{ConciseDcf, Download};
 use objdict::format::network::{BootFiles, BuiltFile, InstallError, Installation, NetworkFile, install};
 use objdict::model::{Access, Device, PdoKind};
 use objdict::network::{LelyOptions, Manner, compile};
 use objdict::source::SourceFile;
 
-use crate::network::{open, path};
+use crate::network::{objections, open, path, verified};
 
 /// The networks of the fixtures.
 const NETWORKS: [&str; 4] = ["chapter4.toml", "cell.yml", "worked.yml", "wider.yml"];
@@ -20,7 +21,9 @@ fn run(installation: &Installation) -> Run {
 
 /// The DCFs of chapter 4.
 fn dcfs() -> Vec<BuiltFile> {
-    open("chapter4.toml").build(Manner::Repaired).unwrap().dcfs().unwrap()
+    let file = open("chapter4.toml");
+    let build = file.build(Manner::Repaired).unwrap();
+    verified(&build, build.dcfs().unwrap())
 }
 
 /// Replaces a text in a file; it must be there.
@@ -204,4 +207,60 @@ fn corrupted_files_boot_or_say_why_not() {
             }
         }
     }
+}
+
+/// The files of every target, replayed: nothing is against them.
+#[test]
+fn nothing_is_against_what_is_built() {
+    for name in NETWORKS {
+        let file = open(name);
+        let build = file.build(Manner::Repaired).unwrap();
+        verified(&build, build.dcfs().unwrap());
+        verified(&build, build.concise().unwrap());
+        verified(&build, vec![build.manager().unwrap()]);
+        verified(&build, build.node_list().unwrap());
+        verified(&build, build.lely(&LelyOptions::default()).unwrap());
+    }
+}
+
+#[test]
+fn what_a_node_refuses_is_against_its_file() {
+    let file = open("chapter4.toml");
+    let build = file.build(Manner::Repaired).unwrap();
+    let mut files = build.concise().unwrap();
+    let mut middle = ConciseDcf::parse(&files[2].bytes).unwrap();
+    middle.0.push(Download::new(0x1000, 0, [0; 4]));
+    files[2].bytes = middle.write().unwrap();
+    let words = "`middle` refuses download 4, 1000:00: its access type does not allow a write";
+    assert_eq!(objections(&build, &files), [words]);
+    files[2].bytes.truncate(9);
+    assert!(objections(&build, &files)[0].starts_with("`middle` has no valid configuration: "));
+}
+
+/// A node that has another CAN-ID in the end than the network file says: only what is built shows it.
+#[test]
+fn the_rules_are_against_what_comes_of_the_files() {
+    let file = open("chapter4.toml");
+    let build = file.build(Manner::Repaired).unwrap();
+    let mut files = build.concise().unwrap();
+    let mut middle = ConciseDcf::parse(&files[2].bytes).unwrap();
+    middle.0.push(Download::new(0x1800, 1, 0x18B_u32.to_le_bytes()));
+    files[2].bytes = middle.write().unwrap();
+    let found = objections(&build, &files).join("\n");
+    assert!(found.contains("18Bh"), "{found}");
+    let mut files = dcfs();
+    let left = files.iter().position(|file| file.name == "left.dcf").unwrap();
+    let text = String::from_utf8(files[left].bytes.clone()).unwrap().replace("NodeID=11", "NodeID=12");
+    files[left].bytes = text.into_bytes();
+    assert!(!objections(&build, &files).is_empty());
+}
+
+#[test]
+fn a_configuration_that_the_manager_does_not_find_is_missing() {
+    let file = open("worked.yml");
+    let build = file.build(Manner::Repaired).unwrap();
+    let mut files = build.lely(&LelyOptions::default()).unwrap();
+    files.retain(|file| file.name != "drive.bin");
+    let found = objections(&build, &files);
+    assert_eq!(found[0], "`drive` has no valid configuration: `drive.bin` (1F22h) is missing");
 }

@@ -5,7 +5,7 @@ use std::path::PathBuf;
 
 use objdict::diagnostic::Findings;
 use objdict::download::{ConciseDcf, effective};
-use objdict::format::network::{BuiltFile, ConfigurationTime, NetworkFile, init, schema};
+use objdict::format::network::{Build, BuiltFile, ConfigurationTime, NetworkFile, init, schema};
 use objdict::format::{self, Description, Format};
 use objdict::model::{Device, Value};
 use objdict::network::{End, LelyOptions, Manner, MessageRow, Overview, compile};
@@ -23,7 +23,20 @@ pub(crate) fn path(name: &str) -> PathBuf {
 
 /// The files of Lely's master.
 pub(crate) fn lely(name: &str, options: &LelyOptions) -> Vec<BuiltFile> {
-    open(name).build(options.manner).unwrap().lely(options).unwrap()
+    let file = open(name);
+    let build = file.build(options.manner).unwrap();
+    verified(&build, build.lely(options).unwrap())
+}
+
+/// What is against built files.
+pub(crate) fn objections(build: &Build<'_>, files: &[BuiltFile]) -> Vec<String> {
+    build.verify(files).unwrap().iter().map(ToString::to_string).collect()
+}
+
+/// Built files, replayed: nothing is against them.
+pub(crate) fn verified(build: &Build<'_>, files: Vec<BuiltFile>) -> Vec<BuiltFile> {
+    assert_eq!(objections(build, &files), Vec::<String>::new());
+    files
 }
 
 /// An empty folder.
@@ -86,7 +99,7 @@ fn every_stream_is_accepted_by_its_node() {
         let network = open(name);
         assert!(!network.check().has_errors(), "{name}");
         let build = network.build(Manner::Repaired).unwrap();
-        for BuiltFile { name, bytes } in build.concise().unwrap() {
+        for BuiltFile { name, bytes } in verified(&build, build.concise().unwrap()) {
             let node = network
                 .network
                 .as_ref()
@@ -164,8 +177,11 @@ fn what_is_written_has_the_effective_values() {
         let nodes = &network.network.as_ref().unwrap().nodes;
         let compiled = compile(network.network.as_ref().unwrap(), Manner::Repaired, &mut Findings::new());
         let build = network.build(Manner::Repaired).unwrap();
-        let dcfs = build.dcfs().unwrap();
-        let [concise, lely] = [build.concise().unwrap(), build.lely(&LelyOptions::default()).unwrap()];
+        let dcfs = verified(&build, build.dcfs().unwrap());
+        let [concise, lely] = [
+            verified(&build, build.concise().unwrap()),
+            verified(&build, build.lely(&LelyOptions::default()).unwrap()),
+        ];
         let of = |name: &str, files: &[BuiltFile]| {
             files.iter().find(|file| file.name == name).map(|file| file.bytes.clone())
         };
@@ -201,7 +217,8 @@ fn the_manager_has_the_configuration_of_each_node() {
     let value = |index: u16, sub: u8| {
         device.object(index).and_then(|object| object.value(sub)).map(|value| value.to_string())
     };
-    for (node_id, stream) in [(11, &build.concise().unwrap()[0]), (12, &build.concise().unwrap()[1])] {
+    let concise = verified(&build, build.concise().unwrap());
+    for (node_id, stream) in [(11, &concise[0]), (12, &concise[1])] {
         let held = device.object(0x1F22).unwrap().value(node_id).unwrap().into_owned();
         assert_eq!(held, objdict::model::Value::Bytes(stream.bytes.clone().into()), "{node_id}");
     }
@@ -350,7 +367,9 @@ fn nodes_keep_the_time_of_their_configuration() {
     let device = build.manager_device().unwrap();
     let value = |index: u16| device.object(index).unwrap().value(11).map(|value| value.to_string());
     assert_eq!([value(0x1F26), value(0x1F27)].map(Option::unwrap), ["15666", "41400000"]);
-    let stream = objdict::download::ConciseDcf::parse(file(&build.concise().unwrap(), "left.cdcf")).unwrap();
+    let stream =
+        objdict::download::ConciseDcf::parse(file(&verified(&build, build.concise().unwrap()), "left.cdcf"))
+            .unwrap();
     let last: Vec<String> = stream.0.iter().rev().take(2).map(|download| format!("{download:?}")).collect();
     assert_eq!(last, ["1020:02 C0B67702", "1020:01 323D0000"]);
 }

@@ -148,7 +148,7 @@ fn slave(
         desk.take_stored();
     }
     let own = desk.downloads.len();
-    if let Some(manager) = manager {
+    if let Some(manager) = manager.filter(|_| !network.is_as_described) {
         consumers(desk, manager);
     }
     desk.contradictions();

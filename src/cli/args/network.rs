@@ -111,6 +111,9 @@ pub(in crate::cli) struct NetworkBuildArgs {
     /// Build even if there are errors
     #[arg(long)]
     pub force: bool,
+    /// Replay each configuration against its node, and check the network that comes of it; exits with 1 when a node refuses a download or a rule finds an error
+    #[arg(long)]
+    pub verify: bool,
     /// The manager knows the mappings of the nodes' PDOs, as with `dcfgen -r`
     #[arg(short, long, help_heading = "Lely")]
     pub remote_pdo: bool,

@@ -50,6 +50,9 @@ pub(super) fn run(args: &NetworkBuildArgs, out: &mut Output) -> Result<Outcome, 
         build = build.configured_at(time);
     }
     let files = files(args, &build, manner)?;
+    if args.verify && !is_verified(args, &build, &files)? && !args.force {
+        return Ok(Outcome::Findings);
+    }
     let folder = Folder::open(&args.output, &origin(args), &args.overwrite)?;
     let contents: Vec<_> = files.iter().map(|file| (file.name.as_str(), file.bytes.as_slice())).collect();
     for name in folder.replace(&contents)? {
@@ -58,6 +61,25 @@ pub(super) fn run(args: &NetworkBuildArgs, out: &mut Output) -> Result<Outcome, 
     }
     out.summary(format_args!("{}: {}", name_of(&args.output), plural(files.len(), "file")))?;
     Ok(Outcome::Clean)
+}
+
+/// Whether nothing is against the files that are built.
+fn is_verified(args: &NetworkBuildArgs, build: &Build<'_>, files: &[BuiltFile]) -> Result<bool, Failure> {
+    if matches!(args.target, NetworkTarget::Busyml | NetworkTarget::C | NetworkTarget::Rust) {
+        let failure =
+            Failure::new("this target has no configurations of nodes, so there is nothing to verify");
+        return Err(failure.help("verify `--target dcf`, `lely`, `concise`, `cpj` or `manager`"));
+    }
+    let objections = build.verify(files).map_err(Failure::new)?;
+    for objection in &objections {
+        tell(&format!("error: {}\n", one_line(&objection.to_string())));
+    }
+    if !objections.is_empty() && !args.force {
+        let count = plural(objections.len(), "objection");
+        let failure = Failure::new(format_args!("{count}, so nothing is built"));
+        failure.help("correct the descriptions or the settings; `--force` builds anyway").print();
+    }
+    Ok(objections.is_empty())
 }
 
 /// What builds the files: a build of the same network for the same target replaces all of them.

@@ -130,10 +130,10 @@ pub fn install(files: &[BuiltFile], network: Option<&NetworkFile>) -> Result<Ins
 }
 
 /// A description among the files.
-struct Described {
+pub(super) struct Described {
     /// The name of the file.
     file: String,
-    device: Device,
+    pub(super) device: Device,
 }
 
 impl Described {
@@ -144,7 +144,7 @@ impl Described {
     }
 }
 
-fn described(files: &[BuiltFile]) -> Result<Vec<Described>, ReadError> {
+pub(super) fn described(files: &[BuiltFile]) -> Result<Vec<Described>, ReadError> {
     let mut described = Vec::new();
     for BuiltFile { name, bytes } in files {
         let kind = FileKind::of(Path::new(name));
@@ -161,7 +161,7 @@ fn described(files: &[BuiltFile]) -> Result<Vec<Described>, ReadError> {
     Ok(described)
 }
 
-fn manager_among(described: &[Described]) -> Result<usize, InstallError> {
+pub(super) fn manager_among(described: &[Described]) -> Result<usize, InstallError> {
     let is_manager = |device: &Device| {
         let startup = device.value(NMT_STARTUP, 0).and_then(|value| value.as_integer());
         let is_stated = device.commissioning.as_ref().and_then(|node| node.manager);
@@ -274,7 +274,7 @@ fn bit_rate(manager: &Device, network: Option<&NetworkFile>) -> Option<u16> {
 }
 
 /// The manager with the downloads that Lely's master makes to itself: those of `master.bin` beside `master.dcf`.
-fn configured(manager: Described, files: &[BuiltFile]) -> Result<PlantNode, InstallError> {
+pub(super) fn configured(manager: Described, files: &[BuiltFile]) -> Result<PlantNode, InstallError> {
     let node_id = manager.device.node_id().ok_or_else(|| InstallError::NoNodeId(manager.file.clone()))?;
     let beside = Path::new(&manager.file).with_extension("bin");
     let own = files.iter().find(|file| Path::new(&file.name) == beside);
@@ -294,7 +294,7 @@ fn configured(manager: Described, files: &[BuiltFile]) -> Result<PlantNode, Inst
 }
 
 /// The concise DCFs of the nodes: in the manager, or in files that it names.
-fn configurations(manager: &Device, files: &[BuiltFile]) -> Configurations {
+pub(super) fn configurations(manager: &Device, files: &[BuiltFile]) -> Configurations {
     let mut configurations = Configurations::new();
     let Some(object) = manager.object(CONCISE_DCF) else { return configurations };
     for (node_id, entry) in object.entries().filter(|(sub, _)| (1..=127).contains(sub)) {

@@ -26,7 +26,7 @@ use std::rc::Rc;
 
 pub use self::boot::{BootFiles, InstallError, Installation, install};
 pub use self::init::init;
-pub use self::outputs::{Build, BuildError, BuiltFile, ConfigurationTime, ConfiguredNode};
+pub use self::outputs::{Build, BuildError, BuildObjection, BuiltFile, ConfigurationTime, ConfiguredNode};
 use self::rules::UNREADABLE_NODE;
 use super::Description;
 use super::identify::{ContentKind, identify_source};

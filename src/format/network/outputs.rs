@@ -2,7 +2,9 @@
 
 mod bus;
 mod manager;
+mod replay;
 
+pub use self::replay::BuildObjection;
 use super::NetworkFile;
 use crate::diagnostic::Findings;
 use crate::download::{ConciseDcf, EncodeError, PlanError};

@@ -14,7 +14,7 @@ use objdict::source::SourceOptions;
 use serde_json::json;
 
 use super::{environment, expected_entries, readings, text_of, upload};
-use crate::network::{lely, new_folder, open, path};
+use crate::network::{lely, new_folder, open, path, verified};
 use crate::support;
 
 const NETWORKS: [&str; 2] = ["worked.yml", "cell.yml"];
@@ -60,8 +60,8 @@ fn nodes_take_their_configurations() {
         let folder = new_folder(&format!("nodes-{name}"));
         let network = open(name);
         let build = network.build(Manner::Repaired).unwrap();
-        write(&folder, build.concise().unwrap());
-        write(&folder, build.dcfs().unwrap());
+        write(&folder, verified(&build, build.concise().unwrap()));
+        write(&folder, verified(&build, build.dcfs().unwrap()));
         let nodes: Vec<_> = network.network.as_ref().unwrap().slaves().map(|(_, node)| node).collect();
         for node in &nodes {
             fs::copy(path(&node.file.value), folder.join(format!("{}.eds", node.name.value))).unwrap();
@@ -107,7 +107,8 @@ fn the_file_of_a_manager_has_its_boot_data() {
         let build = network.build(Manner::Repaired).unwrap();
         let compiled = of_nodes(&build.manager_device().unwrap());
         assert!(compiled.keys().any(|name| name.starts_with("1F81sub")), "{name}: {compiled:?}");
-        let BuiltFile { name: built, bytes } = build.manager().unwrap();
+        let [BuiltFile { name: built, bytes }] =
+            verified(&build, vec![build.manager().unwrap()]).try_into().unwrap();
         let built = folder.join(format!("{name}-{built}"));
         fs::write(&built, bytes).unwrap();
         let read = format::open(&built, &SourceOptions::default()).unwrap();
@@ -192,7 +193,7 @@ fn dcfs_have_the_effective_values() {
         let file = open(name);
         let network = file.network.as_ref().unwrap();
         let build = file.build(Manner::Repaired).unwrap();
-        write(&folder, build.dcfs().unwrap());
+        write(&folder, verified(&build, build.dcfs().unwrap()));
         let compiled = compile(network, Manner::Repaired, &mut Findings::new());
         let described = |slave: &Slave| {
             let mut device = slave.device.clone();
