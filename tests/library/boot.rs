@@ -11,6 +11,7 @@ use objdict::network::{LelyOptions, Manner, compile};
 use objdict::source::SourceFile;
 
 use crate::network::{objections, open, path, verified};
+use crate::support;
 
 /// The networks of the fixtures.
 const NETWORKS: [&str; 4] = ["chapter4.toml", "cell.yml", "worked.yml", "wider.yml"];
@@ -263,4 +264,37 @@ fn a_configuration_that_the_manager_does_not_find_is_missing() {
     files.retain(|file| file.name != "drive.bin");
     let found = objections(&build, &files);
     assert_eq!(found[0], "`drive` has no valid configuration: `drive.bin` (1F22h) is missing");
+}
+
+/// Without a bit rate, a bus that not even the fastest one can carry is an error, because its nodes do not boot.
+#[test]
+fn a_bus_that_is_overloaded_at_any_bit_rate_is_an_error() {
+    let text = "[bus]\nsync = \"40us\"\n[manager]\nid = 1\n\
+        [node.left]\nfile = \"island.eds\"\nid = 11\nset = { \"1800:2\" = 1, \"1801:2\" = 1 }\n";
+    let folder = path("chapter4.toml").parent().unwrap().to_owned();
+    let read = |text: &str| {
+        let source = SourceFile::from_text("network.toml", text);
+        NetworkFile::read(source, folder.clone(), &std::collections::BTreeMap::new())
+    };
+    let rules = |file: &NetworkFile| file.check().iter().map(|finding| finding.rule.id).collect::<Vec<_>>();
+    let fast = read(text);
+    assert!(fast.check().has_errors() && rules(&fast).contains(&"network/bus-load"), "{:?}", rules(&fast));
+    assert!(!run(&fast.install(BootFiles::Dcf).unwrap()).is_booted());
+    let slow = read(&text.replace("40us", "2ms"));
+    assert!(!rules(&slow).contains(&"network/bus-load"));
+    assert!(run(&slow.install(BootFiles::Dcf).unwrap()).is_booted());
+}
+
+/// What the check says of nodes that must not be reset or cannot restore is what the bus shows.
+#[test]
+fn what_the_manager_cannot_boot_is_an_error() {
+    let folder = support::fixtures().join("rules/network");
+    for rule in ["kept-alive-without-state", "nothing-to-restore"] {
+        for name in ["bad.toml", "good.toml"] {
+            let path = folder.join(rule).join(name);
+            let file = NetworkFile::open(&path, &std::collections::BTreeMap::new()).unwrap();
+            let run = run(&file.install(BootFiles::Dcf).unwrap());
+            assert_eq!(run.is_booted(), name == "good.toml", "{}", path.display());
+        }
+    }
 }

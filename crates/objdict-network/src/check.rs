@@ -36,6 +36,8 @@ pub fn check(network: &Network, findings: &mut Findings) {
     check.unbooted();
     check.identities();
     check.boot_time();
+    check.kept_alive();
+    check.restored();
     check.stored_configurations();
 }
 

@@ -134,7 +134,11 @@ impl<'n> Traffic<'n> {
 
     /// The share of the bit rate that is used all the time, in thousandths; `None` without a bit rate.
     pub(crate) fn load(self) -> Option<u64> {
-        let rate = self.network.bit_rate?;
+        Some(self.load_at(self.network.bit_rate?.value))
+    }
+
+    /// The same at a bit rate in kbit/s.
+    pub(crate) fn load_at(self, bit_rate: u16) -> u64 {
         let sync = self.sync();
         // bits a second, times a thousand
         let mut load: u64 = sync
@@ -153,7 +157,7 @@ impl<'n> Traffic<'n> {
         for time in guard_times {
             load += (frame_bits(0, false) + frame_bits(1, false)) * 1_000_000 / u64::from(time);
         }
-        Some(load / (u64::from(rate.value) * 1000).max(1))
+        load / (u64::from(bit_rate) * 1000).max(1)
     }
 }
 

@@ -5,7 +5,10 @@ use super::timing::sdo_bits;
 use crate::diagnostic::{At, Diagnostic, Severity, say};
 use crate::download::Order;
 use crate::identity::{self, number};
-use crate::rules::{AMBIGUOUS_IDENTITY, BOOT_TIME, WRONG_IDENTITY};
+use crate::model::Place;
+use crate::rules::{
+    AMBIGUOUS_IDENTITY, BOOT_TIME, KEPT_ALIVE_WITHOUT_STATE, NOTHING_TO_RESTORE, WRONG_IDENTITY,
+};
 use crate::stream::Slave;
 
 impl Check<'_, '_> {
@@ -116,6 +119,75 @@ impl Check<'_, '_> {
                     false => finding,
                 });
             }
+        }
+    }
+
+    /// Nodes that must not be reset while they are operational, and do not say whether they are.
+    pub(super) fn kept_alive(&mut self) {
+        let Some(manager) = &self.network.manager else { return };
+        for slave in &self.compiled.slaves {
+            let node = &self.network.nodes[slave.node];
+            if !node.boot.boot || node.boot.reset_communication {
+                continue;
+            }
+            // before it is configured, the node has the defaults, or what a DCF says that it has
+            let is_stored = self.network.order == Order::Dcfgen || self.network.is_as_described;
+            let own = node.device.object(0x1017).and_then(|object| {
+                let entry = object.entry(0)?;
+                let value = if is_stored { entry.value() } else { entry.default.as_ref() };
+                value?.integer_for(slave.node_id)
+            });
+            // the manager asks a node whose heartbeat it does not expect
+            let is_expected = slave.heartbeat != 0 && manager.monitors_nodes();
+            let is_asked = !is_expected && node.device.object(0x100C).is_some();
+            if own.is_some_and(|time| time != 0) || is_asked {
+                continue;
+            }
+            let name = &node.name.value;
+            let message = match is_expected {
+                false => say!("`{}` must not be reset, but has neither a heartbeat nor node guarding", name),
+                true => say!("`{}` must not be reset, but has no heartbeat before it is configured", name),
+            };
+            let place = At::Node(slave.node, node.device.value_place(0x1017, 0));
+            let place = own.map(|_| place);
+            let finding = Diagnostic::new(&KEPT_ALIVE_WITHOUT_STATE, node.name.at, message)
+                .label_each(place, "the heartbeat time of the node when it is switched on");
+            let help = match is_expected {
+                true => {
+                    "let the manager reset the node, or describe it by a DCF with the heartbeat that it has stored"
+                }
+                false => "let the manager reset the node",
+            };
+            self.findings.push(finding.help(help).understood());
+        }
+    }
+
+    /// 1F8Ah against 1011h of the nodes.
+    pub(super) fn restored(&mut self) {
+        if self.network.manager.is_none() {
+            return;
+        }
+        for slave in &self.compiled.slaves {
+            let node = &self.network.nodes[slave.node];
+            let restored = node.boot.restore_configuration;
+            let is_there = || node.device.entry(0x1011, restored.value).is_some();
+            if !node.boot.boot || restored.value == 0 || is_there() {
+                continue;
+            }
+            let (name, sub) = (&node.name.value, restored.value);
+            let (message, help) = match node.device.object(0x1011) {
+                None => {
+                    (say!("`{}` has no 1011h, so it cannot restore its defaults", name), "remove the key")
+                }
+                Some(_) => {
+                    (say!("`{}` has no 1011h:{:02X}", name, sub), "name a sub-index that the node has")
+                }
+            };
+            let place = node.device.object(0x1011).map(|_| At::Node(slave.node, Place::object(0x1011)));
+            let at = if restored.at.is_empty() { node.name.at } else { restored.at };
+            let finding = Diagnostic::new(&NOTHING_TO_RESTORE, at, message);
+            self.findings
+                .push(finding.label_each(place, "the sub-indexes of the node").help(help).understood());
         }
     }
 

@@ -4,9 +4,13 @@ use super::Check;
 use crate::diagnostic::{Diagnostic, Severity, say};
 use crate::messages::Message;
 use crate::model::PdoKind;
+use crate::network::Said;
 use crate::rules::{BUS_LOAD, PDO_TIMES};
 use crate::stream::{PdoState, Slave, indexes};
 use crate::traffic::frame_bits;
+
+/// The highest bit rate of CiA 301 in kbit/s.
+const FASTEST: u16 = 1000;
 
 /// The most bits of the download of a value: expedited up to 4 bytes, else in segments of 7.
 pub(super) const fn sdo_bits(size: usize) -> u64 {
@@ -68,9 +72,12 @@ impl<'n> Check<'n, '_> {
 
     /// The share of the bit rate that is used all the time.
     pub(super) fn load(&mut self) {
-        let (Some(rate), Some(load)) = (self.network.bit_rate, self.traffic().load()) else { return };
-        let percent = load / 10;
-        if percent > 80 {
+        // without a bit rate, what the fastest bus cannot carry
+        let manager = self.network.manager.as_ref();
+        let fastest = manager.map(|manager| Said::new(FASTEST, manager.name.at));
+        let Some(rate) = self.network.bit_rate.or(fastest) else { return };
+        let percent = self.traffic().load_at(rate.value) / 10;
+        if percent > if self.network.bit_rate.is_some() { 80 } else { 100 } {
             let severity = if percent > 100 { Severity::Error } else { Severity::Warning };
             let message = say!("cyclic messages take {} % of {} kbit/s", percent, rate.value);
             let finding = Diagnostic::new(&BUS_LOAD, rate.at, message).severity(severity).understood();

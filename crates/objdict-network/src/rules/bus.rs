@@ -125,7 +125,7 @@ text_rules! {
 
     BUS_LOAD = "network/bus-load", Warning;
     summary: "the bus is loaded too much",
-    checks: "Whether cyclic PDOs, SYNC and heartbeats, each with the most stuff bits, take at most 80 % of the bit rate. Event-driven PDOs count with their inhibit time or event timer.",
+    checks: "Whether cyclic PDOs, SYNC and heartbeats, each with the most stuff bits, take at most 80 % of the bit rate; without a stated bit rate, at most all of 1000 kbit/s. Event-driven PDOs count with their inhibit time or event timer.",
     why: "PDOs are late, and there is no time for SDO and emergencies.",
     example: "30 PDOs of 8 bytes each 10 ms at 250 kbit/s",
     remedy: "Lengthen times, map entries together, or raise the bit rate.",

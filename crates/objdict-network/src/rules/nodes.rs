@@ -131,6 +131,22 @@ text_rules! {
     remedy: "Have the manager boot the node, or leave `mandatory` out.",
     source: "CiA 302-2, 1F81h",
 
+    KEPT_ALIVE_WITHOUT_STATE = "network/kept-alive-without-state", Error;
+    summary: "the manager must not reset a node that does not report its state",
+    checks: "Whether each node that the manager boots and must not reset while it is operational (1F81h bit 4) reports its state when it is switched on: by a heartbeat that its description has as the default of 1017h, or by node guarding (100Ch) where the manager expects no heartbeat.",
+    why: "The manager does not reset the node before it knows the state. When the network is switched on, nothing is configured yet, so the manager waits for a heartbeat that does not come, and does not boot the node (errors E and F of CiA 302-2).",
+    example: "`reset-communication = false` for a node with `DefaultValue=0` in `[1017]` and without 100Ch",
+    remedy: "Let the manager reset the node (`reset-communication = true`), or store a heartbeat time in the node and describe it by a DCF.",
+    source: "CiA 302-2, 1F81h",
+
+    NOTHING_TO_RESTORE = "network/nothing-to-restore", Error;
+    summary: "the manager restores the defaults of a node that cannot restore them",
+    checks: "Whether each node whose defaults the manager restores before it configures the node (1F8Ah, `restore`) has this sub-index of 1011h.",
+    why: "The node refuses the request, and the manager does not boot it (error J of CiA 302-2).",
+    example: "`restore = 1` for a node without 1011h",
+    remedy: "Remove `restore`, or name a sub-index of 1011h that the node has.",
+    source: "CiA 302-2, 1F8Ah; CiA 301 §7.5.2.14",
+
     ABSENT_SLAVE = "network/absent-slave", Warning;
     summary: "the manager waits for a node that is not in the network",
     checks: "Whether each node-ID that 1F81h of the manager assigns as a slave belongs to a node of the network. A mandatory one that is absent is an error.",

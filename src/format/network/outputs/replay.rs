@@ -7,7 +7,7 @@ use objdict_bus::{Configurations, PlantNode, PowerOn};
 use super::super::boot::{Described, configurations, configured, described, manager_among};
 use super::super::{InstallError, stored};
 use super::{Build, BuiltFile};
-use crate::diagnostic::{Findings, Severity};
+use crate::diagnostic::{Diagnostic, Findings, Severity};
 use crate::download::{ConciseDcf, Download, Order};
 use crate::model::{Assignment, Device, DeviceKind};
 use crate::network::{self, Heartbeat, Manager, Network, Node, Said, Slave};
@@ -56,7 +56,11 @@ impl Build<'_> {
         let mut findings = Findings::new();
         let network = read_stored(network, &mut findings);
         network::check(&network, &mut findings);
-        let errors = findings.iter().filter(|finding| finding.severity == Severity::Error);
+        let is_error = |finding: &Diagnostic| finding.severity == Severity::Error;
+        // of what the network file does not configure, some rules only warn; then it is no news either
+        let said = self.file.check();
+        let is_known = |rule: &str| said.iter().any(|finding| finding.rule.id == rule && !is_error(finding));
+        let errors = findings.iter().filter(|finding| is_error(finding) && !is_known(finding.rule.id));
         let errors = errors
             .map(|finding| BuildObjection { node: None, message: finding.message.shown().into_owned() });
         objections.extend(errors);
