@@ -3,7 +3,7 @@
 use std::collections::BTreeSet;
 
 use objdict::bus::{BootFailure, Conditions, Milestone, NodeRun, Run, boot};
-use objdict::diagnostic::Findings;
+use objdict::diagnostic::{Findings, Severity};
 use objdict::download::{ConciseDcf, Download};
 use objdict::format::network::{BootFiles, BuiltFile, InstallError, Installation, NetworkFile, install};
 use objdict::model::{Access, Device, PdoKind};
@@ -296,5 +296,46 @@ fn what_the_manager_cannot_boot_is_an_error() {
             let run = run(&file.install(BootFiles::Dcf).unwrap());
             assert_eq!(run.is_booted(), name == "good.toml", "{}", path.display());
         }
+    }
+}
+
+/// Descriptions of eight kinds of devices.
+const KINDS: [&str; 8] = [
+    "network/island.eds",
+    "network/servo.eds",
+    "eds/io-401.eds",
+    "eds/drive-402.eds",
+    "eds/encoder-406.eds",
+    "eds/coupler-modular.eds",
+    "eds/dspic-sensors.eds",
+    "eds/microcanopen.eds",
+];
+
+/// A plant of eight kinds of devices is built for each target, replayed, and boots.
+#[test]
+fn a_plant_of_eight_kinds_of_devices_boots() {
+    let mut text =
+        "[bus]\nbit-rate = 500\nsync = \"20ms\"\n[manager]\nid = 127\nheartbeat = \"500ms\"\n".to_owned();
+    for (node_id, file) in (1..).zip(KINDS) {
+        text += &format!(
+            "[node.n{node_id}]\nfile = \"{file}\"\nid = {node_id}\nheartbeat = \"200ms\"\nmandatory = true\n"
+        );
+    }
+    let source = SourceFile::from_text("network.toml", text);
+    let file = NetworkFile::read(source, support::fixtures(), &std::collections::BTreeMap::new());
+    let errors: Vec<String> = file
+        .check()
+        .iter()
+        .filter(|finding| finding.severity == Severity::Error)
+        .map(|finding| finding.message.shown().into_owned())
+        .collect();
+    assert_eq!(errors, Vec::<String>::new());
+    let build = file.build(Manner::Repaired).unwrap();
+    for files in [build.dcfs().unwrap(), build.lely(&LelyOptions::default()).unwrap()] {
+        let files = verified(&build, files);
+        let run = run(&install(&files, Some(&file)).unwrap());
+        let states: Vec<_> = run.nodes.iter().map(|node| (&node.name, &node.milestone)).collect();
+        assert!(run.is_booted(), "{states:?}");
+        assert!(run.nodes.iter().filter(|node| !node.is_manager).all(|node| node.operational.is_some()));
     }
 }
