@@ -60,7 +60,7 @@ pub(super) struct SettingsArgs {
     /// Evaluate formulas for this node-ID [default: that of the DCF]
     #[arg(long, value_name = "N", value_parser = node_id)]
     node_id: Option<u8>,
-    /// Also check compatibility with this tool: dcf-tools, canopeneditor, python-canopen, node-canopen, codesys,
+    /// Also check compatibility with this tool: dcf-tools, lely, canopeneditor, python-canopen, node-canopen, codesys,
     /// canopennode, canchkeds; repeatable, or separated by commas
     #[arg(long, value_name = "TOOL", value_delimiter = ',', value_parser = tool)]
     compat: Vec<Tool>,

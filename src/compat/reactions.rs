@@ -355,6 +355,7 @@ pub static REACTIONS: &[Reaction] = &[
         Dropped,
         "the definition is lost, and values of the type are",
     ),
+    row("portability/unloadable", &[Tool::Lely], Refused, "the file is refused"),
     row("portability/unquoted-string", DCF_TOOLS, Refused, "dcf2dev stops at it"),
 ];
 

@@ -9,6 +9,8 @@ use std::fmt;
 pub enum Tool {
     /// The dcf-tools of Lely core.
     DcfTools,
+    /// The C library of Lely core, which loads descriptions at run time.
+    Lely,
     /// CANopenEditor (libedssharp).
     CanOpenEditor,
     /// The library canopen for Python.
@@ -25,8 +27,9 @@ pub enum Tool {
 
 impl Tool {
     /// All tools.
-    pub const ALL: [Self; 7] = [
+    pub const ALL: [Self; 8] = [
         Self::DcfTools,
+        Self::Lely,
         Self::CanOpenEditor,
         Self::PythonCanopen,
         Self::NodeCanopen,
@@ -39,6 +42,7 @@ impl Tool {
     pub const fn name(self) -> &'static str {
         match self {
             Self::DcfTools => "dcf-tools",
+            Self::Lely => "lely",
             Self::CanOpenEditor => "canopeneditor",
             Self::PythonCanopen => "python-canopen",
             Self::NodeCanopen => "node-canopen",

@@ -6,8 +6,11 @@ use std::path::{Path, PathBuf};
 use std::process::Command;
 use std::sync::atomic::{AtomicUsize, Ordering};
 
+use objdict::diagnostic::Tool;
+use objdict::format;
 use objdict::generate::Options;
 use objdict::model::{Device, ObjectType};
+use objdict::source::SourceOptions;
 
 use super::{LACKS, without_files, write};
 use crate::compile::{c_compiler, succeed};
@@ -260,4 +263,31 @@ fn dcf2c_writes_the_same() {
     }
     eprintln!("of {rows} rows of {files} files");
     assert!(rows > 1_000, "only {rows} rows of {files} files were compared");
+}
+
+/// The loader refuses the fixtures, and with `OBJDICT_CORPUS_DIR` the files below that folder, that findings say it refuses, and no other.
+#[test]
+fn the_loader_refuses_what_findings_say() {
+    let Some(library) = Library::with(&[]) else { return };
+    let folder = tempfile::tempdir().unwrap();
+    let program = library.program(folder.path(), "loaded.c", &[]).unwrap();
+    let corpus = std::env::var_os("OBJDICT_CORPUS_DIR").map(PathBuf::from);
+    let folders = corpus.into_iter().chain([crate::support::fixtures()]);
+    let paths: Vec<PathBuf> =
+        folders.flat_map(|folder| crate::support::files_below(&folder, &["eds", "dcf"])).collect();
+    let mut options = objdict::lint::Options::default();
+    options.tools.push(Tool::Lely);
+    let (mut refused, mut wrong) = (0, Vec::new());
+    for path in &paths {
+        let Ok(description) = format::open(path, &SourceOptions::default()) else { continue };
+        let findings = objdict::check_with(&description, &options);
+        let is_claimed = findings.iter().any(|finding| finding.rule.id == "portability/unloadable");
+        let output = Command::new(&program).arg("5").arg(path).output().unwrap();
+        if output.status.success() == is_claimed {
+            wrong.push(format!("{}: claimed {is_claimed}", path.display()));
+        }
+        refused += usize::from(is_claimed);
+    }
+    assert!(wrong.is_empty(), "{}", wrong.join("\n"));
+    assert!(refused > 30, "only {refused} of {} files are refused", paths.len());
 }

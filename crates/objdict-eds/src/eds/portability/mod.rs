@@ -2,6 +2,7 @@
 //!
 //! They run when a check includes tools, but do not name them: `compat` lists the affected tools.
 
+mod loading;
 mod rules;
 mod spelling;
 mod structure;
@@ -37,6 +38,7 @@ pub fn check(document: &Document, device: &Device, findings: &mut Findings) {
     spelling.finish(findings);
     values.finish(findings);
     structure::commented_sections(document, findings);
+    loading::check(document, findings);
 }
 
 /// A section and its part.

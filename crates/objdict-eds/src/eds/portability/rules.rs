@@ -21,6 +21,7 @@ pub static RULES: &[&RuleInfo] = &[
     &SEMICOLON_IN_TEXT,
     &SPARSE_NAMES,
     &SUB_BEFORE_OBJECT,
+    &UNLOADABLE,
     &UNQUOTED_STRING,
 ];
 
@@ -202,4 +203,14 @@ text_rule! {
     example: "`DefaultValue=Pump controller`",
     remedy: "Put the text in quotes in a separate copy for dcf2dev.",
     source: "dcf-tools 2.4.2",
+}
+
+text_rule! {
+    UNLOADABLE = "portability/unloadable", Warning;
+    summary: "a reader that makes a dictionary of the file stops",
+    checks: "Whether each line of the object lists has a section with a name, each structure either `SubNumber` or `CompactSubObj`, each entry a data type and an access of CiA 301 and values that begin as values of its type, and whether the node-ID is one and 1018h:04 is there beside `LSS_SerialNumber`. The first place where the reader stops is shown.",
+    why: "The C library of Lely core reads a file at run time, as the dictionary of a master or a slave, and does not load it at all when one entry is not as it expects. It knows neither the data types of the device nor `$NODEID` without a number.",
+    example: "`LSS_SerialNumber=0` without `[1018sub4]`; `AccessType=r/w`",
+    remedy: "Correct the entry, or use a copy without it for the tool.",
+    source: "Lely core 2.4, src/co/dcf.c",
 }
