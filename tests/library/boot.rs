@@ -339,3 +339,18 @@ fn a_plant_of_eight_kinds_of_devices_boots() {
         assert!(run.nodes.iter().filter(|node| !node.is_manager).all(|node| node.operational.is_some()));
     }
 }
+
+/// What ObjFlags forbid to tools, a network file may ask for, and a node takes it.
+#[test]
+fn what_only_tools_must_not_write_is_not_against_a_file() {
+    let text = "[bus]\nbit-rate = 500\n[manager]\nid = 1\n[node.io]\nfile = \"eds/io-401.eds\"\nid = 5\n";
+    let source = SourceFile::from_text("network.toml", text);
+    let file = NetworkFile::read(source, support::fixtures(), &std::collections::BTreeMap::new());
+    let build = file.build(Manner::Repaired).unwrap();
+    let save = Download::new(0x1010, 1, *b"save");
+    let stream = ConciseDcf(vec![save]);
+    let device = &file.network.as_ref().unwrap().nodes[0].device;
+    assert!(!stream.verify(device, Some(5)).is_accepted());
+    let files = [BuiltFile { name: "io.cdcf".to_owned(), bytes: stream.write().unwrap() }];
+    assert_eq!(objections(&build, &files), Vec::<String>::new());
+}

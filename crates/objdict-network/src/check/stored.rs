@@ -35,7 +35,7 @@ impl Check<'_, '_> {
         let Some((manager, place)) = self.holder(slave, stored.index) else { return };
         let verification = stored.downloads.verify(&node.device, Some(slave.node_id));
         let findings: Vec<Diagnostic> = verification
-            .refusals()
+            .aborts()
             .map(|objection| {
                 let message = say!(
                     "`{}` refuses download {} in {:04X}h:{:02X} of `{}`, to {:04X}h:{:02X}: {}",

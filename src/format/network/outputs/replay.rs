@@ -90,7 +90,7 @@ impl Build<'_> {
             Vec::new()
         });
         let stream = ConciseDcf(downloads);
-        for refusal in stream.verify(&start, Some(slave.node_id)).refusals() {
+        for refusal in stream.verify(&start, Some(slave.node_id)).aborts() {
             let (number, index, sub) = (refusal.number, refusal.index, refusal.sub);
             object(format!("refuses download {number}, {index:04X}:{sub:02X}: {}", refusal.kind));
         }

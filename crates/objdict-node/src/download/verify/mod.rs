@@ -27,6 +27,11 @@ impl Verification {
         self.objections.iter().filter(|objection| objection.kind.is_refusal())
     }
 
+    /// The downloads that a node aborts: those that it rejects but for what only tools must not write.
+    pub fn aborts(&self) -> impl Iterator<Item = &Objection> {
+        self.refusals().filter(|objection| objection.kind.abort().is_some())
+    }
+
     /// Whether a node accepts every download.
     pub fn is_accepted(&self) -> bool {
         self.refusals().next().is_none()
