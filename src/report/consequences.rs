@@ -1,5 +1,7 @@
 //! Which findings another one explains, so that a report says the cause alone.
 
+use std::collections::{BTreeMap, HashMap, HashSet};
+
 use super::Subject;
 use crate::diagnostic::{At, Diagnostic, Reach, Severity, Text};
 use crate::format::eds;
@@ -8,31 +10,16 @@ use crate::source::Span;
 
 /// The findings without those that others among them explain.
 pub(super) fn without_consequences(subject: Subject<'_>, findings: Vec<Diagnostic>) -> Vec<Diagnostic> {
-    let places = Places::new(subject, &findings);
-    let located = || findings.iter().zip(&places.spans).filter(|(finding, _)| !finding.labels.is_empty());
-    let mut explained: Vec<(&[&str], Severity, Extent<'_>)> = Vec::new();
-    for (finding, span) in located() {
-        let extents = finding.rule.explains.iter();
-        explained.extend(extents.filter_map(|one| {
-            Some((one.rules, finding.severity, places.extent(one.reach, finding, *span)?))
-        }));
+    if findings.iter().all(|finding| finding.rule.explains.is_empty()) {
+        return findings;
     }
-    let is_explained = |(finding, span): (&Diagnostic, &Span)| {
-        let section = places.section(*span);
-        // a cause of a lower severity would change what fails a run
-        let is_it = |(rules, severity, extent): &(&[&str], Severity, Extent<'_>)| {
-            rules.contains(&finding.rule.name())
-                && finding.severity <= *severity
-                && extent.covers(finding, places.text, *span, section)
-        };
-        !finding.labels.is_empty() && explained.iter().any(is_it)
-    };
-    let is_explained: Vec<bool> = findings.iter().zip(&places.spans).map(is_explained).collect();
+    let places = Places::new(subject, &findings);
+    let is_explained = places.explained(&findings);
     let mut is_explained = is_explained.into_iter();
     findings.into_iter().filter(|_| !is_explained.next().unwrap_or_default()).collect()
 }
 
-/// What one cause explains. It is made once for each cause, because a file may have many of them.
+/// What one cause explains.
 enum Extent<'a> {
     All,
     /// What has this offset in it.
@@ -52,24 +39,78 @@ impl Extent<'_> {
     fn named(index: u16) -> Self {
         Self::Header(0, 0, Some(index), format!("{index:04X}h"))
     }
+}
 
-    fn covers(&self, finding: &Diagnostic, text: &str, span: Span, section: usize) -> bool {
-        match self {
-            Self::All => true,
-            Self::At(offset) => (span.start..=span.end).contains(offset),
-            Self::Behind(start, end) => span.start > *start && span.start <= *end,
-            Self::Section(number) => *number == section,
-            Self::Object(index) => index_of(finding) == Some(*index),
-            Self::Keys(message) => {
-                let key = Field::from_name(span.of(text));
-                message.names_part(|part| eds::is_key_of(part, &key))
-            }
-            Self::Header(start, end, index, name) => {
-                (span.start > *start && span.start <= *end)
-                    || index.is_some() && index_of(finding) == *index
-                    || finding.message.to_string().contains(name)
+/// What all causes explain together of one rule and severity, so that a finding is not compared with each of them.
+#[derive(Default)]
+struct Scope<'a> {
+    is_all: bool,
+    /// Sorted by [`Self::sort`].
+    offsets: Vec<u32>,
+    /// As [`Extent::Behind`]; [`Self::sort`] makes each end that of the farthest so far.
+    ranges: Vec<(u32, u32)>,
+    sections: HashSet<usize>,
+    objects: HashSet<u16>,
+    /// Texts that name the sections whose keys are meant; there are no more than such sections.
+    keys: Vec<&'a Text>,
+    /// What messages name, by length.
+    names: BTreeMap<usize, HashSet<Vec<u8>>>,
+}
+
+impl<'a> Scope<'a> {
+    fn add(&mut self, extent: &Extent<'a>) {
+        match extent {
+            Extent::All => self.is_all = true,
+            Extent::At(offset) => self.offsets.push(*offset),
+            Extent::Behind(start, end) => self.ranges.push((*start, *end)),
+            Extent::Section(number) => drop(self.sections.insert(*number)),
+            Extent::Object(index) => drop(self.objects.insert(*index)),
+            Extent::Keys(message) => self.keys.push(message),
+            Extent::Header(start, end, index, name) => {
+                self.ranges.push((*start, *end));
+                self.objects.extend(index);
+                self.names.entry(name.len()).or_default().insert(name.clone().into_bytes());
             }
         }
+    }
+
+    fn sort(&mut self) {
+        self.offsets.sort_unstable();
+        self.ranges.sort_unstable();
+        let mut farthest = 0;
+        for (_, end) in &mut self.ranges {
+            farthest = farthest.max(*end);
+            *end = farthest;
+        }
+    }
+
+    fn covers(&self, finding: &Diagnostic, text: &str, span: Span, section: usize) -> bool {
+        let has_offset = || {
+            let first = self.offsets.partition_point(|&offset| offset < span.start);
+            self.offsets.get(first).is_some_and(|&offset| offset <= span.end)
+        };
+        let is_in_range = || {
+            let before = self.ranges.partition_point(|&(start, _)| start < span.start);
+            before.checked_sub(1).is_some_and(|last| span.start <= self.ranges[last].1)
+        };
+        let is_key = || {
+            let key = Field::from_name(span.of(text));
+            self.keys.iter().any(|message| message.names_part(|part| eds::is_key_of(part, &key)))
+        };
+        let is_named = || {
+            let message = finding.message.shown();
+            let is_in = |(length, names): (&usize, &HashSet<Vec<u8>>)| {
+                message.as_bytes().windows(*length).any(|part| names.contains(part))
+            };
+            self.names.iter().any(is_in)
+        };
+        self.is_all
+            || has_offset()
+            || is_in_range()
+            || self.sections.contains(&section)
+            || index_of(finding).is_some_and(|index| self.objects.contains(&index))
+            || !self.keys.is_empty() && is_key()
+            || !self.names.is_empty() && is_named()
     }
 }
 
@@ -82,10 +123,12 @@ struct Places<'a> {
     headers: Vec<u32>,
     /// The only object that is listed or has sub-indexes, and has no section of its own.
     lost: Option<u16>,
-    /// The objects that are not listed.
-    unlisted: Vec<u16>,
+    /// The only object that belongs in a list, or in none, and is not listed.
+    unlisted: HashMap<Option<ObjectList>, Option<u16>>,
     /// Where the last marks of merge conflicts start.
     conflict_ends: Vec<u32>,
+    /// Where tags of objects in an XDD start and end.
+    object_tags: [Vec<u32>; 2],
 }
 
 impl<'a> Places<'a> {
@@ -96,15 +139,46 @@ impl<'a> Places<'a> {
         let span = |finding: &Diagnostic| {
             finding.labels.first().map_or(Span::empty(0), |label| subject.span_of(&label.at))
         };
+        let mut unlisted = HashMap::new();
+        for index in of_rule(findings, "object-not-listed").filter_map(index_of) {
+            let only = unlisted.entry(ObjectList::of(index)).or_insert(Some(index));
+            *only = only.filter(|&first| first == index);
+        }
         Self {
             text,
             has_no_objects: subject.description().is_some_and(|read| read.device().objects.is_empty()),
             spans: findings.iter().map(span).collect(),
             headers: starts("\n["),
             lost: only(findings.iter().filter_map(lost_object)),
-            unlisted: of_rule(findings, "object-not-listed").filter_map(index_of).collect(),
+            unlisted,
             conflict_ends: starts("\n>>>>>>>"),
+            object_tags: [OBJECT_START, OBJECT_END].map(starts),
         }
+    }
+
+    /// Which of the findings others explain.
+    fn explained(&self, findings: &[Diagnostic]) -> Vec<bool> {
+        let mut scopes: HashMap<(&str, Severity), Scope<'_>> = HashMap::new();
+        let located = || findings.iter().zip(&self.spans).filter(|(finding, _)| !finding.labels.is_empty());
+        for (finding, span) in located() {
+            for one in finding.rule.explains {
+                let Some(extent) = self.extent(one.reach, finding, *span) else { continue };
+                // a cause of a lower severity would change what fails a run
+                let severities = [Severity::Note, Severity::Warning, Severity::Error];
+                for severity in severities.into_iter().filter(|severity| *severity <= finding.severity) {
+                    for rule in one.rules {
+                        scopes.entry((rule, severity)).or_default().add(&extent);
+                    }
+                }
+            }
+        }
+        scopes.values_mut().for_each(Scope::sort);
+        let is_explained = |(finding, span): (&Diagnostic, &Span)| {
+            let scope = scopes.get(&(finding.rule.name(), finding.severity));
+            let covers = |scope: &Scope<'_>| scope.covers(finding, self.text, *span, self.section(*span));
+            !finding.labels.is_empty() && scope.is_some_and(covers)
+        };
+        findings.iter().zip(&self.spans).map(is_explained).collect()
     }
 
     /// The number of the section that a span starts in.
@@ -129,8 +203,7 @@ impl<'a> Places<'a> {
             Reach::List => {
                 let name = self.header_above(cause)?;
                 let list = ObjectList::ALL.into_iter().find(|list| list.name().eq_ignore_ascii_case(name));
-                let unlisted = self.unlisted.iter().copied();
-                only(unlisted.filter(|&index| ObjectList::of(index) == list)).map(Extent::Object)
+                self.unlisted.get(&list).copied().flatten().map(Extent::Object)
             }
             Reach::Value => value_of(line()).map(Extent::Object),
             Reach::Conflict if line().starts_with("<<<<<<<") => {
@@ -160,12 +233,19 @@ impl<'a> Places<'a> {
     }
 
     fn object_of(&self, cause: Span) -> Option<Extent<'static>> {
-        let (before, behind) = self.text.split_at_checked(cause.start as usize)?;
-        let (start, end) = (before.rfind("CANopenObject ")?, behind.find("CANopenObject>")?);
-        let end = u32::try_from(end).ok()?.checked_add(cause.start)?;
-        Some(Extent::Behind(u32::try_from(start).ok()?, end))
+        let [starts, ends] = &self.object_tags;
+        let length = u32::try_from(OBJECT_START.len()).ok()?;
+        let start = starts.partition_point(|&start| start + length <= cause.start).checked_sub(1)?;
+        let end = ends.partition_point(|&end| end < cause.start);
+        Some(Extent::Behind(starts[start], *ends.get(end)?))
     }
 }
+
+/// The start of the tag of an object in an XDD.
+const OBJECT_START: &str = "CANopenObject ";
+
+/// The end of the tag behind an object in an XDD.
+const OBJECT_END: &str = "CANopenObject>";
 
 /// The number at the end of a line.
 fn value_of(line: &str) -> Option<u16> {
