@@ -6,10 +6,10 @@ use std::path::{Path, PathBuf};
 
 use serde::{Deserialize, Serialize};
 
-#[cfg(feature = "lint")]
-use crate::config::absolute;
 use crate::diagnostic::Findings;
 use crate::report::{FINGERPRINT_NAME, Fingerprint, Subject, fingerprints};
+#[cfg(feature = "lint")]
+use crate::source::absolute;
 
 /// The largest baseline in bytes: 80,000 findings, which take 40 MB of memory.
 pub(crate) const MAX_SIZE: u64 = 16 << 20;

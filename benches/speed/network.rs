@@ -1,7 +1,6 @@
 //! Networks in a ring, each node with four links to the next one: reading with all descriptions, making PDOs of the links, and
 //! the configuration of every node. The time of a node must not grow with the number of nodes.
 
-use std::collections::BTreeMap;
 use std::fmt::Write;
 use std::path::Path;
 
@@ -29,7 +28,7 @@ fn build(bencher: Bencher, count: usize) {
     let path = folder.path().join("network.toml");
     std::fs::write(&path, ring(count)).expect("a file");
     bencher.counter(ItemsCount::new(count)).bench(|| {
-        let network = NetworkFile::open(&path, &BTreeMap::new()).expect("a network");
+        let network = NetworkFile::open(&path, &Default::default()).expect("a network");
         network.build(Manner::Repaired).and_then(|build| build.concise()).map(|files| files.len()).ok()
     });
 }

@@ -5,7 +5,7 @@ use std::path::Path;
 
 use super::args::{CheckArgs, ReportArgs, ReportFormat};
 use super::baseline::{BaselineArgs, Known};
-use super::files::{File, gather};
+use super::files::{File, gather, note_outside};
 use super::fix::{Amended, FixArgs, Fixing, amend};
 use super::input::{Candidate, name_of};
 use super::output::Output;
@@ -21,6 +21,9 @@ pub(super) fn run(args: &CheckArgs, out: &mut Output) -> Result<Outcome, Failure
     let mut settings = Settings::new(&args.settings)?;
     let (files, failures) = gather(&args.files, &mut settings)?;
     let worker = Worker { args, settings: &settings };
+    if args.fixing.safety().is_some() {
+        note_outside(&files);
+    }
     if args.fixing.diff {
         return show_changes(&worker, &files, &failures, out);
     }
@@ -153,7 +156,7 @@ impl Worker<'_> {
             options.tools = vec![tool];
         }
         let check = |description: &Description| crate::check_with(description, &options);
-        let (description, amended, unwritten) = match self.args.fixing.safety() {
+        let (description, amended, unwritten) = match self.args.fixing.safety().filter(|_| !file.is_outside) {
             None => (description, None, None),
             Some(_) if !self.args.fixing.diff && file.path == Path::new("-") => {
                 let failure = Failure::new("the standard input cannot be fixed in place");

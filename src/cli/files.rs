@@ -1,14 +1,14 @@
 //! The files that are meant by the arguments of a command: files, folders and patterns.
 
 use std::collections::HashSet;
-use std::path::{Path, PathBuf};
+use std::path::{Component, Path, PathBuf};
 use std::sync::Arc;
 
 use ignore::WalkBuilder;
 
 use super::input::name_of;
 use super::settings::{Project, Settings};
-use super::{Failure, detail};
+use super::{Failure, detail, note};
 
 /// The endings of the descriptions that are looked for in folders.
 const ENDINGS: [&str; 6] = ["eds", "dcf", "xdd", "xdc", "nxdd", "nxdc"];
@@ -21,6 +21,8 @@ pub(super) struct File {
     pub project: Option<Arc<Project>>,
     /// Whether an argument names it; else it was found in a folder or by a pattern.
     pub is_named: bool,
+    /// Whether a link led to it, out of the folder that was searched. Such a file is only read.
+    pub is_outside: bool,
     /// Its size in bytes; 0 where that is not known.
     pub size: u64,
 }
@@ -52,20 +54,20 @@ impl Gathered<'_, '_> {
     fn add(&mut self, argument: &Path) -> Result<(), Failure> {
         if argument.is_dir() {
             let before = self.files.len();
-            self.walk(argument)?;
+            self.walk(argument, &real(argument))?;
             if self.files.len() == before {
                 self.nothing_in(format_args!("there is no description in `{}`", name_of(argument)));
             }
         } else if is_pattern(argument) && !argument.exists() {
             self.expand(argument)?;
         } else {
-            self.push(argument.to_owned(), true)?;
+            self.push(argument.to_owned(), None)?;
         }
         Ok(())
     }
 
     /// The descriptions in a folder and below, but for what is hidden or named by a `.gitignore`.
-    fn walk(&mut self, folder: &Path) -> Result<(), Failure> {
+    fn walk(&mut self, folder: &Path, searched: &Path) -> Result<(), Failure> {
         let mut walk = WalkBuilder::new(folder);
         walk.require_git(false).sort_by_file_name(Ord::cmp);
         for found in walk.build() {
@@ -73,7 +75,7 @@ impl Gathered<'_, '_> {
                 Ok(found) if is_description(found.path()) && found.path().is_file() => {
                     // what is found in the current folder is called by its name
                     let path = found.path();
-                    self.push(path.strip_prefix("./").unwrap_or(path).to_owned(), false)?;
+                    self.push(path.strip_prefix("./").unwrap_or(path).to_owned(), Some(searched))?;
                 }
                 Ok(_) => {}
                 Err(error) => self.failures.push(Failure::new(error)),
@@ -94,10 +96,12 @@ impl Gathered<'_, '_> {
             }
         };
         let before = self.files.len();
+        let is_plain = |part: &Component<'_>| !is_pattern(part.as_ref());
+        let searched = real(&pattern.components().take_while(is_plain).collect::<PathBuf>());
         for found in matches {
             match found {
-                Ok(path) if path.is_dir() => self.walk(&path)?,
-                Ok(path) if path.is_file() => self.push(path, false)?,
+                Ok(path) if path.is_dir() => self.walk(&path, &searched)?,
+                Ok(path) if path.is_file() => self.push(path, Some(&searched))?,
                 Ok(path) => {
                     let message = format_args!("`{}` is a pipe or a device, not a file", name_of(&path));
                     self.failures.push(Failure::new(message).help("name it to read it"));
@@ -111,7 +115,9 @@ impl Gathered<'_, '_> {
         Ok(())
     }
 
-    fn push(&mut self, path: PathBuf, is_named: bool) -> Result<(), Failure> {
+    /// Adds a file that was found in the folder `searched`, or that an argument names.
+    fn push(&mut self, path: PathBuf, searched: Option<&Path>) -> Result<(), Failure> {
+        let is_named = searched.is_none();
         if !is_named && self.seen.contains(&path) {
             return Ok(());
         }
@@ -121,7 +127,8 @@ impl Gathered<'_, '_> {
             detail(&path);
             self.seen.insert(path.clone());
             let size = path.metadata().map_or(0, |metadata| metadata.len());
-            self.files.push(File { path, project, is_named, size });
+            let is_outside = searched.is_some_and(|searched| !real(&path).starts_with(searched));
+            self.files.push(File { path, project, is_named, is_outside, size });
         }
         Ok(())
     }
@@ -131,6 +138,22 @@ impl Gathered<'_, '_> {
         let help = format!("descriptions end in {}; a file that is named is always read", endings.join(", "));
         self.failures.push(Failure::new(message).help(help));
     }
+}
+
+/// Says which files are not changed, because a link out of the folder led to them.
+pub(super) fn note_outside(files: &[File]) {
+    for file in files.iter().filter(|file| file.is_outside) {
+        let name = name_of(&file.path);
+        note(&format!(
+            "note: `{name}` is not changed: a link leads out of the folder; name the file to change it\n"
+        ));
+    }
+}
+
+/// A path without links; as it is where it leads nowhere.
+fn real(path: &Path) -> PathBuf {
+    let path = if path.as_os_str().is_empty() { Path::new(".") } else { path };
+    path.canonicalize().unwrap_or_else(|_| path.to_owned())
 }
 
 fn is_pattern(path: &Path) -> bool {

@@ -4,7 +4,7 @@ use std::io::Write;
 use std::path::Path;
 
 use super::args::FmtArgs;
-use super::files::{File, gather};
+use super::files::{File, gather, note_outside};
 use super::input::{Candidate, name_of};
 use super::output::Output;
 use super::parallel::in_order;
@@ -19,7 +19,9 @@ use crate::source::{SourceFile, SourceOptions};
 pub(super) fn run(args: &FmtArgs, out: &mut Output) -> Result<Outcome, Failure> {
     // what a configuration excludes from folders is left alone
     let settings = SettingsArgs::from(&args.config);
-    let (files, failures) = gather(&args.files, &mut Settings::new(&settings)?)?;
+    let (mut files, failures) = gather(&args.files, &mut Settings::new(&settings)?)?;
+    note_outside(&files);
+    files.retain(|file| !file.is_outside);
     failures.iter().for_each(Failure::print);
     let mut done = Done { has_failed: !failures.is_empty(), changed: 0, same: 0 };
     in_order(

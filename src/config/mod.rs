@@ -23,15 +23,11 @@ mod read;
 
 use std::path::{Path, PathBuf};
 
-pub(crate) use self::path::absolute;
 use self::path::{PathPattern, relative};
 pub(crate) use self::project::Project;
 use crate::diagnostic::{Findings, Selection, Severity, Tool};
 use crate::lint::{Level, Options, Severities};
-use crate::source::{MAX_TOML_SIZE, SourceError, SourceFile, SourceOptions, Span};
-
-/// The name of the file.
-pub const FILE_NAME: &str = "objdict.toml";
+use crate::source::{CONFIG_FILE, MAX_TOML_SIZE, SourceError, SourceFile, SourceOptions, Span, absolute};
 
 /// A configuration that was read.
 #[derive(Debug)]
@@ -86,9 +82,9 @@ impl Config {
         Self { source, findings, is_toml, folder, settings: settings.unwrap_or_default() }
     }
 
-    /// The configuration that holds in a folder: the nearest file of the name [`FILE_NAME`], in it or above it.
+    /// The configuration that holds in a folder: the nearest file of the name [`CONFIG_FILE`], in it or above it.
     pub fn find(folder: &Path) -> Option<PathBuf> {
-        absolute(folder).ancestors().map(|folder| folder.join(FILE_NAME)).find(|path| path.is_file())
+        absolute(folder).ancestors().map(|folder| folder.join(CONFIG_FILE)).find(|path| path.is_file())
     }
 
     /// The source.

@@ -1,6 +1,6 @@
 //! Paths as a configuration speaks of them.
 
-use std::path::{Component, Path, PathBuf};
+use std::path::{Component, Path};
 
 use glob::{MatchOptions, Pattern, PatternError};
 
@@ -32,22 +32,6 @@ impl PathPattern {
     }
 }
 
-/// A path from the root, without `.` and `..`. Links are not followed.
-pub(crate) fn absolute(path: &Path) -> PathBuf {
-    let path = std::path::absolute(path).unwrap_or_else(|_| path.to_owned());
-    let mut plain = PathBuf::new();
-    for component in path.components() {
-        match component {
-            Component::CurDir => {}
-            Component::ParentDir => {
-                plain.pop();
-            }
-            component => plain.push(component),
-        }
-    }
-    plain
-}
-
 /// A path as it is called from a folder, with `/`; one outside of the folder, from the root.
 pub(super) fn relative(path: &Path, folder: &Path) -> String {
     let path = path.strip_prefix(folder).unwrap_or(path);
@@ -61,6 +45,7 @@ pub(super) fn relative(path: &Path, folder: &Path) -> String {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::source::absolute;
 
     #[test]
     fn patterns_mean_files_and_what_is_in_folders() {

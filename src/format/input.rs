@@ -11,7 +11,7 @@ use super::{Description, Format, Syntax};
 #[cfg(feature = "node")]
 use super::{concise, nodelist};
 use crate::diagnostic::counted;
-use crate::source::{self, DEFAULT_MAX_SIZE, Encoding, SourceError, SourceFile, SourceOptions};
+use crate::source::{self, DEFAULT_MAX_SIZE, Encoding, FolderError, SourceError, SourceFile, SourceOptions};
 #[cfg(feature = "json")]
 use objdict_node::download::ConciseDcf;
 
@@ -190,6 +190,9 @@ pub enum ReadError {
     /// It could not be opened, or is too large.
     #[error(transparent)]
     Source(#[from] SourceError),
+    /// Another file names it, and it may not be read.
+    #[error(transparent)]
+    Named(#[from] FolderError),
     /// It is a look-alike of another technology, or a file of CANopen that nothing here reads.
     #[error("`{name}` {}", .found.verdict())]
     Foreign {
@@ -259,6 +262,7 @@ impl ReadError {
             Self::Source(SourceError::Directory { path }) => {
                 Some(format!("name files, such as `{path}/*.eds`"))
             }
+            Self::Named(error) => error.help().map(str::to_owned),
             Self::Foreign { found, .. } => found.advice().map(str::to_owned),
             Self::SeveralDevices { .. } => Some("choose one by its number, counted from 1".to_owned()),
             Self::NoDevice { .. } => Some("name an EDS or DCF".to_owned()),

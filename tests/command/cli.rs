@@ -45,6 +45,7 @@ fn pages() {
         ] {
             copy_folder(&Path::new("fixtures").join(fixtures), &input.join("fixtures").join(fixtures));
         }
+        fs::create_dir(input.join(".git")).unwrap();
         copy_folder(Path::new("examples"), &input.join("examples"));
         let cases = trycmd::TestCases::new();
         cases.env("NO_COLOR", "1").case(&case).run();

@@ -80,3 +80,91 @@ fn offers_do_not_overlap() {
         assert!(pair[0].2 <= pair[1].1 && pair[0] != pair[1], "{pair:?}");
     }
 }
+
+/// What is found through a link out of the folder is checked, but not changed; a file that is named is.
+#[cfg(unix)]
+#[test]
+fn links_out_of_the_folder_are_not_changed() {
+    use std::os::unix::fs::symlink;
+
+    let folder = tempfile::tempdir().unwrap();
+    let [project, outside] = ["project", "outside"].map(|name| folder.path().join(name));
+    fs::create_dir_all(project.join("below")).unwrap();
+    fs::create_dir(&outside).unwrap();
+    let bytes = fs::read(support::fixtures().join("torture/15_octal.eds")).unwrap();
+    let victims = ["file.eds", "folder.eds"].map(|name| outside.join(name));
+    victims.iter().for_each(|path| fs::write(path, &bytes).unwrap());
+    symlink(&victims[0], project.join("link.eds")).unwrap();
+    symlink(&outside, project.join("linked")).unwrap();
+    fs::write(project.join("below/own.eds"), &bytes).unwrap();
+    symlink(project.join("below/own.eds"), project.join("inside.eds")).unwrap();
+    for arguments in
+        ["check --fix .", "check --fix */*.eds *.eds", "check --fix */", "fmt . */", "fmt *.eds */*.eds"]
+    {
+        let output = objdict(&project, arguments, b"");
+        let said = String::from_utf8(output.stderr).unwrap();
+        assert!(said.contains(" is not changed: a link leads out of the folder"), "{arguments}: {said}");
+        for victim in &victims {
+            assert_eq!(fs::read(victim).unwrap(), bytes, "{arguments} wrote {}", victim.display());
+        }
+    }
+    assert_ne!(fs::read(project.join("below/own.eds")).unwrap(), bytes, "a file in the folder is fixed");
+    objdict(&project, "check --fix link.eds", b"");
+    assert_ne!(fs::read(&victims[0]).unwrap(), bytes, "a file that is named is fixed");
+    assert!(project.join("link.eds").is_symlink());
+}
+
+/// A network, a node list and a DCF name files of their project only, and none on another computer.
+#[test]
+fn named_files_are_those_of_the_project() {
+    let folder = tempfile::tempdir().unwrap();
+    let project = folder.path().join("project");
+    let lists = project.join("lists");
+    fs::create_dir_all(&lists).unwrap();
+    let dcf = fs::read(support::fixtures().join("dcf/io-401-node5.dcf")).unwrap();
+    fs::write(folder.path().join("secret.dcf"), &dcf).unwrap();
+    fs::write(project.join("node.dcf"), &dcf).unwrap();
+    let run = |arguments: &str| {
+        let output = objdict(&lists, arguments, b"");
+        let said = [output.stdout, output.stderr].concat();
+        (output.status.code(), String::from_utf8(said).unwrap())
+    };
+    let write = |path: &str| {
+        let toml = format!("[bus]\nbit-rate = 125\n[node.a]\nid = 5\nfile = '{path}'\n");
+        fs::write(lists.join("network.toml"), toml).unwrap();
+        let yml = format!("master:\n  node_id: 1\na:\n  node_id: 5\n  dcf: '{path}'\n");
+        fs::write(lists.join("bus.yml"), yml).unwrap();
+        let cpj = format!("[TOPOLOGY]\nNodes=1\nNode5Present=1\nNode5Name=a\nNode5DCFName={path}\n");
+        fs::write(lists.join("line.cpj"), cpj).unwrap();
+    };
+    let commands = [
+        "network check network.toml",
+        "network check bus.yml",
+        "network check line.cpj",
+        "network init line.cpj",
+        "convert line.cpj -o ../../out.dbc",
+    ];
+    let expect = |path: &str, options: &str, verdict: Option<&str>| {
+        write(path);
+        for command in commands {
+            let (code, said) = run(&format!("{command} {options}"));
+            match verdict {
+                Some(verdict) => assert!(said.contains(verdict), "{command} {options} of {path}: {said}"),
+                None => assert_ne!(code, Some(2), "{command} {options} of {path}: {said}"),
+            }
+        }
+    };
+    let outside = Some("is outside the project");
+    expect("../node.dcf", "", outside);
+    expect("../none.dcf", "", outside);
+    expect("../node.dcf", "--allow-path ..", None);
+    expect(r"\\server\share\node.dcf", "--allow-path /", Some("is on another computer"));
+    fs::write(project.join("objdict.toml"), "").unwrap();
+    expect("../node.dcf", "", None);
+    expect(r"..\node.dcf", "", None);
+    expect("../../secret.dcf", "", outside);
+    expect(folder.path().join("secret.dcf").to_str().unwrap(), "", outside);
+    write("$PLACE/secret.dcf");
+    let (_, said) = run(&format!("network check network.toml -D PLACE={}", folder.path().display()));
+    assert!(!said.contains("outside"), "{said}");
+}

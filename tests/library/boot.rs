@@ -187,7 +187,7 @@ fn two_senders_of_a_can_id_are_found() {
         [node.right]\nfile = \"island.eds\"\nid = 12\nset = { \"1800:1\" = 0x18B, \"1800:2\" = 1 }\n";
     let source = SourceFile::from_text("network.toml", text);
     let folder = path("chapter4.toml").parent().unwrap().to_owned();
-    let file = NetworkFile::read(source, folder, &std::collections::BTreeMap::new());
+    let file = NetworkFile::read(source, &folder, &Default::default());
     let run = run(&file.install(BootFiles::Dcf).unwrap());
     assert!(!run.is_booted() && run.operational.is_some());
 }
@@ -274,7 +274,7 @@ fn a_bus_that_is_overloaded_at_any_bit_rate_is_an_error() {
     let folder = path("chapter4.toml").parent().unwrap().to_owned();
     let read = |text: &str| {
         let source = SourceFile::from_text("network.toml", text);
-        NetworkFile::read(source, folder.clone(), &std::collections::BTreeMap::new())
+        NetworkFile::read(source, &folder, &Default::default())
     };
     let rules = |file: &NetworkFile| file.check().iter().map(|finding| finding.rule.id).collect::<Vec<_>>();
     let fast = read(text);
@@ -292,7 +292,7 @@ fn what_the_manager_cannot_boot_is_an_error() {
     for rule in ["kept-alive-without-state", "nothing-to-restore"] {
         for name in ["bad.toml", "good.toml"] {
             let path = folder.join(rule).join(name);
-            let file = NetworkFile::open(&path, &std::collections::BTreeMap::new()).unwrap();
+            let file = NetworkFile::open(&path, &Default::default()).unwrap();
             let run = run(&file.install(BootFiles::Dcf).unwrap());
             assert_eq!(run.is_booted(), name == "good.toml", "{}", path.display());
         }
@@ -322,7 +322,7 @@ fn a_plant_of_eight_kinds_of_devices_boots() {
         );
     }
     let source = SourceFile::from_text("network.toml", text);
-    let file = NetworkFile::read(source, support::fixtures(), &std::collections::BTreeMap::new());
+    let file = NetworkFile::read(source, &support::fixtures(), &Default::default());
     let errors: Vec<String> = file
         .check()
         .iter()
@@ -345,7 +345,7 @@ fn a_plant_of_eight_kinds_of_devices_boots() {
 fn what_only_tools_must_not_write_is_not_against_a_file() {
     let text = "[bus]\nbit-rate = 500\n[manager]\nid = 1\n[node.io]\nfile = \"eds/io-401.eds\"\nid = 5\n";
     let source = SourceFile::from_text("network.toml", text);
-    let file = NetworkFile::read(source, support::fixtures(), &std::collections::BTreeMap::new());
+    let file = NetworkFile::read(source, &support::fixtures(), &Default::default());
     let build = file.build(Manner::Repaired).unwrap();
     let save = Download::new(0x1010, 1, *b"save");
     let stream = ConciseDcf(vec![save]);

@@ -1,24 +1,19 @@
 //! The network of the book's chapter 4, and networks of many nodes.
 
-use std::collections::BTreeMap;
 use std::fmt::Write;
 use std::fs;
 
 use objdict::diagnostic::{Findings, Severity};
 use objdict::format::network::NetworkFile;
 use objdict::network::{Manner, Messages, Network, Party, compile};
+use objdict::source::SourceFile;
 
 use crate::support;
 
 /// A network whose files are those of `fixtures/network`.
 pub(crate) fn open(name: &str, text: &str) -> NetworkFile {
-    let folder = support::fixtures().join("network");
-    let text = text.replace("file = \"", &format!("file = \"{}/", folder.display()));
-    let path = std::env::temp_dir().join(format!("objdict-{}-{name}.toml", std::process::id()));
-    fs::write(&path, text).unwrap();
-    let file = NetworkFile::open(&path, &BTreeMap::new()).unwrap();
-    fs::remove_file(path).unwrap();
-    file
+    let source = SourceFile::from_text(format!("{name}.toml"), text);
+    NetworkFile::read(source, &support::fixtures().join("network"), &Default::default())
 }
 
 fn chapter_4() -> String {
@@ -181,7 +176,7 @@ fn a_pdo_with_a_constant_cob_id_stays_on() {
     fs::write(folder.join("constant.eds"), format!("{before}[1800sub1]{entry}")).unwrap();
     let text = "[node.inputs]\nfile = \"constant.eds\"\nid = 5\ntpdo.1 = { event-timer = \"20ms\" }\n";
     fs::write(folder.join("network.toml"), text).unwrap();
-    let file = NetworkFile::open(&folder.join("network.toml"), &BTreeMap::new()).unwrap();
+    let file = NetworkFile::open(&folder.join("network.toml"), &Default::default()).unwrap();
     assert!(!file.check().has_errors(), "{:?}", file.check());
     let downloads = |manner| {
         let compiled = compile(file.network.as_ref().unwrap(), manner, &mut Findings::new());

@@ -14,7 +14,7 @@ use objdict::source::{SourceFile, SourceOptions};
 use crate::support;
 
 pub(crate) fn open(name: &str) -> NetworkFile {
-    NetworkFile::open(&path(name), &BTreeMap::new()).unwrap()
+    NetworkFile::open(&path(name), &Default::default()).unwrap()
 }
 
 pub(crate) fn path(name: &str) -> PathBuf {
@@ -126,7 +126,7 @@ fn a_written_bus_yml_builds_the_same() {
         for BuiltFile { name, bytes } in open(name).build(Manner::Repaired).unwrap().bus_yml() {
             std::fs::write(folder.join(name), bytes).unwrap();
         }
-        let again = NetworkFile::open(&folder.join("bus.yml"), &BTreeMap::new()).unwrap();
+        let again = NetworkFile::open(&folder.join("bus.yml"), &Default::default()).unwrap();
         let options = LelyOptions::default();
         let again = again.build(Manner::Repaired).unwrap().lely(&options).unwrap();
         assert_eq!(again, lely(name, &options), "{name}");
@@ -252,7 +252,7 @@ fn the_schema_names_every_key() {
 /// A network from its text; descriptions are those of the fixtures.
 fn read(text: &str) -> NetworkFile {
     let source = objdict::source::SourceFile::from_text("network.toml", text.to_owned());
-    NetworkFile::read(source, path(""), &BTreeMap::new())
+    NetworkFile::read(source, &path(""), &Default::default())
 }
 
 /// Keys of a node count more than those of its type, and these more than those of the type that it uses; tables are joined.
@@ -401,7 +401,7 @@ fn written(network: &NetworkFile, folder: &str) -> NetworkFile {
         std::fs::write(folder.join(&name), bytes).unwrap();
         paths.push(folder.join(name));
     }
-    NetworkFile::of_descriptions(&paths).unwrap()
+    NetworkFile::of_descriptions(&paths, &Default::default()).unwrap()
 }
 
 /// The DCFs of a network are the same network, with the same messages.
@@ -447,7 +447,7 @@ fn every_value_counts_wherever_it_is_said() {
             let text =
                 text.replace("id = 6\n", "id = 6\ntpdo.1 = { inhibit = \"50ms\" }\nheartbeat = \"100ms\"\n");
             let source = objdict::source::SourceFile::from_text("network.toml", text);
-            let network = NetworkFile::read(source, PathBuf::new(), &BTreeMap::new());
+            let network = NetworkFile::read(source, std::path::Path::new(""), &Default::default());
             let (messages, findings) = said(&network);
             assert!(messages.iter().any(|line| line.starts_with(message)), "{entry} {part}: {messages:#?}");
             assert!(
@@ -479,7 +479,7 @@ fn the_configurations_of_the_manager_are_sent() {
         std::fs::write(folder.join(&name), text).unwrap();
         paths.push(folder.join(name));
     }
-    let findings = NetworkFile::of_descriptions(&paths).unwrap().check();
+    let findings = NetworkFile::of_descriptions(&paths, &Default::default()).unwrap().check();
     let found: Vec<String> =
         findings.iter().map(|finding| format!("{}: {}", finding.rule.name(), finding.message)).collect();
     for expected in [
@@ -502,19 +502,19 @@ fn a_file_with_several_devices_is_a_network() {
     let text =
         format!("<?xml version=\"1.0\"?><CanOpenProject_1_1>{}</CanOpenProject_1_1>", containers.concat());
     std::fs::write(&path, text).unwrap();
-    let started = init(std::slice::from_ref(&path)).unwrap();
+    let started = init(std::slice::from_ref(&path), &Default::default()).unwrap();
     for number in [1, 2] {
         let quoted = format!("file = \"{}#{number}\"\nid = {number}  #", path.display());
         assert!(started.contains(&quoted), "{started}");
     }
-    let network = NetworkFile::of_descriptions(std::slice::from_ref(&path)).unwrap();
+    let network = NetworkFile::of_descriptions(std::slice::from_ref(&path), &Default::default()).unwrap();
     let nodes = &network.network.as_ref().unwrap().nodes;
     let counts: Vec<_> = nodes.iter().map(|node| node.device.objects.len()).collect();
     assert!(matches!(counts[..], [first, second] if first != second), "{counts:?}");
     assert_eq!(network.build(Manner::Repaired).unwrap().dcfs().unwrap().len(), 2);
     let one = format!("[node.a]\nid = 1\nfile = \"{}\"\n", path.display());
     std::fs::write(folder.join("network.toml"), one).unwrap();
-    let findings = NetworkFile::open(&folder.join("network.toml"), &BTreeMap::new()).unwrap().check();
+    let findings = NetworkFile::open(&folder.join("network.toml"), &Default::default()).unwrap().check();
     let message = findings.iter().next().unwrap().message.to_string();
     assert!(
         message.ends_with(
@@ -535,11 +535,11 @@ fn the_folder_of_descriptions_is_searched() {
     let list = "[TOPOLOGY]\nNetName=None\nNodes=0x01\nNode5Present=0x01\nNode5Name=Servo 5\n\
                 Node5DCFName=servo.eds\nEDSBaseName=eds\n[TOPOLOGY2]\nNodes=0\n";
     std::fs::write(folder.join("nodelist.cpj"), list).unwrap();
-    let file = NetworkFile::open(&folder.join("nodelist.cpj"), &BTreeMap::new()).unwrap();
+    let file = NetworkFile::open(&folder.join("nodelist.cpj"), &Default::default()).unwrap();
     assert_eq!(file.network.as_ref().unwrap().nodes.len(), 1);
     let findings = file.check();
     let others = findings.iter().find(|finding| finding.rule.name() == "invalid-node-list").unwrap();
     assert_eq!(others.message.to_string(), "the file has 2 networks; only the first is read");
-    let started = init(&[folder.join("nodelist.cpj")]).unwrap();
+    let started = init(&[folder.join("nodelist.cpj")], &Default::default()).unwrap();
     assert!(started.contains("[node.servo_5]\n") && started.contains("\nid = 5\n"), "{started}");
 }

@@ -1,6 +1,5 @@
 //! Findings about networks point at what the descriptions of their nodes say.
 
-use std::collections::BTreeMap;
 use std::fs;
 use std::path::Path;
 
@@ -43,7 +42,7 @@ fn open(folder: &Path, drive: &str, plc: &str, network: &str) -> NetworkFile {
     fs::write(folder.join("plc.eds"), described("plc.eds", plc)).unwrap();
     let path = folder.join("network.toml");
     fs::write(&path, network).unwrap();
-    NetworkFile::open(&path, &BTreeMap::new()).unwrap()
+    NetworkFile::open(&path, &Default::default()).unwrap()
 }
 
 /// The related places of a finding in descriptions, a line each.
@@ -211,7 +210,11 @@ fn a_configured_manager_is_compared_with_the_nodes() {
     };
     fs::write(folder.join("drive.dcf"), node(described("counter.eds", ""), 5, 0)).unwrap();
     fs::write(folder.join("plc.dcf"), node(described("plc.eds", "1F85=0x1234"), 1, 1)).unwrap();
-    let file = NetworkFile::of_descriptions(&["drive.dcf", "plc.dcf"].map(|name| folder.join(name))).unwrap();
+    let file = NetworkFile::of_descriptions(
+        &["drive.dcf", "plc.dcf"].map(|name| folder.join(name)),
+        &Default::default(),
+    )
+    .unwrap();
     let findings = file.check();
     let finding = findings.iter().find(|finding| finding.rule.name() == "wrong-identity").unwrap();
     let expected = [

@@ -96,7 +96,7 @@ impl Examined {
     fn new(path: &Path) -> Self {
         let is_of = |group: &str| path.starts_with(support::fixtures().join("rules").join(group));
         if is_of("network") {
-            let file = NetworkFile::open(path, &BTreeMap::new()).unwrap();
+            let file = NetworkFile::open(path, &Default::default()).unwrap();
             let findings = file.check();
             return Self::Network(Box::new(file), findings);
         }

@@ -17,7 +17,10 @@ pub(crate) const RULE_PAGES: &str = "https://docs.rs/objdict/";
 /// The folder with all fixtures as files, which each test program writes anew.
 pub(crate) fn fixtures() -> PathBuf {
     static FOLDER: LazyLock<PathBuf> = LazyLock::new(|| {
-        let folder = Path::new(env!("CARGO_TARGET_TMPDIR")).join(env!("CARGO_CRATE_NAME"));
+        let project = Path::new(env!("CARGO_TARGET_TMPDIR"));
+        // files below may name each other
+        fs::create_dir_all(project.join(".git")).unwrap();
+        let folder = project.join(env!("CARGO_CRATE_NAME"));
         fs::remove_dir_all(&folder).ok();
         let folder = folder.join("fixtures");
         patches::expand(&Path::new(env!("CARGO_MANIFEST_DIR")).join("fixtures"), &folder);

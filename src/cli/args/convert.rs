@@ -1,6 +1,6 @@
 //! The arguments of `objdict convert`.
 
-use std::path::{Path, PathBuf};
+use std::path::PathBuf;
 
 use clap::{Parser, ValueEnum};
 
@@ -8,7 +8,6 @@ use super::network::NetworkInputArgs;
 use super::{CanonicalArgs, ExpandArgs, OverwriteArgs, node_id, node_name};
 use crate::cli::input::{FileKind, InputArgs};
 use crate::format::XddVersion;
-use crate::source::Folder;
 
 /// Convert between EDS, DCF, XDD, XDC, JSON and concise DCF, and export to DBC
 ///
@@ -57,9 +56,6 @@ pub(in crate::cli) struct ConvertArgs {
     /// Write all values into a concise DCF, not only those that differ from the default
     #[arg(long)]
     pub all: bool,
-    /// Another folder that files named in the input may be read from, beside its own: of DOMAINs (`DownloadFile`), of nodes in a node list; repeatable
-    #[arg(long, value_name = "DIR")]
-    pub allow_path: Vec<PathBuf>,
     /// Use no configuration; `convert` reads none, and takes the option like the other commands
     #[arg(long, help_heading = "Settings")]
     no_config: bool,
@@ -88,11 +84,6 @@ pub(in crate::cli) struct DbcArgs {
 }
 
 impl ConvertArgs {
-    /// The folders that files named in `input` may be read from.
-    pub(in crate::cli) fn folder_of(&self, input: &Path) -> Folder {
-        self.allow_path.iter().fold(Folder::of(input), Folder::allow)
-    }
-
     /// Whether anything about the node is to be changed.
     pub(in crate::cli) fn changes_node(&self) -> bool {
         self.node_id.is_some() || self.bit_rate.is_some() || self.name.is_some()

@@ -5,6 +5,7 @@ use std::path::PathBuf;
 
 use clap::{Parser, Subcommand, ValueEnum};
 
+use super::network::AllowedPathArgs;
 use super::{ExpandArgs, node_id};
 use crate::cli::input::InputArgs;
 use crate::format::concise::BlobSpelling;
@@ -61,9 +62,8 @@ pub(in crate::cli) struct PackArgs {
     /// The node-ID [default: that of the DCF]
     #[arg(long, value_name = "N", value_parser = node_id)]
     pub node_id: Option<u8>,
-    /// Another folder that files of DOMAINs (`DownloadFile`) may be read from, beside that of the DCF; repeatable
-    #[arg(long, value_name = "DIR")]
-    pub allow_path: Vec<PathBuf>,
+    #[command(flatten)]
+    pub paths: AllowedPathArgs,
     /// Write the stream even if the node would reject it
     #[arg(long)]
     pub force: bool,

@@ -1,6 +1,6 @@
 //! The arguments of `objdict network`.
 
-use std::path::PathBuf;
+use std::path::{Path, PathBuf};
 
 use clap::{Parser, Subcommand, ValueEnum};
 
@@ -8,8 +8,9 @@ use super::{OverwriteArgs, ReportArgs, ShowFormat};
 use crate::cli::baseline::BaselineArgs;
 use crate::cli::settings::{ConfigFileArgs, SettingsArgs};
 use crate::configure::nanoseconds;
-use crate::format::network::ConfigurationTime;
+use crate::format::network::{ConfigurationTime, PathOptions};
 use crate::model::Date;
+use crate::source::Folder;
 
 /// Check networks, and build what their nodes and their manager are configured with
 #[derive(Debug, Parser)]
@@ -38,6 +39,34 @@ pub(in crate::cli) struct NetworkInputArgs {
     /// Replace `@NAME@`, `$NAME` and `${NAME}` in paths; repeatable
     #[arg(short = 'D', long = "define", value_name = "NAME=VALUE", value_parser = variable)]
     pub define: Vec<(String, String)>,
+    #[command(flatten)]
+    pub paths: AllowedPathArgs,
+}
+
+impl NetworkInputArgs {
+    pub(in crate::cli) fn options(&self) -> PathOptions {
+        PathOptions { variables: self.define.iter().cloned().collect(), ..self.paths.options() }
+    }
+}
+
+/// Where the files may be that a file names.
+#[derive(Debug, clap::Args)]
+#[command(next_help_heading = "Input")]
+pub(in crate::cli) struct AllowedPathArgs {
+    /// Another folder that files named in the input may be read from, beside its project, which is the nearest folder above with `objdict.toml` or `.git`, else its own folder; repeatable
+    #[arg(long, value_name = "DIR")]
+    pub allow_path: Vec<PathBuf>,
+}
+
+impl AllowedPathArgs {
+    pub(in crate::cli) fn options(&self) -> PathOptions {
+        PathOptions { allowed: self.allow_path.clone(), ..PathOptions::default() }
+    }
+
+    /// The folders that files named in `file` may be read from.
+    pub(in crate::cli) fn folder_of(&self, file: &Path) -> Folder {
+        self.allow_path.iter().fold(Folder::of(file), Folder::allow)
+    }
 }
 
 fn configuration_time(text: &str) -> Result<ConfigurationTime, &'static str> {
@@ -261,6 +290,8 @@ pub(in crate::cli) struct NetworkInitArgs {
     /// Descriptions, files with several (`.nxdd`, `.nxdc`), and node lists
     #[arg(required = true, value_name = "FILE")]
     pub files: Vec<PathBuf>,
+    #[command(flatten)]
+    pub paths: AllowedPathArgs,
 }
 
 /// Print the JSON Schema of a file format, with which editors complete and check

@@ -15,7 +15,7 @@ use crate::diagnostic::counted;
 use crate::document::dbc::{self, BusNode, DbcOptions, Omission};
 use crate::format::identify::{ContentKind, identify};
 use crate::format::input::Reading;
-use crate::format::network::ConfiguredNode;
+use crate::format::network::{ConfiguredNode, location};
 use crate::format::{Description, Loss, LossKind};
 use crate::model::{Device, NodeList, Part};
 use crate::network::Manner;
@@ -177,19 +177,19 @@ fn nodes_of_list(args: &ConvertArgs, job: &Job, list: &NodeList) -> Result<Vec<N
         let failure = Failure::new(format_args!("`{file}` has {count}, and a DBC is for one"));
         return Err(failure.help("choose one by its number with `--device`, counted from 1"));
     };
-    let folder = args.folder_of(&job.input);
+    let folder = args.network.paths.folder_of(&job.input);
     let mut nodes = Vec::new();
     for node in network.nodes.iter().filter(|node| node.present) {
-        let Some(dcf) = &node.dcf else {
+        if node.dcf.is_none() {
             let failure = Failure::new(format_args!("`{file}` names no file for node {}", node.id));
             return Err(failure.help(format!("add `Node{}DCFName`", node.id)));
-        };
-        let bytes = folder.read(dcf).map_err(|error| {
+        }
+        let input = folder.resolve(&location(Some(&folder), network, node)).map_err(|error| {
             let failure = Failure::new(format_args!("the file of node {}: {error}", node.id));
             error.help().into_iter().fold(failure, Failure::help)
         })?;
-        let input = job.input.parent().unwrap_or(Path::new("")).join(dcf.replace('\\', "/"));
         keep(&input);
+        let bytes = args.input.size.read(&input)?;
         let own = Job { input, ..job.clone() };
         let reading = Reading { from: None, device: None, ..args.input.reading() };
         let (from, input) = reading.read(&source_name(&own.input), bytes)?;

@@ -193,7 +193,7 @@ fn configuration(args: &ConvertArgs, job: &Job, device: &Device) -> Result<Conci
     let options = PlanOptions { node_id: args.node_id, scope, ..PlanOptions::default() };
     let plan = ConciseDcf::plan(device, &options).map_err(|error| refusal(&error))?;
     tell_skipped(&plan);
-    let folder = args.folder_of(&job.input);
+    let folder = args.network.paths.folder_of(&job.input);
     plan.into_concise(|file| read_data(&folder, file))
 }
 

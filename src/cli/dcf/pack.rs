@@ -13,7 +13,6 @@ use crate::download::{ConciseDcf, Order, PlanOptions, Scope};
 use crate::format::concise;
 use crate::format::input::FileKind;
 use crate::model::Device;
-use crate::source::Folder;
 
 pub(super) fn run(args: &PackArgs, out: &mut Output) -> Result<Outcome, Failure> {
     let eds = args.eds.as_ref().map(|path| device(path, &args.input, &args.expand)).transpose()?;
@@ -100,10 +99,7 @@ fn planned(args: &PackArgs, device: &Device, eds: Option<&Device>) -> Result<Con
     let plan =
         ConciseDcf::plan(rebased.as_ref().unwrap_or(device), &options).map_err(|error| refusal(&error))?;
     tell_skipped(&plan);
-    let mut folder = Folder::of(&args.file);
-    for allowed in &args.allow_path {
-        folder = folder.allow(allowed);
-    }
+    let folder = args.paths.folder_of(&args.file);
     plan.into_concise(|file| read_data(&folder, file))
 }
 

@@ -12,7 +12,7 @@ pub(super) fn run(args: &NetworkCheckArgs, out: &mut Output) -> Result<Outcome, 
     let mut settings = Settings::new(&args.settings)?;
     let mut reporter = Reporter::new(&args.report, &args.baseline, out)?;
     let (networks, descriptions) = parted(&args.files);
-    let described = (!descriptions.is_empty()).then(|| of_descriptions(&descriptions));
+    let described = (!descriptions.is_empty()).then(|| of_descriptions(&descriptions, &args.input));
     let described = described.map(|file| (&descriptions[0], file));
     let files = networks.iter().map(|path| (path, open(path, &args.input))).chain(described);
     for (path, file) in files {

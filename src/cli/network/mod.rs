@@ -42,7 +42,7 @@ pub(super) fn run(command: &NetworkCommand, out: &mut Output) -> Result<Outcome,
 /// Reads a network; none of its files is written to.
 pub(super) fn open(path: &Path, input: &NetworkInputArgs) -> Result<NetworkFile, Failure> {
     keep(path);
-    Ok(kept(NetworkFile::open(path, &input.define.iter().cloned().collect()).map_err(Failure::new)?))
+    Ok(kept(NetworkFile::open(path, &input.options()).map_err(Failure::new)?))
 }
 
 fn kept(file: NetworkFile) -> NetworkFile {
@@ -51,8 +51,8 @@ fn kept(file: NetworkFile) -> NetworkFile {
 }
 
 /// The network of the nodes that files describe.
-fn of_descriptions(paths: &[PathBuf]) -> Result<NetworkFile, Failure> {
-    Ok(kept(NetworkFile::of_descriptions(paths)?))
+fn of_descriptions(paths: &[PathBuf], input: &NetworkInputArgs) -> Result<NetworkFile, Failure> {
+    Ok(kept(NetworkFile::of_descriptions(paths, &input.options())?))
 }
 
 /// The findings of a network with the severities of its configuration.
@@ -70,7 +70,7 @@ fn parted(paths: &[PathBuf]) -> (Vec<PathBuf>, Vec<PathBuf>) {
 fn open_one(paths: &[PathBuf], input: &NetworkInputArgs) -> Result<NetworkFile, Failure> {
     let (networks, descriptions) = parted(paths);
     match (networks.as_slice(), descriptions.as_slice()) {
-        ([], descriptions) => of_descriptions(descriptions),
+        ([], descriptions) => of_descriptions(descriptions, input),
         ([network], []) => open(network, input),
         ([network, ..], _) => {
             let message = format!("`{}` is a network, so no other file can be named", name_of(network));
@@ -116,7 +116,7 @@ fn compiled(paths: &[PathBuf], input: &NetworkInputArgs) -> Result<(Network, Com
 
 fn print_start(args: &NetworkInitArgs, out: &mut Output) -> Result<Outcome, Failure> {
     args.files.iter().for_each(|path| keep(path));
-    let text = init(&args.files).map_err(|error| match error {
+    let text = init(&args.files, &args.paths.options()).map_err(|error| match error {
         ReadError::Foreign { ref found, .. } if found.kind == ContentKind::Unknown => {
             Failure::new(error).help("name descriptions or node lists")
         }

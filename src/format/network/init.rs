@@ -6,12 +6,12 @@ use std::num::NonZeroUsize;
 use std::path::{Path, PathBuf};
 
 use super::super::input::{Input, ReadError, Reading};
-use super::quoted;
 use super::topology::location;
+use super::{PathOptions, quoted};
 use crate::diagnostic::Findings;
 use crate::model::{BaudRates, Device, MappedObject, NodeList, PdoKind};
 use crate::network::{Manner, Network, Node, PdoState, Said, Slave, compile};
-use crate::source::Span;
+use crate::source::{Folder, Span};
 
 /// The most PDOs of a node that a comment lists.
 const MAX_PDOS: usize = 8;
@@ -22,10 +22,10 @@ const MAX_PDOS: usize = 8;
 ///
 /// # Errors
 /// When a file cannot be read, or describes no device.
-pub fn init(paths: &[PathBuf]) -> Result<String, ReadError> {
+pub fn init(paths: &[PathBuf], options: &PathOptions) -> Result<String, ReadError> {
     let mut start = Start::default();
     for path in paths {
-        start.add(path)?;
+        start.add(path, options)?;
     }
     Ok(start.text())
 }
@@ -39,7 +39,7 @@ struct Start {
 }
 
 impl Start {
-    fn add(&mut self, path: &Path) -> Result<(), ReadError> {
+    fn add(&mut self, path: &Path, options: &PathOptions) -> Result<(), ReadError> {
         let shown = path.display().to_string();
         match Reading::default().open(path)? {
             (_, Input::Device(device)) => self.node(shown, *device, None),
@@ -53,16 +53,18 @@ impl Start {
                     self.node(file, description.device().clone(), None);
                 }
             }
-            (_, Input::NodeList(list)) => self.list(path.parent().unwrap_or(Path::new("")), list)?,
+            (_, Input::NodeList(list)) => {
+                self.list(&options.folder(path.parent().unwrap_or(Path::new(""))), list)?;
+            }
             (kind, Input::Concise(_)) => return Err(ReadError::NoDevice { name: shown, kind }),
         }
         Ok(())
     }
 
-    fn list(&mut self, folder: &Path, list: NodeList) -> Result<(), ReadError> {
+    fn list(&mut self, folder: &Folder, list: NodeList) -> Result<(), ReadError> {
         for topology in list.networks {
             for listed in topology.nodes.iter().filter(|node| node.present) {
-                let path = folder.join(location(folder, &topology, listed));
+                let path = folder.resolve(&location(Some(folder), &topology, listed))?;
                 let device = match Reading::default().open(&path)? {
                     (_, Input::Device(device)) => *device,
                     (_, Input::Description(description)) => description.device().clone(),

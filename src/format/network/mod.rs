@@ -28,13 +28,14 @@ pub use self::boot::{BootFiles, InstallError, Installation, install};
 pub use self::init::init;
 pub use self::outputs::{Build, BuildError, BuildObjection, BuiltFile, ConfigurationTime, ConfiguredNode};
 use self::rules::UNREADABLE_NODE;
+pub use self::topology::location;
 use super::Description;
 use super::identify::{ContentKind, identify_source};
 use super::input::{FileKind, Input, ReadError, Reading};
 use crate::diagnostic::{At, Diagnostic, Findings, RuleInfo};
 use crate::model::Device;
 use crate::network::{self, Network, Said};
-use crate::source::{MAX_TOML_SIZE, SourceError, SourceFile, SourceOptions};
+use crate::source::{Folder, FolderError, MAX_TOML_SIZE, SourceError, SourceFile, SourceOptions, absolute};
 
 /// The rules about networks and their files.
 pub(super) fn rules() -> impl Iterator<Item = &'static RuleInfo> {
@@ -59,14 +60,13 @@ pub struct NetworkFile {
 }
 
 impl NetworkFile {
-    /// Reads a network and the descriptions of its nodes; `variables` replace `@NAME@`, `$NAME` and `${NAME}` in paths.
+    /// Reads a network and the descriptions of its nodes.
     ///
     /// # Errors
     /// When the file cannot be opened. Descriptions that cannot be opened are findings.
-    pub fn open(path: &Path, variables: &BTreeMap<String, String>) -> Result<Self, SourceError> {
+    pub fn open(path: &Path, options: &PathOptions) -> Result<Self, SourceError> {
         let source = SourceFile::open(path, &SourceOptions { encoding: None, max_size: MAX_TOML_SIZE })?;
-        let folder = path.parent().map(Path::to_owned).unwrap_or_default();
-        Ok(Self::read(source, folder, variables))
+        Ok(Self::read(source, path.parent().unwrap_or(Path::new("")), options))
     }
 
     /// Whether a file is read as a network: a node list, or what no other format knows.
@@ -83,14 +83,19 @@ impl NetworkFile {
     ///
     /// # Errors
     /// When a file cannot be read, or describes no device.
-    pub fn of_descriptions(paths: &[PathBuf]) -> Result<Self, ReadError> {
-        let source = SourceFile::from_text("network.toml", init(paths)?);
-        let file = Self::read(source, PathBuf::new(), &BTreeMap::new());
+    pub fn of_descriptions(paths: &[PathBuf], options: &PathOptions) -> Result<Self, ReadError> {
+        let source = SourceFile::from_text("network.toml", init(paths, options)?);
+        let file = Self::read_from(source, None, &PathOptions::default());
         Ok(Self { is_made: true, network: file.network.map(Network::as_described), ..file })
     }
 
     /// Reads a network from its text; paths of descriptions are relative to `folder`.
-    pub fn read(source: SourceFile, folder: PathBuf, variables: &BTreeMap<String, String>) -> Self {
+    pub fn read(source: SourceFile, folder: &Path, options: &PathOptions) -> Self {
+        Self::read_from(source, Some(options.folder(folder)), options)
+    }
+
+    fn read_from(source: SourceFile, folder: Option<Folder>, options: &PathOptions) -> Self {
+        let variables = &options.variables;
         let mut descriptions = Descriptions { folder, variables, read: BTreeMap::new(), files: Vec::new() };
         let mut findings = Findings::new();
         let mut network = match identify_source(&source).kind {
@@ -126,10 +131,26 @@ impl NetworkFile {
     }
 }
 
+/// How the paths in a network file are read.
+#[derive(Clone, Debug, Default)]
+pub struct PathOptions {
+    /// What replaces `@NAME@`, `$NAME` and `${NAME}`; a value that is a folder is allowed as well.
+    pub variables: BTreeMap<String, String>,
+    /// Folders that descriptions may be read from, beside those of [`Folder`].
+    pub allowed: Vec<PathBuf>,
+}
+
+impl PathOptions {
+    fn folder(&self, folder: &Path) -> Folder {
+        let values = self.variables.values().map(Path::new).filter(|value| value.is_dir());
+        self.allowed.iter().map(PathBuf::as_path).chain(values).fold(Folder::new(folder), Folder::allow)
+    }
+}
+
 /// The descriptions of nodes, each read once.
 struct Descriptions<'v> {
-    /// The folder of the network file.
-    folder: PathBuf,
+    /// The folder of the network file; `None` where the paths are those of arguments.
+    folder: Option<Folder>,
     variables: &'v BTreeMap<String, String>,
     /// What was read of each path; `None` after a failure.
     read: BTreeMap<String, Option<Read>>,
@@ -147,29 +168,37 @@ impl Descriptions<'_> {
     fn read(&mut self, node: &str, file: &Said<String>, findings: &mut Findings) -> Option<Device> {
         if !self.read.contains_key(&file.value) {
             let read = self.open(&file.value);
-            if let Err(reason) = &read {
+            if let Err((reason, help)) = &read {
                 let message = format!("the description of `{node}`: {reason}");
-                let help =
-                    "correct the path: it is relative to the network file, else to the working directory";
-                findings.push(Diagnostic::new(&UNREADABLE_NODE, file.at, message).help(help));
+                findings.push(Diagnostic::new(&UNREADABLE_NODE, file.at, message).help(*help));
             }
             self.read.insert(file.value.clone(), read.ok());
         }
         self.read.get(&file.value)?.as_ref().map(|read| read.device.clone())
     }
 
-    fn open(&mut self, file: &str) -> Result<Read, String> {
+    /// The error and its help, if it cannot be read.
+    fn open(&mut self, file: &str) -> Result<Read, (String, &'static str)> {
+        const WRONG: &str =
+            "correct the path: it is relative to the network file, else to the working directory";
         let name = self.expanded(file);
-        let (name, device) = match self.path(&name).exists() {
-            true => (name.as_str(), None),
-            false => numbered(&name),
+        let (name, device, path) = match (self.path(&name), numbered(&name)) {
+            (Err(_), (path, device @ Some(_))) => (path, device, self.path(path)),
+            (path, _) => (name.as_str(), None, path),
         };
-        let path = self.path(name);
+        let path = path.map_err(|error| match error {
+            FolderError::Unreadable(SourceError::Io { error, .. }) => {
+                (format!("cannot read `{name}`: {error}"), WRONG)
+            }
+            error => (error.to_string(), error.help().unwrap_or(WRONG)),
+        })?;
         self.files.push(path.clone());
         let reading = Reading { device, ..Reading::default() };
         let refused = |error: ReadError| match error {
-            ReadError::SeveralDevices { .. } => format!("{error}; add the number of one, as in `{name}#1`"),
-            error => error.to_string(),
+            ReadError::SeveralDevices { .. } => {
+                (format!("{error}; add the number of one, as in `{name}#1`"), WRONG)
+            }
+            error => (error.to_string(), WRONG),
         };
         match reading.open(&path).map_err(refused)? {
             (_, Input::Description(description)) => {
@@ -178,14 +207,24 @@ impl Descriptions<'_> {
                 Ok(Read { device: description.device().clone(), description: Some(Rc::new(description)) })
             }
             (_, Input::Device(device)) => Ok(Read { device: *device, description: None }),
-            (kind, _) => Err(format!("`{}` is a {}, not a description", path.display(), kind.name())),
+            (kind, _) => {
+                Err((format!("`{}` is a {}, not a description", path.display(), kind.name()), WRONG))
+            }
         }
     }
 
     /// A file beside that of the network, else in the working directory.
-    fn path(&self, name: &str) -> PathBuf {
-        let beside = self.folder.join(name);
-        if beside.exists() { beside } else { name.into() }
+    fn path(&self, name: &str) -> Result<PathBuf, FolderError> {
+        let Some(folder) = &self.folder else {
+            let failed = |error| SourceError::Io { path: name.to_owned(), error };
+            std::fs::metadata(name).map_err(failed)?;
+            return Ok(name.into());
+        };
+        folder.resolve(name).or_else(|error| {
+            let here = Path::new(name).is_relative().then(|| absolute(Path::new(name)));
+            let here = here.filter(|here| here.to_str().is_some_and(|here| folder.resolve(here).is_ok()));
+            here.map(|_| name.into()).ok_or(error)
+        })
     }
 
     /// A text with the values of its variables; one that is not known stays as it is.

@@ -1,14 +1,12 @@
 //! Node lists (CiA 306-3): a network of DCFs, each of which says all of its node.
 
-use std::path::Path;
-
 use super::Descriptions;
 use super::rules::{INVALID_NODE_LIST, NODE_COUNT, OTHER_NODE_ID};
 use crate::diagnostic::{At, Diagnostic, Findings, Severity, say};
 use crate::format::nodelist;
 use crate::model::{Field, Part, Place, Topology, TopologyNode};
 use crate::network::{Heartbeat, Manager, Network, Node, Said};
-use crate::source::{SourceFile, Span};
+use crate::source::{Folder, SourceFile, Span};
 
 /// Reads the first network of a node list; `None` if it is none.
 pub(super) fn read(
@@ -65,14 +63,15 @@ fn manager(position: usize, node: &Node) -> Manager {
     }
 }
 
-/// The file of a node, from the folder of the list; it is there, or in the folder of the descriptions.
-pub(super) fn location(folder: &Path, topology: &Topology, listed: &TopologyNode) -> String {
+/// The file of a node in a node list, relative to the folder of the list: there, or in the folder of the descriptions.
+pub fn location(folder: Option<&Folder>, topology: &Topology, listed: &TopologyNode) -> String {
     // the paths are those of Windows
     let path = |text: &str| text.replace('\\', "/");
     let name = path(listed.dcf.as_deref().unwrap_or_default());
     let among =
         topology.eds_folder.as_deref().map(|folder| format!("{}/{name}", path(folder).trim_end_matches('/')));
-    among.filter(|path| !folder.join(&name).exists() && folder.join(path).exists()).unwrap_or(name)
+    let is_there = |path: &str| folder.is_some_and(|folder| folder.resolve(path).is_ok());
+    among.filter(|path| !is_there(&name) && is_there(path)).unwrap_or(name)
 }
 
 struct Reader<'a, 'd> {
@@ -112,7 +111,7 @@ impl Reader<'_, '_> {
         let key = format!("Node{}DCFName", listed.id);
         let at = self.span(&key);
         let name = listed.name.clone().unwrap_or_else(|| format!("node{}", listed.id));
-        let file = Said::new(location(&self.descriptions.folder, topology, listed), at);
+        let file = Said::new(location(self.descriptions.folder.as_ref(), topology, listed), at);
         let device = self.descriptions.read(&name, &file, self.findings)?;
         if let Some(stated) = device.node_id().filter(|stated| *stated != listed.id) {
             let message =

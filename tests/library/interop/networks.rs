@@ -103,7 +103,7 @@ fn the_file_of_a_manager_has_its_boot_data() {
     compact.eds.compact = true;
     let mut files: Vec<(PathBuf, BTreeMap<String, Value>)> = Vec::new();
     for name in ["chapter4.toml", "xml.toml", "cell.yml", "line.toml"] {
-        let network = NetworkFile::open(&folder.join(name), &BTreeMap::new()).unwrap();
+        let network = NetworkFile::open(&folder.join(name), &Default::default()).unwrap();
         let build = network.build(Manner::Repaired).unwrap();
         let compiled = of_nodes(&build.manager_device().unwrap());
         assert!(compiled.keys().any(|name| name.starts_with("1F81sub")), "{name}: {compiled:?}");
@@ -237,7 +237,7 @@ fn the_schemas_say_what_the_reader_says() {
     let rejected: Vec<PathBuf> = String::from_utf8_lossy(&output.stdout).lines().map(PathBuf::from).collect();
     let mut differing = Vec::new();
     for file in &files {
-        let findings = NetworkFile::open(file, &BTreeMap::new()).unwrap().check();
+        let findings = NetworkFile::open(file, &Default::default()).unwrap().check();
         let is_found = findings.iter().any(|finding| OF_SCHEMAS.contains(&finding.rule.name()));
         if rejected.contains(file) != is_found {
             differing.push(file);

@@ -1,7 +1,7 @@
 //! What is fuzzed: every reader, writer and transformer takes any bytes without a panic and keeps its promise about them. The
 //! driver of this package and libFuzzer (`fuzz`) call the same functions.
 
-use std::collections::{BTreeMap, BTreeSet};
+use std::collections::BTreeSet;
 use std::path::Path;
 use std::sync::{Arc, LazyLock};
 
@@ -309,7 +309,7 @@ fn toml(bytes: &[u8]) {
 fn network(bytes: &[u8]) {
     let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("../fixtures/network");
     let text = String::from_utf8_lossy(bytes).replace("../../../network/", "");
-    let file = NetworkFile::read(SourceFile::from_text("fuzzed", text), folder, &BTreeMap::new());
+    let file = NetworkFile::read(SourceFile::from_text("fuzzed", text), &folder, &Default::default());
     let findings = file.check();
     let Some(network) = &file.network else {
         assert!(!findings.is_empty(), "what is no network has a finding");

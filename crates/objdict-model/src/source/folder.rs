@@ -1,28 +1,41 @@
-//! Reads the files that a description references, only from its folder.
+//! Reads the files that another file names, only from its project.
 
 use std::fs;
 use std::path::{Component, Path, PathBuf};
 
 use super::{HARD_LIMIT, SourceError, read};
 
-/// A folder whose files a description may reference, and further allowed folders.
+/// The name of configuration files.
+pub const CONFIG_FILE: &str = "objdict.toml";
+
+/// What the folder of a project has.
+const MARKS: [&str; 2] = [CONFIG_FILE, ".git"];
+
+/// The folder of a file, and the folders that files named in it may be read from: its own, that of its project, which is the nearest
+/// above with an `objdict.toml` or a `.git`, and those that are allowed.
 #[derive(Clone, Debug)]
 pub struct Folder {
     folder: PathBuf,
     allowed: Vec<PathBuf>,
 }
 
-/// Why a referenced file is not read.
+/// Why a file that another one names is not read.
 #[derive(Debug, thiserror::Error)]
 #[non_exhaustive]
 pub enum FolderError {
     /// The file cannot be read, or is none.
     #[error(transparent)]
     Unreadable(#[from] SourceError),
-    /// The name points outside the folder.
-    #[error("`{name}` is not in the folder of the description")]
+    /// The name points outside the allowed folders.
+    #[error("`{name}` is outside the project")]
     Outside {
-        /// The name, as in the description.
+        /// The name, as in the file.
+        name: String,
+    },
+    /// The name is that of a share in a network.
+    #[error("`{name}` is on another computer")]
+    Remote {
+        /// The name, as in the file.
         name: String,
     },
 }
@@ -31,18 +44,24 @@ impl FolderError {
     /// How to fix the error; options are those of the command line.
     pub fn help(&self) -> Option<&'static str> {
         match self {
-            Self::Outside { .. } => {
-                Some("allow its folder with `--allow-path`, if you trust the description")
-            }
+            Self::Outside { .. } => Some(
+                "if you trust the file that names it, allow its folder with `--allow-path`; a project is the folder with \
+                 `objdict.toml` or `.git`",
+            ),
+            Self::Remote { .. } => Some("copy it into the project"),
             Self::Unreadable(_) => None,
         }
     }
 }
 
 impl Folder {
-    /// The folder of a description; an empty path is the current folder.
+    /// A folder; an empty path is the current one.
     pub fn new(folder: impl Into<PathBuf>) -> Self {
-        Self { folder: or_current(folder.into()), allowed: Vec::new() }
+        let folder = or_current(folder.into());
+        let own = absolute(&folder);
+        let is_project = |folder: &&Path| MARKS.iter().any(|mark| folder.join(mark).exists());
+        let project = own.ancestors().find(is_project).map(Path::to_owned);
+        Self { folder, allowed: std::iter::once(own).chain(project).collect() }
     }
 
     /// The folder that a file is in.
@@ -52,53 +71,60 @@ impl Folder {
 
     /// Also allows files below `folder`.
     #[must_use]
-    pub fn allow(mut self, folder: impl Into<PathBuf>) -> Self {
-        self.allowed.push(or_current(folder.into()));
+    pub fn allow(mut self, folder: impl AsRef<Path>) -> Self {
+        self.allowed.push(absolute(folder.as_ref()));
         self
     }
 
-    /// The bytes of a file by its name relative to the folder. Links are resolved before the check. Names
-    /// with the separators of Windows are accepted.
+    /// The bytes of a file by its name; see [`resolve`](Self::resolve).
     ///
     /// # Errors
-    /// When the file cannot be read, is outside the allowed folders, is a pipe or a device, or is larger than 1 GiB.
+    /// When the file is not there, is outside the allowed folders, is a pipe or a device, or is larger than 1 GiB.
     pub fn read(&self, name: &str) -> Result<Vec<u8>, FolderError> {
+        Ok(read(&self.resolve(name)?, HARD_LIMIT)?)
+    }
+
+    /// The path of a file by its name relative to the folder. Links are followed before the check. A name may have the separators
+    /// of Windows.
+    ///
+    /// # Errors
+    /// When there is no such file, or it is outside the allowed folders, or on another computer.
+    pub fn resolve(&self, name: &str) -> Result<PathBuf, FolderError> {
+        let is_separator = |character: char| matches!(character, '/' | '\\');
+        if name.starts_with(is_separator) && name[1..].starts_with(is_separator) {
+            return Err(FolderError::Remote { name: name.to_owned() });
+        }
         let outside = || FolderError::Outside { name: name.to_owned() };
+        let plain = self.folder.join(name);
+        let of_windows = self.folder.join(name.replace('\\', "/"));
         // before accessing the file system, to reveal nothing about its contents
-        let path = self.path_of(name).ok_or_else(outside)?;
+        let may_lead_to = |path: &Path| self.allowed.iter().any(|folder| absolute(path).starts_with(folder));
+        if !may_lead_to(&plain) || !may_lead_to(&of_windows) {
+            return Err(outside());
+        }
+        let path = if plain.exists() { plain } else { of_windows };
         let failed = |error| SourceError::Io { path: path.display().to_string(), error };
         let real = fs::canonicalize(&path).map_err(failed)?;
         let is_below =
             |folder: &PathBuf| fs::canonicalize(folder).is_ok_and(|folder| real.starts_with(folder));
-        if !self.folders().any(is_below) {
-            return Err(outside());
+        if self.allowed.iter().any(is_below) { Ok(path) } else { Err(outside()) }
+    }
+}
+
+/// A path from the root without `.` and `..`. Links are not followed.
+pub fn absolute(path: &Path) -> PathBuf {
+    let path = std::path::absolute(or_current(path.to_owned())).unwrap_or_else(|_| path.to_owned());
+    let mut plain = PathBuf::new();
+    for component in path.components() {
+        match component {
+            Component::CurDir => {}
+            Component::ParentDir => {
+                plain.pop();
+            }
+            component => plain.push(component),
         }
-        Ok(read(&real, HARD_LIMIT)?)
     }
-
-    fn folders(&self) -> impl Iterator<Item = &PathBuf> {
-        std::iter::once(&self.folder).chain(&self.allowed)
-    }
-
-    /// The path that a name means: as it is or, where there is no such file, with the separators of Windows. `None` where
-    /// the name leads out of the allowed folders.
-    fn path_of(&self, name: &str) -> Option<PathBuf> {
-        let plain = self.folder.join(name);
-        let of_windows = self.folder.join(name.replace('\\', "/"));
-        if !self.may_lead_to(&plain) || !self.may_lead_to(&of_windows) {
-            return None;
-        }
-        Some(if plain.exists() { plain } else { of_windows })
-    }
-
-    /// Whether the name alone stays in the folder, or can lead to an allowed folder.
-    fn may_lead_to(&self, path: &Path) -> bool {
-        let own = path.strip_prefix(&self.folder).ok();
-        let stays = own.is_some_and(|own| {
-            own.components().all(|part| matches!(part, Component::Normal(_) | Component::CurDir))
-        });
-        stays || !self.allowed.is_empty()
-    }
+    plain
 }
 
 fn or_current(folder: PathBuf) -> PathBuf {
@@ -110,7 +136,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn only_files_of_the_folder_are_read() {
+    fn only_files_of_the_project_are_read() {
         let root = std::env::temp_dir().join(format!("objdict-folder-{}", std::process::id()));
         let inside = root.join("node");
         fs::create_dir_all(inside.join("data")).unwrap();
@@ -129,8 +155,16 @@ mod tests {
             assert!(matches!(folder.read("link"), Err(FolderError::Outside { .. })));
         }
         assert!(matches!(folder.read("none"), Err(FolderError::Unreadable(SourceError::Io { .. }))));
+        for name in [r"\\server\share\a.bin", "//server/share/a.bin", r"\/server/a.bin"] {
+            let remote = folder.clone().allow("/").read(name);
+            assert!(matches!(remote, Err(FolderError::Remote { .. })), "{name}");
+        }
         let allowed = folder.allow(&root);
         assert_eq!(allowed.read("../secret.bin").unwrap(), b"secret");
+        fs::write(root.join(CONFIG_FILE), b"").unwrap();
+        let in_project = Folder::of(&inside.join("node.eds"));
+        assert_eq!(in_project.read("../secret.bin").unwrap(), b"secret");
+        assert!(matches!(in_project.read("../../secret.bin"), Err(FolderError::Outside { .. })));
         fs::remove_dir_all(root).unwrap();
     }
 }

@@ -15,7 +15,7 @@ use std::sync::OnceLock;
 
 pub use edit::{EditError, Edits};
 pub use encoding::{Encoding, Unencodable, UnknownEncoding};
-pub use folder::{Folder, FolderError};
+pub use folder::{CONFIG_FILE, Folder, FolderError, absolute};
 pub use hash::Fnv;
 pub use hash::hash;
 pub use iso646::transliterate;

@@ -1,6 +1,5 @@
 //! The master of the library boots the files that are written for it, as `network boot` says (`OBJDICT_LELY_DIR`).
 
-use std::collections::BTreeMap;
 use std::path::{Path, PathBuf};
 use std::process::Command;
 
@@ -128,7 +127,7 @@ fn ours(run: &Run) -> Vec<(u16, String)> {
 
 /// Boots a network both ways; where they differ.
 fn differences(library: &Library, path: &Path) -> Result<Vec<String>, String> {
-    let file = NetworkFile::open(path, &BTreeMap::new()).map_err(|error| error.to_string())?;
+    let file = NetworkFile::open(path, &Default::default()).map_err(|error| error.to_string())?;
     if file.check().iter().any(|finding| finding.severity == Severity::Error) {
         return Ok(Vec::new());
     }

@@ -1,6 +1,5 @@
 //! The files of Lely's master for a network, loaded by the library itself (`OBJDICT_LELY_DIR`).
 
-use std::collections::BTreeMap;
 use std::path::Path;
 
 use objdict::download::ConciseDcf;
@@ -85,7 +84,8 @@ fn the_library_loads_the_master_and_the_nodes() {
         for (manner, remote_pdos) in [(Manner::Repaired, false), (Manner::Strict, true)] {
             let folder = tempfile::tempdir().unwrap();
             let folder = folder.path();
-            let file = NetworkFile::open(&fixtures().join("network").join(name), &BTreeMap::new()).unwrap();
+            let file =
+                NetworkFile::open(&fixtures().join("network").join(name), &Default::default()).unwrap();
             let options = LelyOptions { manner, remote_pdos };
             for BuiltFile { name, bytes } in file.build(manner).unwrap().lely(&options).unwrap() {
                 std::fs::write(folder.join(name), bytes).unwrap();
