@@ -10,7 +10,7 @@ pub(super) fn commissioning(
     kind: &str,
 ) -> Result<Commissioning, Failure> {
     let node = restated(device, wanted);
-    if node.node_id.is_none() {
+    if !node.node_id.is_some_and(|node_id| (1..=127).contains(&node_id)) {
         return Err(
             Failure::new("missing node-ID: a DCF or XDC is for one node").help("set it with `--node-id`")
         );

@@ -375,3 +375,40 @@ fn nodes_are_built_into_the_folder() {
     }
     assert_eq!(names(folder.path()), ["a", "island.eds", "network.toml"]);
 }
+
+/// What has no device, no node-ID or not its text is not written as if it had.
+#[test]
+fn what_is_missing_is_said() {
+    let folder = folder();
+    let write = |name: &str, text: &str| fs::write(folder.path().join(name), text).unwrap();
+    let container = "<ISO15745ProfileContainer xmlns='http://www.canopen.org/xml/1.1'/>";
+    write("empty.xdd", container);
+    write("empty.nxdd", "<CanOpenProject_1_1 version='1.1'/>");
+    for name in ["empty.xdd", "empty.nxdd"] {
+        for output in ["-o out.eds", "-o out --to eds", "--to eds"] {
+            let converted = objdict(folder.path(), &format!("convert {name} {output}"));
+            assert_eq!((converted.status.code(), converted.stdout.len()), (Some(2), 0), "{name} {output}");
+            assert!(errors(&converted).contains("describes no device"), "{}", errors(&converted));
+        }
+    }
+    assert!(!folder.path().join("out.eds").exists());
+    let dcf = fs::read_to_string("fixtures/dcf/io-401-node5.dcf").unwrap();
+    for node_id in ["0", "200", ""] {
+        write("node.dcf", &dcf.replace("NodeID=5\r\n", &format!("NodeID={node_id}\r\n")));
+        let converted = objdict(folder.path(), "convert node.dcf --to xdc");
+        assert!(errors(&converted).starts_with("error: missing node-ID"), "{}", errors(&converted));
+        assert!(objdict(folder.path(), "convert node.dcf --to xdc --node-id 5").status.success());
+    }
+    let lamp = fs::read_to_string("fixtures/bases/lamp.xdd").unwrap();
+    let declared = "<!DOCTYPE a [<!ENTITY b SYSTEM 'secret.txt'>]>\n<ISO15745ProfileContainer";
+    let lamp = lamp.replacen("<ISO15745ProfileContainer", declared, 1);
+    write("lamp.xdd", &lamp.replacen("</vendorName>", "&b;</vendorName>", 1));
+    write("secret.txt", "secret");
+    let converted = objdict(folder.path(), "convert lamp.xdd --to eds");
+    assert!(
+        errors(&converted).starts_with("warning: `lamp.xdd` has 1 unknown entity"),
+        "{}",
+        errors(&converted)
+    );
+    assert!(!String::from_utf8_lossy(&converted.stdout).contains("secret"));
+}

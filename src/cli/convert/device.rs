@@ -13,7 +13,7 @@ use super::super::node::{commissioning, former_node_id, restated};
 use super::super::{Failure, note, tell};
 use super::Job;
 use crate::configure::rebase;
-use crate::diagnostic::series;
+use crate::diagnostic::{counted, series};
 use crate::download::{ConciseDcf, NeededFile, Plan, PlanError, PlanOptions, Scope, Skipped};
 use crate::format::{self, Description, Format, Loss, LossKind, Syntax, concise, json, stated_name};
 use crate::model::{Commissioning, Device, DeviceKind, Object, Place};
@@ -41,6 +41,7 @@ pub(super) fn of_description(
     from: FileKind,
 ) -> Result<Converted, Failure> {
     let device = description.device();
+    warn_of_unknown_text(job, description);
     if description.is_project() || description.is_network() {
         return of_device(args, job, device, !args.no_embed);
     }
@@ -75,6 +76,18 @@ pub(super) fn of_description(
     }
     let losses = format::losses(&expected, &bytes, to, description.source().encoding());
     Ok(Converted { bytes, losses })
+}
+
+/// Says that the file refers to texts that it does not have: the output has the references.
+fn warn_of_unknown_text(job: &Job, description: &Description) {
+    let unknown = description.findings().iter().filter(|finding| finding.rule.id == "xml/unknown-entity");
+    let count = unknown.count();
+    if count > 0 {
+        let (file, entities) = (name_of(&job.input), counted(count, "unknown entity", "unknown entities"));
+        tell(&format!(
+            "warning: `{file}` has {entities}, whose text the output lacks\n  help: `objdict check` shows them; replace them by their text\n"
+        ));
+    }
 }
 
 /// Says that a text is not valid that the output will have.
@@ -173,7 +186,9 @@ fn node(args: &ConvertArgs, job: &Job, device: &Device) -> Result<Option<Commiss
         node_name: args.name.clone(),
         ..Commissioning::default()
     };
-    if device.kind == DeviceKind::Node && wanted.node_id.or(device.node_id()).is_none() {
+    // a DCF may leave it out, and an XDC has to state it
+    let is_demanded = device.kind == DeviceKind::Type || job.to == FileKind::Xdc;
+    if !is_demanded && wanted.node_id.or(device.node_id()).is_none() {
         let is_stated = wanted != Commissioning::default() || device.commissioning.is_some();
         return Ok(is_stated.then(|| restated(device, &wanted)));
     }

@@ -19,7 +19,7 @@ use super::progress::{Progress, give_way};
 use super::save::{Folder, Saved, is_stdout, keep, require_other, save};
 use super::{Failure, Outcome, note};
 use crate::download::ConciseDcf;
-use crate::format::{LossKind, concise, json};
+use crate::format::{LossKind, ReadError, concise, json};
 
 pub(super) fn run(args: &ConvertArgs, out: &mut Output) -> Result<Outcome, Failure> {
     let jobs = jobs::plan(args)?;
@@ -106,6 +106,10 @@ fn convert_one(
     match input {
         Input::Description(description) if job.is_named && args.input.device.is_none() => {
             let count = description.device_count();
+            if count == 0 {
+                let name = name_of(&job.input);
+                return Err(ReadError::NoDevice { name, kind: from }.into());
+            }
             let mut next = Some(*description);
             for number in 0..count {
                 let Some(description) = next.and_then(|description| description.select(number)) else {
@@ -146,6 +150,10 @@ fn finish(
     out: &mut Output,
 ) -> Result<(), Failure> {
     let Converted { bytes, losses } = converted;
+    if bytes.is_empty() {
+        let failure = Failure::new(format_args!("`{}` describes no device", name_of(&job.input)));
+        return Err(failure.help("`objdict check` shows what it lacks"));
+    }
     let to = job.to;
     give_way();
     if is_stdout(&job.output) {
