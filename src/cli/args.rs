@@ -113,7 +113,6 @@ pub(super) enum Command {
 ///
 /// Exits with 1 when there is a finding of severity error (see --deny), with 2 when a file cannot be read.
 #[derive(Debug, Parser)]
-#[command(mut_arg("max_entries", |entries| entries.hide(true)))] // no entry is expanded
 pub(super) struct CheckArgs {
     /// Files, folders and patterns such as `devices/**/*.eds`; `-` is the standard input
     ///

@@ -179,9 +179,11 @@ fn refused(error: Error) -> Result<Outcome, Failure> {
             Failure::new(error).help("fix them, lower the severity of a rule with `--severity`, or generate anyway with `--force`").print();
             Ok(Outcome::Findings)
         }
-        Error::Input(error @ (ReadError::SeveralDevices { .. } | ReadError::TooManyEntries { .. })) => {
-            Err(error.into())
-        }
+        Error::Input(
+            error @ (ReadError::SeveralDevices { .. }
+            | ReadError::TooManyEntries { .. }
+            | ReadError::TooManyParts { .. }),
+        ) => Err(error.into()),
         Error::Profile(error) => Err(error.into()),
         error @ Error::TooLarge { .. } => {
             Failure::new(&error).maybe_help(error.help()).print();

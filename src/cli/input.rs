@@ -41,7 +41,8 @@ pub(super) struct InputArgs {
 #[derive(Debug, Args)]
 #[command(next_help_heading = "Input")]
 pub(super) struct EntriesArgs {
-    /// The largest number of entries in compact storage [default: 250000]
+    /// The largest number of entries in compact storage; of sections or elements a quarter, and one for each 32 bytes
+    /// [default: 250000]
     #[arg(long, value_name = "NUMBER", default_value_t = DEFAULT_MAX_ENTRIES, hide_default_value = true)]
     pub max_entries: usize,
 }
@@ -158,7 +159,9 @@ impl From<ReadError> for Failure {
             ReadError::Source(SourceError::TooLarge { .. }) => {
                 Some("raise the limit with `--max-size`".to_owned())
             }
-            ReadError::TooManyEntries { .. } => Some("raise the limit with `--max-entries`".to_owned()),
+            ReadError::TooManyEntries { .. } | ReadError::TooManyParts { .. } => {
+                Some("raise the limit with `--max-entries`".to_owned())
+            }
             ReadError::Foreign { found, .. } if found.kind == ContentKind::Unknown => {
                 Some("read it nevertheless by naming its format with `--from`".to_owned())
             }

@@ -7,7 +7,7 @@ use serde::de::DeserializeOwned;
 use serde_json::{Map, Value};
 
 use super::to_value;
-use crate::model::{Device, Object};
+use crate::model::{Device, ExtraSection, Object};
 
 /// A datum and its new value.
 #[derive(Clone, Debug, PartialEq)]
@@ -50,12 +50,45 @@ pub fn apply(device: &mut Device, changes: Vec<DatumChange>) -> Vec<DatumChange>
     if !others.is_empty() {
         let objects = std::mem::take(&mut device.objects);
         let mut frame = std::mem::take(device);
-        super::sort_extra(&mut frame);
+        frame.extra.sort_by(|a, b| a.name().cmp(b.name()));
+        let others =
+            others.into_iter().filter_map(|change| set_extra(&mut frame, change)).collect::<Vec<_>>();
+        // the JSON of the sections takes much memory
+        let needs_extra = others.iter().any(|change| change.path.starts_with("/extra"));
+        let extra = if needs_extra { Vec::new() } else { std::mem::take(&mut frame.extra) };
         let mut frame = Some(frame);
-        apply_to(&mut frame, "", others, &mut refused);
+        if !others.is_empty() {
+            apply_to(&mut frame, "", others, &mut refused);
+        }
         *device = Device { objects, ..frame.unwrap_or_default() };
+        if !needs_extra {
+            device.extra = extra;
+        }
     }
     refused
+}
+
+/// Makes a change of all sections that the model does not know, as one text. Returns any other change, and one that could
+/// not be made, which then is found to be stale.
+fn set_extra(frame: &mut Device, change: DatumChange) -> Option<DatumChange> {
+    let is_text = matches!(change.after, None | Some(Value::String(_)));
+    if change.path != "/extra" || !is_text {
+        return Some(change);
+    }
+    let present: Vec<&ExtraSection> = frame.extra.iter().collect();
+    let before = (!present.is_empty())
+        .then(|| DatumChange::fingerprint(&Value::String(super::sections::print(&present))));
+    let after = match &change.after {
+        Some(Value::String(text)) => super::sections::parse(text),
+        _ => Some(Vec::new()),
+    };
+    match after.filter(|_| before == change.before) {
+        Some(sections) => {
+            frame.extra = sections;
+            None
+        }
+        None => Some(change),
+    }
 }
 
 /// The object that a path leads to or into.

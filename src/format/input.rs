@@ -159,6 +159,11 @@ pub enum Input {
 /// The default limit of entries in compact storage: a conversion takes 1.5 kB for each, real devices have a few thousand.
 pub const DEFAULT_MAX_ENTRIES: usize = 250_000;
 
+/// A text may have a section or element for so many bytes, and one for so many entries that are
+/// [allowed](Reading::max_entries): those of real descriptions are longer.
+const BYTES_PER_PART: usize = 32;
+const ENTRIES_PER_PART: usize = 4;
+
 /// How a file is read.
 #[derive(Clone, Debug)]
 pub struct Reading {
@@ -171,6 +176,7 @@ pub struct Reading {
     /// The largest size in bytes that is read. More than 1 GiB is never read.
     pub max_size: u64,
     /// How many entries objects in compact storage (`CompactSubObj`) may have in all: what is made of the device has each.
+    /// A text may have a quarter as many sections or elements, and one more for each 32 bytes.
     pub max_entries: usize,
     /// The node that formulas in the text of a concise DCF are evaluated for.
     pub node_id: Option<u8>,
@@ -206,6 +212,18 @@ pub enum ReadError {
     TooManyEntries {
         /// The file.
         name: String,
+        /// How many.
+        count: usize,
+        /// The limit.
+        limit: usize,
+    },
+    /// It has more sections or elements than allowed.
+    #[error("`{name}` has {count} {what}, more than the limit of {limit}")]
+    TooManyParts {
+        /// The file.
+        name: String,
+        /// `sections` or `elements`.
+        what: &'static str,
         /// How many.
         count: usize,
         /// The limit.
@@ -272,6 +290,7 @@ impl ReadError {
             }
             Self::Source(_)
             | Self::TooManyEntries { .. }
+            | Self::TooManyParts { .. }
             | Self::Content { .. }
             | Self::NoSuchDevice { .. } => None,
         }
@@ -293,12 +312,33 @@ impl Reading {
     /// As [`open`](Self::open).
     pub fn read(&self, name: &str, bytes: Vec<u8>) -> Result<(FileKind, Input), ReadError> {
         let (kind, source) = self.recognised(name, bytes)?;
+        if kind.format().is_some_and(|format| format.syntax() == Syntax::Ini) {
+            // what only looks at the text takes little memory for a section
+            self.limited_parts(
+                name,
+                "sections",
+                memchr::memmem::find_iter(source.text().as_bytes(), "\n[").count(),
+                source.text().len(),
+            )?;
+        }
         let input = match kind.format() {
             Some(format) => Input::Description(Box::new(super::read(source, format))),
             None => self.content(kind, &source)?,
         };
         self.limited(name, &input)?;
         Ok((kind, input))
+    }
+
+    /// Refuses a text with too many sections or elements, before they are read: each takes more memory than its text.
+    fn limited_parts(
+        &self,
+        name: &str,
+        what: &'static str,
+        count: usize,
+        bytes: usize,
+    ) -> Result<(), ReadError> {
+        let (name, limit) = (name.to_owned(), self.max_entries / ENTRIES_PER_PART + bytes / BYTES_PER_PART);
+        if count > limit { Err(ReadError::TooManyParts { name, what, count, limit }) } else { Ok(()) }
     }
 
     /// Refuses a device that would take too much memory expanded.
@@ -394,8 +434,18 @@ impl Reading {
         if is_xml && !cfg!(feature = "xdd") {
             return Err(ReadError::NotBuilt { name: name.to_owned(), kind });
         }
+        if is_xml {
+            self.limited_parts(name, "elements", start_tags(source.text()), source.text().len())?;
+        }
         Ok((kind, source))
     }
+}
+
+/// How many tags start an element.
+fn start_tags(text: &str) -> usize {
+    let bytes = text.as_bytes();
+    let starts = |&at: &usize| bytes.get(at + 1).is_some_and(|next| !matches!(next, b'/' | b'!' | b'?'));
+    memchr::memchr_iter(b'<', bytes).filter(starts).count()
 }
 
 /// What kind of file a source is.

@@ -217,7 +217,9 @@ fn encode_with(wanted: &Device, format: Format, options: &WriteOptions, lost: &[
         drop(bytes);
         let mut carrier = wanted.clone();
         embedded::embed(&mut carrier, &needed, room(format));
-        let mut text = decode(encode(&carrier, format, options), format, options.eds.encoding);
+        bytes = encode(&carrier, format, options);
+        drop(carrier);
+        let mut text = decode(bytes, format, options.eds.encoding);
         embedded::extract(&mut text.device);
         let found = changes(&missing(wanted, &text.device));
         bytes = text.bytes;

@@ -176,6 +176,88 @@ fn compact_storage_does_not_explode() {
     assert_eq!(refusal(folder.path(), 1 << 20, &format!("{convert} 254")).0, Some(0));
 }
 
+/// An XDD with a communication network profile around `objects`.
+fn xdd(objects: &str, behind: &str) -> String {
+    let schema = "http://www.w3.org/2001/XMLSchema-instance";
+    format!(
+        "<?xml version=\"1.0\" encoding=\"utf-8\"?>\n<ISO15745ProfileContainer xmlns:xsi=\"{schema}\"><ISO15745Profile>\
+         <ProfileBody xsi:type=\"ProfileBody_CommunicationNetwork_CANopen\"><ApplicationLayers><CANopenObjectList>{objects}\
+         </CANopenObjectList></ApplicationLayers>{behind}</ProfileBody></ISO15745Profile></ISO15745ProfileContainer>\n"
+    )
+}
+
+/// The promise of the README: 20 times the file and 50 MB. The limit of the system counts what is asked for, and is stricter than what is
+/// in use at once.
+#[cfg(target_os = "linux")]
+#[test]
+fn memory_is_in_proportion_to_the_file() {
+    let folder = tempfile::tempdir().unwrap();
+    let lines = |line: &dyn Fn(usize) -> String, count: usize| (0..count).map(line).collect::<String>();
+    let bombs = [
+        ("brackets.eds", "[]\n".repeat(65_000)),
+        ("many-brackets.eds", "[]\n".repeat(300_000)),
+        ("sections.eds", lines(&|number| format!("[a{number}]\n"), 80_000)),
+        ("long.eds", format!("[FileInfo]\nDescription={}\n", "x".repeat(1 << 20))),
+        ("objects.xdd", xdd(&"<CANopenObject/>".repeat(100_000), "")),
+        ("many-objects.xdd", xdd(&"<CANopenObject/>".repeat(300_000), "")),
+        ("unknown.xdd", xdd("", &"<zz/>".repeat(70_000))),
+        (
+            "twice.xdd",
+            xdd(&"<CANopenObject index=\"2000\" name=\"a\" objectType=\"7\"/>\n".repeat(40_000), ""),
+        ),
+        ("deep.xdd", xdd("", &"<a>".repeat(60_000))),
+        ("lists.json", "[".repeat(1 << 20)),
+    ];
+    for (name, text) in &bombs {
+        fs::write(folder.path().join(name), text).unwrap();
+        let kib = (20 * text.len() + 50_000_000) / 1024;
+        let other = if name.ends_with("xdd") { "eds" } else { "xdd" };
+        for line in [
+            format!("check {name}"),
+            format!("convert {name} -o out.{other}"),
+            format!("convert {name} -o out.json"),
+        ] {
+            let (code, message) = refusal(folder.path(), kib, &line);
+            let is_refused =
+                name.starts_with("many") && !(name.ends_with("eds") && line.starts_with("check"));
+            assert!(matches!(code, Some(0..=2)), "{line}: {code:?} {message}");
+            if is_refused {
+                assert_eq!(code, Some(2), "{line}: {message}");
+                assert!(
+                    message.contains("more than the limit of") && message.contains("--max-entries"),
+                    "{message}"
+                );
+            } else if *name != "lists.json" && *name != "deep.xdd" {
+                assert_ne!(code, Some(2), "{line}: {message}");
+            }
+        }
+    }
+}
+
+/// The items of a list are found in a table: a finding does not walk through all objects of an XDD.
+#[test]
+fn items_of_lists_in_an_xdd_are_located_in_linear_time() {
+    let folder = tempfile::tempdir().unwrap();
+    let (first, count) = (0x2000, 20_000);
+    let mut eds = format!("[ManufacturerObjects]\nSupportedObjects={count}\n");
+    for number in 0..count {
+        let _ = writeln!(eds, "{}=0x{:04X}", number + 1, first + number);
+    }
+    for index in first..first + count {
+        let _ = write!(eds, "[{index:04X}]\nParameterName=A\nObjectType=7\nDataType=5\nAccessType=rw\n");
+    }
+    fs::write(folder.path().join("a.eds"), eds).unwrap();
+    let run = |arguments: &[&str]| {
+        let mut command = Command::new(env!("CARGO_BIN_EXE_objdict"));
+        command.args(arguments).current_dir(folder.path()).output().unwrap()
+    };
+    assert!(run(&["convert", "a.eds", "-o", "a.xdd"]).status.success());
+    let start = std::time::Instant::now();
+    let output = run(&["check", "a.xdd"]);
+    assert!(String::from_utf8_lossy(&output.stdout).contains("cia306/wrong-object-list"));
+    assert!(start.elapsed() < std::time::Duration::from_secs(10), "{:?}", start.elapsed());
+}
+
 #[cfg(target_os = "linux")]
 #[test]
 fn large_toml_is_refused() {

@@ -106,7 +106,7 @@ impl<'a> Paths<'a> {
             path: String::new(),
             numbers: HashMap::new(),
             numbered: HashSet::new(),
-            room: source_length.saturating_mul(4).saturating_add(4096),
+            room: source_length.saturating_mul(2).saturating_add(4096),
         }
     }
 

@@ -9,7 +9,7 @@ use std::hash::{BuildHasher, RandomState};
 
 use super::layout::Layout;
 use super::schema;
-use crate::model::{Field, Part, Place};
+use crate::model::{Field, ObjectList, Part, Place};
 use crate::source::Span;
 use crate::xml::{Attribute, Element, ElementId, Tree, n};
 
@@ -19,6 +19,8 @@ pub struct Locator {
     /// The number of the container.
     number: usize,
     objects: HashMap<u16, ElementId>,
+    /// The objects of each list, in order.
+    lists: [Vec<ElementId>; 3],
     state: RandomState,
     /// The hash of each id with its element, sorted by hash.
     ids: Vec<(u32, ElementId)>,
@@ -27,12 +29,16 @@ pub struct Locator {
 impl Locator {
     /// Finds the objects of one device of the file.
     pub fn new(tree: &Tree, number: usize) -> Self {
-        let mut found = Self { number, objects: HashMap::new(), state: RandomState::new(), ids: Vec::new() };
+        let (objects, lists) = Default::default();
+        let mut found = Self { number, objects, lists, state: RandomState::new(), ids: Vec::new() };
         let Some(layout) = Layout::of(tree, number) else { return found };
         for object in layout.objects() {
             let attributes = super::read::EntryAttributes::of(object);
             if let Some(index) = attributes.index() {
                 found.objects.entry(index).or_insert(object.id());
+                if let Some(list) = ObjectList::of(index) {
+                    found.lists[list as usize].push(object.id());
+                }
             }
         }
         for process in
@@ -57,6 +63,9 @@ impl Locator {
             Part::Object(index) => self.entry(tree, *index, None, field),
             Part::Entry(index, sub) => self.entry(tree, *index, Some(*sub), field),
             Part::Section(name) => section(&layout, name, field),
+            Part::List(list) => {
+                self.item(tree, *list, field).or_else(|| facts::locate(&layout, &place.part, field))
+            }
             part => facts::locate(&layout, part, field),
         }
     }
@@ -80,6 +89,13 @@ impl Locator {
         let attribute = attribute.filter(|attribute| attribute.span().start <= offset);
         let known = attribute.and_then(|attribute| schema::OBJECT.attribute(attribute.tag()));
         Some(Place { part, field: known.and_then(|(_, known)| known.field()) })
+    }
+
+    /// The object that an item of a list refers to.
+    fn item(&self, tree: &Tree, list: ObjectList, field: Option<&Field>) -> Option<Span> {
+        let Some(Field::Item(number)) = field else { return None };
+        let position = usize::try_from(*number).ok()?.checked_sub(1)?;
+        self.lists[list as usize].get(position).map(|id| tree.element(*id).tag_span())
     }
 
     /// The container of this locator.

@@ -1,13 +1,11 @@
 //! Places of everything except objects.
 
 use super::{attribute_of, text_of, value_of};
-use crate::model::{BaudRates, Field, ObjectList, Part};
+use crate::model::{BaudRates, Field, Part};
 use crate::source::Span;
 use crate::xdd::fact::bit_rate;
 use crate::xdd::layout::{Layout, Profile, below};
-use crate::xdd::read::{
-    EntryAttributes, channel_attribute, count_attribute, default_rate_field, supported_field,
-};
+use crate::xdd::read::{channel_attribute, count_attribute, default_rate_field, supported_field};
 use crate::xdd::schema::{
     self, BAUD_RATES, DEVICE_BODY, DEVICE_COMMISSIONING, GENERAL_FEATURES, MASTER_FEATURES,
 };
@@ -24,9 +22,7 @@ pub(super) fn locate(layout: &Layout<'_>, part: &Part, field: Option<&Field>) ->
         part => element(layout, part)?,
     };
     let value = match (part, field) {
-        (Part::List(list), field) => {
-            item(layout, *list, field).or_else(|| element.attribute(count_attribute(*list)).map(value_of))
-        }
+        (Part::List(list), _) => element.attribute(count_attribute(*list)).map(value_of),
         (Part::Commissioning, Some(field)) => commissioning(element, field),
         (Part::DummyUsage, Some(field)) => dummy(element, &field.name()),
         (Part::DynamicChannels, Some(field)) => channel(element, &field.name()),
@@ -65,14 +61,6 @@ fn element<'a>(layout: &Layout<'a>, part: &Part) -> Option<Element<'a>> {
         Part::Application => layout.in_device(&[n::ApplicationProcess]),
         _ => None,
     }
-}
-
-/// The object that an item of a list refers to.
-fn item(layout: &Layout<'_>, list: ObjectList, field: Option<&Field>) -> Option<Span> {
-    let Some(Field::Item(number)) = field else { return None };
-    let index = |object: &Element<'_>| EntryAttributes::of(*object).index();
-    let mut objects = layout.objects().filter(|object| index(object).and_then(ObjectList::of) == Some(list));
-    objects.nth(usize::try_from(*number).ok()?.checked_sub(1)?).map(Element::tag_span)
 }
 
 /// The characteristics that hold what CiA 311 has no place for, by category.
