@@ -5,6 +5,7 @@ use std::collections::BTreeSet;
 use std::path::Path;
 use std::sync::{Arc, LazyLock};
 
+use objdict::bus::{Conditions, boot};
 use objdict::compare::differences;
 use objdict::config::Config;
 use objdict::configure::{SettingsFile, configure};
@@ -13,7 +14,7 @@ use objdict::document::dbc::{self, BusNode, DbcOptions};
 use objdict::document::{self, Form};
 use objdict::download::ConciseDcf;
 use objdict::format::input::{Input, Reading};
-use objdict::format::network::NetworkFile;
+use objdict::format::network::{BootFiles, Installation, NetworkFile};
 use objdict::format::{
     self, Description, Dialect, Format, NodeSettings, WriteOptions, concise, json, nodelist,
 };
@@ -34,7 +35,7 @@ pub(crate) struct Fuzzed {
 const DESCRIPTIONS: &[&str] = &["eds", "dcf", "xdd", "xdc"];
 
 /// All of them.
-pub(crate) const FUZZED: [Fuzzed; 14] = [
+pub(crate) const FUZZED: [Fuzzed; 15] = [
     Fuzzed { name: "check", endings: DESCRIPTIONS, run: check },
     Fuzzed { name: "fix", endings: DESCRIPTIONS, run: fix },
     Fuzzed { name: "fmt", endings: &["eds", "dcf"], run: arrange },
@@ -53,6 +54,7 @@ pub(crate) const FUZZED: [Fuzzed; 14] = [
     Fuzzed { name: "text", endings: &["txt", "cpj"], run: |_, bytes| text(bytes) },
     Fuzzed { name: "toml", endings: &["toml"], run: |_, bytes| toml(bytes) },
     Fuzzed { name: "network", endings: &["toml", "yml", "cpj"], run: |_, bytes| network(bytes) },
+    Fuzzed { name: "boot", endings: &["toml", "yml", "cpj"], run: |_, bytes| booted(bytes) },
 ];
 
 /// All profiles and all tools.
@@ -306,10 +308,26 @@ fn toml(bytes: &[u8]) {
 }
 
 /// A network of the descriptions in `fixtures/network`, with all that is made of it.
-fn network(bytes: &[u8]) {
+/// A network file beside those of the fixtures.
+fn network_file(bytes: &[u8]) -> NetworkFile {
     let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("../fixtures/network");
     let text = String::from_utf8_lossy(bytes).replace("../../../network/", "");
-    let file = NetworkFile::read(SourceFile::from_text("fuzzed", text), &folder, &Default::default());
+    NetworkFile::read(SourceFile::from_text("fuzzed", text), &folder, &Default::default())
+}
+
+/// A network that can be built is switched on, and its run ends.
+fn booted(bytes: &[u8]) {
+    let file = network_file(bytes);
+    let conditions = Conditions { limit: 5_000_000, frames: 5_000, ..Conditions::default() };
+    for files in [BootFiles::Dcf, BootFiles::Lely] {
+        let Ok(Installation { plant, .. }) = file.install(files) else { continue };
+        let run = boot(&plant, &conditions);
+        assert_eq!(run.is_booted(), boot(&plant, &conditions).is_booted(), "two runs are alike");
+    }
+}
+
+fn network(bytes: &[u8]) {
+    let file = network_file(bytes);
     let findings = file.check();
     let Some(network) = &file.network else {
         assert!(!findings.is_empty(), "what is no network has a finding");
