@@ -40,6 +40,8 @@ struct Row {
     lists: bool,
     /// Nothing but the sections and keys that the tool knows.
     known_only: bool,
+    /// The sections about the file and the device, also those that say nothing.
+    frame: bool,
 }
 
 const ANY: Row = Row {
@@ -51,6 +53,7 @@ const ANY: Row = Row {
     complete: false,
     lists: false,
     known_only: false,
+    frame: false,
 };
 
 /// All readers.
@@ -65,12 +68,14 @@ const ROWS: [Row; 5] = [
         complete: true,
         lists: true,
         known_only: true,
+        frame: false,
     },
     Row {
         dialect: Dialect::PythonCanopen,
         name: "python-canopen",
         tool: Some(Tool::PythonCanopen),
         complete: true,
+        frame: true,
         ..ANY
     },
     Row {
@@ -79,6 +84,7 @@ const ROWS: [Row; 5] = [
         tool: Some(Tool::CanOpenEditor),
         complete: true,
         lists: true,
+        frame: true,
         ..ANY
     },
     Row { dialect: Dialect::Codesys, name: "codesys", tool: Some(Tool::Codesys), ..ANY },
@@ -126,6 +132,12 @@ impl Dialect {
                     || section.name().bytes().all(|byte| byte.is_ascii_alphanumeric())
             });
         }
+        if row.frame {
+            device.file_info.get_or_insert_default();
+            device.device_info.get_or_insert_default();
+            device.dummy_usage.get_or_insert_default();
+            device.comments.get_or_insert_default();
+        }
         if let Some(usage) = &mut device.dummy_usage {
             (1..=7).for_each(|number| _ = usage.types.entry(DataType(number)).or_insert(false));
             usage.invalid_values = InvalidValues::default();
@@ -149,7 +161,11 @@ fn complete(object: &mut Object) {
     if !object.object_type().has_subs() && (object.compact.is_some() || !is_var && !object.subs.is_empty()) {
         object.main.object_type = Some(ObjectType::Array);
     }
-    object.main.invalid_values.retain(|invalid| invalid.field != Field::ObjectType);
+    // a number of sub-indexes that is not valid is read as compact storage
+    object
+        .main
+        .invalid_values
+        .retain(|invalid| ![Field::ObjectType, Field::CompactSubObj].contains(&invalid.field));
     let has_subs = object.object_type().has_subs();
     if !has_subs || object.compact.is_some() {
         complete_entry(&mut object.main, DataType::DOMAIN, Access::Rw);

@@ -1,7 +1,7 @@
 //! What a conversion makes of what one format says and the other says otherwise, or not at all.
 
 use objdict::compare::differences;
-use objdict::format::{self, Description, Format, LossKind, WriteOptions, Written};
+use objdict::format::{self, Description, Dialect, Format, LossKind, WriteOptions, Written};
 use objdict::model::{Access, DataType, Device, Value};
 use objdict::source::SourceFile;
 
@@ -107,6 +107,47 @@ fn the_ids_of_version_1_0_are_invented() {
     let text = String::from_utf8(written.bytes).unwrap();
     let back = read(&text, Format::Xdd).into_device();
     assert_eq!(back.device_info.unwrap().vendor_number, None);
+}
+
+#[test]
+fn version_1_0_has_a_text_about_the_product() {
+    let bare = bare_without(&["Description"]);
+    let mut options = WriteOptions::default();
+    options.xdd_version = format::XddVersion::V1_0;
+    let written = format::write(&bare, Format::Xdd, &options).unwrap();
+    let text = String::from_utf8(written.bytes.clone()).unwrap();
+    assert!(
+        text.contains("<productText>") && text.contains(r#"<description lang="en">not stated</description>"#),
+        "{text}"
+    );
+    assert!(paths(&written, LossKind::Invented).contains(&"/file_info/description"));
+    let back = read(&text, Format::Xdd).into_device();
+    assert_eq!(back.file_info.unwrap().description, None);
+    assert!(back.identity.is_none_or(|identity| identity.product_text.is_empty()));
+}
+
+#[test]
+fn readers_that_demand_sections_get_them_empty() {
+    let device =
+        read("[1003]\nParameterName=Errors\nObjectType=8\nSubNumber=255\nCompactSubObj=255\n", Format::Eds)
+            .into_device();
+    for dialect in [Dialect::PythonCanopen, Dialect::CanOpenEditor] {
+        let written = format::write(&device, Format::Eds, &WriteOptions::from(dialect)).unwrap();
+        assert_eq!(paths(&written, LossKind::Invented), [""; 0]);
+        assert_eq!(paths(&written, LossKind::Lost).len(), 1, "{:?}", written.losses);
+        let text = String::from_utf8(written.bytes).unwrap();
+        for section in [
+            "[FileInfo]\r\n",
+            "[DeviceInfo]\r\n",
+            "[DummyUsage]\r\nDummy0001=0\r\n",
+            "[Comments]\r\nLines=0\r\n",
+        ] {
+            assert!(text.contains(section), "{section} {text}");
+        }
+        assert!(!text.contains("CompactSubObj"), "{text}");
+    }
+    let written = format::write(&device, Format::Eds, &WriteOptions::default()).unwrap();
+    assert!(!String::from_utf8(written.bytes).unwrap().contains("[FileInfo]"));
 }
 
 #[test]

@@ -2,7 +2,7 @@
 //! drops them.
 
 use super::layout::ProfileClass;
-use crate::model::{Characteristic, CharacteristicsList, DeviceFunction, Labels, ProfileHeader};
+use crate::model::{Characteristic, CharacteristicsList, DeviceFunction, Label, Labels, ProfileHeader};
 
 /// What a reader makes of placeholders.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -71,6 +71,11 @@ pub(crate) fn header(class: ProfileClass) -> ProfileHeader {
         revision: "1.1".into(),
         ..ProfileHeader::default()
     }
+}
+
+/// The text about a product without one, which version 1.0 always has.
+pub(crate) fn product_text() -> Labels {
+    Labels(vec![Label::Description { lang: LANGUAGE.into(), text: NOT_STATED.into(), uri: None }])
 }
 
 /// The function of a device without one.

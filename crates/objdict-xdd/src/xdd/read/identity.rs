@@ -25,6 +25,9 @@ impl<'a> Reader<'a> {
         let mut order_numbers = identity.order_numbers.into_iter().map(|number| number.value);
         info.order_code = order_numbers.next().map(|text| text.trim_ascii().to_owned());
         rest.further_order_numbers = order_numbers.collect();
+        if placeholders.are_dropped() && rest.product_text == defaults::product_text() {
+            rest.product_text = Labels::default();
+        }
         let description = rest.product_text.description_in(defaults::LANGUAGE);
         if let Some(description) = description {
             let file_info = self.device.file_info.get_or_insert_default();

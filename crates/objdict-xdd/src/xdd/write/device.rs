@@ -58,10 +58,11 @@ impl Writer<'_> {
             ..rest.into()
         };
         if version == XddVersion::V1_0 {
-            // older versions of CANopenEditor read no file without them
+            // CANopenEditor reads no file without them
             for id in [&mut identity.vendor_id, &mut identity.product_id] {
                 id.get_or_insert_with(|| Box::<str>::from(defaults::ID).into());
             }
+            identity.product_text.get_or_insert_with(|| defaults::product_text().into());
         }
         if identity == Identity::default() && read_only.is_empty() {
             return None;
