@@ -111,9 +111,14 @@ fn the_ids_of_version_1_0_are_invented() {
 
 #[test]
 fn version_1_0_has_a_text_about_the_product() {
-    let bare = bare_without(&["Description"]);
+    let mut bare = bare_without(&["Description"]);
     let mut options = WriteOptions::default();
     options.xdd_version = format::XddVersion::V1_0;
+    // an empty one says nothing either
+    bare.file_info.get_or_insert_default().description = Some(String::new());
+    let written = format::write(&bare, Format::Xdd, &options).unwrap();
+    assert!(String::from_utf8(written.bytes).unwrap().contains(">not stated</description>"));
+    bare.file_info.get_or_insert_default().description = None;
     let written = format::write(&bare, Format::Xdd, &options).unwrap();
     let text = String::from_utf8(written.bytes.clone()).unwrap();
     assert!(

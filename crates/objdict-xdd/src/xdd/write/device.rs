@@ -34,6 +34,8 @@ impl Writer<'_> {
         let info = self.device.device_info.as_ref().unwrap_or(&unknown);
         let mut rest = self.device.identity.as_deref().cloned().unwrap_or_default();
         let description = self.device.file_info.as_ref().and_then(|info| info.description.as_deref());
+        // CANopenEditor crashes at an empty text in version 1.0
+        let description = description.filter(|text| version == XddVersion::V1_1 || !text.is_empty());
         if let Some(text) = description.filter(|_| rest.product_text.is_empty()) {
             let label = Label::Description { lang: defaults::LANGUAGE.into(), text: text.into(), uri: None };
             rest.product_text = Labels(vec![label]);
