@@ -2,7 +2,7 @@
 
 use std::collections::{BTreeMap, BTreeSet};
 
-use crate::diagnostic::{Applicability, At, Diagnostic, Findings};
+use crate::diagnostic::{Applicability, At, Diagnostic, Findings, Severity};
 use crate::format::{self, Description};
 use crate::model::Part;
 use crate::source::{Edits, Encoding, SourceFile, SourceOptions, Span};
@@ -289,20 +289,28 @@ impl Key {
 }
 
 /// How many findings there are of each kind.
+#[derive(Default)]
 struct Counts {
     parts: BTreeMap<Key, u32>,
     /// By rule alone, those that were only counted among them.
     rules: BTreeMap<&'static str, u32>,
+    /// By rule and the least severity, those that are known.
+    severe: BTreeMap<(&'static str, Severity), u32>,
     /// The rules of which not all findings are known.
     capped: BTreeSet<&'static str>,
 }
 
 impl Counts {
     fn of(findings: &Findings) -> Self {
-        let mut counts = Self { parts: BTreeMap::new(), rules: BTreeMap::new(), capped: BTreeSet::new() };
+        let mut counts = Self::default();
         for finding in findings {
             *counts.parts.entry(Key::of(finding)).or_default() += 1;
             *counts.rules.entry(finding.rule.id).or_default() += 1;
+            for least in
+                [Severity::Warning, Severity::Error].into_iter().filter(|&least| least <= finding.severity)
+            {
+                *counts.severe.entry((finding.rule.id, least)).or_default() += 1;
+            }
         }
         for (rule, omitted) in findings.omitted() {
             *counts.rules.entry(rule).or_default() += omitted;
@@ -311,7 +319,8 @@ impl Counts {
         counts
     }
 
-    /// Whether the findings that were `fixed` are gone and no other has come but what a new section leaves open.
+    /// Whether the findings that were `fixed` are gone, and no other has come or become more severe but what a new section
+    /// leaves open.
     fn is_better_than(&self, before: &Self, fixed: &BTreeMap<&Key, u32>) -> bool {
         let adds_section = fixed.keys().any(|key| key.0 == "cia306/missing-section");
         let is_open = |rule: &str| adds_section && LEFT_OPEN.contains(&rule);
@@ -322,14 +331,19 @@ impl Counts {
         let is_less = |now: u32, before: Option<&u32>, fixed: Option<&u32>| {
             now + fixed.copied().unwrap_or_default() <= before.copied().unwrap_or_default()
         };
-        let is_known = |key: &Key| !self.capped.contains(key.0) && !before.capped.contains(key.0);
+        let is_known = |rule: &str| !self.capped.contains(rule) && !before.capped.contains(rule);
         let rule_is_less =
             |rule: &str, now| is_less(now, before.rules.get(rule), fixed_of_rules.get(rule)) || is_open(rule);
         self.rules.iter().all(|(rule, &now)| rule_is_less(rule, now))
             && self
+                .severe
+                .iter()
+                .filter(|((rule, _), _)| is_known(rule))
+                .all(|(key, &now)| is_less(now, before.severe.get(key), None) || is_open(key.0))
+            && self
                 .parts
                 .iter()
-                .filter(|(key, _)| is_known(key))
+                .filter(|(key, _)| is_known(key.0))
                 .all(|(key, &now)| is_less(now, before.parts.get(key), fixed.get(key)) || is_open(key.0))
     }
 }

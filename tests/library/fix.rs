@@ -5,8 +5,8 @@ use std::collections::{BTreeMap, BTreeSet};
 use std::fmt::Write;
 use std::path::{Path, PathBuf};
 
-use objdict::diagnostic::{Applicability, Findings, Fix};
-use objdict::format::{self, Description};
+use objdict::diagnostic::{Applicability, Findings, Fix, Severity};
+use objdict::format::{self, Description, Format};
 use objdict::source::{Edits, SourceFile, SourceOptions};
 use objdict::{AppliedFix, Fixed, check, fix, with_sound_fixes};
 
@@ -84,6 +84,28 @@ fn findings_go_and_none_come() {
             assert!(again.applied.is_empty(), "{name}: fixed again: {:?}", again.applied);
         }
     }
+}
+
+#[test]
+fn no_fix_makes_a_warning_an_error() {
+    // a formula has no value without `[DeviceComissioning]`, whose absence is a warning as long as there is no formula
+    let text = std::fs::read_to_string(support::fixtures().join("dcf/io-401-node5.dcf")).unwrap();
+    let section = text.find("[DeviceComissioning]").unwrap();
+    let after = section + 1 + text[section + 1..].find("\n[").unwrap();
+    let text = format!("{}{}", &text[..section], &text[after + 1..]);
+    let text = text.replacen("$NODEID+0x80", "$NODE_ID+0x80", 1).replace("$NODEID+", "");
+    let source = SourceFile::from_bytes("a.dcf", text.into_bytes(), &SourceOptions::default()).unwrap();
+    let description = format::read(source, Format::Dcf);
+    let errors =
+        |findings: &Findings| findings.iter().filter(|finding| finding.severity == Severity::Error).count();
+    let severity = |findings: &Findings| {
+        findings.iter().find(|f| f.rule.id == "cia306/missing-commissioning").unwrap().severity
+    };
+    assert_eq!(severity(&check(&description)), Severity::Warning);
+    let before = errors(&check(&description));
+    let fixed = fix(description, Applicability::Unsafe, check);
+    assert_eq!(severity(&fixed.findings), Severity::Warning, "{:?}", fixed.applied);
+    assert!(errors(&fixed.findings) <= before && !fixed.skipped.is_empty());
 }
 
 #[test]
