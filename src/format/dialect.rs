@@ -6,7 +6,8 @@ use crate::diagnostic::Tool;
 use crate::format::Style;
 use crate::format::literal::RealSpelling;
 use crate::model::{
-    Access, DataType, Device, EMBEDDED_SECTION, Entry, Extra, Field, InvalidValues, Object, ObjectType,
+    Access, DataType, Device, EMBEDDED_SECTION, Entry, Extra, ExtraSection, Field, InvalidValues, Object,
+    ObjectType,
 };
 
 /// The reader that an EDS or DCF is written for.
@@ -118,10 +119,16 @@ impl Dialect {
     /// The device with what the reader demands, and without what it refuses.
     pub(super) fn adapted(self, device: &Device) -> Cow<'_, Device> {
         let row = self.row();
-        if !row.complete {
+        // no reader takes keys before the first section
+        let is_stray = |section: &ExtraSection| section.name().is_empty();
+        if !row.complete && !device.extra.iter().any(is_stray) {
             return Cow::Borrowed(device);
         }
         let mut device = device.clone();
+        device.extra.retain(|section| !is_stray(section));
+        if !row.complete {
+            return Cow::Owned(device);
+        }
         if row.known_only {
             remove_unknown(&mut device);
         }

@@ -156,6 +156,24 @@ fn readers_that_demand_sections_get_them_empty() {
 }
 
 #[test]
+fn keys_before_the_first_section_are_lost_in_every_dialect() {
+    let device = read("Stray=5\n[1000]\nParameterName=Device type\nDataType=7\nAccessType=ro\n", Format::Eds)
+        .into_device();
+    for dialect in Dialect::ALL {
+        let written = format::write(&device, Format::Eds, &WriteOptions::from(dialect)).unwrap();
+        assert!(
+            written
+                .losses
+                .iter()
+                .any(|loss| loss.kind == LossKind::Lost && loss.value.to_string().contains("Stray")),
+            "{dialect:?}"
+        );
+        let text = String::from_utf8(written.bytes).unwrap();
+        assert!(text.starts_with('[') && !text.contains("Stray"), "{dialect:?}: {text}");
+    }
+}
+
+#[test]
 fn a_domain_is_rw_and_has_no_default_in_an_xdd() {
     let device = base(
         "small.eds",
