@@ -2,8 +2,9 @@
 
 use std::fs;
 
-use crate::page::Page;
+use crate::page::{Page, make};
 use crate::support::RULE_PAGES;
+use crate::tab::Tab;
 
 /// What would run or leave its place if anything did.
 const NAMES: [&str; 12] = [
@@ -64,4 +65,21 @@ fn names_stay_text() {
         page.medium("print", "light");
         assert!(page.is("window.hacked === undefined"));
     }
+}
+
+/// The policy of a page names its own script and style by their hashes, and Chromium keeps to it.
+#[test]
+fn a_page_runs_its_own_script_alone() {
+    let Some(tab) = Tab::new() else { return };
+    let folder = tempfile::tempdir().unwrap();
+    let path = folder.path().join("page.html");
+    make("fixtures/eds/io-401.eds".as_ref(), &[], &path);
+    let page = fs::read_to_string(&path).unwrap();
+    let foreign = "<script>window.hacked = 1</script><style>body { display: none }</style>\
+                   <img src=x onerror=window.hacked=2><header>";
+    fs::write(&path, page.replacen("<header>", foreign, 1)).unwrap();
+    tab.open(&path, "");
+    assert!(tab.is("window.hacked === undefined && getComputedStyle(document.body).display !== 'none'"));
+    assert!(tab.is("!document.querySelector('#tools').hidden"), "the page's own script runs");
+    assert!(!tab.complaints().is_empty(), "what is refused is said");
 }

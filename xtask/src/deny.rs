@@ -126,6 +126,25 @@ mod tests {
     }
 
     #[test]
+    fn each_published_crate_has_the_texts_of_its_licences() {
+        let metadata = metadata(&Path::new(env!("CARGO_MANIFEST_DIR")).join("..")).unwrap();
+        let packages = metadata["packages"].as_array().unwrap().iter();
+        let published: Vec<&str> = packages
+            .filter(|package| package["source"].is_null() && package["publish"].is_null())
+            .map(|package| package["name"].as_str().unwrap())
+            .collect();
+        assert!(published.contains(&"objdict-model"));
+        for name in published {
+            let mut command = Command::new(env!("CARGO"));
+            let output = command.args(["package", "--list", "--allow-dirty", "-p", name]).output().unwrap();
+            let listed = String::from_utf8(output.stdout).unwrap();
+            for text in ["LICENSE-APACHE", "LICENSE-MIT"] {
+                assert!(listed.lines().any(|line| line == text), "{name} has no {text}: {listed}");
+            }
+        }
+    }
+
+    #[test]
     fn licences_are_alternatives_or_joined() {
         let problems = |name: &str, licence: &str| {
             let package = json!({ "name": name, "license": licence, "source": "x" });

@@ -3,6 +3,7 @@
 use askama::Template;
 
 use super::page::Page;
+use super::policy::with_policy;
 
 #[derive(Template)]
 #[template(path = "html/page.html")]
@@ -18,5 +19,5 @@ pub(super) fn write(page: &Page<'_>) -> String {
     let mut text = String::with_capacity(40_000 + 500 * page.entry_count());
     // writing to a String cannot fail, nor do the template filters
     let _ = template.render_into(&mut text);
-    text
+    with_policy(text)
 }

@@ -23,6 +23,7 @@ mod network;
 mod object;
 mod page;
 mod pdos;
+mod policy;
 mod sentence;
 mod services;
 mod site;

@@ -10,6 +10,7 @@ use askama::Template;
 use super::anchor::Anchor;
 use super::network::{NetworkView, SiteNetwork, StatedNode, stated, tables};
 use super::page::{Context, Page};
+use super::policy::with_policy;
 use super::texts::Texts;
 use super::{Form, Options, Subject, csv, write_page};
 use crate::Language;
@@ -157,7 +158,7 @@ impl Site {
         };
         // writing to a String cannot fail, nor do the template filters
         let text = match self.form {
-            Form::Html => HtmlIndex { index: &index }.render().unwrap_or_default() + "\n",
+            Form::Html => with_policy(HtmlIndex { index: &index }.render().unwrap_or_default() + "\n"),
             Form::Markdown => MarkdownIndex { index: &index }.render().unwrap_or_default() + "\n",
             Form::Csv => index_csv(&self.devices),
         };
