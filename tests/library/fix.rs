@@ -174,3 +174,16 @@ fn reports_offer_what_is_made() {
     }
     assert!(offered > 400 && at_once > 300, "{offered} offers, {at_once} files need no second round");
 }
+
+/// Junk before the header of a general section does not hide the section, and becomes a comment.
+#[test]
+fn a_section_behind_junk_is_read() {
+    let text = "50[FileInfo]\r\nFileName=a.eds\r\n[DeviceInfo]\r\nProductName=Lamp\r\n";
+    let source = SourceFile::from_text("a.eds", text);
+    let description = format::read(source, Format::Eds);
+    let name = |description: &Description| description.device().file_info.clone()?.file_name;
+    assert_eq!(name(&description).as_deref(), Some("a.eds"));
+    let fixed = fix(description, Applicability::Safe, check).description;
+    assert!(fixed.source().text().starts_with("; 50\r\n[FileInfo]\r\n"), "{}", fixed.source().text());
+    assert_eq!(name(&fixed).as_deref(), Some("a.eds"));
+}

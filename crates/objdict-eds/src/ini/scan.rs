@@ -20,7 +20,8 @@ pub enum LineKind {
     Blank,
     /// A comment: `;` by the standard (CiA 306-1 §4.2), `#` and `//` in real files.
     Comment,
-    /// `[name]`; also with blanks before it, with text after it, or without the `]`.
+    /// `[name]`; also with blanks before it, with text after it, or without the `]`. The general sections, such as `[FileInfo]`, may have a
+    /// few characters of junk before them.
     Section {
         /// The name, without the brackets and surrounding blanks.
         name: Span,
@@ -73,8 +74,17 @@ pub(crate) fn headers(text: &str) -> impl Iterator<Item = Line> {
     memchr::memchr_iter(b'[', bytes).filter_map(move |bracket| {
         let blanks = bytes[..bracket].iter().rev().take_while(|byte| is_blank(**byte)).count();
         let start = bracket - blanks;
-        let is_first = bytes[..start].last().is_none_or(|before| matches!(before, b'\n' | b'\r'));
-        is_first.then(|| Lines::of(bytes, start).next()).flatten()
+        let window = &bytes[start.saturating_sub(MAX_JUNK)..start];
+        let junk = window.iter().rev().take_while(|byte| !matches!(byte, b'\n' | b'\r')).count();
+        let line = start - junk;
+        let is_first = line == 0 || matches!(bytes[line - 1], b'\n' | b'\r');
+        // another bracket before this one is that of the header
+        let is_only = !bytes[line..start].contains(&b'[');
+        if !is_first || !is_only {
+            return None;
+        }
+        let found = Lines::of(bytes, line).next();
+        found.filter(|line| matches!(line.kind, LineKind::Section { .. }))
     })
 }
 
@@ -169,6 +179,7 @@ fn classify(bytes: &[u8], start: usize, equals: Option<usize>, end: usize) -> Li
     if start == end {
         return LineKind::Blank;
     }
+    let first = start;
     let (start, end) = trim(bytes, start, end);
     match (&bytes[start..end], equals) {
         ([], _) => LineKind::Blank,
@@ -185,8 +196,33 @@ fn classify(bytes: &[u8], start: usize, equals: Option<usize>, end: usize) -> Li
             let (value_start, value_end) = trim(bytes, equals + 1, end);
             LineKind::Entry { key: span(key_start, key_end), value: span(value_start, value_end) }
         }
-        _ => LineKind::Junk,
+        (line, _) => match line.iter().position(|byte| *byte == b'[').map(|length| start + length) {
+            Some(bracket)
+                if trim(bytes, start, bracket).1 - first <= MAX_JUNK && is_general(&bytes[bracket..end]) =>
+            {
+                LineKind::Section { name: span(bracket + 1, end - 1) }
+            }
+            _ => LineKind::Junk,
+        },
     }
+}
+
+/// The most bytes of junk before the header of a general section.
+const MAX_JUNK: usize = 16;
+
+/// Whether a text is the header of a general section.
+fn is_general(text: &[u8]) -> bool {
+    const HEADERS: [&[u8]; 8] = [
+        b"[FileInfo]",
+        b"[DeviceInfo]",
+        b"[DummyUsage]",
+        b"[Comments]",
+        b"[MandatoryObjects]",
+        b"[OptionalObjects]",
+        b"[ManufacturerObjects]",
+        b"[DeviceComissioning]",
+    ];
+    HEADERS.iter().any(|header| header.eq_ignore_ascii_case(text))
 }
 
 /// Blanks and tabs, and the NUL and Ctrl-Z that DOS and C leave at the end of a file.
@@ -226,9 +262,20 @@ mod tests {
         assert_eq!(kinds(text), expected);
     }
 
+    /// Lines before and in which there is junk.
+    const JUNK: &str = "50[FileInfo]\n \u{FEFF}x [comments] \nsee [12]\n;[Comments]\n=[DummyUsage]\nk=[DeviceInfo]\n\
+                        a[x][FileInfo]\n[x][FileInfo]\n50[FileInfo] x\n0123456789abcdef[DeviceInfo]\n\
+                        0123456789abcdefg[DeviceInfo]\n    0123456789abcdef[DeviceInfo]\na[FileInfo]b[FileInfo]";
+
+    #[test]
+    fn junk_before_a_general_section_is_passed_over() {
+        let sections: Vec<String> = kinds(JUNK).into_iter().filter(|kind| kind.starts_with('[')).collect();
+        assert_eq!(sections, ["[FileInfo]", "[comments]", "[DummyUsage]", "[x]", "[DeviceInfo]"]);
+    }
+
     #[test]
     fn headers_are_the_lines_that_are_sections() {
-        for text in ["", "[", "[a]", "\t[a] [b]\n;[c]\n [[d]]\r[e\r\n\n\0[f]=1\nk=[g]\n\u{1A} [h]"] {
+        for text in ["", "[", "[a]", "\t[a] [b]\n;[c]\n [[d]]\r[e\r\n\n\0[f]=1\nk=[g]\n\u{1A} [h]", JUNK] {
             let is_section = |line: &Line| matches!(line.kind, LineKind::Section { .. });
             let sections: Vec<Line> = Lines::new(text).filter(is_section).collect();
             assert_eq!(headers(text).collect::<Vec<_>>(), sections, "{text:?}");

@@ -209,9 +209,7 @@ impl LineCheck<'_> {
         } else if let Some(before) = before_header(text) {
             let start = line.span.of(self.text).find(before).unwrap_or_default() as u32 + line.span.start;
             let before = Span::new(line.span.start, start + before.len() as u32);
-            let comment = Change::Comment(before, before.of(self.text).trim().to_owned());
-            let fix = Fix::risky("put the text before the header in a separate comment line");
-            finding.help("remove the text before the header").fix(fix.replace(before, "").with(comment))
+            without_text(finding, before, self.text, Fix::risky)
         } else {
             let fix = Fix::risky("change the line to a comment").replace(Span::empty(line.span.start), "; ");
             finding.help("remove the line, or put a `;` before it").fix(fix)
@@ -225,8 +223,12 @@ impl LineCheck<'_> {
             return;
         }
         let indent = text.find('[').unwrap_or_default() as u32;
-        if indent > 0 {
-            let span = Span::new(line.span.start, line.span.start + indent);
+        let span = Span::new(line.span.start, line.span.start + indent);
+        if !span.of(self.text).trim_matches([' ', '\t', '\0', '\u{1A}']).is_empty() {
+            let message = say!("`{}` precedes the section header", span.of(self.text).trim());
+            let finding = Diagnostic::new(&JUNK_LINE, span, message);
+            self.findings.push(without_text(finding, span, self.text, Fix::safe));
+        } else if indent > 0 {
             let finding = Diagnostic::new(&INDENTED_SECTION, span, "spaces before the section header");
             let fix = Fix::safe("remove the spaces").replace(span, "");
             self.findings.push(finding.help("write the `[` in the first column").fix(fix));
@@ -299,6 +301,13 @@ pub(crate) fn is_merge_mark(line: &str) -> bool {
 fn before_header(text: &str) -> Option<&str> {
     let (before, name) = text.strip_suffix(']')?.rsplit_once('[')?;
     (!name.is_empty() && name.bytes().all(|byte| byte.is_ascii_alphanumeric())).then_some(before)
+}
+
+/// A finding about text before a section header, with a fix that puts it into a comment.
+fn without_text(finding: Diagnostic, before: Span, text: &str, kind: fn(&'static str) -> Fix) -> Diagnostic {
+    let comment = Change::Comment(before, before.of(text).trim().to_owned());
+    let fix = kind("put the text before the header in a separate comment line");
+    finding.help("remove the text before the header").fix(fix.replace(before, "").with(comment))
 }
 
 /// Moves text after a section header to a comment above it. Text that does not look like a comment may have
