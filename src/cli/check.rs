@@ -59,7 +59,7 @@ fn show_changes(
     failures.iter().for_each(Failure::print);
     let mut has_failed = !failures.is_empty();
     for project in worker.settings.projects().filter(|project| !project.is_usable()) {
-        let message = format_args!("`{}` cannot be used", project.config.source().name());
+        let message = format!("`{}` cannot be used", project.config.source().name());
         Failure::new(message).help("run `objdict check` without `--diff` for the reasons").print();
         has_failed = true;
     }
@@ -170,7 +170,7 @@ impl Worker<'_> {
                 },
                 Some((description, amended)) => (description, amended, None),
                 None => {
-                    let message = format_args!("cannot fix `{}`", name_of(&file.path));
+                    let message = format!("cannot fix `{}`", name_of(&file.path));
                     return Checked::Failed(Failure::new(message));
                 }
             },

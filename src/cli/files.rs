@@ -103,7 +103,7 @@ impl Gathered<'_, '_> {
                 Ok(path) if path.is_dir() => self.walk(&path, &searched)?,
                 Ok(path) if path.is_file() => self.push(path, Some(&searched))?,
                 Ok(path) => {
-                    let message = format_args!("`{}` is a pipe or a device, not a file", name_of(&path));
+                    let message = format!("`{}` is a pipe or a device, not a file", name_of(&path));
                     self.failures.push(Failure::new(message).help("name it to read it"));
                 }
                 Err(error) => self.failures.push(Failure::new(error)),

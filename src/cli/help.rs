@@ -39,18 +39,20 @@ const TOPICS: [(&str, &str, Text); 7] = [
 pub(super) fn run(args: &HelpArgs, out: &mut Output) -> Result<Outcome, Failure> {
     let mut command = <Args>::command();
     command.build();
-    match args.subject.as_slice() {
-        [topic] if topic == "topics" => write_topics(out)?,
-        [topic] if let Some((.., text)) = TOPICS.iter().find(|(name, ..)| name == topic) => match *text {
-            Text::Section(page, heading) => out.write_all(section(page, heading).as_bytes())?,
-            Text::Targets => write_targets(out)?,
-        },
-        [] => {
+    let topic = match args.subject.as_slice() {
+        [topic] => TOPICS.iter().find(|(name, ..)| name == topic),
+        _ => None,
+    };
+    match (topic, args.subject.as_slice()) {
+        (Some((.., Text::Section(page, heading))), _) => out.write_all(section(page, heading).as_bytes())?,
+        (Some((.., Text::Targets)), _) => write_targets(out)?,
+        (None, [topic]) if topic == "topics" => write_topics(out)?,
+        (None, []) => {
             write_help(&mut command, out)?;
             writeln!(out, "\nTopics of `objdict help`:")?;
             write_topics(out)?;
         }
-        path => {
+        (None, path) => {
             let mut named = &mut command;
             for name in path {
                 named = named.find_subcommand_mut(name).ok_or_else(|| unknown(name))?;

@@ -203,7 +203,7 @@ impl<'a> Settings<'a> {
     /// The configurations that were met and cannot be used.
     pub(super) fn unusable(&self) -> impl Iterator<Item = Failure> {
         self.projects().filter(|project| !project.is_usable()).map(|project| {
-            let message = format_args!("`{}` cannot be used", project.config.source().name());
+            let message = format!("`{}` cannot be used", project.config.source().name());
             Failure::new(message).help("run `objdict check` for the reasons")
         })
     }

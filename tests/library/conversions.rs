@@ -195,6 +195,14 @@ fn a_domain_is_rw_and_has_no_default_in_an_xdd() {
     assert_eq!(differences(&device, &read(&xdd, Format::Xdd).into_device()), []);
 }
 
+#[test]
+fn an_access_type_with_a_character_that_xml_lacks_comes_back() {
+    let device = base("small.eds", &[("AccessType=ro\n", "AccessType=ro\u{c}\n")]);
+    let (text, _) = convert(&device, Format::Xdd);
+    roxmltree::Document::parse(&text).unwrap();
+    assert!(differences(&device, &read(&text, Format::Xdd).into_device()).is_empty());
+}
+
 /// An XDD with two objects, of which the second has a parameter of this access and content.
 fn with_parameter(access: &str, content: &str) -> Device {
     let objects = r#"<CANopenObject index="2F00" name="Level" objectType="7" dataType="0006" uniqueIDRef="UID_LEVEL"/></CANopenObjectList>"#;

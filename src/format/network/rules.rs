@@ -5,7 +5,7 @@ use crate::diagnostic::text_rules;
 text_rules! {
     INVALID_YAML = "network/invalid-yaml", Error;
     summary: "the network file is not valid YAML",
-    checks: "Whether the text can be read as YAML. If it cannot, nothing else of it is checked.",
+    checks: "Whether the text can be read as YAML and is one document. If not, nothing else of it is checked.",
     why: "dcfgen and the launch files of ROS refuse the file too, with a message about the parser.",
     example: "`dcf_path: @BUS_CONFIG_PATH@`: a text that begins with `@` must be quoted",
     remedy: "Correct the reported line.",

@@ -15,10 +15,11 @@ use crate::source::Span;
 /// The maximum depth of lists and maps.
 const MAX_DEPTH: usize = 64;
 
-/// Reads a text; `None` if it is no YAML, which is a finding.
+/// Reads a text of one document; `None` if it is not YAML, or has a second document, which is a finding.
 pub(super) fn read(text: &str, findings: &mut Findings) -> Option<Tree> {
     let mut builder =
         Builder { offsets: offsets(text), anchors: BTreeMap::new(), open: Vec::new(), findings };
+    let mut document = None;
     for event in Parser::new_from_str(text) {
         let (event, span) = match event {
             Ok(event) => event,
@@ -33,16 +34,21 @@ pub(super) fn read(text: &str, findings: &mut Findings) -> Option<Tree> {
             }
         };
         let span = Span::new(builder.offset(span.start.index()), builder.offset(span.end.index()));
+        if document.is_some() && matches!(event, Event::DocumentStart(_)) {
+            let finding = Diagnostic::new(&INVALID_YAML, span, "a second document begins here")
+                .help("remove the line `---`, or put what follows into a file of its own");
+            builder.findings.push(finding);
+            return None;
+        }
         match builder.take(event, span) {
-            Ok(Some(tree)) => return Some(tree),
-            Ok(None) => {}
+            Ok(tree) => document = document.or(tree),
             Err(finding) => {
                 builder.findings.push(*finding);
                 return None;
             }
         }
     }
-    Some(Tree::new(Span::empty(0), Kind::Null))
+    document.or_else(|| Some(Tree::new(Span::empty(0), Kind::Null)))
 }
 
 /// The offset in bytes of each character; empty for a text of which each character is a byte.
@@ -337,7 +343,7 @@ mod tests {
     #[test]
     fn what_cannot_be_read_is_reported() {
         let deep = "[".repeat(100_000);
-        for text in ["a: [1", "a: 1\na: 2", "&a [*a]", "@x", &deep] {
+        for text in ["a: [1", "a: 1\na: 2", "a: 1\n---\nb: 2", "&a [*a]", "@x", &deep] {
             let mut findings = Findings::new();
             read(text, &mut findings);
             assert_eq!(findings.len(), 1, "{text:.20}");

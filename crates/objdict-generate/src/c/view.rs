@@ -126,8 +126,7 @@ impl<'a> Header<'a> {
             .objects
             .iter()
             .map(|object| {
-                let suffix = format_args!("{:04x}", object.index);
-                macro_name(&mut macros, prefix, &object.module, (suffix, 4))
+                macro_name(&mut macros, prefix, &object.module, (format_args!("{:04x}", object.index), 4))
             })
             .collect();
         let objects = table
@@ -197,8 +196,8 @@ fn object_view<'a>(
     let rows = if object.single { &[] } else { &table.rows[object.rows.clone()] };
     let entries = rows.iter().map(|row| {
         let words = [name.trim_end_matches('_'), "_", &row.constant].concat();
-        let suffix = format_args!("{:04x}_{:02x}", row.index, row.sub);
-        let mut name = macro_name(macros, prefix, &words, (suffix, 7));
+        let mut name =
+            macro_name(macros, prefix, &words, (format_args!("{:04x}_{:02x}", row.index, row.sub), 7));
         name.make_ascii_uppercase();
         (name, row)
     });

@@ -10,6 +10,8 @@ impl Kind {
         match self {
             // the standard declares the numbers with a fraction as strings
             Self::Text | Self::Rate | Self::Decimal => true,
+            // a blank for the functions about ASCII, but not for XML
+            _ if text.contains('\u{c}') => false,
             Self::Boolean => matches!(trimmed, "true" | "false" | "1" | "0"),
             Self::Number(low, high) => {
                 whole_number(trimmed).is_some_and(|number| (low..=high).contains(&number))
