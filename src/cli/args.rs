@@ -13,7 +13,6 @@ use std::borrow::Cow;
 use std::num::NonZeroUsize;
 use std::path::{Path, PathBuf};
 
-use clap::builder::{EnumValueParser, TypedValueParser};
 use clap::{Parser, Subcommand, ValueEnum};
 use clap_complete::Shell;
 use objdict_node::ObjectName;
@@ -35,7 +34,7 @@ pub(super) use self::network::{
 pub(super) use self::new::NewArgs;
 use super::baseline::BaselineArgs;
 use super::fix::FixArgs;
-use super::input::{FileKind, InputArgs, SizeArgs};
+use super::input::{InputArgs, SizeArgs};
 use super::output::Color;
 use super::settings::{ConfigFileArgs, SettingsArgs};
 use crate::diagnostic::Severity;
@@ -302,12 +301,12 @@ pub(super) enum ProfileFormat {
     Json,
 }
 
-/// Format EDS and DCF files
+/// Format descriptions
 ///
-/// Sections and keys move into the canonical order, with their comments; keys, section names, hex numbers and formulas get one
-/// spelling. The content of the file stays the same. The standard input goes to the standard output.
+/// In EDS and DCF, sections and keys move into the canonical order, with their comments; keys, section names, hex numbers and formulas
+/// get one spelling. In XDD and XDC, elements and attributes move into the order of CiA 311, one element on each line. The content of
+/// the file stays the same. The standard input goes to the standard output.
 #[derive(Debug, Parser)]
-#[command(mut_arg("from", |from| from.value_parser(EnumValueParser::<FormattedKind>::new().map(FileKind::from))))]
 #[command(mut_arg("max_entries", |entries| entries.hide(true)))] // no entry is expanded
 pub(super) struct FmtArgs {
     /// Files, folders and patterns such as `devices/**/*.eds`; `-` is the standard input
@@ -325,24 +324,6 @@ pub(super) struct FmtArgs {
     pub input: InputArgs,
     #[command(flatten)]
     pub config: ConfigFileArgs,
-}
-
-/// A kind of file that `fmt` takes.
-#[derive(Clone, Copy, Debug, ValueEnum)]
-enum FormattedKind {
-    /// Electronic data sheet (CiA 306-1)
-    Eds,
-    /// Device configuration file (CiA 306-1)
-    Dcf,
-}
-
-impl From<FormattedKind> for FileKind {
-    fn from(kind: FormattedKind) -> Self {
-        match kind {
-            FormattedKind::Eds => Self::Eds,
-            FormattedKind::Dcf => Self::Dcf,
-        }
-    }
 }
 
 /// List the rules of `check`

@@ -54,7 +54,7 @@ struct Arranged {
     bytes: Vec<u8>,
 }
 
-/// Puts one file in order; `None` for one of a folder that has no sections and keys.
+/// Puts one file in order; `None` for one of a folder that is not a description.
 fn arrange(args: &FmtArgs, file: &File) -> Result<Option<Arranged>, Failure> {
     let description = match args.input.candidate(&file.path)? {
         Candidate::Description(description) => *description,
@@ -73,16 +73,7 @@ fn arrange(args: &FmtArgs, file: &File) -> Result<Option<Arranged>, Failure> {
         Some(tool) => compat::adapt(description, tool),
         None => description,
     };
-    let bytes = match description.arranged() {
-        Some(bytes) => bytes.map_err(Failure::new)?,
-        None if !file.is_named => return Ok(None),
-        None => {
-            let format = description.format().name();
-            return Err(Failure::new(format_args!(
-                "only EDS and DCF can be formatted, and `{name}` is an {format}"
-            )));
-        }
-    };
+    let bytes = description.arranged().map_err(Failure::new)?;
     let after = read(bytes.clone(), description.source().encoding())?;
     Ok(Some(Arranged { file: file.path.clone(), before, after, bytes }))
 }

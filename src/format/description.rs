@@ -91,6 +91,19 @@ impl Description {
         }
     }
 
+    /// One of the devices of the file.
+    #[cfg(feature = "json")]
+    fn numbered(&self, number: usize) -> Cow<'_, Device> {
+        match &self.text {
+            #[cfg(feature = "xdd")]
+            Text::Xml(tree, _) if number != self.number => {
+                let (device, findings) = xdd::read(tree, number, self.format.kind());
+                Cow::Owned(restored(device, findings).0)
+            }
+            _ => Cow::Borrowed(&self.device),
+        }
+    }
+
     /// Which device of the file it describes, counted from 0.
     pub fn number(&self) -> usize {
         self.number
@@ -278,27 +291,39 @@ impl Description {
         Ok(super::write(&device, format, &options)?.bytes)
     }
 
-    /// The bytes of this text in the canonical order and spelling: sections and keys in the order of CiA 306-1, with the
-    /// comments that belong to them; keys, section names, hex numbers and formulas spelled alike. What is read of it stays
-    /// the same. `None` for a text in XML.
+    /// The bytes of this text in the canonical order and spelling. EDS and DCF: sections and keys in the order of CiA 306-1,
+    /// with the comments that belong to them; keys, section names, hex numbers and formulas spelled alike. XDD and XDC: elements
+    /// and attributes in the order of CiA 311, one element a line. What is read of it stays the same.
     ///
     /// # Errors
-    /// When the text cannot be written in the encoding of the file, or something else would be read of it.
+    /// When the text cannot be written in the encoding of the file, something else would be read of it, or it is XML that is not
+    /// well-formed or has a document type.
     #[cfg(feature = "json")]
-    pub fn arranged(&self) -> Option<Result<Vec<u8>, EditError>> {
-        let document = self.document()?;
-        if self.source().is_read_only() {
-            return Some(Err(EditError::ReadOnly(self.source().name().to_owned())));
+    pub fn arranged(&self) -> Result<Vec<u8>, EditError> {
+        let source = self.source();
+        if source.is_read_only() {
+            return Err(EditError::ReadOnly(source.name().to_owned()));
         }
-        for extent in eds::fmt::Extent::ALL {
-            let text = eds::fmt::arrange(document, &self.device, extent);
-            let arranged = SourceFile::from_text(self.source().name(), text);
-            let again = Self::read(arranged, self.format);
-            if says_the_same(&self.device, &again.device) {
-                return Some(self.source().encode(again.source().text()).map_err(EditError::from));
+        let is_same = |text: &String| {
+            let again = Self::read(SourceFile::from_text(source.name(), text.clone()), self.format);
+            // a network has several devices
+            (0..self.device_count())
+                .all(|number| says_the_same(&self.numbered(number), &again.numbered(number)))
+        };
+        let found = match &self.text {
+            Text::Ini(document, _) => {
+                let mut texts = eds::fmt::Extent::ALL
+                    .into_iter()
+                    .map(|extent| eds::fmt::arrange(document, &self.device, extent));
+                texts.find(is_same)
             }
-        }
-        Some(Err(EditError::OtherMeaning(self.source().name().to_owned())))
+            #[cfg(feature = "xdd")]
+            Text::Xml(tree, _) => {
+                [true, false].into_iter().filter_map(|sorted| xdd::arrange(tree, sorted)).find(is_same)
+            }
+        };
+        let text = found.ok_or_else(|| EditError::OtherMeaning(source.name().to_owned()))?;
+        source.encode(&text).map_err(EditError::from)
     }
 
     /// The edits of the text that a fix makes, in its order: each span with its replacement. `None`

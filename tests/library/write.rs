@@ -203,7 +203,7 @@ fn embedded_lines_are_comments_that_edits_keep() {
         assert!(text.lines().all(|line| line.len() < 255), "{}", path.display());
         assert!(!text.contains("[xml:") && !text.contains("[ObjdictCarried]"), "{}", path.display());
         let description = format::read(SourceFile::from_text("a.dcf", text.as_str()), Format::Dcf);
-        let arranged = String::from_utf8(description.arranged().unwrap().unwrap()).unwrap();
+        let arranged = String::from_utf8(description.arranged().unwrap()).unwrap();
         let edited = String::from_utf8(description.to_type("a.eds").unwrap()).unwrap();
         for edited in [arranged, edited] {
             assert!(edited.lines().filter(is_ours).eq(text.lines().filter(is_ours)), "{}", path.display());

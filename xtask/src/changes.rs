@@ -20,12 +20,11 @@ pub(crate) fn problems(description: Description, findings: &Findings) -> Vec<Str
 
 fn arranged(description: &Description, problems: &mut Vec<String>) {
     let bytes = match description.arranged() {
-        None => return,
-        Some(Ok(bytes)) => bytes,
-        Some(Err(error)) => return problems.push(error.to_string()),
+        Ok(bytes) => bytes,
+        Err(error) => return problems.push(error.to_string()),
     };
     let arranged = read(description, bytes.clone());
-    if !matches!(arranged.arranged(), Some(Ok(again)) if again == bytes) {
+    if !matches!(arranged.arranged(), Ok(again) if again == bytes) {
         problems.push("put in order again, it changes again".to_owned());
     }
 }

@@ -77,3 +77,8 @@ pub(crate) fn check_container(container: Element<'_>, findings: &mut Findings) {
     types::check(&mut walk);
     texts::check_dictionaries(&mut walk);
 }
+
+/// The element of the schema that a profile body is; `None` for any other element, and a body of another type.
+pub(super) fn body_schema(element: Element<'_>) -> Option<&'static super::schema::Element> {
+    profiles::body(element)?.schema
+}

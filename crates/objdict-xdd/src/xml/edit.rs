@@ -23,14 +23,8 @@ pub struct Editor<'a> {
 impl<'a> Editor<'a> {
     /// An editor without changes. New lines end like the first line of the document.
     pub fn new(tree: &'a Tree) -> Self {
-        let text = tree.text();
-        let line_end = match memchr::memchr2(b'\n', b'\r', text.as_bytes()).map(|at| &text[at..]) {
-            Some(rest) if rest.starts_with("\r\n") => "\r\n",
-            Some(rest) if rest.starts_with('\r') => "\r",
-            _ => "\n",
-        };
         let (edits, opened) = (Edits::new(tree.source()), BTreeMap::new());
-        Self { tree, edits, line_end, opened, not_xml: None }
+        Self { tree, edits, line_end: tree.line_end(), opened, not_xml: None }
     }
 
     /// Replaces `span` by `text`.

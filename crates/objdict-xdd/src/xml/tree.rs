@@ -120,6 +120,16 @@ impl Tree {
         self.source.text()
     }
 
+    /// The line end of its first line, with which new lines end too.
+    pub fn line_end(&self) -> &'static str {
+        let text = self.text();
+        match memchr::memchr2(b'\n', b'\r', text.as_bytes()).map(|at| &text[at..]) {
+            Some(rest) if rest.starts_with("\r\n") => "\r\n",
+            Some(rest) if rest.starts_with('\r') => "\r",
+            _ => "\n",
+        }
+    }
+
     /// The outermost element.
     pub fn root(&self) -> Option<Element<'_>> {
         self.get(0)
@@ -266,7 +276,7 @@ impl<'a> Element<'a> {
     }
 
     /// The attributes in order, including namespace declarations.
-    pub(super) fn all_attributes(self) -> impl Iterator<Item = Attribute<'a>> {
+    pub(crate) fn all_attributes(self) -> impl Iterator<Item = Attribute<'a>> {
         let numbers = self.tree.attribute_numbers(self.id);
         numbers.map(move |number| Attribute { tree: self.tree, element: self.id, number })
     }
