@@ -58,7 +58,8 @@ impl Builder {
         self
     }
 
-    /// Whether to replace files in the folder that objdict did not write, or that were changed since. The inputs are never
+    /// Whether to replace files in the folder that objdict did not make, or that are not as
+    /// `objdict.sha256` lists them. The inputs are never
     /// replaced.
     pub fn overwrite(mut self, overwrite: bool) -> Self {
         self.overwrite = overwrite;

@@ -237,7 +237,7 @@ pub(super) enum ShowFormat {
 /// What is replaced in a folder.
 #[derive(Clone, Copy, Debug, Default, clap::Args)]
 pub(super) struct OverwriteArgs {
-    /// Also replace files in the folder that objdict did not write, or that were changed since
+    /// Also replace files in the folder that objdict did not make, or that are not as `objdict.sha256` lists them
     #[arg(long)]
     pub overwrite: bool,
 }

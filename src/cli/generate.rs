@@ -22,6 +22,10 @@ use crate::scaffold;
 
 pub(super) fn run(args: &GenerateArgs, out: &mut Output) -> Result<Outcome, Failure> {
     let request = request(args)?;
+    #[cfg(target_os = "linux")]
+    if request.targets.iter().any(|target| target.name() == "template") {
+        limit_memory();
+    }
     let mut bytes = args.input.size.read(&args.file)?;
     if args.add_missing {
         bytes = supply(args, &request, bytes)?;
@@ -154,6 +158,17 @@ fn stamp(args: &GenerateArgs, files: &[PathBuf]) -> Result<(), Failure> {
 }
 
 /// What the arguments ask for.
+/// A template can ask for any amount of memory. Then the command ends, and no other program.
+#[cfg(target_os = "linux")]
+fn limit_memory() {
+    use nix::sys::resource::{Resource, getrlimit, setrlimit};
+    const MOST: u64 = 4 << 30;
+    if let Ok((soft, hard)) = getrlimit(Resource::RLIMIT_AS) {
+        // a lower limit is that of the user
+        let _ = setrlimit(Resource::RLIMIT_AS, soft.min(MOST), hard);
+    }
+}
+
 fn request(args: &GenerateArgs) -> Result<Request, Failure> {
     let targets: Result<Vec<Target>, _> = args.targets.iter().map(|name| Target::named(name)).collect();
     Ok(Request {

@@ -94,6 +94,16 @@ fn the_device_is_that_of_the_json() {
 }
 
 #[test]
+fn what_is_nested_deep_has_a_stack() {
+    let sum = format!("{{{{ 1{} }}}}", "+1".repeat(8_000));
+    assert_eq!(rendered("my.j2", &sum).unwrap(), "8001");
+    let branches = format!("{{% if 0 %}}{}{{% else %}}a{{% endif %}}", "{% elif 0 %}".repeat(1_000));
+    assert_eq!(rendered("my.j2", &branches).unwrap(), "a");
+    let lists = "{% set ns = namespace(a=[1]) %}{% for i in range(100000) %}{% set ns.a = [ns.a] %}{% endfor %}{{ ns.a }}";
+    assert_eq!(rendered("my.j2", lists).unwrap().len(), 200_003);
+}
+
+#[test]
 fn errors_name_file_and_line() {
     for (source, expected) in [
         ("a\n{% for %}\n", "my.j2:2: syntax error: "),
@@ -103,6 +113,31 @@ fn errors_name_file_and_line() {
         (
             "{% for a in range(9999) %}{% for b in range(9999) %}\n{{ a }}{% endfor %}{% endfor %}",
             "my.j2:2: engine ran out of fuel",
+        ),
+        (r#"{{ "%1000000000s"|format("x") }}"#, "my.j2:1: invalid operation: `format` would make more than"),
+        (r#"{{ "%0*d"|format(500000000, 1) }}"#, "my.j2:1: invalid operation: `format` would make more than"),
+        (
+            r#"{{ "x"|indent(4000000000, true) }}"#,
+            "my.j2:1: invalid operation: `indent` would make more than",
+        ),
+        (
+            r#"{{ "x"|indent(width=4000000000) }}"#,
+            "my.j2:1: invalid operation: `indent` would make more than",
+        ),
+        (r#"{{ ("x" * 10000)|replace("x", "y" * 10000) }}"#, "my.j2:1: invalid operation: `replace` would"),
+        (
+            r#"{{ range(100000)|join("x" * 1000000) }}"#,
+            "my.j2:1: invalid operation: `join` would make more than",
+        ),
+        (
+            "{{ [1]|slice(100000000)|list|length }}",
+            "my.j2:1: invalid operation: `slice` would make more than",
+        ),
+        ("{{ [1]|batch(100000000, 0)|length }}", "my.j2:1: invalid operation: `batch` would make more than"),
+        (&format!("{{{{ 1{} }}}}", "+1".repeat(30_000)), "my.j2: a tag has more than 16384 bytes"),
+        (
+            &format!("{{% if 0 %}}{}{{% endif %}}", "{% elif 0 %}".repeat(30_000)),
+            "my.j2: there are more than 1000",
         ),
     ] {
         let error = rendered("my.j2", source).unwrap_err();

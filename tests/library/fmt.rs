@@ -124,3 +124,29 @@ fn values_are_spelled_alike_where_they_say_the_same() {
         DefaultValue=0xab\n";
     assert_eq!(arrange(text), expected);
 }
+
+/// One line without order becomes what the file was, with its comments at their places.
+#[test]
+fn xml_gets_the_order_of_the_standard() {
+    let arrange = |text: &str| {
+        let description = format::read(SourceFile::from_text("device.xdd", text), Format::Xdd);
+        String::from_utf8(description.arranged().unwrap()).unwrap()
+    };
+    let path = support::fixtures().join("bases/device.xdd");
+    let mut text = std::fs::read_to_string(path).unwrap();
+    let (first, end) = (r#"<CANopenObject index="1000""#, "</q2:CANopenObjectList>");
+    for (at, comment) in [(first, "<!-- before -->"), (end, "<!-- last -->")] {
+        text = text.replacen(at, &format!("{comment}{at}"), 1);
+    }
+    let expected = arrange(&text);
+    let list = expected.find("<!-- before -->").unwrap()..expected.find("<!-- last -->").unwrap();
+    let second = expected[list.clone()].match_indices("<CANopenObject ").nth(1).unwrap().0 + list.start;
+    let (first, others) = (&expected[list.start..second], &expected[second..list.end]);
+    let mixed = [&expected[..list.start], others, first, &expected[list.end..]].concat();
+    let mixed: String = mixed.lines().map(str::trim_start).collect();
+    assert_ne!(mixed, expected);
+    assert_eq!(
+        arrange(&mixed.replace(r#" dataType="0007" accessType="ro""#, " accessType='ro' dataType='0007'")),
+        expected
+    );
+}

@@ -214,7 +214,7 @@ fn configuration(args: &ConvertArgs, job: &Job, device: &Device) -> Result<Conci
 
 /// A plan that cannot be made.
 pub(in crate::cli) fn refusal(error: &PlanError) -> Failure {
-    let failure = Failure::new(error);
+    let failure = Failure::of_lines(error.to_string().lines());
     match error.help() {
         Some(help) => failure.help(help),
         None => failure,

@@ -72,7 +72,7 @@ impl OutputError {
             Self::Foreign { .. } | Self::Changed { .. } => {
                 format!("name another folder, or replace the file with `{overwrite}`")
             }
-            Self::Name { .. } => "rename what the file is named after".to_owned(),
+            Self::Name { .. } => "choose another name".to_owned(),
         })
     }
 }
@@ -115,6 +115,7 @@ impl Used {
 
     /// Writes a file that an argument names: it replaces what is there, but nothing that the run uses.
     pub(crate) fn save(&mut self, path: &Path, contents: &[u8]) -> Result<Saved, OutputError> {
+        names::require_file(path)?;
         self.require_other(path)?;
         let saved = save(path, contents).map_err(OutputError::unwritable(path))?;
         self.add(path);

@@ -52,7 +52,7 @@ fn integer(value: &Value) -> Result<i128, Error> {
     parsed.ok_or_else(|| wrong(format!("`{text}` is no number")))
 }
 
-fn wrong(message: String) -> Error {
+pub(super) fn wrong(message: String) -> Error {
     Error::new(ErrorKind::InvalidOperation, message)
 }
 

@@ -1,5 +1,6 @@
 //! The target `template`: output of a custom template.
 
+mod bounds;
 mod context;
 mod filters;
 
@@ -17,11 +18,19 @@ use crate::model::Device;
 /// Instruction limit, so that endless templates stop: a base and an amount per entry.
 const FUEL: (u64, u64) = (1_000_000, 2_000);
 
-/// Maximum size of the output in bytes.
+/// Maximum size of the output, and of the result of a filter, in bytes.
 const LONGEST: usize = 64 << 20;
 
 /// Maximum size of a template in bytes.
-const LONGEST_TEMPLATE: u64 = 4 << 20;
+const LONGEST_TEMPLATE: u64 = 1 << 20;
+
+/// Maximum size of a tag in bytes, and maximum number of `elif` in a template: the engine calls itself for each operator and
+/// each `elif`.
+const LONGEST_TAG: usize = 16 << 10;
+const MOST_BRANCHES: usize = 1000;
+
+/// The stack of the engine in bytes. It has room for the longest tag, and for values that are nested a million deep.
+const STACK: usize = 512 << 20;
 
 /// A custom template file.
 pub(super) struct Template;
@@ -51,13 +60,37 @@ impl Backend for Template {
         let context = context::of(&dictionary, options).map_err(|error| fail(error.to_string()))?;
         let entries = dictionary.objects.iter().map(|object| object.entries.len() as u64).sum::<u64>();
         let fuel = FUEL.0 + FUEL.1 * entries;
-        let contents = render(&file, &source, context, fuel).map_err(|error| explained(&file, &error))?;
+        if let Some(message) = too_nested(&source) {
+            return Err(fail(message));
+        }
+        let contents = std::thread::scope(|scope| {
+            let engine = std::thread::Builder::new().stack_size(STACK);
+            let engine = engine.spawn_scoped(scope, || render(&file, &source, context, fuel));
+            let engine = engine.map_err(|error| fail(format!("cannot start the engine: {error}")))?;
+            let rendered = engine.join().unwrap_or_else(|panic| std::panic::resume_unwind(panic));
+            rendered.map_err(|error| explained(&file, &error))
+        })?;
         let notes = dictionary.notes;
         Ok(Generated { files: vec![OutputFile { path: output.to_owned(), contents }], notes })
     }
 
     fn size(&self, _: &Device, _: &Options) -> Result<Sizes, GenerateError> {
         Ok(Sizes::Unknown("nobody but the template knows what it makes"))
+    }
+}
+
+/// What in a template would need more stack than there is.
+fn too_nested(source: &str) -> Option<String> {
+    let tags = [("{{", "}}"), ("{%", "%}")].map(|(start, end)| {
+        let tags = source.split(start).skip(1);
+        tags.map(|tag| tag.find(end).unwrap_or(tag.len())).max().unwrap_or_default()
+    });
+    let longest = tags[0].max(tags[1]);
+    let branches = source.matches("elif").count();
+    match () {
+        () if longest > LONGEST_TAG => Some(format!("a tag has more than {LONGEST_TAG} bytes")),
+        () if branches > MOST_BRANCHES => Some(format!("there are more than {MOST_BRANCHES} `elif`")),
+        () => None,
     }
 }
 
@@ -70,6 +103,7 @@ fn render(file: &str, source: &str, context: Value, fuel: u64) -> Result<Vec<u8>
     environment.set_undefined_behavior(UndefinedBehavior::SemiStrict);
     environment.set_fuel(Some(fuel));
     filters::add(&mut environment);
+    bounds::add(&mut environment);
     environment.add_template(file, source)?;
     let mut output = Bounded(Vec::new());
     environment.get_template(file)?.render_captured_to(context, &mut output)?;

@@ -167,8 +167,9 @@ impl<'a> Arranged<'a> {
         let comments = |from: u32, to: u32, last: Option<&mut Block<'a>>| {
             let gap = &self.source[from as usize..to as usize];
             let mut comments: Vec<&str> = pieces(gap).collect();
-            let line = &gap[..gap.find(['\n', '\r']).unwrap_or(gap.len())];
-            if let Some(last) = last.filter(|_| comments.first().is_some_and(|first| line.contains(first))) {
+            let is_line =
+                |first: &&str| gap.split_once(['\n', '\r']).is_some_and(|(line, _)| line.trim() == *first);
+            if let Some(last) = last.filter(|_| comments.first().is_some_and(is_line)) {
                 last.trailing = Some(comments.remove(0));
             }
             comments
