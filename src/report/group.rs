@@ -11,12 +11,13 @@ use crate::model::{Part, Place};
 /// The most rows of places that a message names.
 const MAX_RANGES: usize = 6;
 
-/// What findings of one cause have in common: all but the place, and the numbers and texts of the file in the message.
+/// What findings of one cause have in common: all but the place, and the numbers and texts of the file in message and help.
 #[derive(Clone, PartialEq, Eq, PartialOrd, Ord)]
 struct Cause {
     rule: &'static str,
     severity: Severity,
     pattern: String,
+    help: Option<String>,
     safety: Option<Applicability>,
 }
 
@@ -26,6 +27,7 @@ impl Cause {
             rule: finding.rule.id,
             severity: finding.severity,
             pattern: finding.message.pattern(),
+            help: finding.help.as_ref().map(Text::pattern),
             safety: finding.fix.as_ref().map(|fix| fix.safety),
         }
     }
@@ -75,8 +77,13 @@ fn start(subject: Subject<'_>, finding: &Diagnostic) -> u32 {
     finding.labels.first().map_or(0, |label| subject.span_of(&label.at).start)
 }
 
-/// Says in the message how many more findings there are, and where.
+/// Says in the message how many more findings there are, and where. A help that differs by a value holds for the first.
 fn count(subject: Subject<'_>, finding: &mut Diagnostic) {
+    let help = finding.help.as_ref().map(Text::shown);
+    if finding.also.iter().any(|other| other.help.as_ref().map(Text::shown) != help) {
+        finding.help =
+            finding.help.take().map(|help| help.followed_by(&" here; each place has its own value".into()));
+    }
     let spots: Vec<Spot> = finding.also.iter().map(|other| Spot::of(subject, other)).collect();
     let rest = say!("; {} more like this: {}", finding.also.len(), ranges(&spots));
     finding.message = std::mem::take(&mut finding.message).followed_by(&rest);
@@ -132,9 +139,9 @@ fn ranges(spots: &[Spot]) -> Text {
     }
     let named = ranges.iter().take(MAX_RANGES).map(|&(first, last, count)| match count {
         1 => first.shown(),
-        _ => match last {
-            Spot::Line(line) => format!("{} to {line}", first.shown()),
-            last => format!("{} to {}", first.shown(), last.shown()),
+        _ => match (first, last) {
+            (Spot::Line(first), Spot::Line(last)) => format!("lines {first} to {last}"),
+            _ => format!("{} to {}", first.shown(), last.shown()),
         },
     });
     let named = named.collect::<Vec<_>>().join(", ");
@@ -198,7 +205,7 @@ mod tests {
     fn places_are_named_in_rows() {
         let entries = (2..=0x28).map(|sub| Spot::Entry(0x2100, sub));
         let spots: Vec<Spot> = entries.chain([Spot::Object(0x2101), Spot::Line(3), Spot::Line(4)]).collect();
-        assert_eq!(ranges(&spots), "2100h:02 to 2100h:28, 2101h, line 3 to 4");
+        assert_eq!(ranges(&spots), "2100h:02 to 2100h:28, 2101h, lines 3 to 4");
         let spots: Vec<Spot> = (0..8).map(|number| Spot::Line(2 * number + 1)).collect();
         assert_eq!(ranges(&spots), "line 1, line 3, line 5, line 7, line 9, line 11 and 2 more places");
     }

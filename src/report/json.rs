@@ -68,6 +68,9 @@ struct Related<'a> {
     #[serde(flatten)]
     at: Position,
     message: Cow<'a, str>,
+    /// Of another place of the same cause, where it differs from that of the finding.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    help: Option<Cow<'a, str>>,
 }
 
 #[derive(Serialize)]
@@ -185,7 +188,13 @@ fn record<'a>(
     let first = |finding: &'a Diagnostic| {
         finding.labels.first().map_or_else(start, |label| position(&Location::new(subject, label)))
     };
-    let place = |other| Related { file: None, at: first(other), message: other.message.shown() };
+    let help = finding.help.as_ref().map(Text::shown);
+    let place = |other: &'a Diagnostic| Related {
+        file: None,
+        at: first(other),
+        message: other.message.shown(),
+        help: other.help.as_ref().map(Text::shown).filter(|other| help.as_ref() != Some(other)),
+    };
     let related = |label| {
         let location = Location::new(subject, label);
         let name = location.source.name();
@@ -193,6 +202,7 @@ fn record<'a>(
             file: Some(name).filter(|name| *name != file),
             at: position(&location),
             message: location.text,
+            help: None,
         }
     };
     Finding {
@@ -201,9 +211,9 @@ fn record<'a>(
         severity: finding.severity,
         at: first(finding),
         message: finding.message.shown(),
-        help: finding.help.as_ref().map(Text::shown),
         related: finding.labels.iter().skip(1).map(related).collect(),
         places: finding.also.iter().map(place).collect(),
+        help,
         fingerprint,
         fix: fix(subject, finding),
     }

@@ -163,6 +163,12 @@ fn the_site_has_every_page() {
         links(&summary).into_iter().map(|(_, link)| Path::new("docs").join(link)).collect();
     let pages = pages().into_iter().filter(|page| page.starts_with("docs") && !page.ends_with("SUMMARY.md"));
     assert_eq!(listed, pages.collect());
+    let start = Path::new("docs/README.md");
+    let linked: BTreeSet<PathBuf> =
+        links(&read(start)).into_iter().map(|(_, link)| Path::new("docs").join(link)).collect();
+    // the rules have an index of their own
+    let unlinked = listed.iter().filter(|page| !page.starts_with("docs/rules") && *page != start);
+    assert_eq!(unlinked.filter(|page| !linked.contains(*page)).collect::<Vec<_>>(), [""; 0].map(Path::new));
 }
 
 #[test]

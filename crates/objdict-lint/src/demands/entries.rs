@@ -19,7 +19,7 @@ pub(crate) fn wrong_data_type(rule: &'static RuleInfo, at: &Expected<'_>, findin
     let Some(data_type) = wrong.filter(exists) else { return };
     let types = joined(at.facts.data_types, " or ");
     let document = at.document();
-    let message = say!("{} has data type `{}`; {} requires {}", at, data_type, document, types);
+    let message = say!("{} has data type `{}`; {} requires {!}", at, data_type, document, types);
     let finding = Diagnostic::new(rule, at.place().field(Field::DataType), message);
     let code = format!("0x{:04X}", at.facts.data_types.first().map_or(0, |data_type| data_type.0));
     let finding = finding.help(say!("write `{}`", Argument::setting(Field::DataType, &code)));
@@ -39,7 +39,7 @@ pub(crate) fn wrong_access(rule: &'static RuleInfo, at: &Expected<'_>, findings:
     let Some(access) = wrong.filter(|access| !for_sub_0(access)) else { return };
     let allowed = joined(at.facts.access.iter().map(|access| say!("`{}`", access)), " or ");
     let document = at.document();
-    let message = say!("{} has access type `{}`; {} requires {}", at, access, document, allowed);
+    let message = say!("{} has access type `{}`; {} requires {!}", at, access, document, allowed);
     let finding = Diagnostic::new(rule, at.place().field(Field::AccessType), message);
     let first = at.facts.access.first().map_or("ro", |access| access.name());
     let finding = finding.help(say!("write `{}`", Argument::setting(Field::AccessType, first)));
@@ -102,8 +102,8 @@ pub(crate) fn wrong_default(rule: &'static RuleInfo, at: &Expected<'_>, findings
     let Some(text) = text(expected) else { return };
     let found = self::text(found).unwrap_or_else(|| found.to_string());
     let message = match found.as_str() {
-        "" => say!("the default of {} is empty; {} defines `{}`", at, at.document(), text),
-        found => say!("the default of {} is `{}`; {} defines `{}`", at, found, at.document(), text),
+        "" => say!("the default of {} is empty; {} defines `{!}`", at, at.document(), text),
+        found => say!("the default of {} is `{}`; {} defines `{!}`", at, found, at.document(), text),
     };
     let finding = Diagnostic::new(rule, at.place().field(Field::DefaultValue), message);
     let finding = finding.help(say!("write `{}`", Argument::setting(Field::DefaultValue, &text)));

@@ -30,7 +30,7 @@ pub(crate) fn mapped_in_wrong_direction(
                 continue;
             }
             let message = say!(
-                "{} maps {:04X}h:{:02X} ({}), which {} defines for {}s",
+                "{} maps {:04X}h:{:02X} ({}), which {} defines for {!}s",
                 pdo.pdo,
                 index,
                 sub,

@@ -13,7 +13,7 @@ pub(crate) fn wrong_object_type(rule: &'static RuleInfo, at: &Against<'_>, findi
     if is_right || type_is_reported_elsewhere(at) {
         return;
     }
-    let message = say!("{} has object type {}; {} requires {}", at, found, at.applied.document(), expected);
+    let message = say!("{} has object type {}; {} requires {!}", at, found, at.applied.document(), expected);
     let finding = Diagnostic::new(rule, Place::object(index).field(Field::ObjectType), message);
     let finding = finding.help(say!(
         "write `{}`",
@@ -56,7 +56,7 @@ pub(crate) fn undefined_sub_index(rule: &'static RuleInfo, at: &Against<'_>, fin
     }
     if let Some(compact) = at.object.compact.as_ref().filter(|compact| compact.count > highest) {
         let message = say!(
-            "`{CompactSubObj}` gives {} {} sub-indexes; {} defines {}",
+            "`{CompactSubObj}` gives {} {} sub-indexes; {} defines {!}",
             at,
             compact.count,
             at.applied.document(),
@@ -81,10 +81,17 @@ pub(crate) fn sub_0_out_of_range(rule: &'static RuleInfo, at: &Against<'_>, find
     let document = at.applied.document();
     let message = match range {
         (low, high) if low == high => {
-            say!("the highest sub-index of {} is `{}`; {} requires {}", at, value, document, low)
+            say!("the highest sub-index of {} is `{}`; {} requires {!}", at, value, document, low)
         }
         (low, high) => {
-            say!("the highest sub-index of {} is `{}`; {} requires {} to {}", at, value, document, low, high)
+            say!(
+                "the highest sub-index of {} is `{}`; {} requires {!} to {!}",
+                at,
+                value,
+                document,
+                low,
+                high
+            )
         }
     };
     let finding = Diagnostic::new(rule, at.device.value_place(at.index, 0), message);

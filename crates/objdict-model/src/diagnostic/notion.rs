@@ -85,7 +85,7 @@ pub const fn assert_template(template: &str, values: usize) {
                 at += 1;
             }
             assert!(at < text.len(), "a brace is not closed");
-            if start == at || text[start] == b':' {
+            if start == at || matches!(text[start], b':' | b'!') {
                 gaps += 1;
             } else {
                 assert!(text[start] == b'[' || is_known(text, start, at), "unknown key or word in braces");

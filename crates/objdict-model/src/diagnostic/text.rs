@@ -85,15 +85,18 @@ impl Text {
         Self { words, ..say!("{}{}", self, rest) }
     }
 
-    /// What texts have in common that differ in numbers and in texts of the file only: the template, and the names of fields
-    /// and parts in it.
+    /// What texts have in common that differ in numbers and in texts of the file only: the template, the names of fields
+    /// and parts in it, and the values of gaps such as `{!}`, which say what is required.
     pub fn pattern(&self) -> String {
-        match &self.content {
-            Content::Plain(text) => text.clone().into_owned(),
-            Content::Template(template, arguments) => arguments
-                .iter()
-                .fold((*template).to_owned(), |pattern, argument| pattern + "\u{0}" + &argument.pattern()),
-        }
+        let (template, arguments) = match &self.content {
+            Content::Plain(text) => return text.clone().into_owned(),
+            Content::Template(template, arguments) => (template, arguments),
+        };
+        let gaps = template.split('{').skip(1).filter(|gap| gap.starts_with(['}', ':', '!']));
+        gaps.zip(arguments).fold((*template).to_owned(), |pattern, (gap, argument)| {
+            let argument = if gap.starts_with('!') { argument.shown() } else { argument.pattern() };
+            pattern + "\u{0}" + &argument
+        })
     }
 
     /// The rendered text.
@@ -141,6 +144,7 @@ impl Text {
         while let Some((before, behind)) = rest.split_once('{') {
             out.write_str(before)?;
             let Some((gap, behind)) = behind.split_once('}') else { return out.write_str(behind) };
+            let gap = gap.strip_prefix('!').unwrap_or(gap);
             match gap.strip_prefix(':') {
                 None if !gap.is_empty() => out.write_str(&Notion::of(gap).shown(words))?,
                 spec => match arguments.next() {
@@ -163,6 +167,12 @@ impl Argument {
     /// The value of a field.
     pub fn worth(field: impl Borrow<Field>, value: impl fmt::Display) -> Self {
         Self::Worth(field.borrow().clone(), cut(&value.to_string()))
+    }
+
+    fn shown(&self) -> String {
+        let mut text = String::new();
+        let _ = self.write("", None, &mut text); // writing to a String cannot fail
+        text
     }
 
     /// See [`Text::pattern`].

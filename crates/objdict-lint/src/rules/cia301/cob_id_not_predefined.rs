@@ -33,7 +33,7 @@ fn check(facts: &Facts<'_>, pdo: &PdoFacts<'_>, findings: &mut Findings) {
     let (cob_id, expected) = (cob_id.cob_id, predefined::per_node(base));
     if !cob_id.depends_on_node_id() || cob_id.can_id(0) != expected.can_id(0) {
         let message =
-            say!("the default COB-ID of {} is `{}`; CiA 301 defines `{}`", pdo.pdo, cob_id, expected);
+            say!("the default COB-ID of {} is `{}`; CiA 301 defines `{!}`", pdo.pdo, cob_id, expected);
         let place = facts.device.value_place(pdo.pdo.communication_index(), 1);
         let flags = cob_id.number() & CobId::BIT_30;
         let finding = Diagnostic::new(&RULE.info, place, message);

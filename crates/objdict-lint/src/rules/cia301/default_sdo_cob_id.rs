@@ -26,7 +26,7 @@ fn check(facts: &Facts<'_>, findings: &mut Findings) {
         };
         if !is_right {
             let message = say!(
-                "the COB-ID of the default SDO {} is `{}`; it must be `{}`",
+                "the COB-ID of the default SDO {} is `{}`; it must be `{!}`",
                 direction,
                 cob_id.cob_id,
                 expected

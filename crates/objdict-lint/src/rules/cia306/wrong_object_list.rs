@@ -27,7 +27,7 @@ fn check(device: &Device, findings: &mut Findings) {
             // another rule reports an object that is also in the right list
             if right != list && !is_in(index, right) {
                 let place = Place::of(Part::List(list)).field(Field::Item(number));
-                let message = say!("{:04X}h is in `{}`, but belongs in `{}`", index, list, right);
+                let message = say!("{:04X}h is in `{}`, but belongs in `{!}`", index, list, right);
                 let mut finding =
                     Diagnostic::new(&RULE.info, place, message).help(say!("move it to `{}`", right));
                 let members = device.lists.get(list);

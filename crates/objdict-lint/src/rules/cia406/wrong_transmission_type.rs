@@ -28,7 +28,7 @@ fn check(rule: &'static RuleInfo, facts: &Facts<'_>, applied: &Applied<'_>, find
         let wrong =
             pdo.transmission_type.filter(|found| !allowed.contains(found) && !(241..=251).contains(found));
         let Some(found) = wrong else { continue };
-        let message = say!("transmission type `{}` of {} differs from CiA 406 ({})", found, pdo, right);
+        let message = say!("transmission type `{}` of {} differs from CiA 406 ({!})", found, pdo, right);
         let place = device.value_place(pdo.communication_index(), 2);
         let finding = Diagnostic::new(rule, place.clone(), message).help(say!("write {}", right));
         findings.push(finding.fix(Fix::risky(say!("write `{}`", right)).set(place, right.to_string())));

@@ -2,7 +2,7 @@
 
 use std::collections::HashMap;
 
-use crate::diagnostic::{Diagnostic, Findings, Fix, RuleInfo, counted, text_rules};
+use crate::diagnostic::{Diagnostic, Findings, Fix, RuleInfo, counted, say, text_rules};
 use crate::model::{DataType, SimpleType};
 use crate::xml::{Attribute, Element, Name, n};
 
@@ -198,7 +198,7 @@ fn access(attribute: Attribute<'_>, parameter: Element<'_>, findings: &mut Findi
     if right.contains(&stated) || !matches!(stated, "ro" | "wo" | "rw" | "const") {
         return;
     }
-    let message = format!("the access type is `{stated}` here, but `{of_parameter}` in the parameter");
+    let message = say!("the access type is `{}` here, but `{!}` in the parameter", stated, of_parameter);
     let finding = Diagnostic::new(&CONTRADICTING_ACCESS, attribute.value_span(), message);
     let help = match right {
         [] => "correct one of the two or remove `accessType`".to_owned(),
@@ -216,8 +216,11 @@ fn mapping(attribute: Attribute<'_>, parameter: Element<'_>, findings: &mut Find
         _ => return,
     };
     let (stated, other) = (stated.trim_ascii(), other.trim_ascii());
-    let message = format!(
-        "`PDOmapping` is `{stated}` here, but `access` of the parameter is `{other}`; `{stated}` is used"
+    let message = say!(
+        "`PDOmapping` is `{!}` here, but `access` of the parameter is `{!}`; `{!}` is used",
+        stated,
+        other,
+        stated
     );
     let fix = Fix::risky(format!("write `{right}`")).replace(access.value_span(), right);
     let finding = Diagnostic::new(&CONTRADICTING_MAPPING, attribute.value_span(), message);
@@ -254,7 +257,7 @@ fn value(
         return;
     }
     let message =
-        format!("`{}` is `{stated}` here, but `{text}` in the `{}`", attribute.name(), parameter.name());
+        say!("`{!}` is `{}` here, but `{}` in the `{!}`", attribute.name(), stated, text, parameter.name());
     let finding = Diagnostic::new(&CONTRADICTING_VALUE, attribute.value_span(), message);
     let help = format!("correct one of the two or remove `{}`", attribute.name());
     findings.push(finding.label(other.value_span(), "the parameter").help(help));

@@ -1,6 +1,6 @@
 //! The rules about the values of attributes and texts.
 
-use crate::diagnostic::{Diagnostic, Findings, Fix, Severity, listing, say, text_rules};
+use crate::diagnostic::{Diagnostic, Findings, Fix, Severity, Text, listing, say, text_rules};
 use crate::literal;
 use crate::source::Span;
 use crate::xdd::fact;
@@ -111,8 +111,8 @@ pub(super) fn check(text: &str, kind: Kind, at: Span, name: &str, findings: &mut
 }
 
 fn finding(text: &str, kind: Kind, at: Span, name: &str) -> Diagnostic {
-    let shown = if text.is_empty() { "an empty text".to_owned() } else { format!("`{text}`") };
-    let new = |rule, what: &str| Diagnostic::new(rule, at, format!("{shown} is {what}"));
+    let shown = if text.is_empty() { say!("an empty text") } else { say!("`{}`", text) };
+    let new = |rule, what: &str| Diagnostic::new(rule, at, say!("{} is {!}", shown, what));
     match kind {
         Kind::Number(low, high) => invalid_number(text, &shown, name, (low, high), at),
         Kind::Decimal if decimal(text).is_some() => {
@@ -170,36 +170,37 @@ fn respelled(finding: Diagnostic, read: Option<(String, bool)>, at: Span) -> Dia
     finding.severity(Severity::Note).fix(fix(say!("write `{}`", text)).replace(at, text))
 }
 
-fn invalid_number(text: &str, shown: &str, name: &str, (low, high): (i128, i128), at: Span) -> Diagnostic {
+fn invalid_number(text: &str, shown: &Text, name: &str, (low, high): (i128, i128), at: Span) -> Diagnostic {
     let digits = text.strip_prefix("0x").or_else(|| text.strip_prefix("0X"));
     let hex = digits.and_then(|digits| i128::from_str_radix(digits, 16).ok());
     let (message, help) = match (whole_number(text), hex) {
         (Some(_), _) if high == i128::MAX => (
-            format!("{shown} is out of range for `{name}`: at least {low}"),
-            "write a number in this range".to_owned(),
+            say!("{} is out of range for `{!}`: at least {!}", shown, name, low),
+            say!("write a number in this range"),
         ),
         (Some(_), _) => (
-            format!("{shown} is out of range for `{name}`: {low} to {high}"),
-            "write a number in this range".to_owned(),
+            say!("{} is out of range for `{!}`: {!} to {!}", shown, name, low, high),
+            say!("write a number in this range"),
         ),
         (None, Some(hex)) => {
-            (format!("{shown} is hexadecimal, but `{name}` is decimal"), format!("write `{hex}`"))
+            (say!("{} is hexadecimal, but `{!}` is decimal", shown, name), say!("write `{}`", hex))
         }
-        (None, None) => (
-            format!("{shown} is not a decimal number, as `{name}` requires"),
-            "write decimal digits".to_owned(),
-        ),
+        (None, None) => {
+            (say!("{} is not a decimal number, as `{!}` requires", shown, name), say!("write decimal digits"))
+        }
     };
     Diagnostic::new(&INVALID_NUMBER, at, message).help(help)
 }
 
 /// The intended hex digits, padded with zeros.
-fn hex_help(text: &str, least: usize) -> String {
+fn hex_help(text: &str, least: usize) -> Text {
     let digits = text.strip_prefix("0x").or_else(|| text.strip_prefix("0X")).unwrap_or(text);
     let digits = digits.strip_suffix(['h', 'H']).unwrap_or(digits);
     match u32::from_str_radix(digits, 16) {
-        Ok(number) if format!("{number:X}").len() <= least => format!("write `{number:0least$X}`"),
-        _ => "write only pairs of hexadecimal digits".to_owned(),
+        Ok(number) if format!("{number:X}").len() <= least => {
+            say!("write `{}`", format!("{number:0least$X}"))
+        }
+        _ => say!("write only pairs of hexadecimal digits"),
     }
 }
 
