@@ -59,8 +59,8 @@ impl Effect {
     /// The lowest severity of a finding with this effect.
     pub const fn severity(self) -> Severity {
         match self {
-            Self::Failed => Severity::Error,
-            Self::Refused | Self::Wrong | Self::Warned => Severity::Warning,
+            Self::Refused | Self::Failed => Severity::Error,
+            Self::Wrong | Self::Warned => Severity::Warning,
             Self::Dropped => Severity::Note,
         }
     }

@@ -118,7 +118,7 @@ text_rule! {
 text_rule! {
     MISSPELT_KEY = "cia306/misspelt-key", Warning, fix Mixed;
     summary: "the name of a key is misspelt",
-    checks: "Whether the name of a key that the standard does not define is almost that of a key that the section lacks: with spaces, or with one wrong letter, in longer names two. The key is read as the missing one, so its absence is not reported.",
+    checks: "Whether the name of a key that the standard does not define is almost that of a key that the section lacks: with spaces, or with one wrong letter, in longer names two. The key is read as the missing one, so its absence is not reported. A misspelt `ObjectType`, `DataType`, `AccessType` or `SubNumber` is an error, as a missing one is.",
     why: "Other tools ignore the key: the value, limit or type has no effect.",
     example: "`DefualtValue=250`, `Supported Objects=3`",
     remedy: "Write `DefaultValue=250`, `SupportedObjects=3`.",

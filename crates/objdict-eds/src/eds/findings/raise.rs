@@ -144,10 +144,16 @@ pub(in crate::eds) fn unknown_key(item: &Item<'_>, section: &str) -> Diagnostic 
 
 /// Reports a key that is read as another one.
 pub(in crate::eds) fn misspelt_key(item: &Item<'_>, meant: Key) -> Diagnostic {
+    // as severe as the missing key that it hides
+    let is_required =
+        matches!(meant.field(), Field::ObjectType | Field::DataType | Field::AccessType | Field::SubNumber);
+    let severity = if is_required { Severity::Error } else { MISSPELT_KEY.severity };
     let meant = meant.field().name();
     let message = say!("the standard does not define key `{}`: did you mean `{}`?", item.name, &*meant);
     let fix = Fix::risky(say!("write `{}`", &*meant)).replace(item.name_at, &*meant);
     Diagnostic::new(&MISSPELT_KEY, item.name_at, message)
+        .severity(severity)
+        .understood()
         .help(say!("write `{}`; other tools ignore the misspelt key", &*meant))
         .fix(fix)
 }

@@ -28,9 +28,14 @@ fn check(facts: &Facts<'_>, pdo: &PdoFacts<'_>, findings: &mut Findings) {
         Some(transmission_type) => {
             let message = say!("{} is synchronous, so its {} of `{}` has no effect", pdo, name, time);
             let reason = say!("transmission type {} is synchronous", transmission_type);
-            Diagnostic::new(&RULE.info, place, message).label(facts.device.value_place(index, 2), reason)
+            let finding = Diagnostic::new(&RULE.info, place, message);
+            let finding = finding.label(facts.device.value_place(index, 2), reason);
+            finding.help("write 0, or use transmission type 254 or 255")
         }
-        None => Diagnostic::new(&RULE.info, place, say!("the {} `{}` of {} has no effect", name, time, pdo)),
+        None => {
+            let message = say!("the {} `{}` of {} has no effect", name, time, pdo);
+            Diagnostic::new(&RULE.info, place, message).help("write 0: reception is not inhibited")
+        }
     };
-    findings.push(finding.help("write 0, or use transmission type 254 or 255"));
+    findings.push(finding);
 }
