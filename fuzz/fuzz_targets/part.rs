@@ -8,7 +8,6 @@ mod targets;
 use std::sync::LazyLock;
 
 use libfuzzer_sys::fuzz_target;
-use objdict::format::Format;
 
 static PART: LazyLock<targets::Fuzzed> = LazyLock::new(|| {
     let name = env!("CARGO_BIN_NAME");
@@ -16,9 +15,4 @@ static PART: LazyLock<targets::Fuzzed> = LazyLock::new(|| {
     part.unwrap_or_else(|| panic!("there is no part `{name}`"))
 });
 
-// the first byte is the format, as the name of a file would be
-fuzz_target!(|bytes: &[u8]| {
-    let Some((first, bytes)) = bytes.split_first() else { return };
-    let ending = PART.endings[usize::from(*first) % PART.endings.len()];
-    (PART.run)(Format::from_name(ending).unwrap_or(Format::Eds), bytes);
-});
+fuzz_target!(|bytes: &[u8]| PART.run_input(bytes));

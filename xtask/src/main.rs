@@ -1,7 +1,7 @@
 //! Chores: `cargo xtask corpus FOLDER [--generate] [--shares FILE]`, `cargo xtask fuzz FOLDER COUNT|SECONDSs [PART]`,
 //! `cargo xtask targets FOLDER [--damaged] [--hostile] [--only TARGET]`, `cargo xtask concise CORPUS`,
 //! `cargo xtask readers FOLDER PYTHON [MODULES]`, `cargo xtask docs [--check]`, `cargo xtask profiles [--check]`,
-//! `cargo xtask xsd FOLDER`, `cargo xtask deny`.
+//! `cargo xtask fuzz-corpus FOLDER`, `cargo xtask xsd FOLDER`, `cargo xtask deny`.
 
 #![allow(clippy::print_stdout, reason = "the table is the result of the chore")]
 
@@ -33,6 +33,8 @@ usage:
   cargo xtask fuzz FOLDER COUNT|SECONDSs [PART]
       corrupt the files below FOLDER so often or so long, and give them to every part of the library that takes foreign
       bytes, or to one; nothing may panic or break its promise (xtask/src/fuzz/targets.rs)
+  cargo xtask fuzz-corpus FOLDER
+      write what libFuzzer starts from: FOLDER/objdict.dict, and FOLDER/<part> with the fixtures that the part reads
   cargo xtask concise CORPUS
       unpack and pack the concise DCF of a corpus (dev/concise, sets.csv), and play them against the descriptions that they
       were made of
@@ -64,9 +66,12 @@ fn main() -> ExitCode {
             None => Err(USAGE.to_owned()),
         },
         ["fuzz", folder, budget, ref part @ ..] if part.len() < 2 => match fuzz::Budget::parse(budget) {
-            Some(budget) => fuzz::run(Path::new(folder), 256 << 10, budget, part.first().copied()),
+            Some(budget) => fuzz::run(Path::new(folder), fuzz::SIZE, budget, part.first().copied()),
             None => Err(USAGE.to_owned()),
         },
+        ["fuzz-corpus", folder] => {
+            fuzz::write_corpus(Path::new(folder)).map_err(|error| format!("{folder}: {error}"))
+        }
         ["concise", corpus] => concise::run(Path::new(corpus)),
         ["readers", folder, python, ref modules @ ..] if modules.len() < 2 => {
             readers::run(Path::new(folder), Path::new(python), modules.first().map(Path::new))

@@ -1,7 +1,7 @@
 //! Mutations of descriptions, the same for the same seed: what editors, transfers and mischief do to lines and bytes.
 
 /// Values that numbers, texts and references of a description do not expect.
-const VALUES: [&str; 24] = [
+pub(crate) const VALUES: [&str; 24] = [
     "",
     "0",
     "-1",
@@ -29,15 +29,16 @@ const VALUES: [&str; 24] = [
 ];
 
 /// A source of mutations.
-pub(crate) struct Mutator {
+pub(crate) struct Mutator<'a> {
     state: u64,
+    words: &'a [String],
 }
 
-impl Mutator {
-    /// The same mutations for the same seed.
-    pub(crate) fn new(seed: u64) -> Self {
+impl<'a> Mutator<'a> {
+    /// The same mutations for the same seed and words.
+    pub(crate) fn new(seed: u64, words: &'a [String]) -> Self {
         // xorshift never leaves zero
-        Self { state: seed.wrapping_mul(0x9E37_79B9_7F4A_7C15) | 1 }
+        Self { state: seed.wrapping_mul(0x9E37_79B9_7F4A_7C15) | 1, words }
     }
 
     /// A number below `end`; 0 where there is none.
@@ -53,14 +54,16 @@ impl Mutator {
     pub(crate) fn mutate(&mut self, text: &[u8], other: &[u8]) -> Vec<u8> {
         let mut bytes = text.to_vec();
         for _ in 0..=self.below(6) {
-            match self.below(10) {
+            match self.below(12) {
                 0 => self.flip(&mut bytes),
                 1 => self.insert(&mut bytes),
                 2 => self.delete(&mut bytes),
                 3 => self.repeat_line(&mut bytes),
                 4 => self.drop_line(&mut bytes),
                 5 => self.splice(&mut bytes, other),
-                6 if self.below(4) == 0 => bytes.truncate(self.below(text.len())),
+                6 => self.insert_word(&mut bytes),
+                7 => self.replace_word(&mut bytes),
+                8 if self.below(4) == 0 => bytes.truncate(self.below(text.len())),
                 _ => self.replace_value(&mut bytes),
             }
         }
@@ -78,6 +81,26 @@ impl Mutator {
         let at = self.below(bytes.len() + 1);
         let byte = u8::try_from(self.below(256)).unwrap_or(0);
         bytes.insert(at, byte);
+    }
+
+    fn word(&mut self) -> &'a str {
+        let number = self.below(self.words.len());
+        self.words.get(number).map_or("", |word| word)
+    }
+
+    fn insert_word(&mut self, bytes: &mut Vec<u8>) {
+        let at = self.below(bytes.len() + 1);
+        bytes.splice(at..at, self.word().bytes());
+    }
+
+    /// A word for the letters and digits around a place: another name of a key, element or attribute.
+    fn replace_word(&mut self, bytes: &mut Vec<u8>) {
+        let at = self.below(bytes.len());
+        let is_other = |byte: &u8| !byte.is_ascii_alphanumeric();
+        let start = bytes[..at].iter().rposition(is_other).map_or(0, |found| found + 1);
+        let end = bytes[at..].iter().position(is_other).map_or(bytes.len(), |found| at + found);
+        let word = self.word().trim_matches(['\n', '[', ']', '=']);
+        bytes.splice(start..end, word.bytes());
     }
 
     fn delete(&mut self, bytes: &mut Vec<u8>) {

@@ -1,27 +1,27 @@
 //! Corrupted copies of real files, the same in every run: what they break is broken for everyone.
 
+mod corpus;
+mod dictionary;
+#[path = "../../../tests/support/patches.rs"]
+#[allow(clippy::unwrap_used, reason = "the fixtures are there")]
+mod patches;
+mod seeds;
 mod targets;
 
-use std::ffi::OsStr;
 use std::panic::{AssertUnwindSafe, catch_unwind};
-use std::path::{Path, PathBuf};
+use std::path::Path;
 use std::sync::Mutex;
 use std::sync::atomic::{AtomicUsize, Ordering};
 use std::time::{Duration, Instant};
 use std::{fs, thread};
 
-use objdict::format::{self, Format, json};
-use objdict::source::SourceOptions;
-
+pub(crate) use self::corpus::write as write_corpus;
+use self::seeds::Seed;
 use self::targets::{FUZZED, Fuzzed};
 use crate::mutate::Mutator;
 
-/// A file that is corrupted, and the format that it is read as.
-struct Seed {
-    format: Format,
-    ending: String,
-    bytes: Vec<u8>,
-}
+/// The size of the largest files that are fuzzed.
+pub(crate) const SIZE: usize = 256 << 10;
 
 /// How many mutants each part of the library gets.
 #[derive(Clone, Copy)]
@@ -47,27 +47,48 @@ impl Budget {
     }
 }
 
-/// Gives every part of the library corrupted copies of the files below `folder` that have at most `size` bytes, by turns;
-/// fails when one of them panics or breaks a promise.
+/// Gives every part of the library what it once failed on, and corrupted copies of the files below `folder` that have at
+/// most `size` bytes, by turns; fails when one of them panics or breaks a promise.
 pub(crate) fn run(folder: &Path, size: usize, budget: Budget, only: Option<&str>) -> Result<(), String> {
-    let seeds = seeds(folder, size).map_err(|error| format!("cannot read {}: {error}", folder.display()))?;
+    let seeds =
+        seeds::seeds(folder, size).map_err(|error| format!("cannot read {}: {error}", folder.display()))?;
+    let words = dictionary::words(&seeds);
     let mut failures = Vec::new();
     for fuzzed in FUZZED.iter().filter(|fuzzed| only.is_none_or(|only| only == fuzzed.name)) {
+        failures.extend(again(fuzzed).map_err(|error| format!("cannot read what failed before: {error}"))?);
         let seeds: Vec<&Seed> =
             seeds.iter().filter(|seed| fuzzed.endings.contains(&seed.ending.as_str())).collect();
-        if seeds.is_empty() {
+        let sources = Sources { seeds, words: &words };
+        if sources.seeds.is_empty() {
             println!("{}: no file to start from", fuzzed.name);
             continue;
         }
-        let (count, broken) = broken(fuzzed, &seeds, budget);
-        println!("{}: {count} mutants of {} files, {} failures", fuzzed.name, seeds.len(), broken.len());
+        let (count, broken) = broken(fuzzed, &sources, budget);
+        println!(
+            "{}: {count} mutants of {} files, {} failures",
+            fuzzed.name,
+            sources.seeds.len(),
+            broken.len()
+        );
         failures.extend(broken.iter().map(|number| format!("{} {number}", fuzzed.name)));
     }
-    if failures.is_empty() { Ok(()) } else { Err(format!("mutants fail: {}", failures.join(", "))) }
+    if failures.is_empty() { Ok(()) } else { Err(format!("inputs fail: {}", failures.join(", "))) }
+}
+
+/// The inputs in `fixtures/fuzz` that a part fails on.
+fn again(fuzzed: &Fuzzed) -> std::io::Result<Vec<String>> {
+    let mut failures = Vec::new();
+    for file in corpus::kept(fuzzed)? {
+        let input = fs::read(&file)?;
+        if catch_unwind(AssertUnwindSafe(|| fuzzed.run_input(&input))).is_err() {
+            failures.push(file.display().to_string());
+        }
+    }
+    Ok(failures)
 }
 
 /// How many mutants a part of the library got, and those that it fails on.
-fn broken(fuzzed: &Fuzzed, seeds: &[&Seed], budget: Budget) -> (usize, Vec<usize>) {
+fn broken(fuzzed: &Fuzzed, sources: &Sources<'_>, budget: Budget) -> (usize, Vec<usize>) {
     let (next, failures) = (AtomicUsize::new(0), Mutex::new(Vec::new()));
     let (done, start) = (AtomicUsize::new(0), Instant::now());
     thread::scope(|scope| {
@@ -79,12 +100,12 @@ fn broken(fuzzed: &Fuzzed, seeds: &[&Seed], budget: Budget) -> (usize, Vec<usize
                         break;
                     }
                     done.fetch_add(1, Ordering::Relaxed);
-                    let (format, bytes) = mutant(seeds, number);
-                    if catch_unwind(AssertUnwindSafe(|| (fuzzed.run)(format, &bytes))).is_err()
+                    let (ending, bytes) = sources.mutant(number);
+                    if catch_unwind(AssertUnwindSafe(|| fuzzed.run(ending, &bytes))).is_err()
                         && let Ok(mut failures) = failures.lock()
                     {
                         failures.push(number);
-                        keep(fuzzed, number, &bytes);
+                        keep(fuzzed, number, corpus::input(fuzzed, ending, &bytes));
                     }
                 }
             });
@@ -95,58 +116,37 @@ fn broken(fuzzed: &Fuzzed, seeds: &[&Seed], budget: Budget) -> (usize, Vec<usize
     (done.into_inner(), failures)
 }
 
-/// Writes what fails where the variable `OBJDICT_FUZZ_KEEP` says.
-fn keep(fuzzed: &Fuzzed, number: usize, bytes: &[u8]) {
-    if let Some(folder) = std::env::var_os("OBJDICT_FUZZ_KEEP") {
-        let file = PathBuf::from(folder).join(format!("{}-{number}", fuzzed.name));
-        if let Err(error) = fs::write(&file, bytes) {
-            eprintln!("cannot write {}: {error}", file.display());
-        }
+/// Writes what fails where the variable `OBJDICT_FUZZ_KEEP` says, as `fixtures/fuzz` has it.
+fn keep(fuzzed: &Fuzzed, number: usize, input: Option<Vec<u8>>) {
+    let (Some(folder), Some(input)) = (std::env::var_os("OBJDICT_FUZZ_KEEP"), input) else { return };
+    let folder = Path::new(&folder).join(fuzzed.name);
+    let written =
+        fs::create_dir_all(&folder).and_then(|()| fs::write(folder.join(number.to_string()), input));
+    if let Err(error) = written {
+        eprintln!("cannot write to {}: {error}", folder.display());
     }
 }
 
-/// A mutant is made of its number alone, so that one that fails can be made again.
-fn mutant(seeds: &[&Seed], number: usize) -> (Format, Vec<u8>) {
-    let mut mutator = Mutator::new(number as u64 + 1);
-    let seed = seeds[mutator.below(seeds.len())];
-    let other = mutator.below(seeds.len());
-    (seed.format, mutator.mutate(&seed.bytes, &seeds[other].bytes))
+/// What mutants are made of.
+struct Sources<'a> {
+    seeds: Vec<&'a Seed>,
+    words: &'a [String],
 }
 
-/// The files below a folder, and each description as JSON too.
-fn seeds(folder: &Path, size: usize) -> std::io::Result<Vec<Seed>> {
-    let mut files = Vec::new();
-    collect(folder, &mut files)?;
-    files.sort();
-    let mut seeds = Vec::new();
-    for file in files {
-        let bytes = fs::read(&file)?;
-        if bytes.len() > size {
-            continue;
-        }
-        let ending = file.extension().and_then(OsStr::to_str).unwrap_or_default().to_ascii_lowercase();
-        let format = Format::from_name(&ending).unwrap_or(Format::Eds);
-        if Format::from_name(&ending).is_some()
-            && let Ok(description) = format::open(&file, &SourceOptions::default())
-        {
-            let bytes = json::write_device(description.device()).into_bytes();
-            seeds.push(Seed { format, ending: "json".to_owned(), bytes });
-        }
-        seeds.push(Seed { format, ending, bytes });
+impl Sources<'_> {
+    /// A mutant is made of its number alone, so that one that fails can be made again.
+    fn mutant(&self, number: usize) -> (&str, Vec<u8>) {
+        let mut mutator = Mutator::new(number as u64 + 1, self.words);
+        let seed = self.seeds[mutator.below(self.seeds.len())];
+        let other = mutator.below(self.seeds.len());
+        (&seed.ending, mutator.mutate(&seed.bytes, &self.seeds[other].bytes))
     }
-    Ok(seeds)
-}
-
-fn collect(folder: &Path, files: &mut Vec<PathBuf>) -> std::io::Result<()> {
-    for entry in fs::read_dir(folder)? {
-        let path = entry?.path();
-        if path.is_dir() { collect(&path, files)? } else { files.push(path) }
-    }
-    Ok(())
 }
 
 #[cfg(test)]
 mod tests {
+    use std::collections::BTreeSet;
+
     use super::*;
 
     #[test]
@@ -160,7 +160,83 @@ mod tests {
     /// A few of many: the gate has the time for more.
     #[test]
     fn corrupted_fixtures_break_nothing() {
-        let fixtures = Path::new(env!("CARGO_MANIFEST_DIR")).join("../fixtures");
-        assert_eq!(run(&fixtures, 6 << 10, Budget::Count(50), None), Ok(()));
+        assert_eq!(run(&corpus::fixtures(), 6 << 10, Budget::Count(50), None), Ok(()));
+    }
+
+    #[test]
+    fn inputs_have_the_endings_of_their_seeds() {
+        let seeds = seeds::seeds(&corpus::fixtures(), SIZE).unwrap();
+        for fuzzed in &FUZZED {
+            let mut endings: Vec<&str> = Vec::new();
+            for seed in &seeds {
+                let input = corpus::of_seed(fuzzed, seed);
+                assert_eq!(input.is_some(), fuzzed.endings.contains(&&*seed.ending), "{}", seed.name);
+                let Some(input) = input else { continue };
+                assert_eq!(
+                    (fuzzed.ending(input[0]), &input[1..]),
+                    (&*seed.ending, &*seed.bytes),
+                    "{}",
+                    seed.name
+                );
+                endings.push(&seed.ending);
+            }
+            let unused = fuzzed.endings.iter().find(|ending| !endings.contains(ending));
+            assert_eq!(unused, None, "{} has a seed for each ending", fuzzed.name);
+        }
+    }
+
+    #[test]
+    fn seeds_have_names_of_their_own() {
+        let seeds = seeds::seeds(&corpus::fixtures(), SIZE).unwrap();
+        let names: BTreeSet<&str> = seeds.iter().map(|seed| &*seed.name).collect();
+        assert_eq!(names.len(), seeds.len());
+    }
+
+    #[test]
+    fn the_dictionary_gives_libfuzzer_each_word_once() {
+        let seeds = seeds::seeds(&corpus::fixtures(), SIZE).unwrap();
+        let words = dictionary::words(&seeds);
+        let lines: BTreeSet<String> = words.iter().map(|word| dictionary::line(word)).collect();
+        assert_eq!(lines.len(), words.len());
+        for word in &words {
+            assert_eq!(read_line(&dictionary::line(word)).as_ref(), Some(word));
+            assert!(word.len() <= 64, "libFuzzer leaves out longer words");
+        }
+        for word in [
+            "\n[DeviceComissioning]\n",
+            "\nPDOMapping=",
+            "UNSIGNED8",
+            "CANopenSubObject",
+            "heartbeat_producer",
+            "bit-rate",
+            "access",
+        ] {
+            assert!(words.iter().any(|other| other == word), "{word}");
+        }
+    }
+
+    /// A line as `ParseOneDictionaryEntry` of libFuzzer reads it.
+    fn read_line(line: &str) -> Option<String> {
+        let mut rest = line.trim().strip_prefix('"')?.strip_suffix('"')?;
+        let mut word = Vec::new();
+        while let Some(c) = rest.chars().next() {
+            let length = match c {
+                '\\' if rest[1..].starts_with(['\\', '"']) => {
+                    word.push(rest.as_bytes()[1]);
+                    2
+                }
+                '\\' => {
+                    word.push(u8::from_str_radix(rest.strip_prefix("\\x")?.get(..2)?, 16).ok()?);
+                    4
+                }
+                ' '..='~' => {
+                    word.push(u8::try_from(c).ok()?);
+                    1
+                }
+                _ => return None,
+            };
+            rest = &rest[length..];
+        }
+        String::from_utf8(word).ok().filter(|word| !word.is_empty())
     }
 }
