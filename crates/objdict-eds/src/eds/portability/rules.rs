@@ -56,7 +56,7 @@ text_rule! {
 }
 
 text_rule! {
-    DUMMY_USAGE = "portability/dummy-usage", Warning, fix Safe;
+    DUMMY_USAGE = "portability/dummy-usage", Error, fix Safe;
     summary: "`[DummyUsage]` does not list all types",
     checks: "Whether `[DummyUsage]` has the keys `Dummy0001` to `Dummy0007`.",
     why: "A missing key means 0. python-canopen reads all seven keys and fails if one is missing.",
@@ -66,7 +66,7 @@ text_rule! {
 }
 
 text_rule! {
-    EMPTY_KEY = "portability/empty-key", Warning, fix Safe;
+    EMPTY_KEY = "portability/empty-key", Error, fix Safe;
     summary: "a key has no value",
     checks: "Whether `ObjectType`, `PDOMapping`, `ObjFlags` or `CompactSubObj`, a number of `[DeviceInfo]`, or `AccessType` or `DefaultValue` of an ARRAY or RECORD, has no value. Each key of objects is reported once, at its first place.",
     why: "An empty key is the same as a missing one. python-canopen parses the first two and the numbers of `[DeviceInfo]` and fails; CANopenEditor parses all of an object and skips it. node-canopen takes the last two for keys of a value and fails.",
@@ -86,7 +86,7 @@ text_rule! {
 }
 
 text_rule! {
-    HEX_BAUD_RATE = "portability/hex-baud-rate", Warning, fix Safe;
+    HEX_BAUD_RATE = "portability/hex-baud-rate", Error, fix Safe;
     summary: "the bit rate of a node is written in hex",
     checks: "Whether `Baudrate` in `[DeviceComissioning]` is a decimal number.",
     why: "CiA 306 allows hex numbers everywhere. python-canopen parses the bit rate as decimal and fails.",
@@ -96,7 +96,7 @@ text_rule! {
 }
 
 text_rule! {
-    HEX_COUNT = "portability/hex-count", Warning, fix Safe;
+    HEX_COUNT = "portability/hex-count", Error, fix Safe;
     summary: "a count is written in hex",
     checks: "Whether `SupportedObjects` of an object list and `NrOfEntries` of `[xxxxName]` and `[xxxxValue]` are decimal numbers.",
     why: "CiA 306 allows hex numbers everywhere. dcf-tools parses these counts as decimal and refuses the file, python-canopen fails at the count of `[xxxxName]`.",
@@ -106,7 +106,7 @@ text_rule! {
 }
 
 text_rule! {
-    HEX_FLAG = "portability/hex-flag", Warning, fix Safe;
+    HEX_FLAG = "portability/hex-flag", Error, fix Safe;
     summary: "a flag is written in hex",
     checks: "Whether the keys of `[DeviceInfo]` and `[DummyUsage]` with value 0 or 1 are written as `0` or `1`.",
     why: "CANopenEditor reads everything but `1` as no. python-canopen and dcf-tools fail at a hex number in `[DummyUsage]`.",
@@ -116,7 +116,7 @@ text_rule! {
 }
 
 text_rule! {
-    KEY_CASE = "portability/key-case", Warning, fix Safe;
+    KEY_CASE = "portability/key-case", Error, fix Safe;
     summary: "the case of a key differs from the standard",
     checks: "Whether the case of each key matches the standard. The first one is shown, the others are counted.",
     why: "CiA 306 ignores case. python-canopen and CANopenEditor compare case-sensitively and do not find the key: python-canopen fails if the key is a name, data type or access, CANopenEditor skips the object.",
@@ -136,7 +136,7 @@ text_rule! {
 }
 
 text_rule! {
-    NEGATIVE_HEX = "portability/negative-hex", Warning, fix Safe;
+    NEGATIVE_HEX = "portability/negative-hex", Error, fix Safe;
     summary: "a value is a negative hex number",
     checks: "Whether an integer value has a sign and is written in hex. The first one is shown, the others are counted.",
     why: "node-canopen converts the text with the number syntax of JavaScript, where hex numbers have no sign: it reads 0, and refuses the file if the integer has 64 bits.",
@@ -146,7 +146,7 @@ text_rule! {
 }
 
 text_rule! {
-    REAL_AS_DECIMAL = "portability/real-as-decimal", Warning, fix Safe;
+    REAL_AS_DECIMAL = "portability/real-as-decimal", Error, fix Safe;
     summary: "a REAL is written as a decimal number",
     checks: "Whether a value or limit of a REAL32 or REAL64 is something other than the hex digits of its bits, or 0. The first one is shown, the others are counted.",
     why: "CiA 306 does not define the notation of a REAL. dcf-tools reads bits: it refuses `1.5`, and reads `2` as 2.8e-45. python-canopen reads numbers, so only `0` works for both.",
@@ -156,7 +156,7 @@ text_rule! {
 }
 
 text_rule! {
-    SECTION_CASE = "portability/section-case", Warning, fix Safe;
+    SECTION_CASE = "portability/section-case", Error, fix Safe;
     summary: "the case of a section name differs from the standard",
     checks: "Whether the case of each section name matches the standard; hex digits of an index may have any case. The first one is shown, the others are counted.",
     why: "CiA 306 ignores case. python-canopen and CANopenEditor compare case-sensitively: they do not find sub-indexes in `[1018SUB1]`, and without `[DeviceInfo]` CANopenEditor does not open the file.",
@@ -176,7 +176,7 @@ text_rule! {
 }
 
 text_rule! {
-    SPARSE_NAMES = "portability/sparse-names", Warning, fix Safe;
+    SPARSE_NAMES = "portability/sparse-names", Error, fix Safe;
     summary: "the names of a compact object have a gap",
     checks: "Whether `[xxxxName]` names all sub-indexes from 1 to the number of names.",
     why: "CiA 306 allows missing names, which have a default. python-canopen reads the given number of names from 1 on and fails at the gap.",
@@ -186,7 +186,7 @@ text_rule! {
 }
 
 text_rule! {
-    SUB_BEFORE_OBJECT = "portability/sub-before-object", Warning;
+    SUB_BEFORE_OBJECT = "portability/sub-before-object", Error;
     summary: "a sub-index is before its object",
     checks: "Whether the section of each object is above the sections of its sub-indexes and its `[xxxxName]`.",
     why: "CiA 306 requires no order. python-canopen fails at a sub-index whose object is below it, CANopenEditor skips it.",
@@ -196,7 +196,7 @@ text_rule! {
 }
 
 text_rule! {
-    UNQUOTED_STRING = "portability/unquoted-string", Warning;
+    UNQUOTED_STRING = "portability/unquoted-string", Error;
     summary: "a string has no quotes",
     checks: "Whether a value of type VISIBLE_STRING or UNICODE_STRING is in quotes. The first one is shown, the others are counted.",
     why: "CiA 306 and all other tools use strings without quotes. dcf2dev of dcf-tools parses the text as a Python literal and fails; dcfchk and dcfgen do not read it.",

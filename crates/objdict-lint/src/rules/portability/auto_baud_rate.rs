@@ -3,7 +3,7 @@ use crate::model::{Device, Field, Part, Place};
 use crate::rule;
 
 rule! {
-    "portability/auto-baud-rate", Warning, Device(check);
+    "portability/auto-baud-rate", Error, Device(check);
     summary: "a tool does not know `BaudRate_auto`",
     checks: "Whether `[DeviceInfo]` has the key `BaudRate_auto`.",
     why: "dcf-tools knows only the keys of the first edition of CiA 306 and refuses a file with other keys.",

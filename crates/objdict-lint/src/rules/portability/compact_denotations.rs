@@ -3,7 +3,7 @@ use crate::model::{Device, Part, Place};
 use crate::{rule, with_others};
 
 rule! {
-    "portability/compact-denotations", Warning, Device(check);
+    "portability/compact-denotations", Error, Device(check);
     summary: "a tool does not know the denotations of a compact object",
     checks: "Whether an object with `CompactSubObj` has a section `[xxxxDenotation]`. The first one is shown with the others.",
     why: "dcf-tools knows `[xxxxName]` and `[xxxxValue]`, but not this section, and refuses the file.",

@@ -3,7 +3,7 @@ use crate::model::{Device, Part, Place};
 use crate::{rule, with_others};
 
 rule! {
-    "portability/compact-parameter-value", Warning, Device(check);
+    "portability/compact-parameter-value", Error, Device(check);
     summary: "a compact object has one configured value for all sub-indexes",
     checks: "Whether an object with `CompactSubObj` has a `ParameterValue`, but no section `[xxxxValue]`. The first one is shown with the others.",
     why: "dcf-tools does not read the value of the key correctly and crashes.",

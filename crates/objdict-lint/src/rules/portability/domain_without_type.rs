@@ -3,7 +3,7 @@ use crate::model::{Field, ObjectType};
 use crate::{EntryAt, Origin, rule, stated};
 
 rule! {
-    "portability/domain-without-type", Warning, Entry(check), fix Safe;
+    "portability/domain-without-type", Error, Entry(check), fix Safe;
     summary: "a DOMAIN has no data type or access",
     checks: "Whether an object of type DOMAIN has `DataType` and `AccessType`. The standard does not require them: the data type is DOMAIN, the access `rw`.",
     why: "dcf-tools and python-canopen read both keys of each object with a value and fail if one is missing.",

@@ -3,7 +3,7 @@ use crate::model::{Device, Part, Place};
 use crate::rule;
 
 rule! {
-    "portability/dynamic-channels", Warning, Device(check);
+    "portability/dynamic-channels", Error, Device(check);
     summary: "a tool does not know `[DynamicChannels]`",
     checks: "Whether the file has a section `[DynamicChannels]`.",
     why: "dcf-tools refuses a file with unknown sections; python-canopen and CANopenEditor write files without the section.",

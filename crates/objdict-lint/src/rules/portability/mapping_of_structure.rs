@@ -3,7 +3,7 @@ use crate::model::{Field, ObjectType, PdoMapping};
 use crate::{EntryAt, Origin, rule};
 
 rule! {
-    "portability/mapping-of-structure", Warning, Entry(check), fix Safe;
+    "portability/mapping-of-structure", Error, Entry(check), fix Safe;
     summary: "an object without a mappable value has `PDOMapping=0`",
     checks: "Whether an ARRAY, RECORD or DEFSTRUCT without `CompactSubObj`, or a DOMAIN, has `PDOMapping=0`. The key does not belong there, but says nothing wrong.",
     why: "node-canopen refuses keys of a value at these object types.",

@@ -3,7 +3,7 @@ use crate::model::{Device, Part, Place};
 use crate::rule;
 
 rule! {
-    "portability/modules", Warning, Device(check);
+    "portability/modules", Error, Device(check);
     summary: "a tool does not know modules",
     checks: "Whether the file describes modules: `[SupportedModules]` and the sections `[Mx…]`.",
     why: "dcf-tools refuses a file with such sections. python-canopen reads only the device without the objects of the modules.",

@@ -4,7 +4,7 @@ use crate::model::Device;
 use crate::{rule, stack};
 
 rule! {
-    "portability/no-error-history", Warning, Device(check);
+    "portability/no-error-history", Error, Device(check);
     summary: "a stack needs 1003h, error history",
     checks: "Whether the device has 1003h.",
     why: "CANopenNode keeps an error history unless configured otherwise (`CO_CONFIG_EM` without `CO_CONFIG_EM_HISTORY`). Without 1003h its start fails, without error information.",

@@ -3,7 +3,7 @@ use crate::model::{Device, Part, Place};
 use crate::{rule, with_others};
 
 rule! {
-    "portability/object-links", Warning, Device(check);
+    "portability/object-links", Error, Device(check);
     summary: "a tool does not know object links",
     checks: "Whether an object has a section `[xxxxObjectLinks]`. The first one is shown with the others.",
     why: "dcf-tools refuses a file with unknown sections; python-canopen and CANopenEditor write files without the section.",

@@ -3,7 +3,7 @@ use crate::model::{Device, Entry, Field, Part, Place};
 use crate::{rule, stated, with_others};
 
 rule! {
-    "portability/safety-key", Warning, Device(check);
+    "portability/safety-key", Error, Device(check);
     summary: "a tool does not know the keys of CANopen Safety",
     checks: "Whether an entry has `SRDOMapping` or `InvertedSRAD`, or `[DeviceInfo]` has `CANopenSafetySupported`. The first one is shown with the others.",
     why: "dcf-tools refuses a file with unknown keys; python-canopen and CANopenEditor write files without them.",

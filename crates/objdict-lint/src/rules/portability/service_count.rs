@@ -4,7 +4,7 @@ use crate::model::Device;
 use crate::{rule, stack};
 
 rule! {
-    "portability/service-count", Warning, Device(check);
+    "portability/service-count", Error, Device(check);
     summary: "a stack does not support this number of objects",
     checks: "Whether the number of objects per service is within the limits of CANopenNode, which counts objects by index or count label (`CO_countLabel`): one for most services, 64 SRDOs, 128 SDO servers and 128 SDO clients, 255 RPDOs and 255 TPDOs. 1016h has 1 to 127 elements.",
     why: "CANopenNode does not compile; PDOs above 255 are ignored because the count is a byte.",

@@ -3,7 +3,7 @@ use crate::model::{Device, Place};
 use crate::rule;
 
 rule! {
-    "portability/sub-index-255", Warning, Device(check);
+    "portability/sub-index-255", Error, Device(check);
     summary: "an object has sub-index FFh",
     checks: "Whether an object has sub-index FFh, the structure of the object in CiA 301.",
     why: "The highest sub-index that dcf-tools allows is 254; it refuses the file.",

@@ -3,7 +3,7 @@ use crate::model::{Device, Part, Place};
 use crate::rule;
 
 rule! {
-    "portability/tool-list", Warning, Device(check);
+    "portability/tool-list", Error, Device(check);
     summary: "a tool does not know `[Tools]`",
     checks: "Whether the file has a section `[Tools]`.",
     why: "dcf-tools refuses a file with unknown sections; python-canopen and CANopenEditor write files without the sections.",

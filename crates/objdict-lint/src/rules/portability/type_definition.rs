@@ -3,7 +3,7 @@ use crate::model::{Device, Part, Place};
 use crate::{rule, with_others};
 
 rule! {
-    "portability/type-definition", Warning, Device(check);
+    "portability/type-definition", Error, Device(check);
     summary: "the file defines data types",
     checks: "Whether the file has objects below 1000h, which define types. The first one is shown with the others.",
     why: "dcf-tools does not support such sections and refuses the file; python-canopen skips them and treats entries of these types as DOMAIN.",
