@@ -18,7 +18,7 @@ use crate::configure::{
 };
 use crate::coupler::flatten;
 use crate::diagnostic::{At, Diagnostic, Severity};
-use crate::format::{self, Description, Format, NodeSettings, WriteOptions, stated_name};
+use crate::format::{self, Description, Format, NodeSettings, Syntax, WriteOptions, stated_name};
 use crate::lint::{self, Options};
 use crate::model::{Assignment, Commissioning, Device, DeviceKind, Part};
 use crate::report::plural;
@@ -36,6 +36,7 @@ pub(super) fn run(args: &ConfigureArgs, out: &mut Output) -> Result<Outcome, Fai
     let plugged = if args.modules.is_empty() { None } else { Some(plugged(own, &args.modules)?) };
     let is_xml = description.format() == Format::Xdd || description.format() == Format::Xdc;
     let kind = if is_xml { "XDC" } else { "DCF" };
+    other_syntax(args, is_xml)?;
     let node = commissioning(own, &wanted(args, &file), kind)?;
     let mut base = Cow::Borrowed(plugged.as_ref().unwrap_or(own));
     let followers = if args.no_rebase { Vec::new() } else { followers(&base, &node) };
@@ -90,6 +91,23 @@ pub(super) fn run(args: &ConfigureArgs, out: &mut Output) -> Result<Outcome, Fai
         None => out.raw()?.write_all(&configured.bytes)?,
     }
     Ok(Outcome::Clean)
+}
+
+/// A file that would have another syntax than its name says.
+fn other_syntax(args: &ConfigureArgs, is_xml: bool) -> Result<(), Failure> {
+    let Some(output) = args.output().filter(|_| !args.in_place) else { return Ok(()) };
+    let ending = output.extension().map(|ending| ending.to_string_lossy().to_ascii_lowercase());
+    let named = ending.as_deref().and_then(Format::from_name);
+    if named.is_none_or(|format| (format.syntax() == Syntax::Xml) == is_xml) {
+        return Ok(());
+    }
+    let (what, help) = match is_xml {
+        true => ("an XDD becomes an XDC", "name a file `.xdc`; `objdict convert --to dcf` makes a DCF of it"),
+        false => {
+            ("an EDS becomes a DCF", "name a file `.dcf`; `objdict convert --to xdc` makes an XDC of it")
+        }
+    };
+    Err(Failure::new(format_args!("{what}, but `{}` has another ending", name_of(output))).help(help))
 }
 
 /// The description that is configured; a device as JSON is one that is written as an EDS first.

@@ -4,6 +4,7 @@ use std::cmp::Ordering;
 
 use objdict_device::{Abort, Attributes, Dictionary};
 use objdict_generate::{LiveEntry, Options, live_entries};
+use objdict_node::download::{Present, refusal};
 
 use crate::model::{Access, Assignment, DataType, Device, Object, TypeKind, Value};
 
@@ -50,7 +51,8 @@ impl PowerOn {
 }
 
 /// The values of a node, with the access, the limits and the types of its description: what the generated table of this description
-/// answers. Beyond that, 1010h stores and 1011h restores, and a write clears 1020h.
+/// answers. Beyond that, 1010h stores and 1011h restores, a write clears 1020h, and what CiA 301 forbids of communication objects is
+/// refused by the rules of [`refusal`].
 #[derive(Clone, Debug)]
 pub struct LiveDictionary {
     /// In ascending order.
@@ -62,6 +64,8 @@ pub struct LiveDictionary {
     dropped: Vec<u8>,
     /// The indexes that SDOs wrote since the last look.
     written: Vec<u16>,
+    /// Whether it refuses what CiA 301 forbids of communication objects, which a table leaves to hooks.
+    is_strict: bool,
 }
 
 impl LiveDictionary {
@@ -69,14 +73,15 @@ impl LiveDictionary {
     pub fn new(device: &Device, node_id: u8, power_on: PowerOn) -> Self {
         let mut options = Options::default();
         (options.string_capacity, options.domain_capacity) = (ROOM, ROOM);
-        Self::with_options(device, node_id, power_on, &options)
+        Self { is_strict: true, ..Self::with_options(device, node_id, power_on, &options) }
     }
 
-    /// The same with the room that the options of a generated table give texts and DOMAINs.
+    /// What a generated table with these options answers.
     pub fn with_options(device: &Device, node_id: u8, power_on: PowerOn, options: &Options) -> Self {
         let entries = live_entries(&power_on.values_of(device), node_id, options);
         let values: Vec<Vec<u8>> = entries.iter().map(|entry| entry.value.clone()).collect();
-        Self { entries, stored: values.clone(), values, dropped: Vec::new(), written: Vec::new() }
+        let (dropped, written) = (Vec::new(), Vec::new());
+        Self { entries, stored: values.clone(), values, dropped, written, is_strict: false }
     }
 
     /// The objects of the communication parameters of PDOs, of RPDOs and of TPDOs.
@@ -230,6 +235,17 @@ fn order(data_type: DataType, bytes: &[u8], limit: u64) -> Option<Ordering> {
     }
 }
 
+impl Present for LiveDictionary {
+    fn number(&mut self, index: u16, sub: u8) -> Option<u64> {
+        let bytes = self.bytes(index, sub).filter(|bytes| bytes.len() <= 8)?;
+        Some(bytes.iter().rev().fold(0, |number, &byte| number << 8 | u64::from(byte)))
+    }
+
+    fn subs(&self, index: u16) -> Vec<u8> {
+        self.entries.iter().filter(|entry| entry.index == index).map(|entry| entry.sub).collect()
+    }
+}
+
 impl Dictionary for LiveDictionary {
     fn attributes(&self, index: u16, sub: u8) -> Result<Attributes, Abort> {
         let entry = &self.entries[self.find(index, sub)?];
@@ -269,6 +285,12 @@ impl Dictionary for LiveDictionary {
             return self.command(index, sub, bytes);
         }
         check(entry, bytes)?;
+        if self.is_strict
+            && let Some(abort) = refusal(self, index, sub, bytes)
+        {
+            return Err(abort.0.into());
+        }
+        let entry = &self.entries[at];
         let mut value = bytes.to_vec();
         if matches!(entry.data_type, Some(DataType::TIME_OF_DAY | DataType::TIME_DIFFERENCE)) {
             value[3] &= 0x0F; // void bits

@@ -5,6 +5,7 @@ mod can_ids;
 mod heartbeat;
 mod managers;
 mod pdos;
+mod replay;
 mod reserved;
 mod stored;
 mod sync;
@@ -30,15 +31,18 @@ pub fn check(network: &Network, findings: &mut Findings) {
     check.times();
     check.load();
     check.heartbeats();
+    check.monitored_twice();
     check.managers();
     check.assigned_slaves();
     check.own_tables();
     check.unbooted();
     check.identities();
+    check.without_device_type();
     check.boot_time();
     check.kept_alive();
     check.restored();
     check.stored_configurations();
+    check.downloads();
 }
 
 struct Check<'n, 'f> {

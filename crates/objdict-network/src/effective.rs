@@ -3,9 +3,10 @@
 use std::borrow::Cow;
 use std::collections::BTreeMap;
 
+use crate::diagnostic::At;
 use crate::download::{ConciseDcf, Download, Order, PlanError, PlanOptions, Step, effective};
 use crate::model::{Device, DeviceKind, ExplicitDownload, Moment};
-use crate::network::Node;
+use crate::network::{Network, Node};
 use crate::source::Span;
 use crate::stream::Slave;
 
@@ -17,6 +18,22 @@ pub(crate) fn before(node: &Node, node_id: u8) -> Device {
     device
 }
 
+/// The device when it is switched on, with what it has then as its defaults: dcfgen takes a DCF for what the node has.
+pub fn switched_on<'n>(network: &Network, node: &'n Node) -> Cow<'n, Device> {
+    if network.order != Order::Dcfgen || node.device.kind != DeviceKind::Node {
+        return Cow::Borrowed(&node.device);
+    }
+    let mut device = node.device.clone();
+    for object in device.objects.values_mut() {
+        for entry in object.subs.iter_mut().map(|(_, entry)| entry).chain([&mut object.main]) {
+            if let Some(value) = entry.configured_value().cloned() {
+                entry.default = Some(value);
+            }
+        }
+    }
+    Cow::Owned(device)
+}
+
 /// Where the network file has the final values of entries.
 pub(crate) type Origins = BTreeMap<(u16, u8), Span>;
 
@@ -24,6 +41,13 @@ impl Slave {
     /// Where the network file has the final value of an entry; `None` if the description has it.
     pub(crate) fn said(&self, index: u16, sub: u8) -> Option<Span> {
         self.origins.get(&(index, sub)).copied()
+    }
+
+    /// Where the network file has the final values of an object; of a PDO those of both of its objects.
+    pub(crate) fn said_of(&self, index: u16) -> impl Iterator<Item = At> + '_ {
+        let objects = [index].into_iter().chain((0x1400..0x1C00).contains(&index).then_some(index | 0x0200));
+        let entries = objects.flat_map(|index| self.origins.range((index, 0)..=(index, u8::MAX)));
+        entries.map(|(_, span)| At::Span(*span))
     }
 
     /// The device as its DCF describes it: with its effective values, and apart from them the downloads that

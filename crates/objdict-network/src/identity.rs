@@ -35,7 +35,7 @@ impl IdentityLevel {
 }
 
 /// What vendors write for a number that they do not know.
-const PLACEHOLDER: u32 = u32::MAX;
+pub(crate) const PLACEHOLDER: u32 = u32::MAX;
 
 /// The number in an entry.
 pub(crate) fn number(device: &Device, index: u16, sub: u8, node_id: u8) -> Option<u32> {
@@ -66,17 +66,23 @@ pub(crate) fn present(device: &Device, sub: u8, node_id: u8) -> Option<Stated> {
     Some((number, device.value_place(0x1018, sub)))
 }
 
-/// Device type, vendor-ID, product code, revision number and serial number (0 where not stated), each with its place:
-/// `DeviceInfo` counts more than 1018h, as in dcfgen. The default of a serial number is that of no device.
+/// Device type, vendor-ID, product code, revision number and serial number (0 where not stated), each with its place.
+/// 1018h is what the node answers, so it counts more than `DeviceInfo`; in dcfgen less. The default of a serial number is
+/// that of no device.
 pub(crate) fn described(device: &Device, node_id: u8, order: Order) -> [Stated; 5] {
     let device_type = number(device, 0x1000, 0, node_id).unwrap_or(0);
     let mut identity = [0, 1, 2, 3, 4].map(|_: u8| (device_type, device.value_place(0x1000, 0)));
     for (sub, stated) in (1..).zip(stated(device)) {
         let is_default = || device.entry(0x1018, sub).is_none_or(|entry| entry.configured_value().is_none());
-        let present = present(device, sub, node_id)
-            .filter(|_| sub != 4 || order == Order::Dcfgen || !is_default())
-            .unwrap_or_else(|| (0, device.value_place(0x1018, sub)));
-        identity[usize::from(sub)] = stated.filter(|(number, _)| *number != PLACEHOLDER).unwrap_or(present);
+        let own = number(device, 0x1018, sub, node_id)
+            .filter(|number| *number != 0 && (sub != 4 || order == Order::Dcfgen || !is_default()));
+        let own = own.map(|number| (number, device.value_place(0x1018, sub)));
+        // a number beside a placeholder is one that the node does not answer
+        let is_unknown = own.as_ref().is_some_and(|(number, _)| *number == PLACEHOLDER);
+        let (first, second) = if order == Order::Dcfgen { (stated, own) } else { (own, stated) };
+        let known = [first, second].into_iter().flatten().find(|(number, _)| *number != PLACEHOLDER);
+        identity[usize::from(sub)] =
+            known.filter(|_| !is_unknown).unwrap_or_else(|| (0, device.value_place(0x1018, sub)));
     }
     identity
 }
@@ -96,7 +102,14 @@ pub(crate) fn expected(network: &Network, node: &Node, node_id: u8, manner: Mann
         *number = if of <= level { *number } else { 0 };
     }
     for (stated, place) in [(node.revision_number, 3), (node.serial_number, 4)] {
+        let stated = stated.filter(|stated| manner == Manner::Strict || stated.value != PLACEHOLDER);
         identity[place] = stated.map_or(identity[place], |stated| stated.value);
+    }
+    if manner == Manner::Repaired {
+        // a node aborts the upload of what it does not have
+        for (sub, number) in (1..).zip(&mut identity[1..]) {
+            *number = if device.entry(0x1018, sub).is_some() { *number } else { 0 };
+        }
     }
     identity
 }

@@ -147,7 +147,10 @@ impl<'a> Writer<'a> {
         out.section("DeviceComissioning");
         out.key("NodeID", manager.node_id.map_or(255, |node_id| node_id.value));
         out.keys(&["NodeName", "NodeRefd"]);
-        out.key("Baudrate", self.network.bit_rate.map_or(1000, |rate| rate.value));
+        match self.network.bit_rate {
+            Some(rate) => out.key("Baudrate", rate.value),
+            None => out.keys(&["Baudrate"]),
+        }
         out.key("NetNumber", 1);
         out.keys(&["NetworkName", "NetRefd"]);
         out.key("CANopenManager", 1);

@@ -25,6 +25,7 @@ mod watch;
 
 pub use check::check;
 pub use connect::connect;
+pub use effective::switched_on;
 pub use identity::IdentityLevel;
 pub use lely::{LelyMaster, LelyOptions, configuration_file, lely_master};
 pub use link::{Link, LinkEnd, LinkParameters, LinkedEntries, NoLinkEnd};

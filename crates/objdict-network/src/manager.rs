@@ -1,6 +1,9 @@
 //! What the manager knows of the nodes: the values of its objects (CiA 301, CiA 302-2).
 
+use std::collections::BTreeMap;
+
 use crate::diagnostic::{Diagnostic, Findings, say};
+use crate::download::Order;
 use crate::identity::number;
 use crate::model::{
     Access, Assignment, Compact, DataType, Device, Entry, Object, ObjectList, ObjectType, Value,
@@ -8,7 +11,7 @@ use crate::model::{
 use crate::network::{Boot, Manager, Network, Startup};
 use crate::rules::CONTRADICTION;
 use crate::source::Span;
-use crate::stream::{Manner, Slave};
+use crate::stream::{Compiled, Manner, Slave};
 
 /// As many nodes as a network has.
 const NODES: u8 = 127;
@@ -67,9 +70,14 @@ impl<'a> Knowledge<'a> {
         self.each(|slave| slave.emcy)
     }
 
-    /// 1F81h: how each node is booted.
-    fn assignments(self) -> Vec<(u8, u32)> {
-        self.each(|slave| Some(self.boot(slave).to_number(slave.guard_time)))
+    /// 1F81h: how each node is booted. dcfgen states the retry factor without guarding too.
+    pub(crate) fn assignments(self) -> Vec<(u8, u32)> {
+        let stated = |boot: &Boot| match self.network.order {
+            Order::Dcfgen => u32::from(boot.retry_factor.value) << 8,
+            Order::Safe => 0,
+        };
+        let assigned = |boot: &Boot, slave: &Slave| boot.to_number(slave.guard_time) | stated(boot);
+        self.each(|slave| Some(assigned(self.boot(slave), slave)))
     }
 
     /// 1F84h to 1F88h: device type, vendor-ID, product code, revision number or serial number, where they are stated.
@@ -208,6 +216,19 @@ pub fn expected(network: &Network, slaves: &[Slave]) -> Vec<Assignment> {
         known.values.into_iter().map(move |(sub, number)| Assignment { index, sub, value: value(number) })
     };
     knowledge.objects().into_iter().flat_map(values).collect()
+}
+
+/// What the objects of the manager about the nodes have: those of its effective dictionary, or of a manager without a
+/// description.
+pub(crate) fn numbers(network: &Network, compiled: &Compiled) -> BTreeMap<(u16, u8), u32> {
+    let Some(own) = &compiled.manager else {
+        let known = expected(network, &compiled.slaves).into_iter();
+        let number = |known: &Assignment| u32::try_from(known.value.as_integer()?).ok();
+        return known.filter_map(|known| Some(((known.index, known.sub), number(&known)?))).collect();
+    };
+    let entries = [CONSUMERS, 0x1F55].into_iter().chain(0x1F80..=0x1F8A);
+    let entries = entries.flat_map(|index| (0..=NODES).map(move |sub| (index, sub)));
+    entries.filter_map(|at| Some((at, number(&own.device, at.0, at.1, own.node_id)?))).collect()
 }
 
 /// The sub-indexes of 1016h for these values: where the node is monitored already, else the first that are free.

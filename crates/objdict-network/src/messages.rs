@@ -125,7 +125,21 @@ impl Messages {
         if let Some(manager) = &network.manager {
             messages.manager(manager, compiled);
         }
+        messages.other_sync(network, compiled);
         messages
+    }
+
+    /// Nodes that expect SYNC with another CAN-ID than those that are sent.
+    fn other_sync(&mut self, network: &Network, compiled: &Compiled) {
+        let is_sync = |message: &Message| message.senders.iter().any(|party| party.service == Service::Sync);
+        let sent: Vec<MessageId> =
+            self.0.iter().filter(|(_, message)| is_sync(message)).map(|(can_id, _)| *can_id).collect();
+        for slave in compiled.nodes().filter(|_| !sent.is_empty()) {
+            let own = slave.sync_can_id().filter(|own| own.number != 0 && !sent.contains(own));
+            let Some(own) = own else { continue };
+            let at = slave.said(0x1005, 0).unwrap_or(network.nodes[slave.node].name.at);
+            self.receive(own, Party { node: Some(slave.node), service: Service::Sync, at });
+        }
     }
 
     fn send(&mut self, can_id: MessageId, party: Party) {

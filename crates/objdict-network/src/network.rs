@@ -24,6 +24,9 @@ impl<T> Said<T> {
     }
 }
 
+/// The bit rate in kbit/s that dcfgen writes where its file states none.
+const DCFGEN_BIT_RATE: u16 = 1000;
+
 /// A network as its file describes it. Nodes are known by their positions in [`nodes`](Self::nodes).
 #[derive(Clone, Debug, Default)]
 pub struct Network {
@@ -382,6 +385,20 @@ impl Default for Startup {
 }
 
 impl Network {
+    /// Takes a bit rate that the network file does not state: that of dcfgen for its files, else the one that all descriptions
+    /// which state one agree on.
+    pub fn settle_bit_rate(&mut self) {
+        let of_dcfgen = self.manager.as_ref().filter(|_| self.order == Order::Dcfgen);
+        let of_dcfgen = of_dcfgen.map(|manager| Said::new(DCFGEN_BIT_RATE, manager.name.at));
+        let stated = |node: &Node| {
+            let rate = node.device.commissioning.as_ref()?.baud_rate.filter(|rate| *rate != 0)?;
+            Some(Said::new(rate, node.file.at))
+        };
+        let mut rates = self.nodes.iter().filter_map(stated);
+        let first = rates.next().filter(|first| rates.all(|rate| rate.value == first.value));
+        self.bit_rate = self.bit_rate.or(of_dcfgen).or(first);
+    }
+
     /// Where the network file says that the unused PDOs of a node are switched off.
     pub(crate) fn switches_off(&self, node: usize) -> Option<Span> {
         let said = self.nodes[node].unused_pdos.or(self.unused_pdos);

@@ -7,7 +7,7 @@ use objdict_model::diagnostic::Severity;
 
 use self::desk::{Desk, Part};
 pub use self::pdo::PdoState;
-pub(crate) use self::pdo::indexes;
+pub(crate) use self::pdo::{indexes, received_type};
 use crate::diagnostic::{At, Diagnostic, Findings, say};
 use crate::download::ConciseDcf;
 use crate::effective::Origins;

@@ -20,7 +20,8 @@ pub fn watch(network: &mut Network, findings: &mut Findings) {
     let mut settings = Vec::new();
     for (position, node) in network.nodes.iter().enumerate() {
         let slave = compiled.nodes().find(|slave| slave.node == position);
-        let mut free = free(slave.map_or(&node.device, |slave| &slave.device));
+        let device = slave.map_or(&node.device, |slave| &slave.device);
+        let mut free = free(device);
         for said in &node.heartbeat.watched {
             if said.value.node == node.name.value {
                 findings.push(monitors_itself(said.at, &node.name.value));
@@ -38,7 +39,11 @@ pub fn watch(network: &mut Network, findings: &mut Findings) {
             let mut place = None;
             let setting = consumer(network, &compiled, &said.value).and_then(|number| {
                 place = Some(Place::object(0x1016));
-                let sub = free.next().ok_or("1016h has no free sub-index")?;
+                // two entries of a node must not monitor the same one
+                let consumers = device.services().heartbeat_consumers;
+                let own = consumers.iter().find(|consumer| u32::from(consumer.node_id) == number >> 16);
+                let sub = own.map(|own| own.sub).or_else(|| free.next());
+                let sub = sub.ok_or("1016h has no free sub-index")?;
                 Setting::value(&format!("1016:{sub:X}={number}")).map_err(|_| "1016h cannot be written")
             });
             match setting {

@@ -62,6 +62,10 @@ pub(super) fn run(args: &NetworkBootArgs, out: &mut Output) -> Result<Outcome, F
 }
 
 fn installation(args: &NetworkBootArgs) -> Result<Installation, Failure> {
+    if let Some(path) = args.files.iter().find(|path| std::fs::metadata(path).is_err()) {
+        let failure = Failure::new(format_args!("there is no file or folder `{}`", name_of(path)));
+        return Err(failure.help("`objdict network build -o FOLDER` writes a folder that boots"));
+    }
     let (folders, files): (Vec<PathBuf>, Vec<PathBuf>) =
         args.files.iter().cloned().partition(|path| path.is_dir());
     let network = match (folders.is_empty(), files.is_empty()) {

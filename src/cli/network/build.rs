@@ -16,23 +16,28 @@ use crate::format::network::{Build, BuiltFile};
 use crate::generate::{Options, Target, generate};
 use crate::network::{LelyOptions, Manner};
 use crate::pipeline::report_lines;
-use crate::report::{Subject, Tally, listed, plural};
+use crate::report::{Subject, Tally, grouped, listed, plural};
 
 pub(super) fn run(args: &NetworkBuildArgs, out: &mut Output) -> Result<Outcome, Failure> {
     let file = open_one(&args.files, &args.input)?;
     let settings = SettingsArgs::from(&args.config);
     let findings = findings(&file, &args.files[0], &mut Settings::new(&settings)?)?;
+    // as `network check` shows and counts them
+    let reported: Vec<_> = Subject::of_network(&file, findings.clone())
+        .into_iter()
+        .map(|(subject, findings)| (subject, grouped(subject, findings)))
+        .collect();
     let mut tally = Tally::default();
-    tally.add(&findings);
+    reported.iter().for_each(|(_, findings)| tally.add(findings));
     // what dcfgen has no word about, it builds
     let is_clear = findings.iter().all(|finding| finding.severity < Severity::Error || finding.is_understood);
     // the full report is that of `network check`
     let is_error = |finding: &Diagnostic| finding.severity == Severity::Error;
-    let errors = findings.clone().filter_map(|finding| is_error(&finding).then_some(finding));
-    for (subject, errors) in
-        Subject::of_network(&file, errors).iter().filter(|(_, errors)| !errors.is_empty())
-    {
-        tell(&listed(*subject, errors)?);
+    for (subject, findings) in &reported {
+        let errors = findings.clone().filter_map(|finding| is_error(&finding).then_some(finding));
+        if !errors.is_empty() {
+            tell(&listed(*subject, &errors)?);
+        }
     }
     if tally.errors > 0 && !args.force && !(args.strict_dcfgen && is_clear) {
         let failure = Failure::new(format_args!("{tally}, so nothing is built"));
@@ -40,7 +45,9 @@ pub(super) fn run(args: &NetworkBuildArgs, out: &mut Output) -> Result<Outcome, 
         return Ok(Outcome::Findings);
     }
     let mut others = Tally::default();
-    others.add(&findings.filter_map(|finding| (!is_error(&finding)).then_some(finding)));
+    for (_, findings) in reported {
+        others.add(&findings.filter_map(|finding| (!is_error(&finding)).then_some(finding)));
+    }
     if others.files_with_findings > 0 {
         note(&format!("{others}: `objdict network check {}` lists them\n", names_of(&args.files)));
     }
@@ -50,7 +57,8 @@ pub(super) fn run(args: &NetworkBuildArgs, out: &mut Output) -> Result<Outcome, 
         build = build.configured_at(time);
     }
     let files = files(args, &build, manner)?;
-    if args.verify && !is_verified(args, &build, &files)? && !args.force {
+    let is_verified = !args.verify || is_verified(args, &build, &files)?;
+    if !is_verified && !args.force {
         return Ok(Outcome::Findings);
     }
     let folder = Folder::open(&args.output, &origin(args), &args.overwrite)?;
@@ -60,17 +68,19 @@ pub(super) fn run(args: &NetworkBuildArgs, out: &mut Output) -> Result<Outcome, 
         note(&format!("note: `{}` is of an earlier build\n", name_of(&path)));
     }
     out.summary(format_args!("{}: {}", name_of(&args.output), plural(files.len(), "file")))?;
-    Ok(Outcome::Clean)
+    Ok(if is_verified { Outcome::Clean } else { Outcome::Findings })
 }
 
 /// Whether nothing is against the files that are built.
 fn is_verified(args: &NetworkBuildArgs, build: &Build<'_>, files: &[BuiltFile]) -> Result<bool, Failure> {
-    if matches!(args.target, NetworkTarget::Busyml | NetworkTarget::C | NetworkTarget::Rust) {
-        let failure =
-            Failure::new("this target has no configurations of nodes, so there is nothing to verify");
-        return Err(failure.help("verify `--target dcf`, `lely`, `concise`, `cpj` or `manager`"));
-    }
-    let objections = build.verify(files).map_err(Failure::new)?;
+    let objections = match args.target {
+        // these have no configurations of nodes: what other programs send for them is replayed
+        NetworkTarget::Busyml | NetworkTarget::C | NetworkTarget::Rust => {
+            build.verify(&build.concise().map_err(Failure::new)?)
+        }
+        _ => build.verify(files),
+    };
+    let objections = objections.map_err(Failure::new)?;
     for objection in &objections {
         tell(&format!("error: {}\n", one_line(&objection.to_string())));
     }

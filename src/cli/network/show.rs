@@ -163,7 +163,7 @@ fn can_ids(overview: &Overview, out: &mut dyn Write) -> io::Result<()> {
             message.can_id.to_string(),
             ends(&message.senders),
             receivers,
-            message.bytes.map(|bytes| bytes.to_string()).unwrap_or_default(),
+            message.length(),
             message.trigger.clone(),
             message.period.map(period).unwrap_or_default(),
         ]);

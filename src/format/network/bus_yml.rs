@@ -8,7 +8,7 @@ use super::section::{Section, or_foreign, value_wish, wrong};
 use super::tree::{Entry, Kind, Tree};
 use super::{Descriptions, yaml};
 use crate::configure::PdoName;
-use crate::diagnostic::{Diagnostic, Findings, say};
+use crate::diagnostic::{Diagnostic, Findings, misspelled, say};
 use crate::download::Order;
 use crate::model::{Address, PdoKind};
 use crate::network::{
@@ -18,6 +18,9 @@ use crate::source::Span;
 
 /// The largest number of nodes on a bus.
 const MAX_NODES: usize = 127;
+
+/// What dcfgen has beside the nodes.
+const KEYS_OF_DCFGEN: [&str; 2] = ["options", "master"];
 
 /// What ros2_canopen has beside the nodes.
 const KEYS_OF_ROS: [&str; 4] = ["options", "master", "defaults", "nodes"];
@@ -52,7 +55,10 @@ pub(super) fn read(
             Some(Manager { name: Said::new("master".to_owned(), Span::empty(0)), ..Manager::default() })
         }
     };
-    let nodes = if tree.get("nodes").is_some() { reader.ros_nodes(&tree) } else { nodes(entries) };
+    let nodes = match tree.get("nodes") {
+        Some(_) => reader.ros_nodes(&tree),
+        None => reader.nodes(entries),
+    };
     if nodes.len() > MAX_NODES {
         let message = say!("there are {} nodes, but a network has at most {}", nodes.len(), MAX_NODES);
         reader.findings.push(Diagnostic::new(&WRONG_TYPE, tree.span, message).help("remove nodes"));
@@ -60,15 +66,6 @@ pub(super) fn read(
     }
     network.nodes = nodes.iter().filter_map(|entry| reader.node(entry)).collect();
     Some(network)
-}
-
-/// The nodes of a file of dcfgen: all keys but two, and but those that begin with a point.
-fn nodes(entries: &[Entry]) -> Vec<Entry> {
-    let is_node = |entry: &&Entry| {
-        let name = entry.key.spelled();
-        !matches!(&*name, "options" | "master") && !name.starts_with('.')
-    };
-    entries.iter().filter(is_node).cloned().collect()
 }
 
 /// What holds for all nodes.
@@ -157,6 +154,27 @@ impl Reader<'_, '_> {
     }
 
     /// The nodes of ros2_canopen, as dcfgen gets them: in the order of their names, with the keys of `defaults`.
+    /// The nodes of a file of dcfgen: all keys but two, and but those that begin with a point.
+    fn nodes(&mut self, entries: &[Entry]) -> Vec<Entry> {
+        let mut nodes = Vec::new();
+        for entry in entries {
+            let name = entry.key.spelled();
+            if KEYS_OF_DCFGEN.contains(&&*name) || name.starts_with('.') {
+                continue;
+            }
+            // a node has a description
+            let meant = misspelled(&name, KEYS_OF_DCFGEN).filter(|_| entry.value.get("dcf").is_none());
+            let Some(meant) = meant else {
+                nodes.push(entry.clone());
+                continue;
+            };
+            let message = say!("`{}` is no node, because it has no `dcf`", name);
+            let finding = Diagnostic::new(&UNKNOWN_KEY, entry.key.span, message);
+            self.findings.push(finding.help(say!("did you mean `{}`?", meant)));
+        }
+        nodes
+    }
+
     fn ros_nodes(&mut self, tree: &Tree) -> Vec<Entry> {
         for entry in tree.entries().unwrap_or_default() {
             let name = entry.key.spelled();

@@ -107,6 +107,7 @@ impl NetworkFile {
         };
         if let Some(network) = &mut network {
             stored::read(network, &mut findings);
+            network.settle_bit_rate();
         }
         let files = std::mem::take(&mut descriptions.files);
         let descriptions = descriptions

@@ -87,7 +87,11 @@ impl Manager {
             })
         };
         match (self.slaves[at].step.clone(), result) {
-            (Step::DeviceType, Err(abort)) => self.miss(at, abort, own, now),
+            (Step::DeviceType, Err(abort @ Abort::Timeout)) => self.miss(at, abort, own, now),
+            // it answers, and will not answer otherwise when it is asked again
+            (Step::DeviceType, Err(abort)) => {
+                self.finish(at, Some(BootFailure::NoAnswer(abort)), own, now);
+            }
             (Step::DeviceType, result) => self.compare(at, (0x1000, 0), number(result), own, now),
             (Step::Identity(sub), result) => self.compare(at, (0x1018, sub), number(result), own, now),
             (Step::Software, result) => {

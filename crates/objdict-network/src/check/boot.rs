@@ -4,11 +4,13 @@ use super::Check;
 use super::timing::sdo_bits;
 use crate::diagnostic::{At, Diagnostic, Severity, say};
 use crate::download::Order;
-use crate::identity::{self, number};
+use crate::identity::{self, PLACEHOLDER, number};
 use crate::model::Place;
 use crate::rules::{
-    AMBIGUOUS_IDENTITY, BOOT_TIME, KEPT_ALIVE_WITHOUT_STATE, NOTHING_TO_RESTORE, WRONG_IDENTITY,
+    AMBIGUOUS_IDENTITY, BOOT_TIME, KEPT_ALIVE_WITHOUT_STATE, MISSING_ENTRY, NOTHING_TO_RESTORE,
+    WRONG_IDENTITY,
 };
+use crate::source::Span;
 use crate::stream::Slave;
 
 impl Check<'_, '_> {
@@ -18,7 +20,11 @@ impl Check<'_, '_> {
             let name = &node.name.value;
             let stated = [(3, node.revision_number, "revision"), (4, node.serial_number, "serial")];
             for (sub, wish, what) in stated {
-                let Some(wish) = wish else { continue };
+                let Some(wish) = wish.filter(|wish| wish.value != PLACEHOLDER) else { continue };
+                if node.device.entry(0x1018, sub).is_none() {
+                    self.unanswered(slave, wish.at, sub, what);
+                    continue;
+                }
                 let described = number(&node.device, 0x1018, sub, slave.node_id).unwrap_or(0);
                 if described != 0 && described != wish.value {
                     let message = say!(
@@ -40,6 +46,31 @@ impl Check<'_, '_> {
         }
     }
 
+    /// A number that the network file states and the node does not have.
+    fn unanswered(&mut self, slave: &Slave, at: Span, sub: u8, what: &'static str) {
+        let node = &self.network.nodes[slave.node];
+        let name = &node.name.value;
+        let message =
+            say!("`{}` has no 1018h:{:02X}, so the manager does not check its {} number", name, sub, what);
+        let finding = Diagnostic::new(&MISSING_ENTRY, at, message).severity(Severity::Warning);
+        let place = node.device.object(0x1018).map(|_| At::Node(slave.node, Place::object(0x1018)));
+        self.findings.push(finding.label_each(place, "the object").help("remove the key"));
+    }
+
+    /// Nodes without 1000h, which the manager reads first (CiA 302-2).
+    pub(super) fn without_device_type(&mut self) {
+        let manager = self.network.manager.as_ref();
+        for slave in self.compiled.slaves.iter().filter(|_| manager.is_some()) {
+            let node = &self.network.nodes[slave.node];
+            if !node.boot.boot || node.device.entry(0x1000, 0).is_some() {
+                continue;
+            }
+            let message = say!("`{}` has no 1000h, so the manager does not boot it", node.name.value);
+            let finding = Diagnostic::new(&MISSING_ENTRY, node.file.at, message).understood();
+            self.findings.push(finding.help("complete the description, or write `boot = false`"));
+        }
+    }
+
     /// Numbers that a description states in two ways, of which the manager checks one.
     fn ambiguous_identity(&mut self, slave: &Slave) {
         let node = &self.network.nodes[slave.node];
@@ -53,21 +84,33 @@ impl Check<'_, '_> {
                 continue;
             };
             // 0 is not checked, nor is what the network file does not want checked
-            let is_checked = slave.identity[usize::from(position)] == stated && stated != 0;
-            if !is_checked || present == 0 || present == stated {
+            let expected = slave.identity[usize::from(position)];
+            let is_settled = position == 3 && node.revision_number.is_some();
+            let is_checked = expected != 0 && [stated, present].contains(&expected) && !is_settled;
+            if !is_checked || [0, PLACEHOLDER].contains(&stated) || present == 0 || present == stated {
                 continue;
             }
             let name = &node.name.value;
-            let message = say!(
-                "the manager expects the {} {:X}h of `{}`, but 1018h:{:02X} has {:X}h",
-                what,
-                stated,
-                name,
-                position,
-                present
-            );
+            let message = match expected == stated {
+                true => say!(
+                    "the manager expects the {} {:X}h of `{}`, but 1018h:{:02X} has {:X}h",
+                    what,
+                    stated,
+                    name,
+                    position,
+                    present
+                ),
+                false => say!(
+                    "the manager expects the {} {:X}h of `{}` (1018h:{:02X}), but `DeviceInfo` has {:X}h",
+                    what,
+                    present,
+                    name,
+                    position,
+                    stated
+                ),
+            };
             let finding = Diagnostic::new(&AMBIGUOUS_IDENTITY, node.file.at, message)
-                .label(At::Node(slave.node, place), "the expected number")
+                .label(At::Node(slave.node, place), "the number in `DeviceInfo`")
                 .label(At::Node(slave.node, other), "the number in 1018h");
             self.findings.push(finding.help(match (position, self.network.order) {
                 (3, Order::Dcfgen) => "state the right one: `revision_number`",

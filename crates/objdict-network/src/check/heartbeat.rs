@@ -2,8 +2,10 @@
 
 use super::Check;
 use crate::diagnostic::{At, Diagnostic, Severity, say};
-use crate::rules::{SHORT_HEARTBEAT_TIME, SILENT_NODE};
+use crate::model::Place;
+use crate::rules::{NO_HEARTBEAT_CONSUMER, SHORT_HEARTBEAT_TIME, SILENT_NODE};
 use crate::source::Span;
+use crate::stream::Slave;
 use crate::watch::monitors_itself;
 
 /// A heartbeat is late by the frames that wait before it, so a consumer waits half a period longer at least.
@@ -23,6 +25,58 @@ struct Consumer<'n> {
 }
 
 impl<'n> Check<'n, '_> {
+    /// Sub-indexes of 1016h that name one node, and nodes that the described manager has no sub-index for.
+    pub(super) fn monitored_twice(&mut self) {
+        let manager = self.network.manager.as_ref();
+        for slave in self.compiled.nodes() {
+            let consumers = slave.device.services().heartbeat_consumers;
+            let name = &self.network.nodes[slave.node].name;
+            let mut has_twice = false;
+            for (position, second) in consumers.iter().enumerate() {
+                let mut before = consumers[..position].iter();
+                let Some(first) = before.find(|first| first.node_id == second.node_id) else { continue };
+                has_twice = true;
+                let message = say!(
+                    "1016h:{:02X} and 1016h:{:02X} of `{}` monitor node {}",
+                    first.sub,
+                    second.sub,
+                    name.value,
+                    second.node_id
+                );
+                let at = slave.said(0x1016, second.sub).unwrap_or(name.at);
+                let origins = [first.sub, second.sub].map(|sub| slave.origin(self.network, 0x1016, sub));
+                let finding = Diagnostic::new(&NO_HEARTBEAT_CONSUMER, at, message);
+                let finding =
+                    finding.label_each(origins.into_iter().flatten(), "the consumer heartbeat time");
+                self.findings.push(finding.help("monitor each node by one sub-index").understood());
+            }
+            let Some(manager) = manager.filter(|manager| manager.node == Some(slave.node)) else { continue };
+            if manager.monitors_nodes() || has_twice {
+                let consumers: Vec<u8> = consumers.iter().map(|consumer| consumer.node_id).collect();
+                self.unmonitored(slave, &consumers);
+            }
+        }
+    }
+
+    fn unmonitored(&mut self, manager: &Slave, consumers: &[u8]) {
+        let slaves = self.compiled.slaves.iter();
+        for slave in slaves.filter(|slave| slave.heartbeat != 0 && !consumers.contains(&slave.node_id)) {
+            let node = &self.network.nodes[slave.node];
+            // a time that does not fit is reported where it is made
+            if node.heartbeat.consumer_time(slave.heartbeat).is_none() {
+                continue;
+            }
+            let own = &self.network.nodes[manager.node].name.value;
+            let message =
+                say!("1016h of `{}` does not monitor `{}`, which sends a heartbeat", own, node.name.value);
+            let at = node.heartbeat.producer.map_or(node.name.at, |producer| producer.at);
+            let place = At::Node(manager.node, Place::object(0x1016));
+            let finding =
+                Diagnostic::new(&NO_HEARTBEAT_CONSUMER, at, message).label(place, "no sub-index is left");
+            self.findings.push(finding.help("free a sub-index of 1016h").understood());
+        }
+    }
+
     /// The consumer heartbeat times of nodes and manager against the producers.
     pub(super) fn heartbeats(&mut self) {
         for consumer in self.consumers() {

@@ -21,6 +21,9 @@ impl<'n> Check<'n, '_> {
         let mut users: Vec<&Slave> = synchronous.iter().map(|(slave, _)| *slave).collect();
         users.dedup_by_key(|slave| slave.node);
         self.counters(&sync, &users);
+        if synchronous.iter().any(|(_, state)| state.pdo.kind == PdoKind::Tpdo) {
+            self.counter_of_manager(&sync);
+        }
         if !self.windows(&sync, &users) {
             self.burst(&sync, &synchronous);
         }
@@ -40,12 +43,14 @@ impl<'n> Check<'n, '_> {
             let mut waiting: Vec<&PdoState> = slave.pdos.iter().filter(is_waiting).collect();
             let own = slave.sync_can_id();
             let is_heard = senders.iter().any(|(can_id, _)| own.is_none_or(|own| own == *can_id));
-            if waiting.is_empty() || is_heard {
+            if is_heard || waiting.is_empty() && senders.is_empty() {
                 continue;
             }
             waiting.sort_by_key(|state| !self.is_needed(slave, state));
-            let finding = match senders.first().zip(own) {
+            let other = senders.first().zip(own.filter(|own| own.number != 0 || !waiting.is_empty()));
+            let finding = match other {
                 Some((sender, own)) => self.other_can_id(slave, &waiting, own, *sender),
+                None if waiting.is_empty() => continue,
                 None => self.no_sync(slave, &waiting),
             };
             let types =
@@ -113,7 +118,9 @@ impl<'n> Check<'n, '_> {
             .label_each(slave.origin(self.network, 0x1005, 0), "the CAN-ID of SYNC")
             .label_each(self.can_id_origin(can_id, sender), "the CAN-ID of SYNC")
             .help("set 1005h of both to the same CAN-ID");
-        let is_sure = slave.is_configured(self.network, 0x1005, 0) || self.is_needed(slave, waiting[0]);
+        let is_configured = || slave.is_configured(self.network, 0x1005, 0);
+        // without a synchronous PDO nothing waits for SYNC yet
+        let is_sure = waiting.first().is_some_and(|first| is_configured() || self.is_needed(slave, first));
         if is_sure { finding } else { finding.severity(Severity::Warning) }
     }
 
@@ -142,6 +149,32 @@ impl<'n> Check<'n, '_> {
             let finding = finding.help("set 1019h to the same value in all nodes");
             self.findings.push(finding.understood());
         }
+    }
+
+    /// 1019h of a manager without a description, which receives the PDOs of the nodes.
+    fn counter_of_manager(&mut self, sync: &Sync) {
+        let manager = self.network.manager.as_ref().filter(|manager| manager.node.is_none());
+        let Some(manager) = manager.filter(|_| sync.node.is_some()) else { return };
+        let overflow = manager.sync_overflow;
+        if overflow.value == sync.overflow
+            || [overflow.value, sync.overflow].map(is_reserved_overflow).contains(&true)
+        {
+            return;
+        }
+        let message = say!(
+            "`{}` expects SYNC with the counter overflow {}, but it is {}",
+            manager.name.value,
+            overflow.value,
+            sync.overflow
+        );
+        let at = if overflow.at.is_empty() { manager.name.at } else { overflow.at };
+        let of_sender = sync.node.and_then(|node| self.slave(node));
+        let of_sender = of_sender.and_then(|sender| sender.origin(self.network, 0x1019, 0));
+        let finding = Diagnostic::new(&SYNC_COUNTER, at, message)
+            .label(sync.at, "who sends SYNC")
+            .label_each(of_sender, "the overflow value of the sender");
+        let help = say!("set the overflow value of the manager (1019h) to {}", sync.overflow);
+        self.findings.push(finding.help(help).understood());
     }
 
     /// Windows that are longer than the period of SYNC; whether that of the sender is.

@@ -3,7 +3,7 @@
 use super::pdos::{Candidate, NodePdos, Obstacle};
 use crate::Node;
 use crate::diagnostic::{At, Diagnostic, Severity, joined, say};
-use crate::model::{Part, PdoKind, Place};
+use crate::model::{Access, Part, PdoKind, Place};
 use crate::rules::FIXED_PDO;
 use crate::source::Span;
 use crate::stream::indexes;
@@ -15,7 +15,7 @@ const MAX_LABELS: usize = 4;
 const MAX_NAMES: usize = 8;
 
 /// A finding with what is against each PDO of a direction that is not in use. For one that is not among the obstacles that
-/// is a constant mapping.
+/// is a mapping that cannot change.
 pub(super) fn explained(
     mut finding: Diagnostic,
     (position, node): (usize, &Node),
@@ -28,7 +28,7 @@ pub(super) fn explained(
     for (number, (at, pdo)) in unused.enumerate() {
         // of several frames that were tried the last one is the smallest
         let known = obstacles.iter().rev().find(|(other, _)| *other == at);
-        let obstacle = known.map_or(Obstacle::Mapping, |(_, obstacle)| *obstacle);
+        let obstacle = known.map_or(pdo.other_mapping(), |(_, obstacle)| *obstacle);
         let (communication, mapping) = indexes(pdo.name);
         let words = obstacle.words(node, communication);
         if number < MAX_LABELS {
@@ -70,7 +70,7 @@ impl Obstacle {
     /// What the link can do about it.
     const fn advice(self) -> &'static str {
         match self {
-            Self::Mapping => "link what the PDO carries by default",
+            Self::Mapping | Self::Locked => "link what the PDO carries by default",
             Self::Slots(..) => "link fewer entries",
             Self::Gap(_) => "let the consumer take the entries of the gap too",
             Self::CanId(_) => "link it with this CAN-ID",
@@ -82,6 +82,7 @@ impl Obstacle {
     fn words(self, node: &Node, communication: u16) -> String {
         match self {
             Self::Mapping => "the mapping is constant".to_owned(),
+            Self::Locked => "the COB-ID is constant, so the mapping cannot change".to_owned(),
             Self::Slots(slots, needed) => format!("room for {slots} of {needed} entries"),
             Self::Gap(bits) => format!("no dummy fills a gap of {bits} bits"),
             Self::Invalid => "not valid, and the COB-ID is constant".to_owned(),
@@ -92,7 +93,11 @@ impl Obstacle {
                     3 => "inhibit time",
                     _ => "event timer",
                 };
+                let is_writable = |access: Option<Access>| access.is_none_or(Access::is_writable);
                 match node.device.entry(communication, sub) {
+                    Some(entry) if is_writable(entry.access) => {
+                        format!("the COB-ID is constant, so the {name} cannot change")
+                    }
                     Some(_) => format!("the {name} is constant"),
                     None => format!("without {name}"),
                 }
@@ -106,7 +111,7 @@ impl Obstacle {
         match self {
             Self::Gap(_) if node.device.dummy_usage.is_some() => Place::of(Part::DummyUsage),
             Self::Mapping | Self::Slots(..) | Self::Gap(_) | Self::Taken => Place::object(mapping),
-            Self::Invalid | Self::CanId(_) => node.device.value_place(communication, 1),
+            Self::Invalid | Self::Locked | Self::CanId(_) => node.device.value_place(communication, 1),
             Self::Parameter(sub) if node.device.entry(communication, sub).is_some() => {
                 node.device.value_place(communication, sub)
             }

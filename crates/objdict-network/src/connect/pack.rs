@@ -10,9 +10,9 @@ use super::streams::{Signal, Stream};
 use crate::configure::PdoName;
 use crate::diagnostic::{Diagnostic, Findings, say};
 use crate::model::{CobId, PdoKind};
-use crate::rules::{FIXED_PDO, LINK_TOO_LONG, NO_FREE_CAN_ID, NO_FREE_PDO};
+use crate::rules::{CONTRADICTION, FIXED_PDO, LINK_TOO_LONG, NO_FREE_CAN_ID, NO_FREE_PDO};
 use crate::source::Span;
-use crate::stream::{Compiled, Slave};
+use crate::stream::{Compiled, Slave, received_type};
 use crate::{CobIdWish, LinkParameters, Network, Node, PdoWish, Said};
 
 /// The PDOs of all streams with their nodes, in the order of the streams.
@@ -111,7 +111,11 @@ impl Packer<'_> {
                 Ok(transfer) => transfer,
                 Err(refusal) => return Err(Box::new(self.refused(stream, rest[0], &refusal))),
             };
+            let count = rest.len();
             rest.retain(|signal| !transfer.frame.carries(signal));
+            if let Some(can_id) = stream.parameters.can_id.filter(|_| !rest.is_empty()) {
+                return Err(Box::new(self.split(stream, &transfer, can_id, (count - rest.len(), count))));
+            }
             alone
                 .extend(transfer.receivers.left.iter().map(|share| separate(stream, &transfer.frame, share)));
             self.commit(stream, transfer)?;
@@ -138,7 +142,7 @@ impl Packer<'_> {
                 Err(mapped) => Frame::of_fixed(rest, mapped),
             };
             if frame.len() == 0 {
-                of_lead.obstacles.push((pdo, Obstacle::Mapping));
+                of_lead.obstacles.push((pdo, candidate.other_mapping()));
             }
             while frame.len() > 0 {
                 match self.receivers(stream, &frame, can_id) {
@@ -293,8 +297,9 @@ impl Packer<'_> {
             PdoKind::Rpdo => (0, parameters.transmission.map(received_type)),
         };
         let said = |value| Said::new(value, stream.at);
+        let cob_id = candidate.cob_id_for(cob_id | no_rtr);
         PdoWish {
-            cob_id: Some(Said::new(CobIdWish::Number(cob_id | no_rtr), stream.at)),
+            cob_id: Some(Said::new(CobIdWish::Number(cob_id), stream.at)),
             transmission: transmission.map(|value| Said::new(value, stream.at)),
             inhibit_time: parameters.inhibit_time.map(said),
             event_timer: parameters.event_timer.map(said),
@@ -317,7 +322,7 @@ impl Packer<'_> {
         let transmission = stream.parameters.transmission.map(received_type);
         let candidate = &self.pdos[node].pdos[reception.pdo];
         PdoWish {
-            cob_id: Some(Said::new(CobIdWish::Number(cob_id), at)),
+            cob_id: Some(Said::new(CobIdWish::Number(candidate.cob_id_for(cob_id)), at)),
             transmission: transmission
                 .filter(|_| candidate.is_writable(2))
                 .map(|number| Said::new(number, at)),
@@ -353,6 +358,69 @@ impl Packer<'_> {
         name
     }
 
+    /// A link with one CAN-ID that does not fit into one PDO.
+    fn split(
+        &self,
+        stream: &Stream,
+        transfer: &Transfer<'_>,
+        can_id: u32,
+        (fitting, count): (usize, usize),
+    ) -> Diagnostic {
+        let pdo = self.pdos[stream.lead].pdos[transfer.pdo].name;
+        let message = say!(
+            "{} {} of `{}` carries {} of {} entries that are linked with the CAN-ID {:X}h",
+            pdo.kind,
+            pdo.number,
+            self.nodes[stream.lead].name.value,
+            fitting,
+            count,
+            can_id
+        );
+        let help = "leave the CAN-ID out, or give links with other CAN-IDs a part of the entries";
+        Diagnostic::new(&LINK_TOO_LONG, stream.at, message).help(help)
+    }
+
+    /// A PDO for a signal whose COB-ID or mapping the network file sets to something else.
+    fn contradicted(&self, stream: &Stream, signal: &Signal, refusal: &Refusal) -> Option<Diagnostic> {
+        let Refusal { node, kind, .. } = *refusal;
+        let entry = match kind {
+            PdoKind::Tpdo => signal.entry,
+            PdoKind::Rpdo => {
+                signal.receivers.iter().find(|to| to.node == node).map_or(signal.entry, |to| to.entry)
+            }
+        };
+        let stated = self.pdos[node].pdos.iter().filter(|pdo| pdo.name.kind == kind && pdo.stated.is_some());
+        let mut stated = stated.filter(|pdo| stream.parameters.can_id.is_some() || pdo.maps(entry));
+        let pdo = stated.clone().find(|pdo| pdo.maps(entry)).or_else(|| stated.next())?;
+        let (name, number) = (&self.nodes[node].name.value, pdo.name.number);
+        let is = match pdo.valid_cob_id() {
+            Some(cob_id) => format!("is set to the CAN-ID {:X}h", plain(cob_id)),
+            None => "is set to be not valid".to_owned(),
+        };
+        let message = match stream.parameters.can_id {
+            Some(can_id) => say!(
+                "the link of `{}` has the `can-id` {:X}h, but {} {} of `{}` {} by `set` or `sdo`",
+                entry.name(),
+                can_id,
+                kind,
+                number,
+                name,
+                is
+            ),
+            None => say!(
+                "the link of `{}` needs {} {} of `{}`, which {} by `set` or `sdo`",
+                entry.name(),
+                kind,
+                number,
+                name,
+                is
+            ),
+        };
+        let finding = Diagnostic::new(&CONTRADICTION, stream.at, message);
+        let stated = pdo.stated.map(crate::diagnostic::At::Span);
+        Some(finding.label_each(stated, "the other value").help("remove one of the two"))
+    }
+
     fn refused(&self, stream: &Stream, signal: &Signal, refusal: &Refusal) -> Diagnostic {
         let Refusal { node, kind, .. } = *refusal;
         let name = &self.nodes[node].name.value;
@@ -363,6 +431,9 @@ impl Packer<'_> {
         };
         let entry = entry.unwrap_or(signal.entry).name();
         if own().all(|pdo| pdo.is_used) {
+            if let Some(finding) = self.contradicted(stream, signal, refusal) {
+                return finding;
+            }
             let message = say!("`{}` has no {} left for `{}`", name, kind, entry);
             let help = match own().count() {
                 0 => say!("the description has no {}", kind),
@@ -375,14 +446,6 @@ impl Packer<'_> {
         let message = say!("no {} of `{}` can be configured to carry `{}` as linked", kind, name, entry);
         let finding = Diagnostic::new(&FIXED_PDO, stream.at, message);
         obstacles::explained(finding, (node, &self.nodes[node]), &self.pdos[node], kind, &refusal.obstacles)
-    }
-}
-
-/// The transmission type of an RPDO: a PDO on request is an event for who receives it (CiA 301 §7.5.2.35).
-const fn received_type(number: u8) -> u8 {
-    match number {
-        241..=253 => 255,
-        number => number,
     }
 }
 

@@ -5,6 +5,7 @@ use super::ends::Carried;
 use super::frame::MAX_BITS;
 use crate::configure::PdoName;
 use crate::model::{Access, Address, CobId, DataType, Device, MappedObject, Pdo, PdoKind};
+use crate::source::Span;
 use crate::stream::Slave;
 use crate::{LinkParameters, Node, PdoWish};
 
@@ -21,12 +22,15 @@ pub(crate) struct Candidate {
     pub(super) name: PdoName,
     /// Whether a link uses it, or the network file states its COB-ID or mapping.
     pub(super) is_used: bool,
+    /// Where `set` or `sdo` states its COB-ID or mapping.
+    pub(super) stated: Option<Span>,
     /// The COB-ID with its flags.
     pub(super) cob_id: Option<u32>,
     is_cob_id_fixed: bool,
+    is_mapping_fixed: bool,
     parameters: Vec<Parameter>,
     mapped: Vec<MappedObject>,
-    /// How many entries can be mapped; `None` if the mapping is fixed.
+    /// How many entries can be mapped; `None` if the mapping cannot change.
     slots: Option<usize>,
 }
 
@@ -48,6 +52,8 @@ pub(super) type Mapping = Option<Vec<Address>>;
 pub(super) enum Obstacle {
     /// The mapping is constant and another one.
     Mapping,
+    /// The COB-ID is constant, so the PDO cannot be switched off while it changes.
+    Locked,
     /// So many entries can be mapped, but so many are needed.
     Slots(usize, usize),
     /// No data type that the device allows as a dummy fills a gap of so many bits.
@@ -66,18 +72,17 @@ impl NodePdos {
     /// Those of a node; its effective dictionary counts, if it has one.
     pub(crate) fn of(node: &Node, slave: Option<&Slave>) -> Self {
         let device = slave.map_or(&node.device, |slave| &slave.device).with_implicit_pdos();
-        let states = |pdo: &Pdo<'_>, slave: &Slave| {
+        let stated = |pdo: &Pdo<'_>| {
             let (communication, mapping) = (pdo.communication_index(), pdo.mapping_index());
-            slave.said(communication, 1).is_some() || (0..=64).any(|sub| slave.said(mapping, sub).is_some())
-        };
-        let used = |pdo: &Pdo<'_>| {
-            node.pdos.iter().any(|wish| wish.pdo == name_of(pdo))
-                || slave.is_some_and(|slave| states(pdo, slave))
+            let said = |index, sub| slave.and_then(|slave| slave.said(index, sub));
+            said(communication, 1).or_else(|| (0..=64).find_map(|sub| said(mapping, sub)))
         };
         let pdos = device.pdos().filter(|pdo| pdo.communication.is_some());
         let pdos = pdos.map(|pdo| {
             let mut candidate = Candidate::of(&device, &pdo, node.node_id.map(|said| said.value));
-            candidate.is_used = used(&pdo);
+            let is_wished = node.pdos.iter().any(|wish| wish.pdo == name_of(&pdo));
+            candidate.stated = stated(&pdo).filter(|_| !is_wished);
+            candidate.is_used = is_wished || candidate.stated.is_some();
             candidate
         });
         Self { pdos: pdos.collect(), dummies: dummies(&device) }
@@ -102,7 +107,7 @@ impl NodePdos {
     ) -> Result<Mapping, Obstacle> {
         let candidate = &self.pdos[pdo];
         let Some(slots) = candidate.slots else {
-            return candidate.receives(wanted, frame).then_some(None).ok_or(Obstacle::Mapping);
+            return candidate.receives(wanted, frame).then_some(None).ok_or(candidate.other_mapping());
         };
         let mut mapping = Vec::new();
         let mut end = 0;
@@ -167,18 +172,35 @@ impl Candidate {
             (3, pdo.inhibit_time.map(u32::from)),
             (5, pdo.event_timer.map(u32::from)),
         ];
-        let parameter = |(sub, number): (u8, Option<u32>)| {
-            Parameter(sub, number.unwrap_or(0), is_writable(communication, sub))
-        };
+        let is_cob_id_fixed = !is_writable(communication, 1);
+        // the inhibit time changes while the PDO is not valid (CiA 301 §7.5.2.37)
+        let can_change = |sub| is_writable(communication, sub) && !(is_cob_id_fixed && sub == 3);
+        let parameter =
+            |(sub, number): (u8, Option<u32>)| Parameter(sub, number.unwrap_or(0), can_change(sub));
+        let cob_id = pdo.cob_id.and_then(|cob_id| on_node(cob_id, node_id));
+        let is_locked = is_cob_id_fixed && cob_id.is_some_and(|cob_id| cob_id & CobId::BIT_31 == 0);
+        let is_mapping_fixed = slots == 0 || !is_writable(mapping, 0);
         Self {
             name,
             is_used: false,
-            cob_id: pdo.cob_id.and_then(|cob_id| on_node(cob_id, node_id)),
-            is_cob_id_fixed: !is_writable(communication, 1),
+            stated: None,
+            cob_id,
+            is_cob_id_fixed,
+            is_mapping_fixed,
             parameters: parameters.into_iter().map(parameter).collect(),
             mapped: pdo.mapped().collect(),
-            slots: Some(slots).filter(|slots| *slots > 0 && is_writable(mapping, 0)),
+            slots: Some(slots).filter(|_| !is_mapping_fixed && !is_locked),
         }
+    }
+
+    /// Why the mapping cannot be another one.
+    pub(super) const fn other_mapping(&self) -> Obstacle {
+        if self.is_mapping_fixed { Obstacle::Mapping } else { Obstacle::Locked }
+    }
+
+    /// The COB-ID with a CAN-ID and flags that a link needs; a constant one stays as it is.
+    pub(super) fn cob_id_for(&self, cob_id: u32) -> u32 {
+        self.cob_id.filter(|_| self.is_cob_id_fixed).unwrap_or(cob_id)
     }
 
     /// The present COB-ID, if the PDO is valid.
@@ -198,7 +220,7 @@ impl Candidate {
         self.slots.is_none()
     }
 
-    fn maps(&self, entry: Carried) -> bool {
+    pub(super) fn maps(&self, entry: Carried) -> bool {
         self.mapped.iter().any(|mapped| (mapped.index, mapped.sub) == (entry.index, entry.sub))
     }
 

@@ -140,15 +140,18 @@ impl Collection {
             twice.sort_by_key(|(_, entry, first)| (first.0, first.1) == (producer, *entry));
             let Some((target, entry, (other, sent, place))) = twice.first() else { continue };
             let consumer = name(Some(*consumer));
-            let what: Text = match twice.len() {
-                1 => say!("`{}` of `{}`", target.name(), consumer),
-                count => say!("`{}` of `{}` and {} more entries", target.name(), consumer, count - 1),
+            let (what, are): (Text, _) = match twice.len() {
+                1 => (say!("`{}` of `{}`", target.name(), consumer), "is"),
+                2 => (say!("`{}` of `{}` and 1 more entry", target.name(), consumer), "are"),
+                count => {
+                    (say!("`{}` of `{}` and {} more entries", target.name(), consumer, count - 1), "are")
+                }
             };
             let finding =
                 |message| Diagnostic::new(&TWO_PRODUCERS, at, message).label(*place, "the other link");
             findings.push(match (*other, *sent) == (producer, *entry) {
                 true => {
-                    let finding = finding(say!("{} is linked twice to `{}`", what, name(producer)));
+                    let finding = finding(say!("{} {} linked twice to `{}`", what, are, name(producer)));
                     finding.severity(Severity::Warning).help("remove one of the links")
                 }
                 false => {

@@ -309,12 +309,11 @@ fn fixed_mappings_are_respected() {
 
 #[test]
 fn fixed_cob_ids_are_respected() {
-    let fixed = |index| Kit { fixed: vec![index], tpdos: 1, rpdos: 1, ..Kit::default() };
+    let mapped = vec![(0x1600, vec![0x6200_0108]), (0x1A00, vec![0x6000_0108])];
+    let kit = Kit { mapped, tpdos: 1, rpdos: 1, ..Kit::default() };
+    let fixed = |index| Kit { fixed: vec![index], ..kit.clone() };
     let links = || vec![link("a.6000:1", &["b.6200:1"])];
-    assert_eq!(
-        connected(&[Kit::default(), fixed(0x1400)], links()),
-        ["a TPDO 1 202: 6000:1", "b RPDO 1 202: 6200:1"]
-    );
+    assert_eq!(connected(&[Kit::default(), fixed(0x1400)], links()), ["a TPDO 1 202: 6000:1"]);
     assert_eq!(
         found(&[fixed(0x1800), fixed(0x1400)], links()),
         ["fixed-pdo: no RPDO of `b` can be configured to carry `6200:1` as linked"]
@@ -323,13 +322,38 @@ fn fixed_cob_ids_are_respected() {
         let parameters = LinkParameters { can_id: Some(can_id), ..LinkParameters::default() };
         vec![Link { parameters, ..link("a.6000:1", &["b.6200:1"]) }]
     };
-    assert_eq!(
-        connected(&[fixed(0x1800), Kit::default()], demanded(0x181)),
-        ["a TPDO 1 181: 6000:1", "b RPDO 1 181: 6200:1"]
-    );
+    assert_eq!(connected(&[fixed(0x1800), Kit::default()], demanded(0x181)), ["b RPDO 1 181: 6200:1"]);
     assert_eq!(
         found(&[fixed(0x1800), Kit::default()], demanded(0x182)),
         ["fixed-pdo: no TPDO of `a` can be configured to carry `6000:1` as linked"]
+    );
+}
+
+/// A PDO that cannot be switched off keeps its mapping and its inhibit time.
+#[test]
+fn a_constant_cob_id_keeps_the_mapping() {
+    let fixed = |index| Kit { fixed: vec![index], tpdos: 1, rpdos: 1, ..Kit::default() };
+    let links = || vec![link("a.6000:1", &["b.6200:1"])];
+    let refused = |node, pdo, entry| {
+        vec![format!("fixed-pdo: no {pdo} of `{node}` can be configured to carry `{entry}` as linked")]
+    };
+    assert_eq!(found(&[Kit::default(), fixed(0x1400)], links()), refused("b", "RPDO", "6200:1"));
+    assert_eq!(found(&[fixed(0x1800), Kit::default()], links()), refused("a", "TPDO", "6000:1"));
+    let mapped = Kit { mapped: vec![(0x1A00, vec![0x6000_0108])], ..fixed(0x1800) };
+    let parameters = LinkParameters { inhibit_time: Some(10), ..LinkParameters::default() };
+    let slow = vec![Link { parameters, ..link("a.6000:1", &["b.6200:1"]) }];
+    assert_eq!(found(&[mapped, Kit::default()], slow), refused("a", "TPDO", "6000:1"));
+}
+
+/// A link with a CAN-ID is one PDO.
+#[test]
+fn a_link_with_a_can_id_is_not_split() {
+    let narrow = Kit { slots: 2, ..Kit::default() };
+    let parameters = LinkParameters { can_id: Some(0x285), ..LinkParameters::default() };
+    let links = vec![Link { parameters, ..link("a.6000:1-4", &["b.6200:1-4"]) }];
+    assert_eq!(
+        found(&[narrow, Kit::default()], links),
+        ["link-too-long: TPDO 1 of `a` carries 2 of 4 entries that are linked with the CAN-ID 285h"]
     );
 }
 

@@ -3,8 +3,9 @@
 use std::collections::BTreeMap;
 
 use super::text::{Type, hex};
-use super::{Mirrored, Slave, Writer};
-use crate::model::MappedObject;
+use super::{Mirrored, Writer};
+use crate::model::{MappedObject, PdoKind};
+use crate::stream::{PdoState, received_type};
 
 const ARRAY: u8 = 8;
 const RECORD: u8 = 9;
@@ -101,6 +102,12 @@ impl<'a> Writer<'a> {
 
     /// 1400h to 1BFFh.
     pub(super) fn pdos(&mut self, received: &[Mirrored<'_>], sent: &[Mirrored<'_>]) {
+        // Lely's RPDOs do not take what comes with a type from 241 to 253
+        let is_strict = self.is_strict();
+        let transmission = |state: &PdoState| match state.pdo.kind {
+            PdoKind::Tpdo if !is_strict => format!("0x{:02X}", received_type(state.transmission)),
+            _ => format!("0x{:02X}", state.transmission),
+        };
         let out = &mut self.out;
         for (index, pdo) in (0x1400_u16..).zip(received) {
             let section = format!("{index:04X}");
@@ -108,13 +115,7 @@ impl<'a> Writer<'a> {
             let state = pdo.state;
             out.record(&section, "RPDO communication parameter", RECORD, 5, "highest sub-index supported");
             out.value(&sub(1), "COB-ID used by RPDO", Type::U32, "rw", hex(state.cob_id));
-            out.value(
-                &sub(2),
-                "transmission type",
-                Type::U8,
-                "rw",
-                format_args!("0x{:02X}", state.transmission),
-            );
+            out.value(&sub(2), "transmission type", Type::U8, "rw", transmission(state));
             out.var(&sub(3), "inhibit time", Type::U16, "rw");
             out.var(&sub(4), "compatibility entry", Type::U8, "rw");
             out.value(&sub(5), "event-timer", Type::U16, "rw", state.deadline);
@@ -127,13 +128,7 @@ impl<'a> Writer<'a> {
             let state = pdo.state;
             out.record(&section, "TPDO communication parameter", RECORD, 6, "highest sub-index supported");
             out.value(&sub(1), "COB-ID used by TPDO", Type::U32, "rw", hex(state.cob_id));
-            out.value(
-                &sub(2),
-                "transmission type",
-                Type::U8,
-                "rw",
-                format_args!("0x{:02X}", state.transmission),
-            );
+            out.value(&sub(2), "transmission type", Type::U8, "rw", transmission(state));
             out.value(&sub(3), "inhibit time", Type::U16, "rw", state.inhibit_time);
             out.var(&sub(4), "reserved", Type::U8, "rw");
             out.value(&sub(5), "event timer", Type::U16, "rw", state.event_timer);
@@ -183,13 +178,8 @@ impl<'a> Writer<'a> {
         self.files("1F58", "Program data", "Program data of node-ID", &programs);
         self.out.value("1F80", "NMT startup", Type::U32, "rw", hex(self.manager.startup.to_number()));
         self.out.compact("1F81", "NMT slave assignment", (ARRAY, Type::U32), "rw", None, OF_NODES);
-        // dcfgen states the retry factor without guarding too
-        let assignment = |slave: &Slave| {
-            let boot = &self.node(slave).boot;
-            hex(boot.to_number(slave.guard_time) | u32::from(boot.retry_factor.value) << 8)
-        };
-        let assignments: Vec<_> =
-            self.slaves.iter().map(|slave| (slave.node_id, assignment(slave))).collect();
+        let assignments = self.knowledge().assignments().into_iter();
+        let assignments: Vec<_> = assignments.map(|(node_id, number)| (node_id, hex(number))).collect();
         self.out.values("1F81", assignments);
         self.out.compact("1F82", "Request NMT", (ARRAY, Type::U8), "rw", None, OF_NODES + all);
         let identity = ["Device type identification", "Vendor identification", "Product code"];

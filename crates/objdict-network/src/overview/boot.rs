@@ -1,8 +1,11 @@
 //! How the manager boots the network, in words.
 
+use std::collections::BTreeMap;
+
 use super::{NodeRow, View};
 use crate::Language;
-use crate::network::{Manager, Node};
+use crate::manager::numbers;
+use crate::network::{Manager, Node, Startup};
 use crate::stream::Slave;
 
 /// What the manager does.
@@ -38,19 +41,33 @@ pub struct BootStep {
 impl BootPlan {
     pub(super) fn new(manager: &Manager, view: View<'_>, rows: &[NodeRow]) -> Self {
         let booted = rows.iter().filter(|row| !row.is_manager);
+        let objects = Objects(numbers(view.network, view.compiled));
+        let startup = objects.number(0x1F80, 0);
         let words = Words(view.language);
         let step = |row: &NodeRow| {
             let position = row.position?;
             let node = &view.network.nodes[position];
-            Some(words.step(manager, node, view.slave(position)?, row.downloads))
+            Some(words.step(&objects, node, view.slave(position)?, row.downloads))
         };
         let nodes = booted.filter_map(step).collect();
-        Self {
-            manager: manager.name.value.clone(),
-            startup: manager.startup.to_number(),
-            general: words.general(manager),
-            nodes,
-        }
+        let general = words.general(Startup::from_number(startup), objects.number(0x1F89, 0));
+        Self { manager: manager.name.value.clone(), startup, general, nodes }
+    }
+}
+
+/// What the objects of the manager have, by index and sub-index.
+struct Objects(BTreeMap<(u16, u8), u32>);
+
+impl Objects {
+    /// The number in an entry; 0 without one.
+    fn number(&self, index: u16, sub: u8) -> u32 {
+        self.0.get(&(index, sub)).copied().unwrap_or(0)
+    }
+
+    /// The time in milliseconds within which the heartbeat of a node is expected; 0: none is.
+    fn consumer_time(&self, node_id: u8) -> u32 {
+        let mut consumers = self.0.range((0x1016, 1)..=(0x1016, u8::MAX)).map(|(_, number)| number);
+        consumers.find(|number| *number >> 16 == node_id.into()).map_or(0, |number| number & 0xFFFF)
     }
 }
 
@@ -66,9 +83,8 @@ impl Words {
         }
     }
 
-    fn general(self, manager: &Manager) -> Vec<String> {
-        let startup = manager.startup;
-        let waits = match manager.boot_time.value {
+    fn general(self, startup: Startup, boot_time: u32) -> Vec<String> {
+        let waits = match boot_time {
             0 => self.said(
                 "waits for the mandatory nodes without a limit",
                 "wartet unbegrenzt auf die notwendigen Knoten",
@@ -114,51 +130,52 @@ impl Words {
         vec![waits, starts, operates, self.said(english, german)]
     }
 
-    fn step(self, manager: &Manager, node: &Node, slave: &Slave, downloads: usize) -> BootStep {
-        let boot = &node.boot;
-        let mut steps = match boot.boot {
-            true => self.booting(node, slave, downloads),
+    fn step(self, objects: &Objects, node: &Node, slave: &Slave, downloads: usize) -> BootStep {
+        let assignment = objects.number(0x1F81, slave.node_id);
+        let boots = assignment & 1 << 2 != 0;
+        let mut steps = match boots {
+            true => self.booting(objects, node, slave, downloads),
             false => vec![self.said("does not start the node", "startet den Knoten nicht")],
         };
-        if boot.boot && manager.startup.start_nodes {
+        if boots && Startup::from_number(objects.number(0x1F80, 0)).start_nodes {
             steps.push(self.said("starts the node", "startet den Knoten"));
         }
-        steps.push(self.monitored(manager, node, slave));
+        steps.push(self.monitored(assignment, objects.consumer_time(slave.node_id)));
         BootStep {
             node_id: slave.node_id,
             name: node.name.value.clone(),
-            assignment: boot.to_number(slave.guard_time),
-            is_mandatory: boot.mandatory,
+            assignment,
+            is_mandatory: assignment & 1 << 3 != 0,
             steps,
         }
     }
 
     /// What comes before the start.
-    fn booting(self, node: &Node, slave: &Slave, downloads: usize) -> Vec<String> {
-        let boot = &node.boot;
-        let mut steps = vec![match boot.reset_communication {
-            true => self.said("resets communication", "setzt die Kommunikation zurück"),
-            false => self.said(
+    fn booting(self, objects: &Objects, node: &Node, slave: &Slave, downloads: usize) -> Vec<String> {
+        let assigned = |bit: u32| objects.number(0x1F81, slave.node_id) & 1 << bit != 0;
+        let mut steps = vec![match assigned(4) {
+            false => self.said("resets communication", "setzt die Kommunikation zurück"),
+            true => self.said(
                 "resets communication unless the node is operational",
                 "setzt die Kommunikation zurück, wenn der Knoten nicht im Zustand Operational ist",
             ),
         }];
-        steps.extend(self.checked(node, slave));
-        if boot.software_version != 0 {
-            let version = boot.software_version;
+        steps.extend(self.checked(objects, slave.node_id));
+        if assigned(5) {
+            let version = objects.number(0x1F55, slave.node_id);
             steps.push(self.said(
                 format!("checks the software version {version:08X}h"),
                 format!("prüft die Softwareversion {version:08X}h"),
             ));
         }
-        if let Some(file) = &boot.software_file {
+        if let Some(file) = &node.boot.software_file {
             steps.push(self.said(
                 format!("updates the software with `{file}`"),
                 format!("aktualisiert die Software mit `{file}`"),
             ));
         }
-        if boot.restore_configuration.value != 0 {
-            let sub = boot.restore_configuration.value;
+        if assigned(7) {
+            let sub = objects.number(0x1F8A, slave.node_id);
             steps.push(self.said(
                 format!("restores the defaults by 1011h:{sub:02X}"),
                 format!("stellt mit 1011h:{sub:02X} die Vorgabewerte wieder her"),
@@ -174,8 +191,8 @@ impl Words {
         steps
     }
 
-    /// Which values of 1000h and 1018h must be those of the description (1F84h to 1F88h).
-    fn checked(self, node: &Node, slave: &Slave) -> Option<String> {
+    /// Which values 1000h and 1018h must have (1F84h to 1F88h).
+    fn checked(self, objects: &Objects, node_id: u8) -> Option<String> {
         let names = [
             self.said("device type", "Gerätetyp"),
             self.said("vendor-ID", "Hersteller-ID"),
@@ -183,35 +200,25 @@ impl Words {
             self.said("revision number", "Revisionsnummer"),
             self.said("serial number", "Seriennummer"),
         ];
-        let [device_type, vendor, product, revision, serial] = slave.identity;
-        // devices of other revisions are replacements, unless the network file says otherwise
-        let revision = node.revision_number.map_or(0, |_| revision);
-        let serial = node.serial_number.map_or(0, |_| serial);
-        let numbers = [device_type, vendor, product, revision, serial];
+        let numbers = (0x1F84..).map(|index| objects.number(index, node_id));
         let stated = names.into_iter().zip(numbers).filter(|(_, number)| *number != 0);
         let words: Vec<String> = stated.map(|(name, number)| format!("{name} {number:08X}h")).collect();
         let checks = self.said("checks", "prüft");
         (!words.is_empty()).then(|| format!("{checks} {}", words.join(", ")))
     }
 
-    fn monitored(self, manager: &Manager, node: &Node, slave: &Slave) -> String {
-        let expected = match (slave.heartbeat, slave.guard_time) {
-            (0, 0) => None,
-            (0, time) => {
-                let count = node.boot.retry_factor.value;
-                return self.said(
-                    format!("guards the node each {time} ms, {count} times"),
-                    format!("überwacht den Knoten alle {time} ms (Guarding), {count}-mal"),
-                );
-            }
-            (heartbeat, _) => node.heartbeat.consumer_time(heartbeat),
-        };
-        match expected.filter(|_| manager.monitors_nodes()) {
-            Some(time) => self.said(
+    fn monitored(self, assignment: u32, consumer_time: u32) -> String {
+        let (guard_time, count) = (assignment >> 16, assignment >> 8 & 0xFF);
+        match (consumer_time, guard_time) {
+            (0, 0) => self.said("does not monitor the node", "überwacht den Knoten nicht"),
+            (0, time) => self.said(
+                format!("guards the node each {time} ms, {count} times"),
+                format!("überwacht den Knoten alle {time} ms (Guarding), {count}-mal"),
+            ),
+            (time, _) => self.said(
                 format!("expects a heartbeat each {time} ms"),
                 format!("erwartet alle {time} ms einen Heartbeat"),
             ),
-            None => self.said("does not monitor the node", "überwacht den Knoten nicht"),
         }
     }
 }

@@ -104,10 +104,23 @@ pub struct MessageRow {
     pub receivers: Vec<End>,
     /// The bytes that it has at most; `None` where the description does not say.
     pub bytes: Option<u8>,
+    /// The lengths of several senders, in their order, where they differ; else empty.
+    #[cfg_attr(feature = "serde", serde(skip_serializing_if = "Vec::is_empty"))]
+    pub lengths: Vec<u8>,
     /// What triggers it, in words.
     pub trigger: String,
     /// The shortest time in microseconds between two of them; `None` for messages without a rhythm.
     pub period: Option<u64>,
+}
+
+impl MessageRow {
+    /// Its bytes in words: those of each sender, where they differ.
+    pub fn length(&self) -> String {
+        match self.lengths.as_slice() {
+            [] => self.bytes.map(|bytes| bytes.to_string()).unwrap_or_default(),
+            lengths => lengths.iter().map(u8::to_string).collect::<Vec<_>>().join(", "),
+        }
+    }
 }
 
 /// A node that sends or receives a message.
@@ -278,11 +291,17 @@ impl<'n> View<'n> {
             (None, Some(party)) => self.service(message, party, sync),
             (None, None) => (None, String::new(), None),
         };
+        let length = |party| u8::try_from(self.state(party)?.bytes()).ok();
+        let mut lengths: Vec<u8> = message.senders.iter().filter_map(length).collect();
+        if lengths.iter().all(|length| *length == lengths[0]) {
+            lengths.clear();
+        }
         MessageRow {
             can_id,
             senders: ends(&message.senders),
             receivers: ends(&message.receivers),
-            bytes,
+            bytes: lengths.iter().copied().max().or(bytes),
+            lengths,
             trigger,
             period,
         }

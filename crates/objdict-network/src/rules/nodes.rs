@@ -13,7 +13,7 @@ text_rules! {
 
     MISSING_ENTRY = "network/missing-entry", Error;
     summary: "a setting needs an entry that the node does not have",
-    checks: "Whether the description of a node has each object and sub-index that the network file writes or maps. A service that the node does not have is a warning: it stays off.",
+    checks: "Whether the description of a node has each object and sub-index that the network file writes or maps, and 1000h, which the manager reads first. A service that the node does not have is a warning: it stays off; so is a revision or serial number that 1018h does not have.",
     why: "The node aborts the download with 0602 0000h or 0609 0011h, and the manager does not start it.",
     example: "`heartbeat_producer: 500` for a node without 1017h",
     remedy: "Remove the setting, or correct index and sub-index.",
@@ -77,7 +77,7 @@ text_rules! {
 
     NO_HEARTBEAT_CONSUMER = "network/no-heartbeat-consumer", Warning;
     summary: "a node cannot monitor a heartbeat",
-    checks: "Whether a node that is to monitor another one has a free sub-index in 1016h, and whether the time fits into it.",
+    checks: "Whether a node that is to monitor another one has a free sub-index in 1016h, whether the time fits into it, and whether each sub-index in use names another node.",
     why: "The node does not notice that the other one is gone.",
     example: "`heartbeat_consumer: true` for a node without 1016h",
     remedy: "Remove the setting, or free a sub-index of 1016h.",
@@ -98,6 +98,14 @@ text_rules! {
     example: "the DCF of a slave that was copied from that of the manager",
     remedy: "Write `CANopenManager=0` into the DCF of the node.",
     source: "CiA 302-2; CiA 306-1, `CANopenManager`",
+
+    REFUSED_DOWNLOAD = "network/refused-download", Error;
+    summary: "a node refuses a download of its configuration",
+    checks: "Whether each node accepts the downloads of its configuration in their order, from the values that it has when it is switched on: identifiers change only while their service is not valid, mappings only while their PDO is not valid, and mapped entries fit. The configured values of a DCF can be sent.",
+    why: "The manager does not start a node that aborts a download.",
+    example: "`sdo` with 85h for 1014h of a node whose EMCY has the CAN-ID 86h",
+    remedy: "Correct the value. For a COB-ID use `set`, which switches the service off first.",
+    source: "CiA 301 §7.5.2; CiA 302-3, 1F22h",
 
     REFUSED_CONFIGURATION = "network/refused-configuration", Error;
     summary: "a node refuses the configuration that the manager holds",

@@ -85,6 +85,14 @@ pub(super) fn effective(desk: &Desk<'_, '_>, wished: &[PdoState]) -> Vec<PdoStat
     pdos
 }
 
+/// The transmission type of an RPDO: a PDO on request is an event for who receives it (CiA 301 §7.5.2.35).
+pub(crate) const fn received_type(number: u8) -> u8 {
+    match number {
+        241..=253 => 255,
+        number => number,
+    }
+}
+
 /// Communication and mapping parameter.
 pub(crate) fn indexes(pdo: PdoName) -> (u16, u16) {
     let index = pdo.kind.communication_index(pdo.number).unwrap_or_default();

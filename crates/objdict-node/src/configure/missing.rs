@@ -1,7 +1,7 @@
 //! Objects that a setting names and the device does not have.
 
 use super::{Desk, PdoName, Wrong};
-use crate::diagnostic::nearest;
+use crate::diagnostic::misspelled;
 use crate::model::PdoKind;
 use crate::profile;
 
@@ -20,7 +20,7 @@ impl Desk<'_> {
             let indexes: Vec<String> =
                 self.device.objects.keys().map(|index| format!("{index:04X}")).collect();
             let meant = same_digits(&wanted, &indexes);
-            return match meant.or_else(|| nearest(&wanted, indexes.iter().map(String::as_str))) {
+            return match meant.or_else(|| misspelled(&wanted, indexes.iter().map(String::as_str))) {
                 Some(meant) => wrong.help(format!("did you mean `{meant}`?")),
                 None => wrong.help("`objdict show` lists the objects"),
             };

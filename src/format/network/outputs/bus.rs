@@ -116,8 +116,10 @@ fn errors(text: &mut String, values: impl Iterator<Item = (u8, u8)>) {
 /// The configuration of a node.
 fn written(node: &Node, text: &mut String) {
     number(text, "dcf_path", node.run_time_folder.as_ref().map(|folder| quoted(folder)));
-    number(text, "revision_number", value(node.revision_number));
-    number(text, "serial_number", value(node.serial_number));
+    // dcfgen does not know FFFFFFFFh as a number that is not stated
+    let stated = |number: Option<Said<u32>>| value(number).filter(|number| *number != u32::MAX);
+    number(text, "revision_number", stated(node.revision_number));
+    number(text, "serial_number", stated(node.serial_number));
     number(text, "time_cob_id", value(node.time_cob_id));
     heartbeat(text, &node.heartbeat);
     number(text, "guard_time", value(node.guarding.0));

@@ -1,5 +1,6 @@
 //! Built files, replayed: each node takes what is built for it, and the network that comes of it is checked again.
 
+use std::borrow::Cow;
 use std::fmt;
 
 use objdict_bus::{Configurations, PlantNode, PowerOn};
@@ -8,10 +9,13 @@ use super::super::boot::{Described, configurations, configured, described, manag
 use super::super::{InstallError, stored};
 use super::{Build, BuiltFile};
 use crate::diagnostic::{Diagnostic, Findings, Severity};
-use crate::download::{ConciseDcf, Download, Order};
+use crate::download::{ConciseDcf, Download};
 use crate::model::{Assignment, Device, DeviceKind};
 use crate::network::{self, Heartbeat, Manager, Network, Node, Said, Slave};
 use crate::source::Span;
+
+/// The rule about what nodes refuse of the manager's configurations.
+const REFUSED: &str = "network/refused-configuration";
 
 /// What is against built files.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -60,7 +64,9 @@ impl Build<'_> {
         // of what the network file does not configure, some rules only warn; then it is no news either
         let said = self.file.check();
         let is_known = |rule: &str| said.iter().any(|finding| finding.rule.id == rule && !is_error(finding));
-        let errors = findings.iter().filter(|finding| is_error(finding) && !is_known(finding.rule.id));
+        // what the nodes refuse was said of the nodes
+        let is_news = |rule: &str| rule != REFUSED && !is_known(rule);
+        let errors = findings.iter().filter(|finding| is_error(finding) && is_news(finding.rule.id));
         let errors = errors
             .map(|finding| BuildObjection { node: None, message: finding.message.shown().into_owned() });
         objections.extend(errors);
@@ -116,23 +122,12 @@ impl Build<'_> {
     /// A node that was switched on and not configured yet.
     fn start(&self, slave: &Slave) -> Device {
         let node = &self.network.nodes[slave.node];
-        // dcfgen takes a DCF for what the node has
-        let is_configured = self.network.order == Order::Dcfgen && node.device.kind == DeviceKind::Node;
-        let power_on = if is_configured { PowerOn::Configured } else { PowerOn::Defaults };
+        let (power_on, device) = match network::switched_on(self.network, node) {
+            Cow::Owned(configured) => (PowerOn::Configured, configured),
+            Cow::Borrowed(device) => (PowerOn::Defaults, device.clone()),
+        };
         let (name, node_id) = (node.name.value.clone(), slave.node_id);
-        let plant = PlantNode { name, node_id, device: node.device.clone(), power_on, must_boot: None };
-        let mut device = plant.switched_on();
-        if is_configured {
-            // a stream is verified against defaults
-            for object in device.objects.values_mut() {
-                for entry in object.subs.iter_mut().map(|(_, entry)| entry).chain([&mut object.main]) {
-                    if let Some(value) = entry.configured_value().cloned() {
-                        entry.default = Some(value);
-                    }
-                }
-            }
-        }
-        device
+        PlantNode { name, node_id, device, power_on, must_boot: None }.switched_on()
     }
 
     /// The network of nodes that are configured already. Its manager is the one of the files, else the one that belongs to them.

@@ -32,7 +32,8 @@ fn findings_say_what_is_against_each_pdo() {
     let constant = Kit { mapped: vec![(0x1A00, inputs)], fixed: vec![0x1A00], tpdos: 1, ..Kit::default() };
     let narrow = Kit { slots: 2, rpdos: 2, ..Kit::default() };
     let without_mapping = Kit { fixed: vec![0x1A00], tpdos: 1, ..Kit::default() };
-    let with_can_id = Kit { fixed: vec![0x1800], tpdos: 1, ..Kit::default() };
+    let locked = Kit { fixed: vec![0x1800], tpdos: 1, ..Kit::default() };
+    let with_can_id = Kit { mapped: vec![(0x1A00, vec![0x6000_0108])], ..locked.clone() };
     let invalid = Kit { fixed: vec![0x1804], tpdos: 5, ..Kit::default() };
     let four = || link("a.6000:1-4", &["b.6200:1-4"]);
     let one = || link("a.6000:1", &["b.6200:1"]);
@@ -65,6 +66,12 @@ fn findings_say_what_is_against_each_pdo() {
             vec![one()],
             &["0x1A00: the mapping is constant"],
             "link what the PDO carries by default (TPDO 1: the mapping is constant)",
+        ),
+        (
+            vec![locked, Kit::default()],
+            vec![one()],
+            &["0x1800sub1 / DefaultValue: the COB-ID is constant, so the mapping cannot change"],
+            "link what the PDO carries by default (TPDO 1: the COB-ID is constant, so the mapping cannot change)",
         ),
         (
             vec![with_can_id, Kit::default()],

@@ -8,6 +8,7 @@ mod services;
 
 use self::node::Node;
 pub use self::objection::{AbortCode, Objection, ObjectionKind};
+pub use self::services::{Present, refusal};
 use super::{ConciseDcf, Download};
 use crate::model::{Device, Place};
 

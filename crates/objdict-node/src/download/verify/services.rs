@@ -1,8 +1,9 @@
 //! Rules for writes to communication objects (CiA 301 §7.5.2).
 
 use super::super::Download;
-use super::ObjectionKind;
+use super::super::settings::Key;
 use super::node::{Judgement, Node, number};
+use super::{AbortCode, ObjectionKind};
 use crate::model::{CobId, Object, PdoKind, restricted};
 
 /// The identifier and frame format bits of a COB-ID.
@@ -56,6 +57,25 @@ pub(super) fn is_invalid(cob_id: u32) -> bool {
     !CobId::new(cob_id).is_valid()
 }
 
+/// The values of a node that the rules about communication objects ask for.
+pub trait Present {
+    /// The value of an entry as a number; `None` if the node does not have the entry, or the value is not known.
+    fn number(&mut self, index: u16, sub: u8) -> Option<u64>;
+
+    /// The sub-indexes of an object.
+    fn subs(&self, index: u16) -> Vec<u8>;
+}
+
+impl Present for Node<'_> {
+    fn number(&mut self, index: u16, sub: u8) -> Option<u64> {
+        Node::number(self, (index, sub))
+    }
+
+    fn subs(&self, index: u16) -> Vec<u8> {
+        self.device.object(index).into_iter().flat_map(Object::entries).map(|(sub, _)| sub).collect()
+    }
+}
+
 impl Node<'_> {
     /// Checks a write to a communication object.
     pub(super) fn judge_service(&mut self, download: &Download) -> Judgement {
@@ -67,6 +87,29 @@ impl Node<'_> {
         if let Some((kind, pdo)) = PdoKind::of_mapping(index) {
             return self.judge_mapping(kind, pdo, sub, new).map(|()| None);
         }
+        Services(self).judge(index, sub, new)
+    }
+}
+
+/// The code with which a node aborts a write to a communication object that is no PDO, by the rules of CiA 301 §7.5.2 about its values;
+/// `None` if it accepts the write.
+pub fn refusal(present: &mut dyn Present, index: u16, sub: u8, data: &[u8]) -> Option<AbortCode> {
+    Services(present).judge(index, sub, number(data)?).err()?.abort()
+}
+
+/// A node with its services.
+struct Services<'p>(&'p mut dyn Present);
+
+impl Services<'_> {
+    fn number(&mut self, (index, sub): Key) -> Option<u64> {
+        self.0.number(index, sub)
+    }
+
+    fn word(&mut self, key: Key) -> Option<u32> {
+        u32::try_from(self.number(key)?).ok()
+    }
+
+    fn judge(&mut self, index: u16, sub: u8, new: u64) -> Judgement {
         let word = u32::try_from(new).unwrap_or(u32::MAX);
         match (index, sub) {
             (0x1003, 0) if new != 0 => {
@@ -114,10 +157,8 @@ impl Node<'_> {
             let time = u16::from_le_bytes([low, high]);
             return Ok((time != 0).then_some(ObjectionKind::WatchesNobody { node_id, time }));
         };
-        let others = self.device.object(0x1016).into_iter().flat_map(Object::entries);
-        let others: Vec<u8> =
-            others.map(|(other, _)| other).filter(|&other| other != 0 && other != sub).collect();
-        for other in others {
+        let others = self.0.subs(0x1016).into_iter();
+        for other in others.filter(|&other| other != 0 && other != sub) {
             if self.word((0x1016, other)).and_then(watched) == Some(node_id) {
                 return Err(ObjectionKind::WatchedTwice { node_id, sub: other });
             }
