@@ -219,7 +219,7 @@ fn a_configured_manager_is_compared_with_the_nodes() {
     let finding = findings.iter().find(|finding| finding.rule.name() == "wrong-identity").unwrap();
     let expected = [
         "plc.dcf 0x1F85Value / 5 `0x1234`: the expected number",
-        "drive.dcf DeviceInfo / VendorNumber `0x00000360`: the described number",
+        "drive.dcf 0x1018sub1 / DefaultValue `0x360`: the described number",
     ];
     assert_eq!(places(&file, finding), expected);
 }

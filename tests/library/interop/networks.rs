@@ -228,6 +228,8 @@ fn the_schemas_say_what_the_reader_says() {
         .filter(|path| path.extension().is_some_and(|ending| ending == "toml" || ending == "yml"))
         .filter(|path| !path.ends_with("invalid-toml/bad.toml") && !path.ends_with("invalid-yaml/bad.yml"))
         .filter(|path| !path.ends_with("key-defined-twice/bad.toml"))
+        // for a schema each key is the name of a node
+        .filter(|path| !path.ends_with("unknown-key/bad-options.yml"))
         .collect();
     files.extend(["worked.yml", "cell.yml", "chapter4.toml", "line.toml"].map(path));
     let script = Path::new(env!("CARGO_MANIFEST_DIR")).join("tests/library/interop/validate.py");

@@ -361,6 +361,17 @@ fn a_run_is_the_same_every_time() {
     assert_eq!(format!("{:?}", first.events), format!("{:?}", second.events));
 }
 
+/// CiA 301 §7.5.2.17: bits 0 to 29 of 1014h change only while bit 31 is set.
+#[test]
+fn an_identifier_changes_only_while_its_service_is_not_valid() {
+    let mut dictionary = LiveDictionary::new(&device(&node_rows(5)), 5, PowerOn::Defaults);
+    let mut write = |cob_id: u32| dictionary.write(0x1014, 0, &cob_id.to_le_bytes()).map_err(Abort::code);
+    assert_eq!(write(0x86), Err(0x0609_0030));
+    assert_eq!([0x8000_0085, 0x8000_0086, 0x86].map(&mut write), [Ok(()); 3]);
+    assert_eq!(write(0x8000_0086), Ok(()));
+    assert_eq!(write(0x701), Err(0x0609_0030));
+}
+
 #[test]
 fn what_is_stored_survives_a_reset() {
     let mut rows = node_rows(5);

@@ -17,8 +17,10 @@ impl Desk<'_> {
             profile::of_object(self.device, index).map(|(_, facts)| facts.name).find(|name| !name.is_empty());
         let Some(name) = known else {
             let wrong = Wrong::new(format!("the device has no object `{wanted}`"));
-            let indexes: Vec<String> =
+            let mut indexes: Vec<String> =
                 self.device.objects.keys().map(|index| format!("{index:04X}")).collect();
+            // the part of the dictionary is rarely wrong
+            indexes.sort_by_key(|known| known.as_bytes().first() != wanted.as_bytes().first());
             let meant = same_digits(&wanted, &indexes);
             return match meant.or_else(|| misspelled(&wanted, indexes.iter().map(String::as_str))) {
                 Some(meant) => wrong.help(format!("did you mean `{meant}`?")),
