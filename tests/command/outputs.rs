@@ -412,3 +412,66 @@ fn what_is_missing_is_said() {
     );
     assert!(!String::from_utf8_lossy(&converted.stdout).contains("secret"));
 }
+
+/// A refused download is an exit code of 1, with `--force` too, and is reported once.
+#[test]
+fn a_refused_download_is_an_exit_code() {
+    let folder = folder();
+    let node = |more: &str| {
+        format!("[bus]\nmanager = \"m\"\n[manager]\nid = 1\n[node.a]\nfile = \"a.eds\"\nid = 5\n{more}")
+    };
+    fs::write(folder.path().join("good.toml"), node("")).unwrap();
+    fs::write(folder.path().join("bad.toml"), node("set = { \"1A00:0\" = 60 }\n")).unwrap();
+    for target in ["concise", "dcf", "busyml"] {
+        let line = |name: &str, more: &str| {
+            let line = format!("network build {name} --target {target} --verify -o {target}-{name} {more}");
+            objdict(folder.path(), &line)
+        };
+        assert_eq!(line("good.toml", "").status.code(), Some(0), "{target}");
+        let refused = line("bad.toml", "--force");
+        let text = errors(&refused);
+        assert_eq!(refused.status.code(), Some(1), "{target}: {text}");
+        assert_eq!(text.matches("error: `a` refuses download").count(), 1, "{target}: {text}");
+        assert!(!text.contains("1F22h"), "{target}: {text}");
+        assert!(folder.path().join(format!("{target}-bad.toml")).is_dir(), "{target}");
+    }
+    let missing = objdict(folder.path(), "network boot good.toml nowhere");
+    assert_eq!(missing.status.code(), Some(2));
+    assert!(errors(&missing).contains("there is no file or folder `nowhere`"), "{}", errors(&missing));
+}
+
+/// Both commands count findings alike.
+#[test]
+fn build_counts_findings_as_check_does() {
+    let fixture = |name: &str| Path::new(env!("CARGO_MANIFEST_DIR")).join("fixtures/network").join(name);
+    let folder = folder();
+    fs::copy(fixture("island.eds"), folder.path().join("island.eds")).unwrap();
+    let node = |name: &str, id| format!("[node.{name}]\nfile = \"island.eds\"\nid = {id}\n");
+    let text = format!(
+        "[bus]\nmanager = \"p\"\n{}{}{}",
+        node("p", 1).replace("island", "plc"),
+        node("a", 5),
+        node("b", 6)
+    );
+    fs::copy(fixture("plc.eds"), folder.path().join("plc.eds")).unwrap();
+    fs::write(folder.path().join("n.toml"), text).unwrap();
+    let check = objdict(folder.path(), "network check n.toml --format concise");
+    let check = String::from_utf8_lossy(&check.stdout).into_owned();
+    let count = check.lines().last().unwrap();
+    let build = errors(&objdict(folder.path(), "network build n.toml --target concise -o out"));
+    assert!(build.contains(count), "{count}: {build}");
+}
+
+/// A description is not written as XML into a DCF, nor as a text of CiA 306 into an XDC.
+#[test]
+fn a_node_keeps_the_syntax_of_its_description() {
+    let folder = folder();
+    fs::copy("fixtures/xdd/io-401.xdd", folder.path().join("b.xdd")).unwrap();
+    for (line, ending) in [("b.xdd --node-id 5 -o x.dcf", "`.xdc`"), ("a.eds --node-id 5 -o x.xdc", "`.dcf`")]
+    {
+        let output = objdict(folder.path(), &format!("configure {line} --bit-rate 125"));
+        assert_eq!(output.status.code(), Some(2), "{line}");
+        assert!(errors(&output).contains(ending), "{}", errors(&output));
+        assert!(fs::read_dir(folder.path()).unwrap().count() == 2, "{line}");
+    }
+}
