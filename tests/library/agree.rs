@@ -13,8 +13,11 @@ use crate::network::{new_folder, objections, path, verified};
 /// A manager without a description, at 125 kbit/s.
 const HEAD: &str = "[bus]\nbit-rate = 125\nmanager = \"m\"\n[manager]\nid = 1\n";
 
-/// A network whose descriptions are changed copies of fixtures: name, fixture, and what is replaced in it.
-fn network(name: &str, text: &str, copies: &[(&str, &str, &[(&str, &str)])]) -> NetworkFile {
+/// A changed copy of a fixture: its name, the fixture, and what is replaced in it.
+type Copied<'a> = (&'a str, &'a str, &'a [(&'a str, &'a str)]);
+
+/// A network whose descriptions are changed copies of fixtures.
+fn network(name: &str, text: &str, copies: &[Copied<'_>]) -> NetworkFile {
     let folder = new_folder(&format!("agree-{name}"));
     for (copy, fixture, changes) in copies {
         let mut description = std::fs::read_to_string(path(fixture)).unwrap().replace("\r\n", "\n");
@@ -104,7 +107,7 @@ fn a_bit_rate_is_that_of_the_dcfs_or_none() {
     let nodes = "[node.a]\nfile = \"a.dcf\"\n[node.b]\nfile = \"b.dcf\"\nid = 6\n";
     let rated = |name: &str, rate: &str| {
         let other = format!("Baudrate={rate}");
-        let copies: [(&str, &str, &[(&str, &str)]); 2] =
+        let copies: [Copied<'_>; 2] =
             [("a.dcf", "bare.dcf", &[]), ("b.dcf", "bare.dcf", &[("Baudrate=250", &other)])];
         network(name, &format!("{head}{nodes}"), &copies)
     };
@@ -166,7 +169,7 @@ fn a_node_without_a_device_type_is_not_booted() {
 #[test]
 fn an_identifier_in_use_is_not_changed() {
     let literal: &[(&str, &str)] = &[("=$NODEID+0x80\n", "=0x86\n")];
-    let copies: [(&str, &str, &[(&str, &str)]); 1] = [("a.eds", "middle.eds", literal)];
+    let copies: [Copied<'_>; 1] = [("a.eds", "middle.eds", literal)];
     let node = |more: &str| format!("{HEAD}[node.a]\nfile = \"a.eds\"\nid = 5\n{more}");
     let file = network("emcy", &node("sdo = [{ entry = \"1014\", value = 0x85 }]\n"), &copies);
     let reason = "the identifier changes while `0x86` is in use";
