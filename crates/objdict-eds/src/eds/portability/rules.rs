@@ -206,7 +206,7 @@ text_rule! {
 }
 
 text_rule! {
-    UNLOADABLE = "portability/unloadable", Warning;
+    UNLOADABLE = "portability/unloadable", Error;
     summary: "a reader that makes a dictionary of the file stops",
     checks: "Whether each line of the object lists has a section with a name, each structure either `SubNumber` or `CompactSubObj`, each entry a data type and an access of CiA 301 and values that begin as values of its type, and whether the node-ID is one and 1018h:04 is there beside `LSS_SerialNumber`. The first place where the reader stops is shown.",
     why: "The C library of Lely core reads a file at run time, as the dictionary of a master or a slave, and does not load it at all when one entry is not as it expects. It knows neither the data types of the device nor `$NODEID` without a number.",
