@@ -2,8 +2,9 @@
 
 use std::collections::{BTreeMap, BTreeSet};
 
+use crate::compat::with_refused_spellings;
 use crate::diagnostic::{Applicability, At, Diagnostic, Findings, Severity};
-use crate::format::{self, Description};
+use crate::format::{self, Description, Syntax};
 use crate::model::Part;
 use crate::source::{Edits, Encoding, SourceFile, SourceOptions, Span};
 
@@ -101,6 +102,22 @@ pub fn fix(
     }
     fixed.skipped.extend(refused.into_values());
     fixed
+}
+
+/// As [`fix`], and also fixes spellings that CiA 306 allows and readers refuse: empty numbers, missing keys of `[DummyUsage]`, keys in
+/// another case and, without unsafe fixes, a text that is not UTF-8. For a `check` that names no tools.
+pub fn fix_for_readers(
+    description: Description,
+    safety: Applicability,
+    check: impl Fn(&Description) -> Findings,
+) -> Fixed {
+    if description.format().syntax() != Syntax::Ini {
+        return fix(description, safety, check);
+    }
+    let with_spellings =
+        |description: &Description| with_refused_spellings(description, safety, check(description));
+    let fixed = fix(description, safety, with_spellings);
+    Fixed { findings: check(&fixed.description), ..fixed }
 }
 
 /// The findings with those fixes alone offered ([`Fix::is_offered`](crate::diagnostic::Fix::is_offered)) that [`fix`] makes of this

@@ -215,7 +215,7 @@ pub mod scaffold;
 
 pub use check::{check, check_with};
 #[cfg(feature = "lint")]
-pub use fix::{AppliedFix, Fixed, fix, with_sound_fixes};
+pub use fix::{AppliedFix, Fixed, fix, fix_for_readers, with_sound_fixes};
 #[cfg(feature = "network")]
 pub use objdict_bus as bus;
 #[cfg(feature = "document")]

@@ -6,11 +6,11 @@ use super::args::DialectArgs;
 use super::output::Output;
 use super::save::save_in_place;
 use super::{Failure, diff, note};
-use crate::diagnostic::{Applicability, Findings};
+use crate::diagnostic::{Applicability, Findings, Tool};
 use crate::format::{self, Description, Format};
 use crate::report::plural;
 use crate::source::SourceFile;
-use crate::{AppliedFix, fix};
+use crate::{AppliedFix, fix, fix_for_readers};
 
 /// Whether findings are fixed.
 #[derive(Debug, clap::Args)]
@@ -49,11 +49,12 @@ pub(super) struct Amended {
     is_unfinished: bool,
 }
 
-/// Fixes all devices of a file. The description of the first one comes back, and the change where there is one.
+/// Fixes all devices of a file, for some tools or for all. The description of the first one comes back, and the change where there is one.
 pub(super) fn amend(
     path: &Path,
     description: Description,
     safety: Applicability,
+    tools: &[Tool],
     check: impl Fn(&Description) -> Findings,
 ) -> Option<(Description, Option<Amended>)> {
     let (format, before) = (description.format(), copy(description.source())?);
@@ -61,7 +62,11 @@ pub(super) fn amend(
     let mut next = description;
     let (mut applied, mut skipped, mut is_unfinished) = (0, Vec::new(), false);
     for number in 0..count {
-        let fixed = fix(next.select(number)?, safety, &check);
+        let next_device = next.select(number)?;
+        let fixed = match tools.is_empty() {
+            true => fix_for_readers(next_device, safety, &check),
+            false => fix(next_device, safety, &check),
+        };
         applied += fixed.applied.len();
         skipped.extend(fixed.skipped);
         is_unfinished |= fixed.is_unfinished;

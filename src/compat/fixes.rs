@@ -3,7 +3,7 @@
 //! Without tools only fixes that every tool survives are safe. With tools, a fix is safe when one of them reads the file better
 //! and none of them reads it worse; a fix that makes the file worse for one of them is not offered.
 
-use super::reactions::{is_at_header, is_of_comments, is_of_one_byte, shown};
+use super::reactions::{is_of_comments, is_of_one_byte, shown};
 use crate::diagnostic::{Applicability, Change, Diagnostic, Fix, Tool, say};
 use crate::format::ini::{Line, LineKind};
 use crate::format::{Description, eds};
@@ -142,23 +142,15 @@ fn comment_unknown_section(finding: &Diagnostic, description: &Description) -> O
     comment_section(fix, start_of(finding, description)?, description)
 }
 
-/// Whether a finding is about a line or section that the standard leaves unread, and tools refuse or read.
+/// Whether a finding is about a line that the standard leaves unread, and a tool refuses.
 fn is_unread(finding: &Diagnostic, tools: &[Tool]) -> bool {
-    let minded_by: &[Tool] = match finding.rule.id {
-        "cia306/duplicate-key" | "cia306/duplicate-section" => &[DcfTools, PythonCanopen, NodeCanopen],
-        "cia306/unsupported-key" if finding.message.names(&Field::CompactSubObj) => &[NodeCanopen],
-        _ => &[],
-    };
-    minded_by.iter().any(|tool| tools.contains(tool))
+    let is_compact = finding.message.names(&Field::CompactSubObj);
+    finding.rule.id == "cia306/unsupported-key" && is_compact && tools.contains(&NodeCanopen)
 }
 
-/// Makes a comment of a line or section that is not read.
+/// Makes a comment of a line that is not read.
 fn comment_unread(finding: &Diagnostic, description: &Description) -> Option<Fix> {
-    let (name, start) = (shown(description, finding), start_of(finding, description)?);
-    if is_at_header(description, finding) {
-        let fix = Fix::safe(say!("make comments of the lines of this `[{}]`", name));
-        return comment_section(fix, start, description);
-    }
+    let start = start_of(finding, description)?;
     let line = description.document()?.line_at(start)?;
     let setting = line.span.of(description.source().text()).trim();
     comment_line(Fix::safe(say!("make a comment of `{}`", setting)), start, description)

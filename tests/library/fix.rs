@@ -8,7 +8,8 @@ use std::path::{Path, PathBuf};
 use objdict::diagnostic::{Applicability, Findings, Fix, Severity};
 use objdict::format::{self, Description, Format};
 use objdict::source::{Edits, SourceFile, SourceOptions};
-use objdict::{AppliedFix, Fixed, check, fix, with_sound_fixes};
+use objdict::{AppliedFix, Fixed, check, fix, fix_for_readers, with_sound_fixes};
+use serde_json::Value::Null;
 
 use crate::support;
 
@@ -186,4 +187,54 @@ fn a_section_behind_junk_is_read() {
     let fixed = fix(description, Applicability::Safe, check).description;
     assert!(fixed.source().text().starts_with("; 50\r\n[FileInfo]\r\n"), "{}", fixed.source().text());
     assert_eq!(name(&fixed).as_deref(), Some("a.eds"));
+}
+
+/// The JSON of a device without what is kept of invalid and unknown texts, and with the type and access that a DOMAIN implies.
+fn meaning(description: &Description) -> serde_json::Value {
+    fn strip(value: &mut serde_json::Value) {
+        if let Some(fields) = value.as_object_mut() {
+            fields.retain(|name, _| !["invalid_values", "extra"].contains(&name.as_str()));
+            fields.values_mut().for_each(strip);
+        }
+    }
+    let mut device = description.device().clone();
+    for object in device.objects.values_mut() {
+        for entry in std::iter::once(&mut object.main).chain(object.subs.iter_mut().map(|(_, entry)| entry)) {
+            (entry.data_type, entry.access) = (entry.implied_type(), entry.implied_access());
+        }
+    }
+    let mut json = serde_json::to_value(&device).unwrap();
+    strip(&mut json);
+    json
+}
+
+/// What differs between two JSON values, as paths.
+fn differences(path: &str, old: &serde_json::Value, new: &serde_json::Value, found: &mut Vec<String>) {
+    match (old.as_object(), new.as_object()) {
+        (Some(left), Some(right)) => {
+            for name in left.keys().chain(right.keys()).collect::<BTreeSet<_>>() {
+                let (old, new) = (left.get(name).unwrap_or(&Null), right.get(name).unwrap_or(&Null));
+                differences(&format!("{path}/{name}"), old, new, found);
+            }
+        }
+        _ if old != new => found.push(format!("{path}: {old} became {new}")),
+        _ => {}
+    }
+}
+
+#[test]
+fn safe_fixes_leave_the_device_as_it_is() {
+    let mut changed = String::new();
+    for description in descriptions() {
+        let before = meaning(&description);
+        let name = description.source().name().to_owned();
+        let fixed = fix_for_readers(description, Applicability::Safe, check);
+        let mut found = Vec::new();
+        differences("", &before, &meaning(&fixed.description), &mut found);
+        if !found.is_empty() {
+            let rules: BTreeSet<&str> = fixed.applied.iter().map(|applied| applied.rule).collect();
+            writeln!(changed, "{name} {rules:?}: {}", found.join("; ")).unwrap();
+        }
+    }
+    assert!(changed.is_empty(), "{changed}");
 }

@@ -65,6 +65,7 @@ impl<'a> Rewriter<'a> {
             Change::Add(part, fields) => return self.add(part, fields),
             Change::List(list, indexes) => return self.list(*list, indexes),
             Change::Comment(span, text) => return self.comment(*span, text),
+            Change::CommentOut(span) => return self.comment_out(*span),
             Change::RemoveLine(span) => {
                 let line = self.document.line_at(span.start)?;
                 self.edits.replace(Span::new(line.span.start, line.next), "");
@@ -86,6 +87,25 @@ impl<'a> Rewriter<'a> {
         let is_line = !text.contains(['\n', '\r']);
         let line = format!("; {}{}", text.trim_ascii(), self.document.line_end());
         is_line.then(|| self.edits.replace(Span::empty(at), line))
+    }
+
+    /// Makes comments of a line, or of the header and the keys of a section.
+    fn comment_out(&mut self, span: Span) -> Option<()> {
+        let line = self.document.line_at(span.start)?;
+        let mut starts = vec![line.span.start];
+        if matches!(line.kind, LineKind::Section { .. }) {
+            let section = self.document.section_at(line.span.start)?;
+            if section.entries.len() > MAX_FIX_LINES {
+                return None;
+            }
+            starts.extend(section.entries.iter().map(|entry| entry.key.start));
+        }
+        for start in starts {
+            let line = self.document.line_at(start)?.span;
+            let indent = line.of(self.document.text()).bytes().take_while(|b| matches!(b, b' ' | b'\t')).count();
+            self.edits.replace(Span::new(line.start, line.start + indent as u32), "; ");
+        }
+        Some(())
     }
 
     fn set(&mut self, place: &Place, value: &str) -> Option<()> {

@@ -92,6 +92,8 @@ pub enum Change {
     Encode(Encoding),
     /// Adds a comment line above the line in which a span starts.
     Comment(Span, String),
+    /// Makes a comment of the line that contains the start of a span; of a header, of all lines of its section.
+    CommentOut(Span),
     /// Removes the line that contains the start of a span.
     RemoveLine(Span),
     /// Removes the section whose header contains the start of a span.

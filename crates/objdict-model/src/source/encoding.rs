@@ -1,8 +1,8 @@
 //! Text encodings of description files: detected on reading and used again for writing.
 //!
 //! CiA 306-1 §4.2 requires ISO 646 (seven bits). Real files also use UTF-8, with and without byte order
-//! mark, Windows-1252, UTF-16 and the code page 850 of DOS; the bytes of the last one cannot be
-//! distinguished from Windows-1252.
+//! mark, Windows-1252, UTF-16 and the code page 850 of DOS. All bytes of the last one are characters of Windows-1252 too, so it
+//! is recognised by umlauts inside words alone.
 
 use std::fmt;
 use std::str::FromStr;
@@ -17,7 +17,7 @@ pub enum Encoding {
     Utf8Bom,
     /// Windows-1252, the usual superset of Latin-1. All 256 bytes are characters.
     Windows1252,
-    /// Code page 850 (DOS, Western Europe); only on request.
+    /// Code page 850 (DOS, Western Europe); detected if all characters beyond ISO 646 are umlauts inside words.
     Cp850,
     /// UTF-16, low byte first, after the byte order mark FF FE.
     Utf16Le,
@@ -34,14 +34,15 @@ impl Encoding {
     pub const NAMES: [&'static str; 6] =
         ["utf-8", "utf-8-bom", "windows-1252", "cp850", "utf-16le", "utf-16be"];
 
-    /// The detected encoding of `bytes`: by the byte order mark, else UTF-8 if valid, else Windows-1252.
+    /// The detected encoding of `bytes`: by the byte order mark, else UTF-8 if valid, else code page 850 where Windows-1252 would
+    /// show quotes and control characters inside words, else Windows-1252.
     pub fn detect(bytes: &[u8]) -> Self {
         if bytes.starts_with(UTF16LE_BOM) {
             Self::Utf16Le
         } else if bytes.starts_with(UTF16BE_BOM) {
             Self::Utf16Be
         } else if std::str::from_utf8(bytes).is_err() {
-            Self::Windows1252
+            if has_dos_umlauts(bytes) { Self::Cp850 } else { Self::Windows1252 }
         } else if bytes.starts_with(UTF8_BOM) {
             Self::Utf8Bom
         } else {
@@ -138,6 +139,28 @@ pub struct Unencodable {
     pub encoding: Encoding,
 }
 
+/// Whether all bytes beyond ISO 646 are German letters of code page 850 in words. One of them must be `ä`, `ö` or `ü`, which are a quote
+/// or a control character in Windows-1252; the others are letters there too.
+fn has_dos_umlauts(bytes: &[u8]) -> bool {
+    let is_letter = |at: usize| {
+        bytes.get(at).is_some_and(|byte| byte.is_ascii_alphabetic() || matches!(byte, 0x81 | 0x84 | 0x94 | 0xE1))
+    };
+    let mut others = bytes.iter().enumerate().filter(|(_, byte)| !byte.is_ascii()).peekable();
+    let mut is_certain = false;
+    others.peek().is_some()
+        && others.all(|(at, &byte)| {
+            let is_inside = at > 0 && is_letter(at - 1) && is_letter(at + 1);
+            is_certain |= is_inside && matches!(byte, 0x81 | 0x84 | 0x94);
+            match byte {
+                0x81 | 0x84 | 0x94 => is_inside,
+                0x8E | 0x99 | 0x9A => is_letter(at + 1),
+                0xE1 => at > 0 && is_letter(at - 1),
+                _ => false,
+            }
+        })
+        && is_certain
+}
+
 /// Most of a text is ISO 646, which is copied in runs.
 fn decode_bytes(bytes: &[u8], char_of: fn(u8) -> char) -> String {
     let mut text = String::with_capacity(bytes.len());
@@ -232,6 +255,17 @@ mod tests {
         assert_eq!(Encoding::detect(b"\xFE\xFF\0["), Encoding::Utf16Be);
         assert_eq!(Encoding::detect("°".as_bytes()), Encoding::Utf8);
         assert_eq!(Encoding::detect(b"\xB0"), Encoding::Windows1252);
+    }
+
+    #[test]
+    fn umlauts_of_dos_are_recognised_inside_words() {
+        for text in [&b"Sch\x94naich"[..], b"\x9Aberlast, Gr\x94\xE1e", b"f\x81r"] {
+            assert_eq!(Encoding::detect(text), Encoding::Cp850, "{}", Encoding::Cp850.decode(text.to_vec()));
+        }
+        // quotes, signs and letters of Windows-1252
+        for text in [&b"\x84so\x94"[..], b"O\x9Aet\xF8en\xED", b"Stra\xDFe", b"5\x94 x", b"a\x94b \xB0C", b"A\x99"] {
+            assert_eq!(Encoding::detect(text), Encoding::Windows1252, "{text:?}");
+        }
     }
 
     #[test]

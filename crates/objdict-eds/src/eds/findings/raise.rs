@@ -30,7 +30,7 @@ pub(in crate::eds) fn duplicate_key(item: &Item<'_>, first: &Item<'_>) -> Diagno
         .label(first.name_at, "first here")
         .help("remove one of the two lines");
     let is_idle = same || item.value.is_empty();
-    let finding = finding.fix(remove_line(item, is_idle));
+    let finding = finding.fix(without_line(item, is_idle));
     if is_idle { finding.understood() } else { finding }
 }
 
@@ -63,11 +63,12 @@ pub(in crate::eds) fn repeated_number(item: &Item<'_>, other: &Item<'_>, number:
         .understood()
 }
 
-/// Removes a line that is not read; safe only if it says nothing else.
-fn remove_line(item: &Item<'_>, is_idle: bool) -> Fix {
-    let title = "remove the second, unread line";
-    let fix = if is_idle { Fix::safe(title) } else { Fix::risky(title) };
-    fix.with(Change::RemoveLine(item.name_at))
+/// Removes a line that is not read; what says something else is kept as a comment.
+fn without_line(item: &Item<'_>, is_idle: bool) -> Fix {
+    match is_idle {
+        true => Fix::safe("remove the second, unread line").with(Change::RemoveLine(item.name_at)),
+        false => Fix::safe("make a comment of the second, unread line").with(Change::CommentOut(item.name_at)),
+    }
 }
 
 /// How a section relates to an earlier one of the same name.
@@ -93,11 +94,16 @@ pub(in crate::eds) fn duplicate_section(
         Diagnostic::new(&DUPLICATE_SECTION, at, say!("section `[{}]` is defined twice; {}", name, read))
             .label(first, "first here")
             .help("remove one of the two sections");
-    let title = "remove the second, unread section";
     match kind {
         DuplicateKind::Joined => finding,
-        DuplicateKind::Equal => finding.fix(Fix::safe(title).with(Change::RemoveSection(at))).understood(),
-        DuplicateKind::Other => finding.fix(Fix::risky(title).with(Change::RemoveSection(at))),
+        DuplicateKind::Equal => {
+            let fix = Fix::safe("remove the second, unread section").with(Change::RemoveSection(at));
+            finding.fix(fix).understood()
+        }
+        DuplicateKind::Other => {
+            let title = "make comments of the lines of the second, unread section";
+            finding.fix(Fix::safe(title).with(Change::CommentOut(at)))
+        }
     }
 }
 

@@ -211,7 +211,10 @@ impl LineCheck<'_> {
             let before = Span::new(line.span.start, start + before.len() as u32);
             without_text(finding, before, self.text, Fix::risky)
         } else {
-            let fix = Fix::risky("change the line to a comment").replace(Span::empty(line.span.start), "; ");
+            let title = "change the line to a comment";
+            // without what may be its header, a section would be read into the one above
+            let fix = if text.contains(['[', ']']) { Fix::risky(title) } else { Fix::safe(title) };
+            let fix = fix.with(Change::CommentOut(line.span));
             finding.help("remove the line, or put a `;` before it").fix(fix)
         });
     }
