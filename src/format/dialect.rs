@@ -2,12 +2,12 @@
 
 use std::borrow::Cow;
 
+use super::complete::complete;
 use crate::diagnostic::Tool;
 use crate::format::Style;
 use crate::format::literal::RealSpelling;
 use crate::model::{
-    Access, DataType, Device, EMBEDDED_SECTION, Entry, Extra, ExtraSection, Field, InvalidValues, Object,
-    ObjectType,
+    DataType, Device, EMBEDDED_SECTION, Extra, ExtraSection, Field, InvalidValues, Object, ObjectType,
 };
 
 /// The reader that an EDS or DCF is written for.
@@ -124,6 +124,7 @@ impl Dialect {
         if !row.complete && !device.extra.iter().any(is_stray) {
             return Cow::Borrowed(device);
         }
+        let original = device;
         let mut device = device.clone();
         device.extra.retain(|section| !is_stray(section));
         if !row.complete {
@@ -154,7 +155,10 @@ impl Dialect {
             info.invalid_values = InvalidValues::default();
         }
         device.objects.retain(|_, object| !object.orphan);
-        device.objects.values_mut().for_each(complete);
+        for (&index, object) in &mut device.objects {
+            settle_kind(object);
+            complete(original, index, object);
+        }
         if row.lists {
             list_all(&mut device);
         }
@@ -162,8 +166,8 @@ impl Dialect {
     }
 }
 
-/// States type and access of every entry that has a value.
-fn complete(object: &mut Object) {
+/// Gives an object with sub-indexes the type of one.
+fn settle_kind(object: &mut Object) {
     let is_var = object.main.object_type.is_some() && !object.object_type().has_subs();
     if !object.object_type().has_subs() && (object.compact.is_some() || !is_var && !object.subs.is_empty()) {
         object.main.object_type = Some(ObjectType::Array);
@@ -173,23 +177,6 @@ fn complete(object: &mut Object) {
         .main
         .invalid_values
         .retain(|invalid| ![Field::ObjectType, Field::CompactSubObj].contains(&invalid.field));
-    let has_subs = object.object_type().has_subs();
-    if !has_subs || object.compact.is_some() {
-        complete_entry(&mut object.main, DataType::DOMAIN, Access::Rw);
-    }
-    for (sub, entry) in object.subs.iter_mut() {
-        match sub {
-            0 if has_subs => complete_entry(entry, DataType::UNSIGNED8, Access::Ro),
-            _ => complete_entry(entry, DataType::DOMAIN, Access::Rw),
-        }
-    }
-}
-
-fn complete_entry(entry: &mut Entry, data_type: DataType, access: Access) {
-    entry.data_type = entry.implied_type().or(Some(data_type));
-    entry.access = entry.implied_access().or(Some(access));
-    let stated = [Field::DataType, Field::AccessType, Field::ObjectType];
-    entry.invalid_values.retain(|invalid| !stated.contains(&invalid.field));
 }
 
 /// Puts every object into the list that it belongs into.

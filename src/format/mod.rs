@@ -1,5 +1,7 @@
 //! Description files: what a file is, and from its bytes to the model.
 
+#[cfg(all(feature = "json", feature = "xdd"))]
+mod complete;
 #[cfg(feature = "node")]
 mod configured;
 mod description;

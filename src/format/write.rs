@@ -6,6 +6,7 @@ use std::fmt;
 use serde::Serialize;
 use serde_json::Value;
 
+use super::complete;
 use super::embedded::{self, Room};
 use super::ini::Document;
 use super::xml::Tree;
@@ -189,6 +190,7 @@ pub(super) fn write(device: &Device, format: Format, options: &WriteOptions) -> 
     let mut text = decode(bytes, format, options.eds.encoding);
     let mut lost = missing(&wanted, &text.device);
     losses.append(&mut invented(&wanted, &text.stated));
+    complete::stated_anew(&wanted, &text.device, &mut |path, value| losses.push(Loss::invented(path, value)));
     if options.embed && !lost.is_empty() {
         let plain = lost;
         drop(text);
@@ -242,8 +244,7 @@ pub(super) fn losses(device: &Device, bytes: &[u8], format: Format, encoding: En
     losses
 }
 
-/// What a text states of file, device and node although the device does not. The objects of a text state in addition
-/// only what CiA 306 says of a missing key, such as the object type VAR.
+/// What a text states of file, device and node although the device does not.
 fn invented(device: &Device, stated: &Device) -> Vec<Loss> {
     let mut losses = Vec::new();
     each_difference(&frame(device), &frame(stated), &mut |DatumDifference { path, left, right }| {
@@ -346,7 +347,9 @@ const fn room(format: Format) -> Room {
 fn encode(device: &Device, format: Format, options: &WriteOptions) -> Vec<u8> {
     match format {
         Format::Eds | Format::Dcf => eds::write(&options.dialect.adapted(device), &options.eds),
-        Format::Xdd | Format::Xdc => xdd::write(device, options.xdd_version).into_bytes(),
+        Format::Xdd | Format::Xdc => {
+            xdd::write(&complete::with_valid_access(device), options.xdd_version).into_bytes()
+        }
     }
 }
 

@@ -176,10 +176,9 @@ fn fixes_are_those_that_the_tool_needs() {
     let vendor = format!("{device}[Tool Data]\r\nColour=red\r\n");
     assert!(fixed_for(Tool::DcfTools, &vendor).ends_with("; [Tool Data]\r\n; Colour=red\r\n"));
     let twice = device.replacen("[1001]", "[1000]\r\nParameterName=Other\r\n[1001]", 1);
-    for tool in [Tool::DcfTools, Tool::PythonCanopen, Tool::NodeCanopen] {
+    for tool in Tool::ALL {
         assert!(fixed_for(tool, &twice).contains("\n; [1000]\r\n; ParameterName=Other\r\n[1001]"));
     }
-    assert!(fixed_for(Tool::CanOpenEditor, &twice).contains("\n[1000]\r\nParameterName=Other\r\n"));
     let unit = device.replacen("[1001]\r\n", "[1001]\r\nUnit=V\r\n", 1);
     assert!(fixed_for(Tool::DcfTools, &unit).contains("\n; Unit=V\r\n"));
     let compact = read("rules/cia306/unsupported-key/bad-compact.eds");

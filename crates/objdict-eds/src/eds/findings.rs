@@ -41,7 +41,7 @@ pub(crate) fn quirks(item: &Item<'_>, quirks: Quirks, value: Option<&Value>, fin
 }
 
 text_rule! {
-    DUPLICATE_SECTION = "cia306/duplicate-section", Error, fix Mixed, stops "*";
+    DUPLICATE_SECTION = "cia306/duplicate-section", Error, fix Safe, stops "*";
     summary: "a section is defined twice",
     checks: "Whether each section name occurs once, ignoring case and leading zeros. The first section is read; lists are continued.",
     why: "Some tools read the first section, some the last one, some refuse the file.",
@@ -52,7 +52,7 @@ text_rule! {
 
 text_rule! {
     // one number of a list twice, and another one missing
-    DUPLICATE_KEY = "cia306/duplicate-key", Error, fix Mixed,
+    DUPLICATE_KEY = "cia306/duplicate-key", Error, fix Safe,
         explains Section ["wrong-count"], explains Value ["object-not-listed"], stops "*";
     summary: "a key is defined twice in a section",
     checks: "Whether each key occurs once in its section, ignoring case. The first one is read. Two equal lines are only a warning. If the count of a list is right, a single number is used twice and only one number is left for one of them, both are read.",
