@@ -1,6 +1,7 @@
 //! Who reads an EDS or DCF: one table of how it is written for each tool, and which findings are fixed for it.
 
 use std::borrow::Cow;
+use std::collections::BTreeSet;
 
 use super::complete::complete;
 use crate::diagnostic::Tool;
@@ -133,13 +134,6 @@ impl Dialect {
         if row.known_only {
             remove_unknown(&mut device);
         }
-        if self == Self::CanOpenEditor {
-            // it reads the keys of another name into the section before
-            device.extra.retain(|section| {
-                section.name() == EMBEDDED_SECTION
-                    || section.name().bytes().all(|byte| byte.is_ascii_alphanumeric())
-            });
-        }
         if row.frame {
             device.file_info.get_or_insert_default();
             device.device_info.get_or_insert_default();
@@ -162,7 +156,35 @@ impl Dialect {
         if row.lists {
             list_all(&mut device);
         }
+        if self == Self::CanOpenEditor {
+            adapt_to_editor(&mut device);
+        }
         Cow::Owned(device)
+    }
+}
+
+/// What CANopenEditor skips, misreads or crashes at.
+fn adapt_to_editor(device: &mut Device) {
+    // it reads the keys of another name into the section before, and those of `[4900sub100]` as sub-index 100h
+    let is_passed_over = |name: &str| {
+        let is_plain = name.bytes().all(|byte| byte.is_ascii_alphanumeric());
+        is_plain && !name.replace("sub", "").bytes().all(|byte| byte.is_ascii_hexdigit())
+    };
+    device.extra.retain(|section| section.name() == EMBEDDED_SECTION || is_passed_over(section.name()));
+    if let Some(modules) = &mut device.modules {
+        let lists = modules.supported.values_mut();
+        let lists = lists.flat_map(|module| [&mut module.fixed_list, &mut module.extension_list]);
+        // it keeps a list by its values, so that none may be there twice
+        for list in lists.chain(&mut modules.connected) {
+            let mut seen = BTreeSet::new();
+            list.retain(|number| seen.insert(*number));
+        }
+    }
+    for object in device.objects.values_mut() {
+        // it skips a sub-index that is not a VAR
+        for (_, entry) in object.subs.iter_mut().filter(|(_, entry)| entry.object_type.is_some()) {
+            entry.object_type = Some(ObjectType::Var);
+        }
     }
 }
 

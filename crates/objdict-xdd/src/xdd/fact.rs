@@ -246,7 +246,10 @@ macro_rules! numbers {
                     _ => u64::from(<$Number>::MAX),
                 };
                 *self = match known.kind {
-                    Kind::Rate => text.word(|text| bit_rate(text)?.try_into().ok(), Reason::UnknownWord)?,
+                    // 0 is what version 1.0 says of a node whose bit rate is not known
+                    Kind::Rate => text
+                        .word(|text| bit_rate(text)?.try_into().ok(), Reason::UnknownWord)?
+                        .filter(|kbit| *kbit != 0),
                     _ => text.integer(most, findings)?,
                 };
                 Ok(())

@@ -60,7 +60,10 @@ impl Writer<'_> {
         if !general.iter().any(|(name, _)| *name == n::granularity) {
             general.insert(0, (n::granularity, defaults::NUMBER.to_owned()));
         }
-        let node = node.map(|node| fact::texts(node, &DEVICE_COMMISSIONING, true));
+        let mut node = node.map(|node| fact::texts(node, &DEVICE_COMMISSIONING, true));
+        if out.version() == XddVersion::V1_0 {
+            node.iter_mut().flatten().for_each(without_unit);
+        }
         out.open(&NETWORK_MANAGEMENT);
         let elements = [
             (&GENERAL_FEATURES, general),
@@ -73,6 +76,14 @@ impl Writer<'_> {
             out.close();
         }
         out.close();
+    }
+}
+
+/// Writes the bit rate as a number alone, which CANopenEditor demands in version 1.0.
+fn without_unit((name, text): &mut (Name, String)) {
+    if *name == n::actualBaudRate {
+        let kbit = fact::bit_rate(text).unwrap_or_default();
+        *text = kbit.to_string();
     }
 }
 
