@@ -10,15 +10,21 @@ pub(super) fn commissioning(
     kind: &str,
 ) -> Result<Commissioning, Failure> {
     let node = restated(device, wanted);
-    if !node.node_id.is_some_and(|node_id| (1..=127).contains(&node_id)) {
-        return Err(
-            Failure::new("missing node-ID: a DCF or XDC is for one node").help("set it with `--node-id`")
-        );
-    }
+    valid_node_id(node.node_id)?;
     if node.baud_rate.is_none() {
         note(&format!("note: the {kind} states no bit rate; set it with `--bit-rate`\n"));
     }
     Ok(node)
+}
+
+/// Refuses a node-ID that is missing or that no node has.
+pub(super) fn valid_node_id(node_id: Option<u8>) -> Result<(), Failure> {
+    let problem = match node_id {
+        Some(1..=127) => return Ok(()),
+        Some(node_id) => format!("the node-ID {node_id} is not valid: it must be from 1 to 127"),
+        None => "missing node-ID: a DCF or XDC is for one node".to_owned(),
+    };
+    Err(Failure::new(problem).help("set it with `--node-id`"))
 }
 
 /// The node of a device, with what is stated of it anew.

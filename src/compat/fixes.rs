@@ -28,7 +28,7 @@ const fn choice(rule: &'static str, better: &'static [Tool], worse: &'static [To
     Choice { rule, better, worse, when: |_, _| true }
 }
 
-const CHOICES: [Choice; 10] = [
+const CHOICES: [Choice; 11] = [
     Choice {
         // without its header, a section would be read into the one above
         when: |description, finding| {
@@ -37,6 +37,7 @@ const CHOICES: [Choice; 10] = [
         },
         ..choice("cia306/junk-line", &[DcfTools, PythonCanopen, CanOpenEditor], &[])
     },
+    choice("cia306/limit-above-type", &[DcfTools, PythonCanopen], &[]),
     // all readers of lists but this one do without the objects, which have no entries
     choice("cia306/listed-object-missing", &[DcfTools], &[]),
     Choice {
@@ -86,6 +87,7 @@ pub(super) fn choose(
     }
     if finding.fix.is_none() {
         finding.fix = match finding.rule.id {
+            "cia306/key-before-section" if has(&[DcfTools, PythonCanopen]) => comment_stray_keys(description),
             "cia306/unknown-key" if has(&[DcfTools]) => {
                 comment_key(&finding, description, has(&[PythonCanopen, CanOpenEditor]))
             }
@@ -130,6 +132,16 @@ fn comment_key(finding: &Diagnostic, description: &Description, is_needed: bool)
     }
     let fix = Fix::safe(say!("make a comment of `{}`", name));
     comment_line(fix, start_of(finding, description)?, description)
+}
+
+/// Makes comments of the keys before the first section, which belong to no part of the device.
+fn comment_stray_keys(description: &Description) -> Option<Fix> {
+    let is_header = |line: &Line| matches!(line.kind, LineKind::Section { .. });
+    let stray = description.document()?.lines().take_while(|line| !is_header(line));
+    let keys: Vec<Line> = stray.filter(|line| matches!(line.kind, LineKind::Entry { .. })).collect();
+    let fix = Fix::safe("make comments of the keys before the first section");
+    let fix = keys.iter().fold(fix, |fix, key| fix.with(Change::CommentOut(key.span)));
+    (keys.len() <= MAX_LINES).then_some(fix)
 }
 
 /// Makes comments of the lines of a section that the standard does not define.

@@ -48,7 +48,8 @@ fn complete_entry(device: &Device, at: Address, entry: &mut Entry, default: Defa
 /// The device with an access where a text says one that is not valid, which CiA 311 has no place for.
 pub(super) fn with_valid_access(device: &Device) -> Cow<'_, Device> {
     let is_due = |entry: &Entry| {
-        entry.access.is_none() && entry.invalid_values.get(&Field::AccessType).is_some_and(|text| !text.text.is_empty())
+        entry.access.is_none()
+            && entry.invalid_values.get(&Field::AccessType).is_some_and(|text| !text.text.is_empty())
     };
     let is_any_due =
         |object: &Object| is_due(&object.main) || object.subs.iter().any(|(_, entry)| is_due(entry));

@@ -247,3 +247,41 @@ fn steps_and_gaps_of_ranges_survive_an_eds() {
     assert_eq!(differences(&device, &read(&xdd, Format::Xdd).into_device()), []);
     assert!(xdd.contains(r#"<step value="5" />"#) && xdd.contains(r#"<minValue value="100" />"#), "{xdd}");
 }
+
+/// An access type that is not one, and a data type that is missing, are those of CiA 301, else what is meant, and are reported.
+#[test]
+fn type_and_access_are_those_of_the_standard() {
+    let text = std::fs::read_to_string(support::fixtures().join("eds/minimal.eds")).unwrap();
+    let mut own = "[ManufacturerObjects]\r\nSupportedObjects=2\r\n1=0x2000\r\n2=0x2001\r\n".to_owned();
+    for (index, access) in [(2000, "w"), (2001, "R")] {
+        own += &format!(
+            "[{index}]\r\nParameterName=Own\r\nObjectType=7\r\nDataType=5\r\nAccessType={access}\r\n"
+        );
+    }
+    let lines: Vec<&str> = text.lines().collect();
+    let changed =
+        lines.iter().map(|line| if line.starts_with("AccessType=") { "AccessType=r" } else { line });
+    let changed: Vec<&str> = changed.filter(|line| *line != "DataType=0x0006").collect();
+    let device = read(&format!("{}\r\n{own}", changed.join("\r\n")), Format::Eds).into_device();
+    assert_eq!(device.object(0x1017).unwrap().main.data_type, None);
+    for (options, format) in [
+        (WriteOptions::from(Dialect::Lely), Format::Eds),
+        (WriteOptions::from(Dialect::PythonCanopen), Format::Eds),
+        (WriteOptions::default(), Format::Xdd),
+    ] {
+        let written = format::write(&device, format, &options).unwrap();
+        let back = read(std::str::from_utf8(&written.bytes).unwrap(), format).into_device();
+        let access = |index: u16| back.object(index).unwrap().main.access.unwrap();
+        let found = [0x1000, 0x1017, 0x2000, 0x2001].map(access);
+        assert_eq!(found, [Access::Ro, Access::Rw, Access::Wo, Access::Ro], "{format:?}");
+        let invented = paths(&written, LossKind::Invented);
+        assert!(
+            invented.contains(&"/objects/0x1017/access")
+                && invented.contains(&"/objects/0x1018/subs/0x01/access")
+        );
+        if format == Format::Eds {
+            assert_eq!(back.object(0x1017).unwrap().main.data_type, Some(DataType::UNSIGNED16));
+            assert!(invented.contains(&"/objects/0x1017/data_type"));
+        }
+    }
+}

@@ -184,7 +184,10 @@ fn readers_read_what_is_fixed_for_no_certain_tool() {
         let source = SourceFile::from_bytes("minimal.eds", text.to_vec(), &SourceOptions::default()).unwrap();
         let description = format::read(source, Format::Eds);
         let fixed = fix_for_readers(description, Applicability::Safe, check);
-        assert_eq!(fixed.bytes(), fix_for_readers(copy(&fixed.description), Applicability::Safe, check).bytes());
+        assert_eq!(
+            fixed.bytes(),
+            fix_for_readers(copy(&fixed.description), Applicability::Safe, check).bytes()
+        );
         String::from_utf8(fixed.bytes()).unwrap()
     };
     let vendor = device.split_once("VendorNumber=").unwrap().1.split_once("\r\n").unwrap().0;
@@ -192,7 +195,11 @@ fn readers_read_what_is_fixed_for_no_certain_tool() {
         (format!("VendorNumber={vendor}\r\n"), "VendorNumber=\r\n", ""),
         ("[1001]\r\n".into(), "[1001]\r\nparametername=Error register\r\n", "[1001]\r\nParameterName=Error"),
         ("[1001]\r\n".into(), "'.\r\n[1001]\r\n", "; '.\r\n[1001]\r\n"),
-        ("[1001]\r\n".into(), "[1000]\r\nParameterName=Other\r\n[1001]\r\n", "; [1000]\r\n; ParameterName=Other\r\n"),
+        (
+            "[1001]\r\n".into(),
+            "[1000]\r\nParameterName=Other\r\n[1001]\r\n",
+            "; [1000]\r\n; ParameterName=Other\r\n",
+        ),
         ("VendorName=".into(), "VendorName=First\r\nVendorName=", "VendorName=First\r\n; VendorName="),
     ];
     for (old, new, expected) in cases {
@@ -202,7 +209,8 @@ fn readers_read_what_is_fixed_for_no_certain_tool() {
     // code page 850 and Windows-1252
     for (letter, name) in [(0x94, "Sch\u{f6}naich"), (0xE9, "Sch\u{e9}naich")] {
         let (before, after) = device.split_once("VendorName=").unwrap();
-        let text = [before.as_bytes(), b"VendorName=Sch", &[letter], b"naich\r\n;", after.as_bytes()].concat();
+        let text =
+            [before.as_bytes(), b"VendorName=Sch", &[letter], b"naich\r\n;", after.as_bytes()].concat();
         assert!(fixed(&text).contains(&format!("VendorName={name}\r\n")));
     }
 }

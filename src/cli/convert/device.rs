@@ -9,7 +9,7 @@ use objdict_model::canopennode::is_disabled;
 use super::super::annotation::Described;
 use super::super::args::ConvertArgs;
 use super::super::input::{FileKind, name_of};
-use super::super::node::{commissioning, former_node_id, restated};
+use super::super::node::{commissioning, former_node_id, restated, valid_node_id};
 use super::super::{Failure, note, tell};
 use super::Job;
 use crate::configure::rebase;
@@ -41,7 +41,8 @@ pub(super) fn of_description(
     from: FileKind,
 ) -> Result<Converted, Failure> {
     let device = description.device();
-    warn_of_unknown_text(job, description);
+    let is_edited = job.to.format().is_some_and(|to| to.syntax() == description.format().syntax());
+    refuse_unknown_text(job, description, is_edited && !args.canonical.is_asked())?;
     if description.is_project() || description.is_network() {
         return of_device(args, job, device, !args.no_embed);
     }
@@ -55,6 +56,9 @@ pub(super) fn of_description(
     }
     warn_of_violations(job, description);
     if from == job.to && (to.kind() == DeviceKind::Type || !args.changes_node()) {
+        if to == Format::Xdc || has_invalid_node_id(device) {
+            valid_node_id(device.commissioning.as_ref().and_then(|node| node.node_id))?;
+        }
         return Ok(Converted::whole(description.source().to_bytes()));
     }
     let file_name = base_name(&job.output);
@@ -78,15 +82,21 @@ pub(super) fn of_description(
     Ok(Converted { bytes, losses })
 }
 
-/// Says that the file refers to texts that it does not have: the output has the references.
-fn warn_of_unknown_text(job: &Job, description: &Description) {
+/// Refuses a file that refers to texts that it does not have, unless the output keeps the references.
+fn refuse_unknown_text(job: &Job, description: &Description, is_kept: bool) -> Result<(), Failure> {
     let unknown = description.findings().iter().filter(|finding| finding.rule.id == "xml/unknown-entity");
     let count = unknown.count();
-    if count > 0 {
-        let (file, entities) = (name_of(&job.input), counted(count, "unknown entity", "unknown entities"));
-        tell(&format!(
-            "warning: `{file}` has {entities}, whose text the output lacks\n  help: `objdict check` shows them; replace them by their text\n"
-        ));
+    let (file, entities) = (name_of(&job.input), counted(count, "unknown entity", "unknown entities"));
+    match count {
+        0 => Ok(()),
+        _ if is_kept => {
+            tell(&format!("warning: `{file}` has {entities}, which the output keeps\n"));
+            Ok(())
+        }
+        _ => {
+            let failure = Failure::new(format_args!("`{file}` has {entities}, whose text is not known"));
+            Err(failure.help("`objdict check` shows them; replace them by their text"))
+        }
     }
 }
 
@@ -188,6 +198,7 @@ fn node(args: &ConvertArgs, job: &Job, device: &Device) -> Result<Option<Commiss
     };
     // a DCF may leave it out, and an XDC has to state it
     let is_demanded = device.kind == DeviceKind::Type || job.to == FileKind::Xdc;
+    let is_demanded = is_demanded || has_invalid_node_id(device);
     if !is_demanded && wanted.node_id.or(device.node_id()).is_none() {
         let is_stated = wanted != Commissioning::default() || device.commissioning.is_some();
         return Ok(is_stated.then(|| restated(device, &wanted)));
@@ -200,6 +211,12 @@ fn node(args: &ConvertArgs, job: &Job, device: &Device) -> Result<Option<Commiss
         ));
     }
     Ok(Some(node))
+}
+
+/// Whether a device states a node-ID that no node has.
+fn has_invalid_node_id(device: &Device) -> bool {
+    let stated = device.commissioning.as_ref().and_then(|node| node.node_id);
+    stated.is_some() && device.node_id().is_none()
 }
 
 /// The downloads that configure a node as the device says.

@@ -104,12 +104,12 @@ fn convert_one(
 ) -> Result<(), Failure> {
     let (from, input) = args.input.read(&job.input)?;
     match input {
+        Input::Description(description) if description.device_count() == 0 => {
+            let name = name_of(&job.input);
+            Err(ReadError::NoDevice { name, kind: from }.into())
+        }
         Input::Description(description) if job.is_named && args.input.device.is_none() => {
             let count = description.device_count();
-            if count == 0 {
-                let name = name_of(&job.input);
-                return Err(ReadError::NoDevice { name, kind: from }.into());
-            }
             let mut next = Some(*description);
             for number in 0..count {
                 let Some(description) = next.and_then(|description| description.select(number)) else {

@@ -14,7 +14,7 @@ use super::{environment, node_modules};
 use crate::support;
 
 /// The healthy devices of the fixtures, and with `OBJDICT_CORPUS_DIR` those of the files below that folder.
-fn all_devices() -> Vec<(String, Device)> {
+pub(super) fn all_devices() -> Vec<(String, Device)> {
     let endings = ["eds", "dcf", "xdd", "xdc"];
     let of_xml = [support::files("xdd", &["xdd"]), support::files("xdc", &["xdc"])].concat();
     let mut paths = [support::good_devices(), of_xml].concat();

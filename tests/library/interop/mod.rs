@@ -8,7 +8,9 @@
 #![allow(clippy::print_stdout, reason = "says why it is skipped")]
 
 mod dialects;
+mod editor;
 mod fixes;
+mod goals;
 
 use std::collections::BTreeSet;
 use std::fs;

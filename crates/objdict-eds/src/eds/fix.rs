@@ -102,7 +102,8 @@ impl<'a> Rewriter<'a> {
         }
         for start in starts {
             let line = self.document.line_at(start)?.span;
-            let indent = line.of(self.document.text()).bytes().take_while(|b| matches!(b, b' ' | b'\t')).count();
+            let indent =
+                line.of(self.document.text()).bytes().take_while(|b| matches!(b, b' ' | b'\t')).count();
             self.edits.replace(Span::new(line.start, line.start + indent as u32), "; ");
         }
         Some(())

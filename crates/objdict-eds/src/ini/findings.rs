@@ -161,7 +161,7 @@ text_rule! {
 }
 
 text_rule! {
-    KEY_BEFORE_SECTION = "cia306/key-before-section", Error;
+    KEY_BEFORE_SECTION = "cia306/key-before-section", Error, fix Safe;
     summary: "a key precedes the first section",
     checks: "Whether a section header precedes all keys.",
     why: "The key does not belong to any section. Python's reader refuses the whole file.",

@@ -20,8 +20,8 @@ pub enum LineKind {
     Blank,
     /// A comment: `;` by the standard (CiA 306-1 §4.2), `#` and `//` in real files.
     Comment,
-    /// `[name]`; also with blanks before it, with text after it, or without the `]`. The general sections, such as `[FileInfo]`, may have a
-    /// few characters of junk before them.
+    /// `[name]`; also with blanks before it, with text after it, or without the `]`. The sections of CiA 306 may have a few
+    /// characters of junk before them.
     Section {
         /// The name, without the brackets and surrounding blanks.
         name: Span,
@@ -198,7 +198,7 @@ fn classify(bytes: &[u8], start: usize, equals: Option<usize>, end: usize) -> Li
         }
         (line, _) => match line.iter().position(|byte| *byte == b'[').map(|length| start + length) {
             Some(bracket)
-                if trim(bytes, start, bracket).1 - first <= MAX_JUNK && is_general(&bytes[bracket..end]) =>
+                if trim(bytes, start, bracket).1 - first <= MAX_JUNK && is_known(&bytes[bracket..end]) =>
             {
                 LineKind::Section { name: span(bracket + 1, end - 1) }
             }
@@ -207,22 +207,54 @@ fn classify(bytes: &[u8], start: usize, equals: Option<usize>, end: usize) -> Li
     }
 }
 
-/// The most bytes of junk before the header of a general section.
+/// The most bytes of junk before the header of a known section.
 const MAX_JUNK: usize = 16;
 
-/// Whether a text is the header of a general section.
-fn is_general(text: &[u8]) -> bool {
-    const HEADERS: [&[u8]; 8] = [
-        b"[FileInfo]",
-        b"[DeviceInfo]",
-        b"[DummyUsage]",
-        b"[Comments]",
-        b"[MandatoryObjects]",
-        b"[OptionalObjects]",
-        b"[ManufacturerObjects]",
-        b"[DeviceComissioning]",
+/// Whether a text is the header of a section that CiA 306 defines: a general one, or one of an object or module.
+fn is_known(text: &[u8]) -> bool {
+    const NAMES: [&[u8]; 13] = [
+        b"FileInfo",
+        b"DeviceInfo",
+        b"DummyUsage",
+        b"Comments",
+        b"MandatoryObjects",
+        b"OptionalObjects",
+        b"ManufacturerObjects",
+        b"DeviceComissioning",
+        b"DeviceCommissioning",
+        b"SupportedModules",
+        b"ConnectedModules",
+        b"DynamicChannels",
+        b"Tools",
     ];
-    HEADERS.iter().any(|header| header.eq_ignore_ascii_case(text))
+    let Some(name) = text.strip_prefix(b"[").and_then(|text| text.strip_suffix(b"]")) else { return false };
+    NAMES.iter().any(|known| known.eq_ignore_ascii_case(name)) || is_object(name) || is_module(name)
+}
+
+/// `1018`, `1018sub1`, `1003Value`: an index of four digits, as numbers in prose rarely are.
+fn is_object(name: &[u8]) -> bool {
+    const LISTS: [&[u8]; 4] = [b"Name", b"Value", b"Denotation", b"ObjectLinks"];
+    let Some((index, rest)) = name.split_at_checked(4) else { return false };
+    let is_sub = |digits: &[u8]| matches!(digits.len(), 1 | 2) && digits.iter().all(u8::is_ascii_hexdigit);
+    let sub = rest.split_at_checked(3).filter(|(word, _)| word.eq_ignore_ascii_case(b"sub"));
+    index.iter().all(u8::is_ascii_hexdigit)
+        && index[0] != b'0'
+        && (rest.is_empty()
+            || sub.is_some_and(|(_, digits)| is_sub(digits))
+            || LISTS.iter().any(|list| list.eq_ignore_ascii_case(rest)))
+}
+
+/// `M1ModuleInfo`, `M1Fixed6000sub1`.
+fn is_module(name: &[u8]) -> bool {
+    const WORDS: [&[u8]; 5] = [b"ModuleInfo", b"Comments", b"FixedObjects", b"SubExtends", b"SubExt"];
+    let Some(rest) = name.strip_prefix(b"M").or_else(|| name.strip_prefix(b"m")) else { return false };
+    let digits = rest.iter().take_while(|byte| byte.is_ascii_digit()).count();
+    let rest = &rest[digits..];
+    let of_object = [&b"Fixed"[..], b"SubExt"].iter().any(|word| {
+        let object = rest.split_at_checked(word.len()).filter(|(start, _)| start.eq_ignore_ascii_case(word));
+        object.is_some_and(|(_, object)| is_object(object))
+    });
+    digits > 0 && (of_object || WORDS.iter().any(|word| word.eq_ignore_ascii_case(rest)))
 }
 
 /// Blanks and tabs, and the NUL and Ctrl-Z that DOS and C leave at the end of a file.
@@ -264,13 +296,17 @@ mod tests {
 
     /// Lines before and in which there is junk.
     const JUNK: &str = "50[FileInfo]\n \u{FEFF}x [comments] \nsee [12]\n;[Comments]\n=[DummyUsage]\nk=[DeviceInfo]\n\
-                        a[x][FileInfo]\n[x][FileInfo]\n50[FileInfo] x\n0123456789abcdef[DeviceInfo]\n\
+                        50[1018sub1]\n2[1003Value]\nx[M1ModuleInfo]\nsee [1018sub]\n\
+                        v[10180]\na[x][FileInfo]\n[x][FileInfo]\n50[FileInfo] x\n0123456789abcdef[DeviceInfo]\n\
                         0123456789abcdefg[DeviceInfo]\n    0123456789abcdef[DeviceInfo]\na[FileInfo]b[FileInfo]";
 
     #[test]
-    fn junk_before_a_general_section_is_passed_over() {
+    fn junk_before_a_known_section_is_passed_over() {
         let sections: Vec<String> = kinds(JUNK).into_iter().filter(|kind| kind.starts_with('[')).collect();
-        assert_eq!(sections, ["[FileInfo]", "[comments]", "[DummyUsage]", "[x]", "[DeviceInfo]"]);
+        let objects = ["[1018sub1]", "[1003Value]", "[M1ModuleInfo]"];
+        let expected =
+            [&["[FileInfo]", "[comments]", "[DummyUsage]"], &objects[..], &["[x]", "[DeviceInfo]"]];
+        assert_eq!(sections, expected.concat());
     }
 
     #[test]

@@ -71,12 +71,14 @@ pub fn value(text: &str, data_type: Option<DataType>, quirks: &mut Quirks) -> Re
     }
 }
 
-/// The high limit of an entry, read as [`value`] with these quirks. Where two's complement is below the low limit or the
-/// default of the entry, the digits mean a number above the type: the limit is then the largest of the type, as Lely reads it.
+/// The high limit of an entry, read as [`value`] with these quirks. Where two's complement is below the low limit, the default or the
+/// configured value of the entry, or is -1 and there is no low limit, the digits mean a number above the type: the limit is then the
+/// largest of the type, as Lely reads it.
 pub fn high_limit(read: Value, entry: &Entry, quirks: &mut Quirks) -> Value {
-    let others = [&entry.low_limit, &entry.default].into_iter().flatten();
+    let others = [entry.low_limit.as_ref(), entry.default.as_ref(), entry.configured_value()];
     let is_below = |other: &Value| other.as_integer() > read.as_integer();
-    if !quirks.has(Quirk::TwosComplement) || !others.into_iter().any(is_below) {
+    let is_lone = entry.low_limit.is_none() && read.as_integer() == Some(-1);
+    if !quirks.has(Quirk::TwosComplement) || !(is_lone || others.into_iter().flatten().any(is_below)) {
         return read;
     }
     let data_type = entry.implied_type();
@@ -455,7 +457,9 @@ mod tests {
         assert_eq!(limit("0xFFFF", Some(0), None), (32767, true, false));
         assert_eq!(limit("0xFFFF", None, Some(5)), (32767, true, false));
         assert_eq!(limit("0xFFF0", Some(-5), None), (32767, true, false));
-        for (low, default) in [(None, None), (Some(-5), None), (Some(-1), Some(-1)), (None, Some(-7))] {
+        assert_eq!(limit("0xFFFF", None, None), (32767, true, false), "all bits are no limit");
+        assert_eq!(limit("0xFFF0", None, Some(-20)), (-16, false, true));
+        for (low, default) in [(Some(-5), None), (Some(-1), Some(-1)), (Some(-9), Some(-7))] {
             assert_eq!(limit("0xFFFF", low, default), (-1, false, true));
         }
         assert_eq!(limit("-1", Some(0), Some(0)), (-1, false, false), "a limit in decimal is what it is");

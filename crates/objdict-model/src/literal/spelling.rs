@@ -242,9 +242,9 @@ text_rule! {
 }
 
 text_rule! {
-    LIMIT_ABOVE_TYPE = "cia306/limit-above-type", Warning, fix Unsafe;
+    LIMIT_ABOVE_TYPE = "cia306/limit-above-type", Warning, fix Mixed;
     summary: "a high limit in hex is above its signed data type",
-    checks: "Whether `HighLimit` of a signed type is a hex number with the sign bit set, which as two's complement is below `LowLimit` or `DefaultValue`. It is read as the largest number of the type, as Lely does.",
+    checks: "Whether `HighLimit` of a signed type is a hex number with the sign bit set, which as two's complement is below `LowLimit`, `DefaultValue` or `ParameterValue`, or is -1 without a `LowLimit`. It is read as the largest number of the type, as Lely does.",
     why: "dcf-tools refuses the file; python-canopen reads a negative limit, which no value is within.",
     example: "`LowLimit=0` and `HighLimit=0xFFFFFFFF` of an INTEGER32",
     remedy: "Write the largest number, `2147483647`, or correct the data type.",

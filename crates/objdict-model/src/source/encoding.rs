@@ -143,7 +143,9 @@ pub struct Unencodable {
 /// or a control character in Windows-1252; the others are letters there too.
 fn has_dos_umlauts(bytes: &[u8]) -> bool {
     let is_letter = |at: usize| {
-        bytes.get(at).is_some_and(|byte| byte.is_ascii_alphabetic() || matches!(byte, 0x81 | 0x84 | 0x94 | 0xE1))
+        bytes
+            .get(at)
+            .is_some_and(|byte| byte.is_ascii_alphabetic() || matches!(byte, 0x81 | 0x84 | 0x94 | 0xE1))
     };
     let mut others = bytes.iter().enumerate().filter(|(_, byte)| !byte.is_ascii()).peekable();
     let mut is_certain = false;
@@ -263,7 +265,9 @@ mod tests {
             assert_eq!(Encoding::detect(text), Encoding::Cp850, "{}", Encoding::Cp850.decode(text.to_vec()));
         }
         // quotes, signs and letters of Windows-1252
-        for text in [&b"\x84so\x94"[..], b"O\x9Aet\xF8en\xED", b"Stra\xDFe", b"5\x94 x", b"a\x94b \xB0C", b"A\x99"] {
+        for text in
+            [&b"\x84so\x94"[..], b"O\x9Aet\xF8en\xED", b"Stra\xDFe", b"5\x94 x", b"a\x94b \xB0C", b"A\x99"]
+        {
             assert_eq!(Encoding::detect(text), Encoding::Windows1252, "{text:?}");
         }
     }

@@ -67,7 +67,9 @@ pub(in crate::eds) fn repeated_number(item: &Item<'_>, other: &Item<'_>, number:
 fn without_line(item: &Item<'_>, is_idle: bool) -> Fix {
     match is_idle {
         true => Fix::safe("remove the second, unread line").with(Change::RemoveLine(item.name_at)),
-        false => Fix::safe("make a comment of the second, unread line").with(Change::CommentOut(item.name_at)),
+        false => {
+            Fix::safe("make a comment of the second, unread line").with(Change::CommentOut(item.name_at))
+        }
     }
 }
 

@@ -210,11 +210,11 @@ fn read_values(entry: &mut Entry, values: &Values<'_>, items: &mut Items<'_>) {
     };
     entry.default = read(&values.default, entry);
     entry.low_limit = read(&values.low, entry);
-    // what it means depends on the two
-    entry.high_limit = read(&values.high, entry);
     if let Some(value) = read(&values.configured, entry) {
         entry.configured_mut().value = Some(value);
     }
+    // what it means depends on the others
+    entry.high_limit = read(&values.high, entry);
 }
 
 fn read_value(item: &Item<'_>, entry: &mut Entry, items: &mut Items<'_>) -> Option<Value> {
