@@ -131,6 +131,11 @@ impl Dialect {
         if !row.complete {
             return Cow::Owned(device);
         }
+        device.objects.retain(|_, object| !object.orphan);
+        for (&index, object) in &mut device.objects {
+            settle_kind(object);
+            complete(original, index, object);
+        }
         if row.known_only {
             remove_unknown(&mut device);
         }
@@ -147,11 +152,6 @@ impl Dialect {
         if let Some(info) = &mut device.device_info {
             // texts that are not numbers are refused
             info.invalid_values = InvalidValues::default();
-        }
-        device.objects.retain(|_, object| !object.orphan);
-        for (&index, object) in &mut device.objects {
-            settle_kind(object);
-            complete(original, index, object);
         }
         if row.lists {
             list_all(&mut device);
