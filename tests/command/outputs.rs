@@ -385,7 +385,15 @@ fn what_is_missing_is_said() {
     write("empty.xdd", container);
     write("empty.nxdd", "<CanOpenProject_1_1 version='1.1'/>");
     for name in ["empty.xdd", "empty.nxdd"] {
-        for output in ["-o out.eds", "-o out --to eds", "--to eds"] {
+        for output in [
+            "-o out.eds",
+            "-o out --to eds",
+            "--to eds",
+            "--to json",
+            "-o out.cdcf",
+            "--to xdd",
+            "-o out.nxdd.xdd",
+        ] {
             let converted = objdict(folder.path(), &format!("convert {name} {output}"));
             assert_eq!((converted.status.code(), converted.stdout.len()), (Some(2), 0), "{name} {output}");
             assert!(errors(&converted).contains("describes no device"), "{}", errors(&converted));
@@ -396,7 +404,17 @@ fn what_is_missing_is_said() {
     for node_id in ["0", "200", ""] {
         write("node.dcf", &dcf.replace("NodeID=5\r\n", &format!("NodeID={node_id}\r\n")));
         let converted = objdict(folder.path(), "convert node.dcf --to xdc");
-        assert!(errors(&converted).starts_with("error: missing node-ID"), "{}", errors(&converted));
+        let expected = match node_id {
+            "" => "error: missing node-ID".to_owned(),
+            node_id => format!("error: the node-ID {node_id} is not valid"),
+        };
+        assert!(errors(&converted).starts_with(&expected), "{}", errors(&converted));
+        if !node_id.is_empty() {
+            for to in ["--to dcf", "--to dcf --canonical"] {
+                let converted = objdict(folder.path(), &format!("convert node.dcf {to}"));
+                assert_eq!((converted.status.code(), converted.stdout.len()), (Some(2), 0), "{to}");
+            }
+        }
         assert!(objdict(folder.path(), "convert node.dcf --to xdc --node-id 5").status.success());
     }
     let lamp = fs::read_to_string("fixtures/bases/lamp.xdd").unwrap();
@@ -406,11 +424,13 @@ fn what_is_missing_is_said() {
     write("secret.txt", "secret");
     let converted = objdict(folder.path(), "convert lamp.xdd --to eds");
     assert!(
-        errors(&converted).starts_with("warning: `lamp.xdd` has 1 unknown entity"),
+        errors(&converted).starts_with("error: `lamp.xdd` has 1 unknown entity"),
         "{}",
         errors(&converted)
     );
-    assert!(!String::from_utf8_lossy(&converted.stdout).contains("secret"));
+    assert_eq!((converted.status.code(), converted.stdout.len()), (Some(2), 0));
+    let kept = objdict(folder.path(), "convert lamp.xdd --to xdc --node-id 5");
+    assert!(String::from_utf8_lossy(&kept.stdout).contains("&b;</vendorName>"), "{}", errors(&kept));
 }
 
 /// A refused download is an exit code of 1, with `--force` too, and is reported once.

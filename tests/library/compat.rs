@@ -179,6 +179,8 @@ fn fixes_are_those_that_the_tool_needs() {
     for tool in Tool::ALL {
         assert!(fixed_for(tool, &twice).contains("\n; [1000]\r\n; ParameterName=Other\r\n[1001]"));
     }
+    let stray = format!("Stray=1\r\n{device}");
+    assert_eq!(fixed_for(Tool::PythonCanopen, &stray), format!("; {stray}"));
     let unit = device.replacen("[1001]\r\n", "[1001]\r\nUnit=V\r\n", 1);
     assert!(fixed_for(Tool::DcfTools, &unit).contains("\n; Unit=V\r\n"));
     let compact = read("rules/cia306/unsupported-key/bad-compact.eds");

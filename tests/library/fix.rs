@@ -5,10 +5,11 @@ use std::collections::{BTreeMap, BTreeSet};
 use std::fmt::Write;
 use std::path::{Path, PathBuf};
 
-use objdict::diagnostic::{Applicability, Findings, Fix, Severity};
+use objdict::diagnostic::{Applicability, Findings, Fix, Severity, Tool};
 use objdict::format::{self, Description, Format};
+use objdict::lint::Options;
 use objdict::source::{Edits, SourceFile, SourceOptions};
-use objdict::{AppliedFix, Fixed, check, fix, fix_for_readers, with_sound_fixes};
+use objdict::{AppliedFix, Fixed, check, check_with, fix, fix_for_readers, with_sound_fixes};
 use serde_json::Value::Null;
 
 use crate::support;
@@ -226,6 +227,32 @@ fn a_section_behind_junk_is_read() {
     let fixed = fix(description, Applicability::Safe, check).description;
     assert!(fixed.source().text().starts_with("; 50\r\n[FileInfo]\r\n"), "{}", fixed.source().text());
     assert_eq!(name(&fixed).as_deref(), Some("a.eds"));
+    let minimal = std::fs::read_to_string(support::fixtures().join("eds/minimal.eds")).unwrap();
+    let text = minimal.replace("[1000]", "50[1000]").replace("[1018sub1]", "0[1018sub1]");
+    let description = format::read(SourceFile::from_text("minimal.eds", text), Format::Eds);
+    assert_eq!(
+        meaning(&description),
+        meaning(&format::read(SourceFile::from_text("minimal.eds", minimal), Format::Eds))
+    );
+    let fixed = fix(description, Applicability::Safe, check).description;
+    assert!(fixed.source().text().contains("; 50\r\n[1000]\r\n"), "{}", fixed.source().text());
+}
+
+/// Hex digits of all bits are no limit, and only for a tool that refuses them the number is written.
+#[test]
+fn a_lone_high_limit_of_all_bits_limits_nothing() {
+    let minimal = std::fs::read_to_string(support::fixtures().join("eds/minimal.eds")).unwrap();
+    let object = "\r\n[2000]\r\nParameterName=Position\r\nObjectType=7\r\nDataType=4\r\nAccessType=rw\r\nHighLimit=0xFFFFFFFF\r\n";
+    let read =
+        || format::read(SourceFile::from_text("minimal.eds", format!("{minimal}{object}")), Format::Eds);
+    let limit =
+        |device: &objdict::model::Device| device.object(0x2000)?.main.high_limit.as_ref()?.as_integer();
+    assert_eq!(limit(read().device()), Some(i32::MAX.into()));
+    let plain = fix_for_readers(read(), Applicability::Safe, check).description;
+    assert!(plain.source().text().contains("HighLimit=0xFFFFFFFF"));
+    let options = Options { tools: vec![Tool::DcfTools], ..Options::default() };
+    let fixed = fix(read(), Applicability::Safe, |description| check_with(description, &options)).description;
+    assert!(fixed.source().text().contains("HighLimit=2147483647"), "{}", fixed.source().text());
 }
 
 /// The JSON of a device without what is kept of invalid and unknown texts, and with the type and access that a DOMAIN implies.
