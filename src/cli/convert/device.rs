@@ -41,6 +41,10 @@ pub(super) fn of_description(
     from: FileKind,
 ) -> Result<Converted, Failure> {
     let device = description.device();
+    if *device == (Device { kind: device.kind, ..Device::default() }) {
+        let failure = Failure::new(format_args!("`{}` describes no device", name_of(&job.input)));
+        return Err(failure.help("`objdict check` shows what it lacks"));
+    }
     let is_edited = job.to.format().is_some_and(|to| to.syntax() == description.format().syntax());
     refuse_unknown_text(job, description, is_edited && !args.canonical.is_asked())?;
     if description.is_project() || description.is_network() {
@@ -56,7 +60,8 @@ pub(super) fn of_description(
     }
     warn_of_violations(job, description);
     if from == job.to && (to.kind() == DeviceKind::Type || !args.changes_node()) {
-        if to == Format::Xdc || has_invalid_node_id(device) {
+        warn_of_node_id(args, job, device);
+        if to == Format::Xdc {
             valid_node_id(device.commissioning.as_ref().and_then(|node| node.node_id))?;
         }
         return Ok(Converted::whole(description.source().to_bytes()));
@@ -198,7 +203,7 @@ fn node(args: &ConvertArgs, job: &Job, device: &Device) -> Result<Option<Commiss
     };
     // a DCF may leave it out, and an XDC has to state it
     let is_demanded = device.kind == DeviceKind::Type || job.to == FileKind::Xdc;
-    let is_demanded = is_demanded || has_invalid_node_id(device);
+    warn_of_node_id(args, job, device);
     if !is_demanded && wanted.node_id.or(device.node_id()).is_none() {
         let is_stated = wanted != Commissioning::default() || device.commissioning.is_some();
         return Ok(is_stated.then(|| restated(device, &wanted)));
@@ -213,10 +218,17 @@ fn node(args: &ConvertArgs, job: &Job, device: &Device) -> Result<Option<Commiss
     Ok(Some(node))
 }
 
-/// Whether a device states a node-ID that no node has.
-fn has_invalid_node_id(device: &Device) -> bool {
+/// Says that a DCF will have a node-ID that no node has; an XDC is not written with one.
+fn warn_of_node_id(args: &ConvertArgs, job: &Job, device: &Device) {
     let stated = device.commissioning.as_ref().and_then(|node| node.node_id);
-    stated.is_some() && device.node_id().is_none()
+    // 255 is a node that LSS configures
+    let invalid = stated.filter(|node_id| !matches!(node_id, 1..=127 | 255));
+    if let Some(node_id) = invalid.filter(|_| args.node_id.is_none() && job.to == FileKind::Dcf) {
+        let file = name_of(&job.input);
+        tell(&format!(
+            "warning: `{file}` states the node-ID {node_id}, which is not valid, and the output keeps it\n  help: set it with `--node-id`\n"
+        ));
+    }
 }
 
 /// The downloads that configure a node as the device says.
