@@ -2,7 +2,7 @@
 
 use std::borrow::Cow;
 
-use crate::model::{Access, DataType, Device, Entry, Field, Object};
+use crate::model::{Access, DataType, Device, Entry, Field, InvalidValue, Object};
 use crate::profile;
 
 /// Type and access that an entry gets where it states none, and nothing says what they are.
@@ -22,7 +22,7 @@ fn data_type(device: &Device, (index, sub): Address, entry: &Entry) -> Option<Da
 
 /// The access that an entry of an object has.
 fn access(device: &Device, (index, sub): Address, entry: &Entry) -> Option<Access> {
-    let meant = || entry.invalid_values.get(&Field::AccessType).and_then(|invalid| invalid.intended_access());
+    let meant = || entry.invalid_values.get(&Field::AccessType).and_then(InvalidValue::intended_access);
     entry.implied_access().or_else(|| profile::access(device, index, sub)).or_else(meant)
 }
 
