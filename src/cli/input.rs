@@ -12,7 +12,7 @@ use crate::diagnostic::one_line;
 use crate::format::identify::ContentKind;
 use crate::format::input::{DEFAULT_MAX_ENTRIES, Reading};
 pub(super) use crate::format::input::{FileKind, Input};
-use crate::format::{self, Description, ReadError};
+use crate::format::{self, Description, EditError, ReadError, WriteOptions};
 use crate::source::{self, DEFAULT_MAX_SIZE, Encoding, SourceError};
 
 /// What reports call the standard input.
@@ -70,6 +70,12 @@ impl InputArgs {
         let (from, device, encoding) = (self.from, self.device, self.encoding);
         let (max_size, max_entries) = (self.size.max_size, self.entries.max_entries);
         Reading { from, device, encoding, max_size, max_entries, node_id: None }
+    }
+
+    /// How much of a text of so many bytes a conversion may lose or embed: `--max-entries` raises this limit too.
+    pub(super) fn max_losses(&self, bytes: usize) -> usize {
+        let raised = self.entries.max_entries.saturating_sub(DEFAULT_MAX_ENTRIES);
+        WriteOptions::max_losses_of(bytes).saturating_add(raised)
     }
 
     /// What is in a file, and as what kind it was read; `-` is the standard input.
@@ -176,6 +182,13 @@ impl From<ReadError> for Failure {
             }
             _ => Self::new(&error).maybe_help(help),
         }
+    }
+}
+
+impl From<EditError> for Failure {
+    fn from(error: EditError) -> Self {
+        let help = matches!(error, EditError::TooMuchLost { .. }).then(|| "raise the limit with `--max-entries`".to_owned());
+        Self::new(&error).maybe_help(help)
     }
 }
 

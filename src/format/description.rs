@@ -287,7 +287,8 @@ impl Description {
             device.commissioning = Some(node.clone());
         }
         let format = if node.is_some() { Format::Xdc } else { Format::Xdd };
-        let options = super::WriteOptions { embed: true, ..super::WriteOptions::default() };
+        let max_losses = super::WriteOptions::max_losses_of(self.source().text().len());
+        let options = super::WriteOptions { embed: true, max_losses, ..super::WriteOptions::default() };
         Ok(super::write(&device, format, &options)?.bytes)
     }
 

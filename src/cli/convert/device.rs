@@ -15,7 +15,7 @@ use super::Job;
 use crate::configure::rebase;
 use crate::diagnostic::{counted, series};
 use crate::download::{ConciseDcf, NeededFile, Plan, PlanError, PlanOptions, Scope, Skipped};
-use crate::format::{self, Description, Format, Loss, LossKind, Syntax, concise, json, stated_name};
+use crate::format::{self, Description, Format, Loss, LossKind, Syntax, WriteOptions, concise, json, stated_name};
 use crate::model::{Commissioning, Device, DeviceKind, Object, Place};
 use crate::report::plural;
 use crate::source::Folder;
@@ -41,17 +41,18 @@ pub(super) fn of_description(
     from: FileKind,
 ) -> Result<Converted, Failure> {
     let device = description.device();
+    let max_losses = args.input.max_losses(description.source().text().len());
     warn_of_unknown_text(job, description);
     if description.is_project() || description.is_network() {
-        return of_device(args, job, device, !args.no_embed);
+        return of_device(args, job, device, !args.no_embed, max_losses);
     }
     let Some(to) = job.to.format().filter(|to| to.syntax() == description.format().syntax()) else {
-        return of_device(args, job, device, !args.no_embed);
+        return of_device(args, job, device, !args.no_embed, max_losses);
     };
     if args.canonical.is_asked() || args.expand.implicit_pdos || args.xdd_version.is_some() {
         // an EDS takes every text of another, an XDD only those that are valid, and other tools not all of them
         let is_narrower = to.syntax() == Syntax::Xml || args.canonical.dialect.is_other();
-        return of_device(args, job, device, !args.no_embed && is_narrower);
+        return of_device(args, job, device, !args.no_embed && is_narrower, max_losses);
     }
     warn_of_violations(job, description);
     if from == job.to && (to.kind() == DeviceKind::Type || !args.changes_node()) {
@@ -70,11 +71,13 @@ pub(super) fn of_description(
         }
         DeviceKind::Type => description.to_type(&file_name),
     };
-    let bytes = bytes.map_err(Failure::new)?;
+    let bytes = bytes?;
     if let Some(info) = &mut expected.file_info {
         info.file_name = Some(file_name);
     }
-    let losses = format::losses(&expected, &bytes, to, description.source().encoding());
+    let mut options = WriteOptions { max_losses, ..WriteOptions::default() };
+    options.eds.encoding = Some(description.source().encoding());
+    let losses = format::losses(&expected, &bytes, to, &options)?;
     Ok(Converted { bytes, losses })
 }
 
@@ -107,6 +110,7 @@ pub(super) fn of_device(
     job: &Job,
     device: &Device,
     embed: bool,
+    max_losses: usize,
 ) -> Result<Converted, Failure> {
     let device = args.expand.device(device);
     match job.to {
@@ -124,30 +128,37 @@ pub(super) fn of_device(
         FileKind::Cpj | FileKind::Dbc | FileKind::CanopenNode => {
             Err(Failure::new(format_args!("a {} is not made of one description", job.to.name())))
         }
-        FileKind::Eds | FileKind::Xdd => anew(args, job, device.into_owned(), embed),
+        FileKind::Eds | FileKind::Xdd => anew(args, job, device.into_owned(), embed, max_losses),
         FileKind::Dcf | FileKind::Xdc => {
             let mut node_device = device.into_owned();
             node_device.commissioning = node(args, job, &node_device)?;
             node_device.kind = DeviceKind::Node;
-            anew(args, job, node_device, embed)
+            anew(args, job, node_device, embed, max_losses)
         }
     }
 }
 
 /// A new text, written from the model alone.
-fn anew(args: &ConvertArgs, job: &Job, mut device: Device, embed: bool) -> Result<Converted, Failure> {
+fn anew(
+    args: &ConvertArgs,
+    job: &Job,
+    mut device: Device,
+    embed: bool,
+    max_losses: usize,
+) -> Result<Converted, Failure> {
     if let Some(info) = &mut device.file_info {
         info.file_name = Some(base_name(&job.output));
     }
     let mut options = args.canonical.options(args.input.encoding);
     options.embed = embed;
+    options.max_losses = max_losses;
     options.xdd_version = args.xdd_version.map(Into::into).unwrap_or_default();
     let format = job.to.format().unwrap_or(Format::Eds);
     let mut losses = Vec::new();
     if format.syntax() == Syntax::Ini && !args.keep_disabled {
         losses = remove_disabled(&mut device);
     }
-    let written = format::write(&device, format, &options).map_err(Failure::new)?;
+    let written = format::write(&device, format, &options)?;
     losses.extend(written.losses);
     Ok(Converted { bytes: written.bytes, losses })
 }
@@ -162,7 +173,7 @@ fn remove_disabled(device: &mut Device) -> Vec<Loss> {
         place: Place::object(index),
         path: format!("/objects/0x{index:04X}"),
         kind: LossKind::Lost,
-        value: serde_json::to_value(object).unwrap_or_default(),
+        value: serde_json::to_value(object).unwrap_or_default().into(),
         becomes: None,
         reason: Some("the object is disabled; `--keep-disabled` keeps it".to_owned()),
     };

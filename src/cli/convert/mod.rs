@@ -127,7 +127,9 @@ fn convert_one(
             finish(job, from, device::of_description(args, job, &description, from)?, place, report, out)
         }
         Input::Device(device) => {
-            finish(job, from, device::of_device(args, job, &device, !args.no_embed)?, place, report, out)
+            let max_losses = args.input.max_losses(0);
+            let converted = device::of_device(args, job, &device, !args.no_embed, max_losses)?;
+            finish(job, from, converted, place, report, out)
         }
         Input::Concise(configuration) => {
             finish(job, from, of_configuration(job, &configuration)?, place, report, out)

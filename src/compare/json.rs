@@ -1,0 +1,85 @@
+//! A datum as JSON.
+
+use std::fmt;
+use std::io::{self, Write};
+
+use serde::{Serialize, Serializer};
+use serde_json::Value;
+
+/// The JSON of a datum as its text: as a tree, a short datum takes twenty times the memory.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Json(Box<str>);
+
+impl Json {
+    /// The datum as a tree.
+    pub fn value(&self) -> Value {
+        serde_json::from_str(&self.0).unwrap_or_default()
+    }
+
+    /// The text, without blanks between its parts.
+    pub fn text(&self) -> &str {
+        &self.0
+    }
+
+    /// A number that distinguishes values: the 32-bit FNV-1a hash of the text.
+    pub fn fingerprint(&self) -> u32 {
+        self.0.bytes().fold(0x811C_9DC5, |hash, byte| (hash ^ u32::from(byte)).wrapping_mul(0x0100_0193))
+    }
+}
+
+impl From<&Value> for Json {
+    fn from(value: &Value) -> Self {
+        Self(value.to_string().into())
+    }
+}
+
+impl From<Value> for Json {
+    fn from(value: Value) -> Self {
+        Self::from(&value)
+    }
+}
+
+impl fmt::Display for Json {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.write_str(&self.0)
+    }
+}
+
+impl Serialize for Json {
+    fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
+        self.value().serialize(serializer)
+    }
+}
+
+/// How many values the JSON of a datum has, counted without making it.
+pub(super) fn count(datum: &impl Serialize) -> usize {
+    struct Counter(usize);
+    impl Write for Counter {
+        fn write(&mut self, token: &[u8]) -> io::Result<usize> {
+            // what begins a value; the first one of a list or object follows its bracket
+            self.0 += usize::from(matches!(token, b"," | b"[" | b"{"));
+            Ok(token.len())
+        }
+
+        fn flush(&mut self) -> io::Result<()> {
+            Ok(())
+        }
+    }
+    let mut counter = Counter(1);
+    // the counter has no errors, and the keys of the model are texts
+    let _ = serde_json::to_writer(&mut counter, datum);
+    counter.0
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use serde_json::json;
+
+    #[test]
+    fn values_are_counted_as_they_are_in_the_text() {
+        assert_eq!(count(&json!(1)), 1);
+        assert_eq!(count(&json!([1, 2])), 3);
+        assert_eq!(count(&json!({ "a": [1, { "b": "c, [d" }], "e": 1 })), 6);
+    }
+}
