@@ -6,7 +6,7 @@ use super::bus_keys::{MAPPING, MASTER, NODE, OPTIONS, PDO, SDO};
 use super::rules::{MISSING_KEY, OVERRIDDEN_KEY, UNKNOWN_KEY, WRONG_TYPE};
 use super::section::{Section, or_foreign, value_wish, wrong};
 use super::tree::{Entry, Kind, Tree};
-use super::{Descriptions, yaml};
+use super::{Descriptions, yaml, too_many};
 use crate::configure::PdoName;
 use crate::diagnostic::{Diagnostic, Findings, say};
 use crate::download::Order;
@@ -15,9 +15,6 @@ use crate::network::{
     CobIdWish, DownloadWish, Heartbeat, Manager, Network, Node, PdoWish, Said, Startup, ValueWish,
 };
 use crate::source::Span;
-
-/// The largest number of nodes on a bus.
-const MAX_NODES: usize = 127;
 
 /// What ros2_canopen has beside the nodes.
 const KEYS_OF_ROS: [&str; 4] = ["options", "master", "defaults", "nodes"];
@@ -53,9 +50,8 @@ pub(super) fn read(
         }
     };
     let nodes = if tree.get("nodes").is_some() { reader.ros_nodes(&tree) } else { nodes(entries) };
-    if nodes.len() > MAX_NODES {
-        let message = say!("there are {} nodes, but a network has at most {}", nodes.len(), MAX_NODES);
-        reader.findings.push(Diagnostic::new(&WRONG_TYPE, tree.span, message).help("remove nodes"));
+    if let Some(finding) = too_many(nodes.len(), Some(tree.span)) {
+        reader.findings.push(finding);
         return None;
     }
     network.nodes = nodes.iter().filter_map(|entry| reader.node(entry)).collect();

@@ -23,10 +23,10 @@ impl Device {
             modules.supported.values_mut()
         });
         for module in of_modules {
-            module.fixed.values_mut().for_each(Object::remove_configuration);
+            module.fixed.values_mut().for_each(|object| object.remove_configuration());
             module.extensions.values_mut().for_each(|extension| extension.entry.remove_configuration());
         }
-        device.objects.values_mut().for_each(Object::remove_configuration);
+        device.objects.values_mut().for_each(|object| object.remove_configuration());
         let parameters = device.application.iter_mut().flat_map(|process| &mut process.parameters);
         parameters.for_each(Parameter::remove_configuration);
         Cow::Owned(device)
