@@ -41,7 +41,7 @@ pub(super) struct InputArgs {
 #[derive(Debug, Args)]
 #[command(next_help_heading = "Input")]
 pub(super) struct EntriesArgs {
-    /// The largest number of entries in compact storage; of sections or elements a quarter, and one for each 32 bytes
+    /// The largest number of entries in compact storage; the limits of other parts grow with it (README, limits)
     /// [default: 250000]
     #[arg(long, value_name = "NUMBER", default_value_t = DEFAULT_MAX_ENTRIES, hide_default_value = true)]
     pub max_entries: usize,
@@ -72,10 +72,9 @@ impl InputArgs {
         Reading { from, device, encoding, max_size, max_entries, node_id: None }
     }
 
-    /// How much of a text of so many bytes a conversion may lose or embed: `--max-entries` raises this limit too.
+    /// How much of a text of so many bytes a conversion may lose or embed.
     pub(super) fn max_losses(&self, bytes: usize) -> usize {
-        let raised = self.entries.max_entries.saturating_sub(DEFAULT_MAX_ENTRIES);
-        WriteOptions::max_losses_of(bytes).saturating_add(raised)
+        WriteOptions::max_losses_of(bytes, self.entries.max_entries)
     }
 
     /// What is in a file, and as what kind it was read; `-` is the standard input.

@@ -41,8 +41,8 @@ pub fn apply(device: &mut Device, changes: Vec<DatumChange>) -> Vec<DatumChange>
         let objects = std::mem::take(&mut device.objects);
         let mut frame = std::mem::take(device);
         frame.extra.sort_by(|a, b| a.name().cmp(b.name()));
-        let others =
-            others.into_iter().filter_map(|change| set_extra(&mut frame, change)).collect::<Vec<_>>();
+        let set = |change| set_extra(&mut frame, change).and_then(|change| set_large(&mut frame, change));
+        let others = others.into_iter().filter_map(set).collect::<Vec<_>>();
         // the JSON of the sections takes much memory
         let needs_extra = others.iter().any(|change| change.path.starts_with("/extra"));
         let extra = if needs_extra { Vec::new() } else { std::mem::take(&mut frame.extra) };
@@ -78,6 +78,28 @@ fn set_extra(frame: &mut Device, change: DatumChange) -> Option<DatumChange> {
         }
         None => Some(change),
     }
+}
+
+/// Adds a part of the device that it does not have, without a tree of its JSON. Returns any other change, and one that could not
+/// be made.
+fn set_large(frame: &mut Device, change: DatumChange) -> Option<DatumChange> {
+    let Some(after) = change.after.as_ref().filter(|after| change.before.is_none() && after.is_large()) else {
+        return Some(change);
+    };
+    macro_rules! set {
+        ($($name:ident)*) => {
+            match change.path.strip_prefix('/') {
+                $(Some(stringify!($name)) if frame.$name == Device::default().$name => {
+                    let document = format!("{{\"{}\":{after}}}", stringify!($name));
+                    let Ok(read) = serde_json::from_str::<Device>(&document) else { return Some(change) };
+                    frame.$name = read.$name;
+                    None
+                })*
+                _ => Some(change),
+            }
+        };
+    }
+    set! { application comments downloads functions lists module_objects modules tools }
 }
 
 /// The object that a path leads to or into.

@@ -3,14 +3,38 @@
 use std::fmt;
 use std::io::{self, Write};
 
+use serde::de::IgnoredAny;
 use serde::{Serialize, Serializer};
 use serde_json::Value;
+
+/// So many bytes make a tree of megabytes.
+const LARGE: usize = 1 << 16;
 
 /// The JSON of a datum as its text: as a tree, a short datum takes twenty times the memory.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Json(Box<str>);
 
 impl Json {
+    /// The JSON of a part of the model, which always has one: its keys are texts.
+    pub(super) fn of(part: &impl Serialize) -> Self {
+        Self(serde_json::to_string(part).unwrap_or_default().into())
+    }
+
+    /// The text of a value as it is; `None` when it does not begin with one. With it comes what is behind.
+    pub(crate) fn prefix(text: &str) -> Option<(Self, &str)> {
+        let mut values = serde_json::Deserializer::from_str(text).into_iter::<IgnoredAny>();
+        values.next()?.ok()?;
+        let (value, rest) = text.split_at(values.byte_offset());
+        // in one spelling, where that takes no memory
+        let value = Self(value.into());
+        Some((if value.0.len() < LARGE { Self::from(value.value()) } else { value }, rest))
+    }
+
+    /// Whether a tree of it would take much memory.
+    pub(super) fn is_large(&self) -> bool {
+        self.0.len() >= LARGE
+    }
+
     /// The datum as a tree.
     pub fn value(&self) -> Value {
         serde_json::from_str(&self.0).unwrap_or_default()

@@ -103,6 +103,9 @@ struct Comparison<'a> {
     found: &'a mut dyn FnMut(DatumDifference),
 }
 
+/// A part of more values that only one device has is not made a tree.
+const MAX_TREE: usize = 1000;
+
 /// What a path takes, beside its values.
 const DIFFERENCE: usize = 2;
 
@@ -133,7 +136,13 @@ impl Comparison<'_> {
             self.count += size;
             return;
         }
-        self.step(name, |comparison| comparison.values(left.map(to_value), right.map(to_value)));
+        self.step(name, |comparison| match (left, right) {
+            (Some(left), None) if size > MAX_TREE => {
+                comparison.count += DIFFERENCE + size;
+                comparison.push(comparison.path.clone(), Some(Json::of(left)), None);
+            }
+            _ => comparison.values(left.map(to_value), right.map(to_value)),
+        });
     }
 
     /// The sections that the model does not know: those that differ where both devices have as many, else all as one text,

@@ -1,6 +1,7 @@
 //! A description configured for a node: by edits of its text where that is possible.
 
 use super::literal::{self, Spelling};
+use super::input::DEFAULT_MAX_ENTRIES;
 use super::{Description, Format, Syntax, WriteOptions, eds, embedded};
 use crate::compare::Json;
 use crate::diagnostic::{Change, Fix};
@@ -64,7 +65,7 @@ impl Description {
             Syntax::Ini => Format::Dcf,
             Syntax::Xml => Format::Xdc,
         };
-        let max_losses = WriteOptions::max_losses_of(self.source().text().len());
+        let max_losses = WriteOptions::max_losses_of(self.source().text().len(), DEFAULT_MAX_ENTRIES);
         let options = WriteOptions { embed: true, max_losses, ..WriteOptions::default() };
         let bytes = super::write(&device, format, &options)?.bytes;
         Ok(ConfiguredFile { bytes, device, is_edited: false })

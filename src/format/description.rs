@@ -81,14 +81,14 @@ impl Description {
     /// The description of another device of the same file, counted from 0; `None` where there are fewer.
     #[must_use]
     pub fn select(self, number: usize) -> Option<Self> {
-        if number == self.number { Some(self) } else { self.numbered(number) }
+        if number == self.number { Some(self) } else { self.sibling(number) }
     }
 
-    /// The description of another device of the same file, which shares the text; `None` where there are fewer, and for this one.
-    pub(super) fn numbered(&self, number: usize) -> Option<Self> {
+    /// The description of a device of the same XML file, counted from 0, which shares the text; `None` where there are fewer.
+    pub fn sibling(&self, number: usize) -> Option<Self> {
         match &self.text {
             #[cfg(feature = "xdd")]
-            Text::Xml(tree, _) if number != self.number && number < xdd::containers(tree).len() => {
+            Text::Xml(tree, _) if number < xdd::containers(tree).len() => {
                 let (device, findings) = xdd::read(tree, number, self.format.kind());
                 let (device, findings) = restored(device, findings);
                 let (tree, format) = (Arc::clone(tree), self.format);
@@ -101,11 +101,10 @@ impl Description {
     /// One of the devices of the file.
     #[cfg(feature = "json")]
     fn device_at(&self, number: usize) -> Cow<'_, Device> {
-        match self.numbered(number) {
-            Some(other) => Cow::Owned(other.device),
-            None if number == self.number => Cow::Borrowed(&self.device),
-            None => Cow::Owned(Device::default()),
+        if number == self.number {
+            return Cow::Borrowed(&self.device);
         }
+        Cow::Owned(self.sibling(number).map(|other| other.device).unwrap_or_default())
     }
 
     /// Which device of the file it describes, counted from 0.
@@ -291,7 +290,7 @@ impl Description {
             device.commissioning = Some(node.clone());
         }
         let format = if node.is_some() { Format::Xdc } else { Format::Xdd };
-        let max_losses = super::WriteOptions::max_losses_of(self.source().text().len());
+        let max_losses = super::WriteOptions::max_losses_of(self.source().text().len(), super::input::DEFAULT_MAX_ENTRIES);
         let options = super::WriteOptions { embed: true, max_losses, ..super::WriteOptions::default() };
         Ok(super::write(&device, format, &options)?.bytes)
     }

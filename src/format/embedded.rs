@@ -4,8 +4,6 @@
 //! What is carried is never guessed: it is the difference between a device and what comes back of it. Each item says
 //! what the reader will find in its place, so that later edits are not undone.
 
-use serde_json::Value;
-
 use crate::compare::{DatumChange, Json, apply};
 use crate::diagnostic::{Diagnostic, Findings, RuleInfo, say, text_rule};
 use crate::model::{
@@ -227,9 +225,8 @@ fn parse(path: &str, text: &str) -> Option<DatumChange> {
     let (after, rest) = match text.strip_prefix("nothing") {
         Some(rest) => (None, rest),
         None => {
-            let mut values = serde_json::Deserializer::from_str(text).into_iter::<Value>();
-            let value = values.next()?.ok()?;
-            (Some(value.into()), &text[values.byte_offset()..])
+            let (value, rest) = Json::prefix(text)?;
+            (Some(value), rest)
         }
     };
     let before = match rest {
@@ -298,7 +295,7 @@ fn pieces(text: &str, room: usize) -> Vec<String> {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use serde_json::json;
+    use serde_json::{Value, json};
 
     fn change(path: &str, before: Option<u32>, after: Option<Value>) -> DatumChange {
         DatumChange { path: path.to_owned(), before, after: after.map(Json::from) }

@@ -161,8 +161,9 @@ pub const DEFAULT_MAX_ENTRIES: usize = 250_000;
 
 /// A text may have a section or element for so many bytes, and one for so many entries that are
 /// [allowed](Reading::max_entries): those of real descriptions are longer.
-const BYTES_PER_PART: usize = 32;
-const ENTRIES_PER_PART: usize = 4;
+const BYTES_PER_SECTION: usize = 64;
+const BYTES_PER_ELEMENT: usize = 48;
+const ENTRIES_PER_PART: usize = 10;
 
 /// The JSON of a device may have a value for so many bytes, and one for each entry that is allowed.
 #[cfg(feature = "json")]
@@ -183,7 +184,8 @@ pub struct Reading {
     /// The largest size in bytes that is read. More than 1 GiB is never read.
     pub max_size: u64,
     /// How many entries objects in compact storage (`CompactSubObj`) may have in all: what is made of the device has each.
-    /// A text may have a quarter as many sections or elements, and one more for each 32 bytes.
+    /// A text may have a tenth as many sections or elements, and one more for each 64 or 48 bytes; JSON may have as many
+    /// values, and one more for each 16 bytes.
     pub max_entries: usize,
     /// The node that formulas in the text of a concise DCF are evaluated for.
     pub node_id: Option<u8>,
@@ -330,12 +332,8 @@ impl Reading {
         let (kind, source) = self.recognised(name, bytes)?;
         if kind.format().is_some_and(|format| format.syntax() == Syntax::Ini) {
             // what only looks at the text takes little memory for a section
-            self.limited_parts(
-                name,
-                "sections",
-                memchr::memmem::find_iter(source.text().as_bytes(), "\n[").count(),
-                source.text().len(),
-            )?;
+            let count = memchr::memmem::find_iter(source.text().as_bytes(), "\n[").count();
+            self.limited_parts(name, "sections", count, source.text().len() / BYTES_PER_SECTION)?;
         }
         let input = match kind.format() {
             Some(format) => Input::Description(Box::new(super::read(source, format))),
@@ -345,15 +343,16 @@ impl Reading {
         Ok((kind, input))
     }
 
-    /// Refuses a text with too many sections or elements, before they are read: each takes more memory than its text.
+    /// Refuses a text with too many sections or elements, before they are read: each takes more memory than its text. A
+    /// large text may have more.
     fn limited_parts(
         &self,
         name: &str,
         what: &'static str,
         count: usize,
-        bytes: usize,
+        more: usize,
     ) -> Result<(), ReadError> {
-        let (name, limit) = (name.to_owned(), self.max_entries / ENTRIES_PER_PART + bytes / BYTES_PER_PART);
+        let (name, limit) = (name.to_owned(), self.max_entries / ENTRIES_PER_PART + more);
         if count > limit { Err(ReadError::TooManyParts { name, what, count, limit }) } else { Ok(()) }
     }
 
@@ -435,8 +434,10 @@ impl Reading {
     /// # Errors
     /// When there is no such device, or several and none was asked for.
     pub fn select(&self, name: &str, description: Description) -> Result<Description, ReadError> {
-        let number = self.number(name, description.device_count())?;
-        Ok(description.numbered(number).unwrap_or(description))
+        let count = description.device_count();
+        let position = self.number(name, count)?;
+        let number = NonZeroUsize::MIN.saturating_add(position);
+        description.select(position).ok_or_else(|| ReadError::NoSuchDevice { name: name.to_owned(), number, count })
     }
 
     /// The position of the device that was asked for, in a file of so many.
@@ -467,7 +468,12 @@ impl Reading {
             return Err(ReadError::NotBuilt { name: name.to_owned(), kind });
         }
         if is_xml {
-            self.limited_parts(name, "elements", start_tags(source.text()), source.text().len())?;
+            self.limited_parts(
+                name,
+                "elements",
+                start_tags(source.text()),
+                source.text().len() / BYTES_PER_ELEMENT,
+            )?;
             let count = containers(source.text());
             if count > MAX_DEVICES {
                 return Err(ReadError::TooManyDevices { name: name.to_owned(), count });

@@ -26,7 +26,7 @@ pub(crate) use self::description::stated_name;
 pub use self::dialect::Dialect;
 pub use self::input::{ReadError, open};
 #[cfg(all(feature = "json", feature = "xdd"))]
-pub use self::write::{DEFAULT_MAX_LOSSES, Loss, LossKind, WriteOptions, Written};
+pub use self::write::{Loss, LossKind, WriteOptions, Written};
 #[cfg(feature = "xdd")]
 use crate::diagnostic::Findings;
 use crate::diagnostic::RuleInfo;

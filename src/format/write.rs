@@ -9,6 +9,7 @@ use serde_json::Value;
 
 use super::embedded::{self, Room};
 use super::ini::Document;
+use super::input::DEFAULT_MAX_ENTRIES;
 use super::xml::Tree;
 use super::{Dialect, EditError, Format, Style, Syntax, XddVersion, eds, xdd};
 use crate::compare::{DatumChange, DatumDifference, Json, TooMany, each_difference};
@@ -34,7 +35,11 @@ pub struct WriteOptions {
 }
 
 /// The limit of values that a text does not give back: each takes up to 1 kB while it is embedded.
-pub const DEFAULT_MAX_LOSSES: usize = 25_000;
+const DEFAULT_MAX_LOSSES: usize = DEFAULT_MAX_ENTRIES / ENTRIES_PER_LOSS;
+const ENTRIES_PER_LOSS: usize = 4;
+
+/// What is left out is only reported, so there may be so many times more of it.
+const LEFT_OUT: usize = 8;
 
 impl Default for WriteOptions {
     fn default() -> Self {
@@ -49,9 +54,10 @@ impl Default for WriteOptions {
 }
 
 impl WriteOptions {
-    /// The limit for the text of a description that is changed: larger ones have more to lose.
-    pub const fn max_losses_of(bytes: usize) -> usize {
-        DEFAULT_MAX_LOSSES + bytes / BYTES_PER_LOSS
+    /// The limit for the text of a description, which is higher for a large one, where it may have so many
+    /// [entries](super::input::Reading::max_entries).
+    pub const fn max_losses_of(bytes: usize, max_entries: usize) -> usize {
+        max_entries / ENTRIES_PER_LOSS + bytes / BYTES_PER_LOSS
     }
 }
 
@@ -209,7 +215,8 @@ fn value_of_entry(json: &Json) -> Option<crate::model::Value> {
 pub(super) fn write(device: &Device, format: Format, options: &WriteOptions) -> Result<Written, EditError> {
     let limit = options.max_losses;
     let kept = kept(device, format);
-    let mut losses = losses_of(missing(device, &kept, limit)?, LossKind::LeftOut);
+    let left_out = missing(device, &kept, limit.saturating_mul(LEFT_OUT))?;
+    let mut losses = losses_of(left_out, LossKind::LeftOut);
     // of what is stored compactly only the form is lost, and only where that was asked for
     let wanted = match options.eds.compact || options.embed {
         true => kept,
@@ -275,7 +282,8 @@ pub(super) fn losses(
 ) -> Result<Vec<Loss>, EditError> {
     let limit = options.max_losses;
     let kept = kept(device, format);
-    let mut left_out = losses_of(missing(device, &kept, limit)?, LossKind::LeftOut);
+    let left_out = missing(device, &kept, limit.saturating_mul(LEFT_OUT))?;
+    let mut left_out = losses_of(left_out, LossKind::LeftOut);
     let text = decode(bytes.to_vec(), format, options.eds.encoding);
     let (read, _) = embedded::restore(text.device, Findings::new());
     let mut losses = losses_of(missing(&kept, &read, limit)?, LossKind::Lost);

@@ -1,5 +1,6 @@
 //! What is made of a device.
 
+use std::borrow::Cow;
 use std::collections::BTreeMap;
 use std::mem;
 use std::path::Path;
@@ -37,46 +38,47 @@ impl Converted {
 pub(super) fn of_description(
     args: &ConvertArgs,
     job: &Job,
-    description: &Description,
+    description: Description,
     from: FileKind,
 ) -> Result<Converted, Failure> {
-    let device = description.device();
     let max_losses = args.input.max_losses(description.source().text().len());
-    warn_of_unknown_text(job, description);
+    warn_of_unknown_text(job, &description);
     if description.is_project() || description.is_network() {
-        return of_device(args, job, device, !args.no_embed, max_losses);
+        return of_device(args, job, description.into_device(), !args.no_embed, max_losses);
     }
     let Some(to) = job.to.format().filter(|to| to.syntax() == description.format().syntax()) else {
-        return of_device(args, job, device, !args.no_embed, max_losses);
+        return of_device(args, job, description.into_device(), !args.no_embed, max_losses);
     };
     if args.canonical.is_asked() || args.expand.implicit_pdos || args.xdd_version.is_some() {
         // an EDS takes every text of another, an XDD only those that are valid, and other tools not all of them
         let is_narrower = to.syntax() == Syntax::Xml || args.canonical.dialect.is_other();
-        return of_device(args, job, device, !args.no_embed && is_narrower, max_losses);
+        return of_device(args, job, description.into_device(), !args.no_embed && is_narrower, max_losses);
     }
-    warn_of_violations(job, description);
+    warn_of_violations(job, &description);
     if from == job.to && (to.kind() == DeviceKind::Type || !args.changes_node()) {
         return Ok(Converted::whole(description.source().to_bytes()));
     }
     let file_name = base_name(&job.output);
-    let mut expected = device.clone();
-    let bytes = match to.kind() {
-        DeviceKind::Node => {
-            let node = node(args, job, device)?;
-            let bytes = description.to_node(&file_name, &node.clone().unwrap_or_default());
-            expected.kind = DeviceKind::Node;
-            expected.commissioning = node;
-            expected.file_info.get_or_insert_default();
-            bytes
-        }
-        DeviceKind::Type => description.to_type(&file_name),
+    let node = match to.kind() {
+        DeviceKind::Node => node(args, job, description.device())?,
+        DeviceKind::Type => None,
     };
-    let bytes = bytes?;
+    let bytes = match to.kind() {
+        DeviceKind::Node => description.to_node(&file_name, &node.clone().unwrap_or_default())?,
+        DeviceKind::Type => description.to_type(&file_name)?,
+    };
+    let encoding = description.source().encoding();
+    let mut expected = description.into_device();
+    if to.kind() == DeviceKind::Node {
+        expected.kind = DeviceKind::Node;
+        expected.commissioning = node;
+        expected.file_info.get_or_insert_default();
+    }
     if let Some(info) = &mut expected.file_info {
         info.file_name = Some(file_name);
     }
     let mut options = WriteOptions { max_losses, ..WriteOptions::default() };
-    options.eds.encoding = Some(description.source().encoding());
+    options.eds.encoding = Some(encoding);
     let losses = format::losses(&expected, &bytes, to, &options)?;
     Ok(Converted { bytes, losses })
 }
@@ -108,11 +110,15 @@ fn warn_of_violations(job: &Job, description: &Description) {
 pub(super) fn of_device(
     args: &ConvertArgs,
     job: &Job,
-    device: &Device,
+    device: Device,
     embed: bool,
     max_losses: usize,
 ) -> Result<Converted, Failure> {
-    let device = args.expand.device(device);
+    let expanded = match args.expand.device(&device) {
+        Cow::Owned(expanded) => Some(expanded),
+        Cow::Borrowed(_) => None,
+    };
+    let device = expanded.unwrap_or(device);
     match job.to {
         FileKind::Json => Ok(Converted::whole(json::write_device(&device).into_bytes())),
         FileKind::Cdcf => {
@@ -128,9 +134,9 @@ pub(super) fn of_device(
         FileKind::Cpj | FileKind::Dbc | FileKind::CanopenNode => {
             Err(Failure::new(format_args!("a {} is not made of one description", job.to.name())))
         }
-        FileKind::Eds | FileKind::Xdd => anew(args, job, device.into_owned(), embed, max_losses),
+        FileKind::Eds | FileKind::Xdd => anew(args, job, device, embed, max_losses),
         FileKind::Dcf | FileKind::Xdc => {
-            let mut node_device = device.into_owned();
+            let mut node_device = device;
             node_device.commissioning = node(args, job, &node_device)?;
             node_device.kind = DeviceKind::Node;
             anew(args, job, node_device, embed, max_losses)

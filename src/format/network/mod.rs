@@ -143,6 +143,12 @@ fn too_many(count: usize, at: Option<Span>) -> Option<Diagnostic> {
     (count > MAX_DEVICES).then_some(finding)
 }
 
+/// One of the descriptions in a file, of which the first was read.
+fn of_number(first: &Rc<Description>, number: usize) -> Rc<Description> {
+    let other = (number != first.number()).then(|| first.sibling(number)).flatten();
+    other.map_or_else(|| Rc::clone(first), Rc::new)
+}
+
 /// How the paths in a network file are read.
 #[derive(Clone, Debug, Default)]
 pub struct PathOptions {
@@ -226,7 +232,7 @@ impl Descriptions<'_> {
         };
         if let Some(first) = self.several.get(&path) {
             let number = reading.number(&path.display().to_string(), first.device_count()).map_err(refused)?;
-            return Ok(Read::Description(first.numbered(number).map_or_else(|| Rc::clone(first), Rc::new)));
+            return Ok(Read::Description(of_number(first, number)));
         }
         match reading.open(&path).map_err(refused)? {
             (_, Input::Description(first)) => {
@@ -236,7 +242,7 @@ impl Descriptions<'_> {
                 if count > 1 {
                     self.several.insert(path, Rc::clone(&first));
                 }
-                Ok(Read::Description(first.numbered(number).map_or(first, Rc::new)))
+                Ok(Read::Description(of_number(&first, number)))
             }
             (_, Input::Device(device)) => Ok(Read::Device(Rc::new(*device))),
             (kind, _) => {
