@@ -64,8 +64,7 @@ pub(super) fn run(args: &ConfigureArgs, out: &mut Output) -> Result<Outcome, Fai
     }
     if args.dialect.is_other() && !is_xml {
         let options = WriteOptions { embed: true, ..args.dialect.options() };
-        configured.bytes =
-            format::write(&configured.device, Format::Dcf, &options)?.bytes;
+        configured.bytes = format::write(&configured.device, Format::Dcf, &options)?.bytes;
         tell("note: the file is written anew for the dialect, without comments\n");
     } else if !configured.is_edited {
         tell(

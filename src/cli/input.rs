@@ -186,7 +186,8 @@ impl From<ReadError> for Failure {
 
 impl From<EditError> for Failure {
     fn from(error: EditError) -> Self {
-        let help = matches!(error, EditError::TooMuchLost { .. }).then(|| "raise the limit with `--max-entries`".to_owned());
+        let help = matches!(error, EditError::TooMuchLost { .. })
+            .then(|| "raise the limit with `--max-entries`".to_owned());
         Self::new(&error).maybe_help(help)
     }
 }

@@ -43,19 +43,33 @@ pub fn apply(device: &mut Device, changes: Vec<DatumChange>) -> Vec<DatumChange>
         frame.extra.sort_by(|a, b| a.name().cmp(b.name()));
         let set = |change| set_extra(&mut frame, change).and_then(|change| set_large(&mut frame, change));
         let others = others.into_iter().filter_map(set).collect::<Vec<_>>();
-        // the JSON of the sections takes much memory
-        let needs_extra = others.iter().any(|change| change.path.starts_with("/extra"));
-        let extra = if needs_extra { Vec::new() } else { std::mem::take(&mut frame.extra) };
+        // the JSON of the other parts takes much memory
+        let mut untouched = Device::default();
+        let paths: Vec<String> = others.iter().map(|change| change.path.clone()).collect();
+        exchange_untouched(&mut frame, &mut untouched, &paths);
         let mut frame = Some(frame);
         if !others.is_empty() {
             apply_to(&mut frame, "", others, &mut refused);
         }
         *device = Device { objects, ..frame.unwrap_or_default() };
-        if !needs_extra {
-            device.extra = extra;
-        }
+        exchange_untouched(device, &mut untouched, &paths);
     }
     refused
+}
+
+/// Exchanges the large parts of two devices that no path leads into.
+fn exchange_untouched(one: &mut Device, other: &mut Device, paths: &[String]) {
+    let is_touched = |name: &str| {
+        paths.iter().any(|path| path.get(1..).is_some_and(|path| path.split('/').next() == Some(name)))
+    };
+    macro_rules! exchange {
+        ($($name:ident)*) => {
+            $(if !is_touched(stringify!($name)) {
+                std::mem::swap(&mut one.$name, &mut other.$name);
+            })*
+        };
+    }
+    exchange! { application comments downloads extra functions lists module_objects modules tools }
 }
 
 /// Makes a change of all sections that the model does not know, as one text. Returns any other change, and one that could
@@ -80,16 +94,18 @@ fn set_extra(frame: &mut Device, change: DatumChange) -> Option<DatumChange> {
     }
 }
 
-/// Adds a part of the device that it does not have, without a tree of its JSON. Returns any other change, and one that could not
-/// be made.
+/// Replaces a part of the device as a whole, without a tree of its JSON. Returns any other change, and one that could not be made.
 fn set_large(frame: &mut Device, change: DatumChange) -> Option<DatumChange> {
-    let Some(after) = change.after.as_ref().filter(|after| change.before.is_none() && after.is_large()) else {
-        return Some(change);
-    };
+    let Some(after) = change.after.as_ref().filter(|after| after.is_large()) else { return Some(change) };
+    let absent = Device::default();
     macro_rules! set {
         ($($name:ident)*) => {
             match change.path.strip_prefix('/') {
-                $(Some(stringify!($name)) if frame.$name == Device::default().$name => {
+                $(Some(stringify!($name)) => {
+                    let present = Some(&frame.$name).filter(|present| **present != absent.$name);
+                    if change.before != present.map(|present| Json::of(present).fingerprint()) {
+                        return Some(change);
+                    }
                     let document = format!("{{\"{}\":{after}}}", stringify!($name));
                     let Ok(read) = serde_json::from_str::<Device>(&document) else { return Some(change) };
                     frame.$name = read.$name;
@@ -99,7 +115,10 @@ fn set_large(frame: &mut Device, change: DatumChange) -> Option<DatumChange> {
             }
         };
     }
-    set! { application comments downloads functions lists module_objects modules tools }
+    set! {
+        application comments commissioning device_info downloads dummy_usage dynamic_channels file_info functions headers
+        identity lists manager module_objects modules network_identity tools
+    }
 }
 
 /// The object that a path leads to or into.
@@ -169,15 +188,13 @@ fn set(root: &mut Option<Value>, change: &DatumChange, path: &str) -> bool {
             };
             true
         }
-        Value::Array(items) => {
-            match (key.parse().ok().and_then(|at: usize| items.get_mut(at)), after()) {
-                (Some(item), Some(value)) if is_expected(Some(item)) => {
-                    *item = value;
-                    true
-                }
-                _ => false,
+        Value::Array(items) => match (key.parse().ok().and_then(|at: usize| items.get_mut(at)), after()) {
+            (Some(item), Some(value)) if is_expected(Some(item)) => {
+                *item = value;
+                true
             }
-        }
+            _ => false,
+        },
         _ => false,
     }
 }

@@ -17,7 +17,7 @@ pub struct Json(Box<str>);
 impl Json {
     /// The JSON of a part of the model, which always has one: its keys are texts.
     pub(super) fn of(part: &impl Serialize) -> Self {
-        Self(serde_json::to_string(part).unwrap_or_default().into())
+        Self(serde_json::to_string(part).unwrap_or_default().into_boxed_str())
     }
 
     /// The text of a value as it is; `None` when it does not begin with one. With it comes what is behind.

@@ -106,6 +106,9 @@ struct Comparison<'a> {
 /// A part of more values that only one device has is not made a tree.
 const MAX_TREE: usize = 1000;
 
+/// A part of more values that both have is not compared value by value; of an object it always is.
+const MAX_TREES: usize = 20_000;
+
 /// What a path takes, beside its values.
 const DIFFERENCE: usize = 2;
 
@@ -136,13 +139,18 @@ impl Comparison<'_> {
             self.count += size;
             return;
         }
+        let is_frame = self.path.is_empty();
         self.step(name, |comparison| match (left, right) {
-            (Some(left), None) if size > MAX_TREE => {
-                comparison.count += DIFFERENCE + size;
-                comparison.push(comparison.path.clone(), Some(Json::of(left)), None);
-            }
+            (Some(_), None) if size > MAX_TREE => comparison.whole(left, right, size),
+            (Some(_), Some(_)) if size > MAX_TREES && is_frame => comparison.whole(left, right, size),
             _ => comparison.values(left.map(to_value), right.map(to_value)),
         });
+    }
+
+    /// A large part as one difference: no tree of its JSON is made.
+    fn whole<T: Serialize>(&mut self, left: Option<&T>, right: Option<&T>, size: usize) {
+        self.count += DIFFERENCE + size;
+        self.push(self.path.clone(), left.map(Json::of), right.map(Json::of));
     }
 
     /// The sections that the model does not know: those that differ where both devices have as many, else all as one text,

@@ -1,7 +1,7 @@
 //! A description configured for a node: by edits of its text where that is possible.
 
-use super::literal::{self, Spelling};
 use super::input::DEFAULT_MAX_ENTRIES;
+use super::literal::{self, Spelling};
 use super::{Description, Format, Syntax, WriteOptions, eds, embedded};
 use crate::compare::Json;
 use crate::diagnostic::{Change, Fix};

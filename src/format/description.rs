@@ -290,7 +290,8 @@ impl Description {
             device.commissioning = Some(node.clone());
         }
         let format = if node.is_some() { Format::Xdc } else { Format::Xdd };
-        let max_losses = super::WriteOptions::max_losses_of(self.source().text().len(), super::input::DEFAULT_MAX_ENTRIES);
+        let max_losses =
+            super::WriteOptions::max_losses_of(self.source().text().len(), super::input::DEFAULT_MAX_ENTRIES);
         let options = super::WriteOptions { embed: true, max_losses, ..super::WriteOptions::default() };
         Ok(super::write(&device, format, &options)?.bytes)
     }

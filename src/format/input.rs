@@ -161,9 +161,8 @@ pub const DEFAULT_MAX_ENTRIES: usize = 250_000;
 
 /// A text may have a section or element for so many bytes, and one for so many entries that are
 /// [allowed](Reading::max_entries): those of real descriptions are longer.
-const BYTES_PER_SECTION: usize = 64;
-const BYTES_PER_ELEMENT: usize = 48;
-const ENTRIES_PER_PART: usize = 10;
+const BYTES_PER_PART: usize = 64;
+const ENTRIES_PER_PART: usize = 16;
 
 /// The JSON of a device may have a value for so many bytes, and one for each entry that is allowed.
 #[cfg(feature = "json")]
@@ -184,7 +183,7 @@ pub struct Reading {
     /// The largest size in bytes that is read. More than 1 GiB is never read.
     pub max_size: u64,
     /// How many entries objects in compact storage (`CompactSubObj`) may have in all: what is made of the device has each.
-    /// A text may have a tenth as many sections or elements, and one more for each 64 or 48 bytes; JSON may have as many
+    /// A text may have a sixteenth as many sections or elements, and one more for each 64 bytes; JSON may have as many
     /// values, and one more for each 16 bytes.
     pub max_entries: usize,
     /// The node that formulas in the text of a concise DCF are evaluated for.
@@ -333,7 +332,7 @@ impl Reading {
         if kind.format().is_some_and(|format| format.syntax() == Syntax::Ini) {
             // what only looks at the text takes little memory for a section
             let count = memchr::memmem::find_iter(source.text().as_bytes(), "\n[").count();
-            self.limited_parts(name, "sections", count, source.text().len() / BYTES_PER_SECTION)?;
+            self.limited_parts(name, "sections", count, source.text().len())?;
         }
         let input = match kind.format() {
             Some(format) => Input::Description(Box::new(super::read(source, format))),
@@ -350,9 +349,9 @@ impl Reading {
         name: &str,
         what: &'static str,
         count: usize,
-        more: usize,
+        bytes: usize,
     ) -> Result<(), ReadError> {
-        let (name, limit) = (name.to_owned(), self.max_entries / ENTRIES_PER_PART + more);
+        let (name, limit) = (name.to_owned(), self.max_entries / ENTRIES_PER_PART + bytes / BYTES_PER_PART);
         if count > limit { Err(ReadError::TooManyParts { name, what, count, limit }) } else { Ok(()) }
     }
 
@@ -362,7 +361,11 @@ impl Reading {
         let count = memchr::memchr3_iter(b',', b'[', b'{', source.text().as_bytes()).count();
         let limit = self.max_entries + source.text().len() / BYTES_PER_VALUE;
         let name = source.name().to_owned();
-        if count > limit { Err(ReadError::TooManyParts { name, what: "values", count, limit }) } else { Ok(()) }
+        if count > limit {
+            Err(ReadError::TooManyParts { name, what: "values", count, limit })
+        } else {
+            Ok(())
+        }
     }
 
     /// Refuses a device that would take too much memory expanded.
@@ -437,7 +440,11 @@ impl Reading {
         let count = description.device_count();
         let position = self.number(name, count)?;
         let number = NonZeroUsize::MIN.saturating_add(position);
-        description.select(position).ok_or_else(|| ReadError::NoSuchDevice { name: name.to_owned(), number, count })
+        description.select(position).ok_or_else(|| ReadError::NoSuchDevice {
+            name: name.to_owned(),
+            number,
+            count,
+        })
     }
 
     /// The position of the device that was asked for, in a file of so many.
@@ -468,12 +475,7 @@ impl Reading {
             return Err(ReadError::NotBuilt { name: name.to_owned(), kind });
         }
         if is_xml {
-            self.limited_parts(
-                name,
-                "elements",
-                start_tags(source.text()),
-                source.text().len() / BYTES_PER_ELEMENT,
-            )?;
+            self.limited_parts(name, "elements", start_tags(source.text()), source.text().len())?;
             let count = containers(source.text());
             if count > MAX_DEVICES {
                 return Err(ReadError::TooManyDevices { name: name.to_owned(), count });

@@ -2,8 +2,7 @@
 
 use std::fmt::Write;
 use std::fs;
-
-use crate::support::fixtures;
+use std::path::{Path, PathBuf};
 
 /// A file of any size.
 pub(crate) struct Bomb {
@@ -32,8 +31,13 @@ fn repeated(start: &str, line: impl Fn(usize) -> String, end: &str, bytes: usize
     text + end
 }
 
+/// Where the fixtures are.
+pub(crate) fn fixtures() -> PathBuf {
+    Path::new(env!("CARGO_MANIFEST_DIR")).join("fixtures")
+}
+
 fn fixture(path: &str) -> String {
-    String::from_utf8_lossy(&fs::read(fixtures().join(path)).unwrap()).into_owned()
+    fs::read_to_string(fixtures().join(path)).unwrap()
 }
 
 type Lines = fn(usize) -> String;
@@ -150,7 +154,12 @@ fn elements() -> Vec<Bomb> {
             },
             "",
         ),
-        ("same-object.xdd", "", |_| "<CANopenObject index=\"2000\" name=\"a\" objectType=\"7\"/>\n".to_owned(), ""),
+        (
+            "same-object.xdd",
+            "",
+            |_| "<CANopenObject index=\"2000\" name=\"a\" objectType=\"7\"/>\n".to_owned(),
+            "",
+        ),
         (
             "invalid-objects.xdd",
             "",
@@ -206,12 +215,13 @@ fn parameters() -> Vec<Bomb> {
             "</q1:struct>",
         ),
     ];
-    let of = |(name, list, start, line, end): (&'static str, &'static str, &'static str, Lines, &'static str)| {
-        bomb(name, Kind::File, move |bytes| {
-            let (before, behind) = around("xdd/valve.xdd", list);
-            repeated(&(before + start), line, &format!("{end}{behind}"), bytes)
-        })
-    };
+    let of =
+        |(name, list, start, line, end): (&'static str, &'static str, &'static str, Lines, &'static str)| {
+            bomb(name, Kind::File, move |bytes| {
+                let (before, behind) = around("xdd/valve.xdd", list);
+                repeated(&(before + start), line, &format!("{end}{behind}"), bytes)
+            })
+        };
     lines.into_iter().map(of).collect()
 }
 
@@ -225,7 +235,11 @@ fn others() -> Vec<Bomb> {
     };
     vec![
         bomb("lists.json", Kind::File, |bytes| "[".repeat(bytes)),
-        bomb("comments.json", Kind::File, json("\"objects\":{},\"comments\":[", |_| "\"\",".to_owned(), "\"\"]")),
+        bomb(
+            "comments.json",
+            Kind::File,
+            json("\"objects\":{},\"comments\":[", |_| "\"\",".to_owned(), "\"\"]"),
+        ),
         bomb(
             "objects.json",
             Kind::File,
@@ -259,9 +273,7 @@ fn networks() -> Vec<Bomb> {
     const BUS: &str = "[bus]\nname = \"x\"\nbit-rate = 250\n";
     let mut bombs = Vec::new();
     for (name, kind) in [("empty.nxdd", Kind::File), ("empty-network.nxdd", Kind::Network)] {
-        bombs.push(bomb(name, kind, |bytes| {
-            containers(|_| "<ISO15745ProfileContainer/>".to_owned(), bytes)
-        }));
+        bombs.push(bomb(name, kind, |bytes| containers(|_| "<ISO15745ProfileContainer/>".to_owned(), bytes)));
     }
     for (name, kind) in [("devices.nxdd", Kind::File), ("devices-network.nxdd", Kind::Network)] {
         bombs.push(bomb(name, kind, |bytes| containers(str::to_owned, bytes)));
@@ -273,7 +285,9 @@ fn networks() -> Vec<Bomb> {
     bombs.push(bomb("tables.toml", Kind::Network, |bytes| {
         repeated(BUS, |number| format!("[a{number}]\n"), "", bytes)
     }));
-    bombs.push(bomb("links.toml", Kind::Network, |bytes| repeated(BUS, |_| "[[link]]\n".to_owned(), "", bytes)));
+    bombs.push(bomb("links.toml", Kind::Network, |bytes| {
+        repeated(BUS, |_| "[[link]]\n".to_owned(), "", bytes)
+    }));
     bombs.push(bomb("nodes.yml", Kind::Network, |bytes| {
         let mut text = String::from("master: {node_id: 1}\n");
         for number in 0..bytes / 32 {

@@ -16,7 +16,9 @@ use super::Job;
 use crate::configure::rebase;
 use crate::diagnostic::{counted, series};
 use crate::download::{ConciseDcf, NeededFile, Plan, PlanError, PlanOptions, Scope, Skipped};
-use crate::format::{self, Description, Format, Loss, LossKind, Syntax, WriteOptions, concise, json, stated_name};
+use crate::format::{
+    self, Description, Format, Loss, LossKind, Syntax, WriteOptions, concise, json, stated_name,
+};
 use crate::model::{Commissioning, Device, DeviceKind, Object, Place};
 use crate::report::plural;
 use crate::source::Folder;

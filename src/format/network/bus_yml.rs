@@ -6,7 +6,7 @@ use super::bus_keys::{MAPPING, MASTER, NODE, OPTIONS, PDO, SDO};
 use super::rules::{MISSING_KEY, OVERRIDDEN_KEY, UNKNOWN_KEY, WRONG_TYPE};
 use super::section::{Section, or_foreign, value_wish, wrong};
 use super::tree::{Entry, Kind, Tree};
-use super::{Descriptions, yaml, too_many};
+use super::{Descriptions, too_many, yaml};
 use crate::configure::PdoName;
 use crate::diagnostic::{Diagnostic, Findings, say};
 use crate::download::Order;

@@ -98,7 +98,13 @@ impl NetworkFile {
 
     fn read_from(source: SourceFile, folder: Option<Folder>, options: &PathOptions) -> Self {
         let variables = &options.variables;
-        let mut descriptions = Descriptions { folder, variables, read: BTreeMap::new(), several: BTreeMap::new(), files: Vec::new() };
+        let mut descriptions = Descriptions {
+            folder,
+            variables,
+            read: BTreeMap::new(),
+            several: BTreeMap::new(),
+            files: Vec::new(),
+        };
         let mut findings = Findings::new();
         let mut network = match identify_source(&source).kind {
             ContentKind::NodeList => topology::read(&source, &mut descriptions, &mut findings),
@@ -231,7 +237,8 @@ impl Descriptions<'_> {
             error => (error.to_string(), WRONG),
         };
         if let Some(first) = self.several.get(&path) {
-            let number = reading.number(&path.display().to_string(), first.device_count()).map_err(refused)?;
+            let number =
+                reading.number(&path.display().to_string(), first.device_count()).map_err(refused)?;
             return Ok(Read::Description(of_number(first, number)));
         }
         match reading.open(&path).map_err(refused)? {

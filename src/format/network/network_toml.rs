@@ -5,7 +5,7 @@ use super::rules::{MISSING_KEY, UNREADABLE_NODE, WRONG_TYPE};
 use super::section::{Section, integer, value_wish, wrong};
 use super::tree::{Entry, Kind, Tree};
 use super::types::with_type;
-use super::{Descriptions, too_many, toml};
+use super::{Descriptions, toml, too_many};
 use crate::configure::{PdoName, Setting, nanoseconds, transmission_type};
 use crate::coupler::flatten;
 use crate::diagnostic::{Diagnostic, Findings, Text, say};
