@@ -2,6 +2,7 @@
 //! file. The files here are made to break it. Each runs in a process of its own, whose allocator counts.
 
 #![allow(clippy::unwrap_used, reason = "a test fails by panicking")]
+#![allow(clippy::print_stdout, reason = "what a process says is shown when it fails")]
 
 mod bombs;
 
@@ -125,7 +126,7 @@ fn of_file(name: &str, text: &str) {
             edited(&description);
         }
         Ok((_, Input::Device(device))) => {
-            of_device(name, &device, WriteOptions::max_losses_of(0, reading.max_entries))
+            of_device(name, &device, WriteOptions::max_losses_of(0, reading.max_entries));
         }
         Ok((kind, Input::Concise(configuration))) => {
             println!("{name}: a {}, {} downloads", kind.name(), configuration.0.len());

@@ -26,7 +26,7 @@ impl Device {
             module.fixed.values_mut().for_each(|object| object.remove_configuration());
             module.extensions.values_mut().for_each(|extension| extension.entry.remove_configuration());
         }
-        device.objects.values_mut().for_each(|object| object.remove_configuration());
+        device.objects.values_mut().for_each(Object::remove_configuration);
         let parameters = device.application.iter_mut().flat_map(|process| &mut process.parameters);
         parameters.for_each(Parameter::remove_configuration);
         Cow::Owned(device)
