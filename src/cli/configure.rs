@@ -65,8 +65,7 @@ pub(super) fn run(args: &ConfigureArgs, out: &mut Output) -> Result<Outcome, Fai
     }
     if args.dialect.is_other() && !is_xml {
         let options = WriteOptions { embed: true, ..args.dialect.options() };
-        configured.bytes =
-            format::write(&configured.device, Format::Dcf, &options).map_err(Failure::new)?.bytes;
+        configured.bytes = format::write(&configured.device, Format::Dcf, &options)?.bytes;
         tell("note: the file is written anew for the dialect, without comments\n");
     } else if !configured.is_edited {
         tell(
@@ -117,7 +116,7 @@ fn description(args: &ConfigureArgs) -> Result<Description, Failure> {
         (_, Input::Device(device)) => {
             let options = WriteOptions { embed: true, ..WriteOptions::default() };
             let kind = if device.kind == DeviceKind::Node { Format::Dcf } else { Format::Eds };
-            let bytes = format::write(&device, kind, &options).map_err(Failure::new)?.bytes;
+            let bytes = format::write(&device, kind, &options)?.bytes;
             let text = String::from_utf8_lossy(&bytes).into_owned();
             let source = crate::source::SourceFile::from_text(source_name(&args.file), text);
             Ok(format::read(source, kind))

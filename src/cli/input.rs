@@ -12,7 +12,7 @@ use crate::diagnostic::one_line;
 use crate::format::identify::ContentKind;
 use crate::format::input::{DEFAULT_MAX_ENTRIES, Reading};
 pub(super) use crate::format::input::{FileKind, Input};
-use crate::format::{self, Description, ReadError};
+use crate::format::{self, Description, EditError, ReadError, WriteOptions};
 use crate::source::{self, DEFAULT_MAX_SIZE, Encoding, SourceError};
 
 /// What reports call the standard input.
@@ -41,7 +41,7 @@ pub(super) struct InputArgs {
 #[derive(Debug, Args)]
 #[command(next_help_heading = "Input")]
 pub(super) struct EntriesArgs {
-    /// The largest number of entries in compact storage; of sections or elements a quarter, and one for each 32 bytes
+    /// The largest number of entries in compact storage; the limits of other parts grow with it (README, limits)
     /// [default: 250000]
     #[arg(long, value_name = "NUMBER", default_value_t = DEFAULT_MAX_ENTRIES, hide_default_value = true)]
     pub max_entries: usize,
@@ -70,6 +70,11 @@ impl InputArgs {
         let (from, device, encoding) = (self.from, self.device, self.encoding);
         let (max_size, max_entries) = (self.size.max_size, self.entries.max_entries);
         Reading { from, device, encoding, max_size, max_entries, node_id: None }
+    }
+
+    /// How much of a text of so many bytes a conversion may lose or embed.
+    pub(super) fn max_losses(&self, bytes: usize) -> usize {
+        WriteOptions::max_losses_of(bytes, self.entries.max_entries)
     }
 
     /// What is in a file, and as what kind it was read; `-` is the standard input.
@@ -176,6 +181,14 @@ impl From<ReadError> for Failure {
             }
             _ => Self::new(&error).maybe_help(help),
         }
+    }
+}
+
+impl From<EditError> for Failure {
+    fn from(error: EditError) -> Self {
+        let help = matches!(error, EditError::TooMuchLost { .. })
+            .then(|| "raise the limit with `--max-entries`".to_owned());
+        Self::new(&error).maybe_help(help)
     }
 }
 

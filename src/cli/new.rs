@@ -41,9 +41,7 @@ pub(super) fn run(args: &NewArgs, out: &mut Output) -> Result<Outcome, Failure> 
     let bytes = match kind {
         FileKind::Json => json::write_device(&device).into_bytes(),
         kind => match kind.format().filter(|format| format.kind() == device.kind) {
-            Some(format) => {
-                format::write(&device, format, &WriteOptions::default()).map_err(Failure::new)?.bytes
-            }
+            Some(format) => format::write(&device, format, &WriteOptions::default())?.bytes,
             None => {
                 let message = format!("a new device cannot be a {}", kind.name());
                 return Err(Failure::new(message)

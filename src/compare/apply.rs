@@ -6,7 +6,7 @@ use serde::Serialize;
 use serde::de::DeserializeOwned;
 use serde_json::{Map, Value};
 
-use super::to_value;
+use super::{Json, to_value};
 use crate::model::{Device, ExtraSection, Object};
 
 /// A datum and its new value.
@@ -14,20 +14,10 @@ use crate::model::{Device, ExtraSection, Object};
 pub struct DatumChange {
     /// Its place: a JSON pointer into the JSON of the device.
     pub path: String,
-    /// The [`fingerprint`](DatumChange::fingerprint) of the former value, `None` for nothing.
+    /// The [`fingerprint`](Json::fingerprint) of the former value, `None` for nothing.
     pub before: Option<u32>,
     /// The new value; `None` removes the datum.
-    pub after: Option<Value>,
-}
-
-impl DatumChange {
-    /// A number that distinguishes values: the 32-bit FNV-1a hash of the JSON text without blanks.
-    pub fn fingerprint(value: &Value) -> u32 {
-        value
-            .to_string()
-            .bytes()
-            .fold(0x811C_9DC5, |hash, byte| (hash ^ u32::from(byte)).wrapping_mul(0x0100_0193))
-    }
+    pub after: Option<Json>,
 }
 
 /// Makes changes. Returns those that could not be made: the value has changed since, the part is gone, or the
@@ -51,35 +41,48 @@ pub fn apply(device: &mut Device, changes: Vec<DatumChange>) -> Vec<DatumChange>
         let objects = std::mem::take(&mut device.objects);
         let mut frame = std::mem::take(device);
         frame.extra.sort_by(|a, b| a.name().cmp(b.name()));
-        let others =
-            others.into_iter().filter_map(|change| set_extra(&mut frame, change)).collect::<Vec<_>>();
-        // the JSON of the sections takes much memory
-        let needs_extra = others.iter().any(|change| change.path.starts_with("/extra"));
-        let extra = if needs_extra { Vec::new() } else { std::mem::take(&mut frame.extra) };
+        let set = |change| set_extra(&mut frame, change).and_then(|change| set_large(&mut frame, change));
+        let others = others.into_iter().filter_map(set).collect::<Vec<_>>();
+        // the JSON of the other parts takes much memory
+        let mut untouched = Device::default();
+        let paths: Vec<String> = others.iter().map(|change| change.path.clone()).collect();
+        exchange_untouched(&mut frame, &mut untouched, &paths);
         let mut frame = Some(frame);
         if !others.is_empty() {
             apply_to(&mut frame, "", others, &mut refused);
         }
         *device = Device { objects, ..frame.unwrap_or_default() };
-        if !needs_extra {
-            device.extra = extra;
-        }
+        exchange_untouched(device, &mut untouched, &paths);
     }
     refused
+}
+
+/// Exchanges the large parts of two devices that no path leads into.
+fn exchange_untouched(one: &mut Device, other: &mut Device, paths: &[String]) {
+    let is_touched = |name: &str| {
+        paths.iter().any(|path| path.get(1..).is_some_and(|path| path.split('/').next() == Some(name)))
+    };
+    macro_rules! exchange {
+        ($($name:ident)*) => {
+            $(if !is_touched(stringify!($name)) {
+                std::mem::swap(&mut one.$name, &mut other.$name);
+            })*
+        };
+    }
+    exchange! { application comments downloads extra functions lists module_objects modules tools }
 }
 
 /// Makes a change of all sections that the model does not know, as one text. Returns any other change, and one that could
 /// not be made, which then is found to be stale.
 fn set_extra(frame: &mut Device, change: DatumChange) -> Option<DatumChange> {
-    let is_text = matches!(change.after, None | Some(Value::String(_)));
-    if change.path != "/extra" || !is_text {
+    if change.path != "/extra" || change.after.as_ref().is_some_and(|after| !after.text().starts_with('"')) {
         return Some(change);
     }
     let present: Vec<&ExtraSection> = frame.extra.iter().collect();
     let before = (!present.is_empty())
-        .then(|| DatumChange::fingerprint(&Value::String(super::sections::print(&present))));
-    let after = match &change.after {
-        Some(Value::String(text)) => super::sections::parse(text),
+        .then(|| Json::from(Value::String(super::sections::print(&present))).fingerprint());
+    let after = match change.after.as_ref().map(Json::value) {
+        Some(Value::String(text)) => super::sections::parse(&text),
         _ => Some(Vec::new()),
     };
     match after.filter(|_| before == change.before) {
@@ -88,6 +91,33 @@ fn set_extra(frame: &mut Device, change: DatumChange) -> Option<DatumChange> {
             None
         }
         None => Some(change),
+    }
+}
+
+/// Replaces a part of the device as a whole, without a tree of its JSON. Returns any other change, and one that could not be made.
+fn set_large(frame: &mut Device, change: DatumChange) -> Option<DatumChange> {
+    let Some(after) = change.after.as_ref().filter(|after| after.is_large()) else { return Some(change) };
+    let absent = Device::default();
+    macro_rules! set {
+        ($($name:ident)*) => {
+            match change.path.strip_prefix('/') {
+                $(Some(stringify!($name)) => {
+                    let present = Some(&frame.$name).filter(|present| **present != absent.$name);
+                    if change.before != present.map(|present| Json::of(present).fingerprint()) {
+                        return Some(change);
+                    }
+                    let document = format!("{{\"{}\":{after}}}", stringify!($name));
+                    let Ok(read) = serde_json::from_str::<Device>(&document) else { return Some(change) };
+                    frame.$name = read.$name;
+                    None
+                })*
+                _ => Some(change),
+            }
+        };
+    }
+    set! {
+        application comments commissioning device_info downloads dummy_usage dynamic_channels file_info functions headers
+        identity lists manager module_objects modules network_identity tools
     }
 }
 
@@ -129,11 +159,13 @@ fn apply_to<T: Serialize + DeserializeOwned>(
 
 /// Sets the value at a path if the present value is the expected one.
 fn set(root: &mut Option<Value>, change: &DatumChange, path: &str) -> bool {
-    let is_expected = |found: Option<&Value>| found.map(DatumChange::fingerprint) == change.before;
+    let is_expected =
+        |found: Option<&Value>| found.map(|value| Json::from(value).fingerprint()) == change.before;
+    let after = || change.after.as_ref().map(Json::value);
     let Some((parent, key)) = path.rsplit_once('/') else {
         let as_expected = is_expected(root.as_ref());
         if as_expected {
-            root.clone_from(&change.after);
+            *root = after();
         }
         return as_expected;
     };
@@ -150,21 +182,19 @@ fn set(root: &mut Option<Value>, change: &DatumChange, path: &str) -> bool {
     let key = key.replace("~1", "/").replace("~0", "~");
     match parent {
         Value::Object(map) if is_expected(map.get(&key)) => {
-            match &change.after {
-                Some(value) => map.insert(key, value.clone()),
+            match after() {
+                Some(value) => map.insert(key, value),
                 None => map.remove(&key),
             };
             true
         }
-        Value::Array(items) => {
-            match (key.parse().ok().and_then(|at: usize| items.get_mut(at)), &change.after) {
-                (Some(item), Some(value)) if is_expected(Some(item)) => {
-                    *item = value.clone();
-                    true
-                }
-                _ => false,
+        Value::Array(items) => match (key.parse().ok().and_then(|at: usize| items.get_mut(at)), after()) {
+            (Some(item), Some(value)) if is_expected(Some(item)) => {
+                *item = value;
+                true
             }
-        }
+            _ => false,
+        },
         _ => false,
     }
 }

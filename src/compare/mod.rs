@@ -5,6 +5,7 @@
 //! equal devices costs no more than looking at them.
 
 mod apply;
+mod json;
 mod place;
 mod sections;
 
@@ -12,6 +13,7 @@ use serde::Serialize;
 use serde_json::{Map, Value};
 
 pub use apply::{DatumChange, apply};
+pub use json::Json;
 
 use crate::model::{Device, ExtraSection, Place};
 
@@ -21,9 +23,9 @@ pub struct DatumDifference {
     /// Its place: a JSON pointer into the JSON of the device.
     pub path: String,
     /// What the left device says; `None` for nothing.
-    pub left: Option<Value>,
+    pub left: Option<Json>,
     /// What the right device says; `None` for nothing.
-    pub right: Option<Value>,
+    pub right: Option<Json>,
 }
 
 impl DatumDifference {
@@ -51,85 +53,171 @@ impl DatumDifference {
 /// ```
 pub fn differences(left: &Device, right: &Device) -> Vec<DatumDifference> {
     let mut found = Vec::new();
-    each_difference(left, right, &mut |difference| found.push(difference));
+    // without a limit there are never too many
+    let _ = each_difference(left, right, usize::MAX, &mut |difference| found.push(difference));
     found
 }
 
+/// Devices differ in more values than allowed.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct TooMany {
+    /// In how many.
+    pub count: usize,
+    /// How many are allowed.
+    pub limit: usize,
+}
+
 /// Calls `found` for each of the [`differences`]: their values may be much more than the devices.
-pub(crate) fn each_difference(left: &Device, right: &Device, found: &mut dyn FnMut(DatumDifference)) {
-    let mut path = String::new();
+///
+/// # Errors
+/// When the differences have more values than the limit, or one part that differs has: its JSON is not made.
+pub(crate) fn each_difference(
+    left: &Device,
+    right: &Device,
+    limit: usize,
+    found: &mut dyn FnMut(DatumDifference),
+) -> Result<(), TooMany> {
     if left == right {
-        return;
+        return Ok(());
     }
-    diff_maps(&mut path, frame(left), frame(right), found);
-    diff_extra(&mut path, left, right, found);
-    path.push_str("/objects");
+    let mut comparison = Comparison { path: String::new(), count: 0, limit, found };
+    comparison.frames(left, right);
+    comparison.extra(left, right);
+    comparison.path.push_str("/objects");
     let indexes: std::collections::BTreeSet<u16> =
         left.objects.keys().chain(right.objects.keys()).copied().collect();
     for index in indexes {
-        let (of_left, of_right) = (left.object(index), right.object(index));
-        if of_left != of_right {
-            let length = path.len();
-            path.push_str(&format!("/0x{index:04X}"));
-            let json = |object: Option<&_>| object.map(to_value);
-            diff(&mut path, json(of_left), json(of_right), found);
-            path.truncate(length);
-        }
+        comparison.part(&format!("0x{index:04X}"), &left.object(index), &right.object(index));
     }
+    let count = comparison.count;
+    if count > limit { Err(TooMany { count, limit }) } else { Ok(()) }
 }
 
-/// Everything of a device but its objects and the sections that the model does not know.
-fn frame(device: &Device) -> Map<String, Value> {
-    let frame = Device {
-        kind: device.kind,
-        file_info: device.file_info.clone(),
-        device_info: device.device_info.clone(),
-        dummy_usage: device.dummy_usage.clone(),
-        comments: device.comments.clone(),
-        commissioning: device.commissioning.clone(),
-        downloads: device.downloads.clone(),
-        lists: device.lists.clone(),
-        objects: std::collections::BTreeMap::new(),
-        modules: device.modules.clone(),
-        dynamic_channels: device.dynamic_channels.clone(),
-        tools: device.tools.clone(),
-        headers: device.headers.clone(),
-        identity: device.identity.clone(),
-        network_identity: device.network_identity.clone(),
-        manager: device.manager.clone(),
-        functions: device.functions.clone(),
-        application: device.application.clone(),
-        module_objects: device.module_objects.clone(),
-        extra: Vec::new(),
-    };
-    match to_value(&frame) {
-        Value::Object(mut map) => {
-            map.remove("objects");
-            map
-        }
-        _ => Map::new(),
-    }
+/// A comparison of two devices.
+struct Comparison<'a> {
+    /// Where it is.
+    path: String,
+    /// How many values differ so far; of differences each counts as [`DIFFERENCE`].
+    count: usize,
+    limit: usize,
+    found: &'a mut dyn FnMut(DatumDifference),
 }
 
-/// The sections that the model does not know: those that differ where both devices have as many, else all as one text,
-/// because the JSON of a short section takes a hundred times its memory.
-fn diff_extra(path: &mut String, left: &Device, right: &Device, found: &mut dyn FnMut(DatumDifference)) {
-    const MAX_SINGLE: usize = 1000;
-    let (left, right) = (sorted_extra(left), sorted_extra(right));
-    let differs = |(left, right): &(&&ExtraSection, &&ExtraSection)| left != right;
-    let differing = || left.iter().zip(&right).enumerate().filter(|(_, pair)| differs(pair));
-    path.push_str("/extra");
-    if left.len() == right.len() && differing().count() <= MAX_SINGLE {
-        for (position, (left, right)) in differing() {
-            let (left, right) = (to_value(left), to_value(right));
-            step(path, &position.to_string(), |path| diff(path, Some(left), Some(right), found));
+/// A part of more values that only one device has is not made a tree.
+const MAX_TREE: usize = 1000;
+
+/// A part of more values that both have is not compared value by value; of an object it always is.
+const MAX_TREES: usize = 20_000;
+
+/// What a path takes, beside its values.
+const DIFFERENCE: usize = 2;
+
+impl Comparison<'_> {
+    /// Everything of the devices but their objects and the sections that the model does not know.
+    fn frames(&mut self, left: &Device, right: &Device) {
+        macro_rules! parts {
+            ($($name:ident)*) => { $(self.part(stringify!($name), &left.$name, &right.$name);)* };
         }
-    } else {
-        let text =
-            |sections: &[&ExtraSection]| (!sections.is_empty()).then(|| sections::print(sections).into());
-        found(DatumDifference { path: path.clone(), left: text(&left), right: text(&right) });
+        // in the order of the names, as in JSON
+        parts! { application commissioning comments device_info downloads dummy_usage dynamic_channels file_info functions headers identity }
+        if left.kind != right.kind {
+            let json = |device: &Device| Some(to_value(&device.kind).into());
+            self.push("/kind".to_owned(), json(left), json(right));
+        }
+        parts! { lists manager module_objects modules network_identity tools }
     }
-    path.truncate(path.len() - "/extra".len());
+
+    /// A part of the devices, which is not in their JSON where it is empty. Its JSON is only made where it differs.
+    fn part<T: Serialize + PartialEq + Default>(&mut self, name: &str, left: &T, right: &T) {
+        if left == right {
+            return;
+        }
+        let is_present = |part: &&T| **part != T::default();
+        let (left, right) = (Some(left).filter(is_present), Some(right).filter(is_present));
+        let size = [left, right].into_iter().flatten().map(json::count).max().unwrap_or_default();
+        if size > self.limit || self.count > self.limit {
+            self.count += size;
+            return;
+        }
+        let is_frame = self.path.is_empty();
+        self.step(name, |comparison| match (left, right) {
+            (Some(_), None) if size > MAX_TREE => comparison.whole(left, right, size),
+            (Some(_), Some(_)) if size > MAX_TREES && is_frame => comparison.whole(left, right, size),
+            _ => comparison.values(left.map(to_value), right.map(to_value)),
+        });
+    }
+
+    /// A large part as one difference: no tree of its JSON is made.
+    fn whole<T: Serialize>(&mut self, left: Option<&T>, right: Option<&T>, size: usize) {
+        self.count += DIFFERENCE + size;
+        self.push(self.path.clone(), left.map(Json::of), right.map(Json::of));
+    }
+
+    /// The sections that the model does not know: those that differ where both devices have as many, else all as one text,
+    /// because the JSON of a short section takes a hundred times its memory.
+    fn extra(&mut self, left: &Device, right: &Device) {
+        const MAX_SINGLE: usize = 1000;
+        let (left, right) = (sorted_extra(left), sorted_extra(right));
+        let differs = |(left, right): &(&&ExtraSection, &&ExtraSection)| left != right;
+        let differing = || left.iter().zip(&right).enumerate().filter(|(_, pair)| differs(pair));
+        if left.len() == right.len() && differing().count() <= MAX_SINGLE {
+            self.step("extra", |comparison| {
+                for (position, (left, right)) in differing() {
+                    let (left, right) = (to_value(left), to_value(right));
+                    comparison
+                        .step(&position.to_string(), |comparison| comparison.values(Some(left), Some(right)));
+                }
+            });
+        } else {
+            let text = |sections: &[&ExtraSection]| {
+                (!sections.is_empty()).then(|| Value::String(sections::print(sections)).into())
+            };
+            self.push("/extra".to_owned(), text(&left), text(&right));
+        }
+    }
+
+    /// Takes the values, because a copy of a large one takes much memory.
+    fn values(&mut self, left: Option<Value>, right: Option<Value>) {
+        match (left, right) {
+            (left, right) if left == right => {}
+            (Some(Value::Object(left)), Some(Value::Object(right))) => self.maps(left, right),
+            // of lists of one length, the items that differ; of others the items cannot be matched
+            (Some(Value::Array(left)), Some(Value::Array(right))) if left.len() == right.len() => {
+                for (position, (left, right)) in left.into_iter().zip(right).enumerate() {
+                    self.step(&position.to_string(), |comparison| {
+                        comparison.values(Some(left), Some(right));
+                    });
+                }
+            }
+            (left, right) => {
+                self.count +=
+                    DIFFERENCE + [&left, &right].into_iter().flatten().map(json::count).sum::<usize>();
+                self.push(self.path.clone(), left.map(Json::from), right.map(Json::from));
+            }
+        }
+    }
+
+    fn maps(&mut self, left: Map<String, Value>, mut right: Map<String, Value>) {
+        for (key, value) in left {
+            let other = right.remove(&key);
+            self.step(&key, |comparison| comparison.values(Some(value), other));
+        }
+        for (key, value) in right {
+            self.step(&key, |comparison| comparison.values(None, Some(value)));
+        }
+    }
+
+    fn step(&mut self, key: &str, visit: impl FnOnce(&mut Self)) {
+        let length = self.path.len();
+        self.path.push('/');
+        self.path.push_str(&key.replace('~', "~0").replace('/', "~1"));
+        visit(self);
+        self.path.truncate(length);
+    }
+
+    fn push(&mut self, path: String, left: Option<Json>, right: Option<Json>) {
+        (self.found)(DatumDifference { path, left, right });
+    }
 }
 
 /// The sections that the model does not know in an order, so that paths into them mean the same in two devices.
@@ -142,47 +230,4 @@ fn sorted_extra(device: &Device) -> Vec<&ExtraSection> {
 /// The JSON of a part of the model, which always has one: its keys are texts.
 fn to_value(part: &impl Serialize) -> Value {
     serde_json::to_value(part).unwrap_or_default()
-}
-
-/// Takes the values, because a copy of a large one takes much memory.
-fn diff(
-    path: &mut String,
-    left: Option<Value>,
-    right: Option<Value>,
-    found: &mut dyn FnMut(DatumDifference),
-) {
-    match (left, right) {
-        (left, right) if left == right => {}
-        (Some(Value::Object(left)), Some(Value::Object(right))) => diff_maps(path, left, right, found),
-        // of lists of one length, the items that differ; of others the items cannot be matched
-        (Some(Value::Array(left)), Some(Value::Array(right))) if left.len() == right.len() => {
-            for (position, (left, right)) in left.into_iter().zip(right).enumerate() {
-                step(path, &position.to_string(), |path| diff(path, Some(left), Some(right), found));
-            }
-        }
-        (left, right) => found(DatumDifference { path: path.clone(), left, right }),
-    }
-}
-
-fn diff_maps(
-    path: &mut String,
-    left: Map<String, Value>,
-    mut right: Map<String, Value>,
-    found: &mut dyn FnMut(DatumDifference),
-) {
-    for (key, value) in left {
-        let other = right.remove(&key);
-        step(path, &key, |path| diff(path, Some(value), other, found));
-    }
-    for (key, value) in right {
-        step(path, &key, |path| diff(path, None, Some(value), found));
-    }
-}
-
-fn step(path: &mut String, key: &str, visit: impl FnOnce(&mut String)) {
-    let length = path.len();
-    path.push('/');
-    path.push_str(&key.replace('~', "~0").replace('/', "~1"));
-    visit(path);
-    path.truncate(length);
 }

@@ -1,7 +1,9 @@
 //! A description configured for a node: by edits of its text where that is possible.
 
+use super::input::DEFAULT_MAX_ENTRIES;
 use super::literal::{self, Spelling};
 use super::{Description, Format, Syntax, WriteOptions, eds, embedded};
+use crate::compare::Json;
 use crate::diagnostic::{Change, Fix};
 use crate::model::{Assignment, Commissioning, Device, DeviceKind, ExplicitDownload, Field, Part, Place};
 use crate::source::{EditError, Edits, SourceFile, SourceOptions};
@@ -63,7 +65,8 @@ impl Description {
             Syntax::Ini => Format::Dcf,
             Syntax::Xml => Format::Xdc,
         };
-        let options = WriteOptions { embed: true, ..WriteOptions::default() };
+        let max_losses = WriteOptions::max_losses_of(self.source().text().len(), DEFAULT_MAX_ENTRIES);
+        let options = WriteOptions { embed: true, max_losses, ..WriteOptions::default() };
         let bytes = super::write(&device, format, &options)?.bytes;
         Ok(ConfiguredFile { bytes, device, is_edited: false })
     }
@@ -99,7 +102,7 @@ impl Description {
             embedded::edit_lines(
                 &mut edits,
                 "/downloads",
-                downloads.and_then(|all| serde_json::to_value(all).ok()),
+                downloads.and_then(|all| serde_json::to_value(all).ok()).map(Json::from),
             );
         }
         if edits.is_empty() {

@@ -2,6 +2,8 @@
 
 use std::borrow::Cow;
 use std::collections::BTreeMap;
+#[cfg(feature = "xdd")]
+use std::sync::Arc;
 use std::sync::OnceLock;
 
 #[cfg(all(feature = "json", feature = "xdd"))]
@@ -32,7 +34,7 @@ enum Text {
     Ini(Document, OnceLock<eds::Locator>),
     /// Elements of XML.
     #[cfg(feature = "xdd")]
-    Xml(Tree, OnceLock<xdd::Locator>),
+    Xml(Arc<Tree>, OnceLock<xdd::Locator>),
 }
 
 /// The name of a file as a description states it: on one line, in any encoding.
@@ -49,7 +51,7 @@ impl Description {
                 let tree = Tree::new(source, &mut damage);
                 let (device, findings) = xdd::read(&tree, 0, format.kind());
                 damage.append(findings);
-                (Text::Xml(tree, OnceLock::new()), device, damage)
+                (Text::Xml(Arc::new(tree), OnceLock::new()), device, damage)
             }
             // a build without XDD finds nothing but junk in one
             _ => {
@@ -79,13 +81,18 @@ impl Description {
     /// The description of another device of the same file, counted from 0; `None` where there are fewer.
     #[must_use]
     pub fn select(self, number: usize) -> Option<Self> {
-        match self.text {
-            _ if number == self.number => Some(self),
+        if number == self.number { Some(self) } else { self.sibling(number) }
+    }
+
+    /// The description of a device of the same XML file, counted from 0, which shares the text; `None` where there are fewer.
+    pub fn sibling(&self, number: usize) -> Option<Self> {
+        match &self.text {
             #[cfg(feature = "xdd")]
-            Text::Xml(tree, _) if number < xdd::containers(&tree).len() => {
-                let (device, findings) = xdd::read(&tree, number, self.format.kind());
+            Text::Xml(tree, _) if number < xdd::containers(tree).len() => {
+                let (device, findings) = xdd::read(tree, number, self.format.kind());
                 let (device, findings) = restored(device, findings);
-                Some(Self { text: Text::Xml(tree, OnceLock::new()), number, device, findings, ..self })
+                let (tree, format) = (Arc::clone(tree), self.format);
+                Some(Self { format, text: Text::Xml(tree, OnceLock::new()), number, device, findings })
             }
             _ => None,
         }
@@ -93,15 +100,11 @@ impl Description {
 
     /// One of the devices of the file.
     #[cfg(feature = "json")]
-    fn numbered(&self, number: usize) -> Cow<'_, Device> {
-        match &self.text {
-            #[cfg(feature = "xdd")]
-            Text::Xml(tree, _) if number != self.number => {
-                let (device, findings) = xdd::read(tree, number, self.format.kind());
-                Cow::Owned(restored(device, findings).0)
-            }
-            _ => Cow::Borrowed(&self.device),
+    fn device_at(&self, number: usize) -> Cow<'_, Device> {
+        if number == self.number {
+            return Cow::Borrowed(&self.device);
         }
+        Cow::Owned(self.sibling(number).map(|other| other.device).unwrap_or_default())
     }
 
     /// Which device of the file it describes, counted from 0.
@@ -287,7 +290,9 @@ impl Description {
             device.commissioning = Some(node.clone());
         }
         let format = if node.is_some() { Format::Xdc } else { Format::Xdd };
-        let options = super::WriteOptions { embed: true, ..super::WriteOptions::default() };
+        let max_losses =
+            super::WriteOptions::max_losses_of(self.source().text().len(), super::input::DEFAULT_MAX_ENTRIES);
+        let options = super::WriteOptions { embed: true, max_losses, ..super::WriteOptions::default() };
         Ok(super::write(&device, format, &options)?.bytes)
     }
 
@@ -308,7 +313,7 @@ impl Description {
             let again = Self::read(SourceFile::from_text(source.name(), text.clone()), self.format);
             // a network has several devices
             (0..self.device_count())
-                .all(|number| says_the_same(&self.numbered(number), &again.numbered(number)))
+                .all(|number| says_the_same(&self.device_at(number), &again.device_at(number)))
         };
         let found = match &self.text {
             Text::Ini(document, _) => {

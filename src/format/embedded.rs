@@ -4,9 +4,7 @@
 //! What is carried is never guessed: it is the difference between a device and what comes back of it. Each item says
 //! what the reader will find in its place, so that later edits are not undone.
 
-use serde_json::Value;
-
-use crate::compare::{DatumChange, apply};
+use crate::compare::{DatumChange, Json, apply};
 use crate::diagnostic::{Diagnostic, Findings, RuleInfo, say, text_rule};
 use crate::model::{
     Characteristic, CharacteristicsList, Device, DeviceFunction, EMBEDDED_COMMENT, EMBEDDED_SECTION, Entry,
@@ -110,7 +108,7 @@ fn lines(change: &DatumChange) -> Vec<(String, String)> {
 }
 
 /// The edits that put a datum in place of the one at its path in the comment lines of an EDS or DCF, or remove it.
-pub(super) fn edit_lines(edits: &mut Edits<'_>, path: &str, datum: Option<Value>) {
+pub(super) fn edit_lines(edits: &mut Edits<'_>, path: &str, datum: Option<Json>) {
     let text = edits.source().text();
     let mut start = 0;
     for line in text.split_inclusive('\n') {
@@ -212,7 +210,7 @@ fn entry_of<'a>(device: &'a mut Device, path: &str) -> Option<&'a mut Entry> {
 
 /// The text of a change: the value as JSON in ISO 646, `instead of` the fingerprint of the former value.
 fn print(change: &DatumChange) -> String {
-    let mut text = change.after.as_ref().map_or("nothing".to_owned(), ascii_json);
+    let mut text = change.after.as_ref().map_or("nothing".to_owned(), |after| ascii(after.text()));
     if let Some(before) = change.before {
         text.push_str(&format!(" instead of {before:08x}"));
     }
@@ -227,9 +225,8 @@ fn parse(path: &str, text: &str) -> Option<DatumChange> {
     let (after, rest) = match text.strip_prefix("nothing") {
         Some(rest) => (None, rest),
         None => {
-            let mut values = serde_json::Deserializer::from_str(text).into_iter::<Value>();
-            let value = values.next()?.ok()?;
-            (Some(value), &text[values.byte_offset()..])
+            let (value, rest) = Json::prefix(text)?;
+            (Some(value), rest)
         }
     };
     let before = match rest {
@@ -239,9 +236,8 @@ fn parse(path: &str, text: &str) -> Option<DatumChange> {
     Some(DatumChange { path: path.to_owned(), before, after })
 }
 
-/// The JSON of a value in printable characters of ISO 646.
-fn ascii_json(value: &Value) -> String {
-    let json = value.to_string();
+/// JSON in printable characters of ISO 646.
+fn ascii(json: &str) -> String {
     let mut text = String::with_capacity(json.len());
     for c in json.chars() {
         if matches!(c, ' '..='~') {
@@ -299,10 +295,10 @@ fn pieces(text: &str, room: usize) -> Vec<String> {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use serde_json::json;
+    use serde_json::{Value, json};
 
     fn change(path: &str, before: Option<u32>, after: Option<Value>) -> DatumChange {
-        DatumChange { path: path.to_owned(), before, after }
+        DatumChange { path: path.to_owned(), before, after: after.map(Json::from) }
     }
 
     #[test]

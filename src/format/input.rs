@@ -161,8 +161,15 @@ pub const DEFAULT_MAX_ENTRIES: usize = 250_000;
 
 /// A text may have a section or element for so many bytes, and one for so many entries that are
 /// [allowed](Reading::max_entries): those of real descriptions are longer.
-const BYTES_PER_PART: usize = 32;
-const ENTRIES_PER_PART: usize = 4;
+const BYTES_PER_PART: usize = 64;
+const ENTRIES_PER_PART: usize = 16;
+
+/// The JSON of a device may have a value for so many bytes, and one for each entry that is allowed.
+#[cfg(feature = "json")]
+const BYTES_PER_VALUE: usize = 16;
+
+/// A file with several devices is a network, and a node-ID is one of 127.
+pub(super) const MAX_DEVICES: usize = 127;
 
 /// How a file is read.
 #[derive(Clone, Debug)]
@@ -176,7 +183,8 @@ pub struct Reading {
     /// The largest size in bytes that is read. More than 1 GiB is never read.
     pub max_size: u64,
     /// How many entries objects in compact storage (`CompactSubObj`) may have in all: what is made of the device has each.
-    /// A text may have a quarter as many sections or elements, and one more for each 32 bytes.
+    /// A text may have a sixteenth as many sections or elements, and one more for each 64 bytes; JSON may have as many
+    /// values, and one more for each 16 bytes.
     pub max_entries: usize,
     /// The node that formulas in the text of a concise DCF are evaluated for.
     pub node_id: Option<u8>,
@@ -217,12 +225,12 @@ pub enum ReadError {
         /// The limit.
         limit: usize,
     },
-    /// It has more sections or elements than allowed.
+    /// It has more sections, elements or values than allowed.
     #[error("`{name}` has {count} {what}, more than the limit of {limit}")]
     TooManyParts {
         /// The file.
         name: String,
-        /// `sections` or `elements`.
+        /// `sections`, `elements` or `values`.
         what: &'static str,
         /// How many.
         count: usize,
@@ -253,6 +261,14 @@ pub enum ReadError {
         /// The number, counted from 1.
         number: NonZeroUsize,
         /// How many it describes.
+        count: usize,
+    },
+    /// It describes, or several files in all describe, more devices than a network can have.
+    #[error("`{name}`: there are {count} devices, but a network has at most {MAX_DEVICES}")]
+    TooManyDevices {
+        /// The file, or the last one.
+        name: String,
+        /// How many.
         count: usize,
     },
     /// It is a file of CANopen that describes no device.
@@ -291,6 +307,7 @@ impl ReadError {
             Self::Source(_)
             | Self::TooManyEntries { .. }
             | Self::TooManyParts { .. }
+            | Self::TooManyDevices { .. }
             | Self::Content { .. }
             | Self::NoSuchDevice { .. } => None,
         }
@@ -314,12 +331,8 @@ impl Reading {
         let (kind, source) = self.recognised(name, bytes)?;
         if kind.format().is_some_and(|format| format.syntax() == Syntax::Ini) {
             // what only looks at the text takes little memory for a section
-            self.limited_parts(
-                name,
-                "sections",
-                memchr::memmem::find_iter(source.text().as_bytes(), "\n[").count(),
-                source.text().len(),
-            )?;
+            let count = memchr::memmem::find_iter(source.text().as_bytes(), "\n[").count();
+            self.limited_parts(name, "sections", count, source.text().len())?;
         }
         let input = match kind.format() {
             Some(format) => Input::Description(Box::new(super::read(source, format))),
@@ -329,7 +342,8 @@ impl Reading {
         Ok((kind, input))
     }
 
-    /// Refuses a text with too many sections or elements, before they are read: each takes more memory than its text.
+    /// Refuses a text with too many sections or elements, before they are read: each takes more memory than its text. A
+    /// large text may have more.
     fn limited_parts(
         &self,
         name: &str,
@@ -339,6 +353,19 @@ impl Reading {
     ) -> Result<(), ReadError> {
         let (name, limit) = (name.to_owned(), self.max_entries / ENTRIES_PER_PART + bytes / BYTES_PER_PART);
         if count > limit { Err(ReadError::TooManyParts { name, what, count, limit }) } else { Ok(()) }
+    }
+
+    /// Refuses a document of many short values: each takes more memory than its text.
+    #[cfg(feature = "json")]
+    fn limited_values(&self, source: &SourceFile) -> Result<(), ReadError> {
+        let count = memchr::memchr3_iter(b',', b'[', b'{', source.text().as_bytes()).count();
+        let limit = self.max_entries + source.text().len() / BYTES_PER_VALUE;
+        let name = source.name().to_owned();
+        if count > limit {
+            Err(ReadError::TooManyParts { name, what: "values", count, limit })
+        } else {
+            Ok(())
+        }
     }
 
     /// Refuses a device that would take too much memory expanded.
@@ -362,13 +389,16 @@ impl Reading {
         };
         match kind {
             #[cfg(feature = "json")]
-            FileKind::Json => match json::kind(source.text()).map_err(|error| damaged(error.into()))? {
-                DocumentKind::Device => {
-                    json::read_device(source.text()).map(|device| Input::Device(Box::new(device)))
+            FileKind::Json => {
+                self.limited_values(source)?;
+                match json::kind(source.text()).map_err(|error| damaged(error.into()))? {
+                    DocumentKind::Device => {
+                        json::read_device(source.text()).map(|device| Input::Device(Box::new(device)))
+                    }
+                    DocumentKind::ConciseDcf => json::read_configuration(source.text()).map(Input::Concise),
                 }
-                DocumentKind::ConciseDcf => json::read_configuration(source.text()).map(Input::Concise),
+                .map_err(|error| damaged(error.into()))
             }
-            .map_err(|error| damaged(error.into())),
             #[cfg(feature = "json")]
             FileKind::Cdcf => {
                 let configuration = ConciseDcf::parse(&source.to_bytes());
@@ -408,13 +438,23 @@ impl Reading {
     /// When there is no such device, or several and none was asked for.
     pub fn select(&self, name: &str, description: Description) -> Result<Description, ReadError> {
         let count = description.device_count();
+        let position = self.number(name, count)?;
+        let number = NonZeroUsize::MIN.saturating_add(position);
+        description.select(position).ok_or_else(|| ReadError::NoSuchDevice {
+            name: name.to_owned(),
+            number,
+            count,
+        })
+    }
+
+    /// The position of the device that was asked for, in a file of so many.
+    pub(super) fn number(&self, name: &str, count: usize) -> Result<usize, ReadError> {
         let name = name.to_owned();
         match self.device {
-            None if count == 1 => Ok(description),
+            None if count == 1 => Ok(0),
             None => Err(ReadError::SeveralDevices { name, count }),
-            Some(number) => {
-                description.select(number.get() - 1).ok_or(ReadError::NoSuchDevice { name, number, count })
-            }
+            Some(number) if number.get() <= count => Ok(number.get() - 1),
+            Some(number) => Err(ReadError::NoSuchDevice { name, number, count }),
         }
     }
 
@@ -436,6 +476,10 @@ impl Reading {
         }
         if is_xml {
             self.limited_parts(name, "elements", start_tags(source.text()), source.text().len())?;
+            let count = containers(source.text());
+            if count > MAX_DEVICES {
+                return Err(ReadError::TooManyDevices { name: name.to_owned(), count });
+            }
         }
         Ok((kind, source))
     }
@@ -446,6 +490,18 @@ fn start_tags(text: &str) -> usize {
     let bytes = text.as_bytes();
     let starts = |&at: &usize| bytes.get(at + 1).is_some_and(|next| !matches!(next, b'/' | b'!' | b'?'));
     memchr::memchr_iter(b'<', bytes).filter(starts).count()
+}
+
+/// How many tags start the description of a device.
+fn containers(text: &str) -> usize {
+    const NAME: &str = "ISO15745ProfileContainer";
+    const MAX_PREFIX: usize = 64;
+    let starts = |&at: &usize| {
+        let before = &text.as_bytes()[at.saturating_sub(MAX_PREFIX)..at];
+        let tag = before.iter().rposition(|byte| matches!(byte, b'<' | b'/' | b'>' | b' ' | b'\n'));
+        tag.is_some_and(|tag| before[tag] == b'<')
+    };
+    memchr::memmem::find_iter(text.as_bytes(), NAME).filter(starts).count()
 }
 
 /// What kind of file a source is.

@@ -35,8 +35,6 @@ use crate::diagnostic::RuleInfo;
 #[cfg(all(feature = "json", feature = "xdd"))]
 use crate::model::Device;
 pub use crate::source::EditError;
-#[cfg(all(feature = "json", feature = "xdd"))]
-use crate::source::Encoding;
 use crate::source::SourceFile;
 pub(crate) use objdict_eds::eds;
 #[cfg(feature = "json")]
@@ -61,16 +59,24 @@ pub fn read(source: SourceFile, format: Format) -> Description {
 /// With it comes what the text does not give back: the differences of the device and what is read of the text.
 ///
 /// # Errors
-/// When the text violates CiA 311, which is an error of objdict.
+/// When the text violates CiA 311, which is an error of objdict, or does not give back more values than allowed.
 #[cfg(all(feature = "json", feature = "xdd"))]
 pub fn write(device: &Device, format: Format, options: &WriteOptions) -> Result<Written, EditError> {
     write::write(device, format, options)
 }
 
-/// What a text of a format, in an encoding, does not give back of the device that it was made of.
+/// What a text of a format does not give back of the device that it was made of. Of the options the encoding and the limit count.
+///
+/// # Errors
+/// [`EditError::TooMuchLost`] where that is more than the limit.
 #[cfg(all(feature = "json", feature = "xdd"))]
-pub fn losses(device: &Device, bytes: &[u8], format: Format, encoding: Encoding) -> Vec<Loss> {
-    write::losses(device, bytes, format, encoding)
+pub fn losses(
+    device: &Device,
+    bytes: &[u8],
+    format: Format,
+    options: &WriteOptions,
+) -> Result<Vec<Loss>, EditError> {
+    write::losses(device, bytes, format, options)
 }
 
 /// Problems in the structure of an XML document against CiA 311: all rules of the group `cia311`. A document

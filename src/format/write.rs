@@ -1,6 +1,7 @@
 //! Writing a device: the text of a format, what does not come back of it, and where that is kept.
 
 use std::borrow::Cow;
+use std::collections::BTreeSet;
 use std::fmt;
 
 use serde::Serialize;
@@ -9,15 +10,16 @@ use serde_json::Value;
 use super::complete;
 use super::embedded::{self, Room};
 use super::ini::Document;
+use super::input::DEFAULT_MAX_ENTRIES;
 use super::xml::Tree;
 use super::{Dialect, EditError, Format, Style, Syntax, XddVersion, eds, xdd};
-use crate::compare::{DatumChange, DatumDifference, each_difference};
+use crate::compare::{DatumChange, DatumDifference, Json, TooMany, each_difference};
 use crate::diagnostic::Findings;
 use crate::model::{Device, DeviceKind, Place};
 use crate::source::{Encoding, SourceFile, SourceOptions};
 
 /// How a text is written that is no edit of another.
-#[derive(Clone, Debug, Default, PartialEq, Eq)]
+#[derive(Clone, Debug, PartialEq, Eq)]
 #[non_exhaustive]
 pub struct WriteOptions {
     /// How an EDS or DCF is written.
@@ -29,7 +31,39 @@ pub struct WriteOptions {
     /// Whether what the format has no place for is kept in comment lines or properties, which other tools pass over and
     /// objdict reads (docs/formats.md).
     pub embed: bool,
+    /// In how many values of its JSON the text may differ from the device: in more, [`EditError::TooMuchLost`].
+    pub max_losses: usize,
 }
+
+/// The limit of values that a text does not give back: each takes up to 1 kB while it is embedded.
+const DEFAULT_MAX_LOSSES: usize = DEFAULT_MAX_ENTRIES / ENTRIES_PER_LOSS;
+const ENTRIES_PER_LOSS: usize = 4;
+
+/// What is left out is only reported, so there may be so many times more of it.
+const LEFT_OUT: usize = 8;
+
+impl Default for WriteOptions {
+    fn default() -> Self {
+        Self {
+            eds: Style::default(),
+            dialect: Dialect::default(),
+            xdd_version: XddVersion::default(),
+            embed: false,
+            max_losses: DEFAULT_MAX_LOSSES,
+        }
+    }
+}
+
+impl WriteOptions {
+    /// The limit for the text of a description, which is higher for a large one, where it may have so many
+    /// [entries](super::input::Reading::max_entries).
+    pub const fn max_losses_of(bytes: usize, max_entries: usize) -> usize {
+        max_entries / ENTRIES_PER_LOSS + bytes / BYTES_PER_LOSS
+    }
+}
+
+/// How many bytes of a text allow one more value to be lost.
+const BYTES_PER_LOSS: usize = 64;
 
 impl From<Dialect> for WriteOptions {
     fn from(dialect: Dialect) -> Self {
@@ -59,10 +93,10 @@ pub struct Loss {
     #[serde(rename = "fate")]
     pub kind: LossKind,
     /// What the device says; of what is invented, what the text says.
-    pub value: Value,
+    pub value: Json,
     /// What the text says in its place; `None` for nothing.
     #[serde(skip_serializing_if = "Option::is_none")]
-    pub becomes: Option<Value>,
+    pub becomes: Option<Json>,
     /// Why, if the format has a place for other data of this kind.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub reason: Option<String>,
@@ -104,12 +138,14 @@ impl Loss {
     fn of(difference: DatumDifference, kind: LossKind, losses: &mut Vec<Self>) {
         let place = difference.place();
         let DatumDifference { path, left, right } = difference;
+        let is_part = right.is_none() && PARTS.iter().any(|part| path.ends_with(part));
         match (left, right) {
             // a part that is gone as a whole: what it said, datum by datum
-            (Some(Value::Object(fields)), None) if PARTS.iter().any(|part| path.ends_with(part)) => {
+            (Some(part), None) if is_part && part.text().starts_with('{') => {
+                let Value::Object(fields) = part.value() else { return };
                 for (name, value) in fields {
                     let path = format!("{path}/{name}");
-                    Self::of(DatumDifference { path, left: Some(value), right: None }, kind, losses);
+                    Self::of(DatumDifference { path, left: Some(value.into()), right: None }, kind, losses);
                 }
             }
             (Some(value), becomes) => {
@@ -122,7 +158,7 @@ impl Loss {
     /// A datum that only the text has, by its path.
     pub fn invented(path: String, value: Value) -> Self {
         let difference = DatumDifference { path, left: None, right: None };
-        let (place, path) = (difference.place(), difference.path);
+        let (place, path, value) = (difference.place(), difference.path, value.into());
         Self { place, path, kind: LossKind::Invented, value, becomes: None, reason: None }
     }
 }
@@ -154,7 +190,7 @@ impl fmt::Display for Loss {
 }
 
 /// A datum in a line: as JSON, but cut where it is long, and values of entries as they are written.
-struct Shown<'a>(&'a Value);
+struct Shown<'a>(&'a Json);
 
 impl fmt::Display for Shown<'_> {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
@@ -172,15 +208,16 @@ impl fmt::Display for Shown<'_> {
 }
 
 /// The value of an entry that JSON is, if it is one.
-fn value_of_entry(json: &Value) -> Option<crate::model::Value> {
-    let is_one = json.as_object().is_some_and(|map| map.len() == 1);
-    if is_one { serde_json::from_str(&json.to_string()).ok() } else { None }
+fn value_of_entry(json: &Json) -> Option<crate::model::Value> {
+    if json.text().starts_with('{') { serde_json::from_str(json.text()).ok() } else { None }
 }
 
 /// The text of a device in a format, and what it does not give back.
 pub(super) fn write(device: &Device, format: Format, options: &WriteOptions) -> Result<Written, EditError> {
+    let limit = options.max_losses;
     let kept = kept(device, format);
-    let mut losses = losses_of(missing(device, &kept), LossKind::LeftOut);
+    let left_out = missing(device, &kept, limit.saturating_mul(LEFT_OUT))?;
+    let mut losses = losses_of(left_out, LossKind::LeftOut);
     // of what is stored compactly only the form is lost, and only where that was asked for
     let wanted = match options.eds.compact || options.embed {
         true => kept,
@@ -188,18 +225,17 @@ pub(super) fn write(device: &Device, format: Format, options: &WriteOptions) -> 
     };
     let bytes = encode(&wanted, format, options);
     let mut text = decode(bytes, format, options.eds.encoding);
-    let mut lost = missing(&wanted, &text.device);
+    let mut lost = missing(&wanted, &text.device, limit)?;
     losses.append(&mut invented(&wanted, &text.stated));
     complete::stated_anew(&wanted, &text.device, &mut |path, value| losses.push(Loss::invented(path, value)));
     if options.embed && !lost.is_empty() {
         let plain = lost;
         drop(text);
-        let bytes = encode_with(&wanted, format, options, &plain);
+        let bytes = encode_with(&wanted, format, options, &plain)?;
         text = decode(bytes, format, options.eds.encoding);
         (text.device, _) = embedded::restore(text.device, Findings::new());
-        lost = missing(&wanted, &text.device);
-        let embedded = plain.into_iter().filter(|found| !is_among(found, &lost)).collect();
-        losses.append(&mut losses_of(embedded, LossKind::Embedded));
+        lost = missing(&wanted, &text.device, limit)?;
+        losses.append(&mut losses_of(without(plain, &lost), LossKind::Embedded));
     }
     losses.append(&mut losses_of(lost, LossKind::Lost));
     losses.sort_by_key(|loss| loss.kind);
@@ -211,9 +247,15 @@ pub(super) fn write(device: &Device, format: Format, options: &WriteOptions) -> 
 
 /// The text of a device that carries what is lost. To carry something may change how a reader takes what is beside it, so
 /// what is embedded is measured again until it is what is lost.
-fn encode_with(wanted: &Device, format: Format, options: &WriteOptions, lost: &[Missing]) -> Vec<u8> {
+fn encode_with(
+    wanted: &Device,
+    format: Format,
+    options: &WriteOptions,
+    lost: &[Missing],
+) -> Result<Vec<u8>, EditError> {
     const ROUNDS: usize = 4;
-    let mut needed = changes(lost);
+    let changes = |missing: &[Missing]| missing.iter().map(|found| found.change.clone()).collect();
+    let mut needed: Vec<DatumChange> = changes(lost);
     let mut bytes = Vec::new();
     for _ in 0..ROUNDS {
         drop(bytes);
@@ -223,37 +265,48 @@ fn encode_with(wanted: &Device, format: Format, options: &WriteOptions, lost: &[
         drop(carrier);
         let mut text = decode(bytes, format, options.eds.encoding);
         embedded::extract(&mut text.device);
-        let found = changes(&missing(wanted, &text.device));
+        let found = missing(wanted, &text.device, options.max_losses)?;
         bytes = text.bytes;
-        if found == needed {
+        if found.iter().map(|found| &found.change).eq(&needed) {
             break;
         }
-        needed = found;
+        needed = changes(&found);
     }
-    bytes
+    Ok(bytes)
 }
 
 /// What a text does not give back of the device that it was made of.
-pub(super) fn losses(device: &Device, bytes: &[u8], format: Format, encoding: Encoding) -> Vec<Loss> {
+pub(super) fn losses(
+    device: &Device,
+    bytes: &[u8],
+    format: Format,
+    options: &WriteOptions,
+) -> Result<Vec<Loss>, EditError> {
+    let limit = options.max_losses;
     let kept = kept(device, format);
-    let text = decode(bytes.to_vec(), format, Some(encoding));
+    let left_out = missing(device, &kept, limit.saturating_mul(LEFT_OUT))?;
+    let mut left_out = losses_of(left_out, LossKind::LeftOut);
+    let text = decode(bytes.to_vec(), format, options.eds.encoding);
     let (read, _) = embedded::restore(text.device, Findings::new());
-    let mut losses = losses_of(missing(&kept, &read), LossKind::Lost);
-    losses.append(&mut losses_of(missing(device, &kept), LossKind::LeftOut));
+    let mut losses = losses_of(missing(&kept, &read, limit)?, LossKind::Lost);
+    losses.append(&mut left_out);
     losses.append(&mut invented(&kept, &text.stated));
-    losses
+    Ok(losses)
 }
 
 /// What a text states of file, device and node although the device does not.
 fn invented(device: &Device, stated: &Device) -> Vec<Loss> {
     let mut losses = Vec::new();
-    each_difference(&frame(device), &frame(stated), &mut |DatumDifference { path, left, right }| {
+    let mut found = |DatumDifference { path, left, right }| {
         // a bit rate that the device does not support
-        let is_new = left.is_none() || left == Some(Value::Bool(false)) && right == Some(Value::Bool(true));
+        let is = |json: &Option<Json>, text| json.as_ref().is_some_and(|json: &Json| json.text() == text);
+        let is_new = left.is_none() || is(&left, "false") && is(&right, "true");
         if let Some(value) = right.filter(|_| is_new) {
-            add_invented(path, value, &mut losses);
+            add_invented(path, value.value(), &mut losses);
         }
-    });
+    };
+    // these parts have a fixed number of values, and a list of languages
+    let _ = each_difference(&frame(device), &frame(stated), usize::MAX, &mut found);
     losses
 }
 
@@ -295,46 +348,44 @@ fn kept(device: &Device, format: Format) -> Cow<'_, Device> {
     }
 }
 
-/// A difference between a device and what comes back of it. What comes back in excess is only known by its fingerprint: of
-/// entries in compact storage it is much more than the device.
+/// A difference between a device and what comes back of it: what brings it back. What comes back in excess is only known by
+/// its fingerprint: of entries in compact storage it is much more than the device.
 struct Missing {
-    difference: DatumDifference,
-    before: Option<u32>,
+    change: DatumChange,
+    becomes: Option<Json>,
 }
 
-fn missing(device: &Device, read: &Device) -> Vec<Missing> {
+fn missing(device: &Device, read: &Device, limit: usize) -> Result<Vec<Missing>, EditError> {
     let mut found = Vec::new();
-    each_difference(device, read, &mut |DatumDifference { path, left, right }| {
-        let before = right.as_ref().map(DatumChange::fingerprint);
-        let right = right.filter(|_| left.is_some());
-        found.push(Missing { difference: DatumDifference { path, left, right }, before });
-    });
-    found
+    each_difference(device, read, limit, &mut |DatumDifference { path, left, right }| {
+        let before = right.as_ref().map(Json::fingerprint);
+        let becomes = right.filter(|_| left.is_some());
+        found.push(Missing { change: DatumChange { path, before, after: left }, becomes });
+    })
+    .map_err(|TooMany { count, limit }| EditError::TooMuchLost { count, limit })?;
+    Ok(found)
 }
 
 fn losses_of(missing: Vec<Missing>, kind: LossKind) -> Vec<Loss> {
     let mut losses = Vec::new();
-    missing.into_iter().for_each(|found| Loss::of(found.difference, kind, &mut losses));
+    for Missing { change, becomes } in missing {
+        let difference = DatumDifference { path: change.path, left: change.after, right: becomes };
+        Loss::of(difference, kind, &mut losses);
+    }
     losses
 }
 
-/// Whether a difference, or one inside it or around it, is among others.
-fn is_among(found: &Missing, others: &[Missing]) -> bool {
-    let path = &found.difference.path;
-    let within = |inner: &str, outer: &str| {
-        inner.strip_prefix(outer).is_some_and(|rest| rest.is_empty() || rest.starts_with('/'))
+/// The differences of which none is among others, nor one inside it or around it.
+fn without(missing: Vec<Missing>, others: &[Missing]) -> Vec<Missing> {
+    let paths: BTreeSet<&str> = others.iter().map(|other| other.change.path.as_str()).collect();
+    let is_apart = |found: &Missing| {
+        let path = found.change.path.as_str();
+        let around = path.match_indices('/').any(|(at, _)| paths.contains(&path[..at]));
+        let within = format!("{path}/");
+        let has_inner = paths.range(within.as_str()..).next().is_some_and(|next| next.starts_with(&within));
+        !(around || paths.contains(path) || has_inner)
     };
-    others.iter().map(|other| &other.difference.path).any(|other| within(other, path) || within(path, other))
-}
-
-/// What brings back what is lost.
-fn changes(lost: &[Missing]) -> Vec<DatumChange> {
-    let change = |Missing { difference, before }: &Missing| DatumChange {
-        path: difference.path.clone(),
-        before: *before,
-        after: difference.left.clone(),
-    };
-    lost.iter().map(change).collect()
+    missing.into_iter().filter(is_apart).collect()
 }
 
 const fn room(format: Format) -> Room {
@@ -391,7 +442,7 @@ fn decode(bytes: Vec<u8>, format: Format, encoding: Option<Encoding>) -> Decoded
             findings.append(xdd::findings::violations(&tree));
             let violation = findings.iter().next().map(|finding| finding.message.to_string());
             let device = xdd::read(&tree, 0, format.kind()).0;
-            let stated = xdd::read_literally(&tree, format.kind());
+            let stated = frame(&xdd::read_literally(&tree, format.kind()));
             Decoded { bytes: tree.into_source().into_bytes(), device, stated, violation }
         }
     }

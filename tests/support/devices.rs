@@ -356,6 +356,10 @@ fn extension(texts: Texts) -> BoxedStrategy<Extension> {
         .boxed()
 }
 
+fn boxed<T>(map: std::collections::BTreeMap<u16, T>) -> std::collections::BTreeMap<u16, Box<T>> {
+    map.into_iter().map(|(index, item)| (index, Box::new(item))).collect()
+}
+
 fn module(texts: Texts) -> BoxedStrategy<Module> {
     let text = || option::of(texts.text());
     let lists = (vec(1u16.., 0..3), vec(1u16.., 0..3));
@@ -384,9 +388,10 @@ fn module(texts: Texts) -> BoxedStrategy<Module> {
                     .into_iter()
                     .map(|(index, object)| (index, of_module(object)))
                     .filter(|(_, object)| !object.orphan || !object.subs.is_empty())
+                    .map(|(index, object)| (index, Box::new(object)))
                     .collect(),
                 extension_list: lists.1,
-                extensions,
+                extensions: boxed(extensions),
                 extra,
                 invalid_values: InvalidValues::default(),
             }

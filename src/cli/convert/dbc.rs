@@ -255,5 +255,5 @@ fn loss(device: &Device, omission: &Omission) -> Loss {
     };
     let kind = if omission.is_lost { LossKind::Lost } else { LossKind::LeftOut };
     let (place, reason) = (omission.place.clone(), Some(omission.reason.clone()));
-    Loss { place, path, kind, value, becomes: None, reason }
+    Loss { place, path, kind, value: value.into(), becomes: None, reason }
 }

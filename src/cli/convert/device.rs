@@ -1,5 +1,6 @@
 //! What is made of a device.
 
+use std::borrow::Cow;
 use std::collections::BTreeMap;
 use std::mem;
 use std::path::Path;
@@ -15,7 +16,9 @@ use super::Job;
 use crate::configure::rebase;
 use crate::diagnostic::{counted, series};
 use crate::download::{ConciseDcf, NeededFile, Plan, PlanError, PlanOptions, Scope, Skipped};
-use crate::format::{self, Description, Format, Loss, LossKind, Syntax, concise, json, stated_name};
+use crate::format::{
+    self, Description, Format, Loss, LossKind, Syntax, WriteOptions, concise, json, stated_name,
+};
 use crate::model::{Commissioning, Device, DeviceKind, Object, Place};
 use crate::report::plural;
 use crate::source::Folder;
@@ -37,53 +40,58 @@ impl Converted {
 pub(super) fn of_description(
     args: &ConvertArgs,
     job: &Job,
-    description: &Description,
+    description: Description,
     from: FileKind,
 ) -> Result<Converted, Failure> {
+    let max_losses = args.input.max_losses(description.source().text().len());
     let device = description.device();
     if *device == (Device { kind: device.kind, ..Device::default() }) {
         let failure = Failure::new(format_args!("`{}` describes no device", name_of(&job.input)));
         return Err(failure.help("`objdict check` shows what it lacks"));
     }
     let is_edited = job.to.format().is_some_and(|to| to.syntax() == description.format().syntax());
-    refuse_unknown_text(job, description, is_edited && !args.canonical.is_asked())?;
+    refuse_unknown_text(job, &description, is_edited && !args.canonical.is_asked())?;
     if description.is_project() || description.is_network() {
-        return of_device(args, job, device, !args.no_embed);
+        return of_device(args, job, description.into_device(), !args.no_embed, max_losses);
     }
     let Some(to) = job.to.format().filter(|to| to.syntax() == description.format().syntax()) else {
-        return of_device(args, job, device, !args.no_embed);
+        return of_device(args, job, description.into_device(), !args.no_embed, max_losses);
     };
     if args.canonical.is_asked() || args.expand.implicit_pdos || args.xdd_version.is_some() {
         // an EDS takes every text of another, an XDD only those that are valid, and other tools not all of them
         let is_narrower = to.syntax() == Syntax::Xml || args.canonical.dialect.is_other();
-        return of_device(args, job, device, !args.no_embed && is_narrower);
+        return of_device(args, job, description.into_device(), !args.no_embed && is_narrower, max_losses);
     }
-    warn_of_violations(job, description);
+    warn_of_violations(job, &description);
     if from == job.to && (to.kind() == DeviceKind::Type || !args.changes_node()) {
-        warn_of_node_id(args, job, device);
+        warn_of_node_id(args, job, description.device());
         if to == Format::Xdc {
-            valid_node_id(device.commissioning.as_ref().and_then(|node| node.node_id))?;
+            valid_node_id(description.device().commissioning.as_ref().and_then(|node| node.node_id))?;
         }
         return Ok(Converted::whole(description.source().to_bytes()));
     }
     let file_name = base_name(&job.output);
-    let mut expected = device.clone();
-    let bytes = match to.kind() {
-        DeviceKind::Node => {
-            let node = node(args, job, device)?;
-            let bytes = description.to_node(&file_name, &node.clone().unwrap_or_default());
-            expected.kind = DeviceKind::Node;
-            expected.commissioning = node;
-            expected.file_info.get_or_insert_default();
-            bytes
-        }
-        DeviceKind::Type => description.to_type(&file_name),
+    let node = match to.kind() {
+        DeviceKind::Node => node(args, job, description.device())?,
+        DeviceKind::Type => None,
     };
-    let bytes = bytes.map_err(Failure::new)?;
+    let bytes = match to.kind() {
+        DeviceKind::Node => description.to_node(&file_name, &node.clone().unwrap_or_default())?,
+        DeviceKind::Type => description.to_type(&file_name)?,
+    };
+    let encoding = description.source().encoding();
+    let mut expected = description.into_device();
+    if to.kind() == DeviceKind::Node {
+        expected.kind = DeviceKind::Node;
+        expected.commissioning = node;
+        expected.file_info.get_or_insert_default();
+    }
     if let Some(info) = &mut expected.file_info {
         info.file_name = Some(file_name);
     }
-    let losses = format::losses(&expected, &bytes, to, description.source().encoding());
+    let mut options = WriteOptions { max_losses, ..WriteOptions::default() };
+    options.eds.encoding = Some(encoding);
+    let losses = format::losses(&expected, &bytes, to, &options)?;
     Ok(Converted { bytes, losses })
 }
 
@@ -120,10 +128,15 @@ fn warn_of_violations(job: &Job, description: &Description) {
 pub(super) fn of_device(
     args: &ConvertArgs,
     job: &Job,
-    device: &Device,
+    device: Device,
     embed: bool,
+    max_losses: usize,
 ) -> Result<Converted, Failure> {
-    let device = args.expand.device(device);
+    let expanded = match args.expand.device(&device) {
+        Cow::Owned(expanded) => Some(expanded),
+        Cow::Borrowed(_) => None,
+    };
+    let device = expanded.unwrap_or(device);
     match job.to {
         FileKind::Json => Ok(Converted::whole(json::write_device(&device).into_bytes())),
         FileKind::Cdcf => {
@@ -139,30 +152,37 @@ pub(super) fn of_device(
         FileKind::Cpj | FileKind::Dbc | FileKind::CanopenNode => {
             Err(Failure::new(format_args!("a {} is not made of one description", job.to.name())))
         }
-        FileKind::Eds | FileKind::Xdd => anew(args, job, device.into_owned(), embed),
+        FileKind::Eds | FileKind::Xdd => anew(args, job, device, embed, max_losses),
         FileKind::Dcf | FileKind::Xdc => {
-            let mut node_device = device.into_owned();
+            let mut node_device = device;
             node_device.commissioning = node(args, job, &node_device)?;
             node_device.kind = DeviceKind::Node;
-            anew(args, job, node_device, embed)
+            anew(args, job, node_device, embed, max_losses)
         }
     }
 }
 
 /// A new text, written from the model alone.
-fn anew(args: &ConvertArgs, job: &Job, mut device: Device, embed: bool) -> Result<Converted, Failure> {
+fn anew(
+    args: &ConvertArgs,
+    job: &Job,
+    mut device: Device,
+    embed: bool,
+    max_losses: usize,
+) -> Result<Converted, Failure> {
     if let Some(info) = &mut device.file_info {
         info.file_name = Some(base_name(&job.output));
     }
     let mut options = args.canonical.options(args.input.encoding);
     options.embed = embed;
+    options.max_losses = max_losses;
     options.xdd_version = args.xdd_version.map(Into::into).unwrap_or_default();
     let format = job.to.format().unwrap_or(Format::Eds);
     let mut losses = Vec::new();
     if format.syntax() == Syntax::Ini && !args.keep_disabled {
         losses = remove_disabled(&mut device);
     }
-    let written = format::write(&device, format, &options).map_err(Failure::new)?;
+    let written = format::write(&device, format, &options)?;
     losses.extend(written.losses);
     Ok(Converted { bytes: written.bytes, losses })
 }
@@ -177,7 +197,7 @@ fn remove_disabled(device: &mut Device) -> Vec<Loss> {
         place: Place::object(index),
         path: format!("/objects/0x{index:04X}"),
         kind: LossKind::Lost,
-        value: serde_json::to_value(object).unwrap_or_default(),
+        value: serde_json::to_value(object).unwrap_or_default().into(),
         becomes: None,
         reason: Some("the object is disabled; `--keep-disabled` keeps it".to_owned()),
     };

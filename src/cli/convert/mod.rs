@@ -110,24 +110,25 @@ fn convert_one(
         }
         Input::Description(description) if job.is_named && args.input.device.is_none() => {
             let count = description.device_count();
-            let mut next = Some(*description);
-            for number in 0..count {
-                let Some(description) = next.and_then(|description| description.select(number)) else {
-                    break;
-                };
-                let own = if count == 1 { job.clone() } else { job.of_device(number) };
-                let converted = device::of_description(args, &own, &description, from)?;
-                finish(&own, from, converted, place, report, out)?;
-                next = Some(description);
+            if count == 1 {
+                let converted = device::of_description(args, job, *description, from)?;
+                return finish(job, from, converted, place, report, out);
+            }
+            for own in (0..count).map_while(|number| description.sibling(number)) {
+                let job = job.of_device(own.number());
+                let converted = device::of_description(args, &job, own, from)?;
+                finish(&job, from, converted, place, report, out)?;
             }
             Ok(())
         }
         Input::Description(description) => {
             let description = args.input.selected(&job.input, *description)?;
-            finish(job, from, device::of_description(args, job, &description, from)?, place, report, out)
+            finish(job, from, device::of_description(args, job, description, from)?, place, report, out)
         }
         Input::Device(device) => {
-            finish(job, from, device::of_device(args, job, &device, !args.no_embed)?, place, report, out)
+            let max_losses = args.input.max_losses(0);
+            let converted = device::of_device(args, job, *device, !args.no_embed, max_losses)?;
+            finish(job, from, converted, place, report, out)
         }
         Input::Concise(configuration) => {
             finish(job, from, of_configuration(job, &configuration)?, place, report, out)

@@ -6,7 +6,7 @@ use super::bus_keys::{MAPPING, MASTER, NODE, OPTIONS, PDO, SDO};
 use super::rules::{MISSING_KEY, OVERRIDDEN_KEY, UNKNOWN_KEY, WRONG_TYPE};
 use super::section::{Section, or_foreign, value_wish, wrong};
 use super::tree::{Entry, Kind, Tree};
-use super::{Descriptions, yaml};
+use super::{Descriptions, too_many, yaml};
 use crate::configure::PdoName;
 use crate::diagnostic::{Diagnostic, Findings, misspelled, say};
 use crate::download::Order;
@@ -15,9 +15,6 @@ use crate::network::{
     CobIdWish, DownloadWish, Heartbeat, Manager, Network, Node, PdoWish, Said, Startup, ValueWish,
 };
 use crate::source::Span;
-
-/// The largest number of nodes on a bus.
-const MAX_NODES: usize = 127;
 
 /// What dcfgen has beside the nodes.
 const KEYS_OF_DCFGEN: [&str; 2] = ["options", "master"];
@@ -59,9 +56,8 @@ pub(super) fn read(
         Some(_) => reader.ros_nodes(&tree),
         None => reader.nodes(entries),
     };
-    if nodes.len() > MAX_NODES {
-        let message = say!("there are {} nodes, but a network has at most {}", nodes.len(), MAX_NODES);
-        reader.findings.push(Diagnostic::new(&WRONG_TYPE, tree.span, message).help("remove nodes"));
+    if let Some(finding) = too_many(nodes.len(), Some(tree.span)) {
+        reader.findings.push(finding);
         return None;
     }
     network.nodes = nodes.iter().filter_map(|entry| reader.node(entry)).collect();

@@ -5,7 +5,7 @@ use std::fmt::Write as _;
 use std::num::NonZeroUsize;
 use std::path::{Path, PathBuf};
 
-use super::super::input::{Input, ReadError, Reading};
+use super::super::input::{Input, MAX_DEVICES, ReadError, Reading};
 use super::topology::location;
 use super::{PathOptions, quoted};
 use crate::diagnostic::Findings;
@@ -26,6 +26,10 @@ pub fn init(paths: &[PathBuf], options: &PathOptions) -> Result<String, ReadErro
     let mut start = Start::default();
     for path in paths {
         start.add(path, options)?;
+        let count = start.nodes.len();
+        if count > MAX_DEVICES {
+            return Err(ReadError::TooManyDevices { name: path.display().to_string(), count });
+        }
     }
     Ok(start.text())
 }

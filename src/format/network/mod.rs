@@ -27,15 +27,17 @@ use std::rc::Rc;
 pub use self::boot::{BootFiles, InstallError, Installation, install};
 pub use self::init::init;
 pub use self::outputs::{Build, BuildError, BuildObjection, BuiltFile, ConfigurationTime, ConfiguredNode};
-use self::rules::UNREADABLE_NODE;
+use self::rules::{UNREADABLE_NODE, WRONG_TYPE};
 pub use self::topology::location;
 use super::Description;
 use super::identify::{ContentKind, identify_source};
-use super::input::{FileKind, Input, ReadError, Reading};
-use crate::diagnostic::{At, Diagnostic, Findings, RuleInfo};
+use super::input::{FileKind, Input, MAX_DEVICES, ReadError, Reading};
+use crate::diagnostic::{At, Diagnostic, Findings, RuleInfo, say};
 use crate::model::Device;
 use crate::network::{self, Network, Said};
-use crate::source::{Folder, FolderError, MAX_TOML_SIZE, SourceError, SourceFile, SourceOptions, absolute};
+use crate::source::{
+    Folder, FolderError, MAX_TOML_SIZE, SourceError, SourceFile, SourceOptions, Span, absolute,
+};
 
 /// The rules about networks and their files.
 pub(super) fn rules() -> impl Iterator<Item = &'static RuleInfo> {
@@ -96,7 +98,13 @@ impl NetworkFile {
 
     fn read_from(source: SourceFile, folder: Option<Folder>, options: &PathOptions) -> Self {
         let variables = &options.variables;
-        let mut descriptions = Descriptions { folder, variables, read: BTreeMap::new(), files: Vec::new() };
+        let mut descriptions = Descriptions {
+            folder,
+            variables,
+            read: BTreeMap::new(),
+            several: BTreeMap::new(),
+            files: Vec::new(),
+        };
         let mut findings = Findings::new();
         let mut network = match identify_source(&source).kind {
             ContentKind::NodeList => topology::read(&source, &mut descriptions, &mut findings),
@@ -113,7 +121,10 @@ impl NetworkFile {
         let descriptions = descriptions
             .read
             .into_iter()
-            .filter_map(|(name, read)| Some((name, read?.description?)))
+            .filter_map(|(name, read)| match read? {
+                Read::Description(description) => Some((name, description)),
+                Read::Device(_) => None,
+            })
             .collect();
         Self { source, is_made: false, network, descriptions, files, findings }
     }
@@ -130,6 +141,19 @@ impl NetworkFile {
         });
         self.with_places(findings)
     }
+}
+
+/// The finding about more nodes than a network can have: none of them is read.
+fn too_many(count: usize, at: Option<Span>) -> Option<Diagnostic> {
+    let message = say!("there are {} nodes, but a network has at most {}", count, MAX_DEVICES);
+    let finding = Diagnostic::new(&WRONG_TYPE, at.unwrap_or_default(), message).help("remove nodes");
+    (count > MAX_DEVICES).then_some(finding)
+}
+
+/// One of the descriptions in a file, of which the first was read.
+fn of_number(first: &Rc<Description>, number: usize) -> Rc<Description> {
+    let other = (number != first.number()).then(|| first.sibling(number)).flatten();
+    other.map_or_else(|| Rc::clone(first), Rc::new)
 }
 
 /// How the paths in a network file are read.
@@ -155,13 +179,25 @@ struct Descriptions<'v> {
     variables: &'v BTreeMap<String, String>,
     /// What was read of each path; `None` after a failure.
     read: BTreeMap<String, Option<Read>>,
+    /// The files with several devices, which nodes name by their numbers.
+    several: BTreeMap<PathBuf, Rc<Description>>,
     files: Vec<PathBuf>,
 }
 
 #[derive(Clone)]
-struct Read {
-    device: Device,
-    description: Option<Rc<Description>>,
+enum Read {
+    Description(Rc<Description>),
+    /// Of a device as JSON.
+    Device(Rc<Device>),
+}
+
+impl Read {
+    fn device(&self) -> &Device {
+        match self {
+            Self::Description(description) => description.device(),
+            Self::Device(device) => device,
+        }
+    }
 }
 
 impl Descriptions<'_> {
@@ -175,7 +211,7 @@ impl Descriptions<'_> {
             }
             self.read.insert(file.value.clone(), read.ok());
         }
-        self.read.get(&file.value)?.as_ref().map(|read| read.device.clone())
+        self.read.get(&file.value)?.as_ref().map(|read| read.device().clone())
     }
 
     /// The error and its help, if it cannot be read.
@@ -201,13 +237,22 @@ impl Descriptions<'_> {
             }
             error => (error.to_string(), WRONG),
         };
+        if let Some(first) = self.several.get(&path) {
+            let number =
+                reading.number(&path.display().to_string(), first.device_count()).map_err(refused)?;
+            return Ok(Read::Description(of_number(first, number)));
+        }
         match reading.open(&path).map_err(refused)? {
-            (_, Input::Description(description)) => {
-                let description =
-                    reading.select(&path.display().to_string(), *description).map_err(refused)?;
-                Ok(Read { device: description.device().clone(), description: Some(Rc::new(description)) })
+            (_, Input::Description(first)) => {
+                let count = first.device_count();
+                let number = reading.number(&path.display().to_string(), count).map_err(refused)?;
+                let first = Rc::new(*first);
+                if count > 1 {
+                    self.several.insert(path, Rc::clone(&first));
+                }
+                Ok(Read::Description(of_number(&first, number)))
             }
-            (_, Input::Device(device)) => Ok(Read { device: *device, description: None }),
+            (_, Input::Device(device)) => Ok(Read::Device(Rc::new(*device))),
             (kind, _) => {
                 Err((format!("`{}` is a {}, not a description", path.display(), kind.name()), WRONG))
             }

@@ -5,7 +5,7 @@ use super::rules::{MISSING_KEY, UNREADABLE_NODE, WRONG_TYPE};
 use super::section::{Section, integer, value_wish, wrong};
 use super::tree::{Entry, Kind, Tree};
 use super::types::with_type;
-use super::{Descriptions, toml};
+use super::{Descriptions, toml, too_many};
 use crate::configure::{PdoName, Setting, nanoseconds, transmission_type};
 use crate::coupler::flatten;
 use crate::diagnostic::{Diagnostic, Findings, Text, say};
@@ -26,7 +26,7 @@ pub(super) fn read(
     let tree = toml::read(text, findings)?;
     let section = Section::new("the network", &tree, NETWORK, findings)?;
     let mut reader = Reader { descriptions, findings };
-    let nodes = reader.nodes(&section);
+    let nodes = reader.nodes(&section)?;
     let mut network = Network { nodes, links: reader.links(&section), ..Network::default() };
     reader.bus(&section, &mut network);
     watch(&mut network, reader.findings);
@@ -198,13 +198,18 @@ impl Reader<'_, '_> {
         self.findings.push(Diagnostic::new(&WRONG_TYPE, at, message.clone()).help(help));
     }
 
-    fn nodes(&mut self, root: &Section<'_>) -> Vec<Node> {
+    /// The nodes; `None` if there are too many.
+    fn nodes(&mut self, root: &Section<'_>) -> Option<Vec<Node>> {
         let types = root.named("type", self.findings);
         for kind in types {
             Section::new(&format!("type {}", kind.key.spelled()), &kind.value, NODE, self.findings);
         }
-        let nodes = root.named("node", self.findings).iter();
-        nodes.filter_map(|entry| self.node_with_type(entry, types)).collect()
+        let nodes = root.named("node", self.findings);
+        if let Some(finding) = too_many(nodes.len(), nodes.last().map(|entry| entry.key.span)) {
+            self.findings.push(finding);
+            return None;
+        }
+        Some(nodes.iter().filter_map(|entry| self.node_with_type(entry, types)).collect())
     }
 
     /// A node; problems of its type are reported for the first node that uses it.

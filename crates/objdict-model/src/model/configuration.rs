@@ -23,7 +23,7 @@ impl Device {
             modules.supported.values_mut()
         });
         for module in of_modules {
-            module.fixed.values_mut().for_each(Object::remove_configuration);
+            module.fixed.values_mut().for_each(|object| object.remove_configuration());
             module.extensions.values_mut().for_each(|extension| extension.entry.remove_configuration());
         }
         device.objects.values_mut().for_each(Object::remove_configuration);

@@ -36,6 +36,7 @@ pub struct Modules {
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 #[cfg_attr(feature = "serde", serde(default, deny_unknown_fields))]
+// a map has room for eleven, and most modules bring one object: a box keeps that small
 pub struct Module {
     /// `ProductName`.
     #[cfg_attr(feature = "serde", serde(skip_serializing_if = "Option::is_none"))]
@@ -60,7 +61,7 @@ pub struct Module {
         feature = "serde",
         serde(with = "super::index_keys", skip_serializing_if = "BTreeMap::is_empty")
     )]
-    pub fixed: BTreeMap<u16, Object>,
+    pub fixed: BTreeMap<u16, Box<Object>>,
     /// `MxSubExtends`: the list of objects to which each such module adds sub-indexes.
     #[cfg_attr(feature = "serde", serde(with = "super::index_list", skip_serializing_if = "Vec::is_empty"))]
     pub extension_list: Vec<u16>,
@@ -69,7 +70,7 @@ pub struct Module {
         feature = "serde",
         serde(with = "super::index_keys", skip_serializing_if = "BTreeMap::is_empty")
     )]
-    pub extensions: BTreeMap<u16, Extension>,
+    pub extensions: BTreeMap<u16, Box<Extension>>,
     /// Keys without a field in the model.
     #[cfg_attr(feature = "serde", serde(skip_serializing_if = "Extra::is_empty"))]
     pub extra: Extra,

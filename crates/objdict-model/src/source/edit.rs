@@ -38,6 +38,14 @@ pub enum EditError {
     /// A new text violates the standard: an error of objdict.
     #[error("objdict would write a text that is not valid: {0}")]
     NotValid(String),
+    /// The new text would not give back more values of the description than allowed.
+    #[error("the format has no place for {count} values of the description, more than the limit of {limit}")]
+    TooMuchLost {
+        /// How many, each with what its place takes.
+        count: usize,
+        /// The limit.
+        limit: usize,
+    },
     /// A new text has a character that the encoding of the file lacks.
     #[error(transparent)]
     Unencodable(#[from] Unencodable),

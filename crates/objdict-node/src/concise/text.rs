@@ -48,23 +48,31 @@ pub struct TextError {
     pub help: &'static str,
 }
 
-/// All lines of a text that are not valid downloads.
+/// The lines of a text that are not valid downloads.
 #[derive(Clone, Debug, PartialEq, Eq)]
-pub struct TextErrors(
-    /// At least one, ordered by line.
-    pub Vec<TextError>,
-);
+pub struct TextErrors {
+    /// The first 1000 of them, ordered by line; at least one.
+    pub first: Vec<TextError>,
+    /// How many more there are.
+    pub more: usize,
+}
+
+/// A text that is none has as many errors as lines.
+const MAX_ERRORS: usize = 1000;
 
 impl std::error::Error for TextErrors {}
 
 /// One error per line, each followed by its help.
 impl fmt::Display for TextErrors {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        for (number, error) in self.0.iter().enumerate() {
+        for (number, error) in self.first.iter().enumerate() {
             let separator = if number > 0 { "\n" } else { "" };
             write!(f, "{separator}{error}; {}", error.help)?;
         }
-        Ok(())
+        match self.more {
+            0 => Ok(()),
+            more => write!(f, "\n{more} more lines are not valid"),
+        }
     }
 }
 
@@ -128,17 +136,20 @@ fn byte_lines(bytes: &[u8]) -> String {
 /// Parses the text form. Formulas such as `$NODEID+0x180` are evaluated for `node_id`.
 ///
 /// # Errors
-/// Lists every line that is not a valid download.
+/// Lists the lines that are not valid downloads.
 pub fn parse(text: &str, node_id: Option<u8>) -> Result<ConciseDcf, TextErrors> {
     let mut downloads = Vec::new();
-    let mut errors = Vec::new();
+    let mut errors = TextErrors { first: Vec::new(), more: 0 };
     for (line, statement) in statements(text) {
         match download(&statement, node_id) {
             Ok(download) => downloads.push(download),
-            Err((message, help)) => errors.push(TextError { line, message, help }),
+            Err((message, help)) if errors.first.len() < MAX_ERRORS => {
+                errors.first.push(TextError { line, message, help });
+            }
+            Err(_) => errors.more += 1,
         }
     }
-    if errors.is_empty() { Ok(ConciseDcf(downloads)) } else { Err(TextErrors(errors)) }
+    if errors.first.is_empty() { Ok(ConciseDcf(downloads)) } else { Err(errors) }
 }
 
 /// Whether a text looks like this format; used for format detection.
@@ -327,7 +338,7 @@ mod tests {
         let text = "# a comment\n1017 UNSIGNED16 1\n1017:00 UNSIGNED9 1\n1017:00 UNSIGNED16 65536\n\n1017:00\n1400:01 UNSIGNED32 $NODEID+0x200\n\
                     2000:00 VISIBLE_STRING a\n2000:00 BYTES 0\n2000:00 UNSIGNED8 010\n";
         let errors = parse(text, None).unwrap_err();
-        let told: Vec<String> = errors.0.iter().map(ToString::to_string).collect();
+        let told: Vec<String> = errors.first.iter().map(ToString::to_string).collect();
         insta::assert_snapshot!(told.join("\n"), @r#"
         line 2: `1017` is not an entry
         line 3: `UNSIGNED9` is not a data type

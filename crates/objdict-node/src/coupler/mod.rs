@@ -177,7 +177,7 @@ impl Rack<'_> {
                     self.problems.push(ModuleProblem::Conflict { numbers: (first, number), index });
                 }
                 _ => {
-                    self.device.objects.insert(index, object.clone());
+                    self.device.objects.insert(index, object.as_ref().clone());
                 }
             }
         }

@@ -1,7 +1,5 @@
 //! Differences between two configurations, write by write.
 
-use std::collections::BTreeMap;
-
 use super::settings::Key;
 use super::{ConciseDcf, Download};
 
@@ -39,33 +37,38 @@ impl ConciseDcf {
     /// written more than once.
     pub fn differences(&self, other: &Self) -> Differences {
         let (first, second) = (self.by_entry(), other.by_entry());
-        let keys: std::collections::BTreeSet<Key> = first.keys().chain(second.keys()).copied().collect();
-        let of = |all: &BTreeMap<Key, Vec<Vec<u8>>>, key| all.get(key).cloned().unwrap_or_default();
-        let entries: Vec<Difference> = keys
-            .iter()
-            .filter(|key| first.get(key) != second.get(key))
-            .map(|key| Difference {
-                index: key.0,
-                sub: key.1,
-                first: of(&first, key),
-                second: of(&second, key),
-            })
-            .collect();
-        let is_same = |download: &&Download| {
-            let key = (download.index, download.sub);
-            first.get(&key) == second.get(&key)
+        let mut keys: Vec<Key> = first.iter().chain(&second).map(|download| key(download)).collect();
+        keys.sort_unstable();
+        keys.dedup();
+        keys.retain(|&key| !writes(&first, key).eq(writes(&second, key)));
+        let owned = |all, key| writes(all, key).map(<[u8]>::to_vec).collect();
+        let difference = |&(index, sub): &Key| Difference {
+            index,
+            sub,
+            first: owned(&first, (index, sub)),
+            second: owned(&second, (index, sub)),
         };
+        let is_same = |download: &&Download| keys.binary_search(&key(download)).is_err();
         let is_reordered = !self.0.iter().filter(is_same).eq(other.0.iter().filter(is_same));
-        Differences { entries, is_reordered }
+        Differences { entries: keys.iter().map(difference).collect(), is_reordered }
     }
 
-    fn by_entry(&self) -> BTreeMap<Key, Vec<Vec<u8>>> {
-        let mut entries: BTreeMap<Key, Vec<Vec<u8>>> = BTreeMap::new();
-        for Download { index, sub, data } in &self.0 {
-            entries.entry((*index, *sub)).or_default().push(data.clone());
-        }
-        entries
+    /// The downloads by entry, those of each in their order.
+    fn by_entry(&self) -> Vec<&Download> {
+        let mut downloads: Vec<&Download> = self.0.iter().collect();
+        downloads.sort_by_key(|download| key(download));
+        downloads
     }
+}
+
+fn key(download: &Download) -> Key {
+    (download.index, download.sub)
+}
+
+/// What downloads that are sorted write to an entry.
+fn writes<'a>(sorted: &'a [&'a Download], entry: Key) -> impl Iterator<Item = &'a [u8]> {
+    let start = sorted.partition_point(|download| key(download) < entry);
+    sorted[start..].iter().take_while(move |download| key(download) == entry).map(|download| &*download.data)
 }
 
 #[cfg(test)]

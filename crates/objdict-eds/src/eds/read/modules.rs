@@ -59,14 +59,14 @@ impl Reader<'_> {
             ModulePart::FixedEntry(index, sub) => {
                 let mut entry = Entry::default();
                 read_object_section(&mut items, SectionKind::Entry, &mut entry);
-                let orphan = || Object { orphan: true, ..Object::default() };
+                let orphan = || Box::new(Object { orphan: true, ..Object::default() });
                 module.fixed.entry(index).or_insert_with(orphan).subs.insert(sub, entry);
             }
             ModulePart::SubExt(index) => {
                 let mut entry = Entry::default();
                 let read = read_object_section(&mut items, SectionKind::Extension, &mut entry);
                 let extension = Extension { entry, count: read.count, obj_extend: read.obj_extend };
-                module.extensions.insert(index, extension);
+                module.extensions.insert(index, Box::new(extension));
             }
         }
         for (key, value) in extra.iter() {

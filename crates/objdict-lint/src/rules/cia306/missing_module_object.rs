@@ -56,7 +56,7 @@ fn check_sub_indexes(device: &Device, modules: &Modules, findings: &mut Findings
                 _ => {}
             }
         }
-        fixed.extend(module.fixed.iter().map(|(&index, object)| (index, object)));
+        fixed.extend(module.fixed.iter().map(|(&index, object)| (index, &**object)));
     }
     for ((index, length), bits) in shared {
         *added.entry(index).or_default() += bits.div_ceil(length) as usize;

@@ -96,8 +96,9 @@ impl Writer<'_> {
 
 /// The process with the types of its parameters.
 fn complete_process(process: &ApplicationProcess) -> ApplicationProcess {
-    let parameters = process.parameters.iter().cloned().map(with_type).collect();
-    ApplicationProcess { parameters, ..process.clone() }
+    let mut process = process.clone();
+    process.parameters = process.parameters.into_iter().map(with_type).collect();
+    process
 }
 
 /// The function with its mandatory characteristic.
