@@ -46,7 +46,7 @@ fn without_protobuf(source: &str) -> String {
         let is_import = line.starts_with("using LibCanOpen") || line.starts_with("using Google");
         if block.contains("GetExporters") {
             text += "public ExporterDescriptor[] GetExporters() { return new ExporterDescriptor[0]; }\n";
-        } else if !is_import && !(is_member && OF_PROTOBUF.iter().any(|word| block.contains(word))) {
+        } else if !(is_import || is_member && OF_PROTOBUF.iter().any(|word| block.contains(word))) {
             text += &format!("{block}\n");
         }
         at += length;

@@ -32,12 +32,12 @@ const GOALS: [Goal; 3] = [
         tool: Tool::PythonCanopen,
         least: 1000,
     },
-    // 217 of 256
+    // 215 of 255; the command also leaves out disabled objects, and comes to 217 of 256
     Goal {
         name: "lely",
         make: |description| in_dialect(&description, Dialect::Lely),
         tool: Tool::DcfTools,
-        least: 847,
+        least: 843,
     },
 ];
 
