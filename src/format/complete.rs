@@ -7,10 +7,10 @@ use crate::profile;
 
 /// Type and access that an entry gets where it states none, and nothing says what they are.
 #[derive(Clone, Copy)]
-struct Default(DataType, Access);
+struct Assumed(DataType, Access);
 
-const VALUE: Default = Default(DataType::DOMAIN, Access::Rw);
-const COUNT: Default = Default(DataType::UNSIGNED8, Access::Ro);
+const VALUE: Assumed = Assumed(DataType::DOMAIN, Access::Rw);
+const COUNT: Assumed = Assumed(DataType::UNSIGNED8, Access::Ro);
 
 /// Where an entry is; without a sub-index, what the object itself describes.
 type Address = (u16, Option<u8>);
@@ -33,14 +33,14 @@ pub(super) fn complete(device: &Device, index: u16, object: &mut Object) {
         complete_entry(device, (index, None), &mut object.main, VALUE);
     }
     for (sub, entry) in object.subs.iter_mut() {
-        let default = if sub == 0 && has_subs { COUNT } else { VALUE };
-        complete_entry(device, (index, Some(sub)), entry, default);
+        let assumed = if sub == 0 && has_subs { COUNT } else { VALUE };
+        complete_entry(device, (index, Some(sub)), entry, assumed);
     }
 }
 
-fn complete_entry(device: &Device, at: Address, entry: &mut Entry, default: Default) {
-    entry.data_type = data_type(device, at, entry).or(Some(default.0));
-    entry.access = access(device, at, entry).or(Some(default.1));
+fn complete_entry(device: &Device, at: Address, entry: &mut Entry, assumed: Assumed) {
+    entry.data_type = data_type(device, at, entry).or(Some(assumed.0));
+    entry.access = access(device, at, entry).or(Some(assumed.1));
     let stated = [Field::DataType, Field::AccessType, Field::ObjectType];
     entry.invalid_values.retain(|invalid| !stated.contains(&invalid.field));
 }
@@ -63,8 +63,8 @@ pub(super) fn with_valid_access(device: &Device) -> Cow<'_, Device> {
             object.main.access = access(device, (index, None), &object.main).or(Some(VALUE.1));
         }
         for (sub, entry) in object.subs.iter_mut().filter(|(_, entry)| is_due(entry)) {
-            let default = if sub == 0 && has_subs { COUNT } else { VALUE };
-            entry.access = access(device, (index, Some(sub)), entry).or(Some(default.1));
+            let assumed = if sub == 0 && has_subs { COUNT } else { VALUE };
+            entry.access = access(device, (index, Some(sub)), entry).or(Some(assumed.1));
         }
     }
     Cow::Owned(valid)
