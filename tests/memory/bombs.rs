@@ -59,10 +59,22 @@ fn sub(number: usize) -> String {
     format!("[{:X}sub{:X}]\n", 0x2000 + number / 255 % 0x7FFF, number % 255)
 }
 
+/// Records as real devices have them.
+fn ordinary(number: usize) -> String {
+    let (index, sub) = (0x2000 + number / 254 % 0x7FFF, number % 254);
+    let record = format!("[{index:X}]\nParameterName=Record {index:X}\nObjectType=0x9\nSubNumber=254\n");
+    let start = if sub == 0 { record } else { String::new() };
+    start
+        + &format!(
+            "[{index:X}sub{sub:X}]\nParameterName=Parameter {sub}\nObjectType=0x7\nDataType=0x0007\nAccessType=rw\nDefaultValue=0x10\nPDOMapping=0\n"
+        )
+}
+
 /// Lines of EDS and DCF, behind a small device.
 fn eds() -> Vec<Bomb> {
     const OBJECT: &str = "[2000]\nParameterName=x\nDataType=5\nAccessType=rw\n";
-    let lines: [(&str, &'static str, Lines); 28] = [
+    let lines: [(&str, &'static str, Lines); 29] = [
+        ("ordinary.eds", "", ordinary),
         ("junk.eds", "", |_| "x\n".to_owned()),
         ("blank.eds", "", |_| "\n".to_owned()),
         ("brackets.eds", "", |_| "[]\n".to_owned()),

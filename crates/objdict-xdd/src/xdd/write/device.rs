@@ -81,7 +81,7 @@ impl Writer<'_> {
     fn application(&self, out: &mut XddWriter) {
         let mut processes = self.device.application.iter().map(complete_process);
         let mut first = processes.next().unwrap_or_default();
-        first.data_types.extend(self.parameters.types.values().cloned());
+        first.data_types.extend(self.parameters.definitions.take());
         if first != ApplicationProcess::default() || !self.parameters.is_empty() {
             shape::write_with(&first, &APPLICATION_PROCESS, out, &mut |name, out| {
                 if name == PARAMETER.name {

@@ -1,6 +1,7 @@
 //! The parameters of entries: the content of the application process, and a copy of the attributes of the
 //! entries, where most tools look for it.
 
+use std::cell::RefCell;
 use std::collections::{BTreeMap, HashMap};
 use std::rc::Rc;
 
@@ -21,7 +22,10 @@ use crate::xdd::types::simple_type;
 pub(super) struct EntryParameters {
     /// The ids of the parameters of objects and sub-indexes.
     ids: HashMap<(u16, Option<u8>), Rc<str>>,
-    pub(super) types: BTreeMap<u16, TypeDefinition>,
+    /// The ids of the types.
+    types: BTreeMap<u16, Box<str>>,
+    /// The types, which take more memory than all else; who writes them takes them.
+    pub(super) definitions: RefCell<Vec<TypeDefinition>>,
 }
 
 impl EntryParameters {
@@ -36,7 +40,8 @@ impl EntryParameters {
                 && main.start().is_some_and(|parameter| parameter.data_type.is_none())
                 && let Some(definition) = ids.definition_of(index, object)
             {
-                made.types.insert(index, definition);
+                made.types.insert(index, definition.unique_id.clone());
+                made.definitions.get_mut().push(definition);
             }
             for maker in makers(index, object) {
                 if let Some(parameter) = made.parameter(&maker, object) {
@@ -81,7 +86,7 @@ impl EntryParameters {
         }
         // the type of an ARRAY or RECORD is composed from those of its sub-indexes
         let mut parameter = maker.start()?;
-        let composed = || Some(DataTypeRef::Defined(self.types.get(&maker.index)?.unique_id.clone()));
+        let composed = || Some(DataTypeRef::Defined(self.types.get(&maker.index)?.clone()));
         parameter.data_type = parameter.data_type.take().or_else(composed);
         // without one it is only written if it has other content
         let is_needed = parameter.data_type.is_some() || maker.says_more(&parameter);
