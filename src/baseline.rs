@@ -31,12 +31,12 @@ struct Known {
     message: String,
 }
 
-/// Why a text is no baseline.
+/// Why a text is not a baseline.
 #[derive(Debug, thiserror::Error)]
 #[non_exhaustive]
 pub enum BaselineError {
     /// It is not the JSON of one.
-    #[error("is no baseline: {0}")]
+    #[error("is not a baseline: {0}")]
     Json(#[from] serde_json::Error),
     /// It was written by another version of this program, or its fingerprints are made in another way.
     #[error("is a baseline of another version, and the findings in it cannot be known again")]
@@ -216,7 +216,7 @@ mod tests {
     #[test]
     fn what_cannot_be_known_again_is_refused() {
         for (text, message) in [
-            ("{}", "is no baseline: missing field `version` at line 1 column 2"),
+            ("{}", "is not a baseline: missing field `version` at line 1 column 2"),
             (
                 "{\"version\":2,\"fingerprints\":\"x\",\"findings\":[]}",
                 "is a baseline of another version, and the findings in it cannot be known again",

@@ -136,7 +136,7 @@ pub(super) struct CheckArgs {
 /// How findings are reported.
 #[derive(Debug, clap::Args)]
 pub(super) struct ReportArgs {
-    /// The form of the report
+    /// Output format
     #[arg(long, value_enum, default_value = "text")]
     pub format: ReportFormat,
     /// Report all findings, each on its own: by default those of one cause are one finding with places, and the text
@@ -157,7 +157,7 @@ pub(super) struct IdentifyArgs {
     /// Files to look at; `-` is the standard input
     #[arg(required = true, value_name = "FILE")]
     pub files: Vec<PathBuf>,
-    /// The form of the report
+    /// Output format
     #[arg(long, value_enum, default_value = "text")]
     pub format: AnswerFormat,
     #[command(flatten)]
@@ -274,7 +274,7 @@ pub(super) enum ProfileCommand {
 /// List the built-in CiA documents
 #[derive(Debug, Parser)]
 pub(super) struct ProfileListArgs {
-    /// The form of the list
+    /// Output format
     #[arg(long, value_enum, default_value = "text")]
     pub format: ProfileFormat,
 }
@@ -329,7 +329,7 @@ pub(super) struct FmtArgs {
 /// List the rules of `check`
 #[derive(Debug, Parser)]
 pub(super) struct RulesArgs {
-    /// The form of the list
+    /// Output format
     #[arg(long, value_enum, default_value = "text")]
     pub format: RulesFormat,
     /// Only the rules of this group, such as cia301; repeatable, or separated by commas

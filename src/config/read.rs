@@ -155,7 +155,7 @@ impl Reader<'_> {
         match PathPattern::new(text) {
             Ok(pattern) => Some(pattern),
             Err(error) => {
-                let message = say!("`{}` is no pattern of paths: {}", text, Text::from(error.msg));
+                let message = say!("`{}` is not a valid pattern of paths: {}", text, Text::from(error.msg));
                 let help = "`*` and `?` match within a name, `**` any number of folders, `[ab]` one of the characters";
                 self.findings.push(invalid_setting(span, message).help(help));
                 None

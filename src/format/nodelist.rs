@@ -30,7 +30,7 @@ pub enum NodeListError {
     #[error("there is no section `[Topology]`")]
     NoTopology,
     /// A number is none, or out of range.
-    #[error("`{key}={text}` in `[{section}]` is no number from {low} to {high}")]
+    #[error("`{key}={text}` in `[{section}]` is not a number from {low} to {high}")]
     Number {
         /// The section.
         section: String,
@@ -165,6 +165,6 @@ mod tests {
         assert_eq!(read("[FileInfo]\nFileName=a.eds\n"), Err(NodeListError::NoTopology));
         assert!(matches!(read("[Topology\nNodes=1\n"), Err(NodeListError::Ini { .. })));
         let error = read("[Topology]\nNode1Present=2\n").unwrap_err().to_string();
-        assert_eq!(error, "`Node1Present=2` in `[Topology]` is no number from 0 to 1");
+        assert_eq!(error, "`Node1Present=2` in `[Topology]` is not a number from 0 to 1");
     }
 }

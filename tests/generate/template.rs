@@ -109,7 +109,7 @@ fn errors_name_file_and_line() {
         ("a\n{% for %}\n", "my.j2:2: syntax error: "),
         ("a\n\n{{ devise.objects }}\n", "my.j2:3: undefined value"),
         ("{{ device|shout }}", "my.j2:1: unknown filter: "),
-        ("\n{{ 'ten'|number }}", "my.j2:2: invalid operation: `ten` is no number"),
+        ("\n{{ 'ten'|number }}", "my.j2:2: invalid operation: `ten` is not a number"),
         (
             "{% for a in range(9999) %}{% for b in range(9999) %}\n{{ a }}{% endfor %}{% endfor %}",
             "my.j2:2: engine ran out of fuel",

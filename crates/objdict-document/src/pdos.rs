@@ -204,7 +204,7 @@ fn remarks(decoder: &Decoder<'_>, pdo: &Pdo<'_>, layout: &Layout) -> Vec<String>
     let mut remarks = Vec::new();
     match (layout.content, decoder.language) {
         (Content::Reserved(count), Language::English) => {
-            remarks.push(format!("{count} is no number of mapped objects"));
+            remarks.push(format!("{count} is not a valid number of mapped objects"));
         }
         (Content::Reserved(count), Language::German) => {
             remarks.push(format!("{count} ist keine Anzahl gemappter Objekte"));
@@ -347,7 +347,7 @@ mod tests {
         let remarks = |count, mapped: &[Option<u64>]| {
             views(&device(count, mapped), None, Language::English)[0].remarks.join(" ")
         };
-        assert_eq!(remarks(Some(70), &[]), "70 is no number of mapped objects");
+        assert_eq!(remarks(Some(70), &[]), "70 is not a valid number of mapped objects");
         let long = remarks(Some(2), &[Some(0x6000_0140), Some(0x6000_0208)]);
         assert_eq!(long, "72 bits are mapped, a frame has 64.");
         assert!(remarks(None, &[Some(0x6000_0108)]).starts_with("The description does not say"));

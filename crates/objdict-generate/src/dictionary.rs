@@ -62,7 +62,7 @@ impl<'a> Dictionary<'a> {
         let Resolver { mut notes, errors, .. } = resolver;
         let modular = device.modules.as_ref().is_some_and(|modules| !modules.supported.is_empty());
         if modular && device.node_id().is_none() {
-            let text = "objects that modules bring are no part of the table";
+            let text = "objects that modules bring are not part of the table";
             let note = Note::new(Part::SupportedModules, text);
             notes.push(note.help("generate from the DCF of a node, which has them as ordinary objects"));
         }

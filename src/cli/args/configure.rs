@@ -170,7 +170,7 @@ impl ConfigureArgs {
 pub(in crate::cli) struct ModulesArgs {
     /// The EDS or DCF of the coupler; `-` is the standard input
     pub file: PathBuf,
-    /// The form of the list
+    /// Output format
     #[arg(long, value_enum, default_value = "text")]
     pub format: ModulesFormat,
     #[command(flatten)]

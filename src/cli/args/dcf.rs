@@ -134,7 +134,7 @@ pub(in crate::cli) struct VerifyArgs {
     /// The node-ID [default: that of the DCF]
     #[arg(long, value_name = "N", value_parser = node_id)]
     pub node_id: Option<u8>,
-    /// The form of the report
+    /// Output format
     #[arg(long, value_enum, default_value = "text")]
     pub format: VerdictFormat,
     #[command(flatten)]

@@ -50,7 +50,7 @@ pub(in crate::cli) struct GenerateArgs {
     /// Report the flash and RAM of the tables, object by object
     #[arg(long, value_enum, value_name = "WHAT", help_heading = "Size")]
     pub report: Option<ReportArg>,
-    /// The form of the report
+    /// Output format
     #[arg(
         long,
         alias = "report-format",

@@ -67,16 +67,16 @@ fn stream_of(
     match (Reading { from: Some(kind), ..reading }).read(name, bytes)? {
         (_, Input::Concise(configuration)) => Ok(configuration),
         (_, Input::Description(_) | Input::Device(_)) => {
-            let message = format!("`{name}` is read as {} and is no concise DCF", kind.name());
+            let message = format!("`{name}` is read as {} and is not a concise DCF", kind.name());
             Err(Failure::new(message).help(format!("`objdict dcf pack {name}` makes one of it")))
         }
         (_, Input::NodeList(_)) => {
-            Err(Failure::new(format_args!("`{name}` is read as {} and is no concise DCF", kind.name())))
+            Err(Failure::new(format_args!("`{name}` is read as {} and is not a concise DCF", kind.name())))
         }
     }
 }
 
-/// A file that is no concise DCF in any spelling, with what it is.
+/// A file that is not a concise DCF in any spelling, with what it is.
 fn unknown(name: &str, found: &Identification) -> Failure {
     let help = match found.kind {
         ContentKind::Unknown => Some("read it as a stream nevertheless with `--from cdcf`"),

@@ -98,7 +98,7 @@ pub(super) fn open_despite_errors(
     let errors = file.check().iter().filter(|finding| finding.severity == Severity::Error).count();
     let help = format!("`objdict network check {}` says which", names_of(paths));
     if file.network.is_none() {
-        return Err(Failure::new(format_args!("`{}` is no network", file.source.name())).help(help));
+        return Err(Failure::new(format_args!("`{}` is not a network", file.source.name())).help(help));
     }
     if errors > 0 {
         let warning = format!("the network has {}, so what it does may differ", plural(errors, "error"));

@@ -63,7 +63,7 @@ fn find(profile: &Profile, index: u16) -> Result<ObjectFacts<'_>, Failure> {
     let found = (0..blocks).find_map(|block| profile.object_in(block, index));
     found.ok_or_else(|| {
         let document = &profile.document;
-        let failure = Failure::new(format_args!("{document} says nothing of 0x{index:04X}"));
+        let failure = Failure::new(format_args!("{document} does not define 0x{index:04X}"));
         let next = profile.objects().min_by_key(|facts| facts.first.abs_diff(index));
         match next {
             Some(next) => failure.help(format!("next to it: 0x{:04X} {}", next.first, next.name)),

@@ -158,7 +158,7 @@ impl Identification {
                 ));
             }
             Kind::OtherXml => return Cow::Owned(format!("is XML, but no description: {}", self.reason)),
-            Kind::Unknown => return Cow::Owned(format!("is no file that objdict knows: {}", self.reason)),
+            Kind::Unknown => return Cow::Owned(format!("is not a file that objdict knows: {}", self.reason)),
         })
     }
 
@@ -269,7 +269,7 @@ fn behind_junk(_: &Content<'_>) -> Option<Identification> {
 fn unknown(content: &Content<'_>) -> Identification {
     let reason = match SIGNATURES.iter().find(|(start, _)| content.bytes.starts_with(start)) {
         Some((_, what)) => what,
-        None if content.looks_binary() => "binary data that is no concise DCF",
+        None if content.looks_binary() => "binary data that is not a concise DCF",
         None => "a text without anything that a known format has",
     };
     Identification::new(ContentKind::Unknown, reason)

@@ -117,7 +117,7 @@ pub(super) const PDO: &[Key] = &[
     key("transmission", bits(8), "Transmission type."),
     key("inhibit_time", bits(16), "Inhibit time in multiples of 100 µs."),
     key("event_timer", bits(16), "Event timer in milliseconds."),
-    key("event_deadline", bits(16), "The time in milliseconds after which a receiver misses the PDO."),
+    key("event_deadline", bits(16), "The consumer timeout of the PDO in milliseconds."),
     key("sync_start", bits(8), "SYNC start value."),
     key("mapping", Shape::List(MAPPING), "The mapped entries, in the order of the frame."),
 ];

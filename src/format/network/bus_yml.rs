@@ -164,7 +164,7 @@ impl Reader<'_, '_> {
                 nodes.push(entry.clone());
                 continue;
             };
-            let message = say!("`{}` is no node, because it has no `dcf`", name);
+            let message = say!("`{}` is not a node, because it has no `dcf`", name);
             let finding = Diagnostic::new(&UNKNOWN_KEY, entry.key.span, message);
             self.findings.push(finding.help(say!("did you mean `{}`?", meant)));
         }
@@ -175,7 +175,7 @@ impl Reader<'_, '_> {
         for entry in tree.entries().unwrap_or_default() {
             let name = entry.key.spelled();
             if !KEYS_OF_ROS.contains(&&*name) {
-                let message = say!("`{}` beside `nodes` is no node", name);
+                let message = say!("`{}` beside `nodes` is not a node", name);
                 let finding = Diagnostic::new(&UNKNOWN_KEY, entry.key.span, message);
                 let finding = or_foreign(finding, &name, KEYS_OF_ROS);
                 self.findings.push(finding.help("move it below `nodes`, or correct it"));

@@ -105,7 +105,7 @@ impl Manifest {
         match text.lines().next() {
             None => Ok(None),
             Some(line) if line == HEAD.trim_end() => Ok(Some(Self::parse(&text))),
-            Some(_) => Err(io::Error::other("it is no list that objdict wrote")),
+            Some(_) => Err(io::Error::other("objdict did not write this list")),
         }
     }
 

@@ -42,14 +42,14 @@ fn integer(value: &Value) -> Result<i128, Error> {
     let text = match (i128::try_from(value.clone()), value.as_str()) {
         (Ok(number), _) => return Ok(number),
         (_, Some(text)) => text,
-        _ => return Err(wrong(format!("`{value}` is no number"))),
+        _ => return Err(wrong(format!("`{value}` is not a number"))),
     };
     let parsed = match text.strip_prefix("0x").or_else(|| text.strip_prefix("0X")) {
         Some(digits) if !digits.starts_with(['+', '-']) => i128::from_str_radix(digits, 16).ok(),
         Some(_) => None,
         None => text.parse().ok(),
     };
-    parsed.ok_or_else(|| wrong(format!("`{text}` is no number")))
+    parsed.ok_or_else(|| wrong(format!("`{text}` is not a number")))
 }
 
 pub(super) fn wrong(message: String) -> Error {

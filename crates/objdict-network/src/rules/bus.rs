@@ -6,7 +6,7 @@ text_rules! {
     DUPLICATE_NODE_ID = "network/duplicate-node-id", Error;
     summary: "two nodes have the same node-ID",
     checks: "Whether each node-ID is that of one node, the manager included.",
-    why: "Both nodes answer at once, and each destroys the frames of the other. dcfgen says nothing.",
+    why: "Both nodes answer at once, and each destroys the frames of the other. dcfgen does not report it.",
     example: "a node that was copied, with the node-ID of the original",
     remedy: "Give one of them another node-ID.",
     source: "CiA 301 §7.3.5",

@@ -262,7 +262,7 @@ static TEXTS: &str = concat!(
     "Says which device profile the device follows (low word) and what of it the device has (high word).",
     "generic error", "current", "voltage", "temperature", "communication error", "device profile-specific",
     "manufacturer-specific", "Error register",
-    "Sums up the errors that are present now, one bit a kind; every EMCY message carries it.",
+    "Sums up the errors that are present now, one bit per error class; every EMCY message carries it.",
     "Manufacturer status register", "Status bits whose meaning the vendor defines.",
     "Highest sub-index supported", "error code", "Standard error field", "Pre-defined error field",
     "Lists the errors that were reported with EMCY, the latest first; writing 0 to sub-index 0 clears the list.",

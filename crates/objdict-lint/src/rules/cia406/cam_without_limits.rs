@@ -7,7 +7,7 @@ rule! {
     "cia406/cam-without-limits", Warning, Applied(check);
     summary: "an encoder enables a CAM that has no limits",
     checks: "Whether each CAM that 6301h (CAM enable register) enables has a low limit (6310h to 6317h) and a high limit (6320h to 6327h), configured or default.",
-    why: "The CAM is active between its limits. Without them its state says nothing.",
+    why: "The CAM is active between its limits. Without them its state is not defined.",
     example: "`[6301sub1]` with `DefaultValue=0x02`, without `[6311]` and `[6321]`",
     remedy: "Describe the limits, or clear the bit of the CAM.",
     source: "CiA 406 (6301h, 6310h to 6327h)",

@@ -5,7 +5,7 @@ use crate::{EntryAt, Origin, rule};
 rule! {
     "portability/mapping-of-structure", Error, Entry(check), fix Safe;
     summary: "an object without a mappable value has `PDOMapping=0`",
-    checks: "Whether an ARRAY, RECORD or DEFSTRUCT without `CompactSubObj`, or a DOMAIN, has `PDOMapping=0`. The key does not belong there, but says nothing wrong.",
+    checks: "Whether an ARRAY, RECORD or DEFSTRUCT without `CompactSubObj`, or a DOMAIN, has `PDOMapping=0`. The key does not belong there, but its value is right.",
     why: "node-canopen refuses keys of a value at these object types.",
     example: "`[1018]` with `ObjectType=0x9` and `PDOMapping=0`",
     remedy: "Remove the key.",
