@@ -6,7 +6,7 @@ use serde::Serialize;
 use serde::de::DeserializeOwned;
 use serde_json::{Map, Value};
 
-use super::{Json, to_value};
+use super::{Datum, to_value};
 use crate::model::{Device, ExtraSection, Object};
 
 /// A datum and its new value.
@@ -14,10 +14,10 @@ use crate::model::{Device, ExtraSection, Object};
 pub struct DatumChange {
     /// Its place: a JSON pointer into the JSON of the device.
     pub path: String,
-    /// The [`fingerprint`](Json::fingerprint) of the former value, `None` for nothing.
+    /// The [`fingerprint`](Datum::fingerprint) of the former value, `None` for nothing.
     pub before: Option<u32>,
     /// The new value; `None` removes the datum.
-    pub after: Option<Json>,
+    pub after: Option<Datum>,
 }
 
 /// Makes changes. Returns those that could not be made: the value has changed since, the part is gone, or the
@@ -80,8 +80,8 @@ fn set_extra(frame: &mut Device, change: DatumChange) -> Option<DatumChange> {
     }
     let present: Vec<&ExtraSection> = frame.extra.iter().collect();
     let before = (!present.is_empty())
-        .then(|| Json::from(Value::String(super::sections::print(&present))).fingerprint());
-    let after = match change.after.as_ref().map(Json::value) {
+        .then(|| Datum::from(Value::String(super::sections::print(&present))).fingerprint());
+    let after = match change.after.as_ref().map(Datum::value) {
         Some(Value::String(text)) => super::sections::parse(&text),
         _ => Some(Vec::new()),
     };
@@ -103,7 +103,7 @@ fn set_large(frame: &mut Device, change: DatumChange) -> Option<DatumChange> {
             match change.path.strip_prefix('/') {
                 $(Some(stringify!($name)) => {
                     let present = Some(&frame.$name).filter(|present| **present != absent.$name);
-                    if change.before != present.map(|present| Json::of(present).fingerprint()) {
+                    if change.before != present.map(|present| Datum::of(present).fingerprint()) {
                         return Some(change);
                     }
                     let document = format!("{{\"{}\":{after}}}", stringify!($name));
@@ -160,8 +160,8 @@ fn apply_to<T: Serialize + DeserializeOwned>(
 /// Sets the value at a path if the present value is the expected one.
 fn set(root: &mut Option<Value>, change: &DatumChange, path: &str) -> bool {
     let is_expected =
-        |found: Option<&Value>| found.map(|value| Json::from(value).fingerprint()) == change.before;
-    let after = || change.after.as_ref().map(Json::value);
+        |found: Option<&Value>| found.map(|value| Datum::from(value).fingerprint()) == change.before;
+    let after = || change.after.as_ref().map(Datum::value);
     let Some((parent, key)) = path.rsplit_once('/') else {
         let as_expected = is_expected(root.as_ref());
         if as_expected {

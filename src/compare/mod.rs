@@ -5,7 +5,7 @@
 //! equal devices costs no more than looking at them.
 
 mod apply;
-mod json;
+mod datum;
 mod place;
 mod sections;
 
@@ -13,7 +13,7 @@ use serde::Serialize;
 use serde_json::{Map, Value};
 
 pub use apply::{DatumChange, apply};
-pub use json::Json;
+pub use datum::Datum;
 
 use crate::model::{Device, ExtraSection, Place};
 
@@ -23,9 +23,9 @@ pub struct DatumDifference {
     /// Its place: a JSON pointer into the JSON of the device.
     pub path: String,
     /// What the left device says; `None` for nothing.
-    pub left: Option<Json>,
+    pub left: Option<Datum>,
     /// What the right device says; `None` for nothing.
-    pub right: Option<Json>,
+    pub right: Option<Datum>,
 }
 
 impl DatumDifference {
@@ -134,7 +134,7 @@ impl Comparison<'_> {
         }
         let is_present = |part: &&T| **part != T::default();
         let (left, right) = (Some(left).filter(is_present), Some(right).filter(is_present));
-        let size = [left, right].into_iter().flatten().map(json::count).max().unwrap_or_default();
+        let size = [left, right].into_iter().flatten().map(datum::count).max().unwrap_or_default();
         if size > self.limit || self.count > self.limit {
             self.count += size;
             return;
@@ -150,7 +150,7 @@ impl Comparison<'_> {
     /// A large part as one difference: no tree of its JSON is made.
     fn whole<T: Serialize>(&mut self, left: Option<&T>, right: Option<&T>, size: usize) {
         self.count += DIFFERENCE + size;
-        self.push(self.path.clone(), left.map(Json::of), right.map(Json::of));
+        self.push(self.path.clone(), left.map(Datum::of), right.map(Datum::of));
     }
 
     /// The sections that the model does not know: those that differ where both devices have as many, else all as one text,
@@ -191,8 +191,8 @@ impl Comparison<'_> {
             }
             (left, right) => {
                 self.count +=
-                    DIFFERENCE + [&left, &right].into_iter().flatten().map(json::count).sum::<usize>();
-                self.push(self.path.clone(), left.map(Json::from), right.map(Json::from));
+                    DIFFERENCE + [&left, &right].into_iter().flatten().map(datum::count).sum::<usize>();
+                self.push(self.path.clone(), left.map(Datum::from), right.map(Datum::from));
             }
         }
     }
@@ -215,7 +215,7 @@ impl Comparison<'_> {
         self.path.truncate(length);
     }
 
-    fn push(&mut self, path: String, left: Option<Json>, right: Option<Json>) {
+    fn push(&mut self, path: String, left: Option<Datum>, right: Option<Datum>) {
         (self.found)(DatumDifference { path, left, right });
     }
 }

@@ -3,7 +3,7 @@
 use super::input::DEFAULT_MAX_ENTRIES;
 use super::literal::{self, Spelling};
 use super::{Description, Format, Syntax, WriteOptions, eds, embedded};
-use crate::compare::Json;
+use crate::compare::Datum;
 use crate::diagnostic::{Change, Fix};
 use crate::model::{Assignment, Commissioning, Device, DeviceKind, ExplicitDownload, Field, Part, Place};
 use crate::source::{EditError, Edits, SourceFile, SourceOptions};
@@ -102,7 +102,7 @@ impl Description {
             embedded::edit_lines(
                 &mut edits,
                 "/downloads",
-                downloads.and_then(|all| serde_json::to_value(all).ok()).map(Json::from),
+                downloads.and_then(|all| serde_json::to_value(all).ok()).map(Datum::from),
             );
         }
         if edits.is_empty() {

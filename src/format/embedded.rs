@@ -4,7 +4,7 @@
 //! What is carried is never guessed: it is the difference between a device and what comes back of it. Each item says
 //! what the reader will find in its place, so that later edits are not undone.
 
-use crate::compare::{DatumChange, Json, apply};
+use crate::compare::{Datum, DatumChange, apply};
 use crate::diagnostic::{Diagnostic, Findings, RuleInfo, say, text_rule};
 use crate::model::{
     Characteristic, CharacteristicsList, Device, DeviceFunction, EMBEDDED_COMMENT, EMBEDDED_SECTION, Entry,
@@ -108,7 +108,7 @@ fn lines(change: &DatumChange) -> Vec<(String, String)> {
 }
 
 /// The edits that put a datum in place of the one at its path in the comment lines of an EDS or DCF, or remove it.
-pub(super) fn edit_lines(edits: &mut Edits<'_>, path: &str, datum: Option<Json>) {
+pub(super) fn edit_lines(edits: &mut Edits<'_>, path: &str, datum: Option<Datum>) {
     let text = edits.source().text();
     let mut start = 0;
     for line in text.split_inclusive('\n') {
@@ -225,7 +225,7 @@ fn parse(path: &str, text: &str) -> Option<DatumChange> {
     let (after, rest) = match text.strip_prefix("nothing") {
         Some(rest) => (None, rest),
         None => {
-            let (value, rest) = Json::prefix(text)?;
+            let (value, rest) = Datum::prefix(text)?;
             (Some(value), rest)
         }
     };
@@ -298,7 +298,7 @@ mod tests {
     use serde_json::{Value, json};
 
     fn change(path: &str, before: Option<u32>, after: Option<Value>) -> DatumChange {
-        DatumChange { path: path.to_owned(), before, after: after.map(Json::from) }
+        DatumChange { path: path.to_owned(), before, after: after.map(Datum::from) }
     }
 
     #[test]

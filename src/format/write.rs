@@ -13,7 +13,7 @@ use super::ini::Document;
 use super::input::DEFAULT_MAX_ENTRIES;
 use super::xml::Tree;
 use super::{Dialect, EditError, Format, Style, Syntax, XddVersion, eds, xdd};
-use crate::compare::{DatumChange, DatumDifference, Json, TooMany, each_difference};
+use crate::compare::{Datum, DatumChange, DatumDifference, TooMany, each_difference};
 use crate::diagnostic::Findings;
 use crate::model::{Device, DeviceKind, Place};
 use crate::source::{Encoding, SourceFile, SourceOptions};
@@ -93,10 +93,10 @@ pub struct Loss {
     #[serde(rename = "fate")]
     pub kind: LossKind,
     /// What the device says; of what is invented, what the text says.
-    pub value: Json,
+    pub value: Datum,
     /// What the text says in its place; `None` for nothing.
     #[serde(skip_serializing_if = "Option::is_none")]
-    pub becomes: Option<Json>,
+    pub becomes: Option<Datum>,
     /// Why, if the format has a place for other data of this kind.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub reason: Option<String>,
@@ -190,7 +190,7 @@ impl fmt::Display for Loss {
 }
 
 /// A datum in a line: as JSON, but cut where it is long, and values of entries as they are written.
-struct Shown<'a>(&'a Json);
+struct Shown<'a>(&'a Datum);
 
 impl fmt::Display for Shown<'_> {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
@@ -208,7 +208,7 @@ impl fmt::Display for Shown<'_> {
 }
 
 /// The value of an entry that JSON is, if it is one.
-fn value_of_entry(json: &Json) -> Option<crate::model::Value> {
+fn value_of_entry(json: &Datum) -> Option<crate::model::Value> {
     if json.text().starts_with('{') { serde_json::from_str(json.text()).ok() } else { None }
 }
 
@@ -299,7 +299,7 @@ fn invented(device: &Device, stated: &Device) -> Vec<Loss> {
     let mut losses = Vec::new();
     let mut found = |DatumDifference { path, left, right }| {
         // a bit rate that the device does not support
-        let is = |json: &Option<Json>, text| json.as_ref().is_some_and(|json: &Json| json.text() == text);
+        let is = |json: &Option<Datum>, text| json.as_ref().is_some_and(|json: &Datum| json.text() == text);
         let is_new = left.is_none() || is(&left, "false") && is(&right, "true");
         if let Some(value) = right.filter(|_| is_new) {
             add_invented(path, value.value(), &mut losses);
@@ -352,13 +352,13 @@ fn kept(device: &Device, format: Format) -> Cow<'_, Device> {
 /// its fingerprint: of entries in compact storage it is much more than the device.
 struct Missing {
     change: DatumChange,
-    becomes: Option<Json>,
+    becomes: Option<Datum>,
 }
 
 fn missing(device: &Device, read: &Device, limit: usize) -> Result<Vec<Missing>, EditError> {
     let mut found = Vec::new();
     each_difference(device, read, limit, &mut |DatumDifference { path, left, right }| {
-        let before = right.as_ref().map(Json::fingerprint);
+        let before = right.as_ref().map(Datum::fingerprint);
         let becomes = right.filter(|_| left.is_some());
         found.push(Missing { change: DatumChange { path, before, after: left }, becomes });
     })

@@ -21,8 +21,7 @@ const UNUSED_PDOS: Shape = Shape::Word(&["keep", "off"]);
 const TYPE: &str = "The transmission type: `sync/1` to `sync/240`, `event`, `rtr`, or its number.";
 const INHIBIT: &str = "The inhibit time: a text with a unit, or a number of 100 µs.";
 const EVENT_TIMER: &str = "The event timer: a text with a unit, or a number of ms.";
-const DEADLINE: &str =
-    "Consumer timeout of the PDO: a text with a unit, or a number of ms.";
+const DEADLINE: &str = "Consumer timeout of the PDO: a text with a unit, or a number of ms.";
 const HEARTBEAT: &str = "Producer heartbeat time (1017h): a text with a unit, or a number of ms.";
 const WATCH: &str = "After how many producer heartbeat times others give it up: `1.5x`.";
 const IDENTITY: Shape = Shape::Word(&["none", "vendor", "product", "revision", "serial"]);

@@ -12,9 +12,9 @@ const LARGE: usize = 1 << 16;
 
 /// The JSON of a datum as its text: as a tree, a short datum takes twenty times the memory.
 #[derive(Clone, Debug, PartialEq, Eq)]
-pub struct Json(Box<str>);
+pub struct Datum(Box<str>);
 
-impl Json {
+impl Datum {
     /// The JSON of a part of the model, which always has one: its keys are texts.
     pub(super) fn of(part: &impl Serialize) -> Self {
         Self(serde_json::to_string(part).unwrap_or_default().into_boxed_str())
@@ -51,25 +51,25 @@ impl Json {
     }
 }
 
-impl From<&Value> for Json {
+impl From<&Value> for Datum {
     fn from(value: &Value) -> Self {
         Self(value.to_string().into())
     }
 }
 
-impl From<Value> for Json {
+impl From<Value> for Datum {
     fn from(value: Value) -> Self {
         Self::from(&value)
     }
 }
 
-impl fmt::Display for Json {
+impl fmt::Display for Datum {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         f.write_str(&self.0)
     }
 }
 
-impl Serialize for Json {
+impl Serialize for Datum {
     fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
         self.value().serialize(serializer)
     }
