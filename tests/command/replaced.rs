@@ -164,7 +164,7 @@ fn built_files_are_verified() {
     run(folder.path(), "network verify built", 0);
     assert!(run(folder.path(), "network verify .", 2).contains("`.` has no `objdict.sha256`"));
     fs::write(folder.path().join("objdict.sha256"), "of another program\n").unwrap();
-    assert!(run(folder.path(), "network verify .", 2).contains("no list that objdict wrote"));
+    assert!(run(folder.path(), "network verify .", 2).contains("objdict did not write this list"));
     // a list cannot be about other folders
     let head = list.lines().next().unwrap();
     fs::write(folder.path().join("objdict.sha256"), format!("{head}\n{}  ../x\n", &line[..64])).unwrap();
