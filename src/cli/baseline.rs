@@ -27,7 +27,7 @@ pub(super) struct BaselineArgs {
 
 /// What is done with findings that may be known.
 pub(super) enum Known {
-    /// There is not a baseline.
+    /// There is no baseline.
     Nothing,
     /// They are looked for in a baseline, whose file this is.
     Read(PathBuf, Baseline, Matched),
