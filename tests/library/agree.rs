@@ -165,6 +165,20 @@ fn a_node_without_a_device_type_is_not_booted() {
     assert!(run.end < 2_000_000_000, "{}", run.end);
 }
 
+/// Without the node it would be another network, which boots.
+#[test]
+fn a_network_with_a_node_that_cannot_be_read_is_not_booted() {
+    let refused = |name, key: &str| {
+        let text = format!("{HEAD}[node.a]\nfile = \"{key}\n");
+        let file = network(name, &text, &[("a.eds", "middle.eds", &[])]);
+        file.install(BootFiles::Dcf).unwrap_err().to_string()
+    };
+    assert!(
+        refused("unread", "b.eds\"\nid = 5").starts_with("the description of `a`: cannot read `b.eds`: ")
+    );
+    assert_eq!(refused("without-id", "a.eds\""), "`a` states no node-ID");
+}
+
 /// A literal COB-ID of EMCY that a single download changes: check, build and boot refuse it alike; `set` changes it.
 #[test]
 fn an_identifier_in_use_is_not_changed() {

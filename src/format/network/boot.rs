@@ -4,6 +4,7 @@ use std::path::Path;
 
 use objdict_bus::{Configurations, Plant, PlantNode, PowerOn};
 
+use super::rules::UNREADABLE_NODE;
 use super::{Build, BuildError, BuiltFile, NetworkFile};
 use crate::download::{ConciseDcf, Order};
 use crate::format::input::{FileKind, Input, ReadError, Reading};
@@ -53,6 +54,9 @@ pub enum InstallError {
     /// A manager or a node has no node-ID.
     #[error("`{0}` states no node-ID")]
     NoNodeId(String),
+    /// The network file has a node that cannot be read, so the network would be another one.
+    #[error("{0}")]
+    UnreadNode(String),
     /// Two nodes have the same node-ID.
     #[error("`{0}` and `{1}` both have the node-ID {2}")]
     NodeIds(String, String, u8),
@@ -69,6 +73,7 @@ impl InstallError {
             Self::NoManager => {
                 Some("build the network with `--target dcf`, `manager`, `cpj` or `lely`".to_owned())
             }
+            Self::UnreadNode(_) => Some("correct the path of its description, or remove the node".to_owned()),
             _ => None,
         }
     }
@@ -86,6 +91,14 @@ impl NetworkFile {
     /// # Errors
     /// When they cannot be built, or are not a network.
     pub fn install(&self, files: BootFiles) -> Result<Installation, InstallError> {
+        if let Some(unread) = self.findings.iter().find(|finding| finding.rule.id == UNREADABLE_NODE.id) {
+            return Err(InstallError::UnreadNode(unread.message.to_string()));
+        }
+        if let Some((_, node)) =
+            self.network.iter().flat_map(Network::slaves).find(|(_, node)| node.node_id.is_none())
+        {
+            return Err(InstallError::NoNodeId(node.name.value.clone()));
+        }
         let build = self.build(Manner::Repaired)?;
         install(&files.of(&build)?, Some(self))
     }

@@ -145,9 +145,11 @@ fn differences(library: &Library, path: &Path) -> Result<Vec<String>, String> {
     for node in &run.nodes {
         let (ours, id) = (outcome(node), node.node_id);
         let found = theirs.outcomes.iter().find(|outcome| outcome.0 == id);
-        // the library resets such a node, and takes its boot-up message before the process that waits for it
-        let is_kept_alive = node.assignment.is_some_and(|assignment| assignment & 0x11 == 0x11);
-        if is_kept_alive && ours.1 == '-' && found.is_some_and(|theirs| matches!(theirs.1, 'E' | 'F')) {
+        // the library resets such nodes, and takes their boot-up message before the process that waits for it
+        let assigned = |bits| node.assignment.is_some_and(|assignment| assignment & bits == bits);
+        let is_lost =
+            |status| (assigned(0x11) && matches!(status, 'E' | 'F')) || (assigned(0x81) && status == 'J');
+        if ours.1 == '-' && found.is_some_and(|theirs| is_lost(theirs.1)) {
             continue;
         }
         if found.is_some_and(|theirs| *theirs != ours) {
