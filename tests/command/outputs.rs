@@ -152,6 +152,7 @@ fn files_of_others_stay() {
         run(line, 2, &format!("`out/{name}` was not written by objdict\n"));
         run(&line.replace(" -o", " --force -o"), 2, "");
         assert_eq!(fs::read(&path).unwrap(), b"by hand\n", "{line}");
+        assert_eq!(names(&folder.path().join("out")), [name], "{line}");
         run(&format!("{line} --overwrite"), 0, "");
         let first = fs::read(&path).unwrap();
         run(line, 0, "");

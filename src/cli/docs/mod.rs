@@ -342,6 +342,8 @@ fn write_site(
         return Err(Failure::new("several pages cannot go to the standard output").help("name a folder"));
     }
     let mut folder = Folder::open(&args.output, "docs", &args.overwrite)?;
+    // it is written last, and each page as soon as it is made
+    folder.admit(&format!("index.{}", form.extension()), &[])?;
     let progress = Progress::new("writing", read.all().count());
     let site = read.into_site(form, options, |page| {
         save_page(args, &mut folder, &page.name, &page.text, out)?;
