@@ -2,9 +2,11 @@
 
 use std::collections::{BTreeMap, BTreeSet};
 
+use crate::check_with;
 use crate::compat::with_refused_spellings;
 use crate::diagnostic::{Applicability, At, Diagnostic, Findings, Severity};
 use crate::format::{self, Description, Syntax};
+use crate::lint::Options;
 use crate::model::Part;
 use crate::source::{Edits, Encoding, SourceFile, SourceOptions, Span};
 
@@ -105,17 +107,15 @@ pub fn fix(
 }
 
 /// As [`fix`], and also fixes spellings that CiA 306 allows and readers refuse: empty numbers, missing keys of `[DummyUsage]`, keys in
-/// another case and, without unsafe fixes, a text that is not UTF-8. For a `check` that names no tools.
-pub fn fix_for_readers(
-    description: Description,
-    safety: Applicability,
-    check: impl Fn(&Description) -> Findings,
-) -> Fixed {
-    if description.format().syntax() != Syntax::Ini {
+/// another case and, without unsafe fixes, a text that is not UTF-8. With tools in the options, what these need is fixed and nothing else.
+pub fn fix_for_readers(description: Description, safety: Applicability, options: &Options) -> Fixed {
+    let check = |description: &Description| check_with(description, options);
+    if description.format().syntax() != Syntax::Ini || !options.tools.is_empty() {
         return fix(description, safety, check);
     }
-    let with_spellings =
-        |description: &Description| with_refused_spellings(description, safety, check(description));
+    let with_spellings = |description: &Description| {
+        with_refused_spellings(description, safety, check(description), &options.severities)
+    };
     let fixed = fix(description, safety, with_spellings);
     Fixed { findings: check(&fixed.description), ..fixed }
 }

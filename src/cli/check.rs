@@ -162,7 +162,7 @@ impl Worker<'_> {
                 let failure = Failure::new("the standard input cannot be fixed in place");
                 return Checked::Failed(failure.help("use `--diff` to print the changes"));
             }
-            Some(safety) => match amend(&file.path, description, safety, &options.tools, check) {
+            Some(safety) => match amend(&file.path, description, safety, &options) {
                 Some((description, Some(amended))) if !self.args.fixing.diff => match amended.write() {
                     Ok(()) => (description, Some(amended), None),
                     // what is reported is what is on the disk

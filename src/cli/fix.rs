@@ -6,11 +6,12 @@ use super::args::DialectArgs;
 use super::output::Output;
 use super::save::save_in_place;
 use super::{Failure, diff, note};
-use crate::diagnostic::{Applicability, Findings, Tool};
+use crate::diagnostic::Applicability;
 use crate::format::{self, Description, Format};
+use crate::lint::Options;
 use crate::report::plural;
 use crate::source::SourceFile;
-use crate::{AppliedFix, fix, fix_for_readers};
+use crate::{AppliedFix, fix_for_readers};
 
 /// Whether findings are fixed.
 #[derive(Debug, clap::Args)]
@@ -49,13 +50,12 @@ pub(super) struct Amended {
     is_unfinished: bool,
 }
 
-/// Fixes all devices of a file, for some tools or for all. The description of the first one comes back, and the change where there is one.
+/// Fixes all devices of a file. The description of the first one comes back, and the change where there is one.
 pub(super) fn amend(
     path: &Path,
     description: Description,
     safety: Applicability,
-    tools: &[Tool],
-    check: impl Fn(&Description) -> Findings,
+    options: &Options,
 ) -> Option<(Description, Option<Amended>)> {
     let (format, before) = (description.format(), copy(description.source())?);
     let count = description.device_count();
@@ -63,10 +63,7 @@ pub(super) fn amend(
     let (mut applied, mut skipped, mut is_unfinished) = (0, Vec::new(), false);
     for number in 0..count {
         let next_device = next.select(number)?;
-        let fixed = match tools.is_empty() {
-            true => fix_for_readers(next_device, safety, &check),
-            false => fix(next_device, safety, &check),
-        };
+        let fixed = fix_for_readers(next_device, safety, options);
         applied += fixed.applied.len();
         skipped.extend(fixed.skipped);
         is_unfinished |= fixed.is_unfinished;

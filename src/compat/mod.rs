@@ -10,7 +10,7 @@ mod reactions;
 
 use crate::diagnostic::{Applicability, Change, Diagnostic, Findings, Fix, Severity, Text, Tool, say};
 use crate::format::Description;
-use crate::lint::{Options, PORTABILITY};
+use crate::lint::{Options, PORTABILITY, Severities};
 use crate::model::DeviceKind;
 use crate::source::Encoding;
 
@@ -107,6 +107,7 @@ pub(crate) fn with_refused_spellings(
     description: &Description,
     safety: Applicability,
     findings: Findings,
+    severities: &Severities,
 ) -> Findings {
     const READER: Tool = Tool::PythonCanopen;
     let is_of_one_byte = reactions::is_of_one_byte(description);
@@ -123,7 +124,7 @@ pub(crate) fn with_refused_spellings(
     let mut spellings = description.portability_findings(device);
     let options = Options { tools: vec![READER], ..Options::default() };
     spellings.append(crate::lint::check(device, &options));
-    findings.append(spellings.filter_map(|finding| {
+    findings.append(severities.apply(spellings).filter_map(|finding| {
         let refuses = |reaction: &Reaction| {
             reaction.rule == finding.rule.id
                 && reaction.effect == Effect::Refused

@@ -33,6 +33,10 @@ fn descriptions() -> Vec<Description> {
     let mut files = Vec::new();
     folders(&support::fixtures(), &mut files);
     assert!(files.len() > 300);
+    read_all(&files)
+}
+
+fn read_all(files: &[PathBuf]) -> Vec<Description> {
     files.iter().filter_map(|path| format::open(path, &SourceOptions::default()).ok()).collect()
 }
 
@@ -184,10 +188,10 @@ fn readers_read_what_is_fixed_for_no_certain_tool() {
     let fixed = |text: &[u8]| {
         let source = SourceFile::from_bytes("minimal.eds", text.to_vec(), &SourceOptions::default()).unwrap();
         let description = format::read(source, Format::Eds);
-        let fixed = fix_for_readers(description, Applicability::Safe, check);
+        let fixed = fix_for_readers(description, Applicability::Safe, &Default::default());
         assert_eq!(
             fixed.bytes(),
-            fix_for_readers(copy(&fixed.description), Applicability::Safe, check).bytes()
+            fix_for_readers(copy(&fixed.description), Applicability::Safe, &Default::default()).bytes()
         );
         String::from_utf8(fixed.bytes()).unwrap()
     };
@@ -248,7 +252,7 @@ fn a_lone_high_limit_of_all_bits_limits_nothing() {
     let limit =
         |device: &objdict::model::Device| device.object(0x2000)?.main.high_limit.as_ref()?.as_integer();
     assert_eq!(limit(read().device()), Some(i32::MAX.into()));
-    let plain = fix_for_readers(read(), Applicability::Safe, check).description;
+    let plain = fix_for_readers(read(), Applicability::Safe, &Default::default()).description;
     assert!(plain.source().text().contains("HighLimit=0xFFFFFFFF"));
     let options = Options { tools: vec![Tool::DcfTools], ..Options::default() };
     let fixed = fix(read(), Applicability::Safe, |description| check_with(description, &options)).description;
@@ -287,17 +291,11 @@ const REDUNDANT: [&str; 9] = [
     "/compact_pdo",
 ];
 
-/// Rules whose safe fixes write what the standard fixes, or remove what it leaves without effect.
-const WITHOUT_EFFECT: [&str; 4] = [
-    "cia306/invalid-object-flags",
-    "cia306/missing-key",
-    "cia306/unsupported-key",
-    "cia306/wrong-highest-sub-index",
-];
-
-/// What differs between two JSON values, as paths: not what is redundant, and not of a part with an invalid text.
+/// What differs between two JSON values, as paths: not what is redundant, not a data type that was missing and that the standard fixes or
+/// the value that was text without it, and not of a part with an invalid text.
 fn differences(path: &str, old: &serde_json::Value, new: &serde_json::Value, found: &mut Vec<String>) {
-    if REDUNDANT.iter().any(|part| path.ends_with(part)) || old.get("misfits").is_some() {
+    let is_missing = path.ends_with("/data_type") && old.is_null() || old.get("raw").is_some();
+    if is_missing || REDUNDANT.iter().any(|part| path.ends_with(part)) || old.get("misfits").is_some() {
         return;
     }
     match (old.as_object(), new.as_object()) {
@@ -312,19 +310,41 @@ fn differences(path: &str, old: &serde_json::Value, new: &serde_json::Value, fou
     }
 }
 
+/// Over the fixtures and, with `OBJDICT_CORPUS_DIR`, the files below that folder.
 #[test]
 fn safe_fixes_leave_the_device_as_it_is() {
     let mut changed = String::new();
-    for description in descriptions() {
+    let mut others = Vec::new();
+    if let Some(folder) = std::env::var_os("OBJDICT_CORPUS_DIR") {
+        folders(Path::new(&folder), &mut others);
+    }
+    for description in descriptions().into_iter().chain(read_all(&others)) {
         let before = meaning(&description);
         let name = description.source().name().to_owned();
-        let fixed = fix_for_readers(description, Applicability::Safe, check);
+        let fixed = fix_for_readers(description, Applicability::Safe, &Default::default());
         let mut found = Vec::new();
         differences("", &before, &meaning(&fixed.description), &mut found);
         let rules: BTreeSet<&str> = fixed.applied.iter().map(|applied| applied.rule).collect();
-        if !found.is_empty() && !rules.iter().any(|rule| WITHOUT_EFFECT.contains(rule)) {
+        if !found.is_empty() {
             writeln!(changed, "{name} {rules:?}: {}", found.join("; ")).unwrap();
         }
     }
     assert!(changed.is_empty(), "{changed}");
+}
+
+/// A rule that is not selected is not fixed, and neither are the spellings that readers refuse.
+#[test]
+fn only_selected_rules_are_fixed() {
+    let text = std::fs::read_to_string(support::fixtures().join("eds/minimal.eds")).unwrap();
+    let text = text.replace("[1001]\r\nParameterName", "[1001]\r\nparametername");
+    let fixed = |rule: Option<&str>| {
+        let mut options = Options::default();
+        if let Some(rule) = rule {
+            options.severities.select(objdict::registry::select(rule).unwrap());
+        }
+        let description = format::read(SourceFile::from_text("minimal.eds", &text), Format::Eds);
+        String::from_utf8(fix_for_readers(description, Applicability::Safe, &options).bytes()).unwrap()
+    };
+    assert!(fixed(None).contains("[1001]\r\nParameterName"));
+    assert_eq!(fixed(Some("cia306/file-name")), text);
 }

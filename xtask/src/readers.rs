@@ -62,12 +62,7 @@ pub(crate) fn run(folder: &Path, python: &Path, modules: Option<&Path>) -> Resul
 fn fixed(file: &Path, tools: Vec<Tool>) -> Result<Vec<u8>, String> {
     let description = format::open(file, &SourceOptions::default()).map_err(|error| error.to_string())?;
     let options = Options { tools, ..Options::default() };
-    let check = |description: &Description| objdict::check_with(description, &options);
-    let fixed = match options.tools.is_empty() {
-        true => objdict::fix_for_readers(description, Applicability::Safe, check),
-        false => objdict::fix(description, Applicability::Safe, check),
-    };
-    Ok(fixed.bytes())
+    Ok(objdict::fix_for_readers(description, Applicability::Safe, &options).bytes())
 }
 
 /// Adds what the tools of a script read.

@@ -2,7 +2,7 @@
 
 use crate::diagnostic::{Fix, say};
 use crate::literal::{Intended, Spelling, print};
-use crate::model::{DataType, Field, InvalidValue, ObjectType, Place, Reason};
+use crate::model::{DataType, Field, InvalidValue, ObjectType, Place, Reason, Value};
 
 /// The fix of an invalid value at `place`, if the intended value is clear.
 pub(crate) fn respell(invalid: &InvalidValue, data_type: Option<DataType>, place: Place) -> Option<Fix> {
@@ -10,21 +10,20 @@ pub(crate) fn respell(invalid: &InvalidValue, data_type: Option<DataType>, place
     let safe = |value: String| (Fix::safe(say!("write `{}`", value)), value);
     let risky = |value: String| (Fix::risky(say!("write `{}`", value)), value);
     let (fix, value) = match (&invalid.field, &invalid.reason) {
+        // `r` may be read-only or constant
+        (Field::AccessType, _) if text.len() == 1 => risky(invalid.intended_access()?.name().to_owned()),
         (Field::AccessType, _) => safe(invalid.intended_access()?.name().to_owned()),
-        (Field::CompactSubObj, _) if text == "255" => safe("254".to_owned()),
+        (Field::CompactSubObj, _) if text == "255" => risky("254".to_owned()),
         (Field::ObjectType, _) => safe(format!("0x{:X}", object_type(text)?.code())),
         (Field::PdoMapping, _) => safe(flag(text)?.to_owned()),
         // a number with a digit 8 or 9 cannot be octal, so it is decimal
         (_, Reason::NotOctal) => safe(without_zeros(text)?),
         (_, Reason::NotANumber) if is_hex(text) && data_type.is_none() => risky(format!("0x{text}")),
         (field, _) => match invalid.intended(data_type?)? {
+            // a BOOLEAN of 3 may be meant as a number
+            Intended::Value(value @ Value::Boolean(_)) => risky(print(&value, Spelling::default())),
             Intended::Value(value) => safe(print(&value, Spelling::default())),
-            Intended::Nothing => {
-                let title = say!("remove `{}`", field);
-                // a text as the bytes of a DOMAIN says something
-                let is_text = invalid.reason == Reason::NotHexBytes && !matches!(text, "0" | "0x0");
-                return Some(if is_text { Fix::risky(title) } else { Fix::safe(title) }.remove(place));
-            }
+            Intended::Nothing => return Some(Fix::risky(say!("remove `{}`", field)).remove(place)),
         },
     };
     Some(fix.set(place, value))

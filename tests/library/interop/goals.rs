@@ -22,7 +22,7 @@ struct Goal {
 const GOALS: [Goal; 3] = [
     Goal {
         name: "fixed",
-        make: |description| fix_for_readers(description, Applicability::Safe, objdict::check).bytes(),
+        make: |description| fix_for_readers(description, Applicability::Safe, &Default::default()).bytes(),
         tool: Tool::PythonCanopen,
         least: 970,
     },

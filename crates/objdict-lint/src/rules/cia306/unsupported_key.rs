@@ -26,9 +26,8 @@ fn check(at: &EntryAt<'_>, findings: &mut Findings) {
     let article = if object_type == ObjectType::Array { "an" } else { "a" };
     let message = say!("{} {} does not support {}", article, object_type, listing(&keys));
     let title = if keys.len() == 1 { say!("remove {the key}") } else { say!("remove {the keys}") };
-    // a value or limit may be intended
-    let is_safe = |field: &Field| matches!(field, Field::DataType | Field::AccessType | Field::SubNumber);
-    let fix = if keys.iter().all(is_safe) { Fix::safe(title) } else { Fix::risky(title) };
+    // what describes a value may be intended
+    let fix = if keys == [Field::SubNumber] { Fix::safe(title) } else { Fix::risky(title) };
     let fix = keys.iter().fold(fix, |fix, field| fix.remove(at.field(field.clone())));
     let compact = keys.contains(&Field::CompactSubObj);
     let finding = Diagnostic::new(&RULE.info, at.field(first.clone()), message).severity(if compact {

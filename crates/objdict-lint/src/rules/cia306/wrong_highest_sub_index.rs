@@ -3,7 +3,7 @@ use crate::model::{Access, Device, Entry, Field, Object, ObjectType, Place};
 use crate::{rule, stated};
 
 rule! {
-    "cia306/wrong-highest-sub-index", Error, Object(check), fix Mixed;
+    "cia306/wrong-highest-sub-index", Error, Object(check), fix Unsafe;
     summary: "sub-index 0 is not the highest sub-index",
     checks: "Whether the value of sub-index 0 is the highest described sub-index, excluding FFh. A lower value is an error; a higher or missing value is a warning. Not checked: objects with a writable sub-index 0, or whose sub-index 0 counts used entries (error history, PDO and SRDO mappings, lists for multiplexed PDOs).",
     why: "Managers read as many entries as sub-index 0 indicates. They never see entries above it, and get an abort for missing ones.",
@@ -54,7 +54,7 @@ fn missing_value(index: u16, sub_0: &Entry, highest: u8, findings: &mut Findings
     }
     let message = say!("sub-index 0 of {:04X}h has no value", index);
     let place = Place::entry(index, 0).field(Field::DefaultValue);
-    let fix = Fix::safe(say!("write `{}`", Argument::setting(Field::DefaultValue, highest)))
+    let fix = Fix::risky(say!("write `{}`", Argument::setting(Field::DefaultValue, highest)))
         .set(place.clone(), highest.to_string());
     let finding = Diagnostic::new(&RULE.info, place, message).severity(Severity::Warning).fix(fix);
     findings.push(

@@ -3,7 +3,7 @@ use crate::model::{Device, DeviceInfo, Field, Part, Place};
 use crate::{canopennode, rule};
 
 rule! {
-    "cia306/wrong-pdo-count", Error, Device(check), fix Safe;
+    "cia306/wrong-pdo-count", Error, Device(check), fix Mixed;
     summary: "`NrOfRXPDO` or `NrOfTXPDO` does not match the described PDOs",
     checks: "Whether `NrOfRXPDO` is the number of objects 1400h to 15FFh and `NrOfTXPDO` the number of objects 1800h to 19FFh. With `CompactPDO` the number may be higher: the other PDOs are implied. Objects that are marked as disabled (`CO_disabled`) do not count.",
     why: "Configuration tools offer the given number of PDOs. PDOs above it are never configured, and writing missing ones fails.",
@@ -50,16 +50,14 @@ fn check_count(device: &Device, info: &DeviceInfo, pdos: &Pdos, stated: usize, f
     };
     let message = say!("`{}` is {}, but {} described ({:04X}h to {:04X}h)", field, stated, count, low, high);
     let place = Place::of(Part::DeviceInfo).field(field.clone());
-    let fix = Fix::safe(say!("write `{}`", Argument::setting(field, described)))
-        .set(place.clone(), described.to_string());
+    let title = say!("write `{}`", Argument::setting(field, described));
+    // a number above it is what is left of PDOs that are missing
+    let fix = if stated > described { Fix::risky(title.clone()) } else { Fix::safe(title.clone()) };
+    let fix = fix.set(place.clone(), described.to_string());
     let finding = Diagnostic::new(&RULE.info, place, message).fix(fix);
     findings.push(if stated > described {
-        finding.help(say!(
-            "write `{}`, or describe the missing {}s",
-            Argument::setting(field, described),
-            name
-        ))
+        finding.help(say!("{}, or describe the missing {}s", title, name))
     } else {
-        finding.help(say!("write `{}`", Argument::setting(field, described)))
+        finding.help(title)
     });
 }
