@@ -40,7 +40,11 @@ pub fn check_with(description: &Description, options: &Options) -> Findings {
     };
     let findings = without_fixes_of_lost(description, findings);
     #[cfg(feature = "xdd")]
-    let findings = if is_xml { wording::of_xdd(findings, |at| description.span_of(at)) } else { findings };
+    let findings = if is_xml {
+        wording::of_xdd(findings, description.source().text(), |at| description.span_of(at))
+    } else {
+        findings
+    };
     let findings = lint::without_disabled(description.device(), findings);
     let mut findings = options.severities.apply(findings);
     let about_comments = suppression::apply(description, options, &mut findings);

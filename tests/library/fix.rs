@@ -14,7 +14,7 @@ use serde_json::Value::Null;
 
 use crate::support;
 
-fn folders(folder: &Path, files: &mut Vec<PathBuf>) {
+pub(crate) fn folders(folder: &Path, files: &mut Vec<PathBuf>) {
     let mut entries: Vec<PathBuf> =
         std::fs::read_dir(folder).unwrap().map(|entry| entry.unwrap().path()).collect();
     entries.sort();

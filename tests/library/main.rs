@@ -21,6 +21,7 @@ mod errata;
 mod fix;
 mod fmt;
 mod graph;
+mod helps;
 mod identify;
 mod ini_oracle;
 mod interop;

@@ -64,7 +64,11 @@ pub(crate) fn wrong_mapping(rule: &'static RuleInfo, at: &Against<'_>, findings:
     for place in &others {
         fix = fix.set(place.clone(), "0");
     }
-    let finding = Diagnostic::new(rule, first, message).help(say!("write `{PDOMapping=0}`")).fix(fix);
+    let help = match others.is_empty() {
+        true => say!("write `{PDOMapping=0}`"),
+        false => say!("write `{PDOMapping=0}` at each sub-index"),
+    };
+    let finding = Diagnostic::new(rule, first, message).help(help).fix(fix);
     findings.push(with_others(finding, others.into_iter().map(|place| (place, "mappable here too"))));
 }
 

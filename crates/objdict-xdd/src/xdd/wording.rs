@@ -4,11 +4,12 @@
 
 use std::collections::HashSet;
 
+use super::read::written_access;
 use super::schema::{
     self, Attribute, DEVICE_BODY, DEVICE_COMMISSIONING, Element, GENERAL_FEATURES, MASTER_FEATURES, OBJECT,
 };
 use crate::diagnostic::{At, Diagnostic, Findings, Notion, Severity};
-use crate::model::Field;
+use crate::model::{Access, Field};
 use crate::source::Span;
 use crate::xml::{Name, n};
 
@@ -52,6 +53,17 @@ pub fn words(notion: &Notion<'_>) -> Option<String> {
         Notion::Worth(key, value) => What::of(key)?.spelled(value),
         Notion::Section(name) => section(name).or_else(|| own(&format!("[{name}]"))),
         Notion::Word(word) => WORDS.iter().find(|(eds, _)| *eds == word).map(|(_, xdd)| (*xdd).to_owned()),
+    }
+}
+
+/// The same for an entry whose parameter states the access.
+fn words_of_parameter(notion: &Notion<'_>) -> Option<String> {
+    let access = |value: &str| Access::from_name(value).map(|access| written_access(access).name());
+    match *notion {
+        Notion::Key("AccessType") => Some("access".to_owned()),
+        Notion::Setting("AccessType", value) => Some(format!("access=\"{}\"", access(value).unwrap_or("…"))),
+        Notion::Worth("AccessType", value) => access(value).map(ToOwned::to_owned),
+        _ => words(notion),
     }
 }
 
@@ -132,7 +144,7 @@ fn section(name: &str) -> Option<String> {
 
 /// The findings about an XDD in the terms of CiA 311, without those that only apply to an EDS and those at a
 /// place that a rule of CiA 311 already reports.
-pub fn of_xdd(findings: Findings, span_of: impl Fn(&At) -> Span) -> Findings {
+pub fn of_xdd(findings: Findings, text: &str, span_of: impl Fn(&At) -> Span) -> Findings {
     let span = |finding: &Diagnostic| finding.labels.first().map(|label| span_of(&label.at));
     let of_structure = findings.iter().filter(|finding| finding.rule.group() == "cia311");
     let spoken: HashSet<Span> = of_structure.filter_map(span).filter(|span| !span.is_empty()).collect();
@@ -155,7 +167,16 @@ pub fn of_xdd(findings: Findings, span_of: impl Fn(&At) -> Span) -> Findings {
                 _ => {}
             }
         }
-        Some(finding.in_words(words))
+        // the access of an entry may be that of its parameter
+        let place = finding.labels.first().and_then(|label| match &label.at {
+            At::Place(place) => Some(At::Place(place.clone().field(Field::AccessType))),
+            At::Span(_) | At::Node(..) => None,
+        });
+        let is_of_parameter = place.is_some_and(|place| {
+            let before = text.get(..span_of(&place).start as usize).unwrap_or_default();
+            before.trim_end_matches(['"', '\'']).ends_with("access=")
+        });
+        Some(finding.in_words(if is_of_parameter { words_of_parameter } else { words }))
     })
 }
 

@@ -10,7 +10,7 @@ rule! {
     checks: "Whether each index is in one list only, and once.",
     why: "Some tools create two objects, others refuse the file.",
     example: "`0x1018` in `[MandatoryObjects]` and in `[OptionalObjects]`",
-    remedy: "Remove one of the two, renumber the following entries and update the count.",
+    remedy: "Remove it from the list that it does not belong to, renumber the following entries and update the count.",
     source: "CiA 306-1 §4.6.3.1",
 }
 
@@ -35,11 +35,15 @@ fn check(device: &Device, findings: &mut Findings) {
                 say!("{:04X}h is listed in `{}` and in `{}`", index, other, list)
             };
             let finding = Diagnostic::new(&RULE.info, place(list, number), message);
-            let mut finding =
-                finding.label(place(other, at), "first here").help("remove one of the two entries");
+            let finding = finding.label(place(other, at), "first here");
+            let wrong = if ObjectList::of(index) == Some(list) { other } else { list };
+            let mut finding = match other == list {
+                true => finding.help("remove one of the two entries"),
+                false => finding.help(say!("remove it from `{}`", wrong)),
+            };
             finding.fix = fixes.next(device.lists.get(list), || match other == list {
                 true => once(device, list),
-                false => elsewhere(device, list, other, index),
+                false => elsewhere(device, wrong, index),
             });
             findings.push(finding);
         }
@@ -54,8 +58,7 @@ fn once(device: &Device, list: ObjectList) -> Fix {
 }
 
 /// Removes the object from the list that it does not belong to.
-fn elsewhere(device: &Device, list: ObjectList, other: ObjectList, index: u16) -> Fix {
-    let wrong = if ObjectList::of(index) == Some(list) { other } else { list };
+fn elsewhere(device: &Device, wrong: ObjectList, index: u16) -> Fix {
     let members = device.lists.get(wrong).iter().copied().filter(|&member| member != index).collect();
     Fix::risky(say!("remove it from `{}`", wrong)).with(Change::List(wrong, members))
 }
