@@ -64,7 +64,15 @@ pub(super) fn object(profile: &Profile, facts: &ObjectFacts<'_>, out: &mut dyn W
             lines.row([format!("  {name}"), text]);
         }
     };
-    line("object type", all(facts.object_types));
+    line(
+        "object type",
+        match facts.object_types {
+            [required, others @ ..] if !others.is_empty() => {
+                format!("{required}; {} is a warning", all(others))
+            }
+            types => all(types),
+        },
+    );
     line("need", if facts.need == Need::Optional { "optional".to_owned() } else { need(facts.need) });
     line("only", facts.only.map(ToString::to_string).unwrap_or_default());
     let as_many_as: Vec<String> = facts.as_many_as.iter().map(|index| format!("0x{index:04X}")).collect();

@@ -188,7 +188,7 @@ text_rule! {
 }
 
 text_rule! {
-    DATE_SPELLING = "cia306/date-spelling", Note, fix Mixed;
+    DATE_SPELLING = "cia306/date-spelling", Warning, fix Mixed;
     summary: "a date or time is not spelled as the standard demands",
     checks: "Whether dates are spelled `mm-dd-yyyy` and times `hh:mmAM` or `hh:mmPM`. Other orders, names of months, two-digit years, single digits, seconds and 24-hour times are read. A date that can be two days is read with the month first, and its fix needs review, as does that of a time with seconds, which the standard has no place for.",
     why: "Tools that show or compare dates ignore such a text, or take the day for the month.",

@@ -49,6 +49,14 @@ pub struct Segment {
     pub bit_alignment: Option<u8>,
 }
 
+impl Segment {
+    /// Whether it states neither a type nor a direction nor a range.
+    pub fn is_empty(&self) -> bool {
+        let has_direction = self.direction.as_deref().is_some_and(|direction| !direction.is_empty());
+        self.data_type.is_none() && !has_direction && self.range.is_none()
+    }
+}
+
 /// A program that a configuration tool can start.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]

@@ -15,11 +15,12 @@ use crate::xml::{Name, n};
 
 /// Rules that check the form of an EDS against CiA 306. The corresponding rules for an XDD are in the group
 /// `cia311`.
-const OF_EDS: [&str; 6] = [
+const OF_EDS: [&str; 7] = [
     "cia306/eds-version",
     "cia306/missing-device-info-key",
     "cia306/missing-file-info-key",
     "cia306/missing-last-eds",
+    "cia306/missing-node-name",
     "cia306/missing-section",
     "cia306/unsorted-list",
 ];

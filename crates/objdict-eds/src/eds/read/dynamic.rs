@@ -33,6 +33,7 @@ impl Reader<'_> {
                         items.integer(item, (0, 0xFFFF), &mut channels.invalid_values).map(DataType);
                 }
                 SegmentKey::Direction => segment.direction = Some(item.value.into()),
+                SegmentKey::Range if item.value.is_empty() => {}
                 SegmentKey::Range => match index_range(item.value) {
                     Ok(range) => segment.range = Some(range),
                     Err(reason) => channels.invalid_values.push(item.to_field(), item.value, reason),

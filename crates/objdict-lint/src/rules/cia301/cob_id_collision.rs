@@ -71,7 +71,7 @@ fn collision(facts: &Facts<'_>, first: &CobIdUse, second: &CobIdUse, node: Optio
         _ => Text::default(),
     };
     let (one, other) = (first.service, second.service);
-    let message = say!("{} and {} both {} with CAN-ID `{}`{}", other, one, does, second.cob_id, on_node);
+    let message = say!("{} and {} both {} with COB-ID `{}`{}", other, one, does, second.cob_id, on_node);
     let finding = Diagnostic::new(&RULE.info, place(second), message)
         .label(place(first), say!("{} uses it here", one))
         .help("give each service its own CAN-ID, or set bit 31 to mark one of them as not valid");

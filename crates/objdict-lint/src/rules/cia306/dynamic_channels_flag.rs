@@ -1,5 +1,5 @@
 use crate::diagnostic::{Diagnostic, Findings, Fix, say};
-use crate::model::{Device, Field, Part, Place};
+use crate::model::{Device, Field, Part, Place, Segment};
 use crate::rule;
 
 rule! {
@@ -24,7 +24,7 @@ fn check(device: &Device, findings: &mut Findings) {
             let finding = Diagnostic::new(&RULE.info, flag, message).fix(fix);
             findings.push(finding.help(say!("describe the segments in `{[DynamicChannels]}`, or write 0")));
         }
-        (Some(0), Some(channels)) if !channels.segments.is_empty() => {
+        (Some(0), Some(channels)) if !channels.segments.iter().all(Segment::is_empty) => {
             let message = say!("`{[DynamicChannels]}` has segments, but `{DynamicChannelsSupported}` is 0");
             let fix = Fix::risky(say!("write `{DynamicChannelsSupported=1}`")).set(flag.clone(), "1");
             let finding = Diagnostic::new(&RULE.info, flag, message)

@@ -1,4 +1,4 @@
-use crate::diagnostic::{Diagnostic, Findings, listing, say};
+use crate::diagnostic::{Diagnostic, Findings, Severity, listing, say};
 use crate::model::{Device, DynamicChannels, Field, Part, Place, Segment};
 use crate::rule;
 
@@ -14,8 +14,12 @@ rule! {
 
 fn check(device: &Device, findings: &mut Findings) {
     let Some(channels) = &device.dynamic_channels else { return };
+    let info = device.device_info.as_ref();
+    let is_unused = info.is_none_or(|info| info.dynamic_channels_supported.unwrap_or_default() == 0);
     for (number, segment) in (1..).zip(&channels.segments) {
-        check_keys(channels, number, segment, findings);
+        // some tools write empty keys
+        let severity = if is_unused && segment.is_empty() { Severity::Note } else { Severity::Error };
+        check_keys(channels, number, segment, severity, findings);
         if let Some(range) = segment.range {
             check_range(channels, number, range, findings);
         }
@@ -30,7 +34,7 @@ fn place(word: &str, number: usize) -> Place {
     Place::of(Part::DynamicChannels).field(field(word, number))
 }
 
-fn check_keys(channels: &DynamicChannels, number: usize, segment: &Segment, findings: &mut Findings) {
+fn check_keys(channels: &DynamicChannels, number: usize, segment: &Segment, severity: Severity, findings: &mut Findings) {
     let direction = segment.direction.as_deref().is_some_and(|direction| !direction.is_empty());
     let stated =
         [("Type", segment.data_type.is_some()), ("Dir", direction), ("Range", segment.range.is_some())];
@@ -44,7 +48,7 @@ fn check_keys(channels: &DynamicChannels, number: usize, segment: &Segment, find
         return;
     }
     let message = say!("segment {} of the dynamic channels has no {}", number, listing(&missing));
-    let finding = Diagnostic::new(&RULE.info, Place::of(Part::DynamicChannels), message);
+    let finding = Diagnostic::new(&RULE.info, Place::of(Part::DynamicChannels), message).severity(severity);
     findings.push(finding.help("write `TypeN`, `DirN`, `RangeN` and `PPOffsetN` for each segment"));
 }
 
