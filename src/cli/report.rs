@@ -14,7 +14,12 @@ pub(super) fn new<'a>(args: &ReportArgs, out: &'a mut Output) -> Result<Box<dyn 
     Ok(match args.format {
         ReportFormat::Text => {
             let colour = out.colour();
+            let width = terminal_size::terminal_size_of(std::io::stdout());
             let report = TextReport::new(out, colour).detail(detail);
+            let report = match width {
+                Some((columns, _)) => report.width(columns.0.into()),
+                None => report,
+            };
             Box::new(if args.all { report } else { report.brief() })
         }
         ReportFormat::Concise => Box::new(Concise::new(out).detail(detail)),

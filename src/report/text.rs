@@ -13,7 +13,7 @@ use std::io::{self, Write};
 use miette::LabeledSpan;
 
 use self::excerpt::{Excerpted, Excerpts};
-use self::printer::Printer;
+use self::printer::{Printer, WIDTH};
 pub(crate) use self::problem::problem;
 use super::statistics::offer;
 use super::{Detail, Report, Statistics, Subject, Tally};
@@ -50,13 +50,20 @@ impl<W: Write> TextReport<W> {
     pub fn new(out: W, colour: bool) -> Self {
         Self {
             out,
-            printer: Printer { colour },
+            printer: Printer { colour, width: WIDTH },
             tally: Tally::default(),
             detail: Detail::default(),
             statistics: Statistics::default(),
             fixable: [0; 2],
             is_brief: false,
         }
+    }
+
+    /// With lines of so many columns, 60 to 120, instead of 80.
+    #[must_use]
+    pub fn width(mut self, columns: usize) -> Self {
+        self.printer.width = columns.clamp(60, 120);
+        self
     }
 
     /// With statistics, behind the findings or without them.
@@ -261,6 +268,21 @@ mod tests {
     }
 
     #[test]
+    fn a_line_that_is_too_wide_is_shown_around_the_label() {
+        let text = format!("[A]\nk={}MIDDLE{}\nnext=1\n", "a".repeat(100), "z".repeat(100));
+        let shown = render(&text, &[(106, 112)], &"word ".repeat(30));
+        let widths: Vec<usize> = shown.lines().map(|line| line.chars().count()).collect();
+        assert!(widths.iter().all(|width| *width <= 80) && widths.contains(&80), "{shown}");
+        let line = shown.lines().find(|line| line.contains("MIDDLE")).unwrap();
+        assert!(line.contains("│ …a") && line.ends_with("z…"), "{shown}");
+        let column = |line: &str, text: &str| line.find(text).map(|at| line[..at].chars().count());
+        let mark =
+            shown.lines().find(|line| line.contains("──────")).filter(|line| line.contains('·')).unwrap();
+        assert_eq!(column(line, "MIDDLE"), column(mark, "──────"), "{shown}");
+        assert!(shown.contains("  ⚠ warning: word word") && shown.contains("│ [A]\n"), "{shown}");
+    }
+
+    #[test]
     fn labels_far_apart_on_one_line_are_shown_apart() {
         let text = format!("FIRST{}LAST\n", "-".repeat(4000));
         let shown = render(&text, &[(4005, 4009), (0, 5)], "two");
@@ -287,8 +309,8 @@ mod tests {
         report.file((&description).into(), &findings).unwrap();
         report.finish().unwrap();
         let shown = String::from_utf8(out).unwrap();
-        assert!(shown.starts_with("test/test\n\n  × an error"), "{shown}");
-        assert_eq!(shown.matches("a warning").count(), MAX_BRIEF - 1);
+        assert!(shown.starts_with("test/test\n\n  × error: an error"), "{shown}");
+        assert_eq!(shown.matches("warning: a warning").count(), MAX_BRIEF - 1);
         assert!(shown.contains("a.eds: … and 2 more, shown with `--all`"), "{shown}");
         assert!(shown.contains("      22      1        0  error     test/test\n"), "{shown}");
     }

@@ -9,8 +9,8 @@ use miette::{Diagnostic, LabeledSpan, Severity, SourceCode, SourceSpan, SpanCont
 use super::excerpt::Excerpted;
 use super::wrap;
 
-/// Columns that a message may take before it goes on in the next line.
-const WIDTH: usize = 98;
+/// The columns of a report that is not for a terminal.
+pub(super) const WIDTH: usize = 80;
 
 /// Columns from one tab stop to the next.
 const TAB: usize = 4;
@@ -34,6 +34,8 @@ impl<T: Display> Display for Styled<T> {
 #[derive(Debug)]
 pub(super) struct Printer {
     pub(super) colour: bool,
+    /// Columns that a line may take before its text goes on in the next one.
+    pub(super) width: usize,
 }
 
 /// A label under a line.
@@ -64,17 +66,20 @@ impl Printer {
         diagnostic: &dyn Diagnostic,
         others: &[Excerpted<'_>],
     ) -> fmt::Result {
-        let (icon, style) = match diagnostic.severity() {
-            Some(Severity::Advice) => ('☞', "36"),
-            Some(Severity::Warning) => ('⚠', "33"),
-            Some(Severity::Error) | None => ('×', "31"),
+        let (icon, word, style) = match diagnostic.severity() {
+            Some(Severity::Advice) => ('☞', "note", "36"),
+            Some(Severity::Warning) => ('⚠', "warning", "33"),
+            Some(Severity::Error) | None => ('×', "error", "31"),
         };
         if let Some(code) = diagnostic.code() {
             writeln!(out, "{}\n", self.styled(style, code))?;
         }
-        for (number, line) in
-            wrap::lines(&diagnostic.to_string(), WIDTH - "  × ".chars().count()).iter().enumerate()
-        {
+        let message = format!("{word}: {diagnostic}");
+        for (number, line) in wrap::lines(&message, self.width - "  × ".chars().count()).iter().enumerate() {
+            let line = match line.strip_prefix(word).filter(|_| number == 0) {
+                Some(rest) => format!("{}{rest}", self.styled(style, word)),
+                None => line.to_string(),
+            };
             writeln!(out, "  {} {line}", self.styled(style, if number == 0 { icon } else { '│' }))?;
         }
         if let (Some(source), Some(labels)) = (diagnostic.source_code(), diagnostic.labels()) {
@@ -85,7 +90,7 @@ impl Printer {
         }
         let Some(help) = diagnostic.help() else { return Ok(()) };
         const HELP: &str = "  help: ";
-        for (number, line) in wrap::lines(&help.to_string(), WIDTH - HELP.len()).iter().enumerate() {
+        for (number, line) in wrap::lines(&help.to_string(), self.width - HELP.len()).iter().enumerate() {
             match number {
                 0 => writeln!(out, "{}{line}", self.styled("36", HELP))?,
                 _ => writeln!(out, "{:width$}{line}", "", width = HELP.len())?,
@@ -147,14 +152,19 @@ impl Printer {
         let place = format!("{name}:{line}:{column}");
         writeln!(out, "  {:width$}╭─[{}]", "", self.styled("36;1;4", place))?;
         let mut offset = contents.span().offset();
-        for (line, number) in lines() {
+        let marked = lines().map(|(line, number)| {
             let shown = line.strip_suffix('\n').map_or(line, |line| line.strip_suffix('\r').unwrap_or(line));
+            let marks = marks(labels, shown, offset..offset + line.len());
+            offset += line.len();
+            (shown, number, marks)
+        });
+        let mut marked: Vec<_> = marked.collect();
+        let pane = Pane::new(self.width.saturating_sub(width + "  │ …".chars().count()), &marked);
+        for (shown, number, marks) in &mut marked {
             write!(out, " {} │ ", self.styled("2", format_args!("{number:width$}")))?;
-            draw_text(out, shown);
-            let end = offset + line.len();
-            let marks = marks(labels, shown, offset..end);
-            self.draw_marks(out, width, &marks)?;
-            offset = end;
+            pane.draw(out, shown, !marks.is_empty());
+            pane.fit(marks);
+            self.draw_marks(out, width, marks)?;
         }
         writeln!(out, "  {:width$}╰────", "")
     }
@@ -210,18 +220,53 @@ fn marks<'a>(labels: &'a [LabeledSpan], line: &str, place: Range<usize>) -> Vec<
     marks
 }
 
-/// Adds a line with spaces for tabs.
-fn draw_text(out: &mut String, line: &str) {
-    let mut column = 0;
-    for character in line.chars() {
-        let width = columns(column, character);
-        match character {
-            '\t' => out.extend(std::iter::repeat_n(' ', width)),
-            _ => out.push(character),
-        }
-        column += width;
+/// The columns of long lines that are shown: those of the labels, and as many around them as there is room for.
+struct Pane {
+    /// The first one.
+    from: usize,
+    /// The one behind the last.
+    to: usize,
+}
+
+impl Pane {
+    fn new(room: usize, lines: &[(&str, usize, Vec<Mark<'_>>)]) -> Self {
+        let marks = || lines.iter().flat_map(|(.., marks)| marks);
+        let first = marks().map(|mark| mark.start).min().unwrap_or(0);
+        let last = marks().map(|mark| mark.end).max().unwrap_or(0);
+        let around = room.saturating_sub(last - first) / 2;
+        let from = if last < room { 0 } else { first.saturating_sub(around) };
+        Self { from, to: from + room }
     }
-    out.push('\n');
+
+    /// Adds the part of a line, with spaces for tabs and `…` for what is not shown. A short line without labels is shown from its start.
+    fn draw(&self, out: &mut String, line: &str, has_marks: bool) {
+        let is_short = !has_marks && column_of(line, line.len()) <= self.to - self.from;
+        let (from, to) = if is_short { (0, self.to) } else { (self.from, self.to) };
+        let mut column = 0;
+        for character in line.chars() {
+            let width = columns(column, character);
+            let mut buffer = [0; 4];
+            let shown = match character {
+                _ if column + width <= from || column > to => "",
+                _ if column < from || column == from && from > 0 || column + width > to => "…",
+                '\t' => &"    "[..width],
+                _ => character.encode_utf8(&mut buffer),
+            };
+            out.push_str(shown);
+            column += width;
+        }
+        out.push('\n');
+    }
+
+    /// Moves labels to where their texts are shown.
+    fn fit(&self, marks: &mut [Mark<'_>]) {
+        let mut next = 0;
+        for mark in marks {
+            mark.start = (mark.start.clamp(self.from, self.to) - self.from).max(next);
+            mark.end = (mark.end.clamp(self.from, self.to) - self.from).max(mark.start + 1);
+            next = mark.end;
+        }
+    }
 }
 
 /// The columns that a character takes in this one.

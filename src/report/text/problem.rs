@@ -5,7 +5,7 @@ use std::fmt;
 use miette::LabeledSpan;
 
 use super::excerpt::Excerpts;
-use super::printer::Printer;
+use super::printer::{Printer, WIDTH};
 use super::shown;
 use crate::source::{SourceFile, Span};
 
@@ -17,7 +17,7 @@ pub(crate) fn problem(source: &SourceFile, span: Span, message: &str, help: Opti
     let problem = Problem { message: shown(message), help: help.map(shown), excerpts, label };
     let mut text = String::new();
     // writing to a string cannot fail
-    let _ = Printer { colour: false }.draw(&mut text, &problem, &[]);
+    let _ = Printer { colour: false, width: WIDTH }.draw(&mut text, &problem, &[]);
     text
 }
 

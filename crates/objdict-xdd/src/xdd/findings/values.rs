@@ -1,6 +1,6 @@
 //! The rules about the values of attributes and texts.
 
-use crate::diagnostic::{Diagnostic, Findings, Fix, Severity, Text, listing, say, text_rules};
+use crate::diagnostic::{Diagnostic, Findings, Fix, Text, listing, say, text_rules};
 use crate::literal;
 use crate::source::Span;
 use crate::xdd::fact;
@@ -131,8 +131,22 @@ fn finding(text: &str, kind: Kind, at: Span, name: &str) -> Diagnostic {
             } else {
                 format!("{least} to {most} hexadecimal digits in pairs")
             };
-            let finding = new(&INVALID_HEX, &format!("not a valid `{name}`: {digits} are expected"))
-                .help(hex_help(text, least));
+            let is_longer = text.len() > most && text.bytes().all(|byte| byte.is_ascii_hexdigit());
+            let finding = match is_longer {
+                true => Diagnostic::new(
+                    &INVALID_HEX,
+                    at,
+                    say!(
+                        "`{!}` is written with {!} digits ({}), not with {!}",
+                        name,
+                        text.len(),
+                        shown,
+                        most
+                    ),
+                ),
+                false => new(&INVALID_HEX, &format!("not a valid `{name}`: {digits} are expected")),
+            };
+            let finding = finding.help(hex_help(text, least));
             let is_read = fact::hex(text.trim(), most).is_some();
             if is_read { finding.understood() } else { finding }
         }
@@ -163,11 +177,11 @@ fn finding(text: &str, kind: Kind, at: Span, name: &str) -> Diagnostic {
     }
 }
 
-/// A finding about a text that is read all the same: a note, with the spelling of the standard, and whether it is certain.
+/// A finding about a text that is read all the same, with the spelling of the standard, and whether it is certain.
 fn respelled(finding: Diagnostic, read: Option<(String, bool)>, at: Span) -> Diagnostic {
     let Some((text, is_certain)) = read else { return finding };
     let fix = if is_certain { Fix::safe } else { Fix::risky };
-    finding.severity(Severity::Note).fix(fix(say!("write `{}`", text)).replace(at, text))
+    finding.fix(fix(say!("write `{}`", text)).replace(at, text))
 }
 
 fn invalid_number(text: &str, shown: &Text, name: &str, (low, high): (i128, i128), at: Span) -> Diagnostic {
