@@ -107,22 +107,37 @@ impl Baseline {
         self.files.entry(file.to_owned()).or_default().extend(known);
     }
 
-    /// Takes the findings of a file away that are known, and says how many that are.
+    /// Takes the findings of a file away that are known, and says how many that are. A file that is not in the baseline and has all the
+    /// findings of one that `is_gone` is that file, moved.
     pub fn suppress<'a>(
         &self,
         file: &str,
         subject: impl Into<Subject<'a>>,
         findings: &mut Findings,
+        is_gone: impl Fn(&str) -> bool,
     ) -> usize {
-        let Some(known) = self.files.get(file).filter(|_| !findings.is_empty()) else { return 0 };
+        if findings.is_empty() {
+            return 0;
+        }
+        let prints = fingerprints(subject, &*findings);
+        let Some(known) = self.files.get(file).or_else(|| self.moved(&prints, is_gone)) else { return 0 };
         let known: BTreeSet<(&str, Fingerprint)> =
             known.iter().map(|known| (&*known.rule, known.fingerprint)).collect();
-        let mut prints = fingerprints(subject, &*findings).into_iter();
+        let mut prints = prints.into_iter();
         let before = findings.len();
         findings.suppress(|finding| {
             prints.next().is_some_and(|fingerprint| known.contains(&(finding.rule.id, fingerprint)))
         });
         before - findings.len()
+    }
+
+    /// The findings of a file that is gone and had the same ones: it was moved.
+    fn moved(&self, prints: &[Fingerprint], is_gone: impl Fn(&str) -> bool) -> Option<&BTreeSet<Known>> {
+        let prints: BTreeSet<Fingerprint> = prints.iter().copied().collect();
+        let is_same = |known: &BTreeSet<Known>| {
+            known.len() == prints.len() && known.iter().all(|known| prints.contains(&known.fingerprint))
+        };
+        self.files.iter().find(|(file, known)| is_same(known) && is_gone(file)).map(|(_, known)| known)
     }
 
     /// The files, each with the number of its findings.
@@ -204,13 +219,23 @@ mod tests {
         let description = description(&text);
         let mut findings = crate::check(&description);
         let all = findings.len();
-        let known = baseline.suppress("octal.eds", &description, &mut findings);
+        let known = baseline.suppress("octal.eds", &description, &mut findings, |_| true);
         assert_eq!(known, baseline.len());
         assert_eq!(findings.len(), all - known);
         assert_eq!(findings.suppressed() as usize, known);
         assert!(findings.iter().any(|finding| finding.rule.id == "cia306/unclosed-section"));
         let mut findings = crate::check(&description);
-        assert_eq!(baseline.suppress("other.eds", &description, &mut findings), 0);
+        assert_eq!(baseline.suppress("other.eds", &description, &mut findings, |_| true), 0);
+    }
+
+    #[test]
+    fn a_moved_file_is_known() {
+        let (baseline, description) = (baseline(BROKEN), description(BROKEN));
+        for (is_gone, known) in [(false, 0), (true, baseline.len())] {
+            let mut findings = crate::check(&description);
+            let gone = |file: &str| is_gone && file == "octal.eds";
+            assert_eq!(baseline.suppress("moved/octal.eds", &description, &mut findings, gone), known);
+        }
     }
 
     #[test]

@@ -58,7 +58,8 @@ impl Known {
             Self::Nothing => {}
             Self::Read(path, baseline, matched) => {
                 let file = name_in(path, file);
-                let count = baseline.suppress(&file, subject, findings);
+                let is_gone = |file: &str| !folder_of(path).join(file).exists();
+                let count = baseline.suppress(&file, subject, findings, is_gone);
                 *matched.entry(file).or_default() += count;
             }
             Self::Write(path, baseline) => {
@@ -80,6 +81,11 @@ impl Known {
                     None => count,
                 };
                 let fixed: usize = baseline.files().map(fixed).sum();
+                // those of a file that was moved are found there
+                let is_moved = |file: &&String| baseline.files().all(|(known, _)| known != **file);
+                let moved: usize =
+                    matched.iter().filter(|(file, _)| is_moved(file)).map(|(_, count)| count).sum();
+                let fixed = fixed.saturating_sub(moved);
                 if fixed > 0 {
                     let (entries, are) = if fixed == 1 { ("entry", "is") } else { ("entries", "are") };
                     note(&format!(

@@ -186,7 +186,8 @@ impl Request {
             let text = read_text(path, baseline::MAX_SIZE)?;
             let baseline =
                 Baseline::read(&text).map_err(|error| Error::Baseline { path: path.clone(), error })?;
-            baseline.suppress(&baseline::name_in(path, name), description, &mut findings);
+            let is_gone = |file: &str| !baseline::folder_of(path).join(file).exists();
+            baseline.suppress(&baseline::name_in(path, name), description, &mut findings, is_gone);
         }
         Ok(findings)
     }

@@ -33,17 +33,8 @@ const CONTEXT: usize = 80;
 pub struct Fingerprint(u64);
 
 impl Fingerprint {
-    /// This fingerprint in a file, for outputs in which those of all files must differ.
-    #[must_use]
-    pub fn in_file(self, path: &str) -> Self {
-        let mut hash = Fnv::new();
-        hash.field(path.as_bytes());
-        hash.field(&self.0.to_be_bytes());
-        Self(hash.0)
-    }
-
     /// The fingerprint of the `number`th finding that is equal otherwise, counted from 0.
-    fn repeated(self, number: u32) -> Self {
+    pub(super) fn repeated(self, number: u32) -> Self {
         if number == 0 {
             return self;
         }
@@ -272,6 +263,5 @@ mod tests {
         let print = Fingerprint(0x12AB);
         assert_eq!(print.to_string(), "00000000000012ab");
         assert_eq!(print.to_string().parse(), Ok(print));
-        assert_ne!(print.in_file("a.eds"), print.in_file("b.eds"));
     }
 }

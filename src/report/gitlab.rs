@@ -1,5 +1,6 @@
 //! The code quality report of GitLab: a part of the format of Code Climate.
 
+use std::collections::HashMap;
 use std::io::{self, Write};
 use std::path::Path;
 
@@ -16,6 +17,8 @@ pub struct Gitlab<W> {
     out: W,
     base: Base,
     is_empty: bool,
+    /// How often each fingerprint was written.
+    seen: HashMap<Fingerprint, u32>,
 }
 
 #[derive(Serialize)]
@@ -42,7 +45,7 @@ struct Lines {
 impl<W: Write> Gitlab<W> {
     /// A report that writes to `out`.
     pub fn new(out: W) -> Self {
-        Self { out, base: Base::default(), is_empty: true }
+        Self { out, base: Base::default(), is_empty: true, seen: HashMap::new() }
     }
 
     /// With paths as they are seen from `folder`, which is that of the repository.
@@ -57,6 +60,10 @@ impl<W: Write> Report for Gitlab<W> {
     fn file(&mut self, subject: Subject<'_>, findings: &Findings) -> io::Result<()> {
         let path = self.base.relative(subject.source().name());
         for (finding, fingerprint) in findings.iter().zip(fingerprints(subject, findings)) {
+            // all must differ; without the name of the file they stay when it moves. Those of one file are numbered upwards
+            let number = self.seen.entry(fingerprint).or_default();
+            let fingerprint = fingerprint.repeated(*number);
+            *number = if *number == 0 { u32::MAX } else { *number - 1 };
             self.out.write_all(if self.is_empty { b"[\n" } else { b",\n" })?;
             self.is_empty = false;
             crate::json::write(&mut self.out, &issue(&path, subject, finding, fingerprint))?;
@@ -81,7 +88,7 @@ fn issue<'a>(
     Issue {
         description: one_line(&finding.message.shown()),
         check_name: finding.rule.id,
-        fingerprint: fingerprint.in_file(path),
+        fingerprint,
         severity: match finding.severity {
             Severity::Error => "major",
             Severity::Warning => "minor",
