@@ -9,6 +9,7 @@ use objdict::compat::{MESSAGES, REACTIONS};
 use objdict::diagnostic::RuleInfo;
 use objdict::registry;
 
+use crate::examples;
 use crate::shares::{self, Shares};
 
 /// What the rules of each group are about.
@@ -172,7 +173,15 @@ fn describe(rule: &RuleInfo, shares: &Shares, page: &mut String) {
     );
     let text = rule.page();
     let body = text.split_once('\n').map_or("", |(_, body)| body);
+    let fixtures = Path::new(env!("CARGO_MANIFEST_DIR")).join("../fixtures");
     for line in body.trim_end().lines() {
+        if line == "## How to fix" {
+            // the blank line before the heading comes after the example
+            page.truncate(page.trim_end().len());
+            page.push('\n');
+            page.push_str(&examples::of_rule(&fixtures, rule.id).unwrap_or_default());
+            page.push('\n');
+        }
         let level = if line.starts_with("## ") { "#" } else { "" };
         let _ = writeln!(page, "{level}{line}");
     }

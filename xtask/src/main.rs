@@ -10,6 +10,7 @@ mod concise;
 mod corpus;
 mod deny;
 mod docs;
+mod examples;
 mod fuzz;
 mod mutate;
 mod profiles;

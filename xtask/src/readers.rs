@@ -7,7 +7,7 @@ use std::path::Path;
 use std::process::{Command, Stdio};
 
 use objdict::diagnostic::{Applicability, Tool};
-use objdict::format::{self, Description, Format};
+use objdict::format::{self, Format};
 use objdict::lint::Options;
 use objdict::source::SourceOptions;
 use serde_json::Value;
