@@ -15,6 +15,7 @@ mod hostile;
 mod limits;
 mod outputs;
 mod page;
+mod pictures;
 mod replaced;
 mod reports;
 #[path = "../support/mod.rs"]
