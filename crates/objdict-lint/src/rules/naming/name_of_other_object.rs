@@ -16,6 +16,9 @@ rule! {
     source: "CiA 301 and the device profiles, names of objects",
 }
 
+/// The name of sub-indexes that must not be there.
+const RESERVED: &str = "Reserved";
+
 fn check(facts: &Facts<'_>, findings: &mut Findings) {
     let mut wrong = Vec::new();
     for one in demands::applied(facts.device, facts.options) {
@@ -42,7 +45,9 @@ fn check(facts: &Facts<'_>, findings: &mut Findings) {
 fn entries(against: &Against<'_>, wrong: &mut Vec<(Place, crate::diagnostic::Text)>) {
     let named = places_of(against.facts.entries().map(|entry| (entry.name, (entry.first, entry.last))));
     for at in against.entries() {
-        let (Some(sub), name) = (at.sub, plain(&at.entry.name)) else { continue };
+        // another rule reports reserved sub-indexes
+        let Some(sub) = at.sub.filter(|_| at.facts.name != RESERVED) else { continue };
+        let name = plain(&at.entry.name);
         let other = named.get(&name).copied().flatten();
         if let Some((other, _)) = other.filter(|_| name != plain(at.facts.name)) {
             let message = say!("{} has the name of sub-index {}, `{}`", at, sub_index(other), &*at.entry.name);
@@ -56,7 +61,7 @@ fn places_of<'a, T: Copy + PartialEq>(
     named: impl Iterator<Item = (&'a str, (T, T))>,
 ) -> HashMap<String, Option<(T, T)>> {
     let mut places = HashMap::new();
-    for (name, place) in named.filter(|(name, _)| !matches!(*name, "" | "Reserved")) {
+    for (name, place) in named.filter(|(name, _)| !matches!(*name, "" | RESERVED)) {
         let is_one = place.0 == place.1;
         places.entry(plain(name)).and_modify(|known| *known = None).or_insert(is_one.then_some(place));
     }
