@@ -1,10 +1,11 @@
 use crate::diagnostic::{Diagnostic, Findings, Severity, Text, say};
+use crate::model::Place;
 use crate::{Facts, rule};
 
 rule! {
     "cia301/invalid-device-type", Error, Facts(check);
     summary: "the device type is contradictory",
-    checks: "Whether the high word of 1000h is 0 if the low word, the profile number, is 0 (no profile). For `0x00010000`, which tools write for a generic device, the finding is a warning. Warnings are also a profile number in hexadecimal digits that is meant in decimal (0402h, which is 1026), and a device type whose words are exchanged.",
+    checks: "Whether the high word of 1000h is 0 if the low word, the profile number, is 0 (no profile). For `0x00010000`, which tools write for a generic device, the finding is a warning. Warnings are also a profile number in hexadecimal digits that is meant in decimal (0402h, which is 1026), and a device type whose words are exchanged. A note is a device with the controlword, statusword and mode of a drive (6040h, 6041h, 6060h) and profile number 0.",
     why: "The high word has a meaning only within a profile. A master that compares the device type or derives the profile from it reaches the wrong conclusion.",
     example: "`[1000]` with `DefaultValue=0x00030000`",
     remedy: "Write the profile number to the low word, such as `0x00030191` for CiA 401, or write 0.",
@@ -12,11 +13,18 @@ rule! {
 }
 
 fn check(facts: &Facts<'_>, findings: &mut Findings) {
-    let Some(device_type) = facts.number(0x1000, 0).filter(|&number| number > 0) else { return };
+    let Some(device_type) = facts.number(0x1000, 0) else { return };
     let (profile, additional) = (device_type & 0xFFFF, device_type >> 16);
     if let Some((message, meant)) = misread(profile, additional) {
         let finding = Diagnostic::new(&RULE.info, facts.device.value_place(0x1000, 0), message);
         findings.push(finding.severity(Severity::Warning).help(say!("write `0x{:08X}`", meant)));
+    }
+    let has_drive = [0x6040, 0x6041, 0x6060].iter().all(|&index| facts.device.object(index).is_some());
+    if device_type == 0 && has_drive {
+        let message = "the device has the objects of a drive, but states no profile";
+        let finding = Diagnostic::new(&RULE.info, facts.device.value_place(0x1000, 0), message);
+        let finding = finding.severity(Severity::Note).label(Place::object(0x6040), "the controlword");
+        findings.push(finding.help("write `0x00020192` for a servo drive that follows CiA 402"));
     }
     if profile != 0 || additional == 0 {
         return;
