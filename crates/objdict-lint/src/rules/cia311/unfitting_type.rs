@@ -11,7 +11,7 @@ rule! {
     why: "Tools show a bit under two names, or none; generated code reads other bits than the device writes.",
     example: r#"`<varDeclaration start="4" size="5" …>` after `<varDeclaration start="2" size="3" …>` in one struct"#,
     remedy: "Correct `start` and `size` of the members, the values or the subrange, or the entry.",
-    source: "CiA 311 §6.4.8.2",
+    source: "CiA 311 §6.4, annex A",
 }
 
 fn check(device: &Device, findings: &mut Findings) {

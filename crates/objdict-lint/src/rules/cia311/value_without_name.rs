@@ -9,7 +9,7 @@ rule! {
     why: "Tools that offer the names cannot show the value, and replace it by another one when they write the device.",
     example: r#"`<defaultValue value="9"/>` of a parameter whose `enum` has the values 0 to 2"#,
     remedy: "Add the value to the enumeration, or correct it.",
-    source: "CiA 311 §6.4.8.2.5",
+    source: "CiA 311 §6.4, annex A",
 }
 
 fn check(device: &Device, findings: &mut Findings) {
