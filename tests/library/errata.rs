@@ -72,6 +72,7 @@ const DEVICES: &[Device] = &[
             "cia401/wrong-data-type 0x6410sub2 / DataType",
             "cia401/wrong-access 0x6410sub1 / AccessType",
             "cia401/wrong-access 0x6410sub2 / AccessType",
+            "naming/name-of-other-object 0x6410 / ParameterName",
         ],
         also: &["cia306/wrong-highest-sub-index 0x1401sub0 / DefaultValue"],
     },

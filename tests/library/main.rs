@@ -33,6 +33,7 @@ mod network;
 mod new;
 #[cfg(feature = "cli")]
 mod pages;
+mod planted;
 mod related;
 mod rules;
 mod structure;

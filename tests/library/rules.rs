@@ -114,6 +114,12 @@ impl Examined {
         let tree = Tree::new(source, &mut findings);
         if is_of("cia311") {
             findings.append(format::check_structure(&tree));
+            // a rule about the device that the structure describes
+            if findings.is_empty() {
+                let description = open(path);
+                let findings = objdict::check_with(&description, &options(path));
+                return Self::Description(Box::new(description), findings);
+            }
         }
         Self::Tree(Box::new(tree), findings)
     }

@@ -198,7 +198,8 @@ impl Facts<'_> {
     /// Whether another active service of the device uses the same CAN-ID, in either direction.
     pub(crate) fn is_shared(&self, cob_id: &CobIdUse) -> bool {
         let node = *self.node_ids().start();
-        let key = |one: &CobIdUse| (one.cob_id.depends_on_node_id(), one.cob_id.can_id(node));
+        let is_type = self.device.node_id().is_none();
+        let key = |one: &CobIdUse| (is_type && one.cob_id.depends_on_node_id(), one.cob_id.can_id(node));
         let others =
             self.cob_ids.iter().filter(|other| (other.index, other.sub) != (cob_id.index, cob_id.sub));
         others.filter(|other| other.is_in_use()).any(|other| key(other) == key(cob_id))

@@ -237,6 +237,11 @@ rules! {
         wrong_structure_entry,
     }
     #[cfg(feature = "catalogue")]
+    cia311 {
+        unfitting_type,
+        value_without_name,
+    }
+    #[cfg(feature = "catalogue")]
     cia401: demands {
         analogue_events_off,
         channels_not_in_device_type,
@@ -258,6 +263,7 @@ rules! {
         cyclic_target_not_mappable,
         device_type_without_drive,
         different_device_type,
+        enabled_by_default,
         homing_method_not_supported,
         incomplete_touch_probe,
         interpolation_time_differs,
@@ -298,6 +304,7 @@ rules! {
         revolutions_of_single_turn,
         scaling_off,
         unsupported_alarm,
+        value_beyond_resolution,
         wrong_default_mapping,
         wrong_transmission_type,
         zero_resolution,
@@ -310,6 +317,7 @@ rules! {
         duplicate_module,
         duplicate_object_name,
         long_name,
+        name_of_other_object,
         placeholder,
         repeated_blanks,
         same_identifier,

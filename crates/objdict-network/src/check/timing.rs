@@ -41,7 +41,25 @@ impl<'n> Check<'n, '_> {
                     .label_each(slave.origin(self.network, communication, 3), "the inhibit time");
                 findings.push(finding.help("lengthen the event timer"));
             }
-            let sender = self.messages.0.get(&state.can_id()).and_then(|message| self.sender_of(message));
+            let message = self.messages.0.get(&state.can_id());
+            // the deadline of a manager without a description; other receivers have their own
+            let is_for_manager =
+                message.is_some_and(|message| message.receivers.iter().all(|party| party.node.is_none()));
+            let is_missed = state.deadline != 0 && state.event_timer >= state.deadline;
+            if state.pdo.kind == PdoKind::Tpdo && is_missed && is_for_manager {
+                let message = say!(
+                    "the manager misses {} {} of `{}` after {} ms, but it is sent each {} ms",
+                    state.pdo.kind,
+                    state.pdo.number,
+                    node.name.value,
+                    state.deadline,
+                    state.event_timer
+                );
+                let finding = Diagnostic::new(&PDO_TIMES, at, message)
+                    .label_each(slave.origin(self.network, communication, 5), "the event timer");
+                findings.push(finding.help("lengthen the deadline"));
+            }
+            let sender = message.and_then(|message| self.sender_of(message));
             let Some((sender, sent)) =
                 sender.filter(|_| state.pdo.kind == PdoKind::Rpdo && state.deadline != 0)
             else {

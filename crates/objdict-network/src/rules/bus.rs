@@ -77,7 +77,7 @@ text_rules! {
 
     PDO_TIMES = "network/pdo-times", Warning;
     summary: "the times of a PDO contradict each other",
-    checks: "Whether the event timer of a TPDO is not shorter than its inhibit time, and each receiver waits longer than the event timer.",
+    checks: "Whether the event timer of a TPDO is not shorter than its inhibit time, and each receiver, the manager of a `bus.yml` included, waits longer than the event timer.",
     why: "A PDO is not sent more often than its inhibit time allows; a receiver that waits too short reports EMCY 8250h all the time.",
     example: "an inhibit time of 100 ms, an event timer of 50 ms",
     remedy: "Make the event timer longer than the inhibit time, and the deadline longer than the event timer.",

@@ -172,6 +172,11 @@ impl<'a> Meanings<'a> {
         self.templates.get(parameter.template.as_deref()?).copied()
     }
 
+    /// The type that the application process defines for an entry or object, with aliases resolved.
+    pub fn type_of(&self, entry: &'a Entry) -> Option<&'a TypeDefinition> {
+        self.definition(self.described(entry).data_type?)
+    }
+
     /// The engineering value of an entry, as its parameter, the template of that, or what the entry refers to says.
     pub fn scaling_of(&self, entry: &'a Entry) -> Scaling<'a> {
         self.described(entry).scaling

@@ -59,12 +59,28 @@ text_rules! {
     remedy: "Correct one of the two, or remove that of the object.",
     source: "CiA 311 annex A",
 
+    CONTRADICTING_NAME = "cia311/contradicting-name", Note;
+    summary: "an object and its parameter have different names",
+    checks: "Whether `name` of an object is one of the labels of the parameter that it refers to, if that has labels. Blanks and capital letters are ignored.",
+    why: "Tools show one or the other: users of two tools look for one object under two names. Often the reference leads to the wrong parameter.",
+    example: r#"`name="Speed"` of an object whose parameter has `<label lang="en">Torque</label>`"#,
+    remedy: "Write the same name, or correct `uniqueIDRef`.",
+    source: "CiA 311 annex A",
+
     WRONG_OBJECT_COUNT = "cia311/wrong-object-count", Warning;
     summary: "the number of objects is wrong",
     checks: "Whether `manufacturerObjects` is the number of objects from 2000h to 5FFFh, and the sum of `mandatoryObjects` and `optionalObjects` the number of the others, with or without data type definitions below 1000h. Only the sum is checked because the mandatory objects depend on the device.",
     why: "Objects were added or removed without updating the count; an object may be missing.",
     example: r#"`mandatoryObjects="3" optionalObjects="10"` with twelve objects below 2000h and from 6000h on"#,
     remedy: "Write the right numbers, or remove the attributes.",
+    source: "CiA 311 annex A",
+
+    DUPLICATE_BAUD_RATE = "cia311/duplicate-baud-rate", Warning;
+    summary: "a bit rate is listed twice",
+    checks: "Whether each `supportedBaudRate` of a `baudRate` occurs once.",
+    why: "Usually the second one should be another bit rate, which tools do not offer.",
+    example: r#"Two `<supportedBaudRate value="250 Kbps"/>`"#,
+    remedy: "Remove one of them, or correct it.",
     source: "CiA 311 annex A",
 
     DEFAULT_BAUD_RATE_NOT_SUPPORTED = "cia311/default-baud-rate-not-supported", Warning;
@@ -93,6 +109,7 @@ pub(super) fn check(walk: &mut Walk<'_, '_>) {
         counts(list, walk.findings);
     }
     for baud_rate in walk.seen.of([n::baudRate]) {
+        duplicate_baud_rate(baud_rate, walk.findings);
         default_baud_rate(baud_rate, walk.findings);
     }
 }
@@ -136,6 +153,7 @@ fn against_parameter(object: Element<'_>, ids: &Ids<'_>, findings: &mut Findings
             n::defaultValue => value(attribute, parameter, parameter.child(n::defaultValue), findings),
             n::actualValue => value(attribute, parameter, parameter.child(n::actualValue), findings),
             n::lowLimit => value(attribute, parameter, single_range(parameter, n::minValue), findings),
+            n::name => label(attribute, parameter, findings),
             n::highLimit => value(attribute, parameter, single_range(parameter, n::maxValue), findings),
             _ => {}
         }
@@ -263,6 +281,20 @@ fn value(
     findings.push(finding.label(other.value_span(), "the parameter").help(help));
 }
 
+fn label(attribute: Attribute<'_>, parameter: Element<'_>, findings: &mut Findings) {
+    let name = attribute.value();
+    let labels: Vec<_> = parameter.children_named(n::label).collect();
+    let Some(first) = labels.first().filter(|_| !name.trim_ascii().is_empty()) else { return };
+    if labels.iter().any(|label| spelling(&label.text()) == spelling(&name)) {
+        return;
+    }
+    let message =
+        say!("`name` is `{}` here, but `{}` in the parameter", name.trim_ascii(), first.text().trim_ascii());
+    let finding = Diagnostic::new(&CONTRADICTING_NAME, attribute.value_span(), message);
+    let help = "write the same name, or correct `uniqueIDRef`";
+    findings.push(finding.label(first.text_span(), "the parameter").help(help));
+}
+
 /// A text without differences of spelling: blanks and capital letters.
 fn spelling(text: &str) -> String {
     text.split_ascii_whitespace().collect::<String>().to_ascii_lowercase()
@@ -303,6 +335,20 @@ fn counts(list: Element<'_>, findings: &mut Findings) {
             Some(right) => finding.help(format!("write `{right}` if {mandatory} are mandatory")),
             None => finding.help("count the objects again"),
         });
+    }
+}
+
+fn duplicate_baud_rate(baud_rate: Element<'_>, findings: &mut Findings) {
+    let mut first = HashMap::new();
+    let rates = baud_rate.children_named(n::supportedBaudRate).filter_map(|rate| rate.attribute(n::value));
+    for rate in rates {
+        let value = rate.value();
+        let Some(before) = first.insert(value.trim_ascii().to_owned(), rate) else { continue };
+        let message = format!("the bit rate `{}` is listed twice", value.trim_ascii());
+        let finding = Diagnostic::new(&DUPLICATE_BAUD_RATE, rate.value_span(), message);
+        findings.push(
+            finding.label(before.value_span(), "also here").help("remove one of the two, or correct it"),
+        );
     }
 }
 

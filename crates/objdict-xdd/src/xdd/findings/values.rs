@@ -117,7 +117,7 @@ fn finding(text: &str, kind: Kind, at: Span, name: &str) -> Diagnostic {
         Kind::Number(low, high) => invalid_number(text, &shown, name, (low, high), at),
         Kind::Decimal if decimal(text).is_some() => {
             new(&INVALID_SCALING, "not a valid multiplier: all values become 0")
-                .help("write the factor or remove the attribute for 1")
+                .help("write the factor, 1 for no scaling")
         }
         Kind::Decimal => new(&INVALID_SCALING, &format!("not a number, as `{name}` requires"))
             .help("write a number with a decimal point"),

@@ -136,7 +136,7 @@ elements! {
         templateIDRef?: Kind::Reference(Target::AllowedValuesTemplate) => [template],
     ), [any VALUE => [values], any RANGE => [ranges]];
     RANGE global range of ValueRange, [one MIN_VALUE => [min], one MAX_VALUE => [max], maybe STEP => [step]];
-    UNIT global unit of Unit (multiplier!: Kind::Text => [multiplier], unitURI?: Kind::Text => [uri]), [some (LABELS) => [labels.0]];
+    UNIT global unit of Unit (multiplier!: Kind::Decimal => [multiplier], unitURI?: Kind::Text => [uri]), [some (LABELS) => [labels.0]];
     PROPERTY global property of Property (name*: Kind::Text => [name], value!: Kind::Text => [value]);
 
     PARAMETER_GROUP_LIST global parameterGroupList of ApplicationProcess, [some PARAMETER_GROUP => [groups]];
