@@ -106,7 +106,7 @@ impl Parts<'_> {
         // for a PDO that the configuration makes valid, only this part can show the change
         self.only_if(change.can_id || (change.bit_31 && id.is_valid()));
         if !id.is_valid() {
-            self.say(1, ("does not exist until bit 31 is cleared", "ungültig, bis Bit 31 gelöscht wird"));
+            self.put(1, self.decoder.validity(id).to_owned());
             self.only_if(change.bit_31);
         }
         if self.pdo.kind == PdoKind::Tpdo {
@@ -315,7 +315,7 @@ mod tests {
         assert!(view.is_off && view.diagram.is_none());
         assert_eq!(
             sentence::joined(&view.parts),
-            "COB-ID 0x285, ungültig, bis Bit 31 gelöscht wird, kein RTR, synchron, mit jedem 3. SYNC, \
+            "COB-ID 0x285, ungültig, kein RTR, synchron, mit jedem 3. SYNC, \
              Inhibit-Time 1,5 ms, trägt nichts"
         );
     }
@@ -338,7 +338,7 @@ mod tests {
             marked.iter().map(|part| (&*part.text, part.default.as_deref().unwrap_or(""))).collect();
         assert_eq!(
             texts,
-            [("no RTR", "CAN-ID 0x285, 11 bits, does not exist"), ("inhibit time 5 ms", "1 ms"),]
+            [("no RTR", "CAN-ID 0x285, 11 bits, not valid"), ("inhibit time 5 ms", "1 ms"),]
         );
     }
 

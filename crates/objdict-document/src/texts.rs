@@ -105,7 +105,7 @@ texts! {
     receives: "receives", "empfängt";
     sends_and_receives: "sends and receives", "sendet und empfängt";
     differs: "not the predefined one", "nicht der vordefinierte";
-    off: "off", "aus";
+    not_valid: "not valid", "ungültig";
     not_stated: "not stated", "nicht angegeben";
     absent: "not supported", "nicht unterstützt";
     // areas of the dictionary

@@ -210,9 +210,7 @@ fn summary(view: &View<'_>) -> String {
     } else if let Some(node_id) = view.node_id {
         facts.push(format!("as node {node_id}"));
     }
-    if let Some(profile) = device.profile().filter(|&profile| profile != 0) {
-        facts.push(format!("CiA {profile}"));
-    }
+    facts.extend(Decoder::english(device, view.node_id).device_profile());
     let entries: usize = device.objects.values().map(|object| object.entries().count()).sum();
     facts.push(plural(device.pdo_count(PdoKind::Rpdo), "RPDO"));
     facts.push(plural(device.pdo_count(PdoKind::Tpdo), "TPDO"));

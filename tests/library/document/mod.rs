@@ -10,7 +10,7 @@ use std::process::{Command, Stdio};
 use objdict::document::{self, CodeName, Finding, Form, Identifiers, Options, Site, Subject};
 use objdict::format::Description;
 use objdict::generate;
-use objdict::model::Device;
+use objdict::model::{Device, Value};
 use objdict::report::Location;
 
 fn open(path: &str) -> Description {
@@ -258,6 +258,29 @@ fn several_devices_make_a_site() {
                 assert_eq!(names, ["index.csv", "links.csv", "messages.csv"]);
                 insta::assert_snapshot!("index.csv", index.replace('\r', ""));
             }
+        }
+    }
+}
+
+/// A number in 1000h that no document of CiA has, in all forms, and on the index.
+#[test]
+fn a_profile_number_is_not_a_document() {
+    let mut device = open("eds/drive-402.eds").device().clone();
+    device.objects.get_mut(&0x1000).unwrap().main.default = Some(Value::Unsigned(0x0100));
+    let subject = Subject {
+        device: &device,
+        file: "servo.eds",
+        format: "EDS",
+        findings: None,
+        identifiers: &Default::default(),
+    };
+    for form in Form::ALL {
+        let mut site = Site::new(form, &Options::default());
+        let page = site.add(&subject).text;
+        let index = site.index().swap_remove(0).text;
+        for text in [page, index] {
+            assert!(text.contains("profile number 256 (not a CiA profile)"), "{form:?}: {text}");
+            assert!(!text.contains("CiA 256"), "{form:?}");
         }
     }
 }

@@ -2,7 +2,7 @@
 //! same bytes.
 //!
 //! ```text
-//! 1800:01  UNSIGNED32  0x80000185  # TPDO communication parameter / COB-ID: does not exist
+//! 1800:01  UNSIGNED32  0x80000185  # TPDO communication parameter / COB-ID: not valid
 //! 1800:02  UNSIGNED8   254
 //! 2001:00  VISIBLE_STRING  "pump 3"
 //! 2002:00  BYTES  00 11 22
