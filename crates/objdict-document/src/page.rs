@@ -5,6 +5,7 @@ use std::collections::BTreeMap;
 
 use super::card::Card;
 use super::communication::Communication;
+use super::downloads::{self, DownloadView};
 use super::finding::Found;
 use super::groups::{self, ShownGroup};
 use super::object::{self, Area};
@@ -26,6 +27,8 @@ pub(crate) struct Page<'a> {
     /// The findings of `check` by rule; `None` if it did not run.
     pub(crate) findings: Option<Vec<Found<'a>>>,
     pub(crate) communication: Communication,
+    /// What configures the node, in order; empty for a device type.
+    pub(crate) downloads: Vec<DownloadView>,
     pub(crate) areas: Vec<Area<'a>>,
     pub(crate) groups: Vec<ShownGroup<'a>>,
     /// Whether any entry has a configured value.
@@ -51,6 +54,7 @@ impl<'a> Page<'a> {
             card,
             findings: subject.findings.map(Found::by_rule),
             communication: Communication::new(&context.decoder, &|entry| context.name(entry).to_owned()),
+            downloads: downloads::downloads(context),
             groups: groups::groups(context),
             areas,
             is_configured,

@@ -336,10 +336,7 @@ mod tests {
         let marked: Vec<_> = view.parts.iter().filter(|part| part.is_changed).collect();
         let texts: Vec<_> =
             marked.iter().map(|part| (&*part.text, part.default.as_deref().unwrap_or(""))).collect();
-        assert_eq!(
-            texts,
-            [("no RTR", "CAN-ID 0x285, 11 bits, not valid"), ("inhibit time 5 ms", "1 ms"),]
-        );
+        assert_eq!(texts, [("no RTR", "CAN-ID 0x285, 11 bits, not valid"), ("inhibit time 5 ms", "1 ms"),]);
     }
 
     #[test]

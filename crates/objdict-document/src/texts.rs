@@ -108,6 +108,10 @@ texts! {
     not_valid: "not valid", "ungültig";
     not_stated: "not stated", "nicht angegeben";
     absent: "not supported", "nicht unterstützt";
+    downloads: "Downloads", "Downloads";
+    sent_in_this_order: "The node is sent these values in this order. PDOs and other services are set to not valid before they change.", "Der Knoten bekommt diese Werte in dieser Reihenfolge. PDOs und andere Dienste werden ungültig, bevor sie sich ändern.";
+    number: "No.", "Nr.";
+    entry: "Entry", "Eintrag";
     // areas of the dictionary
     data_types: "Data types", "Datentypen";
     communication_area: "Communication profile", "Kommunikationsprofil";
@@ -152,7 +156,6 @@ texts! {
     manager: "manager", "Manager";
     heartbeat: "Heartbeat", "Heartbeat";
     guarding: "Guarding", "Guarding";
-    downloads: "Downloads", "Downloads";
     bytes: "Bytes", "Bytes";
     matrix: "Who sends to whom", "Wer sendet an wen";
     network_links: "Links", "Verbindungen";

@@ -255,7 +255,7 @@ fn several_devices_make_a_site() {
                 insta::assert_snapshot!("index.md", index);
             }
             Form::Csv => {
-                assert_eq!(names, ["index.csv", "links.csv", "messages.csv"]);
+                assert_eq!(names, ["index.csv", "links.csv", "messages.csv", "downloads.csv"]);
                 insta::assert_snapshot!("index.csv", index.replace('\r', ""));
             }
         }

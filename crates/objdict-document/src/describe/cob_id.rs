@@ -51,9 +51,7 @@ impl Decoder<'_> {
     pub(super) fn sdo_cob_id(&self, value: &Value) -> Option<String> {
         self.cob_id(value, |id| match (id.is_valid(), id.bit_30()) {
             (true, true) => self.pick("valid, assigned dynamically", "gültig, dynamisch vergeben"),
-            (false, true) => {
-                self.pick("not valid, assigned dynamically", "ungültig, dynamisch vergeben")
-            }
+            (false, true) => self.pick("not valid, assigned dynamically", "ungültig, dynamisch vergeben"),
             (_, false) => self.validity(id),
         })
     }

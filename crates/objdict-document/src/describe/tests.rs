@@ -12,10 +12,7 @@ fn german(index: u16, sub: u8, number: u64) -> String {
 #[test]
 fn cob_ids_say_what_they_do() {
     assert_eq!(of(0x1400, 1, &Value::NodeId(0x200), Some(5)), "CAN-ID 0x205, 11 bits, valid");
-    assert_eq!(
-        of(0x1400, 1, &Value::NodeId(0x8000_0200), None),
-        "CAN-ID $NODEID+0x200, 11 bits, not valid"
-    );
+    assert_eq!(of(0x1400, 1, &Value::NodeId(0x8000_0200), None), "CAN-ID $NODEID+0x200, 11 bits, not valid");
     assert_eq!(
         of(0x1801, 1, &Value::Unsigned(0x4000_0285), None),
         "CAN-ID 0x285, 11 bits, valid, no remote frames"

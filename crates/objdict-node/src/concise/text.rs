@@ -98,7 +98,7 @@ pub fn print(configuration: &ConciseDcf, annotate: impl Fn(&Download) -> Annotat
 }
 
 /// The type keyword and the value; parsing them gives the same bytes.
-fn spelled(download: &Download, data_type: Option<DataType>) -> (&'static str, String) {
+pub fn spelled(download: &Download, data_type: Option<DataType>) -> (&'static str, String) {
     let typed = data_type.and_then(|data_type| {
         let word = data_type.name()?;
         let text = value_text(download, data_type)?;
