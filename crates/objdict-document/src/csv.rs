@@ -53,7 +53,7 @@ const COLUMNS: [Column; 34] = [
     ("object_name_in_file", |row| row.object.own_name.as_deref().unwrap_or_default().into()),
     ("default_formula", |row| row.formula(|entry| entry.default.as_ref())),
     ("value_formula", |row| row.formula(Entry::configured_value)),
-    ("mapped_in", |row| row.of(|view| view.details.carried_by.as_deref().unwrap_or_default())),
+    ("mapped_in", |row| row.details(|details| details.carried_by.join(", "))),
     ("named_values", |row| row.details(|details| named(&details.values, "; "))),
     ("bit_fields", |row| row.details(bit_fields)),
     ("groups", |row| row.groups.into()),

@@ -50,13 +50,18 @@ pub(crate) fn pdos(decoder: &Decoder<'_>, name: &dyn Fn(&Entry) -> String) -> Ve
     decoder.device.pdos().map(|pdo| view(decoder, &pdo, name)).collect()
 }
 
+/// The anchor of the PDO with this title: `tpdo1`.
+pub(crate) fn anchor(title: &str) -> String {
+    title.replace(' ', "").to_lowercase()
+}
+
 fn view(decoder: &Decoder<'_>, pdo: &Pdo<'_>, name: &dyn Fn(&Entry) -> String) -> PdoView {
     let layout = Layout::new(decoder.device, pdo, name);
     let title = pdo.to_string();
     let objects = [(pdo.communication_index(), pdo.communication), (pdo.mapping_index(), pdo.mapping)];
     let objects = objects.into_iter().filter(|(_, object)| object.is_some());
     PdoView {
-        id: title.replace(' ', "").to_lowercase(),
+        id: anchor(&title),
         is_off: pdo.is_valid() == Some(false),
         objects: objects.map(|(index, _)| Anchor::object(index)).collect(),
         parts: Parts { decoder, pdo, parts: Vec::new() }.all(&layout),

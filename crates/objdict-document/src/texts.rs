@@ -128,11 +128,12 @@ texts! {
     warning: "warning", "Warnung";
     note: "note", "Hinweis";
     line: "line", "Zeile";
+    also_at: "also at", "auch bei";
     // several devices
     devices: "Devices", "Geräte";
     nodes: "nodes", "Knoten";
     entries: "Entries", "Einträge";
-    bold_differs: "values in bold differ from the default", "fett gedruckte Werte weichen von der Vorgabe ab";
+    bold_differs: "Values in bold are configured and differ from the default.", "Fett gedruckte Werte sind konfiguriert und weichen von der Vorgabe ab.";
     counted_objects: "objects", "Objekte";
     counted_entries: "entries", "Einträge";
     errors: "Errors", "Fehler";

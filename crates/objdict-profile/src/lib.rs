@@ -13,6 +13,7 @@ mod facts;
 mod load;
 #[cfg(feature = "toml")]
 mod open;
+mod mask;
 pub mod standard;
 #[doc(hidden)]
 pub mod tables;
@@ -24,6 +25,7 @@ pub use decode::{bits, meaning, of_object};
 pub use facts::{BitField, Confidence, EntryFacts, Mapping, Need, ObjectFacts};
 #[cfg(feature = "toml")]
 pub use load::ProfileError;
+pub use mask::Values;
 #[cfg(feature = "toml")]
 pub use open::{OpenError, open};
 pub use standard::{access, data_type, named, obsolete, standard};

@@ -11,7 +11,7 @@ use objdict::document::{self, CodeName, Finding, Form, Identifiers, Options, Sit
 use objdict::format::Description;
 use objdict::generate;
 use objdict::model::{Device, Value};
-use objdict::report::Location;
+use objdict::report::{Location, grouped};
 
 fn open(path: &str) -> Description {
     objdict::format::open(
@@ -32,7 +32,8 @@ fn unchecked(path: &str, form: Form, options: &Options) -> String {
 /// The documentation of a fixture with what `check` finds in it.
 fn page(path: &str, form: Form, options: &Options) -> String {
     let description = open(path);
-    let findings: Vec<Finding> = objdict::check_with(&description, &Default::default())
+    let findings = grouped(&description, objdict::check_with(&description, &Default::default()));
+    let findings: Vec<Finding> = findings
         .iter()
         .map(|finding| Finding::new(finding, Location::line_of((&description).into(), finding)))
         .collect();
@@ -283,4 +284,29 @@ fn a_profile_number_is_not_a_document() {
             assert!(!text.contains("CiA 256"), "{form:?}");
         }
     }
+}
+
+/// Findings of one cause are one, as `check` shows them; each of their places is a link.
+#[test]
+fn findings_of_one_cause_are_joined() {
+    let html = page("broken/c-suffix-numbers.eds", Form::Html, &Options::default());
+    let markdown = page("broken/c-suffix-numbers.eds", Form::Markdown, &Options::default());
+    let (in_html, in_markdown) =
+        (html.split_once("id=\"findings\"").unwrap().1, markdown.split_once("id=\"findings\"").unwrap().1);
+    assert!(in_html.contains("more like this") && in_html.contains("<small>also at <a href=\"#"), "{in_html}");
+    assert!(in_markdown.contains("<br>also at [0x"), "{in_markdown}");
+}
+
+/// What bold means, and where the PDOs are that carry an entry.
+#[test]
+fn changed_values_have_a_legend_and_pdos_are_linked() {
+    let words = "Values in bold are configured and differ from the default.";
+    let dcf = page("dcf/drive-402-node8.dcf", Form::Html, &Options::default());
+    assert_eq!(dcf.matches(words).count(), 2);
+    assert!(dcf.contains("<dd><a href=\"#rpdo1\">RPDO 1</a></dd>"), "6040h is mapped in RPDO 1");
+    assert!(dcf.contains("<code>x01x 0111</code> operation enabled"), "states are masks");
+    let markdown = page("dcf/drive-402-node8.dcf", Form::Markdown, &Options::default());
+    assert_eq!(markdown.matches(words).count(), 2);
+    assert!(markdown.contains("[RPDO 1](#rpdo1)") && markdown.contains("`x01x 0111` operation enabled"));
+    assert!(!page("eds/drive-402.eds", Form::Html, &Options::default()).contains(words));
 }
