@@ -8,6 +8,7 @@ use std::path::Path;
 use askama::Template;
 
 use super::anchor::Anchor;
+use super::escape::filters;
 use super::network::{NetworkView, SiteNetwork, StatedNode, stated, tables};
 use super::page::{Context, Page};
 use super::policy::with_policy;

@@ -11,9 +11,9 @@ pub mod default_mapping;
 mod facts;
 #[cfg(feature = "toml")]
 mod load;
+mod mask;
 #[cfg(feature = "toml")]
 mod open;
-mod mask;
 pub mod standard;
 #[doc(hidden)]
 pub mod tables;

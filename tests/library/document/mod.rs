@@ -293,7 +293,10 @@ fn findings_of_one_cause_are_joined() {
     let markdown = page("broken/c-suffix-numbers.eds", Form::Markdown, &Options::default());
     let (in_html, in_markdown) =
         (html.split_once("id=\"findings\"").unwrap().1, markdown.split_once("id=\"findings\"").unwrap().1);
-    assert!(in_html.contains("more like this") && in_html.contains("<small>also at <a href=\"#"), "{in_html}");
+    assert!(
+        in_html.contains("more like this") && in_html.contains("<small>also at <a href=\"#"),
+        "{in_html}"
+    );
     assert!(in_markdown.contains("<br>also at [0x"), "{in_markdown}");
 }
 
