@@ -63,12 +63,7 @@ impl Card {
         let stated = |text: Option<&'a String>| text.map(|text| text.trim()).filter(|text| !text.is_empty());
         let title = stated(info.and_then(|info| info.product_name.as_ref()));
         let vendor = stated(info.and_then(|info| info.vendor_name.as_ref())).map(str::to_owned);
-        let profile = device.profile().filter(|&profile| profile != 0);
-        let profile = profile.map(|profile| match profile {
-            0xFFFF => context.language.pick("several device profiles", "mehrere Geräteprofile").to_owned(),
-            profile => format!("CiA {profile}"),
-        });
-        let subtitle: Vec<String> = vendor.into_iter().chain(profile).collect();
+        let subtitle: Vec<String> = vendor.into_iter().chain(context.decoder.device_profile()).collect();
         Self {
             title: title.unwrap_or(subject.file).to_owned(),
             subtitle: subtitle.join(" · "),

@@ -89,7 +89,7 @@ impl State {
         match self {
             Self::Used => "",
             Self::Differs => texts.differs,
-            Self::Off => texts.off,
+            Self::Off => texts.not_valid,
             Self::Unstated => texts.not_stated,
             Self::Absent => texts.absent,
         }

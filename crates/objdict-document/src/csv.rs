@@ -22,12 +22,14 @@ struct Row<'a> {
     entry: Option<Cow<'a, Entry>>,
     /// The groups of the entry: `Drive / Limits`.
     groups: &'a str,
+    /// The numbers of its downloads with their values: `3 = 0x80000201; 9 = 0x201`.
+    downloads: &'a str,
 }
 
 type Column = (&'static str, for<'a> fn(&'a Row<'a>) -> Cow<'a, str>);
 
 /// The columns in order. This is a stable interface: columns are never renamed, moved or removed.
-const COLUMNS: [Column; 33] = [
+const COLUMNS: [Column; 34] = [
     ("index", |row| format!("0x{:04X}", row.object.index).into()),
     ("sub", |row| row.view.map_or("".into(), |view| format!("0x{:02X}", view.sub).into())),
     ("object_name", |row| row.object.name.as_ref().into()),
@@ -51,7 +53,7 @@ const COLUMNS: [Column; 33] = [
     ("object_name_in_file", |row| row.object.own_name.as_deref().unwrap_or_default().into()),
     ("default_formula", |row| row.formula(|entry| entry.default.as_ref())),
     ("value_formula", |row| row.formula(Entry::configured_value)),
-    ("mapped_in", |row| row.of(|view| view.details.carried_by.as_deref().unwrap_or_default())),
+    ("mapped_in", |row| row.details(|details| details.carried_by.join(", "))),
     ("named_values", |row| row.details(|details| named(&details.values, "; "))),
     ("bit_fields", |row| row.details(bit_fields)),
     ("groups", |row| row.groups.into()),
@@ -61,6 +63,7 @@ const COLUMNS: [Column; 33] = [
     ("object_keys", |row| pairs(&row.object.details.keys).into()),
     ("links", |row| links(row.object).into()),
     ("invalid_values", |row| row.invalid_values().into()),
+    ("downloads", |row| row.downloads.into()),
 ];
 
 impl<'a> Row<'a> {
@@ -147,12 +150,13 @@ fn links(object: &ObjectView<'_>) -> String {
 /// Writes the dictionary as CSV (RFC 4180) with a byte order mark, without which spreadsheets guess the
 /// encoding.
 pub(super) fn write(page: &Page<'_>, device: &Device) -> String {
-    let groups = groups(page);
+    let (groups, downloads) = (groups(page), downloads(page));
     let mut text = String::with_capacity(1000 + 150 * page.entry_count());
     text.push('\u{FEFF}');
     line(&mut text, COLUMNS.iter().map(|(name, _)| Cow::Borrowed(*name)));
     for object in page.areas.iter().flat_map(|area| &area.objects) {
-        let mut row = Row { node_id: page.node_id, object, view: None, entry: None, groups: "" };
+        let mut row =
+            Row { node_id: page.node_id, object, view: None, entry: None, groups: "", downloads: "" };
         let in_group = |anchor: Anchor| groups.get(&(anchor.index, anchor.sub)).map(String::as_str);
         let of_object = in_group(object.anchor()).unwrap_or_default();
         if object.entries.is_empty() {
@@ -165,6 +169,7 @@ pub(super) fn write(page: &Page<'_>, device: &Device) -> String {
                 view: Some(view),
                 entry: Some(entry),
                 groups: in_group(view.anchor()).unwrap_or(of_object),
+                downloads: downloads.get(&(view.index, Some(view.sub))).map_or("", String::as_str),
                 ..row
             };
             line(&mut text, COLUMNS.iter().map(|(_, field)| field(&row)));
@@ -180,6 +185,18 @@ pub(super) fn line<'a>(text: &mut String, fields: impl IntoIterator<Item = Cow<'
         let _ = write!(text, "{between}{}", escape::field(&field)); // writing to a String cannot fail
     }
     text.push_str("\r\n");
+}
+
+/// The downloads to each entry.
+fn downloads(page: &Page<'_>) -> HashMap<(u16, Option<u8>), String> {
+    let mut found: HashMap<_, String> = HashMap::new();
+    for (number, download) in (1_u32..).zip(&page.downloads) {
+        let value = download.value.as_ref().map_or_else(|| download.shown.clone(), plain);
+        let texts = found.entry((download.entry.index, download.entry.sub)).or_default();
+        let between = if texts.is_empty() { "" } else { "; " };
+        let _ = write!(texts, "{between}{} = {value}", number); // writing to a String cannot fail
+    }
+    found
 }
 
 /// The groups of each object and entry, with their parent groups.

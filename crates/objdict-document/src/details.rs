@@ -7,7 +7,7 @@ use super::anchor::Anchor;
 use super::page::Context;
 use crate::Language;
 use crate::model::{Entry, Field, Meaning, Parameter, Scaling};
-use crate::profile::{self, BitField, EntryFacts, ObjectFacts};
+use crate::profile::{self, BitField, EntryFacts, ObjectFacts, Values};
 
 /// Fields shown elsewhere on a page.
 pub(super) const VALUES: [Field; 4] =
@@ -23,7 +23,7 @@ pub(crate) struct Details<'a> {
     /// The application-specific name.
     pub(crate) denotation: Option<String>,
     /// The PDOs that map it: `TPDO 1`.
-    pub(crate) carried_by: Option<String>,
+    pub(crate) carried_by: Vec<String>,
     /// Named values.
     pub(crate) values: Vec<(i128, &'a str)>,
     /// Bit fields as named in the description.
@@ -76,7 +76,7 @@ impl Details<'_> {
         self.unit.is_none()
             && self.allowed.is_none()
             && self.denotation.is_none()
-            && self.carried_by.is_none()
+            && self.carried_by.is_empty()
             && self.facts.is_empty()
             && self.keys.is_empty()
     }
@@ -104,9 +104,10 @@ impl Details<'_> {
 
 impl Part<'static> {
     fn of_document(field: &BitField<'static>) -> Self {
-        let values = field.meanings().map(|(numbers, name)| match (numbers.start(), numbers.end()) {
-            (first, last) if first == last => (first.to_string(), name),
-            (first, last) => (format!("{first}–{last}"), name),
+        let values = field.masked().into_iter().map(|(values, name)| match values {
+            Values::Mask(mask) => (mask, name),
+            Values::Range(numbers) if numbers.start() == numbers.end() => (numbers.start().to_string(), name),
+            Values::Range(numbers) => (format!("{}–{}", numbers.start(), numbers.end()), name),
         });
         Self { first: field.first, last: field.last, name: field.name, values: values.collect() }
     }

@@ -22,6 +22,8 @@ pub struct Finding {
     pub help: Option<String>,
     /// The place in the dictionary; `None` if it has only a position in the text.
     pub place: Option<Place>,
+    /// The places of the findings that are joined with it ([`Diagnostic::also`]).
+    pub also: Vec<Place>,
     /// The line in the file, counted from 1; `None` without a text.
     pub line: Option<u32>,
 }
@@ -30,10 +32,12 @@ impl Finding {
     /// Converts a diagnostic. For the line in the file see `report::Location::line_of`; `None` without a
     /// text.
     pub fn new(finding: &Diagnostic, line: Option<u32>) -> Self {
-        let place = finding.labels.iter().find_map(|label| match &label.at {
-            At::Place(place) => Some(place.clone()),
-            At::Span(_) | At::Node(..) => None,
-        });
+        let place = |finding: &Diagnostic| {
+            finding.labels.iter().find_map(|label| match &label.at {
+                At::Place(place) => Some(place.clone()),
+                At::Span(_) | At::Node(..) => None,
+            })
+        };
         Self {
             severity: finding.severity,
             rule: finding.rule.id,
@@ -41,17 +45,27 @@ impl Finding {
             address: finding.rule.address(),
             message: in_one_spelling(&finding.message.to_string()),
             help: finding.help.as_ref().map(|help| in_one_spelling(&help.to_string())),
-            place,
+            place: place(finding),
+            also: finding.also.iter().filter_map(place).collect(),
             line,
         }
     }
 
     /// The object or entry of the finding.
     pub(crate) fn anchor(&self) -> Option<Anchor> {
-        match self.place.as_ref()?.part {
-            Part::Entry(index, sub) => Some(Anchor::entry(index, sub)),
-            ref part => part.object().map(Anchor::object),
-        }
+        anchor(self.place.as_ref()?)
+    }
+
+    /// The objects and entries of the findings that are joined with it.
+    pub(crate) fn others(&self) -> Vec<Anchor> {
+        self.also.iter().filter_map(anchor).collect()
+    }
+}
+
+fn anchor(place: &Place) -> Option<Anchor> {
+    match place.part {
+        Part::Entry(index, sub) => Some(Anchor::entry(index, sub)),
+        ref part => part.object().map(Anchor::object),
     }
 }
 

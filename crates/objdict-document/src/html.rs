@@ -2,6 +2,7 @@
 
 use askama::Template;
 
+use super::escape::filters;
 use super::page::Page;
 use super::policy::with_policy;
 

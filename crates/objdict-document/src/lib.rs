@@ -12,6 +12,7 @@ pub mod dbc;
 pub mod describe;
 mod details;
 mod diagram;
+mod downloads;
 mod entry;
 mod escape;
 mod finding;

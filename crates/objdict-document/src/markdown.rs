@@ -28,13 +28,15 @@ struct Line<'a> {
     /// Whether the label is a key of the file.
     is_key: bool,
     text: Cow<'a, str>,
+    /// PDOs of the page.
+    pdos: &'a [String],
     /// Numbers with their names.
     values: Vec<(String, &'a str)>,
 }
 
 impl<'a> Line<'a> {
     fn new(label: impl Into<Cow<'a, str>>, text: impl Into<Cow<'a, str>>) -> Self {
-        Self { label: label.into(), is_key: false, text: text.into(), values: Vec::new() }
+        Self { label: label.into(), is_key: false, text: text.into(), pdos: &[], values: Vec::new() }
     }
 
     fn key(label: impl Into<Cow<'a, str>>, text: impl Into<Cow<'a, str>>) -> Self {
@@ -76,7 +78,9 @@ impl<'a> PageTemplate<'a> {
         lines.extend(details.allowed.as_deref().map(|values| Line::new(texts.allowed, values)));
         lines.extend(details.unit.as_deref().map(|unit| Line::new(texts.unit, unit)));
         lines.extend(details.denotation.as_deref().map(|text| Line::new(texts.denotation, text)));
-        lines.extend(details.carried_by.as_deref().map(|pdos| Line::new(texts.mapped, pdos)));
+        if !details.carried_by.is_empty() {
+            lines.push(Line { pdos: &details.carried_by, ..Line::new(texts.mapped, "") });
+        }
         lines.extend(details.facts.iter().map(|(name, text)| Line::new(*name, text)));
         lines.extend(details.keys.iter().map(|(name, text)| Line::key(name, text)));
         if !details.values.is_empty() {

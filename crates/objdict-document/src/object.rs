@@ -10,6 +10,7 @@ use super::entry::EntryView;
 use super::page::Context;
 use super::texts::Texts;
 use super::{CodeName, profile};
+use crate::describe::is_of_cia;
 use crate::model::{Device, Object, ObjectType};
 
 /// An area of the dictionary (CiA 301 §7.4.1).
@@ -155,7 +156,7 @@ const AREAS: [(&str, Title, RangeInclusive<u16>); 14] = [
 fn profile_title(texts: &Texts, device: &Device, first: u16) -> String {
     let block = u8::try_from((first - 0x6000) / 0x800).unwrap_or_default();
     let has_several = device.objects.range(0x6800..=0x9FFF).next().is_some();
-    let number = crate::profile::number_of(device, block).filter(|number| !matches!(number, 0 | 0xFFFF));
+    let number = crate::profile::number_of(device, block).filter(|&number| is_of_cia(number.into()));
     let mut title = texts.profile_area.to_owned();
     if let Some(number) = number {
         title.push_str(&format!(" CiA {number}"));

@@ -5,6 +5,7 @@ use std::collections::BTreeMap;
 
 use super::card::Card;
 use super::communication::Communication;
+use super::downloads::{self, DownloadView};
 use super::finding::Found;
 use super::groups::{self, ShownGroup};
 use super::object::{self, Area};
@@ -26,6 +27,8 @@ pub(crate) struct Page<'a> {
     /// The findings of `check` by rule; `None` if it did not run.
     pub(crate) findings: Option<Vec<Found<'a>>>,
     pub(crate) communication: Communication,
+    /// What configures the node, in order; empty for a device type.
+    pub(crate) downloads: Vec<DownloadView>,
     pub(crate) areas: Vec<Area<'a>>,
     pub(crate) groups: Vec<ShownGroup<'a>>,
     /// Whether any entry has a configured value.
@@ -51,6 +54,7 @@ impl<'a> Page<'a> {
             card,
             findings: subject.findings.map(Found::by_rule),
             communication: Communication::new(&context.decoder, &|entry| context.name(entry).to_owned()),
+            downloads: downloads::downloads(context),
             groups: groups::groups(context),
             areas,
             is_configured,
@@ -98,8 +102,8 @@ pub(crate) struct Context<'a> {
     pub(crate) tag: &'a str,
     /// Meanings of values; `None` if the description has none.
     pub(crate) meanings: Option<Meanings<'a>>,
-    /// The PDOs that map an entry, in words.
-    carriers: BTreeMap<(u16, u8), String>,
+    /// The PDOs that map an entry.
+    carriers: BTreeMap<(u16, u8), Vec<String>>,
     pub(super) identifiers: &'a Identifiers,
 }
 
@@ -124,8 +128,8 @@ impl<'a> Context<'a> {
     }
 
     /// The PDOs that map an entry.
-    pub(super) fn carriers(&self, index: u16, sub: u8) -> Option<String> {
-        self.carriers.get(&(index, sub)).cloned()
+    pub(super) fn carriers(&self, index: u16, sub: u8) -> Vec<String> {
+        self.carriers.get(&(index, sub)).cloned().unwrap_or_default()
     }
 
     /// The name of an entry in the language of the page, and the name in the file if it differs.
@@ -158,18 +162,15 @@ impl<'a> Context<'a> {
 }
 
 /// The PDOs that map each entry.
-fn carriers(device: &Device) -> BTreeMap<(u16, u8), String> {
-    let mut carriers: BTreeMap<(u16, u8), String> = BTreeMap::new();
+fn carriers(device: &Device) -> BTreeMap<(u16, u8), Vec<String>> {
+    let mut carriers: BTreeMap<(u16, u8), Vec<String>> = BTreeMap::new();
     for pdo in device.pdos() {
         let name = pdo.to_string();
         for mapped in pdo.mapped().filter(|mapped| !mapped.is_dummy()) {
             let names = carriers.entry((mapped.index, mapped.sub)).or_default();
             // list a PDO that maps the entry twice only once; it would be the last in the list
-            if names.rsplit(", ").next() != Some(&name) {
-                if !names.is_empty() {
-                    names.push_str(", ");
-                }
-                names.push_str(&name);
+            if names.last() != Some(&name) {
+                names.push(name.clone());
             }
         }
     }

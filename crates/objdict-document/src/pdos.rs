@@ -50,13 +50,18 @@ pub(crate) fn pdos(decoder: &Decoder<'_>, name: &dyn Fn(&Entry) -> String) -> Ve
     decoder.device.pdos().map(|pdo| view(decoder, &pdo, name)).collect()
 }
 
+/// The anchor of the PDO with this title: `tpdo1`.
+pub(crate) fn anchor(title: &str) -> String {
+    title.replace(' ', "").to_lowercase()
+}
+
 fn view(decoder: &Decoder<'_>, pdo: &Pdo<'_>, name: &dyn Fn(&Entry) -> String) -> PdoView {
     let layout = Layout::new(decoder.device, pdo, name);
     let title = pdo.to_string();
     let objects = [(pdo.communication_index(), pdo.communication), (pdo.mapping_index(), pdo.mapping)];
     let objects = objects.into_iter().filter(|(_, object)| object.is_some());
     PdoView {
-        id: title.replace(' ', "").to_lowercase(),
+        id: anchor(&title),
         is_off: pdo.is_valid() == Some(false),
         objects: objects.map(|(index, _)| Anchor::object(index)).collect(),
         parts: Parts { decoder, pdo, parts: Vec::new() }.all(&layout),
@@ -106,7 +111,7 @@ impl Parts<'_> {
         // for a PDO that the configuration makes valid, only this part can show the change
         self.only_if(change.can_id || (change.bit_31 && id.is_valid()));
         if !id.is_valid() {
-            self.say(1, ("does not exist until bit 31 is cleared", "ungültig, bis Bit 31 gelöscht wird"));
+            self.put(1, self.decoder.validity(id).to_owned());
             self.only_if(change.bit_31);
         }
         if self.pdo.kind == PdoKind::Tpdo {
@@ -315,7 +320,7 @@ mod tests {
         assert!(view.is_off && view.diagram.is_none());
         assert_eq!(
             sentence::joined(&view.parts),
-            "COB-ID 0x285, ungültig, bis Bit 31 gelöscht wird, kein RTR, synchron, mit jedem 3. SYNC, \
+            "COB-ID 0x285, ungültig, kein RTR, synchron, mit jedem 3. SYNC, \
              Inhibit-Time 1,5 ms, trägt nichts"
         );
     }
@@ -336,10 +341,7 @@ mod tests {
         let marked: Vec<_> = view.parts.iter().filter(|part| part.is_changed).collect();
         let texts: Vec<_> =
             marked.iter().map(|part| (&*part.text, part.default.as_deref().unwrap_or(""))).collect();
-        assert_eq!(
-            texts,
-            [("no RTR", "CAN-ID 0x285, 11 bits, does not exist"), ("inhibit time 5 ms", "1 ms"),]
-        );
+        assert_eq!(texts, [("no RTR", "CAN-ID 0x285, 11 bits, not valid"), ("inhibit time 5 ms", "1 ms"),]);
     }
 
     #[test]

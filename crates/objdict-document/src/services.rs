@@ -135,11 +135,9 @@ impl Speaker<'_> {
 
     fn emcy(&self) -> Vec<Part> {
         let mut parts: Vec<Part> = self.cob_id(0x1014, 0, self.facts.emcy).into_iter().collect();
-        if self.facts.emcy.is_some_and(|id| !id.is_valid()) {
-            let off =
-                self.pick("does not exist until bit 31 is cleared", "ungültig, bis Bit 31 gelöscht wird");
+        if let Some(id) = self.facts.emcy.filter(|id| !id.is_valid()) {
             let change = ChangedCobId::of(self.decoder, 0x1014, 0);
-            parts.push(self.part(0x1014, 0, off).only_if(change.bit_31));
+            parts.push(self.part(0x1014, 0, self.decoder.validity(id)).only_if(change.bit_31));
         }
         match self.facts.emcy_inhibit_time {
             Some(0) => parts.push(self.part(0x1015, 0, self.pick("inhibit time off", "Inhibit-Time aus"))),
@@ -232,7 +230,7 @@ impl Speaker<'_> {
             let name = self.pick(english, german);
             let text = match id {
                 Some(id) if id.is_valid() => sentence::cob_id(self.decoder, id),
-                Some(_) => self.pick("off (bit 31)", "aus (Bit 31)").to_owned(),
+                Some(id) => self.decoder.validity(id).to_owned(),
                 None => self.pick("COB-ID not stated", "COB-ID nicht angegeben").to_owned(),
             };
             self.part(channel.index, sub, format!("{name} {text}"))
@@ -345,7 +343,7 @@ mod tests {
                 "EMCY consumer: node 2: COB-ID 0x082",
                 "Heartbeat producer: off",
                 "Heartbeat consumer: node 3 within 500 ms",
-                "SDO client 1: client to server off (bit 31), server to client COB-ID not stated, the server is node 7",
+                "SDO client 1: client to server not valid, server to client COB-ID not stated, the server is node 7",
                 "On errors: : operational becomes pre-operational",
                 "LSS: node-ID and bit rate can be set by LSS",
             ]

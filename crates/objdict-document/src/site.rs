@@ -8,6 +8,7 @@ use std::path::Path;
 use askama::Template;
 
 use super::anchor::Anchor;
+use super::escape::filters;
 use super::network::{NetworkView, SiteNetwork, StatedNode, stated, tables};
 use super::page::{Context, Page};
 use super::policy::with_policy;
@@ -189,11 +190,7 @@ impl Listed {
             file: subject.file.to_owned(),
             format: subject.format.to_owned(),
             vendor: info.and_then(|info| info.vendor_name.clone()).unwrap_or_default(),
-            profile: match device.profile() {
-                None | Some(0) => String::new(),
-                Some(0xFFFF) => context.language.pick("several", "mehrere").to_owned(),
-                Some(profile) => format!("CiA {profile}"),
-            },
+            profile: context.decoder.device_profile().unwrap_or_default(),
             node_id: device.node_id().and(context.node_id),
             node_name: node.and_then(|node| node.node_name.clone()).unwrap_or_default(),
             objects: page.object_count(),

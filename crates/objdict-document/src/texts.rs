@@ -105,9 +105,13 @@ texts! {
     receives: "receives", "empfängt";
     sends_and_receives: "sends and receives", "sendet und empfängt";
     differs: "not the predefined one", "nicht der vordefinierte";
-    off: "off", "aus";
+    not_valid: "not valid", "ungültig";
     not_stated: "not stated", "nicht angegeben";
     absent: "not supported", "nicht unterstützt";
+    downloads: "Downloads", "Downloads";
+    sent_in_this_order: "The node is sent these values in this order. PDOs and other services are set to not valid before they change.", "Der Knoten bekommt diese Werte in dieser Reihenfolge. PDOs und andere Dienste werden ungültig, bevor sie sich ändern.";
+    number: "No.", "Nr.";
+    entry: "Entry", "Eintrag";
     // areas of the dictionary
     data_types: "Data types", "Datentypen";
     communication_area: "Communication profile", "Kommunikationsprofil";
@@ -124,11 +128,12 @@ texts! {
     warning: "warning", "Warnung";
     note: "note", "Hinweis";
     line: "line", "Zeile";
+    also_at: "also at", "auch bei";
     // several devices
     devices: "Devices", "Geräte";
     nodes: "nodes", "Knoten";
     entries: "Entries", "Einträge";
-    bold_differs: "values in bold differ from the default", "fett gedruckte Werte weichen von der Vorgabe ab";
+    bold_differs: "Values in bold are configured and differ from the default.", "Fett gedruckte Werte sind konfiguriert und weichen von der Vorgabe ab.";
     counted_objects: "objects", "Objekte";
     counted_entries: "entries", "Einträge";
     errors: "Errors", "Fehler";
@@ -152,7 +157,6 @@ texts! {
     manager: "manager", "Manager";
     heartbeat: "Heartbeat", "Heartbeat";
     guarding: "Guarding", "Guarding";
-    downloads: "Downloads", "Downloads";
     bytes: "Bytes", "Bytes";
     matrix: "Who sends to whom", "Wer sendet an wen";
     network_links: "Links", "Verbindungen";

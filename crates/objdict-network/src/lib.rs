@@ -34,8 +34,8 @@ pub use messages::{Message, MessageId, Messages, Party, Service};
 pub use names::named_manager;
 pub use network::*;
 pub use overview::{
-    BootPlan, BootStep, CarriedEntry, End, LinkRow, MappedEntry, MessageRow, NodeRow, Overview, UnlinkedEnd,
-    UnlinkedRow,
+    BootPlan, BootStep, CarriedEntry, DownloadRow, End, LinkRow, MappedEntry, MessageRow, NodeRow, Overview,
+    UnlinkedEnd, UnlinkedRow,
 };
 pub use rules::rules;
 pub use stream::{Compiled, Manner, PdoState, Slave, compile};

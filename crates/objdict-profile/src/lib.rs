@@ -11,6 +11,7 @@ pub mod default_mapping;
 mod facts;
 #[cfg(feature = "toml")]
 mod load;
+mod mask;
 #[cfg(feature = "toml")]
 mod open;
 pub mod standard;
@@ -24,6 +25,7 @@ pub use decode::{bits, meaning, of_object};
 pub use facts::{BitField, Confidence, EntryFacts, Mapping, Need, ObjectFacts};
 #[cfg(feature = "toml")]
 pub use load::ProfileError;
+pub use mask::Values;
 #[cfg(feature = "toml")]
 pub use open::{OpenError, open};
 pub use standard::{access, data_type, named, obsolete, standard};

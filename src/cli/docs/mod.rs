@@ -23,7 +23,7 @@ use crate::format::Description;
 use crate::format::identify::identify;
 use crate::lint;
 use crate::model::Device;
-use crate::report::Location;
+use crate::report::{Location, grouped};
 use crate::{Language, generate};
 
 /// A device with all that its page needs.
@@ -287,8 +287,8 @@ fn described(
     file: String,
     description: &Description,
 ) -> Documented {
-    let findings = crate::check_with(description, options);
     let subject = description.into();
+    let findings = grouped(subject, crate::check_with(description, options));
     let findings = reported(&findings, |finding| Location::line_of(subject, finding));
     let device = args.expand.device(description.device()).into_owned();
     Documented::new(file, description.format().name(), device, findings)

@@ -13,7 +13,7 @@ use crate::document::{Finding, SiteNetwork};
 use crate::format::input::Reading;
 use crate::format::network::BuiltFile;
 use crate::network::{Manner, Overview};
-use crate::report::Location;
+use crate::report::{Location, grouped};
 
 /// A network with all that its index and the pages of its nodes need.
 pub(super) struct DocumentedNetwork {
@@ -43,7 +43,7 @@ impl DocumentedNetwork {
         }
         let options = settings.options(&file.path, file.project.as_deref());
         let opened = network::open(&file.path, &args.network)?;
-        let findings = options.severities.apply(opened.check());
+        let findings = grouped(&opened, options.severities.apply(opened.check()));
         let findings = reported(&findings, |finding| Location::line_of((&opened).into(), finding));
         let unreadable = |error| {
             let help = format!("`objdict network check {}` says why", name_of(&file.path));

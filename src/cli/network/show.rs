@@ -11,7 +11,9 @@ use super::super::{Failure, Outcome};
 use super::{compiled, source_names_of};
 use crate::json;
 use crate::model::PdoKind;
-use crate::network::{BootPlan, End, LinkRow, MappedEntry, MessageRow, Overview, Service, UnlinkedEnd};
+use crate::network::{
+    BootPlan, DownloadRow, End, LinkRow, MappedEntry, MessageRow, NodeRow, Overview, Service, UnlinkedEnd,
+};
 use crate::report::plural;
 
 /// The version of the JSON document. It changes when a field is removed or means something else, not when one is added.
@@ -63,10 +65,10 @@ fn tables(overview: &Overview, out: &mut dyn Write) -> io::Result<()> {
     }
     writeln!(out, "\nCAN-IDs, highest priority first\n")?;
     can_ids(overview, out)?;
-    match &overview.boot {
-        Some(plan) => boot(plan, out),
-        None => Ok(()),
+    if let Some(plan) = &overview.boot {
+        boot(plan, out)?;
     }
+    overview.nodes.iter().filter(|node| node.downloads > 0).try_for_each(|node| downloads(node, out))
 }
 
 fn summary(overview: &Overview) -> String {
@@ -177,6 +179,16 @@ fn period(time: u64) -> String {
         0 => format!("{} ms", time / 1000),
         rest => format!("{}.{} ms", time / 1000, format!("{rest:03}").trim_end_matches('0')),
     }
+}
+
+/// What configures a node, in order.
+fn downloads(node: &NodeRow, out: &mut dyn Write) -> io::Result<()> {
+    writeln!(out, "\nDownloads to {}\n", fit(&node.name, CELL))?;
+    let mut table = Table::new(["Entry", "Value"], CELL);
+    for DownloadRow { entry, value } in &node.configuration {
+        table.row([entry.to_string(), value.clone()]);
+    }
+    table.write(out)
 }
 
 fn boot(plan: &BootPlan, out: &mut dyn Write) -> io::Result<()> {

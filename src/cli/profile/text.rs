@@ -4,7 +4,7 @@ use std::io::{self, Write};
 use std::ops::RangeInclusive;
 
 use crate::cli::table::Table;
-use crate::profile::{EntryFacts, Mapping, Need, ObjectFacts, Profile};
+use crate::profile::{EntryFacts, Mapping, Need, ObjectFacts, Profile, Values};
 use crate::report::plural;
 
 /// The most characters that a cell of a large table shows; the page of one object shows all.
@@ -119,9 +119,13 @@ fn bits(facts: &ObjectFacts<'_>, out: &mut dyn Write) -> io::Result<()> {
             any = true;
             let bits = span(&(field.first..=field.last));
             let mut names = [std::mem::take(&mut sub), bits, field.name.to_owned()];
-            for (values, meaning) in field.meanings() {
+            for (values, meaning) in field.masked() {
                 let [sub, bits, name] = std::mem::take(&mut names);
-                table.row([sub, bits, name, span(&values), meaning.to_owned()]);
+                let values = match values {
+                    Values::Mask(mask) => mask,
+                    Values::Range(values) => span(&values),
+                };
+                table.row([sub, bits, name, values, meaning.to_owned()]);
             }
             if field.meanings().len() == 0 {
                 let [sub, bits, name] = names;

@@ -9,7 +9,7 @@ use serde_json::Value as Json;
 use super::View;
 use crate::describe::Reader;
 use crate::json;
-use crate::model::{Entry, InvalidValue, Object, PdoMapping, Value};
+use crate::model::{Entry, ExplicitDownload, InvalidValue, Moment, Object, PdoMapping, Value};
 
 /// The version of the document. It changes when a field is removed or means something else, not when one is added.
 const VERSION: u32 = 1;
@@ -41,11 +41,20 @@ struct Row<'a> {
     invalid_values: serde_json::Map<String, Json>,
 }
 
-/// Writes the entries of `objects` that `is_wanted` takes, one a line.
+#[derive(Serialize)]
+struct Ordered {
+    when: Moment,
+    index: String,
+    sub: String,
+    value: Json,
+}
+
+/// Writes the entries of `objects` that `is_wanted` takes, one a line, then the ordered downloads.
 pub(super) fn write<'a>(
     view: &View<'_>,
     objects: impl Iterator<Item = (u16, &'a Object)>,
     is_wanted: impl Fn(u8) -> bool,
+    downloads: &[ExplicitDownload],
     out: &mut dyn Write,
 ) -> io::Result<()> {
     write!(out, "{{\"version\":{VERSION},\"file\":{},", json::text(&view.file)?)?;
@@ -63,7 +72,18 @@ pub(super) fn write<'a>(
             separator = ",\n";
         }
     }
-    out.write_all(b"\n]}\n")
+    out.write_all(b"\n]")?;
+    if !downloads.is_empty() {
+        let ordered = |download: &ExplicitDownload| {
+            let ExplicitDownload { when, index, sub, value } = download;
+            let data_type = view.device.entry(*index, *sub).and_then(|entry| entry.data_type);
+            let value = to_json(&view.reader(*index).resolve(value, data_type));
+            Ordered { when: *when, index: format!("0x{index:04X}"), sub: format!("0x{sub:02X}"), value }
+        };
+        out.write_all(b",\"downloads\":")?;
+        json::write(out, &downloads.iter().map(ordered).collect::<Vec<_>>())?;
+    }
+    out.write_all(b"}\n")
 }
 
 fn row<'a>(reader: Reader, sub: u8, object: &'a Object, entry: &'a Entry) -> Row<'a> {

@@ -107,7 +107,7 @@ fn show_device(view: &View<'_>, format: ShowFormat, out: &mut Output) -> Result<
         ShowFormat::Table => text::device(view, out)?,
         ShowFormat::Json => {
             let objects = view.device.objects.iter().map(|(&index, object)| (index, object));
-            json::write(view, objects, |_| true, &mut out.raw()?)?;
+            json::write(view, objects, |_| true, &view.device.downloads, &mut out.raw()?)?;
         }
     }
     Ok(())
@@ -124,7 +124,7 @@ fn show_address(view: &View<'_>, at: Address, format: ShowFormat, out: &mut Outp
     match format {
         ShowFormat::Json => {
             let is_wanted = |sub| at.sub.is_none_or(|wanted| wanted == sub);
-            json::write(view, std::iter::once((at.index, object)), is_wanted, &mut out.raw()?)?;
+            json::write(view, std::iter::once((at.index, object)), is_wanted, &[], &mut out.raw()?)?;
         }
         ShowFormat::Table => match entry {
             Some((sub, entry)) => text::entry(view, (at.index, sub), object, &entry, out)?,
@@ -144,7 +144,8 @@ fn show_addresses(
     if format == ShowFormat::Json {
         let is_wanted = |index| addresses.iter().any(|at| at.index == index);
         let objects = view.device.objects.iter().filter(|(index, _)| is_wanted(**index));
-        json::write(view, objects.map(|(&index, object)| (index, object)), |_| true, &mut out.raw()?)?;
+        let objects = objects.map(|(&index, object)| (index, object));
+        json::write(view, objects, |_| true, &[], &mut out.raw()?)?;
         return Ok(());
     }
     for (number, &address) in addresses.iter().enumerate() {

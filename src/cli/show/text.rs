@@ -5,7 +5,9 @@ use std::io::{self, Write};
 use super::View;
 use crate::cli::table::{Table, fit};
 use crate::describe::{Decoder, Reader};
-use crate::model::{Device, DeviceKind, Entry, Field, Object, ObjectType, PdoKind, PdoMapping};
+use crate::model::{
+    Device, DeviceKind, Entry, ExplicitDownload, Field, Moment, Object, ObjectType, PdoKind, PdoMapping,
+};
 use crate::report::plural;
 
 /// The most characters that a cell of the large table shows; the page of one entry shows all.
@@ -23,6 +25,31 @@ pub(super) fn device(view: &View<'_>, out: &mut dyn Write) -> io::Result<()> {
     let mut table = Table::new(HEADINGS, CELL);
     for (&index, object) in &view.device.objects {
         object_rows(view, index, object, &mut table);
+    }
+    table.write(out)?;
+    ordered(view, out)
+}
+
+/// The downloads that are made as stated, in their order.
+fn ordered(view: &View<'_>, out: &mut dyn Write) -> io::Result<()> {
+    if view.device.downloads.is_empty() {
+        return Ok(());
+    }
+    writeln!(out, "\nOrdered downloads\n")?;
+    let mut table = Table::new(["Index", "Sub", "Name", "Value", "When"], CELL);
+    for ExplicitDownload { when, index, sub, value } in &view.device.downloads {
+        let entry = view.device.entry(*index, *sub);
+        let when = match when {
+            Moment::Before => "before the values",
+            Moment::After => "after the values",
+        };
+        table.row([
+            format!("0x{index:04X}"),
+            format!("{sub:X}"),
+            entry.as_ref().map(|entry| entry.name.to_string()).unwrap_or_default(),
+            view.reader(*index).short(Some(value), entry.and_then(|entry| entry.data_type)),
+            when.to_owned(),
+        ]);
     }
     table.write(out)
 }
@@ -210,9 +237,7 @@ fn summary(view: &View<'_>) -> String {
     } else if let Some(node_id) = view.node_id {
         facts.push(format!("as node {node_id}"));
     }
-    if let Some(profile) = device.profile().filter(|&profile| profile != 0) {
-        facts.push(format!("CiA {profile}"));
-    }
+    facts.extend(Decoder::english(device, view.node_id).device_profile());
     let entries: usize = device.objects.values().map(|object| object.entries().count()).sum();
     facts.push(plural(device.pdo_count(PdoKind::Rpdo), "RPDO"));
     facts.push(plural(device.pdo_count(PdoKind::Tpdo), "TPDO"));

@@ -10,8 +10,8 @@ use std::process::{Command, Stdio};
 use objdict::document::{self, CodeName, Finding, Form, Identifiers, Options, Site, Subject};
 use objdict::format::Description;
 use objdict::generate;
-use objdict::model::Device;
-use objdict::report::Location;
+use objdict::model::{Device, Value};
+use objdict::report::{Location, grouped};
 
 fn open(path: &str) -> Description {
     objdict::format::open(
@@ -32,7 +32,8 @@ fn unchecked(path: &str, form: Form, options: &Options) -> String {
 /// The documentation of a fixture with what `check` finds in it.
 fn page(path: &str, form: Form, options: &Options) -> String {
     let description = open(path);
-    let findings: Vec<Finding> = objdict::check_with(&description, &Default::default())
+    let findings = grouped(&description, objdict::check_with(&description, &Default::default()));
+    let findings: Vec<Finding> = findings
         .iter()
         .map(|finding| Finding::new(finding, Location::line_of((&description).into(), finding)))
         .collect();
@@ -255,9 +256,60 @@ fn several_devices_make_a_site() {
                 insta::assert_snapshot!("index.md", index);
             }
             Form::Csv => {
-                assert_eq!(names, ["index.csv", "links.csv", "messages.csv"]);
+                assert_eq!(names, ["index.csv", "links.csv", "messages.csv", "downloads.csv"]);
                 insta::assert_snapshot!("index.csv", index.replace('\r', ""));
             }
         }
     }
+}
+
+/// A number in 1000h that no document of CiA has, in all forms, and on the index.
+#[test]
+fn a_profile_number_is_not_a_document() {
+    let mut device = open("eds/drive-402.eds").device().clone();
+    device.objects.get_mut(&0x1000).unwrap().main.default = Some(Value::Unsigned(0x0100));
+    let subject = Subject {
+        device: &device,
+        file: "servo.eds",
+        format: "EDS",
+        findings: None,
+        identifiers: &Default::default(),
+    };
+    for form in Form::ALL {
+        let mut site = Site::new(form, &Options::default());
+        let page = site.add(&subject).text;
+        let index = site.index().swap_remove(0).text;
+        for text in [page, index] {
+            assert!(text.contains("profile number 256 (not a CiA profile)"), "{form:?}: {text}");
+            assert!(!text.contains("CiA 256"), "{form:?}");
+        }
+    }
+}
+
+/// Findings of one cause are one, as `check` shows them; each of their places is a link.
+#[test]
+fn findings_of_one_cause_are_joined() {
+    let html = page("broken/c-suffix-numbers.eds", Form::Html, &Options::default());
+    let markdown = page("broken/c-suffix-numbers.eds", Form::Markdown, &Options::default());
+    let (in_html, in_markdown) =
+        (html.split_once("id=\"findings\"").unwrap().1, markdown.split_once("id=\"findings\"").unwrap().1);
+    assert!(
+        in_html.contains("more like this") && in_html.contains("<small>also at <a href=\"#"),
+        "{in_html}"
+    );
+    assert!(in_markdown.contains("<br>also at [0x"), "{in_markdown}");
+}
+
+/// What bold means, and where the PDOs are that carry an entry.
+#[test]
+fn changed_values_have_a_legend_and_pdos_are_linked() {
+    let words = "Values in bold are configured and differ from the default.";
+    let dcf = page("dcf/drive-402-node8.dcf", Form::Html, &Options::default());
+    assert_eq!(dcf.matches(words).count(), 2);
+    assert!(dcf.contains("<dd><a href=\"#rpdo1\">RPDO 1</a></dd>"), "6040h is mapped in RPDO 1");
+    assert!(dcf.contains("<code>x01x 0111</code> operation enabled"), "states are masks");
+    let markdown = page("dcf/drive-402-node8.dcf", Form::Markdown, &Options::default());
+    assert_eq!(markdown.matches(words).count(), 2);
+    assert!(markdown.contains("[RPDO 1](#rpdo1)") && markdown.contains("`x01x 0111` operation enabled"));
+    assert!(!page("eds/drive-402.eds", Form::Html, &Options::default()).contains(words));
 }

@@ -104,6 +104,43 @@ fn networks_have_tables() {
     assert_eq!(messages[7].join("|"), "chapter 4|0x18B|TPDO 1 of left|RPDO 1 of plc|5|sync/1|33000");
 }
 
+/// What `sdo:` says of a drive is in all forms, in its order and after what the other keys make; each entry leads to its object.
+#[test]
+fn downloads_are_on_the_pages_in_order() {
+    let file = open("cell.yml");
+    for (form, name) in [(Form::Html, "html"), (Form::Markdown, "md")] {
+        let files = site(&file, form, &Options::default());
+        let (index, left) = (named(&files, &format!("index.{name}")), named(&files, &format!("left.{name}")));
+        for (page, prefix) in [(index, format!("left.{name}")), (left, String::new())] {
+            let link = |entry: &str| match form {
+                Form::Html => format!("href=\"{prefix}#{entry}\""),
+                _ => format!("]({prefix}#{entry})"),
+            };
+            let downloads = page.split("Downloads").last().unwrap();
+            // the links of single entries lead to their objects
+            let entries = ["1017", "1400sub1", "1803sub1", "6060", "6083"];
+            let mut rest = downloads;
+            for entry in entries {
+                let found = rest.find(link(entry).trim_end_matches(['"', ')']));
+                rest = &rest[found.unwrap_or_else(|| panic!("{form:?}: no {entry} in {rest}"))..];
+            }
+        }
+    }
+    let files = site(&file, Form::Csv, &Options::default());
+    let downloads = read::csv(named(&files, "downloads.csv"));
+    assert_eq!(downloads[0].join(","), "network,node_id,node,number,entry,name,value");
+    let left: Vec<_> = downloads.iter().filter(|line| line[2] == "left").collect();
+    let last: Vec<String> = left[left.len() - 2..].iter().map(|line| line[3..].join("|")).collect();
+    assert_eq!(last, ["33|0x6060|Modes of operation|-3", "34|0x6083|Profile acceleration|2000"]);
+    let table = read::csv(named(&files, "left.csv"));
+    let column = table[0].iter().position(|name| name == "downloads").unwrap();
+    let of = |index: &str, sub: &str| {
+        table.iter().find(|line| line[0] == index && line[1] == sub).map(|line| &*line[column])
+    };
+    assert_eq!(of("0x6083", "0x00"), Some("34 = 2000"));
+    assert_eq!(of("0x1400", "0x01"), Some("3 = 2147484171; 9 = 523"));
+}
+
 /// Names of networks, nodes and entries come out as themselves.
 #[test]
 fn hostile_names_of_networks_stay_texts() {
@@ -142,8 +179,9 @@ fn hostile_names_of_networks_stay_texts() {
         assert!(markdown.contains(&seen), "{name}: {markdown}");
     }
     let files = site(&file, Form::Csv, &Options::default());
-    for field in
-        ["links.csv", "messages.csv"].into_iter().flat_map(|name| read::csv(named(&files, name)).concat())
+    for field in ["links.csv", "messages.csv", "downloads.csv"]
+        .into_iter()
+        .flat_map(|name| read::csv(named(&files, name)).concat())
     {
         let is_formula =
             field.parse::<f64>().is_err() && field.trim_start().starts_with(['=', '+', '-', '@']);

@@ -45,23 +45,21 @@ impl Decoder<'_> {
 
     /// The COB-ID of a service with a valid bit (bit 31).
     pub(super) fn service_cob_id(&self, value: &Value) -> Option<String> {
-        self.cob_id(value, |id| self.existence(id))
+        self.cob_id(value, |id| self.validity(id))
     }
 
     pub(super) fn sdo_cob_id(&self, value: &Value) -> Option<String> {
         self.cob_id(value, |id| match (id.is_valid(), id.bit_30()) {
-            (true, true) => self.pick("exists, assigned dynamically", "gültig, dynamisch vergeben"),
-            (false, true) => {
-                self.pick("does not exist, assigned dynamically", "ungültig, dynamisch vergeben")
-            }
-            (_, false) => self.existence(id),
+            (true, true) => self.pick("valid, assigned dynamically", "gültig, dynamisch vergeben"),
+            (false, true) => self.pick("not valid, assigned dynamically", "ungültig, dynamisch vergeben"),
+            (_, false) => self.validity(id),
         })
     }
 
     pub(super) fn pdo_cob_id(&self, kind: PdoKind, value: &Value) -> Option<String> {
         self.cob_id(value, |id| match id.is_valid() && id.bit_30() && kind == PdoKind::Tpdo {
-            true => self.pick("exists, no remote frames", "gültig, keine Remote-Frames"),
-            false => self.existence(id),
+            true => self.pick("valid, no remote frames", "gültig, keine Remote-Frames"),
+            false => self.validity(id),
         })
     }
 
@@ -77,9 +75,9 @@ impl Decoder<'_> {
         Some(format!("CAN-ID {}, {length} {bits}, {}", can_id(id, self.node_id), flags(id)))
     }
 
-    fn existence(&self, id: CobId) -> &'static str {
-        let (english, german) =
-            if id.is_valid() { ("exists", "gültig") } else { ("does not exist", "ungültig") };
+    /// Whether bit 31 leaves the service valid.
+    pub(crate) fn validity(&self, id: CobId) -> &'static str {
+        let (english, german) = if id.is_valid() { ("valid", "gültig") } else { ("not valid", "ungültig") };
         self.language.pick(english, german)
     }
 }

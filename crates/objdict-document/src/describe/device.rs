@@ -9,6 +9,11 @@ use crate::profile;
 const SIGNATURES: [(u16, u32, &str); 3] =
     [(0x1010, 0x6576_6173, "save"), (0x1011, 0x6461_6F6C, "load"), (0x1F25, 0x666E_6F63, "conf")];
 
+/// Whether CiA gives the number to a device profile: these are the documents CiA 4xx.
+pub(crate) const fn is_of_cia(profile: u32) -> bool {
+    matches!(profile, 400..=499)
+}
+
 impl Decoder<'_> {
     pub(super) fn device_type(&self, number: u32) -> String {
         let (additional, profile) = (number >> 16, number & 0xFFFF);
@@ -21,12 +26,34 @@ impl Decoder<'_> {
             return format!("{several}, {information} 0x{additional:04X}");
         }
         let name = self.profile_name(profile).map(|name| format!(" ({name})")).unwrap_or_default();
-        let of = self.pick("device profile", "Geräteprofil");
-        format!("{of} CiA {profile}{name}, {information} 0x{additional:04X}") + &self.additional(number)
+        let of = if is_of_cia(profile) { self.pick("device profile ", "Geräteprofil ") } else { "" };
+        let profile = self.numbered(profile);
+        format!("{of}{profile}{name}, {information} 0x{additional:04X}") + &self.additional(number)
+    }
+
+    /// The device profile: `CiA 402`; `None` for a device without one.
+    pub fn device_profile(&self) -> Option<String> {
+        match self.device.profile()? {
+            0 => None,
+            0xFFFF => Some(self.pick("several device profiles", "mehrere Geräteprofile").to_owned()),
+            profile => Some(self.numbered(profile.into())),
+        }
+    }
+
+    /// `CiA 402`; other words for a number that no document of CiA has.
+    fn numbered(&self, profile: u32) -> String {
+        if is_of_cia(profile) {
+            return format!("CiA {profile}");
+        }
+        let (number, remark) = (
+            self.pick("profile number", "Profilnummer"),
+            self.pick("not a CiA profile", "kein Profil von CiA"),
+        );
+        format!("{number} {profile} ({remark})")
     }
 
     /// The subject of a device profile.
-    pub(crate) fn profile_name(&self, profile: u32) -> Option<&'static str> {
+    fn profile_name(&self, profile: u32) -> Option<&'static str> {
         let (english, german) = match profile {
             401 => ("I/O modules", "E/A-Module"),
             402 => ("drives", "Antriebe"),

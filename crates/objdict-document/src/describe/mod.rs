@@ -10,6 +10,7 @@ pub(crate) mod time;
 mod value;
 
 pub(crate) use self::cob_id::{can_id, spelled};
+pub(crate) use self::device::is_of_cia;
 pub(crate) use self::error::error_codes;
 pub(crate) use self::time::{decimal, of_microseconds, of_milliseconds};
 pub use self::value::Reader;

@@ -120,7 +120,7 @@ impl Decoder<'_> {
             (0x13FE, 0) if number == 0xA5 => ("configuration valid", "Konfiguration gültig"),
             (0x13FE, 0) => ("configuration not valid", "Konfiguration ungültig"),
             (0x1301..=0x1340, 1) => match number {
-                0 => ("does not exist", "ungültig"),
+                0 => ("not valid", "ungültig"),
                 1 => ("transmitted", "wird gesendet"),
                 2 => ("received", "wird empfangen"),
                 _ => ("reserved", "reserviert"),

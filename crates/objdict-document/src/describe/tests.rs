@@ -11,23 +11,20 @@ fn german(index: u16, sub: u8, number: u64) -> String {
 
 #[test]
 fn cob_ids_say_what_they_do() {
-    assert_eq!(of(0x1400, 1, &Value::NodeId(0x200), Some(5)), "CAN-ID 0x205, 11 bits, exists");
-    assert_eq!(
-        of(0x1400, 1, &Value::NodeId(0x8000_0200), None),
-        "CAN-ID $NODEID+0x200, 11 bits, does not exist"
-    );
+    assert_eq!(of(0x1400, 1, &Value::NodeId(0x200), Some(5)), "CAN-ID 0x205, 11 bits, valid");
+    assert_eq!(of(0x1400, 1, &Value::NodeId(0x8000_0200), None), "CAN-ID $NODEID+0x200, 11 bits, not valid");
     assert_eq!(
         of(0x1801, 1, &Value::Unsigned(0x4000_0285), None),
-        "CAN-ID 0x285, 11 bits, exists, no remote frames"
+        "CAN-ID 0x285, 11 bits, valid, no remote frames"
     );
     assert_eq!(of(0x1005, 0, &Value::Unsigned(0x4000_0080), None), "CAN-ID 0x080, 11 bits, produces SYNC");
     assert_eq!(of(0x1012, 0, &Value::Unsigned(0x8000_0100), None), "CAN-ID 0x100, 11 bits, consumes TIME");
-    assert_eq!(of(0x1200, 1, &Value::Unsigned(0x2001_0000), None), "CAN-ID 0x00010000, 29 bits, exists");
+    assert_eq!(of(0x1200, 1, &Value::Unsigned(0x2001_0000), None), "CAN-ID 0x00010000, 29 bits, valid");
     assert_eq!(
         of(0x1280, 2, &Value::Unsigned(0xC000_0583), None),
-        "CAN-ID 0x583, 11 bits, does not exist, assigned dynamically"
+        "CAN-ID 0x583, 11 bits, not valid, assigned dynamically"
     );
-    assert_eq!(of(0x1028, 3, &Value::Unsigned(0x83), None), "EMCY of node 3: CAN-ID 0x083, 11 bits, exists");
+    assert_eq!(of(0x1028, 3, &Value::Unsigned(0x83), None), "EMCY of node 3: CAN-ID 0x083, 11 bits, valid");
 }
 
 #[test]
@@ -51,6 +48,17 @@ fn times_have_units() {
         of(0x1000, 0, &Value::Unsigned(0x0002_0192), None),
         "device profile CiA 402 (drives), additional information 0x0002"
     );
+}
+
+#[test]
+fn only_documents_of_cia_are_called_so() {
+    let says = |number| of(0x1000, 0, &Value::Unsigned(number), None);
+    assert_eq!(says(0x1BF), "device profile CiA 447, additional information 0x0000");
+    for number in [256, 301, 4660, 20500] {
+        let words = format!("profile number {number} (not a CiA profile), additional information 0x0000");
+        assert_eq!(says(number), words);
+    }
+    assert_eq!(german(0x1000, 0, 256), "Profilnummer 256 (kein Profil von CiA), Zusatzinformation 0x0000");
 }
 
 #[test]

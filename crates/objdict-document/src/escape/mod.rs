@@ -4,6 +4,7 @@
 //! ([`visible`](crate::diagnostic::visible)); every line end becomes one line feed. askama.toml assigns an
 //! escaper to each file extension, so a template cannot omit it.
 
+mod css;
 mod csv;
 mod html;
 mod markdown;
@@ -53,6 +54,12 @@ pub(crate) mod filters {
     #[askama::filter_fn]
     pub(crate) fn worded(text: impl AsRef<str>, _: &dyn Values) -> Result<Safe<String>> {
         Ok(Safe(super::markdown::worded(text.as_ref())))
+    }
+
+    /// A text in a string of a style sheet.
+    #[askama::filter_fn]
+    pub(crate) fn css(text: impl AsRef<str>, _: &dyn Values) -> Result<Safe<String>> {
+        Ok(Safe(super::css::string(text.as_ref())))
     }
 
     /// A text inside a Markdown element that contains only HTML.

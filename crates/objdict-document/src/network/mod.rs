@@ -66,6 +66,16 @@ impl<'a> Link<'a> {
         Self { row, can_id: can_id(row.can_id), is_too_short: sent != 0 && sent < received }
     }
 
+    /// The node that sends it.
+    fn sender(&self) -> Option<usize> {
+        self.row.sender.as_ref()?.position
+    }
+
+    /// The node that receives it.
+    fn receiver(&self) -> Option<usize> {
+        self.row.receiver.as_ref()?.position
+    }
+
     /// The lines of the link in a table.
     fn rows(&self) -> usize {
         self.row.entries.len().max(1)
@@ -187,10 +197,17 @@ impl<'a> NetworkView<'a> {
         node.map_or_else(String::new, called)
     }
 
-    /// The URL of an entry; `None` without a page or for a dummy.
-    fn entry_page(&self, end: Option<&End>, entry: &MappedEntry) -> Option<String> {
+    /// The URL of an entry of a node; `None` without a page or for a dummy.
+    fn entry_page(&self, position: Option<usize>, entry: &MappedEntry) -> Option<String> {
         let Address { index, sub } = entry.address?;
-        Some(format!("{}#{}", self.page(end?.position)?, Anchor { index, sub }))
+        Some(format!("{}#{}", self.page(position)?, Anchor { index, sub }))
+    }
+
+    /// The nodes that downloads configure, with their numbers in the table of nodes, and their positions in the network.
+    fn configured(&self) -> Vec<(usize, Option<usize>, &NodeRow)> {
+        let nodes = self.overview.nodes.iter().enumerate();
+        let configured = nodes.filter(|(_, node)| !node.configuration.is_empty());
+        configured.map(|(number, node)| (number, node.position, node)).collect()
     }
 
     /// What goes from one node to another, with the numbers of the links.

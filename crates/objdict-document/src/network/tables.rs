@@ -2,13 +2,13 @@
 
 use std::borrow::Cow;
 
-use objdict_network::{End, LinkRow, MappedEntry, Overview};
+use objdict_network::{End, LinkRow, MappedEntry, NodeRow, Overview};
 
 use super::{Link, can_id, spoken};
 use crate::csv;
 
-/// What goes from entry to entry, and all messages, with the names of the files.
-pub(crate) fn tables<'a>(networks: impl Iterator<Item = &'a Overview>) -> [(&'static str, String); 2] {
+/// What goes from entry to entry, all messages, and what configures the nodes, with the names of the files.
+pub(crate) fn tables<'a>(networks: impl Iterator<Item = &'a Overview>) -> [(&'static str, String); 3] {
     const LINKS: [&str; 13] = [
         "network",
         "can_id",
@@ -26,9 +26,11 @@ pub(crate) fn tables<'a>(networks: impl Iterator<Item = &'a Overview>) -> [(&'st
     ];
     const MESSAGES: [&str; 7] =
         ["network", "can_id", "senders", "receivers", "bytes", "trigger", "period_us"];
-    let (mut links, mut messages) = ("\u{FEFF}".to_owned(), "\u{FEFF}".to_owned());
+    const DOWNLOADS: [&str; 7] = ["network", "node_id", "node", "number", "entry", "name", "value"];
+    let [mut links, mut messages, mut downloads] = [(); 3].map(|()| "\u{FEFF}".to_owned());
     csv::line(&mut links, LINKS.map(Cow::Borrowed));
     csv::line(&mut messages, MESSAGES.map(Cow::Borrowed));
+    csv::line(&mut downloads, DOWNLOADS.map(Cow::Borrowed));
     for overview in networks {
         let name = overview.name.as_deref().unwrap_or_default();
         for link in overview.links.iter().map(Link::new) {
@@ -47,8 +49,25 @@ pub(crate) fn tables<'a>(networks: impl Iterator<Item = &'a Overview>) -> [(&'st
             ];
             csv::line(&mut messages, fields.map(Cow::Owned));
         }
+        overview.nodes.iter().for_each(|node| download_lines(&mut downloads, name, node));
     }
-    [("links.csv", links), ("messages.csv", messages)]
+    [("links.csv", links), ("messages.csv", messages), ("downloads.csv", downloads)]
+}
+
+/// A line for each download to a node, in order.
+fn download_lines(text: &mut String, network: &str, node: &NodeRow) {
+    for (number, download) in (1_u32..).zip(&node.configuration) {
+        let fields = [
+            network.to_owned(),
+            node.node_id.map(|node_id| node_id.to_string()).unwrap_or_default(),
+            node.name.clone(),
+            number.to_string(),
+            spoken(&download.entry),
+            download.entry.name.clone(),
+            download.value.clone(),
+        ];
+        csv::line(text, fields.map(Cow::Owned));
+    }
 }
 
 /// A line for each entry of a link.

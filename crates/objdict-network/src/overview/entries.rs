@@ -119,7 +119,11 @@ impl View<'_> {
             let name = self.language.pick("dummy", "unbenutzt").to_owned();
             return MappedEntry { address: None, name };
         }
-        let MappedObject { index, sub, .. } = mapped;
+        self.entry(device, mapped.index, mapped.sub)
+    }
+
+    /// An entry with its name.
+    pub(super) fn entry(self, device: &Device, index: u16, sub: u8) -> MappedEntry {
         let Some(object) = device.object(index) else {
             return MappedEntry { address: Some(Address { index, sub: Some(sub) }), name: String::new() };
         };

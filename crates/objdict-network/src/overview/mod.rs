@@ -1,9 +1,11 @@
 //! A network in tables: its nodes, its messages with what they carry, and how it boots.
 
 mod boot;
+mod downloads;
 mod entries;
 
 pub use self::boot::{BootPlan, BootStep};
+pub use self::downloads::DownloadRow;
 pub use self::entries::{CarriedEntry, LinkRow, MappedEntry};
 use crate::Language;
 use crate::messages::{Message, MessageId, Messages, Party, Service};
@@ -61,6 +63,8 @@ pub struct NodeRow {
     pub downloads: usize,
     /// The bytes of its concise DCF; 0 without downloads.
     pub bytes: usize,
+    /// These downloads, in the order in which they are sent.
+    pub configuration: Vec<DownloadRow>,
     /// The position in [`Network::nodes`]; `None` for a manager without a description.
     #[cfg_attr(feature = "serde", serde(skip))]
     pub position: Option<usize>,
@@ -224,6 +228,7 @@ impl<'n> View<'n> {
             guard_time: 0,
             downloads: 0,
             bytes: 0,
+            configuration: Vec::new(),
             position: None,
         });
         let described = self.network.nodes.iter().enumerate().map(|(position, node)| {
@@ -240,6 +245,9 @@ impl<'n> View<'n> {
                 guard_time: slave.map_or(0, |slave| slave.guard_time),
                 downloads: stream.map_or(0, |stream| stream.0.len()),
                 bytes: stream.and_then(|stream| stream.write().ok()).map_or(0, |bytes| bytes.len()),
+                configuration: slave
+                    .zip(stream)
+                    .map_or_else(Vec::new, |(slave, stream)| self.downloads(&slave.device, stream)),
                 position: Some(position),
             }
         });

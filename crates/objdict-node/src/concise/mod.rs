@@ -10,4 +10,4 @@ mod text;
 pub use spelling::{BlobSpelling, of_hex};
 pub use table::table;
 pub use text::looks_like;
-pub use text::{Annotation, TextError, TextErrors, parse, print};
+pub use text::{Annotation, TextError, TextErrors, parse, print, spelled};

@@ -2,7 +2,7 @@
 //! same bytes.
 //!
 //! ```text
-//! 1800:01  UNSIGNED32  0x80000185  # TPDO communication parameter / COB-ID: does not exist
+//! 1800:01  UNSIGNED32  0x80000185  # TPDO communication parameter / COB-ID: not valid
 //! 1800:02  UNSIGNED8   254
 //! 2001:00  VISIBLE_STRING  "pump 3"
 //! 2002:00  BYTES  00 11 22
@@ -98,7 +98,7 @@ pub fn print(configuration: &ConciseDcf, annotate: impl Fn(&Download) -> Annotat
 }
 
 /// The type keyword and the value; parsing them gives the same bytes.
-fn spelled(download: &Download, data_type: Option<DataType>) -> (&'static str, String) {
+pub fn spelled(download: &Download, data_type: Option<DataType>) -> (&'static str, String) {
     let typed = data_type.and_then(|data_type| {
         let word = data_type.name()?;
         let text = value_text(download, data_type)?;
