@@ -7,7 +7,7 @@ use std::path::Path;
 use divan::Bencher;
 use divan::counter::ItemsCount;
 use objdict::format::network::NetworkFile;
-use objdict::network::Manner;
+use objdict::network::DcfgenMode;
 
 fn ring(count: usize) -> String {
     let file = Path::new(env!("CARGO_MANIFEST_DIR")).join("fixtures/network/island.eds");
@@ -29,6 +29,6 @@ fn build(bencher: Bencher, count: usize) {
     std::fs::write(&path, ring(count)).expect("a file");
     bencher.counter(ItemsCount::new(count)).bench(|| {
         let network = NetworkFile::open(&path, &Default::default()).expect("a network");
-        network.build(Manner::Repaired).and_then(|build| build.concise()).map(|files| files.len()).ok()
+        network.build(DcfgenMode::Corrected).and_then(|build| build.concise()).map(|files| files.len()).ok()
     });
 }

@@ -17,7 +17,7 @@ use crate::lint::{Level, Severities};
 use crate::model::Address;
 #[cfg(feature = "lint")]
 use crate::pipeline::Configuration;
-use crate::pipeline::{Generation, Judged, OutputFolder, Request, Used, placed};
+use crate::pipeline::{CheckedDescription, Generation, OutputFolder, Request, Used, placed};
 use crate::registry;
 use crate::source::{self, Encoding};
 
@@ -136,14 +136,14 @@ impl Builder {
     /// The configuration; without it, the nearest `objdict.toml` in the folder of the description or above.
     #[cfg(feature = "lint")]
     pub fn config(mut self, file: impl AsRef<Path>) -> Self {
-        self.request.judging.config = Configuration::At(file.as_ref().to_owned());
+        self.request.check.config = Configuration::At(file.as_ref().to_owned());
         self
     }
 
     /// Uses no configuration.
     #[cfg(feature = "lint")]
     pub fn no_config(mut self) -> Self {
-        self.request.judging.config = Configuration::Off;
+        self.request.check.config = Configuration::Off;
         self
     }
 
@@ -180,7 +180,7 @@ impl Builder {
 
     fn with_rules(mut self, name: &str, change: impl FnOnce(&mut Severities, Selection)) -> Self {
         match registry::select(name) {
-            Some(rules) => change(&mut self.request.judging.severities, rules),
+            Some(rules) => change(&mut self.request.check.severities, rules),
             None => self.fail(Error::UnknownRule { name: name.to_owned() }),
         }
         self
@@ -189,7 +189,7 @@ impl Builder {
     /// Also checks against a profile: a CiA number such as `401`, or the path of a custom profile; may be called several times.
     #[cfg(feature = "lint")]
     pub fn profile(mut self, name: impl Into<String>) -> Self {
-        self.request.judging.profiles.push(name.into());
+        self.request.check.profiles.push(name.into());
         self
     }
 
@@ -224,36 +224,36 @@ impl Builder {
         let produced = self.produce(&mut files);
         // also when it fails, so that the next run knows what to wait for
         files.iter().try_for_each(|file| cargo.depends_on(file)).map_err(Error::Cargo)?;
-        let (judged, generation) = produced?;
-        self.warn(&judged, &generation, &mut cargo).map_err(Error::Cargo)?;
+        let (checked, generation) = produced?;
+        self.warn(&checked, &generation, &mut cargo).map_err(Error::Cargo)?;
         let folder = self.out_dir.or_else(|| std::env::var_os("OUT_DIR").map(PathBuf::from));
         let folder = OutputFolder::open(&folder.ok_or(Error::NoOutDir)?, "generate", self.overwrite)?;
         write(&generation, folder, &files)
     }
 
-    fn produce(&self, files: &mut Vec<PathBuf>) -> Result<(Judged, Generation), Error> {
+    fn produce(&self, files: &mut Vec<PathBuf>) -> Result<(CheckedDescription, Generation), Error> {
         let Request { file, reading, .. } = &self.request;
         let bytes = source::read(file, reading.max_size).map_err(ReadError::from)?;
-        let judged = self.request.judge(&file.display().to_string(), bytes, files)?;
-        let generation = self.request.produce(&judged, files)?;
-        Ok((judged, generation))
+        let checked = self.request.check(&file.display().to_string(), bytes, files)?;
+        let generation = self.request.produce(&checked, files)?;
+        Ok((checked, generation))
     }
 
     fn warn(
         &self,
-        judged: &Judged,
+        checked: &CheckedDescription,
         generation: &Generation,
         cargo: &mut Cargo<impl Write>,
     ) -> io::Result<()> {
         let file = self.request.file.display();
         let of_file = |severity| {
-            let of_severity = judged.findings.iter().filter(move |finding| finding.severity == severity);
+            let of_severity = checked.findings.iter().filter(move |finding| finding.severity == severity);
             of_severity.map(|finding| {
-                with_advice(judged.line(finding), finding.help.as_ref().map(Text::shown).as_deref())
+                with_advice(checked.line(finding), finding.help.as_ref().map(Text::shown).as_deref())
             })
         };
         cargo.warn(usize::MAX, of_file(Severity::Error), |_| String::new())?;
-        let warnings = judged.of_config.iter().cloned().chain(of_file(Severity::Warning));
+        let warnings = checked.of_config.iter().cloned().chain(of_file(Severity::Warning));
         cargo.warn(self.max_warnings, warnings, |count| {
             let warnings = counted(count, "more warning", "more warnings");
             format!("{file}: {warnings}; run `objdict check`")

@@ -16,7 +16,7 @@ use crate::diagnostic::{Severity, one_line};
 use crate::format::ReadError;
 use crate::format::input::Input;
 use crate::generate::Target;
-use crate::pipeline::{Error, Generation, Judged, Request, Room, depfile, report_lines};
+use crate::pipeline::{CheckedDescription, Error, Generation, MemoryLimits, Request, depfile, report_lines};
 use crate::report::{Tally, plural};
 use crate::scaffold;
 
@@ -34,12 +34,12 @@ pub(super) fn run(args: &GenerateArgs, out: &mut Output) -> Result<Outcome, Fail
     let mut files: Vec<PathBuf> =
         Some(args.file.clone()).into_iter().filter(|file| file != Path::new("-")).collect();
     let progress = Progress::new("generating", 1);
-    let produced = request.judge(&source_name(&args.file), bytes, &mut files).and_then(|judged| {
-        let generation = request.produce(&judged, &mut files)?;
-        Ok((judged, generation))
+    let produced = request.check(&source_name(&args.file), bytes, &mut files).and_then(|checked| {
+        let generation = request.produce(&checked, &mut files)?;
+        Ok((checked, generation))
     });
     drop(progress);
-    let (judged, generation) = match produced {
+    let (checked, generation) = match produced {
         Ok(produced) => produced,
         Err(error) => return refused(error),
     };
@@ -47,7 +47,7 @@ pub(super) fn run(args: &GenerateArgs, out: &mut Output) -> Result<Outcome, Fail
         list(args, &generation, out)?;
     } else {
         let folder = admit(args, &generation, &files)?;
-        write(args, &judged, &generation, folder, out)?;
+        write(args, &checked, &generation, folder, out)?;
         stamp(args, &files)?;
     }
     for (target, generated) in &generation.outputs {
@@ -92,7 +92,7 @@ fn supply(args: &GenerateArgs, request: &Request, bytes: Vec<u8>) -> Result<Vec<
 
 fn write(
     args: &GenerateArgs,
-    judged: &Judged,
+    checked: &CheckedDescription,
     generation: &Generation,
     mut folder: Folder,
     out: &mut Output,
@@ -113,7 +113,7 @@ fn write(
     if args.report.is_some() && args.format == SizeFormat::Json {
         sizes::write_json(&generation.sizes, &mut out.raw()?)?;
     } else {
-        out.summary(format_args!("{}: {}", name_of(&args.file), facts(judged, generation)))?;
+        out.summary(format_args!("{}: {}", name_of(&args.file), facts(checked, generation)))?;
         if !is_quiet() {
             table.write(out)?;
         }
@@ -174,7 +174,7 @@ fn request(args: &GenerateArgs) -> Result<Request, Failure> {
     Ok(Request {
         file: args.file.clone(),
         reading: args.input.reading(),
-        judging: args.config.judging(&args.profiles),
+        check: args.config.check(&args.profiles),
         deny: args.deny.map(Severity::from),
         baseline: args.baseline.clone(),
         implicit_pdos: args.expand.implicit_pdos,
@@ -182,7 +182,7 @@ fn request(args: &GenerateArgs) -> Result<Request, Failure> {
         targets: targets.map_err(Failure::new)?,
         options: args.options.given(),
         sizes: args.report.is_some(),
-        room: Room { flash: args.max_flash, ram: args.max_ram },
+        room: MemoryLimits { flash: args.max_flash, ram: args.max_ram },
     })
 }
 
@@ -213,10 +213,10 @@ fn refused(error: Error) -> Result<Outcome, Failure> {
     }
 }
 
-fn facts(judged: &Judged, generation: &Generation) -> String {
+fn facts(checked: &CheckedDescription, generation: &Generation) -> String {
     let mut tally = Tally::default();
-    tally.add(&judged.findings);
-    let warnings = tally.warnings + judged.of_config.len();
+    tally.add(&checked.findings);
+    let warnings = tally.warnings + checked.of_config.len();
     let found = match (tally.errors, warnings) {
         (0, 0) => "no errors".to_owned(),
         (0, _) => format!("no errors, {} (run `objdict check`)", plural(warnings, "warning")),

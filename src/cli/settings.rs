@@ -15,7 +15,7 @@ use crate::config::Config;
 pub(super) use crate::config::Project;
 use crate::diagnostic::{Selection, Severity, Tool, series};
 use crate::lint::{Level, Options, Severities};
-use crate::pipeline::{Configuration, Judging};
+use crate::pipeline::{CheckSettings, Configuration};
 use crate::profile::Profile;
 use crate::registry;
 
@@ -99,13 +99,13 @@ fn tool(name: &str) -> Result<Tool, String> {
 
 impl ConfigArgs {
     /// Settings of a check, with further profiles.
-    pub(super) fn judging(&self, profiles: &ProfileArgs) -> Judging {
+    pub(super) fn check(&self, profiles: &ProfileArgs) -> CheckSettings {
         let config = match &self.file.config {
             Some(path) => Configuration::At(path.clone()),
             None if self.file.no_config => Configuration::Off,
             None => Configuration::Nearest,
         };
-        Judging { config, severities: self.severities(), profiles: profiles.profiles.clone() }
+        CheckSettings { config, severities: self.severities(), profiles: profiles.profiles.clone() }
     }
 
     fn severities(&self) -> Severities {

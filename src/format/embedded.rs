@@ -23,7 +23,7 @@ const MIN_VALUE: usize = 60;
 
 /// Where a format has room.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(super) enum Room {
+pub(super) enum Carrier {
     /// In a section with a key for each item, which an EDS has as comment lines.
     Lines,
     /// In properties of parameters, and in characteristics for what belongs to no object.
@@ -57,20 +57,20 @@ pub(super) fn restore(mut device: Device, mut findings: Findings) -> (Device, Fi
         findings.push(finding.help("remove the item, or convert the file again"));
     }
     if !refused.is_empty() {
-        embed(&mut device, &refused, Room::Lines);
+        embed(&mut device, &refused, Carrier::Lines);
     }
     (device, findings)
 }
 
 /// Puts changes into a device, in the places that the format has.
-pub(super) fn embed(device: &mut Device, changes: &[DatumChange], room: Room) {
+pub(super) fn embed(device: &mut Device, changes: &[DatumChange], room: Carrier) {
     match room {
-        Room::Lines => {
+        Carrier::Lines => {
             let mut entries = Extra::default();
             changes.iter().flat_map(lines).for_each(|(key, piece)| entries.push(&key, &piece));
             device.extra.push(ExtraSection::new(EMBEDDED_SECTION, &entries));
         }
-        Room::Properties => {
+        Carrier::Properties => {
             let mut characteristics = Vec::new();
             for change in changes {
                 match entry_of(device, &change.path) {
@@ -310,7 +310,7 @@ mod tests {
             change("/objects/0x2000/subs", Some(7), None),
             change("/comments", None, Some(json!([long, " "]))),
         ];
-        for room in [Room::Lines, Room::Properties] {
+        for room in [Carrier::Lines, Carrier::Properties] {
             let mut device = Device::default();
             embed(&mut device, &changes, room);
             assert_eq!(extract(&mut device), changes, "{room:?}");
@@ -322,7 +322,7 @@ mod tests {
     fn lines_stay_short_and_keep_their_blanks() {
         let value = change("/comments", None, Some(json!([" ".repeat(1000)])));
         let mut device = Device::default();
-        embed(&mut device, std::slice::from_ref(&value), Room::Lines);
+        embed(&mut device, std::slice::from_ref(&value), Carrier::Lines);
         for (key, value) in device.extra[0].entries() {
             let line = format!(";{EMBEDDED_COMMENT}{key}={value}\r\n");
             assert!(line.len() < 255 && value.trim() == value, "{line}");

@@ -8,7 +8,7 @@ use serde::Serialize;
 use serde_json::Value;
 
 use super::complete;
-use super::embedded::{self, Room};
+use super::embedded::{self, Carrier};
 use super::ini::Document;
 use super::input::DEFAULT_MAX_ENTRIES;
 use super::xml::Tree;
@@ -388,10 +388,10 @@ fn without(missing: Vec<Missing>, others: &[Missing]) -> Vec<Missing> {
     missing.into_iter().filter(is_apart).collect()
 }
 
-const fn room(format: Format) -> Room {
+const fn room(format: Format) -> Carrier {
     match format {
-        Format::Eds | Format::Dcf => Room::Lines,
-        Format::Xdd | Format::Xdc => Room::Properties,
+        Format::Eds | Format::Dcf => Carrier::Lines,
+        Format::Xdd | Format::Xdc => Carrier::Properties,
     }
 }
 

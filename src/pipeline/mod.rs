@@ -52,7 +52,7 @@ pub(crate) struct Request {
     /// How it is read.
     pub(crate) reading: Reading,
     /// The settings of the check.
-    pub(crate) judging: Judging,
+    pub(crate) check: CheckSettings,
     /// Whether the PDOs are described that `CompactPDO` implies.
     pub(crate) implicit_pdos: bool,
     /// Whether to generate although tables will be wrong.
@@ -69,12 +69,12 @@ pub(crate) struct Request {
     /// Whether the size of the tables is reported.
     pub(crate) sizes: bool,
     /// The bytes of flash and of RAM that the tables of a target may take at most.
-    pub(crate) room: Room,
+    pub(crate) room: MemoryLimits,
 }
 
 /// The settings of a check.
 #[derive(Debug, Default)]
-pub(crate) struct Judging {
+pub(crate) struct CheckSettings {
     #[cfg(feature = "lint")]
     pub(crate) config: Configuration,
     pub(crate) severities: Severities,
@@ -98,7 +98,7 @@ pub(crate) enum Configuration {
 
 /// A description that was read and checked.
 #[derive(Debug)]
-pub(crate) struct Judged {
+pub(crate) struct CheckedDescription {
     /// What reports call it.
     name: String,
     described: Described,
@@ -118,7 +118,7 @@ enum Described {
 
 /// What tables may take at most, in bytes.
 #[derive(Clone, Copy, Debug, Default)]
-pub(crate) struct Room {
+pub(crate) struct MemoryLimits {
     pub(crate) flash: Option<usize>,
     pub(crate) ram: Option<usize>,
 }
@@ -140,12 +140,12 @@ impl Request {
     /// Reads and checks the bytes of the description, which reports call `name`. The other files that are read for it go
     /// to `files`, whatever becomes of it.
     #[cfg_attr(not(feature = "lint"), expect(clippy::ptr_arg, reason = "configuration and profiles join it"))]
-    pub(crate) fn judge(
+    pub(crate) fn check(
         &self,
         name: &str,
         bytes: Vec<u8>,
         files: &mut Vec<PathBuf>,
-    ) -> Result<Judged, Error> {
+    ) -> Result<CheckedDescription, Error> {
         let (kind, input) = self.reading.read_one(name, bytes)?;
         let described = match input {
             Input::Description(description) => Described::Text(description),
@@ -169,7 +169,7 @@ impl Request {
             #[cfg(feature = "json")]
             Described::Model(device) => options.severities.apply(lint::check(device, &options)),
         };
-        Ok(Judged { name: name.to_owned(), described, findings, of_config })
+        Ok(CheckedDescription { name: name.to_owned(), described, findings, of_config })
     }
 
     /// The findings that are not in the baseline.
@@ -195,7 +195,7 @@ impl Request {
     /// The options of the check, and the problems of the configuration that they come from.
     #[cfg(feature = "lint")]
     fn configured(&self, files: &mut Vec<PathBuf>) -> Result<(lint::Options, Vec<String>), Error> {
-        let severities = &self.judging.severities;
+        let severities = &self.check.severities;
         let Some(project) = self.project(files)? else {
             let options = lint::Options { severities: severities.clone(), ..lint::Options::default() };
             return Ok((self.with_profiles(options, files)?, Vec::new()));
@@ -209,7 +209,7 @@ impl Request {
 
     #[cfg(feature = "lint")]
     fn project(&self, files: &mut Vec<PathBuf>) -> Result<Option<Project>, Error> {
-        let path = match &self.judging.config {
+        let path = match &self.check.config {
             Configuration::Off => return Ok(None),
             Configuration::At(path) => Some(path.clone()),
             Configuration::Nearest => {
@@ -233,7 +233,7 @@ impl Request {
         mut options: lint::Options,
         files: &mut Vec<PathBuf>,
     ) -> Result<lint::Options, Error> {
-        for name in &self.judging.profiles {
+        for name in &self.check.profiles {
             options.profiles.push(self.profile(name, files)?);
         }
         Ok(options)
@@ -251,13 +251,17 @@ impl Request {
     ///
     /// # Errors
     /// When errors in the description make a table wrong and `force` is not set, or a target cannot express the device.
-    pub(crate) fn produce(&self, judged: &Judged, files: &mut Vec<PathBuf>) -> Result<Generation, Error> {
+    pub(crate) fn produce(
+        &self,
+        checked: &CheckedDescription,
+        files: &mut Vec<PathBuf>,
+    ) -> Result<Generation, Error> {
         if !self.force {
-            judged.refuse(|finding| self.is_stopped_by(finding))?;
+            checked.refuse(|finding| self.is_stopped_by(finding))?;
         }
-        let device = judged.device();
+        let device = checked.device();
         let device = if self.implicit_pdos { device.with_implicit_pdos() } else { Cow::Borrowed(device) };
-        let options = self.options(judged, files)?;
+        let options = self.options(checked, files)?;
         let mut outputs: Vec<(Target, Generated)> = Vec::new();
         let mut sizes = Vec::new();
         let mut paths: BTreeSet<String> = BTreeSet::new();
@@ -296,10 +300,10 @@ impl Request {
         is_denied || self.targets.iter().any(|target| finding.stops(target.name()))
     }
 
-    fn options(&self, judged: &Judged, files: &mut Vec<PathBuf>) -> Result<Options, Error> {
+    fn options(&self, checked: &CheckedDescription, files: &mut Vec<PathBuf>) -> Result<Options, Error> {
         let mut options = self.options.clone();
         options.file_stem = stem(&self.file);
-        options.source_hash = match &judged.described {
+        options.source_hash = match &checked.described {
             Described::Text(description) => Some(hash(description.source().text().as_bytes())),
             #[cfg(feature = "json")]
             Described::Model(_) => None,
@@ -314,7 +318,7 @@ impl Request {
     }
 }
 
-impl Room {
+impl MemoryLimits {
     fn is_limited(self) -> bool {
         self.flash.is_some() || self.ram.is_some()
     }
@@ -351,7 +355,7 @@ impl Room {
     }
 }
 
-impl Judged {
+impl CheckedDescription {
     fn device(&self) -> &Device {
         match &self.described {
             Described::Text(description) => description.device(),

@@ -25,7 +25,10 @@ fn the_pictures_of_the_readme_are_what_is_printed() {
             std::fs::write(&path, &picture).unwrap();
         }
         let shown = std::fs::read_to_string(&path).unwrap();
-        assert!(shown == picture, "{name} is stale: OBJDICT_PICTURES=write cargo test --test command pictures");
+        assert!(
+            shown == picture,
+            "{name} is stale: OBJDICT_PICTURES=write cargo test --test command pictures"
+        );
         assert!(readme.contains(&format!("docs/images/{name}")), "README.md does not show {name}");
     }
 }

@@ -5,7 +5,7 @@ use std::path::Path;
 use objdict::bus::{Conditions, Milestone, Run, boot};
 use objdict::download::ConciseDcf;
 use objdict::format::network::{BootFiles, BuiltFile, NetworkFile};
-use objdict::network::{LelyOptions, Manner, Overview, compile};
+use objdict::network::{DcfgenMode, LelyOptions, Overview, compile};
 use objdict::source::SourceFile;
 
 use crate::network::{new_folder, objections, path, verified};
@@ -37,7 +37,7 @@ fn found(file: &NetworkFile) -> Vec<String> {
 
 /// What is found, after the built files for Lely and the DCFs were verified.
 fn agreed(file: &NetworkFile) -> Vec<String> {
-    let build = file.build(Manner::Repaired).unwrap();
+    let build = file.build(DcfgenMode::Corrected).unwrap();
     verified(&build, build.lely(&LelyOptions::default()).unwrap());
     verified(&build, build.dcfs().unwrap());
     assert!(booted(file).is_booted());
@@ -57,12 +57,12 @@ fn checked(file: &NetworkFile) -> String {
 
 fn overview(file: &NetworkFile) -> Overview {
     let network = file.network.as_ref().unwrap();
-    Overview::new(network, &compile(network, Manner::Repaired, &mut Default::default()))
+    Overview::new(network, &compile(network, DcfgenMode::Corrected, &mut Default::default()))
 }
 
-fn master(file: &NetworkFile, manner: Manner) -> String {
-    let build = file.build(manner).unwrap();
-    let files = build.lely(&LelyOptions { manner, ..LelyOptions::default() }).unwrap();
+fn master(file: &NetworkFile, mode: DcfgenMode) -> String {
+    let build = file.build(mode).unwrap();
+    let files = build.lely(&LelyOptions { mode, ..LelyOptions::default() }).unwrap();
     String::from_utf8(files[0].bytes.clone()).unwrap()
 }
 
@@ -87,17 +87,17 @@ fn the_manager_receives_requested_pdos() {
         let text = format!("{HEAD}[node.a]\nfile = \"a.eds\"\nid = 5\ntpdo.1 = {{ type = \"{word}\" }}\n");
         let text = if number == 252 { text.replace("125\n", "125\nsync = \"10ms\"\n") } else { text };
         let file = network(word, &text, &[("a.eds", "middle.eds", &[])]);
-        let build = file.build(Manner::Repaired).unwrap();
+        let build = file.build(DcfgenMode::Corrected).unwrap();
         verified(&build, build.lely(&LelyOptions::default()).unwrap());
         verified(&build, build.dcfs().unwrap());
         assert_eq!(found(&file), [""; 0], "{word}");
-        let type_of = |manner| {
-            let master = master(&file, manner);
+        let type_of = |mode| {
+            let master = master(&file, mode);
             let (_, entry) = master.split_once("[1400sub2]").unwrap();
             entry.lines().find_map(|line| line.strip_prefix("DefaultValue=")).map(str::to_owned)
         };
-        assert_eq!(type_of(Manner::Repaired).as_deref(), Some("0xFF"), "{word}");
-        assert_eq!(type_of(Manner::Strict), Some(format!("{number:#X}").replace("0X", "0x")), "{word}");
+        assert_eq!(type_of(DcfgenMode::Corrected).as_deref(), Some("0xFF"), "{word}");
+        assert_eq!(type_of(DcfgenMode::Exact), Some(format!("{number:#X}").replace("0X", "0x")), "{word}");
     }
 }
 
@@ -113,17 +113,17 @@ fn a_bit_rate_is_that_of_the_dcfs_or_none() {
     };
     let same = rated("rates", "250");
     assert!(!found(&same).iter().any(|line| line.contains("kbit/s")), "{:?}", found(&same));
-    assert!(master(&same, Manner::Repaired).contains("\nBaudrate=250\n"));
+    assert!(master(&same, DcfgenMode::Corrected).contains("\nBaudrate=250\n"));
     assert_eq!(overview(&same).bit_rate, Some(250));
     let other = rated("other-rates", "125");
     assert!(found(&other).iter().any(|line| line.starts_with("unsupported-bit-rate")), "{:?}", found(&other));
     let text = format!("{head}[node.a]\nfile = \"a.eds\"\nid = 5\n");
     let none = network("no-rate", &text, &[("a.eds", "middle.eds", &[])]);
     assert_eq!(agreed(&none), [""; 0]);
-    assert!(master(&none, Manner::Repaired).contains("\nBaudrate=\n"));
+    assert!(master(&none, DcfgenMode::Corrected).contains("\nBaudrate=\n"));
     let text = "master:\n  node_id: 1\na:\n  dcf: a.eds\n  node_id: 5\n";
     let dcfgen = network("dcfgen-rate", text, &[("a.eds", "middle.eds", &[])]);
-    assert!(master(&dcfgen, Manner::Repaired).contains("\nBaudrate=1000\n"));
+    assert!(master(&dcfgen, DcfgenMode::Corrected).contains("\nBaudrate=1000\n"));
     assert_eq!(overview(&dcfgen).bit_rate, Some(1000));
 }
 
@@ -188,7 +188,7 @@ fn an_identifier_in_use_is_not_changed() {
     let file = network("emcy", &node("sdo = [{ entry = \"1014\", value = 0x85 }]\n"), &copies);
     let reason = "the identifier changes while `0x86` is in use";
     assert_eq!(found(&file), [format!("refused-download: `a` refuses the download to 1014h:00: {reason}")]);
-    let build = file.build(Manner::Repaired).unwrap();
+    let build = file.build(DcfgenMode::Corrected).unwrap();
     for files in [build.dcfs(), build.concise(), build.lely(&LelyOptions::default())] {
         let refused = format!("`a` refuses download 1, 1014:00: {reason}");
         assert_eq!(objections(&build, &files.unwrap()), [refused]);
@@ -207,7 +207,7 @@ fn another_sync_counter_is_found_before_the_build() {
     let message = "`manager` expects SYNC with the counter overflow 0, but it is 16";
     let message = message.replace("manager", "m");
     assert!(found(&file).contains(&format!("sync-counter: {message}")), "{:?}", found(&file));
-    let build = file.build(Manner::Repaired).unwrap();
+    let build = file.build(DcfgenMode::Corrected).unwrap();
     assert!(objections(&build, &build.dcfs().unwrap()).contains(&message));
     let same = text.replace("125\n", "125\nsync-overflow = 16\n");
     let same = network("same-counter", &same, &[("a.eds", "counter.eds", &[])]);
@@ -267,7 +267,7 @@ fn a_plant_of_eight_vendor_devices_boots() {
     let source = SourceFile::from_text("network.toml", text);
     let file = NetworkFile::read(source, Path::new(&corpus), &Default::default());
     assert!(!file.check().has_errors(), "{:?}", found(&file));
-    let build = file.build(Manner::Repaired).unwrap();
+    let build = file.build(DcfgenMode::Corrected).unwrap();
     let files: Vec<BuiltFile> = verified(&build, build.concise().unwrap());
     assert!(files.iter().all(|file| ConciseDcf::parse(&file.bytes).is_ok()));
     assert!(count < 8 || booted(&file).is_booted());

@@ -7,7 +7,7 @@ use objdict::diagnostic::{Findings, Severity};
 use objdict::download::{ConciseDcf, Download};
 use objdict::format::network::{BootFiles, BuiltFile, InstallError, Installation, NetworkFile, install};
 use objdict::model::{Access, Device, PdoKind};
-use objdict::network::{LelyOptions, Manner, compile};
+use objdict::network::{DcfgenMode, LelyOptions, compile};
 use objdict::source::SourceFile;
 
 use crate::network::{objections, open, path, verified};
@@ -23,7 +23,7 @@ fn run(installation: &Installation) -> Run {
 /// The DCFs of chapter 4.
 fn dcfs() -> Vec<BuiltFile> {
     let file = open("chapter4.toml");
-    let build = file.build(Manner::Repaired).unwrap();
+    let build = file.build(DcfgenMode::Corrected).unwrap();
     verified(&build, build.dcfs().unwrap())
 }
 
@@ -78,7 +78,7 @@ fn the_fixtures_boot_and_have_their_effective_values() {
     for name in NETWORKS {
         let file = open(name);
         let network = file.network.as_ref().unwrap();
-        let compiled = compile(network, Manner::Repaired, &mut Findings::new());
+        let compiled = compile(network, DcfgenMode::Corrected, &mut Findings::new());
         for files in [BootFiles::Dcf, BootFiles::Lely] {
             let installation = file.install(files).unwrap();
             assert!(installation.notes.is_empty(), "{name}: {:?}", installation.notes);
@@ -171,7 +171,7 @@ fn files_without_a_manager_or_with_two_do_not_boot() {
 #[test]
 fn the_files_of_lely_boot_with_the_nodes_of_the_network() {
     let file = open("worked.yml");
-    let mut files = file.build(Manner::Repaired).unwrap().lely(&LelyOptions::default()).unwrap();
+    let mut files = file.build(DcfgenMode::Corrected).unwrap().lely(&LelyOptions::default()).unwrap();
     assert!(run(&install(&files, Some(&file)).unwrap()).is_booted());
     files.retain(|file| file.name != "drive.bin");
     let run = run(&install(&files, Some(&file)).unwrap());
@@ -215,7 +215,7 @@ fn corrupted_files_boot_or_say_why_not() {
 fn nothing_is_against_what_is_built() {
     for name in NETWORKS {
         let file = open(name);
-        let build = file.build(Manner::Repaired).unwrap();
+        let build = file.build(DcfgenMode::Corrected).unwrap();
         verified(&build, build.dcfs().unwrap());
         verified(&build, build.concise().unwrap());
         verified(&build, vec![build.manager().unwrap()]);
@@ -227,7 +227,7 @@ fn nothing_is_against_what_is_built() {
 #[test]
 fn what_a_node_refuses_is_against_its_file() {
     let file = open("chapter4.toml");
-    let build = file.build(Manner::Repaired).unwrap();
+    let build = file.build(DcfgenMode::Corrected).unwrap();
     let mut files = build.concise().unwrap();
     let mut middle = ConciseDcf::parse(&files[2].bytes).unwrap();
     middle.0.push(Download::new(0x1000, 0, [0; 4]));
@@ -242,7 +242,7 @@ fn what_a_node_refuses_is_against_its_file() {
 #[test]
 fn the_rules_are_against_what_comes_of_the_files() {
     let file = open("chapter4.toml");
-    let build = file.build(Manner::Repaired).unwrap();
+    let build = file.build(DcfgenMode::Corrected).unwrap();
     let mut files = build.concise().unwrap();
     let mut middle = ConciseDcf::parse(&files[2].bytes).unwrap();
     middle.0.push(Download::new(0x1800, 1, 0x18B_u32.to_le_bytes()));
@@ -259,7 +259,7 @@ fn the_rules_are_against_what_comes_of_the_files() {
 #[test]
 fn a_configuration_that_the_manager_does_not_find_is_missing() {
     let file = open("worked.yml");
-    let build = file.build(Manner::Repaired).unwrap();
+    let build = file.build(DcfgenMode::Corrected).unwrap();
     let mut files = build.lely(&LelyOptions::default()).unwrap();
     files.retain(|file| file.name != "drive.bin");
     let found = objections(&build, &files);
@@ -330,7 +330,7 @@ fn a_plant_of_eight_kinds_of_devices_boots() {
         .map(|finding| finding.message.shown().into_owned())
         .collect();
     assert_eq!(errors, Vec::<String>::new());
-    let build = file.build(Manner::Repaired).unwrap();
+    let build = file.build(DcfgenMode::Corrected).unwrap();
     for files in [build.dcfs().unwrap(), build.lely(&LelyOptions::default()).unwrap()] {
         let files = verified(&build, files);
         let run = run(&install(&files, Some(&file)).unwrap());
@@ -346,7 +346,7 @@ fn what_only_tools_must_not_write_is_not_against_a_file() {
     let text = "[bus]\nbit-rate = 500\n[manager]\nid = 1\n[node.io]\nfile = \"eds/io-401.eds\"\nid = 5\n";
     let source = SourceFile::from_text("network.toml", text);
     let file = NetworkFile::read(source, &support::fixtures(), &Default::default());
-    let build = file.build(Manner::Repaired).unwrap();
+    let build = file.build(DcfgenMode::Corrected).unwrap();
     let save = Download::new(0x1010, 1, *b"save");
     let stream = ConciseDcf(vec![save]);
     let device = &file.network.as_ref().unwrap().nodes[0].device;

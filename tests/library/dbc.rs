@@ -8,7 +8,7 @@ use objdict::model::{
     ApplicationProcess, DataTypeRef, Device, Labels, Object, Parameter, SimpleType, TypeDefinition,
     TypeShape, Unit, Value, VarDeclaration,
 };
-use objdict::network::Manner;
+use objdict::network::DcfgenMode;
 use objdict::source::{SourceFile, SourceOptions};
 
 use crate::support;
@@ -43,7 +43,7 @@ fn a_network() {
 #[test]
 fn a_network_file() {
     let nodes =
-        super::network::open("line.toml").build(Manner::Repaired).unwrap().configured_nodes().unwrap();
+        super::network::open("line.toml").build(DcfgenMode::Corrected).unwrap().configured_nodes().unwrap();
     let bus = nodes.iter().map(|node| BusNode {
         device: &node.device,
         node_id: node.node_id,

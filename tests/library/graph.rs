@@ -3,7 +3,7 @@
 use std::collections::BTreeSet;
 
 use objdict::diagnostic::Findings;
-use objdict::network::{Manner, Overview, compile, graph};
+use objdict::network::{DcfgenMode, Overview, compile, graph};
 use roxmltree::{Document, Node};
 
 use crate::links::{many, open};
@@ -12,7 +12,7 @@ use crate::links::{many, open};
 fn overview(nodes: usize, name: &str) -> Overview {
     let bus = format!("[bus]\nname = '{name}'\nbit-rate = 1000\nsync = '10ms'\nmanager = 'n0'\n");
     let network = open(&format!("graph{nodes}"), &(bus + &many(nodes))).network.unwrap();
-    Overview::new(&network, &compile(&network, Manner::Repaired, &mut Findings::new()))
+    Overview::new(&network, &compile(&network, DcfgenMode::Corrected, &mut Findings::new()))
 }
 
 fn number(node: Node<'_, '_>, name: &str) -> f64 {

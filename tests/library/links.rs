@@ -5,7 +5,7 @@ use std::fs;
 
 use objdict::diagnostic::{Findings, Severity};
 use objdict::format::network::NetworkFile;
-use objdict::network::{Manner, Messages, Network, Party, compile};
+use objdict::network::{DcfgenMode, Messages, Network, Party, compile};
 use objdict::source::SourceFile;
 
 use crate::support;
@@ -22,7 +22,7 @@ fn chapter_4() -> String {
 
 /// The PDOs of a network, a line each: CAN-ID, sender and receivers.
 fn pdos(network: &Network) -> Vec<String> {
-    let compiled = compile(network, Manner::Repaired, &mut Findings::new());
+    let compiled = compile(network, DcfgenMode::Corrected, &mut Findings::new());
     let named =
         |party: &Party| format!("{} {}", network.nodes[party.node.unwrap()].name.value, party.service);
     let is_pdo = |party: &&Party| party.service.to_string().contains("PDO");
@@ -55,7 +55,7 @@ fn the_network_of_chapter_4_comes_out_as_printed() {
             "501h right TPDO 2: plc RPDO 4",
         ]
     );
-    let compiled = compile(&network, Manner::Repaired, &mut Findings::new());
+    let compiled = compile(&network, DcfgenMode::Corrected, &mut Findings::new());
     let left = &compiled.slaves[0];
     let stream = left.arranged().unwrap();
     assert_eq!((stream.0.len(), stream.write().unwrap().len()), (33, 325));
@@ -112,7 +112,7 @@ fn a_node_watches_others_beside_the_manager() {
     let file = open("watches", text);
     let found: Vec<_> = file.check().iter().map(|finding| finding.message.to_string()).collect();
     assert!(found.contains(&"there is no node `nowhere`, which `left` watches".to_owned()), "{found:?}");
-    let compiled = compile(&file.network.unwrap(), Manner::Repaired, &mut Findings::new());
+    let compiled = compile(&file.network.unwrap(), DcfgenMode::Corrected, &mut Findings::new());
     let consumers = compiled.slaves[0].device.services().heartbeat_consumers;
     let consumers: Vec<_> =
         consumers.iter().map(|consumer| (consumer.sub, consumer.node_id, consumer.time)).collect();
@@ -160,7 +160,7 @@ fn a_watched_node_may_have_its_heartbeat_time_in_its_description() {
     let file = open("watched", text);
     assert!(file.check().is_empty(), "{:?}", file.check());
     let network = file.network.unwrap();
-    let compiled = compile(&network, Manner::Repaired, &mut Findings::new());
+    let compiled = compile(&network, DcfgenMode::Corrected, &mut Findings::new());
     let consumers = compiled.slaves[0].device.services().heartbeat_consumers;
     let watched: Vec<_> = consumers.iter().map(|consumer| (consumer.node_id, consumer.time)).collect();
     assert_eq!(watched, [(5, 1500)]);
@@ -178,16 +178,16 @@ fn a_pdo_with_a_constant_cob_id_stays_on() {
     fs::write(folder.join("network.toml"), text).unwrap();
     let file = NetworkFile::open(&folder.join("network.toml"), &Default::default()).unwrap();
     assert!(!file.check().has_errors(), "{:?}", file.check());
-    let downloads = |manner| {
-        let compiled = compile(file.network.as_ref().unwrap(), manner, &mut Findings::new());
+    let downloads = |mode| {
+        let compiled = compile(file.network.as_ref().unwrap(), mode, &mut Findings::new());
         let downloads = &compiled.slaves[0].downloads.0;
         downloads
             .iter()
             .map(|download| format!("{:04X}:{}", download.index, download.sub))
             .collect::<Vec<_>>()
     };
-    assert_eq!(downloads(Manner::Repaired), ["1800:5"]);
-    assert_eq!(downloads(Manner::Strict), ["1800:1", "1800:5", "1800:1"]);
+    assert_eq!(downloads(DcfgenMode::Corrected), ["1800:5"]);
+    assert_eq!(downloads(DcfgenMode::Exact), ["1800:1", "1800:5", "1800:1"]);
 }
 
 /// `--strict-dcfgen` builds what dcfgen builds, so errors of a `bus.yml` that it does not report leave no doubt about what is built.

@@ -8,7 +8,7 @@ use objdict::download::{ConciseDcf, effective};
 use objdict::format::network::{Build, BuiltFile, ConfigurationTime, NetworkFile, init, schema};
 use objdict::format::{self, Description, Format};
 use objdict::model::{Device, Value};
-use objdict::network::{End, LelyOptions, Manner, MessageRow, Overview, compile};
+use objdict::network::{DcfgenMode, End, LelyOptions, MessageRow, Overview, compile};
 use objdict::source::{SourceFile, SourceOptions};
 
 use crate::support;
@@ -24,7 +24,7 @@ pub(crate) fn path(name: &str) -> PathBuf {
 /// The files of Lely's master.
 pub(crate) fn lely(name: &str, options: &LelyOptions) -> Vec<BuiltFile> {
     let file = open(name);
-    let build = file.build(options.manner).unwrap();
+    let build = file.build(options.mode).unwrap();
     verified(&build, build.lely(options).unwrap())
 }
 
@@ -54,7 +54,7 @@ fn file<'a>(files: &'a [BuiltFile], name: &str) -> &'a [u8] {
 /// The worked example of the documentation of dcfgen's records: each of the 34 downloads, byte by byte.
 #[test]
 fn the_records_of_a_node_are_those_of_dcfgen() {
-    let options = LelyOptions { manner: Manner::Strict, remote_pdos: true };
+    let options = LelyOptions { mode: DcfgenMode::Exact, remote_pdos: true };
     let files = lely("worked.yml", &options);
     let drive = objdict::download::ConciseDcf::parse(file(&files, "drive.bin")).unwrap();
     let text: Vec<String> = drive.0.iter().map(|download| format!("{download:?}")).collect();
@@ -68,13 +68,13 @@ fn the_records_of_a_node_are_those_of_dcfgen() {
 /// What dcfgen does wrong is right by default, and nothing else differs.
 #[test]
 fn the_errors_of_dcfgen_are_not_copied() {
-    let text = |manner| {
+    let text = |mode| {
         String::from_utf8(
-            file(&lely("cell.yml", &LelyOptions { manner, remote_pdos: false }), "master.dcf").to_vec(),
+            file(&lely("cell.yml", &LelyOptions { mode, remote_pdos: false }), "master.dcf").to_vec(),
         )
         .unwrap()
     };
-    let (strict, repaired) = (text(Manner::Strict), text(Manner::Repaired));
+    let (strict, repaired) = (text(DcfgenMode::Exact), text(DcfgenMode::Corrected));
     let differences: Vec<String> = different_lines(&strict, &repaired);
     assert_eq!(
         differences,
@@ -98,7 +98,7 @@ fn every_stream_is_accepted_by_its_node() {
     for name in ["worked.yml", "cell.yml", "chapter4.toml", "line.toml"] {
         let network = open(name);
         assert!(!network.check().has_errors(), "{name}");
-        let build = network.build(Manner::Repaired).unwrap();
+        let build = network.build(DcfgenMode::Corrected).unwrap();
         for BuiltFile { name, bytes } in verified(&build, build.concise().unwrap()) {
             let node = network
                 .network
@@ -123,12 +123,12 @@ fn every_stream_is_accepted_by_its_node() {
 fn a_written_bus_yml_builds_the_same() {
     for name in ["worked.yml", "cell.yml"] {
         let folder = new_folder(&format!("bus-yml-{name}"));
-        for BuiltFile { name, bytes } in open(name).build(Manner::Repaired).unwrap().bus_yml() {
+        for BuiltFile { name, bytes } in open(name).build(DcfgenMode::Corrected).unwrap().bus_yml() {
             std::fs::write(folder.join(name), bytes).unwrap();
         }
         let again = NetworkFile::open(&folder.join("bus.yml"), &Default::default()).unwrap();
         let options = LelyOptions::default();
-        let again = again.build(Manner::Repaired).unwrap().lely(&options).unwrap();
+        let again = again.build(DcfgenMode::Corrected).unwrap().lely(&options).unwrap();
         assert_eq!(again, lely(name, &options), "{name}");
     }
 }
@@ -175,8 +175,9 @@ fn what_is_written_has_the_effective_values() {
     for name in ["worked.yml", "cell.yml", "chapter4.toml", "line.toml"] {
         let network = open(name);
         let nodes = &network.network.as_ref().unwrap().nodes;
-        let compiled = compile(network.network.as_ref().unwrap(), Manner::Repaired, &mut Findings::new());
-        let build = network.build(Manner::Repaired).unwrap();
+        let compiled =
+            compile(network.network.as_ref().unwrap(), DcfgenMode::Corrected, &mut Findings::new());
+        let build = network.build(DcfgenMode::Corrected).unwrap();
         let dcfs = verified(&build, build.dcfs().unwrap());
         let [concise, lely] = [
             verified(&build, build.concise().unwrap()),
@@ -212,7 +213,7 @@ fn what_is_written_has_the_effective_values() {
 #[test]
 fn the_manager_has_the_configuration_of_each_node() {
     let network = open("cell.yml");
-    let build = network.build(Manner::Repaired).unwrap();
+    let build = network.build(DcfgenMode::Corrected).unwrap();
     let device = build.manager_device().unwrap();
     let value = |index: u16, sub: u8| {
         device.object(index).and_then(|object| object.value(sub)).map(|value| value.to_string())
@@ -301,7 +302,7 @@ fn a_node_has_the_keys_of_its_type() {
         sdo = [{ entry = \"1017\", value = 100 }, { entry = \"1017\", value = 200 }]";
     let [one, other] = [of_type, plain].map(read);
     assert!(!one.check().has_errors(), "{:?}", one.check());
-    let files = |file: &NetworkFile| file.build(Manner::Repaired).unwrap().dcfs().unwrap();
+    let files = |file: &NetworkFile| file.build(DcfgenMode::Corrected).unwrap().dcfs().unwrap();
     assert_eq!(files(&one), files(&other));
     let factors = |file: &NetworkFile| -> Vec<f64> {
         file.network.as_ref().unwrap().nodes.iter().map(|node| node.heartbeat.factor).collect()
@@ -318,7 +319,7 @@ fn the_load_says_what_it_leaves_out() {
              tpdo.1 = {{ {keys} }}\nrpdo.1 = {{ event-timer = \"1s\" }}\n"
         );
         let file = read(&text);
-        let overview = file.build(Manner::Repaired).unwrap().overview("en");
+        let overview = file.build(DcfgenMode::Corrected).unwrap().overview("en");
         let pdo = overview.messages.iter().find(|message| message.can_id.to_string() == "18Bh").unwrap();
         assert_eq!(pdo.period.is_none(), !overview.uncounted.pdos.is_empty(), "{keys}");
         (overview.uncounted.words(overview.language, |id| id.to_string()), overview.load)
@@ -336,7 +337,7 @@ fn the_load_says_what_it_leaves_out() {
 #[test]
 fn the_manager_of_chapter_4_boots_two_islands() {
     let network = open("chapter4.toml");
-    let device = network.build(Manner::Repaired).unwrap().manager_device().unwrap();
+    let device = network.build(DcfgenMode::Corrected).unwrap().manager_device().unwrap();
     let value = |index: u16, sub: u8| {
         let value = device.object(index).and_then(|object| Some(object.value(sub)?.into_owned()));
         value.and_then(|value| value.integer_for(1)).map(|number| format!("{number:08X}"))
@@ -363,7 +364,7 @@ fn nodes_keep_the_time_of_their_configuration() {
     assert_eq!(objdict::model::Date::from_iso("1984-01-24").unwrap().days_after_1984(), Some(23));
     let time = ConfigurationTime { days: 15666, milliseconds: 41_400_000 };
     let network = open("chapter4.toml");
-    let build = network.build(Manner::Repaired).unwrap().configured_at(time);
+    let build = network.build(DcfgenMode::Corrected).unwrap().configured_at(time);
     let device = build.manager_device().unwrap();
     let value = |index: u16| device.object(index).unwrap().value(11).map(|value| value.to_string());
     assert_eq!([value(0x1F26), value(0x1F27)].map(Option::unwrap), ["15666", "41400000"]);
@@ -377,7 +378,7 @@ fn nodes_keep_the_time_of_their_configuration() {
 /// The messages of a network in words, and its findings that depend on values.
 fn said(file: &NetworkFile) -> (Vec<String>, BTreeSet<String>) {
     let network = file.network.as_ref().unwrap();
-    let compiled = compile(network, Manner::Repaired, &mut Findings::new());
+    let compiled = compile(network, DcfgenMode::Corrected, &mut Findings::new());
     let mut overview = Overview::new(network, &compiled);
     overview.messages.iter_mut().for_each(|message| message.receivers.sort_by_key(End::to_string));
     let ends = |ends: &[End]| ends.iter().map(End::to_string).collect::<Vec<_>>().join(", ");
@@ -397,7 +398,7 @@ fn said(file: &NetworkFile) -> (Vec<String>, BTreeSet<String>) {
 fn written(network: &NetworkFile, folder: &str) -> NetworkFile {
     let folder = new_folder(folder);
     let mut paths = Vec::new();
-    for BuiltFile { name, bytes } in network.build(Manner::Repaired).unwrap().dcfs().unwrap() {
+    for BuiltFile { name, bytes } in network.build(DcfgenMode::Corrected).unwrap().dcfs().unwrap() {
         std::fs::write(folder.join(&name), bytes).unwrap();
         paths.push(folder.join(name));
     }
@@ -471,7 +472,7 @@ fn the_configurations_of_the_manager_are_sent() {
     let network = open("chapter4.toml");
     let folder = new_folder("stale-manager");
     let mut paths = Vec::new();
-    for BuiltFile { name, bytes } in network.build(Manner::Repaired).unwrap().dcfs().unwrap() {
+    for BuiltFile { name, bytes } in network.build(DcfgenMode::Corrected).unwrap().dcfs().unwrap() {
         // TPDO 1 of node 11 gets the CAN-ID of node 12
         let mut text = String::from_utf8(bytes).unwrap();
         if name == "plc.dcf" {
@@ -514,7 +515,7 @@ fn a_file_with_several_devices_is_a_network() {
     let nodes = &network.network.as_ref().unwrap().nodes;
     let counts: Vec<_> = nodes.iter().map(|node| node.device.objects.len()).collect();
     assert!(matches!(counts[..], [first, second] if first != second), "{counts:?}");
-    assert_eq!(network.build(Manner::Repaired).unwrap().dcfs().unwrap().len(), 2);
+    assert_eq!(network.build(DcfgenMode::Corrected).unwrap().dcfs().unwrap().len(), 2);
     let one = format!("[node.a]\nid = 1\nfile = \"{}\"\n", path.display());
     std::fs::write(folder.join("network.toml"), one).unwrap();
     let findings = NetworkFile::open(&folder.join("network.toml"), &Default::default()).unwrap().check();

@@ -21,7 +21,7 @@ use objdict::format::input::{Input, Reading};
 use objdict::format::network::{NetworkFile, PathOptions};
 use objdict::format::{self, Description, Format, WriteOptions, json};
 use objdict::model::Device;
-use objdict::network::{Manner, compile};
+use objdict::network::{DcfgenMode, compile};
 
 use self::bombs::Kind;
 
@@ -169,7 +169,8 @@ fn of_network(name: &str, text: &str) {
     };
     if let Some(file) = file {
         println!("{name}: {} findings", file.check().len());
-        let slaves = file.network.map(|network| compile(&network, Manner::Repaired, &mut Findings::new()));
+        let slaves =
+            file.network.map(|network| compile(&network, DcfgenMode::Corrected, &mut Findings::new()));
         println!("{name}: {}", slaves.is_some());
     }
 }

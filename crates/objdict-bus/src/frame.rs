@@ -44,15 +44,15 @@ impl BusFrame {
     pub fn bits(&self) -> u32 {
         /// Delimiters, acknowledgement, end of frame, interframe space.
         const UNSTUFFED: u32 = 1 + 2 + 7 + 3;
-        let mut stream = Stream::default();
-        stream.push(0, 1); // start of frame
-        stream.push(self.id().into(), 11);
-        stream.push(self.is_remote.into(), 1);
-        stream.push(0, 2); // 11-bit identifier, reserved
-        stream.push(self.data().len() as u32, 4);
-        self.data().iter().for_each(|byte| stream.push(u32::from(*byte), 8));
-        stream.push(stream.crc.into(), 15);
-        stream.bits + UNSTUFFED
+        let mut bits = Stream::default();
+        bits.push(0, 1); // start of frame
+        bits.push(self.id().into(), 11);
+        bits.push(self.is_remote.into(), 1);
+        bits.push(0, 2); // 11-bit identifier, reserved
+        bits.push(self.data().len() as u32, 4);
+        self.data().iter().for_each(|byte| bits.push(u32::from(*byte), 8));
+        bits.push(bits.crc.into(), 15);
+        bits.bits + UNSTUFFED
     }
 
     /// The time that it takes on the bus in nanoseconds, at a bit rate in kbit/s.

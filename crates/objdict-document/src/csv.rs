@@ -194,7 +194,7 @@ fn downloads(page: &Page<'_>) -> HashMap<(u16, Option<u8>), String> {
         let value = download.value.as_ref().map_or_else(|| download.shown.clone(), plain);
         let texts = found.entry((download.entry.index, download.entry.sub)).or_default();
         let between = if texts.is_empty() { "" } else { "; " };
-        let _ = write!(texts, "{between}{} = {value}", number); // writing to a String cannot fail
+        let _ = write!(texts, "{between}{number} = {value}"); // writing to a String cannot fail
     }
     found
 }

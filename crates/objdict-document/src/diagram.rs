@@ -126,7 +126,7 @@ impl Diagram {
 fn rest(layout: &Layout) -> Option<Rest> {
     let span = layout.rest()?;
     let room = rooms(span).into_iter().next().filter(|_| layout.bits().is_some());
-    let place = |room: Room| (room.left.midpoint(room.right), room.top.midpoint(room.bottom) + 4);
+    let place = |room: Area| (room.left.midpoint(room.right), room.top.midpoint(room.bottom) + 4);
     Some(Rest { path: outline(span), place: room.map(place) })
 }
 
@@ -198,7 +198,7 @@ fn outline(span: Span) -> String {
 
 /// A rectangle for a text.
 #[derive(Clone, Copy)]
-struct Room {
+struct Area {
     left: u32,
     right: u32,
     top: u32,
@@ -212,17 +212,17 @@ fn texts(field: &Field, span: Span) -> Vec<Text> {
 
 /// Rectangles for the texts of a field: its full rows, else its longest part; both parts if they do not
 /// touch.
-fn rooms(span: Span) -> Vec<Room> {
+fn rooms(span: Span) -> Vec<Area> {
     let room = |(byte, low, end): (u32, u32, u32)| {
         let (left, right) = edges(low, end);
-        Room { left, right, top: top(byte), bottom: top(byte + 1) }
+        Area { left, right, top: top(byte), bottom: top(byte + 1) }
     };
     let rows: Vec<(u32, u32, u32)> = span.rows().collect();
     let whole = rows.iter().filter(|(_, low, end)| end - low == 8).map(|&row| room(row));
-    if let Some(room) = whole.reduce(|all, room| Room { bottom: room.bottom, ..all }) {
+    if let Some(room) = whole.reduce(|all, room| Area { bottom: room.bottom, ..all }) {
         return vec![room];
     }
-    let rooms: Vec<Room> = rows.into_iter().map(room).collect();
+    let rooms: Vec<Area> = rows.into_iter().map(room).collect();
     match rooms.as_slice() {
         [first, second] if second.left < first.right => {
             let longest = if first.right - first.left > second.right - second.left { first } else { second };
@@ -232,7 +232,7 @@ fn rooms(span: Span) -> Vec<Room> {
     }
 }
 
-fn texts_in(field: &Field, room: Room) -> Vec<Text> {
+fn texts_in(field: &Field, room: Area) -> Vec<Text> {
     let width = f64::from(room.right - room.left) - 5.0;
     let (x, middle) = (room.left.midpoint(room.right), room.top.midpoint(room.bottom));
     let text = |y, text| Text { x, y, is_place: false, text };

@@ -11,15 +11,15 @@ mod stored;
 mod sync;
 mod timing;
 
+use crate::compile::{Compiled, DcfgenMode, Slave, compile};
 use crate::diagnostic::{At, Findings};
 use crate::messages::{MessageId, Messages, Party};
 use crate::network::Network;
-use crate::stream::{Compiled, Manner, Slave, compile};
 use crate::traffic::Traffic;
 
 /// Reports the problems of a network: of the configurations, and between nodes.
 pub fn check(network: &Network, findings: &mut Findings) {
-    let compiled = compile(network, Manner::Repaired, findings);
+    let compiled = compile(network, DcfgenMode::Corrected, findings);
     let messages = Messages::new(network, &compiled);
     let mut check = Check { network, compiled: &compiled, messages: &messages, findings };
     check.nodes();

@@ -3,12 +3,12 @@
 use std::borrow::Cow;
 use std::collections::BTreeMap;
 
+use crate::compile::Slave;
 use crate::diagnostic::At;
 use crate::download::{ConciseDcf, Download, Order, PlanError, PlanOptions, Step, effective};
 use crate::model::{Device, DeviceKind, ExplicitDownload, Moment};
 use crate::network::{Network, Node};
 use crate::source::Span;
-use crate::stream::Slave;
 
 /// The device before the network configures it.
 pub(crate) fn before(node: &Node, node_id: u8) -> Device {

@@ -1,9 +1,9 @@
 //! What a node is by its description.
 
+use crate::compile::DcfgenMode;
 use crate::download::Order;
 use crate::model::{Device, Field, Part, Place};
 use crate::network::{Network, Node};
-use crate::stream::Manner;
 
 /// Which numbers of 1000h and 1018h the manager checks before it boots a node; each level has those before it.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, PartialOrd, Ord)]
@@ -88,10 +88,10 @@ pub(crate) fn described(device: &Device, node_id: u8, order: Order) -> [Stated; 
 }
 
 /// What the manager expects of the node: what the network file states counts more than the description.
-pub(crate) fn expected(network: &Network, node: &Node, node_id: u8, manner: Manner) -> [u32; 5] {
+pub(crate) fn expected(network: &Network, node: &Node, node_id: u8, mode: DcfgenMode) -> [u32; 5] {
     let device = &node.device;
     let mut identity = described(device, node_id, network.order).map(|(number, _)| number);
-    if manner == Manner::Strict {
+    if mode == DcfgenMode::Exact {
         // dcfgen knows no placeholders
         for (number, stated) in identity[1..].iter_mut().zip(stated(device)) {
             *number = stated.map_or(*number, |(number, _)| number);
@@ -102,10 +102,10 @@ pub(crate) fn expected(network: &Network, node: &Node, node_id: u8, manner: Mann
         *number = if of <= level { *number } else { 0 };
     }
     for (stated, place) in [(node.revision_number, 3), (node.serial_number, 4)] {
-        let stated = stated.filter(|stated| manner == Manner::Strict || stated.value != PLACEHOLDER);
+        let stated = stated.filter(|stated| mode == DcfgenMode::Exact || stated.value != PLACEHOLDER);
         identity[place] = stated.map_or(identity[place], |stated| stated.value);
     }
-    if manner == Manner::Repaired {
+    if mode == DcfgenMode::Corrected {
         // a node aborts the upload of what it does not have
         for (sub, number) in (1..).zip(&mut identity[1..]) {
             *number = if device.entry(0x1018, sub).is_some() { *number } else { 0 };

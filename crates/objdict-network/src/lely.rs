@@ -6,17 +6,17 @@ mod objects;
 mod text;
 
 use self::text::Text;
+use crate::compile::{DcfgenMode, PdoState, Slave};
 use crate::download::{ConciseDcf, Download};
 use crate::manager::Knowledge;
 use crate::model::{BaudRates, PdoKind};
 use crate::network::{Manager, Network, Node};
-use crate::stream::{Manner, PdoState, Slave};
 
 /// Options of Lely's files.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct LelyOptions {
     /// Whether the errors of dcfgen are copied.
-    pub manner: Manner,
+    pub mode: DcfgenMode,
     /// Whether the master knows the mappings of the nodes' PDOs (5800h to 5FFFh), so that programs can use their entries by
     /// index.
     pub remote_pdos: bool,
@@ -81,7 +81,7 @@ struct Writer<'a> {
 
 impl<'a> Writer<'a> {
     fn is_strict(&self) -> bool {
-        self.options.manner == Manner::Strict
+        self.options.mode == DcfgenMode::Exact
     }
 
     fn node(&self, slave: &Slave) -> &'a Node {
@@ -90,7 +90,7 @@ impl<'a> Writer<'a> {
 
     fn knowledge(&self) -> Knowledge<'a> {
         let Self { network, manager, slaves, options, .. } = *self;
-        Knowledge { network, manager, slaves, manner: options.manner }
+        Knowledge { network, manager, slaves, mode: options.mode }
     }
 
     /// The PDOs of the nodes in a direction, by node and number. dcfgen takes those that end switched off too.

@@ -4,6 +4,7 @@
 //! A [`Network`] is the wanted one; [`connect`] makes PDOs of its links, and [`compile`] the downloads of each node.
 
 mod check;
+mod compile;
 mod connect;
 mod effective;
 mod files;
@@ -18,12 +19,12 @@ mod network;
 mod origin;
 mod overview;
 mod rules;
-mod stream;
 mod traffic;
 mod unlinked;
 mod watch;
 
 pub use check::check;
+pub use compile::{Compiled, DcfgenMode, PdoState, Slave, compile};
 pub use connect::connect;
 pub use effective::switched_on;
 pub use identity::IdentityLevel;
@@ -38,7 +39,6 @@ pub use overview::{
     UnlinkedEnd, UnlinkedRow,
 };
 pub use rules::rules;
-pub use stream::{Compiled, Manner, PdoState, Slave, compile};
 pub use traffic::Uncounted;
 pub use watch::watch;
 

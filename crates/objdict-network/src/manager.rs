@@ -2,6 +2,7 @@
 
 use std::collections::BTreeMap;
 
+use crate::compile::{Compiled, DcfgenMode, Slave};
 use crate::diagnostic::{Diagnostic, Findings, say};
 use crate::download::Order;
 use crate::identity::number;
@@ -11,7 +12,6 @@ use crate::model::{
 use crate::network::{Boot, Manager, Network, Startup};
 use crate::rules::CONTRADICTION;
 use crate::source::Span;
-use crate::stream::{Compiled, Manner, Slave};
 
 /// As many nodes as a network has.
 const NODES: u8 = 127;
@@ -26,7 +26,7 @@ pub(crate) struct Knowledge<'a> {
     pub(crate) network: &'a Network,
     pub(crate) manager: &'a Manager,
     pub(crate) slaves: &'a [Slave],
-    pub(crate) manner: Manner,
+    pub(crate) mode: DcfgenMode,
 }
 
 /// An object of the manager about the nodes.
@@ -53,13 +53,13 @@ impl<'a> Knowledge<'a> {
         let monitored = self.slaves.iter().filter(|slave| slave.heartbeat != 0);
         monitored.filter_map(move |slave| {
             let heartbeat = &self.network.nodes[slave.node].heartbeat;
-            let time = match (heartbeat.consumer_time(slave.heartbeat), self.manner) {
+            let time = match (heartbeat.consumer_time(slave.heartbeat), self.mode) {
                 (Some(time), _) => u32::from(time),
                 // what is left of the bits of a time that does not fit
-                (None, Manner::Strict) => {
+                (None, DcfgenMode::Exact) => {
                     (f64::from(slave.heartbeat) * heartbeat.factor) as u64 as u32 & 0xFFFF
                 }
-                (None, Manner::Repaired) => return None,
+                (None, DcfgenMode::Corrected) => return None,
             };
             Some(u32::from(slave.node_id) << 16 | time)
         })
@@ -170,7 +170,7 @@ impl Known {
 /// its descriptions say.
 pub(crate) fn complete(network: &Network, slaves: &[Slave], own: &mut Slave, findings: &mut Findings) {
     let Some(manager) = &network.manager else { return };
-    let knowledge = Knowledge { network, manager, slaves, manner: Manner::Repaired };
+    let knowledge = Knowledge { network, manager, slaves, mode: DcfgenMode::Corrected };
     for known in knowledge.objects() {
         let index = known.index;
         if own.device.object(index).is_none() {
@@ -209,7 +209,7 @@ pub(crate) fn complete(network: &Network, slaves: &[Slave], own: &mut Slave, fin
 /// The values of the objects of a manager without a description.
 pub fn expected(network: &Network, slaves: &[Slave]) -> Vec<Assignment> {
     let Some(manager) = &network.manager else { return Vec::new() };
-    let knowledge = Knowledge { network, manager, slaves, manner: Manner::Repaired };
+    let knowledge = Knowledge { network, manager, slaves, mode: DcfgenMode::Corrected };
     let values = |known: Known| {
         let index = known.index;
         let value = |number: u32| Value::Unsigned(number.into());

@@ -4,11 +4,11 @@ use std::borrow::Cow;
 use std::collections::BTreeMap;
 
 use crate::Language;
+use crate::compile::{Compiled, PdoState, Slave, indexes};
 use crate::configure::PdoName;
 use crate::model::{CobId, Object, PdoKind, SdoChannel, predefined};
 use crate::network::{Manager, Network};
 use crate::source::Span;
-use crate::stream::{Compiled, PdoState, Slave, indexes};
 
 /// A CAN-ID; base frames before extended ones.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
@@ -155,9 +155,9 @@ impl Messages {
         let at = node.node_id.map_or(node.name.at, |node_id| node_id.at);
         let party = |service| Party { node: Some(slave.node), service, at };
         for state in slave.pdos.iter().filter(|state| state.is_active()) {
-            let said = node.pdos.iter().find(|wish| wish.pdo == state.pdo);
-            let wished = || said.map(|wish| wish.cob_id.map_or(wish.at, |cob_id| cob_id.at));
-            let at = slave.said(indexes(state.pdo).0, 1).or_else(wished).unwrap_or(node.name.at);
+            let said = node.pdos.iter().find(|request| request.pdo == state.pdo);
+            let requested = || said.map(|request| request.cob_id.map_or(request.at, |cob_id| cob_id.at));
+            let at = slave.said(indexes(state.pdo).0, 1).or_else(requested).unwrap_or(node.name.at);
             let party = Party { at, ..party(Service::Pdo(state.pdo)) };
             match state.pdo.kind {
                 PdoKind::Tpdo => self.send(state.can_id(), party),

@@ -72,7 +72,7 @@ pub struct Node {
     /// What the node does on an error of a class (1029h), by sub-index.
     pub error_behavior: Vec<(u8, Said<u8>)>,
     /// PDOs, in the order of configuration: RPDOs before TPDOs.
-    pub pdos: Vec<PdoWish>,
+    pub pdos: Vec<PdoRequest>,
     /// What becomes of PDOs without a link and without a key; `None`: as in the [network](Network::unused_pdos).
     pub unused_pdos: Option<Said<UnusedPdos>>,
     /// Settings that follow from keys of the network, such as those of SYNC.
@@ -80,7 +80,7 @@ pub struct Node {
     /// Values by entry, checked like those of `objdict configure`.
     pub settings: Vec<Said<Setting>>,
     /// Downloads at the end of the configuration, in this order, also of values that the node already has.
-    pub downloads: Vec<Said<DownloadWish>>,
+    pub downloads: Vec<Said<DownloadRequest>>,
     /// The configurations of the node that the description of the manager holds. They are its last downloads in a network
     /// that is as its descriptions say.
     pub stored: Vec<Stored>,
@@ -156,7 +156,7 @@ pub enum WatchTime {
 
 /// A PDO and its wanted configuration; what is `None` stays as the description says.
 #[derive(Clone, Debug, PartialEq)]
-pub struct PdoWish {
+pub struct PdoRequest {
     /// Where the network file says so.
     pub at: Span,
     /// The PDO.
@@ -179,7 +179,7 @@ pub struct PdoWish {
     pub mapping: Option<Vec<Said<Address>>>,
 }
 
-impl PdoWish {
+impl PdoRequest {
     /// A PDO that stays as it is.
     pub const fn new(pdo: PdoName, at: Span) -> Self {
         Self {
@@ -224,7 +224,7 @@ pub enum CobIdWish {
 
 /// A download.
 #[derive(Clone, Debug, PartialEq)]
-pub struct DownloadWish {
+pub struct DownloadRequest {
     /// The index of the object.
     pub index: u16,
     /// The sub-index of the entry.

@@ -1,11 +1,11 @@
 //! Where the descriptions of nodes have what findings are about.
 
+use crate::compile::{Slave, indexes};
 use crate::diagnostic::{At, Diagnostic};
 use crate::effective::Origins;
 use crate::messages::{MessageId, SdoCanId, Service};
 use crate::model::{Entry, Field, Part, PdoKind, PdoMapping, Place};
 use crate::network::{Network, Node};
-use crate::stream::{Slave, indexes};
 
 /// Adds what the description of a node says that a finding comes from.
 pub(crate) fn because(finding: Diagnostic, node: usize, place: impl Into<Option<Place>>) -> Diagnostic {

@@ -1,10 +1,10 @@
 //! How often messages are sent, and how much of the bus they take.
 
 use crate::Language;
+use crate::compile::{Compiled, PdoState, Slave};
 use crate::messages::{MessageId, Messages, Service};
 use crate::network::{Network, Said};
 use crate::source::Span;
-use crate::stream::{Compiled, PdoState, Slave};
 
 /// The most bits of a data frame with so many bytes, with stuff bits and the space to the next frame.
 pub(crate) const fn frame_bits(bytes: u64, is_extended: bool) -> u64 {

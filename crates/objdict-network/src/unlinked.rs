@@ -2,12 +2,12 @@
 
 use std::collections::BTreeMap;
 
+use crate::compile::{Compiled, Slave, indexes};
 use crate::configure::PdoName;
 use crate::messages::{MessageId, Messages, Party, Service};
 use crate::model::{Object, PdoKind};
 use crate::network::Network;
 use crate::source::Span;
-use crate::stream::{Compiled, Slave, indexes};
 
 /// A PDO whose other side no node has.
 #[derive(Clone, Copy, Debug)]
@@ -52,9 +52,9 @@ impl Slave {
     /// Where the network file states something of a PDO.
     pub(crate) fn stated(&self, network: &Network, pdo: PdoName) -> Option<Span> {
         let (communication, mapping) = indexes(pdo);
-        let wish = network.nodes[self.node].pdos.iter().find(|wish| wish.pdo == pdo);
+        let request = network.nodes[self.node].pdos.iter().find(|request| request.pdo == pdo);
         let said = |index: u16| self.origins.range((index, 0)..=(index, u8::MAX)).map(|(_, at)| *at).next();
-        wish.map(|wish| wish.at).or_else(|| said(communication)).or_else(|| said(mapping))
+        request.map(|request| request.at).or_else(|| said(communication)).or_else(|| said(mapping))
     }
 
     /// Whether the network file states something of a PDO, or a value of it is not the default of the description.

@@ -1,5 +1,6 @@
 //! Nodes that monitor the heartbeat of others.
 
+use crate::compile::{Compiled, DcfgenMode, compile};
 use crate::configure::Setting;
 use crate::diagnostic::{Diagnostic, Findings, Severity, say};
 use crate::model::{Device, Object, Place};
@@ -8,14 +9,13 @@ use crate::network::{Heartbeat, Network, Said, Watch, WatchTime};
 use crate::origin::because;
 use crate::rules::{NO_HEARTBEAT_CONSUMER, SILENT_NODE};
 use crate::source::Span;
-use crate::stream::{Compiled, Manner, compile};
 
 /// Makes settings of the nodes that a node [watches](Heartbeat::watched). One that cannot be monitored is a finding.
 pub fn watch(network: &mut Network, findings: &mut Findings) {
     if network.nodes.iter().all(|node| node.heartbeat.watched.is_empty()) {
         return;
     }
-    let compiled = compile(network, Manner::Repaired, &mut Findings::new());
+    let compiled = compile(network, DcfgenMode::Corrected, &mut Findings::new());
     let manager = network.manager.as_ref();
     let mut settings = Vec::new();
     for (position, node) in network.nodes.iter().enumerate() {

@@ -18,7 +18,7 @@ use crate::format::input::Reading;
 use crate::format::network::{ConfiguredNode, location};
 use crate::format::{Description, Loss, LossKind};
 use crate::model::{Device, NodeList, Part};
-use crate::network::Manner;
+use crate::network::DcfgenMode;
 
 /// A node of the bus.
 struct Node {
@@ -143,7 +143,7 @@ fn nodes_of_network(args: &ConvertArgs, job: &Job) -> Result<Vec<Node>, Failure>
         return Err(failure.help("leave `--node-id` out"));
     }
     let file = network::open_despite_errors(slice::from_ref(&job.input), &args.network)?;
-    let nodes = file.build(Manner::Repaired).and_then(|build| build.configured_nodes());
+    let nodes = file.build(DcfgenMode::Corrected).and_then(|build| build.configured_nodes());
     let nodes = nodes.map_err(|error| {
         let help = format!("`objdict network check {name}` says why");
         Failure::new(format_args!("`{name}`: {error}")).help(help)

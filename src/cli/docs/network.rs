@@ -12,7 +12,7 @@ use super::{Documented, described, file_name, reported};
 use crate::document::{Finding, SiteNetwork};
 use crate::format::input::Reading;
 use crate::format::network::BuiltFile;
-use crate::network::{Manner, Overview};
+use crate::network::{DcfgenMode, Overview};
 use crate::report::{Location, grouped};
 
 /// A network with all that its index and the pages of its nodes need.
@@ -49,7 +49,7 @@ impl DocumentedNetwork {
             let help = format!("`objdict network check {}` says why", name_of(&file.path));
             Failure::new(format_args!("`{}`: {error}", name_of(&file.path))).help(help)
         };
-        let build = opened.build(Manner::Repaired).map_err(unreadable)?;
+        let build = opened.build(DcfgenMode::Corrected).map_err(unreadable)?;
         let mut nodes: Vec<Option<Documented>> = Vec::new();
         nodes.resize_with(opened.network.as_ref().map_or(0, |network| network.nodes.len()), || None);
         for (position, dcf) in build.each_dcf().filter(|_| has_pages) {

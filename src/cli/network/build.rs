@@ -14,7 +14,7 @@ use super::{findings, names_of, open_one};
 use crate::diagnostic::{Diagnostic, Severity, one_line};
 use crate::format::network::{Build, BuiltFile};
 use crate::generate::{Options, Target, generate};
-use crate::network::{LelyOptions, Manner};
+use crate::network::{DcfgenMode, LelyOptions};
 use crate::pipeline::report_lines;
 use crate::report::{Subject, Tally, grouped, listed, plural};
 
@@ -51,12 +51,12 @@ pub(super) fn run(args: &NetworkBuildArgs, out: &mut Output) -> Result<Outcome, 
     if others.files_with_findings > 0 {
         note(&format!("{others}: `objdict network check {}` lists them\n", names_of(&args.files)));
     }
-    let manner = if args.strict_dcfgen { Manner::Strict } else { Manner::Repaired };
-    let mut build = file.build(manner).map_err(Failure::new)?;
+    let mode = if args.strict_dcfgen { DcfgenMode::Exact } else { DcfgenMode::Corrected };
+    let mut build = file.build(mode).map_err(Failure::new)?;
     if let Some(time) = args.configured_at {
         build = build.configured_at(time);
     }
-    let files = files(args, &build, manner)?;
+    let files = files(args, &build, mode)?;
     let is_verified = !args.verify || is_verified(args, &build, &files)?;
     if !is_verified && !args.force {
         return Ok(Outcome::Findings);
@@ -102,9 +102,9 @@ fn origin(args: &NetworkBuildArgs) -> String {
     format!("network build --target {target} {}", names.join(" "))
 }
 
-fn files(args: &NetworkBuildArgs, build: &Build<'_>, manner: Manner) -> Result<Vec<BuiltFile>, Failure> {
+fn files(args: &NetworkBuildArgs, build: &Build<'_>, mode: DcfgenMode) -> Result<Vec<BuiltFile>, Failure> {
     let files = match args.target {
-        NetworkTarget::Lely => build.lely(&LelyOptions { manner, remote_pdos: args.remote_pdo }),
+        NetworkTarget::Lely => build.lely(&LelyOptions { mode, remote_pdos: args.remote_pdo }),
         NetworkTarget::Concise => build.concise(),
         NetworkTarget::Dcf => build.dcfs(),
         NetworkTarget::Manager => build.manager().map(|file| vec![file]),

@@ -22,7 +22,7 @@ use crate::format::ReadError;
 use crate::format::identify::ContentKind;
 use crate::format::network::{NetworkFile, init, schema};
 use crate::json;
-use crate::network::{Compiled, Manner, Network, compile};
+use crate::network::{Compiled, DcfgenMode, Network, compile};
 use crate::report::plural;
 
 pub(super) fn run(command: &NetworkCommand, out: &mut Output) -> Result<Outcome, Failure> {
@@ -110,7 +110,7 @@ pub(super) fn open_despite_errors(
 /// The same with the configuration of its nodes.
 fn compiled(paths: &[PathBuf], input: &NetworkInputArgs) -> Result<(Network, Compiled), Failure> {
     let network = open_despite_errors(paths, input)?.network.unwrap_or_default();
-    let compiled = compile(&network, Manner::Repaired, &mut Findings::new());
+    let compiled = compile(&network, DcfgenMode::Corrected, &mut Findings::new());
     Ok((network, compiled))
 }
 

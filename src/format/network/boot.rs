@@ -9,7 +9,7 @@ use super::{Build, BuildError, BuiltFile, NetworkFile};
 use crate::download::{ConciseDcf, Order};
 use crate::format::input::{FileKind, Input, ReadError, Reading};
 use crate::model::{Assignment, Device, DeviceKind, Entry, Value};
-use crate::network::{LelyOptions, Manner, Network, Node};
+use crate::network::{DcfgenMode, LelyOptions, Network, Node};
 
 /// The bit rate in kbit/s of a network that states none.
 const BIT_RATE: u16 = 125;
@@ -99,7 +99,7 @@ impl NetworkFile {
         {
             return Err(InstallError::NoNodeId(node.name.value.clone()));
         }
-        let build = self.build(Manner::Repaired)?;
+        let build = self.build(DcfgenMode::Corrected)?;
         install(&files.of(&build)?, Some(self))
     }
 }
@@ -198,7 +198,7 @@ fn nodes(
     notes: &mut Vec<String>,
 ) -> Result<Vec<PlantNode>, InstallError> {
     let network = network.and_then(|file| file.network.as_ref());
-    let wish = |node_id: u8| {
+    let request = |node_id: u8| {
         let mut nodes = network.into_iter().flat_map(|network| &network.nodes);
         nodes.find(|node| node.node_id.is_some_and(|said| said.value == node_id))
     };
@@ -211,7 +211,7 @@ fn nodes(
             name: described.name(),
             node_id,
             power_on: PowerOn::Defaults,
-            must_boot: wish(node_id).map(|node| node.boot.boot),
+            must_boot: request(node_id).map(|node| node.boot.boot),
             device: described.device,
         }),
     };

@@ -12,7 +12,7 @@ use crate::diagnostic::{Diagnostic, Findings, misspelled, say};
 use crate::download::Order;
 use crate::model::{Address, PdoKind};
 use crate::network::{
-    CobIdWish, DownloadWish, Heartbeat, Manager, Network, Node, PdoWish, Said, Startup, ValueWish,
+    CobIdWish, DownloadRequest, Heartbeat, Manager, Network, Node, PdoRequest, Said, Startup, ValueWish,
 };
 use crate::source::Span;
 
@@ -274,13 +274,13 @@ impl Reader<'_, '_> {
         Some(node)
     }
 
-    fn pdos(&mut self, section: &Section<'_>, kind: PdoKind) -> Vec<PdoWish> {
+    fn pdos(&mut self, section: &Section<'_>, kind: PdoKind) -> Vec<PdoRequest> {
         let name = kind.name().to_ascii_lowercase();
         let numbered = section.numbered(&name, self.findings);
         numbered.into_iter().filter_map(|(number, tree)| self.pdo(kind, number, &tree)).collect()
     }
 
-    fn pdo(&mut self, kind: PdoKind, number: i128, tree: &Said<&Tree>) -> Option<PdoWish> {
+    fn pdo(&mut self, kind: PdoKind, number: i128, tree: &Said<&Tree>) -> Option<PdoRequest> {
         let pdo = PdoName { kind, number: u16::try_from(number).ok()? };
         let findings = &mut *self.findings;
         let section = Section::shared(&pdo.to_string(), tree.value, PDO, findings)?;
@@ -294,7 +294,7 @@ impl Reader<'_, '_> {
                 .filter_map(|item| address("mapping", item, MAPPING, findings).map(|(at, _)| at))
                 .collect()
         });
-        Some(PdoWish {
+        Some(PdoRequest {
             enabled: section.flag("enabled", findings).is_none_or(|enabled| enabled.value),
             cob_id,
             transmission: section.integer("transmission", findings),
@@ -303,16 +303,16 @@ impl Reader<'_, '_> {
             deadline: section.integer("event_deadline", findings),
             sync_start: section.integer("sync_start", findings),
             mapping,
-            ..PdoWish::new(pdo, tree.at)
+            ..PdoRequest::new(pdo, tree.at)
         })
     }
 
-    fn downloads(&mut self, section: &Section<'_>) -> Vec<Said<DownloadWish>> {
+    fn downloads(&mut self, section: &Section<'_>) -> Vec<Said<DownloadRequest>> {
         let items = section.list("sdo", self.findings).unwrap_or_default();
         items.iter().filter_map(|item| self.download(item)).collect()
     }
 
-    fn download(&mut self, item: &Tree) -> Option<Said<DownloadWish>> {
+    fn download(&mut self, item: &Tree) -> Option<Said<DownloadRequest>> {
         let (Said { value: Address { index, sub }, .. }, section) = address("sdo", item, SDO, self.findings)?;
         let tree = section.get("value");
         let Some(value) = tree.map_or(Some(ValueWish::Integer(0)), value_wish) else {
@@ -321,7 +321,7 @@ impl Reader<'_, '_> {
             return None;
         };
         let at = tree.map_or(item.span, |tree| tree.span);
-        Some(Said::new(DownloadWish { index, sub: sub.unwrap_or(0), value }, at))
+        Some(Said::new(DownloadRequest { index, sub: sub.unwrap_or(0), value }, at))
     }
 }
 

@@ -10,7 +10,7 @@ use super::topology::location;
 use super::{PathOptions, quoted};
 use crate::diagnostic::Findings;
 use crate::model::{BaudRates, Device, MappedObject, NodeList, PdoKind};
-use crate::network::{Manner, Network, Node, PdoState, Said, Slave, compile};
+use crate::network::{DcfgenMode, Network, Node, PdoState, Said, Slave, compile};
 use crate::source::{Folder, Span};
 
 /// The most PDOs of a node that a comment lists.
@@ -142,7 +142,7 @@ impl Start {
             None => self.possible_manager(&mut text),
         }
         let network = Network { nodes: self.nodes, ..Network::default() };
-        let compiled = compile(&network, Manner::Repaired, &mut Findings::new());
+        let compiled = compile(&network, DcfgenMode::Corrected, &mut Findings::new());
         for (position, node) in network.nodes.iter().enumerate() {
             let slave = compiled.slaves.iter().find(|slave| slave.node == position);
             described(&mut text, node, assumed.contains(&position), slave);

@@ -11,8 +11,8 @@ use crate::coupler::flatten;
 use crate::diagnostic::{Diagnostic, Findings, Text, say};
 use crate::model::{Address, Device, PdoKind};
 use crate::network::{
-    Boot, CobIdWish, DownloadWish, Heartbeat, IdentityLevel, Link, LinkEnd, LinkParameters, LinkedEntries,
-    Manager, Network, Node, PdoWish, Said, Startup, UnusedPdos, Watch, WatchTime, connect, named_manager,
+    Boot, CobIdWish, DownloadRequest, Heartbeat, IdentityLevel, Link, LinkEnd, LinkParameters, LinkedEntries,
+    Manager, Network, Node, PdoRequest, Said, Startup, UnusedPdos, Watch, WatchTime, connect, named_manager,
     watch,
 };
 use crate::source::Span;
@@ -328,12 +328,12 @@ impl Reader<'_, '_> {
         settings
     }
 
-    fn pdos(&mut self, section: &Section<'_>, kind: PdoKind) -> Vec<PdoWish> {
+    fn pdos(&mut self, section: &Section<'_>, kind: PdoKind) -> Vec<PdoRequest> {
         let numbered = section.numbered(&kind.name().to_ascii_lowercase(), self.findings);
         numbered.into_iter().filter_map(|(number, tree)| self.pdo(kind, number, &tree)).collect()
     }
 
-    fn pdo(&mut self, kind: PdoKind, number: i128, tree: &Said<&Tree>) -> Option<PdoWish> {
+    fn pdo(&mut self, kind: PdoKind, number: i128, tree: &Said<&Tree>) -> Option<PdoRequest> {
         let pdo = PdoName { kind, number: u16::try_from(number).ok()? };
         let section = Section::new(&pdo.to_string(), tree.value, PDO, self.findings)?;
         let transmission = self.transmission(&section);
@@ -343,7 +343,7 @@ impl Reader<'_, '_> {
             Some(tree) if tree.text() == Some("auto") => Some(Said::new(CobIdWish::Auto, tree.span)),
             _ => section.integer("cob-id", findings).map(|id| Said::new(CobIdWish::Number(id.value), id.at)),
         };
-        Some(PdoWish {
+        Some(PdoRequest {
             enabled: section.flag("enabled", findings).is_none_or(|enabled| enabled.value),
             cob_id,
             transmission,
@@ -352,7 +352,7 @@ impl Reader<'_, '_> {
             deadline: section.time("deadline", findings),
             sync_start: section.integer("sync-start", findings),
             mapping,
-            ..PdoWish::new(pdo, tree.at)
+            ..PdoRequest::new(pdo, tree.at)
         })
     }
 
@@ -384,13 +384,13 @@ impl Reader<'_, '_> {
         mapping
     }
 
-    fn downloads(&mut self, section: &Section<'_>) -> Vec<Said<DownloadWish>> {
+    fn downloads(&mut self, section: &Section<'_>) -> Vec<Said<DownloadRequest>> {
         let items = section.list("sdo", self.findings).unwrap_or_default();
         items.iter().filter_map(|item| self.download(item)).flatten().collect()
     }
 
     /// The downloads of an item, one for each value.
-    fn download(&mut self, item: &Tree) -> Option<Vec<Said<DownloadWish>>> {
+    fn download(&mut self, item: &Tree) -> Option<Vec<Said<DownloadRequest>>> {
         let section = Section::new("sdo", item, SDO, self.findings)?;
         section.required("sdo", "entry", self.findings)?;
         let value = section.required("sdo", "value", self.findings)?;
@@ -409,7 +409,7 @@ impl Reader<'_, '_> {
             match value_wish(tree) {
                 Some(value) => {
                     downloads
-                        .push(Said::new(DownloadWish { index, sub: sub.unwrap_or(0), value }, tree.span));
+                        .push(Said::new(DownloadRequest { index, sub: sub.unwrap_or(0), value }, tree.span));
                 }
                 None => {
                     let finding = wrong("value", tree, "a number");

@@ -11,7 +11,7 @@ use crate::download::{ConciseDcf, EncodeError, PlanError};
 use crate::format::{self, EditError, Format, NodeSettings, WriteOptions};
 use crate::model::{Assignment, Commissioning, Device, Value};
 use crate::network::{
-    Compiled, LelyOptions, Manner, Network, Overview, Slave, compile, configuration_file, lely_master,
+    Compiled, DcfgenMode, LelyOptions, Network, Overview, Slave, compile, configuration_file, lely_master,
 };
 
 /// A file that is built.
@@ -93,9 +93,9 @@ impl NetworkFile {
     ///
     /// # Errors
     /// When the file describes none.
-    pub fn build(&self, manner: Manner) -> Result<Build<'_>, BuildError> {
+    pub fn build(&self, mode: DcfgenMode) -> Result<Build<'_>, BuildError> {
         let network = self.network.as_ref().ok_or(BuildError::NoNetwork)?;
-        let compiled = compile(network, manner, &mut Findings::new());
+        let compiled = compile(network, mode, &mut Findings::new());
         Ok(Build { file: self, network, compiled, configured_at: None, stems: network.file_stems() })
     }
 }

@@ -5,7 +5,7 @@ use std::fs;
 use objdict::document::{Finding, Form, Options, Site, SiteFile, SiteNetwork, Subject};
 use objdict::format::network::NetworkFile;
 use objdict::format::{self, Format};
-use objdict::network::Manner;
+use objdict::network::DcfgenMode;
 use objdict::report::Location;
 use objdict::source::SourceFile;
 
@@ -16,7 +16,7 @@ use crate::support;
 /// The site of a network: the pages of its nodes, then the index and what is beside it.
 fn site(file: &NetworkFile, form: Form, options: &Options) -> Vec<SiteFile> {
     let mut site = Site::new(form, options);
-    let build = file.build(Manner::Repaired).unwrap();
+    let build = file.build(DcfgenMode::Corrected).unwrap();
     let mut pages = vec![None; file.network.as_ref().unwrap().nodes.len()];
     let mut files = Vec::new();
     for (position, dcf) in build.each_dcf() {

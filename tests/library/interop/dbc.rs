@@ -8,7 +8,7 @@ use std::process::Command;
 use objdict::document::dbc::{self, BusNode, Dbc, DbcOptions};
 use objdict::format::{self, json};
 use objdict::model::{DataType, Device, Entry, MappedObject, Object, ObjectType, Part, PdoKind, Value};
-use objdict::network::Manner;
+use objdict::network::DcfgenMode;
 use objdict::source::SourceOptions;
 use serde_json::json;
 
@@ -37,7 +37,7 @@ impl Cases {
 
     /// The DBC of a network.
     fn add_network(&mut self, name: &str, options: DbcOptions) {
-        let nodes = open(name).build(Manner::Repaired).unwrap().configured_nodes().unwrap();
+        let nodes = open(name).build(DcfgenMode::Corrected).unwrap().configured_nodes().unwrap();
         let counterpart = nodes.iter().position(|node| node.node.is_none());
         let devices: Vec<_> = nodes.into_iter().map(|node| (node.device, node.node_id)).collect();
         self.add_with(&devices, options, counterpart);

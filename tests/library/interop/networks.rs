@@ -9,7 +9,7 @@ use objdict::diagnostic::{Findings, Tool};
 use objdict::format::network::{BuiltFile, NetworkFile, schema};
 use objdict::format::{self, Format, WriteOptions};
 use objdict::model::{Device, Value};
-use objdict::network::{LelyOptions, Manner, Slave, compile};
+use objdict::network::{DcfgenMode, LelyOptions, Slave, compile};
 use objdict::source::SourceOptions;
 use serde_json::json;
 
@@ -35,7 +35,7 @@ fn dcfgen_builds_the_same() {
         dcfgen.args(["-r", "-d"]).arg(&folder).arg(path(name)).current_dir(path(""));
         let output = dcfgen.output().unwrap();
         assert!(output.status.success(), "{name}: {}", text_of(&output));
-        let built = lely(name, &LelyOptions { manner: Manner::Strict, remote_pdos: true });
+        let built = lely(name, &LelyOptions { mode: DcfgenMode::Exact, remote_pdos: true });
         let mut names: Vec<String> = fs::read_dir(&folder)
             .unwrap()
             .map(|entry| entry.unwrap().file_name().into_string().unwrap())
@@ -59,7 +59,7 @@ fn nodes_take_their_configurations() {
     for name in NETWORKS.into_iter().chain(["chapter4.toml", "line.toml"]) {
         let folder = new_folder(&format!("nodes-{name}"));
         let network = open(name);
-        let build = network.build(Manner::Repaired).unwrap();
+        let build = network.build(DcfgenMode::Corrected).unwrap();
         write(&folder, verified(&build, build.concise().unwrap()));
         write(&folder, verified(&build, build.dcfs().unwrap()));
         let nodes: Vec<_> = network.network.as_ref().unwrap().slaves().map(|(_, node)| node).collect();
@@ -104,7 +104,7 @@ fn the_file_of_a_manager_has_its_boot_data() {
     let mut files: Vec<(PathBuf, BTreeMap<String, Value>)> = Vec::new();
     for name in ["chapter4.toml", "xml.toml", "cell.yml", "line.toml"] {
         let network = NetworkFile::open(&folder.join(name), &Default::default()).unwrap();
-        let build = network.build(Manner::Repaired).unwrap();
+        let build = network.build(DcfgenMode::Corrected).unwrap();
         let compiled = of_nodes(&build.manager_device().unwrap());
         assert!(compiled.keys().any(|name| name.starts_with("1F81sub")), "{name}: {compiled:?}");
         let [BuiltFile { name: built, bytes }] =
@@ -192,9 +192,9 @@ fn dcfs_have_the_effective_values() {
         let folder = new_folder(&format!("effective-{name}"));
         let file = open(name);
         let network = file.network.as_ref().unwrap();
-        let build = file.build(Manner::Repaired).unwrap();
+        let build = file.build(DcfgenMode::Corrected).unwrap();
         write(&folder, verified(&build, build.dcfs().unwrap()));
-        let compiled = compile(network, Manner::Repaired, &mut Findings::new());
+        let compiled = compile(network, DcfgenMode::Corrected, &mut Findings::new());
         let described = |slave: &Slave| {
             let mut device = slave.device.clone();
             // python-canopen reads no values of compact storage

@@ -21,7 +21,7 @@ use objdict::format::{
 use objdict::generate::{self, Target};
 use objdict::lint::Options;
 use objdict::model::Commissioning;
-use objdict::network::{LelyOptions, Manner, Overview, compile, graph};
+use objdict::network::{DcfgenMode, LelyOptions, Overview, compile, graph};
 use objdict::profile::Profile;
 use objdict::source::{SourceFile, SourceOptions};
 
@@ -356,12 +356,12 @@ fn network(bytes: &[u8]) {
         assert!(!findings.is_empty(), "what is no network has a finding");
         return;
     };
-    for manner in [Manner::Repaired, Manner::Strict] {
-        let compiled = compile(network, manner, &mut Findings::new());
+    for mode in [DcfgenMode::Corrected, DcfgenMode::Exact] {
+        let compiled = compile(network, mode, &mut Findings::new());
         let overview = Overview::new(network, &compiled);
         let _ = (graph::svg(&overview, |can_id| can_id.to_string()), graph::dot(&overview));
-        let Ok(build) = file.build(manner) else { continue };
-        let _ = (build.lely(&LelyOptions { manner, remote_pdos: true }), build.concise(), build.dcfs());
+        let Ok(build) = file.build(mode) else { continue };
+        let _ = (build.lely(&LelyOptions { mode, remote_pdos: true }), build.concise(), build.dcfs());
         let _ = (build.manager_device(), build.node_list(), build.bus_yml());
     }
 }

@@ -2,7 +2,7 @@
 
 use std::collections::BTreeMap;
 
-use objdict_network::{Manner, Network, Node, Overview, Said, compile};
+use objdict_network::{DcfgenMode, Network, Node, Overview, Said, compile};
 
 use super::SiteNetwork;
 use crate::diagnostic::Findings;
@@ -66,7 +66,7 @@ fn network(number: Option<u32>, name: &str, nodes: Vec<StatedNode>, tag: &str) -
         nodes,
         ..Network::default()
     };
-    let compiled = compile(&network, Manner::Repaired, &mut Findings::new());
+    let compiled = compile(&network, DcfgenMode::Corrected, &mut Findings::new());
     let overview = Overview::in_language(&network, &compiled, tag);
     SiteNetwork { overview, file: None, pages, findings: None }
 }

@@ -15,7 +15,7 @@ pub enum Notion<'a> {
     /// A key with a value.
     Setting(&'a str, &'a str),
     /// The value of a key.
-    Worth(&'a str, &'a str),
+    ValueOf(&'a str, &'a str),
     /// A section, by the name in its header.
     Section(&'a str),
     /// One of [`WORDS`].
@@ -37,7 +37,7 @@ impl<'a> Notion<'a> {
         }
         match (gap.split_once('='), gap.split_once(':')) {
             (Some((key, value)), _) => Self::Setting(key, value),
-            (None, Some((key, value))) => Self::Worth(key, value),
+            (None, Some((key, value))) => Self::ValueOf(key, value),
             (None, None) => Self::Key(gap),
         }
     }
@@ -48,7 +48,7 @@ impl<'a> Notion<'a> {
             return Cow::Owned(shown);
         }
         match self {
-            Self::Key(text) | Self::Worth(_, text) | Self::Word(text) => Cow::Borrowed(text),
+            Self::Key(text) | Self::ValueOf(_, text) | Self::Word(text) => Cow::Borrowed(text),
             Self::Setting(key, value) => Cow::Owned(format!("{key}={value}")),
             Self::Section(name) => Cow::Owned(format!("[{name}]")),
         }

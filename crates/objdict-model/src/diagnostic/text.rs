@@ -50,7 +50,7 @@ pub enum Argument {
     /// A field with a value: `PDOMapping=1`.
     Setting(Field, Box<str>),
     /// Only the value of a field, which another syntax may spell differently.
-    Worth(Field, Box<str>),
+    ValueOf(Field, Box<str>),
     /// The part of the file that describes a part of the device: `[1018sub1]`.
     Section(Part),
     /// A nested text.
@@ -110,7 +110,7 @@ impl Text {
     /// Whether one of the values is this field, with or without a value.
     pub fn names(&self, field: &Field) -> bool {
         self.any(&|argument| match argument {
-            Argument::Key(key) | Argument::Setting(key, _) | Argument::Worth(key, _) => key == field,
+            Argument::Key(key) | Argument::Setting(key, _) | Argument::ValueOf(key, _) => key == field,
             _ => false,
         })
     }
@@ -165,8 +165,8 @@ impl Argument {
     }
 
     /// The value of a field.
-    pub fn worth(field: impl Borrow<Field>, value: impl fmt::Display) -> Self {
-        Self::Worth(field.borrow().clone(), cut(&value.to_string()))
+    pub fn value_of(field: impl Borrow<Field>, value: impl fmt::Display) -> Self {
+        Self::ValueOf(field.borrow().clone(), cut(&value.to_string()))
     }
 
     fn shown(&self) -> String {
@@ -179,7 +179,7 @@ impl Argument {
     fn pattern(&self) -> String {
         match self {
             Self::Number(_) | Self::Value(_) => String::new(),
-            Self::Key(field) | Self::Setting(field, _) | Self::Worth(field, _) => match field {
+            Self::Key(field) | Self::Setting(field, _) | Self::ValueOf(field, _) => match field {
                 Field::Item(_) => String::new(),
                 field => field.name().into_owned(),
             },
@@ -205,7 +205,7 @@ impl Argument {
             Self::Value(text) => out.write_str(text),
             Self::Key(field) => out.write_str(&Notion::Key(&field.name()).shown(words)),
             Self::Setting(field, value) => out.write_str(&Notion::Setting(&field.name(), value).shown(words)),
-            Self::Worth(field, value) => out.write_str(&Notion::Worth(&field.name(), value).shown(words)),
+            Self::ValueOf(field, value) => out.write_str(&Notion::ValueOf(&field.name(), value).shown(words)),
             Self::Section(part) => out.write_str(&Notion::Section(&section_name(part)).shown(words)),
             Self::Text(text) => text.write(words, out),
             Self::OfLists(text) => match words {
@@ -297,8 +297,8 @@ sayable!(str, String: |text| Argument::Value(cut(text)));
 sayable!(
     ClockTime, CobId, DataType, Date, MappedObject, ObjectType, Pdo<'_>, Encoding, PdoKind, Selection, Tool, Value, f64, char:
     |value| Argument::Value(cut(&value.to_string())));
-sayable!(Access: |access| Argument::Worth(Field::AccessType, access.name().into()));
-sayable!(PdoMapping: |mapping| Argument::Worth(
+sayable!(Access: |access| Argument::ValueOf(Field::AccessType, access.name().into()));
+sayable!(PdoMapping: |mapping| Argument::ValueOf(
     Field::PdoMapping,
     match mapping {
         PdoMapping::No => "0",
@@ -439,7 +439,7 @@ mod tests {
     fn another_syntax_has_other_words() {
         let words: Vocabulary = |notion| match notion {
             Notion::Key("LowLimit") => Some("lowLimit".to_owned()),
-            Notion::Worth("LSS_Supported", value) => Some((*value == "1").to_string()),
+            Notion::ValueOf("LSS_Supported", value) => Some((*value == "1").to_string()),
             _ => None,
         };
         let nested = say!("`{}` of `{}`", Field::LowLimit, "LowLimit");

@@ -2,6 +2,7 @@
 
 use super::Check;
 use super::timing::sdo_bits;
+use crate::compile::Slave;
 use crate::diagnostic::{At, Diagnostic, Severity, say};
 use crate::download::Order;
 use crate::identity::{self, PLACEHOLDER, number};
@@ -11,7 +12,6 @@ use crate::rules::{
     WRONG_IDENTITY,
 };
 use crate::source::Span;
-use crate::stream::Slave;
 
 impl Check<'_, '_> {
     pub(super) fn identities(&mut self) {
@@ -19,23 +19,23 @@ impl Check<'_, '_> {
             let node = &self.network.nodes[slave.node];
             let name = &node.name.value;
             let stated = [(3, node.revision_number, "revision"), (4, node.serial_number, "serial")];
-            for (sub, wish, what) in stated {
-                let Some(wish) = wish.filter(|wish| wish.value != PLACEHOLDER) else { continue };
+            for (sub, request, what) in stated {
+                let Some(request) = request.filter(|request| request.value != PLACEHOLDER) else { continue };
                 if node.device.entry(0x1018, sub).is_none() {
-                    self.unanswered(slave, wish.at, sub, what);
+                    self.unanswered(slave, request.at, sub, what);
                     continue;
                 }
                 let described = number(&node.device, 0x1018, sub, slave.node_id).unwrap_or(0);
-                if described != 0 && described != wish.value {
+                if described != 0 && described != request.value {
                     let message = say!(
                         "the {} number of `{}` is {:X}h, but its description says {:X}h",
                         what,
                         name,
-                        wish.value,
+                        request.value,
                         described
                     );
                     let place = At::Node(slave.node, node.device.value_place(0x1018, sub));
-                    let finding = Diagnostic::new(&WRONG_IDENTITY, wish.at, message)
+                    let finding = Diagnostic::new(&WRONG_IDENTITY, request.at, message)
                         .label(place, "the described number");
                     self.findings
                         .push(finding.help("correct the number, or use the description of that device"));

@@ -3,6 +3,7 @@
 use std::collections::BTreeMap;
 
 use super::Check;
+use crate::compile::{PdoState, indexes};
 use crate::connect::NodePdos;
 use crate::diagnostic::{At, Diagnostic, Severity, say, series};
 use crate::messages::{Message, MessageId, Party, Service};
@@ -12,7 +13,6 @@ use crate::rules::{
     DUPLICATE_CAN_ID, DUPLICATE_NODE_ID, DUPLICATE_SYNC_SENDER, PDO_LENGTH, RESTRICTED_CAN_ID,
     UNSUPPORTED_BIT_RATE,
 };
-use crate::stream::{PdoState, indexes};
 
 impl<'n> Check<'n, '_> {
     pub(super) fn nodes(&mut self) {

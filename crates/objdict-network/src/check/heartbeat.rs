@@ -1,11 +1,11 @@
 //! Monitoring.
 
 use super::Check;
+use crate::compile::Slave;
 use crate::diagnostic::{At, Diagnostic, Severity, say};
 use crate::model::Place;
 use crate::rules::{NO_HEARTBEAT_CONSUMER, SHORT_HEARTBEAT_TIME, SILENT_NODE};
 use crate::source::Span;
-use crate::stream::Slave;
 use crate::watch::monitors_itself;
 
 /// A heartbeat is late by the frames that wait before it, so a consumer waits half a period longer at least.
@@ -126,14 +126,14 @@ impl<'n> Check<'n, '_> {
         let mut consumers = Vec::new();
         for slave in self.compiled.nodes() {
             let node = &self.network.nodes[slave.node];
-            let wish = node.heartbeat.consumer.map_or(node.name.at, |consumer| consumer.at);
+            let request = node.heartbeat.consumer.map_or(node.name.at, |consumer| consumer.at);
             for consumer in slave.device.services().heartbeat_consumers {
                 let said = slave.said(0x1016, consumer.sub);
                 consumers.push(Consumer {
                     name: &node.name.value,
                     own: Some(slave.node_id),
                     is_said: said.is_some(),
-                    at: said.unwrap_or(wish),
+                    at: said.unwrap_or(request),
                     origin: slave.origin(self.network, 0x1016, consumer.sub),
                     node_id: consumer.node_id,
                     milliseconds: consumer.time,

@@ -3,12 +3,12 @@
 use std::collections::BTreeSet;
 
 use super::Check;
+use crate::compile::Slave;
 use crate::diagnostic::{At, Diagnostic, Severity, say};
 use crate::download::{Objection, PlanError};
 use crate::effective::switched_on;
 use crate::model::PdoKind;
 use crate::rules::REFUSED_DOWNLOAD;
-use crate::stream::Slave;
 
 impl Check<'_, '_> {
     pub(super) fn downloads(&mut self) {

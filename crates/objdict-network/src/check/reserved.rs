@@ -1,10 +1,10 @@
 //! Values that CiA 301 reserves.
 
 use super::Check;
+use crate::compile::{PdoState, Slave, indexes};
 use crate::diagnostic::{Diagnostic, Severity, say};
 use crate::model::{CobId, PdoKind};
 use crate::rules::INVALID_VALUE;
-use crate::stream::{PdoState, Slave, indexes};
 
 /// Whether an overflow value of the SYNC counter (1019h) is reserved.
 pub(super) const fn is_reserved_overflow(overflow: u8) -> bool {

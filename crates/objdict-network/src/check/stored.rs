@@ -1,6 +1,7 @@
 //! The configurations that the description of the manager holds.
 
 use super::Check;
+use crate::compile::Slave;
 use crate::diagnostic::{At, Diagnostic, say};
 use crate::download::Download;
 use crate::effective::before;
@@ -8,7 +9,6 @@ use crate::identity::number;
 use crate::model::{Value, hex};
 use crate::network::{Node, Stored};
 use crate::rules::{CONFIGURATION_DATE, OTHER_CONFIGURATION, REFUSED_CONFIGURATION};
-use crate::stream::Slave;
 
 impl Check<'_, '_> {
     pub(super) fn stored_configurations(&mut self) {

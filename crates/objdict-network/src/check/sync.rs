@@ -2,11 +2,11 @@
 
 use super::Check;
 use super::reserved::is_reserved_overflow;
+use crate::compile::{PdoState, Slave, indexes};
 use crate::diagnostic::{Diagnostic, Severity, Text, say, series};
 use crate::messages::{MessageId, Party, Service};
 use crate::model::PdoKind;
 use crate::rules::{NO_SYNC_SENDER, SYNC_COUNTER, SYNC_WINDOW};
-use crate::stream::{PdoState, Slave, indexes};
 use crate::traffic::{Sync, frame_bits};
 
 /// The most PDOs that a message names.
@@ -64,7 +64,7 @@ impl<'n> Check<'n, '_> {
         let (communication, mapping) = indexes(state.pdo);
         let node = &self.network.nodes[slave.node];
         let entries = || (1..=6).map(|sub| (communication, sub)).chain([(mapping, 0)]);
-        if node.pdos.iter().any(|wish| wish.pdo == state.pdo)
+        if node.pdos.iter().any(|request| request.pdo == state.pdo)
             || entries().any(|(index, sub)| slave.said(index, sub).is_some())
         {
             return true;
@@ -90,8 +90,8 @@ impl<'n> Check<'n, '_> {
             _ => say!("{} of `{}` wait for SYNC, which no node sends", named(waiting), node.name.value),
         };
         let first = waiting[0];
-        let wish = node.pdos.iter().find(|wish| wish.pdo == first.pdo).map(|wish| wish.at);
-        let said = slave.said(indexes(first.pdo).0, 2).or(wish);
+        let request = node.pdos.iter().find(|request| request.pdo == first.pdo).map(|request| request.at);
+        let said = slave.said(indexes(first.pdo).0, 2).or(request);
         let finding = Diagnostic::new(&NO_SYNC_SENDER, said.unwrap_or(node.name.at), message)
             .help("set the SYNC period of the manager, or use an event-driven transmission type");
         if self.is_needed(slave, first) { finding } else { finding.severity(Severity::Warning) }

@@ -1,12 +1,12 @@
 //! The times of PDOs, and the load of the bus.
 
 use super::Check;
+use crate::compile::{PdoState, Slave, indexes};
 use crate::diagnostic::{Diagnostic, Severity, say};
 use crate::messages::Message;
 use crate::model::PdoKind;
 use crate::network::Said;
 use crate::rules::{BUS_LOAD, PDO_TIMES};
-use crate::stream::{PdoState, Slave, indexes};
 use crate::traffic::frame_bits;
 
 /// The highest bit rate of CiA 301 in kbit/s.
@@ -24,7 +24,11 @@ impl<'n> Check<'n, '_> {
         let mut findings = Vec::new();
         for (slave, state) in self.traffic().sent() {
             let node = &self.network.nodes[slave.node];
-            let at = node.pdos.iter().find(|wish| wish.pdo == state.pdo).map_or(node.name.at, |wish| wish.at);
+            let at = node
+                .pdos
+                .iter()
+                .find(|request| request.pdo == state.pdo)
+                .map_or(node.name.at, |request| request.at);
             let (communication, _) = indexes(state.pdo);
             let (inhibit, timer) = (u32::from(state.inhibit_time), u32::from(state.event_timer) * 10);
             if state.pdo.kind == PdoKind::Tpdo && timer != 0 && timer < inhibit {

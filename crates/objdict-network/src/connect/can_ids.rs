@@ -2,9 +2,9 @@
 
 use std::collections::{HashMap, HashSet};
 
+use crate::compile::Compiled;
 use crate::configure::PdoName;
 use crate::model::{CobId, restricted};
-use crate::stream::Compiled;
 use crate::{Messages, Network, Node, Service};
 
 /// What sends or receives a CAN-ID.

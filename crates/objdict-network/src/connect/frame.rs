@@ -3,13 +3,13 @@
 use std::collections::BTreeMap;
 
 use super::ends::Carried;
-use super::streams::{Receiver, Signal};
+use super::groups::{Receiver, Signal};
 use crate::model::MappedObject;
 
 /// Bits of a CAN data field.
 pub(super) const MAX_BITS: u32 = 64;
 
-/// The entries of a stream in a PDO.
+/// The entries of a group in a PDO.
 pub(super) struct Frame<'a> {
     /// Signals by the position of their first bit.
     signals: Vec<(u32, &'a Signal)>,

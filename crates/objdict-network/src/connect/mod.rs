@@ -3,38 +3,38 @@
 mod can_ids;
 mod ends;
 mod frame;
+mod groups;
 mod obstacles;
 mod pack;
 mod pdos;
-mod streams;
 #[cfg(test)]
 mod tests;
 
 pub(crate) use self::pdos::NodePdos;
 use crate::Network;
+use crate::compile::{DcfgenMode, compile};
 use crate::diagnostic::Findings;
-use crate::stream::{Manner, compile};
 
-/// Makes PDOs of the [links](Network::links): a [`PdoWish`](crate::PdoWish) for each PDO of a producer and of its consumers.
+/// Makes PDOs of the [links](Network::links): a [`PdoRequest`](crate::PdoRequest) for each PDO of a producer and of its consumers.
 ///
 /// Links of a producer with the same consumers and the same parameters share PDOs, as few as fit; an entry that is sent
 /// already is not sent again. A consumer that takes parts of a PDO has dummies in the gaps. CAN-IDs are those of the
 /// predefined connection set for the PDO of the producer or of the first consumer, then free ones (CiA 301 §7.3.5), and what is
 /// added at the end of the network changes none of them. PDOs whose COB-ID or mapping the network file states itself are left alone.
 ///
-/// A link that does not become a PDO is a finding. Nodes that [say so](crate::Node::unused_pdos) get a wish to switch off each
+/// A link that does not become a PDO is a finding. Nodes that [say so](crate::Node::unused_pdos) get a request to switch off each
 /// valid PDO that no link and no key uses.
 pub fn connect(network: &mut Network, findings: &mut Findings) {
     if network.links.is_empty() && (0..network.nodes.len()).all(|node| network.switches_off(node).is_none()) {
         return;
     }
-    let streams = streams::collect(network, findings);
-    let compiled = compile(network, Manner::Repaired, &mut Findings::new());
-    let wishes = pack::pack(network, &compiled, streams, findings);
-    for (node, wish) in wishes {
-        network.nodes[node].pdos.push(wish);
+    let groups = groups::collect(network, findings);
+    let compiled = compile(network, DcfgenMode::Corrected, &mut Findings::new());
+    let requests = pack::pack(network, &compiled, groups, findings);
+    for (node, request) in requests {
+        network.nodes[node].pdos.push(request);
     }
     for node in &mut network.nodes {
-        node.pdos.sort_by_key(|wish| wish.pdo.kind);
+        node.pdos.sort_by_key(|request| request.pdo.kind);
     }
 }

@@ -2,11 +2,11 @@
 
 use super::pdos::{Candidate, NodePdos, Obstacle};
 use crate::Node;
+use crate::compile::indexes;
 use crate::diagnostic::{At, Diagnostic, Severity, joined, say};
 use crate::model::{Access, Part, PdoKind, Place};
 use crate::rules::FIXED_PDO;
 use crate::source::Span;
-use crate::stream::indexes;
 
 /// The most PDOs that a finding points at.
 const MAX_LABELS: usize = 4;

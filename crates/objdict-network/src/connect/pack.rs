@@ -4,39 +4,39 @@ use std::collections::BTreeMap;
 
 use super::can_ids::{CanIds, User, plain, predefined};
 use super::frame::{Frame, MAX_BITS, Share};
+use super::groups::{LinkGroup, Signal};
 use super::obstacles;
 use super::pdos::{Candidate, Mapping, NodePdos, Obstacle};
-use super::streams::{Signal, Stream};
+use crate::compile::{Compiled, Slave, received_type};
 use crate::configure::PdoName;
 use crate::diagnostic::{Diagnostic, Findings, say};
 use crate::model::{CobId, PdoKind};
 use crate::rules::{CONTRADICTION, FIXED_PDO, LINK_TOO_LONG, NO_FREE_CAN_ID, NO_FREE_PDO};
 use crate::source::Span;
-use crate::stream::{Compiled, Slave, received_type};
-use crate::{CobIdWish, LinkParameters, Network, Node, PdoWish, Said};
+use crate::{CobIdWish, LinkParameters, Network, Node, PdoRequest, Said};
 
-/// The PDOs of all streams with their nodes, in the order of the streams.
+/// The PDOs of all groups with their nodes, in the order of the groups.
 pub(super) fn pack(
     network: &Network,
     compiled: &Compiled,
-    streams: Vec<Stream>,
+    groups: Vec<LinkGroup>,
     findings: &mut Findings,
-) -> Vec<(usize, PdoWish)> {
+) -> Vec<(usize, PdoRequest)> {
     let slave = |position| compiled.nodes().find(|slave| slave.node == position);
     let pdos = network.nodes.iter().enumerate().map(|(position, node)| NodePdos::of(node, slave(position)));
     let mut packer = Packer {
         nodes: &network.nodes,
         pdos: pdos.collect(),
         can_ids: CanIds::new(network, compiled),
-        wishes: Vec::new(),
+        requests: Vec::new(),
     };
     // in the order of the links, so that those at the end take nothing from others
     let mut order = 0..;
-    let mut ordered = |stream: Stream| ((stream.link, order.next()), stream);
-    let mut streams: BTreeMap<_, Stream> = streams.into_iter().map(&mut ordered).collect();
-    while let Some((_, stream)) = streams.pop_first() {
-        match packer.place(&stream) {
-            Ok(alone) => streams.extend(alone.into_iter().map(&mut ordered)),
+    let mut ordered = |group: LinkGroup| ((group.link, order.next()), group);
+    let mut groups: BTreeMap<_, LinkGroup> = groups.into_iter().map(&mut ordered).collect();
+    while let Some((_, group)) = groups.pop_first() {
+        match packer.place(&group) {
+            Ok(alone) => groups.extend(alone.into_iter().map(&mut ordered)),
             Err(finding) => findings.push(*finding),
         }
     }
@@ -45,14 +45,14 @@ pub(super) fn pack(
             packer.switch_off(network, slave, at, findings);
         }
     }
-    packer.wishes
+    packer.requests
 }
 
 struct Packer<'a> {
     nodes: &'a [Node],
     pdos: Vec<NodePdos>,
     can_ids: CanIds,
-    wishes: Vec<(usize, PdoWish)>,
+    requests: Vec<(usize, PdoRequest)>,
 }
 
 /// A PDO of a consumer for a share of a frame.
@@ -95,42 +95,41 @@ struct Refusal {
 }
 
 impl Packer<'_> {
-    /// Gives a stream as many PDOs as needed. What single consumers cannot take from them is returned as streams of their own.
-    fn place(&mut self, stream: &Stream) -> Result<Vec<Stream>, Box<Diagnostic>> {
-        let bits: u32 = stream.signals.iter().map(|signal| u32::from(signal.entry.bits)).sum();
-        if stream.parameters.can_id.is_some() && bits > MAX_BITS {
+    /// Gives a group as many PDOs as needed. What single consumers cannot take from them is returned as groups of their own.
+    fn place(&mut self, group: &LinkGroup) -> Result<Vec<LinkGroup>, Box<Diagnostic>> {
+        let bits: u32 = group.signals.iter().map(|signal| u32::from(signal.entry.bits)).sum();
+        if group.parameters.can_id.is_some() && bits > MAX_BITS {
             let message =
                 say!("{} bits are linked with one CAN-ID, but a PDO has at most {}", bits, MAX_BITS);
             let help = "leave the CAN-ID out, or give links with other CAN-IDs a part of the entries";
-            return Err(Box::new(Diagnostic::new(&LINK_TOO_LONG, stream.at, message).help(help)));
+            return Err(Box::new(Diagnostic::new(&LINK_TOO_LONG, group.at, message).help(help)));
         }
         let mut alone = Vec::new();
-        let mut rest: Vec<&Signal> = stream.signals.iter().collect();
+        let mut rest: Vec<&Signal> = group.signals.iter().collect();
         while !rest.is_empty() {
-            let transfer = match self.transfer(stream, &rest) {
+            let transfer = match self.transfer(group, &rest) {
                 Ok(transfer) => transfer,
-                Err(refusal) => return Err(Box::new(self.refused(stream, rest[0], &refusal))),
+                Err(refusal) => return Err(Box::new(self.refused(group, rest[0], &refusal))),
             };
             let count = rest.len();
             rest.retain(|signal| !transfer.frame.carries(signal));
-            if let Some(can_id) = stream.parameters.can_id.filter(|_| !rest.is_empty()) {
-                return Err(Box::new(self.split(stream, &transfer, can_id, (count - rest.len(), count))));
+            if let Some(can_id) = group.parameters.can_id.filter(|_| !rest.is_empty()) {
+                return Err(Box::new(self.split(group, &transfer, can_id, (count - rest.len(), count))));
             }
-            alone
-                .extend(transfer.receivers.left.iter().map(|share| separate(stream, &transfer.frame, share)));
-            self.commit(stream, transfer)?;
+            alone.extend(transfer.receivers.left.iter().map(|share| separate(group, &transfer.frame, share)));
+            self.commit(group, transfer)?;
         }
         Ok(alone)
     }
 
     /// A PDO for the first of the signals and as many more as possible.
-    fn transfer<'a>(&self, stream: &Stream, rest: &[&'a Signal]) -> Result<Transfer<'a>, Refusal> {
-        let pdos = &self.pdos[stream.lead];
-        let mut of_lead = Refusal { node: stream.lead, kind: stream.kind, obstacles: Vec::new() };
+    fn transfer<'a>(&self, group: &LinkGroup, rest: &[&'a Signal]) -> Result<Transfer<'a>, Refusal> {
+        let pdos = &self.pdos[group.lead];
+        let mut of_lead = Refusal { node: group.lead, kind: group.kind, obstacles: Vec::new() };
         let mut of_consumer = None;
-        for pdo in pdos.candidates(stream.kind, rest[0].entry) {
+        for pdo in pdos.candidates(group.kind, rest[0].entry) {
             let candidate = &pdos.pdos[pdo];
-            let can_id = match self.can_lead(stream, candidate, rest) {
+            let can_id = match self.can_lead(group, candidate, rest) {
                 Ok(can_id) => can_id,
                 Err(obstacle) => {
                     of_lead.obstacles.push((pdo, obstacle));
@@ -145,7 +144,7 @@ impl Packer<'_> {
                 of_lead.obstacles.push((pdo, candidate.other_mapping()));
             }
             while frame.len() > 0 {
-                match self.receivers(stream, &frame, can_id) {
+                match self.receivers(group, &frame, can_id) {
                     Ok(receivers) => return Ok(Transfer { frame, pdo, receivers }),
                     Err(refused) => of_consumer = Some(refused),
                 }
@@ -161,18 +160,18 @@ impl Packer<'_> {
     /// The CAN-ID that a link demands, or that a PDO of the lead has for ever.
     fn can_lead(
         &self,
-        stream: &Stream,
+        group: &LinkGroup,
         candidate: &Candidate,
         rest: &[&Signal],
     ) -> Result<Option<u32>, Obstacle> {
-        let demanded = stream.parameters.can_id;
+        let demanded = group.parameters.can_id;
         let constant = candidate.constant_can_id()?;
         if let Some(constant) = constant.filter(|constant| demanded.is_some_and(|id| id != *constant)) {
             return Err(Obstacle::CanId(constant));
         }
-        let transmission = stream.parameters.transmission;
-        candidate.can_have(&match stream.kind {
-            PdoKind::Tpdo => stream.parameters,
+        let transmission = group.parameters.transmission;
+        candidate.can_have(&match group.kind {
+            PdoKind::Tpdo => group.parameters,
             // the manager has the other times
             PdoKind::Rpdo => LinkParameters {
                 transmission: transmission.map(received_type),
@@ -186,11 +185,11 @@ impl Packer<'_> {
     /// RPDOs for a frame: partners must receive it, others may, but have no say in its CAN-ID.
     fn receivers(
         &self,
-        stream: &Stream,
+        group: &LinkGroup,
         frame: &Frame<'_>,
         can_id: Option<u32>,
     ) -> Result<Receivers, Refusal> {
-        let is_partner = |share: &Share| stream.partners.contains(&share.node);
+        let is_partner = |share: &Share| group.partners.contains(&share.node);
         let (partners, others): (Vec<_>, Vec<_>) = frame.shares().into_iter().partition(is_partner);
         let mut receivers = Receivers { can_id, ..Receivers::default() };
         for share in partners {
@@ -254,9 +253,9 @@ impl Packer<'_> {
         Err(obstacles)
     }
 
-    /// Takes the PDOs of a transfer, gives them a CAN-ID, and adds the wishes of the nodes.
-    fn commit(&mut self, stream: &Stream, transfer: Transfer<'_>) -> Result<(), Box<Diagnostic>> {
-        let lead = stream.lead;
+    /// Takes the PDOs of a transfer, gives them a CAN-ID, and adds the requests of the nodes.
+    fn commit(&mut self, group: &LinkGroup, transfer: Transfer<'_>) -> Result<(), Box<Diagnostic>> {
+        let lead = group.lead;
         let own = self.take(lead, transfer.pdo);
         let Receivers { receptions, can_id, .. } = transfer.receivers;
         let rpdos: Vec<PdoName> =
@@ -267,11 +266,11 @@ impl Packer<'_> {
             None => {
                 let of_lead = predefined(&self.nodes[lead], own);
                 let of_consumers = receptions.iter().zip(&rpdos);
-                let of_consumers = of_consumers.filter(|(to, _)| stream.partners.contains(&to.node));
+                let of_consumers = of_consumers.filter(|(to, _)| group.partners.contains(&to.node));
                 let of_consumers =
                     of_consumers.filter_map(|(to, pdo)| predefined(&self.nodes[to.node], *pdo));
                 let chosen = self.can_ids.choose(of_lead.into_iter().chain(of_consumers));
-                chosen.ok_or_else(|| Box::new(no_can_id(stream.at)))?
+                chosen.ok_or_else(|| Box::new(no_can_id(group.at)))?
             }
         };
         self.can_ids.add(can_id, user);
@@ -279,56 +278,56 @@ impl Packer<'_> {
         for (reception, pdo) in receptions.into_iter().zip(rpdos) {
             self.can_ids.add(can_id, User::Pdo(reception.node, pdo));
             let (node, at) = (reception.node, reception.pdo);
-            let wish = self.received(stream, reception, pdo, can_id | extended);
-            self.wish(node, at, wish);
+            let request = self.received(group, reception, pdo, can_id | extended);
+            self.request(node, at, request);
         }
-        let wish = self.led(stream, &transfer.frame, transfer.pdo, can_id | extended);
-        self.wish(lead, transfer.pdo, wish);
+        let request = self.led(group, &transfer.frame, transfer.pdo, can_id | extended);
+        self.request(lead, transfer.pdo, request);
         Ok(())
     }
 
-    /// The wish of the lead.
-    fn led(&self, stream: &Stream, frame: &Frame<'_>, pdo: usize, cob_id: u32) -> PdoWish {
-        let candidate = &self.pdos[stream.lead].pdos[pdo];
-        let parameters = stream.parameters;
+    /// The request of the lead.
+    fn led(&self, group: &LinkGroup, frame: &Frame<'_>, pdo: usize, cob_id: u32) -> PdoRequest {
+        let candidate = &self.pdos[group.lead].pdos[pdo];
+        let parameters = group.parameters;
         // only a TPDO says by bit 30 that it cannot be requested
-        let (no_rtr, transmission) = match stream.kind {
+        let (no_rtr, transmission) = match group.kind {
             PdoKind::Tpdo => (candidate.cob_id.unwrap_or(0) & CobId::BIT_30, parameters.transmission),
             PdoKind::Rpdo => (0, parameters.transmission.map(received_type)),
         };
-        let said = |value| Said::new(value, stream.at);
+        let said = |value| Said::new(value, group.at);
         let cob_id = candidate.cob_id_for(cob_id | no_rtr);
-        PdoWish {
-            cob_id: Some(Said::new(CobIdWish::Number(cob_id), stream.at)),
-            transmission: transmission.map(|value| Said::new(value, stream.at)),
+        PdoRequest {
+            cob_id: Some(Said::new(CobIdWish::Number(cob_id), group.at)),
+            transmission: transmission.map(|value| Said::new(value, group.at)),
             inhibit_time: parameters.inhibit_time.map(said),
             event_timer: parameters.event_timer.map(said),
             deadline: frame.deadline().map(said),
-            mapping: spanned(candidate.changed(&frame.mapped), stream.at),
-            ..PdoWish::new(candidate.name, stream.at)
+            mapping: spanned(candidate.changed(&frame.mapped), group.at),
+            ..PdoRequest::new(candidate.name, group.at)
         }
     }
 
-    /// Adds the wish of a node, unless its PDO is so for ever.
-    fn wish(&mut self, node: usize, pdo: usize, wish: PdoWish) {
-        if !self.pdos[node].pdos[pdo].is_for_ever(&wish) {
-            self.wishes.push((node, wish));
+    /// Adds the request of a node, unless its PDO is so for ever.
+    fn request(&mut self, node: usize, pdo: usize, request: PdoRequest) {
+        if !self.pdos[node].pdos[pdo].is_for_ever(&request) {
+            self.requests.push((node, request));
         }
     }
 
-    /// The wish of a consumer.
-    fn received(&self, stream: &Stream, reception: Reception, pdo: PdoName, cob_id: u32) -> PdoWish {
+    /// The request of a consumer.
+    fn received(&self, group: &LinkGroup, reception: Reception, pdo: PdoName, cob_id: u32) -> PdoRequest {
         let Reception { node, at, mapping, deadline, .. } = reception;
-        let transmission = stream.parameters.transmission.map(received_type);
+        let transmission = group.parameters.transmission.map(received_type);
         let candidate = &self.pdos[node].pdos[reception.pdo];
-        PdoWish {
+        PdoRequest {
             cob_id: Some(Said::new(CobIdWish::Number(candidate.cob_id_for(cob_id)), at)),
             transmission: transmission
                 .filter(|_| candidate.is_writable(2))
                 .map(|number| Said::new(number, at)),
             deadline: deadline.map(|time| Said::new(time, at)),
             mapping: spanned(mapping, at),
-            ..PdoWish::new(pdo, at)
+            ..PdoRequest::new(pdo, at)
         }
     }
 
@@ -340,8 +339,9 @@ impl Packer<'_> {
         let is_there = |pdo: &&Candidate| slave.pdos.iter().any(|state| state.pdo == pdo.name);
         let unused = unused.filter(is_there).filter(|pdo| slave.stated(network, pdo.name).is_none());
         let (constant, others): (Vec<_>, Vec<_>) = unused.partition(|pdo| pdo.is_cob_id_constant());
-        let off = |pdo: &Candidate| (slave.node, PdoWish { enabled: false, ..PdoWish::new(pdo.name, at) });
-        self.wishes.extend(others.into_iter().map(off));
+        let off =
+            |pdo: &Candidate| (slave.node, PdoRequest { enabled: false, ..PdoRequest::new(pdo.name, at) });
+        self.requests.extend(others.into_iter().map(off));
         findings.push(match constant.as_slice() {
             [] => return,
             stay => obstacles::stay_valid(stay, (slave.node, &network.nodes[slave.node]), at),
@@ -361,27 +361,27 @@ impl Packer<'_> {
     /// A link with one CAN-ID that does not fit into one PDO.
     fn split(
         &self,
-        stream: &Stream,
+        group: &LinkGroup,
         transfer: &Transfer<'_>,
         can_id: u32,
         (fitting, count): (usize, usize),
     ) -> Diagnostic {
-        let pdo = self.pdos[stream.lead].pdos[transfer.pdo].name;
+        let pdo = self.pdos[group.lead].pdos[transfer.pdo].name;
         let message = say!(
             "{} {} of `{}` carries {} of {} entries that are linked with the CAN-ID {:X}h",
             pdo.kind,
             pdo.number,
-            self.nodes[stream.lead].name.value,
+            self.nodes[group.lead].name.value,
             fitting,
             count,
             can_id
         );
         let help = "leave the CAN-ID out, or give links with other CAN-IDs a part of the entries";
-        Diagnostic::new(&LINK_TOO_LONG, stream.at, message).help(help)
+        Diagnostic::new(&LINK_TOO_LONG, group.at, message).help(help)
     }
 
     /// A PDO for a signal whose COB-ID or mapping the network file sets to something else.
-    fn contradicted(&self, stream: &Stream, signal: &Signal, refusal: &Refusal) -> Option<Diagnostic> {
+    fn contradicted(&self, group: &LinkGroup, signal: &Signal, refusal: &Refusal) -> Option<Diagnostic> {
         let Refusal { node, kind, .. } = *refusal;
         let entry = match kind {
             PdoKind::Tpdo => signal.entry,
@@ -390,14 +390,14 @@ impl Packer<'_> {
             }
         };
         let stated = self.pdos[node].pdos.iter().filter(|pdo| pdo.name.kind == kind && pdo.stated.is_some());
-        let mut stated = stated.filter(|pdo| stream.parameters.can_id.is_some() || pdo.maps(entry));
+        let mut stated = stated.filter(|pdo| group.parameters.can_id.is_some() || pdo.maps(entry));
         let pdo = stated.clone().find(|pdo| pdo.maps(entry)).or_else(|| stated.next())?;
         let (name, number) = (&self.nodes[node].name.value, pdo.name.number);
         let is = match pdo.valid_cob_id() {
             Some(cob_id) => format!("is set to the CAN-ID {:X}h", plain(cob_id)),
             None => "is set to be not valid".to_owned(),
         };
-        let message = match stream.parameters.can_id {
+        let message = match group.parameters.can_id {
             Some(can_id) => say!(
                 "the link of `{}` has the `can-id` {:X}h, but {} {} of `{}` {} by `set` or `sdo`",
                 entry.name(),
@@ -416,12 +416,12 @@ impl Packer<'_> {
                 is
             ),
         };
-        let finding = Diagnostic::new(&CONTRADICTION, stream.at, message);
+        let finding = Diagnostic::new(&CONTRADICTION, group.at, message);
         let stated = pdo.stated.map(crate::diagnostic::At::Span);
         Some(finding.label_each(stated, "the other value").help("remove one of the two"))
     }
 
-    fn refused(&self, stream: &Stream, signal: &Signal, refusal: &Refusal) -> Diagnostic {
+    fn refused(&self, group: &LinkGroup, signal: &Signal, refusal: &Refusal) -> Diagnostic {
         let Refusal { node, kind, .. } = *refusal;
         let name = &self.nodes[node].name.value;
         let own = || self.pdos[node].pdos.iter().filter(|pdo| pdo.name.kind == kind);
@@ -431,7 +431,7 @@ impl Packer<'_> {
         };
         let entry = entry.unwrap_or(signal.entry).name();
         if own().all(|pdo| pdo.is_used) {
-            if let Some(finding) = self.contradicted(stream, signal, refusal) {
+            if let Some(finding) = self.contradicted(group, signal, refusal) {
                 return finding;
             }
             let message = say!("`{}` has no {} left for `{}`", name, kind, entry);
@@ -441,16 +441,16 @@ impl Packer<'_> {
                     say!("all {} are in use: link fewer entries, or take more of them in one PDO", count)
                 }
             };
-            return Diagnostic::new(&NO_FREE_PDO, stream.at, message).help(help);
+            return Diagnostic::new(&NO_FREE_PDO, group.at, message).help(help);
         }
         let message = say!("no {} of `{}` can be configured to carry `{}` as linked", kind, name, entry);
-        let finding = Diagnostic::new(&FIXED_PDO, stream.at, message);
+        let finding = Diagnostic::new(&FIXED_PDO, group.at, message);
         obstacles::explained(finding, (node, &self.nodes[node]), &self.pdos[node], kind, &refusal.obstacles)
     }
 }
 
-/// A stream for what a consumer cannot take from a frame.
-fn separate(stream: &Stream, frame: &Frame<'_>, share: &Share) -> Stream {
+/// A group for what a consumer cannot take from a frame.
+fn separate(group: &LinkGroup, frame: &Frame<'_>, share: &Share) -> LinkGroup {
     let first = share.receivers.iter().map(|(_, receiver)| receiver).min_by_key(|receiver| receiver.link);
     let parts = frame.signals().flat_map(|signal| {
         let receivers = share.receivers.iter().filter(|(_, receiver)| signal.has(receiver));
@@ -460,13 +460,13 @@ fn separate(stream: &Stream, frame: &Frame<'_>, share: &Share) -> Stream {
             deadline: None,
         })
     });
-    Stream {
-        link: first.map_or(stream.link, |receiver| receiver.link),
-        at: first.map_or(stream.at, |receiver| receiver.at),
-        lead: stream.lead,
-        kind: stream.kind,
+    LinkGroup {
+        link: first.map_or(group.link, |receiver| receiver.link),
+        at: first.map_or(group.at, |receiver| receiver.at),
+        lead: group.lead,
+        kind: group.kind,
         partners: vec![share.node],
-        parameters: LinkParameters { can_id: None, ..stream.parameters },
+        parameters: LinkParameters { can_id: None, ..group.parameters },
         signals: parts.collect(),
     }
 }

@@ -3,11 +3,11 @@
 use super::can_ids::{on_node, plain};
 use super::ends::Carried;
 use super::frame::MAX_BITS;
+use crate::compile::Slave;
 use crate::configure::PdoName;
 use crate::model::{Access, Address, CobId, DataType, Device, MappedObject, Pdo, PdoKind};
 use crate::source::Span;
-use crate::stream::Slave;
-use crate::{LinkParameters, Node, PdoWish};
+use crate::{LinkParameters, Node, PdoRequest};
 
 /// The PDOs of a node.
 pub(crate) struct NodePdos {
@@ -80,9 +80,9 @@ impl NodePdos {
         let pdos = device.pdos().filter(|pdo| pdo.communication.is_some());
         let pdos = pdos.map(|pdo| {
             let mut candidate = Candidate::of(&device, &pdo, node.node_id.map(|said| said.value));
-            let is_wished = node.pdos.iter().any(|wish| wish.pdo == name_of(&pdo));
-            candidate.stated = stated(&pdo).filter(|_| !is_wished);
-            candidate.is_used = is_wished || candidate.stated.is_some();
+            let is_requested = node.pdos.iter().any(|request| request.pdo == name_of(&pdo));
+            candidate.stated = stated(&pdo).filter(|_| !is_requested);
+            candidate.is_used = is_requested || candidate.stated.is_some();
             candidate
         });
         Self { pdos: pdos.collect(), dummies: dummies(&device) }
@@ -248,20 +248,20 @@ impl Candidate {
     }
 
     /// Whether the PDO is already as wanted, and its COB-ID, which starts and ends each change, cannot be written.
-    pub(super) fn is_for_ever(&self, wish: &PdoWish) -> bool {
+    pub(super) fn is_for_ever(&self, request: &PdoRequest) -> bool {
         // the other times are those of the manager
         let (inhibit_time, timer, of_manager) = match self.name.kind {
-            PdoKind::Tpdo => (wish.inhibit_time, wish.event_timer, wish.deadline),
-            PdoKind::Rpdo => (None, wish.deadline, wish.inhibit_time.or(wish.event_timer)),
+            PdoKind::Tpdo => (request.inhibit_time, request.event_timer, request.deadline),
+            PdoKind::Rpdo => (None, request.deadline, request.inhibit_time.or(request.event_timer)),
         };
         let wanted = [
-            wish.transmission.map(|said| said.value.into()),
+            request.transmission.map(|said| said.value.into()),
             inhibit_time.map(|said| said.value.into()),
             timer.map(|said| said.value.into()),
         ];
         let mut pairs = wanted.into_iter().zip(&self.parameters);
         self.is_cob_id_fixed
-            && wish.mapping.is_none()
+            && request.mapping.is_none()
             && of_manager.is_none()
             && pairs
                 .all(|(wanted, Parameter(_, present, _))| wanted.is_none_or(|wanted: u32| wanted == *present))

@@ -11,7 +11,7 @@ use crate::configure::PdoName;
 use crate::diagnostic::Findings;
 use crate::model::{CobId, Device, DeviceKind, MappedObject, PdoKind};
 use crate::source::{SourceFile, Span};
-use crate::{CobIdWish, Link, LinkEnd, LinkParameters, Network, Node, PdoWish, Said};
+use crate::{CobIdWish, Link, LinkEnd, LinkParameters, Network, Node, PdoRequest, Said};
 
 /// What a test device has beside ten inputs (6000h), ten outputs (6200h) and four analogue ones of each kind (6401h, 6411h).
 #[derive(Clone, Debug)]
@@ -125,9 +125,9 @@ fn network(kits: &[Kit], links: Vec<Link>) -> Network {
     Network { nodes: nodes.collect(), links, ..Network::default() }
 }
 
-fn mapping(node: &Node, wish: &PdoWish) -> Vec<MappedObject> {
-    let present = || node.device.pdo(wish.pdo.kind, wish.pdo.number).unwrap().mapped().collect();
-    let Some(mapping) = &wish.mapping else { return present() };
+fn mapping(node: &Node, request: &PdoRequest) -> Vec<MappedObject> {
+    let present = || node.device.pdo(request.pdo.kind, request.pdo.number).unwrap().mapped().collect();
+    let Some(mapping) = &request.mapping else { return present() };
     let bits = |index, sub| match index {
         ..0x20 => crate::model::DataType(index).bit_length(),
         _ => objdict_node::download::transferred_type(&node.device, index, sub).unwrap().bit_length(),
@@ -136,8 +136,8 @@ fn mapping(node: &Node, wish: &PdoWish) -> Vec<MappedObject> {
     mapped.map(|(index, sub)| MappedObject { index, sub, bits: bits(index, sub).unwrap() }).collect()
 }
 
-fn cob_id(wish: &PdoWish) -> u32 {
-    match wish.cob_id.unwrap().value {
+fn cob_id(request: &PdoRequest) -> u32 {
+    match request.cob_id.unwrap().value {
         CobIdWish::Number(number) => number,
         CobIdWish::Auto => panic!("links have numbers"),
     }
@@ -146,11 +146,16 @@ fn cob_id(wish: &PdoWish) -> u32 {
 /// A line for each PDO that links configure: `a TPDO 1 181: 6000:1 6000:2`.
 fn shown(network: &Network) -> Vec<String> {
     let lines = network.nodes.iter().flat_map(|node| {
-        node.pdos.iter().map(move |wish| {
-            let mapped = mapping(node, wish);
+        node.pdos.iter().map(move |request| {
+            let mapped = mapping(node, request);
             let mapped = mapped.iter().map(|object| format!(" {:X}:{:X}", object.index, object.sub));
-            let PdoName { kind, number } = wish.pdo;
-            format!("{} {kind} {number} {:X}:{}", node.name.value, cob_id(wish), mapped.collect::<String>())
+            let PdoName { kind, number } = request.pdo;
+            format!(
+                "{} {kind} {number} {:X}:{}",
+                node.name.value,
+                cob_id(request),
+                mapped.collect::<String>()
+            )
         })
     });
     lines.collect()
@@ -371,10 +376,12 @@ fn can_ids_come_from_both_nodes_and_then_from_the_free_ranges() {
         // the network file configures TPDO 1 of `a` and sends something else with the CAN-ID of TPDO 2
         let pdo = PdoName { kind: PdoKind::Tpdo, number: 1 };
         let said = |id| Some(Said::new(CobIdWish::Number(id), Span::default()));
-        network.nodes[0].pdos.push(PdoWish { cob_id: said(0x281), ..PdoWish::new(pdo, Span::default()) });
+        network.nodes[0]
+            .pdos
+            .push(PdoRequest { cob_id: said(0x281), ..PdoRequest::new(pdo, Span::default()) });
         connect(&mut network, &mut Findings::new());
-        let wishes = network.nodes[0].pdos.iter().skip(1);
-        wishes.map(|wish| (wish.pdo.number, cob_id(wish))).collect::<Vec<_>>()
+        let requests = network.nodes[0].pdos.iter().skip(1);
+        requests.map(|request| (request.pdo.number, cob_id(request))).collect::<Vec<_>>()
     };
     // TPDO 2 takes the CAN-ID of RPDO 1 of `b`, TPDO 5 that of its RPDO 4, TPDO 6 a free one; the sixth link has no PDO
     assert_eq!(ids(&[many.clone(), many]), [(2, 0x202), (3, 0x381), (4, 0x481), (5, 0x502), (6, 0x680)]);
@@ -503,11 +510,11 @@ fn subs(end: &LinkEnd) -> std::ops::RangeInclusive<u8> {
 /// Where an entry of a node is in PDOs: COB-ID without flags and first bit.
 fn positions(node: &Node, kind: PdoKind, index: u16) -> BTreeMap<u8, BTreeSet<(u32, u32)>> {
     let mut positions: BTreeMap<u8, BTreeSet<(u32, u32)>> = BTreeMap::new();
-    for wish in node.pdos.iter().filter(|wish| wish.pdo.kind == kind) {
+    for request in node.pdos.iter().filter(|request| request.pdo.kind == kind) {
         let mut bit = 0;
-        for object in mapping(node, wish) {
+        for object in mapping(node, request) {
             if object.index == index {
-                positions.entry(object.sub).or_default().insert((cob_id(wish) & 0x3FFF_FFFF, bit));
+                positions.entry(object.sub).or_default().insert((cob_id(request) & 0x3FFF_FFFF, bit));
             }
             bit += u32::from(object.bits);
         }
@@ -527,11 +534,11 @@ proptest! {
         let of = |name: &str| network.nodes.iter().find(|node| node.name.value == name).unwrap();
         let mut senders = BTreeMap::new();
         for node in &network.nodes {
-            let names: BTreeSet<_> = node.pdos.iter().map(|wish| wish.pdo).collect();
+            let names: BTreeSet<_> = node.pdos.iter().map(|request| request.pdo).collect();
             prop_assert_eq!(names.len(), node.pdos.len(), "a PDO is used once");
-            for wish in node.pdos.iter().filter(|wish| wish.pdo.kind == PdoKind::Tpdo) {
-                let sender = (&node.name.value, wish.pdo);
-                prop_assert_eq!(senders.insert(cob_id(wish) & 0x3FFF_FFFF, sender), None);
+            for request in node.pdos.iter().filter(|request| request.pdo.kind == PdoKind::Tpdo) {
+                let sender = (&node.name.value, request.pdo);
+                prop_assert_eq!(senders.insert(cob_id(request) & 0x3FFF_FFFF, sender), None);
             }
         }
         if !findings.is_empty() {

@@ -4,8 +4,8 @@ use std::collections::BTreeMap;
 
 use super::text::{Type, hex};
 use super::{Mirrored, Writer};
+use crate::compile::{PdoState, received_type};
 use crate::model::{MappedObject, PdoKind};
-use crate::stream::{PdoState, received_type};
 
 const ARRAY: u8 = 8;
 const RECORD: u8 = 9;

@@ -4,9 +4,9 @@ use std::collections::BTreeMap;
 
 use super::{NodeRow, View};
 use crate::Language;
+use crate::compile::Slave;
 use crate::manager::numbers;
 use crate::network::{Manager, Node, Startup};
-use crate::stream::Slave;
 
 /// What the manager does.
 #[derive(Clone, Debug)]

@@ -3,9 +3,9 @@
 use std::fmt;
 
 use super::{End, View};
+use crate::compile::PdoState;
 use crate::messages::{Message, MessageId, Party, Service};
 use crate::model::{Address, Device, Entry, MappedObject};
-use crate::stream::PdoState;
 
 /// A PDO from its sender to one receiver.
 #[derive(Clone, Debug)]

@@ -8,10 +8,10 @@ pub use self::boot::{BootPlan, BootStep};
 pub use self::downloads::DownloadRow;
 pub use self::entries::{CarriedEntry, LinkRow, MappedEntry};
 use crate::Language;
+use crate::compile::{Compiled, PdoState, Slave};
 use crate::messages::{Message, MessageId, Messages, Party, Service};
 use crate::model::{Device, predefined};
 use crate::network::Network;
-use crate::stream::{Compiled, PdoState, Slave};
 use crate::traffic::{Sync, Traffic, Uncounted};
 use crate::unlinked::UnlinkedPdos;
 
@@ -235,7 +235,7 @@ impl<'n> View<'n> {
             let slave = self.slave(position);
             // what cannot be arranged is counted as the network file has it
             let downloads = slave.map(|slave| slave.arranged().unwrap_or(slave.downloads.clone()));
-            let stream = downloads.as_ref().filter(|downloads| !downloads.0.is_empty());
+            let sent = downloads.as_ref().filter(|downloads| !downloads.0.is_empty());
             NodeRow {
                 node_id: node.node_id.map(|node_id| node_id.value),
                 name: node.name.value.clone(),
@@ -243,11 +243,11 @@ impl<'n> View<'n> {
                 is_manager: manager.is_some_and(|manager| manager.node == Some(position)),
                 heartbeat: slave.map_or(0, |slave| slave.heartbeat),
                 guard_time: slave.map_or(0, |slave| slave.guard_time),
-                downloads: stream.map_or(0, |stream| stream.0.len()),
-                bytes: stream.and_then(|stream| stream.write().ok()).map_or(0, |bytes| bytes.len()),
+                downloads: sent.map_or(0, |sent| sent.0.len()),
+                bytes: sent.and_then(|sent| sent.write().ok()).map_or(0, |bytes| bytes.len()),
                 configuration: slave
-                    .zip(stream)
-                    .map_or_else(Vec::new, |(slave, stream)| self.downloads(&slave.device, stream)),
+                    .zip(sent)
+                    .map_or_else(Vec::new, |(slave, sent)| self.downloads(&slave.device, sent)),
                 position: Some(position),
             }
         });

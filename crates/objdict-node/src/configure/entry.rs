@@ -3,7 +3,7 @@
 use std::borrow::Cow;
 
 use super::time::{in_unit_of, nanoseconds};
-use super::{Desk, Wrong};
+use super::{Configurator, Wrong};
 use crate::diagnostic::{listing, nearest, series, sub_index};
 use crate::download::{Beyond, beyond, bytes_of, transferred_type};
 use crate::literal::{self, Quirk, Quirks};
@@ -15,7 +15,7 @@ use crate::resolve::{ObjectName, candidates};
 /// Maximum number of candidates listed for an ambiguous name.
 const MAX_CANDIDATES: usize = 8;
 
-impl<'a> Desk<'a> {
+impl<'a> Configurator<'a> {
     /// Resolves a name to exactly one object or entry.
     pub(super) fn address(&self, name: &ObjectName) -> Result<Address, Wrong> {
         let text = match name {

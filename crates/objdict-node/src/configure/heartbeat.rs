@@ -1,11 +1,11 @@
 //! Heartbeat consumers (1016h).
 
-use super::{Desk, Wrong};
+use super::{Configurator, Wrong};
 use crate::model::{Address, Value};
 
 const CONSUMERS: u16 = 0x1016;
 
-impl Desk<'_> {
+impl Configurator<'_> {
     /// Monitors a node: reuses the entry that already monitors it, else takes the first free one.
     pub(super) fn watch(&mut self, node_id: u8, milliseconds: u16) -> Result<(), Wrong> {
         if node_id == self.node_id {

@@ -1,11 +1,11 @@
 //! Objects that a setting names and the device does not have.
 
-use super::{Desk, PdoName, Wrong};
+use super::{Configurator, PdoName, Wrong};
 use crate::diagnostic::misspelled;
 use crate::model::PdoKind;
 use crate::profile;
 
-impl Desk<'_> {
+impl Configurator<'_> {
     /// The problem of an object that the device does not have.
     pub(super) fn no_object(&self, index: u16) -> Wrong {
         let pdo = PdoKind::of_communication(index).or_else(|| PdoKind::of_mapping(index));

@@ -125,10 +125,10 @@ pub fn configuration(
     node_id: u8,
     settings: &[Setting],
 ) -> Result<Configuration, Vec<SettingProblem>> {
-    let mut desk = Desk { device, node_id, values: BTreeMap::new(), downloads: Vec::new() };
+    let mut configurator = Configurator { device, node_id, values: BTreeMap::new(), downloads: Vec::new() };
     let mut problems = Vec::new();
     for setting in settings {
-        if let Err(wrong) = desk.take(setting) {
+        if let Err(wrong) = configurator.take(setting) {
             let Wrong { message, help, place } = wrong;
             problems.push(SettingProblem { setting: setting.to_string(), message, help, place });
         }
@@ -136,20 +136,20 @@ pub fn configuration(
     if !problems.is_empty() {
         return Err(problems);
     }
-    let values = desk.values.into_iter();
+    let values = configurator.values.into_iter();
     let values = values.map(|((index, sub), value)| Assignment { index, sub, value }).collect();
-    Ok(Configuration { values, downloads: desk.downloads })
+    Ok(Configuration { values, downloads: configurator.downloads })
 }
 
 /// The device and the values set so far.
-struct Desk<'a> {
+struct Configurator<'a> {
     device: &'a Device,
     node_id: u8,
     values: BTreeMap<(u16, u8), Value>,
     downloads: Vec<ExplicitDownload>,
 }
 
-impl Desk<'_> {
+impl Configurator<'_> {
     fn take(&mut self, setting: &Setting) -> Result<(), Wrong> {
         match setting {
             Setting::Value { at, text } => self.address(at).and_then(|at| self.set(at, text)),

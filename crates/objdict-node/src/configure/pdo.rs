@@ -1,6 +1,6 @@
 //! Mappings and parameters of PDOs.
 
-use super::{Desk, PdoName, PdoParameter, Wrong};
+use super::{Configurator, PdoName, PdoParameter, Wrong};
 use crate::diagnostic::listing;
 use crate::download::transferred_type;
 use crate::model::{Address, DataType, MappedObject, PdoKind, Value};
@@ -9,7 +9,7 @@ use crate::resolve::ObjectName;
 /// Bits of a CAN data field.
 const FRAME: u32 = 64;
 
-impl Desk<'_> {
+impl Configurator<'_> {
     /// Maps entries into a PDO. Mapping entries after the last mapped object keep their values, because the
     /// number of mapped objects excludes them.
     pub(super) fn map(&mut self, pdo: PdoName, objects: &[ObjectName]) -> Result<(), Wrong> {

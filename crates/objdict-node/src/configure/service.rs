@@ -1,6 +1,6 @@
 //! CAN-IDs of PDOs, SYNC, EMCY and TIME, and node guarding.
 
-use super::{CanId, Desk, PdoName, Wrong};
+use super::{CanId, Configurator, PdoName, Wrong};
 use crate::model::{Address, CobId, PdoKind, predefined, restricted};
 
 /// 1005h, COB-ID of SYNC. Bit 30: the node produces it.
@@ -18,7 +18,7 @@ const EMCY: Address = Address { index: 0x1014, sub: None };
 /// CAN-IDs that neither CiA 301 nor the predefined connection set of any node uses (§7.3.5).
 const POOL: std::ops::RangeInclusive<u32> = 0x680..=0x6DF;
 
-impl Desk<'_> {
+impl Configurator<'_> {
     /// Sets the CAN-ID of a PDO. Bit 30 of a TPDO (no RTR) is preserved.
     pub(super) fn cob_id(&mut self, pdo: PdoName, id: CanId) -> Result<(), Wrong> {
         let at = Address { index: self.communication_of(pdo)?, sub: Some(1) };

@@ -51,7 +51,7 @@ pub fn words(notion: &Notion<'_>) -> Option<String> {
     match *notion {
         Notion::Key(key) => rate(key).or_else(|| own(key)).or_else(|| Some(What::of(key)?.name().to_owned())),
         Notion::Setting(key, value) => rate(key).or_else(|| Some(What::of(key)?.with(value))),
-        Notion::Worth(key, value) => What::of(key)?.spelled(value),
+        Notion::ValueOf(key, value) => What::of(key)?.spelled(value),
         Notion::Section(name) => section(name).or_else(|| own(&format!("[{name}]"))),
         Notion::Word(word) => WORDS.iter().find(|(eds, _)| *eds == word).map(|(_, xdd)| (*xdd).to_owned()),
     }
@@ -63,7 +63,7 @@ fn words_of_parameter(notion: &Notion<'_>) -> Option<String> {
     match *notion {
         Notion::Key("AccessType") => Some("access".to_owned()),
         Notion::Setting("AccessType", value) => Some(format!("access=\"{}\"", access(value).unwrap_or("…"))),
-        Notion::Worth("AccessType", value) => access(value).map(ToOwned::to_owned),
+        Notion::ValueOf("AccessType", value) => access(value).map(ToOwned::to_owned),
         _ => words(notion),
     }
 }

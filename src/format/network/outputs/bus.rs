@@ -8,7 +8,7 @@ use super::super::quoted;
 use super::{Build, BuiltFile};
 use crate::configure::Setting;
 use crate::model::PdoKind;
-use crate::network::{CobIdWish, DownloadWish, Heartbeat, Manager, Node, PdoWish, Said, ValueWish};
+use crate::network::{CobIdWish, DownloadRequest, Heartbeat, Manager, Node, PdoRequest, Said, ValueWish};
 
 impl Build<'_> {
     /// The network as dcfgen takes it, with the descriptions of the nodes.
@@ -134,53 +134,53 @@ fn written(node: &Node, text: &mut String) {
     number(text, "software_version", Some(boot.software_version).filter(|version| *version != 0));
     number(text, "restore_configuration", Some(boot.restore_configuration.value).filter(|sub| *sub != 0));
     for kind in PdoKind::ALL {
-        let pdos: Vec<&PdoWish> = node.pdos.iter().filter(|wish| wish.pdo.kind == kind).collect();
+        let pdos: Vec<&PdoRequest> = node.pdos.iter().filter(|request| request.pdo.kind == kind).collect();
         if !pdos.is_empty() {
             let _ = writeln!(text, "  {}:", kind.name().to_ascii_lowercase());
-            pdos.into_iter().for_each(|wish| pdo(text, wish));
+            pdos.into_iter().for_each(|request| pdo(text, request));
         }
     }
     let settings = node.settings.iter().filter_map(|setting| download_of(&setting.value));
     let downloads: Vec<String> =
-        settings.chain(node.downloads.iter().map(|wish| download(&wish.value))).collect();
+        settings.chain(node.downloads.iter().map(|request| download(&request.value))).collect();
     if !downloads.is_empty() {
         let _ = writeln!(text, "  sdo:\n    - {}", downloads.join("\n    - "));
     }
 }
 
-fn pdo(text: &mut String, wish: &PdoWish) {
+fn pdo(text: &mut String, request: &PdoRequest) {
     let mut keys = Vec::new();
-    if !wish.enabled {
+    if !request.enabled {
         keys.push("enabled: false".to_owned());
     }
-    keys.extend(wish.cob_id.map(|cob_id| match cob_id.value {
+    keys.extend(request.cob_id.map(|cob_id| match cob_id.value {
         CobIdWish::Auto => "cob_id: auto".to_owned(),
         CobIdWish::Number(number) => format!("cob_id: 0x{number:X}"),
     }));
     let narrow = |key: &str, said: Option<Said<u8>>| said.map(|said| format!("{key}: {}", said.value));
     let wide = |key: &str, said: Option<Said<u16>>| said.map(|said| format!("{key}: {}", said.value));
-    keys.extend(narrow("transmission", wish.transmission));
-    keys.extend(wide("inhibit_time", wish.inhibit_time));
-    keys.extend(wide("event_timer", wish.event_timer));
-    keys.extend(wide("event_deadline", wish.deadline));
-    keys.extend(narrow("sync_start", wish.sync_start));
-    if let Some(mapping) = &wish.mapping {
+    keys.extend(narrow("transmission", request.transmission));
+    keys.extend(wide("inhibit_time", request.inhibit_time));
+    keys.extend(wide("event_timer", request.event_timer));
+    keys.extend(wide("event_deadline", request.deadline));
+    keys.extend(narrow("sync_start", request.sync_start));
+    if let Some(mapping) = &request.mapping {
         let entries = mapping.iter().map(|entry| {
             let (index, sub) = (entry.value.index, entry.value.sub.unwrap_or(0));
             format!("{{index: 0x{index:04X}, sub_index: {sub}}}")
         });
         keys.push(format!("mapping: [{}]", entries.collect::<Vec<_>>().join(", ")));
     }
-    let _ = writeln!(text, "    {}: {{{}}}", wish.pdo.number, keys.join(", "));
+    let _ = writeln!(text, "    {}: {{{}}}", request.pdo.number, keys.join(", "));
 }
 
-fn download(wish: &DownloadWish) -> String {
-    let value = match &wish.value {
+fn download(request: &DownloadRequest) -> String {
+    let value = match &request.value {
         ValueWish::Integer(number) => number.to_string(),
         ValueWish::Real(number) => format!("{number:?}"),
         ValueWish::Text(text) => quoted(text),
     };
-    format!("{{index: 0x{:04X}, sub_index: {}, value: {value}}}", wish.index, wish.sub)
+    format!("{{index: 0x{:04X}, sub_index: {}, value: {value}}}", request.index, request.sub)
 }
 
 /// A setting by index with a number; dcfgen has no others.

@@ -8,7 +8,7 @@ use objdict::diagnostic::Severity;
 use objdict::format::network::{BootFiles, NetworkFile};
 use objdict::format::{Format, WriteOptions, write};
 use objdict::model::{Access, DataType, Device, DeviceKind, Entry, Object, ObjectLists, Value};
-use objdict::network::{LelyOptions, Manner};
+use objdict::network::{DcfgenMode, LelyOptions};
 
 use super::real::Library;
 use crate::compile::succeed;
@@ -61,7 +61,7 @@ fn theirs(
     nodes: &[PlantNode],
     time: u64,
 ) -> Result<Theirs, String> {
-    let build = file.build(Manner::Repaired).map_err(|error| error.to_string())?;
+    let build = file.build(DcfgenMode::Corrected).map_err(|error| error.to_string())?;
     let mut configuration = "-";
     for built in build.lely(&LelyOptions::default()).map_err(|error| error.to_string())? {
         let mut bytes = built.bytes;

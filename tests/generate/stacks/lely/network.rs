@@ -4,7 +4,7 @@ use std::path::Path;
 
 use objdict::download::ConciseDcf;
 use objdict::format::network::{BuiltFile, NetworkFile};
-use objdict::network::{LelyOptions, Manner, Node};
+use objdict::network::{DcfgenMode, LelyOptions, Node};
 
 use super::LACKS;
 use super::real::Library;
@@ -81,13 +81,13 @@ const STATED: [(&str, u8, &[&str]); 2] = [
 fn the_library_loads_the_master_and_the_nodes() {
     let Some(library) = Library::build() else { return };
     for (name, node_id, stated) in STATED {
-        for (manner, remote_pdos) in [(Manner::Repaired, false), (Manner::Strict, true)] {
+        for (mode, remote_pdos) in [(DcfgenMode::Corrected, false), (DcfgenMode::Exact, true)] {
             let folder = tempfile::tempdir().unwrap();
             let folder = folder.path();
             let file =
                 NetworkFile::open(&fixtures().join("network").join(name), &Default::default()).unwrap();
-            let options = LelyOptions { manner, remote_pdos };
-            for BuiltFile { name, bytes } in file.build(manner).unwrap().lely(&options).unwrap() {
+            let options = LelyOptions { mode, remote_pdos };
+            for BuiltFile { name, bytes } in file.build(mode).unwrap().lely(&options).unwrap() {
                 std::fs::write(folder.join(name), bytes).unwrap();
             }
             let master = load(&library, folder, &folder.join("master.dcf"), node_id, "master.bin");

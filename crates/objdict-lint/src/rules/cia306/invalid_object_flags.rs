@@ -16,7 +16,7 @@ fn check(at: &EntryAt<'_>, findings: &mut Findings) {
     let Some(flags) = at.entry.flags.filter(|flags| flags.0 > 7) else { return };
     let message = say!(
         "`{ObjFlags}` is {}, but only bits 0 to 2 are defined",
-        Argument::worth(Field::ObjFlags, format_args!("{:#x}", flags.0))
+        Argument::value_of(Field::ObjFlags, format_args!("{:#x}", flags.0))
     );
     let finding = Diagnostic::new(&RULE.info, at.field(Field::ObjFlags), message);
     let known = flags.0 & 7;

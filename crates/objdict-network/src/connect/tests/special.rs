@@ -5,7 +5,7 @@ use crate::configure::{PdoName, Setting};
 use crate::diagnostic::{At, Findings};
 use crate::model::PdoKind;
 use crate::source::Span;
-use crate::{Link, LinkParameters, Manager, Network, PdoWish, Said, UnusedPdos};
+use crate::{Link, LinkParameters, Manager, Network, PdoRequest, Said, UnusedPdos};
 
 /// What is against each PDO that is left, with the help.
 fn reasons(kits: &[Kit], links: Vec<Link>) -> (Vec<String>, String) {
@@ -138,13 +138,13 @@ fn a_manager_without_a_description_has_the_other_side() {
             "b RPDO 1 202: 6200:1 6200:2 6200:3",
         ]
     );
-    let times = |wish: &PdoWish| {
+    let times = |request: &PdoRequest| {
         let time = |said: Option<Said<u16>>| said.map(|said| said.value);
         (
-            wish.transmission.map(|said| said.value),
-            time(wish.inhibit_time),
-            time(wish.event_timer),
-            time(wish.deadline),
+            request.transmission.map(|said| said.value),
+            time(request.inhibit_time),
+            time(request.event_timer),
+            time(request.deadline),
         )
     };
     let pdos = &connected.nodes[0].pdos;
@@ -184,17 +184,17 @@ fn pdos_without_a_link_and_without_a_key_are_switched_off() {
     let set = Setting::value("1802:5=100").unwrap();
     network.nodes[0].settings.push(Said::new(set, Span::new(3, 4)));
     let rpdo = PdoName { kind: PdoKind::Rpdo, number: 3 };
-    network.nodes[0].pdos.push(PdoWish::new(rpdo, Span::new(5, 6)));
+    network.nodes[0].pdos.push(PdoRequest::new(rpdo, Span::new(5, 6)));
     let mut findings = Findings::new();
     connect(&mut network, &mut findings);
     let found: Vec<_> = findings.iter().map(|finding| finding.message.to_string()).collect();
     assert_eq!(found, ["`a` cannot switch off PDOs with a constant COB-ID: TPDO 4"]);
-    let off = network.nodes[0].pdos.iter().filter(|wish| !wish.enabled);
-    let off: Vec<_> = off.map(|wish| format!("{} at {}", wish.pdo, wish.at.start)).collect();
+    let off = network.nodes[0].pdos.iter().filter(|request| !request.enabled);
+    let off: Vec<_> = off.map(|request| format!("{} at {}", request.pdo, request.at.start)).collect();
     // TPDO 1 is linked, TPDO 3 has a setting and RPDO 3 a key; TPDO 5 is not valid
     assert_eq!(off, ["rpdo1 at 7", "rpdo2 at 7", "rpdo4 at 7", "tpdo2 at 7"]);
-    assert!(network.nodes[1].pdos.iter().all(|wish| wish.enabled));
-    let compiled = crate::compile(&network, crate::Manner::Repaired, &mut Findings::new());
+    assert!(network.nodes[1].pdos.iter().all(|request| request.enabled));
+    let compiled = crate::compile(&network, crate::DcfgenMode::Corrected, &mut Findings::new());
     let valid = compiled.slaves[0].pdos.iter().filter(|state| state.cob_id >> 31 == 0);
     assert_eq!(
         valid.map(|state| state.pdo.to_string()).collect::<Vec<_>>(),

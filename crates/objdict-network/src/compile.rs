@@ -1,11 +1,11 @@
 //! The downloads of each node, in the order of dcfgen 2.4.2.
 
-mod desk;
+mod compiler;
 mod pdo;
 
 use objdict_model::diagnostic::Severity;
 
-use self::desk::{Desk, Part};
+use self::compiler::{Compiler, Part};
 pub use self::pdo::PdoState;
 pub(crate) use self::pdo::{indexes, received_type};
 use crate::diagnostic::{At, Diagnostic, Findings, say};
@@ -15,7 +15,7 @@ use crate::identity;
 use crate::manager::complete;
 use crate::messages::{Party, Service};
 use crate::model::{Address, Device, Field, Part as DevicePart, Place};
-use crate::network::{DownloadWish, Manager, Network, Node, Said, ValueWish};
+use crate::network::{DownloadRequest, Manager, Network, Node, Said, ValueWish};
 use crate::rules::{
     HEARTBEAT_AND_GUARDING, INVALID_VALUE, MISSING_ENTRY, NO_HEARTBEAT_CONSUMER, UNKNOWN_NODE_ID,
 };
@@ -53,12 +53,12 @@ pub struct Slave {
 
 /// How close the records are to those of dcfgen.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
-pub enum Manner {
+pub enum DcfgenMode {
     /// The records and the order of dcfgen 2.4.2, without its errors.
     #[default]
-    Repaired,
+    Corrected,
     /// With its errors.
-    Strict,
+    Exact,
 }
 
 /// The first and the last CAN-ID for PDOs from number 5 on.
@@ -88,7 +88,7 @@ impl Compiled {
 }
 
 /// Makes the downloads of all nodes.
-pub fn compile(network: &Network, manner: Manner, findings: &mut Findings) -> Compiled {
+pub fn compile(network: &Network, mode: DcfgenMode, findings: &mut Findings) -> Compiled {
     let mut pool = POOL;
     let mut compiled = Compiled { slaves: Vec::new(), manager: None };
     let own = network.manager.as_ref().and_then(|manager| manager.node);
@@ -101,17 +101,17 @@ pub fn compile(network: &Network, manner: Manner, findings: &mut Findings) -> Co
             findings.push(finding.help("add the node-ID, or use a DCF that states it"));
             continue;
         };
-        let mut desk = Desk::new((position, node), node_id.value, manner, findings);
+        let mut compiler = Compiler::new((position, node), node_id.value, mode, findings);
         let is_manager = own == Some(position);
         let manager = network.manager.as_ref().filter(|_| !is_manager);
-        let slave = slave(network, &mut desk, manager, &mut pool);
+        let slave = slave(network, &mut compiler, manager, &mut pool);
         if is_manager {
             compiled.manager = Some(slave);
         } else {
             compiled.slaves.push(slave);
         }
     }
-    if let Some(manager) = compiled.manager.as_mut().filter(|_| manner == Manner::Repaired) {
+    if let Some(manager) = compiled.manager.as_mut().filter(|_| mode == DcfgenMode::Corrected) {
         complete(network, &compiled.slaves, manager, findings);
     }
     compiled
@@ -119,92 +119,92 @@ pub fn compile(network: &Network, manner: Manner, findings: &mut Findings) -> Co
 
 fn slave(
     network: &Network,
-    desk: &mut Desk<'_, '_>,
+    compiler: &mut Compiler<'_, '_>,
     manager: Option<&Manager>,
     pool: &mut std::ops::RangeInclusive<u32>,
 ) -> Slave {
-    let node = desk.node;
-    time(desk);
-    heartbeat(desk);
-    guarding(desk);
+    let node = compiler.node;
+    time(compiler);
+    heartbeat(compiler);
+    guarding(compiler);
     for &(sub, value) in &node.error_behavior {
-        desk.change(Address { index: 0x1029, sub: Some(sub) }, value.value.into(), value.at);
+        compiler.change(Address { index: 0x1029, sub: Some(sub) }, value.value.into(), value.at);
     }
-    node.implied.iter().for_each(|setting| desk.set(setting));
-    desk.part = Part::Setting;
-    node.settings.iter().for_each(|setting| desk.set(setting));
-    desk.part = Part::Key;
-    let mut pdos = pdo::states(desk);
-    for wish in &node.pdos {
-        pdo::configure(desk, &mut pdos, wish, pool);
+    node.implied.iter().for_each(|setting| compiler.set(setting));
+    compiler.part = Part::Setting;
+    node.settings.iter().for_each(|setting| compiler.set(setting));
+    compiler.part = Part::Key;
+    let mut pdos = pdo::states(compiler);
+    for request in &node.pdos {
+        pdo::configure(compiler, &mut pdos, request, pool);
     }
-    let conditional = desk.downloads.len();
-    desk.part = Part::Download;
-    for wish in &node.downloads {
-        download(desk, wish);
+    let conditional = compiler.downloads.len();
+    compiler.part = Part::Download;
+    for request in &node.downloads {
+        download(compiler, request);
     }
-    desk.part = Part::Key;
+    compiler.part = Part::Key;
     if network.is_as_described {
-        desk.take_stored();
+        compiler.take_stored();
     }
-    let own = desk.downloads.len();
+    let own = compiler.downloads.len();
     if let Some(manager) = manager.filter(|_| !network.is_as_described) {
-        consumers(desk, manager);
+        consumers(compiler, manager);
     }
-    desk.contradictions();
-    let heartbeat = desk.heartbeat();
+    compiler.contradictions();
+    let heartbeat = compiler.heartbeat();
     if manager.is_some_and(Manager::monitors_nodes) {
-        monitored(desk, heartbeat);
+        monitored(compiler, heartbeat);
     }
-    let guard_time = guard_time(desk, heartbeat);
-    if desk.manner == Manner::Repaired {
-        pdos = pdo::effective(desk, &pdos);
+    let guard_time = guard_time(compiler, heartbeat);
+    if compiler.mode == DcfgenMode::Corrected {
+        pdos = pdo::effective(compiler, &pdos);
     }
     // what is about the monitoring of the manager comes first
-    let consumers = desk.downloads.split_off(own);
+    let consumers = compiler.downloads.split_off(own);
     let has_only_consumers = own == 0 && !consumers.is_empty();
-    desk.downloads.splice(0..0, consumers);
+    compiler.downloads.splice(0..0, consumers);
     Slave {
-        node: desk.position,
-        node_id: desk.node_id,
-        downloads: ConciseDcf(std::mem::take(&mut desk.downloads)),
+        node: compiler.position,
+        node_id: compiler.node_id,
+        downloads: ConciseDcf(std::mem::take(&mut compiler.downloads)),
         unconditional: own - conditional,
         has_only_consumers,
         pdos,
         heartbeat,
-        emcy: desk.emcy(),
+        emcy: compiler.emcy(),
         guard_time,
-        identity: identity::expected(network, node, desk.node_id, desk.manner),
-        origins: std::mem::take(&mut desk.origins),
-        device: std::mem::take(&mut desk.device),
+        identity: identity::expected(network, node, compiler.node_id, compiler.mode),
+        origins: std::mem::take(&mut compiler.origins),
+        device: std::mem::take(&mut compiler.device),
     }
 }
 
 /// 1012h. dcfgen compares with 100h and not with the value of the node.
-fn time(desk: &mut Desk<'_, '_>) {
-    let Some(wish) = desk.node.time_cob_id else { return };
+fn time(compiler: &mut Compiler<'_, '_>) {
+    let Some(request) = compiler.node.time_cob_id else { return };
     let at = Address { index: 0x1012, sub: None };
-    match desk.manner {
-        Manner::Strict if wish.value == 0x100 => {}
-        Manner::Strict => desk.write(at, wish.value.into(), wish.at, Severity::Warning),
-        Manner::Repaired => desk.change(at, wish.value.into(), wish.at),
+    match compiler.mode {
+        DcfgenMode::Exact if request.value == 0x100 => {}
+        DcfgenMode::Exact => compiler.write(at, request.value.into(), request.at, Severity::Warning),
+        DcfgenMode::Corrected => compiler.change(at, request.value.into(), request.at),
     }
 }
 
 /// 1017h.
-fn heartbeat(desk: &mut Desk<'_, '_>) {
-    if let Some(wish) = desk.node.heartbeat.producer {
-        desk.change(Address { index: 0x1017, sub: None }, wish.value.into(), wish.at);
+fn heartbeat(compiler: &mut Compiler<'_, '_>) {
+    if let Some(request) = compiler.node.heartbeat.producer {
+        compiler.change(Address { index: 0x1017, sub: None }, request.value.into(), request.at);
     }
 }
 
 /// Reports a consumer heartbeat time of the manager that does not fit into 1016h.
-fn monitored(desk: &mut Desk<'_, '_>, heartbeat: u16) {
-    let heartbeats = &desk.node.heartbeat;
+fn monitored(compiler: &mut Compiler<'_, '_>, heartbeat: u16) {
+    let heartbeats = &compiler.node.heartbeat;
     if heartbeats.consumer_time(heartbeat).is_none() {
-        let at = desk.said(0x1017).unwrap_or(desk.node.name.at);
+        let at = compiler.said(0x1017).unwrap_or(compiler.node.name.at);
         let finding = too_long(at, heartbeats.factor, heartbeat);
-        desk.findings.push(finding.label_each(desk.origin(0x1017, 0), "the heartbeat time"));
+        compiler.findings.push(finding.label_each(compiler.origin(0x1017, 0), "the heartbeat time"));
     }
 }
 
@@ -216,34 +216,35 @@ fn too_long(at: Span, factor: f64, producer: u16) -> Diagnostic {
 }
 
 /// 100Ch and 100Dh.
-fn guarding(desk: &mut Desk<'_, '_>) {
-    let (time, factor) = desk.node.guarding;
+fn guarding(compiler: &mut Compiler<'_, '_>) {
+    let (time, factor) = compiler.node.guarding;
     let factor = factor.map(|factor| Said::new(u16::from(factor.value), factor.at));
-    for (index, wish) in [(0x100C, time), (0x100D, factor)] {
-        if let Some(wish) = wish {
-            desk.change(Address { index, sub: None }, wish.value.into(), wish.at);
+    for (index, request) in [(0x100C, time), (0x100D, factor)] {
+        if let Some(request) = request {
+            compiler.change(Address { index, sub: None }, request.value.into(), request.at);
         }
     }
 }
 
 /// The guard time for the manager in the end: none beside a heartbeat.
-fn guard_time(desk: &mut Desk<'_, '_>, heartbeat: u16) -> u16 {
+fn guard_time(compiler: &mut Compiler<'_, '_>, heartbeat: u16) -> u16 {
     // dcfgen has the manager guard a node without the objects
-    let wished = |wish: Option<u16>, index| match wish.filter(|_| desk.manner == Manner::Strict) {
-        Some(wish) => wish.into(),
-        None => desk.present(index, 0),
+    let requested = |request: Option<u16>, index| match request.filter(|_| compiler.mode == DcfgenMode::Exact)
+    {
+        Some(request) => request.into(),
+        None => compiler.present(index, 0),
     };
-    let (time, factor) = desk.node.guarding;
-    let time = wished(time.map(|time| time.value), 0x100C);
-    let factor = wished(factor.map(|factor| factor.value.into()), 0x100D);
+    let (time, factor) = compiler.node.guarding;
+    let time = requested(time.map(|time| time.value), 0x100C);
+    let factor = requested(factor.map(|factor| factor.value.into()), 0x100D);
     if time != 0 && factor != 0 && heartbeat != 0 {
-        let at = desk.said(0x100C).unwrap_or(desk.node.name.at);
-        let message = say!("`{}` has a heartbeat as well as node guarding", desk.node.name.value);
+        let at = compiler.said(0x100C).unwrap_or(compiler.node.name.at);
+        let message = say!("`{}` has a heartbeat as well as node guarding", compiler.node.name.value);
         let finding = Diagnostic::new(&HEARTBEAT_AND_GUARDING, at, message)
-            .label_each(desk.origin(0x1017, 0), "the heartbeat time")
-            .label_each(desk.origin(0x100C, 0), "the guard time")
-            .label_each(desk.origin(0x100D, 0), "the life time factor");
-        desk.findings.push(
+            .label_each(compiler.origin(0x1017, 0), "the heartbeat time")
+            .label_each(compiler.origin(0x100C, 0), "the guard time")
+            .label_each(compiler.origin(0x100D, 0), "the life time factor");
+        compiler.findings.push(
             finding.help("remove the guard time and the life time factor; the manager uses the heartbeat"),
         );
         return 0;
@@ -252,59 +253,59 @@ fn guard_time(desk: &mut Desk<'_, '_>, heartbeat: u16) -> u16 {
 }
 
 /// A download that is sent also of a value that the node already has.
-fn download(desk: &mut Desk<'_, '_>, wish: &Said<DownloadWish>) {
-    let DownloadWish { index, sub, value } = &wish.value;
+fn download(compiler: &mut Compiler<'_, '_>, request: &Said<DownloadRequest>) {
+    let DownloadRequest { index, sub, value } = &request.value;
     let at = Address { index: *index, sub: Some(*sub) };
     match value {
-        ValueWish::Integer(number) => desk.write(at, *number, wish.at, Severity::Error),
-        ValueWish::Real(number) => desk.write_real(at, *number, wish.at),
-        ValueWish::Text(text) => desk.write_text(at, text, wish.at),
+        ValueWish::Integer(number) => compiler.write(at, *number, request.at, Severity::Error),
+        ValueWish::Real(number) => compiler.write_real(at, *number, request.at),
+        ValueWish::Text(text) => compiler.write_text(at, text, request.at),
     }
 }
 
 /// 1016h: the node monitors the manager, or no longer does.
-fn consumers(desk: &mut Desk<'_, '_>, manager: &Manager) {
+fn consumers(compiler: &mut Compiler<'_, '_>, manager: &Manager) {
     const CONSUMERS: u16 = 0x1016;
     let Some(manager_id) = manager.node_id.map(|node_id| node_id.value) else { return };
     let producer = manager.heartbeat.producer.map_or(0, |time| time.value);
     let time = if producer == 0 { Some(0) } else { manager.heartbeat.consumer_time(producer) };
     let subs: Vec<(u8, u32)> = (1..=254)
-        .filter(|&sub| desk.has(Address { index: CONSUMERS, sub: Some(sub) }))
-        .map(|sub| (sub, u32::try_from(desk.present(CONSUMERS, sub)).unwrap_or(0)))
+        .filter(|&sub| compiler.has(Address { index: CONSUMERS, sub: Some(sub) }))
+        .map(|sub| (sub, u32::try_from(compiler.present(CONSUMERS, sub)).unwrap_or(0)))
         .collect();
     let node_of = |consumer: u32| (consumer >> 16) as u8;
-    let wish = desk.node.heartbeat.consumer.filter(|wish| wish.value);
-    let said = wish.map_or(desk.node.name.at, |wish| wish.at);
-    let put = |desk: &mut Desk<'_, '_>, sub, value: u32| {
+    let request = compiler.node.heartbeat.consumer.filter(|request| request.value);
+    let said = request.map_or(compiler.node.name.at, |request| request.at);
+    let put = |compiler: &mut Compiler<'_, '_>, sub, value: u32| {
         let at = Address { index: CONSUMERS, sub: Some(sub) };
-        desk.write(at, value.into(), said, Severity::Error);
+        compiler.write(at, value.into(), said, Severity::Error);
     };
-    let Some(wish) = wish.filter(|_| time != Some(0)) else {
+    let Some(request) = request.filter(|_| time != Some(0)) else {
         // what the network file writes itself stays
         let is_stale = |&(sub, consumer): &(u8, u32)| {
             let is_of_manager = consumer & 0xFFFF != 0 && node_of(consumer) == manager_id;
-            is_of_manager && !desk.origins.contains_key(&(CONSUMERS, sub))
+            is_of_manager && !compiler.origins.contains_key(&(CONSUMERS, sub))
         };
         let stale: Vec<u8> = subs.iter().filter(|sub| is_stale(sub)).map(|(sub, _)| *sub).collect();
         // dcfgen puts each in front of those before it
-        stale.into_iter().rev().for_each(|sub| put(desk, sub, u32::from(manager_id) << 16));
+        stale.into_iter().rev().for_each(|sub| put(compiler, sub, u32::from(manager_id) << 16));
         return;
     };
     let unused = |consumer: u32| consumer & 0xFFFF == 0 || !(1..=127).contains(&node_of(consumer));
     let own = subs.iter().find(|&&(_, consumer)| node_of(consumer) == manager_id);
     let place = own.or_else(|| subs.iter().find(|&&(_, consumer)| unused(consumer))).map(|&(sub, _)| sub);
-    let finding = |message| Diagnostic::new(&NO_HEARTBEAT_CONSUMER, wish.at, message);
-    let name = &desk.node.name.value;
+    let finding = |message| Diagnostic::new(&NO_HEARTBEAT_CONSUMER, request.at, message);
+    let name = &compiler.node.name.value;
     match (place, time) {
-        (Some(sub), Some(time)) => put(desk, sub, u32::from(manager_id) << 16 | u32::from(time)),
-        (Some(_), None) => desk.findings.push(too_long(wish.at, manager.heartbeat.factor, producer)),
-        (None, _) if subs.is_empty() => desk.findings.push(
+        (Some(sub), Some(time)) => put(compiler, sub, u32::from(manager_id) << 16 | u32::from(time)),
+        (Some(_), None) => compiler.findings.push(too_long(request.at, manager.heartbeat.factor, producer)),
+        (None, _) if subs.is_empty() => compiler.findings.push(
             finding(say!("`{}` has no 1016h, so it cannot monitor the manager", name))
                 .help("do not let it monitor the manager"),
         ),
-        (None, _) => desk.findings.push(
+        (None, _) => compiler.findings.push(
             finding(say!("all entries of 1016h of `{}` monitor other nodes", name))
-                .label(desk.place(Place::object(CONSUMERS)), "no entry is free")
+                .label(compiler.place(Place::object(CONSUMERS)), "no entry is free")
                 .help("free one by a download of 0, or do not let it monitor the manager"),
         ),
     }

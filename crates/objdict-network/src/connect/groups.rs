@@ -1,4 +1,4 @@
-//! Links as streams: entries of a producer that are sent in the same way to the same nodes.
+//! Links as groups: entries of a producer that are sent in the same way to the same nodes.
 
 use std::collections::HashMap;
 
@@ -11,7 +11,7 @@ use crate::{Link, LinkParameters, Network};
 
 /// Entries that share PDOs, in the order of the links.
 #[derive(Clone, Debug)]
-pub(super) struct Stream {
+pub(super) struct LinkGroup {
     /// The position of its first link.
     pub(super) link: usize,
     /// The place of its first link.
@@ -54,9 +54,9 @@ pub(super) struct Receiver {
     pub(super) deadline: Option<u16>,
 }
 
-/// The streams of all links, in the order of the first link of each. A link at the end changes no stream but by adding
+/// The groups of all links, in the order of the first link of each. A link at the end changes no group but by adding
 /// receivers to it, unless it has the same nodes and parameters.
-pub(super) fn collect(network: &Network, findings: &mut Findings) -> Vec<Stream> {
+pub(super) fn collect(network: &Network, findings: &mut Findings) -> Vec<LinkGroup> {
     let names = Names::new(network);
     let mut collection = Collection::default();
     for (position, link) in network.links.iter().enumerate() {
@@ -71,10 +71,10 @@ pub(super) fn collect(network: &Network, findings: &mut Findings) -> Vec<Stream>
             Err(finding) => findings.push(*finding),
         }
     }
-    collection.streams
+    collection.groups
 }
 
-/// Who configures the first PDO of a stream: a node, and the direction.
+/// Who configures the first PDO of a group: a node, and the direction.
 type Lead = (usize, PdoKind);
 
 /// Where the value of a consumer's entry comes from: the producer, its entry, and the place of the link.
@@ -82,10 +82,10 @@ type Source = (Option<usize>, Carried, Span);
 
 #[derive(Default)]
 struct Collection {
-    streams: Vec<Stream>,
+    groups: Vec<LinkGroup>,
     /// Streams by lead, partners and parameters.
     alike: HashMap<(Lead, Vec<usize>, LinkParameters), usize>,
-    /// Where an entry of a lead is: stream and signal.
+    /// Where an entry of a lead is: group and signal.
     sent: HashMap<(Lead, u16, u8), Vec<(usize, usize)>>,
     /// What an entry of a consumer receives; a manager without a description is no node.
     written: HashMap<(usize, u16, u8), Source>,
@@ -170,19 +170,19 @@ impl Collection {
 
     /// The signal of an entry: one that is sent as the link says, else a new one.
     fn signal(&mut self, (number, link): (usize, &Link), entry: Carried, flow: &Flow) -> &mut Signal {
-        let streams = &mut self.streams;
+        let groups = &mut self.groups;
         let lead = (flow.lead.0, flow.kind);
         let sent = self.sent.entry((lead, entry.index, entry.sub)).or_default();
-        let present = sent.iter().find(|(stream, _)| streams[*stream].parameters.satisfy(&link.parameters));
-        let (stream, signal) = match present {
+        let present = sent.iter().find(|(group, _)| groups[*group].parameters.satisfy(&link.parameters));
+        let (group, signal) = match present {
             Some(found) => *found,
             None => {
                 let mut partners: Vec<usize> = flow.consumers.iter().map(|(node, _)| *node).collect();
                 partners.sort_unstable();
                 partners.dedup();
                 let key = (lead, partners, link.parameters);
-                let stream = *self.alike.entry(key).or_insert_with_key(|(_, partners, parameters)| {
-                    streams.push(Stream {
+                let group = *self.alike.entry(key).or_insert_with_key(|(_, partners, parameters)| {
+                    groups.push(LinkGroup {
                         link: number,
                         at: link.at,
                         lead: lead.0,
@@ -191,15 +191,15 @@ impl Collection {
                         parameters: *parameters,
                         signals: Vec::new(),
                     });
-                    streams.len() - 1
+                    groups.len() - 1
                 });
-                let signals = &mut streams[stream].signals;
+                let signals = &mut groups[group].signals;
                 signals.push(Signal { entry, receivers: Vec::new(), deadline: None });
-                let found = (stream, signals.len() - 1);
+                let found = (group, signals.len() - 1);
                 sent.push(found);
                 found
             }
         };
-        &mut streams[stream].signals[signal]
+        &mut groups[group].signals[signal]
     }
 }

@@ -3,13 +3,13 @@
 use std::collections::BTreeMap;
 use std::ops::RangeInclusive;
 
-use super::Manner;
-use super::desk::Desk;
+use super::DcfgenMode;
+use super::compiler::Compiler;
 use crate::configure::PdoName;
 use crate::diagnostic::{At, Diagnostic, Severity, say};
 use crate::download::transferred_type;
 use crate::model::{Address, CobId, DataType, Field, MappedObject, Part, PdoKind, Place};
-use crate::network::{CobIdWish, PdoWish, Said};
+use crate::network::{CobIdWish, PdoRequest, Said};
 use crate::origin::{because, refusing_field};
 use crate::rules::{IDLE_PDO, MISSING_ENTRY, NO_FREE_CAN_ID, PDO_TOO_LONG, UNMAPPABLE_ENTRY};
 
@@ -20,7 +20,7 @@ pub struct PdoState {
     pub pdo: PdoName,
     /// COB-ID with its flags.
     pub cob_id: u32,
-    /// Whether the network file leaves the PDO on; `false` only in [`Manner::Strict`], whose COB-IDs are the wanted ones.
+    /// Whether the network file leaves the PDO on; `false` only in [`DcfgenMode::Exact`], whose COB-IDs are the wanted ones.
     pub is_enabled: bool,
     /// Transmission type.
     pub transmission: u8,
@@ -39,21 +39,21 @@ pub struct PdoState {
 }
 
 /// The PDOs as they are after the downloads so far.
-pub(super) fn states(desk: &Desk<'_, '_>) -> Vec<PdoState> {
-    let pdos = desk.device.pdos().filter(|pdo| pdo.communication.is_some());
-    pdos.map(|pdo| state(desk, PdoName { kind: pdo.kind, number: pdo.number })).collect()
+pub(super) fn states(compiler: &Compiler<'_, '_>) -> Vec<PdoState> {
+    let pdos = compiler.device.pdos().filter(|pdo| pdo.communication.is_some());
+    pdos.map(|pdo| state(compiler, PdoName { kind: pdo.kind, number: pdo.number })).collect()
 }
 
-fn state(desk: &Desk<'_, '_>, pdo: PdoName) -> PdoState {
+fn state(compiler: &Compiler<'_, '_>, pdo: PdoName) -> PdoState {
     let (communication, mapping) = indexes(pdo);
-    let count = desk.present(communication, 0);
-    let number = |sub: u8| if i128::from(sub) <= count { desk.present(communication, sub) } else { 0 };
+    let count = compiler.present(communication, 0);
+    let number = |sub: u8| if i128::from(sub) <= count { compiler.present(communication, sub) } else { 0 };
     let is_tpdo = pdo.kind == PdoKind::Tpdo;
     let timer = u16::try_from(number(5)).unwrap_or(0);
-    let has_cob_id = count >= 1 && desk.has(Address { index: communication, sub: Some(1) });
-    let mapped = u8::try_from(desk.present(mapping, 0)).unwrap_or(0);
+    let has_cob_id = count >= 1 && compiler.has(Address { index: communication, sub: Some(1) });
+    let mapped = u8::try_from(compiler.present(mapping, 0)).unwrap_or(0);
     let objects = (1..=mapped).filter_map(|sub| {
-        let object = MappedObject::from_number(u32::try_from(desk.present(mapping, sub)).ok()?);
+        let object = MappedObject::from_number(u32::try_from(compiler.present(mapping, sub)).ok()?);
         (!object.is_unused()).then_some((sub, object))
     });
     PdoState {
@@ -70,14 +70,14 @@ fn state(desk: &Desk<'_, '_>, pdo: PdoName) -> PdoState {
     }
 }
 
-/// The PDOs as the effective dictionary has them. What the other side of the manager does is known from the wishes alone.
-pub(super) fn effective(desk: &Desk<'_, '_>, wished: &[PdoState]) -> Vec<PdoState> {
-    let mut pdos = states(desk);
-    for (state, wished) in pdos.iter_mut().zip(wished) {
+/// The PDOs as the effective dictionary has them. What the other side of the manager does is known from the requests alone.
+pub(super) fn effective(compiler: &Compiler<'_, '_>, requested: &[PdoState]) -> Vec<PdoState> {
+    let mut pdos = states(compiler);
+    for (state, requested) in pdos.iter_mut().zip(requested) {
         match state.pdo.kind {
-            PdoKind::Tpdo => state.deadline = wished.deadline,
+            PdoKind::Tpdo => state.deadline = requested.deadline,
             PdoKind::Rpdo => {
-                let PdoState { inhibit_time, event_timer, sync_start, .. } = *wished;
+                let PdoState { inhibit_time, event_timer, sync_start, .. } = *requested;
                 *state = PdoState { inhibit_time, event_timer, sync_start, ..state.clone() };
             }
         }
@@ -101,70 +101,71 @@ pub(crate) fn indexes(pdo: PdoName) -> (u16, u16) {
 
 /// Configures a PDO: off, parameters, mapping, on.
 pub(super) fn configure(
-    desk: &mut Desk<'_, '_>,
+    compiler: &mut Compiler<'_, '_>,
     states: &mut [PdoState],
-    wish: &PdoWish,
+    request: &PdoRequest,
     pool: &mut RangeInclusive<u32>,
 ) {
-    let Some(state) = states.iter_mut().find(|state| state.pdo == wish.pdo) else {
-        let message = say!("`{}` has no {} {}", desk.node.name.value, wish.pdo.kind, wish.pdo.number);
-        let finding = Diagnostic::new(&MISSING_ENTRY, wish.at, message);
-        desk.findings.push(finding.help("remove the PDO, or use one that the node has"));
+    let Some(state) = states.iter_mut().find(|state| state.pdo == request.pdo) else {
+        let message =
+            say!("`{}` has no {} {}", compiler.node.name.value, request.pdo.kind, request.pdo.number);
+        let finding = Diagnostic::new(&MISSING_ENTRY, request.at, message);
+        compiler.findings.push(finding.help("remove the PDO, or use one that the node has"));
         return;
     };
-    let (communication, _) = indexes(wish.pdo);
+    let (communication, _) = indexes(request.pdo);
     let cob_id_at = Address { index: communication, sub: Some(1) };
     let before = state.cob_id;
-    let said = wish.cob_id.map_or(wish.at, |cob_id| cob_id.at);
-    match wish.cob_id.map(|cob_id| cob_id.value) {
+    let said = request.cob_id.map_or(request.at, |cob_id| cob_id.at);
+    match request.cob_id.map(|cob_id| cob_id.value) {
         Some(CobIdWish::Number(number)) => state.cob_id = number,
-        Some(CobIdWish::Auto) => match automatic(wish.pdo, desk.node_id, pool) {
+        Some(CobIdWish::Auto) => match automatic(request.pdo, compiler.node_id, pool) {
             Some(cob_id) => state.cob_id = cob_id,
             None => {
                 let message = say!(
                     "no CAN-ID is left for {} {} of `{}`",
-                    wish.pdo.kind,
-                    wish.pdo.number,
-                    desk.node.name.value
+                    request.pdo.kind,
+                    request.pdo.number,
+                    compiler.node.name.value
                 );
                 let finding = Diagnostic::new(&NO_FREE_CAN_ID, said, message);
-                desk.findings.push(finding.help("give it a CAN-ID by number"));
+                compiler.findings.push(finding.help("give it a CAN-ID by number"));
             }
         },
         None => {}
     }
     let off = state.cob_id | CobId::BIT_31;
     // a PDO that cannot be switched off can have other times
-    let stays = state.cob_id == before && wish.enabled && wish.mapping.is_none();
-    let stays = stays && desk.manner == Manner::Repaired && desk.is_constant(cob_id_at);
+    let stays = state.cob_id == before && request.enabled && request.mapping.is_none();
+    let stays = stays && compiler.mode == DcfgenMode::Corrected && compiler.is_constant(cob_id_at);
     if before != off && !stays {
-        desk.write(cob_id_at, off.into(), said, Severity::Error);
+        compiler.write(cob_id_at, off.into(), said, Severity::Error);
     }
     if state.cob_id & CobId::BIT_31 != 0 {
-        if wish.enabled && wish.cob_id.is_none() && wish.has_parameters() {
-            idle(desk, wish);
+        if request.enabled && request.cob_id.is_none() && request.has_parameters() {
+            idle(compiler, request);
         }
         return;
     }
-    parameters(desk, state, wish, communication);
-    if let Some(objects) = &wish.mapping {
-        map(desk, state, objects, wish);
+    parameters(compiler, state, request, communication);
+    if let Some(objects) = &request.mapping {
+        map(compiler, state, objects, request);
     }
-    state.is_enabled = wish.enabled;
-    if wish.enabled && !stays {
-        desk.write(cob_id_at, state.cob_id.into(), said, Severity::Error);
+    state.is_enabled = request.enabled;
+    if request.enabled && !stays {
+        compiler.write(cob_id_at, state.cob_id.into(), said, Severity::Error);
     }
 }
 
 /// Reports that settings of a PDO are not sent.
-fn idle(desk: &mut Desk<'_, '_>, wish: &PdoWish) {
-    let PdoName { kind, number } = wish.pdo;
-    let name = &desk.node.name.value;
+fn idle(compiler: &mut Compiler<'_, '_>, request: &PdoRequest) {
+    let PdoName { kind, number } = request.pdo;
+    let name = &compiler.node.name.value;
     let message =
         say!("{} {} of `{}` has no valid COB-ID, so its settings have no effect", kind, number, name);
-    let finding = Diagnostic::new(&IDLE_PDO, wish.at, message).help("add its COB-ID, or `auto`");
-    let place = desk.node.device.value_place(indexes(wish.pdo).0, 1);
-    desk.findings.push(finding.label(At::Node(desk.position, place), "the COB-ID"));
+    let finding = Diagnostic::new(&IDLE_PDO, request.at, message).help("add its COB-ID, or `auto`");
+    let place = compiler.node.device.value_place(indexes(request.pdo).0, 1);
+    compiler.findings.push(finding.label(At::Node(compiler.position, place), "the COB-ID"));
 }
 
 /// The CAN-ID of a PDO: predefined for PDO 1 to 4, else the next of the pool.
@@ -176,86 +177,105 @@ fn automatic(pdo: PdoName, node_id: u8, pool: &mut RangeInclusive<u32>) -> Optio
 }
 
 /// The sub-indexes 2 to 6. Those that a receiver does not have say what the sender, the manager, does.
-fn parameters(desk: &mut Desk<'_, '_>, state: &mut PdoState, wish: &PdoWish, index: u16) {
-    let is_tpdo = wish.pdo.kind == PdoKind::Tpdo;
-    let mut set = |sub, wish: Option<Said<u16>>, present: &mut u16, is_own: bool| {
-        let Some(wish) = wish.filter(|wish| wish.value != *present) else { return };
-        *present = wish.value;
+fn parameters(compiler: &mut Compiler<'_, '_>, state: &mut PdoState, request: &PdoRequest, index: u16) {
+    let is_tpdo = request.pdo.kind == PdoKind::Tpdo;
+    let mut set = |sub, request: Option<Said<u16>>, present: &mut u16, is_own: bool| {
+        let Some(request) = request.filter(|request| request.value != *present) else { return };
+        *present = request.value;
         if is_own {
-            desk.write(Address { index, sub: Some(sub) }, wish.value.into(), wish.at, Severity::Error);
+            compiler.write(
+                Address { index, sub: Some(sub) },
+                request.value.into(),
+                request.at,
+                Severity::Error,
+            );
         }
     };
-    let wide = |wish: Option<Said<u8>>| wish.map(|wish| Said::new(u16::from(wish.value), wish.at));
+    let wide =
+        |request: Option<Said<u8>>| request.map(|request| Said::new(u16::from(request.value), request.at));
     let mut transmission = state.transmission.into();
-    set(2, wide(wish.transmission), &mut transmission, true);
-    set(3, wish.inhibit_time, &mut state.inhibit_time, is_tpdo);
-    set(5, wish.event_timer, &mut state.event_timer, is_tpdo);
-    set(5, wish.deadline, &mut state.deadline, !is_tpdo);
+    set(2, wide(request.transmission), &mut transmission, true);
+    set(3, request.inhibit_time, &mut state.inhibit_time, is_tpdo);
+    set(5, request.event_timer, &mut state.event_timer, is_tpdo);
+    set(5, request.deadline, &mut state.deadline, !is_tpdo);
     let mut sync_start = state.sync_start.into();
-    set(6, wide(wish.sync_start), &mut sync_start, is_tpdo);
+    set(6, wide(request.sync_start), &mut sync_start, is_tpdo);
     // both come from a byte
     state.transmission = transmission as u8;
     state.sync_start = sync_start as u8;
 }
 
-fn map(desk: &mut Desk<'_, '_>, state: &mut PdoState, objects: &[Said<Address>], wish: &PdoWish) {
-    let (_, index) = indexes(wish.pdo);
+fn map(
+    compiler: &mut Compiler<'_, '_>,
+    state: &mut PdoState,
+    objects: &[Said<Address>],
+    request: &PdoRequest,
+) {
+    let (_, index) = indexes(request.pdo);
     let count_at = Address { index, sub: Some(0) };
     if state.count > 0 || !objects.is_empty() {
         state.count = 0;
         state.mapping.clear();
-        desk.write(count_at, 0, wish.at, Severity::Error);
+        compiler.write(count_at, 0, request.at, Severity::Error);
     }
     let mut bits = 0;
     for object in objects {
-        let Some(mapped) = mapped(desk, wish.pdo.kind, object) else { continue };
+        let Some(mapped) = mapped(compiler, request.pdo.kind, object) else { continue };
         bits += u32::from(mapped.bits);
         let Some(sub) = state.count.checked_add(1) else { break };
         state.count = sub;
         state.mapping.insert(sub, mapped);
-        desk.write(Address { index, sub: Some(sub) }, mapped.to_number().into(), object.at, Severity::Error);
+        compiler.write(
+            Address { index, sub: Some(sub) },
+            mapped.to_number().into(),
+            object.at,
+            Severity::Error,
+        );
     }
     if bits > 64 {
         let message = say!(
             "{} {} of `{}` maps {} bits, but a frame has 64",
-            wish.pdo.kind,
-            wish.pdo.number,
-            desk.node.name.value,
+            request.pdo.kind,
+            request.pdo.number,
+            compiler.node.name.value,
             bits
         );
-        desk.findings.push(
-            Diagnostic::new(&PDO_TOO_LONG, wish.at, message).help("move entries to another PDO").understood(),
+        compiler.findings.push(
+            Diagnostic::new(&PDO_TOO_LONG, request.at, message)
+                .help("move entries to another PDO")
+                .understood(),
         );
     }
     if state.count > 0 {
-        desk.write(count_at, state.count.into(), wish.at, Severity::Error);
+        compiler.write(count_at, state.count.into(), request.at, Severity::Error);
     }
 }
 
 /// The content of a mapping entry.
-fn mapped(desk: &mut Desk<'_, '_>, kind: PdoKind, object: &Said<Address>) -> Option<MappedObject> {
+fn mapped(compiler: &mut Compiler<'_, '_>, kind: PdoKind, object: &Said<Address>) -> Option<MappedObject> {
     let Address { index, sub } = object.value;
     let sub = sub.unwrap_or(0);
-    let device = &desk.node.device;
+    let device = &compiler.node.device;
     let data_type = DataType(index);
-    if index < 0x20 && desk.manner == Manner::Repaired {
+    if index < 0x20 && compiler.mode == DcfgenMode::Corrected {
         let usage = device.dummy_usage.as_ref().and_then(|usage| usage.types.get(&data_type));
         let is_allowed = kind == PdoKind::Rpdo && data_type.is_dummy() && usage != Some(&false);
         if let Some(bits) = data_type.bit_length().filter(|_| is_allowed) {
             return Some(MappedObject { index, sub, bits });
         }
-        let message = say!("{} of `{}` cannot be a dummy of this {}", data_type, desk.node.name.value, kind);
+        let message =
+            say!("{} of `{}` cannot be a dummy of this {}", data_type, compiler.node.name.value, kind);
         let place = Place::of(Part::DummyUsage).field(Field::Named(format!("Dummy{index:04X}").into()));
-        let refused = (usage == Some(&false)).then(|| desk.place(place));
+        let refused = (usage == Some(&false)).then(|| compiler.place(place));
         let finding =
             Diagnostic::new(&UNMAPPABLE_ENTRY, object.at, message).label_each(refused, "not allowed");
-        desk.findings.push(finding.help("use a data type that `DummyUsage` of the node allows"));
+        compiler.findings.push(finding.help("use a data type that `DummyUsage` of the node allows"));
         return None;
     }
     let Some(entry) = device.entry(index, sub) else {
-        let finding = Diagnostic::new(&MISSING_ENTRY, object.at, super::missing(desk.node, object.value))
+        let finding = Diagnostic::new(&MISSING_ENTRY, object.at, super::missing(compiler.node, object.value))
             .help("correct index and sub-index");
-        desk.findings.push(because(finding, desk.position, Place::object(index)));
+        compiler.findings.push(because(finding, compiler.position, Place::object(index)));
         return None;
     };
     let reason = if !entry.is_mappable() {
@@ -266,15 +286,16 @@ fn mapped(desk: &mut Desk<'_, '_>, kind: PdoKind, object: &Said<Address>) -> Opt
         None
     };
     if let Some(reason) = reason {
-        let message = say!("{:04X}h:{:02X} of `{}` {}", index, sub, desk.node.name.value, reason);
+        let message = say!("{:04X}h:{:02X} of `{}` {}", index, sub, compiler.node.name.value, reason);
         let finding = Diagnostic::new(&UNMAPPABLE_ENTRY, object.at, message).help("map another entry");
-        desk.report(finding.understood(), object.value, refusing_field(&entry, kind));
+        compiler.report(finding.understood(), object.value, refusing_field(&entry, kind));
     }
     let bits = transferred_type(device, index, sub).and_then(DataType::bit_length);
     if bits.is_none() {
-        let message = say!("{:04X}h:{:02X} of `{}` has no fixed length", index, sub, desk.node.name.value);
+        let message =
+            say!("{:04X}h:{:02X} of `{}` has no fixed length", index, sub, compiler.node.name.value);
         let finding = Diagnostic::new(&UNMAPPABLE_ENTRY, object.at, message).help("map another entry");
-        desk.report(finding, object.value, Field::DataType);
+        compiler.report(finding, object.value, Field::DataType);
     }
     Some(MappedObject { index, sub, bits: bits? })
 }

@@ -2,7 +2,7 @@
 
 use std::collections::BTreeMap;
 
-use super::{INVALID_VALUE, MISSING_ENTRY, Manner, missing};
+use super::{DcfgenMode, INVALID_VALUE, MISSING_ENTRY, missing};
 use crate::configure::{Setting, configure};
 use crate::diagnostic::{At, Diagnostic, Findings, Severity, say};
 use crate::download::{Beyond, Download, beyond, bytes_of, transferred_type};
@@ -29,7 +29,7 @@ pub(super) enum Part {
 type Written = BTreeMap<Part, (Span, Vec<u8>)>;
 
 /// A node, its downloads so far, and their problems.
-pub(super) struct Desk<'n, 'f> {
+pub(super) struct Compiler<'n, 'f> {
     pub(super) node: &'n Node,
     /// The node as it is after the downloads so far.
     pub(super) device: Device,
@@ -41,16 +41,16 @@ pub(super) struct Desk<'n, 'f> {
     /// The position of the node in the network.
     pub(super) position: usize,
     pub(super) node_id: u8,
-    pub(super) manner: Manner,
+    pub(super) mode: DcfgenMode,
     pub(super) downloads: Vec<Download>,
     pub(super) findings: &'f mut Findings,
 }
 
-impl<'n, 'f> Desk<'n, 'f> {
+impl<'n, 'f> Compiler<'n, 'f> {
     pub(super) fn new(
         (position, node): (usize, &'n Node),
         node_id: u8,
-        manner: Manner,
+        mode: DcfgenMode,
         findings: &'f mut Findings,
     ) -> Self {
         Self {
@@ -61,7 +61,7 @@ impl<'n, 'f> Desk<'n, 'f> {
             origins: Origins::new(),
             position,
             node_id,
-            manner,
+            mode,
             downloads: Vec::new(),
             findings,
         }
@@ -90,7 +90,7 @@ impl<'n, 'f> Desk<'n, 'f> {
 
     /// The number in an entry after the downloads so far, for dcfgen before all of them; 0 if it is not stated.
     pub(super) fn present(&self, index: u16, sub: u8) -> i128 {
-        let device = if self.manner == Manner::Strict { &self.node.device } else { &self.device };
+        let device = if self.mode == DcfgenMode::Exact { &self.node.device } else { &self.device };
         let value = device.object(index).and_then(|object| object.value(sub));
         value.and_then(|value| value.integer_for(self.node_id)).unwrap_or(0)
     }
@@ -103,13 +103,13 @@ impl<'n, 'f> Desk<'n, 'f> {
     /// The producer heartbeat time in the end, in milliseconds; 0: none.
     pub(super) fn heartbeat(&self) -> u16 {
         // dcfgen has the manager wait for the heartbeat of a node that cannot send one
-        let wish = self.node.heartbeat.producer.filter(|_| self.manner == Manner::Strict);
-        wish.map_or_else(|| u16::try_from(self.present(0x1017, 0)).unwrap_or(0), |wish| wish.value)
+        let request = self.node.heartbeat.producer.filter(|_| self.mode == DcfgenMode::Exact);
+        request.map_or_else(|| u16::try_from(self.present(0x1017, 0)).unwrap_or(0), |request| request.value)
     }
 
     /// COB-ID of EMCY (1014h), unless it is not valid.
     pub(super) fn emcy(&self) -> Option<u32> {
-        let is_strict = self.manner == Manner::Strict;
+        let is_strict = self.mode == DcfgenMode::Exact;
         let object = if is_strict { &self.node.device } else { &self.device }.object(0x1014)?;
         let stated = object.value(0).and_then(|value| value.integer_for(self.node_id));
         let number = match stated {
@@ -152,7 +152,7 @@ impl<'n, 'f> Desk<'n, 'f> {
     pub(super) fn write_real(&mut self, at: Address, number: f64, said: Span) {
         let data_type = transferred_type(&self.node.device, at.index, at.sub.unwrap_or(0));
         let value = data_type.and_then(|data_type| real(number, data_type));
-        if let (Some(value), Manner::Repaired) = (&value, self.manner) {
+        if let (Some(value), DcfgenMode::Corrected) = (&value, self.mode) {
             return self.write_value(at, value, said);
         }
         let whole = number.trunc() as i128;
