@@ -6,7 +6,7 @@ use std::fs;
 use std::path::Path;
 
 use objdict::profile::Profile;
-use objdict::profile::tables::{BitRow, EntryRow, MeaningRow, ObjectRow, Part};
+use objdict::profile::tables::{BitRow, CommandRow, EntryRow, MeaningRow, ObjectRow, Part, TransitionRow};
 
 const FOLDER: &str = concat!(env!("CARGO_MANIFEST_DIR"), "/../crates/objdict-profile");
 
@@ -91,10 +91,17 @@ fn constants(group: &str, profile: &Profile) -> String {
         "values",
         "defaults",
         "indexes",
+        "commands",
+        "transitions",
         "texts",
     ] {
         let _ = writeln!(text, "        {field}: Cow::Borrowed({}),", field.to_uppercase());
     }
+    let _ = writeln!(
+        text,
+        "        errors: {:?},\n        machine: {:?},",
+        profile.tables.errors, profile.tables.machine
+    );
     text += "    },\n};\n";
     let tables = &profile.tables;
     let name = |part: Part| part.of_text(&tables.texts).to_owned();
@@ -103,6 +110,8 @@ fn constants(group: &str, profile: &Profile) -> String {
     rows(&mut text, "ENTRIES: &[EntryRow]", &tables.entries, |row: &EntryRow| name(row.name));
     rows(&mut text, "BITS: &[BitRow]", &tables.bits, |row: &BitRow| name(row.name));
     rows(&mut text, "MEANINGS: &[MeaningRow]", &tables.meanings, |row: &MeaningRow| name(row.text));
+    rows(&mut text, "COMMANDS: &[CommandRow]", &tables.commands, |row: &CommandRow| name(row.name));
+    rows(&mut text, "TRANSITIONS: &[TransitionRow]", &tables.transitions, |row: &TransitionRow| name(row.to));
     text += "\nstatic CONDITIONS: &[Condition] = &[\n";
     for condition in &*tables.conditions {
         let (shown, terms) = (condition.to_string(), condition.terms());
@@ -143,6 +152,8 @@ fn texts(text: &mut String, profile: &Profile) {
         .flat_map(|row| [row.name, row.unit])
         .chain(tables.bits.iter().map(|row| row.name));
     let parts = objects.chain(others).chain(tables.meanings.iter().map(|row| row.text));
+    let parts = parts.chain(tables.commands.iter().flat_map(|row| [row.name, row.mask]));
+    let parts = parts.chain(tables.transitions.iter().flat_map(|row| [row.from, row.to, row.by]));
     let parts: BTreeMap<u32, Part> = parts.filter(|part| part.1 > 0).map(|part| (part.0, part)).collect();
     text.push_str("\nstatic TEXTS: &str = concat!(");
     let mut width = usize::MAX;

@@ -5,9 +5,10 @@ use std::ops::RangeInclusive;
 
 use super::anchor::Anchor;
 use super::page::Context;
+use super::states::shown;
 use crate::Language;
 use crate::model::{Entry, Field, Meaning, Parameter, Scaling};
-use crate::profile::{self, BitField, EntryFacts, ObjectFacts, Values};
+use crate::profile::{self, BitField, EntryFacts, ObjectFacts};
 
 /// Fields shown elsewhere on a page.
 pub(super) const VALUES: [Field; 4] =
@@ -104,11 +105,7 @@ impl Details<'_> {
 
 impl Part<'static> {
     fn of_document(field: &BitField<'static>) -> Self {
-        let values = field.masked().into_iter().map(|(values, name)| match values {
-            Values::Mask(mask) => (mask, name),
-            Values::Range(numbers) if numbers.start() == numbers.end() => (numbers.start().to_string(), name),
-            Values::Range(numbers) => (format!("{}–{}", numbers.start(), numbers.end()), name),
-        });
+        let values = field.masked().into_iter().map(|(values, name)| (shown(&values), name));
         Self { first: field.first, last: field.last, name: field.name, values: values.collect() }
     }
 }

@@ -28,6 +28,7 @@ mod policy;
 mod sentence;
 mod services;
 mod site;
+mod states;
 mod text_width;
 mod texts;
 

@@ -9,6 +9,7 @@ use super::downloads::{self, DownloadView};
 use super::finding::Found;
 use super::groups::{self, ShownGroup};
 use super::object::{self, Area};
+use super::states::{self, ErrorCode, StatesView};
 use super::texts::Texts;
 use super::{Identifiers, Options, Subject};
 use crate::Language;
@@ -29,6 +30,10 @@ pub(crate) struct Page<'a> {
     pub(crate) communication: Communication,
     /// What configures the node, in order; empty for a device type.
     pub(crate) downloads: Vec<DownloadView>,
+    /// The state machine of the device profile.
+    pub(crate) states: Option<StatesView>,
+    /// The error codes that EMCY may have; empty if the device profile has none.
+    pub(crate) error_codes: Vec<ErrorCode>,
     pub(crate) areas: Vec<Area<'a>>,
     pub(crate) groups: Vec<ShownGroup<'a>>,
     /// Whether any entry has a configured value.
@@ -55,6 +60,8 @@ impl<'a> Page<'a> {
             findings: subject.findings.map(Found::by_rule),
             communication: Communication::new(&context.decoder, &|entry| context.name(entry).to_owned()),
             downloads: downloads::downloads(context),
+            states: states::states(context),
+            error_codes: states::error_codes(context),
             groups: groups::groups(context),
             areas,
             is_configured,

@@ -112,6 +112,14 @@ texts! {
     sent_in_this_order: "The node is sent these values in this order. PDOs and other services are set to not valid before they change.", "Der Knoten bekommt diese Werte in dieser Reihenfolge. PDOs und andere Dienste werden ungültig, bevor sie sich ändern.";
     number: "No.", "Nr.";
     entry: "Entry", "Eintrag";
+    states: "State machine", "Zustandsmaschine";
+    state: "State", "Zustand";
+    command: "Command", "Kommando";
+    from: "From", "Von";
+    to: "To", "Nach";
+    by: "By", "Durch";
+    error_codes: "Error codes", "Fehlercodes";
+    code: "Code", "Code";
     // areas of the dictionary
     data_types: "Data types", "Datentypen";
     communication_area: "Communication profile", "Kommunikationsprofil";

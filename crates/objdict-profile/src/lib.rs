@@ -11,6 +11,7 @@ pub mod default_mapping;
 mod facts;
 #[cfg(feature = "toml")]
 mod load;
+mod machine;
 mod mask;
 #[cfg(feature = "toml")]
 mod open;
@@ -25,11 +26,12 @@ pub use decode::{bits, meaning, of_object};
 pub use facts::{BitField, Confidence, EntryFacts, Mapping, Need, ObjectFacts};
 #[cfg(feature = "toml")]
 pub use load::ProfileError;
+pub use machine::{StateMachine, Transition};
 pub use mask::Values;
 #[cfg(feature = "toml")]
 pub use open::{OpenError, open};
 pub use standard::{access, data_type, named, obsolete, standard};
-pub use standard::{for_all, of_number};
+pub use standard::{for_all, of_device, of_number};
 
 use objdict_model::model;
 #[cfg(feature = "toml")]

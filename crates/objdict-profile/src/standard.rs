@@ -26,6 +26,11 @@ pub fn of_number(number: u16) -> Option<&'static Profile> {
     standard().find(|profile| profile.number == Some(number))
 }
 
+/// The device profile of a device; of a module with several logical devices that of the first one.
+pub fn of_device(device: &Device) -> Option<&'static Profile> {
+    of_number(super::number_of(device, 0)?)
+}
+
 /// The documents that apply to a device regardless of its profile. The document for network managers applies
 /// only to devices with at least one of its objects.
 pub fn for_all(device: &Device) -> impl Iterator<Item = &'static Profile> {

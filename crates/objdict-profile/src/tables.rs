@@ -38,6 +38,14 @@ pub struct Tables {
     pub defaults: Cow<'static, [Value]>,
     /// Indexes of objects.
     pub indexes: Cow<'static, [u16]>,
+    /// In the meanings: the error codes of EMCY.
+    pub errors: Part,
+    /// The objects of the state machine.
+    pub machine: Option<MachineRow>,
+    /// The commands of the state machine.
+    pub commands: Cow<'static, [CommandRow]>,
+    /// The transitions of the state machine.
+    pub transitions: Cow<'static, [TransitionRow]>,
     /// All texts, concatenated.
     pub texts: Cow<'static, str>,
 }
@@ -129,6 +137,37 @@ pub struct MeaningRow {
     pub last: u64,
     /// In the texts.
     pub text: Part,
+}
+
+/// The objects of a state machine; see [`StateMachine`](super::StateMachine).
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct MachineRow {
+    /// The index of the object whose lowest bit field is the state.
+    pub status: u16,
+    /// The index of the object that takes the commands.
+    pub command: u16,
+}
+
+/// A command of a state machine.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct CommandRow {
+    /// In the texts.
+    pub name: Part,
+    /// In the texts: the bits of the command.
+    pub mask: Part,
+}
+
+/// A transition of a state machine; the texts are [`Transition`](super::Transition)'s.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct TransitionRow {
+    /// The number in the document.
+    pub number: u8,
+    /// In the texts.
+    pub from: Part,
+    /// In the texts.
+    pub to: Part,
+    /// In the texts.
+    pub by: Part,
 }
 
 impl Tables {

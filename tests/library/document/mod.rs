@@ -313,3 +313,24 @@ fn changed_values_have_a_legend_and_pdos_are_linked() {
     assert!(markdown.contains("[RPDO 1](#rpdo1)") && markdown.contains("`x01x 0111` operation enabled"));
     assert!(!page("eds/drive-402.eds", Form::Html, &Options::default()).contains(words));
 }
+
+/// The states, commands and transitions of CiA 402 and the codes of its EMCY are on the page of a drive, and of no other device.
+#[test]
+fn a_drive_has_its_state_machine_and_error_codes() {
+    let html = page("eds/drive-402.eds", Form::Html, &Options::default());
+    let markdown = page("eds/drive-402.eds", Form::Markdown, &Options::default());
+    for row in [
+        "<tr><td>x01x 0001</td><td>ready to switch on</td></tr>",
+        "<tr><td>0xxx x110</td><td>shutdown</td></tr>",
+        "<tr><td>2</td><td>switch on disabled</td><td>ready to switch on</td><td>shutdown</td></tr>",
+        "<code>0x8611</code><span>following error</span>",
+        "<code>0x8130</code><span>heartbeat or guarding lost</span>",
+    ] {
+        assert!(html.contains(row), "{row}");
+    }
+    for row in ["| `0xxx x110` | shutdown |", "| 0x8611 | following error |", "[0x6041](#6041)"] {
+        assert!(markdown.contains(row), "{row}");
+    }
+    let io = page("eds/io-401.eds", Form::Html, &Options::default());
+    assert!(!io.contains("id=\"states\"") && !io.contains("id=\"error-codes\""));
+}

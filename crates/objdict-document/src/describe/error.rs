@@ -1,6 +1,8 @@
 //! Errors: the register, the history, and the effect on the NMT state.
 
 use super::Decoder;
+use crate::Language;
+use crate::profile;
 
 /// The bits of 1001h; bit 6 is reserved.
 const REGISTER: [(u32, &str, &str); 7] = [
@@ -48,6 +50,12 @@ const CODES: [(u32, u32, &str, &str); 31] = [
     (0xF000, 0x7000, "additional modules", "Zusatzmodule"),
 ];
 
+/// The error codes of communication, which a document names one by one.
+pub(crate) fn single_codes(language: Language) -> impl Iterator<Item = (u32, &'static str)> {
+    let single = CODES.into_iter().filter(|(mask, ..)| *mask == 0xFFFF);
+    single.map(move |(_, code, english, german)| (code, language.pick(english, german)))
+}
+
 /// The error codes with words of their own, and their English words.
 pub(crate) fn error_codes() -> impl Iterator<Item = (i128, &'static str)> {
     CODES.into_iter().map(|(_, code, english, _)| (i128::from(code), english))
@@ -69,8 +77,11 @@ impl Decoder<'_> {
         format!("0x{code:04X} ({}), {information} 0x{additional:04X}", self.error_code(code))
     }
 
-    /// The error code of an emergency message.
+    /// The error code of an emergency message: the device profile is more exact than CiA 301.
     pub(super) fn error_code(&self, code: u32) -> &'static str {
+        if let Some(text) = profile::of_device(self.device).and_then(|profile| profile.error(code.into())) {
+            return text;
+        }
         let known = CODES.into_iter().find(|(mask, of, ..)| code & mask == *of);
         match (known, code >> 8) {
             (Some((.., english, german)), _) => self.pick(english, german),

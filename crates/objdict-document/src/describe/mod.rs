@@ -11,7 +11,7 @@ mod value;
 
 pub(crate) use self::cob_id::{can_id, spelled};
 pub(crate) use self::device::is_of_cia;
-pub(crate) use self::error::error_codes;
+pub(crate) use self::error::{error_codes, single_codes};
 pub(crate) use self::time::{decimal, of_microseconds, of_milliseconds};
 pub use self::value::Reader;
 use crate::Language;
@@ -68,6 +68,11 @@ impl<'a> Decoder<'a> {
             (0x1200..=0x12FF, 1 | 2) => self.sdo_cob_id(value),
             (0x1200..=0x12FF, 3) => number().and_then(|node| self.other_node(index, node)),
             (0x1300..=0x13FE, _) => self.safety(index, sub, value),
+            (0x603F, 0)
+                if profile::of_device(self.device).is_some_and(|profile| profile.errors().len() > 0) =>
+            {
+                number().map(|code| self.error_code(code).to_owned())
+            }
             (0x1FA0..=0x1FCF, 1..) => number().and_then(|number| self.scanned(number)),
             _ => self.of_pdo(index, sub, value),
         }

@@ -76,6 +76,18 @@ fn errors_have_names() {
 }
 
 #[test]
+fn a_drive_has_error_codes_of_its_own() {
+    let mut drive = Device::default();
+    drive.objects.entry(0x1000).or_default().main.default = Some(Value::Unsigned(402));
+    let of = |index, sub, number| {
+        Decoder::english(&drive, None).of(index, sub, &Value::Unsigned(number)).unwrap_or_default()
+    };
+    assert_eq!(of(0x603F, 0, 0x2310), "continuous over-current, motor side");
+    assert_eq!(of(0x603F, 0, 0x8130), "heartbeat or guarding lost");
+    assert_eq!(of(0x1003, 1, 0x8611), "0x8611 (following error), additional information 0x0000");
+}
+
+#[test]
 fn capabilities_and_signatures_are_distinguished() {
     assert_eq!(of(0x1010, 1, &Value::Unsigned(3), None), "stores on command and by itself");
     assert_eq!(of(0x1010, 1, &Value::Unsigned(0x6576_6173), None), "signature `save`");

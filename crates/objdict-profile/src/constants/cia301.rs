@@ -27,7 +27,11 @@ pub(super) static PROFILE: Profile = Profile {
         values: Cow::Borrowed(VALUES),
         defaults: Cow::Borrowed(DEFAULTS),
         indexes: Cow::Borrowed(INDEXES),
+        commands: Cow::Borrowed(COMMANDS),
+        transitions: Cow::Borrowed(TRANSITIONS),
         texts: Cow::Borrowed(TEXTS),
+        errors: Part(0, 0),
+        machine: None,
     },
 };
 
@@ -240,6 +244,12 @@ static MEANINGS: &[MeaningRow] = &[
     MeaningRow { first: 253, last: 253, text: Part(5155, 10) }, // on request
     MeaningRow { first: 254, last: 254, text: Part(4584, 35) }, // event-driven, as the vendor defines
     MeaningRow { first: 255, last: 255, text: Part(4619, 43) }, // event-driven, as the device profile defines
+];
+
+static COMMANDS: &[CommandRow] = &[
+];
+
+static TRANSITIONS: &[TransitionRow] = &[
 ];
 
 static CONDITIONS: &[Condition] = &[

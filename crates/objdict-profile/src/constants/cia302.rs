@@ -27,7 +27,11 @@ pub(super) static PROFILE: Profile = Profile {
         values: Cow::Borrowed(VALUES),
         defaults: Cow::Borrowed(DEFAULTS),
         indexes: Cow::Borrowed(INDEXES),
+        commands: Cow::Borrowed(COMMANDS),
+        transitions: Cow::Borrowed(TRANSITIONS),
         texts: Cow::Borrowed(TEXTS),
+        errors: Part(0, 0),
+        machine: None,
     },
 };
 
@@ -215,6 +219,12 @@ static MEANINGS: &[MeaningRow] = &[
     MeaningRow { first: 1, last: 1, text: Part(2943, 2) }, // no
     MeaningRow { first: 0, last: 0, text: Part(3061, 15) }, // that slave only
     MeaningRow { first: 1, last: 1, text: Part(3076, 15) }, // reset all nodes
+];
+
+static COMMANDS: &[CommandRow] = &[
+];
+
+static TRANSITIONS: &[TransitionRow] = &[
 ];
 
 static CONDITIONS: &[Condition] = &[

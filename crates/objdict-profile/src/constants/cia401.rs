@@ -27,7 +27,11 @@ pub(super) static PROFILE: Profile = Profile {
         values: Cow::Borrowed(VALUES),
         defaults: Cow::Borrowed(DEFAULTS),
         indexes: Cow::Borrowed(INDEXES),
+        commands: Cow::Borrowed(COMMANDS),
+        transitions: Cow::Borrowed(TRANSITIONS),
         texts: Cow::Borrowed(TEXTS),
+        errors: Part(0, 0),
+        machine: None,
     },
 };
 
@@ -396,6 +400,12 @@ static MEANINGS: &[MeaningRow] = &[
     MeaningRow { first: 1, last: 1, text: Part(113, 19) }, // of the manufacturer
     MeaningRow { first: 0, last: 0, text: Part(9004, 14) }, // keep the value
     MeaningRow { first: 1, last: 1, text: Part(9018, 20) }, // take the error value
+];
+
+static COMMANDS: &[CommandRow] = &[
+];
+
+static TRANSITIONS: &[TransitionRow] = &[
 ];
 
 static CONDITIONS: &[Condition] = &[

@@ -27,7 +27,11 @@ pub(super) static PROFILE: Profile = Profile {
         values: Cow::Borrowed(VALUES),
         defaults: Cow::Borrowed(DEFAULTS),
         indexes: Cow::Borrowed(INDEXES),
+        commands: Cow::Borrowed(COMMANDS),
+        transitions: Cow::Borrowed(TRANSITIONS),
         texts: Cow::Borrowed(TEXTS),
+        errors: Part(121, 147),
+        machine: Some(MachineRow { status: 24641, command: 24640 }),
     },
 };
 
@@ -541,6 +545,183 @@ static MEANINGS: &[MeaningRow] = &[
     MeaningRow { first: 10, last: 10, text: Part(15740, 43) }, // brushless motor with sinusoidal commutation
     MeaningRow { first: 11, last: 11, text: Part(15783, 38) }, // brushless motor with block commutation
     MeaningRow { first: 32768, last: 65535, text: Part(209, 21) }, // manufacturer-specific
+    MeaningRow { first: 8464, last: 8464, text: Part(16709, 42) }, // short circuit or earth leakage, input side
+    MeaningRow { first: 8480, last: 8480, text: Part(16751, 25) }, // earth leakage, input side
+    MeaningRow { first: 8481, last: 8481, text: Part(16776, 23) }, // earth leakage, phase L1
+    MeaningRow { first: 8482, last: 8482, text: Part(16799, 23) }, // earth leakage, phase L2
+    MeaningRow { first: 8483, last: 8483, text: Part(16822, 23) }, // earth leakage, phase L3
+    MeaningRow { first: 8496, last: 8496, text: Part(16845, 25) }, // short circuit, input side
+    MeaningRow { first: 8497, last: 8497, text: Part(16870, 31) }, // short circuit, phases L1 and L2
+    MeaningRow { first: 8498, last: 8498, text: Part(16901, 31) }, // short circuit, phases L2 and L3
+    MeaningRow { first: 8499, last: 8499, text: Part(16932, 31) }, // short circuit, phases L3 and L1
+    MeaningRow { first: 8721, last: 8721, text: Part(16963, 18) }, // internal current 1
+    MeaningRow { first: 8722, last: 8722, text: Part(16981, 18) }, // internal current 2
+    MeaningRow { first: 8723, last: 8723, text: Part(16999, 33) }, // over-current in the ramp function
+    MeaningRow { first: 8724, last: 8724, text: Part(17032, 28) }, // over-current in the sequence
+    MeaningRow { first: 8736, last: 8736, text: Part(17060, 37) }, // continuous over-current in the device
+    MeaningRow { first: 8737, last: 8737, text: Part(17097, 39) }, // continuous over-current 1 in the device
+    MeaningRow { first: 8738, last: 8738, text: Part(17136, 39) }, // continuous over-current 2 in the device
+    MeaningRow { first: 8752, last: 8752, text: Part(17175, 44) }, // short circuit or earth leakage in the device
+    MeaningRow { first: 8768, last: 8768, text: Part(17219, 27) }, // earth leakage in the device
+    MeaningRow { first: 8784, last: 8784, text: Part(17246, 27) }, // short circuit in the device
+    MeaningRow { first: 8976, last: 8976, text: Part(17273, 35) }, // continuous over-current, motor side
+    MeaningRow { first: 8977, last: 8977, text: Part(17308, 37) }, // continuous over-current 1, motor side
+    MeaningRow { first: 8978, last: 8978, text: Part(17345, 37) }, // continuous over-current 2, motor side
+    MeaningRow { first: 8992, last: 8992, text: Part(17382, 42) }, // short circuit or earth leakage, motor side
+    MeaningRow { first: 9008, last: 9008, text: Part(17424, 25) }, // earth leakage, motor side
+    MeaningRow { first: 9009, last: 9009, text: Part(17449, 22) }, // earth leakage, phase U
+    MeaningRow { first: 9010, last: 9010, text: Part(17471, 22) }, // earth leakage, phase V
+    MeaningRow { first: 9011, last: 9011, text: Part(17493, 22) }, // earth leakage, phase W
+    MeaningRow { first: 9024, last: 9024, text: Part(17515, 25) }, // short circuit, motor side
+    MeaningRow { first: 9025, last: 9025, text: Part(17540, 29) }, // short circuit, phases U and V
+    MeaningRow { first: 9026, last: 9026, text: Part(17569, 29) }, // short circuit, phases V and W
+    MeaningRow { first: 9027, last: 9027, text: Part(17598, 29) }, // short circuit, phases W and U
+    MeaningRow { first: 9040, last: 9040, text: Part(17627, 29) }, // overload (I2t, thermal state)
+    MeaningRow { first: 9041, last: 9041, text: Part(17656, 38) }, // overload (I2t, thermal state), warning
+    MeaningRow { first: 12560, last: 12560, text: Part(17694, 18) }, // mains over-voltage
+    MeaningRow { first: 12561, last: 12561, text: Part(17712, 28) }, // mains over-voltage, phase L1
+    MeaningRow { first: 12562, last: 12562, text: Part(17740, 28) }, // mains over-voltage, phase L2
+    MeaningRow { first: 12563, last: 12563, text: Part(17768, 28) }, // mains over-voltage, phase L3
+    MeaningRow { first: 12576, last: 12576, text: Part(17796, 19) }, // mains under-voltage
+    MeaningRow { first: 12577, last: 12577, text: Part(17815, 29) }, // mains under-voltage, phase L1
+    MeaningRow { first: 12578, last: 12578, text: Part(17844, 29) }, // mains under-voltage, phase L2
+    MeaningRow { first: 12579, last: 12579, text: Part(17873, 29) }, // mains under-voltage, phase L3
+    MeaningRow { first: 12592, last: 12592, text: Part(17902, 13) }, // phase failure
+    MeaningRow { first: 12593, last: 12593, text: Part(17915, 17) }, // phase failure, L1
+    MeaningRow { first: 12594, last: 12594, text: Part(17932, 17) }, // phase failure, L2
+    MeaningRow { first: 12595, last: 12595, text: Part(17949, 17) }, // phase failure, L3
+    MeaningRow { first: 12596, last: 12596, text: Part(17966, 14) }, // phase sequence
+    MeaningRow { first: 12608, last: 12608, text: Part(17980, 15) }, // mains frequency
+    MeaningRow { first: 12609, last: 12609, text: Part(17995, 24) }, // mains frequency too high
+    MeaningRow { first: 12610, last: 12610, text: Part(18019, 23) }, // mains frequency too low
+    MeaningRow { first: 12816, last: 12816, text: Part(18042, 20) }, // DC link over-voltage
+    MeaningRow { first: 12817, last: 12817, text: Part(18062, 22) }, // DC link over-voltage 1
+    MeaningRow { first: 12818, last: 12818, text: Part(18084, 22) }, // DC link over-voltage 2
+    MeaningRow { first: 12832, last: 12832, text: Part(18106, 21) }, // DC link under-voltage
+    MeaningRow { first: 12833, last: 12833, text: Part(18127, 23) }, // DC link under-voltage 1
+    MeaningRow { first: 12834, last: 12834, text: Part(18150, 23) }, // DC link under-voltage 2
+    MeaningRow { first: 12848, last: 12848, text: Part(18173, 10) }, // load error
+    MeaningRow { first: 13072, last: 13072, text: Part(18183, 19) }, // output over-voltage
+    MeaningRow { first: 13073, last: 13073, text: Part(18202, 28) }, // output over-voltage, phase U
+    MeaningRow { first: 13074, last: 13074, text: Part(18230, 28) }, // output over-voltage, phase V
+    MeaningRow { first: 13075, last: 13075, text: Part(18258, 28) }, // output over-voltage, phase W
+    MeaningRow { first: 13088, last: 13088, text: Part(18286, 16) }, // armature circuit
+    MeaningRow { first: 13089, last: 13089, text: Part(18302, 28) }, // armature circuit interrupted
+    MeaningRow { first: 13104, last: 13104, text: Part(18330, 13) }, // field circuit
+    MeaningRow { first: 13105, last: 13105, text: Part(18343, 25) }, // field circuit interrupted
+    MeaningRow { first: 16656, last: 16656, text: Part(18368, 28) }, // ambient temperature too high
+    MeaningRow { first: 16672, last: 16672, text: Part(18396, 27) }, // ambient temperature too low
+    MeaningRow { first: 16688, last: 16688, text: Part(18423, 29) }, // temperature of the supply air
+    MeaningRow { first: 16704, last: 16704, text: Part(18452, 29) }, // temperature of the air outlet
+    MeaningRow { first: 16912, last: 16912, text: Part(18481, 27) }, // device temperature too high
+    MeaningRow { first: 16928, last: 16928, text: Part(18508, 26) }, // device temperature too low
+    MeaningRow { first: 17152, last: 17152, text: Part(18534, 24) }, // temperature of the drive
+    MeaningRow { first: 17168, last: 17168, text: Part(18558, 33) }, // temperature of the drive too high
+    MeaningRow { first: 17184, last: 17184, text: Part(18591, 32) }, // temperature of the drive too low
+    MeaningRow { first: 17408, last: 17408, text: Part(18623, 25) }, // temperature of the supply
+    MeaningRow { first: 17424, last: 17424, text: Part(18648, 34) }, // temperature of the supply too high
+    MeaningRow { first: 17440, last: 17440, text: Part(18682, 33) }, // temperature of the supply too low
+    MeaningRow { first: 20736, last: 20736, text: Part(18715, 6) }, // supply
+    MeaningRow { first: 20752, last: 20752, text: Part(18721, 23) }, // low voltage of a supply
+    MeaningRow { first: 20753, last: 20753, text: Part(18744, 30) }, // low voltage of the 15 V supply
+    MeaningRow { first: 20754, last: 20754, text: Part(18774, 30) }, // low voltage of the 24 V supply
+    MeaningRow { first: 20755, last: 20755, text: Part(18804, 29) }, // low voltage of the 5 V supply
+    MeaningRow { first: 20756, last: 20761, text: Part(18833, 43) }, // low voltage of a supply of the manufacturer
+    MeaningRow { first: 20768, last: 20768, text: Part(18876, 34) }, // supply of the intermediate circuit
+    MeaningRow { first: 20992, last: 20992, text: Part(18910, 7) }, // control
+    MeaningRow { first: 21008, last: 21008, text: Part(18917, 17) }, // measuring circuit
+    MeaningRow { first: 21024, last: 21024, text: Part(18934, 17) }, // computing circuit
+    MeaningRow { first: 21248, last: 21248, text: Part(18951, 14) }, // operating unit
+    MeaningRow { first: 21504, last: 21504, text: Part(18965, 13) }, // power section
+    MeaningRow { first: 21520, last: 21520, text: Part(18978, 13) }, // output stages
+    MeaningRow { first: 21536, last: 21536, text: Part(18991, 7) }, // chopper
+    MeaningRow { first: 21552, last: 21552, text: Part(18998, 12) }, // input stages
+    MeaningRow { first: 21568, last: 21568, text: Part(19010, 8) }, // contacts
+    MeaningRow { first: 21569, last: 21577, text: Part(19018, 27) }, // contact of the manufacturer
+    MeaningRow { first: 21584, last: 21584, text: Part(19045, 5) }, // fuses
+    MeaningRow { first: 21585, last: 21593, text: Part(19050, 24) }, // fuse of the manufacturer
+    MeaningRow { first: 21760, last: 21760, text: Part(19074, 12) }, // data storage
+    MeaningRow { first: 21776, last: 21776, text: Part(19086, 14) }, // working memory
+    MeaningRow { first: 21792, last: 21792, text: Part(19100, 14) }, // program memory
+    MeaningRow { first: 21808, last: 21808, text: Part(19114, 24) }, // non-volatile data memory
+    MeaningRow { first: 24592, last: 24592, text: Part(19138, 25) }, // software reset (watchdog)
+    MeaningRow { first: 25345, last: 25359, text: Part(19163, 11) }, // data record
+    MeaningRow { first: 25360, last: 25360, text: Part(19174, 18) }, // loss of parameters
+    MeaningRow { first: 25376, last: 25376, text: Part(19192, 15) }, // parameter error
+    MeaningRow { first: 28928, last: 28928, text: Part(19207, 5) }, // power
+    MeaningRow { first: 28944, last: 28944, text: Part(19212, 13) }, // brake chopper
+    MeaningRow { first: 28945, last: 28945, text: Part(19225, 28) }, // failure of the brake chopper
+    MeaningRow { first: 28946, last: 28946, text: Part(19253, 33) }, // over-current of the brake chopper
+    MeaningRow { first: 28947, last: 28947, text: Part(19286, 39) }, // protective circuit of the brake chopper
+    MeaningRow { first: 28960, last: 28960, text: Part(15487, 5) }, // motor
+    MeaningRow { first: 28961, last: 28961, text: Part(19325, 13) }, // motor blocked
+    MeaningRow { first: 28962, last: 28962, text: Part(19338, 32) }, // motor error or wrong commutation
+    MeaningRow { first: 28963, last: 28963, text: Part(19370, 12) }, // motor tilted
+    MeaningRow { first: 29184, last: 29184, text: Part(19382, 24) }, // measuring circuit module
+    MeaningRow { first: 29440, last: 29440, text: Part(19406, 6) }, // sensor
+    MeaningRow { first: 29441, last: 29441, text: Part(19412, 16) }, // tachometer fault
+    MeaningRow { first: 29442, last: 29442, text: Part(19428, 32) }, // wrong polarity of the tachometer
+    MeaningRow { first: 29443, last: 29443, text: Part(19460, 19) }, // fault of resolver 1
+    MeaningRow { first: 29444, last: 29444, text: Part(19479, 19) }, // fault of resolver 2
+    MeaningRow { first: 29445, last: 29445, text: Part(19498, 29) }, // fault of incremental sensor 1
+    MeaningRow { first: 29446, last: 29446, text: Part(19527, 29) }, // fault of incremental sensor 2
+    MeaningRow { first: 29447, last: 29447, text: Part(19556, 29) }, // fault of incremental sensor 3
+    MeaningRow { first: 29456, last: 29456, text: Part(19585, 5) }, // speed
+    MeaningRow { first: 29472, last: 29472, text: Part(19590, 8) }, // position
+    MeaningRow { first: 29696, last: 29696, text: Part(19598, 24) }, // computing circuit module
+    MeaningRow { first: 29952, last: 29952, text: Part(19622, 20) }, // communication module
+    MeaningRow { first: 29968, last: 29968, text: Part(19642, 18) }, // serial interface 1
+    MeaningRow { first: 29984, last: 29984, text: Part(19660, 18) }, // serial interface 2
+    MeaningRow { first: 30208, last: 30208, text: Part(19678, 19) }, // data storage module
+    MeaningRow { first: 33536, last: 33536, text: Part(19697, 14) }, // torque control
+    MeaningRow { first: 33553, last: 33553, text: Part(19711, 15) }, // torque too high
+    MeaningRow { first: 33554, last: 33554, text: Part(19726, 18) }, // difficult start-up
+    MeaningRow { first: 33555, last: 33555, text: Part(19744, 20) }, // torque at standstill
+    MeaningRow { first: 33569, last: 33569, text: Part(19764, 14) }, // torque too low
+    MeaningRow { first: 33585, last: 33585, text: Part(19778, 12) }, // torque fault
+    MeaningRow { first: 33792, last: 33792, text: Part(19790, 19) }, // velocity controller
+    MeaningRow { first: 34048, last: 34048, text: Part(19809, 19) }, // position controller
+    MeaningRow { first: 34304, last: 34304, text: Part(19828, 22) }, // positioning controller
+    MeaningRow { first: 34321, last: 34321, text: Part(19850, 15) }, // following error
+    MeaningRow { first: 34322, last: 34322, text: Part(19865, 15) }, // reference limit
+    MeaningRow { first: 34560, last: 34560, text: Part(19880, 22) }, // synchronous controller
+    MeaningRow { first: 34816, last: 34816, text: Part(19902, 18) }, // winding controller
+    MeaningRow { first: 35072, last: 35072, text: Part(19920, 23) }, // process data monitoring
+    MeaningRow { first: 35328, last: 35328, text: Part(19943, 18) }, // control monitoring
+    MeaningRow { first: 61441, last: 61441, text: Part(19961, 12) }, // deceleration
+    MeaningRow { first: 61442, last: 61442, text: Part(19973, 19) }, // sub-synchronous run
+    MeaningRow { first: 61443, last: 61443, text: Part(19992, 16) }, // stroke operation
+    MeaningRow { first: 61444, last: 61444, text: Part(18910, 7) }, // control
+];
+
+static COMMANDS: &[CommandRow] = &[
+    CommandRow { name: Part(20008, 8), mask: Part(20016, 9) }, // shutdown
+    CommandRow { name: Part(379, 9), mask: Part(20025, 9) }, // switch on
+    CommandRow { name: Part(416, 16), mask: Part(20034, 9) }, // enable operation
+    CommandRow { name: Part(20043, 17), mask: Part(20025, 9) }, // disable operation
+    CommandRow { name: Part(199, 10), mask: Part(20060, 9) }, // quick stop
+    CommandRow { name: Part(184, 15), mask: Part(20069, 9) }, // disable voltage
+    CommandRow { name: Part(20078, 25), mask: Part(20103, 9) }, // fault reset (bit 7 rises)
+];
+
+static TRANSITIONS: &[TransitionRow] = &[
+    TransitionRow { number: 0, from: Part(20112, 5), to: Part(549, 22), by: Part(20117, 17) }, // not ready to switch on
+    TransitionRow { number: 1, from: Part(549, 22), to: Part(660, 18), by: Part(20134, 22) }, // switch on disabled
+    TransitionRow { number: 2, from: Part(660, 18), to: Part(614, 18), by: Part(20008, 8) }, // ready to switch on
+    TransitionRow { number: 3, from: Part(614, 18), to: Part(632, 11), by: Part(379, 9) }, // switched on
+    TransitionRow { number: 4, from: Part(632, 11), to: Part(643, 17), by: Part(416, 16) }, // operation enabled
+    TransitionRow { number: 5, from: Part(643, 17), to: Part(632, 11), by: Part(20043, 17) }, // switched on
+    TransitionRow { number: 6, from: Part(632, 11), to: Part(614, 18), by: Part(20008, 8) }, // ready to switch on
+    TransitionRow { number: 7, from: Part(614, 18), to: Part(660, 18), by: Part(20156, 27) }, // switch on disabled
+    TransitionRow { number: 8, from: Part(643, 17), to: Part(614, 18), by: Part(20008, 8) }, // ready to switch on
+    TransitionRow { number: 9, from: Part(643, 17), to: Part(660, 18), by: Part(184, 15) }, // switch on disabled
+    TransitionRow { number: 10, from: Part(632, 11), to: Part(660, 18), by: Part(20156, 27) }, // switch on disabled
+    TransitionRow { number: 11, from: Part(643, 17), to: Part(571, 17), by: Part(199, 10) }, // quick stop active
+    TransitionRow { number: 12, from: Part(571, 17), to: Part(660, 18), by: Part(20183, 53) }, // switch on disabled
+    TransitionRow { number: 13, from: Part(20236, 9), to: Part(593, 21), by: Part(20245, 7) }, // fault reaction active
+    TransitionRow { number: 14, from: Part(593, 21), to: Part(588, 5), by: Part(20252, 22) }, // fault
+    TransitionRow { number: 15, from: Part(588, 5), to: Part(660, 18), by: Part(20078, 25) }, // switch on disabled
+    TransitionRow { number: 16, from: Part(571, 17), to: Part(643, 17), by: Part(20274, 34) }, // operation enabled
 ];
 
 static CONDITIONS: &[Condition] = &[
@@ -786,5 +967,49 @@ static TEXTS: &str = concat!(
     "HTTP drive catalogue address", "The web address of the drive's catalogue.", "Drive data",
     "Data of the drive, which the vendor defines.", "Version number",
     "The version of the profile that this axis follows.", "Single device type",
-    "The device type of this axis: a drive, and of which kind.",
+    "The device type of this axis: a drive, and of which kind.", "short circuit or earth leakage, input side",
+    "earth leakage, input side", "earth leakage, phase L1", "earth leakage, phase L2", "earth leakage, phase L3",
+    "short circuit, input side", "short circuit, phases L1 and L2", "short circuit, phases L2 and L3",
+    "short circuit, phases L3 and L1", "internal current 1", "internal current 2",
+    "over-current in the ramp function", "over-current in the sequence", "continuous over-current in the device",
+    "continuous over-current 1 in the device", "continuous over-current 2 in the device",
+    "short circuit or earth leakage in the device", "earth leakage in the device", "short circuit in the device",
+    "continuous over-current, motor side", "continuous over-current 1, motor side",
+    "continuous over-current 2, motor side", "short circuit or earth leakage, motor side",
+    "earth leakage, motor side", "earth leakage, phase U", "earth leakage, phase V", "earth leakage, phase W",
+    "short circuit, motor side", "short circuit, phases U and V", "short circuit, phases V and W",
+    "short circuit, phases W and U", "overload (I2t, thermal state)", "overload (I2t, thermal state), warning",
+    "mains over-voltage", "mains over-voltage, phase L1", "mains over-voltage, phase L2",
+    "mains over-voltage, phase L3", "mains under-voltage", "mains under-voltage, phase L1",
+    "mains under-voltage, phase L2", "mains under-voltage, phase L3", "phase failure", "phase failure, L1",
+    "phase failure, L2", "phase failure, L3", "phase sequence", "mains frequency", "mains frequency too high",
+    "mains frequency too low", "DC link over-voltage", "DC link over-voltage 1", "DC link over-voltage 2",
+    "DC link under-voltage", "DC link under-voltage 1", "DC link under-voltage 2", "load error",
+    "output over-voltage", "output over-voltage, phase U", "output over-voltage, phase V",
+    "output over-voltage, phase W", "armature circuit", "armature circuit interrupted", "field circuit",
+    "field circuit interrupted", "ambient temperature too high", "ambient temperature too low",
+    "temperature of the supply air", "temperature of the air outlet", "device temperature too high",
+    "device temperature too low", "temperature of the drive", "temperature of the drive too high",
+    "temperature of the drive too low", "temperature of the supply", "temperature of the supply too high",
+    "temperature of the supply too low", "supply", "low voltage of a supply", "low voltage of the 15 V supply",
+    "low voltage of the 24 V supply", "low voltage of the 5 V supply",
+    "low voltage of a supply of the manufacturer", "supply of the intermediate circuit", "control",
+    "measuring circuit", "computing circuit", "operating unit", "power section", "output stages", "chopper",
+    "input stages", "contacts", "contact of the manufacturer", "fuses", "fuse of the manufacturer",
+    "data storage", "working memory", "program memory", "non-volatile data memory", "software reset (watchdog)",
+    "data record", "loss of parameters", "parameter error", "power", "brake chopper",
+    "failure of the brake chopper", "over-current of the brake chopper",
+    "protective circuit of the brake chopper", "motor blocked", "motor error or wrong commutation",
+    "motor tilted", "measuring circuit module", "sensor", "tachometer fault", "wrong polarity of the tachometer",
+    "fault of resolver 1", "fault of resolver 2", "fault of incremental sensor 1",
+    "fault of incremental sensor 2", "fault of incremental sensor 3", "speed", "position",
+    "computing circuit module", "communication module", "serial interface 1", "serial interface 2",
+    "data storage module", "torque control", "torque too high", "difficult start-up", "torque at standstill",
+    "torque too low", "torque fault", "velocity controller", "position controller", "positioning controller",
+    "following error", "reference limit", "synchronous controller", "winding controller",
+    "process data monitoring", "control monitoring", "deceleration", "sub-synchronous run", "stroke operation",
+    "shutdown", "0xxx x110", "0xxx 0111", "0xxx 1111", "disable operation", "0xxx x01x", "0xxx xx0x",
+    "fault reset (bit 7 rises)", "1xxx xxxx", "start", "power-on or reset", "initialisation is done",
+    "quick stop, disable voltage", "disable voltage, quick stop is done (605Ah is 0 to 4)", "any state",
+    "a fault", "fault reaction is done", "enable operation (605Ah is 5 to 8)",
 );

@@ -27,7 +27,11 @@ pub(super) static PROFILE: Profile = Profile {
         values: Cow::Borrowed(VALUES),
         defaults: Cow::Borrowed(DEFAULTS),
         indexes: Cow::Borrowed(INDEXES),
+        commands: Cow::Borrowed(COMMANDS),
+        transitions: Cow::Borrowed(TRANSITIONS),
         texts: Cow::Borrowed(TEXTS),
+        errors: Part(0, 0),
+        machine: None,
     },
 };
 
@@ -1286,6 +1290,12 @@ static MEANINGS: &[MeaningRow] = &[
     MeaningRow { first: 1, last: 1, text: Part(2938, 14) }, // moving average
     MeaningRow { first: 2, last: 2, text: Part(2952, 17) }, // repeating average
     MeaningRow { first: 100, last: 255, text: Part(2969, 21) }, // manufacturer-specific
+];
+
+static COMMANDS: &[CommandRow] = &[
+];
+
+static TRANSITIONS: &[TransitionRow] = &[
 ];
 
 static CONDITIONS: &[Condition] = &[

@@ -27,7 +27,11 @@ pub(super) static PROFILE: Profile = Profile {
         values: Cow::Borrowed(VALUES),
         defaults: Cow::Borrowed(DEFAULTS),
         indexes: Cow::Borrowed(INDEXES),
+        commands: Cow::Borrowed(COMMANDS),
+        transitions: Cow::Borrowed(TRANSITIONS),
         texts: Cow::Borrowed(TEXTS),
+        errors: Part(0, 0),
+        machine: None,
     },
 };
 
@@ -189,6 +193,12 @@ static MEANINGS: &[MeaningRow] = &[
     MeaningRow { first: 10, last: 10, text: Part(238, 15) }, // several sensors
     MeaningRow { first: 0, last: 0, text: Part(748, 9) }, // clockwise
     MeaningRow { first: 1, last: 1, text: Part(757, 17) }, // counter-clockwise
+];
+
+static COMMANDS: &[CommandRow] = &[
+];
+
+static TRANSITIONS: &[TransitionRow] = &[
 ];
 
 static CONDITIONS: &[Condition] = &[

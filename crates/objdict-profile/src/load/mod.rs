@@ -76,7 +76,11 @@ impl Profile {
             version: file.version.map(Into::into),
             number: file.number,
             repeats: file.repeats,
-            tables: packer.tables(objects.into_iter().map(|(row, _)| row).collect()),
+            tables: packer.tables(
+                objects.into_iter().map(|(row, _)| row).collect(),
+                &file.errors,
+                file.state_machine,
+            ),
         })
     }
 }
@@ -100,6 +104,34 @@ struct ProfileFile {
     confidence: Option<Confidence>,
     #[serde(default)]
     object: Vec<Spanned<ObjectTable>>,
+    #[serde(default)]
+    errors: Meanings,
+    state_machine: Option<MachineTable>,
+}
+
+#[derive(Deserialize)]
+#[serde(deny_unknown_fields)]
+struct MachineTable {
+    status: u16,
+    command: u16,
+    commands: Vec<CommandTable>,
+    transitions: Vec<TransitionTable>,
+}
+
+#[derive(Deserialize)]
+#[serde(deny_unknown_fields)]
+struct CommandTable {
+    name: String,
+    mask: String,
+}
+
+#[derive(Deserialize)]
+#[serde(deny_unknown_fields)]
+struct TransitionTable {
+    number: u8,
+    from: String,
+    to: String,
+    by: String,
 }
 
 #[derive(Deserialize)]

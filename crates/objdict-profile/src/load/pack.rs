@@ -5,10 +5,13 @@ use std::collections::HashMap;
 use std::hash::Hash;
 use std::ops::RangeInclusive;
 
-use super::fields::NeedText;
+use super::fields::{Meanings, NeedText};
+use super::{CommandTable, MachineTable, TransitionTable};
 use crate::Condition;
 use crate::model::{Access, DataType, ObjectType, Value};
-use crate::tables::{BitRow, EntryRow, MeaningRow, NeedRow, ObjectRow, Part, Tables};
+use crate::tables::{
+    BitRow, CommandRow, EntryRow, MachineRow, MeaningRow, NeedRow, ObjectRow, Part, Tables, TransitionRow,
+};
 
 /// Concatenated lists of one type.
 pub(super) struct Lists<T> {
@@ -72,8 +75,20 @@ pub(super) struct Packer {
 
 impl Packer {
     /// The tables, with objects in ascending order.
-    pub(super) fn tables(self, objects: Vec<ObjectRow>) -> Tables {
+    pub(super) fn tables(
+        mut self,
+        objects: Vec<ObjectRow>,
+        errors: &Meanings,
+        machine: Option<MachineTable>,
+    ) -> Tables {
+        let errors = self.meanings(&errors.0);
+        let (commands, transitions) =
+            machine.as_ref().map(|machine| self.machine(machine)).unwrap_or_default();
         Tables {
+            errors,
+            machine: machine.map(|machine| MachineRow { status: machine.status, command: machine.command }),
+            commands: commands.into(),
+            transitions: transitions.into(),
             objects: objects.into(),
             entries: self.entries.items.into(),
             bits: self.bits.items.into(),
@@ -87,6 +102,19 @@ impl Packer {
             indexes: self.indexes.items.into(),
             texts: Cow::Owned(self.texts),
         }
+    }
+
+    fn machine(&mut self, machine: &MachineTable) -> (Vec<CommandRow>, Vec<TransitionRow>) {
+        let command =
+            |row: &CommandTable| CommandRow { name: self.text(&row.name), mask: self.text(&row.mask) };
+        let commands = machine.commands.iter().map(command).collect();
+        let transition = |row: &TransitionTable| TransitionRow {
+            number: row.number,
+            from: self.text(&row.from),
+            to: self.text(&row.to),
+            by: self.text(&row.by),
+        };
+        (commands, machine.transitions.iter().map(transition).collect())
     }
 
     pub(super) fn text(&mut self, text: &str) -> Part {
