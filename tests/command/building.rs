@@ -1,4 +1,4 @@
-//! What docs/building.md says of make, as it is written there.
+//! What docs/building.md says: of make, as it is written there, and of the features.
 
 use std::fs;
 use std::path::Path;
@@ -117,4 +117,31 @@ fn an_error_stops_make() {
     let (printed, is_well) = project.make();
     assert!(!is_well && printed.contains("`60000` does not fit"), "{printed}");
     assert!(!project.path("build/od.stamp").exists());
+}
+
+/// The crates that a build script compiles with each feature. Other systems have crates of their own.
+#[test]
+#[cfg(target_os = "linux")]
+fn features_need_so_many_crates() {
+    let page = fs::read_to_string("docs/building.md").unwrap();
+    let table = page.split_once("| feature | adds | crates |\n|---|---|---|\n").expect("the table").1;
+    let mut wrong = Vec::new();
+    for row in table.lines().take_while(|line| line.starts_with('|')) {
+        let cells: Vec<&str> = row.trim_matches('|').split('|').map(str::trim).collect();
+        let [feature, _, stated] = cells[..] else { panic!("{row}") };
+        let mut cargo = Command::new(env!("CARGO"));
+        cargo.args(["tree", "--locked", "-e", "normal", "--prefix", "none", "--no-default-features"]);
+        if feature != "none" {
+            cargo.args(["--features", feature.trim_matches('`')]);
+        }
+        let output = cargo.output().unwrap();
+        assert!(output.status.success(), "{}", String::from_utf8_lossy(&output.stderr));
+        let printed = String::from_utf8(output.stdout).unwrap();
+        let crates = printed.lines().map(|line| line.trim_end_matches(" (*)"));
+        let crates: std::collections::BTreeSet<&str> = crates.collect();
+        if crates.len().to_string() != stated {
+            wrong.push(format!("{feature} needs {}, not {stated}", crates.len()));
+        }
+    }
+    assert!(wrong.is_empty(), "{wrong:?}");
 }
