@@ -81,8 +81,7 @@ fn start(subject: Subject<'_>, finding: &Diagnostic) -> u32 {
 fn count(subject: Subject<'_>, finding: &mut Diagnostic) {
     let help = finding.help.as_ref().map(Text::shown);
     if finding.also.iter().any(|other| other.help.as_ref().map(Text::shown) != help) {
-        finding.help =
-            finding.help.take().map(|help| help.followed_by(&" here; each place has its own value".into()));
+        finding.help = finding.help.take().map(|help| help.followed_by(&"; the other places differ".into()));
     }
     let spots: Vec<Spot> = finding.also.iter().map(|other| Spot::of(subject, other)).collect();
     let rest = say!("; {} more like this: {}", finding.also.len(), ranges(&spots));

@@ -125,7 +125,7 @@ fn what_a_help_says_fixes_the_finding() {
     assert!(tried > 120, "{tried}");
 }
 
-/// The access of an entry may be that of its parameter.
+/// The access and the data type of an entry may be those of its parameter.
 #[test]
 fn the_attribute_is_that_of_the_place() {
     let text = std::fs::read_to_string(crate::support::fixtures().join("xdd/all-types.xdd")).unwrap();
@@ -135,8 +135,16 @@ fn the_attribute_is_that_of_the_place() {
             r#"name="COB-ID EMCY" objectType="7" dataType="0007" accessType="rw""#,
             r#"name="COB-ID EMCY" objectType="7" dataType="0007""#,
         );
+    let (name, parameter) =
+        (r#"heartbeat time" objectType="7" dataType="0006""#, "heartbeat time</label>\n            <UINT />");
+    let text = text.replace("\r\n", "\n").replace(name, r#"heartbeat time" objectType="7""#);
+    let text = text.replace(parameter, "heartbeat time</label>\n            <UDINT />");
     let description = format::read(SourceFile::from_text("all-types.xdd", &text), Format::Xdd);
     let findings = objdict::check(&description);
-    let wrong = findings.iter().find(|finding| finding.rule.id == "cia301/wrong-access").unwrap();
-    assert_eq!(wrong.help.as_ref().unwrap().to_string(), r#"write `access="readWrite"`"#);
+    let help = |rule: &str| {
+        let finding = findings.iter().find(|finding| finding.rule.id == rule).unwrap();
+        finding.help.as_ref().unwrap().to_string()
+    };
+    assert_eq!(help("cia301/wrong-access"), r#"write `access="readWrite"`"#);
+    assert_eq!(help("cia301/wrong-data-type"), "write `<UINT />`");
 }

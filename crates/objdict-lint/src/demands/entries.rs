@@ -83,11 +83,15 @@ pub(crate) fn wrong_value(rule: &'static RuleInfo, at: &Expected<'_>, findings: 
     };
     let ranges = at.facts.values.iter().map(|range| match (range.start(), range.end()) {
         (low, high) if low == high => say!("{}", low),
-        (low, high) => say!("a value from {} to {}", low, high),
+        (low, high) => say!("from {} to {}", low, high),
     });
     let message = say!("`{}` is not a value that {} allows for {}", number, at.document(), at);
     let finding = Diagnostic::new(rule, at.place().field(at.value_field()), message);
-    findings.push(finding.help(say!("write {}", alternatives(ranges))));
+    let is_range = at.facts.values.iter().any(|range| range.start() != range.end());
+    findings.push(finding.help(match is_range {
+        true => say!("write a value {}", alternatives(ranges)),
+        false => say!("write {}", alternatives(ranges)),
+    }));
 }
 
 /// "a, b or c".

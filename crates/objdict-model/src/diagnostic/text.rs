@@ -242,6 +242,12 @@ pub fn listing<T: Sayable>(items: impl IntoIterator<Item = T>) -> Argument {
     series(items.into_iter().map(|item| say!("`{}`", item)))
 }
 
+/// The same behind a negation: `a`, `b` or `c`.
+pub fn listing_or<T: Sayable>(items: impl IntoIterator<Item = T>) -> Argument {
+    let items = items.into_iter().map(|item| say!("`{}`", item).argument());
+    Argument::Series(items.collect(), [", ", " or "])
+}
+
 /// A number in the format of [`std::fmt`]: `#` for `0x`, the width with leading zeros, `x` or `X` for hex.
 fn write_number(number: i128, spec: &str, out: &mut dyn fmt::Write) -> fmt::Result {
     let (is_marked, width) = spec.strip_prefix('#').map_or((false, spec), |width| (true, width));

@@ -118,7 +118,7 @@ fn rule_text(quirk: Quirk) -> &'static str {
     match quirk {
         Quirk::Octal => "is octal because of the leading `0`; other tools read it as decimal",
         Quirk::LeadingZero => "has a leading zero",
-        Quirk::NodeIdLast => "does not start with `$NODEID`; other tools drop the node-ID",
+        Quirk::NodeIdLast => "does not start with `$NODEID`; some tools drop the node-ID",
         Quirk::FormulaSpelling => "is not spelled `$NODEID+number`",
         Quirk::TrailingComment => "has a comment after the value",
         Quirk::CSuffix => "has a suffix of the C language",
@@ -127,7 +127,7 @@ fn rule_text(quirk: Quirk) -> &'static str {
         Quirk::Quoted => "is in quotes, which are not part of the string",
         Quirk::BooleanWord => "is a word, but a BOOLEAN is 0 or 1",
         Quirk::DecoratedBytes => "contains more than hex digits",
-        Quirk::AboveType => "is above its signed data type, and is read as the largest value",
+        Quirk::AboveType => "is too large for the signed data type and is read as its largest value",
     }
 }
 

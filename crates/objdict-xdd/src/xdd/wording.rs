@@ -9,8 +9,9 @@ use super::schema::{
     self, Attribute, DEVICE_BODY, DEVICE_COMMISSIONING, Element, GENERAL_FEATURES, MASTER_FEATURES, OBJECT,
 };
 use crate::diagnostic::{At, Diagnostic, Findings, Notion, Severity};
-use crate::model::{Access, Field};
+use crate::model::{Access, DataType, Field};
 use crate::source::Span;
+use crate::xdd::types::simple_type;
 use crate::xml::{Name, n};
 
 /// Rules that check the form of an EDS against CiA 306. The corresponding rules for an XDD are in the group
@@ -64,6 +65,17 @@ fn words_of_parameter(notion: &Notion<'_>) -> Option<String> {
         Notion::Key("AccessType") => Some("access".to_owned()),
         Notion::Setting("AccessType", value) => Some(format!("access=\"{}\"", access(value).unwrap_or("…"))),
         Notion::ValueOf("AccessType", value) => access(value).map(ToOwned::to_owned),
+        _ => words(notion),
+    }
+}
+
+/// The same for an entry whose parameter has an element for the data type.
+fn words_of_element(notion: &Notion<'_>) -> Option<String> {
+    match *notion {
+        Notion::Setting("DataType", value) => {
+            let code = u16::from_str_radix(value.strip_prefix("0x")?, 16).ok()?;
+            Some(format!("<{} />", simple_type(DataType(code)).name()))
+        }
         _ => words(notion),
     }
 }
@@ -168,16 +180,18 @@ pub fn of_xdd(findings: Findings, text: &str, span_of: impl Fn(&At) -> Span) -> 
                 _ => {}
             }
         }
-        // the access of an entry may be that of its parameter
-        let place = finding.labels.first().and_then(|label| match &label.at {
-            At::Place(place) => Some(At::Place(place.clone().field(Field::AccessType))),
-            At::Span(_) | At::Node(..) => None,
-        });
-        let is_of_parameter = place.is_some_and(|place| {
-            let before = text.get(..span_of(&place).start as usize).unwrap_or_default();
-            before.trim_end_matches(['"', '\'']).ends_with("access=")
-        });
-        Some(finding.in_words(if is_of_parameter { words_of_parameter } else { words }))
+        // the access and the data type of an entry may be those of its parameter
+        let is_at = |field: Field, attribute: &str| {
+            let At::Place(place) = &finding.labels.first()?.at else { return None };
+            let start = span_of(&At::Place(place.clone().field(field))).start as usize;
+            Some(text.get(..start)?.trim_end_matches(['"', '\'']).ends_with(attribute))
+        };
+        let words = match field(&finding) {
+            Some(Field::DataType) if is_at(Field::DataType, "dataType=") == Some(false) => words_of_element,
+            _ if is_at(Field::AccessType, "access=") == Some(true) => words_of_parameter,
+            _ => words,
+        };
+        Some(finding.in_words(words))
     })
 }
 

@@ -157,7 +157,7 @@ pub(in crate::eds) fn misspelt_key(item: &Item<'_>, meant: Key) -> Diagnostic {
         matches!(meant.field(), Field::ObjectType | Field::DataType | Field::AccessType | Field::SubNumber);
     let severity = if is_required { Severity::Error } else { MISSPELT_KEY.severity };
     let meant = meant.field().name();
-    let message = say!("the standard does not define key `{}`: did you mean `{}`?", item.name, &*meant);
+    let message = say!("the standard does not define the key `{}`, probably `{}`", item.name, &*meant);
     let fix = Fix::risky(say!("write `{}`", &*meant)).replace(item.name_at, &*meant);
     Diagnostic::new(&MISSPELT_KEY, item.name_at, message)
         .severity(severity)
@@ -179,7 +179,7 @@ pub(in crate::eds) fn date_spelling(item: &Item<'_>, meant: String, is_certain: 
 /// Reports a section that is read as another one.
 pub(in crate::eds) fn misspelt_section(name: &str, part: &Part, at: Span) -> Diagnostic {
     let meant = section_name(part).unwrap_or_default();
-    let message = say!("the standard does not define section `[{}]`: did you mean `[{}]`?", name, meant);
+    let message = say!("the standard does not define the section `[{}]`, probably `[{}]`", name, meant);
     let fix = Fix::risky(say!("write `[{}]`", meant)).replace(at, meant.as_str());
     Diagnostic::new(&MISSPELT_SECTION, at, message)
         .help(say!("write `[{}]`; other tools ignore the misspelt section", meant))

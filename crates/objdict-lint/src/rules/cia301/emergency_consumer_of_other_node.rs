@@ -51,6 +51,10 @@ fn check(facts: &Facts<'_>, findings: &mut Findings) {
         };
         let place = facts.device.value_place(consumer.index, consumer.sub);
         let finding = Diagnostic::new(&RULE.info, place, message);
-        findings.push(finding.help("write 80h plus the sub-index, or set bit 31 to disable the entry"));
+        let is_own = facts.device.node_id() == Some(consumer.sub) && can_id == 0x80 + node;
+        findings.push(match is_own {
+            true => finding.help("set bit 31 to disable the entry"),
+            false => finding.help("write 80h plus the sub-index, or set bit 31 to disable the entry"),
+        });
     }
 }

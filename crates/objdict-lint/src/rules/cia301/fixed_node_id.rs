@@ -14,7 +14,11 @@ rule! {
 fn check(facts: &Facts<'_>, findings: &mut Findings) {
     for cob_id in &facts.cob_ids {
         if let Some(base) = facts.base_without_node_id(cob_id) {
-            let message = say!("the COB-ID `{}` of {} is missing the node-ID", cob_id.cob_id, cob_id.service);
+            let node = cob_id.cob_id.number() & 0x7F;
+            let message = match node {
+                0 => say!("the COB-ID `{}` of {} is missing the node-ID", cob_id.cob_id, cob_id.service),
+                _ => say!("the COB-ID `{}` of {} is that of node {} alone", cob_id.cob_id, cob_id.service, node),
+            };
             let place = facts.device.value_place(cob_id.index, cob_id.sub);
             let number = cob_id.cob_id.number() & !0x7FF | u32::from(base);
             let title = say!("write `$NODEID+0x{:X}`", number);

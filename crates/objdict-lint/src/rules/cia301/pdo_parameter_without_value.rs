@@ -7,7 +7,7 @@ rule! {
     checks: "Whether sub-indexes 1 and 2 of each PDO communication parameter have a value.",
     why: "The CAN-ID and the trigger of the PDO in a new device are unknown. A tool that restores the defaults omits this entry.",
     example: "`[1800sub2]` without `DefaultValue`",
-    remedy: "Write the value after a restore of the defaults.",
+    remedy: "Write the value that the device has after its defaults are restored.",
     source: "CiA 301 §7.5.2.35, §7.5.2.37",
 }
 
@@ -20,7 +20,7 @@ fn check(facts: &Facts<'_>, pdo: &PdoFacts<'_>, findings: &mut Findings) {
         if has_type && is_unstated(object, sub) {
             let message = say!("the {} of {} has no value", name, pdo);
             let finding = Diagnostic::new(&RULE.info, facts.device.value_place(index, sub), message);
-            findings.push(finding.help("write the value after a restore of the defaults"));
+            findings.push(finding.help("write the value that the device has after its defaults are restored"));
             return;
         }
     }

@@ -37,7 +37,7 @@ fn finding(
         (true, false) => say!(" (on nodes {} to {})", first, last),
     };
     let message = say!(
-        "`{}` gives {} the restricted CAN-ID {:03X}h{}: {}",
+        "`{}` gives {} CAN-ID {:03X}h{}, which is restricted ({})",
         cob_id.cob_id,
         cob_id.service,
         can_id,

@@ -22,7 +22,7 @@ fn check(device: &Device, findings: &mut Findings) {
     let early =
         dates.into_iter().find_map(|(field, date)| Some((field, date.filter(|date| date.year < FIRST)?)));
     let Some((field, date)) = early else { return };
-    let message = say!("EDS files did not exist in {}", date.year);
+    let message = say!("EDS files did not exist in the year {:04}", date.year);
     let finding = Diagnostic::new(&RULE.info, Place::of(Part::FileInfo).field(field), message);
     findings.push(finding.help("correct the date"));
 }

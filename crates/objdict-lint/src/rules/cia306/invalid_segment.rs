@@ -1,4 +1,4 @@
-use crate::diagnostic::{Diagnostic, Findings, Severity, listing, say};
+use crate::diagnostic::{Diagnostic, Findings, Severity, listing_or, say};
 use crate::model::{Device, DynamicChannels, Field, Part, Place, Segment};
 use crate::rule;
 
@@ -47,7 +47,7 @@ fn check_keys(channels: &DynamicChannels, number: usize, segment: &Segment, seve
     if missing.is_empty() {
         return;
     }
-    let message = say!("segment {} of the dynamic channels has no {}", number, listing(&missing));
+    let message = say!("segment {} of the dynamic channels has no {}", number, listing_or(&missing));
     let finding = Diagnostic::new(&RULE.info, Place::of(Part::DynamicChannels), message).severity(severity);
     findings.push(finding.help("write `TypeN`, `DirN`, `RangeN` and `PPOffsetN` for each segment"));
 }

@@ -48,6 +48,7 @@ fn check(at: &EntryAt<'_>, findings: &mut Findings) {
 fn is_short(entry: &Entry) -> bool {
     let length = match (entry.data_type, entry.value()) {
         (Some(DataType::VISIBLE_STRING), Some(Value::Text(text))) => text.len(),
+        (Some(DataType::UNICODE_STRING), Some(Value::Text(text))) => text.encode_utf16().count() * 2,
         (Some(DataType::OCTET_STRING), Some(Value::Bytes(bytes))) => bytes.len(),
         _ => 0,
     };

@@ -1,4 +1,4 @@
-use crate::diagnostic::{Argument, Diagnostic, Findings, Fix, Severity, listing, say};
+use crate::diagnostic::{Argument, Diagnostic, Findings, Fix, Severity, listing, listing_or, say};
 use crate::model::{Device, DeviceInfo, DeviceKind, Field, Part, Place};
 use crate::rule;
 
@@ -20,7 +20,7 @@ fn check(device: &Device, findings: &mut Findings) {
         .map(|(field, _)| field)
         .collect();
     let Some(first) = missing.first() else { return };
-    let message = say!("`{[DeviceInfo]}` has no {}", listing(&missing));
+    let message = say!("`{[DeviceInfo]}` has no {}", listing_or(&missing));
     let light = device.kind == DeviceKind::Node || missing == [Field::OrderCode];
     let finding = Diagnostic::new(&RULE.info, Place::of(Part::DeviceInfo).field(first.clone()), message)
         .severity(if light { Severity::Note } else { Severity::Warning });

@@ -1,4 +1,4 @@
-use crate::diagnostic::{Argument, Diagnostic, Findings, Fix, Severity, listing, say};
+use crate::diagnostic::{Argument, Diagnostic, Findings, Fix, Severity, listing, listing_or, say};
 use crate::model::{Device, Field, FileInfo, Part, Place};
 use crate::rule;
 
@@ -54,7 +54,7 @@ fn is_text(text: Option<&str>) -> bool {
 
 fn report(info: &FileInfo, missing: &[Field], severity: Severity, findings: &mut Findings) {
     let Some(first) = missing.first() else { return };
-    let message = say!("`{[FileInfo]}` has no {}", listing(missing));
+    let message = say!("`{[FileInfo]}` has no {}", listing_or(missing));
     let place = Place::of(Part::FileInfo).field(first.clone());
     let finding = Diagnostic::new(&RULE.info, place, message).severity(severity);
     let finding = finding.help(say!("add {}", listing(missing.iter().map(example))));

@@ -1,4 +1,4 @@
-use crate::diagnostic::{Diagnostic, Findings, listing, say};
+use crate::diagnostic::{Diagnostic, Findings, listing, listing_or, say};
 use crate::model::{Device, Field, Module, ModulePart, Part, Place};
 use crate::rule;
 
@@ -24,7 +24,7 @@ fn check(device: &Device, findings: &mut Findings) {
                 Part::Module(number, ModulePart::Info)
             )
         } else {
-            say!("`{}` has no {}", Part::Module(number, ModulePart::Info), listing(&missing))
+            say!("`{}` has no {}", Part::Module(number, ModulePart::Info), listing_or(&missing))
         };
         let info = Place::of(Part::Module(number, ModulePart::Info)).field(first.clone());
         let place = if missing.len() == 4 { some_part(number, module) } else { info };

@@ -22,18 +22,18 @@ fn check(device: &Device, findings: &mut Findings) {
     // keys before the first section, which another rule reports, probably belong to `FileInfo`
     let headless = device.extra.iter().any(|section| section.name().is_empty());
     if device.file_info.is_none() && !headless {
-        findings.push(report(&Part::FileInfo, severe, "write author and date of the file"));
+        findings.push(report(&Part::FileInfo, severe, "add it with the author and the date of the file"));
     }
     if device.device_info.is_none() {
         let severity = if is_node { Severity::Warning } else { Severity::Error };
         findings.push(report(
             &Part::DeviceInfo,
             severity,
-            "write vendor, product and features of the device",
+            "add it with the vendor, the product and the features of the device",
         ));
     }
     if device.dummy_usage.is_none() {
-        let help = "write `Dummy0005=1` for each type that may fill a gap in an RPDO";
+        let help = "add it with `Dummy0005=1` for each type that may fill a gap in an RPDO";
         let key = |number| Field::Named(format!("Dummy{number:04X}").into());
         let none = (1..=7).map(|number| (key(number), "0".to_owned())).collect();
         let fix =
@@ -45,7 +45,7 @@ fn check(device: &Device, findings: &mut Findings) {
         let fix =
             Fix::safe(say!("add the {section} without comments")).with(Change::Add(Part::Comments, none));
         findings.push(
-            report(&Part::Comments, Severity::Note, say!("write `{Lines=0}` in the {section}")).fix(fix),
+            report(&Part::Comments, Severity::Note, say!("add it with `{Lines=0}`")).fix(fix),
         );
     }
     check_lists(device, light, findings);
@@ -65,7 +65,7 @@ fn check_lists(device: &Device, light: Severity, findings: &mut Findings) {
             // another rule reports missing mandatory objects
             if list != ObjectList::Mandatory {
                 let finding =
-                    report(&Part::List(list), light, say!("write `{SupportedObjects=0}` in the {section}"));
+                    report(&Part::List(list), light, say!("add it with `{SupportedObjects=0}`"));
                 findings.push(finding.fix(fix));
             }
             continue;

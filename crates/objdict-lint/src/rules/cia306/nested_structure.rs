@@ -30,9 +30,12 @@ fn check(at: &EntryAt<'_>, findings: &mut Findings) {
     let mut finding = Diagnostic::new(&RULE.info, at.field(field.clone()), message);
     if is_of_one_type {
         // the data type says that it is a single value
-        finding = finding.fix(Fix::risky(say!("write `{ObjectType=0x7}`")).set(at.field(field), "0x7"));
+        let title = say!("write `{ObjectType=0x7}`");
+        finding = finding.fix(Fix::risky(title.clone()).set(at.field(field), "0x7")).help(title);
+    } else {
+        finding = finding.help("use a separate sub-index or object for each part of the structure");
     }
-    findings.push(finding.help("use a separate sub-index or object for each part of the structure"));
+    findings.push(finding);
 }
 
 /// Type definitions may refer to a structure, objects and sub-indexes may not. The type of sub-index 0 has

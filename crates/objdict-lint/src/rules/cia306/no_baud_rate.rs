@@ -21,10 +21,17 @@ fn check(device: &Device, findings: &mut Findings) {
         return;
     }
     let stated = rates.iter().find(|(.., supported)| supported.is_some());
-    let (place, message) = match stated {
-        Some((_, field, _)) => (Place::of(Part::DeviceInfo).field(field), say!("every `{BaudRate_x}` is 0")),
-        None => (Place::of(Part::DeviceInfo), say!("`{[DeviceInfo]}` has no `{BaudRate_x}`")),
+    let (place, message, help) = match stated {
+        Some((_, field, _)) => (
+            Place::of(Part::DeviceInfo).field(field),
+            say!("every `{BaudRate_x}` is 0"),
+            say!("write 1 for each supported bit rate, such as `{BaudRate_125=1}`"),
+        ),
+        None => (
+            Place::of(Part::DeviceInfo),
+            say!("`{[DeviceInfo]}` has no `{BaudRate_x}`"),
+            say!("add a key such as `{BaudRate_125=1}` for each supported bit rate"),
+        ),
     };
-    let finding = Diagnostic::new(&RULE.info, place, message);
-    findings.push(finding.help(say!("add a key such as `{BaudRate_125=1}` for each supported bit rate")));
+    findings.push(Diagnostic::new(&RULE.info, place, message).help(help));
 }

@@ -1,4 +1,4 @@
-use crate::diagnostic::{Diagnostic, Findings, Fix, Severity, listing, say};
+use crate::diagnostic::{Diagnostic, Findings, Fix, Severity, listing_or, say};
 use crate::model::{Field, ObjectType};
 use crate::{EntryAt, rule, stated};
 
@@ -24,7 +24,7 @@ fn check(at: &EntryAt<'_>, findings: &mut Findings) {
     };
     let Some(first) = keys.first() else { return };
     let article = if object_type == ObjectType::Array { "an" } else { "a" };
-    let message = say!("{} {} does not support {}", article, object_type, listing(&keys));
+    let message = say!("{} {} does not support {}", article, object_type, listing_or(&keys));
     let title = if keys.len() == 1 { say!("remove {the key}") } else { say!("remove {the keys}") };
     // what describes a value may be intended
     let fix = if keys == [Field::SubNumber] { Fix::safe(title) } else { Fix::risky(title) };
@@ -37,7 +37,10 @@ fn check(at: &EntryAt<'_>, findings: &mut Findings) {
     });
     let finding = finding.fix(fix);
     findings.push(if object_type.has_subs() {
-        finding.help(say!("remove {the key}, or move {the key} to the sub-indexes"))
+        finding.help(match keys.len() {
+            1 => say!("remove {the key}, or move it to the sub-indexes"),
+            _ => say!("remove {the keys}, or move them to the sub-indexes"),
+        })
     } else {
         finding.help(say!("remove {the key}, or correct `{ObjectType}`"))
     });

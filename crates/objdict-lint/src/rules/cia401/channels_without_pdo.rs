@@ -36,7 +36,7 @@ fn check(rule: &'static RuleInfo, facts: &Facts<'_>, applied: &Applied<'_>, find
         }
         let kind = kind.name();
         let message = say!(
-            "{:04X}h has {} elements, but {}s 1 to 4 carry only the first {}",
+            "{:04X}h has {} elements, but {}s 1 to 4 have room for only {} of them",
             index,
             number,
             kind,

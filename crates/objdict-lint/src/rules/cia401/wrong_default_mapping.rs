@@ -26,14 +26,14 @@ fn check(rule: &'static RuleInfo, facts: &Facts<'_>, applied: &Applied<'_>, find
         let message = match pair.filter(|(found, right)| (found.index, found.sub) == (right.index, right.sub))
         {
             Some((found, right)) => say!(
-                "{} maps {} bits of {:04X}h:{:02X}, CiA 401 maps {}",
+                "{} maps {} bits of {:04X}h:{:02X}, but CiA 401 maps {}",
                 pdo.pdo,
                 found.bits,
                 found.index,
                 found.sub,
                 right.bits
             ),
-            None => say!("{} maps {}, CiA 401 maps {}", pdo.pdo, shown(&found), shown(&right)),
+            None => say!("{} maps {}, but CiA 401 maps {}", pdo.pdo, shown(&found), shown(&right)),
         };
         let slot = differs.and_then(|at| pdo.mapped.get(at)).map_or(0, |mapped| mapped.slot);
         let place = device.value_place(pdo.pdo.mapping_index(), slot);

@@ -33,7 +33,7 @@ fn check(rule: &'static RuleInfo, facts: &Facts<'_>, applied: &Applied<'_>, find
         let message = say!("no {} maps {} ({}) by default", kind, drive.name(index), name);
         let finding = Diagnostic::new(rule, drive.place(index), message);
         let place = facts.device.value_place(first.pdo.mapping_index(), 1);
-        let help = say!("map it first: `0x{:04X}0010`", drive.index(index));
+        let help = say!("map it as the first object: `0x{:04X}0010`", drive.index(index));
         findings.push(finding.label(place, say!("{} maps this", first.pdo)).help(help));
     }
 }

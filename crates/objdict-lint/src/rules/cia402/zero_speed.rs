@@ -60,6 +60,6 @@ fn check(rule: &'static RuleInfo, facts: &Facts<'_>, applied: &Applied<'_>, find
     let Some(&(index, sub, _, name)) = all.next() else { return };
     let finding = Diagnostic::new(rule, drive.value_place(index, sub), say!("the {} is `0`", name));
     let others = all.map(|&(index, sub, _, name)| (drive.value_place(index, sub), say!("the {} too", name)));
-    let finding = with_others(finding, others).help("write the value of the machine");
+    let finding = with_others(finding, others).help("write a value that fits the machine");
     findings.push(if configured.is_empty() { finding } else { finding.severity(Severity::Warning) });
 }

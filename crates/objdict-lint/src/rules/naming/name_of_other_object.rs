@@ -38,7 +38,7 @@ fn check(facts: &Facts<'_>, findings: &mut Findings) {
     let mut wrong = wrong.into_iter().map(|(place, text)| (place.field(Field::ParameterName), text));
     let Some((place, message)) = wrong.next() else { return };
     let finding = Diagnostic::new(&RULE.info, place, message);
-    findings.push(with_others(finding, wrong).help("write the name of the document, or move the object"));
+    findings.push(with_others(finding, wrong).help("write the name that the document gives it, or move the object"));
 }
 
 /// Adds the entries of an object that have the name of another one of its entries.

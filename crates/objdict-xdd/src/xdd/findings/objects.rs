@@ -332,7 +332,9 @@ fn counts(list: Element<'_>, findings: &mut Findings) {
         let finding = Diagnostic::new(&WRONG_OBJECT_COUNT, second.value_span(), message);
         let finding = finding.label(attribute.value_span(), "the mandatory objects");
         findings.push(match others.len().checked_sub(mandatory) {
-            Some(right) => finding.help(format!("write `{right}` if {mandatory} are mandatory")),
+            Some(right) => {
+                finding.help(format!("write `optionalObjects=\"{right}\"` if {mandatory} are mandatory"))
+            }
             None => finding.help("count the objects again"),
         });
     }
