@@ -19,7 +19,7 @@ fn check(device: &Device, findings: &mut Findings) {
     let Some(first) = wrong.first() else { return };
     let key = |data_type: &DataType| format!("Dummy{:04X}", data_type.0);
     let message = match wrong[..] {
-        [one] => say!("`{}` allows {} as a dummy, which cannot be a dummy", key(&one), one),
+        [one] => say!("`{}` is 1, but {} cannot be a dummy", key(&one), one),
         _ => say!("{} allow dummies that no PDO can map", listing(wrong.iter().map(key))),
     };
     let place = |data_type| Place::of(Part::DummyUsage).field(Field::Named(key(data_type).into()));

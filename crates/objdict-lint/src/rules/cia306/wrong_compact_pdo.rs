@@ -32,7 +32,7 @@ fn check(device: &Device, findings: &mut Findings) {
         findings.push(finding.help(say!("write `{CompactPDO=0}` or remove {the key}")).fix(fix));
     } else if corrected != mask {
         let message = match mask & MANDATORY {
-            MANDATORY => say!("{} is not defined", subs(mask & !POSSIBLE)),
+            MANDATORY => say!("a PDO has no {}", subs(mask & !POSSIBLE)),
             present => say!("every PDO has {}", subs(MANDATORY & !present)),
         };
         let title = say!("write `CompactPDO={:#04x}`", corrected);
