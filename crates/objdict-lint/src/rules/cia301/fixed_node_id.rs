@@ -17,7 +17,12 @@ fn check(facts: &Facts<'_>, findings: &mut Findings) {
             let node = cob_id.cob_id.number() & 0x7F;
             let message = match node {
                 0 => say!("the COB-ID `{}` of {} is missing the node-ID", cob_id.cob_id, cob_id.service),
-                _ => say!("the COB-ID `{}` of {} is that of node {} alone", cob_id.cob_id, cob_id.service, node),
+                _ => say!(
+                    "the COB-ID `{}` of {} is that of node {} alone",
+                    cob_id.cob_id,
+                    cob_id.service,
+                    node
+                ),
             };
             let place = facts.device.value_place(cob_id.index, cob_id.sub);
             let number = cob_id.cob_id.number() & !0x7FF | u32::from(base);

@@ -20,7 +20,8 @@ fn check(facts: &Facts<'_>, pdo: &PdoFacts<'_>, findings: &mut Findings) {
         if has_type && is_unstated(object, sub) {
             let message = say!("the {} of {} has no value", name, pdo);
             let finding = Diagnostic::new(&RULE.info, facts.device.value_place(index, sub), message);
-            findings.push(finding.help("write the value that the device has after its defaults are restored"));
+            findings
+                .push(finding.help("write the value that the device has after its defaults are restored"));
             return;
         }
     }

@@ -67,8 +67,10 @@ fn emergency_of_other_node(facts: &Facts<'_>, findings: &mut Findings) {
             continue;
         }
         let service = cob_id.service;
-        let message = say!("{} has `{:03X}h`, the CAN-ID of the EMCY of node {}", service, can_id, can_id - 0x80);
-        let finding = Diagnostic::new(&RULE.info, facts.device.value_place(cob_id.index, cob_id.sub), message);
+        let message =
+            say!("{} has `{:03X}h`, the CAN-ID of the EMCY of node {}", service, can_id, can_id - 0x80);
+        let finding =
+            Diagnostic::new(&RULE.info, facts.device.value_place(cob_id.index, cob_id.sub), message);
         findings.push(finding.help(match service {
             Service::Sync => {
                 say!("write `0x{:X}`", u32::from(predefined::SYNC) | cob_id.cob_id.number() & CobId::BIT_30)

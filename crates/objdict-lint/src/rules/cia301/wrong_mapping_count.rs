@@ -18,8 +18,11 @@ fn check(facts: &Facts<'_>, pdo: &PdoFacts<'_>, findings: &mut Findings) {
     let place = facts.device.value_place(index, 0);
     let finding = |message: Text| Diagnostic::new(&RULE.info, place.clone(), message);
     if (65..=253).contains(&count) {
-        let finding =
-            finding(say!("the number of mapped objects of {} is `{}`, which is not from 0 to 64", pdo.pdo, count));
+        let finding = finding(say!(
+            "the number of mapped objects of {} is `{}`, which is not from 0 to 64",
+            pdo.pdo,
+            count
+        ));
         findings
             .push(finding.help("write the number of entries in use; 254 and 255 are for multiplexed PDOs"));
         return;

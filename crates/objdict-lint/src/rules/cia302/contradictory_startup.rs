@@ -39,7 +39,8 @@ fn check(rule: &'static RuleInfo, at: &Against<'_>, findings: &mut Findings) {
     };
     let slave = (1..=127).find(is_assigned).filter(|_| at.device.kind == DeviceKind::Node && !is_set(0));
     if let Some(node) = slave {
-        let message = say!("1F81h assigns node {}, but bit 0 of 1F80h is 0: the device is not NMT master", node);
+        let message =
+            say!("1F81h assigns node {}, but bit 0 of 1F80h is 0: the device is not NMT master", node);
         let finding = Diagnostic::new(rule, at.device.value_place(at.index, 0), message);
         let finding = finding.label(at.device.value_place(0x1F81, node), "a slave");
         findings.push(finding.help("set bit 0, or remove the slaves"));

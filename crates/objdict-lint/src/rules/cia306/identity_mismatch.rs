@@ -33,7 +33,11 @@ fn check(device: &Device, findings: &mut Findings) {
             Fix::risky(title).set(Place::of(Part::DeviceInfo).field(field.clone()), format!("0x{value:X}"));
         let message = say!("`{}` is {:#x}, but 1018h sub-index {} is {:#x}", field, stated, sub, value);
         let finding = Diagnostic::new(&RULE.info, Place::of(Part::DeviceInfo).field(field), message)
-            .severity(if stated == 0 || value == 0 || is_of_node { Severity::Warning } else { Severity::Error })
+            .severity(if stated == 0 || value == 0 || is_of_node {
+                Severity::Warning
+            } else {
+                Severity::Error
+            })
             .label(device.value_place(0x1018, sub), "the identity object");
         let finding = finding.help("write the number that the device reports in both places");
         findings.push(if value > 0 { finding.fix(fix) } else { finding });

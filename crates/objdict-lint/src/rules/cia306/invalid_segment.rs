@@ -34,7 +34,13 @@ fn place(word: &str, number: usize) -> Place {
     Place::of(Part::DynamicChannels).field(field(word, number))
 }
 
-fn check_keys(channels: &DynamicChannels, number: usize, segment: &Segment, severity: Severity, findings: &mut Findings) {
+fn check_keys(
+    channels: &DynamicChannels,
+    number: usize,
+    segment: &Segment,
+    severity: Severity,
+    findings: &mut Findings,
+) {
     let direction = segment.direction.as_deref().is_some_and(|direction| !direction.is_empty());
     let stated =
         [("Type", segment.data_type.is_some()), ("Dir", direction), ("Range", segment.range.is_some())];

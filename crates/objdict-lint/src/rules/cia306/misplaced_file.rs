@@ -32,7 +32,10 @@ fn check(at: &EntryAt<'_>, findings: &mut Findings) {
     } else if configured.upload_file.is_some() && configured.download_file.is_some() {
         (say!("the entry has both `{UploadFile}` and `{DownloadFile}`"), "remove one of the two".into())
     } else if field == Field::UploadFile && access == Some(Access::Wo) {
-        (say!("`{UploadFile}` is for readable data, but the entry is `wo`"), say!("rename it to `{DownloadFile}`"))
+        (
+            say!("`{UploadFile}` is for readable data, but the entry is `wo`"),
+            say!("rename it to `{DownloadFile}`"),
+        )
     } else if field == Field::DownloadFile && access.is_some_and(|access| !access.is_writable()) {
         (
             say!("`{DownloadFile}` is for writable data, but the entry is not writable"),

@@ -44,9 +44,7 @@ fn check(device: &Device, findings: &mut Findings) {
         let none = vec![(Field::Lines, "0".to_owned())];
         let fix =
             Fix::safe(say!("add the {section} without comments")).with(Change::Add(Part::Comments, none));
-        findings.push(
-            report(&Part::Comments, Severity::Note, say!("add it with `{Lines=0}`")).fix(fix),
-        );
+        findings.push(report(&Part::Comments, Severity::Note, say!("add it with `{Lines=0}`")).fix(fix));
     }
     check_lists(device, light, findings);
 }
@@ -64,8 +62,7 @@ fn check_lists(device: &Device, light: Severity, findings: &mut Findings) {
         if objects == 0 {
             // another rule reports missing mandatory objects
             if list != ObjectList::Mandatory {
-                let finding =
-                    report(&Part::List(list), light, say!("add it with `{SupportedObjects=0}`"));
+                let finding = report(&Part::List(list), light, say!("add it with `{SupportedObjects=0}`"));
                 findings.push(finding.fix(fix));
             }
             continue;

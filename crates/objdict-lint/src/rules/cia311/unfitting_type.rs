@@ -35,7 +35,9 @@ fn check(device: &Device, findings: &mut Findings) {
         for (sub, _) in object.entries() {
             let (definition, problem) = match meanings.of(index, sub) {
                 Some(Meaning::BitStruct(word)) => (Some(word.definition), defect(&word)),
-                Some(Meaning::Enumeration(named)) => (named.definition, named.defects.first().cloned().map(Text::from)),
+                Some(Meaning::Enumeration(named)) => {
+                    (named.definition, named.defects.first().cloned().map(Text::from))
+                }
                 None => continue,
             };
             if let (Some(definition), Some(problem)) = (definition, problem) {

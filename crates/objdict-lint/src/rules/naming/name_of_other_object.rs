@@ -30,7 +30,15 @@ fn check(facts: &Facts<'_>, findings: &mut Findings) {
             if let Some((other, _)) = other {
                 let place = Place::object(against.index);
                 let other = index_in(one.block, other);
-                wrong.push((place, say!("{:04X}h has the name of {:04X}h, `{}`", against.index, other, against.object.name())));
+                wrong.push((
+                    place,
+                    say!(
+                        "{:04X}h has the name of {:04X}h, `{}`",
+                        against.index,
+                        other,
+                        against.object.name()
+                    ),
+                ));
             }
             entries(&against, &mut wrong);
         }
@@ -38,7 +46,9 @@ fn check(facts: &Facts<'_>, findings: &mut Findings) {
     let mut wrong = wrong.into_iter().map(|(place, text)| (place.field(Field::ParameterName), text));
     let Some((place, message)) = wrong.next() else { return };
     let finding = Diagnostic::new(&RULE.info, place, message);
-    findings.push(with_others(finding, wrong).help("write the name that the document gives it, or move the object"));
+    findings.push(
+        with_others(finding, wrong).help("write the name that the document gives it, or move the object"),
+    );
 }
 
 /// Adds the entries of an object that have the name of another one of its entries.
@@ -50,7 +60,8 @@ fn entries(against: &Against<'_>, wrong: &mut Vec<(Place, crate::diagnostic::Tex
         let name = plain(&at.entry.name);
         let other = named.get(&name).copied().flatten();
         if let Some((other, _)) = other.filter(|_| name != plain(at.facts.name)) {
-            let message = say!("{} has the name of sub-index {}, `{}`", at, sub_index(other), &*at.entry.name);
+            let message =
+                say!("{} has the name of sub-index {}, `{}`", at, sub_index(other), &*at.entry.name);
             wrong.push((Place::entry(against.index, sub), message));
         }
     }
