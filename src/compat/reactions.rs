@@ -202,8 +202,10 @@ pub static REACTIONS: &[Reaction] = &[
     ),
     row("cia306/twos-complement", DCF_TOOLS, Refused, "the file is refused"),
     row("cia306/twos-complement", PYTHON_CANOPEN, Wrong, "a value is read as a positive number"),
-    row("cia306/twos-complement", NODE, Refused, "the file is refused")
-        .when("of a default", |description, finding| !is_limit(description, finding)),
+    row("cia306/twos-complement", NODE, Refused, "the file is refused").when(
+        "of a default, or of a low limit that is above the high one as a positive number",
+        |description, finding| !is_limit(description, finding) || is_read_above_high(description, finding),
+    ),
     row("cia306/unclosed-section", PYTHON, Refused, "the file is refused"),
     row("cia306/unclosed-section", EDITOR, Wrong, "the keys below are read into the previous section"),
     row("cia306/unclosed-section", NODE, Wrong, "the keys below are read into the previous section"),
@@ -417,6 +419,24 @@ fn is_limit(description: &Description, finding: &Diagnostic) -> bool {
     let before = before(description, finding);
     let line = before.rsplit(['\n', '\r']).next().unwrap_or_default();
     line.trim_start().to_ascii_lowercase().contains("limit")
+}
+
+/// Whether the finding is about a low limit that is above the high one when both are read as positive numbers.
+fn is_read_above_high(description: &Description, finding: &Diagnostic) -> bool {
+    let (before, text) = (before(description, finding), description.source().text());
+    let start = before.rfind("\n[").unwrap_or(0);
+    let end = text[before.len()..].find("\n[").map_or(text.len(), |at| before.len() + at);
+    let mut limits = text[start..end].lines().filter_map(|line| line.split_once('='));
+    let high = limits.find(|(key, _)| key.trim().eq_ignore_ascii_case("HighLimit"));
+    let number = |text: &str| match text.trim().get(2..).filter(|_| has_hex_mark(text.trim())) {
+        Some(digits) => i128::from_str_radix(digits, 16).ok(),
+        None => text.trim().parse().ok(),
+    };
+    let is_low = before.rsplit('\n').next().is_some_and(|line| line.trim().eq_ignore_ascii_case("LowLimit="));
+    is_low
+        && number(shown(description, finding))
+            .zip(high.and_then(|(_, high)| number(high)))
+            .is_some_and(|(low, high)| low > high)
 }
 
 /// Whether the text holds an entry whose line is as `is_meant` says.

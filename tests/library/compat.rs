@@ -107,6 +107,20 @@ fn what_a_tool_does_may_depend_on_the_text() {
     assert!(!help("03_bom.eds").contains("canopeneditor"));
 }
 
+/// node-canopen compares the limits as they are written.
+#[test]
+fn a_low_limit_that_is_read_as_positive_is_refused() {
+    let text = std::fs::read_to_string(support::fixtures().join("eds/io-401.eds")).unwrap();
+    let refused = |high: &str| {
+        let limits = format!("[6411sub1]\r\nLowLimit=0x8000\r\nHighLimit={high}\r\n");
+        let source = SourceFile::from_text("io-401.eds", text.replace("[6411sub1]\r\n", &limits));
+        let options = Options { tools: vec![Tool::NodeCanopen], ..Options::default() };
+        let findings = objdict::check_with(&format::read(source, Format::Eds), &options);
+        findings.iter().any(|finding| finding.severity == Severity::Error)
+    };
+    assert!(refused("0x7FFF") && !refused("0xFFFF"));
+}
+
 #[test]
 fn an_xdd_is_none_of_their_texts() {
     // CANopenNode is compiled with what an XDD says as well as with any other

@@ -95,7 +95,12 @@ pub(crate) fn sub_0_out_of_range(rule: &'static RuleInfo, at: &Against<'_>, find
         }
     };
     let finding = Diagnostic::new(rule, at.device.value_place(at.index, 0), message);
-    findings.push(finding.help("describe the entries of the object, or remove the object"));
+    findings.push(match range {
+        (low, high) if low == high && at.object.compact.is_some() => {
+            finding.help(say!("write `{}`", Argument::setting(Field::CompactSubObj, low)))
+        }
+        _ => finding.help("describe the entries of the object, or remove the object"),
+    });
 }
 
 /// Whether another rule reports the object: too many or too few sub-indexes, or a wrong sub-index 0.
