@@ -8,6 +8,7 @@ use crate::format::Description;
 use crate::model::{DataType, Field, ObjectList, Part, Place};
 use crate::source::Encoding;
 use objdict_model::canopennode::{Cause, unmet};
+use objdict_model::literal::{Quirks, integer};
 
 use Effect::{Dropped, Refused, Wrong};
 
@@ -428,10 +429,7 @@ fn is_read_above_high(description: &Description, finding: &Diagnostic) -> bool {
     let end = text[before.len()..].find("\n[").map_or(text.len(), |at| before.len() + at);
     let mut limits = text[start..end].lines().filter_map(|line| line.split_once('='));
     let high = limits.find(|(key, _)| key.trim().eq_ignore_ascii_case("HighLimit"));
-    let number = |text: &str| match text.trim().get(2..).filter(|_| has_hex_mark(text.trim())) {
-        Some(digits) => i128::from_str_radix(digits, 16).ok(),
-        None => text.trim().parse().ok(),
-    };
+    let number = |text: &str| integer(text.trim(), i64::MIN, u64::MAX, &mut Quirks::default()).ok();
     let is_low = before.rsplit('\n').next().is_some_and(|line| line.trim().eq_ignore_ascii_case("LowLimit="));
     is_low
         && number(shown(description, finding))

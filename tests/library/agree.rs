@@ -171,12 +171,13 @@ fn a_network_with_a_node_that_cannot_be_read_is_not_booted() {
     let refused = |name, key: &str| {
         let text = format!("{HEAD}[node.a]\nfile = \"{key}\n");
         let file = network(name, &text, &[("a.eds", "middle.eds", &[])]);
-        file.install(BootFiles::Dcf).unwrap_err().to_string()
+        let error = file.install(BootFiles::Dcf).unwrap_err();
+        (error.to_string(), error.help().unwrap_or_default())
     };
-    assert!(
-        refused("unread", "b.eds\"\nid = 5").starts_with("the description of `a`: cannot read `b.eds`: ")
-    );
-    assert_eq!(refused("without-id", "a.eds\""), "`a` states no node-ID");
+    let (message, help) = refused("unread", "b.eds\"\nid = 5");
+    assert!(message.starts_with("the description of `a`: cannot read `b.eds`: "), "{message}");
+    assert!(help.starts_with("correct the path"), "{help}");
+    assert_eq!(refused("without-id", "a.eds\"").0, "`a` states no node-ID");
 }
 
 /// A literal COB-ID of EMCY that a single download changes: check, build and boot refuse it alike; `set` changes it.

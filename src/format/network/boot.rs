@@ -55,8 +55,13 @@ pub enum InstallError {
     #[error("`{0}` states no node-ID")]
     NoNodeId(String),
     /// The network file has a node that cannot be read, so the network would be another one.
-    #[error("{0}")]
-    UnreadNode(String),
+    #[error("{message}")]
+    UnreadNode {
+        /// The node and the reason.
+        message: String,
+        /// What to do about it.
+        help: Option<String>,
+    },
     /// Two nodes have the same node-ID.
     #[error("`{0}` and `{1}` both have the node-ID {2}")]
     NodeIds(String, String, u8),
@@ -73,7 +78,7 @@ impl InstallError {
             Self::NoManager => {
                 Some("build the network with `--target dcf`, `manager`, `cpj` or `lely`".to_owned())
             }
-            Self::UnreadNode(_) => Some("correct the path of its description, or remove the node".to_owned()),
+            Self::UnreadNode { help, .. } => help.clone(),
             _ => None,
         }
     }
@@ -92,7 +97,8 @@ impl NetworkFile {
     /// When they cannot be built, or are not a network.
     pub fn install(&self, files: BootFiles) -> Result<Installation, InstallError> {
         if let Some(unread) = self.findings.iter().find(|finding| finding.rule.id == UNREADABLE_NODE.id) {
-            return Err(InstallError::UnreadNode(unread.message.to_string()));
+            let help = unread.help.as_ref().map(ToString::to_string);
+            return Err(InstallError::UnreadNode { message: unread.message.to_string(), help });
         }
         if let Some((_, node)) =
             self.network.iter().flat_map(Network::slaves).find(|(_, node)| node.node_id.is_none())
