@@ -43,6 +43,7 @@ impl Cause {
 #[must_use]
 pub fn grouped<'a>(subject: impl Into<Subject<'a>>, findings: Findings) -> Findings {
     let subject = subject.into();
+    let omitted: Vec<&str> = findings.omitted().map(|(rule, _)| rule).collect();
     findings.rearrange(|kept| {
         let kept = without_consequences(subject, kept);
         let starts: Vec<u32> = kept.iter().map(|finding| start(subject, finding)).collect();
@@ -68,7 +69,7 @@ pub fn grouped<'a>(subject: impl Into<Subject<'a>>, findings: Findings) -> Findi
         joined
             .iter_mut()
             .filter(|finding| !finding.also.is_empty())
-            .for_each(|finding| count(subject, finding));
+            .for_each(|finding| count(subject, finding, omitted.contains(&finding.rule.id)));
         joined
     })
 }
@@ -77,14 +78,16 @@ fn start(subject: Subject<'_>, finding: &Diagnostic) -> u32 {
     finding.labels.first().map_or(0, |label| subject.span_of(&label.at).start)
 }
 
-/// Says in the message how many more findings there are, and where. A help that differs by a value holds for the first.
-fn count(subject: Subject<'_>, finding: &mut Diagnostic) {
+/// Says in the message how many more findings there are, at least if the rule has more than are kept, and where. A help that
+/// differs by a value holds for the first.
+fn count(subject: Subject<'_>, finding: &mut Diagnostic, has_more: bool) {
     let help = finding.help.as_ref().map(Text::shown);
     if finding.also.iter().any(|other| other.help.as_ref().map(Text::shown) != help) {
         finding.help = finding.help.take().map(|help| help.followed_by(&"; the other places differ".into()));
     }
     let spots: Vec<Spot> = finding.also.iter().map(|other| Spot::of(subject, other)).collect();
-    let rest = say!("; {} more like this: {}", finding.also.len(), ranges(&spots));
+    let least = if has_more { "at least " } else { "" };
+    let rest = say!("; {}{} more like this: {}", least, finding.also.len(), ranges(&spots));
     finding.message = std::mem::take(&mut finding.message).followed_by(&rest);
 }
 

@@ -147,4 +147,10 @@ fn the_attribute_is_that_of_the_place() {
     };
     assert_eq!(help("cia301/wrong-access"), r#"write `access="readWrite"`"#);
     assert_eq!(help("cia301/wrong-data-type"), "write `<UINT />`");
+
+    let text = std::fs::read_to_string(crate::support::fixtures().join("xdd/io-401.xdd")).unwrap();
+    let text = text.replacen(r#"minValue value="0x00000000""#, r#"minValue value="0x00800000""#, 1);
+    let findings = objdict::check(&format::read(SourceFile::from_text("io-401.xdd", &text), Format::Xdd));
+    let finding = findings.iter().find(|finding| finding.rule.id == "cia306/low-limit-above-high").unwrap();
+    assert_eq!(finding.message, "`minValue` is 8388608, but `maxValue` is 8388607");
 }

@@ -1,8 +1,7 @@
 //! Bits of values, compared with a document.
 
 use super::Expected;
-use super::entries::alternatives;
-use crate::diagnostic::{Diagnostic, Findings, Fix, RuleInfo, say, series};
+use crate::diagnostic::{Diagnostic, Findings, Fix, RuleInfo, say, series, series_or};
 use crate::model::DataType;
 use crate::profile::{BitField, device_type_index};
 use crate::stated;
@@ -47,7 +46,7 @@ pub(crate) fn undefined_field_value(rule: &'static RuleInfo, at: &Expected<'_>, 
         );
         let known = field.meanings().map(|(range, meaning)| say!("{} ({})", range.start(), meaning));
         let finding = Diagnostic::new(rule, at.place().field(at.value_field()), message);
-        findings.push(finding.help(say!("write {}", alternatives(known))));
+        findings.push(finding.help(say!("write {}", series_or(known))));
     }
 }
 

@@ -2,7 +2,7 @@
 
 use super::objects::set;
 use super::{Against, Expected};
-use crate::diagnostic::{Argument, Diagnostic, Findings, RuleInfo, Sayable, joined, say};
+use crate::diagnostic::{Argument, Diagnostic, Findings, RuleInfo, joined, say, series_or};
 use crate::model::{Access, DataType, Field, TypeKind, Value};
 use crate::profile::Mapping;
 use crate::{stated, with_others};
@@ -85,18 +85,13 @@ pub(crate) fn wrong_value(rule: &'static RuleInfo, at: &Expected<'_>, findings: 
         (low, high) if low == high => say!("{}", low),
         (low, high) => say!("from {} to {}", low, high),
     });
-    let message = say!("`{}` is not a value that {} allows for {}", number, at.document(), at);
+    let message = say!("{} does not allow {:h} for {}", at.document(), number, at);
     let finding = Diagnostic::new(rule, at.place().field(at.value_field()), message);
     let is_range = at.facts.values.iter().any(|range| range.start() != range.end());
     findings.push(finding.help(match is_range {
-        true => say!("write a value {}", alternatives(ranges)),
-        false => say!("write {}", alternatives(ranges)),
+        true => say!("write a value {}", series_or(ranges)),
+        false => say!("write {}", series_or(ranges)),
     }));
-}
-
-/// "a, b or c".
-pub(super) fn alternatives<T: Sayable>(items: impl IntoIterator<Item = T>) -> Argument {
-    Argument::Series(items.into_iter().map(|item| item.argument()).collect(), [", ", " or "])
 }
 
 /// Reports a different default.

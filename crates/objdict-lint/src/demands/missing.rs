@@ -27,15 +27,12 @@ pub(crate) fn missing_object(
         let document = applied.document();
         let message =
             say!("{:04X}h ({}) is missing; {} requires it{}", index, facts.name, document, condition);
-        let place = Place::object(crate::profile::device_type_index(device, applied.block));
-        let cause = cause(facts.need, device, applied.block).filter(|cause| cause.part != place.part);
+        let device_type = || Place::object(crate::profile::device_type_index(device, applied.block));
+        let place = cause(facts.need, device, applied.block).unwrap_or_else(device_type);
         let finding = Diagnostic::new(rule, place, message)
             .severity(rule.severity.min(super::highest_severity(facts.confidence)))
             .help(say!("add the object: `{}`", Part::Object(index)));
-        findings.push(match cause {
-            Some(cause) => finding.label(cause, "requires it"),
-            None => finding,
-        });
+        findings.push(finding);
     }
 }
 

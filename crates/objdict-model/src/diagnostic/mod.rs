@@ -24,7 +24,7 @@ pub use fix::{Applicability, Change, Fix, FixSafety, Tidy};
 pub use notion::{Notion, Vocabulary, WORDS, assert_template, section_name};
 pub use rule::{Explained, HOME, Reach, RuleInfo, Stop};
 pub use selection::Selection;
-pub use text::{Argument, MAX_QUOTED, Sayable, Text, joined, listing, listing_or, series};
+pub use text::{Argument, MAX_QUOTED, Sayable, Text, joined, listing, listing_or, series, series_or};
 pub use tool::Tool;
 pub use words::{counted, misspelled, nearest, one_line, printable, printable_lines, sub_index, visible};
 

@@ -242,14 +242,22 @@ pub fn listing<T: Sayable>(items: impl IntoIterator<Item = T>) -> Argument {
     series(items.into_iter().map(|item| say!("`{}`", item)))
 }
 
-/// The same behind a negation: `a`, `b` or `c`.
-pub fn listing_or<T: Sayable>(items: impl IntoIterator<Item = T>) -> Argument {
-    let items = items.into_iter().map(|item| say!("`{}`", item).argument());
-    Argument::Series(items.collect(), [", ", " or "])
+/// "a, b or c".
+pub fn series_or<T: Sayable>(items: impl IntoIterator<Item = T>) -> Argument {
+    Argument::Series(items.into_iter().map(|item| item.argument()).collect(), [", ", " or "])
 }
 
-/// A number in the format of [`std::fmt`]: `#` for `0x`, the width with leading zeros, `x` or `X` for hex.
+/// "`a`, `b` or `c`", for example behind a negation.
+pub fn listing_or<T: Sayable>(items: impl IntoIterator<Item = T>) -> Argument {
+    series_or(items.into_iter().map(|item| say!("`{}`", item)))
+}
+
+/// A number in the format of [`std::fmt`]: `#` for `0x`, the width with leading zeros, `x` or `X` for hex. `:h` writes it in
+/// decimal and, from 10, in hex too, because files have both.
 fn write_number(number: i128, spec: &str, out: &mut dyn fmt::Write) -> fmt::Result {
+    if spec == "h" {
+        return if number > 9 { write!(out, "{number} ({number:#X})") } else { write!(out, "{number}") };
+    }
     let (is_marked, width) = spec.strip_prefix('#').map_or((false, spec), |width| (true, width));
     let width: usize = width.trim_end_matches(['x', 'X']).parse().unwrap_or_default();
     match (spec.chars().next_back(), is_marked) {
@@ -301,8 +309,13 @@ sayable!(u8, u16, u32, u64, i32, i64: |number| Argument::Number((*number).into()
 sayable!(usize: |number| Argument::Number(i128::try_from(*number).unwrap_or(i128::MAX)));
 sayable!(str, String: |text| Argument::Value(cut(text)));
 sayable!(
-    ClockTime, CobId, DataType, Date, MappedObject, ObjectType, Pdo<'_>, Encoding, PdoKind, Selection, Tool, Value, f64, char:
+    ClockTime, CobId, DataType, Date, MappedObject, ObjectType, Pdo<'_>, Encoding, PdoKind, Selection, Tool, f64, char:
     |value| Argument::Value(cut(&value.to_string())));
+sayable!(Value: |value| match value {
+    Value::Signed(number) => Argument::Number((*number).into()),
+    Value::Unsigned(number) => Argument::Number((*number).into()),
+    value => Argument::Value(cut(&value.to_string())),
+});
 sayable!(Access: |access| Argument::ValueOf(Field::AccessType, access.name().into()));
 sayable!(PdoMapping: |mapping| Argument::ValueOf(
     Field::PdoMapping,

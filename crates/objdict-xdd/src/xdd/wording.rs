@@ -8,7 +8,7 @@ use super::read::written_access;
 use super::schema::{
     self, Attribute, DEVICE_BODY, DEVICE_COMMISSIONING, Element, GENERAL_FEATURES, MASTER_FEATURES, OBJECT,
 };
-use crate::diagnostic::{At, Diagnostic, Findings, Notion, Severity};
+use crate::diagnostic::{At, Diagnostic, Findings, Notion, Severity, Vocabulary};
 use crate::model::{Access, DataType, Field};
 use crate::source::Span;
 use crate::xdd::types::simple_type;
@@ -66,6 +66,15 @@ fn words_of_parameter(notion: &Notion<'_>) -> Option<String> {
         Notion::Setting("AccessType", value) => Some(format!("access=\"{}\"", access(value).unwrap_or("…"))),
         Notion::ValueOf("AccessType", value) => access(value).map(ToOwned::to_owned),
         _ => words(notion),
+    }
+}
+
+/// The name of a limit that the parameter states.
+fn range(notion: &Notion<'_>) -> Option<String> {
+    match *notion {
+        Notion::Key("LowLimit") => Some("minValue".to_owned()),
+        Notion::Key("HighLimit") => Some("maxValue".to_owned()),
+        _ => None,
     }
 }
 
@@ -180,16 +189,23 @@ pub fn of_xdd(findings: Findings, text: &str, span_of: impl Fn(&At) -> Span) -> 
                 _ => {}
             }
         }
-        // the access and the data type of an entry may be those of its parameter
+        // access, data type and limits of an entry may be those of its parameter
         let is_at = |field: Field, attribute: &str| {
             let At::Place(place) = &finding.labels.first()?.at else { return None };
             let start = span_of(&At::Place(place.clone().field(field))).start as usize;
             Some(text.get(..start)?.trim_end_matches(['"', '\'']).ends_with(attribute))
         };
-        let words = match field(&finding) {
+        let has_range = [Field::LowLimit, Field::HighLimit]
+            .iter()
+            .any(|limit| is_at(limit.clone(), " value=") == Some(true));
+        let words: Vocabulary = match field(&finding) {
             Some(Field::DataType) if is_at(Field::DataType, "dataType=") == Some(false) => words_of_element,
-            _ if is_at(Field::AccessType, "access=") == Some(true) => words_of_parameter,
-            _ => words,
+            _ => match (is_at(Field::AccessType, "access=") == Some(true), has_range) {
+                (true, true) => |notion| range(notion).or_else(|| words_of_parameter(notion)),
+                (true, false) => words_of_parameter,
+                (false, true) => |notion| range(notion).or_else(|| words(notion)),
+                (false, false) => words,
+            },
         };
         Some(finding.in_words(words))
     })

@@ -4,7 +4,7 @@ use std::collections::HashSet;
 
 use super::rules::{COMMENTED_SECTION, DUMMY_USAGE, SPARSE_NAMES, SUB_BEFORE_OBJECT};
 use super::{Section, Together};
-use crate::diagnostic::{Diagnostic, Findings, Fix, listing, say};
+use crate::diagnostic::{Diagnostic, Findings, Fix, listing, listing_or, say};
 use crate::ini::{Document, LineKind};
 use crate::model::{Field, Part, Place};
 use crate::source::Span;
@@ -82,7 +82,7 @@ fn check_dummies(section: &Section<'_>, findings: &mut Findings) {
     let lines = listing(missing.iter().map(|key| format!("{key}=0")));
     let place = |key: &str| Place::of(Part::DummyUsage).field(Field::Named(key.into()));
     let fix = missing.iter().fold(Fix::safe(say!("add {}", lines)), |fix, key| fix.set(place(key), "0"));
-    let message = say!("`[{}]` has no {}", section.name, listing(&missing));
+    let message = say!("`[{}]` has no {}", section.name, listing_or(&missing));
     let finding = Diagnostic::new(&DUMMY_USAGE, section.header.name, message);
     findings.push(finding.help(say!("add {}", lines)).fix(fix));
 }

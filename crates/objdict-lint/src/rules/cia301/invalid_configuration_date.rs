@@ -19,14 +19,17 @@ fn check(facts: &Facts<'_>, findings: &mut Findings) {
     let (Some(date), Some(time)) = (facts.number(0x1020, 1), facts.number(0x1020, 2)) else { return };
     let place = |sub| facts.device.value_place(0x1020, sub);
     let is_type = facts.device.kind == DeviceKind::Type;
-    let finding = if time >= DAY {
-        let message = say!("`{}` ms since midnight is more than a day ({} ms)", time, DAY);
-        Diagnostic::new(&RULE.info, place(2), message).help("write the milliseconds since midnight")
-    } else if is_type && (date, time) != (0, 0) {
-        let message =
-            say!("the default configuration date is day `{}`, but a new device is not configured", date);
+    let finding = if is_type && (date, time) != (0, 0) {
+        let message = say!(
+            "the default configuration date is day {} at {} ms, but a new device is not configured",
+            date,
+            time
+        );
         Diagnostic::new(&RULE.info, place(if date == 0 { 2 } else { 1 }), message)
             .help("write 0 to sub-indexes 1 and 2")
+    } else if time >= DAY {
+        let message = say!("{} ms since midnight is more than a day ({} ms)", time, DAY);
+        Diagnostic::new(&RULE.info, place(2), message).help("write the milliseconds since midnight")
     } else if date == 0 && time != 0 {
         let message = "the configuration time is set without a date";
         Diagnostic::new(&RULE.info, place(1), message).help("write the days since 1984-01-01")

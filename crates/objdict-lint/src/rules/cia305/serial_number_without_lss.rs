@@ -17,7 +17,7 @@ fn check(device: &Device, findings: &mut Findings) {
         device.commissioning.as_ref().and_then(|node| node.lss_serial_number).filter(|&number| number != 0);
     let refuses = device.device_info.as_ref().is_some_and(|info| info.lss_supported == Some(false));
     let Some(number) = number.filter(|_| refuses) else { return };
-    let message = say!("serial number `{}` is set for LSS, but the device does not support LSS", number);
+    let message = say!("serial number {:h} is set for LSS, but the device does not support LSS", number);
     let place = Place::of(Part::Commissioning).field(Field::LssSerialNumber);
     let finding = Diagnostic::new(&RULE.info, place, message)
         .label(Place::of(Part::DeviceInfo).field(Field::LssSupported), "LSS is not supported");

@@ -8,7 +8,7 @@ rule! {
     checks: "Whether sub-indexes 1 to FEh of each ARRAY can all be read, and all be written, or none. `const` counts as `ro`, `rwr` and `rww` as `rw`. The rule reports one finding for the device, with every such ARRAY. Objects below 2000h are not checked, because CiA 301 and CiA 302 define their access types.",
     why: "Code generators and configuration tools treat the elements of an ARRAY alike, and often use the access type of the first one for all.",
     example: "An ARRAY with `AccessType=rw` at sub-index 1 and `AccessType=ro` at sub-index 2",
-    remedy: "Write `ObjectType=0x9` (RECORD), or correct the access type.",
+    remedy: "Correct the access type, or write `ObjectType=0x9` (RECORD) where the device profile allows it.",
     source: "CiA 301 §7.4.3, table 42",
 }
 
@@ -27,7 +27,9 @@ fn check(device: &Device, findings: &mut Findings) {
     );
     let finding = Diagnostic::new(&RULE.info, place(index, other.0), message)
         .label(place(index, first.0), say!("`{}` here", first.1))
-        .help(say!("write `{ObjectType=0x9}` (RECORD), or correct the access type"));
+        .help(say!(
+            "correct the access type, or write `{ObjectType=0x9}` (RECORD) where the device profile allows it"
+        ));
     let others = mixed.map(|(index, (_, (sub, access)))| (place(index, sub), say!("`{}` here", access)));
     findings.push(with_others(finding, others));
 }

@@ -26,7 +26,7 @@ fn check(at: &EntryAt<'_>, findings: &mut Findings) {
     if stated::compare(low, high, node_id) != Some(Ordering::Equal) || at.index < 0x2000 {
         return;
     }
-    let message = say!("the entry is writable, but its limits allow only `{}`", low);
+    let message = say!("the entry is writable, but its limits allow only {:h}", low);
     let finding = Diagnostic::new(&RULE.info, at.field(Field::HighLimit), message);
     let finding = finding.label(at.field(Field::LowLimit), "the other limit");
     findings.push(finding.help("correct the limits, or remove them"));

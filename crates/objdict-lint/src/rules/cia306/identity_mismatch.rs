@@ -31,7 +31,7 @@ fn check(device: &Device, findings: &mut Findings) {
         // which of the two is right is the decision of the author
         let fix =
             Fix::risky(title).set(Place::of(Part::DeviceInfo).field(field.clone()), format!("0x{value:X}"));
-        let message = say!("`{}` is {:#x}, but 1018h sub-index {} is {:#x}", field, stated, sub, value);
+        let message = say!("`{}` is {:h}, but 1018h sub-index {} is {:h}", field, stated, sub, value);
         let finding = Diagnostic::new(&RULE.info, Place::of(Part::DeviceInfo).field(field), message)
             .severity(if stated == 0 || value == 0 || is_of_node {
                 Severity::Warning

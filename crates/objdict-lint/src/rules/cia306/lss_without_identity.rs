@@ -1,4 +1,4 @@
-use crate::diagnostic::{Diagnostic, Findings, say, series};
+use crate::diagnostic::{Diagnostic, Findings, say, series_or};
 use crate::model::{Device, Field, Part, Place};
 use crate::rule;
 
@@ -23,7 +23,7 @@ fn check(device: &Device, findings: &mut Findings) {
     if missing.is_empty() {
         return;
     }
-    let message = say!("`{LSS_Supported}` is {LSS_Supported:1}, but 1018h has no {}", series(&missing));
+    let message = say!("`{LSS_Supported}` is {LSS_Supported:1}, but 1018h has no {}", series_or(&missing));
     let finding = Diagnostic::new(&RULE.info, Place::object(0x1018), message)
         .label(Place::of(Part::DeviceInfo).field(Field::LssSupported), "LSS is supported");
     findings.push(finding.help(say!("describe sub-indexes 1 to 4 of 1018h, or write `{LSS_Supported=0}`")));

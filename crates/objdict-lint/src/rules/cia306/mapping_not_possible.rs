@@ -1,5 +1,5 @@
 use crate::diagnostic::{Diagnostic, Findings, Fix, Text, say};
-use crate::model::{Access, DataType, Entry, Field, MappedObject, ObjectType, Value};
+use crate::model::{Access, DataType, Entry, Field, MappedObject, ObjectType, TypeKind, Value};
 use crate::{EntryAt, rule, stated};
 
 rule! {
@@ -26,7 +26,11 @@ fn check(at: &EntryAt<'_>, findings: &mut Findings) {
         entry.data_type.filter(|data_type| stated::is_unmappable(data_type.kind()) && !is_short(entry));
     let (message, field, label) = match (unmappable, entry.access) {
         (Some(data_type), _) => {
-            (say!("{} cannot be mapped to a PDO", data_type), Field::DataType, "the data type")
+            let message = match data_type.kind() {
+                TypeKind::Domain | TypeKind::Structure => say!("{} cannot be mapped to a PDO", data_type),
+                _ => say!("a PDO has 8 bytes, and this {} may be longer", data_type),
+            };
+            (message, Field::DataType, "the data type")
         }
         (None, Some(Access::Const)) => {
             (Text::from("a constant never changes"), Field::AccessType, "a constant")

@@ -34,12 +34,12 @@ fn check(at: &EntryAt<'_>, findings: &mut Findings) {
     } else if field == Field::UploadFile && access == Some(Access::Wo) {
         (
             say!("`{UploadFile}` is for readable data, but the entry is `wo`"),
-            say!("rename it to `{DownloadFile}`"),
+            say!("remove {the key}, or correct `{AccessType}`"),
         )
     } else if field == Field::DownloadFile && access.is_some_and(|access| !access.is_writable()) {
         (
             say!("`{DownloadFile}` is for writable data, but the entry is not writable"),
-            say!("rename it to `{UploadFile}`"),
+            say!("remove {the key}, or correct `{AccessType}`"),
         )
     } else {
         return;

@@ -1,4 +1,4 @@
-use crate::diagnostic::{Argument, Diagnostic, Findings, Fix, Severity, listing, listing_or, say};
+use crate::diagnostic::{Diagnostic, Findings, Fix, Severity, Text, listing_or, say, series};
 use crate::model::{Device, Field, FileInfo, Part, Place};
 use crate::rule;
 
@@ -57,7 +57,7 @@ fn report(info: &FileInfo, missing: &[Field], severity: Severity, findings: &mut
     let message = say!("`{[FileInfo]}` has no {}", listing_or(missing));
     let place = Place::of(Part::FileInfo).field(first.clone());
     let finding = Diagnostic::new(&RULE.info, place, message).severity(severity);
-    let finding = finding.help(say!("add {}", listing(missing.iter().map(example))));
+    let finding = finding.help(say!("add {}", series(missing.iter().map(described))));
     findings.push(match filled(info, missing) {
         Some(fix) => finding.fix(fix),
         None => finding,
@@ -80,15 +80,11 @@ fn filled(info: &FileInfo, missing: &[Field]) -> Option<Fix> {
     })
 }
 
-/// An example line for the help.
-fn example(field: &Field) -> Argument {
-    let value = match field {
-        Field::FileName => "device.eds",
-        Field::FileVersion => "1",
-        Field::FileRevision => "0",
-        Field::CreationTime | Field::ModificationTime => "09:45AM",
-        Field::CreationDate | Field::ModificationDate => "01-31-2026",
-        _ => "",
-    };
-    Argument::setting(field, value)
+/// A key for the help; with the form of its value where that is not plain.
+fn described(field: &Field) -> Text {
+    match field {
+        Field::CreationTime | Field::ModificationTime => say!("`{}` (hh:mm, with AM or PM)", field),
+        Field::CreationDate | Field::ModificationDate => say!("`{}` (mm-dd-yyyy)", field),
+        field => say!("`{}`", field),
+    }
 }

@@ -25,7 +25,7 @@ fn check_fixed(number: u16, module: &Module, findings: &mut Findings) {
     let listed: IndexSet = module.fixed_list.iter().copied().collect();
     for (item, index) in (1..).zip(&module.fixed_list) {
         if !module.fixed.contains_key(index) {
-            listed_only(&list, item, &Part::Module(number, ModulePart::Fixed(*index)), findings);
+            listed_only(&list, (item, *index), &Part::Module(number, ModulePart::Fixed(*index)), findings);
         }
     }
     for (&index, object) in &module.fixed {
@@ -51,7 +51,7 @@ fn check_extensions(number: u16, module: &Module, findings: &mut Findings) {
     let listed: IndexSet = module.extension_list.iter().copied().collect();
     for (item, index) in (1..).zip(&module.extension_list) {
         if !module.extensions.contains_key(index) {
-            listed_only(&list, item, &Part::Module(number, ModulePart::SubExt(*index)), findings);
+            listed_only(&list, (item, *index), &Part::Module(number, ModulePart::SubExt(*index)), findings);
         }
     }
     for &index in module.extensions.keys().filter(|&&index| !listed.contains(index)) {
@@ -60,10 +60,10 @@ fn check_extensions(number: u16, module: &Module, findings: &mut Findings) {
     }
 }
 
-fn listed_only(list: &Part, item: u32, section: &Part, findings: &mut Findings) {
+fn listed_only(list: &Part, (item, index): (u32, u16), section: &Part, findings: &mut Findings) {
     let place = Place::of(list.clone()).field(Field::Item(item));
     let fix = Fix::risky("remove the list entry").remove(place.clone());
-    let message = say!("listed, but {section} `{}` is missing", section);
+    let message = say!("{:04X}h is listed, but {section} `{}` is missing", index, section);
     let finding = Diagnostic::new(&RULE.info, place, message).fix(fix);
     findings.push(finding.help("describe the object, or remove its list entry"));
 }

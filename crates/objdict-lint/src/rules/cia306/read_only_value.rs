@@ -33,8 +33,12 @@ fn check(at: &EntryAt<'_>, findings: &mut Findings) {
         return;
     }
     let access = at.entry.access.unwrap_or(Access::Ro);
-    let message =
-        say!("`{ParameterValue}` is {}, but the entry is `{}` and its default is {}", value, access, default);
+    let message = say!(
+        "`{ParameterValue}` is {:h}, but the entry is `{}` and its default is {:h}",
+        value,
+        access,
+        default
+    );
     let finding = Diagnostic::new(&RULE.info, at.field(Field::ParameterValue), message)
         .severity(severity)
         .label(at.field(Field::AccessType), "not writable");

@@ -86,7 +86,7 @@ fn report(
     // the value of a formula for that node-ID
     let number = |value: &Value| match (value, value.integer_for(node_id)) {
         (Value::NodeId(_), Some(number)) => say!("{} on node {}", number, node_id),
-        _ => say!("{}", value),
+        _ => say!("{:h}", value),
     };
     let message = say!("{} is {}, but `{}` is {}", what, number(value), field, number(limit));
     let finding = Diagnostic::new(&RULE.info, place, message).label(at.field(field), "the limit");

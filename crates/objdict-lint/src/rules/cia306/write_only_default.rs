@@ -17,9 +17,9 @@ fn check(at: &EntryAt<'_>, findings: &mut Findings) {
         return;
     }
     let Some(default) = at.entry.default.as_ref().filter(|value| !is_nothing(value)) else { return };
-    let message = match default.to_string() {
-        text if text.is_empty() => say!("`{DefaultValue}` is an empty string, but the entry is write-only"),
-        text => say!("`{DefaultValue}` is `{}`, but the entry is write-only", text),
+    let message = match default {
+        Value::Text(text) => say!("`{DefaultValue}` is `{}`, but the entry is write-only", text),
+        value => say!("`{DefaultValue}` is {:h}, but the entry is write-only", value),
     };
     let finding = Diagnostic::new(&RULE.info, at.field(Field::DefaultValue), message);
     let finding = finding.label(at.field(Field::AccessType), "write only");

@@ -7,7 +7,7 @@ use crate::profile::index_in;
 use crate::{Facts, rule, with_others};
 
 rule! {
-    "naming/name-of-other-object", Note, Facts(check);
+    "naming/name-of-other-object", Note, Facts(check), explains Around ["duplicate-object-name"];
     summary: "an object has the name of another object of the standard",
     checks: "Whether no object has the name that the CiA document gives to another index, and no entry the name of another sub-index of the same object. Only letters and digits are compared, without case; `Reserved` is not a name. One finding for each device.",
     why: "Users and tools that go by names write the deceleration to the acceleration. Either the index or the name is wrong; usually both were exchanged.",

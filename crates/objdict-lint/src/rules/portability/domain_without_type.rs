@@ -1,4 +1,4 @@
-use crate::diagnostic::{Diagnostic, Findings, Fix, listing, say};
+use crate::diagnostic::{Diagnostic, Findings, Fix, listing, listing_or, say};
 use crate::model::{Field, ObjectType};
 use crate::{EntryAt, Origin, rule, stated};
 
@@ -27,7 +27,7 @@ fn check(at: &EntryAt<'_>, findings: &mut Findings) {
         return;
     }
     let lines: Vec<String> = missing.iter().map(|(field, value)| format!("{field}={value}")).collect();
-    let message = say!("this DOMAIN has no {}", listing(missing.iter().map(|(field, _)| field)));
+    let message = say!("this DOMAIN has no {}", listing_or(missing.iter().map(|(field, _)| field)));
     let fix = Fix::safe(say!("add {}", listing(&lines)));
     let fix = missing.iter().fold(fix, |fix, (field, value)| fix.set(at.field(field.clone()), *value));
     let finding = Diagnostic::new(&RULE.info, at.place(), message);
