@@ -186,12 +186,9 @@
 //! 5. [`generate`] and [`download`]: what is made of a device; they see the model alone.
 //! 6. [`document`]: what is said of a device, to people and to spreadsheets (feature `document`).
 
-// a build of some features has no use for all that serves several of them
-#![cfg_attr(not(feature = "cli"), allow(dead_code, unused_imports, unused_variables))]
-
 #[cfg(feature = "json")]
 pub mod baseline;
-#[cfg(any(feature = "rust", feature = "c", feature = "stacks", feature = "template"))]
+#[cfg(feature = "generate")]
 pub mod build_script;
 mod check;
 #[cfg(feature = "cli")]
@@ -206,7 +203,7 @@ mod fix;
 pub mod format;
 #[cfg(feature = "json")]
 mod json;
-#[cfg(any(feature = "rust", feature = "c", feature = "stacks", feature = "template"))]
+#[cfg(feature = "generate")]
 mod pipeline;
 pub mod registry;
 pub mod report;
@@ -220,7 +217,7 @@ pub use fix::{AppliedFix, Fixed, fix, fix_for_readers, with_sound_fixes};
 pub use objdict_bus as bus;
 #[cfg(feature = "document")]
 pub use objdict_document::{self as document, describe};
-#[cfg(any(feature = "rust", feature = "c", feature = "stacks", feature = "template"))]
+#[cfg(feature = "generate")]
 pub use objdict_generate as generate;
 pub use objdict_lint as lint;
 pub use objdict_model::{Language, diagnostic, model, source};

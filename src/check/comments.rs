@@ -123,6 +123,7 @@ fn in_elements(tree: &Tree) -> Vec<Directive> {
 }
 
 /// The line of a comment with its line end if it contains nothing else; otherwise the comment.
+#[cfg(feature = "xdd")]
 fn line_around(text: &str, comment: Span) -> Span {
     let (before, behind) = (&text[..comment.start as usize], &text[comment.end as usize..]);
     let line_start = before.trim_end_matches([' ', '\t']).len();

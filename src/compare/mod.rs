@@ -60,6 +60,7 @@ pub fn differences(left: &Device, right: &Device) -> Vec<DatumDifference> {
 
 /// Devices differ in more values than allowed.
 #[derive(Clone, Copy, Debug)]
+#[cfg_attr(not(feature = "xdd"), expect(dead_code, reason = "only conversions have a limit"))]
 pub(crate) struct TooMany {
     /// In how many.
     pub count: usize,

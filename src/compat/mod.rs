@@ -7,12 +7,19 @@
 mod canchkeds;
 mod fixes;
 mod reactions;
+#[cfg(feature = "lint")]
+mod spellings;
 
-use crate::diagnostic::{Applicability, Change, Diagnostic, Findings, Fix, Severity, Text, Tool, say};
+#[cfg(feature = "cli")]
+use crate::diagnostic::Applicability;
+use crate::diagnostic::{Diagnostic, Findings, Severity, Text, Tool, say};
 use crate::format::Description;
-use crate::lint::{Options, PORTABILITY, Severities};
+#[cfg(feature = "cli")]
+use crate::lint::Options;
+use crate::lint::PORTABILITY;
 use crate::model::DeviceKind;
-use crate::source::Encoding;
+#[cfg(feature = "lint")]
+pub(crate) use spellings::with_refused_spellings;
 
 pub use canchkeds::MESSAGES;
 pub use reactions::REACTIONS;
@@ -88,53 +95,6 @@ pub(crate) fn adapt(description: Description, tool: Tool) -> Description {
         findings.filter_map(|finding| concerns(finding.rule.id).then_some(finding))
     };
     crate::fix(description, Applicability::Safe, check).description
-}
-
-/// What CiA 306 allows and python-canopen refuses, with fixes that change neither the device nor what other tools read.
-const REFUSED_SPELLINGS: [&str; 7] = [
-    "portability/domain-without-type",
-    "portability/dummy-usage",
-    "portability/empty-key",
-    "portability/hex-baud-rate",
-    "portability/hex-count",
-    "portability/hex-flag",
-    "portability/key-case",
-];
-
-/// The findings of a check without tools, as fixes need them: with the spellings that a reader refuses.
-#[cfg(feature = "lint")]
-pub(crate) fn with_refused_spellings(
-    description: &Description,
-    safety: Applicability,
-    findings: Findings,
-    severities: &Severities,
-) -> Findings {
-    const READER: Tool = Tool::PythonCanopen;
-    let is_of_one_byte = reactions::is_of_one_byte(description);
-    let mut findings = findings.filter_map(|mut finding| {
-        // the readers take every text for UTF-8; what is UTF-8 has only a fix that changes the text
-        if finding.rule.id == "cia306/not-ascii" && safety == Applicability::Safe {
-            let fix = Fix::safe("save the file as UTF-8").with(Change::Encode(Encoding::Utf8));
-            finding.fix = Some(fix);
-            return is_of_one_byte.then_some(finding);
-        }
-        Some(finding)
-    });
-    let device = description.device();
-    let mut spellings = description.portability_findings(device);
-    let options = Options { tools: vec![READER], ..Options::default() };
-    spellings.append(crate::lint::check(device, &options));
-    findings.append(severities.apply(spellings).filter_map(|finding| {
-        let refuses = |reaction: &Reaction| {
-            reaction.rule == finding.rule.id
-                && reaction.effect == Effect::Refused
-                && reaction.tools.contains(&READER)
-                && reaction.when.is_none_or(|when| (when.holds)(description, &finding))
-        };
-        let is_refused = REFUSED_SPELLINGS.contains(&finding.rule.id) && REACTIONS.iter().any(refuses);
-        is_refused.then_some(finding)
-    }));
-    findings
 }
 
 /// Adds the reactions of the selected tools to the findings, and chooses the fixes that they need; removes findings of the

@@ -18,12 +18,14 @@
 //! ```
 
 mod path;
+#[cfg(feature = "generate")]
 mod project;
 mod read;
 
 use std::path::{Path, PathBuf};
 
 use self::path::{PathPattern, relative};
+#[cfg(feature = "generate")]
 pub(crate) use self::project::Project;
 use crate::diagnostic::{Findings, Selection, Severity, Tool};
 use crate::lint::{Level, Options, Severities};

@@ -1,20 +1,29 @@
 //! A description that was read: the device together with the text that it came from.
 
 use std::borrow::Cow;
+#[cfg(any(feature = "lint", all(feature = "json", feature = "xdd")))]
 use std::collections::BTreeMap;
 #[cfg(feature = "xdd")]
 use std::sync::Arc;
 use std::sync::OnceLock;
 
+#[cfg(feature = "xdd")]
+use super::Syntax;
 #[cfg(all(feature = "json", feature = "xdd"))]
 use super::embedded;
 use super::ini::Document;
-use super::{Format, Syntax, eds, ini};
+use super::{Format, eds, ini};
 #[cfg(feature = "xdd")]
 use super::{xdd, xml::Tree};
-use crate::diagnostic::{At, Change, Findings, Fix, one_line};
-use crate::model::{Commissioning, Device, DeviceKind, EMBEDDED_COMMENT, EMBEDDED_SECTION, Place};
-use crate::source::{EditError, Encoding, SourceFile, Span};
+#[cfg(any(feature = "json", not(feature = "xdd")))]
+use crate::diagnostic::one_line;
+use crate::diagnostic::{At, Change, Findings, Fix};
+#[cfg(any(feature = "json", not(feature = "xdd")))]
+use crate::model::{Commissioning, DeviceKind};
+use crate::model::{Device, EMBEDDED_COMMENT, EMBEDDED_SECTION, Place};
+#[cfg(any(feature = "json", not(feature = "xdd")))]
+use crate::source::EditError;
+use crate::source::{Encoding, SourceFile, Span};
 
 /// A description that was read: the device, the text that it came from, and what the reader found.
 #[derive(Debug)]
@@ -38,6 +47,7 @@ enum Text {
 }
 
 /// The name of a file as a description states it: on one line, in any encoding.
+#[cfg(any(feature = "json", not(feature = "xdd")))]
 pub(crate) fn stated_name(name: &str) -> String {
     one_line(name).replace(char::REPLACEMENT_CHARACTER, "_")
 }
@@ -85,6 +95,7 @@ impl Description {
     }
 
     /// The description of a device of the same XML file, counted from 0, which shares the text; `None` where there are fewer.
+    #[cfg_attr(not(feature = "xdd"), expect(unused_variables, reason = "only XML describes several devices"))]
     pub fn sibling(&self, number: usize) -> Option<Self> {
         match &self.text {
             #[cfg(feature = "xdd")]
@@ -402,6 +413,7 @@ impl Description {
     }
 
     /// Whether validation refuses nothing in the text that it does not refuse in another one of this description.
+    #[cfg(any(feature = "lint", all(feature = "json", feature = "xdd")))]
     pub(crate) fn is_as_valid_as(&self, other: &Self) -> bool {
         let count = |description: &Self| {
             let mut counts: BTreeMap<&str, u32> = BTreeMap::new();

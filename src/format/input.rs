@@ -383,6 +383,7 @@ impl Reading {
 
     /// What a source of another kind than a description holds.
     fn content(&self, kind: FileKind, source: &SourceFile) -> Result<Input, ReadError> {
+        #[cfg(feature = "json")]
         let damaged = |error: Box<dyn Error + Send + Sync>| ReadError::Content {
             name: source.name().to_owned(),
             error,

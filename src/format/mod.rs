@@ -23,6 +23,7 @@ mod write;
 #[cfg(feature = "node")]
 pub use self::configured::{ConfiguredFile, NodeSettings};
 pub use self::description::Description;
+#[cfg(feature = "cli")]
 pub(crate) use self::description::stated_name;
 #[cfg(all(feature = "json", feature = "xdd"))]
 pub use self::dialect::Dialect;

@@ -2,6 +2,7 @@
 
 use std::fmt::{self, Display};
 use std::io;
+#[cfg(all(feature = "json", feature = "lint"))]
 use std::path::PathBuf;
 
 use super::OutputError;
@@ -13,7 +14,9 @@ use crate::generate::{ChoiceError, GenerateError, Note};
 use crate::model::Place;
 #[cfg(feature = "lint")]
 use crate::profile::OpenError;
-use crate::report::{plural, problem};
+use crate::report::plural;
+#[cfg(feature = "lint")]
+use crate::report::problem;
 use crate::source::SourceError;
 
 /// Why a build script generated nothing.

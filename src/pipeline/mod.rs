@@ -12,6 +12,7 @@ use std::cmp::Reverse;
 use std::collections::BTreeMap;
 use std::collections::BTreeSet;
 use std::path::{Path, PathBuf};
+#[cfg(feature = "lint")]
 use std::sync::Arc;
 
 #[cfg(feature = "cli")]
@@ -22,22 +23,28 @@ pub(crate) use self::error::placed;
 pub(crate) use self::error::report_lines;
 pub use self::output::OutputError;
 #[cfg(feature = "cli")]
-pub(crate) use self::output::{Manifest, State, abandon};
-pub(crate) use self::output::{OutputFolder, Saved, Used, save};
+pub(crate) use self::output::{Manifest, Saved, State, abandon, save};
+pub(crate) use self::output::{OutputFolder, Used};
 #[cfg(all(feature = "json", feature = "lint"))]
 use crate::baseline::{self, Baseline};
 #[cfg(feature = "lint")]
 use crate::config::{Config, Project};
+#[cfg(feature = "json")]
+use crate::diagnostic::At;
 use crate::diagnostic::one_line;
-use crate::diagnostic::{At, Diagnostic, Findings, Severity};
+use crate::diagnostic::{Diagnostic, Findings, Severity};
 use crate::format::Description;
+#[cfg(feature = "json")]
 use crate::format::ReadError;
 use crate::format::input::{Input, Reading};
 use crate::generate::{
     self, Generated, Note, Options, OutputFile, Size, Sizes, Target, files_of, general_notes,
 };
 use crate::lint::{self, Severities};
-use crate::model::{Address, Device, Place};
+#[cfg(feature = "lint")]
+use crate::model::Address;
+use crate::model::{Device, Place};
+#[cfg(feature = "lint")]
 use crate::profile::{self, Profile};
 use crate::report::{Location, Subject, grouped, listed};
 use crate::source::hash;
@@ -139,20 +146,22 @@ pub(crate) struct Generation {
 impl Request {
     /// Reads and checks the bytes of the description, which reports call `name`. The other files that are read for it go
     /// to `files`, whatever becomes of it.
-    #[cfg_attr(not(feature = "lint"), expect(clippy::ptr_arg, reason = "configuration and profiles join it"))]
+    #[cfg_attr(
+        not(feature = "lint"),
+        expect(clippy::ptr_arg, unused_variables, reason = "configuration and profiles join it")
+    )]
     pub(crate) fn check(
         &self,
         name: &str,
         bytes: Vec<u8>,
         files: &mut Vec<PathBuf>,
     ) -> Result<CheckedDescription, Error> {
-        let (kind, input) = self.reading.read_one(name, bytes)?;
-        let described = match input {
-            Input::Description(description) => Described::Text(description),
+        let described = match self.reading.read_one(name, bytes)? {
+            (_, Input::Description(description)) => Described::Text(description),
             #[cfg(feature = "json")]
-            Input::Device(device) => Described::Model(device),
+            (_, Input::Device(device)) => Described::Model(device),
             #[cfg(feature = "json")]
-            _ => return Err(ReadError::NoDevice { name: name.to_owned(), kind }.into()),
+            (kind, _) => return Err(ReadError::NoDevice { name: name.to_owned(), kind }.into()),
         };
         #[cfg(feature = "lint")]
         let (mut options, of_config) = self.configured(files)?;
@@ -428,6 +437,7 @@ fn line(subject: Subject<'_>, finding: &Diagnostic) -> String {
 }
 
 /// A finding of a device that has no text.
+#[cfg(feature = "json")]
 fn without_text(name: &str, finding: &Diagnostic) -> String {
     let place = match finding.labels.first().map(|label| &label.at) {
         Some(At::Place(place)) => place.to_string(),

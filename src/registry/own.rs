@@ -2,7 +2,9 @@
 //! because they check the names of rules.
 
 use super::nearest_selection;
-use crate::diagnostic::{Diagnostic, RuleInfo, Text, say, text_rule};
+#[cfg(feature = "lint")]
+use crate::diagnostic::Text;
+use crate::diagnostic::{Diagnostic, RuleInfo, say, text_rule};
 use crate::source::Span;
 
 /// Every rule of this module.
@@ -76,6 +78,7 @@ text_rule! {
 }
 
 /// A setting with an invalid value.
+#[cfg(feature = "lint")]
 pub(crate) fn invalid_setting(span: Span, message: impl Into<Text>) -> Diagnostic {
     Diagnostic::new(&INVALID_SETTING, span, message)
 }

@@ -4,7 +4,10 @@ use std::collections::BTreeMap;
 
 use super::consequences::without_consequences;
 use super::{Location, Subject};
-use crate::diagnostic::{Applicability, At, Diagnostic, Findings, Fix, Severity, Text, counted, say};
+#[cfg(feature = "json")]
+use crate::diagnostic::Fix;
+use crate::diagnostic::{Applicability, At, Diagnostic, Findings, Severity, Text, counted, say};
+#[cfg(feature = "json")]
 use crate::format::Description;
 use crate::model::{Part, Place};
 
@@ -157,6 +160,7 @@ fn ranges(spots: &[Spot]) -> Text {
 }
 
 /// The offered fixes of all findings of a cause that this file has a place for; `None` where it has none for any of them.
+#[cfg(feature = "json")]
 pub(super) fn joint_fix(description: &Description, finding: &Diagnostic) -> Option<Fix> {
     let all = std::iter::once(finding).chain(&finding.also);
     let fixes = all.filter_map(|one| one.fix.as_ref()).filter(|fix| fix.is_offered);

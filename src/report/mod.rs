@@ -14,7 +14,7 @@ mod json;
 #[cfg(feature = "xdd")]
 mod junit;
 mod path;
-#[cfg(any(test, not(feature = "cli")))]
+#[cfg(any(test, all(feature = "generate", not(feature = "cli"))))]
 mod plain;
 #[cfg(feature = "json")]
 mod sarif;
@@ -22,6 +22,7 @@ mod statistics;
 mod subject;
 #[cfg(feature = "cli")]
 mod text;
+#[cfg(feature = "json")]
 mod utf16;
 
 use std::borrow::Cow;
@@ -43,8 +44,10 @@ pub use group::grouped;
 pub use json::Json;
 #[cfg(feature = "xdd")]
 pub use junit::Junit;
-#[cfg(not(feature = "cli"))]
-pub(crate) use plain::{listed, problem};
+#[cfg(all(feature = "generate", not(feature = "cli")))]
+pub(crate) use plain::listed;
+#[cfg(all(feature = "generate", feature = "lint", not(feature = "cli")))]
+pub(crate) use plain::problem;
 #[cfg(feature = "json")]
 pub use sarif::Sarif;
 pub use statistics::{Detail, Statistic, Statistics};

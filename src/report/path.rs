@@ -27,6 +27,7 @@ impl Base {
 
 /// A path as the reference of a URI (RFC 3986): relative as it is, absolute as `file:`, without segments that `..` takes
 /// back, as a reader of the URI removes them (§5.2.4).
+#[cfg(feature = "json")]
 pub(super) fn uri(path: &str) -> String {
     let path = &without_detours(path);
     let mut uri = String::with_capacity(path.len() + 8);
@@ -47,6 +48,7 @@ pub(super) fn uri(path: &str) -> String {
     uri
 }
 
+#[cfg(feature = "json")]
 fn without_detours(path: &str) -> String {
     let mut segments: Vec<&str> = Vec::new();
     for segment in path.split('/') {

@@ -5,6 +5,7 @@ use std::io;
 use super::{Location, Subject};
 use crate::diagnostic::Findings;
 use crate::diagnostic::one_line;
+#[cfg(any(test, feature = "lint"))]
 use crate::source::{SourceFile, Span};
 
 /// Findings, a line each, with their advice below.
@@ -27,6 +28,7 @@ pub(crate) fn listed(subject: Subject<'_>, findings: &Findings) -> io::Result<St
 }
 
 /// A problem in a file of objdict (a profile, a configuration).
+#[cfg(any(test, feature = "lint"))]
 pub(crate) fn problem(source: &SourceFile, span: Span, message: &str, help: Option<&str>) -> String {
     let (name, start) = (one_line(source.name()), source.line_column(span.start));
     let mut text = format!("{name}:{}:{}: error: {}\n", start.line, start.column, one_line(message));

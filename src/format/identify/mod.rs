@@ -219,10 +219,12 @@ impl<'a> Content<'a> {
     }
 
     /// Whether the content contains a word.
+    #[cfg(feature = "xdd")]
     fn contains(&self, word: &str) -> bool {
         self.find(word).is_some()
     }
 
+    #[cfg(feature = "xdd")]
     fn find(&self, word: &str) -> Option<usize> {
         memchr::memmem::find(self.bytes, word.as_bytes())
     }

@@ -63,6 +63,7 @@ pub(super) struct Record {
 }
 
 /// What a file of the list is now.
+#[cfg(feature = "cli")]
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum State {
     /// As it was written.
@@ -83,6 +84,7 @@ pub(crate) struct Manifest {
 
 impl Manifest {
     /// What it is called in its folder.
+    #[cfg(feature = "cli")]
     pub(crate) const NAME: &str = NAME;
 
     /// The list of a folder; `None` where there is none.
@@ -154,16 +156,19 @@ impl Manifest {
     }
 
     /// Whether a file is in the list, or is the list.
+    #[cfg(feature = "cli")]
     pub(crate) fn lists(&self, name: &str) -> bool {
         name == NAME || self.files.contains_key(name)
     }
 
     /// The files with what they are now, by their names.
+    #[cfg(feature = "cli")]
     pub(crate) fn verify(&self, folder: &Path) -> impl Iterator<Item = (&str, io::Result<State>)> {
         self.files.iter().map(move |(name, record)| (name.as_str(), record.state(&folder.join(name))))
     }
 }
 
+#[cfg(feature = "cli")]
 impl Record {
     fn state(&self, path: &Path) -> io::Result<State> {
         let bytes = match std::fs::read(path) {

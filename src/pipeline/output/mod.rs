@@ -114,6 +114,7 @@ impl Used {
     }
 
     /// Writes a file that an argument names: it replaces what is there, but nothing that the run uses.
+    #[cfg(feature = "cli")]
     pub(crate) fn save(&mut self, path: &Path, contents: &[u8]) -> Result<Saved, OutputError> {
         names::require_file(path)?;
         self.require_other(path)?;

@@ -1,6 +1,8 @@
 //! Names of files that every system can have. They are judged as texts, so that the same is refused everywhere.
 
+#[cfg(feature = "cli")]
 use std::ffi::OsStr;
+#[cfg(feature = "cli")]
 use std::path::Path;
 
 use super::OutputError;
@@ -29,6 +31,7 @@ pub(super) fn require_flat(name: &str) -> Result<(), OutputError> {
 }
 
 /// The same for a file that an argument names, whose folder is given. `NUL` is what Windows calls `/dev/null`.
+#[cfg(feature = "cli")]
 pub(super) fn require_file(path: &Path) -> Result<(), OutputError> {
     match path.file_name().and_then(OsStr::to_str).filter(|name| name.contains('.') && is_device(name)) {
         Some(name) => Err(OutputError::Name { name: name.to_owned(), reason: RESERVED }),
