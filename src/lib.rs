@@ -175,6 +175,8 @@
 //! # Ok::<(), Box<dyn std::error::Error>>(())
 //! ```
 //!
+//! The folder `examples` of the repository has these as programs, and a check with demands of your own.
+//!
 //! # The pipeline
 //!
 //! Each stage can be used alone, and none reaches back:
@@ -186,18 +188,30 @@
 //! 5. [`generate`] and [`download`]: what is made of a device; they see the model alone.
 //! 6. [`document`]: what is said of a device, to people and to spreadsheets (feature `document`).
 
+#![cfg_attr(docsrs, feature(doc_cfg))]
+
 #[cfg(feature = "json")]
 pub mod baseline;
 #[cfg(feature = "generate")]
 pub mod build_script;
 mod check;
 #[cfg(feature = "cli")]
+#[doc(hidden)] // for the command alone
 pub mod cli;
 #[cfg(feature = "json")]
 pub mod compare;
+#[doc(hidden)] // the tests compare its table with the tools
 pub mod compat;
 #[cfg(feature = "lint")]
 pub mod config;
+/// Findings as plain data: a rule, a severity, a message, places or spans, a help and a fix.
+pub mod diagnostic {
+    pub(crate) use objdict_model::diagnostic::*;
+    pub use objdict_model::diagnostic::{
+        Applicability, At, Change, Diagnostic, Findings, Fix, FixSafety, MAX_PER_RULE, RuleInfo, Selection,
+        Severity, SourceLabel, Span, Text, Tidy, Tool,
+    };
+}
 #[cfg(feature = "lint")]
 mod fix;
 pub mod format;
@@ -220,7 +234,7 @@ pub use objdict_document::{self as document, describe};
 #[cfg(feature = "generate")]
 pub use objdict_generate as generate;
 pub use objdict_lint as lint;
-pub use objdict_model::{Language, diagnostic, model, source};
+pub use objdict_model::{Language, model, source};
 #[cfg(feature = "network")]
 pub use objdict_network as network;
 #[cfg(feature = "node")]

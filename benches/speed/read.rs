@@ -4,11 +4,11 @@
 
 use divan::Bencher;
 use divan::counter::BytesCount;
-use objdict::format::ini::{LineKind, Lines};
 use objdict::format::{self, Format};
 use objdict::lint::Options;
 use objdict::profile;
 use objdict::source::SourceFile;
+use objdict_eds::ini::{LineKind, Lines};
 
 use crate::large;
 

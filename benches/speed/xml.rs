@@ -6,9 +6,9 @@
 use divan::Bencher;
 use divan::counter::BytesCount;
 use objdict::diagnostic::Findings;
-use objdict::format::xml::Tree;
 use objdict::format::{self, Format, WriteOptions};
 use objdict::source::SourceFile;
+use objdict_xdd::xml::Tree;
 use quick_xml::Reader;
 use quick_xml::events::Event;
 

@@ -40,8 +40,9 @@ use crate::source::SourceFile;
 pub(crate) use objdict_eds::eds;
 #[cfg(feature = "json")]
 pub use objdict_eds::eds::Style;
-pub use objdict_eds::ini;
-pub use objdict_model::{Format, Syntax, literal};
+pub(crate) use objdict_eds::ini;
+pub(crate) use objdict_model::literal;
+pub use objdict_model::{Format, Syntax};
 #[cfg(feature = "node")]
 pub use objdict_node::concise;
 #[cfg(feature = "xdd")]
@@ -49,7 +50,7 @@ pub(crate) use objdict_xdd::xdd;
 #[cfg(feature = "xdd")]
 pub use objdict_xdd::xdd::XddVersion;
 #[cfg(feature = "xdd")]
-pub use objdict_xdd::xml;
+pub(crate) use objdict_xdd::xml;
 
 /// Reads a source in a format.
 pub fn read(source: SourceFile, format: Format) -> Description {

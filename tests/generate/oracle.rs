@@ -3,11 +3,11 @@
 
 use std::collections::BTreeMap;
 
-use objdict::format::literal::{self, Intended, Quirks};
 use objdict::model::{
     Access, DataType, Device, Entry, Field, Object, ObjectType, PdoMapping, TypeKind, Value,
 };
 use objdict::profile;
+use objdict_model::literal::{self, Intended, Quirks};
 
 /// Capacity of strings with a shorter default, see docs/generate.md.
 pub(crate) const STRING_ROOM: usize = 32;

@@ -39,13 +39,13 @@ fn notes(description: &Description) -> BTreeMap<String, usize> {
     let mut notes = BTreeMap::new();
     let Some(document) = description.document() else {
         let text = description.source().text();
-        for comment in objdict::format::xml::comments(text) {
+        for comment in objdict_xdd::xml::comments(text) {
             *notes.entry(comment.of(text).to_owned()).or_default() += 1;
         }
         return notes;
     };
     for line in document.lines() {
-        use objdict::format::ini::LineKind;
+        use objdict_eds::ini::LineKind;
         if matches!(line.kind, LineKind::Comment | LineKind::Junk) {
             *notes.entry(line.span.of(document.text()).trim().to_owned()).or_default() += 1;
         }

@@ -5,8 +5,8 @@ use std::fs;
 use std::path::{Path, PathBuf};
 
 use ini::{Ini, ParseOption};
-use objdict::format::ini::Document;
 use objdict::source::{SourceFile, SourceOptions};
+use objdict_eds::ini::Document;
 
 /// Section, key, value.
 type Item = (String, String, String);

@@ -14,13 +14,13 @@ use objdict::compat::{MESSAGES, REACTIONS, Reaction};
 use objdict::config::Config;
 use objdict::diagnostic::{Applicability, At, Diagnostic, Findings, FixSafety, Tool};
 use objdict::format::network::NetworkFile;
-use objdict::format::xml::Tree;
 use objdict::format::{self, Description, Format};
 use objdict::lint::Options;
 use objdict::profile::Profile;
 use objdict::registry;
 use objdict::report::Subject;
 use objdict::source::{SourceFile, SourceOptions, Span};
+use objdict_xdd::xml::Tree;
 
 use crate::support;
 

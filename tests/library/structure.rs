@@ -5,10 +5,10 @@ use std::path::{Path, PathBuf};
 use std::process::Command;
 
 use objdict::diagnostic::Findings;
-use objdict::format::xml::Tree;
 use objdict::format::{self, Format, WriteOptions, XddVersion};
 use objdict::model::Device;
 use objdict::source::{SourceFile, SourceOptions};
+use objdict_xdd::xml::Tree;
 use proptest::strategy::{Strategy, ValueTree};
 use proptest::test_runner::TestRunner;
 

@@ -3,11 +3,11 @@
 use std::collections::BTreeSet;
 use std::path::{Path, PathBuf};
 
-use objdict::diagnostic::{Diagnostic, MAX_QUOTED, Notion, WORDS};
 use objdict::format::{self, Format};
 use objdict::lint;
 use objdict::model::Field;
 use objdict::source::SourceFile;
+use objdict_model::diagnostic::{Diagnostic, MAX_QUOTED, Notion, WORDS};
 use objdict_xdd::xdd::wording::words;
 
 use crate::rules::{devices, open, options, rule_folders};

@@ -1,11 +1,12 @@
 //! The canonical text of a device reads back as the same device.
 
 use objdict::compare::differences;
-use objdict::format::{self, Format, LossKind, WriteOptions, Written, XddVersion, literal::RealSpelling};
+use objdict::format::{self, Format, LossKind, WriteOptions, Written, XddVersion};
 use objdict::model::{
     Compact, DataType, Device, DeviceKind, Entry, ExtraSection, Field, Object, ObjectLists, ObjectType, Value,
 };
 use objdict::source::{Encoding, SourceFile, SourceOptions};
+use objdict_model::literal::RealSpelling;
 use proptest::prelude::*;
 
 use crate::support;

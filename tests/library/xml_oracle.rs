@@ -8,8 +8,8 @@ use std::fmt::Write;
 use std::time::{Duration, Instant};
 
 use objdict::diagnostic::{Diagnostic, Findings};
-use objdict::format::xml::{Element, Tree};
 use objdict::source::{SourceFile, SourceOptions, Span};
+use objdict_xdd::xml::{Element, Tree};
 use proptest::prelude::*;
 use proptest::sample::Index;
 use proptest::test_runner::RngSeed;

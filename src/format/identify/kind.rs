@@ -138,11 +138,6 @@ impl ContentKind {
         matches!(self, Self::NodeList | Self::BusConfiguration | Self::Network)
     }
 
-    /// Whether it is something that people take for a file of CANopen, and is none.
-    pub const fn is_look_alike(self) -> bool {
-        !self.is_canopen() && !matches!(self, Self::OtherXml | Self::Unknown)
-    }
-
     /// What to do about a file that no device can be read from.
     pub const fn advice(self) -> Option<&'static str> {
         match self {

@@ -5,10 +5,11 @@ use std::fs;
 use std::path::{Path, PathBuf};
 
 use objdict::diagnostic::{Applicability, Tool};
-use objdict::format::{self, Description, literal};
+use objdict::format::{self, Description};
 use objdict::lint::Options;
 use objdict::model::{Entry, PdoMapping, TypeKind, Value};
 use objdict::source::SourceOptions;
+use objdict_model::literal;
 use serde_json::{Value as Json, json};
 
 use super::{environment, readings};

@@ -21,11 +21,11 @@ use std::sync::OnceLock;
 
 use objdict::compat::{Effect, REACTIONS};
 use objdict::diagnostic::{Findings, Tool};
-use objdict::format::literal::RealSpelling;
 use objdict::format::{self, Description, Format, WriteOptions};
 use objdict::lint::Options;
 use objdict::model::{Access, Commissioning, DataType, Device, TypeKind, Value};
 use objdict::source::{SourceFile, SourceOptions};
+use objdict_model::literal::RealSpelling;
 use serde_json::json;
 
 use crate::support;

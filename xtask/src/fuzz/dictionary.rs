@@ -2,10 +2,10 @@
 
 use std::collections::BTreeSet;
 
-use objdict::diagnostic::section_name;
 use objdict::format::XddVersion;
 use objdict::format::network::schema;
 use objdict::model::{Access, DataType, Field, ModulePart, ObjectList, ObjectType, Part};
+use objdict_model::diagnostic::section_name;
 use serde_json::Value;
 
 use super::seeds::Seed;
