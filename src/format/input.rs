@@ -142,6 +142,7 @@ impl From<Format> for FileKind {
 
 /// What was in a file.
 #[derive(Debug)]
+#[non_exhaustive]
 pub enum Input {
     /// A device as text: EDS, DCF, XDD or XDC.
     Description(Box<Description>),

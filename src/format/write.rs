@@ -105,6 +105,7 @@ pub struct Loss {
 /// What became of a datum that only the device or only the text has.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash, Serialize)]
 #[serde(rename_all = "snake_case")]
+#[non_exhaustive]
 pub enum LossKind {
     /// It is gone.
     Lost,

@@ -133,6 +133,7 @@ fn of_file(name: &str, text: &str) {
             println!("{}", configuration.differences(&configuration).is_empty());
         }
         Ok((_, Input::NodeList(list))) => println!("{name}: {} networks", list.networks.len()),
+        Ok((kind, _)) => panic!("{name}: nothing is done with a {}", kind.name()),
         Err(error) => println!("{name}: {}", error.to_string().chars().take(200).collect::<String>()),
     }
 }

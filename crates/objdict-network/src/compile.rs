@@ -15,7 +15,7 @@ use crate::identity;
 use crate::manager::complete;
 use crate::messages::{Party, Service};
 use crate::model::{Address, Device, Field, Part as DevicePart, Place};
-use crate::network::{DownloadRequest, Manager, Network, Node, Said, ValueWish};
+use crate::network::{DownloadRequest, Manager, Network, Node, RequestedValue, Said};
 use crate::rules::{
     HEARTBEAT_AND_GUARDING, INVALID_VALUE, MISSING_ENTRY, NO_HEARTBEAT_CONSUMER, UNKNOWN_NODE_ID,
 };
@@ -257,9 +257,9 @@ fn download(compiler: &mut Compiler<'_, '_>, request: &Said<DownloadRequest>) {
     let DownloadRequest { index, sub, value } = &request.value;
     let at = Address { index: *index, sub: Some(*sub) };
     match value {
-        ValueWish::Integer(number) => compiler.write(at, *number, request.at, Severity::Error),
-        ValueWish::Real(number) => compiler.write_real(at, *number, request.at),
-        ValueWish::Text(text) => compiler.write_text(at, text, request.at),
+        RequestedValue::Integer(number) => compiler.write(at, *number, request.at, Severity::Error),
+        RequestedValue::Real(number) => compiler.write_real(at, *number, request.at),
+        RequestedValue::Text(text) => compiler.write_text(at, text, request.at),
     }
 }
 

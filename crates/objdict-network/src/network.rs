@@ -164,7 +164,7 @@ pub struct PdoRequest {
     /// Whether it is valid in the end.
     pub enabled: bool,
     /// COB-ID.
-    pub cob_id: Option<Said<CobIdWish>>,
+    pub cob_id: Option<Said<RequestedCobId>>,
     /// Transmission type.
     pub transmission: Option<Said<u8>>,
     /// Inhibit time in multiples of 100 µs.
@@ -215,7 +215,7 @@ pub enum UnusedPdos {
 
 /// The COB-ID of a PDO.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum CobIdWish {
+pub enum RequestedCobId {
     /// That of the predefined connection set; for PDO 5 and above a free one.
     Auto,
     /// The value of sub-index 1, with its flags.
@@ -230,12 +230,12 @@ pub struct DownloadRequest {
     /// The sub-index of the entry.
     pub sub: u8,
     /// The value.
-    pub value: ValueWish,
+    pub value: RequestedValue,
 }
 
 /// A value as the network file spells it; the data type of the entry says what it is.
 #[derive(Clone, Debug, PartialEq)]
-pub enum ValueWish {
+pub enum RequestedValue {
     /// A whole number.
     Integer(i128),
     /// A number with a fraction.

@@ -4,7 +4,7 @@ use std::collections::BTreeMap;
 
 use super::bus_keys::{MAPPING, MASTER, NODE, OPTIONS, PDO, SDO};
 use super::rules::{MISSING_KEY, OVERRIDDEN_KEY, UNKNOWN_KEY, WRONG_TYPE};
-use super::section::{Section, or_foreign, value_wish, wrong};
+use super::section::{Section, or_foreign, requested_value, wrong};
 use super::tree::{Entry, Kind, Tree};
 use super::{Descriptions, too_many, yaml};
 use crate::configure::PdoName;
@@ -12,7 +12,8 @@ use crate::diagnostic::{Diagnostic, Findings, misspelled, say};
 use crate::download::Order;
 use crate::model::{Address, PdoKind};
 use crate::network::{
-    CobIdWish, DownloadRequest, Heartbeat, Manager, Network, Node, PdoRequest, Said, Startup, ValueWish,
+    DownloadRequest, Heartbeat, Manager, Network, Node, PdoRequest, RequestedCobId, RequestedValue, Said,
+    Startup,
 };
 use crate::source::Span;
 
@@ -285,8 +286,10 @@ impl Reader<'_, '_> {
         let findings = &mut *self.findings;
         let section = Section::shared(&pdo.to_string(), tree.value, PDO, findings)?;
         let cob_id = match section.get("cob_id") {
-            Some(tree) if tree.text() == Some("auto") => Some(Said::new(CobIdWish::Auto, tree.span)),
-            _ => section.integer("cob_id", findings).map(|id| Said::new(CobIdWish::Number(id.value), id.at)),
+            Some(tree) if tree.text() == Some("auto") => Some(Said::new(RequestedCobId::Auto, tree.span)),
+            _ => section
+                .integer("cob_id", findings)
+                .map(|id| Said::new(RequestedCobId::Number(id.value), id.at)),
         };
         let mapping = section.list("mapping", findings).map(|items| {
             items
@@ -315,7 +318,7 @@ impl Reader<'_, '_> {
     fn download(&mut self, item: &Tree) -> Option<Said<DownloadRequest>> {
         let (Said { value: Address { index, sub }, .. }, section) = address("sdo", item, SDO, self.findings)?;
         let tree = section.get("value");
-        let Some(value) = tree.map_or(Some(ValueWish::Integer(0)), value_wish) else {
+        let Some(value) = tree.map_or(Some(RequestedValue::Integer(0)), requested_value) else {
             let finding = wrong("value", tree?, "a number");
             self.findings.push(finding.help("write a number, or a text in quotes"));
             return None;

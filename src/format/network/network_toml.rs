@@ -2,7 +2,7 @@
 
 use super::network_keys::{BUS, LINK, MANAGER, NETWORK, NODE, PDO, SDO};
 use super::rules::{MISSING_KEY, UNREADABLE_NODE, WRONG_TYPE};
-use super::section::{Section, integer, value_wish, wrong};
+use super::section::{Section, integer, requested_value, wrong};
 use super::tree::{Entry, Kind, Tree};
 use super::types::with_type;
 use super::{Descriptions, toml, too_many};
@@ -11,9 +11,9 @@ use crate::coupler::flatten;
 use crate::diagnostic::{Diagnostic, Findings, Text, say};
 use crate::model::{Address, Device, PdoKind};
 use crate::network::{
-    Boot, CobIdWish, DownloadRequest, Heartbeat, IdentityLevel, Link, LinkEnd, LinkParameters, LinkedEntries,
-    Manager, Network, Node, PdoRequest, Said, Startup, UnusedPdos, Watch, WatchTime, connect, named_manager,
-    watch,
+    Boot, DownloadRequest, Heartbeat, IdentityLevel, Link, LinkEnd, LinkParameters, LinkedEntries, Manager,
+    Network, Node, PdoRequest, RequestedCobId, Said, Startup, UnusedPdos, Watch, WatchTime, connect,
+    named_manager, watch,
 };
 use crate::source::Span;
 
@@ -340,8 +340,10 @@ impl Reader<'_, '_> {
         let mapping = section.get("map").map(|_| self.mapping(&section));
         let findings = &mut *self.findings;
         let cob_id = match section.get("cob-id") {
-            Some(tree) if tree.text() == Some("auto") => Some(Said::new(CobIdWish::Auto, tree.span)),
-            _ => section.integer("cob-id", findings).map(|id| Said::new(CobIdWish::Number(id.value), id.at)),
+            Some(tree) if tree.text() == Some("auto") => Some(Said::new(RequestedCobId::Auto, tree.span)),
+            _ => section
+                .integer("cob-id", findings)
+                .map(|id| Said::new(RequestedCobId::Number(id.value), id.at)),
         };
         Some(PdoRequest {
             enabled: section.flag("enabled", findings).is_none_or(|enabled| enabled.value),
@@ -406,7 +408,7 @@ impl Reader<'_, '_> {
         };
         let mut downloads = Vec::with_capacity(values.len());
         for tree in values {
-            match value_wish(tree) {
+            match requested_value(tree) {
                 Some(value) => {
                     downloads
                         .push(Said::new(DownloadRequest { index, sub: sub.unwrap_or(0), value }, tree.span));

@@ -4,7 +4,7 @@ use super::rules::{MISSING_KEY, OUT_OF_RANGE, UNKNOWN_KEY, WRONG_TYPE};
 use super::tree::{Entry, Kind, Tree};
 use crate::configure::nanoseconds;
 use crate::diagnostic::{Diagnostic, Findings, Severity, listing, misspelled, nearest, say};
-use crate::network::{Said, ValueWish};
+use crate::network::{RequestedValue, Said};
 use crate::source::Span;
 
 /// A key that a map may have.
@@ -342,12 +342,12 @@ pub(super) fn or_foreign<'a>(
 }
 
 /// The value of an entry; `None` for a list, a map or nothing.
-pub(super) fn value_wish(tree: &Tree) -> Option<ValueWish> {
+pub(super) fn requested_value(tree: &Tree) -> Option<RequestedValue> {
     Some(match &*tree.kind {
-        Kind::Integer(number) => ValueWish::Integer(*number),
-        Kind::Bool(flag) => ValueWish::Integer((*flag).into()),
-        Kind::Float(number) => ValueWish::Real(*number),
-        Kind::Text(text) => ValueWish::Text(text.clone()),
+        Kind::Integer(number) => RequestedValue::Integer(*number),
+        Kind::Bool(flag) => RequestedValue::Integer((*flag).into()),
+        Kind::Float(number) => RequestedValue::Real(*number),
+        Kind::Text(text) => RequestedValue::Text(text.clone()),
         Kind::Null | Kind::List(_) | Kind::Map(_) => return None,
     })
 }

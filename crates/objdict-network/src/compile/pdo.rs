@@ -9,7 +9,7 @@ use crate::configure::PdoName;
 use crate::diagnostic::{At, Diagnostic, Severity, say};
 use crate::download::transferred_type;
 use crate::model::{Address, CobId, DataType, Field, MappedObject, Part, PdoKind, Place};
-use crate::network::{CobIdWish, PdoRequest, Said};
+use crate::network::{PdoRequest, RequestedCobId, Said};
 use crate::origin::{because, refusing_field};
 use crate::rules::{IDLE_PDO, MISSING_ENTRY, NO_FREE_CAN_ID, PDO_TOO_LONG, UNMAPPABLE_ENTRY};
 
@@ -118,8 +118,8 @@ pub(super) fn configure(
     let before = state.cob_id;
     let said = request.cob_id.map_or(request.at, |cob_id| cob_id.at);
     match request.cob_id.map(|cob_id| cob_id.value) {
-        Some(CobIdWish::Number(number)) => state.cob_id = number,
-        Some(CobIdWish::Auto) => match automatic(request.pdo, compiler.node_id, pool) {
+        Some(RequestedCobId::Number(number)) => state.cob_id = number,
+        Some(RequestedCobId::Auto) => match automatic(request.pdo, compiler.node_id, pool) {
             Some(cob_id) => state.cob_id = cob_id,
             None => {
                 let message = say!(

@@ -13,7 +13,7 @@ use crate::diagnostic::{Diagnostic, Findings, say};
 use crate::model::{CobId, PdoKind};
 use crate::rules::{CONTRADICTION, FIXED_PDO, LINK_TOO_LONG, NO_FREE_CAN_ID, NO_FREE_PDO};
 use crate::source::Span;
-use crate::{CobIdWish, LinkParameters, Network, Node, PdoRequest, Said};
+use crate::{LinkParameters, Network, Node, PdoRequest, RequestedCobId, Said};
 
 /// The PDOs of all groups with their nodes, in the order of the groups.
 pub(super) fn pack(
@@ -298,7 +298,7 @@ impl Packer<'_> {
         let said = |value| Said::new(value, group.at);
         let cob_id = candidate.cob_id_for(cob_id | no_rtr);
         PdoRequest {
-            cob_id: Some(Said::new(CobIdWish::Number(cob_id), group.at)),
+            cob_id: Some(Said::new(RequestedCobId::Number(cob_id), group.at)),
             transmission: transmission.map(|value| Said::new(value, group.at)),
             inhibit_time: parameters.inhibit_time.map(said),
             event_timer: parameters.event_timer.map(said),
@@ -321,7 +321,7 @@ impl Packer<'_> {
         let transmission = group.parameters.transmission.map(received_type);
         let candidate = &self.pdos[node].pdos[reception.pdo];
         PdoRequest {
-            cob_id: Some(Said::new(CobIdWish::Number(candidate.cob_id_for(cob_id)), at)),
+            cob_id: Some(Said::new(RequestedCobId::Number(candidate.cob_id_for(cob_id)), at)),
             transmission: transmission
                 .filter(|_| candidate.is_writable(2))
                 .map(|number| Said::new(number, at)),

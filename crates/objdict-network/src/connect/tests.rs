@@ -11,7 +11,7 @@ use crate::configure::PdoName;
 use crate::diagnostic::Findings;
 use crate::model::{CobId, Device, DeviceKind, MappedObject, PdoKind};
 use crate::source::{SourceFile, Span};
-use crate::{CobIdWish, Link, LinkEnd, LinkParameters, Network, Node, PdoRequest, Said};
+use crate::{Link, LinkEnd, LinkParameters, Network, Node, PdoRequest, RequestedCobId, Said};
 
 /// What a test device has beside ten inputs (6000h), ten outputs (6200h) and four analogue ones of each kind (6401h, 6411h).
 #[derive(Clone, Debug)]
@@ -138,8 +138,8 @@ fn mapping(node: &Node, request: &PdoRequest) -> Vec<MappedObject> {
 
 fn cob_id(request: &PdoRequest) -> u32 {
     match request.cob_id.unwrap().value {
-        CobIdWish::Number(number) => number,
-        CobIdWish::Auto => panic!("links have numbers"),
+        RequestedCobId::Number(number) => number,
+        RequestedCobId::Auto => panic!("links have numbers"),
     }
 }
 
@@ -375,7 +375,7 @@ fn can_ids_come_from_both_nodes_and_then_from_the_free_ranges() {
         let mut network = network(kits, links.clone());
         // the network file configures TPDO 1 of `a` and sends something else with the CAN-ID of TPDO 2
         let pdo = PdoName { kind: PdoKind::Tpdo, number: 1 };
-        let said = |id| Some(Said::new(CobIdWish::Number(id), Span::default()));
+        let said = |id| Some(Said::new(RequestedCobId::Number(id), Span::default()));
         network.nodes[0]
             .pdos
             .push(PdoRequest { cob_id: said(0x281), ..PdoRequest::new(pdo, Span::default()) });

@@ -8,7 +8,9 @@ use super::super::quoted;
 use super::{Build, BuiltFile};
 use crate::configure::Setting;
 use crate::model::PdoKind;
-use crate::network::{CobIdWish, DownloadRequest, Heartbeat, Manager, Node, PdoRequest, Said, ValueWish};
+use crate::network::{
+    DownloadRequest, Heartbeat, Manager, Node, PdoRequest, RequestedCobId, RequestedValue, Said,
+};
 
 impl Build<'_> {
     /// The network as dcfgen takes it, with the descriptions of the nodes.
@@ -154,8 +156,8 @@ fn pdo(text: &mut String, request: &PdoRequest) {
         keys.push("enabled: false".to_owned());
     }
     keys.extend(request.cob_id.map(|cob_id| match cob_id.value {
-        CobIdWish::Auto => "cob_id: auto".to_owned(),
-        CobIdWish::Number(number) => format!("cob_id: 0x{number:X}"),
+        RequestedCobId::Auto => "cob_id: auto".to_owned(),
+        RequestedCobId::Number(number) => format!("cob_id: 0x{number:X}"),
     }));
     let narrow = |key: &str, said: Option<Said<u8>>| said.map(|said| format!("{key}: {}", said.value));
     let wide = |key: &str, said: Option<Said<u16>>| said.map(|said| format!("{key}: {}", said.value));
@@ -176,9 +178,9 @@ fn pdo(text: &mut String, request: &PdoRequest) {
 
 fn download(request: &DownloadRequest) -> String {
     let value = match &request.value {
-        ValueWish::Integer(number) => number.to_string(),
-        ValueWish::Real(number) => format!("{number:?}"),
-        ValueWish::Text(text) => quoted(text),
+        RequestedValue::Integer(number) => number.to_string(),
+        RequestedValue::Real(number) => format!("{number:?}"),
+        RequestedValue::Text(text) => quoted(text),
     };
     format!("{{index: 0x{:04X}, sub_index: {}, value: {value}}}", request.index, request.sub)
 }
