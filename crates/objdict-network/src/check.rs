@@ -11,7 +11,8 @@ mod stored;
 mod sync;
 mod timing;
 
-use crate::compile::{Compiled, DcfgenMode, Slave, compile};
+use crate::compile::compile;
+use crate::compiled::{Compiled, DcfgenMode, Slave};
 use crate::diagnostic::{At, Findings};
 use crate::messages::{MessageId, Messages, Party};
 use crate::network::Network;

@@ -6,86 +6,20 @@ mod pdo;
 use objdict_model::diagnostic::Severity;
 
 use self::compiler::{Compiler, Part};
-pub use self::pdo::PdoState;
-pub(crate) use self::pdo::{indexes, received_type};
+use crate::compiled::{Compiled, DcfgenMode, Slave};
 use crate::diagnostic::{At, Diagnostic, Findings, say};
 use crate::download::ConciseDcf;
-use crate::effective::Origins;
 use crate::identity;
 use crate::manager::complete;
-use crate::messages::{Party, Service};
-use crate::model::{Address, Device, Field, Part as DevicePart, Place};
+use crate::model::{Address, Field, Part as DevicePart, Place};
 use crate::network::{DownloadRequest, Manager, Network, Node, RequestedValue, Said};
 use crate::rules::{
     HEARTBEAT_AND_GUARDING, INVALID_VALUE, MISSING_ENTRY, NO_HEARTBEAT_CONSUMER, UNKNOWN_NODE_ID,
 };
 use crate::source::Span;
 
-/// A node with its configuration.
-#[derive(Clone, Debug)]
-pub struct Slave {
-    /// Its position in [`Network::nodes`].
-    pub node: usize,
-    /// Its node-ID.
-    pub node_id: u8,
-    /// The effective dictionary: the description, its configured values, then every download in order. All that is said and
-    /// written about the node comes from it.
-    pub device: Device,
-    /// Where the network file has the final values of entries.
-    pub(crate) origins: Origins,
-    /// The downloads that configure it.
-    pub downloads: ConciseDcf,
-    /// How many of them, at the end, are sent also of values that the node already has.
-    pub(crate) unconditional: usize,
-    /// Whether all of them are about the monitoring of the manager.
-    pub(crate) has_only_consumers: bool,
-    /// Its PDOs after the configuration, RPDOs before TPDOs, by number.
-    pub pdos: Vec<PdoState>,
-    /// Producer heartbeat time in milliseconds; 0: none.
-    pub heartbeat: u16,
-    /// COB-ID of EMCY; `None` if the node sends none, or the description does not say which.
-    pub emcy: Option<u32>,
-    /// Guard time in milliseconds, if the node is guarded; else 0.
-    pub guard_time: u16,
-    /// Device type (1000h), vendor-ID, product code, revision number and serial number (1018h); 0 where not stated.
-    pub identity: [u32; 5],
-}
-
-/// How close the records are to those of dcfgen.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
-pub enum DcfgenMode {
-    /// The records and the order of dcfgen 2.4.2, without its errors.
-    #[default]
-    Corrected,
-    /// With its errors.
-    Exact,
-}
-
 /// The first and the last CAN-ID for PDOs from number 5 on.
 const POOL: std::ops::RangeInclusive<u32> = 0x680..=0x6DF;
-
-/// The configurations of the nodes. One without a node-ID is left out.
-#[derive(Clone, Debug)]
-pub struct Compiled {
-    /// The nodes but the manager, in the order of the network.
-    pub slaves: Vec<Slave>,
-    /// The manager, if it has a description: its own configuration, and what it expects of the nodes.
-    pub manager: Option<Slave>,
-}
-
-impl Compiled {
-    /// All nodes that have a description.
-    pub fn nodes(&self) -> impl Iterator<Item = &Slave> {
-        self.slaves.iter().chain(&self.manager)
-    }
-
-    /// The PDO that a party sends or receives.
-    pub(crate) fn pdo(&self, party: &Party) -> Option<&PdoState> {
-        let Service::Pdo(pdo) = party.service else { return None };
-        let slave = self.nodes().find(|slave| Some(slave.node) == party.node)?;
-        slave.pdos.iter().find(|state| state.pdo == pdo)
-    }
-}
 
 /// Makes the downloads of all nodes.
 pub fn compile(network: &Network, mode: DcfgenMode, findings: &mut Findings) -> Compiled {

@@ -1,9 +1,8 @@
 //! Nodes after their configuration.
 
 use std::borrow::Cow;
-use std::collections::BTreeMap;
 
-use crate::compile::Slave;
+use crate::compiled::Slave;
 use crate::diagnostic::At;
 use crate::download::{ConciseDcf, Download, Order, PlanError, PlanOptions, Step, effective};
 use crate::model::{Device, DeviceKind, ExplicitDownload, Moment};
@@ -33,9 +32,6 @@ pub fn switched_on<'n>(network: &Network, node: &'n Node) -> Cow<'n, Device> {
     }
     Cow::Owned(device)
 }
-
-/// Where the network file has the final values of entries.
-pub(crate) type Origins = BTreeMap<(u16, u8), Span>;
 
 impl Slave {
     /// Where the network file has the final value of an entry; `None` if the description has it.

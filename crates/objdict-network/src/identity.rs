@@ -1,6 +1,6 @@
 //! What a node is by its description.
 
-use crate::compile::DcfgenMode;
+use crate::compiled::DcfgenMode;
 use crate::download::Order;
 use crate::model::{Device, Field, Part, Place};
 use crate::network::{Network, Node};

@@ -6,7 +6,7 @@ mod objects;
 mod text;
 
 use self::text::Text;
-use crate::compile::{DcfgenMode, PdoState, Slave};
+use crate::compiled::{DcfgenMode, PdoState, Slave};
 use crate::download::{ConciseDcf, Download};
 use crate::manager::Knowledge;
 use crate::model::{BaudRates, PdoKind};

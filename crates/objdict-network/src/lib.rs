@@ -5,6 +5,7 @@
 
 mod check;
 mod compile;
+mod compiled;
 mod connect;
 mod effective;
 mod files;
@@ -24,7 +25,8 @@ mod unlinked;
 mod watch;
 
 pub use check::check;
-pub use compile::{Compiled, DcfgenMode, PdoState, Slave, compile};
+pub use compile::compile;
+pub use compiled::{Compiled, DcfgenMode, PdoState, Slave};
 pub use connect::connect;
 pub use effective::switched_on;
 pub use identity::IdentityLevel;

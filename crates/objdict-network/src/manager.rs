@@ -2,7 +2,7 @@
 
 use std::collections::BTreeMap;
 
-use crate::compile::{Compiled, DcfgenMode, Slave};
+use crate::compiled::{Compiled, DcfgenMode, Slave};
 use crate::diagnostic::{Diagnostic, Findings, say};
 use crate::download::Order;
 use crate::identity::number;

@@ -4,7 +4,7 @@ use std::borrow::Cow;
 use std::collections::BTreeMap;
 
 use crate::Language;
-use crate::compile::{Compiled, PdoState, Slave, indexes};
+use crate::compiled::{Compiled, PdoState, Slave, indexes};
 use crate::configure::PdoName;
 use crate::model::{CobId, Object, PdoKind, SdoChannel, predefined};
 use crate::network::{Manager, Network};
@@ -332,5 +332,14 @@ impl PdoState {
     /// The bits that it carries.
     pub fn bits(&self) -> u32 {
         self.mapping.values().map(|object| u32::from(object.bits)).sum()
+    }
+}
+
+impl Compiled {
+    /// The PDO that a party sends or receives.
+    pub(crate) fn pdo(&self, party: &Party) -> Option<&PdoState> {
+        let Service::Pdo(pdo) = party.service else { return None };
+        let slave = self.nodes().find(|slave| Some(slave.node) == party.node)?;
+        slave.pdos.iter().find(|state| state.pdo == pdo)
     }
 }

@@ -1,8 +1,8 @@
 //! Where the descriptions of nodes have what findings are about.
 
-use crate::compile::{Slave, indexes};
+use crate::compiled::Origins;
+use crate::compiled::{Slave, indexes};
 use crate::diagnostic::{At, Diagnostic};
-use crate::effective::Origins;
 use crate::messages::{MessageId, SdoCanId, Service};
 use crate::model::{Entry, Field, Part, PdoKind, PdoMapping, Place};
 use crate::network::{Network, Node};

@@ -1,7 +1,7 @@
 //! How often messages are sent, and how much of the bus they take.
 
 use crate::Language;
-use crate::compile::{Compiled, PdoState, Slave};
+use crate::compiled::{Compiled, PdoState, Slave};
 use crate::messages::{MessageId, Messages, Service};
 use crate::network::{Network, Said};
 use crate::source::Span;

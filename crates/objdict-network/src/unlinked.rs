@@ -2,7 +2,7 @@
 
 use std::collections::BTreeMap;
 
-use crate::compile::{Compiled, Slave, indexes};
+use crate::compiled::{Compiled, Slave, indexes};
 use crate::configure::PdoName;
 use crate::messages::{MessageId, Messages, Party, Service};
 use crate::model::{Object, PdoKind};

@@ -1,6 +1,7 @@
 //! Nodes that monitor the heartbeat of others.
 
-use crate::compile::{Compiled, DcfgenMode, compile};
+use crate::compile::compile;
+use crate::compiled::{Compiled, DcfgenMode};
 use crate::configure::Setting;
 use crate::diagnostic::{Diagnostic, Findings, Severity, say};
 use crate::model::{Device, Object, Place};

@@ -2,7 +2,7 @@
 
 use super::Check;
 use super::timing::sdo_bits;
-use crate::compile::Slave;
+use crate::compiled::Slave;
 use crate::diagnostic::{At, Diagnostic, Severity, say};
 use crate::download::Order;
 use crate::identity::{self, PLACEHOLDER, number};

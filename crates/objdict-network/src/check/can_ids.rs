@@ -3,7 +3,7 @@
 use std::collections::BTreeMap;
 
 use super::Check;
-use crate::compile::{PdoState, indexes};
+use crate::compiled::{PdoState, indexes};
 use crate::connect::NodePdos;
 use crate::diagnostic::{At, Diagnostic, Severity, say, series};
 use crate::messages::{Message, MessageId, Party, Service};

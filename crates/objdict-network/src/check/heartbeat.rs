@@ -1,7 +1,7 @@
 //! Monitoring.
 
 use super::Check;
-use crate::compile::Slave;
+use crate::compiled::Slave;
 use crate::diagnostic::{At, Diagnostic, Severity, say};
 use crate::model::Place;
 use crate::rules::{NO_HEARTBEAT_CONSUMER, SHORT_HEARTBEAT_TIME, SILENT_NODE};

@@ -1,7 +1,7 @@
 //! Values that CiA 301 reserves.
 
 use super::Check;
-use crate::compile::{PdoState, Slave, indexes};
+use crate::compiled::{PdoState, Slave, indexes};
 use crate::diagnostic::{Diagnostic, Severity, say};
 use crate::model::{CobId, PdoKind};
 use crate::rules::INVALID_VALUE;

@@ -1,7 +1,7 @@
 //! The configurations that the description of the manager holds.
 
 use super::Check;
-use crate::compile::Slave;
+use crate::compiled::Slave;
 use crate::diagnostic::{At, Diagnostic, say};
 use crate::download::Download;
 use crate::effective::before;

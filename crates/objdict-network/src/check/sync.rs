@@ -2,7 +2,7 @@
 
 use super::Check;
 use super::reserved::is_reserved_overflow;
-use crate::compile::{PdoState, Slave, indexes};
+use crate::compiled::{PdoState, Slave, indexes};
 use crate::diagnostic::{Diagnostic, Severity, Text, say, series};
 use crate::messages::{MessageId, Party, Service};
 use crate::model::PdoKind;

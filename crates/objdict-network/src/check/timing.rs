@@ -1,7 +1,7 @@
 //! The times of PDOs, and the load of the bus.
 
 use super::Check;
-use crate::compile::{PdoState, Slave, indexes};
+use crate::compiled::{PdoState, Slave, indexes};
 use crate::diagnostic::{Diagnostic, Severity, say};
 use crate::messages::Message;
 use crate::model::PdoKind;

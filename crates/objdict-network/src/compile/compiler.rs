@@ -2,11 +2,13 @@
 
 use std::collections::BTreeMap;
 
-use super::{DcfgenMode, INVALID_VALUE, MISSING_ENTRY, missing};
+use super::{INVALID_VALUE, MISSING_ENTRY, missing};
+use crate::compiled::DcfgenMode;
+use crate::compiled::Origins;
 use crate::configure::{Setting, configure};
 use crate::diagnostic::{At, Diagnostic, Findings, Severity, say};
 use crate::download::{Beyond, Download, beyond, bytes_of, transferred_type};
-use crate::effective::{Origins, before};
+use crate::effective::before;
 use crate::literal::{self, Quirks};
 use crate::model::{Access, Address, Assignment, DataType, Device, Field, Place, Value, hex};
 use crate::network::{Node, Said};

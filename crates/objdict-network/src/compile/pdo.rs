@@ -1,10 +1,9 @@
 //! The PDOs of a node.
 
-use std::collections::BTreeMap;
 use std::ops::RangeInclusive;
 
-use super::DcfgenMode;
 use super::compiler::Compiler;
+use crate::compiled::{DcfgenMode, PdoState, indexes};
 use crate::configure::PdoName;
 use crate::diagnostic::{At, Diagnostic, Severity, say};
 use crate::download::transferred_type;
@@ -12,31 +11,6 @@ use crate::model::{Address, CobId, DataType, Field, MappedObject, Part, PdoKind,
 use crate::network::{PdoRequest, RequestedCobId, Said};
 use crate::origin::{because, refusing_field};
 use crate::rules::{IDLE_PDO, MISSING_ENTRY, NO_FREE_CAN_ID, PDO_TOO_LONG, UNMAPPABLE_ENTRY};
-
-/// A PDO after the configuration.
-#[derive(Clone, Debug, PartialEq, Eq)]
-pub struct PdoState {
-    /// The PDO.
-    pub pdo: PdoName,
-    /// COB-ID with its flags.
-    pub cob_id: u32,
-    /// Whether the network file leaves the PDO on; `false` only in [`DcfgenMode::Exact`], whose COB-IDs are the wanted ones.
-    pub is_enabled: bool,
-    /// Transmission type.
-    pub transmission: u8,
-    /// Inhibit time in multiples of 100 µs; of an RPDO that of the manager that sends it.
-    pub inhibit_time: u16,
-    /// Event timer in milliseconds; of an RPDO that of the manager that sends it.
-    pub event_timer: u16,
-    /// The time in milliseconds after which a receiver misses the PDO; of a TPDO that of the manager that receives it.
-    pub deadline: u16,
-    /// SYNC start value; of an RPDO that of the manager that sends it.
-    pub sync_start: u8,
-    /// The number of mapped objects as the node counts them.
-    count: u8,
-    /// The mapped objects by sub-index, without unused ones.
-    pub mapping: BTreeMap<u8, MappedObject>,
-}
 
 /// The PDOs as they are after the downloads so far.
 pub(super) fn states(compiler: &Compiler<'_, '_>) -> Vec<PdoState> {
@@ -83,20 +57,6 @@ pub(super) fn effective(compiler: &Compiler<'_, '_>, requested: &[PdoState]) -> 
         }
     }
     pdos
-}
-
-/// The transmission type of an RPDO: a PDO on request is an event for who receives it (CiA 301 §7.5.2.35).
-pub(crate) const fn received_type(number: u8) -> u8 {
-    match number {
-        241..=253 => 255,
-        number => number,
-    }
-}
-
-/// Communication and mapping parameter.
-pub(crate) fn indexes(pdo: PdoName) -> (u16, u16) {
-    let index = pdo.kind.communication_index(pdo.number).unwrap_or_default();
-    (index, index + 0x200)
 }
 
 /// Configures a PDO: off, parameters, mapping, on.

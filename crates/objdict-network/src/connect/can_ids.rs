@@ -2,7 +2,7 @@
 
 use std::collections::{HashMap, HashSet};
 
-use crate::compile::Compiled;
+use crate::compiled::Compiled;
 use crate::configure::PdoName;
 use crate::model::{CobId, restricted};
 use crate::{Messages, Network, Node, Service};

@@ -12,7 +12,8 @@ mod tests;
 
 pub(crate) use self::pdos::NodePdos;
 use crate::Network;
-use crate::compile::{DcfgenMode, compile};
+use crate::compile::compile;
+use crate::compiled::DcfgenMode;
 use crate::diagnostic::Findings;
 
 /// Makes PDOs of the [links](Network::links): a [`PdoRequest`](crate::PdoRequest) for each PDO of a producer and of its consumers.

@@ -2,7 +2,7 @@
 
 use super::pdos::{Candidate, NodePdos, Obstacle};
 use crate::Node;
-use crate::compile::indexes;
+use crate::compiled::indexes;
 use crate::diagnostic::{At, Diagnostic, Severity, joined, say};
 use crate::model::{Access, Part, PdoKind, Place};
 use crate::rules::FIXED_PDO;

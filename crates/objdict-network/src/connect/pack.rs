@@ -7,7 +7,7 @@ use super::frame::{Frame, MAX_BITS, Share};
 use super::groups::{LinkGroup, Signal};
 use super::obstacles;
 use super::pdos::{Candidate, Mapping, NodePdos, Obstacle};
-use crate::compile::{Compiled, Slave, received_type};
+use crate::compiled::{Compiled, Slave, received_type};
 use crate::configure::PdoName;
 use crate::diagnostic::{Diagnostic, Findings, say};
 use crate::model::{CobId, PdoKind};

@@ -3,7 +3,7 @@
 use super::can_ids::{on_node, plain};
 use super::ends::Carried;
 use super::frame::MAX_BITS;
-use crate::compile::Slave;
+use crate::compiled::Slave;
 use crate::configure::PdoName;
 use crate::model::{Access, Address, CobId, DataType, Device, MappedObject, Pdo, PdoKind};
 use crate::source::Span;

@@ -4,7 +4,7 @@ use std::collections::BTreeMap;
 
 use super::text::{Type, hex};
 use super::{Mirrored, Writer};
-use crate::compile::{PdoState, received_type};
+use crate::compiled::{PdoState, received_type};
 use crate::model::{MappedObject, PdoKind};
 
 const ARRAY: u8 = 8;

@@ -4,7 +4,7 @@ use std::collections::BTreeMap;
 
 use super::{NodeRow, View};
 use crate::Language;
-use crate::compile::Slave;
+use crate::compiled::Slave;
 use crate::manager::numbers;
 use crate::network::{Manager, Node, Startup};
 

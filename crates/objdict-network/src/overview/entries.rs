@@ -3,7 +3,7 @@
 use std::fmt;
 
 use super::{End, View};
-use crate::compile::PdoState;
+use crate::compiled::PdoState;
 use crate::messages::{Message, MessageId, Party, Service};
 use crate::model::{Address, Device, Entry, MappedObject};
 

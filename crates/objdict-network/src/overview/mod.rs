@@ -8,7 +8,7 @@ pub use self::boot::{BootPlan, BootStep};
 pub use self::downloads::DownloadRow;
 pub use self::entries::{CarriedEntry, LinkRow, MappedEntry};
 use crate::Language;
-use crate::compile::{Compiled, PdoState, Slave};
+use crate::compiled::{Compiled, PdoState, Slave};
 use crate::messages::{Message, MessageId, Messages, Party, Service};
 use crate::model::{Device, predefined};
 use crate::network::Network;
