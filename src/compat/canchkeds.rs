@@ -91,7 +91,7 @@ pub static MESSAGES: &[Reaction] = &[
     error("cia306/object-listed-twice", "error E37"),
     warning("cia306/object-not-listed", "warning W1"),
     error("cia306/reserved-index", "error E32")
-        .only("below 1000h", |_, finding| finding.message.shown().starts_with('0')),
+        .only("below 1000h", |description, finding| section_of(description, finding).starts_with('0')),
     warning("cia306/reserved-key", "warning W22"),
     error("cia306/section-spelling", "error E12"),
     error("cia306/stray-compact-section", "error E40"),
@@ -105,8 +105,10 @@ pub static MESSAGES: &[Reaction] = &[
         .only("elsewhere", |description, finding| !is_of_information(description, finding)),
     warning("cia306/unknown-section", "warning W1"),
     error("cia306/unsupported-key", "error E27"),
-    warning("cia306/wrong-compact-pdo", "warning W50")
-        .only("no PDO", |_, finding| finding.message.shown().contains("no PDO")),
+    warning("cia306/wrong-compact-pdo", "warning W50").only("no PDO", |description, _| {
+        let info = description.device().device_info.as_ref();
+        info.is_some_and(|info| info.rpdo_count == Some(0) && info.tpdo_count == Some(0))
+    }),
     error("cia306/wrong-count", "error E5").only("fewer entries", has_fewer),
     warning("cia306/wrong-count", "warning W21")
         .only("more entries", |description, finding| !has_fewer(description, finding)),

@@ -3,7 +3,7 @@
 
 use super::{Effect, Reaction, When};
 use crate::diagnostic::Tool::{CanOpenEditor, CanOpenNode, Codesys, DcfTools, NodeCanopen, PythonCanopen};
-use crate::diagnostic::{At, Diagnostic, Tool};
+use crate::diagnostic::{At, Diagnostic, SourceLabel, Tool};
 use crate::format::Description;
 use crate::model::{DataType, Field, ObjectList, Part, Place};
 use crate::source::Encoding;
@@ -118,8 +118,14 @@ pub static REACTIONS: &[Reaction] = &[
     row("cia306/list-numbering", DCF_TOOLS, Refused, "the file is refused")
         .when("outside [Comments]", |description, finding| !is_of_comments(description, finding)),
     row("cia306/listed-object-missing", DCF_TOOLS, Refused, "the file is refused"),
-    row("cia306/low-limit-above-high", NODE, Refused, "the file is refused")
-        .when("of numbers", |_, finding| !finding.message.shown().contains("$NODEID")),
+    row("cia306/low-limit-above-high", NODE, Refused, "the file is refused").when(
+        "of numbers",
+        |description, finding| {
+            let text = description.source().text();
+            let is_formula = |label: &SourceLabel| description.span_of(&label.at).of(text).contains('$');
+            !finding.labels.iter().any(is_formula)
+        },
+    ),
     row("cia306/missing-header", PYTHON, Refused, "the file is refused"),
     row("cia306/missing-header", NODE, Wrong, "the keys are read into the section above"),
     row("cia306/missing-key", DCF_TOOLS, Refused, "the file is refused"),
