@@ -3,8 +3,9 @@
 
 use super::reactions::{is_at_header, section_of, shown};
 use super::{Effect, Reaction, When};
-use crate::diagnostic::{Change, Diagnostic, Severity, Tool};
+use crate::diagnostic::{At, Change, Diagnostic, Severity, Tool};
 use crate::format::Description;
+use crate::model::{Part, Place};
 
 const CANCHKEDS: &[Tool] = &[Tool::CanChkEds];
 
@@ -90,8 +91,10 @@ pub static MESSAGES: &[Reaction] = &[
     error("cia306/number-suffix", "error E21"),
     error("cia306/object-listed-twice", "error E37"),
     warning("cia306/object-not-listed", "warning W1"),
-    error("cia306/reserved-index", "error E32")
-        .only("below 1000h", |description, finding| section_of(description, finding).starts_with('0')),
+    error("cia306/reserved-index", "error E32").only("below 1000h", |_, finding| {
+        let at = finding.labels.first().map(|label| &label.at);
+        matches!(at, Some(At::Place(Place { part: Part::Object(..0x1000), .. })))
+    }),
     warning("cia306/reserved-key", "warning W22"),
     error("cia306/section-spelling", "error E12"),
     error("cia306/stray-compact-section", "error E40"),
