@@ -445,3 +445,33 @@ fn messages_that_pages_quote_exist() {
     }
     assert!(unknown.is_empty() && known > 0, "not in the sources:\n{}", unknown.join("\n"));
 }
+
+/// What pages state of the size and the time of the program, and the test that fails when it is wrong.
+const MEASURED: [(&str, &str, &str); 4] = [
+    ("at most 20 times its size and 50 MB of memory", "tests/memory/main.rs", "20 * usage.text + 50_000_000"),
+    ("at most 1750 bytes of flash", "tests/generate/stacks/figures.rs", "plain.flash <= 1_750"),
+    ("takes at most 3 KiB", "tests/generate/thumb.rs", "const MOST: usize = 3 * 1024;"),
+    ("needs more than 30 crates", ".ci/run", "\"$crates\" -le 30"),
+];
+
+/// Sizes and times that no test compares with the program become wrong unnoticed.
+#[test]
+fn sizes_and_times_are_tested() {
+    for (_, test, limit) in MEASURED {
+        assert!(read(Path::new(test)).contains(limit), "{test} does not test `{limit}`");
+    }
+    let units = ["KB", "MB of", "bytes of flash", "bytes of RAM", "bytes of code", "instructions", "crates"];
+    let times = ["minutes on", "seconds on", "minutes of", "seconds of", "times faster"];
+    let mut untested = Vec::new();
+    for page in pages_for_users().filter(|page| !MADE_OF_RULES.iter().any(|made| page.starts_with(made))) {
+        for (line, piece) in prose(&read(&page)) {
+            let has_number = piece.contains(|c: char| c.is_ascii_digit());
+            let is_size = units.iter().any(|unit| piece.contains(unit)) && has_number;
+            let is_measured = MEASURED.iter().any(|(stated, ..)| piece.contains(stated));
+            if (is_size || times.iter().any(|time| piece.contains(time))) && !is_measured {
+                untested.push(format!("{}:{line}: {piece}", page.display()));
+            }
+        }
+    }
+    assert!(untested.is_empty(), "no test is known for:\n{}", untested.join("\n"));
+}
