@@ -80,7 +80,7 @@ impl Speaker<'_> {
         self.roles(&[
             (info.simple_boot_up_slave, "boots up as a slave", "startet als Slave"),
             (info.simple_boot_up_master, "can be the master", "kann Master sein"),
-            (info.self_starting, "goes to operational by itself", "geht selbst in operational"),
+            (info.self_starting, "enters operational by itself", "geht selbst in operational"),
             (info.flying_master, "flying master", "Flying-Master"),
         ])
     }
