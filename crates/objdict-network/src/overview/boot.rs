@@ -100,9 +100,10 @@ impl Words {
                 "überlässt das Starten der Knoten der Anwendung",
             ),
             (true, true) => ("starts all nodes with one command", "startet alle Knoten mit einem Kommando"),
-            (true, false) => {
-                ("starts each node with a separate command", "startet jeden Knoten mit einem eigenen Kommando")
-            }
+            (true, false) => (
+                "starts each node with a separate command",
+                "startet jeden Knoten mit einem eigenen Kommando",
+            ),
         };
         let starts = self.said(english, german);
         let (english, german) = match startup.start {
