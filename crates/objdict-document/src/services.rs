@@ -344,7 +344,7 @@ mod tests {
                 "Heartbeat producer: off",
                 "Heartbeat consumer: node 3 within 500 ms",
                 "SDO client 1: client to server not valid, server to client COB-ID not stated, the server is node 7",
-                "On errors: : operational becomes pre-operational",
+                "On errors: : changes from operational to pre-operational",
                 "LSS: node-ID and bit rate can be set by LSS",
             ]
         );

@@ -32,7 +32,7 @@ fn mappings_say_what_they_carry() {
     assert_eq!(of(0x1A00, 1, &Value::Unsigned(0x0005_0008), None), "8 bits unused (dummy UNSIGNED8)");
     assert_eq!(of(0x1A00, 2, &Value::Unsigned(0), None), "");
     let missing = of(0x1600, 1, &Value::Unsigned(0x6040_0010), None);
-    assert_eq!(missing, "0x6040sub0, which the description does not have, 16 bits");
+    assert_eq!(missing, "0x6040sub0, which the description lacks, 16 bits");
     assert_eq!(of(0x1600, 0, &Value::Unsigned(0xFF), None), "MPDO that names its destination");
     assert_eq!(of(0x1600, 0, &Value::Unsigned(8), None), "");
     assert_eq!(of(0x1FA0, 1, &Value::Unsigned(0x0460_0001), None), "0x6000sub1 and the next 3");
