@@ -60,10 +60,10 @@ pub(super) struct TerminalArgs {
     /// When to use colours
     #[arg(long, global = true, value_enum, default_value = "auto", value_name = "WHEN", display_order = 900)]
     pub color: Color,
-    /// Write no notes, summaries and progress
+    /// Do not print notes, summaries or progress
     #[arg(short, long, global = true, conflicts_with = "verbose", display_order = 901)]
     pub quiet: bool,
-    /// Write the name of each file that is read to the standard error
+    /// Print the name of each file that is read to standard error
     #[arg(short, long, global = true, display_order = 902)]
     pub verbose: bool,
 }
@@ -110,12 +110,12 @@ pub(super) enum Command {
 
 /// Check device descriptions
 ///
-/// Exits with 1 when there is a finding of severity error (see --deny), with 2 when a file cannot be read.
+/// Exits with 1 if there is a finding of severity error (see --deny), and with 2 if a file cannot be read.
 #[derive(Debug, Parser)]
 pub(super) struct CheckArgs {
-    /// Files, folders and patterns such as `devices/**/*.eds`; `-` is the standard input
+    /// Files, folders and patterns such as `devices/**/*.eds`; `-` is standard input
     ///
-    /// In folders all descriptions are checked except hidden files and files that a `.gitignore` names.
+    /// In folders, all descriptions are checked, except hidden files and files that a `.gitignore` excludes.
     #[arg(default_value = ".", value_name = "PATH")]
     pub files: Vec<PathBuf>,
     #[command(flatten)]
@@ -139,22 +139,22 @@ pub(super) struct ReportArgs {
     /// Output format
     #[arg(long, value_enum, default_value = "text")]
     pub format: ReportFormat,
-    /// Report all findings, each on its own: by default those of one cause are one finding with places, and the text
-    /// report shows 20 of a file
+    /// Report every finding separately: by default, findings with the same cause are merged, and the text report shows
+    /// 20 findings per file
     #[arg(long)]
     pub all: bool,
-    /// Count the findings of each rule; `=only` hides the findings. For the formats text, concise and json
+    /// Count the findings per rule; `=only` hides the findings themselves. For the formats text, concise and json
     #[arg(long, value_enum, value_name = "WHICH", num_args = 0..=1, require_equals = true, default_missing_value = "also")]
     pub statistics: Option<Counting>,
 }
 
 /// Recognise files by their content
 ///
-/// Recognises CANopen files, and files of other technologies that look alike. Exits with 1 when a file is not a CANopen
-/// file, with 2 when a file cannot be read.
+/// Recognises CANopen files, and files of other technologies that look similar. Exits with 1 if a file is not a CANopen
+/// file, and with 2 if a file cannot be read.
 #[derive(Debug, Parser)]
 pub(super) struct IdentifyArgs {
-    /// Files to look at; `-` is the standard input
+    /// Files to identify; `-` is standard input
     #[arg(required = true, value_name = "FILE")]
     pub files: Vec<PathBuf>,
     /// Output format
@@ -169,16 +169,16 @@ pub(super) struct IdentifyArgs {
 pub(super) enum AnswerFormat {
     /// One line per file
     Text,
-    /// For programs: one JSON document, one file a line (docs/json.md)
+    /// For programs: one JSON document, one file per line (docs/json.md)
     Json,
 }
 
 /// How findings are written.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
 pub(super) enum ReportFormat {
-    /// Excerpts of the lines with marks
+    /// Source excerpts with markers
     Text,
-    /// A line each: file:line:column: severity rule: message
+    /// One line per finding: file:line:column: severity rule: message
     Concise,
     /// For programs: one JSON document (docs/json.md)
     Json,
@@ -204,19 +204,19 @@ pub(super) enum Counting {
 /// Show the object dictionary, or one object in detail
 #[derive(Debug, Parser)]
 pub(super) struct ShowArgs {
-    /// The file; `-` is the standard input
+    /// The file to show; `-` is standard input
     pub file: PathBuf,
     /// Only these objects: an index such as 1018, 0x1018 or 1018:1 (hexadecimal), a name such as statusword, a PDO such as tpdo1, a
     /// pattern such as 60* or *velocity*, or communication, manufacturer, profile (see `objdict help names`)
     #[arg(value_name = "OBJECT", value_parser = object)]
     pub object: Option<String>,
-    /// Evaluate formulas such as $NODEID+0x180 for this node-ID [default: that of the DCF]
+    /// Evaluate formulas such as $NODEID+0x180 for this node-ID [default: from the DCF]
     #[arg(long, value_name = "N", value_parser = node_id)]
     pub node_id: Option<u8>,
     /// Only entries that a DCF sets to a value other than the default
     #[arg(long)]
     pub changed: bool,
-    /// The form of the output
+    /// Output format
     #[arg(long, value_enum, default_value = "table")]
     pub format: ShowFormat,
     #[command(flatten)]
@@ -230,14 +230,14 @@ pub(super) struct ShowArgs {
 pub(super) enum ShowFormat {
     /// Plain text
     Table,
-    /// For programs: one JSON document, one entry a line (docs/json.md)
+    /// For programs: one JSON document, one entry per line (docs/json.md)
     Json,
 }
 
 /// What is replaced in a folder.
 #[derive(Clone, Copy, Debug, Default, clap::Args)]
 pub(super) struct OverwriteArgs {
-    /// Also replace files in the folder that objdict did not make, or that are not as `objdict.sha256` lists them
+    /// Also replace files in the folder that objdict did not create, or that differ from their hash in `objdict.sha256`
     #[arg(long)]
     pub overwrite: bool,
 }
@@ -287,7 +287,7 @@ pub(super) struct ProfileShowArgs {
     /// Only this object, with its sub-indexes and bits
     #[arg(value_name = "INDEX")]
     pub index: Option<Address>,
-    /// The form of the output
+    /// Output format
     #[arg(long, value_enum, default_value = "text")]
     pub format: ProfileFormat,
 }
@@ -304,18 +304,18 @@ pub(super) enum ProfileFormat {
 /// Format descriptions
 ///
 /// In EDS and DCF, sections and keys move into the canonical order, with their comments; keys, section names, hex numbers and formulas
-/// get one spelling. In XDD and XDC, elements and attributes move into the order of CiA 311, one element on each line. The content of
-/// the file stays the same. The standard input goes to the standard output.
+/// are spelled uniformly. In XDD and XDC, elements and attributes move into the order of CiA 311, one element on each line. The content of
+/// the file stays the same. Standard input is written to standard output.
 #[derive(Debug, Parser)]
 #[command(mut_arg("max_entries", |entries| entries.hide(true)))] // no entry is expanded
 pub(super) struct FmtArgs {
-    /// Files, folders and patterns such as `devices/**/*.eds`; `-` is the standard input
+    /// Files, folders and patterns such as `devices/**/*.eds`; `-` is standard input
     #[arg(required = true, value_name = "PATH")]
     pub files: Vec<PathBuf>,
-    /// Write nothing, print the names of unformatted files, and exit with 1 when there is one
+    /// Print the names of unformatted files without changing them, and exit with 1 if there are any
     #[arg(long)]
     pub check: bool,
-    /// Write nothing, print the changes, and exit with 1 when there are any
+    /// Print the changes without writing them, and exit with 1 if there are any
     #[arg(long, conflicts_with = "check")]
     pub diff: bool,
     #[command(flatten)]
@@ -340,9 +340,9 @@ pub(super) struct RulesArgs {
 /// How rules are listed.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
 pub(super) enum RulesFormat {
-    /// A line each
+    /// One line per rule
     Text,
-    /// One JSON document with their pages
+    /// One JSON document that includes their pages
     Json,
 }
 
@@ -376,7 +376,7 @@ pub(super) struct CompletionsArgs {
 
 /// Generate the manual pages, one for each command
 ///
-/// For packages. Unchanged pages are not touched.
+/// For packagers. Unchanged pages are not rewritten.
 #[derive(Debug, Parser)]
 #[command(hide = true)]
 pub(super) struct ManArgs {

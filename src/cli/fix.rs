@@ -20,10 +20,10 @@ pub(super) struct FixArgs {
     /// Apply safe fixes, which keep the meaning of the description, and report the remaining findings
     #[arg(long)]
     pub fix: bool,
-    /// With --fix and --diff, also apply fixes that need a review
+    /// With --fix and --diff, also apply fixes that need review
     #[arg(long)]
     pub unsafe_fixes: bool,
-    /// Print the changes of --fix, write nothing, and exit with 1 when there are any
+    /// Print the changes that --fix would make without writing them, and exit with 1 if there are any
     #[arg(long)]
     pub diff: bool,
     #[command(flatten)]

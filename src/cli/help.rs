@@ -27,7 +27,7 @@ enum Text {
 
 /// The topics, in the order of their list.
 const TOPICS: [(&str, &str, Text); 7] = [
-    ("exit-codes", "What the exit code says", Text::Section(CLI, "Exit codes")),
+    ("exit-codes", "What the exit codes mean", Text::Section(CLI, "Exit codes")),
     ("severities", "Errors, warnings and notes", Text::Section(CLI, "Severities")),
     ("names", "How arguments name objects and entries", Text::Section(CLI, "Names of objects")),
     ("formats", "Files that are read and written", Text::Section(FORMATS, "Formats")),

@@ -22,10 +22,10 @@ const STDIN: &str = "<stdin>";
 #[derive(Debug, Args)]
 #[command(next_help_heading = "Input")]
 pub(super) struct InputArgs {
-    /// The format of the input, instead of the detected one
+    /// The format of the input, overriding detection
     #[arg(long, value_enum, value_name = "FORMAT")]
     pub from: Option<FileKind>,
-    /// Which device of a network file (.nxdd, .nxdc), counted from 1
+    /// The device to read from a network file (.nxdd, .nxdc), counted from 1
     #[arg(long, value_name = "NUMBER")]
     pub device: Option<std::num::NonZeroUsize>,
     /// Encoding of the input, if it cannot be detected: utf-8, windows-1252, cp850, utf-16le …
@@ -41,7 +41,7 @@ pub(super) struct InputArgs {
 #[derive(Debug, Args)]
 #[command(next_help_heading = "Input")]
 pub(super) struct EntriesArgs {
-    /// The largest number of entries in compact storage; the limits of other parts grow with it (README, limits)
+    /// The maximum number of entries in compact storage; other limits grow with it (README, limits)
     /// [default: 250000]
     #[arg(long, value_name = "NUMBER", default_value_t = DEFAULT_MAX_ENTRIES, hide_default_value = true)]
     pub max_entries: usize,
@@ -51,7 +51,7 @@ pub(super) struct EntriesArgs {
 #[derive(Debug, Args)]
 #[command(next_help_heading = "Input")]
 pub(super) struct SizeArgs {
-    /// The largest file to read, in bytes or with K, M or G [default: 64M]
+    /// The maximum file size, in bytes or with K, M or G [default: 64M]
     #[arg(long, value_name = "SIZE", default_value_t = DEFAULT_MAX_SIZE, hide_default_value = true, value_parser = parse_size)]
     pub max_size: u64,
 }
@@ -77,7 +77,7 @@ impl InputArgs {
         WriteOptions::max_losses_of(bytes, self.entries.max_entries)
     }
 
-    /// What is in a file, and as what kind it was read; `-` is the standard input.
+    /// What is in a file, and as what kind it was read; `-` is standard input.
     pub(super) fn read(&self, path: &Path) -> Result<(FileKind, Input), Failure> {
         let bytes = self.size.read(path)?;
         Ok(self.reading().read(&source_name(path), bytes)?)

@@ -23,10 +23,10 @@ use crate::registry;
 #[derive(Clone, Debug, Default, Args)]
 #[command(next_help_heading = "Settings")]
 pub(super) struct ConfigFileArgs {
-    /// The configuration of all files [default: the nearest `objdict.toml` in the folder of each file or above]
+    /// Use this configuration for all files [default: the nearest `objdict.toml` in the folder of each file or above]
     #[arg(long, value_name = "FILE")]
     config: Option<PathBuf>,
-    /// Use no configuration
+    /// Ignore all configuration files
     #[arg(long, conflicts_with = "config")]
     no_config: bool,
 }
@@ -57,7 +57,7 @@ pub(super) struct SettingsArgs {
     /// Lowest severity that fails the run: note, warning or error [default: error]
     #[arg(long, value_enum, value_name = "SEVERITY", hide_possible_values = true)]
     deny: Option<Deny>,
-    /// Evaluate formulas for this node-ID [default: that of the DCF]
+    /// Evaluate formulas for this node-ID [default: from the DCF]
     #[arg(long, value_name = "N", value_parser = node_id)]
     node_id: Option<u8>,
     /// Also check compatibility with this tool: dcf-tools, lely, canopeneditor, python-canopen, node-canopen, codesys,

@@ -1,12 +1,16 @@
-//! The Markdown of the project as its readers meet it: links lead somewhere, the site has every page, and the words are
-//! those of CONTRIBUTING.md.
+//! The Markdown of the project as its readers meet it: links lead somewhere, the site has every page, the words are those of
+//! CONTRIBUTING.md, and what pages quote from the program is what it prints.
 
 use std::collections::{BTreeSet, HashMap};
 use std::fs;
 use std::path::{Component, Path, PathBuf};
 use std::process::Command;
 
-use pulldown_cmark::{Event, Options, Parser, Tag, TagEnd};
+use objdict::build_script::{Builder, Error};
+use objdict::format::{self, Format};
+use objdict::report::{Concise, Report};
+use objdict::source::SourceFile;
+use pulldown_cmark::{CodeBlockKind, Event, Options, Parser, Tag, TagEnd};
 
 /// A text that a user reads, and where it is.
 type Text = (String, String);
@@ -73,6 +77,28 @@ fn prose(text: &str) -> Vec<(usize, String)> {
         }
     }
     pieces
+}
+
+/// The blocks of a page: language (`text` if there is none), line and text.
+fn blocks(text: &str) -> Vec<(String, usize, String)> {
+    let mut blocks: Vec<(String, usize, String)> = Vec::new();
+    let mut in_block = false;
+    for (event, range) in Parser::new_ext(text, Options::ENABLE_TABLES).into_offset_iter() {
+        match event {
+            Event::Start(Tag::CodeBlock(kind)) => {
+                let language = match &kind {
+                    CodeBlockKind::Fenced(language) if !language.is_empty() => language,
+                    _ => "text",
+                };
+                blocks.push((language.to_owned(), text[..range.start].lines().count() + 1, String::new()));
+                in_block = true;
+            }
+            Event::End(TagEnd::CodeBlock) => in_block = false,
+            Event::Text(piece) if in_block => blocks.last_mut().unwrap().2.push_str(&piece),
+            _ => {}
+        }
+    }
+    blocks
 }
 
 /// The links and pictures of a page with their lines.
@@ -297,4 +323,155 @@ fn tutorials_show_code_of_the_examples() {
             assert!(code.contains(block), "{page}: not in the examples:\n{block}");
         }
     }
+}
+
+/// What a build script without the feature `cli` prints about an error in the example, as Cargo indents it.
+fn error_of_a_build_script() -> String {
+    let name = "climate-sensor.eds";
+    let eds = fs::read_to_string(root().join("examples").join(name)).unwrap();
+    let eds = eds.replace("DefaultValue=600\n", "DefaultValue=60000\n");
+    let folder = tempfile::tempdir().unwrap();
+    let path = folder.path().join(name);
+    fs::write(&path, &eds).unwrap();
+    let builder = Builder::new(&path).out_dir(folder.path()).no_config();
+    let Err(Error::Findings { findings, noun, .. }) = builder.generate_to(&mut Vec::new()) else {
+        panic!("no finding")
+    };
+    let description = format::read(SourceFile::from_text(name, &eds), Format::Eds);
+    let mut report = Vec::new();
+    Concise::new(&mut report).file((&description).into(), &findings).unwrap();
+    let mut report = String::from_utf8(report).unwrap();
+    assert_eq!(findings.len(), 1, "{report}");
+    report += &format!("  help: {}\n", findings.iter().next().unwrap().help.as_ref().unwrap().shown());
+    let printed = format!("Error: {:?}\n", Error::Findings { file: name.to_owned(), findings, noun, report });
+    let lines = printed.lines().map(|line| format!("  {line}"));
+    lines.map(|line| format!("{}\n", line.trim_end())).collect()
+}
+
+/// README.md and the site.
+fn pages_for_users() -> impl Iterator<Item = PathBuf> {
+    pages().into_iter().filter(|page| page.starts_with("docs") || page == Path::new("README.md"))
+}
+
+/// Sessions in `console` blocks are run; what a block of text shows is printed too, by the examples or a build script.
+#[test]
+fn blocks_of_text_are_printed() {
+    let printed = [read(Path::new("examples/session.txt")), error_of_a_build_script()];
+    let mut found = Vec::new();
+    for page in pages_for_users() {
+        for (_, line, text) in blocks(&read(&page)).into_iter().filter(|(language, ..)| language == "text") {
+            found.push(page.display().to_string());
+            assert!(
+                printed.iter().any(|printed| printed.contains(&text)),
+                "{}:{line}: neither of these prints it, make it a tested session (`console`):\n{text}\n{}",
+                page.display(),
+                printed.join("\n")
+            );
+        }
+    }
+    assert_eq!(found, ["docs/building.md", "docs/tutorial-c.md", "docs/tutorial-rust.md"]);
+}
+
+/// What prose has in backticks or quotation marks, and what blocks of JSON have as a message, with its line.
+fn quotes(text: &str) -> Vec<(usize, String)> {
+    let mut quotes = Vec::new();
+    let mut in_block = false;
+    let mut paragraph = String::new();
+    for (event, range) in Parser::new_ext(text, Options::ENABLE_TABLES).into_offset_iter() {
+        let line = text[..range.start].lines().count() + 1;
+        match event {
+            Event::Start(Tag::CodeBlock(_)) => in_block = true,
+            Event::Code(piece) => {
+                paragraph += &format!("`{piece}`");
+                quotes.push((line, piece.into_string()));
+            }
+            Event::Text(piece) if !in_block => paragraph += &piece,
+            Event::SoftBreak => paragraph.push(' '),
+            Event::End(TagEnd::CodeBlock) => in_block = false,
+            Event::End(TagEnd::Paragraph | TagEnd::TableCell | TagEnd::Item | TagEnd::Heading(_)) => {
+                let paragraph = std::mem::take(&mut paragraph);
+                quotes.extend(paragraph.split('"').skip(1).step_by(2).map(|quote| (line, quote.to_owned())));
+            }
+            _ => {}
+        }
+    }
+    for (_, line, text) in blocks(text).into_iter().filter(|(language, ..)| language == "json") {
+        let messages = text.split("\"message\":").skip(1).filter_map(|rest| rest.split('"').nth(1));
+        quotes.extend(messages.map(|message| (line, message.to_owned())));
+    }
+    quotes
+}
+
+/// The runs of words of a message that a source has as they are: behind and before numbers, quoted text and names of files.
+/// `None` if the text is code, or too short for a sentence.
+fn runs_of_words(quote: &str) -> Option<Vec<String>> {
+    const PROGRAMS: [&str; 7] = ["objdict", "cargo", "ip", "chromium", "pip", "network", "dcfgen"];
+    let words: Vec<&str> = quote.split_whitespace().collect();
+    let is_word = |word: &str| {
+        word.trim_end_matches([',', ':', ';']).chars().all(|c| c.is_ascii_lowercase() || c == '-')
+    };
+    let is_sentence = words.len() > 3
+        && words.iter().filter(|word| is_word(word)).count() > 1
+        && !PROGRAMS.contains(&words[0])
+        && !words.iter().any(|word| word.starts_with('-') || word.contains(['=', '{', '(', '*', '<']));
+    let runs = words.split(|word| !is_word(word)).filter(|run| run.len() > 1).map(|run| run.join(" "));
+    let runs: Vec<String> = runs.collect();
+    (is_sentence && !runs.is_empty()).then_some(runs)
+}
+
+/// A message that a page quotes is one of the program: the sources or the expected outputs have a line with its words.
+#[test]
+fn messages_that_pages_quote_exist() {
+    let folders = [("src", "rs"), ("crates", "rs"), ("tests", "snap"), ("tests/cli", "md")];
+    let files = folders.iter().flat_map(|(folder, ending)| below(&root().join(folder), ending));
+    let mut lines: Vec<String> = Vec::new();
+    for path in files {
+        // a literal may continue in the next line
+        let text = fs::read_to_string(path).unwrap().replace("\\\n", "\u{0}");
+        let is_comment = |line: &&str| line.trim_start().starts_with("//");
+        let joined = text.lines().filter(|line| !is_comment(line));
+        lines.extend(joined.map(|line| line.split('\u{0}').map(str::trim_start).collect()));
+    }
+    let mut unknown = Vec::new();
+    let mut known = 0;
+    for page in pages_for_users() {
+        for (line, quote) in quotes(&read(&page)) {
+            let Some(runs) = runs_of_words(&quote) else { continue };
+            match lines.iter().any(|line| runs.iter().all(|run| line.contains(run))) {
+                true => known += 1,
+                false => unknown.push(format!("{}:{line}: {quote}", page.display())),
+            }
+        }
+    }
+    assert!(unknown.is_empty() && known > 0, "not in the sources:\n{}", unknown.join("\n"));
+}
+
+/// What pages state of the size and the time of the program, and the test that fails when it is wrong.
+const MEASURED: [(&str, &str, &str); 4] = [
+    ("at most 20 times its size and 50 MB of memory", "tests/memory/main.rs", "20 * usage.text + 50_000_000"),
+    ("at most 1750 bytes of flash", "tests/generate/stacks/figures.rs", "plain.flash <= 1_750"),
+    ("takes at most 3 KiB", "tests/generate/thumb.rs", "const MOST: usize = 3 * 1024;"),
+    ("needs more than 30 crates", ".ci/run", "\"$crates\" -le 30"),
+];
+
+/// Sizes and times that no test compares with the program become wrong unnoticed.
+#[test]
+fn sizes_and_times_are_tested() {
+    for (_, test, limit) in MEASURED {
+        assert!(read(Path::new(test)).contains(limit), "{test} does not test `{limit}`");
+    }
+    let units = ["KB", "MB of", "bytes of flash", "bytes of RAM", "bytes of code", "instructions", "crates"];
+    let times = ["minutes on", "seconds on", "minutes of", "seconds of", "times faster"];
+    let mut untested = Vec::new();
+    for page in pages_for_users().filter(|page| !MADE_OF_RULES.iter().any(|made| page.starts_with(made))) {
+        for (line, piece) in prose(&read(&page)) {
+            let has_number = piece.contains(|c: char| c.is_ascii_digit());
+            let is_size = units.iter().any(|unit| piece.contains(unit)) && has_number;
+            let is_measured = MEASURED.iter().any(|(stated, ..)| piece.contains(stated));
+            if (is_size || times.iter().any(|time| piece.contains(time))) && !is_measured {
+                untested.push(format!("{}:{line}: {piece}", page.display()));
+            }
+        }
+    }
+    assert!(untested.is_empty(), "no test is known for:\n{}", untested.join("\n"));
 }

@@ -126,7 +126,7 @@ fn bit_rates(info: &DeviceInfo, context: &Context<'_>) -> String {
         text.push_str(" kbit/s");
     }
     if info.baud_rates.auto == Some(true) {
-        let detected = context.language.pick("detected by itself", "selbst erkannt");
+        let detected = context.language.pick("detected automatically", "selbst erkannt");
         text = if text.is_empty() { detected.to_owned() } else { format!("{text}; {detected}") };
     }
     text

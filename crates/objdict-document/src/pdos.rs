@@ -232,7 +232,7 @@ fn remarks(decoder: &Decoder<'_>, pdo: &Pdo<'_>, layout: &Layout) -> Vec<String>
     if let Some(gap) = layout.fields.iter().find(|field| field.object.is_none()) {
         remarks.push(match decoder.language {
             Language::English => format!(
-                "Sub-index {} of the mapping has no value: where the objects behind it lie is not known.",
+                "Sub-index {} of the mapping has no value, so the positions of the following objects are unknown.",
                 gap.slot
             ),
             Language::German => format!(

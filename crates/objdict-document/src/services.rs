@@ -80,7 +80,7 @@ impl Speaker<'_> {
         self.roles(&[
             (info.simple_boot_up_slave, "boots up as a slave", "startet als Slave"),
             (info.simple_boot_up_master, "can be the master", "kann Master sein"),
-            (info.self_starting, "goes to operational by itself", "geht selbst in operational"),
+            (info.self_starting, "enters operational by itself", "geht selbst in operational"),
             (info.flying_master, "flying master", "Flying-Master"),
         ])
     }
@@ -344,7 +344,7 @@ mod tests {
                 "Heartbeat producer: off",
                 "Heartbeat consumer: node 3 within 500 ms",
                 "SDO client 1: client to server not valid, server to client COB-ID not stated, the server is node 7",
-                "On errors: : operational becomes pre-operational",
+                "On errors: : changes from operational to pre-operational",
                 "LSS: node-ID and bit rate can be set by LSS",
             ]
         );

@@ -109,7 +109,7 @@ texts! {
     not_stated: "not stated", "nicht angegeben";
     absent: "not supported", "nicht unterstützt";
     downloads: "Downloads", "Downloads";
-    sent_in_this_order: "The node is sent these values in this order. PDOs and other services are set to not valid before they change.", "Der Knoten bekommt diese Werte in dieser Reihenfolge. PDOs und andere Dienste werden ungültig, bevor sie sich ändern.";
+    sent_in_this_order: "These values are sent to the node in this order. PDOs and other services are marked not valid before they change.", "Der Knoten bekommt diese Werte in dieser Reihenfolge. PDOs und andere Dienste werden ungültig, bevor sie sich ändern.";
     number: "No.", "Nr.";
     entry: "Entry", "Eintrag";
     states: "State machine", "Zustandsmaschine";
@@ -150,12 +150,12 @@ texts! {
     sent_by: "Sent by", "Gesendet von";
     received_by: "Received by", "Empfangen von";
     doubled: "several nodes with the node-ID", "mehrere Knoten mit der Knotennummer";
-    sent_twice: "sent by several", "mehrfach gesendet";
+    sent_twice: "sent by several nodes", "mehrfach gesendet";
     from_to: "From ↓ to →", "Von ↓ an →";
     all_objects: "Objects of all devices", "Objekte aller Geräte";
     search_all: "Filter devices, search objects", "Geräte filtern, Objekte suchen";
     search_hint: "device, index, name", "Gerät, Index, Name";
-    too_short: "waits for more", "erwartet mehr";
+    too_short: "expects more", "erwartet mehr";
     overview: "Overview", "Übersicht";
     // networks
     topology: "Topology", "Topologie";

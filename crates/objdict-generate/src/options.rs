@@ -23,7 +23,7 @@ use crate::model::{Address, Device};
 macro_rules! with_options {
     ($make:ident) => {
         $make! {
-            /// The node-ID [default: that of the DCF]
+            /// The node-ID [default: from the DCF]
             ///
             /// 1 to 127. Formulas are kept; the node-ID is only their default.
             NodeId "node-id" {
@@ -56,7 +56,7 @@ macro_rules! with_options {
                 argument: Option<Names> [help_heading = "Names", value_name = "OF", value_parser = one_of::<Names>(), default_value = "words"],
                 method: names(names: Names) => Ok(names),
             }
-            /// A file of other names for identifiers, with lines such as `"2000sub1" = "target speed"`
+            /// A file with other names for identifiers, with lines such as `"2000sub1" = "target speed"`
             ///
             /// The caller reads the file; `generate::renames` parses its text.
             Renamed "rename" {
@@ -121,7 +121,7 @@ macro_rules! with_options {
                 argument: Option<CTable> [help_heading = "Size", value_name = "LAYOUT", value_parser = one_of::<CTable>(), default_value = "compact"],
                 method: table(table: CTable) => Ok(table),
             }
-            /// What has storage in the table of the target `canopennode`
+            /// Which entries have storage in the table of the target `canopennode`
             ///
             /// Default: [`StackLayout::Complete`].
             Layout "layout" {
@@ -326,12 +326,12 @@ pub enum CTable {
 
 impl OptionValue for CTable {
     const ALL: &'static [(Self, &'static str, &'static str)] = &[
-        (Self::Compact, "compact", "Short rows, with functions that answer as an SDO server does"),
-        (Self::Structs, "structs", "An array of structures with pointers, for a stack of one's own"),
+        (Self::Compact, "compact", "Short rows, with functions that answer like an SDO server"),
+        (Self::Structs, "structs", "An array of structures with pointers, for a custom stack"),
     ];
 }
 
-/// What has storage in the table of the target `canopennode`, and under which names.
+/// Which entries have storage in the table of the target `canopennode`, and under which names.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub enum StackLayout {
     /// Every value that the stack has a type for.
@@ -350,12 +350,12 @@ impl OptionValue for StackLayout {
         (
             Self::CanOpenEditor,
             "canopeneditor",
-            "As CANopenEditor: only what has a default or a stated length",
+            "As in CANopenEditor: only entries with a default or a stated length",
         ),
         (
             Self::CanOpenEditor2020,
             "canopeneditor-2020",
-            "The same with its names before July 2021: `cell_1_Temp`",
+            "The same, with the names that it used before July 2021: `cell_1_Temp`",
         ),
     ];
 }

@@ -10,7 +10,7 @@ use crate::source::Encoding;
 /// Who reads what is written.
 #[derive(Clone, Debug, Default, clap::Args)]
 pub(in crate::cli) struct DialectArgs {
-    /// Write EDS and DCF for this reader: cia306 (default), lely, python-canopen, canopeneditor or codesys (docs/formats.md)
+    /// Write EDS and DCF files for this reader: cia306 (default), lely, python-canopen, canopeneditor or codesys (docs/formats.md)
     #[arg(long, value_name = "DIALECT", value_parser = dialect)]
     pub dialect: Option<Dialect>,
 }

@@ -19,12 +19,12 @@ use crate::source::Encoding;
 ///
 /// Every setting is checked against the dictionary before anything is written: the entry exists and is writable, the value fits
 /// its type and its limits, mapped entries are mappable, CAN-IDs are free. All problems are reported at once, with exit
-/// code 1. The text of the EDS is edited, so comments, order and spelling stay.
+/// code 1. The text of the EDS is edited in place, so comments, order and spelling are preserved.
 #[derive(Debug, Parser)]
 pub(in crate::cli) struct ConfigureArgs {
-    /// EDS, XDD or device as JSON, or a DCF or XDC to change; `-` is the standard input
+    /// EDS, XDD or device as JSON, or a DCF or XDC to change; `-` is standard input
     pub file: PathBuf,
-    /// The file to write [default: the standard output]
+    /// The file to write [default: standard output]
     #[arg(short, long, value_name = "FILE")]
     output: Option<PathBuf>,
     /// Change the DCF or XDC itself
@@ -48,13 +48,13 @@ pub(in crate::cli) struct ConfigureArgs {
     /// Whether the node is the CANopen manager of the network [values: true (default), false]
     #[arg(long, value_name = "BOOL", num_args = 0..=1, require_equals = true, default_missing_value = "true", hide_possible_values = true)]
     pub manager: Option<bool>,
-    /// The serial number for LSS, which is that of the device in 1018h
+    /// The LSS serial number, which is the serial number in 1018h
     #[arg(long, value_name = "NUMBER", value_parser = serial_number)]
     pub lss_serial_number: Option<u32>,
-    /// Make CAN-IDs that belong to the former node-ID of a DCF follow the new one (default)
+    /// When the node-ID of a DCF changes, also change the CAN-IDs derived from it (default)
     #[arg(long, overrides_with = "no_rebase")]
     rebase: bool,
-    /// Keep CAN-IDs as they are when the node-ID changes
+    /// Keep all CAN-IDs when the node-ID changes
     #[arg(long)]
     pub no_rebase: bool,
     /// Set the value of an entry, by index or name: `1017=250`, `1017=1s`, `Producer heartbeat time=default`; repeatable
@@ -93,7 +93,7 @@ pub(in crate::cli) struct ConfigureArgs {
     /// Monitor the heartbeat of a node: `7=750ms`; repeatable
     #[arg(long, value_name = "NODE=TIME", value_parser = Setting::heartbeat_consumer)]
     pub heartbeat_consumer: Vec<Setting>,
-    /// Downloads after the values of entries, in this order, even of values that the node has: `6040=6,7,15`; repeatable
+    /// Downloads after the values of entries, in this order, even if the node already has the value: `6040=6,7,15`; repeatable
     #[arg(long, value_name = "ENTRY=VALUES", value_parser = |text: &str| Setting::downloads(Moment::After, text))]
     pub sdo: Vec<Setting>,
     /// Downloads before the values of entries; repeatable
@@ -110,10 +110,10 @@ pub(in crate::cli) struct ConfigureArgs {
     pub force: bool,
     #[command(flatten)]
     pub dialect: DialectArgs,
-    /// The format of the input, instead of the detected one: eds, dcf, xdd, xdc or json
+    /// The format of the input, overriding detection: eds, dcf, xdd, xdc or json
     #[arg(long, value_name = "FORMAT", value_parser = from, help_heading = "Input")]
     from: Option<From>,
-    /// Which device of a network file (.nxdd, .nxdc), counted from 1
+    /// The device to read from a network file (.nxdd, .nxdc), counted from 1
     #[arg(long, value_name = "NUMBER", help_heading = "Input")]
     device: Option<NonZeroUsize>,
     /// Encoding of the input, if it cannot be detected: utf-8, windows-1252, cp850, utf-16le …
@@ -168,7 +168,7 @@ impl ConfigureArgs {
 /// List the modules that a coupler supports
 #[derive(Debug, Parser)]
 pub(in crate::cli) struct ModulesArgs {
-    /// The EDS or DCF of the coupler; `-` is the standard input
+    /// The EDS or DCF of the coupler; `-` is standard input
     pub file: PathBuf,
     /// Output format
     #[arg(long, value_enum, default_value = "text")]

@@ -11,17 +11,17 @@ use crate::format::XddVersion;
 
 /// Convert between EDS, DCF, XDD, XDC, JSON and concise DCF, and export to DBC
 ///
-/// EDS to EDS and DCF to DCF keep every byte. EDS to DCF and back edit the text and keep comments, order and spelling; so do XDD
-/// to XDC and back. Between INI and XML files everything is written anew, and data without a place in the other format go into
-/// properties or comment lines of objdict (docs/formats.md). A DBC has the messages of one node, or of all nodes of a network (`network.toml`, `bus.yml`, node list). Exits
-/// with 1 when --deny-loss is given and data are lost or invented.
+/// EDS to EDS and DCF to DCF keep every byte. Conversions between EDS and DCF, and between XDD and XDC, edit the text and keep
+/// comments, order and spelling. Conversions between INI and XML write a new file; data that the format cannot express are stored
+/// in properties or comment lines of objdict (docs/formats.md). A DBC contains the messages of one node, or of all nodes of a network
+/// (`network.toml`, `bus.yml`, node list). Exits with 1 if --deny-loss is given and data are lost or invented.
 #[derive(Debug, Parser)]
 pub(in crate::cli) struct ConvertArgs {
-    /// Files to convert; `-` is the standard input
+    /// Files to convert; `-` is standard input
     #[arg(required = true, value_name = "FILE")]
     pub files: Vec<PathBuf>,
-    /// The file to write: .eds .dcf .xdd .xdc .json .cdcf (concise DCF) .cdcf.txt .dbc; `-` is the standard output, the default
-    /// with --to. For several files a folder, with --to, or the DBC of all of them
+    /// The file to write: .eds .dcf .xdd .xdc .json .cdcf (concise DCF) .cdcf.txt .dbc; `-` is standard output, the default
+    /// with --to. For several files: a folder, with --to, or one DBC for all of them
     #[arg(short, long, value_name = "PATH")]
     pub output: Option<PathBuf>,
     #[command(flatten)]
@@ -29,16 +29,16 @@ pub(in crate::cli) struct ConvertArgs {
     /// The format to write [default: by the extension of the output]
     #[arg(long, value_enum, value_name = "FORMAT")]
     pub to: Option<WrittenKind>,
-    /// Write lost, omitted, invented and embedded data to this file, as JSON (docs/json.md); `-` is the standard output
+    /// Write lost, omitted, invented and embedded data to this file, as JSON (docs/json.md); `-` is standard output
     #[arg(long, value_name = "FILE")]
     pub loss_report: Option<PathBuf>,
-    /// Exit with 1 when data are lost or invented
+    /// Exit with 1 if data are lost or invented
     #[arg(long)]
     pub deny_loss: bool,
-    /// Embed nothing in properties or comments of objdict: data without a place in the format are lost
+    /// Do not store data that the format cannot express in properties or comments: such data are lost
     #[arg(long, alias = "no-carry")]
     pub no_embed: bool,
-    /// Write disabled objects (`CO_disabled`) of an XDD, XDC or JSON into an EDS or DCF too
+    /// Also write disabled objects (`CO_disabled`) of an XDD, XDC or JSON to an EDS or DCF
     #[arg(long)]
     pub keep_disabled: bool,
     /// Version of CiA 311 of a new XDD or XDC
@@ -53,10 +53,10 @@ pub(in crate::cli) struct ConvertArgs {
     /// Node name in the DCF, XDC or DBC
     #[arg(long, alias = "node-name", value_name = "NAME", value_parser = node_name)]
     pub name: Option<String>,
-    /// Write all values into a concise DCF, not only those that differ from the default
+    /// Write all values to a concise DCF, not only those that differ from the default
     #[arg(long)]
     pub all: bool,
-    /// Use no configuration; `convert` reads none, and takes the option like the other commands
+    /// Ignore all configuration files; accepted for consistency, because `convert` reads none
     #[arg(long, help_heading = "Settings")]
     no_config: bool,
     #[command(flatten)]
@@ -78,7 +78,7 @@ pub(in crate::cli) struct DbcArgs {
     /// Add the SDOs of each node to a DBC, with a multiplexed signal for each entry of at most 4 bytes
     #[arg(long)]
     pub sdo: bool,
-    /// Give each named bit field of a word a signal of its own in a DBC, instead of one for the word
+    /// Write one signal to a DBC for each named bit field, instead of one for the whole word
     #[arg(long)]
     pub bits: bool,
 }

@@ -30,15 +30,15 @@ pub(in crate::cli) enum DcfCommand {
 
 /// Create a concise DCF from a DCF, XDC or text
 ///
-/// The stream is verified as by `verify`. A stream that the node would reject is not written, with exit code 1.
+/// Verifies the stream like `verify`. If the node would reject it, nothing is written and the exit code is 1.
 #[derive(Debug, Parser)]
 pub(in crate::cli) struct PackArgs {
-    /// DCF, XDC or device as JSON with the values of the node, or the text of a stream; `-` is the standard input
+    /// DCF, XDC or device as JSON with the values of the node, or the text of a stream; `-` is standard input
     pub file: PathBuf,
-    /// The file to write [default: the standard output]
+    /// The file to write [default: standard output]
     #[arg(short, long, value_name = "FILE")]
     pub output: Option<PathBuf>,
-    /// The format to write [default: that of the name of the output, else bin]
+    /// The format to write [default: by the extension of the output, else bin]
     #[arg(long, alias = "format", value_enum, value_name = "FORMAT")]
     pub to: Option<BlobFormat>,
     /// Write values that differ from the defaults (default)
@@ -53,13 +53,13 @@ pub(in crate::cli) struct PackArgs {
     /// Write values of these objects only: `1017,1800,1A00`, `1400-1BFF`
     #[arg(long, value_name = "INDEXES", value_delimiter = ',', value_parser = indexes)]
     pub only: Vec<RangeInclusive<u16>>,
-    /// The order of the downloads: by CiA 301, or that of dcfgen of lely-core
+    /// The order of the downloads: as CiA 301 requires, or as dcfgen of lely-core writes them
     #[arg(long, value_enum, default_value = "safe", hide_possible_values = true, value_name = "safe|dcfgen")]
     pub order: PackOrder,
-    /// The EDS of the node: provides the defaults, and the stream is verified against it
+    /// The EDS of the node, which provides the defaults and verifies the stream
     #[arg(long, value_name = "FILE")]
     pub eds: Option<PathBuf>,
-    /// The node-ID [default: that of the DCF]
+    /// The node-ID [default: from the DCF]
     #[arg(long, value_name = "N", value_parser = node_id)]
     pub node_id: Option<u8>,
     #[command(flatten)]
@@ -97,10 +97,10 @@ fn indexes(text: &str) -> Result<RangeInclusive<u16>, String> {
 /// Write a stream as text, one download per line, to review, edit and pack again
 #[derive(Debug, Parser)]
 pub(in crate::cli) struct UnpackArgs {
-    /// The stream; `-` is the standard input
+    /// The stream; `-` is standard input
     #[arg(value_name = "STREAM")]
     pub blob: PathBuf,
-    /// The file to write, such as pump.cdcf.txt [default: the standard output]
+    /// The file to write, such as pump.cdcf.txt [default: standard output]
     #[arg(short, long, value_name = "FILE")]
     pub output: Option<PathBuf>,
     #[command(flatten)]
@@ -109,7 +109,7 @@ pub(in crate::cli) struct UnpackArgs {
 
 /// Compare two streams
 ///
-/// Exits with 1 when they are different.
+/// Exits with 1 if they differ.
 #[derive(Debug, Parser)]
 pub(in crate::cli) struct DcfDiffArgs {
     /// The first stream
@@ -122,16 +122,16 @@ pub(in crate::cli) struct DcfDiffArgs {
 
 /// Verify a stream against the description of the node
 ///
-/// Shows the first write that the node would reject with its offset, then all others. Exits with 1 when there is one.
+/// Shows the first write that the node would reject, with its offset, and then all others. Exits with 1 if there are any.
 #[derive(Debug, Parser)]
 pub(in crate::cli) struct VerifyArgs {
-    /// The stream; `-` is the standard input
+    /// The stream; `-` is standard input
     #[arg(value_name = "STREAM")]
     pub blob: PathBuf,
     /// The description of the node: EDS, DCF, XDD, XDC or a device as JSON
     #[arg(long, value_name = "FILE")]
     pub eds: PathBuf,
-    /// The node-ID [default: that of the DCF]
+    /// The node-ID [default: from the DCF]
     #[arg(long, value_name = "N", value_parser = node_id)]
     pub node_id: Option<u8>,
     /// Output format
@@ -149,7 +149,7 @@ pub(in crate::cli) struct NamingArgs {
     /// The description of the node, for names, data types and meanings
     #[arg(long, value_name = "FILE")]
     pub eds: Option<PathBuf>,
-    /// The node-ID [default: that of the DCF]
+    /// The node-ID [default: from the DCF]
     #[arg(long, value_name = "N", value_parser = node_id)]
     pub node_id: Option<u8>,
     #[command(flatten)]
@@ -161,9 +161,9 @@ pub(in crate::cli) struct NamingArgs {
 /// A spelling of a stream, as an argument.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
 pub(in crate::cli) enum BlobFormat {
-    /// The bytes
+    /// Raw bytes
     Bin,
-    /// One download a line, as `unpack` writes it (`.cdcf.txt`)
+    /// One download per line, as `unpack` writes it (`.cdcf.txt`)
     Text,
     /// Pairs of hex digits
     Hex,

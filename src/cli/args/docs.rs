@@ -11,17 +11,17 @@ use crate::document::Form;
 
 /// Document devices and networks as HTML, Markdown or CSV
 ///
-/// Several descriptions make one site with an index page. So does a network: the index has its topology, links, CAN-IDs and boot
-/// plan, and each node has a page of its description as configured; a network in one file is this index alone. Pages include the
+/// Several descriptions become a site with an index page. So does a network: the index shows its topology, links, CAN-IDs and boot
+/// plan, and each node has a page with its configured description. In a single file, a network is only this index. Pages include the
 /// findings of `check`, which do not change the exit code unless --deny is given.
 #[derive(Debug, Parser)]
 #[command(mut_arg("deny", |deny| deny.help("Lowest severity that fails the run: note, warning or error [default: none]")))]
 pub(in crate::cli) struct DocsArgs {
-    /// Files, folders and patterns such as `devices/**/*.eds`; networks (`network.toml`, `bus.yml`, a node list); `-` is the
+    /// Files, folders and patterns such as `devices/**/*.eds`; networks (`network.toml`, `bus.yml`, a node list); `-` is
     /// standard input
     #[arg(required = true, value_name = "PATH")]
     pub files: Vec<PathBuf>,
-    /// The file to write, or the folder for a site; `-` is the standard output
+    /// The file to write, or the folder for a site; `-` is standard output
     #[arg(short, long, alias = "out", value_name = "PATH")]
     pub output: PathBuf,
     #[command(flatten)]

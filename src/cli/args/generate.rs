@@ -16,11 +16,11 @@ use crate::model::Address;
 
 /// Generate code and configuration from a description
 ///
-/// Checks the description first and generates nothing if an error would make the tables wrong: type, access or value of an
-/// entry is unknown, or it is described twice. Files are written only if they change, and atomically.
+/// Checks the description first and generates nothing if an error would make the tables wrong: the type, access or value of
+/// an entry is unknown, or an entry is described twice. Files are written atomically, and only if they change.
 #[derive(Debug, Parser)]
 pub(in crate::cli) struct GenerateArgs {
-    /// The description; `-` is the standard input
+    /// The description; `-` is standard input
     pub file: PathBuf,
     /// What to generate; repeatable, or separated by commas
     #[arg(long = "target", required = true, value_name = "TARGET", value_delimiter = ',', value_parser = targets())]
@@ -28,16 +28,16 @@ pub(in crate::cli) struct GenerateArgs {
     /// The folder to write to
     #[arg(short, long, alias = "out", value_name = "PATH")]
     pub output: PathBuf,
-    /// Write nothing, print the names of the files that would be written
+    /// Print the names of the files that would be written, without writing them
     #[arg(long, help_heading = "Output")]
     pub list: bool,
-    /// A file that every successful run writes, for make: the other files are written only if they change
+    /// Write this file on every successful run, for make: other files are written only if they change
     #[arg(long, value_name = "FILE", help_heading = "Output")]
     pub stamp: Option<PathBuf>,
-    /// Write the inputs of the stamp as a rule of make
+    /// Write a make rule with the inputs of the stamp file
     #[arg(long, value_name = "FILE", requires = "stamp", help_heading = "Output")]
     pub depfile: Option<PathBuf>,
-    /// Add the objects to the description without which CANopenNode does not compile or start, as CiA 301 describes them
+    /// Add the objects that CANopenNode needs to compile and start to the description, as CiA 301 describes them
     #[arg(long, help_heading = "Stacks")]
     pub add_missing: bool,
     /// Generate even if errors make the tables wrong
@@ -47,7 +47,7 @@ pub(in crate::cli) struct GenerateArgs {
     pub options: OptionArgs,
     #[command(flatten, next_help_heading = "Output")]
     pub overwrite: OverwriteArgs,
-    /// Report the flash and RAM of the tables, object by object
+    /// Report the flash and RAM usage of the tables, object by object
     #[arg(long, value_enum, value_name = "WHAT", help_heading = "Size")]
     pub report: Option<ReportArg>,
     /// Output format
@@ -61,10 +61,10 @@ pub(in crate::cli) struct GenerateArgs {
         help_heading = "Size"
     )]
     pub format: SizeFormat,
-    /// Fail if the tables of a target take more flash, without the code that serves them
+    /// Fail if the tables of a target take more flash than this, not counting code
     #[arg(long, value_name = "BYTES", help_heading = "Size")]
     pub max_flash: Option<usize>,
-    /// Fail if the values take more RAM
+    /// Fail if the values take more RAM than this
     #[arg(long, value_name = "BYTES", help_heading = "Size")]
     pub max_ram: Option<usize>,
     #[command(flatten)]
@@ -78,7 +78,7 @@ pub(in crate::cli) struct GenerateArgs {
     /// Lowest severity that stops the generation: note, warning or error [default: errors that make a table wrong]
     #[arg(long, value_enum, value_name = "SEVERITY", hide_possible_values = true, help_heading = "Settings")]
     pub deny: Option<Deny>,
-    /// Ignore findings that are in this file, which `check --write-baseline` makes
+    /// Ignore the findings in this file, which `check --write-baseline` writes
     #[arg(long, value_name = "FILE", help_heading = "Settings")]
     pub baseline: Option<PathBuf>,
 }

@@ -12,7 +12,7 @@ use crate::format::network::{ConfigurationTime, PathOptions};
 use crate::model::Date;
 use crate::source::Folder;
 
-/// Check networks, and build what their nodes and their manager are configured with
+/// Check networks, and build the configurations of their nodes and managers
 #[derive(Debug, Parser)]
 pub(in crate::cli) struct NetworkArgs {
     #[command(subcommand)]
@@ -53,7 +53,7 @@ impl NetworkInputArgs {
 #[derive(Debug, clap::Args)]
 #[command(next_help_heading = "Input")]
 pub(in crate::cli) struct AllowedPathArgs {
-    /// Another folder that files named in the input may be read from, beside its project, which is the nearest folder above with `objdict.toml` or `.git`, else its own folder; repeatable
+    /// Allow files named in the input to be read from this folder, in addition to the project: the nearest parent folder with `objdict.toml` or `.git`, else the folder of the input; repeatable
     #[arg(long, value_name = "DIR")]
     pub allow_path: Vec<PathBuf>,
 }
@@ -102,10 +102,10 @@ fn variable(text: &str) -> Result<(String, String), &'static str> {
 
 /// Check networks
 ///
-/// Exits with 1 when there is a finding of severity error (see --deny), with 2 when a file cannot be read.
+/// Exits with 1 if there is a finding of severity error (see --deny), and with 2 if a file cannot be read.
 #[derive(Debug, Parser)]
 pub(in crate::cli) struct NetworkCheckArgs {
-    /// Networks: `network.toml`, `bus.yml` of dcfgen or ros2_canopen, node lists; descriptions are the nodes of one more
+    /// Networks: `network.toml`, `bus.yml` of dcfgen or ros2_canopen, node lists; all descriptions together form one more
     #[arg(required = true, value_name = "FILE")]
     pub files: Vec<PathBuf>,
     #[command(flatten)]
@@ -118,15 +118,15 @@ pub(in crate::cli) struct NetworkCheckArgs {
     pub baseline: BaselineArgs,
 }
 
-/// Build what the nodes and the manager of a network are configured with
+/// Build the configurations of the nodes and the manager of a network
 ///
-/// Checks the network first and builds nothing if there is an error. Files are written only if they change, and atomically.
+/// Checks the network first and builds nothing if there is an error. Files are written atomically, and only if they change.
 #[derive(Debug, Parser)]
 pub(in crate::cli) struct NetworkBuildArgs {
     /// The network: `network.toml`, `bus.yml` of dcfgen or ros2_canopen, a node list, or the descriptions of its nodes
     #[arg(required = true, value_name = "FILE")]
     pub files: Vec<PathBuf>,
-    /// What to build
+    /// The files to build
     #[arg(long, value_enum)]
     pub target: NetworkTarget,
     /// The folder to write to
@@ -134,19 +134,19 @@ pub(in crate::cli) struct NetworkBuildArgs {
     pub output: PathBuf,
     #[command(flatten)]
     pub overwrite: OverwriteArgs,
-    /// When the configuration was made, such as 2026-11-22T11:30: nodes with 1020h keep it, and the manager expects it
+    /// Date and time of the configuration, such as 2026-11-22T11:30: nodes store it in 1020h, and the manager checks it
     #[arg(long, value_name = "TIME", value_parser = configuration_time)]
     pub configured_at: Option<ConfigurationTime>,
     /// Build even if there are errors
     #[arg(long)]
     pub force: bool,
-    /// Replay each configuration against its node, and check the network that comes of it; exits with 1 when a node refuses a download or a rule finds an error
+    /// Replay each configuration against its node, and check the resulting network; exit with 1 if a node refuses a download or a rule finds an error
     #[arg(long)]
     pub verify: bool,
-    /// The manager knows the mappings of the nodes' PDOs, as with `dcfgen -r`
+    /// Store the mappings of the nodes' PDOs in the manager, like `dcfgen -r`
     #[arg(short, long, help_heading = "Lely")]
     pub remote_pdo: bool,
-    /// Byte for byte what dcfgen 2.4.2 writes, with its errors; refuses only what dcfgen refuses
+    /// Write the same bytes as dcfgen 2.4.2, including its errors; refuse only what dcfgen refuses
     #[arg(long, help_heading = "Lely")]
     pub strict_dcfgen: bool,
     #[command(flatten)]
@@ -155,10 +155,10 @@ pub(in crate::cli) struct NetworkBuildArgs {
     pub config: ConfigFileArgs,
 }
 
-/// Verify that the files of a folder are as objdict wrote them
+/// Verify that the files in a folder are unchanged since objdict wrote them
 ///
-/// `network build` writes their hashes (SHA-256) to `objdict.sha256`, which `sha256sum -c` checks too. Exits with 1 when a file is
-/// missing or was changed, or when a build was interrupted.
+/// `network build` writes their hashes (SHA-256) to `objdict.sha256`, which `sha256sum -c` checks too. Exits with 1 if a file is
+/// missing or was changed, or if a build was interrupted.
 #[derive(Debug, Parser)]
 pub(in crate::cli) struct NetworkVerifyArgs {
     /// The folder
@@ -168,34 +168,34 @@ pub(in crate::cli) struct NetworkVerifyArgs {
 
 /// Boot a network in simulated time
 ///
-/// The manager boots the files that `network build` writes: built in memory, or read from a folder. The nodes answer as their descriptions say, with
-/// frames that are arbitrated by their CAN-IDs. Prints each frame with its meaning, and when which node is operational. Exits with 1 when a node
-/// that the manager must boot is not.
+/// The manager boots the nodes with the files of `network build`, which are built in memory or read from a folder. The nodes answer as their
+/// descriptions state, and frames are arbitrated by CAN-ID. Prints each frame with its meaning, and the time at which each node becomes
+/// operational. Exits with 1 if a node that the manager must boot does not become operational.
 #[derive(Debug, Parser)]
 pub(in crate::cli) struct NetworkBootArgs {
-    /// The network, the descriptions of its nodes, or a folder that `network build` wrote; with a folder that has no descriptions of nodes also
-    /// the network that has them
+    /// The network, the descriptions of its nodes, or a folder that `network build` wrote; if the folder has no descriptions of
+    /// nodes, also the network that names them
     #[arg(required = true, value_name = "FILE")]
     pub files: Vec<PathBuf>,
-    /// The files that are built and booted [default: lely for bus.yml, dcf for others]
+    /// The files to build and boot [default: lely for bus.yml, dcf for others]
     #[arg(long, value_enum, value_name = "TARGET")]
     pub target: Option<BootTarget>,
-    /// How the boot is shown
+    /// Output format
     #[arg(long, value_enum, default_value = "table")]
     pub format: ShowFormat,
-    /// Leave out the frames: only show what came of each node
+    /// Omit the frames, and show only the result of each node
     #[arg(long)]
     pub summary: bool,
     /// The bit rate in kbit/s [default: that of the network]
     #[arg(long, value_name = "KBIT", value_parser = clap::value_parser!(u16).range(1..=1000), help_heading = "Simulation")]
     pub bit_rate: Option<u16>,
-    /// The time that a node takes for an answer and for a reset, such as 1ms
+    /// The time that a node needs for an answer or a reset, such as 1ms
     #[arg(long, value_name = "TIME", default_value = "1ms", value_parser = duration, help_heading = "Simulation")]
     pub response_time: u64,
-    /// How long the network runs after its boot
+    /// How long to run the network after the boot
     #[arg(long, value_name = "TIME", default_value = "100ms", value_parser = duration, help_heading = "Simulation")]
     pub run_time: u64,
-    /// The longest simulated time, at most an hour
+    /// The maximum simulated time, at most an hour
     #[arg(long, value_name = "TIME", default_value = "60s", value_parser = duration, help_heading = "Simulation")]
     pub time_limit: u64,
     #[command(flatten)]
@@ -214,11 +214,11 @@ pub(in crate::cli) enum BootTarget {
 /// What is built of a network.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
 pub(in crate::cli) enum NetworkTarget {
-    /// The files of Lely's master: master.dcf, master.bin and one .bin a node
+    /// The files of Lely's master: master.dcf, master.bin and one .bin per node
     Lely,
     /// The DCF or XDC of each node, and the DCF of the manager
     Dcf,
-    /// One concise DCF a node, in an order that nodes accept
+    /// One concise DCF per node, in an order that nodes accept
     Concise,
     /// The DCF of the manager, with the concise DCF of each node in 1F22h
     Manager,
@@ -238,7 +238,7 @@ pub(in crate::cli) struct NetworkShowArgs {
     /// The network, or the descriptions of its nodes
     #[arg(required = true, value_name = "FILE")]
     pub files: Vec<PathBuf>,
-    /// How it is shown
+    /// Output format
     #[arg(long, value_enum, default_value = "table")]
     pub format: ShowFormat,
     #[command(flatten)]
@@ -253,7 +253,7 @@ pub(in crate::cli) struct NetworkGraphArgs {
     /// The network, or the descriptions of its nodes
     #[arg(required = true, value_name = "FILE")]
     pub files: Vec<PathBuf>,
-    /// How it is drawn
+    /// Output format
     #[arg(long, value_enum, default_value = "svg")]
     pub format: GraphFormat,
     #[command(flatten)]
@@ -271,7 +271,7 @@ pub(in crate::cli) enum GraphFormat {
 
 /// Compare two networks: nodes, CAN-IDs, boot plan, and the downloads of each node
 ///
-/// Exits with 1 when they differ.
+/// Exits with 1 if they differ.
 #[derive(Debug, Parser)]
 pub(in crate::cli) struct NetworkDiffArgs {
     /// The first network
@@ -282,9 +282,9 @@ pub(in crate::cli) struct NetworkDiffArgs {
     pub input: NetworkInputArgs,
 }
 
-/// Print the start of a `network.toml` for nodes with these descriptions
+/// Print a `network.toml` to start from, for nodes with these descriptions
 ///
-/// It has the node-IDs, the bit rate and the manager that they state, and comments on what can be added.
+/// The output contains the node-IDs, bit rate and manager that the descriptions state, and comments on what can be added.
 #[derive(Debug, Parser)]
 pub(in crate::cli) struct NetworkInitArgs {
     /// Descriptions, files with several (`.nxdd`, `.nxdc`), and node lists
@@ -294,7 +294,7 @@ pub(in crate::cli) struct NetworkInitArgs {
     pub paths: AllowedPathArgs,
 }
 
-/// Print the JSON Schema of a file format, with which editors complete and check
+/// Print the JSON Schema of a file format, for completion and validation in editors
 #[derive(Debug, Parser)]
 pub(in crate::cli) struct NetworkSchemaArgs {
     /// The file format

@@ -14,7 +14,7 @@ use crate::scaffold::{EncoderClass, MAX_ANALOG, MAX_DIGITAL};
 /// requires and passes `objdict check`; add your own objects from 2000h on.
 #[derive(Debug, Parser)]
 pub(in crate::cli) struct NewArgs {
-    /// The file to write: .eds .xdd .json; `-` is the standard output
+    /// The file to write: .eds .xdd .json; `-` is standard output
     #[arg(short, long, value_name = "FILE")]
     pub output: PathBuf,
     /// The format to write [default: by the extension of the output, else eds]

@@ -77,7 +77,8 @@ fn the_network_of_chapter_4_looks_like_this() {
 fn findings_of_a_network_are_on_its_page() {
     let bad = support::fixtures().join("rules/network/duplicate-can-id/bad.yml");
     let file = NetworkFile::open(&bad, &Default::default()).unwrap();
-    for (form, mark) in [(Form::Html, "sent by several"), (Form::Markdown, "**sent by several**")] {
+    for (form, mark) in [(Form::Html, "sent by several nodes"), (Form::Markdown, "**sent by several nodes**")]
+    {
         let files = site(&file, form, &Options::default());
         let index = named(&files, &format!("index.{}", form.extension()));
         assert!(index.contains("network/duplicate-can-id") && index.contains("line "), "{index}");

@@ -150,7 +150,7 @@ impl<'a> Database<'a> {
     /// The signals of a mapped object; none for a dummy.
     fn signals(&self, port: &Port<'_>, field: &Field) -> Result<Vec<Signal>, &'static str> {
         let Some(object) = field.object else {
-            return Err("it has no value, so the place of the objects behind it is not known");
+            return Err("it has no value, so the positions of the following objects are unknown");
         };
         let is_carried = matches!(field.kind, FieldKind::Object | FieldKind::Missing);
         let Some(start) = field.first.filter(|_| is_carried) else {

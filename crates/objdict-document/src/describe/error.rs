@@ -11,8 +11,8 @@ const REGISTER: [(u32, &str, &str); 7] = [
     (2, "voltage", "Spannung"),
     (3, "temperature", "Temperatur"),
     (4, "communication", "Kommunikation"),
-    (5, "of the device profile", "des Geräteprofils"),
-    (7, "of the manufacturer", "des Herstellers"),
+    (5, "device-profile-specific", "des Geräteprofils"),
+    (7, "manufacturer-specific", "des Herstellers"),
 ];
 
 /// Error codes by leading bits: mask, code, words. The first match applies.
@@ -96,10 +96,10 @@ impl Decoder<'_> {
     /// The error behaviour (1029h).
     pub(crate) fn error_reaction(&self, reaction: u32) -> String {
         let (english, german) = match reaction {
-            0 => ("operational becomes pre-operational", "aus operational wird pre-operational"),
-            1 => ("the NMT state stays", "der NMT-Zustand bleibt"),
+            0 => ("changes from operational to pre-operational", "aus operational wird pre-operational"),
+            1 => ("the NMT state does not change", "der NMT-Zustand bleibt"),
             2 => ("the device stops", "das Gerät geht in stopped"),
-            0x80..=0xFF => ("of the manufacturer", "herstellerspezifisch"),
+            0x80..=0xFF => ("manufacturer-specific", "herstellerspezifisch"),
             _ => ("reserved", "reserviert"),
         };
         self.pick(english, german).to_owned()

@@ -27,18 +27,18 @@ impl Decoder<'_> {
             (PdoKind::Tpdo, 0) => {
                 ("synchronous, when the value changed", "synchron, wenn sich der Wert geändert hat")
             }
-            (PdoKind::Tpdo, 1) => ("synchronous, with every SYNC", "synchron, mit jedem SYNC"),
+            (PdoKind::Tpdo, 1) => ("synchronous, on every SYNC", "synchron, mit jedem SYNC"),
             (PdoKind::Tpdo, 2..=240) => {
                 return match self.language {
-                    Language::English => format!("synchronous, with every {number}. SYNC"),
+                    Language::English => format!("synchronous, every {number} SYNCs"),
                     Language::German => format!("synchron, mit jedem {number}. SYNC"),
                 };
             }
             (PdoKind::Rpdo, 0..=240) => {
-                ("synchronous, taken over with the next SYNC", "synchron, mit dem nächsten SYNC übernommen")
+                ("synchronous, applied on the next SYNC", "synchron, mit dem nächsten SYNC übernommen")
             }
             (PdoKind::Tpdo, 252) => {
-                ("on remote frame, sampled with SYNC", "auf Remote-Frame, mit SYNC erfasst")
+                ("on remote frame, sampled on SYNC", "auf Remote-Frame, mit SYNC erfasst")
             }
             (PdoKind::Tpdo, 253) => ("on remote frame", "auf Remote-Frame"),
             (_, 254) => {
@@ -90,8 +90,7 @@ impl Decoder<'_> {
         Some(match self.device.entry(object.index, object.sub) {
             Some(entry) => format!("{place} {}, {bits}", entry.name),
             None => {
-                let missing =
-                    self.pick("which the description does not have", "den die Beschreibung nicht hat");
+                let missing = self.pick("which the description lacks", "den die Beschreibung nicht hat");
                 format!("{place}, {missing}, {bits}")
             }
         })
@@ -106,7 +105,7 @@ impl Decoder<'_> {
         let place = format!("0x{:04X}sub{sub:X}", u16::from_le_bytes([low, high]));
         Some(match (block, self.language) {
             (0 | 1, _) => place,
-            (_, Language::English) => format!("{place} and the {} behind it", block - 1),
+            (_, Language::English) => format!("{place} and the next {}", block - 1),
             (_, Language::German) => format!("{place} und die {} danach", block - 1),
         })
     }

@@ -32,10 +32,10 @@ fn mappings_say_what_they_carry() {
     assert_eq!(of(0x1A00, 1, &Value::Unsigned(0x0005_0008), None), "8 bits unused (dummy UNSIGNED8)");
     assert_eq!(of(0x1A00, 2, &Value::Unsigned(0), None), "");
     let missing = of(0x1600, 1, &Value::Unsigned(0x6040_0010), None);
-    assert_eq!(missing, "0x6040sub0, which the description does not have, 16 bits");
+    assert_eq!(missing, "0x6040sub0, which the description lacks, 16 bits");
     assert_eq!(of(0x1600, 0, &Value::Unsigned(0xFF), None), "MPDO that names its destination");
     assert_eq!(of(0x1600, 0, &Value::Unsigned(8), None), "");
-    assert_eq!(of(0x1FA0, 1, &Value::Unsigned(0x0460_0001), None), "0x6000sub1 and the 3 behind it");
+    assert_eq!(of(0x1FA0, 1, &Value::Unsigned(0x0460_0001), None), "0x6000sub1 and the next 3");
 }
 
 #[test]
@@ -89,7 +89,7 @@ fn a_drive_has_error_codes_of_its_own() {
 
 #[test]
 fn capabilities_and_signatures_are_distinguished() {
-    assert_eq!(of(0x1010, 1, &Value::Unsigned(3), None), "stores on command and by itself");
+    assert_eq!(of(0x1010, 1, &Value::Unsigned(3), None), "stores on command and automatically");
     assert_eq!(of(0x1010, 1, &Value::Unsigned(0x6576_6173), None), "signature `save`");
     assert_eq!(of(0x1011, 2, &Value::Unsigned(0), None), "does not restore defaults");
 }

@@ -26,7 +26,7 @@ impl Backend for CanFestival {
     }
 
     fn summary(&self) -> &'static str {
-        "the dictionary of CanFestival 3, laid out as by objdictgen"
+        "the dictionary of CanFestival 3, with the layout of objdictgen"
     }
 
     fn uses(&self) -> &'static [Choice] {

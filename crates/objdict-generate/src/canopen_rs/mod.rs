@@ -22,7 +22,7 @@ impl Backend for CanopenRs {
     }
 
     fn summary(&self) -> &'static str {
-        "one Rust file for the crate canopen-rs 0.6: a function of the node-ID that makes its ObjectDictionary"
+        "one Rust file for the crate canopen-rs 0.6: a function that creates its ObjectDictionary for a node-ID"
     }
 
     fn uses(&self) -> &'static [Choice] {

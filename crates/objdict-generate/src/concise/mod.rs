@@ -14,7 +14,7 @@ impl Backend for Concise {
     }
 
     fn summary(&self) -> &'static str {
-        "one concise DCF (.cdcf): the SDO downloads that bring a node from its defaults to what is configured"
+        "one concise DCF (.cdcf): the SDO downloads that bring a node from its defaults to its configuration"
     }
 
     fn uses(&self) -> &'static [Choice] {

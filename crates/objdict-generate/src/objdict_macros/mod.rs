@@ -27,7 +27,7 @@ impl Backend for ObjdictMacros {
     }
 
     fn summary(&self) -> &'static str {
-        "`objdict.c` and `mapping.c` of macros (SINGLE_OBJ, MAP_ENTRY), as the book on embedded CANopen has them"
+        "`objdict.c` and `mapping.c` with the macros of the book on embedded CANopen (SINGLE_OBJ, MAP_ENTRY)"
     }
 
     fn uses(&self) -> &'static [Choice] {

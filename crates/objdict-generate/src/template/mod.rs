@@ -41,7 +41,7 @@ impl Backend for Template {
     }
 
     fn summary(&self) -> &'static str {
-        "one file, made by a Jinja template of your own (`--template`)"
+        "one file, rendered from a custom Jinja template (`--template`)"
     }
 
     fn uses(&self) -> &'static [Choice] {

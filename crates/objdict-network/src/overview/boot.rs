@@ -99,16 +99,17 @@ impl Words {
                 "leaves the start of the nodes to the application",
                 "überlässt das Starten der Knoten der Anwendung",
             ),
-            (true, true) => ("starts all nodes by one command", "startet alle Knoten mit einem Kommando"),
-            (true, false) => {
-                ("starts each node by its own command", "startet jeden Knoten mit einem eigenen Kommando")
-            }
+            (true, true) => ("starts all nodes with one command", "startet alle Knoten mit einem Kommando"),
+            (true, false) => (
+                "starts each node with a separate command",
+                "startet jeden Knoten mit einem eigenen Kommando",
+            ),
         };
         let starts = self.said(english, german);
         let (english, german) = match startup.start {
-            true => ("becomes operational by itself", "geht von selbst in den Zustand Operational"),
+            true => ("becomes operational automatically", "geht von selbst in den Zustand Operational"),
             false => (
-                "becomes operational when the application says so",
+                "becomes operational when the application requests it",
                 "geht in den Zustand Operational, wenn die Anwendung es verlangt",
             ),
         };
@@ -123,7 +124,7 @@ impl Words {
                 "stoppt alle Knoten, wenn ein notwendiger Knoten ausfällt",
             ),
             (false, false) => (
-                "handles a mandatory node that fails like any other",
+                "handles a failed mandatory node like any other node",
                 "behandelt einen notwendigen Knoten, der ausfällt, wie jeden anderen",
             ),
         };
@@ -177,14 +178,14 @@ impl Words {
         if assigned(7) {
             let sub = objects.number(0x1F8A, slave.node_id);
             steps.push(self.said(
-                format!("restores the defaults by 1011h:{sub:02X}"),
+                format!("restores the defaults with 1011h:{sub:02X}"),
                 format!("stellt mit 1011h:{sub:02X} die Vorgabewerte wieder her"),
             ));
         }
         if downloads > 0 {
             let s = if downloads == 1 { "" } else { "s" };
             steps.push(self.said(
-                format!("configures the node by {downloads} download{s}"),
+                format!("configures the node with {downloads} download{s}"),
                 format!("konfiguriert den Knoten mit {downloads} Download{s}"),
             ));
         }
@@ -212,11 +213,11 @@ impl Words {
         match (consumer_time, guard_time) {
             (0, 0) => self.said("does not monitor the node", "überwacht den Knoten nicht"),
             (0, time) => self.said(
-                format!("guards the node each {time} ms, {count} times"),
+                format!("guards the node every {time} ms, {count} times"),
                 format!("überwacht den Knoten alle {time} ms (Guarding), {count}-mal"),
             ),
             (time, _) => self.said(
-                format!("expects a heartbeat each {time} ms"),
+                format!("expects a heartbeat every {time} ms"),
                 format!("erwartet alle {time} ms einen Heartbeat"),
             ),
         }

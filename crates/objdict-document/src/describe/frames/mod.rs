@@ -135,7 +135,7 @@ impl<'a> FrameReader<'a> {
         // a TPDO names the sender
         let is_rpdo = |service| matches!(service, Service::Pdo(pdo) if pdo.kind == PdoKind::Rpdo);
         let Some(&(at, service)) = users.iter().min_by_key(|(_, service)| is_rpdo(*service)) else {
-            return FrameWords { service: None, text: "no service of a known node".to_owned() };
+            return FrameWords { service: None, text: "not a service of a known node".to_owned() };
         };
         let talker = self.talkers[at];
         let text = match service {

@@ -71,7 +71,7 @@ impl FrameReader<'_> {
                 Some(Transfer { entry: (index, sub), is_complete: true, .. }) => {
                     format!("{name}: {index:04X}:{sub:02X} is written")
                 }
-                _ => format!("{name}: segment is taken"),
+                _ => format!("{name}: segment is accepted"),
             },
             0 => self.segment(node_id, &bytes, false, &name),
             4 => format!("{name}: {}", self.abort(node_id, entry, value)),

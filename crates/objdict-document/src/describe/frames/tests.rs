@@ -102,7 +102,7 @@ fn segments_are_put_together() {
         "drive: write 1008:00 Device name, 9 bytes",
         "drive: 1008:00 is expected",
         "drive: segment of 7 bytes",
-        "drive: segment is taken",
+        "drive: segment is accepted",
         "drive: last segment, 1008:00 Device name = a drive 5",
         "drive: 1008:00 is written",
     ];
@@ -125,7 +125,7 @@ fn pdos_and_emergencies() {
         "to drive RPDO 1: 6040:00 = 15",
         "drive EMCY 8130h (heartbeat or guarding lost), error register 11h (generic error, communication)",
         "drive EMCY 8210h (PDO too short, not processed), error register 11h (generic error, communication), 01 00 00 00 00",
-        "no service of a known node",
+        "not a service of a known node",
     ];
     assert_eq!(words, expected);
 }
