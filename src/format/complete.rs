@@ -57,7 +57,7 @@ pub(super) fn with_valid_access(device: &Device) -> Cow<'_, Device> {
         return Cow::Borrowed(device);
     }
     let mut valid = device.clone();
-    for (&index, object) in &mut valid.objects {
+    for (&index, object) in valid.objects.iter_mut() {
         let has_subs = object.object_type().has_subs();
         if is_due(&object.main) && (!has_subs || object.compact.is_some()) {
             object.main.access = access(device, (index, None), &object.main).or(Some(VALUE.1));

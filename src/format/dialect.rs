@@ -132,7 +132,7 @@ impl Dialect {
             return Cow::Owned(device);
         }
         device.objects.retain(|_, object| !object.orphan);
-        for (&index, object) in &mut device.objects {
+        for (&index, object) in device.objects.iter_mut() {
             settle_kind(object);
             complete(original, index, object);
         }

@@ -145,7 +145,7 @@ pub(super) fn extract(device: &mut Device) -> Vec<DatumChange> {
     }
     // the one that was made to hold them
     device.functions.retain(|function| changes.is_empty() || *function != DeviceFunction::default());
-    for (&index, object) in &mut device.objects {
+    for (&index, object) in device.objects.iter_mut() {
         from_properties(&mut object.main, (index, None), &mut changes);
         for (sub, entry) in object.subs.iter_mut() {
             from_properties(entry, (index, Some(sub)), &mut changes);

@@ -1,11 +1,9 @@
 //! DBC files of fixtures.
 
-use std::collections::BTreeMap;
-
 use objdict::document::dbc::{self, BusNode, DbcOptions};
 use objdict::format::{self, Format};
 use objdict::model::{
-    ApplicationProcess, DataTypeRef, Device, Labels, Object, Parameter, SimpleType, TypeDefinition,
+    ApplicationProcess, DataTypeRef, Device, Labels, Objects, Parameter, SimpleType, TypeDefinition,
     TypeShape, Unit, Value, VarDeclaration,
 };
 use objdict::network::DcfgenMode;
@@ -127,7 +125,7 @@ fn scale_and_unit(line: &str) -> Option<&str> {
 }
 
 /// TPDO 1 with 2000h, a word.
-fn device_of_one_tpdo() -> BTreeMap<u16, Object> {
+fn device_of_one_tpdo() -> Objects {
     let text = "[1800]\nObjectType=9\n[1800sub0]\nDataType=5\nDefaultValue=2\n[1800sub1]\nDataType=7\nDefaultValue=$NODEID+0x180\n\
         [1800sub2]\nDataType=5\nDefaultValue=255\n[1A00]\nObjectType=9\n[1A00sub0]\nDataType=5\nDefaultValue=1\n\
         [1A00sub1]\nDataType=7\nDefaultValue=0x20000010\n[2000]\nParameterName=Pressure\nDataType=6\n";

@@ -47,7 +47,7 @@ impl Node {
     }
 
     fn sub(mut self, index: u16, sub: u8, entry: Entry) -> Self {
-        let object = self.0.objects.entry(index).or_default();
+        let object = self.0.objects.get_or_insert_with(index, Object::default);
         object.main.object_type = Some(ObjectType::Record);
         object.subs.insert(sub, entry);
         self

@@ -481,7 +481,7 @@ pub(crate) fn device(texts: Texts) -> BoxedStrategy<Device> {
                 comments,
                 commissioning: commissioning.filter(|_| is_node),
                 lists: ObjectLists { mandatory: lists.1, optional: Some(optional), manufacturer: None },
-                objects,
+                objects: objects.into_iter().collect(),
                 modules,
                 dynamic_channels,
                 tools,

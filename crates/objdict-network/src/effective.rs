@@ -5,7 +5,7 @@ use std::borrow::Cow;
 use crate::compiled::Slave;
 use crate::diagnostic::At;
 use crate::download::{ConciseDcf, Download, Order, PlanError, PlanOptions, Step, effective};
-use crate::model::{Device, DeviceKind, ExplicitDownload, Moment};
+use crate::model::{Device, DeviceKind, ExplicitDownload, Moment, Object};
 use crate::network::{Network, Node};
 use crate::source::Span;
 
@@ -23,7 +23,9 @@ pub fn switched_on<'n>(network: &Network, node: &'n Node) -> Cow<'n, Device> {
         return Cow::Borrowed(&node.device);
     }
     let mut device = node.device.clone();
-    for object in device.objects.values_mut() {
+    let is_configured =
+        |object: &Object| object.described().any(|(_, entry)| entry.configured_value().is_some());
+    for object in device.objects.values_mut_of(is_configured) {
         for entry in object.subs.iter_mut().map(|(_, entry)| entry).chain([&mut object.main]) {
             if let Some(value) = entry.configured_value().cloned() {
                 entry.default = Some(value);

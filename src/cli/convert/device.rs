@@ -1,7 +1,6 @@
 //! What is made of a device.
 
 use std::borrow::Cow;
-use std::collections::BTreeMap;
 use std::mem;
 use std::path::Path;
 
@@ -19,7 +18,7 @@ use crate::download::{ConciseDcf, NeededFile, Plan, PlanError, PlanOptions, Scop
 use crate::format::{
     self, Description, Format, Loss, LossKind, Syntax, WriteOptions, concise, json, stated_name,
 };
-use crate::model::{Commissioning, Device, DeviceKind, Object, Place};
+use crate::model::{Commissioning, Device, DeviceKind, Objects, Place};
 use crate::report::plural;
 use crate::source::Folder;
 
@@ -190,10 +189,10 @@ fn anew(
 /// Removes the objects that the device does not have: an EDS cannot say so, and every other tool would take them for
 /// objects of the device.
 fn remove_disabled(device: &mut Device) -> Vec<Loss> {
-    let (disabled, objects): (BTreeMap<u16, Object>, _) =
+    let (disabled, objects): (Objects, Objects) =
         mem::take(&mut device.objects).into_iter().partition(|(_, object)| is_disabled(object));
     device.objects = objects;
-    let loss = |(index, object): (u16, Object)| Loss {
+    let loss = |(index, object)| Loss {
         place: Place::object(index),
         path: format!("/objects/0x{index:04X}"),
         kind: LossKind::Lost,

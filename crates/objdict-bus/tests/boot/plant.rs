@@ -28,7 +28,7 @@ pub(crate) fn device(rows: &[Row]) -> Device {
             ..Entry::default()
         };
         let is_var = sub == 0 && !rows.iter().any(|row| row.0 == index && row.1 > 0);
-        let object = device.objects.entry(index).or_insert_with(Object::default);
+        let object = device.objects.get_or_insert_with(index, Object::default);
         if is_var {
             object.main = entry;
         } else {

@@ -78,7 +78,7 @@ fn errors_have_names() {
 #[test]
 fn a_drive_has_error_codes_of_its_own() {
     let mut drive = Device::default();
-    drive.objects.entry(0x1000).or_default().main.default = Some(Value::Unsigned(402));
+    drive.objects.get_or_insert_with(0x1000, Default::default).main.default = Some(Value::Unsigned(402));
     let of = |index, sub, number| {
         Decoder::english(&drive, None).of(index, sub, &Value::Unsigned(number)).unwrap_or_default()
     };

@@ -5,7 +5,7 @@ use std::collections::BTreeMap;
 use super::{
     ApplicationProcess, Commissioning, DataType, DeviceFunction, DeviceIdentity, DeviceInfo, DeviceManager,
     DynamicChannels, ExplicitDownload, ExtraSection, FileInfo, InvalidValues, ModuleObjects, Modules,
-    NetworkIdentity, Object, ObjectList, ProfileHeaders, ToolCommand,
+    NetworkIdentity, Object, ObjectList, Objects, ProfileHeaders, ToolCommand,
 };
 
 /// A device description, independent of its format.
@@ -37,8 +37,7 @@ pub struct Device {
     #[cfg_attr(feature = "serde", serde(skip_serializing_if = "super::is_default"))]
     pub lists: ObjectLists,
     /// The objects by index.
-    #[cfg_attr(feature = "serde", serde(with = "super::index_keys"))]
-    pub objects: BTreeMap<u16, Object>,
+    pub objects: Objects,
     /// The modules of a modular device; `None` for any other device.
     #[cfg_attr(feature = "serde", serde(skip_serializing_if = "Option::is_none"))]
     pub modules: Option<Modules>,

@@ -64,7 +64,7 @@ impl Device {
             return Cow::Borrowed(self);
         }
         let mut device = self.clone();
-        for (index, object) in &mut device.objects {
+        for (index, object) in device.objects.iter_mut() {
             if let Some(compact) = object.compact.as_ref().filter(|compact| !compact.extra.is_empty()) {
                 device.extra.push(ExtraSection::new(&format!("{index:X}Value"), &compact.extra));
             }

@@ -34,6 +34,7 @@ mod module;
 mod node_list;
 mod object;
 mod object_type;
+mod objects;
 mod parameter;
 mod part;
 mod parts;
@@ -86,6 +87,7 @@ pub use module::{Extension, ExtensionCount, Module, Modules};
 pub use node_list::{NodeList, Topology, TopologyNode};
 pub use object::{Compact, Object, Subs};
 pub use object_type::ObjectType;
+pub use objects::Objects;
 pub use parameter::{
     AllowedValues, AllowedValuesTemplate, Parameter, ParameterAccess, ParameterGroup, ParameterTemplate,
     Property, ScaledValue, Support, Unit, ValueRange,

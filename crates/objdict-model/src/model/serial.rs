@@ -154,20 +154,20 @@ pub(crate) mod index_list {
 
 /// Objects by index: unique keys such as `0x1018`.
 pub(crate) mod index_keys {
-    use super::{BTreeMap, Deserialize, Deserializer, HexText, Serialize, Serializer};
+    use super::{Deserialize, Deserializer, HexText, Serialize, Serializer};
 
     /// Writes an object with keys of four upper-case hex digits after `0x`.
-    pub(crate) fn serialize<T: Serialize, S: Serializer>(
-        map: &BTreeMap<u16, T>,
+    pub(crate) fn serialize<'a, T: Serialize + 'a, S: Serializer>(
+        map: impl IntoIterator<Item = (&'a u16, &'a T)>,
         serializer: S,
     ) -> Result<S::Ok, S::Error> {
-        serializer.collect_map(map.iter().map(|(&index, item)| (HexText(index), item)))
+        serializer.collect_map(map.into_iter().map(|(&index, item)| (HexText(index), item)))
     }
 
     /// Reads what [`serialize`] wrote.
-    pub(crate) fn deserialize<'de, T: Deserialize<'de>, D: Deserializer<'de>>(
+    pub(crate) fn deserialize<'de, T: Deserialize<'de>, D: Deserializer<'de>, M: FromIterator<(u16, T)>>(
         deserializer: D,
-    ) -> Result<BTreeMap<u16, T>, D::Error> {
+    ) -> Result<M, D::Error> {
         let items = super::unique_keys::deserialize::<HexText<u16>, T, D>(deserializer)?;
         Ok(items.into_iter().map(|(HexText(index), item)| (index, item)).collect())
     }

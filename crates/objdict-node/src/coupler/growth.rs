@@ -98,7 +98,7 @@ impl Growth {
         self.last += 1;
         self.added += 1;
         let name = self.object_name(device, &extension.entry);
-        let object = device.objects.entry(self.current).or_insert_with(|| array(name));
+        let object = device.objects.get_or_insert_with(self.current, || array(name));
         if object.compact.is_some() {
             *object = object.expanded().into_owned();
         }

@@ -8,7 +8,7 @@ impl super::ConciseDcf {
     /// the EDS, even if a tool changed them in the DCF. Entries missing in `base` are unchanged.
     pub fn rebased(device: &Device, base: &Device) -> Device {
         let mut rebased = device.expanded().into_owned();
-        for (&index, object) in &mut rebased.objects {
+        for (&index, object) in rebased.objects.iter_mut() {
             if !object.object_type().has_subs() {
                 if let Some(entry) = base.entry(index, 0) {
                     rebase(&mut object.main, &entry);

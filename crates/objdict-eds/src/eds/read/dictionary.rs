@@ -2,7 +2,7 @@
 
 use std::collections::BTreeMap;
 
-use crate::model::Object;
+use crate::model::{Object, Objects};
 
 /// The objects in the order of the file. A section is usually of the last object or of a new one and needs
 /// no lookup, and a tree built at the end from sorted objects is faster and smaller than a growing one.
@@ -33,7 +33,7 @@ impl Dictionary {
     }
 
     /// All objects, by index.
-    pub(super) fn into_map(self) -> BTreeMap<u16, Object> {
+    pub(super) fn into_objects(self) -> Objects {
         self.objects.into_iter().collect()
     }
 
@@ -76,7 +76,7 @@ mod tests {
             dictionary.get_or_insert(index).links.push(index);
         }
         assert!(dictionary.get_mut(0x1001).is_none());
-        let times = dictionary.into_map().into_iter().map(|(index, object)| (index, object.links.len()));
+        let times = dictionary.into_objects().into_iter().map(|(index, object)| (index, object.links.len()));
         assert_eq!(times.collect::<Vec<_>>(), [(0, 2), (0x1000, 2), (0x2000, 3), (0xFFFF, 1)]);
     }
 }

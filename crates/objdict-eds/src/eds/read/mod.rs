@@ -197,7 +197,7 @@ impl<'a> Reader<'a> {
     fn finish(mut self, kind: DeviceKind) -> (Device, Findings) {
         self.misspelt_sections();
         self.apply_compact();
-        self.device.objects = self.objects.into_map();
+        self.device.objects = self.objects.into_objects();
         self.device.kind = match self.device.commissioning {
             Some(_) => DeviceKind::Node,
             None => kind,
