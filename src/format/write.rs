@@ -225,7 +225,7 @@ pub(super) fn write(device: &Device, format: Format, options: &WriteOptions) -> 
     };
     let Measured { mut text, mut lost, carried } = match options.embed {
         true => write_embedded(&wanted, format, options)?,
-        false => measure(&wanted, &wanted, &[], format, options)?,
+        false => measure(&wanted, Cow::Borrowed(&*wanted), &[], format, options)?,
     };
     losses.append(&mut invented(&wanted, &text.stated));
     complete::stated_anew(&wanted, &text.device, &mut |path, value| losses.push(Loss::invented(path, value)));
@@ -253,12 +253,14 @@ struct Measured {
 /// Writes a device that carries changes of the `wanted` one, and reads it back.
 fn measure(
     wanted: &Device,
-    carrier: &Device,
+    carrier: Cow<'_, Device>,
     changes: &[DatumChange],
     format: Format,
     options: &WriteOptions,
 ) -> Result<Measured, EditError> {
-    let mut text = decode(encode(carrier, format, options), format, options.eds.encoding);
+    let bytes = encode(&carrier, format, options);
+    drop(carrier);
+    let mut text = decode(bytes, format, options.eds.encoding);
     let carried = if changes.is_empty() { Vec::new() } else { embedded::extract(&mut text.device) };
     let lost = missing(wanted, &text.device, options.max_losses)?;
     Ok(Measured { text, lost, carried })
@@ -275,8 +277,7 @@ fn write_embedded(wanted: &Device, format: Format, options: &WriteOptions) -> Re
         if !needed.is_empty() {
             embedded::embed(&mut carrier, &needed, room(format));
         }
-        let measured = measure(wanted, &carrier, &needed, format, options)?;
-        drop(carrier);
+        let measured = measure(wanted, Cow::Owned(carrier), &needed, format, options)?;
         let changes = measured.lost.iter().map(|found| &found.change);
         if round == ROUNDS || changes.clone().eq(&needed) {
             return Ok(measured);
