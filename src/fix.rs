@@ -13,11 +13,11 @@ use crate::source::{Edits, Encoding, SourceFile, SourceOptions, Span};
 /// So many texts are read and checked; the fixes that need more than that are left ([`Fixed::is_unfinished`]).
 const MAX_TRIALS: u32 = 1000;
 
-/// So many are read and checked to find the fixes that a report offers.
-const MAX_OFFER_TRIALS: u32 = 100;
+/// Texts of so many bytes together are read and checked to find the fixes that a report offers, but at least [`MIN_OFFER_TRIALS`].
+const MAX_OFFER_BYTES: usize = 8 << 20;
 
-/// For larger texts a report offers no fixes.
-const MAX_OFFER_SIZE: usize = 1 << 20;
+/// One for all fixes, and one without those that did harm.
+const MIN_OFFER_TRIALS: usize = 2;
 
 /// The rules that find what a fix of another rule leaves open: a new section lacks what only its author knows.
 const LEFT_OPEN: [&str; 4] = [
@@ -121,19 +121,18 @@ pub fn fix_for_readers(description: Description, safety: Applicability, options:
 }
 
 /// The findings with those fixes alone offered ([`Fix::is_offered`](crate::diagnostic::Fix::is_offered)) that [`fix`] makes of this
-/// text at once: no two of them touch each other, and each fixes its finding and causes no other. In a file of more than 1 MiB
-/// that would take too long, and none is offered.
+/// text at once: no two of them touch each other, and each fixes its finding and causes no other. In a large file some may be
+/// missing where others do harm.
 pub fn with_sound_fixes(
     description: &Description,
     findings: Findings,
     check: impl Fn(&Description) -> Findings,
 ) -> Findings {
-    let mut offers = BTreeSet::new();
-    if description.source().text().len() <= MAX_OFFER_SIZE {
-        let candidates = candidates(description, &findings, Applicability::Unsafe, &BTreeMap::new());
-        let mut trials = Trials::new(description, &findings, &candidates, &check, MAX_OFFER_TRIALS);
-        offers.extend(trials.run().into_iter().map(|number| candidates[number].finding));
-    }
+    let candidates = candidates(description, &findings, Applicability::Unsafe, &BTreeMap::new());
+    let affordable = MAX_OFFER_BYTES / description.source().text().len().max(1);
+    let trials = affordable.clamp(MIN_OFFER_TRIALS, MAX_TRIALS as usize);
+    let mut trials = Trials::new(description, &findings, &candidates, &check, trials as u32);
+    let offers: BTreeSet<_> = trials.run().into_iter().map(|number| candidates[number].finding).collect();
     findings.rearrange(|mut kept| {
         for (number, finding) in kept.iter_mut().enumerate() {
             finding.fix.iter_mut().for_each(|fix| fix.is_offered = offers.contains(&number));
@@ -228,15 +227,18 @@ impl<'a, F: Fn(&Description) -> Findings> Trials<'a, F> {
         accepted
     }
 
-    /// Those of `numbers` that can be made with the `accepted` ones, and these. Mostly that is all of them; else each half
-    /// is tried alone.
+    /// Those of `numbers` that can be made with the `accepted` ones, and these. Mostly that is all of them; else those
+    /// where something is wrong then are tried apart from the others, and where that tells nothing, each half.
     fn narrow(&mut self, accepted: Vec<usize>, numbers: &[usize]) -> Vec<usize> {
         let mut all = accepted.clone();
         all.extend(numbers);
-        if let Some(outcome) = self.attempt(&all) {
-            self.best = Some(outcome);
-            return all;
-        }
+        let harm = match self.attempt(&all) {
+            Ok(outcome) => {
+                self.best = Some(outcome);
+                return all;
+            }
+            Err(harm) => harm,
+        };
         if self.left == 0 {
             return accepted;
         }
@@ -248,9 +250,15 @@ impl<'a, F: Fn(&Description) -> Findings> Trials<'a, F> {
             self.harmful.extend(numbers);
             return accepted;
         }
-        let (first, second) = numbers.split_at(numbers.len() / 2);
-        let accepted = self.narrow(accepted, first);
-        self.narrow(accepted, second)
+        let is_harmless =
+            |&number: &usize| !harm.iter().any(|harm| self.candidates[number].key.is_near(harm));
+        let (mut first, mut second): (Vec<_>, Vec<_>) = numbers.iter().copied().partition(is_harmless);
+        if first.is_empty() || second.is_empty() {
+            first = numbers.to_vec();
+            second = first.split_off(numbers.len() / 2);
+        }
+        let accepted = self.narrow(accepted, &first);
+        self.narrow(accepted, &second)
     }
 
     /// Whether all of these are fixes of one rule that did harm often enough.
@@ -261,9 +269,20 @@ impl<'a, F: Fn(&Description) -> Findings> Trials<'a, F> {
         harm >= MAX_HARM && numbers.iter().all(|number| rule(number) == first)
     }
 
-    /// The description with some fixes made, where each fixes its finding and none makes another.
-    fn attempt(&mut self, numbers: &[usize]) -> Option<(Description, Findings)> {
-        self.left = self.left.checked_sub(1)?;
+    /// The description with some fixes made, where each fixes its finding and none makes another; else where it is known,
+    /// the findings that there would be too many of.
+    fn attempt(&mut self, numbers: &[usize]) -> Result<(Description, Findings), Vec<Key>> {
+        self.left = self.left.checked_sub(1).ok_or_else(Vec::new)?;
+        let (description, fixed) = self.amended(numbers).ok_or_else(Vec::new)?;
+        let findings = (self.check)(&description);
+        match Counts::of(&findings).harm(&self.before, &fixed) {
+            harm if harm.is_empty() => Ok((description, findings)),
+            harm => Err(harm),
+        }
+    }
+
+    /// The description with some fixes made, and how many findings of each kind they fix; `None` where validation refuses it.
+    fn amended(&self, numbers: &[usize]) -> Option<(Description, BTreeMap<&'a Key, u32>)> {
         let source = self.description.source();
         let mut edits = Edits::new(source);
         let mut encoding = source.encoding();
@@ -283,11 +302,7 @@ impl<'a, F: Fn(&Description) -> Findings> Trials<'a, F> {
         let number = self.description.number();
         let description = format::read(source, self.description.format()).select(number)?;
         // rules may be switched off
-        if !description.is_as_valid_as(self.description) {
-            return None;
-        }
-        let findings = (self.check)(&description);
-        Counts::of(&findings).is_better_than(&self.before, &fixed).then_some((description, findings))
+        description.is_as_valid_as(self.description).then_some((description, fixed))
     }
 }
 
@@ -302,6 +317,14 @@ impl Key {
             _ => None,
         };
         Self(finding.rule.id, part)
+    }
+
+    /// Whether both are findings of one part, or where no part is known, of one rule.
+    fn is_near(&self, other: &Self) -> bool {
+        match (&self.1, &other.1) {
+            (Some(part), Some(other)) => part == other,
+            _ => self.0 == other.0,
+        }
     }
 }
 
@@ -336,32 +359,33 @@ impl Counts {
         counts
     }
 
-    /// Whether the findings that were `fixed` are gone, and no other has come or become more severe but what a new section
-    /// leaves open.
-    fn is_better_than(&self, before: &Self, fixed: &BTreeMap<&Key, u32>) -> bool {
+    /// The findings that there are too many of: that were `fixed` and are not gone, that have come or become more severe,
+    /// but not what a new section leaves open.
+    fn harm(&self, before: &Self, fixed: &BTreeMap<&Key, u32>) -> Vec<Key> {
         let adds_section = fixed.keys().any(|key| key.0 == "cia306/missing-section");
         let is_open = |rule: &str| adds_section && LEFT_OPEN.contains(&rule);
-        let mut fixed_of_rules: BTreeMap<&str, u32> = BTreeMap::new();
-        for (key, count) in fixed {
-            *fixed_of_rules.entry(key.0).or_default() += count;
-        }
-        let is_less = |now: u32, before: Option<&u32>, fixed: Option<&u32>| {
-            now + fixed.copied().unwrap_or_default() <= before.copied().unwrap_or_default()
-        };
+        let fixed_of =
+            |rule: &str| fixed.iter().filter(|(key, _)| key.0 == rule).map(|(_, count)| count).sum();
+        let is_more =
+            |now: u32, before: Option<&u32>, fixed: u32| now + fixed > before.copied().unwrap_or_default();
         let is_known = |rule: &str| !self.capped.contains(rule) && !before.capped.contains(rule);
-        let rule_is_less =
-            |rule: &str, now| is_less(now, before.rules.get(rule), fixed_of_rules.get(rule)) || is_open(rule);
-        self.rules.iter().all(|(rule, &now)| rule_is_less(rule, now))
-            && self
-                .severe
-                .iter()
-                .filter(|((rule, _), _)| is_known(rule))
-                .all(|(key, &now)| is_less(now, before.severe.get(key), None) || is_open(key.0))
-            && self
-                .parts
-                .iter()
-                .filter(|(key, _)| is_known(key.0))
-                .all(|(key, &now)| is_less(now, before.parts.get(key), fixed.get(key)) || is_open(key.0))
+        let rules = self
+            .rules
+            .iter()
+            .filter(|&(rule, &now)| !is_known(rule) && is_more(now, before.rules.get(rule), fixed_of(rule)));
+        let severe = self
+            .severe
+            .iter()
+            .filter(|&(key, &now)| is_known(key.0) && is_more(now, before.severe.get(key), 0));
+        let parts = self.parts.iter().filter(|&(key, &now)| {
+            let fixed = fixed.get(key).copied().unwrap_or_default();
+            is_known(key.0) && is_more(now, before.parts.get(key), fixed)
+        });
+        let whole = rules
+            .map(|(rule, _)| *rule)
+            .chain(severe.map(|((rule, _), _)| *rule))
+            .map(|rule| Key(rule, None));
+        whole.chain(parts.map(|(key, _)| key.clone())).filter(|key| !is_open(key.0)).collect()
     }
 }
 

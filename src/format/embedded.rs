@@ -45,21 +45,25 @@ text_rule! {
 
 /// A device with what is carried in it at its place. What does not belong to the device as it is stays, and is reported.
 pub(super) fn restore(mut device: Device, mut findings: Findings) -> (Device, Findings) {
-    let refused = match extract(&mut device) {
-        changes if changes.is_empty() => changes,
-        changes => apply(&mut device, changes),
-    };
-    for change in &refused {
+    let changes = extract(&mut device);
+    for change in put_back(&mut device, changes) {
         let message = say!("the carried `{}` is of a part that was changed since", change.path);
         let place = Place::of(Part::Section(EMBEDDED_SECTION.into()))
             .field(Field::Named(change.path.as_str().into()));
         let finding = Diagnostic::new(&STALE_EMBEDDED_DATA, place, message);
         findings.push(finding.help("remove the item, or convert the file again"));
     }
-    if !refused.is_empty() {
-        embed(&mut device, &refused, Carrier::Lines);
-    }
     (device, findings)
+}
+
+/// Makes the changes that were [extracted](extract) from a device. Those that do not belong to it as it is stay in it, and
+/// are returned.
+pub(super) fn put_back(device: &mut Device, changes: Vec<DatumChange>) -> Vec<DatumChange> {
+    let refused = if changes.is_empty() { changes } else { apply(device, changes) };
+    if !refused.is_empty() {
+        embed(device, &refused, Carrier::Lines);
+    }
+    refused
 }
 
 /// Puts changes into a device, in the places that the format has.

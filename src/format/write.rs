@@ -224,18 +224,15 @@ pub(super) fn write(device: &Device, format: Format, options: &WriteOptions) -> 
         true => kept,
         false => Cow::Owned(kept.expanded().into_owned()),
     };
-    let bytes = encode(&wanted, format, options);
-    let mut text = decode(bytes, format, options.eds.encoding);
-    let mut lost = missing(&wanted, &text.device, limit)?;
+    let Measured { mut text, mut lost, carried } = match options.embed {
+        true => write_embedded(&wanted, format, options)?,
+        false => measure(&wanted, Cow::Borrowed(&*wanted), &[], format, options)?,
+    };
     losses.append(&mut invented(&wanted, &text.stated));
     complete::stated_anew(&wanted, &text.device, &mut |path, value| losses.push(Loss::invented(path, value)));
-    if options.embed && !lost.is_empty() {
-        let plain = lost;
-        drop(text);
-        let bytes = encode_with(&wanted, format, options, &plain)?;
-        text = decode(bytes, format, options.eds.encoding);
-        (text.device, _) = embedded::restore(text.device, Findings::new());
-        lost = missing(&wanted, &text.device, limit)?;
+    if !carried.is_empty() {
+        embedded::put_back(&mut text.device, carried);
+        let plain = std::mem::replace(&mut lost, missing(&wanted, &text.device, limit)?);
         losses.append(&mut losses_of(without(plain, &lost), LossKind::Embedded));
     }
     losses.append(&mut losses_of(lost, LossKind::Lost));
@@ -246,34 +243,64 @@ pub(super) fn write(device: &Device, format: Format, options: &WriteOptions) -> 
     }
 }
 
-/// The text of a device that carries what is lost. To carry something may change how a reader takes what is beside it, so
-/// what is embedded is measured again until it is what is lost.
-fn encode_with(
+/// A text, and what it does not give back of the device that it was made of.
+struct Measured {
+    /// Its device is without what it carries.
+    text: Decoded,
+    lost: Vec<Missing>,
+    carried: Vec<DatumChange>,
+}
+
+/// Writes a device that carries changes of the `wanted` one, and reads it back.
+fn measure(
     wanted: &Device,
+    carrier: Cow<'_, Device>,
+    changes: &[DatumChange],
     format: Format,
     options: &WriteOptions,
-    lost: &[Missing],
-) -> Result<Vec<u8>, EditError> {
-    const ROUNDS: usize = 4;
-    let changes = |missing: &[Missing]| missing.iter().map(|found| found.change.clone()).collect();
-    let mut needed: Vec<DatumChange> = changes(lost);
-    let mut bytes = Vec::new();
-    for _ in 0..ROUNDS {
-        drop(bytes);
-        let mut carrier = wanted.clone();
-        embedded::embed(&mut carrier, &needed, room(format));
-        bytes = encode(&carrier, format, options);
-        drop(carrier);
-        let mut text = decode(bytes, format, options.eds.encoding);
-        embedded::extract(&mut text.device);
-        let found = missing(wanted, &text.device, options.max_losses)?;
-        bytes = text.bytes;
-        if found.iter().map(|found| &found.change).eq(&needed) {
-            break;
+) -> Result<Measured, EditError> {
+    let bytes = encode(&carrier, format, options);
+    drop(carrier);
+    let mut text = decode(bytes, format, options.eds.encoding);
+    let carried = if changes.is_empty() { Vec::new() } else { embedded::extract(&mut text.device) };
+    let lost = missing(wanted, &text.device, options.max_losses)?;
+    Ok(Measured { text, lost, carried })
+}
+
+/// The text of a device that carries what is lost. To carry something may change how a reader takes what is beside it, so
+/// what is embedded is measured again until it is what is lost.
+fn write_embedded(wanted: &Device, format: Format, options: &WriteOptions) -> Result<Measured, EditError> {
+    const ROUNDS: usize = 5;
+    let mut carrier = wanted.clone();
+    let mut needed = lost_without_objects(&mut carrier, format, options);
+    let mut round = 1;
+    loop {
+        if !needed.is_empty() {
+            embedded::embed(&mut carrier, &needed, room(format));
         }
-        needed = changes(&found);
+        let measured = measure(wanted, Cow::Owned(carrier), &needed, format, options)?;
+        let changes = measured.lost.iter().map(|found| &found.change);
+        if round == ROUNDS || changes.clone().eq(&needed) {
+            return Ok(measured);
+        }
+        needed = changes.cloned().collect();
+        drop(measured);
+        carrier = wanted.clone();
+        round += 1;
     }
-    Ok(bytes)
+}
+
+/// What a text does not give back of a device without its objects: mostly that is all that it does not give back with
+/// them, so that the long text is written and read once.
+fn lost_without_objects(device: &mut Device, format: Format, options: &WriteOptions) -> Vec<DatumChange> {
+    let objects = std::mem::take(&mut device.objects);
+    let mut read = decode(encode(device, format, options), format, options.eds.encoding).device;
+    read.objects.clear();
+    let lost = missing(device, &read, options.max_losses).unwrap_or_default();
+    device.objects = objects;
+    // the text has them with the objects
+    let is_apart = |change: &DatumChange| !change.path.starts_with("/lists");
+    lost.into_iter().map(|found| found.change).filter(is_apart).collect()
 }
 
 /// What a text does not give back of the device that it was made of.

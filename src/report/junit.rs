@@ -23,7 +23,7 @@ impl<W: Write> Junit<W> {
     /// A report that writes to `out`.
     pub fn new(out: W) -> Self {
         let mut xml = XmlWriter::new();
-        xml.open("testsuites", &[("name", "objdict")]);
+        xml.open("testsuites", [("name", "objdict")]);
         Self { out, base: Base::default(), deny: Severity::Error, xml }
     }
 
@@ -43,8 +43,8 @@ impl<W: Write> Junit<W> {
 
     fn suite(&mut self, name: &str, tests: usize, failures: usize, errors: usize) {
         let (tests, failures, errors) = (tests.to_string(), failures.to_string(), errors.to_string());
-        let counts = [("tests", &*tests), ("failures", &*failures), ("errors", &*errors)];
-        self.xml.open("testsuite", &[&[("name", name)], &counts[..]].concat());
+        let attributes = [("name", name), ("tests", &*tests), ("failures", &*failures), ("errors", &*errors)];
+        self.xml.open("testsuite", attributes);
     }
 
     /// A test case; `seen` counts the names in its file, for readers take cases of one name for one case.
@@ -65,7 +65,7 @@ impl<W: Write> Junit<W> {
         if *count > 1 {
             name.push_str(&format!(" ({count})"));
         }
-        self.xml.open("testcase", &[("name", &name), ("classname", file)]);
+        self.xml.open("testcase", [("name", &*name), ("classname", file)]);
         let message = one_line(&finding.message.shown());
         let severity = finding.severity.to_string();
         let mut text = format!("{file}:{position}: {severity}: {message}");
@@ -74,9 +74,9 @@ impl<W: Write> Junit<W> {
             text.push_str(&one_line(&help.shown()));
         }
         if finding.severity >= self.deny {
-            self.xml.text_element("failure", &[("type", &severity), ("message", &message)], &text);
+            self.xml.text_element("failure", [("type", &*severity), ("message", &*message)], &text);
         } else {
-            self.xml.text_element("system-out", &[], &text);
+            self.xml.text_element("system-out", [], &text);
         }
         self.xml.close();
     }
@@ -96,14 +96,14 @@ impl<W: Write> Report for Junit<W> {
             self.case(&name, subject, finding, &mut seen);
         }
         if findings.is_empty() {
-            self.xml.empty("testcase", &[("name", "no findings"), ("classname", &name)]);
+            self.xml.empty("testcase", [("name", "no findings"), ("classname", &*name)]);
         }
         let omitted: Vec<String> = findings
             .omitted()
             .map(|(rule, count)| format!("{count} more findings of {rule} are not shown"))
             .collect();
         if !omitted.is_empty() {
-            self.xml.text_element("system-out", &[], &omitted.join("\n"));
+            self.xml.text_element("system-out", [], &omitted.join("\n"));
         }
         self.xml.close();
         self.out.write_all(self.xml.take().as_bytes())
@@ -112,8 +112,8 @@ impl<W: Write> Report for Junit<W> {
     fn unread(&mut self, message: &str) -> io::Result<()> {
         let message = one_line(message);
         self.suite("objdict", 1, 0, 1);
-        self.xml.open("testcase", &[("name", &message), ("classname", "objdict")]);
-        self.xml.empty("error", &[("type", "unreadable"), ("message", &message)]);
+        self.xml.open("testcase", [("name", &*message), ("classname", "objdict")]);
+        self.xml.empty("error", [("type", "unreadable"), ("message", &*message)]);
         self.xml.close();
         self.xml.close();
         self.out.write_all(self.xml.take().as_bytes())

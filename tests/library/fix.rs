@@ -1,6 +1,7 @@
 //! Fixes: what they leave alone, and that nothing new is wrong afterwards. Every file of the fixtures is fixed, the
 //! malformed ones above all.
 
+use std::cell::Cell;
 use std::collections::{BTreeMap, BTreeSet};
 use std::fmt::Write;
 use std::path::{Path, PathBuf};
@@ -179,6 +180,37 @@ fn reports_offer_what_is_made() {
         }
     }
     assert!(offered > 400 && at_once > 300, "{offered} offers, {at_once} files need no second round");
+}
+
+/// A fix that does harm does not keep a large file from the others: they are tried without it.
+#[test]
+fn a_large_file_is_offered_the_fixes_that_do_no_harm() {
+    let minimal = std::fs::read_to_string(support::fixtures().join("eds/minimal.eds")).unwrap();
+    let mut text = minimal.replace("FileName=minimal.eds", "FileName=other.eds");
+    text.push_str(
+        "\r\n[2000]\r\nParameterName=Axis\r\nObjectType=9\r\nSubNumber=1\r\n\
+         \r\n[2000sub0]\r\nParameterName=Count\r\nObjectType=7\r\nDataType=4\r\n\
+         AccessType=const\r\nDefaultValue=0\r\nPDOMapping=0\r\n",
+    );
+    text.push_str(&format!("; {}\r\n", "-".repeat(200)).repeat(6000));
+    assert!(text.len() > 1 << 20);
+    let description = format::read(SourceFile::from_text("minimal.eds", text), Format::Eds);
+    let findings = check(&description);
+    let wrong_name = findings.iter().find(|finding| finding.rule.id == "cia306/file-name").unwrap().clone();
+    let checks = Cell::new(0);
+    let check = |description: &Description| {
+        checks.set(checks.get() + 1);
+        let mut findings = check(description);
+        if !description.source().text().contains("FileName=other.eds") {
+            findings.push(wrong_name.clone());
+        }
+        findings
+    };
+    let findings = with_sound_fixes(&description, findings, check);
+    let fixes = findings.iter().filter(|finding| finding.fix.as_ref().is_some_and(|fix| fix.is_offered));
+    let offered: Vec<&str> = fixes.map(|finding| finding.rule.id).collect();
+    assert!(offered.contains(&"cia306/sub-0-type") && !offered.contains(&"cia306/file-name"), "{offered:?}");
+    assert!(checks.get() <= 4, "{} checks", checks.get());
 }
 
 /// What readers refuse although CiA 306 allows it is fixed without `--compat`, and unread lines become comments.

@@ -3,6 +3,7 @@
 use base64::Engine;
 use base64::engine::general_purpose::STANDARD;
 use hmac_sha256::Hash;
+use memchr::memmem;
 
 /// The policy is inserted behind this; it does not apply to what is before it.
 const HEAD: &str = "<meta charset=\"utf-8\">\n";
@@ -22,7 +23,8 @@ pub(crate) fn with_policy(mut page: String) -> String {
 
 /// The sources that a directive allows: the content of each of the elements.
 fn sources(page: &str, start: &str, end: &str) -> String {
-    let contents = page.split(start).skip(1).filter_map(|rest| Some(rest.split_once(end)?.0));
+    let starts = memmem::find_iter(page.as_bytes(), start);
+    let contents = starts.filter_map(|at| Some(page[at + start.len()..].split_once(end)?.0));
     let hashes: Vec<String> = contents
         .map(|content| format!(" 'sha256-{}'", STANDARD.encode(Hash::hash(content.as_bytes()))))
         .collect();

@@ -399,14 +399,14 @@ pub struct Identifier {
     pub c: String,
 }
 
-/// The identifiers of objects and entries in the targets `rust` and `c`. An object with one value has only
-/// its index.
+/// The identifiers of objects and entries in the targets `rust` and `c`, where no option changes them. An object with one
+/// value has only its index.
 ///
 /// # Errors
 /// Same as [`generate`].
 #[cfg(all(feature = "c", feature = "rust"))]
-pub fn identifiers(device: &Device, options: &Options) -> Result<Vec<Identifier>, GenerateError> {
-    c::identifiers(&gaps::filled(device).0, options)
+pub fn identifiers(device: &Device) -> Result<Vec<Identifier>, GenerateError> {
+    c::identifiers(&gaps::filled(device).0)
 }
 
 /// Computes the size of the tables of `target` in flash and RAM, without the code that uses them, or states

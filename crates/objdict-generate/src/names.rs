@@ -169,9 +169,9 @@ impl Scope {
     /// Notes the words of all claims to come: what several of them claim gets a suffix in each, so that the name of
     /// one never depends on the order of the others.
     pub(crate) fn foresee<'a>(&mut self, all: impl IntoIterator<Item = &'a str>) {
-        let mut once = HashSet::new();
+        let all = all.into_iter();
+        let mut once = HashSet::with_capacity(all.size_hint().0);
         self.shared = all
-            .into_iter()
             .map(|words| clip(words, LONGEST))
             .filter(|words| !once.insert(*words))
             .map(str::to_owned)

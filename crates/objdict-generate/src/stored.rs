@@ -43,22 +43,26 @@ pub(crate) struct TableGroup {
 
 /// The group of each object.
 pub(super) struct Members {
-    groups: Vec<TableGroup>,
     of_objects: BTreeMap<u16, usize>,
     notes: Vec<Note>,
 }
 
 impl Members {
     /// Groups claim names before fields do, so that new objects do not change group names.
-    pub(super) fn new(dictionary: &Dictionary<'_>, options: &Options, fields: &mut Scope) -> Self {
-        let mut members = Self { groups: Vec::new(), of_objects: BTreeMap::new(), notes: Vec::new() };
+    pub(super) fn new(
+        dictionary: &Dictionary<'_>,
+        options: &Options,
+        fields: &mut Scope,
+        groups: &mut Vec<TableGroup>,
+    ) -> Self {
+        let mut members = Self { of_objects: BTreeMap::new(), notes: Vec::new() };
         for object in &dictionary.objects {
             let Some(name) = group_of(object, options) else { continue };
             let changes = |entry: &super::dictionary::ResolvedEntry<'_>| {
                 !entry.resolved.constant && entry.resolved.shape.size() > 0
             };
             if object.entries.iter().any(changes) {
-                let group = members.group_named(name, object.index, fields);
+                let group = group_named(name, object.index, fields, groups);
                 members.of_objects.insert(object.index, group);
             }
         }
@@ -71,16 +75,6 @@ impl Members {
         members
     }
 
-    fn group_named(&mut self, name: &str, first: u16, fields: &mut Scope) -> usize {
-        if let Some(group) = self.groups.iter().position(|group| group.name == name) {
-            return group;
-        }
-        let field = fields.claim(&identifier(name), format_args!("{first:04x}"));
-        let name = name.to_owned();
-        self.groups.push(TableGroup { name, field, sub_index: None, layout: 0, image_size: 0 });
-        self.groups.len() - 1
-    }
-
     /// The group of an object.
     pub(super) fn group(&self, index: u16) -> Option<usize> {
         self.of_objects.get(&index).copied()
@@ -88,7 +82,8 @@ impl Members {
 
     /// Adds the groups to a table with complete rows.
     pub(super) fn finish(mut self, device: &Device, table: &mut Table) {
-        for (number, group) in self.groups.iter_mut().enumerate() {
+        let mut groups = std::mem::take(&mut table.groups);
+        for (number, group) in groups.iter_mut().enumerate() {
             let of_group =
                 |row: &&Row| row.slot.is_some_and(|slot| table.fields[slot.field].group == Some(number));
             let rows: Vec<&Row> = table.rows.iter().filter(of_group).collect();
@@ -99,12 +94,22 @@ impl Members {
             facts.dedup();
             self.notes.extend(facts.into_iter().map(|index| of_the_firmware(index, &group.name)));
         }
-        table.groups = self.groups;
+        table.groups = groups;
         if !self.notes.is_empty() {
             table.notes.append(&mut self.notes);
             table.notes = in_order(std::mem::take(&mut table.notes));
         }
     }
+}
+
+/// The number of a group, which is added if it is new.
+fn group_named(name: &str, first: u16, fields: &mut Scope, groups: &mut Vec<TableGroup>) -> usize {
+    if let Some(group) = groups.iter().position(|group| group.name == name) {
+        return group;
+    }
+    let field = fields.claim(&identifier(name), format_args!("{first:04x}"));
+    groups.push(TableGroup { name: name.to_owned(), field, sub_index: None, layout: 0, image_size: 0 });
+    groups.len() - 1
 }
 
 /// The group stated for an object, else the requested one; `None` if it is not kept without power.

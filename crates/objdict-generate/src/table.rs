@@ -23,7 +23,7 @@ use super::resolve::{Datum, Resolved, Shape};
 use super::rom;
 use super::stored::{Members, TableGroup};
 use super::{GenerateError, Note, Options};
-use crate::model::{Access, DataType, Device, Object, ObjectType};
+use crate::model::{Access, Address, DataType, Device, Object, ObjectType};
 
 /// A device's dictionary, ready for a template.
 #[derive(Debug)]
@@ -137,25 +137,19 @@ impl Row {
 impl Table {
     /// The table of a device.
     pub(crate) fn new(device: &Device, options: &Options) -> Result<Self, GenerateError> {
-        let dictionary = Dictionary::new(device, options)?;
-        let mut fields = Scope::of_lower_case("node_id");
-        let members = Members::new(&dictionary, options, &mut fields);
-        let mut builder = Builder {
-            fields,
-            constants: Scope::of_constants(""),
-            blocks: Vec::new(),
-            table: Self::empty(&dictionary, options),
-        };
-        for object in dictionary.objects {
-            let group = members.group(object.index);
-            builder.object(object, group);
-        }
-        builder.name_all();
+        let mut builder = Builder::new(device, options)?;
+        builder.place_fields(device, options);
+        builder.name_fields();
         builder.place_blocks();
-        let mut table = Self { notes: dictionary.notes, ..builder.table };
+        let Builder { mut table, members, .. } = builder;
         members.finish(device, &mut table);
         hooks::mark(device, options, &mut table);
         Ok(table)
+    }
+
+    /// The objects, rows and groups of a table with their names, and no memory for values.
+    pub(crate) fn of_names(device: &Device, options: &Options) -> Result<Self, GenerateError> {
+        Ok(Builder::new(device, options)?.table)
     }
 
     /// The path of a value in the struct of values: `persist_comm.speed[1]`.
@@ -215,54 +209,69 @@ const ITEMS: &str = "
 
 struct Builder {
     fields: Scope,
-    /// The entries of one object.
-    constants: Scope,
-    /// The data in flash of each row.
-    blocks: Vec<Vec<u8>>,
+    members: Members,
     table: Table,
 }
 
 impl Builder {
-    fn object(&mut self, resolved: ResolvedObject<'_>, group: Option<usize>) {
-        let (index, object, single) = (resolved.index, resolved.object, resolved.is_single());
-        let object_name = words(&resolved.name);
+    /// Everything that has a name but the fields.
+    fn new(device: &Device, options: &Options) -> Result<Self, GenerateError> {
+        let mut dictionary = Dictionary::new(device, options)?;
+        let mut fields = Scope::of_lower_case("node_id");
+        let mut table = Table::empty(&dictionary, options);
+        let members = Members::new(&dictionary, options, &mut fields, &mut table.groups);
+        let objects = std::mem::take(&mut dictionary.objects);
+        table.notes = dictionary.notes;
+        let mut builder = Self { fields, members, table };
+        let mut constants = Scope::of_constants("");
+        objects.into_iter().for_each(|object| builder.object(object, &mut constants));
+        builder.name_objects();
+        Ok(builder)
+    }
+
+    fn object(&mut self, resolved: ResolvedObject<'_>, constants: &mut Scope) {
+        let (index, single) = (resolved.index, resolved.is_single());
+        let (name, module) = (resolved.object.name().to_owned(), module(index, &resolved.name));
         let first = self.table.rows.len();
-        self.constants.reset("index");
+        constants.reset("index");
         let names: Vec<String> = resolved.entries.iter().map(|entry| words(&entry.name)).collect();
-        self.constants.foresee(names.iter().map(String::as_str));
-        for ResolvedEntry { sub, entry, name, resolved } in resolved.entries {
-            let constant = self.constants.claim(&words(&name), format_args!("{sub:02x}"));
-            self.blocks.push(block(&resolved));
+        constants.foresee(names.iter().map(String::as_str));
+        for (ResolvedEntry { sub, entry, resolved, .. }, words) in resolved.entries.into_iter().zip(&names) {
+            let constant = constants.claim(words, format_args!("{sub:02x}"));
             let name = entry.name.to_string();
             let hooked = false;
             let row = Row { index, sub, name, constant, resolved, slot: None, rom: 0, rom_length: 0, hooked };
             self.table.rows.push(row);
         }
         let rows = first..self.table.rows.len();
-        let name = if object_name.is_empty() { format!("x{index:04x}") } else { object_name };
-        let first = self.table.fields.len();
-        self.place_fields(object, &name, rows.clone());
-        self.table.fields[first..].iter_mut().for_each(|field| field.group = group);
-        let object = TableObject { index, name: object.name().to_owned(), module: name, single, rows };
-        self.table.objects.push(object);
+        self.table.objects.push(TableObject { index, name, module, single, rows });
     }
 
-    fn place_blocks(&mut self) {
-        let (rom, offsets) = rom::pack(self.blocks.iter().map(Vec::as_slice));
-        for (row, block) in self.table.rows.iter_mut().zip(&self.blocks) {
-            (row.rom, row.rom_length) = (offsets[block.as_slice()], block.len());
-        }
-        self.table.rom = rom;
-    }
-
-    /// Makes the names of objects and fields unique.
-    fn name_all(&mut self) {
-        let Table { objects, fields, rows, .. } = &mut self.table;
+    /// Makes the names of objects unique.
+    fn name_objects(&mut self) {
+        let objects = &mut self.table.objects;
         let mut modules = Scope::of_lower_case(ITEMS);
         modules.foresee(objects.iter().map(|object| object.module.as_str()));
         for TableObject { index, module, .. } in objects {
             *module = modules.claim(module, format_args!("{index:04x}"));
         }
+    }
+
+    fn place_fields(&mut self, device: &Device, options: &Options) {
+        for number in 0..self.table.objects.len() {
+            let TableObject { index, ref rows, .. } = self.table.objects[number];
+            let (rows, first) = (rows.clone(), self.table.fields.len());
+            let object = &device.objects[&index];
+            let name = module(index, &options.name_of(Address { index, sub: None }, object.name()));
+            self.place_fields_of(object, &name, rows);
+            let group = self.members.group(index);
+            self.table.fields[first..].iter_mut().for_each(|field| field.group = group);
+        }
+    }
+
+    /// Makes the names of fields unique.
+    fn name_fields(&mut self) {
+        let Table { fields, rows, .. } = &mut self.table;
         self.fields.foresee(fields.iter().map(|field| field.name.as_str()));
         for TableField { name, rows: of_field, is_object, .. } in fields {
             let Row { index, sub, .. } = rows[of_field.start];
@@ -273,8 +282,17 @@ impl Builder {
         }
     }
 
+    fn place_blocks(&mut self) {
+        let blocks: Vec<Vec<u8>> = self.table.rows.iter().map(|row| block(&row.resolved)).collect();
+        let (rom, offsets) = rom::pack(blocks.iter().map(Vec::as_slice));
+        for (row, block) in self.table.rows.iter_mut().zip(&blocks) {
+            (row.rom, row.rom_length) = (offsets[block.as_slice()], block.len());
+        }
+        self.table.rom = rom;
+    }
+
     /// Assigns fields to the writable entries of an object.
-    fn place_fields(&mut self, object: &Object, name: &str, rows: std::ops::Range<usize>) {
+    fn place_fields_of(&mut self, object: &Object, name: &str, rows: std::ops::Range<usize>) {
         let elements = self.elements(object, rows.clone());
         for at in rows.start..elements.start {
             self.place_field(object, name, at..at + 1, false);
@@ -317,6 +335,12 @@ impl Builder {
         }
         self.table.fields.push(TableField { name, is_object, shape, rows, array, group: None });
     }
+}
+
+/// The words of the name of an object, or its index.
+fn module(index: u16, name: &str) -> String {
+    let words = words(name);
+    if words.is_empty() { format!("x{index:04x}") } else { words }
 }
 
 /// The data of an entry in flash.

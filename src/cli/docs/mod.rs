@@ -38,7 +38,7 @@ struct Documented {
 
 impl Documented {
     fn new(file: String, format: &'static str, device: Device, findings: Vec<Finding>) -> Self {
-        let names = generate::identifiers(&device, &generate::Options::default()).unwrap_or_default();
+        let names = generate::identifiers(&device).unwrap_or_default();
         let names = names.into_iter().map(|of| ((of.index, of.sub), CodeName { rust: of.rust, c: of.c }));
         Self { file, format, device, findings, identifiers: names.collect() }
     }

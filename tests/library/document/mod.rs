@@ -49,7 +49,7 @@ fn page(path: &str, form: Form, options: &Options) -> String {
 
 /// What code that is generated with defaults calls its entries.
 fn identifiers(device: &Device) -> Identifiers {
-    let names = generate::identifiers(device, &Default::default()).unwrap_or_default();
+    let names = generate::identifiers(device).unwrap_or_default();
     names.into_iter().map(|of| ((of.index, of.sub), CodeName { rust: of.rust, c: of.c })).collect()
 }
 

@@ -10,6 +10,8 @@ mod view;
 
 #[cfg(feature = "rust")]
 use super::Identifier;
+#[cfg(feature = "rust")]
+use super::defaults::constants;
 use super::frames::{frames, freeze_mappings};
 use super::hooks::has_hooks;
 use super::notes::in_order;
@@ -24,21 +26,22 @@ const UNLESS: &str = "`--hook` allows it";
 /// Tables for C.
 pub(super) struct C;
 
-/// Identifiers of the targets `c` and `rust` for the objects and entries of a device.
+/// Identifiers of the targets `c` and `rust` for the objects and entries of a device, without options.
 #[cfg(feature = "rust")]
-pub(super) fn identifiers(device: &Device, options: &Options) -> Result<Vec<Identifier>, GenerateError> {
+pub(super) fn identifiers(device: &Device) -> Result<Vec<Identifier>, GenerateError> {
+    let options = Options::default();
     let (prefix, module) = (options.prefix_or("od")?, options.module_or("od")?);
-    let table = Table::new(device, options)?;
-    let facts = view::Facts::new(device, &table, options, &mut Vec::new());
-    let header = view::Header::new(&table, &prefix, &facts);
+    let table = Table::of_names(device, &options)?;
+    let (objects, _) = view::object_views(&table, &prefix, &constants(device, &table, &mut Vec::new()));
+    let upper = prefix.to_ascii_uppercase();
     let mut identifiers = Vec::with_capacity(table.objects.len() + table.rows.len());
-    for view::ObjectView { object, name, entries } in &header.objects {
+    for view::ObjectView { object, name, entries } in &objects {
         let mut add = |sub: Option<u8>, constant: &str, name: &str| {
             let rust = match object.single {
-                true => format!("{module}::{}", object.module.to_ascii_uppercase()),
-                false => format!("{module}::{}::{constant}", object.module),
+                true => [&module, "::", &object.module.to_ascii_uppercase()].concat(),
+                false => [&module, "::", &object.module, "::", constant].concat(),
             };
-            let c = format!("{}_{name}", header.upper);
+            let c = [&upper, "_", name].concat();
             identifiers.push(Identifier { index: object.index, sub, rust, c });
         };
         add(None, "INDEX", name);

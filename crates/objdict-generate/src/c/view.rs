@@ -114,27 +114,33 @@ const MACROS: &str = "
     abort_cannot_store abort_no_data no_names no_limits no_pdo
 ";
 
+/// The objects with their macros, and all macros that are taken.
+pub(super) fn object_views<'a>(
+    table: &'a Table,
+    prefix: &str,
+    constants: &[Constant],
+) -> (Vec<ObjectView<'a>>, Scope) {
+    let mut macros = Scope::of_constants(MACROS);
+    take_names(constants, &mut macros);
+    for taken in stored::macros(table).into_iter().chain(hook_macros(table)) {
+        macros.claim(&taken, format_args!(""));
+    }
+    // objects first, so that no entry takes the name of an object
+    let names: Vec<String> = table
+        .objects
+        .iter()
+        .map(|object| {
+            macro_name(&mut macros, prefix, &object.module, (format_args!("{:04x}", object.index), 4))
+        })
+        .collect();
+    let objects = table.objects.iter().zip(names);
+    let objects = objects.map(|(object, name)| object_view(table, object, name, (prefix, &mut macros)));
+    (objects.collect(), macros)
+}
+
 impl<'a> Header<'a> {
     pub(super) fn new(table: &'a Table, prefix: &'a str, facts: &'a Facts) -> Self {
-        let mut macros = Scope::of_constants(MACROS);
-        take_names(&facts.constants, &mut macros);
-        for taken in stored::macros(table).into_iter().chain(hook_macros(table)) {
-            macros.claim(&taken, format_args!(""));
-        }
-        // objects first, so that no entry takes the name of an object
-        let names: Vec<String> = table
-            .objects
-            .iter()
-            .map(|object| {
-                macro_name(&mut macros, prefix, &object.module, (format_args!("{:04x}", object.index), 4))
-            })
-            .collect();
-        let objects = table
-            .objects
-            .iter()
-            .zip(names)
-            .map(|(object, name)| object_view(table, object, name, (prefix, &mut macros)))
-            .collect();
+        let (objects, mut macros) = object_views(table, prefix, &facts.constants);
         let upper = prefix.to_ascii_uppercase();
         let meanings = (!facts.named.is_empty()).then(|| Meanings::new(&facts.named, prefix, &mut macros));
         Self {

@@ -189,7 +189,7 @@ impl XddWriter {
             return self.ids.reset(start.ids);
         }
         self.write_pending();
-        self.writer.text_element(&start.name, &start.attributes(), start.text.as_deref().unwrap_or_default());
+        self.writer.text_element(&start.name, start.attributes(), start.text.as_deref().unwrap_or_default());
         self.count(start.element);
     }
 
@@ -258,7 +258,7 @@ impl XddWriter {
         let name = element.name.text();
         let name = match self.body {
             Some(body) if self.version == XddVersion::V1_1 && is_global => {
-                Cow::Owned(format!("{}:{name}", prefix(body)))
+                Cow::Owned([prefix(body), ":", name].concat())
             }
             _ => Cow::Borrowed(name),
         };
@@ -274,7 +274,7 @@ impl XddWriter {
     fn write_pending(&mut self) {
         for start in self.pending.drain(..) {
             let mark = self.writer.mark();
-            self.writer.open(&start.name, &start.attributes());
+            self.writer.open(&start.name, start.attributes());
             self.open.push(Open { element: start.element, mark, ids: start.ids, counts: [0; MAX_SLOTS] });
         }
     }
@@ -308,7 +308,7 @@ impl Start {
             && self.element.text.is_none_or(|text| takes(text.kind))
     }
 
-    fn attributes(&self) -> Vec<(&str, &str)> {
-        self.attributes.iter().map(|(name, value)| (&**name, value.as_str())).collect()
+    fn attributes(&self) -> impl Iterator<Item = (&str, &str)> {
+        self.attributes.iter().map(|(name, value)| (&**name, value.as_str()))
     }
 }

@@ -46,28 +46,37 @@ impl XmlWriter {
     }
 
     /// Opens an element. What follows is its content, until it is closed.
-    pub fn open(&mut self, name: &str, attributes: &[(&str, &str)]) {
-        let name = self.tag(name, attributes);
+    pub fn open<'t>(&mut self, name: &str, attributes: impl IntoIterator<Item = (&'t str, &'t str)>) {
+        let name = self.tag(name, attributes).into_owned();
         self.text.push_str(">\n");
         self.open.push(name);
         self.is_empty = true;
     }
 
     /// Writes an element without content.
-    pub fn empty(&mut self, name: &str, attributes: &[(&str, &str)]) {
+    pub fn empty<'t>(&mut self, name: &str, attributes: impl IntoIterator<Item = (&'t str, &'t str)>) {
         self.tag(name, attributes);
         self.text.push_str(" />\n");
     }
 
     /// Writes an element that only contains a text.
-    pub fn text_element(&mut self, name: &str, attributes: &[(&str, &str)], text: &str) {
+    pub fn text_element<'t>(
+        &mut self,
+        name: &str,
+        attributes: impl IntoIterator<Item = (&'t str, &'t str)>,
+        text: &str,
+    ) {
         if text.is_empty() {
             return self.empty(name, attributes);
         }
         let name = self.tag(name, attributes);
-        let text = self.allowed(&name, None, text);
         self.text.push('>');
-        self.text.push_str(&escaped_text(&text));
+        if is_plain(text) {
+            self.text.push_str(text);
+        } else {
+            let text = self.allowed(&name, None, text);
+            self.text.push_str(&escaped_text(&text));
+        }
         self.text.push_str("</");
         self.text.push_str(&name);
         self.text.push_str(">\n");
@@ -119,7 +128,11 @@ impl XmlWriter {
     }
 
     /// Writes a start tag without its end; returns the written name.
-    fn tag(&mut self, name: &str, attributes: &[(&str, &str)]) -> String {
+    fn tag<'n, 't>(
+        &mut self,
+        name: &'n str,
+        attributes: impl IntoIterator<Item = (&'t str, &'t str)>,
+    ) -> Cow<'n, str> {
         self.is_empty = false;
         let name = self.name(name, name);
         self.indent();
@@ -127,11 +140,15 @@ impl XmlWriter {
         self.text.push_str(&name);
         for (attribute, value) in attributes {
             let attribute = self.name(&name, attribute);
-            let value = self.allowed(&name, Some(&attribute), value);
             self.text.push(' ');
             self.text.push_str(&attribute);
             self.text.push_str("=\"");
-            self.text.push_str(&escaped_value(&value));
+            if is_plain(value) {
+                self.text.push_str(value);
+            } else {
+                let value = self.allowed(&name, Some(&attribute), value);
+                self.text.push_str(&escaped_value(&value));
+            }
             self.text.push('"');
         }
         name
@@ -144,14 +161,14 @@ impl XmlWriter {
     }
 
     /// A valid name: forbidden characters, and a forbidden first character, become `_`.
-    fn name(&mut self, element: &str, name: &str) -> String {
+    fn name<'n>(&mut self, element: &str, name: &'n str) -> Cow<'n, str> {
         if prefix_length(name).is_some() {
-            return name.to_owned();
+            return Cow::Borrowed(name);
         }
         let bad = name.chars().find(|&character| !is_name_char(character)).or(name.chars().next());
         self.note(element, None, bad.unwrap_or(' '));
         let good: String = name.chars().map(|c| if is_name_char(c) { c } else { '_' }).collect();
-        if is_name(&good) { good } else { format!("_{good}") }
+        Cow::Owned(if is_name(&good) { good } else { format!("_{good}") })
     }
 
     fn allowed<'t>(&mut self, element: &str, attribute: Option<&str>, text: &'t str) -> Cow<'t, str> {
@@ -170,6 +187,11 @@ impl XmlWriter {
             self.replaced.push(Replaced { element, attribute, character });
         }
     }
+}
+
+/// Whether a text or value is written as it is.
+fn is_plain(text: &str) -> bool {
+    text.bytes().all(|byte| matches!(byte, b' '..=b'~') && !matches!(byte, b'<' | b'>' | b'&' | b'"'))
 }
 
 /// A text, escaped for an element. A CR is written as a number because it would be read as LF.
@@ -204,12 +226,12 @@ mod tests {
     #[test]
     fn elements_nest() {
         let mut writer = XmlWriter::new();
-        writer.open("a", &[("b", "1")]);
-        writer.empty("c", &[]);
-        writer.open("d", &[]);
+        writer.open("a", [("b", "1")]);
+        writer.empty("c", []);
+        writer.open("d", []);
         writer.close();
-        writer.text_element("e", &[("f", "2")], "x\ny");
-        writer.text_element("g", &[], "");
+        writer.text_element("e", [("f", "2")], "x\ny");
+        writer.text_element("g", [], "");
         let text = writer.finish();
         let expected = "<?xml version=\"1.0\" encoding=\"utf-8\"?>\n\
             <a b=\"1\">\n  <c />\n  <d />\n  <e f=\"2\">x\ny</e>\n  <g />\n</a>\n";
@@ -221,7 +243,7 @@ mod tests {
     fn every_text_comes_back() {
         let text = " <&>\"' \t\r\n ]]> \u{85} é -- &amp; ";
         let mut writer = XmlWriter::new();
-        writer.text_element("a", &[("b", text)], text);
+        writer.text_element("a", [("b", text)], text);
         assert_eq!(writer.replaced(), []);
         let tree = read(writer.finish());
         let root = tree.root().unwrap();
@@ -232,7 +254,7 @@ mod tests {
     #[test]
     fn what_has_no_place_in_xml_is_reported() {
         let mut writer = XmlWriter::new();
-        writer.text_element("1 a", &[("b>", "\0")], "\u{1F}");
+        writer.text_element("1 a", [("b>", "\0")], "\u{1F}");
         let replaced: Vec<char> = writer.replaced().iter().map(|replaced| replaced.character).collect();
         assert_eq!(replaced, [' ', '>', '\0', '\u{1F}']);
         let tree = read(writer.finish());

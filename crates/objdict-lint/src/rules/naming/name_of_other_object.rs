@@ -1,3 +1,4 @@
+use std::cell::LazyCell;
 use std::collections::HashMap;
 
 use crate::demands::{self, Against};
@@ -23,11 +24,9 @@ fn check(facts: &Facts<'_>, findings: &mut Findings) {
     let mut wrong = Vec::new();
     for one in demands::applied(facts.device, facts.options) {
         let objects = one.profile.objects().map(|object| (object.name, (object.first, object.last)));
-        let named = places_of(objects);
+        let named = LazyCell::new(|| places_of(objects));
         for against in demands::against(facts.device, &one).filter(|against| !against.object.orphan) {
-            let name = plain(against.object.name());
-            let other = named.get(&name).copied().flatten().filter(|_| name != plain(against.facts.name));
-            if let Some((other, _)) = other {
+            if let Some((other, _)) = place_of_other(&named, against.object.name(), against.facts.name) {
                 let place = Place::object(against.index);
                 let other = index_in(one.block, other);
                 wrong.push((
@@ -53,13 +52,12 @@ fn check(facts: &Facts<'_>, findings: &mut Findings) {
 
 /// Adds the entries of an object that have the name of another one of its entries.
 fn entries(against: &Against<'_>, wrong: &mut Vec<(Place, crate::diagnostic::Text)>) {
-    let named = places_of(against.facts.entries().map(|entry| (entry.name, (entry.first, entry.last))));
+    let names = against.facts.entries().map(|entry| (entry.name, (entry.first, entry.last)));
+    let named = LazyCell::new(|| places_of(names));
     for at in against.entries() {
         // another rule reports reserved sub-indexes
         let Some(sub) = at.sub.filter(|_| at.facts.name != RESERVED) else { continue };
-        let name = plain(&at.entry.name);
-        let other = named.get(&name).copied().flatten();
-        if let Some((other, _)) = other.filter(|_| name != plain(at.facts.name)) {
+        if let Some((other, _)) = place_of_other(&named, &at.entry.name, at.facts.name) {
             let message =
                 say!("{} has the name of sub-index {}, `{}`", at, sub_index(other), &*at.entry.name);
             wrong.push((Place::entry(against.index, sub), message));
@@ -67,10 +65,22 @@ fn entries(against: &Against<'_>, wrong: &mut Vec<(Place, crate::diagnostic::Tex
     }
 }
 
+/// The place with a name that is not the `own` one. Most names are, and then the others are not asked for.
+fn place_of_other<T: Copy>(
+    named: &LazyCell<Places<T>, impl FnOnce() -> Places<T>>,
+    name: &str,
+    own: &str,
+) -> Option<T> {
+    if name == own || plain(name) == plain(own) {
+        return None;
+    }
+    named.get(&plain(name)).copied().flatten()
+}
+
+type Places<T> = HashMap<String, Option<T>>;
+
 /// The first and the last number with each name; `None` for a name of several objects.
-fn places_of<'a, T: Copy + PartialEq>(
-    named: impl Iterator<Item = (&'a str, (T, T))>,
-) -> HashMap<String, Option<(T, T)>> {
+fn places_of<'a, T: Copy + PartialEq>(named: impl Iterator<Item = (&'a str, (T, T))>) -> Places<(T, T)> {
     let mut places = HashMap::new();
     for (name, place) in named.filter(|(name, _)| !matches!(*name, "" | RESERVED)) {
         let is_one = place.0 == place.1;
