@@ -295,7 +295,7 @@ fn write_embedded(wanted: &Device, format: Format, options: &WriteOptions) -> Re
 fn lost_without_objects(device: &mut Device, format: Format, options: &WriteOptions) -> Vec<DatumChange> {
     let objects = std::mem::take(&mut device.objects);
     let mut read = decode(encode(device, format, options), format, options.eds.encoding).device;
-    read.objects.clear();
+    read.objects = Default::default();
     let lost = missing(device, &read, options.max_losses).unwrap_or_default();
     device.objects = objects;
     // the text has them with the objects
