@@ -1,6 +1,6 @@
 //! The services of CiA 301 except PDOs, as configured by the communication objects (§7.5.2).
 
-use super::{CobId, Device, predefined};
+use super::{CobId, Device, Object, predefined};
 
 /// The services of a device after configuration ([`Entry::value`](super::Entry::value)). A field is `None`
 /// if the description has no such entry, no value, or a value that is not valid.
@@ -87,7 +87,7 @@ impl Device {
     }
 
     fn number<T: TryFrom<i128>>(&self, index: u16, sub: u8) -> Option<T> {
-        self.value(index, sub)?.as_integer().and_then(|number| T::try_from(number).ok())
+        number(self.object(index)?, sub)
     }
 
     fn cob_id(&self, index: u16, sub: u8) -> Option<CobId> {
@@ -95,19 +95,16 @@ impl Device {
     }
 
     fn heartbeat_consumers(&self) -> Vec<HeartbeatConsumer> {
-        if self.object(0x1016).is_none() {
-            return Vec::new();
-        }
-        let consumers =
-            (1..=127).filter_map(|sub| HeartbeatConsumer::from_number(sub, self.number(0x1016, sub)?));
+        let Some(object) = self.object(0x1016) else { return Vec::new() };
+        let consumers = (1..=127).filter_map(|sub| HeartbeatConsumer::from_number(sub, number(object, sub)?));
         consumers.collect()
     }
 
     /// The channels whose parameters start at an index, at most 128.
     fn sdo_channels(&self, first: u16) -> Vec<SdoChannel> {
-        let channel = |&index: &u16| {
+        let channel = |(&index, object): (&u16, &Object)| {
             let implied = |base| (index == 0x1200).then_some(predefined::per_node(base));
-            let cob_id = |sub, base| match self.value(index, sub) {
+            let cob_id = |sub, base| match object.value(sub) {
                 Some(value) => CobId::from_value(&value),
                 None => implied(base),
             };
@@ -116,17 +113,22 @@ impl Device {
                 index,
                 request: cob_id(1, predefined::SDO_REQUEST),
                 response: cob_id(2, predefined::SDO_RESPONSE),
-                node_id: self.number(index, 3),
+                node_id: number(object, 3),
             }
         };
-        self.objects.range(first..first + 0x80).map(|(index, _)| index).map(channel).collect()
+        self.objects.range(first..first + 0x80).map(channel).collect()
     }
+}
+
+/// The value of a sub-index as a number.
+fn number<T: TryFrom<i128>>(object: &Object, sub: u8) -> Option<T> {
+    object.value(sub)?.as_integer().and_then(|number| T::try_from(number).ok())
 }
 
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::model::{Entry, Object, ObjectType, Value};
+    use crate::model::{Entry, ObjectType, Value};
 
     fn put(device: &mut Device, index: u16, values: &[(u8, Option<Value>)]) {
         let mut object = Object::default();
