@@ -9,8 +9,8 @@ use crate::support;
 
 /// Documents, and the commands that write them: `FIXTURES` is their folder, and what is not printed is written to `OUT`.
 const DOCUMENTS: &[(&str, &str)] = &[
-    ("findings", "check FIXTURES --no-config --format json --statistics"),
-    ("findings", "check FIXTURES --no-config --format json --all"),
+    ("findings", "check FIXTURES --no-config --format json --statistics --all"),
+    ("findings", "check FIXTURES/broken FIXTURES/rules/portability --no-config --format json"),
     ("findings", "check FIXTURES/eds --no-config --format json --statistics=only"),
     ("findings", "check FIXTURES/eds/minimal.eds --no-config --format json"),
     ("findings", "network check FIXTURES/network/cell.yml --format json"),
