@@ -209,7 +209,7 @@ fn object(facts: ObjectFacts<'_>) -> Object<'_> {
         name: facts.name,
         need: need(facts.need),
         object_types: facts.states_type().then_some(facts.object_types),
-        only: facts.only.map(|only| only.to_string()),
+        only: facts.only.map(ToString::to_string),
         source: facts.source,
     }
 }
