@@ -125,6 +125,7 @@ impl FromIterator<(u8, Entry)> for Subs {
 pub struct Compact {
     /// `CompactSubObj`: the highest sub-index, 1 to 254.
     #[cfg_attr(feature = "serde", serde(deserialize_with = "super::spelled::compact_count::deserialize"))]
+    #[cfg_attr(feature = "schema", schemars(range(min = 1, max = 254)))]
     pub count: u8,
     /// Names of single entries; other entries have the name of the object with their number appended.
     #[cfg_attr(

@@ -37,7 +37,20 @@ texts! {
     DataType, "DataType", "^([A-Z][A-Z0-9_]*|0x[0-9A-F]{4})$";
     Date, "Date", "^[0-9]{4}-[0-9]{2}-[0-9]{2}$";
     ClockTime, "ClockTime", "^[0-9]{2}:[0-9]{2}(:[0-9]{2}(\\.[0-9]{1,9})?(Z|[+-][0-9]{2}:[0-9]{2})?)?$";
-    Field, "Field", "^";
+}
+
+impl JsonSchema for Field {
+    fn inline_schema() -> bool {
+        true
+    }
+
+    fn schema_name() -> Cow<'static, str> {
+        "Field".into()
+    }
+
+    fn json_schema(generator: &mut SchemaGenerator) -> Schema {
+        str::json_schema(generator)
+    }
 }
 
 impl JsonSchema for Subs {
