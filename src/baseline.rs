@@ -45,17 +45,28 @@ pub enum BaselineError {
 }
 
 #[derive(Deserialize)]
-struct Document {
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
+pub(crate) struct Document {
+    /// The version of the document.
+    #[cfg_attr(feature = "schema", schemars(with = "crate::json::Version<VERSION>"))]
     version: u32,
+    /// How the fingerprints are made.
     fingerprints: String,
+    /// The known findings, sorted.
     findings: Vec<Line>,
 }
 
+/// A known finding.
 #[derive(Serialize, Deserialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema), schemars(rename = "Finding"))]
 struct Line {
+    /// The file, relative to the folder of the baseline.
     file: String,
+    /// The id of the rule.
     rule: String,
+    /// What identifies the finding in its file.
     fingerprint: String,
+    /// The problem, for readers.
     message: String,
 }
 

@@ -3,9 +3,34 @@
 
 use std::io::{self, Write};
 
-use serde::Serialize;
+use serde::{Serialize, Serializer};
 
 use crate::diagnostic::visible;
+
+/// The version of a document: always this number.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Version<const NUMBER: u32>;
+
+impl<const NUMBER: u32> Serialize for Version<NUMBER> {
+    fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
+        serializer.serialize_u32(NUMBER)
+    }
+}
+
+#[cfg(feature = "schema")]
+impl<const NUMBER: u32> schemars::JsonSchema for Version<NUMBER> {
+    fn inline_schema() -> bool {
+        true
+    }
+
+    fn schema_name() -> std::borrow::Cow<'static, str> {
+        "Version".into()
+    }
+
+    fn json_schema(_: &mut schemars::SchemaGenerator) -> schemars::Schema {
+        schemars::json_schema!({ "const": NUMBER })
+    }
+}
 
 /// Writes a value in one line.
 pub(crate) fn write(out: &mut dyn Write, value: &(impl Serialize + ?Sized)) -> io::Result<()> {

@@ -103,6 +103,7 @@ pub(super) enum Command {
     Fmt(FmtArgs),
     Rules(RulesArgs),
     Explain(ExplainArgs),
+    Schema(SchemaArgs),
     Help(HelpArgs),
     Completions(CompletionsArgs),
     Man(ManArgs),
@@ -353,6 +354,16 @@ pub(super) struct ExplainArgs {
     /// 0x6040
     #[arg(value_name = "RULE|INDEX")]
     pub subject: String,
+}
+
+/// Print the JSON Schema of a document that objdict writes
+///
+/// Without a name, lists the documents. The schemas are of draft 2020-12 and have the version of their document.
+#[derive(Debug, Parser)]
+pub(super) struct SchemaArgs {
+    /// The document, such as device, findings or network
+    #[arg(value_name = "DOCUMENT")]
+    pub name: Option<String>,
 }
 
 /// Print the help of a command, or explain a topic

@@ -16,13 +16,30 @@ use crate::json;
 /// The version of the JSON document. It changes when a field is removed or means something else.
 const VERSION: u32 = 1;
 
+/// The document, which is written file by file.
+#[cfg(feature = "schema")]
+#[derive(schemars::JsonSchema)]
+#[allow(dead_code, reason = "its schema is all that is made of it")]
+pub(super) struct Document<'a> {
+    /// The version of the document.
+    version: crate::json::Version<VERSION>,
+    /// The files in the order of the arguments, without those that cannot be read.
+    files: Vec<Row<'a>>,
+}
+
+/// A file.
 #[derive(Serialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema), schemars(rename = "File"))]
 struct Row<'a> {
+    /// The file as it was given; `<stdin>` for the standard input.
     file: &'a str,
+    /// The usual name of the format.
     name: &'static str,
+    /// Whether it is a file of classic CANopen, readable or not.
     is_canopen: bool,
     #[serde(flatten)]
     found: &'a Identification,
+    /// What to do with a non-CANopen file.
     #[serde(skip_serializing_if = "Option::is_none")]
     advice: Option<&'static str>,
 }

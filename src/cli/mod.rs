@@ -30,6 +30,7 @@ mod progress;
 mod report;
 mod rules;
 mod save;
+mod schema;
 mod settings;
 mod show;
 mod sizes;
@@ -42,6 +43,8 @@ use std::sync::OnceLock;
 
 use self::args::{Args, Command, TerminalArgs};
 use self::output::Output;
+#[cfg(feature = "schema")]
+pub use self::schema::schemas;
 use crate::diagnostic::{one_line, printable_lines};
 
 /// Runs the command that the arguments of the process name.
@@ -69,6 +72,7 @@ pub fn run() -> ExitCode {
         Command::Profile(command) => profile::run(&command.command, &mut out),
         Command::Fmt(command) => fmt::run(command, &mut out),
         Command::Rules(command) => rules::list(command, &mut out),
+        Command::Schema(command) => schema::run(command, &mut out),
         Command::Explain(command) => rules::explain(command, &mut out),
         Command::Show(command) => show::run(command, &mut out),
         Command::Help(command) => help::run(command, &mut out),

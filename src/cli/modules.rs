@@ -9,7 +9,7 @@ use super::input::{Input, name_of, source_name};
 use super::output::Output;
 use super::table::Table;
 use super::{Failure, Outcome};
-use crate::json;
+use crate::json::{self, Version};
 use crate::model::{Device, ExtensionCount, Module};
 
 /// The version of the JSON document, see docs/json.md.
@@ -38,7 +38,7 @@ pub(super) fn run(args: &ModulesArgs, out: &mut Output) -> Result<Outcome, Failu
         ModulesFormat::Text => text(&rows, out)?,
         ModulesFormat::Json => {
             let file = source_name(&args.file);
-            let document = Document { version: VERSION, file: &file, connected, modules: rows };
+            let document = Document { version: Version, file: &file, connected, modules: rows };
             json::write_pretty(&mut out.raw()?, &document)?;
             writeln!(out)?;
         }
@@ -47,35 +47,52 @@ pub(super) fn run(args: &ModulesArgs, out: &mut Output) -> Result<Outcome, Failu
 }
 
 #[derive(Serialize)]
-struct Document<'a> {
-    version: u32,
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
+pub(super) struct Document<'a> {
+    /// The version of the document.
+    version: Version<VERSION>,
+    /// The file as it was given.
     file: &'a str,
+    /// The numbers of the modules that are plugged in, in their physical order; only of a DCF with `ConnectedModules`.
     #[serde(skip_serializing_if = "Option::is_none")]
     connected: Option<&'a [u16]>,
+    /// The modules by number.
     modules: Vec<Row<'a>>,
 }
 
+/// A module.
 #[derive(Serialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema), schemars(rename = "Module"))]
 struct Row<'a> {
+    /// Its number, counted from 1.
     number: u16,
+    /// The product name; empty if missing.
     product_name: &'a str,
+    /// The order code; empty if missing.
     order_code: &'a str,
     /// Objects that are there once.
+    #[cfg_attr(feature = "schema", schemars(with = "Vec<crate::model::HexText<u16>>"))]
     fixed: Vec<String>,
     /// What each module adds.
     adds: Vec<Added>,
-    /// How many are plugged in; none of what is no node.
+    /// How many are plugged in; only of a DCF with `ConnectedModules`.
     #[serde(skip_serializing_if = "Option::is_none")]
     plugged: Option<usize>,
+    /// The lines of its comments.
     comments: &'a [String],
 }
 
+/// What a module adds to an object.
 #[derive(Serialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 struct Added {
+    /// The index of the object.
+    #[cfg_attr(feature = "schema", schemars(with = "crate::model::HexText<u16>"))]
     index: String,
+    /// The number of sub-indexes.
     #[serde(skip_serializing_if = "Option::is_none")]
     subs: Option<u8>,
-    /// Bits of a sub-index that modules share.
+    /// The number of bits of a sub-index that modules share.
     #[serde(skip_serializing_if = "Option::is_none")]
     bits: Option<u8>,
 }

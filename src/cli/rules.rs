@@ -9,7 +9,7 @@ use super::output::Output;
 use super::table::Table;
 use super::{Failure, Outcome};
 use crate::diagnostic::{FixSafety, RuleInfo, Severity, listing, nearest};
-use crate::json;
+use crate::json::{self, Version};
 use crate::model::Address;
 use crate::registry;
 
@@ -17,20 +17,32 @@ use crate::registry;
 const VERSION: u32 = 1;
 
 #[derive(Serialize)]
-struct Document {
-    version: u32,
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
+pub(super) struct Document {
+    /// The version of the document.
+    version: Version<VERSION>,
+    /// The rules.
     rules: Vec<Rule>,
 }
 
+/// A rule.
 #[derive(Serialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 struct Rule {
+    /// The id, such as `cia306/duplicate-key`.
     id: &'static str,
+    /// The group, which is in front of the slash.
     group: &'static str,
+    /// The severity of its findings, unless the configuration says otherwise.
     severity: Severity,
+    /// The safety of its fixes; absent for a rule without a fix.
     #[serde(skip_serializing_if = "Option::is_none")]
     fix: Option<FixSafety>,
+    /// The document that demands it.
     source: &'static str,
+    /// What it finds.
     summary: &'static str,
+    /// Its page in Markdown.
     docs: String,
 }
 
@@ -59,7 +71,7 @@ pub(super) fn list(args: &RulesArgs, out: &mut Output) -> Result<Outcome, Failur
                 summary: rule.summary,
                 docs: rule.page(),
             };
-            let document = Document { version: VERSION, rules: rules.map(rule).collect() };
+            let document = Document { version: Version, rules: rules.map(rule).collect() };
             json::write_pretty(&mut out.raw()?, &document)?;
             writeln!(out)?;
         }

@@ -6,7 +6,7 @@ use serde::Serialize;
 
 use super::table::Table;
 use crate::generate::{Size, SizeReport, Sizes, Target};
-use crate::json;
+use crate::json::{self, Version};
 
 /// The version of the JSON document, see docs/json.md.
 const VERSION: u32 = 1;
@@ -15,16 +15,23 @@ const VERSION: u32 = 1;
 const LONGEST_NAME: usize = 40;
 
 #[derive(Serialize)]
-struct Document<'a> {
-    version: u32,
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
+pub(super) struct Document<'a> {
+    /// The version of the document.
+    version: Version<VERSION>,
+    /// The targets, in the order of the command.
     targets: Vec<OfTarget<'a>>,
 }
 
+/// The sizes of a target; of one whose sizes are unknown only the reason.
 #[derive(Serialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema), schemars(rename = "Target"))]
 struct OfTarget<'a> {
+    /// The name of the target.
     target: &'static str,
     #[serde(flatten)]
     known: Option<&'a SizeReport>,
+    /// Why the sizes are unknown.
     #[serde(skip_serializing_if = "Option::is_none")]
     unknown: Option<&'static str>,
 }
@@ -42,7 +49,7 @@ impl<'a> OfTarget<'a> {
 /// All reports as one JSON document.
 pub(super) fn write_json(reports: &[(Target, Sizes)], out: &mut dyn Write) -> io::Result<()> {
     let targets = reports.iter().map(OfTarget::new).collect();
-    json::write_pretty(out, &Document { version: VERSION, targets })?;
+    json::write_pretty(out, &Document { version: Version, targets })?;
     writeln!(out)
 }
 

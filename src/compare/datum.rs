@@ -77,6 +77,22 @@ impl Serialize for Datum {
     }
 }
 
+#[cfg(feature = "schema")]
+impl schemars::JsonSchema for Datum {
+    fn inline_schema() -> bool {
+        true
+    }
+
+    fn schema_name() -> std::borrow::Cow<'static, str> {
+        "Datum".into()
+    }
+
+    fn json_schema(_: &mut schemars::SchemaGenerator) -> schemars::Schema {
+        // any part of a device
+        schemars::json_schema!({})
+    }
+}
+
 /// How many values the JSON of a datum has, counted without making it.
 pub(super) fn count(datum: &impl Serialize) -> usize {
     struct Counter(usize);

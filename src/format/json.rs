@@ -9,7 +9,7 @@ use std::fmt;
 use serde::de::{self, Visitor};
 use serde::{Deserialize, Deserializer, Serialize};
 
-use crate::model::Device;
+use crate::model::{Device, WithPlainValues};
 use objdict_node::download::ConciseDcf;
 
 /// The version of the names. A change that older readers would not understand counts it up.
@@ -39,18 +39,28 @@ pub struct JsonError {
 }
 
 #[derive(Serialize, Deserialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 #[serde(deny_unknown_fields)]
-struct DeviceDocument<T> {
+pub(crate) struct DeviceDocument<T> {
+    /// The version of the document.
     version: Version,
+    /// What the document holds.
+    #[cfg_attr(feature = "schema", schemars(extend("const" = "device")))]
     kind: DocumentKind,
+    /// The device: the parts of its description.
     device: T,
 }
 
 #[derive(Serialize, Deserialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 #[serde(deny_unknown_fields)]
-struct ConciseDocument<T> {
+pub(crate) struct ConciseDocument<T> {
+    /// The version of the document.
     version: Version,
+    /// What the document holds.
+    #[cfg_attr(feature = "schema", schemars(extend("const" = "concise-dcf")))]
     kind: DocumentKind,
+    /// The downloads, in order.
     entries: T,
 }
 
@@ -63,9 +73,9 @@ struct Head {
     kind: DocumentKind,
 }
 
-/// The device as a document, indented, with a line feed at its end.
+/// The device as a document, indented, with a line feed at its end. Each value has its plain form beside the exact one.
 pub fn write_device(device: &Device) -> String {
-    print(&DeviceDocument { version: Version, kind: DocumentKind::Device, device })
+    print(&DeviceDocument { version: Version, kind: DocumentKind::Device, device: WithPlainValues(device) })
 }
 
 /// The configuration as a document, indented, with a line feed at its end.
@@ -142,6 +152,37 @@ struct Version;
 impl Serialize for Version {
     fn serialize<S: serde::Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
         serializer.serialize_u32(VERSION)
+    }
+}
+
+#[cfg(feature = "schema")]
+impl schemars::JsonSchema for Version {
+    fn inline_schema() -> bool {
+        true
+    }
+
+    fn schema_name() -> std::borrow::Cow<'static, str> {
+        "Version".into()
+    }
+
+    fn json_schema(generator: &mut schemars::SchemaGenerator) -> schemars::Schema {
+        crate::json::Version::<VERSION>::json_schema(generator)
+    }
+}
+
+#[cfg(feature = "schema")]
+impl schemars::JsonSchema for DocumentKind {
+    fn inline_schema() -> bool {
+        true
+    }
+
+    fn schema_name() -> std::borrow::Cow<'static, str> {
+        "DocumentKind".into()
+    }
+
+    // each document is of one kind
+    fn json_schema(_: &mut schemars::SchemaGenerator) -> schemars::Schema {
+        schemars::json_schema!({ "type": "string" })
     }
 }
 

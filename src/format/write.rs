@@ -83,9 +83,11 @@ pub struct Written {
 
 /// A datum that a written text does not give back, or that only the text states.
 #[derive(Clone, Debug, PartialEq, Serialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 pub struct Loss {
     /// Its place in the model.
     #[serde(serialize_with = "place_text")]
+    #[cfg_attr(feature = "schema", schemars(with = "String"))]
     pub place: Place,
     /// The same as a JSON pointer into the JSON of the device (docs/json.md).
     pub path: String,
@@ -104,6 +106,7 @@ pub struct Loss {
 
 /// What became of a datum that only the device or only the text has.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash, Serialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema), schemars(rename = "Fate"))]
 #[serde(rename_all = "snake_case")]
 #[non_exhaustive]
 pub enum LossKind {

@@ -24,78 +24,147 @@ pub struct Json<W> {
     is_empty: bool,
 }
 
+/// The document, which is written finding by finding.
+#[cfg(feature = "schema")]
+#[derive(schemars::JsonSchema)]
+#[allow(dead_code, reason = "its schema is all that is made of it")]
+pub(crate) struct Document<'a> {
+    /// The version of the document.
+    version: crate::json::Version<VERSION>,
+    /// The findings, file by file in the order of the arguments, in each file in the order of its text; absent with
+    /// `--statistics=only`.
+    #[schemars(skip_serializing_if = "Option::is_none")]
+    findings: Option<Vec<Finding<'a>>>,
+    /// With `--statistics`, the rules with findings: the highest severity first, then the most findings.
+    #[schemars(skip_serializing_if = "Option::is_none")]
+    statistics: Option<Vec<super::statistics::Statistic>>,
+    /// Rules with more than 1000 findings in a file.
+    omitted: Vec<Omitted>,
+    /// What was found in all files.
+    summary: Summary,
+}
+
+/// A finding.
 #[derive(Serialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 struct Finding<'a> {
+    /// The file as it was given; `<stdin>` for the standard input.
     file: &'a str,
+    /// The id of the rule; `objdict explain` prints its page.
     rule: &'a str,
+    /// How severe it is.
     severity: Severity,
     #[serde(flatten)]
     at: Position,
+    /// The problem; quoted values are cut to 80 characters and `…`.
     message: Cow<'a, str>,
+    /// The advice.
     #[serde(skip_serializing_if = "Option::is_none")]
     help: Option<Cow<'a, str>>,
+    /// Other places that belong to the finding.
     #[serde(skip_serializing_if = "Vec::is_empty")]
     related: Vec<Related<'a>>,
+    /// The other places of the same cause, in the order of the text. With `--all` each is a finding.
     #[serde(skip_serializing_if = "Vec::is_empty")]
     places: Vec<Related<'a>>,
+    /// 16 hex digits that identify the finding in its file, and stay when lines move, lists are renumbered or a message is
+    /// reworded.
     fingerprint: Fingerprint,
+    /// What `check --fix` changes, with `--unsafe-fixes` if it is `unsafe`; those of one file never overlap.
     #[serde(skip_serializing_if = "Option::is_none")]
     fix: Option<Fix>,
 }
 
+/// A fix.
 #[derive(Serialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 struct Fix {
+    /// What it does, as an imperative.
     title: String,
+    /// Whether it may be made without review.
     safety: Applicability,
+    /// The encoding that the file is written in, if it changes.
     #[serde(skip_serializing_if = "Option::is_none")]
     encoding: Option<String>,
+    /// The edits, in the order of the text and without overlaps.
     edits: Vec<Edit>,
 }
 
+/// A piece of text and what it becomes.
 #[derive(Serialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 struct Edit {
+    /// The line of the first character, counted from 1.
     line: u32,
+    /// The column of the first character, counted from 1 in Unicode scalar values.
     column: u32,
+    /// The line behind the last character.
     end_line: u32,
+    /// The column behind the last character.
     end_column: u32,
+    /// The new text.
     text: String,
 }
 
+/// Another place of a finding.
 #[derive(Serialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 struct Related<'a> {
+    /// The file, if it is another one: the description of a node, for a finding about a network.
     #[serde(skip_serializing_if = "Option::is_none")]
     file: Option<&'a str>,
     #[serde(flatten)]
     at: Position,
+    /// What is said of the place.
     message: Cow<'a, str>,
     /// Of another place of the same cause, where it differs from that of the finding.
     #[serde(skip_serializing_if = "Option::is_none")]
     help: Option<Cow<'a, str>>,
 }
 
+/// A place in the text.
 #[derive(Serialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 struct Position {
+    /// The line of the first character, counted from 1.
     line: u32,
+    /// The column of the first character, counted from 1 in Unicode scalar values.
     column: u32,
+    /// The line behind the last character.
     end_line: u32,
+    /// The column behind the last character.
     end_column: u32,
+    /// The address in the object dictionary, such as `0x1018sub1 / DefaultValue`; absent outside the sections and elements
+    /// of a description.
     #[serde(skip_serializing_if = "Option::is_none")]
     place: Option<String>,
 }
 
+/// A rule with more findings in a file than are listed.
 #[derive(Debug, Serialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 struct Omitted {
+    /// The file.
     file: String,
+    /// The id of the rule.
     rule: &'static str,
+    /// The number of findings that are not listed.
     count: u32,
 }
 
+/// What was found in all files.
 #[derive(Serialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 struct Summary {
+    /// The number of files that were checked.
     files: usize,
+    /// The number of errors in `findings`.
     errors: usize,
+    /// The number of warnings in `findings`.
     warnings: usize,
+    /// The number of notes in `findings`.
     notes: usize,
+    /// The number of findings that comments or a baseline suppress.
     suppressed: usize,
 }
 

@@ -40,6 +40,8 @@ pub use github::Github;
 #[cfg(feature = "json")]
 pub use gitlab::Gitlab;
 pub use group::grouped;
+#[cfg(feature = "schema")]
+pub(crate) use json::Document as FindingsDocument;
 #[cfg(feature = "json")]
 pub use json::Json;
 #[cfg(feature = "xdd")]

@@ -38,6 +38,7 @@ pub struct Statistics {
 /// How often a rule found something.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 #[cfg_attr(feature = "json", derive(serde::Serialize))]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 pub struct Statistic {
     /// The rule's id.
     pub rule: &'static str,

@@ -103,6 +103,8 @@ const LINES: &[(Kind, &str)] = &[
     (Text, "network diff @.toml @.cpj"),
     (Text, "network init @.eds @.dcf"),
     (Text, "network schema network"),
+    (Text, "schema device"),
+    (Text, "schema @"),
     (Text, "dcf pack @.dcf -o @-new.cdcf"),
     (Text, "dcf pack @.dcf --to c --eds @.eds"),
     (Text, "dcf pack @.dcf --to rust"),

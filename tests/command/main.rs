@@ -16,6 +16,7 @@ mod limits;
 mod outputs;
 mod page;
 mod pictures;
+mod recipes;
 mod replaced;
 mod reports;
 #[path = "../support/mod.rs"]

@@ -16,6 +16,7 @@ mod mutate;
 mod profiles;
 mod readers;
 mod round_trip;
+mod schemas;
 mod shares;
 mod targets;
 
@@ -43,7 +44,8 @@ usage:
       count the EDS and DCF below FOLDER that python-canopen, dcf-tools and node-canopen read, as they are and after safe
       fixes; PYTHON is an interpreter that has the first two, MODULES the folder node_modules that has the last
   cargo xtask docs [--check]
-      write docs/rules (with docs/rules-shares.tsv) and docs/portability.md; with --check only compare
+      write docs/rules (with docs/rules-shares.tsv), docs/portability.md and the JSON Schemas in schemas; with --check only
+      compare
   cargo xtask profiles [--check]
       write the constants of the profiles that come with the program from their TOML (crates/objdict-profile); with
       --check only compare
@@ -77,8 +79,8 @@ fn main() -> ExitCode {
         ["readers", folder, python, ref modules @ ..] if modules.len() < 2 => {
             readers::run(Path::new(folder), Path::new(python), modules.first().map(Path::new))
         }
-        ["docs"] => docs::run(false),
-        ["docs", "--check"] => docs::run(true),
+        ["docs"] => docs::run(false).and_then(|()| schemas::run(false)),
+        ["docs", "--check"] => docs::run(true).and_then(|()| schemas::run(true)),
         ["profiles"] => profiles::run(false),
         ["profiles", "--check"] => profiles::run(true),
         ["xsd", folder] => write_schemas(Path::new(folder)),

@@ -10,6 +10,7 @@ use crate::model::TypeKind;
 /// Sizes in bytes for a processor that aligns numbers to their size, at most to eight bytes.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize))]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 pub struct Size {
     /// In flash: rows of the table, defaults and limits.
     pub flash: usize,
@@ -20,6 +21,7 @@ pub struct Size {
 /// The size of an object.
 #[derive(Clone, Debug, PartialEq, Eq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize))]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 pub struct ObjectSize {
     /// Its index.
     pub index: u16,
@@ -35,6 +37,7 @@ pub struct ObjectSize {
 /// The sizes of a target's tables, by object.
 #[derive(Clone, Debug, PartialEq, Eq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize))]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 pub struct SizeReport {
     /// What the sizes include, and for which processor: a line in lower case.
     pub counted: &'static str,

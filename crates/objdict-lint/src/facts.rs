@@ -263,7 +263,7 @@ impl Mapped<'_> {
         };
         let has_length = match (data_type.kind(), bytes) {
             (TypeKind::VisibleString | TypeKind::OctetString, Some(bytes)) => {
-                bytes * 8 == self.object.bits.into()
+                bytes * 8 == usize::from(self.object.bits)
             }
             (TypeKind::OctetString, None) => {
                 matches!(self.object.bits, 8..=64) && self.object.bits.is_multiple_of(8)

@@ -72,7 +72,7 @@ impl Slave {
                 match self.sdo_channels().iter().find(|channel| channel.can_id == can_id) {
                     Some(SdoCanId { entry: (index, sub), .. }) => self.origin(network, *index, *sub),
                     // the manager uses the channels of other nodes
-                    None if can_id.number & 0x7F != self.node_id.into() => None,
+                    None if can_id.number & 0x7F != u32::from(self.node_id) => None,
                     None => network.nodes[self.node].node_id_origin(self.node),
                 }
             }

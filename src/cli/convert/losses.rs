@@ -5,7 +5,7 @@ use serde::Serialize;
 use super::super::input::{FileKind, source_name};
 use super::Job;
 use crate::format::{Loss, LossKind};
-use crate::json;
+use crate::json::{self, Version};
 
 /// The version of the JSON document. It changes when a field is removed or means something else.
 const VERSION: u32 = 1;
@@ -16,27 +16,44 @@ pub(super) struct LossReport {
     files: Vec<FileLosses>,
 }
 
+/// The losses of a file.
 #[derive(Serialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema), schemars(rename = "File"))]
 struct FileLosses {
+    /// The file that was read, as it was given.
     file: String,
+    /// Its format.
     from: &'static str,
+    /// The format that was written.
     to: &'static str,
+    /// The file that was written.
     written: String,
+    /// The losses, by kind and in the order of the model.
     losses: Vec<Loss>,
 }
 
 #[derive(Serialize)]
-struct Document<'a> {
-    version: u32,
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
+pub(in crate::cli) struct Document<'a> {
+    /// The version of the document.
+    version: Version<VERSION>,
+    /// The converted files.
     files: &'a [FileLosses],
+    /// The losses of all files.
     summary: Summary,
 }
 
+/// The losses of all files, by what became of the data.
 #[derive(Serialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 struct Summary {
+    /// The number of data that are lost.
     lost: usize,
+    /// The number of data that belong to a node, or not on the bus.
     left_out: usize,
+    /// The number of data that only the written file states.
     invented: usize,
+    /// The number of data that objdict reads again.
     carried: usize,
 }
 
@@ -68,7 +85,7 @@ impl LossReport {
             invented: self.count(LossKind::Invented),
             carried: self.count(LossKind::Embedded),
         };
-        let document = Document { version: VERSION, files: &self.files, summary };
+        let document = Document { version: Version, files: &self.files, summary };
         // all keys are texts, so there is nothing that could fail
         let mut text = json::pretty(&document).unwrap_or_default();
         text.push('\n');

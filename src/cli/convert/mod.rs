@@ -10,6 +10,8 @@ use std::io::Write;
 use self::device::Converted;
 pub(super) use self::device::{read_data, refusal, tell_skipped};
 use self::jobs::Job;
+#[cfg(feature = "schema")]
+pub(super) use self::losses::Document as LossDocument;
 use self::losses::LossReport;
 use super::annotation::Described;
 use super::args::ConvertArgs;

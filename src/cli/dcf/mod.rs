@@ -9,6 +9,8 @@ use std::io::Write;
 use std::path::Path;
 
 pub(super) use self::diff::differences;
+#[cfg(feature = "schema")]
+pub(super) use self::verify::Document as VerifyDocument;
 use super::annotation::Described;
 use super::args::{DcfCommand, ExpandArgs, NamingArgs};
 use super::input::{Input, InputArgs, name_of, source_name};

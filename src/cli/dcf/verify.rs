@@ -11,7 +11,7 @@ use super::super::output::Output;
 use super::super::{Failure, Outcome};
 use super::{count, device, stream};
 use crate::download::{Objection, Verification};
-use crate::json;
+use crate::json::{self, Version};
 
 /// The version of the JSON document, see docs/json.md.
 const VERSION: u32 = 1;
@@ -90,24 +90,43 @@ fn one(group: &[&Objection], described: Described<'_>) -> String {
 }
 
 #[derive(Serialize)]
-struct Document<'a> {
-    version: u32,
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
+pub(in crate::cli) struct Document<'a> {
+    /// The version of the document.
+    version: Version<VERSION>,
+    /// The file with the downloads, as it was given.
     file: &'a str,
+    /// Whether the node accepts all downloads.
     accepted: bool,
+    /// The downloads that the node refuses, or that are hardly intended.
     objections: Vec<Row>,
+    /// The entries whose present value depends on a missing node-ID.
     unknown: Vec<String>,
 }
 
+/// What is said of a download.
 #[derive(Serialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema), schemars(rename = "Objection"))]
 struct Row {
+    /// The offset of the download in the stream.
     offset: usize,
+    /// Its number, counted from 1.
     download: usize,
+    /// The index of the object.
+    #[cfg_attr(feature = "schema", schemars(with = "crate::model::HexText<u16>"))]
     index: String,
+    /// The sub-index of the entry.
+    #[cfg_attr(feature = "schema", schemars(with = "crate::model::HexText<u8>"))]
     sub: String,
+    /// Whether the node refuses it; `false` when nodes, or most of them, accept a write that is hardly intended.
     refused: bool,
+    /// The abort code of CiA 301 that the node sends; absent for a write that only tools must not make.
     #[serde(skip_serializing_if = "Option::is_none")]
+    #[cfg_attr(feature = "schema", schemars(regex(pattern = "^0x[0-9A-F]{8}$")))]
     abort: Option<String>,
+    /// The problem.
     message: String,
+    /// The advice.
     #[serde(skip_serializing_if = "Option::is_none")]
     help: Option<String>,
 }
@@ -124,7 +143,7 @@ fn write_json(file: &str, verification: &Verification, out: &mut Output) -> io::
         help: objection.kind.help(),
     };
     let document = Document {
-        version: VERSION,
+        version: Version,
         file,
         accepted: verification.is_accepted(),
         objections: verification.objections.iter().map(row).collect(),

@@ -15,7 +15,7 @@ use super::{open_despite_errors, source_names_of};
 use crate::bus::{BusFrame, Conditions, Cut, Event, EventKind, Milestone, NodeRun, Run, boot};
 use crate::describe::frames::{FrameReader, Talker, nmt_state};
 use crate::format::network::{BootFiles, BuiltFile, InstallError, Installation, install};
-use crate::json;
+use crate::json::{self, Version};
 use crate::report::plural;
 use crate::source::{self, DEFAULT_MAX_SIZE};
 
@@ -128,61 +128,94 @@ struct Report<'r> {
 
 /// A line of the trace.
 #[derive(Serialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 struct Line {
-    /// In microseconds.
+    /// When it happened, in microseconds.
     time: u64,
     #[serde(flatten)]
     frame: Option<FrameColumns>,
     /// The name of the node that sent the frame, or that the line is about.
     #[serde(skip_serializing_if = "Option::is_none")]
     node: Option<String>,
+    /// What happened, in words.
     text: String,
 }
 
 /// The columns of a frame.
 #[derive(Serialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 struct FrameColumns {
+    /// The CAN-ID in hex, without a prefix.
     can_id: String,
+    /// The bytes in hex, or `remote`.
     data: String,
+    /// Whether it is a remote frame.
     is_remote: bool,
+    /// The service; absent if no node uses the CAN-ID.
     #[serde(skip_serializing_if = "Option::is_none")]
     service: Option<String>,
 }
 
 #[derive(Serialize)]
-struct Document<'a> {
-    version: u32,
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
+pub(in crate::cli) struct Document<'a> {
+    /// The version of the document.
+    version: Version<VERSION>,
+    /// The files as they were given, with a blank between them.
     file: &'a str,
+    /// What was assumed, and which nodes are left out.
     notes: &'a [String],
+    /// The bit rate in kbit/s.
     bit_rate: u16,
+    /// Whether the exit code is 0.
     is_booted: bool,
+    /// Whether the application starts the nodes (1F80h).
     waits_for_application: bool,
+    /// When the last node became operational that had to, in microseconds.
     #[serde(skip_serializing_if = "Option::is_none")]
     operational: Option<u64>,
+    /// When the simulation ended, in microseconds.
     end: u64,
+    /// How long the bus was in use, in microseconds.
     busy: u64,
+    /// The number of frames.
     frames: usize,
+    /// Why the network is not booted.
     problems: Vec<String>,
+    /// The manager, then the nodes by node-ID.
     nodes: Vec<NodeRow<'a>>,
+    /// What happened; absent with `--summary`.
     #[serde(skip_serializing_if = "Option::is_none")]
     trace: Option<Vec<Line>>,
 }
 
+/// A node.
 #[derive(Serialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema), schemars(rename = "Node"))]
 struct NodeRow<'a> {
+    /// The node-ID.
     node_id: u8,
+    /// The name in the network.
     name: &'a str,
+    /// Whether it is the manager.
     is_manager: bool,
+    /// Whether the network is not booted without it.
     must_boot: bool,
+    /// Its NMT state at the end; absent for a missing node.
     #[serde(skip_serializing_if = "Option::is_none")]
     state: Option<String>,
+    /// Why it is not booted: the letter of CiA 302-2.
     #[serde(skip_serializing_if = "Option::is_none")]
     error_status: Option<char>,
+    /// When it was booted, in microseconds.
     #[serde(skip_serializing_if = "Option::is_none")]
     booted: Option<u64>,
+    /// When it became operational, in microseconds.
     #[serde(skip_serializing_if = "Option::is_none")]
     operational: Option<u64>,
+    /// The number of downloads that it accepted.
     downloads: usize,
+    /// The number of its emergencies.
     emergencies: usize,
 }
 
@@ -342,7 +375,7 @@ impl<'r> Report<'r> {
             emergencies: node.emergencies,
         };
         let document = Document {
-            version: VERSION,
+            version: Version,
             file,
             notes,
             bit_rate: self.bit_rate,

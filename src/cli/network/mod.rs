@@ -11,6 +11,10 @@ mod verify;
 use std::io::Write;
 use std::path::{Path, PathBuf};
 
+#[cfg(feature = "schema")]
+pub(super) use self::boot::Document as BootDocument;
+#[cfg(feature = "schema")]
+pub(super) use self::show::Document as ShowDocument;
 use super::args::{NetworkCommand, NetworkFormat, NetworkInitArgs, NetworkInputArgs, NetworkSchemaArgs};
 use super::input::{name_of, source_name};
 use super::output::Output;

@@ -9,7 +9,7 @@ use super::super::output::Output;
 use super::super::table::{Table, fit};
 use super::super::{Failure, Outcome};
 use super::{compiled, source_names_of};
-use crate::json;
+use crate::json::{self, Version};
 use crate::model::PdoKind;
 use crate::network::{
     BootPlan, DownloadRow, End, LinkRow, MappedEntry, MessageRow, NodeRow, Overview, Service, UnlinkedEnd,
@@ -23,8 +23,11 @@ const VERSION: u32 = 1;
 const CELL: usize = 72;
 
 #[derive(Serialize)]
-struct Document<'a> {
-    version: u32,
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
+pub(in crate::cli) struct Document<'a> {
+    /// The version of the document.
+    version: Version<VERSION>,
+    /// The file as it was given; several with a blank between them.
     file: &'a str,
     #[serde(flatten)]
     overview: &'a Overview,
@@ -36,7 +39,7 @@ pub(super) fn run(args: &NetworkShowArgs, out: &mut Output) -> Result<Outcome, F
     match args.format {
         ShowFormat::Json => {
             let document =
-                Document { version: VERSION, file: &source_names_of(&args.files), overview: &overview };
+                Document { version: Version, file: &source_names_of(&args.files), overview: &overview };
             json::write(&mut out.raw()?, &document)?;
             writeln!(out)?;
         }

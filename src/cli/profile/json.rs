@@ -2,19 +2,162 @@
 
 use std::io::{self, Write};
 
-use serde_json::{Map, Value as Json, json};
+use serde::Serialize;
 
 use crate::json;
-use crate::model::Value;
+use crate::model::{Access, DataType, ObjectType, Plain};
 use crate::profile::{BitField, EntryFacts, Mapping, Need, ObjectFacts, Profile};
 
 /// The version of the documents. It changes when a field is removed or means something else, not when one is added.
 const VERSION: u32 = 1;
 
+/// The list of documents, which is written document by document.
+#[cfg(feature = "schema")]
+#[derive(schemars::JsonSchema)]
+#[allow(dead_code, reason = "its schema is all that is made of it")]
+pub(in crate::cli) struct ListDocument<'a> {
+    /// The version of the document.
+    version: json::Version<VERSION>,
+    /// The documents.
+    profiles: Vec<Head<'a>>,
+}
+
+/// A profile, which is written object by object.
+#[cfg(feature = "schema")]
+#[derive(schemars::JsonSchema)]
+#[allow(dead_code, reason = "its schema is all that is made of it")]
+pub(in crate::cli) struct ProfileDocument<'a> {
+    /// The version of the document.
+    version: json::Version<VERSION>,
+    /// The document.
+    profile: Head<'a>,
+    /// Its objects, or the one that was asked for.
+    objects: Vec<Object<'a>>,
+}
+
+/// A document that demands something of a device.
+#[derive(Serialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema), schemars(rename = "Profile"))]
+struct Head<'a> {
+    /// The number of objects.
+    count: usize,
+    /// The usual name.
+    document: &'a str,
+    /// The version of the document.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    edition: Option<&'a str>,
+    /// The name for `--profile`; absent for a custom profile.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    name: Option<&'a str>,
+    /// The device profile number; absent for documents about devices of any profile.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    number: Option<u16>,
+    /// Whether a device may have its objects several times, 800h indexes apart.
+    repeats: bool,
+    /// The subject.
+    title: &'a str,
+}
+
+/// An object, or a range of equal objects.
+#[derive(Serialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
+struct Object<'a> {
+    /// The first of these objects that the device has determines the number of elements.
+    #[serde(skip_serializing_if = "Vec::is_empty")]
+    #[cfg_attr(feature = "schema", schemars(with = "Vec<crate::model::HexText<u16>>"))]
+    as_many_as: Vec<String>,
+    /// The sub-indexes; for a VAR one with sub-index 0.
+    #[serde(skip_serializing_if = "Vec::is_empty")]
+    entries: Vec<Entry<'a>>,
+    /// The index, for a range the first one.
+    #[cfg_attr(feature = "schema", schemars(with = "crate::model::HexText<u16>"))]
+    index: String,
+    /// The last index of a range.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    #[cfg_attr(feature = "schema", schemars(with = "Option<crate::model::HexText<u16>>"))]
+    last: Option<String>,
+    /// The name.
+    name: &'a str,
+    /// `mandatory`, `optional`, or `if` with a condition.
+    need: String,
+    /// The object type, then others that are accepted.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    object_types: Option<&'a [ObjectType]>,
+    /// The condition under which the object is allowed.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    only: Option<String>,
+    /// The place in the document.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    source: Option<&'a str>,
+}
+
+/// An entry, or a range of equal entries.
+#[derive(Serialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
+struct Entry<'a> {
+    /// The access types that are accepted.
+    #[serde(skip_serializing_if = "<[_]>::is_empty")]
+    access: &'a [Access],
+    /// The bits and bit fields.
+    #[serde(skip_serializing_if = "Vec::is_empty")]
+    bits: Vec<Bits<'a>>,
+    /// The data types that are accepted.
+    #[serde(skip_serializing_if = "Vec::is_empty")]
+    data_types: Vec<String>,
+    /// The default value.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    default: Option<Plain<'a>>,
+    /// The last sub-index of a range.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    #[cfg_attr(feature = "schema", schemars(with = "Option<crate::model::HexText<u8>>"))]
+    last: Option<String>,
+    /// Whether PDOs carry it: `no`, `tpdo`, `rpdo` or `any`.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    mapping: Option<&'static str>,
+    /// The name.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    name: Option<&'a str>,
+    /// `mandatory`, `optional`, or `if` with a condition.
+    need: String,
+    /// The sub-index, for a range the first one.
+    #[cfg_attr(feature = "schema", schemars(with = "crate::model::HexText<u8>"))]
+    sub: String,
+    /// Pairs of the smallest and the largest value.
+    #[serde(skip_serializing_if = "Vec::is_empty")]
+    values: Vec<[Plain<'a>; 2]>,
+}
+
+/// A bit or bit field of a value.
+#[derive(Serialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
+struct Bits<'a> {
+    /// The first bit.
+    first: u8,
+    /// The last bit.
+    last: u8,
+    /// The name.
+    name: &'a str,
+    /// The values that have a meaning.
+    #[serde(skip_serializing_if = "Vec::is_empty")]
+    values: Vec<BitValue<'a>>,
+}
+
+/// Values of a bit field with one meaning.
+#[derive(Serialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
+struct BitValue<'a> {
+    /// The smallest value.
+    first: u64,
+    /// The largest value.
+    last: u64,
+    /// The meaning.
+    meaning: &'a str,
+}
+
 /// The documents, one a line.
 pub(super) fn list<'a>(profiles: impl Iterator<Item = &'a Profile>, out: &mut dyn Write) -> io::Result<()> {
     write!(out, "{{\"version\":{VERSION},\"profiles\":[")?;
-    lines(profiles.map(|profile| Json::Object(head(profile))), out)
+    lines(profiles.map(head), out)
 }
 
 /// A profile, one object a line.
@@ -25,10 +168,10 @@ pub(super) fn profile<'a>(
 ) -> io::Result<()> {
     let head = json::text(&head(profile))?;
     write!(out, "{{\"version\":{VERSION},\"profile\":{head},\"objects\":[")?;
-    lines(objects.map(|facts| Json::Object(object(&facts))), out)
+    lines(objects.map(object), out)
 }
 
-fn lines(items: impl Iterator<Item = Json>, out: &mut dyn Write) -> io::Result<()> {
+fn lines(items: impl Iterator<Item = impl Serialize>, out: &mut dyn Write) -> io::Result<()> {
     let mut separator = "\n";
     for item in items {
         write!(out, "{separator}{}", json::text(&item)?)?;
@@ -37,119 +180,76 @@ fn lines(items: impl Iterator<Item = Json>, out: &mut dyn Write) -> io::Result<(
     out.write_all(b"\n]}\n")
 }
 
-fn head(profile: &Profile) -> Map<String, Json> {
-    let mut fields = Map::new();
-    let mut field = |name: &str, value: Json| fields.insert(name.to_owned(), value);
-    if profile.group != "custom" {
-        field("name", profile.document_number().into());
+fn head(profile: &Profile) -> Head<'_> {
+    Head {
+        count: profile.objects().len(),
+        document: &profile.document,
+        edition: profile.version.as_deref(),
+        name: (profile.group != "custom").then(|| profile.document_number()),
+        number: profile.number,
+        repeats: profile.repeats,
+        title: &profile.title,
     }
-    field("document", (&*profile.document).into());
-    field("title", (&*profile.title).into());
-    if let Some(edition) = &profile.version {
-        field("edition", (&**edition).into());
-    }
-    if let Some(number) = profile.number {
-        field("number", number.into());
-    }
-    field("repeats", profile.repeats.into());
-    field("count", profile.objects().len().into());
-    fields
 }
 
-fn object(facts: &ObjectFacts<'_>) -> Map<String, Json> {
-    let mut fields = Map::new();
-    let mut field = |name: &str, value: Json| fields.insert(name.to_owned(), value);
-    field("index", format!("0x{:04X}", facts.first).into());
-    if facts.last > facts.first {
-        field("last", format!("0x{:04X}", facts.last).into());
-    }
-    field("name", facts.name.into());
-    if facts.states_type() {
-        field("object_types", names(facts.object_types));
-    }
-    field("need", need(facts.need));
-    if let Some(only) = facts.only {
-        field("only", only.to_string().into());
-    }
-    if !facts.as_many_as.is_empty() {
-        let indexes = facts.as_many_as.iter().map(|index| format!("0x{index:04X}"));
-        field("as_many_as", indexes.collect());
-    }
-    if facts.entries().len() > 0 {
-        field("entries", facts.entries().map(|facts| Json::Object(entry(&facts))).collect());
-    }
-    if let Some(source) = facts.source {
-        field("source", source.into());
-    }
-    fields
+fn index(index: u16) -> String {
+    format!("0x{index:04X}")
 }
 
-fn entry(facts: &EntryFacts<'_>) -> Map<String, Json> {
-    let mut fields = Map::new();
-    let mut field = |name: &str, value: Json| fields.insert(name.to_owned(), value);
-    field("sub", format!("0x{:02X}", facts.first).into());
-    if facts.last > facts.first {
-        field("last", format!("0x{:02X}", facts.last).into());
-    }
-    if !facts.name.is_empty() {
-        field("name", facts.name.into());
-    }
-    field("need", need(facts.need));
-    if !facts.data_types.is_empty() {
-        field("data_types", names(facts.data_types));
-    }
-    if !facts.access.is_empty() {
-        field("access", names(facts.access));
-    }
-    if let Some(mapping) = facts.mapping {
-        field("mapping", Mapping::name(mapping).into());
-    }
-    if !facts.values.is_empty() {
-        let bound =
-            |number: i128| i64::try_from(number).map_or_else(|_| number.to_string().into(), Json::from);
-        field(
-            "values",
-            facts.values.iter().map(|range| json!([bound(*range.start()), bound(*range.end())])).collect(),
-        );
-    }
-    if let Some(default) = facts.default {
-        field("default", value(default));
-    }
-    if facts.bits().len() > 0 {
-        field("bits", facts.bits().map(bits).collect());
-    }
-    fields
+fn sub(sub: u8) -> String {
+    format!("0x{sub:02X}")
 }
 
-fn bits(field: BitField<'_>) -> Json {
-    let mut bits = json!({ "first": field.first, "last": field.last, "name": field.name });
-    if field.meanings().len() > 0 {
-        let meanings = field.meanings().map(
-            |(range, meaning)| json!({ "first": range.start(), "last": range.end(), "meaning": meaning }),
-        );
-        bits["values"] = meanings.collect();
+fn object(facts: ObjectFacts<'_>) -> Object<'_> {
+    Object {
+        as_many_as: facts.as_many_as.iter().copied().map(index).collect(),
+        entries: facts.entries().map(entry).collect(),
+        index: index(facts.first),
+        last: (facts.last > facts.first).then(|| index(facts.last)),
+        name: facts.name,
+        need: need(facts.need),
+        object_types: facts.states_type().then_some(facts.object_types),
+        only: facts.only.map(ToString::to_string),
+        source: facts.source,
     }
-    bits
 }
 
-fn names<T: ToString>(items: &[T]) -> Json {
-    items.iter().map(ToString::to_string).collect()
+fn entry(facts: EntryFacts<'_>) -> Entry<'_> {
+    let bound = |number: i128| {
+        i64::try_from(number).map_or_else(|_| Plain::Text(number.to_string().into()), Plain::Signed)
+    };
+    Entry {
+        access: facts.access,
+        bits: facts.bits().map(bits).collect(),
+        data_types: facts.data_types.iter().map(DataType::to_string).collect(),
+        default: facts.default.map(|value| value.plain().into_owned()),
+        last: (facts.last > facts.first).then(|| sub(facts.last)),
+        mapping: facts.mapping.map(Mapping::name),
+        name: Some(facts.name).filter(|name| !name.is_empty()),
+        need: need(facts.need),
+        sub: sub(facts.first),
+        values: facts.values.iter().map(|range| [bound(*range.start()), bound(*range.end())]).collect(),
+    }
 }
 
-fn need(need: Need<'_>) -> Json {
+fn bits(field: BitField<'_>) -> Bits<'_> {
+    let value = |(range, meaning): (std::ops::RangeInclusive<u64>, _)| BitValue {
+        first: *range.start(),
+        last: *range.end(),
+        meaning,
+    };
+    Bits {
+        first: field.first,
+        last: field.last,
+        name: field.name,
+        values: field.meanings().map(value).collect(),
+    }
+}
+
+fn need(need: Need<'_>) -> String {
     match need {
-        Need::Optional => "optional".into(),
-        Need::Mandatory => "mandatory".into(),
-        Need::When(condition) => format!("if {condition}").into(),
-    }
-}
-
-/// A default as a number where it is one, else as the text that a table shows.
-fn value(value: &Value) -> Json {
-    match value {
-        Value::Boolean(flag) => Json::from(*flag),
-        Value::Signed(number) => Json::from(*number),
-        Value::Unsigned(number) => Json::from(*number),
-        _ => Json::from(value.to_string()),
+        Need::Optional => "optional".to_owned(),
+        Need::Mandatory => "mandatory".to_owned(),
+        Need::When(condition) => format!("if {condition}"),
     }
 }

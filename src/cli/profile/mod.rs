@@ -5,6 +5,8 @@ mod text;
 
 use std::io::Write;
 
+#[cfg(feature = "schema")]
+pub(super) use self::json::{ListDocument, ProfileDocument};
 use super::args::{ProfileCommand, ProfileFormat, ProfileListArgs, ProfileShowArgs};
 use super::output::Output;
 use super::{Failure, Outcome, profiles};

@@ -1,6 +1,7 @@
 //! The entries of a dictionary as JSON, flat and with all formulas evaluated; `docs/json.md` describes it. The model as
 //! it is, to be read back, is what `convert` writes.
 
+use std::collections::BTreeMap;
 use std::io::{self, Write};
 
 use serde::Serialize;
@@ -9,44 +10,91 @@ use serde_json::Value as Json;
 use super::View;
 use crate::describe::Reader;
 use crate::json;
-use crate::model::{Entry, ExplicitDownload, InvalidValue, Moment, Object, PdoMapping, Value};
+use crate::model::{Entry, ExplicitDownload, InvalidValue, Moment, Object, PdoMapping, Plain, Value};
 
 /// The version of the document. It changes when a field is removed or means something else, not when one is added.
 const VERSION: u32 = 1;
 
-#[derive(Serialize)]
-struct Row<'a> {
-    index: String,
-    sub: String,
-    name: &'a str,
-    object: &'a str,
-    object_type: &'static str,
-    #[serde(skip_serializing_if = "Option::is_none")]
-    data_type: Option<String>,
-    #[serde(skip_serializing_if = "Option::is_none")]
-    access: Option<&'static str>,
-    pdo_mapping: PdoMapping,
-    #[serde(skip_serializing_if = "Option::is_none")]
-    default: Option<Json>,
-    #[serde(skip_serializing_if = "Option::is_none")]
-    value: Option<Json>,
-    #[serde(skip_serializing_if = "Option::is_none")]
-    low_limit: Option<Json>,
-    #[serde(skip_serializing_if = "Option::is_none")]
-    high_limit: Option<Json>,
-    #[serde(skip_serializing_if = "Option::is_none")]
-    bytes: Option<String>,
-    /// The texts that are not valid values, by key.
-    #[serde(skip_serializing_if = "serde_json::Map::is_empty")]
-    invalid_values: serde_json::Map<String, Json>,
+/// The document, which is written entry by entry.
+#[cfg(feature = "schema")]
+#[derive(schemars::JsonSchema)]
+#[allow(dead_code, reason = "its schema is all that is made of it")]
+pub(in crate::cli) struct Document<'a> {
+    /// The version of the document.
+    version: crate::json::Version<VERSION>,
+    /// The file as it was given; `<stdin>` for the standard input.
+    file: &'a str,
+    /// The format: `EDS`, `DCF`, `XDD`, `XDC`, `CANopenNode project` or `JSON`.
+    format: &'a str,
+    /// The node-ID that formulas are evaluated for.
+    node_id: Option<u8>,
+    /// The entries by index and sub-index.
+    entries: Vec<Row<'a>>,
+    /// The ordered downloads of a node; absent if it has none.
+    #[schemars(skip_serializing_if = "Vec::is_empty")]
+    downloads: Vec<Ordered<'a>>,
 }
 
+/// An entry.
 #[derive(Serialize)]
-struct Ordered {
-    when: Moment,
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema), schemars(rename = "Entry"))]
+struct Row<'a> {
+    /// The index of the object.
+    #[cfg_attr(feature = "schema", schemars(with = "crate::model::HexText<u16>"))]
     index: String,
+    /// The sub-index of the entry.
+    #[cfg_attr(feature = "schema", schemars(with = "crate::model::HexText<u8>"))]
     sub: String,
-    value: Json,
+    /// The name of the entry.
+    name: &'a str,
+    /// The name of the object.
+    object: &'a str,
+    /// The type of the object: `VAR`, `ARRAY`, `RECORD` …
+    #[cfg_attr(feature = "schema", schemars(with = "crate::model::ObjectType"))]
+    object_type: &'static str,
+    /// The data type: `UNSIGNED16`, or `0060h` for a type that CiA 301 does not name.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    data_type: Option<String>,
+    /// The access type.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    #[cfg_attr(feature = "schema", schemars(with = "Option<crate::model::Access>"))]
+    access: Option<&'static str>,
+    /// Whether a PDO may carry the entry.
+    pdo_mapping: PdoMapping,
+    /// The default value.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    default: Option<Plain<'a>>,
+    /// The value of a DCF.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    value: Option<Plain<'a>>,
+    /// The low limit.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    low_limit: Option<Plain<'a>>,
+    /// The high limit.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    high_limit: Option<Plain<'a>>,
+    /// The bytes of an SDO upload from the configured node, in hex, lowest byte first.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    bytes: Option<String>,
+    /// The texts that are not valid values, by key. The field of such a key is absent.
+    #[serde(skip_serializing_if = "BTreeMap::is_empty")]
+    invalid_values: BTreeMap<String, &'a str>,
+}
+
+/// An ordered download.
+#[derive(Serialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema), schemars(rename = "Download"))]
+struct Ordered<'a> {
+    /// Whether it comes before or after the values of the entries.
+    when: Moment,
+    /// The index of the object.
+    #[cfg_attr(feature = "schema", schemars(with = "crate::model::HexText<u16>"))]
+    index: String,
+    /// The sub-index of the entry.
+    #[cfg_attr(feature = "schema", schemars(with = "crate::model::HexText<u8>"))]
+    sub: String,
+    /// The value.
+    value: Plain<'a>,
 }
 
 /// Writes the entries of `objects` that `is_wanted` takes, one a line, then the ordered downloads.
@@ -77,7 +125,7 @@ pub(super) fn write<'a>(
         let ordered = |download: &ExplicitDownload| {
             let ExplicitDownload { when, index, sub, value } = download;
             let data_type = view.device.entry(*index, *sub).and_then(|entry| entry.data_type);
-            let value = to_json(&view.reader(*index).resolve(value, data_type));
+            let value = view.reader(*index).resolve(value, data_type).plain().into_owned();
             Ordered { when: *when, index: format!("0x{index:04X}"), sub: format!("0x{sub:02X}"), value }
         };
         out.write_all(b",\"downloads\":")?;
@@ -87,7 +135,8 @@ pub(super) fn write<'a>(
 }
 
 fn row<'a>(reader: Reader, sub: u8, object: &'a Object, entry: &'a Entry) -> Row<'a> {
-    let value = |value: &Option<Value>| Some(to_json(&reader.resolve(value.as_ref()?, entry.data_type)));
+    let value =
+        |value: &Option<Value>| Some(reader.resolve(value.as_ref()?, entry.data_type).plain().into_owned());
     Row {
         index: format!("0x{:04X}", reader.index),
         sub: format!("0x{sub:02X}"),
@@ -106,23 +155,6 @@ fn row<'a>(reader: Reader, sub: u8, object: &'a Object, entry: &'a Entry) -> Row
     }
 }
 
-fn invalid(invalid: &InvalidValue) -> (String, Json) {
-    (invalid.field.to_string(), Json::from(&*invalid.text))
-}
-
-/// Whole numbers and finite REAL as numbers, BOOLEAN as such, everything else as the text that a table shows.
-fn to_json(value: &Value) -> Json {
-    match value {
-        Value::Boolean(value) => Json::from(*value),
-        Value::Signed(value) => Json::from(*value),
-        Value::Unsigned(value) => Json::from(*value),
-        Value::Real32(value) if value.is_finite() => shortest(&value.to_string()),
-        Value::Real64(value) if value.is_finite() => Json::from(*value),
-        _ => Json::from(value.to_string()),
-    }
-}
-
-/// A REAL32 with its own digits, not with those of the REAL64 next to it.
-fn shortest(text: &str) -> Json {
-    text.parse::<f64>().map_or_else(|_| Json::from(text), Json::from)
+fn invalid(invalid: &InvalidValue) -> (String, &str) {
+    (invalid.field.to_string(), &invalid.text)
 }

@@ -7,6 +7,10 @@ mod text;
 use std::borrow::Cow;
 use std::io::Write;
 
+#[cfg(feature = "schema")]
+pub(super) use self::json::Document as EntriesDocument;
+#[cfg(feature = "schema")]
+pub(super) use self::nodes::Document as NodeListDocument;
 use super::args::{ShowArgs, ShowFormat};
 use super::input::{Input, source_name};
 use super::output::Output;

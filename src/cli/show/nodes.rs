@@ -10,17 +10,24 @@ use crate::cli::args::{ShowArgs, ShowFormat};
 use crate::cli::input::{name_of, source_name};
 use crate::cli::output::Output;
 use crate::cli::table::{Table, fit};
-use crate::json;
+use crate::json::{self, Version};
 use crate::model::{NodeList, Topology};
 use crate::report::plural;
 
 /// The most characters of a name.
 const CELL: usize = 60;
 
+/// The version of the document. It changes when a field is removed or means something else, not when one is added.
+const VERSION: u32 = 1;
+
 #[derive(Serialize)]
-struct Document<'a> {
-    version: u32,
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
+pub(in crate::cli) struct Document<'a> {
+    /// The version of the document.
+    version: Version<VERSION>,
+    /// The file as it was given.
     file: &'a str,
+    /// The networks, in the order of the file.
     networks: &'a [Topology],
 }
 
@@ -33,7 +40,8 @@ pub(super) fn show(list: &NodeList, args: &ShowArgs, out: &mut Output) -> Result
     match args.format {
         ShowFormat::Table => write_tables(list, &args.file, out)?,
         ShowFormat::Json => {
-            let document = Document { version: 1, file: &source_name(&args.file), networks: &list.networks };
+            let document =
+                Document { version: Version, file: &source_name(&args.file), networks: &list.networks };
             json::write(&mut out.raw()?, &document)?;
             writeln!(out)?;
         }

@@ -43,6 +43,7 @@ const SIGNATURES: [(&[u8], &str); 11] = [
 /// What a file is, and why it is taken for that.
 #[derive(Clone, Debug, PartialEq, Eq)]
 #[cfg_attr(feature = "json", derive(serde::Serialize))]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 #[non_exhaustive]
 pub struct Identification {
     /// What it holds.

@@ -30,10 +30,10 @@ def number(value, node_id):
     """The number of a value of the model, None if it is not one."""
     if not value:
         return None
-    (kind, content), = value.items()
-    if kind == "node_id_plus":
-        return content + node_id
-    return int(content) if kind in ("unsigned", "signed", "boolean") else None
+    if "node_id_plus" in value:
+        return value["node_id_plus"] + node_id
+    numbers = [value[kind] for kind in ("unsigned", "signed", "boolean") if kind in value]
+    return int(numbers[0]) if numbers else None
 
 
 class Node:

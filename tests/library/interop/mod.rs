@@ -33,6 +33,8 @@ use crate::support;
 #[cfg(feature = "document")]
 mod dbc;
 mod networks;
+#[cfg(feature = "cli")]
+mod schemas;
 
 const PACKAGES: [&str; 5] =
     ["canopen==2.4.1", "dcf-tools==2.4.2", "cantools==45.1.0", "canmatrix==1.3.3", "jsonschema==4.25.1"];

@@ -6,7 +6,7 @@ use serde::Serialize;
 
 use crate::Options;
 use crate::dictionary::{Dictionary, ResolvedEntry, ResolvedObject};
-use crate::model::DataType;
+use crate::model::{DataType, WithPlainValues};
 use crate::names::{Scope, words};
 use crate::resolve::{Datum, Shape};
 
@@ -68,7 +68,7 @@ pub(super) fn of(dictionary: &Dictionary<'_>, options: &Options) -> Result<Value
     Ok(Value::from(Serde(Context {
         version: VERSION,
         kind: "device",
-        device: serde_json::to_value(dictionary.device)?,
+        device: serde_json::to_value(WithPlainValues(dictionary.device))?,
         made_by: options.made_by(),
         node_id: dictionary.node_id,
         entries,

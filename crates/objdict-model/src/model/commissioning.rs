@@ -5,6 +5,7 @@ use super::{Extra, InvalidValues};
 /// The configured node: `DeviceComissioning`, in the spelling of the standard.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 #[cfg_attr(feature = "serde", serde(default, deny_unknown_fields))]
 pub struct Commissioning {
     /// `NodeID`, 1 to 127; 255 for an unconfigured node that uses LSS.

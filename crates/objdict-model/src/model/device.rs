@@ -11,6 +11,7 @@ use super::{
 /// A device description, independent of its format.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 #[cfg_attr(feature = "serde", serde(default, deny_unknown_fields))]
 pub struct Device {
     /// Whether it describes a device type or a configured node.
@@ -37,6 +38,7 @@ pub struct Device {
     #[cfg_attr(feature = "serde", serde(skip_serializing_if = "super::is_default"))]
     pub lists: ObjectLists,
     /// The objects by index.
+    #[cfg_attr(feature = "schema", schemars(with = "BTreeMap<super::HexText<u16>, Object>"))]
     pub objects: Objects,
     /// The modules of a modular device; `None` for any other device.
     #[cfg_attr(feature = "serde", serde(skip_serializing_if = "Option::is_none"))]
@@ -76,6 +78,7 @@ pub struct Device {
 /// The subject of a description.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 #[cfg_attr(feature = "serde", serde(rename_all = "snake_case"))]
 pub enum DeviceKind {
     /// A device type (EDS, XDD).
@@ -88,6 +91,7 @@ pub enum DeviceKind {
 /// The object lists of a device; `None` for a missing list.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 #[cfg_attr(feature = "serde", serde(default, deny_unknown_fields))]
 pub struct ObjectLists {
     /// `MandatoryObjects`.
@@ -95,18 +99,21 @@ pub struct ObjectLists {
         feature = "serde",
         serde(with = "super::index_list", skip_serializing_if = "Option::is_none")
     )]
+    #[cfg_attr(feature = "schema", schemars(with = "Option<Vec<super::HexText<u16>>>"))]
     pub mandatory: Option<Vec<u16>>,
     /// `OptionalObjects`.
     #[cfg_attr(
         feature = "serde",
         serde(with = "super::index_list", skip_serializing_if = "Option::is_none")
     )]
+    #[cfg_attr(feature = "schema", schemars(with = "Option<Vec<super::HexText<u16>>>"))]
     pub optional: Option<Vec<u16>>,
     /// `ManufacturerObjects`.
     #[cfg_attr(
         feature = "serde",
         serde(with = "super::index_list", skip_serializing_if = "Option::is_none")
     )]
+    #[cfg_attr(feature = "schema", schemars(with = "Option<Vec<super::HexText<u16>>>"))]
     pub manufacturer: Option<Vec<u16>>,
 }
 
@@ -165,10 +172,12 @@ impl ObjectLists {
 /// The data types that can be dummy entries in an RPDO (CiA 306-1 §4.6.2).
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 #[cfg_attr(feature = "serde", serde(default, deny_unknown_fields))]
 pub struct DummyUsage {
     /// Data types, and whether they are allowed.
     #[cfg_attr(feature = "serde", serde(with = "super::unique_keys"))]
+    #[cfg_attr(feature = "schema", schemars(with = "BTreeMap<DataType, bool>"))]
     pub types: BTreeMap<DataType, bool>,
     /// Texts that are not valid in their fields.
     #[cfg_attr(

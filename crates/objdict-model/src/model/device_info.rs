@@ -5,6 +5,7 @@ use super::{DefaultBaudRate, Extra, Field, InvalidValues};
 /// Vendor, product and general features of the device.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 #[cfg_attr(feature = "serde", serde(default, deny_unknown_fields))]
 pub struct DeviceInfo {
     /// `VendorName`.
@@ -99,6 +100,7 @@ pub struct DeviceInfo {
 /// Whether each bit rate is supported, as far as stated.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 #[cfg_attr(feature = "serde", serde(default, deny_unknown_fields))]
 pub struct BaudRates {
     /// 10 kbit/s.

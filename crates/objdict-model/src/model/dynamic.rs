@@ -5,6 +5,7 @@ use super::{DataType, Extra, InvalidValues};
 /// The segments of the process image for network variables (CiA 302-4).
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 #[cfg_attr(feature = "serde", serde(default, deny_unknown_fields))]
 pub struct DynamicChannels {
     /// The segments, in the order of the file.
@@ -23,6 +24,7 @@ pub struct DynamicChannels {
 /// A range of indexes for network variables of one data type and direction.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 #[cfg_attr(feature = "serde", serde(default, deny_unknown_fields))]
 pub struct Segment {
     /// `TypeN`.
@@ -36,6 +38,7 @@ pub struct Segment {
         feature = "serde",
         serde(with = "super::index_list", skip_serializing_if = "Option::is_none")
     )]
+    #[cfg_attr(feature = "schema", schemars(with = "Option<[super::HexText<u16>; 2]>"))]
     pub range: Option<(u16, u16)>,
     /// `PPOffsetN`: the offset in the process picture, for BOOLEAN optionally followed by a comma and an
     /// address difference.
@@ -60,6 +63,7 @@ impl Segment {
 /// A program that a configuration tool can start.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 #[cfg_attr(feature = "serde", serde(default, deny_unknown_fields))]
 pub struct ToolCommand {
     /// `Name`.

@@ -7,7 +7,9 @@ use super::{
 /// The description of a sub-index, or of an object as a whole (CiA 306-1 §4.6.3.2).
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 #[cfg_attr(feature = "serde", serde(try_from = "super::flat::EntryForm"))]
+#[cfg_attr(feature = "schema", schemars(!try_from))]
 pub struct Entry {
     /// `ParameterName`; empty if missing.
     pub name: Box<str>,
@@ -61,6 +63,7 @@ pub struct Entry {
 /// How a configuration tool must treat an entry (CiA 306-1 §4.6.3.3).
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 #[cfg_attr(feature = "serde", serde(transparent))]
 pub struct ObjFlags(pub u32);
 
@@ -79,6 +82,7 @@ impl ObjFlags {
 /// The configuration of an entry in a DCF (CiA 306-1 §5.3).
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 #[cfg_attr(feature = "serde", serde(default, deny_unknown_fields))]
 pub struct Configured {
     /// `ParameterValue`: the value that the node must have.
@@ -101,6 +105,7 @@ pub struct Configured {
 /// The keys of an entry of a safety device (CiA 306-1 annex A).
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 #[cfg_attr(feature = "serde", serde(default, deny_unknown_fields))]
 pub struct SafetyMapping {
     /// `SRDOMapping`: whether an SRDO may carry the entry.

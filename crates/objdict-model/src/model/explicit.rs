@@ -6,15 +6,18 @@ use super::Value;
 /// already. No format of CiA has a place for it.
 #[derive(Clone, Debug, PartialEq, Eq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 #[cfg_attr(feature = "serde", serde(deny_unknown_fields))]
 pub struct ExplicitDownload {
     /// Whether it comes before or after the values of the entries.
     pub when: Moment,
     /// The index of the object.
     #[cfg_attr(feature = "serde", serde(with = "super::hex_number"))]
+    #[cfg_attr(feature = "schema", schemars(with = "super::HexText<u16>"))]
     pub index: u16,
     /// The sub-index of the entry.
     #[cfg_attr(feature = "serde", serde(with = "super::hex_number"))]
+    #[cfg_attr(feature = "schema", schemars(with = "super::HexText<u8>"))]
     pub sub: u8,
     /// The value, as in `ParameterValue`.
     pub value: Value,
@@ -23,6 +26,7 @@ pub struct ExplicitDownload {
 /// When a download is made.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 #[cfg_attr(feature = "serde", serde(rename_all = "snake_case"))]
 pub enum Moment {
     /// Before the values of entries.

@@ -7,6 +7,7 @@ use super::{DeviceClass, Extra, InvalidValues};
 /// The author, date and version of the description.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 #[cfg_attr(feature = "serde", serde(default, deny_unknown_fields))]
 pub struct FileInfo {
     /// `FileName`.

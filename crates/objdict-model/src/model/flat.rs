@@ -81,9 +81,12 @@ form!(ExtensionForm {
 
 /// A section without a place in the model.
 #[derive(Deserialize, Serialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 #[serde(deny_unknown_fields)]
 pub(super) struct SectionForm {
+    /// The name, without brackets.
     name: Box<str>,
+    /// The keys with their values.
     #[serde(default, skip_serializing_if = "Extra::is_empty")]
     entries: Extra,
 }

@@ -41,6 +41,10 @@ mod parts;
 mod pdo;
 mod place;
 #[cfg(feature = "serde")]
+mod plain;
+#[cfg(feature = "schema")]
+mod schema;
+#[cfg(feature = "serde")]
 mod serial;
 mod services;
 #[cfg(feature = "serde")]
@@ -95,7 +99,11 @@ pub use parameter::{
 pub use pdo::{MappedObject, MappingSlot, Pdo, PdoKind};
 pub use place::{ModulePart, ObjectList, Part, Place};
 #[cfg(feature = "serde")]
-pub use serial::{hex_number, hex_text};
+pub use plain::{Plain, WithPlainValues};
+#[cfg(feature = "schema")]
+pub use schema::HexBytes;
+#[cfg(feature = "serde")]
+pub use serial::{HexText, hex_number, hex_text};
 #[cfg(feature = "serde")]
 pub(crate) use serial::{index_keys, index_list, is_default, real_text, sub_list, unique_keys};
 pub use services::{HeartbeatConsumer, SdoChannel, Services};

@@ -7,6 +7,7 @@ use super::{Entry, Extra, InvalidValues, Object};
 /// The supported and the connected modules of a bus coupler.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 #[cfg_attr(feature = "serde", serde(default, deny_unknown_fields))]
 pub struct Modules {
     /// `NrOfEntries` of `SupportedModules`, as stated.
@@ -17,6 +18,7 @@ pub struct Modules {
         feature = "serde",
         serde(with = "super::unique_keys", skip_serializing_if = "BTreeMap::is_empty")
     )]
+    #[cfg_attr(feature = "schema", schemars(with = "BTreeMap<u16, Module>"))]
     pub supported: BTreeMap<u16, Module>,
     /// `ConnectedModules` of a DCF: the numbers of the modules in their physical order.
     #[cfg_attr(feature = "serde", serde(skip_serializing_if = "Option::is_none"))]
@@ -35,6 +37,7 @@ pub struct Modules {
 /// A module and the objects and sub-indexes it adds to the dictionary of the coupler.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 #[cfg_attr(feature = "serde", serde(default, deny_unknown_fields))]
 // a map has room for eleven, and most modules bring one object: a box keeps that small
 pub struct Module {
@@ -55,21 +58,25 @@ pub struct Module {
     pub comments: Vec<String>,
     /// `MxFixedObjects`: the list of objects that exist once if such a module is plugged in.
     #[cfg_attr(feature = "serde", serde(with = "super::index_list", skip_serializing_if = "Vec::is_empty"))]
+    #[cfg_attr(feature = "schema", schemars(with = "Vec<super::HexText<u16>>"))]
     pub fixed_list: Vec<u16>,
     /// `MxFixedxxxx`: the description of those objects.
     #[cfg_attr(
         feature = "serde",
         serde(with = "super::index_keys", skip_serializing_if = "BTreeMap::is_empty")
     )]
+    #[cfg_attr(feature = "schema", schemars(with = "BTreeMap<super::HexText<u16>, Box<Object>>"))]
     pub fixed: BTreeMap<u16, Box<Object>>,
     /// `MxSubExtends`: the list of objects to which each such module adds sub-indexes.
     #[cfg_attr(feature = "serde", serde(with = "super::index_list", skip_serializing_if = "Vec::is_empty"))]
+    #[cfg_attr(feature = "schema", schemars(with = "Vec<super::HexText<u16>>"))]
     pub extension_list: Vec<u16>,
     /// `MxSubExtxxxx`: the description of the new sub-indexes.
     #[cfg_attr(
         feature = "serde",
         serde(with = "super::index_keys", skip_serializing_if = "BTreeMap::is_empty")
     )]
+    #[cfg_attr(feature = "schema", schemars(with = "BTreeMap<super::HexText<u16>, Box<Extension>>"))]
     pub extensions: BTreeMap<u16, Box<Extension>>,
     /// Keys without a field in the model.
     #[cfg_attr(feature = "serde", serde(skip_serializing_if = "Extra::is_empty"))]
@@ -85,7 +92,9 @@ pub struct Module {
 /// The sub-indexes that a module adds to an object.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 #[cfg_attr(feature = "serde", serde(try_from = "super::flat::ExtensionForm"))]
+#[cfg_attr(feature = "schema", schemars(!try_from))]
 pub struct Extension {
     /// The content of each new sub-index.
     #[cfg_attr(feature = "serde", serde(flatten))]
@@ -101,6 +110,7 @@ pub struct Extension {
 /// The number of sub-indexes that a module adds (`Count`).
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 #[cfg_attr(feature = "serde", serde(rename_all = "snake_case"))]
 pub enum ExtensionCount {
     /// `n`: this number of new sub-indexes.

@@ -5,6 +5,7 @@ use super::Extra;
 /// The networks of a project.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 #[cfg_attr(feature = "serde", serde(default))]
 pub struct NodeList {
     /// The networks, in the order of the file: `Topology`, `Topology2` and so on.
@@ -14,6 +15,7 @@ pub struct NodeList {
 /// One network.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 #[cfg_attr(feature = "serde", serde(default))]
 pub struct Topology {
     /// `NetName`.
@@ -38,6 +40,7 @@ pub struct Topology {
 /// A node of a network, present or not.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 #[cfg_attr(feature = "serde", serde(default))]
 pub struct TopologyNode {
     /// The node-ID, 1 to 127.

@@ -11,7 +11,9 @@ use super::{Access, DataType, Entry, Extra, InvalidValues, ObjectType, PdoMappin
 /// returns all of them in the same way.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 #[cfg_attr(feature = "serde", serde(try_from = "super::flat::ObjectForm"))]
+#[cfg_attr(feature = "schema", schemars(!try_from))]
 pub struct Object {
     /// Whether only sub-indexes are described but not the object itself, which is a defect of the
     /// description.
@@ -31,6 +33,7 @@ pub struct Object {
     pub subs: Subs,
     /// `ObjectLinks`: indexes that a tool can show together with this object (CiA 306-1 §4.6.4).
     #[cfg_attr(feature = "serde", serde(with = "super::index_list", skip_serializing_if = "Vec::is_empty"))]
+    #[cfg_attr(feature = "schema", schemars(with = "Vec<super::HexText<u16>>"))]
     pub links: Vec<u16>,
 }
 
@@ -117,15 +120,21 @@ impl FromIterator<(u8, Entry)> for Subs {
 /// in names and values.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 #[cfg_attr(feature = "serde", serde(deny_unknown_fields))]
 pub struct Compact {
     /// `CompactSubObj`: the highest sub-index, 1 to 254.
     #[cfg_attr(feature = "serde", serde(deserialize_with = "super::spelled::compact_count::deserialize"))]
+    #[cfg_attr(feature = "schema", schemars(range(min = 1, max = 254)))]
     pub count: u8,
     /// Names of single entries; other entries have the name of the object with their number appended.
     #[cfg_attr(
         feature = "serde",
         serde(default, with = "super::sub_list", skip_serializing_if = "Vec::is_empty")
+    )]
+    #[cfg_attr(
+        feature = "schema",
+        schemars(with = "std::collections::BTreeMap<super::HexText<u8>, Box<str>>")
     )]
     pub names: Vec<(u8, Box<str>)>,
     /// Configured values of single entries (DCF).
@@ -133,11 +142,16 @@ pub struct Compact {
         feature = "serde",
         serde(default, with = "super::sub_list", skip_serializing_if = "Vec::is_empty")
     )]
+    #[cfg_attr(feature = "schema", schemars(with = "std::collections::BTreeMap<super::HexText<u8>, Value>"))]
     pub values: Vec<(u8, Value)>,
     /// Denotations of single entries (DCF).
     #[cfg_attr(
         feature = "serde",
         serde(default, with = "super::sub_list", skip_serializing_if = "Vec::is_empty")
+    )]
+    #[cfg_attr(
+        feature = "schema",
+        schemars(with = "std::collections::BTreeMap<super::HexText<u8>, Box<str>>")
     )]
     pub denotations: Vec<(u8, Box<str>)>,
     /// Texts that are not valid in their fields.

@@ -7,6 +7,7 @@ macro_rules! part {
         $(#[$about])*
         #[derive(Clone, Debug, Default, PartialEq, Eq)]
         #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+        #[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
         #[cfg_attr(feature = "serde", serde(default, deny_unknown_fields))]
         pub struct $Name {
             $($(#[$of_field])* #[cfg_attr(feature = "serde", serde(skip_serializing_if = "crate::model::is_default"))] pub $field: $Type,)*
@@ -21,6 +22,7 @@ macro_rules! words {
         $(#[$about])*
         #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
         #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+        #[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
         pub enum $Name {
             $($(#[$of_word])* #[cfg_attr(feature = "serde", serde(rename = $text))] $Word,)+
         }

@@ -95,6 +95,7 @@ impl Part {
 /// One of the three object lists of a device (CiA 306-1 §4.6.3.1).
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 #[cfg_attr(feature = "serde", serde(rename_all = "snake_case"))]
 pub enum ObjectList {
     /// `MandatoryObjects`.

@@ -66,6 +66,7 @@ impl<'a> FromIterator<(&'a str, &'a str)> for Extra {
 /// An unknown section. Name and keys are one text, because a file may have a million such sections.
 #[derive(Clone, Debug, PartialEq, Eq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 #[cfg_attr(feature = "serde", serde(from = "super::flat::SectionForm", into = "super::flat::SectionForm"))]
 pub struct ExtraSection {
     text: Box<str>,
@@ -93,6 +94,7 @@ impl ExtraSection {
 /// Why a text is not valid in its field.
 #[derive(Clone, Debug, PartialEq, Eq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 #[cfg_attr(feature = "serde", serde(rename_all = "snake_case"))]
 pub enum Reason {
     /// Not a number in any spelling.
@@ -129,6 +131,7 @@ pub enum Reason {
 /// A text in a known field that is not valid there.
 #[derive(Clone, Debug, PartialEq, Eq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 #[cfg_attr(feature = "serde", serde(deny_unknown_fields))]
 pub struct InvalidValue {
     /// The field.
@@ -142,12 +145,15 @@ pub struct InvalidValue {
 /// The invalid values of one part of the model. The typed fields have no value for them.
 #[derive(Clone, Debug, Default, Eq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize))]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 #[allow(
     clippy::box_collection,
     reason = "every entry has them, mostly none: a pointer instead of three words"
 )]
 #[cfg_attr(feature = "serde", serde(transparent))]
-pub struct InvalidValues(Option<Box<Vec<InvalidValue>>>);
+pub struct InvalidValues(
+    #[cfg_attr(feature = "schema", schemars(with = "Vec<InvalidValue>"))] Option<Box<Vec<InvalidValue>>>,
+);
 
 /// Accepts any order.
 impl FromIterator<InvalidValue> for InvalidValues {

@@ -9,8 +9,6 @@ use super::{DataType, TypeKind};
 /// The variant follows from the data type of the entry. A text that is not valid for the type is in the
 /// [`InvalidValues`](super::InvalidValues) of the entry instead.
 #[derive(Clone, Debug)]
-#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
-#[cfg_attr(feature = "serde", serde(rename_all = "snake_case"))]
 pub enum Value {
     /// BOOLEAN.
     Boolean(bool),
@@ -19,17 +17,16 @@ pub enum Value {
     /// UNSIGNEDn.
     Unsigned(u64),
     /// REAL32.
-    Real32(#[cfg_attr(feature = "serde", serde(with = "super::real_text"))] f32),
+    Real32(f32),
     /// REAL64.
-    Real64(#[cfg_attr(feature = "serde", serde(with = "super::real_text"))] f64),
+    Real64(f64),
     /// VISIBLE_STRING and UNICODE_STRING.
     Text(Box<str>),
     /// OCTET_STRING and DOMAIN.
-    Bytes(#[cfg_attr(feature = "serde", serde(with = "super::hex_text"))] Box<[u8]>),
+    Bytes(Box<[u8]>),
     /// TIME_OF_DAY and TIME_DIFFERENCE.
     Time(Time),
     /// The node-ID plus this number (CiA 306-1 §4.3: `$NODEID+n`), for integer types.
-    #[cfg_attr(feature = "serde", serde(rename = "node_id_plus"))]
     NodeId(u64),
     /// A text with a non-static data type, as written.
     Raw(Box<str>),
@@ -38,6 +35,7 @@ pub enum Value {
 /// A TIME_OF_DAY or TIME_DIFFERENCE (CiA 301 §7.1.6.5).
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 #[cfg_attr(feature = "serde", serde(deny_unknown_fields))]
 pub struct Time {
     /// Whole days; for TIME_OF_DAY since 1984-01-01.

@@ -11,6 +11,7 @@ use crate::network::{Manager, Node, Startup};
 /// What the manager does.
 #[derive(Clone, Debug)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize))]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 pub struct BootPlan {
     /// The name of the manager.
     pub manager: String,
@@ -25,6 +26,7 @@ pub struct BootPlan {
 /// What the manager does for a node.
 #[derive(Clone, Debug)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize))]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 pub struct BootStep {
     /// The node-ID.
     pub node_id: u8,
@@ -67,7 +69,7 @@ impl Objects {
     /// The time in milliseconds within which the heartbeat of a node is expected; 0: none is.
     fn consumer_time(&self, node_id: u8) -> u32 {
         let mut consumers = self.0.range((0x1016, 1)..=(0x1016, u8::MAX)).map(|(_, number)| number);
-        consumers.find(|number| *number >> 16 == node_id.into()).map_or(0, |number| number & 0xFFFF)
+        consumers.find(|number| *number >> 16 == u32::from(node_id)).map_or(0, |number| number & 0xFFFF)
     }
 }
 

@@ -9,6 +9,7 @@ use objdict_node::concise;
 /// A download to a node.
 #[derive(Clone, Debug, PartialEq, Eq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize))]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 pub struct DownloadRow {
     /// The entry that is written.
     pub entry: MappedEntry,

@@ -10,9 +10,11 @@ use crate::model::{Address, Device, Entry, MappedObject};
 /// A PDO from its sender to one receiver.
 #[derive(Clone, Debug)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize))]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 pub struct LinkRow {
     /// The CAN-ID.
     #[cfg_attr(feature = "serde", serde(serialize_with = "super::hex"))]
+    #[cfg_attr(feature = "schema", schemars(with = "super::CanIdText"))]
     pub can_id: MessageId,
     /// Who sends it; `None` if no node does.
     pub sender: Option<End>,
@@ -25,6 +27,7 @@ pub struct LinkRow {
 /// A part of a PDO.
 #[derive(Clone, Debug, PartialEq, Eq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize))]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 pub struct CarriedEntry {
     /// The first bit in the PDO.
     pub bit: u32,
@@ -61,6 +64,21 @@ impl fmt::Display for MappedEntry {
 impl serde::Serialize for MappedEntry {
     fn serialize<S: serde::Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
         serializer.collect_str(self)
+    }
+}
+
+#[cfg(feature = "schema")]
+impl schemars::JsonSchema for MappedEntry {
+    fn inline_schema() -> bool {
+        true
+    }
+
+    fn schema_name() -> std::borrow::Cow<'static, str> {
+        "MappedEntry".into()
+    }
+
+    fn json_schema(_: &mut schemars::SchemaGenerator) -> schemars::Schema {
+        schemars::json_schema!({ "type": "string" })
     }
 }
 

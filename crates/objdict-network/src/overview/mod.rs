@@ -18,6 +18,7 @@ use crate::unlinked::UnlinkedPdos;
 /// What a network is and does, ready to be shown.
 #[derive(Clone, Debug)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize))]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 pub struct Overview {
     /// The language of its words.
     #[cfg_attr(feature = "serde", serde(skip))]
@@ -46,6 +47,7 @@ pub struct Overview {
 /// A node.
 #[derive(Clone, Debug)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize))]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 pub struct NodeRow {
     /// The node-ID.
     pub node_id: Option<u8>,
@@ -73,6 +75,7 @@ pub struct NodeRow {
 /// The PDOs of a node that are as its description has them by default, and that no other node sends or receives.
 #[derive(Clone, Debug)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize))]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 pub struct UnlinkedRow {
     /// The name of the node.
     pub node: String,
@@ -86,21 +89,26 @@ pub struct UnlinkedRow {
 /// A PDO whose other side no node has.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize))]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 pub struct UnlinkedEnd {
     /// The CAN-ID.
     #[cfg_attr(feature = "serde", serde(serialize_with = "hex"))]
+    #[cfg_attr(feature = "schema", schemars(with = "CanIdText"))]
     pub can_id: MessageId,
     /// The PDO: `TPDO 1`.
     #[cfg_attr(feature = "serde", serde(serialize_with = "text"))]
+    #[cfg_attr(feature = "schema", schemars(with = "String"))]
     pub service: Service,
 }
 
 /// A message on the bus.
 #[derive(Clone, Debug)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize))]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 pub struct MessageRow {
     /// The CAN-ID.
     #[cfg_attr(feature = "serde", serde(serialize_with = "hex"))]
+    #[cfg_attr(feature = "schema", schemars(with = "CanIdText"))]
     pub can_id: MessageId,
     /// Who sends it.
     pub senders: Vec<End>,
@@ -130,6 +138,7 @@ impl MessageRow {
 /// A node that sends or receives a message.
 #[derive(Clone, Debug, PartialEq, Eq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize))]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 pub struct End {
     /// The name of the node.
     pub node: String,
@@ -138,6 +147,7 @@ pub struct End {
     pub position: Option<usize>,
     /// With which of its services: `TPDO 1`, `SYNC`.
     #[cfg_attr(feature = "serde", serde(serialize_with = "text"))]
+    #[cfg_attr(feature = "schema", schemars(with = "String"))]
     pub service: Service,
 }
 
@@ -145,6 +155,25 @@ pub struct End {
 impl std::fmt::Display for End {
     fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
         write!(f, "{} of {}", self.service, self.node)
+    }
+}
+
+/// A CAN-ID as [`hex`] writes it.
+#[cfg(feature = "schema")]
+pub(crate) struct CanIdText;
+
+#[cfg(feature = "schema")]
+impl schemars::JsonSchema for CanIdText {
+    fn inline_schema() -> bool {
+        true
+    }
+
+    fn schema_name() -> std::borrow::Cow<'static, str> {
+        "CanId".into()
+    }
+
+    fn json_schema(_: &mut schemars::SchemaGenerator) -> schemars::Schema {
+        schemars::json_schema!({ "type": "string", "pattern": "^0x([0-9A-F]{3}|[0-9A-F]{8})$" })
     }
 }
 

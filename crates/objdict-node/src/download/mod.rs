@@ -33,22 +33,27 @@ pub use verify::{AbortCode, Objection, ObjectionKind, Present, Verification, ref
 /// One SDO download: an entry and the transferred bytes.
 #[derive(Clone, PartialEq, Eq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 #[cfg_attr(feature = "serde", serde(deny_unknown_fields))]
 pub struct Download {
     /// Index of the object.
     #[cfg_attr(feature = "serde", serde(with = "hex_number"))]
+    #[cfg_attr(feature = "schema", schemars(with = "crate::model::HexText<u16>"))]
     pub index: u16,
     /// Sub-index of the entry.
     #[cfg_attr(feature = "serde", serde(with = "hex_number"))]
+    #[cfg_attr(feature = "schema", schemars(with = "crate::model::HexText<u8>"))]
     pub sub: u8,
     /// The value: little-endian, text without terminator.
     #[cfg_attr(feature = "serde", serde(with = "hex_text"))]
+    #[cfg_attr(feature = "schema", schemars(with = "crate::model::HexBytes"))]
     pub data: Vec<u8>,
 }
 
 /// Downloads in the order of transmission. An entry may be written more than once.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 #[cfg_attr(feature = "serde", serde(transparent))]
 pub struct ConciseDcf(pub Vec<Download>);
 

@@ -1,0 +1,176 @@
+//! `objdict schema`: the JSON Schemas of the documents that objdict writes. They are made of the types that write them
+//! (`cargo xtask docs`, feature `schema`) and are part of the program.
+
+use std::io::Write;
+
+use super::args::SchemaArgs;
+use super::output::Output;
+use super::table::Table;
+use super::{Failure, Outcome};
+use crate::diagnostic::{listing, nearest};
+
+/// The schema of a document.
+struct Schema {
+    name: &'static str,
+    /// What the document is, as a sentence.
+    about: &'static str,
+    text: &'static str,
+}
+
+/// Declares the documents: name, type, and a sentence. A new one begins with an empty file in `schemas`.
+macro_rules! documents {
+    ($($name:literal $Type:ty: $about:literal,)*) => {
+        const SCHEMAS: &[Schema] = &[$(Schema {
+            name: $name,
+            about: $about,
+            text: include_str!(concat!("../../schemas/", $name, ".json")),
+        }),*];
+
+        /// The schemas of all documents by their names, made of the types that write them.
+        #[cfg(feature = "schema")]
+        pub fn schemas() -> Vec<(&'static str, serde_json::Value)> {
+            vec![$(($name, made::schema_of::<$Type>($name, $about))),*]
+        }
+    };
+}
+
+documents! {
+    "device" crate::format::json::DeviceDocument<crate::model::Device>: "A device description: `objdict convert IN -o OUT.json`.",
+    "concise-dcf" crate::format::json::ConciseDocument<crate::download::ConciseDcf>: "A concise DCF: `objdict convert IN.cdcf -o OUT.json`.",
+    "findings" crate::report::FindingsDocument<'_>: "Findings: `objdict check --format json`, `objdict network check --format json`.",
+    "baseline" crate::baseline::Document: "Known findings: `objdict check --write-baseline`.",
+    "identify" super::identify::Document<'_>: "What files are: `objdict identify --format json`.",
+    "entries" super::show::EntriesDocument<'_>: "The entries of a dictionary: `objdict show --format json`.",
+    "node-list" super::show::NodeListDocument<'_>: "A node list: `objdict show NETWORK.cpj --format json`.",
+    "modules" super::modules::Document<'_>: "The modules of a coupler: `objdict modules --format json`.",
+    "losses" super::convert::LossDocument<'_>: "The losses of conversions: `objdict convert --loss-report`.",
+    "sizes" super::sizes::Document<'_>: "The sizes of tables: `objdict generate --report size --format json`.",
+    "network" super::network::ShowDocument<'_>: "A network: `objdict network show --format json`.",
+    "boot" super::network::BootDocument<'_>: "A simulated boot: `objdict network boot --format json`.",
+    "verify" super::dcf::VerifyDocument<'_>: "What a node refuses: `objdict dcf verify --format json`.",
+    "profiles" super::profile::ListDocument<'_>: "The built-in profiles: `objdict profile list --format json`.",
+    "profile" super::profile::ProfileDocument<'_>: "The objects of a profile: `objdict profile show --format json`.",
+    "rules" super::rules::Document: "The rules of `check`: `objdict rules --format json`.",
+}
+
+pub(super) fn run(args: &SchemaArgs, out: &mut Output) -> Result<Outcome, Failure> {
+    let Some(name) = &args.name else {
+        let mut table = Table::new(["Name", "Document"], usize::MAX);
+        for Schema { name, about, .. } in SCHEMAS {
+            table.row([name, about].map(|text| (*text).to_owned()));
+        }
+        table.write(out)?;
+        return Ok(Outcome::Clean);
+    };
+    let schema = SCHEMAS.iter().find(|schema| schema.name.eq_ignore_ascii_case(name));
+    let schema = schema.ok_or_else(|| unknown(name))?;
+    out.raw()?.write_all(schema.text.as_bytes())?;
+    Ok(Outcome::Clean)
+}
+
+fn unknown(name: &str) -> Failure {
+    let failure = Failure::new(format_args!("there is no document `{name}`"));
+    let names = || SCHEMAS.iter().map(|schema| schema.name);
+    failure.help(match nearest(name, names()) {
+        Some(near) => format!("did you mean `{near}`? `objdict schema` lists all"),
+        None => format!("the documents are {}", listing(names())),
+    })
+}
+
+/// How schemas are made.
+#[cfg(feature = "schema")]
+mod made {
+    use schemars::JsonSchema;
+    use schemars::generate::SchemaSettings;
+    use serde_json::{Map, Value, json};
+
+    /// The schema of a document. What is not in it is not written, so an unknown field is an error.
+    pub(super) fn schema_of<T: JsonSchema>(name: &str, about: &str) -> Value {
+        let generator = SchemaSettings::draft2020_12().for_serialize().into_generator();
+        let mut made = generator.into_root_schema_for::<T>().to_value();
+        tidy(&mut made);
+        let version = made["properties"]["version"]["const"].clone();
+        let mut schema = Map::new();
+        let mut set = |key: &str, value: Value| schema.insert(key.to_owned(), value);
+        // the order of keys is that of the alphabet, in which these are first
+        set("$schema", made["$schema"].take());
+        set("$id", json!(format!("urn:objdict:{name}:{version}")));
+        set("title", json!(format!("{name} of objdict, version {version}")));
+        set("description", json!(about));
+        if let Value::Object(fields) = made {
+            for (key, value) in fields {
+                schema.entry(key).or_insert(value);
+            }
+        }
+        Value::Object(schema)
+    }
+
+    /// Closes objects, says what optional fields are, and puts the words of the library into those of JSON.
+    fn tidy(schema: &mut Value) {
+        let Value::Object(fields) = schema else { return };
+        // documents are written, so what a reader takes for an absent field is of no use
+        fields.remove("default");
+        let required = fields.get("required").cloned().unwrap_or_default();
+        if let Some(Value::Object(properties)) = fields.get_mut("properties") {
+            for (name, property) in properties {
+                let is_required = required.as_array().is_some_and(|names| names.contains(&json!(name)));
+                if !is_required {
+                    remove_null(property);
+                }
+                describe(property, if is_required { "`null`" } else { "absent" });
+            }
+            fields.entry("additionalProperties").or_insert(json!(false));
+        }
+        describe(schema, "absent");
+        let Value::Object(fields) = schema else { return };
+        for (key, value) in fields {
+            match (key.as_str(), value) {
+                ("properties" | "patternProperties" | "$defs", Value::Object(schemas)) => {
+                    schemas.values_mut().for_each(tidy);
+                }
+                ("anyOf" | "oneOf" | "allOf" | "prefixItems", Value::Array(schemas)) => {
+                    schemas.iter_mut().for_each(tidy);
+                }
+                ("items" | "additionalProperties", schema) => tidy(schema),
+                _ => {}
+            }
+        }
+    }
+
+    /// A field that may be absent is never null.
+    fn remove_null(property: &mut Value) {
+        let Value::Object(fields) = property else { return };
+        if let Some(Value::Array(types)) = fields.get_mut("type") {
+            types.retain(|name| name != "null");
+            if let [only] = types.as_slice() {
+                let only = only.clone();
+                fields.insert("type".to_owned(), only);
+            }
+        }
+        if let Some(Value::Array(words)) = fields.get_mut("enum") {
+            words.retain(|word| !word.is_null());
+        }
+        let Some(Value::Array(schemas)) = fields.get_mut("anyOf") else { return };
+        schemas.retain(|schema| *schema != json!({ "type": "null" }));
+        if schemas.len() == 1 {
+            let only = schemas.remove(0);
+            fields.remove("anyOf");
+            if let Value::Object(only) = only {
+                for (key, value) in only {
+                    fields.entry(key).or_insert(value);
+                }
+            }
+        }
+    }
+
+    /// The description in one line, without links into the documentation of the library.
+    fn describe(schema: &mut Value, none: &str) {
+        let Some(Value::String(text)) = schema.get_mut("description") else { return };
+        let mut plain = text.replace('\n', " ").replace("`None`", none);
+        while let Some(start) = plain.find("](") {
+            let Some(length) = plain[start..].find(')') else { break };
+            plain.replace_range(start + 1..=start + length, "");
+        }
+        *text = plain.replace("[`", "`").replace("`]", "`");
+    }
+}

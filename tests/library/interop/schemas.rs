@@ -1,0 +1,131 @@
+//! What the command writes is valid by the schemas that it prints; a validator of others says so.
+
+use std::fs;
+use std::path::{Path, PathBuf};
+use std::process::Command;
+
+use super::{environment, text_of};
+use crate::support;
+
+/// Documents, and the commands that write them: `FIXTURES` is their folder, and what is not printed is written to `OUT`.
+const DOCUMENTS: &[(&str, &str)] = &[
+    ("findings", "check FIXTURES --no-config --format json --statistics --all"),
+    ("findings", "check FIXTURES/broken FIXTURES/rules/portability --no-config --format json"),
+    ("findings", "check FIXTURES/eds --no-config --format json --statistics=only"),
+    ("findings", "check FIXTURES/eds/minimal.eds --no-config --format json"),
+    ("findings", "network check FIXTURES/network/cell.yml --format json"),
+    ("findings", "network check FIXTURES/rules/network/link-mismatch/bad.toml --format json"),
+    ("baseline", "check FIXTURES/broken --no-config --quiet --write-baseline OUT"),
+    ("identify", "identify IDENTIFIED --format json"),
+    ("entries", "show FIXTURES/eds/all-types.eds --format json"),
+    ("entries", "show FIXTURES/torture/22_default_overflow.eds --format json"),
+    ("entries", "show FIXTURES/dcf/encoder-406-node3.dcf --format json"),
+    ("entries", "show FIXTURES/xdd/drive-402.xdd --node-id 3 --format json"),
+    ("entries", "show DOWNLOADS --format json"),
+    ("node-list", "show FIXTURES/nodelist/line.cpj --format json"),
+    ("concise-dcf", "convert FIXTURES/concise/careless.cdcf --to json"),
+    ("concise-dcf", "show FIXTURES/concise/careless.cdcf --format json"),
+    ("modules", "modules FIXTURES/eds/coupler-modular.eds --format json"),
+    ("modules", "modules FIXTURES/dcf/coupler-modular-node10.dcf --format json"),
+    ("losses", "convert FIXTURES/xdd/press-402.xdd -o WRITTEN.eds --no-embed --loss-report OUT"),
+    ("losses", "convert FIXTURES/dcf/coupler-modular-node10.dcf -o WRITTEN.xdd --loss-report OUT"),
+    ("losses", "convert FIXTURES/dcf/encoder-406-node3.dcf -o WRITTEN.dbc --loss-report OUT"),
+    (
+        "sizes",
+        "generate FIXTURES/eds/all-types.eds --target rust,c,canopennode,lely,concise --node-id 5 --force -o WRITTEN --report size --format json",
+    ),
+    ("network", "network show FIXTURES/network/cell.yml --format json"),
+    ("network", "network show FIXTURES/network/line.toml --format json"),
+    (
+        "network",
+        "network show FIXTURES/dcf/io-401-node5.dcf FIXTURES/dcf/encoder-406-node3.dcf --format json",
+    ),
+    ("boot", "network boot FIXTURES/network/line.toml --format json"),
+    ("boot", "network boot FIXTURES/network/cell.yml --format json --summary"),
+    (
+        "verify",
+        "dcf verify FIXTURES/concise/careless.cdcf --eds FIXTURES/eds/io-401.eds --node-id 5 --format json",
+    ),
+    ("verify", "dcf verify FIXTURES/concise/careless.cdcf --eds FIXTURES/eds/io-401.eds --format json"),
+    ("profiles", "profile list --format json"),
+    ("profile", "profile show 301 --format json"),
+    ("profile", "profile show 401 --format json"),
+    ("profile", "profile show 402 --format json"),
+    ("profile", "profile show FIXTURES/profiles/project-drives.toml --format json"),
+    ("rules", "rules --format json"),
+];
+
+/// Ordered downloads in a DCF.
+const DOWNLOADS: &str = "; objdict-embed: /downloads=[{\"when\":\"before\",\"index\":\"0x1017\",\"sub\":\"0x00\",\"value\":{\"unsigned\":5}}]\r\n";
+
+fn objdict() -> Command {
+    Command::new(env!("CARGO_BIN_EXE_objdict"))
+}
+
+#[test]
+fn documents_are_valid_by_their_schemas() {
+    let Some(programs) = environment() else { return };
+    let folder = Path::new(env!("CARGO_TARGET_TMPDIR")).join("interop-schemas");
+    fs::remove_dir_all(&folder).ok();
+    fs::create_dir_all(folder.join("device")).unwrap();
+    let fixtures = support::fixtures();
+    let list = objdict().arg("schema").output().unwrap();
+    let list = String::from_utf8(list.stdout).unwrap();
+    let names: Vec<&str> = list.lines().skip(1).filter_map(|line| line.split_whitespace().next()).collect();
+    for name in &names {
+        let schema = objdict().args(["schema", name]).output().unwrap();
+        assert!(schema.status.success(), "{}", text_of(&schema));
+        fs::write(folder.join(format!("{name}.schema.json")), schema.stdout).unwrap();
+    }
+    write_devices(&folder);
+    let downloads = folder.join("inputs/downloads.dcf");
+    let identified = support::files("", &["eds", "dcf", "xdd", "xdc", "yml", "toml", "cdcf", "cpj", "txt"]);
+    for (number, (name, line)) in DOCUMENTS.iter().enumerate() {
+        assert!(names.contains(name), "{name}");
+        let path = folder.join(format!("{name}.{number}.json"));
+        let mut command = objdict();
+        for word in line.split_whitespace() {
+            match word {
+                "OUT" => command.arg(&path),
+                "IDENTIFIED" => command.args(&identified),
+                "DOWNLOADS" => command.arg(&downloads),
+                word => command.arg(
+                    word.replace("FIXTURES", &fixtures.display().to_string())
+                        .replace("WRITTEN", &folder.join("written").display().to_string()),
+                ),
+            };
+        }
+        let output = command.output().unwrap();
+        assert_ne!(output.status.code(), Some(2), "{line}: {}", text_of(&output));
+        if !path.exists() {
+            fs::write(path, output.stdout).unwrap();
+        }
+    }
+    let script = Path::new(env!("CARGO_MANIFEST_DIR")).join("tests/library/interop/documents.py");
+    let output = Command::new(programs.join("python")).arg(script).arg(&folder).output().unwrap();
+    assert!(output.status.success() && output.stdout.is_empty(), "{}", text_of(&output));
+}
+
+/// All descriptions that the command converts, by one call: under names of their own in one folder.
+fn write_devices(folder: &Path) {
+    let inputs = folder.join("inputs");
+    fs::create_dir_all(&inputs).unwrap();
+    let mut copies: Vec<PathBuf> = Vec::new();
+    for (number, path) in support::files("", &["eds", "dcf", "xdd", "xdc"]).iter().enumerate() {
+        let name = path.file_name().unwrap().to_string_lossy();
+        copies.push(inputs.join(format!("{number}-{name}")));
+        fs::copy(path, copies.last().unwrap()).unwrap();
+    }
+    let node = fs::read_to_string(support::fixtures().join("dcf/encoder-406-node3.dcf")).unwrap();
+    copies.push(inputs.join("downloads.dcf"));
+    fs::write(&copies[copies.len() - 1], node + DOWNLOADS).unwrap();
+    let output = objdict()
+        .args(["convert", "--quiet", "--to", "json", "-o"])
+        .arg(folder.join("device"))
+        .args(&copies)
+        .output()
+        .unwrap();
+    let written = fs::read_dir(folder.join("device")).unwrap().count();
+    // some fixtures are of other technologies, or are refused
+    assert!(written > copies.len() * 9 / 10, "{written} of {}: {}", copies.len(), text_of(&output));
+}
