@@ -2,7 +2,7 @@
 //! encoding are kept.
 
 use super::layout::Layout;
-use super::schema::DEVICE_COMMISSIONING;
+use super::schema::network::DEVICE_COMMISSIONING;
 use super::{defaults, fact};
 use crate::model::Commissioning;
 use crate::source::EditError;

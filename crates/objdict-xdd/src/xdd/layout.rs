@@ -1,6 +1,8 @@
 //! Where the parts of a description are in a tree: containers, profiles, bodies.
 
-use super::schema::{self, DEVICE_BODY, DEVICE_HEADER, NETWORK_BODY, NETWORK_HEADER};
+use super::schema::container::DEVICE_BODY;
+use super::schema::{DEVICE_HEADER, NETWORK_BODY, NETWORK_HEADER, Shape};
+use crate::model::{FileInfo, ProfileHeader};
 use crate::xml::{Element, Name, Tree, n};
 
 /// The subject of a profile (`ProfileClassID`).
@@ -33,7 +35,7 @@ impl ProfileClass {
     }
 
     /// The `ProfileBody` of this class.
-    pub(crate) const fn body(self) -> &'static schema::Element {
+    pub(crate) const fn body(self) -> &'static Shape<FileInfo> {
         match self {
             Self::Device => &DEVICE_BODY,
             Self::Network => &NETWORK_BODY,
@@ -41,7 +43,7 @@ impl ProfileClass {
     }
 
     /// The `ProfileHeader` of this class.
-    pub(crate) fn header(self) -> &'static schema::Element {
+    pub(crate) fn header(self) -> &'static Shape<ProfileHeader> {
         match self {
             Self::Device => &DEVICE_HEADER,
             Self::Network => &NETWORK_HEADER,
