@@ -438,7 +438,8 @@ mod tests {
     #[test]
     fn a_version_that_is_none_is_written_as_it_is() {
         let mut info = FileInfo { file_revision: Some(0), ..FileInfo::default() };
-        let version = |info: &FileInfo| texts(info, &DEVICE_BODY, false).into_iter().next().map(|(_, text)| text);
+        let version =
+            |info: &FileInfo| texts(info, &DEVICE_BODY, false).into_iter().next().map(|(_, text)| text);
         assert_eq!(version(&info).as_deref(), Some(".0"));
         info.invalid_values.push(Field::FileVersion, "3.0", Reason::NotANumber);
         assert_eq!(version(&info).as_deref(), Some("3.0"));
