@@ -65,8 +65,20 @@ pub(crate) fn take<P: Facts>(
     placeholders: Placeholders,
     findings: &mut Findings,
 ) -> bool {
-    let Some((number, known)) = shape.attribute(name) else { return false };
-    let At::Fact(field) = &shape.values[number] else { return false };
+    let known = shape.attribute(name).map(|(number, known)| (known, &shape.values[number]));
+    known.is_some_and(|(known, at)| take_at(part, known, at, text, placeholders, findings))
+}
+
+/// Passes a text to the field of an attribute; `false` if it has none.
+pub(crate) fn take_at<P: Facts>(
+    part: &mut P,
+    known: &Attribute,
+    at: &At<P>,
+    text: &Text<'_>,
+    placeholders: Placeholders,
+    findings: &mut Findings,
+) -> bool {
+    let At::Fact(field) = at else { return false };
     let is_placeholder = |nothing| text.text == nothing || text.trimmed() == nothing;
     let is_unstated = placeholders.are_dropped() && known.unstated.is_some_and(is_placeholder);
     if !is_unstated
@@ -110,11 +122,7 @@ impl<'a> Text<'a> {
 
     /// The text of an element, without blanks at its ends.
     pub(crate) fn in_element(element: Element<'a>) -> Self {
-        let text = match element.text() {
-            Cow::Borrowed(text) => Cow::Borrowed(text.trim_ascii()),
-            Cow::Owned(text) => Cow::Owned(text.trim_ascii().to_owned()),
-        };
-        Self { text, at: element.text_span() }
+        Self { text: trimmed(element.text()), at: element.text_span() }
     }
 
     /// The text without blanks at its ends.
@@ -183,6 +191,14 @@ impl<'a> Text<'a> {
         let value = meant(value, &mut quirks);
         literal::spelling(text, self.at, quirks, Some(&value), findings);
         Ok(Some(value))
+    }
+}
+
+/// A text without blanks at its ends.
+pub(crate) fn trimmed(text: Cow<'_, str>) -> Cow<'_, str> {
+    match text {
+        Cow::Borrowed(text) => Cow::Borrowed(text.trim_ascii()),
+        Cow::Owned(text) => Cow::Owned(text.trim_ascii().to_owned()),
     }
 }
 

@@ -102,6 +102,11 @@ impl<'a> Layout<'a> {
         containers(tree).get(number).copied().map(Self::of_container)
     }
 
+    /// The layout of a document whose root is the container.
+    pub(crate) fn of_document(tree: &'a Tree) -> Option<Self> {
+        tree.root().filter(|root| root.tag() == n::ISO15745ProfileContainer).map(Self::of_container)
+    }
+
     /// The profiles in a container. Of two profiles of one class, the first counts.
     pub(crate) fn of_container(container: Element<'a>) -> Self {
         let mut layout = Self { container, device: None, network: None };
@@ -136,6 +141,11 @@ impl<'a> Layout<'a> {
         let list = list.or_else(|| self.project()?.child(n::CANopenObjectList));
         list.into_iter().flat_map(|list| list.children_named(n::CANopenObject))
     }
+}
+
+/// An object and its sub-objects.
+pub(crate) fn with_subs<'a>(object: Element<'a>) -> impl Iterator<Item = Element<'a>> + use<'a> {
+    std::iter::once(object).chain(object.children_named(n::CANopenSubObject))
 }
 
 /// The element at a path of names; of several with one name, the first.

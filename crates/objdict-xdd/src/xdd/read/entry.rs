@@ -80,10 +80,10 @@ impl<'a> EntryAttributes<'a> {
         if let Some(name) = self.get(n::name) {
             entry.name = name.value().trim_ascii().into();
         }
-        for (known, attribute) in OBJECT.attributes.iter().zip(self.known) {
+        for ((known, at), attribute) in OBJECT.attributes.iter().zip(OBJECT.values).zip(self.known) {
             if let Some(attribute) = attribute {
                 let text = Text::of(attribute);
-                fact::take(&mut entry, &OBJECT, known.name, &text, Placeholders::Dropped, findings);
+                fact::take_at(&mut entry, known, at, &text, Placeholders::Dropped, findings);
             }
         }
         let denotation = self.get(n::denotation).map(Text::of);

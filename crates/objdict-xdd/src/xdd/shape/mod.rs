@@ -57,7 +57,7 @@ pub(crate) struct Reader<'r, 'a> {
 
 impl<'a> Reader<'_, 'a> {
     fn part<P>(&mut self, element: xml::Element<'a>, shape: &'static Shape<P>, part: &mut P) {
-        self.attributes(element, &mut |name, text| {
+        self.attributes(element, |name, text| {
             let number = if name == n::text { shape.attributes.len() } else { shape.attribute(name)?.0 };
             let At::Text(field) = shape.values.get(number)? else { return None };
             Some((field.get_mut)(part)?.accept(text))
@@ -90,13 +90,13 @@ impl<'a> Reader<'_, 'a> {
 
     /// Reads the value of an element that holds only this: in an attribute or the text. All else in it becomes leftovers.
     fn value(&mut self, element: xml::Element<'a>, holder: Name, accept: &mut dyn FnMut(&str) -> bool) {
-        self.attributes(element, &mut |name, text| Some(name == holder && accept(text)));
+        self.attributes(element, |name, text| Some(name == holder && accept(text)));
         element.children().for_each(|unknown| self.leftovers.element(unknown));
     }
 
     /// Passes each attribute and the text of an element to `accept`. What it does not accept becomes a
     /// leftover.
-    fn attributes(&mut self, element: xml::Element<'a>, accept: &mut dyn FnMut(Name, &str) -> Option<bool>) {
+    fn attributes(&mut self, element: xml::Element<'a>, mut accept: impl FnMut(Name, &str) -> Option<bool>) {
         for attribute in element.attributes() {
             if accept(attribute.tag(), &attribute.value()) != Some(true) {
                 self.leftovers.attribute(element, attribute);

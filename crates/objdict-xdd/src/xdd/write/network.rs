@@ -111,9 +111,7 @@ fn dummy_usage(usage: &DummyUsage, out: &mut XddWriter) {
     let invalid_values =
         usage.invalid_values.iter().map(|invalid| format!("{}={}", invalid.field, invalid.text));
     for entry in types.chain(invalid_values) {
-        out.open(&DUMMY);
-        out.attribute(n::entry, &entry);
-        out.close();
+        out.empty(&DUMMY, &[(n::entry, &entry)]);
     }
     out.close();
 }
@@ -191,11 +189,7 @@ fn transport_layers(info: &DeviceInfo, out: &mut XddWriter) {
     if let Some(default) = default.or_else(invalid) {
         out.attribute(n::defaultValue, &default);
     }
-    let supported = |word: &str, out: &mut XddWriter| {
-        out.open(&SUPPORTED_BAUD_RATE);
-        out.attribute(n::value, word);
-        out.close();
-    };
+    let supported = |word: &str, out: &mut XddWriter| out.empty(&SUPPORTED_BAUD_RATE, &[(n::value, word)]);
     words.iter().for_each(|word| supported(word, out));
     if out.count_of(n::supportedBaudRate) == 0 {
         // twice, as no other tool writes it

@@ -23,10 +23,7 @@ impl Writer<'_> {
             out.attribute(count_attribute(list), &count(objects.keys(), list).to_string());
         }
         if objects.is_empty() {
-            out.open(&OBJECT);
-            out.attribute(n::index, defaults::INDEX);
-            out.attribute(n::name, defaults::NOT_STATED);
-            out.close();
+            out.empty(&OBJECT, &[(n::index, defaults::INDEX), (n::name, defaults::NOT_STATED)]);
         }
         for (&index, object) in objects {
             let object = &*object.expanded();
