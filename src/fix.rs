@@ -228,7 +228,7 @@ impl<'a, F: Fn(&Description) -> Findings> Trials<'a, F> {
     }
 
     /// Those of `numbers` that can be made with the `accepted` ones, and these. Mostly that is all of them; else those
-    /// where something is wrong then are tried apart from the others, and where that tells nothing, each half.
+    /// where something is wrong then are tried apart from the others; where all are, each half is.
     fn narrow(&mut self, accepted: Vec<usize>, numbers: &[usize]) -> Vec<usize> {
         let mut all = accepted.clone();
         all.extend(numbers);

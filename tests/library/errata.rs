@@ -119,7 +119,7 @@ const DEVICES: &[Device] = &[
             "cia301/obsolete-object 0x100F",
             "cia301/mapped-object-missing 0x1A01sub1 / DefaultValue",
             "cia301/mapped-object-not-mappable 0x1A01sub2 / DefaultValue",
-            "cia401/missing-object 0x1000",
+            "cia401/missing-object 0x6404",
         ],
         also: &["cia301/emergency-without-cob-id 0x1003", "cia301/rtr-only-pdo 0x1801sub2 / DefaultValue"],
     },

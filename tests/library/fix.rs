@@ -255,14 +255,16 @@ fn readers_read_what_is_fixed_for_no_certain_tool() {
 /// Junk before the header of a general section does not hide the section, and becomes a comment.
 #[test]
 fn a_section_behind_junk_is_read() {
-    let text = "50[FileInfo]\r\nFileName=a.eds\r\n[DeviceInfo]\r\nProductName=Lamp\r\n";
-    let source = SourceFile::from_text("a.eds", text);
-    let description = format::read(source, Format::Eds);
-    let name = |description: &Description| description.device().file_info.clone()?.file_name;
-    assert_eq!(name(&description).as_deref(), Some("a.eds"));
-    let fixed = fix(description, Applicability::Safe, check).description;
-    assert!(fixed.source().text().starts_with("; 50\r\n[FileInfo]\r\n"), "{}", fixed.source().text());
-    assert_eq!(name(&fixed).as_deref(), Some("a.eds"));
+    for junk in ["50", "]\u{E}"] {
+        let text = format!("{junk}[FileInfo]\r\nFileName=a.eds\r\n[DeviceInfo]\r\nProductName=Lamp\r\n");
+        let description = format::read(SourceFile::from_text("a.eds", text), Format::Eds);
+        let name = |description: &Description| description.device().file_info.clone()?.file_name;
+        assert_eq!(name(&description).as_deref(), Some("a.eds"));
+        let fixed = fix(description, Applicability::Safe, check).description;
+        let text = fixed.source().text();
+        assert!(text.starts_with("; ") && text.contains("\r\n[FileInfo]\r\n"), "{text}");
+        assert_eq!(name(&fixed).as_deref(), Some("a.eds"));
+    }
     let minimal = std::fs::read_to_string(support::fixtures().join("eds/minimal.eds")).unwrap();
     let text = minimal.replace("[1000]", "50[1000]").replace("[1018sub1]", "0[1018sub1]");
     let description = format::read(SourceFile::from_text("minimal.eds", text), Format::Eds);

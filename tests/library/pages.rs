@@ -358,7 +358,8 @@ fn pages_for_users() -> impl Iterator<Item = PathBuf> {
 fn blocks_of_text_are_printed() {
     let printed = [read(Path::new("examples/session.txt")), error_of_a_build_script()];
     let mut found = Vec::new();
-    for page in pages_for_users() {
+    // what the script of docs/json.md prints is compared where it is run (tests/command/recipes.rs)
+    for page in pages_for_users().filter(|page| page != Path::new("docs/json.md")) {
         for (_, line, text) in blocks(&read(&page)).into_iter().filter(|(language, ..)| language == "text") {
             found.push(page.display().to_string());
             assert!(

@@ -357,7 +357,6 @@ fn walk(tree: &Tree) {
             assert!(is_inside(span, parent.inner_span()), "{element:?}");
             assert!(parent.children().any(|child| child.id() == element.id()));
         }
-        assert!(element.path().contains(element.name()));
         let _ = (element.text(), element.namespace(), element.prefix(), element.is_empty_tag());
         for attribute in element.attributes() {
             assert!(is_inside(attribute.value_span(), attribute.span()));

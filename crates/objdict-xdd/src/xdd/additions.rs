@@ -1,6 +1,6 @@
 //! Adds objects to the text of an XDD or XDC, by edits that keep the rest of it.
 
-use super::layout::Layout;
+use super::layout::{Layout, with_subs};
 use super::write::write;
 use super::{XddVersion, fact};
 use crate::diagnostic::Findings;
@@ -40,8 +40,7 @@ fn parsed(text: String) -> Tree {
 
 /// The list of objects, and its objects with valid indexes.
 fn object_list(tree: &Tree) -> Option<(Element<'_>, Vec<(u32, Element<'_>)>)> {
-    let root = tree.root().filter(|root| root.tag() == n::ISO15745ProfileContainer)?;
-    let layout = Layout::of_container(root);
+    let layout = Layout::of_document(tree)?;
     let index = |object: Element<'_>| fact::hex(object.attribute(n::index)?.value().trim(), 4);
     let objects: Vec<_> = layout.objects().filter_map(|object| Some((index(object)?, object))).collect();
     let list = layout.objects().next()?.parent()?;
@@ -51,10 +50,8 @@ fn object_list(tree: &Tree) -> Option<(Element<'_>, Vec<(u32, Element<'_>)>)> {
 /// The text without the references of objects to parameters, which are in another profile of the file.
 fn without_references(tree: &Tree) -> Option<Result<String, EditError>> {
     let mut editor = Editor::new(tree);
-    for (_, object) in object_list(tree)?.1 {
-        for element in std::iter::once(object).chain(object.children_named(n::CANopenSubObject)) {
-            editor.remove_attribute(element, n::uniqueIDRef.text());
-        }
+    for element in Layout::of_document(tree)?.objects().flat_map(with_subs) {
+        editor.remove_attribute(element, n::uniqueIDRef.text());
     }
     Some(editor.text())
 }

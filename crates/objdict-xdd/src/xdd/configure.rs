@@ -1,8 +1,8 @@
 //! Conversion between XDD and XDC by edits of the text, so that comments, order, spelling, line ends and
 //! encoding are kept.
 
-use super::layout::Layout;
-use super::schema::DEVICE_COMMISSIONING;
+use super::layout::{Layout, with_subs};
+use super::schema::network::DEVICE_COMMISSIONING;
 use super::{defaults, fact};
 use crate::model::Commissioning;
 use crate::source::EditError;
@@ -12,7 +12,7 @@ use crate::xml::{Editor, Element, Name, Tree, escaped_value, n};
 /// those of the text. `None` if the file has no place for them: without a communication network profile, and
 /// in a project with several devices.
 pub fn to_xdc(tree: &Tree, file_name: &str, node: &Commissioning) -> Option<Result<Vec<u8>, EditError>> {
-    let layout = layout(tree)?;
+    let layout = Layout::of_document(tree)?;
     let body = layout.network?.body;
     let mut editor = Editor::new(tree);
     rename(&layout, file_name, &mut editor);
@@ -34,30 +34,22 @@ pub fn to_xdc(tree: &Tree, file_name: &str, node: &Commissioning) -> Option<Resu
 /// The bytes of `tree` as an XDD with the name `file_name`: without the node and its configured values.
 /// `None` for a project with several devices.
 pub fn to_xdd(tree: &Tree, file_name: &str) -> Option<Result<Vec<u8>, EditError>> {
-    let layout = layout(tree)?;
+    let layout = Layout::of_document(tree)?;
     let mut editor = Editor::new(tree);
     rename(&layout, file_name, &mut editor);
     let management = layout.network.and_then(|network| network.body.child(n::NetworkManagement));
     for node in management.iter().flat_map(|management| management.children_named(n::deviceCommissioning)) {
         editor.remove_element(node);
     }
-    for object in layout.objects() {
-        for element in std::iter::once(object).chain(object.children_named(n::CANopenSubObject)) {
-            editor.remove_attribute(element, n::actualValue.text());
-            editor.remove_attribute(element, n::denotation.text());
-        }
+    for element in layout.objects().flat_map(with_subs) {
+        editor.remove_attribute(element, n::actualValue.text());
+        editor.remove_attribute(element, n::denotation.text());
     }
     for parameter in parameters(&layout) {
         let configured = |child: &Element<'_>| matches!(child.tag(), n::actualValue | n::denotation);
         parameter.children().filter(configured).for_each(|child| editor.remove_element(child));
     }
     Some(editor.to_bytes())
-}
-
-/// The layout of a file whose root is the container.
-fn layout(tree: &Tree) -> Option<Layout<'_>> {
-    let root = tree.root().filter(|root| root.tag() == n::ISO15745ProfileContainer)?;
-    Some(Layout::of_container(root))
 }
 
 fn rename<'a>(layout: &Layout<'a>, file_name: &str, editor: &mut Editor<'a>) {

@@ -1,10 +1,9 @@
 //! Values that an EDS has too: from attributes to fields of the model and back.
 
-use std::any::Any;
 use std::borrow::Cow;
 
 use super::defaults::{self, Placeholders};
-use super::schema::{self, At, Attribute, Kind};
+use super::schema::{At, Attribute, Kind, Shape};
 use crate::diagnostic::Findings;
 use crate::literal::{self, Quirks};
 use crate::model::{
@@ -24,7 +23,7 @@ pub(crate) struct Text<'a> {
 }
 
 /// A part of the model with fields that an EDS has too.
-pub(crate) trait Facts: Any {
+pub(crate) trait Facts {
     /// The texts that are not valid in their fields.
     fn invalid_values(&self) -> &InvalidValues;
 
@@ -57,19 +56,33 @@ pub(crate) trait Fact {
     fn text(&self, known: &Attribute) -> Option<String>;
 }
 
-/// Passes the text of an attribute to its field; `false` if it has no field.
-pub(crate) fn take(
-    part: &mut impl Facts,
-    known: &Attribute,
+/// Passes a text to the field of the attribute with a name; `false` if there is none.
+pub(crate) fn take<P: Facts>(
+    part: &mut P,
+    shape: &'static Shape<P>,
+    name: Name,
     text: &Text<'_>,
     placeholders: Placeholders,
     findings: &mut Findings,
 ) -> bool {
-    let At::Fact(at) = known.at else { return false };
+    let known = shape.attribute(name).map(|(number, known)| (known, &shape.values[number]));
+    known.is_some_and(|(known, at)| take_at(part, known, at, text, placeholders, findings))
+}
+
+/// Passes a text to the field of an attribute; `false` if it has none.
+pub(crate) fn take_at<P: Facts>(
+    part: &mut P,
+    known: &Attribute,
+    at: &At<P>,
+    text: &Text<'_>,
+    placeholders: Placeholders,
+    findings: &mut Findings,
+) -> bool {
+    let At::Fact(field) = at else { return false };
     let is_placeholder = |nothing| text.text == nothing || text.trimmed() == nothing;
-    let is_unstated = placeholders.are_dropped() && at.unstated.is_some_and(is_placeholder);
+    let is_unstated = placeholders.are_dropped() && known.unstated.is_some_and(is_placeholder);
     if !is_unstated
-        && let Some(fact) = (at.lens.get_mut)(part)
+        && let Some(fact) = (field.get_mut)(part)
         && let Err(reason) = fact.take(text, known, findings)
         && let Some(field) = known.field()
     {
@@ -79,9 +92,9 @@ pub(crate) fn take(
 }
 
 /// The text of an attribute with a field: its value, or else the invalid text.
-pub(crate) fn text(part: &impl Facts, known: &Attribute) -> Option<String> {
-    let At::Fact(at) = known.at else { return None };
-    let value = || (at.lens.get)(part).and_then(|fact| fact.text(known));
+pub(crate) fn text<P: Facts>(part: &P, known: &Attribute, at: &At<P>) -> Option<String> {
+    let At::Fact(field) = at else { return None };
+    let value = || (field.get)(part).and_then(|fact| fact.text(known));
     let invalid = || Some(part.invalid_values().get(&known.field()?)?.text.to_string());
     match known.name {
         // the revision of an EDS and the data type of the parameter can be set beside an invalid text
@@ -92,19 +105,13 @@ pub(crate) fn text(part: &impl Facts, known: &Attribute) -> Option<String> {
 
 /// The attributes of an element that have fields, in order; a required one without a value gets its
 /// placeholder.
-pub(crate) fn texts(
-    part: &impl Facts,
-    element: &'static schema::Element,
-    is_demanded: bool,
-) -> Vec<(Name, String)> {
-    let unstated = |known: &Attribute| match known.at {
-        At::Fact(at) => at.unstated.filter(|_| is_demanded).map(str::to_owned),
-        _ => None,
+pub(crate) fn texts<P: Facts>(part: &P, shape: &'static Shape<P>, is_demanded: bool) -> Vec<(Name, String)> {
+    let attributes = shape.attributes.iter().zip(shape.values);
+    let text_of = |(known, at): (&Attribute, &At<P>)| {
+        let unstated = || known.unstated.filter(|_| is_demanded).map(str::to_owned);
+        Some((known.name, text(part, known, at).or_else(unstated)?))
     };
-    let attributes = element.attributes.iter();
-    attributes
-        .filter_map(|known| Some((known.name, text(part, known).or_else(|| unstated(known))?)))
-        .collect()
+    attributes.filter_map(text_of).collect()
 }
 
 impl<'a> Text<'a> {
@@ -115,11 +122,7 @@ impl<'a> Text<'a> {
 
     /// The text of an element, without blanks at its ends.
     pub(crate) fn in_element(element: Element<'a>) -> Self {
-        let text = match element.text() {
-            Cow::Borrowed(text) => Cow::Borrowed(text.trim_ascii()),
-            Cow::Owned(text) => Cow::Owned(text.trim_ascii().to_owned()),
-        };
-        Self { text, at: element.text_span() }
+        Self { text: trimmed(element.text()), at: element.text_span() }
     }
 
     /// The text without blanks at its ends.
@@ -191,6 +194,14 @@ impl<'a> Text<'a> {
     }
 }
 
+/// A text without blanks at its ends.
+pub(crate) fn trimmed(text: Cow<'_, str>) -> Cow<'_, str> {
+    match text {
+        Cow::Borrowed(text) => Cow::Borrowed(text.trim_ascii()),
+        Cow::Owned(text) => Cow::Owned(text.trim_ascii().to_owned()),
+    }
+}
+
 /// Fields of one word: how the word is read, the reason if it is invalid, and how it is written.
 macro_rules! words {
     ($($Value:ty: $reason:ident, $read:expr, $write:expr;)+) => {$(
@@ -241,10 +252,7 @@ macro_rules! numbers {
         impl Fact for Option<$Number> {
             fn take(&mut self, text: &Text<'_>, known: &Attribute, findings: &mut Findings) -> Result<(), Reason> {
                 *self = None;
-                let most = match known.at {
-                    At::Fact(schema::FactAt { most: Some(most), .. }) => most,
-                    _ => u64::from(<$Number>::MAX),
-                };
+                let most = known.most.unwrap_or(u64::from(<$Number>::MAX));
                 *self = match known.kind {
                     // 0 is what version 1.0 says of a node whose bit rate is not known
                     Kind::Rate => text
@@ -421,6 +429,7 @@ pub(crate) fn bit_rate(text: &str) -> Option<u16> {
 mod tests {
     use super::*;
     use crate::model::Field;
+    use crate::xdd::schema::container::DEVICE_BODY;
 
     #[test]
     fn bit_rates_in_the_spellings_of_real_files() {
@@ -445,9 +454,10 @@ mod tests {
     #[test]
     fn a_version_that_is_none_is_written_as_it_is() {
         let mut info = FileInfo { file_revision: Some(0), ..FileInfo::default() };
-        let known = schema::DEVICE_BODY.attribute_of(&Field::FileVersion).unwrap();
-        assert_eq!(text(&info, known).as_deref(), Some(".0"));
+        let version =
+            |info: &FileInfo| texts(info, &DEVICE_BODY, false).into_iter().next().map(|(_, text)| text);
+        assert_eq!(version(&info).as_deref(), Some(".0"));
         info.invalid_values.push(Field::FileVersion, "3.0", Reason::NotANumber);
-        assert_eq!(text(&info, known).as_deref(), Some("3.0"));
+        assert_eq!(version(&info).as_deref(), Some("3.0"));
     }
 }

@@ -93,7 +93,7 @@ impl<'a> Rewriter<'a> {
 
     fn remove_field(&mut self, part: &Part, field: &Field) -> Option<()> {
         let element = self.entry(part)?;
-        let attribute = attribute_of(element, &OBJECT, field)?;
+        let attribute = attribute_of(element, OBJECT, field)?;
         // CiA 311 requires these
         if matches!(field, Field::ParameterName | Field::ObjectType) {
             return None;

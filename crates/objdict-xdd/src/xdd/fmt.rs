@@ -83,7 +83,7 @@ impl<'a> Arranged<'a> {
 
     fn element(&mut self, element: Element<'a>, known: Option<&'static schema::Element>, depth: usize) {
         let is_container = element.tag() == n::ISO15745ProfileContainer;
-        let known = if is_container { Some(&CONTAINER) } else { known };
+        let known = if is_container { Some(&CONTAINER.element) } else { known };
         self.is_in_container |= is_container;
         let is_preserved =
             || element.attributes().any(|attribute| attribute.name_span().of(self.source) == "xml:space");

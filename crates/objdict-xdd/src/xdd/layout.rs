@@ -1,6 +1,8 @@
 //! Where the parts of a description are in a tree: containers, profiles, bodies.
 
-use super::schema::{self, DEVICE_BODY, DEVICE_HEADER, NETWORK_BODY, NETWORK_HEADER};
+use super::schema::container::DEVICE_BODY;
+use super::schema::{DEVICE_HEADER, NETWORK_BODY, NETWORK_HEADER, Shape};
+use crate::model::{FileInfo, ProfileHeader};
 use crate::xml::{Element, Name, Tree, n};
 
 /// The subject of a profile (`ProfileClassID`).
@@ -33,7 +35,7 @@ impl ProfileClass {
     }
 
     /// The `ProfileBody` of this class.
-    pub(crate) const fn body(self) -> &'static schema::Element {
+    pub(crate) const fn body(self) -> &'static Shape<FileInfo> {
         match self {
             Self::Device => &DEVICE_BODY,
             Self::Network => &NETWORK_BODY,
@@ -41,7 +43,7 @@ impl ProfileClass {
     }
 
     /// The `ProfileHeader` of this class.
-    pub(crate) fn header(self) -> &'static schema::Element {
+    pub(crate) fn header(self) -> &'static Shape<ProfileHeader> {
         match self {
             Self::Device => &DEVICE_HEADER,
             Self::Network => &NETWORK_HEADER,
@@ -100,6 +102,11 @@ impl<'a> Layout<'a> {
         containers(tree).get(number).copied().map(Self::of_container)
     }
 
+    /// The layout of a document whose root is the container.
+    pub(crate) fn of_document(tree: &'a Tree) -> Option<Self> {
+        tree.root().filter(|root| root.tag() == n::ISO15745ProfileContainer).map(Self::of_container)
+    }
+
     /// The profiles in a container. Of two profiles of one class, the first counts.
     pub(crate) fn of_container(container: Element<'a>) -> Self {
         let mut layout = Self { container, device: None, network: None };
@@ -134,6 +141,11 @@ impl<'a> Layout<'a> {
         let list = list.or_else(|| self.project()?.child(n::CANopenObjectList));
         list.into_iter().flat_map(|list| list.children_named(n::CANopenObject))
     }
+}
+
+/// An object and its sub-objects.
+pub(crate) fn with_subs<'a>(object: Element<'a>) -> impl Iterator<Item = Element<'a>> + use<'a> {
+    std::iter::once(object).chain(object.children_named(n::CANopenSubObject))
 }
 
 /// The element at a path of names; of several with one name, the first.

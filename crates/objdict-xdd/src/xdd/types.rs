@@ -6,48 +6,51 @@ use crate::model::{
     TypeDefinition, TypeKind, TypeShape, VarDeclaration,
 };
 
+/// The data types with simple types that may denote their values: the nearest one first. The first data type of a simple type is what
+/// CANopenEditor makes of it.
+const SIMPLE_TYPES: [(DataType, &[SimpleType]); 13] = [
+    (DataType::BOOLEAN, &[SimpleType::Bool]),
+    (DataType::REAL32, &[SimpleType::Real]),
+    (DataType::REAL64, &[SimpleType::Lreal]),
+    (DataType::VISIBLE_STRING, &[SimpleType::String, SimpleType::Char]),
+    (DataType::UNICODE_STRING, &[SimpleType::Wstring, SimpleType::String]),
+    (DataType::UNSIGNED8, &[SimpleType::Usint, SimpleType::Byte, SimpleType::Char]),
+    (DataType::UNSIGNED16, &[SimpleType::Uint, SimpleType::Word]),
+    (DataType::UNSIGNED32, &[SimpleType::Udint, SimpleType::Dword]),
+    (DataType::UNSIGNED64, &[SimpleType::Ulint, SimpleType::Lword]),
+    (DataType::INTEGER8, &[SimpleType::Sint, SimpleType::Byte]),
+    (DataType::INTEGER16, &[SimpleType::Int, SimpleType::Word]),
+    (DataType::INTEGER32, &[SimpleType::Dint, SimpleType::Dword]),
+    (DataType::INTEGER64, &[SimpleType::Lint, SimpleType::Lword]),
+];
+
+/// The simple types that may denote values of a data type; `None` if the data type has no exact one.
+fn simple_types(data_type: DataType) -> Option<&'static [SimpleType]> {
+    SIMPLE_TYPES.iter().find(|(known, _)| *known == data_type).map(|(_, simple)| *simple)
+}
+
 /// The simple type that is nearest to a data type; the attribute `dataType` specifies the exact one.
 pub(crate) fn simple_type(data_type: DataType) -> SimpleType {
-    match data_type.kind() {
-        TypeKind::Boolean => SimpleType::Bool,
-        TypeKind::Signed(bits) => match bits {
-            0..=8 => SimpleType::Sint,
-            9..=16 => SimpleType::Int,
-            17..=32 => SimpleType::Dint,
-            _ => SimpleType::Lint,
-        },
-        TypeKind::Unsigned(bits) => match bits {
-            0..=8 => SimpleType::Usint,
-            9..=16 => SimpleType::Uint,
-            17..=32 => SimpleType::Udint,
-            _ => SimpleType::Ulint,
-        },
-        TypeKind::Real32 => SimpleType::Real,
-        TypeKind::Real64 => SimpleType::Lreal,
-        TypeKind::VisibleString => SimpleType::String,
-        TypeKind::UnicodeString => SimpleType::Wstring,
-        _ => SimpleType::Bitstring,
-    }
+    let is_wider = |(known, _): &&(DataType, _)| match (data_type.kind(), known.kind()) {
+        (TypeKind::Signed(bits), TypeKind::Signed(width))
+        | (TypeKind::Unsigned(bits), TypeKind::Unsigned(width)) => bits <= width,
+        _ => false,
+    };
+    let wider = || SIMPLE_TYPES.iter().find(is_wider).map(|(_, simple)| *simple);
+    simple_types(data_type).or_else(wider).map_or(SimpleType::Bitstring, |simple| simple[0])
+}
+
+/// Whether a simple type may denote values of a data type.
+pub(crate) fn agree(data_type: DataType, simple: SimpleType) -> bool {
+    simple == SimpleType::Bitstring || simple_types(data_type).is_none_or(|exact| exact.contains(&simple))
 }
 
 /// The data type of a simple type, as CANopenEditor interprets it; BITSTRING depends on the object type.
 pub(crate) fn data_type(simple: SimpleType, object_type: Option<ObjectType>) -> DataType {
-    match simple {
-        SimpleType::Bool => DataType::BOOLEAN,
-        SimpleType::Sint => DataType::INTEGER8,
-        SimpleType::Int => DataType::INTEGER16,
-        SimpleType::Dint => DataType::INTEGER32,
-        SimpleType::Lint => DataType::INTEGER64,
-        SimpleType::Usint | SimpleType::Byte => DataType::UNSIGNED8,
-        SimpleType::Uint | SimpleType::Word => DataType::UNSIGNED16,
-        SimpleType::Udint | SimpleType::Dword => DataType::UNSIGNED32,
-        SimpleType::Ulint | SimpleType::Lword => DataType::UNSIGNED64,
-        SimpleType::Real => DataType::REAL32,
-        SimpleType::Lreal => DataType::REAL64,
-        SimpleType::String | SimpleType::Char => DataType::VISIBLE_STRING,
-        SimpleType::Wstring => DataType::UNICODE_STRING,
-        SimpleType::Bitstring if object_type == Some(ObjectType::Domain) => DataType::DOMAIN,
-        SimpleType::Bitstring => DataType::OCTET_STRING,
+    match SIMPLE_TYPES.iter().find(|(_, known)| known.contains(&simple)) {
+        Some((data_type, _)) => *data_type,
+        None if object_type == Some(ObjectType::Domain) => DataType::DOMAIN,
+        None => DataType::OCTET_STRING,
     }
 }
 

@@ -124,6 +124,13 @@ impl XddWriter {
         self.start(element, element.is_global, false);
     }
 
+    /// Writes an element with only attributes.
+    pub(crate) fn empty(&mut self, element: &'static Element, attributes: &[(Name, &str)]) {
+        self.open(element);
+        attributes.iter().for_each(|(name, text)| self.attribute(*name, text));
+        self.close();
+    }
+
     /// Opens an element at a place that the standard does not define: it is not written.
     pub(crate) fn open_stray(&mut self, element: &'static Element) {
         if self.is_checked {

@@ -21,5 +21,5 @@ pub use comments::comments;
 pub use edit::Editor;
 pub use names::{Called, Name, n};
 pub use tree::{Attribute, Element, ElementId, Tree};
-pub use write::{Replaced, XmlWriter};
+pub use write::XmlWriter;
 pub(crate) use write::{WriterMark, escaped_value};

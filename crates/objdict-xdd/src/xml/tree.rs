@@ -173,13 +173,6 @@ impl Tree {
         self.parts.elements.is_empty()
     }
 
-    /// The memory of the tree in bytes, without its source.
-    pub fn memory(&self) -> usize {
-        self.parts.elements.capacity() * size_of::<Record>()
-            + self.parts.attributes.capacity() * size_of::<AttributeRecord>()
-            + self.parts.damage.capacity() * size_of::<Span>()
-    }
-
     fn get(&self, id: u32) -> Option<Element<'_>> {
         ((id as usize) < self.parts.elements.len()).then_some(Element { tree: self, id })
     }
@@ -374,27 +367,6 @@ impl<'a> Element<'a> {
             start = next.end;
             gap
         })
-    }
-
-    /// The path from the root: names, each with its number if there are siblings with the same name, such as
-    /// `ISO15745ProfileContainer/ISO15745Profile[2]/ProfileBody`.
-    pub fn path(self) -> String {
-        let mut ancestors: Vec<_> = std::iter::successors(Some(self), |element| element.parent()).collect();
-        ancestors.reverse();
-        let mut path = String::new();
-        for element in ancestors {
-            if !path.is_empty() {
-                path.push('/');
-            }
-            path.push_str(element.name());
-            let Some(parent) = element.parent() else { continue };
-            let mut siblings = parent.children_named(element.name());
-            let before = siblings.by_ref().take_while(|sibling| sibling.id != element.id).count();
-            if before > 0 || siblings.next().is_some() {
-                path.push_str(&format!("[{}]", before + 1));
-            }
-        }
-        path
     }
 }
 

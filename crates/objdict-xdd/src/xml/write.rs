@@ -13,7 +13,6 @@ pub struct XmlWriter {
     open: Vec<String>,
     /// Whether the innermost open element has no content yet.
     is_empty: bool,
-    replaced: Vec<Replaced>,
 }
 
 /// The state of a document at an element that is going to be written.
@@ -23,21 +22,6 @@ pub(crate) struct WriterMark {
     depth: usize,
     is_empty: bool,
 }
-
-/// A character that XML cannot represent and the written text replaces: by `_` in a name, by U+FFFD in a
-/// text or value.
-#[derive(Clone, Debug, PartialEq, Eq)]
-pub struct Replaced {
-    /// The element of the character.
-    pub element: String,
-    /// The attribute of the character; `None` for the name or text of the element.
-    pub attribute: Option<String>,
-    /// The character.
-    pub character: char,
-}
-
-/// The maximum number of replaced characters that are reported.
-const MAX_REPLACED: usize = 1000;
 
 impl XmlWriter {
     /// A document with an XML declaration for UTF-8, and without elements.
@@ -74,8 +58,7 @@ impl XmlWriter {
         if is_plain(text) {
             self.text.push_str(text);
         } else {
-            let text = self.allowed(&name, None, text);
-            self.text.push_str(&escaped_text(&text));
+            self.text.push_str(&escaped_text(&allowed(text)));
         }
         self.text.push_str("</");
         self.text.push_str(&name);
@@ -107,11 +90,6 @@ impl XmlWriter {
         self.is_empty = mark.is_empty;
     }
 
-    /// The characters replaced so far, up to a limit.
-    pub fn replaced(&self) -> &[Replaced] {
-        &self.replaced
-    }
-
     /// Takes the text written so far, unless the last call opened an element; later calls continue it. A
     /// long document thus need not be in memory at once.
     pub fn take(&mut self) -> String {
@@ -134,20 +112,18 @@ impl XmlWriter {
         attributes: impl IntoIterator<Item = (&'t str, &'t str)>,
     ) -> Cow<'n, str> {
         self.is_empty = false;
-        let name = self.name(name, name);
+        let name = valid_name(name);
         self.indent();
         self.text.push('<');
         self.text.push_str(&name);
         for (attribute, value) in attributes {
-            let attribute = self.name(&name, attribute);
             self.text.push(' ');
-            self.text.push_str(&attribute);
+            self.text.push_str(&valid_name(attribute));
             self.text.push_str("=\"");
             if is_plain(value) {
                 self.text.push_str(value);
             } else {
-                let value = self.allowed(&name, Some(&attribute), value);
-                self.text.push_str(&escaped_value(&value));
+                self.text.push_str(&escaped_value(&allowed(value)));
             }
             self.text.push('"');
         }
@@ -159,33 +135,22 @@ impl XmlWriter {
             self.text.push_str("  ");
         }
     }
+}
 
-    /// A valid name: forbidden characters, and a forbidden first character, become `_`.
-    fn name<'n>(&mut self, element: &str, name: &'n str) -> Cow<'n, str> {
-        if prefix_length(name).is_some() {
-            return Cow::Borrowed(name);
-        }
-        let bad = name.chars().find(|&character| !is_name_char(character)).or(name.chars().next());
-        self.note(element, None, bad.unwrap_or(' '));
-        let good: String = name.chars().map(|c| if is_name_char(c) { c } else { '_' }).collect();
-        Cow::Owned(if is_name(&good) { good } else { format!("_{good}") })
+/// A valid name: forbidden characters, and a forbidden first character, become `_`.
+fn valid_name(name: &str) -> Cow<'_, str> {
+    if prefix_length(name).is_some() {
+        return Cow::Borrowed(name);
     }
+    let good: String = name.chars().map(|c| if is_name_char(c) { c } else { '_' }).collect();
+    Cow::Owned(if is_name(&good) { good } else { format!("_{good}") })
+}
 
-    fn allowed<'t>(&mut self, element: &str, attribute: Option<&str>, text: &'t str) -> Cow<'t, str> {
-        if !text.contains(is_forbidden) {
-            return Cow::Borrowed(text);
-        }
-        for character in text.chars().filter(|&character| is_forbidden(character)) {
-            self.note(element, attribute, character);
-        }
-        Cow::Owned(text.replace(is_forbidden, "\u{FFFD}"))
-    }
-
-    fn note(&mut self, element: &str, attribute: Option<&str>, character: char) {
-        if self.replaced.len() < MAX_REPLACED {
-            let (element, attribute) = (element.to_owned(), attribute.map(str::to_owned));
-            self.replaced.push(Replaced { element, attribute, character });
-        }
+/// A text whose forbidden characters became U+FFFD.
+fn allowed(text: &str) -> Cow<'_, str> {
+    match text.contains(is_forbidden) {
+        true => Cow::Owned(text.replace(is_forbidden, "\u{FFFD}")),
+        false => Cow::Borrowed(text),
     }
 }
 
@@ -244,7 +209,6 @@ mod tests {
         let text = " <&>\"' \t\r\n ]]> \u{85} é -- &amp; ";
         let mut writer = XmlWriter::new();
         writer.text_element("a", [("b", text)], text);
-        assert_eq!(writer.replaced(), []);
         let tree = read(writer.finish());
         let root = tree.root().unwrap();
         assert_eq!(root.text(), text);
@@ -252,11 +216,9 @@ mod tests {
     }
 
     #[test]
-    fn what_has_no_place_in_xml_is_reported() {
+    fn what_has_no_place_in_xml_is_replaced() {
         let mut writer = XmlWriter::new();
         writer.text_element("1 a", [("b>", "\0")], "\u{1F}");
-        let replaced: Vec<char> = writer.replaced().iter().map(|replaced| replaced.character).collect();
-        assert_eq!(replaced, [' ', '>', '\0', '\u{1F}']);
         let tree = read(writer.finish());
         assert_eq!(tree.root().unwrap().name(), "_1_a");
         assert_eq!(tree.root().unwrap().text(), "\u{FFFD}");

@@ -236,7 +236,8 @@ impl LineCheck<'_> {
             let fix = Fix::safe("remove the spaces").replace(span, "");
             self.findings.push(finding.help("write the `[` in the first column").fix(fix));
         }
-        let Some(close) = text.find(']') else {
+        // one in the junk before the header ends nothing
+        let Some(close) = text[indent as usize..].find(']').map(|length| indent as usize + length) else {
             let finding = Diagnostic::new(&UNCLOSED_SECTION, line.span, say!("`{}` has no `]`", text.trim()));
             let fix = Fix::risky("add the `]`").replace(Span::empty(name.end), "]");
             self.findings.push(finding.help("add the `]`").fix(fix));

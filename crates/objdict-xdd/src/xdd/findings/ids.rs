@@ -4,6 +4,7 @@ use std::borrow::Cow;
 use std::collections::HashMap;
 
 use crate::diagnostic::{Diagnostic, Findings, RuleInfo, text_rules};
+use crate::xdd::fact::trimmed;
 use crate::xdd::schema::Target;
 use crate::xml::{Attribute, Element, ElementId, Name, n};
 
@@ -127,14 +128,6 @@ pub(super) struct Reference<'a> {
     pub(super) element: Element<'a>,
     pub(super) attribute: Attribute<'a>,
     pub(super) target: Target,
-}
-
-/// The value without surrounding white space.
-pub(super) fn trimmed(value: Cow<'_, str>) -> Cow<'_, str> {
-    match value {
-        Cow::Borrowed(text) => Cow::Borrowed(text.trim_ascii()),
-        Cow::Owned(text) => Cow::Owned(text.trim_ascii().to_owned()),
-    }
 }
 
 impl<'a> Ids<'a> {

@@ -4,6 +4,7 @@ use std::collections::HashMap;
 
 use crate::diagnostic::{Diagnostic, Findings, Fix, RuleInfo, counted, say, text_rules};
 use crate::model::{DataType, SimpleType};
+use crate::xdd::types::agree;
 use crate::xml::{Attribute, Element, Name, n};
 
 use super::ids::Ids;
@@ -178,28 +179,6 @@ fn data_type(object: Element<'_>, attribute: Attribute<'_>, parameter: Element<'
     );
     let finding = Diagnostic::new(&CONTRADICTING_DATA_TYPE, attribute.value_span(), message);
     findings.push(finding.label(element.name_span(), "the parameter").help("correct one of the two"));
-}
-
-/// Whether a simple type may denote values of a data type.
-fn agree(data_type: DataType, simple: SimpleType) -> bool {
-    let exact: &[SimpleType] = match data_type {
-        DataType::BOOLEAN => &[SimpleType::Bool],
-        DataType::INTEGER8 => &[SimpleType::Sint, SimpleType::Byte],
-        DataType::INTEGER16 => &[SimpleType::Int, SimpleType::Word],
-        DataType::INTEGER32 => &[SimpleType::Dint, SimpleType::Dword],
-        DataType::INTEGER64 => &[SimpleType::Lint, SimpleType::Lword],
-        DataType::UNSIGNED8 => &[SimpleType::Usint, SimpleType::Byte, SimpleType::Char],
-        DataType::UNSIGNED16 => &[SimpleType::Uint, SimpleType::Word],
-        DataType::UNSIGNED32 => &[SimpleType::Udint, SimpleType::Dword],
-        DataType::UNSIGNED64 => &[SimpleType::Ulint, SimpleType::Lword],
-        DataType::REAL32 => &[SimpleType::Real],
-        DataType::REAL64 => &[SimpleType::Lreal],
-        DataType::VISIBLE_STRING => &[SimpleType::String, SimpleType::Char],
-        DataType::UNICODE_STRING => &[SimpleType::Wstring, SimpleType::String],
-        // other data types have no exact simple type
-        _ => return true,
-    };
-    simple == SimpleType::Bitstring || exact.contains(&simple)
 }
 
 fn access(attribute: Attribute<'_>, parameter: Element<'_>, findings: &mut Findings) {

@@ -104,9 +104,9 @@ pub(super) fn body(element: Element<'_>) -> Option<Body> {
     let names_file = element.child(n::ExternalProfileHandle).is_some();
     let schema = match class {
         Some(ProfileClass::Network) if names_file && element.child(n::ApplicationLayers).is_none() => {
-            Some(&EXTERNAL_NETWORK_BODY)
+            Some(&EXTERNAL_NETWORK_BODY.element)
         }
-        class => class.map(ProfileClass::body),
+        class => class.map(|class| &class.body().element),
     };
     Some(Body { stated, class, schema })
 }

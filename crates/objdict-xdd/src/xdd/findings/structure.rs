@@ -215,14 +215,8 @@ pub(super) fn stray_text(element: Element<'_>, at: Span) -> Diagnostic {
         .help("move it into a `label` or `description`, or make it a comment")
 }
 
-pub(super) fn newer_attribute(element: Element<'_>, attribute: Attribute<'_>) -> Diagnostic {
-    let message = format!("version 1.0 has no attribute `{}` for `{}`", attribute.name(), element.name());
-    Diagnostic::new(&NEWER_VERSION, attribute.name_span(), message)
-        .help("remove it or change the namespace of the file to version 1.1")
-}
-
-pub(super) fn newer_element(parent: Element<'_>, child: Element<'_>) -> Diagnostic {
-    let message = format!("version 1.0 has no `{}` in `{}`", child.name(), parent.name());
-    Diagnostic::new(&NEWER_VERSION, child.name_span(), message)
+/// Version 1.0 does not have `what`.
+pub(super) fn newer(at: Span, what: &str) -> Diagnostic {
+    Diagnostic::new(&NEWER_VERSION, at, format!("version 1.0 has no {what}"))
         .help("remove it or change the namespace of the file to version 1.1")
 }

@@ -105,7 +105,8 @@ impl<'a, 'f> Walk<'a, 'f> {
             let Some((number, known)) = found else { continue };
             present |= 1 << number;
             if schema.newer.contains(&known.name) && self.forms.is_version_1_0() {
-                self.findings.push(structure::newer_attribute(element, attribute));
+                let what = format!("attribute `{}` for `{}`", attribute.name(), element.name());
+                self.findings.push(structure::newer(attribute.name_span(), &what));
             }
             self.value(element, attribute, known.kind);
         }
@@ -187,7 +188,8 @@ impl<'a, 'f> Walk<'a, 'f> {
                 self.findings.push(structure::repeated_element(element, child, before));
             }
             if schema.newer.contains(&known.name) && self.forms.is_version_1_0() {
-                self.findings.push(structure::newer_element(element, child));
+                let what = format!("`{}` in `{}`", child.name(), element.name());
+                self.findings.push(structure::newer(child.name_span(), &what));
             }
             match profiles::body(child) {
                 Some(body) => self.body(child, body),

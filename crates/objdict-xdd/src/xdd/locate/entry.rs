@@ -23,7 +23,7 @@ impl Locator {
         let Some(field) = field else { return Some(element.tag_span()) };
         // projects of CANopenNode have other names for the limits
         let other = || EntryAttributes::of(element).get(OBJECT.attribute_of(field)?.name);
-        let attribute = attribute_of(element, &OBJECT, field).or_else(other).map(value_of);
+        let attribute = attribute_of(element, OBJECT, field).or_else(other).map(value_of);
         let parameter = || self.in_parameter(tree, element, field);
         attribute.or_else(parameter).or(Some(element.tag_span()))
     }

@@ -41,7 +41,7 @@ fn in_project(device: Element<'_>, part: &Part, field: Option<&Field>) -> Option
         Part::DeviceInfo | Part::Commissioning => device.child("other")?.child(n::DeviceIdentity)?,
         _ => return None,
     };
-    let attribute = field.and_then(|field| attribute_of(element, &DEVICE_BODY, field).map(value_of));
+    let attribute = field.and_then(|field| attribute_of(element, DEVICE_BODY, field).map(value_of));
     Some(attribute.unwrap_or(element.tag_span()))
 }
 
@@ -80,7 +80,7 @@ fn file_info(layout: &Layout<'_>, field: Option<&Field>) -> Option<Span> {
             layout.in_device(&[n::DeviceIdentity, n::productText, n::description]).map(text_of)
         }
         Field::FileRevision => body.attribute(n::fileVersion).map(value_of),
-        field => attribute_of(body, &DEVICE_BODY, field).map(value_of),
+        field => attribute_of(body, DEVICE_BODY, field).map(value_of),
     };
     found.or(Some(body.tag_span()))
 }
@@ -158,7 +158,7 @@ fn bit_rates(layout: &Layout<'_>, rate: Rate) -> Option<Span> {
 }
 
 fn commissioning(node: Element<'_>, field: &Field) -> Option<Span> {
-    let found = attribute_of(node, &DEVICE_COMMISSIONING, field);
+    let found = attribute_of(node, DEVICE_COMMISSIONING, field);
     // CANopenEditor writes `NodeID`
     let other = || node.attribute(n::NodeID).filter(|_| *field == Field::NodeId);
     found.or_else(other).map(value_of)

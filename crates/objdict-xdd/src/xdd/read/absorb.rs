@@ -72,15 +72,8 @@ fn access(entry: &mut Entry, parameter: &mut Parameter, template: Option<&Parame
         Some(ObjectType::Domain) => ParameterAccess::ReadWrite,
         _ => ParameterAccess::Read,
     };
-    let access = match stated.unwrap_or(unstated) {
-        ParameterAccess::Const => Some(Access::Const),
-        ParameterAccess::Read => Some(Access::Ro),
-        ParameterAccess::Write => Some(Access::Wo),
-        ParameterAccess::ReadWrite => Some(Access::Rw),
-        ParameterAccess::ReadWriteInput => Some(Access::Rwr),
-        ParameterAccess::ReadWriteOutput => Some(Access::Rww),
-        ParameterAccess::NoAccess => None,
-    };
+    let stated = stated.unwrap_or(unstated);
+    let access = Access::ALL.into_iter().find(|access| written_access(*access) == stated);
     let is_invalid = entry.invalid_values.get(&Field::AccessType).is_some();
     match (entry.access, access) {
         (Some(Access::Rw), Some(Access::Rwr | Access::Rww)) => entry.access = access,

@@ -4,12 +4,13 @@ use crate::diagnostic::Findings;
 use crate::model::{Entry, StackOptions};
 use crate::xdd::defaults::{self, Placeholders};
 use crate::xdd::fact::{self, Text, hex};
-use crate::xdd::schema::{At, OBJECT, Slots};
+use crate::xdd::schema::network::OBJECT;
+use crate::xdd::schema::{At, Slots};
 use crate::xdd::shape::stack_attribute;
 use crate::xml::{Attribute, Element, Name, n};
 
 /// The number of attributes of an object.
-const COUNT: usize = OBJECT.attributes.len();
+const COUNT: usize = OBJECT.element.attributes.len();
 
 /// The unparsed attributes of a `CANopenObject` or `CANopenSubObject`.
 pub(crate) struct EntryAttributes<'a> {
@@ -79,9 +80,10 @@ impl<'a> EntryAttributes<'a> {
         if let Some(name) = self.get(n::name) {
             entry.name = name.value().trim_ascii().into();
         }
-        for (known, attribute) in OBJECT.attributes.iter().zip(self.known) {
+        for ((known, at), attribute) in OBJECT.attributes.iter().zip(OBJECT.values).zip(self.known) {
             if let Some(attribute) = attribute {
-                fact::take(&mut entry, known, &Text::of(attribute), Placeholders::Dropped, findings);
+                let text = Text::of(attribute);
+                fact::take_at(&mut entry, known, at, &text, Placeholders::Dropped, findings);
             }
         }
         let denotation = self.get(n::denotation).map(Text::of);
@@ -102,8 +104,8 @@ impl<'a> EntryAttributes<'a> {
     /// Reads the values of an entry whose data type is known.
     pub(crate) fn read_values(&self, entry: &mut Entry, findings: &mut Findings) {
         let data_type = entry.implied_type();
-        for (known, attribute) in OBJECT.attributes.iter().zip(self.known) {
-            let (At::Value(place), Some(attribute)) = (known.at, attribute) else { continue };
+        for (at, attribute) in OBJECT.values.iter().zip(self.known) {
+            let (&At::Value(place), Some(attribute)) = (at, attribute) else { continue };
             let text = Text::of(attribute);
             let value = match place {
                 // its spelling is judged once the default is known

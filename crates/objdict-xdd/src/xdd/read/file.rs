@@ -7,7 +7,7 @@ use crate::xdd::defaults::{self, Placeholders};
 use crate::xdd::fact::{self, Text};
 use crate::xdd::layout::{Profile, ProfileClass};
 use crate::xdd::leftovers::Leftovers;
-use crate::xdd::schema::DEVICE_BODY;
+use crate::xdd::schema::container::DEVICE_BODY;
 use crate::xdd::shape;
 use crate::xml::{Element, n};
 
@@ -57,13 +57,12 @@ fn file_info<'a>(
     for attribute in body.attributes() {
         let text = Text::of(attribute);
         // the network profile has fewer attributes
-        let known = DEVICE_BODY.attribute(attribute.tag()).map(|(_, known)| known);
         let is_taken = match attribute.tag() {
             n::formatName => text.trimmed() == "CANopen",
             n::formatVersion => text.trimmed() == "1.0",
             // the type of the profile
             n::r#type => true,
-            _ => known.is_some_and(|known| fact::take(&mut info, known, &text, placeholders, findings)),
+            name => fact::take(&mut info, &DEVICE_BODY, name, &text, placeholders, findings),
         };
         if !is_taken {
             leftovers.attribute(body, attribute);

@@ -10,9 +10,8 @@ use crate::xdd::defaults;
 use crate::xdd::fact::{self, Text, bit_rate, hex, value_text};
 use crate::xdd::layout::Profile;
 use crate::xdd::leftovers::Leftovers;
-use crate::xdd::schema::{
-    self, APPLICATION_LAYERS, DEVICE_COMMISSIONING, GENERAL_FEATURES, MASTER_FEATURES, MODULE_MANAGEMENT,
-};
+use crate::xdd::schema::network::{DEVICE_COMMISSIONING, GENERAL_FEATURES, MASTER_FEATURES};
+use crate::xdd::schema::{APPLICATION_LAYERS, MODULE_MANAGEMENT, Shape};
 use crate::xdd::shape;
 use crate::xml::{Element, Name, n};
 
@@ -45,13 +44,11 @@ impl<'a> Reader<'a> {
     }
 
     /// The attributes of an element that are fields of the device.
-    fn facts(&mut self, element: Element<'a>, schema: &'static schema::Element) {
+    fn facts(&mut self, element: Element<'a>, shape: &'static Shape<DeviceInfo>) {
         let info = self.device.device_info.get_or_insert_default();
         for attribute in element.attributes() {
-            let known = schema.attribute(attribute.tag());
-            if !known.is_some_and(|(_, known)| {
-                fact::take(info, known, &Text::of(attribute), self.placeholders, &mut self.findings)
-            }) {
+            let (name, text) = (attribute.tag(), Text::of(attribute));
+            if !fact::take(info, shape, name, &text, self.placeholders, &mut self.findings) {
                 self.leftovers.attribute(element, attribute);
             }
         }
@@ -238,10 +235,8 @@ impl<'a> Reader<'a> {
                 n::NodeID => n::nodeID,
                 name => name,
             };
-            let known = DEVICE_COMMISSIONING.attribute(name);
-            if !known.is_some_and(|(_, known)| {
-                fact::take(&mut node, known, &Text::of(attribute), self.placeholders, &mut self.findings)
-            }) {
+            let (shape, text) = (&DEVICE_COMMISSIONING, Text::of(attribute));
+            if !fact::take(&mut node, shape, name, &text, self.placeholders, &mut self.findings) {
                 node.extra.push(attribute.name(), &attribute.value());
             }
         }

@@ -7,7 +7,7 @@ use crate::model::{
     AllowedValues, ApplicationProcess, DataTypeRef, FunctionType, Parameter, ParameterGroup, SimpleType,
     TypeDefinition, TypeShape, VarDeclaration,
 };
-use crate::xdd::layout::Layout;
+use crate::xdd::layout::{Layout, with_subs};
 use crate::xdd::leftovers::Leftovers;
 use crate::xdd::schema::PARAMETER;
 use crate::xdd::shape;
@@ -132,9 +132,6 @@ fn references(slots: &[Slot<'_>], application: &[ApplicationProcess], layout: &L
     for (number, variable) in (0..).zip(variables(application)) {
         targets.entry(Cow::Borrowed(&*variable.unique_id)).or_insert(Reference::Variable(number));
     }
-    let objects = layout.objects();
-    let elements =
-        objects.flat_map(|object| std::iter::once(object).chain(object.children_named(n::CANopenSubObject)));
     let reference = |element: Element<'_>| {
         let id = element.attribute(n::uniqueIDRef).map(Attribute::value);
         match id.as_deref().map(str::trim_ascii) {
@@ -142,7 +139,7 @@ fn references(slots: &[Slot<'_>], application: &[ApplicationProcess], layout: &L
             Some(id) => targets.get(id).copied().unwrap_or(Reference::Dangling),
         }
     };
-    elements.map(reference).collect()
+    layout.objects().flat_map(with_subs).map(reference).collect()
 }
 
 /// The variables that objects may refer to: members of structs, and variables of functions.

@@ -8,7 +8,7 @@ use crate::model::{Commissioning, DataType, DummyUsage, Field, Label, Labels};
 use crate::xdd::defaults::{self, Placeholders};
 use crate::xdd::fact::{self, Text, boolean};
 use crate::xdd::layout::below;
-use crate::xdd::schema::DEVICE_BODY;
+use crate::xdd::schema::container::DEVICE_BODY;
 use crate::xml::{Attribute, Element, n};
 
 impl<'a> Reader<'a> {
@@ -52,10 +52,10 @@ impl<'a> Reader<'a> {
             return;
         }
         let info = self.device.file_info.get_or_insert_default();
-        let known = match attribute.name() {
+        let name = match attribute.name() {
             // the editor misspells these
-            "fileModifedBy" => DEVICE_BODY.attribute(n::fileModifiedBy),
-            "fileMotifcationDate" => DEVICE_BODY.attribute(n::fileModificationDate),
+            "fileModifedBy" => n::fileModifiedBy,
+            "fileMotifcationDate" => n::fileModificationDate,
             "fileRevision" => {
                 match text.integer(255, &mut self.findings) {
                     Ok(number) => info.file_revision = number.or(info.file_revision),
@@ -63,11 +63,9 @@ impl<'a> Reader<'a> {
                 }
                 return;
             }
-            _ => DEVICE_BODY.attribute(attribute.tag()),
+            _ => attribute.tag(),
         };
-        if !known.is_some_and(|(_, known)| {
-            fact::take(info, known, &text, Placeholders::Dropped, &mut self.findings)
-        }) {
+        if !fact::take(info, &DEVICE_BODY, name, &text, Placeholders::Dropped, &mut self.findings) {
             self.leftovers.attribute(element, attribute);
         }
     }

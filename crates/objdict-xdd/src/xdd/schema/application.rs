@@ -1,16 +1,17 @@
 //! The application process: data types, functions, templates, parameters and their groups (CiA 311 annex A).
 
 use super::device::LABELS;
-use super::{At, Attribute, Child, Element, Kind, Need, Slot, Target, at, child, elements, lens, slot};
+use super::{
+    At, Attribute, Choice, Element, Kind, Need, Shape, Slot, Target, at, attribute, choice, elements, kept,
+    lens, of, slot,
+};
 use crate::model::{
     AllowedValues, AllowedValuesTemplate, ApplicationProcess, Connection, Count, EnumValue, FunctionInstance,
     FunctionInstances, FunctionType, Labels, MemberRef, Parameter, ParameterGroup, ParameterTemplate,
-    Property, ScaledValue, Subrange, TypeDefinition, Unit, ValueRange, VarDeclaration, VariableRef,
-    VersionInfo,
+    Property, ScaledValue, SimpleType, Subrange, TypeDefinition, TypeShape, Unit, ValueRange, VarDeclaration,
+    VariableRef, VersionInfo,
 };
-use crate::xdd::shape::lenses::{
-    ARRAY_RANGES, ARRAY_TYPE, DERIVED_COUNT, DERIVED_TYPE, ENUM_SIZE, ENUM_TYPE, ENUM_VALUES, STRUCT_MEMBERS,
-};
+use crate::xdd::shape::{Nothing, PartsIn, Same, ValuesIn};
 use crate::xml::n;
 
 const ACCESS: Kind =
@@ -18,22 +19,22 @@ const ACCESS: Kind =
 const COUNT_ACCESS: Kind = Kind::Word(&["const", "read", "write", "readWrite", "noAccess"]);
 const SUPPORT: Kind = Kind::Word(&["mandatory", "optional", "conditional"]);
 
-/// Variables of functions that have a type.
-static VARIABLES: &[&Element] = &[&VARIABLE_REF];
-/// Declares the simple types, and the list of them followed by a type that the description defines and
-/// [`VARIABLES`].
+/// Declares the simple types, and the list of them followed by a type that the description defines and a variable.
 macro_rules! simple_types {
-    ($($NAME:ident)+) => {
-        elements! { $($NAME local $NAME of Nothing;)+ }
-        static ALL_TYPES: [&Element; 21] = [$(&$NAME,)+ &DATA_TYPE_REF, &VARIABLE_REF];
+    ($($NAME:ident $Type:ident)+) => {
+        elements! { $($NAME local $NAME of SimpleType as (SimpleType::$Type, SimpleType::$Type);)+ }
+        choice! { SIMPLE_TYPES of SimpleType: $($NAME)+ }
+        static ALL_TYPES: [&Element; 21] = [$(&$NAME.element,)+ &DATA_TYPE_REF.element, &VARIABLE_REF.element];
     };
 }
 
 simple_types! {
-    USINT UINT UDINT SINT INT DINT BOOL STRING REAL LREAL ULINT LINT BITSTRING BYTE WORD DWORD LWORD CHAR WSTRING
+    USINT Usint UINT Uint UDINT Udint SINT Sint INT Int DINT Dint BOOL Bool STRING String REAL Real LREAL Lreal ULINT Ulint
+    LINT Lint BITSTRING Bitstring BYTE Byte WORD Word DWORD Dword LWORD Lword CHAR Char WSTRING Wstring
 }
 
-static SIMPLE_TYPES: &[&Element] = ALL_TYPES.split_at(19).0;
+choice! { DEFINED_TYPES of Id: DATA_TYPE_REF }
+choice! { VARIABLES of VariableRef: VARIABLE_REF }
 static TYPES: &[&Element] = ALL_TYPES.split_at(20).0;
 static PARAMETER_TYPES: &[&Element] = &ALL_TYPES;
 
@@ -50,19 +51,19 @@ elements! {
     ];
 
     DATA_TYPE_LIST global dataTypeList of ApplicationProcess, [some [ARRAY | STRUCT | ENUM | DERIVED] => [data_types]];
-    ARRAY global array of TypeDefinition (name!: Kind::Text => [name], uniqueID*: Kind::Id => [unique_id]), [
-        any (LABELS) => [labels.0], some SUBRANGE => (ARRAY_RANGES), one (TYPES) => (ARRAY_TYPE), stray (VARIABLES) => (ARRAY_TYPE),
+    ARRAY global array of TypeDefinition as (of_shape(TypeShape::Array { ranges: Vec::new(), element: None }), TypeDefinition { shape: TypeShape::Array { .. }, .. }) (name!: Kind::Text => [name], uniqueID*: Kind::Id => [unique_id]), [
+        any (LABELS) => [labels.0], some SUBRANGE => [in shape TypeShape::Array { ranges, .. } => ranges], one (TYPES: SIMPLE_TYPES DEFINED_TYPES) => [in shape TypeShape::Array { element, .. } => element], stray (VARIABLES) => [in shape TypeShape::Array { element, .. } => element],
     ];
     SUBRANGE global subrange of Subrange (lowerLimit*: Kind::LONG => [low], upperLimit*: Kind::LONG => [high]);
-    STRUCT global r#struct of TypeDefinition (name!: Kind::Text => [name], uniqueID*: Kind::Id => [unique_id]), [
-        any (LABELS) => [labels.0], some VAR_DECLARATION => (STRUCT_MEMBERS),
+    STRUCT global r#struct of TypeDefinition as (of_shape(TypeShape::Struct { members: Vec::new() }), TypeDefinition { shape: TypeShape::Struct { .. }, .. }) (name!: Kind::Text => [name], uniqueID*: Kind::Id => [unique_id]), [
+        any (LABELS) => [labels.0], some VAR_DECLARATION => [in shape TypeShape::Struct { members } => members],
     ];
-    ENUM global r#enum of TypeDefinition (
-        name!: Kind::Text => [name], uniqueID*: Kind::Id => [unique_id], size?: Kind::Text => (ENUM_SIZE),
-    ), [any (LABELS) => [labels.0], some ENUM_VALUE => (ENUM_VALUES), maybe (SIMPLE_TYPES) => (ENUM_TYPE)];
+    ENUM global r#enum of TypeDefinition as (of_shape(TypeShape::Enum { size: None, values: Vec::new(), base: None }), TypeDefinition { shape: TypeShape::Enum { .. }, .. }) (
+        name!: Kind::Text => [name], uniqueID*: Kind::Id => [unique_id], size?: Kind::Text => [in shape TypeShape::Enum { size, .. } => size],
+    ), [any (LABELS) => [labels.0], some ENUM_VALUE => [in shape TypeShape::Enum { values, .. } => values], maybe (SIMPLE_TYPES) => [in shape TypeShape::Enum { base, .. } => base]];
     ENUM_VALUE global enumValue of EnumValue (value?: Kind::Text => [value]), [some (LABELS) => [labels.0]];
-    DERIVED global derived of TypeDefinition (name!: Kind::Text => [name], uniqueID*: Kind::Id => [unique_id]), [
-        any (LABELS) => [labels.0], maybe COUNT => (DERIVED_COUNT), one (TYPES) => (DERIVED_TYPE), stray (VARIABLES) => (DERIVED_TYPE),
+    DERIVED global derived of TypeDefinition as (of_shape(TypeShape::Derived { count: None, base: None }), TypeDefinition { shape: TypeShape::Derived { .. }, .. }) (name!: Kind::Text => [name], uniqueID*: Kind::Id => [unique_id]), [
+        any (LABELS) => [labels.0], maybe COUNT => [in shape TypeShape::Derived { count, .. } => count], one (TYPES: SIMPLE_TYPES DEFINED_TYPES) => [in shape TypeShape::Derived { base, .. } => base], stray (VARIABLES) => [in shape TypeShape::Derived { base, .. } => base],
     ];
     COUNT global count of Count (uniqueID*: Kind::Id => [unique_id], access?: COUNT_ACCESS => [access]), [
         any (LABELS) => [labels.0], one DEFAULT_VALUE => [default_value], maybe ALLOWED_VALUES => [allowed_values],
@@ -78,7 +79,7 @@ elements! {
         initialValue?: Kind::Text => [initial_value],
     ), [
         any (LABELS) => [labels.0],
-        one (TYPES) => [data_type],
+        one (TYPES: SIMPLE_TYPES DEFINED_TYPES) => [data_type],
         stray (VARIABLES) => [data_type],
         any CONDITIONAL_SUPPORT => {conditional_support},
         maybe DEFAULT_VALUE => [default_value],
@@ -149,6 +150,10 @@ elements! {
 /// An element with only a reference.
 type Id = Box<str>;
 
+fn of_shape(shape: TypeShape) -> TypeDefinition {
+    TypeDefinition { shape, ..TypeDefinition::default() }
+}
+
 /// Declares the elements that hold a value with its own scaling.
 macro_rules! values {
     ($($NAME:ident $form:ident $name:ident)+) => {elements! {
@@ -197,7 +202,7 @@ macro_rules! parameters {
 }
 
 parameters! {
-    PARAMETER parameter (Parameter) some one (PARAMETER_TYPES) maybe [];
-    PARAMETER_TEMPLATE parameterTemplate (ParameterTemplate parameter.) stray maybe (TYPES) stray
+    PARAMETER parameter (Parameter) some one (PARAMETER_TYPES: SIMPLE_TYPES DEFINED_TYPES VARIABLES) maybe [];
+    PARAMETER_TEMPLATE parameterTemplate (ParameterTemplate parameter.) stray maybe (TYPES: SIMPLE_TYPES DEFINED_TYPES) stray
         [stray (VARIABLES) => [parameter.data_type],];
 }

@@ -3,9 +3,10 @@
 use super::application::APPLICATION_PROCESS;
 use super::device::{DEVICE_FUNCTION, DEVICE_IDENTITY, DEVICE_MANAGER};
 use super::network::{APPLICATION_LAYERS, NETWORK_MANAGEMENT, TRANSPORT_LAYERS};
-use super::{At, Attribute, Child, Element, FactAt, Kind, Need, Slot, at, child, elements, lens, slot};
+use super::{At, Attribute, Element, Kind, Need, Shape, Slot, at, attribute, elements, kept, lens, of, slot};
 use crate::model::{Field, FileInfo, ProfileHeader};
 use crate::xdd::defaults;
+use crate::xdd::shape::{Fixed, Nothing, Same, ValuesIn};
 use crate::xml::n;
 
 const PROFILE_CLASSES: &[&str] = &[

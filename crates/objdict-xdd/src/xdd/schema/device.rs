@@ -1,30 +1,42 @@
 //! The device profile without its application process: identity, manager and function (CiA 311 annex A).
 
-use super::{At, Attribute, Child, Element, Kind, Need, Slot, Target, at, child, elements, lens, slot};
+use super::{
+    At, Attribute, Choice, Element, Kind, Need, Shape, Slot, Target, at, attribute, choice, elements, kept,
+    lens, of, slot,
+};
 use crate::model::{
     Characteristic, CharacteristicsList, CombinedState, Compliance, ConnectedModule, DeviceFunction,
-    DeviceManager, Dictionary, Labels, Led, LedState, ModuleInterface, ModuleType, OwnInterface, Picture,
+    DeviceManager, Dictionary, Label, Labels, Led, LedState, ModuleInterface, ModuleType, OwnInterface,
+    Picture, TextRef,
 };
-use crate::xdd::shape::lenses::{LABEL_DICTIONARY, LABEL_LANG, LABEL_TEXT, LABEL_TEXT_ID, LABEL_URI};
-use crate::xdd::shape::{Identity, MarkedLabels, MarkedText, MarkedVersion};
+use crate::xdd::shape::{
+    Identity, MarkedLabels, MarkedText, MarkedVersion, Nothing, PartsIn, Same, ValuesIn,
+};
 use crate::xml::n;
 
-/// At least one of them is a name or a description.
-pub(super) static LABELS: &[&Element] = &[&LABEL, &DESCRIPTION, &LABEL_REF, &DESCRIPTION_REF];
+// at least one of them is a name or a description
+choice! { LABELS of Label: LABEL DESCRIPTION LABEL_REF DESCRIPTION_REF }
 
 const FLAG: Kind = Kind::Boolean;
 
 elements! {
-    LABEL local label of Nothing (lang!: Kind::Language => (LABEL_LANG)) = Kind::Text => (LABEL_TEXT);
-    DESCRIPTION local description of Nothing (
-        lang!: Kind::Language => (LABEL_LANG), URI?: Kind::Text => (LABEL_URI),
-    ) = Kind::Text => (LABEL_TEXT);
-    LABEL_REF local labelRef of Nothing (
-        dictID*: Kind::Text => (LABEL_DICTIONARY), textID*: Kind::Text => (LABEL_TEXT_ID),
-    ) = Kind::Text => (LABEL_URI);
-    DESCRIPTION_REF local descriptionRef of Nothing (
-        dictID*: Kind::Text => (LABEL_DICTIONARY), textID*: Kind::Text => (LABEL_TEXT_ID),
-    ) = Kind::Text => (LABEL_URI);
+    LABEL local label of Label as (Label::Name { lang: Box::default(), text: Box::default() }, Label::Name { .. }) (
+        lang!: Kind::Language => [in self Label::Name { lang, .. } => lang],
+    ) = Kind::Text => [in self Label::Name { text, .. } => text];
+    DESCRIPTION local description of Label as (
+        Label::Description { lang: Box::default(), uri: None, text: Box::default() }, Label::Description { .. }
+    ) (
+        lang!: Kind::Language => [in self Label::Description { lang, .. } => lang],
+        URI?: Kind::Text => [in self Label::Description { uri, .. } => uri],
+    ) = Kind::Text => [in self Label::Description { text, .. } => text];
+    LABEL_REF local labelRef of Label as (Label::NameRef(TextRef::default()), Label::NameRef(_)) (
+        dictID*: Kind::Text => [in self Label::NameRef(TextRef { dictionary, .. }) => dictionary],
+        textID*: Kind::Text => [in self Label::NameRef(TextRef { text_id, .. }) => text_id],
+    ) = Kind::Text => [in self Label::NameRef(TextRef { uri, .. }) => uri];
+    DESCRIPTION_REF local descriptionRef of Label as (Label::DescriptionRef(TextRef::default()), Label::DescriptionRef(_)) (
+        dictID*: Kind::Text => [in self Label::DescriptionRef(TextRef { dictionary, .. }) => dictionary],
+        textID*: Kind::Text => [in self Label::DescriptionRef(TextRef { text_id, .. }) => text_id],
+    ) = Kind::Text => [in self Label::DescriptionRef(TextRef { uri, .. }) => uri];
 
     DEVICE_IDENTITY global DeviceIdentity of Identity, [
         one VENDOR_NAME => [vendor_name],

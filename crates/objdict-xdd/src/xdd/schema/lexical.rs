@@ -1,6 +1,7 @@
 //! The texts that attributes and elements take, as XML Schema spells them.
 
 use super::values::{BAUD_RATES, Kind};
+use crate::model::Date;
 use crate::xml;
 
 impl Kind {
@@ -74,17 +75,9 @@ fn numbers(text: &str, between: char, lengths: &[usize]) -> Option<Vec<u32>> {
 }
 
 fn is_date(text: &str) -> bool {
-    let Some(date) = numbers(without_zone(text), '-', &[4, 2, 2]) else { return false };
-    let [year, month, day] = date[..] else { return false };
-    let is_leap_year = year.is_multiple_of(4) && (!year.is_multiple_of(100) || year.is_multiple_of(400));
-    let days = match month {
-        2 if is_leap_year => 29,
-        2 => 28,
-        4 | 6 | 9 | 11 => 30,
-        1..=12 => 31,
-        _ => return false,
-    };
-    year > 0 && (1..=days).contains(&day)
+    let text = without_zone(text);
+    let has_form = numbers(text, '-', &[4, 2, 2]).is_some_and(|date| date[0] > 0);
+    has_form && Date::from_iso(text).is_some()
 }
 
 fn is_time(text: &str) -> bool {

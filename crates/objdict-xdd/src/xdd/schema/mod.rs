@@ -2,32 +2,36 @@
 //! their attributes, and their fields in the model. Reading, writing, checking, locating and the wording of
 //! findings use this table.
 
-mod application;
-mod container;
-mod device;
+pub(crate) mod application;
+pub(crate) mod container;
+pub(crate) mod device;
 mod lexical;
-mod network;
+pub(crate) mod network;
 mod values;
 mod xsd;
 
-use std::any::Any;
+use std::ops::Deref;
 
 pub(crate) use self::application::{APPLICATION_PROCESS, PARAMETER};
 pub(crate) use self::container::{
-    CONTAINER, DEVICE_BODY, DEVICE_HEADER, EXTERNAL_NETWORK_BODY, NETWORK_BODY, NETWORK_HEADER, PROFILE,
+    CONTAINER, DEVICE_HEADER, EXTERNAL_NETWORK_BODY, NETWORK_BODY, NETWORK_HEADER, PROFILE,
 };
-pub(crate) use self::device::{
-    DEVICE_FUNCTION, DEVICE_IDENTITY, DEVICE_MANAGER, ORDER_NUMBER, PRODUCT_ID, PRODUCT_NAME, VENDOR_ID,
-    VENDOR_NAME,
-};
+pub(crate) use self::device::{DEVICE_FUNCTION, DEVICE_IDENTITY, DEVICE_MANAGER};
 pub(crate) use self::lexical::{decimal, is_language, is_name, is_name_character, whole_number};
-pub(crate) use self::network::*;
+pub(crate) use self::network::{APPLICATION_LAYERS, IDENTITY, MODULE_MANAGEMENT};
 pub(crate) use self::values::{BAUD_RATES, Kind, Target};
 pub use self::xsd::xsd;
 use super::fact::Fact;
-use super::shape::{Parts, TextField, Values};
+use super::shape::{Keep, TextField};
 use crate::model::{Entry, Field, Value};
 use crate::xml::{Name, n};
+
+/// The structure of elements with fields of an EDS.
+pub(crate) static OBJECT: &Element = &network::OBJECT.element;
+pub(crate) static DEVICE_BODY: &Element = &container::DEVICE_BODY.element;
+pub(crate) static GENERAL_FEATURES: &Element = &network::GENERAL_FEATURES.element;
+pub(crate) static MASTER_FEATURES: &Element = &network::MASTER_FEATURES.element;
+pub(crate) static DEVICE_COMMISSIONING: &Element = &network::DEVICE_COMMISSIONING.element;
 
 /// An element in a certain context: `range` of `allowedValues` differs from `range` of `rangeList`.
 #[derive(Debug)]
@@ -50,7 +54,12 @@ pub(crate) struct Attribute {
     pub name: Name,
     pub kind: Kind,
     pub need: Need,
-    pub at: At,
+    /// The field of the model, if it is not a plain text.
+    pub field: Option<fn() -> Field>,
+    /// The maximum, if it is lower than that of the type.
+    pub most: Option<u64>,
+    /// The placeholder for a missing value. The reader drops it.
+    pub unstated: Option<&'static str>,
 }
 
 /// Whether an attribute or element is required.
@@ -66,35 +75,43 @@ pub(crate) enum Need {
     Stray,
 }
 
-/// The field of a part of the model: for writing, and for reading.
-pub(crate) struct Lens<T: ?Sized> {
-    pub get: for<'a> fn(&'a dyn Any) -> Option<&'a T>,
-    pub get_mut: for<'a> fn(&'a mut dyn Any) -> Option<&'a mut T>,
+/// An element, and where a part `P` of the model keeps what is in it.
+pub(crate) struct Shape<P: 'static> {
+    pub element: Element,
+    /// An empty part.
+    pub new: fn() -> P,
+    /// Whether a part is this element and not another one of the same choice.
+    pub is: fn(&P) -> bool,
+    /// Where the part keeps each attribute, and behind them the text.
+    pub values: &'static [At<P>],
+    /// How the part keeps the children of each slot.
+    pub children: &'static [&'static [&'static (dyn Keep<P> + Sync)]],
 }
 
-/// Where the part stores the value of an attribute.
-#[derive(Clone, Copy, Debug)]
-pub(crate) enum At {
+impl<P> Deref for Shape<P> {
+    type Target = Element;
+
+    fn deref(&self) -> &Element {
+        &self.element
+    }
+}
+
+/// A field of a part: for writing, and for reading. `None` for a part without it.
+pub(crate) struct Lens<P, T: ?Sized + 'static> {
+    pub get: fn(&P) -> Option<&T>,
+    pub get_mut: fn(&mut P) -> Option<&mut T>,
+}
+
+/// Where a part keeps the value of an attribute.
+pub(crate) enum At<P> {
     /// Not stored, or stored by the code that reads the element.
     Nowhere,
     /// In a field for texts; a text it does not accept becomes a leftover.
-    Text(Lens<dyn TextField>),
+    Text(Lens<P, dyn TextField>),
     /// In a field that an EDS has too; a text it does not accept becomes an invalid value.
-    Fact(FactAt),
+    Fact(Lens<P, dyn Fact>),
     /// Among the values of an entry, which are read once the data type is known.
     Value(Slots),
-}
-
-/// Where the part stores a value that an EDS has too.
-#[derive(Clone, Copy, Debug)]
-pub(crate) struct FactAt {
-    /// `None` for a field that only CiA 311 has: it is named like the attribute.
-    pub field: Option<&'static Field>,
-    /// The maximum, if it is lower than that of the type.
-    pub most: Option<u64>,
-    /// The placeholder for a missing value. The reader drops it.
-    pub unstated: Option<&'static str>,
-    pub lens: Lens<dyn Fact>,
 }
 
 /// One of the values of an entry.
@@ -106,21 +123,10 @@ pub(crate) enum Slots {
     High,
 }
 
-/// Where the part stores elements.
-#[derive(Clone, Copy, Debug)]
-pub(crate) enum Child {
-    /// Not stored, or stored by the code that reads the element.
-    Nowhere,
-    /// The element groups others of the same part.
-    Same,
-    /// The element has this constant content.
-    Fixed(&'static str),
-    /// As parts.
-    Parts(Lens<dyn Parts>),
-    /// As values: the first attribute of the element, or its text.
-    Values(Lens<dyn Values>),
-    /// One for the first element of the choice, and one for the others.
-    Either(&'static Child, &'static Child),
+/// The alternatives of a choice that a part of one type is.
+pub(crate) struct Choice<C: 'static> {
+    pub elements: &'static [&'static Element],
+    pub shapes: &'static [&'static Shape<C>],
 }
 
 /// A place in the order of the children: one element, or a choice of several.
@@ -130,7 +136,6 @@ pub(crate) struct Slot {
     pub least: u32,
     pub most: u32,
     pub need: Need,
-    pub at: Child,
 }
 
 /// The maximum number of slots of an element.
@@ -138,20 +143,6 @@ pub(crate) const MAX_SLOTS: usize = 16;
 
 /// No maximum.
 const MANY: u32 = u32::MAX;
-
-impl<T: ?Sized> Clone for Lens<T> {
-    fn clone(&self) -> Self {
-        *self
-    }
-}
-
-impl<T: ?Sized> Copy for Lens<T> {}
-
-impl<T: ?Sized> std::fmt::Debug for Lens<T> {
-    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
-        f.write_str("Lens")
-    }
-}
 
 impl Slot {
     /// The element with this name, if it is allowed here.
@@ -163,15 +154,6 @@ impl Slot {
     /// than its alternatives.
     pub(crate) fn most_of(&self, element: &Element) -> u32 {
         if element.name == n::variableRef { MANY } else { self.most }
-    }
-
-    /// Its elements and where the part stores them: one place for all, or one for each.
-    pub(crate) fn kept(&self) -> impl Iterator<Item = (&'static Element, Child)> {
-        let at = move |number: usize| match self.at {
-            Child::Either(first, others) => Some(if number == 0 { *first } else { *others }),
-            one => Some(one).filter(|_| number == 0),
-        };
-        self.of.iter().enumerate().filter_map(move |(number, element)| Some((*element, at(number)?)))
     }
 }
 
@@ -212,27 +194,16 @@ impl Element {
 impl Attribute {
     /// The field of the model, if it is not a plain text.
     pub(crate) fn field(&self) -> Option<Field> {
-        match self.at {
-            At::Fact(FactAt { field: Some(field), .. }) => Some(field.clone()),
-            At::Fact(_) => Some(Field::Named(self.name.text().into())),
-            At::Value(value) => Some(value.field()),
-            At::Nowhere | At::Text(_) => match self.name {
-                n::name => Some(Field::ParameterName),
-                n::denotation => Some(Field::Denotation),
-                n::subNumber => Some(Field::SubNumber),
-                _ => None,
-            },
-        }
+        self.field.map(|field| field())
     }
 
     /// The text for a required attribute without a value; `None` if the element has no meaning without it.
     pub(crate) fn placeholder(&self) -> Option<&'static str> {
-        match (self.at, self.kind) {
-            (At::Fact(FactAt { unstated: Some(text), .. }), _) => Some(text),
-            (_, Kind::Language) => Some(super::defaults::LANGUAGE),
-            (_, Kind::Text) if self.need == Need::Required => Some(""),
+        self.unstated.or(match self.kind {
+            Kind::Language => Some(super::defaults::LANGUAGE),
+            Kind::Text if self.need == Need::Required => Some(""),
             _ => None,
-        }
+        })
     }
 
     /// An EDS value in the spelling of this attribute; `None` if the attribute cannot express it.
@@ -262,7 +233,7 @@ impl Attribute {
 }
 
 impl Slots {
-    pub(crate) fn field(self) -> Field {
+    pub(crate) const fn field(self) -> Field {
         match self {
             Self::Default => Field::DefaultValue,
             Self::Actual => Field::ParameterValue,
@@ -293,113 +264,150 @@ impl Slots {
 /// The element of the identity whose text is a field of an EDS.
 pub(crate) fn identity_element(field: &Field) -> Option<&'static Element> {
     Some(match field {
-        Field::VendorName => &VENDOR_NAME,
-        Field::VendorNumber => &VENDOR_ID,
-        Field::ProductName => &PRODUCT_NAME,
-        Field::ProductNumber => &PRODUCT_ID,
-        Field::OrderCode => &ORDER_NUMBER,
+        Field::VendorName => &device::VENDOR_NAME,
+        Field::VendorNumber => &device::VENDOR_ID,
+        Field::ProductName => &device::PRODUCT_NAME,
+        Field::ProductNumber => &device::PRODUCT_ID,
+        Field::OrderCode => &device::ORDER_NUMBER,
         _ => return None,
     })
 }
 
-/// A field of a part, or a function that returns it.
+/// A field of a part: the part itself, a path of fields, or a variable of a pattern that the part or a field has.
 macro_rules! lens {
-    ($Part:ident self) => {
+    (self) => { $crate::xdd::schema::Lens { get: |part| Some(part), get_mut: |part| Some(part) } };
+    (in self $pattern:pat => $field:ident) => {
         $crate::xdd::schema::Lens {
-            get: |part| Some(part.downcast_ref::<$Part>()?),
-            get_mut: |part| Some(part.downcast_mut::<$Part>()?),
+            get: |part| if let $pattern = part { Some($field) } else { None },
+            get_mut: |part| if let $pattern = part { Some($field) } else { None },
         }
     };
-    ($Part:ident $($path:tt)+) => {
+    (in $path:ident $pattern:pat => $field:ident) => {
         $crate::xdd::schema::Lens {
-            get: |part| Some(&part.downcast_ref::<$Part>()?.$($path)+),
-            get_mut: |part| Some(&mut part.downcast_mut::<$Part>()?.$($path)+),
+            get: |part| if let $pattern = &part.$path { Some($field) } else { None },
+            get_mut: |part| if let $pattern = &mut part.$path { Some($field) } else { None },
+        }
+    };
+    ($($path:tt)+) => {
+        $crate::xdd::schema::Lens {
+            get: |part| Some(&part.$($path)+),
+            get_mut: |part| Some(&mut part.$($path)+),
         }
     };
 }
 use lens;
 
-/// Where the value of an attribute is stored: `[field]` takes texts, `{Field field}` has that name in an
-/// EDS, `<Value>` is a value of an entry, and `(CONSTANT)` is defined separately.
+/// Where the value of an attribute is kept: `[field]` takes texts, `{Field field}` has that name in an EDS (`Named`: that of the
+/// attribute), `(value Which)` is a value of an entry, and `(field Field)` is kept by the code that reads the element.
 macro_rules! at {
-    ($Part:ident) => { At::Nowhere };
-    ($Part:ident [$($path:tt)+]) => { At::Text(lens!($Part $($path)+)) };
-    ($Part:ident ($lens:ident)) => { At::Text($lens) };
-    ($Part:ident (value $value:ident)) => { At::Value(Slots::$value) };
-    ($Part:ident {$field:ident $path:ident $(most $most:literal)? $(unstated $text:expr)?}) => {
-        At::Fact(FactAt {
-            field: at!(@field $field),
-            most: at!(@option $($most)?),
-            unstated: at!(@option $($text)?),
-            lens: lens!($Part $path),
-        })
-    };
-    (@field Named) => { None };
-    (@field $field:ident) => { Some(&Field::$field) };
-    (@option) => { None };
-    (@option $value:expr) => { Some($value) };
+    () => { At::Nowhere };
+    ((value $value:ident)) => { At::Value(Slots::$value) };
+    ((field $field:ident)) => { At::Nowhere };
+    ([$($path:tt)+]) => { At::Text(lens!($($path)+)) };
+    ({$field:ident $path:ident $($rest:tt)*}) => { At::Fact(lens!($path)) };
 }
 use at;
 
-/// Where elements are stored: `[field]` as parts, `{field}` as values, `same` in the same part, and
-/// `(CONSTANT)` is defined separately.
-macro_rules! child {
-    ($Part:ident) => { Child::Nowhere };
-    ($Part:ident same) => { Child::Same };
-    ($Part:ident [$($path:tt)+]) => { Child::Parts(lens!($Part $($path)+)) };
-    ($Part:ident {$($path:tt)+}) => { Child::Values(lens!($Part $($path)+)) };
-    ($Part:ident ($lens:ident)) => { Child::Parts($lens) };
-    ($Part:ident (same $other:tt)) => { Child::Either(&Child::Same, &child!($Part $other)) };
-    ($Part:ident $text:literal) => { Child::Fixed($text) };
+/// The attribute beside its [`at!`].
+macro_rules! attribute {
+    ($name:ident $kind:expr, $need:expr) => { attribute!(@ $name $kind, $need, None, , ) };
+    ($name:ident $kind:expr, $need:expr, [$($path:tt)+]) => { attribute!(@ $name $kind, $need, None, , ) };
+    ($name:ident $kind:expr, $need:expr, (value $value:ident)) => {
+        attribute!(@ $name $kind, $need, Some(|| Slots::$value.field()), , )
+    };
+    ($name:ident $kind:expr, $need:expr, (field $field:ident)) => {
+        attribute!(@ $name $kind, $need, Some(|| Field::$field), , )
+    };
+    ($name:ident $kind:expr, $need:expr, {Named $path:ident}) => {
+        attribute!(@ $name $kind, $need, Some(|| Field::Named(n::$name.text().into())), , )
+    };
+    ($name:ident $kind:expr, $need:expr, {$field:ident $path:ident $(most $most:literal)? $(unstated $text:expr)?}) => {
+        attribute!(@ $name $kind, $need, Some(|| Field::$field), $($most)?, $($text)?)
+    };
+    (@ $name:ident $kind:expr, $need:expr, $field:expr, $($most:literal)?, $($text:expr)?) => {
+        Attribute {
+            name: n::$name,
+            kind: $kind,
+            need: $need,
+            field: $field,
+            most: attribute!(@option $($most)?),
+            unstated: attribute!(@option $($text)?),
+        }
+    };
+    (@option) => { None };
+    (@option $value:expr) => { Some($value) };
 }
-use child;
+use attribute;
+
+/// The elements of a [`Slot`]: `A`, `[A | B]`, `(CHOICE)`, or `(ELEMENTS: CHOICE CHOICE)` for parts of several types.
+macro_rules! of {
+    ([$($of:ident)|+]) => { &[$(&$of.element),+] };
+    (($elements:ident: $($choice:ident)+)) => { $elements };
+    (($of:ident)) => { $of.elements };
+    ($of:ident) => { &[&$of.element] };
+}
+use of;
+
+/// How elements are kept: `[field]` as parts, `{field}` as values, `same` in the same part.
+macro_rules! kept {
+    ($Part:ident $of:tt) => { &[] };
+    ($Part:ident $of:ident same) => { &[&Same(&$of)] };
+    ($Part:ident [$same:ident | $of:ident] (same $other:tt)) => { &[&Same(&$same), &kept!(@ $Part &[&$of], $other)] };
+    ($Part:ident $of:ident $text:literal) => { &[&Fixed(&$of.element, $text)] };
+    ($Part:ident $of:ident {$($path:tt)+}) => {
+        &[&ValuesIn::<$Part> { element: &$of.element, field: lens!($($path)+) }]
+    };
+    ($Part:ident [$($of:ident)|+] $kept:tt) => { &[&kept!(@ $Part &[$(&$of),+], $kept)] };
+    ($Part:ident ($elements:ident: $($choice:ident)+) $kept:tt) => { &[$(&kept!(@ $Part $choice.shapes, $kept)),+] };
+    ($Part:ident ($of:ident) $kept:tt) => { &[&kept!(@ $Part $of.shapes, $kept)] };
+    ($Part:ident $of:ident $kept:tt) => { &[&kept!(@ $Part &[&$of], $kept)] };
+    (@ $Part:ident $shapes:expr, [$($path:tt)+]) => { PartsIn::<$Part, _> { shapes: $shapes, field: lens!($($path)+) } };
+}
+use kept;
 
 /// The minimum and maximum of a [`Slot`].
 macro_rules! slot {
-    (one $of:tt $at:expr) => { slot!(@ $of, 1, 1, Required, $at) };
-    (key $of:tt $at:expr) => { slot!(@ $of, 1, 1, Key, $at) };
-    (maybe $of:tt $at:expr) => { slot!(@ $of, 0, 1, Optional, $at) };
-    (some $of:tt $at:expr) => { slot!(@ $of, 1, super::MANY, Required, $at) };
-    (two $of:tt $at:expr) => { slot!(@ $of, 2, super::MANY, Required, $at) };
-    (any $of:tt $at:expr) => { slot!(@ $of, 0, super::MANY, Optional, $at) };
-    (stray $of:tt $at:expr) => { slot!(@ $of, 0, super::MANY, Stray, $at) };
-    (@ [$($of:ident)|+], $($rest:tt)+) => { slot!(@@ &[$(&$of),+], $($rest)+) };
-    (@ ($of:ident), $($rest:tt)+) => { slot!(@@ $of, $($rest)+) };
-    (@ $of:ident, $($rest:tt)+) => { slot!(@@ &[&$of], $($rest)+) };
-    (@@ $of:expr, $least:expr, $most:expr, $need:ident, $at:expr) => {
-        Slot { of: $of, least: $least, most: $most, need: Need::$need, at: $at }
+    (one $of:tt) => { slot!(@ $of, 1, 1, Required) };
+    (key $of:tt) => { slot!(@ $of, 1, 1, Key) };
+    (maybe $of:tt) => { slot!(@ $of, 0, 1, Optional) };
+    (some $of:tt) => { slot!(@ $of, 1, super::MANY, Required) };
+    (two $of:tt) => { slot!(@ $of, 2, super::MANY, Required) };
+    (any $of:tt) => { slot!(@ $of, 0, super::MANY, Optional) };
+    (stray $of:tt) => { slot!(@ $of, 0, super::MANY, Stray) };
+    (@ $of:tt, $least:expr, $most:expr, $need:ident) => {
+        Slot { of: of!($of), least: $least, most: $most, need: Need::$need }
     };
 }
 use slot;
 
 /// Declares elements: `NAME global|local name of Part (attributes) = text, [children], newer [names];`
 ///
-/// The mark after the name of an attribute is `?` (optional), `!` (required), `*` (without it the element
-/// has no meaning) or `+` (stray).
+/// The part of an element of a [`Choice`] is `Part as (new part, pattern of the part)`, and that of an element that is not kept, or
+/// by the code that reads it, is `Nothing`. The mark after the name of an attribute is `?` (optional), `!` (required), `*` (without it
+/// the element has no meaning) or `+` (stray).
 ///
-/// A child is `count WHAT`, where the count is `one`, `key` (one; the element has no meaning without it),
-/// `maybe`, `some`, `two` (at least), `any` or `stray`, and WHAT is an element, a choice `[A | B]` or a list
-/// `(LIST)` of elements. `=>` is followed by where the part stores it; an element of `Nothing` is not
-/// stored, or by the code that reads it.
+/// A child is `count WHAT`, where the count is `one`, `key` (one; the element has no meaning without it), `maybe`, `some`, `two` (at
+/// least), `any` or `stray`. `=>` is followed by where the part keeps it.
 macro_rules! elements {
-    ($($NAME:ident $form:ident $name:ident of $Part:ident
+    ($($NAME:ident $form:ident $name:ident of $Part:ident $(as ($new:expr, $is:pat))?
         $(($($attribute:ident $need:tt: $kind:expr $(=> $at:tt)?),+ $(,)?))?
         $(= $text:expr $(=> $text_at:tt)?)?
         $(, [$($count:ident $of:tt $(=> $child:tt)?),+ $(,)?])?
         $(, newer [$($newer:ident),+ $(,)?])?
     ;)+) => {
-        $(pub(crate) static $NAME: Element = Element {
-            name: n::$name,
-            is_global: elements!(@ $form),
-            attributes: &[$($(Attribute {
-                name: n::$attribute,
-                kind: $kind,
-                need: elements!(@ $need),
-                at: at!($Part $($at)?),
-            }),+)?],
-            text: elements!(@text $Part $($text, $($text_at)?)?),
-            content: &[$($(slot!($count $of child!($Part $($child)?))),+)?],
-            newer: &[$($(n::$newer),+)?],
+        $(pub(crate) static $NAME: Shape<$Part> = Shape {
+            element: Element {
+                name: n::$name,
+                is_global: elements!(@ $form),
+                attributes: &[$($(attribute!($attribute $kind, elements!(@ $need) $(, $at)?)),+)?],
+                text: elements!(@text $($text)?),
+                content: &[$($(slot!($count $of)),+)?],
+                newer: &[$($(n::$newer),+)?],
+            },
+            new: elements!(@new $Part $($new)?),
+            is: elements!(@is $($is)?),
+            values: &[$($(at!($($at)?),)+)? $(elements!(@at $text $(=> $text_at)?))?],
+            children: &[$($(kept!($Part $of $($child)?)),+)?],
         };)+
     };
     (@ global) => { true };
@@ -408,12 +416,25 @@ macro_rules! elements {
     (@ !) => { Need::Required };
     (@ *) => { Need::Key };
     (@ +) => { Need::Stray };
-    (@text $Part:ident) => { None };
-    (@text $Part:ident $text:expr, $($at:tt)?) => {
-        Some(Attribute { name: n::text, kind: $text, need: Need::Optional, at: at!($Part $($at)?) })
-    };
+    (@text) => { None };
+    (@text $text:expr) => { Some(attribute!(text $text, Need::Optional)) };
+    (@at $text:expr) => { At::Nowhere };
+    (@at $text:expr => $at:tt) => { at!($at) };
+    (@new $Part:ident) => { <$Part>::default };
+    (@new $Part:ident $new:expr) => { || $new };
+    (@is) => { |_| true };
+    (@is $is:pat) => { |part| matches!(part, $is) };
 }
 use elements;
+
+/// Declares a [`Choice`].
+macro_rules! choice {
+    ($NAME:ident of $Part:ident: $($of:ident)+) => {
+        pub(crate) static $NAME: Choice<$Part> =
+            Choice { elements: &[$(&$of.element),+], shapes: &[$(&$of),+] };
+    };
+}
+use choice;
 
 #[cfg(test)]
 mod tests {
@@ -437,9 +458,8 @@ mod tests {
 
     #[test]
     fn the_table_is_sound() {
-        for element in [&CONTAINER, &DEVICE_BODY, &NETWORK_BODY, &EXTERNAL_NETWORK_BODY]
-            .into_iter()
-            .flat_map(|root| all(root))
+        for element in
+            [&CONTAINER.element, DEVICE_BODY, &NETWORK_BODY, &EXTERNAL_NETWORK_BODY].into_iter().flat_map(all)
         {
             let name = element.name.text();
             let children: Vec<Name> = element

@@ -6,13 +6,14 @@ use super::device::{
     SPECIFICATION_REVISION, VENDOR_ID, VENDOR_TEXT, VERSION,
 };
 use super::{
-    At, Attribute, Child, Element, FactAt, Kind, Need, Slot, Slots, Target, at, child, elements, lens, slot,
+    At, Attribute, Element, Kind, Need, Shape, Slot, Slots, Target, at, attribute, elements, kept, lens, of,
+    slot,
 };
 use crate::model::{
     Commissioning, DeviceInfo, Entry, Field, ModuleObjects, ModuleRange, ModuleRanges, OwnAddressing,
 };
 use crate::xdd::defaults;
-use crate::xdd::shape::Identity;
+use crate::xdd::shape::{Identity, Nothing, PartsIn, Same, ValuesIn};
 use crate::xml::n;
 
 const ENTITIES: Kind = Kind::Words(&["slave", "master", "server", "client", "interconnection", "peer"]);
@@ -126,7 +127,7 @@ macro_rules! entries {
     ($($NAME:ident $name:ident ($address:ident $kind:expr) ($($own:tt)*) [$($content:tt)*])+) => {elements! {
         $($NAME local $name of Entry (
             $address*: $kind,
-            name?: Kind::Text,
+            name?: Kind::Text => (field ParameterName),
             objectType!: Kind::BYTE => {ObjectType object_type unstated defaults::OBJECT_TYPE},
             dataType?: DATA_TYPE => {DataType data_type},
             lowLimit?: Kind::Text => (value Low),
@@ -134,7 +135,7 @@ macro_rules! entries {
             accessType?: ACCESS => {AccessType access},
             defaultValue?: Kind::Text => (value Default),
             actualValue?: Kind::Text => (value Actual),
-            denotation?: Kind::Text,
+            denotation?: Kind::Text => (field Denotation),
             PDOmapping?: PDO_MAPPING => {PdoMapping pdo_mapping},
             objFlags?: FLAGS => {ObjFlags flags},
             uniqueIDRef?: Kind::Reference(Target::Application),
@@ -145,6 +146,6 @@ macro_rules! entries {
 }
 
 entries! {
-    OBJECT CANopenObject (index INDEX) (subNumber?: Kind::BYTE) [, [any SUB_OBJECT]]
+    OBJECT CANopenObject (index INDEX) (subNumber?: Kind::BYTE => (field SubNumber)) [, [any SUB_OBJECT]]
     SUB_OBJECT CANopenSubObject (subIndex Kind::Hex(2, 2)) () []
 }

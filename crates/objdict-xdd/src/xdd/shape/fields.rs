@@ -1,8 +1,9 @@
-//! Fields that store values as texts.
+//! The fields of parts: for texts, and for other parts.
 
 use std::borrow::Cow;
 
 use super::Text;
+use crate::model::{DataTypeRef, SimpleType, VariableRef};
 
 /// A field for an attribute or the text of an element.
 pub(crate) trait TextField {
@@ -84,3 +85,97 @@ impl Values for Vec<Box<str>> {
         self.iter().for_each(|text| put(text));
     }
 }
+
+/// A field for parts `C`, each in its own element.
+pub(crate) trait Holds<C> {
+    /// Adds a part; `None` if the field is full.
+    fn add(&mut self, new: fn() -> C) -> Option<&mut C>;
+
+    /// Calls `put` for each part.
+    fn each(&self, put: &mut dyn FnMut(&C));
+}
+
+/// A part that always exists; an empty one is not written.
+impl<C: Default + PartialEq> Holds<C> for C {
+    fn add(&mut self, _: fn() -> C) -> Option<&mut C> {
+        if *self == C::default() { Some(self) } else { None }
+    }
+
+    fn each(&self, put: &mut dyn FnMut(&C)) {
+        if *self != C::default() {
+            put(self);
+        }
+    }
+}
+
+impl<C> Holds<C> for Option<C> {
+    fn add(&mut self, new: fn() -> C) -> Option<&mut C> {
+        if self.is_some() { None } else { Some(self.insert(new())) }
+    }
+
+    fn each(&self, put: &mut dyn FnMut(&C)) {
+        self.iter().for_each(put);
+    }
+}
+
+impl<C> Holds<C> for Option<Box<C>> {
+    fn add(&mut self, new: fn() -> C) -> Option<&mut C> {
+        if self.is_some() { None } else { Some(self.insert(Box::new(new()))) }
+    }
+
+    fn each(&self, put: &mut dyn FnMut(&C)) {
+        self.iter().for_each(|part| put(part));
+    }
+}
+
+impl<C> Holds<C> for Vec<C> {
+    fn add(&mut self, new: fn() -> C) -> Option<&mut C> {
+        self.push(new());
+        self.last_mut()
+    }
+
+    fn each(&self, put: &mut dyn FnMut(&C)) {
+        self.iter().for_each(put);
+    }
+}
+
+/// Several `variableRef`.
+impl Holds<VariableRef> for Option<DataTypeRef> {
+    fn add(&mut self, new: fn() -> VariableRef) -> Option<&mut VariableRef> {
+        match self.get_or_insert_with(|| DataTypeRef::Variables(Vec::new())) {
+            DataTypeRef::Variables(variables) => variables.add(new),
+            _ => None,
+        }
+    }
+
+    fn each(&self, put: &mut dyn FnMut(&VariableRef)) {
+        if let Some(DataTypeRef::Variables(variables)) = self {
+            variables.iter().for_each(put);
+        }
+    }
+}
+
+/// An element such as `UDINT`, or a `dataTypeIDRef`.
+macro_rules! data_types {
+    ($($Part:ty: $Variant:ident;)+) => {$(
+        impl Holds<$Part> for Option<DataTypeRef> {
+            fn add(&mut self, new: fn() -> $Part) -> Option<&mut $Part> {
+                match self {
+                    Some(_) => None,
+                    None => match self.insert(DataTypeRef::$Variant(new())) {
+                        DataTypeRef::$Variant(part) => Some(part),
+                        _ => None,
+                    },
+                }
+            }
+
+            fn each(&self, put: &mut dyn FnMut(&$Part)) {
+                if let Some(DataTypeRef::$Variant(part)) = self {
+                    put(part);
+                }
+            }
+        }
+    )+};
+}
+
+data_types! { SimpleType: Simple; Box<str>: Defined; }

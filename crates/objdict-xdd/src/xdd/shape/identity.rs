@@ -1,8 +1,6 @@
 //! The vendor and the names of the device: `DeviceIdentity` of the device profile, `identity` of the network
 //! profile.
 
-use super::Part;
-use super::parts::parts;
 use crate::model::{Date, DeviceIdentity, DeviceVersion, Labels};
 use crate::xml::{Name, n};
 
@@ -36,8 +34,6 @@ pub(crate) struct Marked<T> {
 pub(crate) type MarkedText = Marked<Box<str>>;
 pub(crate) type MarkedLabels = Marked<Labels>;
 pub(crate) type MarkedVersion = Marked<DeviceVersion>;
-
-parts! { MarkedText, MarkedLabels, MarkedVersion }
 
 impl<T> From<T> for Marked<T> {
     fn from(value: T) -> Self {

@@ -7,7 +7,8 @@ use crate::model::{
 use crate::xdd::defaults;
 use crate::xdd::fact::{self, hex as hex_number};
 use crate::xdd::read::{DIRECTIONS, channel_field, default_rate_field, range_length, supported_field};
-use crate::xdd::schema::{
+use crate::xdd::schema::Element;
+use crate::xdd::schema::network::{
     APPLICATION_LAYERS, BAUD_RATE, DEVICE_COMMISSIONING, DUMMY, DUMMY_USAGE, DYNAMIC_CHANNEL,
     DYNAMIC_CHANNELS, GENERAL_FEATURES, IDENTITY, MASTER_FEATURES, MODULE_MANAGEMENT, NETWORK_MANAGEMENT,
     PHYSICAL_LAYER, SUPPORTED_BAUD_RATE, TRANSPORT_LAYERS,
@@ -65,7 +66,7 @@ impl Writer<'_> {
             node.iter_mut().flatten().for_each(without_unit);
         }
         out.open(&NETWORK_MANAGEMENT);
-        let elements = [
+        let elements: [(&'static Element, _); 3] = [
             (&GENERAL_FEATURES, general),
             (&MASTER_FEATURES, master),
             (&DEVICE_COMMISSIONING, node.unwrap_or_default()),
@@ -110,9 +111,7 @@ fn dummy_usage(usage: &DummyUsage, out: &mut XddWriter) {
     let invalid_values =
         usage.invalid_values.iter().map(|invalid| format!("{}={}", invalid.field, invalid.text));
     for entry in types.chain(invalid_values) {
-        out.open(&DUMMY);
-        out.attribute(n::entry, &entry);
-        out.close();
+        out.empty(&DUMMY, &[(n::entry, &entry)]);
     }
     out.close();
 }
@@ -190,11 +189,7 @@ fn transport_layers(info: &DeviceInfo, out: &mut XddWriter) {
     if let Some(default) = default.or_else(invalid) {
         out.attribute(n::defaultValue, &default);
     }
-    let supported = |word: &str, out: &mut XddWriter| {
-        out.open(&SUPPORTED_BAUD_RATE);
-        out.attribute(n::value, word);
-        out.close();
-    };
+    let supported = |word: &str, out: &mut XddWriter| out.empty(&SUPPORTED_BAUD_RATE, &[(n::value, word)]);
     words.iter().for_each(|word| supported(word, out));
     if out.count_of(n::supportedBaudRate) == 0 {
         // twice, as no other tool writes it

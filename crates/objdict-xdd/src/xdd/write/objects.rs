@@ -4,7 +4,8 @@ use super::Writer;
 use crate::literal::{self, Spelling};
 use crate::model::{Access, DataType, Entry, Field, Object, ObjectList, ObjectType, Value};
 use crate::xdd::read::{count, count_attribute};
-use crate::xdd::schema::{At, Attribute, Element, OBJECT, OBJECT_LIST, SUB_OBJECT};
+use crate::xdd::schema::network::{OBJECT, OBJECT_LIST, SUB_OBJECT};
+use crate::xdd::schema::{At, Attribute, Shape};
 use crate::xdd::xdd_writer::XddWriter;
 use crate::xdd::{defaults, fact};
 use crate::xml::n;
@@ -22,10 +23,7 @@ impl Writer<'_> {
             out.attribute(count_attribute(list), &count(objects.keys(), list).to_string());
         }
         if objects.is_empty() {
-            out.open(&OBJECT);
-            out.attribute(n::index, defaults::INDEX);
-            out.attribute(n::name, defaults::NOT_STATED);
-            out.close();
+            out.empty(&OBJECT, &[(n::index, defaults::INDEX), (n::name, defaults::NOT_STATED)]);
         }
         for (&index, object) in objects {
             let object = &*object.expanded();
@@ -44,20 +42,19 @@ impl Writer<'_> {
     /// The attributes of an object or a sub-object.
     fn entry(
         &self,
-        element: &'static Element,
+        shape: &'static Shape<Entry>,
         (index, sub): (u16, Option<u8>),
         entry: &Entry,
         object: Option<&Object>,
         out: &mut XddWriter,
     ) {
         let invalid = |field: &Field| entry.invalid_values.get(field).map(|invalid| invalid.text.to_string());
-        let text = |attribute: &Attribute| match attribute.name {
+        let text = |attribute: &Attribute, at: &At<Entry>| match attribute.name {
             n::index => Some(format!("{index:04X}")),
             n::subIndex => Some(format!("{:02X}", sub.unwrap_or_default())),
             n::name => Some(entry.name.to_string()),
-            n::objectType => {
-                fact::text(entry, attribute).or_else(|| object?.orphan.then(|| defaults::ORPHAN.to_owned()))
-            }
+            n::objectType => fact::text(entry, attribute, at)
+                .or_else(|| object?.orphan.then(|| defaults::ORPHAN.to_owned())),
             n::denotation => entry.configured.as_ref()?.denotation.as_deref().map(str::to_owned),
             n::uniqueIDRef => {
                 let reference = entry.extra.get(REFERENCE).or_else(|| self.parameters.id(index, sub));
@@ -68,18 +65,18 @@ impl Writer<'_> {
                 let number = object?.sub_number.map(|number| number.to_string());
                 number.or_else(|| invalid(&Field::SubNumber))
             }
-            n::dataType => fact::text(entry, attribute).or_else(|| unstated(entry, DOMAIN_TYPE)),
+            n::dataType => fact::text(entry, attribute, at).or_else(|| unstated(entry, DOMAIN_TYPE)),
             n::accessType => {
-                let stated = fact::text(entry, attribute).filter(|text| attribute.kind.accepts(text));
+                let stated = fact::text(entry, attribute, at).filter(|text| attribute.kind.accepts(text));
                 stated.or_else(|| unstated(entry, Access::Rw.name()))
             }
-            _ => match attribute.at {
+            _ => match at {
                 At::Value(place) => value_text(index, entry, place.get(entry), &place.field()),
-                _ => fact::text(entry, attribute),
+                _ => fact::text(entry, attribute, at),
             },
         };
-        for attribute in element.attributes {
-            if let Some(text) = text(attribute) {
+        for (attribute, at) in shape.attributes.iter().zip(shape.values) {
+            if let Some(text) = text(attribute, at) {
                 out.attribute(attribute.name, &text);
             }
         }

@@ -1,11 +1,10 @@
 //! The types of ARRAYs and RECORDs that their parameters refer to.
 
-use std::any::Any;
 use std::collections::HashSet;
 use std::rc::Rc;
 
 use crate::model::{ApplicationProcess, Device, Object, TypeDefinition};
-use crate::xdd::schema::{APPLICATION_PROCESS, DEVICE_MANAGER, Element, Kind, PARAMETER};
+use crate::xdd::schema::{APPLICATION_PROCESS, DEVICE_MANAGER, Kind, PARAMETER, Shape};
 use crate::xdd::shape;
 use crate::xdd::types::definition_of;
 
@@ -47,8 +46,8 @@ impl Ids {
     }
 
     /// Records the ids of a part and of its nested parts.
-    fn note(&mut self, part: &dyn Any, schema: &'static Element) {
-        shape::visit(part, schema, &mut |attribute, text| {
+    fn note<P>(&mut self, part: &P, shape: &'static Shape<P>) {
+        shape::visit(part, shape, &mut |attribute, text| {
             if matches!(attribute.kind, Kind::Id) && text.starts_with("UID_") {
                 self.0.insert(text.into());
             }

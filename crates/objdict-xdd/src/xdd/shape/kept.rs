@@ -1,0 +1,150 @@
+//! The ways in which a part keeps the children of its element: how each is read, written and visited.
+
+use super::{Holds, Reader, Values, text, visit, write_content};
+use crate::xdd::schema::{Attribute, Element, Lens, Need, Shape, Slot};
+use crate::xdd::xdd_writer::XddWriter;
+use crate::xml::{self, Name, n};
+
+/// How a part `P` keeps children.
+pub(crate) trait Keep<P> {
+    /// Reads a child; `false` if it is not kept so, or the part has no room for it.
+    fn read<'a>(
+        &self,
+        child: xml::Element<'a>,
+        is_first: bool,
+        part: &mut P,
+        reader: &mut Reader<'_, 'a>,
+    ) -> bool;
+
+    /// Writes the children that are kept so. `first` is that of [`write_with`](super::write_with).
+    fn write(&self, part: &P, slot: &Slot, out: &mut XddWriter, first: &mut dyn FnMut(Name, &mut XddWriter));
+
+    /// Visits the texts of nested parts.
+    fn visit(&self, _part: &P, _see: &mut dyn FnMut(&Attribute, &str)) {}
+}
+
+/// The element groups others of the same part.
+pub(crate) struct Same<P: 'static>(pub &'static Shape<P>);
+
+/// The element has this constant content.
+pub(crate) struct Fixed(pub &'static Element, pub &'static str);
+
+/// As parts `C`.
+pub(crate) struct PartsIn<P, C: 'static> {
+    pub shapes: &'static [&'static Shape<C>],
+    pub field: Lens<P, dyn Holds<C>>,
+}
+
+/// As values: the first attribute of the element, or its text.
+pub(crate) struct ValuesIn<P> {
+    pub element: &'static Element,
+    pub field: Lens<P, dyn Values>,
+}
+
+impl<P> Keep<P> for Same<P> {
+    fn read<'a>(&self, child: xml::Element<'a>, _: bool, part: &mut P, reader: &mut Reader<'_, 'a>) -> bool {
+        let is_it = child.tag() == self.0.name;
+        if is_it {
+            reader.part(child, self.0, part);
+        }
+        is_it
+    }
+
+    fn write(&self, part: &P, slot: &Slot, out: &mut XddWriter, first: &mut dyn FnMut(Name, &mut XddWriter)) {
+        // a required element is written even if it is empty
+        match slot.least > 0 && slot.of.len() == 1 {
+            true => out.open(self.0),
+            false => out.open_unless_empty(self.0),
+        }
+        write_content(part, self.0, out, first);
+        out.close();
+    }
+
+    fn visit(&self, part: &P, see: &mut dyn FnMut(&Attribute, &str)) {
+        visit(part, self.0, see);
+    }
+}
+
+impl<P> Keep<P> for Fixed {
+    fn read<'a>(
+        &self,
+        child: xml::Element<'a>,
+        is_first: bool,
+        _: &mut P,
+        reader: &mut Reader<'_, 'a>,
+    ) -> bool {
+        let is_it = is_first && text::collapsed(&child.text()) == self.1;
+        if is_it {
+            reader.value(child, n::text, &mut |_| true);
+        }
+        is_it
+    }
+
+    fn write(&self, _: &P, _: &Slot, out: &mut XddWriter, _: &mut dyn FnMut(Name, &mut XddWriter)) {
+        out.open(self.0);
+        out.text(self.1);
+        out.close();
+    }
+}
+
+impl<P, C> PartsIn<P, C> {
+    fn each(&self, part: &P, mut see: impl FnMut(&'static Shape<C>, &C)) {
+        let Some(field) = (self.field.get)(part) else { return };
+        field.each(&mut |part| {
+            if let Some(shape) = self.shapes.iter().find(|shape| (shape.is)(part)) {
+                see(shape, part);
+            }
+        });
+    }
+}
+
+impl<P, C> Keep<P> for PartsIn<P, C> {
+    fn read<'a>(&self, child: xml::Element<'a>, _: bool, part: &mut P, reader: &mut Reader<'_, 'a>) -> bool {
+        let Some(shape) = self.shapes.iter().find(|shape| shape.name == child.tag()) else { return false };
+        let Some(room) = (self.field.get_mut)(part).and_then(|field| field.add(shape.new)) else {
+            return false;
+        };
+        reader.part(child, shape, room);
+        true
+    }
+
+    fn write(&self, part: &P, slot: &Slot, out: &mut XddWriter, first: &mut dyn FnMut(Name, &mut XddWriter)) {
+        first(self.shapes[0].name, out);
+        self.each(part, |shape, part| {
+            open(out, slot, shape);
+            write_content(part, shape, out, first);
+            out.close();
+        });
+    }
+
+    fn visit(&self, part: &P, see: &mut dyn FnMut(&Attribute, &str)) {
+        self.each(part, |shape, part| visit(part, shape, see));
+    }
+}
+
+impl<P> Keep<P> for ValuesIn<P> {
+    fn read<'a>(&self, child: xml::Element<'a>, _: bool, part: &mut P, reader: &mut Reader<'_, 'a>) -> bool {
+        let Some(field) = (self.field.get_mut)(part).and_then(|values| values.add()) else { return false };
+        reader.value(child, self.element.holder(), &mut |text| field.accept(text));
+        true
+    }
+
+    fn write(&self, part: &P, slot: &Slot, out: &mut XddWriter, _: &mut dyn FnMut(Name, &mut XddWriter)) {
+        let Some(values) = (self.field.get)(part) else { return };
+        values.each(&mut |text| {
+            open(out, slot, self.element);
+            match self.element.holder() {
+                n::text => out.text(text),
+                holder => out.attribute(holder, text),
+            }
+            out.close();
+        });
+    }
+}
+
+fn open(out: &mut XddWriter, slot: &Slot, element: &'static Element) {
+    match slot.need {
+        Need::Stray => out.open_stray(element),
+        _ => out.open(element),
+    }
+}
