@@ -4,6 +4,7 @@ use std::fmt::Write;
 
 use super::Options;
 use super::names::words;
+use super::resolve::{Datum, Resolved, Shape};
 use crate::model::{DataType, TypeKind};
 
 /// Longer texts are written as bytes, because C99 compilers need not support longer literals (§5.2.4.1).
@@ -61,6 +62,40 @@ pub(crate) fn number(word: u64, data_type: DataType) -> Option<String> {
             return real.is_finite().then(|| format!("{real:?}"));
         }
         _ => format!("{word}u"),
+    })
+}
+
+/// The type and the initializer of a value, if C has both for it.
+pub(crate) fn typed(shape: Shape, word: u64) -> Option<(DataType, String)> {
+    let Shape::Word(data_type) = shape else { return None };
+    exact_type(data_type)?;
+    Some((data_type, number(word, data_type)?))
+}
+
+/// The name that a stack has for a number of C: one of these words, for unsigned, signed and real ones, and its bits.
+pub(crate) fn number_type(data_type: DataType, [unsigned, signed, real]: [&str; 3]) -> Option<String> {
+    exact_type(data_type)?;
+    let word = match data_type.kind() {
+        TypeKind::Signed(_) => signed,
+        TypeKind::Real32 | TypeKind::Real64 => real,
+        _ => unsigned,
+    };
+    Some(format!("{word}{}", 8 * data_type.byte_length()?))
+}
+
+/// The statement that adds `nodeId` to a variable; numbers without a C type are bytes, which the function `store` sets.
+pub(crate) fn assignment(
+    resolved: &Resolved,
+    variable: &str,
+    words: [&str; 3],
+    store: &str,
+) -> Option<String> {
+    let (Datum::Formula(offset), Shape::Word(data_type)) = (&resolved.default, resolved.shape) else {
+        return None;
+    };
+    Some(match (number_type(data_type, words), number(*offset, data_type)) {
+        (Some(c_type), Some(number)) => format!("{variable} = ({c_type})({number} + nodeId);"),
+        _ => format!("{store}({variable}, UINT64_C(0x{offset:X}) + nodeId, {}u);", resolved.shape.size()),
     })
 }
 

@@ -2,7 +2,7 @@
 
 use super::Options;
 use super::gaps;
-use super::resolve::{Datum, Resolver, Shape};
+use super::resolve::{Datum, Resolver};
 use crate::model::{DataType, Device};
 
 /// An entry of a device on a node: what a row of a generated table holds.
@@ -45,29 +45,18 @@ pub fn live_entries(device: &Device, node_id: u8, options: &Options) -> Vec<Live
         }
         for (sub, entry) in object.entries() {
             let Some(resolved) = resolver.entry(object, index, sub, &entry) else { continue };
-            let word = |datum: &Datum| match datum {
-                Datum::Word(word) => *word,
-                Datum::Formula(offset) => offset.wrapping_add(node_id.into()),
-                Datum::Bytes(_) => 0,
-            };
+            let word = |datum: &Datum| datum.on_node(Some(node_id));
             let size = resolved.shape.size();
-            let value = match &resolved.default {
-                Datum::Bytes(bytes) => bytes.clone(),
-                number => word(number).to_le_bytes().into_iter().take(size).collect(),
-            };
             entries.push(LiveEntry {
                 index,
                 sub,
-                data_type: match resolved.shape {
-                    Shape::Word(data_type) | Shape::Bytes(data_type, _) => Some(data_type),
-                    Shape::Block(_) => None,
-                },
+                data_type: resolved.shape.data_type(),
                 size,
                 is_readable: resolved.access.is_readable(),
                 is_writable: resolved.access.is_writable(),
                 fits_tpdo: resolved.tpdo,
                 fits_rpdo: resolved.rpdo,
-                value,
+                value: resolved.default.bytes_on(Some(node_id), size),
                 low: resolved.low.as_ref().map(word),
                 high: resolved.high.as_ref().map(word),
             });

@@ -7,7 +7,8 @@
 
 use super::dictionary::Dictionary;
 use super::resolve::Datum;
-use super::size::{ObjectSize, Size, SizeReport};
+use super::size::{ObjectSize, Size, SizeReport, Sizes};
+use super::variables::Definition;
 
 /// Size and alignment of a type.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -31,7 +32,7 @@ impl Extent {
 
     /// A number type of C: `uint16_t`, `float`, `char`.
     pub(crate) fn of_c(c_type: &str) -> Self {
-        let size = match c_type {
+        let size = match c_type.trim_start_matches("const ") {
             "float" => 4,
             "double" => 8,
             "bool_t" => 4, // a CANopenNode type based on `uint_fast8_t`, which is a word in arm-none-eabi-gcc
@@ -74,15 +75,7 @@ pub(crate) enum Memory {
 impl Memory {
     /// The RAM section for these initial values.
     pub(crate) fn of_values<'a>(defaults: impl IntoIterator<Item = &'a Datum>) -> Self {
-        if defaults.into_iter().all(is_zero) { Self::Zeroed } else { Self::Initialised }
-    }
-}
-
-/// Whether the initial value is all zeros.
-pub(crate) fn is_zero(datum: &Datum) -> bool {
-    match datum {
-        Datum::Word(word) | Datum::Formula(word) => *word == 0,
-        Datum::Bytes(bytes) => bytes.iter().all(|&byte| byte == 0),
+        if defaults.into_iter().all(Datum::is_zero) { Self::Zeroed } else { Self::Initialised }
     }
 }
 
@@ -119,6 +112,11 @@ impl Tally {
         add(size, memory, bytes);
     }
 
+    /// Adds a variable.
+    pub(crate) fn variable(&mut self, variable: &Definition) {
+        self.of(variable.index, variable.memory(), variable.extent().size);
+    }
+
     /// Adds bytes without an object.
     pub(crate) fn rest(&mut self, memory: Memory, bytes: usize) {
         add(&mut self.rest, memory, bytes);
@@ -139,8 +137,8 @@ impl Tally {
     }
 
     /// The sums. For `counted` see [`SizeReport::counted`].
-    pub(crate) fn report(self, counted: &'static str) -> SizeReport {
-        SizeReport::new(counted, self.objects, self.rest)
+    pub(crate) fn report(self, counted: &'static str) -> Sizes {
+        Sizes::Known(SizeReport::new(counted, self.objects, self.rest))
     }
 }
 
@@ -168,6 +166,7 @@ mod tests {
         let mut tally = Tally { objects: Vec::new(), rest: Size::default() };
         tally.structure(Memory::Initialised, &[(Some(0x2000), Extent::BYTE), (None, Extent::WORD)]);
         tally.rest(Memory::Zeroed, 2);
-        assert_eq!(tally.report("").total, Size { flash: 8, ram: 10 });
+        let Sizes::Known(report) = tally.report("") else { panic!() };
+        assert_eq!(report.total, Size { flash: 8, ram: 10 });
     }
 }

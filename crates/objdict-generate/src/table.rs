@@ -17,6 +17,7 @@
 use std::fmt;
 
 use super::dictionary::{Dictionary, ResolvedEntry, ResolvedObject};
+use super::head::Head;
 use super::hooks;
 use super::names::{Scope, words};
 use super::resolve::{Datum, Resolved, Shape};
@@ -28,12 +29,7 @@ use crate::model::{Access, DataType, Device, Object, ObjectType};
 /// A device's dictionary, ready for a template.
 #[derive(Debug)]
 pub(crate) struct Table {
-    /// Generator and source, for the first line of the file.
-    pub(crate) made_by: String,
-    /// The product name; empty if not stated.
-    pub(crate) product: String,
-    /// The vendor name; empty if not stated.
-    pub(crate) vendor: String,
+    pub(crate) head: Head,
     /// The node-ID for the generated code.
     pub(crate) node_id: Option<u8>,
     /// All objects that have rows, by index.
@@ -111,7 +107,7 @@ impl Row {
     /// The flags, named as in the templates.
     pub(crate) fn flags(&self) -> impl Iterator<Item = &'static str> {
         let resolved = &self.resolved;
-        let formula = |datum: Option<&Datum>| matches!(datum, Some(Datum::Formula(_)));
+        let formula = |datum: Option<&Datum>| datum.is_some_and(Datum::is_formula);
         [
             ("READ", resolved.access.is_readable()),
             ("WRITE", resolved.access.is_writable()),
@@ -174,11 +170,8 @@ impl Table {
     }
 
     fn empty(dictionary: &Dictionary<'_>, options: &Options) -> Self {
-        let info = dictionary.device.device_info.as_ref();
         Self {
-            made_by: options.made_by(),
-            product: info.and_then(|info| info.product_name.clone()).unwrap_or_default(),
-            vendor: info.and_then(|info| info.vendor_name.clone()).unwrap_or_default(),
+            head: Head::new(dictionary.device, options, "", ""),
             node_id: dictionary.node_id,
             objects: Vec::new(),
             rows: Vec::new(),

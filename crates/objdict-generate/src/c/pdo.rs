@@ -1,18 +1,15 @@
 //! View of templates/c/od_pdo.h and od_pdo.c: structs of PDO frames.
 
-use askama::Template;
-
 use super::view::{hex_bytes, word_type};
 use crate::escape::filters;
 use crate::frames::{Carried, Frame, FrameField};
+use crate::head::files;
 use crate::model::{DataType, TypeKind};
 use crate::resolve::{Datum, Shape};
 use crate::table::{Row, Table};
 
-/// The header.
-#[derive(Template)]
-#[template(path = "c/od_pdo.h", escape = "none")]
-pub(super) struct PdoHeader<'a> {
+/// What the files have.
+pub(super) struct Pdos<'a> {
     /// The prefix of identifiers.
     lower: &'a str,
     upper: String,
@@ -20,19 +17,11 @@ pub(super) struct PdoHeader<'a> {
     frames: Vec<FrameView<'a>>,
 }
 
-/// The source.
-#[derive(Template)]
-#[template(path = "c/od_pdo.c", escape = "none")]
-pub(super) struct PdoSource<'a> {
-    lower: &'a str,
-    upper: String,
-    table: &'a Table,
-    frames: Vec<FrameView<'a>>,
-    /// Which conversions are used.
-    signed: bool,
-    real32: bool,
-    real64: bool,
-    time: bool,
+files! {
+    #[derive(askama::Template)]
+    pub(super) Pdos:
+    PdoHeader "c/od_pdo.h"
+    PdoSource "c/od_pdo.c"
 }
 
 /// A frame.
@@ -64,31 +53,32 @@ struct FieldView<'a> {
     unpack: String,
 }
 
-impl<'a> PdoHeader<'a> {
+impl<'a> Pdos<'a> {
     pub(super) fn new(table: &'a Table, prefix: &'a str, frames: &'a [Frame]) -> Self {
         let frames = frames.iter().map(|frame| frame_view(table, prefix, frame)).collect();
         Self { lower: prefix, upper: prefix.to_ascii_uppercase(), table, frames }
     }
-}
 
-impl<'a> PdoSource<'a> {
-    pub(super) fn new(table: &'a Table, prefix: &'a str, frames: &'a [Frame]) -> Self {
-        let uses = |is_it: fn(TypeKind) -> bool| {
-            frames
-                .iter()
-                .flat_map(|frame| &frame.fields)
-                .any(|field| matches!(field.carried, Carried::Number(data_type) if is_it(data_type.kind())))
-        };
-        Self {
-            lower: prefix,
-            upper: prefix.to_ascii_uppercase(),
-            table,
-            signed: uses(|kind| matches!(kind, TypeKind::Signed(_))),
-            real32: uses(|kind| kind == TypeKind::Real32),
-            real64: uses(|kind| kind == TypeKind::Real64),
-            time: uses(is_time),
-            frames: frames.iter().map(|frame| frame_view(table, prefix, frame)).collect(),
-        }
+    /// Whether a number of such a type is in a frame.
+    fn uses(&self, is_it: fn(TypeKind) -> bool) -> bool {
+        let mut fields = self.frames.iter().flat_map(|view| &view.fields);
+        fields.any(|view| matches!(view.field.carried, Carried::Number(number) if is_it(number.kind())))
+    }
+
+    fn real32(&self) -> bool {
+        self.uses(|kind| kind == TypeKind::Real32)
+    }
+
+    fn real64(&self) -> bool {
+        self.uses(|kind| kind == TypeKind::Real64)
+    }
+
+    fn signed(&self) -> bool {
+        self.uses(|kind| matches!(kind, TypeKind::Signed(_)))
+    }
+
+    fn time(&self) -> bool {
+        self.uses(is_time)
     }
 }
 
@@ -208,10 +198,7 @@ fn constant(data_type: DataType, prefix: &str, default: &Datum) -> String {
 
 /// The bytes of an entry in flash, as many as the frame contains.
 fn constant_bytes(default: &Datum, length: u32) -> String {
-    let mut bytes = match default {
-        Datum::Bytes(bytes) => bytes.clone(),
-        Datum::Word(_) | Datum::Formula(_) => Vec::new(), // numbers have other shapes
-    };
+    let mut bytes = default.bytes().to_vec();
     bytes.resize(length as usize, 0);
     format!("((const uint8_t[]){{{}}})", hex_bytes(&bytes))
 }

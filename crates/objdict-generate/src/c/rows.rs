@@ -4,8 +4,9 @@ use std::collections::HashMap;
 
 use super::view::{flags, type_name};
 use crate::memory::Extent;
-use crate::size::ram;
+use crate::size::{Layout, element_size, ram};
 use crate::table::Table;
+use crate::{SizeReport, Sizes};
 
 /// The types of the numbers in rows, each as narrow as the device allows, and what rows have in common.
 pub(super) struct Rows {
@@ -56,22 +57,24 @@ impl Rows {
     pub(super) fn first(&self) -> String {
         format!("uint{}_t", self.first)
     }
+}
 
-    /// Bytes of a row.
-    pub(super) fn row_size(&self) -> usize {
-        let offset = Extent::number(self.offset / 8);
-        Extent::structure([Extent::BYTE, Extent::number(self.kind / 8), offset, offset]).size
-    }
-
-    /// Bytes of an object.
-    pub(super) fn object_size(&self) -> usize {
-        Extent::structure([Extent::HALF, Extent::number(self.first / 8)]).size
-    }
-
-    /// Bytes of all kinds.
-    pub(super) fn kinds_size(&self) -> usize {
-        Extent::HALF.times(self.kinds.len()).size
-    }
+/// Computes the size of the table.
+pub(super) fn size(table: &Table, names: bool) -> Sizes {
+    let rows = Rows::new(table, "");
+    let offset = Extent::number(rows.offset / 8);
+    let row = Extent::structure([Extent::BYTE, Extent::number(rows.kind / 8), offset, offset]);
+    let layout = Layout {
+        row: row.size,
+        object: Extent::structure([Extent::HALF, Extent::number(rows.first / 8)]).size,
+        shared: Extent::HALF.times(rows.kinds.len()).size,
+        ram: ram(table),
+        value: element_size,
+        code: 0,
+        name: names.then_some((4, 1)), // a pointer of 32 bits, and the zero
+        counted: "the tables and values, on any processor that aligns numbers to their size; without code",
+    };
+    Sizes::Known(SizeReport::of_table(table, layout))
 }
 
 /// The bits of an unsigned type for numbers up to this one.

@@ -6,7 +6,7 @@ use askama::Template;
 
 use super::stored::{GroupView, MemberView, group_views};
 use super::view::{Facts, Header, flags, is_time, type_name, word_type};
-use crate::SizeReport;
+use crate::Sizes;
 use crate::c_code::{bytes, number};
 use crate::escape::{filters, shown};
 use crate::memory::{Extent, Memory, Tally};
@@ -172,7 +172,7 @@ impl<'a> Constants<'a> {
 }
 
 /// Computes the size of the table.
-pub(super) fn size(table: &Table, prefix: &str, names: bool) -> SizeReport {
+pub(super) fn size(table: &Table, prefix: &str, names: bool) -> Sizes {
     let objects = table.objects.iter();
     let mut tally = Tally::new(objects.map(|object| (object.index, object.name.as_str(), object.rows.len())));
     let mut constants = Constants::new(prefix);

@@ -6,58 +6,12 @@ use super::cell::{Cell, Planned};
 use super::para::STORE;
 use crate::c_code::{bytes, literal};
 use crate::dictionary::{Dictionary, ResolvedEntry, ResolvedObject};
-use crate::memory::{self, Extent, Memory};
+use crate::memory::{Extent, Memory};
 use crate::model::Place;
 use crate::names::{Scope, words};
 use crate::stored;
-use crate::variables::{Variable, Wanted, claim, variables};
+use crate::variables::{CType, Definition, Variable, Wanted, claim, variables};
 use crate::{Note, Options};
-
-/// A variable in RAM.
-#[derive(Debug)]
-pub(super) struct Member {
-    /// Precedes the name: a type or an anonymous structure.
-    base: String,
-    pub(super) name: String,
-    /// Follows the name.
-    suffix: String,
-    pub(super) initializer: String,
-    pub(super) extent: Extent,
-    /// Whether it is initialised to zero.
-    pub(super) zero: bool,
-    pub(super) index: u16,
-    pub(super) sub: u8,
-    /// The last sub-index of an array.
-    pub(super) last: Option<u8>,
-    /// The name in the description.
-    pub(super) described: String,
-}
-
-impl Member {
-    /// Index and sub-indexes.
-    pub(super) fn place(&self) -> String {
-        let last = self.last.map(|last| format!(" to {last:02X}h")).unwrap_or_default();
-        format!("{:04X}h sub-index {:02X}h{last}", self.index, self.sub)
-    }
-
-    /// Its declaration as a structure member.
-    pub(super) fn declaration(&self) -> String {
-        format!("{} {}{}", self.base, self.name, self.suffix)
-    }
-
-    /// The structure that needs a type outside another structure.
-    pub(super) fn structure(&self) -> Option<&str> {
-        self.base.starts_with("struct").then_some(self.base.as_str())
-    }
-
-    /// Its definition outside a structure.
-    pub(super) fn definition(&self) -> String {
-        match self.structure() {
-            Some(_) => format!("{}_t {}{}", self.name, self.name, self.suffix),
-            None => self.declaration(),
-        }
-    }
-}
 
 /// Values that are stored together.
 #[derive(Debug)]
@@ -66,7 +20,7 @@ pub(super) struct ParaGroup {
     pub(super) name: String,
     /// The variable; its type has the suffix `_t`.
     pub(super) variable: String,
-    pub(super) members: Vec<Member>,
+    pub(super) members: Vec<Definition>,
     /// The index of its first object.
     pub(super) first: u16,
     /// Whether it contains only objects of the communication profile (1000h to 1FFFh).
@@ -77,7 +31,7 @@ pub(super) struct ParaGroup {
 #[derive(Debug, Default)]
 pub(super) struct Layout {
     pub(super) groups: Vec<ParaGroup>,
-    pub(super) variables: Vec<Member>,
+    pub(super) variables: Vec<Definition>,
     /// Definitions in flash, and those in RAM required by types of the stack.
     pub(super) definitions: Vec<String>,
     /// The sizes of the definitions by index, including texts in them.
@@ -136,17 +90,17 @@ impl Layout {
             let Some(name) = group else { continue };
             layout.join(name, object.index, &mut scope, prefix);
         }
-        let kind = |object: usize, entry: usize| ram(&planned[object][entry].cell);
+        let type_of = |object: usize, entry: usize| ram(&planned[object][entry].cell);
         let names = |wanted: &[Wanted<'_>]| claim(&mut scope, prefix, wanted);
-        for variable in variables(&dictionary.objects, names, kind) {
+        for variable in variables(&dictionary.objects, names, type_of) {
             let object = &dictionary.objects[variable.object];
             let group = groups[variable.object].as_deref();
-            layout.place(object, &variable, &planned[variable.object], group, (prefix, notes));
+            layout.place(object, variable, planned, group, (prefix, notes));
         }
         for (number, object) in dictionary.objects.iter().enumerate() {
             for (entry, planned) in planned[number].iter().enumerate() {
                 let place = (object.index, object.entries[entry].sub);
-                layout.describe(&planned.cell, place, &mut (number, entry), prefix);
+                layout.describe(&planned.cell, place, (number, entry), prefix);
             }
         }
         layout.drop_empty_groups(notes);
@@ -172,47 +126,32 @@ impl Layout {
     fn place(
         &mut self,
         object: &ResolvedObject<'_>,
-        variable: &Variable<RamType>,
-        planned: &[Planned],
+        variable: Variable,
+        planned: &[Vec<Planned>],
         group: Option<&str>,
         (prefix, notes): (&str, &mut Vec<Note>),
     ) {
-        let first = &object.entries[variable.entries.start];
-        let last = variable.array.then(|| object.entries[variable.entries.end - 1].sub);
-        let stored = group.filter(|_| variable.kind.stored);
-        if group.is_some() && !variable.kind.stored && variable.kind.base == "CO_HBCONS" {
+        let cells = &planned[variable.object];
+        let first = &cells[variable.entries.start].cell;
+        let is_stored = !matches!(first, Cell::Application | Cell::Consumer { .. });
+        if group.is_some() && matches!(first, Cell::Consumer { .. }) {
             let text = "heartbeat consumers are objects of the stack and not part of a storage group";
             notes.push(Note::new(Place::object(object.index), text));
         }
+        let stored = group.filter(|_| is_stored);
         let group = stored.and_then(|name| self.groups.iter_mut().find(|group| group.name == name));
         let name = match &group {
             Some(_) => variable.name.clone(),
             None => format!("{prefix}_{}", variable.name),
         };
         let path = group.as_ref().map_or(name.clone(), |group| format!("{}.{name}", group.variable));
-        let array = if variable.array { format!("[{}]", variable.entries.len()) } else { String::new() };
-        let RamType { base, suffix, .. } = &variable.kind;
-        let values: Vec<String> = variable.entries.clone().map(|at| initializer(&planned[at].cell)).collect();
-        let member = Member {
-            base: base.clone(),
-            name,
-            suffix: format!("{array}{suffix}"),
-            initializer: if variable.array { format!("{{{}}}", values.join(", ")) } else { values.concat() },
-            extent: variable.kind.extent.times(values.len()),
-            zero: variable.entries.clone().all(|at| is_zero(&planned[at].cell, &object.entries[at])),
-            index: object.index,
-            sub: first.sub,
-            last,
-            described: if variable.array { object.object.name() } else { &first.entry.name }.to_owned(),
-        };
-        for (element, at) in variable.entries.clone().enumerate() {
-            let element = if variable.array { format!("[{element}]") } else { String::new() };
-            self.data[variable.object][at] = format!("{path}{element}");
+        for (at, place) in variable.places(&path) {
+            self.data[variable.object][at] = place;
         }
-        match group {
-            Some(group) => group.members.push(member),
-            None => self.variables.push(member),
-        }
+        let initial =
+            |at: usize| (initializer(&cells[at].cell), is_zero(&cells[at].cell, &object.entries[at]));
+        let definition = variable.define(object, name, initial);
+        group.map_or(&mut self.variables, |group| &mut group.members).push(definition);
     }
 
     /// Defines the descriptor between a row and its value, and replaces the name of the value by that of the
@@ -221,7 +160,7 @@ impl Layout {
         &mut self,
         cell: &Cell,
         (index, sub): (u16, u8),
-        &mut (object, entry): &mut (usize, usize),
+        (object, entry): (usize, usize),
         prefix: &str,
     ) {
         let named = |letter: char| format!("{prefix}_{letter}{index:04X}_{sub:02X}");
@@ -301,39 +240,43 @@ impl Layout {
     }
 }
 
-/// The type of a variable; variables of equal types can be elements of one array.
-#[derive(Clone, Debug, PartialEq)]
-pub(super) struct RamType {
-    base: String,
-    suffix: String,
-    extent: Extent,
-    /// Whether it can be a member of a storage group.
-    stored: bool,
+/// Index and sub-indexes of a variable.
+pub(super) fn place(variable: &Definition) -> String {
+    let (first, last) = variable.subs;
+    let last = variable.elements.map(|_| format!(" to {last:02X}h")).unwrap_or_default();
+    format!("{:04X}h sub-index {first:02X}h{last}", variable.index)
+}
+
+/// The structure that needs a type outside another structure.
+pub(super) fn structure(variable: &Definition) -> Option<&str> {
+    Some(variable.type_.base.as_str()).filter(|base| base.starts_with("struct"))
+}
+
+/// The definition of a variable outside a structure.
+pub(super) fn definition(variable: &Definition) -> String {
+    match structure(variable) {
+        Some(_) => format!("{0}_t {0}{1}", variable.name, variable.suffix()),
+        None => variable.declaration(),
+    }
 }
 
 /// The variable for a cell.
-fn ram(cell: &Cell) -> Option<RamType> {
-    let kind = |base: &str, suffix: String, extent, stored| {
-        Some(RamType { base: base.to_owned(), suffix, extent, stored })
-    };
-    let number = |c_type: &str| kind(c_type, String::new(), Extent::of_c(c_type), true);
-    match cell {
-        Cell::Number { flash: false, c_type, .. } => number(c_type),
-        Cell::Block { flash: false, c_type: Some(c_type), .. } => number(c_type),
-        Cell::Block { flash: false, bytes, .. } => {
-            kind("uint8_t", format!("[{}]", bytes.len()), Extent::BYTE.times(bytes.len()), true)
-        }
+fn ram(cell: &Cell) -> Option<CType> {
+    let whole = |base: &str, extent: Extent| CType { base: base.to_owned(), suffix: String::new(), extent };
+    Some(match cell {
+        Cell::Number { flash: false, c_type, .. }
+        | Cell::Block { flash: false, c_type: Some(c_type), .. } => CType::number(*c_type),
+        Cell::Block { flash: false, bytes, .. } => CType::bytes("uint8_t", bytes.len()),
         Cell::Bytes { room, .. } => {
             let base = format!("struct {{ uint16_t length; uint8_t bytes[{room}]; }}");
-            kind(&base, String::new(), Extent::behind_length(*room), true)
+            whole(&base, Extent::behind_length(*room))
         }
         Cell::Application => {
-            let extent = Extent::structure([Extent::WORD, Extent::WORD, Extent::POINTER]);
-            kind("CO_OBJ_DOM", String::new(), extent, false)
+            whole("CO_OBJ_DOM", Extent::structure([Extent::WORD, Extent::WORD, Extent::POINTER]))
         }
-        Cell::Consumer { .. } => kind("CO_HBCONS", String::new(), consumer(), false),
-        _ => None,
-    }
+        Cell::Consumer { .. } => whole("CO_HBCONS", consumer()),
+        _ => return None,
+    })
 }
 
 /// `CO_HBCONS`: node, next, state, timer, time, node-ID, events.
@@ -349,7 +292,7 @@ fn is_zero(cell: &Cell, entry: &ResolvedEntry<'_>) -> bool {
         Cell::Bytes { bytes, .. } => bytes.is_empty(), // preceded by their length
         Cell::Consumer { time, node_id } => (*time, *node_id) == (0, 0),
         Cell::Application => true,
-        _ => memory::is_zero(&entry.resolved.default),
+        _ => entry.resolved.default.is_zero(),
     }
 }
 

@@ -1,9 +1,8 @@
 //! Limits: the stack does not check them, so the tables contain a write function for this.
 
 use super::plan::Planned;
-use super::storage::bits;
 use crate::Note;
-use crate::model::{DataType, Field, Place, TypeKind};
+use crate::model::{DataType, Place, TypeKind};
 use crate::resolve::{Datum, Resolved, Shape};
 
 /// Objects written through functions of the stack: first and last index.
@@ -36,6 +35,15 @@ pub(super) struct Limited {
     pub(super) real: bool,
 }
 
+/// The number of objects with limits.
+pub(super) fn objects(limits: &[Limited]) -> usize {
+    limits.chunk_by(|row, next| row.index == next.index).count()
+}
+
+pub(super) fn has_real(limits: &[Limited]) -> bool {
+    limits.iter().any(|row| row.real)
+}
+
 /// The limits of an object, if they can be enforced; otherwise notes report them.
 pub(super) fn limited(
     object: &Planned<'_>,
@@ -45,7 +53,7 @@ pub(super) fn limited(
 ) -> Vec<Limited> {
     let members = object.members().filter(|member| {
         let resolved = &member.entry.resolved;
-        resolved.access.is_writable() && (resolved.low.is_some() || resolved.high.is_some())
+        resolved.access.is_writable() && resolved.limit().is_some()
     });
     let of_stack = is_of_stack(object.index);
     if enforce && !of_stack {
@@ -53,16 +61,13 @@ pub(super) fn limited(
             .filter_map(|member| row((object.index, position), member.entry.sub, &member.entry.resolved))
             .collect();
     }
-    notes.extend(members.map(|member| {
-        let resolved = &member.entry.resolved;
-        let field = if resolved.low.is_some() { Field::LowLimit } else { Field::HighLimit };
-        let place = Place::entry(object.index, member.entry.sub).field(field);
-        if of_stack {
-            Note::new(place, "the stack writes the object itself and does not enforce limits")
-        } else {
-            Note::new(place, "the stack does not enforce limits")
-                .help("use `--limits`, or reject the value in the application")
-        }
+    notes.extend(members.filter_map(|member| {
+        let place = Place::entry(object.index, member.entry.sub).field(member.entry.resolved.limit()?);
+        let help = "use `--limits`, or reject the value in the application";
+        Some(match of_stack {
+            true => Note::new(place, "the stack writes the object itself and does not enforce limits"),
+            false => Note::new(place, "the stack does not enforce limits").help(help),
+        })
     }));
     Vec::new()
 }
@@ -74,8 +79,8 @@ pub(super) fn is_of_stack(index: u16) -> bool {
 
 fn row((index, position): (u16, usize), sub: u8, resolved: &Resolved) -> Option<Limited> {
     let Shape::Word(data_type) = resolved.shape else { return None };
-    let number = |limit: &Option<Datum>| format!("0x{:X}ULL", limit.as_ref().map_or(0, bits));
-    let formula = |limit: &Option<Datum>| matches!(limit, Some(Datum::Formula(_)));
+    let number = |limit: &Option<Datum>| format!("0x{:X}ULL", limit.as_ref().map_or(0, Datum::word));
+    let formula = |limit: &Option<Datum>| limit.as_ref().is_some_and(Datum::is_formula);
     let flags = [
         ("LIMIT_LOW", resolved.low.is_some()),
         ("LIMIT_HIGH", resolved.high.is_some()),

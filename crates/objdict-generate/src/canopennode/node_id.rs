@@ -1,7 +1,6 @@
 //! Values that depend on the node-ID: those computed by the stack, and all others.
 
 use super::plan::Planned;
-use super::storage::bits;
 use crate::Note;
 use crate::dictionary::ResolvedEntry;
 use crate::model::Place;
@@ -28,7 +27,7 @@ pub(super) fn applied(object: &Planned<'_>, prefix: &str) -> Vec<Applied> {
     members
         .map(|member| {
             let variable = object.variable(prefix, member);
-            let base = bits(&member.entry.resolved.default);
+            let base = member.entry.resolved.default.word();
             let suffix = if base > u64::from(u32::MAX) - 0x7F { "ULL" } else { "U" };
             Applied {
                 variable,

@@ -35,7 +35,7 @@ pub(super) fn of_object(object: &Planned<'_>, notes: &mut Vec<Note>) {
         let place = Place::entry(object.index, member.entry.sub);
         let texts = [text(member), octets(member), other(member)];
         notes.extend(texts.into_iter().flatten().map(|note| Note { place: place.clone(), ..note }));
-        if object.index == 0x1003 && has_errors(&member.entry.resolved.default) {
+        if object.index == 0x1003 && !member.entry.resolved.default.is_zero() {
             notes.push(Note::new(place.clone(), "the error history is empty when the stack starts"));
         }
         let stack = member.entry.entry.stack.as_deref();
@@ -43,14 +43,6 @@ pub(super) fn of_object(object: &Planned<'_>, notes: &mut Vec<Note>) {
             let note = Note::new(place.clone(), "the tables have no room for `CO_flagsPDO`");
             notes.push(note.help("attach an extension in the application and call `OD_requestTPDO`"));
         }
-    }
-}
-
-/// Whether a default of the error history contains errors.
-fn has_errors(default: &Datum) -> bool {
-    match default {
-        Datum::Word(word) | Datum::Formula(word) => *word != 0,
-        Datum::Bytes(bytes) => bytes.iter().any(|&byte| byte != 0),
     }
 }
 

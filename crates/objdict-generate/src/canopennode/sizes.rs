@@ -3,7 +3,7 @@
 use super::plan::{Layout, Member, Planned};
 use super::storage::Storage;
 use super::view::Tables;
-use crate::SizeReport;
+use crate::Sizes;
 use crate::dictionary::Dictionary;
 use crate::memory::{Extent, Memory, Tally};
 
@@ -37,7 +37,8 @@ fn limit() -> Extent {
     Extent::structure([bound, bound, Extent::HALF, Extent::HALF, Extent::BYTE, Extent::BYTE, Extent::BYTE])
 }
 
-pub(super) fn report(dictionary: &Dictionary<'_>, objects: &[Planned<'_>], tables: &Tables) -> SizeReport {
+pub(super) fn report(dictionary: &Dictionary<'_>, tables: &Tables<'_>) -> Sizes {
+    let objects = &tables.objects;
     let mut tally = Tally::of_dictionary(dictionary);
     for group in groups(objects) {
         let members: Vec<_> = group
@@ -61,11 +62,11 @@ pub(super) fn report(dictionary: &Dictionary<'_>, objects: &[Planned<'_>], table
     for hook in &tables.hooks {
         tally.of(hook.index, Memory::Initialised, extension().size);
     }
-    if let Some(limits) = tables.limits.as_ref().filter(|limits| !limits.rows.is_empty()) {
-        for row in &limits.rows {
+    if let Some(limits) = tables.limits.as_ref().filter(|limits| !limits.is_empty()) {
+        for row in limits {
             tally.of(row.index, Memory::Flash, limit().size);
         }
-        for rows in limits.rows.chunk_by(|row, next| row.index == next.index) {
+        for rows in limits.chunk_by(|row, next| row.index == next.index) {
             tally.of(rows[0].index, Memory::Zeroed, extension().size);
         }
         tally.rest(Memory::Zeroed, Extent::BYTE.size); // the node-ID

@@ -25,7 +25,7 @@ impl Storage {
     pub(super) fn new(entry: &ResolvedEntry<'_>, is_stored: bool) -> Self {
         let resolved = &entry.resolved;
         let (type_, elements, length, value) = match (resolved.shape, &resolved.default) {
-            (Shape::Word(data_type), default) => word(data_type, bits(default)),
+            (Shape::Word(data_type), default) => word(data_type, default.word()),
             (Shape::Bytes(data_type, room), Datum::Bytes(bytes)) => {
                 let has_room =
                     entry.entry.stack.as_ref().is_some_and(|stack| stack.min_string_length > Some(0));
@@ -53,14 +53,6 @@ impl Storage {
 
 /// Type, elements, length and initialiser.
 type Kept = (Option<&'static str>, Option<usize>, usize, Vec<String>);
-
-/// The number of a word; without the node-ID if it is added.
-pub(super) fn bits(datum: &Datum) -> u64 {
-    match datum {
-        Datum::Word(word) | Datum::Formula(word) => *word,
-        Datum::Bytes(_) => 0,
-    }
-}
 
 fn word(data_type: DataType, word: u64) -> Kept {
     let length = data_type.byte_length().map_or(0, usize::from);
@@ -111,7 +103,7 @@ fn not_finite(number: f64) -> &'static str {
 
 /// Whether a number is a NaN other than that of math.h; its other bits are lost.
 pub(super) fn is_odd_nan(resolved: &Resolved) -> bool {
-    let word = bits(&resolved.default);
+    let word = resolved.default.word();
     match resolved.shape {
         Shape::Word(DataType::REAL32) => {
             f32::from_bits(word as u32).is_nan() && word as u32 != f32::NAN.to_bits()
@@ -171,7 +163,7 @@ fn letter(byte: u8) -> String {
 
 fn attribute(entry: &ResolvedEntry<'_>, type_: Option<&str>) -> String {
     let resolved = &entry.resolved;
-    let sdo = match (resolved.access.is_readable(), resolved.access.is_writable()) {
+    let sdo = match resolved.sdo() {
         (true, true) => "ODA_SDO_RW",
         (true, false) => "ODA_SDO_R",
         (false, true) => "ODA_SDO_W",

@@ -1,54 +1,37 @@
 //! View of templates/canopennode/OD.h and OD.c.
 
-use askama::Template;
-
 use super::config::config;
 use super::hooks::{Hooked, hooked};
-use super::limits::{Limited, limited};
+use super::limits::{self, Limited, limited};
 use super::node_id::{Applied, applied};
-use super::plan::{Layout, Member, Planned};
+use super::plan::{Layout, Member, Planned, plan};
 use super::storage::Storage;
 use crate::dictionary::Dictionary;
 use crate::escape::filters;
+use crate::head::{Head, files};
 use crate::{Note, Options};
 use objdict_model::canopennode::Counters;
 
-/// The header.
-#[derive(Template)]
-#[template(path = "canopennode/OD.h", escape = "none")]
-pub(super) struct Header<'a> {
-    pub(super) tables: &'a Tables,
-}
-
-/// The source.
-#[derive(Template)]
-#[template(path = "canopennode/OD.c", escape = "none")]
-pub(super) struct Source<'a> {
-    pub(super) tables: &'a Tables,
-}
-
-/// Data common to both files.
-pub(super) struct Tables {
-    made_by: String,
-    product: String,
-    vendor: String,
+/// What the files have.
+pub(super) struct Tables<'a> {
+    head: Head,
     /// The prefix of identifiers.
-    prefix: String,
-    /// Labels with their number of objects.
-    counters: Vec<(String, usize)>,
+    pub(super) prefix: String,
+    counters: Counters,
     groups: Vec<GroupView>,
-    objects: Vec<ObjectView>,
+    pub(super) objects: Vec<Planned<'a>>,
     applied: Vec<Applied>,
     /// Objects with an extension of the application.
     pub(super) hooks: Vec<Hooked>,
     /// `None` if limits are not enforced.
-    pub(super) limits: Option<Limits>,
-    /// Whether math.h is needed.
-    math: bool,
-    /// Whether 1016h exists, which the stack always refers to.
-    has_consumers: bool,
-    /// Members of the stack's configuration with their values.
-    config: Vec<(&'static str, String)>,
+    pub(super) limits: Option<Vec<Limited>>,
+}
+
+files! {
+    #[derive(askama::Template)]
+    pub(super) Tables:
+    Header "canopennode/OD.h"
+    Source "canopennode/OD.c"
 }
 
 /// A storage group: the variables of its objects.
@@ -65,72 +48,50 @@ struct FieldView {
     initialiser: String,
 }
 
-/// An object in the list.
-struct ObjectView {
-    index: u16,
-    /// `2000_setpoint`.
-    name: String,
-    /// Empty if there is none.
-    cname: String,
-    /// The number of elements, if the stack requires it.
-    count: Option<usize>,
-    /// Number of entries including sub-index 0.
-    entries: usize,
-    /// `VAR`, `ARR` or `REC`.
-    kind: &'static str,
-    /// The suffix of the member in `ODObjs_t`.
-    dimension: String,
-    /// The lines of the initialiser between the braces.
-    lines: Vec<String>,
-}
-
-/// Entries with limits and the extensions that enforce them.
-pub(super) struct Limits {
-    pub(super) rows: Vec<Limited>,
-    /// Number of objects with limits.
-    pub(super) objects: usize,
-    real: bool,
-}
-
-impl Tables {
+impl<'a> Tables<'a> {
     pub(super) fn new(
-        dictionary: &Dictionary<'_>,
-        objects: &[Planned<'_>],
+        dictionary: &'a Dictionary<'a>,
         options: &Options,
-        prefix: &str,
+        prefix: String,
         notes: &mut Vec<Note>,
     ) -> Self {
-        let info = dictionary.device.device_info.clone().unwrap_or_default();
-        let counters = Counters::new(dictionary.objects.iter().map(|object| (object.index, object.object)));
-        let mut limits = Limits { rows: Vec::new(), objects: 0, real: false };
-        for (position, object) in objects.iter().enumerate() {
-            let rows = limited(object, position, options.limits, notes);
-            limits.objects += usize::from(!rows.is_empty());
-            limits.real |= rows.iter().any(|row| row.real);
-            limits.rows.extend(rows);
-        }
-        let not_finite = |number: &String| number.ends_with("NAN") || number.ends_with("INFINITY");
-        let mut members = objects.iter().flat_map(Planned::members);
+        let objects = plan(dictionary, options, notes);
+        let numbered = objects.iter().enumerate();
+        let limits: Vec<Limited> = numbered
+            .flat_map(|(position, object)| limited(object, position, options.limits, notes))
+            .collect();
         Self {
-            made_by: options.made_by(),
-            product: info.product_name.unwrap_or_default(),
-            vendor: info.vendor_name.unwrap_or_default(),
-            prefix: prefix.to_owned(),
-            counters: counters.iter().map(|(label, count)| (label.to_owned(), count)).collect(),
-            groups: groups(objects, prefix),
-            objects: objects.iter().map(|object| object_view(object, prefix)).collect(),
-            applied: objects.iter().flat_map(|object| applied(object, prefix)).collect(),
-            hooks: hooked(objects, options, notes),
+            head: Head::new(dictionary.device, options, &prefix, &prefix),
+            counters: Counters::new(dictionary.objects.iter().map(|object| (object.index, object.object))),
+            groups: groups(&objects, &prefix),
+            applied: objects.iter().flat_map(|object| applied(object, &prefix)).collect(),
+            hooks: hooked(&objects, options, notes),
             limits: options.limits.then_some(limits),
-            math: members.any(|member| member.storage.value.iter().any(not_finite)),
-            has_consumers: objects.iter().any(|object| object.index == 0x1016),
-            config: config(&counters, objects, prefix),
+            prefix,
+            objects,
         }
     }
 
     /// Whether a value is set byte by byte.
     fn sets_bytes(&self) -> bool {
         self.applied.iter().any(|applied| applied.type_.is_none())
+    }
+
+    /// Whether math.h is needed.
+    fn has_math(&self) -> bool {
+        let not_finite = |number: &String| number.ends_with("NAN") || number.ends_with("INFINITY");
+        let mut members = self.objects.iter().flat_map(Planned::members);
+        members.any(|member| member.storage.value.iter().any(not_finite))
+    }
+
+    /// Whether 1016h exists, which the stack always refers to.
+    fn has_consumers(&self) -> bool {
+        self.objects.iter().any(|object| object.index == 0x1016)
+    }
+
+    /// Members of the stack's configuration with their values.
+    fn config(&self) -> Vec<(&'static str, String)> {
+        config(&self.counters, &self.objects, &self.prefix)
     }
 }
 
@@ -219,24 +180,33 @@ fn braced(values: &[String], indent: &str) -> String {
     format!("{{\n{}\n    {indent}}}", lines.join(",\n"))
 }
 
-fn object_view(object: &Planned<'_>, prefix: &str) -> ObjectView {
-    let (kind, dimension, lines) = match &object.layout {
-        Layout::Var(member) => ("VAR", String::new(), var_lines(object, member, prefix)),
-        Layout::Array(sub0, elements) => ("ARR", String::new(), array_lines(object, sub0, elements, prefix)),
-        Layout::Record(members) => {
-            let lines = members.iter().map(|member| record_line(object, member, prefix)).collect();
-            ("REC", format!("[{}]", members.len()), lines)
+impl Planned<'_> {
+    /// The kind of the object in the stack, in its list and as a type.
+    fn kind(&self) -> (&'static str, &'static str) {
+        match &self.layout {
+            Layout::Var(_) => ("VAR", "var"),
+            Layout::Array(..) => ("ARR", "array"),
+            Layout::Record(_) => ("REC", "record"),
         }
-    };
-    ObjectView {
-        index: object.index,
-        name: object.name(),
-        cname: object.cname.clone(),
-        count: object.count,
-        entries: object.members().count(),
-        kind,
-        dimension,
-        lines,
+    }
+
+    /// The suffix of the member in `ODObjs_t`.
+    fn dimension(&self) -> String {
+        match &self.layout {
+            Layout::Record(members) => format!("[{}]", members.len()),
+            _ => String::new(),
+        }
+    }
+
+    /// The lines of the initialiser between the braces.
+    fn lines(&self, prefix: &str) -> Vec<String> {
+        match &self.layout {
+            Layout::Var(member) => var_lines(self, member, prefix),
+            Layout::Array(sub0, elements) => array_lines(self, sub0, elements, prefix),
+            Layout::Record(members) => {
+                members.iter().map(|member| record_line(self, member, prefix)).collect()
+            }
+        }
     }
 }
 

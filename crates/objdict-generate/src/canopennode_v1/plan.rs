@@ -2,11 +2,11 @@
 
 use std::collections::HashSet;
 
-use super::cell::{Cell, Location, NAMES, c_type};
+use super::cell::{Cell, Location, NAMES, NUMBERS};
 use super::notes;
 use super::special::{self, FAMILIES, Family, Form, IDENTITY, NAMED, named};
-use crate::c_code::number;
-use crate::c_words::is_reserved;
+use crate::c_code::{assignment, number_type};
+use crate::c_words::{distinct, is_reserved};
 use crate::canopennode::names::{Members, cname};
 use crate::canopennode::node_id::stack_adds;
 use crate::dictionary::{Dictionary, ResolvedEntry, ResolvedObject};
@@ -125,7 +125,7 @@ struct Builder<'a> {
     plan: Plan,
 }
 
-impl Builder<'_> {
+impl<'a> Builder<'a> {
     fn object(&mut self, object: &ResolvedObject<'_>) {
         for entry in &object.entries {
             notes::of_entry(object.index, entry, self.dictionary.node_id, self.notes);
@@ -172,17 +172,7 @@ impl Builder<'_> {
             (_, true) => plain,
             _ => format!("{plain}_{index:04X}"),
         };
-        let mut candidate = plain.clone();
-        for number in 1_u32.. {
-            if self.names.insert(candidate.clone()) {
-                break;
-            }
-            candidate = match number {
-                1 => format!("{plain}_{index:04X}"),
-                _ => format!("{plain}_{index:04X}_{number}"),
-            };
-        }
-        candidate
+        distinct(&mut self.names, plain, &format!("{index:04X}"))
     }
 
     /// The value of an entry, with the node-ID where the stack does not add it.
@@ -202,21 +192,9 @@ impl Builder<'_> {
 
     /// Notes the statement that adds the node-ID to a variable.
     fn formula(&mut self, object: &ResolvedObject<'_>, entry: &ResolvedEntry<'_>, variable: &str) {
-        let (Datum::Formula(offset), Shape::Word(data_type)) =
-            (&entry.resolved.default, entry.resolved.shape)
-        else {
-            return;
-        };
-        if is_added(object.index, entry.sub, *offset) {
-            return;
+        if !is_added(object.index, entry.sub, entry.resolved.default.word()) {
+            self.plan.formulas.extend(assignment(&entry.resolved, variable, NUMBERS, "CO_OD_store"));
         }
-        self.plan.formulas.push(match (c_type(data_type), number(*offset, data_type)) {
-            (Some(c_type), Some(number)) => format!("{variable} = ({c_type})({number} + nodeId);"),
-            _ => {
-                let size = entry.resolved.shape.size();
-                format!("CO_OD_store({variable}, UINT64_C(0x{offset:X}) + nodeId, {size}u);")
-            }
-        });
     }
 
     fn alias(&mut self, name: String, value: String) {
@@ -331,13 +309,8 @@ impl Builder<'_> {
     /// The arrays of structures of the stack; objects that are missing between others are not valid.
     fn families(&mut self) {
         for (at, family) in FAMILIES.iter().enumerate() {
-            let objects: Vec<&ResolvedObject<'_>> = self
-                .dictionary
-                .objects
-                .iter()
-                .filter(|object| (family.first..=family.last).contains(&object.index))
-                .collect();
-            let highest = objects.last().map_or(0, |object| usize::from(object.index - family.first) + 1);
+            let highest =
+                self.objects(family).last().map_or(0, |object| usize::from(object.index - family.first) + 1);
             self.plan.counts[at] = highest.max(usize::from(family.needed));
         }
         // the stack has as many mappings as PDOs
@@ -351,14 +324,17 @@ impl Builder<'_> {
         }
     }
 
+    fn objects(&self, family: &Family) -> impl Iterator<Item = &'a ResolvedObject<'a>> {
+        let (first, last) = (family.first, family.last);
+        self.dictionary.objects.iter().filter(move |object| (first..=last).contains(&object.index))
+    }
+
     fn family(&mut self, family: &'static Family, count: usize) {
-        let objects = self.dictionary.objects.iter();
-        let objects: Vec<_> =
-            objects.filter(|object| (family.first..=family.last).contains(&object.index)).collect();
-        let location = objects.first().map_or(Location::Rom, |object| Location::of(object, self.options));
+        let location =
+            self.objects(family).next().map_or(Location::Rom, |object| Location::of(object, self.options));
         let type_name = format!("OD_{}_t", family.name);
         let member = |field: &special::Field| {
-            format!("{} {}", c_type(field.data_type).unwrap_or("UNSIGNED32"), field.name)
+            format!("{} {}", number_type(field.data_type, NUMBERS).unwrap_or_default(), field.name)
         };
         let members = family.fields.iter().map(member).collect();
         self.plan.types.push(StructType { index: family.first, name: type_name.clone(), members });
@@ -369,10 +345,10 @@ impl Builder<'_> {
         let mut extents = Vec::new();
         for number in 0..count {
             let index = family.first + u16::try_from(number).unwrap_or(0); // at most 512
-            let object = objects.iter().find(|object| object.index == index);
+            let object = self.dictionary.object(index);
             extents.push((object.map(|object| object.index), structure(family)));
             let path = format!("CO_OD_{}.{}[{number}]", location.name(), family.name);
-            let values = self.element(family, object.copied(), (location, &path));
+            let values = self.element(family, object, (location, &path));
             elements.push(format!("{{{}}}", values.join(", ")));
         }
         self.plan.variables.push(Variable {
@@ -427,38 +403,27 @@ impl Builder<'_> {
 
     /// Variables that the stack refers to and the description lacks.
     fn missing(&mut self) {
+        let of = |data_type: DataType| number_type(data_type, NUMBERS).unwrap_or_default();
         for named in &NAMED {
             if self.macros.contains(&format!("OD_{}", named.name)) {
                 continue;
             }
-            let (c_type, suffix, value, extent) = match named.form {
-                Form::Value(data_type, value) => {
-                    (c_type(data_type), String::new(), format!("0x{value:X}u"), data_type)
-                }
-                Form::List(data_type, least) => {
-                    (c_type(data_type), format!("[{least}]"), "{0}".to_owned(), data_type)
-                }
-                Form::Octets(least) => {
-                    (Some("OCTET_STRING"), format!("[{least}]"), "{0}".to_owned(), DataType::UNSIGNED8)
-                }
+            let (c_type, count, value, behind) = match named.form {
+                Form::Value(data_type, value) => (of(data_type), None, format!("0x{value:X}u"), ""),
+                Form::List(data_type, least) => (of(data_type), Some(least), "{0}".to_owned(), "array"),
+                Form::Octets(least) => ("OCTET_STRING".to_owned(), Some(least), "{0}".to_owned(), "string"),
             };
-            let count = match named.form {
-                Form::Value(..) => 1,
-                Form::List(_, least) | Form::Octets(least) => least,
-            };
-            let size = usize::from(extent.byte_length().unwrap_or(1));
+            let suffix = count.map(|count| format!("[{count}]")).unwrap_or_default();
             self.plan.variables.push(Variable {
                 index: named.index,
                 location: Location::Ram,
-                declaration: format!("{} {}{suffix}", c_type.unwrap_or("UNSIGNED32"), named.name),
+                declaration: format!("{c_type} {}{suffix}", named.name),
                 initializer: value,
-                extents: vec![(None, Extent::number(size).times(count))],
+                extents: vec![(None, Extent::of_c(&c_type).times(count.unwrap_or(1)))],
             });
             self.alias(format!("OD_{}", named.name), format!("CO_OD_RAM.{}", named.name));
-            match named.form {
-                Form::Value(..) => {}
-                Form::List(..) => self.alias(format!("ODL_{}_arrayLength", named.name), count.to_string()),
-                Form::Octets(_) => self.alias(format!("ODL_{}_stringLength", named.name), count.to_string()),
+            if let Some(count) = count {
+                self.alias(format!("ODL_{}_{behind}Length", named.name), count.to_string());
             }
         }
     }
@@ -467,14 +432,11 @@ impl Builder<'_> {
         let device = self.dictionary.device;
         let has = |index| u8::from(device.object(index).is_some());
         let info = device.device_info.as_ref();
-        let identity = self.dictionary.objects.iter().find(|object| object.index == 0x1018);
-        let is_whole = identity.is_some_and(|object| {
-            (1..=4).all(|sub| {
-                object.entries.iter().any(|entry| {
-                    entry.sub == sub && entry.resolved.shape == Shape::Word(DataType::UNSIGNED32)
-                })
-            })
-        });
+        let is_number = |sub| {
+            let entry = self.dictionary.entry(0x1018, sub);
+            entry.is_some_and(|entry| entry.resolved.shape == Shape::Word(DataType::UNSIGNED32))
+        };
+        let is_whole = (1..=4).all(is_number);
         self.plan.sync = has(0x1005);
         self.plan.time = has(0x1012);
         self.plan.lss = u8::from(is_whole && info.is_some_and(|info| info.lss_supported == Some(true)));

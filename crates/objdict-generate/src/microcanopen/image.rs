@@ -62,10 +62,10 @@ impl Image {
                 if !belongs(object.index, entry) {
                     continue;
                 }
-                if resolved.low.is_some() || resolved.high.is_some() {
+                if resolved.limit().is_some() {
                     notes.push(Note::new(place.clone(), "the stack does not enforce limits"));
                 }
-                if matches!(resolved.default, Datum::Formula(_)) {
+                if resolved.default.is_formula() {
                     let text = "the node-ID is added once, when the image is initialised, as `OD_NODE_ID`";
                     let text = text.replace("OD", &prefix.to_ascii_uppercase());
                     notes.push(Note::new(place, text));

@@ -27,7 +27,7 @@ pub(super) struct Od<'a> {
     /// Size of the longest value in bytes.
     max_size: usize,
     /// Size of the array of values in bytes.
-    ram: usize,
+    pub(super) ram: usize,
     objects: Objects<'a>,
     groups: Vec<GroupView<'a>>,
     /// Size of the longest value that a hook may reject, if an entry has one.

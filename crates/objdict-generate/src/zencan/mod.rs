@@ -14,43 +14,22 @@ mod view;
 
 use super::dictionary::Dictionary;
 use super::notes::{in_order, once_per_object};
-use super::{Backend, Choice, GenerateError, Generated, Note, Options, Sizes, render};
+use super::{GenerateError, Made, Note, Options, Sizes, render};
 use crate::model::{Device, Place};
 use answers::Answers;
 
-/// A device configuration for zencan.
-pub(super) struct Zencan;
-
-impl Backend for Zencan {
-    fn name(&self) -> &'static str {
-        "zencan"
-    }
-
-    fn summary(&self) -> &'static str {
-        "one device configuration (.toml) for the crate zencan-build 0.0.5"
-    }
-
-    fn uses(&self) -> &'static [Choice] {
-        &[Choice::Names, Choice::Renamed, Choice::Groups, Choice::StringCapacity]
-    }
-
-    fn generate(&self, device: &Device, options: &Options) -> Result<Generated, GenerateError> {
-        // a DOMAIN needs no capacity and no note about it: the application provides it
-        let room = Options { domain_capacity: 1, ..options.clone() };
-        let dictionary = Dictionary::new(device, &room)?;
-        let mut maker = Maker::new(&dictionary, &room);
-        let config = maker.config();
-        let mut notes = std::mem::take(&mut maker.notes);
-        notes.extend(maker.answers.differences(&dictionary));
-        notes.extend(dictionary.notes.iter().cloned());
-        let notes = once_per_object(in_order(notes));
-        let file = render(format!("{}.toml", options.file_stem), &config)?;
-        Ok(Generated { files: vec![file], notes })
-    }
-
-    fn size(&self, _: &Device, _: &Options) -> Result<Sizes, GenerateError> {
-        Ok(Sizes::Unknown("the crate zencan-build generates the tables from the file"))
-    }
+pub(super) fn make(device: &Device, options: &Options) -> Result<Made, GenerateError> {
+    // a DOMAIN needs no capacity and no note about it: the application provides it
+    let room = Options { domain_capacity: 1, ..options.clone() };
+    let dictionary = Dictionary::new(device, &room)?;
+    let mut maker = Maker::new(&dictionary, &room);
+    let config = maker.config();
+    let mut notes = std::mem::take(&mut maker.notes);
+    notes.extend(maker.answers.differences(&dictionary));
+    notes.extend(dictionary.notes.iter().cloned());
+    let file = render(format!("{}.toml", options.file_stem), &config)?;
+    let size = Sizes::Unknown("the crate zencan-build generates the tables from the file");
+    Ok(Made { files: vec![file], notes: once_per_object(in_order(notes)), size })
 }
 
 /// Builds a configuration, the SDO answers of zencan, and notes.

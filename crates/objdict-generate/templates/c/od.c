@@ -1,7 +1,7 @@
 /*
- * {{ table.made_by }}; do not edit.
+ * {{ table.head.made_by }}; do not edit.
  *
- * Object dictionary of {{ table.product|c_comment }} by {{ table.vendor|c_comment }}.
+ * Object dictionary of {{ table.head.product|c_comment }} by {{ table.head.vendor|c_comment }}.
  */
 #include "{{ lower }}.h"
 

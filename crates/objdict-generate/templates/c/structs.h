@@ -1,8 +1,8 @@
 /**
  * @file
- * {{ plain.table.made_by }}; do not edit.
+ * {{ plain.table.head.made_by }}; do not edit.
  *
- * Object dictionary of {{ plain.table.product|doxygen }} by {{ plain.table.vendor|doxygen }}.
+ * Object dictionary of {{ plain.table.head.product|doxygen }} by {{ plain.table.head.vendor|doxygen }}.
  *
  * {{ plain.lower }}_entries is an array of structures, one per entry; {{ plain.lower }}_data contains the variable values.
  */

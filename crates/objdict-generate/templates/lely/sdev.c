@@ -59,7 +59,7 @@ static const struct co_sobj {{ head.lower }}_objects[] = {
 };
 
 const struct co_sdev {{ head.lower }}_sdev = {
-{%- for (member, value) in head.members %}
+{%- for (member, value) in self.members() %}
     .{{ member }} = {{ value }},
 {%- endfor %}
     .nobj = {{ objects.len() }}u,

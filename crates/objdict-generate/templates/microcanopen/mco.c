@@ -18,7 +18,7 @@ UNSIGNED8 MEM_CONST SDOResponseTable[] = {
 
 /* Entries of the process image, with an end mark. */
 OD_PROCESS_DATA_ENTRY MEM_CONST gODProcTable[] = {
-{%- for entry in entries %}
+{%- for entry in image.entries %}
     ODENTRY(0x{{ entry.index|hex4 }}, 0x{{ entry.sub|hex2 }}, {{ entry.flags() }}, P_{{ entry.name }}_OFF),
 {%- endfor %}
     ODENTRY(0xFFFF, 0xFF, 0xFF, 0xFF)
@@ -31,7 +31,7 @@ void {{ head.lower }}_init_image(void)
     for (at = 0; at < PROCIMG_SIZE; at++) {
         gProcImg[at] = 0;
     }
-{%- for (offset, value) in defaults %}
+{%- for (offset, value) in self.defaults() %}
     gProcImg[{{ offset }}] = {{ value }};
 {%- endfor %}
 }
@@ -39,10 +39,7 @@ void {{ head.lower }}_init_image(void)
 /* Initialises the PDOs; call it in MCOUSER_ResetCommunication() after MCO_Init(). */
 void {{ head.lower }}_init_pdos(void)
 {
-{%- for call in tpdos %}
-    {{ call }}
-{%- endfor %}
-{%- for call in rpdos %}
+{%- for call in self.statements() %}
     {{ call }}
 {%- endfor %}
 }

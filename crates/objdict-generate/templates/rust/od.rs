@@ -1,6 +1,6 @@
-// {{ table.made_by }}; do not edit.
+// {{ table.head.made_by }}; do not edit.
 //
-// Object dictionary of {{ table.product|code_span }} by {{ table.vendor|code_span }}.
+// Object dictionary of {{ table.head.product|code_span }} by {{ table.head.vendor|code_span }}.
 //
 // `Data` contains the variable values: `get` and `set` take the constants of this file, `read` and
 // `write` index and sub-index, as an SDO does. The file {% if runtime %}depends on `objdict-device`{% else %}has no dependencies{% endif %} and needs no standard
