@@ -1,8 +1,7 @@
 //! Numbers, bytes and texts in C syntax, shared by all C targets.
 
-use std::fmt::Write;
-
 use super::Options;
+use super::escape::c_string;
 use super::names::words;
 use super::resolve::{Datum, Resolved, Shape};
 use crate::model::{DataType, TypeKind};
@@ -145,21 +144,7 @@ pub(crate) fn literal(bytes: &[u8]) -> Option<String> {
     if bytes.len() > LONGEST_LITERAL {
         return None;
     }
-    let mut text = String::with_capacity(bytes.len() + 2);
-    text.push('"');
-    let plain = |byte: &u8| matches!(byte, b' '..=b'~') && !matches!(byte, b'"' | b'\\' | b'?');
-    let (start, rest) = bytes.split_at(bytes.iter().position(|byte| !plain(byte)).unwrap_or(bytes.len()));
-    text.push_str(str::from_utf8(start).unwrap_or_default()); // ASCII
-    for &byte in rest {
-        match byte {
-            b'"' | b'\\' | b'?' => text.extend(['\\', char::from(byte)]), // `?`: no trigraphs
-            b' '..=b'~' => text.push(char::from(byte)),
-            _ => {
-                let _ = write!(text, "\\{byte:03o}"); // writing to a String cannot fail
-            }
-        }
-    }
-    Some(text + "\"")
+    Some(format!("\"{}\"", c_string(bytes)))
 }
 
 #[cfg(test)]

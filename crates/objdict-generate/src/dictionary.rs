@@ -116,7 +116,7 @@ impl Dictionary<'_> {
 }
 
 /// Resolves an object with its entries; `None`, with a note, if a table cannot contain any of them.
-fn resolve<'a>(
+pub(crate) fn resolve<'a>(
     resolver: &mut Resolver<'_>,
     options: &'a Options,
     index: u16,

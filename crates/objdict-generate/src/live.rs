@@ -1,6 +1,7 @@
 //! The entries of a device as the generated tables have them, for programs that serve a description without compiling it.
 
 use super::Options;
+use super::dictionary::{self, ResolvedEntry};
 use super::gaps;
 use super::resolve::{Datum, Resolver};
 use crate::model::{DataType, Device};
@@ -38,13 +39,9 @@ pub fn live_entries(device: &Device, node_id: u8, options: &Options) -> Vec<Live
     let (device, _) = gaps::filled(device);
     let mut resolver = Resolver::new(&device, options);
     let mut entries = Vec::new();
-    let is_there = |disabled: Option<bool>| disabled != Some(true);
     for (&index, object) in &device.objects {
-        if !is_there(object.main.stack.as_ref().and_then(|stack| stack.disabled)) {
-            continue;
-        }
-        for (sub, entry) in object.entries() {
-            let Some(resolved) = resolver.entry(object, index, sub, &entry) else { continue };
+        let object = dictionary::resolve(&mut resolver, options, index, object);
+        for ResolvedEntry { sub, resolved, .. } in object.into_iter().flat_map(|object| object.entries) {
             let word = |datum: &Datum| datum.on_node(Some(node_id));
             let size = resolved.shape.size();
             entries.push(LiveEntry {

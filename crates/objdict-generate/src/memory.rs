@@ -6,7 +6,6 @@
 //! code copies it.
 
 use super::dictionary::Dictionary;
-use super::resolve::Datum;
 use super::size::{ObjectSize, Size, SizeReport, Sizes};
 use super::variables::Definition;
 
@@ -73,9 +72,9 @@ pub(crate) enum Memory {
 }
 
 impl Memory {
-    /// The RAM section for these initial values.
-    pub(crate) fn of_values<'a>(defaults: impl IntoIterator<Item = &'a Datum>) -> Self {
-        if defaults.into_iter().all(Datum::is_zero) { Self::Zeroed } else { Self::Initialised }
+    /// The RAM section for initial values, which may all be zero.
+    pub(crate) fn of_values(are_zero: bool) -> Self {
+        if are_zero { Self::Zeroed } else { Self::Initialised }
     }
 }
 

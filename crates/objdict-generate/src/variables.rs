@@ -113,11 +113,7 @@ impl Definition {
     }
 
     pub(crate) fn memory(&self) -> Memory {
-        match (self.is_constant(), self.is_zero) {
-            (true, _) => Memory::Flash,
-            (false, true) => Memory::Zeroed,
-            (false, false) => Memory::Initialised,
-        }
+        if self.is_constant() { Memory::Flash } else { Memory::of_values(self.is_zero) }
     }
 }
 

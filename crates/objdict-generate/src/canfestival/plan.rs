@@ -53,19 +53,8 @@ pub(super) const NUMBERS: [&str; 3] = ["UNS", "INTEGER", "REAL"];
 
 /// The macro of a data type.
 fn type_macro(shape: Shape) -> String {
-    match shape.data_type().unwrap_or(DataType::OCTET_STRING).kind() {
-        TypeKind::Boolean => "boolean".to_owned(),
-        TypeKind::Signed(bits) => format!("int{bits}"),
-        TypeKind::Unsigned(bits) => format!("uint{bits}"),
-        TypeKind::Real32 => "real32".to_owned(),
-        TypeKind::Real64 => "real64".to_owned(),
-        TypeKind::VisibleString => "visible_string".to_owned(),
-        TypeKind::UnicodeString => "unicode_string".to_owned(),
-        TypeKind::TimeOfDay => "time_of_day".to_owned(),
-        TypeKind::TimeDifference => "time_difference".to_owned(),
-        TypeKind::Domain => "domain".to_owned(),
-        _ => "octet_string".to_owned(),
-    }
+    let name = shape.data_type().and_then(DataType::name).unwrap_or("OCTET_STRING").to_ascii_lowercase();
+    name.replace("integer", "int").replace("unsigned", "uint")
 }
 
 impl Plan {

@@ -37,6 +37,6 @@ pub(super) fn report(dictionary: &Dictionary<'_>, plan: &Plan, slots: &Slots) ->
     tally.rest(Memory::Flash, ranges.size + half.size + byte.size); // with their number, and the role of the node
     tally.rest(Memory::Zeroed, word.size); // what a row without a value refers to
     let node_id = dictionary.node_id.unwrap_or(0);
-    tally.rest(if node_id == 0 { Memory::Zeroed } else { Memory::Initialised }, byte.size);
+    tally.rest(Memory::of_values(node_id == 0), byte.size);
     tally.report(COUNTED)
 }

@@ -30,7 +30,7 @@ pub(super) fn report(tables: &Tables<'_>) -> Sizes {
         let members: Vec<_> =
             group.members.iter().map(|member| (Some(member.index), member.extent())).collect();
         let is_zero = group.members.iter().all(|member| member.is_zero);
-        tally.structure(if is_zero { Memory::Zeroed } else { Memory::Initialised }, &members);
+        tally.structure(Memory::of_values(is_zero), &members);
         tally.structure(Memory::Flash, &members); // the defaults
     }
     for &(index, memory, bytes) in &layout.taken {

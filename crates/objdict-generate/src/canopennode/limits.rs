@@ -22,15 +22,9 @@ const OF_STACK: [(u16, u16); 10] = [
 /// An entry with a limit.
 pub(super) struct Limited {
     pub(super) index: u16,
-    /// Position of the object in the list.
-    pub(super) position: usize,
-    pub(super) sub: u8,
-    /// Size of a value in bytes.
-    pub(super) length: usize,
-    /// The kind of value and its limits: macros of the source, or `0U`.
-    pub(super) flags: String,
-    pub(super) low: String,
-    pub(super) high: String,
+    /// Its row: limits, index, position of the object in the list, sub-index, size, and macros of the source for the kind of
+    /// the value and its limits.
+    pub(super) row: String,
     /// Whether it is a REAL.
     pub(super) real: bool,
 }
@@ -91,16 +85,10 @@ fn row((index, position): (u16, usize), sub: u8, resolved: &Resolved) -> Option<
         ("LIMIT_BYTES", is_bytes(data_type)),
     ];
     let flags: Vec<&str> = flags.into_iter().filter_map(|(flag, set)| set.then_some(flag)).collect();
-    Some(Limited {
-        index,
-        position,
-        sub,
-        length: resolved.shape.size(),
-        flags: flags.join(" | "),
-        low: number(&resolved.low),
-        high: number(&resolved.high),
-        real: is_real(data_type),
-    })
+    let (low, high, flags) = (number(&resolved.low), number(&resolved.high), flags.join(" | "));
+    let length = resolved.shape.size();
+    let row = format!("{low}, {high}, 0x{index:04X}, {position}, 0x{sub:02X}, {length}, {flags}");
+    Some(Limited { index, row, real: is_real(data_type) })
 }
 
 fn is_real(data_type: DataType) -> bool {

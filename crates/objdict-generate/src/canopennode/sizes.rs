@@ -1,7 +1,6 @@
 //! Size of the files in flash and RAM.
 
-use super::plan::{Layout, Member, Planned};
-use super::storage::Storage;
+use super::plan::Layout;
 use super::view::Tables;
 use crate::Sizes;
 use crate::dictionary::Dictionary;
@@ -38,16 +37,13 @@ fn limit() -> Extent {
 }
 
 pub(super) fn report(dictionary: &Dictionary<'_>, tables: &Tables<'_>) -> Sizes {
-    let objects = &tables.objects;
     let mut tally = Tally::of_dictionary(dictionary);
-    for group in groups(objects) {
-        let members: Vec<_> = group
-            .iter()
-            .flat_map(|object| variables(object).into_iter().map(|extent| (Some(object.index), extent)))
-            .collect();
-        tally.structure(memory(&group), &members);
+    for group in &tables.groups {
+        let members: Vec<_> = group.fields.iter().map(|field| (Some(field.index), field.extent)).collect();
+        let is_zero = group.fields.iter().all(|field| field.is_zero);
+        tally.structure(Memory::of_values(is_zero), &members);
     }
-    for object in objects {
+    for object in &tables.objects {
         let described = match &object.layout {
             Layout::Var(_) => entry(),
             Layout::Array(..) => array(),
@@ -72,42 +68,4 @@ pub(super) fn report(dictionary: &Dictionary<'_>, tables: &Tables<'_>) -> Sizes 
         tally.rest(Memory::Zeroed, Extent::BYTE.size); // the node-ID
     }
     tally.report(COUNTED)
-}
-
-/// The objects of each storage group.
-fn groups<'a>(objects: &'a [Planned<'a>]) -> Vec<Vec<&'a Planned<'a>>> {
-    let mut groups: Vec<Vec<&Planned<'_>>> = Vec::new();
-    for object in objects {
-        match groups.iter_mut().find(|group| group[0].group == object.group) {
-            Some(group) => group.push(object),
-            None => groups.push(vec![object]),
-        }
-    }
-    groups
-}
-
-/// The members of an object in the structure of its group.
-fn variables(object: &Planned<'_>) -> Vec<Extent> {
-    match &object.layout {
-        Layout::Var(member) => variable(&member.storage).into_iter().collect(),
-        Layout::Array(sub0, elements) => {
-            let first = elements.first().and_then(|element| variable(&element.storage));
-            let elements = first.map(|extent| extent.times(elements.len()));
-            variable(&sub0.storage).into_iter().chain(elements).collect()
-        }
-        Layout::Record(members) => {
-            vec![Extent::structure(members.iter().filter_map(|member| variable(&member.storage)))]
-        }
-    }
-}
-
-fn variable(storage: &Storage) -> Option<Extent> {
-    Some(Extent::of_c(storage.type_?).times(storage.elements.unwrap_or(1)))
-}
-
-/// The memory of a group's structure.
-fn memory(group: &[&Planned<'_>]) -> Memory {
-    let kept = |member: &&Member<'_>| member.storage.type_.is_some();
-    let members = group.iter().flat_map(|object| object.members()).filter(kept);
-    Memory::of_values(members.map(|member| &member.entry.resolved.default))
 }

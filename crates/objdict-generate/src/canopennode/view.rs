@@ -3,12 +3,13 @@
 use super::config::config;
 use super::hooks::{Hooked, hooked};
 use super::limits::{self, Limited, limited};
-use super::node_id::{Applied, applied};
+use super::node_id::applied;
 use super::plan::{Layout, Member, Planned, plan};
 use super::storage::Storage;
 use crate::dictionary::Dictionary;
 use crate::escape::filters;
 use crate::head::{Head, files};
+use crate::memory::Extent;
 use crate::{Note, Options};
 use objdict_model::canopennode::Counters;
 
@@ -18,9 +19,10 @@ pub(super) struct Tables<'a> {
     /// The prefix of identifiers.
     pub(super) prefix: String,
     counters: Counters,
-    groups: Vec<GroupView>,
+    pub(super) groups: Vec<GroupView>,
     pub(super) objects: Vec<Planned<'a>>,
-    applied: Vec<Applied>,
+    /// Statements that add the node-ID.
+    applied: Vec<String>,
     /// Objects with an extension of the application.
     pub(super) hooks: Vec<Hooked>,
     /// `None` if limits are not enforced.
@@ -35,17 +37,20 @@ files! {
 }
 
 /// A storage group: the variables of its objects.
-struct GroupView {
+pub(super) struct GroupView {
     name: String,
-    fields: Vec<FieldView>,
+    pub(super) fields: Vec<FieldView>,
 }
 
 /// A member of a group's struct.
-struct FieldView {
+pub(super) struct FieldView {
+    pub(super) index: u16,
     /// The complete declaration; several lines for a record.
     declaration: String,
     /// `.x1000_deviceType = 0x00000000`; several lines for a record.
     initialiser: String,
+    pub(super) extent: Extent,
+    pub(super) is_zero: bool,
 }
 
 impl<'a> Tables<'a> {
@@ -74,7 +79,7 @@ impl<'a> Tables<'a> {
 
     /// Whether a value is set byte by byte.
     fn sets_bytes(&self) -> bool {
-        self.applied.iter().any(|applied| applied.type_.is_none())
+        self.applied.iter().any(|applied| applied.starts_with("setBytes("))
     }
 
     /// Whether math.h is needed.
@@ -113,34 +118,40 @@ fn groups(objects: &[Planned<'_>], prefix: &str) -> Vec<GroupView> {
 }
 
 fn fields(object: &Planned<'_>, prefix: &str) -> Vec<FieldView> {
+    let index = object.index;
     let name = format!("x{}", object.name());
     match &object.layout {
-        Layout::Var(member) => field(&name, "", &member.storage).into_iter().collect(),
+        Layout::Var(member) => field(index, &name, "", member).into_iter().collect(),
         Layout::Array(sub0, elements) => {
-            let sub0 = field(&format!("{name}_sub0"), "", &sub0.storage);
+            let sub0 = field(index, &format!("{name}_sub0"), "", sub0);
             sub0.into_iter().chain(elements_field(object, prefix, &name, elements)).collect()
         }
         Layout::Record(members) => {
-            let fields: Vec<FieldView> =
-                members.iter().filter_map(|member| field(&member.name, "    ", &member.storage)).collect();
-            if fields.is_empty() {
-                return Vec::new();
-            }
+            let fields = members.iter().filter_map(|member| field(index, &member.name, "    ", member));
+            let fields: Vec<FieldView> = fields.collect();
             let lines = |line: fn(&FieldView) -> &str, end: &str| {
                 fields.iter().map(|field| format!("        {}{end}\n", line(field))).collect::<String>()
             };
-            vec![FieldView {
+            let record = FieldView {
+                index,
                 declaration: format!("struct {{\n{}    }} {name}", lines(|field| &field.declaration, ";")),
                 initialiser: format!(".{name} = {{\n{}    }}", lines(|field| &field.initialiser, ",")),
-            }]
+                extent: Extent::structure(fields.iter().map(|field| field.extent)),
+                is_zero: fields.iter().all(|field| field.is_zero),
+            };
+            if fields.is_empty() { Vec::new() } else { vec![record] }
         }
     }
 }
 
-fn field(name: &str, indent: &str, storage: &Storage) -> Option<FieldView> {
+fn field(index: u16, name: &str, indent: &str, member: &Member<'_>) -> Option<FieldView> {
+    let storage = &member.storage;
     Some(FieldView {
+        index,
         declaration: format!("{} {name}{}", storage.type_?, storage.dimension()),
         initialiser: format!(".{name} = {}", value(storage, indent)),
+        extent: Extent::of_c(storage.type_?).times(storage.elements.unwrap_or(1)),
+        is_zero: member.entry.resolved.default.is_zero(),
     })
 }
 
@@ -151,12 +162,14 @@ fn elements_field(
     name: &str,
     elements: &[Member<'_>],
 ) -> Option<FieldView> {
-    let first = &elements.first()?.storage;
-    let (type_, dimension) = (first.type_?, first.dimension());
+    let index = object.index;
+    let first = field(index, &format!("{name}[{prefix}_CNT_ARR_{index:04X}]"), "    ", elements.first()?)?;
     let values: Vec<String> = elements.iter().map(|element| value(&element.storage, "    ")).collect();
     Some(FieldView {
-        declaration: format!("{type_} {name}[{prefix}_CNT_ARR_{:04X}]{dimension}", object.index),
         initialiser: format!(".{name} = {}", braced(&values, "")),
+        extent: first.extent.times(elements.len()),
+        is_zero: elements.iter().all(|element| element.entry.resolved.default.is_zero()),
+        ..first
     })
 }
 

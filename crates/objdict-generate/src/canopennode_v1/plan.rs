@@ -333,10 +333,10 @@ impl<'a> Builder<'a> {
         let location =
             self.objects(family).next().map_or(Location::Rom, |object| Location::of(object, self.options));
         let type_name = format!("OD_{}_t", family.name);
-        let member = |field: &special::Field| {
+        let member = |field: special::Field| {
             format!("{} {}", number_type(field.data_type, NUMBERS).unwrap_or_default(), field.name)
         };
-        let members = family.fields.iter().map(member).collect();
+        let members = family.fields().map(member).collect();
         self.plan.types.push(StructType { index: family.first, name: type_name.clone(), members });
         if count == 0 {
             return;
@@ -368,8 +368,8 @@ impl<'a> Builder<'a> {
         object: Option<&ResolvedObject<'_>>,
         (location, path): (Location, &str),
     ) -> Vec<String> {
-        let missing = |field: &special::Field| format!("0x{:X}u", family.missing(field));
-        let mut values: Vec<String> = family.fields.iter().map(missing).collect();
+        let missing = |field: special::Field| format!("0x{:X}u", family.missing(&field));
+        let mut values: Vec<String> = family.fields().map(missing).collect();
         let Some(object) = object else { return values };
         let mut rows: Vec<RecordRow> = Vec::new();
         for entry in &object.entries {
@@ -453,7 +453,7 @@ fn is_added(index: u16, sub: u8, value: u64) -> bool {
 /// The structure of a family.
 fn structure(family: &Family) -> Extent {
     let size = |data_type: DataType| Extent::number(usize::from(data_type.byte_length().unwrap_or(4)));
-    Extent::structure(family.fields.iter().map(|field| size(field.data_type)))
+    Extent::structure(family.fields().map(|field| size(field.data_type)))
 }
 
 /// The row of an entry.

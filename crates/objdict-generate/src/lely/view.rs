@@ -5,7 +5,7 @@ use crate::c_code::literal;
 use crate::dictionary::{Dictionary, ResolvedEntry, ResolvedObject};
 use crate::escape::{c_text, filters, shown};
 use crate::head::{Head, files};
-use crate::model::{Access, DataType, Entry, ObjectType, Place, TypeKind};
+use crate::model::{Access, DataType, Entry, Place, TypeKind};
 use crate::resolve::{Datum, Shape};
 use crate::{Note, Options};
 
@@ -27,6 +27,7 @@ files! {
 /// An object: a `struct co_sobj`.
 pub(super) struct SdevObject {
     index: u16,
+    /// The object type.
     code: &'static str,
     name: String,
     rows: Vec<SdevRow>,
@@ -125,25 +126,12 @@ pub(super) fn objects(
         }
         SdevObject {
             index: object.index,
-            code: code(object.object.object_type()),
+            code: object.object.object_type().name(),
             name: if names { text(name_of(&object.object.main)) } else { "NULL".to_owned() },
             rows: rows(object, default, notes),
         }
     });
     objects.collect()
-}
-
-/// The object type in the library.
-fn code(object_type: ObjectType) -> &'static str {
-    match object_type {
-        ObjectType::Null => "CO_OBJECT_NULL",
-        ObjectType::Domain => "CO_OBJECT_DOMAIN",
-        ObjectType::DefType => "CO_OBJECT_DEFTYPE",
-        ObjectType::DefStruct => "CO_OBJECT_DEFSTRUCT",
-        ObjectType::Array => "CO_OBJECT_ARRAY",
-        ObjectType::Record => "CO_OBJECT_RECORD",
-        ObjectType::Var => "CO_OBJECT_VAR",
-    }
 }
 
 /// The denotation, else the name.
@@ -210,21 +198,16 @@ fn file_of(entry: &Entry, data_type: DataType) -> Option<(&'static str, &str)> {
 
 /// The library demands the access type that fits the direction.
 fn access_of_file(flag: &str) -> &'static str {
-    if flag == UPLOAD { "RO" } else { "WO" }
+    if flag == UPLOAD { "ro" } else { "wo" }
 }
 
 /// The access type, which states for a `rw` entry which PDOs map it.
 fn access(entry: &ResolvedEntry<'_>) -> &'static str {
     let resolved = &entry.resolved;
     match (resolved.access, resolved.tpdo, resolved.rpdo) {
-        (Access::Rw, true, false) => "RWR",
-        (Access::Rw, false, true) => "RWW",
-        (Access::Ro, ..) => "RO",
-        (Access::Wo, ..) => "WO",
-        (Access::Rw, ..) => "RW",
-        (Access::Rwr, ..) => "RWR",
-        (Access::Rww, ..) => "RWW",
-        (Access::Const, ..) => "CONST",
+        (Access::Rw, true, false) => Access::Rwr.name(),
+        (Access::Rw, false, true) => Access::Rww.name(),
+        (access, ..) => access.name(),
     }
 }
 

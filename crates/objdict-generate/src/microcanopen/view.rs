@@ -13,7 +13,7 @@ use crate::resolve::Datum;
 pub(super) struct Tables<'a> {
     pub(super) head: Head,
     pub(super) dictionary: &'a Dictionary<'a>,
-    pub(super) image: Image,
+    pub(super) image: Image<'a>,
     pub(super) calls: Vec<Call>,
     pub(super) replies: Vec<Reply>,
 }
@@ -49,26 +49,21 @@ impl Tables<'_> {
     }
 
     /// The entries by their offsets.
-    fn placed(&self) -> Vec<&ImageEntry> {
-        let mut entries: Vec<&ImageEntry> = self.image.entries.iter().collect();
+    fn placed(&self) -> Vec<&ImageEntry<'_>> {
+        let mut entries: Vec<&ImageEntry<'_>> = self.image.entries.iter().collect();
         entries.sort_by_key(|entry| entry.offset);
         entries
     }
 }
 
-impl ImageEntry {
+impl ImageEntry<'_> {
     fn place(&self) -> usize {
         self.offset.unwrap_or(0) // all are placed before they are shown
     }
 
     fn flags(&self) -> String {
-        let mut flags = self.size.to_string();
-        for (flag, set) in [("ODRD", self.read), ("ODWR", self.write)] {
-            if set {
-                flags = format!("{flags} | {flag}");
-            }
-        }
-        flags
+        let (read, write) = self.entry.resolved.sdo();
+        format!("{}{}{}", self.size, if read { " | ODRD" } else { "" }, if write { " | ODWR" } else { "" })
     }
 
     /// The bytes with a non-zero initial value.
@@ -77,7 +72,7 @@ impl ImageEntry {
             0 => format!("P_{}_OFF", self.name),
             _ => format!("P_{}_OFF + {at}", self.name),
         };
-        match &self.default {
+        match &self.entry.resolved.default {
             Datum::Formula(base) => (0..self.size)
                 .map(|at| (offset(at), format!("((0x{base:X}L + {node_id}) >> {}) & 0xFF", 8 * at)))
                 .collect(),

@@ -77,12 +77,8 @@ void {{ od }}_applyNodeId(uint8_t nodeId)
     (void)nodeId;
 {%- else %}
     const uint32_t id = nodeId & 0x7FU;
-{%- for applied in applied %}
-{%- if let Some(type_) = applied.type_ %}
-    {{ applied.variable }} = ({{ type_ }})({{ applied.base }} + id);
-{%- else %}
-    setBytes(&{{ applied.variable }}[0], {{ applied.length }}, {{ applied.base }} + id);
-{%- endif %}
+{%- for statement in applied %}
+    {{ statement }}
 {%- endfor %}
 {%- endif %}
 }

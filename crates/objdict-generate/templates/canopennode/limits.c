@@ -31,7 +31,7 @@ typedef struct {
 
 static CO_PROGMEM Limit_t limits[] = {
 {%- for row in limits %}
-    { {{- row.low }}, {{ row.high }}, 0x{{ row.index|hex4 }}, {{ row.position }}, 0x{{ row.sub|hex2 }}, {{ row.length }}, {{ row.flags }}},
+    { {{- row.row }}},
 {%- endfor %}
 };
 

@@ -19,7 +19,7 @@ UNSIGNED8 MEM_CONST SDOResponseTable[] = {
 /* Entries of the process image, with an end mark. */
 OD_PROCESS_DATA_ENTRY MEM_CONST gODProcTable[] = {
 {%- for entry in image.entries %}
-    ODENTRY(0x{{ entry.index|hex4 }}, 0x{{ entry.sub|hex2 }}, {{ entry.flags() }}, P_{{ entry.name }}_OFF),
+    ODENTRY(0x{{ entry.index|hex4 }}, 0x{{ entry.entry.sub|hex2 }}, {{ entry.flags() }}, P_{{ entry.name }}_OFF),
 {%- endfor %}
     ODENTRY(0xFFFF, 0xFF, 0xFF, 0xFF)
 };

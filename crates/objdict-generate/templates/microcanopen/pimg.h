@@ -18,7 +18,7 @@
 
 /* Offsets in the process image; values are little-endian. */
 {%- for entry in self.placed() %}
-#define P_{{ entry.name }}_OFF {{ entry.place() }} /* {{ entry.index|hex4 }}h sub-index {{ entry.sub|hex2 }}h, {{ entry.size }} byte{% if entry.size != 1 %}s{% endif %}: {{ entry.described|c_comment }} */
+#define P_{{ entry.name }}_OFF {{ entry.place() }} /* {{ entry.index|hex4 }}h sub-index {{ entry.entry.sub|hex2 }}h, {{ entry.size }} byte{% if entry.size != 1 %}s{% endif %}: {{ entry.entry.entry.name|c_comment }} */
 {%- endfor %}
 
 /* Size of the process image in bytes, at least one. */
