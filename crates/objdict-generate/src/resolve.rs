@@ -373,6 +373,11 @@ impl<'a> Resolver<'a> {
     }
 }
 
+/// Whether values are a TIME_OF_DAY or a TIME_DIFFERENCE.
+pub(crate) fn is_time(data_type: DataType) -> bool {
+    matches!(data_type.kind(), TypeKind::TimeOfDay | TypeKind::TimeDifference)
+}
+
 /// Whether a number is above another one of its type.
 fn is_above(left: u64, right: u64, data_type: DataType) -> bool {
     match data_type.kind() {

@@ -19,6 +19,7 @@ use std::fmt;
 use super::dictionary::{Dictionary, ResolvedEntry, ResolvedObject};
 use super::head::Head;
 use super::hooks;
+use super::memory::Extent;
 use super::names::{Scope, words};
 use super::resolve::{Datum, Resolved, Shape};
 use super::rom;
@@ -103,6 +104,13 @@ pub(crate) struct TableField {
     pub(crate) group: Option<usize>,
 }
 
+impl TableField {
+    /// Its size in C.
+    pub(crate) fn extent(&self) -> Extent {
+        Extent::of(self.shape).times(if self.array { self.rows.len() } else { 1 })
+    }
+}
+
 impl Row {
     /// The flags, named as in the templates.
     pub(crate) fn flags(&self) -> impl Iterator<Item = &'static str> {
@@ -155,8 +163,8 @@ impl Table {
     }
 
     /// The path of a value in the struct of values: `persist_comm.speed[1]`.
-    pub(crate) fn place(&self, slot: Slot) -> FieldPath<'_> {
-        FieldPath { table: self, slot }
+    pub(crate) fn place(&self, slot: &Slot) -> FieldPath<'_> {
+        FieldPath { table: self, slot: *slot }
     }
 
     /// The members of a group's struct, or the members of the struct of values without a group.

@@ -23,7 +23,7 @@ pub(super) fn identifiers(device: &Device, options: &Options) -> Result<Vec<Iden
     let (prefix, module) = (options.prefix_or("od")?, options.module_or("od")?);
     let table = Table::new(device, options)?;
     let facts = view::Facts::new(device, &table, options, &mut Vec::new());
-    let header = view::Header::new(&table, &prefix, &facts);
+    let header = view::Tables::new(&table, &prefix, &facts);
     let mut identifiers = Vec::with_capacity(table.objects.len() + table.rows.len());
     for view::ObjectView { object, name, entries } in &header.objects {
         let mut add = |sub: Option<u8>, constant: &str, name: &str| {
@@ -50,24 +50,20 @@ pub(super) fn make(device: &Device, options: &Options) -> Result<Made, GenerateE
     notes.extend(freeze_mappings(&mut table, "`--hook` allows it"));
     let frames = frames(device, &table, &mut notes);
     let facts = view::Facts::new(device, &table, options, &mut notes);
-    let (header, source) = (format!("{prefix}.h"), format!("{prefix}.c"));
-    let names = options.entry_names;
-    let (mut files, size) = match options.table {
+    let tables = view::Tables::new(&table, &prefix, &facts);
+    let (header, source, size) = match options.table {
         CTable::Compact => (
-            vec![
-                render(header, &view::Header::new(&table, &prefix, &facts))?,
-                render(source, &view::Source::new(&table, &prefix, names))?,
-            ],
-            rows::size(&table, names),
+            render(format!("{prefix}.h"), &view::Header(&tables))?,
+            render(format!("{prefix}.c"), &view::Source(&tables))?,
+            rows::size(&table, options.entry_names),
         ),
         CTable::Structs => (
-            vec![
-                render(header, &structs::StructsHeader::new(&table, &prefix, &facts, names))?,
-                render(source, &structs::StructsSource::new(&table, &prefix, names))?,
-            ],
-            structs::size(&table, &prefix, names),
+            render(format!("{prefix}.h"), &view::StructsHeader(&tables))?,
+            render(format!("{prefix}.c"), &view::StructsSource(&tables))?,
+            structs::size(&table, &prefix, options.entry_names),
         ),
     };
+    let mut files = vec![header, source];
     if options.table == CTable::Structs && has_hooks(&table) {
         let text = "an array of structures has no functions that could call hooks";
         let note = Note::new(Place::device(), text);

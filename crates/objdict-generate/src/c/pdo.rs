@@ -5,7 +5,7 @@ use crate::escape::filters;
 use crate::frames::{Carried, Frame, FrameField};
 use crate::head::files;
 use crate::model::{DataType, TypeKind};
-use crate::resolve::{Datum, Shape};
+use crate::resolve::{Datum, Shape, is_time};
 use crate::table::{Row, Table};
 
 /// What the files have.
@@ -59,26 +59,14 @@ impl<'a> Pdos<'a> {
         Self { lower: prefix, upper: prefix.to_ascii_uppercase(), table, frames }
     }
 
-    /// Whether a number of such a type is in a frame.
-    fn uses(&self, is_it: fn(TypeKind) -> bool) -> bool {
+    /// Whether a number of a kind is in a frame.
+    fn uses(&self, kind: TypeKind) -> bool {
         let mut fields = self.frames.iter().flat_map(|view| &view.fields);
-        fields.any(|view| matches!(view.field.carried, Carried::Number(number) if is_it(number.kind())))
+        fields.any(|view| matches!(view.field.carried, Carried::Number(number) if number.kind() == kind))
     }
 
-    fn real32(&self) -> bool {
-        self.uses(|kind| kind == TypeKind::Real32)
-    }
-
-    fn real64(&self) -> bool {
-        self.uses(|kind| kind == TypeKind::Real64)
-    }
-
-    fn signed(&self) -> bool {
-        self.uses(|kind| matches!(kind, TypeKind::Signed(_)))
-    }
-
-    fn time(&self) -> bool {
-        self.uses(is_time)
+    fn uses_signs(&self) -> bool {
+        self.frames.iter().flat_map(|view| &view.fields).any(|view| view.field.is_signed())
     }
 }
 
@@ -105,7 +93,7 @@ fn field_view<'a>(table: &'a Table, prefix: &str, field: &'a FrameField) -> Fiel
     let row = &table.rows[field.row];
     let name = &field.name;
     let member = format!("pdo->{name}");
-    let place = row.slot.map(|slot| format!("data->{}", table.place(slot)));
+    let place = row.slot.as_ref().map(|slot| format!("data->{}", table.place(slot)));
     let (first, bits) = (field.first, field.bits);
     let taken = format!("{prefix}_lowest(number >> {first}, {bits}u)");
     match field.carried {
@@ -159,7 +147,7 @@ fn conversions(data_type: DataType, prefix: &str, member: &str, taken: &str, bit
         TypeKind::Real64 => {
             (format!("{prefix}_from_real64({member})"), format!("{prefix}_to_real64({taken})"))
         }
-        kind if is_time(kind) => {
+        _ if is_time(data_type) => {
             (format!("{prefix}_from_time({member})"), format!("{prefix}_to_time({taken})"))
         }
         _ => (member.to_owned(), format!("({type_}){taken}")),
@@ -167,11 +155,7 @@ fn conversions(data_type: DataType, prefix: &str, member: &str, taken: &str, bit
 }
 
 fn type_of(data_type: DataType, prefix: &str) -> String {
-    if is_time(data_type.kind()) { format!("{prefix}_time_t") } else { word_type(data_type).to_owned() }
-}
-
-fn is_time(kind: TypeKind) -> bool {
-    matches!(kind, TypeKind::TimeOfDay | TypeKind::TimeDifference)
+    if is_time(data_type) { format!("{prefix}_time_t") } else { word_type(data_type).to_owned() }
 }
 
 /// The value of an entry in flash.
@@ -190,7 +174,7 @@ fn constant(data_type: DataType, prefix: &str, default: &Datum) -> String {
         }
         (TypeKind::Real32, Datum::Word(word)) => format!("{prefix}_to_real32(0x{word:X}u)"),
         (TypeKind::Real64, Datum::Word(word)) => format!("{prefix}_to_real64(UINT64_C(0x{word:X}))"),
-        (kind, Datum::Word(word)) if is_time(kind) => format!("{prefix}_to_time(UINT64_C(0x{word:X}))"),
+        (_, Datum::Word(word)) if is_time(data_type) => format!("{prefix}_to_time(UINT64_C(0x{word:X}))"),
         (_, Datum::Word(word)) => format!("({type_})UINT64_C(0x{word:X})"),
         (_, Datum::Bytes(_)) => "0".to_owned(), // bytes have other shapes
     }

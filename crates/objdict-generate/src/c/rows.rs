@@ -3,10 +3,9 @@
 use std::collections::HashMap;
 
 use super::view::{flags, type_name};
-use crate::memory::Extent;
-use crate::size::{Layout, element_size, ram};
+use crate::Sizes;
+use crate::memory::{Extent, Layout, ram};
 use crate::table::Table;
-use crate::{SizeReport, Sizes};
 
 /// The types of the numbers in rows, each as narrow as the device allows, and what rows have in common.
 pub(super) struct Rows {
@@ -69,12 +68,12 @@ pub(super) fn size(table: &Table, names: bool) -> Sizes {
         object: Extent::structure([Extent::HALF, Extent::number(rows.first / 8)]).size,
         shared: Extent::HALF.times(rows.kinds.len()).size,
         ram: ram(table),
-        value: element_size,
+        value: |shape| Extent::of(shape).size,
         code: 0,
         name: names.then_some((4, 1)), // a pointer of 32 bits, and the zero
         counted: "the tables and values, on any processor that aligns numbers to their size; without code",
     };
-    Sizes::Known(SizeReport::of_table(table, layout))
+    layout.size(table)
 }
 
 /// The bits of an unsigned type for numbers up to this one.

@@ -15,10 +15,10 @@ pub(super) use literal::{value_of, word_type};
 use super::defaults::constants;
 use super::frames::{frames, freeze_mappings};
 use super::meanings::meanings;
+use super::memory::Layout;
 use super::notes::in_order;
-use super::size::Layout;
 use super::table::Table;
-use super::{GenerateError, Made, Options, SizeReport, Sizes, render};
+use super::{GenerateError, Made, Options, render};
 use crate::model::Device;
 
 /// Bytes of `Data::new`, `read` and `write` with everything they call, for a device that needs all of it.
@@ -50,6 +50,6 @@ pub(super) fn make(device: &Device, options: &Options) -> Result<Made, GenerateE
         name: options.entry_names.then_some((8, 0)), // a slice on 32 bits
         counted: "the tables and values, on any processor; the code on a Cortex-M4, optimised for size",
     };
-    let size = Sizes::Known(SizeReport::of_table(&table, layout));
+    let size = layout.size(&table);
     Ok(Made { files: vec![file], notes: in_order(notes), size })
 }

@@ -10,13 +10,16 @@ mod fixed;
 mod object;
 mod pdo;
 mod value;
-mod view;
 
 use super::dictionary::Dictionary;
+use super::escape::filters;
 use super::notes::{in_order, once_per_object};
 use super::{GenerateError, Made, Note, Options, Sizes, render};
-use crate::model::{Device, Place};
+use crate::model::{CobId, Device, Place};
 use answers::Answers;
+use fixed::Settings;
+use object::{ObjectContent, ObjectView};
+use pdo::Pdos;
 
 pub(super) fn make(device: &Device, options: &Options) -> Result<Made, GenerateError> {
     // a DOMAIN needs no capacity and no note about it: the application provides it
@@ -30,6 +33,17 @@ pub(super) fn make(device: &Device, options: &Options) -> Result<Made, GenerateE
     let file = render(format!("{}.toml", options.file_stem), &config)?;
     let size = Sizes::Unknown("the crate zencan-build generates the tables from the file");
     Ok(Made { files: vec![file], notes: once_per_object(in_order(notes)), size })
+}
+
+/// The file.
+#[derive(askama::Template)]
+#[template(path = "zencan/device.toml", escape = "none")]
+struct Config {
+    made_by: String,
+    settings: Settings,
+    stores: bool,
+    pdos: Pdos,
+    objects: Vec<ObjectView>,
 }
 
 /// Builds a configuration, the SDO answers of zencan, and notes.
@@ -48,7 +62,7 @@ impl<'a> Maker<'a> {
         Self { dictionary, options, stores, answers: Answers::default(), notes: Vec::new() }
     }
 
-    fn config(&mut self) -> view::Config {
+    fn config(&mut self) -> Config {
         let dictionary = self.dictionary;
         let mut written = Vec::new();
         for object in &dictionary.objects {
@@ -65,10 +79,9 @@ impl<'a> Maker<'a> {
             }
             written.push(self.object(object));
         }
-        let head = self.head();
-        let pdos = self.pdos();
+        let (settings, pdos) = (self.settings(), self.pdos());
         self.persistence();
-        view::Config { made_by: self.options.made_by(), head, pdos, objects: written }
+        Config { made_by: self.options.made_by(), settings, stores: self.stores, pdos, objects: written }
     }
 
     fn note(&mut self, place: impl Into<Place>, text: impl Into<String>) {
