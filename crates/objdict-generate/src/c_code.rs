@@ -3,7 +3,7 @@
 use super::Options;
 use super::escape::c_string;
 use super::names::words;
-use super::resolve::{Datum, Resolved, Shape};
+use super::resolve::{Datum, Resolved, Shape, digits};
 use crate::model::{DataType, TypeKind};
 
 /// Longer texts are written as bytes, because C99 compilers need not support longer literals (§5.2.4.1).
@@ -52,14 +52,8 @@ pub(crate) fn number(word: u64, data_type: DataType) -> Option<String> {
         TypeKind::Signed(bits) => signed(word as i64, bits), // same bits: sign-extended
         TypeKind::Unsigned(64) => format!("UINT64_C({word:#X})"),
         TypeKind::Unsigned(17..) => format!("0x{word:08X}u"),
-        TypeKind::Real32 => {
-            let real = f32::from_bits(word as u32); // a REAL32 has 32 bits
-            return real.is_finite().then(|| format!("{real:?}f"));
-        }
-        TypeKind::Real64 => {
-            let real = f64::from_bits(word);
-            return real.is_finite().then(|| format!("{real:?}"));
-        }
+        TypeKind::Real32 => digits(word, data_type)? + "f",
+        TypeKind::Real64 => digits(word, data_type)?,
         _ => format!("{word}u"),
     })
 }

@@ -176,12 +176,7 @@ fn name_of(table: &Table, row: &Row) -> String {
             None => field.clone(),
         };
     }
-    let object = table.objects.iter().find(|object| object.index == row.index);
-    match object {
-        Some(object) if object.single => object.module.clone(),
-        Some(object) => format!("{}_{}", object.module, row.constant),
-        None => row.constant.clone(),
-    }
+    table.words_of(row)
 }
 
 #[cfg(test)]

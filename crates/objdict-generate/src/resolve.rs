@@ -373,6 +373,16 @@ impl<'a> Resolver<'a> {
     }
 }
 
+/// The shortest digits of a REAL in C and Rust; `None` if it is not finite.
+pub(crate) fn digits(word: u64, data_type: DataType) -> Option<String> {
+    if data_type.kind() == TypeKind::Real32 {
+        let real = f32::from_bits(word as u32); // a REAL32 has 32 bits
+        return real.is_finite().then(|| format!("{real:?}"));
+    }
+    let real = f64::from_bits(word);
+    real.is_finite().then(|| format!("{real:?}"))
+}
+
 /// Whether values are a TIME_OF_DAY or a TIME_DIFFERENCE.
 pub(crate) fn is_time(data_type: DataType) -> bool {
     matches!(data_type.kind(), TypeKind::TimeOfDay | TypeKind::TimeDifference)

@@ -24,8 +24,9 @@ use super::names::{Scope, words};
 use super::resolve::{Datum, Resolved, Shape};
 use super::rom;
 use super::stored::{Members, TableGroup};
+use super::variables::elements;
 use super::{GenerateError, Note, Options};
-use crate::model::{Access, DataType, Device, Object, ObjectType};
+use crate::model::{Access, DataType, Device, Object};
 
 /// A device's dictionary, ready for a template.
 #[derive(Debug)]
@@ -167,6 +168,15 @@ impl Table {
         FieldPath { table: self, slot: *slot }
     }
 
+    /// The source of identifiers for a row: the words of its object, and of the entry if there are others.
+    pub(crate) fn words_of(&self, row: &Row) -> String {
+        match self.objects.iter().find(|object| object.index == row.index) {
+            Some(object) if object.single => object.module.clone(),
+            Some(object) => format!("{}_{}", object.module, row.constant),
+            None => row.constant.clone(),
+        }
+    }
+
     /// The members of a group's struct, or the members of the struct of values without a group.
     pub(crate) fn members(&self, group: Option<usize>) -> impl Iterator<Item = &TableField> {
         self.fields.iter().filter(move |field| field.group == group)
@@ -288,20 +298,16 @@ impl Builder {
         }
     }
 
-    /// The rows that form an array: sub-index 1 and up without gaps, equal shapes, no constants.
+    /// The rows that form an array: no constants, of equal shapes.
     fn elements(&self, object: &Object, rows: std::ops::Range<usize>) -> std::ops::Range<usize> {
-        let table = &self.table.rows;
-        let start = rows.clone().find(|&at| table[at].sub > 0).unwrap_or(rows.end);
-        let none = rows.end..rows.end;
-        if object.object_type() != ObjectType::Array && object.compact.is_none() {
-            return none;
-        }
-        let Some(first) = table[..rows.end].get(start).filter(|row| row.sub == 1) else { return none };
-        let end = rows.end - usize::from(table[rows.end - 1].sub == 0xFF); // FFh: the structure of the object
-        let alike = table[start..end].iter().zip(1_u16..).all(|(row, sub)| {
-            u16::from(row.sub) == sub && !row.resolved.constant && row.resolved.shape == first.resolved.shape
-        });
-        if alike && first.resolved.shape.size() > 0 { start..end } else { none }
+        let of_object = &self.table.rows[rows.clone()];
+        let subs: Vec<u8> = of_object.iter().map(|row| row.sub).collect();
+        let kind = |at: usize| {
+            let resolved = &of_object[at].resolved;
+            (!resolved.constant && resolved.shape.size() > 0).then_some(resolved.shape)
+        };
+        let elements = elements(object, &subs, kind);
+        rows.start + elements.start..rows.start + elements.end
     }
 
     fn place_field(&mut self, object: &Object, name: &str, rows: std::ops::Range<usize>, array: bool) {

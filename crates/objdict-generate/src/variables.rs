@@ -5,7 +5,7 @@ use std::ops::Range;
 use super::dictionary::ResolvedObject;
 use super::memory::{Extent, Memory};
 use super::names::{LONGEST, Scope, clip, words};
-use crate::model::ObjectType;
+use crate::model::{Object, ObjectType};
 
 /// The type of a variable; variables of equal types can be elements of one array.
 #[derive(Clone, Debug, PartialEq)]
@@ -128,7 +128,8 @@ pub(crate) fn variables(
     for (number, object) in objects.iter().enumerate() {
         let types: Vec<Option<CType>> =
             (0..object.entries.len()).map(|entry| type_of(number, entry)).collect();
-        let elements = elements(object, &types);
+        let subs: Vec<u8> = object.entries.iter().map(|entry| entry.sub).collect();
+        let elements = elements(object.object, &subs, |at| types[at].clone());
         for (entry, type_) in types.into_iter().enumerate() {
             let (Some(type_), true) = (type_, entry <= elements.start || !elements.contains(&entry)) else {
                 continue;
@@ -145,18 +146,23 @@ pub(crate) fn variables(
     variables
 }
 
-/// The entries that form an array: sub-index 1 and up without gaps, all alike.
-fn elements(object: &ResolvedObject<'_>, types: &[Option<CType>]) -> Range<usize> {
-    let entries = &object.entries;
-    let none = entries.len()..entries.len();
-    if object.object.object_type() != ObjectType::Array && object.object.compact.is_none() {
+/// The entries that form an array: sub-index 1 and up without gaps, all of the same kind.
+pub(crate) fn elements<K: PartialEq>(
+    object: &Object,
+    subs: &[u8],
+    kind: impl Fn(usize) -> Option<K>,
+) -> Range<usize> {
+    let none = subs.len()..subs.len();
+    if object.object_type() != ObjectType::Array && object.compact.is_none() {
         return none;
     }
-    let Some(start) = entries.iter().position(|entry| entry.sub == 1) else { return none };
-    let end = entries.len() - usize::from(entries.last().is_some_and(|entry| entry.sub == 0xFF)); // FFh: the structure
-    let numbered = |(at, sub): (usize, u16)| u16::from(entries[at].sub) == sub;
-    let alike = (start..end).all(|at| types[at].is_some() && types[at] == types[start]);
-    if alike && (start..end).zip(1..).all(numbered) { start..end } else { none }
+    let Some(start) = subs.iter().position(|&sub| sub > 0).filter(|&start| subs[start] == 1) else {
+        return none;
+    };
+    let end = subs.len() - usize::from(subs.last() == Some(&0xFF)); // FFh: the structure of the object
+    let numbered = (start..end).zip(1_u16..).all(|(at, sub)| u16::from(subs[at]) == sub);
+    let first = kind(start);
+    if numbered && first.is_some() && (start..end).all(|at| kind(at) == first) { start..end } else { none }
 }
 
 /// An entry of an object by its number, or the whole object, that needs a name.

@@ -6,7 +6,7 @@ use askama::Template;
 
 use super::view::{macro_name, word_type};
 use crate::escape::filters;
-use crate::meanings::{EnumType, Named, WordPart, WordType};
+use crate::meanings::{self, EnumType, Named, WordPart, WordType};
 use crate::model::{DataType, TypeKind};
 use crate::names::{Scope, clip};
 
@@ -116,15 +116,8 @@ fn number(number: i128, data_type: DataType) -> String {
     }
 }
 
-/// The entries, the first few by name.
 fn entries(all: &[(u16, u8)]) -> String {
-    const SHOWN: usize = 8;
-    let shown = all.iter().take(SHOWN).map(|(index, sub)| format!("{index:04X}h sub-index {sub:02X}h"));
-    let mut text = shown.collect::<Vec<_>>().join(", ");
-    if all.len() > SHOWN {
-        text.push_str(&format!(" and {} more", all.len() - SHOWN));
-    }
-    text
+    meanings::entries(all, |index, sub| format!("{index:04X}h sub-index {sub:02X}h"))
 }
 
 fn word_view<'a>(of: &'a WordType, prefix: &str, macros: &mut Scope) -> WordView<'a> {

@@ -26,32 +26,30 @@ impl Row {
 
 /// The rows, by key.
 pub(super) fn rows(dictionary: &Dictionary<'_>, planned: &[Vec<Planned>], layout: &Layout) -> Vec<Row> {
-    let mut rows = Vec::new();
-    for (number, object) in dictionary.objects.iter().enumerate() {
-        for (at, entry) in object.entries.iter().enumerate() {
-            let planned = &planned[number][at];
-            let resolved = &entry.resolved;
-            let stack = object.object.main.stack.as_ref().or(entry.entry.stack.as_ref());
-            let detects_change = stack.is_some_and(|stack| stack.detects_change == Some(true));
-            let (read, write) = resolved.sdo();
-            let flags = Flags {
-                direct: matches!(planned.cell, Cell::Direct(_)),
-                node_id: planned.node_id,
-                triggers: detects_change && resolved.tpdo,
-                mappable: resolved.tpdo || resolved.rpdo,
-                read,
-                write,
-            };
-            rows.push(Row {
-                index: object.index,
-                sub: entry.sub,
-                flags: flags.name(),
-                type_: planned.type_,
-                data: layout.data[number][at].clone(),
-                name: entry.entry.name.to_string(),
-            });
+    let cells = planned.iter().flatten().zip(layout.data.iter().flatten());
+    let rows = dictionary.entries().zip(cells).map(|((object, entry), (planned, data))| {
+        let resolved = &entry.resolved;
+        let stack = object.object.main.stack.as_ref().or(entry.entry.stack.as_ref());
+        let detects_change = stack.is_some_and(|stack| stack.detects_change == Some(true));
+        let set = [
+            ('D', matches!(planned.cell, Cell::Direct(_))),
+            ('N', planned.node_id),
+            ('A', detects_change && resolved.tpdo),
+            ('P', resolved.tpdo || resolved.rpdo),
+            ('R', resolved.access.is_readable()),
+            ('W', resolved.access.is_writable()),
+        ];
+        let set: String = set.into_iter().filter_map(|(letter, is_set)| is_set.then_some(letter)).collect();
+        Row {
+            index: object.index,
+            sub: entry.sub,
+            flags: flags(&set),
+            type_: planned.type_,
+            data: data.clone(),
+            name: entry.entry.name.to_string(),
         }
-    }
+    });
+    let mut rows: Vec<Row> = rows.collect();
     if dictionary.object(0x1200).is_none() {
         rows.extend(default_sdo_server());
         rows.sort_by_key(|row| (row.index, row.sub));
@@ -74,45 +72,16 @@ fn default_sdo_server() -> impl Iterator<Item = Row> {
     .into_iter()
 }
 
-/// The flags of a row.
-#[derive(Clone, Copy)]
-struct Flags {
-    direct: bool,
-    node_id: bool,
-    triggers: bool,
-    mappable: bool,
-    read: bool,
-    write: bool,
-}
-
-impl Flags {
-    /// The macro of the stack, or several if none covers all of them.
-    fn name(self) -> String {
-        let lone = |letter: char, set: bool| if set { letter } else { '_' };
-        let mut missing = Vec::new();
-        let mut named = self;
-        if named.triggers && (named.direct || named.node_id || !named.mappable) {
-            missing.push("CO_OBJ___A___");
-            named.triggers = false;
-        }
-        if named.mappable && named.direct {
-            missing.push("CO_OBJ____P__");
-            named.mappable = false;
-        }
-        let name: String = [
-            lone('D', named.direct),
-            lone('N', named.node_id),
-            lone('A', named.triggers),
-            lone('P', named.mappable),
-            lone('R', named.read),
-            lone('W', named.write),
-        ]
-        .into_iter()
-        .collect();
-        let mut names = vec![format!("CO_OBJ_{name}")];
-        names.extend(missing.into_iter().map(str::to_owned));
-        names.join(" | ")
-    }
+/// The macro of the stack for flags, which are letters of its name, or several if none covers all of them.
+fn flags(set: &str) -> String {
+    let has = |letter| set.contains(letter);
+    let triggers = has('A') && (has('D') || has('N') || !has('P'));
+    let maps = has('P') && has('D');
+    let is_named = |letter| has(letter) && !(letter == 'A' && triggers || letter == 'P' && maps);
+    let name: String = "DNAPRW".chars().map(|letter| if is_named(letter) { letter } else { '_' }).collect();
+    let triggers = if triggers { " | CO_OBJ___A___" } else { "" };
+    let maps = if maps { " | CO_OBJ____P__" } else { "" };
+    format!("CO_OBJ_{name}{triggers}{maps}")
 }
 
 #[cfg(test)]
@@ -121,19 +90,10 @@ mod tests {
 
     #[test]
     fn flags_have_the_names_of_the_stack() {
-        let none = Flags {
-            direct: false,
-            node_id: false,
-            triggers: false,
-            mappable: false,
-            read: true,
-            write: false,
-        };
-        assert_eq!(none.name(), "CO_OBJ_____R_");
-        assert_eq!(Flags { write: true, mappable: true, triggers: true, ..none }.name(), "CO_OBJ___APRW");
-        assert_eq!(Flags { direct: true, node_id: true, ..none }.name(), "CO_OBJ_DN__R_");
-        assert_eq!(Flags { direct: true, mappable: true, ..none }.name(), "CO_OBJ_D___R_ | CO_OBJ____P__");
-        let all = Flags { node_id: true, mappable: true, triggers: true, ..none };
-        assert_eq!(all.name(), "CO_OBJ__N_PR_ | CO_OBJ___A___");
+        assert_eq!(flags("R"), "CO_OBJ_____R_");
+        assert_eq!(flags("RWPA"), "CO_OBJ___APRW");
+        assert_eq!(flags("DNR"), "CO_OBJ_DN__R_");
+        assert_eq!(flags("DPR"), "CO_OBJ_D___R_ | CO_OBJ____P__");
+        assert_eq!(flags("NPAR"), "CO_OBJ__N_PR_ | CO_OBJ___A___");
     }
 }

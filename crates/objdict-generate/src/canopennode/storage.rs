@@ -1,8 +1,9 @@
 //! Storage of a value in CANopenNode: type, length, attributes and initialiser in C.
 
+use crate::c_code::exact_type;
 use crate::dictionary::ResolvedEntry;
 use crate::model::{DataType, SrdoAccess, TypeKind};
-use crate::resolve::{Datum, Resolved, Shape};
+use crate::resolve::{Datum, Resolved, Shape, digits};
 
 /// Location and representation of a value.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -56,21 +57,26 @@ type Kept = (Option<&'static str>, Option<usize>, usize, Vec<String>);
 
 fn word(data_type: DataType, word: u64) -> Kept {
     let length = data_type.byte_length().map_or(0, usize::from);
-    let native = |type_, value: String| (Some(type_), None, length, vec![value]);
-    match data_type.kind() {
-        TypeKind::Boolean => native("bool_t", (word != 0).to_string()),
-        TypeKind::Unsigned(8) => native("uint8_t", format!("0x{word:02X}")),
-        TypeKind::Unsigned(16) => native("uint16_t", format!("0x{word:04X}")),
-        TypeKind::Unsigned(32) => native("uint32_t", format!("0x{word:08X}")),
-        TypeKind::Unsigned(64) => native("uint64_t", format!("0x{word:016X}")),
-        TypeKind::Signed(8) => native("int8_t", signed(word)),
-        TypeKind::Signed(16) => native("int16_t", signed(word)),
-        TypeKind::Signed(32) => native("int32_t", signed(word)),
-        TypeKind::Signed(64) => native("int64_t", signed(word)),
-        TypeKind::Real32 => native("float32_t", real32(f32::from_bits(word as u32))), // the lower half contains all bits
-        TypeKind::Real64 => native("float64_t", real64(f64::from_bits(word))),
-        _ => bytes(length, word.to_le_bytes().get(..length).unwrap_or_default()),
-    }
+    let type_ = match data_type.kind() {
+        TypeKind::Boolean => Some("bool_t"),
+        TypeKind::Real32 => Some("float32_t"),
+        TypeKind::Real64 => Some("float64_t"),
+        _ => exact_type(data_type),
+    };
+    let value = match data_type.kind() {
+        _ if type_.is_none() => return bytes(length, word.to_le_bytes().get(..length).unwrap_or_default()),
+        TypeKind::Boolean => (word != 0).to_string(),
+        TypeKind::Signed(_) => signed(word),
+        TypeKind::Real32 => digits(word, data_type).map_or_else(
+            || not_finite(f32::from_bits(word as u32).into()).to_owned(), // the lower half contains all bits
+            |digits| digits + "f",
+        ),
+        TypeKind::Real64 => {
+            digits(word, data_type).unwrap_or_else(|| not_finite(f64::from_bits(word)).to_owned())
+        }
+        _ => format!("0x{word:0width$X}", width = 2 * length),
+    };
+    (type_, None, length, vec![value])
 }
 
 fn signed(word: u64) -> String {
@@ -82,14 +88,6 @@ fn signed(word: u64) -> String {
         number if number == i64::from(i16::MIN) => "INT16_MIN".to_owned(),
         number => number.to_string(),
     }
-}
-
-fn real32(number: f32) -> String {
-    if number.is_finite() { format!("{number:?}f") } else { not_finite(f64::from(number)).to_owned() }
-}
-
-fn real64(number: f64) -> String {
-    if number.is_finite() { format!("{number:?}") } else { not_finite(number).to_owned() }
 }
 
 /// The math.h name of a number that cannot be written as a literal.

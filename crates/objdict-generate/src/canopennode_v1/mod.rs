@@ -14,7 +14,8 @@ use super::head::{Head, files};
 use super::memory::{Extent, Memory, Tally};
 use super::notes::{in_order, once_per_device};
 use super::{GenerateError, Made, Options, Sizes, render};
-use crate::model::Device;
+use crate::model::{DataType, Device};
+use crate::resolve::Shape;
 use cell::Location;
 use plan::Plan;
 
@@ -48,6 +49,25 @@ impl Tables<'_> {
     /// Whether a value of bytes depends on the node-ID.
     fn stores_bytes(&self) -> bool {
         self.plan.formulas.iter().any(|formula| formula.starts_with("CO_OD_store("))
+    }
+
+    fn has(&self, index: u16) -> u8 {
+        u8::from(self.dictionary.device.object(index).is_some())
+    }
+
+    /// Whether the stack can be an LSS slave: it needs the whole identity.
+    fn has_lss(&self) -> u8 {
+        let is_number = |sub| {
+            let entry = self.dictionary.entry(0x1018, sub);
+            entry.is_some_and(|entry| entry.resolved.shape == Shape::Word(DataType::UNSIGNED32))
+        };
+        let info = self.dictionary.device.device_info.as_ref();
+        u8::from((1..=4).all(is_number) && info.is_some_and(|info| info.lss_supported == Some(true)))
+    }
+
+    fn is_master(&self) -> u8 {
+        let node = self.dictionary.device.commissioning.as_ref();
+        u8::from(node.is_some_and(|node| node.manager == Some(true)))
     }
 
     fn size(&self) -> Sizes {

@@ -32,25 +32,6 @@ pub(super) struct Variable {
     pub(super) extents: Vec<(Option<u16>, Extent)>,
 }
 
-impl Variable {
-    /// The variable of a single entry.
-    fn of(index: u16, location: Location, name: &str, cell: &Cell) -> Self {
-        Self {
-            index,
-            location,
-            declaration: format!("{} {name}{}", cell.c_type, cell.suffix()),
-            initializer: cell.value.clone(),
-            extents: vec![(Some(index), cell.extent())],
-        }
-    }
-}
-
-/// A macro for a variable, a length or an element.
-pub(super) struct Alias {
-    pub(super) name: String,
-    pub(super) value: String,
-}
-
 /// A row of a record.
 #[derive(Clone)]
 pub(super) struct RecordRow {
@@ -74,16 +55,13 @@ pub(super) struct OdRow {
 pub(super) struct Plan {
     pub(super) types: Vec<StructType>,
     pub(super) variables: Vec<Variable>,
-    pub(super) aliases: Vec<Alias>,
+    /// Macros for variables, lengths and elements, with their values.
+    pub(super) aliases: Vec<(String, String)>,
     pub(super) rows: Vec<OdRow>,
     /// Statements that add the node-ID.
     pub(super) formulas: Vec<String>,
     /// The number of objects of each family.
     pub(super) counts: [usize; 6],
-    pub(super) sync: u8,
-    pub(super) time: u8,
-    pub(super) lss: u8,
-    pub(super) master: u8,
 }
 
 impl Plan {
@@ -103,7 +81,6 @@ impl Plan {
         }
         builder.families();
         builder.missing();
-        builder.features();
         builder.plan.rows.sort_by_key(|row| row.index);
         notes::of_lengths(dictionary, builder.notes);
         builder.plan
@@ -199,25 +176,36 @@ impl<'a> Builder<'a> {
 
     fn alias(&mut self, name: String, value: String) {
         if self.macros.insert(name.clone()) {
-            self.plan.aliases.push(Alias { name, value });
+            self.plan.aliases.push((name, value));
         }
+    }
+
+    /// Defines the variable of an object, and its macro.
+    fn define(
+        &mut self,
+        (index, location): (u16, Location),
+        (c_type, name, suffix): (&str, &str, &str),
+        initializer: String,
+        extents: Vec<(Option<u16>, Extent)>,
+    ) {
+        let declaration = format!("{c_type} {name}{suffix}");
+        self.plan.variables.push(Variable { index, location, declaration, initializer, extents });
+        self.alias(format!("OD_{name}"), format!("CO_OD_{}.{name}", location.name()));
     }
 
     fn value(&mut self, object: &ResolvedObject<'_>, name: &str, (location, cells): (Location, &[Cell])) {
         let (Some(cell), Some(entry)) = (cells.first(), object.entries.first()) else { return };
         let variable = format!("CO_OD_{}.{name}", location.name());
-        let mut row = RecordRow { data: "0".to_owned(), attribute: cell.attribute, length: 0 };
         if cell.is_stored() {
             self.formula(object, entry, &variable);
-            let element = if cell.room.is_some() { "[0]" } else { "" };
-            row = RecordRow { data: format!("&{variable}{element}"), length: cell.length, ..row };
-            self.alias(format!("OD_{name}"), variable);
+            let (suffix, extents) = (cell.suffix(), vec![(Some(object.index), cell.extent())]);
+            let declared = (cell.c_type.as_str(), name, suffix.as_str());
+            self.define((object.index, location), declared, cell.value.clone(), extents);
             if let Some(room) = cell.room {
                 self.alias(format!("ODL_{name}_stringLength"), room.to_string());
             }
-            self.plan.variables.push(Variable::of(object.index, location, name, cell));
         }
-        self.push(object, 0, row, Vec::new());
+        self.push(object, 0, row(cell, &variable), Vec::new());
     }
 
     fn array(&mut self, object: &ResolvedObject<'_>, name: &str, (location, cells): (Location, &[Cell])) {
@@ -225,31 +213,20 @@ impl<'a> Builder<'a> {
         let Some(first) = elements.first() else { return };
         let variable = format!("CO_OD_{}.{name}", location.name());
         for (number, entry) in object.entries.iter().skip(1).enumerate() {
-            let at = format!("{variable}[{number}]");
-            self.formula(object, entry, &at);
+            self.formula(object, entry, &format!("{variable}[{number}]"));
             let element = cname(&entry.name, NAMES);
             if !element.is_empty() {
                 self.alias(format!("ODA_{name}_{element}"), number.to_string());
             }
         }
         let values: Vec<&str> = elements.iter().map(|cell| cell.value.as_str()).collect();
-        self.plan.variables.push(Variable {
-            index: object.index,
-            location,
-            declaration: format!("{} {name}[{}]{}", first.c_type, elements.len(), first.suffix()),
-            initializer: format!("{{{}}}", values.join(", ")),
-            extents: vec![(Some(object.index), first.extent().times(elements.len()))],
-        });
-        self.alias(format!("OD_{name}"), variable.clone());
+        let suffix = format!("[{}]{}", elements.len(), first.suffix());
+        let extents = vec![(Some(object.index), first.extent().times(elements.len()))];
+        let initializer = format!("{{{}}}", values.join(", "));
+        self.define((object.index, location), (&first.c_type, name, &suffix), initializer, extents);
         self.alias(format!("ODL_{name}_arrayLength"), elements.len().to_string());
-        let element = if first.room.is_some() { "[0][0]" } else { "[0]" };
-        let row = RecordRow {
-            data: format!("&{variable}{element}"),
-            attribute: first.attribute,
-            length: first.length,
-        };
         let max_sub = u8::try_from(elements.len()).unwrap_or(u8::MAX);
-        self.push(object, max_sub, row, Vec::new());
+        self.push(object, max_sub, row(first, &format!("{variable}[0]")), Vec::new());
     }
 
     fn record(&mut self, object: &ResolvedObject<'_>, name: &str, (location, cells): (Location, &[Cell])) {
@@ -275,25 +252,19 @@ impl<'a> Builder<'a> {
         }
         if !members.is_empty() {
             let type_name = format!("OD_{name}_t");
-            self.plan.variables.push(Variable {
-                index: object.index,
-                location,
-                declaration: format!("{type_name} {name}"),
-                initializer: format!("{{{}}}", values.join(", ")),
-                extents: vec![(Some(object.index), Extent::structure(extents))],
-            });
+            let initializer = format!("{{{}}}", values.join(", "));
+            let extents = vec![(Some(object.index), Extent::structure(extents))];
+            self.define((object.index, location), (&type_name, name, ""), initializer, extents);
             self.plan.types.push(StructType { index: object.index, name: type_name, members });
-            self.alias(format!("OD_{name}"), variable);
         }
         self.push_record(object, rows);
     }
 
     /// A record is read by its rows; one with sub-index 0 only would be read as a value.
-    fn push_record(&mut self, object: &ResolvedObject<'_>, mut rows: Vec<RecordRow>) {
+    fn push_record(&mut self, object: &ResolvedObject<'_>, rows: Vec<RecordRow>) {
         match <[RecordRow; 1]>::try_from(rows) {
             Ok([only]) => self.push(object, 0, only, Vec::new()),
-            Err(more) => {
-                rows = more;
+            Err(rows) => {
                 let max_sub = u8::try_from(rows.len().saturating_sub(1)).unwrap_or(u8::MAX);
                 let data = format!("&OD_record{:04X}", object.index);
                 self.push(object, max_sub, RecordRow { data, attribute: 0, length: 0 }, rows);
@@ -351,14 +322,9 @@ impl<'a> Builder<'a> {
             let values = self.element(family, object, (location, &path));
             elements.push(format!("{{{}}}", values.join(", ")));
         }
-        self.plan.variables.push(Variable {
-            index: family.first,
-            location,
-            declaration: format!("{type_name} {}[{count}]", family.name),
-            initializer: format!("{{{}}}", elements.join(",\n        ")),
-            extents,
-        });
-        self.alias(format!("OD_{}", family.name), format!("CO_OD_{}.{}", location.name(), family.name));
+        let initializer = format!("{{{}}}", elements.join(",\n        "));
+        let suffix = format!("[{count}]");
+        self.define((family.first, location), (&type_name, family.name, &suffix), initializer, extents);
     }
 
     /// The values of one structure; rows of its object, and variables for what the structure has no member for.
@@ -385,7 +351,13 @@ impl<'a> Builder<'a> {
                 None => {
                     let name = format!("{}_{:04X}_{:02X}", family.name, object.index, entry.sub);
                     if cell.is_stored() {
-                        self.plan.variables.push(Variable::of(object.index, location, &name, &cell));
+                        self.plan.variables.push(Variable {
+                            index: object.index,
+                            location,
+                            declaration: format!("{} {name}{}", cell.c_type, cell.suffix()),
+                            initializer: cell.value.clone(),
+                            extents: vec![(Some(object.index), cell.extent())],
+                        });
                     }
                     if entry.sub > 0 {
                         let text = "the stack has no member for the entry and ignores it";
@@ -414,34 +386,12 @@ impl<'a> Builder<'a> {
                 Form::Octets(least) => ("OCTET_STRING".to_owned(), Some(least), "{0}".to_owned(), "string"),
             };
             let suffix = count.map(|count| format!("[{count}]")).unwrap_or_default();
-            self.plan.variables.push(Variable {
-                index: named.index,
-                location: Location::Ram,
-                declaration: format!("{c_type} {}{suffix}", named.name),
-                initializer: value,
-                extents: vec![(None, Extent::of_c(&c_type).times(count.unwrap_or(1)))],
-            });
-            self.alias(format!("OD_{}", named.name), format!("CO_OD_RAM.{}", named.name));
+            let extents = vec![(None, Extent::of_c(&c_type).times(count.unwrap_or(1)))];
+            self.define((named.index, Location::Ram), (&c_type, named.name, &suffix), value, extents);
             if let Some(count) = count {
                 self.alias(format!("ODL_{}_{behind}Length", named.name), count.to_string());
             }
         }
-    }
-
-    fn features(&mut self) {
-        let device = self.dictionary.device;
-        let has = |index| u8::from(device.object(index).is_some());
-        let info = device.device_info.as_ref();
-        let is_number = |sub| {
-            let entry = self.dictionary.entry(0x1018, sub);
-            entry.is_some_and(|entry| entry.resolved.shape == Shape::Word(DataType::UNSIGNED32))
-        };
-        let is_whole = (1..=4).all(is_number);
-        self.plan.sync = has(0x1005);
-        self.plan.time = has(0x1012);
-        self.plan.lss = u8::from(is_whole && info.is_some_and(|info| info.lss_supported == Some(true)));
-        let node = device.commissioning.as_ref();
-        self.plan.master = u8::from(node.is_some_and(|node| node.manager == Some(true)));
     }
 }
 

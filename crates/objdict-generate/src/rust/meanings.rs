@@ -6,7 +6,7 @@ use askama::Template;
 
 use super::literal::{value_of, word_type};
 use crate::escape::filters;
-use crate::meanings::{EnumType, Named, WordPart, WordType};
+use crate::meanings::{self, EnumType, Named, WordPart, WordType};
 use crate::model::{DataType, TypeKind};
 use crate::resolve::{Datum, Shape};
 
@@ -151,15 +151,8 @@ fn type_name(words: &str, taken: &mut HashSet<String>) -> String {
     name
 }
 
-/// The entries, the first few by name.
 fn entries(all: &[(u16, u8)]) -> String {
-    const SHOWN: usize = 8;
-    let shown = all.iter().take(SHOWN).map(|(index, sub)| format!("`0x{index:04X}` sub-index `0x{sub:02X}`"));
-    let mut text = shown.collect::<Vec<_>>().join(", ");
-    if all.len() > SHOWN {
-        text.push_str(&format!(" and {} more", all.len() - SHOWN));
-    }
-    text
+    meanings::entries(all, |index, sub| format!("`0x{index:04X}` sub-index `0x{sub:02X}`"))
 }
 
 fn word_view(of: &WordType) -> WordView<'_> {
