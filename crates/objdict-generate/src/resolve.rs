@@ -111,6 +111,14 @@ impl Resolved {
         (self.access.is_readable(), self.access.is_writable())
     }
 
+    /// The access type where it does not say which PDOs may map the entry.
+    pub(crate) fn plain_access(&self) -> &'static str {
+        match self.access {
+            Access::Rwr | Access::Rww => Access::Rw.name(),
+            access => access.name(),
+        }
+    }
+
     /// The field of a limit, the low one of two.
     pub(crate) fn limit(&self) -> Option<Field> {
         let high = self.high.as_ref().map(|_| Field::HighLimit);

@@ -94,6 +94,12 @@ pub(crate) struct Definition {
 }
 
 impl Definition {
+    /// A variable that is not zero.
+    pub(crate) fn new(index: u16, type_: CType, name: String, initializer: String) -> Self {
+        let (subs, described) = ((0, 0), String::new());
+        Self { type_, name, elements: None, initializer, is_zero: false, index, subs, described }
+    }
+
     pub(crate) fn declaration(&self) -> String {
         format!("{} {}{}", self.type_.base, self.name, self.suffix())
     }

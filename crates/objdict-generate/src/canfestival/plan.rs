@@ -266,16 +266,11 @@ impl Builder<'_> {
             let name = format!("{}_{name}obj{index:04X}", self.node);
             if !self.plan.definitions.iter().any(|known| known.name == name) {
                 let is_list = elements.is_some();
-                self.plan.definitions.push(Definition {
-                    type_: CType::number(base),
-                    name,
-                    elements,
-                    initializer: if is_list { format!("{{{value}u}}") } else { format!("{value}u") },
-                    is_zero: value == 0,
-                    index,
-                    subs: (0, 0),
-                    described: "not in the description".to_owned(),
-                });
+                let initializer = if is_list { format!("{{{value}u}}") } else { format!("{value}u") };
+                let described = "not in the description".to_owned();
+                let definition = Definition::new(index, CType::number(base), name, initializer);
+                let is_zero = value == 0;
+                self.plan.definitions.push(Definition { elements, is_zero, described, ..definition });
             }
         };
         for (index, data_type) in VALUES {

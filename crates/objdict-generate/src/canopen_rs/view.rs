@@ -6,7 +6,7 @@ use super::losses::is_modelled;
 use crate::dictionary::{Dictionary, ResolvedEntry};
 use crate::escape::{byte_string, filters};
 use crate::head::Head;
-use crate::model::{Access, DataType, TypeKind};
+use crate::model::{DataType, TypeKind};
 use crate::names::Scope;
 use crate::resolve::{Datum, Shape};
 use crate::rust::{value_of, word_type};
@@ -31,7 +31,7 @@ struct Row {
     /// The names of object and entry, for a comment.
     name: String,
     constant: String,
-    /// A variant of `AccessType`.
+    /// A variant of `AccessType`, in lower case.
     access: &'static str,
     /// An expression of type `Value`.
     value: String,
@@ -52,7 +52,7 @@ impl Od {
                 false => format!("{} / {}", object.object.name(), entry.entry.name),
             },
             constant: constant.to_ascii_uppercase(),
-            access: access(entry.resolved.access),
+            access: entry.resolved.plain_access(),
             value: value(entry),
         });
         let rows = rows.collect();
@@ -63,16 +63,6 @@ impl Od {
     /// Whether an entry is stored as an octet string.
     fn has_octets(&self) -> bool {
         self.rows.iter().any(|row| row.value.contains("octets("))
-    }
-}
-
-/// In the crate, the access type does not restrict the entry to RPDOs or TPDOs.
-fn access(access: Access) -> &'static str {
-    match access {
-        Access::Ro => "Ro",
-        Access::Wo => "Wo",
-        Access::Rw | Access::Rwr | Access::Rww => "Rw",
-        Access::Const => "Const",
     }
 }
 

@@ -6,7 +6,7 @@ use super::cell::{Cell, Planned};
 use super::para::STORE;
 use crate::c_code::{bytes, literal};
 use crate::dictionary::{Dictionary, ResolvedEntry, ResolvedObject};
-use crate::memory::{Extent, Memory};
+use crate::memory::Extent;
 use crate::model::Place;
 use crate::names::{Scope, words};
 use crate::stored;
@@ -33,9 +33,9 @@ pub(super) struct Layout {
     pub(super) groups: Vec<ParaGroup>,
     pub(super) variables: Vec<Definition>,
     /// Definitions in flash, and those in RAM required by types of the stack.
-    pub(super) definitions: Vec<String>,
-    /// The sizes of the definitions by index, including texts in them.
-    pub(super) taken: Vec<(u16, Memory, usize)>,
+    pub(super) definitions: Vec<Definition>,
+    /// The sizes of texts that are literals, by the index of the first object that has it.
+    pub(super) literals: Vec<(u16, usize)>,
     /// The data of rows, by object and entry; empty for a parameter group.
     pub(super) data: Vec<Vec<String>>,
     /// Texts written as literals.
@@ -166,70 +166,47 @@ impl Layout {
         let named = |letter: char| format!("{prefix}_{letter}{index:04X}_{sub:02X}");
         let (constant, descriptor) = (named('C'), named('D'));
         let path = std::mem::take(&mut self.data[object][entry]);
-        self.take(index, cell);
+        let mut define = |type_: CType, name: &str, initializer: String| {
+            self.definitions.push(Definition::new(index, type_, name.to_owned(), initializer));
+            format!("&{name}")
+        };
+        let domain = |size: usize, start: &str| {
+            format!("{{.Offset = 0u, .Size = {size}u, .Start = (uint8_t *){start}}}")
+        };
         let data = match cell {
             Cell::Direct(value) => format!("{value}u"),
             Cell::Number { flash: true, c_type, value } => {
-                self.definitions.push(format!("static const {c_type} {constant} = {value};"));
-                format!("&{constant}")
+                define(CType::number(format!("const {c_type}")), &constant, value.clone())
             }
             Cell::Number { .. } | Cell::Application | Cell::Consumer { .. } => format!("&{path}"),
             Cell::Text(text) => {
-                let start = literal(text).unwrap_or_else(|| {
-                    let (value, room) = (bytes(text), text.len() + 1);
-                    self.definitions.push(format!("static const uint8_t {constant}[{room}] = {value};"));
-                    constant
-                });
-                self.definitions.push(format!(
-                    "static CO_OBJ_STR {descriptor} = {{.Offset = 0u, .Start = (uint8_t *){start}}};"
-                ));
-                format!("&{descriptor}")
+                let size = text.len() + 1;
+                let start = literal(text);
+                if start.is_none() {
+                    define(CType::bytes("const uint8_t", size), &constant, bytes(text));
+                } else if self.texts.insert(text.clone()) {
+                    self.literals.push((index, size));
+                }
+                let start = start.unwrap_or(constant);
+                let initializer = format!("{{.Offset = 0u, .Start = (uint8_t *){start}}}");
+                define(structure("CO_OBJ_STR", &[Extent::WORD, Extent::POINTER]), &descriptor, initializer)
             }
             Cell::Block { flash: true, bytes: value, .. } | Cell::Data(value) => {
-                let (value, size) = (bytes(value), value.len());
-                let room = size.max(1); // C has no empty arrays
-                self.definitions.push(format!("static const uint8_t {constant}[{room}] = {value};"));
-                self.definitions.push(format!(
-                    "static CO_OBJ_DOM {descriptor} = {{.Offset = 0u, .Size = {size}u, .Start = (uint8_t *){constant}}};"
-                ));
-                format!("&{descriptor}")
+                let room = value.len().max(1); // C has no empty arrays
+                define(CType::bytes("const uint8_t", room), &constant, bytes(value));
+                define(structure("CO_OBJ_DOM", DOMAIN), &descriptor, domain(value.len(), &constant))
             }
             Cell::Block { bytes, .. } => {
-                let size = bytes.len();
-                self.definitions.push(format!(
-                    "static CO_OBJ_DOM {descriptor} = {{.Offset = 0u, .Size = {size}u, .Start = (uint8_t *)&{path}}};"
-                ));
-                format!("&{descriptor}")
+                define(structure("CO_OBJ_DOM", DOMAIN), &descriptor, domain(bytes.len(), &format!("&{path}")))
             }
             Cell::Bytes { room, .. } => {
-                self.definitions.push(format!(
-                    "static {prefix}_bytes_t {descriptor} = {{0u, {room}u, &{path}.length, {path}.bytes}};"
-                ));
-                format!("&{descriptor}")
+                let members = [Extent::WORD, Extent::WORD, Extent::POINTER, Extent::POINTER];
+                let initializer = format!("{{0u, {room}u, &{path}.length, {path}.bytes}}");
+                define(structure(&format!("{prefix}_bytes_t"), &members), &descriptor, initializer)
             }
             Cell::Group(_) => String::new(),
         };
         self.data[object][entry] = data;
-    }
-
-    /// Counts the definitions of [`Self::describe`].
-    fn take(&mut self, index: u16, cell: &Cell) {
-        let constant = match cell {
-            Cell::Number { flash: true, c_type, .. } => Extent::of_c(c_type).size,
-            Cell::Text(text) if literal(text).is_some() && !self.texts.insert(text.clone()) => 0, // shares the literal
-            Cell::Text(text) => text.len() + 1,
-            Cell::Block { flash: true, bytes, .. } | Cell::Data(bytes) => bytes.len().max(1),
-            _ => 0,
-        };
-        let descriptor = match cell {
-            Cell::Text(_) => [Extent::WORD, Extent::POINTER].as_slice(), // CO_OBJ_STR
-            Cell::Block { .. } | Cell::Data(_) => &[Extent::WORD, Extent::WORD, Extent::POINTER], // CO_OBJ_DOM
-            Cell::Bytes { .. } => &[Extent::WORD, Extent::WORD, Extent::POINTER, Extent::POINTER],
-            _ => &[],
-        };
-        let descriptor = Extent::structure(descriptor.iter().copied());
-        self.taken.push((index, Memory::Flash, constant));
-        self.taken.push((index, Memory::Initialised, descriptor.size));
     }
 
     fn drop_empty_groups(&mut self, notes: &mut Vec<Note>) {
@@ -248,41 +225,45 @@ pub(super) fn place(variable: &Definition) -> String {
 }
 
 /// The structure that needs a type outside another structure.
-pub(super) fn structure(variable: &Definition) -> Option<&str> {
+pub(super) fn own_type(variable: &Definition) -> Option<&str> {
     Some(variable.type_.base.as_str()).filter(|base| base.starts_with("struct"))
 }
 
 /// The definition of a variable outside a structure.
 pub(super) fn definition(variable: &Definition) -> String {
-    match structure(variable) {
+    match own_type(variable) {
         Some(_) => format!("{0}_t {0}{1}", variable.name, variable.suffix()),
         None => variable.declaration(),
     }
 }
 
+/// The members of `CO_OBJ_DOM`: offset, size, start.
+const DOMAIN: &[Extent] = &[Extent::WORD, Extent::WORD, Extent::POINTER];
+
+/// The members of `CO_HBCONS`: node, next, state, timer, time, node-ID, events.
+const CONSUMER: &[Extent] =
+    &[Extent::POINTER, Extent::POINTER, Extent::BYTE, Extent::HALF, Extent::HALF, Extent::BYTE, Extent::BYTE];
+
+/// A type with these members.
+fn structure(base: &str, members: &[Extent]) -> CType {
+    let extent = Extent::structure(members.iter().copied());
+    CType { base: base.to_owned(), suffix: String::new(), extent }
+}
+
 /// The variable for a cell.
 fn ram(cell: &Cell) -> Option<CType> {
-    let whole = |base: &str, extent: Extent| CType { base: base.to_owned(), suffix: String::new(), extent };
     Some(match cell {
         Cell::Number { flash: false, c_type, .. }
         | Cell::Block { flash: false, c_type: Some(c_type), .. } => CType::number(*c_type),
         Cell::Block { flash: false, bytes, .. } => CType::bytes("uint8_t", bytes.len()),
         Cell::Bytes { room, .. } => {
             let base = format!("struct {{ uint16_t length; uint8_t bytes[{room}]; }}");
-            whole(&base, Extent::behind_length(*room))
+            structure(&base, &[Extent::HALF, Extent::BYTE.times(*room)])
         }
-        Cell::Application => {
-            whole("CO_OBJ_DOM", Extent::structure([Extent::WORD, Extent::WORD, Extent::POINTER]))
-        }
-        Cell::Consumer { .. } => whole("CO_HBCONS", consumer()),
+        Cell::Application => structure("CO_OBJ_DOM", DOMAIN),
+        Cell::Consumer { .. } => structure("CO_HBCONS", CONSUMER),
         _ => return None,
     })
-}
-
-/// `CO_HBCONS`: node, next, state, timer, time, node-ID, events.
-fn consumer() -> Extent {
-    let (pointer, half, byte) = (Extent::POINTER, Extent::HALF, Extent::BYTE);
-    Extent::structure([pointer, pointer, byte, half, half, byte, byte])
 }
 
 /// Whether the variable of a cell is initialised to zero.

@@ -25,7 +25,7 @@ pub(super) fn report(tables: &Tables<'_>) -> Sizes {
     let mut tally = Tally::of_dictionary(dictionary);
     rows.iter().for_each(|object| tally.of(object.index, Memory::Flash, row().size));
     tally.rest(Memory::Flash, row().size); // the end mark
-    layout.variables.iter().for_each(|variable| tally.variable(variable));
+    layout.variables.iter().chain(&layout.definitions).for_each(|variable| tally.variable(variable));
     for group in &layout.groups {
         let members: Vec<_> =
             group.members.iter().map(|member| (Some(member.index), member.extent())).collect();
@@ -33,9 +33,7 @@ pub(super) fn report(tables: &Tables<'_>) -> Sizes {
         tally.structure(Memory::of_values(is_zero), &members);
         tally.structure(Memory::Flash, &members); // the defaults
     }
-    for &(index, memory, bytes) in &layout.taken {
-        tally.of(index, memory, bytes);
-    }
+    layout.literals.iter().for_each(|&(index, bytes)| tally.of(index, Memory::Flash, bytes));
     tally.of(STORE, Memory::Flash, parameters.store.len() * group().size);
     tally.of(RESTORE, Memory::Flash, parameters.restore.len() * group().size);
     tally.rest(Memory::Flash, usize::from(parameters.nothing));

@@ -194,75 +194,22 @@ fn braced(values: &[String], indent: &str) -> String {
 }
 
 impl Planned<'_> {
-    /// The kind of the object in the stack, in its list and as a type.
-    fn kind(&self) -> (&'static str, &'static str) {
+    /// The kind of the object in the stack.
+    fn kind(&self) -> &'static str {
         match &self.layout {
-            Layout::Var(_) => ("VAR", "var"),
-            Layout::Array(..) => ("ARR", "array"),
-            Layout::Record(_) => ("REC", "record"),
+            Layout::Var(_) => "VAR",
+            Layout::Array(..) => "ARR",
+            Layout::Record(_) => "REC",
         }
     }
 
-    /// The suffix of the member in `ODObjs_t`.
-    fn dimension(&self) -> String {
-        match &self.layout {
-            Layout::Record(members) => format!("[{}]", members.len()),
-            _ => String::new(),
+    /// The address of a variable, or `NULL`.
+    fn address(&self, member: &Member<'_>, prefix: &str) -> String {
+        let storage = &member.storage;
+        match (storage.type_, storage.elements) {
+            (None, _) => "NULL".to_owned(),
+            (Some(_), None) => format!("&{}", self.variable(prefix, member)),
+            (Some(_), Some(_)) => format!("&{}[0]", self.variable(prefix, member)),
         }
-    }
-
-    /// The lines of the initialiser between the braces.
-    fn lines(&self, prefix: &str) -> Vec<String> {
-        match &self.layout {
-            Layout::Var(member) => var_lines(self, member, prefix),
-            Layout::Array(sub0, elements) => array_lines(self, sub0, elements, prefix),
-            Layout::Record(members) => {
-                members.iter().map(|member| record_line(self, member, prefix)).collect()
-            }
-        }
-    }
-}
-
-fn var_lines(object: &Planned<'_>, member: &Member<'_>, prefix: &str) -> Vec<String> {
-    vec![
-        format!(".dataOrig = {}", address(object, member, prefix)),
-        format!(".attribute = {}", member.storage.attribute),
-        format!(".dataLength = {}", member.storage.length),
-    ]
-}
-
-fn array_lines(
-    object: &Planned<'_>,
-    sub0: &Member<'_>,
-    elements: &[Member<'_>],
-    prefix: &str,
-) -> Vec<String> {
-    let Some(first) = elements.first() else { return Vec::new() };
-    let storage = &first.storage;
-    let size =
-        storage.type_.map_or("0".to_owned(), |type_| format!("sizeof({type_}{})", storage.dimension()));
-    vec![
-        format!(".dataOrig0 = {}", address(object, sub0, prefix)),
-        format!(".dataOrig = {}", address(object, first, prefix)),
-        format!(".attribute0 = {}", sub0.storage.attribute),
-        format!(".attribute = {}", storage.attribute),
-        format!(".dataElementLength = {}", storage.length),
-        format!(".dataElementSizeof = {size}"),
-    ]
-}
-
-fn record_line(object: &Planned<'_>, member: &Member<'_>, prefix: &str) -> String {
-    let (address, sub) = (address(object, member, prefix), member.entry.sub);
-    let (attribute, length) = (&member.storage.attribute, member.storage.length);
-    format!("{{.dataOrig = {address}, .subIndex = {sub}, .attribute = {attribute}, .dataLength = {length}}}")
-}
-
-/// The address of a variable, or `NULL`.
-fn address(object: &Planned<'_>, member: &Member<'_>, prefix: &str) -> String {
-    let storage = &member.storage;
-    match (storage.type_, storage.elements) {
-        (None, _) => "NULL".to_owned(),
-        (Some(_), None) => format!("&{}", object.variable(prefix, member)),
-        (Some(_), Some(_)) => format!("&{}[0]", object.variable(prefix, member)),
     }
 }

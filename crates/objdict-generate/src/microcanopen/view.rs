@@ -42,12 +42,6 @@ impl Tables<'_> {
         self.image.entries.iter().flat_map(|entry| entry.default_bytes(&self.node_id())).collect()
     }
 
-    /// The calls in C syntax.
-    fn statements(&self) -> impl Iterator<Item = String> {
-        let node_id = self.node_id();
-        self.calls.iter().map(move |call| call.statement(&node_id))
-    }
-
     /// The entries by their offsets.
     fn placed(&self) -> Vec<&ImageEntry<'_>> {
         let mut entries: Vec<&ImageEntry<'_>> = self.image.entries.iter().collect();
@@ -81,23 +75,6 @@ impl ImageEntry<'_> {
                 let bytes = bytes.filter(|(_, byte)| *byte != 0);
                 bytes.map(|(at, byte)| (offset(at), format!("0x{byte:02X}"))).collect()
             }
-        }
-    }
-}
-
-impl Call {
-    fn statement(&self, node_id: &str) -> String {
-        let Self { number, event, inhibit, length, offset, .. } = self;
-        let can_id = match self.can_id {
-            None => "0".to_owned(),
-            Some((base, true)) => format!("0x{base:03X} + {node_id}"),
-            Some((id, false)) => format!("0x{id:03X}"),
-        };
-        match self.kind {
-            PdoKind::Tpdo => {
-                format!("MCO_InitTPDO({number}, {can_id}, {event}, {inhibit}, {length}, {offset});")
-            }
-            PdoKind::Rpdo => format!("MCO_InitRPDO({number}, {can_id}, {length}, {offset});"),
         }
     }
 }

@@ -44,7 +44,7 @@ pub(super) fn make(device: &Device, options: &Options) -> Result<Made, GenerateE
         row: 10,
         object: 0,
         shared: 0,
-        ram: od.ram,
+        ram: od.places.total,
         value: places::value_size,
         code: CODE,
         name: options.entry_names.then_some((8, 0)), // a slice on 32 bits

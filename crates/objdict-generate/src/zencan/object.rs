@@ -103,7 +103,7 @@ impl Maker<'_> {
         self.answers.put(object.index, entry.sub, answer);
         EntryView {
             data_type: kept.data_type,
-            access: access(resolved.access),
+            access: resolved.plain_access(),
             default: kept.default,
             pdo_mapping: match (resolved.tpdo, resolved.rpdo) {
                 (false, false) => "none",
@@ -127,16 +127,6 @@ impl Maker<'_> {
                 Some(group) => !["RAM", "ROM"].iter().any(|plain| group.eq_ignore_ascii_case(plain)),
                 None => !resolved.tpdo && !resolved.rpdo,
             }
-    }
-}
-
-/// In zencan, `pdo_mapping` and not the access type determines whether an RPDO or a TPDO may map the entry.
-fn access(access: Access) -> &'static str {
-    match access {
-        Access::Ro => "ro",
-        Access::Wo => "wo",
-        Access::Rw | Access::Rwr | Access::Rww => "rw",
-        Access::Const => "const",
     }
 }
 

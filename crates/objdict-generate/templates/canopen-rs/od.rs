@@ -31,7 +31,7 @@ pub fn {{ head.lower }}(node_id: u8) -> ObjectDictionary<ENTRY_COUNT> {
 {%- endif %}
     let mut od = ObjectDictionary::new();
 {%- for row in rows %}
-    put(&mut od, (0x{{ row.index|hex4 }}, 0x{{ row.sub|hex2 }}), AccessType::{{ row.access }}, {{ row.value }}); // {{ row.name|code_span }}
+    put(&mut od, (0x{{ row.index|hex4 }}, 0x{{ row.sub|hex2 }}), AccessType::{{ row.access|capitalize }}, {{ row.value }}); // {{ row.name|code_span }}
 {%- endfor %}
     od
 }

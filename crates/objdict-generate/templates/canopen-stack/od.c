@@ -147,7 +147,7 @@ const {{ group.variable }}_t {{ group.variable }}_defaults = {
 
 /* Constants, and additional data for types of the stack. */
 {%- for definition in layout.definitions %}
-{{ definition }}
+static {{ definition.declaration() }} = {{ definition.initializer }};
 {%- endfor %}
 {%- endif %}
 {%- if parameters.nothing %}

@@ -40,7 +40,7 @@ extern const {{ group.variable }}_t {{ group.variable }}_defaults;
 
 /* The variable values. */
 {%- for member in layout.variables %}
-{%- if let Some(structure) = layout::structure(member) %}
+{%- if let Some(structure) = layout::own_type(member) %}
 typedef {{ structure }} {{ member.name }}_t;
 {%- endif %}
 extern {{ layout::definition(member) }}; /* {{ layout::place(member) }}: {{ member.described|c_comment }} */

@@ -31,16 +31,38 @@
 /* Object descriptors. */
 typedef struct {
 {%- for object in objects %}
-    OD_obj_{{ object.kind().1 }}_t o_{{ object.name() }}{{ object.dimension() }};
+{%- match object.layout %}
+{%- when Layout::Var(_) %}
+    OD_obj_var_t o_{{ object.name() }};
+{%- when Layout::Array(_, _) %}
+    OD_obj_array_t o_{{ object.name() }};
+{%- when Layout::Record(members) %}
+    OD_obj_record_t o_{{ object.name() }}[{{ members.len() }}];
+{%- endmatch %}
 {%- endfor %}
 } ODObjs_t;
 
 static CO_PROGMEM ODObjs_t ODObjs = {
 {%- for object in objects %}
     .o_{{ object.name() }} = {
-    {%- for line in object.lines(od) %}
-        {{ line }},
+    {%- match object.layout %}
+    {%- when Layout::Var(member) %}
+        .dataOrig = {{ object.address(member, od) }},
+        .attribute = {{ member.storage.attribute }},
+        .dataLength = {{ member.storage.length }},
+    {%- when Layout::Array(sub0, elements) %}
+    {%- let storage = elements[0].storage %}
+        .dataOrig0 = {{ object.address(sub0, od) }},
+        .dataOrig = {{ object.address(elements[0], od) }},
+        .attribute0 = {{ sub0.storage.attribute }},
+        .attribute = {{ storage.attribute }},
+        .dataElementLength = {{ storage.length }},
+        .dataElementSizeof = {% if let Some(type_) = storage.type_ %}sizeof({{ type_ }}{{ storage.dimension() }}){% else %}0{% endif %},
+    {%- when Layout::Record(members) %}
+    {%- for member in members %}
+        {.dataOrig = {{ object.address(member, od) }}, .subIndex = {{ member.entry.sub }}, .attribute = {{ member.storage.attribute }}, .dataLength = {{ member.storage.length }}},
     {%- endfor %}
+    {%- endmatch %}
     },
 {%- endfor %}
 };
@@ -48,7 +70,7 @@ static CO_PROGMEM ODObjs_t ODObjs = {
 /* All objects, by index. */
 static {{ od }}_ATTR_OD OD_entry_t ODList[] = {
 {%- for object in objects %}
-    {0x{{ object.index|hex4 }}, 0x{{ "{:02X}"|format(object.members().count()) }}, ODT_{{ object.kind().0 }}, &ODObjs.o_{{ object.name() }}, NULL},
+    {0x{{ object.index|hex4 }}, 0x{{ "{:02X}"|format(object.members().count()) }}, ODT_{{ object.kind() }}, &ODObjs.o_{{ object.name() }}, NULL},
 {%- endfor %}
     {0x0000, 0x00, 0, NULL, NULL}
 };

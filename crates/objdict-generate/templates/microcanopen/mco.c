@@ -39,7 +39,8 @@ void {{ head.lower }}_init_image(void)
 /* Initialises the PDOs; call it in MCOUSER_ResetCommunication() after MCO_Init(). */
 void {{ head.lower }}_init_pdos(void)
 {
-{%- for call in self.statements() %}
-    {{ call }}
+{%- for call in calls %}
+    MCO_Init{{ call.kind }}({{ call.number }}, {% if let Some((id, is_added)) = call.can_id %}0x{{ "{:03X}"|format(id) }}{% if *is_added %} + {{ self.node_id() }}{% endif %}{% else %}0{% endif %}
+    {%- if call.kind == PdoKind::Tpdo %}, {{ call.event }}, {{ call.inhibit }}{% endif %}, {{ call.length }}, {{ call.offset }});
 {%- endfor %}
 }

@@ -1,5 +1,5 @@
 /// The default mapping of PDOs: one struct per PDO with its fields in frame order.
-{% if gates -%}
+{% if options.feature_gates -%}
 #[cfg(feature = "od-pdo")]
 {% endif -%}
 #[allow(dead_code, unreachable_pub, unused_imports)]
@@ -8,7 +8,7 @@
 pub mod pdo {
     use super::table::{first, pack, unpack};
     use super::Data;
-{%- if runtime %}
+{%- if options.runtime %}
 
     /// The communication parameters of the RPDOs.
     pub const RPDOS: [u16; {{ pdos[0].len() }}] = {{ Self::indexes(pdos[0]) }};
@@ -87,7 +87,7 @@ pub mod pdo {
             }
         }
     }
-{%- if runtime %}
+{%- if options.runtime %}
 
     impl objdict_device::Pdo for {{ frame.type_name }} {
         type Data = Data;
