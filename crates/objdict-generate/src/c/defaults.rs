@@ -70,7 +70,7 @@ fn item_views(constant: &Constant) -> Vec<ItemView> {
 }
 
 /// A number, or some bits of it, as an expression of the node-ID.
-fn of_node(cob_id: CobId, mask: Option<u32>) -> String {
+pub(super) fn of_node(cob_id: CobId, mask: Option<u32>) -> String {
     let number = cob_id.number();
     match (cob_id.depends_on_node_id(), mask) {
         (true, None) => format!("(0x{number:X}u + (uint32_t)(node_id))"),

@@ -21,7 +21,6 @@ pub(super) struct Meanings<'a> {
 
 struct EnumView<'a> {
     of: &'a EnumType,
-    entries: String,
     values: Vec<ValueView<'a>>,
 }
 
@@ -33,7 +32,6 @@ struct ValueView<'a> {
 
 struct WordView<'a> {
     of: &'a WordType,
-    entries: String,
     parts: Vec<PartView<'a>>,
 }
 
@@ -82,7 +80,7 @@ fn enum_view<'a>(of: &'a EnumType, prefix: &str, macros: &mut Scope) -> EnumView
             }
         }));
     }
-    EnumView { of, entries: entries(&of.entries), values }
+    EnumView { of, values }
 }
 
 /// What several numbers have in common, if they are all numbers with it: the value of these bits, and their mask in
@@ -126,7 +124,7 @@ fn word_view<'a>(of: &'a WordType, prefix: &str, macros: &mut Scope) -> WordView
         let name = part_name(macros, prefix, &words, part.first);
         part_view(of, part, format!("{}_{}", prefix.to_ascii_uppercase(), name.to_ascii_uppercase()))
     });
-    WordView { of, entries: entries(&of.entries), parts: parts.collect() }
+    WordView { of, parts: parts.collect() }
 }
 
 /// A name for which no macro of a bit field is taken.

@@ -1,5 +1,6 @@
 //! View of templates/c/od_pdo.h and od_pdo.c: structs of PDO frames.
 
+use super::defaults::of_node;
 use super::view::{hex_bytes, word_type};
 use crate::escape::filters;
 use crate::frames::{Carried, Frame, FrameField};
@@ -74,15 +75,11 @@ fn frame_view<'a>(table: &'a Table, prefix: &str, frame: &'a Frame) -> FrameView
     let fields: Vec<FieldView<'a>> =
         frame.fields.iter().map(|field| field_view(table, prefix, field)).collect();
     let type_name = format!("{prefix}_{}", frame.name);
-    let cob_id = frame.cob_id_number().map(|(number, per_node)| match per_node {
-        true => format!("(0x{number:X}u + (uint32_t)(node_id))"),
-        false => format!("0x{number:X}u"),
-    });
     FrameView {
         frame,
         macro_prefix: type_name.to_ascii_uppercase(),
         type_name,
-        cob_id,
+        cob_id: frame.cob_id.map(|cob_id| of_node(cob_id, None)),
         reads_data: fields.iter().any(|field| field.load.contains("data->")),
         writes_data: fields.iter().any(|field| !field.store.is_empty()),
         fields,

@@ -19,7 +19,7 @@ use crate::model::{CobId, Device, Place};
 use answers::Answers;
 use fixed::Settings;
 use object::{ObjectContent, ObjectView};
-use pdo::Pdos;
+use pdo::Pdo;
 
 pub(super) fn make(device: &Device, options: &Options) -> Result<Made, GenerateError> {
     // a DOMAIN needs no capacity and no note about it: the application provides it
@@ -42,7 +42,9 @@ struct Config {
     made_by: String,
     settings: Settings,
     stores: bool,
-    pdos: Pdos,
+    /// The numbers of RPDOs and TPDOs.
+    counts: [u16; 2],
+    pdos: Vec<Pdo>,
     objects: Vec<ObjectView>,
 }
 
@@ -79,9 +81,17 @@ impl<'a> Maker<'a> {
             }
             written.push(self.object(object));
         }
-        let (settings, pdos) = (self.settings(), self.pdos());
+        let settings = self.settings();
+        let (counts, pdos) = self.pdos();
         self.persistence();
-        Config { made_by: self.options.made_by(), settings, stores: self.stores, pdos, objects: written }
+        Config {
+            made_by: self.options.made_by(),
+            settings,
+            stores: self.stores,
+            counts,
+            pdos,
+            objects: written,
+        }
     }
 
     fn note(&mut self, place: impl Into<Place>, text: impl Into<String>) {

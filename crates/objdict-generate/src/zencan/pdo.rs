@@ -11,13 +11,6 @@ const MAPPED: u8 = 8;
 /// Number of PDOs per direction: zencan counts them in eight bits.
 const MOST: u16 = 255;
 
-/// The PDOs.
-pub(super) struct Pdos {
-    pub(super) num_rpdo: u16,
-    pub(super) num_tpdo: u16,
-    pub(super) pdos: Vec<Pdo>,
-}
-
 /// The initial state of a PDO.
 pub(super) struct Pdo {
     pub(super) kind: PdoKind,
@@ -45,10 +38,10 @@ impl Pdo {
 const CAN_ID: u32 = 0x1FFF_FFFF;
 
 impl Maker<'_> {
-    /// All PDOs of the device.
-    pub(super) fn pdos(&mut self) -> Pdos {
+    /// The numbers of RPDOs and TPDOs, and all PDOs of the device.
+    pub(super) fn pdos(&mut self) -> ([u16; 2], Vec<Pdo>) {
         let mut pdos = Vec::new();
-        let [num_rpdo, num_tpdo] = PdoKind::ALL.map(|kind| {
+        let counts = PdoKind::ALL.map(|kind| {
             let count = self.count(kind);
             for number in 1..=count {
                 let parameters = kind.communication_index(number).zip(kind.mapping_index(number));
@@ -60,7 +53,7 @@ impl Maker<'_> {
             }
             count
         });
-        Pdos { num_rpdo, num_tpdo, pdos }
+        (counts, pdos)
     }
 
     /// The highest PDO number.
