@@ -212,13 +212,14 @@ impl Namer<'_> {
             if values.is_empty() || self.is_known(row, &key) {
                 continue;
             }
-            if is_whole {
-                self.add_enum(row, key, (&name, title.clone()), (data_type, bits), values);
-            } else {
-                let base = format!("{name}_{}", words(part.name));
-                let of_part = (part.data_type(), part.bits);
-                self.add_enum(row, key, (&base, part.name.to_owned()), of_part, values);
-            }
+            let (base, title, of) = match is_whole {
+                true => (name.clone(), title.clone(), (data_type, bits)),
+                false => {
+                    let base = format!("{name}_{}", words(part.name));
+                    (base, part.name.to_owned(), (part.data_type(), part.bits))
+                }
+            };
+            self.add_enum(row, key, (&base, title), of, values);
         }
         if is_whole || parts.is_empty() {
             return;

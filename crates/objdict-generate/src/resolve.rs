@@ -111,6 +111,17 @@ impl Resolved {
         (self.access.is_readable(), self.access.is_writable())
     }
 
+    /// A word of these for what SDOs may do: nothing, read, write, or both.
+    pub(crate) fn sdo_word(&self, words: [&'static str; 4]) -> &'static str {
+        let (read, write) = self.sdo();
+        words[usize::from(read) + 2 * usize::from(write)]
+    }
+
+    /// A word of these for what may map the entry: nothing, TPDOs, RPDOs, or both.
+    pub(crate) fn pdo_word(&self, words: [&'static str; 4]) -> &'static str {
+        words[usize::from(self.tpdo) + 2 * usize::from(self.rpdo)]
+    }
+
     /// The access type where it does not say which PDOs may map the entry.
     pub(crate) fn plain_access(&self) -> &'static str {
         match self.access {

@@ -14,6 +14,7 @@ use crate::table::{Row, Table};
 
 /// What the source has beside the values.
 pub(super) struct Structs<'a> {
+    prefix: &'a str,
     pub(super) pools: Vec<Pool>,
     pub(super) blocks: Vec<String>,
     pub(super) rows: Vec<RowView<'a>>,
@@ -41,24 +42,13 @@ pub(super) struct RowView<'a> {
 }
 
 impl<'a> Structs<'a> {
-    pub(super) fn new(table: &'a Table, prefix: &str, upper: &str) -> Self {
-        let mut constants = Constants { prefix, pools: Vec::new(), blocks: Vec::new(), taken: Vec::new() };
-        let rows = table.rows.iter().map(|row| row_view(table, row, upper, &mut constants)).collect();
-        let Constants { pools, blocks, taken, .. } = constants;
-        Self { pools, blocks, rows, taken }
+    pub(super) fn new(table: &'a Table, prefix: &'a str, upper: &str) -> Self {
+        let (pools, blocks, taken) = (Vec::new(), Vec::new(), Vec::new());
+        let mut structs = Self { prefix, pools, blocks, rows: Vec::new(), taken };
+        structs.rows = table.rows.iter().map(|row| row_view(table, row, upper, &mut structs)).collect();
+        structs
     }
-}
 
-/// Defaults and limits.
-struct Constants<'a> {
-    prefix: &'a str,
-    pools: Vec<Pool>,
-    blocks: Vec<String>,
-    /// Their sizes, by the index of the first object that uses them.
-    taken: Vec<(u16, usize)>,
-}
-
-impl Constants<'_> {
     /// The address of a number.
     fn number(&mut self, index: u16, word: u64, data_type: DataType) -> String {
         let mut c_type = word_type(data_type).to_owned();
@@ -152,7 +142,7 @@ pub(super) fn size(table: &Table, prefix: &str, names: bool) -> Sizes {
 /// What the sizes include.
 const COUNTED: &str = "the tables, names and values, on a processor of 32 bits; without code";
 
-fn row_view<'a>(table: &Table, row: &'a Row, upper: &str, constants: &mut Constants<'_>) -> RowView<'a> {
+fn row_view<'a>(table: &Table, row: &'a Row, upper: &str, constants: &mut Structs<'_>) -> RowView<'a> {
     let resolved = &row.resolved;
     let flags = flags(row.flags().filter(|flag| !matches!(*flag, "LOW" | "HIGH")), upper);
     let served = resolved.shape.size() == 0 && matches!(resolved.shape, Shape::Bytes(DataType::DOMAIN, _));

@@ -230,11 +230,8 @@ impl Builder<'_> {
     ) -> RowData {
         let resolved = &entry.resolved;
         let place = Place::entry(object.index, entry.sub);
-        let (access, writable) = match resolved.sdo() {
-            (true, false) => ("RO", false),
-            (false, writable) => ("WO", writable),
-            (true, true) => ("RW", true),
-        };
+        let access = resolved.sdo_word(["WO", "RO", "WO", "RW"]);
+        let writable = resolved.access.is_writable();
         let mut data_type = type_macro(resolved.shape);
         if writable && object.index == 0x1003 && entry.sub == 0 {
             data_type = "valueRange_EMC".to_owned();

@@ -2,6 +2,7 @@
 
 use super::ROOM;
 use crate::Note;
+use crate::diagnostic::counted;
 use crate::dictionary::{Dictionary, ResolvedEntry, ResolvedObject};
 use crate::model::{DataType, PdoKind, Place, TypeKind};
 use crate::resolve::{Datum, Shape};
@@ -68,22 +69,19 @@ fn of_entry(index: u16, entry: &ResolvedEntry<'_>, notes: &mut Vec<Note>) {
 /// The substitute for a data type that the crate lacks; `None` for supported types.
 fn held_as_octets(shape: Shape) -> Option<String> {
     match shape {
-        Shape::Word(data_type) if !is_modelled(data_type) => {
-            Some(format!("{data_type} is stored as an octet string of {}", bytes(shape.size())))
-        }
+        Shape::Word(data_type) if !is_modelled(data_type) => Some(format!(
+            "{data_type} is stored as an octet string of {}",
+            counted(shape.size(), "byte", "bytes")
+        )),
         Shape::Bytes(data_type, _) if data_type == DataType::UNICODE_STRING => {
             Some("UNICODE_STRING is stored as an octet string".to_owned())
         }
         Shape::Block(length) => {
-            let length = bytes(length.into());
+            let length = counted(length.into(), "byte", "bytes");
             Some(format!("a device-specific type is stored as an octet string of {length}"))
         }
         Shape::Word(_) | Shape::Bytes(..) => None,
     }
-}
-
-fn bytes(length: usize) -> String {
-    if length == 1 { "1 byte".to_owned() } else { format!("{length} bytes") }
 }
 
 /// Whether the crate supports this data type of at most eight bytes.

@@ -161,18 +161,8 @@ fn letter(byte: u8) -> String {
 
 fn attribute(entry: &ResolvedEntry<'_>, type_: Option<&str>) -> String {
     let resolved = &entry.resolved;
-    let sdo = match resolved.sdo() {
-        (true, true) => "ODA_SDO_RW",
-        (true, false) => "ODA_SDO_R",
-        (false, true) => "ODA_SDO_W",
-        (false, false) => "",
-    };
-    let pdo = match (resolved.tpdo, resolved.rpdo) {
-        (true, true) => "ODA_TRPDO",
-        (true, false) => "ODA_TPDO",
-        (false, true) => "ODA_RPDO",
-        (false, false) => "",
-    };
+    let sdo = resolved.sdo_word(["", "ODA_SDO_R", "ODA_SDO_W", "ODA_SDO_RW"]);
+    let pdo = resolved.pdo_word(["", "ODA_TPDO", "ODA_RPDO", "ODA_TRPDO"]);
     let srdo = match entry.entry.stack.as_ref().and_then(|stack| stack.srdo_access) {
         Some(SrdoAccess::Trx) => "ODA_TRSRDO",
         Some(SrdoAccess::Tx) => "ODA_TSRDO",

@@ -176,7 +176,11 @@ fn row(
         limits: has_limits(data_type).then(|| limits(&resolved.low, &resolved.high)),
         default: initial(&default.resolved, node_id),
         value: file.map_or(value, |(_, name)| super::value::file(name)),
-        access: file.map_or_else(|| access(entry), |(flag, _)| access_of_file(flag)),
+        access: match file {
+            Some((UPLOAD, _)) => "ro", // the library demands the access type that fits the direction
+            Some(_) => "wo",
+            None => access(entry),
+        },
         mapping: u8::from(resolved.tpdo || resolved.rpdo),
         flags: flags(entry, &default.resolved.default, file.map(|(flag, _)| flag)),
     }
@@ -194,11 +198,6 @@ fn file_of(entry: &Entry, data_type: DataType) -> Option<(&'static str, &str)> {
     }
     let upload = configured.upload_file.as_deref().map(|name| (UPLOAD, name));
     upload.or(configured.download_file.as_deref().map(|name| (DOWNLOAD, name)))
-}
-
-/// The library demands the access type that fits the direction.
-fn access_of_file(flag: &str) -> &'static str {
-    if flag == UPLOAD { "ro" } else { "wo" }
 }
 
 /// The access type, which states for a `rw` entry which PDOs map it.

@@ -159,12 +159,7 @@ fn doc(row: &Row, unit: Option<String>) -> String {
     if let Some(unit) = unit {
         doc.push_str(&format!(", in {}", code_span(&unit)));
     }
-    match (resolved.tpdo, resolved.rpdo) {
-        (true, true) => doc.push_str(", in any PDO"),
-        (true, false) => doc.push_str(", in TPDOs"),
-        (false, true) => doc.push_str(", in RPDOs"),
-        (false, false) => {}
-    }
+    doc.push_str(resolved.pdo_word(["", ", in TPDOs", ", in RPDOs", ", in any PDO"]));
     doc
 }
 

@@ -105,12 +105,7 @@ impl Maker<'_> {
             data_type: kept.data_type,
             access: resolved.plain_access(),
             default: kept.default,
-            pdo_mapping: match (resolved.tpdo, resolved.rpdo) {
-                (false, false) => "none",
-                (true, false) => "tpdo",
-                (false, true) => "rpdo",
-                (true, true) => "both",
-            },
+            pdo_mapping: resolved.pdo_word(["none", "tpdo", "rpdo", "both"]),
             persist: self.is_stored(object, entry),
         }
     }
