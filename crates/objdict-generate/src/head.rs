@@ -36,6 +36,7 @@ impl Head {
 
 /// Declares the files of a target: the template of each sees the fields and methods of one view. The derive is stated by
 /// the caller, because templates are found from the file that it is in.
+#[cfg(any(feature = "c", feature = "stacks"))]
 macro_rules! files {
     (#[$derive:meta] $visibility:vis $view:ident: $($file:ident $path:tt)+) => {$(
         #[$derive]
@@ -52,4 +53,5 @@ macro_rules! files {
     )+};
 }
 
+#[cfg(any(feature = "c", feature = "stacks"))]
 pub(crate) use files;

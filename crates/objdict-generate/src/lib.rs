@@ -73,7 +73,6 @@ mod stored;
 mod table;
 #[cfg(feature = "template")]
 mod template;
-#[cfg(feature = "stacks")]
 mod variables;
 #[cfg(feature = "stacks")]
 mod zencan;

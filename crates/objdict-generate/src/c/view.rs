@@ -2,7 +2,7 @@
 
 use std::fmt::{self, Write};
 
-use super::defaults::{Defaults, take_names};
+use super::defaults::{ItemView, item_views};
 use super::meanings::Meanings;
 use super::rows::Rows;
 use super::stored::{self, GroupView, MemberView};
@@ -28,7 +28,8 @@ pub(super) struct Tables<'a> {
     pub(super) objects: Vec<ObjectView<'a>>,
     /// Whether the entries have names.
     names: bool,
-    defaults: Defaults,
+    /// Macros of identity and services.
+    defaults: Vec<ItemView>,
     meanings: Option<Meanings<'a>>,
     /// Members of the struct of values, including the structs of storage groups.
     fields: Vec<MemberView<'a>>,
@@ -93,7 +94,10 @@ const MACROS: &str = "
 impl<'a> Tables<'a> {
     pub(super) fn new(table: &'a Table, prefix: &'a str, facts: &'a Facts) -> Self {
         let mut macros = Scope::of_constants(MACROS);
-        take_names(&facts.constants, &mut macros);
+        let defaults: Vec<ItemView> = facts.constants.iter().flat_map(item_views).collect();
+        for item in &defaults {
+            macros.take(item.name.split('(').next().unwrap_or_default().to_ascii_lowercase());
+        }
         for taken in stored::macros(table).into_iter().chain(hook_macros(table)) {
             macros.claim(&taken, format_args!(""));
         }
@@ -120,7 +124,7 @@ impl<'a> Tables<'a> {
             table,
             objects,
             names: facts.names,
-            defaults: Defaults::new(&facts.constants, prefix),
+            defaults,
             meanings,
             fields: stored::members(table, prefix),
             groups: stored::group_views(table, prefix),

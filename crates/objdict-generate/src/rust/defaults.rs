@@ -1,37 +1,22 @@
 //! View of templates/rust/_defaults.rs: constants of identity and services.
 
-use askama::Template;
-
 use super::literal::{grouped, hex};
 use crate::defaults::{Constant, ConstantValue};
 use crate::model::CobId;
 
-/// The module `defaults`.
-#[derive(Template)]
-#[template(path = "rust/_defaults.rs", escape = "none")]
-pub(super) struct Defaults {
-    items: Vec<ItemView>,
-}
-
 /// A constant or a function.
-struct ItemView {
+pub(super) struct ItemView {
     /// Its meaning and its source.
-    meaning: String,
+    pub(super) meaning: String,
     /// For a function, whether it uses its argument.
-    function: Option<bool>,
-    name: String,
-    type_: String,
+    pub(super) function: Option<bool>,
+    pub(super) name: String,
+    pub(super) type_: String,
     /// An expression.
-    value: String,
+    pub(super) value: String,
 }
 
-impl Defaults {
-    pub(super) fn new(constants: &[Constant]) -> Self {
-        Self { items: constants.iter().map(item_view).collect() }
-    }
-}
-
-fn item_view(constant: &Constant) -> ItemView {
+pub(super) fn item_view(constant: &Constant) -> ItemView {
     let Constant { name, source, meaning, value } = constant;
     let of_cob_id =
         |cob_id: CobId, mask| (Some(cob_id.depends_on_node_id()), "u32".to_owned(), of_node(cob_id, mask));

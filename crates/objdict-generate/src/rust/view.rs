@@ -2,7 +2,7 @@
 
 use askama::Template;
 
-use super::defaults::Defaults;
+use super::defaults::{ItemView, item_view};
 use super::literal::{hex, hex_bytes};
 use super::meanings::Meanings;
 use super::objects::Objects;
@@ -32,7 +32,8 @@ pub(super) struct Od<'a> {
     hook_room: Option<usize>,
     rows: Vec<RowView<'a>>,
     rom: Vec<String>,
-    defaults: Defaults,
+    /// Constants of identity and services.
+    defaults: Vec<ItemView>,
     meanings: Option<Meanings<'a>>,
     frames: Vec<FrameView<'a>>,
     /// The communication parameters of RPDOs and of TPDOs.
@@ -69,7 +70,7 @@ impl<'a> Od<'a> {
             hook_room: (options.runtime || hooks::has_hooks(table)).then(|| hooks::room(table)),
             rows,
             rom: table.rom.chunks(16).map(hex_bytes).collect(),
-            defaults: Defaults::new(constants),
+            defaults: constants.iter().map(item_view).collect(),
             meanings: (!named.is_empty()).then(|| Meanings::new(named, derives)),
             frames: frames.iter().map(|frame| FrameView::new(table, frame)).collect(),
             pdos: [0x1400..=0x15FF, 0x1800..=0x19FF].map(|indexes| {

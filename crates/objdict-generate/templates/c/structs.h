@@ -32,7 +32,7 @@ extern "C" {
 {%- endfor %}
 {%- endfor %}
 
-{{ defaults }}
+{% include "_defaults.h" %}
 {%- if let Some(meanings) = meanings %}
 
 {{ meanings }}

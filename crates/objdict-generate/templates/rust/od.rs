@@ -67,7 +67,7 @@ pub mod groups {
 {%- endfor %}
 }
 {% endif %}
-{{ defaults }}
+{% include "_defaults.rs" %}
 
 {% if let Some(meanings) = meanings -%}
 {{ meanings }}
