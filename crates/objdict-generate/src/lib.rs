@@ -94,12 +94,23 @@ use objdict_model::{diagnostic, literal, model};
 use crate::diagnostic::{Severity, counted};
 use crate::model::{Device, Place};
 
+macro_rules! make {
+    ($module:ident) => {
+        Make::Measured($module::make)
+    };
+    ($module:ident $why:literal) => {
+        Make::Unmeasured($module::make, $why)
+    };
+}
+
 /// All targets in the order of help: the name of the [`Target`] constant, the module, the name on the command line, the
-/// summary (lower case, no full stop) and the options that affect the files. The module has the function `make`.
+/// summary (lower case, no full stop), the options that affect the files, and why the size of its tables is not known, if it
+/// is not. The module has the function `make`.
 macro_rules! targets {
     ($($(#[$condition:meta])? $constant:ident $module:ident $name:literal
         $summary:literal
-        [$($choice:ident)*];
+        [$($choice:ident)*]
+        $(unmeasured $why:literal)?;
     )+) => {
         static BACKENDS: &[&Backend] = &[$($(#[$condition])? Target::$constant.0),+];
 
@@ -110,7 +121,7 @@ macro_rules! targets {
                 name: $name,
                 summary: $summary,
                 uses: &[$(Choice::$choice),*],
-                make: $module::make,
+                make: make!($module $($why)?),
             });)+
         }
     };
@@ -128,11 +139,13 @@ targets! {
     #[cfg(feature = "stacks")]
     CONCISE concise "concise"
         "one concise DCF (.cdcf): the SDO downloads that bring a node from its defaults to what is configured"
-        [];
+        []
+        unmeasured "a concise DCF is not part of the firmware, but data for a manager";
     #[cfg(feature = "stacks")]
     CANOPEN_RS canopen_rs "canopen-rs"
         "one Rust file for the crate canopen-rs 0.6: a function of the node-ID that makes its ObjectDictionary"
-        [Names Renamed Module];
+        [Names Renamed Module]
+        unmeasured "the crate canopen-rs builds the tables while the firmware runs";
     #[cfg(feature = "stacks")]
     CANOPEN_STACK canopen_stack "canopen-stack"
         "the `CO_OBJ` table of canopen-stack 4.4 (embedded-office), its values and a node specification"
@@ -140,7 +153,8 @@ targets! {
     #[cfg(feature = "stacks")]
     ZENCAN zencan "zencan"
         "one device configuration (.toml) for the crate zencan-build 0.0.5"
-        [Names Renamed Groups StringCapacity];
+        [Names Renamed Groups StringCapacity]
+        unmeasured "the crate zencan-build generates the tables from the file";
     #[cfg(feature = "stacks")]
     CANOPENNODE canopennode "canopennode"
         "`OD.h` and `OD.c` of the stack CANopenNode 4"
@@ -148,7 +162,8 @@ targets! {
     #[cfg(feature = "template")]
     TEMPLATE template "template"
         "one file, made by a Jinja template of your own (`--template`)"
-        [Template Names Renamed StringCapacity DomainCapacity];
+        [Template Names Renamed StringCapacity DomainCapacity]
+        unmeasured "nobody but the template knows what it makes";
     #[cfg(feature = "stacks")]
     MICROCANOPEN microcanopen "microcanopen"
         "the tables of MicroCANopen: SDO replies, process image, calls that initialise PDOs"
@@ -160,7 +175,8 @@ targets! {
     #[cfg(feature = "stacks")]
     LELY lely "lely"
         "the static device (`co_sdev`) of Lely core 2.4"
-        [Prefix EntryNames];
+        [Prefix EntryNames]
+        unmeasured "the library copies the table, and its configuration decides what a row contains";
     #[cfg(feature = "stacks")]
     CANFESTIVAL canfestival "canfestival"
         "the dictionary of CanFestival 3, laid out as by objdictgen"
@@ -181,16 +197,23 @@ struct Backend {
     summary: &'static str,
     /// The options that affect the files.
     uses: &'static [Choice],
-    make: fn(&Device, &Options) -> Result<Made, GenerateError>,
+    make: Make,
 }
 
-/// What a backend makes of a device.
+/// The function of a target.
+#[derive(Debug)]
+enum Make {
+    Measured(fn(&Device, &Options) -> Result<Made, GenerateError>),
+    /// With the reason why the size of its tables is not known.
+    Unmeasured(fn(&Device, &Options) -> Result<Generated, GenerateError>, &'static str),
+}
+
+/// What a backend makes of a device, and the size of its tables.
 #[derive(Debug)]
 struct Made {
     files: Vec<OutputFile>,
     /// What the files cannot express.
     notes: Vec<Note>,
-    /// The size of its tables, or why it is not known.
     size: Sizes,
 }
 
@@ -393,9 +416,15 @@ pub fn generate(device: &Device, target: Target, options: &Options) -> Result<Ge
 /// The same without the notes that belong to no target.
 pub fn files_of(device: &Device, target: Target, options: &Options) -> Result<Generated, GenerateError> {
     let (device, notes) = gaps::filled(device);
-    let mut made = (target.0.make)(&device, options)?;
-    made.notes.splice(0..0, notes);
-    Ok(Generated { files: made.files, notes: made.notes })
+    let mut generated = match target.0.make {
+        Make::Unmeasured(make, _) => make(&device, options)?,
+        Make::Measured(make) => {
+            let Made { files, notes, .. } = make(&device, options)?;
+            Generated { files, notes }
+        }
+    };
+    generated.notes.splice(0..0, notes);
+    Ok(generated)
 }
 
 /// Notes that belong to no target: options that have no effect on any of them, and PDOs that are only implied.
@@ -446,7 +475,10 @@ pub fn identifiers(device: &Device, options: &Options) -> Result<Vec<Identifier>
 /// # Errors
 /// Same as [`generate`].
 pub fn size(device: &Device, target: Target, options: &Options) -> Result<Sizes, GenerateError> {
-    Ok((target.0.make)(&gaps::filled(device).0, options)?.size)
+    match target.0.make {
+        Make::Unmeasured(_, why) => Ok(Sizes::Unknown(why)),
+        Make::Measured(make) => Ok(make(&gaps::filled(device).0, options)?.size),
+    }
 }
 
 /// Renders a template as a file that ends with one line feed.

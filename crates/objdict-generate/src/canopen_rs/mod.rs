@@ -8,13 +8,13 @@ use super::dictionary::Dictionary;
 use super::head::Head;
 use super::names::Scope;
 use super::notes::{in_order, once_per_object};
-use super::{GenerateError, Made, Options, Sizes, render};
+use super::{GenerateError, Generated, Options, render};
 use crate::model::Device;
 
 /// Capacity of a string, octet string or DOMAIN in the crate, in bytes (`MAX_STRING_LEN`).
 const ROOM: u16 = 32;
 
-pub(super) fn make(device: &Device, options: &Options) -> Result<Made, GenerateError> {
+pub(super) fn make(device: &Device, options: &Options) -> Result<Generated, GenerateError> {
     let module = options.module_or("od")?;
     let function = Scope::of_lower_case("address octets put").claim(&module, format_args!("od"));
     let room = Options { string_capacity: ROOM, domain_capacity: ROOM, ..options.clone() };
@@ -27,6 +27,5 @@ pub(super) fn make(device: &Device, options: &Options) -> Result<Made, GenerateE
     }
     let head = Head::new(device, options, &function, &module);
     let file = render(format!("{module}.rs"), &view::Od::new(&dictionary, head))?;
-    let size = Sizes::Unknown("the crate canopen-rs builds the tables while the firmware runs");
-    Ok(Made { files: vec![file], notes, size })
+    Ok(Generated { files: vec![file], notes })
 }

@@ -1,11 +1,11 @@
 //! The target `concise`: the stream of SDO downloads that a CANopen manager stores for the node (1F22h, CiA
 //! 302-3).
 
-use super::{GenerateError, Made, Note, Options, OutputFile, Sizes};
+use super::{GenerateError, Generated, Note, Options, OutputFile};
 use crate::model::{Device, Place};
 use objdict_node::download::{ConciseDcf, Download, Plan, PlanError, PlanOptions, Step};
 
-pub(super) fn make(device: &Device, options: &Options) -> Result<Made, GenerateError> {
+pub(super) fn make(device: &Device, options: &Options) -> Result<Generated, GenerateError> {
     let node_id = options.node_id_of(device)?;
     let plan = ConciseDcf::plan(device, &PlanOptions { node_id, ..PlanOptions::default() })
         .map_err(inexpressible)?;
@@ -15,8 +15,7 @@ pub(super) fn make(device: &Device, options: &Options) -> Result<Made, GenerateE
         .write()
         .map_err(|error| GenerateError::Inexpressible(vec![Note::new(Place::device(), error.to_string())]))?;
     let path = format!("{}.cdcf", options.file_stem);
-    let size = Sizes::Unknown("a concise DCF is not part of the firmware, but data for a manager");
-    Ok(Made { files: vec![OutputFile { path, contents }], notes, size })
+    Ok(Generated { files: vec![OutputFile { path, contents }], notes })
 }
 
 /// A download whose bytes are known without reading a file.

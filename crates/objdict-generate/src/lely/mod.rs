@@ -10,10 +10,10 @@ mod view;
 use super::c_code::file_name;
 use super::dictionary::Dictionary;
 use super::notes::{in_order, once_per_device};
-use super::{GenerateError, Made, Options, Sizes, render};
+use super::{GenerateError, Generated, Options, render};
 use crate::model::{Device, DeviceKind};
 
-pub(super) fn make(device: &Device, options: &Options) -> Result<Made, GenerateError> {
+pub(super) fn make(device: &Device, options: &Options) -> Result<Generated, GenerateError> {
     let prefix = options.prefix_or("od")?;
     let stem = file_name(options, "sdev");
     // the library allocates the memory of texts and DOMAINs, so their capacity has no limit
@@ -29,7 +29,5 @@ pub(super) fn make(device: &Device, options: &Options) -> Result<Made, GenerateE
         render(format!("{stem}.c"), &view::Source(&tables))?,
         render(format!("{stem}.h"), &view::Header(&tables))?,
     ];
-    let size =
-        Sizes::Unknown("the library copies the table, and its configuration decides what a row contains");
-    Ok(Made { files, notes: once_per_device(in_order(notes)), size })
+    Ok(Generated { files, notes: once_per_device(in_order(notes)) })
 }

@@ -12,7 +12,7 @@ use minijinja::{AutoEscape, Environment, UndefinedBehavior, Value};
 use objdict_model::source::read_text;
 
 use super::dictionary::Dictionary;
-use super::{GenerateError, Made, Options, OutputFile, Sizes};
+use super::{GenerateError, Generated, Options, OutputFile};
 use crate::model::Device;
 
 /// Instruction limit, so that endless templates stop: a base and an amount per entry.
@@ -32,7 +32,7 @@ const MOST_BRANCHES: usize = 1000;
 /// The stack of the engine in bytes. It has room for the longest tag, and for values that are nested a million deep.
 const STACK: usize = 512 << 20;
 
-pub(super) fn make(device: &Device, options: &Options) -> Result<Made, GenerateError> {
+pub(super) fn make(device: &Device, options: &Options) -> Result<Generated, GenerateError> {
     let path = options.template.as_deref().ok_or(GenerateError::NoTemplate)?;
     let file = path.file_name().map(OsStr::to_string_lossy).unwrap_or_default().into_owned();
     let fail = |message: String| GenerateError::UserTemplate { file: file.clone(), line: None, message };
@@ -54,8 +54,7 @@ pub(super) fn make(device: &Device, options: &Options) -> Result<Made, GenerateE
         let rendered = engine.join().unwrap_or_else(|panic| std::panic::resume_unwind(panic));
         rendered.map_err(|error| explained(&file, &error))
     })?;
-    let (notes, size) = (dictionary.notes, Sizes::Unknown("nobody but the template knows what it makes"));
-    Ok(Made { files: vec![OutputFile { path: output.to_owned(), contents }], notes, size })
+    Ok(Generated { files: vec![OutputFile { path: output.to_owned(), contents }], notes: dictionary.notes })
 }
 
 /// What in a template would need more stack than there is.

@@ -14,14 +14,14 @@ mod value;
 use super::dictionary::Dictionary;
 use super::escape::filters;
 use super::notes::{in_order, once_per_object};
-use super::{GenerateError, Made, Note, Options, Sizes, render};
+use super::{GenerateError, Generated, Note, Options, render};
 use crate::model::{CobId, Device, Place};
 use answers::Answers;
 use fixed::Settings;
 use object::{ObjectContent, ObjectView};
 use pdo::Pdo;
 
-pub(super) fn make(device: &Device, options: &Options) -> Result<Made, GenerateError> {
+pub(super) fn make(device: &Device, options: &Options) -> Result<Generated, GenerateError> {
     // a DOMAIN needs no capacity and no note about it: the application provides it
     let room = Options { domain_capacity: 1, ..options.clone() };
     let dictionary = Dictionary::new(device, &room)?;
@@ -31,8 +31,7 @@ pub(super) fn make(device: &Device, options: &Options) -> Result<Made, GenerateE
     notes.extend(maker.answers.differences(&dictionary));
     notes.extend(dictionary.notes.iter().cloned());
     let file = render(format!("{}.toml", options.file_stem), &config)?;
-    let size = Sizes::Unknown("the crate zencan-build generates the tables from the file");
-    Ok(Made { files: vec![file], notes: once_per_object(in_order(notes)), size })
+    Ok(Generated { files: vec![file], notes: once_per_object(in_order(notes)) })
 }
 
 /// The file.
