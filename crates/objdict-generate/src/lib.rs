@@ -24,7 +24,7 @@
 // no feature combination uses all shared code
 #![cfg_attr(
     not(all(feature = "rust", feature = "c", feature = "stacks", feature = "template")),
-    allow(dead_code)
+    allow(dead_code, unused_macros)
 )]
 
 #[cfg(feature = "c")]

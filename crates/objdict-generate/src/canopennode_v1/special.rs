@@ -68,6 +68,7 @@ pub(super) struct Family {
     pub(super) needed: bool,
 }
 
+/// The stack compiles without SDO clients, but not without one of each other family.
 const fn family(first: u16, last: u16, name: &'static str, members: &'static str) -> Family {
     Family { first, last, name, members, needed: first != 0x1280 }
 }
