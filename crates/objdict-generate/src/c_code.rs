@@ -1,9 +1,9 @@
 //! Numbers, bytes and texts in C syntax, shared by all C targets.
 
-use std::fmt::Write;
-
 use super::Options;
+use super::escape::c_string;
 use super::names::words;
+use super::resolve::{Datum, Resolved, Shape, digits};
 use crate::model::{DataType, TypeKind};
 
 /// Longer texts are written as bytes, because C99 compilers need not support longer literals (§5.2.4.1).
@@ -52,15 +52,43 @@ pub(crate) fn number(word: u64, data_type: DataType) -> Option<String> {
         TypeKind::Signed(bits) => signed(word as i64, bits), // same bits: sign-extended
         TypeKind::Unsigned(64) => format!("UINT64_C({word:#X})"),
         TypeKind::Unsigned(17..) => format!("0x{word:08X}u"),
-        TypeKind::Real32 => {
-            let real = f32::from_bits(word as u32); // a REAL32 has 32 bits
-            return real.is_finite().then(|| format!("{real:?}f"));
-        }
-        TypeKind::Real64 => {
-            let real = f64::from_bits(word);
-            return real.is_finite().then(|| format!("{real:?}"));
-        }
+        TypeKind::Real32 => digits(word, data_type)? + "f",
+        TypeKind::Real64 => digits(word, data_type)?,
         _ => format!("{word}u"),
+    })
+}
+
+/// The type and the initializer of a value, if C has both for it.
+pub(crate) fn typed(shape: Shape, word: u64) -> Option<(DataType, String)> {
+    let Shape::Word(data_type) = shape else { return None };
+    exact_type(data_type)?;
+    Some((data_type, number(word, data_type)?))
+}
+
+/// The name that a stack has for a number of C: one of these words, for unsigned, signed and real ones, and its bits.
+pub(crate) fn number_type(data_type: DataType, [unsigned, signed, real]: [&str; 3]) -> Option<String> {
+    exact_type(data_type)?;
+    let word = match data_type.kind() {
+        TypeKind::Signed(_) => signed,
+        TypeKind::Real32 | TypeKind::Real64 => real,
+        _ => unsigned,
+    };
+    Some(format!("{word}{}", 8 * data_type.byte_length()?))
+}
+
+/// The statement that adds `nodeId` to a variable; numbers without a C type are bytes, which the function `store` sets.
+pub(crate) fn assignment(
+    resolved: &Resolved,
+    variable: &str,
+    words: [&str; 3],
+    store: &str,
+) -> Option<String> {
+    let (Datum::Formula(offset), Shape::Word(data_type)) = (&resolved.default, resolved.shape) else {
+        return None;
+    };
+    Some(match (number_type(data_type, words), number(*offset, data_type)) {
+        (Some(c_type), Some(number)) => format!("{variable} = ({c_type})({number} + nodeId);"),
+        _ => format!("{store}({variable}, UINT64_C(0x{offset:X}) + nodeId, {}u);", resolved.shape.size()),
     })
 }
 
@@ -110,21 +138,7 @@ pub(crate) fn literal(bytes: &[u8]) -> Option<String> {
     if bytes.len() > LONGEST_LITERAL {
         return None;
     }
-    let mut text = String::with_capacity(bytes.len() + 2);
-    text.push('"');
-    let plain = |byte: &u8| matches!(byte, b' '..=b'~') && !matches!(byte, b'"' | b'\\' | b'?');
-    let (start, rest) = bytes.split_at(bytes.iter().position(|byte| !plain(byte)).unwrap_or(bytes.len()));
-    text.push_str(str::from_utf8(start).unwrap_or_default()); // ASCII
-    for &byte in rest {
-        match byte {
-            b'"' | b'\\' | b'?' => text.extend(['\\', char::from(byte)]), // `?`: no trigraphs
-            b' '..=b'~' => text.push(char::from(byte)),
-            _ => {
-                let _ = write!(text, "\\{byte:03o}"); // writing to a String cannot fail
-            }
-        }
-    }
-    Some(text + "\"")
+    Some(format!("\"{}\"", c_string(bytes)))
 }
 
 #[cfg(test)]

@@ -1,5 +1,7 @@
 //! Words that are taken in C sources, for targets whose names keep the spelling of the description.
 
+use std::collections::HashSet;
+
 /// Keywords of C and C++, types of headers, and macros of the standard library.
 pub(crate) const RESERVED: &str = "
     auto break case char const continue default do double else enum extern float for goto if inline int
@@ -36,6 +38,13 @@ pub(crate) fn is_reserved(name: &str) -> bool {
                 "USHRT", "LONG", "ULONG", "LLONG", "ULLONG",
             ])
             && ends(&["_MAX", "_MIN", "_C", "_WIDTH"])
+}
+
+/// Takes a name, or one like it with a suffix if it is taken.
+pub(crate) fn distinct(taken: &mut HashSet<String>, plain: String, suffix: &str) -> String {
+    let candidates = (2_u32..).map(|number| format!("{plain}_{suffix}_{number}"));
+    let mut candidates = [plain.clone(), format!("{plain}_{suffix}")].into_iter().chain(candidates);
+    candidates.find(|candidate| taken.insert(candidate.clone())).unwrap_or(plain) // there are fewer entries than numbers
 }
 
 /// Functions of C and POSIX libraries, which a variable at file scope would replace or contradict.

@@ -42,6 +42,18 @@ pub(crate) struct ResolvedEntry<'a> {
 }
 
 impl ResolvedObject<'_> {
+    /// The entry with a sub-index.
+    pub(crate) fn entry(&self, sub: u8) -> Option<&ResolvedEntry<'_>> {
+        self.entries.iter().find(|entry| entry.sub == sub)
+    }
+
+    /// The storage group stated in the description, else in the options.
+    pub(crate) fn group<'s>(&'s self, options: &'s Options) -> Option<&'s str> {
+        let stated = self.object.main.stack.as_ref().and_then(|stack| stack.storage_group.as_deref());
+        let stated = stated.map(str::trim).filter(|name| !name.is_empty());
+        stated.or_else(|| options.group_of(self.index))
+    }
+
     /// Whether it has a single value, so that its name needs no sub-index.
     pub(crate) fn is_single(&self) -> bool {
         !self.object.object_type().has_subs() && self.object.compact.is_none() && self.entries.len() == 1
@@ -85,8 +97,26 @@ impl<'a> Dictionary<'a> {
     }
 }
 
+impl Dictionary<'_> {
+    /// An object.
+    pub(crate) fn object(&self, index: u16) -> Option<&ResolvedObject<'_>> {
+        let at = self.objects.binary_search_by_key(&index, |object| object.index).ok()?;
+        self.objects.get(at)
+    }
+
+    /// An entry.
+    pub(crate) fn entry(&self, index: u16, sub: u8) -> Option<&ResolvedEntry<'_>> {
+        self.object(index)?.entry(sub)
+    }
+
+    /// All entries with their objects.
+    pub(crate) fn entries(&self) -> impl Iterator<Item = (&ResolvedObject<'_>, &ResolvedEntry<'_>)> {
+        self.objects.iter().flat_map(|object| object.entries.iter().map(move |entry| (object, entry)))
+    }
+}
+
 /// Resolves an object with its entries; `None`, with a note, if a table cannot contain any of them.
-fn resolve<'a>(
+pub(crate) fn resolve<'a>(
     resolver: &mut Resolver<'_>,
     options: &'a Options,
     index: u16,

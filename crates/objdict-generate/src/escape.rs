@@ -123,10 +123,6 @@ pub(super) fn byte_string(bytes: &[u8]) -> String {
 }
 
 /// The content of a C string literal: octal escapes, which always end after three digits, and no trigraphs.
-#[cfg_attr(
-    not(feature = "template"),
-    allow(dead_code, reason = "only templates of the user's own have such strings")
-)]
 pub(super) fn c_string(bytes: &[u8]) -> String {
     bytes.iter().fold(String::with_capacity(bytes.len()), |mut text, &byte| {
         match byte {
@@ -172,40 +168,16 @@ pub(super) mod filters {
         Ok(Hex(*index.borrow()))
     }
 
-    #[askama::filter_fn]
-    pub(crate) fn code_span(text: impl AsRef<str>, _: &dyn Values) -> Result<String> {
-        let span = super::code_span(text.as_ref());
-        Ok(span)
+    macro_rules! of_texts {
+        ($($name:ident)+) => {$(
+            #[askama::filter_fn]
+            pub(crate) fn $name(text: impl AsRef<str>, _: &dyn Values) -> Result<String> {
+                Ok(super::$name(text.as_ref()))
+            }
+        )+};
     }
 
-    #[askama::filter_fn]
-    pub(crate) fn rust_text(text: impl AsRef<str>, _: &dyn Values) -> Result<String> {
-        let literal = super::rust_text(text.as_ref());
-        Ok(literal)
-    }
-
-    #[askama::filter_fn]
-    pub(crate) fn toml_string(text: impl AsRef<str>, _: &dyn Values) -> Result<String> {
-        let literal = super::toml_string(text.as_ref());
-        Ok(literal)
-    }
-
-    #[askama::filter_fn]
-    pub(crate) fn c_comment(text: impl AsRef<str>, _: &dyn Values) -> Result<String> {
-        let comment = super::c_comment(text.as_ref());
-        Ok(comment)
-    }
-
-    #[askama::filter_fn]
-    pub(crate) fn doxygen(text: impl AsRef<str>, _: &dyn Values) -> Result<String> {
-        Ok(super::doxygen(text.as_ref()))
-    }
-
-    #[askama::filter_fn]
-    pub(crate) fn c_text(text: impl AsRef<str>, _: &dyn Values) -> Result<String> {
-        let literal = super::c_text(text.as_ref());
-        Ok(literal)
-    }
+    of_texts! { code_span rust_text toml_string c_comment doxygen c_text }
 }
 
 #[cfg(test)]

@@ -64,9 +64,9 @@ impl FrameField {
 }
 
 impl Frame {
-    /// The COB-ID as a C or Rust expression of `node_id`.
-    pub(crate) fn cob_id_number(&self) -> Option<(u32, bool)> {
-        self.cob_id.map(|cob_id| (cob_id.number(), cob_id.depends_on_node_id()))
+    /// Whether the node-ID is added to the COB-ID.
+    pub(crate) fn depends_on_node_id(&self) -> bool {
+        self.cob_id.is_some_and(CobId::depends_on_node_id)
     }
 }
 
@@ -176,12 +176,7 @@ fn name_of(table: &Table, row: &Row) -> String {
             None => field.clone(),
         };
     }
-    let object = table.objects.iter().find(|object| object.index == row.index);
-    match object {
-        Some(object) if object.single => object.module.clone(),
-        Some(object) => format!("{}_{}", object.module, row.constant),
-        None => row.constant.clone(),
-    }
+    table.words_of(row)
 }
 
 #[cfg(test)]
@@ -234,8 +229,8 @@ mod tests {
         assert_eq!(notes, []);
         let [frame] = frames.as_slice() else { panic!("{frames:?}") };
         assert_eq!(
-            (frame.name.as_str(), frame.length, frame.cob_id_number()),
-            ("tpdo1", 7, Some((0x180, true)))
+            (frame.name.as_str(), frame.length, frame.cob_id.map(CobId::number)),
+            ("tpdo1", 7, Some(0x180))
         );
         let places: Vec<_> =
             frame.fields.iter().map(|field| (&*field.name, field.first, field.bits)).collect();

@@ -1,7 +1,7 @@
 //! Hooks of the flat table: callbacks of the application before reads and after writes of an entry.
 
-use super::notes::in_order;
-use super::size::element_size;
+use super::memory::Extent;
+use super::notes::{in_order, place_of};
 use super::table::{Row, Table};
 use super::{Note, Options};
 use crate::model::{Address, Device, Place};
@@ -14,8 +14,8 @@ pub(super) fn mark(device: &Device, options: &Options, table: &mut Table) {
     if options.hooks.is_empty() {
         return;
     }
-    for &Address { index, sub } in &options.hooks {
-        let place = sub.map_or(Place::object(index), |sub| Place::entry(index, sub));
+    for &at in &options.hooks {
+        let Address { index, sub } = at;
         let asked = |row: &&mut Row| row.index == index && sub.is_none_or(|sub| row.sub == sub);
         let (mut rows, mut constants) = (0, 0);
         for row in table.rows.iter_mut().filter(asked) {
@@ -34,13 +34,13 @@ pub(super) fn mark(device: &Device, options: &Options, table: &mut Table) {
             }
             _ => continue,
         };
-        table.notes.push(Note::new(place, text));
+        table.notes.push(Note::new(place_of(at), text));
     }
-    let long = table.rows.iter().filter(|row| row.hooked && element_size(row.resolved.shape) > LONG);
+    let long = table.rows.iter().filter(|row| row.hooked && Extent::of(row.resolved.shape).size > LONG);
     let long = long.filter(|row| row.slot.is_some() && row.access().is_writable()).map(|row| {
         let text = format!(
             "{} bytes on the stack hold the old value while a hook checks the new one",
-            element_size(row.resolved.shape)
+            Extent::of(row.resolved.shape).size
         );
         Note::new(Place::entry(row.index, row.sub), text)
     });
@@ -57,5 +57,5 @@ pub(crate) fn has_hooks(table: &Table) -> bool {
 /// Size of the longest value to restore after a hook rejects a write; at least that of a number.
 pub(crate) fn room(table: &Table) -> usize {
     let kept = table.rows.iter().filter(|row| row.hooked && row.slot.is_some() && row.access().is_writable());
-    kept.map(|row| element_size(row.resolved.shape)).max().unwrap_or(0).max(8)
+    kept.map(|row| Extent::of(row.resolved.shape).size).max().unwrap_or(0).max(8)
 }

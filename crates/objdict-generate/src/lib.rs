@@ -1,7 +1,7 @@
 //! Code and data for products, generated from a [`Device`]: tables in Rust and C, concise DCF.
 //!
-//! A *target* has a name such as `rust`; its [`Backend`] turns a device into files. Backends depend on the
-//! model and not on the input format. To add one, write a folder next to this file and add a line to the
+//! A *target* has a name such as `rust`; its backend turns a device into files. Backends depend on the
+//! model and not on the input format. To add one, write a folder next to this file and declare it in the
 //! registry below.
 //!
 //! ```
@@ -24,7 +24,7 @@
 // no feature combination uses all shared code
 #![cfg_attr(
     not(all(feature = "rust", feature = "c", feature = "stacks", feature = "template")),
-    allow(dead_code)
+    allow(dead_code, unused_macros)
 )]
 
 #[cfg(feature = "c")]
@@ -49,6 +49,7 @@ mod dictionary;
 mod escape;
 mod frames;
 mod gaps;
+mod head;
 mod hooks;
 #[cfg(feature = "stacks")]
 mod lely;
@@ -72,7 +73,6 @@ mod stored;
 mod table;
 #[cfg(feature = "template")]
 mod template;
-#[cfg(feature = "stacks")]
 mod variables;
 #[cfg(feature = "stacks")]
 mod zencan;
@@ -94,78 +94,132 @@ use objdict_model::{diagnostic, literal, model};
 use crate::diagnostic::{Severity, counted};
 use crate::model::{Device, Place};
 
-/// All backends with the names of their [`Target`] constants, one per line, in the order of help.
+macro_rules! make {
+    ($module:ident) => {
+        Make::Measured($module::make)
+    };
+    ($module:ident $why:literal) => {
+        Make::Unmeasured($module::make, $why)
+    };
+}
+
+/// All targets in the order of help: the name of the [`Target`] constant, the module, the name on the command line, the
+/// summary (lower case, no full stop), the options that affect the files, and why the size of its tables is not known, if it
+/// is not. The module has the function `make`.
 macro_rules! targets {
-    ($($(#[$condition:meta])? $name:ident = $backend:expr,)+) => {
-        static BACKENDS: &[&dyn Backend] = &[$($(#[$condition])? &$backend),+];
+    ($($(#[$condition:meta])? $constant:ident $module:ident $name:literal
+        $summary:literal
+        [$($choice:ident)*]
+        $(unmeasured $why:literal)?;
+    )+) => {
+        static BACKENDS: &[&Backend] = &[$($(#[$condition])? Target::$constant.0),+];
 
         impl Target {
             $($(#[$condition])?
-            #[doc = concat!("The target of the backend `", stringify!($backend), "`.")]
-            pub const $name: Self = Self(&$backend);)+
+            #[doc = concat!("The target `", $name, "`: ", $summary, ".")]
+            pub const $constant: Self = Self(&Backend {
+                name: $name,
+                summary: $summary,
+                uses: &[$(Choice::$choice),*],
+                make: make!($module $($why)?),
+            });)+
         }
     };
 }
 
 targets! {
     #[cfg(feature = "rust")]
-    RUST = rust::Rust,
+    RUST rust "rust"
+        "one Rust file (no_std, no unsafe, no dependency): dictionary, values, SDO access by index and sub-index"
+        [Names Renamed Module Groups Hooks StringCapacity DomainCapacity EntryNames FeatureGates Derives Runtime Cell];
     #[cfg(feature = "c")]
-    C = c::C,
+    C c "c"
+        "`od.h` and `od.c` in C99 (no malloc): dictionary, values, SDO access by index and sub-index"
+        [Names Renamed Prefix Groups Hooks StringCapacity DomainCapacity Table EntryNames];
     #[cfg(feature = "stacks")]
-    CONCISE = concise::Concise,
+    CONCISE concise "concise"
+        "one concise DCF (.cdcf): the SDO downloads that bring a node from its defaults to its configuration"
+        []
+        unmeasured "a concise DCF is not part of the firmware, but data for a manager";
     #[cfg(feature = "stacks")]
-    CANOPEN_RS = canopen_rs::CanopenRs,
+    CANOPEN_RS canopen_rs "canopen-rs"
+        "one Rust file for the crate canopen-rs 0.6: a function that creates its ObjectDictionary for a node-ID"
+        [Names Renamed Module]
+        unmeasured "the crate canopen-rs builds the tables while the firmware runs";
     #[cfg(feature = "stacks")]
-    CANOPEN_STACK = canopen_stack::CanopenStack,
+    CANOPEN_STACK canopen_stack "canopen-stack"
+        "the `CO_OBJ` table of canopen-stack 4.4 (embedded-office), its values and a node specification"
+        [Names Renamed Prefix Groups StringCapacity DomainCapacity];
     #[cfg(feature = "stacks")]
-    ZENCAN = zencan::Zencan,
+    ZENCAN zencan "zencan"
+        "one device configuration (.toml) for the crate zencan-build 0.0.5"
+        [Names Renamed Groups StringCapacity]
+        unmeasured "the crate zencan-build generates the tables from the file";
     #[cfg(feature = "stacks")]
-    CANOPENNODE = canopennode::CanOpenNode,
+    CANOPENNODE canopennode "canopennode"
+        "`OD.h` and `OD.c` of the stack CANopenNode 4"
+        [Names Renamed Prefix Groups StringCapacity Hooks Limits Layout];
     #[cfg(feature = "template")]
-    TEMPLATE = template::Template,
+    TEMPLATE template "template"
+        "one file, rendered from a custom Jinja template (`--template`)"
+        [Template Names Renamed StringCapacity DomainCapacity]
+        unmeasured "nobody but the template knows what it makes";
     #[cfg(feature = "stacks")]
-    MICROCANOPEN = microcanopen::MicroCanopen,
+    MICROCANOPEN microcanopen "microcanopen"
+        "the tables of MicroCANopen: SDO replies, process image, calls that initialise PDOs"
+        [Names Renamed Prefix StringCapacity];
     #[cfg(feature = "stacks")]
-    OBJDICT_MACROS = objdict_macros::ObjdictMacros,
+    OBJDICT_MACROS objdict_macros "objdict-macros"
+        "`objdict.c` and `mapping.c` with the macros of the book on embedded CANopen (SINGLE_OBJ, MAP_ENTRY)"
+        [Names Renamed Prefix StringCapacity DomainCapacity];
     #[cfg(feature = "stacks")]
-    LELY = lely::Lely,
+    LELY lely "lely"
+        "the static device (`co_sdev`) of Lely core 2.4"
+        [Prefix EntryNames]
+        unmeasured "the library copies the table, and its configuration decides what a row contains";
     #[cfg(feature = "stacks")]
-    CANFESTIVAL = canfestival::CanFestival,
+    CANFESTIVAL canfestival "canfestival"
+        "the dictionary of CanFestival 3, with the layout of objdictgen"
+        [Names Renamed Prefix Groups Hooks StringCapacity DomainCapacity];
     #[cfg(feature = "stacks")]
-    CANOPENNODE_V1 = canopennode_v1::CanOpenNodeV1,
+    CANOPENNODE_V1 canopennode_v1 "canopennode-v1"
+        "`CO_OD.h` and `CO_OD.c` of the stack CANopenNode 1.3"
+        [Names Renamed Groups StringCapacity DomainCapacity];
 }
 
 /// Maximum size of a string, octet string or DOMAIN value in a table, in bytes.
 pub const LONGEST_VALUE: usize = u16::MAX as usize;
 
-/// Turns a device into files for one purpose.
-pub trait Backend: Sync {
-    /// The name of the target on the command line.
-    fn name(&self) -> &'static str;
-
-    /// A one-line summary: lower case, no full stop.
-    fn summary(&self) -> &'static str;
-
+/// A target as it is declared.
+#[derive(Debug)]
+struct Backend {
+    name: &'static str,
+    summary: &'static str,
     /// The options that affect the files.
-    fn uses(&self) -> &'static [Choice];
+    uses: &'static [Choice],
+    make: Make,
+}
 
-    /// Generates the files for `device`, with notes about what they cannot express.
-    ///
-    /// # Errors
-    /// Fails if a value cannot be represented, see [`GenerateError`].
-    fn generate(&self, device: &Device, options: &Options) -> Result<Generated, GenerateError>;
+/// The function of a target.
+#[derive(Debug)]
+enum Make {
+    Measured(fn(&Device, &Options) -> Result<Made, GenerateError>),
+    /// With the reason why the size of its tables is not known.
+    Unmeasured(fn(&Device, &Options) -> Result<Generated, GenerateError>, &'static str),
+}
 
-    /// Computes the size of the tables in flash and RAM, or states why it is unknown.
-    ///
-    /// # Errors
-    /// Same as [`Backend::generate`].
-    fn size(&self, device: &Device, options: &Options) -> Result<Sizes, GenerateError>;
+/// What a backend makes of a device, and the size of its tables.
+#[derive(Debug)]
+struct Made {
+    files: Vec<OutputFile>,
+    /// What the files cannot express.
+    notes: Vec<Note>,
+    size: Sizes,
 }
 
 /// A target of the registry.
 #[derive(Clone, Copy)]
-pub struct Target(&'static dyn Backend);
+pub struct Target(&'static Backend);
 
 impl Target {
     /// All targets.
@@ -185,12 +239,12 @@ impl Target {
 
     /// The name on the command line.
     pub fn name(self) -> &'static str {
-        self.0.name()
+        self.0.name
     }
 
     /// A one-line summary.
     pub fn summary(self) -> &'static str {
-        self.0.summary()
+        self.0.summary
     }
 }
 
@@ -362,14 +416,20 @@ pub fn generate(device: &Device, target: Target, options: &Options) -> Result<Ge
 /// The same without the notes that belong to no target.
 pub fn files_of(device: &Device, target: Target, options: &Options) -> Result<Generated, GenerateError> {
     let (device, notes) = gaps::filled(device);
-    let mut generated = target.0.generate(&device, options)?;
+    let mut generated = match target.0.make {
+        Make::Unmeasured(make, _) => make(&device, options)?,
+        Make::Measured(make) => {
+            let Made { files, notes, .. } = make(&device, options)?;
+            Generated { files, notes }
+        }
+    };
     generated.notes.splice(0..0, notes);
     Ok(generated)
 }
 
 /// Notes that belong to no target: options that have no effect on any of them, and PDOs that are only implied.
 pub fn general_notes(device: &Device, targets: &[Target], options: &Options) -> Vec<Note> {
-    let has_effect = |choice: &Choice| targets.iter().any(|target| target.0.uses().contains(choice));
+    let has_effect = |choice: &Choice| targets.iter().any(|target| target.0.uses.contains(choice));
     let without = options.chosen().filter(|choice| !has_effect(choice));
     let note = |choice: Choice| {
         Note::new(Place::device(), format!("the option `{}` has no effect on this target", choice.name()))
@@ -415,7 +475,10 @@ pub fn identifiers(device: &Device) -> Result<Vec<Identifier>, GenerateError> {
 /// # Errors
 /// Same as [`generate`].
 pub fn size(device: &Device, target: Target, options: &Options) -> Result<Sizes, GenerateError> {
-    target.0.size(&gaps::filled(device).0, options)
+    match target.0.make {
+        Make::Unmeasured(_, why) => Ok(Sizes::Unknown(why)),
+        Make::Measured(make) => Ok(make(&gaps::filled(device).0, options)?.size),
+    }
 }
 
 /// Renders a template as a file that ends with one line feed.

@@ -1,8 +1,9 @@
 //! The entries of a device as the generated tables have them, for programs that serve a description without compiling it.
 
 use super::Options;
+use super::dictionary::{self, ResolvedEntry};
 use super::gaps;
-use super::resolve::{Datum, Resolver, Shape};
+use super::resolve::{Datum, Resolver};
 use crate::model::{DataType, Device};
 
 /// An entry of a device on a node: what a row of a generated table holds.
@@ -38,36 +39,21 @@ pub fn live_entries(device: &Device, node_id: u8, options: &Options) -> Vec<Live
     let (device, _) = gaps::filled(device);
     let mut resolver = Resolver::new(&device, options);
     let mut entries = Vec::new();
-    let is_there = |disabled: Option<bool>| disabled != Some(true);
     for (&index, object) in &device.objects {
-        if !is_there(object.main.stack.as_ref().and_then(|stack| stack.disabled)) {
-            continue;
-        }
-        for (sub, entry) in object.entries() {
-            let Some(resolved) = resolver.entry(object, index, sub, &entry) else { continue };
-            let word = |datum: &Datum| match datum {
-                Datum::Word(word) => *word,
-                Datum::Formula(offset) => offset.wrapping_add(node_id.into()),
-                Datum::Bytes(_) => 0,
-            };
+        let object = dictionary::resolve(&mut resolver, options, index, object);
+        for ResolvedEntry { sub, resolved, .. } in object.into_iter().flat_map(|object| object.entries) {
+            let word = |datum: &Datum| datum.on_node(Some(node_id));
             let size = resolved.shape.size();
-            let value = match &resolved.default {
-                Datum::Bytes(bytes) => bytes.clone(),
-                number => word(number).to_le_bytes().into_iter().take(size).collect(),
-            };
             entries.push(LiveEntry {
                 index,
                 sub,
-                data_type: match resolved.shape {
-                    Shape::Word(data_type) | Shape::Bytes(data_type, _) => Some(data_type),
-                    Shape::Block(_) => None,
-                },
+                data_type: resolved.shape.data_type(),
                 size,
                 is_readable: resolved.access.is_readable(),
                 is_writable: resolved.access.is_writable(),
                 fits_tpdo: resolved.tpdo,
                 fits_rpdo: resolved.rpdo,
-                value,
+                value: resolved.default.bytes_on(Some(node_id), size),
                 low: resolved.low.as_ref().map(word),
                 high: resolved.high.as_ref().map(word),
             });

@@ -149,8 +149,8 @@ impl Namer<'_> {
         let defined = enumeration.definition.map(|definition| &*definition.name);
         let (base, title) = match (defined, part) {
             (Some(name), _) if !self.by_index => (words(name), name.to_owned()),
-            (_, Some(part)) => (format!("{}_{}", self.name_of(row), words(part)), part.to_owned()),
-            (defined, None) => (self.name_of(row), defined.unwrap_or(&row.name).to_owned()),
+            (_, Some(part)) => (format!("{}_{}", self.table.words_of(row), words(part)), part.to_owned()),
+            (defined, None) => (self.table.words_of(row), defined.unwrap_or(&row.name).to_owned()),
         };
         let bits = enumeration.data_type.bit_length().unwrap_or(64);
         self.add_enum(row, key, (&base, title), (enumeration.data_type, bits), values(&enumeration.values));
@@ -202,7 +202,7 @@ impl Namer<'_> {
         let is_whole = matches!(parts.as_slice(), [part] if part.bits == bits);
         let (name, title) = match self.array_of(row) {
             Some(array) => (array.module.clone(), array.name.clone()),
-            None => (self.name_of(row), row.name.clone()),
+            None => (self.table.words_of(row), row.name.clone()),
         };
         for (field, part) in fields.iter().zip(&parts) {
             let values = documented_values(field, (is_whole && low < 0).then_some(bits));
@@ -212,13 +212,14 @@ impl Namer<'_> {
             if values.is_empty() || self.is_known(row, &key) {
                 continue;
             }
-            if is_whole {
-                self.add_enum(row, key, (&name, title.clone()), (data_type, bits), values);
-            } else {
-                let base = format!("{name}_{}", words(part.name));
-                let of_part = (part.data_type(), part.bits);
-                self.add_enum(row, key, (&base, part.name.to_owned()), of_part, values);
-            }
+            let (base, title, of) = match is_whole {
+                true => (name.clone(), title.clone(), (data_type, bits)),
+                false => {
+                    let base = format!("{name}_{}", words(part.name));
+                    (base, part.name.to_owned(), (part.data_type(), part.bits))
+                }
+            };
+            self.add_enum(row, key, (&base, title), of, values);
         }
         if is_whole || parts.is_empty() {
             return;
@@ -279,7 +280,7 @@ impl Namer<'_> {
             return;
         }
         let title = word.definition.name.to_string();
-        let base = if self.by_index { self.name_of(row) } else { words(&title) };
+        let base = if self.by_index { self.table.words_of(row) } else { words(&title) };
         self.add_word(row, key, (&base, title), word.data_type, &word.fields);
     }
 
@@ -287,16 +288,6 @@ impl Namer<'_> {
     fn array_of(&self, row: &Row) -> Option<&TableObject> {
         let is_element = row.slot.is_some_and(|slot| slot.element.is_some());
         self.table.objects.iter().find(|object| is_element && object.index == row.index)
-    }
-
-    /// The source of an entry's identifiers.
-    fn name_of(&self, row: &Row) -> String {
-        let object = self.table.objects.iter().find(|object| object.index == row.index);
-        match object {
-            Some(object) if object.single => object.module.clone(),
-            Some(object) => format!("{}_{}", object.module, row.constant),
-            None => row.constant.clone(),
-        }
     }
 
     fn note(&mut self, row: &Row, defects: &[String]) {
@@ -310,6 +301,14 @@ impl Namer<'_> {
             }
         }
     }
+}
+
+/// The entries as a text, the first few by name.
+pub(crate) fn entries(all: &[(u16, u8)], name: impl Fn(u16, u8) -> String) -> String {
+    const SHOWN: usize = 8;
+    let shown: Vec<String> = all.iter().take(SHOWN).map(|&(index, sub)| name(index, sub)).collect();
+    let more = all.len().checked_sub(SHOWN).filter(|&more| more > 0);
+    shown.join(", ") + &more.map(|more| format!(" and {more} more")).unwrap_or_default()
 }
 
 fn key_of(row: &Row, enumeration: &Enumeration<'_>, part: Option<&str>) -> Key {

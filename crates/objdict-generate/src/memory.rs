@@ -5,9 +5,13 @@
 //! its values. A variable with a non-zero initial value takes the same size in flash, from which the start-up
 //! code copies it.
 
+use std::collections::BTreeSet;
+
 use super::dictionary::Dictionary;
-use super::resolve::Datum;
-use super::size::{ObjectSize, Size, SizeReport};
+use super::resolve::{Shape, is_time};
+use super::size::{ObjectSize, Size, SizeReport, Sizes};
+use super::table::{Table, TableField};
+use super::variables::Definition;
 
 /// Size and alignment of a type.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -15,7 +19,7 @@ pub(crate) struct Extent {
     /// Bytes.
     pub(crate) size: usize,
     /// Alignment in bytes.
-    alignment: usize,
+    pub(crate) alignment: usize,
 }
 
 impl Extent {
@@ -23,6 +27,18 @@ impl Extent {
     pub(crate) const HALF: Self = Self::number(2);
     pub(crate) const WORD: Self = Self::number(4);
     pub(crate) const POINTER: Self = Self::number(4);
+    /// The structure for TIME_OF_DAY and TIME_DIFFERENCE.
+    pub(crate) const TIME: Self = Self { size: 8, alignment: 4 };
+
+    /// A value of the tables for Rust and C.
+    pub(crate) fn of(shape: Shape) -> Self {
+        match shape {
+            Shape::Block(length) => Self::BYTE.times(length.into()),
+            Shape::Bytes(_, room) => Self::behind_length(room.into()),
+            Shape::Word(data_type) if is_time(data_type) => Self::TIME,
+            Shape::Word(_) => Self::number(shape.size().next_power_of_two()),
+        }
+    }
 
     /// A number of 1, 2, 4 or 8 bytes.
     pub(crate) const fn number(size: usize) -> Self {
@@ -31,7 +47,7 @@ impl Extent {
 
     /// A number type of C: `uint16_t`, `float`, `char`.
     pub(crate) fn of_c(c_type: &str) -> Self {
-        let size = match c_type {
+        let size = match c_type.trim_start_matches("const ") {
             "float" => 4,
             "double" => 8,
             "bool_t" => 4, // a CANopenNode type based on `uint_fast8_t`, which is a word in arm-none-eabi-gcc
@@ -61,6 +77,73 @@ impl Extent {
     }
 }
 
+/// The struct of a storage group in C: the widest members are first.
+pub(crate) fn group(table: &Table, group: usize) -> Extent {
+    let mut members: Vec<Extent> = table.members(Some(group)).map(TableField::extent).collect();
+    members.sort_by_key(|member| std::cmp::Reverse(member.alignment));
+    Extent::structure(members)
+}
+
+/// Size of the struct of values in C, including the one-byte node-ID: the widest members are last.
+pub(crate) fn ram(table: &Table) -> usize {
+    let groups = (0..table.groups.len()).map(|number| group(table, number));
+    let mut members: Vec<Extent> =
+        table.members(None).map(TableField::extent).chain(groups).chain([Extent::BYTE]).collect();
+    members.sort_by_key(|member| member.alignment);
+    Extent::structure(members).size
+}
+
+/// The layout of a table of rows.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Layout {
+    /// Size of a row in bytes.
+    pub(crate) row: usize,
+    /// Size of an object without its rows, in bytes.
+    pub(crate) object: usize,
+    /// Size of what rows share beside defaults and limits, in bytes.
+    pub(crate) shared: usize,
+    /// Size of all values in bytes, with the node-ID.
+    pub(crate) ram: usize,
+    /// Size of one value in RAM, in bytes.
+    pub(crate) value: fn(Shape) -> usize,
+    /// Size of the code in flash, 0 if it is not counted.
+    pub(crate) code: usize,
+    /// Size of a name: of its row, and of its end mark; `None` without names.
+    pub(crate) name: Option<(usize, usize)>,
+    /// See [`SizeReport::counted`].
+    pub(crate) counted: &'static str,
+}
+
+impl Layout {
+    /// The size of a table.
+    pub(crate) fn size(self, table: &Table) -> Sizes {
+        let mut tally = Tally::of_table(table);
+        let mut taken = vec![false; table.rom.len()];
+        let mut values = 0;
+        for row in &table.rows {
+            let rom = taken.get_mut(row.rom..row.rom + row.rom_length).unwrap_or_default();
+            let new = rom.iter().filter(|taken| !**taken).count();
+            rom.fill(true);
+            tally.of(row.index, Memory::Flash, self.row + new);
+            let value = row.slot.map_or(0, |_| (self.value)(row.resolved.shape));
+            tally.of(row.index, Memory::Zeroed, value);
+            values += value;
+        }
+        table.objects.iter().for_each(|object| tally.of(object.index, Memory::Flash, self.object));
+        let unused = taken.iter().filter(|taken| !**taken).count();
+        tally.rest(Memory::Flash, self.shared + unused);
+        tally.rest(Memory::Zeroed, self.ram.saturating_sub(values));
+        let mut report = SizeReport::new(self.counted, tally.objects, tally.rest);
+        report.code = self.code;
+        report.total.flash += self.code;
+        report.names = self.name.map_or(0, |(row, end)| {
+            let texts: BTreeSet<&str> = table.rows.iter().map(|row| row.name.as_ref()).collect(); // equal ones are one
+            table.rows.len() * row + texts.iter().map(|text| text.len() + end).sum::<usize>()
+        });
+        Sizes::Known(report)
+    }
+}
+
 /// The memory of a variable.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum Memory {
@@ -72,17 +155,9 @@ pub(crate) enum Memory {
 }
 
 impl Memory {
-    /// The RAM section for these initial values.
-    pub(crate) fn of_values<'a>(defaults: impl IntoIterator<Item = &'a Datum>) -> Self {
-        if defaults.into_iter().all(is_zero) { Self::Zeroed } else { Self::Initialised }
-    }
-}
-
-/// Whether the initial value is all zeros.
-pub(crate) fn is_zero(datum: &Datum) -> bool {
-    match datum {
-        Datum::Word(word) | Datum::Formula(word) => *word == 0,
-        Datum::Bytes(bytes) => bytes.iter().all(|&byte| byte == 0),
+    /// The RAM section for initial values, which may all be zero.
+    pub(crate) fn of_values(are_zero: bool) -> Self {
+        if are_zero { Self::Zeroed } else { Self::Initialised }
     }
 }
 
@@ -95,7 +170,7 @@ pub(crate) struct Tally {
 
 impl Tally {
     /// Starts with objects in ascending order: index, name and number of entries.
-    pub(crate) fn new<'a>(objects: impl IntoIterator<Item = (u16, &'a str, usize)>) -> Self {
+    fn new<'a>(objects: impl IntoIterator<Item = (u16, &'a str, usize)>) -> Self {
         let objects = objects.into_iter().map(|(index, name, entries)| ObjectSize {
             index,
             name: name.to_owned(),
@@ -103,6 +178,12 @@ impl Tally {
             size: Size::default(),
         });
         Self { objects: objects.collect(), rest: Size::default() }
+    }
+
+    /// Starts with the objects of a table.
+    pub(crate) fn of_table(table: &Table) -> Self {
+        let objects = table.objects.iter();
+        Self::new(objects.map(|object| (object.index, object.name.as_str(), object.rows.len())))
     }
 
     /// Starts with the objects of a dictionary.
@@ -117,6 +198,11 @@ impl Tally {
         let size =
             at.and_then(|at| self.objects.get_mut(at)).map_or(&mut self.rest, |object| &mut object.size);
         add(size, memory, bytes);
+    }
+
+    /// Adds a variable.
+    pub(crate) fn variable(&mut self, variable: &Definition) {
+        self.of(variable.index, variable.memory(), variable.extent().size);
     }
 
     /// Adds bytes without an object.
@@ -139,8 +225,8 @@ impl Tally {
     }
 
     /// The sums. For `counted` see [`SizeReport::counted`].
-    pub(crate) fn report(self, counted: &'static str) -> SizeReport {
-        SizeReport::new(counted, self.objects, self.rest)
+    pub(crate) fn report(self, counted: &'static str) -> Sizes {
+        Sizes::Known(SizeReport::new(counted, self.objects, self.rest))
     }
 }
 
@@ -168,6 +254,7 @@ mod tests {
         let mut tally = Tally { objects: Vec::new(), rest: Size::default() };
         tally.structure(Memory::Initialised, &[(Some(0x2000), Extent::BYTE), (None, Extent::WORD)]);
         tally.rest(Memory::Zeroed, 2);
-        assert_eq!(tally.report("").total, Size { flash: 8, ram: 10 });
+        let Sizes::Known(report) = tally.report("") else { panic!() };
+        assert_eq!(report.total, Size { flash: 8, ram: 10 });
     }
 }

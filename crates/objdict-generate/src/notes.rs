@@ -4,10 +4,23 @@ use std::collections::HashMap;
 
 use super::Note;
 use crate::diagnostic::counted;
-use crate::model::{Part, Place};
+use crate::model::{Address, Part, Place};
 
 /// Maximum number of objects or ranges named in a message.
 const MOST_RANGES: usize = 8;
+
+/// What is done with the node-ID where a stack does not add it.
+pub(crate) fn added(node_id: Option<u8>) -> String {
+    match node_id {
+        Some(node_id) => format!("the constant node-ID {node_id} is added"),
+        None => "nothing is added".to_owned(),
+    }
+}
+
+/// The place of an object or entry.
+pub(crate) fn place_of(Address { index, sub }: Address) -> Place {
+    sub.map_or(Place::object(index), |sub| Place::entry(index, sub))
+}
 
 /// Orders notes by place; notes of one place keep their order.
 pub(crate) fn in_order(mut notes: Vec<Note>) -> Vec<Note> {

@@ -299,96 +299,74 @@ pub trait OptionValue: Copy + Send + Sync + 'static {
     const ALL: &'static [(Self, &'static str, &'static str)];
 }
 
-/// The source of identifiers.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
-pub enum Names {
-    /// `ParameterName`.
-    #[default]
-    Words,
-    /// Index and sub-index: renaming an entry in the description does not affect the application.
-    Index,
+/// Declares choices: each value with its name on the command line and its description there.
+macro_rules! choices {
+    ($(
+        $(#[$of_type:meta])+
+        $type:ident {
+            $($(#[$of_value:meta])+ $value:ident $name:literal $description:literal)+
+        }
+    )+) => {$(
+        $(#[$of_type])+
+        #[derive(Clone, Copy, Debug, PartialEq, Eq)]
+        pub enum $type {
+            $($(#[$of_value])+ $value,)+
+        }
+
+        impl OptionValue for $type {
+            const ALL: &'static [(Self, &'static str, &'static str)] =
+                &[$((Self::$value, $name, $description)),+];
+        }
+    )+};
 }
 
-impl OptionValue for Names {
-    const ALL: &'static [(Self, &'static str, &'static str)] =
-        &[(Self::Words, "words", "`ParameterName`"), (Self::Index, "index", "Index and sub-index")];
-}
+choices! {
+    /// The source of identifiers.
+    #[derive(Default)]
+    Names {
+        /// `ParameterName`.
+        #[default]
+        Words "words" "`ParameterName`"
+        /// Index and sub-index: renaming an entry in the description does not affect the application.
+        Index "index" "Index and sub-index"
+    }
 
-/// The dictionary layout of the target `c`.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
-pub enum CTable {
-    /// Short rows with offsets into RAM and flash, and functions that implement the answers of an SDO server.
-    #[default]
-    Compact,
-    /// An array of structures with pointers to value, limits and default, for custom stacks.
-    Structs,
-}
+    /// The dictionary layout of the target `c`.
+    #[derive(Default)]
+    CTable {
+        /// Short rows with offsets into RAM and flash, and functions that implement the answers of an SDO server.
+        #[default]
+        Compact "compact" "Short rows, with functions that answer as an SDO server does"
+        /// An array of structures with pointers to value, limits and default, for custom stacks.
+        Structs "structs" "An array of structures with pointers, for a stack of one's own"
+    }
 
-impl OptionValue for CTable {
-    const ALL: &'static [(Self, &'static str, &'static str)] = &[
-        (Self::Compact, "compact", "Short rows, with functions that answer like an SDO server"),
-        (Self::Structs, "structs", "An array of structures with pointers, for a custom stack"),
-    ];
-}
+    /// Which entries have storage in the table of the target `canopennode`, and under which names.
+    #[derive(Default)]
+    StackLayout {
+        /// Every value that the stack has a type for.
+        #[default]
+        Complete "complete" "Every value that the stack has a type for"
+        /// As CANopenEditor generates it, so that stored images of devices in the field still fit: only what has a default or a
+        /// stated length has storage, and groups are those that the description states.
+        CanOpenEditor "canopeneditor" "As in CANopenEditor: only entries with a default or a stated length"
+        /// The same with the names that CANopenEditor made before July 2021: `cell_1_Temp` instead of `cell1Temp`.
+        CanOpenEditor2020 "canopeneditor-2020" "The same, with the names that it used before July 2021: `cell_1_Temp`"
+    }
 
-/// Which entries have storage in the table of the target `canopennode`, and under which names.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
-pub enum StackLayout {
-    /// Every value that the stack has a type for.
-    #[default]
-    Complete,
-    /// As CANopenEditor generates it, so that stored images of devices in the field still fit: only what has a default or a
-    /// stated length has storage, and groups are those that the description states.
-    CanOpenEditor,
-    /// The same with the names that CANopenEditor made before July 2021: `cell_1_Temp` instead of `cell1Temp`.
-    CanOpenEditor2020,
-}
+    /// What protects values that interrupts and the main program share.
+    SharedCell {
+        /// `Shared` of the crate `objdict-device`, with its feature `critical-section`.
+        CriticalSection "critical-section" "`SHARED`, a `Shared<Data>` of `objdict-device` with the feature `critical-section`"
+    }
 
-impl OptionValue for StackLayout {
-    const ALL: &'static [(Self, &'static str, &'static str)] = &[
-        (Self::Complete, "complete", "Every value that the stack has a type for"),
-        (
-            Self::CanOpenEditor,
-            "canopeneditor",
-            "As in CANopenEditor: only entries with a default or a stated length",
-        ),
-        (
-            Self::CanOpenEditor2020,
-            "canopeneditor-2020",
-            "The same, with the names that it used before July 2021: `cell_1_Temp`",
-        ),
-    ];
-}
-
-/// What protects values that interrupts and the main program share.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum SharedCell {
-    /// `Shared` of the crate `objdict-device`, with its feature `critical-section`.
-    CriticalSection,
-}
-
-impl OptionValue for SharedCell {
-    const ALL: &'static [(Self, &'static str, &'static str)] = &[(
-        Self::CriticalSection,
-        "critical-section",
-        "`SHARED`, a `Shared<Data>` of `objdict-device` with the feature `critical-section`",
-    )];
-}
-
-/// Traits of other crates derived for generated Rust types.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Derive {
-    /// `Format` of the crate `defmt`.
-    Defmt,
-    /// `Serialize` and `Deserialize` of the crate `serde`.
-    Serde,
-}
-
-impl OptionValue for Derive {
-    const ALL: &'static [(Self, &'static str, &'static str)] = &[
-        (Self::Defmt, "defmt", "`defmt::Format`"),
-        (Self::Serde, "serde", "`serde::Serialize` and `serde::Deserialize`"),
-    ];
+    /// Traits of other crates derived for generated Rust types.
+    Derive {
+        /// `Format` of the crate `defmt`.
+        Defmt "defmt" "`defmt::Format`"
+        /// `Serialize` and `Deserialize` of the crate `serde`.
+        Serde "serde" "`serde::Serialize` and `serde::Deserialize`"
+    }
 }
 
 /// A storage group: objects with values stored together.

@@ -98,6 +98,7 @@ mod tests {
     use super::*;
 
     #[test]
+    #[cfg(feature = "toml")]
     fn a_file_of_names() {
         let names = renames("2000 = \"speed\"\n\"2001sub1\" = \"left\"\n").unwrap();
         assert_eq!(names[&Address { index: 0x2000, sub: None }], "speed");

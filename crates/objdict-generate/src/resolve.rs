@@ -26,6 +26,14 @@ impl Shape {
             Self::Bytes(_, size) | Self::Block(size) => usize::from(size),
         }
     }
+
+    /// The data type; `None` for a device-specific one.
+    pub(crate) fn data_type(self) -> Option<DataType> {
+        match self {
+            Self::Word(data_type) | Self::Bytes(data_type, _) => Some(data_type),
+            Self::Block(_) => None,
+        }
+    }
 }
 
 /// A value.
@@ -37,6 +45,47 @@ pub(crate) enum Datum {
     Formula(u64),
     /// The bytes of any other shape.
     Bytes(Vec<u8>),
+}
+
+impl Datum {
+    /// The number; of a formula the offset to the node-ID, of bytes 0.
+    pub(crate) fn word(&self) -> u64 {
+        match self {
+            Self::Word(word) | Self::Formula(word) => *word,
+            Self::Bytes(_) => 0,
+        }
+    }
+
+    /// The number on a node; without a node-ID nothing is added.
+    pub(crate) fn on_node(&self, node_id: Option<u8>) -> u64 {
+        self.word().wrapping_add(if self.is_formula() { node_id.unwrap_or(0).into() } else { 0 })
+    }
+
+    /// Whether the node-ID is added.
+    pub(crate) fn is_formula(&self) -> bool {
+        matches!(self, Self::Formula(_))
+    }
+
+    /// Whether all bytes are zero, without the node-ID.
+    pub(crate) fn is_zero(&self) -> bool {
+        self.word() == 0 && self.bytes().iter().all(|&byte| byte == 0)
+    }
+
+    /// The bytes of a value that is not a number; of a number none.
+    pub(crate) fn bytes(&self) -> &[u8] {
+        match self {
+            Self::Bytes(bytes) => bytes,
+            Self::Word(_) | Self::Formula(_) => &[],
+        }
+    }
+
+    /// The bytes of a value on a node; a number has this size.
+    pub(crate) fn bytes_on(&self, node_id: Option<u8>, size: usize) -> Vec<u8> {
+        match self {
+            Self::Bytes(bytes) => bytes.clone(),
+            number => number.on_node(node_id).to_le_bytes().into_iter().take(size).collect(),
+        }
+    }
 }
 
 /// An entry, resolved.
@@ -54,6 +103,45 @@ pub(crate) struct Resolved {
     /// Only for a numeric [`Shape::Word`].
     pub(crate) low: Option<Datum>,
     pub(crate) high: Option<Datum>,
+}
+
+impl Resolved {
+    /// Whether SDOs read the entry, and whether they write it.
+    pub(crate) fn sdo(&self) -> (bool, bool) {
+        (self.access.is_readable(), self.access.is_writable())
+    }
+
+    /// A word of these for what SDOs may do: nothing, read, write, or both.
+    pub(crate) fn sdo_word(&self, words: [&'static str; 4]) -> &'static str {
+        let (read, write) = self.sdo();
+        words[usize::from(read) + 2 * usize::from(write)]
+    }
+
+    /// A word of these for what may map the entry: nothing, TPDOs, RPDOs, or both.
+    pub(crate) fn pdo_word(&self, words: [&'static str; 4]) -> &'static str {
+        words[usize::from(self.tpdo) + 2 * usize::from(self.rpdo)]
+    }
+
+    /// The access type where it does not say which PDOs may map the entry.
+    pub(crate) fn plain_access(&self) -> &'static str {
+        match self.access {
+            Access::Rwr | Access::Rww => Access::Rw.name(),
+            access => access.name(),
+        }
+    }
+
+    /// The field of a limit, the low one of two.
+    pub(crate) fn limit(&self) -> Option<Field> {
+        let high = self.high.as_ref().map(|_| Field::HighLimit);
+        self.low.as_ref().map(|_| Field::LowLimit).or(high)
+    }
+
+    /// What is different in a table where values have a fixed length.
+    pub(crate) fn padding(&self) -> Option<String> {
+        let Shape::Bytes(_, room) = self.shape else { return None };
+        (self.default.bytes().len() < usize::from(room))
+            .then(|| format!("a row has a fixed length; the value always has {room} bytes, padded with 0"))
+    }
 }
 
 /// Resolves the entries of a device and collects what cannot be expressed.
@@ -302,6 +390,21 @@ impl<'a> Resolver<'a> {
         }
         (low, high)
     }
+}
+
+/// The shortest digits of a REAL in C and Rust; `None` if it is not finite.
+pub(crate) fn digits(word: u64, data_type: DataType) -> Option<String> {
+    if data_type.kind() == TypeKind::Real32 {
+        let real = f32::from_bits(word as u32); // a REAL32 has 32 bits
+        return real.is_finite().then(|| format!("{real:?}"));
+    }
+    let real = f64::from_bits(word);
+    real.is_finite().then(|| format!("{real:?}"))
+}
+
+/// Whether values are a TIME_OF_DAY or a TIME_DIFFERENCE.
+pub(crate) fn is_time(data_type: DataType) -> bool {
+    matches!(data_type.kind(), TypeKind::TimeOfDay | TypeKind::TimeDifference)
 }
 
 /// Whether a number is above another one of its type.

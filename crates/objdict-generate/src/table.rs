@@ -17,23 +17,21 @@
 use std::fmt;
 
 use super::dictionary::{Dictionary, ResolvedEntry, ResolvedObject};
+use super::head::Head;
 use super::hooks;
+use super::memory::Extent;
 use super::names::{Scope, words};
 use super::resolve::{Datum, Resolved, Shape};
 use super::rom;
 use super::stored::{Members, TableGroup};
+use super::variables::elements;
 use super::{GenerateError, Note, Options};
-use crate::model::{Access, Address, DataType, Device, Object, ObjectType};
+use crate::model::{Access, Address, DataType, Device, Object};
 
 /// A device's dictionary, ready for a template.
 #[derive(Debug)]
 pub(crate) struct Table {
-    /// Generator and source, for the first line of the file.
-    pub(crate) made_by: String,
-    /// The product name; empty if not stated.
-    pub(crate) product: String,
-    /// The vendor name; empty if not stated.
-    pub(crate) vendor: String,
+    pub(crate) head: Head,
     /// The node-ID for the generated code.
     pub(crate) node_id: Option<u8>,
     /// All objects that have rows, by index.
@@ -107,11 +105,18 @@ pub(crate) struct TableField {
     pub(crate) group: Option<usize>,
 }
 
+impl TableField {
+    /// Its size in C.
+    pub(crate) fn extent(&self) -> Extent {
+        Extent::of(self.shape).times(if self.array { self.rows.len() } else { 1 })
+    }
+}
+
 impl Row {
     /// The flags, named as in the templates.
     pub(crate) fn flags(&self) -> impl Iterator<Item = &'static str> {
         let resolved = &self.resolved;
-        let formula = |datum: Option<&Datum>| matches!(datum, Some(Datum::Formula(_)));
+        let formula = |datum: Option<&Datum>| datum.is_some_and(Datum::is_formula);
         [
             ("READ", resolved.access.is_readable()),
             ("WRITE", resolved.access.is_writable()),
@@ -153,8 +158,17 @@ impl Table {
     }
 
     /// The path of a value in the struct of values: `persist_comm.speed[1]`.
-    pub(crate) fn place(&self, slot: Slot) -> FieldPath<'_> {
-        FieldPath { table: self, slot }
+    pub(crate) fn place(&self, slot: &Slot) -> FieldPath<'_> {
+        FieldPath { table: self, slot: *slot }
+    }
+
+    /// The source of identifiers for a row: the words of its object, and of the entry if there are others.
+    pub(crate) fn words_of(&self, row: &Row) -> String {
+        match self.objects.iter().find(|object| object.index == row.index) {
+            Some(object) if object.single => object.module.clone(),
+            Some(object) => format!("{}_{}", object.module, row.constant),
+            None => row.constant.clone(),
+        }
     }
 
     /// The members of a group's struct, or the members of the struct of values without a group.
@@ -168,11 +182,8 @@ impl Table {
     }
 
     fn empty(dictionary: &Dictionary<'_>, options: &Options) -> Self {
-        let info = dictionary.device.device_info.as_ref();
         Self {
-            made_by: options.made_by(),
-            product: info.and_then(|info| info.product_name.clone()).unwrap_or_default(),
-            vendor: info.and_then(|info| info.vendor_name.clone()).unwrap_or_default(),
+            head: Head::new(dictionary.device, options, "", ""),
             node_id: dictionary.node_id,
             objects: Vec::new(),
             rows: Vec::new(),
@@ -305,20 +316,16 @@ impl Builder {
         }
     }
 
-    /// The rows that form an array: sub-index 1 and up without gaps, equal shapes, no constants.
+    /// The rows that form an array: no constants, of equal shapes.
     fn elements(&self, object: &Object, rows: std::ops::Range<usize>) -> std::ops::Range<usize> {
-        let table = &self.table.rows;
-        let start = rows.clone().find(|&at| table[at].sub > 0).unwrap_or(rows.end);
-        let none = rows.end..rows.end;
-        if object.object_type() != ObjectType::Array && object.compact.is_none() {
-            return none;
-        }
-        let Some(first) = table[..rows.end].get(start).filter(|row| row.sub == 1) else { return none };
-        let end = rows.end - usize::from(table[rows.end - 1].sub == 0xFF); // FFh: the structure of the object
-        let alike = table[start..end].iter().zip(1_u16..).all(|(row, sub)| {
-            u16::from(row.sub) == sub && !row.resolved.constant && row.resolved.shape == first.resolved.shape
-        });
-        if alike && first.resolved.shape.size() > 0 { start..end } else { none }
+        let of_object = &self.table.rows[rows.clone()];
+        let subs: Vec<u8> = of_object.iter().map(|row| row.sub).collect();
+        let kind = |at: usize| {
+            let resolved = &of_object[at].resolved;
+            (!resolved.constant && resolved.shape.size() > 0).then_some(resolved.shape)
+        };
+        let elements = elements(object, &subs, kind);
+        rows.start + elements.start..rows.start + elements.end
     }
 
     fn place_field(&mut self, object: &Object, name: &str, rows: std::ops::Range<usize>, array: bool) {

@@ -1,15 +1,39 @@
-//! Names of C variables for the values of a dictionary: one per entry, or an array if the elements of an
-//! ARRAY are alike.
+//! C variables for the values of a dictionary: one per entry, or an array if the elements of an ARRAY are alike.
 
 use std::ops::Range;
 
 use super::dictionary::ResolvedObject;
+use super::memory::{Extent, Memory};
 use super::names::{LONGEST, Scope, clip, words};
-use crate::model::ObjectType;
+use crate::model::{Object, ObjectType};
 
-/// A variable with the entries of one object in it.
+/// The type of a variable; variables of equal types can be elements of one array.
+#[derive(Clone, Debug, PartialEq)]
+pub(crate) struct CType {
+    /// What is before the name: begins with `const ` for a variable in flash.
+    pub(crate) base: String,
+    /// What is behind the name and the number of elements.
+    pub(crate) suffix: String,
+    /// Of one value.
+    pub(crate) extent: Extent,
+}
+
+impl CType {
+    /// A number.
+    pub(crate) fn number(base: impl Into<String>) -> Self {
+        let base = base.into();
+        Self { suffix: String::new(), extent: Extent::of_c(&base), base }
+    }
+
+    /// An array of so many bytes, each of the type `base`.
+    pub(crate) fn bytes(base: impl Into<String>, room: usize) -> Self {
+        Self { base: base.into(), suffix: format!("[{room}]"), extent: Extent::BYTE.times(room) }
+    }
+}
+
+/// The entries of one object that are in one variable.
 #[derive(Debug)]
-pub(crate) struct Variable<S> {
+pub(crate) struct Variable {
     /// Unique; not a keyword; short enough for the prefix.
     pub(crate) name: String,
     /// Object number in the dictionary.
@@ -18,29 +42,108 @@ pub(crate) struct Variable<S> {
     pub(crate) entries: Range<usize>,
     /// Whether it is an array.
     pub(crate) array: bool,
-    /// Its kind.
-    pub(crate) kind: S,
+    pub(crate) type_: CType,
 }
 
-/// The variables of a dictionary in order. Entries without `kind` have no variable; entries of equal kinds
+impl Variable {
+    /// The entries by their numbers, each with its place under the name of the variable.
+    pub(crate) fn places<'a>(&'a self, name: &'a str) -> impl Iterator<Item = (usize, String)> + 'a {
+        self.entries.clone().enumerate().map(move |(element, at)| {
+            (at, if self.array { format!("{name}[{element}]") } else { name.to_owned() })
+        })
+    }
+
+    /// Its definition; `initial` says of an entry its initializer and whether that is zero.
+    pub(crate) fn define(
+        self,
+        object: &ResolvedObject<'_>,
+        name: String,
+        initial: impl Fn(usize) -> (String, bool),
+    ) -> Definition {
+        let (values, zeros): (Vec<String>, Vec<bool>) = self.entries.clone().map(initial).unzip();
+        let (first, last) = (&object.entries[self.entries.start], &object.entries[self.entries.end - 1]);
+        Definition {
+            elements: self.array.then_some(values.len()),
+            initializer: if self.array { format!("{{{}}}", values.join(", ")) } else { values.concat() },
+            is_zero: zeros.into_iter().all(|is_zero| is_zero),
+            index: object.index,
+            subs: (first.sub, last.sub),
+            described: if self.array { object.object.name() } else { &first.entry.name }.to_owned(),
+            type_: self.type_,
+            name,
+        }
+    }
+}
+
+/// A variable as C defines it.
+#[derive(Debug)]
+pub(crate) struct Definition {
+    pub(crate) type_: CType,
+    pub(crate) name: String,
+    /// The number of elements of an array.
+    pub(crate) elements: Option<usize>,
+    pub(crate) initializer: String,
+    /// Whether the initial value is all zeros.
+    pub(crate) is_zero: bool,
+    /// The index of its object.
+    pub(crate) index: u16,
+    /// The first and the last sub-index.
+    pub(crate) subs: (u8, u8),
+    /// The name in the description.
+    pub(crate) described: String,
+}
+
+impl Definition {
+    /// A variable that is not zero.
+    pub(crate) fn new(index: u16, type_: CType, name: String, initializer: String) -> Self {
+        let (subs, described) = ((0, 0), String::new());
+        Self { type_, name, elements: None, initializer, is_zero: false, index, subs, described }
+    }
+
+    pub(crate) fn declaration(&self) -> String {
+        format!("{} {}{}", self.type_.base, self.name, self.suffix())
+    }
+
+    /// What is behind the name.
+    pub(crate) fn suffix(&self) -> String {
+        let elements = self.elements.map(|elements| format!("[{elements}]")).unwrap_or_default();
+        elements + &self.type_.suffix
+    }
+
+    pub(crate) fn is_constant(&self) -> bool {
+        self.type_.base.starts_with("const ")
+    }
+
+    pub(crate) fn extent(&self) -> Extent {
+        self.type_.extent.times(self.elements.unwrap_or(1))
+    }
+
+    pub(crate) fn memory(&self) -> Memory {
+        if self.is_constant() { Memory::Flash } else { Memory::of_values(self.is_zero) }
+    }
+}
+
+/// The variables of a dictionary in order. Entries without a type have no variable; entries of equal types
 /// can form an array. `names` gives the names of all of them: of entries, or of arrays (`None`).
-pub(crate) fn variables<S: PartialEq>(
+pub(crate) fn variables(
     objects: &[ResolvedObject<'_>],
     names: impl FnOnce(&[Wanted<'_>]) -> Vec<String>,
-    kind: impl Fn(usize, usize) -> Option<S>,
-) -> Vec<Variable<S>> {
+    type_of: impl Fn(usize, usize) -> Option<CType>,
+) -> Vec<Variable> {
     let (mut variables, mut wanted) = (Vec::new(), Vec::new());
     for (number, object) in objects.iter().enumerate() {
-        let kinds: Vec<Option<S>> = (0..object.entries.len()).map(|entry| kind(number, entry)).collect();
-        let elements = elements(object, &kinds);
-        for (entry, kind) in kinds.into_iter().enumerate() {
-            let (Some(kind), true) = (kind, entry <= elements.start || !elements.contains(&entry)) else {
+        let types: Vec<Option<CType>> =
+            (0..object.entries.len()).map(|entry| type_of(number, entry)).collect();
+        let subs: Vec<u8> = object.entries.iter().map(|entry| entry.sub).collect();
+        let elements = elements(object.object, &subs, |at| types[at].clone());
+        for (entry, type_) in types.into_iter().enumerate() {
+            let (Some(type_), true) = (type_, entry <= elements.start || !elements.contains(&entry)) else {
                 continue;
             };
             let array = elements.contains(&entry);
             wanted.push((object, (!array).then_some(entry)));
             let entries = if array { elements.clone() } else { entry..entry + 1 };
-            variables.push(Variable { name: String::new(), object: number, entries, array, kind });
+            variables.push(Variable { name: String::new(), object: number, entries, array, type_ });
         }
     }
     for (variable, name) in variables.iter_mut().zip(names(&wanted)) {
@@ -49,18 +152,23 @@ pub(crate) fn variables<S: PartialEq>(
     variables
 }
 
-/// The entries that form an array: sub-index 1 and up without gaps, all alike.
-fn elements<S: PartialEq>(object: &ResolvedObject<'_>, kinds: &[Option<S>]) -> Range<usize> {
-    let entries = &object.entries;
-    let none = entries.len()..entries.len();
-    if object.object.object_type() != ObjectType::Array && object.object.compact.is_none() {
+/// The entries that form an array: sub-index 1 and up without gaps, all of the same kind.
+pub(crate) fn elements<K: PartialEq>(
+    object: &Object,
+    subs: &[u8],
+    kind: impl Fn(usize) -> Option<K>,
+) -> Range<usize> {
+    let none = subs.len()..subs.len();
+    if object.object_type() != ObjectType::Array && object.compact.is_none() {
         return none;
     }
-    let Some(start) = entries.iter().position(|entry| entry.sub == 1) else { return none };
-    let end = entries.len() - usize::from(entries.last().is_some_and(|entry| entry.sub == 0xFF)); // FFh: the structure
-    let numbered = |(at, sub): (usize, u16)| u16::from(entries[at].sub) == sub;
-    let alike = (start..end).all(|at| kinds[at].is_some() && kinds[at] == kinds[start]);
-    if alike && (start..end).zip(1..).all(numbered) { start..end } else { none }
+    let Some(start) = subs.iter().position(|&sub| sub > 0).filter(|&start| subs[start] == 1) else {
+        return none;
+    };
+    let end = subs.len() - usize::from(subs.last() == Some(&0xFF)); // FFh: the structure of the object
+    let numbered = (start..end).zip(1_u16..).all(|(at, sub)| u16::from(subs[at]) == sub);
+    let first = kind(start);
+    if numbered && first.is_some() && (start..end).all(|at| kind(at) == first) { start..end } else { none }
 }
 
 /// An entry of an object by its number, or the whole object, that needs a name.

@@ -1,56 +1,29 @@
 //! View of templates/c/_defaults.h: constants of identity and services.
 
-use askama::Template;
-
 use crate::defaults::{Constant, ConstantValue};
 use crate::model::CobId;
-use crate::names::Scope;
 
 /// Follows the prefix in each name.
 const OF_DEFAULTS: &str = "default_";
 
-/// The macros.
-#[derive(Template)]
-#[template(path = "c/_defaults.h", escape = "none")]
-pub(super) struct Defaults {
-    upper: String,
-    items: Vec<ItemView>,
-}
-
 /// A macro.
-struct ItemView {
-    meaning: String,
+pub(super) struct ItemView {
+    pub(super) meaning: String,
     /// The name after the prefix, with the parameter of a function-like macro.
-    name: String,
-    value: String,
+    pub(super) name: String,
+    pub(super) value: String,
 }
 
-impl Defaults {
-    pub(super) fn new(constants: &[Constant], prefix: &str) -> Self {
-        let items = constants.iter().flat_map(item_views).collect();
-        Self { upper: prefix.to_ascii_uppercase(), items }
-    }
-}
-
-/// Reserves the macro names, so that no object gets one of them.
-pub(super) fn take_names(constants: &[Constant], macros: &mut Scope) {
-    for item in constants.iter().flat_map(item_views) {
-        let name = item.name.split('(').next().unwrap_or_default();
-        macros.take(name.to_ascii_lowercase());
-    }
-}
-
-fn item_views(constant: &Constant) -> Vec<ItemView> {
+/// The macros of a constant.
+pub(super) fn item_views(constant: &Constant) -> Vec<ItemView> {
     let Constant { name, source, meaning, value } = constant;
     let meaning = format!("{meaning} ({source})");
     let upper = format!("{OF_DEFAULTS}{name}").to_ascii_uppercase();
     let item = |name: String, meaning: String, value: String| ItemView { meaning, name, value };
     match value {
-        ConstantValue::CobId(cob_id) => {
-            vec![item(format!("{upper}(node_id)"), meaning, of_node(*cob_id, None))]
-        }
-        ConstantValue::CanId(cob_id) => {
-            let value = of_node(*cob_id, Some(cob_id.can_id_mask()));
+        ConstantValue::CobId(cob_id) | ConstantValue::CanId(cob_id) => {
+            let is_can_id = matches!(value, ConstantValue::CanId(_));
+            let value = of_node(*cob_id, is_can_id.then(|| cob_id.can_id_mask()));
             vec![item(format!("{upper}(node_id)"), meaning, value)]
         }
         ConstantValue::Flag(flag) => vec![item(upper, meaning, u8::from(*flag).to_string())],
@@ -70,7 +43,7 @@ fn item_views(constant: &Constant) -> Vec<ItemView> {
 }
 
 /// A number, or some bits of it, as an expression of the node-ID.
-fn of_node(cob_id: CobId, mask: Option<u32>) -> String {
+pub(super) fn of_node(cob_id: CobId, mask: Option<u32>) -> String {
     let number = cob_id.number();
     match (cob_id.depends_on_node_id(), mask) {
         (true, None) => format!("(0x{number:X}u + (uint32_t)(node_id))"),

@@ -6,7 +6,7 @@ use askama::Template;
 
 use super::view::{macro_name, word_type};
 use crate::escape::filters;
-use crate::meanings::{EnumType, Named, WordPart, WordType};
+use crate::meanings::{self, EnumType, Named, WordPart, WordType};
 use crate::model::{DataType, TypeKind};
 use crate::names::{Scope, clip};
 
@@ -21,7 +21,6 @@ pub(super) struct Meanings<'a> {
 
 struct EnumView<'a> {
     of: &'a EnumType,
-    entries: String,
     values: Vec<ValueView<'a>>,
 }
 
@@ -33,7 +32,6 @@ struct ValueView<'a> {
 
 struct WordView<'a> {
     of: &'a WordType,
-    entries: String,
     parts: Vec<PartView<'a>>,
 }
 
@@ -82,7 +80,7 @@ fn enum_view<'a>(of: &'a EnumType, prefix: &str, macros: &mut Scope) -> EnumView
             }
         }));
     }
-    EnumView { of, entries: entries(&of.entries), values }
+    EnumView { of, values }
 }
 
 /// What several numbers have in common, if they are all numbers with it: the value of these bits, and their mask in
@@ -116,15 +114,8 @@ fn number(number: i128, data_type: DataType) -> String {
     }
 }
 
-/// The entries, the first few by name.
 fn entries(all: &[(u16, u8)]) -> String {
-    const SHOWN: usize = 8;
-    let shown = all.iter().take(SHOWN).map(|(index, sub)| format!("{index:04X}h sub-index {sub:02X}h"));
-    let mut text = shown.collect::<Vec<_>>().join(", ");
-    if all.len() > SHOWN {
-        text.push_str(&format!(" and {} more", all.len() - SHOWN));
-    }
-    text
+    meanings::entries(all, |index, sub| format!("{index:04X}h sub-index {sub:02X}h"))
 }
 
 fn word_view<'a>(of: &'a WordType, prefix: &str, macros: &mut Scope) -> WordView<'a> {
@@ -133,7 +124,7 @@ fn word_view<'a>(of: &'a WordType, prefix: &str, macros: &mut Scope) -> WordView
         let name = part_name(macros, prefix, &words, part.first);
         part_view(of, part, format!("{}_{}", prefix.to_ascii_uppercase(), name.to_ascii_uppercase()))
     });
-    WordView { of, entries: entries(&of.entries), parts: parts.collect() }
+    WordView { of, parts: parts.collect() }
 }
 
 /// A name for which no macro of a bit field is taken.

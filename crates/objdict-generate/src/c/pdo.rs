@@ -1,18 +1,16 @@
 //! View of templates/c/od_pdo.h and od_pdo.c: structs of PDO frames.
 
-use askama::Template;
-
+use super::defaults::of_node;
 use super::view::{hex_bytes, word_type};
 use crate::escape::filters;
 use crate::frames::{Carried, Frame, FrameField};
+use crate::head::files;
 use crate::model::{DataType, TypeKind};
-use crate::resolve::{Datum, Shape};
+use crate::resolve::{Datum, Shape, is_time};
 use crate::table::{Row, Table};
 
-/// The header.
-#[derive(Template)]
-#[template(path = "c/od_pdo.h", escape = "none")]
-pub(super) struct PdoHeader<'a> {
+/// What the files have.
+pub(super) struct Pdos<'a> {
     /// The prefix of identifiers.
     lower: &'a str,
     upper: String,
@@ -20,19 +18,11 @@ pub(super) struct PdoHeader<'a> {
     frames: Vec<FrameView<'a>>,
 }
 
-/// The source.
-#[derive(Template)]
-#[template(path = "c/od_pdo.c", escape = "none")]
-pub(super) struct PdoSource<'a> {
-    lower: &'a str,
-    upper: String,
-    table: &'a Table,
-    frames: Vec<FrameView<'a>>,
-    /// Which conversions are used.
-    signed: bool,
-    real32: bool,
-    real64: bool,
-    time: bool,
+files! {
+    #[derive(askama::Template)]
+    pub(super) Pdos:
+    PdoHeader "c/od_pdo.h"
+    PdoSource "c/od_pdo.c"
 }
 
 /// A frame.
@@ -64,31 +54,20 @@ struct FieldView<'a> {
     unpack: String,
 }
 
-impl<'a> PdoHeader<'a> {
+impl<'a> Pdos<'a> {
     pub(super) fn new(table: &'a Table, prefix: &'a str, frames: &'a [Frame]) -> Self {
         let frames = frames.iter().map(|frame| frame_view(table, prefix, frame)).collect();
         Self { lower: prefix, upper: prefix.to_ascii_uppercase(), table, frames }
     }
-}
 
-impl<'a> PdoSource<'a> {
-    pub(super) fn new(table: &'a Table, prefix: &'a str, frames: &'a [Frame]) -> Self {
-        let uses = |is_it: fn(TypeKind) -> bool| {
-            frames
-                .iter()
-                .flat_map(|frame| &frame.fields)
-                .any(|field| matches!(field.carried, Carried::Number(data_type) if is_it(data_type.kind())))
-        };
-        Self {
-            lower: prefix,
-            upper: prefix.to_ascii_uppercase(),
-            table,
-            signed: uses(|kind| matches!(kind, TypeKind::Signed(_))),
-            real32: uses(|kind| kind == TypeKind::Real32),
-            real64: uses(|kind| kind == TypeKind::Real64),
-            time: uses(is_time),
-            frames: frames.iter().map(|frame| frame_view(table, prefix, frame)).collect(),
-        }
+    /// Whether a number of a kind is in a frame.
+    fn uses(&self, kind: TypeKind) -> bool {
+        let mut fields = self.frames.iter().flat_map(|view| &view.fields);
+        fields.any(|view| matches!(view.field.carried, Carried::Number(number) if number.kind() == kind))
+    }
+
+    fn uses_signs(&self) -> bool {
+        self.frames.iter().flat_map(|view| &view.fields).any(|view| view.field.is_signed())
     }
 }
 
@@ -96,15 +75,11 @@ fn frame_view<'a>(table: &'a Table, prefix: &str, frame: &'a Frame) -> FrameView
     let fields: Vec<FieldView<'a>> =
         frame.fields.iter().map(|field| field_view(table, prefix, field)).collect();
     let type_name = format!("{prefix}_{}", frame.name);
-    let cob_id = frame.cob_id_number().map(|(number, per_node)| match per_node {
-        true => format!("(0x{number:X}u + (uint32_t)(node_id))"),
-        false => format!("0x{number:X}u"),
-    });
     FrameView {
         frame,
         macro_prefix: type_name.to_ascii_uppercase(),
         type_name,
-        cob_id,
+        cob_id: frame.cob_id.map(|cob_id| of_node(cob_id, None)),
         reads_data: fields.iter().any(|field| field.load.contains("data->")),
         writes_data: fields.iter().any(|field| !field.store.is_empty()),
         fields,
@@ -115,7 +90,7 @@ fn field_view<'a>(table: &'a Table, prefix: &str, field: &'a FrameField) -> Fiel
     let row = &table.rows[field.row];
     let name = &field.name;
     let member = format!("pdo->{name}");
-    let place = row.slot.map(|slot| format!("data->{}", table.place(slot)));
+    let place = row.slot.as_ref().map(|slot| format!("data->{}", table.place(slot)));
     let (first, bits) = (field.first, field.bits);
     let taken = format!("{prefix}_lowest(number >> {first}, {bits}u)");
     match field.carried {
@@ -169,7 +144,7 @@ fn conversions(data_type: DataType, prefix: &str, member: &str, taken: &str, bit
         TypeKind::Real64 => {
             (format!("{prefix}_from_real64({member})"), format!("{prefix}_to_real64({taken})"))
         }
-        kind if is_time(kind) => {
+        _ if is_time(data_type) => {
             (format!("{prefix}_from_time({member})"), format!("{prefix}_to_time({taken})"))
         }
         _ => (member.to_owned(), format!("({type_}){taken}")),
@@ -177,11 +152,7 @@ fn conversions(data_type: DataType, prefix: &str, member: &str, taken: &str, bit
 }
 
 fn type_of(data_type: DataType, prefix: &str) -> String {
-    if is_time(data_type.kind()) { format!("{prefix}_time_t") } else { word_type(data_type).to_owned() }
-}
-
-fn is_time(kind: TypeKind) -> bool {
-    matches!(kind, TypeKind::TimeOfDay | TypeKind::TimeDifference)
+    if is_time(data_type) { format!("{prefix}_time_t") } else { word_type(data_type).to_owned() }
 }
 
 /// The value of an entry in flash.
@@ -200,7 +171,7 @@ fn constant(data_type: DataType, prefix: &str, default: &Datum) -> String {
         }
         (TypeKind::Real32, Datum::Word(word)) => format!("{prefix}_to_real32(0x{word:X}u)"),
         (TypeKind::Real64, Datum::Word(word)) => format!("{prefix}_to_real64(UINT64_C(0x{word:X}))"),
-        (kind, Datum::Word(word)) if is_time(kind) => format!("{prefix}_to_time(UINT64_C(0x{word:X}))"),
+        (_, Datum::Word(word)) if is_time(data_type) => format!("{prefix}_to_time(UINT64_C(0x{word:X}))"),
         (_, Datum::Word(word)) => format!("({type_})UINT64_C(0x{word:X})"),
         (_, Datum::Bytes(_)) => "0".to_owned(), // bytes have other shapes
     }
@@ -208,10 +179,7 @@ fn constant(data_type: DataType, prefix: &str, default: &Datum) -> String {
 
 /// The bytes of an entry in flash, as many as the frame contains.
 fn constant_bytes(default: &Datum, length: u32) -> String {
-    let mut bytes = match default {
-        Datum::Bytes(bytes) => bytes.clone(),
-        Datum::Word(_) | Datum::Formula(_) => Vec::new(), // numbers have other shapes
-    };
+    let mut bytes = default.bytes().to_vec();
     bytes.resize(length as usize, 0);
     format!("((const uint8_t[]){{{}}})", hex_bytes(&bytes))
 }

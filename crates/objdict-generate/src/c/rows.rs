@@ -3,8 +3,8 @@
 use std::collections::HashMap;
 
 use super::view::{flags, type_name};
-use crate::memory::Extent;
-use crate::size::ram;
+use crate::Sizes;
+use crate::memory::{Extent, Layout, ram};
 use crate::table::Table;
 
 /// The types of the numbers in rows, each as narrow as the device allows, and what rows have in common.
@@ -56,22 +56,24 @@ impl Rows {
     pub(super) fn first(&self) -> String {
         format!("uint{}_t", self.first)
     }
+}
 
-    /// Bytes of a row.
-    pub(super) fn row_size(&self) -> usize {
-        let offset = Extent::number(self.offset / 8);
-        Extent::structure([Extent::BYTE, Extent::number(self.kind / 8), offset, offset]).size
-    }
-
-    /// Bytes of an object.
-    pub(super) fn object_size(&self) -> usize {
-        Extent::structure([Extent::HALF, Extent::number(self.first / 8)]).size
-    }
-
-    /// Bytes of all kinds.
-    pub(super) fn kinds_size(&self) -> usize {
-        Extent::HALF.times(self.kinds.len()).size
-    }
+/// Computes the size of the table.
+pub(super) fn size(table: &Table, names: bool) -> Sizes {
+    let rows = Rows::new(table, "");
+    let offset = Extent::number(rows.offset / 8);
+    let row = Extent::structure([Extent::BYTE, Extent::number(rows.kind / 8), offset, offset]);
+    let layout = Layout {
+        row: row.size,
+        object: Extent::structure([Extent::HALF, Extent::number(rows.first / 8)]).size,
+        shared: Extent::HALF.times(rows.kinds.len()).size,
+        ram: ram(table),
+        value: |shape| Extent::of(shape).size,
+        code: 0,
+        name: names.then_some((4, 1)), // a pointer of 32 bits, and the zero
+        counted: "the tables and values, on any processor that aligns numbers to their size; without code",
+    };
+    layout.size(table)
 }
 
 /// The bits of an unsigned type for numbers up to this one.

@@ -1,7 +1,7 @@
 //! View of storage groups in C: members of the struct of values, and functions for images.
 
 use super::view::{FieldView, field_view};
-use crate::size::{alignment, group_alignment};
+use crate::memory;
 use crate::stored::TableGroup;
 use crate::table::{Table, TableField};
 
@@ -32,9 +32,10 @@ pub(super) fn group_views<'a>(table: &'a Table, prefix: &str) -> Vec<GroupView<'
 pub(super) fn members<'a>(table: &'a Table, prefix: &str) -> Vec<MemberView<'a>> {
     let fields = table
         .members(None)
-        .map(|field| (alignment(field.shape), MemberView::Field(field_view(table, field, prefix))));
-    let groups = (0..table.groups.len())
-        .map(|number| (group_alignment(table, number), MemberView::Group(group_view(table, number, prefix))));
+        .map(|field| (field.extent().alignment, MemberView::Field(field_view(table, field, prefix))));
+    let groups = (0..table.groups.len()).map(|number| {
+        (memory::group(table, number).alignment, MemberView::Group(group_view(table, number, prefix)))
+    });
     let mut members: Vec<(usize, MemberView<'a>)> = fields.chain(groups).collect();
     members.sort_by_key(|(alignment, _)| *alignment); // stable sort: equal alignment stays ordered by index
     members.into_iter().map(|(_, member)| member).collect()
@@ -43,7 +44,7 @@ pub(super) fn members<'a>(table: &'a Table, prefix: &str) -> Vec<MemberView<'a>>
 /// A group has no leading byte, so fields with the largest alignment come first.
 fn group_view<'a>(table: &'a Table, number: usize, prefix: &str) -> GroupView<'a> {
     let mut fields: Vec<&TableField> = table.members(Some(number)).collect();
-    fields.sort_by_key(|field| std::cmp::Reverse(alignment(field.shape)));
+    fields.sort_by_key(|field| std::cmp::Reverse(field.extent().alignment));
     let group = &table.groups[number];
     let lower = format!("{prefix}_{}", group.field);
     GroupView {

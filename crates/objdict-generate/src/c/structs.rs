@@ -2,111 +2,51 @@
 
 use std::collections::{HashMap, HashSet};
 
-use askama::Template;
-
-use super::stored::{GroupView, MemberView, group_views};
-use super::view::{Facts, Header, flags, is_time, type_name, word_type};
-use crate::SizeReport;
+use super::view::{flags, type_name, word_type};
+use crate::Sizes;
 use crate::c_code::{bytes, number};
-use crate::escape::{filters, shown};
+use crate::escape::shown;
+use crate::memory::ram;
 use crate::memory::{Extent, Memory, Tally};
 use crate::model::DataType;
-use crate::resolve::{Datum, Shape};
-use crate::size::{field_size, ram};
+use crate::resolve::{Datum, Shape, is_time};
 use crate::table::{Row, Table};
 
-/// The header.
-#[derive(Template)]
-#[template(path = "c/structs.h", escape = "none")]
-pub(super) struct StructsHeader<'a> {
-    plain: Header<'a>,
-    names: bool,
-    time: bool,
-}
-
-/// The source.
-#[derive(Template)]
-#[template(path = "c/structs.c", escape = "none")]
-pub(super) struct StructsSource<'a> {
-    lower: &'a str,
-    upper: String,
-    table: &'a Table,
-    pools: Vec<Pool>,
-    blocks: Vec<String>,
-    rows: Vec<RowView<'a>>,
-    names: bool,
-    time: bool,
-    /// Whether there is a string, octet string or DOMAIN, and whether there is a block.
-    bytes: bool,
-    groups: Vec<GroupView<'a>>,
-    has_pointers: bool,
+/// What the source has beside the values.
+pub(super) struct Structs<'a> {
+    prefix: &'a str,
+    pub(super) pools: Vec<Pool>,
+    pub(super) blocks: Vec<String>,
+    pub(super) rows: Vec<RowView<'a>>,
+    /// The sizes of defaults and limits, by the index of the first object that uses them.
+    taken: Vec<(u16, usize)>,
 }
 
 /// Numbers of one type used as defaults or limits, without duplicates.
-struct Pool {
-    c_type: String,
-    name: String,
-    numbers: Vec<String>,
+pub(super) struct Pool {
+    pub(super) c_type: String,
+    pub(super) name: String,
+    pub(super) numbers: Vec<String>,
     at: HashMap<String, usize>,
 }
 
 /// A row of the table.
-struct RowView<'a> {
-    row: &'a Row,
-    type_: &'static str,
-    flags: String,
-    data: String,
-    low: String,
-    high: String,
-    default: String,
+pub(super) struct RowView<'a> {
+    pub(super) row: &'a Row,
+    pub(super) type_: &'static str,
+    pub(super) flags: String,
+    pub(super) data: String,
+    pub(super) low: String,
+    pub(super) high: String,
+    pub(super) default: String,
 }
 
-impl<'a> StructsHeader<'a> {
-    pub(super) fn new(table: &'a Table, prefix: &'a str, facts: &'a Facts, names: bool) -> Self {
-        let time =
-            table.rows.iter().any(|row| matches!(row.resolved.shape, Shape::Word(word) if is_time(word)));
-        Self { plain: Header::new(table, prefix, facts), names, time }
-    }
-
-    fn fields(&self) -> &[MemberView<'a>] {
-        &self.plain.fields
-    }
-}
-
-impl<'a> StructsSource<'a> {
-    pub(super) fn new(table: &'a Table, prefix: &'a str, names: bool) -> Self {
-        let mut constants = Constants::new(prefix);
-        let upper = prefix.to_ascii_uppercase();
-        let rows = table.rows.iter().map(|row| row_view(table, row, &upper, &mut constants)).collect();
-        let shape = |check: fn(Shape) -> bool| table.rows.iter().any(|row| check(row.resolved.shape));
-        Self {
-            lower: prefix,
-            upper,
-            table,
-            pools: constants.pools,
-            blocks: constants.blocks,
-            rows,
-            names,
-            time: shape(|shape| matches!(shape, Shape::Word(data_type) if is_time(data_type))),
-            bytes: shape(|shape| matches!(shape, Shape::Bytes(..))),
-            groups: group_views(table, prefix),
-            has_pointers: true,
-        }
-    }
-}
-
-/// Defaults and limits.
-struct Constants<'a> {
-    prefix: &'a str,
-    pools: Vec<Pool>,
-    blocks: Vec<String>,
-    /// Their sizes, by the index of the first object that uses them.
-    taken: Vec<(u16, usize)>,
-}
-
-impl<'a> Constants<'a> {
-    fn new(prefix: &'a str) -> Self {
-        Self { prefix, pools: Vec::new(), blocks: Vec::new(), taken: Vec::new() }
+impl<'a> Structs<'a> {
+    pub(super) fn new(table: &'a Table, prefix: &'a str, upper: &str) -> Self {
+        let (pools, blocks, taken) = (Vec::new(), Vec::new(), Vec::new());
+        let mut structs = Self { prefix, pools, blocks, rows: Vec::new(), taken };
+        structs.rows = table.rows.iter().map(|row| row_view(table, row, upper, &mut structs)).collect();
+        structs
     }
 
     /// The address of a number.
@@ -136,7 +76,8 @@ impl<'a> Constants<'a> {
         let number = *pool.at.entry(text.clone()).or_insert(next);
         if number == next {
             pool.numbers.push(text);
-            let size = if is_time(data_type) { time().size } else { Extent::of_c(&pool.c_type).size };
+            let is_number = !is_time(data_type);
+            let size = if is_number { Extent::of_c(&pool.c_type) } else { Extent::TIME }.size;
             self.taken.push((index, size));
         }
         format!("&{}[{number}]", pool.name)
@@ -172,29 +113,27 @@ impl<'a> Constants<'a> {
 }
 
 /// Computes the size of the table.
-pub(super) fn size(table: &Table, prefix: &str, names: bool) -> SizeReport {
-    let objects = table.objects.iter();
-    let mut tally = Tally::new(objects.map(|object| (object.index, object.name.as_str(), object.rows.len())));
-    let mut constants = Constants::new(prefix);
+pub(super) fn size(table: &Table, prefix: &str, names: bool) -> Sizes {
+    let mut tally = Tally::of_table(table);
     let mut texts = HashSet::new();
     let numbers = [Extent::HALF, Extent::BYTE, Extent::BYTE, Extent::BYTE, Extent::HALF];
     let pointers = [Extent::POINTER; 5];
     let entry = Extent::structure(numbers.into_iter().chain(pointers.into_iter().skip(usize::from(!names))));
     for row in &table.rows {
-        row_view(table, row, "", &mut constants);
         tally.of(row.index, Memory::Flash, entry.size);
         let text = shown(&row.name);
         if names && texts.insert(text.clone()) {
             tally.of(row.index, Memory::Flash, text.len() + 1);
         }
     }
-    for (index, bytes) in constants.taken {
+    for (index, bytes) in Structs::new(table, prefix, "").taken {
         tally.of(index, Memory::Flash, bytes);
     }
     let mut gaps = ram(table);
     for field in &table.fields {
-        gaps -= field_size(field);
-        tally.of(table.rows[field.rows.start].index, Memory::Zeroed, field_size(field));
+        let size = field.extent().size;
+        gaps -= size;
+        tally.of(table.rows[field.rows.start].index, Memory::Zeroed, size);
     }
     tally.rest(Memory::Zeroed, gaps); // includes the node-ID
     tally.report(COUNTED)
@@ -203,12 +142,7 @@ pub(super) fn size(table: &Table, prefix: &str, names: bool) -> SizeReport {
 /// What the sizes include.
 const COUNTED: &str = "the tables, names and values, on a processor of 32 bits; without code";
 
-/// The structure for TIME_OF_DAY and TIME_DIFFERENCE.
-fn time() -> Extent {
-    Extent::structure([Extent::WORD, Extent::HALF])
-}
-
-fn row_view<'a>(table: &Table, row: &'a Row, upper: &str, constants: &mut Constants<'_>) -> RowView<'a> {
+fn row_view<'a>(table: &Table, row: &'a Row, upper: &str, constants: &mut Structs<'_>) -> RowView<'a> {
     let resolved = &row.resolved;
     let flags = flags(row.flags().filter(|flag| !matches!(*flag, "LOW" | "HIGH")), upper);
     let served = resolved.shape.size() == 0 && matches!(resolved.shape, Shape::Bytes(DataType::DOMAIN, _));
@@ -216,7 +150,7 @@ fn row_view<'a>(table: &Table, row: &'a Row, upper: &str, constants: &mut Consta
     let mut limit =
         |limit: Option<&Datum>| limit.map_or("NULL".to_owned(), |limit| constants.datum(row, limit));
     let (low, high) = (limit(resolved.low.as_ref()), limit(resolved.high.as_ref()));
-    let data = match row.slot {
+    let data = match &row.slot {
         Some(slot) => format!("&{}_data.{}", constants.prefix, table.place(slot)),
         None if served => "NULL".to_owned(),
         None => format!("(void *){default}"),

@@ -2,41 +2,49 @@
 
 use std::fmt::{self, Write};
 
-use askama::Template;
-
-use super::defaults::{Defaults, take_names};
+use super::defaults::{ItemView, item_views};
 use super::meanings::Meanings;
 use super::rows::Rows;
 use super::stored::{self, GroupView, MemberView};
+use super::structs::Structs;
 use crate::defaults::{Constant, constants};
 use crate::escape::filters;
+use crate::head::files;
 use crate::hooks;
 use crate::meanings::{Named, meanings};
 use crate::model::{DataType, Device, TypeKind};
 use crate::names::{LONGEST, Scope, clip};
-use crate::resolve::Shape;
-use crate::table::{FieldPath, Row, Table, TableField, TableObject};
+use crate::resolve::{Shape, is_time};
+use crate::table::{Row, Table, TableField, TableObject};
 use crate::{Note, Options};
 
-/// The header.
-#[derive(Template)]
-#[template(path = "c/od.h", escape = "none")]
-pub(super) struct Header<'a> {
+/// What the files have.
+pub(super) struct Tables<'a> {
     /// The prefix of identifiers.
-    pub(super) lower: &'a str,
+    lower: &'a str,
     pub(super) upper: String,
-    pub(super) table: &'a Table,
+    table: &'a Table,
     shared: Rows,
     pub(super) objects: Vec<ObjectView<'a>>,
     /// Whether the entries have names.
     names: bool,
-    pub(super) defaults: Defaults,
-    pub(super) meanings: Option<Meanings<'a>>,
+    /// Macros of identity and services.
+    defaults: Vec<ItemView>,
+    meanings: Option<Meanings<'a>>,
     /// Members of the struct of values, including the structs of storage groups.
-    pub(super) fields: Vec<MemberView<'a>>,
-    pub(super) groups: Vec<GroupView<'a>>,
+    fields: Vec<MemberView<'a>>,
+    groups: Vec<GroupView<'a>>,
     /// Whether an entry has a hook.
-    pub(super) hooks: bool,
+    hooks: bool,
+}
+
+files! {
+    #[derive(askama::Template)]
+    pub(super) Tables:
+    Header "c/od.h"
+    Source "c/od.c"
+    StructsHeader "c/structs.h"
+    StructsSource "c/structs.c"
 }
 
 /// Further contents of headers.
@@ -56,29 +64,6 @@ impl Facts {
     }
 }
 
-/// The source.
-#[derive(Template)]
-#[template(path = "c/od.c", escape = "none")]
-pub(super) struct Source<'a> {
-    /// The prefix of identifiers.
-    lower: &'a str,
-    upper: String,
-    table: &'a Table,
-    shared: Rows,
-    rows: Vec<RowView<'a>>,
-    rom: Vec<String>,
-    groups: Vec<GroupView<'a>>,
-    hooks: bool,
-    /// Size of the longest value that a hook may reject.
-    hook_room: usize,
-    /// Whether rows have pointers.
-    has_pointers: bool,
-    names: bool,
-    /// Whether `float` and `double` are used.
-    real32: bool,
-    real64: bool,
-}
-
 /// An object with the macros for its index and its entries, in upper case without the prefix.
 pub(super) struct ObjectView<'a> {
     pub(super) object: &'a TableObject,
@@ -93,14 +78,6 @@ pub(super) struct FieldView<'a> {
     pub(super) first: &'a Row,
     pub(super) last: &'a Row,
     pub(super) array: bool,
-}
-
-/// A row of the table.
-struct RowView<'a> {
-    row: &'a Row,
-    /// The number of its data type and flags.
-    kind: usize,
-    ram: Option<FieldPath<'a>>,
 }
 
 /// The macros of the templates in lower case, without the prefix.
@@ -118,10 +95,12 @@ const MACROS: &str = "
 pub(super) fn object_views<'a>(
     table: &'a Table,
     prefix: &str,
-    constants: &[Constant],
+    defaults: impl IntoIterator<Item = impl std::borrow::Borrow<ItemView>>,
 ) -> (Vec<ObjectView<'a>>, Scope) {
     let mut macros = Scope::of_constants(MACROS);
-    take_names(constants, &mut macros);
+    for item in defaults {
+        macros.take(item.borrow().name.split('(').next().unwrap_or_default().to_ascii_lowercase());
+    }
     for taken in stored::macros(table).into_iter().chain(hook_macros(table)) {
         macros.claim(&taken, format_args!(""));
     }
@@ -138,9 +117,10 @@ pub(super) fn object_views<'a>(
     (objects.collect(), macros)
 }
 
-impl<'a> Header<'a> {
+impl<'a> Tables<'a> {
     pub(super) fn new(table: &'a Table, prefix: &'a str, facts: &'a Facts) -> Self {
-        let (objects, mut macros) = object_views(table, prefix, &facts.constants);
+        let defaults: Vec<ItemView> = facts.constants.iter().flat_map(item_views).collect();
+        let (objects, mut macros) = object_views(table, prefix, &defaults);
         let upper = prefix.to_ascii_uppercase();
         let meanings = (!facts.named.is_empty()).then(|| Meanings::new(&facts.named, prefix, &mut macros));
         Self {
@@ -150,39 +130,31 @@ impl<'a> Header<'a> {
             table,
             objects,
             names: facts.names,
-            defaults: Defaults::new(&facts.constants, prefix),
+            defaults,
             meanings,
             fields: stored::members(table, prefix),
             groups: stored::group_views(table, prefix),
             hooks: hooks::has_hooks(table),
         }
     }
-}
 
-impl<'a> Source<'a> {
-    pub(super) fn new(table: &'a Table, prefix: &'a str, names: bool) -> Self {
-        let upper = prefix.to_ascii_uppercase();
-        let shared = Rows::new(table, &upper);
-        let rows = table.rows.iter().zip(&shared.kind_of).map(|(row, &kind)| RowView {
-            row,
-            kind,
-            ram: row.slot.map(|slot| table.place(slot)),
-        });
-        Self {
-            lower: prefix,
-            table,
-            rows: rows.collect(),
-            shared,
-            names,
-            rom: table.rom.chunks(16).map(hex_bytes).collect(),
-            groups: stored::group_views(table, prefix),
-            hooks: hooks::has_hooks(table),
-            hook_room: hooks::room(table),
-            has_pointers: false,
-            real32: table.keeps(DataType::REAL32),
-            real64: table.keeps(DataType::REAL64),
-            upper,
-        }
+    /// The lines of the bytes in flash.
+    fn rom(&self) -> impl Iterator<Item = String> {
+        self.table.rom.chunks(16).map(hex_bytes)
+    }
+
+    fn has_time(&self) -> bool {
+        let mut shapes = self.table.rows.iter().map(|row| row.resolved.shape);
+        shapes.any(|shape| matches!(shape, Shape::Word(data_type) if is_time(data_type)))
+    }
+
+    /// Whether there is a string, octet string or DOMAIN.
+    fn has_bytes(&self) -> bool {
+        self.table.rows.iter().any(|row| matches!(row.resolved.shape, Shape::Bytes(..)))
+    }
+
+    fn structs(&self) -> Structs<'a> {
+        Structs::new(self.table, self.lower, &self.upper)
     }
 }
 
@@ -254,10 +226,6 @@ pub(super) fn type_name(shape: Shape) -> &'static str {
         Shape::Word(data_type) | Shape::Bytes(data_type, _) => data_type.name().unwrap_or("BLOCK"),
         Shape::Block(_) => "BLOCK",
     }
-}
-
-pub(super) fn is_time(data_type: DataType) -> bool {
-    matches!(data_type.kind(), TypeKind::TimeOfDay | TypeKind::TimeDifference)
 }
 
 /// The type of a number; integers of 24 to 56 bits use the next larger type.

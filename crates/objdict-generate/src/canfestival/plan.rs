@@ -3,46 +3,18 @@
 use super::names::Names;
 use super::ranges::Ranges;
 use super::special::{Family, LISTS, VALUES, misfit};
-use crate::c_code::{bytes, exact_type, literal, little_endian, number};
+use crate::c_code::{assignment, bytes, literal, number_type, typed};
 use crate::dictionary::{Dictionary, ResolvedEntry, ResolvedObject};
-use crate::memory::{Extent, is_zero};
 use crate::model::{DataType, Place, TypeKind};
 use crate::resolve::{Datum, Shape};
 use crate::stored;
-use crate::variables::{Wanted, variables};
+use crate::variables::{CType, Definition, Variable, Wanted, variables};
 use crate::{Note, Options};
+
+const ENDS_AT_ZERO: &str = "the stack truncates a text at its first zero byte";
 
 /// The most rows of an object.
 const MOST_ROWS: u8 = u8::MAX;
-
-/// A variable of the application or of the stack.
-#[derive(Debug)]
-pub(super) struct Definition {
-    /// What is before the name: its type.
-    pub(super) base: String,
-    pub(super) name: String,
-    /// What is behind it: its size.
-    pub(super) suffix: String,
-    pub(super) initializer: String,
-    pub(super) comment: String,
-    /// The object that it belongs to, or that the stack expects.
-    pub(super) index: u16,
-    /// The number of bytes.
-    pub(super) size: usize,
-    /// Whether its initial value is all zeros.
-    pub(super) is_zero: bool,
-}
-
-impl Definition {
-    pub(super) fn declaration(&self) -> String {
-        format!("{} {}{}", self.base, self.name, self.suffix)
-    }
-
-    /// Whether it can change.
-    pub(super) fn is_variable(&self) -> bool {
-        !self.base.starts_with("const ")
-    }
-}
 
 /// A row of an object.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -72,55 +44,17 @@ pub(super) struct Plan {
     pub(super) ranges: Ranges,
     /// Assignments of values that depend on the node-ID.
     pub(super) formulas: Vec<String>,
-    /// Whether one of them is of bytes.
-    pub(super) stores_bytes: bool,
     /// The number of heartbeat consumers; at least 1.
     pub(super) consumers: usize,
 }
 
-/// The type of a variable; variables of equal types can be elements of one array.
-#[derive(Clone, Debug, PartialEq)]
-struct VariableType {
-    base: String,
-    /// The number of bytes; `None` for a number.
-    room: Option<usize>,
-}
-
-/// The type of the stack for a number in C.
-pub(super) fn c_type(data_type: DataType) -> Option<&'static str> {
-    Some(match exact_type(data_type)? {
-        "uint8_t" => "UNS8",
-        "int8_t" => "INTEGER8",
-        "uint16_t" => "UNS16",
-        "int16_t" => "INTEGER16",
-        "uint32_t" => "UNS32",
-        "int32_t" => "INTEGER32",
-        "uint64_t" => "UNS64",
-        "int64_t" => "INTEGER64",
-        "float" => "REAL32",
-        _ => "REAL64",
-    })
-}
+/// The types of the stack for numbers.
+pub(super) const NUMBERS: [&str; 3] = ["UNS", "INTEGER", "REAL"];
 
 /// The macro of a data type.
 fn type_macro(shape: Shape) -> String {
-    let data_type = match shape {
-        Shape::Word(data_type) | Shape::Bytes(data_type, _) => data_type,
-        Shape::Block(_) => DataType::OCTET_STRING,
-    };
-    match data_type.kind() {
-        TypeKind::Boolean => "boolean".to_owned(),
-        TypeKind::Signed(bits) => format!("int{bits}"),
-        TypeKind::Unsigned(bits) => format!("uint{bits}"),
-        TypeKind::Real32 => "real32".to_owned(),
-        TypeKind::Real64 => "real64".to_owned(),
-        TypeKind::VisibleString => "visible_string".to_owned(),
-        TypeKind::UnicodeString => "unicode_string".to_owned(),
-        TypeKind::TimeOfDay => "time_of_day".to_owned(),
-        TypeKind::TimeDifference => "time_difference".to_owned(),
-        TypeKind::Domain => "domain".to_owned(),
-        _ => "octet_string".to_owned(),
-    }
+    let name = shape.data_type().and_then(DataType::name).unwrap_or("OCTET_STRING").to_ascii_lowercase();
+    name.replace("integer", "int").replace("unsigned", "uint")
 }
 
 impl Plan {
@@ -138,7 +72,6 @@ impl Plan {
                 definitions: Vec::new(),
                 ranges: Ranges::default(),
                 formulas: Vec::new(),
-                stores_bytes: false,
                 consumers: 1,
             },
             misfits: dictionary.objects.iter().map(misfit).collect(),
@@ -179,27 +112,18 @@ impl Builder<'_> {
         };
         let kind = |object: usize, entry: usize| {
             let is_element = LISTS.contains(&objects[object].index) && misfits[object].is_none() && entry > 0;
-            (!is_element).then(|| kind(&objects[object], &objects[object].entries[entry])).flatten()
+            (!is_element).then(|| type_of(&objects[object], &objects[object].entries[entry])).flatten()
         };
         for variable in variables(objects, names, kind) {
-            let object = &objects[variable.object];
-            let entries = &object.entries[variable.entries.clone()];
             // what the stack expects under this name has another type
             let hidden = misfits[variable.object].is_some() && variable.name.starts_with(self.node);
-            let name = if hidden { format!("{}_own", variable.name) } else { variable.name };
-            let numbered = entries.iter().enumerate().zip(variable.entries.clone());
-            for ((element, entry), at) in numbered {
-                let element = if variable.array { format!("[{element}]") } else { String::new() };
-                let address = format!("{name}{element}");
-                self.formula(entry, &address);
-                addresses[variable.object][at] = address;
-            }
-            self.define(object, entries, (name, variable.array), &variable.kind);
+            let name = if hidden { format!("{}_own", variable.name) } else { variable.name.clone() };
+            self.define(&objects[variable.object], variable, name, &mut addresses);
         }
         for (number, object) in objects.iter().enumerate().filter(|(_, object)| LISTS.contains(&object.index))
         {
             if self.misfits[number].is_none() {
-                self.list(object, &mut addresses[number]);
+                self.list(object, number, &mut addresses);
             }
         }
         addresses
@@ -208,79 +132,36 @@ impl Builder<'_> {
     fn define(
         &mut self,
         object: &ResolvedObject<'_>,
-        entries: &[ResolvedEntry<'_>],
-        (name, array): (String, bool),
-        kind: &VariableType,
+        variable: Variable,
+        name: String,
+        addresses: &mut [Vec<String>],
     ) {
-        let values: Vec<String> = entries.iter().map(|entry| self.initializer(entry, kind)).collect();
-        let room = kind.room.map(|room| format!("[{room}]")).unwrap_or_default();
-        let subs = match entries {
-            [first, .., last] if array => format!("{:02X} to {:02X}", first.sub, last.sub),
-            [first, ..] => format!("{:02X}", first.sub),
-            [] => return,
+        for (at, address) in variable.places(&name) {
+            let store = format!("{}_store", self.node);
+            self.plan.formulas.extend(assignment(&object.entries[at].resolved, &address, NUMBERS, &store));
+            addresses[variable.object][at] = address;
+        }
+        let initial = |at: usize| initial(&object.entries[at], self.node_id);
+        let mut definition = variable.define(object, name, initial);
+        definition.described = match (definition.elements, definition.subs) {
+            (Some(2..), (first, last)) => {
+                format!("{:04X}h sub-index {first:02X} to {last:02X}h", object.index)
+            }
+            (_, (sub, _)) => format!("{:04X}h sub-index {sub:02X}h", object.index),
         };
-        self.plan.definitions.push(Definition {
-            base: kind.base.clone(),
-            name,
-            suffix: if array { format!("[{}]{room}", entries.len()) } else { room },
-            initializer: if array { format!("{{{}}}", values.join(", ")) } else { values.concat() },
-            comment: format!("{:04X}h sub-index {subs}h", object.index),
-            index: object.index,
-            size: kind.room.unwrap_or(Extent::of_c(&kind.base).size) * entries.len(),
-            is_zero: entries.iter().all(|entry| match &entry.resolved.default {
-                Datum::Formula(offset) => offset + u64::from(self.node_id) == 0,
-                default => is_zero(default),
-            }),
-        });
+        self.plan.definitions.push(definition);
     }
 
     /// The variable of a list that the stack reads; its object can be an ARRAY or a RECORD.
-    fn list(&mut self, object: &ResolvedObject<'_>, addresses: &mut [String]) {
+    fn list(&mut self, object: &ResolvedObject<'_>, number: usize, addresses: &mut [Vec<String>]) {
         let name = format!("{}_obj{:04X}", self.node, object.index);
-        let elements = object.entries.get(1..).unwrap_or_default();
-        let kind = VariableType { base: "UNS32".to_owned(), room: None };
-        for ((number, entry), address) in elements.iter().enumerate().zip(addresses.iter_mut().skip(1)) {
-            *address = format!("{name}[{number}]");
-            self.formula(entry, address);
-        }
-        self.define(object, elements, (name, true), &kind);
+        let entries = 1..object.entries.len();
         if object.index == 0x1016 {
-            self.plan.consumers = elements.len().max(1);
+            self.plan.consumers = entries.len().max(1);
         }
-    }
-
-    /// Notes the assignment of a value that depends on the node-ID.
-    fn formula(&mut self, entry: &ResolvedEntry<'_>, address: &str) {
-        let (Datum::Formula(offset), Shape::Word(data_type)) =
-            (&entry.resolved.default, entry.resolved.shape)
-        else {
-            return;
-        };
-        self.plan.formulas.push(match (c_type(data_type), number(*offset, data_type)) {
-            (Some(c_type), Some(number)) => format!("{address} = ({c_type})({number} + nodeId);"),
-            _ => {
-                self.plan.stores_bytes = true;
-                let size = entry.resolved.shape.size();
-                format!("{}_store({address}, UINT64_C(0x{offset:X}) + nodeId, {size}u);", self.node)
-            }
-        });
-    }
-
-    fn initializer(&self, entry: &ResolvedEntry<'_>, kind: &VariableType) -> String {
-        let resolved = &entry.resolved;
-        let word = match &resolved.default {
-            Datum::Bytes(value) if is_text(resolved.shape) => {
-                return literal(value).unwrap_or_else(|| bytes(value));
-            }
-            Datum::Bytes(value) => return bytes(value),
-            Datum::Word(word) => *word,
-            Datum::Formula(offset) => offset + u64::from(self.node_id), // fits for every node-ID
-        };
-        let typed = match resolved.shape {
-            Shape::Word(data_type) if kind.room.is_none() => number(word, data_type),
-            _ => None,
-        };
-        typed.unwrap_or_else(|| bytes(&little_endian(word, resolved.shape.size())))
+        let type_ = CType::number("UNS32");
+        let variable = Variable { name: name.clone(), object: number, entries, array: true, type_ };
+        self.define(object, variable, name, addresses);
     }
 
     fn object(
@@ -349,11 +230,7 @@ impl Builder<'_> {
     ) -> RowData {
         let resolved = &entry.resolved;
         let place = Place::entry(object.index, entry.sub);
-        let access = match (resolved.access.is_readable(), resolved.access.is_writable()) {
-            (true, false) => "RO",
-            (false, _) => "WO",
-            (true, true) => "RW",
-        };
+        let access = resolved.sdo_word(["WO", "RO", "WO", "RW"]);
         let writable = resolved.access.is_writable();
         let mut data_type = type_macro(resolved.shape);
         if writable && object.index == 0x1003 && entry.sub == 0 {
@@ -368,59 +245,39 @@ impl Builder<'_> {
                 }
             }
         }
-        if matches!(resolved.shape, Shape::Bytes(..) | Shape::Block(_)) {
-            self.note_bytes(&place, entry);
-        }
+        // texts end at their first zero, other bytes have a fixed length
+        let note = match is_text(resolved.shape) {
+            true => resolved.default.bytes().contains(&0).then(|| ENDS_AT_ZERO.to_owned()),
+            false => resolved.padding(),
+        };
+        self.notes.extend(note.map(|text| Note::new(place, text)));
         let access = if saved && writable { format!("{access} | TO_BE_SAVE") } else { access.to_owned() };
         let size = resolved.shape.size();
         let object = if address.is_empty() { format!("{}_zero", self.node) } else { address.to_owned() };
         RowData { access, data_type, size, object }
     }
 
-    /// Texts end at their first zero, other bytes have a fixed length.
-    fn note_bytes(&mut self, place: &Place, entry: &ResolvedEntry<'_>) {
-        let (Shape::Bytes(_, room), Datum::Bytes(value)) = (entry.resolved.shape, &entry.resolved.default)
-        else {
-            return;
-        };
-        if is_text(entry.resolved.shape) {
-            if value.contains(&0) {
-                let text = "the stack truncates a text at its first zero byte";
-                self.notes.push(Note::new(place.clone(), text));
-            }
-        } else if value.len() < usize::from(room) {
-            let text = format!("a row has a fixed length; the value always has {room} bytes, padded with 0");
-            self.notes.push(Note::new(place.clone(), text));
-        }
-    }
-
     /// Defines what the stack refers to and the description lacks.
     fn missing(&mut self) {
-        let mut define = |index: u16, base: &str, name: &str, suffix: &str, value: u32| {
+        let mut define = |index: u16, base: &str, name: &str, elements: Option<usize>, value: u32| {
             let name = format!("{}_{name}obj{index:04X}", self.node);
             if !self.plan.definitions.iter().any(|known| known.name == name) {
-                let initializer =
-                    if suffix.is_empty() { format!("{value}u") } else { format!("{{{value}u}}") };
-                self.plan.definitions.push(Definition {
-                    base: base.to_owned(),
-                    name,
-                    suffix: suffix.to_owned(),
-                    initializer,
-                    comment: "not in the description".to_owned(),
-                    index,
-                    size: Extent::of_c(base).size,
-                    is_zero: value == 0,
-                });
+                let is_list = elements.is_some();
+                let initializer = if is_list { format!("{{{value}u}}") } else { format!("{value}u") };
+                let described = "not in the description".to_owned();
+                let definition = Definition::new(index, CType::number(base), name, initializer);
+                let is_zero = value == 0;
+                self.plan.definitions.push(Definition { elements, is_zero, described, ..definition });
             }
         };
         for (index, data_type) in VALUES {
-            let base = c_type(data_type).unwrap_or("UNS32");
+            let base = number_type(data_type, NUMBERS).unwrap_or_default();
             let value = if index == 0x1014 { 0x80 + u32::from(self.node_id) } else { 0 };
-            define(index, base, "", "", value);
+            define(index, &base, "", None, value);
         }
         for index in LISTS {
-            define(index, "UNS32", "", "[1]", 0);
-            define(index, "UNS8", "highestSubIndex_", "", 0);
+            define(index, "UNS32", "", Some(1), 0);
+            define(index, "UNS8", "highestSubIndex_", None, 0);
         }
     }
 }
@@ -440,8 +297,22 @@ fn is_text(shape: Shape) -> bool {
     matches!(shape, Shape::Bytes(data_type, _) if data_type.kind() == TypeKind::VisibleString)
 }
 
+/// The initializer of an entry, and whether it is zero.
+fn initial(entry: &ResolvedEntry<'_>, node_id: u8) -> (String, bool) {
+    let resolved = &entry.resolved;
+    let word = resolved.default.on_node(Some(node_id));
+    let is_zero = word == 0 && resolved.default.bytes().iter().all(|&byte| byte == 0);
+    let text = match typed(resolved.shape, word) {
+        Some((_, number)) => Some(number),
+        None if is_text(resolved.shape) => literal(resolved.default.bytes()),
+        None => None,
+    };
+    let size = resolved.shape.size();
+    (text.unwrap_or_else(|| bytes(&resolved.default.bytes_on(Some(node_id), size))), is_zero)
+}
+
 /// The type of an entry's variable; `None` without data.
-fn kind(object: &ResolvedObject<'_>, entry: &ResolvedEntry<'_>) -> Option<VariableType> {
+fn type_of(object: &ResolvedObject<'_>, entry: &ResolvedEntry<'_>) -> Option<CType> {
     let resolved = &entry.resolved;
     let size = resolved.shape.size();
     let is_text = is_text(resolved.shape);
@@ -452,16 +323,11 @@ fn kind(object: &ResolvedObject<'_>, entry: &ResolvedEntry<'_>) -> Option<Variab
         || LISTS.contains(&object.index)
         || Family::of(object.index).is_some();
     // the stack writes the end of a text that it reads
-    let changes = of_stack || is_text || matches!(resolved.default, Datum::Formula(_));
+    let changes = of_stack || is_text || resolved.default.is_formula();
     let constant = if resolved.constant && !changes { "const " } else { "" };
-    let number = match (resolved.shape, &resolved.default) {
-        (Shape::Word(data_type), Datum::Word(word) | Datum::Formula(word)) => {
-            c_type(data_type).filter(|_| number(*word, data_type).is_some())
-        }
-        _ => None,
-    };
-    Some(VariableType {
-        base: format!("{constant}{}", number.unwrap_or("UNS8")),
-        room: number.is_none().then_some(size + usize::from(is_text)),
+    let number = typed(resolved.shape, resolved.default.word());
+    Some(match number.and_then(|(data_type, _)| number_type(data_type, NUMBERS)) {
+        Some(number) => CType::number(format!("{constant}{number}")),
+        None => CType::bytes(format!("{constant}UNS8"), size + usize::from(is_text)),
     })
 }

@@ -24,6 +24,10 @@ pub(super) struct Slots {
 }
 
 impl Slots {
+    pub(super) fn has(&self, slot: Slot) -> bool {
+        self.list.contains(&slot)
+    }
+
     /// The number of TPDOs; at least 1, because C has no empty arrays.
     pub(super) fn transmitted(&self) -> usize {
         let tpdo = Family::Tpdo as usize;

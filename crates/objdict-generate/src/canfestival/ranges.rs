@@ -1,7 +1,7 @@
 //! Limits: the stack has numbers for types with a range, and asks a function of the dictionary.
 
-use super::plan::c_type;
-use crate::c_code::number;
+use super::plan::NUMBERS;
+use crate::c_code::{number, number_type};
 use crate::model::{DataType, TypeKind};
 use crate::resolve::{Datum, Resolved, Shape};
 
@@ -73,7 +73,7 @@ impl Ranges {
     }
 
     fn declaration(&mut self, data_type: DataType, node: &str) -> String {
-        if let Some(c_type) = c_type(data_type) {
+        if let Some(c_type) = number_type(data_type, NUMBERS) {
             return format!("{c_type} number;\n        memcpy(&number, value, sizeof number);");
         }
         let size = data_type.byte_length().unwrap_or(8);
@@ -105,7 +105,7 @@ fn condition(limit: &Datum, data_type: DataType, operator: char, node: &str) -> 
         }
         Datum::Formula(offset) => {
             let wide = if matches!(data_type.kind(), TypeKind::Signed(_)) { "INTEGER64" } else { "UNS64" };
-            let c_type = c_type(data_type).unwrap_or(wide);
+            let c_type = number_type(data_type, NUMBERS).unwrap_or_else(|| wide.to_owned());
             format!("({c_type})({} + {node}_bDeviceNodeId)", number(offset, data_type)?)
         }
         Datum::Bytes(_) => return None,

@@ -2,26 +2,19 @@
 
 use super::plan::Plan;
 use super::positions::{Slot, Slots};
-use crate::SizeReport;
+use crate::Sizes;
 use crate::dictionary::Dictionary;
 use crate::memory::{Extent, Memory, Tally};
 
 /// What the sizes include. The state of the node is as long as the configuration of the stack makes it.
 const COUNTED: &str = "the tables and values, on a processor of 32 bits; without code and the state of the stack (`CO_Data`, timers, PDOs)";
 
-pub(super) fn report(dictionary: &Dictionary<'_>, plan: &Plan, slots: &Slots) -> SizeReport {
+pub(super) fn report(dictionary: &Dictionary<'_>, plan: &Plan, slots: &Slots) -> Sizes {
     let (byte, half, word, pointer) = (Extent::BYTE, Extent::HALF, Extent::WORD, Extent::POINTER);
     let row = Extent::structure([byte, byte, word, pointer]).size;
     let place = Extent::structure([pointer, byte, half]).size;
     let mut tally = Tally::of_dictionary(dictionary);
-    for definition in &plan.definitions {
-        let memory = match (definition.is_variable(), definition.is_zero) {
-            (false, _) => Memory::Flash,
-            (true, true) => Memory::Zeroed,
-            (true, false) => Memory::Initialised,
-        };
-        tally.of(definition.index, memory, definition.size);
-    }
+    plan.definitions.iter().for_each(|definition| tally.variable(definition));
     for object in &plan.objects {
         tally.of(object.index, Memory::Flash, object.rows.len() * row);
         let callbacks = if object.callbacks { object.rows.len() } else { 0 };
@@ -33,17 +26,17 @@ pub(super) fn report(dictionary: &Dictionary<'_>, plan: &Plan, slots: &Slots) ->
             _ => tally.rest(Memory::Flash, place),
         }
     }
-    if slots.list.contains(&Slot::NoPdo) {
+    if slots.has(Slot::NoPdo) {
         tally.rest(Memory::Flash, 6 * row);
         tally.rest(Memory::Initialised, word.size); // its COB-ID
     }
-    if slots.list.contains(&Slot::NoMapping) {
+    if slots.has(Slot::NoMapping) {
         tally.rest(Memory::Flash, row);
     }
     let ranges = half.times(slots.first.len() + slots.last.len()); // of the families
     tally.rest(Memory::Flash, ranges.size + half.size + byte.size); // with their number, and the role of the node
     tally.rest(Memory::Zeroed, word.size); // what a row without a value refers to
     let node_id = dictionary.node_id.unwrap_or(0);
-    tally.rest(if node_id == 0 { Memory::Zeroed } else { Memory::Initialised }, byte.size);
+    tally.rest(Memory::of_values(node_id == 0), byte.size);
     tally.report(COUNTED)
 }

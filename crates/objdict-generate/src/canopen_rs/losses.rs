@@ -2,8 +2,9 @@
 
 use super::ROOM;
 use crate::Note;
+use crate::diagnostic::counted;
 use crate::dictionary::{Dictionary, ResolvedEntry, ResolvedObject};
-use crate::model::{DataType, Place, TypeKind};
+use crate::model::{DataType, PdoKind, Place, TypeKind};
 use crate::resolve::{Datum, Shape};
 
 /// Number of PDOs per direction in the crate (`MAX_PDOS`).
@@ -23,8 +24,7 @@ pub(super) fn of(dictionary: &mut Dictionary<'_>) -> Vec<Note> {
         }
     }
     dictionary.objects.retain(|object| !object.entries.is_empty());
-    let mapping = |index: &u16| matches!(index, 0x1600..=0x17FF | 0x1A00..=0x1BFF);
-    if dictionary.objects.iter().any(|object| mapping(&object.index)) {
+    if dictionary.objects.iter().any(|object| PdoKind::of_mapping(object.index).is_some()) {
         let text = "PDOs may map every entry of the table: the crate ignores `PDOMapping`";
         notes.push(Note::new(Place::device(), text));
     }
@@ -36,10 +36,7 @@ pub(super) fn of(dictionary: &mut Dictionary<'_>) -> Vec<Note> {
 
 /// Whether the value fits into the crate's buffer.
 fn fits(index: u16, entry: &ResolvedEntry<'_>, notes: &mut Vec<Note>) -> bool {
-    let length = match &entry.resolved.default {
-        Datum::Bytes(bytes) => bytes.len(),
-        Datum::Word(_) | Datum::Formula(_) => 0,
-    };
+    let length = entry.resolved.default.bytes().len();
     if length <= usize::from(ROOM) {
         return true;
     }
@@ -64,7 +61,7 @@ fn of_entry(index: u16, entry: &ResolvedEntry<'_>, notes: &mut Vec<Note>) {
             format!("the capacity is {ROOM} bytes, but the description requires {room}"),
         ));
     }
-    if resolved.low.is_some() || resolved.high.is_some() {
+    if resolved.limit().is_some() {
         notes.push(Note::new(place(), "limits are not enforced: the crate does not support them"));
     }
 }
@@ -72,22 +69,19 @@ fn of_entry(index: u16, entry: &ResolvedEntry<'_>, notes: &mut Vec<Note>) {
 /// The substitute for a data type that the crate lacks; `None` for supported types.
 fn held_as_octets(shape: Shape) -> Option<String> {
     match shape {
-        Shape::Word(data_type) if !is_modelled(data_type) => {
-            Some(format!("{data_type} is stored as an octet string of {}", bytes(shape.size())))
-        }
+        Shape::Word(data_type) if !is_modelled(data_type) => Some(format!(
+            "{data_type} is stored as an octet string of {}",
+            counted(shape.size(), "byte", "bytes")
+        )),
         Shape::Bytes(data_type, _) if data_type == DataType::UNICODE_STRING => {
             Some("UNICODE_STRING is stored as an octet string".to_owned())
         }
         Shape::Block(length) => {
-            let length = bytes(length.into());
+            let length = counted(length.into(), "byte", "bytes");
             Some(format!("a device-specific type is stored as an octet string of {length}"))
         }
         Shape::Word(_) | Shape::Bytes(..) => None,
     }
-}
-
-fn bytes(length: usize) -> String {
-    if length == 1 { "1 byte".to_owned() } else { format!("{length} bytes") }
 }
 
 /// Whether the crate supports this data type of at most eight bytes.
@@ -102,12 +96,9 @@ pub(super) fn is_modelled(data_type: DataType) -> bool {
 /// How the crate uses the PDO parameters.
 fn of_pdo(object: &ResolvedObject<'_>, notes: &mut Vec<Note>) {
     let index = object.index;
-    let (number, is_mapping) = match index {
-        0x1400..=0x15FF | 0x1800..=0x19FF => (index & 0x1FF, false),
-        0x1600..=0x17FF | 0x1A00..=0x1BFF => (index & 0x1FF, true),
-        _ => return,
-    };
-    if number >= PDOS {
+    let mapping = PdoKind::of_mapping(index);
+    let Some((_, number)) = mapping.or(PdoKind::of_communication(index)) else { return };
+    if number > PDOS {
         let text = format!("the node of the crate serves only PDO 1 to {PDOS}");
         notes.push(Note::new(Place::object(index), text));
         return;
@@ -116,8 +107,8 @@ fn of_pdo(object: &ResolvedObject<'_>, notes: &mut Vec<Note>) {
         Datum::Word(word) => Some(word),
         Datum::Formula(_) | Datum::Bytes(_) => None,
     };
-    if is_mapping {
-        let count = object.entries.iter().find(|entry| entry.sub == 0).and_then(word).unwrap_or(0);
+    if mapping.is_some() {
+        let count = object.entry(0).and_then(word).unwrap_or(0);
         if count > MAPPED {
             let text = format!("the node of the crate maps at most {MAPPED} entries to a PDO, not {count}");
             notes.push(Note::new(Place::entry(index, 0), text));

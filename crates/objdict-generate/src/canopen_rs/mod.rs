@@ -5,46 +5,27 @@ mod losses;
 mod view;
 
 use super::dictionary::Dictionary;
+use super::head::Head;
 use super::names::Scope;
 use super::notes::{in_order, once_per_object};
-use super::{Backend, Choice, GenerateError, Generated, Options, Sizes, render};
+use super::{GenerateError, Generated, Options, render};
 use crate::model::Device;
 
 /// Capacity of a string, octet string or DOMAIN in the crate, in bytes (`MAX_STRING_LEN`).
 const ROOM: u16 = 32;
 
-/// An `ObjectDictionary` for canopen-rs.
-pub(super) struct CanopenRs;
-
-impl Backend for CanopenRs {
-    fn name(&self) -> &'static str {
-        "canopen-rs"
+pub(super) fn make(device: &Device, options: &Options) -> Result<Generated, GenerateError> {
+    let module = options.module_or("od")?;
+    let function = Scope::of_lower_case("address octets put").claim(&module, format_args!("od"));
+    let room = Options { string_capacity: ROOM, domain_capacity: ROOM, ..options.clone() };
+    let mut dictionary = Dictionary::new(device, &room)?;
+    let losses = losses::of(&mut dictionary);
+    dictionary.notes.extend(losses);
+    let notes = once_per_object(in_order(std::mem::take(&mut dictionary.notes)));
+    if dictionary.objects.is_empty() {
+        return Err(GenerateError::NoEntries { notes });
     }
-
-    fn summary(&self) -> &'static str {
-        "one Rust file for the crate canopen-rs 0.6: a function that creates its ObjectDictionary for a node-ID"
-    }
-
-    fn uses(&self) -> &'static [Choice] {
-        &[Choice::Names, Choice::Renamed, Choice::Module]
-    }
-
-    fn generate(&self, device: &Device, options: &Options) -> Result<Generated, GenerateError> {
-        let module = options.module_or("od")?;
-        let function = Scope::of_lower_case("address octets put").claim(&module, format_args!("od"));
-        let room = Options { string_capacity: ROOM, domain_capacity: ROOM, ..options.clone() };
-        let mut dictionary = Dictionary::new(device, &room)?;
-        let losses = losses::of(&mut dictionary);
-        dictionary.notes.extend(losses);
-        let notes = once_per_object(in_order(std::mem::take(&mut dictionary.notes)));
-        if dictionary.objects.is_empty() {
-            return Err(GenerateError::NoEntries { notes });
-        }
-        let file = render(format!("{module}.rs"), &view::Od::new(&dictionary, options.made_by(), function))?;
-        Ok(Generated { files: vec![file], notes })
-    }
-
-    fn size(&self, _: &Device, _: &Options) -> Result<Sizes, GenerateError> {
-        Ok(Sizes::Unknown("the crate canopen-rs builds the tables while the firmware runs"))
-    }
+    let head = Head::new(device, options, &function, &module);
+    let file = render(format!("{module}.rs"), &view::Od::new(&dictionary, head))?;
+    Ok(Generated { files: vec![file], notes })
 }

@@ -5,7 +5,8 @@ use askama::Template;
 use super::losses::is_modelled;
 use crate::dictionary::{Dictionary, ResolvedEntry};
 use crate::escape::{byte_string, filters};
-use crate::model::{Access, DataType, TypeKind};
+use crate::head::Head;
+use crate::model::{DataType, TypeKind};
 use crate::names::Scope;
 use crate::resolve::{Datum, Shape};
 use crate::rust::{value_of, word_type};
@@ -15,14 +16,9 @@ use crate::variables::{Wanted, claim};
 #[derive(Template)]
 #[template(path = "canopen-rs/od.rs", escape = "none")]
 pub(super) struct Od {
-    made_by: String,
-    product: String,
-    vendor: String,
+    /// Its `lower` is the name of the function.
+    head: Head,
     node_id: Option<u8>,
-    /// The name of the function.
-    function: String,
-    /// Whether an entry is stored as an octet string.
-    has_octets: bool,
     /// Whether a value depends on the node-ID.
     has_formulas: bool,
     rows: Vec<Row>,
@@ -35,25 +31,20 @@ struct Row {
     /// The names of object and entry, for a comment.
     name: String,
     constant: String,
-    /// A variant of `AccessType`.
+    /// A variant of `AccessType`, in lower case.
     access: &'static str,
     /// An expression of type `Value`.
     value: String,
 }
 
 impl Od {
-    pub(super) fn new(dictionary: &Dictionary<'_>, made_by: String, function: String) -> Self {
-        let info = dictionary.device.device_info.as_ref();
+    pub(super) fn new(dictionary: &Dictionary<'_>, head: Head) -> Self {
         let objects = dictionary.objects.iter();
         let wanted: Vec<Wanted<'_>> = objects
             .flat_map(|object| (0..object.entries.len()).map(move |entry| (object, Some(entry))))
             .collect();
         let constants = claim(&mut Scope::of_constants(""), "", &wanted);
-        let entries = dictionary
-            .objects
-            .iter()
-            .flat_map(|object| object.entries.iter().map(move |entry| (object, entry)));
-        let rows = entries.zip(constants).map(|((object, entry), constant)| Row {
+        let rows = dictionary.entries().zip(constants).map(|((object, entry), constant)| Row {
             index: object.index,
             sub: entry.sub,
             name: match object.is_single() {
@@ -61,34 +52,17 @@ impl Od {
                 false => format!("{} / {}", object.object.name(), entry.entry.name),
             },
             constant: constant.to_ascii_uppercase(),
-            access: access(entry.resolved.access),
+            access: entry.resolved.plain_access(),
             value: value(entry),
         });
-        let rows: Vec<Row> = rows.collect();
-        let mut defaults =
-            dictionary.objects.iter().flat_map(|object| &object.entries).map(|entry| &entry.resolved.default);
-        let has_formulas = defaults.any(|default| matches!(default, Datum::Formula(_)));
-        let has_octets = rows.iter().any(|row| row.value.contains("octets("));
-        Self {
-            made_by,
-            product: info.and_then(|info| info.product_name.clone()).unwrap_or_default(),
-            vendor: info.and_then(|info| info.vendor_name.clone()).unwrap_or_default(),
-            node_id: dictionary.node_id,
-            function,
-            has_octets,
-            has_formulas,
-            rows,
-        }
+        let rows = rows.collect();
+        let has_formulas = dictionary.entries().any(|(_, entry)| entry.resolved.default.is_formula());
+        Self { head, node_id: dictionary.node_id, has_formulas, rows }
     }
-}
 
-/// In the crate, the access type does not restrict the entry to RPDOs or TPDOs.
-fn access(access: Access) -> &'static str {
-    match access {
-        Access::Ro => "Ro",
-        Access::Wo => "Wo",
-        Access::Rw | Access::Rwr | Access::Rww => "Rw",
-        Access::Const => "Const",
+    /// Whether an entry is stored as an octet string.
+    fn has_octets(&self) -> bool {
+        self.rows.iter().any(|row| row.value.contains("octets("))
     }
 }
 
@@ -98,9 +72,8 @@ fn value(entry: &ResolvedEntry<'_>) -> String {
     match (resolved.shape, &resolved.default) {
         (Shape::Word(data_type), datum) => match (variant(data_type), datum) {
             (Some(variant), datum) => format!("Value::{variant}({})", value_of(resolved.shape, datum)),
-            (None, Datum::Word(word)) => {
-                let bytes = word.to_le_bytes();
-                format!("Value::OctetString({})", octets(&bytes[..resolved.shape.size().min(8)]))
+            (None, Datum::Word(_)) => {
+                format!("Value::OctetString({})", octets(&datum.bytes_on(None, resolved.shape.size())))
             }
             (None, datum) => {
                 let sum = match value_of(resolved.shape, datum) {
@@ -110,17 +83,14 @@ fn value(entry: &ResolvedEntry<'_>) -> String {
                 format!("Value::OctetString(octets(&({sum}).to_le_bytes()[..{}]))", resolved.shape.size())
             }
         },
-        (Shape::Bytes(data_type, _), Datum::Bytes(bytes)) => {
-            let variant = match data_type.kind() {
-                TypeKind::VisibleString => "VisibleString",
-                TypeKind::Domain => "Domain",
+        (shape, datum) => {
+            let variant = match shape.data_type().map(DataType::kind) {
+                Some(TypeKind::VisibleString) => "VisibleString",
+                Some(TypeKind::Domain) => "Domain",
                 _ => "OctetString",
             };
-            format!("Value::{variant}({})", octets(bytes))
+            format!("Value::{variant}({})", octets(datum.bytes()))
         }
-        (_, Datum::Bytes(bytes)) => format!("Value::OctetString({})", octets(bytes)),
-        // numbers only occur with words
-        (_, Datum::Word(_) | Datum::Formula(_)) => format!("Value::OctetString({})", octets(&[])),
     }
 }
 

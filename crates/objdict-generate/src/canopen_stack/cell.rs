@@ -1,10 +1,11 @@
 //! The data of table rows.
 
 use super::special::{Data, Special, fits, object_fits, special};
-use crate::c_code::{exact_type, little_endian, number};
+use crate::c_code::{exact_type, number, typed};
 use crate::dictionary::{Dictionary, ResolvedEntry, ResolvedObject};
 use crate::model::{DataType, Place, TypeKind};
-use crate::resolve::{Datum, Shape};
+use crate::notes::added;
+use crate::resolve::Shape;
 use crate::{LONGEST_VALUE, Note};
 
 /// Values up to this limit are stored in the row: they fit into a 16-bit pointer.
@@ -111,10 +112,10 @@ impl Planner<'_> {
     ) -> Planned {
         let place = Place::entry(object.index, entry.sub);
         let type_ = Type::Stack(special.type_);
-        let word = word_of(&entry.resolved.default);
+        let word = entry.resolved.default.word();
         match special.data {
             Data::Consumer | Data::Group => {
-                if matches!(entry.resolved.default, Datum::Formula(_)) {
+                if entry.resolved.default.is_formula() {
                     let text = "the stack does not add the node-ID here; it is omitted";
                     self.notes.push(Note::new(place.clone(), text));
                 }
@@ -151,29 +152,25 @@ impl Planner<'_> {
         may_be_direct: bool,
     ) -> (Cell, bool) {
         let resolved = &entry.resolved;
-        let word = word_of(&resolved.default);
+        let word = resolved.default.word();
         let bits = u32::from(data_type.byte_length().unwrap_or(8)) * 8;
         let pattern = word & (u64::MAX >> (64 - bits.clamp(8, 64)));
-        let node_id = matches!(resolved.default, Datum::Formula(_));
+        let node_id = resolved.default.is_formula();
         if resolved.constant && may_be_direct && pattern <= LONGEST_DIRECT {
             return (Cell::Direct(pattern), node_id);
         }
-        let (c_type, value) = match (exact_type(data_type), number(word, data_type)) {
-            (Some(c_type), Some(value)) => (c_type, value),
-            _ => {
-                let text =
-                    "C has no literal for a default that is not finite; the variable contains its bits";
-                self.notes.push(Note::new(place.clone(), text));
-                ("uint32_t", format!("0x{pattern:08X}u"))
-            }
-        };
+        let (c_type, value) = exact_type(data_type).zip(number(word, data_type)).unwrap_or_else(|| {
+            let text = "C has no literal for a default that is not finite; the variable contains its bits";
+            self.notes.push(Note::new(place.clone(), text));
+            ("uint32_t", format!("0x{pattern:08X}u"))
+        });
         (Cell::Number { flash: resolved.constant, c_type, value }, node_id)
     }
 
     /// A string, octet string or DOMAIN.
     fn bytes(&mut self, place: &Place, entry: &ResolvedEntry<'_>, data_type: DataType, room: u16) -> Planned {
         let resolved = &entry.resolved;
-        let bytes = bytes_of(&resolved.default);
+        let bytes = resolved.default.bytes().to_vec();
         let fixed = !resolved.access.is_writable() && (resolved.constant || !bytes.is_empty());
         if bytes.is_empty() && (fixed || room > 0) {
             let text = "an SDO cannot read it while it is empty: the stack aborts the transfer";
@@ -196,26 +193,14 @@ impl Planner<'_> {
     fn block(&mut self, place: &Place, entry: &ResolvedEntry<'_>) -> Planned {
         let resolved = &entry.resolved;
         let size = resolved.shape.size().min(LONGEST_VALUE);
-        if let Datum::Formula(_) = resolved.default {
-            let added = match self.node_id {
-                Some(node_id) => format!("the constant node-ID {node_id} is added"),
-                None => "nothing is added".to_owned(),
-            };
+        if resolved.default.is_formula() {
+            let added = added(self.node_id);
             let text = format!("the stack adds the node-ID only to values of 8, 16 and 32 bits; {added}");
             self.notes.push(Note::new(place.clone(), text));
         }
-        let word = match resolved.default {
-            Datum::Formula(offset) => offset + u64::from(self.node_id.unwrap_or(0)), // fits for every node-ID
-            ref other => word_of(other),
-        };
-        let typed = match resolved.shape {
-            Shape::Word(data_type) => exact_type(data_type).zip(number(word, data_type)),
-            _ => None,
-        };
-        let mut bytes = match &resolved.default {
-            Datum::Bytes(bytes) => bytes.clone(),
-            _ => little_endian(word, size),
-        };
+        let typed = typed(resolved.shape, resolved.default.on_node(self.node_id));
+        let typed = typed.and_then(|(data_type, value)| Some((exact_type(data_type)?, value)));
+        let mut bytes = resolved.default.bytes_on(self.node_id, size);
         bytes.resize(size, 0);
         let (c_type, value) = typed.map_or((None, String::new()), |(c_type, value)| (Some(c_type), value));
         let cell = Cell::Block { flash: resolved.constant, bytes, c_type, value };
@@ -234,19 +219,4 @@ fn stack_type(data_type: DataType) -> Option<&'static str> {
         TypeKind::Signed(32) => "CO_TSIGNED32",
         _ => return None,
     })
-}
-
-/// The number of a value; for a formula, the offset to the node-ID.
-fn word_of(datum: &Datum) -> u64 {
-    match datum {
-        Datum::Word(word) | Datum::Formula(word) => *word,
-        Datum::Bytes(_) => 0, // bytes have other shapes
-    }
-}
-
-fn bytes_of(datum: &Datum) -> Vec<u8> {
-    match datum {
-        Datum::Bytes(bytes) => bytes.clone(),
-        _ => Vec::new(), // numbers have other shapes
-    }
 }

@@ -2,7 +2,7 @@
 
 use crate::Note;
 use crate::dictionary::{Dictionary, ResolvedEntry};
-use crate::model::{Access, Field, Part, Pdo, PdoKind, Place};
+use crate::model::{Access, Part, Pdo, PdoKind, Place};
 use crate::notes::once_per_device;
 use crate::resolve::Datum;
 
@@ -15,11 +15,7 @@ const NOT_VALID: u64 = 1 << 31;
 /// Adds notes about entries and PDOs, and about missing objects.
 pub(super) fn check(dictionary: &Dictionary<'_>, rows: usize, notes: &mut Vec<Note>) {
     let mut common = Vec::new();
-    for object in &dictionary.objects {
-        for entry in &object.entries {
-            self::entry(object.index, entry, &mut common);
-        }
-    }
+    dictionary.entries().for_each(|(object, entry)| self::entry(object.index, entry, &mut common));
     notes.extend(once_per_device(common));
     for pdo in dictionary.device.pdos() {
         communication(&pdo, notes);
@@ -31,16 +27,10 @@ pub(super) fn check(dictionary: &Dictionary<'_>, rows: usize, notes: &mut Vec<No
 fn entry(index: u16, entry: &ResolvedEntry<'_>, notes: &mut Vec<Note>) {
     let resolved = &entry.resolved;
     let place = || Place::entry(index, entry.sub);
-    let limit = match (&resolved.low, &resolved.high) {
-        (Some(_), _) => Some(Field::LowLimit),
-        (None, Some(_)) => Some(Field::HighLimit),
-        _ => None,
-    };
-    if let (Some(field), true) = (limit, resolved.access.is_writable()) {
+    if let (Some(field), true) = (resolved.limit(), resolved.access.is_writable()) {
         notes.push(Note::new(place().field(field), "the stack does not enforce limits"));
     }
-    let both = resolved.access.is_readable() && resolved.access.is_writable();
-    if both && resolved.tpdo != resolved.rpdo {
+    if resolved.sdo() == (true, true) && resolved.tpdo != resolved.rpdo {
         let kind = if resolved.tpdo { PdoKind::Rpdo } else { PdoKind::Tpdo };
         let text =
             format!("the stack also allows the entry in {kind}s: its row has one flag for both directions");
@@ -108,6 +98,7 @@ fn mapping(dictionary: &Dictionary<'_>, pdo: &Pdo<'_>, notes: &mut Vec<Note>) {
         let text = "the stack maps at most 8 objects and does not support multiplexed PDOs";
         notes.push(Note::new(Place::entry(index, 0), text));
     }
+    let has = |index, sub| dictionary.entry(index, sub).is_some();
     for slot in pdo.used_slots() {
         let Some(mapped) = slot.object.filter(|object| !object.is_unused()) else { continue };
         let is_misread = mapped.bits % 8 != 0 || mapped.bits == 0;
@@ -117,7 +108,7 @@ fn mapping(dictionary: &Dictionary<'_>, pdo: &Pdo<'_>, notes: &mut Vec<Note>) {
             continue;
         } else if mapped.is_dummy() {
             "the stack does not support this dummy entry"
-        } else if !has(dictionary, mapped.index, mapped.sub) {
+        } else if !has(mapped.index, mapped.sub) {
             "the stack ignores a PDO that maps a missing entry"
         } else {
             continue;
@@ -127,21 +118,17 @@ fn mapping(dictionary: &Dictionary<'_>, pdo: &Pdo<'_>, notes: &mut Vec<Note>) {
     }
 }
 
-fn has(dictionary: &Dictionary<'_>, index: u16, sub: u8) -> bool {
-    let at = dictionary.objects.binary_search_by_key(&index, |object| object.index);
-    at.is_ok_and(|at| dictionary.objects[at].entries.iter().any(|entry| entry.sub == sub))
-}
-
 /// Requirements of the stack on the whole dictionary.
 fn demands(dictionary: &Dictionary<'_>, rows: usize, notes: &mut Vec<Note>) {
+    let has = |index, sub| dictionary.entry(index, sub).is_some();
     let device = |text: &str| Note::new(Part::Device, text.to_owned());
-    if !has(dictionary, 0x1001, 0) {
+    if !has(0x1001, 0) {
         notes.push(device("without 1001h the stack reports an error when it starts, and sends no EMCY"));
     }
-    if !has(dictionary, 0x1014, 0) {
+    if !has(0x1014, 0) {
         notes.push(device("without 1014h the stack sends no EMCY"));
     }
-    if !has(dictionary, 0x1200, 1) {
+    if !has(0x1200, 1) {
         let note = device("without 1200h the stack has no SDO server; it is added with the default COB-IDs");
         notes.push(note.help("describe 1200h, `ro`, with `$NODEID+0x600` and `$NODEID+0x580`"));
     }
@@ -155,7 +142,7 @@ fn demands(dictionary: &Dictionary<'_>, rows: usize, notes: &mut Vec<Note>) {
         let text = "the stack does not initialise the first object of a dictionary; 1000h must precede it";
         notes.push(Note::new(Place::object(first), text));
     }
-    if has(dictionary, 0, 0) {
+    if has(0, 0) {
         notes
             .push(Note::new(Place::entry(0, 0), "the stack interprets index 0 as the end of the dictionary"));
     }

@@ -6,58 +6,12 @@ use super::cell::{Cell, Planned};
 use super::para::STORE;
 use crate::c_code::{bytes, literal};
 use crate::dictionary::{Dictionary, ResolvedEntry, ResolvedObject};
-use crate::memory::{self, Extent, Memory};
+use crate::memory::Extent;
 use crate::model::Place;
 use crate::names::{Scope, words};
 use crate::stored;
-use crate::variables::{Variable, Wanted, claim, variables};
+use crate::variables::{CType, Definition, Variable, Wanted, claim, variables};
 use crate::{Note, Options};
-
-/// A variable in RAM.
-#[derive(Debug)]
-pub(super) struct Member {
-    /// Precedes the name: a type or an anonymous structure.
-    base: String,
-    pub(super) name: String,
-    /// Follows the name.
-    suffix: String,
-    pub(super) initializer: String,
-    pub(super) extent: Extent,
-    /// Whether it is initialised to zero.
-    pub(super) zero: bool,
-    pub(super) index: u16,
-    pub(super) sub: u8,
-    /// The last sub-index of an array.
-    pub(super) last: Option<u8>,
-    /// The name in the description.
-    pub(super) described: String,
-}
-
-impl Member {
-    /// Index and sub-indexes.
-    pub(super) fn place(&self) -> String {
-        let last = self.last.map(|last| format!(" to {last:02X}h")).unwrap_or_default();
-        format!("{:04X}h sub-index {:02X}h{last}", self.index, self.sub)
-    }
-
-    /// Its declaration as a structure member.
-    pub(super) fn declaration(&self) -> String {
-        format!("{} {}{}", self.base, self.name, self.suffix)
-    }
-
-    /// The structure that needs a type outside another structure.
-    pub(super) fn structure(&self) -> Option<&str> {
-        self.base.starts_with("struct").then_some(self.base.as_str())
-    }
-
-    /// Its definition outside a structure.
-    pub(super) fn definition(&self) -> String {
-        match self.structure() {
-            Some(_) => format!("{}_t {}{}", self.name, self.name, self.suffix),
-            None => self.declaration(),
-        }
-    }
-}
 
 /// Values that are stored together.
 #[derive(Debug)]
@@ -66,7 +20,7 @@ pub(super) struct ParaGroup {
     pub(super) name: String,
     /// The variable; its type has the suffix `_t`.
     pub(super) variable: String,
-    pub(super) members: Vec<Member>,
+    pub(super) members: Vec<Definition>,
     /// The index of its first object.
     pub(super) first: u16,
     /// Whether it contains only objects of the communication profile (1000h to 1FFFh).
@@ -77,11 +31,11 @@ pub(super) struct ParaGroup {
 #[derive(Debug, Default)]
 pub(super) struct Layout {
     pub(super) groups: Vec<ParaGroup>,
-    pub(super) variables: Vec<Member>,
+    pub(super) variables: Vec<Definition>,
     /// Definitions in flash, and those in RAM required by types of the stack.
-    pub(super) definitions: Vec<String>,
-    /// The sizes of the definitions by index, including texts in them.
-    pub(super) taken: Vec<(u16, Memory, usize)>,
+    pub(super) definitions: Vec<Definition>,
+    /// The sizes of texts that are literals, by the index of the first object that has it.
+    pub(super) literals: Vec<(u16, usize)>,
     /// The data of rows, by object and entry; empty for a parameter group.
     pub(super) data: Vec<Vec<String>>,
     /// Texts written as literals.
@@ -136,17 +90,17 @@ impl Layout {
             let Some(name) = group else { continue };
             layout.join(name, object.index, &mut scope, prefix);
         }
-        let kind = |object: usize, entry: usize| ram(&planned[object][entry].cell);
+        let type_of = |object: usize, entry: usize| ram(&planned[object][entry].cell);
         let names = |wanted: &[Wanted<'_>]| claim(&mut scope, prefix, wanted);
-        for variable in variables(&dictionary.objects, names, kind) {
+        for variable in variables(&dictionary.objects, names, type_of) {
             let object = &dictionary.objects[variable.object];
             let group = groups[variable.object].as_deref();
-            layout.place(object, &variable, &planned[variable.object], group, (prefix, notes));
+            layout.place(object, variable, planned, group, (prefix, notes));
         }
         for (number, object) in dictionary.objects.iter().enumerate() {
             for (entry, planned) in planned[number].iter().enumerate() {
                 let place = (object.index, object.entries[entry].sub);
-                layout.describe(&planned.cell, place, &mut (number, entry), prefix);
+                layout.describe(&planned.cell, place, (number, entry), prefix);
             }
         }
         layout.drop_empty_groups(notes);
@@ -172,47 +126,32 @@ impl Layout {
     fn place(
         &mut self,
         object: &ResolvedObject<'_>,
-        variable: &Variable<RamType>,
-        planned: &[Planned],
+        variable: Variable,
+        planned: &[Vec<Planned>],
         group: Option<&str>,
         (prefix, notes): (&str, &mut Vec<Note>),
     ) {
-        let first = &object.entries[variable.entries.start];
-        let last = variable.array.then(|| object.entries[variable.entries.end - 1].sub);
-        let stored = group.filter(|_| variable.kind.stored);
-        if group.is_some() && !variable.kind.stored && variable.kind.base == "CO_HBCONS" {
+        let cells = &planned[variable.object];
+        let first = &cells[variable.entries.start].cell;
+        let is_stored = !matches!(first, Cell::Application | Cell::Consumer { .. });
+        if group.is_some() && matches!(first, Cell::Consumer { .. }) {
             let text = "heartbeat consumers are objects of the stack and not part of a storage group";
             notes.push(Note::new(Place::object(object.index), text));
         }
+        let stored = group.filter(|_| is_stored);
         let group = stored.and_then(|name| self.groups.iter_mut().find(|group| group.name == name));
         let name = match &group {
             Some(_) => variable.name.clone(),
             None => format!("{prefix}_{}", variable.name),
         };
         let path = group.as_ref().map_or(name.clone(), |group| format!("{}.{name}", group.variable));
-        let array = if variable.array { format!("[{}]", variable.entries.len()) } else { String::new() };
-        let RamType { base, suffix, .. } = &variable.kind;
-        let values: Vec<String> = variable.entries.clone().map(|at| initializer(&planned[at].cell)).collect();
-        let member = Member {
-            base: base.clone(),
-            name,
-            suffix: format!("{array}{suffix}"),
-            initializer: if variable.array { format!("{{{}}}", values.join(", ")) } else { values.concat() },
-            extent: variable.kind.extent.times(values.len()),
-            zero: variable.entries.clone().all(|at| is_zero(&planned[at].cell, &object.entries[at])),
-            index: object.index,
-            sub: first.sub,
-            last,
-            described: if variable.array { object.object.name() } else { &first.entry.name }.to_owned(),
-        };
-        for (element, at) in variable.entries.clone().enumerate() {
-            let element = if variable.array { format!("[{element}]") } else { String::new() };
-            self.data[variable.object][at] = format!("{path}{element}");
+        for (at, place) in variable.places(&path) {
+            self.data[variable.object][at] = place;
         }
-        match group {
-            Some(group) => group.members.push(member),
-            None => self.variables.push(member),
-        }
+        let initial =
+            |at: usize| (initializer(&cells[at].cell), is_zero(&cells[at].cell, &object.entries[at]));
+        let definition = variable.define(object, name, initial);
+        group.map_or(&mut self.variables, |group| &mut group.members).push(definition);
     }
 
     /// Defines the descriptor between a row and its value, and replaces the name of the value by that of the
@@ -221,76 +160,53 @@ impl Layout {
         &mut self,
         cell: &Cell,
         (index, sub): (u16, u8),
-        &mut (object, entry): &mut (usize, usize),
+        (object, entry): (usize, usize),
         prefix: &str,
     ) {
         let named = |letter: char| format!("{prefix}_{letter}{index:04X}_{sub:02X}");
         let (constant, descriptor) = (named('C'), named('D'));
         let path = std::mem::take(&mut self.data[object][entry]);
-        self.take(index, cell);
+        let mut define = |type_: CType, name: &str, initializer: String| {
+            self.definitions.push(Definition::new(index, type_, name.to_owned(), initializer));
+            format!("&{name}")
+        };
+        let domain = |size: usize, start: &str| {
+            format!("{{.Offset = 0u, .Size = {size}u, .Start = (uint8_t *){start}}}")
+        };
         let data = match cell {
             Cell::Direct(value) => format!("{value}u"),
             Cell::Number { flash: true, c_type, value } => {
-                self.definitions.push(format!("static const {c_type} {constant} = {value};"));
-                format!("&{constant}")
+                define(CType::number(format!("const {c_type}")), &constant, value.clone())
             }
             Cell::Number { .. } | Cell::Application | Cell::Consumer { .. } => format!("&{path}"),
             Cell::Text(text) => {
-                let start = literal(text).unwrap_or_else(|| {
-                    let (value, room) = (bytes(text), text.len() + 1);
-                    self.definitions.push(format!("static const uint8_t {constant}[{room}] = {value};"));
-                    constant
-                });
-                self.definitions.push(format!(
-                    "static CO_OBJ_STR {descriptor} = {{.Offset = 0u, .Start = (uint8_t *){start}}};"
-                ));
-                format!("&{descriptor}")
+                let size = text.len() + 1;
+                let start = literal(text);
+                if start.is_none() {
+                    define(CType::bytes("const uint8_t", size), &constant, bytes(text));
+                } else if self.texts.insert(text.clone()) {
+                    self.literals.push((index, size));
+                }
+                let start = start.unwrap_or(constant);
+                let initializer = format!("{{.Offset = 0u, .Start = (uint8_t *){start}}}");
+                define(structure("CO_OBJ_STR", &[Extent::WORD, Extent::POINTER]), &descriptor, initializer)
             }
             Cell::Block { flash: true, bytes: value, .. } | Cell::Data(value) => {
-                let (value, size) = (bytes(value), value.len());
-                let room = size.max(1); // C has no empty arrays
-                self.definitions.push(format!("static const uint8_t {constant}[{room}] = {value};"));
-                self.definitions.push(format!(
-                    "static CO_OBJ_DOM {descriptor} = {{.Offset = 0u, .Size = {size}u, .Start = (uint8_t *){constant}}};"
-                ));
-                format!("&{descriptor}")
+                let room = value.len().max(1); // C has no empty arrays
+                define(CType::bytes("const uint8_t", room), &constant, bytes(value));
+                define(structure("CO_OBJ_DOM", DOMAIN), &descriptor, domain(value.len(), &constant))
             }
             Cell::Block { bytes, .. } => {
-                let size = bytes.len();
-                self.definitions.push(format!(
-                    "static CO_OBJ_DOM {descriptor} = {{.Offset = 0u, .Size = {size}u, .Start = (uint8_t *)&{path}}};"
-                ));
-                format!("&{descriptor}")
+                define(structure("CO_OBJ_DOM", DOMAIN), &descriptor, domain(bytes.len(), &format!("&{path}")))
             }
             Cell::Bytes { room, .. } => {
-                self.definitions.push(format!(
-                    "static {prefix}_bytes_t {descriptor} = {{0u, {room}u, &{path}.length, {path}.bytes}};"
-                ));
-                format!("&{descriptor}")
+                let members = [Extent::WORD, Extent::WORD, Extent::POINTER, Extent::POINTER];
+                let initializer = format!("{{0u, {room}u, &{path}.length, {path}.bytes}}");
+                define(structure(&format!("{prefix}_bytes_t"), &members), &descriptor, initializer)
             }
             Cell::Group(_) => String::new(),
         };
         self.data[object][entry] = data;
-    }
-
-    /// Counts the definitions of [`Self::describe`].
-    fn take(&mut self, index: u16, cell: &Cell) {
-        let constant = match cell {
-            Cell::Number { flash: true, c_type, .. } => Extent::of_c(c_type).size,
-            Cell::Text(text) if literal(text).is_some() && !self.texts.insert(text.clone()) => 0, // shares the literal
-            Cell::Text(text) => text.len() + 1,
-            Cell::Block { flash: true, bytes, .. } | Cell::Data(bytes) => bytes.len().max(1),
-            _ => 0,
-        };
-        let descriptor = match cell {
-            Cell::Text(_) => [Extent::WORD, Extent::POINTER].as_slice(), // CO_OBJ_STR
-            Cell::Block { .. } | Cell::Data(_) => &[Extent::WORD, Extent::WORD, Extent::POINTER], // CO_OBJ_DOM
-            Cell::Bytes { .. } => &[Extent::WORD, Extent::WORD, Extent::POINTER, Extent::POINTER],
-            _ => &[],
-        };
-        let descriptor = Extent::structure(descriptor.iter().copied());
-        self.taken.push((index, Memory::Flash, constant));
-        self.taken.push((index, Memory::Initialised, descriptor.size));
     }
 
     fn drop_empty_groups(&mut self, notes: &mut Vec<Note>) {
@@ -301,45 +217,53 @@ impl Layout {
     }
 }
 
-/// The type of a variable; variables of equal types can be elements of one array.
-#[derive(Clone, Debug, PartialEq)]
-pub(super) struct RamType {
-    base: String,
-    suffix: String,
-    extent: Extent,
-    /// Whether it can be a member of a storage group.
-    stored: bool,
+/// Index and sub-indexes of a variable.
+pub(super) fn place(variable: &Definition) -> String {
+    let (first, last) = variable.subs;
+    let last = variable.elements.map(|_| format!(" to {last:02X}h")).unwrap_or_default();
+    format!("{:04X}h sub-index {first:02X}h{last}", variable.index)
 }
 
-/// The variable for a cell.
-fn ram(cell: &Cell) -> Option<RamType> {
-    let kind = |base: &str, suffix: String, extent, stored| {
-        Some(RamType { base: base.to_owned(), suffix, extent, stored })
-    };
-    let number = |c_type: &str| kind(c_type, String::new(), Extent::of_c(c_type), true);
-    match cell {
-        Cell::Number { flash: false, c_type, .. } => number(c_type),
-        Cell::Block { flash: false, c_type: Some(c_type), .. } => number(c_type),
-        Cell::Block { flash: false, bytes, .. } => {
-            kind("uint8_t", format!("[{}]", bytes.len()), Extent::BYTE.times(bytes.len()), true)
-        }
-        Cell::Bytes { room, .. } => {
-            let base = format!("struct {{ uint16_t length; uint8_t bytes[{room}]; }}");
-            kind(&base, String::new(), Extent::behind_length(*room), true)
-        }
-        Cell::Application => {
-            let extent = Extent::structure([Extent::WORD, Extent::WORD, Extent::POINTER]);
-            kind("CO_OBJ_DOM", String::new(), extent, false)
-        }
-        Cell::Consumer { .. } => kind("CO_HBCONS", String::new(), consumer(), false),
-        _ => None,
+/// The structure that needs a type outside another structure.
+pub(super) fn own_type(variable: &Definition) -> Option<&str> {
+    Some(variable.type_.base.as_str()).filter(|base| base.starts_with("struct"))
+}
+
+/// The definition of a variable outside a structure.
+pub(super) fn definition(variable: &Definition) -> String {
+    match own_type(variable) {
+        Some(_) => format!("{0}_t {0}{1}", variable.name, variable.suffix()),
+        None => variable.declaration(),
     }
 }
 
-/// `CO_HBCONS`: node, next, state, timer, time, node-ID, events.
-fn consumer() -> Extent {
-    let (pointer, half, byte) = (Extent::POINTER, Extent::HALF, Extent::BYTE);
-    Extent::structure([pointer, pointer, byte, half, half, byte, byte])
+/// The members of `CO_OBJ_DOM`: offset, size, start.
+const DOMAIN: &[Extent] = &[Extent::WORD, Extent::WORD, Extent::POINTER];
+
+/// The members of `CO_HBCONS`: node, next, state, timer, time, node-ID, events.
+const CONSUMER: &[Extent] =
+    &[Extent::POINTER, Extent::POINTER, Extent::BYTE, Extent::HALF, Extent::HALF, Extent::BYTE, Extent::BYTE];
+
+/// A type with these members.
+fn structure(base: &str, members: &[Extent]) -> CType {
+    let extent = Extent::structure(members.iter().copied());
+    CType { base: base.to_owned(), suffix: String::new(), extent }
+}
+
+/// The variable for a cell.
+fn ram(cell: &Cell) -> Option<CType> {
+    Some(match cell {
+        Cell::Number { flash: false, c_type, .. }
+        | Cell::Block { flash: false, c_type: Some(c_type), .. } => CType::number(*c_type),
+        Cell::Block { flash: false, bytes, .. } => CType::bytes("uint8_t", bytes.len()),
+        Cell::Bytes { room, .. } => {
+            let base = format!("struct {{ uint16_t length; uint8_t bytes[{room}]; }}");
+            structure(&base, &[Extent::HALF, Extent::BYTE.times(*room)])
+        }
+        Cell::Application => structure("CO_OBJ_DOM", DOMAIN),
+        Cell::Consumer { .. } => structure("CO_HBCONS", CONSUMER),
+        _ => return None,
+    })
 }
 
 /// Whether the variable of a cell is initialised to zero.
@@ -349,7 +273,7 @@ fn is_zero(cell: &Cell, entry: &ResolvedEntry<'_>) -> bool {
         Cell::Bytes { bytes, .. } => bytes.is_empty(), // preceded by their length
         Cell::Consumer { time, node_id } => (*time, *node_id) == (0, 0),
         Cell::Application => true,
-        _ => memory::is_zero(&entry.resolved.default),
+        _ => entry.resolved.default.is_zero(),
     }
 }
 

@@ -9,67 +9,103 @@ mod cell;
 mod checks;
 mod layout;
 mod para;
+mod rows;
 mod sizes;
 mod special;
-mod view;
 
 use super::c_code::file_name;
 use super::dictionary::Dictionary;
+use super::escape::filters;
+use super::head::{Head, files};
 use super::notes::{in_order, once_per_object};
-use super::{Backend, Choice, GenerateError, Generated, Options, Sizes, render};
-use crate::model::Device;
+use super::{GenerateError, Made, Options, render};
+use crate::model::{Device, PdoKind};
+use cell::{Planned, Planner, Type};
+use layout::Layout;
+use para::Parameters;
+use rows::Row;
 
-/// Tables for canopen-stack.
-pub(super) struct CanopenStack;
+/// What the files have.
+struct Tables<'a> {
+    head: Head,
+    dictionary: &'a Dictionary<'a>,
+    planned: Vec<Vec<Planned>>,
+    layout: Layout,
+    parameters: Parameters,
+    rows: Vec<Row>,
+}
 
-impl Backend for CanopenStack {
-    fn name(&self) -> &'static str {
-        "canopen-stack"
+files! {
+    #[derive(askama::Template)]
+    Tables:
+    Source "canopen-stack/od.c"
+    Header "canopen-stack/od.h"
+    Specification "canopen-stack/spec.c"
+}
+
+pub(super) fn make(device: &Device, options: &Options) -> Result<Made, GenerateError> {
+    let mut dictionary = Dictionary::new(device, options)?;
+    let prefix = options.prefix_or("od")?;
+    let mut notes = std::mem::take(&mut dictionary.notes);
+    let planned = Planner { node_id: dictionary.node_id, notes: &mut notes }.plan(&dictionary);
+    let mut layout = Layout::new(&dictionary, &planned, options, &prefix, &mut notes);
+    let parameters = Parameters::new(&dictionary, &planned, &mut layout, &prefix, &mut notes);
+    let rows = rows::rows(&dictionary, &planned, &layout);
+    checks::check(&dictionary, rows.len(), &mut notes);
+    let head = Head::new(device, options, &prefix, &file_name(options, "od"));
+    let tables = Tables { head, dictionary: &dictionary, planned, layout, parameters, rows };
+    let stem = &tables.head.stem;
+    let files = vec![
+        render(format!("{stem}.c"), &Source(&tables))?,
+        render(format!("{stem}.h"), &Header(&tables))?,
+        render(format!("{stem}_spec.c"), &Specification(&tables))?,
+    ];
+    Ok(Made { files, notes: once_per_object(in_order(notes)), size: sizes::report(&tables) })
+}
+
+impl Tables<'_> {
+    /// Whether a row has a type.
+    fn has(&self, type_: Type) -> bool {
+        self.planned.iter().flatten().any(|row| row.type_ == type_)
     }
 
-    fn summary(&self) -> &'static str {
-        "the `CO_OBJ` table of canopen-stack 4.4 (embedded-office), its values and a node specification"
-    }
-
-    fn uses(&self) -> &'static [Choice] {
-        &[
-            Choice::Names,
-            Choice::Renamed,
-            Choice::Prefix,
-            Choice::Groups,
-            Choice::StringCapacity,
-            Choice::DomainCapacity,
+    /// Minimum counts in the configuration of the stack: the middle part of the macro name, the count, of what, and an
+    /// additional condition.
+    fn counts(&self) -> [(&'static str, u16, &'static str, &'static str); 4] {
+        let Dictionary { device, objects, .. } = self.dictionary;
+        let highest = |kind: PdoKind| {
+            let pdos = device.pdos().filter(|pdo| pdo.kind == kind && pdo.communication.is_some());
+            pdos.map(|pdo| pdo.number).max().unwrap_or(1)
+        };
+        let up_to = |first: u16, last: u16| {
+            let indexes = objects.iter().map(|object| object.index);
+            indexes.filter(|index| (first..=last).contains(index)).max().map_or(1, |index| index - first + 1)
+        };
+        [
+            ("SSDO", up_to(0x1200, 0x127F), "SDO servers", ""),
+            ("CSDO", up_to(0x1280, 0x12FF), "SDO clients", " && USE_CSDO"),
+            ("RPDO", highest(PdoKind::Rpdo), "RPDOs", ""),
+            ("TPDO", highest(PdoKind::Tpdo), "TPDOs", ""),
         ]
     }
 
-    fn generate(&self, device: &Device, options: &Options) -> Result<Generated, GenerateError> {
-        let mut dictionary = Dictionary::new(device, options)?;
-        let prefix = options.prefix_or("od")?;
-        let stem = file_name(options, "od");
-        let mut notes = std::mem::take(&mut dictionary.notes);
-        let mut planner = cell::Planner { node_id: dictionary.node_id, notes: &mut notes };
-        let planned = planner.plan(&dictionary);
-        let mut layout = layout::Layout::new(&dictionary, &planned, options, &prefix, &mut notes);
-        let parameters = para::Parameters::new(&dictionary, &planned, &mut layout, &prefix, &mut notes);
-        let rows = view::rows(&dictionary, &planned, &layout);
-        checks::check(&dictionary, rows.len(), &mut notes);
-        let head = view::Head::new(&dictionary, &rows, options, &prefix, &stem);
-        let files = vec![
-            render(format!("{stem}.c"), &view::Source::new(&head, &planned, &layout, &parameters, &rows))?,
-            render(format!("{stem}.h"), &view::Header::new(&head, &layout))?,
-            render(format!("{stem}_spec.c"), &view::Specification::new(&head, &dictionary))?,
-        ];
-        Ok(Generated { files, notes: once_per_object(in_order(notes)) })
+    /// In bit/s.
+    fn baud_rate(&self) -> u32 {
+        let device = self.dictionary.device;
+        let chosen = device.commissioning.as_ref().and_then(|commissioning| commissioning.baud_rate);
+        let fastest = || device.device_info.as_ref()?.baud_rates.supported().max();
+        u32::from(chosen.or_else(fastest).unwrap_or(125)) * 1000
     }
 
-    fn size(&self, device: &Device, options: &Options) -> Result<Sizes, GenerateError> {
-        let dictionary = Dictionary::new(device, options)?;
-        let prefix = options.prefix_or("od")?;
-        let mut notes = Vec::new();
-        let planned = cell::Planner { node_id: dictionary.node_id, notes: &mut notes }.plan(&dictionary);
-        let mut layout = layout::Layout::new(&dictionary, &planned, options, &prefix, &mut notes);
-        let parameters = para::Parameters::new(&dictionary, &planned, &mut layout, &prefix, &mut notes);
-        let rows = view::rows(&dictionary, &planned, &layout);
-        Ok(Sizes::Known(sizes::report(&dictionary, &planned, &layout, &parameters, &rows)))
+    /// Heartbeat, SYNC and LSS; a timer per consumer; an event timer and an inhibit time per TPDO.
+    fn timers(&self) -> u16 {
+        let consumers = self.dictionary.object(0x1016);
+        let consumers = consumers.map_or(0, |object| object.entries.len().saturating_sub(1));
+        let pdos = self.dictionary.device.pdo_count(PdoKind::Tpdo);
+        u16::try_from(3 + consumers + 2 * pdos).unwrap_or(u16::MAX)
+    }
+
+    fn has_emcy(&self) -> bool {
+        self.dictionary.device.object(0x1014).is_some()
     }
 }

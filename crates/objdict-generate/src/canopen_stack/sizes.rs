@@ -1,11 +1,9 @@
 //! Size of the files in flash and RAM.
 
-use super::cell::{Planned, Type};
-use super::layout::Layout;
-use super::para::{Parameters, RESTORE, STORE};
-use super::view::{Row, has};
-use crate::SizeReport;
-use crate::dictionary::Dictionary;
+use super::Tables;
+use super::cell::Type;
+use super::para::{RESTORE, STORE};
+use crate::Sizes;
 use crate::memory::{Extent, Memory, Tally};
 
 /// What the sizes include.
@@ -22,36 +20,25 @@ fn group() -> Extent {
     Extent::structure([word, word, pointer, pointer, reset, pointer, word])
 }
 
-pub(super) fn report(
-    dictionary: &Dictionary<'_>,
-    planned: &[Vec<Planned>],
-    layout: &Layout,
-    parameters: &Parameters,
-    rows: &[Row],
-) -> SizeReport {
+pub(super) fn report(tables: &Tables<'_>) -> Sizes {
+    let Tables { dictionary, layout, parameters, rows, .. } = tables;
     let mut tally = Tally::of_dictionary(dictionary);
-    for object in rows {
-        tally.of(object.index, Memory::Flash, row().size);
-    }
+    rows.iter().for_each(|object| tally.of(object.index, Memory::Flash, row().size));
     tally.rest(Memory::Flash, row().size); // the end mark
-    let begin = |zero: bool| if zero { Memory::Zeroed } else { Memory::Initialised };
-    for variable in &layout.variables {
-        tally.of(variable.index, begin(variable.zero), variable.extent.size);
-    }
+    layout.variables.iter().chain(&layout.definitions).for_each(|variable| tally.variable(variable));
     for group in &layout.groups {
         let members: Vec<_> =
-            group.members.iter().map(|member| (Some(member.index), member.extent)).collect();
-        tally.structure(begin(group.members.iter().all(|member| member.zero)), &members);
+            group.members.iter().map(|member| (Some(member.index), member.extent())).collect();
+        let is_zero = group.members.iter().all(|member| member.is_zero);
+        tally.structure(Memory::of_values(is_zero), &members);
         tally.structure(Memory::Flash, &members); // the defaults
     }
-    for &(index, memory, bytes) in &layout.taken {
-        tally.of(index, memory, bytes);
-    }
+    layout.literals.iter().for_each(|&(index, bytes)| tally.of(index, Memory::Flash, bytes));
     tally.of(STORE, Memory::Flash, parameters.store.len() * group().size);
     tally.of(RESTORE, Memory::Flash, parameters.restore.len() * group().size);
     tally.rest(Memory::Flash, usize::from(parameters.nothing));
     for type_ in [Type::Block, Type::Bytes] {
-        let functions = if has(planned, type_) { 5 } else { 0 };
+        let functions = if tables.has(type_) { 5 } else { 0 };
         tally.rest(Memory::Flash, Extent::POINTER.times(functions).size);
     }
     tally.report(COUNTED)

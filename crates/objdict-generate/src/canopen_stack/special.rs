@@ -73,19 +73,15 @@ fn pdo(index: u16, sub: u8) -> Option<Special> {
     Some(Special { type_, wants, data: Data::Any })
 }
 
-/// Objects whose special type accesses the other sub-indexes without checking them.
-pub(super) fn as_a_whole(index: u16) -> bool {
-    matches!(index, 0x1003 | 0x1010 | 0x1011 | 0x1016)
-}
-
 /// Whether the data type of an entry matches its special type.
 pub(super) fn fits(special: Special, resolved: &Resolved) -> bool {
     resolved.shape == Shape::Word(special.wants)
 }
 
-/// Whether the object can use its special types; some require all entries to match.
+/// Whether the object can use its special types; some access the other sub-indexes without checking them, so all entries
+/// must match.
 pub(super) fn object_fits(object: &ResolvedObject<'_>) -> bool {
-    !as_a_whole(object.index)
+    !matches!(object.index, 0x1003 | 0x1010 | 0x1011 | 0x1016)
         || object.entries.iter().all(|entry| match special(object.index, entry.sub, false) {
             Some(special) => fits(special, &entry.resolved),
             None => entry.sub == 0xFF,

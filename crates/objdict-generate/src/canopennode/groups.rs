@@ -12,10 +12,7 @@ const BEGINS: [&str; 8] = ["read_", "write_", "CNT_", "ENTRY_", "ATTR_", "FLAGS_
 
 /// The group of an object: from the description, else from the options, else by index.
 pub(super) fn group(object: &ResolvedObject<'_>, options: &Options) -> String {
-    let stack = object.object.main.stack.as_ref();
-    let stated = stack.and_then(|stack| stack.storage_group.as_deref());
-    let name = stated.filter(|name| !name.trim().is_empty()).or_else(|| options.group_of(object.index));
-    match (name, options.layout) {
+    match (object.group(options), options.layout) {
         (Some(name), _) => identifier(name),
         (None, StackLayout::Complete) => by_index(object.index).to_owned(),
         (None, _) => "RAM".to_owned(),

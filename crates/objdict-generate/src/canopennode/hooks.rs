@@ -2,7 +2,8 @@
 
 use super::limits::is_of_stack;
 use super::plan::Planned;
-use crate::model::{Access, Address, Place};
+use crate::model::{Access, Address};
+use crate::notes::place_of;
 use crate::{Note, Options};
 
 /// An object with an extension of the application.
@@ -19,22 +20,21 @@ pub(super) struct Hooked {
 /// The objects that the options name. Notes report what an extension of the stack cannot do.
 pub(super) fn hooked(objects: &[Planned<'_>], options: &Options, notes: &mut Vec<Note>) -> Vec<Hooked> {
     let mut hooked: Vec<Hooked> = Vec::new();
-    for &Address { index, sub } in &options.hooks {
-        let place = sub.map_or(Place::object(index), |sub| Place::entry(index, sub));
-        let found = objects.iter().position(|object| object.index == index);
+    for &at in &options.hooks {
+        let (place, Address { index, sub }) = (place_of(at), at);
         let has_entry = |object: &Planned<'_>| {
             sub.is_none_or(|sub| object.members().any(|member| member.entry.sub == sub))
         };
-        let Some((position, object)) = found
-            .and_then(|position| Some((position, objects.get(position)?)))
-            .filter(|(_, object)| has_entry(object))
+        let mut found = objects.iter().enumerate();
+        let Some((position, object)) =
+            found.find(|(_, object)| object.index == index).filter(|(_, object)| has_entry(object))
         else {
             notes.push(Note::new(place, "no entry to call a hook for"));
             continue;
         };
         if is_of_stack(index) {
-            notes
-                .push(Note::new(place, "the stack has its own extension of the object, so there is no hook"));
+            let text = "the stack has its own extension of the object, so there is no hook";
+            notes.push(Note::new(place, text));
             continue;
         }
         if sub.is_some() && object.members().nth(1).is_some() {

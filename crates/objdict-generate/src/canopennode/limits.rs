@@ -1,9 +1,8 @@
 //! Limits: the stack does not check them, so the tables contain a write function for this.
 
 use super::plan::Planned;
-use super::storage::bits;
 use crate::Note;
-use crate::model::{DataType, Field, Place, TypeKind};
+use crate::model::{DataType, Place, TypeKind};
 use crate::resolve::{Datum, Resolved, Shape};
 
 /// Objects written through functions of the stack: first and last index.
@@ -23,17 +22,20 @@ const OF_STACK: [(u16, u16); 10] = [
 /// An entry with a limit.
 pub(super) struct Limited {
     pub(super) index: u16,
-    /// Position of the object in the list.
-    pub(super) position: usize,
-    pub(super) sub: u8,
-    /// Size of a value in bytes.
-    pub(super) length: usize,
-    /// The kind of value and its limits: macros of the source, or `0U`.
-    pub(super) flags: String,
-    pub(super) low: String,
-    pub(super) high: String,
+    /// Its row: limits, index, position of the object in the list, sub-index, size, and macros of the source for the kind of
+    /// the value and its limits.
+    pub(super) row: String,
     /// Whether it is a REAL.
     pub(super) real: bool,
+}
+
+/// The number of objects with limits.
+pub(super) fn objects(limits: &[Limited]) -> usize {
+    limits.chunk_by(|row, next| row.index == next.index).count()
+}
+
+pub(super) fn has_real(limits: &[Limited]) -> bool {
+    limits.iter().any(|row| row.real)
 }
 
 /// The limits of an object, if they can be enforced; otherwise notes report them.
@@ -45,7 +47,7 @@ pub(super) fn limited(
 ) -> Vec<Limited> {
     let members = object.members().filter(|member| {
         let resolved = &member.entry.resolved;
-        resolved.access.is_writable() && (resolved.low.is_some() || resolved.high.is_some())
+        resolved.access.is_writable() && resolved.limit().is_some()
     });
     let of_stack = is_of_stack(object.index);
     if enforce && !of_stack {
@@ -53,16 +55,13 @@ pub(super) fn limited(
             .filter_map(|member| row((object.index, position), member.entry.sub, &member.entry.resolved))
             .collect();
     }
-    notes.extend(members.map(|member| {
-        let resolved = &member.entry.resolved;
-        let field = if resolved.low.is_some() { Field::LowLimit } else { Field::HighLimit };
-        let place = Place::entry(object.index, member.entry.sub).field(field);
-        if of_stack {
-            Note::new(place, "the stack writes the object itself and does not enforce limits")
-        } else {
-            Note::new(place, "the stack does not enforce limits")
-                .help("use `--limits`, or reject the value in the application")
-        }
+    notes.extend(members.filter_map(|member| {
+        let place = Place::entry(object.index, member.entry.sub).field(member.entry.resolved.limit()?);
+        let help = "use `--limits`, or reject the value in the application";
+        Some(match of_stack {
+            true => Note::new(place, "the stack writes the object itself and does not enforce limits"),
+            false => Note::new(place, "the stack does not enforce limits").help(help),
+        })
     }));
     Vec::new()
 }
@@ -74,8 +73,8 @@ pub(super) fn is_of_stack(index: u16) -> bool {
 
 fn row((index, position): (u16, usize), sub: u8, resolved: &Resolved) -> Option<Limited> {
     let Shape::Word(data_type) = resolved.shape else { return None };
-    let number = |limit: &Option<Datum>| format!("0x{:X}ULL", limit.as_ref().map_or(0, bits));
-    let formula = |limit: &Option<Datum>| matches!(limit, Some(Datum::Formula(_)));
+    let number = |limit: &Option<Datum>| format!("0x{:X}ULL", limit.as_ref().map_or(0, Datum::word));
+    let formula = |limit: &Option<Datum>| limit.as_ref().is_some_and(Datum::is_formula);
     let flags = [
         ("LIMIT_LOW", resolved.low.is_some()),
         ("LIMIT_HIGH", resolved.high.is_some()),
@@ -86,16 +85,10 @@ fn row((index, position): (u16, usize), sub: u8, resolved: &Resolved) -> Option<
         ("LIMIT_BYTES", is_bytes(data_type)),
     ];
     let flags: Vec<&str> = flags.into_iter().filter_map(|(flag, set)| set.then_some(flag)).collect();
-    Some(Limited {
-        index,
-        position,
-        sub,
-        length: resolved.shape.size(),
-        flags: flags.join(" | "),
-        low: number(&resolved.low),
-        high: number(&resolved.high),
-        real: is_real(data_type),
-    })
+    let (low, high, flags) = (number(&resolved.low), number(&resolved.high), flags.join(" | "));
+    let length = resolved.shape.size();
+    let row = format!("{low}, {high}, 0x{index:04X}, {position}, 0x{sub:02X}, {length}, {flags}");
+    Some(Limited { index, row, real: is_real(data_type) })
 }
 
 fn is_real(data_type: DataType) -> bool {

@@ -15,65 +15,29 @@ mod view;
 use std::borrow::Cow;
 
 use super::dictionary::Dictionary;
-use super::notes::in_order;
-use super::{Backend, Choice, GenerateError, Generated, Options, Sizes, StackLayout, render};
+use super::notes::{in_order, once_per_device};
+use super::{GenerateError, Made, Options, StackLayout, render};
 use crate::model::Device;
 
-/// The object dictionary of CANopenNode.
-pub(super) struct CanOpenNode;
-
-impl Backend for CanOpenNode {
-    fn name(&self) -> &'static str {
-        "canopennode"
+pub(super) fn make(device: &Device, options: &Options) -> Result<Made, GenerateError> {
+    let options = &*with_lengths(options);
+    let prefix = options.prefix_or("od")?.to_ascii_uppercase();
+    let mut dictionary = Dictionary::new(device, options)?;
+    let mut notes = std::mem::take(&mut dictionary.notes);
+    let mut own = Vec::new();
+    let tables = view::Tables::new(&dictionary, options, prefix, &mut own);
+    let files = vec![
+        render(format!("{}.h", tables.prefix), &view::Header(&tables))?,
+        render(format!("{}.c", tables.prefix), &view::Source(&tables))?,
+    ];
+    for object in &tables.objects {
+        notes::of_object(object, &mut own);
+        node_id::notes(object, dictionary.node_id, &mut own);
     }
-
-    fn summary(&self) -> &'static str {
-        "`OD.h` and `OD.c` of the stack CANopenNode 4"
-    }
-
-    fn uses(&self) -> &'static [Choice] {
-        &[
-            Choice::Names,
-            Choice::Renamed,
-            Choice::Prefix,
-            Choice::Groups,
-            Choice::StringCapacity,
-            Choice::Hooks,
-            Choice::Limits,
-            Choice::Layout,
-        ]
-    }
-
-    fn generate(&self, device: &Device, options: &Options) -> Result<Generated, GenerateError> {
-        let options = &*with_lengths(options);
-        let prefix = options.prefix_or("od")?.to_ascii_uppercase();
-        let mut dictionary = Dictionary::new(device, options)?;
-        let mut own = Vec::new();
-        let objects = plan::plan(&dictionary, options, &mut own);
-        let tables = view::Tables::new(&dictionary, &objects, options, &prefix, &mut own);
-        let header = render(format!("{prefix}.h"), &view::Header { tables: &tables })?;
-        let source = render(format!("{prefix}.c"), &view::Source { tables: &tables })?;
-        for object in &objects {
-            notes::of_object(object, &mut own);
-            node_id::notes(object, dictionary.node_id, &mut own);
-        }
-        notes::of_pdos(device, &mut own);
-        notes::of_stack(device, &mut own);
-        drop(tables);
-        drop(objects);
-        dictionary.notes.append(&mut super::notes::once_per_device(in_order(own)));
-        Ok(Generated { files: vec![header, source], notes: in_order(dictionary.notes) })
-    }
-
-    fn size(&self, device: &Device, options: &Options) -> Result<Sizes, GenerateError> {
-        let options = &*with_lengths(options);
-        let prefix = options.prefix_or("od")?.to_ascii_uppercase();
-        let dictionary = Dictionary::new(device, options)?;
-        let mut notes = Vec::new();
-        let objects = plan::plan(&dictionary, options, &mut notes);
-        let tables = view::Tables::new(&dictionary, &objects, options, &prefix, &mut notes);
-        Ok(Sizes::Known(sizes::report(&dictionary, &objects, &tables)))
-    }
+    notes::of_pdos(device, &mut own);
+    notes::of_stack(device, &mut own);
+    notes.append(&mut once_per_device(in_order(own)));
+    Ok(Made { files, notes: in_order(notes), size: sizes::report(&dictionary, &tables) })
 }
 
 /// The options with the capacities of the layout: CANopenEditor adds no room to a default.

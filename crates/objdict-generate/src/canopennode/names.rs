@@ -4,7 +4,7 @@
 use std::collections::HashSet;
 
 use crate::StackLayout;
-use crate::c_words::is_reserved;
+use crate::c_words::{distinct, is_reserved};
 use crate::names::without_mark;
 
 /// Maximum length of a name. Applications write names in full, so they are only truncated beyond the maximum
@@ -75,17 +75,7 @@ impl Members {
             true => format!("{plain}_"),
             false => plain,
         };
-        let mut candidate = plain.clone();
-        for number in 1_u32.. {
-            if self.taken.insert(candidate.clone()) {
-                break;
-            }
-            candidate = match number {
-                1 => format!("{plain}_{sub:02X}"),
-                _ => format!("{plain}_{sub:02X}_{number}"),
-            };
-        }
-        candidate
+        distinct(&mut self.taken, plain, &format!("{sub:02X}"))
     }
 }
 

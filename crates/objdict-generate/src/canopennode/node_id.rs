@@ -1,40 +1,27 @@
 //! Values that depend on the node-ID: those computed by the stack, and all others.
 
 use super::plan::Planned;
-use super::storage::bits;
 use crate::Note;
 use crate::dictionary::ResolvedEntry;
 use crate::model::Place;
 use crate::resolve::{Datum, Shape};
 
-/// A value set after the node-ID is known.
-pub(super) struct Applied {
-    /// The variable, or its first byte.
-    pub(super) variable: String,
-    /// Its type; `None` for a block of bytes.
-    pub(super) type_: Option<&'static str>,
-    /// Size of the value in bytes.
-    pub(super) length: usize,
-    /// The offset to the node-ID.
-    pub(super) base: String,
-}
-
-/// The values of an object that the application has to set.
-pub(super) fn applied(object: &Planned<'_>, prefix: &str) -> Vec<Applied> {
-    let members = object.members().filter(|member| match member.entry.resolved.default {
-        Datum::Formula(base) => !stack_adds(object.index, member.entry.sub, base),
-        _ => false,
+/// The statements that set the values of an object after the node-ID is known.
+pub(super) fn applied(object: &Planned<'_>, prefix: &str) -> Vec<String> {
+    let members = object.members().filter(|member| {
+        let default = &member.entry.resolved.default;
+        default.is_formula() && !stack_adds(object.index, member.entry.sub, default.word())
     });
     members
         .map(|member| {
             let variable = object.variable(prefix, member);
-            let base = bits(&member.entry.resolved.default);
+            let base = member.entry.resolved.default.word();
             let suffix = if base > u64::from(u32::MAX) - 0x7F { "ULL" } else { "U" };
-            Applied {
-                variable,
-                type_: member.storage.type_.filter(|_| member.storage.elements.is_none()),
-                length: member.storage.length,
-                base: format!("0x{base:X}{suffix}"),
+            match member.storage.type_.filter(|_| member.storage.elements.is_none()) {
+                Some(type_) => format!("{variable} = ({type_})(0x{base:X}{suffix} + id);"),
+                None => {
+                    format!("setBytes(&{variable}[0], {}, 0x{base:X}{suffix} + id);", member.storage.length)
+                }
             }
         })
         .collect()

@@ -4,7 +4,7 @@ use super::plan::{Member, Planned};
 use super::storage::{is_odd_nan, is_text};
 use crate::Note;
 use crate::model::{CobId, DataType, Device, Place};
-use crate::resolve::{Datum, Shape};
+use crate::resolve::Shape;
 use objdict_model::canopennode::unmet;
 
 /// Requirements of the stack on the device, as found by `--compat canopennode`.
@@ -33,9 +33,12 @@ pub(super) fn of_pdos(device: &Device, notes: &mut Vec<Note>) {
 pub(super) fn of_object(object: &Planned<'_>, notes: &mut Vec<Note>) {
     for member in object.members() {
         let place = Place::entry(object.index, member.entry.sub);
-        let texts = [text(member), octets(member), other(member)];
-        notes.extend(texts.into_iter().flatten().map(|note| Note { place: place.clone(), ..note }));
-        if object.index == 0x1003 && has_errors(&member.entry.resolved.default) {
+        notes.extend(text(member).map(|text| Note::new(place.clone(), text)));
+        notes.extend(octets(&place, member));
+        if is_odd_nan(&member.entry.resolved) {
+            notes.push(Note::new(place.clone(), "a NaN comes out as that of the compiler's `NAN`"));
+        }
+        if object.index == 0x1003 && !member.entry.resolved.default.is_zero() {
             notes.push(Note::new(place.clone(), "the error history is empty when the stack starts"));
         }
         let stack = member.entry.entry.stack.as_deref();
@@ -46,56 +49,37 @@ pub(super) fn of_object(object: &Planned<'_>, notes: &mut Vec<Note>) {
     }
 }
 
-/// Whether a default of the error history contains errors.
-fn has_errors(default: &Datum) -> bool {
-    match default {
-        Datum::Word(word) | Datum::Formula(word) => *word != 0,
-        Datum::Bytes(bytes) => bytes.iter().any(|&byte| byte != 0),
-    }
-}
-
-/// Notes for a text: the stack takes its length up to the first zero.
-fn text(member: &Member<'_>) -> Option<Note> {
-    let (Shape::Bytes(data_type, _), Datum::Bytes(bytes)) =
-        (member.entry.resolved.shape, &member.entry.resolved.default)
-    else {
-        return None;
-    };
+/// What is different for a text: the stack takes its length up to the first zero.
+fn text(member: &Member<'_>) -> Option<&'static str> {
+    let resolved = &member.entry.resolved;
+    let Shape::Bytes(data_type, _) = resolved.shape else { return None };
     if !is_text(data_type) || member.storage.type_.is_none() {
         return None;
     }
-    let note = |text: &str| Some(Note::new(Place::device(), text));
     match data_type {
-        DataType::UNICODE_STRING => note(
+        DataType::UNICODE_STRING => Some(
             "the SDO server of the stack truncates a UNICODE_STRING at its first zero byte, which each character below U+0100 has",
         ),
-        _ if bytes.contains(&0) => note("the SDO server of the stack truncates a text at its first zero"),
-        _ => None,
+        _ => resolved
+            .default
+            .bytes()
+            .contains(&0)
+            .then_some("the SDO server of the stack truncates a text at its first zero"),
     }
 }
 
 /// Notes for bytes, and for values without memory: the stack does not support values of variable length.
-fn octets(member: &Member<'_>) -> Option<Note> {
+fn octets(place: &Place, member: &Member<'_>) -> Option<Note> {
     let shape = member.entry.resolved.shape;
-    let (Shape::Bytes(data_type, _) | Shape::Word(data_type)) = shape else { return None };
+    let data_type = shape.data_type()?;
     let is_fixed = matches!(shape, Shape::Bytes(..)) && !is_text(data_type);
-    match member.storage.type_ {
-        None if data_type != DataType::DOMAIN => Some(
-            Note::new(
-                Place::device(),
-                format!("a value of type {data_type} without a default has no memory in the tables"),
-            )
-            .help("attach an extension to the entry in the application"),
-        ),
-        Some(_) if is_fixed && member.entry.resolved.access.is_writable() => Some(Note::new(
-            Place::device(),
-            format!("a {data_type} of the stack has a fixed length, here {} bytes", member.storage.length),
-        )),
-        _ => None,
+    if member.storage.type_.is_some() {
+        let length = member.storage.length;
+        let text = format!("a {data_type} of the stack has a fixed length, here {length} bytes");
+        let differs = is_fixed && member.entry.resolved.access.is_writable();
+        return differs.then(|| Note::new(place.clone(), text));
     }
-}
-
-fn other(member: &Member<'_>) -> Option<Note> {
-    let text = "a NaN comes out as that of the compiler's `NAN`";
-    is_odd_nan(&member.entry.resolved).then(|| Note::new(Place::device(), text))
+    let text = format!("a value of type {data_type} without a default has no memory in the tables");
+    let help = "attach an extension to the entry in the application";
+    (data_type != DataType::DOMAIN).then(|| Note::new(place.clone(), text).help(help))
 }

@@ -1,112 +1,52 @@
 //! Size of the files in flash and RAM.
 
-use super::plan::{Layout, Member, Planned};
-use super::storage::Storage;
+use super::plan::Layout;
 use super::view::Tables;
-use crate::SizeReport;
+use crate::Sizes;
 use crate::dictionary::Dictionary;
 use crate::memory::{Extent, Memory, Tally};
 
 /// What the sizes include.
 const COUNTED: &str = "`OD.c` on a processor of 32 bits; without code and stack internals";
 
-/// Pointer, sub-index, attribute and length of an entry: `OD_obj_record_t`; `OD_obj_var_t` has the same size.
-fn entry() -> Extent {
-    Extent::structure([Extent::POINTER, Extent::BYTE, Extent::BYTE, Extent::WORD])
-}
-
-/// `OD_obj_array_t`.
-fn array() -> Extent {
-    let members = [Extent::POINTER, Extent::POINTER, Extent::BYTE, Extent::BYTE, Extent::WORD, Extent::WORD];
-    Extent::structure(members)
-}
-
-/// `OD_entry_t`.
-fn list_entry() -> Extent {
-    Extent::structure([Extent::HALF, Extent::BYTE, Extent::BYTE, Extent::POINTER, Extent::POINTER])
-}
-
-/// `OD_extension_t`, with the flags of 32 sub-indexes.
-fn extension() -> Extent {
-    Extent::structure([Extent::POINTER, Extent::POINTER, Extent::POINTER, Extent::BYTE.times(4)])
-}
-
-/// `Limit_t` of the generated tables.
-fn limit() -> Extent {
+pub(super) fn report(dictionary: &Dictionary<'_>, tables: &Tables<'_>) -> Sizes {
+    let (byte, half, word, pointer) = (Extent::BYTE, Extent::HALF, Extent::WORD, Extent::POINTER);
+    // OD_obj_record_t, and OD_obj_var_t, which has the same size
+    let entry = Extent::structure([pointer, byte, byte, word]);
+    let array = Extent::structure([pointer, pointer, byte, byte, word, word]); // OD_obj_array_t
+    let list_entry = Extent::structure([half, byte, byte, pointer, pointer]); // OD_entry_t
+    let extension = Extent::structure([pointer, pointer, pointer, byte.times(4)]); // with the flags of 32 sub-indexes
     let bound = Extent::number(8);
-    Extent::structure([bound, bound, Extent::HALF, Extent::HALF, Extent::BYTE, Extent::BYTE, Extent::BYTE])
-}
-
-pub(super) fn report(dictionary: &Dictionary<'_>, objects: &[Planned<'_>], tables: &Tables) -> SizeReport {
+    let limit = Extent::structure([bound, bound, half, half, byte, byte, byte]); // Limit_t of the tables
     let mut tally = Tally::of_dictionary(dictionary);
-    for group in groups(objects) {
-        let members: Vec<_> = group
-            .iter()
-            .flat_map(|object| variables(object).into_iter().map(|extent| (Some(object.index), extent)))
-            .collect();
-        tally.structure(memory(&group), &members);
+    for group in &tables.groups {
+        let members: Vec<_> = group.fields.iter().map(|field| (Some(field.index), field.extent)).collect();
+        let is_zero = group.fields.iter().all(|field| field.is_zero);
+        tally.structure(Memory::of_values(is_zero), &members);
     }
-    for object in objects {
+    for object in &tables.objects {
         let described = match &object.layout {
-            Layout::Var(_) => entry(),
-            Layout::Array(..) => array(),
-            Layout::Record(members) => entry().times(members.len()),
+            Layout::Var(_) => entry,
+            Layout::Array(..) => array,
+            Layout::Record(members) => entry.times(members.len()),
         };
         tally.of(object.index, Memory::Flash, described.size);
-        tally.of(object.index, Memory::Initialised, list_entry().size);
+        tally.of(object.index, Memory::Initialised, list_entry.size);
     }
     // the end of the list, OD_t, and its pointer
-    let head = Extent::structure([Extent::HALF, Extent::POINTER]);
-    tally.rest(Memory::Initialised, list_entry().size + head.size + Extent::POINTER.size);
+    let head = Extent::structure([half, pointer]);
+    tally.rest(Memory::Initialised, list_entry.size + head.size + pointer.size);
     for hook in &tables.hooks {
-        tally.of(hook.index, Memory::Initialised, extension().size);
+        tally.of(hook.index, Memory::Initialised, extension.size);
     }
-    if let Some(limits) = tables.limits.as_ref().filter(|limits| !limits.rows.is_empty()) {
-        for row in &limits.rows {
-            tally.of(row.index, Memory::Flash, limit().size);
+    if let Some(limits) = tables.limits.as_ref().filter(|limits| !limits.is_empty()) {
+        for row in limits {
+            tally.of(row.index, Memory::Flash, limit.size);
         }
-        for rows in limits.rows.chunk_by(|row, next| row.index == next.index) {
-            tally.of(rows[0].index, Memory::Zeroed, extension().size);
+        for rows in limits.chunk_by(|row, next| row.index == next.index) {
+            tally.of(rows[0].index, Memory::Zeroed, extension.size);
         }
         tally.rest(Memory::Zeroed, Extent::BYTE.size); // the node-ID
     }
     tally.report(COUNTED)
-}
-
-/// The objects of each storage group.
-fn groups<'a>(objects: &'a [Planned<'a>]) -> Vec<Vec<&'a Planned<'a>>> {
-    let mut groups: Vec<Vec<&Planned<'_>>> = Vec::new();
-    for object in objects {
-        match groups.iter_mut().find(|group| group[0].group == object.group) {
-            Some(group) => group.push(object),
-            None => groups.push(vec![object]),
-        }
-    }
-    groups
-}
-
-/// The members of an object in the structure of its group.
-fn variables(object: &Planned<'_>) -> Vec<Extent> {
-    match &object.layout {
-        Layout::Var(member) => variable(&member.storage).into_iter().collect(),
-        Layout::Array(sub0, elements) => {
-            let first = elements.first().and_then(|element| variable(&element.storage));
-            let elements = first.map(|extent| extent.times(elements.len()));
-            variable(&sub0.storage).into_iter().chain(elements).collect()
-        }
-        Layout::Record(members) => {
-            vec![Extent::structure(members.iter().filter_map(|member| variable(&member.storage)))]
-        }
-    }
-}
-
-fn variable(storage: &Storage) -> Option<Extent> {
-    Some(Extent::of_c(storage.type_?).times(storage.elements.unwrap_or(1)))
-}
-
-/// The memory of a group's structure.
-fn memory(group: &[&Planned<'_>]) -> Memory {
-    let kept = |member: &&Member<'_>| member.storage.type_.is_some();
-    let members = group.iter().flat_map(|object| object.members()).filter(kept);
-    Memory::of_values(members.map(|member| &member.entry.resolved.default))
 }

@@ -1,8 +1,9 @@
 //! Storage of a value in CANopenNode: type, length, attributes and initialiser in C.
 
+use crate::c_code::exact_type;
 use crate::dictionary::ResolvedEntry;
 use crate::model::{DataType, SrdoAccess, TypeKind};
-use crate::resolve::{Datum, Resolved, Shape};
+use crate::resolve::{Datum, Resolved, Shape, digits};
 
 /// Location and representation of a value.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -25,7 +26,7 @@ impl Storage {
     pub(super) fn new(entry: &ResolvedEntry<'_>, is_stored: bool) -> Self {
         let resolved = &entry.resolved;
         let (type_, elements, length, value) = match (resolved.shape, &resolved.default) {
-            (Shape::Word(data_type), default) => word(data_type, bits(default)),
+            (Shape::Word(data_type), default) => word(data_type, default.word()),
             (Shape::Bytes(data_type, room), Datum::Bytes(bytes)) => {
                 let has_room =
                     entry.entry.stack.as_ref().is_some_and(|stack| stack.min_string_length > Some(0));
@@ -54,31 +55,28 @@ impl Storage {
 /// Type, elements, length and initialiser.
 type Kept = (Option<&'static str>, Option<usize>, usize, Vec<String>);
 
-/// The number of a word; without the node-ID if it is added.
-pub(super) fn bits(datum: &Datum) -> u64 {
-    match datum {
-        Datum::Word(word) | Datum::Formula(word) => *word,
-        Datum::Bytes(_) => 0,
-    }
-}
-
 fn word(data_type: DataType, word: u64) -> Kept {
     let length = data_type.byte_length().map_or(0, usize::from);
-    let native = |type_, value: String| (Some(type_), None, length, vec![value]);
-    match data_type.kind() {
-        TypeKind::Boolean => native("bool_t", (word != 0).to_string()),
-        TypeKind::Unsigned(8) => native("uint8_t", format!("0x{word:02X}")),
-        TypeKind::Unsigned(16) => native("uint16_t", format!("0x{word:04X}")),
-        TypeKind::Unsigned(32) => native("uint32_t", format!("0x{word:08X}")),
-        TypeKind::Unsigned(64) => native("uint64_t", format!("0x{word:016X}")),
-        TypeKind::Signed(8) => native("int8_t", signed(word)),
-        TypeKind::Signed(16) => native("int16_t", signed(word)),
-        TypeKind::Signed(32) => native("int32_t", signed(word)),
-        TypeKind::Signed(64) => native("int64_t", signed(word)),
-        TypeKind::Real32 => native("float32_t", real32(f32::from_bits(word as u32))), // the lower half contains all bits
-        TypeKind::Real64 => native("float64_t", real64(f64::from_bits(word))),
-        _ => bytes(length, word.to_le_bytes().get(..length).unwrap_or_default()),
-    }
+    let type_ = match data_type.kind() {
+        TypeKind::Boolean => Some("bool_t"),
+        TypeKind::Real32 => Some("float32_t"),
+        TypeKind::Real64 => Some("float64_t"),
+        _ => exact_type(data_type),
+    };
+    let value = match data_type.kind() {
+        _ if type_.is_none() => return bytes(length, word.to_le_bytes().get(..length).unwrap_or_default()),
+        TypeKind::Boolean => (word != 0).to_string(),
+        TypeKind::Signed(_) => signed(word),
+        TypeKind::Real32 => digits(word, data_type).map_or_else(
+            || not_finite(f32::from_bits(word as u32).into()).to_owned(), // the lower half contains all bits
+            |digits| digits + "f",
+        ),
+        TypeKind::Real64 => {
+            digits(word, data_type).unwrap_or_else(|| not_finite(f64::from_bits(word)).to_owned())
+        }
+        _ => format!("0x{word:0width$X}", width = 2 * length),
+    };
+    (type_, None, length, vec![value])
 }
 
 fn signed(word: u64) -> String {
@@ -92,14 +90,6 @@ fn signed(word: u64) -> String {
     }
 }
 
-fn real32(number: f32) -> String {
-    if number.is_finite() { format!("{number:?}f") } else { not_finite(f64::from(number)).to_owned() }
-}
-
-fn real64(number: f64) -> String {
-    if number.is_finite() { format!("{number:?}") } else { not_finite(number).to_owned() }
-}
-
 /// The math.h name of a number that cannot be written as a literal.
 fn not_finite(number: f64) -> &'static str {
     match number.is_nan() {
@@ -111,7 +101,7 @@ fn not_finite(number: f64) -> &'static str {
 
 /// Whether a number is a NaN other than that of math.h; its other bits are lost.
 pub(super) fn is_odd_nan(resolved: &Resolved) -> bool {
-    let word = bits(&resolved.default);
+    let word = resolved.default.word();
     match resolved.shape {
         Shape::Word(DataType::REAL32) => {
             f32::from_bits(word as u32).is_nan() && word as u32 != f32::NAN.to_bits()
@@ -171,18 +161,8 @@ fn letter(byte: u8) -> String {
 
 fn attribute(entry: &ResolvedEntry<'_>, type_: Option<&str>) -> String {
     let resolved = &entry.resolved;
-    let sdo = match (resolved.access.is_readable(), resolved.access.is_writable()) {
-        (true, true) => "ODA_SDO_RW",
-        (true, false) => "ODA_SDO_R",
-        (false, true) => "ODA_SDO_W",
-        (false, false) => "",
-    };
-    let pdo = match (resolved.tpdo, resolved.rpdo) {
-        (true, true) => "ODA_TRPDO",
-        (true, false) => "ODA_TPDO",
-        (false, true) => "ODA_RPDO",
-        (false, false) => "",
-    };
+    let sdo = resolved.sdo_word(["", "ODA_SDO_R", "ODA_SDO_W", "ODA_SDO_RW"]);
+    let pdo = resolved.pdo_word(["", "ODA_TPDO", "ODA_RPDO", "ODA_TRPDO"]);
     let srdo = match entry.entry.stack.as_ref().and_then(|stack| stack.srdo_access) {
         Some(SrdoAccess::Trx) => "ODA_TRSRDO",
         Some(SrdoAccess::Tx) => "ODA_TSRDO",

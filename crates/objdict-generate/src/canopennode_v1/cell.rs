@@ -1,10 +1,10 @@
 //! The values of entries as members of structures.
 
-use crate::c_code::{bytes, exact_type, little_endian, number};
+use crate::c_code::{bytes, little_endian, number_type, typed};
 use crate::dictionary::{ResolvedEntry, ResolvedObject};
 use crate::memory::Extent;
-use crate::model::{DataType, TypeKind};
-use crate::resolve::{Datum, Shape};
+use crate::model::DataType;
+use crate::resolve::Shape;
 use crate::{Options, StackLayout};
 
 /// The memory of a value.
@@ -37,12 +37,10 @@ impl Location {
 
     /// The memory of an object: from the description, else from the options, else by index and access.
     pub(super) fn of(object: &ResolvedObject<'_>, options: &Options) -> Self {
-        let stated = object.object.main.stack.as_ref().and_then(|stack| stack.storage_group.as_deref());
-        let name = stated.filter(|name| !name.trim().is_empty()).or_else(|| options.group_of(object.index));
-        let is = |name: &str, other: &str| name.trim().eq_ignore_ascii_case(other);
-        match name {
-            Some(name) if is(name, "RAM") => Self::Ram,
-            Some(name) if is(name, "ROM") || is(name, "PERSIST_COMM") => Self::Rom,
+        let name = object.group(options).map(|name| name.trim().to_ascii_uppercase());
+        match name.as_deref() {
+            Some("RAM") => Self::Ram,
+            Some("ROM" | "PERSIST_COMM") => Self::Rom,
             Some(_) => Self::Eeprom,
             None => match object.index {
                 0x1001..=0x1003 | 0x1010 | 0x1011 | 0x1020..=0x1027 | 0x1F50..=0x1F57 => Self::Ram,
@@ -58,7 +56,7 @@ impl Location {
 #[derive(Clone, Debug)]
 pub(super) struct Cell {
     /// The type of `CO_OD.h`.
-    pub(super) c_type: &'static str,
+    pub(super) c_type: String,
     /// The number of elements of a text or of bytes.
     pub(super) room: Option<usize>,
     pub(super) value: String,
@@ -72,31 +70,23 @@ impl Cell {
         let resolved = &entry.resolved;
         let length = resolved.shape.size();
         let attribute = attribute(entry, location);
-        let bytes_of = |c_type: &'static str, value: String| Self {
-            c_type,
-            room: Some(length),
-            value,
-            attribute,
-            length,
+        let bytes_of = |c_type: &str, value: String| {
+            let c_type = c_type.to_owned();
+            Self { c_type, room: Some(length), value, attribute, length }
         };
-        match (resolved.shape, &resolved.default) {
-            (Shape::Word(data_type), Datum::Word(default) | Datum::Formula(default)) => {
-                let word = word.unwrap_or(*default);
-                match (c_type(data_type), number(word, data_type)) {
-                    (Some(c_type), Some(value)) => {
-                        let multiple = if length > 1 { 0x80 } else { 0 };
-                        Self { c_type, room: None, value, attribute: attribute | multiple, length }
-                    }
-                    _ => bytes_of("UNSIGNED8", bytes(&little_endian(word, length))),
-                }
+        let word = word.unwrap_or_else(|| resolved.default.word());
+        let number = typed(resolved.shape, word)
+            .and_then(|(data_type, value)| Some((number_type(data_type, NUMBERS)?, value)));
+        match (resolved.shape, number) {
+            (_, Some((c_type, value))) => {
+                let multiple = if length > 1 { 0x80 } else { 0 };
+                Self { c_type, room: None, value, attribute: attribute | multiple, length }
             }
-            (Shape::Bytes(data_type, _), Datum::Bytes(value))
-                if data_type.kind() == TypeKind::VisibleString =>
-            {
-                bytes_of("VISIBLE_STRING", characters(value))
+            (Shape::Word(_), None) => bytes_of("UNSIGNED8", bytes(&little_endian(word, length))),
+            (Shape::Bytes(DataType::VISIBLE_STRING, _), _) => {
+                bytes_of("VISIBLE_STRING", characters(resolved.default.bytes()))
             }
-            (_, Datum::Bytes(value)) => bytes_of("OCTET_STRING", bytes(value)),
-            _ => bytes_of("UNSIGNED8", "{0}".to_owned()),
+            _ => bytes_of("OCTET_STRING", bytes(resolved.default.bytes())),
         }
     }
 
@@ -107,7 +97,7 @@ impl Cell {
 
     /// Whether another one can be an element of the same array.
     pub(super) fn is_like(&self, other: &Self) -> bool {
-        let facts = |cell: &Self| (cell.c_type, cell.room, cell.attribute, cell.length);
+        let facts = |cell: &Self| (cell.c_type.clone(), cell.room, cell.attribute, cell.length);
         facts(self) == facts(other)
     }
 
@@ -117,31 +107,12 @@ impl Cell {
     }
 
     pub(super) fn extent(&self) -> Extent {
-        let element = match self.c_type {
-            "UNSIGNED8" | "INTEGER8" | "VISIBLE_STRING" | "OCTET_STRING" => Extent::BYTE,
-            "UNSIGNED16" | "INTEGER16" => Extent::HALF,
-            "UNSIGNED64" | "INTEGER64" | "REAL64" => Extent::number(8),
-            _ => Extent::WORD,
-        };
-        element.times(self.room.unwrap_or(1))
+        Extent::of_c(&self.c_type).times(self.room.unwrap_or(1)) // characters and octets have 1 byte
     }
 }
 
-/// The type of `CO_OD.h` for a number that C has.
-pub(super) fn c_type(data_type: DataType) -> Option<&'static str> {
-    Some(match exact_type(data_type)? {
-        "uint8_t" => "UNSIGNED8",
-        "int8_t" => "INTEGER8",
-        "uint16_t" => "UNSIGNED16",
-        "int16_t" => "INTEGER16",
-        "uint32_t" => "UNSIGNED32",
-        "int32_t" => "INTEGER32",
-        "uint64_t" => "UNSIGNED64",
-        "int64_t" => "INTEGER64",
-        "float" => "REAL32",
-        _ => "REAL64",
-    })
-}
+/// The types of `CO_OD.h` for numbers that C has.
+pub(super) const NUMBERS: [&str; 3] = ["UNSIGNED", "INTEGER", "REAL"];
 
 /// The attribute of an entry without the bit for values of several bytes.
 fn attribute(entry: &ResolvedEntry<'_>, location: Location) -> u16 {
@@ -149,8 +120,8 @@ fn attribute(entry: &ResolvedEntry<'_>, location: Location) -> u16 {
     let stack = entry.entry.stack.as_ref();
     let detects_change = stack.is_some_and(|stack| stack.detects_change == Some(true)) && resolved.tpdo;
     let flags = [
-        (resolved.access.is_readable(), 0x04),
-        (resolved.access.is_writable(), 0x08),
+        (resolved.sdo().0, 0x04),
+        (resolved.sdo().1, 0x08),
         (resolved.rpdo, 0x10),
         (resolved.tpdo, 0x20),
         (detects_change, 0x40),

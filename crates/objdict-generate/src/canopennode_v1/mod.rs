@@ -6,46 +6,85 @@
 mod cell;
 mod notes;
 mod plan;
-mod sizes;
 mod special;
-mod view;
 
 use super::dictionary::Dictionary;
+use super::escape::filters;
+use super::head::{Head, files};
+use super::memory::{Extent, Memory, Tally};
 use super::notes::{in_order, once_per_device};
-use super::{Backend, Choice, GenerateError, Generated, Options, Sizes, render};
-use crate::model::Device;
+use super::{GenerateError, Made, Options, Sizes, render};
+use crate::model::{DataType, Device};
+use crate::resolve::Shape;
+use cell::Location;
+use plan::Plan;
 
-/// The object dictionary of CANopenNode 1.3.
-pub(super) struct CanOpenNodeV1;
+/// What the files have.
+struct Tables<'a> {
+    head: Head,
+    dictionary: &'a Dictionary<'a>,
+    plan: Plan,
+}
 
-impl Backend for CanOpenNodeV1 {
-    fn name(&self) -> &'static str {
-        "canopennode-v1"
+files! {
+    #[derive(askama::Template)]
+    Tables:
+    Header "canopennode-v1/CO_OD.h"
+    Source "canopennode-v1/CO_OD.c"
+}
+
+pub(super) fn make(device: &Device, options: &Options) -> Result<Made, GenerateError> {
+    let mut dictionary = Dictionary::new(device, options)?;
+    let mut notes = std::mem::take(&mut dictionary.notes);
+    let plan = Plan::new(&dictionary, options, &mut notes);
+    let tables = Tables { head: Head::new(device, options, "", ""), dictionary: &dictionary, plan };
+    let files = vec![render("CO_OD.h", &Header(&tables))?, render("CO_OD.c", &Source(&tables))?];
+    Ok(Made { files, notes: once_per_device(in_order(notes)), size: tables.size() })
+}
+
+/// What the sizes include.
+const COUNTED: &str = "the tables and values, on a processor of 32 bits; without code and stack internals";
+
+impl Tables<'_> {
+    /// Whether a value of bytes depends on the node-ID.
+    fn stores_bytes(&self) -> bool {
+        self.plan.formulas.iter().any(|formula| formula.starts_with("CO_OD_store("))
     }
 
-    fn summary(&self) -> &'static str {
-        "`CO_OD.h` and `CO_OD.c` of the stack CANopenNode 1.3"
+    fn has(&self, index: u16) -> u8 {
+        u8::from(self.dictionary.device.object(index).is_some())
     }
 
-    fn uses(&self) -> &'static [Choice] {
-        &[Choice::Names, Choice::Renamed, Choice::Groups, Choice::StringCapacity, Choice::DomainCapacity]
+    /// Whether the stack can be an LSS slave: it needs the whole identity.
+    fn has_lss(&self) -> u8 {
+        let is_number = |sub| {
+            let entry = self.dictionary.entry(0x1018, sub);
+            entry.is_some_and(|entry| entry.resolved.shape == Shape::Word(DataType::UNSIGNED32))
+        };
+        let info = self.dictionary.device.device_info.as_ref();
+        u8::from((1..=4).all(is_number) && info.is_some_and(|info| info.lss_supported == Some(true)))
     }
 
-    fn generate(&self, device: &Device, options: &Options) -> Result<Generated, GenerateError> {
-        let mut dictionary = Dictionary::new(device, options)?;
-        let mut notes = std::mem::take(&mut dictionary.notes);
-        let plan = plan::Plan::new(&dictionary, options, &mut notes);
-        let head = view::Head::new(&dictionary, options);
-        let files = vec![
-            render("CO_OD.h", &view::Header::new(&head, &plan))?,
-            render("CO_OD.c", &view::Source::new(&head, &plan))?,
-        ];
-        Ok(Generated { files, notes: once_per_device(in_order(notes)) })
+    fn is_master(&self) -> u8 {
+        let node = self.dictionary.device.commissioning.as_ref();
+        u8::from(node.is_some_and(|node| node.manager == Some(true)))
     }
 
-    fn size(&self, device: &Device, options: &Options) -> Result<Sizes, GenerateError> {
-        let dictionary = Dictionary::new(device, options)?;
-        let plan = plan::Plan::new(&dictionary, options, &mut Vec::new());
-        Ok(Sizes::Known(sizes::report(&dictionary, &plan)))
+    fn size(&self) -> Sizes {
+        let (byte, half, pointer) = (Extent::BYTE, Extent::HALF, Extent::POINTER);
+        let row = Extent::structure([half, byte, half, half, pointer]);
+        let of_record = Extent::structure([pointer, half, half]);
+        let mut tally = Tally::of_dictionary(self.dictionary);
+        for object in &self.plan.rows {
+            tally.of(object.index, Memory::Flash, row.size + of_record.times(object.record.len()).size);
+        }
+        for location in Location::ALL {
+            let word = [(None, Extent::WORD)]; // before and behind the variables, and not zero
+            let variables = self.plan.of(&location).flat_map(|variable| variable.extents.iter().copied());
+            let members: Vec<_> = word.into_iter().chain(variables).chain(word).collect();
+            tally.structure(Memory::Initialised, &members);
+        }
+        tally.rest(Memory::Flash, 1); // what a row without an entry refers to
+        tally.report(COUNTED)
     }
 }

@@ -3,8 +3,8 @@
 use crate::Note;
 use crate::canopennode::node_id::replaced;
 use crate::dictionary::{Dictionary, ResolvedEntry};
-use crate::model::{Field, Place};
-use crate::resolve::{Datum, Shape};
+use crate::model::Place;
+use crate::resolve::Datum;
 
 /// The largest value that the SDO server of the stack transfers, and what it transfers by default.
 const SDO_BUFFER: (usize, usize) = (889, 32);
@@ -19,16 +19,10 @@ pub(super) fn of_entry(index: u16, entry: &ResolvedEntry<'_>, node_id: Option<u8
     let resolved = &entry.resolved;
     let place = Place::entry(index, entry.sub);
     let mut say = |place: Place, text: &str| notes.push(Note::new(place, text));
-    if resolved.access.is_writable() && (resolved.low.is_some() || resolved.high.is_some()) {
-        let field = if resolved.low.is_some() { Field::LowLimit } else { Field::HighLimit };
+    if let (Some(field), true) = (resolved.limit(), resolved.access.is_writable()) {
         say(place.clone().field(field), "the stack does not enforce limits");
     }
-    if let (Shape::Bytes(_, room), Datum::Bytes(value)) = (resolved.shape, &resolved.default)
-        && value.len() < usize::from(room)
-    {
-        let text = format!("a row has a fixed length; the value always has {room} bytes, padded with 0");
-        say(place.clone(), &text);
-    }
+    resolved.padding().iter().for_each(|text| say(place.clone(), text));
     match (index, entry.sub, &resolved.default) {
         (0x1003, 0, _) => {
             say(place.clone(), "the stack answers with the number of errors, and takes 0 for erasing them");
@@ -54,14 +48,12 @@ pub(super) fn of_entry(index: u16, entry: &ResolvedEntry<'_>, node_id: Option<u8
 pub(super) fn of_lengths(dictionary: &Dictionary<'_>, notes: &mut Vec<Note>) {
     let (most, usual) = SDO_BUFFER;
     let mut longest = 0;
-    for object in &dictionary.objects {
-        for entry in &object.entries {
-            let size = entry.resolved.shape.size();
-            longest = longest.max(size);
-            if size > most {
-                let text = format!("SDOs of the stack transfer at most {most} bytes");
-                notes.push(Note::new(Place::entry(object.index, entry.sub), text));
-            }
+    for (object, entry) in dictionary.entries() {
+        let size = entry.resolved.shape.size();
+        longest = longest.max(size);
+        if size > most {
+            let text = format!("SDOs of the stack transfer at most {most} bytes");
+            notes.push(Note::new(Place::entry(object.index, entry.sub), text));
         }
     }
     if longest > usual {

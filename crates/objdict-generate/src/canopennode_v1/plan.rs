@@ -2,11 +2,11 @@
 
 use std::collections::HashSet;
 
-use super::cell::{Cell, Location, NAMES, c_type};
+use super::cell::{Cell, Location, NAMES, NUMBERS};
 use super::notes;
 use super::special::{self, FAMILIES, Family, Form, IDENTITY, NAMED, named};
-use crate::c_code::number;
-use crate::c_words::is_reserved;
+use crate::c_code::{assignment, number_type};
+use crate::c_words::{distinct, is_reserved};
 use crate::canopennode::names::{Members, cname};
 use crate::canopennode::node_id::stack_adds;
 use crate::dictionary::{Dictionary, ResolvedEntry, ResolvedObject};
@@ -32,25 +32,6 @@ pub(super) struct Variable {
     pub(super) extents: Vec<(Option<u16>, Extent)>,
 }
 
-impl Variable {
-    /// The variable of a single entry.
-    fn of(index: u16, location: Location, name: &str, cell: &Cell) -> Self {
-        Self {
-            index,
-            location,
-            declaration: format!("{} {name}{}", cell.c_type, cell.suffix()),
-            initializer: cell.value.clone(),
-            extents: vec![(Some(index), cell.extent())],
-        }
-    }
-}
-
-/// A macro for a variable, a length or an element.
-pub(super) struct Alias {
-    pub(super) name: String,
-    pub(super) value: String,
-}
-
 /// A row of a record.
 #[derive(Clone)]
 pub(super) struct RecordRow {
@@ -74,16 +55,13 @@ pub(super) struct OdRow {
 pub(super) struct Plan {
     pub(super) types: Vec<StructType>,
     pub(super) variables: Vec<Variable>,
-    pub(super) aliases: Vec<Alias>,
+    /// Macros for variables, lengths and elements, with their values.
+    pub(super) aliases: Vec<(String, String)>,
     pub(super) rows: Vec<OdRow>,
     /// Statements that add the node-ID.
     pub(super) formulas: Vec<String>,
     /// The number of objects of each family.
     pub(super) counts: [usize; 6],
-    pub(super) sync: u8,
-    pub(super) time: u8,
-    pub(super) lss: u8,
-    pub(super) master: u8,
 }
 
 impl Plan {
@@ -103,7 +81,6 @@ impl Plan {
         }
         builder.families();
         builder.missing();
-        builder.features();
         builder.plan.rows.sort_by_key(|row| row.index);
         notes::of_lengths(dictionary, builder.notes);
         builder.plan
@@ -125,7 +102,7 @@ struct Builder<'a> {
     plan: Plan,
 }
 
-impl Builder<'_> {
+impl<'a> Builder<'a> {
     fn object(&mut self, object: &ResolvedObject<'_>) {
         for entry in &object.entries {
             notes::of_entry(object.index, entry, self.dictionary.node_id, self.notes);
@@ -172,17 +149,7 @@ impl Builder<'_> {
             (_, true) => plain,
             _ => format!("{plain}_{index:04X}"),
         };
-        let mut candidate = plain.clone();
-        for number in 1_u32.. {
-            if self.names.insert(candidate.clone()) {
-                break;
-            }
-            candidate = match number {
-                1 => format!("{plain}_{index:04X}"),
-                _ => format!("{plain}_{index:04X}_{number}"),
-            };
-        }
-        candidate
+        distinct(&mut self.names, plain, &format!("{index:04X}"))
     }
 
     /// The value of an entry, with the node-ID where the stack does not add it.
@@ -202,44 +169,43 @@ impl Builder<'_> {
 
     /// Notes the statement that adds the node-ID to a variable.
     fn formula(&mut self, object: &ResolvedObject<'_>, entry: &ResolvedEntry<'_>, variable: &str) {
-        let (Datum::Formula(offset), Shape::Word(data_type)) =
-            (&entry.resolved.default, entry.resolved.shape)
-        else {
-            return;
-        };
-        if is_added(object.index, entry.sub, *offset) {
-            return;
+        if !is_added(object.index, entry.sub, entry.resolved.default.word()) {
+            self.plan.formulas.extend(assignment(&entry.resolved, variable, NUMBERS, "CO_OD_store"));
         }
-        self.plan.formulas.push(match (c_type(data_type), number(*offset, data_type)) {
-            (Some(c_type), Some(number)) => format!("{variable} = ({c_type})({number} + nodeId);"),
-            _ => {
-                let size = entry.resolved.shape.size();
-                format!("CO_OD_store({variable}, UINT64_C(0x{offset:X}) + nodeId, {size}u);")
-            }
-        });
     }
 
     fn alias(&mut self, name: String, value: String) {
         if self.macros.insert(name.clone()) {
-            self.plan.aliases.push(Alias { name, value });
+            self.plan.aliases.push((name, value));
         }
+    }
+
+    /// Defines the variable of an object, and its macro.
+    fn define(
+        &mut self,
+        (index, location): (u16, Location),
+        (c_type, name, suffix): (&str, &str, &str),
+        initializer: String,
+        extents: Vec<(Option<u16>, Extent)>,
+    ) {
+        let declaration = format!("{c_type} {name}{suffix}");
+        self.plan.variables.push(Variable { index, location, declaration, initializer, extents });
+        self.alias(format!("OD_{name}"), format!("CO_OD_{}.{name}", location.name()));
     }
 
     fn value(&mut self, object: &ResolvedObject<'_>, name: &str, (location, cells): (Location, &[Cell])) {
         let (Some(cell), Some(entry)) = (cells.first(), object.entries.first()) else { return };
         let variable = format!("CO_OD_{}.{name}", location.name());
-        let mut row = RecordRow { data: "0".to_owned(), attribute: cell.attribute, length: 0 };
         if cell.is_stored() {
             self.formula(object, entry, &variable);
-            let element = if cell.room.is_some() { "[0]" } else { "" };
-            row = RecordRow { data: format!("&{variable}{element}"), length: cell.length, ..row };
-            self.alias(format!("OD_{name}"), variable);
+            let (suffix, extents) = (cell.suffix(), vec![(Some(object.index), cell.extent())]);
+            let declared = (cell.c_type.as_str(), name, suffix.as_str());
+            self.define((object.index, location), declared, cell.value.clone(), extents);
             if let Some(room) = cell.room {
                 self.alias(format!("ODL_{name}_stringLength"), room.to_string());
             }
-            self.plan.variables.push(Variable::of(object.index, location, name, cell));
         }
-        self.push(object, 0, row, Vec::new());
+        self.push(object, 0, row(cell, &variable), Vec::new());
     }
 
     fn array(&mut self, object: &ResolvedObject<'_>, name: &str, (location, cells): (Location, &[Cell])) {
@@ -247,31 +213,20 @@ impl Builder<'_> {
         let Some(first) = elements.first() else { return };
         let variable = format!("CO_OD_{}.{name}", location.name());
         for (number, entry) in object.entries.iter().skip(1).enumerate() {
-            let at = format!("{variable}[{number}]");
-            self.formula(object, entry, &at);
+            self.formula(object, entry, &format!("{variable}[{number}]"));
             let element = cname(&entry.name, NAMES);
             if !element.is_empty() {
                 self.alias(format!("ODA_{name}_{element}"), number.to_string());
             }
         }
         let values: Vec<&str> = elements.iter().map(|cell| cell.value.as_str()).collect();
-        self.plan.variables.push(Variable {
-            index: object.index,
-            location,
-            declaration: format!("{} {name}[{}]{}", first.c_type, elements.len(), first.suffix()),
-            initializer: format!("{{{}}}", values.join(", ")),
-            extents: vec![(Some(object.index), first.extent().times(elements.len()))],
-        });
-        self.alias(format!("OD_{name}"), variable.clone());
+        let suffix = format!("[{}]{}", elements.len(), first.suffix());
+        let extents = vec![(Some(object.index), first.extent().times(elements.len()))];
+        let initializer = format!("{{{}}}", values.join(", "));
+        self.define((object.index, location), (&first.c_type, name, &suffix), initializer, extents);
         self.alias(format!("ODL_{name}_arrayLength"), elements.len().to_string());
-        let element = if first.room.is_some() { "[0][0]" } else { "[0]" };
-        let row = RecordRow {
-            data: format!("&{variable}{element}"),
-            attribute: first.attribute,
-            length: first.length,
-        };
         let max_sub = u8::try_from(elements.len()).unwrap_or(u8::MAX);
-        self.push(object, max_sub, row, Vec::new());
+        self.push(object, max_sub, row(first, &format!("{variable}[0]")), Vec::new());
     }
 
     fn record(&mut self, object: &ResolvedObject<'_>, name: &str, (location, cells): (Location, &[Cell])) {
@@ -297,25 +252,19 @@ impl Builder<'_> {
         }
         if !members.is_empty() {
             let type_name = format!("OD_{name}_t");
-            self.plan.variables.push(Variable {
-                index: object.index,
-                location,
-                declaration: format!("{type_name} {name}"),
-                initializer: format!("{{{}}}", values.join(", ")),
-                extents: vec![(Some(object.index), Extent::structure(extents))],
-            });
+            let initializer = format!("{{{}}}", values.join(", "));
+            let extents = vec![(Some(object.index), Extent::structure(extents))];
+            self.define((object.index, location), (&type_name, name, ""), initializer, extents);
             self.plan.types.push(StructType { index: object.index, name: type_name, members });
-            self.alias(format!("OD_{name}"), variable);
         }
         self.push_record(object, rows);
     }
 
     /// A record is read by its rows; one with sub-index 0 only would be read as a value.
-    fn push_record(&mut self, object: &ResolvedObject<'_>, mut rows: Vec<RecordRow>) {
+    fn push_record(&mut self, object: &ResolvedObject<'_>, rows: Vec<RecordRow>) {
         match <[RecordRow; 1]>::try_from(rows) {
             Ok([only]) => self.push(object, 0, only, Vec::new()),
-            Err(more) => {
-                rows = more;
+            Err(rows) => {
                 let max_sub = u8::try_from(rows.len().saturating_sub(1)).unwrap_or(u8::MAX);
                 let data = format!("&OD_record{:04X}", object.index);
                 self.push(object, max_sub, RecordRow { data, attribute: 0, length: 0 }, rows);
@@ -331,13 +280,8 @@ impl Builder<'_> {
     /// The arrays of structures of the stack; objects that are missing between others are not valid.
     fn families(&mut self) {
         for (at, family) in FAMILIES.iter().enumerate() {
-            let objects: Vec<&ResolvedObject<'_>> = self
-                .dictionary
-                .objects
-                .iter()
-                .filter(|object| (family.first..=family.last).contains(&object.index))
-                .collect();
-            let highest = objects.last().map_or(0, |object| usize::from(object.index - family.first) + 1);
+            let highest =
+                self.objects(family).last().map_or(0, |object| usize::from(object.index - family.first) + 1);
             self.plan.counts[at] = highest.max(usize::from(family.needed));
         }
         // the stack has as many mappings as PDOs
@@ -351,16 +295,19 @@ impl Builder<'_> {
         }
     }
 
+    fn objects(&self, family: &Family) -> impl Iterator<Item = &'a ResolvedObject<'a>> {
+        let (first, last) = (family.first, family.last);
+        self.dictionary.objects.iter().filter(move |object| (first..=last).contains(&object.index))
+    }
+
     fn family(&mut self, family: &'static Family, count: usize) {
-        let objects = self.dictionary.objects.iter();
-        let objects: Vec<_> =
-            objects.filter(|object| (family.first..=family.last).contains(&object.index)).collect();
-        let location = objects.first().map_or(Location::Rom, |object| Location::of(object, self.options));
+        let location =
+            self.objects(family).next().map_or(Location::Rom, |object| Location::of(object, self.options));
         let type_name = format!("OD_{}_t", family.name);
-        let member = |field: &special::Field| {
-            format!("{} {}", c_type(field.data_type).unwrap_or("UNSIGNED32"), field.name)
+        let member = |field: special::Field| {
+            format!("{} {}", number_type(field.data_type, NUMBERS).unwrap_or_default(), field.name)
         };
-        let members = family.fields.iter().map(member).collect();
+        let members = family.fields().map(member).collect();
         self.plan.types.push(StructType { index: family.first, name: type_name.clone(), members });
         if count == 0 {
             return;
@@ -369,20 +316,15 @@ impl Builder<'_> {
         let mut extents = Vec::new();
         for number in 0..count {
             let index = family.first + u16::try_from(number).unwrap_or(0); // at most 512
-            let object = objects.iter().find(|object| object.index == index);
+            let object = self.dictionary.object(index);
             extents.push((object.map(|object| object.index), structure(family)));
             let path = format!("CO_OD_{}.{}[{number}]", location.name(), family.name);
-            let values = self.element(family, object.copied(), (location, &path));
+            let values = self.element(family, object, (location, &path));
             elements.push(format!("{{{}}}", values.join(", ")));
         }
-        self.plan.variables.push(Variable {
-            index: family.first,
-            location,
-            declaration: format!("{type_name} {}[{count}]", family.name),
-            initializer: format!("{{{}}}", elements.join(",\n        ")),
-            extents,
-        });
-        self.alias(format!("OD_{}", family.name), format!("CO_OD_{}.{}", location.name(), family.name));
+        let initializer = format!("{{{}}}", elements.join(",\n        "));
+        let suffix = format!("[{count}]");
+        self.define((family.first, location), (&type_name, family.name, &suffix), initializer, extents);
     }
 
     /// The values of one structure; rows of its object, and variables for what the structure has no member for.
@@ -392,8 +334,8 @@ impl Builder<'_> {
         object: Option<&ResolvedObject<'_>>,
         (location, path): (Location, &str),
     ) -> Vec<String> {
-        let missing = |field: &special::Field| format!("0x{:X}u", family.missing(field));
-        let mut values: Vec<String> = family.fields.iter().map(missing).collect();
+        let missing = |field: special::Field| format!("0x{:X}u", family.missing(&field));
+        let mut values: Vec<String> = family.fields().map(missing).collect();
         let Some(object) = object else { return values };
         let mut rows: Vec<RecordRow> = Vec::new();
         for entry in &object.entries {
@@ -409,7 +351,13 @@ impl Builder<'_> {
                 None => {
                     let name = format!("{}_{:04X}_{:02X}", family.name, object.index, entry.sub);
                     if cell.is_stored() {
-                        self.plan.variables.push(Variable::of(object.index, location, &name, &cell));
+                        self.plan.variables.push(Variable {
+                            index: object.index,
+                            location,
+                            declaration: format!("{} {name}{}", cell.c_type, cell.suffix()),
+                            initializer: cell.value.clone(),
+                            extents: vec![(Some(object.index), cell.extent())],
+                        });
                     }
                     if entry.sub > 0 {
                         let text = "the stack has no member for the entry and ignores it";
@@ -427,59 +375,23 @@ impl Builder<'_> {
 
     /// Variables that the stack refers to and the description lacks.
     fn missing(&mut self) {
+        let of = |data_type: DataType| number_type(data_type, NUMBERS).unwrap_or_default();
         for named in &NAMED {
             if self.macros.contains(&format!("OD_{}", named.name)) {
                 continue;
             }
-            let (c_type, suffix, value, extent) = match named.form {
-                Form::Value(data_type, value) => {
-                    (c_type(data_type), String::new(), format!("0x{value:X}u"), data_type)
-                }
-                Form::List(data_type, least) => {
-                    (c_type(data_type), format!("[{least}]"), "{0}".to_owned(), data_type)
-                }
-                Form::Octets(least) => {
-                    (Some("OCTET_STRING"), format!("[{least}]"), "{0}".to_owned(), DataType::UNSIGNED8)
-                }
+            let (c_type, count, value, behind) = match named.form {
+                Form::Value(data_type, value) => (of(data_type), None, format!("0x{value:X}u"), ""),
+                Form::List(data_type, least) => (of(data_type), Some(least), "{0}".to_owned(), "array"),
+                Form::Octets(least) => ("OCTET_STRING".to_owned(), Some(least), "{0}".to_owned(), "string"),
             };
-            let count = match named.form {
-                Form::Value(..) => 1,
-                Form::List(_, least) | Form::Octets(least) => least,
-            };
-            let size = usize::from(extent.byte_length().unwrap_or(1));
-            self.plan.variables.push(Variable {
-                index: named.index,
-                location: Location::Ram,
-                declaration: format!("{} {}{suffix}", c_type.unwrap_or("UNSIGNED32"), named.name),
-                initializer: value,
-                extents: vec![(None, Extent::number(size).times(count))],
-            });
-            self.alias(format!("OD_{}", named.name), format!("CO_OD_RAM.{}", named.name));
-            match named.form {
-                Form::Value(..) => {}
-                Form::List(..) => self.alias(format!("ODL_{}_arrayLength", named.name), count.to_string()),
-                Form::Octets(_) => self.alias(format!("ODL_{}_stringLength", named.name), count.to_string()),
+            let suffix = count.map(|count| format!("[{count}]")).unwrap_or_default();
+            let extents = vec![(None, Extent::of_c(&c_type).times(count.unwrap_or(1)))];
+            self.define((named.index, Location::Ram), (&c_type, named.name, &suffix), value, extents);
+            if let Some(count) = count {
+                self.alias(format!("ODL_{}_{behind}Length", named.name), count.to_string());
             }
         }
-    }
-
-    fn features(&mut self) {
-        let device = self.dictionary.device;
-        let has = |index| u8::from(device.object(index).is_some());
-        let info = device.device_info.as_ref();
-        let identity = self.dictionary.objects.iter().find(|object| object.index == 0x1018);
-        let is_whole = identity.is_some_and(|object| {
-            (1..=4).all(|sub| {
-                object.entries.iter().any(|entry| {
-                    entry.sub == sub && entry.resolved.shape == Shape::Word(DataType::UNSIGNED32)
-                })
-            })
-        });
-        self.plan.sync = has(0x1005);
-        self.plan.time = has(0x1012);
-        self.plan.lss = u8::from(is_whole && info.is_some_and(|info| info.lss_supported == Some(true)));
-        let node = device.commissioning.as_ref();
-        self.plan.master = u8::from(node.is_some_and(|node| node.manager == Some(true)));
     }
 }
 
@@ -491,7 +403,7 @@ fn is_added(index: u16, sub: u8, value: u64) -> bool {
 /// The structure of a family.
 fn structure(family: &Family) -> Extent {
     let size = |data_type: DataType| Extent::number(usize::from(data_type.byte_length().unwrap_or(4)));
-    Extent::structure(family.fields.iter().map(|field| size(field.data_type)))
+    Extent::structure(family.fields().map(|field| size(field.data_type)))
 }
 
 /// The row of an entry.

@@ -62,76 +62,35 @@ pub(super) struct Family {
     pub(super) first: u16,
     pub(super) last: u16,
     pub(super) name: &'static str,
-    /// By sub-index.
-    pub(super) fields: &'static [Field],
+    /// By sub-index: names, each behind the bits of its number.
+    members: &'static str,
     /// Whether the stack needs at least one.
     pub(super) needed: bool,
 }
 
-const fn field(name: &'static str, data_type: DataType) -> Field {
-    Field { name, data_type }
+/// The stack compiles without SDO clients, but not without one of each other family.
+const fn family(first: u16, last: u16, name: &'static str, members: &'static str) -> Family {
+    Family { first, last, name, members, needed: first != 0x1280 }
 }
 
-const MAPPING: &[Field] = &[
-    field("numberOfMappedObjects", U8),
-    field("mappedObject1", U32),
-    field("mappedObject2", U32),
-    field("mappedObject3", U32),
-    field("mappedObject4", U32),
-    field("mappedObject5", U32),
-    field("mappedObject6", U32),
-    field("mappedObject7", U32),
-    field("mappedObject8", U32),
-];
+const MAPPING: &str =
+    "8 numberOfMappedObjects 32 mappedObject1 32 mappedObject2 32 mappedObject3 32 mappedObject4
+    32 mappedObject5 32 mappedObject6 32 mappedObject7 32 mappedObject8";
+
+const SDO: &str = "8 maxSubIndex 32 COB_IDClientToServer 32 COB_IDServerToClient";
+const SDO_CLIENT: &str =
+    "8 maxSubIndex 32 COB_IDClientToServer 32 COB_IDServerToClient 8 nodeIDOfTheSDOServer";
+const RPDO: &str = "8 maxSubIndex 32 COB_IDUsedByRPDO 8 transmissionType";
+const TPDO: &str = "8 maxSubIndex 32 COB_IDUsedByTPDO 8 transmissionType 16 inhibitTime 8 compatibilityEntry
+    16 eventTimer 8 SYNCStartValue";
 
 pub(super) const FAMILIES: [Family; 6] = [
-    Family {
-        first: 0x1200,
-        last: 0x127F,
-        name: "SDOServerParameter",
-        fields: &[
-            field("maxSubIndex", U8),
-            field("COB_IDClientToServer", U32),
-            field("COB_IDServerToClient", U32),
-        ],
-        needed: true,
-    },
-    Family {
-        first: 0x1280,
-        last: 0x12FF,
-        name: "SDOClientParameter",
-        fields: &[
-            field("maxSubIndex", U8),
-            field("COB_IDClientToServer", U32),
-            field("COB_IDServerToClient", U32),
-            field("nodeIDOfTheSDOServer", U8),
-        ],
-        needed: false,
-    },
-    Family {
-        first: 0x1400,
-        last: 0x15FF,
-        name: "RPDOCommunicationParameter",
-        fields: &[field("maxSubIndex", U8), field("COB_IDUsedByRPDO", U32), field("transmissionType", U8)],
-        needed: true,
-    },
-    Family { first: 0x1600, last: 0x17FF, name: "RPDOMappingParameter", fields: MAPPING, needed: true },
-    Family {
-        first: 0x1800,
-        last: 0x19FF,
-        name: "TPDOCommunicationParameter",
-        fields: &[
-            field("maxSubIndex", U8),
-            field("COB_IDUsedByTPDO", U32),
-            field("transmissionType", U8),
-            field("inhibitTime", U16),
-            field("compatibilityEntry", U8),
-            field("eventTimer", U16),
-            field("SYNCStartValue", U8),
-        ],
-        needed: true,
-    },
-    Family { first: 0x1A00, last: 0x1BFF, name: "TPDOMappingParameter", fields: MAPPING, needed: true },
+    family(0x1200, 0x127F, "SDOServerParameter", SDO),
+    family(0x1280, 0x12FF, "SDOClientParameter", SDO_CLIENT),
+    family(0x1400, 0x15FF, "RPDOCommunicationParameter", RPDO),
+    family(0x1600, 0x17FF, "RPDOMappingParameter", MAPPING),
+    family(0x1800, 0x19FF, "TPDOCommunicationParameter", TPDO),
+    family(0x1A00, 0x1BFF, "TPDOMappingParameter", MAPPING),
 ];
 
 impl Family {
@@ -140,9 +99,22 @@ impl Family {
         FAMILIES.iter().find(|family| (family.first..=family.last).contains(&index))
     }
 
+    /// The members by sub-index.
+    pub(super) fn fields(&self) -> impl Iterator<Item = Field> {
+        let mut words = self.members.split_ascii_whitespace();
+        std::iter::from_fn(move || {
+            let data_type = match words.next()? {
+                "8" => U8,
+                "16" => U16,
+                _ => U32,
+            };
+            Some(Field { data_type, name: words.next()? })
+        })
+    }
+
     /// The member for an entry; `None` if it has none of this type.
-    pub(super) fn field(&self, entry: &ResolvedEntry<'_>) -> Option<&Field> {
-        let field = self.fields.get(usize::from(entry.sub))?;
+    pub(super) fn field(&self, entry: &ResolvedEntry<'_>) -> Option<Field> {
+        let field = self.fields().nth(entry.sub.into())?;
         (entry.resolved.shape == Shape::Word(field.data_type)).then_some(field)
     }
 
@@ -150,7 +122,7 @@ impl Family {
     /// checks the number of members.
     pub(super) fn missing(&self, field: &Field) -> u32 {
         match field.name {
-            "maxSubIndex" => u32::try_from(self.fields.len() - 1).unwrap_or(0),
+            "maxSubIndex" => u32::try_from(self.fields().count() - 1).unwrap_or(0),
             name if name.starts_with("COB_ID") => 0x8000_0000,
             _ => 0,
         }

@@ -1,42 +1,21 @@
 //! The target `concise`: the stream of SDO downloads that a CANopen manager stores for the node (1F22h, CiA
 //! 302-3).
 
-use super::{Backend, Choice, GenerateError, Generated, Note, Options, OutputFile, Sizes};
+use super::{GenerateError, Generated, Note, Options, OutputFile};
 use crate::model::{Device, Place};
 use objdict_node::download::{ConciseDcf, Download, Plan, PlanError, PlanOptions, Step};
 
-/// A concise DCF of the values that differ from the defaults.
-pub(super) struct Concise;
-
-impl Backend for Concise {
-    fn name(&self) -> &'static str {
-        "concise"
-    }
-
-    fn summary(&self) -> &'static str {
-        "one concise DCF (.cdcf): the SDO downloads that bring a node from its defaults to its configuration"
-    }
-
-    fn uses(&self) -> &'static [Choice] {
-        &[]
-    }
-
-    fn generate(&self, device: &Device, options: &Options) -> Result<Generated, GenerateError> {
-        let node_id = options.node_id_of(device)?;
-        let plan = ConciseDcf::plan(device, &PlanOptions { node_id, ..PlanOptions::default() })
-            .map_err(inexpressible)?;
-        let notes = notes(&plan);
-        let configuration = ConciseDcf(plan.steps.into_iter().filter_map(known).collect());
-        let contents = configuration.write().map_err(|error| {
-            GenerateError::Inexpressible(vec![Note::new(Place::device(), error.to_string())])
-        })?;
-        let path = format!("{}.cdcf", options.file_stem);
-        Ok(Generated { files: vec![OutputFile { path, contents }], notes })
-    }
-
-    fn size(&self, _: &Device, _: &Options) -> Result<Sizes, GenerateError> {
-        Ok(Sizes::Unknown("a concise DCF is not part of the firmware, but data for a manager"))
-    }
+pub(super) fn make(device: &Device, options: &Options) -> Result<Generated, GenerateError> {
+    let node_id = options.node_id_of(device)?;
+    let plan = ConciseDcf::plan(device, &PlanOptions { node_id, ..PlanOptions::default() })
+        .map_err(inexpressible)?;
+    let notes = notes(&plan);
+    let configuration = ConciseDcf(plan.steps.into_iter().filter_map(known).collect());
+    let contents = configuration
+        .write()
+        .map_err(|error| GenerateError::Inexpressible(vec![Note::new(Place::device(), error.to_string())]))?;
+    let path = format!("{}.cdcf", options.file_stem);
+    Ok(Generated { files: vec![OutputFile { path, contents }], notes })
 }
 
 /// A download whose bytes are known without reading a file.

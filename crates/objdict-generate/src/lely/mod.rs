@@ -10,46 +10,24 @@ mod view;
 use super::c_code::file_name;
 use super::dictionary::Dictionary;
 use super::notes::{in_order, once_per_device};
-use super::{Backend, Choice, GenerateError, Generated, Options, Sizes, render};
+use super::{GenerateError, Generated, Options, render};
 use crate::model::{Device, DeviceKind};
 
-/// The static device of Lely core.
-pub(super) struct Lely;
-
-impl Backend for Lely {
-    fn name(&self) -> &'static str {
-        "lely"
-    }
-
-    fn summary(&self) -> &'static str {
-        "the static device (`co_sdev`) of Lely core 2.4"
-    }
-
-    fn uses(&self) -> &'static [Choice] {
-        &[Choice::Prefix, Choice::EntryNames]
-    }
-
-    fn generate(&self, device: &Device, options: &Options) -> Result<Generated, GenerateError> {
-        let prefix = options.prefix_or("od")?;
-        let stem = file_name(options, "sdev");
-        // the library allocates the memory of texts and DOMAINs, so their capacity has no limit
-        let unlimited = Options { domain_capacity: u16::MAX, ..options.clone() };
-        let mut dictionary = Dictionary::new(device, &unlimited)?;
-        // an EDS may have configured values as well
-        let configured = Device { kind: DeviceKind::Node, ..device.clone() };
-        let defaults = configured.unconfigured();
-        let defaults = Dictionary::new(&defaults, &unlimited)?;
-        let mut notes = std::mem::take(&mut dictionary.notes);
-        let objects = view::objects(&dictionary, &defaults, options.entry_names, &mut notes);
-        let head = view::Head::new(&dictionary, options, &prefix, &stem);
-        let files = vec![
-            render(format!("{stem}.c"), &view::Source::new(&head, &objects))?,
-            render(format!("{stem}.h"), &view::Header::new(&head))?,
-        ];
-        Ok(Generated { files, notes: once_per_device(in_order(notes)) })
-    }
-
-    fn size(&self, _: &Device, _: &Options) -> Result<Sizes, GenerateError> {
-        Ok(Sizes::Unknown("the library copies the table, and its configuration decides what a row contains"))
-    }
+pub(super) fn make(device: &Device, options: &Options) -> Result<Generated, GenerateError> {
+    let prefix = options.prefix_or("od")?;
+    let stem = file_name(options, "sdev");
+    // the library allocates the memory of texts and DOMAINs, so their capacity has no limit
+    let unlimited = Options { domain_capacity: u16::MAX, ..options.clone() };
+    let mut dictionary = Dictionary::new(device, &unlimited)?;
+    // an EDS may have configured values as well
+    let configured = Device { kind: DeviceKind::Node, ..device.clone() };
+    let defaults = configured.unconfigured();
+    let defaults = Dictionary::new(&defaults, &unlimited)?;
+    let mut notes = std::mem::take(&mut dictionary.notes);
+    let tables = view::Tables::new(&dictionary, &defaults, options, (&prefix, &stem), &mut notes);
+    let files = vec![
+        render(format!("{stem}.c"), &view::Source(&tables))?,
+        render(format!("{stem}.h"), &view::Header(&tables))?,
+    ];
+    Ok(Generated { files, notes: once_per_device(in_order(notes)) })
 }

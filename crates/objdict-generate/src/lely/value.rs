@@ -2,7 +2,7 @@
 
 use crate::c_code::{listed, literal, number};
 use crate::model::{DataType, TypeKind};
-use crate::resolve::{Datum, Resolved, Shape};
+use crate::resolve::{Datum, Resolved, Shape, is_time};
 
 /// The indentation of further lines of a value.
 const INDENT: &str = "        ";
@@ -55,7 +55,7 @@ fn member(data_type: DataType) -> String {
 
 /// Whether values of the type have limits.
 pub(super) fn has_limits(data_type: DataType) -> bool {
-    data_type.is_numeric() || matches!(data_type.kind(), TypeKind::TimeOfDay | TypeKind::TimeDifference)
+    data_type.is_numeric() || is_time(data_type)
 }
 
 /// A limit of an entry: that of its type (`MIN` or `MAX`) if the description has none.
@@ -81,7 +81,7 @@ fn value(datum: &Datum, data_type: DataType, node_id: u8) -> String {
         Datum::Bytes(bytes) => return texts(bytes, data_type),
     };
     let member = member(data_type);
-    if matches!(data_type.kind(), TypeKind::TimeOfDay | TypeKind::TimeDifference) {
+    if is_time(data_type) {
         let (milliseconds, days) = (word & 0x0FFF_FFFF, word >> 32);
         return format!(".{member} = {{.ms = {milliseconds}u, .days = {days}u}}");
     }

@@ -1,30 +1,33 @@
 //! Views of the Lely core templates.
 
-use askama::Template;
-
 use super::value::{UNCONFIGURED, data_type, has_limits, initial, limit, type_name};
 use crate::c_code::literal;
 use crate::dictionary::{Dictionary, ResolvedEntry, ResolvedObject};
 use crate::escape::{c_text, filters, shown};
-use crate::model::{Access, DataType, Entry, ObjectType, Place, TypeKind};
+use crate::head::{Head, files};
+use crate::model::{Access, DataType, Entry, Place, TypeKind};
 use crate::resolve::{Datum, Shape};
 use crate::{Note, Options};
 
-/// Data common to both files.
-pub(super) struct Head {
-    lower: String,
-    upper: String,
-    stem: String,
-    made_by: String,
-    product: String,
-    vendor: String,
-    /// The members of `struct co_sdev` before its objects, with their values.
-    members: Vec<(&'static str, String)>,
+/// What the files have.
+pub(super) struct Tables<'a> {
+    head: Head,
+    dictionary: &'a Dictionary<'a>,
+    options: &'a Options,
+    objects: Vec<SdevObject>,
+}
+
+files! {
+    #[derive(askama::Template)]
+    pub(super) Tables:
+    Source "lely/sdev.c"
+    Header "lely/sdev.h"
 }
 
 /// An object: a `struct co_sobj`.
 pub(super) struct SdevObject {
     index: u16,
+    /// The object type.
     code: &'static str,
     name: String,
     rows: Vec<SdevRow>,
@@ -45,45 +48,30 @@ struct SdevRow {
     flags: String,
 }
 
-/// The static device.
-#[derive(Template)]
-#[template(path = "lely/sdev.c", escape = "none")]
-pub(super) struct Source<'a> {
-    head: &'a Head,
-    objects: &'a [SdevObject],
-}
-
-/// Its declaration.
-#[derive(Template)]
-#[template(path = "lely/sdev.h", escape = "none")]
-pub(super) struct Header<'a> {
-    head: &'a Head,
-}
-
-impl<'a> Source<'a> {
-    pub(super) fn new(head: &'a Head, objects: &'a [SdevObject]) -> Self {
-        Self { head, objects }
+impl<'a> Tables<'a> {
+    pub(super) fn new(
+        dictionary: &'a Dictionary<'a>,
+        defaults: &Dictionary<'_>,
+        options: &'a Options,
+        (prefix, stem): (&str, &str),
+        notes: &mut Vec<Note>,
+    ) -> Self {
+        let objects = objects(dictionary, defaults, options.entry_names, notes);
+        Self { head: Head::new(dictionary.device, options, prefix, stem), dictionary, options, objects }
     }
 
     /// The number of entries of all objects.
     fn entries(&self) -> usize {
         self.objects.iter().map(|object| object.rows.len()).sum()
     }
-}
 
-impl<'a> Header<'a> {
-    pub(super) fn new(head: &'a Head) -> Self {
-        Self { head }
-    }
-}
-
-impl Head {
-    pub(super) fn new(dictionary: &Dictionary<'_>, options: &Options, prefix: &str, stem: &str) -> Self {
-        let device = dictionary.device;
+    /// The members of `struct co_sdev` before its objects, with their values.
+    fn members(&self) -> Vec<(&'static str, String)> {
+        let device = self.dictionary.device;
         let info = device.device_info.clone().unwrap_or_default();
         let node = device.commissioning.as_ref();
         let named = |name: Option<&String>| match name {
-            Some(name) if options.entry_names => text(name),
+            Some(name) if self.options.entry_names => text(name),
             _ => "NULL".to_owned(),
         };
         let number = |number: Option<u32>| format!("0x{:08X}u", number.unwrap_or(0));
@@ -96,8 +84,8 @@ impl Head {
         rates.reverse(); // the highest first
         rates.extend((info.baud_rates.auto == Some(true)).then(|| "CO_BAUD_AUTO".to_owned()));
         let rate = node.and_then(|node| node.baud_rate).unwrap_or(0);
-        let members = vec![
-            ("id", format!("0x{:02X}u", dictionary.node_id.unwrap_or(UNCONFIGURED))),
+        vec![
+            ("id", format!("0x{:02X}u", self.dictionary.node_id.unwrap_or(UNCONFIGURED))),
             ("name", named(node.and_then(|node| node.node_name.as_ref()))),
             ("vendor_name", named(info.vendor_name.as_ref())),
             ("vendor_id", number(info.vendor_number)),
@@ -109,16 +97,7 @@ impl Head {
             ("rate", format!("{rate}u")),
             ("lss", u8::from(info.lss_supported == Some(true)).to_string()),
             ("dummy", format!("0x{dummies:08X}u")),
-        ];
-        Self {
-            lower: prefix.to_owned(),
-            upper: prefix.to_ascii_uppercase(),
-            stem: stem.to_owned(),
-            made_by: options.made_by(),
-            product: info.product_name.unwrap_or_default(),
-            vendor: info.vendor_name.unwrap_or_default(),
-            members,
-        }
+        ]
     }
 }
 
@@ -147,25 +126,12 @@ pub(super) fn objects(
         }
         SdevObject {
             index: object.index,
-            code: code(object.object.object_type()),
+            code: object.object.object_type().name(),
             name: if names { text(name_of(&object.object.main)) } else { "NULL".to_owned() },
             rows: rows(object, default, notes),
         }
     });
     objects.collect()
-}
-
-/// The object type in the library.
-fn code(object_type: ObjectType) -> &'static str {
-    match object_type {
-        ObjectType::Null => "CO_OBJECT_NULL",
-        ObjectType::Domain => "CO_OBJECT_DOMAIN",
-        ObjectType::DefType => "CO_OBJECT_DEFTYPE",
-        ObjectType::DefStruct => "CO_OBJECT_DEFSTRUCT",
-        ObjectType::Array => "CO_OBJECT_ARRAY",
-        ObjectType::Record => "CO_OBJECT_RECORD",
-        ObjectType::Var => "CO_OBJECT_VAR",
-    }
 }
 
 /// The denotation, else the name.
@@ -210,7 +176,11 @@ fn row(
         limits: has_limits(data_type).then(|| limits(&resolved.low, &resolved.high)),
         default: initial(&default.resolved, node_id),
         value: file.map_or(value, |(_, name)| super::value::file(name)),
-        access: file.map_or_else(|| access(entry), |(flag, _)| access_of_file(flag)),
+        access: match file {
+            Some((UPLOAD, _)) => "ro", // the library demands the access type that fits the direction
+            Some(_) => "wo",
+            None => access(entry),
+        },
         mapping: u8::from(resolved.tpdo || resolved.rpdo),
         flags: flags(entry, &default.resolved.default, file.map(|(flag, _)| flag)),
     }
@@ -230,37 +200,26 @@ fn file_of(entry: &Entry, data_type: DataType) -> Option<(&'static str, &str)> {
     upload.or(configured.download_file.as_deref().map(|name| (DOWNLOAD, name)))
 }
 
-/// The library demands the access type that fits the direction.
-fn access_of_file(flag: &str) -> &'static str {
-    if flag == UPLOAD { "RO" } else { "WO" }
-}
-
 /// The access type, which states for a `rw` entry which PDOs map it.
 fn access(entry: &ResolvedEntry<'_>) -> &'static str {
     let resolved = &entry.resolved;
     match (resolved.access, resolved.tpdo, resolved.rpdo) {
-        (Access::Rw, true, false) => "RWR",
-        (Access::Rw, false, true) => "RWW",
-        (Access::Ro, ..) => "RO",
-        (Access::Wo, ..) => "WO",
-        (Access::Rw, ..) => "RW",
-        (Access::Rwr, ..) => "RWR",
-        (Access::Rww, ..) => "RWW",
-        (Access::Const, ..) => "CONST",
+        (Access::Rw, true, false) => Access::Rwr.name(),
+        (Access::Rw, false, true) => Access::Rww.name(),
+        (access, ..) => access.name(),
     }
 }
 
 /// The flags of a row: `ObjFlags`, files, and where the node-ID is part of a number.
 fn flags(entry: &ResolvedEntry<'_>, default: &Datum, file: Option<&'static str>) -> String {
     let resolved = &entry.resolved;
-    let formula = |datum: Option<&Datum>| matches!(datum, Some(Datum::Formula(_)));
-    let of_file = |set: Option<bool>| set.unwrap_or_default();
+    let formula = |datum: Option<&Datum>| datum.is_some_and(Datum::is_formula);
     let flags = entry.entry.flags();
     let named = [
         ("READ", flags.0 & 1 != 0), // the library names the bits by what they refuse on an upload and a download
         ("WRITE", flags.0 & 2 != 0),
-        (UPLOAD, of_file(file.map(|flag| flag == UPLOAD))),
-        (DOWNLOAD, of_file(file.map(|flag| flag == DOWNLOAD))),
+        (UPLOAD, file == Some(UPLOAD)),
+        (DOWNLOAD, file == Some(DOWNLOAD)),
         ("MIN_NODEID", formula(resolved.low.as_ref())),
         ("MAX_NODEID", formula(resolved.high.as_ref())),
         ("DEF_NODEID", formula(Some(default))),

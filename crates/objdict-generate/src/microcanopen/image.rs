@@ -4,7 +4,7 @@ use crate::Note;
 use crate::dictionary::{Dictionary, ResolvedEntry};
 use crate::model::{Part, Place};
 use crate::names::Scope;
-use crate::resolve::{Datum, Shape};
+use crate::resolve::Shape;
 use crate::variables::claim;
 
 /// The longest value in one SDO frame.
@@ -15,25 +15,21 @@ const REACH: usize = 256;
 
 /// The image and its entries.
 #[derive(Debug)]
-pub(super) struct Image {
+pub(super) struct Image<'a> {
     /// By index and sub-index.
-    pub(super) entries: Vec<ImageEntry>,
+    pub(super) entries: Vec<ImageEntry<'a>>,
     /// Size in bytes.
     pub(super) size: usize,
 }
 
 /// An entry in the image.
 #[derive(Debug)]
-pub(super) struct ImageEntry {
+pub(super) struct ImageEntry<'a> {
     pub(super) index: u16,
-    pub(super) sub: u8,
+    pub(super) entry: &'a ResolvedEntry<'a>,
     /// The suffix of the offset macro.
     pub(super) name: String,
-    pub(super) described: String,
     pub(super) size: usize,
-    pub(super) read: bool,
-    pub(super) write: bool,
-    pub(super) default: Datum,
     /// `None` until it is placed.
     pub(super) offset: Option<usize>,
 }
@@ -51,9 +47,9 @@ fn belongs(index: u16, entry: &ResolvedEntry<'_>) -> bool {
     index >= 0x2000 && !resolved.constant && fixed && (1..=LONGEST).contains(&length)
 }
 
-impl Image {
+impl<'a> Image<'a> {
     /// Collects the entries of the image without placing them.
-    pub(super) fn new(dictionary: &Dictionary<'_>, prefix: &str, notes: &mut Vec<Note>) -> Self {
+    pub(super) fn new(dictionary: &'a Dictionary<'a>, prefix: &str, notes: &mut Vec<Note>) -> Self {
         let (mut entries, mut wanted) = (Vec::new(), Vec::new());
         for object in &dictionary.objects {
             for (number, entry) in object.entries.iter().enumerate() {
@@ -62,10 +58,10 @@ impl Image {
                 if !belongs(object.index, entry) {
                     continue;
                 }
-                if resolved.low.is_some() || resolved.high.is_some() {
+                if resolved.limit().is_some() {
                     notes.push(Note::new(place.clone(), "the stack does not enforce limits"));
                 }
-                if matches!(resolved.default, Datum::Formula(_)) {
+                if resolved.default.is_formula() {
                     let text = "the node-ID is added once, when the image is initialised, as `OD_NODE_ID`";
                     let text = text.replace("OD", &prefix.to_ascii_uppercase());
                     notes.push(Note::new(place, text));
@@ -73,13 +69,9 @@ impl Image {
                 wanted.push((object, Some(number)));
                 entries.push(ImageEntry {
                     index: object.index,
-                    sub: entry.sub,
+                    entry,
                     name: String::new(),
-                    described: entry.entry.name.to_string(),
                     size: resolved.shape.size(),
-                    read: resolved.access.is_readable(),
-                    write: resolved.access.is_writable(),
-                    default: resolved.default.clone(),
                     offset: None,
                 });
             }
@@ -92,7 +84,7 @@ impl Image {
 
     /// The position of an entry; `None` if it is not in the image.
     pub(super) fn find(&self, index: u16, sub: u8) -> Option<usize> {
-        self.entries.binary_search_by_key(&(index, sub), |entry| (entry.index, entry.sub)).ok()
+        self.entries.binary_search_by_key(&(index, sub), |entry| (entry.index, entry.entry.sub)).ok()
     }
 
     /// Places all remaining entries in sequence.

@@ -12,71 +12,39 @@ mod view;
 
 use super::c_code::file_stem;
 use super::dictionary::Dictionary;
+use super::head::Head;
 use super::memory::{Memory, Tally};
 use super::notes::{in_order, once_per_device};
-use super::{Backend, Choice, GenerateError, Generated, Note, Options, SizeReport, Sizes, render};
+use super::{GenerateError, Made, Note, Options, Sizes, render};
 use crate::model::{Device, Part};
-use image::Image;
-use pdos::Call;
-use replies::Reply;
-
-/// Tables for MicroCANopen.
-pub(super) struct MicroCanopen;
+use view::Tables;
 
 /// Maximum number of rows in the stack.
 const MOST_ROWS: usize = 255;
 
-impl Backend for MicroCanopen {
-    fn name(&self) -> &'static str {
-        "microcanopen"
-    }
-
-    fn summary(&self) -> &'static str {
-        "the tables of MicroCANopen: SDO replies, process image, calls that initialise PDOs"
-    }
-
-    fn uses(&self) -> &'static [Choice] {
-        &[Choice::Names, Choice::Renamed, Choice::Prefix, Choice::StringCapacity]
-    }
-
-    fn generate(&self, device: &Device, options: &Options) -> Result<Generated, GenerateError> {
-        let mut dictionary = Dictionary::new(device, options)?;
-        let prefix = options.prefix_or("od")?;
-        let mut notes = std::mem::take(&mut dictionary.notes);
-        let (image, calls) = image(&dictionary, &prefix, &mut notes);
-        let replies = replies::replies(&dictionary, &prefix, &mut notes);
-        for (rows, what) in [(replies.len(), "SDO replies"), (image.entries.len(), "process data entries")] {
-            if rows > MOST_ROWS {
-                let text = format!("{rows} {what}, but the stack searches at most {MOST_ROWS} rows");
-                notes.push(Note::new(Part::Device, text));
-            }
-        }
-        image.check(&mut notes);
-        let stem = file_stem(options);
-        let head = view::Head::new(&dictionary, &image, options, (&prefix, &stem));
-        let files = vec![
-            render(format!("{stem}_mco.c"), &view::Source::new(&head, &image, &replies, &calls))?,
-            render(format!("{stem}_pimg.h"), &view::Header::new(&head, &image))?,
-        ];
-        Ok(Generated { files, notes: once_per_device(in_order(notes)) })
-    }
-
-    fn size(&self, device: &Device, options: &Options) -> Result<Sizes, GenerateError> {
-        let dictionary = Dictionary::new(device, options)?;
-        let prefix = options.prefix_or("od")?;
-        let mut notes = Vec::new();
-        let (image, _) = image(&dictionary, &prefix, &mut notes);
-        let replies = replies::replies(&dictionary, &prefix, &mut notes);
-        Ok(Sizes::Known(size(&dictionary, &image, &replies)))
-    }
-}
-
-/// The process image, and the calls that initialise its PDOs.
-fn image(dictionary: &Dictionary<'_>, prefix: &str, notes: &mut Vec<Note>) -> (Image, Vec<Call>) {
-    let mut image = Image::new(dictionary, prefix, notes);
-    let calls = pdos::calls(dictionary, &mut image, notes);
+pub(super) fn make(device: &Device, options: &Options) -> Result<Made, GenerateError> {
+    let mut dictionary = Dictionary::new(device, options)?;
+    let prefix = options.prefix_or("od")?;
+    let mut notes = std::mem::take(&mut dictionary.notes);
+    let mut image = image::Image::new(&dictionary, &prefix, &mut notes);
+    let calls = pdos::calls(&dictionary, &mut image, &mut notes);
     image.place_the_rest();
-    (image, calls)
+    let replies = replies::replies(&dictionary, &prefix, &mut notes);
+    for (rows, what) in [(replies.len(), "SDO replies"), (image.entries.len(), "process data entries")] {
+        if rows > MOST_ROWS {
+            let text = format!("{rows} {what}, but the stack searches at most {MOST_ROWS} rows");
+            notes.push(Note::new(Part::Device, text));
+        }
+    }
+    image.check(&mut notes);
+    let stem = file_stem(options);
+    let head = Head::new(device, options, &prefix, &stem);
+    let tables = Tables { head, dictionary: &dictionary, image, calls, replies };
+    let files = vec![
+        render(format!("{stem}_mco.c"), &view::Source(&tables))?,
+        render(format!("{stem}_pimg.h"), &view::Header(&tables))?,
+    ];
+    Ok(Made { files, notes: once_per_device(in_order(notes)), size: size(&tables) })
 }
 
 /// What the sizes include.
@@ -89,7 +57,7 @@ const REPLY: usize = 8;
 /// Size of a process image row with 16-bit offsets, in bytes.
 const ROW: usize = 6;
 
-fn size(dictionary: &Dictionary<'_>, image: &Image, replies: &[Reply]) -> SizeReport {
+fn size(Tables { dictionary, image, replies, .. }: &Tables<'_>) -> Sizes {
     let mut tally = Tally::of_dictionary(dictionary);
     for reply in replies {
         tally.of(reply.index, Memory::Flash, REPLY);

@@ -23,7 +23,7 @@ pub(super) struct Call {
 }
 
 /// The calls for all PDOs that the stack supports; places the mapped objects.
-pub(super) fn calls(dictionary: &Dictionary<'_>, image: &mut Image, notes: &mut Vec<Note>) -> Vec<Call> {
+pub(super) fn calls(dictionary: &Dictionary<'_>, image: &mut Image<'_>, notes: &mut Vec<Note>) -> Vec<Call> {
     let mut calls = Vec::new();
     for kind in [PdoKind::Tpdo, PdoKind::Rpdo] {
         for pdo in dictionary.device.pdos().filter(|pdo| pdo.kind == kind) {
@@ -39,7 +39,11 @@ pub(super) fn calls(dictionary: &Dictionary<'_>, image: &mut Image, notes: &mut 
 }
 
 /// The call for a PDO; `Ok(None)` for an unused one.
-fn call(pdo: &Pdo<'_>, image: &mut Image, notes: &mut Vec<Note>) -> Result<Option<Call>, (Place, String)> {
+fn call(
+    pdo: &Pdo<'_>,
+    image: &mut Image<'_>,
+    notes: &mut Vec<Note>,
+) -> Result<Option<Call>, (Place, String)> {
     let index = pdo.communication_index();
     let Some(id) = pdo.cob_id else {
         return Err((Place::entry(index, 1), "the COB-ID is missing".to_owned()));
@@ -77,7 +81,7 @@ fn call(pdo: &Pdo<'_>, image: &mut Image, notes: &mut Vec<Note>) -> Result<Optio
 }
 
 /// Places the mapped objects of a PDO in sequence; returns their offset and length.
-fn place(pdo: &Pdo<'_>, image: &mut Image) -> Result<(usize, usize), (Place, String)> {
+fn place(pdo: &Pdo<'_>, image: &mut Image<'_>) -> Result<(usize, usize), (Place, String)> {
     let index = pdo.mapping_index();
     let at = |sub: u8| Place::entry(index, sub);
     let mapped: Vec<(u8, MappedObject)> = pdo
@@ -135,7 +139,7 @@ fn place(pdo: &Pdo<'_>, image: &mut Image) -> Result<(usize, usize), (Place, Str
 fn place_new(
     parts: &[(u8, Option<usize>, usize)],
     length: usize,
-    image: &mut Image,
+    image: &mut Image<'_>,
     at: &dyn Fn(u8) -> Place,
 ) -> Result<(usize, usize), (Place, String)> {
     for (number, &(sub, entry, _)) in parts.iter().enumerate() {

@@ -17,11 +17,9 @@ pub(super) struct Reply {
 /// The rows by index and sub-index.
 pub(super) fn replies(dictionary: &Dictionary<'_>, prefix: &str, notes: &mut Vec<Note>) -> Vec<Reply> {
     let mut replies = Vec::new();
-    for object in &dictionary.objects {
-        for entry in &object.entries {
-            if let Some(row) = reply(object.index, entry, prefix, notes) {
-                replies.push(Reply { index: object.index, row, described: entry.entry.name.to_string() });
-            }
+    for (object, entry) in dictionary.entries() {
+        if let Some(row) = reply(object.index, entry, prefix, notes) {
+            replies.push(Reply { index: object.index, row, described: entry.entry.name.to_string() });
         }
     }
     replies

@@ -1,8 +1,7 @@
 //! The mapping of PDOs.
 
-use super::Objects;
+use super::Tables;
 use crate::Note;
-use crate::dictionary::Dictionary;
 use crate::model::{Pdo, PdoKind, Place};
 
 /// Number of mapping entries per PDO.
@@ -25,21 +24,21 @@ impl PdoRow {
 }
 
 /// All PDOs with a mapping, by number per direction; numbers without one are empty.
-pub(super) fn pdos(dictionary: &Dictionary<'_>, objects: &Objects, notes: &mut Vec<Note>) -> Vec<PdoRow> {
+pub(super) fn pdos(tables: &Tables<'_>, notes: &mut Vec<Note>) -> Vec<PdoRow> {
     let mut rows = Vec::new();
     for kind in PdoKind::ALL {
-        let of_kind: Vec<Pdo<'_>> = dictionary.device.pdos().filter(|pdo| pdo.kind == kind).collect();
+        let of_kind: Vec<Pdo<'_>> = tables.dictionary.device.pdos().filter(|pdo| pdo.kind == kind).collect();
         let last = of_kind.iter().map(|pdo| pdo.number).max().unwrap_or(0);
         for number in 1..=last {
             let pdo = of_kind.iter().find(|pdo| pdo.number == number);
-            let entries = pdo.map(|pdo| entries(pdo, objects, notes)).unwrap_or_default();
+            let entries = pdo.map(|pdo| entries(pdo, tables, notes)).unwrap_or_default();
             rows.push(PdoRow { kind, number, entries });
         }
     }
     rows
 }
 
-fn entries(pdo: &Pdo<'_>, objects: &Objects, notes: &mut Vec<Note>) -> Vec<String> {
+fn entries(pdo: &Pdo<'_>, tables: &Tables<'_>, notes: &mut Vec<Note>) -> Vec<String> {
     let index = pdo.mapping_index();
     let mut entries = Vec::new();
     for slot in pdo.used_slots() {
@@ -50,8 +49,8 @@ fn entries(pdo: &Pdo<'_>, objects: &Objects, notes: &mut Vec<Note>) -> Vec<Strin
             break;
         }
         let (object, sub, bits) = (mapped.index, mapped.sub, mapped.bits);
-        let address = match objects.address(object, sub) {
-            Some(row) => row.address.clone(),
+        let address = match tables.address(object, sub) {
+            Some(address) => address.to_owned(),
             None if mapped.is_dummy() => "NULL".to_owned(),
             None => {
                 let text = format!("`{mapped}` is not in the dictionary; its address is NULL");

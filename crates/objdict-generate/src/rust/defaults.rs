@@ -1,41 +1,28 @@
 //! View of templates/rust/_defaults.rs: constants of identity and services.
 
-use askama::Template;
-
 use super::literal::{grouped, hex};
 use crate::defaults::{Constant, ConstantValue};
 use crate::model::CobId;
 
-/// The module `defaults`.
-#[derive(Template)]
-#[template(path = "rust/_defaults.rs", escape = "none")]
-pub(super) struct Defaults {
-    items: Vec<ItemView>,
-}
-
 /// A constant or a function.
-struct ItemView {
+pub(super) struct ItemView {
     /// Its meaning and its source.
-    meaning: String,
+    pub(super) meaning: String,
     /// For a function, whether it uses its argument.
-    function: Option<bool>,
-    name: String,
-    type_: String,
+    pub(super) function: Option<bool>,
+    pub(super) name: String,
+    pub(super) type_: String,
     /// An expression.
-    value: String,
+    pub(super) value: String,
 }
 
-impl Defaults {
-    pub(super) fn new(constants: &[Constant]) -> Self {
-        Self { items: constants.iter().map(item_view).collect() }
-    }
-}
-
-fn item_view(constant: &Constant) -> ItemView {
+pub(super) fn item_view(constant: &Constant) -> ItemView {
     let Constant { name, source, meaning, value } = constant;
+    let of_cob_id =
+        |cob_id: CobId, mask| (Some(cob_id.depends_on_node_id()), "u32".to_owned(), of_node(cob_id, mask));
     let (function, type_, value) = match value {
-        ConstantValue::CobId(cob_id) => of_node(*cob_id, None),
-        ConstantValue::CanId(cob_id) => of_node(*cob_id, Some(cob_id.can_id_mask())),
+        ConstantValue::CobId(cob_id) => of_cob_id(*cob_id, None),
+        ConstantValue::CanId(cob_id) => of_cob_id(*cob_id, Some(cob_id.can_id_mask())),
         ConstantValue::Flag(flag) => (None, "bool".to_owned(), flag.to_string()),
         ConstantValue::Code(number) => (None, "u32".to_owned(), hex((*number).into())),
         ConstantValue::Number(number, bits) => (None, format!("u{bits}"), grouped(&number.to_string(), 3)),
@@ -50,13 +37,12 @@ fn item_view(constant: &Constant) -> ItemView {
     ItemView { meaning: format!("{meaning} ({source})"), function, name, type_, value }
 }
 
-/// A number, or some bits of it, as a function of the node-ID.
-fn of_node(cob_id: CobId, mask: Option<u32>) -> (Option<bool>, String, String) {
+/// A number, or some bits of it, as an expression of the node-ID.
+pub(super) fn of_node(cob_id: CobId, mask: Option<u32>) -> String {
     let number = cob_id.number();
-    let value = match (cob_id.depends_on_node_id(), mask) {
+    match (cob_id.depends_on_node_id(), mask) {
         (true, None) => format!("{} + node_id as u32", hex(number.into())),
         (true, Some(mask)) => format!("({} + node_id as u32) & {}", hex(number.into()), hex(mask.into())),
         (false, mask) => hex((number & mask.unwrap_or(u32::MAX)).into()),
-    };
-    (Some(cob_id.depends_on_node_id()), "u32".to_owned(), value)
+    }
 }

@@ -2,7 +2,7 @@
 
 use crate::escape::byte_string;
 use crate::model::{DataType, Time, TypeKind};
-use crate::resolve::{Datum, Shape};
+use crate::resolve::{Datum, Shape, digits};
 
 /// The type of a number; integers of 24 to 56 bits use the next larger type.
 pub(crate) fn word_type(data_type: DataType) -> &'static str {
@@ -48,22 +48,10 @@ fn word_value(data_type: DataType, word: u64) -> String {
             let sign = if number < 0 { "-" } else { "" };
             format!("{sign}{}", grouped(&number.unsigned_abs().to_string(), 3))
         }
-        TypeKind::Real32 => {
-            let number = f32::from_bits(word as u32); // a REAL32 is in the lower half
-            if number.is_finite() {
-                real(&format!("{number:?}"))
-            } else {
-                format!("f32::from_bits({})", unsigned(word))
-            }
-        }
-        TypeKind::Real64 => {
-            let number = f64::from_bits(word);
-            if number.is_finite() {
-                real(&format!("{number:?}"))
-            } else {
-                format!("f64::from_bits({})", unsigned(word))
-            }
-        }
+        TypeKind::Real32 | TypeKind::Real64 => match digits(word, data_type) {
+            Some(digits) => real(&digits),
+            None => format!("{}::from_bits({})", word_type(data_type), unsigned(word)),
+        },
         TypeKind::TimeOfDay | TypeKind::TimeDifference => {
             let [a, b, c, d, e, f, ..] = word.to_le_bytes();
             let Time { days, milliseconds } = Time::from_bytes([a, b, c, d, e, f]);

@@ -6,7 +6,7 @@ use askama::Template;
 
 use super::literal::{value_of, word_type};
 use crate::escape::filters;
-use crate::meanings::{EnumType, Named, WordPart, WordType};
+use crate::meanings::{self, EnumType, Named, WordPart, WordType};
 use crate::model::{DataType, TypeKind};
 use crate::resolve::{Datum, Shape};
 
@@ -23,8 +23,6 @@ pub(super) struct Meanings<'a> {
 struct EnumView<'a> {
     name: String,
     of: &'a EnumType,
-    /// The entries with these values.
-    entries: String,
     /// The type of a value.
     type_: &'static str,
     /// The representation of the enumeration.
@@ -51,7 +49,6 @@ struct AliasView<'a> {
 
 struct WordView<'a> {
     of: &'a WordType,
-    entries: String,
     parts: Vec<PartView<'a>>,
 }
 
@@ -119,7 +116,6 @@ fn enum_view<'a>(of: &'a EnumType, taken: &mut HashSet<String>) -> EnumView<'a> 
     EnumView {
         name: type_name(&of.name, taken),
         of,
-        entries: entries(&of.entries),
         type_: word_type(of.data_type),
         repr: word_type(kept_as),
         is_complete: has_whole_range(of.data_type) && count as i128 == high - low + 1,
@@ -151,23 +147,12 @@ fn type_name(words: &str, taken: &mut HashSet<String>) -> String {
     name
 }
 
-/// The entries, the first few by name.
 fn entries(all: &[(u16, u8)]) -> String {
-    const SHOWN: usize = 8;
-    let shown = all.iter().take(SHOWN).map(|(index, sub)| format!("`0x{index:04X}` sub-index `0x{sub:02X}`"));
-    let mut text = shown.collect::<Vec<_>>().join(", ");
-    if all.len() > SHOWN {
-        text.push_str(&format!(" and {} more", all.len() - SHOWN));
-    }
-    text
+    meanings::entries(all, |index, sub| format!("`0x{index:04X}` sub-index `0x{sub:02X}`"))
 }
 
 fn word_view(of: &WordType) -> WordView<'_> {
-    WordView {
-        of,
-        entries: entries(&of.entries),
-        parts: of.parts.iter().map(|part| part_view(of, part)).collect(),
-    }
+    WordView { of, parts: of.parts.iter().map(|part| part_view(of, part)).collect() }
 }
 
 fn part_view<'a>(of: &WordType, part: &'a WordPart) -> PartView<'a> {

@@ -15,77 +15,41 @@ pub(super) use literal::{value_of, word_type};
 use super::defaults::constants;
 use super::frames::{frames, freeze_mappings};
 use super::meanings::meanings;
+use super::memory::Layout;
 use super::notes::in_order;
-use super::size::Layout;
 use super::table::Table;
-use super::{Backend, Choice, GenerateError, Generated, Options, SizeReport, Sizes, render};
+use super::{GenerateError, Made, Options, render};
 use crate::model::Device;
 
 /// Bytes of `Data::new`, `read` and `write` with everything they call, for a device that needs all of it.
 const CODE: usize = 2_700;
 
 /// Tables for Rust, with or without the standard library.
-pub(super) struct Rust;
-
-impl Backend for Rust {
-    fn name(&self) -> &'static str {
-        "rust"
+pub(super) fn make(device: &Device, options: &Options) -> Result<Made, GenerateError> {
+    let module = options.module_or("od")?;
+    let mut table = Table::new(device, options)?;
+    let mut notes = std::mem::take(&mut table.notes);
+    if options.cell.is_some() && !(options.runtime && table.node_id.is_some()) {
+        return Err(GenerateError::NoCell);
     }
-
-    fn summary(&self) -> &'static str {
-        "one Rust file (no_std, no unsafe, no dependency): dictionary, values, SDO access by index and sub-index"
+    if !options.runtime {
+        notes.extend(freeze_mappings(&mut table, "`--runtime` or `--hook` allows it"));
     }
-
-    fn uses(&self) -> &'static [Choice] {
-        &[
-            Choice::Names,
-            Choice::Renamed,
-            Choice::Module,
-            Choice::Groups,
-            Choice::Hooks,
-            Choice::StringCapacity,
-            Choice::DomainCapacity,
-            Choice::EntryNames,
-            Choice::FeatureGates,
-            Choice::Derives,
-            Choice::Runtime,
-            Choice::Cell,
-        ]
-    }
-
-    fn generate(&self, device: &Device, options: &Options) -> Result<Generated, GenerateError> {
-        let module = options.module_or("od")?;
-        let mut table = Table::new(device, options)?;
-        let mut notes = std::mem::take(&mut table.notes);
-        if options.cell.is_some() && !(options.runtime && table.node_id.is_some()) {
-            return Err(GenerateError::NoCell);
-        }
-        if !options.runtime {
-            notes.extend(freeze_mappings(&mut table, "`--runtime` or `--hook` allows it"));
-        }
-        let frames = frames(device, &table, &mut notes);
-        let constants = constants(device, &table, &mut notes);
-        let named = meanings(device, &table, options, &mut notes);
-        let od = view::Od::new(device, &table, options, &frames, &constants, &named)?;
-        let file = render(format!("{module}.rs"), &od)?;
-        Ok(Generated { files: vec![file], notes: in_order(notes) })
-    }
-
-    fn size(&self, device: &Device, options: &Options) -> Result<Sizes, GenerateError> {
-        let table = Table::new(device, options)?;
-        let ram = places::Places::new(&table)?.total;
-        let counted = "the tables and values, on any processor; the code on a Cortex-M4, optimised for size";
-        let name = options.entry_names.then_some((8, 0)); // a slice on 32 bits
-        let layout = Layout {
-            row: 10,
-            object: 0,
-            shared: 0,
-            ram,
-            value: places::value_size,
-            code: CODE,
-            name,
-            counted,
-        };
-        Ok(Sizes::Known(SizeReport::of_table(&table, layout)))
-    }
+    let frames = frames(device, &table, &mut notes);
+    let constants = constants(device, &table, &mut notes);
+    let named = meanings(device, &table, options, &mut notes);
+    let od = view::Od::new(device, &table, options, &frames, &constants, &named)?;
+    let file = render(format!("{module}.rs"), &od)?;
+    let layout = Layout {
+        row: 10,
+        object: 0,
+        shared: 0,
+        ram: od.places.total,
+        value: places::value_size,
+        code: CODE,
+        name: options.entry_names.then_some((8, 0)), // a slice on 32 bits
+        counted: "the tables and values, on any processor; the code on a Cortex-M4, optimised for size",
+    };
+    let size = layout.size(&table);
+    Ok(Made { files: vec![file], notes: in_order(notes), size })
 }

@@ -35,20 +35,23 @@ struct AreaView<'a> {
 /// An object: one value, or a module of entries.
 struct ObjectView<'a> {
     object: &'a TableObject,
-    single: Option<HandleView>,
     array: Option<ArrayView>,
-    entries: Vec<HandleView>,
+    handles: Vec<HandleView<'a>>,
 }
 
 /// An entry as a constant.
-struct HandleView {
+struct HandleView<'a> {
     name: String,
     /// The documentation.
     doc: String,
-    /// The type of a value, and the access.
-    type_: String,
-    access: &'static str,
-    sub: u8,
+    row: &'a Row,
+}
+
+impl HandleView<'_> {
+    /// The type of a value.
+    fn type_of(&self) -> String {
+        type_of(self.row.resolved.shape)
+    }
 }
 
 /// Elements with a common type.
@@ -78,40 +81,28 @@ impl<'a> Objects<'a> {
 }
 
 fn object_view<'a>(
-    table: &Table,
+    table: &'a Table,
     object: &'a TableObject,
     unit: impl Fn(&Row) -> Option<String>,
 ) -> ObjectView<'a> {
     let rows = &table.rows[object.rows.clone()];
-    let upper = object.module.to_ascii_uppercase();
-    let handle = |row: &Row, name: String| HandleView {
-        name,
-        doc: doc(row, unit(row)),
-        type_: type_of(row.resolved.shape),
-        access: access(row),
-        sub: row.sub,
-    };
     let is_array = |field: &&TableField| field.array && object.rows.contains(&field.rows.start);
     let array = table.fields.iter().find(is_array).map(|field| {
         let elements = &table.rows[field.rows.clone()];
         let kinds: Vec<&str> = elements.iter().map(access).collect();
         let is_mixed = kinds.iter().any(|kind| *kind != kinds[0]);
         ArrayView {
-            name: upper.clone(),
+            name: object.module.to_ascii_uppercase(),
             type_: type_of(field.shape),
             access: if is_mixed { "Ro" } else { kinds[0] },
             length: elements.len(),
         }
     });
-    match rows {
-        [row] if object.single => {
-            ObjectView { object, single: Some(handle(row, upper)), array: None, entries: Vec::new() }
-        }
-        rows => {
-            let entries = rows.iter().map(|row| handle(row, row.constant.to_ascii_uppercase()));
-            ObjectView { object, single: None, array, entries: entries.collect() }
-        }
-    }
+    let handles = rows.iter().map(|row| {
+        let name = if object.single { &object.module } else { &row.constant };
+        HandleView { name: name.to_ascii_uppercase(), doc: doc(row, unit(row)), row }
+    });
+    ObjectView { object, array, handles: handles.collect() }
 }
 
 /// The path of an entry's constant.
@@ -168,12 +159,7 @@ fn doc(row: &Row, unit: Option<String>) -> String {
     if let Some(unit) = unit {
         doc.push_str(&format!(", in {}", code_span(&unit)));
     }
-    match (resolved.tpdo, resolved.rpdo) {
-        (true, true) => doc.push_str(", in any PDO"),
-        (true, false) => doc.push_str(", in TPDOs"),
-        (false, true) => doc.push_str(", in RPDOs"),
-        (false, false) => {}
-    }
+    doc.push_str(resolved.pdo_word(["", ", in TPDOs", ", in RPDOs", ", in any PDO"]));
     doc
 }
 

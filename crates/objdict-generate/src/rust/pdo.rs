@@ -1,6 +1,7 @@
 //! View of templates/rust/_pdo.rs: structs of PDO frames.
 
-use super::literal::{hex, word_type};
+use super::defaults::of_node;
+use super::literal::word_type;
 use super::objects::path;
 use crate::frames::{Carried, Frame, FrameField};
 use crate::resolve::Shape;
@@ -9,11 +10,8 @@ use crate::table::{Row, Table};
 /// A frame.
 pub(super) struct FrameView<'a> {
     pub(super) frame: &'a Frame,
-    /// `Tpdo1`.
-    pub(super) type_name: String,
     /// The COB-ID as an expression of `node_id`.
     pub(super) cob_id: Option<String>,
-    pub(super) depends_on_node_id: bool,
     /// Whether a field is stored there.
     pub(super) writes_data: bool,
     pub(super) fields: Vec<FieldView<'a>>,
@@ -33,19 +31,9 @@ pub(super) struct FieldView<'a> {
 impl<'a> FrameView<'a> {
     pub(super) fn new(table: &'a Table, frame: &'a Frame) -> Self {
         let fields: Vec<FieldView<'a>> = frame.fields.iter().map(|field| field_view(table, field)).collect();
-        let cob_id = frame.cob_id_number();
         Self {
             frame,
-            type_name: frame.name.replacen(
-                |c: char| c.is_ascii_lowercase(),
-                &frame.name[..1].to_uppercase(),
-                1,
-            ),
-            cob_id: cob_id.map(|(number, per_node)| match per_node {
-                true => format!("{} + node_id as u32", hex(number.into())),
-                false => hex(number.into()),
-            }),
-            depends_on_node_id: cob_id.is_some_and(|(_, per_node)| per_node),
+            cob_id: frame.cob_id.map(|cob_id| of_node(cob_id, None)),
             writes_data: fields.iter().any(|field| field.store.is_some()),
             fields,
         }

@@ -2,7 +2,6 @@
 //! in a row.
 
 use crate::resolve::Shape;
-use crate::stored::TableGroup;
 use crate::table::Table;
 use crate::{GenerateError, Note};
 
@@ -15,19 +14,9 @@ pub(super) struct Places {
     /// The offset of each row; 0 for a value in flash.
     pub(super) rows: Vec<usize>,
     /// The first offset of each storage group.
-    groups: Vec<usize>,
+    pub(super) groups: Vec<usize>,
     /// Size of the array, with the node-ID.
     pub(super) total: usize,
-}
-
-/// A storage group as a constant.
-pub(super) struct GroupView<'a> {
-    pub(super) group: &'a TableGroup,
-    pub(super) name: String,
-    pub(super) first: usize,
-    pub(super) layout: String,
-    /// Its sub-index of 1010h and 1011h, an `Option`.
-    pub(super) store: String,
 }
 
 impl Places {
@@ -52,17 +41,6 @@ impl Places {
                 self.total += value_size(field.shape);
             }
         }
-    }
-
-    pub(super) fn groups<'a>(&self, table: &'a Table) -> Vec<GroupView<'a>> {
-        let groups = table.groups.iter().zip(&self.groups).map(|(group, &first)| GroupView {
-            group,
-            name: group.field.to_ascii_uppercase(),
-            first,
-            layout: super::literal::hex(group.layout.into()),
-            store: format!("{:?}", group.sub_index),
-        });
-        groups.collect()
     }
 }
 

@@ -2,13 +2,13 @@
 
 use askama::Template;
 
-use super::defaults::Defaults;
-use super::literal::hex_bytes;
+use super::defaults::{ItemView, item_view};
+use super::literal::{hex, hex_bytes};
 use super::meanings::Meanings;
 use super::objects::Objects;
 use super::paste::Parts;
 use super::pdo::FrameView;
-use super::places::{GroupView, Places};
+use super::places::Places;
 use crate::defaults::Constant;
 use crate::escape::filters;
 use crate::frames::Frame;
@@ -26,29 +26,19 @@ pub(super) struct Od<'a> {
     table: &'a Table,
     /// Size of the longest value in bytes.
     max_size: usize,
-    /// Size of the array of values in bytes.
-    ram: usize,
+    pub(super) places: Places,
     objects: Objects<'a>,
-    groups: Vec<GroupView<'a>>,
     /// Size of the longest value that a hook may reject, if an entry has one.
     hook_room: Option<usize>,
     rows: Vec<RowView<'a>>,
     rom: Vec<String>,
-    defaults: Defaults,
+    /// Constants of identity and services.
+    defaults: Vec<ItemView>,
     meanings: Option<Meanings<'a>>,
     frames: Vec<FrameView<'a>>,
     /// The communication parameters of RPDOs and of TPDOs.
     pdos: [Vec<u16>; 2],
-    /// Whether the code of the table is in a crate.
-    runtime: bool,
-    /// Whether there is a `static` with the values.
-    shared: bool,
-    /// Whether the entries have names.
-    names: bool,
-    /// Whether optional parts depend on features.
-    gates: bool,
-    /// The attribute lines after the standard derives, not indented.
-    derives: &'a [Derive],
+    options: &'a Options,
 }
 
 /// A row of the table.
@@ -75,34 +65,29 @@ impl<'a> Od<'a> {
         Ok(Self {
             table,
             max_size: table.rows.iter().map(|row| row.resolved.shape.size()).max().unwrap_or(0),
-            ram: places.total,
             objects: Objects::new(device, table),
-            groups: places.groups(table),
+            places,
             hook_room: (options.runtime || hooks::has_hooks(table)).then(|| hooks::room(table)),
             rows,
             rom: table.rom.chunks(16).map(hex_bytes).collect(),
-            defaults: Defaults::new(constants),
+            defaults: constants.iter().map(item_view).collect(),
             meanings: (!named.is_empty()).then(|| Meanings::new(named, derives)),
             frames: frames.iter().map(|frame| FrameView::new(table, frame)).collect(),
             pdos: [0x1400..=0x15FF, 0x1800..=0x19FF].map(|indexes| {
                 let cob_ids = table.rows.iter().filter(|row| row.sub == 1 && indexes.contains(&row.index));
                 cob_ids.map(|row| row.index).collect()
             }),
-            runtime: options.runtime,
-            shared: options.cell.is_some(),
-            names: options.entry_names,
-            gates: options.feature_gates,
-            derives: &options.derives,
+            options,
         })
     }
 
     /// The code that serves the table.
     fn code(&self) -> String {
         let parts = Parts {
-            stored: !self.groups.is_empty(),
+            stored: !self.table.groups.is_empty(),
             hooks: self.hook_room.is_some(),
             pdo: !self.frames.is_empty(),
-            derives: self.derives,
+            derives: &self.options.derives,
         };
         parts.text()
     }
@@ -115,7 +100,7 @@ impl<'a> Od<'a> {
 
     /// The attribute lines after the standard derives, indented.
     fn derives(&self, indent: &str) -> String {
-        derive_lines(self.derives, indent)
+        derive_lines(&self.options.derives, indent)
     }
 }
 

@@ -8,7 +8,7 @@ use crate::Options;
 use crate::dictionary::{Dictionary, ResolvedEntry, ResolvedObject};
 use crate::model::{DataType, WithPlainValues};
 use crate::names::{Scope, words};
-use crate::resolve::{Datum, Shape};
+use crate::resolve::Datum;
 
 /// Version of the JSON names.
 const VERSION: u32 = 1;
@@ -60,11 +60,7 @@ struct EntryContext {
 pub(super) fn of(dictionary: &Dictionary<'_>, options: &Options) -> Result<Value, serde_json::Error> {
     let mut scope = Scope::of_lower_case("");
     let mut entries = Vec::new();
-    for object in &dictionary.objects {
-        for entry in &object.entries {
-            entries.push(context(&mut scope, object, entry));
-        }
-    }
+    dictionary.entries().for_each(|(object, entry)| entries.push(context(&mut scope, object, entry)));
     Ok(Value::from(Serde(Context {
         version: VERSION,
         kind: "device",
@@ -89,10 +85,7 @@ fn context(scope: &mut Scope, object: &ResolvedObject<'_>, entry: &ResolvedEntry
         scope.claim(&format!("{object_words}_{entry_words}"), format_args!("{index}_{sub}"))
     };
     let size = resolved.shape.size();
-    let data_type = match resolved.shape {
-        Shape::Word(data_type) | Shape::Bytes(data_type, _) => data_type,
-        Shape::Block(_) => entry.entry.data_type.unwrap_or(DataType(0)),
-    };
+    let data_type = resolved.shape.data_type().or(entry.entry.data_type).unwrap_or(DataType(0));
     let number = |datum: &Datum| match datum {
         Datum::Word(word) | Datum::Formula(word) => integer(data_type, *word),
         Datum::Bytes(_) => None,
@@ -114,11 +107,8 @@ fn context(scope: &mut Scope, object: &ResolvedObject<'_>, entry: &ResolvedEntry
         rpdo: resolved.rpdo,
         constant: resolved.constant,
         value: number(&resolved.default),
-        plus_node_id: matches!(resolved.default, Datum::Formula(_)),
-        bytes: match &resolved.default {
-            Datum::Word(word) | Datum::Formula(word) => word.to_le_bytes().into_iter().take(size).collect(),
-            Datum::Bytes(bytes) => bytes.clone(),
-        },
+        plus_node_id: resolved.default.is_formula(),
+        bytes: resolved.default.bytes_on(None, size),
         low: resolved.low.as_ref().and_then(number),
         high: resolved.high.as_ref().and_then(number),
     }

@@ -12,7 +12,7 @@ use minijinja::{AutoEscape, Environment, UndefinedBehavior, Value};
 use objdict_model::source::read_text;
 
 use super::dictionary::Dictionary;
-use super::{Backend, Choice, GenerateError, Generated, Options, OutputFile, Sizes};
+use super::{GenerateError, Generated, Options, OutputFile};
 use crate::model::Device;
 
 /// Instruction limit, so that endless templates stop: a base and an amount per entry.
@@ -32,51 +32,29 @@ const MOST_BRANCHES: usize = 1000;
 /// The stack of the engine in bytes. It has room for the longest tag, and for values that are nested a million deep.
 const STACK: usize = 512 << 20;
 
-/// A custom template file.
-pub(super) struct Template;
-
-impl Backend for Template {
-    fn name(&self) -> &'static str {
-        "template"
+pub(super) fn make(device: &Device, options: &Options) -> Result<Generated, GenerateError> {
+    let path = options.template.as_deref().ok_or(GenerateError::NoTemplate)?;
+    let file = path.file_name().map(OsStr::to_string_lossy).unwrap_or_default().into_owned();
+    let fail = |message: String| GenerateError::UserTemplate { file: file.clone(), line: None, message };
+    let output = file.strip_suffix(".j2").filter(|name| !name.is_empty());
+    let output =
+        output.ok_or_else(|| fail("the name of a template is that of its output and `.j2`".into()))?;
+    let source = read_text(path, LONGEST_TEMPLATE).map_err(|error| fail(error.to_string()))?;
+    let dictionary = Dictionary::new(device, options)?;
+    let context = context::of(&dictionary, options).map_err(|error| fail(error.to_string()))?;
+    let entries = dictionary.objects.iter().map(|object| object.entries.len() as u64).sum::<u64>();
+    let fuel = FUEL.0 + FUEL.1 * entries;
+    if let Some(message) = too_nested(&source) {
+        return Err(fail(message));
     }
-
-    fn summary(&self) -> &'static str {
-        "one file, rendered from a custom Jinja template (`--template`)"
-    }
-
-    fn uses(&self) -> &'static [Choice] {
-        &[Choice::Template, Choice::Names, Choice::Renamed, Choice::StringCapacity, Choice::DomainCapacity]
-    }
-
-    fn generate(&self, device: &Device, options: &Options) -> Result<Generated, GenerateError> {
-        let path = options.template.as_deref().ok_or(GenerateError::NoTemplate)?;
-        let file = path.file_name().map(OsStr::to_string_lossy).unwrap_or_default().into_owned();
-        let fail = |message: String| GenerateError::UserTemplate { file: file.clone(), line: None, message };
-        let output = file.strip_suffix(".j2").filter(|name| !name.is_empty());
-        let output =
-            output.ok_or_else(|| fail("the name of a template is that of its output and `.j2`".into()))?;
-        let source = read_text(path, LONGEST_TEMPLATE).map_err(|error| fail(error.to_string()))?;
-        let dictionary = Dictionary::new(device, options)?;
-        let context = context::of(&dictionary, options).map_err(|error| fail(error.to_string()))?;
-        let entries = dictionary.objects.iter().map(|object| object.entries.len() as u64).sum::<u64>();
-        let fuel = FUEL.0 + FUEL.1 * entries;
-        if let Some(message) = too_nested(&source) {
-            return Err(fail(message));
-        }
-        let contents = std::thread::scope(|scope| {
-            let engine = std::thread::Builder::new().stack_size(STACK);
-            let engine = engine.spawn_scoped(scope, || render(&file, &source, context, fuel));
-            let engine = engine.map_err(|error| fail(format!("cannot start the engine: {error}")))?;
-            let rendered = engine.join().unwrap_or_else(|panic| std::panic::resume_unwind(panic));
-            rendered.map_err(|error| explained(&file, &error))
-        })?;
-        let notes = dictionary.notes;
-        Ok(Generated { files: vec![OutputFile { path: output.to_owned(), contents }], notes })
-    }
-
-    fn size(&self, _: &Device, _: &Options) -> Result<Sizes, GenerateError> {
-        Ok(Sizes::Unknown("nobody but the template knows what it makes"))
-    }
+    let contents = std::thread::scope(|scope| {
+        let engine = std::thread::Builder::new().stack_size(STACK);
+        let engine = engine.spawn_scoped(scope, || render(&file, &source, context, fuel));
+        let engine = engine.map_err(|error| fail(format!("cannot start the engine: {error}")))?;
+        let rendered = engine.join().unwrap_or_else(|panic| std::panic::resume_unwind(panic));
+        rendered.map_err(|error| explained(&file, &error))
+    })?;
+    Ok(Generated { files: vec![OutputFile { path: output.to_owned(), contents }], notes: dictionary.notes })
 }
 
 /// What in a template would need more stack than there is.

@@ -54,19 +54,15 @@ impl Answers {
     /// Deviations of the node from the description.
     pub(super) fn differences(&self, dictionary: &Dictionary<'_>) -> Vec<Note> {
         let mut notes = Vec::new();
-        let mut described = BTreeMap::new();
-        for object in &dictionary.objects {
-            for entry in &object.entries {
-                described.insert((object.index, entry.sub), ());
-                let place = Place::entry(object.index, entry.sub);
-                match self.0.get(&(object.index, entry.sub)) {
-                    Some(answer) => difference(&place, answer, entry, &mut notes),
-                    None if super::fixed::is_reserved(object.index) => {}
-                    None => notes.push(Note::new(place, "zencan has no such entry")),
-                }
+        for (object, entry) in dictionary.entries() {
+            let place = Place::entry(object.index, entry.sub);
+            match self.0.get(&(object.index, entry.sub)) {
+                Some(answer) => difference(&place, answer, entry, &mut notes),
+                None if super::fixed::is_reserved(object.index) => {}
+                None => notes.push(Note::new(place, "zencan has no such entry")),
             }
         }
-        for &(index, sub) in self.0.keys().filter(|at| !described.contains_key(*at)) {
+        for &(index, sub) in self.0.keys().filter(|(index, sub)| dictionary.entry(*index, *sub).is_none()) {
             notes.push(Note::new(Place::entry(index, sub), "zencan adds the entry"));
         }
         notes
@@ -101,11 +97,8 @@ fn difference(place: &Place, answer: &Answer, entry: &ResolvedEntry<'_>, notes: 
 
 fn described(entry: &ResolvedEntry<'_>) -> Held {
     match &entry.resolved.default {
-        Datum::Word(word) => {
-            Held::Bytes(word.to_le_bytes().into_iter().take(entry.resolved.shape.size()).collect())
-        }
         Datum::Formula(offset) => Held::Formula(*offset),
-        Datum::Bytes(bytes) => Held::Bytes(bytes.clone()),
+        value => Held::Bytes(value.bytes_on(None, entry.resolved.shape.size())),
     }
 }
 

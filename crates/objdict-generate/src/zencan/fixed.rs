@@ -3,9 +3,18 @@
 use super::Maker;
 use super::answers::{Answer, Held};
 use super::value::text_of;
-use super::view::Head;
 use crate::model::{Access, Place};
 use crate::resolve::Datum;
+
+/// The settings of the device.
+pub(super) struct Settings {
+    /// The device name, and the versions of hardware and software.
+    pub(super) texts: [String; 3],
+    /// In milliseconds.
+    pub(super) heartbeat_period: u64,
+    /// Vendor-ID, product code and revision number.
+    pub(super) identity: [u64; 3],
+}
 
 /// The index of the object that stores values.
 pub(super) const STORE: u16 = 0x1010;
@@ -22,29 +31,21 @@ pub(super) fn is_reserved(index: u16) -> bool {
 
 impl Maker<'_> {
     /// The settings of the device; records the objects that zencan creates from them.
-    pub(super) fn head(&mut self) -> Head {
+    pub(super) fn settings(&mut self) -> Settings {
         self.number(0x1000, 0, 4, 0); // zencan does not support a device type
         self.number(0x1001, 0, 1, 0);
         let [device_name, hardware_version, software_version] =
             [0x1008, 0x1009, 0x100A].map(|index| self.name(index));
-        let device_name = match device_name {
-            Some(name) => name,
-            None => self.product_name(),
-        };
-        let hardware_version = hardware_version.unwrap_or_default();
-        let software_version = software_version.unwrap_or_default();
-        for (index, text) in
-            [(0x1008, &device_name), (0x1009, &hardware_version), (0x100A, &software_version)]
-        {
+        let device_name = device_name.unwrap_or_else(|| self.product_name());
+        let texts = [device_name, hardware_version.unwrap_or_default(), software_version.unwrap_or_default()];
+        for (index, text) in (0x1008..).zip(&texts) {
             let held = Held::Bytes(text.as_bytes().to_vec());
-            let answer = Answer { access: Access::Const, tpdo: false, rpdo: false, size: text.len(), held };
-            self.answers.put(index, 0, answer);
+            self.answers.put(index, 0, Answer { held, ..Answer::number(Access::Const, text.len(), 0) });
         }
         let heartbeat_period = self.described(0x1017, 0, u64::from(u16::MAX));
         self.number(0x1017, 0, 2, heartbeat_period);
-        let [vendor_id, product_code, revision_number] =
-            [1, 2, 3].map(|sub| self.described(0x1018, sub, u64::from(u32::MAX)));
-        for (sub, number) in (1..).zip([vendor_id, product_code, revision_number, 0]) {
+        let identity = [1, 2, 3].map(|sub| self.described(0x1018, sub, u64::from(u32::MAX)));
+        for (sub, number) in (1..).zip(identity.into_iter().chain([0])) {
             self.number(0x1018, sub, 4, number); // the application sets the serial number
         }
         self.number(0x1018, 0, 1, 4);
@@ -54,16 +55,7 @@ impl Maker<'_> {
             let answer = Answer { held: Held::Served, ..Answer::number(Access::Rw, 4, 0) };
             self.answers.put(STORE, 1, answer);
         }
-        Head {
-            device_name,
-            hardware_version,
-            software_version,
-            heartbeat_period,
-            support_storage: self.stores,
-            vendor_id,
-            product_code,
-            revision_number,
-        }
+        Settings { texts, heartbeat_period, identity }
     }
 
     fn number(&mut self, index: u16, sub: u8, size: usize, number: u64) {
@@ -72,8 +64,7 @@ impl Maker<'_> {
 
     /// The default of an entry.
     pub(super) fn datum(&self, index: u16, sub: u8) -> Option<&Datum> {
-        let object = self.dictionary.objects.iter().find(|object| object.index == index)?;
-        Some(&object.entries.iter().find(|entry| entry.sub == sub)?.resolved.default)
+        Some(&self.dictionary.entry(index, sub)?.resolved.default)
     }
 
     /// The number of an entry; 0 if it is missing or too large.

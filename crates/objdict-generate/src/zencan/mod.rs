@@ -10,47 +10,41 @@ mod fixed;
 mod object;
 mod pdo;
 mod value;
-mod view;
 
 use super::dictionary::Dictionary;
+use super::escape::filters;
 use super::notes::{in_order, once_per_object};
-use super::{Backend, Choice, GenerateError, Generated, Note, Options, Sizes, render};
-use crate::model::{Device, Place};
+use super::{GenerateError, Generated, Note, Options, render};
+use crate::model::{CobId, Device, Place};
 use answers::Answers;
+use fixed::Settings;
+use object::{ObjectContent, ObjectView};
+use pdo::Pdo;
 
-/// A device configuration for zencan.
-pub(super) struct Zencan;
+pub(super) fn make(device: &Device, options: &Options) -> Result<Generated, GenerateError> {
+    // a DOMAIN needs no capacity and no note about it: the application provides it
+    let room = Options { domain_capacity: 1, ..options.clone() };
+    let dictionary = Dictionary::new(device, &room)?;
+    let mut maker = Maker::new(&dictionary, &room);
+    let config = maker.config();
+    let mut notes = std::mem::take(&mut maker.notes);
+    notes.extend(maker.answers.differences(&dictionary));
+    notes.extend(dictionary.notes.iter().cloned());
+    let file = render(format!("{}.toml", options.file_stem), &config)?;
+    Ok(Generated { files: vec![file], notes: once_per_object(in_order(notes)) })
+}
 
-impl Backend for Zencan {
-    fn name(&self) -> &'static str {
-        "zencan"
-    }
-
-    fn summary(&self) -> &'static str {
-        "one device configuration (.toml) for the crate zencan-build 0.0.5"
-    }
-
-    fn uses(&self) -> &'static [Choice] {
-        &[Choice::Names, Choice::Renamed, Choice::Groups, Choice::StringCapacity]
-    }
-
-    fn generate(&self, device: &Device, options: &Options) -> Result<Generated, GenerateError> {
-        // a DOMAIN needs no capacity and no note about it: the application provides it
-        let room = Options { domain_capacity: 1, ..options.clone() };
-        let dictionary = Dictionary::new(device, &room)?;
-        let mut maker = Maker::new(&dictionary, &room);
-        let config = maker.config();
-        let mut notes = std::mem::take(&mut maker.notes);
-        notes.extend(maker.answers.differences(&dictionary));
-        notes.extend(dictionary.notes.iter().cloned());
-        let notes = once_per_object(in_order(notes));
-        let file = render(format!("{}.toml", options.file_stem), &config)?;
-        Ok(Generated { files: vec![file], notes })
-    }
-
-    fn size(&self, _: &Device, _: &Options) -> Result<Sizes, GenerateError> {
-        Ok(Sizes::Unknown("the crate zencan-build generates the tables from the file"))
-    }
+/// The file.
+#[derive(askama::Template)]
+#[template(path = "zencan/device.toml", escape = "none")]
+struct Config {
+    made_by: String,
+    settings: Settings,
+    stores: bool,
+    /// The numbers of RPDOs and TPDOs.
+    counts: [u16; 2],
+    pdos: Vec<Pdo>,
+    objects: Vec<ObjectView>,
 }
 
 /// Builds a configuration, the SDO answers of zencan, and notes.
@@ -69,7 +63,7 @@ impl<'a> Maker<'a> {
         Self { dictionary, options, stores, answers: Answers::default(), notes: Vec::new() }
     }
 
-    fn config(&mut self) -> view::Config {
+    fn config(&mut self) -> Config {
         let dictionary = self.dictionary;
         let mut written = Vec::new();
         for object in &dictionary.objects {
@@ -86,10 +80,17 @@ impl<'a> Maker<'a> {
             }
             written.push(self.object(object));
         }
-        let head = self.head();
-        let pdos = self.pdos();
+        let settings = self.settings();
+        let (counts, pdos) = self.pdos();
         self.persistence();
-        view::Config { made_by: self.options.made_by(), head, pdos, objects: written }
+        Config {
+            made_by: self.options.made_by(),
+            settings,
+            stores: self.stores,
+            counts,
+            pdos,
+            objects: written,
+        }
     }
 
     fn note(&mut self, place: impl Into<Place>, text: impl Into<String>) {

@@ -3,12 +3,44 @@
 use super::Maker;
 use super::answers::{Answer, Held};
 use super::value::Kept;
-use super::view::{EntryView, ObjectContent, ObjectView, SubView};
 use crate::dictionary::{ResolvedEntry, ResolvedObject};
 use crate::escape::toml_string;
 use crate::model::{Access, ObjectType, Place};
 use crate::names::{Scope, words};
 use crate::resolve::Datum;
+
+/// An object. Names are TOML literals.
+pub(super) struct ObjectView {
+    pub(super) index: u16,
+    pub(super) name: String,
+    pub(super) kind: ObjectContent,
+}
+
+/// The content of an object.
+pub(super) enum ObjectContent {
+    Var(EntryView),
+    Array { entry: EntryView, size: usize },
+    Record(Vec<SubView>),
+}
+
+/// An entry of a record.
+pub(super) struct SubView {
+    pub(super) sub: u8,
+    pub(super) name: String,
+    /// A Rust identifier.
+    pub(super) field: String,
+    pub(super) entry: EntryView,
+}
+
+/// An entry, or all elements of an array.
+pub(super) struct EntryView {
+    pub(super) data_type: String,
+    pub(super) access: &'static str,
+    /// A TOML literal.
+    pub(super) default: Option<String>,
+    pub(super) pdo_mapping: &'static str,
+    pub(super) persist: bool,
+}
 
 impl Maker<'_> {
     /// A device-specific object.
@@ -53,7 +85,7 @@ impl Maker<'_> {
         if let Some(loss) = kept.loss {
             self.note(place.clone(), loss);
         }
-        if resolved.low.is_some() || resolved.high.is_some() {
+        if resolved.limit().is_some() {
             self.note(place.clone(), "limits are not enforced: zencan does not support them");
         }
         let mut held = kept.held;
@@ -71,14 +103,9 @@ impl Maker<'_> {
         self.answers.put(object.index, entry.sub, answer);
         EntryView {
             data_type: kept.data_type,
-            access: access(resolved.access),
+            access: resolved.plain_access(),
             default: kept.default,
-            pdo_mapping: match (resolved.tpdo, resolved.rpdo) {
-                (false, false) => "none",
-                (true, false) => "tpdo",
-                (false, true) => "rpdo",
-                (true, true) => "both",
-            },
+            pdo_mapping: resolved.pdo_word(["none", "tpdo", "rpdo", "both"]),
             persist: self.is_stored(object, entry),
         }
     }
@@ -95,16 +122,6 @@ impl Maker<'_> {
                 Some(group) => !["RAM", "ROM"].iter().any(|plain| group.eq_ignore_ascii_case(plain)),
                 None => !resolved.tpdo && !resolved.rpdo,
             }
-    }
-}
-
-/// In zencan, `pdo_mapping` and not the access type determines whether an RPDO or a TPDO may map the entry.
-fn access(access: Access) -> &'static str {
-    match access {
-        Access::Ro => "ro",
-        Access::Wo => "wo",
-        Access::Rw | Access::Rwr | Access::Rww => "rw",
-        Access::Const => "const",
     }
 }
 

@@ -2,81 +2,83 @@
 
 use super::Maker;
 use super::answers::{Answer, Held};
-use super::view::{Mapping, Pdo, Pdos};
-use crate::model::{Access, CobId, Place};
+use crate::model::{Access, CobId, MappedObject, PdoKind, Place};
 use crate::resolve::Datum;
 
 /// Number of mapped objects per PDO in zencan (`N_MAPPING_PARAMS`).
-const MAPPED: u64 = 8;
+const MAPPED: u8 = 8;
 
 /// Number of PDOs per direction: zencan counts them in eight bits.
 const MOST: u16 = 255;
 
-/// Start of the parameters of a direction.
-#[derive(Clone, Copy)]
-struct Direction {
-    name: &'static str,
-    communication: u16,
-    mapping: u16,
+/// The initial state of a PDO.
+pub(super) struct Pdo {
+    pub(super) kind: PdoKind,
+    /// Counted from 0.
+    pub(super) number: u16,
+    /// The COB-ID in zencan, without the node-ID.
+    cob_id: u32,
+    pub(super) add_node_id: bool,
+    pub(super) transmission_type: u64,
+    pub(super) mappings: Vec<MappedObject>,
 }
 
-const RPDO: Direction = Direction { name: "rpdo", communication: 0x1400, mapping: 0x1600 };
-const TPDO: Direction = Direction { name: "tpdo", communication: 0x1800, mapping: 0x1A00 };
+impl Pdo {
+    pub(super) fn can_id(&self) -> u32 {
+        self.cob_id & CAN_ID
+    }
+
+    /// Whether a flag of the COB-ID is set.
+    pub(super) fn has(&self, flag: u32) -> bool {
+        self.cob_id & flag != 0
+    }
+}
+
+/// The CAN-ID in a COB-ID.
+const CAN_ID: u32 = 0x1FFF_FFFF;
 
 impl Maker<'_> {
-    /// All PDOs of the device.
-    pub(super) fn pdos(&mut self) -> Pdos {
+    /// The numbers of RPDOs and TPDOs, and all PDOs of the device.
+    pub(super) fn pdos(&mut self) -> ([u16; 2], Vec<Pdo>) {
         let mut pdos = Vec::new();
-        let [num_rpdo, num_tpdo] = [RPDO, TPDO].map(|direction| {
-            let count = self.count(direction);
-            for number in 0..count {
-                let is_described = [direction.communication, direction.mapping]
-                    .into_iter()
-                    .any(|base| self.dictionary.objects.iter().any(|object| object.index == base + number));
-                let pdo = self.pdo(direction, number);
-                if is_described {
+        let counts = PdoKind::ALL.map(|kind| {
+            let count = self.count(kind);
+            for number in 1..=count {
+                let parameters = kind.communication_index(number).zip(kind.mapping_index(number));
+                let Some((communication, mapping)) = parameters else { continue };
+                let pdo = self.pdo(kind, number, communication, mapping);
+                if [communication, mapping].iter().any(|index| self.dictionary.object(*index).is_some()) {
                     pdos.push(pdo);
                 }
             }
             count
         });
-        Pdos { num_rpdo, num_tpdo, pdos }
+        (counts, pdos)
     }
 
-    /// The highest PDO number plus one.
-    fn count(&self, direction: Direction) -> u16 {
-        let bases = [direction.communication, direction.mapping];
-        let number =
-            |index: u16| bases.iter().find_map(|base| index.checked_sub(*base).filter(|&n| n < MOST));
-        self.dictionary
-            .objects
-            .iter()
-            .filter_map(|object| number(object.index))
-            .max()
-            .map_or(0, |last| last + 1)
+    /// The highest PDO number.
+    fn count(&self, kind: PdoKind) -> u16 {
+        let pdo = |index| PdoKind::of_communication(index).or(PdoKind::of_mapping(index));
+        let pdos = self.dictionary.objects.iter().filter_map(|object| pdo(object.index));
+        let numbers = pdos.filter(|&(of, number)| of == kind && number <= MOST).map(|(_, number)| number);
+        numbers.max().unwrap_or(0)
     }
 
-    fn pdo(&mut self, direction: Direction, number: u16) -> Pdo {
-        let (communication, mapping) = (direction.communication + number, direction.mapping + number);
+    fn pdo(&mut self, kind: PdoKind, number: u16, communication: u16, mapping: u16) -> Pdo {
         let mappings = self.mappings(mapping);
-        let (cob_id, add_node_id) = match self.datum(communication, 1) {
-            Some(Datum::Word(word)) => (u32::try_from(*word).unwrap_or(CobId::BIT_31), false),
-            Some(Datum::Formula(offset)) => (u32::try_from(*offset).unwrap_or(CobId::BIT_31), true),
-            _ => (CobId::BIT_31, false),
-        };
-        let extended = cob_id & CobId::FRAME != 0;
-        let mut can_id = cob_id & 0x1FFF_FFFF;
-        if (!extended && can_id + 127 > 0xFFFF) || can_id + 127 > 0x1FFF_FFFF {
+        let stated = self.datum(communication, 1);
+        let number_of = |datum: &Datum| u32::try_from(datum.word()).unwrap_or(CobId::BIT_31);
+        let stated_id = stated.filter(|datum| datum.bytes().is_empty()).map_or(CobId::BIT_31, number_of);
+        let mut can_id = stated_id & CAN_ID;
+        if (stated_id & CobId::FRAME == 0 && can_id + 127 > 0xFFFF) || can_id + 127 > CAN_ID {
             can_id &= 0x7FF; // zencan adds only these bits of a CAN-ID
         }
+        let off = if mappings.is_none() { CobId::BIT_31 } else { 0 };
         let pdo = Pdo {
-            direction: direction.name,
-            number,
-            cob_id: can_id,
-            extended,
-            add_node_id,
-            enabled: cob_id & CobId::BIT_31 == 0 && mappings.is_some(),
-            rtr_disabled: cob_id & CobId::BIT_30 != 0,
+            kind,
+            number: number - 1,
+            cob_id: can_id | (stated_id & !CAN_ID) | off,
+            add_node_id: stated.is_some_and(Datum::is_formula),
             transmission_type: self.described(communication, 2, 0xFF),
             mappings: mappings.unwrap_or_default(),
         };
@@ -86,46 +88,37 @@ impl Maker<'_> {
 
     /// The SDO answers of a PDO's parameter objects.
     fn parameters(&mut self, communication: u16, mapping: u16, pdo: &Pdo) {
-        let flag = |is_set: bool, bit: u32| if is_set { bit } else { 0 };
-        let cob_id = pdo.cob_id
-            | flag(pdo.extended, CobId::FRAME)
-            | flag(pdo.rtr_disabled, CobId::BIT_30)
-            | flag(!pdo.enabled, CobId::BIT_31);
-        let mut answer = Answer::number(Access::Rw, 4, cob_id.into());
+        let mut answer = Answer::number(Access::Rw, 4, pdo.cob_id.into());
         if pdo.add_node_id {
-            answer.held = Held::Formula(cob_id.into());
+            answer.held = Held::Formula(pdo.cob_id.into());
         }
         self.answers.put(communication, 0, Answer::number(Access::Const, 1, 2));
         self.answers.put(communication, 1, answer);
         self.answers.put(communication, 2, Answer::number(Access::Rw, 1, pdo.transmission_type));
         self.answers.put(mapping, 0, Answer::number(Access::Rw, 1, pdo.mappings.len() as u64));
-        for sub in 1..=MAPPED as u8 {
-            let mapped = pdo.mappings.get(usize::from(sub) - 1);
-            let number = mapped.map_or(0, |mapped| {
-                u64::from(mapped.index) << 16 | u64::from(mapped.sub) << 8 | u64::from(mapped.bits)
-            });
-            self.answers.put(mapping, sub, Answer::number(Access::Rw, 4, number));
+        let mapped = pdo.mappings.iter().map(|mapped| mapped.to_number()).chain(std::iter::repeat(0));
+        for (sub, number) in (1..=MAPPED).zip(mapped) {
+            self.answers.put(mapping, sub, Answer::number(Access::Rw, 4, number.into()));
         }
     }
 
     /// The mapping of the PDO; `None`, with a note, if zencan does not support all of it.
-    fn mappings(&mut self, index: u16) -> Option<Vec<Mapping>> {
+    fn mappings(&mut self, index: u16) -> Option<Vec<MappedObject>> {
         let count = self.described(index, 0, 0xFF);
         let off = "the PDO is not valid";
-        if count > MAPPED {
+        if count > MAPPED.into() {
             let text = format!("zencan maps at most {MAPPED} entries to a PDO, not {count}; {off}");
             self.note(Place::entry(index, 0), text);
             return None;
         }
         let mut mappings = Vec::new();
         for sub in 1..=count as u8 {
-            let word = match self.datum(index, sub) {
-                Some(Datum::Word(word)) => *word,
+            let number = match self.datum(index, sub) {
+                Some(Datum::Word(word)) => *word as u32, // the mapped object is in the lower half
                 _ => 0,
             };
-            let mapped = Mapping { index: (word >> 16) as u16, sub: (word >> 8) as u8, bits: word as u8 };
-            let size = self.answers.size(mapped.index, mapped.sub);
-            let why = match size {
+            let mapped = MappedObject::from_number(number);
+            let why = match self.answers.size(mapped.index, mapped.sub) {
                 None => "zencan does not have the mapped entry",
                 Some(_) if !mapped.bits.is_multiple_of(8) => "zencan maps whole bytes only",
                 Some(size) if size < usize::from(mapped.bits / 8) => "the entry is shorter",

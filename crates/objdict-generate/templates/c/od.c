@@ -1,26 +1,27 @@
 /*
- * {{ table.made_by }}; do not edit.
+ * {{ table.head.made_by }}; do not edit.
  *
- * Object dictionary of {{ table.product|c_comment }} by {{ table.vendor|c_comment }}.
+ * Object dictionary of {{ table.head.product|c_comment }} by {{ table.head.vendor|c_comment }}.
  */
 #include "{{ lower }}.h"
+{%- let has_pointers = false %}
 
 #include <string.h>
 
 /* The types of the values. */
 typedef char {{ lower }}_bool_has_1_byte[sizeof(bool) == 1 ? 1 : -1];
-{%- if real32 %}
+{%- if table.keeps(DataType::REAL32) %}
 typedef char {{ lower }}_float_has_4_bytes[sizeof(float) == 4 ? 1 : -1];
 {%- endif %}
-{%- if real64 %}
+{%- if table.keeps(DataType::REAL64) %}
 typedef char {{ lower }}_double_has_8_bytes[sizeof(double) == 8 ? 1 : -1];
 {%- endif %}
 
 #define {{ upper }}_RAM(field) (({{ lower }}_offset_t)offsetof({{ lower }}_data_t, field))
 
 const {{ lower }}_entry_t {{ lower }}_entries[{{ upper }}_ENTRY_COUNT] = {
-{%- for view in rows %}
-    {0x{{ view.row.sub|hex2 }}u, {{ view.kind }}u, {% if let Some(ram) = view.ram %}{{ upper }}_RAM({{ ram }}){% else %}0u{% endif %}, {{ view.row.rom }}u}, /* {{ view.row.index|hex4 }}h: {{ view.row.name|c_comment }} */
+{%- for (row, kind) in table.rows.iter().zip(shared.kind_of.iter()) %}
+    {0x{{ row.sub|hex2 }}u, {{ kind }}u, {% if let Some(slot) = row.slot %}{{ upper }}_RAM({{ table.place(slot) }}){% else %}0u{% endif %}, {{ row.rom }}u}, /* {{ row.index|hex4 }}h: {{ row.name|c_comment }} */
 {%- endfor %}
 };
 
@@ -40,7 +41,7 @@ const {{ lower }}_object_t {{ lower }}_objects[{{ upper }}_OBJECT_COUNT] = {
    capacity, the length of the default and the default. */
 #define {{ upper }}_ROM_SIZE {{ table.rom.len() }}u
 static const uint8_t {{ lower }}_rom[{{ upper }}_ROM_SIZE] = {
-{%- for line in rom %}
+{%- for line in self.rom() %}
     {{ line }},
 {%- endfor %}
 };
@@ -322,7 +323,7 @@ uint32_t {{ lower }}_write({{ lower }}_data_t *data, uint16_t index, uint8_t sub
     uint8_t data_type;
     uint8_t *field;
 {%- if hooks %}
-    uint8_t old[{{ hook_room }}];
+    uint8_t old[{{ hooks::room(table) }}];
 {%- endif %}
     if (answer != {{ upper }}_OK) {
         return answer;
@@ -372,8 +373,8 @@ uint32_t {{ lower }}_write({{ lower }}_data_t *data, uint16_t index, uint8_t sub
 
 #ifndef {{ upper }}_NO_NAMES
 static const char *const {{ lower }}_names[{{ upper }}_ENTRY_COUNT] = {
-{%- for view in rows %}
-    {{ view.row.name|c_text }},
+{%- for row in table.rows %}
+    {{ row.name|c_text }},
 {%- endfor %}
 };
 

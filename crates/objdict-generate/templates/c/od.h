@@ -1,8 +1,8 @@
 /**
  * @file
- * {{ table.made_by }}; do not edit.
+ * {{ table.head.made_by }}; do not edit.
  *
- * Object dictionary of {{ table.product|doxygen }} by {{ table.vendor|doxygen }}.
+ * Object dictionary of {{ table.head.product|doxygen }} by {{ table.head.vendor|doxygen }}.
  *
  * {{ lower }}_data_t contains the variable values, {{ lower }}_read() and {{ lower }}_write() implement SDO access.
  */
@@ -32,7 +32,7 @@ extern "C" {
 {%- endfor %}
 {%- endfor %}
 
-{{ defaults }}
+{% include "_defaults.h" %}
 {%- if let Some(meanings) = meanings %}
 
 {{ meanings }}

@@ -1,5 +1,5 @@
 /*
- * {{ table.made_by }}; do not edit.
+ * {{ table.head.made_by }}; do not edit.
  */
 #include "{{ lower }}_pdo.h"
 
@@ -33,7 +33,7 @@ static void {{ lower }}_to_frame(uint64_t number, uint8_t *frame, size_t length)
         number >>= 8;
     }
 }
-{%- if signed %}
+{%- if self.uses_signs() %}
 
 /* Converts the given number of bits to a signed number. */
 static int64_t {{ lower }}_signed(uint64_t number, unsigned bits)
@@ -46,7 +46,7 @@ static int64_t {{ lower }}_signed(uint64_t number, unsigned bits)
     return (int64_t)number;
 }
 {%- endif %}
-{%- if real32 %}
+{%- if self.uses(TypeKind::Real32) %}
 
 static uint64_t {{ lower }}_from_real32(float value)
 {
@@ -63,7 +63,7 @@ static float {{ lower }}_to_real32(uint64_t number)
     return value;
 }
 {%- endif %}
-{%- if real64 %}
+{%- if self.uses(TypeKind::Real64) %}
 
 static uint64_t {{ lower }}_from_real64(double value)
 {
@@ -79,7 +79,7 @@ static double {{ lower }}_to_real64(uint64_t number)
     return value;
 }
 {%- endif %}
-{%- if time %}
+{%- if self.uses(TypeKind::TimeOfDay) || self.uses(TypeKind::TimeDifference) %}
 
 static uint64_t {{ lower }}_from_time({{ lower }}_time_t value)
 {

@@ -1,6 +1,6 @@
 /**
  * @file
- * {{ table.made_by }}; do not edit.
+ * {{ table.head.made_by }}; do not edit.
  *
  * The default mapping of PDOs: one struct per PDO with its members in frame order.
  *

@@ -1,24 +1,26 @@
 /*
- * {{ table.made_by }}; do not edit.
+ * {{ table.head.made_by }}; do not edit.
  *
- * Object dictionary of {{ table.product|c_comment }} by {{ table.vendor|c_comment }}.
+ * Object dictionary of {{ table.head.product|c_comment }} by {{ table.head.vendor|c_comment }}.
  */
 #include "{{ lower }}.h"
+{%- let has_pointers = true %}
+{%- let structs = self.structs() %}
 
 #include <string.h>
 
 /* Numbers used as defaults and limits, without duplicates. */
-{%- for pool in pools %}
+{%- for pool in structs.pools %}
 static const {{ pool.c_type }} {{ pool.name }}[{{ pool.numbers.len() }}] = {
 {%- for number in pool.numbers %}
     {{ number }},
 {%- endfor %}
 };
 {%- endfor %}
-{%- if !blocks.is_empty() %}
+{%- if !structs.blocks.is_empty() %}
 
 /* Non-numeric defaults. */
-{%- for block in blocks %}
+{%- for block in structs.blocks %}
 {{ block }}
 {%- endfor %}
 {%- endif %}
@@ -26,7 +28,7 @@ static const {{ pool.c_type }} {{ pool.name }}[{{ pool.numbers.len() }}] = {
 {{ lower }}_data_t {{ lower }}_data;
 
 const {{ lower }}_entry_t {{ lower }}_entries[{{ upper }}_ENTRY_COUNT] = {
-{%- for view in rows %}
+{%- for view in structs.rows %}
     {0x{{ view.row.index|hex4 }}u, 0x{{ view.row.sub|hex2 }}u, {{ upper }}_{{ view.type_ }}, {{ view.flags }}, {{ view.row.resolved.shape.size() }}u, {{ view.data }}, {{ view.low }}, {{ view.high }}, {{ view.default }}{% if names %}, {{ view.row.name|c_text }}{% endif %}},
 {%- endfor %}
 };
@@ -54,7 +56,7 @@ const {{ lower }}_entry_t *{{ lower }}_find(uint16_t index, uint8_t sub)
 /* Size of a value in {{ lower }}_data_t, in bytes. */
 static size_t {{ lower }}_stored_size(const {{ lower }}_entry_t *entry)
 {
-{%- if time %}
+{%- if self.has_time() %}
     if (entry->data_type == {{ upper }}_TIME_OF_DAY || entry->data_type == {{ upper }}_TIME_DIFFERENCE) {
         return sizeof({{ lower }}_time_t);
     }
@@ -101,7 +103,7 @@ void {{ lower }}_init(uint8_t node_id)
         if (entry->data == NULL || entry->data == entry->def) {
             continue; /* served by the application, or constant */
         }
-{%- if bytes %}
+{%- if self.has_bytes() %}
         if ((entry->data_type >= {{ upper }}_VISIBLE_STRING && entry->data_type <= {{ upper }}_UNICODE_STRING)
             || entry->data_type == {{ upper }}_DOMAIN) {
             uint16_t length;

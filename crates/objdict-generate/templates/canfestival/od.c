@@ -22,22 +22,22 @@
 
 /* The variables. */
 {%- for definition in plan.definitions %}
-{% if !definition.is_variable() %}static {% endif %}{{ definition.declaration() }} = {{ definition.initializer }}; /* {{ definition.comment }} */
+{% if definition.is_constant() %}static {% endif %}{{ definition.declaration() }} = {{ definition.initializer }}; /* {{ definition.described }} */
 {%- endfor %}
 
-UNS32 {{ head.node }}_zero = 0u;
+UNS32 {{ head.lower }}_zero = 0u;
 
 /* The node-ID. */
-UNS8 {{ head.node }}_bDeviceNodeId = {{ head.node_id }}u;
-const UNS8 {{ head.node }}_iam_a_slave = {{ head.slave }}u;
-TIMER_HANDLE {{ head.node }}_heartBeatTimers[{{ plan.consumers }}] = {
+UNS8 {{ head.lower }}_bDeviceNodeId = {{ dictionary.node_id.unwrap_or(0) }}u;
+const UNS8 {{ head.lower }}_iam_a_slave = {{ self.is_slave() }}u;
+TIMER_HANDLE {{ head.lower }}_heartBeatTimers[{{ plan.consumers }}] = {
 {%- for _ in 0..plan.consumers %}
     TIMER_NONE,
 {%- endfor %}
 };
 {%- if plan.ranges.unsigned %}
 
-static UNS64 {{ head.node }}_unsigned(const void *value, unsigned size)
+static UNS64 {{ head.lower }}_unsigned(const void *value, unsigned size)
 {
     UNS64 number = 0u;
     while (size > 0u) {
@@ -49,10 +49,10 @@ static UNS64 {{ head.node }}_unsigned(const void *value, unsigned size)
 {%- endif %}
 {%- if plan.ranges.signed %}
 
-static INTEGER64 {{ head.node }}_signed(const void *value, unsigned size)
+static INTEGER64 {{ head.lower }}_signed(const void *value, unsigned size)
 {
     const UNS64 sign = UINT64_C(1) << (8u * size - 1u);
-    return (INTEGER64)(({{ head.node }}_unsigned(value, size) ^ sign) - sign);
+    return (INTEGER64)(({{ head.lower }}_unsigned(value, size) ^ sign) - sign);
 }
 {%- endif %}
 
@@ -62,7 +62,7 @@ static INTEGER64 {{ head.node }}_signed(const void *value, unsigned size)
 #define {{ range.name() }} 0x{{ range.code|hex2 }}
 {%- endfor %}
 
-UNS32 {{ head.node }}_valueRangeTest(UNS8 typeValue, void *value)
+UNS32 {{ head.lower }}_valueRangeTest(UNS8 typeValue, void *value)
 {
     switch (typeValue) {
     case valueRange_EMC:
@@ -92,56 +92,56 @@ UNS32 {{ head.node }}_valueRangeTest(UNS8 typeValue, void *value)
 /* {{ object.index|hex4 }}h: {{ object.name|c_comment }} */
 {%- if object.callbacks %}
 #ifndef {{ head.upper }}_CALLBACK_IN_ROW
-static ODCallback_t {{ head.node }}_Index{{ object.index|hex4 }}_callbacks[{{ object.rows.len() }}] = {NULL};
+static ODCallback_t {{ head.lower }}_Index{{ object.index|hex4 }}_callbacks[{{ object.rows.len() }}] = {NULL};
 #endif
 {%- endif %}
-{{ head.upper }}_ROWS {{ head.node }}_Index{{ object.index|hex4 }}[{{ object.rows.len() }}] = {
+{{ head.upper }}_ROWS {{ head.lower }}_Index{{ object.index|hex4 }}[{{ object.rows.len() }}] = {
 {%- for row in object.rows %}
     {{ head.upper }}_ROW({{ row.access }}, {{ row.data_type }}, {{ row.size }}u, &{{ row.object }}),
 {%- endfor %}
 };
 {%- endfor %}
-{%- if no_pdo %}
+{%- if slots.has(Slot::NoPdo) %}
 
 /* The parameters of a mapping without any: a PDO that is not valid. */
-static UNS32 {{ head.node }}_noCobId = 0x80000000u;
-{{ head.upper }}_ROWS {{ head.node }}_noPdo[6] = {
-    {{ head.upper }}_ROW(RO, uint8, 1u, &{{ head.node }}_zero),
-    {{ head.upper }}_ROW(RO, uint32, 4u, &{{ head.node }}_noCobId),
-    {{ head.upper }}_ROW(RO, uint8, 1u, &{{ head.node }}_zero),
-    {{ head.upper }}_ROW(RO, uint16, 2u, &{{ head.node }}_zero),
-    {{ head.upper }}_ROW(RO, uint8, 1u, &{{ head.node }}_zero),
-    {{ head.upper }}_ROW(RO, uint16, 2u, &{{ head.node }}_zero),
+static UNS32 {{ head.lower }}_noCobId = 0x80000000u;
+{{ head.upper }}_ROWS {{ head.lower }}_noPdo[6] = {
+    {{ head.upper }}_ROW(RO, uint8, 1u, &{{ head.lower }}_zero),
+    {{ head.upper }}_ROW(RO, uint32, 4u, &{{ head.lower }}_noCobId),
+    {{ head.upper }}_ROW(RO, uint8, 1u, &{{ head.lower }}_zero),
+    {{ head.upper }}_ROW(RO, uint16, 2u, &{{ head.lower }}_zero),
+    {{ head.upper }}_ROW(RO, uint8, 1u, &{{ head.lower }}_zero),
+    {{ head.upper }}_ROW(RO, uint16, 2u, &{{ head.lower }}_zero),
 };
 {%- endif %}
-{%- if no_mapping %}
+{%- if slots.has(Slot::NoMapping) %}
 
 /* The mapping of a PDO without any. */
-{{ head.upper }}_ROWS {{ head.node }}_noMapping[1] = { {{- head.upper }}_ROW(RO, uint8, 1u, &{{ head.node }}_zero)};
+{{ head.upper }}_ROWS {{ head.lower }}_noMapping[1] = { {{- head.upper }}_ROW(RO, uint8, 1u, &{{ head.lower }}_zero)};
 {%- endif %}
 
-const indextable {{ head.node }}_objdict[] = {
+const indextable {{ head.lower }}_objdict[] = {
 {%- for slot in slots.list %}
 {%- match slot %}
 {%- when Slot::Object with (number) %}
 {%- let object = plan.objects[*number] %}
-    {(subindex *){{ head.node }}_Index{{ object.index|hex4 }}, {{ object.rows.len() }}u, 0x{{ object.index|hex4 }}u},
+    {(subindex *){{ head.lower }}_Index{{ object.index|hex4 }}, {{ object.rows.len() }}u, 0x{{ object.index|hex4 }}u},
 {%- when Slot::Nothing %}
     {NULL, 0u, 0u},
 {%- when Slot::NoPdo %}
-    {(subindex *){{ head.node }}_noPdo, 6u, 0u},
+    {(subindex *){{ head.lower }}_noPdo, 6u, 0u},
 {%- when Slot::NoMapping %}
-    {(subindex *){{ head.node }}_noMapping, 1u, 0u},
+    {(subindex *){{ head.lower }}_noMapping, 1u, 0u},
 {%- endmatch %}
 {%- endfor %}
 };
 
 #ifdef {{ head.upper }}_CALLBACK_IN_ROW
 #define {{ head.upper }}_CALLBACKS(array)
-const indextable *{{ head.node }}_scanIndexOD(CO_Data *d, UNS16 wIndex, UNS32 *errorCode)
+const indextable *{{ head.lower }}_scanIndexOD(CO_Data *d, UNS16 wIndex, UNS32 *errorCode)
 #else
 #define {{ head.upper }}_CALLBACKS(array) *callbacks = array;
-const indextable *{{ head.node }}_scanIndexOD(UNS16 wIndex, UNS32 *errorCode, ODCallback_t **callbacks)
+const indextable *{{ head.lower }}_scanIndexOD(UNS16 wIndex, UNS32 *errorCode, ODCallback_t **callbacks)
 #endif
 {
     int i;
@@ -153,33 +153,33 @@ const indextable *{{ head.node }}_scanIndexOD(UNS16 wIndex, UNS32 *errorCode, OD
     switch (wIndex) {
 {%- for (position, number) in self.positions() %}
 {%- let object = plan.objects[number] %}
-    case 0x{{ object.index|hex4 }}: i = {{ position }};{% if object.callbacks %} {{ head.upper }}_CALLBACKS({{ head.node }}_Index{{ object.index|hex4 }}_callbacks){% endif %} break;
+    case 0x{{ object.index|hex4 }}: i = {{ position }};{% if object.callbacks %} {{ head.upper }}_CALLBACKS({{ head.lower }}_Index{{ object.index|hex4 }}_callbacks){% endif %} break;
 {%- endfor %}
     default:
         *errorCode = OD_NO_SUCH_OBJECT;
         return NULL;
     }
     *errorCode = OD_SUCCESSFUL;
-    return &{{ head.node }}_objdict[i];
+    return &{{ head.lower }}_objdict[i];
 }
 
 /* The TPDOs. */
-s_PDO_status {{ head.node }}_PDO_status[{{ slots.transmitted() }}] = {
+s_PDO_status {{ head.lower }}_PDO_status[{{ slots.transmitted() }}] = {
 {%- for _ in 0..slots.transmitted() %}
     s_PDO_status_Initializer,
 {%- endfor %}
 };
 
 /* SDO servers and clients, RPDOs and their mappings, TPDOs and their mappings. */
-const quick_index {{ head.node }}_firstIndex = { {%- for position in slots.first %}{{ position }}u{% if !loop.last %}, {% endif %}{% endfor -%} };
-const quick_index {{ head.node }}_lastIndex = { {%- for position in slots.last %}{{ position }}u{% if !loop.last %}, {% endif %}{% endfor -%} };
-const UNS16 {{ head.node }}_ObjdictSize = sizeof({{ head.node }}_objdict) / sizeof({{ head.node }}_objdict[0]);
+const quick_index {{ head.lower }}_firstIndex = { {%- for position in slots.first %}{{ position }}u{% if !loop.last %}, {% endif %}{% endfor -%} };
+const quick_index {{ head.lower }}_lastIndex = { {%- for position in slots.last %}{{ position }}u{% if !loop.last %}, {% endif %}{% endfor -%} };
+const UNS16 {{ head.lower }}_ObjdictSize = sizeof({{ head.lower }}_objdict) / sizeof({{ head.lower }}_objdict[0]);
 
-CO_Data {{ head.node }}_Data = CANOPEN_NODE_DATA_INITIALIZER({{ head.node }});
+CO_Data {{ head.lower }}_Data = CANOPEN_NODE_DATA_INITIALIZER({{ head.lower }});
 {%- if !plan.formulas.is_empty() %}
-{%- if plan.stores_bytes %}
+{%- if self.stores_bytes() %}
 
-static void {{ head.node }}_store(UNS8 *bytes, UNS64 number, unsigned size)
+static void {{ head.lower }}_store(UNS8 *bytes, UNS64 number, unsigned size)
 {
     unsigned at;
     for (at = 0u; at < size; at++) {
@@ -188,7 +188,7 @@ static void {{ head.node }}_store(UNS8 *bytes, UNS64 number, unsigned size)
 }
 {%- endif %}
 
-void {{ head.node }}_applyNodeId(UNS8 nodeId)
+void {{ head.lower }}_applyNodeId(UNS8 nodeId)
 {
 {%- for formula in plan.formulas %}
     {{ formula }}

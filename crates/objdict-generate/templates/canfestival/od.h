@@ -12,28 +12,28 @@
 extern "C" {
 #endif
 
-UNS32 {{ head.node }}_valueRangeTest(UNS8 typeValue, void *value);
+UNS32 {{ head.lower }}_valueRangeTest(UNS8 typeValue, void *value);
 #ifdef {{ head.upper }}_CALLBACK_IN_ROW
-const indextable *{{ head.node }}_scanIndexOD(CO_Data *d, UNS16 wIndex, UNS32 *errorCode);
+const indextable *{{ head.lower }}_scanIndexOD(CO_Data *d, UNS16 wIndex, UNS32 *errorCode);
 #else
-const indextable *{{ head.node }}_scanIndexOD(UNS16 wIndex, UNS32 *errorCode, ODCallback_t **callbacks);
+const indextable *{{ head.lower }}_scanIndexOD(UNS16 wIndex, UNS32 *errorCode, ODCallback_t **callbacks);
 #endif
 
 /* The state of the node, for the functions of the stack. */
-extern CO_Data {{ head.node }}_Data;
+extern CO_Data {{ head.lower }}_Data;
 {%- if !plan.formulas.is_empty() %}
 
 /* Adds the node-ID to all values that are formulas. Call it after setNodeId(), and before stored values are restored. */
-void {{ head.node }}_applyNodeId(UNS8 nodeId);
+void {{ head.lower }}_applyNodeId(UNS8 nodeId);
 {%- endif %}
 
 /* What a row without an entry refers to. */
-extern UNS32 {{ head.node }}_zero;
+extern UNS32 {{ head.lower }}_zero;
 
 /* The variables. */
 {%- for definition in plan.definitions %}
-{%- if definition.is_variable() %}
-extern {{ definition.declaration() }}; /* {{ definition.comment }} */
+{%- if !definition.is_constant() %}
+extern {{ definition.declaration() }}; /* {{ definition.described }} */
 {%- endif %}
 {%- endfor %}
 

@@ -1,6 +1,6 @@
-// {{ made_by }}; do not edit.
+// {{ head.made_by }}; do not edit.
 //
-// Object dictionary of {{ product|code_span }} by {{ vendor|code_span }}, for the crate canopen-rs 0.6.
+// Object dictionary of {{ head.product|code_span }} by {{ head.vendor|code_span }}, for the crate canopen-rs 0.6.
 //
 // Use the file as a module or with `include!`. Products rarely use all of it, so dead code is
 // allowed; `unreachable_pub` depends on where it is included.
@@ -23,7 +23,7 @@ pub const ENTRY_COUNT: usize = {{ rows.len() }};
 #[rustfmt::skip]
 #[allow(dead_code, unreachable_pub)]
 #[allow(clippy::approx_constant, clippy::cast_lossless, clippy::cast_possible_wrap, clippy::too_many_lines)]
-pub fn {{ function }}(node_id: u8) -> ObjectDictionary<ENTRY_COUNT> {
+pub fn {{ head.lower }}(node_id: u8) -> ObjectDictionary<ENTRY_COUNT> {
 {%- if has_formulas %}
     let node_id = node_id & 0x7F;
 {%- else %}
@@ -31,7 +31,7 @@ pub fn {{ function }}(node_id: u8) -> ObjectDictionary<ENTRY_COUNT> {
 {%- endif %}
     let mut od = ObjectDictionary::new();
 {%- for row in rows %}
-    put(&mut od, (0x{{ row.index|hex4 }}, 0x{{ row.sub|hex2 }}), AccessType::{{ row.access }}, {{ row.value }}); // {{ row.name|code_span }}
+    put(&mut od, (0x{{ row.index|hex4 }}, 0x{{ row.sub|hex2 }}), AccessType::{{ row.access|capitalize }}, {{ row.value }}); // {{ row.name|code_span }}
 {%- endfor %}
     od
 }
@@ -45,7 +45,7 @@ fn put(
     let inserted = od.insert(Address::new(index, sub), Entry { value, access });
     debug_assert!(inserted.is_ok()); // there is room for exactly these entries
 }
-{%- if has_octets %}
+{%- if self.has_octets() %}
 
 fn octets(bytes: &[u8]) -> ByteString {
     ByteString::from_bytes(bytes).unwrap_or_default() // none is too long

@@ -5,17 +5,17 @@
  * Values of more than 4 bytes and REAL64 are stored for a little-endian processor.
  */
 #include "{{ head.stem }}.h"
-{%- if blocks || bytes %}
+{%- if self.has(Type::Block) || self.has(Type::Bytes) %}
 
 #include <string.h>
 {%- endif %}
-{%- for count in head.counts %}
+{%- for (name, count, what, condition) in self.counts() %}
 
-#if CO_{{ count.name }}_N < {{ head.upper }}_{{ count.name }}_N{{ count.condition }}
-#error "the dictionary has {{ count.count }} {{ count.what }}: set CO_{{ count.name }}_N for the stack"
+#if CO_{{ name }}_N < {{ head.upper }}_{{ name }}_N{{ condition }}
+#error "the dictionary has {{ count }} {{ what }}: set CO_{{ name }}_N for the stack"
 #endif
 {%- endfor %}
-{%- if blocks || bytes %}
+{%- if self.has(Type::Block) || self.has(Type::Bytes) %}
 
 /* Number of bytes to copy from or to an object of size bytes, after the first offset bytes. */
 static uint32_t {{ head.lower }}_rest(uint32_t size, uint32_t offset, uint32_t wanted)
@@ -24,7 +24,7 @@ static uint32_t {{ head.lower }}_rest(uint32_t size, uint32_t offset, uint32_t w
     return wanted < rest ? wanted : rest;
 }
 {%- endif %}
-{%- if blocks %}
+{%- if self.has(Type::Block) %}
 
 /* A value of fixed size. The stack asks for the size when a transfer starts, and not every transfer resets the
    offset, so this resets it. */
@@ -68,7 +68,7 @@ static const CO_OBJ_TYPE {{ head.lower }}_block = {
     {{ head.lower }}_block_size, NULL, {{ head.lower }}_block_read, {{ head.lower }}_block_write, {{ head.lower }}_block_reset,
 };
 {%- endif %}
-{%- if bytes %}
+{%- if self.has(Type::Bytes) %}
 
 /* A value of up to room bytes, such as a writable text. */
 typedef struct {
@@ -140,14 +140,14 @@ const {{ group.variable }}_t {{ group.variable }}_defaults = {
 
 /* The variable values. */
 {%- for member in layout.variables %}
-{{ member.definition() }} = {{ member.initializer }};
+{{ layout::definition(member) }} = {{ member.initializer }};
 {%- endfor %}
 {%- endif %}
 {%- if !layout.definitions.is_empty() %}
 
 /* Constants, and additional data for types of the stack. */
 {%- for definition in layout.definitions %}
-{{ definition }}
+static {{ definition.declaration() }} = {{ definition.initializer }};
 {%- endfor %}
 {%- endif %}
 {%- if parameters.nothing %}

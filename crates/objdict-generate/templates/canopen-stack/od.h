@@ -11,26 +11,26 @@
 #ifdef __cplusplus
 extern "C" {
 #endif
-{%- if let Some(node_id) = head.node_id %}
+{%- if let Some(node_id) = dictionary.node_id %}
 
 /* The configured node-ID. */
 #define {{ head.upper }}_NODE_ID {{ node_id }}u
 {%- endif %}
 
 /* Minimum configuration of the stack: CO_SSDO_N and so on, up to the highest number in use. */
-{%- for count in head.counts %}
-#define {{ head.upper }}_{{ count.name }}_N {{ count.count }} /* {{ count.what }} */
+{%- for (name, count, what, condition) in self.counts() %}
+#define {{ head.upper }}_{{ name }}_N {{ count }} /* {{ what }} */
 {%- endfor %}
 
 /* The dictionary: the rows by key, followed by the end mark. */
-#define {{ head.upper }}_LEN {{ head.length }}u
+#define {{ head.upper }}_LEN {{ rows.len() }}u
 extern const CO_OBJ {{ head.lower }}_objects[{{ head.upper }}_LEN + 1u];
 {%- for group in layout.groups %}
 
 /* The values of the storage group {{ group.name|c_comment }}. */
 typedef struct {
 {%- for member in group.members %}
-    {{ member.declaration() }}; /* {{ member.place() }}: {{ member.described|c_comment }} */
+    {{ member.declaration() }}; /* {{ layout::place(member) }}: {{ member.described|c_comment }} */
 {%- endfor %}
 } {{ group.variable }}_t;
 extern {{ group.variable }}_t {{ group.variable }};
@@ -40,10 +40,10 @@ extern const {{ group.variable }}_t {{ group.variable }}_defaults;
 
 /* The variable values. */
 {%- for member in layout.variables %}
-{%- if let Some(structure) = member.structure() %}
+{%- if let Some(structure) = layout::own_type(member) %}
 typedef {{ structure }} {{ member.name }}_t;
 {%- endif %}
-extern {{ member.definition() }}; /* {{ member.place() }}: {{ member.described|c_comment }} */
+extern {{ layout::definition(member) }}; /* {{ layout::place(member) }}: {{ member.described|c_comment }} */
 {%- endfor %}
 {%- endif %}
 

@@ -7,20 +7,20 @@
 #include "{{ head.stem }}.h"
 
 /* FILL IN: the node-ID, if it comes from a switch or from LSS. */
-#define APP_NODE_ID {{ node_id }}u
+#define APP_NODE_ID {{ dictionary.node_id.unwrap_or(1) }}u
 
 /* FILL IN: the baud rate in bit/s. */
-#define APP_BAUDRATE {{ baud_rate }}u
+#define APP_BAUDRATE {{ self.baud_rate() }}u
 
 /* Heartbeat, SYNC and LSS, a timer per heartbeat consumer, two per TPDO. FILL IN: those of the application. */
-#define APP_TMR_N {{ timers }}u
+#define APP_TMR_N {{ self.timers() }}u
 
 /* FILL IN: ticks of the timer driver per second. */
 #define APP_TICKS_PER_SECOND 1000u
 
 /* FILL IN: the drivers for CAN, timer and non-volatile memory. */
 extern struct CO_IF_DRV_T AppDriver;
-{%- if emcy %}
+{%- if self.has_emcy() %}
 
 /* FILL IN: a row for each error of the application; its number is the argument of COEmcySet(). */
 static CO_EMCY_TBL AppEmcyTbl[CO_EMCY_N] = {
@@ -37,7 +37,7 @@ struct CO_NODE_SPEC_T AppSpec = {
     .Baudrate = APP_BAUDRATE,
     .Dict = (CO_OBJ *){{ head.lower }}_objects, /* not written: no row is direct and writable */
     .DictLen = {{ head.upper }}_LEN,
-    .EmcyCode = {% if emcy %}AppEmcyTbl{% else %}NULL{% endif %},
+    .EmcyCode = {% if self.has_emcy() %}AppEmcyTbl{% else %}NULL{% endif %},
     .TmrMem = AppTmrMem,
     .TmrNum = APP_TMR_N,
     .TmrFreq = APP_TICKS_PER_SECOND,

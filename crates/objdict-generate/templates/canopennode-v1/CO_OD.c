@@ -37,7 +37,7 @@ const CO_OD_entry_t CO_OD[CO_OD_NoOfElements] = {
 {%- endfor %}
 };
 {%- if !plan.formulas.is_empty() %}
-{%- if stores_bytes %}
+{%- if self.stores_bytes() %}
 
 static void CO_OD_store(UNSIGNED8 *bytes, UNSIGNED64 number, unsigned size)
 {

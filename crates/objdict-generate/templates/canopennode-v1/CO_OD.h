@@ -20,16 +20,16 @@ typedef char VISIBLE_STRING;
 typedef unsigned char OCTET_STRING;
 
 /* What the stack is compiled for. */
-#define CO_NO_SYNC {{ plan.sync }}
-#define CO_NO_TIME {{ plan.time }}
+#define CO_NO_SYNC {{ self.has(0x1005) }}
+#define CO_NO_TIME {{ self.has(0x1012) }}
 #define CO_NO_EMERGENCY 1
 #define CO_NO_SDO_SERVER {{ plan.counts[0] }}
 #define CO_NO_SDO_CLIENT {{ plan.counts[1] }}
 #define CO_NO_RPDO {{ plan.counts[2] }}
 #define CO_NO_TPDO {{ plan.counts[4] }}
-#define CO_NO_NMT_MASTER {{ plan.master }}
+#define CO_NO_NMT_MASTER {{ self.is_master() }}
 #define CO_NO_TRACE 0
-#define CO_NO_LSS_SERVER {{ plan.lss }}
+#define CO_NO_LSS_SERVER {{ self.has_lss() }}
 #define CO_NO_LSS_CLIENT 0
 
 #define CO_OD_NoOfElements {{ plan.rows.len() }}
@@ -58,8 +58,8 @@ extern struct sCO_OD_{{ location.name() }} CO_OD_{{ location.name() }};
 {%- endfor %}
 
 /* The variables, their lengths, and the elements of arrays. */
-{%- for alias in plan.aliases %}
-#define {{ alias.name }} {{ alias.value }}
+{%- for (name, value) in plan.aliases %}
+#define {{ name }} {{ value }}
 {%- endfor %}
 {%- if !plan.formulas.is_empty() %}
 

@@ -1,17 +1,17 @@
-{%- let od = tables.prefix.as_str() -%}
+{%- let od = prefix.as_str() -%}
 /*
- * {{ tables.made_by }}; do not edit.
+ * {{ head.made_by }}; do not edit.
  *
- * Object dictionary of {{ tables.product|c_comment }} by {{ tables.vendor|c_comment }} for CANopenNode 4.
+ * Object dictionary of {{ head.product|c_comment }} by {{ head.vendor|c_comment }} for CANopenNode 4.
  */
 #define OD_DEFINITION
 #include "301/CO_ODinterface.h"
 #include "{{ od }}.h"
-{%- if tables.math %}
+{%- if self.has_math() %}
 
 #include <math.h>
 {%- endif %}
-{%- if tables.limits.is_some() %}
+{%- if limits.is_some() %}
 
 #include <string.h>
 {%- endif %}
@@ -21,7 +21,7 @@
 #endif
 
 /* Values by storage group. Formulas do not include the node-ID. */
-{%- for group in tables.groups %}
+{%- for group in groups %}
 {{ od }}_ATTR_{{ group.name }} {{ od }}_{{ group.name }}_t {{ od }}_{{ group.name }} = {
 {%- for field in group.fields %}
     {{ field.initialiser }},
@@ -30,26 +30,47 @@
 {% endfor %}
 /* Object descriptors. */
 typedef struct {
-{%- for object in tables.objects %}
-    OD_obj_
-    {%- if object.kind == "VAR" %}var{% else if object.kind == "ARR" %}array{% else %}record{% endif %}_t o_{{ object.name }}{{ object.dimension }};
+{%- for object in objects %}
+{%- match object.layout %}
+{%- when Layout::Var(_) %}
+    OD_obj_var_t o_{{ object.name() }};
+{%- when Layout::Array(_, _) %}
+    OD_obj_array_t o_{{ object.name() }};
+{%- when Layout::Record(members) %}
+    OD_obj_record_t o_{{ object.name() }}[{{ members.len() }}];
+{%- endmatch %}
 {%- endfor %}
 } ODObjs_t;
 
 static CO_PROGMEM ODObjs_t ODObjs = {
-{%- for object in tables.objects %}
-    .o_{{ object.name }} = {
-    {%- for line in object.lines %}
-        {{ line }},
+{%- for object in objects %}
+    .o_{{ object.name() }} = {
+    {%- match object.layout %}
+    {%- when Layout::Var(member) %}
+        .dataOrig = {{ object.address(member, od) }},
+        .attribute = {{ member.storage.attribute }},
+        .dataLength = {{ member.storage.length }},
+    {%- when Layout::Array(sub0, elements) %}
+    {%- let storage = elements[0].storage %}
+        .dataOrig0 = {{ object.address(sub0, od) }},
+        .dataOrig = {{ object.address(elements[0], od) }},
+        .attribute0 = {{ sub0.storage.attribute }},
+        .attribute = {{ storage.attribute }},
+        .dataElementLength = {{ storage.length }},
+        .dataElementSizeof = {% if let Some(type_) = storage.type_ %}sizeof({{ type_ }}{{ storage.dimension() }}){% else %}0{% endif %},
+    {%- when Layout::Record(members) %}
+    {%- for member in members %}
+        {.dataOrig = {{ object.address(member, od) }}, .subIndex = {{ member.entry.sub }}, .attribute = {{ member.storage.attribute }}, .dataLength = {{ member.storage.length }}},
     {%- endfor %}
+    {%- endmatch %}
     },
 {%- endfor %}
 };
 
 /* All objects, by index. */
 static {{ od }}_ATTR_OD OD_entry_t ODList[] = {
-{%- for object in tables.objects %}
-    {0x{{ object.index|hex4 }}, 0x{{ "{:02X}"|format(object.entries) }}, ODT_{{ object.kind }}, &ODObjs.o_{{ object.name }}, NULL},
+{%- for object in objects %}
+    {0x{{ object.index|hex4 }}, 0x{{ "{:02X}"|format(object.members().count()) }}, ODT_{{ object.kind() }}, &ODObjs.o_{{ object.name() }}, NULL},
 {%- endfor %}
     {0x0000, 0x00, 0, NULL, NULL}
 };
@@ -60,7 +81,7 @@ static OD_t _{{ od }} = {
 };
 
 OD_t *{{ od }} = &_{{ od }};
-{%- if tables.sets_bytes() %}
+{%- if self.sets_bytes() %}
 
 /* Sets a value stored as bytes. */
 static void setBytes(uint8_t *bytes, uint8_t length, uint64_t value)
@@ -74,23 +95,19 @@ static void setBytes(uint8_t *bytes, uint8_t length, uint64_t value)
 
 void {{ od }}_applyNodeId(uint8_t nodeId)
 {
-{%- if tables.applied.is_empty() %}
+{%- if applied.is_empty() %}
     (void)nodeId;
 {%- else %}
     const uint32_t id = nodeId & 0x7FU;
-{%- for applied in tables.applied %}
-{%- if let Some(type_) = applied.type_ %}
-    {{ applied.variable }} = ({{ type_ }})({{ applied.base }} + id);
-{%- else %}
-    setBytes(&{{ applied.variable }}[0], {{ applied.length }}, {{ applied.base }} + id);
-{%- endif %}
+{%- for statement in applied %}
+    {{ statement }}
 {%- endfor %}
 {%- endif %}
 }
-{%- if !tables.hooks.is_empty() %}
+{%- if !hooks.is_empty() %}
 
-static OD_extension_t hookExtensions[{{ tables.hooks.len() }}] = {
-{%- for hook in tables.hooks %}
+static OD_extension_t hookExtensions[{{ hooks.len() }}] = {
+{%- for hook in hooks %}
     {.read = {% if hook.is_read %}{{ od }}_read_H{{ hook.index|hex4 }}{% else %}OD_readOriginal{% endif %},
      .write = {% if hook.is_written %}{{ od }}_write_H{{ hook.index|hex4 }}{% else %}OD_writeOriginal{% endif %}},
 {%- endfor %}
@@ -98,12 +115,12 @@ static OD_extension_t hookExtensions[{{ tables.hooks.len() }}] = {
 
 void {{ od }}_initHooks(void *object)
 {
-{%- for hook in tables.hooks %}
+{%- for hook in hooks %}
     hookExtensions[{{ loop.index0 }}].object = object;
     (void)OD_extension_init(&ODList[{{ hook.position }}], &hookExtensions[{{ loop.index0 }}]);
 {%- endfor %}
 }
 {%- endif %}
-{%- if let Some(limits) = tables.limits %}
+{%- if let Some(limits) = self.limits %}
 {% include "canopennode/limits.c" %}
 {%- endif %}

@@ -1,8 +1,8 @@
-{%- let od = tables.prefix.as_str() -%}
+{%- let od = prefix.as_str() -%}
 /*
- * {{ tables.made_by }}; do not edit.
+ * {{ head.made_by }}; do not edit.
  *
- * Object dictionary of {{ tables.product|c_comment }} by {{ tables.vendor|c_comment }} for CANopenNode 4.
+ * Object dictionary of {{ head.product|c_comment }} by {{ head.vendor|c_comment }} for CANopenNode 4.
  */
 #ifndef {{ od }}_H
 #define {{ od }}_H
@@ -14,19 +14,19 @@ extern "C" {
 #endif
 
 /* Number of objects per service of the stack. */
-{%- for (label, count) in tables.counters %}
+{%- for (label, count) in counters.iter() %}
 #define {{ od }}_CNT_{{ label }} {{ count }}
 {%- endfor %}
 
 /* Number of elements per array. */
-{%- for object in tables.objects %}
+{%- for object in objects %}
 {%- if let Some(count) = object.count %}
 #define {{ od }}_CNT_ARR_{{ object.index|hex4 }} {{ count }}
 {%- endif %}
 {%- endfor %}
 
 /* Values by storage group. */
-{%- for group in tables.groups %}
+{%- for group in groups %}
 typedef struct {
 {%- for field in group.fields %}
     {{ field.declaration }};
@@ -44,17 +44,17 @@ extern {{ od }}_ATTR_{{ group.name }} {{ od }}_{{ group.name }}_t {{ od }}_{{ gr
 extern {{ od }}_ATTR_OD OD_t *{{ od }};
 
 /* Entries of the list, by index. */
-{%- for object in tables.objects %}
+{%- for object in objects %}
 #define {{ od }}_ENTRY_H{{ object.index|hex4 }} (&{{ od }}->list[{{ loop.index0 }}])
 {%- endfor %}
 
 /* Entries of the list, by index and name. */
-{%- for object in tables.objects %}
+{%- for object in objects %}
 {%- if !object.cname.is_empty() %}
-#define {{ od }}_ENTRY_H{{ object.name }} (&{{ od }}->list[{{ loop.index0 }}])
+#define {{ od }}_ENTRY_H{{ object.name() }} (&{{ od }}->list[{{ loop.index0 }}])
 {%- endif %}
 {%- endfor %}
-{%- if !tables.has_consumers %}
+{%- if !self.has_consumers() %}
 
 /* The stack also refers to these without heartbeat consumers. */
 #define {{ od }}_CNT_ARR_1016 0
@@ -64,22 +64,22 @@ extern {{ od }}_ATTR_OD OD_t *{{ od }};
 /* Adds the node-ID, of which only the lower seven bits are used, to formulas that the stack does not evaluate. Call this when the
    node-ID is known, before CO_CANopenInit(), and again when it changes; restore stored values afterwards. */
 void {{ od }}_applyNodeId(uint8_t nodeId);
-{%- if let Some(first) = tables.hooks.first() %}
+{%- if let Some(first) = hooks.first() %}
 
-/* Hooks: the application defines these functions, and {{ od }}_initHooks() attaches them before CO_CANopenInit(){% if tables.limits.is_some() %} and {{ od }}_initLimits(){% endif %}.
+/* Hooks: the application defines these functions, and {{ od }}_initHooks() attaches them before CO_CANopenInit(){% if limits.is_some() %} and {{ od }}_initLimits(){% endif %}.
    stream->subIndex is the entry, stream->object the argument of {{ od }}_initHooks(). A function that changes nothing calls
-   OD_readOriginal() or {% if tables.limits.is_some() %}{{ od }}_writeLimited(){% else %}OD_writeOriginal(){% endif %}:
+   OD_readOriginal() or {% if limits.is_some() %}{{ od }}_writeLimited(){% else %}OD_writeOriginal(){% endif %}:
 
    ODR_t {{ od }}_write_H{{ first.index|hex4 }}(OD_stream_t *stream, const void *buf, OD_size_t count, OD_size_t *countWritten)
    {
-       const ODR_t answer = {% if tables.limits.is_some() %}{{ od }}_writeLimited{% else %}OD_writeOriginal{% endif %}(stream, buf, count, countWritten);
+       const ODR_t answer = {% if limits.is_some() %}{{ od }}_writeLimited{% else %}OD_writeOriginal{% endif %}(stream, buf, count, countWritten);
        if (answer == ODR_OK) {
            use the new value
        }
        return answer;
    } */
 void {{ od }}_initHooks(void *object);
-{%- for hook in tables.hooks %}
+{%- for hook in hooks %}
 {%- if hook.is_read %}
 ODR_t {{ od }}_read_H{{ hook.index|hex4 }}(OD_stream_t *stream, void *buf, OD_size_t count, OD_size_t *countRead);
 {%- endif %}
@@ -88,7 +88,7 @@ ODR_t {{ od }}_write_H{{ hook.index|hex4 }}(OD_stream_t *stream, const void *buf
 {%- endif %}
 {%- endfor %}
 {%- endif %}
-{%- if tables.limits.is_some() %}
+{%- if limits.is_some() %}
 
 /* Adds an extension that enforces limits to each object with limits and without an extension. The node-ID is for limits
    that are formulas. */
@@ -101,7 +101,7 @@ ODR_t {{ od }}_writeLimited(OD_stream_t *stream, const void *buf, OD_size_t coun
 /* The configuration of the stack for several object dictionaries. */
 #ifdef CO_MULTIPLE_OD
 #define {{ od }}_INIT_CONFIG(config) { \
-{%- for (member, value) in tables.config %}
+{%- for (member, value) in self.config() %}
     (config).{{ member }} = {{ value }}; \
 {%- endfor %}
 }

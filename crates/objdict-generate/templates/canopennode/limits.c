@@ -1,4 +1,4 @@
-{%- if limits.rows.is_empty() %}
+{%- if limits.is_empty() %}
 void {{ od }}_initLimits(uint8_t nodeId)
 {
     (void)nodeId;
@@ -30,13 +30,13 @@ typedef struct {
 } Limit_t;
 
 static CO_PROGMEM Limit_t limits[] = {
-{%- for row in limits.rows %}
-    { {{- row.low }}, {{ row.high }}, 0x{{ row.index|hex4 }}, {{ row.position }}, 0x{{ row.sub|hex2 }}, {{ row.length }}, {{ row.flags }}},
+{%- for row in limits %}
+    { {{- row.row }}},
 {%- endfor %}
 };
 
 static uint8_t limitNodeId;
-static OD_extension_t limitExtensions[{{ limits.objects }}];
+static OD_extension_t limitExtensions[{{ limits::objects(limits) }}];
 
 /* Converts a value to a number, with sign extension. */
 static uint64_t limitedValue(CO_PROGMEM Limit_t *limit, const void *buf)
@@ -64,7 +64,7 @@ static uint64_t limitedValue(CO_PROGMEM Limit_t *limit, const void *buf)
     }
     return value;
 }
-{%- if limits.real %}
+{%- if limits::has_real(limits) %}
 
 /* Converts the bits of a value to a number. */
 static float64_t realNumber(CO_PROGMEM Limit_t *limit, uint64_t bits)
@@ -86,7 +86,7 @@ static bool_t isLess(CO_PROGMEM Limit_t *limit, uint64_t first, uint64_t second)
 {
     /* inverting the sign bit makes signed numbers comparable as unsigned */
     const uint64_t bias = (limit->flags & LIMIT_SIGNED) != 0U ? 1ULL << 63 : 0U;
-{%- if limits.real %}
+{%- if limits::has_real(limits) %}
     if ((limit->flags & LIMIT_REAL) != 0U) {
         return realNumber(limit, first) < realNumber(limit, second);
     }
@@ -103,7 +103,7 @@ static ODR_t checkLimit(CO_PROGMEM Limit_t *limit, const void *buf, OD_size_t co
         return ODR_TYPE_MISMATCH;
     }
     value = limitedValue(limit, buf);
-{%- if limits.real %}
+{%- if limits::has_real(limits) %}
     if ((limit->flags & LIMIT_REAL) != 0U) {
         const float64_t number = realNumber(limit, value);
         if (!(number <= 0.0) && !(number >= 0.0)) {

@@ -46,7 +46,7 @@ static const struct co_ssub {{ head.lower }}_{{ object.index|hex4 }}[] = {
 {%- endif %}
         {{ head.upper }}_DEFAULT({{ row.default }})
         .val = { {{- row.value -}} },
-        .access = CO_ACCESS_{{ row.access }}, .pdo_mapping = {{ row.mapping }}, .flags = {{ row.flags }},
+        .access = CO_ACCESS_{{ row.access|upper }}, .pdo_mapping = {{ row.mapping }}, .flags = {{ row.flags }},
     },
 {%- endfor %}
 };
@@ -54,12 +54,12 @@ static const struct co_ssub {{ head.lower }}_{{ object.index|hex4 }}[] = {
 
 static const struct co_sobj {{ head.lower }}_objects[] = {
 {%- for object in objects %}
-    { {{- head.upper }}_NAME({{ object.name }}) .idx = 0x{{ object.index|hex4 }}u, .code = {{ object.code }}, .nsub = {{ object.rows.len() }}u, .subs = {{ head.lower }}_{{ object.index|hex4 }}},
+    { {{- head.upper }}_NAME({{ object.name }}) .idx = 0x{{ object.index|hex4 }}u, .code = CO_OBJECT_{{ object.code }}, .nsub = {{ object.rows.len() }}u, .subs = {{ head.lower }}_{{ object.index|hex4 }}},
 {%- endfor %}
 };
 
 const struct co_sdev {{ head.lower }}_sdev = {
-{%- for (member, value) in head.members %}
+{%- for (member, value) in self.members() %}
     .{{ member }} = {{ value }},
 {%- endfor %}
     .nobj = {{ objects.len() }}u,

@@ -18,8 +18,8 @@ UNSIGNED8 MEM_CONST SDOResponseTable[] = {
 
 /* Entries of the process image, with an end mark. */
 OD_PROCESS_DATA_ENTRY MEM_CONST gODProcTable[] = {
-{%- for entry in entries %}
-    ODENTRY(0x{{ entry.index|hex4 }}, 0x{{ entry.sub|hex2 }}, {{ entry.flags() }}, P_{{ entry.name }}_OFF),
+{%- for entry in image.entries %}
+    ODENTRY(0x{{ entry.index|hex4 }}, 0x{{ entry.entry.sub|hex2 }}, {{ entry.flags() }}, P_{{ entry.name }}_OFF),
 {%- endfor %}
     ODENTRY(0xFFFF, 0xFF, 0xFF, 0xFF)
 };
@@ -31,7 +31,7 @@ void {{ head.lower }}_init_image(void)
     for (at = 0; at < PROCIMG_SIZE; at++) {
         gProcImg[at] = 0;
     }
-{%- for (offset, value) in defaults %}
+{%- for (offset, value) in self.defaults() %}
     gProcImg[{{ offset }}] = {{ value }};
 {%- endfor %}
 }
@@ -39,10 +39,8 @@ void {{ head.lower }}_init_image(void)
 /* Initialises the PDOs; call it in MCOUSER_ResetCommunication() after MCO_Init(). */
 void {{ head.lower }}_init_pdos(void)
 {
-{%- for call in tpdos %}
-    {{ call }}
-{%- endfor %}
-{%- for call in rpdos %}
-    {{ call }}
+{%- for call in calls %}
+    MCO_Init{{ call.kind }}({{ call.number }}, {% if let Some((id, is_added)) = call.can_id %}0x{{ "{:03X}"|format(id) }}{% if *is_added %} + {{ self.node_id() }}{% endif %}{% else %}0{% endif %}
+    {%- if call.kind == PdoKind::Tpdo %}, {{ call.event }}, {{ call.inhibit }}{% endif %}, {{ call.length }}, {{ call.offset }});
 {%- endfor %}
 }

@@ -4,6 +4,7 @@
  * PDO mapping of {{ head.product|c_comment }} by {{ head.vendor|c_comment }}.
  */
 #include "objdict.h"
+{%- let rpdos = self.of(PdoKind::Rpdo) %}
 {%- if !rpdos.is_empty() %}
 
 const PDO_MAP gRpdoMap[NUM_OF_RPDOS] = {
@@ -22,6 +23,7 @@ const PDO_MAP gRpdoMap[NUM_OF_RPDOS] = {
 {%- endfor %}
 };
 {%- endif %}
+{%- let tpdos = self.of(PdoKind::Tpdo) %}
 {%- if !tpdos.is_empty() %}
 
 const PDO_MAP gTpdoMap[NUM_OF_TPDOS] = {

@@ -38,7 +38,7 @@ typedef struct {
     void *address;
 } MAP_OBJ;
 
-#define MAP_ENTRIES {{ slots }}
+#define MAP_ENTRIES {{ SLOTS }}
 typedef struct {
     uint8_t count;
     MAP_OBJ entries[MAP_ENTRIES];
@@ -50,22 +50,22 @@ typedef struct {
 #endif
 
 /* All entries in ascending order of index and sub-index. */
-#define NUM_OF_OBJ_ENTRIES {{ rows }}u
+#define NUM_OF_OBJ_ENTRIES {{ rows.len() }}u
 extern const OBJ_ENTRY gObjDict[NUM_OF_OBJ_ENTRIES];
 
 /* The mapping of PDO 1 and up. */
-#define NUM_OF_RPDOS {{ rpdos }}u
-{%- if rpdos > 0 %}
+#define NUM_OF_RPDOS {{ self.of(PdoKind::Rpdo).len() }}u
+{%- if !self.of(PdoKind::Rpdo).is_empty() %}
 extern const PDO_MAP gRpdoMap[NUM_OF_RPDOS];
 {%- endif %}
-#define NUM_OF_TPDOS {{ tpdos }}u
-{%- if tpdos > 0 %}
+#define NUM_OF_TPDOS {{ self.of(PdoKind::Tpdo).len() }}u
+{%- if !self.of(PdoKind::Tpdo).is_empty() %}
 extern const PDO_MAP gTpdoMap[NUM_OF_TPDOS];
 {%- endif %}
 
 /* The values. */
 {%- for variable in variables %}
-extern {{ variable.declaration }}; /* {{ variable.described|c_comment }} */
+extern {{ variable.declaration() }}; /* {{ variable.described|c_comment }} */
 {%- endfor %}
 
 #endif

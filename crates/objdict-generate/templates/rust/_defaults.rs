@@ -4,7 +4,7 @@
 #[allow(clippy::arithmetic_side_effects, clippy::cast_lossless)]
 #[rustfmt::skip]
 pub mod defaults {
-{%- for item in items %}
+{%- for item in defaults %}
 {%- if !loop.first %}
 {% endif %}
     /// {{ item.meaning }}.

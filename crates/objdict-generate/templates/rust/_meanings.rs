@@ -6,7 +6,7 @@ pub mod enums {
 {%- for view in enums %}
 {%- if !loop.first %}
 {% endif %}
-    /// {{ view.of.title|code_span }}: values of {{ view.entries }}.
+    /// {{ view.of.title|code_span }}: values of {{ self::entries(view.of.entries) }}.
     #[allow(clippy::enum_variant_names)]
     #[derive(Clone, Copy, Debug, PartialEq, Eq)]{{ derives }}
     #[repr({{ view.repr }})]
@@ -69,7 +69,7 @@ pub mod bits {
 {%- for view in words %}
 {%- if !loop.first %}
 {% endif %}
-    /// {{ view.of.title|code_span }}: {{ view.entries }}.
+    /// {{ view.of.title|code_span }}: {{ self::entries(view.of.entries) }}.
     pub mod {{ view.of.name }} {
 {%- for part in view.parts %}
 {%- if !loop.first %}

@@ -10,9 +10,10 @@ pub use self::{{ area.name }}::*;
 pub mod {{ area.name }} {
     use super::*;
 {%- for view in area.objects %}
-{% if let Some(handle) = view.single %}
+{% if view.object.single %}
+{%- let handle = view.handles[0] %}
     /// `0x{{ view.object.index|hex4 }}`: {{ handle.doc }}.
-    pub const {{ handle.name }}: Handle<{{ handle.type_ }}, {{ handle.access }}> = Handle::of(0x{{ view.object.index|hex4 }}, 0x{{ handle.sub|hex2 }});
+    pub const {{ handle.name }}: Handle<{{ handle.type_of() }}, {{ self::access(handle.row) }}> = Handle::of(0x{{ view.object.index|hex4 }}, 0x{{ handle.row.sub|hex2 }});
 {%- else %}
 {%- if let Some(array) = view.array %}
     /// `0x{{ view.object.index|hex4 }}`: {{ view.object.name|code_span }}, by sub-index.
@@ -24,9 +25,9 @@ pub mod {{ area.name }} {
 
         /// Index of the object.
         pub const INDEX: u16 = 0x{{ view.object.index|hex4 }};
-{%- for handle in view.entries %}
-        /// Sub-index `0x{{ handle.sub|hex2 }}`: {{ handle.doc }}.
-        pub const {{ handle.name }}: Handle<{{ handle.type_ }}, {{ handle.access }}> = Handle::of(INDEX, 0x{{ handle.sub|hex2 }});
+{%- for handle in view.handles %}
+        /// Sub-index `0x{{ handle.row.sub|hex2 }}`: {{ handle.doc }}.
+        pub const {{ handle.name }}: Handle<{{ handle.type_of() }}, {{ self::access(handle.row) }}> = Handle::of(INDEX, 0x{{ handle.row.sub|hex2 }});
 {%- endfor %}
     }
 {%- endif %}

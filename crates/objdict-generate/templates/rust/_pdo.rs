@@ -1,5 +1,5 @@
 /// The default mapping of PDOs: one struct per PDO with its fields in frame order.
-{% if gates -%}
+{% if options.feature_gates -%}
 #[cfg(feature = "od-pdo")]
 {% endif -%}
 #[allow(dead_code, unreachable_pub, unused_imports)]
@@ -8,7 +8,7 @@
 pub mod pdo {
     use super::table::{first, pack, unpack};
     use super::Data;
-{%- if runtime %}
+{%- if options.runtime %}
 
     /// The communication parameters of the RPDOs.
     pub const RPDOS: [u16; {{ pdos[0].len() }}] = {{ Self::indexes(pdos[0]) }};
@@ -20,7 +20,7 @@ pub mod pdo {
     /// {{ frame.frame.title }} (`0x{{ frame.frame.communication_index|hex4 }}`, `0x{{ frame.frame.mapping_index|hex4 }}`).
     #[allow(clippy::struct_excessive_bools)]
     #[derive(Clone, Copy, Debug, PartialEq)]{{ derives("    ") }}
-    pub struct {{ frame.type_name }} {
+    pub struct {{ frame.frame.name|capitalize }} {
 {%- for field in frame.fields %}
         /// `0x{{ field.row.index|hex4 }}` sub-index `0x{{ field.row.sub|hex2 }}`: {{ field.row.name|code_span }}.
         pub {{ field.field.name }}: {{ field.type_ }},
@@ -29,7 +29,7 @@ pub mod pdo {
 
     #[rustfmt::skip]
     #[allow(clippy::cast_lossless)]
-    impl {{ frame.type_name }} {
+    impl {{ frame.frame.name|capitalize }} {
         /// Length of a frame in bytes.
         pub const LENGTH: usize = {{ frame.frame.length }};
 {%- if let Some(transmission_type) = frame.frame.transmission_type %}
@@ -41,7 +41,7 @@ pub mod pdo {
 
         /// The default COB-ID, including the flags in its upper bits.
         #[must_use]
-        pub const fn cob_id({% if !frame.depends_on_node_id %}_{% endif %}node_id: u8) -> u32 {
+        pub const fn cob_id({% if !frame.frame.depends_on_node_id() %}_{% endif %}node_id: u8) -> u32 {
             {{ cob_id }}
         }
 {%- endif %}
@@ -87,9 +87,9 @@ pub mod pdo {
             }
         }
     }
-{%- if runtime %}
+{%- if options.runtime %}
 
-    impl objdict_device::Pdo for {{ frame.type_name }} {
+    impl objdict_device::Pdo for {{ frame.frame.name|capitalize }} {
         type Data = Data;
         const INDEX: u16 = 0x{{ frame.frame.communication_index|hex4 }};
         const LENGTH: usize = {{ frame.frame.length }};

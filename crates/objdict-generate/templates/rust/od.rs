@@ -1,9 +1,9 @@
-// {{ table.made_by }}; do not edit.
+// {{ table.head.made_by }}; do not edit.
 //
-// Object dictionary of {{ table.product|code_span }} by {{ table.vendor|code_span }}.
+// Object dictionary of {{ table.head.product|code_span }} by {{ table.head.vendor|code_span }}.
 //
 // `Data` contains the variable values: `get` and `set` take the constants of this file, `read` and
-// `write` index and sub-index, as an SDO does. The file {% if runtime %}depends on `objdict-device`{% else %}has no dependencies{% endif %} and needs no standard
+// `write` index and sub-index, as an SDO does. The file {% if options.runtime %}depends on `objdict-device`{% else %}has no dependencies{% endif %} and needs no standard
 // library; use it as a module or with `include!`. Products rarely use all of it, so dead code is
 // allowed; `unreachable_pub` depends on where it is included.
 {%- if let Some(node_id) = table.node_id %}
@@ -28,7 +28,7 @@ pub struct Od;
 
 /// The variable values; constants are in flash.
 #[allow(dead_code, unreachable_pub)]
-pub type Data = table::Data<Od, {{ ram }}>;
+pub type Data = table::Data<Od, {{ places.total }}>;
 
 /// An entry of the dictionary.
 #[allow(dead_code, unreachable_pub)]
@@ -43,7 +43,7 @@ pub type Handle<T, A> = table::Handle<Od, T, A>;
 pub type Array<T, A> = table::Array<Od, T, A>;
 
 #[allow(unused_imports, unreachable_pub)]
-pub use table::{Abort, {% if hook_room.is_some() %}Change, {% endif %}Const, Elsewhere, {% if hook_room.is_some() %}Hooks, {% endif %}{% if !groups.is_empty() %}ImageError, {% endif %}NodeConst, Ro, Rw, Time, Wo};
+pub use table::{Abort, {% if hook_room.is_some() %}Change, {% endif %}Const, Elsewhere, {% if hook_room.is_some() %}Hooks, {% endif %}{% if !table.groups.is_empty() %}ImageError, {% endif %}NodeConst, Ro, Rw, Time, Wo};
 
 /// Finds the entry with an index and a sub-index by binary search.
 ///
@@ -55,25 +55,25 @@ pub const fn find(index: u16, sub: u8) -> Result<&'static Entry, Abort> {
 }
 
 {{ objects }}
-{%- if !groups.is_empty() %}
-/// Storage groups: `data.save(groups::{{ groups[0].name }}, &mut image)`.
+{%- if !table.groups.is_empty() %}
+/// Storage groups: `data.save(groups::{{ table.groups[0].field|upper }}, &mut image)`.
 #[allow(dead_code, unreachable_pub)]
 #[rustfmt::skip]
 pub mod groups {
     use super::{Od, table::Group};
-{%- for group in groups %}
-    /// {{ group.group.name|code_span }}.
-    pub const {{ group.name }}: Group<Od, {{ group.group.image_size }}> = Group::new({{ group.first }}, {{ group.layout }}, {{ group.store }});
+{%- for (group, first) in table.groups.iter().zip(places.groups.iter()) %}
+    /// {{ group.name|code_span }}.
+    pub const {{ group.field|upper }}: Group<Od, {{ group.image_size }}> = Group::new({{ first }}, {{ self::hex(group.layout.into()) }}, {{ "{:?}"|format(group.sub_index) }});
 {%- endfor %}
 }
 {% endif %}
-{{ defaults }}
+{% include "_defaults.rs" %}
 
 {% if let Some(meanings) = meanings -%}
 {{ meanings }}
 
 {% endif -%}
-{%- if runtime || !frames.is_empty() -%}
+{%- if options.runtime || !frames.is_empty() -%}
 {% include "_pdo.rs" %}
 
 {% endif -%}
@@ -101,10 +101,10 @@ impl table::Table for Od {
         ];
         &ROM
     };
-{%- if names %}
+{%- if options.entry_names %}
 
     // not part of the program unless used
-{%- if gates %}
+{%- if options.feature_gates %}
     #[cfg(feature = "od-names")]
 {%- endif %}
     #[rustfmt::skip]
@@ -117,7 +117,7 @@ impl table::Table for Od {
         &NAMES
     };
 {%- endif %}
-{%- if gates %}
+{%- if options.feature_gates %}
 
     const CHECKS_LIMITS: bool = cfg!(feature = "od-limits");
 {%- endif %}
@@ -130,14 +130,14 @@ impl table::Hooked for Od {
 }
 {%- endif %}
 
-{%- if shared %}
+{%- if options.cell.is_some() %}
 
 /// The values, for interrupts and the main program: `SHARED.with(|data| data.get(…))`.
 #[allow(dead_code, unreachable_pub)]
 pub static SHARED: objdict_device::Shared<Data> = objdict_device::Shared::new(Data::new(NODE_ID));
 {%- endif %}
 
-{%- if runtime %}
+{%- if options.runtime %}
 
 /// The values with the hooks of the application.
 #[allow(dead_code, unreachable_pub)]

@@ -1,0 +1,57 @@
+//! What the files of a target have in common: the texts of their first lines, their names, and the view that their
+//! templates see.
+
+use super::Options;
+use crate::model::Device;
+
+/// The first lines of every file, and the names that its identifiers begin with.
+#[derive(Debug)]
+pub(crate) struct Head {
+    /// Generator and source, for the first line.
+    pub(crate) made_by: String,
+    /// The product name; empty if not stated.
+    pub(crate) product: String,
+    /// The vendor name; empty if not stated.
+    pub(crate) vendor: String,
+    /// The prefix of identifiers, and of macros.
+    pub(crate) lower: String,
+    pub(crate) upper: String,
+    /// The name of files, without its end.
+    pub(crate) stem: String,
+}
+
+impl Head {
+    pub(crate) fn new(device: &Device, options: &Options, prefix: &str, stem: &str) -> Self {
+        let info = device.device_info.as_ref();
+        Self {
+            made_by: options.made_by(),
+            product: info.and_then(|info| info.product_name.clone()).unwrap_or_default(),
+            vendor: info.and_then(|info| info.vendor_name.clone()).unwrap_or_default(),
+            lower: prefix.to_owned(),
+            upper: prefix.to_ascii_uppercase(),
+            stem: stem.to_owned(),
+        }
+    }
+}
+
+/// Declares the files of a target: the template of each sees the fields and methods of one view. The derive is stated by
+/// the caller, because templates are found from the file that it is in.
+#[cfg(any(feature = "c", feature = "stacks"))]
+macro_rules! files {
+    (#[$derive:meta] $visibility:vis $view:ident: $($file:ident $path:tt)+) => {$(
+        #[$derive]
+        #[template(path = $path, escape = "none")]
+        $visibility struct $file<'a>($visibility &'a $view<'a>);
+
+        impl<'a> std::ops::Deref for $file<'a> {
+            type Target = $view<'a>;
+
+            fn deref(&self) -> &$view<'a> {
+                self.0
+            }
+        }
+    )+};
+}
+
+#[cfg(any(feature = "c", feature = "stacks"))]
+pub(crate) use files;
