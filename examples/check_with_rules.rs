@@ -1,4 +1,5 @@
 //! Checks a description with demands of your own besides the built-in rules: `cargo run --example check_with_rules`.
+#![allow(clippy::print_stdout, reason = "the output of an example")]
 
 use std::sync::Arc;
 

@@ -1,4 +1,5 @@
 //! Writes an EDS as an XDD and says what the XDD has no place for: `cargo run --example convert`.
+#![allow(clippy::print_stdout, reason = "the output of an example")]
 
 use objdict::format::{Format, WriteOptions};
 use objdict::source::SourceOptions;

@@ -1,4 +1,5 @@
 //! Generates the tables of a device in C: `cargo run --example generate`.
+#![allow(clippy::print_stdout, reason = "the output of an example")]
 
 use objdict::generate::{Options, Target, generate};
 use objdict::source::SourceOptions;

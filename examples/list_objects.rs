@@ -1,4 +1,5 @@
 //! Reads a description and lists its objects: `cargo run --example list_objects [FILE]`.
+#![allow(clippy::print_stdout, reason = "the output of an example")]
 
 use std::path::PathBuf;
 

@@ -3,14 +3,18 @@
 
 use std::io::{self, Write};
 
-use serde::{Serialize, Serializer};
+use serde::Serialize;
+#[cfg(any(feature = "cli", feature = "schema"))]
+use serde::Serializer;
 
 use crate::diagnostic::visible;
 
 /// The version of a document: always this number.
+#[cfg(any(feature = "cli", feature = "schema"))]
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Version<const NUMBER: u32>;
 
+#[cfg(any(feature = "cli", feature = "schema"))]
 impl<const NUMBER: u32> Serialize for Version<NUMBER> {
     fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
         serializer.serialize_u32(NUMBER)

@@ -10,7 +10,7 @@ use crate::source::Span;
 /// A node with its configuration.
 #[derive(Clone, Debug)]
 pub struct Slave {
-    /// Its position in [`Network::nodes`].
+    /// Its position in [`Network::nodes`](crate::Network::nodes).
     pub node: usize,
     /// Its node-ID.
     pub node_id: u8,
