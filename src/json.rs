@@ -1,23 +1,42 @@
 //! JSON as objdict writes it: characters that steer a terminal or the direction of text are escapes, and so is the start of what
 //! a CI service takes for a command.
 
+use std::fmt;
 use std::io::{self, Write};
 
-use serde::Serialize;
-#[cfg(any(feature = "cli", feature = "schema"))]
-use serde::Serializer;
+use serde::de::{self, Visitor};
+use serde::{Deserialize, Deserializer, Serialize, Serializer};
 
 use crate::diagnostic::visible;
 
-/// The version of a document: always this number.
-#[cfg(any(feature = "cli", feature = "schema"))]
+/// The version of a document: this number, and no other.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Version<const NUMBER: u32>;
 
-#[cfg(any(feature = "cli", feature = "schema"))]
 impl<const NUMBER: u32> Serialize for Version<NUMBER> {
     fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
         serializer.serialize_u32(NUMBER)
+    }
+}
+
+impl<'de, const NUMBER: u32> Deserialize<'de> for Version<NUMBER> {
+    fn deserialize<D: Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
+        deserializer.deserialize_any(Self)
+    }
+}
+
+impl<const NUMBER: u32> Visitor<'_> for Version<NUMBER> {
+    type Value = Self;
+
+    fn expecting(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        write!(f, "the version {NUMBER}")
+    }
+
+    fn visit_u64<E: de::Error>(self, version: u64) -> Result<Self, E> {
+        match version {
+            version if version == u64::from(NUMBER) => Ok(Self),
+            _ => Err(E::custom(format!("the version `{version}` is unknown, this tool knows {NUMBER}"))),
+        }
     }
 }
 

@@ -78,19 +78,9 @@ impl Serialize for Datum {
 }
 
 #[cfg(feature = "schema")]
-impl schemars::JsonSchema for Datum {
-    fn inline_schema() -> bool {
-        true
-    }
-
-    fn schema_name() -> std::borrow::Cow<'static, str> {
-        "Datum".into()
-    }
-
-    fn json_schema(_: &mut schemars::SchemaGenerator) -> schemars::Schema {
-        // any part of a device
-        schemars::json_schema!({})
-    }
+objdict_model::inline_schemas! {
+    // any part of a device
+    Datum: |_| schemars::json_schema!({});
 }
 
 /// How many values the JSON of a datum has, counted without making it.

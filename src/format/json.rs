@@ -4,11 +4,9 @@
 //! a key that is defined twice and a value that does not fit its data type are errors with line and column: no
 //! part of a document is ignored.
 
-use std::fmt;
+use serde::{Deserialize, Serialize};
 
-use serde::de::{self, Visitor};
-use serde::{Deserialize, Deserializer, Serialize};
-
+use crate::json::Version;
 use crate::model::{Device, WithPlainValues};
 use objdict_node::download::ConciseDcf;
 
@@ -43,7 +41,7 @@ pub struct JsonError {
 #[serde(deny_unknown_fields)]
 pub(crate) struct DeviceDocument<T> {
     /// The version of the document.
-    version: Version,
+    version: Version<VERSION>,
     /// What the document holds.
     #[cfg_attr(feature = "schema", schemars(extend("const" = "device")))]
     kind: DocumentKind,
@@ -56,7 +54,7 @@ pub(crate) struct DeviceDocument<T> {
 #[serde(deny_unknown_fields)]
 pub(crate) struct ConciseDocument<T> {
     /// The version of the document.
-    version: Version,
+    version: Version<VERSION>,
     /// What the document holds.
     #[cfg_attr(feature = "schema", schemars(extend("const" = "concise-dcf")))]
     kind: DocumentKind,
@@ -69,7 +67,7 @@ pub(crate) struct ConciseDocument<T> {
 #[serde(expecting = "an object with `version` and `kind`")]
 struct Head {
     #[serde(rename = "version")]
-    _version: Version,
+    _version: Version<VERSION>,
     kind: DocumentKind,
 }
 
@@ -146,63 +144,8 @@ impl From<serde_json::Error> for JsonError {
     }
 }
 
-/// The number [`VERSION`], and no other.
-struct Version;
-
-impl Serialize for Version {
-    fn serialize<S: serde::Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
-        serializer.serialize_u32(VERSION)
-    }
-}
-
 #[cfg(feature = "schema")]
-impl schemars::JsonSchema for Version {
-    fn inline_schema() -> bool {
-        true
-    }
-
-    fn schema_name() -> std::borrow::Cow<'static, str> {
-        "Version".into()
-    }
-
-    fn json_schema(generator: &mut schemars::SchemaGenerator) -> schemars::Schema {
-        crate::json::Version::<VERSION>::json_schema(generator)
-    }
-}
-
-#[cfg(feature = "schema")]
-impl schemars::JsonSchema for DocumentKind {
-    fn inline_schema() -> bool {
-        true
-    }
-
-    fn schema_name() -> std::borrow::Cow<'static, str> {
-        "DocumentKind".into()
-    }
-
+objdict_model::inline_schemas! {
     // each document is of one kind
-    fn json_schema(_: &mut schemars::SchemaGenerator) -> schemars::Schema {
-        schemars::json_schema!({ "type": "string" })
-    }
-}
-
-impl<'de> Deserialize<'de> for Version {
-    fn deserialize<D: Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
-        deserializer.deserialize_any(Self)
-    }
-}
-
-impl<'de> Visitor<'de> for Version {
-    type Value = Self;
-
-    fn expecting(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        write!(f, "the version {VERSION}")
-    }
-
-    fn visit_u64<E: de::Error>(self, version: u64) -> Result<Self, E> {
-        match version {
-            version if version == u64::from(VERSION) => Ok(Self),
-            _ => Err(E::custom(format!("the version `{version}` is unknown, this tool knows {VERSION}"))),
-        }
-    }
+    DocumentKind: |_| schemars::json_schema!({ "type": "string" });
 }

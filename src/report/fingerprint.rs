@@ -66,18 +66,8 @@ impl Serialize for Fingerprint {
 }
 
 #[cfg(feature = "schema")]
-impl schemars::JsonSchema for Fingerprint {
-    fn inline_schema() -> bool {
-        true
-    }
-
-    fn schema_name() -> std::borrow::Cow<'static, str> {
-        "Fingerprint".into()
-    }
-
-    fn json_schema(_: &mut schemars::SchemaGenerator) -> schemars::Schema {
-        schemars::json_schema!({ "type": "string", "pattern": "^[0-9a-f]{16}$" })
-    }
+objdict_model::inline_schemas! {
+    Fingerprint: |_| schemars::json_schema!({ "type": "string", "pattern": "^[0-9a-f]{16}$" });
 }
 
 /// The fingerprint of a finding that has no equal before it; see [`fingerprints`].

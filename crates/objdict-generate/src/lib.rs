@@ -163,7 +163,7 @@ targets! {
     TEMPLATE template "template"
         "one file, rendered from a custom Jinja template (`--template`)"
         [Template Names Renamed StringCapacity DomainCapacity]
-        unmeasured "nobody but the template knows what it makes";
+        unmeasured "the template decides what the file contains";
     #[cfg(feature = "stacks")]
     MICROCANOPEN microcanopen "microcanopen"
         "the tables of MicroCANopen: SDO replies, process image, calls that initialise PDOs"

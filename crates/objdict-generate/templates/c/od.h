@@ -101,32 +101,7 @@ typedef struct {
 
 /** @name Data types, by their index in CiA 301.
     @{ */
-#define {{ upper }}_BLOCK 0x00u /**< a device-specific type */
-#define {{ upper }}_BOOLEAN 0x01u
-#define {{ upper }}_INTEGER8 0x02u
-#define {{ upper }}_INTEGER16 0x03u
-#define {{ upper }}_INTEGER32 0x04u
-#define {{ upper }}_UNSIGNED8 0x05u
-#define {{ upper }}_UNSIGNED16 0x06u
-#define {{ upper }}_UNSIGNED32 0x07u
-#define {{ upper }}_REAL32 0x08u
-#define {{ upper }}_VISIBLE_STRING 0x09u
-#define {{ upper }}_OCTET_STRING 0x0Au
-#define {{ upper }}_UNICODE_STRING 0x0Bu
-#define {{ upper }}_TIME_OF_DAY 0x0Cu
-#define {{ upper }}_TIME_DIFFERENCE 0x0Du
-#define {{ upper }}_DOMAIN 0x0Fu
-#define {{ upper }}_INTEGER24 0x10u
-#define {{ upper }}_REAL64 0x11u
-#define {{ upper }}_INTEGER40 0x12u
-#define {{ upper }}_INTEGER48 0x13u
-#define {{ upper }}_INTEGER56 0x14u
-#define {{ upper }}_INTEGER64 0x15u
-#define {{ upper }}_UNSIGNED24 0x16u
-#define {{ upper }}_UNSIGNED40 0x18u
-#define {{ upper }}_UNSIGNED48 0x19u
-#define {{ upper }}_UNSIGNED56 0x1Au
-#define {{ upper }}_UNSIGNED64 0x1Bu
+{% include "_types.h" %}
 /** @} */
 
 /* Return codes of {{ lower }}_read() and {{ lower }}_write(): the abort codes of CiA 301. */

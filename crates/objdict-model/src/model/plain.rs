@@ -300,21 +300,7 @@ mod schema {
 
     use schemars::{JsonSchema, Schema, SchemaGenerator, json_schema};
 
-    use super::{Kind, PLAIN, Plain, Time, Value};
-
-    impl JsonSchema for Plain<'_> {
-        fn inline_schema() -> bool {
-            true
-        }
-
-        fn schema_name() -> Cow<'static, str> {
-            "Plain".into()
-        }
-
-        fn json_schema(_: &mut SchemaGenerator) -> Schema {
-            json_schema!({ "type": ["boolean", "number", "string"] })
-        }
-    }
+    use super::{Kind, PLAIN, Time, Value};
 
     impl JsonSchema for Value {
         fn schema_name() -> Cow<'static, str> {

@@ -1,10 +1,10 @@
 //! JSON Schemas of the parts that are a single text, or a special map or list, in JSON.
 
-use std::borrow::Cow;
 use std::collections::BTreeMap;
 
-use schemars::{JsonSchema, Schema, SchemaGenerator, json_schema};
+use schemars::json_schema;
 
+use super::plain::Plain;
 use super::serial::HexText;
 use super::{ClockTime, DataType, Date, Entry, Extra, Field, Subs};
 
@@ -12,71 +12,40 @@ use super::{ClockTime, DataType, Date, Entry, Extra, Field, Subs};
 #[derive(Debug)]
 pub struct HexBytes;
 
-macro_rules! texts {
-    ($($Type:ty, $name:literal, $pattern:literal;)*) => {$(
-        impl JsonSchema for $Type {
+/// Gives types a JSON Schema that is written in place where they are used: the type, and its schema from the generator.
+#[macro_export]
+macro_rules! inline_schemas {
+    ($($Type:ty: |$generator:pat_param| $schema:expr;)*) => {$(
+        impl schemars::JsonSchema for $Type {
             fn inline_schema() -> bool {
                 true
             }
 
-            fn schema_name() -> Cow<'static, str> {
-                $name.into()
+            fn schema_name() -> std::borrow::Cow<'static, str> {
+                stringify!($Type).into()
             }
 
-            fn json_schema(_: &mut SchemaGenerator) -> Schema {
-                json_schema!({ "type": "string", "pattern": $pattern })
+            fn json_schema($generator: &mut schemars::SchemaGenerator) -> schemars::Schema {
+                $schema
             }
         }
     )*};
 }
 
-texts! {
-    HexText<u16>, "Index", "^0x[0-9A-F]{4}$";
-    HexText<u8>, "SubIndex", "^0x[0-9A-F]{2}$";
-    HexBytes, "HexBytes", "^([0-9A-F]{2})*$";
-    DataType, "DataType", "^([A-Z][A-Z0-9_]*|0x[0-9A-F]{4})$";
-    Date, "Date", "^[0-9]{4}-[0-9]{2}-[0-9]{2}$";
-    ClockTime, "ClockTime", "^[0-9]{2}:[0-9]{2}(:[0-9]{2}(\\.[0-9]{1,9})?(Z|[+-][0-9]{2}:[0-9]{2})?)?$";
+/// A text of this form.
+fn text(pattern: &str) -> schemars::Schema {
+    json_schema!({ "type": "string", "pattern": pattern })
 }
 
-impl JsonSchema for Field {
-    fn inline_schema() -> bool {
-        true
-    }
-
-    fn schema_name() -> Cow<'static, str> {
-        "Field".into()
-    }
-
-    fn json_schema(generator: &mut SchemaGenerator) -> Schema {
-        str::json_schema(generator)
-    }
-}
-
-impl JsonSchema for Subs {
-    fn inline_schema() -> bool {
-        true
-    }
-
-    fn schema_name() -> Cow<'static, str> {
-        "Subs".into()
-    }
-
-    fn json_schema(generator: &mut SchemaGenerator) -> Schema {
-        BTreeMap::<HexText<u8>, Entry>::json_schema(generator)
-    }
-}
-
-impl JsonSchema for Extra {
-    fn inline_schema() -> bool {
-        true
-    }
-
-    fn schema_name() -> Cow<'static, str> {
-        "Extra".into()
-    }
-
-    fn json_schema(generator: &mut SchemaGenerator) -> Schema {
-        Vec::<(String, String)>::json_schema(generator)
-    }
+inline_schemas! {
+    HexText<u16>: |_| text("^0x[0-9A-F]{4}$");
+    HexText<u8>: |_| text("^0x[0-9A-F]{2}$");
+    HexBytes: |_| text("^([0-9A-F]{2})*$");
+    DataType: |_| text("^([A-Z][A-Z0-9_]*|0x[0-9A-F]{4})$");
+    Date: |_| text("^[0-9]{4}-[0-9]{2}-[0-9]{2}$");
+    ClockTime: |_| text("^[0-9]{2}:[0-9]{2}(:[0-9]{2}(\\.[0-9]{1,9})?(Z|[+-][0-9]{2}:[0-9]{2})?)?$");
+    Field: |generator| str::json_schema(generator);
+    Subs: |generator| BTreeMap::<HexText<u8>, Entry>::json_schema(generator);
+    Extra: |generator| Vec::<(String, String)>::json_schema(generator);
+    Plain<'_>: |_| json_schema!({ "type": ["boolean", "number", "string"] });
 }

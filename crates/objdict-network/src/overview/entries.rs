@@ -68,18 +68,8 @@ impl serde::Serialize for MappedEntry {
 }
 
 #[cfg(feature = "schema")]
-impl schemars::JsonSchema for MappedEntry {
-    fn inline_schema() -> bool {
-        true
-    }
-
-    fn schema_name() -> std::borrow::Cow<'static, str> {
-        "MappedEntry".into()
-    }
-
-    fn json_schema(_: &mut schemars::SchemaGenerator) -> schemars::Schema {
-        schemars::json_schema!({ "type": "string" })
-    }
+objdict_model::inline_schemas! {
+    MappedEntry: |_| schemars::json_schema!({ "type": "string" });
 }
 
 impl View<'_> {

@@ -163,18 +163,8 @@ impl std::fmt::Display for End {
 pub(crate) struct CanIdText;
 
 #[cfg(feature = "schema")]
-impl schemars::JsonSchema for CanIdText {
-    fn inline_schema() -> bool {
-        true
-    }
-
-    fn schema_name() -> std::borrow::Cow<'static, str> {
-        "CanId".into()
-    }
-
-    fn json_schema(_: &mut schemars::SchemaGenerator) -> schemars::Schema {
-        schemars::json_schema!({ "type": "string", "pattern": "^0x([0-9A-F]{3}|[0-9A-F]{8})$" })
-    }
+objdict_model::inline_schemas! {
+    CanIdText: |_| schemars::json_schema!({ "type": "string", "pattern": "^0x([0-9A-F]{3}|[0-9A-F]{8})$" });
 }
 
 #[cfg(feature = "serde")]
