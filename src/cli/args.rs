@@ -124,6 +124,9 @@ pub(super) struct CheckArgs {
     /// Number of files to check in parallel [default: number of processors]
     #[arg(long, value_name = "N")]
     pub jobs: Option<NonZeroUsize>,
+    /// Remember in this file which files have no findings, and skip them as long as they and the settings stay the same
+    #[arg(long, value_name = "FILE", conflicts_with_all = ["fix", "diff"])]
+    pub cache: Option<PathBuf>,
     #[command(flatten)]
     pub input: InputArgs,
     #[command(flatten)]

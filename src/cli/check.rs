@@ -5,9 +5,10 @@ use std::path::Path;
 
 use super::args::{CheckArgs, ReportArgs, ReportFormat};
 use super::baseline::{BaselineArgs, Known};
+use super::cache::Cache;
 use super::files::{File, gather, note_outside};
 use super::fix::{Amended, FixArgs, Fixing, amend};
-use super::input::{Candidate, name_of};
+use super::input::{Candidate, name_of, source_name};
 use super::output::Output;
 use super::parallel::in_order;
 use super::progress::give_way;
@@ -16,11 +17,13 @@ use super::{Failure, Outcome, note, report};
 use crate::diagnostic::{Findings, Severity, series};
 use crate::format::Description;
 use crate::report::{Report, Subject, grouped, plural};
+use crate::source::SourceFile;
 
 pub(super) fn run(args: &CheckArgs, out: &mut Output) -> Result<Outcome, Failure> {
     let mut settings = Settings::new(&args.settings)?;
     let (files, failures) = gather(&args.files, &mut settings)?;
-    let worker = Worker { args, settings: &settings };
+    let cache = args.cache.as_deref().map(|path| Cache::open(path, args, &settings)).transpose()?;
+    let worker = Worker { args, settings: &settings, cache: cache.as_ref() };
     if args.fixing.safety().is_some() {
         note_outside(&files);
     }
@@ -46,7 +49,10 @@ pub(super) fn run(args: &CheckArgs, out: &mut Output) -> Result<Outcome, Failure
             reporter.take(checked)
         },
     )?;
-    reporter.finish(Some(&args.fixing))
+    let clean = std::mem::take(&mut reporter.clean);
+    let outcome = reporter.finish(Some(&args.fixing))?;
+    cache.map_or(Ok(()), |cache| cache.save(clean))?;
+    Ok(outcome)
 }
 
 /// Prints what would be fixed, and reports nothing else.
@@ -81,7 +87,7 @@ fn show_changes(
                     failure.print();
                     has_failed = true;
                 }
-                Checked::Skipped(_) | Checked::Left => {}
+                Checked::Clean(..) | Checked::Skipped(_) | Checked::Left => {}
             }
             Ok(())
         },
@@ -98,6 +104,8 @@ fn show_changes(
 enum Checked {
     /// It was checked.
     Description(Box<Examined>),
+    /// Nothing was found in it when it was checked before.
+    Clean(SourceFile, u64),
     /// It was found in a folder and is no description of a CANopen device, but what is said here.
     Skipped(String),
     /// It could not be read, or is no description although it was named.
@@ -118,6 +126,8 @@ struct Examined {
     amended: Option<Amended>,
     /// Why its fixes were not written.
     unwritten: Option<Failure>,
+    /// What it is known by in the cache, if there is one.
+    key: Option<u64>,
 }
 
 impl Checked {
@@ -126,7 +136,7 @@ impl Checked {
         match self {
             Self::Description(examined) => examined.findings.iter().any(|findings| !findings.is_empty()),
             Self::Failed(_) => true,
-            Self::Skipped(_) | Self::Left => false,
+            Self::Clean(..) | Self::Skipped(_) | Self::Left => false,
         }
     }
 }
@@ -135,6 +145,7 @@ impl Checked {
 struct Worker<'a> {
     args: &'a CheckArgs,
     settings: &'a Settings<'a>,
+    cache: Option<&'a Cache>,
 }
 
 impl Worker<'_> {
@@ -142,14 +153,25 @@ impl Worker<'_> {
         if file.project.as_ref().is_some_and(|project| !project.is_usable()) {
             return Checked::Left;
         }
-        match self.args.input.candidate(&file.path) {
-            Ok(Candidate::Description(description)) => self.fix_devices(file, *description),
+        let bytes = match self.args.input.size.bytes(&file.path) {
+            Ok(bytes) => bytes,
+            Err(failure) => return Checked::Failed(failure),
+        };
+        let key = self.cache.map(|cache| cache.key(&file.path, &bytes));
+        if let Some(key) = key.filter(|&key| self.cache.is_some_and(|cache| cache.has(key))) {
+            return match self.args.input.reading().recognised(&source_name(&file.path), bytes) {
+                Ok((_, source)) => Checked::Clean(source, key),
+                Err(error) => Checked::Failed(error.into()),
+            };
+        }
+        match self.args.input.candidate(&file.path, bytes) {
+            Ok(Candidate::Description(description)) => self.fix_devices(file, *description, key),
             Ok(Candidate::Foreign(kind, _)) if !file.is_named => Checked::Skipped(kind),
             Ok(Candidate::Foreign(_, failure)) | Err(failure) => Checked::Failed(failure),
         }
     }
 
-    fn fix_devices(&self, file: &File, description: Description) -> Checked {
+    fn fix_devices(&self, file: &File, description: Description, key: Option<u64>) -> Checked {
         let project = file.project.as_deref();
         let mut options = self.settings.options(&file.path, project);
         if let Some(tool) = self.args.fixing.dialect.tool().filter(|_| !self.args.settings.names_tools()) {
@@ -185,7 +207,7 @@ impl Worker<'_> {
             return Checked::Skipped("network without devices".to_owned());
         };
         let deny = self.settings.deny(project);
-        Checked::Description(Box::new(Examined { description, findings, deny, amended, unwritten }))
+        Checked::Description(Box::new(Examined { description, findings, deny, amended, unwritten, key }))
     }
 }
 
@@ -216,6 +238,8 @@ pub(super) struct Reporter<'a> {
     all: bool,
     /// How many files of a folder are no descriptions, by what they are.
     skipped: BTreeMap<String, usize>,
+    /// What the files without findings are known by in the cache.
+    clean: Vec<u64>,
 }
 
 impl<'a> Reporter<'a> {
@@ -232,6 +256,7 @@ impl<'a> Reporter<'a> {
             fixing: Fixing::default(),
             all: args.all,
             skipped: BTreeMap::new(),
+            clean: Vec::new(),
         })
     }
 
@@ -272,7 +297,9 @@ impl<'a> Reporter<'a> {
     fn take(&mut self, checked: Checked) -> Result<(), Failure> {
         match checked {
             Checked::Description(examined) => {
-                let Examined { description, findings, deny, amended, unwritten } = *examined;
+                let Examined { description, findings, deny, amended, unwritten, key } = *examined;
+                // reports list each device, so that a file of several is checked again
+                self.clean.extend(key.filter(|_| matches!(&findings[..], [only] if only.is_empty())));
                 if let Some(failure) = unwritten {
                     self.fail(&failure)?;
                 }
@@ -285,6 +312,10 @@ impl<'a> Reporter<'a> {
                     self.report_on((&description).into(), findings, deny)?;
                     next = Some(description);
                 }
+            }
+            Checked::Clean(source, key) => {
+                self.clean.push(key);
+                self.report_on(Subject::Unchanged(&source), Findings::default(), Severity::Error)?;
             }
             Checked::Skipped(kind) => *self.skipped.entry(kind).or_default() += 1,
             Checked::Failed(failure) => self.fail(&failure)?,

@@ -61,7 +61,7 @@ impl Gathered<'_, '_> {
         } else if is_pattern(argument) && !argument.exists() {
             self.expand(argument)?;
         } else {
-            self.push(argument.to_owned(), None)?;
+            self.push(argument.to_owned(), true, false)?;
         }
         Ok(())
     }
@@ -73,9 +73,11 @@ impl Gathered<'_, '_> {
         for found in walk.build() {
             match found {
                 Ok(found) if is_description(found.path()) && found.path().is_file() => {
+                    // only links lead out of a folder whose links to folders are not followed
+                    let is_outside = found.path_is_symlink() && !real(found.path()).starts_with(searched);
                     // what is found in the current folder is called by its name
                     let path = found.path();
-                    self.push(path.strip_prefix("./").unwrap_or(path).to_owned(), Some(searched))?;
+                    self.push(path.strip_prefix("./").unwrap_or(path).to_owned(), false, is_outside)?;
                 }
                 Ok(_) => {}
                 Err(error) => self.failures.push(Failure::new(error)),
@@ -101,7 +103,10 @@ impl Gathered<'_, '_> {
         for found in matches {
             match found {
                 Ok(path) if path.is_dir() => self.walk(&path, &searched)?,
-                Ok(path) if path.is_file() => self.push(path, Some(&searched))?,
+                Ok(path) if path.is_file() => {
+                    let is_outside = !real(&path).starts_with(&searched);
+                    self.push(path, false, is_outside)?;
+                }
                 Ok(path) => {
                     let message = format!("`{}` is a pipe or a device, not a file", name_of(&path));
                     self.failures.push(Failure::new(message).help("name it to read it"));
@@ -115,9 +120,8 @@ impl Gathered<'_, '_> {
         Ok(())
     }
 
-    /// Adds a file that was found in the folder `searched`, or that an argument names.
-    fn push(&mut self, path: PathBuf, searched: Option<&Path>) -> Result<(), Failure> {
-        let is_named = searched.is_none();
+    /// Adds a file that was found, or that an argument names.
+    fn push(&mut self, path: PathBuf, is_named: bool, is_outside: bool) -> Result<(), Failure> {
         if !is_named && self.seen.contains(&path) {
             return Ok(());
         }
@@ -127,7 +131,6 @@ impl Gathered<'_, '_> {
             detail(&path);
             self.seen.insert(path.clone());
             let size = path.metadata().map_or(0, |metadata| metadata.len());
-            let is_outside = searched.is_some_and(|searched| !real(&path).starts_with(searched));
             self.files.push(File { path, project, is_named, is_outside, size });
         }
         Ok(())

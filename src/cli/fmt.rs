@@ -56,7 +56,7 @@ struct Arranged {
 
 /// Puts one file in order; `None` for one of a folder that is not a description.
 fn arrange(args: &FmtArgs, file: &File) -> Result<Option<Arranged>, Failure> {
-    let description = match args.input.candidate(&file.path)? {
+    let description = match args.input.candidate(&file.path, args.input.size.bytes(&file.path)?)? {
         Candidate::Description(description) => *description,
         Candidate::Foreign(..) if !file.is_named => return Ok(None),
         Candidate::Foreign(_, failure) => return Err(failure),

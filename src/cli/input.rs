@@ -94,9 +94,8 @@ impl InputArgs {
         Ok(self.reading().select(&source_name(path), description)?)
     }
 
-    /// A file that is to be checked.
-    pub(super) fn candidate(&self, path: &Path) -> Result<Candidate, Failure> {
-        let bytes = self.size.bytes(path)?;
+    /// A file with these bytes, which is to be checked.
+    pub(super) fn candidate(&self, path: &Path, bytes: Vec<u8>) -> Result<Candidate, Failure> {
         let name = source_name(path);
         let (kind, source) = match self.reading().recognised(&name, bytes) {
             Ok(recognised) => recognised,
@@ -130,7 +129,7 @@ impl SizeArgs {
     }
 
     /// The bytes of a file as they are.
-    fn bytes(&self, path: &Path) -> Result<Vec<u8>, Failure> {
+    pub(super) fn bytes(&self, path: &Path) -> Result<Vec<u8>, Failure> {
         if path == Path::new("-") {
             keep(Path::new("/dev/stdin"));
             let bytes = source::read_stream(io::stdin().lock(), STDIN, self.max_size, Vec::new());

@@ -4,6 +4,7 @@
 mod annotation;
 mod args;
 mod baseline;
+mod cache;
 mod check;
 mod configure;
 mod convert;

@@ -12,7 +12,7 @@ use super::files::File;
 use super::progress::Progress;
 
 /// So many files are in memory at once, and as many are waiting to be reported.
-const MAX_FILES: usize = 32;
+const MAX_FILES: usize = 256;
 
 /// And so many bytes of them, unless one file alone is larger.
 const MAX_BYTES: u64 = 16 << 20;

@@ -1,6 +1,7 @@
 //! Settings of a check: from arguments, and from the configurations of the folders that files are in.
 
 use std::collections::HashMap;
+use std::fmt::Write as _;
 use std::path::{Path, PathBuf};
 use std::str::FromStr;
 use std::sync::Arc;
@@ -198,6 +199,16 @@ impl<'a> Settings<'a> {
     /// The configurations that were met, in that order.
     pub(super) fn projects(&self) -> impl Iterator<Item = &Project> {
         self.projects.iter().map(|(_, project)| &**project)
+    }
+
+    /// What all files say that settings come from, for a hash.
+    pub(super) fn contents(&self) -> String {
+        let mut contents = format!("{:?}", self.profiles);
+        for (path, project) in &self.projects {
+            let text = project.config.source().text();
+            let _ = write!(contents, "{} {text} {:?}", path.display(), project.profiles);
+        }
+        contents
     }
 
     /// The configurations that were met and cannot be used.

@@ -22,6 +22,8 @@ pub enum Subject<'a> {
     /// The description of a node of a network that has no file; labels point into the descriptions of the other nodes too.
     #[cfg(feature = "network")]
     Node(&'a NetworkFile, usize),
+    /// The text of a description without findings, which was not read because it is known.
+    Unchanged(&'a SourceFile),
     /// Another text, such as the configuration; its findings have spans and no places.
     Text(&'a SourceFile),
 }
@@ -37,7 +39,7 @@ impl<'a> Subject<'a> {
             Self::Node(network, node) => {
                 network.description(node).map_or(&network.source, Description::source)
             }
-            Self::Text(source) => source,
+            Self::Unchanged(source) | Self::Text(source) => source,
         }
     }
 

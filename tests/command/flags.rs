@@ -286,3 +286,37 @@ fn objects_that_the_stack_needs_are_added_to_the_description() {
         String::from_utf8(output.stderr).unwrap().contains("`--add-missing` is for the target `canopennode`")
     );
 }
+
+#[test]
+fn a_cache_changes_no_report() {
+    let folder = tempfile::tempdir().unwrap();
+    let file = |name: &str| folder.path().join(name);
+    let minimal = fs::read_to_string("fixtures/eds/minimal.eds").unwrap();
+    fs::write(file("minimal.eds"), &minimal).unwrap();
+    fs::copy("fixtures/broken/mixed-eol.eds", file("mixed-eol.eds")).unwrap();
+    let check = |line: &str| {
+        let Output { status, stdout, stderr } = run(folder.path(), line);
+        (status.code(), String::from_utf8(stdout).unwrap(), String::from_utf8(stderr).unwrap())
+    };
+    for format in ["text", "concise", "json", "sarif", "github", "gitlab", "junit"] {
+        let line = format!("check --format {format}");
+        let expected = check(&line);
+        let cached = format!("{line} --cache known");
+        assert_eq!((check(&cached), check(&cached)), (expected.clone(), expected), "{format}");
+        assert_eq!(fs::read_to_string(file("known")).unwrap().lines().count(), 2, "the head and minimal.eds");
+    }
+    // another setting, a configuration and another content count
+    let found = |line: &str| {
+        !check(&format!("check --format concise --cache known {line}")).1.starts_with("no findings")
+    };
+    assert!(!found("minimal.eds") && found("minimal.eds --profile 402"));
+    assert!(!found("minimal.eds"));
+    fs::write(file("objdict.toml"), "profiles = [\"402\"]\n").unwrap();
+    assert!(found("minimal.eds"));
+    fs::remove_file(file("objdict.toml")).unwrap();
+    fs::write(file("minimal.eds"), minimal.replace("[1018sub1]", "[1018sub2]")).unwrap();
+    assert!(found("minimal.eds"));
+    // and nothing else is written over
+    assert_eq!(check("check --cache minimal.eds").0, Some(2));
+    assert_eq!(check("check --cache mixed-eol.eds minimal.eds").0, Some(2));
+}
