@@ -3,12 +3,14 @@
 use std::borrow::Cow;
 use std::ops::RangeInclusive;
 
+#[cfg(feature = "catalogue")]
+use crate::Srdo;
 use crate::diagnostic::{Argument, Sayable, say};
 use crate::model::{
     CobId, DataType, Device, DeviceKind, Entry, Field, MappedObject, Object, Pdo, PdoKind, TypeKind, Value,
     predefined, restricted,
 };
-use crate::{Options, Srdo, canopennode, stated};
+use crate::{Options, canopennode, stated};
 
 /// The communication of a device.
 pub(crate) struct Facts<'a> {
@@ -20,6 +22,7 @@ pub(crate) struct Facts<'a> {
     /// Every COB-ID that an object states, those of PDOs last; without those of SRDOs.
     pub cob_ids: Vec<CobIdUse>,
     /// The SRDOs, by number.
+    #[cfg(feature = "catalogue")]
     pub srdos: Vec<Srdo<'a>>,
 }
 
@@ -89,7 +92,14 @@ impl<'a> Facts<'a> {
             .map(|pdo| PdoFacts::new(device, pdo))
             .collect();
         let cob_ids = cob_ids(device, &pdos);
-        Self { device, options, pdos, cob_ids, srdos: Srdo::all(device) }
+        Self {
+            device,
+            options,
+            pdos,
+            cob_ids,
+            #[cfg(feature = "catalogue")]
+            srdos: Srdo::all(device),
+        }
     }
 
     /// The node-IDs that the description applies to: that of the options or of a DCF, otherwise all.
@@ -107,6 +117,7 @@ impl<'a> Facts<'a> {
     }
 
     /// The first valid TPDO that maps an object of a range and is sent on events only, without an event timer.
+    #[cfg(feature = "catalogue")]
     pub(crate) fn waiting_tpdo(&self, mapped: &RangeInclusive<u16>) -> Option<&Pdo<'a>> {
         self.pdos.iter().map(|pdo| &pdo.pdo).find(|pdo| {
             let is_sent = pdo.kind == PdoKind::Tpdo && pdo.is_valid() == Some(true);
@@ -116,6 +127,7 @@ impl<'a> Facts<'a> {
     }
 
     /// Whether all values of an object are 0 or false in a configuration, where they are set or by default.
+    #[cfg(feature = "catalogue")]
     pub(crate) fn is_configured_off(&self, index: u16) -> bool {
         let is_zero = |value: &Value| *value == Value::Boolean(false) || value.as_integer() == Some(0);
         let Some(object) = self.device.object(index).filter(|_| self.device.kind == DeviceKind::Node) else {
@@ -276,6 +288,7 @@ impl Mapped<'_> {
 
 impl<'a> Target<'a> {
     /// The target of a mapped object.
+    #[cfg(feature = "catalogue")]
     pub(crate) fn of(device: &'a Device, mapped: MappedObject) -> Self {
         target(device, mapped)
     }

@@ -1,11 +1,10 @@
 //! The linter: rules about the model. A rule is independent of files and formats; it checks a [`Device`] and
 //! reports [`Place`](crate::model::Place)s.
 
-// without the catalogue, some of the shared code is unused
-#![cfg_attr(not(feature = "catalogue"), allow(dead_code, unused_imports))]
-
+#[cfg(feature = "catalogue")]
 mod channels;
 mod demands;
+#[cfg(feature = "catalogue")]
 mod drive;
 mod facts;
 mod index_set;
@@ -14,7 +13,9 @@ mod respell;
 mod rule;
 mod rules;
 mod severities;
+#[cfg(feature = "catalogue")]
 mod srdo;
+#[cfg(feature = "catalogue")]
 mod stack;
 mod stated;
 mod supply;
@@ -25,6 +26,7 @@ use objdict_profile as profile;
 use crate::diagnostic::Findings;
 use crate::model::{Device, Object};
 
+#[cfg(feature = "catalogue")]
 pub(crate) use drive::{Drive, MODES};
 pub(crate) use facts::{CobIdUse, Facts, PdoFacts, Service, Target, is_unstated};
 pub(crate) use index_set::IndexSet;
@@ -34,6 +36,7 @@ pub use rule::Rule;
 pub(crate) use rule::{Check, EntryAt, EntryCheck, Origin, rule, with_others};
 pub use rules::{rules, without_disabled};
 pub use severities::{Level, Severities, UnknownLevel};
+#[cfg(feature = "catalogue")]
 pub(crate) use srdo::Srdo;
 pub(crate) use supply::{ListFixes, sub_0, with_members};
 

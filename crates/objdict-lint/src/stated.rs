@@ -105,6 +105,7 @@ pub(crate) fn first_formula(device: &Device) -> Option<Place> {
 }
 
 /// Each entry of the objects of the device itself, with its place.
+#[cfg(feature = "catalogue")]
 pub(crate) fn entries(device: &Device) -> impl Iterator<Item = (Place, &Entry)> {
     device.objects.iter().flat_map(|(&index, object)| {
         object.described().map(move |(sub, entry)| {

@@ -2,25 +2,32 @@
 //! device with the document of its own group (`cia401/…` with CiA 401, `custom/…` with custom profiles), so
 //! the groups contain only the pages of the rules, and the checks are here.
 
+#[cfg(feature = "catalogue")]
 mod bits;
 mod entries;
+#[cfg(feature = "catalogue")]
 mod mapped;
-mod missing;
 mod objects;
+#[cfg(feature = "catalogue")]
+mod presence;
+#[cfg(feature = "catalogue")]
+mod values;
 
 use std::sync::Arc;
 
-use super::{Options, stated};
+use super::Options;
 use crate::diagnostic::{Argument, Sayable, Severity, say};
-use crate::model::{Device, Entry, Field, Object, Place};
+use crate::model::{Device, Entry, Object, Place};
 use crate::profile::{self, Confidence, EntryFacts, MAX_BLOCKS, ObjectFacts, Profile};
 
-pub(crate) use bits::{reserved_bits, undefined_field_value};
-pub(crate) use entries::{wrong_access, wrong_data_type, wrong_default, wrong_mapping, wrong_value};
-pub(crate) use mapped::mapped_in_wrong_direction;
-pub(crate) use missing::{is_there, missing_entry, missing_object};
-pub(crate) use objects::{
-    different_channel_count, misplaced_object, sub_0_out_of_range, undefined_sub_index, wrong_object_type,
+pub(crate) use entries::{wrong_access, wrong_data_type, wrong_mapping};
+pub(crate) use objects::{sub_0_out_of_range, undefined_sub_index, wrong_object_type};
+#[cfg(feature = "catalogue")]
+pub(crate) use {
+    bits::{reserved_bits, undefined_field_value},
+    mapped::mapped_in_wrong_direction,
+    presence::{different_channel_count, is_there, misplaced_object, missing_entry, missing_object},
+    values::{wrong_default, wrong_value},
 };
 
 /// A document that applies to a logical device.
@@ -134,11 +141,6 @@ impl<'a> Against<'a> {
             !facts.states_type() || object.object_type().has_subs() == facts.object_type().has_subs();
         !object.orphan && is_alike
     }
-
-    /// The object type, if it is unambiguous.
-    fn stated_type(&self) -> Option<crate::model::ObjectType> {
-        stated::object_type(self.object)
-    }
 }
 
 /// `1017h (Producer heartbeat time)`.
@@ -160,10 +162,11 @@ impl Expected<'_> {
     }
 
     /// The field that holds the value of the entry.
-    pub(crate) fn value_field(&self) -> Field {
+    #[cfg(feature = "catalogue")]
+    pub(crate) fn value_field(&self) -> crate::model::Field {
         match self.entry.configured_value() {
-            Some(_) => Field::ParameterValue,
-            None => Field::DefaultValue,
+            Some(_) => crate::model::Field::ParameterValue,
+            None => crate::model::Field::DefaultValue,
         }
     }
 

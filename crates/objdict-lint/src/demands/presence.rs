@@ -1,8 +1,8 @@
-//! Objects and sub-indexes that a document requires and the device lacks.
+//! Objects and sub-indexes that the device lacks, or has without being a device that they are defined for.
 
 use super::{Against, Applied};
-use crate::diagnostic::{Diagnostic, Findings, RuleInfo, Text, say};
-use crate::model::{Device, ObjectType, Part, Place};
+use crate::diagnostic::{Diagnostic, Findings, RuleInfo, Text, counted, say};
+use crate::model::{Device, Object, ObjectType, Part, Place};
 use crate::profile::{Need, index_in};
 use crate::{Facts, channels, stated};
 
@@ -64,7 +64,7 @@ fn cause(need: Need<'_>, device: &Device, block: u8) -> Option<Place> {
 
 /// Reports missing sub-indexes that the document requires.
 pub(crate) fn missing_entry(rule: &'static RuleInfo, at: &Against<'_>, findings: &mut Findings) {
-    let is_structured = at.stated_type().is_some_and(ObjectType::has_subs);
+    let is_structured = stated::object_type(at.object).is_some_and(ObjectType::has_subs);
     if !is_structured || !at.has_its_shape() || at.device.is_modular() {
         return;
     }
@@ -79,4 +79,48 @@ pub(crate) fn missing_entry(rule: &'static RuleInfo, at: &Against<'_>, findings:
         let finding = Diagnostic::new(rule, Place::object(at.index), message);
         findings.push(finding.help(say!("add `{}`", Part::Entry(at.index, sub))));
     }
+}
+
+/// Reports a described object that the document defines only for other devices.
+pub(crate) fn misplaced_object(rule: &'static RuleInfo, at: &Against<'_>, findings: &mut Findings) {
+    let Some(only) = at.facts.only.filter(|_| !at.object.orphan) else { return };
+    if only.holds(at.device, at.applied.block) == Some(false) {
+        let message = say!(
+            "{} defines {} only for devices where {}",
+            at.applied.document(),
+            at,
+            Text::from(only.in_words(at.device, at.applied.block))
+        );
+        let finding = Diagnostic::new(rule, Place::object(at.index), message);
+        findings.push(finding.help("remove the object, or correct the entry that the condition refers to"));
+    }
+}
+
+/// Reports an object with a different number of elements than the objects it belongs to.
+pub(crate) fn different_channel_count(rule: &'static RuleInfo, at: &Against<'_>, findings: &mut Findings) {
+    let facts = at.facts;
+    if facts.as_many_as.is_empty() || !at.has_its_shape() || at.device.is_modular() {
+        return;
+    }
+    let block = at.applied.block;
+    let offset = at.index - index_in(block, facts.first);
+    let others = facts.as_many_as.iter().map(|&index| index_in(block, index) + offset);
+    let others: Vec<(u16, Option<u8>)> =
+        others.filter_map(|index| Some((index, count(at.device.object(index)?)))).collect();
+    let Some(own) = count(at.object) else { return };
+    let is_alike = others.iter().any(|&(_, number)| number.is_none_or(|number| number == own));
+    let Some(&(index, Some(number))) = others.first().filter(|_| !is_alike) else { return };
+    let message =
+        say!("{} has {}, but {:04X}h has {}", at, counted(own.into(), "element", "elements"), index, number);
+    let finding = Diagnostic::new(rule, at.device.value_place(at.index, 0), message);
+    let finding =
+        finding.label(at.device.value_place(index, 0), counted(number.into(), "element", "elements"));
+    findings.push(finding.help(say!("describe {}", counted(number.into(), "element", "elements"))));
+}
+
+/// The number of elements if sub-index 0 and the description agree. Another rule reports a missing number.
+fn count(object: &Object) -> Option<u8> {
+    let number = object.value(0)?.as_integer()?;
+    let highest = object.highest_sub()?;
+    (number == i128::from(highest) && highest > 0 && !object.orphan).then_some(highest)
 }
