@@ -34,8 +34,8 @@ pub(super) fn run(args: &ConfigureArgs, out: &mut Output) -> Result<Outcome, Fai
         return Err(failure.help("name the file to write with `--output`"));
     }
     let plugged = if args.modules.is_empty() { None } else { Some(plugged(own, &args.modules)?) };
-    let is_xml = description.format() == Format::Xdd || description.format() == Format::Xdc;
-    let kind = if is_xml { "XDC" } else { "DCF" };
+    let is_xml = description.format().syntax() == Syntax::Xml;
+    let kind = Format::of(description.format().syntax(), DeviceKind::Node).name();
     other_syntax(args, is_xml)?;
     let node = commissioning(own, &wanted(args, &file), kind)?;
     let mut base = Cow::Borrowed(plugged.as_ref().unwrap_or(own));

@@ -70,11 +70,13 @@ impl Gathered<'_, '_> {
     fn walk(&mut self, folder: &Path, searched: &Path) -> Result<(), Failure> {
         let mut walk = WalkBuilder::new(folder);
         walk.require_git(false).sort_by_file_name(Ord::cmp);
+        let leads_out = |path: &Path| !real(path).starts_with(searched);
+        // below it, links to folders are not followed
+        let is_outside = leads_out(folder);
         for found in walk.build() {
             match found {
                 Ok(found) if is_description(found.path()) && found.path().is_file() => {
-                    // only links lead out of a folder whose links to folders are not followed
-                    let is_outside = found.path_is_symlink() && !real(found.path()).starts_with(searched);
+                    let is_outside = is_outside || found.path_is_symlink() && leads_out(found.path());
                     // what is found in the current folder is called by its name
                     let path = found.path();
                     self.push(path.strip_prefix("./").unwrap_or(path).to_owned(), false, is_outside)?;

@@ -61,10 +61,7 @@ impl Description {
         if let Some(bytes) = edited.transpose()? {
             return Ok(ConfiguredFile { bytes, device, is_edited: true });
         }
-        let format = match self.format().syntax() {
-            Syntax::Ini => Format::Dcf,
-            Syntax::Xml => Format::Xdc,
-        };
+        let format = Format::of(self.format().syntax(), DeviceKind::Node);
         let max_losses = WriteOptions::max_losses_of(self.source().text().len(), DEFAULT_MAX_ENTRIES);
         let options = WriteOptions { embed: true, max_losses, ..WriteOptions::default() };
         let bytes = super::write(&device, format, &options)?.bytes;

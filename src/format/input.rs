@@ -15,37 +15,83 @@ use crate::source::{self, DEFAULT_MAX_SIZE, Encoding, FolderError, SourceError, 
 #[cfg(feature = "json")]
 use objdict_node::download::ConciseDcf;
 
-/// A kind of file that commands and build scripts read or write.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-#[cfg_attr(feature = "cli", derive(clap::ValueEnum))]
-#[non_exhaustive]
-pub enum FileKind {
+/// Declares the kinds of files, each with its word on the command line and the ending of its files, what people call it, the
+/// feature of this crate with which it is read, and its format where it is a description with its text.
+macro_rules! file_kinds {
+    ($( $(#[$doc:meta])+ $kind:ident $word:literal $ending:literal $name:literal $feature:expr, $format:expr; )+) => {
+        /// A kind of file that commands and build scripts read or write.
+        #[derive(Clone, Copy, Debug, PartialEq, Eq)]
+        #[cfg_attr(feature = "cli", derive(clap::ValueEnum))]
+        #[non_exhaustive]
+        pub enum FileKind {
+            $( $(#[$doc])+ #[cfg_attr(feature = "cli", value(name = $word))] $kind, )+
+        }
+
+        impl FileKind {
+            #[cfg(feature = "cli")]
+            const ALL: &[Self] = &[$( Self::$kind ),+];
+
+            /// Its word on the command line.
+            #[cfg(feature = "cli")]
+            pub(crate) const fn word(self) -> &'static str {
+                match self { $( Self::$kind => $word ),+ }
+            }
+
+            /// The ending of its files.
+            pub const fn ending(self) -> &'static str {
+                match self { $( Self::$kind => $ending ),+ }
+            }
+
+            /// What people call it.
+            pub const fn name(self) -> &'static str {
+                match self { $( Self::$kind => $name ),+ }
+            }
+
+            /// The feature of this crate with which it is read; `None` if nothing reads it.
+            const fn feature(self) -> Option<&'static str> {
+                match self { $( Self::$kind => $feature ),+ }
+            }
+
+            /// The format, where it is a description with its text.
+            pub const fn format(self) -> Option<Format> {
+                match self { $( Self::$kind => $format ),+ }
+            }
+        }
+    };
+}
+
+file_kinds! {
     /// Electronic data sheet (CiA 306-1)
-    Eds,
+    Eds "eds" "eds" "EDS" Some("default"), Some(Format::Eds);
     /// Device configuration file (CiA 306-1)
-    Dcf,
+    Dcf "dcf" "dcf" "DCF" Some("default"), Some(Format::Dcf);
     /// XML device description (CiA 311)
-    Xdd,
+    Xdd "xdd" "xdd" "XDD" Some("xdd"), Some(Format::Xdd);
     /// XML device configuration (CiA 311)
-    Xdc,
+    Xdc "xdc" "xdc" "XDC" Some("xdd"), Some(Format::Xdc);
     /// Project of the editors for CANopenNode from before XDD
-    #[cfg_attr(feature = "cli", value(name = "canopennode"))]
-    CanopenNode,
+    // its objects are those of an XDD
+    CanopenNode "canopennode" "xml" "CANopenNode project" Some("xdd"), Some(Format::Xdd);
     /// The model of a device, or the downloads of a concise DCF, as JSON
-    Json,
+    Json "json" "json" "JSON" Some("json"), None;
     /// Concise DCF (CiA 302-3)
-    Cdcf,
+    Cdcf "cdcf" "cdcf" "concise DCF" Some("json"), None;
     /// Concise DCF as a text of one download a line (docs/dcf.md)
-    #[cfg_attr(feature = "cli", value(name = "cdcf.txt"))]
-    CdcfText,
+    CdcfText "cdcf.txt" "cdcf.txt" "concise DCF as text" Some("node"), None;
     /// Node list (CiA 306-3)
-    Cpj,
+    Cpj "cpj" "cpj" "node list" Some("node"), None;
     /// The messages of nodes on the CAN bus, which is only written
     #[cfg_attr(feature = "cli", value(skip))]
-    Dbc,
+    Dbc "dbc" "dbc" "DBC" None, None;
 }
 
 impl FileKind {
+    /// The kinds that a description is converted to.
+    #[cfg(feature = "cli")]
+    pub(crate) fn written() -> impl Iterator<Item = Self> {
+        Self::ALL.iter().copied().filter(|kind| !matches!(kind, Self::CanopenNode | Self::Cpj))
+    }
+
     /// What the last known ending of a name says, so `drive.eds.txt` is an EDS.
     pub(crate) fn of(path: &Path) -> Option<Self> {
         let name = path.file_name()?.to_string_lossy();
@@ -70,61 +116,6 @@ impl FileKind {
             ContentKind::ConciseText => Some(Self::CdcfText),
             ContentKind::JsonDevice | ContentKind::JsonConciseDcf => Some(Self::Json),
             kind => kind.format().map(Self::from),
-        }
-    }
-
-    /// The ending of its files.
-    pub const fn ending(self) -> &'static str {
-        match self {
-            Self::Eds => "eds",
-            Self::Dcf => "dcf",
-            Self::Xdd => "xdd",
-            Self::Xdc => "xdc",
-            Self::CanopenNode => "xml",
-            Self::Json => "json",
-            Self::Cdcf => "cdcf",
-            Self::CdcfText => "cdcf.txt",
-            Self::Cpj => "cpj",
-            Self::Dbc => "dbc",
-        }
-    }
-
-    /// The format, where it is a description with its text.
-    pub const fn format(self) -> Option<Format> {
-        match self {
-            Self::Eds => Some(Format::Eds),
-            Self::Dcf => Some(Format::Dcf),
-            // its objects are those of an XDD
-            Self::Xdd | Self::CanopenNode => Some(Format::Xdd),
-            Self::Xdc => Some(Format::Xdc),
-            Self::Json | Self::Cdcf | Self::CdcfText | Self::Cpj | Self::Dbc => None,
-        }
-    }
-
-    /// The feature of this crate with which it is read; `None` if nothing reads it.
-    const fn feature(self) -> Option<&'static str> {
-        Some(match self {
-            Self::Eds | Self::Dcf => "default",
-            Self::Xdd | Self::Xdc | Self::CanopenNode => "xdd",
-            Self::Json | Self::Cdcf => "json",
-            Self::CdcfText | Self::Cpj => "node",
-            Self::Dbc => return None,
-        })
-    }
-
-    /// What people call it.
-    pub const fn name(self) -> &'static str {
-        match self {
-            Self::Eds => "EDS",
-            Self::Dcf => "DCF",
-            Self::Xdd => "XDD",
-            Self::Xdc => "XDC",
-            Self::CanopenNode => "CANopenNode project",
-            Self::Json => "JSON",
-            Self::Cdcf => "concise DCF",
-            Self::CdcfText => "concise DCF as text",
-            Self::Cpj => "node list",
-            Self::Dbc => "DBC",
         }
     }
 }

@@ -420,18 +420,16 @@ fn without(missing: Vec<Missing>, others: &[Missing]) -> Vec<Missing> {
 }
 
 const fn room(format: Format) -> Carrier {
-    match format {
-        Format::Eds | Format::Dcf => Carrier::Lines,
-        Format::Xdd | Format::Xdc => Carrier::Properties,
+    match format.syntax() {
+        Syntax::Ini => Carrier::Lines,
+        Syntax::Xml => Carrier::Properties,
     }
 }
 
 fn encode(device: &Device, format: Format, options: &WriteOptions) -> Vec<u8> {
-    match format {
-        Format::Eds | Format::Dcf => eds::write(&options.dialect.adapted(device), &options.eds),
-        Format::Xdd | Format::Xdc => {
-            xdd::write(&complete::with_valid_access(device), options.xdd_version).into_bytes()
-        }
+    match format.syntax() {
+        Syntax::Ini => eds::write(&options.dialect.adapted(device), &options.eds),
+        Syntax::Xml => xdd::write(&complete::with_valid_access(device), options.xdd_version).into_bytes(),
     }
 }
 

@@ -2,18 +2,14 @@
 
 use objdict::compare::differences;
 use objdict::format::{self, Format, LossKind, Syntax, WriteOptions, XddVersion};
-use objdict::model::{Device, DeviceKind};
+use objdict::model::Device;
 use objdict::source::{Encoding, SourceFile, SourceOptions};
 
 /// What went wrong on the way through the formats of the other syntax and back; nothing for a whole device.
 pub(crate) fn problems(device: &Device, format: Format) -> Vec<String> {
     let mut problems = Vec::new();
-    let (there, back) = match (format.syntax(), device.kind) {
-        (Syntax::Ini, DeviceKind::Type) => (Format::Xdd, Format::Eds),
-        (Syntax::Ini, DeviceKind::Node) => (Format::Xdc, Format::Dcf),
-        (_, DeviceKind::Type) => (Format::Eds, Format::Xdd),
-        (_, DeviceKind::Node) => (Format::Dcf, Format::Xdc),
-    };
+    let other = if format.syntax() == Syntax::Ini { Syntax::Xml } else { Syntax::Ini };
+    let (there, back) = (Format::of(other, device.kind), Format::of(format.syntax(), device.kind));
     for version in [XddVersion::V1_1, XddVersion::V1_0] {
         let mut options = WriteOptions::default();
         options.embed = true;

@@ -27,6 +27,16 @@ impl Format {
         })
     }
 
+    /// The format with this syntax of a device of this kind.
+    pub const fn of(syntax: Syntax, kind: DeviceKind) -> Self {
+        match (syntax, kind) {
+            (Syntax::Ini, DeviceKind::Type) => Self::Eds,
+            (Syntax::Ini, DeviceKind::Node) => Self::Dcf,
+            (Syntax::Xml, DeviceKind::Type) => Self::Xdd,
+            (Syntax::Xml, DeviceKind::Node) => Self::Xdc,
+        }
+    }
+
     /// The kind of device that a file of this format describes.
     pub const fn kind(self) -> DeviceKind {
         match self {

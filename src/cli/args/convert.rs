@@ -2,6 +2,7 @@
 
 use std::path::PathBuf;
 
+use clap::builder::{PossibleValuesParser, TypedValueParser};
 use clap::{Parser, ValueEnum};
 
 use super::network::NetworkInputArgs;
@@ -27,8 +28,8 @@ pub(in crate::cli) struct ConvertArgs {
     #[command(flatten)]
     pub overwrite: OverwriteArgs,
     /// The format to write [default: by the extension of the output]
-    #[arg(long, value_enum, value_name = "FORMAT")]
-    pub to: Option<WrittenKind>,
+    #[arg(long, value_name = "FORMAT", value_parser = written_kinds())]
+    pub to: Option<FileKind>,
     /// Write lost, omitted, invented and embedded data to this file, as JSON (docs/json.md); `-` is standard output
     #[arg(long, value_name = "FILE")]
     pub loss_report: Option<PathBuf>,
@@ -108,31 +109,8 @@ impl From<Version> for XddVersion {
     }
 }
 
-/// A kind of file that can be written.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
-pub(in crate::cli) enum WrittenKind {
-    Eds,
-    Dcf,
-    Xdd,
-    Xdc,
-    Json,
-    Cdcf,
-    #[value(name = "cdcf.txt")]
-    CdcfText,
-    Dbc,
-}
-
-impl From<WrittenKind> for FileKind {
-    fn from(kind: WrittenKind) -> Self {
-        match kind {
-            WrittenKind::Eds => Self::Eds,
-            WrittenKind::Dcf => Self::Dcf,
-            WrittenKind::Xdd => Self::Xdd,
-            WrittenKind::Xdc => Self::Xdc,
-            WrittenKind::Json => Self::Json,
-            WrittenKind::Cdcf => Self::Cdcf,
-            WrittenKind::CdcfText => Self::CdcfText,
-            WrittenKind::Dbc => Self::Dbc,
-        }
-    }
+/// The kinds of files that a description is converted to, by their words.
+fn written_kinds() -> impl TypedValueParser<Value = FileKind> {
+    let words = PossibleValuesParser::new(FileKind::written().map(FileKind::word));
+    words.try_map(|word| FileKind::written().find(|kind| kind.word() == word).ok_or("no kind of file"))
 }

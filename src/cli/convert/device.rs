@@ -151,12 +151,13 @@ pub(super) fn of_device(
         FileKind::Cpj | FileKind::Dbc | FileKind::CanopenNode => {
             Err(Failure::new(format_args!("a {} is not made of one description", job.to.name())))
         }
-        FileKind::Eds | FileKind::Xdd => anew(args, job, device, embed, max_losses),
-        FileKind::Dcf | FileKind::Xdc => {
-            let mut node_device = device;
-            node_device.commissioning = node(args, job, &node_device)?;
-            node_device.kind = DeviceKind::Node;
-            anew(args, job, node_device, embed, max_losses)
+        description => {
+            let mut device = device;
+            if description.format().map(Format::kind) == Some(DeviceKind::Node) {
+                device.commissioning = node(args, job, &device)?;
+                device.kind = DeviceKind::Node;
+            }
+            anew(args, job, device, embed, max_losses)
         }
     }
 }

@@ -31,7 +31,7 @@ const KNOWN: &str = "`.eds`, `.dcf`, `.xdd`, `.xdc`, `.json`, `.cdcf` (concise D
 
 /// What the arguments ask for: one file for one, a folder for all of them, or one DBC of all of them.
 pub(super) fn plan(args: &ConvertArgs) -> Result<Vec<Job>, Failure> {
-    let stated = args.to.map(FileKind::from);
+    let stated = args.to;
     let inputs = args.files.as_slice();
     let output = match (&args.output, stated) {
         (Some(output), _) => output,

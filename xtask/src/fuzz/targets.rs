@@ -20,7 +20,7 @@ use objdict::format::{
 };
 use objdict::generate::{self, Target};
 use objdict::lint::Options;
-use objdict::model::Commissioning;
+use objdict::model::{Commissioning, DeviceKind};
 use objdict::network::{DcfgenMode, LelyOptions, Overview, compile, graph};
 use objdict::profile::Profile;
 use objdict::source::{SourceFile, SourceOptions};
@@ -174,7 +174,7 @@ fn configured(format: Format, bytes: &[u8]) {
         let Ok(assignments) = configure(description.device(), 5, settings) else { continue };
         let parts = NodeSettings { node: &node, plugged: None, assignments: &assignments, downloads: &[] };
         let Ok(configured) = description.configured("node.dcf", &parts) else { continue };
-        let to = if format == Format::Eds || format == Format::Dcf { Format::Dcf } else { Format::Xdc };
+        let to = Format::of(format.syntax(), DeviceKind::Node);
         let Some(read) = read(to, &configured.bytes) else { continue };
         assert_eq!(read.device().node_id(), Some(5), "the file says what was configured");
         assert!(is_as_valid(&description, &read), "values do not violate CiA 311");
