@@ -73,7 +73,7 @@ macro_rules! static_types {
             pub const fn kind(self) -> TypeKind {
                 match self.0 {
                     $($index => $kind,)*
-                    $($at)|* => TypeKind::Structure,
+                    0x20..=0x25 => TypeKind::Structure,
                     0x40..=0x25F => TypeKind::Defined,
                     _ => TypeKind::Reserved,
                 }
