@@ -9,7 +9,6 @@ use crate::describe::{Decoder, time};
 use crate::model::{Entry, Pdo, PdoKind};
 
 /// View of a PDO.
-#[derive(Clone, Debug)]
 pub(crate) struct PdoView {
     /// `TPDO 1`.
     pub(crate) title: String,
@@ -28,7 +27,6 @@ pub(crate) struct PdoView {
 }
 
 /// A mapped object in the table.
-#[derive(Clone, Debug, PartialEq, Eq)]
 pub(crate) struct Row {
     /// `0.0–1.7`; empty if outside the frame.
     pub(crate) span: String,

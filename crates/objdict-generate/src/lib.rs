@@ -191,7 +191,6 @@ targets! {
 pub const LONGEST_VALUE: usize = u16::MAX as usize;
 
 /// A target as it is declared.
-#[derive(Debug)]
 struct Backend {
     name: &'static str,
     summary: &'static str,
@@ -201,7 +200,6 @@ struct Backend {
 }
 
 /// The function of a target.
-#[derive(Debug)]
 enum Make {
     Measured(fn(&Device, &Options) -> Result<Made, GenerateError>),
     /// With the reason why the size of its tables is not known.
@@ -209,7 +207,6 @@ enum Make {
 }
 
 /// What a backend makes of a device, and the size of its tables.
-#[derive(Debug)]
 struct Made {
     files: Vec<OutputFile>,
     /// What the files cannot express.

@@ -94,7 +94,7 @@ pub(crate) fn ram(table: &Table) -> usize {
 }
 
 /// The layout of a table of rows.
-#[derive(Clone, Copy, Debug)]
+#[derive(Clone, Copy)]
 pub(crate) struct Layout {
     /// Size of a row in bytes.
     pub(crate) row: usize,
@@ -145,7 +145,7 @@ impl Layout {
 }
 
 /// The memory of a variable.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[derive(Clone, Copy, PartialEq, Eq)]
 pub(crate) enum Memory {
     Flash,
     /// Zero-initialised RAM.
@@ -162,7 +162,6 @@ impl Memory {
 }
 
 /// Sums up the sizes per object.
-#[derive(Debug)]
 pub(crate) struct Tally {
     objects: Vec<ObjectSize>,
     rest: Size,

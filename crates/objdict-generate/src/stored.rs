@@ -27,7 +27,6 @@ const TAKEN: &str = "bool byte data double entry float image is kept offset time
 const STORE: u16 = 0x1010;
 
 /// A group of values stored together.
-#[derive(Debug)]
 pub(crate) struct TableGroup {
     /// The name as stated.
     pub(crate) name: String,

@@ -29,7 +29,6 @@ use super::{GenerateError, Note, Options};
 use crate::model::{Access, Address, DataType, Device, Object};
 
 /// A device's dictionary, ready for a template.
-#[derive(Debug)]
 pub(crate) struct Table {
     pub(crate) head: Head,
     /// The node-ID for the generated code.
@@ -49,7 +48,6 @@ pub(crate) struct Table {
 }
 
 /// An object.
-#[derive(Debug)]
 pub(crate) struct TableObject {
     pub(crate) index: u16,
     pub(crate) name: String,
@@ -62,7 +60,6 @@ pub(crate) struct TableObject {
 }
 
 /// An entry.
-#[derive(Debug)]
 pub(crate) struct Row {
     pub(crate) index: u16,
     pub(crate) sub: u8,
@@ -81,7 +78,7 @@ pub(crate) struct Row {
 }
 
 /// A location in the struct of values.
-#[derive(Clone, Copy, Debug)]
+#[derive(Clone, Copy)]
 pub(crate) struct Slot {
     /// Field number.
     pub(crate) field: usize,
@@ -90,7 +87,6 @@ pub(crate) struct Slot {
 }
 
 /// A member of the struct of values.
-#[derive(Debug)]
 pub(crate) struct TableField {
     /// Unique among fields; not a keyword.
     pub(crate) name: String,

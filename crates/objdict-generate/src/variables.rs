@@ -76,7 +76,6 @@ impl Variable {
 }
 
 /// A variable as C defines it.
-#[derive(Debug)]
 pub(crate) struct Definition {
     pub(crate) type_: CType,
     pub(crate) name: String,

@@ -98,7 +98,6 @@ const LONGEST: usize = 32;
 
 /// A name without separators, in lower case, with masks for a quick comparison, because a file can have a
 /// million unknown names.
-#[derive(Clone, Copy)]
 struct Word {
     letters: [u8; LONGEST],
     length: usize,

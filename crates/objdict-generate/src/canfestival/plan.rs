@@ -17,7 +17,6 @@ const ENDS_AT_ZERO: &str = "the stack truncates a text at its first zero byte";
 const MOST_ROWS: u8 = u8::MAX;
 
 /// A row of an object.
-#[derive(Clone, Debug, PartialEq, Eq)]
 pub(super) struct RowData {
     pub(super) access: String,
     pub(super) data_type: String,

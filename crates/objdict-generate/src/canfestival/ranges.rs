@@ -12,7 +12,6 @@ const ERASED: u8 = 0x9F;
 const FIRST: u8 = 0x24;
 
 /// A type with a range.
-#[derive(Clone, Debug, PartialEq)]
 pub(super) struct Range {
     pub(super) code: u8,
     data_type: DataType,

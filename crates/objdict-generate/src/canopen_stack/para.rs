@@ -10,7 +10,7 @@ pub(super) const STORE: u16 = 0x1010;
 pub(super) const RESTORE: u16 = 0x1011;
 
 /// The arrays of `CO_PARA`.
-#[derive(Debug, Default)]
+#[derive(Default)]
 pub(super) struct Parameters {
     /// A line for each sub-index of 1010h.
     pub(super) store: Vec<String>,
@@ -99,7 +99,6 @@ impl Parameters {
 }
 
 /// A row of a parameter group.
-#[derive(Clone, Copy, Debug)]
 struct GroupRow {
     object: usize,
     entry: usize,
