@@ -38,7 +38,6 @@ pub(crate) struct Row {
     /// Empty if unknown.
     pub(crate) data_type: String,
     pub(crate) bits: u32,
-    pub(crate) kind: FieldKind,
     /// Whether a DCF maps another object than the default.
     pub(crate) is_changed: bool,
 }
@@ -264,7 +263,6 @@ fn row(decoder: &Decoder<'_>, pdo: &Pdo<'_>, field: &Field) -> Row {
         },
         data_type: field.data_type.map(|data_type| data_type.to_string()).unwrap_or_default(),
         bits: field.bits,
-        kind: field.kind,
         is_changed: sentence::is_changed(decoder, pdo.mapping_index(), field.slot),
     }
 }

@@ -74,7 +74,7 @@ fn without_line(item: &Item<'_>, is_idle: bool) -> Fix {
 }
 
 /// How a section relates to an earlier one of the same name.
-#[derive(PartialEq, Eq)]
+#[derive(Clone, Copy, PartialEq, Eq)]
 pub(in crate::eds) enum DuplicateKind {
     /// Both are merged.
     Joined,

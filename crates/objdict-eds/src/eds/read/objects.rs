@@ -19,7 +19,7 @@ pub(super) struct ObjectKeys {
 }
 
 /// The keys that a section may have besides those of every entry.
-#[derive(PartialEq, Eq)]
+#[derive(Clone, Copy, PartialEq, Eq)]
 pub(super) enum SectionKind {
     Object,
     Entry,
