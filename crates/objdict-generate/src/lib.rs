@@ -71,6 +71,8 @@ mod rust;
 mod size;
 mod stored;
 mod table;
+mod table_build;
+mod table_size;
 #[cfg(feature = "template")]
 mod template;
 mod variables;

@@ -3,7 +3,7 @@
 use std::collections::{BTreeSet, HashSet};
 
 use super::cell::{Cell, Planned};
-use super::para::STORE;
+use super::special::STORE;
 use crate::c_code::{bytes, literal};
 use crate::dictionary::{Dictionary, ResolvedEntry, ResolvedObject};
 use crate::memory::Extent;

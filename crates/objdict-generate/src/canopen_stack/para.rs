@@ -2,12 +2,10 @@
 
 use super::cell::{Cell, Planned};
 use super::layout::{Layout, ParaGroup};
+use super::special::{RESTORE, STORE};
 use crate::Note;
 use crate::dictionary::Dictionary;
 use crate::model::Place;
-
-pub(super) const STORE: u16 = 0x1010;
-pub(super) const RESTORE: u16 = 0x1011;
 
 /// The arrays of `CO_PARA`.
 #[derive(Default)]

@@ -4,6 +4,9 @@ use crate::dictionary::ResolvedObject;
 use crate::model::{DataType, PdoKind};
 use crate::resolve::{Resolved, Shape};
 
+pub(super) const STORE: u16 = 0x1010;
+pub(super) const RESTORE: u16 = 0x1011;
+
 /// A type of the stack for an entry of the communication profile.
 #[derive(Clone, Copy)]
 pub(super) struct Special {

@@ -44,9 +44,8 @@ part! {
 
 /// How a configuration tool must treat an entry (CiA 306-1 §4.6.3.3).
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
-#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize), serde(transparent))]
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
-#[cfg_attr(feature = "serde", serde(transparent))]
 pub struct ObjFlags(pub u32);
 
 impl ObjFlags {
