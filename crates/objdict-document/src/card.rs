@@ -6,7 +6,6 @@ use crate::Language;
 use crate::model::{ClockTime, Date, Device, DeviceInfo, FileInfo, Part, PdoKind};
 
 /// Facts about a device and its file.
-#[derive(Debug)]
 pub(crate) struct Card {
     /// The product name.
     pub(crate) title: String,
@@ -25,14 +24,12 @@ pub(crate) struct Card {
 }
 
 /// A section with vendor-specific or tool-specific keys.
-#[derive(Debug)]
 pub(crate) struct Section {
     pub(crate) name: String,
     pub(crate) keys: Vec<(String, String)>,
 }
 
 /// A named fact.
-#[derive(Debug)]
 pub(crate) struct Fact {
     pub(crate) name: &'static str,
     pub(crate) text: String,

@@ -8,7 +8,6 @@ use crate::describe::Decoder;
 use crate::model::Entry;
 
 /// The communication section of a page.
-#[derive(Clone, Debug)]
 pub(crate) struct Communication {
     pub(crate) services: Vec<Service>,
     pub(crate) pdos: Vec<PdoView>,

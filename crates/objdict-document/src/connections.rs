@@ -9,7 +9,6 @@ use crate::describe::{Decoder, can_id};
 use crate::model::{CobId, PdoKind, SdoChannel, Services, predefined};
 
 /// A row of the table.
-#[derive(Clone, Debug, PartialEq, Eq)]
 pub(crate) struct Connection {
     /// `TPDO 1`.
     pub(crate) service: String,

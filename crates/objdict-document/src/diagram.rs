@@ -24,7 +24,6 @@ const PLACE_SIZE: f64 = 8.5;
 const HUES: usize = 6;
 
 /// A PDO diagram.
-#[derive(Clone, Debug, PartialEq, Eq)]
 pub(crate) struct Diagram {
     /// The layout in words.
     pub(crate) label: String,
@@ -45,7 +44,6 @@ pub(crate) struct Rest {
 }
 
 /// A field in the diagram.
-#[derive(Clone, Debug, PartialEq, Eq)]
 pub(crate) struct Shape {
     /// Its outline.
     pub(crate) path: String,
@@ -59,7 +57,6 @@ pub(crate) struct Shape {
 }
 
 /// The part common to all diagrams: byte and bit numbers, and marks between the bits.
-#[derive(Clone, Debug, PartialEq, Eq)]
 pub(crate) struct Grid {
     pub(crate) numbers: Vec<Text>,
     /// Lines over the full height; CSS decides where they are visible.
@@ -83,7 +80,6 @@ impl Grid {
 }
 
 /// Centred text in the diagram.
-#[derive(Clone, Debug, PartialEq, Eq)]
 pub(crate) struct Text {
     pub(crate) x: u32,
     pub(crate) y: u32,

@@ -9,7 +9,6 @@ use crate::describe::Reader;
 use crate::model::Value;
 
 /// A download to the device.
-#[derive(Debug)]
 pub(crate) struct DownloadView {
     pub(crate) entry: Anchor,
     /// Where the page has the entry.

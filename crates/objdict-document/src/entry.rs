@@ -11,7 +11,6 @@ use crate::model::{DataType, Entry, Field, PdoKind, PdoMapping, Value};
 use crate::profile::ObjectFacts;
 
 /// The view of a sub-index.
-#[derive(Debug)]
 pub(crate) struct EntryView<'a> {
     pub(crate) index: u16,
     pub(crate) sub: u8,

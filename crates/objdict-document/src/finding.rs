@@ -70,7 +70,6 @@ fn anchor(place: &Place) -> Option<Anchor> {
 }
 
 /// The findings of one rule.
-#[derive(Debug)]
 pub(crate) struct Found<'a> {
     /// The highest severity of its findings.
     pub(crate) severity: Severity,

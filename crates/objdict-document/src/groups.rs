@@ -10,7 +10,6 @@ use crate::model::{Device, Parameter, ParameterGroup};
 const MAX_DEPTH: usize = 8;
 
 /// A group of parameters.
-#[derive(Debug)]
 pub(crate) struct ShownGroup<'a> {
     /// Nesting depth.
     pub(crate) depth: usize,
@@ -23,7 +22,6 @@ pub(crate) struct ShownGroup<'a> {
 }
 
 /// A member of a group.
-#[derive(Debug)]
 pub(crate) struct Member {
     /// The anchor in the page; `None` for a parameter without an entry.
     pub(crate) anchor: Option<Anchor>,

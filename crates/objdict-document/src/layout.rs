@@ -10,7 +10,6 @@ use crate::model::{DataType, Device, Entry, MappedObject, Pdo};
 pub(crate) const FRAME_BITS: u32 = 64;
 
 /// The layout of a PDO frame.
-#[derive(Clone, Debug, PartialEq, Eq)]
 pub(crate) struct Layout {
     pub(crate) content: Content,
     /// In frame order.

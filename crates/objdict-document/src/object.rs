@@ -14,7 +14,6 @@ use crate::describe::is_of_cia;
 use crate::model::{Device, Object, ObjectType};
 
 /// An area of the dictionary (CiA 301 §7.4.1).
-#[derive(Debug)]
 pub(crate) struct Area<'a> {
     /// Prefix of anchors in the page.
     pub(crate) id: &'static str,
@@ -26,7 +25,6 @@ pub(crate) struct Area<'a> {
 }
 
 /// View of an object.
-#[derive(Debug)]
 pub(crate) struct ObjectView<'a> {
     pub(crate) index: u16,
     /// The name in the language of the page if available, else the name in the file.

@@ -17,7 +17,6 @@ use crate::describe::Decoder;
 use crate::model::{Device, Entry, Meanings};
 
 /// The documentation of a device in words.
-#[derive(Debug)]
 pub(crate) struct Page<'a> {
     pub(crate) language: Language,
     pub(crate) texts: &'static Texts,
@@ -96,7 +95,6 @@ impl<'a> Page<'a> {
 }
 
 /// Shared state for building a page.
-#[derive(Debug)]
 pub(crate) struct Context<'a> {
     pub(crate) device: &'a Device,
     /// The node-ID for formulas.

@@ -9,7 +9,6 @@ use crate::describe::{Decoder, time};
 use crate::model::{Entry, Pdo, PdoKind};
 
 /// View of a PDO.
-#[derive(Clone, Debug)]
 pub(crate) struct PdoView {
     /// `TPDO 1`.
     pub(crate) title: String,
@@ -28,7 +27,6 @@ pub(crate) struct PdoView {
 }
 
 /// A mapped object in the table.
-#[derive(Clone, Debug, PartialEq, Eq)]
 pub(crate) struct Row {
     /// `0.0–1.7`; empty if outside the frame.
     pub(crate) span: String,
@@ -40,7 +38,6 @@ pub(crate) struct Row {
     /// Empty if unknown.
     pub(crate) data_type: String,
     pub(crate) bits: u32,
-    pub(crate) kind: FieldKind,
     /// Whether a DCF maps another object than the default.
     pub(crate) is_changed: bool,
 }
@@ -266,7 +263,6 @@ fn row(decoder: &Decoder<'_>, pdo: &Pdo<'_>, field: &Field) -> Row {
         },
         data_type: field.data_type.map(|data_type| data_type.to_string()).unwrap_or_default(),
         bits: field.bits,
-        kind: field.kind,
         is_changed: sentence::is_changed(decoder, pdo.mapping_index(), field.slot),
     }
 }

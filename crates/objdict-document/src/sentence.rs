@@ -56,7 +56,6 @@ pub(super) fn is_changed(decoder: &Decoder<'_>, index: u16, sub: u8) -> bool {
 }
 
 /// The parts of a COB-ID that differ from the default.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) struct ChangedCobId {
     pub(super) can_id: bool,
     pub(super) bit_31: bool,

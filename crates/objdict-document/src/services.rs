@@ -6,7 +6,6 @@ use crate::describe::{Decoder, time};
 use crate::model::{CobId, Entry, Object, SdoChannel, Services};
 
 /// View of a service.
-#[derive(Clone, Debug, PartialEq, Eq)]
 pub(crate) struct Service {
     pub(crate) name: String,
     /// The sentence.

@@ -6,7 +6,6 @@ use crate::describe::single_codes;
 use crate::profile::{self, Profile, Transition, Values};
 
 /// A state machine in tables.
-#[derive(Debug)]
 pub(crate) struct StatesView {
     /// `CiA 402`.
     pub(crate) document: &'static str,

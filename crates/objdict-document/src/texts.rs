@@ -6,7 +6,6 @@ use crate::Language;
 macro_rules! texts {
     ($($name:ident: $english:literal, $german:literal;)+) => {
         /// Headings and words in one language.
-        #[derive(Debug)]
         pub(crate) struct Texts {
             $(pub(crate) $name: &'static str,)+
         }

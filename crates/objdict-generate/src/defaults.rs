@@ -5,7 +5,6 @@ use super::table::Table;
 use crate::model::{CobId, Device, Identity, Place, SdoChannel, Services, predefined};
 
 /// A constant.
-#[derive(Clone, Debug, PartialEq, Eq)]
 pub(crate) struct Constant {
     /// In lower case: `emcy_cob_id`.
     pub(crate) name: String,
@@ -17,7 +16,6 @@ pub(crate) struct Constant {
 }
 
 /// The value of a constant.
-#[derive(Clone, Debug, PartialEq, Eq)]
 pub(crate) enum ConstantValue {
     /// A function of the node-ID that returns the COB-ID.
     CobId(CobId),

@@ -8,7 +8,6 @@ use super::{GenerateError, Note, Options};
 use crate::model::{Address, Device, Entry, Object, Part, Place};
 
 /// The objects of a device that a table can contain.
-#[derive(Debug)]
 pub(crate) struct Dictionary<'a> {
     /// The device.
     pub(crate) device: &'a Device,
@@ -21,7 +20,6 @@ pub(crate) struct Dictionary<'a> {
 }
 
 /// An object with its entries.
-#[derive(Debug)]
 pub(crate) struct ResolvedObject<'a> {
     pub(crate) index: u16,
     pub(crate) object: &'a Object,
@@ -32,7 +30,6 @@ pub(crate) struct ResolvedObject<'a> {
 }
 
 /// An entry: its description and the resolved data.
-#[derive(Debug)]
 pub(crate) struct ResolvedEntry<'a> {
     pub(crate) sub: u8,
     pub(crate) entry: Cow<'a, Entry>,

@@ -48,7 +48,7 @@ pub(crate) struct FrameField {
 }
 
 /// The type of a mapped entry in the struct.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[derive(Debug)]
 pub(crate) enum Carried {
     /// A number of this type.
     Number(DataType),

@@ -5,7 +5,6 @@ use super::Options;
 use crate::model::Device;
 
 /// The first lines of every file, and the names that its identifiers begin with.
-#[derive(Debug)]
 pub(crate) struct Head {
     /// Generator and source, for the first line.
     pub(crate) made_by: String,

@@ -71,6 +71,8 @@ mod rust;
 mod size;
 mod stored;
 mod table;
+mod table_build;
+mod table_size;
 #[cfg(feature = "template")]
 mod template;
 mod variables;
@@ -191,7 +193,6 @@ targets! {
 pub const LONGEST_VALUE: usize = u16::MAX as usize;
 
 /// A target as it is declared.
-#[derive(Debug)]
 struct Backend {
     name: &'static str,
     summary: &'static str,
@@ -201,7 +202,6 @@ struct Backend {
 }
 
 /// The function of a target.
-#[derive(Debug)]
 enum Make {
     Measured(fn(&Device, &Options) -> Result<Made, GenerateError>),
     /// With the reason why the size of its tables is not known.
@@ -209,7 +209,6 @@ enum Make {
 }
 
 /// What a backend makes of a device, and the size of its tables.
-#[derive(Debug)]
 struct Made {
     files: Vec<OutputFile>,
     /// What the files cannot express.

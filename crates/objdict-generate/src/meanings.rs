@@ -10,14 +10,13 @@ use crate::model::{
 };
 
 /// Named values and bit fields of a device.
-#[derive(Debug, Default)]
+#[derive(Default)]
 pub(crate) struct Named {
     pub(crate) enums: Vec<EnumType>,
     pub(crate) words: Vec<WordType>,
 }
 
 /// An enumeration.
-#[derive(Debug)]
 pub(crate) struct EnumType {
     /// In lower case; unique among enumerations.
     pub(crate) name: String,
@@ -33,7 +32,6 @@ pub(crate) struct EnumType {
 }
 
 /// A named value.
-#[derive(Debug)]
 pub(crate) struct EnumValue {
     /// In lower case; unique in its enumeration.
     pub(crate) name: String,
@@ -47,7 +45,6 @@ pub(crate) struct EnumValue {
 }
 
 /// A word with bit fields.
-#[derive(Debug)]
 pub(crate) struct WordType {
     /// In lower case; unique among words; not a keyword.
     pub(crate) name: String,
@@ -61,7 +58,6 @@ pub(crate) struct WordType {
 }
 
 /// A bit field.
-#[derive(Debug)]
 pub(crate) struct WordPart {
     /// In lower case; unique in its word; not a keyword.
     pub(crate) name: String,
@@ -84,7 +80,7 @@ impl Named {
 
 /// Identifies equal enumerations: the type, the data type and the number of values, or the entries of one
 /// object with the same values.
-#[derive(Debug, PartialEq, Eq)]
+#[derive(PartialEq, Eq)]
 enum Key {
     Defined(Box<str>, DataType, usize),
     Listed(u16, DataType, Vec<(String, i128)>),

@@ -5,13 +5,9 @@
 //! its values. A variable with a non-zero initial value takes the same size in flash, from which the start-up
 //! code copies it.
 
-use std::collections::BTreeSet;
-
 use super::dictionary::Dictionary;
 use super::resolve::{Shape, is_time};
 use super::size::{ObjectSize, Size, SizeReport, Sizes};
-use super::table::{Table, TableField};
-use super::variables::Definition;
 
 /// Size and alignment of a type.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -77,75 +73,8 @@ impl Extent {
     }
 }
 
-/// The struct of a storage group in C: the widest members are first.
-pub(crate) fn group(table: &Table, group: usize) -> Extent {
-    let mut members: Vec<Extent> = table.members(Some(group)).map(TableField::extent).collect();
-    members.sort_by_key(|member| std::cmp::Reverse(member.alignment));
-    Extent::structure(members)
-}
-
-/// Size of the struct of values in C, including the one-byte node-ID: the widest members are last.
-pub(crate) fn ram(table: &Table) -> usize {
-    let groups = (0..table.groups.len()).map(|number| group(table, number));
-    let mut members: Vec<Extent> =
-        table.members(None).map(TableField::extent).chain(groups).chain([Extent::BYTE]).collect();
-    members.sort_by_key(|member| member.alignment);
-    Extent::structure(members).size
-}
-
-/// The layout of a table of rows.
-#[derive(Clone, Copy, Debug)]
-pub(crate) struct Layout {
-    /// Size of a row in bytes.
-    pub(crate) row: usize,
-    /// Size of an object without its rows, in bytes.
-    pub(crate) object: usize,
-    /// Size of what rows share beside defaults and limits, in bytes.
-    pub(crate) shared: usize,
-    /// Size of all values in bytes, with the node-ID.
-    pub(crate) ram: usize,
-    /// Size of one value in RAM, in bytes.
-    pub(crate) value: fn(Shape) -> usize,
-    /// Size of the code in flash, 0 if it is not counted.
-    pub(crate) code: usize,
-    /// Size of a name: of its row, and of its end mark; `None` without names.
-    pub(crate) name: Option<(usize, usize)>,
-    /// See [`SizeReport::counted`].
-    pub(crate) counted: &'static str,
-}
-
-impl Layout {
-    /// The size of a table.
-    pub(crate) fn size(self, table: &Table) -> Sizes {
-        let mut tally = Tally::of_table(table);
-        let mut taken = vec![false; table.rom.len()];
-        let mut values = 0;
-        for row in &table.rows {
-            let rom = taken.get_mut(row.rom..row.rom + row.rom_length).unwrap_or_default();
-            let new = rom.iter().filter(|taken| !**taken).count();
-            rom.fill(true);
-            tally.of(row.index, Memory::Flash, self.row + new);
-            let value = row.slot.map_or(0, |_| (self.value)(row.resolved.shape));
-            tally.of(row.index, Memory::Zeroed, value);
-            values += value;
-        }
-        table.objects.iter().for_each(|object| tally.of(object.index, Memory::Flash, self.object));
-        let unused = taken.iter().filter(|taken| !**taken).count();
-        tally.rest(Memory::Flash, self.shared + unused);
-        tally.rest(Memory::Zeroed, self.ram.saturating_sub(values));
-        let mut report = SizeReport::new(self.counted, tally.objects, tally.rest);
-        report.code = self.code;
-        report.total.flash += self.code;
-        report.names = self.name.map_or(0, |(row, end)| {
-            let texts: BTreeSet<&str> = table.rows.iter().map(|row| row.name.as_ref()).collect(); // equal ones are one
-            table.rows.len() * row + texts.iter().map(|text| text.len() + end).sum::<usize>()
-        });
-        Sizes::Known(report)
-    }
-}
-
 /// The memory of a variable.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[derive(Clone, Copy, PartialEq, Eq)]
 pub(crate) enum Memory {
     Flash,
     /// Zero-initialised RAM.
@@ -162,7 +91,6 @@ impl Memory {
 }
 
 /// Sums up the sizes per object.
-#[derive(Debug)]
 pub(crate) struct Tally {
     objects: Vec<ObjectSize>,
     rest: Size,
@@ -170,7 +98,7 @@ pub(crate) struct Tally {
 
 impl Tally {
     /// Starts with objects in ascending order: index, name and number of entries.
-    fn new<'a>(objects: impl IntoIterator<Item = (u16, &'a str, usize)>) -> Self {
+    pub(crate) fn new<'a>(objects: impl IntoIterator<Item = (u16, &'a str, usize)>) -> Self {
         let objects = objects.into_iter().map(|(index, name, entries)| ObjectSize {
             index,
             name: name.to_owned(),
@@ -178,12 +106,6 @@ impl Tally {
             size: Size::default(),
         });
         Self { objects: objects.collect(), rest: Size::default() }
-    }
-
-    /// Starts with the objects of a table.
-    pub(crate) fn of_table(table: &Table) -> Self {
-        let objects = table.objects.iter();
-        Self::new(objects.map(|object| (object.index, object.name.as_str(), object.rows.len())))
     }
 
     /// Starts with the objects of a dictionary.
@@ -198,11 +120,6 @@ impl Tally {
         let size =
             at.and_then(|at| self.objects.get_mut(at)).map_or(&mut self.rest, |object| &mut object.size);
         add(size, memory, bytes);
-    }
-
-    /// Adds a variable.
-    pub(crate) fn variable(&mut self, variable: &Definition) {
-        self.of(variable.index, variable.memory(), variable.extent().size);
     }
 
     /// Adds bytes without an object.
@@ -226,7 +143,12 @@ impl Tally {
 
     /// The sums. For `counted` see [`SizeReport::counted`].
     pub(crate) fn report(self, counted: &'static str) -> Sizes {
-        Sizes::Known(SizeReport::new(counted, self.objects, self.rest))
+        Sizes::Known(self.sums(counted))
+    }
+
+    /// The same, to add what no object has.
+    pub(crate) fn sums(self, counted: &'static str) -> SizeReport {
+        SizeReport::new(counted, self.objects, self.rest)
     }
 }
 

@@ -131,7 +131,7 @@ pub(crate) fn clip(identifier: &str, length: usize) -> &str {
 }
 
 /// A namespace of generated code with the identifiers in use.
-#[derive(Debug, Default)]
+#[derive(Default)]
 pub(crate) struct Scope {
     taken: HashSet<String>,
     /// What several will claim, see [`Scope::foresee`].

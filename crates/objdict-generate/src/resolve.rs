@@ -8,7 +8,7 @@ use crate::model::{
 };
 
 /// The representation of an entry's values.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
+#[derive(Clone, Copy, PartialEq, Eq)]
 pub(crate) enum Shape {
     /// BOOLEAN, INTEGERn, UNSIGNEDn, REALn or TIME_x: at most eight bytes, as a number.
     Word(DataType),
@@ -37,7 +37,7 @@ impl Shape {
 }
 
 /// A value.
-#[derive(Clone, Debug, PartialEq, Eq)]
+#[derive(Clone, PartialEq, Eq)]
 pub(crate) enum Datum {
     /// The number of a [`Shape::Word`]: two's complement, sign-extended; the bits of a REAL; the 48 bits of a TIME.
     Word(u64),
@@ -89,7 +89,7 @@ impl Datum {
 }
 
 /// An entry, resolved.
-#[derive(Clone, Debug)]
+#[derive(Clone)]
 pub(crate) struct Resolved {
     pub(crate) shape: Shape,
     pub(crate) access: Access,

@@ -10,7 +10,7 @@ use super::dictionary::{Dictionary, ResolvedObject};
 use super::names::{Scope, clip, words};
 use super::notes::in_order;
 use super::resolve::Shape;
-use super::table::{Row, Table};
+use super::table::{Row, Table, TableGroup};
 use super::{Note, Options};
 use crate::model::{Device, Place};
 
@@ -25,21 +25,6 @@ const TAKEN: &str = "bool byte data double entry float image is kept offset time
 
 /// The object that stores groups on command.
 const STORE: u16 = 0x1010;
-
-/// A group of values stored together.
-#[derive(Debug)]
-pub(crate) struct TableGroup {
-    /// The name as stated.
-    pub(crate) name: String,
-    /// Its member in the struct of values: unique there; not a keyword.
-    pub(crate) field: String,
-    /// Its sub-index of 1010h and 1011h, if CiA 301 defines it.
-    pub(crate) sub_index: Option<u8>,
-    /// A hash of index, sub-index, data type and length of all entries.
-    pub(crate) layout: u32,
-    /// Size of an image in bytes.
-    pub(crate) image_size: usize,
-}
 
 /// The group of each object.
 pub(super) struct Members {

@@ -3,7 +3,7 @@
 use std::ops::Range;
 
 use super::dictionary::ResolvedObject;
-use super::memory::{Extent, Memory};
+use super::memory::{Extent, Memory, Tally};
 use super::names::{LONGEST, Scope, clip, words};
 use crate::model::{Object, ObjectType};
 
@@ -76,7 +76,6 @@ impl Variable {
 }
 
 /// A variable as C defines it.
-#[derive(Debug)]
 pub(crate) struct Definition {
     pub(crate) type_: CType,
     pub(crate) name: String,
@@ -120,6 +119,11 @@ impl Definition {
 
     pub(crate) fn memory(&self) -> Memory {
         if self.is_constant() { Memory::Flash } else { Memory::of_values(self.is_zero) }
+    }
+
+    /// Adds its bytes to those of its object.
+    pub(crate) fn count(&self, tally: &mut Tally) {
+        tally.of(self.index, self.memory(), self.extent().size);
     }
 }
 

@@ -2,17 +2,19 @@
 
 use crate::model::DeviceKind;
 
-/// The format of a file.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
-pub enum Format {
-    /// Electronic data sheet: a type of device (CiA 306-1).
-    Eds,
-    /// Device configuration file: a node (CiA 306-1).
-    Dcf,
-    /// XML device description: a type of device (CiA 311).
-    Xdd,
-    /// XML device configuration: a node (CiA 311).
-    Xdc,
+named! {
+    /// The format of a file.
+    #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+    pub enum Format {
+        /// Electronic data sheet: a type of device (CiA 306-1).
+        Eds = "EDS",
+        /// Device configuration file: a node (CiA 306-1).
+        Dcf = "DCF",
+        /// XML device description: a type of device (CiA 311).
+        Xdd = "XDD",
+        /// XML device configuration: a node (CiA 311).
+        Xdc = "XDC",
+    }
 }
 
 impl Format {
@@ -50,16 +52,6 @@ impl Format {
         match self {
             Self::Eds | Self::Dcf => Syntax::Ini,
             Self::Xdd | Self::Xdc => Syntax::Xml,
-        }
-    }
-
-    /// The name of the format.
-    pub const fn name(self) -> &'static str {
-        match self {
-            Self::Eds => "EDS",
-            Self::Dcf => "DCF",
-            Self::Xdd => "XDD",
-            Self::Xdc => "XDC",
         }
     }
 }

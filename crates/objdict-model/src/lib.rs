@@ -1,6 +1,9 @@
 //! The foundation of objdict: texts with positions, findings as data, and the typed dictionary of a device.
 //! Part of [objdict](https://docs.rs/objdict), which is the crate to depend on.
 
+#[macro_use]
+mod named;
+
 pub mod canopennode;
 pub mod diagnostic;
 mod format;

@@ -1,18 +1,9 @@
 //! The rule that needs the name under which a file was opened, which is not part of the model.
 
-use crate::diagnostic::{Argument, Diagnostic, Findings, Fix, say, text_rule};
+use super::findings::FILE_NAME;
+use crate::diagnostic::{Argument, Diagnostic, Findings, Fix, say};
 use crate::model::{Device, Field, Part, Place};
 use objdict_model::Format;
-
-text_rule! {
-    FILE_NAME = "cia306/file-name", Note, fix Unsafe;
-    summary: "`FileName` differs from the name of the file",
-    checks: "Whether `FileName` is the name of the file, ignoring case. Folders are not compared, and standard input has no name. The share of files is high because files of the corpus were renamed when they were collected; before that, one in five differed: copies for another device, a title instead of a file name, or the name on the computer where the file was made.",
-    why: "The file was copied or renamed, and users look for a file that does not exist. A modified copy may be mistaken for the original.",
-    example: "`FileName=drive.eds` in `drive_v2.eds`",
-    remedy: "Write the name of the file in `FileName`, or rename the file. The name in the file shows where a copy comes from, so the fix needs review: `--fix --unsafe-fixes --select cia306/file-name` makes it alone.",
-    source: "CiA 306-1 §4.4",
-}
 
 /// Compares `FileName` with the name under which the file was opened. Names without a known extension are
 /// ignored.

@@ -3,10 +3,8 @@
 mod idle;
 mod raise;
 
-use super::file_name::FILE_NAME;
 use super::read::Item;
-use crate::diagnostic::Findings;
-use crate::diagnostic::{RuleInfo, text_rule};
+use crate::diagnostic::{Findings, text_rules};
 use crate::literal::{self, Quirks};
 use crate::model::Value;
 pub use idle::idle;
@@ -16,31 +14,12 @@ pub(super) use raise::{
     stray_compact_entry, stray_compact_section, unknown_key, unknown_section, wrong_count,
 };
 
-/// Every rule of this module.
-pub static RULES: &[&RuleInfo] = &[
-    &DUPLICATE_SECTION,
-    &DUPLICATE_KEY,
-    &MISSING_HEADER,
-    &UNKNOWN_SECTION,
-    &UNKNOWN_KEY,
-    &MISSPELT_SECTION,
-    &MISSPELT_KEY,
-    &SECTION_SPELLING,
-    &COMMISSIONING_SPELLING,
-    &STRAY_COMPACT_SECTION,
-    &WRONG_COUNT,
-    &LIST_NUMBERING,
-    &INVALID_LIST_ENTRY,
-    &DATE_SPELLING,
-    &FILE_NAME,
-];
-
 /// Reports the spelling of a value in a line; `value` is the parsed value.
 pub(crate) fn quirks(item: &Item<'_>, quirks: Quirks, value: Option<&Value>, findings: &mut Findings) {
     literal::spelling_in_line(item.value, (item.name_at, item.value_at), quirks, value, findings);
 }
 
-text_rule! {
+text_rules! {
     DUPLICATE_SECTION = "cia306/duplicate-section", Error, fix Safe, stops "*";
     summary: "a section is defined twice",
     checks: "Whether each section name occurs once, ignoring case and leading zeros. The first section is read; lists are continued.",
@@ -48,9 +27,7 @@ text_rule! {
     example: "`[1018sub1]` and later `[1018SUB01]`",
     remedy: "Keep one of them.",
     source: "CiA 306-1 §4.2",
-}
 
-text_rule! {
     // one number of a list twice, and another one missing
     DUPLICATE_KEY = "cia306/duplicate-key", Error, fix Safe,
         explains Section ["wrong-count"], explains Value ["object-not-listed"], stops "*";
@@ -60,9 +37,7 @@ text_rule! {
     example: "`DefaultValue=4` and later `DefaultValue=5`",
     remedy: "Keep one of them.",
     source: "CiA 306-1 §4.2",
-}
 
-text_rule! {
     // the keys belong to another sub-index of the same object, or to an object that is listed or has sub-indexes
     MISSING_HEADER = "cia306/missing-header", Error,
         explains Section ["unknown-key", "unsupported-key", "invalid-value", "value-outside-limits"],
@@ -83,9 +58,7 @@ text_rule! {
     example: "`[1000]` with its keys, an empty line, and the keys of `[1001]` without this header",
     remedy: "Write the header above the first repeated key.",
     source: "CiA 306-1 §4.2",
-}
 
-text_rule! {
     UNKNOWN_SECTION = "cia306/unknown-section", Note, fix Safe;
     summary: "the standard does not define a section",
     checks: "Whether each section is defined in CiA 306-1 or CiA 306-3. Unknown sections are kept.",
@@ -93,9 +66,7 @@ text_rule! {
     example: "`[ToolInfos]`",
     remedy: "Check the spelling, or remove the section if no tool needs it. With `--compat dcf-tools` the fix makes comments of its lines.",
     source: "CiA 306-1 §4.2",
-}
 
-text_rule! {
     UNKNOWN_KEY = "cia306/unknown-key", Note, fix Safe;
     summary: "the standard does not define a key in its section",
     checks: "Whether the standard defines the key in this section. Unknown keys are kept.",
@@ -103,9 +74,7 @@ text_rule! {
     example: "`Unit=ms`",
     remedy: "Check the spelling, or remove the key if no tool needs it. With `--compat dcf-tools` the fix makes a comment of the line, for review if python-canopen or CANopenEditor reads the key.",
     source: "CiA 306-1 §4.2",
-}
 
-text_rule! {
     MISSPELT_SECTION = "cia306/misspelt-section", Warning, fix Unsafe;
     summary: "the name of a section is misspelt",
     checks: "Whether the name of a section that the standard does not define is almost that of a missing one. The section is read as the missing one, so its absence is not reported. Sections of objects and sub-indexes have the rule `cia306/section-spelling`.",
@@ -113,9 +82,7 @@ text_rule! {
     example: "`[OptionalObject]`",
     remedy: "Write `[OptionalObjects]`.",
     source: "CiA 306-1 §4.2",
-}
 
-text_rule! {
     MISSPELT_KEY = "cia306/misspelt-key", Warning, fix Mixed;
     summary: "the name of a key is misspelt",
     checks: "Whether the name of a key that the standard does not define is almost that of a key that the section lacks: with spaces, or with one wrong letter, in longer names two. The key is read as the missing one, so its absence is not reported. A misspelt `ObjectType`, `DataType`, `AccessType` or `SubNumber` is an error, as a missing one is.",
@@ -123,9 +90,7 @@ text_rule! {
     example: "`DefualtValue=250`, `Supported Objects=3`",
     remedy: "Write `DefaultValue=250`, `SupportedObjects=3`.",
     source: "CiA 306-1 §4.2",
-}
 
-text_rule! {
     SECTION_SPELLING = "cia306/section-spelling", Warning, fix Safe;
     summary: "the name of an object's section is misspelt",
     checks: "Whether section names of objects are a hex index without `0x` and leading zeros, and section names of sub-indexes append `sub` and a hex sub-index without leading zeros. Recognisable names are read. Leading zeros, which many readers accept, are a warning, everything else is an error.",
@@ -133,9 +98,7 @@ text_rule! {
     example: "`[1018sub01]`, `[0x1000]`, `[1003sub100]`",
     remedy: "Write `[1018sub1]`, `[1000]`.",
     source: "CiA 306-1 §4.6.3.2",
-}
 
-text_rule! {
     COMMISSIONING_SPELLING = "cia306/commissioning-spelling", Warning, fix Safe;
     summary: "`DeviceComissioning` is spelt with two m",
     checks: "Whether the section is called `DeviceComissioning`, with the misspelling of the standard. Both spellings are read.",
@@ -143,9 +106,7 @@ text_rule! {
     example: "`[DeviceCommissioning]`",
     remedy: "Write `[DeviceComissioning]`.",
     source: "CiA 306-1 §5.4",
-}
 
-text_rule! {
     STRAY_COMPACT_SECTION = "cia306/stray-compact-section", Error;
     summary: "names, values or denotations belong to an object without compact storage",
     checks: "Whether each `[xxxxName]`, `[xxxxValue]` and `[xxxxDenotation]` belongs to an object with `CompactSubObj`, and whether their numbers are 1 to `CompactSubObj`.",
@@ -153,9 +114,7 @@ text_rule! {
     example: "`[2000Value]` and a `[2000]` with `SubNumber`",
     remedy: "Add `CompactSubObj` to the object, or move the values to its sub-indexes.",
     source: "CiA 306-1 §4.6.3.4.2",
-}
 
-text_rule! {
     WRONG_COUNT = "cia306/wrong-count", Error, fix Safe, explains List ["object-not-listed"];
     summary: "a count does not match the number of entries",
     checks: "Whether `SupportedObjects`, `NrOfEntries`, `Lines`, `ObjectLinks`, `NrOfSeg` and `Items` equal the number of numbered keys that follow. All keys are read, regardless of the count. An empty section `[DynamicChannels]` of a device without dynamic channels is a note.",
@@ -163,9 +122,7 @@ text_rule! {
     example: "`SupportedObjects=3` with four entries",
     remedy: "Correct the count.",
     source: "CiA 306-1 §4.6.3.1",
-}
 
-text_rule! {
     // a number is missing, and so is the entry
     LIST_NUMBERING = "cia306/list-numbering", Error, fix Safe,
         explains Section ["wrong-count"], explains List ["object-not-listed"];
@@ -175,9 +132,7 @@ text_rule! {
     example: "`1=0x1000`, `2=0x1001`, `4=0x1018`",
     remedy: "Renumber the entries.",
     source: "CiA 306-1 §4.6.3.1",
-}
 
-text_rule! {
     INVALID_LIST_ENTRY = "cia306/invalid-list-entry", Error;
     summary: "a list entry is not a valid index",
     checks: "Whether each value of an object list is an index from 1h to FFFFh.",
@@ -185,14 +140,20 @@ text_rule! {
     example: "`3=0x10180`",
     remedy: "Write the index in hex: `3=0x1018`.",
     source: "CiA 306-1 §4.6.3.1",
-}
 
-text_rule! {
     DATE_SPELLING = "cia306/date-spelling", Warning, fix Mixed;
     summary: "a date or time is not spelled as the standard demands",
     checks: "Whether dates are spelled `mm-dd-yyyy` and times `hh:mmAM` or `hh:mmPM`. Other orders, names of months, two-digit years, single digits, seconds and 24-hour times are read. A date that can be two days is read with the month first, and its fix needs review, as does that of a time with seconds, which the standard has no place for.",
     why: "Tools that show or compare dates ignore such a text, or take the day for the month.",
     example: "`CreationDate=07-Feb-2016`, `CreationTime=15:23`",
     remedy: "Write `02-07-2016` and `03:23PM`.",
+    source: "CiA 306-1 §4.4",
+
+    FILE_NAME = "cia306/file-name", Note, fix Unsafe;
+    summary: "`FileName` differs from the name of the file",
+    checks: "Whether `FileName` is the name of the file, ignoring case. Folders are not compared, and standard input has no name. The share of files is high because files of the corpus were renamed when they were collected; before that, one in five differed: copies for another device, a title instead of a file name, or the name on the computer where the file was made.",
+    why: "The file was copied or renamed, and users look for a file that does not exist. A modified copy may be mistaken for the original.",
+    example: "`FileName=drive.eds` in `drive_v2.eds`",
+    remedy: "Write the name of the file in `FileName`, or rename the file. The name in the file shows where a copy comes from, so the fix needs review: `--fix --unsafe-fixes --select cia306/file-name` makes it alone.",
     source: "CiA 306-1 §4.4",
 }

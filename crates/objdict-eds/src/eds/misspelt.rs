@@ -1,20 +1,8 @@
 //! Finds the intended name for a misspelt one.
 
 use super::keys::Key;
-use super::section::FIXED;
+use super::names::{FIXED, OF_MODULE, OF_OBJECT};
 use crate::model::{Field, ModulePart, Part};
-
-/// Names of sections of a module, after its number.
-const OF_MODULE: [(Word, ModulePart); 4] = [
-    (Word::new("ModuleInfo"), ModulePart::Info),
-    (Word::new("Comments"), ModulePart::Comments),
-    (Word::new("FixedObjects"), ModulePart::FixedObjects),
-    (Word::new("SubExtends"), ModulePart::SubExtends),
-];
-
-/// Names of sections of an object, after its index.
-const OF_OBJECT: [Word; 4] =
-    [Word::new("Name"), Word::new("Value"), Word::new("Denotation"), Word::new("ObjectLinks")];
 
 /// The intended key for a name in the section of a part, if only one is similar.
 pub(super) fn key(part: &Part, name: &str) -> Option<Key> {
@@ -70,19 +58,14 @@ fn is_of_entry(field: &Field) -> bool {
 /// The intended part for the name of a section.
 pub(super) fn section(name: &str) -> Option<Part> {
     if let Some((number, rest)) = name.strip_prefix(['M', 'm']).and_then(|rest| number(rest, 10)) {
-        let names = OF_MODULE.iter().map(|(word, part)| (word, *part));
+        let names = MODULE.iter().zip(OF_MODULE.iter().map(|(_, part)| *part));
         return nearest(&Word::new(rest), names).map(|part| Part::Module(number, part));
     }
     // with fewer than four digits, letters of a word could be read as digits of the index
     let index = name.get(..4).and_then(|digits| number(digits, 16)).filter(|(index, _)| *index >= 0x1000);
     if let Some((index, _)) = index {
-        let parts = [
-            Part::CompactNames(index),
-            Part::CompactValues(index),
-            Part::CompactDenotations(index),
-            Part::Links(index),
-        ];
-        return nearest(&Word::new(&name[4..]), OF_OBJECT.iter().zip(parts));
+        let names = OBJECT.iter().zip(OF_OBJECT.iter().map(|(_, part)| part(index)));
+        return nearest(&Word::new(&name[4..]), names);
     }
     nearest(&Word::new(name), SECTIONS.iter().zip(&FIXED)).map(|(_, part)| part.clone())
 }
@@ -98,7 +81,6 @@ const LONGEST: usize = 32;
 
 /// A name without separators, in lower case, with masks for a quick comparison, because a file can have a
 /// million unknown names.
-#[derive(Clone, Copy)]
 struct Word {
     letters: [u8; LONGEST],
     length: usize,
@@ -159,27 +141,21 @@ impl Word {
     }
 }
 
-/// The names of all keys.
-static KEYS: [Word; Field::NAMED.len()] = {
-    let mut words = [Word::EMPTY; Field::NAMED.len()];
-    let mut number = 0;
-    while number < words.len() {
-        words[number] = Word::new(Field::NAMED[number].0);
-        number += 1;
-    }
-    words
-};
+static KEYS: [Word; Field::NAMED.len()] = words_of(Field::NAMED);
+static SECTIONS: [Word; FIXED.len()] = words_of(&FIXED);
+static MODULE: [Word; OF_MODULE.len()] = words_of(&OF_MODULE);
+static OBJECT: [Word; OF_OBJECT.len()] = words_of(&OF_OBJECT);
 
-/// The names of the sections without a number.
-static SECTIONS: [Word; FIXED.len()] = {
-    let mut words = [Word::EMPTY; FIXED.len()];
+/// The words of a table of names.
+const fn words_of<T, const N: usize>(names: &[(&str, T)]) -> [Word; N] {
+    let mut words = [Word::EMPTY; N];
     let mut number = 0;
-    while number < words.len() {
-        words[number] = Word::new(FIXED[number].0);
+    while number < N {
+        words[number] = Word::new(names[number].0);
         number += 1;
     }
     words
-};
+}
 
 /// The value of the intended name: the only one with the fewest edits.
 fn nearest<'a, T>(text: &Word, names: impl IntoIterator<Item = (&'a Word, T)>) -> Option<T> {

@@ -11,6 +11,7 @@ pub mod fmt;
 mod keys;
 mod locate;
 mod misspelt;
+mod names;
 mod order;
 pub mod portability;
 mod read;

@@ -3,8 +3,9 @@
 use std::fmt;
 
 use super::misspelt;
+use super::names::{FIXED, OF_MODULE, OF_OBJECT};
 use crate::diagnostic;
-use crate::model::{ModulePart, ObjectList, Part};
+use crate::model::{ModulePart, Part};
 
 /// A parsed section name.
 #[derive(Clone, Debug, PartialEq, Eq, Hash)]
@@ -30,22 +31,6 @@ pub(crate) enum Spelling {
     /// `[OptionalObject]`: almost a name of the standard.
     Misspelt,
 }
-
-/// The names without a number.
-pub(super) static FIXED: [(&str, Part); 12] = [
-    ("FileInfo", Part::FileInfo),
-    ("DeviceInfo", Part::DeviceInfo),
-    ("DummyUsage", Part::DummyUsage),
-    ("Comments", Part::Comments),
-    ("DeviceComissioning", Part::Commissioning),
-    ("MandatoryObjects", Part::List(ObjectList::Mandatory)),
-    ("OptionalObjects", Part::List(ObjectList::Optional)),
-    ("ManufacturerObjects", Part::List(ObjectList::Manufacturer)),
-    ("SupportedModules", Part::SupportedModules),
-    ("ConnectedModules", Part::ConnectedModules),
-    ("DynamicChannels", Part::DynamicChannels),
-    ("Tools", Part::Tools),
-];
 
 impl SectionName {
     /// Parses a name; an unknown name becomes [`Part::Section`].
@@ -123,24 +108,19 @@ fn hex_prefix(name: &str) -> Option<(u16, &str)> {
 enum Suffix<'a> {
     None,
     Sub(&'a str),
-    Name,
-    Value,
-    Denotation,
-    Links,
+    Of(fn(u16) -> Part),
 }
 
 fn suffix_of(rest: &str) -> Option<Suffix<'_>> {
-    let word = |word: &str| rest.eq_ignore_ascii_case(word);
     match rest {
         "" => Some(Suffix::None),
         _ if rest.len() > 3 && rest.is_char_boundary(3) && rest[..3].eq_ignore_ascii_case("sub") => {
             Some(Suffix::Sub(&rest[3..]))
         }
-        _ if word("Name") => Some(Suffix::Name),
-        _ if word("Value") => Some(Suffix::Value),
-        _ if word("Denotation") => Some(Suffix::Denotation),
-        _ if word("ObjectLinks") => Some(Suffix::Links),
-        _ => None,
+        _ => OF_OBJECT
+            .iter()
+            .find(|(word, _)| rest.eq_ignore_ascii_case(word))
+            .map(|(_, part)| Suffix::Of(*part)),
     }
 }
 
@@ -153,10 +133,7 @@ fn object_part(name: &str) -> Option<Part> {
     Some(match suffix_of(rest)? {
         Suffix::None => Part::Object(index),
         Suffix::Sub(sub) => Part::Entry(index, plain_sub(sub)?),
-        Suffix::Name => Part::CompactNames(index),
-        Suffix::Value => Part::CompactValues(index),
-        Suffix::Denotation => Part::CompactDenotations(index),
-        Suffix::Links => Part::Links(index),
+        Suffix::Of(part) => part(index),
     })
 }
 
@@ -184,7 +161,9 @@ fn odd_object(name: &str) -> Option<SectionName> {
         Suffix::None if text.len() <= 4 => Part::Object(index),
         Suffix::Sub(sub) => Part::Entry(index, hex_sub(sub.strip_prefix("0x").unwrap_or(sub))?),
         // a data type has no links, so the section itself is the mistake and not its leading zeros
-        Suffix::Links if !decorated => return Some(SectionName::standard(Part::Links(index))),
+        Suffix::Of(part) if !decorated && part(index) == Part::Links(index) => {
+            return Some(SectionName::standard(Part::Links(index)));
+        }
         _ => return None,
     };
     let spelling = if decorated { Spelling::Decorated } else { Spelling::LeadingZero };
@@ -205,14 +184,8 @@ fn module_section(name: &str) -> Option<SectionName> {
     let number: u16 = rest[..digits].parse().ok()?;
     let padded = rest.starts_with('0');
     let rest = &rest[digits..];
-    let plain = [
-        ("ModuleInfo", ModulePart::Info),
-        ("Comments", ModulePart::Comments),
-        ("FixedObjects", ModulePart::FixedObjects),
-        ("SubExtends", ModulePart::SubExtends),
-    ];
-    let (part, spelling) = match plain.into_iter().find(|(word, _)| rest.eq_ignore_ascii_case(word)) {
-        Some((_, part)) => (part, Spelling::Standard),
+    let (part, spelling) = match OF_MODULE.iter().find(|(word, _)| rest.eq_ignore_ascii_case(word)) {
+        Some((_, part)) => (*part, Spelling::Standard),
         None => module_object(rest)?,
     };
     let spelling = if padded && spelling == Spelling::Standard { Spelling::LeadingZero } else { spelling };

@@ -5,27 +5,9 @@ pub mod lines;
 
 pub use self::lines::check;
 pub(crate) use self::lines::is_merge_mark;
-use crate::diagnostic::{RuleInfo, text_rule};
+use crate::diagnostic::text_rules;
 
-/// Every rule of this module.
-pub static RULES: &[&RuleInfo] = &[
-    &BYTE_ORDER_MARK,
-    &NOT_ASCII,
-    &CONTROL_CHARACTER,
-    &LINE_TOO_LONG,
-    &MIXED_LINE_ENDS,
-    &JUNK_LINE,
-    &COMMENT_STYLE,
-    &BLANK_BEFORE_EQUALS,
-    &INDENTED_SECTION,
-    &UNCLOSED_SECTION,
-    &TEXT_AFTER_SECTION,
-    &BLANKS_IN_SECTION_NAME,
-    &KEY_BEFORE_SECTION,
-    &NO_SECTION,
-];
-
-text_rule! {
+text_rules! {
     BYTE_ORDER_MARK = "cia306/byte-order-mark", Warning, fix Mixed;
     summary: "the file starts with a byte order mark",
     checks: "Whether bytes EF BB BF (UTF-8), FF FE or FE FF (UTF-16) precede the text.",
@@ -33,9 +15,7 @@ text_rule! {
     example: "`EF BB BF [FileInfo]`",
     remedy: "Save the file as plain ASCII or as UTF-8 without byte order mark.",
     source: "CiA 306-1 §4.2",
-}
 
-text_rule! {
     NOT_ASCII = "cia306/not-ascii", Warning, fix Mixed;
     summary: "the file contains characters outside ISO 646",
     checks: "Whether all characters in values, names and comments are 7-bit characters. Only the first one is shown.",
@@ -43,9 +23,7 @@ text_rule! {
     example: "`ParameterName=Temperature in °C`",
     remedy: "Write `deg C`, `ue`, `u` instead of `°C`, `ü`, `µ`.",
     source: "CiA 306-1 §4.2",
-}
 
-text_rule! {
     CONTROL_CHARACTER = "cia306/control-character", Error, fix Mixed;
     summary: "a line contains a control character",
     checks: "Whether the file contains characters below 20h other than line ends and tabs, such as NUL or Ctrl-Z.",
@@ -53,9 +31,7 @@ text_rule! {
     example: "A NUL byte after `[1000]`.",
     remedy: "Remove the character.",
     source: "CiA 306-1 §4.2",
-}
 
-text_rule! {
     LINE_TOO_LONG = "cia306/line-too-long", Warning;
     summary: "a line is longer than 255 characters",
     checks: "The length of each line without its line end. A `ParameterName` can therefore have at most 241 characters, a `Description` 243, a `VendorName` 244.",
@@ -63,9 +39,7 @@ text_rule! {
     example: "A DOMAIN with 300 hex digits as its `ParameterValue`.",
     remedy: "Shorten the text; use `DownloadFile` for the data of a DOMAIN.",
     source: "CiA 306-1 §4.2",
-}
 
-text_rule! {
     MIXED_LINE_ENDS = "cia306/mixed-line-ends", Note, fix Mixed;
     summary: "the file mixes line ends",
     checks: "Whether all lines end with LF, or all with CR LF. A lone CR is also reported.",
@@ -73,9 +47,7 @@ text_rule! {
     example: "Lines with CR LF, and one line with LF that a script added.",
     remedy: "Save the file with one kind of line end.",
     source: "CiA 306-1 §4.2",
-}
 
-text_rule! {
     // the line is a mark of a merge, the header of a section that is not read, or a key that its section lacks
     JUNK_LINE = "cia306/junk-line", Error, fix Mixed,
         explains Conflict ["duplicate-key"],
@@ -98,9 +70,7 @@ text_rule! {
     example: "`<<<<<<< HEAD`",
     remedy: "Remove the line, or put a `;` before it.",
     source: "CiA 306-1 §4.2",
-}
 
-text_rule! {
     COMMENT_STYLE = "cia306/comment-style", Warning, fix Safe;
     summary: "a comment does not start with `;` in the first column",
     checks: "Whether comment lines start with `#` or `//`, or have spaces before the `;`. Only the first one is shown.",
@@ -108,9 +78,7 @@ text_rule! {
     example: "`# device type`",
     remedy: "Write `; device type`.",
     source: "CiA 306-1 §4.2",
-}
 
-text_rule! {
     BLANK_BEFORE_EQUALS = "cia306/blank-before-equals", Note, fix Safe;
     summary: "spaces precede the `=` or the key",
     checks: "Whether each key starts in column 1 and is directly followed by `=`. Only the first such line is shown.",
@@ -118,9 +86,7 @@ text_rule! {
     example: "`NrOfRXPDO = 5`",
     remedy: "Write `NrOfRXPDO=5`.",
     source: "CiA 306-1 §4.2",
-}
 
-text_rule! {
     INDENTED_SECTION = "cia306/indented-section", Warning, fix Safe;
     summary: "a section header does not start in the first column",
     checks: "Whether spaces precede a `[`.",
@@ -128,9 +94,7 @@ text_rule! {
     example: "` [1000]`",
     remedy: "Remove the spaces.",
     source: "CiA 306-1 §4.2",
-}
 
-text_rule! {
     UNCLOSED_SECTION = "cia306/unclosed-section", Error, fix Unsafe;
     summary: "a section header has no `]`",
     checks: "Whether each line that starts with `[` has a `]`. The section is read as if the `]` were present.",
@@ -138,9 +102,7 @@ text_rule! {
     example: "`[1018sub1`",
     remedy: "Add the `]`.",
     source: "CiA 306-1 §4.2",
-}
 
-text_rule! {
     TEXT_AFTER_SECTION = "cia306/text-after-section", Warning, fix Mixed;
     summary: "text follows a section header",
     checks: "Whether anything except spaces follows the `]`.",
@@ -148,9 +110,7 @@ text_rule! {
     example: "`[1200] ; first SDO server`",
     remedy: "Put the text in a separate comment line.",
     source: "CiA 306-1 §4.2",
-}
 
-text_rule! {
     BLANKS_IN_SECTION_NAME = "cia306/blanks-in-section-name", Warning, fix Safe;
     summary: "a section header has spaces inside the brackets",
     checks: "Whether the name directly follows the `[` and the `]` directly follows the name.",
@@ -158,9 +118,7 @@ text_rule! {
     example: "`[ 1000 ]`",
     remedy: "Write `[1000]`.",
     source: "CiA 306-1 §4.2",
-}
 
-text_rule! {
     KEY_BEFORE_SECTION = "cia306/key-before-section", Error, fix Safe;
     summary: "a key precedes the first section",
     checks: "Whether a section header precedes all keys.",
@@ -168,9 +126,7 @@ text_rule! {
     example: "`FileName=drive.eds` as the first line",
     remedy: "Add the missing header, probably `[FileInfo]`, above the key.",
     source: "CiA 306-1 §4.2",
-}
 
-text_rule! {
     NO_SECTION = "cia306/no-section", Error;
     summary: "the file has no section",
     checks: "Whether the file has at least one `[section]`.",

@@ -4,7 +4,7 @@ use std::collections::BTreeSet;
 
 use askama::Template;
 
-use super::view::{macro_name, word_type};
+use super::words::{macro_name, word_type};
 use crate::escape::filters;
 use crate::meanings::{self, EnumType, Named, WordPart, WordType};
 use crate::model::{DataType, TypeKind};

@@ -7,6 +7,7 @@ mod rows;
 mod stored;
 mod structs;
 mod view;
+mod words;
 
 #[cfg(feature = "rust")]
 use super::Identifier;

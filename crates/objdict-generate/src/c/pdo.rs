@@ -1,7 +1,7 @@
 //! View of templates/c/od_pdo.h and od_pdo.c: structs of PDO frames.
 
 use super::defaults::of_node;
-use super::view::{hex_bytes, word_type};
+use super::words::{hex_bytes, word_type};
 use crate::escape::filters;
 use crate::frames::{Carried, Frame, FrameField};
 use crate::head::files;

@@ -2,10 +2,11 @@
 
 use std::collections::HashMap;
 
-use super::view::{flags, type_name};
+use super::words::{flags, type_name};
 use crate::Sizes;
-use crate::memory::{Extent, Layout, ram};
+use crate::memory::Extent;
 use crate::table::Table;
+use crate::table_size::{Layout, ram};
 
 /// The types of the numbers in rows, each as narrow as the device allows, and what rows have in common.
 pub(super) struct Rows {

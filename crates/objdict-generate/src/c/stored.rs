@@ -1,9 +1,8 @@
 //! View of storage groups in C: members of the struct of values, and functions for images.
 
-use super::view::{FieldView, field_view};
-use crate::memory;
-use crate::stored::TableGroup;
-use crate::table::{Table, TableField};
+use super::words::{FieldView, field_view};
+use crate::table::{Table, TableField, TableGroup};
+use crate::table_size;
 
 /// A storage group.
 pub(super) struct GroupView<'a> {
@@ -34,7 +33,7 @@ pub(super) fn members<'a>(table: &'a Table, prefix: &str) -> Vec<MemberView<'a>>
         .members(None)
         .map(|field| (field.extent().alignment, MemberView::Field(field_view(table, field, prefix))));
     let groups = (0..table.groups.len()).map(|number| {
-        (memory::group(table, number).alignment, MemberView::Group(group_view(table, number, prefix)))
+        (table_size::group(table, number).alignment, MemberView::Group(group_view(table, number, prefix)))
     });
     let mut members: Vec<(usize, MemberView<'a>)> = fields.chain(groups).collect();
     members.sort_by_key(|(alignment, _)| *alignment); // stable sort: equal alignment stays ordered by index

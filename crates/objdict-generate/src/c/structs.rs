@@ -2,15 +2,15 @@
 
 use std::collections::{HashMap, HashSet};
 
-use super::view::{flags, type_name, word_type};
+use super::words::{flags, type_name, word_type};
 use crate::Sizes;
 use crate::c_code::{bytes, number};
 use crate::escape::shown;
-use crate::memory::ram;
-use crate::memory::{Extent, Memory, Tally};
+use crate::memory::{Extent, Memory};
 use crate::model::DataType;
 use crate::resolve::{Datum, Shape, is_time};
 use crate::table::{Row, Table};
+use crate::table_size;
 
 /// What the source has beside the values.
 pub(super) struct Structs<'a> {
@@ -114,7 +114,7 @@ impl<'a> Structs<'a> {
 
 /// Computes the size of the table.
 pub(super) fn size(table: &Table, prefix: &str, names: bool) -> Sizes {
-    let mut tally = Tally::of_table(table);
+    let mut tally = table_size::tally(table);
     let mut texts = HashSet::new();
     let numbers = [Extent::HALF, Extent::BYTE, Extent::BYTE, Extent::BYTE, Extent::HALF];
     let pointers = [Extent::POINTER; 5];
@@ -129,7 +129,7 @@ pub(super) fn size(table: &Table, prefix: &str, names: bool) -> Sizes {
     for (index, bytes) in Structs::new(table, prefix, "").taken {
         tally.of(index, Memory::Flash, bytes);
     }
-    let mut gaps = ram(table);
+    let mut gaps = table_size::ram(table);
     for field in &table.fields {
         let size = field.extent().size;
         gaps -= size;

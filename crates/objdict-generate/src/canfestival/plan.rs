@@ -1,7 +1,7 @@
 //! The variables and rows of a dictionary.
 
 use super::names::Names;
-use super::ranges::Ranges;
+use super::ranges::{NUMBERS, Ranges};
 use super::special::{Family, LISTS, VALUES, misfit};
 use crate::c_code::{assignment, bytes, literal, number_type, typed};
 use crate::dictionary::{Dictionary, ResolvedEntry, ResolvedObject};
@@ -17,7 +17,6 @@ const ENDS_AT_ZERO: &str = "the stack truncates a text at its first zero byte";
 const MOST_ROWS: u8 = u8::MAX;
 
 /// A row of an object.
-#[derive(Clone, Debug, PartialEq, Eq)]
 pub(super) struct RowData {
     pub(super) access: String,
     pub(super) data_type: String,
@@ -47,9 +46,6 @@ pub(super) struct Plan {
     /// The number of heartbeat consumers; at least 1.
     pub(super) consumers: usize,
 }
-
-/// The types of the stack for numbers.
-pub(super) const NUMBERS: [&str; 3] = ["UNS", "INTEGER", "REAL"];
 
 /// The macro of a data type.
 fn type_macro(shape: Shape) -> String {

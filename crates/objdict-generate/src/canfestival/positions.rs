@@ -4,7 +4,7 @@ use super::plan::PlannedObject;
 use super::special::Family;
 
 /// A place in the list of objects.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[derive(Clone, Copy, PartialEq, Eq)]
 pub(super) enum Slot {
     /// An object, by its number.
     Object(usize),

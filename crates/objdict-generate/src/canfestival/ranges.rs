@@ -1,9 +1,11 @@
 //! Limits: the stack has numbers for types with a range, and asks a function of the dictionary.
 
-use super::plan::NUMBERS;
 use crate::c_code::{number, number_type};
 use crate::model::{DataType, TypeKind};
 use crate::resolve::{Datum, Resolved, Shape};
+
+/// The types of the stack for numbers.
+pub(super) const NUMBERS: [&str; 3] = ["UNS", "INTEGER", "REAL"];
 
 /// The number of the type of 1003h sub-index 0, to which only 0 may be written.
 const ERASED: u8 = 0x9F;
@@ -12,7 +14,6 @@ const ERASED: u8 = 0x9F;
 const FIRST: u8 = 0x24;
 
 /// A type with a range.
-#[derive(Clone, Debug, PartialEq)]
 pub(super) struct Range {
     pub(super) code: u8,
     data_type: DataType,

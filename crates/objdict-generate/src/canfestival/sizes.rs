@@ -14,7 +14,7 @@ pub(super) fn report(dictionary: &Dictionary<'_>, plan: &Plan, slots: &Slots) ->
     let row = Extent::structure([byte, byte, word, pointer]).size;
     let place = Extent::structure([pointer, byte, half]).size;
     let mut tally = Tally::of_dictionary(dictionary);
-    plan.definitions.iter().for_each(|definition| tally.variable(definition));
+    plan.definitions.iter().for_each(|definition| definition.count(&mut tally));
     for object in &plan.objects {
         tally.of(object.index, Memory::Flash, object.rows.len() * row);
         let callbacks = if object.callbacks { object.rows.len() } else { 0 };

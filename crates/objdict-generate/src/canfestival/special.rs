@@ -16,7 +16,7 @@ pub(super) const VALUES: [(u16, DataType); 7] =
 pub(super) const LISTS: [u16; 2] = [0x1003, 0x1016];
 
 /// The objects that the stack finds by their positions.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
+#[derive(Clone, Copy, PartialEq, Eq)]
 pub(super) enum Family {
     SdoServer,
     SdoClient,

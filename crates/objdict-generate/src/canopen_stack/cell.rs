@@ -15,7 +15,7 @@ const LONGEST_DIRECT: u64 = 0xFFFF;
 const ONE_FRAME: usize = 4;
 
 /// Storage of a row's value.
-#[derive(Clone, Debug, PartialEq, Eq)]
+#[derive(Clone)]
 pub(super) enum Cell {
     /// In the row.
     Direct(u64),
@@ -38,7 +38,6 @@ pub(super) enum Cell {
 }
 
 /// A row without its names.
-#[derive(Clone, Debug)]
 pub(super) struct Planned {
     pub(super) type_: Type,
     pub(super) cell: Cell,
@@ -47,7 +46,7 @@ pub(super) struct Planned {
 }
 
 /// The type of a row.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[derive(Clone, Copy, PartialEq, Eq)]
 pub(super) enum Type {
     /// A type of the stack.
     Stack(&'static str),

@@ -3,7 +3,7 @@
 use std::collections::{BTreeSet, HashSet};
 
 use super::cell::{Cell, Planned};
-use super::para::STORE;
+use super::special::STORE;
 use crate::c_code::{bytes, literal};
 use crate::dictionary::{Dictionary, ResolvedEntry, ResolvedObject};
 use crate::memory::Extent;
@@ -14,7 +14,6 @@ use crate::variables::{CType, Definition, Variable, Wanted, claim, variables};
 use crate::{Note, Options};
 
 /// Values that are stored together.
-#[derive(Debug)]
 pub(super) struct ParaGroup {
     /// As in the options or the description.
     pub(super) name: String,
@@ -28,7 +27,7 @@ pub(super) struct ParaGroup {
 }
 
 /// Everything that rows refer to.
-#[derive(Debug, Default)]
+#[derive(Default)]
 pub(super) struct Layout {
     pub(super) groups: Vec<ParaGroup>,
     pub(super) variables: Vec<Definition>,

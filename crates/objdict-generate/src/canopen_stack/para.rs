@@ -2,15 +2,13 @@
 
 use super::cell::{Cell, Planned};
 use super::layout::{Layout, ParaGroup};
+use super::special::{RESTORE, STORE};
 use crate::Note;
 use crate::dictionary::Dictionary;
 use crate::model::Place;
 
-pub(super) const STORE: u16 = 0x1010;
-pub(super) const RESTORE: u16 = 0x1011;
-
 /// The arrays of `CO_PARA`.
-#[derive(Debug, Default)]
+#[derive(Default)]
 pub(super) struct Parameters {
     /// A line for each sub-index of 1010h.
     pub(super) store: Vec<String>,
@@ -99,7 +97,6 @@ impl Parameters {
 }
 
 /// A row of a parameter group.
-#[derive(Clone, Copy, Debug)]
 struct GroupRow {
     object: usize,
     entry: usize,

@@ -2,7 +2,7 @@
 
 use super::Tables;
 use super::cell::Type;
-use super::para::{RESTORE, STORE};
+use super::special::{RESTORE, STORE};
 use crate::Sizes;
 use crate::memory::{Extent, Memory, Tally};
 
@@ -25,7 +25,7 @@ pub(super) fn report(tables: &Tables<'_>) -> Sizes {
     let mut tally = Tally::of_dictionary(dictionary);
     rows.iter().for_each(|object| tally.of(object.index, Memory::Flash, row().size));
     tally.rest(Memory::Flash, row().size); // the end mark
-    layout.variables.iter().chain(&layout.definitions).for_each(|variable| tally.variable(variable));
+    layout.variables.iter().chain(&layout.definitions).for_each(|variable| variable.count(&mut tally));
     for group in &layout.groups {
         let members: Vec<_> =
             group.members.iter().map(|member| (Some(member.index), member.extent())).collect();

@@ -4,8 +4,11 @@ use crate::dictionary::ResolvedObject;
 use crate::model::{DataType, PdoKind};
 use crate::resolve::{Resolved, Shape};
 
+pub(super) const STORE: u16 = 0x1010;
+pub(super) const RESTORE: u16 = 0x1011;
+
 /// A type of the stack for an entry of the communication profile.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[derive(Clone, Copy)]
 pub(super) struct Special {
     /// The macro of the type.
     pub(super) type_: &'static str,
@@ -16,7 +19,7 @@ pub(super) struct Special {
 }
 
 /// The content of the `Data` field of a special type.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[derive(Clone, Copy, PartialEq, Eq)]
 pub(super) enum Data {
     /// The value or its address, as for any number.
     Any,

@@ -6,7 +6,6 @@ use crate::model::{DataType, SrdoAccess, TypeKind};
 use crate::resolve::{Datum, Resolved, Shape, digits};
 
 /// Location and representation of a value.
-#[derive(Clone, Debug, PartialEq, Eq)]
 pub(super) struct Storage {
     /// The type of the variable or its elements; `None` if the stack has no suitable type and the application
     /// must provide the value.

@@ -8,7 +8,7 @@ use crate::resolve::Shape;
 use crate::{Options, StackLayout};
 
 /// The memory of a value.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[derive(Clone, Copy, PartialEq, Eq)]
 pub(super) enum Location {
     Rom,
     Ram,
@@ -53,7 +53,7 @@ impl Location {
 }
 
 /// A value in a structure.
-#[derive(Clone, Debug)]
+#[derive(Clone)]
 pub(super) struct Cell {
     /// The type of `CO_OD.h`.
     pub(super) c_type: String,

@@ -33,7 +33,6 @@ pub(super) struct Variable {
 }
 
 /// A row of a record.
-#[derive(Clone)]
 pub(super) struct RecordRow {
     pub(super) data: String,
     pub(super) attribute: u16,

@@ -9,7 +9,7 @@ const U16: DataType = DataType::UNSIGNED16;
 const U32: DataType = DataType::UNSIGNED32;
 
 /// What the stack takes an object for.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[derive(Clone, Copy)]
 pub(super) enum Form {
     /// A number of this type, with its value where the description lacks the object.
     Value(DataType, u32),

@@ -14,7 +14,6 @@ pub(super) const LONGEST: usize = 4;
 const REACH: usize = 256;
 
 /// The image and its entries.
-#[derive(Debug)]
 pub(super) struct Image<'a> {
     /// By index and sub-index.
     pub(super) entries: Vec<ImageEntry<'a>>,
@@ -23,7 +22,6 @@ pub(super) struct Image<'a> {
 }
 
 /// An entry in the image.
-#[derive(Debug)]
 pub(super) struct ImageEntry<'a> {
     pub(super) index: u16,
     pub(super) entry: &'a ResolvedEntry<'a>,

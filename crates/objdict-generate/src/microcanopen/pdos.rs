@@ -9,7 +9,6 @@ use crate::model::{MappedObject, Pdo, PdoKind, Place};
 const MOST: u16 = 4;
 
 /// A call of `MCO_InitTPDO` or `MCO_InitRPDO`.
-#[derive(Debug)]
 pub(super) struct Call {
     pub(super) kind: PdoKind,
     pub(super) number: u16,

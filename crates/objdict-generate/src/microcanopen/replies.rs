@@ -7,7 +7,6 @@ use crate::model::Place;
 use crate::resolve::{Datum, Shape};
 
 /// A row of the table.
-#[derive(Debug)]
 pub(super) struct Reply {
     pub(super) index: u16,
     pub(super) row: String,

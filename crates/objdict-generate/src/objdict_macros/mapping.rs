@@ -8,7 +8,6 @@ use crate::model::{Pdo, PdoKind, Place};
 pub(super) const SLOTS: usize = 8;
 
 /// A PDO.
-#[derive(Debug)]
 pub(super) struct PdoRow {
     pub(super) kind: PdoKind,
     pub(super) number: u16,

@@ -108,7 +108,7 @@ impl<'a> Tables<'a> {
         let pdo_map = Extent::structure([byte, mapped.times(SLOTS)]);
         let mut tally = Tally::of_dictionary(self.dictionary);
         self.rows.iter().for_each(|object| tally.of(object.index, Memory::Flash, row.size));
-        self.variables.iter().for_each(|variable| tally.variable(variable));
+        self.variables.iter().for_each(|variable| variable.count(&mut tally));
         for pdo in &self.pdos {
             let index = pdo.kind.mapping_index(pdo.number);
             tally.of(index.unwrap_or(0), Memory::Flash, pdo_map.size); // 0: without an object

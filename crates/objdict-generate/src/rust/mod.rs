@@ -15,9 +15,9 @@ pub(super) use literal::{value_of, word_type};
 use super::defaults::constants;
 use super::frames::{frames, freeze_mappings};
 use super::meanings::meanings;
-use super::memory::Layout;
 use super::notes::in_order;
 use super::table::Table;
+use super::table_size::Layout;
 use super::{GenerateError, Made, Options, render};
 use crate::model::Device;
 

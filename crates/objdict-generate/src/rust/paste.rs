@@ -5,7 +5,7 @@ use objdict_device::source;
 use crate::{Derive, OptionValue};
 
 /// The parts of the code that a table needs.
-#[derive(Clone, Copy, Debug)]
+#[derive(Clone, Copy)]
 pub(super) struct Parts<'a> {
     pub(super) stored: bool,
     pub(super) hooks: bool,

@@ -9,7 +9,6 @@ use crate::{GenerateError, Note};
 const LARGEST: usize = 1 << 19;
 
 /// The places of all values.
-#[derive(Debug)]
 pub(super) struct Places {
     /// The offset of each row; 0 for a value in flash.
     pub(super) rows: Vec<usize>,

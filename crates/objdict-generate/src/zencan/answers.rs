@@ -8,11 +8,10 @@ use crate::model::{Access, Place};
 use crate::resolve::Datum;
 
 /// All entries of the node.
-#[derive(Debug, Default)]
+#[derive(Default)]
 pub(super) struct Answers(BTreeMap<(u16, u8), Answer>);
 
 /// An entry of the node.
-#[derive(Debug)]
 pub(super) struct Answer {
     pub(super) access: Access,
     pub(super) tpdo: bool,
@@ -23,7 +22,7 @@ pub(super) struct Answer {
 }
 
 /// The initial value.
-#[derive(Clone, Debug, PartialEq, Eq)]
+#[derive(Clone, PartialEq, Eq)]
 pub(super) enum Held {
     /// These bytes.
     Bytes(Vec<u8>),

@@ -1,7 +1,5 @@
 //! Fixes of findings: changes of the description, as data.
 
-use std::fmt;
-
 use super::Text;
 use crate::model::{Field, ObjectList, Part, Place};
 use crate::source::{Encoding, Span};
@@ -20,39 +18,34 @@ pub struct Fix {
     pub is_offered: bool,
 }
 
-/// Whether a fix may be applied without review.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
-#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
-#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
-#[cfg_attr(feature = "serde", serde(rename_all = "lowercase"))]
-pub enum Applicability {
-    /// The meaning is unchanged for every tool, or only content that no tool could understand is removed.
-    Safe,
-    /// The most likely intention; needs review.
-    Unsafe,
-}
-
-impl fmt::Display for Applicability {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        f.write_str(match self {
-            Self::Safe => "safe",
-            Self::Unsafe => "unsafe",
-        })
+named! {
+    /// Whether a fix may be applied without review.
+    #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
+    #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+    #[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
+    #[cfg_attr(feature = "serde", serde(rename_all = "lowercase"))]
+    pub enum Applicability {
+        /// The meaning is unchanged for every tool, or only content that no tool could understand is removed.
+        Safe = "safe",
+        /// The most likely intention; needs review.
+        Unsafe = "unsafe",
     }
 }
 
-/// The safety of the fixes that the findings of a rule have.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
-#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
-#[cfg_attr(feature = "serde", serde(rename_all = "lowercase"))]
-pub enum FixSafety {
-    /// All of them are safe.
-    Safe,
-    /// All of them need review.
-    Unsafe,
-    /// Some are safe, some are not: each fix says what it is.
-    Mixed,
+named! {
+    /// The safety of the fixes that the findings of a rule have.
+    #[derive(Clone, Copy, Debug, PartialEq, Eq)]
+    #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+    #[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
+    #[cfg_attr(feature = "serde", serde(rename_all = "lowercase"))]
+    pub enum FixSafety {
+        /// All of them are safe.
+        Safe = "safe",
+        /// All of them need review.
+        Unsafe = "unsafe",
+        /// Some are safe, some are not: each fix says what it is.
+        Mixed = "mixed",
+    }
 }
 
 impl FixSafety {
@@ -63,16 +56,6 @@ impl FixSafety {
             Self::Unsafe => safety == Applicability::Unsafe,
             Self::Mixed => true,
         }
-    }
-}
-
-impl fmt::Display for FixSafety {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        f.write_str(match self {
-            Self::Safe => "safe",
-            Self::Unsafe => "unsafe",
-            Self::Mixed => "mixed",
-        })
     }
 }
 

@@ -12,8 +12,6 @@ mod text;
 mod tool;
 mod words;
 
-use std::fmt;
-
 use crate::model::Place;
 pub use crate::source::Span;
 
@@ -28,34 +26,19 @@ pub use text::{Argument, MAX_QUOTED, Sayable, Text, joined, listing, listing_or,
 pub use tool::Tool;
 pub use words::{counted, misspelled, nearest, one_line, printable, printable_lines, sub_index, visible};
 
-/// The severity of a finding.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
-#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
-#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
-#[cfg_attr(feature = "serde", serde(rename_all = "lowercase"))]
-pub enum Severity {
-    /// Style, or compatibility with a tool.
-    Note,
-    /// A violation of the specification, or a suspicious value.
-    Warning,
-    /// A tool or a device will malfunction.
-    Error,
-}
-
-impl Severity {
-    /// The name of the severity.
-    pub const fn name(self) -> &'static str {
-        match self {
-            Self::Note => "note",
-            Self::Warning => "warning",
-            Self::Error => "error",
-        }
-    }
-}
-
-impl fmt::Display for Severity {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        f.write_str(self.name())
+named! {
+    /// The severity of a finding.
+    #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
+    #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+    #[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
+    #[cfg_attr(feature = "serde", serde(rename_all = "lowercase"))]
+    pub enum Severity {
+        /// Style, or compatibility with a tool.
+        Note = "note",
+        /// A violation of the specification, or a suspicious value.
+        Warning = "warning",
+        /// A tool or a device will malfunction.
+        Error = "error",
     }
 }
 

@@ -197,7 +197,7 @@ macro_rules! text_rules {
         source: $source:literal,
     )+) => {
         /// Every rule of this module.
-        pub(crate) static RULES: &[&$crate::diagnostic::RuleInfo] = &[$(&$NAME),+];
+        pub static RULES: &[&$crate::diagnostic::RuleInfo] = &[$(&$NAME),+];
 
         $($crate::text_rule! {
             $NAME = $id, $severity $(, fix $safety)? $(, explains $reach [$($rule),+])*

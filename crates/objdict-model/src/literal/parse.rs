@@ -126,7 +126,6 @@ pub fn strip_comment<'a>(text: &'a str, quirks: &mut Quirks) -> &'a str {
 }
 
 /// A number as written, because hex digits may be two's complement.
-#[derive(Clone, Copy)]
 struct Number {
     value: i128,
     hex: bool,

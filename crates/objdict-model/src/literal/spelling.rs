@@ -1,25 +1,9 @@
 //! The rules about the spelling of values: the rule for each quirk, and its help.
 
 use super::{Quirk, Quirks, respell, trailing_comment};
-use crate::diagnostic::{At, Change, Diagnostic, Findings, Fix, RuleInfo, say, text_rule};
+use crate::diagnostic::{At, Change, Diagnostic, Findings, Fix, RuleInfo, say, text_rules};
 use crate::model::Value;
 use crate::source::Span;
-
-/// Every rule about spelling.
-pub static RULES: &[&RuleInfo] = &[
-    &OCTAL_NUMBER,
-    &LEADING_ZERO,
-    &NODE_ID_LAST,
-    &FORMULA_SPELLING,
-    &TRAILING_COMMENT,
-    &NUMBER_SUFFIX,
-    &REAL_AS_BITS,
-    &TWOS_COMPLEMENT,
-    &QUOTED_STRING,
-    &BOOLEAN_WORD,
-    &HEX_PREFIX_IN_BYTES,
-    &LIMIT_ABOVE_TYPE,
-];
 
 /// The rule about quotes, which also applies to names.
 pub static QUOTED: &RuleInfo = &QUOTED_STRING;
@@ -131,7 +115,7 @@ fn rule_text(quirk: Quirk) -> &'static str {
     }
 }
 
-text_rule! {
+text_rules! {
     OCTAL_NUMBER = "cia306/octal-number", Warning, fix Safe;
     summary: "a number with a leading zero is octal",
     checks: "Whether a number starts with `0` and has another value in decimal. The number is read as octal.",
@@ -139,9 +123,7 @@ text_rule! {
     example: "`DefaultValue=010` is 8",
     remedy: "Write the intended number in decimal or hex.",
     source: "CiA 306-1 §4.3",
-}
 
-text_rule! {
     LEADING_ZERO = "cia306/leading-zero", Note, fix Safe;
     summary: "a number has a leading zero",
     checks: "Whether a decimal number starts with `0` and has the same value in octal.",
@@ -149,9 +131,7 @@ text_rule! {
     example: "`FileRevision=07`",
     remedy: "Write `7`.",
     source: "CiA 306-1 §4.3",
-}
 
-text_rule! {
     NODE_ID_LAST = "cia306/node-id-last", Warning, fix Safe;
     summary: "`$NODEID` does not come first",
     checks: "Whether a formula starts with `$NODEID`. The other order is also read.",
@@ -159,9 +139,7 @@ text_rule! {
     example: "`DefaultValue=0x180+$NODEID`",
     remedy: "Write `$NODEID+0x180`.",
     source: "CiA 306-1 §4.3",
-}
 
-text_rule! {
     FORMULA_SPELLING = "cia306/formula-spelling", Note, fix Safe;
     summary: "a formula has spaces or lower-case letters",
     checks: "Whether formulas are spelled `$NODEID+number`.",
@@ -169,9 +147,7 @@ text_rule! {
     example: "`$NodeId + 0x180`",
     remedy: "Write `$NODEID+0x180`.",
     source: "CiA 306-1 §4.3",
-}
 
-text_rule! {
     TRAILING_COMMENT = "cia306/trailing-comment", Warning, fix Safe;
     summary: "a comment follows a number or keyword",
     checks: "Whether `;`, `#` or `//` follows a value that cannot contain it. In names and strings they are part of the text.",
@@ -179,9 +155,7 @@ text_rule! {
     example: "`DataType=0x0007 ; UNSIGNED32`",
     remedy: "Put the comment on a separate line.",
     source: "CiA 306-1 §4.2",
-}
 
-text_rule! {
     NUMBER_SUFFIX = "cia306/number-suffix", Warning, fix Safe;
     summary: "a number has a suffix of the C language",
     checks: "Whether `L`, `LL`, `U` or `f` follows a number. The suffix is ignored.",
@@ -189,9 +163,7 @@ text_rule! {
     example: "`DefaultValue=0x1234567890ABCDEFLL`",
     remedy: "Remove the suffix.",
     source: "CiA 306-1 §4.3",
-}
 
-text_rule! {
     REAL_AS_BITS = "cia306/real-as-bits", Note, fix Mixed;
     summary: "a REAL is written as the hex digits of its bits",
     checks: "Whether a REAL32 or REAL64 is a hex number. The number is read as the bits of IEEE 754.",
@@ -199,9 +171,7 @@ text_rule! {
     example: "`DefaultValue=0x3F800000`",
     remedy: "Write `1.0`, unless the file is for Lely.",
     source: "CiA 306-1 §4.3 does not define it",
-}
 
-text_rule! {
     TWOS_COMPLEMENT = "cia306/twos-complement", Note, fix Safe;
     summary: "a negative number is written as two's complement",
     checks: "Whether a hex number of a signed type has its sign bit set. The number is read as negative.",
@@ -209,9 +179,7 @@ text_rule! {
     example: "`LowLimit=0x80000000` of an INTEGER32",
     remedy: "Write `-2147483648`.",
     source: "CiA 306-1 §4.3 does not define it",
-}
 
-text_rule! {
     QUOTED_STRING = "cia306/quoted-string", Warning, fix Mixed;
     summary: "a string is in quotes",
     checks: r#"Whether the value of a string type starts and ends with `"`; the quotes are ignored. Names and other texts of the device are also reported, but read with their quotes."#,
@@ -219,9 +187,7 @@ text_rule! {
     example: r#"`DefaultValue="IO block"`"#,
     remedy: "Remove the quotes, unless the file is for Lely's dcfgen.",
     source: "CiA 306-1 §4.3",
-}
 
-text_rule! {
     BOOLEAN_WORD = "cia306/boolean-word", Warning, fix Safe;
     summary: "a BOOLEAN is written as a word",
     checks: "Whether a BOOLEAN is `true` or `false`.",
@@ -229,9 +195,7 @@ text_rule! {
     example: "`DefaultValue=true`",
     remedy: "Write `1`.",
     source: "CiA 306-1 §4.3",
-}
 
-text_rule! {
     HEX_PREFIX_IN_BYTES = "cia306/hex-prefix-in-bytes", Warning, fix Safe;
     summary: "bytes are not written as plain hex digits",
     checks: "Whether the value of an OCTET_STRING or DOMAIN has a `0x` prefix or spaces between its hex digits.",
@@ -239,9 +203,7 @@ text_rule! {
     example: "`DefaultValue=0x01 A1 05`",
     remedy: "Write `01A105`.",
     source: "CiA 306-1 §4.3",
-}
 
-text_rule! {
     LIMIT_ABOVE_TYPE = "cia306/limit-above-type", Warning, fix Mixed;
     summary: "a high limit in hex is above its signed data type",
     checks: "Whether `HighLimit` of a signed type is a hex number with the sign bit set, which as two's complement is below `LowLimit`, `DefaultValue` or `ParameterValue`, or is -1 without a `LowLimit`. It is read as the largest number of the type, as Lely does.",

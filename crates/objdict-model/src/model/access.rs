@@ -1,43 +1,28 @@
 //! Access types and PDO mapping (CiA 306-1 §4.6.3.2, CiA 301 §7.4.5).
 
-use std::fmt;
-
-/// The access of the network to an entry.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
-#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
-#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
-#[cfg_attr(feature = "serde", serde(rename_all = "lowercase"))]
-pub enum Access {
-    /// Read only; the device may change the value.
-    Ro,
-    /// Write only.
-    Wo,
-    /// Read and write.
-    Rw,
-    /// Read and write; a process input, which a TPDO can carry.
-    Rwr,
-    /// Read and write; a process output, which an RPDO can carry.
-    Rww,
-    /// Read only, and the value never changes.
-    Const,
+named! {
+    /// The access of the network to an entry.
+    #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
+    #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+    #[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
+    #[cfg_attr(feature = "serde", serde(rename_all = "lowercase"))]
+    pub enum Access {
+        /// Read only; the device may change the value.
+        Ro = "ro",
+        /// Write only.
+        Wo = "wo",
+        /// Read and write.
+        Rw = "rw",
+        /// Read and write; a process input, which a TPDO can carry.
+        Rwr = "rwr",
+        /// Read and write; a process output, which an RPDO can carry.
+        Rww = "rww",
+        /// Read only, and the value never changes.
+        Const = "const",
+    }
 }
 
 impl Access {
-    /// All access types, in the order of CiA 306-1.
-    pub const ALL: [Self; 6] = [Self::Ro, Self::Wo, Self::Rw, Self::Rwr, Self::Rww, Self::Const];
-
-    /// The spelling in an EDS.
-    pub const fn name(self) -> &'static str {
-        match self {
-            Self::Ro => "ro",
-            Self::Wo => "wo",
-            Self::Rw => "rw",
-            Self::Rwr => "rwr",
-            Self::Rww => "rww",
-            Self::Const => "const",
-        }
-    }
-
     /// The access type with this name, ignoring case.
     pub fn from_name(name: &str) -> Option<Self> {
         Self::ALL.into_iter().find(|access| access.name().eq_ignore_ascii_case(name))
@@ -64,17 +49,10 @@ impl Access {
     }
 }
 
-impl fmt::Display for Access {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        f.write_str(self.name())
-    }
-}
-
 /// Whether a PDO may carry an entry. An EDS has only [`No`](Self::No) and [`Optional`](Self::Optional).
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
-#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize), serde(rename_all = "lowercase"))]
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
-#[cfg_attr(feature = "serde", serde(rename_all = "lowercase"))]
 pub enum PdoMapping {
     /// Never.
     #[default]

@@ -238,9 +238,8 @@ impl Default for TypeShape {
 
 /// The data type of a parameter, a member or an element.
 #[derive(Clone, Debug, PartialEq, Eq)]
-#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize), serde(rename_all = "snake_case"))]
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
-#[cfg_attr(feature = "serde", serde(rename_all = "snake_case"))]
 pub enum DataTypeRef {
     /// A type of IEC 61131-3.
     Simple(SimpleType),

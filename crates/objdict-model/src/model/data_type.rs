@@ -43,7 +43,7 @@ pub enum TypeKind {
 }
 
 macro_rules! static_types {
-    ($($NAME:ident = $index:literal, $kind:expr;)*) => {
+    ($($NAME:ident = $index:literal, $kind:expr;)* {  $($STRUCTURE:ident = $at:literal;)* }) => {
         impl DataType {
             $(#[doc = concat!("The data type ", stringify!($NAME), ".")] pub const $NAME: Self = Self($index);)*
 
@@ -54,12 +54,7 @@ macro_rules! static_types {
             pub const fn name(self) -> Option<&'static str> {
                 match self.0 {
                     $($index => Some(stringify!($NAME)),)*
-                    0x20 => Some("PDO_COMMUNICATION_PARAMETER"),
-                    0x21 => Some("PDO_MAPPING"),
-                    0x22 => Some("SDO_PARAMETER"),
-                    0x23 => Some("IDENTITY"),
-                    0x24 => Some("OS_DEBUG"),
-                    0x25 => Some("OS_COMMAND"),
+                    $($at => Some(stringify!($STRUCTURE)),)*
                     _ => None,
                 }
             }
@@ -68,12 +63,7 @@ macro_rules! static_types {
             pub fn from_name(name: &str) -> Option<Self> {
                 let index = match name {
                     $(stringify!($NAME) => $index,)*
-                    "PDO_COMMUNICATION_PARAMETER" => 0x20,
-                    "PDO_MAPPING" => 0x21,
-                    "SDO_PARAMETER" => 0x22,
-                    "IDENTITY" => 0x23,
-                    "OS_DEBUG" => 0x24,
-                    "OS_COMMAND" => 0x25,
+                    $(stringify!($STRUCTURE) => $at,)*
                     _ => return None,
                 };
                 Some(Self(index))
@@ -118,6 +108,14 @@ static_types! {
     UNSIGNED48 = 0x19, TypeKind::Unsigned(48);
     UNSIGNED56 = 0x1A, TypeKind::Unsigned(56);
     UNSIGNED64 = 0x1B, TypeKind::Unsigned(64);
+    {
+        PDO_COMMUNICATION_PARAMETER = 0x20;
+        PDO_MAPPING = 0x21;
+        SDO_PARAMETER = 0x22;
+        IDENTITY = 0x23;
+        OS_DEBUG = 0x24;
+        OS_COMMAND = 0x25;
+    }
 }
 
 impl DataType {

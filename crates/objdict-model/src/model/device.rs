@@ -2,84 +2,64 @@
 
 use std::collections::BTreeMap;
 
+use super::part::part;
 use super::{
     ApplicationProcess, Commissioning, DataType, DeviceFunction, DeviceIdentity, DeviceInfo, DeviceManager,
     DynamicChannels, ExplicitDownload, ExtraSection, FileInfo, InvalidValues, ModuleObjects, Modules,
     NetworkIdentity, Object, ObjectList, Objects, ProfileHeaders, ToolCommand,
 };
 
-/// A device description, independent of its format.
-#[derive(Clone, Debug, Default, PartialEq, Eq)]
-#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
-#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
-#[cfg_attr(feature = "serde", serde(default, deny_unknown_fields))]
-pub struct Device {
-    /// Whether it describes a device type or a configured node.
-    pub kind: DeviceKind,
-    /// Information about the file; `None` if missing.
-    #[cfg_attr(feature = "serde", serde(skip_serializing_if = "Option::is_none"))]
-    pub file_info: Option<FileInfo>,
-    /// Information about the device; `None` if missing.
-    #[cfg_attr(feature = "serde", serde(skip_serializing_if = "Option::is_none"))]
-    pub device_info: Option<DeviceInfo>,
-    /// The data types that can be dummy entries in an RPDO; `None` if not stated.
-    #[cfg_attr(feature = "serde", serde(skip_serializing_if = "Option::is_none"))]
-    pub dummy_usage: Option<DummyUsage>,
-    /// The lines of `Comments`; `None` if missing.
-    #[cfg_attr(feature = "serde", serde(skip_serializing_if = "Option::is_none"))]
-    pub comments: Option<Vec<String>>,
-    /// The configured node.
-    #[cfg_attr(feature = "serde", serde(skip_serializing_if = "Option::is_none"))]
-    pub commissioning: Option<Commissioning>,
-    /// Downloads that configure the node beside the values of its entries, in order.
-    #[cfg_attr(feature = "serde", serde(skip_serializing_if = "Vec::is_empty"))]
-    pub downloads: Vec<ExplicitDownload>,
-    /// The object lists.
-    #[cfg_attr(feature = "serde", serde(skip_serializing_if = "super::is_default"))]
-    pub lists: ObjectLists,
-    /// The objects by index.
-    #[cfg_attr(feature = "schema", schemars(with = "BTreeMap<super::HexText<u16>, Object>"))]
-    pub objects: Objects,
-    /// The modules of a modular device; `None` for any other device.
-    #[cfg_attr(feature = "serde", serde(skip_serializing_if = "Option::is_none"))]
-    pub modules: Option<Modules>,
-    /// The dynamic channels (CiA 302-4).
-    #[cfg_attr(feature = "serde", serde(skip_serializing_if = "Option::is_none"))]
-    pub dynamic_channels: Option<DynamicChannels>,
-    /// The tools that can be started for the device.
-    #[cfg_attr(feature = "serde", serde(skip_serializing_if = "Vec::is_empty"))]
-    pub tools: Vec<ToolCommand>,
-    /// The headers of the profiles (CiA 311).
-    #[cfg_attr(feature = "serde", serde(skip_serializing_if = "super::is_default"))]
-    pub headers: ProfileHeaders,
-    /// The identity of the device that has no field in `device_info` (CiA 311).
-    #[cfg_attr(feature = "serde", serde(skip_serializing_if = "Option::is_none"))]
-    pub identity: Option<Box<DeviceIdentity>>,
-    /// The identity in the communication network profile, if it differs.
-    #[cfg_attr(feature = "serde", serde(skip_serializing_if = "Option::is_none"))]
-    pub network_identity: Option<Box<NetworkIdentity>>,
-    /// Indicators and module interfaces (CiA 311).
-    #[cfg_attr(feature = "serde", serde(skip_serializing_if = "Option::is_none"))]
-    pub manager: Option<Box<DeviceManager>>,
-    /// The functions of the device, in words (CiA 311).
-    #[cfg_attr(feature = "serde", serde(skip_serializing_if = "Vec::is_empty"))]
-    pub functions: Vec<DeviceFunction>,
-    /// Data types, functions and the parameters that belong to no entry (CiA 311).
-    #[cfg_attr(feature = "serde", serde(skip_serializing_if = "Vec::is_empty"))]
-    pub application: Vec<ApplicationProcess>,
-    /// The address ranges for the objects of modules (CiA 311).
-    #[cfg_attr(feature = "serde", serde(skip_serializing_if = "Option::is_none"))]
-    pub module_objects: Option<Box<ModuleObjects>>,
-    /// Sections without a place in the model.
-    #[cfg_attr(feature = "serde", serde(skip_serializing_if = "Vec::is_empty"))]
-    pub extra: Vec<ExtraSection>,
+part! {
+    /// A device description, independent of its format.
+    pub struct Device {
+        /// Whether it describes a device type or a configured node.
+        always() pub kind: DeviceKind,
+        /// Information about the file; `None` if missing.
+        pub file_info: Option<FileInfo>,
+        /// Information about the device; `None` if missing.
+        pub device_info: Option<DeviceInfo>,
+        /// The data types that can be dummy entries in an RPDO; `None` if not stated.
+        pub dummy_usage: Option<DummyUsage>,
+        /// The lines of `Comments`; `None` if missing.
+        pub comments: Option<Vec<String>>,
+        /// The configured node.
+        pub commissioning: Option<Commissioning>,
+        /// Downloads that configure the node beside the values of its entries, in order.
+        pub downloads: Vec<ExplicitDownload>,
+        /// The object lists.
+        pub lists: ObjectLists,
+        /// The objects by index.
+        #[cfg_attr(feature = "schema", schemars(with = "BTreeMap<super::HexText<u16>, Object>"))]
+        always() pub objects: Objects,
+        /// The modules of a modular device; `None` for any other device.
+        pub modules: Option<Modules>,
+        /// The dynamic channels (CiA 302-4).
+        pub dynamic_channels: Option<DynamicChannels>,
+        /// The tools that can be started for the device.
+        pub tools: Vec<ToolCommand>,
+        /// The headers of the profiles (CiA 311).
+        pub headers: ProfileHeaders,
+        /// The identity of the device that has no field in `device_info` (CiA 311).
+        pub identity: Option<Box<DeviceIdentity>>,
+        /// The identity in the communication network profile, if it differs.
+        pub network_identity: Option<Box<NetworkIdentity>>,
+        /// Indicators and module interfaces (CiA 311).
+        pub manager: Option<Box<DeviceManager>>,
+        /// The functions of the device, in words (CiA 311).
+        pub functions: Vec<DeviceFunction>,
+        /// Data types, functions and the parameters that belong to no entry (CiA 311).
+        pub application: Vec<ApplicationProcess>,
+        /// The address ranges for the objects of modules (CiA 311).
+        pub module_objects: Option<Box<ModuleObjects>>,
+        /// Sections without a place in the model.
+        pub extra: Vec<ExtraSection>,
+    }
 }
 
 /// The subject of a description.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
-#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize), serde(rename_all = "snake_case"))]
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
-#[cfg_attr(feature = "serde", serde(rename_all = "snake_case"))]
 pub enum DeviceKind {
     /// A device type (EDS, XDD).
     #[default]
@@ -88,33 +68,22 @@ pub enum DeviceKind {
     Node,
 }
 
-/// The object lists of a device; `None` for a missing list.
-#[derive(Clone, Debug, Default, PartialEq, Eq)]
-#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
-#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
-#[cfg_attr(feature = "serde", serde(default, deny_unknown_fields))]
-pub struct ObjectLists {
-    /// `MandatoryObjects`.
-    #[cfg_attr(
-        feature = "serde",
-        serde(with = "super::index_list", skip_serializing_if = "Option::is_none")
-    )]
-    #[cfg_attr(feature = "schema", schemars(with = "Option<Vec<super::HexText<u16>>>"))]
-    pub mandatory: Option<Vec<u16>>,
-    /// `OptionalObjects`.
-    #[cfg_attr(
-        feature = "serde",
-        serde(with = "super::index_list", skip_serializing_if = "Option::is_none")
-    )]
-    #[cfg_attr(feature = "schema", schemars(with = "Option<Vec<super::HexText<u16>>>"))]
-    pub optional: Option<Vec<u16>>,
-    /// `ManufacturerObjects`.
-    #[cfg_attr(
-        feature = "serde",
-        serde(with = "super::index_list", skip_serializing_if = "Option::is_none")
-    )]
-    #[cfg_attr(feature = "schema", schemars(with = "Option<Vec<super::HexText<u16>>>"))]
-    pub manufacturer: Option<Vec<u16>>,
+part! {
+    /// The object lists of a device; `None` for a missing list.
+    pub struct ObjectLists {
+        /// `MandatoryObjects`.
+        #[cfg_attr(feature = "serde", serde(with = "super::index_list"))]
+        #[cfg_attr(feature = "schema", schemars(with = "Option<Vec<super::HexText<u16>>>"))]
+        pub mandatory: Option<Vec<u16>>,
+        /// `OptionalObjects`.
+        #[cfg_attr(feature = "serde", serde(with = "super::index_list"))]
+        #[cfg_attr(feature = "schema", schemars(with = "Option<Vec<super::HexText<u16>>>"))]
+        pub optional: Option<Vec<u16>>,
+        /// `ManufacturerObjects`.
+        #[cfg_attr(feature = "serde", serde(with = "super::index_list"))]
+        #[cfg_attr(feature = "schema", schemars(with = "Option<Vec<super::HexText<u16>>>"))]
+        pub manufacturer: Option<Vec<u16>>,
+    }
 }
 
 impl ObjectLists {
@@ -169,25 +138,19 @@ impl ObjectLists {
     }
 }
 
-/// The data types that can be dummy entries in an RPDO (CiA 306-1 §4.6.2).
-#[derive(Clone, Debug, Default, PartialEq, Eq)]
-#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
-#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
-#[cfg_attr(feature = "serde", serde(default, deny_unknown_fields))]
-pub struct DummyUsage {
-    /// Data types, and whether they are allowed.
-    #[cfg_attr(feature = "serde", serde(with = "super::unique_keys"))]
-    #[cfg_attr(feature = "schema", schemars(with = "BTreeMap<DataType, bool>"))]
-    pub types: BTreeMap<DataType, bool>,
-    /// Texts that are not valid in their fields.
-    #[cfg_attr(
-        feature = "serde",
-        serde(rename = "misfits", skip_serializing_if = "InvalidValues::is_empty")
-    )]
-    pub invalid_values: InvalidValues,
-    /// Keys without a field in the model.
-    #[cfg_attr(feature = "serde", serde(skip_serializing_if = "super::Extra::is_empty"))]
-    pub extra: super::Extra,
+part! {
+    /// The data types that can be dummy entries in an RPDO (CiA 306-1 §4.6.2).
+    pub struct DummyUsage {
+        /// Data types, and whether they are allowed.
+        #[cfg_attr(feature = "serde", serde(with = "super::unique_keys"))]
+        #[cfg_attr(feature = "schema", schemars(with = "BTreeMap<DataType, bool>"))]
+        always() pub types: BTreeMap<DataType, bool>,
+        /// Texts that are not valid in their fields.
+        #[cfg_attr(feature = "serde", serde(rename = "misfits"))]
+        pub invalid_values: InvalidValues,
+        /// Keys without a field in the model.
+        pub extra: super::Extra,
+    }
 }
 
 impl Device {

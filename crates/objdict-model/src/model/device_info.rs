@@ -1,100 +1,69 @@
 //! Information about the device (CiA 306-1 §4.5).
 
+use super::part::part;
 use super::{DefaultBaudRate, Extra, Field, InvalidValues};
 
-/// Vendor, product and general features of the device.
-#[derive(Clone, Debug, Default, PartialEq, Eq)]
-#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
-#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
-#[cfg_attr(feature = "serde", serde(default, deny_unknown_fields))]
-pub struct DeviceInfo {
-    /// `VendorName`.
-    #[cfg_attr(feature = "serde", serde(skip_serializing_if = "Option::is_none"))]
-    pub vendor_name: Option<String>,
-    /// `VendorNumber`: the vendor-ID, as in 1018h sub-index 1.
-    #[cfg_attr(feature = "serde", serde(skip_serializing_if = "Option::is_none"))]
-    pub vendor_number: Option<u32>,
-    /// `ProductName`.
-    #[cfg_attr(feature = "serde", serde(skip_serializing_if = "Option::is_none"))]
-    pub product_name: Option<String>,
-    /// `ProductNumber`: the product code, as in 1018h sub-index 2.
-    #[cfg_attr(feature = "serde", serde(skip_serializing_if = "Option::is_none"))]
-    pub product_number: Option<u32>,
-    /// `RevisionNumber`, as in 1018h sub-index 3.
-    #[cfg_attr(feature = "serde", serde(skip_serializing_if = "Option::is_none"))]
-    pub revision_number: Option<u32>,
-    /// `OrderCode`.
-    #[cfg_attr(feature = "serde", serde(skip_serializing_if = "Option::is_none"))]
-    pub order_code: Option<String>,
-    /// `BaudRate_x`: the supported bit rates.
-    #[cfg_attr(feature = "serde", serde(skip_serializing_if = "super::is_default"))]
-    pub baud_rates: BaudRates,
-    /// `SimpleBootUpMaster`.
-    #[cfg_attr(feature = "serde", serde(skip_serializing_if = "Option::is_none"))]
-    pub simple_boot_up_master: Option<bool>,
-    /// `SimpleBootUpSlave`.
-    #[cfg_attr(feature = "serde", serde(skip_serializing_if = "Option::is_none"))]
-    pub simple_boot_up_slave: Option<bool>,
-    /// `Granularity` of the PDO mapping in bits, 1 to 64; 0 if the mapping is fixed.
-    #[cfg_attr(feature = "serde", serde(skip_serializing_if = "Option::is_none"))]
-    pub granularity: Option<u8>,
-    /// `DynamicChannelsSupported` (CiA 302-4); 0 if not supported.
-    #[cfg_attr(feature = "serde", serde(skip_serializing_if = "Option::is_none"))]
-    pub dynamic_channels_supported: Option<u8>,
-    /// `GroupMessaging`: whether the device supports multiplexed PDOs.
-    #[cfg_attr(feature = "serde", serde(skip_serializing_if = "Option::is_none"))]
-    pub group_messaging: Option<bool>,
-    /// `NrOfRXPDO`: the number of RPDOs, including implicit ones.
-    #[cfg_attr(feature = "serde", serde(skip_serializing_if = "Option::is_none"))]
-    pub rpdo_count: Option<u16>,
-    /// `NrOfTXPDO`: the number of TPDOs, including implicit ones.
-    #[cfg_attr(feature = "serde", serde(skip_serializing_if = "Option::is_none"))]
-    pub tpdo_count: Option<u16>,
-    /// `LSS_Supported`.
-    #[cfg_attr(feature = "serde", serde(skip_serializing_if = "Option::is_none"))]
-    pub lss_supported: Option<bool>,
-    /// `CompactPDO`: bit n is set if the communication parameter of an implicit PDO has sub-index n + 1.
-    #[cfg_attr(feature = "serde", serde(skip_serializing_if = "Option::is_none"))]
-    pub compact_pdo: Option<u8>,
-    /// `CANopenSafetySupported` (CiA 306-1 annex A).
-    #[cfg_attr(feature = "serde", serde(skip_serializing_if = "Option::is_none"))]
-    pub safety_supported: Option<bool>,
-    /// `conformanceClass` (CiA 311).
-    #[cfg_attr(feature = "serde", serde(skip_serializing_if = "Option::is_none"))]
-    pub conformance_class: Option<String>,
-    /// `communicationEntityType` (CiA 311), such as `slave`; the words as written.
-    #[cfg_attr(feature = "serde", serde(skip_serializing_if = "Vec::is_empty"))]
-    pub communication_entities: Vec<Box<str>>,
-    /// `selfStartingDevice` (CiA 311): whether the device enters the state operational by itself.
-    #[cfg_attr(feature = "serde", serde(skip_serializing_if = "Option::is_none"))]
-    pub self_starting: Option<bool>,
-    /// `SDORequestingDevice` (CiA 311, CiA 302-5).
-    #[cfg_attr(feature = "serde", serde(skip_serializing_if = "Option::is_none"))]
-    pub sdo_requesting: Option<bool>,
-    /// `flyingMaster` (CiA 311, CiA 302-2).
-    #[cfg_attr(feature = "serde", serde(skip_serializing_if = "Option::is_none"))]
-    pub flying_master: Option<bool>,
-    /// `SDOManager` (CiA 311, CiA 302-5).
-    #[cfg_attr(feature = "serde", serde(skip_serializing_if = "Option::is_none"))]
-    pub sdo_manager: Option<bool>,
-    /// `configurationManager` (CiA 311, CiA 302-3).
-    #[cfg_attr(feature = "serde", serde(skip_serializing_if = "Option::is_none"))]
-    pub configuration_manager: Option<bool>,
-    /// `layerSettingServiceMaster` (CiA 311, CiA 305).
-    #[cfg_attr(feature = "serde", serde(skip_serializing_if = "Option::is_none"))]
-    pub lss_master: Option<bool>,
-    /// The bit rate of a new device (`baudRate` / `defaultValue` of CiA 311).
-    #[cfg_attr(feature = "serde", serde(skip_serializing_if = "Option::is_none"))]
-    pub default_baud_rate: Option<DefaultBaudRate>,
-    /// Keys without a field in the model, including obsolete ones of EDS 3.0.
-    #[cfg_attr(feature = "serde", serde(skip_serializing_if = "Extra::is_empty"))]
-    pub extra: Extra,
-    /// Texts that are not valid in their fields.
-    #[cfg_attr(
-        feature = "serde",
-        serde(rename = "misfits", skip_serializing_if = "InvalidValues::is_empty")
-    )]
-    pub invalid_values: InvalidValues,
+part! {
+    /// Vendor, product and general features of the device.
+    pub struct DeviceInfo {
+        /// `VendorName`.
+        pub vendor_name: Option<String>,
+        /// `VendorNumber`: the vendor-ID, as in 1018h sub-index 1.
+        pub vendor_number: Option<u32>,
+        /// `ProductName`.
+        pub product_name: Option<String>,
+        /// `ProductNumber`: the product code, as in 1018h sub-index 2.
+        pub product_number: Option<u32>,
+        /// `RevisionNumber`, as in 1018h sub-index 3.
+        pub revision_number: Option<u32>,
+        /// `OrderCode`.
+        pub order_code: Option<String>,
+        /// `BaudRate_x`: the supported bit rates.
+        pub baud_rates: BaudRates,
+        /// `SimpleBootUpMaster`.
+        pub simple_boot_up_master: Option<bool>,
+        /// `SimpleBootUpSlave`.
+        pub simple_boot_up_slave: Option<bool>,
+        /// `Granularity` of the PDO mapping in bits, 1 to 64; 0 if the mapping is fixed.
+        pub granularity: Option<u8>,
+        /// `DynamicChannelsSupported` (CiA 302-4); 0 if not supported.
+        pub dynamic_channels_supported: Option<u8>,
+        /// `GroupMessaging`: whether the device supports multiplexed PDOs.
+        pub group_messaging: Option<bool>,
+        /// `NrOfRXPDO`: the number of RPDOs, including implicit ones.
+        pub rpdo_count: Option<u16>,
+        /// `NrOfTXPDO`: the number of TPDOs, including implicit ones.
+        pub tpdo_count: Option<u16>,
+        /// `LSS_Supported`.
+        pub lss_supported: Option<bool>,
+        /// `CompactPDO`: bit n is set if the communication parameter of an implicit PDO has sub-index n + 1.
+        pub compact_pdo: Option<u8>,
+        /// `CANopenSafetySupported` (CiA 306-1 annex A).
+        pub safety_supported: Option<bool>,
+        /// `conformanceClass` (CiA 311).
+        pub conformance_class: Option<String>,
+        /// `communicationEntityType` (CiA 311), such as `slave`; the words as written.
+        pub communication_entities: Vec<Box<str>>,
+        /// `selfStartingDevice` (CiA 311): whether the device enters the state operational by itself.
+        pub self_starting: Option<bool>,
+        /// `SDORequestingDevice` (CiA 311, CiA 302-5).
+        pub sdo_requesting: Option<bool>,
+        /// `flyingMaster` (CiA 311, CiA 302-2).
+        pub flying_master: Option<bool>,
+        /// `SDOManager` (CiA 311, CiA 302-5).
+        pub sdo_manager: Option<bool>,
+        /// `configurationManager` (CiA 311, CiA 302-3).
+        pub configuration_manager: Option<bool>,
+        /// `layerSettingServiceMaster` (CiA 311, CiA 305).
+        pub lss_master: Option<bool>,
+        /// The bit rate of a new device (`baudRate` / `defaultValue` of CiA 311).
+        pub default_baud_rate: Option<DefaultBaudRate>,
+        /// Keys without a field in the model, including obsolete ones of EDS 3.0.
+        pub extra: Extra,
+        /// Texts that are not valid in their fields.
+        #[cfg_attr(feature = "serde", serde(rename = "misfits"))]
+        pub invalid_values: InvalidValues,
+    }
 }
 
 /// Whether each bit rate is supported, as far as stated.

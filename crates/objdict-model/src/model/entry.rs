@@ -1,70 +1,51 @@
 //! Entries: the content of a sub-index.
 
+use super::part::part;
 use super::{
     Access, DataType, Extra, InvalidValues, ObjectType, Parameter, PdoKind, PdoMapping, StackOptions, Value,
 };
 
-/// The description of a sub-index, or of an object as a whole (CiA 306-1 §4.6.3.2).
-#[derive(Clone, Debug, Default, PartialEq, Eq)]
-#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
-#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
-#[cfg_attr(feature = "serde", serde(try_from = "super::flat::EntryForm"))]
-#[cfg_attr(feature = "schema", schemars(!try_from))]
-pub struct Entry {
-    /// `ParameterName`; empty if missing.
-    pub name: Box<str>,
-    /// `ObjectType`; VAR if missing.
-    #[cfg_attr(feature = "serde", serde(skip_serializing_if = "Option::is_none"))]
-    pub object_type: Option<ObjectType>,
-    /// `DataType`.
-    #[cfg_attr(feature = "serde", serde(skip_serializing_if = "Option::is_none"))]
-    pub data_type: Option<DataType>,
-    /// `AccessType`.
-    #[cfg_attr(feature = "serde", serde(skip_serializing_if = "Option::is_none"))]
-    pub access: Option<Access>,
-    /// `PDOMapping`; not mappable if missing.
-    #[cfg_attr(feature = "serde", serde(skip_serializing_if = "Option::is_none"))]
-    pub pdo_mapping: Option<PdoMapping>,
-    /// `DefaultValue`: the value after restoring the defaults.
-    #[cfg_attr(feature = "serde", serde(skip_serializing_if = "Option::is_none"))]
-    pub default: Option<Value>,
-    /// `LowLimit`.
-    #[cfg_attr(feature = "serde", serde(skip_serializing_if = "Option::is_none"))]
-    pub low_limit: Option<Value>,
-    /// `HighLimit`.
-    #[cfg_attr(feature = "serde", serde(skip_serializing_if = "Option::is_none"))]
-    pub high_limit: Option<Value>,
-    /// `ObjFlags`; no flags if missing.
-    #[cfg_attr(feature = "serde", serde(skip_serializing_if = "Option::is_none"))]
-    pub flags: Option<ObjFlags>,
-    /// The keys that a DCF adds.
-    #[cfg_attr(feature = "serde", serde(skip_serializing_if = "Option::is_none"))]
-    pub configured: Option<Box<Configured>>,
-    /// `SRDOMapping` and `InvertedSRAD` of a safety device (CiA 306-1 annex A).
-    #[cfg_attr(feature = "serde", serde(skip_serializing_if = "Option::is_none"))]
-    pub safety: Option<Box<SafetyMapping>>,
-    /// The description of the entry in the application process (CiA 311).
-    #[cfg_attr(feature = "serde", serde(skip_serializing_if = "Option::is_none"))]
-    pub parameter: Option<Box<Parameter>>,
-    /// Settings for the generators of CANopenNode.
-    #[cfg_attr(feature = "serde", serde(skip_serializing_if = "Option::is_none"))]
-    pub stack: Option<Box<StackOptions>>,
-    /// Keys without a field in the model.
-    #[cfg_attr(feature = "serde", serde(skip_serializing_if = "Extra::is_empty"))]
-    pub extra: Extra,
-    /// Texts that are not valid in their fields.
-    #[cfg_attr(
-        feature = "serde",
-        serde(rename = "misfits", skip_serializing_if = "InvalidValues::is_empty")
-    )]
-    pub invalid_values: InvalidValues,
+part! {
+    /// The description of a sub-index, or of an object as a whole (CiA 306-1 §4.6.3.2).
+    pub struct Entry from "super::flat::EntryForm" {
+        /// `ParameterName`; empty if missing.
+        always() pub name: Box<str>,
+        /// `ObjectType`; VAR if missing.
+        pub object_type: Option<ObjectType>,
+        /// `DataType`.
+        pub data_type: Option<DataType>,
+        /// `AccessType`.
+        pub access: Option<Access>,
+        /// `PDOMapping`; not mappable if missing.
+        pub pdo_mapping: Option<PdoMapping>,
+        /// `DefaultValue`: the value after restoring the defaults.
+        pub default: Option<Value>,
+        /// `LowLimit`.
+        pub low_limit: Option<Value>,
+        /// `HighLimit`.
+        pub high_limit: Option<Value>,
+        /// `ObjFlags`; no flags if missing.
+        pub flags: Option<ObjFlags>,
+        /// The keys that a DCF adds.
+        pub configured: Option<Box<Configured>>,
+        /// `SRDOMapping` and `InvertedSRAD` of a safety device (CiA 306-1 annex A).
+        pub safety: Option<Box<SafetyMapping>>,
+        /// The description of the entry in the application process (CiA 311).
+        pub parameter: Option<Box<Parameter>>,
+        /// Settings for the generators of CANopenNode.
+        pub stack: Option<Box<StackOptions>>,
+        /// Keys without a field in the model.
+        pub extra: Extra,
+        /// Texts that are not valid in their fields.
+        #[cfg_attr(feature = "serde", serde(rename = "misfits"))]
+        pub invalid_values: InvalidValues,
+    }
 }
 
 /// How a configuration tool must treat an entry (CiA 306-1 §4.6.3.3).
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
-#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize), serde(transparent))]
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
-#[cfg_attr(feature = "serde", serde(transparent))]
 pub struct ObjFlags(pub u32);
 
 impl ObjFlags {
@@ -79,41 +60,28 @@ impl ObjFlags {
     }
 }
 
-/// The configuration of an entry in a DCF (CiA 306-1 §5.3).
-#[derive(Clone, Debug, Default, PartialEq, Eq)]
-#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
-#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
-#[cfg_attr(feature = "serde", serde(default, deny_unknown_fields))]
-pub struct Configured {
-    /// `ParameterValue`: the value that the node must have.
-    #[cfg_attr(feature = "serde", serde(skip_serializing_if = "Option::is_none"))]
-    pub value: Option<Value>,
-    /// `Denotation`: the name in the application.
-    #[cfg_attr(feature = "serde", serde(skip_serializing_if = "Option::is_none"))]
-    pub denotation: Option<Box<str>>,
-    /// `UploadFile`: the destination of data read from a DOMAIN.
-    #[cfg_attr(feature = "serde", serde(skip_serializing_if = "Option::is_none"))]
-    pub upload_file: Option<Box<str>>,
-    /// `DownloadFile`: the source of data written to a DOMAIN.
-    #[cfg_attr(feature = "serde", serde(skip_serializing_if = "Option::is_none"))]
-    pub download_file: Option<Box<str>>,
-    /// `ParamRefd`: the reference designator of the parameter.
-    #[cfg_attr(feature = "serde", serde(skip_serializing_if = "Option::is_none"))]
-    pub reference_designator: Option<Box<str>>,
-}
+part! {
+    /// The configuration of an entry in a DCF (CiA 306-1 §5.3).
+    pub struct Configured {
+        /// `ParameterValue`: the value that the node must have.
+        pub value: Option<Value>,
+        /// `Denotation`: the name in the application.
+        pub denotation: Option<Box<str>>,
+        /// `UploadFile`: the destination of data read from a DOMAIN.
+        pub upload_file: Option<Box<str>>,
+        /// `DownloadFile`: the source of data written to a DOMAIN.
+        pub download_file: Option<Box<str>>,
+        /// `ParamRefd`: the reference designator of the parameter.
+        pub reference_designator: Option<Box<str>>,
+    }
 
-/// The keys of an entry of a safety device (CiA 306-1 annex A).
-#[derive(Clone, Debug, Default, PartialEq, Eq)]
-#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
-#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
-#[cfg_attr(feature = "serde", serde(default, deny_unknown_fields))]
-pub struct SafetyMapping {
-    /// `SRDOMapping`: whether an SRDO may carry the entry.
-    #[cfg_attr(feature = "serde", serde(skip_serializing_if = "Option::is_none"))]
-    pub srdo_mapping: Option<bool>,
-    /// `InvertedSRAD`: index (upper 16 bits) and sub-index of the entry with the inverted value.
-    #[cfg_attr(feature = "serde", serde(skip_serializing_if = "Option::is_none"))]
-    pub inverted_srad: Option<u32>,
+    /// The keys of an entry of a safety device (CiA 306-1 annex A).
+    pub struct SafetyMapping {
+        /// `SRDOMapping`: whether an SRDO may carry the entry.
+        pub srdo_mapping: Option<bool>,
+        /// `InvertedSRAD`: index (upper 16 bits) and sub-index of the entry with the inverted value.
+        pub inverted_srad: Option<u32>,
+    }
 }
 
 impl Entry {

@@ -5,9 +5,8 @@ use super::Value;
 /// An SDO download that is made as stated: in this order, more than once, and even if the node has the value
 /// already. No format of CiA has a place for it.
 #[derive(Clone, Debug, PartialEq, Eq)]
-#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize), serde(deny_unknown_fields))]
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
-#[cfg_attr(feature = "serde", serde(deny_unknown_fields))]
 pub struct ExplicitDownload {
     /// Whether it comes before or after the values of the entries.
     pub when: Moment,
@@ -25,9 +24,8 @@ pub struct ExplicitDownload {
 
 /// When a download is made.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
-#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize), serde(rename_all = "snake_case"))]
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
-#[cfg_attr(feature = "serde", serde(rename_all = "snake_case"))]
 pub enum Moment {
     /// Before the values of entries.
     Before,

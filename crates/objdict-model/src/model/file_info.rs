@@ -2,65 +2,46 @@
 
 use std::fmt;
 
+use super::part::part;
 use super::{DeviceClass, Extra, InvalidValues};
 
-/// The author, date and version of the description.
-#[derive(Clone, Debug, Default, PartialEq, Eq)]
-#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
-#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
-#[cfg_attr(feature = "serde", serde(default, deny_unknown_fields))]
-pub struct FileInfo {
-    /// `FileName`.
-    #[cfg_attr(feature = "serde", serde(skip_serializing_if = "Option::is_none"))]
-    pub file_name: Option<String>,
-    /// `FileVersion`.
-    #[cfg_attr(feature = "serde", serde(skip_serializing_if = "Option::is_none"))]
-    pub file_version: Option<u8>,
-    /// `FileRevision`.
-    #[cfg_attr(feature = "serde", serde(skip_serializing_if = "Option::is_none"))]
-    pub file_revision: Option<u8>,
-    /// `EDSVersion`, such as `4.0`; 3.0 if missing.
-    #[cfg_attr(feature = "serde", serde(skip_serializing_if = "Option::is_none"))]
-    pub eds_version: Option<String>,
-    /// `Description`.
-    #[cfg_attr(feature = "serde", serde(skip_serializing_if = "Option::is_none"))]
-    pub description: Option<String>,
-    /// `CreationTime`.
-    #[cfg_attr(feature = "serde", serde(skip_serializing_if = "Option::is_none"))]
-    pub creation_time: Option<ClockTime>,
-    /// `CreationDate`.
-    #[cfg_attr(feature = "serde", serde(skip_serializing_if = "Option::is_none"))]
-    pub creation_date: Option<Date>,
-    /// `CreatedBy`.
-    #[cfg_attr(feature = "serde", serde(skip_serializing_if = "Option::is_none"))]
-    pub created_by: Option<String>,
-    /// `ModificationTime`.
-    #[cfg_attr(feature = "serde", serde(skip_serializing_if = "Option::is_none"))]
-    pub modification_time: Option<ClockTime>,
-    /// `ModificationDate`.
-    #[cfg_attr(feature = "serde", serde(skip_serializing_if = "Option::is_none"))]
-    pub modification_date: Option<Date>,
-    /// `ModifiedBy`.
-    #[cfg_attr(feature = "serde", serde(skip_serializing_if = "Option::is_none"))]
-    pub modified_by: Option<String>,
-    /// `LastEDS` of a DCF: the EDS it was created from.
-    #[cfg_attr(feature = "serde", serde(skip_serializing_if = "Option::is_none"))]
-    pub last_eds: Option<String>,
-    /// `supportedLanguages` (CiA 311): language tags.
-    #[cfg_attr(feature = "serde", serde(skip_serializing_if = "Vec::is_empty"))]
-    pub languages: Vec<Box<str>>,
-    /// `deviceClass` (CiA 311).
-    #[cfg_attr(feature = "serde", serde(skip_serializing_if = "Option::is_none"))]
-    pub device_class: Option<DeviceClass>,
-    /// Keys without a field in the model.
-    #[cfg_attr(feature = "serde", serde(skip_serializing_if = "Extra::is_empty"))]
-    pub extra: Extra,
-    /// Texts that are not valid in their fields.
-    #[cfg_attr(
-        feature = "serde",
-        serde(rename = "misfits", skip_serializing_if = "InvalidValues::is_empty")
-    )]
-    pub invalid_values: InvalidValues,
+part! {
+    /// The author, date and version of the description.
+    pub struct FileInfo {
+        /// `FileName`.
+        pub file_name: Option<String>,
+        /// `FileVersion`.
+        pub file_version: Option<u8>,
+        /// `FileRevision`.
+        pub file_revision: Option<u8>,
+        /// `EDSVersion`, such as `4.0`; 3.0 if missing.
+        pub eds_version: Option<String>,
+        /// `Description`.
+        pub description: Option<String>,
+        /// `CreationTime`.
+        pub creation_time: Option<ClockTime>,
+        /// `CreationDate`.
+        pub creation_date: Option<Date>,
+        /// `CreatedBy`.
+        pub created_by: Option<String>,
+        /// `ModificationTime`.
+        pub modification_time: Option<ClockTime>,
+        /// `ModificationDate`.
+        pub modification_date: Option<Date>,
+        /// `ModifiedBy`.
+        pub modified_by: Option<String>,
+        /// `LastEDS` of a DCF: the EDS it was created from.
+        pub last_eds: Option<String>,
+        /// `supportedLanguages` (CiA 311): language tags.
+        pub languages: Vec<Box<str>>,
+        /// `deviceClass` (CiA 311).
+        pub device_class: Option<DeviceClass>,
+        /// Keys without a field in the model.
+        pub extra: Extra,
+        /// Texts that are not valid in their fields.
+        #[cfg_attr(feature = "serde", serde(rename = "misfits"))]
+        pub invalid_values: InvalidValues,
+    }
 }
 
 /// A day of the Gregorian calendar.

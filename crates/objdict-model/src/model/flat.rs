@@ -40,22 +40,11 @@ macro_rules! form {
             fn take_entry(&mut self) -> Result<Entry, Unfit> {
                 let form = std::mem::take(self);
                 $(self.$own = form.$own;)*
+                let Self { name, object_type, data_type, access, pdo_mapping, flags, configured, safety, .. } = form;
+                let Self { default, low_limit, high_limit, parameter, stack, extra, invalid_values, .. } = form;
                 let entry = Entry {
-                    name: form.name,
-                    object_type: form.object_type,
-                    data_type: form.data_type,
-                    access: form.access,
-                    pdo_mapping: form.pdo_mapping,
-                    default: form.default,
-                    low_limit: form.low_limit,
-                    high_limit: form.high_limit,
-                    flags: form.flags,
-                    configured: form.configured,
-                    safety: form.safety,
-                    parameter: form.parameter,
-                    stack: form.stack,
-                    extra: form.extra,
-                    invalid_values: form.invalid_values,
+                    name, object_type, data_type, access, pdo_mapping, default, low_limit, high_limit,
+                    flags, configured, safety, parameter, stack, extra, invalid_values,
                 };
                 check(&entry)?;
                 Ok(entry)

@@ -2,9 +2,8 @@
 
 /// The names and descriptions of a part of the profile, in the order of the file.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
-#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize), serde(transparent))]
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
-#[cfg_attr(feature = "serde", serde(transparent))]
 pub struct Labels(pub Vec<Label>);
 
 /// A name or description, or a reference to one.
@@ -37,19 +36,18 @@ pub enum Label {
     DescriptionRef(TextRef),
 }
 
-/// A text in a text resource file (CiA 311, `dictionaryList`).
-#[derive(Clone, Debug, Default, PartialEq, Eq)]
-#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
-#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
-#[cfg_attr(feature = "serde", serde(default, deny_unknown_fields))]
-pub struct TextRef {
-    /// `dictID`: the dictionary.
-    pub dictionary: Box<str>,
-    /// `textID`: the text in it.
-    pub text_id: Box<str>,
-    /// The content of the element: usually empty, or a URI.
-    #[cfg_attr(feature = "serde", serde(skip_serializing_if = "super::is_default"))]
-    pub uri: Box<str>,
+use super::part::part;
+
+part! {
+    /// A text in a text resource file (CiA 311, `dictionaryList`).
+    pub struct TextRef {
+        /// `dictID`: the dictionary.
+        always() pub dictionary: Box<str>,
+        /// `textID`: the text in it.
+        always() pub text_id: Box<str>,
+        /// The content of the element: usually empty, or a URI.
+        pub uri: Box<str>,
+    }
 }
 
 impl Labels {

@@ -2,39 +2,33 @@
 
 use std::borrow::Cow;
 
+use super::part::part;
 use super::{Access, DataType, Entry, Extra, InvalidValues, ObjectType, PdoMapping, Value};
 
-/// An object of the dictionary.
-///
-/// [`main`](Self::main) describes the value of a VAR or DOMAIN; an ARRAY, RECORD or DEFSTRUCT describes its
-/// entries in [`subs`](Self::subs) or, stored compactly, in [`compact`](Self::compact). [`Object::entries`]
-/// returns all of them in the same way.
-#[derive(Clone, Debug, Default, PartialEq, Eq)]
-#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
-#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
-#[cfg_attr(feature = "serde", serde(try_from = "super::flat::ObjectForm"))]
-#[cfg_attr(feature = "schema", schemars(!try_from))]
-pub struct Object {
-    /// Whether only sub-indexes are described but not the object itself, which is a defect of the
-    /// description.
-    #[cfg_attr(feature = "serde", serde(skip_serializing_if = "std::ops::Not::not"))]
-    pub orphan: bool,
-    /// The section of the object; for an ARRAY or RECORD usually just name and object type.
-    #[cfg_attr(feature = "serde", serde(flatten))]
-    pub main: Entry,
-    /// `SubNumber`: the number of described sub-indexes without FFh, as stated.
-    #[cfg_attr(feature = "serde", serde(skip_serializing_if = "Option::is_none"))]
-    pub sub_number: Option<u8>,
-    /// Compact storage with `CompactSubObj`; `None` if the key is missing or 0.
-    #[cfg_attr(feature = "serde", serde(skip_serializing_if = "Option::is_none"))]
-    pub compact: Option<Box<Compact>>,
-    /// The described entries.
-    #[cfg_attr(feature = "serde", serde(skip_serializing_if = "Subs::is_empty"))]
-    pub subs: Subs,
-    /// `ObjectLinks`: indexes that a tool can show together with this object (CiA 306-1 §4.6.4).
-    #[cfg_attr(feature = "serde", serde(with = "super::index_list", skip_serializing_if = "Vec::is_empty"))]
-    #[cfg_attr(feature = "schema", schemars(with = "Vec<super::HexText<u16>>"))]
-    pub links: Vec<u16>,
+part! {
+    /// An object of the dictionary.
+    ///
+    /// [`main`](Self::main) describes the value of a VAR or DOMAIN; an ARRAY, RECORD or DEFSTRUCT describes its
+    /// entries in [`subs`](Self::subs) or, stored compactly, in [`compact`](Self::compact). [`Object::entries`]
+    /// returns all of them in the same way.
+    pub struct Object from "super::flat::ObjectForm" {
+        /// Whether only sub-indexes are described but not the object itself, which is a defect of the
+        /// description.
+        pub orphan: bool,
+        /// The section of the object; for an ARRAY or RECORD usually just name and object type.
+        #[cfg_attr(feature = "serde", serde(flatten))]
+        always() pub main: Entry,
+        /// `SubNumber`: the number of described sub-indexes without FFh, as stated.
+        pub sub_number: Option<u8>,
+        /// Compact storage with `CompactSubObj`; `None` if the key is missing or 0.
+        pub compact: Option<Box<Compact>>,
+        /// The described entries.
+        pub subs: Subs,
+        /// `ObjectLinks`: indexes that a tool can show together with this object (CiA 306-1 §4.6.4).
+        #[cfg_attr(feature = "serde", serde(with = "super::index_list"))]
+        #[cfg_attr(feature = "schema", schemars(with = "Vec<super::HexText<u16>>"))]
+        pub links: Vec<u16>,
+    }
 }
 
 /// Described entries in ascending order of their sub-indexes.
@@ -119,9 +113,8 @@ impl FromIterator<(u8, Entry)> for Subs {
 /// Compact storage of the entries of an object (CiA 306-1 §4.6.3.4.2): sub-indexes 1 to `count` differ only
 /// in names and values.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
-#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize), serde(deny_unknown_fields))]
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
-#[cfg_attr(feature = "serde", serde(deny_unknown_fields))]
 pub struct Compact {
     /// `CompactSubObj`: the highest sub-index, 1 to 254.
     #[cfg_attr(feature = "serde", serde(deserialize_with = "super::spelled::compact_count::deserialize"))]

@@ -1,28 +1,28 @@
 //! Object codes (CiA 301 §7.4.3, table 42).
 
-use std::fmt;
-
-/// The object type of an index.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
-#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
-#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
-#[cfg_attr(feature = "serde", serde(rename_all = "UPPERCASE"))]
-#[repr(u8)]
-pub enum ObjectType {
-    /// No data fields.
-    Null = 0,
-    /// A block of data of any size, such as a program.
-    Domain = 2,
-    /// The definition of a data type.
-    DefType = 5,
-    /// The definition of a structure.
-    DefStruct = 6,
-    /// A single value.
-    Var = 7,
-    /// Values of one data type, with their number in sub-index 0.
-    Array = 8,
-    /// Values of any types, with the highest sub-index in sub-index 0.
-    Record = 9,
+named! {
+    /// The object type of an index.
+    #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
+    #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+    #[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
+    #[cfg_attr(feature = "serde", serde(rename_all = "UPPERCASE"))]
+    #[repr(u8)]
+    pub enum ObjectType {
+        /// No data fields.
+        Null (code 0) = "NULL",
+        /// A block of data of any size, such as a program.
+        Domain (code 2) = "DOMAIN",
+        /// The definition of a data type.
+        DefType (code 5) = "DEFTYPE",
+        /// The definition of a structure.
+        DefStruct (code 6) = "DEFSTRUCT",
+        /// A single value.
+        Var (code 7) = "VAR",
+        /// Values of one data type, with their number in sub-index 0.
+        Array (code 8) = "ARRAY",
+        /// Values of any types, with the highest sub-index in sub-index 0.
+        Record (code 9) = "RECORD",
+    }
 }
 
 impl ObjectType {
@@ -48,24 +48,5 @@ impl ObjectType {
     /// Whether the values are in sub-indexes (ARRAY, RECORD, DEFSTRUCT).
     pub const fn has_subs(self) -> bool {
         matches!(self, Self::Array | Self::Record | Self::DefStruct)
-    }
-
-    /// The name in CiA 301.
-    pub const fn name(self) -> &'static str {
-        match self {
-            Self::Null => "NULL",
-            Self::Domain => "DOMAIN",
-            Self::DefType => "DEFTYPE",
-            Self::DefStruct => "DEFSTRUCT",
-            Self::Var => "VAR",
-            Self::Array => "ARRAY",
-            Self::Record => "RECORD",
-        }
-    }
-}
-
-impl fmt::Display for ObjectType {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        f.write_str(self.name())
     }
 }

@@ -1,46 +1,53 @@
 //! Macros that declare the plain parts of the model.
 
-/// Declares a part of the model that consists only of fields. In JSON, empty fields are omitted and unknown
-/// names are errors.
+/// Declares a part of the model that consists only of fields. In JSON, empty fields are omitted but those that are
+/// `always()` there, and unknown names are errors. A part that is read `from` a form of another type is checked by it.
 macro_rules! part {
-    ($($(#[$about:meta])* pub struct $Name:ident { $($(#[$of_field:meta])* pub $field:ident: $Type:ty,)* })+) => {$(
-        $(#[$about])*
+    ($(#[$about:meta])* pub struct $Name:ident from $Form:literal $fields:tt) => {
+        part! { @$Name [serde(try_from = $Form)] $(#[$about])* #[cfg_attr(feature = "schema", schemars(!try_from))] $fields }
+    };
+    ($($(#[$about:meta])* pub struct $Name:ident $fields:tt)+) => {
+        $(part! { @$Name [serde(default, deny_unknown_fields)] $(#[$about])* $fields })+
+    };
+    (@$Name:ident [$reading:meta] $(#[$about:meta])* {
+        $($(#[$of_field:meta])* $(always $always:tt)? pub $field:ident: $Type:ty,)*
+    }) => {
         #[derive(Clone, Debug, Default, PartialEq, Eq)]
         #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
         #[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
-        #[cfg_attr(feature = "serde", serde(default, deny_unknown_fields))]
+        #[cfg_attr(feature = "serde", $reading)]
+        $(#[$about])*
         pub struct $Name {
-            $($(#[$of_field])* #[cfg_attr(feature = "serde", serde(skip_serializing_if = "crate::model::is_default"))] pub $field: $Type,)*
+            $(
+                $(#[$of_field])*
+                #[cfg_attr(
+                    all(feature = "serde", not(any($(all $always)?))),
+                    serde(skip_serializing_if = "crate::model::is_default")
+                )]
+                pub $field: $Type,
+            )*
         }
-    )+};
+    };
 }
 pub(super) use part;
 
-/// Declares the words that a field can have, spelled as in the file.
+/// Declares the words that a field can have, spelled as in the file, which is case-sensitive.
 macro_rules! words {
     ($($(#[$about:meta])* pub enum $Name:ident { $($(#[$of_word:meta])* $Word:ident = $text:literal,)+ })+) => {$(
-        $(#[$about])*
-        #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
-        #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
-        #[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
-        pub enum $Name {
-            $($(#[$of_word])* #[cfg_attr(feature = "serde", serde(rename = $text))] $Word,)+
+        $crate::named! {
+            $(#[$about])*
+            #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
+            #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+            #[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
+            pub enum $Name {
+                $($(#[$of_word])* #[cfg_attr(feature = "serde", serde(rename = $text))] $Word = $text,)+
+            }
         }
 
         impl $Name {
-            /// Every word.
-            pub const ALL: &'static [Self] = &[$(Self::$Word),+];
-
-            /// The word in the spelling of CiA 311.
-            pub const fn name(self) -> &'static str {
-                match self {
-                    $(Self::$Word => $text,)+
-                }
-            }
-
-            /// The variant for a word, which is case-sensitive.
+            /// The variant for a word.
             pub fn from_name(name: &str) -> Option<Self> {
-                Self::ALL.iter().copied().find(|word| word.name() == name)
+                Self::ALL.into_iter().find(|word| word.name() == name)
             }
         }
     )+};

@@ -5,19 +5,18 @@ use std::fmt;
 
 use super::{CobId, Device, Object, Value};
 
-/// The direction of a PDO, from the view of the device.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
-pub enum PdoKind {
-    /// The device receives it.
-    Rpdo,
-    /// The device transmits it.
-    Tpdo,
+named! {
+    /// The direction of a PDO, from the view of the device.
+    #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
+    pub enum PdoKind {
+        /// The device receives it.
+        Rpdo = "RPDO",
+        /// The device transmits it.
+        Tpdo = "TPDO",
+    }
 }
 
 impl PdoKind {
-    /// Both directions.
-    pub const ALL: [Self; 2] = [Self::Rpdo, Self::Tpdo];
-
     /// The maximum number of PDOs of a direction.
     pub const MAX: u16 = 512;
 
@@ -72,20 +71,6 @@ impl PdoKind {
             Self::Rpdo => 0x100 + 0x100 * number,
             Self::Tpdo => 0x080 + 0x100 * number,
         })
-    }
-
-    /// `RPDO` or `TPDO`.
-    pub const fn name(self) -> &'static str {
-        match self {
-            Self::Rpdo => "RPDO",
-            Self::Tpdo => "TPDO",
-        }
-    }
-}
-
-impl fmt::Display for PdoKind {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        f.write_str(self.name())
     }
 }
 

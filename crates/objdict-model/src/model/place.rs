@@ -92,18 +92,20 @@ impl Part {
     }
 }
 
-/// One of the three object lists of a device (CiA 306-1 §4.6.3.1).
-#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
-#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
-#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
-#[cfg_attr(feature = "serde", serde(rename_all = "snake_case"))]
-pub enum ObjectList {
-    /// `MandatoryObjects`.
-    Mandatory,
-    /// `OptionalObjects`.
-    Optional,
-    /// `ManufacturerObjects`.
-    Manufacturer,
+named! {
+    /// One of the three object lists of a device (CiA 306-1 §4.6.3.1).
+    #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
+    #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+    #[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
+    #[cfg_attr(feature = "serde", serde(rename_all = "snake_case"))]
+    pub enum ObjectList {
+        /// `MandatoryObjects`.
+        Mandatory = "MandatoryObjects",
+        /// `OptionalObjects`.
+        Optional = "OptionalObjects",
+        /// `ManufacturerObjects`.
+        Manufacturer = "ManufacturerObjects",
+    }
 }
 
 /// A part of the description of a module (CiA 306-1 §6.3).
@@ -126,9 +128,6 @@ pub enum ModulePart {
 }
 
 impl ObjectList {
-    /// The three lists, in the order of an EDS.
-    pub const ALL: [Self; 3] = [Self::Mandatory, Self::Optional, Self::Manufacturer];
-
     /// The list that an object belongs to; `None` for the definition of a data type, below 1000h.
     pub const fn of(index: u16) -> Option<Self> {
         match index {
@@ -137,21 +136,6 @@ impl ObjectList {
             0x2000..=0x5FFF => Some(Self::Manufacturer),
             _ => Some(Self::Optional),
         }
-    }
-
-    /// The name in CiA 306-1.
-    pub const fn name(self) -> &'static str {
-        match self {
-            Self::Mandatory => "MandatoryObjects",
-            Self::Optional => "OptionalObjects",
-            Self::Manufacturer => "ManufacturerObjects",
-        }
-    }
-}
-
-impl fmt::Display for ObjectList {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        f.write_str(self.name())
     }
 }
 

@@ -1,5 +1,7 @@
 //! The parts of the model that are a single text, or a special map or list, in JSON.
 
+use std::borrow::Cow;
+
 use serde::de::Error;
 use serde::{Deserialize, Deserializer, Serialize, Serializer};
 
@@ -20,35 +22,37 @@ impl<'de> Deserialize<'de> for Subs {
     }
 }
 
-impl Serialize for Field {
-    fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
-        serializer.serialize_str(&self.name())
-    }
-}
-
-impl<'de> Deserialize<'de> for Field {
-    fn deserialize<D: Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
-        String::deserialize(deserializer).map(|name| Self::from_name(&name))
-    }
-}
-
-/// The name or, without one, the index as `0x0060`.
-impl Serialize for DataType {
-    fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
-        match self.name() {
-            Some(name) => serializer.serialize_str(name),
-            None => HexText(self.0).serialize(serializer),
+/// Types that are a text: how it is made of them, and they of it.
+macro_rules! texts {
+    ($($(#[$about:meta])* $Type:ty, $what:literal: |$this:ident| $text:expr, |$read:ident| $parsed:expr;)*) => {$(
+        $(#[$about])*
+        impl Serialize for $Type {
+            fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
+                let $this = self;
+                serializer.serialize_str(&$text)
+            }
         }
-    }
+
+        impl<'de> Deserialize<'de> for $Type {
+            fn deserialize<D: Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
+                let text = String::deserialize(deserializer)?;
+                let $read = text.as_str();
+                $parsed.ok_or_else(|| D::Error::custom(format!("`{text}` is not {}", $what)))
+            }
+        }
+    )*};
 }
 
-impl<'de> Deserialize<'de> for DataType {
-    fn deserialize<D: Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
-        let text = String::deserialize(deserializer)?;
-        let data_type = Self::from_name(&text).or_else(|| HexText::parse(&text).map(Self));
-        let error = || format!("`{text}` is not a data type such as `UNSIGNED8` or `0x0040`");
-        data_type.ok_or_else(|| D::Error::custom(error()))
-    }
+texts! {
+    Field, "a field": |field| field.name(), |name| Some(Self::from_name(name));
+    /// The name or, without one, the index as `0x0060`.
+    DataType, "a data type such as `UNSIGNED8` or `0x0040`":
+        |of| of.name().map_or_else(|| HexText(of.0).to_string().into(), Cow::Borrowed),
+        |text| Self::from_name(text).or_else(|| HexText::parse(text).map(Self));
+    /// The format of ISO 8601: `2024-03-04`.
+    Date, "a date such as `2024-03-04`": |date| date.to_iso(), |text| Self::from_iso(text);
+    /// The format of ISO 8601: `14:40`.
+    ClockTime, "a time such as `14:40`": |time| time.to_iso(false), |text| Self::from_iso(text);
 }
 
 impl Serialize for Extra {
@@ -71,36 +75,6 @@ impl<'de> Deserialize<'de> for InvalidValues {
     fn deserialize<D: Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
         let invalid_values = Vec::<InvalidValue>::deserialize(deserializer)?;
         Ok(invalid_values.into_iter().collect())
-    }
-}
-
-/// The format of ISO 8601: `2024-03-04`.
-impl Serialize for Date {
-    fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
-        serializer.serialize_str(&self.to_iso())
-    }
-}
-
-impl<'de> Deserialize<'de> for Date {
-    fn deserialize<D: Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
-        let text = String::deserialize(deserializer)?;
-        let date = Self::from_iso(&text);
-        date.ok_or_else(|| D::Error::custom(format!("`{text}` is not a date such as `2024-03-04`")))
-    }
-}
-
-/// The format of ISO 8601: `14:40`.
-impl Serialize for ClockTime {
-    fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
-        serializer.serialize_str(&self.to_iso(false))
-    }
-}
-
-impl<'de> Deserialize<'de> for ClockTime {
-    fn deserialize<D: Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
-        let text = String::deserialize(deserializer)?;
-        let time = Self::from_iso(&text);
-        time.ok_or_else(|| D::Error::custom(format!("`{text}` is not a time such as `14:40`")))
     }
 }
 

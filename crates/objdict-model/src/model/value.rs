@@ -34,9 +34,8 @@ pub enum Value {
 
 /// A TIME_OF_DAY or TIME_DIFFERENCE (CiA 301 §7.1.6.5).
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
-#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize), serde(deny_unknown_fields))]
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
-#[cfg_attr(feature = "serde", serde(deny_unknown_fields))]
 pub struct Time {
     /// Whole days; for TIME_OF_DAY since 1984-01-01.
     pub days: u16,

@@ -10,7 +10,7 @@ pub struct Edits<'a> {
 }
 
 /// A span and its replacement; changes at the same offset keep their order.
-#[derive(Clone, Debug, PartialEq, Eq)]
+#[derive(Clone, Debug)]
 struct SpanEdit {
     span: Span,
     text: String,

@@ -4,25 +4,26 @@
 //! mark, Windows-1252, UTF-16 and the code page 850 of DOS. All bytes of the last one are characters of Windows-1252 too, so it
 //! is recognised by umlauts inside words alone.
 
-use std::fmt;
 use std::str::FromStr;
 
-/// The character encoding of a file.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
-pub enum Encoding {
-    /// UTF-8 without byte order mark; includes every ISO 646 file.
-    #[default]
-    Utf8,
-    /// UTF-8 after the byte order mark EF BB BF.
-    Utf8Bom,
-    /// Windows-1252, the usual superset of Latin-1. All 256 bytes are characters.
-    Windows1252,
-    /// Code page 850 (DOS, Western Europe); detected if all characters beyond ISO 646 are umlauts inside words.
-    Cp850,
-    /// UTF-16, low byte first, after the byte order mark FF FE.
-    Utf16Le,
-    /// UTF-16, high byte first, after the byte order mark FE FF.
-    Utf16Be,
+named! {
+    /// The character encoding of a file.
+    #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+    pub enum Encoding {
+        /// UTF-8 without byte order mark; includes every ISO 646 file.
+        #[default]
+        Utf8 = "utf-8",
+        /// UTF-8 after the byte order mark EF BB BF.
+        Utf8Bom = "utf-8-bom",
+        /// Windows-1252, the usual superset of Latin-1. All 256 bytes are characters.
+        Windows1252 = "windows-1252",
+        /// Code page 850 (DOS, Western Europe); detected if all characters beyond ISO 646 are umlauts inside words.
+        Cp850 = "cp850",
+        /// UTF-16, low byte first, after the byte order mark FF FE.
+        Utf16Le = "utf-16le",
+        /// UTF-16, high byte first, after the byte order mark FE FF.
+        Utf16Be = "utf-16be",
+    }
 }
 
 const UTF8_BOM: &[u8] = b"\xEF\xBB\xBF";
@@ -90,19 +91,6 @@ impl Encoding {
                 byte_of(character).ok_or(Unencodable { character, encoding: self })
             })
             .collect()
-    }
-}
-
-impl fmt::Display for Encoding {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        f.write_str(match self {
-            Self::Utf8 => "utf-8",
-            Self::Utf8Bom => "utf-8-bom",
-            Self::Windows1252 => "windows-1252",
-            Self::Cp850 => "cp850",
-            Self::Utf16Le => "utf-16le",
-            Self::Utf16Be => "utf-16be",
-        })
     }
 }
 

@@ -119,7 +119,7 @@ mod tests {
 
     #[test]
     fn a_simple_type_comes_back_from_every_data_type_that_has_its_width() {
-        for &simple in SimpleType::ALL {
+        for simple in SimpleType::ALL {
             let data_type = data_type(simple, None);
             assert_eq!(super::data_type(simple_type(data_type), None), data_type);
         }

@@ -53,7 +53,6 @@ struct Section<'a> {
 }
 
 /// A line of a section.
-#[derive(Clone, Copy)]
 struct Line<'a> {
     key: Option<Key>,
     name: &'a str,

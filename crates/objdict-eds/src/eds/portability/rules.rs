@@ -1,31 +1,8 @@
 //! The rules of the group `portability` about the text of a file.
 
-use crate::diagnostic::{RuleInfo, text_rule};
+use crate::diagnostic::text_rules;
 
-/// Every rule of this module.
-pub static RULES: &[&RuleInfo] = &[
-    &BARE_NODE_ID,
-    &BLANKS_AFTER_SECTION,
-    &COMMENTED_SECTION,
-    &DUMMY_USAGE,
-    &EMPTY_KEY,
-    &HASH_IN_TEXT,
-    &HEX_BAUD_RATE,
-    &HEX_COUNT,
-    &HEX_FLAG,
-    &KEY_CASE,
-    &LIMIT_NOT_READ,
-    &NEGATIVE_HEX,
-    &REAL_AS_DECIMAL,
-    &SECTION_CASE,
-    &SEMICOLON_IN_TEXT,
-    &SPARSE_NAMES,
-    &SUB_BEFORE_OBJECT,
-    &UNLOADABLE,
-    &UNQUOTED_STRING,
-];
-
-text_rule! {
+text_rules! {
     BARE_NODE_ID = "portability/bare-node-id", Note, fix Safe;
     summary: "a value is `$NODEID` without a number",
     checks: "Whether a value is `$NODEID` alone.",
@@ -33,9 +10,7 @@ text_rule! {
     example: "`DefaultValue=$NODEID`",
     remedy: "Write `$NODEID+0`.",
     source: "python-canopen 2.4.1",
-}
 
-text_rule! {
     BLANKS_AFTER_SECTION = "portability/blanks-after-section", Warning, fix Safe;
     summary: "a section header is followed by spaces",
     checks: "Whether a section header is followed by spaces or tabs. The first one is shown, the others are counted.",
@@ -43,9 +18,7 @@ text_rule! {
     example: "`[2240] ` with a space behind it",
     remedy: "Remove the spaces.",
     source: "node-canopen 6.2.1",
-}
 
-text_rule! {
     COMMENTED_SECTION = "portability/commented-section", Warning, fix Safe;
     summary: "keys follow a section header in a comment",
     checks: "Whether a comment of the form `;[name]` is followed by a key before the next header. The first one is shown, the others are counted.",
@@ -53,9 +26,7 @@ text_rule! {
     example: "`;[1018sub5]` above the keys of the section before",
     remedy: "Write `; [1018sub5]`.",
     source: "CANopenEditor of 2026",
-}
 
-text_rule! {
     DUMMY_USAGE = "portability/dummy-usage", Error, fix Safe;
     summary: "`[DummyUsage]` does not list all types",
     checks: "Whether `[DummyUsage]` has the keys `Dummy0001` to `Dummy0007`.",
@@ -63,9 +34,7 @@ text_rule! {
     example: "`[DummyUsage]` with `Dummy0005=1` alone",
     remedy: "Add the other keys with 0.",
     source: "python-canopen 2.4.1",
-}
 
-text_rule! {
     EMPTY_KEY = "portability/empty-key", Error, fix Safe;
     summary: "a key has no value",
     checks: "Whether `ObjectType`, `PDOMapping`, `ObjFlags` or `CompactSubObj`, a number of `[DeviceInfo]`, or `AccessType` or `DefaultValue` of an ARRAY or RECORD, has no value. Each key of objects is reported once, at its first place.",
@@ -73,9 +42,7 @@ text_rule! {
     example: "`PDOMapping=`",
     remedy: "Remove the line.",
     source: "python-canopen 2.4.1, CANopenEditor of 2026, node-canopen 6.2.1",
-}
 
-text_rule! {
     HASH_IN_TEXT = "portability/hash-in-text", Warning;
     summary: "a text contains a `#` after a space",
     checks: "Whether a name, string or other text contains a `#` preceded by a space.",
@@ -83,9 +50,7 @@ text_rule! {
     example: "`ParameterName=Motor #1`",
     remedy: "Write `Motor no. 1`, or `Motor#1`.",
     source: "dcf-tools 2.4.2",
-}
 
-text_rule! {
     HEX_BAUD_RATE = "portability/hex-baud-rate", Error, fix Safe;
     summary: "the bit rate of a node is written in hex",
     checks: "Whether `Baudrate` in `[DeviceComissioning]` is a decimal number.",
@@ -93,9 +58,7 @@ text_rule! {
     example: "`Baudrate=0xFA`",
     remedy: "Write the number in decimal.",
     source: "python-canopen 2.4.1",
-}
 
-text_rule! {
     HEX_COUNT = "portability/hex-count", Error, fix Safe;
     summary: "a count is written in hex",
     checks: "Whether `SupportedObjects` of an object list and `NrOfEntries` of `[xxxxName]` and `[xxxxValue]` are decimal numbers.",
@@ -103,9 +66,7 @@ text_rule! {
     example: "`SupportedObjects=0x12`",
     remedy: "Write the number in decimal.",
     source: "dcf-tools 2.4.2, python-canopen 2.4.1",
-}
 
-text_rule! {
     HEX_FLAG = "portability/hex-flag", Error, fix Safe;
     summary: "a flag is written in hex",
     checks: "Whether the keys of `[DeviceInfo]` and `[DummyUsage]` with value 0 or 1 are written as `0` or `1`.",
@@ -113,9 +74,7 @@ text_rule! {
     example: "`BaudRate_250=0x1`",
     remedy: "Write `0` or `1`.",
     source: "dcf-tools 2.4.2, python-canopen 2.4.1, CANopenEditor of 2026",
-}
 
-text_rule! {
     KEY_CASE = "portability/key-case", Error, fix Safe;
     summary: "the case of a key differs from the standard",
     checks: "Whether the case of each key matches the standard. The first one is shown, the others are counted.",
@@ -123,9 +82,7 @@ text_rule! {
     example: "`parametername=Speed`",
     remedy: "Write `ParameterName`.",
     source: "python-canopen 2.4.1, CANopenEditor of 2026",
-}
 
-text_rule! {
     LIMIT_NOT_READ = "portability/limit-not-read", Note;
     summary: "a tool does not read a limit",
     checks: "Whether a limit is a formula, a REAL with a decimal point, or of type INTEGER24, 40, 48 or 56. The first one is shown, the others are counted.",
@@ -133,9 +90,7 @@ text_rule! {
     example: "`HighLimit=1.5` of a REAL32",
     remedy: "Check the value in the application.",
     source: "python-canopen 2.4.1",
-}
 
-text_rule! {
     NEGATIVE_HEX = "portability/negative-hex", Error, fix Safe;
     summary: "a value is a negative hex number",
     checks: "Whether an integer value has a sign and is written in hex. The first one is shown, the others are counted.",
@@ -143,9 +98,7 @@ text_rule! {
     example: "`DefaultValue=-0x10`",
     remedy: "Write the number in decimal.",
     source: "node-canopen 6.2.1",
-}
 
-text_rule! {
     REAL_AS_DECIMAL = "portability/real-as-decimal", Error, fix Safe;
     summary: "a REAL is written as a decimal number",
     checks: "Whether a value or limit of a REAL32 or REAL64 is something other than the hex digits of its bits, or 0. The first one is shown, the others are counted.",
@@ -153,9 +106,7 @@ text_rule! {
     example: "`DefaultValue=1.5`",
     remedy: "Write `0x3FC00000` in a separate copy for dcf-tools. The fix does so unless python-canopen is to read the file too.",
     source: "dcf-tools 2.4.2",
-}
 
-text_rule! {
     SECTION_CASE = "portability/section-case", Error, fix Safe;
     summary: "the case of a section name differs from the standard",
     checks: "Whether the case of each section name matches the standard; hex digits of an index may have any case. The first one is shown, the others are counted.",
@@ -163,9 +114,7 @@ text_rule! {
     example: "`[1018SUB1]`, `[deviceinfo]`",
     remedy: "Write `[1018sub1]`, `[DeviceInfo]`.",
     source: "python-canopen 2.4.1, CANopenEditor of 2026",
-}
 
-text_rule! {
     SEMICOLON_IN_TEXT = "portability/semicolon-in-text", Warning;
     summary: "a text contains a `;` after a space",
     checks: "Whether a name, string or other text contains a `;` preceded by a space.",
@@ -173,9 +122,7 @@ text_rule! {
     example: "`ParameterName=Speed ; rpm`",
     remedy: "Write `Speed, rpm`.",
     source: "dcf-tools 2.4.2, python-canopen 2.4.1",
-}
 
-text_rule! {
     SPARSE_NAMES = "portability/sparse-names", Error, fix Safe;
     summary: "the names of a compact object have a gap",
     checks: "Whether `[xxxxName]` names all sub-indexes from 1 to the number of names.",
@@ -183,9 +130,7 @@ text_rule! {
     example: "`NrOfEntries=2` with `1=Left` and `3=Right`",
     remedy: "Add the missing names with the default of the standard: the name of the object followed by the sub-index.",
     source: "python-canopen 2.4.1",
-}
 
-text_rule! {
     SUB_BEFORE_OBJECT = "portability/sub-before-object", Error;
     summary: "a sub-index is before its object",
     checks: "Whether the section of each object is above the sections of its sub-indexes and its `[xxxxName]`.",
@@ -193,19 +138,7 @@ text_rule! {
     example: "`[2000sub0]` above `[2000]`",
     remedy: "Move the object above its sub-indexes.",
     source: "python-canopen 2.4.1, CANopenEditor of 2026",
-}
 
-text_rule! {
-    UNQUOTED_STRING = "portability/unquoted-string", Error;
-    summary: "a string has no quotes",
-    checks: "Whether a value of type VISIBLE_STRING or UNICODE_STRING is in quotes. The first one is shown, the others are counted.",
-    why: "CiA 306 and all other tools use strings without quotes. dcf2dev of dcf-tools parses the text as a Python literal and fails; dcfchk and dcfgen do not read it.",
-    example: "`DefaultValue=Pump controller`",
-    remedy: "Put the text in quotes in a separate copy for dcf2dev.",
-    source: "dcf-tools 2.4.2",
-}
-
-text_rule! {
     UNLOADABLE = "portability/unloadable", Error;
     summary: "a reader that makes a dictionary of the file stops",
     checks: "Whether each line of the object lists has a section with a name, each structure either `SubNumber` or `CompactSubObj`, each entry a data type and an access of CiA 301 and values that begin as values of its type, and whether the node-ID is one and 1018h:04 is there beside `LSS_SerialNumber`. The first place where the reader stops is shown.",
@@ -213,4 +146,12 @@ text_rule! {
     example: "`LSS_SerialNumber=0` without `[1018sub4]`; `AccessType=r/w`",
     remedy: "Correct the entry, or use a copy without it for the tool.",
     source: "Lely core 2.4, src/co/dcf.c",
+
+    UNQUOTED_STRING = "portability/unquoted-string", Error;
+    summary: "a string has no quotes",
+    checks: "Whether a value of type VISIBLE_STRING or UNICODE_STRING is in quotes. The first one is shown, the others are counted.",
+    why: "CiA 306 and all other tools use strings without quotes. dcf2dev of dcf-tools parses the text as a Python literal and fails; dcfchk and dcfgen do not read it.",
+    example: "`DefaultValue=Pump controller`",
+    remedy: "Put the text in quotes in a separate copy for dcf2dev.",
+    source: "dcf-tools 2.4.2",
 }

@@ -14,7 +14,7 @@ use crate::model::{Extra, Field, InvalidValues, Part, Reason};
 use crate::source::Span;
 
 /// A key with its value.
-#[derive(Clone, Copy, Debug)]
+#[derive(Clone, Copy)]
 pub(crate) struct Item<'a> {
     /// The field, if the key has a fixed name.
     pub key: Option<Key>,

@@ -60,9 +60,7 @@ fn file_info(sections: &mut SectionWriter<'_>, info: &FileInfo) {
     sections.put_some(&Field::ModificationDate, info.modification_date.map(|date| date.to_string()));
     sections.put_some(&Field::ModifiedBy, info.modified_by.as_ref());
     sections.put_some(&Field::LastEds, info.last_eds.as_ref());
-    sections.extra(info.extra.iter());
-    sections.invalid_values(&info.invalid_values);
-    sections.close();
+    sections.close_with(&info.extra, &info.invalid_values);
 }
 
 fn device_info(sections: &mut SectionWriter<'_>, info: &DeviceInfo) {
@@ -88,9 +86,7 @@ fn device_info(sections: &mut SectionWriter<'_>, info: &DeviceInfo) {
     sections.put_flag(&Field::LssSupported, info.lss_supported);
     sections.put_some(&Field::CompactPdo, info.compact_pdo.map(|mask| format!("0x{mask:02X}")));
     sections.put_flag(&Field::CanOpenSafetySupported, info.safety_supported);
-    sections.extra(info.extra.iter());
-    sections.invalid_values(&info.invalid_values);
-    sections.close();
+    sections.close_with(&info.extra, &info.invalid_values);
 }
 
 fn dummy_usage(sections: &mut SectionWriter<'_>, usage: &DummyUsage) {
@@ -98,9 +94,7 @@ fn dummy_usage(sections: &mut SectionWriter<'_>, usage: &DummyUsage) {
     for (data_type, allowed) in &usage.types {
         sections.put_flag(&Field::Named(format!("Dummy{:04X}", data_type.0).into()), Some(*allowed));
     }
-    sections.extra(usage.extra.iter());
-    sections.invalid_values(&usage.invalid_values);
-    sections.close();
+    sections.close_with(&usage.extra, &usage.invalid_values);
 }
 
 /// A section of comment lines.
@@ -124,9 +118,7 @@ fn commissioning(sections: &mut SectionWriter<'_>, node: &Commissioning) {
     sections.put_some(&Field::NetRefd, node.net_reference_designator.as_ref());
     sections.put_flag(&Field::CanOpenManager, node.manager);
     sections.put_number(&Field::LssSerialNumber, node.lss_serial_number);
-    sections.extra(node.extra.iter());
-    sections.invalid_values(&node.invalid_values);
-    sections.close();
+    sections.close_with(&node.extra, &node.invalid_values);
 }
 
 fn dynamic_channels(sections: &mut SectionWriter<'_>, channels: &DynamicChannels) {
@@ -135,9 +127,7 @@ fn dynamic_channels(sections: &mut SectionWriter<'_>, channels: &DynamicChannels
     for (number, segment) in (1..).zip(&channels.segments) {
         dynamic_segment(sections, number, segment);
     }
-    sections.extra(channels.extra.iter());
-    sections.invalid_values(&channels.invalid_values);
-    sections.close();
+    sections.close_with(&channels.extra, &channels.invalid_values);
 }
 
 fn dynamic_segment(sections: &mut SectionWriter<'_>, number: usize, segment: &Segment) {

@@ -17,9 +17,7 @@ impl Writer<'_> {
         };
         sections.open(Part::SupportedModules);
         sections.put_number(&Field::NrOfEntries, declared);
-        sections.extra(modules.extra.iter());
-        sections.invalid_values(&modules.invalid_values);
-        sections.close();
+        sections.close_with(&modules.extra, &modules.invalid_values);
         for (&number, module) in &modules.supported {
             self.module(sections, number, module);
         }
@@ -37,9 +35,7 @@ impl Writer<'_> {
         sections.put_number(&Field::ProductVersion, module.product_version);
         sections.put_number(&Field::ProductRevision, module.product_revision);
         sections.put_some(&Field::OrderCode, module.order_code.as_ref());
-        sections.extra(module.extra.iter());
-        sections.invalid_values(&module.invalid_values);
-        sections.close();
+        sections.close_with(&module.extra, &module.invalid_values);
         if !module.comments.is_empty() {
             comments(sections, part(ModulePart::Comments), &module.comments);
         }

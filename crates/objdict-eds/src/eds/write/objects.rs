@@ -175,9 +175,7 @@ impl Writer<'_> {
             sections.put_some(&Field::DownloadFile, text(configured.download_file.as_ref()));
             sections.put_some(&Field::ParamRefd, text(configured.reference_designator.as_ref()));
         }
-        sections.extra(entry.extra.iter());
-        sections.invalid_values(&entry.invalid_values);
-        sections.close();
+        sections.close_with(&entry.extra, &entry.invalid_values);
     }
 
     /// The names of all entries, because readers do not derive them; values and denotations of entries that

@@ -112,6 +112,13 @@ impl<'a> SectionWriter<'a> {
         }
     }
 
+    /// Closes the section with what is not parsed.
+    pub(super) fn close_with(&mut self, extra: &Extra, invalid_values: &InvalidValues) {
+        self.extra(extra.iter());
+        self.invalid_values(invalid_values);
+        self.close();
+    }
+
     /// Ends the section: unknown keys of it come last.
     pub(super) fn close(&mut self) {
         let Some(part) = self.sections.last().map(|section| section.part.clone()) else { return };

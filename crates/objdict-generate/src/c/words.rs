@@ -1,0 +1,85 @@
+//! How the types, flags and names of a table are spelled in C.
+
+use std::fmt::{self, Write};
+
+use crate::model::{DataType, TypeKind};
+use crate::names::{LONGEST, Scope, clip};
+use crate::resolve::{Shape, is_time};
+use crate::table::{Row, Table, TableField};
+
+/// A member of the struct of values.
+pub(super) struct FieldView<'a> {
+    pub(super) declaration: String,
+    pub(super) first: &'a Row,
+    pub(super) last: &'a Row,
+    pub(super) array: bool,
+}
+
+/// A macro name in lower case, short enough for the prefix. The length of its suffix is included.
+pub(super) fn macro_name(
+    macros: &mut Scope,
+    prefix: &str,
+    words: &str,
+    (suffix, length): (fmt::Arguments<'_>, usize),
+) -> String {
+    let room = LONGEST - prefix.len() - 2 - length; // leaves room for the suffix
+    macros.claim(clip(words, room), suffix)
+}
+
+pub(super) fn field_view<'a>(table: &'a Table, field: &'a TableField, prefix: &str) -> FieldView<'a> {
+    let array = if field.array { format!("[{}]", field.rows.len()) } else { String::new() };
+    let name = &field.name;
+    let declaration = match field.shape {
+        Shape::Word(data_type) if is_time(data_type) => format!("{prefix}_time_t {name}{array}"),
+        Shape::Word(data_type) => [word_type(data_type), " ", name, &array].concat(),
+        Shape::Bytes(_, capacity) => {
+            format!("struct {{ uint16_t length; uint8_t bytes[{capacity}]; }} {name}{array}")
+        }
+        Shape::Block(length) => format!("uint8_t {name}{array}[{length}]"),
+    };
+    let (first, last) = (&table.rows[field.rows.start], &table.rows[field.rows.end - 1]);
+    FieldView { declaration, first, last, array: field.array }
+}
+
+/// Flags as an expression.
+pub(super) fn flags(names: impl Iterator<Item = &'static str>, upper: &str) -> String {
+    let mut flags = String::with_capacity(64);
+    for name in names {
+        let or = if flags.is_empty() { "" } else { " | " };
+        flags.extend([or, upper, "_", name]);
+    }
+    if flags.is_empty() { "0u".to_owned() } else { flags }
+}
+
+/// The macro of a data type after the prefix.
+pub(super) fn type_name(shape: Shape) -> &'static str {
+    match shape {
+        Shape::Word(data_type) | Shape::Bytes(data_type, _) => data_type.name().unwrap_or("BLOCK"),
+        Shape::Block(_) => "BLOCK",
+    }
+}
+
+/// The type of a number; integers of 24 to 56 bits use the next larger type.
+pub(super) fn word_type(data_type: DataType) -> &'static str {
+    match data_type.kind() {
+        TypeKind::Boolean => "bool",
+        TypeKind::Signed(0..=8) => "int8_t",
+        TypeKind::Signed(9..=16) => "int16_t",
+        TypeKind::Signed(17..=32) => "int32_t",
+        TypeKind::Signed(_) => "int64_t",
+        TypeKind::Unsigned(0..=8) => "uint8_t",
+        TypeKind::Unsigned(9..=16) => "uint16_t",
+        TypeKind::Unsigned(17..=32) => "uint32_t",
+        TypeKind::Real32 => "float",
+        TypeKind::Real64 => "double",
+        _ => "uint64_t",
+    }
+}
+
+pub(super) fn hex_bytes(bytes: &[u8]) -> String {
+    let mut text = String::with_capacity(bytes.len() * 6);
+    for (at, byte) in bytes.iter().enumerate() {
+        let _ = write!(text, "{}0x{byte:02X}", if at == 0 { "" } else { ", " }); // writing to a String cannot fail
+    }
+    text
+}

@@ -1,0 +1,81 @@
+//! The size of a flat table: of its rows, its bytes in flash and the struct of values.
+
+use std::collections::BTreeSet;
+
+use super::memory::{Extent, Memory, Tally};
+use super::resolve::Shape;
+use super::size::Sizes;
+use super::table::{Table, TableField};
+
+/// Sums up the sizes of the objects of a table.
+pub(crate) fn tally(table: &Table) -> Tally {
+    let objects = table.objects.iter();
+    Tally::new(objects.map(|object| (object.index, object.name.as_str(), object.rows.len())))
+}
+
+/// The struct of a storage group in C: the widest members are first.
+pub(crate) fn group(table: &Table, group: usize) -> Extent {
+    let mut members: Vec<Extent> = table.members(Some(group)).map(TableField::extent).collect();
+    members.sort_by_key(|member| std::cmp::Reverse(member.alignment));
+    Extent::structure(members)
+}
+
+/// Size of the struct of values in C, including the one-byte node-ID: the widest members are last.
+pub(crate) fn ram(table: &Table) -> usize {
+    let groups = (0..table.groups.len()).map(|number| group(table, number));
+    let mut members: Vec<Extent> =
+        table.members(None).map(TableField::extent).chain(groups).chain([Extent::BYTE]).collect();
+    members.sort_by_key(|member| member.alignment);
+    Extent::structure(members).size
+}
+
+/// The layout of a table of rows.
+#[derive(Clone, Copy)]
+pub(crate) struct Layout {
+    /// Size of a row in bytes.
+    pub(crate) row: usize,
+    /// Size of an object without its rows, in bytes.
+    pub(crate) object: usize,
+    /// Size of what rows share beside defaults and limits, in bytes.
+    pub(crate) shared: usize,
+    /// Size of all values in bytes, with the node-ID.
+    pub(crate) ram: usize,
+    /// Size of one value in RAM, in bytes.
+    pub(crate) value: fn(Shape) -> usize,
+    /// Size of the code in flash, 0 if it is not counted.
+    pub(crate) code: usize,
+    /// Size of a name: of its row, and of its end mark; `None` without names.
+    pub(crate) name: Option<(usize, usize)>,
+    /// See [`SizeReport::counted`].
+    pub(crate) counted: &'static str,
+}
+
+impl Layout {
+    /// The size of a table.
+    pub(crate) fn size(self, table: &Table) -> Sizes {
+        let mut tally = tally(table);
+        let mut taken = vec![false; table.rom.len()];
+        let mut values = 0;
+        for row in &table.rows {
+            let rom = taken.get_mut(row.rom..row.rom + row.rom_length).unwrap_or_default();
+            let new = rom.iter().filter(|taken| !**taken).count();
+            rom.fill(true);
+            tally.of(row.index, Memory::Flash, self.row + new);
+            let value = row.slot.map_or(0, |_| (self.value)(row.resolved.shape));
+            tally.of(row.index, Memory::Zeroed, value);
+            values += value;
+        }
+        table.objects.iter().for_each(|object| tally.of(object.index, Memory::Flash, self.object));
+        let unused = taken.iter().filter(|taken| !**taken).count();
+        tally.rest(Memory::Flash, self.shared + unused);
+        tally.rest(Memory::Zeroed, self.ram.saturating_sub(values));
+        let mut report = tally.sums(self.counted);
+        report.code = self.code;
+        report.total.flash += self.code;
+        report.names = self.name.map_or(0, |(row, end)| {
+            let texts: BTreeSet<&str> = table.rows.iter().map(|row| row.name.as_ref()).collect(); // equal ones are one
+            table.rows.len() * row + texts.iter().map(|text| text.len() + end).sum::<usize>()
+        });
+        Sizes::Known(report)
+    }
+}
