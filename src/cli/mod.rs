@@ -42,6 +42,8 @@ use std::path::Path;
 use std::process::ExitCode;
 use std::sync::OnceLock;
 
+use clap::Parser;
+
 use self::args::{Args, Command, TerminalArgs};
 use self::output::Output;
 #[cfg(feature = "schema")]
@@ -50,7 +52,7 @@ use crate::diagnostic::{one_line, printable_lines};
 
 /// Runs the command that the arguments of the process name.
 pub fn run() -> ExitCode {
-    let args = match Args::of_process() {
+    let args = match Args::try_parse() {
         Ok(args) => args,
         Err(error) => {
             print_usage(&error);

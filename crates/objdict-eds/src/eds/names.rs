@@ -26,8 +26,10 @@ pub(super) static OF_MODULE: [(&str, ModulePart); 4] = [
     ("SubExtends", ModulePart::SubExtends),
 ];
 
+type PartOf = fn(u16) -> Part;
+
 /// The sections of an object behind its index.
-pub(super) static OF_OBJECT: [(&str, fn(u16) -> Part); 4] = [
+pub(super) static OF_OBJECT: [(&str, PartOf); 4] = [
     ("Name", Part::CompactNames),
     ("Value", Part::CompactValues),
     ("Denotation", Part::CompactDenotations),
