@@ -26,8 +26,11 @@ pub(super) static OF_MODULE: [(&str, ModulePart); 4] = [
     ("SubExtends", ModulePart::SubExtends),
 ];
 
+/// The section of the object with an index.
+pub(super) type OfIndex = fn(u16) -> Part;
+
 /// The sections of an object behind its index.
-pub(super) static OF_OBJECT: [(&str, fn(u16) -> Part); 4] = [
+pub(super) static OF_OBJECT: [(&str, OfIndex); 4] = [
     ("Name", Part::CompactNames),
     ("Value", Part::CompactValues),
     ("Denotation", Part::CompactDenotations),
