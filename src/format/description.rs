@@ -432,7 +432,7 @@ impl Description {
     pub fn text_findings(&self) -> Findings {
         let mut findings = Findings::new();
         match &self.text {
-            Text::Ini(document, _) => ini::findings::check(document, &mut findings),
+            Text::Ini(document, _) => ini::findings::lines::check(document, &mut findings),
             #[cfg(feature = "xdd")]
             Text::Xml(tree, _) if self.number == 0 => xdd::findings::check(tree, &mut findings),
             #[cfg(feature = "xdd")]

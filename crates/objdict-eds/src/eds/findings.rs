@@ -3,7 +3,7 @@
 mod idle;
 mod raise;
 
-use super::read::Item;
+use super::item::Item;
 use crate::diagnostic::{Findings, text_rules};
 use crate::literal::{self, Quirks};
 use crate::model::Value;

@@ -5,7 +5,7 @@ mod section;
 
 use std::collections::BTreeMap;
 
-use self::section::SectionEdit;
+use self::section::{SectionEdit, key_line};
 use super::Locator;
 use super::order::Rank;
 use super::section::{SectionName, section_name};
@@ -39,20 +39,6 @@ struct Rewriter<'a> {
     sections: BTreeMap<u32, SectionEdit>,
     /// New sections, each with the part and its lines.
     added: Vec<(Part, Vec<String>)>,
-}
-
-/// The key that counts the items of a section.
-pub(super) fn counter_of(part: &Part) -> Option<Field> {
-    match part {
-        Part::List(_) => Some(Field::SupportedObjects),
-        Part::Links(_) => Some(Field::ObjectLinks),
-        Part::ConnectedModules
-        | Part::CompactNames(_)
-        | Part::CompactValues(_)
-        | Part::CompactDenotations(_)
-        | Part::Module(_, ModulePart::FixedObjects | ModulePart::SubExtends) => Some(Field::NrOfEntries),
-        _ => None,
-    }
 }
 
 impl<'a> Rewriter<'a> {
@@ -270,17 +256,6 @@ fn end_of(document: &Document, section: &Section) -> u32 {
         end = line.span.start;
     }
     end
-}
-
-/// `key=value`, if a reader reads back the same key and value.
-fn key_line(key: &str, value: &str) -> Option<String> {
-    let line = format!("{key}={value}");
-    let mut lines = Lines::new(&line);
-    let is_entry = match lines.next()?.kind {
-        LineKind::Entry { key: read, value: text } => read.of(&line) == key && text.of(&line) == value,
-        _ => false,
-    };
-    (is_entry && lines.next().is_none()).then_some(line)
 }
 
 /// The spelling of an index in lists.

@@ -3,33 +3,15 @@
 
 mod section;
 mod spell;
+mod text;
 
 use self::section::Block;
+pub use self::text::Extent;
+use self::text::Text;
 use super::order::Rank;
 use super::section::{SectionName, section_name};
 use crate::ini::{Document, Line, LineKind};
 use crate::model::{Device, Part};
-
-/// How much is changed. If the complete rearrangement would change the meaning of a text, less is changed.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub struct Extent {
-    /// The order of the keys in a section.
-    keys: bool,
-    /// The spelling of keys.
-    names: bool,
-    /// The spelling of values.
-    values: bool,
-}
-
-impl Extent {
-    /// From all changes down to only the order of the sections.
-    pub const ALL: [Self; 4] = [
-        Self { keys: true, names: true, values: true },
-        Self { keys: true, names: true, values: false },
-        Self { keys: true, names: false, values: true },
-        Self { keys: false, names: false, values: false },
-    ];
-}
 
 /// The rearranged text of a document from which `device` was read.
 pub fn arrange(document: &Document, device: &Device, extent: Extent) -> String {
@@ -47,37 +29,6 @@ pub fn arrange(document: &Document, device: &Device, extent: Extent) -> String {
         text.lines(paragraph);
     }
     text.text
-}
-
-/// A text while it is arranged.
-struct Text {
-    text: String,
-    line_end: &'static str,
-}
-
-impl Text {
-    fn line(&mut self, line: &str) {
-        self.text.push_str(line);
-        self.text.push_str(self.line_end);
-    }
-
-    fn lines(&mut self, lines: &[&str]) {
-        lines.iter().for_each(|line| self.line(line));
-    }
-
-    fn paragraphs(&mut self, paragraphs: &[Vec<&str>]) {
-        for paragraph in paragraphs {
-            self.paragraph();
-            self.lines(paragraph);
-        }
-    }
-
-    /// Adds an empty line, except at the start of the text.
-    fn paragraph(&mut self) {
-        if !self.text.is_empty() {
-            self.line("");
-        }
-    }
 }
 
 /// A document as blocks that are moved as a whole.

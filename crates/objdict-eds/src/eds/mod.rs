@@ -8,6 +8,7 @@ pub mod findings;
 mod fix;
 #[cfg(feature = "write")]
 pub mod fmt;
+mod item;
 mod keys;
 mod locate;
 mod misspelt;

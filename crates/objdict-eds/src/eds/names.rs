@@ -26,10 +26,11 @@ pub(super) static OF_MODULE: [(&str, ModulePart); 4] = [
     ("SubExtends", ModulePart::SubExtends),
 ];
 
-type PartOf = fn(u16) -> Part;
+/// The section of the object with an index.
+pub(super) type OfIndex = fn(u16) -> Part;
 
 /// The sections of an object behind its index.
-pub(super) static OF_OBJECT: [(&str, PartOf); 4] = [
+pub(super) static OF_OBJECT: [(&str, OfIndex); 4] = [
     ("Name", Part::CompactNames),
     ("Value", Part::CompactValues),
     ("Denotation", Part::CompactDenotations),

@@ -120,6 +120,20 @@ pub(super) const COUNTERS: [Field; 6] = [
     Field::Items,
 ];
 
+/// The key that counts the items of a section.
+pub(super) fn counter_of(part: &Part) -> Option<Field> {
+    match part {
+        Part::List(_) => Some(Field::SupportedObjects),
+        Part::Links(_) => Some(Field::ObjectLinks),
+        Part::ConnectedModules
+        | Part::CompactNames(_)
+        | Part::CompactValues(_)
+        | Part::CompactDenotations(_)
+        | Part::Module(_, ModulePart::FixedObjects | ModulePart::SubExtends) => Some(Field::NrOfEntries),
+        _ => None,
+    }
+}
+
 /// The rank of a key in its section; `None` for a key without a defined place.
 pub(super) fn key_rank(name: &str) -> Option<u32> {
     let Some(key) = Key::find(name) else {

@@ -3,7 +3,7 @@
 use std::fmt;
 
 use super::misspelt;
-use super::names::{FIXED, OF_MODULE, OF_OBJECT};
+use super::names::{FIXED, OF_MODULE, OF_OBJECT, OfIndex};
 use crate::diagnostic;
 use crate::model::{ModulePart, Part};
 
@@ -108,7 +108,7 @@ fn hex_prefix(name: &str) -> Option<(u16, &str)> {
 enum Suffix<'a> {
     None,
     Sub(&'a str),
-    Of(fn(u16) -> Part),
+    Of(OfIndex),
 }
 
 fn suffix_of(rest: &str) -> Option<Suffix<'_>> {

@@ -3,8 +3,6 @@
 
 pub mod lines;
 
-pub use self::lines::check;
-pub(crate) use self::lines::is_merge_mark;
 use crate::diagnostic::text_rules;
 
 text_rules! {

@@ -3,7 +3,8 @@
 use super::{DUPLICATE_KEY, DUPLICATE_SECTION};
 use crate::diagnostic::{At, Diagnostic, Findings};
 use crate::eds::section::SectionName;
-use crate::ini::findings::{JUNK_LINE, is_merge_mark};
+use crate::ini::findings::JUNK_LINE;
+use crate::ini::findings::lines::is_merge_mark;
 use crate::ini::{LineKind, headers};
 use crate::model::Part;
 

@@ -6,8 +6,8 @@ use super::{
     UNKNOWN_KEY, UNKNOWN_SECTION, WRONG_COUNT,
 };
 use crate::diagnostic::{Change, Diagnostic, Fix, Severity, counted, say};
+use crate::eds::item::Item;
 use crate::eds::keys::Key;
-use crate::eds::read::Item;
 use crate::eds::section::{SectionName, Spelling, section_name};
 use crate::model::{Field, ObjectType, Part, Place};
 use crate::source::Span;

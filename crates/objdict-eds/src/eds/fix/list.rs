@@ -3,7 +3,8 @@
 use std::collections::{HashMap, HashSet};
 
 use super::section::{KeyLine, is_counter, line_of};
-use super::{Rewriter, counter_of, index_text, list_lines};
+use super::{Rewriter, index_text, list_lines};
+use crate::eds::order::counter_of;
 use crate::ini::Section;
 use crate::literal::{self, Quirks};
 use crate::model::{Field, ObjectList, Part};

@@ -1,11 +1,10 @@
 //! Edits of the keys of one section.
 
-use super::key_line;
 use crate::eds::keys::Key;
 use crate::eds::misspelt;
-use crate::eds::order::{COUNTERS, key_rank};
+use crate::eds::order::{COUNTERS, counter_of, key_rank};
 use crate::eds::section::SectionName;
-use crate::ini::{Document, Entry, Section};
+use crate::ini::{Document, Entry, LineKind, Lines, Section};
 use crate::model::{Field, Part};
 use crate::source::{Edits, Span};
 
@@ -51,7 +50,7 @@ impl SectionEdit {
             .collect();
         let part =
             section.header.map_or(Part::Device, |header| SectionName::parse(header.name.of(text)).part);
-        let counter = super::counter_of(&part).filter(|counter| {
+        let counter = counter_of(&part).filter(|counter| {
             let items = lines.iter().filter(|line| Field::item(&line.key).is_some()).count();
             let stated = section.entries.iter().find(|entry| is_key(entry.key.of(text), counter));
             stated.is_some_and(|entry| entry.value.of(text) == items.to_string())
@@ -164,4 +163,15 @@ pub(super) fn is_key(key: &str, field: &Field) -> bool {
 /// Whether a key counts others.
 pub(super) fn is_counter(key: &str) -> bool {
     COUNTERS.iter().any(|counter| is_key(key, counter))
+}
+
+/// `key=value`, if a reader reads back the same key and value.
+pub(super) fn key_line(key: &str, value: &str) -> Option<String> {
+    let line = format!("{key}={value}");
+    let mut lines = Lines::new(&line);
+    let is_entry = match lines.next()?.kind {
+        LineKind::Entry { key: read, value: text } => read.of(&line) == key && text.of(&line) == value,
+        _ => false,
+    };
+    (is_entry && lines.next().is_none()).then_some(line)
 }

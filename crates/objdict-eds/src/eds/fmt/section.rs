@@ -2,7 +2,8 @@
 
 use std::borrow::Cow;
 
-use super::{Extent, Text, spell};
+use super::spell;
+use super::text::{Extent, Text};
 use crate::eds::keys::Key;
 use crate::eds::order::{COUNTERS, Rank, key_rank};
 use crate::model::{Device, ModulePart, Part};

@@ -1,38 +1,34 @@
 //! Names, values and denotations of compactly stored objects.
 
+use super::Reader;
+use super::items::Items;
 use super::lists::check_count;
-use super::{Item, Items, Reader};
 use crate::eds::findings;
+use crate::eds::item::Item;
 use crate::ini;
 use crate::literal::{self, Quirks};
 use crate::model::{Compact, DataType, Extra, Field, InvalidValues, Part, Value};
 
-/// A section that can only be read once its object is known, which may be defined later.
-pub(super) struct PendingCompact {
-    part: Part,
-    section: ini::Section,
-}
-
 impl Reader<'_> {
     pub(super) fn compact_section(&mut self, part: Part, section: &ini::Section) {
-        self.compact.push(PendingCompact { part, section: section.clone() });
+        self.compact.push((part, section.clone()));
     }
 
     /// Reads the pending sections into their objects.
     pub(super) fn apply_compact(&mut self) {
-        for pending in std::mem::take(&mut self.compact) {
-            self.apply(&pending);
+        for (part, section) in std::mem::take(&mut self.compact) {
+            self.apply(&part, &section);
         }
     }
 
-    fn apply(&mut self, pending: &PendingCompact) {
+    fn apply(&mut self, part: &Part, section: &ini::Section) {
         let (Part::CompactNames(index) | Part::CompactValues(index) | Part::CompactDenotations(index)) =
-            pending.part
+            *part
         else {
             return;
         };
-        let (name, at) = self.header_of(&pending.section);
-        let mut items = Items::new(self.text, &pending.section, &mut self.findings);
+        let (name, at) = self.header_of(section);
+        let mut items = Items::new(self.text, section, &mut self.findings);
         let object = self.objects.get_mut(index);
         let object_type = object.as_ref().map(|object| object.object_type());
         let data_type = object.as_ref().and_then(|object| object.main.data_type);
@@ -42,7 +38,7 @@ impl Reader<'_> {
             self.findings.push(findings::stray_compact_section(name, at, object_type));
             return self.keep(name, &extra);
         };
-        read_compact(&mut items, &pending.part, data_type, compact);
+        read_compact(&mut items, part, data_type, compact);
     }
 }
 

@@ -1,8 +1,9 @@
 //! Dynamic channels and tools.
 
+use super::Reader;
+use super::items::Items;
 use super::lists::check_count;
 use super::modules::index_range;
-use super::{Items, Reader};
 use crate::diagnostic::Severity;
 use crate::ini;
 use crate::model::{DataType, DynamicChannels, Extra, Field, InvalidValues, Segment, ToolCommand};

@@ -1,8 +1,10 @@
 //! The sections about the file, the device and the node.
 
-use super::{Item, Items, Reader};
+use super::Reader;
+use super::items::Items;
 use crate::diagnostic::{Fix, MAX_FIX_LINES, Severity};
 use crate::eds::findings;
+use crate::eds::item::Item;
 use crate::ini;
 use crate::literal;
 use crate::model::{

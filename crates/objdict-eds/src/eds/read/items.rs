@@ -5,6 +5,7 @@ use std::collections::HashSet;
 use std::hash::{BuildHasher, RandomState};
 
 use crate::diagnostic::Findings;
+use crate::eds::item::Item;
 use crate::eds::keys::{Key, KeySet};
 use crate::eds::section::SectionName;
 use crate::eds::{findings, misspelt};
@@ -12,33 +13,6 @@ use crate::ini;
 use crate::literal::{self, Quirks};
 use crate::model::{Extra, Field, InvalidValues, Part, Reason};
 use crate::source::Span;
-
-/// A key with its value.
-#[derive(Clone, Copy)]
-pub(crate) struct Item<'a> {
-    /// The field, if the key has a fixed name.
-    pub key: Option<Key>,
-    /// The key as written.
-    pub name: &'a str,
-    /// The value as written.
-    pub value: &'a str,
-    /// The span of the key.
-    pub name_at: Span,
-    /// The span of the value.
-    pub value_at: Span,
-}
-
-impl Item<'_> {
-    /// The field, if the key has a fixed name.
-    pub(crate) fn field(&self) -> Option<&'static Field> {
-        self.key.map(Key::field)
-    }
-
-    /// The number of a numbered key such as the `3` of `3=0x1018`.
-    pub(crate) fn number(&self) -> Option<u32> {
-        Field::item_number(self.name)
-    }
-}
 
 /// A section while it is read: its text, and its findings.
 pub(crate) struct Items<'a> {

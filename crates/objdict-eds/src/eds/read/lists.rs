@@ -2,9 +2,11 @@
 
 use std::collections::HashSet;
 
-use super::{Item, Items, Reader};
+use super::Reader;
+use super::items::Items;
 use crate::diagnostic::{Fix, MAX_FIX_LINES};
 use crate::eds::findings;
+use crate::eds::item::Item;
 use crate::eds::section::section_name;
 use crate::ini;
 use crate::literal::{self, Quirks};

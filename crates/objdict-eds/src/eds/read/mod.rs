@@ -13,9 +13,8 @@ mod objects;
 use std::collections::HashSet;
 use std::hash::{BuildHasher, RandomState};
 
-use self::compact::PendingCompact;
 use self::dictionary::Dictionary;
-pub(crate) use self::items::{Item, Items};
+use self::items::Items;
 use super::findings::{self, DuplicateKind};
 use super::section::{SectionName, Spelling};
 use crate::diagnostic::Findings;
@@ -57,7 +56,8 @@ struct Reader<'a> {
     findings: Findings,
     /// The parts found so far, except objects and their entries, which are in the dictionary.
     seen: HashSet<Part>,
-    compact: Vec<PendingCompact>,
+    /// Sections that can only be read once their objects are known, which may be defined later.
+    compact: Vec<(Part, ini::Section)>,
     /// Sections with misspelt names, read once it is known that no section has the correct name.
     misspelt: Vec<(Part, ini::Section)>,
     /// The hashes of the names of unknown sections, to find duplicates. There may be a million of them.

@@ -1,9 +1,10 @@
 //! The modules of a modular device.
 
+use super::Reader;
 use super::info::comment_lines;
+use super::items::Items;
 use super::lists::{index_list, numbered};
 use super::objects::{SectionKind, read_object, read_object_section};
-use super::{Items, Reader};
 use crate::ini;
 use crate::literal::{self, Quirks};
 use crate::model::{Entry, Extension, Extra, Field, Module, ModulePart, Modules, Object, Reason};

@@ -1,7 +1,9 @@
 //! The sections of objects and sub-indexes.
 
-use super::{Item, Items, Reader};
+use super::Reader;
+use super::items::Items;
 use crate::eds::findings::{self, DuplicateKind};
+use crate::eds::item::Item;
 use crate::ini;
 use crate::literal::{self, Quirks};
 use crate::model::{

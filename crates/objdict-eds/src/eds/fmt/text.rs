@@ -1,0 +1,53 @@
+//! The text that is arranged, and how much of it is changed.
+
+/// How much is changed. If the complete rearrangement would change the meaning of a text, less is changed.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Extent {
+    /// The order of the keys in a section.
+    pub(super) keys: bool,
+    /// The spelling of keys.
+    pub(super) names: bool,
+    /// The spelling of values.
+    pub(super) values: bool,
+}
+
+impl Extent {
+    /// From all changes down to only the order of the sections.
+    pub const ALL: [Self; 4] = [
+        Self { keys: true, names: true, values: true },
+        Self { keys: true, names: true, values: false },
+        Self { keys: true, names: false, values: true },
+        Self { keys: false, names: false, values: false },
+    ];
+}
+
+/// A text while it is arranged.
+pub(super) struct Text {
+    pub text: String,
+    pub line_end: &'static str,
+}
+
+impl Text {
+    pub(super) fn line(&mut self, line: &str) {
+        self.text.push_str(line);
+        self.text.push_str(self.line_end);
+    }
+
+    pub(super) fn lines(&mut self, lines: &[&str]) {
+        lines.iter().for_each(|line| self.line(line));
+    }
+
+    pub(super) fn paragraphs(&mut self, paragraphs: &[Vec<&str>]) {
+        for paragraph in paragraphs {
+            self.paragraph();
+            self.lines(paragraph);
+        }
+    }
+
+    /// Adds an empty line, except at the start of the text.
+    pub(super) fn paragraph(&mut self) {
+        if !self.text.is_empty() {
+            self.line("");
+        }
+    }
+}

@@ -1,0 +1,32 @@
+//! A key of a section as it is read.
+
+use super::keys::Key;
+use crate::model::Field;
+use crate::source::Span;
+
+/// A key with its value.
+#[derive(Clone, Copy)]
+pub(crate) struct Item<'a> {
+    /// The field, if the key has a fixed name.
+    pub key: Option<Key>,
+    /// The key as written.
+    pub name: &'a str,
+    /// The value as written.
+    pub value: &'a str,
+    /// The span of the key.
+    pub name_at: Span,
+    /// The span of the value.
+    pub value_at: Span,
+}
+
+impl Item<'_> {
+    /// The field, if the key has a fixed name.
+    pub(crate) fn field(&self) -> Option<&'static Field> {
+        self.key.map(Key::field)
+    }
+
+    /// The number of a numbered key such as the `3` of `3=0x1018`.
+    pub(crate) fn number(&self) -> Option<u32> {
+        Field::item_number(self.name)
+    }
+}
