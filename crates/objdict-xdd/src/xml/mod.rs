@@ -1,5 +1,4 @@
-//! The XML layer under XDD and XDC: a tree with a span for everything, read by quick-xml. Reading never
-//! fails.
+//! The XML layer under XDD and XDC: a tree with a span for everything. Reading never fails.
 
 mod attributes;
 mod build;
@@ -9,6 +8,7 @@ mod content;
 mod edit;
 mod expand;
 pub mod findings;
+mod markup;
 mod names;
 mod namespaces;
 mod prolog;

@@ -6,6 +6,7 @@ use std::fmt;
 use super::build::build;
 use super::chars::is_blank;
 use super::expand::Entities;
+use super::markup::Markup;
 use super::names::{Called, Name};
 use crate::diagnostic::Findings;
 use crate::source::{SourceFile, Span};
@@ -499,25 +500,22 @@ impl Tree {
                     at += length;
                     return Some(Piece { span: Span::new(start as u32, at as u32), is_literal: false });
                 }
-                let markup_end = |from: usize, mark: &str| {
-                    memchr::memmem::find(&rest.as_bytes()[from..], mark.as_bytes())
-                        .map(|length| from + length + mark.len())
-                };
-                let damage = self.damage_at(start as u32);
-                let length = if let Some(damage) = damage {
-                    damage.len() as usize
-                } else if rest.starts_with("<![CDATA[") {
-                    let length = markup_end(9, "]]>").unwrap_or(rest.len());
-                    at += length;
-                    let section_end = at.saturating_sub(3).max(start + 9) as u32;
-                    return Some(Piece { span: Span::new(start as u32 + 9, section_end), is_literal: true });
-                } else if rest.starts_with("<!--") {
-                    markup_end(4, "-->").unwrap_or(rest.len())
-                } else if rest.starts_with("<?") {
-                    markup_end(2, "?>").unwrap_or(rest.len())
-                } else {
-                    at += 1;
-                    return Some(Piece { span: Span::new(start as u32, at as u32), is_literal: true });
+                let length_of = |markup: Markup| markup.length(rest.as_bytes()).unwrap_or(rest.len());
+                let length = match (self.damage_at(start as u32), Markup::at(rest.as_bytes())) {
+                    (Some(damage), _) => damage.len() as usize,
+                    (None, Some(Markup::Section)) => {
+                        at += length_of(Markup::Section);
+                        let section_end = at.saturating_sub(3).max(start + 9) as u32;
+                        return Some(Piece {
+                            span: Span::new(start as u32 + 9, section_end),
+                            is_literal: true,
+                        });
+                    }
+                    (None, Some(markup)) => length_of(markup),
+                    (None, None) => {
+                        at += 1;
+                        return Some(Piece { span: Span::new(start as u32, at as u32), is_literal: true });
+                    }
                 };
                 at += length.max(1);
             }
