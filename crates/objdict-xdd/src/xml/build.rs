@@ -8,9 +8,9 @@ use super::findings::{self as rules, shown};
 use super::markup::Markup;
 use super::names::Name;
 use super::namespaces::Namespaces;
+use super::parts::{NONE, Parts, Record};
 use super::prolog;
 use super::tag::{RawAttribute, name_length};
-use super::tree::{NONE, Parts, Record};
 use crate::diagnostic::{Diagnostic, Findings, RuleInfo, Severity};
 use crate::source::{SourceFile, Span};
 

@@ -5,9 +5,9 @@ use std::fmt;
 
 use super::build::build;
 use super::chars::is_blank;
-use super::expand::Entities;
 use super::markup::Markup;
-use super::names::{Called, Name};
+use super::names::Name;
+use super::parts::{AttributeRecord, DECLARES, Parts, Record};
 use crate::diagnostic::Findings;
 use crate::source::{SourceFile, Span};
 
@@ -17,67 +17,6 @@ use crate::source::{SourceFile, Span};
 pub struct Tree {
     source: SourceFile,
     parts: Parts,
-}
-
-/// The result of the builder.
-#[derive(Debug, Default)]
-pub(super) struct Parts {
-    /// The elements in the order of their start tags; the first one is the root.
-    pub(super) elements: Vec<Record>,
-    /// The attributes of all elements in order, including namespace declarations.
-    pub(super) attributes: Vec<AttributeRecord>,
-    /// The URIs of the namespaces that elements are in.
-    pub(super) namespaces: Vec<Box<str>>,
-    /// Skipped text that is neither markup nor character data, in order.
-    pub(super) damage: Vec<Span>,
-    pub(super) entities: Entities,
-    pub(super) is_complete: bool,
-}
-
-/// No element, or no namespace.
-pub(super) const NONE: u32 = u32::MAX;
-
-#[derive(Clone, Copy, Debug)]
-pub(super) struct Record {
-    /// The `<` of the start tag; the name follows immediately.
-    pub(super) start: u32,
-    pub(super) tag_end: u32,
-    /// The `<` of the end tag.
-    pub(super) inner_end: u32,
-    pub(super) end: u32,
-    pub(super) parent: u32,
-    pub(super) next: u32,
-    /// The first attribute; the attributes of the next element follow the last one.
-    pub(super) attributes: u32,
-    pub(super) namespace: u32,
-    pub(super) name_length: u16,
-    /// Length of the prefix with its colon.
-    pub(super) prefix_length: u16,
-    pub(super) tag: Name,
-    /// Whether the element may contain more than blanks, elements, comments and processing instructions.
-    pub(super) has_text: bool,
-}
-
-#[derive(Clone, Copy, Debug)]
-pub(super) struct AttributeRecord {
-    pub(super) name: u32,
-    pub(super) value: u32,
-    pub(super) value_end: u32,
-    pub(super) name_length: u16,
-    /// Length of the prefix with its colon, and [`DECLARES`].
-    pub(super) prefix_length: u16,
-    pub(super) tag: Name,
-    /// Whether the value is used unchanged: it has no reference, line end or tab.
-    pub(super) is_plain: bool,
-}
-
-/// Marks an attribute that declares a namespace.
-pub(super) const DECLARES: u16 = 1 << 15;
-
-impl AttributeRecord {
-    fn declares(self) -> bool {
-        self.prefix_length & DECLARES != 0
-    }
 }
 
 /// The number of an element in its tree, in the order of the start tags.
@@ -97,6 +36,35 @@ pub struct Attribute<'a> {
     tree: &'a Tree,
     element: u32,
     number: u32,
+}
+
+/// A name to search elements and attributes for: a name of CiA 311, or any text.
+pub trait Called: Copy {
+    /// Whether an element has the name, with any prefix.
+    fn is_element(self, element: Element<'_>) -> bool;
+
+    /// Whether an attribute has the name, with any prefix.
+    fn is_attribute(self, attribute: Attribute<'_>) -> bool;
+}
+
+impl Called for Name {
+    fn is_element(self, element: Element<'_>) -> bool {
+        element.tag() == self
+    }
+
+    fn is_attribute(self, attribute: Attribute<'_>) -> bool {
+        attribute.tag() == self
+    }
+}
+
+impl Called for &str {
+    fn is_element(self, element: Element<'_>) -> bool {
+        element.name() == self
+    }
+
+    fn is_attribute(self, attribute: Attribute<'_>) -> bool {
+        attribute.name() == self
+    }
 }
 
 impl Tree {

@@ -8,7 +8,7 @@ use super::project;
 use crate::diagnostic::Findings;
 use crate::model::{
     Access, ApplicationProcess, DataType, DataTypeRef, Device, Entry, Field, InvalidValue, InvalidValues,
-    Object, ObjectList, ObjectLists, ObjectType, Parameter, ParameterAccess, Place, VarDeclaration,
+    Object, ObjectLists, ObjectType, Parameter, ParameterAccess, Place, VarDeclaration,
 };
 use crate::xdd::fact::{Text, hex};
 use crate::xdd::leftovers::Leftovers;
@@ -60,12 +60,6 @@ impl<'a> Reader<'a> {
         }
         self.device.lists = ObjectLists::naming(self.device.objects.keys().copied());
     }
-}
-
-/// The number of the given indexes that `CANopenObjectList` counts in a list. Definitions of data types
-/// count as optional objects, because they have no count of their own.
-pub(crate) fn count<'a>(indexes: impl Iterator<Item = &'a u16>, list: ObjectList) -> usize {
-    indexes.filter(|&&index| ObjectList::of(index).unwrap_or(ObjectList::Optional) == list).count()
 }
 
 /// The entries of an object list, in order.
