@@ -5,7 +5,7 @@ use std::collections::HashSet;
 use std::rc::Rc;
 
 use super::layout::ProfileClass;
-use super::schema::{CONTAINER, Element, Kind, MAX_SLOTS, Need};
+use super::schema::{CONTAINER, Element, Kind, MAX_SLOTS, Marks, Need};
 use super::version::XddVersion;
 use super::written_ids::WrittenIds;
 use crate::xml::{Name, WriterMark, XmlWriter, n};
@@ -32,7 +32,7 @@ pub(crate) struct XddWriter {
     /// table requires is missing, or they are inside such an element.
     skipped: usize,
     /// The marks of the part that is written, and which of its name in it the element is.
-    pub(super) marks: Vec<(Box<str>, bool)>,
+    pub(super) marks: Marks,
     pub(super) number: u32,
     ids: WrittenIds,
     /// Whether only what the table takes is written; `false` in tests of single elements.

@@ -87,7 +87,7 @@ pub(crate) struct Shape<P: 'static> {
     /// How the part keeps the children of each slot.
     pub children: &'static [&'static [&'static (dyn Keep<P> + Sync)]],
     /// Where the part keeps the marks of its children.
-    pub marks: Option<Lens<P, Vec<(Box<str>, bool)>>>,
+    pub marks: Option<Lens<P, Marks>>,
 }
 
 impl<P> Deref for Shape<P> {
@@ -97,6 +97,9 @@ impl<P> Deref for Shape<P> {
         &self.element
     }
 }
+
+/// Names of elements with the values of their marks.
+pub(crate) type Marks = Vec<(Box<str>, bool)>;
 
 /// A field of a part: for writing, and for reading. `None` for a part without it.
 pub(crate) struct Lens<P, T: ?Sized + 'static> {

@@ -20,7 +20,7 @@ pub(crate) use self::kept::{Fixed, Keep, PartsIn, Same, ValuesIn};
 pub(crate) use self::stack::{stack_attribute, stack_properties, take_stack_options};
 pub(crate) use self::text::Text;
 use super::leftovers::Leftovers;
-use super::schema::{At, Attribute, Element, MAX_SLOTS, Shape};
+use super::schema::{At, Attribute, Element, MAX_SLOTS, Marks, Shape};
 use super::xdd_writer::XddWriter;
 use crate::xml::{self, Name, n};
 
@@ -57,7 +57,7 @@ pub(crate) struct Reader<'r, 'a> {
     passed_over: Option<(Name, Vec<xml::Element<'a>>)>,
     /// Which of its name in its part the element is that is read.
     number: u32,
-    marks: Vec<(Box<str>, bool)>,
+    marks: Marks,
 }
 
 impl<'r, 'a> Reader<'r, 'a> {
