@@ -1,7 +1,6 @@
 //! Placeholders for what the standard requires and the model does not have. The reader recognises them and
 //! drops them.
 
-use super::layout::ProfileClass;
 use crate::model::{Characteristic, CharacteristicsList, DeviceFunction, Label, Labels, ProfileHeader};
 
 /// What a reader makes of placeholders.
@@ -61,11 +60,7 @@ pub(crate) const NAME: &str = " ";
 pub(crate) const LANGUAGE: &str = "en";
 
 /// The header of a profile without one, as CANopenEditor writes it.
-pub(crate) fn header(class: ProfileClass) -> ProfileHeader {
-    let identification = match class {
-        ProfileClass::Device => "CANopen device profile",
-        ProfileClass::Network => "CANopen communication network profile",
-    };
+pub(crate) fn header(identification: &str) -> ProfileHeader {
     ProfileHeader {
         identification: identification.into(),
         revision: "1.1".into(),

@@ -46,29 +46,26 @@ pub fn check(tree: &Tree, findings: &mut Findings) {
 pub fn violations(tree: &Tree) -> Findings {
     let mut all = Findings::new();
     for container in containers(tree) {
-        let mut walk = Walk::new(container, &mut all);
-        walk.element(container, &CONTAINER);
-        walk.forms.report(walk.findings);
-        ids::check(&mut walk);
+        ids::check(&mut walked(container, &mut all));
     }
-    let groups = [structure::RULES, namespaces::RULES, values::RULES, ids::OF_SCHEMA];
-    let is_of_schema = |rule: &RuleInfo| {
-        let known = groups.iter().copied().flatten().any(|known| std::ptr::eq(*known, rule));
-        // the standard declares these numbers as texts
-        known && !std::ptr::eq(rule, &values::INVALID_SCALING)
-    };
-    let mut violations = Findings::new();
-    all.iter()
-        .filter(|finding| is_of_schema(finding.rule))
-        .for_each(|finding| violations.push(finding.clone()));
-    violations
+    let of_schema =
+        [structure::RULES, namespaces::RULES, values::RULES, ids::OF_SCHEMA].into_iter().flatten();
+    // the standard declares the numbers of a scaling as texts
+    all.remove_rules(|id| id == values::INVALID_SCALING.id || !of_schema.clone().any(|rule| rule.id == id));
+    all
+}
+
+/// The walk over all elements of a container.
+fn walked<'a, 'f>(container: Element<'a>, findings: &'f mut Findings) -> Walk<'a, 'f> {
+    let mut walk = Walk::new(container, findings);
+    walk.element(container, &CONTAINER);
+    walk.forms.report(walk.findings);
+    walk
 }
 
 /// Checks one container against CiA 311: the description of one device.
 pub(crate) fn check_container(container: Element<'_>, findings: &mut Findings) {
-    let mut walk = Walk::new(container, findings);
-    walk.element(container, &CONTAINER);
-    walk.forms.report(walk.findings);
+    let mut walk = walked(container, findings);
     profiles::check(container, &mut walk);
     profiles::check_identities(&mut walk);
     ids::check(&mut walk);

@@ -1,5 +1,6 @@
 //! Where the parts of a description are in a tree: containers, profiles, bodies.
 
+use super::defaults;
 use super::schema::container::DEVICE_BODY;
 use super::schema::{DEVICE_HEADER, NETWORK_BODY, NETWORK_HEADER, Shape};
 use crate::model::{FileInfo, ProfileHeader};
@@ -18,36 +19,37 @@ impl ProfileClass {
     /// Both classes.
     pub(crate) const ALL: [Self; 2] = [Self::Device, Self::Network];
 
+    /// One of two values.
+    pub(crate) const fn pick<T: Copy>(self, device: T, network: T) -> T {
+        match self {
+            Self::Device => device,
+            Self::Network => network,
+        }
+    }
+
     /// `ProfileClassID`.
     pub(crate) const fn name(self) -> &'static str {
-        match self {
-            Self::Device => "Device",
-            Self::Network => "CommunicationNetwork",
-        }
+        self.pick("Device", "CommunicationNetwork")
     }
 
     /// `xsi:type` of the `ProfileBody`, without a prefix.
     pub(crate) const fn type_name(self) -> &'static str {
-        match self {
-            Self::Device => "ProfileBody_Device_CANopen",
-            Self::Network => "ProfileBody_CommunicationNetwork_CANopen",
-        }
+        self.pick("ProfileBody_Device_CANopen", "ProfileBody_CommunicationNetwork_CANopen")
     }
 
     /// The `ProfileBody` of this class.
     pub(crate) const fn body(self) -> &'static Shape<FileInfo> {
-        match self {
-            Self::Device => &DEVICE_BODY,
-            Self::Network => &NETWORK_BODY,
-        }
+        self.pick(&DEVICE_BODY, &NETWORK_BODY)
     }
 
     /// The `ProfileHeader` of this class.
-    pub(crate) fn header(self) -> &'static Shape<ProfileHeader> {
-        match self {
-            Self::Device => &DEVICE_HEADER,
-            Self::Network => &NETWORK_HEADER,
-        }
+    pub(crate) const fn header(self) -> &'static Shape<ProfileHeader> {
+        self.pick(&DEVICE_HEADER, &NETWORK_HEADER)
+    }
+
+    /// The placeholder for a missing header.
+    pub(crate) fn unstated_header(self) -> ProfileHeader {
+        defaults::header(self.pick("CANopen device profile", "CANopen communication network profile"))
     }
 }
 

@@ -53,7 +53,9 @@ impl<'a> Leftovers<'a> {
     /// becomes several entries with one key.
     pub(crate) fn into_sections(mut self) -> Vec<ExtraSection> {
         self.found.sort_by_key(|(element, _)| element.id());
-        let mut paths = Paths::new(self.found.first().map_or(0, |(element, _)| element.tree().text().len()));
+        let length = self.found.first().map_or(0, |(element, _)| element.tree().text().len());
+        let room = length.saturating_mul(2).saturating_add(4096);
+        let mut paths = Paths { room, ..Paths::default() };
         self.found.dedup_by(|(element, extra), (last, entries)| {
             let is_same = element.id() == last.id();
             if is_same {
@@ -87,11 +89,9 @@ fn push_lines(extra: &mut Extra, key: &str, value: &str) {
     value.split('\n').for_each(|line| extra.push(key, line));
 }
 
-/// The paths of elements, which are requested in the order of the file.
-struct Paths<'a> {
-    /// From the root to the element requested last, each with the length of its path.
-    open: Vec<(Element<'a>, usize)>,
-    path: String,
+/// The paths of elements.
+#[derive(Default)]
+struct Paths {
     /// The number of an element among siblings with the same name, if there are several.
     numbers: HashMap<ElementId, u32>,
     numbered: HashSet<ElementId>,
@@ -99,79 +99,40 @@ struct Paths<'a> {
     room: usize,
 }
 
-impl<'a> Paths<'a> {
-    fn new(source_length: usize) -> Self {
-        Self {
-            open: Vec::new(),
-            path: String::new(),
-            numbers: HashMap::new(),
-            numbered: HashSet::new(),
-            room: source_length.saturating_mul(2).saturating_add(4096),
-        }
-    }
-
+impl Paths {
     /// The name of an element's section.
-    fn name(&mut self, element: Element<'a>) -> String {
-        self.go_to(element);
-        let path = &self.path[self.start()..];
-        let is_short = path.len() <= self.room;
-        self.room = self.room.saturating_sub(path.len());
-        match path.rsplit_once('/') {
-            Some((_, last)) if !is_short => format!("xml:.../{last}"),
-            _ => format!("xml:{path}"),
+    fn name(&mut self, element: Element<'_>) -> String {
+        let mut steps: Vec<_> = std::iter::successors(Some(element), |element| element.parent()).collect();
+        // below the `ProfileBody`, else below the root
+        let body = steps.iter().rposition(|step| step.tag() == n::ProfileBody).filter(|&above| above > 0);
+        steps.truncate(body.unwrap_or((steps.len() - 1).max(1)));
+        let least: usize = steps.iter().map(|step| step.name().len()).sum();
+        let path = if least > self.room { None } else { Some(self.path(&steps)) };
+        let is_short = path.as_ref().is_some_and(|path| path.len() <= self.room);
+        self.room = path.as_ref().map_or(0, |path| self.room.saturating_sub(path.len()));
+        match path {
+            Some(path) if is_short => format!("xml:{path}"),
+            _ if steps.len() == 1 => format!("xml:{}", self.path(&steps)),
+            _ => format!("xml:.../{}", self.path(&steps[..1])),
         }
     }
 
-    /// The start of the path below the `ProfileBody`, else below the root.
-    fn start(&self) -> usize {
-        let around = self.open.len().saturating_sub(1);
-        let around = &self.open[..around];
-        let body = around.iter().find(|(element, _)| element.tag() == n::ProfileBody);
-        body.or(around.first()).map_or(0, |(_, end)| end + 1)
+    /// The names and numbers of elements, from the outermost to the innermost.
+    fn path(&mut self, steps: &[Element<'_>]) -> String {
+        let step = |step: &Element<'_>| match self.number(*step) {
+            Some(number) => format!("{}[{number}]", step.name()),
+            None => step.name().to_owned(),
+        };
+        steps.iter().rev().map(step).collect::<Vec<_>>().join("/")
     }
 
-    /// Sets `path` to that of an element.
-    fn go_to(&mut self, element: Element<'a>) {
-        let mut missing = Vec::new();
-        let mut next = Some(element);
-        let mut shared = 0;
-        while let Some(ancestor) = next {
-            if let Ok(at) = self.open.binary_search_by_key(&ancestor.id(), |(open, _)| open.id()) {
-                shared = at + 1;
-                break;
-            }
-            missing.push(ancestor);
-            next = ancestor.parent();
-        }
-        self.open.truncate(shared);
-        self.path.truncate(self.open.last().map_or(0, |(_, length)| *length));
-        missing.into_iter().rev().for_each(|element| self.enter(element));
-    }
-
-    fn enter(&mut self, element: Element<'a>) {
-        if !self.open.is_empty() {
-            self.path.push('/');
-        }
-        self.path.push_str(element.name());
-        if let Some(number) = self.number(element) {
-            self.path.push_str(&format!("[{number}]"));
-        }
-        self.open.push((element, self.path.len()));
-    }
-
-    fn number(&mut self, element: Element<'a>) -> Option<u32> {
+    fn number(&mut self, element: Element<'_>) -> Option<u32> {
         let parent = element.parent()?;
         if self.numbered.insert(parent.id()) {
-            let mut totals: HashMap<&str, u32> = HashMap::new();
-            parent.children().for_each(|child| *totals.entry(child.name()).or_default() += 1);
-            let mut so_far: HashMap<&str, u32> = HashMap::new();
-            for child in
-                parent.children().filter(|child| totals.get(child.name()).is_some_and(|&total| total > 1))
-            {
-                let number = so_far.entry(child.name()).or_default();
-                *number += 1;
-                self.numbers.insert(child.id(), *number);
-            }
+            let mut so_far: HashMap<&str, Vec<ElementId>> = HashMap::new();
+            parent.children().for_each(|child| so_far.entry(child.name()).or_default().push(child.id()));
+            let several = so_far.into_values().filter(|same| same.len() > 1);
+            self.numbers.extend(several.flat_map(|same| same.into_iter().zip(1..)));
         }
         self.numbers.get(&element.id()).copied()
     }

@@ -2,6 +2,7 @@
 
 mod additions;
 mod configure;
+mod counterparts;
 mod defaults;
 mod fact;
 pub mod findings;

@@ -4,7 +4,7 @@
 
 use std::collections::HashSet;
 
-use super::read::written_access;
+use super::counterparts::written_access;
 use super::schema::{
     self, Attribute, DEVICE_BODY, DEVICE_COMMISSIONING, Element, GENERAL_FEATURES, MASTER_FEATURES, OBJECT,
 };

@@ -5,7 +5,7 @@ use std::collections::HashSet;
 use std::rc::Rc;
 
 use super::layout::ProfileClass;
-use super::schema::{CONTAINER, Element, Kind, MAX_SLOTS, Need};
+use super::schema::{CONTAINER, Element, Kind, MAX_SLOTS, Marks, Need};
 use super::version::XddVersion;
 use super::written_ids::WrittenIds;
 use crate::xml::{Name, WriterMark, XmlWriter, n};
@@ -31,6 +31,9 @@ pub(crate) struct XddWriter {
     /// The number of open elements that are not written: the version does not have them, something that the
     /// table requires is missing, or they are inside such an element.
     skipped: usize,
+    /// The marks of the part that is written, and which of its name in it the element is.
+    pub(super) marks: Marks,
+    pub(super) number: u32,
     ids: WrittenIds,
     /// Whether only what the table takes is written; `false` in tests of single elements.
     is_checked: bool,
@@ -60,10 +63,7 @@ struct Open {
 
 /// The prefix of global elements in a body of version 1.1.
 const fn prefix(body: ProfileClass) -> &'static str {
-    match body {
-        ProfileClass::Device => "q1",
-        ProfileClass::Network => "q2",
-    }
+    body.pick("q1", "q2")
 }
 
 impl XddWriter {
@@ -76,6 +76,8 @@ impl XddWriter {
             pending: Vec::new(),
             open: Vec::new(),
             skipped: 0,
+            marks: Vec::new(),
+            number: 1,
             ids: WrittenIds::new(known),
             is_checked: true,
         }
@@ -162,6 +164,13 @@ impl XddWriter {
         };
         if let Some(text) = text {
             self.declare(name.text(), &text);
+        }
+    }
+
+    /// Marks the element opened last as the list of marks says.
+    pub(super) fn mark(&mut self, name: &str) {
+        if let Some((_, mark)) = self.marks.iter().rev().find(|(marked, _)| **marked == *name) {
+            self.attribute(n::readOnly, if *mark { "true" } else { "false" });
         }
     }
 

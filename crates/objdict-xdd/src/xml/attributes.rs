@@ -8,8 +8,8 @@ use super::chars::{is_blank, plain_name_length, plain_value_length, prefix_lengt
 use super::findings::{self as rules, shown};
 use super::names::Name;
 use super::namespaces::{XML, XMLNS};
+use super::parts::{AttributeRecord, DECLARES, NONE};
 use super::tag::{Flaw, RawAttribute, Step, Steps};
-use super::tree::{AttributeRecord, DECLARES, NONE};
 use crate::diagnostic::Diagnostic;
 use crate::source::Span;
 

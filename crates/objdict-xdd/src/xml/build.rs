@@ -1,18 +1,16 @@
-//! From the events of quick-xml to the tree, with the checks that quick-xml leaves to its caller.
-//!
-//! If quick-xml reports an error, or takes more than the intended tag, a new reader continues after the
-//! malformed markup.
+//! From a text to the tree. Nothing stops the builder: behind malformed markup it continues where the author most
+//! likely meant the markup to end.
 
 use quick_xml::Reader;
-use quick_xml::events::Event;
 
 use super::chars::{is_blank, is_forbidden, is_name};
 use super::findings::{self as rules, shown};
+use super::markup::Markup;
 use super::names::Name;
 use super::namespaces::Namespaces;
+use super::parts::{NONE, Parts, Record};
 use super::prolog;
 use super::tag::{RawAttribute, name_length};
-use super::tree::{NONE, Parts, Record};
 use crate::diagnostic::{Diagnostic, Findings, RuleInfo, Severity};
 use crate::source::{SourceFile, Span};
 
@@ -24,10 +22,6 @@ const MAX_ELEMENTS: usize = 4_000_000;
 
 /// The maximum length of a name in bytes; the length field also holds a flag.
 pub(super) const MAX_NAME: usize = 32_000;
-
-/// The maximum number of bytes that are read twice because of malformed markup. Above this limit quick-xml
-/// only gets markup that has an end.
-const MAX_WASTE: usize = 1 << 20;
 
 /// The tree of a source.
 pub(super) fn build(source: &SourceFile, findings: &mut Findings) -> Parts {
@@ -57,10 +51,9 @@ pub(super) struct Builder<'a, 'f> {
     pub(super) has_section_ends: bool,
     /// The number of bytes that entities of the document added.
     pub(super) expanded: usize,
-    /// The number of bytes that were read twice.
-    wasted: usize,
     /// The kinds of [`Markup`] without an end in the rest of the text.
-    endless: [bool; 4],
+    endless: [bool; 3],
+    has_endless_type: bool,
     is_stopped: bool,
     /// Whether something was left out because of a limit.
     is_limited: bool,
@@ -78,30 +71,6 @@ pub(super) struct Open {
 pub(super) struct Skip {
     start: usize,
     depth: usize,
-}
-
-/// Markup whose end can be anywhere after it.
-#[derive(Clone, Copy)]
-enum Markup {
-    Comment,
-    Instruction,
-    Section,
-    DocumentType,
-}
-
-impl Markup {
-    /// The kind of markup at the start of `text`.
-    fn of(text: &[u8]) -> Option<Self> {
-        match text {
-            [b'<', b'!', b'-', b'-', ..] => Some(Self::Comment),
-            [b'<', b'?', ..] => Some(Self::Instruction),
-            _ if text.starts_with(b"<![CDATA[") => Some(Self::Section),
-            _ if text.get(..9).is_some_and(|mark| mark.eq_ignore_ascii_case(b"<!DOCTYPE")) => {
-                Some(Self::DocumentType)
-            }
-            _ => None,
-        }
-    }
 }
 
 impl<'a, 'f> Builder<'a, 'f> {
@@ -122,8 +91,8 @@ impl<'a, 'f> Builder<'a, 'f> {
             has_references: memchr::memchr(b'&', text.as_bytes()).is_some(),
             has_section_ends: memchr::memmem::find(text.as_bytes(), b"]]>").is_some(),
             expanded: 0,
-            wasted: 0,
-            endless: [false; 4],
+            endless: [false; 3],
+            has_endless_type: false,
             is_stopped: false,
             is_limited: false,
         }
@@ -188,7 +157,7 @@ impl<'a, 'f> Builder<'a, 'f> {
         while !self.is_stopped {
             at = match (bytes.get(at), bytes.get(at + 1)) {
                 (None, _) => break,
-                (Some(b'<'), Some(b'!' | b'?')) => self.by_reader(at),
+                (Some(b'<'), Some(b'!' | b'?')) => self.markup(at),
                 (Some(b'<'), Some(b'/')) => self.end_tag(at),
                 (Some(b'<'), _) => self.start_tag(at),
                 _ => self.run(at),
@@ -207,65 +176,6 @@ impl<'a, 'f> Builder<'a, 'f> {
         }
     }
 
-    /// Reads the next event of quick-xml at `at`; returns where to continue.
-    pub(super) fn by_reader(&mut self, at: usize) -> usize {
-        if let Some(resume) = self.without_reader(at) {
-            return resume;
-        }
-        let (at, mut reader) = self.reader(at);
-        let event = reader.read_event();
-        let is_damaged = event.is_err();
-        // if the markup has no end, the reader has searched all the rest and is back at its start
-        let end = match self.text.len() - reader.get_ref().len() {
-            end if is_damaged && end == at => self.text.len(),
-            end => end,
-        };
-        if !matches!(event, Ok(Event::Comment(_))) {
-            self.mark_text();
-        }
-        let resume = match event {
-            Ok(Event::Eof) => return self.text.len(),
-            Ok(event) => self.event(&event, at, end),
-            Err(_) => self.damaged(at, end),
-        };
-        if is_damaged || resume != end {
-            self.wasted += end.saturating_sub(resume);
-        }
-        resume
-    }
-
-    /// A reader of the text from `at` on. The reader skips a byte order mark, which is only correct at the
-    /// start of the file.
-    fn reader(&mut self, mut at: usize) -> (usize, Reader<&'a [u8]>) {
-        let text = self.text;
-        while text[at..].starts_with('\u{FEFF}') {
-            if at > 0 {
-                self.text_event(at, at + 3);
-            }
-            at += 3;
-        }
-        let mut reader = Reader::from_str(&text[at..]);
-        let config = reader.config_mut();
-        config.check_end_names = false;
-        config.allow_unmatched_ends = true;
-        config.allow_dangling_amp = true;
-        (at, reader)
-    }
-
-    /// Reads markup at `at` for which quick-xml would search in vain for the end, because repeated searches
-    /// in a malformed file take quadratic time; returns where to continue.
-    fn without_reader(&mut self, at: usize) -> Option<usize> {
-        if self.wasted <= MAX_WASTE {
-            return None;
-        }
-        let rest = self.text.as_bytes().get(at..)?;
-        let is_endless = match Markup::of(rest) {
-            None => rest.starts_with(b"<"),
-            Some(markup) => self.endless[markup as usize],
-        };
-        is_endless.then(|| self.damaged(at, at))
-    }
-
     fn stop(&mut self, at: usize) {
         self.is_stopped = true;
         while !self.open.is_empty() {
@@ -278,52 +188,41 @@ impl<'a, 'f> Builder<'a, 'f> {
         self.defect(&rules::LIMIT, Span::empty(at as u32), |_| message);
     }
 
-    /// Takes what quick-xml found from `start` to `end`; returns where to continue.
-    fn event(&mut self, event: &Event<'_>, start: usize, end: usize) -> usize {
-        match event {
-            Event::Text(_) => self.text_event(start, end),
-            Event::GeneralRef(_) => self.reference_event(start),
-            Event::CData(_) => self.outside_root(start, end),
-            Event::Comment(_) => self.comment(start, end),
-            Event::Decl(_) if start == 0 || start == 3 && self.text.starts_with('\u{FEFF}') => {
-                self.declaration(start, end);
+    /// Reads what starts with `<!` or `<?`; returns where to continue.
+    fn markup(&mut self, start: usize) -> usize {
+        let rest = &self.text.as_bytes()[start..];
+        let Some(markup) = Markup::at(rest) else {
+            let is_type = rest.get(..9).is_some_and(|mark| mark.eq_ignore_ascii_case(b"<!DOCTYPE"));
+            return if is_type { self.type_at(start) } else { self.unknown_markup(start) };
+        };
+        // a search in vain is not repeated: it would take quadratic time
+        let is_endless = &mut self.endless[markup as usize];
+        let length = if *is_endless { None } else { markup.length(rest) };
+        *is_endless = length.is_none();
+        let is_closed = |length: &usize| *length > "<?>".len();
+        let Some(end) = length.filter(is_closed).map(|length| start + length) else {
+            return self.unclosed_markup(start, markup);
+        };
+        match markup {
+            Markup::Comment => self.comment(start, end),
+            Markup::Instruction => self.instruction(start, end),
+            Markup::Section => {
+                self.mark_text();
+                self.outside_root(start, end);
             }
-            Event::Decl(_) => self.defect(&rules::MISPLACED_DECLARATION, Self::span(start, end), |_| {
-                "the XML declaration is not at the start of the file".to_owned()
-            }),
-            Event::PI(_) => self.instruction(start),
-            Event::DocType(_) => self.document_type(start, end),
-            Event::Start(_) | Event::Empty(_) => return self.start_tag(start),
-            Event::End(_) => return self.end_tag(start),
-            Event::Eof => {}
         }
         end
     }
 
-    /// Determines what is at `start`, where quick-xml read up to `end` and failed; returns where to
-    /// continue.
-    fn damaged(&mut self, start: usize, end: usize) -> usize {
-        let rest = &self.text.as_bytes()[start..];
-        let markup = Markup::of(rest);
-        if let Some(markup) = markup {
-            self.endless[markup as usize] |= end == self.text.len();
-        }
-        let next = |from: usize| self.find(start + from, |byte| byte == b'<');
-        match markup {
-            Some(Markup::Comment) => self.unclosed_markup(start, next(4), "comment", "-->"),
-            Some(Markup::Instruction) => self.unclosed_markup(start, next(2), "processing instruction", "?>"),
-            Some(Markup::Section) => self.unclosed_markup(start, start + 9, "CDATA section", "]]>"),
-            Some(Markup::DocumentType) => {
-                let is_closed = rest[..end - start].ends_with(b">");
-                let end = if is_closed { end } else { next(9) };
-                self.document_type(start, end);
-                self.pass_over(start, end)
-            }
-            None if rest.starts_with(b"</") => self.end_tag(start),
-            None if rest.starts_with(b"<!") => self.unknown_markup(start),
-            None if rest.starts_with(b"<") => self.start_tag(start),
-            None => end.max(start),
-        }
+    /// Reads the document type at `start`, which ends where quick-xml finds its end; returns where to continue.
+    fn type_at(&mut self, start: usize) -> usize {
+        let mut reader = Reader::from_str(&self.text[start..]);
+        let is_read = !self.has_endless_type && reader.read_event().is_ok();
+        let end = self.text.len() - reader.get_ref().len();
+        self.has_endless_type |= end == start;
+        let end = if end > start { end } else { self.find(start + 9, |byte| byte == b'<') };
+        self.document_type(start, end);
+        if is_read { end } else { self.pass_over(start, end) }
     }
 
     /// Records that the text from `start` to `end` is neither markup nor character data.
@@ -335,10 +234,17 @@ impl<'a, 'f> Builder<'a, 'f> {
         end
     }
 
-    fn unclosed_markup(&mut self, start: usize, end: usize, what: &str, mark: &str) -> usize {
+    fn unclosed_markup(&mut self, start: usize, markup: Markup) -> usize {
+        let (mark, end_mark) = markup.marks();
+        let behind = start + mark.len();
+        let (what, end) = match markup {
+            Markup::Comment => ("comment", self.find(behind, |byte| byte == b'<')),
+            Markup::Instruction => ("processing instruction", self.find(behind, |byte| byte == b'<')),
+            Markup::Section => ("CDATA section", behind),
+        };
         if !self.is_skipping() {
             let span = Self::span(start, start + self.text[start..end].trim_ascii_end().len());
-            self.defect(&rules::UNCLOSED_MARKUP, span, |_| format!("the {what} has no `{mark}`"));
+            self.defect(&rules::UNCLOSED_MARKUP, span, |_| format!("the {what} has no `{end_mark}`"));
         }
         self.pass_over(start, end)
     }

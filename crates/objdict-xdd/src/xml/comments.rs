@@ -1,5 +1,6 @@
 //! The comments of a text, at any place.
 
+use super::markup::Markup;
 use crate::source::Span;
 
 /// The comments of a text in order, from `<!--` to `-->`. Similar text in a CDATA section, a processing
@@ -10,23 +11,15 @@ pub fn comments(text: &str) -> impl Iterator<Item = Span> {
     std::iter::from_fn(move || {
         while let Some(start) = memchr::memchr(b'<', bytes.get(at..)?).map(|length| at + length) {
             let rest = &bytes[start..];
-            let closed_by = |mark: &str| {
-                memchr::memmem::find(rest, mark.as_bytes())
-                    .map_or(bytes.len(), |length| start + length + mark.len())
+            let markup = Markup::at(rest);
+            let length = match markup {
+                Some(markup) => markup.length(rest).unwrap_or(rest.len()),
+                None => tag_length(rest),
             };
-            if rest.starts_with(b"<!--") {
-                // `<!-->` is not a complete comment
-                let inner = memchr::memmem::find(&bytes[(start + 4).min(bytes.len())..], b"-->");
-                at = inner.map_or(bytes.len(), |length| start + 4 + length + 3);
+            at = start + length;
+            if markup == Some(Markup::Comment) {
                 return Some(Span::new(start as u32, at as u32));
             }
-            at = if rest.starts_with(b"<![CDATA[") {
-                closed_by("]]>")
-            } else if rest.starts_with(b"<?") {
-                closed_by("?>")
-            } else {
-                start + tag_length(rest)
-            };
         }
         None
     })

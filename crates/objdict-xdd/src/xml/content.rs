@@ -16,17 +16,37 @@ impl Builder<'_, '_> {
             return start + blanks;
         }
         let length = memchr::memchr(b'<', rest).unwrap_or(rest.len());
-        if self.open.is_empty() || self.is_skipping() {
-            return self.by_reader(start);
+        if self.is_skipping() {
+            return start + length;
+        }
+        if self.open.is_empty() {
+            return self.run_outside(start, start + length);
         }
         self.mark_text();
-        self.text_event(start, start + length);
+        self.check_text(start, start + length);
         if self.has_references {
-            // the first byte is always text
-            for at in memchr::memchr_iter(b'&', &rest[..length]).filter(|at| *at > 0) {
+            for at in memchr::memchr_iter(b'&', &rest[..length]) {
                 self.check_reference(start + at);
             }
         }
+        start + length
+    }
+
+    /// Reports the next reference, or the text in front of it, in a text outside the root; returns where to continue.
+    fn run_outside(&mut self, start: usize, end: usize) -> usize {
+        let rest = &self.text[start..end];
+        let until =
+            |from: usize, stop: &[char]| rest[from..].find(stop).map_or(rest.len(), |length| from + length);
+        let length = match rest.chars().next() {
+            Some('\u{FEFF}') => 3,
+            Some('&') => until(1, &[';', '&']),
+            _ => until(0, &['&']),
+        };
+        if rest.starts_with('&') && rest[length..].starts_with(';') {
+            self.outside_root(start, start + 1);
+            return start + length + 1;
+        }
+        self.outside_root(start, start + length);
         start + length
     }
 
@@ -40,30 +60,16 @@ impl Builder<'_, '_> {
         self.defect(&rules::TEXT_OUTSIDE_ROOT, span, |text| format!("the text `{text}` is {side} the root"));
     }
 
-    pub(super) fn text_event(&mut self, start: usize, end: usize) {
-        self.outside_root(start, end);
-        if self.open.is_empty() || self.is_skipping() {
+    fn check_text(&mut self, start: usize, end: usize) {
+        if !self.has_section_ends {
             return;
         }
-        if self.text[start..end].starts_with('&') {
-            self.check_reference(start);
-        }
-        if self.has_section_ends {
-            for at in memchr::memmem::find_iter(&self.text.as_bytes()[start..end], b"]]>") {
-                let span = Self::span(start + at, start + at + 3);
-                self.report(&rules::CDATA_END_IN_TEXT, || {
-                    Diagnostic::new(&rules::CDATA_END_IN_TEXT, span, "the text contains `]]>`")
-                        .help("write `]]&gt;`")
-                });
-            }
-        }
-    }
-
-    pub(super) fn reference_event(&mut self, start: usize) {
-        if self.open.is_empty() {
-            self.outside_root(start, start + 1);
-        } else if !self.is_skipping() {
-            self.check_reference(start);
+        for at in memchr::memmem::find_iter(&self.text.as_bytes()[start..end], b"]]>") {
+            let span = Self::span(start + at, start + at + 3);
+            self.report(&rules::CDATA_END_IN_TEXT, || {
+                Diagnostic::new(&rules::CDATA_END_IN_TEXT, span, "the text contains `]]>`")
+                    .help("write `]]&gt;`")
+            });
         }
     }
 
@@ -115,21 +121,30 @@ impl Builder<'_, '_> {
         }
     }
 
-    pub(super) fn instruction(&mut self, start: usize) {
+    pub(super) fn instruction(&mut self, start: usize, end: usize) {
         let behind = start + 2;
-        let end = self.find(behind, |byte| is_blank(byte) || byte == b'?');
-        let target = &self.text[behind..end];
+        let target_end = self.find(behind, |byte| is_blank(byte) || byte == b'?');
+        let target = &self.text[behind..target_end];
+        let is_whole = target_end == end - 2 || self.text.as_bytes()[target_end] != b'?';
+        if target == "xml" && is_whole {
+            return self.declaration(start, end);
+        }
         let is_reserved = target.eq_ignore_ascii_case("xml");
         if (!is_reserved && is_name(target)) || self.is_skipping() {
             return;
         }
-        self.defect(&rules::BAD_TARGET, Self::span(behind, end), |target| match is_reserved {
+        self.defect(&rules::BAD_TARGET, Self::span(behind, target_end), |target| match is_reserved {
             true => format!("the target `{target}` is reserved"),
             false => format!("`{target}` is not a valid target of a processing instruction"),
         });
     }
 
-    pub(super) fn declaration(&mut self, start: usize, end: usize) {
+    fn declaration(&mut self, start: usize, end: usize) {
+        if start > 0 && !(start == 3 && self.text.starts_with('\u{FEFF}')) {
+            return self.defect(&rules::MISPLACED_DECLARATION, Self::span(start, end), |_| {
+                "the XML declaration is not at the start of the file".to_owned()
+            });
+        }
         let declaration = prolog::declaration(self.text, Self::span(start, end));
         self.encoding = declaration.encoding;
         if let Some((span, message)) = declaration.defect {

@@ -1,5 +1,4 @@
-//! The XML layer under XDD and XDC: a tree with a span for everything, read by quick-xml. Reading never
-//! fails.
+//! The XML layer under XDD and XDC: a tree with a span for everything. Reading never fails.
 
 mod attributes;
 mod build;
@@ -9,8 +8,10 @@ mod content;
 mod edit;
 mod expand;
 pub mod findings;
+mod markup;
 mod names;
 mod namespaces;
+mod parts;
 mod prolog;
 mod tag;
 mod tree;
@@ -19,7 +20,7 @@ mod write;
 pub(crate) use chars::{is_name, is_name_char};
 pub use comments::comments;
 pub use edit::Editor;
-pub use names::{Called, Name, n};
-pub use tree::{Attribute, Element, ElementId, Tree};
+pub use names::{Name, n};
+pub use tree::{Attribute, Called, Element, ElementId, Tree};
 pub use write::XmlWriter;
 pub(crate) use write::{WriterMark, escaped_value};

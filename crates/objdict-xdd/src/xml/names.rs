@@ -1,40 +1,9 @@
 //! The names of CiA 311 as small numbers. The tree looks each name up once, when it is built; reading,
 //! checking and locating compare numbers.
 
-use super::tree::{Attribute, Element};
-
 /// A name of CiA 311. All other names are [`Name::OTHER`], which equals no element or attribute.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord)]
 pub struct Name(u16);
-
-/// A name to search elements and attributes for: a name of CiA 311, or any text.
-pub trait Called: Copy {
-    /// Whether an element has the name, with any prefix.
-    fn is_element(self, element: Element<'_>) -> bool;
-
-    /// Whether an attribute has the name, with any prefix.
-    fn is_attribute(self, attribute: Attribute<'_>) -> bool;
-}
-
-impl Called for Name {
-    fn is_element(self, element: Element<'_>) -> bool {
-        element.tag() == self
-    }
-
-    fn is_attribute(self, attribute: Attribute<'_>) -> bool {
-        attribute.tag() == self
-    }
-}
-
-impl Called for &str {
-    fn is_element(self, element: Element<'_>) -> bool {
-        element.name() == self
-    }
-
-    fn is_attribute(self, attribute: Attribute<'_>) -> bool {
-        attribute.name() == self
-    }
-}
 
 /// The size of the hash table: a power of two, several times the number of names.
 const PLACES: usize = 1024;

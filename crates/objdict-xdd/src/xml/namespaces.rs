@@ -2,7 +2,7 @@
 
 use std::collections::HashMap;
 
-use super::tree::NONE;
+use super::parts::NONE;
 
 /// The namespace of the prefix `xml`, which needs no declaration.
 pub(super) const XML: &str = "http://www.w3.org/XML/1998/namespace";

@@ -1,5 +1,5 @@
-//! The content of a tag, step by step. For quick-xml a tag ends at a `>` outside quotes; if a quote is
-//! missing, that can be anywhere. These steps find the intended end, and every attribute before it.
+//! The content of a tag, step by step. A tag ends at a `>` outside quotes; if a quote is missing, that can be
+//! anywhere. These steps find the intended end, and every attribute before it.
 
 use super::chars::{ends_name, is_blank};
 use crate::source::Span;

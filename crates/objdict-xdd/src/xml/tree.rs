@@ -5,8 +5,9 @@ use std::fmt;
 
 use super::build::build;
 use super::chars::is_blank;
-use super::expand::Entities;
-use super::names::{Called, Name};
+use super::markup::Markup;
+use super::names::Name;
+use super::parts::{AttributeRecord, DECLARES, Parts, Record};
 use crate::diagnostic::Findings;
 use crate::source::{SourceFile, Span};
 
@@ -16,67 +17,6 @@ use crate::source::{SourceFile, Span};
 pub struct Tree {
     source: SourceFile,
     parts: Parts,
-}
-
-/// The result of the builder.
-#[derive(Debug, Default)]
-pub(super) struct Parts {
-    /// The elements in the order of their start tags; the first one is the root.
-    pub(super) elements: Vec<Record>,
-    /// The attributes of all elements in order, including namespace declarations.
-    pub(super) attributes: Vec<AttributeRecord>,
-    /// The URIs of the namespaces that elements are in.
-    pub(super) namespaces: Vec<Box<str>>,
-    /// Skipped text that is neither markup nor character data, in order.
-    pub(super) damage: Vec<Span>,
-    pub(super) entities: Entities,
-    pub(super) is_complete: bool,
-}
-
-/// No element, or no namespace.
-pub(super) const NONE: u32 = u32::MAX;
-
-#[derive(Clone, Copy, Debug)]
-pub(super) struct Record {
-    /// The `<` of the start tag; the name follows immediately.
-    pub(super) start: u32,
-    pub(super) tag_end: u32,
-    /// The `<` of the end tag.
-    pub(super) inner_end: u32,
-    pub(super) end: u32,
-    pub(super) parent: u32,
-    pub(super) next: u32,
-    /// The first attribute; the attributes of the next element follow the last one.
-    pub(super) attributes: u32,
-    pub(super) namespace: u32,
-    pub(super) name_length: u16,
-    /// Length of the prefix with its colon.
-    pub(super) prefix_length: u16,
-    pub(super) tag: Name,
-    /// Whether the element may contain more than blanks, elements, comments and processing instructions.
-    pub(super) has_text: bool,
-}
-
-#[derive(Clone, Copy, Debug)]
-pub(super) struct AttributeRecord {
-    pub(super) name: u32,
-    pub(super) value: u32,
-    pub(super) value_end: u32,
-    pub(super) name_length: u16,
-    /// Length of the prefix with its colon, and [`DECLARES`].
-    pub(super) prefix_length: u16,
-    pub(super) tag: Name,
-    /// Whether the value is used unchanged: it has no reference, line end or tab.
-    pub(super) is_plain: bool,
-}
-
-/// Marks an attribute that declares a namespace.
-pub(super) const DECLARES: u16 = 1 << 15;
-
-impl AttributeRecord {
-    fn declares(self) -> bool {
-        self.prefix_length & DECLARES != 0
-    }
 }
 
 /// The number of an element in its tree, in the order of the start tags.
@@ -96,6 +36,35 @@ pub struct Attribute<'a> {
     tree: &'a Tree,
     element: u32,
     number: u32,
+}
+
+/// A name to search elements and attributes for: a name of CiA 311, or any text.
+pub trait Called: Copy {
+    /// Whether an element has the name, with any prefix.
+    fn is_element(self, element: Element<'_>) -> bool;
+
+    /// Whether an attribute has the name, with any prefix.
+    fn is_attribute(self, attribute: Attribute<'_>) -> bool;
+}
+
+impl Called for Name {
+    fn is_element(self, element: Element<'_>) -> bool {
+        element.tag() == self
+    }
+
+    fn is_attribute(self, attribute: Attribute<'_>) -> bool {
+        attribute.tag() == self
+    }
+}
+
+impl Called for &str {
+    fn is_element(self, element: Element<'_>) -> bool {
+        element.name() == self
+    }
+
+    fn is_attribute(self, attribute: Attribute<'_>) -> bool {
+        attribute.name() == self
+    }
 }
 
 impl Tree {
@@ -499,25 +468,22 @@ impl Tree {
                     at += length;
                     return Some(Piece { span: Span::new(start as u32, at as u32), is_literal: false });
                 }
-                let markup_end = |from: usize, mark: &str| {
-                    memchr::memmem::find(&rest.as_bytes()[from..], mark.as_bytes())
-                        .map(|length| from + length + mark.len())
-                };
-                let damage = self.damage_at(start as u32);
-                let length = if let Some(damage) = damage {
-                    damage.len() as usize
-                } else if rest.starts_with("<![CDATA[") {
-                    let length = markup_end(9, "]]>").unwrap_or(rest.len());
-                    at += length;
-                    let section_end = at.saturating_sub(3).max(start + 9) as u32;
-                    return Some(Piece { span: Span::new(start as u32 + 9, section_end), is_literal: true });
-                } else if rest.starts_with("<!--") {
-                    markup_end(4, "-->").unwrap_or(rest.len())
-                } else if rest.starts_with("<?") {
-                    markup_end(2, "?>").unwrap_or(rest.len())
-                } else {
-                    at += 1;
-                    return Some(Piece { span: Span::new(start as u32, at as u32), is_literal: true });
+                let length_of = |markup: Markup| markup.length(rest.as_bytes()).unwrap_or(rest.len());
+                let length = match (self.damage_at(start as u32), Markup::at(rest.as_bytes())) {
+                    (Some(damage), _) => damage.len() as usize,
+                    (None, Some(Markup::Section)) => {
+                        at += length_of(Markup::Section);
+                        let section_end = at.saturating_sub(3).max(start + 9) as u32;
+                        return Some(Piece {
+                            span: Span::new(start as u32 + 9, section_end),
+                            is_literal: true,
+                        });
+                    }
+                    (None, Some(markup)) => length_of(markup),
+                    (None, None) => {
+                        at += 1;
+                        return Some(Piece { span: Span::new(start as u32, at as u32), is_literal: true });
+                    }
                 };
                 at += length.max(1);
             }

@@ -165,10 +165,7 @@ pub(super) fn check(container: Element<'_>, walk: &mut Walk<'_, '_>) {
 }
 
 fn duplicate(element: Element<'_>, first: Element<'_>, class: ProfileClass) -> Diagnostic {
-    let what = match class {
-        ProfileClass::Device => "device profile",
-        ProfileClass::Network => "communication network profile",
-    };
+    let what = class.pick("device profile", "communication network profile");
     let message = format!("a second {what}; the first one is used");
     Diagnostic::new(&DUPLICATE_PROFILE, element.name_span(), message)
         .label(first.name_span(), "first here")

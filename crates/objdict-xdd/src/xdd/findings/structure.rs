@@ -1,6 +1,6 @@
 //! The rules about the presence and order of elements and attributes.
 
-use crate::diagnostic::{Diagnostic, Severity, listing, text_rules};
+use crate::diagnostic::{Diagnostic, Findings, Severity, listing, text_rules};
 use crate::source::Span;
 use crate::xdd::schema::{self, Need, Slot};
 use crate::xml::{Attribute, Element, n};
@@ -84,60 +84,52 @@ text_rules! {
     source: "CiA 311 annex A",
 }
 
-/// The known attribute whose name differs only in case.
-pub(super) fn meant_attribute(
+/// Reports an attribute that is not known; the known one whose name differs only in case is meant.
+pub(super) fn unknown_attribute(
     element: Element<'_>,
     schema: &'static schema::Element,
     attribute: Attribute<'_>,
+    findings: &mut Findings,
 ) -> Option<(usize, &'static schema::Attribute)> {
     let is_meant = |known: &schema::Attribute| {
         known.need != Need::Stray && known.name.text().eq_ignore_ascii_case(attribute.name())
     };
-    let (number, known) = schema.attributes.iter().enumerate().find(|(_, known)| is_meant(known))?;
-    element.attribute(known.name).is_none().then_some((number, known))
+    let meant = schema.attributes.iter().enumerate().find(|(_, known)| is_meant(known));
+    let meant = meant.filter(|(_, known)| element.attribute(known.name).is_none());
+    let (name, at) = (attribute.name(), attribute.name_span());
+    findings.push(match meant {
+        Some((_, meant)) => misspelt(at, name, meant.name.text()),
+        None => Diagnostic::new(
+            &UNKNOWN_ATTRIBUTE,
+            at,
+            format!("unknown attribute `{name}` of `{}`", element.name()),
+        )
+        .help("check the spelling or remove the attribute; schema validation rejects it"),
+    });
+    meant
 }
 
-pub(super) fn unknown_attribute(
-    element: Element<'_>,
-    attribute: Attribute<'_>,
-    meant: Option<(usize, &schema::Attribute)>,
-) -> Diagnostic {
-    if let Some((_, meant)) = meant {
-        return misspelt(attribute.name_span(), attribute.name(), meant.name.text());
-    }
-    let message = format!("unknown attribute `{1}` of `{0}`", element.name(), attribute.name());
-    Diagnostic::new(&UNKNOWN_ATTRIBUTE, attribute.name_span(), message)
-        .help("check the spelling or remove the attribute; schema validation rejects it")
-}
-
-/// The known element whose name differs only in case.
-pub(super) fn meant_element(
-    schema: &'static schema::Element,
-    child: Element<'_>,
-) -> Option<(usize, &'static schema::Element)> {
-    let name = child.name();
-    schema.content.iter().enumerate().find_map(|(number, slot)| {
-        let meant = slot
-            .of
-            .iter()
-            .find(|element| element.name.text().eq_ignore_ascii_case(name) && slot.need != Need::Stray)?;
-        Some((number, *meant))
-    })
-}
-
+/// Reports a child that is not known; the known one whose name differs only in case is meant.
 pub(super) fn unknown_element(
     parent: Element<'_>,
+    schema: &'static schema::Element,
     child: Element<'_>,
-    meant: Option<(usize, &schema::Element)>,
     is_ours: bool,
-) -> Diagnostic {
-    if let Some((_, meant)) = meant {
-        return misspelt(child.name_span(), child.name(), meant.name.text());
-    }
-    let message = format!("unknown element `{1}` in `{0}`", parent.name(), child.name());
-    Diagnostic::new(&UNKNOWN_ELEMENT, child.name_span(), message)
-        .severity(if is_ours { Severity::Warning } else { Severity::Note })
-        .help("check the spelling and the place; schema validation rejects it")
+    findings: &mut Findings,
+) -> Option<(usize, &'static schema::Element)> {
+    let (name, at) = (child.name(), child.name_span());
+    let slots = schema.content.iter().enumerate().filter(|(_, slot)| slot.need != Need::Stray);
+    let mut known = slots.flat_map(|(number, slot)| slot.of.iter().map(move |element| (number, *element)));
+    let meant = known.find(|(_, element)| element.name.text().eq_ignore_ascii_case(name));
+    findings.push(match meant {
+        Some((_, meant)) => misspelt(at, name, meant.name.text()),
+        None => {
+            Diagnostic::new(&UNKNOWN_ELEMENT, at, format!("unknown element `{name}` in `{}`", parent.name()))
+                .severity(if is_ours { Severity::Warning } else { Severity::Note })
+                .help("check the spelling and the place; schema validation rejects it")
+        }
+    });
+    meant
 }
 
 fn misspelt(at: Span, name: &str, meant: &str) -> Diagnostic {

@@ -97,11 +97,7 @@ impl<'a, 'f> Walk<'a, 'f> {
             let found = schema
                 .attribute(attribute.tag())
                 .filter(|(_, known)| known.need != Need::Stray)
-                .or_else(|| {
-                    let meant = structure::meant_attribute(element, schema, attribute);
-                    self.findings.push(structure::unknown_attribute(element, attribute, meant));
-                    meant
-                });
+                .or_else(|| structure::unknown_attribute(element, schema, attribute, self.findings));
             let Some((number, known)) = found else { continue };
             present |= 1 << number;
             if schema.newer.contains(&known.name) && self.forms.is_version_1_0() {
@@ -164,14 +160,8 @@ impl<'a, 'f> Walk<'a, 'f> {
                 .slot(child.tag(), at)
                 .filter(|(number, _)| schema.content[*number].need != Need::Stray)
                 .or_else(|| {
-                    let meant = structure::meant_element(schema, child);
-                    self.findings.push(structure::unknown_element(
-                        element,
-                        child,
-                        meant,
-                        self.forms.is_ours(child),
-                    ));
-                    meant
+                    let is_ours = self.forms.is_ours(child);
+                    structure::unknown_element(element, schema, child, is_ours, self.findings)
                 });
             let Some((number, known)) = found else { continue };
             if number < at && is_in_order {

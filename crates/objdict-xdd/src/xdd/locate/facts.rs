@@ -3,9 +3,9 @@
 use super::{attribute_of, text_of, value_of};
 use crate::model::{BaudRates, Field, Part};
 use crate::source::Span;
+use crate::xdd::counterparts::{channel_attribute, count_attribute, default_rate_field, supported_field};
 use crate::xdd::fact::bit_rate;
 use crate::xdd::layout::{Layout, Profile, below};
-use crate::xdd::read::{channel_attribute, count_attribute, default_rate_field, supported_field};
 use crate::xdd::schema::{
     self, BAUD_RATES, DEVICE_BODY, DEVICE_COMMISSIONING, GENERAL_FEATURES, MASTER_FEATURES,
 };

@@ -7,6 +7,7 @@ use crate::model::{
     Access, AllowedValues, DataType, DataTypeRef, Entry, Field, Label, Labels, ObjectType, Parameter,
     ParameterAccess, PdoMapping, Place, ScaledValue, ValueRange,
 };
+use crate::xdd::counterparts::written_access;
 use crate::xdd::fact::{self, value_text};
 use crate::xdd::schema::Slots;
 use crate::xdd::types;
@@ -91,18 +92,6 @@ fn access(entry: &mut Entry, parameter: &mut Parameter, template: Option<&Parame
     }
     if entry.access.is_some_and(|access| parameter.access == Some(written_access(access))) {
         parameter.access = None;
-    }
-}
-
-/// The access type as a parameter spells it.
-pub(crate) const fn written_access(access: Access) -> ParameterAccess {
-    match access {
-        Access::Const => ParameterAccess::Const,
-        Access::Ro => ParameterAccess::Read,
-        Access::Wo => ParameterAccess::Write,
-        Access::Rw => ParameterAccess::ReadWrite,
-        Access::Rwr => ParameterAccess::ReadWriteInput,
-        Access::Rww => ParameterAccess::ReadWriteOutput,
     }
 }
 

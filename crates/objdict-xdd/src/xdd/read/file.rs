@@ -1,9 +1,9 @@
 //! The headers of the profiles, and the file attributes of their bodies.
 
-use super::Reader;
+use super::{Reader, drop_same};
 use crate::diagnostic::Findings;
-use crate::model::{FileInfo, InvalidValues, ProfileHeader};
-use crate::xdd::defaults::{self, Placeholders};
+use crate::model::{FileInfo, ProfileHeader};
+use crate::xdd::defaults::Placeholders;
 use crate::xdd::fact::{self, Text};
 use crate::xdd::layout::{Profile, ProfileClass};
 use crate::xdd::leftovers::Leftovers;
@@ -22,7 +22,7 @@ impl<'a> Reader<'a> {
 
     fn header(&mut self, element: Element<'a>, class: ProfileClass) -> Option<ProfileHeader> {
         let header = shape::read(element, class.header(), &mut self.leftovers);
-        let says_nothing = header == defaults::header(class) || header == ProfileHeader::default();
+        let says_nothing = header == class.unstated_header() || header == ProfileHeader::default();
         Some(header).filter(|_| !says_nothing)
     }
 
@@ -35,10 +35,11 @@ impl<'a> Reader<'a> {
         };
         let (device, network) = (info(self.layout.device), info(self.layout.network));
         match (device, network) {
-            (Some(device), Some(network)) => {
-                let difference = difference(network, &device);
-                let says_something = difference != FileInfo::default();
-                self.device.headers.network_file = Some(Box::new(difference)).filter(|_| says_something);
+            (Some(device), Some(mut network)) => {
+                drop_same! { network, device: file_name file_version file_revision creation_time creation_date created_by modification_time
+                modification_date modified_by languages device_class invalid_values }
+                let says_something = network != FileInfo::default();
+                self.device.headers.network_file = Some(Box::new(network)).filter(|_| says_something);
                 self.device.file_info = Some(device);
             }
             (device, network) => self.device.file_info = device.or(network),
@@ -69,30 +70,4 @@ fn file_info<'a>(
         }
     }
     info
-}
-
-/// The file attributes of the network profile that differ from the device profile.
-fn difference(network: FileInfo, device: &FileInfo) -> FileInfo {
-    fn other<T: PartialEq>(network: Option<T>, device: &Option<T>) -> Option<T> {
-        network.filter(|network| device.as_ref() != Some(network))
-    }
-    FileInfo {
-        file_name: other(network.file_name, &device.file_name),
-        file_version: other(network.file_version, &device.file_version),
-        file_revision: other(network.file_revision, &device.file_revision),
-        creation_time: other(network.creation_time, &device.creation_time),
-        creation_date: other(network.creation_date, &device.creation_date),
-        created_by: other(network.created_by, &device.created_by),
-        modification_time: other(network.modification_time, &device.modification_time),
-        modification_date: other(network.modification_date, &device.modification_date),
-        modified_by: other(network.modified_by, &device.modified_by),
-        languages: if network.languages == device.languages { Vec::new() } else { network.languages },
-        device_class: other(network.device_class, &device.device_class),
-        invalid_values: if network.invalid_values == device.invalid_values {
-            InvalidValues::default()
-        } else {
-            network.invalid_values
-        },
-        ..FileInfo::default()
-    }
 }

@@ -1,28 +1,28 @@
 //! The identity of the device: `DeviceIdentity`, and `identity` of the communication network profile.
 
-use super::Reader;
+use super::{Reader, drop_same};
 use crate::diagnostic::Findings;
-use crate::model::{DeviceIdentity, DeviceInfo, Field, Label, Labels, NetworkIdentity};
+use crate::model::{DeviceInfo, Field, Label, Labels, NetworkIdentity};
 use crate::xdd::defaults::{self, Placeholders};
 use crate::xdd::fact::Text;
 use crate::xdd::schema::{DEVICE_IDENTITY, IDENTITY};
-use crate::xdd::shape::{self, Identity, MarkedText};
+use crate::xdd::shape;
 use crate::xml::{Element, Name, n};
 
 impl<'a> Reader<'a> {
     pub(super) fn device_identity(&mut self, element: Element<'a>) {
-        let mut identity: Identity = shape::read(element, &DEVICE_IDENTITY, &mut self.leftovers);
-        let mut rest = rest(&mut identity);
+        let mut identity = shape::read(element, &DEVICE_IDENTITY, &mut self.leftovers);
+        let rest = &mut identity.rest;
         let info = self.device.device_info.get_or_insert_default();
         let placeholders = self.placeholders;
-        let name = |text: Option<MarkedText>| {
-            let text = text.map(|text| text.value.trim_ascii().to_owned());
+        let name = |text: Option<Box<str>>| {
+            let text = text.map(|text| text.trim_ascii().to_owned());
             text.filter(|text| text != defaults::NOT_STATED || !placeholders.are_dropped())
         };
         info.vendor_name = name(identity.vendor_name);
         info.product_name = name(identity.product_name);
         numbers(element, info, self.placeholders, &mut self.findings);
-        let mut order_numbers = identity.order_numbers.into_iter().map(|number| number.value);
+        let mut order_numbers = identity.order_numbers.into_iter();
         info.order_code = order_numbers.next().map(|text| text.trim_ascii().to_owned());
         rest.further_order_numbers = order_numbers.collect();
         if placeholders.are_dropped() && rest.product_text == defaults::product_text() {
@@ -36,25 +36,27 @@ impl<'a> Reader<'a> {
         if is_plain_description(&rest.product_text) {
             rest.product_text = Labels::default();
         }
-        self.device.identity = Some(Box::new(rest));
+        self.device.identity = Some(Box::new(identity.rest));
     }
 
     /// The identity in the communication network profile, without what equals the device profile.
     pub(super) fn network_identity(&mut self, element: Element<'a>) {
-        let mut read: Identity = shape::read(element, &IDENTITY, &mut self.leftovers);
-        let mut identity = rest(&mut read);
+        let read = shape::read(element, &IDENTITY, &mut self.leftovers);
+        let mut identity = read.rest;
         let info = self.device.device_info.get_or_insert_default();
         let Some(device) = &self.device.identity else {
             numbers(element, info, self.placeholders, &mut self.findings);
             self.device.identity = Some(Box::new(identity));
             return;
         };
-        drop_same(&mut identity, device);
+        drop_same! { identity, device: vendor_text device_family product_family product_text versions build_date
+        specification_revision instance_name }
+        identity.read_only.retain(|stated| !device.read_only.contains(stated));
         let mut stated = DeviceInfo::default();
         numbers(element, &mut stated, self.placeholders, &mut Findings::new());
-        let differs = |stated: Option<u32>, own: Option<u32>, text: Option<MarkedText>| {
+        let differs = |stated: Option<u32>, own: Option<u32>, text: Option<Box<str>>| {
             let is_other = stated.is_none() || stated != own;
-            text.map(|text| text.value).filter(|text| !text.trim_ascii().is_empty() && is_other)
+            text.filter(|text| !text.trim_ascii().is_empty() && is_other)
         };
         let network = NetworkIdentity {
             vendor_id: differs(stated.vendor_number, info.vendor_number, read.vendor_id),
@@ -63,25 +65,6 @@ impl<'a> Reader<'a> {
         };
         self.device.network_identity =
             Some(Box::new(network)).filter(|network| **network != NetworkIdentity::default());
-    }
-}
-
-/// What an EDS does not have.
-fn rest(identity: &mut Identity) -> DeviceIdentity {
-    let read_only = identity.read_only();
-    let labels = |labels: &mut Option<shape::MarkedLabels>| labels.take().unwrap_or_default().value;
-    let text = |text: &mut Option<MarkedText>| text.take().map(|text| text.value);
-    DeviceIdentity {
-        vendor_text: labels(&mut identity.vendor_text),
-        device_family: labels(&mut identity.device_family),
-        product_family: text(&mut identity.product_family),
-        product_text: labels(&mut identity.product_text),
-        further_order_numbers: Vec::new(),
-        versions: std::mem::take(&mut identity.versions).into_iter().map(|version| version.value).collect(),
-        build_date: identity.build_date,
-        specification_revision: text(&mut identity.specification_revision),
-        instance_name: text(&mut identity.instance_name),
-        read_only,
     }
 }
 
@@ -106,22 +89,4 @@ fn numbers(element: Element<'_>, info: &mut DeviceInfo, placeholders: Placeholde
 /// Whether the labels are a single English description, which is all an EDS has.
 fn is_plain_description(labels: &Labels) -> bool {
     matches!(&labels.0[..], [Label::Description { lang, uri: None, .. }] if &**lang == defaults::LANGUAGE)
-}
-
-/// Drops what equals the device profile.
-fn drop_same(identity: &mut DeviceIdentity, device: &DeviceIdentity) {
-    fn drop<T: Default + PartialEq>(own: &mut T, device: &T) {
-        if own == device {
-            *own = T::default();
-        }
-    }
-    drop(&mut identity.vendor_text, &device.vendor_text);
-    drop(&mut identity.device_family, &device.device_family);
-    drop(&mut identity.product_family, &device.product_family);
-    drop(&mut identity.product_text, &device.product_text);
-    drop(&mut identity.versions, &device.versions);
-    drop(&mut identity.build_date, &device.build_date);
-    drop(&mut identity.specification_revision, &device.specification_revision);
-    drop(&mut identity.instance_name, &device.instance_name);
-    identity.read_only.retain(|stated| !device.read_only.contains(stated));
 }

@@ -10,13 +10,7 @@ mod objects;
 mod parameters;
 mod project;
 
-pub(crate) use self::absorb::written_access;
 pub(crate) use self::entry::EntryAttributes;
-pub(crate) use self::network::{
-    DIRECTIONS, channel_attribute, channel_field, count_attribute, default_rate_field, range_length,
-    supported_field,
-};
-pub(crate) use self::objects::count;
 use self::parameters::Slot;
 use super::defaults::{self, Placeholders};
 use super::layout::{Layout, Profile, containers};
@@ -26,6 +20,16 @@ use super::shape;
 use crate::diagnostic::Findings;
 use crate::model::{ApplicationProcess, Device, DeviceInfo, DeviceKind, FileInfo};
 use crate::xml::{Element, Tree, n};
+
+/// Empties the fields of the communication network profile that equal those of the device profile.
+macro_rules! drop_same {
+    ($own:ident, $device:ident: $($field:ident)+) => {
+        $(if $own.$field == $device.$field {
+            $own.$field = Default::default();
+        })+
+    };
+}
+use drop_same;
 
 /// Reads one of the [`containers`] of a tree as the description of a device type or, if `kind` requests it
 /// or the container has a node, of a node.

@@ -1,10 +1,12 @@
 //! The communication network profile without its objects: features, bit rates, dummies, channels, the node.
 
 use super::Reader;
-use super::objects::count;
 use crate::model::{
     BaudRates, Commissioning, DataType, DefaultBaudRate, DeviceInfo, DummyUsage, DynamicChannels, Field,
     ModuleObjects, ObjectList, Reason, Segment,
+};
+use crate::xdd::counterparts::{
+    DIRECTIONS, channel_field, count, count_attribute, default_rate_field, range_length, supported_field,
 };
 use crate::xdd::defaults;
 use crate::xdd::fact::{self, Text, bit_rate, hex, value_text};
@@ -245,30 +247,6 @@ impl<'a> Reader<'a> {
     }
 }
 
-/// The attribute that counts the objects of a list.
-pub(crate) const fn count_attribute(list: ObjectList) -> Name {
-    match list {
-        ObjectList::Mandatory => n::mandatoryObjects,
-        ObjectList::Optional => n::optionalObjects,
-        ObjectList::Manufacturer => n::manufacturerObjects,
-    }
-}
-
-/// The keys of an EDS for attributes of a channel, without its number.
-const CHANNEL_KEYS: [(Name, &str); 4] =
-    [(n::dataType, "Type"), (n::accessType, "Dir"), (n::startIndex, "Range"), (n::addressOffset, "PPOffset")];
-
-/// The attribute of a channel for a key without its number.
-pub(crate) fn channel_attribute(word: &str) -> Name {
-    CHANNEL_KEYS.iter().find(|(_, key)| *key == word).map_or_else(|| Name::of(word), |(name, _)| *name)
-}
-
-/// The field of an attribute of a channel. An EDS has one field for both ends of the range.
-pub(crate) fn channel_field(name: Name, number: usize) -> Field {
-    let key = CHANNEL_KEYS.iter().find(|(known, _)| *known == name && name != n::startIndex);
-    Field::Named(format!("{}{number}", key.map_or(name.text(), |(_, key)| key)).into())
-}
-
 /// The keyword of an EDS for a direction.
 fn direction(word: &str) -> Box<str> {
     DIRECTIONS.iter().find(|(xdd, _)| *xdd == word).map_or(word, |(_, eds)| eds).into()
@@ -278,15 +256,6 @@ fn direction(word: &str) -> Box<str> {
 fn offset(text: &str) -> Box<str> {
     let is_digits = text.len().is_multiple_of(2) && text.bytes().all(|byte| byte.is_ascii_hexdigit());
     if is_digits { format!("0x{text}").into() } else { text.into() }
-}
-
-/// `accessType` of a channel, and `DirN` of an EDS.
-pub(crate) const DIRECTIONS: [(&str, &str); 3] =
-    [("readOnly", "ro"), ("writeOnly", "wo"), ("readWriteOutput", "rww")];
-
-/// The number of indexes in a range, which is the default for the number of objects of a channel.
-pub(crate) fn range_length(range: Option<(u16, u16)>) -> Option<u32> {
-    range.map(|(first, last)| u32::from(last.saturating_sub(first)) + 1)
 }
 
 /// The bit rates that a list of supported ones does not contain. 100 kbit/s and automatic detection have no
@@ -325,16 +294,6 @@ fn supported(info: &mut DeviceInfo, text: &Text<'_>) {
         Some(supported) => *supported = Some(true),
         None => info.invalid_values.push(supported_field(), &text.text, Reason::UnknownWord),
     }
-}
-
-/// The field of a bit rate that does not exist.
-pub(crate) fn supported_field() -> Field {
-    Field::Named("supportedBaudRate".into())
-}
-
-/// The field of the bit rate of a new device.
-pub(crate) fn default_rate_field() -> Field {
-    Field::Named("defaultBaudRate".into())
 }
 
 fn default_rate(text: &str) -> Option<DefaultBaudRate> {

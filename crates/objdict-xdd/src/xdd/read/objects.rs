@@ -8,7 +8,7 @@ use super::project;
 use crate::diagnostic::Findings;
 use crate::model::{
     Access, ApplicationProcess, DataType, DataTypeRef, Device, Entry, Field, InvalidValue, InvalidValues,
-    Object, ObjectList, ObjectLists, ObjectType, Parameter, ParameterAccess, Place, VarDeclaration,
+    Object, ObjectLists, ObjectType, Parameter, ParameterAccess, Place, VarDeclaration,
 };
 use crate::xdd::fact::{Text, hex};
 use crate::xdd::leftovers::Leftovers;
@@ -60,12 +60,6 @@ impl<'a> Reader<'a> {
         }
         self.device.lists = ObjectLists::naming(self.device.objects.keys().copied());
     }
-}
-
-/// The number of the given indexes that `CANopenObjectList` counts in a list. Definitions of data types
-/// count as optional objects, because they have no count of their own.
-pub(crate) fn count<'a>(indexes: impl Iterator<Item = &'a u16>, list: ObjectList) -> usize {
-    indexes.filter(|&&index| ObjectList::of(index).unwrap_or(ObjectList::Optional) == list).count()
 }
 
 /// The entries of an object list, in order.
@@ -161,22 +155,22 @@ impl<'t> Entries<'t, '_> {
         let mut source = self.source(reference);
         let place = sub.map_or(Place::object(index), |sub| Place::entry(index, sub));
         let is_structure = sub.is_none() && entry.object_type.is_some_and(ObjectType::has_subs);
-        if let Some(source) = &mut source
+        if let Some((parameter, _)) = &mut source
             && !is_structure
         {
             // the data type must be known before the values
-            absorb::data_type(&mut entry, source.parameter(), self.definitions);
+            absorb::data_type(&mut entry, parameter, self.definitions);
         }
         entry.data_type = entry.data_type.or(inherited);
         attributes.read_values(&mut entry, self.findings);
         match &mut source {
             None => {}
-            Some(source) if is_structure => absorb::name(&mut entry, &mut source.parameter().labels),
-            Some(source) => absorb(&mut entry, source.parameter(), self.definitions, &place, self.findings),
+            Some((parameter, _)) if is_structure => absorb::name(&mut entry, &mut parameter.labels),
+            Some((parameter, _)) => absorb(&mut entry, parameter, self.definitions, &place, self.findings),
         }
         attributes.settle_high_limit(&mut entry, self.findings);
         match (source, attributes.get(n::uniqueIDRef)) {
-            (Some(Source::Own(mut parameter)), _) => {
+            (Some((mut parameter, true)), _) => {
                 take_stack_options(&mut entry.stack, &mut parameter.properties);
                 if parameter.has_usual_id(index, sub) && !self.parameters.is_named(&parameter.unique_id) {
                     parameter.unique_id = Box::default();
@@ -191,41 +185,27 @@ impl<'t> Entries<'t, '_> {
         entry
     }
 
-    /// The parameter for a reference.
-    fn source(&mut self, reference: Reference) -> Option<Source> {
+    /// The parameter from which an entry takes what its attributes do not have, and whether it belongs to the entry alone; else
+    /// it is a copy.
+    fn source(&mut self, reference: Reference) -> Option<(Parameter, bool)> {
         match reference {
             Reference::None | Reference::Dangling => None,
             Reference::Parameter(number) => match self.parameters.own(number, self.leftovers) {
-                Some(own) => Some(Source::Own(own)),
-                None => self.parameters.shared(number, self.leftovers).cloned().map(Source::Shared),
+                Some(own) => Some((own, true)),
+                None => Some((self.parameters.shared(number, self.leftovers)?.clone(), false)),
             },
             Reference::Variable(number) => {
                 let variable = self.variables.get(number as usize)?;
-                Some(Source::Shared(Parameter {
+                let parameter = Parameter {
                     labels: variable.labels.clone(),
                     data_type: variable.data_type.clone(),
                     access: Some(ParameterAccess::NoAccess),
                     default_value: variable.default_value.clone(),
                     allowed_values: variable.allowed_values.clone(),
                     ..Parameter::default()
-                }))
+                };
+                Some((parameter, false))
             }
-        }
-    }
-}
-
-/// The parameter from which an entry takes what its attributes do not have.
-enum Source {
-    /// A parameter that belongs to the entry alone.
-    Own(Parameter),
-    /// A copy of a parameter that does not belong to the entry.
-    Shared(Parameter),
-}
-
-impl Source {
-    fn parameter(&mut self) -> &mut Parameter {
-        match self {
-            Self::Own(parameter) | Self::Shared(parameter) => parameter,
         }
     }
 }

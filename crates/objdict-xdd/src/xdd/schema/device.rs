@@ -6,18 +6,19 @@ use super::{
 };
 use crate::model::{
     Characteristic, CharacteristicsList, CombinedState, Compliance, ConnectedModule, DeviceFunction,
-    DeviceManager, Dictionary, Label, Labels, Led, LedState, ModuleInterface, ModuleType, OwnInterface,
-    Picture, TextRef,
+    DeviceManager, DeviceVersion, Dictionary, Label, Labels, Led, LedState, ModuleInterface, ModuleType,
+    OwnInterface, Picture, TextRef,
 };
-use crate::xdd::shape::{
-    Identity, MarkedLabels, MarkedText, MarkedVersion, Nothing, PartsIn, Same, ValuesIn,
-};
+use crate::xdd::shape::{Identity, Nothing, PartsIn, Same, ValuesIn};
 use crate::xml::n;
 
 // at least one of them is a name or a description
 choice! { LABELS of Label: LABEL DESCRIPTION LABEL_REF DESCRIPTION_REF }
 
 const FLAG: Kind = Kind::Boolean;
+
+/// An element with only a text and a mark.
+type MarkedText = Box<str>;
 
 elements! {
     LABEL local label of Label as (Label::Name { lang: Box::default(), text: Box::default() }, Label::Name { .. }) (
@@ -41,33 +42,33 @@ elements! {
     DEVICE_IDENTITY global DeviceIdentity of Identity, [
         one VENDOR_NAME => [vendor_name],
         maybe VENDOR_ID => [vendor_id],
-        maybe VENDOR_TEXT => [vendor_text],
-        maybe DEVICE_FAMILY => [device_family],
-        maybe PRODUCT_FAMILY => [product_family],
+        maybe VENDOR_TEXT => [rest.vendor_text],
+        maybe DEVICE_FAMILY => [rest.device_family],
+        maybe PRODUCT_FAMILY => [rest.product_family],
         one PRODUCT_NAME => [product_name],
         maybe PRODUCT_ID => [product_id],
-        maybe PRODUCT_TEXT => [product_text],
+        maybe PRODUCT_TEXT => [rest.product_text],
         any ORDER_NUMBER => [order_numbers],
-        any VERSION => [versions],
-        maybe BUILD_DATE => {build_date},
-        maybe SPECIFICATION_REVISION => [specification_revision],
-        maybe INSTANCE_NAME => [instance_name],
-    ];
-    VENDOR_NAME global vendorName of MarkedText (readOnly?: FLAG => [read_only]) = Kind::Text => [value];
-    VENDOR_ID global vendorID of MarkedText (readOnly?: FLAG => [read_only]) = Kind::Text => [value];
-    VENDOR_TEXT global vendorText of MarkedLabels (readOnly?: FLAG => [read_only]), [some (LABELS) => [value.0]];
-    DEVICE_FAMILY global deviceFamily of MarkedLabels (readOnly?: FLAG => [read_only]), [some (LABELS) => [value.0]];
-    PRODUCT_FAMILY global productFamily of MarkedText (readOnly?: FLAG => [read_only]) = Kind::Text => [value];
-    PRODUCT_NAME global productName of MarkedText (readOnly?: FLAG => [read_only]) = Kind::Text => [value];
-    PRODUCT_ID global productID of MarkedText (readOnly?: FLAG => [read_only]) = Kind::Text => [value];
-    PRODUCT_TEXT global productText of MarkedLabels (readOnly?: FLAG => [read_only]), [some (LABELS) => [value.0]];
-    ORDER_NUMBER global orderNumber of MarkedText (readOnly?: FLAG => [read_only]) = Kind::Text => [value];
-    VERSION global version of MarkedVersion (
-        versionType!: Kind::Word(&["SW", "FW", "HW"]) => [value.kind], readOnly?: FLAG => [read_only],
-    ) = Kind::Text => [value.version];
+        any VERSION => [rest.versions],
+        maybe BUILD_DATE => {rest.build_date},
+        maybe SPECIFICATION_REVISION => [rest.specification_revision],
+        maybe INSTANCE_NAME => [rest.instance_name],
+    ], marks [rest.read_only];
+    VENDOR_NAME global vendorName of MarkedText (readOnly?: FLAG => mark) = Kind::Text => [self];
+    VENDOR_ID global vendorID of MarkedText (readOnly?: FLAG => mark) = Kind::Text => [self];
+    VENDOR_TEXT global vendorText of Labels (readOnly?: FLAG => mark), [some (LABELS) => [0]];
+    DEVICE_FAMILY global deviceFamily of Labels (readOnly?: FLAG => mark), [some (LABELS) => [0]];
+    PRODUCT_FAMILY global productFamily of MarkedText (readOnly?: FLAG => mark) = Kind::Text => [self];
+    PRODUCT_NAME global productName of MarkedText (readOnly?: FLAG => mark) = Kind::Text => [self];
+    PRODUCT_ID global productID of MarkedText (readOnly?: FLAG => mark) = Kind::Text => [self];
+    PRODUCT_TEXT global productText of Labels (readOnly?: FLAG => mark), [some (LABELS) => [0]];
+    ORDER_NUMBER global orderNumber of MarkedText (readOnly?: FLAG => mark) = Kind::Text => [self];
+    VERSION global version of DeviceVersion (
+        versionType!: Kind::Word(&["SW", "FW", "HW"]) => [kind], readOnly?: FLAG => mark,
+    ) = Kind::Text => [version];
     BUILD_DATE global buildDate of Nothing = Kind::Date;
-    SPECIFICATION_REVISION global specificationRevision of MarkedText (readOnly?: FLAG => [read_only]) = Kind::Text => [value];
-    INSTANCE_NAME global instanceName of MarkedText (readOnly?: FLAG => [read_only]) = Kind::Text => [value];
+    SPECIFICATION_REVISION global specificationRevision of MarkedText (readOnly?: FLAG => mark) = Kind::Text => [self];
+    INSTANCE_NAME global instanceName of MarkedText (readOnly?: FLAG => mark) = Kind::Text => [self];
 
     DEVICE_MANAGER global DeviceManager of DeviceManager, [
         maybe INDICATOR_LIST => same, maybe MODULE_MANAGEMENT => same,

@@ -86,6 +86,8 @@ pub(crate) struct Shape<P: 'static> {
     pub values: &'static [At<P>],
     /// How the part keeps the children of each slot.
     pub children: &'static [&'static [&'static (dyn Keep<P> + Sync)]],
+    /// Where the part keeps the marks of its children.
+    pub marks: Option<Lens<P, Marks>>,
 }
 
 impl<P> Deref for Shape<P> {
@@ -95,6 +97,9 @@ impl<P> Deref for Shape<P> {
         &self.element
     }
 }
+
+/// Names of elements with the values of their marks.
+pub(crate) type Marks = Vec<(Box<str>, bool)>;
 
 /// A field of a part: for writing, and for reading. `None` for a part without it.
 pub(crate) struct Lens<P, T: ?Sized + 'static> {
@@ -112,6 +117,9 @@ pub(crate) enum At<P> {
     Fact(Lens<P, dyn Fact>),
     /// Among the values of an entry, which are read once the data type is known.
     Value(Slots),
+    /// Among the marks that the part of the element around it keeps, under the name of the element; the second element of a
+    /// name is `orderNumber[2]`.
+    Mark,
 }
 
 /// One of the values of an entry.
@@ -298,9 +306,10 @@ macro_rules! lens {
 use lens;
 
 /// Where the value of an attribute is kept: `[field]` takes texts, `{Field field}` has that name in an EDS (`Named`: that of the
-/// attribute), `(value Which)` is a value of an entry, and `(field Field)` is kept by the code that reads the element.
+/// attribute), `(value Which)` is a value of an entry, `mark` is kept by the element around it, and `(field Field)` is kept by the code that reads the element.
 macro_rules! at {
     () => { At::Nowhere };
+    (mark) => { At::Mark };
     ((value $value:ident)) => { At::Value(Slots::$value) };
     ((field $field:ident)) => { At::Nowhere };
     ([$($path:tt)+]) => { At::Text(lens!($($path)+)) };
@@ -311,6 +320,7 @@ use at;
 /// The attribute beside its [`at!`].
 macro_rules! attribute {
     ($name:ident $kind:expr, $need:expr) => { attribute!(@ $name $kind, $need, None, , ) };
+    ($name:ident $kind:expr, $need:expr, mark) => { attribute!(@ $name $kind, $need, None, , ) };
     ($name:ident $kind:expr, $need:expr, [$($path:tt)+]) => { attribute!(@ $name $kind, $need, None, , ) };
     ($name:ident $kind:expr, $need:expr, (value $value:ident)) => {
         attribute!(@ $name $kind, $need, Some(|| Slots::$value.field()), , )
@@ -380,7 +390,7 @@ macro_rules! slot {
 }
 use slot;
 
-/// Declares elements: `NAME global|local name of Part (attributes) = text, [children], newer [names];`
+/// Declares elements: `NAME global|local name of Part (attributes) = text, [children], newer [names], marks [field];`
 ///
 /// The part of an element of a [`Choice`] is `Part as (new part, pattern of the part)`, and that of an element that is not kept, or
 /// by the code that reads it, is `Nothing`. The mark after the name of an attribute is `?` (optional), `!` (required), `*` (without it
@@ -394,6 +404,7 @@ macro_rules! elements {
         $(= $text:expr $(=> $text_at:tt)?)?
         $(, [$($count:ident $of:tt $(=> $child:tt)?),+ $(,)?])?
         $(, newer [$($newer:ident),+ $(,)?])?
+        $(, marks [$($marks:tt)+])?
     ;)+) => {
         $(pub(crate) static $NAME: Shape<$Part> = Shape {
             element: Element {
@@ -408,6 +419,7 @@ macro_rules! elements {
             is: elements!(@is $($is)?),
             values: &[$($(at!($($at)?),)+)? $(elements!(@at $text $(=> $text_at)?))?],
             children: &[$($(kept!($Part $of $($child)?)),+)?],
+            marks: attribute!(@option $(lens!($($marks)+))?),
         };)+
     };
     (@ global) => { true };

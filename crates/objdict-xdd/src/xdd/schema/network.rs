@@ -35,16 +35,16 @@ elements! {
     ], newer [moduleManagement];
     IDENTITY local identity of Identity, [
         maybe VENDOR_ID => [vendor_id],
-        stray VENDOR_TEXT => [vendor_text],
-        maybe DEVICE_FAMILY => [device_family],
-        stray PRODUCT_FAMILY => [product_family],
+        stray VENDOR_TEXT => [rest.vendor_text],
+        maybe DEVICE_FAMILY => [rest.device_family],
+        stray PRODUCT_FAMILY => [rest.product_family],
         maybe PRODUCT_ID => [product_id],
-        stray PRODUCT_TEXT => [product_text],
-        any VERSION => [versions],
-        maybe BUILD_DATE => {build_date},
-        maybe SPECIFICATION_REVISION => [specification_revision],
-        stray INSTANCE_NAME => [instance_name],
-    ];
+        stray PRODUCT_TEXT => [rest.product_text],
+        any VERSION => [rest.versions],
+        maybe BUILD_DATE => {rest.build_date},
+        maybe SPECIFICATION_REVISION => [rest.specification_revision],
+        stray INSTANCE_NAME => [rest.instance_name],
+    ], marks [rest.read_only];
 
     OBJECT_LIST global CANopenObjectList of Nothing (
         mandatoryObjects?: Kind::INT, optionalObjects?: Kind::INT, manufacturerObjects?: Kind::INT,

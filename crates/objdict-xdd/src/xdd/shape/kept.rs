@@ -8,13 +8,7 @@ use crate::xml::{self, Name, n};
 /// How a part `P` keeps children.
 pub(crate) trait Keep<P> {
     /// Reads a child; `false` if it is not kept so, or the part has no room for it.
-    fn read<'a>(
-        &self,
-        child: xml::Element<'a>,
-        is_first: bool,
-        part: &mut P,
-        reader: &mut Reader<'_, 'a>,
-    ) -> bool;
+    fn read<'a>(&self, child: xml::Element<'a>, part: &mut P, reader: &mut Reader<'_, 'a>) -> bool;
 
     /// Writes the children that are kept so. `first` is that of [`write_with`](super::write_with).
     fn write(&self, part: &P, slot: &Slot, out: &mut XddWriter, first: &mut dyn FnMut(Name, &mut XddWriter));
@@ -42,7 +36,7 @@ pub(crate) struct ValuesIn<P> {
 }
 
 impl<P> Keep<P> for Same<P> {
-    fn read<'a>(&self, child: xml::Element<'a>, _: bool, part: &mut P, reader: &mut Reader<'_, 'a>) -> bool {
+    fn read<'a>(&self, child: xml::Element<'a>, part: &mut P, reader: &mut Reader<'_, 'a>) -> bool {
         let is_it = child.tag() == self.0.name;
         if is_it {
             reader.part(child, self.0, part);
@@ -66,14 +60,8 @@ impl<P> Keep<P> for Same<P> {
 }
 
 impl<P> Keep<P> for Fixed {
-    fn read<'a>(
-        &self,
-        child: xml::Element<'a>,
-        is_first: bool,
-        _: &mut P,
-        reader: &mut Reader<'_, 'a>,
-    ) -> bool {
-        let is_it = is_first && text::collapsed(&child.text()) == self.1;
+    fn read<'a>(&self, child: xml::Element<'a>, _: &mut P, reader: &mut Reader<'_, 'a>) -> bool {
+        let is_it = reader.number == 1 && text::collapsed(&child.text()) == self.1;
         if is_it {
             reader.value(child, n::text, &mut |_| true);
         }
@@ -99,7 +87,7 @@ impl<P, C> PartsIn<P, C> {
 }
 
 impl<P, C> Keep<P> for PartsIn<P, C> {
-    fn read<'a>(&self, child: xml::Element<'a>, _: bool, part: &mut P, reader: &mut Reader<'_, 'a>) -> bool {
+    fn read<'a>(&self, child: xml::Element<'a>, part: &mut P, reader: &mut Reader<'_, 'a>) -> bool {
         let Some(shape) = self.shapes.iter().find(|shape| shape.name == child.tag()) else { return false };
         let Some(room) = (self.field.get_mut)(part).and_then(|field| field.add(shape.new)) else {
             return false;
@@ -110,7 +98,10 @@ impl<P, C> Keep<P> for PartsIn<P, C> {
 
     fn write(&self, part: &P, slot: &Slot, out: &mut XddWriter, first: &mut dyn FnMut(Name, &mut XddWriter)) {
         first(self.shapes[0].name, out);
+        let mut number = 0;
         self.each(part, |shape, part| {
+            number += 1;
+            out.number = number;
             open(out, slot, shape);
             write_content(part, shape, out, first);
             out.close();
@@ -123,7 +114,7 @@ impl<P, C> Keep<P> for PartsIn<P, C> {
 }
 
 impl<P> Keep<P> for ValuesIn<P> {
-    fn read<'a>(&self, child: xml::Element<'a>, _: bool, part: &mut P, reader: &mut Reader<'_, 'a>) -> bool {
+    fn read<'a>(&self, child: xml::Element<'a>, part: &mut P, reader: &mut Reader<'_, 'a>) -> bool {
         let Some(field) = (self.field.get_mut)(part).and_then(|values| values.add()) else { return false };
         reader.value(child, self.element.holder(), &mut |text| field.accept(text));
         true

@@ -12,13 +12,15 @@ mod text;
 #[cfg(test)]
 mod tests;
 
+use std::borrow::Cow;
+
 pub(crate) use self::fields::{Holds, TextField, Values};
-pub(crate) use self::identity::{Identity, MarkedLabels, MarkedText, MarkedVersion};
+pub(crate) use self::identity::Identity;
 pub(crate) use self::kept::{Fixed, Keep, PartsIn, Same, ValuesIn};
 pub(crate) use self::stack::{stack_attribute, stack_properties, take_stack_options};
 pub(crate) use self::text::Text;
 use super::leftovers::Leftovers;
-use super::schema::{At, Attribute, Shape};
+use super::schema::{At, Attribute, Element, MAX_SLOTS, Marks, Shape};
 use super::xdd_writer::XddWriter;
 use crate::xml::{self, Name, n};
 
@@ -33,7 +35,7 @@ pub(crate) fn read<'a, P>(
     leftovers: &mut Leftovers<'a>,
 ) -> P {
     let mut part = (shape.new)();
-    Reader { leftovers, passed_over: None }.part(element, shape, &mut part);
+    Reader::new(leftovers, None).part(element, shape, &mut part);
     part
 }
 
@@ -45,7 +47,7 @@ pub(crate) fn read_without<'a, P>(
     leftovers: &mut Leftovers<'a>,
 ) -> (P, Vec<xml::Element<'a>>) {
     let mut part = (shape.new)();
-    let mut reader = Reader { leftovers, passed_over: Some((later, Vec::new())) };
+    let mut reader = Reader::new(leftovers, Some((later, Vec::new())));
     reader.part(element, shape, &mut part);
     (part, reader.passed_over.map_or_else(Vec::new, |(_, found)| found))
 }
@@ -53,30 +55,47 @@ pub(crate) fn read_without<'a, P>(
 pub(crate) struct Reader<'r, 'a> {
     leftovers: &'r mut Leftovers<'a>,
     passed_over: Option<(Name, Vec<xml::Element<'a>>)>,
+    /// Which of its name in its part the element is that is read.
+    number: u32,
+    marks: Marks,
 }
 
-impl<'a> Reader<'_, 'a> {
+impl<'r, 'a> Reader<'r, 'a> {
+    fn new(leftovers: &'r mut Leftovers<'a>, passed_over: Option<(Name, Vec<xml::Element<'a>>)>) -> Self {
+        Self { leftovers, passed_over, number: 0, marks: Vec::new() }
+    }
+
     fn part<P>(&mut self, element: xml::Element<'a>, shape: &'static Shape<P>, part: &mut P) {
+        let mut mark: Option<bool> = None;
         self.attributes(element, |name, text| {
             let number = if name == n::text { shape.attributes.len() } else { shape.attribute(name)?.0 };
-            let At::Text(field) = shape.values.get(number)? else { return None };
-            Some((field.get_mut)(part)?.accept(text))
+            match shape.values.get(number)? {
+                At::Text(field) => Some((field.get_mut)(part)?.accept(text)),
+                At::Mark => Some(mark.accept(text)),
+                _ => None,
+            }
         });
+        self.marks.extend(mark.map(|mark| (mark_name(shape, self.number), mark)));
         // children are usually in order
         let mut at = 0;
-        let mut taken = 0_u32;
+        let mut taken = [0_u32; MAX_SLOTS];
         for child in element.children() {
-            let is_taken = shape.slot(child.tag(), at).is_some_and(|(number, _)| {
-                at = number;
-                let is_first = taken & 1 << number == 0;
+            let is_taken = shape.slot(child.tag(), at).is_some_and(|(slot, _)| {
+                at = slot;
+                self.number = taken[slot] + 1;
                 let is_taken = self.passes_over(child)
-                    || shape.children[number].iter().any(|kept| kept.read(child, is_first, part, self));
-                taken |= u32::from(is_taken) << number;
+                    || shape.children[slot].iter().any(|kept| kept.read(child, part, self));
+                taken[slot] += u32::from(is_taken);
                 is_taken
             });
             if !is_taken {
                 self.leftovers.element(child);
             }
+        }
+        if let Some(marks) = shape.marks.as_ref().and_then(|field| (field.get_mut)(part)) {
+            *marks = std::mem::take(&mut self.marks);
+            let slot = |name: &str| shape.slot(Name::of(name.split('[').next().unwrap_or(name)), 0);
+            marks.sort_by_key(|(name, _)| slot(name).map(|(slot, _)| slot));
         }
     }
 
@@ -137,10 +156,18 @@ fn write_content<P>(
     out: &mut XddWriter,
     first: &mut dyn FnMut(Name, &mut XddWriter),
 ) {
-    each_text(part, shape, &mut |attribute, text| match attribute.name {
-        n::text => out.text(text),
-        name => out.attribute(name, text),
-    });
+    if let Some(marks) = shape.marks.as_ref().and_then(|field| (field.get)(part)) {
+        out.marks = marks.clone();
+    }
+    for (attribute, text) in texts(part, shape) {
+        match attribute.name {
+            n::text => out.text(&text),
+            name => out.attribute(name, &text),
+        }
+    }
+    if shape.values.iter().any(|at| matches!(at, At::Mark)) {
+        out.mark(&mark_name(shape, out.number));
+    }
     for (slot, kept) in shape.content.iter().zip(shape.children) {
         kept.iter().for_each(|kept| kept.write(part, slot, out, first));
     }
@@ -148,17 +175,26 @@ fn write_content<P>(
 
 /// Visits each text of a part and of its nested parts, with the attribute that holds it.
 pub(crate) fn visit<P>(part: &P, shape: &'static Shape<P>, see: &mut dyn FnMut(&Attribute, &str)) {
-    each_text(part, shape, see);
+    texts(part, shape).for_each(|(attribute, text)| see(attribute, &text));
     shape.children.iter().copied().flatten().for_each(|kept| kept.visit(part, see));
 }
 
-/// Visits the attributes of a part, then its text.
-fn each_text<P>(part: &P, shape: &'static Shape<P>, see: &mut dyn FnMut(&Attribute, &str)) {
-    for (attribute, at) in shape.attributes.iter().chain(&shape.text).zip(shape.values) {
-        if let At::Text(field) = at
-            && let Some(text) = (field.get)(part).and_then(TextField::text)
-        {
-            see(attribute, &text);
-        }
+/// The attributes of a part, then its text.
+fn texts<'p, P>(
+    part: &'p P,
+    shape: &'static Shape<P>,
+) -> impl Iterator<Item = (&'static Attribute, Cow<'p, str>)> {
+    let attributes = shape.attributes.iter().chain(&shape.text).zip(shape.values);
+    attributes.filter_map(move |(attribute, at)| match at {
+        At::Text(field) => Some((attribute, (field.get)(part)?.text()?)),
+        _ => None,
+    })
+}
+
+/// The name of an element in the list of marks.
+fn mark_name(element: &Element, number: u32) -> Box<str> {
+    match number {
+        1 => element.name.text().into(),
+        _ => format!("{}[{number}]", element.name.text()).into(),
     }
 }

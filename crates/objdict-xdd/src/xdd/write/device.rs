@@ -4,7 +4,7 @@ use super::Writer;
 use crate::model::{ApplicationProcess, DeviceFunction, DeviceInfo, Field, Label, Labels};
 use crate::xdd::defaults;
 use crate::xdd::schema::{APPLICATION_PROCESS, DEVICE_FUNCTION, DEVICE_IDENTITY, DEVICE_MANAGER, PARAMETER};
-use crate::xdd::shape::{self, Identity, MarkedText};
+use crate::xdd::shape::{self, Identity};
 use crate::xdd::types::with_type;
 use crate::xdd::version::XddVersion;
 use crate::xdd::xdd_writer::XddWriter;
@@ -44,35 +44,35 @@ impl Writer<'_> {
             let number = number.map(|number| format!("0x{number:08X}").into());
             number.or_else(|| info.invalid_values.get(&field).map(|invalid| invalid.text.clone()))
         };
-        let text = |text: &Option<String>| text.as_deref().map(|text| MarkedText::from(Box::from(text)));
+        let text = |text: &Option<String>| text.as_deref().map(Box::from);
         let order_code = text(&info.order_code);
         let further = std::mem::take(&mut rest.further_order_numbers);
         // the first one is the order code
         let is_missing = order_code.is_none() && !further.is_empty();
-        let first = is_missing.then(MarkedText::default).or(order_code);
-        let read_only = std::mem::take(&mut rest.read_only);
+        let first = is_missing.then(Box::default).or(order_code);
         let mut identity = Identity {
             vendor_name: text(&info.vendor_name),
-            vendor_id: hex(info.vendor_number, Field::VendorNumber).map(Into::into),
+            vendor_id: hex(info.vendor_number, Field::VendorNumber),
             product_name: text(&info.product_name),
-            product_id: hex(info.product_number, Field::ProductNumber).map(Into::into),
-            order_numbers: first.into_iter().chain(further.into_iter().map(Into::into)).collect(),
-            ..rest.into()
+            product_id: hex(info.product_number, Field::ProductNumber),
+            order_numbers: first.into_iter().chain(further).collect(),
+            rest,
         };
         if version == XddVersion::V1_0 {
             // CANopenEditor reads no file without them
             for id in [&mut identity.vendor_id, &mut identity.product_id] {
-                id.get_or_insert_with(|| Box::<str>::from(defaults::ID).into());
+                id.get_or_insert_with(|| defaults::ID.into());
             }
-            identity.product_text.get_or_insert_with(|| defaults::product_text().into());
+            if identity.rest.product_text.is_empty() {
+                identity.rest.product_text = defaults::product_text();
+            }
         }
-        if identity == Identity::default() && read_only.is_empty() {
+        if identity == Identity::default() {
             return None;
         }
         for name in [&mut identity.vendor_name, &mut identity.product_name] {
-            name.get_or_insert_with(|| Box::<str>::from(defaults::NOT_STATED).into());
+            name.get_or_insert_with(|| defaults::NOT_STATED.into());
         }
-        identity.mark(&read_only);
         Some(identity)
     }
 

@@ -6,13 +6,14 @@ mod network;
 mod objects;
 mod parameters;
 mod types;
+mod values;
 
 use self::parameters::EntryParameters;
 use super::layout::ProfileClass;
 use super::schema::PROFILE;
 use super::version::XddVersion;
 use super::xdd_writer::XddWriter;
-use super::{defaults, fact, shape};
+use super::{fact, shape};
 use crate::model::{Device, FileInfo, InvalidValue};
 use crate::xml::n;
 
@@ -45,12 +46,9 @@ struct Writer<'a> {
 impl Writer<'_> {
     fn profile(&self, class: ProfileClass, out: &mut XddWriter) {
         let headers = &self.device.headers;
-        let header = match class {
-            ProfileClass::Device => &headers.device,
-            ProfileClass::Network => &headers.network,
-        };
+        let header = class.pick(&headers.device, &headers.network);
         out.open(&PROFILE);
-        shape::write(&header.clone().unwrap_or_else(|| defaults::header(class)), class.header(), out);
+        shape::write(&header.clone().unwrap_or_else(|| class.unstated_header()), class.header(), out);
         out.open_body(class);
         out.attribute(n::formatName, "CANopen");
         out.attribute(n::formatVersion, "1.0");
@@ -68,30 +66,22 @@ impl Writer<'_> {
     fn file(&self, class: ProfileClass) -> FileInfo {
         let device = self.device.file_info.clone().unwrap_or_default();
         let own = self.device.headers.network_file.as_deref().filter(|_| class == ProfileClass::Network);
-        let Some(own) = own.cloned() else { return device };
-        let mut invalid_values = own.invalid_values;
-        for InvalidValue { field, text, reason } in device
-            .invalid_values
-            .iter()
-            .filter(|invalid| invalid_values.get(&invalid.field).is_none())
-            .cloned()
-            .collect::<Vec<_>>()
-        {
-            invalid_values.push(field, &text, reason);
+        let Some(mut own) = own.cloned() else { return device };
+        let unstated = FileInfo::default();
+        macro_rules! complete {
+            ($($field:ident)+) => {
+                $(if own.$field == unstated.$field {
+                    own.$field = device.$field;
+                })+
+            };
         }
-        FileInfo {
-            file_name: own.file_name.or(device.file_name),
-            file_version: own.file_version.or(device.file_version),
-            file_revision: own.file_revision.or(device.file_revision),
-            creation_time: own.creation_time.or(device.creation_time),
-            creation_date: own.creation_date.or(device.creation_date),
-            created_by: own.created_by.or(device.created_by),
-            modification_time: own.modification_time.or(device.modification_time),
-            modification_date: own.modification_date.or(device.modification_date),
-            modified_by: own.modified_by.or(device.modified_by),
-            languages: if own.languages.is_empty() { device.languages } else { own.languages },
-            invalid_values,
-            ..FileInfo::default()
+        complete! { file_name file_version file_revision creation_time creation_date created_by modification_time modification_date
+        modified_by languages }
+        let is_missing = |invalid: &&InvalidValue| own.invalid_values.get(&invalid.field).is_none();
+        let missing: Vec<_> = device.invalid_values.iter().filter(is_missing).cloned().collect();
+        for InvalidValue { field, text, reason } in missing {
+            own.invalid_values.push(field, &text, reason);
         }
+        own
     }
 }

@@ -1,19 +1,19 @@
 //! The communication network profile without its objects.
 
 use super::Writer;
-use crate::model::{
-    DefaultBaudRate, DeviceInfo, DummyUsage, DynamicChannels, InvalidValues, NetworkIdentity, Segment,
+use crate::model::{DefaultBaudRate, DeviceInfo, DummyUsage, DynamicChannels, InvalidValues, Segment};
+use crate::xdd::counterparts::{
+    DIRECTIONS, channel_field, default_rate_field, range_length, supported_field,
 };
 use crate::xdd::defaults;
 use crate::xdd::fact::{self, hex as hex_number};
-use crate::xdd::read::{DIRECTIONS, channel_field, default_rate_field, range_length, supported_field};
 use crate::xdd::schema::Element;
 use crate::xdd::schema::network::{
     APPLICATION_LAYERS, BAUD_RATE, DEVICE_COMMISSIONING, DUMMY, DUMMY_USAGE, DYNAMIC_CHANNEL,
     DYNAMIC_CHANNELS, GENERAL_FEATURES, IDENTITY, MASTER_FEATURES, MODULE_MANAGEMENT, NETWORK_MANAGEMENT,
     PHYSICAL_LAYER, SUPPORTED_BAUD_RATE, TRANSPORT_LAYERS,
 };
-use crate::xdd::shape::{self, Identity, MarkedText};
+use crate::xdd::shape::{self, Identity};
 use crate::xdd::version::XddVersion;
 use crate::xdd::xdd_writer::XddWriter;
 use crate::xml::{Name, n};
@@ -34,7 +34,13 @@ impl Writer<'_> {
         out.open(&APPLICATION_LAYERS);
         put(&fact::texts(info, &APPLICATION_LAYERS, false), out);
         if let Some(identity) = &self.device.network_identity {
-            network_identity(identity, out);
+            let identity = Identity {
+                vendor_id: identity.vendor_id.clone(),
+                product_id: identity.product_id.clone(),
+                rest: identity.identity.clone(),
+                ..Identity::default()
+            };
+            shape::write(&identity, &IDENTITY, out);
         }
         self.object_list(out);
         if let Some(usage) = &self.device.dummy_usage {
@@ -90,18 +96,6 @@ fn without_unit((name, text): &mut (Name, String)) {
 
 fn put(attributes: &[(Name, String)], out: &mut XddWriter) {
     attributes.iter().for_each(|(name, text)| out.attribute(*name, text));
-}
-
-fn network_identity(identity: &NetworkIdentity, out: &mut XddWriter) {
-    let mut rest = identity.identity.clone();
-    let read_only = std::mem::take(&mut rest.read_only);
-    let mut identity = Identity {
-        vendor_id: identity.vendor_id.clone().map(MarkedText::from),
-        product_id: identity.product_id.clone().map(MarkedText::from),
-        ..rest.into()
-    };
-    identity.mark(&read_only);
-    shape::write(&identity, &IDENTITY, out);
 }
 
 fn dummy_usage(usage: &DummyUsage, out: &mut XddWriter) {

@@ -1,18 +1,14 @@
 //! The object list.
 
 use super::Writer;
-use crate::literal::{self, Spelling};
-use crate::model::{Access, DataType, Entry, Field, Object, ObjectList, ObjectType, Value};
-use crate::xdd::read::{count, count_attribute};
+use super::values::{REFERENCE, value_text};
+use crate::model::{Access, Entry, Field, Object, ObjectList, ObjectType};
+use crate::xdd::counterparts::{count, count_attribute};
 use crate::xdd::schema::network::{OBJECT, OBJECT_LIST, SUB_OBJECT};
 use crate::xdd::schema::{At, Attribute, Shape};
 use crate::xdd::xdd_writer::XddWriter;
 use crate::xdd::{defaults, fact};
 use crate::xml::n;
-
-/// The attribute that refers to the parameter of an entry. Among the unknown keys of an entry, it refers to
-/// a parameter of others.
-pub(super) const REFERENCE: &str = n::uniqueIDRef.text();
 
 impl Writer<'_> {
     /// `CANopenObjectList`, with the number of objects of each kind.
@@ -89,34 +85,4 @@ const DOMAIN_TYPE: &str = "000F";
 /// What an object of type DOMAIN has if it does not state it (CiA 306-1 §4.6.3.2).
 fn unstated(entry: &Entry, text: &str) -> Option<String> {
     (entry.object_type == Some(ObjectType::Domain)).then(|| text.to_owned())
-}
-
-/// The text of a value, or the invalid text. CiA 311 knows no default of a DOMAIN.
-pub(super) fn value_text(index: u16, entry: &Entry, value: Option<&Value>, field: &Field) -> Option<String> {
-    let is_domain = entry.implied_type() == Some(DataType::DOMAIN);
-    match value {
-        _ if is_domain && *field == Field::DefaultValue => None,
-        Some(value) => Some(print(index, entry.data_type, value)),
-        None => entry.invalid_values.get(field).map(|invalid| invalid.text.to_string()),
-    }
-}
-
-/// COB-IDs, mappings and other communication parameters are printed in hex, as in an EDS, and the bytes of an
-/// OCTET_STRING with blanks between them, without which CANopenEditor reads only the first. XML preserves blanks, so a string needs quotes only if it is empty or contains quotes.
-fn print(index: u16, data_type: Option<DataType>, value: &Value) -> String {
-    match value {
-        Value::Text(text) if !text.is_empty() && !is_quoted(text) => text.to_string(),
-        Value::Bytes(bytes) if data_type == Some(DataType::OCTET_STRING) && !bytes.is_empty() => {
-            let bytes: Vec<String> = bytes.iter().map(|byte| format!("{byte:02X}")).collect();
-            bytes.join(" ")
-        }
-        _ => {
-            let hex = (0x1000..=0x1FFF).contains(&index) && data_type == Some(DataType::UNSIGNED32);
-            literal::print(value, Spelling { hex, ..Spelling::default() })
-        }
-    }
-}
-
-fn is_quoted(text: &str) -> bool {
-    text.len() > 1 && text.starts_with('"') && text.ends_with('"')
 }

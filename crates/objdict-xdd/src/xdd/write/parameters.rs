@@ -5,14 +5,14 @@ use std::cell::RefCell;
 use std::collections::{BTreeMap, HashMap};
 use std::rc::Rc;
 
-use super::objects::{REFERENCE, value_text};
 use super::types::Ids;
+use super::values::{REFERENCE, value_text};
 use crate::model::{
     Access, AllowedValues, DataTypeRef, Device, Entry, Field, Labels, Object, Parameter, ScaledValue,
     TypeDefinition, Value, ValueRange,
 };
+use crate::xdd::counterparts::written_access;
 use crate::xdd::defaults;
-use crate::xdd::read::written_access;
 use crate::xdd::shape::stack_properties;
 use crate::xdd::types::simple_type;
 
