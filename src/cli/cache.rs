@@ -47,7 +47,7 @@ impl Cache {
         hash.field(env!("CARGO_PKG_VERSION").as_bytes());
         hash.field(format!("{:?} {:?} {:?}", args.settings, args.input, args.fixing).as_bytes());
         hash.field(settings.contents().as_bytes());
-        // a damaged line is no hash of a file, which is checked then
+        // a line that is corrupted is the hash of no file, and the file is checked
         let known = lines.filter_map(|line| u64::from_str_radix(line, 16).ok()).collect();
         Ok(Self { path: path.to_owned(), settings: hash, known })
     }
