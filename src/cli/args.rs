@@ -54,7 +54,7 @@ pub(super) struct Args<C: Subcommand = Command> {
     pub terminal: TerminalArgs,
 }
 
-/// Text output of every command.
+// Text output of every command.
 #[derive(Clone, Copy, Debug, clap::Args)]
 pub(super) struct TerminalArgs {
     /// When to use colours
@@ -70,49 +70,107 @@ pub(super) struct TerminalArgs {
 
 /// The command that is run most, alone.
 #[derive(Debug, Subcommand)]
-enum OnlyCheck {
+#[command(defer = true)]
+pub(super) enum OnlyCheck {
+    /// Check device descriptions
+    ///
+    /// Exits with 1 if there is a finding of severity error (see --deny), and with 2 if a file cannot be read.
     Check(CheckArgs),
 }
 
 impl Args {
     /// The arguments of the process.
     pub(super) fn of_process() -> Result<Self, clap::Error> {
-        // to declare all commands takes longer than to check a small file
+        // to declare the other commands takes a tenth of the time that the check of a small file takes
         if std::env::args_os().nth(1).is_some_and(|name| name == "check") {
-            let Args { command: OnlyCheck::Check(check), terminal } = Args::try_parse()?;
-            return Ok(Self { command: Command::Check(check), terminal });
+            let Args { command, terminal } = Args::try_parse()?;
+            return Ok(Self { command: Command::Check(command), terminal });
         }
         Self::try_parse()
     }
 }
 
+/// The commands; the arguments of a command are declared when it is given.
 #[derive(Debug, Subcommand)]
+#[command(defer = true)]
 pub(super) enum Command {
-    Check(CheckArgs),
+    #[command(flatten)]
+    Check(OnlyCheck),
+    /// Recognise files by their content
+    ///
+    /// Recognises CANopen files, and files of other technologies that look similar. Exits with 1 if a file is not a CANopen
+    /// file, and with 2 if a file cannot be read.
     Identify(IdentifyArgs),
+    /// Show the object dictionary, or one object in detail
     Show(ShowArgs),
+    /// Generate code and configuration from a description
+    ///
+    /// Checks the description first and generates nothing if an error would make the tables wrong: the type, access or value of
+    /// an entry is unknown, or an entry is described twice. Files are written atomically, and only if they change.
     Generate(Box<GenerateArgs>),
+    /// Document devices and networks as HTML, Markdown or CSV
+    ///
+    /// Several descriptions become a site with an index page. So does a network: the index shows its topology, links, CAN-IDs and boot
+    /// plan, and each node has a page with its configured description. In a single file, a network is only this index. Pages include the
+    /// findings of `check`, which do not change the exit code unless --deny is given.
     Docs(Box<DocsArgs>),
+    /// Convert between EDS, DCF, XDD, XDC, JSON and concise DCF, and export to DBC
+    ///
+    /// EDS to EDS and DCF to DCF keep every byte. Conversions between EDS and DCF, and between XDD and XDC, edit the text and keep
+    /// comments, order and spelling. Conversions between INI and XML write a new file; data that the format cannot express are stored
+    /// in properties or comment lines of objdict (docs/formats.md). A DBC contains the messages of one node, or of all nodes of a network
+    /// (`network.toml`, `bus.yml`, node list). Exits with 1 if --deny-loss is given and data are lost or invented.
     Convert(ConvertArgs),
+    /// Create the DCF of a node from an EDS
+    ///
+    /// Every setting is checked against the dictionary before anything is written: the entry exists and is writable, the value fits
+    /// its type and its limits, mapped entries are mappable, CAN-IDs are free. All problems are reported at once, with exit
+    /// code 1. The text of the EDS is edited in place, so comments, order and spelling are preserved.
     Configure(Box<ConfigureArgs>),
+    /// List the modules that a coupler supports
     Modules(ModulesArgs),
+    /// Check networks, and build the configurations of their nodes and managers
     Network(NetworkArgs),
+    /// Pack, unpack, compare and verify concise DCF
+    ///
+    /// A concise DCF is the content of 1F22h in a CANopen manager: the SDO downloads that configure a node, as one stream of
+    /// bytes (CiA 302-3). Every command reads it as bytes, hex digits, text (.cdcf.txt) or JSON.
     Dcf(DcfArgs),
+    /// Create the description of a new device
+    ///
+    /// Profiles: 301 (communication objects only), 401 (inputs and outputs), 406 (encoder). The file has the objects that the profile
+    /// requires and passes `objdict check`; add your own objects from 2000h on.
     New(NewArgs),
+    /// List device profiles and show their requirements
     Profile(ProfileCommandArgs),
+    /// Format descriptions
+    ///
+    /// In EDS and DCF, sections and keys move into the canonical order, with their comments; keys, section names, hex numbers and formulas
+    /// are spelled uniformly. In XDD and XDC, elements and attributes move into the order of CiA 311, one element on each line. The content of
+    /// the file stays the same. Standard input is written to standard output.
     Fmt(FmtArgs),
+    /// List the rules of `check`
     Rules(RulesArgs),
+    /// Explain a rule or a standard object
     Explain(ExplainArgs),
+    /// Print the JSON Schema of a document that objdict writes
+    ///
+    /// Without a name, lists the documents. The schemas are of draft 2020-12 and have the version of their document.
     Schema(SchemaArgs),
+    /// Print the help of a command, or explain a topic
+    ///
+    /// `objdict help topics` lists the topics.
     Help(HelpArgs),
+    /// Generate shell completions
     Completions(CompletionsArgs),
+    /// Generate the manual pages, one for each command
+    ///
+    /// For packagers. Unchanged pages are not rewritten.
+    #[command(hide = true)]
     Man(ManArgs),
 }
 
-/// Check device descriptions
-///
-/// Exits with 1 if there is a finding of severity error (see --deny), and with 2 if a file cannot be read.
-#[derive(Debug, Parser)]
+#[derive(Debug, clap::Args)]
 pub(super) struct CheckArgs {
     /// Files, folders and patterns such as `devices/**/*.eds`; `-` is standard input
     ///
@@ -134,7 +192,7 @@ pub(super) struct CheckArgs {
     pub fixing: FixArgs,
 }
 
-/// How findings are reported.
+// How findings are reported.
 #[derive(Debug, clap::Args)]
 pub(super) struct ReportArgs {
     /// Output format
@@ -149,11 +207,7 @@ pub(super) struct ReportArgs {
     pub statistics: Option<Counting>,
 }
 
-/// Recognise files by their content
-///
-/// Recognises CANopen files, and files of other technologies that look similar. Exits with 1 if a file is not a CANopen
-/// file, and with 2 if a file cannot be read.
-#[derive(Debug, Parser)]
+#[derive(Debug, clap::Args)]
 pub(super) struct IdentifyArgs {
     /// Files to identify; `-` is standard input
     #[arg(required = true, value_name = "FILE")]
@@ -202,8 +256,7 @@ pub(super) enum Counting {
     Only,
 }
 
-/// Show the object dictionary, or one object in detail
-#[derive(Debug, Parser)]
+#[derive(Debug, clap::Args)]
 pub(super) struct ShowArgs {
     /// The file to show; `-` is standard input
     pub file: PathBuf,
@@ -235,7 +288,7 @@ pub(super) enum ShowFormat {
     Json,
 }
 
-/// What is replaced in a folder.
+// What is replaced in a folder.
 #[derive(Clone, Copy, Debug, Default, clap::Args)]
 pub(super) struct OverwriteArgs {
     /// Also replace files in the folder that objdict did not create, or that differ from their hash in `objdict.sha256`
@@ -243,7 +296,7 @@ pub(super) struct OverwriteArgs {
     pub overwrite: bool,
 }
 
-/// What is added to the device that a file describes.
+// What is added to the device that a file describes.
 #[derive(Debug, clap::Args)]
 #[command(next_help_heading = "Input")]
 pub(super) struct ExpandArgs {
@@ -259,29 +312,29 @@ impl ExpandArgs {
     }
 }
 
-/// List device profiles and show their requirements
-#[derive(Debug, Parser)]
+#[derive(Debug, clap::Args)]
 pub(super) struct ProfileCommandArgs {
     #[command(subcommand)]
     pub command: ProfileCommand,
 }
 
 #[derive(Debug, Subcommand)]
+#[command(defer = true)]
 pub(super) enum ProfileCommand {
+    /// List the built-in CiA documents
     List(ProfileListArgs),
+    /// Show the objects of a profile, or one in detail
     Show(ProfileShowArgs),
 }
 
-/// List the built-in CiA documents
-#[derive(Debug, Parser)]
+#[derive(Debug, clap::Args)]
 pub(super) struct ProfileListArgs {
     /// Output format
     #[arg(long, value_enum, default_value = "text")]
     pub format: ProfileFormat,
 }
 
-/// Show the objects of a profile, or one in detail
-#[derive(Debug, Parser)]
+#[derive(Debug, clap::Args)]
 pub(super) struct ProfileShowArgs {
     /// The number of a CiA document, such as 401, or the file of a custom profile (docs/profiles.md)
     pub profile: String,
@@ -302,12 +355,7 @@ pub(super) enum ProfileFormat {
     Json,
 }
 
-/// Format descriptions
-///
-/// In EDS and DCF, sections and keys move into the canonical order, with their comments; keys, section names, hex numbers and formulas
-/// are spelled uniformly. In XDD and XDC, elements and attributes move into the order of CiA 311, one element on each line. The content of
-/// the file stays the same. Standard input is written to standard output.
-#[derive(Debug, Parser)]
+#[derive(Debug, clap::Args)]
 #[command(mut_arg("max_entries", |entries| entries.hide(true)))] // no entry is expanded
 pub(super) struct FmtArgs {
     /// Files, folders and patterns such as `devices/**/*.eds`; `-` is standard input
@@ -327,8 +375,7 @@ pub(super) struct FmtArgs {
     pub config: ConfigFileArgs,
 }
 
-/// List the rules of `check`
-#[derive(Debug, Parser)]
+#[derive(Debug, clap::Args)]
 pub(super) struct RulesArgs {
     /// Output format
     #[arg(long, value_enum, default_value = "text")]
@@ -347,8 +394,7 @@ pub(super) enum RulesFormat {
     Json,
 }
 
-/// Explain a rule or a standard object
-#[derive(Debug, Parser)]
+#[derive(Debug, clap::Args)]
 pub(super) struct ExplainArgs {
     /// The rule, such as cia306/duplicate-key; the name alone is enough if it is unique. Or an index, such as 1018 or
     /// 0x6040
@@ -356,20 +402,14 @@ pub(super) struct ExplainArgs {
     pub subject: String,
 }
 
-/// Print the JSON Schema of a document that objdict writes
-///
-/// Without a name, lists the documents. The schemas are of draft 2020-12 and have the version of their document.
-#[derive(Debug, Parser)]
+#[derive(Debug, clap::Args)]
 pub(super) struct SchemaArgs {
     /// The document, such as device, findings or network
     #[arg(value_name = "DOCUMENT")]
     pub name: Option<String>,
 }
 
-/// Print the help of a command, or explain a topic
-///
-/// `objdict help topics` lists the topics.
-#[derive(Debug, Parser)]
+#[derive(Debug, clap::Args)]
 pub(super) struct HelpArgs {
     /// A command, such as `check` or `dcf pack`, or a topic: exit-codes, severities, names, formats, targets, configuration,
     /// settings
@@ -377,26 +417,21 @@ pub(super) struct HelpArgs {
     pub subject: Vec<String>,
 }
 
-/// Generate shell completions
-#[derive(Debug, Parser)]
+#[derive(Debug, clap::Args)]
 pub(super) struct CompletionsArgs {
     /// The shell
     #[arg(value_enum)]
     pub shell: Shell,
 }
 
-/// Generate the manual pages, one for each command
-///
-/// For packagers. Unchanged pages are not rewritten.
-#[derive(Debug, Parser)]
-#[command(hide = true)]
+#[derive(Debug, Default, clap::Args)]
 pub(super) struct ManArgs {
     /// The folder to write to, such as share/man/man1
     #[arg(short, long, value_name = "DIR", required_unless_present = "folder")]
-    output: Option<PathBuf>,
+    pub output: Option<PathBuf>,
     /// The same, in its old place
     #[arg(value_name = "DIR", hide = true, conflicts_with = "output")]
-    folder: Option<PathBuf>,
+    pub folder: Option<PathBuf>,
     #[command(flatten)]
     pub overwrite: OverwriteArgs,
 }

@@ -41,7 +41,7 @@ use std::path::Path;
 use std::process::ExitCode;
 use std::sync::OnceLock;
 
-use self::args::{Args, Command, TerminalArgs};
+use self::args::{Args, Command, OnlyCheck, TerminalArgs};
 use self::output::Output;
 #[cfg(feature = "schema")]
 pub use self::schema::schemas;
@@ -59,7 +59,7 @@ pub fn run() -> ExitCode {
     let terminal = TERMINAL.get_or_init(|| args.terminal);
     let mut out = Output::stdout(terminal.color);
     let outcome = match &args.command {
-        Command::Check(command) => check::run(command, &mut out),
+        Command::Check(OnlyCheck::Check(command)) => check::run(command, &mut out),
         Command::Convert(command) => convert::run(command, &mut out),
         Command::Configure(command) => configure::run(command, &mut out),
         Command::Modules(command) => modules::run(command, &mut out),

@@ -4,7 +4,7 @@ use std::convert::Infallible;
 use std::num::NonZeroUsize;
 use std::path::{Path, PathBuf};
 
-use clap::{Parser, ValueEnum};
+use clap::ValueEnum;
 
 use super::{DialectArgs, node_id, node_name, serial_number};
 use crate::cli::input::{EntriesArgs, InputArgs, SizeArgs};
@@ -15,12 +15,7 @@ use crate::format::input::{FileKind, Reading};
 use crate::model::Moment;
 use crate::source::Encoding;
 
-/// Create the DCF of a node from an EDS
-///
-/// Every setting is checked against the dictionary before anything is written: the entry exists and is writable, the value fits
-/// its type and its limits, mapped entries are mappable, CAN-IDs are free. All problems are reported at once, with exit
-/// code 1. The text of the EDS is edited in place, so comments, order and spelling are preserved.
-#[derive(Debug, Parser)]
+#[derive(Debug, clap::Args)]
 pub(in crate::cli) struct ConfigureArgs {
     /// EDS, XDD or device as JSON, or a DCF or XDC to change; `-` is standard input
     pub file: PathBuf,
@@ -165,8 +160,7 @@ impl ConfigureArgs {
     }
 }
 
-/// List the modules that a coupler supports
-#[derive(Debug, Parser)]
+#[derive(Debug, clap::Args)]
 pub(in crate::cli) struct ModulesArgs {
     /// The EDS or DCF of the coupler; `-` is standard input
     pub file: PathBuf,

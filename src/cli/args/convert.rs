@@ -2,20 +2,14 @@
 
 use std::path::PathBuf;
 
-use clap::{Parser, ValueEnum};
+use clap::ValueEnum;
 
 use super::network::NetworkInputArgs;
 use super::{CanonicalArgs, ExpandArgs, OverwriteArgs, node_id, node_name};
 use crate::cli::input::{FileKind, InputArgs};
 use crate::format::XddVersion;
 
-/// Convert between EDS, DCF, XDD, XDC, JSON and concise DCF, and export to DBC
-///
-/// EDS to EDS and DCF to DCF keep every byte. Conversions between EDS and DCF, and between XDD and XDC, edit the text and keep
-/// comments, order and spelling. Conversions between INI and XML write a new file; data that the format cannot express are stored
-/// in properties or comment lines of objdict (docs/formats.md). A DBC contains the messages of one node, or of all nodes of a network
-/// (`network.toml`, `bus.yml`, node list). Exits with 1 if --deny-loss is given and data are lost or invented.
-#[derive(Debug, Parser)]
+#[derive(Debug, clap::Args)]
 pub(in crate::cli) struct ConvertArgs {
     /// Files to convert; `-` is standard input
     #[arg(required = true, value_name = "FILE")]
@@ -71,7 +65,7 @@ pub(in crate::cli) struct ConvertArgs {
     pub network: NetworkInputArgs,
 }
 
-/// What a DBC describes.
+// What a DBC describes.
 #[derive(Clone, Copy, Debug, clap::Args)]
 #[command(next_help_heading = "DBC")]
 pub(in crate::cli) struct DbcArgs {

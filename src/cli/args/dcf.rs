@@ -3,35 +3,39 @@
 use std::ops::RangeInclusive;
 use std::path::PathBuf;
 
-use clap::{Parser, Subcommand, ValueEnum};
+use clap::{Subcommand, ValueEnum};
 
 use super::network::AllowedPathArgs;
 use super::{ExpandArgs, node_id};
 use crate::cli::input::InputArgs;
 use crate::format::concise::BlobSpelling;
 
-/// Pack, unpack, compare and verify concise DCF
-///
-/// A concise DCF is the content of 1F22h in a CANopen manager: the SDO downloads that configure a node, as one stream of
-/// bytes (CiA 302-3). Every command reads it as bytes, hex digits, text (.cdcf.txt) or JSON.
-#[derive(Debug, Parser)]
+#[derive(Debug, clap::Args)]
 pub(in crate::cli) struct DcfArgs {
     #[command(subcommand)]
     pub command: DcfCommand,
 }
 
 #[derive(Debug, Subcommand)]
+#[command(defer = true)]
 pub(in crate::cli) enum DcfCommand {
+    /// Create a concise DCF from a DCF, XDC or text
+    ///
+    /// Verifies the stream like `verify`. If the node would reject it, nothing is written and the exit code is 1.
     Pack(PackArgs),
+    /// Write a stream as text, one download per line, to review, edit and pack again
     Unpack(UnpackArgs),
+    /// Compare two streams
+    ///
+    /// Exits with 1 if they differ.
     Diff(DcfDiffArgs),
+    /// Verify a stream against the description of the node
+    ///
+    /// Shows the first write that the node would reject, with its offset, and then all others. Exits with 1 if there are any.
     Verify(VerifyArgs),
 }
 
-/// Create a concise DCF from a DCF, XDC or text
-///
-/// Verifies the stream like `verify`. If the node would reject it, nothing is written and the exit code is 1.
-#[derive(Debug, Parser)]
+#[derive(Debug, clap::Args)]
 pub(in crate::cli) struct PackArgs {
     /// DCF, XDC or device as JSON with the values of the node, or the text of a stream; `-` is standard input
     pub file: PathBuf,
@@ -94,8 +98,7 @@ fn indexes(text: &str) -> Result<RangeInclusive<u16>, String> {
     }
 }
 
-/// Write a stream as text, one download per line, to review, edit and pack again
-#[derive(Debug, Parser)]
+#[derive(Debug, clap::Args)]
 pub(in crate::cli) struct UnpackArgs {
     /// The stream; `-` is standard input
     #[arg(value_name = "STREAM")]
@@ -107,10 +110,7 @@ pub(in crate::cli) struct UnpackArgs {
     pub names: NamingArgs,
 }
 
-/// Compare two streams
-///
-/// Exits with 1 if they differ.
-#[derive(Debug, Parser)]
+#[derive(Debug, clap::Args)]
 pub(in crate::cli) struct DcfDiffArgs {
     /// The first stream
     pub first: PathBuf,
@@ -120,10 +120,7 @@ pub(in crate::cli) struct DcfDiffArgs {
     pub names: NamingArgs,
 }
 
-/// Verify a stream against the description of the node
-///
-/// Shows the first write that the node would reject, with its offset, and then all others. Exits with 1 if there are any.
-#[derive(Debug, Parser)]
+#[derive(Debug, clap::Args)]
 pub(in crate::cli) struct VerifyArgs {
     /// The stream; `-` is standard input
     #[arg(value_name = "STREAM")]
@@ -143,7 +140,7 @@ pub(in crate::cli) struct VerifyArgs {
     pub input: InputArgs,
 }
 
-/// What gives the entries of a stream their names and types.
+// What gives the entries of a stream their names and types.
 #[derive(Debug, clap::Args)]
 pub(in crate::cli) struct NamingArgs {
     /// The description of the node, for names, data types and meanings

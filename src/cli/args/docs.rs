@@ -2,19 +2,14 @@
 
 use std::path::PathBuf;
 
-use clap::{Parser, ValueEnum};
+use clap::ValueEnum;
 
 use super::{ExpandArgs, NetworkInputArgs, OverwriteArgs};
 use crate::cli::input::InputArgs;
 use crate::cli::settings::SettingsArgs;
 use crate::document::Form;
 
-/// Document devices and networks as HTML, Markdown or CSV
-///
-/// Several descriptions become a site with an index page. So does a network: the index shows its topology, links, CAN-IDs and boot
-/// plan, and each node has a page with its configured description. In a single file, a network is only this index. Pages include the
-/// findings of `check`, which do not change the exit code unless --deny is given.
-#[derive(Debug, Parser)]
+#[derive(Debug, clap::Args)]
 #[command(mut_arg("deny", |deny| deny.help("Lowest severity that fails the run: note, warning or error [default: none]")))]
 pub(in crate::cli) struct DocsArgs {
     /// Files, folders and patterns such as `devices/**/*.eds`; networks (`network.toml`, `bus.yml`, a node list); `-` is

@@ -3,7 +3,7 @@
 use std::path::PathBuf;
 
 use clap::builder::{PossibleValue, PossibleValuesParser, TypedValueParser};
-use clap::{Args, Parser, ValueEnum};
+use clap::{Args, ValueEnum};
 
 use super::{Deny, ExpandArgs, OverwriteArgs, node_id};
 use crate::cli::input::InputArgs;
@@ -14,11 +14,7 @@ use crate::generate::{
 };
 use crate::model::Address;
 
-/// Generate code and configuration from a description
-///
-/// Checks the description first and generates nothing if an error would make the tables wrong: the type, access or value of
-/// an entry is unknown, or an entry is described twice. Files are written atomically, and only if they change.
-#[derive(Debug, Parser)]
+#[derive(Debug, Args)]
 pub(in crate::cli) struct GenerateArgs {
     /// The description; `-` is standard input
     pub file: PathBuf,
@@ -93,7 +89,7 @@ macro_rules! arguments {
             $(needs: $feature:tt,)?
         }
     )+) => {
-        /// The options of generated code.
+        // The options of generated code.
         #[derive(Debug, Args)]
         pub(in crate::cli) struct OptionArgs {
             $(
@@ -171,8 +167,6 @@ fn targets() -> PossibleValuesParser {
 
 #[cfg(test)]
 mod tests {
-    use clap::CommandFactory;
-
     use super::*;
 
     /// Methods of the builder that have other names than the arguments.
@@ -186,7 +180,7 @@ mod tests {
     #[test]
     fn every_other_argument_is_a_method_of_the_builder() {
         let builder = include_str!("../../build_script/builder.rs");
-        let mut command = GenerateArgs::command();
+        let mut command = GenerateArgs::augment_args(clap::Command::default());
         command.build();
         let declared = OptionArgs::augment_args(clap::Command::default()); // their methods are made of the same lines
         for argument in command.get_arguments() {

@@ -2,7 +2,7 @@
 
 use std::path::{Path, PathBuf};
 
-use clap::{Parser, Subcommand, ValueEnum};
+use clap::{Subcommand, ValueEnum};
 
 use super::{OverwriteArgs, ReportArgs, ShowFormat};
 use crate::cli::baseline::BaselineArgs;
@@ -12,27 +12,53 @@ use crate::format::network::{ConfigurationTime, PathOptions};
 use crate::model::Date;
 use crate::source::Folder;
 
-/// Check networks, and build the configurations of their nodes and managers
-#[derive(Debug, Parser)]
+#[derive(Debug, clap::Args)]
 pub(in crate::cli) struct NetworkArgs {
     #[command(subcommand)]
     pub command: NetworkCommand,
 }
 
 #[derive(Debug, Subcommand)]
+#[command(defer = true)]
 pub(in crate::cli) enum NetworkCommand {
+    /// Check networks
+    ///
+    /// Exits with 1 if there is a finding of severity error (see --deny), and with 2 if a file cannot be read.
     Check(NetworkCheckArgs),
+    /// Build the configurations of the nodes and the manager of a network
+    ///
+    /// Checks the network first and builds nothing if there is an error. Files are written atomically, and only if they change.
     Build(NetworkBuildArgs),
+    /// Verify that the files in a folder are unchanged since objdict wrote them
+    ///
+    /// `network build` writes their hashes (SHA-256) to `objdict.sha256`, which `sha256sum -c` checks too. Exits with 1 if a file is
+    /// missing or was changed, or if a build was interrupted.
     Verify(NetworkVerifyArgs),
+    /// Boot a network in simulated time
+    ///
+    /// The manager boots the nodes with the files of `network build`, which are built in memory or read from a folder. The nodes answer as their
+    /// descriptions state, and frames are arbitrated by CAN-ID. Prints each frame with its meaning, and the time at which each node becomes
+    /// operational. Exits with 1 if a node that the manager must boot does not become operational.
     Boot(NetworkBootArgs),
+    /// Show nodes, links, CAN-IDs, boot plan and bus load of a network
     Show(NetworkShowArgs),
+    /// Draw the nodes of a network and their messages, each with its CAN-ID
+    ///
+    /// SDO transfers are left out.
     Graph(NetworkGraphArgs),
+    /// Compare two networks: nodes, CAN-IDs, boot plan, and the downloads of each node
+    ///
+    /// Exits with 1 if they differ.
     Diff(NetworkDiffArgs),
+    /// Print a `network.toml` to start from, for nodes with these descriptions
+    ///
+    /// The output contains the node-IDs, bit rate and manager that the descriptions state, and comments on what can be added.
     Init(NetworkInitArgs),
+    /// Print the JSON Schema of a file format, for completion and validation in editors
     Schema(NetworkSchemaArgs),
 }
 
-/// How the file of a network is read.
+// How the file of a network is read.
 #[derive(Debug, clap::Args)]
 #[command(next_help_heading = "Input")]
 pub(in crate::cli) struct NetworkInputArgs {
@@ -49,7 +75,7 @@ impl NetworkInputArgs {
     }
 }
 
-/// Where the files may be that a file names.
+// Where the files may be that a file names.
 #[derive(Debug, clap::Args)]
 #[command(next_help_heading = "Input")]
 pub(in crate::cli) struct AllowedPathArgs {
@@ -100,10 +126,7 @@ fn variable(text: &str) -> Result<(String, String), &'static str> {
     }
 }
 
-/// Check networks
-///
-/// Exits with 1 if there is a finding of severity error (see --deny), and with 2 if a file cannot be read.
-#[derive(Debug, Parser)]
+#[derive(Debug, clap::Args)]
 pub(in crate::cli) struct NetworkCheckArgs {
     /// Networks: `network.toml`, `bus.yml` of dcfgen or ros2_canopen, node lists; all descriptions together form one more
     #[arg(required = true, value_name = "FILE")]
@@ -118,10 +141,7 @@ pub(in crate::cli) struct NetworkCheckArgs {
     pub baseline: BaselineArgs,
 }
 
-/// Build the configurations of the nodes and the manager of a network
-///
-/// Checks the network first and builds nothing if there is an error. Files are written atomically, and only if they change.
-#[derive(Debug, Parser)]
+#[derive(Debug, clap::Args)]
 pub(in crate::cli) struct NetworkBuildArgs {
     /// The network: `network.toml`, `bus.yml` of dcfgen or ros2_canopen, a node list, or the descriptions of its nodes
     #[arg(required = true, value_name = "FILE")]
@@ -155,23 +175,14 @@ pub(in crate::cli) struct NetworkBuildArgs {
     pub config: ConfigFileArgs,
 }
 
-/// Verify that the files in a folder are unchanged since objdict wrote them
-///
-/// `network build` writes their hashes (SHA-256) to `objdict.sha256`, which `sha256sum -c` checks too. Exits with 1 if a file is
-/// missing or was changed, or if a build was interrupted.
-#[derive(Debug, Parser)]
+#[derive(Debug, clap::Args)]
 pub(in crate::cli) struct NetworkVerifyArgs {
     /// The folder
     #[arg(value_name = "DIR")]
     pub folder: PathBuf,
 }
 
-/// Boot a network in simulated time
-///
-/// The manager boots the nodes with the files of `network build`, which are built in memory or read from a folder. The nodes answer as their
-/// descriptions state, and frames are arbitrated by CAN-ID. Prints each frame with its meaning, and the time at which each node becomes
-/// operational. Exits with 1 if a node that the manager must boot does not become operational.
-#[derive(Debug, Parser)]
+#[derive(Debug, clap::Args)]
 pub(in crate::cli) struct NetworkBootArgs {
     /// The network, the descriptions of its nodes, or a folder that `network build` wrote; if the folder has no descriptions of
     /// nodes, also the network that names them
@@ -232,8 +243,7 @@ pub(in crate::cli) enum NetworkTarget {
     Rust,
 }
 
-/// Show nodes, links, CAN-IDs, boot plan and bus load of a network
-#[derive(Debug, Parser)]
+#[derive(Debug, clap::Args)]
 pub(in crate::cli) struct NetworkShowArgs {
     /// The network, or the descriptions of its nodes
     #[arg(required = true, value_name = "FILE")]
@@ -245,10 +255,7 @@ pub(in crate::cli) struct NetworkShowArgs {
     pub input: NetworkInputArgs,
 }
 
-/// Draw the nodes of a network and their messages, each with its CAN-ID
-///
-/// SDO transfers are left out.
-#[derive(Debug, Parser)]
+#[derive(Debug, clap::Args)]
 pub(in crate::cli) struct NetworkGraphArgs {
     /// The network, or the descriptions of its nodes
     #[arg(required = true, value_name = "FILE")]
@@ -269,10 +276,7 @@ pub(in crate::cli) enum GraphFormat {
     Dot,
 }
 
-/// Compare two networks: nodes, CAN-IDs, boot plan, and the downloads of each node
-///
-/// Exits with 1 if they differ.
-#[derive(Debug, Parser)]
+#[derive(Debug, clap::Args)]
 pub(in crate::cli) struct NetworkDiffArgs {
     /// The first network
     pub first: PathBuf,
@@ -282,10 +286,7 @@ pub(in crate::cli) struct NetworkDiffArgs {
     pub input: NetworkInputArgs,
 }
 
-/// Print a `network.toml` to start from, for nodes with these descriptions
-///
-/// The output contains the node-IDs, bit rate and manager that the descriptions state, and comments on what can be added.
-#[derive(Debug, Parser)]
+#[derive(Debug, clap::Args)]
 pub(in crate::cli) struct NetworkInitArgs {
     /// Descriptions, files with several (`.nxdd`, `.nxdc`), and node lists
     #[arg(required = true, value_name = "FILE")]
@@ -294,8 +295,7 @@ pub(in crate::cli) struct NetworkInitArgs {
     pub paths: AllowedPathArgs,
 }
 
-/// Print the JSON Schema of a file format, for completion and validation in editors
-#[derive(Debug, Parser)]
+#[derive(Debug, clap::Args)]
 pub(in crate::cli) struct NetworkSchemaArgs {
     /// The file format
     #[arg(value_enum)]

@@ -2,17 +2,13 @@
 
 use std::path::PathBuf;
 
-use clap::{Parser, ValueEnum};
+use clap::ValueEnum;
 
 use crate::format::input::FileKind;
 use crate::model::Date;
 use crate::scaffold::{EncoderClass, MAX_ANALOG, MAX_DIGITAL};
 
-/// Create the description of a new device
-///
-/// Profiles: 301 (communication objects only), 401 (inputs and outputs), 406 (encoder). The file has the objects that the profile
-/// requires and passes `objdict check`; add your own objects from 2000h on.
-#[derive(Debug, Parser)]
+#[derive(Debug, clap::Args)]
 pub(in crate::cli) struct NewArgs {
     /// The file to write: .eds .xdd .json; `-` is standard output
     #[arg(short, long, value_name = "FILE")]
