@@ -47,14 +47,14 @@ use crate::model::{Address, Device, NoAddress};
 /// Exit codes: 0 success, 1 findings, 2 failure (see `objdict help exit-codes`).
 #[derive(Debug, Parser)]
 #[command(name = "objdict", version, disable_help_subcommand = true)]
-pub(super) struct Args {
+pub(super) struct Args<C: Subcommand = Command> {
     #[command(subcommand)]
-    pub command: Command,
+    pub command: C,
     #[command(flatten)]
     pub terminal: TerminalArgs,
 }
 
-/// Text output of every command.
+// Text output of every command.
 #[derive(Clone, Copy, Debug, clap::Args)]
 pub(super) struct TerminalArgs {
     /// When to use colours
@@ -68,13 +68,34 @@ pub(super) struct TerminalArgs {
     pub verbose: bool,
 }
 
+/// The command that is run most, alone.
 #[derive(Debug, Subcommand)]
 #[command(defer = true)]
-pub(super) enum Command {
+pub(super) enum OnlyCheck {
     /// Check device descriptions
     ///
     /// Exits with 1 if there is a finding of severity error (see --deny), and with 2 if a file cannot be read.
     Check(CheckArgs),
+}
+
+impl Args {
+    /// The arguments of the process.
+    pub(super) fn of_process() -> Result<Self, clap::Error> {
+        // to declare the other commands takes a tenth of the time that the check of a small file takes
+        if std::env::args_os().nth(1).is_some_and(|name| name == "check") {
+            let Args { command, terminal } = Args::try_parse()?;
+            return Ok(Self { command: Command::Check(command), terminal });
+        }
+        Self::try_parse()
+    }
+}
+
+/// The commands; the arguments of a command are declared when it is given.
+#[derive(Debug, Subcommand)]
+#[command(defer = true)]
+pub(super) enum Command {
+    #[command(flatten)]
+    Check(OnlyCheck),
     /// Recognise files by their content
     ///
     /// Recognises CANopen files, and files of other technologies that look similar. Exits with 1 if a file is not a CANopen
@@ -174,7 +195,7 @@ pub(super) struct CheckArgs {
     pub fixing: FixArgs,
 }
 
-/// How findings are reported.
+// How findings are reported.
 #[derive(Debug, clap::Args)]
 pub(super) struct ReportArgs {
     /// Output format
@@ -270,7 +291,7 @@ pub(super) enum ShowFormat {
     Json,
 }
 
-/// What is replaced in a folder.
+// What is replaced in a folder.
 #[derive(Clone, Copy, Debug, Default, clap::Args)]
 pub(super) struct OverwriteArgs {
     /// Also replace files in the folder that objdict did not create, or that differ from their hash in `objdict.sha256`
@@ -278,7 +299,7 @@ pub(super) struct OverwriteArgs {
     pub overwrite: bool,
 }
 
-/// What is added to the device that a file describes.
+// What is added to the device that a file describes.
 #[derive(Debug, clap::Args)]
 #[command(next_help_heading = "Input")]
 pub(super) struct ExpandArgs {

@@ -13,7 +13,7 @@ use crate::diagnostic::{Findings, counted};
 use crate::report::{Subject, plural};
 use crate::source::read_text;
 
-/// Findings that are known.
+// Findings that are known.
 #[derive(Debug, Args)]
 #[command(next_help_heading = "Settings")]
 pub(super) struct BaselineArgs {

@@ -13,7 +13,7 @@ use crate::report::plural;
 use crate::source::SourceFile;
 use crate::{AppliedFix, fix_for_readers};
 
-/// Whether findings are fixed.
+// Whether findings are fixed.
 #[derive(Debug, clap::Args)]
 #[command(next_help_heading = "Fixes")]
 pub(super) struct FixArgs {

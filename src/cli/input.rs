@@ -18,7 +18,7 @@ use crate::source::{self, DEFAULT_MAX_SIZE, Encoding, SourceError};
 /// What reports call the standard input.
 const STDIN: &str = "<stdin>";
 
-/// How files are read.
+// How files are read.
 #[derive(Debug, Args)]
 #[command(next_help_heading = "Input")]
 pub(super) struct InputArgs {
@@ -37,7 +37,7 @@ pub(super) struct InputArgs {
     pub size: SizeArgs,
 }
 
-/// How large a device may become. What only looks at the text of a file does without.
+// How large a device may become. What only looks at the text of a file does without.
 #[derive(Debug, Args)]
 #[command(next_help_heading = "Input")]
 pub(super) struct EntriesArgs {
@@ -47,7 +47,7 @@ pub(super) struct EntriesArgs {
     pub max_entries: usize,
 }
 
-/// How much of a file is read.
+// How much of a file is read.
 #[derive(Debug, Args)]
 #[command(next_help_heading = "Input")]
 pub(super) struct SizeArgs {

@@ -42,9 +42,7 @@ use std::path::Path;
 use std::process::ExitCode;
 use std::sync::OnceLock;
 
-use clap::Parser;
-
-use self::args::{Args, Command, TerminalArgs};
+use self::args::{Args, Command, OnlyCheck, TerminalArgs};
 use self::output::Output;
 #[cfg(feature = "schema")]
 pub use self::schema::schemas;
@@ -52,7 +50,7 @@ use crate::diagnostic::{one_line, printable_lines};
 
 /// Runs the command that the arguments of the process name.
 pub fn run() -> ExitCode {
-    let args = match Args::try_parse() {
+    let args = match Args::of_process() {
         Ok(args) => args,
         Err(error) => {
             print_usage(&error);
@@ -62,7 +60,7 @@ pub fn run() -> ExitCode {
     let terminal = TERMINAL.get_or_init(|| args.terminal);
     let mut out = Output::stdout(terminal.color);
     let outcome = match &args.command {
-        Command::Check(command) => check::run(command, &mut out),
+        Command::Check(OnlyCheck::Check(command)) => check::run(command, &mut out),
         Command::Convert(command) => convert::run(command, &mut out),
         Command::Configure(command) => configure::run(command, &mut out),
         Command::Modules(command) => modules::run(command, &mut out),

@@ -9,7 +9,7 @@ use super::save::keep;
 use crate::profile::{self, OpenError, Profile, ProfileError};
 use crate::report::problem;
 
-/// The argument `--profile`.
+// The argument `--profile`.
 #[derive(Debug, Default, clap::Args)]
 pub(super) struct ProfileArgs {
     /// Also check against this profile: a CiA number such as 401, or the file of a custom profile (docs/profiles.md); repeatable

@@ -20,7 +20,7 @@ use crate::pipeline::{CheckSettings, Configuration};
 use crate::profile::Profile;
 use crate::registry;
 
-/// Which configuration applies.
+// Which configuration applies.
 #[derive(Clone, Debug, Default, Args)]
 #[command(next_help_heading = "Settings")]
 pub(super) struct ConfigFileArgs {
@@ -32,7 +32,7 @@ pub(super) struct ConfigFileArgs {
     no_config: bool,
 }
 
-/// Which configuration applies, and what overrides it.
+// Which configuration applies, and what overrides it.
 #[derive(Debug, Default, Args)]
 #[command(next_help_heading = "Settings")]
 pub(super) struct ConfigArgs {
@@ -49,7 +49,7 @@ pub(super) struct ConfigArgs {
     ignore: Vec<Selection>,
 }
 
-/// Settings of a check.
+// Settings of a check.
 #[derive(Debug, Default, Args)]
 #[command(next_help_heading = "Settings")]
 pub(super) struct SettingsArgs {

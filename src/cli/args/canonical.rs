@@ -7,7 +7,7 @@ use crate::format::literal::RealSpelling;
 use crate::format::{Dialect, WriteOptions};
 use crate::source::Encoding;
 
-/// Who reads what is written.
+// Who reads what is written.
 #[derive(Clone, Debug, Default, clap::Args)]
 pub(in crate::cli) struct DialectArgs {
     /// Write EDS and DCF files for this reader: cia306 (default), lely, python-canopen, canopeneditor or codesys (docs/formats.md)
@@ -37,7 +37,7 @@ impl DialectArgs {
     }
 }
 
-/// How an EDS or DCF is written that is no edit of a text.
+// How an EDS or DCF is written that is no edit of a text.
 #[derive(Debug, clap::Args)]
 #[command(next_help_heading = "Canonical EDS and DCF")]
 pub(in crate::cli) struct CanonicalArgs {

@@ -66,7 +66,7 @@ pub(in crate::cli) struct ConvertArgs {
     pub network: NetworkInputArgs,
 }
 
-/// What a DBC describes.
+// What a DBC describes.
 #[derive(Clone, Copy, Debug, clap::Args)]
 #[command(next_help_heading = "DBC")]
 pub(in crate::cli) struct DbcArgs {

@@ -140,7 +140,7 @@ pub(in crate::cli) struct VerifyArgs {
     pub input: InputArgs,
 }
 
-/// What gives the entries of a stream their names and types.
+// What gives the entries of a stream their names and types.
 #[derive(Debug, clap::Args)]
 pub(in crate::cli) struct NamingArgs {
     /// The description of the node, for names, data types and meanings

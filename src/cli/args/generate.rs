@@ -89,7 +89,7 @@ macro_rules! arguments {
             $(needs: $feature:tt,)?
         }
     )+) => {
-        /// The options of generated code.
+        // The options of generated code.
         #[derive(Debug, Args)]
         pub(in crate::cli) struct OptionArgs {
             $(

@@ -58,7 +58,7 @@ pub(in crate::cli) enum NetworkCommand {
     Schema(NetworkSchemaArgs),
 }
 
-/// How the file of a network is read.
+// How the file of a network is read.
 #[derive(Debug, clap::Args)]
 #[command(next_help_heading = "Input")]
 pub(in crate::cli) struct NetworkInputArgs {
@@ -75,7 +75,7 @@ impl NetworkInputArgs {
     }
 }
 
-/// Where the files may be that a file names.
+// Where the files may be that a file names.
 #[derive(Debug, clap::Args)]
 #[command(next_help_heading = "Input")]
 pub(in crate::cli) struct AllowedPathArgs {
