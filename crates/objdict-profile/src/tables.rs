@@ -5,8 +5,9 @@
 use std::borrow::Cow;
 use std::ops::RangeInclusive;
 
+use super::condition::Condition;
 pub use super::condition::Term;
-use super::{Condition, Confidence, Mapping};
+use super::need::{Confidence, Mapping};
 use crate::model::{Access, DataType, ObjectType, Value};
 
 /// A sub-list: position and number of items.
