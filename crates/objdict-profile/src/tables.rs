@@ -51,6 +51,13 @@ pub struct Tables {
     pub texts: Cow<'static, str>,
 }
 
+/// A table of rows: the names of their fields are in front of all rows, and each row has its values in this order.
+macro_rules! table {
+    ($row:ident $fields:tt: $($values:tt)*) => { &[$($crate::tables::table!(@row $row $fields $values)),*] };
+    (@row $row:ident { $($field:ident),* } ($($value:expr),*)) => { $row { $($field: $value),* } };
+}
+pub(crate) use table;
+
 /// An object, or a range of similar ones; see [`ObjectFacts`](super::ObjectFacts).
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct ObjectRow {
