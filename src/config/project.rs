@@ -3,7 +3,7 @@
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
-use super::Config;
+use super::configuration::Config;
 use crate::diagnostic::Findings;
 use crate::profile::{self, OpenError, Profile};
 use crate::registry::own::invalid_setting;

@@ -6,7 +6,7 @@ use toml::Spanned;
 use toml::de::{DeTable, DeValue};
 
 use super::path::PathPattern;
-use super::{Settings, WantedProfile};
+use super::settings::{Settings, WantedProfile};
 use crate::diagnostic::{At, Diagnostic, Findings, Selection, Severity, Text, Tool, listing, nearest, say};
 use crate::lint::Level;
 use crate::registry;

@@ -13,15 +13,11 @@ use std::io::{self, Write};
 use miette::LabeledSpan;
 
 use self::excerpt::{Excerpted, Excerpts};
-use self::printer::{Printer, WIDTH};
+use self::printer::{Printer, WIDTH, shown};
 pub(crate) use self::problem::problem;
 use super::statistics::offer;
 use super::{Detail, Report, Statistics, Subject, Tally};
-use crate::diagnostic::one_line;
 use crate::diagnostic::{Applicability, At, Diagnostic, Findings, Severity};
-
-/// The most characters of a message that are shown.
-const MAX_MESSAGE: usize = 600;
 
 /// The most findings of a file in a brief report, and how many a report has that ends without a table.
 const MAX_BRIEF: usize = 20;
@@ -186,14 +182,6 @@ impl<'a> Rendered<'a> {
         let others = others.into_values().collect();
         let help = finding.help.as_ref().map(|help| shown(&help.shown()));
         Self { finding, message: shown(&finding.message.shown()), help, excerpts, labels, others }
-    }
-}
-
-/// A message without control characters and not endless: it may quote anything in a file.
-fn shown(message: &str) -> String {
-    match message.char_indices().nth(MAX_MESSAGE) {
-        Some((end, _)) => one_line(&message[..end]) + "…",
-        None => one_line(message),
     }
 }
 

@@ -128,13 +128,35 @@ fn constants(group: &str, profile: &Profile) -> String {
     text
 }
 
-/// A table with a row a line, and what the row is about behind it.
+/// A table with a row a line, and what the row is about behind it. The fields are named once, in front of them.
 fn rows<T: Debug>(text: &mut String, head: &str, rows: &[T], about: impl Fn(&T) -> String) {
-    let _ = writeln!(text, "\nstatic {head} = &[");
+    let Some(first) = rows.first().map(|row| format!("{row:?}")) else {
+        return line(text, head, rows);
+    };
+    let (row, fields) = fields_of(&first);
+    let names: Vec<String> = fields.into_iter().map(|(name, _)| name).collect();
+    let _ = writeln!(text, "\nstatic {head} = table!({row} {{ {} }}:", names.join(", "));
     for row in rows {
-        let _ = writeln!(text, "    {}", format!("{row:?}, // {}", about(row)).trim_end_matches([' ', '/']));
+        let values: Vec<String> =
+            fields_of(&format!("{row:?}")).1.into_iter().map(|(_, value)| value).collect();
+        let line = format!("({}) // {}", values.join(", "), about(row));
+        let _ = writeln!(text, "    {}", line.trim_end_matches([' ', '/']));
     }
-    text.push_str("];\n");
+    text.push_str(");\n");
+}
+
+/// The name and the fields of a row, as `Debug` writes them.
+fn fields_of(row: &str) -> (&str, Vec<(String, String)>) {
+    let (name, fields) = row.trim_end_matches(" }").split_once(" { ").unwrap_or((row, ""));
+    let mut named: Vec<(String, String)> = Vec::new();
+    for part in fields.split(", ") {
+        match (part.split_once(": "), named.last_mut()) {
+            (Some((field, value)), _) => named.push((field.to_owned(), value.to_owned())),
+            (None, Some((_, value))) => *value += &format!(", {part}"),
+            (None, None) => {}
+        }
+    }
+    (name, named)
 }
 
 /// A table of small items.

@@ -1,7 +1,7 @@
 //! Summary of a device.
 
-use super::Subject;
-use super::page::Context;
+use super::context::Context;
+use super::subject::Subject;
 use crate::Language;
 use crate::model::{ClockTime, Date, Device, DeviceInfo, FileInfo, Part, PdoKind};
 

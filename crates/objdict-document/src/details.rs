@@ -4,7 +4,7 @@
 use std::ops::RangeInclusive;
 
 use super::anchor::Anchor;
-use super::page::Context;
+use super::context::Context;
 use super::states::shown;
 use crate::Language;
 use crate::model::{Entry, Field, Meaning, Parameter, Scaling};

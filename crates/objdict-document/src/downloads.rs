@@ -3,7 +3,7 @@
 use objdict_node::download::{ConciseDcf, Download, PlanOptions, Step, transferred_type};
 
 use super::anchor::Anchor;
-use super::page::Context;
+use super::context::Context;
 use super::sentence::anchor;
 use crate::describe::Reader;
 use crate::model::Value;

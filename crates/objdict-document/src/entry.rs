@@ -2,10 +2,10 @@
 
 use std::borrow::Cow;
 
-use super::CodeName;
 use super::anchor::Anchor;
+use super::context::Context;
 use super::details::{self, Details};
-use super::page::Context;
+use super::subject::CodeName;
 use crate::describe::Reader;
 use crate::model::{DataType, Entry, Field, PdoKind, PdoMapping, Value};
 use crate::profile::ObjectFacts;

@@ -3,7 +3,7 @@
 use std::collections::HashMap;
 
 use super::anchor::Anchor;
-use super::page::Context;
+use super::context::Context;
 use crate::model::{Device, Parameter, ParameterGroup};
 
 /// Maximum nesting depth; deeper groups are shown at this level.

@@ -5,13 +5,14 @@ use std::collections::{HashMap, HashSet};
 use std::ops::RangeInclusive;
 
 use super::anchor::{Anchor, in_one_spelling};
+use super::context::Context;
 use super::details::{self, Details};
 use super::entry::EntryView;
-use super::page::Context;
+use super::subject::CodeName;
 use super::texts::Texts;
-use super::{CodeName, profile};
 use crate::describe::is_of_cia;
 use crate::model::{Device, Object, ObjectType};
+use crate::profile;
 
 /// An area of the dictionary (CiA 301 §7.4.1).
 pub(crate) struct Area<'a> {

@@ -2,18 +2,22 @@
 
 use std::borrow::Cow;
 use std::collections::BTreeMap;
-use std::fmt::Write;
 use std::path::Path;
 
 use askama::Template;
 
 use super::anchor::Anchor;
-use super::escape::filters;
+use super::context::Context;
+use super::csv;
+use super::escape::{address, filters};
+use super::form::Form;
 use super::network::{NetworkView, SiteNetwork, StatedNode, stated, tables};
-use super::page::{Context, Page};
+use super::options::Options;
+use super::page::Page;
 use super::policy::with_policy;
+use super::subject::Subject;
 use super::texts::Texts;
-use super::{Form, Options, Subject, csv, write_page};
+use super::write::write_page;
 use crate::Language;
 use crate::diagnostic::Severity;
 use crate::model::PdoKind;
@@ -304,20 +308,6 @@ fn index_csv(devices: &[Listed]) -> String {
     text
 }
 
-/// The relative URL of a file in the same folder, percent-encoded so that no name becomes another URL.
-pub(crate) fn address(name: &str) -> String {
-    let mut address = String::with_capacity(name.len());
-    for &byte in name.as_bytes() {
-        match byte {
-            b'a'..=b'z' | b'A'..=b'Z' | b'0'..=b'9' | b'-' | b'.' | b'_' => address.push(char::from(byte)),
-            _ => {
-                let _ = write!(address, "%{byte:02X}"); // writing to a String cannot fail
-            }
-        }
-    }
-    address
-}
-
 #[cfg(test)]
 mod tests {
     use super::*;
@@ -330,12 +320,5 @@ mod tests {
         let expected =
             ["io.html", "io-2.html", "IO-3.html", "io-2-2.html", "index-2.html", "-.html", "a b#c.html"];
         assert_eq!(names, expected);
-    }
-
-    #[test]
-    fn addresses_stay_in_the_folder() {
-        assert_eq!(address("javascript:alert(1).html"), "javascript%3Aalert%281%29.html");
-        assert_eq!(address("a b#c?.md"), "a%20b%23c%3F.md");
-        assert_eq!(address("Größe.md"), "Gr%C3%B6%C3%9Fe.md");
     }
 }

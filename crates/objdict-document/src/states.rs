@@ -1,7 +1,7 @@
 //! The state machine and the error codes that the device profile defines.
 
 use super::anchor::Anchor;
-use super::page::Context;
+use super::context::Context;
 use crate::describe::single_codes;
 use crate::profile::{self, Profile, Transition, Values};
 

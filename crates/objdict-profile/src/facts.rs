@@ -2,7 +2,8 @@
 
 use std::ops::RangeInclusive;
 
-use super::Condition;
+use super::condition::Condition;
+use super::need::{Confidence, Mapping, Need};
 use super::tables::{BitRow, EntryRow, MeaningRow, NeedRow, ObjectRow, Tables};
 use crate::model::{Access, DataType, Device, ObjectType, Value};
 
@@ -61,40 +62,6 @@ pub struct EntryFacts<'a> {
     pub unit: Option<&'a str>,
     bits: &'a [BitRow],
     tables: &'a Tables,
-}
-
-/// Whether an object or entry is mandatory.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub enum Need<'a> {
-    /// Optional.
-    Optional,
-    /// Mandatory.
-    Mandatory,
-    /// Mandatory under a condition.
-    When(&'a Condition),
-}
-
-/// The PDOs that may map an entry.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
-pub enum Mapping {
-    /// None.
-    No,
-    /// TPDOs.
-    Tpdo,
-    /// RPDOs.
-    Rpdo,
-    /// Both.
-    Any,
-}
-
-/// How sure a source is.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
-pub enum Confidence {
-    /// The document itself, or two sources that agree.
-    #[default]
-    High,
-    /// One secondary source, or a matter of the edition.
-    Medium,
 }
 
 /// A bit field of a value.

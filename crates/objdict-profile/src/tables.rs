@@ -5,8 +5,9 @@
 use std::borrow::Cow;
 use std::ops::RangeInclusive;
 
+use super::condition::Condition;
 pub use super::condition::Term;
-use super::{Condition, Confidence, Mapping};
+use super::need::{Confidence, Mapping};
 use crate::model::{Access, DataType, ObjectType, Value};
 
 /// A sub-list: position and number of items.
@@ -49,6 +50,13 @@ pub struct Tables {
     /// All texts, concatenated.
     pub texts: Cow<'static, str>,
 }
+
+/// A table of rows: the names of their fields are in front of all rows, and each row has its values in this order.
+macro_rules! table {
+    ($row:ident $fields:tt: $($values:tt)*) => { &[$($crate::tables::table!(@row $row $fields $values)),*] };
+    (@row $row:ident { $($field:ident),* } ($($value:expr),*)) => { $row { $($field: $value),* } };
+}
+pub(crate) use table;
 
 /// An object, or a range of similar ones; see [`ObjectFacts`](super::ObjectFacts).
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]

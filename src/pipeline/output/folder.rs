@@ -4,9 +4,11 @@ use std::collections::{BTreeMap, HashSet};
 use std::io;
 use std::path::{Path, PathBuf};
 
+use super::error::OutputError;
 use super::manifest::{Hash, Log, Manifest, NAME};
 use super::names::require_portable;
-use super::{OutputError, Saved, Used, save};
+use super::save::{Saved, save};
+use super::used::Used;
 use crate::source::read;
 
 /// What the first lines of generated files say, in a comment of their language.

@@ -5,7 +5,7 @@ use std::ffi::OsStr;
 #[cfg(feature = "cli")]
 use std::path::Path;
 
-use super::OutputError;
+use super::error::OutputError;
 
 /// Names that Windows keeps for devices, in any case and with any extension (Microsoft, *Naming Files, Paths, and Namespaces*).
 const DEVICES: [&str; 6] = ["CON", "PRN", "AUX", "NUL", "CONIN$", "CONOUT$"];

@@ -8,11 +8,12 @@ use std::fs::{self, File};
 use std::io;
 use std::path::{Path, PathBuf};
 
-use super::folder::Found;
+use super::error::OutputError;
+use super::folder::{Found, OutputFolder};
 use super::manifest::{Hash, Log, Manifest, NAME};
 use super::names::require_flat;
 use super::save::{Temporary, pending};
-use super::{OutputError, OutputFolder, Used};
+use super::used::Used;
 
 /// A file that is to be in the folder.
 struct Wanted<'a> {

@@ -8,6 +8,10 @@ use miette::{Diagnostic, LabeledSpan, Severity, SourceCode, SourceSpan, SpanCont
 
 use super::excerpt::Excerpted;
 use super::wrap;
+use crate::diagnostic::one_line;
+
+/// The most characters of a message that are shown.
+const MAX_MESSAGE: usize = 600;
 
 /// The columns of a report that is not for a terminal.
 pub(super) const WIDTH: usize = 80;
@@ -279,4 +283,12 @@ fn column_of(line: &str, at: usize) -> usize {
     let text = line.get(..at).unwrap_or(line);
     let column = text.chars().fold(0, |column, character| column + columns(column, character));
     column + usize::from(at > line.len())
+}
+
+/// A message without control characters and not endless: it may quote anything in a file.
+pub(super) fn shown(message: &str) -> String {
+    match message.char_indices().nth(MAX_MESSAGE) {
+        Some((end, _)) => one_line(&message[..end]) + "…",
+        None => one_line(message),
+    }
 }

@@ -5,8 +5,7 @@ use std::fmt;
 use miette::LabeledSpan;
 
 use super::excerpt::Excerpts;
-use super::printer::{Printer, WIDTH};
-use super::shown;
+use super::printer::{Printer, WIDTH, shown};
 use crate::source::{SourceFile, Span};
 
 /// A problem in a file of objdict (a profile, a configuration), with the lines and a mark under them, without colours:

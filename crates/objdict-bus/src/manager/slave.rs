@@ -2,12 +2,11 @@
 
 use std::collections::BTreeMap;
 
+use super::failure::BootFailure;
 use crate::client::Client;
 use crate::dictionary::LiveDictionary;
 use crate::download::Download;
 use crate::node::MILLISECOND;
-
-use super::BootFailure;
 
 /// The configurations of nodes (1F22h) by node-ID: their downloads, or why they cannot be read.
 pub type Configurations = BTreeMap<u8, Result<Vec<Download>, String>>;

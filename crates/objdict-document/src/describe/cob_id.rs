@@ -1,6 +1,6 @@
 //! COB-IDs: the CAN-ID, its length, and the meaning of the upper bits.
 
-use super::Decoder;
+use super::decoder::Decoder;
 use crate::model::{CobId, PdoKind, Value};
 
 /// A CAN-ID for a node, else as a formula: `0x185`, `$NODEID+0x180`.

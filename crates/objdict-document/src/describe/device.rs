@@ -1,6 +1,7 @@
 //! Device type, error control and parameter storage.
 
-use super::{Decoder, time};
+use super::decoder::Decoder;
+use super::time;
 use crate::Language;
 use crate::model::{HeartbeatConsumer, Value};
 use crate::profile;

@@ -1,6 +1,6 @@
 //! Errors: the register, the history, and the effect on the NMT state.
 
-use super::Decoder;
+use super::decoder::Decoder;
 use crate::Language;
 use crate::profile;
 

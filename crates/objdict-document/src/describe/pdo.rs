@@ -1,6 +1,7 @@
 //! PDOs, and SRDOs (CiA 304), which have the same structure.
 
-use super::{Decoder, time};
+use super::decoder::Decoder;
+use super::time;
 use crate::Language;
 use crate::model::{DataType, MappedObject, PdoKind, Value};
 

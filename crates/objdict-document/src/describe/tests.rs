@@ -1,4 +1,6 @@
 use super::*;
+use crate::Language;
+use crate::model::{Device, Value};
 
 fn of(index: u16, sub: u8, value: &Value, node_id: Option<u8>) -> String {
     Decoder::english(&Device::default(), node_id).of(index, sub, value).unwrap_or_default()

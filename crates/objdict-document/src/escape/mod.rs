@@ -8,10 +8,12 @@ mod css;
 mod csv;
 mod html;
 mod markdown;
+mod url;
 
 pub(crate) use csv::field;
 pub(crate) use html::Html;
 pub(crate) use markdown::{Markdown, code};
+pub(crate) use url::address;
 
 use crate::diagnostic::visible;
 

@@ -1,36 +1,27 @@
 //! Networks on the index page of a site: who is in them, what goes from which node to which, and how they boot.
 
+mod link;
+mod site_network;
 mod stated;
 mod tables;
 
 use std::borrow::Cow;
 
 use askama::Template;
-use objdict_network::{CarriedEntry, End, LinkRow, MappedEntry, MessageId, NodeRow, Overview, graph};
+use objdict_network::{End, MappedEntry, NodeRow, Overview, graph};
 
+use self::link::{Link, can_id, spoken};
+pub use self::site_network::SiteNetwork;
 pub(crate) use self::stated::{StatedNode, stated};
 pub(crate) use self::tables::tables;
-use super::Form;
 use super::anchor::Anchor;
-use super::escape::filters;
-use super::finding::{Finding, Found};
+use super::escape::{address, filters};
+use super::finding::Found;
+use super::form::Form;
 use super::texts::Texts;
 use crate::Language;
-use crate::describe::{decimal, of_microseconds, of_milliseconds, spelled};
+use crate::describe::{decimal, of_microseconds, of_milliseconds};
 use crate::model::Address;
-
-/// A network for the index of a site.
-#[derive(Clone, Debug)]
-pub struct SiteNetwork {
-    /// What the network is and does, in the language of the site.
-    pub overview: Overview,
-    /// The file of the network, as readers know it; `None` if only its nodes are described.
-    pub file: Option<String>,
-    /// The names of the nodes' pages by the position of the node in the network; `None` for a node without a page.
-    pub pages: Vec<Option<String>>,
-    /// The findings of `network check`; `None` if it did not run.
-    pub findings: Option<Vec<Finding>>,
-}
 
 /// A network in words.
 pub(crate) struct NetworkView<'a> {
@@ -48,69 +39,9 @@ pub(crate) struct NetworkView<'a> {
     links: Vec<Link<'a>>,
 }
 
-/// A PDO from its sender to one receiver.
-struct Link<'a> {
-    row: &'a LinkRow,
-    can_id: String,
-    /// Whether the receiver expects more bits than are sent, and therefore ignores the PDO.
-    is_too_short: bool,
-}
-
-impl<'a> Link<'a> {
-    fn new(row: &'a LinkRow) -> Self {
-        let end = |of: fn(&CarriedEntry) -> &Option<MappedEntry>| {
-            let mapped = row.entries.iter().filter(|entry| of(entry).is_some());
-            mapped.map(|entry| entry.bit + entry.bits).max().unwrap_or(0)
-        };
-        let (sent, received) = (end(|entry| &entry.from), end(|entry| &entry.to));
-        Self { row, can_id: can_id(row.can_id), is_too_short: sent != 0 && sent < received }
-    }
-
-    /// The node that sends it.
-    fn sender(&self) -> Option<usize> {
-        self.row.sender.as_ref()?.position
-    }
-
-    /// The node that receives it.
-    fn receiver(&self) -> Option<usize> {
-        self.row.receiver.as_ref()?.position
-    }
-
-    /// The lines of the link in a table.
-    fn rows(&self) -> usize {
-        self.row.entries.len().max(1)
-    }
-
-    /// The entries in short: `0x6000:01–05, 0x6401:01`; those of the sender, where they are known.
-    fn span(&self) -> String {
-        let entries = self.row.entries.iter().filter_map(|entry| entry.from.as_ref().or(entry.to.as_ref()));
-        let mut spans: Vec<(Address, u8)> = Vec::new();
-        for Address { index, sub } in entries.filter_map(|entry| entry.address) {
-            let number = sub.unwrap_or(0);
-            match spans.last_mut() {
-                Some((first, last)) if first.index == index && last.checked_add(1) == Some(number) => {
-                    *last = number;
-                }
-                _ => spans.push((Address { index, sub }, number)),
-            }
-        }
-        let shown = |(first, last): (Address, u8)| {
-            let anchor = Anchor { index: first.index, sub: first.sub };
-            let is_one = first.sub.unwrap_or(0) == last;
-            if is_one { anchor.spoken() } else { format!("{}–{last:02X}", anchor.spoken()) }
-        };
-        spans.into_iter().map(shown).collect::<Vec<_>>().join(", ")
-    }
-}
-
 /// A number of 32 bits.
 fn hex(number: u32) -> String {
     format!("0x{number:08X}")
-}
-
-/// `0x185`; eight digits for an extended frame.
-fn can_id(id: MessageId) -> String {
-    spelled(id.number, id.is_extended)
 }
 
 impl<'a> NetworkView<'a> {
@@ -129,7 +60,7 @@ impl<'a> NetworkView<'a> {
                 Form::Markdown if has_pages => format!("network-{number}.svg"),
                 _ => String::new(),
             },
-            pages: network.pages.iter().map(|page| page.as_deref().map(super::site::address)).collect(),
+            pages: network.pages.iter().map(|page| page.as_deref().map(address)).collect(),
             findings: network.findings.as_deref().map(Found::by_rule),
             links: overview.links.iter().map(Link::new).collect(),
         }
@@ -239,11 +170,6 @@ impl<'a> NetworkView<'a> {
 fn called(node: &NodeRow) -> String {
     let id = node.node_id.map_or_else(|| "?".to_owned(), |id| id.to_string());
     format!("{id} {}", node.name)
-}
-
-/// `0x6000:01`; empty for a dummy.
-fn spoken(entry: &MappedEntry) -> String {
-    entry.address.map_or_else(String::new, |Address { index, sub }| Anchor { index, sub }.spoken())
 }
 
 #[derive(Template)]

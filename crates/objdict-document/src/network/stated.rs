@@ -4,9 +4,9 @@ use std::collections::BTreeMap;
 
 use objdict_network::{DcfgenMode, Network, Node, Overview, Said, compile};
 
-use super::SiteNetwork;
+use super::site_network::SiteNetwork;
+use crate::context::Context;
 use crate::diagnostic::Findings;
-use crate::page::Context;
 use crate::source::Span;
 
 /// A configured node of a site.

@@ -4,7 +4,7 @@ use std::borrow::Cow;
 
 use objdict_network::{End, LinkRow, MappedEntry, NodeRow, Overview};
 
-use super::{Link, can_id, spoken};
+use super::link::{Link, can_id, spoken};
 use crate::csv;
 
 /// What goes from entry to entry, all messages, and what configures the nodes, with the names of the files.

@@ -35,197 +35,195 @@ pub(super) static PROFILE: Profile = Profile {
     },
 };
 
-static OBJECTS: &[ObjectRow] = &[
-    ObjectRow { first: 7936, last: 7936, name: Part(0, 11), object_types: Part(0, 1), need: Optional, only: None, as_many_as: Part(0, 0), entries: Part(0, 1), source: Part(11, 4), about: Part(15, 56), confidence: High }, // 1F00h Request SDO
-    ObjectRow { first: 7937, last: 7937, name: Part(71, 11), object_types: Part(0, 1), need: Optional, only: None, as_many_as: Part(0, 0), entries: Part(0, 1), source: Part(11, 4), about: Part(82, 43), confidence: High }, // 1F01h Release SDO
-    ObjectRow { first: 7938, last: 7938, name: Part(148, 19), object_types: Part(1, 2), need: Optional, only: None, as_many_as: Part(0, 0), entries: Part(1, 2), source: Part(11, 4), about: Part(167, 46), confidence: High }, // 1F02h SDO manager COB-IDs
-    ObjectRow { first: 7939, last: 7939, name: Part(213, 22), object_types: Part(1, 2), need: Optional, only: None, as_many_as: Part(0, 0), entries: Part(3, 3), source: Part(11, 4), about: Part(262, 111), confidence: High }, // 1F03h SDO connections part 1
-    ObjectRow { first: 7940, last: 7940, name: Part(373, 22), object_types: Part(1, 2), need: Optional, only: None, as_many_as: Part(0, 0), entries: Part(6, 3), source: Part(11, 4), about: Part(395, 59), confidence: High }, // 1F04h SDO connections part 2
-    ObjectRow { first: 7941, last: 7941, name: Part(454, 22), object_types: Part(1, 2), need: Optional, only: None, as_many_as: Part(0, 0), entries: Part(9, 3), source: Part(11, 4), about: Part(476, 59), confidence: High }, // 1F05h SDO connections part 3
-    ObjectRow { first: 7942, last: 7942, name: Part(535, 22), object_types: Part(1, 2), need: Optional, only: None, as_many_as: Part(0, 0), entries: Part(12, 3), source: Part(11, 4), about: Part(557, 60), confidence: High }, // 1F06h SDO connections part 4
-    ObjectRow { first: 7952, last: 7952, name: Part(617, 28), object_types: Part(0, 1), need: Optional, only: None, as_many_as: Part(0, 0), entries: Part(15, 1), source: Part(11, 4), about: Part(645, 59), confidence: High }, // 1F10h Dynamic SDO connection state
-    ObjectRow { first: 7953, last: 7953, name: Part(704, 12), object_types: Part(0, 1), need: Optional, only: None, as_many_as: Part(0, 0), entries: Part(16, 1), source: Part(11, 4), about: Part(716, 81), confidence: High }, // 1F11h Slave failed
-    ObjectRow { first: 7968, last: 7968, name: Part(797, 9), object_types: Part(1, 2), need: When(0), only: None, as_many_as: Part(0, 0), entries: Part(17, 2), source: Part(11, 4), about: Part(806, 95), confidence: High }, // 1F20h Store DCF
-    ObjectRow { first: 7969, last: 7969, name: Part(901, 21), object_types: Part(1, 2), need: When(1), only: None, as_many_as: Part(0, 0), entries: Part(19, 2), source: Part(11, 4), about: Part(922, 52), confidence: High }, // 1F21h Storage format of DCF
-    ObjectRow { first: 7970, last: 7970, name: Part(974, 11), object_types: Part(1, 2), need: Optional, only: None, as_many_as: Part(0, 0), entries: Part(21, 2), source: Part(11, 4), about: Part(985, 114), confidence: High }, // 1F22h Concise DCF
-    ObjectRow { first: 7971, last: 7971, name: Part(1099, 22), object_types: Part(1, 2), need: When(2), only: None, as_many_as: Part(0, 0), entries: Part(23, 2), source: Part(11, 4), about: Part(1121, 72), confidence: High }, // 1F23h Store EDS of NMT slave
-    ObjectRow { first: 7972, last: 7972, name: Part(1193, 21), object_types: Part(1, 2), need: When(3), only: None, as_many_as: Part(0, 0), entries: Part(25, 2), source: Part(11, 4), about: Part(1214, 57), confidence: High }, // 1F24h Storage format of EDS
-    ObjectRow { first: 7973, last: 7973, name: Part(1271, 15), object_types: Part(1, 2), need: Optional, only: None, as_many_as: Part(0, 0), entries: Part(27, 3), source: Part(11, 4), about: Part(1295, 82), confidence: High }, // 1F25h Configure slave
-    ObjectRow { first: 7974, last: 7974, name: Part(1377, 27), object_types: Part(1, 2), need: When(4), only: None, as_many_as: Part(0, 0), entries: Part(30, 2), source: Part(11, 4), about: Part(1404, 97), confidence: High }, // 1F26h Expected configuration date
-    ObjectRow { first: 7975, last: 7975, name: Part(1501, 27), object_types: Part(1, 2), need: When(5), only: None, as_many_as: Part(0, 0), entries: Part(32, 2), source: Part(11, 4), about: Part(1528, 97), confidence: High }, // 1F27h Expected configuration time
-    ObjectRow { first: 8016, last: 8016, name: Part(1625, 12), object_types: Part(1, 2), need: Optional, only: None, as_many_as: Part(0, 0), entries: Part(34, 3), source: Part(11, 4), about: Part(1637, 47), confidence: High }, // 1F50h Program data
-    ObjectRow { first: 8017, last: 8017, name: Part(1684, 15), object_types: Part(1, 2), need: When(6), only: None, as_many_as: Part(0, 1), entries: Part(37, 3), source: Part(11, 4), about: Part(1699, 54), confidence: High }, // 1F51h Program control
-    ObjectRow { first: 8018, last: 8018, name: Part(1803, 27), object_types: Part(1, 2), need: Optional, only: None, as_many_as: Part(0, 0), entries: Part(40, 3), source: Part(11, 4), about: Part(1830, 56), confidence: High }, // 1F52h Verify application software
-    ObjectRow { first: 8019, last: 8019, name: Part(1886, 34), object_types: Part(1, 2), need: Optional, only: None, as_many_as: Part(0, 0), entries: Part(43, 2), source: Part(11, 4), about: Part(1920, 84), confidence: High }, // 1F53h Expected application software date
-    ObjectRow { first: 8020, last: 8020, name: Part(2004, 34), object_types: Part(1, 2), need: Optional, only: None, as_many_as: Part(0, 0), entries: Part(45, 2), source: Part(11, 4), about: Part(2038, 84), confidence: High }, // 1F54h Expected application software time
-    ObjectRow { first: 8021, last: 8021, name: Part(2122, 32), object_types: Part(1, 2), need: Optional, only: None, as_many_as: Part(0, 0), entries: Part(47, 2), source: Part(2154, 7), about: Part(2161, 94), confidence: Medium }, // 1F55h Expected software identification
-    ObjectRow { first: 8022, last: 8022, name: Part(2255, 31), object_types: Part(1, 2), need: Optional, only: None, as_many_as: Part(0, 0), entries: Part(49, 3), source: Part(2154, 7), about: Part(2286, 58), confidence: Medium }, // 1F56h Program software identification
-    ObjectRow { first: 8023, last: 8023, name: Part(2344, 27), object_types: Part(1, 2), need: Optional, only: None, as_many_as: Part(0, 0), entries: Part(52, 3), source: Part(2154, 7), about: Part(2556, 68), confidence: Medium }, // 1F57h Flash status identification
-    ObjectRow { first: 8024, last: 8024, name: Part(2624, 21), object_types: Part(1, 2), need: Optional, only: None, as_many_as: Part(0, 0), entries: Part(55, 2), source: Part(2154, 7), about: Part(2645, 83), confidence: Medium }, // 1F58h Program data of nodes
-    ObjectRow { first: 8032, last: 8032, name: Part(2728, 24), object_types: Part(0, 0), need: Optional, only: None, as_many_as: Part(0, 0), entries: Part(0, 0), source: Part(2752, 9), about: Part(2761, 42), confidence: Medium }, // 1F60h Redundancy configuration
-    ObjectRow { first: 8048, last: 8048, name: Part(2859, 15), object_types: Part(3, 1), need: Optional, only: None, as_many_as: Part(0, 0), entries: Part(57, 3), source: Part(11, 4), about: Part(2874, 59), confidence: High }, // 1F70h Process picture
-    ObjectRow { first: 8064, last: 8064, name: Part(3151, 11), object_types: Part(0, 1), need: Optional, only: None, as_many_as: Part(0, 0), entries: Part(60, 1), source: Part(11, 4), about: Part(3162, 82), confidence: High }, // 1F80h NMT startup
-    ObjectRow { first: 8065, last: 8065, name: Part(3244, 20), object_types: Part(1, 2), need: Optional, only: None, as_many_as: Part(0, 0), entries: Part(61, 2), source: Part(11, 4), about: Part(3449, 115), confidence: High }, // 1F81h NMT slave assignment
-    ObjectRow { first: 8066, last: 8066, name: Part(3564, 11), object_types: Part(1, 2), need: Optional, only: None, as_many_as: Part(0, 0), entries: Part(63, 3), source: Part(11, 4), about: Part(3575, 97), confidence: High }, // 1F82h Request NMT
-    ObjectRow { first: 8067, last: 8067, name: Part(3672, 21), object_types: Part(1, 2), need: Optional, only: None, as_many_as: Part(0, 0), entries: Part(66, 3), source: Part(11, 4), about: Part(3693, 69), confidence: High }, // 1F83h Request node guarding
-    ObjectRow { first: 8068, last: 8068, name: Part(3762, 26), object_types: Part(1, 2), need: Optional, only: None, as_many_as: Part(0, 0), entries: Part(69, 2), source: Part(11, 4), about: Part(3788, 97), confidence: High }, // 1F84h Device type identification
-    ObjectRow { first: 8069, last: 8069, name: Part(3885, 21), object_types: Part(1, 2), need: Optional, only: None, as_many_as: Part(0, 0), entries: Part(71, 2), source: Part(11, 4), about: Part(3906, 87), confidence: High }, // 1F85h Vendor identification
-    ObjectRow { first: 8070, last: 8070, name: Part(3993, 12), object_types: Part(1, 2), need: Optional, only: None, as_many_as: Part(0, 0), entries: Part(73, 2), source: Part(11, 4), about: Part(4005, 90), confidence: High }, // 1F86h Product code
-    ObjectRow { first: 8071, last: 8071, name: Part(4095, 15), object_types: Part(1, 2), need: Optional, only: None, as_many_as: Part(0, 0), entries: Part(75, 2), source: Part(11, 4), about: Part(4110, 93), confidence: High }, // 1F87h Revision number
-    ObjectRow { first: 8072, last: 8072, name: Part(4203, 13), object_types: Part(1, 2), need: Optional, only: None, as_many_as: Part(0, 0), entries: Part(77, 2), source: Part(11, 4), about: Part(4216, 91), confidence: High }, // 1F88h Serial number
-    ObjectRow { first: 8073, last: 8073, name: Part(4309, 9), object_types: Part(0, 1), need: Optional, only: None, as_many_as: Part(0, 0), entries: Part(79, 1), source: Part(11, 4), about: Part(4318, 69), confidence: High }, // 1F89h Boot time
-    ObjectRow { first: 8074, last: 8074, name: Part(4387, 21), object_types: Part(1, 2), need: Optional, only: None, as_many_as: Part(0, 0), entries: Part(80, 2), source: Part(2154, 7), about: Part(4408, 84), confidence: Medium }, // 1F8Ah Restore configuration
-    ObjectRow { first: 8080, last: 8080, name: Part(4671, 35), object_types: Part(0, 0), need: When(7), only: None, as_many_as: Part(0, 0), entries: Part(82, 7), source: Part(4706, 15), about: Part(4721, 72), confidence: High }, // 1F90h NMT flying master timing parameters
-    ObjectRow { first: 8081, last: 8081, name: Part(4908, 37), object_types: Part(1, 2), need: Optional, only: None, as_many_as: Part(0, 0), entries: Part(89, 4), source: Part(4706, 15), about: Part(4945, 81), confidence: High }, // 1F91h Self-starting nodes timing parameters
-];
+static OBJECTS: &[ObjectRow] = table!(ObjectRow { first, last, name, object_types, need, only, as_many_as, entries, source, about, confidence }:
+    (7936, 7936, Part(0, 11), Part(0, 1), Optional, None, Part(0, 0), Part(0, 1), Part(11, 4), Part(15, 56), High) // 1F00h Request SDO
+    (7937, 7937, Part(71, 11), Part(0, 1), Optional, None, Part(0, 0), Part(0, 1), Part(11, 4), Part(82, 43), High) // 1F01h Release SDO
+    (7938, 7938, Part(148, 19), Part(1, 2), Optional, None, Part(0, 0), Part(1, 2), Part(11, 4), Part(167, 46), High) // 1F02h SDO manager COB-IDs
+    (7939, 7939, Part(213, 22), Part(1, 2), Optional, None, Part(0, 0), Part(3, 3), Part(11, 4), Part(262, 111), High) // 1F03h SDO connections part 1
+    (7940, 7940, Part(373, 22), Part(1, 2), Optional, None, Part(0, 0), Part(6, 3), Part(11, 4), Part(395, 59), High) // 1F04h SDO connections part 2
+    (7941, 7941, Part(454, 22), Part(1, 2), Optional, None, Part(0, 0), Part(9, 3), Part(11, 4), Part(476, 59), High) // 1F05h SDO connections part 3
+    (7942, 7942, Part(535, 22), Part(1, 2), Optional, None, Part(0, 0), Part(12, 3), Part(11, 4), Part(557, 60), High) // 1F06h SDO connections part 4
+    (7952, 7952, Part(617, 28), Part(0, 1), Optional, None, Part(0, 0), Part(15, 1), Part(11, 4), Part(645, 59), High) // 1F10h Dynamic SDO connection state
+    (7953, 7953, Part(704, 12), Part(0, 1), Optional, None, Part(0, 0), Part(16, 1), Part(11, 4), Part(716, 81), High) // 1F11h Slave failed
+    (7968, 7968, Part(797, 9), Part(1, 2), When(0), None, Part(0, 0), Part(17, 2), Part(11, 4), Part(806, 95), High) // 1F20h Store DCF
+    (7969, 7969, Part(901, 21), Part(1, 2), When(1), None, Part(0, 0), Part(19, 2), Part(11, 4), Part(922, 52), High) // 1F21h Storage format of DCF
+    (7970, 7970, Part(974, 11), Part(1, 2), Optional, None, Part(0, 0), Part(21, 2), Part(11, 4), Part(985, 114), High) // 1F22h Concise DCF
+    (7971, 7971, Part(1099, 22), Part(1, 2), When(2), None, Part(0, 0), Part(23, 2), Part(11, 4), Part(1121, 72), High) // 1F23h Store EDS of NMT slave
+    (7972, 7972, Part(1193, 21), Part(1, 2), When(3), None, Part(0, 0), Part(25, 2), Part(11, 4), Part(1214, 57), High) // 1F24h Storage format of EDS
+    (7973, 7973, Part(1271, 15), Part(1, 2), Optional, None, Part(0, 0), Part(27, 3), Part(11, 4), Part(1295, 82), High) // 1F25h Configure slave
+    (7974, 7974, Part(1377, 27), Part(1, 2), When(4), None, Part(0, 0), Part(30, 2), Part(11, 4), Part(1404, 97), High) // 1F26h Expected configuration date
+    (7975, 7975, Part(1501, 27), Part(1, 2), When(5), None, Part(0, 0), Part(32, 2), Part(11, 4), Part(1528, 97), High) // 1F27h Expected configuration time
+    (8016, 8016, Part(1625, 12), Part(1, 2), Optional, None, Part(0, 0), Part(34, 3), Part(11, 4), Part(1637, 47), High) // 1F50h Program data
+    (8017, 8017, Part(1684, 15), Part(1, 2), When(6), None, Part(0, 1), Part(37, 3), Part(11, 4), Part(1699, 54), High) // 1F51h Program control
+    (8018, 8018, Part(1803, 27), Part(1, 2), Optional, None, Part(0, 0), Part(40, 3), Part(11, 4), Part(1830, 56), High) // 1F52h Verify application software
+    (8019, 8019, Part(1886, 34), Part(1, 2), Optional, None, Part(0, 0), Part(43, 2), Part(11, 4), Part(1920, 84), High) // 1F53h Expected application software date
+    (8020, 8020, Part(2004, 34), Part(1, 2), Optional, None, Part(0, 0), Part(45, 2), Part(11, 4), Part(2038, 84), High) // 1F54h Expected application software time
+    (8021, 8021, Part(2122, 32), Part(1, 2), Optional, None, Part(0, 0), Part(47, 2), Part(2154, 7), Part(2161, 94), Medium) // 1F55h Expected software identification
+    (8022, 8022, Part(2255, 31), Part(1, 2), Optional, None, Part(0, 0), Part(49, 3), Part(2154, 7), Part(2286, 58), Medium) // 1F56h Program software identification
+    (8023, 8023, Part(2344, 27), Part(1, 2), Optional, None, Part(0, 0), Part(52, 3), Part(2154, 7), Part(2556, 68), Medium) // 1F57h Flash status identification
+    (8024, 8024, Part(2624, 21), Part(1, 2), Optional, None, Part(0, 0), Part(55, 2), Part(2154, 7), Part(2645, 83), Medium) // 1F58h Program data of nodes
+    (8032, 8032, Part(2728, 24), Part(0, 0), Optional, None, Part(0, 0), Part(0, 0), Part(2752, 9), Part(2761, 42), Medium) // 1F60h Redundancy configuration
+    (8048, 8048, Part(2859, 15), Part(3, 1), Optional, None, Part(0, 0), Part(57, 3), Part(11, 4), Part(2874, 59), High) // 1F70h Process picture
+    (8064, 8064, Part(3151, 11), Part(0, 1), Optional, None, Part(0, 0), Part(60, 1), Part(11, 4), Part(3162, 82), High) // 1F80h NMT startup
+    (8065, 8065, Part(3244, 20), Part(1, 2), Optional, None, Part(0, 0), Part(61, 2), Part(11, 4), Part(3449, 115), High) // 1F81h NMT slave assignment
+    (8066, 8066, Part(3564, 11), Part(1, 2), Optional, None, Part(0, 0), Part(63, 3), Part(11, 4), Part(3575, 97), High) // 1F82h Request NMT
+    (8067, 8067, Part(3672, 21), Part(1, 2), Optional, None, Part(0, 0), Part(66, 3), Part(11, 4), Part(3693, 69), High) // 1F83h Request node guarding
+    (8068, 8068, Part(3762, 26), Part(1, 2), Optional, None, Part(0, 0), Part(69, 2), Part(11, 4), Part(3788, 97), High) // 1F84h Device type identification
+    (8069, 8069, Part(3885, 21), Part(1, 2), Optional, None, Part(0, 0), Part(71, 2), Part(11, 4), Part(3906, 87), High) // 1F85h Vendor identification
+    (8070, 8070, Part(3993, 12), Part(1, 2), Optional, None, Part(0, 0), Part(73, 2), Part(11, 4), Part(4005, 90), High) // 1F86h Product code
+    (8071, 8071, Part(4095, 15), Part(1, 2), Optional, None, Part(0, 0), Part(75, 2), Part(11, 4), Part(4110, 93), High) // 1F87h Revision number
+    (8072, 8072, Part(4203, 13), Part(1, 2), Optional, None, Part(0, 0), Part(77, 2), Part(11, 4), Part(4216, 91), High) // 1F88h Serial number
+    (8073, 8073, Part(4309, 9), Part(0, 1), Optional, None, Part(0, 0), Part(79, 1), Part(11, 4), Part(4318, 69), High) // 1F89h Boot time
+    (8074, 8074, Part(4387, 21), Part(1, 2), Optional, None, Part(0, 0), Part(80, 2), Part(2154, 7), Part(4408, 84), Medium) // 1F8Ah Restore configuration
+    (8080, 8080, Part(4671, 35), Part(0, 0), When(7), None, Part(0, 0), Part(82, 7), Part(4706, 15), Part(4721, 72), High) // 1F90h NMT flying master timing parameters
+    (8081, 8081, Part(4908, 37), Part(1, 2), Optional, None, Part(0, 0), Part(89, 4), Part(4706, 15), Part(4945, 81), High) // 1F91h Self-starting nodes timing parameters
+);
 
-static ENTRIES: &[EntryRow] = &[
-    EntryRow { first: 0, last: 0, mapping: Some(No), need: Mandatory, name: Part(0, 0), data_types: Part(0, 1), access: Part(0, 1), values: Part(0, 0), default: None, unit: Part(0, 0), bits: Part(0, 0) },
-    EntryRow { first: 0, last: 0, mapping: Some(No), need: Mandatory, name: Part(125, 17), data_types: Part(1, 1), access: Part(1, 2), values: Part(0, 1), default: None, unit: Part(0, 0), bits: Part(0, 0) }, // Number of entries
-    EntryRow { first: 1, last: 254, mapping: Some(No), need: Optional, name: Part(142, 6), data_types: Part(0, 1), access: Part(3, 1), values: Part(0, 0), default: Some(0), unit: Part(0, 0), bits: Part(0, 0) }, // COB-ID
-    EntryRow { first: 0, last: 0, mapping: Some(No), need: Mandatory, name: Part(235, 27), data_types: Part(1, 1), access: Part(4, 1), values: Part(0, 1), default: None, unit: Part(0, 0), bits: Part(0, 0) }, // Highest sub-index supported
-    EntryRow { first: 1, last: 1, mapping: Some(No), need: Optional, name: Part(213, 22), data_types: Part(0, 1), access: Part(4, 1), values: Part(0, 0), default: Some(1), unit: Part(0, 0), bits: Part(0, 0) }, // SDO connections part 1
-    EntryRow { first: 2, last: 254, mapping: Some(No), need: Optional, name: Part(213, 22), data_types: Part(0, 1), access: Part(4, 1), values: Part(0, 0), default: Some(1), unit: Part(0, 0), bits: Part(0, 0) }, // SDO connections part 1
-    EntryRow { first: 0, last: 0, mapping: Some(No), need: Mandatory, name: Part(235, 27), data_types: Part(1, 1), access: Part(4, 1), values: Part(0, 1), default: None, unit: Part(0, 0), bits: Part(0, 0) }, // Highest sub-index supported
-    EntryRow { first: 1, last: 1, mapping: Some(No), need: Optional, name: Part(373, 22), data_types: Part(0, 1), access: Part(4, 1), values: Part(0, 0), default: Some(1), unit: Part(0, 0), bits: Part(0, 0) }, // SDO connections part 2
-    EntryRow { first: 2, last: 254, mapping: Some(No), need: Optional, name: Part(373, 22), data_types: Part(0, 1), access: Part(4, 1), values: Part(0, 0), default: Some(1), unit: Part(0, 0), bits: Part(0, 0) }, // SDO connections part 2
-    EntryRow { first: 0, last: 0, mapping: Some(No), need: Mandatory, name: Part(235, 27), data_types: Part(1, 1), access: Part(4, 1), values: Part(0, 1), default: None, unit: Part(0, 0), bits: Part(0, 0) }, // Highest sub-index supported
-    EntryRow { first: 1, last: 1, mapping: Some(No), need: Optional, name: Part(454, 22), data_types: Part(0, 1), access: Part(4, 1), values: Part(0, 0), default: Some(1), unit: Part(0, 0), bits: Part(0, 0) }, // SDO connections part 3
-    EntryRow { first: 2, last: 254, mapping: Some(No), need: Optional, name: Part(454, 22), data_types: Part(0, 1), access: Part(4, 1), values: Part(0, 0), default: Some(1), unit: Part(0, 0), bits: Part(0, 0) }, // SDO connections part 3
-    EntryRow { first: 0, last: 0, mapping: Some(No), need: Mandatory, name: Part(235, 27), data_types: Part(1, 1), access: Part(4, 1), values: Part(0, 1), default: None, unit: Part(0, 0), bits: Part(0, 0) }, // Highest sub-index supported
-    EntryRow { first: 1, last: 1, mapping: Some(No), need: Optional, name: Part(535, 22), data_types: Part(0, 1), access: Part(4, 1), values: Part(0, 0), default: Some(1), unit: Part(0, 0), bits: Part(0, 0) }, // SDO connections part 4
-    EntryRow { first: 2, last: 254, mapping: Some(No), need: Optional, name: Part(535, 22), data_types: Part(0, 1), access: Part(4, 1), values: Part(0, 0), default: Some(1), unit: Part(0, 0), bits: Part(0, 0) }, // SDO connections part 4
-    EntryRow { first: 0, last: 0, mapping: Some(No), need: Mandatory, name: Part(0, 0), data_types: Part(0, 1), access: Part(3, 1), values: Part(0, 0), default: None, unit: Part(0, 0), bits: Part(0, 0) },
-    EntryRow { first: 0, last: 0, mapping: Some(No), need: Mandatory, name: Part(0, 0), data_types: Part(2, 1), access: Part(0, 1), values: Part(0, 0), default: None, unit: Part(0, 0), bits: Part(0, 0) },
-    EntryRow { first: 0, last: 0, mapping: Some(No), need: Mandatory, name: Part(235, 27), data_types: Part(1, 1), access: Part(4, 1), values: Part(1, 1), default: None, unit: Part(0, 0), bits: Part(0, 0) }, // Highest sub-index supported
-    EntryRow { first: 1, last: 127, mapping: Some(No), need: Mandatory, name: Part(797, 9), data_types: Part(3, 1), access: Part(5, 2), values: Part(0, 0), default: None, unit: Part(0, 0), bits: Part(0, 0) }, // Store DCF
-    EntryRow { first: 0, last: 0, mapping: Some(No), need: Mandatory, name: Part(235, 27), data_types: Part(1, 1), access: Part(4, 1), values: Part(1, 1), default: None, unit: Part(0, 0), bits: Part(0, 0) }, // Highest sub-index supported
-    EntryRow { first: 1, last: 127, mapping: Some(No), need: Mandatory, name: Part(901, 21), data_types: Part(1, 1), access: Part(3, 1), values: Part(0, 0), default: None, unit: Part(0, 0), bits: Part(0, 0) }, // Storage format of DCF
-    EntryRow { first: 0, last: 0, mapping: Some(No), need: Mandatory, name: Part(235, 27), data_types: Part(1, 1), access: Part(4, 1), values: Part(1, 1), default: None, unit: Part(0, 0), bits: Part(0, 0) }, // Highest sub-index supported
-    EntryRow { first: 1, last: 127, mapping: Some(No), need: Mandatory, name: Part(974, 11), data_types: Part(3, 1), access: Part(5, 2), values: Part(0, 0), default: None, unit: Part(0, 0), bits: Part(0, 0) }, // Concise DCF
-    EntryRow { first: 0, last: 0, mapping: Some(No), need: Mandatory, name: Part(235, 27), data_types: Part(1, 1), access: Part(4, 1), values: Part(1, 1), default: None, unit: Part(0, 0), bits: Part(0, 0) }, // Highest sub-index supported
-    EntryRow { first: 1, last: 127, mapping: Some(No), need: Mandatory, name: Part(1099, 22), data_types: Part(3, 1), access: Part(5, 2), values: Part(0, 0), default: None, unit: Part(0, 0), bits: Part(0, 0) }, // Store EDS of NMT slave
-    EntryRow { first: 0, last: 0, mapping: Some(No), need: Mandatory, name: Part(235, 27), data_types: Part(1, 1), access: Part(4, 1), values: Part(1, 1), default: None, unit: Part(0, 0), bits: Part(0, 0) }, // Highest sub-index supported
-    EntryRow { first: 1, last: 127, mapping: Some(No), need: Mandatory, name: Part(1193, 21), data_types: Part(1, 1), access: Part(3, 1), values: Part(0, 0), default: None, unit: Part(0, 0), bits: Part(0, 0) }, // Storage format of EDS
-    EntryRow { first: 0, last: 0, mapping: Some(No), need: Mandatory, name: Part(235, 27), data_types: Part(1, 1), access: Part(4, 1), values: Part(2, 1), default: None, unit: Part(0, 0), bits: Part(0, 0) }, // Highest sub-index supported
-    EntryRow { first: 1, last: 127, mapping: Some(No), need: Mandatory, name: Part(1271, 15), data_types: Part(0, 1), access: Part(0, 1), values: Part(0, 0), default: None, unit: Part(0, 0), bits: Part(0, 0) }, // Configure slave
-    EntryRow { first: 128, last: 128, mapping: Some(No), need: Optional, name: Part(1286, 9), data_types: Part(0, 1), access: Part(0, 1), values: Part(0, 0), default: None, unit: Part(0, 0), bits: Part(0, 0) }, // All nodes
-    EntryRow { first: 0, last: 0, mapping: Some(No), need: Mandatory, name: Part(235, 27), data_types: Part(1, 1), access: Part(4, 1), values: Part(1, 1), default: None, unit: Part(0, 0), bits: Part(0, 0) }, // Highest sub-index supported
-    EntryRow { first: 1, last: 127, mapping: Some(No), need: Mandatory, name: Part(1377, 27), data_types: Part(0, 1), access: Part(3, 1), values: Part(0, 0), default: Some(1), unit: Part(0, 0), bits: Part(0, 0) }, // Expected configuration date
-    EntryRow { first: 0, last: 0, mapping: Some(No), need: Mandatory, name: Part(235, 27), data_types: Part(1, 1), access: Part(4, 1), values: Part(1, 1), default: None, unit: Part(0, 0), bits: Part(0, 0) }, // Highest sub-index supported
-    EntryRow { first: 1, last: 127, mapping: Some(No), need: Mandatory, name: Part(1501, 27), data_types: Part(0, 1), access: Part(3, 1), values: Part(0, 0), default: Some(1), unit: Part(0, 0), bits: Part(0, 0) }, // Expected configuration time
-    EntryRow { first: 0, last: 0, mapping: Some(No), need: Mandatory, name: Part(235, 27), data_types: Part(1, 1), access: Part(4, 1), values: Part(3, 1), default: None, unit: Part(0, 0), bits: Part(0, 0) }, // Highest sub-index supported
-    EntryRow { first: 1, last: 1, mapping: Some(No), need: Mandatory, name: Part(1625, 12), data_types: Part(3, 1), access: Part(7, 2), values: Part(0, 0), default: None, unit: Part(0, 0), bits: Part(0, 0) }, // Program data
-    EntryRow { first: 2, last: 254, mapping: Some(No), need: Optional, name: Part(1625, 12), data_types: Part(3, 1), access: Part(7, 2), values: Part(0, 0), default: None, unit: Part(0, 0), bits: Part(0, 0) }, // Program data
-    EntryRow { first: 0, last: 0, mapping: Some(No), need: Mandatory, name: Part(235, 27), data_types: Part(1, 1), access: Part(4, 1), values: Part(3, 1), default: None, unit: Part(0, 0), bits: Part(0, 0) }, // Highest sub-index supported
-    EntryRow { first: 1, last: 1, mapping: Some(No), need: Mandatory, name: Part(1684, 15), data_types: Part(1, 1), access: Part(7, 2), values: Part(0, 0), default: None, unit: Part(0, 0), bits: Part(0, 0) }, // Program control
-    EntryRow { first: 2, last: 254, mapping: Some(No), need: Optional, name: Part(1684, 15), data_types: Part(1, 1), access: Part(7, 2), values: Part(0, 0), default: None, unit: Part(0, 0), bits: Part(0, 0) }, // Program control
-    EntryRow { first: 0, last: 0, mapping: Some(No), need: Mandatory, name: Part(235, 27), data_types: Part(1, 1), access: Part(4, 1), values: Part(4, 1), default: None, unit: Part(0, 0), bits: Part(0, 0) }, // Highest sub-index supported
-    EntryRow { first: 1, last: 1, mapping: Some(No), need: Optional, name: Part(1753, 25), data_types: Part(0, 1), access: Part(5, 2), values: Part(0, 0), default: None, unit: Part(0, 0), bits: Part(0, 0) }, // Application software date
-    EntryRow { first: 2, last: 2, mapping: Some(No), need: Optional, name: Part(1778, 25), data_types: Part(0, 1), access: Part(5, 2), values: Part(0, 0), default: None, unit: Part(0, 0), bits: Part(0, 0) }, // Application software time
-    EntryRow { first: 0, last: 0, mapping: Some(No), need: Mandatory, name: Part(235, 27), data_types: Part(1, 1), access: Part(4, 1), values: Part(1, 1), default: None, unit: Part(0, 0), bits: Part(0, 0) }, // Highest sub-index supported
-    EntryRow { first: 1, last: 127, mapping: Some(No), need: Mandatory, name: Part(1886, 34), data_types: Part(0, 1), access: Part(3, 1), values: Part(0, 0), default: None, unit: Part(0, 0), bits: Part(0, 0) }, // Expected application software date
-    EntryRow { first: 0, last: 0, mapping: Some(No), need: Mandatory, name: Part(235, 27), data_types: Part(1, 1), access: Part(4, 1), values: Part(1, 1), default: None, unit: Part(0, 0), bits: Part(0, 0) }, // Highest sub-index supported
-    EntryRow { first: 1, last: 127, mapping: Some(No), need: Mandatory, name: Part(2004, 34), data_types: Part(0, 1), access: Part(3, 1), values: Part(0, 0), default: None, unit: Part(0, 0), bits: Part(0, 0) }, // Expected application software time
-    EntryRow { first: 0, last: 0, mapping: Some(No), need: Mandatory, name: Part(235, 27), data_types: Part(1, 1), access: Part(4, 1), values: Part(1, 1), default: None, unit: Part(0, 0), bits: Part(0, 0) }, // Highest sub-index supported
-    EntryRow { first: 1, last: 127, mapping: Some(No), need: Mandatory, name: Part(2122, 32), data_types: Part(0, 1), access: Part(3, 1), values: Part(0, 0), default: None, unit: Part(0, 0), bits: Part(0, 0) }, // Expected software identification
-    EntryRow { first: 0, last: 0, mapping: Some(No), need: Mandatory, name: Part(235, 27), data_types: Part(1, 1), access: Part(4, 1), values: Part(3, 1), default: None, unit: Part(0, 0), bits: Part(0, 0) }, // Highest sub-index supported
-    EntryRow { first: 1, last: 1, mapping: Some(No), need: Mandatory, name: Part(2255, 31), data_types: Part(0, 1), access: Part(4, 1), values: Part(0, 0), default: None, unit: Part(0, 0), bits: Part(0, 0) }, // Program software identification
-    EntryRow { first: 2, last: 254, mapping: Some(No), need: Optional, name: Part(2255, 31), data_types: Part(0, 1), access: Part(4, 1), values: Part(0, 0), default: None, unit: Part(0, 0), bits: Part(0, 0) }, // Program software identification
-    EntryRow { first: 0, last: 0, mapping: Some(No), need: Mandatory, name: Part(235, 27), data_types: Part(1, 1), access: Part(4, 1), values: Part(3, 1), default: None, unit: Part(0, 0), bits: Part(0, 0) }, // Highest sub-index supported
-    EntryRow { first: 1, last: 1, mapping: Some(No), need: Mandatory, name: Part(2344, 27), data_types: Part(0, 1), access: Part(4, 1), values: Part(0, 0), default: None, unit: Part(0, 0), bits: Part(0, 3) }, // Flash status identification
-    EntryRow { first: 2, last: 254, mapping: Some(No), need: Optional, name: Part(2344, 27), data_types: Part(0, 1), access: Part(4, 1), values: Part(0, 0), default: None, unit: Part(0, 0), bits: Part(0, 3) }, // Flash status identification
-    EntryRow { first: 0, last: 0, mapping: Some(No), need: Mandatory, name: Part(235, 27), data_types: Part(1, 1), access: Part(4, 1), values: Part(1, 1), default: None, unit: Part(0, 0), bits: Part(0, 0) }, // Highest sub-index supported
-    EntryRow { first: 1, last: 127, mapping: Some(No), need: Mandatory, name: Part(2624, 21), data_types: Part(3, 1), access: Part(5, 2), values: Part(0, 0), default: None, unit: Part(0, 0), bits: Part(0, 0) }, // Program data of nodes
-    EntryRow { first: 0, last: 0, mapping: Some(No), need: Mandatory, name: Part(125, 17), data_types: Part(1, 1), access: Part(4, 1), values: Part(4, 1), default: None, unit: Part(0, 0), bits: Part(0, 0) }, // Number of entries
-    EntryRow { first: 1, last: 1, mapping: Some(No), need: Mandatory, name: Part(2825, 14), data_types: Part(0, 1), access: Part(3, 1), values: Part(0, 0), default: Some(1), unit: Part(0, 0), bits: Part(3, 2) }, // Selected range
-    EntryRow { first: 2, last: 2, mapping: Some(No), need: Mandatory, name: Part(2839, 20), data_types: Part(3, 1), access: Part(3, 1), values: Part(0, 0), default: None, unit: Part(0, 0), bits: Part(0, 0) }, // Process image domain
-    EntryRow { first: 0, last: 0, mapping: Some(No), need: Mandatory, name: Part(0, 0), data_types: Part(0, 1), access: Part(5, 2), values: Part(0, 0), default: None, unit: Part(0, 0), bits: Part(5, 7) },
-    EntryRow { first: 0, last: 0, mapping: Some(No), need: Mandatory, name: Part(235, 27), data_types: Part(1, 1), access: Part(4, 1), values: Part(1, 1), default: None, unit: Part(0, 0), bits: Part(0, 0) }, // Highest sub-index supported
-    EntryRow { first: 1, last: 127, mapping: Some(No), need: Mandatory, name: Part(3244, 20), data_types: Part(0, 1), access: Part(3, 1), values: Part(0, 0), default: Some(1), unit: Part(0, 0), bits: Part(12, 9) }, // NMT slave assignment
-    EntryRow { first: 0, last: 0, mapping: Some(No), need: Mandatory, name: Part(235, 27), data_types: Part(1, 1), access: Part(4, 1), values: Part(2, 1), default: None, unit: Part(0, 0), bits: Part(0, 0) }, // Highest sub-index supported
-    EntryRow { first: 1, last: 127, mapping: Some(No), need: Mandatory, name: Part(3564, 11), data_types: Part(1, 1), access: Part(3, 1), values: Part(0, 0), default: None, unit: Part(0, 0), bits: Part(0, 0) }, // Request NMT
-    EntryRow { first: 128, last: 128, mapping: Some(No), need: Optional, name: Part(1286, 9), data_types: Part(1, 1), access: Part(0, 1), values: Part(0, 0), default: None, unit: Part(0, 0), bits: Part(0, 0) }, // All nodes
-    EntryRow { first: 0, last: 0, mapping: Some(No), need: Mandatory, name: Part(235, 27), data_types: Part(1, 1), access: Part(4, 1), values: Part(2, 1), default: None, unit: Part(0, 0), bits: Part(0, 0) }, // Highest sub-index supported
-    EntryRow { first: 1, last: 127, mapping: Some(No), need: Mandatory, name: Part(3672, 21), data_types: Part(1, 1), access: Part(3, 1), values: Part(0, 0), default: None, unit: Part(0, 0), bits: Part(0, 0) }, // Request node guarding
-    EntryRow { first: 128, last: 128, mapping: Some(No), need: Optional, name: Part(1286, 9), data_types: Part(1, 1), access: Part(0, 1), values: Part(0, 0), default: None, unit: Part(0, 0), bits: Part(0, 0) }, // All nodes
-    EntryRow { first: 0, last: 0, mapping: Some(No), need: Mandatory, name: Part(235, 27), data_types: Part(1, 1), access: Part(4, 1), values: Part(1, 1), default: None, unit: Part(0, 0), bits: Part(0, 0) }, // Highest sub-index supported
-    EntryRow { first: 1, last: 127, mapping: Some(No), need: Mandatory, name: Part(3762, 26), data_types: Part(0, 1), access: Part(3, 1), values: Part(0, 0), default: Some(1), unit: Part(0, 0), bits: Part(0, 0) }, // Device type identification
-    EntryRow { first: 0, last: 0, mapping: Some(No), need: Mandatory, name: Part(235, 27), data_types: Part(1, 1), access: Part(4, 1), values: Part(1, 1), default: None, unit: Part(0, 0), bits: Part(0, 0) }, // Highest sub-index supported
-    EntryRow { first: 1, last: 127, mapping: Some(No), need: Mandatory, name: Part(3885, 21), data_types: Part(0, 1), access: Part(3, 1), values: Part(0, 0), default: Some(1), unit: Part(0, 0), bits: Part(0, 0) }, // Vendor identification
-    EntryRow { first: 0, last: 0, mapping: Some(No), need: Mandatory, name: Part(235, 27), data_types: Part(1, 1), access: Part(4, 1), values: Part(1, 1), default: None, unit: Part(0, 0), bits: Part(0, 0) }, // Highest sub-index supported
-    EntryRow { first: 1, last: 127, mapping: Some(No), need: Mandatory, name: Part(3993, 12), data_types: Part(0, 1), access: Part(3, 1), values: Part(0, 0), default: Some(1), unit: Part(0, 0), bits: Part(0, 0) }, // Product code
-    EntryRow { first: 0, last: 0, mapping: Some(No), need: Mandatory, name: Part(235, 27), data_types: Part(1, 1), access: Part(4, 1), values: Part(1, 1), default: None, unit: Part(0, 0), bits: Part(0, 0) }, // Highest sub-index supported
-    EntryRow { first: 1, last: 127, mapping: Some(No), need: Mandatory, name: Part(4095, 15), data_types: Part(0, 1), access: Part(3, 1), values: Part(0, 0), default: Some(1), unit: Part(0, 0), bits: Part(0, 0) }, // Revision number
-    EntryRow { first: 0, last: 0, mapping: Some(No), need: Mandatory, name: Part(235, 27), data_types: Part(1, 1), access: Part(4, 1), values: Part(1, 1), default: None, unit: Part(0, 0), bits: Part(0, 0) }, // Highest sub-index supported
-    EntryRow { first: 1, last: 127, mapping: Some(No), need: Mandatory, name: Part(4203, 13), data_types: Part(0, 1), access: Part(3, 1), values: Part(0, 0), default: Some(1), unit: Part(0, 0), bits: Part(0, 0) }, // Serial number
-    EntryRow { first: 0, last: 0, mapping: Some(No), need: Mandatory, name: Part(0, 0), data_types: Part(0, 1), access: Part(3, 1), values: Part(0, 0), default: Some(1), unit: Part(4307, 2), bits: Part(0, 0) },
-    EntryRow { first: 0, last: 0, mapping: Some(No), need: Mandatory, name: Part(235, 27), data_types: Part(1, 1), access: Part(4, 1), values: Part(1, 1), default: None, unit: Part(0, 0), bits: Part(0, 0) }, // Highest sub-index supported
-    EntryRow { first: 1, last: 127, mapping: Some(No), need: Mandatory, name: Part(4387, 21), data_types: Part(1, 1), access: Part(3, 1), values: Part(0, 0), default: None, unit: Part(0, 0), bits: Part(0, 0) }, // Restore configuration
-    EntryRow { first: 0, last: 0, mapping: Some(No), need: Mandatory, name: Part(125, 17), data_types: Part(1, 1), access: Part(4, 1), values: Part(5, 1), default: None, unit: Part(0, 0), bits: Part(0, 0) }, // Number of entries
-    EntryRow { first: 1, last: 1, mapping: Some(No), need: Mandatory, name: Part(4492, 42), data_types: Part(2, 1), access: Part(9, 2), values: Part(0, 0), default: Some(2), unit: Part(4307, 2), bits: Part(0, 0) }, // Timeout for detection of active NMT master
-    EntryRow { first: 2, last: 2, mapping: Some(No), need: Mandatory, name: Part(4534, 33), data_types: Part(2, 1), access: Part(9, 2), values: Part(0, 0), default: Some(3), unit: Part(4307, 2), bits: Part(0, 0) }, // NMT master negotiation time delay
-    EntryRow { first: 3, last: 3, mapping: Some(No), need: Mandatory, name: Part(4567, 25), data_types: Part(4, 2), access: Part(9, 2), values: Part(6, 1), default: None, unit: Part(0, 0), bits: Part(0, 0) }, // NMT master priority level
-    EntryRow { first: 4, last: 4, mapping: Some(No), need: Mandatory, name: Part(4592, 18), data_types: Part(2, 1), access: Part(9, 2), values: Part(0, 0), default: Some(4), unit: Part(4307, 2), bits: Part(0, 0) }, // Priority time slot
-    EntryRow { first: 5, last: 5, mapping: Some(No), need: Mandatory, name: Part(4610, 24), data_types: Part(2, 1), access: Part(9, 2), values: Part(0, 0), default: Some(5), unit: Part(4307, 2), bits: Part(0, 0) }, // CANopen device time slot
-    EntryRow { first: 6, last: 6, mapping: Some(No), need: Mandatory, name: Part(4634, 37), data_types: Part(2, 1), access: Part(9, 2), values: Part(0, 0), default: None, unit: Part(4307, 2), bits: Part(0, 0) }, // Multiple NMT master detect cycle time
-    EntryRow { first: 0, last: 0, mapping: Some(No), need: Mandatory, name: Part(125, 17), data_types: Part(1, 1), access: Part(4, 1), values: Part(7, 1), default: None, unit: Part(0, 0), bits: Part(0, 0) }, // Number of entries
-    EntryRow { first: 1, last: 1, mapping: Some(No), need: Mandatory, name: Part(4793, 53), data_types: Part(2, 1), access: Part(9, 2), values: Part(0, 0), default: Some(2), unit: Part(4307, 2), bits: Part(0, 0) }, // Timeout for detection of an NMT master capable device
-    EntryRow { first: 2, last: 2, mapping: Some(No), need: Mandatory, name: Part(4846, 48), data_types: Part(2, 1), access: Part(9, 2), values: Part(0, 0), default: Some(3), unit: Part(4307, 2), bits: Part(0, 0) }, // Delay time for NMT master capable device request
-    EntryRow { first: 3, last: 3, mapping: Some(No), need: Mandatory, name: Part(4894, 14), data_types: Part(2, 1), access: Part(9, 2), values: Part(0, 0), default: Some(6), unit: Part(4307, 2), bits: Part(0, 0) }, // Node time slot
-];
+static ENTRIES: &[EntryRow] = table!(EntryRow { first, last, mapping, need, name, data_types, access, values, default, unit, bits }:
+    (0, 0, Some(No), Mandatory, Part(0, 0), Part(0, 1), Part(0, 1), Part(0, 0), None, Part(0, 0), Part(0, 0))
+    (0, 0, Some(No), Mandatory, Part(125, 17), Part(1, 1), Part(1, 2), Part(0, 1), None, Part(0, 0), Part(0, 0)) // Number of entries
+    (1, 254, Some(No), Optional, Part(142, 6), Part(0, 1), Part(3, 1), Part(0, 0), Some(0), Part(0, 0), Part(0, 0)) // COB-ID
+    (0, 0, Some(No), Mandatory, Part(235, 27), Part(1, 1), Part(4, 1), Part(0, 1), None, Part(0, 0), Part(0, 0)) // Highest sub-index supported
+    (1, 1, Some(No), Optional, Part(213, 22), Part(0, 1), Part(4, 1), Part(0, 0), Some(1), Part(0, 0), Part(0, 0)) // SDO connections part 1
+    (2, 254, Some(No), Optional, Part(213, 22), Part(0, 1), Part(4, 1), Part(0, 0), Some(1), Part(0, 0), Part(0, 0)) // SDO connections part 1
+    (0, 0, Some(No), Mandatory, Part(235, 27), Part(1, 1), Part(4, 1), Part(0, 1), None, Part(0, 0), Part(0, 0)) // Highest sub-index supported
+    (1, 1, Some(No), Optional, Part(373, 22), Part(0, 1), Part(4, 1), Part(0, 0), Some(1), Part(0, 0), Part(0, 0)) // SDO connections part 2
+    (2, 254, Some(No), Optional, Part(373, 22), Part(0, 1), Part(4, 1), Part(0, 0), Some(1), Part(0, 0), Part(0, 0)) // SDO connections part 2
+    (0, 0, Some(No), Mandatory, Part(235, 27), Part(1, 1), Part(4, 1), Part(0, 1), None, Part(0, 0), Part(0, 0)) // Highest sub-index supported
+    (1, 1, Some(No), Optional, Part(454, 22), Part(0, 1), Part(4, 1), Part(0, 0), Some(1), Part(0, 0), Part(0, 0)) // SDO connections part 3
+    (2, 254, Some(No), Optional, Part(454, 22), Part(0, 1), Part(4, 1), Part(0, 0), Some(1), Part(0, 0), Part(0, 0)) // SDO connections part 3
+    (0, 0, Some(No), Mandatory, Part(235, 27), Part(1, 1), Part(4, 1), Part(0, 1), None, Part(0, 0), Part(0, 0)) // Highest sub-index supported
+    (1, 1, Some(No), Optional, Part(535, 22), Part(0, 1), Part(4, 1), Part(0, 0), Some(1), Part(0, 0), Part(0, 0)) // SDO connections part 4
+    (2, 254, Some(No), Optional, Part(535, 22), Part(0, 1), Part(4, 1), Part(0, 0), Some(1), Part(0, 0), Part(0, 0)) // SDO connections part 4
+    (0, 0, Some(No), Mandatory, Part(0, 0), Part(0, 1), Part(3, 1), Part(0, 0), None, Part(0, 0), Part(0, 0))
+    (0, 0, Some(No), Mandatory, Part(0, 0), Part(2, 1), Part(0, 1), Part(0, 0), None, Part(0, 0), Part(0, 0))
+    (0, 0, Some(No), Mandatory, Part(235, 27), Part(1, 1), Part(4, 1), Part(1, 1), None, Part(0, 0), Part(0, 0)) // Highest sub-index supported
+    (1, 127, Some(No), Mandatory, Part(797, 9), Part(3, 1), Part(5, 2), Part(0, 0), None, Part(0, 0), Part(0, 0)) // Store DCF
+    (0, 0, Some(No), Mandatory, Part(235, 27), Part(1, 1), Part(4, 1), Part(1, 1), None, Part(0, 0), Part(0, 0)) // Highest sub-index supported
+    (1, 127, Some(No), Mandatory, Part(901, 21), Part(1, 1), Part(3, 1), Part(0, 0), None, Part(0, 0), Part(0, 0)) // Storage format of DCF
+    (0, 0, Some(No), Mandatory, Part(235, 27), Part(1, 1), Part(4, 1), Part(1, 1), None, Part(0, 0), Part(0, 0)) // Highest sub-index supported
+    (1, 127, Some(No), Mandatory, Part(974, 11), Part(3, 1), Part(5, 2), Part(0, 0), None, Part(0, 0), Part(0, 0)) // Concise DCF
+    (0, 0, Some(No), Mandatory, Part(235, 27), Part(1, 1), Part(4, 1), Part(1, 1), None, Part(0, 0), Part(0, 0)) // Highest sub-index supported
+    (1, 127, Some(No), Mandatory, Part(1099, 22), Part(3, 1), Part(5, 2), Part(0, 0), None, Part(0, 0), Part(0, 0)) // Store EDS of NMT slave
+    (0, 0, Some(No), Mandatory, Part(235, 27), Part(1, 1), Part(4, 1), Part(1, 1), None, Part(0, 0), Part(0, 0)) // Highest sub-index supported
+    (1, 127, Some(No), Mandatory, Part(1193, 21), Part(1, 1), Part(3, 1), Part(0, 0), None, Part(0, 0), Part(0, 0)) // Storage format of EDS
+    (0, 0, Some(No), Mandatory, Part(235, 27), Part(1, 1), Part(4, 1), Part(2, 1), None, Part(0, 0), Part(0, 0)) // Highest sub-index supported
+    (1, 127, Some(No), Mandatory, Part(1271, 15), Part(0, 1), Part(0, 1), Part(0, 0), None, Part(0, 0), Part(0, 0)) // Configure slave
+    (128, 128, Some(No), Optional, Part(1286, 9), Part(0, 1), Part(0, 1), Part(0, 0), None, Part(0, 0), Part(0, 0)) // All nodes
+    (0, 0, Some(No), Mandatory, Part(235, 27), Part(1, 1), Part(4, 1), Part(1, 1), None, Part(0, 0), Part(0, 0)) // Highest sub-index supported
+    (1, 127, Some(No), Mandatory, Part(1377, 27), Part(0, 1), Part(3, 1), Part(0, 0), Some(1), Part(0, 0), Part(0, 0)) // Expected configuration date
+    (0, 0, Some(No), Mandatory, Part(235, 27), Part(1, 1), Part(4, 1), Part(1, 1), None, Part(0, 0), Part(0, 0)) // Highest sub-index supported
+    (1, 127, Some(No), Mandatory, Part(1501, 27), Part(0, 1), Part(3, 1), Part(0, 0), Some(1), Part(0, 0), Part(0, 0)) // Expected configuration time
+    (0, 0, Some(No), Mandatory, Part(235, 27), Part(1, 1), Part(4, 1), Part(3, 1), None, Part(0, 0), Part(0, 0)) // Highest sub-index supported
+    (1, 1, Some(No), Mandatory, Part(1625, 12), Part(3, 1), Part(7, 2), Part(0, 0), None, Part(0, 0), Part(0, 0)) // Program data
+    (2, 254, Some(No), Optional, Part(1625, 12), Part(3, 1), Part(7, 2), Part(0, 0), None, Part(0, 0), Part(0, 0)) // Program data
+    (0, 0, Some(No), Mandatory, Part(235, 27), Part(1, 1), Part(4, 1), Part(3, 1), None, Part(0, 0), Part(0, 0)) // Highest sub-index supported
+    (1, 1, Some(No), Mandatory, Part(1684, 15), Part(1, 1), Part(7, 2), Part(0, 0), None, Part(0, 0), Part(0, 0)) // Program control
+    (2, 254, Some(No), Optional, Part(1684, 15), Part(1, 1), Part(7, 2), Part(0, 0), None, Part(0, 0), Part(0, 0)) // Program control
+    (0, 0, Some(No), Mandatory, Part(235, 27), Part(1, 1), Part(4, 1), Part(4, 1), None, Part(0, 0), Part(0, 0)) // Highest sub-index supported
+    (1, 1, Some(No), Optional, Part(1753, 25), Part(0, 1), Part(5, 2), Part(0, 0), None, Part(0, 0), Part(0, 0)) // Application software date
+    (2, 2, Some(No), Optional, Part(1778, 25), Part(0, 1), Part(5, 2), Part(0, 0), None, Part(0, 0), Part(0, 0)) // Application software time
+    (0, 0, Some(No), Mandatory, Part(235, 27), Part(1, 1), Part(4, 1), Part(1, 1), None, Part(0, 0), Part(0, 0)) // Highest sub-index supported
+    (1, 127, Some(No), Mandatory, Part(1886, 34), Part(0, 1), Part(3, 1), Part(0, 0), None, Part(0, 0), Part(0, 0)) // Expected application software date
+    (0, 0, Some(No), Mandatory, Part(235, 27), Part(1, 1), Part(4, 1), Part(1, 1), None, Part(0, 0), Part(0, 0)) // Highest sub-index supported
+    (1, 127, Some(No), Mandatory, Part(2004, 34), Part(0, 1), Part(3, 1), Part(0, 0), None, Part(0, 0), Part(0, 0)) // Expected application software time
+    (0, 0, Some(No), Mandatory, Part(235, 27), Part(1, 1), Part(4, 1), Part(1, 1), None, Part(0, 0), Part(0, 0)) // Highest sub-index supported
+    (1, 127, Some(No), Mandatory, Part(2122, 32), Part(0, 1), Part(3, 1), Part(0, 0), None, Part(0, 0), Part(0, 0)) // Expected software identification
+    (0, 0, Some(No), Mandatory, Part(235, 27), Part(1, 1), Part(4, 1), Part(3, 1), None, Part(0, 0), Part(0, 0)) // Highest sub-index supported
+    (1, 1, Some(No), Mandatory, Part(2255, 31), Part(0, 1), Part(4, 1), Part(0, 0), None, Part(0, 0), Part(0, 0)) // Program software identification
+    (2, 254, Some(No), Optional, Part(2255, 31), Part(0, 1), Part(4, 1), Part(0, 0), None, Part(0, 0), Part(0, 0)) // Program software identification
+    (0, 0, Some(No), Mandatory, Part(235, 27), Part(1, 1), Part(4, 1), Part(3, 1), None, Part(0, 0), Part(0, 0)) // Highest sub-index supported
+    (1, 1, Some(No), Mandatory, Part(2344, 27), Part(0, 1), Part(4, 1), Part(0, 0), None, Part(0, 0), Part(0, 3)) // Flash status identification
+    (2, 254, Some(No), Optional, Part(2344, 27), Part(0, 1), Part(4, 1), Part(0, 0), None, Part(0, 0), Part(0, 3)) // Flash status identification
+    (0, 0, Some(No), Mandatory, Part(235, 27), Part(1, 1), Part(4, 1), Part(1, 1), None, Part(0, 0), Part(0, 0)) // Highest sub-index supported
+    (1, 127, Some(No), Mandatory, Part(2624, 21), Part(3, 1), Part(5, 2), Part(0, 0), None, Part(0, 0), Part(0, 0)) // Program data of nodes
+    (0, 0, Some(No), Mandatory, Part(125, 17), Part(1, 1), Part(4, 1), Part(4, 1), None, Part(0, 0), Part(0, 0)) // Number of entries
+    (1, 1, Some(No), Mandatory, Part(2825, 14), Part(0, 1), Part(3, 1), Part(0, 0), Some(1), Part(0, 0), Part(3, 2)) // Selected range
+    (2, 2, Some(No), Mandatory, Part(2839, 20), Part(3, 1), Part(3, 1), Part(0, 0), None, Part(0, 0), Part(0, 0)) // Process image domain
+    (0, 0, Some(No), Mandatory, Part(0, 0), Part(0, 1), Part(5, 2), Part(0, 0), None, Part(0, 0), Part(5, 7))
+    (0, 0, Some(No), Mandatory, Part(235, 27), Part(1, 1), Part(4, 1), Part(1, 1), None, Part(0, 0), Part(0, 0)) // Highest sub-index supported
+    (1, 127, Some(No), Mandatory, Part(3244, 20), Part(0, 1), Part(3, 1), Part(0, 0), Some(1), Part(0, 0), Part(12, 9)) // NMT slave assignment
+    (0, 0, Some(No), Mandatory, Part(235, 27), Part(1, 1), Part(4, 1), Part(2, 1), None, Part(0, 0), Part(0, 0)) // Highest sub-index supported
+    (1, 127, Some(No), Mandatory, Part(3564, 11), Part(1, 1), Part(3, 1), Part(0, 0), None, Part(0, 0), Part(0, 0)) // Request NMT
+    (128, 128, Some(No), Optional, Part(1286, 9), Part(1, 1), Part(0, 1), Part(0, 0), None, Part(0, 0), Part(0, 0)) // All nodes
+    (0, 0, Some(No), Mandatory, Part(235, 27), Part(1, 1), Part(4, 1), Part(2, 1), None, Part(0, 0), Part(0, 0)) // Highest sub-index supported
+    (1, 127, Some(No), Mandatory, Part(3672, 21), Part(1, 1), Part(3, 1), Part(0, 0), None, Part(0, 0), Part(0, 0)) // Request node guarding
+    (128, 128, Some(No), Optional, Part(1286, 9), Part(1, 1), Part(0, 1), Part(0, 0), None, Part(0, 0), Part(0, 0)) // All nodes
+    (0, 0, Some(No), Mandatory, Part(235, 27), Part(1, 1), Part(4, 1), Part(1, 1), None, Part(0, 0), Part(0, 0)) // Highest sub-index supported
+    (1, 127, Some(No), Mandatory, Part(3762, 26), Part(0, 1), Part(3, 1), Part(0, 0), Some(1), Part(0, 0), Part(0, 0)) // Device type identification
+    (0, 0, Some(No), Mandatory, Part(235, 27), Part(1, 1), Part(4, 1), Part(1, 1), None, Part(0, 0), Part(0, 0)) // Highest sub-index supported
+    (1, 127, Some(No), Mandatory, Part(3885, 21), Part(0, 1), Part(3, 1), Part(0, 0), Some(1), Part(0, 0), Part(0, 0)) // Vendor identification
+    (0, 0, Some(No), Mandatory, Part(235, 27), Part(1, 1), Part(4, 1), Part(1, 1), None, Part(0, 0), Part(0, 0)) // Highest sub-index supported
+    (1, 127, Some(No), Mandatory, Part(3993, 12), Part(0, 1), Part(3, 1), Part(0, 0), Some(1), Part(0, 0), Part(0, 0)) // Product code
+    (0, 0, Some(No), Mandatory, Part(235, 27), Part(1, 1), Part(4, 1), Part(1, 1), None, Part(0, 0), Part(0, 0)) // Highest sub-index supported
+    (1, 127, Some(No), Mandatory, Part(4095, 15), Part(0, 1), Part(3, 1), Part(0, 0), Some(1), Part(0, 0), Part(0, 0)) // Revision number
+    (0, 0, Some(No), Mandatory, Part(235, 27), Part(1, 1), Part(4, 1), Part(1, 1), None, Part(0, 0), Part(0, 0)) // Highest sub-index supported
+    (1, 127, Some(No), Mandatory, Part(4203, 13), Part(0, 1), Part(3, 1), Part(0, 0), Some(1), Part(0, 0), Part(0, 0)) // Serial number
+    (0, 0, Some(No), Mandatory, Part(0, 0), Part(0, 1), Part(3, 1), Part(0, 0), Some(1), Part(4307, 2), Part(0, 0))
+    (0, 0, Some(No), Mandatory, Part(235, 27), Part(1, 1), Part(4, 1), Part(1, 1), None, Part(0, 0), Part(0, 0)) // Highest sub-index supported
+    (1, 127, Some(No), Mandatory, Part(4387, 21), Part(1, 1), Part(3, 1), Part(0, 0), None, Part(0, 0), Part(0, 0)) // Restore configuration
+    (0, 0, Some(No), Mandatory, Part(125, 17), Part(1, 1), Part(4, 1), Part(5, 1), None, Part(0, 0), Part(0, 0)) // Number of entries
+    (1, 1, Some(No), Mandatory, Part(4492, 42), Part(2, 1), Part(9, 2), Part(0, 0), Some(2), Part(4307, 2), Part(0, 0)) // Timeout for detection of active NMT master
+    (2, 2, Some(No), Mandatory, Part(4534, 33), Part(2, 1), Part(9, 2), Part(0, 0), Some(3), Part(4307, 2), Part(0, 0)) // NMT master negotiation time delay
+    (3, 3, Some(No), Mandatory, Part(4567, 25), Part(4, 2), Part(9, 2), Part(6, 1), None, Part(0, 0), Part(0, 0)) // NMT master priority level
+    (4, 4, Some(No), Mandatory, Part(4592, 18), Part(2, 1), Part(9, 2), Part(0, 0), Some(4), Part(4307, 2), Part(0, 0)) // Priority time slot
+    (5, 5, Some(No), Mandatory, Part(4610, 24), Part(2, 1), Part(9, 2), Part(0, 0), Some(5), Part(4307, 2), Part(0, 0)) // CANopen device time slot
+    (6, 6, Some(No), Mandatory, Part(4634, 37), Part(2, 1), Part(9, 2), Part(0, 0), None, Part(4307, 2), Part(0, 0)) // Multiple NMT master detect cycle time
+    (0, 0, Some(No), Mandatory, Part(125, 17), Part(1, 1), Part(4, 1), Part(7, 1), None, Part(0, 0), Part(0, 0)) // Number of entries
+    (1, 1, Some(No), Mandatory, Part(4793, 53), Part(2, 1), Part(9, 2), Part(0, 0), Some(2), Part(4307, 2), Part(0, 0)) // Timeout for detection of an NMT master capable device
+    (2, 2, Some(No), Mandatory, Part(4846, 48), Part(2, 1), Part(9, 2), Part(0, 0), Some(3), Part(4307, 2), Part(0, 0)) // Delay time for NMT master capable device request
+    (3, 3, Some(No), Mandatory, Part(4894, 14), Part(2, 1), Part(9, 2), Part(0, 0), Some(6), Part(4307, 2), Part(0, 0)) // Node time slot
+);
 
-static BITS: &[BitRow] = &[
-    BitRow { first: 0, last: 0, name: Part(2371, 28), values: Part(0, 0) }, // program download in progress
-    BitRow { first: 1, last: 7, name: Part(2399, 5), values: Part(0, 9) }, // error
-    BitRow { first: 16, last: 31, name: Part(2531, 25), values: Part(0, 0) }, // error of the manufacturer
-    BitRow { first: 0, last: 15, name: Part(2803, 7), values: Part(0, 0) }, // segment
-    BitRow { first: 16, last: 31, name: Part(2810, 15), values: Part(0, 0) }, // length in bytes
-    BitRow { first: 0, last: 0, name: Part(2933, 10), values: Part(9, 2) }, // NMT master
-    BitRow { first: 1, last: 1, name: Part(2948, 12), values: Part(11, 2) }, // start slaves
-    BitRow { first: 2, last: 2, name: Part(2981, 17), values: Part(13, 2) }, // enter operational
-    BitRow { first: 3, last: 3, name: Part(3016, 19), values: Part(15, 2) }, // start slaves at all
-    BitRow { first: 4, last: 4, name: Part(3035, 26), values: Part(17, 2) }, // error of a mandatory slave
-    BitRow { first: 5, last: 5, name: Part(3091, 13), values: Part(9, 2) }, // flying master
-    BitRow { first: 6, last: 6, name: Part(3104, 47), values: Part(9, 2) }, // stop all nodes on an error of a mandatory slave
-    BitRow { first: 0, last: 0, name: Part(3264, 20), values: Part(0, 0) }, // slave of this master
-    BitRow { first: 2, last: 2, name: Part(3284, 18), values: Part(0, 0) }, // boot and configure
-    BitRow { first: 3, last: 3, name: Part(3302, 9), values: Part(0, 0) }, // mandatory
-    BitRow { first: 4, last: 4, name: Part(3311, 47), values: Part(0, 0) }, // no reset of its communication while operational
-    BitRow { first: 5, last: 5, name: Part(3358, 19), values: Part(0, 0) }, // verify its software
-    BitRow { first: 6, last: 6, name: Part(3377, 19), values: Part(0, 0) }, // update its software
-    BitRow { first: 7, last: 7, name: Part(3396, 25), values: Part(0, 0) }, // restore its configuration
-    BitRow { first: 8, last: 15, name: Part(3421, 12), values: Part(0, 0) }, // retry factor
-    BitRow { first: 16, last: 31, name: Part(3433, 16), values: Part(0, 0) }, // guard time in ms
-];
+static BITS: &[BitRow] = table!(BitRow { first, last, name, values }:
+    (0, 0, Part(2371, 28), Part(0, 0)) // program download in progress
+    (1, 7, Part(2399, 5), Part(0, 9)) // error
+    (16, 31, Part(2531, 25), Part(0, 0)) // error of the manufacturer
+    (0, 15, Part(2803, 7), Part(0, 0)) // segment
+    (16, 31, Part(2810, 15), Part(0, 0)) // length in bytes
+    (0, 0, Part(2933, 10), Part(9, 2)) // NMT master
+    (1, 1, Part(2948, 12), Part(11, 2)) // start slaves
+    (2, 2, Part(2981, 17), Part(13, 2)) // enter operational
+    (3, 3, Part(3016, 19), Part(15, 2)) // start slaves at all
+    (4, 4, Part(3035, 26), Part(17, 2)) // error of a mandatory slave
+    (5, 5, Part(3091, 13), Part(9, 2)) // flying master
+    (6, 6, Part(3104, 47), Part(9, 2)) // stop all nodes on an error of a mandatory slave
+    (0, 0, Part(3264, 20), Part(0, 0)) // slave of this master
+    (2, 2, Part(3284, 18), Part(0, 0)) // boot and configure
+    (3, 3, Part(3302, 9), Part(0, 0)) // mandatory
+    (4, 4, Part(3311, 47), Part(0, 0)) // no reset of its communication while operational
+    (5, 5, Part(3358, 19), Part(0, 0)) // verify its software
+    (6, 6, Part(3377, 19), Part(0, 0)) // update its software
+    (7, 7, Part(3396, 25), Part(0, 0)) // restore its configuration
+    (8, 15, Part(3421, 12), Part(0, 0)) // retry factor
+    (16, 31, Part(3433, 16), Part(0, 0)) // guard time in ms
+);
 
-static MEANINGS: &[MeaningRow] = &[
-    MeaningRow { first: 0, last: 0, text: Part(2404, 4) }, // none
-    MeaningRow { first: 1, last: 1, text: Part(2408, 16) }, // no valid program
-    MeaningRow { first: 2, last: 2, text: Part(2424, 14) }, // unknown format
-    MeaningRow { first: 3, last: 3, text: Part(2438, 14) }, // wrong checksum
-    MeaningRow { first: 4, last: 4, text: Part(2452, 17) }, // flash not cleared
-    MeaningRow { first: 5, last: 5, text: Part(2469, 17) }, // flash write error
-    MeaningRow { first: 6, last: 6, text: Part(2486, 13) }, // wrong address
-    MeaningRow { first: 7, last: 7, text: Part(2499, 13) }, // flash secured
-    MeaningRow { first: 63, last: 63, text: Part(2512, 19) }, // of the manufacturer
-    MeaningRow { first: 0, last: 0, text: Part(2943, 2) }, // no
-    MeaningRow { first: 1, last: 1, text: Part(2945, 3) }, // yes
-    MeaningRow { first: 0, last: 0, text: Part(2960, 10) }, // one by one
-    MeaningRow { first: 1, last: 1, text: Part(2970, 11) }, // all at once
-    MeaningRow { first: 0, last: 0, text: Part(2998, 9) }, // by itself
-    MeaningRow { first: 1, last: 1, text: Part(3007, 9) }, // when told
-    MeaningRow { first: 0, last: 0, text: Part(2945, 3) }, // yes
-    MeaningRow { first: 1, last: 1, text: Part(2943, 2) }, // no
-    MeaningRow { first: 0, last: 0, text: Part(3061, 15) }, // that slave only
-    MeaningRow { first: 1, last: 1, text: Part(3076, 15) }, // reset all nodes
-];
+static MEANINGS: &[MeaningRow] = table!(MeaningRow { first, last, text }:
+    (0, 0, Part(2404, 4)) // none
+    (1, 1, Part(2408, 16)) // no valid program
+    (2, 2, Part(2424, 14)) // unknown format
+    (3, 3, Part(2438, 14)) // wrong checksum
+    (4, 4, Part(2452, 17)) // flash not cleared
+    (5, 5, Part(2469, 17)) // flash write error
+    (6, 6, Part(2486, 13)) // wrong address
+    (7, 7, Part(2499, 13)) // flash secured
+    (63, 63, Part(2512, 19)) // of the manufacturer
+    (0, 0, Part(2943, 2)) // no
+    (1, 1, Part(2945, 3)) // yes
+    (0, 0, Part(2960, 10)) // one by one
+    (1, 1, Part(2970, 11)) // all at once
+    (0, 0, Part(2998, 9)) // by itself
+    (1, 1, Part(3007, 9)) // when told
+    (0, 0, Part(2945, 3)) // yes
+    (1, 1, Part(2943, 2)) // no
+    (0, 0, Part(3061, 15)) // that slave only
+    (1, 1, Part(3076, 15)) // reset all nodes
+);
 
-static COMMANDS: &[CommandRow] = &[
-];
+static COMMANDS: &[CommandRow] = &[];
 
-static TRANSITIONS: &[TransitionRow] = &[
-];
+static TRANSITIONS: &[TransitionRow] = &[];
 
 static CONDITIONS: &[Condition] = &[
     Condition::constant("1F21h", &[Described(7969, None)]),

@@ -35,1268 +35,1266 @@ pub(super) static PROFILE: Profile = Profile {
     },
 };
 
-static OBJECTS: &[ObjectRow] = &[
-    ObjectRow { first: 24576, last: 24576, name: Part(0, 27), object_types: Part(0, 2), need: Optional, only: None, as_many_as: Part(0, 0), entries: Part(0, 3), source: Part(0, 0), about: Part(54, 51), confidence: Medium }, // 6000h DI read state 8 input lines
-    ObjectRow { first: 24578, last: 24578, name: Part(105, 25), object_types: Part(0, 2), need: Optional, only: None, as_many_as: Part(0, 0), entries: Part(3, 3), source: Part(0, 0), about: Part(130, 42), confidence: Medium }, // 6002h DI polarity 8 input lines
-    ObjectRow { first: 24608, last: 24608, name: Part(172, 26), object_types: Part(0, 2), need: Optional, only: None, as_many_as: Part(0, 0), entries: Part(6, 3), source: Part(0, 0), about: Part(198, 49), confidence: Medium }, // 6020h DI read state 1 input line
-    ObjectRow { first: 24624, last: 24624, name: Part(247, 24), object_types: Part(0, 2), need: Optional, only: None, as_many_as: Part(0, 0), entries: Part(9, 3), source: Part(0, 0), about: Part(271, 40), confidence: Medium }, // 6030h DI polarity 1 input line
-    ObjectRow { first: 24832, last: 24832, name: Part(311, 11), object_types: Part(0, 2), need: Optional, only: None, as_many_as: Part(0, 0), entries: Part(12, 3), source: Part(0, 0), about: Part(322, 71), confidence: Medium }, // 6100h AI input FV
-    ObjectRow { first: 24835, last: 24835, name: Part(393, 27), object_types: Part(0, 2), need: Optional, only: None, as_many_as: Part(0, 0), entries: Part(15, 3), source: Part(0, 0), about: Part(420, 54), confidence: Medium }, // 6103h AI interrupt delta input FV
-    ObjectRow { first: 24848, last: 24848, name: Part(474, 14), object_types: Part(0, 2), need: Optional, only: None, as_many_as: Part(0, 0), entries: Part(18, 3), source: Part(0, 0), about: Part(488, 44), confidence: Medium }, // 6110h AI sensor type
-    ObjectRow { first: 24849, last: 24849, name: Part(532, 18), object_types: Part(0, 2), need: Optional, only: None, as_many_as: Part(0, 0), entries: Part(21, 3), source: Part(0, 0), about: Part(550, 44), confidence: Medium }, // 6111h AI autocalibration
-    ObjectRow { first: 24850, last: 24850, name: Part(594, 17), object_types: Part(0, 2), need: Optional, only: None, as_many_as: Part(0, 0), entries: Part(24, 3), source: Part(0, 0), about: Part(637, 55), confidence: Medium }, // 6112h AI operating mode
-    ObjectRow { first: 24852, last: 24852, name: Part(692, 18), object_types: Part(0, 2), need: Optional, only: None, as_many_as: Part(0, 0), entries: Part(27, 3), source: Part(0, 0), about: Part(713, 50), confidence: Medium }, // 6114h AI ADC sample rate
-    ObjectRow { first: 24864, last: 24864, name: Part(763, 21), object_types: Part(0, 2), need: Optional, only: None, as_many_as: Part(0, 0), entries: Part(30, 3), source: Part(0, 0), about: Part(784, 77), confidence: Medium }, // 6120h AI input scaling 1 FV
-    ObjectRow { first: 24865, last: 24865, name: Part(861, 21), object_types: Part(0, 2), need: Optional, only: None, as_many_as: Part(0, 0), entries: Part(33, 3), source: Part(0, 0), about: Part(882, 79), confidence: Medium }, // 6121h AI input scaling 1 PV
-    ObjectRow { first: 24866, last: 24866, name: Part(961, 21), object_types: Part(0, 2), need: Optional, only: None, as_many_as: Part(0, 0), entries: Part(36, 3), source: Part(0, 0), about: Part(982, 78), confidence: Medium }, // 6122h AI input scaling 2 FV
-    ObjectRow { first: 24867, last: 24867, name: Part(1060, 21), object_types: Part(0, 2), need: Optional, only: None, as_many_as: Part(0, 0), entries: Part(39, 3), source: Part(0, 0), about: Part(1081, 80), confidence: Medium }, // 6123h AI input scaling 2 PV
-    ObjectRow { first: 24868, last: 24868, name: Part(1161, 15), object_types: Part(0, 2), need: Optional, only: None, as_many_as: Part(0, 0), entries: Part(42, 3), source: Part(0, 0), about: Part(1176, 48), confidence: Medium }, // 6124h AI input offset
-    ObjectRow { first: 24869, last: 24869, name: Part(1224, 11), object_types: Part(0, 2), need: Optional, only: None, as_many_as: Part(0, 0), entries: Part(45, 3), source: Part(0, 0), about: Part(1235, 82), confidence: Medium }, // 6125h AI autozero
-    ObjectRow { first: 24870, last: 24870, name: Part(1317, 17), object_types: Part(0, 2), need: Optional, only: None, as_many_as: Part(0, 0), entries: Part(48, 3), source: Part(0, 0), about: Part(1334, 53), confidence: Medium }, // 6126h AI scaling factor
-    ObjectRow { first: 24871, last: 24871, name: Part(1387, 17), object_types: Part(0, 2), need: Optional, only: None, as_many_as: Part(0, 0), entries: Part(51, 3), source: Part(0, 0), about: Part(1404, 53), confidence: Medium }, // 6127h AI scaling offset
-    ObjectRow { first: 24880, last: 24880, name: Part(1457, 11), object_types: Part(0, 2), need: Optional, only: None, as_many_as: Part(0, 0), entries: Part(54, 3), source: Part(0, 0), about: Part(1468, 68), confidence: Medium }, // 6130h AI input PV
-    ObjectRow { first: 24881, last: 24881, name: Part(1536, 19), object_types: Part(0, 2), need: Optional, only: None, as_many_as: Part(0, 0), entries: Part(57, 3), source: Part(0, 0), about: Part(1596, 51), confidence: Medium }, // 6131h AI physical unit PV
-    ObjectRow { first: 24882, last: 24882, name: Part(1647, 20), object_types: Part(0, 2), need: Optional, only: None, as_many_as: Part(0, 0), entries: Part(60, 3), source: Part(0, 0), about: Part(1667, 73), confidence: Medium }, // 6132h AI decimal digits PV
-    ObjectRow { first: 24883, last: 24883, name: Part(1740, 27), object_types: Part(0, 2), need: Optional, only: None, as_many_as: Part(0, 0), entries: Part(63, 3), source: Part(0, 0), about: Part(1767, 56), confidence: Medium }, // 6133h AI interrupt delta input PV
-    ObjectRow { first: 24884, last: 24884, name: Part(1823, 27), object_types: Part(0, 2), need: Optional, only: None, as_many_as: Part(0, 0), entries: Part(66, 3), source: Part(0, 0), about: Part(1850, 60), confidence: Medium }, // 6134h AI interrupt lower input PV
-    ObjectRow { first: 24885, last: 24885, name: Part(1910, 27), object_types: Part(0, 2), need: Optional, only: None, as_many_as: Part(0, 0), entries: Part(69, 3), source: Part(0, 0), about: Part(1937, 60), confidence: Medium }, // 6135h AI interrupt upper input PV
-    ObjectRow { first: 24888, last: 24888, name: Part(1997, 12), object_types: Part(0, 2), need: Optional, only: None, as_many_as: Part(0, 0), entries: Part(72, 3), source: Part(0, 0), about: Part(2009, 73), confidence: Medium }, // 6138h AI tare zero
-    ObjectRow { first: 24889, last: 24889, name: Part(2082, 11), object_types: Part(0, 2), need: Optional, only: None, as_many_as: Part(0, 0), entries: Part(75, 3), source: Part(0, 0), about: Part(2093, 62), confidence: Medium }, // 6139h AI autotare
-    ObjectRow { first: 24896, last: 24896, name: Part(2155, 9), object_types: Part(0, 2), need: Optional, only: None, as_many_as: Part(0, 0), entries: Part(78, 3), source: Part(0, 0), about: Part(2164, 56), confidence: Medium }, // 6140h AI net PV
-    ObjectRow { first: 24899, last: 24899, name: Part(2220, 25), object_types: Part(0, 2), need: Optional, only: None, as_many_as: Part(0, 0), entries: Part(81, 3), source: Part(0, 0), about: Part(2245, 52), confidence: Medium }, // 6143h AI interrupt delta net PV
-    ObjectRow { first: 24900, last: 24900, name: Part(2297, 31), object_types: Part(0, 2), need: Optional, only: None, as_many_as: Part(0, 0), entries: Part(84, 3), source: Part(0, 0), about: Part(2328, 56), confidence: Medium }, // 6144h AI interrupt lower limit net PV
-    ObjectRow { first: 24901, last: 24901, name: Part(2384, 31), object_types: Part(0, 2), need: Optional, only: None, as_many_as: Part(0, 0), entries: Part(87, 3), source: Part(0, 0), about: Part(2415, 56), confidence: Medium }, // 6145h AI interrupt upper limit net PV
-    ObjectRow { first: 24904, last: 24904, name: Part(2471, 13), object_types: Part(0, 2), need: Optional, only: None, as_many_as: Part(0, 0), entries: Part(90, 3), source: Part(0, 0), about: Part(2484, 68), confidence: Medium }, // 6148h AI span start
-    ObjectRow { first: 24905, last: 24905, name: Part(2552, 11), object_types: Part(0, 2), need: Optional, only: None, as_many_as: Part(0, 0), entries: Part(93, 3), source: Part(0, 0), about: Part(2563, 68), confidence: Medium }, // 6149h AI span end
-    ObjectRow { first: 24912, last: 24912, name: Part(2631, 9), object_types: Part(0, 2), need: Optional, only: None, as_many_as: Part(0, 0), entries: Part(96, 3), source: Part(0, 0), about: Part(2689, 69), confidence: Medium }, // 6150h AI status
-    ObjectRow { first: 24928, last: 24928, name: Part(2758, 15), object_types: Part(0, 2), need: Optional, only: None, as_many_as: Part(0, 0), entries: Part(99, 3), source: Part(0, 0), about: Part(2773, 73), confidence: Medium }, // 6160h AI control byte
-    ObjectRow { first: 24929, last: 24929, name: Part(2846, 22), object_types: Part(0, 2), need: Optional, only: None, as_many_as: Part(0, 0), entries: Part(102, 3), source: Part(0, 0), about: Part(2868, 46), confidence: Medium }, // 6161h AI control byte enable
-    ObjectRow { first: 24992, last: 24992, name: Part(2914, 14), object_types: Part(0, 2), need: Optional, only: None, as_many_as: Part(0, 0), entries: Part(105, 3), source: Part(0, 0), about: Part(2990, 32), confidence: Medium }, // 61A0h AI filter type
-    ObjectRow { first: 24993, last: 24993, name: Part(3022, 18), object_types: Part(0, 2), need: Optional, only: None, as_many_as: Part(0, 0), entries: Part(108, 3), source: Part(0, 0), about: Part(3040, 48), confidence: Medium }, // 61A1h AI filter constant
-    ObjectRow { first: 25088, last: 25088, name: Part(3088, 29), object_types: Part(0, 2), need: Optional, only: None, as_many_as: Part(0, 0), entries: Part(111, 3), source: Part(0, 0), about: Part(3117, 44), confidence: Medium }, // 6200h DO write state 8 output lines
-    ObjectRow { first: 25090, last: 25090, name: Part(3161, 26), object_types: Part(0, 2), need: Optional, only: None, as_many_as: Part(0, 0), entries: Part(114, 3), source: Part(0, 0), about: Part(3187, 43), confidence: Medium }, // 6202h DO polarity 8 output lines
-    ObjectRow { first: 25094, last: 25094, name: Part(3230, 28), object_types: Part(0, 2), need: Optional, only: None, as_many_as: Part(0, 0), entries: Part(117, 3), source: Part(0, 0), about: Part(3258, 74), confidence: Medium }, // 6206h DO fault mode 8 output lines
-    ObjectRow { first: 25095, last: 25095, name: Part(3332, 29), object_types: Part(0, 2), need: Optional, only: None, as_many_as: Part(0, 0), entries: Part(120, 3), source: Part(0, 0), about: Part(3361, 68), confidence: Medium }, // 6207h DO fault state 8 output lines
-    ObjectRow { first: 25104, last: 25104, name: Part(3429, 29), object_types: Part(0, 2), need: Optional, only: None, as_many_as: Part(0, 0), entries: Part(123, 3), source: Part(0, 0), about: Part(3458, 61), confidence: Medium }, // 6210h DO link object 8 output lines
-    ObjectRow { first: 25120, last: 25120, name: Part(3519, 28), object_types: Part(0, 2), need: Optional, only: None, as_many_as: Part(0, 0), entries: Part(126, 3), source: Part(0, 0), about: Part(3547, 42), confidence: Medium }, // 6220h DO write state 1 output line
-    ObjectRow { first: 25152, last: 25152, name: Part(3589, 25), object_types: Part(0, 2), need: Optional, only: None, as_many_as: Part(0, 0), entries: Part(129, 3), source: Part(0, 0), about: Part(3614, 41), confidence: Medium }, // 6240h DO polarity 1 output line
-    ObjectRow { first: 25168, last: 25168, name: Part(3655, 27), object_types: Part(0, 2), need: Optional, only: None, as_many_as: Part(0, 0), entries: Part(132, 3), source: Part(0, 0), about: Part(3682, 77), confidence: Medium }, // 6250h DO fault mode 1 output line
-    ObjectRow { first: 25184, last: 25184, name: Part(3759, 28), object_types: Part(0, 2), need: Optional, only: None, as_many_as: Part(0, 0), entries: Part(135, 3), source: Part(0, 0), about: Part(3787, 68), confidence: Medium }, // 6260h DO fault state 1 output line
-    ObjectRow { first: 25216, last: 25216, name: Part(3855, 28), object_types: Part(0, 2), need: Optional, only: None, as_many_as: Part(0, 0), entries: Part(138, 3), source: Part(0, 0), about: Part(3883, 56), confidence: Medium }, // 6280h DO link object 1 output line
-    ObjectRow { first: 25344, last: 25344, name: Part(3939, 12), object_types: Part(0, 2), need: Optional, only: None, as_many_as: Part(0, 0), entries: Part(141, 3), source: Part(0, 0), about: Part(3951, 69), confidence: Medium }, // 6300h AO output PV
-    ObjectRow { first: 25345, last: 25345, name: Part(4020, 19), object_types: Part(0, 2), need: Optional, only: None, as_many_as: Part(0, 0), entries: Part(144, 3), source: Part(0, 0), about: Part(4039, 52), confidence: Medium }, // 6301h AO physical unit PV
-    ObjectRow { first: 25346, last: 25346, name: Part(4091, 20), object_types: Part(0, 2), need: Optional, only: None, as_many_as: Part(0, 0), entries: Part(147, 3), source: Part(0, 0), about: Part(1667, 73), confidence: Medium }, // 6302h AO decimal digits PV
-    ObjectRow { first: 25347, last: 25347, name: Part(4111, 17), object_types: Part(0, 2), need: Optional, only: None, as_many_as: Part(0, 0), entries: Part(150, 3), source: Part(0, 0), about: Part(4128, 58), confidence: Medium }, // 6303h AO link output PV
-    ObjectRow { first: 25360, last: 25360, name: Part(4186, 14), object_types: Part(0, 2), need: Optional, only: None, as_many_as: Part(0, 0), entries: Part(153, 3), source: Part(0, 0), about: Part(4200, 45), confidence: Medium }, // 6310h AO output type
-    ObjectRow { first: 25376, last: 25376, name: Part(4245, 22), object_types: Part(0, 2), need: Optional, only: None, as_many_as: Part(0, 0), entries: Part(156, 3), source: Part(0, 0), about: Part(4267, 80), confidence: Medium }, // 6320h AO output scaling 1 PV
-    ObjectRow { first: 25377, last: 25377, name: Part(4347, 22), object_types: Part(0, 2), need: Optional, only: None, as_many_as: Part(0, 0), entries: Part(159, 3), source: Part(0, 0), about: Part(4369, 78), confidence: Medium }, // 6321h AO output scaling 1 FV
-    ObjectRow { first: 25378, last: 25378, name: Part(4447, 22), object_types: Part(0, 2), need: Optional, only: None, as_many_as: Part(0, 0), entries: Part(162, 3), source: Part(0, 0), about: Part(4469, 81), confidence: Medium }, // 6322h AO output scaling 2 PV
-    ObjectRow { first: 25379, last: 25379, name: Part(4550, 22), object_types: Part(0, 2), need: Optional, only: None, as_many_as: Part(0, 0), entries: Part(165, 3), source: Part(0, 0), about: Part(4572, 79), confidence: Medium }, // 6323h AO output scaling 2 FV
-    ObjectRow { first: 25392, last: 25392, name: Part(4651, 12), object_types: Part(0, 2), need: Optional, only: None, as_many_as: Part(0, 0), entries: Part(168, 3), source: Part(0, 0), about: Part(4663, 74), confidence: Medium }, // 6330h AO output FV
-    ObjectRow { first: 25393, last: 25393, name: Part(4737, 19), object_types: Part(0, 2), need: Optional, only: None, as_many_as: Part(0, 0), entries: Part(171, 3), source: Part(0, 0), about: Part(4756, 50), confidence: Medium }, // 6331h AO physical unit FV
-    ObjectRow { first: 25394, last: 25394, name: Part(4806, 20), object_types: Part(0, 2), need: Optional, only: None, as_many_as: Part(0, 0), entries: Part(174, 3), source: Part(0, 0), about: Part(4826, 71), confidence: Medium }, // 6332h AO decimal digits FV
-    ObjectRow { first: 25408, last: 25408, name: Part(4897, 13), object_types: Part(0, 2), need: Optional, only: None, as_many_as: Part(0, 0), entries: Part(177, 3), source: Part(0, 0), about: Part(4910, 49), confidence: Medium }, // 6340h AO fault mode
-    ObjectRow { first: 25409, last: 25409, name: Part(4959, 11), object_types: Part(0, 2), need: Optional, only: None, as_many_as: Part(0, 0), entries: Part(180, 3), source: Part(0, 0), about: Part(4970, 66), confidence: Medium }, // 6341h AO fault FV
-    ObjectRow { first: 25600, last: 25600, name: Part(5036, 31), object_types: Part(0, 2), need: Optional, only: None, as_many_as: Part(0, 0), entries: Part(183, 3), source: Part(0, 0), about: Part(5067, 48), confidence: Medium }, // 6400h CO effective current value Xeff
-    ObjectRow { first: 25601, last: 25601, name: Part(5115, 27), object_types: Part(0, 2), need: Optional, only: None, as_many_as: Part(0, 0), entries: Part(186, 3), source: Part(0, 0), about: Part(5142, 45), confidence: Medium }, // 6401h CO effective set point Weff
-    ObjectRow { first: 25602, last: 25602, name: Part(5187, 14), object_types: Part(0, 2), need: Optional, only: None, as_many_as: Part(0, 0), entries: Part(189, 3), source: Part(0, 0), about: Part(5201, 32), confidence: Medium }, // 6402h CO set point W
-    ObjectRow { first: 25603, last: 25603, name: Part(5233, 19), object_types: Part(0, 2), need: Optional, only: None, as_many_as: Part(0, 0), entries: Part(192, 3), source: Part(0, 0), about: Part(5252, 66), confidence: Medium }, // 6403h CO 2nd set point W2
-    ObjectRow { first: 25604, last: 25604, name: Part(5318, 27), object_types: Part(0, 2), need: Optional, only: None, as_many_as: Part(0, 0), entries: Part(195, 3), source: Part(0, 0), about: Part(5345, 21), confidence: Medium }, // 6404h CO lower set point limit W0
-    ObjectRow { first: 25605, last: 25605, name: Part(5366, 29), object_types: Part(0, 2), need: Optional, only: None, as_many_as: Part(0, 0), entries: Part(198, 3), source: Part(0, 0), about: Part(5395, 22), confidence: Medium }, // 6405h CO upper set point limit W100
-    ObjectRow { first: 25606, last: 25606, name: Part(5417, 19), object_types: Part(0, 2), need: Optional, only: None, as_many_as: Part(0, 0), entries: Part(201, 3), source: Part(0, 0), about: Part(5436, 39), confidence: Medium }, // 6406h CO physical unit XW
-    ObjectRow { first: 25607, last: 25607, name: Part(5475, 20), object_types: Part(0, 2), need: Optional, only: None, as_many_as: Part(0, 0), entries: Part(204, 3), source: Part(0, 0), about: Part(5495, 82), confidence: Medium }, // 6407h CO decimal digits XW
-    ObjectRow { first: 25616, last: 25616, name: Part(5577, 32), object_types: Part(0, 2), need: Optional, only: None, as_many_as: Part(0, 0), entries: Part(207, 3), source: Part(0, 0), about: Part(5609, 29), confidence: Medium }, // 6410h CO effective controller output Y
-    ObjectRow { first: 25617, last: 25617, name: Part(5638, 39), object_types: Part(0, 2), need: Optional, only: None, as_many_as: Part(0, 0), entries: Part(210, 3), source: Part(0, 0), about: Part(5677, 38), confidence: Medium }, // 6411h CO differential controller output Ydiff
-    ObjectRow { first: 25618, last: 25618, name: Part(5715, 27), object_types: Part(0, 2), need: Optional, only: None, as_many_as: Part(0, 0), entries: Part(213, 3), source: Part(0, 0), about: Part(5742, 44), confidence: Medium }, // 6412h CO manual controller output
-    ObjectRow { first: 25619, last: 25619, name: Part(5786, 37), object_types: Part(0, 2), need: Optional, only: None, as_many_as: Part(0, 0), entries: Part(216, 3), source: Part(0, 0), about: Part(5823, 36), confidence: Medium }, // 6413h CO lower controller output limit Ymin
-    ObjectRow { first: 25620, last: 25620, name: Part(5859, 37), object_types: Part(0, 2), need: Optional, only: None, as_many_as: Part(0, 0), entries: Part(219, 3), source: Part(0, 0), about: Part(5896, 37), confidence: Medium }, // 6414h CO upper controller output limit Ymax
-    ObjectRow { first: 25621, last: 25621, name: Part(5933, 34), object_types: Part(0, 2), need: Optional, only: None, as_many_as: Part(0, 0), entries: Part(222, 3), source: Part(0, 0), about: Part(5967, 36), confidence: Medium }, // 6415h CO physical unit controller output
-    ObjectRow { first: 25632, last: 25632, name: Part(6003, 24), object_types: Part(0, 2), need: Optional, only: None, as_many_as: Part(0, 0), entries: Part(225, 3), source: Part(0, 0), about: Part(6027, 43), confidence: Medium }, // 6420h CO set point switch W-W2
-    ObjectRow { first: 25633, last: 25633, name: Part(6070, 28), object_types: Part(0, 2), need: Optional, only: None, as_many_as: Part(0, 0), entries: Part(228, 3), source: Part(0, 0), about: Part(6109, 33), confidence: Medium }, // 6421h CO automatic/manual mode A-M
-    ObjectRow { first: 25634, last: 25634, name: Part(6142, 20), object_types: Part(0, 2), need: Optional, only: None, as_many_as: Part(0, 0), entries: Part(231, 3), source: Part(0, 0), about: Part(6175, 35), confidence: Medium }, // 6422h CO controller on/off
-    ObjectRow { first: 25635, last: 25635, name: Part(6210, 18), object_types: Part(0, 2), need: Optional, only: None, as_many_as: Part(0, 0), entries: Part(234, 3), source: Part(0, 0), about: Part(6228, 27), confidence: Medium }, // 6423h CO controller mode
-    ObjectRow { first: 25636, last: 25636, name: Part(6255, 27), object_types: Part(0, 2), need: Optional, only: None, as_many_as: Part(0, 0), entries: Part(237, 3), source: Part(0, 0), about: Part(6282, 53), confidence: Medium }, // 6424h CO self optimization on/off
-    ObjectRow { first: 25637, last: 25637, name: Part(6335, 15), object_types: Part(0, 2), need: Optional, only: None, as_many_as: Part(0, 0), entries: Part(240, 3), source: Part(0, 0), about: Part(6350, 39), confidence: Medium }, // 6425h CO control byte
-    ObjectRow { first: 25638, last: 25638, name: Part(6389, 22), object_types: Part(0, 2), need: Optional, only: None, as_many_as: Part(0, 0), entries: Part(243, 3), source: Part(0, 0), about: Part(2868, 46), confidence: Medium }, // 6426h CO control byte enable
-    ObjectRow { first: 25639, last: 25639, name: Part(6411, 14), object_types: Part(0, 2), need: Optional, only: None, as_many_as: Part(0, 0), entries: Part(246, 3), source: Part(0, 0), about: Part(6425, 42), confidence: Medium }, // 6427h CO status word
-    ObjectRow { first: 25648, last: 25648, name: Part(6467, 27), object_types: Part(0, 2), need: Optional, only: None, as_many_as: Part(0, 0), entries: Part(249, 3), source: Part(0, 0), about: Part(6494, 57), confidence: Medium }, // 6430h CO minimum pulse time Tmin1
-    ObjectRow { first: 25649, last: 25649, name: Part(6551, 27), object_types: Part(0, 2), need: Optional, only: None, as_many_as: Part(0, 0), entries: Part(252, 3), source: Part(0, 0), about: Part(6578, 58), confidence: Medium }, // 6431h CO minimum pulse time Tmin2
-    ObjectRow { first: 25650, last: 25650, name: Part(6636, 25), object_types: Part(0, 2), need: Optional, only: None, as_many_as: Part(0, 0), entries: Part(255, 3), source: Part(0, 0), about: Part(6661, 64), confidence: Medium }, // 6432h CO motor response time Tm
-    ObjectRow { first: 25651, last: 25651, name: Part(6725, 25), object_types: Part(0, 2), need: Optional, only: None, as_many_as: Part(0, 0), entries: Part(258, 3), source: Part(0, 0), about: Part(6750, 45), confidence: Medium }, // 6433h CO min pulse length Tpuls
-    ObjectRow { first: 25652, last: 25652, name: Part(6795, 29), object_types: Part(0, 2), need: Optional, only: None, as_many_as: Part(0, 0), entries: Part(261, 3), source: Part(0, 0), about: Part(6824, 32), confidence: Medium }, // 6434h CO physical unit pulse timing
-    ObjectRow { first: 25653, last: 25653, name: Part(6856, 20), object_types: Part(0, 2), need: Optional, only: None, as_many_as: Part(0, 0), entries: Part(264, 3), source: Part(0, 0), about: Part(6876, 75), confidence: Medium }, // 6435h CO decimal digits PT
-    ObjectRow { first: 25664, last: 25664, name: Part(6951, 32), object_types: Part(0, 2), need: Optional, only: None, as_many_as: Part(0, 0), entries: Part(267, 3), source: Part(0, 0), about: Part(6983, 80), confidence: Medium }, // 6440h CO neutral zone three-point Xsh1
-    ObjectRow { first: 25665, last: 25665, name: Part(7063, 32), object_types: Part(0, 2), need: Optional, only: None, as_many_as: Part(0, 0), entries: Part(270, 3), source: Part(0, 0), about: Part(7095, 81), confidence: Medium }, // 6441h CO neutral zone three-point Xsh2
-    ObjectRow { first: 25666, last: 25666, name: Part(7176, 40), object_types: Part(0, 2), need: Optional, only: None, as_many_as: Part(0, 0), entries: Part(273, 3), source: Part(0, 0), about: Part(7216, 54), confidence: Medium }, // 6442h CO neutral zone three-point stepping Xsh
-    ObjectRow { first: 25667, last: 25667, name: Part(7270, 41), object_types: Part(0, 2), need: Optional, only: None, as_many_as: Part(0, 0), entries: Part(276, 3), source: Part(0, 0), about: Part(7311, 39), confidence: Medium }, // 6443h CO switching difference of signaller Xsd1
-    ObjectRow { first: 25668, last: 25668, name: Part(7350, 50), object_types: Part(0, 2), need: Optional, only: None, as_many_as: Part(0, 0), entries: Part(279, 3), source: Part(0, 0), about: Part(7400, 41), confidence: Medium }, // 6444h CO switching difference of additional contact Xsd2
-    ObjectRow { first: 25669, last: 25669, name: Part(7441, 52), object_types: Part(0, 2), need: Optional, only: None, as_many_as: Part(0, 0), entries: Part(282, 3), source: Part(0, 0), about: Part(7493, 76), confidence: Medium }, // 6445h CO trigger point separation of additional contact LW
-    ObjectRow { first: 25680, last: 25680, name: Part(7569, 24), object_types: Part(0, 2), need: Optional, only: None, as_many_as: Part(0, 0), entries: Part(285, 3), source: Part(0, 0), about: Part(7593, 49), confidence: Medium }, // 6450h CO proportional band Xp1
-    ObjectRow { first: 25681, last: 25681, name: Part(7642, 24), object_types: Part(0, 2), need: Optional, only: None, as_many_as: Part(0, 0), entries: Part(288, 3), source: Part(0, 0), about: Part(7666, 50), confidence: Medium }, // 6451h CO proportional band Xp2
-    ObjectRow { first: 25682, last: 25682, name: Part(7716, 27), object_types: Part(0, 2), need: Optional, only: None, as_many_as: Part(0, 0), entries: Part(291, 3), source: Part(0, 0), about: Part(7743, 52), confidence: Medium }, // 6452h CO integral action time Tn1
-    ObjectRow { first: 25683, last: 25683, name: Part(7795, 27), object_types: Part(0, 2), need: Optional, only: None, as_many_as: Part(0, 0), entries: Part(294, 3), source: Part(0, 0), about: Part(7822, 53), confidence: Medium }, // 6453h CO integral action time Tn2
-    ObjectRow { first: 25684, last: 25684, name: Part(7875, 29), object_types: Part(0, 2), need: Optional, only: None, as_many_as: Part(0, 0), entries: Part(297, 3), source: Part(0, 0), about: Part(7904, 54), confidence: Medium }, // 6454h CO derivative action time Tv1
-    ObjectRow { first: 25685, last: 25685, name: Part(7958, 29), object_types: Part(0, 2), need: Optional, only: None, as_many_as: Part(0, 0), entries: Part(300, 3), source: Part(0, 0), about: Part(7987, 55), confidence: Medium }, // 6455h CO derivative action time Tv2
-    ObjectRow { first: 25686, last: 25686, name: Part(8042, 16), object_types: Part(0, 2), need: Optional, only: None, as_many_as: Part(0, 0), entries: Part(303, 3), source: Part(0, 0), about: Part(8058, 41), confidence: Medium }, // 6456h CO cycle time T1
-    ObjectRow { first: 25687, last: 25687, name: Part(8099, 16), object_types: Part(0, 2), need: Optional, only: None, as_many_as: Part(0, 0), entries: Part(306, 3), source: Part(0, 0), about: Part(8115, 42), confidence: Medium }, // 6457h CO cycle time T2
-    ObjectRow { first: 25688, last: 25688, name: Part(8157, 20), object_types: Part(0, 2), need: Optional, only: None, as_many_as: Part(0, 0), entries: Part(309, 3), source: Part(0, 0), about: Part(8177, 40), confidence: Medium }, // 6458h CO physical unit PID
-    ObjectRow { first: 25689, last: 25689, name: Part(8217, 21), object_types: Part(0, 2), need: Optional, only: None, as_many_as: Part(0, 0), entries: Part(312, 3), source: Part(0, 0), about: Part(8238, 83), confidence: Medium }, // 6459h CO decimal digits PID
-    ObjectRow { first: 25856, last: 25856, name: Part(8321, 14), object_types: Part(0, 2), need: Optional, only: None, as_many_as: Part(0, 0), entries: Part(315, 3), source: Part(0, 0), about: Part(8335, 32), confidence: Medium }, // 6500h AL input value
-    ObjectRow { first: 25859, last: 25859, name: Part(8367, 13), object_types: Part(0, 2), need: Optional, only: None, as_many_as: Part(0, 0), entries: Part(318, 3), source: Part(0, 0), about: Part(8380, 58), confidence: Medium }, // 6503h AL link input
-    ObjectRow { first: 25860, last: 25860, name: Part(8438, 24), object_types: Part(0, 2), need: Optional, only: None, as_many_as: Part(0, 0), entries: Part(321, 3), source: Part(0, 0), about: Part(8462, 68), confidence: Medium }, // 6504h AL alternate input value
-    ObjectRow { first: 25861, last: 25861, name: Part(8530, 23), object_types: Part(0, 2), need: Optional, only: None, as_many_as: Part(0, 0), entries: Part(324, 3), source: Part(0, 0), about: Part(8553, 94), confidence: Medium }, // 6505h AL link alternate input
-    ObjectRow { first: 25862, last: 25862, name: Part(8647, 13), object_types: Part(0, 2), need: Optional, only: None, as_many_as: Part(0, 0), entries: Part(327, 3), source: Part(0, 0), about: Part(8660, 44), confidence: Medium }, // 6506h AL fault mode
-    ObjectRow { first: 25863, last: 25863, name: Part(8704, 14), object_types: Part(0, 2), need: Optional, only: None, as_many_as: Part(0, 0), entries: Part(330, 3), source: Part(0, 0), about: Part(8742, 55), confidence: Medium }, // 6507h AL fault state
-    ObjectRow { first: 25864, last: 25864, name: Part(8797, 7), object_types: Part(0, 2), need: Optional, only: None, as_many_as: Part(0, 0), entries: Part(333, 3), source: Part(0, 0), about: Part(8804, 60), confidence: Medium }, // 6508h AL type
-    ObjectRow { first: 25865, last: 25865, name: Part(8864, 9), object_types: Part(0, 2), need: Optional, only: None, as_many_as: Part(0, 0), entries: Part(336, 3), source: Part(0, 0), about: Part(8873, 66), confidence: Medium }, // 6509h AL action
-    ObjectRow { first: 25866, last: 25866, name: Part(8939, 8), object_types: Part(0, 2), need: Optional, only: None, as_many_as: Part(0, 0), entries: Part(339, 3), source: Part(0, 0), about: Part(8947, 42), confidence: Medium }, // 650Ah AL level
-    ObjectRow { first: 25867, last: 25867, name: Part(8989, 13), object_types: Part(0, 2), need: Optional, only: None, as_many_as: Part(0, 0), entries: Part(342, 3), source: Part(0, 0), about: Part(9002, 68), confidence: Medium }, // 650Bh AL hysteresis
-    ObjectRow { first: 25868, last: 25868, name: Part(9070, 8), object_types: Part(0, 2), need: Optional, only: None, as_many_as: Part(0, 0), entries: Part(345, 3), source: Part(0, 0), about: Part(9078, 35), confidence: Medium }, // 650Ch AL group
-    ObjectRow { first: 25869, last: 25869, name: Part(9113, 8), object_types: Part(0, 2), need: Optional, only: None, as_many_as: Part(0, 0), entries: Part(348, 3), source: Part(0, 0), about: Part(9126, 22), confidence: Medium }, // 650Dh AL state
-    ObjectRow { first: 25870, last: 25870, name: Part(9148, 8), object_types: Part(0, 2), need: Optional, only: None, as_many_as: Part(0, 0), entries: Part(351, 3), source: Part(0, 0), about: Part(9171, 22), confidence: Medium }, // 650Eh AL reset
-    ObjectRow { first: 26112, last: 26112, name: Part(9193, 15), object_types: Part(0, 2), need: Optional, only: None, as_many_as: Part(0, 0), entries: Part(354, 3), source: Part(0, 0), about: Part(9264, 46), confidence: Medium }, // 6600h AL 1 to 8 state
-    ObjectRow { first: 26113, last: 26113, name: Part(9310, 16), object_types: Part(0, 2), need: Optional, only: None, as_many_as: Part(0, 0), entries: Part(357, 3), source: Part(0, 0), about: Part(9389, 47), confidence: Medium }, // 6601h AL 9 to 16 state
-    ObjectRow { first: 26114, last: 26114, name: Part(9444, 16), object_types: Part(2, 1), need: Optional, only: None, as_many_as: Part(0, 0), entries: Part(360, 1), source: Part(0, 0), about: Part(9460, 28), confidence: Medium }, // 6602h AL general state
-    ObjectRow { first: 26115, last: 26115, name: Part(9640, 21), object_types: Part(2, 1), need: Optional, only: None, as_many_as: Part(0, 0), entries: Part(361, 1), source: Part(0, 0), about: Part(9661, 52), confidence: Medium }, // 6603h AL group 1 to 8 state
-    ObjectRow { first: 26128, last: 26128, name: Part(9729, 16), object_types: Part(2, 1), need: Optional, only: None, as_many_as: Part(0, 0), entries: Part(362, 1), source: Part(0, 0), about: Part(9745, 24), confidence: Medium }, // 6610h AL general reset
-    ObjectRow { first: 26129, last: 26129, name: Part(9769, 15), object_types: Part(0, 2), need: Optional, only: None, as_many_as: Part(0, 0), entries: Part(363, 3), source: Part(0, 0), about: Part(9888, 45), confidence: Medium }, // 6611h AL 1 to 8 reset
-    ObjectRow { first: 26130, last: 26130, name: Part(9933, 16), object_types: Part(0, 2), need: Optional, only: None, as_many_as: Part(0, 0), entries: Part(366, 3), source: Part(0, 0), about: Part(10060, 46), confidence: Medium }, // 6612h AL 9 to 16 reset
-    ObjectRow { first: 28448, last: 28448, name: Part(10106, 12), object_types: Part(0, 2), need: Optional, only: None, as_many_as: Part(0, 0), entries: Part(369, 3), source: Part(0, 0), about: Part(10118, 33), confidence: Medium }, // 6F20h Life counter
-    ObjectRow { first: 28464, last: 28464, name: Part(10151, 17), object_types: Part(0, 2), need: Optional, only: None, as_many_as: Part(0, 0), entries: Part(372, 3), source: Part(0, 0), about: Part(10168, 52), confidence: Medium }, // 6F30h Receive PDO check
-    ObjectRow { first: 28465, last: 28465, name: Part(10220, 18), object_types: Part(0, 2), need: Optional, only: None, as_many_as: Part(0, 0), entries: Part(375, 3), source: Part(0, 0), about: Part(10238, 33), confidence: Medium }, // 6F31h Transmit PDO check
-    ObjectRow { first: 28496, last: 28496, name: Part(10271, 10), object_types: Part(0, 2), need: Optional, only: None, as_many_as: Part(0, 0), entries: Part(378, 3), source: Part(0, 0), about: Part(10281, 58), confidence: Medium }, // 6F50h Receive PV
-    ObjectRow { first: 28497, last: 28497, name: Part(10339, 20), object_types: Part(0, 2), need: Optional, only: None, as_many_as: Part(0, 0), entries: Part(381, 3), source: Part(0, 0), about: Part(10359, 67), confidence: Medium }, // 6F51h Alternate receive PV
-    ObjectRow { first: 28498, last: 28498, name: Part(10426, 15), object_types: Part(0, 2), need: Optional, only: None, as_many_as: Part(0, 0), entries: Part(384, 3), source: Part(0, 0), about: Part(10441, 55), confidence: Medium }, // 6F52h Received status
-    ObjectRow { first: 28499, last: 28499, name: Part(10496, 25), object_types: Part(0, 2), need: Optional, only: None, as_many_as: Part(0, 0), entries: Part(387, 3), source: Part(0, 0), about: Part(10521, 81), confidence: Medium }, // 6F53h Alternate received status
-    ObjectRow { first: 28512, last: 28512, name: Part(10602, 19), object_types: Part(2, 1), need: Optional, only: None, as_many_as: Part(0, 0), entries: Part(390, 1), source: Part(0, 0), about: Part(10621, 47), confidence: Medium }, // 6F60h Transmission enable
-    ObjectRow { first: 28928, last: 28928, name: Part(311, 11), object_types: Part(0, 2), need: Optional, only: None, as_many_as: Part(0, 0), entries: Part(391, 3), source: Part(0, 0), about: Part(322, 71), confidence: Medium }, // 7100h AI input FV
-    ObjectRow { first: 28931, last: 28931, name: Part(393, 27), object_types: Part(0, 2), need: Optional, only: None, as_many_as: Part(0, 0), entries: Part(394, 3), source: Part(0, 0), about: Part(420, 54), confidence: Medium }, // 7103h AI interrupt delta input FV
-    ObjectRow { first: 28960, last: 28960, name: Part(763, 21), object_types: Part(0, 2), need: Optional, only: None, as_many_as: Part(0, 0), entries: Part(397, 3), source: Part(0, 0), about: Part(784, 77), confidence: Medium }, // 7120h AI input scaling 1 FV
-    ObjectRow { first: 28961, last: 28961, name: Part(861, 21), object_types: Part(0, 2), need: Optional, only: None, as_many_as: Part(0, 0), entries: Part(400, 3), source: Part(0, 0), about: Part(882, 79), confidence: Medium }, // 7121h AI input scaling 1 PV
-    ObjectRow { first: 28962, last: 28962, name: Part(961, 21), object_types: Part(0, 2), need: Optional, only: None, as_many_as: Part(0, 0), entries: Part(403, 3), source: Part(0, 0), about: Part(982, 78), confidence: Medium }, // 7122h AI input scaling 2 FV
-    ObjectRow { first: 28963, last: 28963, name: Part(1060, 21), object_types: Part(0, 2), need: Optional, only: None, as_many_as: Part(0, 0), entries: Part(406, 3), source: Part(0, 0), about: Part(1081, 80), confidence: Medium }, // 7123h AI input scaling 2 PV
-    ObjectRow { first: 28964, last: 28964, name: Part(1161, 15), object_types: Part(0, 2), need: Optional, only: None, as_many_as: Part(0, 0), entries: Part(409, 3), source: Part(0, 0), about: Part(1176, 48), confidence: Medium }, // 7124h AI input offset
-    ObjectRow { first: 28976, last: 28976, name: Part(1457, 11), object_types: Part(0, 2), need: Optional, only: None, as_many_as: Part(0, 0), entries: Part(412, 3), source: Part(0, 0), about: Part(1468, 68), confidence: Medium }, // 7130h AI input PV
-    ObjectRow { first: 28979, last: 28979, name: Part(1740, 27), object_types: Part(0, 2), need: Optional, only: None, as_many_as: Part(0, 0), entries: Part(415, 3), source: Part(0, 0), about: Part(1767, 56), confidence: Medium }, // 7133h AI interrupt delta input PV
-    ObjectRow { first: 28980, last: 28980, name: Part(1823, 27), object_types: Part(0, 2), need: Optional, only: None, as_many_as: Part(0, 0), entries: Part(418, 3), source: Part(0, 0), about: Part(1850, 60), confidence: Medium }, // 7134h AI interrupt lower input PV
-    ObjectRow { first: 28981, last: 28981, name: Part(1910, 27), object_types: Part(0, 2), need: Optional, only: None, as_many_as: Part(0, 0), entries: Part(421, 3), source: Part(0, 0), about: Part(1937, 60), confidence: Medium }, // 7135h AI interrupt upper input PV
-    ObjectRow { first: 28984, last: 28984, name: Part(1997, 12), object_types: Part(0, 2), need: Optional, only: None, as_many_as: Part(0, 0), entries: Part(424, 3), source: Part(0, 0), about: Part(2009, 73), confidence: Medium }, // 7138h AI tare zero
-    ObjectRow { first: 28992, last: 28992, name: Part(2155, 9), object_types: Part(0, 2), need: Optional, only: None, as_many_as: Part(0, 0), entries: Part(427, 3), source: Part(0, 0), about: Part(2164, 56), confidence: Medium }, // 7140h AI net PV
-    ObjectRow { first: 28995, last: 28995, name: Part(2220, 25), object_types: Part(0, 2), need: Optional, only: None, as_many_as: Part(0, 0), entries: Part(430, 3), source: Part(0, 0), about: Part(2245, 52), confidence: Medium }, // 7143h AI interrupt delta net PV
-    ObjectRow { first: 28996, last: 28996, name: Part(2297, 31), object_types: Part(0, 2), need: Optional, only: None, as_many_as: Part(0, 0), entries: Part(433, 3), source: Part(0, 0), about: Part(2328, 56), confidence: Medium }, // 7144h AI interrupt lower limit net PV
-    ObjectRow { first: 28997, last: 28997, name: Part(2384, 31), object_types: Part(0, 2), need: Optional, only: None, as_many_as: Part(0, 0), entries: Part(436, 3), source: Part(0, 0), about: Part(2415, 56), confidence: Medium }, // 7145h AI interrupt upper limit net PV
-    ObjectRow { first: 29000, last: 29000, name: Part(2471, 13), object_types: Part(0, 2), need: Optional, only: None, as_many_as: Part(0, 0), entries: Part(439, 3), source: Part(0, 0), about: Part(2484, 68), confidence: Medium }, // 7148h AI span start
-    ObjectRow { first: 29001, last: 29001, name: Part(2552, 11), object_types: Part(0, 2), need: Optional, only: None, as_many_as: Part(0, 0), entries: Part(442, 3), source: Part(0, 0), about: Part(2563, 68), confidence: Medium }, // 7149h AI span end
-    ObjectRow { first: 29440, last: 29440, name: Part(3939, 12), object_types: Part(0, 2), need: Optional, only: None, as_many_as: Part(0, 0), entries: Part(445, 3), source: Part(0, 0), about: Part(3951, 69), confidence: Medium }, // 7300h AO output PV
-    ObjectRow { first: 29472, last: 29472, name: Part(4245, 22), object_types: Part(0, 2), need: Optional, only: None, as_many_as: Part(0, 0), entries: Part(448, 3), source: Part(0, 0), about: Part(4267, 80), confidence: Medium }, // 7320h AO output scaling 1 PV
-    ObjectRow { first: 29473, last: 29473, name: Part(4347, 22), object_types: Part(0, 2), need: Optional, only: None, as_many_as: Part(0, 0), entries: Part(451, 3), source: Part(0, 0), about: Part(4369, 78), confidence: Medium }, // 7321h AO output scaling 1 FV
-    ObjectRow { first: 29474, last: 29474, name: Part(4447, 22), object_types: Part(0, 2), need: Optional, only: None, as_many_as: Part(0, 0), entries: Part(454, 3), source: Part(0, 0), about: Part(4469, 81), confidence: Medium }, // 7322h AO output scaling 2 PV
-    ObjectRow { first: 29475, last: 29475, name: Part(4550, 22), object_types: Part(0, 2), need: Optional, only: None, as_many_as: Part(0, 0), entries: Part(457, 3), source: Part(0, 0), about: Part(4572, 79), confidence: Medium }, // 7323h AO output scaling 2 FV
-    ObjectRow { first: 29488, last: 29488, name: Part(4651, 12), object_types: Part(0, 2), need: Optional, only: None, as_many_as: Part(0, 0), entries: Part(460, 3), source: Part(0, 0), about: Part(4663, 74), confidence: Medium }, // 7330h AO output FV
-    ObjectRow { first: 29505, last: 29505, name: Part(4959, 11), object_types: Part(0, 2), need: Optional, only: None, as_many_as: Part(0, 0), entries: Part(463, 3), source: Part(0, 0), about: Part(4970, 66), confidence: Medium }, // 7341h AO fault FV
-    ObjectRow { first: 29696, last: 29696, name: Part(5036, 31), object_types: Part(0, 2), need: Optional, only: None, as_many_as: Part(0, 0), entries: Part(466, 3), source: Part(0, 0), about: Part(5067, 48), confidence: Medium }, // 7400h CO effective current value Xeff
-    ObjectRow { first: 29697, last: 29697, name: Part(5115, 27), object_types: Part(0, 2), need: Optional, only: None, as_many_as: Part(0, 0), entries: Part(469, 3), source: Part(0, 0), about: Part(5142, 45), confidence: Medium }, // 7401h CO effective set point Weff
-    ObjectRow { first: 29698, last: 29698, name: Part(5187, 14), object_types: Part(0, 2), need: Optional, only: None, as_many_as: Part(0, 0), entries: Part(472, 3), source: Part(0, 0), about: Part(5201, 32), confidence: Medium }, // 7402h CO set point W
-    ObjectRow { first: 29699, last: 29699, name: Part(5233, 19), object_types: Part(0, 2), need: Optional, only: None, as_many_as: Part(0, 0), entries: Part(475, 3), source: Part(0, 0), about: Part(5252, 66), confidence: Medium }, // 7403h CO 2nd set point W2
-    ObjectRow { first: 29700, last: 29700, name: Part(5318, 27), object_types: Part(0, 2), need: Optional, only: None, as_many_as: Part(0, 0), entries: Part(478, 3), source: Part(0, 0), about: Part(5345, 21), confidence: Medium }, // 7404h CO lower set point limit W0
-    ObjectRow { first: 29701, last: 29701, name: Part(5366, 29), object_types: Part(0, 2), need: Optional, only: None, as_many_as: Part(0, 0), entries: Part(481, 3), source: Part(0, 0), about: Part(5395, 22), confidence: Medium }, // 7405h CO upper set point limit W100
-    ObjectRow { first: 29744, last: 29744, name: Part(6467, 27), object_types: Part(0, 2), need: Optional, only: None, as_many_as: Part(0, 0), entries: Part(484, 3), source: Part(0, 0), about: Part(6494, 57), confidence: Medium }, // 7430h CO minimum pulse time Tmin1
-    ObjectRow { first: 29745, last: 29745, name: Part(6551, 27), object_types: Part(0, 2), need: Optional, only: None, as_many_as: Part(0, 0), entries: Part(487, 3), source: Part(0, 0), about: Part(6578, 58), confidence: Medium }, // 7431h CO minimum pulse time Tmin2
-    ObjectRow { first: 29746, last: 29746, name: Part(6636, 25), object_types: Part(0, 2), need: Optional, only: None, as_many_as: Part(0, 0), entries: Part(490, 3), source: Part(0, 0), about: Part(6661, 64), confidence: Medium }, // 7432h CO motor response time Tm
-    ObjectRow { first: 29747, last: 29747, name: Part(6725, 25), object_types: Part(0, 2), need: Optional, only: None, as_many_as: Part(0, 0), entries: Part(493, 3), source: Part(0, 0), about: Part(6750, 45), confidence: Medium }, // 7433h CO min pulse length Tpuls
-    ObjectRow { first: 29760, last: 29760, name: Part(6951, 32), object_types: Part(0, 2), need: Optional, only: None, as_many_as: Part(0, 0), entries: Part(496, 3), source: Part(0, 0), about: Part(6983, 80), confidence: Medium }, // 7440h CO neutral zone three-point Xsh1
-    ObjectRow { first: 29761, last: 29761, name: Part(7063, 32), object_types: Part(0, 2), need: Optional, only: None, as_many_as: Part(0, 0), entries: Part(499, 3), source: Part(0, 0), about: Part(7095, 81), confidence: Medium }, // 7441h CO neutral zone three-point Xsh2
-    ObjectRow { first: 29762, last: 29762, name: Part(7176, 40), object_types: Part(0, 2), need: Optional, only: None, as_many_as: Part(0, 0), entries: Part(502, 3), source: Part(0, 0), about: Part(7216, 54), confidence: Medium }, // 7442h CO neutral zone three-point stepping Xsh
-    ObjectRow { first: 29763, last: 29763, name: Part(7270, 41), object_types: Part(0, 2), need: Optional, only: None, as_many_as: Part(0, 0), entries: Part(505, 3), source: Part(0, 0), about: Part(7311, 39), confidence: Medium }, // 7443h CO switching difference of signaller Xsd1
-    ObjectRow { first: 29764, last: 29764, name: Part(7350, 50), object_types: Part(0, 2), need: Optional, only: None, as_many_as: Part(0, 0), entries: Part(508, 3), source: Part(0, 0), about: Part(7400, 41), confidence: Medium }, // 7444h CO switching difference of additional contact Xsd2
-    ObjectRow { first: 29765, last: 29765, name: Part(7441, 52), object_types: Part(0, 2), need: Optional, only: None, as_many_as: Part(0, 0), entries: Part(511, 3), source: Part(0, 0), about: Part(7493, 76), confidence: Medium }, // 7445h CO trigger point separation of additional contact LW
-    ObjectRow { first: 29776, last: 29776, name: Part(7569, 24), object_types: Part(0, 2), need: Optional, only: None, as_many_as: Part(0, 0), entries: Part(514, 3), source: Part(0, 0), about: Part(7593, 49), confidence: Medium }, // 7450h CO proportional band Xp1
-    ObjectRow { first: 29777, last: 29777, name: Part(7642, 24), object_types: Part(0, 2), need: Optional, only: None, as_many_as: Part(0, 0), entries: Part(517, 3), source: Part(0, 0), about: Part(7666, 50), confidence: Medium }, // 7451h CO proportional band Xp2
-    ObjectRow { first: 29778, last: 29778, name: Part(7716, 27), object_types: Part(0, 2), need: Optional, only: None, as_many_as: Part(0, 0), entries: Part(520, 3), source: Part(0, 0), about: Part(7743, 52), confidence: Medium }, // 7452h CO integral action time Tn1
-    ObjectRow { first: 29779, last: 29779, name: Part(7795, 27), object_types: Part(0, 2), need: Optional, only: None, as_many_as: Part(0, 0), entries: Part(523, 3), source: Part(0, 0), about: Part(7822, 53), confidence: Medium }, // 7453h CO integral action time Tn2
-    ObjectRow { first: 29780, last: 29780, name: Part(7875, 29), object_types: Part(0, 2), need: Optional, only: None, as_many_as: Part(0, 0), entries: Part(526, 3), source: Part(0, 0), about: Part(7904, 54), confidence: Medium }, // 7454h CO derivative action time Tv1
-    ObjectRow { first: 29781, last: 29781, name: Part(7958, 29), object_types: Part(0, 2), need: Optional, only: None, as_many_as: Part(0, 0), entries: Part(529, 3), source: Part(0, 0), about: Part(7987, 55), confidence: Medium }, // 7455h CO derivative action time Tv2
-    ObjectRow { first: 29782, last: 29782, name: Part(8042, 16), object_types: Part(0, 2), need: Optional, only: None, as_many_as: Part(0, 0), entries: Part(532, 3), source: Part(0, 0), about: Part(8058, 41), confidence: Medium }, // 7456h CO cycle time T1
-    ObjectRow { first: 29783, last: 29783, name: Part(8099, 16), object_types: Part(0, 2), need: Optional, only: None, as_many_as: Part(0, 0), entries: Part(535, 3), source: Part(0, 0), about: Part(8115, 42), confidence: Medium }, // 7457h CO cycle time T2
-    ObjectRow { first: 29952, last: 29952, name: Part(8321, 14), object_types: Part(0, 2), need: Optional, only: None, as_many_as: Part(0, 0), entries: Part(538, 3), source: Part(0, 0), about: Part(8335, 32), confidence: Medium }, // 7500h AL input value
-    ObjectRow { first: 29956, last: 29956, name: Part(8438, 24), object_types: Part(0, 2), need: Optional, only: None, as_many_as: Part(0, 0), entries: Part(541, 3), source: Part(0, 0), about: Part(8462, 68), confidence: Medium }, // 7504h AL alternate input value
-    ObjectRow { first: 29962, last: 29962, name: Part(8939, 8), object_types: Part(0, 2), need: Optional, only: None, as_many_as: Part(0, 0), entries: Part(544, 3), source: Part(0, 0), about: Part(8947, 42), confidence: Medium }, // 750Ah AL level
-    ObjectRow { first: 29963, last: 29963, name: Part(8989, 13), object_types: Part(0, 2), need: Optional, only: None, as_many_as: Part(0, 0), entries: Part(547, 3), source: Part(0, 0), about: Part(9002, 68), confidence: Medium }, // 750Bh AL hysteresis
-    ObjectRow { first: 32592, last: 32592, name: Part(10271, 10), object_types: Part(0, 2), need: Optional, only: None, as_many_as: Part(0, 0), entries: Part(550, 3), source: Part(0, 0), about: Part(10281, 58), confidence: Medium }, // 7F50h Receive PV
-    ObjectRow { first: 32593, last: 32593, name: Part(10339, 20), object_types: Part(0, 2), need: Optional, only: None, as_many_as: Part(0, 0), entries: Part(553, 3), source: Part(0, 0), about: Part(10359, 67), confidence: Medium }, // 7F51h Alternate receive PV
-    ObjectRow { first: 33024, last: 33024, name: Part(311, 11), object_types: Part(0, 2), need: Optional, only: None, as_many_as: Part(0, 0), entries: Part(556, 3), source: Part(0, 0), about: Part(322, 71), confidence: Medium }, // 8100h AI input FV
-    ObjectRow { first: 33027, last: 33027, name: Part(393, 27), object_types: Part(0, 2), need: Optional, only: None, as_many_as: Part(0, 0), entries: Part(559, 3), source: Part(0, 0), about: Part(420, 54), confidence: Medium }, // 8103h AI interrupt delta input FV
-    ObjectRow { first: 33056, last: 33056, name: Part(763, 21), object_types: Part(0, 2), need: Optional, only: None, as_many_as: Part(0, 0), entries: Part(562, 3), source: Part(0, 0), about: Part(784, 77), confidence: Medium }, // 8120h AI input scaling 1 FV
-    ObjectRow { first: 33057, last: 33057, name: Part(861, 21), object_types: Part(0, 2), need: Optional, only: None, as_many_as: Part(0, 0), entries: Part(565, 3), source: Part(0, 0), about: Part(882, 79), confidence: Medium }, // 8121h AI input scaling 1 PV
-    ObjectRow { first: 33058, last: 33058, name: Part(961, 21), object_types: Part(0, 2), need: Optional, only: None, as_many_as: Part(0, 0), entries: Part(568, 3), source: Part(0, 0), about: Part(982, 78), confidence: Medium }, // 8122h AI input scaling 2 FV
-    ObjectRow { first: 33059, last: 33059, name: Part(1060, 21), object_types: Part(0, 2), need: Optional, only: None, as_many_as: Part(0, 0), entries: Part(571, 3), source: Part(0, 0), about: Part(1081, 80), confidence: Medium }, // 8123h AI input scaling 2 PV
-    ObjectRow { first: 33060, last: 33060, name: Part(1161, 15), object_types: Part(0, 2), need: Optional, only: None, as_many_as: Part(0, 0), entries: Part(574, 3), source: Part(0, 0), about: Part(1176, 48), confidence: Medium }, // 8124h AI input offset
-    ObjectRow { first: 33072, last: 33072, name: Part(1457, 11), object_types: Part(0, 2), need: Optional, only: None, as_many_as: Part(0, 0), entries: Part(577, 3), source: Part(0, 0), about: Part(1468, 68), confidence: Medium }, // 8130h AI input PV
-    ObjectRow { first: 33075, last: 33075, name: Part(1740, 27), object_types: Part(0, 2), need: Optional, only: None, as_many_as: Part(0, 0), entries: Part(580, 3), source: Part(0, 0), about: Part(1767, 56), confidence: Medium }, // 8133h AI interrupt delta input PV
-    ObjectRow { first: 33076, last: 33076, name: Part(1823, 27), object_types: Part(0, 2), need: Optional, only: None, as_many_as: Part(0, 0), entries: Part(583, 3), source: Part(0, 0), about: Part(1850, 60), confidence: Medium }, // 8134h AI interrupt lower input PV
-    ObjectRow { first: 33077, last: 33077, name: Part(1910, 27), object_types: Part(0, 2), need: Optional, only: None, as_many_as: Part(0, 0), entries: Part(586, 3), source: Part(0, 0), about: Part(1937, 60), confidence: Medium }, // 8135h AI interrupt upper input PV
-    ObjectRow { first: 33080, last: 33080, name: Part(1997, 12), object_types: Part(0, 2), need: Optional, only: None, as_many_as: Part(0, 0), entries: Part(589, 3), source: Part(0, 0), about: Part(2009, 73), confidence: Medium }, // 8138h AI tare zero
-    ObjectRow { first: 33088, last: 33088, name: Part(2155, 9), object_types: Part(0, 2), need: Optional, only: None, as_many_as: Part(0, 0), entries: Part(592, 3), source: Part(0, 0), about: Part(2164, 56), confidence: Medium }, // 8140h AI net PV
-    ObjectRow { first: 33091, last: 33091, name: Part(2220, 25), object_types: Part(0, 2), need: Optional, only: None, as_many_as: Part(0, 0), entries: Part(595, 3), source: Part(0, 0), about: Part(2245, 52), confidence: Medium }, // 8143h AI interrupt delta net PV
-    ObjectRow { first: 33092, last: 33092, name: Part(2297, 31), object_types: Part(0, 2), need: Optional, only: None, as_many_as: Part(0, 0), entries: Part(598, 3), source: Part(0, 0), about: Part(2328, 56), confidence: Medium }, // 8144h AI interrupt lower limit net PV
-    ObjectRow { first: 33093, last: 33093, name: Part(2384, 31), object_types: Part(0, 2), need: Optional, only: None, as_many_as: Part(0, 0), entries: Part(601, 3), source: Part(0, 0), about: Part(2415, 56), confidence: Medium }, // 8145h AI interrupt upper limit net PV
-    ObjectRow { first: 33096, last: 33096, name: Part(2471, 13), object_types: Part(0, 2), need: Optional, only: None, as_many_as: Part(0, 0), entries: Part(604, 3), source: Part(0, 0), about: Part(2484, 68), confidence: Medium }, // 8148h AI span start
-    ObjectRow { first: 33097, last: 33097, name: Part(2552, 11), object_types: Part(0, 2), need: Optional, only: None, as_many_as: Part(0, 0), entries: Part(607, 3), source: Part(0, 0), about: Part(2563, 68), confidence: Medium }, // 8149h AI span end
-    ObjectRow { first: 33536, last: 33536, name: Part(3939, 12), object_types: Part(0, 2), need: Optional, only: None, as_many_as: Part(0, 0), entries: Part(610, 3), source: Part(0, 0), about: Part(3951, 69), confidence: Medium }, // 8300h AO output PV
-    ObjectRow { first: 33568, last: 33568, name: Part(4245, 22), object_types: Part(0, 2), need: Optional, only: None, as_many_as: Part(0, 0), entries: Part(613, 3), source: Part(0, 0), about: Part(4267, 80), confidence: Medium }, // 8320h AO output scaling 1 PV
-    ObjectRow { first: 33569, last: 33569, name: Part(4347, 22), object_types: Part(0, 2), need: Optional, only: None, as_many_as: Part(0, 0), entries: Part(616, 3), source: Part(0, 0), about: Part(4369, 78), confidence: Medium }, // 8321h AO output scaling 1 FV
-    ObjectRow { first: 33570, last: 33570, name: Part(4447, 22), object_types: Part(0, 2), need: Optional, only: None, as_many_as: Part(0, 0), entries: Part(619, 3), source: Part(0, 0), about: Part(4469, 81), confidence: Medium }, // 8322h AO output scaling 2 PV
-    ObjectRow { first: 33571, last: 33571, name: Part(4550, 22), object_types: Part(0, 2), need: Optional, only: None, as_many_as: Part(0, 0), entries: Part(622, 3), source: Part(0, 0), about: Part(4572, 79), confidence: Medium }, // 8323h AO output scaling 2 FV
-    ObjectRow { first: 33584, last: 33584, name: Part(4651, 12), object_types: Part(0, 2), need: Optional, only: None, as_many_as: Part(0, 0), entries: Part(625, 3), source: Part(0, 0), about: Part(4663, 74), confidence: Medium }, // 8330h AO output FV
-    ObjectRow { first: 33601, last: 33601, name: Part(4959, 11), object_types: Part(0, 2), need: Optional, only: None, as_many_as: Part(0, 0), entries: Part(628, 3), source: Part(0, 0), about: Part(4970, 66), confidence: Medium }, // 8341h AO fault FV
-    ObjectRow { first: 33792, last: 33792, name: Part(5036, 31), object_types: Part(0, 2), need: Optional, only: None, as_many_as: Part(0, 0), entries: Part(631, 3), source: Part(0, 0), about: Part(5067, 48), confidence: Medium }, // 8400h CO effective current value Xeff
-    ObjectRow { first: 33793, last: 33793, name: Part(5115, 27), object_types: Part(0, 2), need: Optional, only: None, as_many_as: Part(0, 0), entries: Part(634, 3), source: Part(0, 0), about: Part(5142, 45), confidence: Medium }, // 8401h CO effective set point Weff
-    ObjectRow { first: 33794, last: 33794, name: Part(5187, 14), object_types: Part(0, 2), need: Optional, only: None, as_many_as: Part(0, 0), entries: Part(637, 3), source: Part(0, 0), about: Part(5201, 32), confidence: Medium }, // 8402h CO set point W
-    ObjectRow { first: 33795, last: 33795, name: Part(5233, 19), object_types: Part(0, 2), need: Optional, only: None, as_many_as: Part(0, 0), entries: Part(640, 3), source: Part(0, 0), about: Part(5252, 66), confidence: Medium }, // 8403h CO 2nd set point W2
-    ObjectRow { first: 33796, last: 33796, name: Part(5318, 27), object_types: Part(0, 2), need: Optional, only: None, as_many_as: Part(0, 0), entries: Part(643, 3), source: Part(0, 0), about: Part(5345, 21), confidence: Medium }, // 8404h CO lower set point limit W0
-    ObjectRow { first: 33797, last: 33797, name: Part(5366, 29), object_types: Part(0, 2), need: Optional, only: None, as_many_as: Part(0, 0), entries: Part(646, 3), source: Part(0, 0), about: Part(5395, 22), confidence: Medium }, // 8405h CO upper set point limit W100
-    ObjectRow { first: 33840, last: 33840, name: Part(6467, 27), object_types: Part(0, 2), need: Optional, only: None, as_many_as: Part(0, 0), entries: Part(649, 3), source: Part(0, 0), about: Part(6494, 57), confidence: Medium }, // 8430h CO minimum pulse time Tmin1
-    ObjectRow { first: 33841, last: 33841, name: Part(6551, 27), object_types: Part(0, 2), need: Optional, only: None, as_many_as: Part(0, 0), entries: Part(652, 3), source: Part(0, 0), about: Part(6578, 58), confidence: Medium }, // 8431h CO minimum pulse time Tmin2
-    ObjectRow { first: 33842, last: 33842, name: Part(6636, 25), object_types: Part(0, 2), need: Optional, only: None, as_many_as: Part(0, 0), entries: Part(655, 3), source: Part(0, 0), about: Part(6661, 64), confidence: Medium }, // 8432h CO motor response time Tm
-    ObjectRow { first: 33843, last: 33843, name: Part(6725, 25), object_types: Part(0, 2), need: Optional, only: None, as_many_as: Part(0, 0), entries: Part(658, 3), source: Part(0, 0), about: Part(6750, 45), confidence: Medium }, // 8433h CO min pulse length Tpuls
-    ObjectRow { first: 33856, last: 33856, name: Part(6951, 32), object_types: Part(0, 2), need: Optional, only: None, as_many_as: Part(0, 0), entries: Part(661, 3), source: Part(0, 0), about: Part(6983, 80), confidence: Medium }, // 8440h CO neutral zone three-point Xsh1
-    ObjectRow { first: 33857, last: 33857, name: Part(7063, 32), object_types: Part(0, 2), need: Optional, only: None, as_many_as: Part(0, 0), entries: Part(664, 3), source: Part(0, 0), about: Part(7095, 81), confidence: Medium }, // 8441h CO neutral zone three-point Xsh2
-    ObjectRow { first: 33858, last: 33858, name: Part(7176, 40), object_types: Part(0, 2), need: Optional, only: None, as_many_as: Part(0, 0), entries: Part(667, 3), source: Part(0, 0), about: Part(7216, 54), confidence: Medium }, // 8442h CO neutral zone three-point stepping Xsh
-    ObjectRow { first: 33859, last: 33859, name: Part(7270, 41), object_types: Part(0, 2), need: Optional, only: None, as_many_as: Part(0, 0), entries: Part(670, 3), source: Part(0, 0), about: Part(7311, 39), confidence: Medium }, // 8443h CO switching difference of signaller Xsd1
-    ObjectRow { first: 33860, last: 33860, name: Part(7350, 50), object_types: Part(0, 2), need: Optional, only: None, as_many_as: Part(0, 0), entries: Part(673, 3), source: Part(0, 0), about: Part(7400, 41), confidence: Medium }, // 8444h CO switching difference of additional contact Xsd2
-    ObjectRow { first: 33861, last: 33861, name: Part(7441, 52), object_types: Part(0, 2), need: Optional, only: None, as_many_as: Part(0, 0), entries: Part(676, 3), source: Part(0, 0), about: Part(7493, 76), confidence: Medium }, // 8445h CO trigger point separation of additional contact LW
-    ObjectRow { first: 33872, last: 33872, name: Part(7569, 24), object_types: Part(0, 2), need: Optional, only: None, as_many_as: Part(0, 0), entries: Part(679, 3), source: Part(0, 0), about: Part(7593, 49), confidence: Medium }, // 8450h CO proportional band Xp1
-    ObjectRow { first: 33873, last: 33873, name: Part(7642, 24), object_types: Part(0, 2), need: Optional, only: None, as_many_as: Part(0, 0), entries: Part(682, 3), source: Part(0, 0), about: Part(7666, 50), confidence: Medium }, // 8451h CO proportional band Xp2
-    ObjectRow { first: 33874, last: 33874, name: Part(7716, 27), object_types: Part(0, 2), need: Optional, only: None, as_many_as: Part(0, 0), entries: Part(685, 3), source: Part(0, 0), about: Part(7743, 52), confidence: Medium }, // 8452h CO integral action time Tn1
-    ObjectRow { first: 33875, last: 33875, name: Part(7795, 27), object_types: Part(0, 2), need: Optional, only: None, as_many_as: Part(0, 0), entries: Part(688, 3), source: Part(0, 0), about: Part(7822, 53), confidence: Medium }, // 8453h CO integral action time Tn2
-    ObjectRow { first: 33876, last: 33876, name: Part(7875, 29), object_types: Part(0, 2), need: Optional, only: None, as_many_as: Part(0, 0), entries: Part(691, 3), source: Part(0, 0), about: Part(7904, 54), confidence: Medium }, // 8454h CO derivative action time Tv1
-    ObjectRow { first: 33877, last: 33877, name: Part(7958, 29), object_types: Part(0, 2), need: Optional, only: None, as_many_as: Part(0, 0), entries: Part(694, 3), source: Part(0, 0), about: Part(7987, 55), confidence: Medium }, // 8455h CO derivative action time Tv2
-    ObjectRow { first: 33878, last: 33878, name: Part(8042, 16), object_types: Part(0, 2), need: Optional, only: None, as_many_as: Part(0, 0), entries: Part(697, 3), source: Part(0, 0), about: Part(8058, 41), confidence: Medium }, // 8456h CO cycle time T1
-    ObjectRow { first: 33879, last: 33879, name: Part(8099, 16), object_types: Part(0, 2), need: Optional, only: None, as_many_as: Part(0, 0), entries: Part(700, 3), source: Part(0, 0), about: Part(8115, 42), confidence: Medium }, // 8457h CO cycle time T2
-    ObjectRow { first: 34048, last: 34048, name: Part(8321, 14), object_types: Part(0, 2), need: Optional, only: None, as_many_as: Part(0, 0), entries: Part(703, 3), source: Part(0, 0), about: Part(8335, 32), confidence: Medium }, // 8500h AL input value
-    ObjectRow { first: 34052, last: 34052, name: Part(8438, 24), object_types: Part(0, 2), need: Optional, only: None, as_many_as: Part(0, 0), entries: Part(706, 3), source: Part(0, 0), about: Part(8462, 68), confidence: Medium }, // 8504h AL alternate input value
-    ObjectRow { first: 34058, last: 34058, name: Part(8939, 8), object_types: Part(0, 2), need: Optional, only: None, as_many_as: Part(0, 0), entries: Part(709, 3), source: Part(0, 0), about: Part(8947, 42), confidence: Medium }, // 850Ah AL level
-    ObjectRow { first: 34059, last: 34059, name: Part(8989, 13), object_types: Part(0, 2), need: Optional, only: None, as_many_as: Part(0, 0), entries: Part(712, 3), source: Part(0, 0), about: Part(9002, 68), confidence: Medium }, // 850Bh AL hysteresis
-    ObjectRow { first: 36688, last: 36688, name: Part(10271, 10), object_types: Part(0, 2), need: Optional, only: None, as_many_as: Part(0, 0), entries: Part(715, 3), source: Part(0, 0), about: Part(10281, 58), confidence: Medium }, // 8F50h Receive PV
-    ObjectRow { first: 36689, last: 36689, name: Part(10339, 20), object_types: Part(0, 2), need: Optional, only: None, as_many_as: Part(0, 0), entries: Part(718, 3), source: Part(0, 0), about: Part(10359, 67), confidence: Medium }, // 8F51h Alternate receive PV
-    ObjectRow { first: 37120, last: 37120, name: Part(311, 11), object_types: Part(0, 2), need: Optional, only: None, as_many_as: Part(0, 0), entries: Part(721, 3), source: Part(0, 0), about: Part(322, 71), confidence: Medium }, // 9100h AI input FV
-    ObjectRow { first: 37123, last: 37123, name: Part(393, 27), object_types: Part(0, 2), need: Optional, only: None, as_many_as: Part(0, 0), entries: Part(724, 3), source: Part(0, 0), about: Part(420, 54), confidence: Medium }, // 9103h AI interrupt delta input FV
-    ObjectRow { first: 37152, last: 37152, name: Part(763, 21), object_types: Part(0, 2), need: Optional, only: None, as_many_as: Part(0, 0), entries: Part(727, 3), source: Part(0, 0), about: Part(784, 77), confidence: Medium }, // 9120h AI input scaling 1 FV
-    ObjectRow { first: 37153, last: 37153, name: Part(861, 21), object_types: Part(0, 2), need: Optional, only: None, as_many_as: Part(0, 0), entries: Part(730, 3), source: Part(0, 0), about: Part(882, 79), confidence: Medium }, // 9121h AI input scaling 1 PV
-    ObjectRow { first: 37154, last: 37154, name: Part(961, 21), object_types: Part(0, 2), need: Optional, only: None, as_many_as: Part(0, 0), entries: Part(733, 3), source: Part(0, 0), about: Part(982, 78), confidence: Medium }, // 9122h AI input scaling 2 FV
-    ObjectRow { first: 37155, last: 37155, name: Part(1060, 21), object_types: Part(0, 2), need: Optional, only: None, as_many_as: Part(0, 0), entries: Part(736, 3), source: Part(0, 0), about: Part(1081, 80), confidence: Medium }, // 9123h AI input scaling 2 PV
-    ObjectRow { first: 37156, last: 37156, name: Part(1161, 15), object_types: Part(0, 2), need: Optional, only: None, as_many_as: Part(0, 0), entries: Part(739, 3), source: Part(0, 0), about: Part(1176, 48), confidence: Medium }, // 9124h AI input offset
-    ObjectRow { first: 37168, last: 37168, name: Part(1457, 11), object_types: Part(0, 2), need: Optional, only: None, as_many_as: Part(0, 0), entries: Part(742, 3), source: Part(0, 0), about: Part(1468, 68), confidence: Medium }, // 9130h AI input PV
-    ObjectRow { first: 37171, last: 37171, name: Part(1740, 27), object_types: Part(0, 2), need: Optional, only: None, as_many_as: Part(0, 0), entries: Part(745, 3), source: Part(0, 0), about: Part(1767, 56), confidence: Medium }, // 9133h AI interrupt delta input PV
-    ObjectRow { first: 37172, last: 37172, name: Part(1823, 27), object_types: Part(0, 2), need: Optional, only: None, as_many_as: Part(0, 0), entries: Part(748, 3), source: Part(0, 0), about: Part(1850, 60), confidence: Medium }, // 9134h AI interrupt lower input PV
-    ObjectRow { first: 37173, last: 37173, name: Part(1910, 27), object_types: Part(0, 2), need: Optional, only: None, as_many_as: Part(0, 0), entries: Part(751, 3), source: Part(0, 0), about: Part(1937, 60), confidence: Medium }, // 9135h AI interrupt upper input PV
-    ObjectRow { first: 37176, last: 37176, name: Part(1997, 12), object_types: Part(0, 2), need: Optional, only: None, as_many_as: Part(0, 0), entries: Part(754, 3), source: Part(0, 0), about: Part(2009, 73), confidence: Medium }, // 9138h AI tare zero
-    ObjectRow { first: 37184, last: 37184, name: Part(2155, 9), object_types: Part(0, 2), need: Optional, only: None, as_many_as: Part(0, 0), entries: Part(757, 3), source: Part(0, 0), about: Part(2164, 56), confidence: Medium }, // 9140h AI net PV
-    ObjectRow { first: 37187, last: 37187, name: Part(2220, 25), object_types: Part(0, 2), need: Optional, only: None, as_many_as: Part(0, 0), entries: Part(760, 3), source: Part(0, 0), about: Part(2245, 52), confidence: Medium }, // 9143h AI interrupt delta net PV
-    ObjectRow { first: 37188, last: 37188, name: Part(2297, 31), object_types: Part(0, 2), need: Optional, only: None, as_many_as: Part(0, 0), entries: Part(763, 3), source: Part(0, 0), about: Part(2328, 56), confidence: Medium }, // 9144h AI interrupt lower limit net PV
-    ObjectRow { first: 37189, last: 37189, name: Part(2384, 31), object_types: Part(0, 2), need: Optional, only: None, as_many_as: Part(0, 0), entries: Part(766, 3), source: Part(0, 0), about: Part(2415, 56), confidence: Medium }, // 9145h AI interrupt upper limit net PV
-    ObjectRow { first: 37192, last: 37192, name: Part(2471, 13), object_types: Part(0, 2), need: Optional, only: None, as_many_as: Part(0, 0), entries: Part(769, 3), source: Part(0, 0), about: Part(2484, 68), confidence: Medium }, // 9148h AI span start
-    ObjectRow { first: 37193, last: 37193, name: Part(2552, 11), object_types: Part(0, 2), need: Optional, only: None, as_many_as: Part(0, 0), entries: Part(772, 3), source: Part(0, 0), about: Part(2563, 68), confidence: Medium }, // 9149h AI span end
-    ObjectRow { first: 37632, last: 37632, name: Part(3939, 12), object_types: Part(0, 2), need: Optional, only: None, as_many_as: Part(0, 0), entries: Part(775, 3), source: Part(0, 0), about: Part(3951, 69), confidence: Medium }, // 9300h AO output PV
-    ObjectRow { first: 37664, last: 37664, name: Part(4245, 22), object_types: Part(0, 2), need: Optional, only: None, as_many_as: Part(0, 0), entries: Part(778, 3), source: Part(0, 0), about: Part(4267, 80), confidence: Medium }, // 9320h AO output scaling 1 PV
-    ObjectRow { first: 37665, last: 37665, name: Part(4347, 22), object_types: Part(0, 2), need: Optional, only: None, as_many_as: Part(0, 0), entries: Part(781, 3), source: Part(0, 0), about: Part(4369, 78), confidence: Medium }, // 9321h AO output scaling 1 FV
-    ObjectRow { first: 37666, last: 37666, name: Part(4447, 22), object_types: Part(0, 2), need: Optional, only: None, as_many_as: Part(0, 0), entries: Part(784, 3), source: Part(0, 0), about: Part(4469, 81), confidence: Medium }, // 9322h AO output scaling 2 PV
-    ObjectRow { first: 37667, last: 37667, name: Part(4550, 22), object_types: Part(0, 2), need: Optional, only: None, as_many_as: Part(0, 0), entries: Part(787, 3), source: Part(0, 0), about: Part(4572, 79), confidence: Medium }, // 9323h AO output scaling 2 FV
-    ObjectRow { first: 37680, last: 37680, name: Part(4651, 12), object_types: Part(0, 2), need: Optional, only: None, as_many_as: Part(0, 0), entries: Part(790, 3), source: Part(0, 0), about: Part(4663, 74), confidence: Medium }, // 9330h AO output FV
-    ObjectRow { first: 37697, last: 37697, name: Part(4959, 11), object_types: Part(0, 2), need: Optional, only: None, as_many_as: Part(0, 0), entries: Part(793, 3), source: Part(0, 0), about: Part(4970, 66), confidence: Medium }, // 9341h AO fault FV
-    ObjectRow { first: 37888, last: 37888, name: Part(5036, 31), object_types: Part(0, 2), need: Optional, only: None, as_many_as: Part(0, 0), entries: Part(796, 3), source: Part(0, 0), about: Part(5067, 48), confidence: Medium }, // 9400h CO effective current value Xeff
-    ObjectRow { first: 37889, last: 37889, name: Part(5115, 27), object_types: Part(0, 2), need: Optional, only: None, as_many_as: Part(0, 0), entries: Part(799, 3), source: Part(0, 0), about: Part(5142, 45), confidence: Medium }, // 9401h CO effective set point Weff
-    ObjectRow { first: 37890, last: 37890, name: Part(5187, 14), object_types: Part(0, 2), need: Optional, only: None, as_many_as: Part(0, 0), entries: Part(802, 3), source: Part(0, 0), about: Part(5201, 32), confidence: Medium }, // 9402h CO set point W
-    ObjectRow { first: 37891, last: 37891, name: Part(5233, 19), object_types: Part(0, 2), need: Optional, only: None, as_many_as: Part(0, 0), entries: Part(805, 3), source: Part(0, 0), about: Part(5252, 66), confidence: Medium }, // 9403h CO 2nd set point W2
-    ObjectRow { first: 37892, last: 37892, name: Part(5318, 27), object_types: Part(0, 2), need: Optional, only: None, as_many_as: Part(0, 0), entries: Part(808, 3), source: Part(0, 0), about: Part(5345, 21), confidence: Medium }, // 9404h CO lower set point limit W0
-    ObjectRow { first: 37893, last: 37893, name: Part(5366, 29), object_types: Part(0, 2), need: Optional, only: None, as_many_as: Part(0, 0), entries: Part(811, 3), source: Part(0, 0), about: Part(5395, 22), confidence: Medium }, // 9405h CO upper set point limit W100
-    ObjectRow { first: 37936, last: 37936, name: Part(6467, 27), object_types: Part(0, 2), need: Optional, only: None, as_many_as: Part(0, 0), entries: Part(814, 3), source: Part(0, 0), about: Part(6494, 57), confidence: Medium }, // 9430h CO minimum pulse time Tmin1
-    ObjectRow { first: 37937, last: 37937, name: Part(6551, 27), object_types: Part(0, 2), need: Optional, only: None, as_many_as: Part(0, 0), entries: Part(817, 3), source: Part(0, 0), about: Part(6578, 58), confidence: Medium }, // 9431h CO minimum pulse time Tmin2
-    ObjectRow { first: 37938, last: 37938, name: Part(6636, 25), object_types: Part(0, 2), need: Optional, only: None, as_many_as: Part(0, 0), entries: Part(820, 3), source: Part(0, 0), about: Part(6661, 64), confidence: Medium }, // 9432h CO motor response time Tm
-    ObjectRow { first: 37939, last: 37939, name: Part(6725, 25), object_types: Part(0, 2), need: Optional, only: None, as_many_as: Part(0, 0), entries: Part(823, 3), source: Part(0, 0), about: Part(6750, 45), confidence: Medium }, // 9433h CO min pulse length Tpuls
-    ObjectRow { first: 37952, last: 37952, name: Part(6951, 32), object_types: Part(0, 2), need: Optional, only: None, as_many_as: Part(0, 0), entries: Part(826, 3), source: Part(0, 0), about: Part(6983, 80), confidence: Medium }, // 9440h CO neutral zone three-point Xsh1
-    ObjectRow { first: 37953, last: 37953, name: Part(7063, 32), object_types: Part(0, 2), need: Optional, only: None, as_many_as: Part(0, 0), entries: Part(829, 3), source: Part(0, 0), about: Part(7095, 81), confidence: Medium }, // 9441h CO neutral zone three-point Xsh2
-    ObjectRow { first: 37954, last: 37954, name: Part(7176, 40), object_types: Part(0, 2), need: Optional, only: None, as_many_as: Part(0, 0), entries: Part(832, 3), source: Part(0, 0), about: Part(7216, 54), confidence: Medium }, // 9442h CO neutral zone three-point stepping Xsh
-    ObjectRow { first: 37955, last: 37955, name: Part(7270, 41), object_types: Part(0, 2), need: Optional, only: None, as_many_as: Part(0, 0), entries: Part(835, 3), source: Part(0, 0), about: Part(7311, 39), confidence: Medium }, // 9443h CO switching difference of signaller Xsd1
-    ObjectRow { first: 37956, last: 37956, name: Part(7350, 50), object_types: Part(0, 2), need: Optional, only: None, as_many_as: Part(0, 0), entries: Part(838, 3), source: Part(0, 0), about: Part(7400, 41), confidence: Medium }, // 9444h CO switching difference of additional contact Xsd2
-    ObjectRow { first: 37957, last: 37957, name: Part(7441, 52), object_types: Part(0, 2), need: Optional, only: None, as_many_as: Part(0, 0), entries: Part(841, 3), source: Part(0, 0), about: Part(7493, 76), confidence: Medium }, // 9445h CO trigger point separation of additional contact LW
-    ObjectRow { first: 37968, last: 37968, name: Part(7569, 24), object_types: Part(0, 2), need: Optional, only: None, as_many_as: Part(0, 0), entries: Part(844, 3), source: Part(0, 0), about: Part(7593, 49), confidence: Medium }, // 9450h CO proportional band Xp1
-    ObjectRow { first: 37969, last: 37969, name: Part(7642, 24), object_types: Part(0, 2), need: Optional, only: None, as_many_as: Part(0, 0), entries: Part(847, 3), source: Part(0, 0), about: Part(7666, 50), confidence: Medium }, // 9451h CO proportional band Xp2
-    ObjectRow { first: 37970, last: 37970, name: Part(7716, 27), object_types: Part(0, 2), need: Optional, only: None, as_many_as: Part(0, 0), entries: Part(850, 3), source: Part(0, 0), about: Part(7743, 52), confidence: Medium }, // 9452h CO integral action time Tn1
-    ObjectRow { first: 37971, last: 37971, name: Part(7795, 27), object_types: Part(0, 2), need: Optional, only: None, as_many_as: Part(0, 0), entries: Part(853, 3), source: Part(0, 0), about: Part(7822, 53), confidence: Medium }, // 9453h CO integral action time Tn2
-    ObjectRow { first: 37972, last: 37972, name: Part(7875, 29), object_types: Part(0, 2), need: Optional, only: None, as_many_as: Part(0, 0), entries: Part(856, 3), source: Part(0, 0), about: Part(7904, 54), confidence: Medium }, // 9454h CO derivative action time Tv1
-    ObjectRow { first: 37973, last: 37973, name: Part(7958, 29), object_types: Part(0, 2), need: Optional, only: None, as_many_as: Part(0, 0), entries: Part(859, 3), source: Part(0, 0), about: Part(7987, 55), confidence: Medium }, // 9455h CO derivative action time Tv2
-    ObjectRow { first: 37974, last: 37974, name: Part(8042, 16), object_types: Part(0, 2), need: Optional, only: None, as_many_as: Part(0, 0), entries: Part(862, 3), source: Part(0, 0), about: Part(8058, 41), confidence: Medium }, // 9456h CO cycle time T1
-    ObjectRow { first: 37975, last: 37975, name: Part(8099, 16), object_types: Part(0, 2), need: Optional, only: None, as_many_as: Part(0, 0), entries: Part(865, 3), source: Part(0, 0), about: Part(8115, 42), confidence: Medium }, // 9457h CO cycle time T2
-    ObjectRow { first: 38144, last: 38144, name: Part(8321, 14), object_types: Part(0, 2), need: Optional, only: None, as_many_as: Part(0, 0), entries: Part(868, 3), source: Part(0, 0), about: Part(8335, 32), confidence: Medium }, // 9500h AL input value
-    ObjectRow { first: 38148, last: 38148, name: Part(8438, 24), object_types: Part(0, 2), need: Optional, only: None, as_many_as: Part(0, 0), entries: Part(871, 3), source: Part(0, 0), about: Part(8462, 68), confidence: Medium }, // 9504h AL alternate input value
-    ObjectRow { first: 38154, last: 38154, name: Part(8939, 8), object_types: Part(0, 2), need: Optional, only: None, as_many_as: Part(0, 0), entries: Part(874, 3), source: Part(0, 0), about: Part(8947, 42), confidence: Medium }, // 950Ah AL level
-    ObjectRow { first: 38155, last: 38155, name: Part(8989, 13), object_types: Part(0, 2), need: Optional, only: None, as_many_as: Part(0, 0), entries: Part(877, 3), source: Part(0, 0), about: Part(9002, 68), confidence: Medium }, // 950Bh AL hysteresis
-    ObjectRow { first: 40784, last: 40784, name: Part(10271, 10), object_types: Part(0, 2), need: Optional, only: None, as_many_as: Part(0, 0), entries: Part(880, 3), source: Part(0, 0), about: Part(10281, 58), confidence: Medium }, // 9F50h Receive PV
-    ObjectRow { first: 40785, last: 40785, name: Part(10339, 20), object_types: Part(0, 2), need: Optional, only: None, as_many_as: Part(0, 0), entries: Part(883, 3), source: Part(0, 0), about: Part(10359, 67), confidence: Medium }, // 9F51h Alternate receive PV
-];
+static OBJECTS: &[ObjectRow] = table!(ObjectRow { first, last, name, object_types, need, only, as_many_as, entries, source, about, confidence }:
+    (24576, 24576, Part(0, 27), Part(0, 2), Optional, None, Part(0, 0), Part(0, 3), Part(0, 0), Part(54, 51), Medium) // 6000h DI read state 8 input lines
+    (24578, 24578, Part(105, 25), Part(0, 2), Optional, None, Part(0, 0), Part(3, 3), Part(0, 0), Part(130, 42), Medium) // 6002h DI polarity 8 input lines
+    (24608, 24608, Part(172, 26), Part(0, 2), Optional, None, Part(0, 0), Part(6, 3), Part(0, 0), Part(198, 49), Medium) // 6020h DI read state 1 input line
+    (24624, 24624, Part(247, 24), Part(0, 2), Optional, None, Part(0, 0), Part(9, 3), Part(0, 0), Part(271, 40), Medium) // 6030h DI polarity 1 input line
+    (24832, 24832, Part(311, 11), Part(0, 2), Optional, None, Part(0, 0), Part(12, 3), Part(0, 0), Part(322, 71), Medium) // 6100h AI input FV
+    (24835, 24835, Part(393, 27), Part(0, 2), Optional, None, Part(0, 0), Part(15, 3), Part(0, 0), Part(420, 54), Medium) // 6103h AI interrupt delta input FV
+    (24848, 24848, Part(474, 14), Part(0, 2), Optional, None, Part(0, 0), Part(18, 3), Part(0, 0), Part(488, 44), Medium) // 6110h AI sensor type
+    (24849, 24849, Part(532, 18), Part(0, 2), Optional, None, Part(0, 0), Part(21, 3), Part(0, 0), Part(550, 44), Medium) // 6111h AI autocalibration
+    (24850, 24850, Part(594, 17), Part(0, 2), Optional, None, Part(0, 0), Part(24, 3), Part(0, 0), Part(637, 55), Medium) // 6112h AI operating mode
+    (24852, 24852, Part(692, 18), Part(0, 2), Optional, None, Part(0, 0), Part(27, 3), Part(0, 0), Part(713, 50), Medium) // 6114h AI ADC sample rate
+    (24864, 24864, Part(763, 21), Part(0, 2), Optional, None, Part(0, 0), Part(30, 3), Part(0, 0), Part(784, 77), Medium) // 6120h AI input scaling 1 FV
+    (24865, 24865, Part(861, 21), Part(0, 2), Optional, None, Part(0, 0), Part(33, 3), Part(0, 0), Part(882, 79), Medium) // 6121h AI input scaling 1 PV
+    (24866, 24866, Part(961, 21), Part(0, 2), Optional, None, Part(0, 0), Part(36, 3), Part(0, 0), Part(982, 78), Medium) // 6122h AI input scaling 2 FV
+    (24867, 24867, Part(1060, 21), Part(0, 2), Optional, None, Part(0, 0), Part(39, 3), Part(0, 0), Part(1081, 80), Medium) // 6123h AI input scaling 2 PV
+    (24868, 24868, Part(1161, 15), Part(0, 2), Optional, None, Part(0, 0), Part(42, 3), Part(0, 0), Part(1176, 48), Medium) // 6124h AI input offset
+    (24869, 24869, Part(1224, 11), Part(0, 2), Optional, None, Part(0, 0), Part(45, 3), Part(0, 0), Part(1235, 82), Medium) // 6125h AI autozero
+    (24870, 24870, Part(1317, 17), Part(0, 2), Optional, None, Part(0, 0), Part(48, 3), Part(0, 0), Part(1334, 53), Medium) // 6126h AI scaling factor
+    (24871, 24871, Part(1387, 17), Part(0, 2), Optional, None, Part(0, 0), Part(51, 3), Part(0, 0), Part(1404, 53), Medium) // 6127h AI scaling offset
+    (24880, 24880, Part(1457, 11), Part(0, 2), Optional, None, Part(0, 0), Part(54, 3), Part(0, 0), Part(1468, 68), Medium) // 6130h AI input PV
+    (24881, 24881, Part(1536, 19), Part(0, 2), Optional, None, Part(0, 0), Part(57, 3), Part(0, 0), Part(1596, 51), Medium) // 6131h AI physical unit PV
+    (24882, 24882, Part(1647, 20), Part(0, 2), Optional, None, Part(0, 0), Part(60, 3), Part(0, 0), Part(1667, 73), Medium) // 6132h AI decimal digits PV
+    (24883, 24883, Part(1740, 27), Part(0, 2), Optional, None, Part(0, 0), Part(63, 3), Part(0, 0), Part(1767, 56), Medium) // 6133h AI interrupt delta input PV
+    (24884, 24884, Part(1823, 27), Part(0, 2), Optional, None, Part(0, 0), Part(66, 3), Part(0, 0), Part(1850, 60), Medium) // 6134h AI interrupt lower input PV
+    (24885, 24885, Part(1910, 27), Part(0, 2), Optional, None, Part(0, 0), Part(69, 3), Part(0, 0), Part(1937, 60), Medium) // 6135h AI interrupt upper input PV
+    (24888, 24888, Part(1997, 12), Part(0, 2), Optional, None, Part(0, 0), Part(72, 3), Part(0, 0), Part(2009, 73), Medium) // 6138h AI tare zero
+    (24889, 24889, Part(2082, 11), Part(0, 2), Optional, None, Part(0, 0), Part(75, 3), Part(0, 0), Part(2093, 62), Medium) // 6139h AI autotare
+    (24896, 24896, Part(2155, 9), Part(0, 2), Optional, None, Part(0, 0), Part(78, 3), Part(0, 0), Part(2164, 56), Medium) // 6140h AI net PV
+    (24899, 24899, Part(2220, 25), Part(0, 2), Optional, None, Part(0, 0), Part(81, 3), Part(0, 0), Part(2245, 52), Medium) // 6143h AI interrupt delta net PV
+    (24900, 24900, Part(2297, 31), Part(0, 2), Optional, None, Part(0, 0), Part(84, 3), Part(0, 0), Part(2328, 56), Medium) // 6144h AI interrupt lower limit net PV
+    (24901, 24901, Part(2384, 31), Part(0, 2), Optional, None, Part(0, 0), Part(87, 3), Part(0, 0), Part(2415, 56), Medium) // 6145h AI interrupt upper limit net PV
+    (24904, 24904, Part(2471, 13), Part(0, 2), Optional, None, Part(0, 0), Part(90, 3), Part(0, 0), Part(2484, 68), Medium) // 6148h AI span start
+    (24905, 24905, Part(2552, 11), Part(0, 2), Optional, None, Part(0, 0), Part(93, 3), Part(0, 0), Part(2563, 68), Medium) // 6149h AI span end
+    (24912, 24912, Part(2631, 9), Part(0, 2), Optional, None, Part(0, 0), Part(96, 3), Part(0, 0), Part(2689, 69), Medium) // 6150h AI status
+    (24928, 24928, Part(2758, 15), Part(0, 2), Optional, None, Part(0, 0), Part(99, 3), Part(0, 0), Part(2773, 73), Medium) // 6160h AI control byte
+    (24929, 24929, Part(2846, 22), Part(0, 2), Optional, None, Part(0, 0), Part(102, 3), Part(0, 0), Part(2868, 46), Medium) // 6161h AI control byte enable
+    (24992, 24992, Part(2914, 14), Part(0, 2), Optional, None, Part(0, 0), Part(105, 3), Part(0, 0), Part(2990, 32), Medium) // 61A0h AI filter type
+    (24993, 24993, Part(3022, 18), Part(0, 2), Optional, None, Part(0, 0), Part(108, 3), Part(0, 0), Part(3040, 48), Medium) // 61A1h AI filter constant
+    (25088, 25088, Part(3088, 29), Part(0, 2), Optional, None, Part(0, 0), Part(111, 3), Part(0, 0), Part(3117, 44), Medium) // 6200h DO write state 8 output lines
+    (25090, 25090, Part(3161, 26), Part(0, 2), Optional, None, Part(0, 0), Part(114, 3), Part(0, 0), Part(3187, 43), Medium) // 6202h DO polarity 8 output lines
+    (25094, 25094, Part(3230, 28), Part(0, 2), Optional, None, Part(0, 0), Part(117, 3), Part(0, 0), Part(3258, 74), Medium) // 6206h DO fault mode 8 output lines
+    (25095, 25095, Part(3332, 29), Part(0, 2), Optional, None, Part(0, 0), Part(120, 3), Part(0, 0), Part(3361, 68), Medium) // 6207h DO fault state 8 output lines
+    (25104, 25104, Part(3429, 29), Part(0, 2), Optional, None, Part(0, 0), Part(123, 3), Part(0, 0), Part(3458, 61), Medium) // 6210h DO link object 8 output lines
+    (25120, 25120, Part(3519, 28), Part(0, 2), Optional, None, Part(0, 0), Part(126, 3), Part(0, 0), Part(3547, 42), Medium) // 6220h DO write state 1 output line
+    (25152, 25152, Part(3589, 25), Part(0, 2), Optional, None, Part(0, 0), Part(129, 3), Part(0, 0), Part(3614, 41), Medium) // 6240h DO polarity 1 output line
+    (25168, 25168, Part(3655, 27), Part(0, 2), Optional, None, Part(0, 0), Part(132, 3), Part(0, 0), Part(3682, 77), Medium) // 6250h DO fault mode 1 output line
+    (25184, 25184, Part(3759, 28), Part(0, 2), Optional, None, Part(0, 0), Part(135, 3), Part(0, 0), Part(3787, 68), Medium) // 6260h DO fault state 1 output line
+    (25216, 25216, Part(3855, 28), Part(0, 2), Optional, None, Part(0, 0), Part(138, 3), Part(0, 0), Part(3883, 56), Medium) // 6280h DO link object 1 output line
+    (25344, 25344, Part(3939, 12), Part(0, 2), Optional, None, Part(0, 0), Part(141, 3), Part(0, 0), Part(3951, 69), Medium) // 6300h AO output PV
+    (25345, 25345, Part(4020, 19), Part(0, 2), Optional, None, Part(0, 0), Part(144, 3), Part(0, 0), Part(4039, 52), Medium) // 6301h AO physical unit PV
+    (25346, 25346, Part(4091, 20), Part(0, 2), Optional, None, Part(0, 0), Part(147, 3), Part(0, 0), Part(1667, 73), Medium) // 6302h AO decimal digits PV
+    (25347, 25347, Part(4111, 17), Part(0, 2), Optional, None, Part(0, 0), Part(150, 3), Part(0, 0), Part(4128, 58), Medium) // 6303h AO link output PV
+    (25360, 25360, Part(4186, 14), Part(0, 2), Optional, None, Part(0, 0), Part(153, 3), Part(0, 0), Part(4200, 45), Medium) // 6310h AO output type
+    (25376, 25376, Part(4245, 22), Part(0, 2), Optional, None, Part(0, 0), Part(156, 3), Part(0, 0), Part(4267, 80), Medium) // 6320h AO output scaling 1 PV
+    (25377, 25377, Part(4347, 22), Part(0, 2), Optional, None, Part(0, 0), Part(159, 3), Part(0, 0), Part(4369, 78), Medium) // 6321h AO output scaling 1 FV
+    (25378, 25378, Part(4447, 22), Part(0, 2), Optional, None, Part(0, 0), Part(162, 3), Part(0, 0), Part(4469, 81), Medium) // 6322h AO output scaling 2 PV
+    (25379, 25379, Part(4550, 22), Part(0, 2), Optional, None, Part(0, 0), Part(165, 3), Part(0, 0), Part(4572, 79), Medium) // 6323h AO output scaling 2 FV
+    (25392, 25392, Part(4651, 12), Part(0, 2), Optional, None, Part(0, 0), Part(168, 3), Part(0, 0), Part(4663, 74), Medium) // 6330h AO output FV
+    (25393, 25393, Part(4737, 19), Part(0, 2), Optional, None, Part(0, 0), Part(171, 3), Part(0, 0), Part(4756, 50), Medium) // 6331h AO physical unit FV
+    (25394, 25394, Part(4806, 20), Part(0, 2), Optional, None, Part(0, 0), Part(174, 3), Part(0, 0), Part(4826, 71), Medium) // 6332h AO decimal digits FV
+    (25408, 25408, Part(4897, 13), Part(0, 2), Optional, None, Part(0, 0), Part(177, 3), Part(0, 0), Part(4910, 49), Medium) // 6340h AO fault mode
+    (25409, 25409, Part(4959, 11), Part(0, 2), Optional, None, Part(0, 0), Part(180, 3), Part(0, 0), Part(4970, 66), Medium) // 6341h AO fault FV
+    (25600, 25600, Part(5036, 31), Part(0, 2), Optional, None, Part(0, 0), Part(183, 3), Part(0, 0), Part(5067, 48), Medium) // 6400h CO effective current value Xeff
+    (25601, 25601, Part(5115, 27), Part(0, 2), Optional, None, Part(0, 0), Part(186, 3), Part(0, 0), Part(5142, 45), Medium) // 6401h CO effective set point Weff
+    (25602, 25602, Part(5187, 14), Part(0, 2), Optional, None, Part(0, 0), Part(189, 3), Part(0, 0), Part(5201, 32), Medium) // 6402h CO set point W
+    (25603, 25603, Part(5233, 19), Part(0, 2), Optional, None, Part(0, 0), Part(192, 3), Part(0, 0), Part(5252, 66), Medium) // 6403h CO 2nd set point W2
+    (25604, 25604, Part(5318, 27), Part(0, 2), Optional, None, Part(0, 0), Part(195, 3), Part(0, 0), Part(5345, 21), Medium) // 6404h CO lower set point limit W0
+    (25605, 25605, Part(5366, 29), Part(0, 2), Optional, None, Part(0, 0), Part(198, 3), Part(0, 0), Part(5395, 22), Medium) // 6405h CO upper set point limit W100
+    (25606, 25606, Part(5417, 19), Part(0, 2), Optional, None, Part(0, 0), Part(201, 3), Part(0, 0), Part(5436, 39), Medium) // 6406h CO physical unit XW
+    (25607, 25607, Part(5475, 20), Part(0, 2), Optional, None, Part(0, 0), Part(204, 3), Part(0, 0), Part(5495, 82), Medium) // 6407h CO decimal digits XW
+    (25616, 25616, Part(5577, 32), Part(0, 2), Optional, None, Part(0, 0), Part(207, 3), Part(0, 0), Part(5609, 29), Medium) // 6410h CO effective controller output Y
+    (25617, 25617, Part(5638, 39), Part(0, 2), Optional, None, Part(0, 0), Part(210, 3), Part(0, 0), Part(5677, 38), Medium) // 6411h CO differential controller output Ydiff
+    (25618, 25618, Part(5715, 27), Part(0, 2), Optional, None, Part(0, 0), Part(213, 3), Part(0, 0), Part(5742, 44), Medium) // 6412h CO manual controller output
+    (25619, 25619, Part(5786, 37), Part(0, 2), Optional, None, Part(0, 0), Part(216, 3), Part(0, 0), Part(5823, 36), Medium) // 6413h CO lower controller output limit Ymin
+    (25620, 25620, Part(5859, 37), Part(0, 2), Optional, None, Part(0, 0), Part(219, 3), Part(0, 0), Part(5896, 37), Medium) // 6414h CO upper controller output limit Ymax
+    (25621, 25621, Part(5933, 34), Part(0, 2), Optional, None, Part(0, 0), Part(222, 3), Part(0, 0), Part(5967, 36), Medium) // 6415h CO physical unit controller output
+    (25632, 25632, Part(6003, 24), Part(0, 2), Optional, None, Part(0, 0), Part(225, 3), Part(0, 0), Part(6027, 43), Medium) // 6420h CO set point switch W-W2
+    (25633, 25633, Part(6070, 28), Part(0, 2), Optional, None, Part(0, 0), Part(228, 3), Part(0, 0), Part(6109, 33), Medium) // 6421h CO automatic/manual mode A-M
+    (25634, 25634, Part(6142, 20), Part(0, 2), Optional, None, Part(0, 0), Part(231, 3), Part(0, 0), Part(6175, 35), Medium) // 6422h CO controller on/off
+    (25635, 25635, Part(6210, 18), Part(0, 2), Optional, None, Part(0, 0), Part(234, 3), Part(0, 0), Part(6228, 27), Medium) // 6423h CO controller mode
+    (25636, 25636, Part(6255, 27), Part(0, 2), Optional, None, Part(0, 0), Part(237, 3), Part(0, 0), Part(6282, 53), Medium) // 6424h CO self optimization on/off
+    (25637, 25637, Part(6335, 15), Part(0, 2), Optional, None, Part(0, 0), Part(240, 3), Part(0, 0), Part(6350, 39), Medium) // 6425h CO control byte
+    (25638, 25638, Part(6389, 22), Part(0, 2), Optional, None, Part(0, 0), Part(243, 3), Part(0, 0), Part(2868, 46), Medium) // 6426h CO control byte enable
+    (25639, 25639, Part(6411, 14), Part(0, 2), Optional, None, Part(0, 0), Part(246, 3), Part(0, 0), Part(6425, 42), Medium) // 6427h CO status word
+    (25648, 25648, Part(6467, 27), Part(0, 2), Optional, None, Part(0, 0), Part(249, 3), Part(0, 0), Part(6494, 57), Medium) // 6430h CO minimum pulse time Tmin1
+    (25649, 25649, Part(6551, 27), Part(0, 2), Optional, None, Part(0, 0), Part(252, 3), Part(0, 0), Part(6578, 58), Medium) // 6431h CO minimum pulse time Tmin2
+    (25650, 25650, Part(6636, 25), Part(0, 2), Optional, None, Part(0, 0), Part(255, 3), Part(0, 0), Part(6661, 64), Medium) // 6432h CO motor response time Tm
+    (25651, 25651, Part(6725, 25), Part(0, 2), Optional, None, Part(0, 0), Part(258, 3), Part(0, 0), Part(6750, 45), Medium) // 6433h CO min pulse length Tpuls
+    (25652, 25652, Part(6795, 29), Part(0, 2), Optional, None, Part(0, 0), Part(261, 3), Part(0, 0), Part(6824, 32), Medium) // 6434h CO physical unit pulse timing
+    (25653, 25653, Part(6856, 20), Part(0, 2), Optional, None, Part(0, 0), Part(264, 3), Part(0, 0), Part(6876, 75), Medium) // 6435h CO decimal digits PT
+    (25664, 25664, Part(6951, 32), Part(0, 2), Optional, None, Part(0, 0), Part(267, 3), Part(0, 0), Part(6983, 80), Medium) // 6440h CO neutral zone three-point Xsh1
+    (25665, 25665, Part(7063, 32), Part(0, 2), Optional, None, Part(0, 0), Part(270, 3), Part(0, 0), Part(7095, 81), Medium) // 6441h CO neutral zone three-point Xsh2
+    (25666, 25666, Part(7176, 40), Part(0, 2), Optional, None, Part(0, 0), Part(273, 3), Part(0, 0), Part(7216, 54), Medium) // 6442h CO neutral zone three-point stepping Xsh
+    (25667, 25667, Part(7270, 41), Part(0, 2), Optional, None, Part(0, 0), Part(276, 3), Part(0, 0), Part(7311, 39), Medium) // 6443h CO switching difference of signaller Xsd1
+    (25668, 25668, Part(7350, 50), Part(0, 2), Optional, None, Part(0, 0), Part(279, 3), Part(0, 0), Part(7400, 41), Medium) // 6444h CO switching difference of additional contact Xsd2
+    (25669, 25669, Part(7441, 52), Part(0, 2), Optional, None, Part(0, 0), Part(282, 3), Part(0, 0), Part(7493, 76), Medium) // 6445h CO trigger point separation of additional contact LW
+    (25680, 25680, Part(7569, 24), Part(0, 2), Optional, None, Part(0, 0), Part(285, 3), Part(0, 0), Part(7593, 49), Medium) // 6450h CO proportional band Xp1
+    (25681, 25681, Part(7642, 24), Part(0, 2), Optional, None, Part(0, 0), Part(288, 3), Part(0, 0), Part(7666, 50), Medium) // 6451h CO proportional band Xp2
+    (25682, 25682, Part(7716, 27), Part(0, 2), Optional, None, Part(0, 0), Part(291, 3), Part(0, 0), Part(7743, 52), Medium) // 6452h CO integral action time Tn1
+    (25683, 25683, Part(7795, 27), Part(0, 2), Optional, None, Part(0, 0), Part(294, 3), Part(0, 0), Part(7822, 53), Medium) // 6453h CO integral action time Tn2
+    (25684, 25684, Part(7875, 29), Part(0, 2), Optional, None, Part(0, 0), Part(297, 3), Part(0, 0), Part(7904, 54), Medium) // 6454h CO derivative action time Tv1
+    (25685, 25685, Part(7958, 29), Part(0, 2), Optional, None, Part(0, 0), Part(300, 3), Part(0, 0), Part(7987, 55), Medium) // 6455h CO derivative action time Tv2
+    (25686, 25686, Part(8042, 16), Part(0, 2), Optional, None, Part(0, 0), Part(303, 3), Part(0, 0), Part(8058, 41), Medium) // 6456h CO cycle time T1
+    (25687, 25687, Part(8099, 16), Part(0, 2), Optional, None, Part(0, 0), Part(306, 3), Part(0, 0), Part(8115, 42), Medium) // 6457h CO cycle time T2
+    (25688, 25688, Part(8157, 20), Part(0, 2), Optional, None, Part(0, 0), Part(309, 3), Part(0, 0), Part(8177, 40), Medium) // 6458h CO physical unit PID
+    (25689, 25689, Part(8217, 21), Part(0, 2), Optional, None, Part(0, 0), Part(312, 3), Part(0, 0), Part(8238, 83), Medium) // 6459h CO decimal digits PID
+    (25856, 25856, Part(8321, 14), Part(0, 2), Optional, None, Part(0, 0), Part(315, 3), Part(0, 0), Part(8335, 32), Medium) // 6500h AL input value
+    (25859, 25859, Part(8367, 13), Part(0, 2), Optional, None, Part(0, 0), Part(318, 3), Part(0, 0), Part(8380, 58), Medium) // 6503h AL link input
+    (25860, 25860, Part(8438, 24), Part(0, 2), Optional, None, Part(0, 0), Part(321, 3), Part(0, 0), Part(8462, 68), Medium) // 6504h AL alternate input value
+    (25861, 25861, Part(8530, 23), Part(0, 2), Optional, None, Part(0, 0), Part(324, 3), Part(0, 0), Part(8553, 94), Medium) // 6505h AL link alternate input
+    (25862, 25862, Part(8647, 13), Part(0, 2), Optional, None, Part(0, 0), Part(327, 3), Part(0, 0), Part(8660, 44), Medium) // 6506h AL fault mode
+    (25863, 25863, Part(8704, 14), Part(0, 2), Optional, None, Part(0, 0), Part(330, 3), Part(0, 0), Part(8742, 55), Medium) // 6507h AL fault state
+    (25864, 25864, Part(8797, 7), Part(0, 2), Optional, None, Part(0, 0), Part(333, 3), Part(0, 0), Part(8804, 60), Medium) // 6508h AL type
+    (25865, 25865, Part(8864, 9), Part(0, 2), Optional, None, Part(0, 0), Part(336, 3), Part(0, 0), Part(8873, 66), Medium) // 6509h AL action
+    (25866, 25866, Part(8939, 8), Part(0, 2), Optional, None, Part(0, 0), Part(339, 3), Part(0, 0), Part(8947, 42), Medium) // 650Ah AL level
+    (25867, 25867, Part(8989, 13), Part(0, 2), Optional, None, Part(0, 0), Part(342, 3), Part(0, 0), Part(9002, 68), Medium) // 650Bh AL hysteresis
+    (25868, 25868, Part(9070, 8), Part(0, 2), Optional, None, Part(0, 0), Part(345, 3), Part(0, 0), Part(9078, 35), Medium) // 650Ch AL group
+    (25869, 25869, Part(9113, 8), Part(0, 2), Optional, None, Part(0, 0), Part(348, 3), Part(0, 0), Part(9126, 22), Medium) // 650Dh AL state
+    (25870, 25870, Part(9148, 8), Part(0, 2), Optional, None, Part(0, 0), Part(351, 3), Part(0, 0), Part(9171, 22), Medium) // 650Eh AL reset
+    (26112, 26112, Part(9193, 15), Part(0, 2), Optional, None, Part(0, 0), Part(354, 3), Part(0, 0), Part(9264, 46), Medium) // 6600h AL 1 to 8 state
+    (26113, 26113, Part(9310, 16), Part(0, 2), Optional, None, Part(0, 0), Part(357, 3), Part(0, 0), Part(9389, 47), Medium) // 6601h AL 9 to 16 state
+    (26114, 26114, Part(9444, 16), Part(2, 1), Optional, None, Part(0, 0), Part(360, 1), Part(0, 0), Part(9460, 28), Medium) // 6602h AL general state
+    (26115, 26115, Part(9640, 21), Part(2, 1), Optional, None, Part(0, 0), Part(361, 1), Part(0, 0), Part(9661, 52), Medium) // 6603h AL group 1 to 8 state
+    (26128, 26128, Part(9729, 16), Part(2, 1), Optional, None, Part(0, 0), Part(362, 1), Part(0, 0), Part(9745, 24), Medium) // 6610h AL general reset
+    (26129, 26129, Part(9769, 15), Part(0, 2), Optional, None, Part(0, 0), Part(363, 3), Part(0, 0), Part(9888, 45), Medium) // 6611h AL 1 to 8 reset
+    (26130, 26130, Part(9933, 16), Part(0, 2), Optional, None, Part(0, 0), Part(366, 3), Part(0, 0), Part(10060, 46), Medium) // 6612h AL 9 to 16 reset
+    (28448, 28448, Part(10106, 12), Part(0, 2), Optional, None, Part(0, 0), Part(369, 3), Part(0, 0), Part(10118, 33), Medium) // 6F20h Life counter
+    (28464, 28464, Part(10151, 17), Part(0, 2), Optional, None, Part(0, 0), Part(372, 3), Part(0, 0), Part(10168, 52), Medium) // 6F30h Receive PDO check
+    (28465, 28465, Part(10220, 18), Part(0, 2), Optional, None, Part(0, 0), Part(375, 3), Part(0, 0), Part(10238, 33), Medium) // 6F31h Transmit PDO check
+    (28496, 28496, Part(10271, 10), Part(0, 2), Optional, None, Part(0, 0), Part(378, 3), Part(0, 0), Part(10281, 58), Medium) // 6F50h Receive PV
+    (28497, 28497, Part(10339, 20), Part(0, 2), Optional, None, Part(0, 0), Part(381, 3), Part(0, 0), Part(10359, 67), Medium) // 6F51h Alternate receive PV
+    (28498, 28498, Part(10426, 15), Part(0, 2), Optional, None, Part(0, 0), Part(384, 3), Part(0, 0), Part(10441, 55), Medium) // 6F52h Received status
+    (28499, 28499, Part(10496, 25), Part(0, 2), Optional, None, Part(0, 0), Part(387, 3), Part(0, 0), Part(10521, 81), Medium) // 6F53h Alternate received status
+    (28512, 28512, Part(10602, 19), Part(2, 1), Optional, None, Part(0, 0), Part(390, 1), Part(0, 0), Part(10621, 47), Medium) // 6F60h Transmission enable
+    (28928, 28928, Part(311, 11), Part(0, 2), Optional, None, Part(0, 0), Part(391, 3), Part(0, 0), Part(322, 71), Medium) // 7100h AI input FV
+    (28931, 28931, Part(393, 27), Part(0, 2), Optional, None, Part(0, 0), Part(394, 3), Part(0, 0), Part(420, 54), Medium) // 7103h AI interrupt delta input FV
+    (28960, 28960, Part(763, 21), Part(0, 2), Optional, None, Part(0, 0), Part(397, 3), Part(0, 0), Part(784, 77), Medium) // 7120h AI input scaling 1 FV
+    (28961, 28961, Part(861, 21), Part(0, 2), Optional, None, Part(0, 0), Part(400, 3), Part(0, 0), Part(882, 79), Medium) // 7121h AI input scaling 1 PV
+    (28962, 28962, Part(961, 21), Part(0, 2), Optional, None, Part(0, 0), Part(403, 3), Part(0, 0), Part(982, 78), Medium) // 7122h AI input scaling 2 FV
+    (28963, 28963, Part(1060, 21), Part(0, 2), Optional, None, Part(0, 0), Part(406, 3), Part(0, 0), Part(1081, 80), Medium) // 7123h AI input scaling 2 PV
+    (28964, 28964, Part(1161, 15), Part(0, 2), Optional, None, Part(0, 0), Part(409, 3), Part(0, 0), Part(1176, 48), Medium) // 7124h AI input offset
+    (28976, 28976, Part(1457, 11), Part(0, 2), Optional, None, Part(0, 0), Part(412, 3), Part(0, 0), Part(1468, 68), Medium) // 7130h AI input PV
+    (28979, 28979, Part(1740, 27), Part(0, 2), Optional, None, Part(0, 0), Part(415, 3), Part(0, 0), Part(1767, 56), Medium) // 7133h AI interrupt delta input PV
+    (28980, 28980, Part(1823, 27), Part(0, 2), Optional, None, Part(0, 0), Part(418, 3), Part(0, 0), Part(1850, 60), Medium) // 7134h AI interrupt lower input PV
+    (28981, 28981, Part(1910, 27), Part(0, 2), Optional, None, Part(0, 0), Part(421, 3), Part(0, 0), Part(1937, 60), Medium) // 7135h AI interrupt upper input PV
+    (28984, 28984, Part(1997, 12), Part(0, 2), Optional, None, Part(0, 0), Part(424, 3), Part(0, 0), Part(2009, 73), Medium) // 7138h AI tare zero
+    (28992, 28992, Part(2155, 9), Part(0, 2), Optional, None, Part(0, 0), Part(427, 3), Part(0, 0), Part(2164, 56), Medium) // 7140h AI net PV
+    (28995, 28995, Part(2220, 25), Part(0, 2), Optional, None, Part(0, 0), Part(430, 3), Part(0, 0), Part(2245, 52), Medium) // 7143h AI interrupt delta net PV
+    (28996, 28996, Part(2297, 31), Part(0, 2), Optional, None, Part(0, 0), Part(433, 3), Part(0, 0), Part(2328, 56), Medium) // 7144h AI interrupt lower limit net PV
+    (28997, 28997, Part(2384, 31), Part(0, 2), Optional, None, Part(0, 0), Part(436, 3), Part(0, 0), Part(2415, 56), Medium) // 7145h AI interrupt upper limit net PV
+    (29000, 29000, Part(2471, 13), Part(0, 2), Optional, None, Part(0, 0), Part(439, 3), Part(0, 0), Part(2484, 68), Medium) // 7148h AI span start
+    (29001, 29001, Part(2552, 11), Part(0, 2), Optional, None, Part(0, 0), Part(442, 3), Part(0, 0), Part(2563, 68), Medium) // 7149h AI span end
+    (29440, 29440, Part(3939, 12), Part(0, 2), Optional, None, Part(0, 0), Part(445, 3), Part(0, 0), Part(3951, 69), Medium) // 7300h AO output PV
+    (29472, 29472, Part(4245, 22), Part(0, 2), Optional, None, Part(0, 0), Part(448, 3), Part(0, 0), Part(4267, 80), Medium) // 7320h AO output scaling 1 PV
+    (29473, 29473, Part(4347, 22), Part(0, 2), Optional, None, Part(0, 0), Part(451, 3), Part(0, 0), Part(4369, 78), Medium) // 7321h AO output scaling 1 FV
+    (29474, 29474, Part(4447, 22), Part(0, 2), Optional, None, Part(0, 0), Part(454, 3), Part(0, 0), Part(4469, 81), Medium) // 7322h AO output scaling 2 PV
+    (29475, 29475, Part(4550, 22), Part(0, 2), Optional, None, Part(0, 0), Part(457, 3), Part(0, 0), Part(4572, 79), Medium) // 7323h AO output scaling 2 FV
+    (29488, 29488, Part(4651, 12), Part(0, 2), Optional, None, Part(0, 0), Part(460, 3), Part(0, 0), Part(4663, 74), Medium) // 7330h AO output FV
+    (29505, 29505, Part(4959, 11), Part(0, 2), Optional, None, Part(0, 0), Part(463, 3), Part(0, 0), Part(4970, 66), Medium) // 7341h AO fault FV
+    (29696, 29696, Part(5036, 31), Part(0, 2), Optional, None, Part(0, 0), Part(466, 3), Part(0, 0), Part(5067, 48), Medium) // 7400h CO effective current value Xeff
+    (29697, 29697, Part(5115, 27), Part(0, 2), Optional, None, Part(0, 0), Part(469, 3), Part(0, 0), Part(5142, 45), Medium) // 7401h CO effective set point Weff
+    (29698, 29698, Part(5187, 14), Part(0, 2), Optional, None, Part(0, 0), Part(472, 3), Part(0, 0), Part(5201, 32), Medium) // 7402h CO set point W
+    (29699, 29699, Part(5233, 19), Part(0, 2), Optional, None, Part(0, 0), Part(475, 3), Part(0, 0), Part(5252, 66), Medium) // 7403h CO 2nd set point W2
+    (29700, 29700, Part(5318, 27), Part(0, 2), Optional, None, Part(0, 0), Part(478, 3), Part(0, 0), Part(5345, 21), Medium) // 7404h CO lower set point limit W0
+    (29701, 29701, Part(5366, 29), Part(0, 2), Optional, None, Part(0, 0), Part(481, 3), Part(0, 0), Part(5395, 22), Medium) // 7405h CO upper set point limit W100
+    (29744, 29744, Part(6467, 27), Part(0, 2), Optional, None, Part(0, 0), Part(484, 3), Part(0, 0), Part(6494, 57), Medium) // 7430h CO minimum pulse time Tmin1
+    (29745, 29745, Part(6551, 27), Part(0, 2), Optional, None, Part(0, 0), Part(487, 3), Part(0, 0), Part(6578, 58), Medium) // 7431h CO minimum pulse time Tmin2
+    (29746, 29746, Part(6636, 25), Part(0, 2), Optional, None, Part(0, 0), Part(490, 3), Part(0, 0), Part(6661, 64), Medium) // 7432h CO motor response time Tm
+    (29747, 29747, Part(6725, 25), Part(0, 2), Optional, None, Part(0, 0), Part(493, 3), Part(0, 0), Part(6750, 45), Medium) // 7433h CO min pulse length Tpuls
+    (29760, 29760, Part(6951, 32), Part(0, 2), Optional, None, Part(0, 0), Part(496, 3), Part(0, 0), Part(6983, 80), Medium) // 7440h CO neutral zone three-point Xsh1
+    (29761, 29761, Part(7063, 32), Part(0, 2), Optional, None, Part(0, 0), Part(499, 3), Part(0, 0), Part(7095, 81), Medium) // 7441h CO neutral zone three-point Xsh2
+    (29762, 29762, Part(7176, 40), Part(0, 2), Optional, None, Part(0, 0), Part(502, 3), Part(0, 0), Part(7216, 54), Medium) // 7442h CO neutral zone three-point stepping Xsh
+    (29763, 29763, Part(7270, 41), Part(0, 2), Optional, None, Part(0, 0), Part(505, 3), Part(0, 0), Part(7311, 39), Medium) // 7443h CO switching difference of signaller Xsd1
+    (29764, 29764, Part(7350, 50), Part(0, 2), Optional, None, Part(0, 0), Part(508, 3), Part(0, 0), Part(7400, 41), Medium) // 7444h CO switching difference of additional contact Xsd2
+    (29765, 29765, Part(7441, 52), Part(0, 2), Optional, None, Part(0, 0), Part(511, 3), Part(0, 0), Part(7493, 76), Medium) // 7445h CO trigger point separation of additional contact LW
+    (29776, 29776, Part(7569, 24), Part(0, 2), Optional, None, Part(0, 0), Part(514, 3), Part(0, 0), Part(7593, 49), Medium) // 7450h CO proportional band Xp1
+    (29777, 29777, Part(7642, 24), Part(0, 2), Optional, None, Part(0, 0), Part(517, 3), Part(0, 0), Part(7666, 50), Medium) // 7451h CO proportional band Xp2
+    (29778, 29778, Part(7716, 27), Part(0, 2), Optional, None, Part(0, 0), Part(520, 3), Part(0, 0), Part(7743, 52), Medium) // 7452h CO integral action time Tn1
+    (29779, 29779, Part(7795, 27), Part(0, 2), Optional, None, Part(0, 0), Part(523, 3), Part(0, 0), Part(7822, 53), Medium) // 7453h CO integral action time Tn2
+    (29780, 29780, Part(7875, 29), Part(0, 2), Optional, None, Part(0, 0), Part(526, 3), Part(0, 0), Part(7904, 54), Medium) // 7454h CO derivative action time Tv1
+    (29781, 29781, Part(7958, 29), Part(0, 2), Optional, None, Part(0, 0), Part(529, 3), Part(0, 0), Part(7987, 55), Medium) // 7455h CO derivative action time Tv2
+    (29782, 29782, Part(8042, 16), Part(0, 2), Optional, None, Part(0, 0), Part(532, 3), Part(0, 0), Part(8058, 41), Medium) // 7456h CO cycle time T1
+    (29783, 29783, Part(8099, 16), Part(0, 2), Optional, None, Part(0, 0), Part(535, 3), Part(0, 0), Part(8115, 42), Medium) // 7457h CO cycle time T2
+    (29952, 29952, Part(8321, 14), Part(0, 2), Optional, None, Part(0, 0), Part(538, 3), Part(0, 0), Part(8335, 32), Medium) // 7500h AL input value
+    (29956, 29956, Part(8438, 24), Part(0, 2), Optional, None, Part(0, 0), Part(541, 3), Part(0, 0), Part(8462, 68), Medium) // 7504h AL alternate input value
+    (29962, 29962, Part(8939, 8), Part(0, 2), Optional, None, Part(0, 0), Part(544, 3), Part(0, 0), Part(8947, 42), Medium) // 750Ah AL level
+    (29963, 29963, Part(8989, 13), Part(0, 2), Optional, None, Part(0, 0), Part(547, 3), Part(0, 0), Part(9002, 68), Medium) // 750Bh AL hysteresis
+    (32592, 32592, Part(10271, 10), Part(0, 2), Optional, None, Part(0, 0), Part(550, 3), Part(0, 0), Part(10281, 58), Medium) // 7F50h Receive PV
+    (32593, 32593, Part(10339, 20), Part(0, 2), Optional, None, Part(0, 0), Part(553, 3), Part(0, 0), Part(10359, 67), Medium) // 7F51h Alternate receive PV
+    (33024, 33024, Part(311, 11), Part(0, 2), Optional, None, Part(0, 0), Part(556, 3), Part(0, 0), Part(322, 71), Medium) // 8100h AI input FV
+    (33027, 33027, Part(393, 27), Part(0, 2), Optional, None, Part(0, 0), Part(559, 3), Part(0, 0), Part(420, 54), Medium) // 8103h AI interrupt delta input FV
+    (33056, 33056, Part(763, 21), Part(0, 2), Optional, None, Part(0, 0), Part(562, 3), Part(0, 0), Part(784, 77), Medium) // 8120h AI input scaling 1 FV
+    (33057, 33057, Part(861, 21), Part(0, 2), Optional, None, Part(0, 0), Part(565, 3), Part(0, 0), Part(882, 79), Medium) // 8121h AI input scaling 1 PV
+    (33058, 33058, Part(961, 21), Part(0, 2), Optional, None, Part(0, 0), Part(568, 3), Part(0, 0), Part(982, 78), Medium) // 8122h AI input scaling 2 FV
+    (33059, 33059, Part(1060, 21), Part(0, 2), Optional, None, Part(0, 0), Part(571, 3), Part(0, 0), Part(1081, 80), Medium) // 8123h AI input scaling 2 PV
+    (33060, 33060, Part(1161, 15), Part(0, 2), Optional, None, Part(0, 0), Part(574, 3), Part(0, 0), Part(1176, 48), Medium) // 8124h AI input offset
+    (33072, 33072, Part(1457, 11), Part(0, 2), Optional, None, Part(0, 0), Part(577, 3), Part(0, 0), Part(1468, 68), Medium) // 8130h AI input PV
+    (33075, 33075, Part(1740, 27), Part(0, 2), Optional, None, Part(0, 0), Part(580, 3), Part(0, 0), Part(1767, 56), Medium) // 8133h AI interrupt delta input PV
+    (33076, 33076, Part(1823, 27), Part(0, 2), Optional, None, Part(0, 0), Part(583, 3), Part(0, 0), Part(1850, 60), Medium) // 8134h AI interrupt lower input PV
+    (33077, 33077, Part(1910, 27), Part(0, 2), Optional, None, Part(0, 0), Part(586, 3), Part(0, 0), Part(1937, 60), Medium) // 8135h AI interrupt upper input PV
+    (33080, 33080, Part(1997, 12), Part(0, 2), Optional, None, Part(0, 0), Part(589, 3), Part(0, 0), Part(2009, 73), Medium) // 8138h AI tare zero
+    (33088, 33088, Part(2155, 9), Part(0, 2), Optional, None, Part(0, 0), Part(592, 3), Part(0, 0), Part(2164, 56), Medium) // 8140h AI net PV
+    (33091, 33091, Part(2220, 25), Part(0, 2), Optional, None, Part(0, 0), Part(595, 3), Part(0, 0), Part(2245, 52), Medium) // 8143h AI interrupt delta net PV
+    (33092, 33092, Part(2297, 31), Part(0, 2), Optional, None, Part(0, 0), Part(598, 3), Part(0, 0), Part(2328, 56), Medium) // 8144h AI interrupt lower limit net PV
+    (33093, 33093, Part(2384, 31), Part(0, 2), Optional, None, Part(0, 0), Part(601, 3), Part(0, 0), Part(2415, 56), Medium) // 8145h AI interrupt upper limit net PV
+    (33096, 33096, Part(2471, 13), Part(0, 2), Optional, None, Part(0, 0), Part(604, 3), Part(0, 0), Part(2484, 68), Medium) // 8148h AI span start
+    (33097, 33097, Part(2552, 11), Part(0, 2), Optional, None, Part(0, 0), Part(607, 3), Part(0, 0), Part(2563, 68), Medium) // 8149h AI span end
+    (33536, 33536, Part(3939, 12), Part(0, 2), Optional, None, Part(0, 0), Part(610, 3), Part(0, 0), Part(3951, 69), Medium) // 8300h AO output PV
+    (33568, 33568, Part(4245, 22), Part(0, 2), Optional, None, Part(0, 0), Part(613, 3), Part(0, 0), Part(4267, 80), Medium) // 8320h AO output scaling 1 PV
+    (33569, 33569, Part(4347, 22), Part(0, 2), Optional, None, Part(0, 0), Part(616, 3), Part(0, 0), Part(4369, 78), Medium) // 8321h AO output scaling 1 FV
+    (33570, 33570, Part(4447, 22), Part(0, 2), Optional, None, Part(0, 0), Part(619, 3), Part(0, 0), Part(4469, 81), Medium) // 8322h AO output scaling 2 PV
+    (33571, 33571, Part(4550, 22), Part(0, 2), Optional, None, Part(0, 0), Part(622, 3), Part(0, 0), Part(4572, 79), Medium) // 8323h AO output scaling 2 FV
+    (33584, 33584, Part(4651, 12), Part(0, 2), Optional, None, Part(0, 0), Part(625, 3), Part(0, 0), Part(4663, 74), Medium) // 8330h AO output FV
+    (33601, 33601, Part(4959, 11), Part(0, 2), Optional, None, Part(0, 0), Part(628, 3), Part(0, 0), Part(4970, 66), Medium) // 8341h AO fault FV
+    (33792, 33792, Part(5036, 31), Part(0, 2), Optional, None, Part(0, 0), Part(631, 3), Part(0, 0), Part(5067, 48), Medium) // 8400h CO effective current value Xeff
+    (33793, 33793, Part(5115, 27), Part(0, 2), Optional, None, Part(0, 0), Part(634, 3), Part(0, 0), Part(5142, 45), Medium) // 8401h CO effective set point Weff
+    (33794, 33794, Part(5187, 14), Part(0, 2), Optional, None, Part(0, 0), Part(637, 3), Part(0, 0), Part(5201, 32), Medium) // 8402h CO set point W
+    (33795, 33795, Part(5233, 19), Part(0, 2), Optional, None, Part(0, 0), Part(640, 3), Part(0, 0), Part(5252, 66), Medium) // 8403h CO 2nd set point W2
+    (33796, 33796, Part(5318, 27), Part(0, 2), Optional, None, Part(0, 0), Part(643, 3), Part(0, 0), Part(5345, 21), Medium) // 8404h CO lower set point limit W0
+    (33797, 33797, Part(5366, 29), Part(0, 2), Optional, None, Part(0, 0), Part(646, 3), Part(0, 0), Part(5395, 22), Medium) // 8405h CO upper set point limit W100
+    (33840, 33840, Part(6467, 27), Part(0, 2), Optional, None, Part(0, 0), Part(649, 3), Part(0, 0), Part(6494, 57), Medium) // 8430h CO minimum pulse time Tmin1
+    (33841, 33841, Part(6551, 27), Part(0, 2), Optional, None, Part(0, 0), Part(652, 3), Part(0, 0), Part(6578, 58), Medium) // 8431h CO minimum pulse time Tmin2
+    (33842, 33842, Part(6636, 25), Part(0, 2), Optional, None, Part(0, 0), Part(655, 3), Part(0, 0), Part(6661, 64), Medium) // 8432h CO motor response time Tm
+    (33843, 33843, Part(6725, 25), Part(0, 2), Optional, None, Part(0, 0), Part(658, 3), Part(0, 0), Part(6750, 45), Medium) // 8433h CO min pulse length Tpuls
+    (33856, 33856, Part(6951, 32), Part(0, 2), Optional, None, Part(0, 0), Part(661, 3), Part(0, 0), Part(6983, 80), Medium) // 8440h CO neutral zone three-point Xsh1
+    (33857, 33857, Part(7063, 32), Part(0, 2), Optional, None, Part(0, 0), Part(664, 3), Part(0, 0), Part(7095, 81), Medium) // 8441h CO neutral zone three-point Xsh2
+    (33858, 33858, Part(7176, 40), Part(0, 2), Optional, None, Part(0, 0), Part(667, 3), Part(0, 0), Part(7216, 54), Medium) // 8442h CO neutral zone three-point stepping Xsh
+    (33859, 33859, Part(7270, 41), Part(0, 2), Optional, None, Part(0, 0), Part(670, 3), Part(0, 0), Part(7311, 39), Medium) // 8443h CO switching difference of signaller Xsd1
+    (33860, 33860, Part(7350, 50), Part(0, 2), Optional, None, Part(0, 0), Part(673, 3), Part(0, 0), Part(7400, 41), Medium) // 8444h CO switching difference of additional contact Xsd2
+    (33861, 33861, Part(7441, 52), Part(0, 2), Optional, None, Part(0, 0), Part(676, 3), Part(0, 0), Part(7493, 76), Medium) // 8445h CO trigger point separation of additional contact LW
+    (33872, 33872, Part(7569, 24), Part(0, 2), Optional, None, Part(0, 0), Part(679, 3), Part(0, 0), Part(7593, 49), Medium) // 8450h CO proportional band Xp1
+    (33873, 33873, Part(7642, 24), Part(0, 2), Optional, None, Part(0, 0), Part(682, 3), Part(0, 0), Part(7666, 50), Medium) // 8451h CO proportional band Xp2
+    (33874, 33874, Part(7716, 27), Part(0, 2), Optional, None, Part(0, 0), Part(685, 3), Part(0, 0), Part(7743, 52), Medium) // 8452h CO integral action time Tn1
+    (33875, 33875, Part(7795, 27), Part(0, 2), Optional, None, Part(0, 0), Part(688, 3), Part(0, 0), Part(7822, 53), Medium) // 8453h CO integral action time Tn2
+    (33876, 33876, Part(7875, 29), Part(0, 2), Optional, None, Part(0, 0), Part(691, 3), Part(0, 0), Part(7904, 54), Medium) // 8454h CO derivative action time Tv1
+    (33877, 33877, Part(7958, 29), Part(0, 2), Optional, None, Part(0, 0), Part(694, 3), Part(0, 0), Part(7987, 55), Medium) // 8455h CO derivative action time Tv2
+    (33878, 33878, Part(8042, 16), Part(0, 2), Optional, None, Part(0, 0), Part(697, 3), Part(0, 0), Part(8058, 41), Medium) // 8456h CO cycle time T1
+    (33879, 33879, Part(8099, 16), Part(0, 2), Optional, None, Part(0, 0), Part(700, 3), Part(0, 0), Part(8115, 42), Medium) // 8457h CO cycle time T2
+    (34048, 34048, Part(8321, 14), Part(0, 2), Optional, None, Part(0, 0), Part(703, 3), Part(0, 0), Part(8335, 32), Medium) // 8500h AL input value
+    (34052, 34052, Part(8438, 24), Part(0, 2), Optional, None, Part(0, 0), Part(706, 3), Part(0, 0), Part(8462, 68), Medium) // 8504h AL alternate input value
+    (34058, 34058, Part(8939, 8), Part(0, 2), Optional, None, Part(0, 0), Part(709, 3), Part(0, 0), Part(8947, 42), Medium) // 850Ah AL level
+    (34059, 34059, Part(8989, 13), Part(0, 2), Optional, None, Part(0, 0), Part(712, 3), Part(0, 0), Part(9002, 68), Medium) // 850Bh AL hysteresis
+    (36688, 36688, Part(10271, 10), Part(0, 2), Optional, None, Part(0, 0), Part(715, 3), Part(0, 0), Part(10281, 58), Medium) // 8F50h Receive PV
+    (36689, 36689, Part(10339, 20), Part(0, 2), Optional, None, Part(0, 0), Part(718, 3), Part(0, 0), Part(10359, 67), Medium) // 8F51h Alternate receive PV
+    (37120, 37120, Part(311, 11), Part(0, 2), Optional, None, Part(0, 0), Part(721, 3), Part(0, 0), Part(322, 71), Medium) // 9100h AI input FV
+    (37123, 37123, Part(393, 27), Part(0, 2), Optional, None, Part(0, 0), Part(724, 3), Part(0, 0), Part(420, 54), Medium) // 9103h AI interrupt delta input FV
+    (37152, 37152, Part(763, 21), Part(0, 2), Optional, None, Part(0, 0), Part(727, 3), Part(0, 0), Part(784, 77), Medium) // 9120h AI input scaling 1 FV
+    (37153, 37153, Part(861, 21), Part(0, 2), Optional, None, Part(0, 0), Part(730, 3), Part(0, 0), Part(882, 79), Medium) // 9121h AI input scaling 1 PV
+    (37154, 37154, Part(961, 21), Part(0, 2), Optional, None, Part(0, 0), Part(733, 3), Part(0, 0), Part(982, 78), Medium) // 9122h AI input scaling 2 FV
+    (37155, 37155, Part(1060, 21), Part(0, 2), Optional, None, Part(0, 0), Part(736, 3), Part(0, 0), Part(1081, 80), Medium) // 9123h AI input scaling 2 PV
+    (37156, 37156, Part(1161, 15), Part(0, 2), Optional, None, Part(0, 0), Part(739, 3), Part(0, 0), Part(1176, 48), Medium) // 9124h AI input offset
+    (37168, 37168, Part(1457, 11), Part(0, 2), Optional, None, Part(0, 0), Part(742, 3), Part(0, 0), Part(1468, 68), Medium) // 9130h AI input PV
+    (37171, 37171, Part(1740, 27), Part(0, 2), Optional, None, Part(0, 0), Part(745, 3), Part(0, 0), Part(1767, 56), Medium) // 9133h AI interrupt delta input PV
+    (37172, 37172, Part(1823, 27), Part(0, 2), Optional, None, Part(0, 0), Part(748, 3), Part(0, 0), Part(1850, 60), Medium) // 9134h AI interrupt lower input PV
+    (37173, 37173, Part(1910, 27), Part(0, 2), Optional, None, Part(0, 0), Part(751, 3), Part(0, 0), Part(1937, 60), Medium) // 9135h AI interrupt upper input PV
+    (37176, 37176, Part(1997, 12), Part(0, 2), Optional, None, Part(0, 0), Part(754, 3), Part(0, 0), Part(2009, 73), Medium) // 9138h AI tare zero
+    (37184, 37184, Part(2155, 9), Part(0, 2), Optional, None, Part(0, 0), Part(757, 3), Part(0, 0), Part(2164, 56), Medium) // 9140h AI net PV
+    (37187, 37187, Part(2220, 25), Part(0, 2), Optional, None, Part(0, 0), Part(760, 3), Part(0, 0), Part(2245, 52), Medium) // 9143h AI interrupt delta net PV
+    (37188, 37188, Part(2297, 31), Part(0, 2), Optional, None, Part(0, 0), Part(763, 3), Part(0, 0), Part(2328, 56), Medium) // 9144h AI interrupt lower limit net PV
+    (37189, 37189, Part(2384, 31), Part(0, 2), Optional, None, Part(0, 0), Part(766, 3), Part(0, 0), Part(2415, 56), Medium) // 9145h AI interrupt upper limit net PV
+    (37192, 37192, Part(2471, 13), Part(0, 2), Optional, None, Part(0, 0), Part(769, 3), Part(0, 0), Part(2484, 68), Medium) // 9148h AI span start
+    (37193, 37193, Part(2552, 11), Part(0, 2), Optional, None, Part(0, 0), Part(772, 3), Part(0, 0), Part(2563, 68), Medium) // 9149h AI span end
+    (37632, 37632, Part(3939, 12), Part(0, 2), Optional, None, Part(0, 0), Part(775, 3), Part(0, 0), Part(3951, 69), Medium) // 9300h AO output PV
+    (37664, 37664, Part(4245, 22), Part(0, 2), Optional, None, Part(0, 0), Part(778, 3), Part(0, 0), Part(4267, 80), Medium) // 9320h AO output scaling 1 PV
+    (37665, 37665, Part(4347, 22), Part(0, 2), Optional, None, Part(0, 0), Part(781, 3), Part(0, 0), Part(4369, 78), Medium) // 9321h AO output scaling 1 FV
+    (37666, 37666, Part(4447, 22), Part(0, 2), Optional, None, Part(0, 0), Part(784, 3), Part(0, 0), Part(4469, 81), Medium) // 9322h AO output scaling 2 PV
+    (37667, 37667, Part(4550, 22), Part(0, 2), Optional, None, Part(0, 0), Part(787, 3), Part(0, 0), Part(4572, 79), Medium) // 9323h AO output scaling 2 FV
+    (37680, 37680, Part(4651, 12), Part(0, 2), Optional, None, Part(0, 0), Part(790, 3), Part(0, 0), Part(4663, 74), Medium) // 9330h AO output FV
+    (37697, 37697, Part(4959, 11), Part(0, 2), Optional, None, Part(0, 0), Part(793, 3), Part(0, 0), Part(4970, 66), Medium) // 9341h AO fault FV
+    (37888, 37888, Part(5036, 31), Part(0, 2), Optional, None, Part(0, 0), Part(796, 3), Part(0, 0), Part(5067, 48), Medium) // 9400h CO effective current value Xeff
+    (37889, 37889, Part(5115, 27), Part(0, 2), Optional, None, Part(0, 0), Part(799, 3), Part(0, 0), Part(5142, 45), Medium) // 9401h CO effective set point Weff
+    (37890, 37890, Part(5187, 14), Part(0, 2), Optional, None, Part(0, 0), Part(802, 3), Part(0, 0), Part(5201, 32), Medium) // 9402h CO set point W
+    (37891, 37891, Part(5233, 19), Part(0, 2), Optional, None, Part(0, 0), Part(805, 3), Part(0, 0), Part(5252, 66), Medium) // 9403h CO 2nd set point W2
+    (37892, 37892, Part(5318, 27), Part(0, 2), Optional, None, Part(0, 0), Part(808, 3), Part(0, 0), Part(5345, 21), Medium) // 9404h CO lower set point limit W0
+    (37893, 37893, Part(5366, 29), Part(0, 2), Optional, None, Part(0, 0), Part(811, 3), Part(0, 0), Part(5395, 22), Medium) // 9405h CO upper set point limit W100
+    (37936, 37936, Part(6467, 27), Part(0, 2), Optional, None, Part(0, 0), Part(814, 3), Part(0, 0), Part(6494, 57), Medium) // 9430h CO minimum pulse time Tmin1
+    (37937, 37937, Part(6551, 27), Part(0, 2), Optional, None, Part(0, 0), Part(817, 3), Part(0, 0), Part(6578, 58), Medium) // 9431h CO minimum pulse time Tmin2
+    (37938, 37938, Part(6636, 25), Part(0, 2), Optional, None, Part(0, 0), Part(820, 3), Part(0, 0), Part(6661, 64), Medium) // 9432h CO motor response time Tm
+    (37939, 37939, Part(6725, 25), Part(0, 2), Optional, None, Part(0, 0), Part(823, 3), Part(0, 0), Part(6750, 45), Medium) // 9433h CO min pulse length Tpuls
+    (37952, 37952, Part(6951, 32), Part(0, 2), Optional, None, Part(0, 0), Part(826, 3), Part(0, 0), Part(6983, 80), Medium) // 9440h CO neutral zone three-point Xsh1
+    (37953, 37953, Part(7063, 32), Part(0, 2), Optional, None, Part(0, 0), Part(829, 3), Part(0, 0), Part(7095, 81), Medium) // 9441h CO neutral zone three-point Xsh2
+    (37954, 37954, Part(7176, 40), Part(0, 2), Optional, None, Part(0, 0), Part(832, 3), Part(0, 0), Part(7216, 54), Medium) // 9442h CO neutral zone three-point stepping Xsh
+    (37955, 37955, Part(7270, 41), Part(0, 2), Optional, None, Part(0, 0), Part(835, 3), Part(0, 0), Part(7311, 39), Medium) // 9443h CO switching difference of signaller Xsd1
+    (37956, 37956, Part(7350, 50), Part(0, 2), Optional, None, Part(0, 0), Part(838, 3), Part(0, 0), Part(7400, 41), Medium) // 9444h CO switching difference of additional contact Xsd2
+    (37957, 37957, Part(7441, 52), Part(0, 2), Optional, None, Part(0, 0), Part(841, 3), Part(0, 0), Part(7493, 76), Medium) // 9445h CO trigger point separation of additional contact LW
+    (37968, 37968, Part(7569, 24), Part(0, 2), Optional, None, Part(0, 0), Part(844, 3), Part(0, 0), Part(7593, 49), Medium) // 9450h CO proportional band Xp1
+    (37969, 37969, Part(7642, 24), Part(0, 2), Optional, None, Part(0, 0), Part(847, 3), Part(0, 0), Part(7666, 50), Medium) // 9451h CO proportional band Xp2
+    (37970, 37970, Part(7716, 27), Part(0, 2), Optional, None, Part(0, 0), Part(850, 3), Part(0, 0), Part(7743, 52), Medium) // 9452h CO integral action time Tn1
+    (37971, 37971, Part(7795, 27), Part(0, 2), Optional, None, Part(0, 0), Part(853, 3), Part(0, 0), Part(7822, 53), Medium) // 9453h CO integral action time Tn2
+    (37972, 37972, Part(7875, 29), Part(0, 2), Optional, None, Part(0, 0), Part(856, 3), Part(0, 0), Part(7904, 54), Medium) // 9454h CO derivative action time Tv1
+    (37973, 37973, Part(7958, 29), Part(0, 2), Optional, None, Part(0, 0), Part(859, 3), Part(0, 0), Part(7987, 55), Medium) // 9455h CO derivative action time Tv2
+    (37974, 37974, Part(8042, 16), Part(0, 2), Optional, None, Part(0, 0), Part(862, 3), Part(0, 0), Part(8058, 41), Medium) // 9456h CO cycle time T1
+    (37975, 37975, Part(8099, 16), Part(0, 2), Optional, None, Part(0, 0), Part(865, 3), Part(0, 0), Part(8115, 42), Medium) // 9457h CO cycle time T2
+    (38144, 38144, Part(8321, 14), Part(0, 2), Optional, None, Part(0, 0), Part(868, 3), Part(0, 0), Part(8335, 32), Medium) // 9500h AL input value
+    (38148, 38148, Part(8438, 24), Part(0, 2), Optional, None, Part(0, 0), Part(871, 3), Part(0, 0), Part(8462, 68), Medium) // 9504h AL alternate input value
+    (38154, 38154, Part(8939, 8), Part(0, 2), Optional, None, Part(0, 0), Part(874, 3), Part(0, 0), Part(8947, 42), Medium) // 950Ah AL level
+    (38155, 38155, Part(8989, 13), Part(0, 2), Optional, None, Part(0, 0), Part(877, 3), Part(0, 0), Part(9002, 68), Medium) // 950Bh AL hysteresis
+    (40784, 40784, Part(10271, 10), Part(0, 2), Optional, None, Part(0, 0), Part(880, 3), Part(0, 0), Part(10281, 58), Medium) // 9F50h Receive PV
+    (40785, 40785, Part(10339, 20), Part(0, 2), Optional, None, Part(0, 0), Part(883, 3), Part(0, 0), Part(10359, 67), Medium) // 9F51h Alternate receive PV
+);
 
-static ENTRIES: &[EntryRow] = &[
-    EntryRow { first: 0, last: 0, mapping: Some(No), need: Mandatory, name: Part(27, 27), data_types: Part(0, 1), access: Part(0, 1), values: Part(0, 1), default: None, unit: Part(0, 0), bits: Part(0, 0) }, // Highest sub-index supported
-    EntryRow { first: 1, last: 1, mapping: Some(Tpdo), need: Mandatory, name: Part(0, 27), data_types: Part(0, 1), access: Part(0, 1), values: Part(0, 0), default: None, unit: Part(0, 0), bits: Part(0, 0) }, // DI read state 8 input lines
-    EntryRow { first: 2, last: 199, mapping: Some(Tpdo), need: Optional, name: Part(0, 27), data_types: Part(0, 1), access: Part(0, 1), values: Part(0, 0), default: None, unit: Part(0, 0), bits: Part(0, 0) }, // DI read state 8 input lines
-    EntryRow { first: 0, last: 0, mapping: Some(No), need: Mandatory, name: Part(27, 27), data_types: Part(0, 1), access: Part(0, 1), values: Part(0, 1), default: None, unit: Part(0, 0), bits: Part(0, 0) }, // Highest sub-index supported
-    EntryRow { first: 1, last: 1, mapping: None, need: Mandatory, name: Part(105, 25), data_types: Part(0, 1), access: Part(1, 1), values: Part(0, 0), default: None, unit: Part(0, 0), bits: Part(0, 0) }, // DI polarity 8 input lines
-    EntryRow { first: 2, last: 199, mapping: None, need: Optional, name: Part(105, 25), data_types: Part(0, 1), access: Part(1, 1), values: Part(0, 0), default: None, unit: Part(0, 0), bits: Part(0, 0) }, // DI polarity 8 input lines
-    EntryRow { first: 0, last: 0, mapping: Some(No), need: Mandatory, name: Part(27, 27), data_types: Part(0, 1), access: Part(0, 1), values: Part(0, 1), default: None, unit: Part(0, 0), bits: Part(0, 0) }, // Highest sub-index supported
-    EntryRow { first: 1, last: 1, mapping: Some(Tpdo), need: Mandatory, name: Part(172, 26), data_types: Part(1, 1), access: Part(0, 1), values: Part(0, 0), default: None, unit: Part(0, 0), bits: Part(0, 0) }, // DI read state 1 input line
-    EntryRow { first: 2, last: 199, mapping: Some(Tpdo), need: Optional, name: Part(172, 26), data_types: Part(1, 1), access: Part(0, 1), values: Part(0, 0), default: None, unit: Part(0, 0), bits: Part(0, 0) }, // DI read state 1 input line
-    EntryRow { first: 0, last: 0, mapping: Some(No), need: Mandatory, name: Part(27, 27), data_types: Part(0, 1), access: Part(0, 1), values: Part(0, 1), default: None, unit: Part(0, 0), bits: Part(0, 0) }, // Highest sub-index supported
-    EntryRow { first: 1, last: 1, mapping: None, need: Mandatory, name: Part(247, 24), data_types: Part(1, 1), access: Part(0, 0), values: Part(0, 0), default: None, unit: Part(0, 0), bits: Part(0, 0) }, // DI polarity 1 input line
-    EntryRow { first: 2, last: 199, mapping: None, need: Optional, name: Part(247, 24), data_types: Part(1, 1), access: Part(0, 0), values: Part(0, 0), default: None, unit: Part(0, 0), bits: Part(0, 0) }, // DI polarity 1 input line
-    EntryRow { first: 0, last: 0, mapping: Some(No), need: Mandatory, name: Part(27, 27), data_types: Part(0, 1), access: Part(0, 1), values: Part(0, 1), default: None, unit: Part(0, 0), bits: Part(0, 0) }, // Highest sub-index supported
-    EntryRow { first: 1, last: 1, mapping: Some(Tpdo), need: Mandatory, name: Part(311, 11), data_types: Part(2, 1), access: Part(0, 1), values: Part(0, 0), default: None, unit: Part(0, 0), bits: Part(0, 0) }, // AI input FV
-    EntryRow { first: 2, last: 199, mapping: Some(Tpdo), need: Optional, name: Part(311, 11), data_types: Part(2, 1), access: Part(0, 1), values: Part(0, 0), default: None, unit: Part(0, 0), bits: Part(0, 0) }, // AI input FV
-    EntryRow { first: 0, last: 0, mapping: Some(No), need: Mandatory, name: Part(27, 27), data_types: Part(0, 1), access: Part(0, 1), values: Part(0, 1), default: None, unit: Part(0, 0), bits: Part(0, 0) }, // Highest sub-index supported
-    EntryRow { first: 1, last: 1, mapping: None, need: Mandatory, name: Part(393, 27), data_types: Part(2, 1), access: Part(0, 0), values: Part(0, 0), default: None, unit: Part(0, 0), bits: Part(0, 0) }, // AI interrupt delta input FV
-    EntryRow { first: 2, last: 199, mapping: None, need: Optional, name: Part(393, 27), data_types: Part(2, 1), access: Part(0, 0), values: Part(0, 0), default: None, unit: Part(0, 0), bits: Part(0, 0) }, // AI interrupt delta input FV
-    EntryRow { first: 0, last: 0, mapping: Some(No), need: Mandatory, name: Part(27, 27), data_types: Part(0, 1), access: Part(0, 1), values: Part(0, 1), default: None, unit: Part(0, 0), bits: Part(0, 0) }, // Highest sub-index supported
-    EntryRow { first: 1, last: 1, mapping: Some(Any), need: Mandatory, name: Part(474, 14), data_types: Part(3, 1), access: Part(1, 1), values: Part(0, 0), default: None, unit: Part(0, 0), bits: Part(0, 0) }, // AI sensor type
-    EntryRow { first: 2, last: 199, mapping: Some(Any), need: Optional, name: Part(474, 14), data_types: Part(3, 1), access: Part(1, 1), values: Part(0, 0), default: None, unit: Part(0, 0), bits: Part(0, 0) }, // AI sensor type
-    EntryRow { first: 0, last: 0, mapping: Some(No), need: Mandatory, name: Part(27, 27), data_types: Part(0, 1), access: Part(0, 1), values: Part(0, 1), default: None, unit: Part(0, 0), bits: Part(0, 0) }, // Highest sub-index supported
-    EntryRow { first: 1, last: 1, mapping: None, need: Mandatory, name: Part(532, 18), data_types: Part(4, 1), access: Part(2, 2), values: Part(0, 0), default: None, unit: Part(0, 0), bits: Part(0, 0) }, // AI autocalibration
-    EntryRow { first: 2, last: 199, mapping: None, need: Optional, name: Part(532, 18), data_types: Part(4, 1), access: Part(2, 2), values: Part(0, 0), default: None, unit: Part(0, 0), bits: Part(0, 0) }, // AI autocalibration
-    EntryRow { first: 0, last: 0, mapping: Some(No), need: Mandatory, name: Part(27, 27), data_types: Part(0, 1), access: Part(0, 1), values: Part(0, 1), default: None, unit: Part(0, 0), bits: Part(0, 0) }, // Highest sub-index supported
-    EntryRow { first: 1, last: 1, mapping: Some(Any), need: Mandatory, name: Part(594, 17), data_types: Part(0, 1), access: Part(1, 1), values: Part(0, 0), default: None, unit: Part(0, 0), bits: Part(0, 1) }, // AI operating mode
-    EntryRow { first: 2, last: 199, mapping: Some(Any), need: Optional, name: Part(594, 17), data_types: Part(0, 1), access: Part(1, 1), values: Part(0, 0), default: None, unit: Part(0, 0), bits: Part(0, 1) }, // AI operating mode
-    EntryRow { first: 0, last: 0, mapping: Some(No), need: Mandatory, name: Part(27, 27), data_types: Part(0, 1), access: Part(0, 1), values: Part(0, 1), default: None, unit: Part(0, 0), bits: Part(0, 0) }, // Highest sub-index supported
-    EntryRow { first: 1, last: 1, mapping: Some(Tpdo), need: Mandatory, name: Part(692, 18), data_types: Part(4, 1), access: Part(0, 1), values: Part(0, 0), default: None, unit: Part(710, 3), bits: Part(0, 0) }, // AI ADC sample rate
-    EntryRow { first: 2, last: 199, mapping: Some(Tpdo), need: Optional, name: Part(692, 18), data_types: Part(4, 1), access: Part(0, 1), values: Part(0, 0), default: None, unit: Part(710, 3), bits: Part(0, 0) }, // AI ADC sample rate
-    EntryRow { first: 0, last: 0, mapping: Some(No), need: Mandatory, name: Part(27, 27), data_types: Part(0, 1), access: Part(0, 1), values: Part(0, 1), default: None, unit: Part(0, 0), bits: Part(0, 0) }, // Highest sub-index supported
-    EntryRow { first: 1, last: 1, mapping: None, need: Mandatory, name: Part(763, 21), data_types: Part(2, 1), access: Part(0, 0), values: Part(0, 0), default: None, unit: Part(0, 0), bits: Part(0, 0) }, // AI input scaling 1 FV
-    EntryRow { first: 2, last: 199, mapping: None, need: Optional, name: Part(763, 21), data_types: Part(2, 1), access: Part(0, 0), values: Part(0, 0), default: None, unit: Part(0, 0), bits: Part(0, 0) }, // AI input scaling 1 FV
-    EntryRow { first: 0, last: 0, mapping: Some(No), need: Mandatory, name: Part(27, 27), data_types: Part(0, 1), access: Part(0, 1), values: Part(0, 1), default: None, unit: Part(0, 0), bits: Part(0, 0) }, // Highest sub-index supported
-    EntryRow { first: 1, last: 1, mapping: None, need: Mandatory, name: Part(861, 21), data_types: Part(2, 1), access: Part(0, 0), values: Part(0, 0), default: None, unit: Part(0, 0), bits: Part(0, 0) }, // AI input scaling 1 PV
-    EntryRow { first: 2, last: 199, mapping: None, need: Optional, name: Part(861, 21), data_types: Part(2, 1), access: Part(0, 0), values: Part(0, 0), default: None, unit: Part(0, 0), bits: Part(0, 0) }, // AI input scaling 1 PV
-    EntryRow { first: 0, last: 0, mapping: Some(No), need: Mandatory, name: Part(27, 27), data_types: Part(0, 1), access: Part(0, 1), values: Part(0, 1), default: None, unit: Part(0, 0), bits: Part(0, 0) }, // Highest sub-index supported
-    EntryRow { first: 1, last: 1, mapping: None, need: Mandatory, name: Part(961, 21), data_types: Part(2, 1), access: Part(0, 0), values: Part(0, 0), default: None, unit: Part(0, 0), bits: Part(0, 0) }, // AI input scaling 2 FV
-    EntryRow { first: 2, last: 199, mapping: None, need: Optional, name: Part(961, 21), data_types: Part(2, 1), access: Part(0, 0), values: Part(0, 0), default: None, unit: Part(0, 0), bits: Part(0, 0) }, // AI input scaling 2 FV
-    EntryRow { first: 0, last: 0, mapping: Some(No), need: Mandatory, name: Part(27, 27), data_types: Part(0, 1), access: Part(0, 1), values: Part(0, 1), default: None, unit: Part(0, 0), bits: Part(0, 0) }, // Highest sub-index supported
-    EntryRow { first: 1, last: 1, mapping: None, need: Mandatory, name: Part(1060, 21), data_types: Part(2, 1), access: Part(0, 0), values: Part(0, 0), default: None, unit: Part(0, 0), bits: Part(0, 0) }, // AI input scaling 2 PV
-    EntryRow { first: 2, last: 199, mapping: None, need: Optional, name: Part(1060, 21), data_types: Part(2, 1), access: Part(0, 0), values: Part(0, 0), default: None, unit: Part(0, 0), bits: Part(0, 0) }, // AI input scaling 2 PV
-    EntryRow { first: 0, last: 0, mapping: Some(No), need: Mandatory, name: Part(27, 27), data_types: Part(0, 1), access: Part(0, 1), values: Part(0, 1), default: None, unit: Part(0, 0), bits: Part(0, 0) }, // Highest sub-index supported
-    EntryRow { first: 1, last: 1, mapping: None, need: Mandatory, name: Part(1161, 15), data_types: Part(2, 1), access: Part(0, 0), values: Part(0, 0), default: None, unit: Part(0, 0), bits: Part(0, 0) }, // AI input offset
-    EntryRow { first: 2, last: 199, mapping: None, need: Optional, name: Part(1161, 15), data_types: Part(2, 1), access: Part(0, 0), values: Part(0, 0), default: None, unit: Part(0, 0), bits: Part(0, 0) }, // AI input offset
-    EntryRow { first: 0, last: 0, mapping: Some(No), need: Mandatory, name: Part(27, 27), data_types: Part(0, 1), access: Part(0, 1), values: Part(0, 1), default: None, unit: Part(0, 0), bits: Part(0, 0) }, // Highest sub-index supported
-    EntryRow { first: 1, last: 1, mapping: None, need: Mandatory, name: Part(1224, 11), data_types: Part(4, 1), access: Part(2, 2), values: Part(0, 0), default: None, unit: Part(0, 0), bits: Part(0, 0) }, // AI autozero
-    EntryRow { first: 2, last: 199, mapping: None, need: Optional, name: Part(1224, 11), data_types: Part(4, 1), access: Part(2, 2), values: Part(0, 0), default: None, unit: Part(0, 0), bits: Part(0, 0) }, // AI autozero
-    EntryRow { first: 0, last: 0, mapping: Some(No), need: Mandatory, name: Part(27, 27), data_types: Part(0, 1), access: Part(0, 1), values: Part(0, 1), default: None, unit: Part(0, 0), bits: Part(0, 0) }, // Highest sub-index supported
-    EntryRow { first: 1, last: 1, mapping: None, need: Mandatory, name: Part(1317, 17), data_types: Part(2, 1), access: Part(1, 1), values: Part(0, 0), default: None, unit: Part(0, 0), bits: Part(0, 0) }, // AI scaling factor
-    EntryRow { first: 2, last: 199, mapping: None, need: Optional, name: Part(1317, 17), data_types: Part(2, 1), access: Part(1, 1), values: Part(0, 0), default: None, unit: Part(0, 0), bits: Part(0, 0) }, // AI scaling factor
-    EntryRow { first: 0, last: 0, mapping: Some(No), need: Mandatory, name: Part(27, 27), data_types: Part(0, 1), access: Part(0, 1), values: Part(0, 1), default: None, unit: Part(0, 0), bits: Part(0, 0) }, // Highest sub-index supported
-    EntryRow { first: 1, last: 1, mapping: Some(Any), need: Mandatory, name: Part(1387, 17), data_types: Part(2, 1), access: Part(1, 1), values: Part(0, 0), default: None, unit: Part(0, 0), bits: Part(0, 0) }, // AI scaling offset
-    EntryRow { first: 2, last: 199, mapping: Some(Any), need: Optional, name: Part(1387, 17), data_types: Part(2, 1), access: Part(1, 1), values: Part(0, 0), default: None, unit: Part(0, 0), bits: Part(0, 0) }, // AI scaling offset
-    EntryRow { first: 0, last: 0, mapping: Some(No), need: Mandatory, name: Part(27, 27), data_types: Part(0, 1), access: Part(0, 1), values: Part(0, 1), default: None, unit: Part(0, 0), bits: Part(0, 0) }, // Highest sub-index supported
-    EntryRow { first: 1, last: 1, mapping: Some(Tpdo), need: Mandatory, name: Part(1457, 11), data_types: Part(2, 1), access: Part(0, 1), values: Part(0, 0), default: None, unit: Part(0, 0), bits: Part(0, 0) }, // AI input PV
-    EntryRow { first: 2, last: 199, mapping: Some(Tpdo), need: Optional, name: Part(1457, 11), data_types: Part(2, 1), access: Part(0, 1), values: Part(0, 0), default: None, unit: Part(0, 0), bits: Part(0, 0) }, // AI input PV
-    EntryRow { first: 0, last: 0, mapping: Some(No), need: Mandatory, name: Part(27, 27), data_types: Part(0, 1), access: Part(0, 1), values: Part(0, 1), default: None, unit: Part(0, 0), bits: Part(0, 0) }, // Highest sub-index supported
-    EntryRow { first: 1, last: 1, mapping: None, need: Mandatory, name: Part(1536, 19), data_types: Part(4, 1), access: Part(1, 1), values: Part(0, 0), default: None, unit: Part(0, 0), bits: Part(1, 3) }, // AI physical unit PV
-    EntryRow { first: 2, last: 199, mapping: None, need: Optional, name: Part(1536, 19), data_types: Part(4, 1), access: Part(1, 1), values: Part(0, 0), default: None, unit: Part(0, 0), bits: Part(1, 3) }, // AI physical unit PV
-    EntryRow { first: 0, last: 0, mapping: Some(No), need: Mandatory, name: Part(27, 27), data_types: Part(0, 1), access: Part(0, 1), values: Part(0, 1), default: None, unit: Part(0, 0), bits: Part(0, 0) }, // Highest sub-index supported
-    EntryRow { first: 1, last: 1, mapping: Some(Any), need: Mandatory, name: Part(1647, 20), data_types: Part(0, 1), access: Part(1, 1), values: Part(0, 0), default: None, unit: Part(0, 0), bits: Part(0, 0) }, // AI decimal digits PV
-    EntryRow { first: 2, last: 199, mapping: Some(Any), need: Optional, name: Part(1647, 20), data_types: Part(0, 1), access: Part(1, 1), values: Part(0, 0), default: None, unit: Part(0, 0), bits: Part(0, 0) }, // AI decimal digits PV
-    EntryRow { first: 0, last: 0, mapping: Some(No), need: Mandatory, name: Part(27, 27), data_types: Part(0, 1), access: Part(0, 1), values: Part(0, 1), default: None, unit: Part(0, 0), bits: Part(0, 0) }, // Highest sub-index supported
-    EntryRow { first: 1, last: 1, mapping: None, need: Mandatory, name: Part(1740, 27), data_types: Part(2, 1), access: Part(0, 0), values: Part(0, 0), default: None, unit: Part(0, 0), bits: Part(0, 0) }, // AI interrupt delta input PV
-    EntryRow { first: 2, last: 199, mapping: None, need: Optional, name: Part(1740, 27), data_types: Part(2, 1), access: Part(0, 0), values: Part(0, 0), default: None, unit: Part(0, 0), bits: Part(0, 0) }, // AI interrupt delta input PV
-    EntryRow { first: 0, last: 0, mapping: Some(No), need: Mandatory, name: Part(27, 27), data_types: Part(0, 1), access: Part(0, 1), values: Part(0, 1), default: None, unit: Part(0, 0), bits: Part(0, 0) }, // Highest sub-index supported
-    EntryRow { first: 1, last: 1, mapping: None, need: Mandatory, name: Part(1823, 27), data_types: Part(2, 1), access: Part(0, 0), values: Part(0, 0), default: None, unit: Part(0, 0), bits: Part(0, 0) }, // AI interrupt lower input PV
-    EntryRow { first: 2, last: 199, mapping: None, need: Optional, name: Part(1823, 27), data_types: Part(2, 1), access: Part(0, 0), values: Part(0, 0), default: None, unit: Part(0, 0), bits: Part(0, 0) }, // AI interrupt lower input PV
-    EntryRow { first: 0, last: 0, mapping: Some(No), need: Mandatory, name: Part(27, 27), data_types: Part(0, 1), access: Part(0, 1), values: Part(0, 1), default: None, unit: Part(0, 0), bits: Part(0, 0) }, // Highest sub-index supported
-    EntryRow { first: 1, last: 1, mapping: None, need: Mandatory, name: Part(1910, 27), data_types: Part(2, 1), access: Part(0, 0), values: Part(0, 0), default: None, unit: Part(0, 0), bits: Part(0, 0) }, // AI interrupt upper input PV
-    EntryRow { first: 2, last: 199, mapping: None, need: Optional, name: Part(1910, 27), data_types: Part(2, 1), access: Part(0, 0), values: Part(0, 0), default: None, unit: Part(0, 0), bits: Part(0, 0) }, // AI interrupt upper input PV
-    EntryRow { first: 0, last: 0, mapping: Some(No), need: Mandatory, name: Part(27, 27), data_types: Part(0, 1), access: Part(0, 1), values: Part(0, 1), default: None, unit: Part(0, 0), bits: Part(0, 0) }, // Highest sub-index supported
-    EntryRow { first: 1, last: 1, mapping: None, need: Mandatory, name: Part(1997, 12), data_types: Part(2, 1), access: Part(0, 0), values: Part(0, 0), default: None, unit: Part(0, 0), bits: Part(0, 0) }, // AI tare zero
-    EntryRow { first: 2, last: 199, mapping: None, need: Optional, name: Part(1997, 12), data_types: Part(2, 1), access: Part(0, 0), values: Part(0, 0), default: None, unit: Part(0, 0), bits: Part(0, 0) }, // AI tare zero
-    EntryRow { first: 0, last: 0, mapping: Some(No), need: Mandatory, name: Part(27, 27), data_types: Part(0, 1), access: Part(0, 1), values: Part(0, 1), default: None, unit: Part(0, 0), bits: Part(0, 0) }, // Highest sub-index supported
-    EntryRow { first: 1, last: 1, mapping: Some(Any), need: Mandatory, name: Part(2082, 11), data_types: Part(4, 1), access: Part(2, 2), values: Part(0, 0), default: None, unit: Part(0, 0), bits: Part(0, 0) }, // AI autotare
-    EntryRow { first: 2, last: 199, mapping: Some(Any), need: Optional, name: Part(2082, 11), data_types: Part(4, 1), access: Part(2, 2), values: Part(0, 0), default: None, unit: Part(0, 0), bits: Part(0, 0) }, // AI autotare
-    EntryRow { first: 0, last: 0, mapping: Some(No), need: Mandatory, name: Part(27, 27), data_types: Part(0, 1), access: Part(0, 1), values: Part(0, 1), default: None, unit: Part(0, 0), bits: Part(0, 0) }, // Highest sub-index supported
-    EntryRow { first: 1, last: 1, mapping: Some(Tpdo), need: Mandatory, name: Part(2155, 9), data_types: Part(2, 1), access: Part(0, 1), values: Part(0, 0), default: None, unit: Part(0, 0), bits: Part(0, 0) }, // AI net PV
-    EntryRow { first: 2, last: 199, mapping: Some(Tpdo), need: Optional, name: Part(2155, 9), data_types: Part(2, 1), access: Part(0, 1), values: Part(0, 0), default: None, unit: Part(0, 0), bits: Part(0, 0) }, // AI net PV
-    EntryRow { first: 0, last: 0, mapping: Some(No), need: Mandatory, name: Part(27, 27), data_types: Part(0, 1), access: Part(0, 1), values: Part(0, 1), default: None, unit: Part(0, 0), bits: Part(0, 0) }, // Highest sub-index supported
-    EntryRow { first: 1, last: 1, mapping: None, need: Mandatory, name: Part(2220, 25), data_types: Part(2, 1), access: Part(0, 0), values: Part(0, 0), default: None, unit: Part(0, 0), bits: Part(0, 0) }, // AI interrupt delta net PV
-    EntryRow { first: 2, last: 199, mapping: None, need: Optional, name: Part(2220, 25), data_types: Part(2, 1), access: Part(0, 0), values: Part(0, 0), default: None, unit: Part(0, 0), bits: Part(0, 0) }, // AI interrupt delta net PV
-    EntryRow { first: 0, last: 0, mapping: Some(No), need: Mandatory, name: Part(27, 27), data_types: Part(0, 1), access: Part(0, 1), values: Part(0, 1), default: None, unit: Part(0, 0), bits: Part(0, 0) }, // Highest sub-index supported
-    EntryRow { first: 1, last: 1, mapping: None, need: Mandatory, name: Part(2297, 31), data_types: Part(2, 1), access: Part(0, 0), values: Part(0, 0), default: None, unit: Part(0, 0), bits: Part(0, 0) }, // AI interrupt lower limit net PV
-    EntryRow { first: 2, last: 199, mapping: None, need: Optional, name: Part(2297, 31), data_types: Part(2, 1), access: Part(0, 0), values: Part(0, 0), default: None, unit: Part(0, 0), bits: Part(0, 0) }, // AI interrupt lower limit net PV
-    EntryRow { first: 0, last: 0, mapping: Some(No), need: Mandatory, name: Part(27, 27), data_types: Part(0, 1), access: Part(0, 1), values: Part(0, 1), default: None, unit: Part(0, 0), bits: Part(0, 0) }, // Highest sub-index supported
-    EntryRow { first: 1, last: 1, mapping: None, need: Mandatory, name: Part(2384, 31), data_types: Part(2, 1), access: Part(0, 0), values: Part(0, 0), default: None, unit: Part(0, 0), bits: Part(0, 0) }, // AI interrupt upper limit net PV
-    EntryRow { first: 2, last: 199, mapping: None, need: Optional, name: Part(2384, 31), data_types: Part(2, 1), access: Part(0, 0), values: Part(0, 0), default: None, unit: Part(0, 0), bits: Part(0, 0) }, // AI interrupt upper limit net PV
-    EntryRow { first: 0, last: 0, mapping: Some(No), need: Mandatory, name: Part(27, 27), data_types: Part(0, 1), access: Part(0, 1), values: Part(0, 1), default: None, unit: Part(0, 0), bits: Part(0, 0) }, // Highest sub-index supported
-    EntryRow { first: 1, last: 1, mapping: None, need: Mandatory, name: Part(2471, 13), data_types: Part(2, 1), access: Part(0, 0), values: Part(0, 0), default: None, unit: Part(0, 0), bits: Part(0, 0) }, // AI span start
-    EntryRow { first: 2, last: 199, mapping: None, need: Optional, name: Part(2471, 13), data_types: Part(2, 1), access: Part(0, 0), values: Part(0, 0), default: None, unit: Part(0, 0), bits: Part(0, 0) }, // AI span start
-    EntryRow { first: 0, last: 0, mapping: Some(No), need: Mandatory, name: Part(27, 27), data_types: Part(0, 1), access: Part(0, 1), values: Part(0, 1), default: None, unit: Part(0, 0), bits: Part(0, 0) }, // Highest sub-index supported
-    EntryRow { first: 1, last: 1, mapping: None, need: Mandatory, name: Part(2552, 11), data_types: Part(2, 1), access: Part(0, 0), values: Part(0, 0), default: None, unit: Part(0, 0), bits: Part(0, 0) }, // AI span end
-    EntryRow { first: 2, last: 199, mapping: None, need: Optional, name: Part(2552, 11), data_types: Part(2, 1), access: Part(0, 0), values: Part(0, 0), default: None, unit: Part(0, 0), bits: Part(0, 0) }, // AI span end
-    EntryRow { first: 0, last: 0, mapping: Some(No), need: Mandatory, name: Part(27, 27), data_types: Part(0, 1), access: Part(0, 1), values: Part(0, 1), default: None, unit: Part(0, 0), bits: Part(0, 0) }, // Highest sub-index supported
-    EntryRow { first: 1, last: 1, mapping: Some(Tpdo), need: Mandatory, name: Part(2631, 9), data_types: Part(0, 1), access: Part(0, 1), values: Part(0, 0), default: None, unit: Part(0, 0), bits: Part(4, 3) }, // AI status
-    EntryRow { first: 2, last: 199, mapping: Some(Tpdo), need: Optional, name: Part(2631, 9), data_types: Part(0, 1), access: Part(0, 1), values: Part(0, 0), default: None, unit: Part(0, 0), bits: Part(4, 3) }, // AI status
-    EntryRow { first: 0, last: 0, mapping: Some(No), need: Mandatory, name: Part(27, 27), data_types: Part(0, 1), access: Part(0, 1), values: Part(0, 1), default: None, unit: Part(0, 0), bits: Part(0, 0) }, // Highest sub-index supported
-    EntryRow { first: 1, last: 1, mapping: Some(Any), need: Mandatory, name: Part(2758, 15), data_types: Part(0, 1), access: Part(2, 2), values: Part(0, 0), default: None, unit: Part(0, 0), bits: Part(0, 0) }, // AI control byte
-    EntryRow { first: 2, last: 199, mapping: Some(Any), need: Optional, name: Part(2758, 15), data_types: Part(0, 1), access: Part(2, 2), values: Part(0, 0), default: None, unit: Part(0, 0), bits: Part(0, 0) }, // AI control byte
-    EntryRow { first: 0, last: 0, mapping: Some(No), need: Mandatory, name: Part(27, 27), data_types: Part(0, 1), access: Part(0, 1), values: Part(0, 1), default: None, unit: Part(0, 0), bits: Part(0, 0) }, // Highest sub-index supported
-    EntryRow { first: 1, last: 1, mapping: None, need: Mandatory, name: Part(2846, 22), data_types: Part(0, 1), access: Part(1, 1), values: Part(0, 0), default: None, unit: Part(0, 0), bits: Part(0, 0) }, // AI control byte enable
-    EntryRow { first: 2, last: 199, mapping: None, need: Optional, name: Part(2846, 22), data_types: Part(0, 1), access: Part(1, 1), values: Part(0, 0), default: None, unit: Part(0, 0), bits: Part(0, 0) }, // AI control byte enable
-    EntryRow { first: 0, last: 0, mapping: Some(No), need: Mandatory, name: Part(27, 27), data_types: Part(0, 1), access: Part(0, 1), values: Part(0, 1), default: None, unit: Part(0, 0), bits: Part(0, 0) }, // Highest sub-index supported
-    EntryRow { first: 1, last: 1, mapping: None, need: Mandatory, name: Part(2914, 14), data_types: Part(0, 1), access: Part(0, 0), values: Part(0, 0), default: None, unit: Part(0, 0), bits: Part(7, 1) }, // AI filter type
-    EntryRow { first: 2, last: 199, mapping: None, need: Optional, name: Part(2914, 14), data_types: Part(0, 1), access: Part(0, 0), values: Part(0, 0), default: None, unit: Part(0, 0), bits: Part(7, 1) }, // AI filter type
-    EntryRow { first: 0, last: 0, mapping: Some(No), need: Mandatory, name: Part(27, 27), data_types: Part(0, 1), access: Part(0, 1), values: Part(0, 1), default: None, unit: Part(0, 0), bits: Part(0, 0) }, // Highest sub-index supported
-    EntryRow { first: 1, last: 1, mapping: None, need: Mandatory, name: Part(3022, 18), data_types: Part(0, 1), access: Part(1, 1), values: Part(0, 0), default: None, unit: Part(0, 0), bits: Part(0, 0) }, // AI filter constant
-    EntryRow { first: 2, last: 199, mapping: None, need: Optional, name: Part(3022, 18), data_types: Part(0, 1), access: Part(1, 1), values: Part(0, 0), default: None, unit: Part(0, 0), bits: Part(0, 0) }, // AI filter constant
-    EntryRow { first: 0, last: 0, mapping: Some(No), need: Mandatory, name: Part(27, 27), data_types: Part(0, 1), access: Part(0, 1), values: Part(0, 1), default: None, unit: Part(0, 0), bits: Part(0, 0) }, // Highest sub-index supported
-    EntryRow { first: 1, last: 1, mapping: Some(Any), need: Mandatory, name: Part(3088, 29), data_types: Part(0, 1), access: Part(1, 1), values: Part(0, 0), default: None, unit: Part(0, 0), bits: Part(0, 0) }, // DO write state 8 output lines
-    EntryRow { first: 2, last: 199, mapping: Some(Any), need: Optional, name: Part(3088, 29), data_types: Part(0, 1), access: Part(1, 1), values: Part(0, 0), default: None, unit: Part(0, 0), bits: Part(0, 0) }, // DO write state 8 output lines
-    EntryRow { first: 0, last: 0, mapping: Some(No), need: Mandatory, name: Part(27, 27), data_types: Part(0, 1), access: Part(0, 1), values: Part(0, 1), default: None, unit: Part(0, 0), bits: Part(0, 0) }, // Highest sub-index supported
-    EntryRow { first: 1, last: 1, mapping: None, need: Mandatory, name: Part(3161, 26), data_types: Part(0, 1), access: Part(1, 1), values: Part(0, 0), default: None, unit: Part(0, 0), bits: Part(0, 0) }, // DO polarity 8 output lines
-    EntryRow { first: 2, last: 199, mapping: None, need: Optional, name: Part(3161, 26), data_types: Part(0, 1), access: Part(1, 1), values: Part(0, 0), default: None, unit: Part(0, 0), bits: Part(0, 0) }, // DO polarity 8 output lines
-    EntryRow { first: 0, last: 0, mapping: Some(No), need: Mandatory, name: Part(27, 27), data_types: Part(0, 1), access: Part(0, 1), values: Part(0, 1), default: None, unit: Part(0, 0), bits: Part(0, 0) }, // Highest sub-index supported
-    EntryRow { first: 1, last: 1, mapping: None, need: Mandatory, name: Part(3230, 28), data_types: Part(0, 1), access: Part(1, 1), values: Part(0, 0), default: None, unit: Part(0, 0), bits: Part(0, 0) }, // DO fault mode 8 output lines
-    EntryRow { first: 2, last: 199, mapping: None, need: Optional, name: Part(3230, 28), data_types: Part(0, 1), access: Part(1, 1), values: Part(0, 0), default: None, unit: Part(0, 0), bits: Part(0, 0) }, // DO fault mode 8 output lines
-    EntryRow { first: 0, last: 0, mapping: Some(No), need: Mandatory, name: Part(27, 27), data_types: Part(0, 1), access: Part(0, 1), values: Part(0, 1), default: None, unit: Part(0, 0), bits: Part(0, 0) }, // Highest sub-index supported
-    EntryRow { first: 1, last: 1, mapping: None, need: Mandatory, name: Part(3332, 29), data_types: Part(0, 1), access: Part(1, 1), values: Part(0, 0), default: None, unit: Part(0, 0), bits: Part(0, 0) }, // DO fault state 8 output lines
-    EntryRow { first: 2, last: 199, mapping: None, need: Optional, name: Part(3332, 29), data_types: Part(0, 1), access: Part(1, 1), values: Part(0, 0), default: None, unit: Part(0, 0), bits: Part(0, 0) }, // DO fault state 8 output lines
-    EntryRow { first: 0, last: 0, mapping: Some(No), need: Mandatory, name: Part(27, 27), data_types: Part(0, 1), access: Part(0, 1), values: Part(0, 1), default: None, unit: Part(0, 0), bits: Part(0, 0) }, // Highest sub-index supported
-    EntryRow { first: 1, last: 1, mapping: None, need: Mandatory, name: Part(3429, 29), data_types: Part(4, 1), access: Part(1, 1), values: Part(0, 0), default: None, unit: Part(0, 0), bits: Part(0, 0) }, // DO link object 8 output lines
-    EntryRow { first: 2, last: 199, mapping: None, need: Optional, name: Part(3429, 29), data_types: Part(4, 1), access: Part(1, 1), values: Part(0, 0), default: None, unit: Part(0, 0), bits: Part(0, 0) }, // DO link object 8 output lines
-    EntryRow { first: 0, last: 0, mapping: Some(No), need: Mandatory, name: Part(27, 27), data_types: Part(0, 1), access: Part(0, 1), values: Part(0, 1), default: None, unit: Part(0, 0), bits: Part(0, 0) }, // Highest sub-index supported
-    EntryRow { first: 1, last: 1, mapping: Some(Any), need: Mandatory, name: Part(3519, 28), data_types: Part(1, 1), access: Part(1, 1), values: Part(0, 0), default: None, unit: Part(0, 0), bits: Part(0, 0) }, // DO write state 1 output line
-    EntryRow { first: 2, last: 199, mapping: Some(Any), need: Optional, name: Part(3519, 28), data_types: Part(1, 1), access: Part(1, 1), values: Part(0, 0), default: None, unit: Part(0, 0), bits: Part(0, 0) }, // DO write state 1 output line
-    EntryRow { first: 0, last: 0, mapping: Some(No), need: Mandatory, name: Part(27, 27), data_types: Part(0, 1), access: Part(0, 1), values: Part(0, 1), default: None, unit: Part(0, 0), bits: Part(0, 0) }, // Highest sub-index supported
-    EntryRow { first: 1, last: 1, mapping: None, need: Mandatory, name: Part(3589, 25), data_types: Part(1, 1), access: Part(1, 1), values: Part(0, 0), default: None, unit: Part(0, 0), bits: Part(0, 0) }, // DO polarity 1 output line
-    EntryRow { first: 2, last: 199, mapping: None, need: Optional, name: Part(3589, 25), data_types: Part(1, 1), access: Part(1, 1), values: Part(0, 0), default: None, unit: Part(0, 0), bits: Part(0, 0) }, // DO polarity 1 output line
-    EntryRow { first: 0, last: 0, mapping: Some(No), need: Mandatory, name: Part(27, 27), data_types: Part(0, 1), access: Part(0, 1), values: Part(0, 1), default: None, unit: Part(0, 0), bits: Part(0, 0) }, // Highest sub-index supported
-    EntryRow { first: 1, last: 1, mapping: None, need: Mandatory, name: Part(3655, 27), data_types: Part(1, 1), access: Part(1, 1), values: Part(0, 0), default: None, unit: Part(0, 0), bits: Part(0, 0) }, // DO fault mode 1 output line
-    EntryRow { first: 2, last: 199, mapping: None, need: Optional, name: Part(3655, 27), data_types: Part(1, 1), access: Part(1, 1), values: Part(0, 0), default: None, unit: Part(0, 0), bits: Part(0, 0) }, // DO fault mode 1 output line
-    EntryRow { first: 0, last: 0, mapping: Some(No), need: Mandatory, name: Part(27, 27), data_types: Part(0, 1), access: Part(0, 1), values: Part(0, 1), default: None, unit: Part(0, 0), bits: Part(0, 0) }, // Highest sub-index supported
-    EntryRow { first: 1, last: 1, mapping: None, need: Mandatory, name: Part(3759, 28), data_types: Part(1, 1), access: Part(1, 1), values: Part(0, 0), default: None, unit: Part(0, 0), bits: Part(0, 0) }, // DO fault state 1 output line
-    EntryRow { first: 2, last: 199, mapping: None, need: Optional, name: Part(3759, 28), data_types: Part(1, 1), access: Part(1, 1), values: Part(0, 0), default: None, unit: Part(0, 0), bits: Part(0, 0) }, // DO fault state 1 output line
-    EntryRow { first: 0, last: 0, mapping: Some(No), need: Mandatory, name: Part(27, 27), data_types: Part(0, 1), access: Part(0, 1), values: Part(0, 1), default: None, unit: Part(0, 0), bits: Part(0, 0) }, // Highest sub-index supported
-    EntryRow { first: 1, last: 1, mapping: None, need: Mandatory, name: Part(3855, 28), data_types: Part(4, 1), access: Part(1, 1), values: Part(0, 0), default: None, unit: Part(0, 0), bits: Part(0, 0) }, // DO link object 1 output line
-    EntryRow { first: 2, last: 199, mapping: None, need: Optional, name: Part(3855, 28), data_types: Part(4, 1), access: Part(1, 1), values: Part(0, 0), default: None, unit: Part(0, 0), bits: Part(0, 0) }, // DO link object 1 output line
-    EntryRow { first: 0, last: 0, mapping: Some(No), need: Mandatory, name: Part(27, 27), data_types: Part(0, 1), access: Part(0, 1), values: Part(0, 1), default: None, unit: Part(0, 0), bits: Part(0, 0) }, // Highest sub-index supported
-    EntryRow { first: 1, last: 1, mapping: Some(Any), need: Mandatory, name: Part(3939, 12), data_types: Part(2, 1), access: Part(1, 1), values: Part(0, 0), default: None, unit: Part(0, 0), bits: Part(0, 0) }, // AO output PV
-    EntryRow { first: 2, last: 199, mapping: Some(Any), need: Optional, name: Part(3939, 12), data_types: Part(2, 1), access: Part(1, 1), values: Part(0, 0), default: None, unit: Part(0, 0), bits: Part(0, 0) }, // AO output PV
-    EntryRow { first: 0, last: 0, mapping: Some(No), need: Mandatory, name: Part(27, 27), data_types: Part(0, 1), access: Part(0, 1), values: Part(0, 1), default: None, unit: Part(0, 0), bits: Part(0, 0) }, // Highest sub-index supported
-    EntryRow { first: 1, last: 1, mapping: None, need: Mandatory, name: Part(4020, 19), data_types: Part(4, 1), access: Part(1, 1), values: Part(0, 0), default: None, unit: Part(0, 0), bits: Part(1, 3) }, // AO physical unit PV
-    EntryRow { first: 2, last: 199, mapping: None, need: Optional, name: Part(4020, 19), data_types: Part(4, 1), access: Part(1, 1), values: Part(0, 0), default: None, unit: Part(0, 0), bits: Part(1, 3) }, // AO physical unit PV
-    EntryRow { first: 0, last: 0, mapping: Some(No), need: Mandatory, name: Part(27, 27), data_types: Part(0, 1), access: Part(0, 1), values: Part(0, 1), default: None, unit: Part(0, 0), bits: Part(0, 0) }, // Highest sub-index supported
-    EntryRow { first: 1, last: 1, mapping: None, need: Mandatory, name: Part(4091, 20), data_types: Part(0, 1), access: Part(1, 1), values: Part(0, 0), default: None, unit: Part(0, 0), bits: Part(0, 0) }, // AO decimal digits PV
-    EntryRow { first: 2, last: 199, mapping: None, need: Optional, name: Part(4091, 20), data_types: Part(0, 1), access: Part(1, 1), values: Part(0, 0), default: None, unit: Part(0, 0), bits: Part(0, 0) }, // AO decimal digits PV
-    EntryRow { first: 0, last: 0, mapping: Some(No), need: Mandatory, name: Part(27, 27), data_types: Part(0, 1), access: Part(0, 1), values: Part(0, 1), default: None, unit: Part(0, 0), bits: Part(0, 0) }, // Highest sub-index supported
-    EntryRow { first: 1, last: 1, mapping: None, need: Mandatory, name: Part(4111, 17), data_types: Part(4, 1), access: Part(1, 1), values: Part(0, 0), default: None, unit: Part(0, 0), bits: Part(0, 0) }, // AO link output PV
-    EntryRow { first: 2, last: 199, mapping: None, need: Optional, name: Part(4111, 17), data_types: Part(4, 1), access: Part(1, 1), values: Part(0, 0), default: None, unit: Part(0, 0), bits: Part(0, 0) }, // AO link output PV
-    EntryRow { first: 0, last: 0, mapping: Some(No), need: Mandatory, name: Part(27, 27), data_types: Part(0, 1), access: Part(0, 1), values: Part(0, 1), default: None, unit: Part(0, 0), bits: Part(0, 0) }, // Highest sub-index supported
-    EntryRow { first: 1, last: 1, mapping: None, need: Mandatory, name: Part(4186, 14), data_types: Part(3, 1), access: Part(1, 1), values: Part(0, 0), default: None, unit: Part(0, 0), bits: Part(0, 0) }, // AO output type
-    EntryRow { first: 2, last: 199, mapping: None, need: Optional, name: Part(4186, 14), data_types: Part(3, 1), access: Part(1, 1), values: Part(0, 0), default: None, unit: Part(0, 0), bits: Part(0, 0) }, // AO output type
-    EntryRow { first: 0, last: 0, mapping: Some(No), need: Mandatory, name: Part(27, 27), data_types: Part(0, 1), access: Part(0, 1), values: Part(0, 1), default: None, unit: Part(0, 0), bits: Part(0, 0) }, // Highest sub-index supported
-    EntryRow { first: 1, last: 1, mapping: None, need: Mandatory, name: Part(4245, 22), data_types: Part(2, 1), access: Part(0, 0), values: Part(0, 0), default: None, unit: Part(0, 0), bits: Part(0, 0) }, // AO output scaling 1 PV
-    EntryRow { first: 2, last: 199, mapping: None, need: Optional, name: Part(4245, 22), data_types: Part(2, 1), access: Part(0, 0), values: Part(0, 0), default: None, unit: Part(0, 0), bits: Part(0, 0) }, // AO output scaling 1 PV
-    EntryRow { first: 0, last: 0, mapping: Some(No), need: Mandatory, name: Part(27, 27), data_types: Part(0, 1), access: Part(0, 1), values: Part(0, 1), default: None, unit: Part(0, 0), bits: Part(0, 0) }, // Highest sub-index supported
-    EntryRow { first: 1, last: 1, mapping: None, need: Mandatory, name: Part(4347, 22), data_types: Part(2, 1), access: Part(0, 0), values: Part(0, 0), default: None, unit: Part(0, 0), bits: Part(0, 0) }, // AO output scaling 1 FV
-    EntryRow { first: 2, last: 199, mapping: None, need: Optional, name: Part(4347, 22), data_types: Part(2, 1), access: Part(0, 0), values: Part(0, 0), default: None, unit: Part(0, 0), bits: Part(0, 0) }, // AO output scaling 1 FV
-    EntryRow { first: 0, last: 0, mapping: Some(No), need: Mandatory, name: Part(27, 27), data_types: Part(0, 1), access: Part(0, 1), values: Part(0, 1), default: None, unit: Part(0, 0), bits: Part(0, 0) }, // Highest sub-index supported
-    EntryRow { first: 1, last: 1, mapping: None, need: Mandatory, name: Part(4447, 22), data_types: Part(2, 1), access: Part(0, 0), values: Part(0, 0), default: None, unit: Part(0, 0), bits: Part(0, 0) }, // AO output scaling 2 PV
-    EntryRow { first: 2, last: 199, mapping: None, need: Optional, name: Part(4447, 22), data_types: Part(2, 1), access: Part(0, 0), values: Part(0, 0), default: None, unit: Part(0, 0), bits: Part(0, 0) }, // AO output scaling 2 PV
-    EntryRow { first: 0, last: 0, mapping: Some(No), need: Mandatory, name: Part(27, 27), data_types: Part(0, 1), access: Part(0, 1), values: Part(0, 1), default: None, unit: Part(0, 0), bits: Part(0, 0) }, // Highest sub-index supported
-    EntryRow { first: 1, last: 1, mapping: None, need: Mandatory, name: Part(4550, 22), data_types: Part(2, 1), access: Part(0, 0), values: Part(0, 0), default: None, unit: Part(0, 0), bits: Part(0, 0) }, // AO output scaling 2 FV
-    EntryRow { first: 2, last: 199, mapping: None, need: Optional, name: Part(4550, 22), data_types: Part(2, 1), access: Part(0, 0), values: Part(0, 0), default: None, unit: Part(0, 0), bits: Part(0, 0) }, // AO output scaling 2 FV
-    EntryRow { first: 0, last: 0, mapping: Some(No), need: Mandatory, name: Part(27, 27), data_types: Part(0, 1), access: Part(0, 1), values: Part(0, 1), default: None, unit: Part(0, 0), bits: Part(0, 0) }, // Highest sub-index supported
-    EntryRow { first: 1, last: 1, mapping: None, need: Mandatory, name: Part(4651, 12), data_types: Part(2, 1), access: Part(0, 0), values: Part(0, 0), default: None, unit: Part(0, 0), bits: Part(0, 0) }, // AO output FV
-    EntryRow { first: 2, last: 199, mapping: None, need: Optional, name: Part(4651, 12), data_types: Part(2, 1), access: Part(0, 0), values: Part(0, 0), default: None, unit: Part(0, 0), bits: Part(0, 0) }, // AO output FV
-    EntryRow { first: 0, last: 0, mapping: Some(No), need: Mandatory, name: Part(27, 27), data_types: Part(0, 1), access: Part(0, 1), values: Part(0, 1), default: None, unit: Part(0, 0), bits: Part(0, 0) }, // Highest sub-index supported
-    EntryRow { first: 1, last: 1, mapping: None, need: Mandatory, name: Part(4737, 19), data_types: Part(4, 1), access: Part(1, 1), values: Part(0, 0), default: None, unit: Part(0, 0), bits: Part(1, 3) }, // AO physical unit FV
-    EntryRow { first: 2, last: 199, mapping: None, need: Optional, name: Part(4737, 19), data_types: Part(4, 1), access: Part(1, 1), values: Part(0, 0), default: None, unit: Part(0, 0), bits: Part(1, 3) }, // AO physical unit FV
-    EntryRow { first: 0, last: 0, mapping: Some(No), need: Mandatory, name: Part(27, 27), data_types: Part(0, 1), access: Part(0, 1), values: Part(0, 1), default: None, unit: Part(0, 0), bits: Part(0, 0) }, // Highest sub-index supported
-    EntryRow { first: 1, last: 1, mapping: None, need: Mandatory, name: Part(4806, 20), data_types: Part(0, 1), access: Part(1, 1), values: Part(0, 0), default: None, unit: Part(0, 0), bits: Part(0, 0) }, // AO decimal digits FV
-    EntryRow { first: 2, last: 199, mapping: None, need: Optional, name: Part(4806, 20), data_types: Part(0, 1), access: Part(1, 1), values: Part(0, 0), default: None, unit: Part(0, 0), bits: Part(0, 0) }, // AO decimal digits FV
-    EntryRow { first: 0, last: 0, mapping: Some(No), need: Mandatory, name: Part(27, 27), data_types: Part(0, 1), access: Part(0, 1), values: Part(0, 1), default: None, unit: Part(0, 0), bits: Part(0, 0) }, // Highest sub-index supported
-    EntryRow { first: 1, last: 1, mapping: None, need: Mandatory, name: Part(4897, 13), data_types: Part(0, 1), access: Part(1, 1), values: Part(0, 0), default: None, unit: Part(0, 0), bits: Part(0, 0) }, // AO fault mode
-    EntryRow { first: 2, last: 199, mapping: None, need: Optional, name: Part(4897, 13), data_types: Part(0, 1), access: Part(1, 1), values: Part(0, 0), default: None, unit: Part(0, 0), bits: Part(0, 0) }, // AO fault mode
-    EntryRow { first: 0, last: 0, mapping: Some(No), need: Mandatory, name: Part(27, 27), data_types: Part(0, 1), access: Part(0, 1), values: Part(0, 1), default: None, unit: Part(0, 0), bits: Part(0, 0) }, // Highest sub-index supported
-    EntryRow { first: 1, last: 1, mapping: None, need: Mandatory, name: Part(4959, 11), data_types: Part(2, 1), access: Part(0, 0), values: Part(0, 0), default: None, unit: Part(0, 0), bits: Part(0, 0) }, // AO fault FV
-    EntryRow { first: 2, last: 199, mapping: None, need: Optional, name: Part(4959, 11), data_types: Part(2, 1), access: Part(0, 0), values: Part(0, 0), default: None, unit: Part(0, 0), bits: Part(0, 0) }, // AO fault FV
-    EntryRow { first: 0, last: 0, mapping: Some(No), need: Mandatory, name: Part(27, 27), data_types: Part(0, 1), access: Part(0, 1), values: Part(0, 1), default: None, unit: Part(0, 0), bits: Part(0, 0) }, // Highest sub-index supported
-    EntryRow { first: 1, last: 1, mapping: Some(Any), need: Mandatory, name: Part(5036, 31), data_types: Part(2, 1), access: Part(0, 0), values: Part(0, 0), default: None, unit: Part(0, 0), bits: Part(0, 0) }, // CO effective current value Xeff
-    EntryRow { first: 2, last: 199, mapping: Some(Any), need: Optional, name: Part(5036, 31), data_types: Part(2, 1), access: Part(0, 0), values: Part(0, 0), default: None, unit: Part(0, 0), bits: Part(0, 0) }, // CO effective current value Xeff
-    EntryRow { first: 0, last: 0, mapping: Some(No), need: Mandatory, name: Part(27, 27), data_types: Part(0, 1), access: Part(0, 1), values: Part(0, 1), default: None, unit: Part(0, 0), bits: Part(0, 0) }, // Highest sub-index supported
-    EntryRow { first: 1, last: 1, mapping: Some(Tpdo), need: Mandatory, name: Part(5115, 27), data_types: Part(2, 1), access: Part(0, 1), values: Part(0, 0), default: None, unit: Part(0, 0), bits: Part(0, 0) }, // CO effective set point Weff
-    EntryRow { first: 2, last: 199, mapping: Some(Tpdo), need: Optional, name: Part(5115, 27), data_types: Part(2, 1), access: Part(0, 1), values: Part(0, 0), default: None, unit: Part(0, 0), bits: Part(0, 0) }, // CO effective set point Weff
-    EntryRow { first: 0, last: 0, mapping: Some(No), need: Mandatory, name: Part(27, 27), data_types: Part(0, 1), access: Part(0, 1), values: Part(0, 1), default: None, unit: Part(0, 0), bits: Part(0, 0) }, // Highest sub-index supported
-    EntryRow { first: 1, last: 1, mapping: Some(Any), need: Mandatory, name: Part(5187, 14), data_types: Part(2, 1), access: Part(0, 0), values: Part(0, 0), default: None, unit: Part(0, 0), bits: Part(0, 0) }, // CO set point W
-    EntryRow { first: 2, last: 199, mapping: Some(Any), need: Optional, name: Part(5187, 14), data_types: Part(2, 1), access: Part(0, 0), values: Part(0, 0), default: None, unit: Part(0, 0), bits: Part(0, 0) }, // CO set point W
-    EntryRow { first: 0, last: 0, mapping: Some(No), need: Mandatory, name: Part(27, 27), data_types: Part(0, 1), access: Part(0, 1), values: Part(0, 1), default: None, unit: Part(0, 0), bits: Part(0, 0) }, // Highest sub-index supported
-    EntryRow { first: 1, last: 1, mapping: Some(Any), need: Mandatory, name: Part(5233, 19), data_types: Part(2, 1), access: Part(0, 0), values: Part(0, 0), default: None, unit: Part(0, 0), bits: Part(0, 0) }, // CO 2nd set point W2
-    EntryRow { first: 2, last: 199, mapping: Some(Any), need: Optional, name: Part(5233, 19), data_types: Part(2, 1), access: Part(0, 0), values: Part(0, 0), default: None, unit: Part(0, 0), bits: Part(0, 0) }, // CO 2nd set point W2
-    EntryRow { first: 0, last: 0, mapping: Some(No), need: Mandatory, name: Part(27, 27), data_types: Part(0, 1), access: Part(0, 1), values: Part(0, 1), default: None, unit: Part(0, 0), bits: Part(0, 0) }, // Highest sub-index supported
-    EntryRow { first: 1, last: 1, mapping: None, need: Mandatory, name: Part(5318, 27), data_types: Part(2, 1), access: Part(0, 0), values: Part(0, 0), default: None, unit: Part(0, 0), bits: Part(0, 0) }, // CO lower set point limit W0
-    EntryRow { first: 2, last: 199, mapping: None, need: Optional, name: Part(5318, 27), data_types: Part(2, 1), access: Part(0, 0), values: Part(0, 0), default: None, unit: Part(0, 0), bits: Part(0, 0) }, // CO lower set point limit W0
-    EntryRow { first: 0, last: 0, mapping: Some(No), need: Mandatory, name: Part(27, 27), data_types: Part(0, 1), access: Part(0, 1), values: Part(0, 1), default: None, unit: Part(0, 0), bits: Part(0, 0) }, // Highest sub-index supported
-    EntryRow { first: 1, last: 1, mapping: None, need: Mandatory, name: Part(5366, 29), data_types: Part(2, 1), access: Part(0, 0), values: Part(0, 0), default: None, unit: Part(0, 0), bits: Part(0, 0) }, // CO upper set point limit W100
-    EntryRow { first: 2, last: 199, mapping: None, need: Optional, name: Part(5366, 29), data_types: Part(2, 1), access: Part(0, 0), values: Part(0, 0), default: None, unit: Part(0, 0), bits: Part(0, 0) }, // CO upper set point limit W100
-    EntryRow { first: 0, last: 0, mapping: Some(No), need: Mandatory, name: Part(27, 27), data_types: Part(0, 1), access: Part(0, 1), values: Part(0, 1), default: None, unit: Part(0, 0), bits: Part(0, 0) }, // Highest sub-index supported
-    EntryRow { first: 1, last: 1, mapping: None, need: Mandatory, name: Part(5417, 19), data_types: Part(4, 1), access: Part(1, 1), values: Part(0, 0), default: None, unit: Part(0, 0), bits: Part(1, 3) }, // CO physical unit XW
-    EntryRow { first: 2, last: 199, mapping: None, need: Optional, name: Part(5417, 19), data_types: Part(4, 1), access: Part(1, 1), values: Part(0, 0), default: None, unit: Part(0, 0), bits: Part(1, 3) }, // CO physical unit XW
-    EntryRow { first: 0, last: 0, mapping: Some(No), need: Mandatory, name: Part(27, 27), data_types: Part(0, 1), access: Part(0, 1), values: Part(0, 1), default: None, unit: Part(0, 0), bits: Part(0, 0) }, // Highest sub-index supported
-    EntryRow { first: 1, last: 1, mapping: None, need: Mandatory, name: Part(5475, 20), data_types: Part(0, 1), access: Part(1, 1), values: Part(0, 0), default: None, unit: Part(0, 0), bits: Part(0, 0) }, // CO decimal digits XW
-    EntryRow { first: 2, last: 199, mapping: None, need: Optional, name: Part(5475, 20), data_types: Part(0, 1), access: Part(1, 1), values: Part(0, 0), default: None, unit: Part(0, 0), bits: Part(0, 0) }, // CO decimal digits XW
-    EntryRow { first: 0, last: 0, mapping: Some(No), need: Mandatory, name: Part(27, 27), data_types: Part(0, 1), access: Part(0, 1), values: Part(0, 1), default: None, unit: Part(0, 0), bits: Part(0, 0) }, // Highest sub-index supported
-    EntryRow { first: 1, last: 1, mapping: Some(Tpdo), need: Mandatory, name: Part(5577, 32), data_types: Part(3, 1), access: Part(0, 1), values: Part(0, 0), default: None, unit: Part(0, 0), bits: Part(0, 0) }, // CO effective controller output Y
-    EntryRow { first: 2, last: 199, mapping: Some(Tpdo), need: Optional, name: Part(5577, 32), data_types: Part(3, 1), access: Part(0, 1), values: Part(0, 0), default: None, unit: Part(0, 0), bits: Part(0, 0) }, // CO effective controller output Y
-    EntryRow { first: 0, last: 0, mapping: Some(No), need: Mandatory, name: Part(27, 27), data_types: Part(0, 1), access: Part(0, 1), values: Part(0, 1), default: None, unit: Part(0, 0), bits: Part(0, 0) }, // Highest sub-index supported
-    EntryRow { first: 1, last: 1, mapping: Some(Tpdo), need: Mandatory, name: Part(5638, 39), data_types: Part(3, 1), access: Part(0, 1), values: Part(0, 0), default: None, unit: Part(0, 0), bits: Part(0, 0) }, // CO differential controller output Ydiff
-    EntryRow { first: 2, last: 199, mapping: Some(Tpdo), need: Optional, name: Part(5638, 39), data_types: Part(3, 1), access: Part(0, 1), values: Part(0, 0), default: None, unit: Part(0, 0), bits: Part(0, 0) }, // CO differential controller output Ydiff
-    EntryRow { first: 0, last: 0, mapping: Some(No), need: Mandatory, name: Part(27, 27), data_types: Part(0, 1), access: Part(0, 1), values: Part(0, 1), default: None, unit: Part(0, 0), bits: Part(0, 0) }, // Highest sub-index supported
-    EntryRow { first: 1, last: 1, mapping: Some(Any), need: Mandatory, name: Part(5715, 27), data_types: Part(3, 1), access: Part(1, 1), values: Part(0, 0), default: None, unit: Part(0, 0), bits: Part(0, 0) }, // CO manual controller output
-    EntryRow { first: 2, last: 199, mapping: Some(Any), need: Optional, name: Part(5715, 27), data_types: Part(3, 1), access: Part(1, 1), values: Part(0, 0), default: None, unit: Part(0, 0), bits: Part(0, 0) }, // CO manual controller output
-    EntryRow { first: 0, last: 0, mapping: Some(No), need: Mandatory, name: Part(27, 27), data_types: Part(0, 1), access: Part(0, 1), values: Part(0, 1), default: None, unit: Part(0, 0), bits: Part(0, 0) }, // Highest sub-index supported
-    EntryRow { first: 1, last: 1, mapping: None, need: Mandatory, name: Part(5786, 37), data_types: Part(3, 1), access: Part(1, 1), values: Part(0, 0), default: None, unit: Part(0, 0), bits: Part(0, 0) }, // CO lower controller output limit Ymin
-    EntryRow { first: 2, last: 199, mapping: None, need: Optional, name: Part(5786, 37), data_types: Part(3, 1), access: Part(1, 1), values: Part(0, 0), default: None, unit: Part(0, 0), bits: Part(0, 0) }, // CO lower controller output limit Ymin
-    EntryRow { first: 0, last: 0, mapping: Some(No), need: Mandatory, name: Part(27, 27), data_types: Part(0, 1), access: Part(0, 1), values: Part(0, 1), default: None, unit: Part(0, 0), bits: Part(0, 0) }, // Highest sub-index supported
-    EntryRow { first: 1, last: 1, mapping: None, need: Mandatory, name: Part(5859, 37), data_types: Part(3, 1), access: Part(1, 1), values: Part(0, 0), default: None, unit: Part(0, 0), bits: Part(0, 0) }, // CO upper controller output limit Ymax
-    EntryRow { first: 2, last: 199, mapping: None, need: Optional, name: Part(5859, 37), data_types: Part(3, 1), access: Part(1, 1), values: Part(0, 0), default: None, unit: Part(0, 0), bits: Part(0, 0) }, // CO upper controller output limit Ymax
-    EntryRow { first: 0, last: 0, mapping: Some(No), need: Mandatory, name: Part(27, 27), data_types: Part(0, 1), access: Part(0, 1), values: Part(0, 1), default: None, unit: Part(0, 0), bits: Part(0, 0) }, // Highest sub-index supported
-    EntryRow { first: 1, last: 1, mapping: None, need: Mandatory, name: Part(5933, 34), data_types: Part(4, 1), access: Part(1, 1), values: Part(0, 0), default: None, unit: Part(0, 0), bits: Part(1, 3) }, // CO physical unit controller output
-    EntryRow { first: 2, last: 199, mapping: None, need: Optional, name: Part(5933, 34), data_types: Part(4, 1), access: Part(1, 1), values: Part(0, 0), default: None, unit: Part(0, 0), bits: Part(1, 3) }, // CO physical unit controller output
-    EntryRow { first: 0, last: 0, mapping: Some(No), need: Mandatory, name: Part(27, 27), data_types: Part(0, 1), access: Part(0, 1), values: Part(0, 1), default: None, unit: Part(0, 0), bits: Part(0, 0) }, // Highest sub-index supported
-    EntryRow { first: 1, last: 1, mapping: Some(Any), need: Mandatory, name: Part(6003, 24), data_types: Part(1, 1), access: Part(1, 1), values: Part(0, 0), default: None, unit: Part(0, 0), bits: Part(0, 0) }, // CO set point switch W-W2
-    EntryRow { first: 2, last: 199, mapping: Some(Any), need: Optional, name: Part(6003, 24), data_types: Part(1, 1), access: Part(1, 1), values: Part(0, 0), default: None, unit: Part(0, 0), bits: Part(0, 0) }, // CO set point switch W-W2
-    EntryRow { first: 0, last: 0, mapping: Some(No), need: Mandatory, name: Part(27, 27), data_types: Part(0, 1), access: Part(0, 1), values: Part(0, 1), default: None, unit: Part(0, 0), bits: Part(0, 0) }, // Highest sub-index supported
-    EntryRow { first: 1, last: 1, mapping: Some(Any), need: Mandatory, name: Part(6070, 28), data_types: Part(1, 1), access: Part(1, 1), values: Part(0, 0), default: None, unit: Part(0, 0), bits: Part(8, 1) }, // CO automatic/manual mode A-M
-    EntryRow { first: 2, last: 199, mapping: Some(Any), need: Optional, name: Part(6070, 28), data_types: Part(1, 1), access: Part(1, 1), values: Part(0, 0), default: None, unit: Part(0, 0), bits: Part(8, 1) }, // CO automatic/manual mode A-M
-    EntryRow { first: 0, last: 0, mapping: Some(No), need: Mandatory, name: Part(27, 27), data_types: Part(0, 1), access: Part(0, 1), values: Part(0, 1), default: None, unit: Part(0, 0), bits: Part(0, 0) }, // Highest sub-index supported
-    EntryRow { first: 1, last: 1, mapping: Some(Any), need: Mandatory, name: Part(6142, 20), data_types: Part(1, 1), access: Part(1, 1), values: Part(0, 0), default: None, unit: Part(0, 0), bits: Part(9, 1) }, // CO controller on/off
-    EntryRow { first: 2, last: 199, mapping: Some(Any), need: Optional, name: Part(6142, 20), data_types: Part(1, 1), access: Part(1, 1), values: Part(0, 0), default: None, unit: Part(0, 0), bits: Part(9, 1) }, // CO controller on/off
-    EntryRow { first: 0, last: 0, mapping: Some(No), need: Mandatory, name: Part(27, 27), data_types: Part(0, 1), access: Part(0, 1), values: Part(0, 1), default: None, unit: Part(0, 0), bits: Part(0, 0) }, // Highest sub-index supported
-    EntryRow { first: 1, last: 1, mapping: Some(Any), need: Mandatory, name: Part(6210, 18), data_types: Part(0, 1), access: Part(1, 1), values: Part(0, 0), default: None, unit: Part(0, 0), bits: Part(0, 0) }, // CO controller mode
-    EntryRow { first: 2, last: 199, mapping: Some(Any), need: Optional, name: Part(6210, 18), data_types: Part(0, 1), access: Part(1, 1), values: Part(0, 0), default: None, unit: Part(0, 0), bits: Part(0, 0) }, // CO controller mode
-    EntryRow { first: 0, last: 0, mapping: Some(No), need: Mandatory, name: Part(27, 27), data_types: Part(0, 1), access: Part(0, 1), values: Part(0, 1), default: None, unit: Part(0, 0), bits: Part(0, 0) }, // Highest sub-index supported
-    EntryRow { first: 1, last: 1, mapping: Some(Any), need: Mandatory, name: Part(6255, 27), data_types: Part(1, 1), access: Part(1, 1), values: Part(0, 0), default: None, unit: Part(0, 0), bits: Part(0, 0) }, // CO self optimization on/off
-    EntryRow { first: 2, last: 199, mapping: Some(Any), need: Optional, name: Part(6255, 27), data_types: Part(1, 1), access: Part(1, 1), values: Part(0, 0), default: None, unit: Part(0, 0), bits: Part(0, 0) }, // CO self optimization on/off
-    EntryRow { first: 0, last: 0, mapping: Some(No), need: Mandatory, name: Part(27, 27), data_types: Part(0, 1), access: Part(0, 1), values: Part(0, 1), default: None, unit: Part(0, 0), bits: Part(0, 0) }, // Highest sub-index supported
-    EntryRow { first: 1, last: 1, mapping: Some(Any), need: Mandatory, name: Part(6335, 15), data_types: Part(0, 1), access: Part(1, 1), values: Part(0, 0), default: None, unit: Part(0, 0), bits: Part(0, 0) }, // CO control byte
-    EntryRow { first: 2, last: 199, mapping: Some(Any), need: Optional, name: Part(6335, 15), data_types: Part(0, 1), access: Part(1, 1), values: Part(0, 0), default: None, unit: Part(0, 0), bits: Part(0, 0) }, // CO control byte
-    EntryRow { first: 0, last: 0, mapping: Some(No), need: Mandatory, name: Part(27, 27), data_types: Part(0, 1), access: Part(0, 1), values: Part(0, 1), default: None, unit: Part(0, 0), bits: Part(0, 0) }, // Highest sub-index supported
-    EntryRow { first: 1, last: 1, mapping: None, need: Mandatory, name: Part(6389, 22), data_types: Part(0, 1), access: Part(1, 1), values: Part(0, 0), default: None, unit: Part(0, 0), bits: Part(0, 0) }, // CO control byte enable
-    EntryRow { first: 2, last: 199, mapping: None, need: Optional, name: Part(6389, 22), data_types: Part(0, 1), access: Part(1, 1), values: Part(0, 0), default: None, unit: Part(0, 0), bits: Part(0, 0) }, // CO control byte enable
-    EntryRow { first: 0, last: 0, mapping: Some(No), need: Mandatory, name: Part(27, 27), data_types: Part(0, 1), access: Part(0, 1), values: Part(0, 1), default: None, unit: Part(0, 0), bits: Part(0, 0) }, // Highest sub-index supported
-    EntryRow { first: 1, last: 1, mapping: Some(Tpdo), need: Mandatory, name: Part(6411, 14), data_types: Part(3, 1), access: Part(0, 1), values: Part(0, 0), default: None, unit: Part(0, 0), bits: Part(0, 0) }, // CO status word
-    EntryRow { first: 2, last: 199, mapping: Some(Tpdo), need: Optional, name: Part(6411, 14), data_types: Part(3, 1), access: Part(0, 1), values: Part(0, 0), default: None, unit: Part(0, 0), bits: Part(0, 0) }, // CO status word
-    EntryRow { first: 0, last: 0, mapping: Some(No), need: Mandatory, name: Part(27, 27), data_types: Part(0, 1), access: Part(0, 1), values: Part(0, 1), default: None, unit: Part(0, 0), bits: Part(0, 0) }, // Highest sub-index supported
-    EntryRow { first: 1, last: 1, mapping: None, need: Mandatory, name: Part(6467, 27), data_types: Part(2, 1), access: Part(0, 0), values: Part(0, 0), default: None, unit: Part(0, 0), bits: Part(0, 0) }, // CO minimum pulse time Tmin1
-    EntryRow { first: 2, last: 199, mapping: None, need: Optional, name: Part(6467, 27), data_types: Part(2, 1), access: Part(0, 0), values: Part(0, 0), default: None, unit: Part(0, 0), bits: Part(0, 0) }, // CO minimum pulse time Tmin1
-    EntryRow { first: 0, last: 0, mapping: Some(No), need: Mandatory, name: Part(27, 27), data_types: Part(0, 1), access: Part(0, 1), values: Part(0, 1), default: None, unit: Part(0, 0), bits: Part(0, 0) }, // Highest sub-index supported
-    EntryRow { first: 1, last: 1, mapping: None, need: Mandatory, name: Part(6551, 27), data_types: Part(2, 1), access: Part(0, 0), values: Part(0, 0), default: None, unit: Part(0, 0), bits: Part(0, 0) }, // CO minimum pulse time Tmin2
-    EntryRow { first: 2, last: 199, mapping: None, need: Optional, name: Part(6551, 27), data_types: Part(2, 1), access: Part(0, 0), values: Part(0, 0), default: None, unit: Part(0, 0), bits: Part(0, 0) }, // CO minimum pulse time Tmin2
-    EntryRow { first: 0, last: 0, mapping: Some(No), need: Mandatory, name: Part(27, 27), data_types: Part(0, 1), access: Part(0, 1), values: Part(0, 1), default: None, unit: Part(0, 0), bits: Part(0, 0) }, // Highest sub-index supported
-    EntryRow { first: 1, last: 1, mapping: None, need: Mandatory, name: Part(6636, 25), data_types: Part(2, 1), access: Part(0, 0), values: Part(0, 0), default: None, unit: Part(0, 0), bits: Part(0, 0) }, // CO motor response time Tm
-    EntryRow { first: 2, last: 199, mapping: None, need: Optional, name: Part(6636, 25), data_types: Part(2, 1), access: Part(0, 0), values: Part(0, 0), default: None, unit: Part(0, 0), bits: Part(0, 0) }, // CO motor response time Tm
-    EntryRow { first: 0, last: 0, mapping: Some(No), need: Mandatory, name: Part(27, 27), data_types: Part(0, 1), access: Part(0, 1), values: Part(0, 1), default: None, unit: Part(0, 0), bits: Part(0, 0) }, // Highest sub-index supported
-    EntryRow { first: 1, last: 1, mapping: None, need: Mandatory, name: Part(6725, 25), data_types: Part(2, 1), access: Part(0, 0), values: Part(0, 0), default: None, unit: Part(0, 0), bits: Part(0, 0) }, // CO min pulse length Tpuls
-    EntryRow { first: 2, last: 199, mapping: None, need: Optional, name: Part(6725, 25), data_types: Part(2, 1), access: Part(0, 0), values: Part(0, 0), default: None, unit: Part(0, 0), bits: Part(0, 0) }, // CO min pulse length Tpuls
-    EntryRow { first: 0, last: 0, mapping: Some(No), need: Mandatory, name: Part(27, 27), data_types: Part(0, 1), access: Part(0, 1), values: Part(0, 1), default: None, unit: Part(0, 0), bits: Part(0, 0) }, // Highest sub-index supported
-    EntryRow { first: 1, last: 1, mapping: None, need: Mandatory, name: Part(6795, 29), data_types: Part(4, 1), access: Part(1, 1), values: Part(0, 0), default: None, unit: Part(0, 0), bits: Part(1, 3) }, // CO physical unit pulse timing
-    EntryRow { first: 2, last: 199, mapping: None, need: Optional, name: Part(6795, 29), data_types: Part(4, 1), access: Part(1, 1), values: Part(0, 0), default: None, unit: Part(0, 0), bits: Part(1, 3) }, // CO physical unit pulse timing
-    EntryRow { first: 0, last: 0, mapping: Some(No), need: Mandatory, name: Part(27, 27), data_types: Part(0, 1), access: Part(0, 1), values: Part(0, 1), default: None, unit: Part(0, 0), bits: Part(0, 0) }, // Highest sub-index supported
-    EntryRow { first: 1, last: 1, mapping: None, need: Mandatory, name: Part(6856, 20), data_types: Part(0, 1), access: Part(1, 1), values: Part(0, 0), default: None, unit: Part(0, 0), bits: Part(0, 0) }, // CO decimal digits PT
-    EntryRow { first: 2, last: 199, mapping: None, need: Optional, name: Part(6856, 20), data_types: Part(0, 1), access: Part(1, 1), values: Part(0, 0), default: None, unit: Part(0, 0), bits: Part(0, 0) }, // CO decimal digits PT
-    EntryRow { first: 0, last: 0, mapping: Some(No), need: Mandatory, name: Part(27, 27), data_types: Part(0, 1), access: Part(0, 1), values: Part(0, 1), default: None, unit: Part(0, 0), bits: Part(0, 0) }, // Highest sub-index supported
-    EntryRow { first: 1, last: 1, mapping: None, need: Mandatory, name: Part(6951, 32), data_types: Part(2, 1), access: Part(0, 0), values: Part(0, 0), default: None, unit: Part(0, 0), bits: Part(0, 0) }, // CO neutral zone three-point Xsh1
-    EntryRow { first: 2, last: 199, mapping: None, need: Optional, name: Part(6951, 32), data_types: Part(2, 1), access: Part(0, 0), values: Part(0, 0), default: None, unit: Part(0, 0), bits: Part(0, 0) }, // CO neutral zone three-point Xsh1
-    EntryRow { first: 0, last: 0, mapping: Some(No), need: Mandatory, name: Part(27, 27), data_types: Part(0, 1), access: Part(0, 1), values: Part(0, 1), default: None, unit: Part(0, 0), bits: Part(0, 0) }, // Highest sub-index supported
-    EntryRow { first: 1, last: 1, mapping: None, need: Mandatory, name: Part(7063, 32), data_types: Part(2, 1), access: Part(0, 0), values: Part(0, 0), default: None, unit: Part(0, 0), bits: Part(0, 0) }, // CO neutral zone three-point Xsh2
-    EntryRow { first: 2, last: 199, mapping: None, need: Optional, name: Part(7063, 32), data_types: Part(2, 1), access: Part(0, 0), values: Part(0, 0), default: None, unit: Part(0, 0), bits: Part(0, 0) }, // CO neutral zone three-point Xsh2
-    EntryRow { first: 0, last: 0, mapping: Some(No), need: Mandatory, name: Part(27, 27), data_types: Part(0, 1), access: Part(0, 1), values: Part(0, 1), default: None, unit: Part(0, 0), bits: Part(0, 0) }, // Highest sub-index supported
-    EntryRow { first: 1, last: 1, mapping: None, need: Mandatory, name: Part(7176, 40), data_types: Part(2, 1), access: Part(0, 0), values: Part(0, 0), default: None, unit: Part(0, 0), bits: Part(0, 0) }, // CO neutral zone three-point stepping Xsh
-    EntryRow { first: 2, last: 199, mapping: None, need: Optional, name: Part(7176, 40), data_types: Part(2, 1), access: Part(0, 0), values: Part(0, 0), default: None, unit: Part(0, 0), bits: Part(0, 0) }, // CO neutral zone three-point stepping Xsh
-    EntryRow { first: 0, last: 0, mapping: Some(No), need: Mandatory, name: Part(27, 27), data_types: Part(0, 1), access: Part(0, 1), values: Part(0, 1), default: None, unit: Part(0, 0), bits: Part(0, 0) }, // Highest sub-index supported
-    EntryRow { first: 1, last: 1, mapping: None, need: Mandatory, name: Part(7270, 41), data_types: Part(2, 1), access: Part(0, 0), values: Part(0, 0), default: None, unit: Part(0, 0), bits: Part(0, 0) }, // CO switching difference of signaller Xsd1
-    EntryRow { first: 2, last: 199, mapping: None, need: Optional, name: Part(7270, 41), data_types: Part(2, 1), access: Part(0, 0), values: Part(0, 0), default: None, unit: Part(0, 0), bits: Part(0, 0) }, // CO switching difference of signaller Xsd1
-    EntryRow { first: 0, last: 0, mapping: Some(No), need: Mandatory, name: Part(27, 27), data_types: Part(0, 1), access: Part(0, 1), values: Part(0, 1), default: None, unit: Part(0, 0), bits: Part(0, 0) }, // Highest sub-index supported
-    EntryRow { first: 1, last: 1, mapping: None, need: Mandatory, name: Part(7350, 50), data_types: Part(2, 1), access: Part(0, 0), values: Part(0, 0), default: None, unit: Part(0, 0), bits: Part(0, 0) }, // CO switching difference of additional contact Xsd2
-    EntryRow { first: 2, last: 199, mapping: None, need: Optional, name: Part(7350, 50), data_types: Part(2, 1), access: Part(0, 0), values: Part(0, 0), default: None, unit: Part(0, 0), bits: Part(0, 0) }, // CO switching difference of additional contact Xsd2
-    EntryRow { first: 0, last: 0, mapping: Some(No), need: Mandatory, name: Part(27, 27), data_types: Part(0, 1), access: Part(0, 1), values: Part(0, 1), default: None, unit: Part(0, 0), bits: Part(0, 0) }, // Highest sub-index supported
-    EntryRow { first: 1, last: 1, mapping: None, need: Mandatory, name: Part(7441, 52), data_types: Part(2, 1), access: Part(0, 0), values: Part(0, 0), default: None, unit: Part(0, 0), bits: Part(0, 0) }, // CO trigger point separation of additional contact LW
-    EntryRow { first: 2, last: 199, mapping: None, need: Optional, name: Part(7441, 52), data_types: Part(2, 1), access: Part(0, 0), values: Part(0, 0), default: None, unit: Part(0, 0), bits: Part(0, 0) }, // CO trigger point separation of additional contact LW
-    EntryRow { first: 0, last: 0, mapping: Some(No), need: Mandatory, name: Part(27, 27), data_types: Part(0, 1), access: Part(0, 1), values: Part(0, 1), default: None, unit: Part(0, 0), bits: Part(0, 0) }, // Highest sub-index supported
-    EntryRow { first: 1, last: 1, mapping: None, need: Mandatory, name: Part(7569, 24), data_types: Part(2, 1), access: Part(0, 0), values: Part(0, 0), default: None, unit: Part(0, 0), bits: Part(0, 0) }, // CO proportional band Xp1
-    EntryRow { first: 2, last: 199, mapping: None, need: Optional, name: Part(7569, 24), data_types: Part(2, 1), access: Part(0, 0), values: Part(0, 0), default: None, unit: Part(0, 0), bits: Part(0, 0) }, // CO proportional band Xp1
-    EntryRow { first: 0, last: 0, mapping: Some(No), need: Mandatory, name: Part(27, 27), data_types: Part(0, 1), access: Part(0, 1), values: Part(0, 1), default: None, unit: Part(0, 0), bits: Part(0, 0) }, // Highest sub-index supported
-    EntryRow { first: 1, last: 1, mapping: None, need: Mandatory, name: Part(7642, 24), data_types: Part(2, 1), access: Part(0, 0), values: Part(0, 0), default: None, unit: Part(0, 0), bits: Part(0, 0) }, // CO proportional band Xp2
-    EntryRow { first: 2, last: 199, mapping: None, need: Optional, name: Part(7642, 24), data_types: Part(2, 1), access: Part(0, 0), values: Part(0, 0), default: None, unit: Part(0, 0), bits: Part(0, 0) }, // CO proportional band Xp2
-    EntryRow { first: 0, last: 0, mapping: Some(No), need: Mandatory, name: Part(27, 27), data_types: Part(0, 1), access: Part(0, 1), values: Part(0, 1), default: None, unit: Part(0, 0), bits: Part(0, 0) }, // Highest sub-index supported
-    EntryRow { first: 1, last: 1, mapping: None, need: Mandatory, name: Part(7716, 27), data_types: Part(2, 1), access: Part(0, 0), values: Part(0, 0), default: None, unit: Part(0, 0), bits: Part(0, 0) }, // CO integral action time Tn1
-    EntryRow { first: 2, last: 199, mapping: None, need: Optional, name: Part(7716, 27), data_types: Part(2, 1), access: Part(0, 0), values: Part(0, 0), default: None, unit: Part(0, 0), bits: Part(0, 0) }, // CO integral action time Tn1
-    EntryRow { first: 0, last: 0, mapping: Some(No), need: Mandatory, name: Part(27, 27), data_types: Part(0, 1), access: Part(0, 1), values: Part(0, 1), default: None, unit: Part(0, 0), bits: Part(0, 0) }, // Highest sub-index supported
-    EntryRow { first: 1, last: 1, mapping: None, need: Mandatory, name: Part(7795, 27), data_types: Part(2, 1), access: Part(0, 0), values: Part(0, 0), default: None, unit: Part(0, 0), bits: Part(0, 0) }, // CO integral action time Tn2
-    EntryRow { first: 2, last: 199, mapping: None, need: Optional, name: Part(7795, 27), data_types: Part(2, 1), access: Part(0, 0), values: Part(0, 0), default: None, unit: Part(0, 0), bits: Part(0, 0) }, // CO integral action time Tn2
-    EntryRow { first: 0, last: 0, mapping: Some(No), need: Mandatory, name: Part(27, 27), data_types: Part(0, 1), access: Part(0, 1), values: Part(0, 1), default: None, unit: Part(0, 0), bits: Part(0, 0) }, // Highest sub-index supported
-    EntryRow { first: 1, last: 1, mapping: None, need: Mandatory, name: Part(7875, 29), data_types: Part(2, 1), access: Part(0, 0), values: Part(0, 0), default: None, unit: Part(0, 0), bits: Part(0, 0) }, // CO derivative action time Tv1
-    EntryRow { first: 2, last: 199, mapping: None, need: Optional, name: Part(7875, 29), data_types: Part(2, 1), access: Part(0, 0), values: Part(0, 0), default: None, unit: Part(0, 0), bits: Part(0, 0) }, // CO derivative action time Tv1
-    EntryRow { first: 0, last: 0, mapping: Some(No), need: Mandatory, name: Part(27, 27), data_types: Part(0, 1), access: Part(0, 1), values: Part(0, 1), default: None, unit: Part(0, 0), bits: Part(0, 0) }, // Highest sub-index supported
-    EntryRow { first: 1, last: 1, mapping: None, need: Mandatory, name: Part(7958, 29), data_types: Part(2, 1), access: Part(0, 0), values: Part(0, 0), default: None, unit: Part(0, 0), bits: Part(0, 0) }, // CO derivative action time Tv2
-    EntryRow { first: 2, last: 199, mapping: None, need: Optional, name: Part(7958, 29), data_types: Part(2, 1), access: Part(0, 0), values: Part(0, 0), default: None, unit: Part(0, 0), bits: Part(0, 0) }, // CO derivative action time Tv2
-    EntryRow { first: 0, last: 0, mapping: Some(No), need: Mandatory, name: Part(27, 27), data_types: Part(0, 1), access: Part(0, 1), values: Part(0, 1), default: None, unit: Part(0, 0), bits: Part(0, 0) }, // Highest sub-index supported
-    EntryRow { first: 1, last: 1, mapping: None, need: Mandatory, name: Part(8042, 16), data_types: Part(2, 1), access: Part(0, 0), values: Part(0, 0), default: None, unit: Part(0, 0), bits: Part(0, 0) }, // CO cycle time T1
-    EntryRow { first: 2, last: 199, mapping: None, need: Optional, name: Part(8042, 16), data_types: Part(2, 1), access: Part(0, 0), values: Part(0, 0), default: None, unit: Part(0, 0), bits: Part(0, 0) }, // CO cycle time T1
-    EntryRow { first: 0, last: 0, mapping: Some(No), need: Mandatory, name: Part(27, 27), data_types: Part(0, 1), access: Part(0, 1), values: Part(0, 1), default: None, unit: Part(0, 0), bits: Part(0, 0) }, // Highest sub-index supported
-    EntryRow { first: 1, last: 1, mapping: None, need: Mandatory, name: Part(8099, 16), data_types: Part(2, 1), access: Part(0, 0), values: Part(0, 0), default: None, unit: Part(0, 0), bits: Part(0, 0) }, // CO cycle time T2
-    EntryRow { first: 2, last: 199, mapping: None, need: Optional, name: Part(8099, 16), data_types: Part(2, 1), access: Part(0, 0), values: Part(0, 0), default: None, unit: Part(0, 0), bits: Part(0, 0) }, // CO cycle time T2
-    EntryRow { first: 0, last: 0, mapping: Some(No), need: Mandatory, name: Part(27, 27), data_types: Part(0, 1), access: Part(0, 1), values: Part(0, 1), default: None, unit: Part(0, 0), bits: Part(0, 0) }, // Highest sub-index supported
-    EntryRow { first: 1, last: 1, mapping: None, need: Mandatory, name: Part(8157, 20), data_types: Part(4, 1), access: Part(1, 1), values: Part(0, 0), default: None, unit: Part(0, 0), bits: Part(1, 3) }, // CO physical unit PID
-    EntryRow { first: 2, last: 199, mapping: None, need: Optional, name: Part(8157, 20), data_types: Part(4, 1), access: Part(1, 1), values: Part(0, 0), default: None, unit: Part(0, 0), bits: Part(1, 3) }, // CO physical unit PID
-    EntryRow { first: 0, last: 0, mapping: Some(No), need: Mandatory, name: Part(27, 27), data_types: Part(0, 1), access: Part(0, 1), values: Part(0, 1), default: None, unit: Part(0, 0), bits: Part(0, 0) }, // Highest sub-index supported
-    EntryRow { first: 1, last: 1, mapping: None, need: Mandatory, name: Part(8217, 21), data_types: Part(0, 1), access: Part(1, 1), values: Part(0, 0), default: None, unit: Part(0, 0), bits: Part(0, 0) }, // CO decimal digits PID
-    EntryRow { first: 2, last: 199, mapping: None, need: Optional, name: Part(8217, 21), data_types: Part(0, 1), access: Part(1, 1), values: Part(0, 0), default: None, unit: Part(0, 0), bits: Part(0, 0) }, // CO decimal digits PID
-    EntryRow { first: 0, last: 0, mapping: Some(No), need: Mandatory, name: Part(27, 27), data_types: Part(0, 1), access: Part(0, 1), values: Part(0, 1), default: None, unit: Part(0, 0), bits: Part(0, 0) }, // Highest sub-index supported
-    EntryRow { first: 1, last: 1, mapping: Some(Any), need: Mandatory, name: Part(8321, 14), data_types: Part(2, 1), access: Part(0, 0), values: Part(0, 0), default: None, unit: Part(0, 0), bits: Part(0, 0) }, // AL input value
-    EntryRow { first: 2, last: 199, mapping: Some(Any), need: Optional, name: Part(8321, 14), data_types: Part(2, 1), access: Part(0, 0), values: Part(0, 0), default: None, unit: Part(0, 0), bits: Part(0, 0) }, // AL input value
-    EntryRow { first: 0, last: 0, mapping: Some(No), need: Mandatory, name: Part(27, 27), data_types: Part(0, 1), access: Part(0, 1), values: Part(0, 1), default: None, unit: Part(0, 0), bits: Part(0, 0) }, // Highest sub-index supported
-    EntryRow { first: 1, last: 1, mapping: None, need: Mandatory, name: Part(8367, 13), data_types: Part(4, 1), access: Part(1, 1), values: Part(0, 0), default: None, unit: Part(0, 0), bits: Part(0, 0) }, // AL link input
-    EntryRow { first: 2, last: 199, mapping: None, need: Optional, name: Part(8367, 13), data_types: Part(4, 1), access: Part(1, 1), values: Part(0, 0), default: None, unit: Part(0, 0), bits: Part(0, 0) }, // AL link input
-    EntryRow { first: 0, last: 0, mapping: Some(No), need: Mandatory, name: Part(27, 27), data_types: Part(0, 1), access: Part(0, 1), values: Part(0, 1), default: None, unit: Part(0, 0), bits: Part(0, 0) }, // Highest sub-index supported
-    EntryRow { first: 1, last: 1, mapping: None, need: Mandatory, name: Part(8438, 24), data_types: Part(2, 1), access: Part(0, 0), values: Part(0, 0), default: None, unit: Part(0, 0), bits: Part(0, 0) }, // AL alternate input value
-    EntryRow { first: 2, last: 199, mapping: None, need: Optional, name: Part(8438, 24), data_types: Part(2, 1), access: Part(0, 0), values: Part(0, 0), default: None, unit: Part(0, 0), bits: Part(0, 0) }, // AL alternate input value
-    EntryRow { first: 0, last: 0, mapping: Some(No), need: Mandatory, name: Part(27, 27), data_types: Part(0, 1), access: Part(0, 1), values: Part(0, 1), default: None, unit: Part(0, 0), bits: Part(0, 0) }, // Highest sub-index supported
-    EntryRow { first: 1, last: 1, mapping: None, need: Mandatory, name: Part(8530, 23), data_types: Part(0, 0), access: Part(1, 1), values: Part(0, 0), default: None, unit: Part(0, 0), bits: Part(0, 0) }, // AL link alternate input
-    EntryRow { first: 2, last: 199, mapping: None, need: Optional, name: Part(8530, 23), data_types: Part(0, 0), access: Part(1, 1), values: Part(0, 0), default: None, unit: Part(0, 0), bits: Part(0, 0) }, // AL link alternate input
-    EntryRow { first: 0, last: 0, mapping: Some(No), need: Mandatory, name: Part(27, 27), data_types: Part(0, 1), access: Part(0, 1), values: Part(0, 1), default: None, unit: Part(0, 0), bits: Part(0, 0) }, // Highest sub-index supported
-    EntryRow { first: 1, last: 1, mapping: None, need: Mandatory, name: Part(8647, 13), data_types: Part(0, 1), access: Part(1, 1), values: Part(0, 0), default: None, unit: Part(0, 0), bits: Part(0, 0) }, // AL fault mode
-    EntryRow { first: 2, last: 199, mapping: None, need: Optional, name: Part(8647, 13), data_types: Part(0, 1), access: Part(1, 1), values: Part(0, 0), default: None, unit: Part(0, 0), bits: Part(0, 0) }, // AL fault mode
-    EntryRow { first: 0, last: 0, mapping: Some(No), need: Mandatory, name: Part(27, 27), data_types: Part(0, 1), access: Part(0, 1), values: Part(0, 1), default: None, unit: Part(0, 0), bits: Part(0, 0) }, // Highest sub-index supported
-    EntryRow { first: 1, last: 1, mapping: None, need: Mandatory, name: Part(8704, 14), data_types: Part(1, 1), access: Part(1, 1), values: Part(0, 0), default: None, unit: Part(0, 0), bits: Part(10, 1) }, // AL fault state
-    EntryRow { first: 2, last: 199, mapping: None, need: Optional, name: Part(8704, 14), data_types: Part(1, 1), access: Part(1, 1), values: Part(0, 0), default: None, unit: Part(0, 0), bits: Part(10, 1) }, // AL fault state
-    EntryRow { first: 0, last: 0, mapping: Some(No), need: Mandatory, name: Part(27, 27), data_types: Part(0, 1), access: Part(0, 1), values: Part(0, 1), default: None, unit: Part(0, 0), bits: Part(0, 0) }, // Highest sub-index supported
-    EntryRow { first: 1, last: 1, mapping: None, need: Mandatory, name: Part(8797, 7), data_types: Part(0, 1), access: Part(1, 1), values: Part(0, 0), default: None, unit: Part(0, 0), bits: Part(0, 0) }, // AL type
-    EntryRow { first: 2, last: 199, mapping: None, need: Optional, name: Part(8797, 7), data_types: Part(0, 1), access: Part(1, 1), values: Part(0, 0), default: None, unit: Part(0, 0), bits: Part(0, 0) }, // AL type
-    EntryRow { first: 0, last: 0, mapping: Some(No), need: Mandatory, name: Part(27, 27), data_types: Part(0, 1), access: Part(0, 1), values: Part(0, 1), default: None, unit: Part(0, 0), bits: Part(0, 0) }, // Highest sub-index supported
-    EntryRow { first: 1, last: 1, mapping: None, need: Mandatory, name: Part(8864, 9), data_types: Part(0, 1), access: Part(1, 1), values: Part(0, 0), default: None, unit: Part(0, 0), bits: Part(0, 0) }, // AL action
-    EntryRow { first: 2, last: 199, mapping: None, need: Optional, name: Part(8864, 9), data_types: Part(0, 1), access: Part(1, 1), values: Part(0, 0), default: None, unit: Part(0, 0), bits: Part(0, 0) }, // AL action
-    EntryRow { first: 0, last: 0, mapping: Some(No), need: Mandatory, name: Part(27, 27), data_types: Part(0, 1), access: Part(0, 1), values: Part(0, 1), default: None, unit: Part(0, 0), bits: Part(0, 0) }, // Highest sub-index supported
-    EntryRow { first: 1, last: 1, mapping: None, need: Mandatory, name: Part(8939, 8), data_types: Part(2, 1), access: Part(0, 0), values: Part(0, 0), default: None, unit: Part(0, 0), bits: Part(0, 0) }, // AL level
-    EntryRow { first: 2, last: 199, mapping: None, need: Optional, name: Part(8939, 8), data_types: Part(2, 1), access: Part(0, 0), values: Part(0, 0), default: None, unit: Part(0, 0), bits: Part(0, 0) }, // AL level
-    EntryRow { first: 0, last: 0, mapping: Some(No), need: Mandatory, name: Part(27, 27), data_types: Part(0, 1), access: Part(0, 1), values: Part(0, 1), default: None, unit: Part(0, 0), bits: Part(0, 0) }, // Highest sub-index supported
-    EntryRow { first: 1, last: 1, mapping: None, need: Mandatory, name: Part(8989, 13), data_types: Part(2, 1), access: Part(0, 0), values: Part(0, 0), default: None, unit: Part(0, 0), bits: Part(0, 0) }, // AL hysteresis
-    EntryRow { first: 2, last: 199, mapping: None, need: Optional, name: Part(8989, 13), data_types: Part(2, 1), access: Part(0, 0), values: Part(0, 0), default: None, unit: Part(0, 0), bits: Part(0, 0) }, // AL hysteresis
-    EntryRow { first: 0, last: 0, mapping: Some(No), need: Mandatory, name: Part(27, 27), data_types: Part(0, 1), access: Part(0, 1), values: Part(0, 1), default: None, unit: Part(0, 0), bits: Part(0, 0) }, // Highest sub-index supported
-    EntryRow { first: 1, last: 1, mapping: None, need: Mandatory, name: Part(9070, 8), data_types: Part(0, 1), access: Part(1, 1), values: Part(0, 0), default: None, unit: Part(0, 0), bits: Part(0, 0) }, // AL group
-    EntryRow { first: 2, last: 199, mapping: None, need: Optional, name: Part(9070, 8), data_types: Part(0, 1), access: Part(1, 1), values: Part(0, 0), default: None, unit: Part(0, 0), bits: Part(0, 0) }, // AL group
-    EntryRow { first: 0, last: 0, mapping: Some(No), need: Mandatory, name: Part(27, 27), data_types: Part(0, 1), access: Part(0, 1), values: Part(0, 1), default: None, unit: Part(0, 0), bits: Part(0, 0) }, // Highest sub-index supported
-    EntryRow { first: 1, last: 1, mapping: Some(Tpdo), need: Mandatory, name: Part(9113, 8), data_types: Part(1, 1), access: Part(0, 1), values: Part(0, 0), default: None, unit: Part(0, 0), bits: Part(11, 1) }, // AL state
-    EntryRow { first: 2, last: 199, mapping: Some(Tpdo), need: Optional, name: Part(9113, 8), data_types: Part(1, 1), access: Part(0, 1), values: Part(0, 0), default: None, unit: Part(0, 0), bits: Part(11, 1) }, // AL state
-    EntryRow { first: 0, last: 0, mapping: Some(No), need: Mandatory, name: Part(27, 27), data_types: Part(0, 1), access: Part(0, 1), values: Part(0, 1), default: None, unit: Part(0, 0), bits: Part(0, 0) }, // Highest sub-index supported
-    EntryRow { first: 1, last: 1, mapping: None, need: Mandatory, name: Part(9148, 8), data_types: Part(1, 1), access: Part(2, 2), values: Part(0, 0), default: None, unit: Part(0, 0), bits: Part(12, 1) }, // AL reset
-    EntryRow { first: 2, last: 199, mapping: None, need: Optional, name: Part(9148, 8), data_types: Part(1, 1), access: Part(2, 2), values: Part(0, 0), default: None, unit: Part(0, 0), bits: Part(12, 1) }, // AL reset
-    EntryRow { first: 0, last: 0, mapping: Some(No), need: Mandatory, name: Part(27, 27), data_types: Part(0, 1), access: Part(0, 1), values: Part(0, 1), default: None, unit: Part(0, 0), bits: Part(0, 0) }, // Highest sub-index supported
-    EntryRow { first: 1, last: 1, mapping: Some(Tpdo), need: Mandatory, name: Part(9193, 15), data_types: Part(0, 1), access: Part(0, 1), values: Part(0, 0), default: None, unit: Part(0, 0), bits: Part(13, 8) }, // AL 1 to 8 state
-    EntryRow { first: 2, last: 199, mapping: Some(Tpdo), need: Optional, name: Part(9193, 15), data_types: Part(0, 1), access: Part(0, 1), values: Part(0, 0), default: None, unit: Part(0, 0), bits: Part(13, 8) }, // AL 1 to 8 state
-    EntryRow { first: 0, last: 0, mapping: Some(No), need: Mandatory, name: Part(27, 27), data_types: Part(0, 1), access: Part(0, 1), values: Part(0, 1), default: None, unit: Part(0, 0), bits: Part(0, 0) }, // Highest sub-index supported
-    EntryRow { first: 1, last: 1, mapping: Some(Tpdo), need: Mandatory, name: Part(9310, 16), data_types: Part(0, 1), access: Part(0, 1), values: Part(0, 0), default: None, unit: Part(0, 0), bits: Part(21, 8) }, // AL 9 to 16 state
-    EntryRow { first: 2, last: 199, mapping: Some(Tpdo), need: Optional, name: Part(9310, 16), data_types: Part(0, 1), access: Part(0, 1), values: Part(0, 0), default: None, unit: Part(0, 0), bits: Part(21, 8) }, // AL 9 to 16 state
-    EntryRow { first: 0, last: 0, mapping: Some(Any), need: Mandatory, name: Part(0, 0), data_types: Part(1, 1), access: Part(0, 1), values: Part(0, 0), default: None, unit: Part(0, 0), bits: Part(29, 1) },
-    EntryRow { first: 0, last: 0, mapping: Some(Any), need: Mandatory, name: Part(0, 0), data_types: Part(0, 1), access: Part(0, 1), values: Part(0, 0), default: None, unit: Part(0, 0), bits: Part(30, 8) },
-    EntryRow { first: 0, last: 0, mapping: Some(Any), need: Mandatory, name: Part(0, 0), data_types: Part(1, 1), access: Part(4, 1), values: Part(0, 0), default: None, unit: Part(0, 0), bits: Part(38, 1) },
-    EntryRow { first: 0, last: 0, mapping: Some(No), need: Mandatory, name: Part(27, 27), data_types: Part(0, 1), access: Part(0, 1), values: Part(0, 1), default: None, unit: Part(0, 0), bits: Part(0, 0) }, // Highest sub-index supported
-    EntryRow { first: 1, last: 1, mapping: Some(Any), need: Mandatory, name: Part(9769, 15), data_types: Part(0, 1), access: Part(2, 2), values: Part(0, 0), default: None, unit: Part(0, 0), bits: Part(39, 8) }, // AL 1 to 8 reset
-    EntryRow { first: 2, last: 199, mapping: Some(Any), need: Optional, name: Part(9769, 15), data_types: Part(0, 1), access: Part(2, 2), values: Part(0, 0), default: None, unit: Part(0, 0), bits: Part(39, 8) }, // AL 1 to 8 reset
-    EntryRow { first: 0, last: 0, mapping: Some(No), need: Mandatory, name: Part(27, 27), data_types: Part(0, 1), access: Part(0, 1), values: Part(0, 1), default: None, unit: Part(0, 0), bits: Part(0, 0) }, // Highest sub-index supported
-    EntryRow { first: 1, last: 1, mapping: Some(Any), need: Mandatory, name: Part(9933, 16), data_types: Part(0, 1), access: Part(2, 2), values: Part(0, 0), default: None, unit: Part(0, 0), bits: Part(47, 8) }, // AL 9 to 16 reset
-    EntryRow { first: 2, last: 199, mapping: Some(Any), need: Optional, name: Part(9933, 16), data_types: Part(0, 1), access: Part(2, 2), values: Part(0, 0), default: None, unit: Part(0, 0), bits: Part(47, 8) }, // AL 9 to 16 reset
-    EntryRow { first: 0, last: 0, mapping: Some(No), need: Mandatory, name: Part(27, 27), data_types: Part(0, 1), access: Part(0, 1), values: Part(0, 1), default: None, unit: Part(0, 0), bits: Part(0, 0) }, // Highest sub-index supported
-    EntryRow { first: 1, last: 1, mapping: Some(Tpdo), need: Mandatory, name: Part(10106, 12), data_types: Part(0, 1), access: Part(0, 1), values: Part(0, 0), default: None, unit: Part(0, 0), bits: Part(0, 0) }, // Life counter
-    EntryRow { first: 2, last: 199, mapping: Some(Tpdo), need: Optional, name: Part(10106, 12), data_types: Part(0, 1), access: Part(0, 1), values: Part(0, 0), default: None, unit: Part(0, 0), bits: Part(0, 0) }, // Life counter
-    EntryRow { first: 0, last: 0, mapping: Some(No), need: Mandatory, name: Part(27, 27), data_types: Part(0, 1), access: Part(0, 1), values: Part(0, 1), default: None, unit: Part(0, 0), bits: Part(0, 0) }, // Highest sub-index supported
-    EntryRow { first: 1, last: 1, mapping: Some(Any), need: Mandatory, name: Part(10151, 17), data_types: Part(0, 1), access: Part(2, 2), values: Part(0, 0), default: None, unit: Part(0, 0), bits: Part(0, 0) }, // Receive PDO check
-    EntryRow { first: 2, last: 199, mapping: Some(Any), need: Optional, name: Part(10151, 17), data_types: Part(0, 1), access: Part(2, 2), values: Part(0, 0), default: None, unit: Part(0, 0), bits: Part(0, 0) }, // Receive PDO check
-    EntryRow { first: 0, last: 0, mapping: Some(No), need: Mandatory, name: Part(27, 27), data_types: Part(0, 1), access: Part(0, 1), values: Part(0, 1), default: None, unit: Part(0, 0), bits: Part(0, 0) }, // Highest sub-index supported
-    EntryRow { first: 1, last: 1, mapping: Some(Tpdo), need: Mandatory, name: Part(10220, 18), data_types: Part(0, 1), access: Part(0, 1), values: Part(0, 0), default: None, unit: Part(0, 0), bits: Part(0, 0) }, // Transmit PDO check
-    EntryRow { first: 2, last: 199, mapping: Some(Tpdo), need: Optional, name: Part(10220, 18), data_types: Part(0, 1), access: Part(0, 1), values: Part(0, 0), default: None, unit: Part(0, 0), bits: Part(0, 0) }, // Transmit PDO check
-    EntryRow { first: 0, last: 0, mapping: Some(No), need: Mandatory, name: Part(27, 27), data_types: Part(0, 1), access: Part(0, 1), values: Part(0, 1), default: None, unit: Part(0, 0), bits: Part(0, 0) }, // Highest sub-index supported
-    EntryRow { first: 1, last: 1, mapping: Some(Any), need: Mandatory, name: Part(10271, 10), data_types: Part(2, 1), access: Part(0, 0), values: Part(0, 0), default: None, unit: Part(0, 0), bits: Part(0, 0) }, // Receive PV
-    EntryRow { first: 2, last: 199, mapping: Some(Any), need: Optional, name: Part(10271, 10), data_types: Part(2, 1), access: Part(0, 0), values: Part(0, 0), default: None, unit: Part(0, 0), bits: Part(0, 0) }, // Receive PV
-    EntryRow { first: 0, last: 0, mapping: Some(No), need: Mandatory, name: Part(27, 27), data_types: Part(0, 1), access: Part(0, 1), values: Part(0, 1), default: None, unit: Part(0, 0), bits: Part(0, 0) }, // Highest sub-index supported
-    EntryRow { first: 1, last: 1, mapping: Some(Any), need: Mandatory, name: Part(10339, 20), data_types: Part(2, 1), access: Part(0, 0), values: Part(0, 0), default: None, unit: Part(0, 0), bits: Part(0, 0) }, // Alternate receive PV
-    EntryRow { first: 2, last: 199, mapping: Some(Any), need: Optional, name: Part(10339, 20), data_types: Part(2, 1), access: Part(0, 0), values: Part(0, 0), default: None, unit: Part(0, 0), bits: Part(0, 0) }, // Alternate receive PV
-    EntryRow { first: 0, last: 0, mapping: Some(No), need: Mandatory, name: Part(27, 27), data_types: Part(0, 1), access: Part(0, 1), values: Part(0, 1), default: None, unit: Part(0, 0), bits: Part(0, 0) }, // Highest sub-index supported
-    EntryRow { first: 1, last: 1, mapping: Some(Any), need: Mandatory, name: Part(10426, 15), data_types: Part(0, 1), access: Part(1, 1), values: Part(0, 0), default: None, unit: Part(0, 0), bits: Part(0, 0) }, // Received status
-    EntryRow { first: 2, last: 199, mapping: Some(Any), need: Optional, name: Part(10426, 15), data_types: Part(0, 1), access: Part(1, 1), values: Part(0, 0), default: None, unit: Part(0, 0), bits: Part(0, 0) }, // Received status
-    EntryRow { first: 0, last: 0, mapping: Some(No), need: Mandatory, name: Part(27, 27), data_types: Part(0, 1), access: Part(0, 1), values: Part(0, 1), default: None, unit: Part(0, 0), bits: Part(0, 0) }, // Highest sub-index supported
-    EntryRow { first: 1, last: 1, mapping: Some(Any), need: Mandatory, name: Part(10496, 25), data_types: Part(0, 1), access: Part(1, 1), values: Part(0, 0), default: None, unit: Part(0, 0), bits: Part(0, 0) }, // Alternate received status
-    EntryRow { first: 2, last: 199, mapping: Some(Any), need: Optional, name: Part(10496, 25), data_types: Part(0, 1), access: Part(1, 1), values: Part(0, 0), default: None, unit: Part(0, 0), bits: Part(0, 0) }, // Alternate received status
-    EntryRow { first: 0, last: 0, mapping: None, need: Mandatory, name: Part(0, 0), data_types: Part(1, 1), access: Part(1, 1), values: Part(0, 0), default: None, unit: Part(0, 0), bits: Part(0, 0) },
-    EntryRow { first: 0, last: 0, mapping: Some(No), need: Mandatory, name: Part(27, 27), data_types: Part(0, 1), access: Part(0, 1), values: Part(0, 1), default: None, unit: Part(0, 0), bits: Part(0, 0) }, // Highest sub-index supported
-    EntryRow { first: 1, last: 1, mapping: Some(Tpdo), need: Mandatory, name: Part(311, 11), data_types: Part(5, 1), access: Part(0, 1), values: Part(0, 0), default: None, unit: Part(0, 0), bits: Part(0, 0) }, // AI input FV
-    EntryRow { first: 2, last: 199, mapping: Some(Tpdo), need: Optional, name: Part(311, 11), data_types: Part(5, 1), access: Part(0, 1), values: Part(0, 0), default: None, unit: Part(0, 0), bits: Part(0, 0) }, // AI input FV
-    EntryRow { first: 0, last: 0, mapping: Some(No), need: Mandatory, name: Part(27, 27), data_types: Part(0, 1), access: Part(0, 1), values: Part(0, 1), default: None, unit: Part(0, 0), bits: Part(0, 0) }, // Highest sub-index supported
-    EntryRow { first: 1, last: 1, mapping: None, need: Mandatory, name: Part(393, 27), data_types: Part(5, 1), access: Part(0, 0), values: Part(0, 0), default: None, unit: Part(0, 0), bits: Part(0, 0) }, // AI interrupt delta input FV
-    EntryRow { first: 2, last: 199, mapping: None, need: Optional, name: Part(393, 27), data_types: Part(5, 1), access: Part(0, 0), values: Part(0, 0), default: None, unit: Part(0, 0), bits: Part(0, 0) }, // AI interrupt delta input FV
-    EntryRow { first: 0, last: 0, mapping: Some(No), need: Mandatory, name: Part(27, 27), data_types: Part(0, 1), access: Part(0, 1), values: Part(0, 1), default: None, unit: Part(0, 0), bits: Part(0, 0) }, // Highest sub-index supported
-    EntryRow { first: 1, last: 1, mapping: None, need: Mandatory, name: Part(763, 21), data_types: Part(5, 1), access: Part(0, 0), values: Part(0, 0), default: None, unit: Part(0, 0), bits: Part(0, 0) }, // AI input scaling 1 FV
-    EntryRow { first: 2, last: 199, mapping: None, need: Optional, name: Part(763, 21), data_types: Part(5, 1), access: Part(0, 0), values: Part(0, 0), default: None, unit: Part(0, 0), bits: Part(0, 0) }, // AI input scaling 1 FV
-    EntryRow { first: 0, last: 0, mapping: Some(No), need: Mandatory, name: Part(27, 27), data_types: Part(0, 1), access: Part(0, 1), values: Part(0, 1), default: None, unit: Part(0, 0), bits: Part(0, 0) }, // Highest sub-index supported
-    EntryRow { first: 1, last: 1, mapping: None, need: Mandatory, name: Part(861, 21), data_types: Part(5, 1), access: Part(0, 0), values: Part(0, 0), default: None, unit: Part(0, 0), bits: Part(0, 0) }, // AI input scaling 1 PV
-    EntryRow { first: 2, last: 199, mapping: None, need: Optional, name: Part(861, 21), data_types: Part(5, 1), access: Part(0, 0), values: Part(0, 0), default: None, unit: Part(0, 0), bits: Part(0, 0) }, // AI input scaling 1 PV
-    EntryRow { first: 0, last: 0, mapping: Some(No), need: Mandatory, name: Part(27, 27), data_types: Part(0, 1), access: Part(0, 1), values: Part(0, 1), default: None, unit: Part(0, 0), bits: Part(0, 0) }, // Highest sub-index supported
-    EntryRow { first: 1, last: 1, mapping: None, need: Mandatory, name: Part(961, 21), data_types: Part(5, 1), access: Part(0, 0), values: Part(0, 0), default: None, unit: Part(0, 0), bits: Part(0, 0) }, // AI input scaling 2 FV
-    EntryRow { first: 2, last: 199, mapping: None, need: Optional, name: Part(961, 21), data_types: Part(5, 1), access: Part(0, 0), values: Part(0, 0), default: None, unit: Part(0, 0), bits: Part(0, 0) }, // AI input scaling 2 FV
-    EntryRow { first: 0, last: 0, mapping: Some(No), need: Mandatory, name: Part(27, 27), data_types: Part(0, 1), access: Part(0, 1), values: Part(0, 1), default: None, unit: Part(0, 0), bits: Part(0, 0) }, // Highest sub-index supported
-    EntryRow { first: 1, last: 1, mapping: None, need: Mandatory, name: Part(1060, 21), data_types: Part(5, 1), access: Part(0, 0), values: Part(0, 0), default: None, unit: Part(0, 0), bits: Part(0, 0) }, // AI input scaling 2 PV
-    EntryRow { first: 2, last: 199, mapping: None, need: Optional, name: Part(1060, 21), data_types: Part(5, 1), access: Part(0, 0), values: Part(0, 0), default: None, unit: Part(0, 0), bits: Part(0, 0) }, // AI input scaling 2 PV
-    EntryRow { first: 0, last: 0, mapping: Some(No), need: Mandatory, name: Part(27, 27), data_types: Part(0, 1), access: Part(0, 1), values: Part(0, 1), default: None, unit: Part(0, 0), bits: Part(0, 0) }, // Highest sub-index supported
-    EntryRow { first: 1, last: 1, mapping: None, need: Mandatory, name: Part(1161, 15), data_types: Part(5, 1), access: Part(0, 0), values: Part(0, 0), default: None, unit: Part(0, 0), bits: Part(0, 0) }, // AI input offset
-    EntryRow { first: 2, last: 199, mapping: None, need: Optional, name: Part(1161, 15), data_types: Part(5, 1), access: Part(0, 0), values: Part(0, 0), default: None, unit: Part(0, 0), bits: Part(0, 0) }, // AI input offset
-    EntryRow { first: 0, last: 0, mapping: Some(No), need: Mandatory, name: Part(27, 27), data_types: Part(0, 1), access: Part(0, 1), values: Part(0, 1), default: None, unit: Part(0, 0), bits: Part(0, 0) }, // Highest sub-index supported
-    EntryRow { first: 1, last: 1, mapping: Some(Tpdo), need: Mandatory, name: Part(1457, 11), data_types: Part(5, 1), access: Part(0, 1), values: Part(0, 0), default: None, unit: Part(0, 0), bits: Part(0, 0) }, // AI input PV
-    EntryRow { first: 2, last: 199, mapping: Some(Tpdo), need: Optional, name: Part(1457, 11), data_types: Part(5, 1), access: Part(0, 1), values: Part(0, 0), default: None, unit: Part(0, 0), bits: Part(0, 0) }, // AI input PV
-    EntryRow { first: 0, last: 0, mapping: Some(No), need: Mandatory, name: Part(27, 27), data_types: Part(0, 1), access: Part(0, 1), values: Part(0, 1), default: None, unit: Part(0, 0), bits: Part(0, 0) }, // Highest sub-index supported
-    EntryRow { first: 1, last: 1, mapping: None, need: Mandatory, name: Part(1740, 27), data_types: Part(5, 1), access: Part(0, 0), values: Part(0, 0), default: None, unit: Part(0, 0), bits: Part(0, 0) }, // AI interrupt delta input PV
-    EntryRow { first: 2, last: 199, mapping: None, need: Optional, name: Part(1740, 27), data_types: Part(5, 1), access: Part(0, 0), values: Part(0, 0), default: None, unit: Part(0, 0), bits: Part(0, 0) }, // AI interrupt delta input PV
-    EntryRow { first: 0, last: 0, mapping: Some(No), need: Mandatory, name: Part(27, 27), data_types: Part(0, 1), access: Part(0, 1), values: Part(0, 1), default: None, unit: Part(0, 0), bits: Part(0, 0) }, // Highest sub-index supported
-    EntryRow { first: 1, last: 1, mapping: None, need: Mandatory, name: Part(1823, 27), data_types: Part(5, 1), access: Part(0, 0), values: Part(0, 0), default: None, unit: Part(0, 0), bits: Part(0, 0) }, // AI interrupt lower input PV
-    EntryRow { first: 2, last: 199, mapping: None, need: Optional, name: Part(1823, 27), data_types: Part(5, 1), access: Part(0, 0), values: Part(0, 0), default: None, unit: Part(0, 0), bits: Part(0, 0) }, // AI interrupt lower input PV
-    EntryRow { first: 0, last: 0, mapping: Some(No), need: Mandatory, name: Part(27, 27), data_types: Part(0, 1), access: Part(0, 1), values: Part(0, 1), default: None, unit: Part(0, 0), bits: Part(0, 0) }, // Highest sub-index supported
-    EntryRow { first: 1, last: 1, mapping: None, need: Mandatory, name: Part(1910, 27), data_types: Part(5, 1), access: Part(0, 0), values: Part(0, 0), default: None, unit: Part(0, 0), bits: Part(0, 0) }, // AI interrupt upper input PV
-    EntryRow { first: 2, last: 199, mapping: None, need: Optional, name: Part(1910, 27), data_types: Part(5, 1), access: Part(0, 0), values: Part(0, 0), default: None, unit: Part(0, 0), bits: Part(0, 0) }, // AI interrupt upper input PV
-    EntryRow { first: 0, last: 0, mapping: Some(No), need: Mandatory, name: Part(27, 27), data_types: Part(0, 1), access: Part(0, 1), values: Part(0, 1), default: None, unit: Part(0, 0), bits: Part(0, 0) }, // Highest sub-index supported
-    EntryRow { first: 1, last: 1, mapping: None, need: Mandatory, name: Part(1997, 12), data_types: Part(5, 1), access: Part(0, 0), values: Part(0, 0), default: None, unit: Part(0, 0), bits: Part(0, 0) }, // AI tare zero
-    EntryRow { first: 2, last: 199, mapping: None, need: Optional, name: Part(1997, 12), data_types: Part(5, 1), access: Part(0, 0), values: Part(0, 0), default: None, unit: Part(0, 0), bits: Part(0, 0) }, // AI tare zero
-    EntryRow { first: 0, last: 0, mapping: Some(No), need: Mandatory, name: Part(27, 27), data_types: Part(0, 1), access: Part(0, 1), values: Part(0, 1), default: None, unit: Part(0, 0), bits: Part(0, 0) }, // Highest sub-index supported
-    EntryRow { first: 1, last: 1, mapping: Some(Tpdo), need: Mandatory, name: Part(2155, 9), data_types: Part(5, 1), access: Part(0, 1), values: Part(0, 0), default: None, unit: Part(0, 0), bits: Part(0, 0) }, // AI net PV
-    EntryRow { first: 2, last: 199, mapping: Some(Tpdo), need: Optional, name: Part(2155, 9), data_types: Part(5, 1), access: Part(0, 1), values: Part(0, 0), default: None, unit: Part(0, 0), bits: Part(0, 0) }, // AI net PV
-    EntryRow { first: 0, last: 0, mapping: Some(No), need: Mandatory, name: Part(27, 27), data_types: Part(0, 1), access: Part(0, 1), values: Part(0, 1), default: None, unit: Part(0, 0), bits: Part(0, 0) }, // Highest sub-index supported
-    EntryRow { first: 1, last: 1, mapping: None, need: Mandatory, name: Part(2220, 25), data_types: Part(5, 1), access: Part(0, 0), values: Part(0, 0), default: None, unit: Part(0, 0), bits: Part(0, 0) }, // AI interrupt delta net PV
-    EntryRow { first: 2, last: 199, mapping: None, need: Optional, name: Part(2220, 25), data_types: Part(5, 1), access: Part(0, 0), values: Part(0, 0), default: None, unit: Part(0, 0), bits: Part(0, 0) }, // AI interrupt delta net PV
-    EntryRow { first: 0, last: 0, mapping: Some(No), need: Mandatory, name: Part(27, 27), data_types: Part(0, 1), access: Part(0, 1), values: Part(0, 1), default: None, unit: Part(0, 0), bits: Part(0, 0) }, // Highest sub-index supported
-    EntryRow { first: 1, last: 1, mapping: None, need: Mandatory, name: Part(2297, 31), data_types: Part(5, 1), access: Part(0, 0), values: Part(0, 0), default: None, unit: Part(0, 0), bits: Part(0, 0) }, // AI interrupt lower limit net PV
-    EntryRow { first: 2, last: 199, mapping: None, need: Optional, name: Part(2297, 31), data_types: Part(5, 1), access: Part(0, 0), values: Part(0, 0), default: None, unit: Part(0, 0), bits: Part(0, 0) }, // AI interrupt lower limit net PV
-    EntryRow { first: 0, last: 0, mapping: Some(No), need: Mandatory, name: Part(27, 27), data_types: Part(0, 1), access: Part(0, 1), values: Part(0, 1), default: None, unit: Part(0, 0), bits: Part(0, 0) }, // Highest sub-index supported
-    EntryRow { first: 1, last: 1, mapping: None, need: Mandatory, name: Part(2384, 31), data_types: Part(5, 1), access: Part(0, 0), values: Part(0, 0), default: None, unit: Part(0, 0), bits: Part(0, 0) }, // AI interrupt upper limit net PV
-    EntryRow { first: 2, last: 199, mapping: None, need: Optional, name: Part(2384, 31), data_types: Part(5, 1), access: Part(0, 0), values: Part(0, 0), default: None, unit: Part(0, 0), bits: Part(0, 0) }, // AI interrupt upper limit net PV
-    EntryRow { first: 0, last: 0, mapping: Some(No), need: Mandatory, name: Part(27, 27), data_types: Part(0, 1), access: Part(0, 1), values: Part(0, 1), default: None, unit: Part(0, 0), bits: Part(0, 0) }, // Highest sub-index supported
-    EntryRow { first: 1, last: 1, mapping: None, need: Mandatory, name: Part(2471, 13), data_types: Part(5, 1), access: Part(0, 0), values: Part(0, 0), default: None, unit: Part(0, 0), bits: Part(0, 0) }, // AI span start
-    EntryRow { first: 2, last: 199, mapping: None, need: Optional, name: Part(2471, 13), data_types: Part(5, 1), access: Part(0, 0), values: Part(0, 0), default: None, unit: Part(0, 0), bits: Part(0, 0) }, // AI span start
-    EntryRow { first: 0, last: 0, mapping: Some(No), need: Mandatory, name: Part(27, 27), data_types: Part(0, 1), access: Part(0, 1), values: Part(0, 1), default: None, unit: Part(0, 0), bits: Part(0, 0) }, // Highest sub-index supported
-    EntryRow { first: 1, last: 1, mapping: None, need: Mandatory, name: Part(2552, 11), data_types: Part(5, 1), access: Part(0, 0), values: Part(0, 0), default: None, unit: Part(0, 0), bits: Part(0, 0) }, // AI span end
-    EntryRow { first: 2, last: 199, mapping: None, need: Optional, name: Part(2552, 11), data_types: Part(5, 1), access: Part(0, 0), values: Part(0, 0), default: None, unit: Part(0, 0), bits: Part(0, 0) }, // AI span end
-    EntryRow { first: 0, last: 0, mapping: Some(No), need: Mandatory, name: Part(27, 27), data_types: Part(0, 1), access: Part(0, 1), values: Part(0, 1), default: None, unit: Part(0, 0), bits: Part(0, 0) }, // Highest sub-index supported
-    EntryRow { first: 1, last: 1, mapping: Some(Any), need: Mandatory, name: Part(3939, 12), data_types: Part(5, 1), access: Part(1, 1), values: Part(0, 0), default: None, unit: Part(0, 0), bits: Part(0, 0) }, // AO output PV
-    EntryRow { first: 2, last: 199, mapping: Some(Any), need: Optional, name: Part(3939, 12), data_types: Part(5, 1), access: Part(1, 1), values: Part(0, 0), default: None, unit: Part(0, 0), bits: Part(0, 0) }, // AO output PV
-    EntryRow { first: 0, last: 0, mapping: Some(No), need: Mandatory, name: Part(27, 27), data_types: Part(0, 1), access: Part(0, 1), values: Part(0, 1), default: None, unit: Part(0, 0), bits: Part(0, 0) }, // Highest sub-index supported
-    EntryRow { first: 1, last: 1, mapping: None, need: Mandatory, name: Part(4245, 22), data_types: Part(5, 1), access: Part(0, 0), values: Part(0, 0), default: None, unit: Part(0, 0), bits: Part(0, 0) }, // AO output scaling 1 PV
-    EntryRow { first: 2, last: 199, mapping: None, need: Optional, name: Part(4245, 22), data_types: Part(5, 1), access: Part(0, 0), values: Part(0, 0), default: None, unit: Part(0, 0), bits: Part(0, 0) }, // AO output scaling 1 PV
-    EntryRow { first: 0, last: 0, mapping: Some(No), need: Mandatory, name: Part(27, 27), data_types: Part(0, 1), access: Part(0, 1), values: Part(0, 1), default: None, unit: Part(0, 0), bits: Part(0, 0) }, // Highest sub-index supported
-    EntryRow { first: 1, last: 1, mapping: None, need: Mandatory, name: Part(4347, 22), data_types: Part(5, 1), access: Part(0, 0), values: Part(0, 0), default: None, unit: Part(0, 0), bits: Part(0, 0) }, // AO output scaling 1 FV
-    EntryRow { first: 2, last: 199, mapping: None, need: Optional, name: Part(4347, 22), data_types: Part(5, 1), access: Part(0, 0), values: Part(0, 0), default: None, unit: Part(0, 0), bits: Part(0, 0) }, // AO output scaling 1 FV
-    EntryRow { first: 0, last: 0, mapping: Some(No), need: Mandatory, name: Part(27, 27), data_types: Part(0, 1), access: Part(0, 1), values: Part(0, 1), default: None, unit: Part(0, 0), bits: Part(0, 0) }, // Highest sub-index supported
-    EntryRow { first: 1, last: 1, mapping: None, need: Mandatory, name: Part(4447, 22), data_types: Part(5, 1), access: Part(0, 0), values: Part(0, 0), default: None, unit: Part(0, 0), bits: Part(0, 0) }, // AO output scaling 2 PV
-    EntryRow { first: 2, last: 199, mapping: None, need: Optional, name: Part(4447, 22), data_types: Part(5, 1), access: Part(0, 0), values: Part(0, 0), default: None, unit: Part(0, 0), bits: Part(0, 0) }, // AO output scaling 2 PV
-    EntryRow { first: 0, last: 0, mapping: Some(No), need: Mandatory, name: Part(27, 27), data_types: Part(0, 1), access: Part(0, 1), values: Part(0, 1), default: None, unit: Part(0, 0), bits: Part(0, 0) }, // Highest sub-index supported
-    EntryRow { first: 1, last: 1, mapping: None, need: Mandatory, name: Part(4550, 22), data_types: Part(5, 1), access: Part(0, 0), values: Part(0, 0), default: None, unit: Part(0, 0), bits: Part(0, 0) }, // AO output scaling 2 FV
-    EntryRow { first: 2, last: 199, mapping: None, need: Optional, name: Part(4550, 22), data_types: Part(5, 1), access: Part(0, 0), values: Part(0, 0), default: None, unit: Part(0, 0), bits: Part(0, 0) }, // AO output scaling 2 FV
-    EntryRow { first: 0, last: 0, mapping: Some(No), need: Mandatory, name: Part(27, 27), data_types: Part(0, 1), access: Part(0, 1), values: Part(0, 1), default: None, unit: Part(0, 0), bits: Part(0, 0) }, // Highest sub-index supported
-    EntryRow { first: 1, last: 1, mapping: None, need: Mandatory, name: Part(4651, 12), data_types: Part(5, 1), access: Part(0, 0), values: Part(0, 0), default: None, unit: Part(0, 0), bits: Part(0, 0) }, // AO output FV
-    EntryRow { first: 2, last: 199, mapping: None, need: Optional, name: Part(4651, 12), data_types: Part(5, 1), access: Part(0, 0), values: Part(0, 0), default: None, unit: Part(0, 0), bits: Part(0, 0) }, // AO output FV
-    EntryRow { first: 0, last: 0, mapping: Some(No), need: Mandatory, name: Part(27, 27), data_types: Part(0, 1), access: Part(0, 1), values: Part(0, 1), default: None, unit: Part(0, 0), bits: Part(0, 0) }, // Highest sub-index supported
-    EntryRow { first: 1, last: 1, mapping: None, need: Mandatory, name: Part(4959, 11), data_types: Part(5, 1), access: Part(0, 0), values: Part(0, 0), default: None, unit: Part(0, 0), bits: Part(0, 0) }, // AO fault FV
-    EntryRow { first: 2, last: 199, mapping: None, need: Optional, name: Part(4959, 11), data_types: Part(5, 1), access: Part(0, 0), values: Part(0, 0), default: None, unit: Part(0, 0), bits: Part(0, 0) }, // AO fault FV
-    EntryRow { first: 0, last: 0, mapping: Some(No), need: Mandatory, name: Part(27, 27), data_types: Part(0, 1), access: Part(0, 1), values: Part(0, 1), default: None, unit: Part(0, 0), bits: Part(0, 0) }, // Highest sub-index supported
-    EntryRow { first: 1, last: 1, mapping: Some(Any), need: Mandatory, name: Part(5036, 31), data_types: Part(5, 1), access: Part(0, 0), values: Part(0, 0), default: None, unit: Part(0, 0), bits: Part(0, 0) }, // CO effective current value Xeff
-    EntryRow { first: 2, last: 199, mapping: Some(Any), need: Optional, name: Part(5036, 31), data_types: Part(5, 1), access: Part(0, 0), values: Part(0, 0), default: None, unit: Part(0, 0), bits: Part(0, 0) }, // CO effective current value Xeff
-    EntryRow { first: 0, last: 0, mapping: Some(No), need: Mandatory, name: Part(27, 27), data_types: Part(0, 1), access: Part(0, 1), values: Part(0, 1), default: None, unit: Part(0, 0), bits: Part(0, 0) }, // Highest sub-index supported
-    EntryRow { first: 1, last: 1, mapping: Some(Tpdo), need: Mandatory, name: Part(5115, 27), data_types: Part(5, 1), access: Part(0, 1), values: Part(0, 0), default: None, unit: Part(0, 0), bits: Part(0, 0) }, // CO effective set point Weff
-    EntryRow { first: 2, last: 199, mapping: Some(Tpdo), need: Optional, name: Part(5115, 27), data_types: Part(5, 1), access: Part(0, 1), values: Part(0, 0), default: None, unit: Part(0, 0), bits: Part(0, 0) }, // CO effective set point Weff
-    EntryRow { first: 0, last: 0, mapping: Some(No), need: Mandatory, name: Part(27, 27), data_types: Part(0, 1), access: Part(0, 1), values: Part(0, 1), default: None, unit: Part(0, 0), bits: Part(0, 0) }, // Highest sub-index supported
-    EntryRow { first: 1, last: 1, mapping: Some(Any), need: Mandatory, name: Part(5187, 14), data_types: Part(5, 1), access: Part(0, 0), values: Part(0, 0), default: None, unit: Part(0, 0), bits: Part(0, 0) }, // CO set point W
-    EntryRow { first: 2, last: 199, mapping: Some(Any), need: Optional, name: Part(5187, 14), data_types: Part(5, 1), access: Part(0, 0), values: Part(0, 0), default: None, unit: Part(0, 0), bits: Part(0, 0) }, // CO set point W
-    EntryRow { first: 0, last: 0, mapping: Some(No), need: Mandatory, name: Part(27, 27), data_types: Part(0, 1), access: Part(0, 1), values: Part(0, 1), default: None, unit: Part(0, 0), bits: Part(0, 0) }, // Highest sub-index supported
-    EntryRow { first: 1, last: 1, mapping: Some(Any), need: Mandatory, name: Part(5233, 19), data_types: Part(5, 1), access: Part(0, 0), values: Part(0, 0), default: None, unit: Part(0, 0), bits: Part(0, 0) }, // CO 2nd set point W2
-    EntryRow { first: 2, last: 199, mapping: Some(Any), need: Optional, name: Part(5233, 19), data_types: Part(5, 1), access: Part(0, 0), values: Part(0, 0), default: None, unit: Part(0, 0), bits: Part(0, 0) }, // CO 2nd set point W2
-    EntryRow { first: 0, last: 0, mapping: Some(No), need: Mandatory, name: Part(27, 27), data_types: Part(0, 1), access: Part(0, 1), values: Part(0, 1), default: None, unit: Part(0, 0), bits: Part(0, 0) }, // Highest sub-index supported
-    EntryRow { first: 1, last: 1, mapping: None, need: Mandatory, name: Part(5318, 27), data_types: Part(5, 1), access: Part(0, 0), values: Part(0, 0), default: None, unit: Part(0, 0), bits: Part(0, 0) }, // CO lower set point limit W0
-    EntryRow { first: 2, last: 199, mapping: None, need: Optional, name: Part(5318, 27), data_types: Part(5, 1), access: Part(0, 0), values: Part(0, 0), default: None, unit: Part(0, 0), bits: Part(0, 0) }, // CO lower set point limit W0
-    EntryRow { first: 0, last: 0, mapping: Some(No), need: Mandatory, name: Part(27, 27), data_types: Part(0, 1), access: Part(0, 1), values: Part(0, 1), default: None, unit: Part(0, 0), bits: Part(0, 0) }, // Highest sub-index supported
-    EntryRow { first: 1, last: 1, mapping: None, need: Mandatory, name: Part(5366, 29), data_types: Part(5, 1), access: Part(0, 0), values: Part(0, 0), default: None, unit: Part(0, 0), bits: Part(0, 0) }, // CO upper set point limit W100
-    EntryRow { first: 2, last: 199, mapping: None, need: Optional, name: Part(5366, 29), data_types: Part(5, 1), access: Part(0, 0), values: Part(0, 0), default: None, unit: Part(0, 0), bits: Part(0, 0) }, // CO upper set point limit W100
-    EntryRow { first: 0, last: 0, mapping: Some(No), need: Mandatory, name: Part(27, 27), data_types: Part(0, 1), access: Part(0, 1), values: Part(0, 1), default: None, unit: Part(0, 0), bits: Part(0, 0) }, // Highest sub-index supported
-    EntryRow { first: 1, last: 1, mapping: None, need: Mandatory, name: Part(6467, 27), data_types: Part(5, 1), access: Part(0, 0), values: Part(0, 0), default: None, unit: Part(0, 0), bits: Part(0, 0) }, // CO minimum pulse time Tmin1
-    EntryRow { first: 2, last: 199, mapping: None, need: Optional, name: Part(6467, 27), data_types: Part(5, 1), access: Part(0, 0), values: Part(0, 0), default: None, unit: Part(0, 0), bits: Part(0, 0) }, // CO minimum pulse time Tmin1
-    EntryRow { first: 0, last: 0, mapping: Some(No), need: Mandatory, name: Part(27, 27), data_types: Part(0, 1), access: Part(0, 1), values: Part(0, 1), default: None, unit: Part(0, 0), bits: Part(0, 0) }, // Highest sub-index supported
-    EntryRow { first: 1, last: 1, mapping: None, need: Mandatory, name: Part(6551, 27), data_types: Part(5, 1), access: Part(0, 0), values: Part(0, 0), default: None, unit: Part(0, 0), bits: Part(0, 0) }, // CO minimum pulse time Tmin2
-    EntryRow { first: 2, last: 199, mapping: None, need: Optional, name: Part(6551, 27), data_types: Part(5, 1), access: Part(0, 0), values: Part(0, 0), default: None, unit: Part(0, 0), bits: Part(0, 0) }, // CO minimum pulse time Tmin2
-    EntryRow { first: 0, last: 0, mapping: Some(No), need: Mandatory, name: Part(27, 27), data_types: Part(0, 1), access: Part(0, 1), values: Part(0, 1), default: None, unit: Part(0, 0), bits: Part(0, 0) }, // Highest sub-index supported
-    EntryRow { first: 1, last: 1, mapping: None, need: Mandatory, name: Part(6636, 25), data_types: Part(5, 1), access: Part(0, 0), values: Part(0, 0), default: None, unit: Part(0, 0), bits: Part(0, 0) }, // CO motor response time Tm
-    EntryRow { first: 2, last: 199, mapping: None, need: Optional, name: Part(6636, 25), data_types: Part(5, 1), access: Part(0, 0), values: Part(0, 0), default: None, unit: Part(0, 0), bits: Part(0, 0) }, // CO motor response time Tm
-    EntryRow { first: 0, last: 0, mapping: Some(No), need: Mandatory, name: Part(27, 27), data_types: Part(0, 1), access: Part(0, 1), values: Part(0, 1), default: None, unit: Part(0, 0), bits: Part(0, 0) }, // Highest sub-index supported
-    EntryRow { first: 1, last: 1, mapping: None, need: Mandatory, name: Part(6725, 25), data_types: Part(5, 1), access: Part(0, 0), values: Part(0, 0), default: None, unit: Part(0, 0), bits: Part(0, 0) }, // CO min pulse length Tpuls
-    EntryRow { first: 2, last: 199, mapping: None, need: Optional, name: Part(6725, 25), data_types: Part(5, 1), access: Part(0, 0), values: Part(0, 0), default: None, unit: Part(0, 0), bits: Part(0, 0) }, // CO min pulse length Tpuls
-    EntryRow { first: 0, last: 0, mapping: Some(No), need: Mandatory, name: Part(27, 27), data_types: Part(0, 1), access: Part(0, 1), values: Part(0, 1), default: None, unit: Part(0, 0), bits: Part(0, 0) }, // Highest sub-index supported
-    EntryRow { first: 1, last: 1, mapping: None, need: Mandatory, name: Part(6951, 32), data_types: Part(5, 1), access: Part(0, 0), values: Part(0, 0), default: None, unit: Part(0, 0), bits: Part(0, 0) }, // CO neutral zone three-point Xsh1
-    EntryRow { first: 2, last: 199, mapping: None, need: Optional, name: Part(6951, 32), data_types: Part(5, 1), access: Part(0, 0), values: Part(0, 0), default: None, unit: Part(0, 0), bits: Part(0, 0) }, // CO neutral zone three-point Xsh1
-    EntryRow { first: 0, last: 0, mapping: Some(No), need: Mandatory, name: Part(27, 27), data_types: Part(0, 1), access: Part(0, 1), values: Part(0, 1), default: None, unit: Part(0, 0), bits: Part(0, 0) }, // Highest sub-index supported
-    EntryRow { first: 1, last: 1, mapping: None, need: Mandatory, name: Part(7063, 32), data_types: Part(5, 1), access: Part(0, 0), values: Part(0, 0), default: None, unit: Part(0, 0), bits: Part(0, 0) }, // CO neutral zone three-point Xsh2
-    EntryRow { first: 2, last: 199, mapping: None, need: Optional, name: Part(7063, 32), data_types: Part(5, 1), access: Part(0, 0), values: Part(0, 0), default: None, unit: Part(0, 0), bits: Part(0, 0) }, // CO neutral zone three-point Xsh2
-    EntryRow { first: 0, last: 0, mapping: Some(No), need: Mandatory, name: Part(27, 27), data_types: Part(0, 1), access: Part(0, 1), values: Part(0, 1), default: None, unit: Part(0, 0), bits: Part(0, 0) }, // Highest sub-index supported
-    EntryRow { first: 1, last: 1, mapping: None, need: Mandatory, name: Part(7176, 40), data_types: Part(5, 1), access: Part(0, 0), values: Part(0, 0), default: None, unit: Part(0, 0), bits: Part(0, 0) }, // CO neutral zone three-point stepping Xsh
-    EntryRow { first: 2, last: 199, mapping: None, need: Optional, name: Part(7176, 40), data_types: Part(5, 1), access: Part(0, 0), values: Part(0, 0), default: None, unit: Part(0, 0), bits: Part(0, 0) }, // CO neutral zone three-point stepping Xsh
-    EntryRow { first: 0, last: 0, mapping: Some(No), need: Mandatory, name: Part(27, 27), data_types: Part(0, 1), access: Part(0, 1), values: Part(0, 1), default: None, unit: Part(0, 0), bits: Part(0, 0) }, // Highest sub-index supported
-    EntryRow { first: 1, last: 1, mapping: None, need: Mandatory, name: Part(7270, 41), data_types: Part(5, 1), access: Part(0, 0), values: Part(0, 0), default: None, unit: Part(0, 0), bits: Part(0, 0) }, // CO switching difference of signaller Xsd1
-    EntryRow { first: 2, last: 199, mapping: None, need: Optional, name: Part(7270, 41), data_types: Part(5, 1), access: Part(0, 0), values: Part(0, 0), default: None, unit: Part(0, 0), bits: Part(0, 0) }, // CO switching difference of signaller Xsd1
-    EntryRow { first: 0, last: 0, mapping: Some(No), need: Mandatory, name: Part(27, 27), data_types: Part(0, 1), access: Part(0, 1), values: Part(0, 1), default: None, unit: Part(0, 0), bits: Part(0, 0) }, // Highest sub-index supported
-    EntryRow { first: 1, last: 1, mapping: None, need: Mandatory, name: Part(7350, 50), data_types: Part(5, 1), access: Part(0, 0), values: Part(0, 0), default: None, unit: Part(0, 0), bits: Part(0, 0) }, // CO switching difference of additional contact Xsd2
-    EntryRow { first: 2, last: 199, mapping: None, need: Optional, name: Part(7350, 50), data_types: Part(5, 1), access: Part(0, 0), values: Part(0, 0), default: None, unit: Part(0, 0), bits: Part(0, 0) }, // CO switching difference of additional contact Xsd2
-    EntryRow { first: 0, last: 0, mapping: Some(No), need: Mandatory, name: Part(27, 27), data_types: Part(0, 1), access: Part(0, 1), values: Part(0, 1), default: None, unit: Part(0, 0), bits: Part(0, 0) }, // Highest sub-index supported
-    EntryRow { first: 1, last: 1, mapping: None, need: Mandatory, name: Part(7441, 52), data_types: Part(5, 1), access: Part(0, 0), values: Part(0, 0), default: None, unit: Part(0, 0), bits: Part(0, 0) }, // CO trigger point separation of additional contact LW
-    EntryRow { first: 2, last: 199, mapping: None, need: Optional, name: Part(7441, 52), data_types: Part(5, 1), access: Part(0, 0), values: Part(0, 0), default: None, unit: Part(0, 0), bits: Part(0, 0) }, // CO trigger point separation of additional contact LW
-    EntryRow { first: 0, last: 0, mapping: Some(No), need: Mandatory, name: Part(27, 27), data_types: Part(0, 1), access: Part(0, 1), values: Part(0, 1), default: None, unit: Part(0, 0), bits: Part(0, 0) }, // Highest sub-index supported
-    EntryRow { first: 1, last: 1, mapping: None, need: Mandatory, name: Part(7569, 24), data_types: Part(5, 1), access: Part(0, 0), values: Part(0, 0), default: None, unit: Part(0, 0), bits: Part(0, 0) }, // CO proportional band Xp1
-    EntryRow { first: 2, last: 199, mapping: None, need: Optional, name: Part(7569, 24), data_types: Part(5, 1), access: Part(0, 0), values: Part(0, 0), default: None, unit: Part(0, 0), bits: Part(0, 0) }, // CO proportional band Xp1
-    EntryRow { first: 0, last: 0, mapping: Some(No), need: Mandatory, name: Part(27, 27), data_types: Part(0, 1), access: Part(0, 1), values: Part(0, 1), default: None, unit: Part(0, 0), bits: Part(0, 0) }, // Highest sub-index supported
-    EntryRow { first: 1, last: 1, mapping: None, need: Mandatory, name: Part(7642, 24), data_types: Part(5, 1), access: Part(0, 0), values: Part(0, 0), default: None, unit: Part(0, 0), bits: Part(0, 0) }, // CO proportional band Xp2
-    EntryRow { first: 2, last: 199, mapping: None, need: Optional, name: Part(7642, 24), data_types: Part(5, 1), access: Part(0, 0), values: Part(0, 0), default: None, unit: Part(0, 0), bits: Part(0, 0) }, // CO proportional band Xp2
-    EntryRow { first: 0, last: 0, mapping: Some(No), need: Mandatory, name: Part(27, 27), data_types: Part(0, 1), access: Part(0, 1), values: Part(0, 1), default: None, unit: Part(0, 0), bits: Part(0, 0) }, // Highest sub-index supported
-    EntryRow { first: 1, last: 1, mapping: None, need: Mandatory, name: Part(7716, 27), data_types: Part(5, 1), access: Part(0, 0), values: Part(0, 0), default: None, unit: Part(0, 0), bits: Part(0, 0) }, // CO integral action time Tn1
-    EntryRow { first: 2, last: 199, mapping: None, need: Optional, name: Part(7716, 27), data_types: Part(5, 1), access: Part(0, 0), values: Part(0, 0), default: None, unit: Part(0, 0), bits: Part(0, 0) }, // CO integral action time Tn1
-    EntryRow { first: 0, last: 0, mapping: Some(No), need: Mandatory, name: Part(27, 27), data_types: Part(0, 1), access: Part(0, 1), values: Part(0, 1), default: None, unit: Part(0, 0), bits: Part(0, 0) }, // Highest sub-index supported
-    EntryRow { first: 1, last: 1, mapping: None, need: Mandatory, name: Part(7795, 27), data_types: Part(5, 1), access: Part(0, 0), values: Part(0, 0), default: None, unit: Part(0, 0), bits: Part(0, 0) }, // CO integral action time Tn2
-    EntryRow { first: 2, last: 199, mapping: None, need: Optional, name: Part(7795, 27), data_types: Part(5, 1), access: Part(0, 0), values: Part(0, 0), default: None, unit: Part(0, 0), bits: Part(0, 0) }, // CO integral action time Tn2
-    EntryRow { first: 0, last: 0, mapping: Some(No), need: Mandatory, name: Part(27, 27), data_types: Part(0, 1), access: Part(0, 1), values: Part(0, 1), default: None, unit: Part(0, 0), bits: Part(0, 0) }, // Highest sub-index supported
-    EntryRow { first: 1, last: 1, mapping: None, need: Mandatory, name: Part(7875, 29), data_types: Part(5, 1), access: Part(0, 0), values: Part(0, 0), default: None, unit: Part(0, 0), bits: Part(0, 0) }, // CO derivative action time Tv1
-    EntryRow { first: 2, last: 199, mapping: None, need: Optional, name: Part(7875, 29), data_types: Part(5, 1), access: Part(0, 0), values: Part(0, 0), default: None, unit: Part(0, 0), bits: Part(0, 0) }, // CO derivative action time Tv1
-    EntryRow { first: 0, last: 0, mapping: Some(No), need: Mandatory, name: Part(27, 27), data_types: Part(0, 1), access: Part(0, 1), values: Part(0, 1), default: None, unit: Part(0, 0), bits: Part(0, 0) }, // Highest sub-index supported
-    EntryRow { first: 1, last: 1, mapping: None, need: Mandatory, name: Part(7958, 29), data_types: Part(5, 1), access: Part(0, 0), values: Part(0, 0), default: None, unit: Part(0, 0), bits: Part(0, 0) }, // CO derivative action time Tv2
-    EntryRow { first: 2, last: 199, mapping: None, need: Optional, name: Part(7958, 29), data_types: Part(5, 1), access: Part(0, 0), values: Part(0, 0), default: None, unit: Part(0, 0), bits: Part(0, 0) }, // CO derivative action time Tv2
-    EntryRow { first: 0, last: 0, mapping: Some(No), need: Mandatory, name: Part(27, 27), data_types: Part(0, 1), access: Part(0, 1), values: Part(0, 1), default: None, unit: Part(0, 0), bits: Part(0, 0) }, // Highest sub-index supported
-    EntryRow { first: 1, last: 1, mapping: None, need: Mandatory, name: Part(8042, 16), data_types: Part(5, 1), access: Part(0, 0), values: Part(0, 0), default: None, unit: Part(0, 0), bits: Part(0, 0) }, // CO cycle time T1
-    EntryRow { first: 2, last: 199, mapping: None, need: Optional, name: Part(8042, 16), data_types: Part(5, 1), access: Part(0, 0), values: Part(0, 0), default: None, unit: Part(0, 0), bits: Part(0, 0) }, // CO cycle time T1
-    EntryRow { first: 0, last: 0, mapping: Some(No), need: Mandatory, name: Part(27, 27), data_types: Part(0, 1), access: Part(0, 1), values: Part(0, 1), default: None, unit: Part(0, 0), bits: Part(0, 0) }, // Highest sub-index supported
-    EntryRow { first: 1, last: 1, mapping: None, need: Mandatory, name: Part(8099, 16), data_types: Part(5, 1), access: Part(0, 0), values: Part(0, 0), default: None, unit: Part(0, 0), bits: Part(0, 0) }, // CO cycle time T2
-    EntryRow { first: 2, last: 199, mapping: None, need: Optional, name: Part(8099, 16), data_types: Part(5, 1), access: Part(0, 0), values: Part(0, 0), default: None, unit: Part(0, 0), bits: Part(0, 0) }, // CO cycle time T2
-    EntryRow { first: 0, last: 0, mapping: Some(No), need: Mandatory, name: Part(27, 27), data_types: Part(0, 1), access: Part(0, 1), values: Part(0, 1), default: None, unit: Part(0, 0), bits: Part(0, 0) }, // Highest sub-index supported
-    EntryRow { first: 1, last: 1, mapping: Some(Any), need: Mandatory, name: Part(8321, 14), data_types: Part(5, 1), access: Part(0, 0), values: Part(0, 0), default: None, unit: Part(0, 0), bits: Part(0, 0) }, // AL input value
-    EntryRow { first: 2, last: 199, mapping: Some(Any), need: Optional, name: Part(8321, 14), data_types: Part(5, 1), access: Part(0, 0), values: Part(0, 0), default: None, unit: Part(0, 0), bits: Part(0, 0) }, // AL input value
-    EntryRow { first: 0, last: 0, mapping: Some(No), need: Mandatory, name: Part(27, 27), data_types: Part(0, 1), access: Part(0, 1), values: Part(0, 1), default: None, unit: Part(0, 0), bits: Part(0, 0) }, // Highest sub-index supported
-    EntryRow { first: 1, last: 1, mapping: None, need: Mandatory, name: Part(8438, 24), data_types: Part(5, 1), access: Part(0, 0), values: Part(0, 0), default: None, unit: Part(0, 0), bits: Part(0, 0) }, // AL alternate input value
-    EntryRow { first: 2, last: 199, mapping: None, need: Optional, name: Part(8438, 24), data_types: Part(5, 1), access: Part(0, 0), values: Part(0, 0), default: None, unit: Part(0, 0), bits: Part(0, 0) }, // AL alternate input value
-    EntryRow { first: 0, last: 0, mapping: Some(No), need: Mandatory, name: Part(27, 27), data_types: Part(0, 1), access: Part(0, 1), values: Part(0, 1), default: None, unit: Part(0, 0), bits: Part(0, 0) }, // Highest sub-index supported
-    EntryRow { first: 1, last: 1, mapping: None, need: Mandatory, name: Part(8939, 8), data_types: Part(5, 1), access: Part(0, 0), values: Part(0, 0), default: None, unit: Part(0, 0), bits: Part(0, 0) }, // AL level
-    EntryRow { first: 2, last: 199, mapping: None, need: Optional, name: Part(8939, 8), data_types: Part(5, 1), access: Part(0, 0), values: Part(0, 0), default: None, unit: Part(0, 0), bits: Part(0, 0) }, // AL level
-    EntryRow { first: 0, last: 0, mapping: Some(No), need: Mandatory, name: Part(27, 27), data_types: Part(0, 1), access: Part(0, 1), values: Part(0, 1), default: None, unit: Part(0, 0), bits: Part(0, 0) }, // Highest sub-index supported
-    EntryRow { first: 1, last: 1, mapping: None, need: Mandatory, name: Part(8989, 13), data_types: Part(5, 1), access: Part(0, 0), values: Part(0, 0), default: None, unit: Part(0, 0), bits: Part(0, 0) }, // AL hysteresis
-    EntryRow { first: 2, last: 199, mapping: None, need: Optional, name: Part(8989, 13), data_types: Part(5, 1), access: Part(0, 0), values: Part(0, 0), default: None, unit: Part(0, 0), bits: Part(0, 0) }, // AL hysteresis
-    EntryRow { first: 0, last: 0, mapping: Some(No), need: Mandatory, name: Part(27, 27), data_types: Part(0, 1), access: Part(0, 1), values: Part(0, 1), default: None, unit: Part(0, 0), bits: Part(0, 0) }, // Highest sub-index supported
-    EntryRow { first: 1, last: 1, mapping: Some(Any), need: Mandatory, name: Part(10271, 10), data_types: Part(5, 1), access: Part(0, 0), values: Part(0, 0), default: None, unit: Part(0, 0), bits: Part(0, 0) }, // Receive PV
-    EntryRow { first: 2, last: 199, mapping: Some(Any), need: Optional, name: Part(10271, 10), data_types: Part(5, 1), access: Part(0, 0), values: Part(0, 0), default: None, unit: Part(0, 0), bits: Part(0, 0) }, // Receive PV
-    EntryRow { first: 0, last: 0, mapping: Some(No), need: Mandatory, name: Part(27, 27), data_types: Part(0, 1), access: Part(0, 1), values: Part(0, 1), default: None, unit: Part(0, 0), bits: Part(0, 0) }, // Highest sub-index supported
-    EntryRow { first: 1, last: 1, mapping: Some(Any), need: Mandatory, name: Part(10339, 20), data_types: Part(5, 1), access: Part(0, 0), values: Part(0, 0), default: None, unit: Part(0, 0), bits: Part(0, 0) }, // Alternate receive PV
-    EntryRow { first: 2, last: 199, mapping: Some(Any), need: Optional, name: Part(10339, 20), data_types: Part(5, 1), access: Part(0, 0), values: Part(0, 0), default: None, unit: Part(0, 0), bits: Part(0, 0) }, // Alternate receive PV
-    EntryRow { first: 0, last: 0, mapping: Some(No), need: Mandatory, name: Part(27, 27), data_types: Part(0, 1), access: Part(0, 1), values: Part(0, 1), default: None, unit: Part(0, 0), bits: Part(0, 0) }, // Highest sub-index supported
-    EntryRow { first: 1, last: 1, mapping: Some(Tpdo), need: Mandatory, name: Part(311, 11), data_types: Part(6, 1), access: Part(0, 1), values: Part(0, 0), default: None, unit: Part(0, 0), bits: Part(0, 0) }, // AI input FV
-    EntryRow { first: 2, last: 199, mapping: Some(Tpdo), need: Optional, name: Part(311, 11), data_types: Part(6, 1), access: Part(0, 1), values: Part(0, 0), default: None, unit: Part(0, 0), bits: Part(0, 0) }, // AI input FV
-    EntryRow { first: 0, last: 0, mapping: Some(No), need: Mandatory, name: Part(27, 27), data_types: Part(0, 1), access: Part(0, 1), values: Part(0, 1), default: None, unit: Part(0, 0), bits: Part(0, 0) }, // Highest sub-index supported
-    EntryRow { first: 1, last: 1, mapping: None, need: Mandatory, name: Part(393, 27), data_types: Part(6, 1), access: Part(0, 0), values: Part(0, 0), default: None, unit: Part(0, 0), bits: Part(0, 0) }, // AI interrupt delta input FV
-    EntryRow { first: 2, last: 199, mapping: None, need: Optional, name: Part(393, 27), data_types: Part(6, 1), access: Part(0, 0), values: Part(0, 0), default: None, unit: Part(0, 0), bits: Part(0, 0) }, // AI interrupt delta input FV
-    EntryRow { first: 0, last: 0, mapping: Some(No), need: Mandatory, name: Part(27, 27), data_types: Part(0, 1), access: Part(0, 1), values: Part(0, 1), default: None, unit: Part(0, 0), bits: Part(0, 0) }, // Highest sub-index supported
-    EntryRow { first: 1, last: 1, mapping: None, need: Mandatory, name: Part(763, 21), data_types: Part(6, 1), access: Part(0, 0), values: Part(0, 0), default: None, unit: Part(0, 0), bits: Part(0, 0) }, // AI input scaling 1 FV
-    EntryRow { first: 2, last: 199, mapping: None, need: Optional, name: Part(763, 21), data_types: Part(6, 1), access: Part(0, 0), values: Part(0, 0), default: None, unit: Part(0, 0), bits: Part(0, 0) }, // AI input scaling 1 FV
-    EntryRow { first: 0, last: 0, mapping: Some(No), need: Mandatory, name: Part(27, 27), data_types: Part(0, 1), access: Part(0, 1), values: Part(0, 1), default: None, unit: Part(0, 0), bits: Part(0, 0) }, // Highest sub-index supported
-    EntryRow { first: 1, last: 1, mapping: None, need: Mandatory, name: Part(861, 21), data_types: Part(6, 1), access: Part(0, 0), values: Part(0, 0), default: None, unit: Part(0, 0), bits: Part(0, 0) }, // AI input scaling 1 PV
-    EntryRow { first: 2, last: 199, mapping: None, need: Optional, name: Part(861, 21), data_types: Part(6, 1), access: Part(0, 0), values: Part(0, 0), default: None, unit: Part(0, 0), bits: Part(0, 0) }, // AI input scaling 1 PV
-    EntryRow { first: 0, last: 0, mapping: Some(No), need: Mandatory, name: Part(27, 27), data_types: Part(0, 1), access: Part(0, 1), values: Part(0, 1), default: None, unit: Part(0, 0), bits: Part(0, 0) }, // Highest sub-index supported
-    EntryRow { first: 1, last: 1, mapping: None, need: Mandatory, name: Part(961, 21), data_types: Part(6, 1), access: Part(0, 0), values: Part(0, 0), default: None, unit: Part(0, 0), bits: Part(0, 0) }, // AI input scaling 2 FV
-    EntryRow { first: 2, last: 199, mapping: None, need: Optional, name: Part(961, 21), data_types: Part(6, 1), access: Part(0, 0), values: Part(0, 0), default: None, unit: Part(0, 0), bits: Part(0, 0) }, // AI input scaling 2 FV
-    EntryRow { first: 0, last: 0, mapping: Some(No), need: Mandatory, name: Part(27, 27), data_types: Part(0, 1), access: Part(0, 1), values: Part(0, 1), default: None, unit: Part(0, 0), bits: Part(0, 0) }, // Highest sub-index supported
-    EntryRow { first: 1, last: 1, mapping: None, need: Mandatory, name: Part(1060, 21), data_types: Part(6, 1), access: Part(0, 0), values: Part(0, 0), default: None, unit: Part(0, 0), bits: Part(0, 0) }, // AI input scaling 2 PV
-    EntryRow { first: 2, last: 199, mapping: None, need: Optional, name: Part(1060, 21), data_types: Part(6, 1), access: Part(0, 0), values: Part(0, 0), default: None, unit: Part(0, 0), bits: Part(0, 0) }, // AI input scaling 2 PV
-    EntryRow { first: 0, last: 0, mapping: Some(No), need: Mandatory, name: Part(27, 27), data_types: Part(0, 1), access: Part(0, 1), values: Part(0, 1), default: None, unit: Part(0, 0), bits: Part(0, 0) }, // Highest sub-index supported
-    EntryRow { first: 1, last: 1, mapping: None, need: Mandatory, name: Part(1161, 15), data_types: Part(6, 1), access: Part(0, 0), values: Part(0, 0), default: None, unit: Part(0, 0), bits: Part(0, 0) }, // AI input offset
-    EntryRow { first: 2, last: 199, mapping: None, need: Optional, name: Part(1161, 15), data_types: Part(6, 1), access: Part(0, 0), values: Part(0, 0), default: None, unit: Part(0, 0), bits: Part(0, 0) }, // AI input offset
-    EntryRow { first: 0, last: 0, mapping: Some(No), need: Mandatory, name: Part(27, 27), data_types: Part(0, 1), access: Part(0, 1), values: Part(0, 1), default: None, unit: Part(0, 0), bits: Part(0, 0) }, // Highest sub-index supported
-    EntryRow { first: 1, last: 1, mapping: Some(Tpdo), need: Mandatory, name: Part(1457, 11), data_types: Part(6, 1), access: Part(0, 1), values: Part(0, 0), default: None, unit: Part(0, 0), bits: Part(0, 0) }, // AI input PV
-    EntryRow { first: 2, last: 199, mapping: Some(Tpdo), need: Optional, name: Part(1457, 11), data_types: Part(6, 1), access: Part(0, 1), values: Part(0, 0), default: None, unit: Part(0, 0), bits: Part(0, 0) }, // AI input PV
-    EntryRow { first: 0, last: 0, mapping: Some(No), need: Mandatory, name: Part(27, 27), data_types: Part(0, 1), access: Part(0, 1), values: Part(0, 1), default: None, unit: Part(0, 0), bits: Part(0, 0) }, // Highest sub-index supported
-    EntryRow { first: 1, last: 1, mapping: None, need: Mandatory, name: Part(1740, 27), data_types: Part(6, 1), access: Part(0, 0), values: Part(0, 0), default: None, unit: Part(0, 0), bits: Part(0, 0) }, // AI interrupt delta input PV
-    EntryRow { first: 2, last: 199, mapping: None, need: Optional, name: Part(1740, 27), data_types: Part(6, 1), access: Part(0, 0), values: Part(0, 0), default: None, unit: Part(0, 0), bits: Part(0, 0) }, // AI interrupt delta input PV
-    EntryRow { first: 0, last: 0, mapping: Some(No), need: Mandatory, name: Part(27, 27), data_types: Part(0, 1), access: Part(0, 1), values: Part(0, 1), default: None, unit: Part(0, 0), bits: Part(0, 0) }, // Highest sub-index supported
-    EntryRow { first: 1, last: 1, mapping: None, need: Mandatory, name: Part(1823, 27), data_types: Part(6, 1), access: Part(0, 0), values: Part(0, 0), default: None, unit: Part(0, 0), bits: Part(0, 0) }, // AI interrupt lower input PV
-    EntryRow { first: 2, last: 199, mapping: None, need: Optional, name: Part(1823, 27), data_types: Part(6, 1), access: Part(0, 0), values: Part(0, 0), default: None, unit: Part(0, 0), bits: Part(0, 0) }, // AI interrupt lower input PV
-    EntryRow { first: 0, last: 0, mapping: Some(No), need: Mandatory, name: Part(27, 27), data_types: Part(0, 1), access: Part(0, 1), values: Part(0, 1), default: None, unit: Part(0, 0), bits: Part(0, 0) }, // Highest sub-index supported
-    EntryRow { first: 1, last: 1, mapping: None, need: Mandatory, name: Part(1910, 27), data_types: Part(6, 1), access: Part(0, 0), values: Part(0, 0), default: None, unit: Part(0, 0), bits: Part(0, 0) }, // AI interrupt upper input PV
-    EntryRow { first: 2, last: 199, mapping: None, need: Optional, name: Part(1910, 27), data_types: Part(6, 1), access: Part(0, 0), values: Part(0, 0), default: None, unit: Part(0, 0), bits: Part(0, 0) }, // AI interrupt upper input PV
-    EntryRow { first: 0, last: 0, mapping: Some(No), need: Mandatory, name: Part(27, 27), data_types: Part(0, 1), access: Part(0, 1), values: Part(0, 1), default: None, unit: Part(0, 0), bits: Part(0, 0) }, // Highest sub-index supported
-    EntryRow { first: 1, last: 1, mapping: None, need: Mandatory, name: Part(1997, 12), data_types: Part(6, 1), access: Part(0, 0), values: Part(0, 0), default: None, unit: Part(0, 0), bits: Part(0, 0) }, // AI tare zero
-    EntryRow { first: 2, last: 199, mapping: None, need: Optional, name: Part(1997, 12), data_types: Part(6, 1), access: Part(0, 0), values: Part(0, 0), default: None, unit: Part(0, 0), bits: Part(0, 0) }, // AI tare zero
-    EntryRow { first: 0, last: 0, mapping: Some(No), need: Mandatory, name: Part(27, 27), data_types: Part(0, 1), access: Part(0, 1), values: Part(0, 1), default: None, unit: Part(0, 0), bits: Part(0, 0) }, // Highest sub-index supported
-    EntryRow { first: 1, last: 1, mapping: Some(Tpdo), need: Mandatory, name: Part(2155, 9), data_types: Part(6, 1), access: Part(0, 1), values: Part(0, 0), default: None, unit: Part(0, 0), bits: Part(0, 0) }, // AI net PV
-    EntryRow { first: 2, last: 199, mapping: Some(Tpdo), need: Optional, name: Part(2155, 9), data_types: Part(6, 1), access: Part(0, 1), values: Part(0, 0), default: None, unit: Part(0, 0), bits: Part(0, 0) }, // AI net PV
-    EntryRow { first: 0, last: 0, mapping: Some(No), need: Mandatory, name: Part(27, 27), data_types: Part(0, 1), access: Part(0, 1), values: Part(0, 1), default: None, unit: Part(0, 0), bits: Part(0, 0) }, // Highest sub-index supported
-    EntryRow { first: 1, last: 1, mapping: None, need: Mandatory, name: Part(2220, 25), data_types: Part(6, 1), access: Part(0, 0), values: Part(0, 0), default: None, unit: Part(0, 0), bits: Part(0, 0) }, // AI interrupt delta net PV
-    EntryRow { first: 2, last: 199, mapping: None, need: Optional, name: Part(2220, 25), data_types: Part(6, 1), access: Part(0, 0), values: Part(0, 0), default: None, unit: Part(0, 0), bits: Part(0, 0) }, // AI interrupt delta net PV
-    EntryRow { first: 0, last: 0, mapping: Some(No), need: Mandatory, name: Part(27, 27), data_types: Part(0, 1), access: Part(0, 1), values: Part(0, 1), default: None, unit: Part(0, 0), bits: Part(0, 0) }, // Highest sub-index supported
-    EntryRow { first: 1, last: 1, mapping: None, need: Mandatory, name: Part(2297, 31), data_types: Part(6, 1), access: Part(0, 0), values: Part(0, 0), default: None, unit: Part(0, 0), bits: Part(0, 0) }, // AI interrupt lower limit net PV
-    EntryRow { first: 2, last: 199, mapping: None, need: Optional, name: Part(2297, 31), data_types: Part(6, 1), access: Part(0, 0), values: Part(0, 0), default: None, unit: Part(0, 0), bits: Part(0, 0) }, // AI interrupt lower limit net PV
-    EntryRow { first: 0, last: 0, mapping: Some(No), need: Mandatory, name: Part(27, 27), data_types: Part(0, 1), access: Part(0, 1), values: Part(0, 1), default: None, unit: Part(0, 0), bits: Part(0, 0) }, // Highest sub-index supported
-    EntryRow { first: 1, last: 1, mapping: None, need: Mandatory, name: Part(2384, 31), data_types: Part(6, 1), access: Part(0, 0), values: Part(0, 0), default: None, unit: Part(0, 0), bits: Part(0, 0) }, // AI interrupt upper limit net PV
-    EntryRow { first: 2, last: 199, mapping: None, need: Optional, name: Part(2384, 31), data_types: Part(6, 1), access: Part(0, 0), values: Part(0, 0), default: None, unit: Part(0, 0), bits: Part(0, 0) }, // AI interrupt upper limit net PV
-    EntryRow { first: 0, last: 0, mapping: Some(No), need: Mandatory, name: Part(27, 27), data_types: Part(0, 1), access: Part(0, 1), values: Part(0, 1), default: None, unit: Part(0, 0), bits: Part(0, 0) }, // Highest sub-index supported
-    EntryRow { first: 1, last: 1, mapping: None, need: Mandatory, name: Part(2471, 13), data_types: Part(6, 1), access: Part(0, 0), values: Part(0, 0), default: None, unit: Part(0, 0), bits: Part(0, 0) }, // AI span start
-    EntryRow { first: 2, last: 199, mapping: None, need: Optional, name: Part(2471, 13), data_types: Part(6, 1), access: Part(0, 0), values: Part(0, 0), default: None, unit: Part(0, 0), bits: Part(0, 0) }, // AI span start
-    EntryRow { first: 0, last: 0, mapping: Some(No), need: Mandatory, name: Part(27, 27), data_types: Part(0, 1), access: Part(0, 1), values: Part(0, 1), default: None, unit: Part(0, 0), bits: Part(0, 0) }, // Highest sub-index supported
-    EntryRow { first: 1, last: 1, mapping: None, need: Mandatory, name: Part(2552, 11), data_types: Part(6, 1), access: Part(0, 0), values: Part(0, 0), default: None, unit: Part(0, 0), bits: Part(0, 0) }, // AI span end
-    EntryRow { first: 2, last: 199, mapping: None, need: Optional, name: Part(2552, 11), data_types: Part(6, 1), access: Part(0, 0), values: Part(0, 0), default: None, unit: Part(0, 0), bits: Part(0, 0) }, // AI span end
-    EntryRow { first: 0, last: 0, mapping: Some(No), need: Mandatory, name: Part(27, 27), data_types: Part(0, 1), access: Part(0, 1), values: Part(0, 1), default: None, unit: Part(0, 0), bits: Part(0, 0) }, // Highest sub-index supported
-    EntryRow { first: 1, last: 1, mapping: Some(Any), need: Mandatory, name: Part(3939, 12), data_types: Part(6, 1), access: Part(1, 1), values: Part(0, 0), default: None, unit: Part(0, 0), bits: Part(0, 0) }, // AO output PV
-    EntryRow { first: 2, last: 199, mapping: Some(Any), need: Optional, name: Part(3939, 12), data_types: Part(6, 1), access: Part(1, 1), values: Part(0, 0), default: None, unit: Part(0, 0), bits: Part(0, 0) }, // AO output PV
-    EntryRow { first: 0, last: 0, mapping: Some(No), need: Mandatory, name: Part(27, 27), data_types: Part(0, 1), access: Part(0, 1), values: Part(0, 1), default: None, unit: Part(0, 0), bits: Part(0, 0) }, // Highest sub-index supported
-    EntryRow { first: 1, last: 1, mapping: None, need: Mandatory, name: Part(4245, 22), data_types: Part(6, 1), access: Part(0, 0), values: Part(0, 0), default: None, unit: Part(0, 0), bits: Part(0, 0) }, // AO output scaling 1 PV
-    EntryRow { first: 2, last: 199, mapping: None, need: Optional, name: Part(4245, 22), data_types: Part(6, 1), access: Part(0, 0), values: Part(0, 0), default: None, unit: Part(0, 0), bits: Part(0, 0) }, // AO output scaling 1 PV
-    EntryRow { first: 0, last: 0, mapping: Some(No), need: Mandatory, name: Part(27, 27), data_types: Part(0, 1), access: Part(0, 1), values: Part(0, 1), default: None, unit: Part(0, 0), bits: Part(0, 0) }, // Highest sub-index supported
-    EntryRow { first: 1, last: 1, mapping: None, need: Mandatory, name: Part(4347, 22), data_types: Part(6, 1), access: Part(0, 0), values: Part(0, 0), default: None, unit: Part(0, 0), bits: Part(0, 0) }, // AO output scaling 1 FV
-    EntryRow { first: 2, last: 199, mapping: None, need: Optional, name: Part(4347, 22), data_types: Part(6, 1), access: Part(0, 0), values: Part(0, 0), default: None, unit: Part(0, 0), bits: Part(0, 0) }, // AO output scaling 1 FV
-    EntryRow { first: 0, last: 0, mapping: Some(No), need: Mandatory, name: Part(27, 27), data_types: Part(0, 1), access: Part(0, 1), values: Part(0, 1), default: None, unit: Part(0, 0), bits: Part(0, 0) }, // Highest sub-index supported
-    EntryRow { first: 1, last: 1, mapping: None, need: Mandatory, name: Part(4447, 22), data_types: Part(6, 1), access: Part(0, 0), values: Part(0, 0), default: None, unit: Part(0, 0), bits: Part(0, 0) }, // AO output scaling 2 PV
-    EntryRow { first: 2, last: 199, mapping: None, need: Optional, name: Part(4447, 22), data_types: Part(6, 1), access: Part(0, 0), values: Part(0, 0), default: None, unit: Part(0, 0), bits: Part(0, 0) }, // AO output scaling 2 PV
-    EntryRow { first: 0, last: 0, mapping: Some(No), need: Mandatory, name: Part(27, 27), data_types: Part(0, 1), access: Part(0, 1), values: Part(0, 1), default: None, unit: Part(0, 0), bits: Part(0, 0) }, // Highest sub-index supported
-    EntryRow { first: 1, last: 1, mapping: None, need: Mandatory, name: Part(4550, 22), data_types: Part(6, 1), access: Part(0, 0), values: Part(0, 0), default: None, unit: Part(0, 0), bits: Part(0, 0) }, // AO output scaling 2 FV
-    EntryRow { first: 2, last: 199, mapping: None, need: Optional, name: Part(4550, 22), data_types: Part(6, 1), access: Part(0, 0), values: Part(0, 0), default: None, unit: Part(0, 0), bits: Part(0, 0) }, // AO output scaling 2 FV
-    EntryRow { first: 0, last: 0, mapping: Some(No), need: Mandatory, name: Part(27, 27), data_types: Part(0, 1), access: Part(0, 1), values: Part(0, 1), default: None, unit: Part(0, 0), bits: Part(0, 0) }, // Highest sub-index supported
-    EntryRow { first: 1, last: 1, mapping: None, need: Mandatory, name: Part(4651, 12), data_types: Part(6, 1), access: Part(0, 0), values: Part(0, 0), default: None, unit: Part(0, 0), bits: Part(0, 0) }, // AO output FV
-    EntryRow { first: 2, last: 199, mapping: None, need: Optional, name: Part(4651, 12), data_types: Part(6, 1), access: Part(0, 0), values: Part(0, 0), default: None, unit: Part(0, 0), bits: Part(0, 0) }, // AO output FV
-    EntryRow { first: 0, last: 0, mapping: Some(No), need: Mandatory, name: Part(27, 27), data_types: Part(0, 1), access: Part(0, 1), values: Part(0, 1), default: None, unit: Part(0, 0), bits: Part(0, 0) }, // Highest sub-index supported
-    EntryRow { first: 1, last: 1, mapping: None, need: Mandatory, name: Part(4959, 11), data_types: Part(6, 1), access: Part(0, 0), values: Part(0, 0), default: None, unit: Part(0, 0), bits: Part(0, 0) }, // AO fault FV
-    EntryRow { first: 2, last: 199, mapping: None, need: Optional, name: Part(4959, 11), data_types: Part(6, 1), access: Part(0, 0), values: Part(0, 0), default: None, unit: Part(0, 0), bits: Part(0, 0) }, // AO fault FV
-    EntryRow { first: 0, last: 0, mapping: Some(No), need: Mandatory, name: Part(27, 27), data_types: Part(0, 1), access: Part(0, 1), values: Part(0, 1), default: None, unit: Part(0, 0), bits: Part(0, 0) }, // Highest sub-index supported
-    EntryRow { first: 1, last: 1, mapping: Some(Any), need: Mandatory, name: Part(5036, 31), data_types: Part(6, 1), access: Part(0, 0), values: Part(0, 0), default: None, unit: Part(0, 0), bits: Part(0, 0) }, // CO effective current value Xeff
-    EntryRow { first: 2, last: 199, mapping: Some(Any), need: Optional, name: Part(5036, 31), data_types: Part(6, 1), access: Part(0, 0), values: Part(0, 0), default: None, unit: Part(0, 0), bits: Part(0, 0) }, // CO effective current value Xeff
-    EntryRow { first: 0, last: 0, mapping: Some(No), need: Mandatory, name: Part(27, 27), data_types: Part(0, 1), access: Part(0, 1), values: Part(0, 1), default: None, unit: Part(0, 0), bits: Part(0, 0) }, // Highest sub-index supported
-    EntryRow { first: 1, last: 1, mapping: Some(Tpdo), need: Mandatory, name: Part(5115, 27), data_types: Part(6, 1), access: Part(0, 1), values: Part(0, 0), default: None, unit: Part(0, 0), bits: Part(0, 0) }, // CO effective set point Weff
-    EntryRow { first: 2, last: 199, mapping: Some(Tpdo), need: Optional, name: Part(5115, 27), data_types: Part(6, 1), access: Part(0, 1), values: Part(0, 0), default: None, unit: Part(0, 0), bits: Part(0, 0) }, // CO effective set point Weff
-    EntryRow { first: 0, last: 0, mapping: Some(No), need: Mandatory, name: Part(27, 27), data_types: Part(0, 1), access: Part(0, 1), values: Part(0, 1), default: None, unit: Part(0, 0), bits: Part(0, 0) }, // Highest sub-index supported
-    EntryRow { first: 1, last: 1, mapping: Some(Any), need: Mandatory, name: Part(5187, 14), data_types: Part(6, 1), access: Part(0, 0), values: Part(0, 0), default: None, unit: Part(0, 0), bits: Part(0, 0) }, // CO set point W
-    EntryRow { first: 2, last: 199, mapping: Some(Any), need: Optional, name: Part(5187, 14), data_types: Part(6, 1), access: Part(0, 0), values: Part(0, 0), default: None, unit: Part(0, 0), bits: Part(0, 0) }, // CO set point W
-    EntryRow { first: 0, last: 0, mapping: Some(No), need: Mandatory, name: Part(27, 27), data_types: Part(0, 1), access: Part(0, 1), values: Part(0, 1), default: None, unit: Part(0, 0), bits: Part(0, 0) }, // Highest sub-index supported
-    EntryRow { first: 1, last: 1, mapping: Some(Any), need: Mandatory, name: Part(5233, 19), data_types: Part(6, 1), access: Part(0, 0), values: Part(0, 0), default: None, unit: Part(0, 0), bits: Part(0, 0) }, // CO 2nd set point W2
-    EntryRow { first: 2, last: 199, mapping: Some(Any), need: Optional, name: Part(5233, 19), data_types: Part(6, 1), access: Part(0, 0), values: Part(0, 0), default: None, unit: Part(0, 0), bits: Part(0, 0) }, // CO 2nd set point W2
-    EntryRow { first: 0, last: 0, mapping: Some(No), need: Mandatory, name: Part(27, 27), data_types: Part(0, 1), access: Part(0, 1), values: Part(0, 1), default: None, unit: Part(0, 0), bits: Part(0, 0) }, // Highest sub-index supported
-    EntryRow { first: 1, last: 1, mapping: None, need: Mandatory, name: Part(5318, 27), data_types: Part(6, 1), access: Part(0, 0), values: Part(0, 0), default: None, unit: Part(0, 0), bits: Part(0, 0) }, // CO lower set point limit W0
-    EntryRow { first: 2, last: 199, mapping: None, need: Optional, name: Part(5318, 27), data_types: Part(6, 1), access: Part(0, 0), values: Part(0, 0), default: None, unit: Part(0, 0), bits: Part(0, 0) }, // CO lower set point limit W0
-    EntryRow { first: 0, last: 0, mapping: Some(No), need: Mandatory, name: Part(27, 27), data_types: Part(0, 1), access: Part(0, 1), values: Part(0, 1), default: None, unit: Part(0, 0), bits: Part(0, 0) }, // Highest sub-index supported
-    EntryRow { first: 1, last: 1, mapping: None, need: Mandatory, name: Part(5366, 29), data_types: Part(6, 1), access: Part(0, 0), values: Part(0, 0), default: None, unit: Part(0, 0), bits: Part(0, 0) }, // CO upper set point limit W100
-    EntryRow { first: 2, last: 199, mapping: None, need: Optional, name: Part(5366, 29), data_types: Part(6, 1), access: Part(0, 0), values: Part(0, 0), default: None, unit: Part(0, 0), bits: Part(0, 0) }, // CO upper set point limit W100
-    EntryRow { first: 0, last: 0, mapping: Some(No), need: Mandatory, name: Part(27, 27), data_types: Part(0, 1), access: Part(0, 1), values: Part(0, 1), default: None, unit: Part(0, 0), bits: Part(0, 0) }, // Highest sub-index supported
-    EntryRow { first: 1, last: 1, mapping: None, need: Mandatory, name: Part(6467, 27), data_types: Part(6, 1), access: Part(0, 0), values: Part(0, 0), default: None, unit: Part(0, 0), bits: Part(0, 0) }, // CO minimum pulse time Tmin1
-    EntryRow { first: 2, last: 199, mapping: None, need: Optional, name: Part(6467, 27), data_types: Part(6, 1), access: Part(0, 0), values: Part(0, 0), default: None, unit: Part(0, 0), bits: Part(0, 0) }, // CO minimum pulse time Tmin1
-    EntryRow { first: 0, last: 0, mapping: Some(No), need: Mandatory, name: Part(27, 27), data_types: Part(0, 1), access: Part(0, 1), values: Part(0, 1), default: None, unit: Part(0, 0), bits: Part(0, 0) }, // Highest sub-index supported
-    EntryRow { first: 1, last: 1, mapping: None, need: Mandatory, name: Part(6551, 27), data_types: Part(6, 1), access: Part(0, 0), values: Part(0, 0), default: None, unit: Part(0, 0), bits: Part(0, 0) }, // CO minimum pulse time Tmin2
-    EntryRow { first: 2, last: 199, mapping: None, need: Optional, name: Part(6551, 27), data_types: Part(6, 1), access: Part(0, 0), values: Part(0, 0), default: None, unit: Part(0, 0), bits: Part(0, 0) }, // CO minimum pulse time Tmin2
-    EntryRow { first: 0, last: 0, mapping: Some(No), need: Mandatory, name: Part(27, 27), data_types: Part(0, 1), access: Part(0, 1), values: Part(0, 1), default: None, unit: Part(0, 0), bits: Part(0, 0) }, // Highest sub-index supported
-    EntryRow { first: 1, last: 1, mapping: None, need: Mandatory, name: Part(6636, 25), data_types: Part(6, 1), access: Part(0, 0), values: Part(0, 0), default: None, unit: Part(0, 0), bits: Part(0, 0) }, // CO motor response time Tm
-    EntryRow { first: 2, last: 199, mapping: None, need: Optional, name: Part(6636, 25), data_types: Part(6, 1), access: Part(0, 0), values: Part(0, 0), default: None, unit: Part(0, 0), bits: Part(0, 0) }, // CO motor response time Tm
-    EntryRow { first: 0, last: 0, mapping: Some(No), need: Mandatory, name: Part(27, 27), data_types: Part(0, 1), access: Part(0, 1), values: Part(0, 1), default: None, unit: Part(0, 0), bits: Part(0, 0) }, // Highest sub-index supported
-    EntryRow { first: 1, last: 1, mapping: None, need: Mandatory, name: Part(6725, 25), data_types: Part(6, 1), access: Part(0, 0), values: Part(0, 0), default: None, unit: Part(0, 0), bits: Part(0, 0) }, // CO min pulse length Tpuls
-    EntryRow { first: 2, last: 199, mapping: None, need: Optional, name: Part(6725, 25), data_types: Part(6, 1), access: Part(0, 0), values: Part(0, 0), default: None, unit: Part(0, 0), bits: Part(0, 0) }, // CO min pulse length Tpuls
-    EntryRow { first: 0, last: 0, mapping: Some(No), need: Mandatory, name: Part(27, 27), data_types: Part(0, 1), access: Part(0, 1), values: Part(0, 1), default: None, unit: Part(0, 0), bits: Part(0, 0) }, // Highest sub-index supported
-    EntryRow { first: 1, last: 1, mapping: None, need: Mandatory, name: Part(6951, 32), data_types: Part(6, 1), access: Part(0, 0), values: Part(0, 0), default: None, unit: Part(0, 0), bits: Part(0, 0) }, // CO neutral zone three-point Xsh1
-    EntryRow { first: 2, last: 199, mapping: None, need: Optional, name: Part(6951, 32), data_types: Part(6, 1), access: Part(0, 0), values: Part(0, 0), default: None, unit: Part(0, 0), bits: Part(0, 0) }, // CO neutral zone three-point Xsh1
-    EntryRow { first: 0, last: 0, mapping: Some(No), need: Mandatory, name: Part(27, 27), data_types: Part(0, 1), access: Part(0, 1), values: Part(0, 1), default: None, unit: Part(0, 0), bits: Part(0, 0) }, // Highest sub-index supported
-    EntryRow { first: 1, last: 1, mapping: None, need: Mandatory, name: Part(7063, 32), data_types: Part(6, 1), access: Part(0, 0), values: Part(0, 0), default: None, unit: Part(0, 0), bits: Part(0, 0) }, // CO neutral zone three-point Xsh2
-    EntryRow { first: 2, last: 199, mapping: None, need: Optional, name: Part(7063, 32), data_types: Part(6, 1), access: Part(0, 0), values: Part(0, 0), default: None, unit: Part(0, 0), bits: Part(0, 0) }, // CO neutral zone three-point Xsh2
-    EntryRow { first: 0, last: 0, mapping: Some(No), need: Mandatory, name: Part(27, 27), data_types: Part(0, 1), access: Part(0, 1), values: Part(0, 1), default: None, unit: Part(0, 0), bits: Part(0, 0) }, // Highest sub-index supported
-    EntryRow { first: 1, last: 1, mapping: None, need: Mandatory, name: Part(7176, 40), data_types: Part(6, 1), access: Part(0, 0), values: Part(0, 0), default: None, unit: Part(0, 0), bits: Part(0, 0) }, // CO neutral zone three-point stepping Xsh
-    EntryRow { first: 2, last: 199, mapping: None, need: Optional, name: Part(7176, 40), data_types: Part(6, 1), access: Part(0, 0), values: Part(0, 0), default: None, unit: Part(0, 0), bits: Part(0, 0) }, // CO neutral zone three-point stepping Xsh
-    EntryRow { first: 0, last: 0, mapping: Some(No), need: Mandatory, name: Part(27, 27), data_types: Part(0, 1), access: Part(0, 1), values: Part(0, 1), default: None, unit: Part(0, 0), bits: Part(0, 0) }, // Highest sub-index supported
-    EntryRow { first: 1, last: 1, mapping: None, need: Mandatory, name: Part(7270, 41), data_types: Part(6, 1), access: Part(0, 0), values: Part(0, 0), default: None, unit: Part(0, 0), bits: Part(0, 0) }, // CO switching difference of signaller Xsd1
-    EntryRow { first: 2, last: 199, mapping: None, need: Optional, name: Part(7270, 41), data_types: Part(6, 1), access: Part(0, 0), values: Part(0, 0), default: None, unit: Part(0, 0), bits: Part(0, 0) }, // CO switching difference of signaller Xsd1
-    EntryRow { first: 0, last: 0, mapping: Some(No), need: Mandatory, name: Part(27, 27), data_types: Part(0, 1), access: Part(0, 1), values: Part(0, 1), default: None, unit: Part(0, 0), bits: Part(0, 0) }, // Highest sub-index supported
-    EntryRow { first: 1, last: 1, mapping: None, need: Mandatory, name: Part(7350, 50), data_types: Part(6, 1), access: Part(0, 0), values: Part(0, 0), default: None, unit: Part(0, 0), bits: Part(0, 0) }, // CO switching difference of additional contact Xsd2
-    EntryRow { first: 2, last: 199, mapping: None, need: Optional, name: Part(7350, 50), data_types: Part(6, 1), access: Part(0, 0), values: Part(0, 0), default: None, unit: Part(0, 0), bits: Part(0, 0) }, // CO switching difference of additional contact Xsd2
-    EntryRow { first: 0, last: 0, mapping: Some(No), need: Mandatory, name: Part(27, 27), data_types: Part(0, 1), access: Part(0, 1), values: Part(0, 1), default: None, unit: Part(0, 0), bits: Part(0, 0) }, // Highest sub-index supported
-    EntryRow { first: 1, last: 1, mapping: None, need: Mandatory, name: Part(7441, 52), data_types: Part(6, 1), access: Part(0, 0), values: Part(0, 0), default: None, unit: Part(0, 0), bits: Part(0, 0) }, // CO trigger point separation of additional contact LW
-    EntryRow { first: 2, last: 199, mapping: None, need: Optional, name: Part(7441, 52), data_types: Part(6, 1), access: Part(0, 0), values: Part(0, 0), default: None, unit: Part(0, 0), bits: Part(0, 0) }, // CO trigger point separation of additional contact LW
-    EntryRow { first: 0, last: 0, mapping: Some(No), need: Mandatory, name: Part(27, 27), data_types: Part(0, 1), access: Part(0, 1), values: Part(0, 1), default: None, unit: Part(0, 0), bits: Part(0, 0) }, // Highest sub-index supported
-    EntryRow { first: 1, last: 1, mapping: None, need: Mandatory, name: Part(7569, 24), data_types: Part(6, 1), access: Part(0, 0), values: Part(0, 0), default: None, unit: Part(0, 0), bits: Part(0, 0) }, // CO proportional band Xp1
-    EntryRow { first: 2, last: 199, mapping: None, need: Optional, name: Part(7569, 24), data_types: Part(6, 1), access: Part(0, 0), values: Part(0, 0), default: None, unit: Part(0, 0), bits: Part(0, 0) }, // CO proportional band Xp1
-    EntryRow { first: 0, last: 0, mapping: Some(No), need: Mandatory, name: Part(27, 27), data_types: Part(0, 1), access: Part(0, 1), values: Part(0, 1), default: None, unit: Part(0, 0), bits: Part(0, 0) }, // Highest sub-index supported
-    EntryRow { first: 1, last: 1, mapping: None, need: Mandatory, name: Part(7642, 24), data_types: Part(6, 1), access: Part(0, 0), values: Part(0, 0), default: None, unit: Part(0, 0), bits: Part(0, 0) }, // CO proportional band Xp2
-    EntryRow { first: 2, last: 199, mapping: None, need: Optional, name: Part(7642, 24), data_types: Part(6, 1), access: Part(0, 0), values: Part(0, 0), default: None, unit: Part(0, 0), bits: Part(0, 0) }, // CO proportional band Xp2
-    EntryRow { first: 0, last: 0, mapping: Some(No), need: Mandatory, name: Part(27, 27), data_types: Part(0, 1), access: Part(0, 1), values: Part(0, 1), default: None, unit: Part(0, 0), bits: Part(0, 0) }, // Highest sub-index supported
-    EntryRow { first: 1, last: 1, mapping: None, need: Mandatory, name: Part(7716, 27), data_types: Part(6, 1), access: Part(0, 0), values: Part(0, 0), default: None, unit: Part(0, 0), bits: Part(0, 0) }, // CO integral action time Tn1
-    EntryRow { first: 2, last: 199, mapping: None, need: Optional, name: Part(7716, 27), data_types: Part(6, 1), access: Part(0, 0), values: Part(0, 0), default: None, unit: Part(0, 0), bits: Part(0, 0) }, // CO integral action time Tn1
-    EntryRow { first: 0, last: 0, mapping: Some(No), need: Mandatory, name: Part(27, 27), data_types: Part(0, 1), access: Part(0, 1), values: Part(0, 1), default: None, unit: Part(0, 0), bits: Part(0, 0) }, // Highest sub-index supported
-    EntryRow { first: 1, last: 1, mapping: None, need: Mandatory, name: Part(7795, 27), data_types: Part(6, 1), access: Part(0, 0), values: Part(0, 0), default: None, unit: Part(0, 0), bits: Part(0, 0) }, // CO integral action time Tn2
-    EntryRow { first: 2, last: 199, mapping: None, need: Optional, name: Part(7795, 27), data_types: Part(6, 1), access: Part(0, 0), values: Part(0, 0), default: None, unit: Part(0, 0), bits: Part(0, 0) }, // CO integral action time Tn2
-    EntryRow { first: 0, last: 0, mapping: Some(No), need: Mandatory, name: Part(27, 27), data_types: Part(0, 1), access: Part(0, 1), values: Part(0, 1), default: None, unit: Part(0, 0), bits: Part(0, 0) }, // Highest sub-index supported
-    EntryRow { first: 1, last: 1, mapping: None, need: Mandatory, name: Part(7875, 29), data_types: Part(6, 1), access: Part(0, 0), values: Part(0, 0), default: None, unit: Part(0, 0), bits: Part(0, 0) }, // CO derivative action time Tv1
-    EntryRow { first: 2, last: 199, mapping: None, need: Optional, name: Part(7875, 29), data_types: Part(6, 1), access: Part(0, 0), values: Part(0, 0), default: None, unit: Part(0, 0), bits: Part(0, 0) }, // CO derivative action time Tv1
-    EntryRow { first: 0, last: 0, mapping: Some(No), need: Mandatory, name: Part(27, 27), data_types: Part(0, 1), access: Part(0, 1), values: Part(0, 1), default: None, unit: Part(0, 0), bits: Part(0, 0) }, // Highest sub-index supported
-    EntryRow { first: 1, last: 1, mapping: None, need: Mandatory, name: Part(7958, 29), data_types: Part(6, 1), access: Part(0, 0), values: Part(0, 0), default: None, unit: Part(0, 0), bits: Part(0, 0) }, // CO derivative action time Tv2
-    EntryRow { first: 2, last: 199, mapping: None, need: Optional, name: Part(7958, 29), data_types: Part(6, 1), access: Part(0, 0), values: Part(0, 0), default: None, unit: Part(0, 0), bits: Part(0, 0) }, // CO derivative action time Tv2
-    EntryRow { first: 0, last: 0, mapping: Some(No), need: Mandatory, name: Part(27, 27), data_types: Part(0, 1), access: Part(0, 1), values: Part(0, 1), default: None, unit: Part(0, 0), bits: Part(0, 0) }, // Highest sub-index supported
-    EntryRow { first: 1, last: 1, mapping: None, need: Mandatory, name: Part(8042, 16), data_types: Part(6, 1), access: Part(0, 0), values: Part(0, 0), default: None, unit: Part(0, 0), bits: Part(0, 0) }, // CO cycle time T1
-    EntryRow { first: 2, last: 199, mapping: None, need: Optional, name: Part(8042, 16), data_types: Part(6, 1), access: Part(0, 0), values: Part(0, 0), default: None, unit: Part(0, 0), bits: Part(0, 0) }, // CO cycle time T1
-    EntryRow { first: 0, last: 0, mapping: Some(No), need: Mandatory, name: Part(27, 27), data_types: Part(0, 1), access: Part(0, 1), values: Part(0, 1), default: None, unit: Part(0, 0), bits: Part(0, 0) }, // Highest sub-index supported
-    EntryRow { first: 1, last: 1, mapping: None, need: Mandatory, name: Part(8099, 16), data_types: Part(6, 1), access: Part(0, 0), values: Part(0, 0), default: None, unit: Part(0, 0), bits: Part(0, 0) }, // CO cycle time T2
-    EntryRow { first: 2, last: 199, mapping: None, need: Optional, name: Part(8099, 16), data_types: Part(6, 1), access: Part(0, 0), values: Part(0, 0), default: None, unit: Part(0, 0), bits: Part(0, 0) }, // CO cycle time T2
-    EntryRow { first: 0, last: 0, mapping: Some(No), need: Mandatory, name: Part(27, 27), data_types: Part(0, 1), access: Part(0, 1), values: Part(0, 1), default: None, unit: Part(0, 0), bits: Part(0, 0) }, // Highest sub-index supported
-    EntryRow { first: 1, last: 1, mapping: Some(Any), need: Mandatory, name: Part(8321, 14), data_types: Part(6, 1), access: Part(0, 0), values: Part(0, 0), default: None, unit: Part(0, 0), bits: Part(0, 0) }, // AL input value
-    EntryRow { first: 2, last: 199, mapping: Some(Any), need: Optional, name: Part(8321, 14), data_types: Part(6, 1), access: Part(0, 0), values: Part(0, 0), default: None, unit: Part(0, 0), bits: Part(0, 0) }, // AL input value
-    EntryRow { first: 0, last: 0, mapping: Some(No), need: Mandatory, name: Part(27, 27), data_types: Part(0, 1), access: Part(0, 1), values: Part(0, 1), default: None, unit: Part(0, 0), bits: Part(0, 0) }, // Highest sub-index supported
-    EntryRow { first: 1, last: 1, mapping: None, need: Mandatory, name: Part(8438, 24), data_types: Part(6, 1), access: Part(0, 0), values: Part(0, 0), default: None, unit: Part(0, 0), bits: Part(0, 0) }, // AL alternate input value
-    EntryRow { first: 2, last: 199, mapping: None, need: Optional, name: Part(8438, 24), data_types: Part(6, 1), access: Part(0, 0), values: Part(0, 0), default: None, unit: Part(0, 0), bits: Part(0, 0) }, // AL alternate input value
-    EntryRow { first: 0, last: 0, mapping: Some(No), need: Mandatory, name: Part(27, 27), data_types: Part(0, 1), access: Part(0, 1), values: Part(0, 1), default: None, unit: Part(0, 0), bits: Part(0, 0) }, // Highest sub-index supported
-    EntryRow { first: 1, last: 1, mapping: None, need: Mandatory, name: Part(8939, 8), data_types: Part(6, 1), access: Part(0, 0), values: Part(0, 0), default: None, unit: Part(0, 0), bits: Part(0, 0) }, // AL level
-    EntryRow { first: 2, last: 199, mapping: None, need: Optional, name: Part(8939, 8), data_types: Part(6, 1), access: Part(0, 0), values: Part(0, 0), default: None, unit: Part(0, 0), bits: Part(0, 0) }, // AL level
-    EntryRow { first: 0, last: 0, mapping: Some(No), need: Mandatory, name: Part(27, 27), data_types: Part(0, 1), access: Part(0, 1), values: Part(0, 1), default: None, unit: Part(0, 0), bits: Part(0, 0) }, // Highest sub-index supported
-    EntryRow { first: 1, last: 1, mapping: None, need: Mandatory, name: Part(8989, 13), data_types: Part(6, 1), access: Part(0, 0), values: Part(0, 0), default: None, unit: Part(0, 0), bits: Part(0, 0) }, // AL hysteresis
-    EntryRow { first: 2, last: 199, mapping: None, need: Optional, name: Part(8989, 13), data_types: Part(6, 1), access: Part(0, 0), values: Part(0, 0), default: None, unit: Part(0, 0), bits: Part(0, 0) }, // AL hysteresis
-    EntryRow { first: 0, last: 0, mapping: Some(No), need: Mandatory, name: Part(27, 27), data_types: Part(0, 1), access: Part(0, 1), values: Part(0, 1), default: None, unit: Part(0, 0), bits: Part(0, 0) }, // Highest sub-index supported
-    EntryRow { first: 1, last: 1, mapping: Some(Any), need: Mandatory, name: Part(10271, 10), data_types: Part(6, 1), access: Part(0, 0), values: Part(0, 0), default: None, unit: Part(0, 0), bits: Part(0, 0) }, // Receive PV
-    EntryRow { first: 2, last: 199, mapping: Some(Any), need: Optional, name: Part(10271, 10), data_types: Part(6, 1), access: Part(0, 0), values: Part(0, 0), default: None, unit: Part(0, 0), bits: Part(0, 0) }, // Receive PV
-    EntryRow { first: 0, last: 0, mapping: Some(No), need: Mandatory, name: Part(27, 27), data_types: Part(0, 1), access: Part(0, 1), values: Part(0, 1), default: None, unit: Part(0, 0), bits: Part(0, 0) }, // Highest sub-index supported
-    EntryRow { first: 1, last: 1, mapping: Some(Any), need: Mandatory, name: Part(10339, 20), data_types: Part(6, 1), access: Part(0, 0), values: Part(0, 0), default: None, unit: Part(0, 0), bits: Part(0, 0) }, // Alternate receive PV
-    EntryRow { first: 2, last: 199, mapping: Some(Any), need: Optional, name: Part(10339, 20), data_types: Part(6, 1), access: Part(0, 0), values: Part(0, 0), default: None, unit: Part(0, 0), bits: Part(0, 0) }, // Alternate receive PV
-    EntryRow { first: 0, last: 0, mapping: Some(No), need: Mandatory, name: Part(27, 27), data_types: Part(0, 1), access: Part(0, 1), values: Part(0, 1), default: None, unit: Part(0, 0), bits: Part(0, 0) }, // Highest sub-index supported
-    EntryRow { first: 1, last: 1, mapping: Some(Tpdo), need: Mandatory, name: Part(311, 11), data_types: Part(7, 1), access: Part(0, 1), values: Part(0, 0), default: None, unit: Part(0, 0), bits: Part(0, 0) }, // AI input FV
-    EntryRow { first: 2, last: 199, mapping: Some(Tpdo), need: Optional, name: Part(311, 11), data_types: Part(7, 1), access: Part(0, 1), values: Part(0, 0), default: None, unit: Part(0, 0), bits: Part(0, 0) }, // AI input FV
-    EntryRow { first: 0, last: 0, mapping: Some(No), need: Mandatory, name: Part(27, 27), data_types: Part(0, 1), access: Part(0, 1), values: Part(0, 1), default: None, unit: Part(0, 0), bits: Part(0, 0) }, // Highest sub-index supported
-    EntryRow { first: 1, last: 1, mapping: None, need: Mandatory, name: Part(393, 27), data_types: Part(7, 1), access: Part(0, 0), values: Part(0, 0), default: None, unit: Part(0, 0), bits: Part(0, 0) }, // AI interrupt delta input FV
-    EntryRow { first: 2, last: 199, mapping: None, need: Optional, name: Part(393, 27), data_types: Part(7, 1), access: Part(0, 0), values: Part(0, 0), default: None, unit: Part(0, 0), bits: Part(0, 0) }, // AI interrupt delta input FV
-    EntryRow { first: 0, last: 0, mapping: Some(No), need: Mandatory, name: Part(27, 27), data_types: Part(0, 1), access: Part(0, 1), values: Part(0, 1), default: None, unit: Part(0, 0), bits: Part(0, 0) }, // Highest sub-index supported
-    EntryRow { first: 1, last: 1, mapping: None, need: Mandatory, name: Part(763, 21), data_types: Part(7, 1), access: Part(0, 0), values: Part(0, 0), default: None, unit: Part(0, 0), bits: Part(0, 0) }, // AI input scaling 1 FV
-    EntryRow { first: 2, last: 199, mapping: None, need: Optional, name: Part(763, 21), data_types: Part(7, 1), access: Part(0, 0), values: Part(0, 0), default: None, unit: Part(0, 0), bits: Part(0, 0) }, // AI input scaling 1 FV
-    EntryRow { first: 0, last: 0, mapping: Some(No), need: Mandatory, name: Part(27, 27), data_types: Part(0, 1), access: Part(0, 1), values: Part(0, 1), default: None, unit: Part(0, 0), bits: Part(0, 0) }, // Highest sub-index supported
-    EntryRow { first: 1, last: 1, mapping: None, need: Mandatory, name: Part(861, 21), data_types: Part(7, 1), access: Part(0, 0), values: Part(0, 0), default: None, unit: Part(0, 0), bits: Part(0, 0) }, // AI input scaling 1 PV
-    EntryRow { first: 2, last: 199, mapping: None, need: Optional, name: Part(861, 21), data_types: Part(7, 1), access: Part(0, 0), values: Part(0, 0), default: None, unit: Part(0, 0), bits: Part(0, 0) }, // AI input scaling 1 PV
-    EntryRow { first: 0, last: 0, mapping: Some(No), need: Mandatory, name: Part(27, 27), data_types: Part(0, 1), access: Part(0, 1), values: Part(0, 1), default: None, unit: Part(0, 0), bits: Part(0, 0) }, // Highest sub-index supported
-    EntryRow { first: 1, last: 1, mapping: None, need: Mandatory, name: Part(961, 21), data_types: Part(7, 1), access: Part(0, 0), values: Part(0, 0), default: None, unit: Part(0, 0), bits: Part(0, 0) }, // AI input scaling 2 FV
-    EntryRow { first: 2, last: 199, mapping: None, need: Optional, name: Part(961, 21), data_types: Part(7, 1), access: Part(0, 0), values: Part(0, 0), default: None, unit: Part(0, 0), bits: Part(0, 0) }, // AI input scaling 2 FV
-    EntryRow { first: 0, last: 0, mapping: Some(No), need: Mandatory, name: Part(27, 27), data_types: Part(0, 1), access: Part(0, 1), values: Part(0, 1), default: None, unit: Part(0, 0), bits: Part(0, 0) }, // Highest sub-index supported
-    EntryRow { first: 1, last: 1, mapping: None, need: Mandatory, name: Part(1060, 21), data_types: Part(7, 1), access: Part(0, 0), values: Part(0, 0), default: None, unit: Part(0, 0), bits: Part(0, 0) }, // AI input scaling 2 PV
-    EntryRow { first: 2, last: 199, mapping: None, need: Optional, name: Part(1060, 21), data_types: Part(7, 1), access: Part(0, 0), values: Part(0, 0), default: None, unit: Part(0, 0), bits: Part(0, 0) }, // AI input scaling 2 PV
-    EntryRow { first: 0, last: 0, mapping: Some(No), need: Mandatory, name: Part(27, 27), data_types: Part(0, 1), access: Part(0, 1), values: Part(0, 1), default: None, unit: Part(0, 0), bits: Part(0, 0) }, // Highest sub-index supported
-    EntryRow { first: 1, last: 1, mapping: None, need: Mandatory, name: Part(1161, 15), data_types: Part(7, 1), access: Part(0, 0), values: Part(0, 0), default: None, unit: Part(0, 0), bits: Part(0, 0) }, // AI input offset
-    EntryRow { first: 2, last: 199, mapping: None, need: Optional, name: Part(1161, 15), data_types: Part(7, 1), access: Part(0, 0), values: Part(0, 0), default: None, unit: Part(0, 0), bits: Part(0, 0) }, // AI input offset
-    EntryRow { first: 0, last: 0, mapping: Some(No), need: Mandatory, name: Part(27, 27), data_types: Part(0, 1), access: Part(0, 1), values: Part(0, 1), default: None, unit: Part(0, 0), bits: Part(0, 0) }, // Highest sub-index supported
-    EntryRow { first: 1, last: 1, mapping: Some(Tpdo), need: Mandatory, name: Part(1457, 11), data_types: Part(7, 1), access: Part(0, 1), values: Part(0, 0), default: None, unit: Part(0, 0), bits: Part(0, 0) }, // AI input PV
-    EntryRow { first: 2, last: 199, mapping: Some(Tpdo), need: Optional, name: Part(1457, 11), data_types: Part(7, 1), access: Part(0, 1), values: Part(0, 0), default: None, unit: Part(0, 0), bits: Part(0, 0) }, // AI input PV
-    EntryRow { first: 0, last: 0, mapping: Some(No), need: Mandatory, name: Part(27, 27), data_types: Part(0, 1), access: Part(0, 1), values: Part(0, 1), default: None, unit: Part(0, 0), bits: Part(0, 0) }, // Highest sub-index supported
-    EntryRow { first: 1, last: 1, mapping: None, need: Mandatory, name: Part(1740, 27), data_types: Part(7, 1), access: Part(0, 0), values: Part(0, 0), default: None, unit: Part(0, 0), bits: Part(0, 0) }, // AI interrupt delta input PV
-    EntryRow { first: 2, last: 199, mapping: None, need: Optional, name: Part(1740, 27), data_types: Part(7, 1), access: Part(0, 0), values: Part(0, 0), default: None, unit: Part(0, 0), bits: Part(0, 0) }, // AI interrupt delta input PV
-    EntryRow { first: 0, last: 0, mapping: Some(No), need: Mandatory, name: Part(27, 27), data_types: Part(0, 1), access: Part(0, 1), values: Part(0, 1), default: None, unit: Part(0, 0), bits: Part(0, 0) }, // Highest sub-index supported
-    EntryRow { first: 1, last: 1, mapping: None, need: Mandatory, name: Part(1823, 27), data_types: Part(7, 1), access: Part(0, 0), values: Part(0, 0), default: None, unit: Part(0, 0), bits: Part(0, 0) }, // AI interrupt lower input PV
-    EntryRow { first: 2, last: 199, mapping: None, need: Optional, name: Part(1823, 27), data_types: Part(7, 1), access: Part(0, 0), values: Part(0, 0), default: None, unit: Part(0, 0), bits: Part(0, 0) }, // AI interrupt lower input PV
-    EntryRow { first: 0, last: 0, mapping: Some(No), need: Mandatory, name: Part(27, 27), data_types: Part(0, 1), access: Part(0, 1), values: Part(0, 1), default: None, unit: Part(0, 0), bits: Part(0, 0) }, // Highest sub-index supported
-    EntryRow { first: 1, last: 1, mapping: None, need: Mandatory, name: Part(1910, 27), data_types: Part(7, 1), access: Part(0, 0), values: Part(0, 0), default: None, unit: Part(0, 0), bits: Part(0, 0) }, // AI interrupt upper input PV
-    EntryRow { first: 2, last: 199, mapping: None, need: Optional, name: Part(1910, 27), data_types: Part(7, 1), access: Part(0, 0), values: Part(0, 0), default: None, unit: Part(0, 0), bits: Part(0, 0) }, // AI interrupt upper input PV
-    EntryRow { first: 0, last: 0, mapping: Some(No), need: Mandatory, name: Part(27, 27), data_types: Part(0, 1), access: Part(0, 1), values: Part(0, 1), default: None, unit: Part(0, 0), bits: Part(0, 0) }, // Highest sub-index supported
-    EntryRow { first: 1, last: 1, mapping: None, need: Mandatory, name: Part(1997, 12), data_types: Part(7, 1), access: Part(0, 0), values: Part(0, 0), default: None, unit: Part(0, 0), bits: Part(0, 0) }, // AI tare zero
-    EntryRow { first: 2, last: 199, mapping: None, need: Optional, name: Part(1997, 12), data_types: Part(7, 1), access: Part(0, 0), values: Part(0, 0), default: None, unit: Part(0, 0), bits: Part(0, 0) }, // AI tare zero
-    EntryRow { first: 0, last: 0, mapping: Some(No), need: Mandatory, name: Part(27, 27), data_types: Part(0, 1), access: Part(0, 1), values: Part(0, 1), default: None, unit: Part(0, 0), bits: Part(0, 0) }, // Highest sub-index supported
-    EntryRow { first: 1, last: 1, mapping: Some(Tpdo), need: Mandatory, name: Part(2155, 9), data_types: Part(7, 1), access: Part(0, 1), values: Part(0, 0), default: None, unit: Part(0, 0), bits: Part(0, 0) }, // AI net PV
-    EntryRow { first: 2, last: 199, mapping: Some(Tpdo), need: Optional, name: Part(2155, 9), data_types: Part(7, 1), access: Part(0, 1), values: Part(0, 0), default: None, unit: Part(0, 0), bits: Part(0, 0) }, // AI net PV
-    EntryRow { first: 0, last: 0, mapping: Some(No), need: Mandatory, name: Part(27, 27), data_types: Part(0, 1), access: Part(0, 1), values: Part(0, 1), default: None, unit: Part(0, 0), bits: Part(0, 0) }, // Highest sub-index supported
-    EntryRow { first: 1, last: 1, mapping: None, need: Mandatory, name: Part(2220, 25), data_types: Part(7, 1), access: Part(0, 0), values: Part(0, 0), default: None, unit: Part(0, 0), bits: Part(0, 0) }, // AI interrupt delta net PV
-    EntryRow { first: 2, last: 199, mapping: None, need: Optional, name: Part(2220, 25), data_types: Part(7, 1), access: Part(0, 0), values: Part(0, 0), default: None, unit: Part(0, 0), bits: Part(0, 0) }, // AI interrupt delta net PV
-    EntryRow { first: 0, last: 0, mapping: Some(No), need: Mandatory, name: Part(27, 27), data_types: Part(0, 1), access: Part(0, 1), values: Part(0, 1), default: None, unit: Part(0, 0), bits: Part(0, 0) }, // Highest sub-index supported
-    EntryRow { first: 1, last: 1, mapping: None, need: Mandatory, name: Part(2297, 31), data_types: Part(7, 1), access: Part(0, 0), values: Part(0, 0), default: None, unit: Part(0, 0), bits: Part(0, 0) }, // AI interrupt lower limit net PV
-    EntryRow { first: 2, last: 199, mapping: None, need: Optional, name: Part(2297, 31), data_types: Part(7, 1), access: Part(0, 0), values: Part(0, 0), default: None, unit: Part(0, 0), bits: Part(0, 0) }, // AI interrupt lower limit net PV
-    EntryRow { first: 0, last: 0, mapping: Some(No), need: Mandatory, name: Part(27, 27), data_types: Part(0, 1), access: Part(0, 1), values: Part(0, 1), default: None, unit: Part(0, 0), bits: Part(0, 0) }, // Highest sub-index supported
-    EntryRow { first: 1, last: 1, mapping: None, need: Mandatory, name: Part(2384, 31), data_types: Part(7, 1), access: Part(0, 0), values: Part(0, 0), default: None, unit: Part(0, 0), bits: Part(0, 0) }, // AI interrupt upper limit net PV
-    EntryRow { first: 2, last: 199, mapping: None, need: Optional, name: Part(2384, 31), data_types: Part(7, 1), access: Part(0, 0), values: Part(0, 0), default: None, unit: Part(0, 0), bits: Part(0, 0) }, // AI interrupt upper limit net PV
-    EntryRow { first: 0, last: 0, mapping: Some(No), need: Mandatory, name: Part(27, 27), data_types: Part(0, 1), access: Part(0, 1), values: Part(0, 1), default: None, unit: Part(0, 0), bits: Part(0, 0) }, // Highest sub-index supported
-    EntryRow { first: 1, last: 1, mapping: None, need: Mandatory, name: Part(2471, 13), data_types: Part(7, 1), access: Part(0, 0), values: Part(0, 0), default: None, unit: Part(0, 0), bits: Part(0, 0) }, // AI span start
-    EntryRow { first: 2, last: 199, mapping: None, need: Optional, name: Part(2471, 13), data_types: Part(7, 1), access: Part(0, 0), values: Part(0, 0), default: None, unit: Part(0, 0), bits: Part(0, 0) }, // AI span start
-    EntryRow { first: 0, last: 0, mapping: Some(No), need: Mandatory, name: Part(27, 27), data_types: Part(0, 1), access: Part(0, 1), values: Part(0, 1), default: None, unit: Part(0, 0), bits: Part(0, 0) }, // Highest sub-index supported
-    EntryRow { first: 1, last: 1, mapping: None, need: Mandatory, name: Part(2552, 11), data_types: Part(7, 1), access: Part(0, 0), values: Part(0, 0), default: None, unit: Part(0, 0), bits: Part(0, 0) }, // AI span end
-    EntryRow { first: 2, last: 199, mapping: None, need: Optional, name: Part(2552, 11), data_types: Part(7, 1), access: Part(0, 0), values: Part(0, 0), default: None, unit: Part(0, 0), bits: Part(0, 0) }, // AI span end
-    EntryRow { first: 0, last: 0, mapping: Some(No), need: Mandatory, name: Part(27, 27), data_types: Part(0, 1), access: Part(0, 1), values: Part(0, 1), default: None, unit: Part(0, 0), bits: Part(0, 0) }, // Highest sub-index supported
-    EntryRow { first: 1, last: 1, mapping: Some(Any), need: Mandatory, name: Part(3939, 12), data_types: Part(7, 1), access: Part(1, 1), values: Part(0, 0), default: None, unit: Part(0, 0), bits: Part(0, 0) }, // AO output PV
-    EntryRow { first: 2, last: 199, mapping: Some(Any), need: Optional, name: Part(3939, 12), data_types: Part(7, 1), access: Part(1, 1), values: Part(0, 0), default: None, unit: Part(0, 0), bits: Part(0, 0) }, // AO output PV
-    EntryRow { first: 0, last: 0, mapping: Some(No), need: Mandatory, name: Part(27, 27), data_types: Part(0, 1), access: Part(0, 1), values: Part(0, 1), default: None, unit: Part(0, 0), bits: Part(0, 0) }, // Highest sub-index supported
-    EntryRow { first: 1, last: 1, mapping: None, need: Mandatory, name: Part(4245, 22), data_types: Part(7, 1), access: Part(0, 0), values: Part(0, 0), default: None, unit: Part(0, 0), bits: Part(0, 0) }, // AO output scaling 1 PV
-    EntryRow { first: 2, last: 199, mapping: None, need: Optional, name: Part(4245, 22), data_types: Part(7, 1), access: Part(0, 0), values: Part(0, 0), default: None, unit: Part(0, 0), bits: Part(0, 0) }, // AO output scaling 1 PV
-    EntryRow { first: 0, last: 0, mapping: Some(No), need: Mandatory, name: Part(27, 27), data_types: Part(0, 1), access: Part(0, 1), values: Part(0, 1), default: None, unit: Part(0, 0), bits: Part(0, 0) }, // Highest sub-index supported
-    EntryRow { first: 1, last: 1, mapping: None, need: Mandatory, name: Part(4347, 22), data_types: Part(7, 1), access: Part(0, 0), values: Part(0, 0), default: None, unit: Part(0, 0), bits: Part(0, 0) }, // AO output scaling 1 FV
-    EntryRow { first: 2, last: 199, mapping: None, need: Optional, name: Part(4347, 22), data_types: Part(7, 1), access: Part(0, 0), values: Part(0, 0), default: None, unit: Part(0, 0), bits: Part(0, 0) }, // AO output scaling 1 FV
-    EntryRow { first: 0, last: 0, mapping: Some(No), need: Mandatory, name: Part(27, 27), data_types: Part(0, 1), access: Part(0, 1), values: Part(0, 1), default: None, unit: Part(0, 0), bits: Part(0, 0) }, // Highest sub-index supported
-    EntryRow { first: 1, last: 1, mapping: None, need: Mandatory, name: Part(4447, 22), data_types: Part(7, 1), access: Part(0, 0), values: Part(0, 0), default: None, unit: Part(0, 0), bits: Part(0, 0) }, // AO output scaling 2 PV
-    EntryRow { first: 2, last: 199, mapping: None, need: Optional, name: Part(4447, 22), data_types: Part(7, 1), access: Part(0, 0), values: Part(0, 0), default: None, unit: Part(0, 0), bits: Part(0, 0) }, // AO output scaling 2 PV
-    EntryRow { first: 0, last: 0, mapping: Some(No), need: Mandatory, name: Part(27, 27), data_types: Part(0, 1), access: Part(0, 1), values: Part(0, 1), default: None, unit: Part(0, 0), bits: Part(0, 0) }, // Highest sub-index supported
-    EntryRow { first: 1, last: 1, mapping: None, need: Mandatory, name: Part(4550, 22), data_types: Part(7, 1), access: Part(0, 0), values: Part(0, 0), default: None, unit: Part(0, 0), bits: Part(0, 0) }, // AO output scaling 2 FV
-    EntryRow { first: 2, last: 199, mapping: None, need: Optional, name: Part(4550, 22), data_types: Part(7, 1), access: Part(0, 0), values: Part(0, 0), default: None, unit: Part(0, 0), bits: Part(0, 0) }, // AO output scaling 2 FV
-    EntryRow { first: 0, last: 0, mapping: Some(No), need: Mandatory, name: Part(27, 27), data_types: Part(0, 1), access: Part(0, 1), values: Part(0, 1), default: None, unit: Part(0, 0), bits: Part(0, 0) }, // Highest sub-index supported
-    EntryRow { first: 1, last: 1, mapping: None, need: Mandatory, name: Part(4651, 12), data_types: Part(7, 1), access: Part(0, 0), values: Part(0, 0), default: None, unit: Part(0, 0), bits: Part(0, 0) }, // AO output FV
-    EntryRow { first: 2, last: 199, mapping: None, need: Optional, name: Part(4651, 12), data_types: Part(7, 1), access: Part(0, 0), values: Part(0, 0), default: None, unit: Part(0, 0), bits: Part(0, 0) }, // AO output FV
-    EntryRow { first: 0, last: 0, mapping: Some(No), need: Mandatory, name: Part(27, 27), data_types: Part(0, 1), access: Part(0, 1), values: Part(0, 1), default: None, unit: Part(0, 0), bits: Part(0, 0) }, // Highest sub-index supported
-    EntryRow { first: 1, last: 1, mapping: None, need: Mandatory, name: Part(4959, 11), data_types: Part(7, 1), access: Part(0, 0), values: Part(0, 0), default: None, unit: Part(0, 0), bits: Part(0, 0) }, // AO fault FV
-    EntryRow { first: 2, last: 199, mapping: None, need: Optional, name: Part(4959, 11), data_types: Part(7, 1), access: Part(0, 0), values: Part(0, 0), default: None, unit: Part(0, 0), bits: Part(0, 0) }, // AO fault FV
-    EntryRow { first: 0, last: 0, mapping: Some(No), need: Mandatory, name: Part(27, 27), data_types: Part(0, 1), access: Part(0, 1), values: Part(0, 1), default: None, unit: Part(0, 0), bits: Part(0, 0) }, // Highest sub-index supported
-    EntryRow { first: 1, last: 1, mapping: Some(Any), need: Mandatory, name: Part(5036, 31), data_types: Part(7, 1), access: Part(0, 0), values: Part(0, 0), default: None, unit: Part(0, 0), bits: Part(0, 0) }, // CO effective current value Xeff
-    EntryRow { first: 2, last: 199, mapping: Some(Any), need: Optional, name: Part(5036, 31), data_types: Part(7, 1), access: Part(0, 0), values: Part(0, 0), default: None, unit: Part(0, 0), bits: Part(0, 0) }, // CO effective current value Xeff
-    EntryRow { first: 0, last: 0, mapping: Some(No), need: Mandatory, name: Part(27, 27), data_types: Part(0, 1), access: Part(0, 1), values: Part(0, 1), default: None, unit: Part(0, 0), bits: Part(0, 0) }, // Highest sub-index supported
-    EntryRow { first: 1, last: 1, mapping: Some(Tpdo), need: Mandatory, name: Part(5115, 27), data_types: Part(7, 1), access: Part(0, 1), values: Part(0, 0), default: None, unit: Part(0, 0), bits: Part(0, 0) }, // CO effective set point Weff
-    EntryRow { first: 2, last: 199, mapping: Some(Tpdo), need: Optional, name: Part(5115, 27), data_types: Part(7, 1), access: Part(0, 1), values: Part(0, 0), default: None, unit: Part(0, 0), bits: Part(0, 0) }, // CO effective set point Weff
-    EntryRow { first: 0, last: 0, mapping: Some(No), need: Mandatory, name: Part(27, 27), data_types: Part(0, 1), access: Part(0, 1), values: Part(0, 1), default: None, unit: Part(0, 0), bits: Part(0, 0) }, // Highest sub-index supported
-    EntryRow { first: 1, last: 1, mapping: Some(Any), need: Mandatory, name: Part(5187, 14), data_types: Part(7, 1), access: Part(0, 0), values: Part(0, 0), default: None, unit: Part(0, 0), bits: Part(0, 0) }, // CO set point W
-    EntryRow { first: 2, last: 199, mapping: Some(Any), need: Optional, name: Part(5187, 14), data_types: Part(7, 1), access: Part(0, 0), values: Part(0, 0), default: None, unit: Part(0, 0), bits: Part(0, 0) }, // CO set point W
-    EntryRow { first: 0, last: 0, mapping: Some(No), need: Mandatory, name: Part(27, 27), data_types: Part(0, 1), access: Part(0, 1), values: Part(0, 1), default: None, unit: Part(0, 0), bits: Part(0, 0) }, // Highest sub-index supported
-    EntryRow { first: 1, last: 1, mapping: Some(Any), need: Mandatory, name: Part(5233, 19), data_types: Part(7, 1), access: Part(0, 0), values: Part(0, 0), default: None, unit: Part(0, 0), bits: Part(0, 0) }, // CO 2nd set point W2
-    EntryRow { first: 2, last: 199, mapping: Some(Any), need: Optional, name: Part(5233, 19), data_types: Part(7, 1), access: Part(0, 0), values: Part(0, 0), default: None, unit: Part(0, 0), bits: Part(0, 0) }, // CO 2nd set point W2
-    EntryRow { first: 0, last: 0, mapping: Some(No), need: Mandatory, name: Part(27, 27), data_types: Part(0, 1), access: Part(0, 1), values: Part(0, 1), default: None, unit: Part(0, 0), bits: Part(0, 0) }, // Highest sub-index supported
-    EntryRow { first: 1, last: 1, mapping: None, need: Mandatory, name: Part(5318, 27), data_types: Part(7, 1), access: Part(0, 0), values: Part(0, 0), default: None, unit: Part(0, 0), bits: Part(0, 0) }, // CO lower set point limit W0
-    EntryRow { first: 2, last: 199, mapping: None, need: Optional, name: Part(5318, 27), data_types: Part(7, 1), access: Part(0, 0), values: Part(0, 0), default: None, unit: Part(0, 0), bits: Part(0, 0) }, // CO lower set point limit W0
-    EntryRow { first: 0, last: 0, mapping: Some(No), need: Mandatory, name: Part(27, 27), data_types: Part(0, 1), access: Part(0, 1), values: Part(0, 1), default: None, unit: Part(0, 0), bits: Part(0, 0) }, // Highest sub-index supported
-    EntryRow { first: 1, last: 1, mapping: None, need: Mandatory, name: Part(5366, 29), data_types: Part(7, 1), access: Part(0, 0), values: Part(0, 0), default: None, unit: Part(0, 0), bits: Part(0, 0) }, // CO upper set point limit W100
-    EntryRow { first: 2, last: 199, mapping: None, need: Optional, name: Part(5366, 29), data_types: Part(7, 1), access: Part(0, 0), values: Part(0, 0), default: None, unit: Part(0, 0), bits: Part(0, 0) }, // CO upper set point limit W100
-    EntryRow { first: 0, last: 0, mapping: Some(No), need: Mandatory, name: Part(27, 27), data_types: Part(0, 1), access: Part(0, 1), values: Part(0, 1), default: None, unit: Part(0, 0), bits: Part(0, 0) }, // Highest sub-index supported
-    EntryRow { first: 1, last: 1, mapping: None, need: Mandatory, name: Part(6467, 27), data_types: Part(7, 1), access: Part(0, 0), values: Part(0, 0), default: None, unit: Part(0, 0), bits: Part(0, 0) }, // CO minimum pulse time Tmin1
-    EntryRow { first: 2, last: 199, mapping: None, need: Optional, name: Part(6467, 27), data_types: Part(7, 1), access: Part(0, 0), values: Part(0, 0), default: None, unit: Part(0, 0), bits: Part(0, 0) }, // CO minimum pulse time Tmin1
-    EntryRow { first: 0, last: 0, mapping: Some(No), need: Mandatory, name: Part(27, 27), data_types: Part(0, 1), access: Part(0, 1), values: Part(0, 1), default: None, unit: Part(0, 0), bits: Part(0, 0) }, // Highest sub-index supported
-    EntryRow { first: 1, last: 1, mapping: None, need: Mandatory, name: Part(6551, 27), data_types: Part(7, 1), access: Part(0, 0), values: Part(0, 0), default: None, unit: Part(0, 0), bits: Part(0, 0) }, // CO minimum pulse time Tmin2
-    EntryRow { first: 2, last: 199, mapping: None, need: Optional, name: Part(6551, 27), data_types: Part(7, 1), access: Part(0, 0), values: Part(0, 0), default: None, unit: Part(0, 0), bits: Part(0, 0) }, // CO minimum pulse time Tmin2
-    EntryRow { first: 0, last: 0, mapping: Some(No), need: Mandatory, name: Part(27, 27), data_types: Part(0, 1), access: Part(0, 1), values: Part(0, 1), default: None, unit: Part(0, 0), bits: Part(0, 0) }, // Highest sub-index supported
-    EntryRow { first: 1, last: 1, mapping: None, need: Mandatory, name: Part(6636, 25), data_types: Part(7, 1), access: Part(0, 0), values: Part(0, 0), default: None, unit: Part(0, 0), bits: Part(0, 0) }, // CO motor response time Tm
-    EntryRow { first: 2, last: 199, mapping: None, need: Optional, name: Part(6636, 25), data_types: Part(7, 1), access: Part(0, 0), values: Part(0, 0), default: None, unit: Part(0, 0), bits: Part(0, 0) }, // CO motor response time Tm
-    EntryRow { first: 0, last: 0, mapping: Some(No), need: Mandatory, name: Part(27, 27), data_types: Part(0, 1), access: Part(0, 1), values: Part(0, 1), default: None, unit: Part(0, 0), bits: Part(0, 0) }, // Highest sub-index supported
-    EntryRow { first: 1, last: 1, mapping: None, need: Mandatory, name: Part(6725, 25), data_types: Part(7, 1), access: Part(0, 0), values: Part(0, 0), default: None, unit: Part(0, 0), bits: Part(0, 0) }, // CO min pulse length Tpuls
-    EntryRow { first: 2, last: 199, mapping: None, need: Optional, name: Part(6725, 25), data_types: Part(7, 1), access: Part(0, 0), values: Part(0, 0), default: None, unit: Part(0, 0), bits: Part(0, 0) }, // CO min pulse length Tpuls
-    EntryRow { first: 0, last: 0, mapping: Some(No), need: Mandatory, name: Part(27, 27), data_types: Part(0, 1), access: Part(0, 1), values: Part(0, 1), default: None, unit: Part(0, 0), bits: Part(0, 0) }, // Highest sub-index supported
-    EntryRow { first: 1, last: 1, mapping: None, need: Mandatory, name: Part(6951, 32), data_types: Part(7, 1), access: Part(0, 0), values: Part(0, 0), default: None, unit: Part(0, 0), bits: Part(0, 0) }, // CO neutral zone three-point Xsh1
-    EntryRow { first: 2, last: 199, mapping: None, need: Optional, name: Part(6951, 32), data_types: Part(7, 1), access: Part(0, 0), values: Part(0, 0), default: None, unit: Part(0, 0), bits: Part(0, 0) }, // CO neutral zone three-point Xsh1
-    EntryRow { first: 0, last: 0, mapping: Some(No), need: Mandatory, name: Part(27, 27), data_types: Part(0, 1), access: Part(0, 1), values: Part(0, 1), default: None, unit: Part(0, 0), bits: Part(0, 0) }, // Highest sub-index supported
-    EntryRow { first: 1, last: 1, mapping: None, need: Mandatory, name: Part(7063, 32), data_types: Part(7, 1), access: Part(0, 0), values: Part(0, 0), default: None, unit: Part(0, 0), bits: Part(0, 0) }, // CO neutral zone three-point Xsh2
-    EntryRow { first: 2, last: 199, mapping: None, need: Optional, name: Part(7063, 32), data_types: Part(7, 1), access: Part(0, 0), values: Part(0, 0), default: None, unit: Part(0, 0), bits: Part(0, 0) }, // CO neutral zone three-point Xsh2
-    EntryRow { first: 0, last: 0, mapping: Some(No), need: Mandatory, name: Part(27, 27), data_types: Part(0, 1), access: Part(0, 1), values: Part(0, 1), default: None, unit: Part(0, 0), bits: Part(0, 0) }, // Highest sub-index supported
-    EntryRow { first: 1, last: 1, mapping: None, need: Mandatory, name: Part(7176, 40), data_types: Part(7, 1), access: Part(0, 0), values: Part(0, 0), default: None, unit: Part(0, 0), bits: Part(0, 0) }, // CO neutral zone three-point stepping Xsh
-    EntryRow { first: 2, last: 199, mapping: None, need: Optional, name: Part(7176, 40), data_types: Part(7, 1), access: Part(0, 0), values: Part(0, 0), default: None, unit: Part(0, 0), bits: Part(0, 0) }, // CO neutral zone three-point stepping Xsh
-    EntryRow { first: 0, last: 0, mapping: Some(No), need: Mandatory, name: Part(27, 27), data_types: Part(0, 1), access: Part(0, 1), values: Part(0, 1), default: None, unit: Part(0, 0), bits: Part(0, 0) }, // Highest sub-index supported
-    EntryRow { first: 1, last: 1, mapping: None, need: Mandatory, name: Part(7270, 41), data_types: Part(7, 1), access: Part(0, 0), values: Part(0, 0), default: None, unit: Part(0, 0), bits: Part(0, 0) }, // CO switching difference of signaller Xsd1
-    EntryRow { first: 2, last: 199, mapping: None, need: Optional, name: Part(7270, 41), data_types: Part(7, 1), access: Part(0, 0), values: Part(0, 0), default: None, unit: Part(0, 0), bits: Part(0, 0) }, // CO switching difference of signaller Xsd1
-    EntryRow { first: 0, last: 0, mapping: Some(No), need: Mandatory, name: Part(27, 27), data_types: Part(0, 1), access: Part(0, 1), values: Part(0, 1), default: None, unit: Part(0, 0), bits: Part(0, 0) }, // Highest sub-index supported
-    EntryRow { first: 1, last: 1, mapping: None, need: Mandatory, name: Part(7350, 50), data_types: Part(7, 1), access: Part(0, 0), values: Part(0, 0), default: None, unit: Part(0, 0), bits: Part(0, 0) }, // CO switching difference of additional contact Xsd2
-    EntryRow { first: 2, last: 199, mapping: None, need: Optional, name: Part(7350, 50), data_types: Part(7, 1), access: Part(0, 0), values: Part(0, 0), default: None, unit: Part(0, 0), bits: Part(0, 0) }, // CO switching difference of additional contact Xsd2
-    EntryRow { first: 0, last: 0, mapping: Some(No), need: Mandatory, name: Part(27, 27), data_types: Part(0, 1), access: Part(0, 1), values: Part(0, 1), default: None, unit: Part(0, 0), bits: Part(0, 0) }, // Highest sub-index supported
-    EntryRow { first: 1, last: 1, mapping: None, need: Mandatory, name: Part(7441, 52), data_types: Part(7, 1), access: Part(0, 0), values: Part(0, 0), default: None, unit: Part(0, 0), bits: Part(0, 0) }, // CO trigger point separation of additional contact LW
-    EntryRow { first: 2, last: 199, mapping: None, need: Optional, name: Part(7441, 52), data_types: Part(7, 1), access: Part(0, 0), values: Part(0, 0), default: None, unit: Part(0, 0), bits: Part(0, 0) }, // CO trigger point separation of additional contact LW
-    EntryRow { first: 0, last: 0, mapping: Some(No), need: Mandatory, name: Part(27, 27), data_types: Part(0, 1), access: Part(0, 1), values: Part(0, 1), default: None, unit: Part(0, 0), bits: Part(0, 0) }, // Highest sub-index supported
-    EntryRow { first: 1, last: 1, mapping: None, need: Mandatory, name: Part(7569, 24), data_types: Part(7, 1), access: Part(0, 0), values: Part(0, 0), default: None, unit: Part(0, 0), bits: Part(0, 0) }, // CO proportional band Xp1
-    EntryRow { first: 2, last: 199, mapping: None, need: Optional, name: Part(7569, 24), data_types: Part(7, 1), access: Part(0, 0), values: Part(0, 0), default: None, unit: Part(0, 0), bits: Part(0, 0) }, // CO proportional band Xp1
-    EntryRow { first: 0, last: 0, mapping: Some(No), need: Mandatory, name: Part(27, 27), data_types: Part(0, 1), access: Part(0, 1), values: Part(0, 1), default: None, unit: Part(0, 0), bits: Part(0, 0) }, // Highest sub-index supported
-    EntryRow { first: 1, last: 1, mapping: None, need: Mandatory, name: Part(7642, 24), data_types: Part(7, 1), access: Part(0, 0), values: Part(0, 0), default: None, unit: Part(0, 0), bits: Part(0, 0) }, // CO proportional band Xp2
-    EntryRow { first: 2, last: 199, mapping: None, need: Optional, name: Part(7642, 24), data_types: Part(7, 1), access: Part(0, 0), values: Part(0, 0), default: None, unit: Part(0, 0), bits: Part(0, 0) }, // CO proportional band Xp2
-    EntryRow { first: 0, last: 0, mapping: Some(No), need: Mandatory, name: Part(27, 27), data_types: Part(0, 1), access: Part(0, 1), values: Part(0, 1), default: None, unit: Part(0, 0), bits: Part(0, 0) }, // Highest sub-index supported
-    EntryRow { first: 1, last: 1, mapping: None, need: Mandatory, name: Part(7716, 27), data_types: Part(7, 1), access: Part(0, 0), values: Part(0, 0), default: None, unit: Part(0, 0), bits: Part(0, 0) }, // CO integral action time Tn1
-    EntryRow { first: 2, last: 199, mapping: None, need: Optional, name: Part(7716, 27), data_types: Part(7, 1), access: Part(0, 0), values: Part(0, 0), default: None, unit: Part(0, 0), bits: Part(0, 0) }, // CO integral action time Tn1
-    EntryRow { first: 0, last: 0, mapping: Some(No), need: Mandatory, name: Part(27, 27), data_types: Part(0, 1), access: Part(0, 1), values: Part(0, 1), default: None, unit: Part(0, 0), bits: Part(0, 0) }, // Highest sub-index supported
-    EntryRow { first: 1, last: 1, mapping: None, need: Mandatory, name: Part(7795, 27), data_types: Part(7, 1), access: Part(0, 0), values: Part(0, 0), default: None, unit: Part(0, 0), bits: Part(0, 0) }, // CO integral action time Tn2
-    EntryRow { first: 2, last: 199, mapping: None, need: Optional, name: Part(7795, 27), data_types: Part(7, 1), access: Part(0, 0), values: Part(0, 0), default: None, unit: Part(0, 0), bits: Part(0, 0) }, // CO integral action time Tn2
-    EntryRow { first: 0, last: 0, mapping: Some(No), need: Mandatory, name: Part(27, 27), data_types: Part(0, 1), access: Part(0, 1), values: Part(0, 1), default: None, unit: Part(0, 0), bits: Part(0, 0) }, // Highest sub-index supported
-    EntryRow { first: 1, last: 1, mapping: None, need: Mandatory, name: Part(7875, 29), data_types: Part(7, 1), access: Part(0, 0), values: Part(0, 0), default: None, unit: Part(0, 0), bits: Part(0, 0) }, // CO derivative action time Tv1
-    EntryRow { first: 2, last: 199, mapping: None, need: Optional, name: Part(7875, 29), data_types: Part(7, 1), access: Part(0, 0), values: Part(0, 0), default: None, unit: Part(0, 0), bits: Part(0, 0) }, // CO derivative action time Tv1
-    EntryRow { first: 0, last: 0, mapping: Some(No), need: Mandatory, name: Part(27, 27), data_types: Part(0, 1), access: Part(0, 1), values: Part(0, 1), default: None, unit: Part(0, 0), bits: Part(0, 0) }, // Highest sub-index supported
-    EntryRow { first: 1, last: 1, mapping: None, need: Mandatory, name: Part(7958, 29), data_types: Part(7, 1), access: Part(0, 0), values: Part(0, 0), default: None, unit: Part(0, 0), bits: Part(0, 0) }, // CO derivative action time Tv2
-    EntryRow { first: 2, last: 199, mapping: None, need: Optional, name: Part(7958, 29), data_types: Part(7, 1), access: Part(0, 0), values: Part(0, 0), default: None, unit: Part(0, 0), bits: Part(0, 0) }, // CO derivative action time Tv2
-    EntryRow { first: 0, last: 0, mapping: Some(No), need: Mandatory, name: Part(27, 27), data_types: Part(0, 1), access: Part(0, 1), values: Part(0, 1), default: None, unit: Part(0, 0), bits: Part(0, 0) }, // Highest sub-index supported
-    EntryRow { first: 1, last: 1, mapping: None, need: Mandatory, name: Part(8042, 16), data_types: Part(7, 1), access: Part(0, 0), values: Part(0, 0), default: None, unit: Part(0, 0), bits: Part(0, 0) }, // CO cycle time T1
-    EntryRow { first: 2, last: 199, mapping: None, need: Optional, name: Part(8042, 16), data_types: Part(7, 1), access: Part(0, 0), values: Part(0, 0), default: None, unit: Part(0, 0), bits: Part(0, 0) }, // CO cycle time T1
-    EntryRow { first: 0, last: 0, mapping: Some(No), need: Mandatory, name: Part(27, 27), data_types: Part(0, 1), access: Part(0, 1), values: Part(0, 1), default: None, unit: Part(0, 0), bits: Part(0, 0) }, // Highest sub-index supported
-    EntryRow { first: 1, last: 1, mapping: None, need: Mandatory, name: Part(8099, 16), data_types: Part(7, 1), access: Part(0, 0), values: Part(0, 0), default: None, unit: Part(0, 0), bits: Part(0, 0) }, // CO cycle time T2
-    EntryRow { first: 2, last: 199, mapping: None, need: Optional, name: Part(8099, 16), data_types: Part(7, 1), access: Part(0, 0), values: Part(0, 0), default: None, unit: Part(0, 0), bits: Part(0, 0) }, // CO cycle time T2
-    EntryRow { first: 0, last: 0, mapping: Some(No), need: Mandatory, name: Part(27, 27), data_types: Part(0, 1), access: Part(0, 1), values: Part(0, 1), default: None, unit: Part(0, 0), bits: Part(0, 0) }, // Highest sub-index supported
-    EntryRow { first: 1, last: 1, mapping: Some(Any), need: Mandatory, name: Part(8321, 14), data_types: Part(7, 1), access: Part(0, 0), values: Part(0, 0), default: None, unit: Part(0, 0), bits: Part(0, 0) }, // AL input value
-    EntryRow { first: 2, last: 199, mapping: Some(Any), need: Optional, name: Part(8321, 14), data_types: Part(7, 1), access: Part(0, 0), values: Part(0, 0), default: None, unit: Part(0, 0), bits: Part(0, 0) }, // AL input value
-    EntryRow { first: 0, last: 0, mapping: Some(No), need: Mandatory, name: Part(27, 27), data_types: Part(0, 1), access: Part(0, 1), values: Part(0, 1), default: None, unit: Part(0, 0), bits: Part(0, 0) }, // Highest sub-index supported
-    EntryRow { first: 1, last: 1, mapping: None, need: Mandatory, name: Part(8438, 24), data_types: Part(7, 1), access: Part(0, 0), values: Part(0, 0), default: None, unit: Part(0, 0), bits: Part(0, 0) }, // AL alternate input value
-    EntryRow { first: 2, last: 199, mapping: None, need: Optional, name: Part(8438, 24), data_types: Part(7, 1), access: Part(0, 0), values: Part(0, 0), default: None, unit: Part(0, 0), bits: Part(0, 0) }, // AL alternate input value
-    EntryRow { first: 0, last: 0, mapping: Some(No), need: Mandatory, name: Part(27, 27), data_types: Part(0, 1), access: Part(0, 1), values: Part(0, 1), default: None, unit: Part(0, 0), bits: Part(0, 0) }, // Highest sub-index supported
-    EntryRow { first: 1, last: 1, mapping: None, need: Mandatory, name: Part(8939, 8), data_types: Part(7, 1), access: Part(0, 0), values: Part(0, 0), default: None, unit: Part(0, 0), bits: Part(0, 0) }, // AL level
-    EntryRow { first: 2, last: 199, mapping: None, need: Optional, name: Part(8939, 8), data_types: Part(7, 1), access: Part(0, 0), values: Part(0, 0), default: None, unit: Part(0, 0), bits: Part(0, 0) }, // AL level
-    EntryRow { first: 0, last: 0, mapping: Some(No), need: Mandatory, name: Part(27, 27), data_types: Part(0, 1), access: Part(0, 1), values: Part(0, 1), default: None, unit: Part(0, 0), bits: Part(0, 0) }, // Highest sub-index supported
-    EntryRow { first: 1, last: 1, mapping: None, need: Mandatory, name: Part(8989, 13), data_types: Part(7, 1), access: Part(0, 0), values: Part(0, 0), default: None, unit: Part(0, 0), bits: Part(0, 0) }, // AL hysteresis
-    EntryRow { first: 2, last: 199, mapping: None, need: Optional, name: Part(8989, 13), data_types: Part(7, 1), access: Part(0, 0), values: Part(0, 0), default: None, unit: Part(0, 0), bits: Part(0, 0) }, // AL hysteresis
-    EntryRow { first: 0, last: 0, mapping: Some(No), need: Mandatory, name: Part(27, 27), data_types: Part(0, 1), access: Part(0, 1), values: Part(0, 1), default: None, unit: Part(0, 0), bits: Part(0, 0) }, // Highest sub-index supported
-    EntryRow { first: 1, last: 1, mapping: Some(Any), need: Mandatory, name: Part(10271, 10), data_types: Part(7, 1), access: Part(0, 0), values: Part(0, 0), default: None, unit: Part(0, 0), bits: Part(0, 0) }, // Receive PV
-    EntryRow { first: 2, last: 199, mapping: Some(Any), need: Optional, name: Part(10271, 10), data_types: Part(7, 1), access: Part(0, 0), values: Part(0, 0), default: None, unit: Part(0, 0), bits: Part(0, 0) }, // Receive PV
-    EntryRow { first: 0, last: 0, mapping: Some(No), need: Mandatory, name: Part(27, 27), data_types: Part(0, 1), access: Part(0, 1), values: Part(0, 1), default: None, unit: Part(0, 0), bits: Part(0, 0) }, // Highest sub-index supported
-    EntryRow { first: 1, last: 1, mapping: Some(Any), need: Mandatory, name: Part(10339, 20), data_types: Part(7, 1), access: Part(0, 0), values: Part(0, 0), default: None, unit: Part(0, 0), bits: Part(0, 0) }, // Alternate receive PV
-    EntryRow { first: 2, last: 199, mapping: Some(Any), need: Optional, name: Part(10339, 20), data_types: Part(7, 1), access: Part(0, 0), values: Part(0, 0), default: None, unit: Part(0, 0), bits: Part(0, 0) }, // Alternate receive PV
-];
+static ENTRIES: &[EntryRow] = table!(EntryRow { first, last, mapping, need, name, data_types, access, values, default, unit, bits }:
+    (0, 0, Some(No), Mandatory, Part(27, 27), Part(0, 1), Part(0, 1), Part(0, 1), None, Part(0, 0), Part(0, 0)) // Highest sub-index supported
+    (1, 1, Some(Tpdo), Mandatory, Part(0, 27), Part(0, 1), Part(0, 1), Part(0, 0), None, Part(0, 0), Part(0, 0)) // DI read state 8 input lines
+    (2, 199, Some(Tpdo), Optional, Part(0, 27), Part(0, 1), Part(0, 1), Part(0, 0), None, Part(0, 0), Part(0, 0)) // DI read state 8 input lines
+    (0, 0, Some(No), Mandatory, Part(27, 27), Part(0, 1), Part(0, 1), Part(0, 1), None, Part(0, 0), Part(0, 0)) // Highest sub-index supported
+    (1, 1, None, Mandatory, Part(105, 25), Part(0, 1), Part(1, 1), Part(0, 0), None, Part(0, 0), Part(0, 0)) // DI polarity 8 input lines
+    (2, 199, None, Optional, Part(105, 25), Part(0, 1), Part(1, 1), Part(0, 0), None, Part(0, 0), Part(0, 0)) // DI polarity 8 input lines
+    (0, 0, Some(No), Mandatory, Part(27, 27), Part(0, 1), Part(0, 1), Part(0, 1), None, Part(0, 0), Part(0, 0)) // Highest sub-index supported
+    (1, 1, Some(Tpdo), Mandatory, Part(172, 26), Part(1, 1), Part(0, 1), Part(0, 0), None, Part(0, 0), Part(0, 0)) // DI read state 1 input line
+    (2, 199, Some(Tpdo), Optional, Part(172, 26), Part(1, 1), Part(0, 1), Part(0, 0), None, Part(0, 0), Part(0, 0)) // DI read state 1 input line
+    (0, 0, Some(No), Mandatory, Part(27, 27), Part(0, 1), Part(0, 1), Part(0, 1), None, Part(0, 0), Part(0, 0)) // Highest sub-index supported
+    (1, 1, None, Mandatory, Part(247, 24), Part(1, 1), Part(0, 0), Part(0, 0), None, Part(0, 0), Part(0, 0)) // DI polarity 1 input line
+    (2, 199, None, Optional, Part(247, 24), Part(1, 1), Part(0, 0), Part(0, 0), None, Part(0, 0), Part(0, 0)) // DI polarity 1 input line
+    (0, 0, Some(No), Mandatory, Part(27, 27), Part(0, 1), Part(0, 1), Part(0, 1), None, Part(0, 0), Part(0, 0)) // Highest sub-index supported
+    (1, 1, Some(Tpdo), Mandatory, Part(311, 11), Part(2, 1), Part(0, 1), Part(0, 0), None, Part(0, 0), Part(0, 0)) // AI input FV
+    (2, 199, Some(Tpdo), Optional, Part(311, 11), Part(2, 1), Part(0, 1), Part(0, 0), None, Part(0, 0), Part(0, 0)) // AI input FV
+    (0, 0, Some(No), Mandatory, Part(27, 27), Part(0, 1), Part(0, 1), Part(0, 1), None, Part(0, 0), Part(0, 0)) // Highest sub-index supported
+    (1, 1, None, Mandatory, Part(393, 27), Part(2, 1), Part(0, 0), Part(0, 0), None, Part(0, 0), Part(0, 0)) // AI interrupt delta input FV
+    (2, 199, None, Optional, Part(393, 27), Part(2, 1), Part(0, 0), Part(0, 0), None, Part(0, 0), Part(0, 0)) // AI interrupt delta input FV
+    (0, 0, Some(No), Mandatory, Part(27, 27), Part(0, 1), Part(0, 1), Part(0, 1), None, Part(0, 0), Part(0, 0)) // Highest sub-index supported
+    (1, 1, Some(Any), Mandatory, Part(474, 14), Part(3, 1), Part(1, 1), Part(0, 0), None, Part(0, 0), Part(0, 0)) // AI sensor type
+    (2, 199, Some(Any), Optional, Part(474, 14), Part(3, 1), Part(1, 1), Part(0, 0), None, Part(0, 0), Part(0, 0)) // AI sensor type
+    (0, 0, Some(No), Mandatory, Part(27, 27), Part(0, 1), Part(0, 1), Part(0, 1), None, Part(0, 0), Part(0, 0)) // Highest sub-index supported
+    (1, 1, None, Mandatory, Part(532, 18), Part(4, 1), Part(2, 2), Part(0, 0), None, Part(0, 0), Part(0, 0)) // AI autocalibration
+    (2, 199, None, Optional, Part(532, 18), Part(4, 1), Part(2, 2), Part(0, 0), None, Part(0, 0), Part(0, 0)) // AI autocalibration
+    (0, 0, Some(No), Mandatory, Part(27, 27), Part(0, 1), Part(0, 1), Part(0, 1), None, Part(0, 0), Part(0, 0)) // Highest sub-index supported
+    (1, 1, Some(Any), Mandatory, Part(594, 17), Part(0, 1), Part(1, 1), Part(0, 0), None, Part(0, 0), Part(0, 1)) // AI operating mode
+    (2, 199, Some(Any), Optional, Part(594, 17), Part(0, 1), Part(1, 1), Part(0, 0), None, Part(0, 0), Part(0, 1)) // AI operating mode
+    (0, 0, Some(No), Mandatory, Part(27, 27), Part(0, 1), Part(0, 1), Part(0, 1), None, Part(0, 0), Part(0, 0)) // Highest sub-index supported
+    (1, 1, Some(Tpdo), Mandatory, Part(692, 18), Part(4, 1), Part(0, 1), Part(0, 0), None, Part(710, 3), Part(0, 0)) // AI ADC sample rate
+    (2, 199, Some(Tpdo), Optional, Part(692, 18), Part(4, 1), Part(0, 1), Part(0, 0), None, Part(710, 3), Part(0, 0)) // AI ADC sample rate
+    (0, 0, Some(No), Mandatory, Part(27, 27), Part(0, 1), Part(0, 1), Part(0, 1), None, Part(0, 0), Part(0, 0)) // Highest sub-index supported
+    (1, 1, None, Mandatory, Part(763, 21), Part(2, 1), Part(0, 0), Part(0, 0), None, Part(0, 0), Part(0, 0)) // AI input scaling 1 FV
+    (2, 199, None, Optional, Part(763, 21), Part(2, 1), Part(0, 0), Part(0, 0), None, Part(0, 0), Part(0, 0)) // AI input scaling 1 FV
+    (0, 0, Some(No), Mandatory, Part(27, 27), Part(0, 1), Part(0, 1), Part(0, 1), None, Part(0, 0), Part(0, 0)) // Highest sub-index supported
+    (1, 1, None, Mandatory, Part(861, 21), Part(2, 1), Part(0, 0), Part(0, 0), None, Part(0, 0), Part(0, 0)) // AI input scaling 1 PV
+    (2, 199, None, Optional, Part(861, 21), Part(2, 1), Part(0, 0), Part(0, 0), None, Part(0, 0), Part(0, 0)) // AI input scaling 1 PV
+    (0, 0, Some(No), Mandatory, Part(27, 27), Part(0, 1), Part(0, 1), Part(0, 1), None, Part(0, 0), Part(0, 0)) // Highest sub-index supported
+    (1, 1, None, Mandatory, Part(961, 21), Part(2, 1), Part(0, 0), Part(0, 0), None, Part(0, 0), Part(0, 0)) // AI input scaling 2 FV
+    (2, 199, None, Optional, Part(961, 21), Part(2, 1), Part(0, 0), Part(0, 0), None, Part(0, 0), Part(0, 0)) // AI input scaling 2 FV
+    (0, 0, Some(No), Mandatory, Part(27, 27), Part(0, 1), Part(0, 1), Part(0, 1), None, Part(0, 0), Part(0, 0)) // Highest sub-index supported
+    (1, 1, None, Mandatory, Part(1060, 21), Part(2, 1), Part(0, 0), Part(0, 0), None, Part(0, 0), Part(0, 0)) // AI input scaling 2 PV
+    (2, 199, None, Optional, Part(1060, 21), Part(2, 1), Part(0, 0), Part(0, 0), None, Part(0, 0), Part(0, 0)) // AI input scaling 2 PV
+    (0, 0, Some(No), Mandatory, Part(27, 27), Part(0, 1), Part(0, 1), Part(0, 1), None, Part(0, 0), Part(0, 0)) // Highest sub-index supported
+    (1, 1, None, Mandatory, Part(1161, 15), Part(2, 1), Part(0, 0), Part(0, 0), None, Part(0, 0), Part(0, 0)) // AI input offset
+    (2, 199, None, Optional, Part(1161, 15), Part(2, 1), Part(0, 0), Part(0, 0), None, Part(0, 0), Part(0, 0)) // AI input offset
+    (0, 0, Some(No), Mandatory, Part(27, 27), Part(0, 1), Part(0, 1), Part(0, 1), None, Part(0, 0), Part(0, 0)) // Highest sub-index supported
+    (1, 1, None, Mandatory, Part(1224, 11), Part(4, 1), Part(2, 2), Part(0, 0), None, Part(0, 0), Part(0, 0)) // AI autozero
+    (2, 199, None, Optional, Part(1224, 11), Part(4, 1), Part(2, 2), Part(0, 0), None, Part(0, 0), Part(0, 0)) // AI autozero
+    (0, 0, Some(No), Mandatory, Part(27, 27), Part(0, 1), Part(0, 1), Part(0, 1), None, Part(0, 0), Part(0, 0)) // Highest sub-index supported
+    (1, 1, None, Mandatory, Part(1317, 17), Part(2, 1), Part(1, 1), Part(0, 0), None, Part(0, 0), Part(0, 0)) // AI scaling factor
+    (2, 199, None, Optional, Part(1317, 17), Part(2, 1), Part(1, 1), Part(0, 0), None, Part(0, 0), Part(0, 0)) // AI scaling factor
+    (0, 0, Some(No), Mandatory, Part(27, 27), Part(0, 1), Part(0, 1), Part(0, 1), None, Part(0, 0), Part(0, 0)) // Highest sub-index supported
+    (1, 1, Some(Any), Mandatory, Part(1387, 17), Part(2, 1), Part(1, 1), Part(0, 0), None, Part(0, 0), Part(0, 0)) // AI scaling offset
+    (2, 199, Some(Any), Optional, Part(1387, 17), Part(2, 1), Part(1, 1), Part(0, 0), None, Part(0, 0), Part(0, 0)) // AI scaling offset
+    (0, 0, Some(No), Mandatory, Part(27, 27), Part(0, 1), Part(0, 1), Part(0, 1), None, Part(0, 0), Part(0, 0)) // Highest sub-index supported
+    (1, 1, Some(Tpdo), Mandatory, Part(1457, 11), Part(2, 1), Part(0, 1), Part(0, 0), None, Part(0, 0), Part(0, 0)) // AI input PV
+    (2, 199, Some(Tpdo), Optional, Part(1457, 11), Part(2, 1), Part(0, 1), Part(0, 0), None, Part(0, 0), Part(0, 0)) // AI input PV
+    (0, 0, Some(No), Mandatory, Part(27, 27), Part(0, 1), Part(0, 1), Part(0, 1), None, Part(0, 0), Part(0, 0)) // Highest sub-index supported
+    (1, 1, None, Mandatory, Part(1536, 19), Part(4, 1), Part(1, 1), Part(0, 0), None, Part(0, 0), Part(1, 3)) // AI physical unit PV
+    (2, 199, None, Optional, Part(1536, 19), Part(4, 1), Part(1, 1), Part(0, 0), None, Part(0, 0), Part(1, 3)) // AI physical unit PV
+    (0, 0, Some(No), Mandatory, Part(27, 27), Part(0, 1), Part(0, 1), Part(0, 1), None, Part(0, 0), Part(0, 0)) // Highest sub-index supported
+    (1, 1, Some(Any), Mandatory, Part(1647, 20), Part(0, 1), Part(1, 1), Part(0, 0), None, Part(0, 0), Part(0, 0)) // AI decimal digits PV
+    (2, 199, Some(Any), Optional, Part(1647, 20), Part(0, 1), Part(1, 1), Part(0, 0), None, Part(0, 0), Part(0, 0)) // AI decimal digits PV
+    (0, 0, Some(No), Mandatory, Part(27, 27), Part(0, 1), Part(0, 1), Part(0, 1), None, Part(0, 0), Part(0, 0)) // Highest sub-index supported
+    (1, 1, None, Mandatory, Part(1740, 27), Part(2, 1), Part(0, 0), Part(0, 0), None, Part(0, 0), Part(0, 0)) // AI interrupt delta input PV
+    (2, 199, None, Optional, Part(1740, 27), Part(2, 1), Part(0, 0), Part(0, 0), None, Part(0, 0), Part(0, 0)) // AI interrupt delta input PV
+    (0, 0, Some(No), Mandatory, Part(27, 27), Part(0, 1), Part(0, 1), Part(0, 1), None, Part(0, 0), Part(0, 0)) // Highest sub-index supported
+    (1, 1, None, Mandatory, Part(1823, 27), Part(2, 1), Part(0, 0), Part(0, 0), None, Part(0, 0), Part(0, 0)) // AI interrupt lower input PV
+    (2, 199, None, Optional, Part(1823, 27), Part(2, 1), Part(0, 0), Part(0, 0), None, Part(0, 0), Part(0, 0)) // AI interrupt lower input PV
+    (0, 0, Some(No), Mandatory, Part(27, 27), Part(0, 1), Part(0, 1), Part(0, 1), None, Part(0, 0), Part(0, 0)) // Highest sub-index supported
+    (1, 1, None, Mandatory, Part(1910, 27), Part(2, 1), Part(0, 0), Part(0, 0), None, Part(0, 0), Part(0, 0)) // AI interrupt upper input PV
+    (2, 199, None, Optional, Part(1910, 27), Part(2, 1), Part(0, 0), Part(0, 0), None, Part(0, 0), Part(0, 0)) // AI interrupt upper input PV
+    (0, 0, Some(No), Mandatory, Part(27, 27), Part(0, 1), Part(0, 1), Part(0, 1), None, Part(0, 0), Part(0, 0)) // Highest sub-index supported
+    (1, 1, None, Mandatory, Part(1997, 12), Part(2, 1), Part(0, 0), Part(0, 0), None, Part(0, 0), Part(0, 0)) // AI tare zero
+    (2, 199, None, Optional, Part(1997, 12), Part(2, 1), Part(0, 0), Part(0, 0), None, Part(0, 0), Part(0, 0)) // AI tare zero
+    (0, 0, Some(No), Mandatory, Part(27, 27), Part(0, 1), Part(0, 1), Part(0, 1), None, Part(0, 0), Part(0, 0)) // Highest sub-index supported
+    (1, 1, Some(Any), Mandatory, Part(2082, 11), Part(4, 1), Part(2, 2), Part(0, 0), None, Part(0, 0), Part(0, 0)) // AI autotare
+    (2, 199, Some(Any), Optional, Part(2082, 11), Part(4, 1), Part(2, 2), Part(0, 0), None, Part(0, 0), Part(0, 0)) // AI autotare
+    (0, 0, Some(No), Mandatory, Part(27, 27), Part(0, 1), Part(0, 1), Part(0, 1), None, Part(0, 0), Part(0, 0)) // Highest sub-index supported
+    (1, 1, Some(Tpdo), Mandatory, Part(2155, 9), Part(2, 1), Part(0, 1), Part(0, 0), None, Part(0, 0), Part(0, 0)) // AI net PV
+    (2, 199, Some(Tpdo), Optional, Part(2155, 9), Part(2, 1), Part(0, 1), Part(0, 0), None, Part(0, 0), Part(0, 0)) // AI net PV
+    (0, 0, Some(No), Mandatory, Part(27, 27), Part(0, 1), Part(0, 1), Part(0, 1), None, Part(0, 0), Part(0, 0)) // Highest sub-index supported
+    (1, 1, None, Mandatory, Part(2220, 25), Part(2, 1), Part(0, 0), Part(0, 0), None, Part(0, 0), Part(0, 0)) // AI interrupt delta net PV
+    (2, 199, None, Optional, Part(2220, 25), Part(2, 1), Part(0, 0), Part(0, 0), None, Part(0, 0), Part(0, 0)) // AI interrupt delta net PV
+    (0, 0, Some(No), Mandatory, Part(27, 27), Part(0, 1), Part(0, 1), Part(0, 1), None, Part(0, 0), Part(0, 0)) // Highest sub-index supported
+    (1, 1, None, Mandatory, Part(2297, 31), Part(2, 1), Part(0, 0), Part(0, 0), None, Part(0, 0), Part(0, 0)) // AI interrupt lower limit net PV
+    (2, 199, None, Optional, Part(2297, 31), Part(2, 1), Part(0, 0), Part(0, 0), None, Part(0, 0), Part(0, 0)) // AI interrupt lower limit net PV
+    (0, 0, Some(No), Mandatory, Part(27, 27), Part(0, 1), Part(0, 1), Part(0, 1), None, Part(0, 0), Part(0, 0)) // Highest sub-index supported
+    (1, 1, None, Mandatory, Part(2384, 31), Part(2, 1), Part(0, 0), Part(0, 0), None, Part(0, 0), Part(0, 0)) // AI interrupt upper limit net PV
+    (2, 199, None, Optional, Part(2384, 31), Part(2, 1), Part(0, 0), Part(0, 0), None, Part(0, 0), Part(0, 0)) // AI interrupt upper limit net PV
+    (0, 0, Some(No), Mandatory, Part(27, 27), Part(0, 1), Part(0, 1), Part(0, 1), None, Part(0, 0), Part(0, 0)) // Highest sub-index supported
+    (1, 1, None, Mandatory, Part(2471, 13), Part(2, 1), Part(0, 0), Part(0, 0), None, Part(0, 0), Part(0, 0)) // AI span start
+    (2, 199, None, Optional, Part(2471, 13), Part(2, 1), Part(0, 0), Part(0, 0), None, Part(0, 0), Part(0, 0)) // AI span start
+    (0, 0, Some(No), Mandatory, Part(27, 27), Part(0, 1), Part(0, 1), Part(0, 1), None, Part(0, 0), Part(0, 0)) // Highest sub-index supported
+    (1, 1, None, Mandatory, Part(2552, 11), Part(2, 1), Part(0, 0), Part(0, 0), None, Part(0, 0), Part(0, 0)) // AI span end
+    (2, 199, None, Optional, Part(2552, 11), Part(2, 1), Part(0, 0), Part(0, 0), None, Part(0, 0), Part(0, 0)) // AI span end
+    (0, 0, Some(No), Mandatory, Part(27, 27), Part(0, 1), Part(0, 1), Part(0, 1), None, Part(0, 0), Part(0, 0)) // Highest sub-index supported
+    (1, 1, Some(Tpdo), Mandatory, Part(2631, 9), Part(0, 1), Part(0, 1), Part(0, 0), None, Part(0, 0), Part(4, 3)) // AI status
+    (2, 199, Some(Tpdo), Optional, Part(2631, 9), Part(0, 1), Part(0, 1), Part(0, 0), None, Part(0, 0), Part(4, 3)) // AI status
+    (0, 0, Some(No), Mandatory, Part(27, 27), Part(0, 1), Part(0, 1), Part(0, 1), None, Part(0, 0), Part(0, 0)) // Highest sub-index supported
+    (1, 1, Some(Any), Mandatory, Part(2758, 15), Part(0, 1), Part(2, 2), Part(0, 0), None, Part(0, 0), Part(0, 0)) // AI control byte
+    (2, 199, Some(Any), Optional, Part(2758, 15), Part(0, 1), Part(2, 2), Part(0, 0), None, Part(0, 0), Part(0, 0)) // AI control byte
+    (0, 0, Some(No), Mandatory, Part(27, 27), Part(0, 1), Part(0, 1), Part(0, 1), None, Part(0, 0), Part(0, 0)) // Highest sub-index supported
+    (1, 1, None, Mandatory, Part(2846, 22), Part(0, 1), Part(1, 1), Part(0, 0), None, Part(0, 0), Part(0, 0)) // AI control byte enable
+    (2, 199, None, Optional, Part(2846, 22), Part(0, 1), Part(1, 1), Part(0, 0), None, Part(0, 0), Part(0, 0)) // AI control byte enable
+    (0, 0, Some(No), Mandatory, Part(27, 27), Part(0, 1), Part(0, 1), Part(0, 1), None, Part(0, 0), Part(0, 0)) // Highest sub-index supported
+    (1, 1, None, Mandatory, Part(2914, 14), Part(0, 1), Part(0, 0), Part(0, 0), None, Part(0, 0), Part(7, 1)) // AI filter type
+    (2, 199, None, Optional, Part(2914, 14), Part(0, 1), Part(0, 0), Part(0, 0), None, Part(0, 0), Part(7, 1)) // AI filter type
+    (0, 0, Some(No), Mandatory, Part(27, 27), Part(0, 1), Part(0, 1), Part(0, 1), None, Part(0, 0), Part(0, 0)) // Highest sub-index supported
+    (1, 1, None, Mandatory, Part(3022, 18), Part(0, 1), Part(1, 1), Part(0, 0), None, Part(0, 0), Part(0, 0)) // AI filter constant
+    (2, 199, None, Optional, Part(3022, 18), Part(0, 1), Part(1, 1), Part(0, 0), None, Part(0, 0), Part(0, 0)) // AI filter constant
+    (0, 0, Some(No), Mandatory, Part(27, 27), Part(0, 1), Part(0, 1), Part(0, 1), None, Part(0, 0), Part(0, 0)) // Highest sub-index supported
+    (1, 1, Some(Any), Mandatory, Part(3088, 29), Part(0, 1), Part(1, 1), Part(0, 0), None, Part(0, 0), Part(0, 0)) // DO write state 8 output lines
+    (2, 199, Some(Any), Optional, Part(3088, 29), Part(0, 1), Part(1, 1), Part(0, 0), None, Part(0, 0), Part(0, 0)) // DO write state 8 output lines
+    (0, 0, Some(No), Mandatory, Part(27, 27), Part(0, 1), Part(0, 1), Part(0, 1), None, Part(0, 0), Part(0, 0)) // Highest sub-index supported
+    (1, 1, None, Mandatory, Part(3161, 26), Part(0, 1), Part(1, 1), Part(0, 0), None, Part(0, 0), Part(0, 0)) // DO polarity 8 output lines
+    (2, 199, None, Optional, Part(3161, 26), Part(0, 1), Part(1, 1), Part(0, 0), None, Part(0, 0), Part(0, 0)) // DO polarity 8 output lines
+    (0, 0, Some(No), Mandatory, Part(27, 27), Part(0, 1), Part(0, 1), Part(0, 1), None, Part(0, 0), Part(0, 0)) // Highest sub-index supported
+    (1, 1, None, Mandatory, Part(3230, 28), Part(0, 1), Part(1, 1), Part(0, 0), None, Part(0, 0), Part(0, 0)) // DO fault mode 8 output lines
+    (2, 199, None, Optional, Part(3230, 28), Part(0, 1), Part(1, 1), Part(0, 0), None, Part(0, 0), Part(0, 0)) // DO fault mode 8 output lines
+    (0, 0, Some(No), Mandatory, Part(27, 27), Part(0, 1), Part(0, 1), Part(0, 1), None, Part(0, 0), Part(0, 0)) // Highest sub-index supported
+    (1, 1, None, Mandatory, Part(3332, 29), Part(0, 1), Part(1, 1), Part(0, 0), None, Part(0, 0), Part(0, 0)) // DO fault state 8 output lines
+    (2, 199, None, Optional, Part(3332, 29), Part(0, 1), Part(1, 1), Part(0, 0), None, Part(0, 0), Part(0, 0)) // DO fault state 8 output lines
+    (0, 0, Some(No), Mandatory, Part(27, 27), Part(0, 1), Part(0, 1), Part(0, 1), None, Part(0, 0), Part(0, 0)) // Highest sub-index supported
+    (1, 1, None, Mandatory, Part(3429, 29), Part(4, 1), Part(1, 1), Part(0, 0), None, Part(0, 0), Part(0, 0)) // DO link object 8 output lines
+    (2, 199, None, Optional, Part(3429, 29), Part(4, 1), Part(1, 1), Part(0, 0), None, Part(0, 0), Part(0, 0)) // DO link object 8 output lines
+    (0, 0, Some(No), Mandatory, Part(27, 27), Part(0, 1), Part(0, 1), Part(0, 1), None, Part(0, 0), Part(0, 0)) // Highest sub-index supported
+    (1, 1, Some(Any), Mandatory, Part(3519, 28), Part(1, 1), Part(1, 1), Part(0, 0), None, Part(0, 0), Part(0, 0)) // DO write state 1 output line
+    (2, 199, Some(Any), Optional, Part(3519, 28), Part(1, 1), Part(1, 1), Part(0, 0), None, Part(0, 0), Part(0, 0)) // DO write state 1 output line
+    (0, 0, Some(No), Mandatory, Part(27, 27), Part(0, 1), Part(0, 1), Part(0, 1), None, Part(0, 0), Part(0, 0)) // Highest sub-index supported
+    (1, 1, None, Mandatory, Part(3589, 25), Part(1, 1), Part(1, 1), Part(0, 0), None, Part(0, 0), Part(0, 0)) // DO polarity 1 output line
+    (2, 199, None, Optional, Part(3589, 25), Part(1, 1), Part(1, 1), Part(0, 0), None, Part(0, 0), Part(0, 0)) // DO polarity 1 output line
+    (0, 0, Some(No), Mandatory, Part(27, 27), Part(0, 1), Part(0, 1), Part(0, 1), None, Part(0, 0), Part(0, 0)) // Highest sub-index supported
+    (1, 1, None, Mandatory, Part(3655, 27), Part(1, 1), Part(1, 1), Part(0, 0), None, Part(0, 0), Part(0, 0)) // DO fault mode 1 output line
+    (2, 199, None, Optional, Part(3655, 27), Part(1, 1), Part(1, 1), Part(0, 0), None, Part(0, 0), Part(0, 0)) // DO fault mode 1 output line
+    (0, 0, Some(No), Mandatory, Part(27, 27), Part(0, 1), Part(0, 1), Part(0, 1), None, Part(0, 0), Part(0, 0)) // Highest sub-index supported
+    (1, 1, None, Mandatory, Part(3759, 28), Part(1, 1), Part(1, 1), Part(0, 0), None, Part(0, 0), Part(0, 0)) // DO fault state 1 output line
+    (2, 199, None, Optional, Part(3759, 28), Part(1, 1), Part(1, 1), Part(0, 0), None, Part(0, 0), Part(0, 0)) // DO fault state 1 output line
+    (0, 0, Some(No), Mandatory, Part(27, 27), Part(0, 1), Part(0, 1), Part(0, 1), None, Part(0, 0), Part(0, 0)) // Highest sub-index supported
+    (1, 1, None, Mandatory, Part(3855, 28), Part(4, 1), Part(1, 1), Part(0, 0), None, Part(0, 0), Part(0, 0)) // DO link object 1 output line
+    (2, 199, None, Optional, Part(3855, 28), Part(4, 1), Part(1, 1), Part(0, 0), None, Part(0, 0), Part(0, 0)) // DO link object 1 output line
+    (0, 0, Some(No), Mandatory, Part(27, 27), Part(0, 1), Part(0, 1), Part(0, 1), None, Part(0, 0), Part(0, 0)) // Highest sub-index supported
+    (1, 1, Some(Any), Mandatory, Part(3939, 12), Part(2, 1), Part(1, 1), Part(0, 0), None, Part(0, 0), Part(0, 0)) // AO output PV
+    (2, 199, Some(Any), Optional, Part(3939, 12), Part(2, 1), Part(1, 1), Part(0, 0), None, Part(0, 0), Part(0, 0)) // AO output PV
+    (0, 0, Some(No), Mandatory, Part(27, 27), Part(0, 1), Part(0, 1), Part(0, 1), None, Part(0, 0), Part(0, 0)) // Highest sub-index supported
+    (1, 1, None, Mandatory, Part(4020, 19), Part(4, 1), Part(1, 1), Part(0, 0), None, Part(0, 0), Part(1, 3)) // AO physical unit PV
+    (2, 199, None, Optional, Part(4020, 19), Part(4, 1), Part(1, 1), Part(0, 0), None, Part(0, 0), Part(1, 3)) // AO physical unit PV
+    (0, 0, Some(No), Mandatory, Part(27, 27), Part(0, 1), Part(0, 1), Part(0, 1), None, Part(0, 0), Part(0, 0)) // Highest sub-index supported
+    (1, 1, None, Mandatory, Part(4091, 20), Part(0, 1), Part(1, 1), Part(0, 0), None, Part(0, 0), Part(0, 0)) // AO decimal digits PV
+    (2, 199, None, Optional, Part(4091, 20), Part(0, 1), Part(1, 1), Part(0, 0), None, Part(0, 0), Part(0, 0)) // AO decimal digits PV
+    (0, 0, Some(No), Mandatory, Part(27, 27), Part(0, 1), Part(0, 1), Part(0, 1), None, Part(0, 0), Part(0, 0)) // Highest sub-index supported
+    (1, 1, None, Mandatory, Part(4111, 17), Part(4, 1), Part(1, 1), Part(0, 0), None, Part(0, 0), Part(0, 0)) // AO link output PV
+    (2, 199, None, Optional, Part(4111, 17), Part(4, 1), Part(1, 1), Part(0, 0), None, Part(0, 0), Part(0, 0)) // AO link output PV
+    (0, 0, Some(No), Mandatory, Part(27, 27), Part(0, 1), Part(0, 1), Part(0, 1), None, Part(0, 0), Part(0, 0)) // Highest sub-index supported
+    (1, 1, None, Mandatory, Part(4186, 14), Part(3, 1), Part(1, 1), Part(0, 0), None, Part(0, 0), Part(0, 0)) // AO output type
+    (2, 199, None, Optional, Part(4186, 14), Part(3, 1), Part(1, 1), Part(0, 0), None, Part(0, 0), Part(0, 0)) // AO output type
+    (0, 0, Some(No), Mandatory, Part(27, 27), Part(0, 1), Part(0, 1), Part(0, 1), None, Part(0, 0), Part(0, 0)) // Highest sub-index supported
+    (1, 1, None, Mandatory, Part(4245, 22), Part(2, 1), Part(0, 0), Part(0, 0), None, Part(0, 0), Part(0, 0)) // AO output scaling 1 PV
+    (2, 199, None, Optional, Part(4245, 22), Part(2, 1), Part(0, 0), Part(0, 0), None, Part(0, 0), Part(0, 0)) // AO output scaling 1 PV
+    (0, 0, Some(No), Mandatory, Part(27, 27), Part(0, 1), Part(0, 1), Part(0, 1), None, Part(0, 0), Part(0, 0)) // Highest sub-index supported
+    (1, 1, None, Mandatory, Part(4347, 22), Part(2, 1), Part(0, 0), Part(0, 0), None, Part(0, 0), Part(0, 0)) // AO output scaling 1 FV
+    (2, 199, None, Optional, Part(4347, 22), Part(2, 1), Part(0, 0), Part(0, 0), None, Part(0, 0), Part(0, 0)) // AO output scaling 1 FV
+    (0, 0, Some(No), Mandatory, Part(27, 27), Part(0, 1), Part(0, 1), Part(0, 1), None, Part(0, 0), Part(0, 0)) // Highest sub-index supported
+    (1, 1, None, Mandatory, Part(4447, 22), Part(2, 1), Part(0, 0), Part(0, 0), None, Part(0, 0), Part(0, 0)) // AO output scaling 2 PV
+    (2, 199, None, Optional, Part(4447, 22), Part(2, 1), Part(0, 0), Part(0, 0), None, Part(0, 0), Part(0, 0)) // AO output scaling 2 PV
+    (0, 0, Some(No), Mandatory, Part(27, 27), Part(0, 1), Part(0, 1), Part(0, 1), None, Part(0, 0), Part(0, 0)) // Highest sub-index supported
+    (1, 1, None, Mandatory, Part(4550, 22), Part(2, 1), Part(0, 0), Part(0, 0), None, Part(0, 0), Part(0, 0)) // AO output scaling 2 FV
+    (2, 199, None, Optional, Part(4550, 22), Part(2, 1), Part(0, 0), Part(0, 0), None, Part(0, 0), Part(0, 0)) // AO output scaling 2 FV
+    (0, 0, Some(No), Mandatory, Part(27, 27), Part(0, 1), Part(0, 1), Part(0, 1), None, Part(0, 0), Part(0, 0)) // Highest sub-index supported
+    (1, 1, None, Mandatory, Part(4651, 12), Part(2, 1), Part(0, 0), Part(0, 0), None, Part(0, 0), Part(0, 0)) // AO output FV
+    (2, 199, None, Optional, Part(4651, 12), Part(2, 1), Part(0, 0), Part(0, 0), None, Part(0, 0), Part(0, 0)) // AO output FV
+    (0, 0, Some(No), Mandatory, Part(27, 27), Part(0, 1), Part(0, 1), Part(0, 1), None, Part(0, 0), Part(0, 0)) // Highest sub-index supported
+    (1, 1, None, Mandatory, Part(4737, 19), Part(4, 1), Part(1, 1), Part(0, 0), None, Part(0, 0), Part(1, 3)) // AO physical unit FV
+    (2, 199, None, Optional, Part(4737, 19), Part(4, 1), Part(1, 1), Part(0, 0), None, Part(0, 0), Part(1, 3)) // AO physical unit FV
+    (0, 0, Some(No), Mandatory, Part(27, 27), Part(0, 1), Part(0, 1), Part(0, 1), None, Part(0, 0), Part(0, 0)) // Highest sub-index supported
+    (1, 1, None, Mandatory, Part(4806, 20), Part(0, 1), Part(1, 1), Part(0, 0), None, Part(0, 0), Part(0, 0)) // AO decimal digits FV
+    (2, 199, None, Optional, Part(4806, 20), Part(0, 1), Part(1, 1), Part(0, 0), None, Part(0, 0), Part(0, 0)) // AO decimal digits FV
+    (0, 0, Some(No), Mandatory, Part(27, 27), Part(0, 1), Part(0, 1), Part(0, 1), None, Part(0, 0), Part(0, 0)) // Highest sub-index supported
+    (1, 1, None, Mandatory, Part(4897, 13), Part(0, 1), Part(1, 1), Part(0, 0), None, Part(0, 0), Part(0, 0)) // AO fault mode
+    (2, 199, None, Optional, Part(4897, 13), Part(0, 1), Part(1, 1), Part(0, 0), None, Part(0, 0), Part(0, 0)) // AO fault mode
+    (0, 0, Some(No), Mandatory, Part(27, 27), Part(0, 1), Part(0, 1), Part(0, 1), None, Part(0, 0), Part(0, 0)) // Highest sub-index supported
+    (1, 1, None, Mandatory, Part(4959, 11), Part(2, 1), Part(0, 0), Part(0, 0), None, Part(0, 0), Part(0, 0)) // AO fault FV
+    (2, 199, None, Optional, Part(4959, 11), Part(2, 1), Part(0, 0), Part(0, 0), None, Part(0, 0), Part(0, 0)) // AO fault FV
+    (0, 0, Some(No), Mandatory, Part(27, 27), Part(0, 1), Part(0, 1), Part(0, 1), None, Part(0, 0), Part(0, 0)) // Highest sub-index supported
+    (1, 1, Some(Any), Mandatory, Part(5036, 31), Part(2, 1), Part(0, 0), Part(0, 0), None, Part(0, 0), Part(0, 0)) // CO effective current value Xeff
+    (2, 199, Some(Any), Optional, Part(5036, 31), Part(2, 1), Part(0, 0), Part(0, 0), None, Part(0, 0), Part(0, 0)) // CO effective current value Xeff
+    (0, 0, Some(No), Mandatory, Part(27, 27), Part(0, 1), Part(0, 1), Part(0, 1), None, Part(0, 0), Part(0, 0)) // Highest sub-index supported
+    (1, 1, Some(Tpdo), Mandatory, Part(5115, 27), Part(2, 1), Part(0, 1), Part(0, 0), None, Part(0, 0), Part(0, 0)) // CO effective set point Weff
+    (2, 199, Some(Tpdo), Optional, Part(5115, 27), Part(2, 1), Part(0, 1), Part(0, 0), None, Part(0, 0), Part(0, 0)) // CO effective set point Weff
+    (0, 0, Some(No), Mandatory, Part(27, 27), Part(0, 1), Part(0, 1), Part(0, 1), None, Part(0, 0), Part(0, 0)) // Highest sub-index supported
+    (1, 1, Some(Any), Mandatory, Part(5187, 14), Part(2, 1), Part(0, 0), Part(0, 0), None, Part(0, 0), Part(0, 0)) // CO set point W
+    (2, 199, Some(Any), Optional, Part(5187, 14), Part(2, 1), Part(0, 0), Part(0, 0), None, Part(0, 0), Part(0, 0)) // CO set point W
+    (0, 0, Some(No), Mandatory, Part(27, 27), Part(0, 1), Part(0, 1), Part(0, 1), None, Part(0, 0), Part(0, 0)) // Highest sub-index supported
+    (1, 1, Some(Any), Mandatory, Part(5233, 19), Part(2, 1), Part(0, 0), Part(0, 0), None, Part(0, 0), Part(0, 0)) // CO 2nd set point W2
+    (2, 199, Some(Any), Optional, Part(5233, 19), Part(2, 1), Part(0, 0), Part(0, 0), None, Part(0, 0), Part(0, 0)) // CO 2nd set point W2
+    (0, 0, Some(No), Mandatory, Part(27, 27), Part(0, 1), Part(0, 1), Part(0, 1), None, Part(0, 0), Part(0, 0)) // Highest sub-index supported
+    (1, 1, None, Mandatory, Part(5318, 27), Part(2, 1), Part(0, 0), Part(0, 0), None, Part(0, 0), Part(0, 0)) // CO lower set point limit W0
+    (2, 199, None, Optional, Part(5318, 27), Part(2, 1), Part(0, 0), Part(0, 0), None, Part(0, 0), Part(0, 0)) // CO lower set point limit W0
+    (0, 0, Some(No), Mandatory, Part(27, 27), Part(0, 1), Part(0, 1), Part(0, 1), None, Part(0, 0), Part(0, 0)) // Highest sub-index supported
+    (1, 1, None, Mandatory, Part(5366, 29), Part(2, 1), Part(0, 0), Part(0, 0), None, Part(0, 0), Part(0, 0)) // CO upper set point limit W100
+    (2, 199, None, Optional, Part(5366, 29), Part(2, 1), Part(0, 0), Part(0, 0), None, Part(0, 0), Part(0, 0)) // CO upper set point limit W100
+    (0, 0, Some(No), Mandatory, Part(27, 27), Part(0, 1), Part(0, 1), Part(0, 1), None, Part(0, 0), Part(0, 0)) // Highest sub-index supported
+    (1, 1, None, Mandatory, Part(5417, 19), Part(4, 1), Part(1, 1), Part(0, 0), None, Part(0, 0), Part(1, 3)) // CO physical unit XW
+    (2, 199, None, Optional, Part(5417, 19), Part(4, 1), Part(1, 1), Part(0, 0), None, Part(0, 0), Part(1, 3)) // CO physical unit XW
+    (0, 0, Some(No), Mandatory, Part(27, 27), Part(0, 1), Part(0, 1), Part(0, 1), None, Part(0, 0), Part(0, 0)) // Highest sub-index supported
+    (1, 1, None, Mandatory, Part(5475, 20), Part(0, 1), Part(1, 1), Part(0, 0), None, Part(0, 0), Part(0, 0)) // CO decimal digits XW
+    (2, 199, None, Optional, Part(5475, 20), Part(0, 1), Part(1, 1), Part(0, 0), None, Part(0, 0), Part(0, 0)) // CO decimal digits XW
+    (0, 0, Some(No), Mandatory, Part(27, 27), Part(0, 1), Part(0, 1), Part(0, 1), None, Part(0, 0), Part(0, 0)) // Highest sub-index supported
+    (1, 1, Some(Tpdo), Mandatory, Part(5577, 32), Part(3, 1), Part(0, 1), Part(0, 0), None, Part(0, 0), Part(0, 0)) // CO effective controller output Y
+    (2, 199, Some(Tpdo), Optional, Part(5577, 32), Part(3, 1), Part(0, 1), Part(0, 0), None, Part(0, 0), Part(0, 0)) // CO effective controller output Y
+    (0, 0, Some(No), Mandatory, Part(27, 27), Part(0, 1), Part(0, 1), Part(0, 1), None, Part(0, 0), Part(0, 0)) // Highest sub-index supported
+    (1, 1, Some(Tpdo), Mandatory, Part(5638, 39), Part(3, 1), Part(0, 1), Part(0, 0), None, Part(0, 0), Part(0, 0)) // CO differential controller output Ydiff
+    (2, 199, Some(Tpdo), Optional, Part(5638, 39), Part(3, 1), Part(0, 1), Part(0, 0), None, Part(0, 0), Part(0, 0)) // CO differential controller output Ydiff
+    (0, 0, Some(No), Mandatory, Part(27, 27), Part(0, 1), Part(0, 1), Part(0, 1), None, Part(0, 0), Part(0, 0)) // Highest sub-index supported
+    (1, 1, Some(Any), Mandatory, Part(5715, 27), Part(3, 1), Part(1, 1), Part(0, 0), None, Part(0, 0), Part(0, 0)) // CO manual controller output
+    (2, 199, Some(Any), Optional, Part(5715, 27), Part(3, 1), Part(1, 1), Part(0, 0), None, Part(0, 0), Part(0, 0)) // CO manual controller output
+    (0, 0, Some(No), Mandatory, Part(27, 27), Part(0, 1), Part(0, 1), Part(0, 1), None, Part(0, 0), Part(0, 0)) // Highest sub-index supported
+    (1, 1, None, Mandatory, Part(5786, 37), Part(3, 1), Part(1, 1), Part(0, 0), None, Part(0, 0), Part(0, 0)) // CO lower controller output limit Ymin
+    (2, 199, None, Optional, Part(5786, 37), Part(3, 1), Part(1, 1), Part(0, 0), None, Part(0, 0), Part(0, 0)) // CO lower controller output limit Ymin
+    (0, 0, Some(No), Mandatory, Part(27, 27), Part(0, 1), Part(0, 1), Part(0, 1), None, Part(0, 0), Part(0, 0)) // Highest sub-index supported
+    (1, 1, None, Mandatory, Part(5859, 37), Part(3, 1), Part(1, 1), Part(0, 0), None, Part(0, 0), Part(0, 0)) // CO upper controller output limit Ymax
+    (2, 199, None, Optional, Part(5859, 37), Part(3, 1), Part(1, 1), Part(0, 0), None, Part(0, 0), Part(0, 0)) // CO upper controller output limit Ymax
+    (0, 0, Some(No), Mandatory, Part(27, 27), Part(0, 1), Part(0, 1), Part(0, 1), None, Part(0, 0), Part(0, 0)) // Highest sub-index supported
+    (1, 1, None, Mandatory, Part(5933, 34), Part(4, 1), Part(1, 1), Part(0, 0), None, Part(0, 0), Part(1, 3)) // CO physical unit controller output
+    (2, 199, None, Optional, Part(5933, 34), Part(4, 1), Part(1, 1), Part(0, 0), None, Part(0, 0), Part(1, 3)) // CO physical unit controller output
+    (0, 0, Some(No), Mandatory, Part(27, 27), Part(0, 1), Part(0, 1), Part(0, 1), None, Part(0, 0), Part(0, 0)) // Highest sub-index supported
+    (1, 1, Some(Any), Mandatory, Part(6003, 24), Part(1, 1), Part(1, 1), Part(0, 0), None, Part(0, 0), Part(0, 0)) // CO set point switch W-W2
+    (2, 199, Some(Any), Optional, Part(6003, 24), Part(1, 1), Part(1, 1), Part(0, 0), None, Part(0, 0), Part(0, 0)) // CO set point switch W-W2
+    (0, 0, Some(No), Mandatory, Part(27, 27), Part(0, 1), Part(0, 1), Part(0, 1), None, Part(0, 0), Part(0, 0)) // Highest sub-index supported
+    (1, 1, Some(Any), Mandatory, Part(6070, 28), Part(1, 1), Part(1, 1), Part(0, 0), None, Part(0, 0), Part(8, 1)) // CO automatic/manual mode A-M
+    (2, 199, Some(Any), Optional, Part(6070, 28), Part(1, 1), Part(1, 1), Part(0, 0), None, Part(0, 0), Part(8, 1)) // CO automatic/manual mode A-M
+    (0, 0, Some(No), Mandatory, Part(27, 27), Part(0, 1), Part(0, 1), Part(0, 1), None, Part(0, 0), Part(0, 0)) // Highest sub-index supported
+    (1, 1, Some(Any), Mandatory, Part(6142, 20), Part(1, 1), Part(1, 1), Part(0, 0), None, Part(0, 0), Part(9, 1)) // CO controller on/off
+    (2, 199, Some(Any), Optional, Part(6142, 20), Part(1, 1), Part(1, 1), Part(0, 0), None, Part(0, 0), Part(9, 1)) // CO controller on/off
+    (0, 0, Some(No), Mandatory, Part(27, 27), Part(0, 1), Part(0, 1), Part(0, 1), None, Part(0, 0), Part(0, 0)) // Highest sub-index supported
+    (1, 1, Some(Any), Mandatory, Part(6210, 18), Part(0, 1), Part(1, 1), Part(0, 0), None, Part(0, 0), Part(0, 0)) // CO controller mode
+    (2, 199, Some(Any), Optional, Part(6210, 18), Part(0, 1), Part(1, 1), Part(0, 0), None, Part(0, 0), Part(0, 0)) // CO controller mode
+    (0, 0, Some(No), Mandatory, Part(27, 27), Part(0, 1), Part(0, 1), Part(0, 1), None, Part(0, 0), Part(0, 0)) // Highest sub-index supported
+    (1, 1, Some(Any), Mandatory, Part(6255, 27), Part(1, 1), Part(1, 1), Part(0, 0), None, Part(0, 0), Part(0, 0)) // CO self optimization on/off
+    (2, 199, Some(Any), Optional, Part(6255, 27), Part(1, 1), Part(1, 1), Part(0, 0), None, Part(0, 0), Part(0, 0)) // CO self optimization on/off
+    (0, 0, Some(No), Mandatory, Part(27, 27), Part(0, 1), Part(0, 1), Part(0, 1), None, Part(0, 0), Part(0, 0)) // Highest sub-index supported
+    (1, 1, Some(Any), Mandatory, Part(6335, 15), Part(0, 1), Part(1, 1), Part(0, 0), None, Part(0, 0), Part(0, 0)) // CO control byte
+    (2, 199, Some(Any), Optional, Part(6335, 15), Part(0, 1), Part(1, 1), Part(0, 0), None, Part(0, 0), Part(0, 0)) // CO control byte
+    (0, 0, Some(No), Mandatory, Part(27, 27), Part(0, 1), Part(0, 1), Part(0, 1), None, Part(0, 0), Part(0, 0)) // Highest sub-index supported
+    (1, 1, None, Mandatory, Part(6389, 22), Part(0, 1), Part(1, 1), Part(0, 0), None, Part(0, 0), Part(0, 0)) // CO control byte enable
+    (2, 199, None, Optional, Part(6389, 22), Part(0, 1), Part(1, 1), Part(0, 0), None, Part(0, 0), Part(0, 0)) // CO control byte enable
+    (0, 0, Some(No), Mandatory, Part(27, 27), Part(0, 1), Part(0, 1), Part(0, 1), None, Part(0, 0), Part(0, 0)) // Highest sub-index supported
+    (1, 1, Some(Tpdo), Mandatory, Part(6411, 14), Part(3, 1), Part(0, 1), Part(0, 0), None, Part(0, 0), Part(0, 0)) // CO status word
+    (2, 199, Some(Tpdo), Optional, Part(6411, 14), Part(3, 1), Part(0, 1), Part(0, 0), None, Part(0, 0), Part(0, 0)) // CO status word
+    (0, 0, Some(No), Mandatory, Part(27, 27), Part(0, 1), Part(0, 1), Part(0, 1), None, Part(0, 0), Part(0, 0)) // Highest sub-index supported
+    (1, 1, None, Mandatory, Part(6467, 27), Part(2, 1), Part(0, 0), Part(0, 0), None, Part(0, 0), Part(0, 0)) // CO minimum pulse time Tmin1
+    (2, 199, None, Optional, Part(6467, 27), Part(2, 1), Part(0, 0), Part(0, 0), None, Part(0, 0), Part(0, 0)) // CO minimum pulse time Tmin1
+    (0, 0, Some(No), Mandatory, Part(27, 27), Part(0, 1), Part(0, 1), Part(0, 1), None, Part(0, 0), Part(0, 0)) // Highest sub-index supported
+    (1, 1, None, Mandatory, Part(6551, 27), Part(2, 1), Part(0, 0), Part(0, 0), None, Part(0, 0), Part(0, 0)) // CO minimum pulse time Tmin2
+    (2, 199, None, Optional, Part(6551, 27), Part(2, 1), Part(0, 0), Part(0, 0), None, Part(0, 0), Part(0, 0)) // CO minimum pulse time Tmin2
+    (0, 0, Some(No), Mandatory, Part(27, 27), Part(0, 1), Part(0, 1), Part(0, 1), None, Part(0, 0), Part(0, 0)) // Highest sub-index supported
+    (1, 1, None, Mandatory, Part(6636, 25), Part(2, 1), Part(0, 0), Part(0, 0), None, Part(0, 0), Part(0, 0)) // CO motor response time Tm
+    (2, 199, None, Optional, Part(6636, 25), Part(2, 1), Part(0, 0), Part(0, 0), None, Part(0, 0), Part(0, 0)) // CO motor response time Tm
+    (0, 0, Some(No), Mandatory, Part(27, 27), Part(0, 1), Part(0, 1), Part(0, 1), None, Part(0, 0), Part(0, 0)) // Highest sub-index supported
+    (1, 1, None, Mandatory, Part(6725, 25), Part(2, 1), Part(0, 0), Part(0, 0), None, Part(0, 0), Part(0, 0)) // CO min pulse length Tpuls
+    (2, 199, None, Optional, Part(6725, 25), Part(2, 1), Part(0, 0), Part(0, 0), None, Part(0, 0), Part(0, 0)) // CO min pulse length Tpuls
+    (0, 0, Some(No), Mandatory, Part(27, 27), Part(0, 1), Part(0, 1), Part(0, 1), None, Part(0, 0), Part(0, 0)) // Highest sub-index supported
+    (1, 1, None, Mandatory, Part(6795, 29), Part(4, 1), Part(1, 1), Part(0, 0), None, Part(0, 0), Part(1, 3)) // CO physical unit pulse timing
+    (2, 199, None, Optional, Part(6795, 29), Part(4, 1), Part(1, 1), Part(0, 0), None, Part(0, 0), Part(1, 3)) // CO physical unit pulse timing
+    (0, 0, Some(No), Mandatory, Part(27, 27), Part(0, 1), Part(0, 1), Part(0, 1), None, Part(0, 0), Part(0, 0)) // Highest sub-index supported
+    (1, 1, None, Mandatory, Part(6856, 20), Part(0, 1), Part(1, 1), Part(0, 0), None, Part(0, 0), Part(0, 0)) // CO decimal digits PT
+    (2, 199, None, Optional, Part(6856, 20), Part(0, 1), Part(1, 1), Part(0, 0), None, Part(0, 0), Part(0, 0)) // CO decimal digits PT
+    (0, 0, Some(No), Mandatory, Part(27, 27), Part(0, 1), Part(0, 1), Part(0, 1), None, Part(0, 0), Part(0, 0)) // Highest sub-index supported
+    (1, 1, None, Mandatory, Part(6951, 32), Part(2, 1), Part(0, 0), Part(0, 0), None, Part(0, 0), Part(0, 0)) // CO neutral zone three-point Xsh1
+    (2, 199, None, Optional, Part(6951, 32), Part(2, 1), Part(0, 0), Part(0, 0), None, Part(0, 0), Part(0, 0)) // CO neutral zone three-point Xsh1
+    (0, 0, Some(No), Mandatory, Part(27, 27), Part(0, 1), Part(0, 1), Part(0, 1), None, Part(0, 0), Part(0, 0)) // Highest sub-index supported
+    (1, 1, None, Mandatory, Part(7063, 32), Part(2, 1), Part(0, 0), Part(0, 0), None, Part(0, 0), Part(0, 0)) // CO neutral zone three-point Xsh2
+    (2, 199, None, Optional, Part(7063, 32), Part(2, 1), Part(0, 0), Part(0, 0), None, Part(0, 0), Part(0, 0)) // CO neutral zone three-point Xsh2
+    (0, 0, Some(No), Mandatory, Part(27, 27), Part(0, 1), Part(0, 1), Part(0, 1), None, Part(0, 0), Part(0, 0)) // Highest sub-index supported
+    (1, 1, None, Mandatory, Part(7176, 40), Part(2, 1), Part(0, 0), Part(0, 0), None, Part(0, 0), Part(0, 0)) // CO neutral zone three-point stepping Xsh
+    (2, 199, None, Optional, Part(7176, 40), Part(2, 1), Part(0, 0), Part(0, 0), None, Part(0, 0), Part(0, 0)) // CO neutral zone three-point stepping Xsh
+    (0, 0, Some(No), Mandatory, Part(27, 27), Part(0, 1), Part(0, 1), Part(0, 1), None, Part(0, 0), Part(0, 0)) // Highest sub-index supported
+    (1, 1, None, Mandatory, Part(7270, 41), Part(2, 1), Part(0, 0), Part(0, 0), None, Part(0, 0), Part(0, 0)) // CO switching difference of signaller Xsd1
+    (2, 199, None, Optional, Part(7270, 41), Part(2, 1), Part(0, 0), Part(0, 0), None, Part(0, 0), Part(0, 0)) // CO switching difference of signaller Xsd1
+    (0, 0, Some(No), Mandatory, Part(27, 27), Part(0, 1), Part(0, 1), Part(0, 1), None, Part(0, 0), Part(0, 0)) // Highest sub-index supported
+    (1, 1, None, Mandatory, Part(7350, 50), Part(2, 1), Part(0, 0), Part(0, 0), None, Part(0, 0), Part(0, 0)) // CO switching difference of additional contact Xsd2
+    (2, 199, None, Optional, Part(7350, 50), Part(2, 1), Part(0, 0), Part(0, 0), None, Part(0, 0), Part(0, 0)) // CO switching difference of additional contact Xsd2
+    (0, 0, Some(No), Mandatory, Part(27, 27), Part(0, 1), Part(0, 1), Part(0, 1), None, Part(0, 0), Part(0, 0)) // Highest sub-index supported
+    (1, 1, None, Mandatory, Part(7441, 52), Part(2, 1), Part(0, 0), Part(0, 0), None, Part(0, 0), Part(0, 0)) // CO trigger point separation of additional contact LW
+    (2, 199, None, Optional, Part(7441, 52), Part(2, 1), Part(0, 0), Part(0, 0), None, Part(0, 0), Part(0, 0)) // CO trigger point separation of additional contact LW
+    (0, 0, Some(No), Mandatory, Part(27, 27), Part(0, 1), Part(0, 1), Part(0, 1), None, Part(0, 0), Part(0, 0)) // Highest sub-index supported
+    (1, 1, None, Mandatory, Part(7569, 24), Part(2, 1), Part(0, 0), Part(0, 0), None, Part(0, 0), Part(0, 0)) // CO proportional band Xp1
+    (2, 199, None, Optional, Part(7569, 24), Part(2, 1), Part(0, 0), Part(0, 0), None, Part(0, 0), Part(0, 0)) // CO proportional band Xp1
+    (0, 0, Some(No), Mandatory, Part(27, 27), Part(0, 1), Part(0, 1), Part(0, 1), None, Part(0, 0), Part(0, 0)) // Highest sub-index supported
+    (1, 1, None, Mandatory, Part(7642, 24), Part(2, 1), Part(0, 0), Part(0, 0), None, Part(0, 0), Part(0, 0)) // CO proportional band Xp2
+    (2, 199, None, Optional, Part(7642, 24), Part(2, 1), Part(0, 0), Part(0, 0), None, Part(0, 0), Part(0, 0)) // CO proportional band Xp2
+    (0, 0, Some(No), Mandatory, Part(27, 27), Part(0, 1), Part(0, 1), Part(0, 1), None, Part(0, 0), Part(0, 0)) // Highest sub-index supported
+    (1, 1, None, Mandatory, Part(7716, 27), Part(2, 1), Part(0, 0), Part(0, 0), None, Part(0, 0), Part(0, 0)) // CO integral action time Tn1
+    (2, 199, None, Optional, Part(7716, 27), Part(2, 1), Part(0, 0), Part(0, 0), None, Part(0, 0), Part(0, 0)) // CO integral action time Tn1
+    (0, 0, Some(No), Mandatory, Part(27, 27), Part(0, 1), Part(0, 1), Part(0, 1), None, Part(0, 0), Part(0, 0)) // Highest sub-index supported
+    (1, 1, None, Mandatory, Part(7795, 27), Part(2, 1), Part(0, 0), Part(0, 0), None, Part(0, 0), Part(0, 0)) // CO integral action time Tn2
+    (2, 199, None, Optional, Part(7795, 27), Part(2, 1), Part(0, 0), Part(0, 0), None, Part(0, 0), Part(0, 0)) // CO integral action time Tn2
+    (0, 0, Some(No), Mandatory, Part(27, 27), Part(0, 1), Part(0, 1), Part(0, 1), None, Part(0, 0), Part(0, 0)) // Highest sub-index supported
+    (1, 1, None, Mandatory, Part(7875, 29), Part(2, 1), Part(0, 0), Part(0, 0), None, Part(0, 0), Part(0, 0)) // CO derivative action time Tv1
+    (2, 199, None, Optional, Part(7875, 29), Part(2, 1), Part(0, 0), Part(0, 0), None, Part(0, 0), Part(0, 0)) // CO derivative action time Tv1
+    (0, 0, Some(No), Mandatory, Part(27, 27), Part(0, 1), Part(0, 1), Part(0, 1), None, Part(0, 0), Part(0, 0)) // Highest sub-index supported
+    (1, 1, None, Mandatory, Part(7958, 29), Part(2, 1), Part(0, 0), Part(0, 0), None, Part(0, 0), Part(0, 0)) // CO derivative action time Tv2
+    (2, 199, None, Optional, Part(7958, 29), Part(2, 1), Part(0, 0), Part(0, 0), None, Part(0, 0), Part(0, 0)) // CO derivative action time Tv2
+    (0, 0, Some(No), Mandatory, Part(27, 27), Part(0, 1), Part(0, 1), Part(0, 1), None, Part(0, 0), Part(0, 0)) // Highest sub-index supported
+    (1, 1, None, Mandatory, Part(8042, 16), Part(2, 1), Part(0, 0), Part(0, 0), None, Part(0, 0), Part(0, 0)) // CO cycle time T1
+    (2, 199, None, Optional, Part(8042, 16), Part(2, 1), Part(0, 0), Part(0, 0), None, Part(0, 0), Part(0, 0)) // CO cycle time T1
+    (0, 0, Some(No), Mandatory, Part(27, 27), Part(0, 1), Part(0, 1), Part(0, 1), None, Part(0, 0), Part(0, 0)) // Highest sub-index supported
+    (1, 1, None, Mandatory, Part(8099, 16), Part(2, 1), Part(0, 0), Part(0, 0), None, Part(0, 0), Part(0, 0)) // CO cycle time T2
+    (2, 199, None, Optional, Part(8099, 16), Part(2, 1), Part(0, 0), Part(0, 0), None, Part(0, 0), Part(0, 0)) // CO cycle time T2
+    (0, 0, Some(No), Mandatory, Part(27, 27), Part(0, 1), Part(0, 1), Part(0, 1), None, Part(0, 0), Part(0, 0)) // Highest sub-index supported
+    (1, 1, None, Mandatory, Part(8157, 20), Part(4, 1), Part(1, 1), Part(0, 0), None, Part(0, 0), Part(1, 3)) // CO physical unit PID
+    (2, 199, None, Optional, Part(8157, 20), Part(4, 1), Part(1, 1), Part(0, 0), None, Part(0, 0), Part(1, 3)) // CO physical unit PID
+    (0, 0, Some(No), Mandatory, Part(27, 27), Part(0, 1), Part(0, 1), Part(0, 1), None, Part(0, 0), Part(0, 0)) // Highest sub-index supported
+    (1, 1, None, Mandatory, Part(8217, 21), Part(0, 1), Part(1, 1), Part(0, 0), None, Part(0, 0), Part(0, 0)) // CO decimal digits PID
+    (2, 199, None, Optional, Part(8217, 21), Part(0, 1), Part(1, 1), Part(0, 0), None, Part(0, 0), Part(0, 0)) // CO decimal digits PID
+    (0, 0, Some(No), Mandatory, Part(27, 27), Part(0, 1), Part(0, 1), Part(0, 1), None, Part(0, 0), Part(0, 0)) // Highest sub-index supported
+    (1, 1, Some(Any), Mandatory, Part(8321, 14), Part(2, 1), Part(0, 0), Part(0, 0), None, Part(0, 0), Part(0, 0)) // AL input value
+    (2, 199, Some(Any), Optional, Part(8321, 14), Part(2, 1), Part(0, 0), Part(0, 0), None, Part(0, 0), Part(0, 0)) // AL input value
+    (0, 0, Some(No), Mandatory, Part(27, 27), Part(0, 1), Part(0, 1), Part(0, 1), None, Part(0, 0), Part(0, 0)) // Highest sub-index supported
+    (1, 1, None, Mandatory, Part(8367, 13), Part(4, 1), Part(1, 1), Part(0, 0), None, Part(0, 0), Part(0, 0)) // AL link input
+    (2, 199, None, Optional, Part(8367, 13), Part(4, 1), Part(1, 1), Part(0, 0), None, Part(0, 0), Part(0, 0)) // AL link input
+    (0, 0, Some(No), Mandatory, Part(27, 27), Part(0, 1), Part(0, 1), Part(0, 1), None, Part(0, 0), Part(0, 0)) // Highest sub-index supported
+    (1, 1, None, Mandatory, Part(8438, 24), Part(2, 1), Part(0, 0), Part(0, 0), None, Part(0, 0), Part(0, 0)) // AL alternate input value
+    (2, 199, None, Optional, Part(8438, 24), Part(2, 1), Part(0, 0), Part(0, 0), None, Part(0, 0), Part(0, 0)) // AL alternate input value
+    (0, 0, Some(No), Mandatory, Part(27, 27), Part(0, 1), Part(0, 1), Part(0, 1), None, Part(0, 0), Part(0, 0)) // Highest sub-index supported
+    (1, 1, None, Mandatory, Part(8530, 23), Part(0, 0), Part(1, 1), Part(0, 0), None, Part(0, 0), Part(0, 0)) // AL link alternate input
+    (2, 199, None, Optional, Part(8530, 23), Part(0, 0), Part(1, 1), Part(0, 0), None, Part(0, 0), Part(0, 0)) // AL link alternate input
+    (0, 0, Some(No), Mandatory, Part(27, 27), Part(0, 1), Part(0, 1), Part(0, 1), None, Part(0, 0), Part(0, 0)) // Highest sub-index supported
+    (1, 1, None, Mandatory, Part(8647, 13), Part(0, 1), Part(1, 1), Part(0, 0), None, Part(0, 0), Part(0, 0)) // AL fault mode
+    (2, 199, None, Optional, Part(8647, 13), Part(0, 1), Part(1, 1), Part(0, 0), None, Part(0, 0), Part(0, 0)) // AL fault mode
+    (0, 0, Some(No), Mandatory, Part(27, 27), Part(0, 1), Part(0, 1), Part(0, 1), None, Part(0, 0), Part(0, 0)) // Highest sub-index supported
+    (1, 1, None, Mandatory, Part(8704, 14), Part(1, 1), Part(1, 1), Part(0, 0), None, Part(0, 0), Part(10, 1)) // AL fault state
+    (2, 199, None, Optional, Part(8704, 14), Part(1, 1), Part(1, 1), Part(0, 0), None, Part(0, 0), Part(10, 1)) // AL fault state
+    (0, 0, Some(No), Mandatory, Part(27, 27), Part(0, 1), Part(0, 1), Part(0, 1), None, Part(0, 0), Part(0, 0)) // Highest sub-index supported
+    (1, 1, None, Mandatory, Part(8797, 7), Part(0, 1), Part(1, 1), Part(0, 0), None, Part(0, 0), Part(0, 0)) // AL type
+    (2, 199, None, Optional, Part(8797, 7), Part(0, 1), Part(1, 1), Part(0, 0), None, Part(0, 0), Part(0, 0)) // AL type
+    (0, 0, Some(No), Mandatory, Part(27, 27), Part(0, 1), Part(0, 1), Part(0, 1), None, Part(0, 0), Part(0, 0)) // Highest sub-index supported
+    (1, 1, None, Mandatory, Part(8864, 9), Part(0, 1), Part(1, 1), Part(0, 0), None, Part(0, 0), Part(0, 0)) // AL action
+    (2, 199, None, Optional, Part(8864, 9), Part(0, 1), Part(1, 1), Part(0, 0), None, Part(0, 0), Part(0, 0)) // AL action
+    (0, 0, Some(No), Mandatory, Part(27, 27), Part(0, 1), Part(0, 1), Part(0, 1), None, Part(0, 0), Part(0, 0)) // Highest sub-index supported
+    (1, 1, None, Mandatory, Part(8939, 8), Part(2, 1), Part(0, 0), Part(0, 0), None, Part(0, 0), Part(0, 0)) // AL level
+    (2, 199, None, Optional, Part(8939, 8), Part(2, 1), Part(0, 0), Part(0, 0), None, Part(0, 0), Part(0, 0)) // AL level
+    (0, 0, Some(No), Mandatory, Part(27, 27), Part(0, 1), Part(0, 1), Part(0, 1), None, Part(0, 0), Part(0, 0)) // Highest sub-index supported
+    (1, 1, None, Mandatory, Part(8989, 13), Part(2, 1), Part(0, 0), Part(0, 0), None, Part(0, 0), Part(0, 0)) // AL hysteresis
+    (2, 199, None, Optional, Part(8989, 13), Part(2, 1), Part(0, 0), Part(0, 0), None, Part(0, 0), Part(0, 0)) // AL hysteresis
+    (0, 0, Some(No), Mandatory, Part(27, 27), Part(0, 1), Part(0, 1), Part(0, 1), None, Part(0, 0), Part(0, 0)) // Highest sub-index supported
+    (1, 1, None, Mandatory, Part(9070, 8), Part(0, 1), Part(1, 1), Part(0, 0), None, Part(0, 0), Part(0, 0)) // AL group
+    (2, 199, None, Optional, Part(9070, 8), Part(0, 1), Part(1, 1), Part(0, 0), None, Part(0, 0), Part(0, 0)) // AL group
+    (0, 0, Some(No), Mandatory, Part(27, 27), Part(0, 1), Part(0, 1), Part(0, 1), None, Part(0, 0), Part(0, 0)) // Highest sub-index supported
+    (1, 1, Some(Tpdo), Mandatory, Part(9113, 8), Part(1, 1), Part(0, 1), Part(0, 0), None, Part(0, 0), Part(11, 1)) // AL state
+    (2, 199, Some(Tpdo), Optional, Part(9113, 8), Part(1, 1), Part(0, 1), Part(0, 0), None, Part(0, 0), Part(11, 1)) // AL state
+    (0, 0, Some(No), Mandatory, Part(27, 27), Part(0, 1), Part(0, 1), Part(0, 1), None, Part(0, 0), Part(0, 0)) // Highest sub-index supported
+    (1, 1, None, Mandatory, Part(9148, 8), Part(1, 1), Part(2, 2), Part(0, 0), None, Part(0, 0), Part(12, 1)) // AL reset
+    (2, 199, None, Optional, Part(9148, 8), Part(1, 1), Part(2, 2), Part(0, 0), None, Part(0, 0), Part(12, 1)) // AL reset
+    (0, 0, Some(No), Mandatory, Part(27, 27), Part(0, 1), Part(0, 1), Part(0, 1), None, Part(0, 0), Part(0, 0)) // Highest sub-index supported
+    (1, 1, Some(Tpdo), Mandatory, Part(9193, 15), Part(0, 1), Part(0, 1), Part(0, 0), None, Part(0, 0), Part(13, 8)) // AL 1 to 8 state
+    (2, 199, Some(Tpdo), Optional, Part(9193, 15), Part(0, 1), Part(0, 1), Part(0, 0), None, Part(0, 0), Part(13, 8)) // AL 1 to 8 state
+    (0, 0, Some(No), Mandatory, Part(27, 27), Part(0, 1), Part(0, 1), Part(0, 1), None, Part(0, 0), Part(0, 0)) // Highest sub-index supported
+    (1, 1, Some(Tpdo), Mandatory, Part(9310, 16), Part(0, 1), Part(0, 1), Part(0, 0), None, Part(0, 0), Part(21, 8)) // AL 9 to 16 state
+    (2, 199, Some(Tpdo), Optional, Part(9310, 16), Part(0, 1), Part(0, 1), Part(0, 0), None, Part(0, 0), Part(21, 8)) // AL 9 to 16 state
+    (0, 0, Some(Any), Mandatory, Part(0, 0), Part(1, 1), Part(0, 1), Part(0, 0), None, Part(0, 0), Part(29, 1))
+    (0, 0, Some(Any), Mandatory, Part(0, 0), Part(0, 1), Part(0, 1), Part(0, 0), None, Part(0, 0), Part(30, 8))
+    (0, 0, Some(Any), Mandatory, Part(0, 0), Part(1, 1), Part(4, 1), Part(0, 0), None, Part(0, 0), Part(38, 1))
+    (0, 0, Some(No), Mandatory, Part(27, 27), Part(0, 1), Part(0, 1), Part(0, 1), None, Part(0, 0), Part(0, 0)) // Highest sub-index supported
+    (1, 1, Some(Any), Mandatory, Part(9769, 15), Part(0, 1), Part(2, 2), Part(0, 0), None, Part(0, 0), Part(39, 8)) // AL 1 to 8 reset
+    (2, 199, Some(Any), Optional, Part(9769, 15), Part(0, 1), Part(2, 2), Part(0, 0), None, Part(0, 0), Part(39, 8)) // AL 1 to 8 reset
+    (0, 0, Some(No), Mandatory, Part(27, 27), Part(0, 1), Part(0, 1), Part(0, 1), None, Part(0, 0), Part(0, 0)) // Highest sub-index supported
+    (1, 1, Some(Any), Mandatory, Part(9933, 16), Part(0, 1), Part(2, 2), Part(0, 0), None, Part(0, 0), Part(47, 8)) // AL 9 to 16 reset
+    (2, 199, Some(Any), Optional, Part(9933, 16), Part(0, 1), Part(2, 2), Part(0, 0), None, Part(0, 0), Part(47, 8)) // AL 9 to 16 reset
+    (0, 0, Some(No), Mandatory, Part(27, 27), Part(0, 1), Part(0, 1), Part(0, 1), None, Part(0, 0), Part(0, 0)) // Highest sub-index supported
+    (1, 1, Some(Tpdo), Mandatory, Part(10106, 12), Part(0, 1), Part(0, 1), Part(0, 0), None, Part(0, 0), Part(0, 0)) // Life counter
+    (2, 199, Some(Tpdo), Optional, Part(10106, 12), Part(0, 1), Part(0, 1), Part(0, 0), None, Part(0, 0), Part(0, 0)) // Life counter
+    (0, 0, Some(No), Mandatory, Part(27, 27), Part(0, 1), Part(0, 1), Part(0, 1), None, Part(0, 0), Part(0, 0)) // Highest sub-index supported
+    (1, 1, Some(Any), Mandatory, Part(10151, 17), Part(0, 1), Part(2, 2), Part(0, 0), None, Part(0, 0), Part(0, 0)) // Receive PDO check
+    (2, 199, Some(Any), Optional, Part(10151, 17), Part(0, 1), Part(2, 2), Part(0, 0), None, Part(0, 0), Part(0, 0)) // Receive PDO check
+    (0, 0, Some(No), Mandatory, Part(27, 27), Part(0, 1), Part(0, 1), Part(0, 1), None, Part(0, 0), Part(0, 0)) // Highest sub-index supported
+    (1, 1, Some(Tpdo), Mandatory, Part(10220, 18), Part(0, 1), Part(0, 1), Part(0, 0), None, Part(0, 0), Part(0, 0)) // Transmit PDO check
+    (2, 199, Some(Tpdo), Optional, Part(10220, 18), Part(0, 1), Part(0, 1), Part(0, 0), None, Part(0, 0), Part(0, 0)) // Transmit PDO check
+    (0, 0, Some(No), Mandatory, Part(27, 27), Part(0, 1), Part(0, 1), Part(0, 1), None, Part(0, 0), Part(0, 0)) // Highest sub-index supported
+    (1, 1, Some(Any), Mandatory, Part(10271, 10), Part(2, 1), Part(0, 0), Part(0, 0), None, Part(0, 0), Part(0, 0)) // Receive PV
+    (2, 199, Some(Any), Optional, Part(10271, 10), Part(2, 1), Part(0, 0), Part(0, 0), None, Part(0, 0), Part(0, 0)) // Receive PV
+    (0, 0, Some(No), Mandatory, Part(27, 27), Part(0, 1), Part(0, 1), Part(0, 1), None, Part(0, 0), Part(0, 0)) // Highest sub-index supported
+    (1, 1, Some(Any), Mandatory, Part(10339, 20), Part(2, 1), Part(0, 0), Part(0, 0), None, Part(0, 0), Part(0, 0)) // Alternate receive PV
+    (2, 199, Some(Any), Optional, Part(10339, 20), Part(2, 1), Part(0, 0), Part(0, 0), None, Part(0, 0), Part(0, 0)) // Alternate receive PV
+    (0, 0, Some(No), Mandatory, Part(27, 27), Part(0, 1), Part(0, 1), Part(0, 1), None, Part(0, 0), Part(0, 0)) // Highest sub-index supported
+    (1, 1, Some(Any), Mandatory, Part(10426, 15), Part(0, 1), Part(1, 1), Part(0, 0), None, Part(0, 0), Part(0, 0)) // Received status
+    (2, 199, Some(Any), Optional, Part(10426, 15), Part(0, 1), Part(1, 1), Part(0, 0), None, Part(0, 0), Part(0, 0)) // Received status
+    (0, 0, Some(No), Mandatory, Part(27, 27), Part(0, 1), Part(0, 1), Part(0, 1), None, Part(0, 0), Part(0, 0)) // Highest sub-index supported
+    (1, 1, Some(Any), Mandatory, Part(10496, 25), Part(0, 1), Part(1, 1), Part(0, 0), None, Part(0, 0), Part(0, 0)) // Alternate received status
+    (2, 199, Some(Any), Optional, Part(10496, 25), Part(0, 1), Part(1, 1), Part(0, 0), None, Part(0, 0), Part(0, 0)) // Alternate received status
+    (0, 0, None, Mandatory, Part(0, 0), Part(1, 1), Part(1, 1), Part(0, 0), None, Part(0, 0), Part(0, 0))
+    (0, 0, Some(No), Mandatory, Part(27, 27), Part(0, 1), Part(0, 1), Part(0, 1), None, Part(0, 0), Part(0, 0)) // Highest sub-index supported
+    (1, 1, Some(Tpdo), Mandatory, Part(311, 11), Part(5, 1), Part(0, 1), Part(0, 0), None, Part(0, 0), Part(0, 0)) // AI input FV
+    (2, 199, Some(Tpdo), Optional, Part(311, 11), Part(5, 1), Part(0, 1), Part(0, 0), None, Part(0, 0), Part(0, 0)) // AI input FV
+    (0, 0, Some(No), Mandatory, Part(27, 27), Part(0, 1), Part(0, 1), Part(0, 1), None, Part(0, 0), Part(0, 0)) // Highest sub-index supported
+    (1, 1, None, Mandatory, Part(393, 27), Part(5, 1), Part(0, 0), Part(0, 0), None, Part(0, 0), Part(0, 0)) // AI interrupt delta input FV
+    (2, 199, None, Optional, Part(393, 27), Part(5, 1), Part(0, 0), Part(0, 0), None, Part(0, 0), Part(0, 0)) // AI interrupt delta input FV
+    (0, 0, Some(No), Mandatory, Part(27, 27), Part(0, 1), Part(0, 1), Part(0, 1), None, Part(0, 0), Part(0, 0)) // Highest sub-index supported
+    (1, 1, None, Mandatory, Part(763, 21), Part(5, 1), Part(0, 0), Part(0, 0), None, Part(0, 0), Part(0, 0)) // AI input scaling 1 FV
+    (2, 199, None, Optional, Part(763, 21), Part(5, 1), Part(0, 0), Part(0, 0), None, Part(0, 0), Part(0, 0)) // AI input scaling 1 FV
+    (0, 0, Some(No), Mandatory, Part(27, 27), Part(0, 1), Part(0, 1), Part(0, 1), None, Part(0, 0), Part(0, 0)) // Highest sub-index supported
+    (1, 1, None, Mandatory, Part(861, 21), Part(5, 1), Part(0, 0), Part(0, 0), None, Part(0, 0), Part(0, 0)) // AI input scaling 1 PV
+    (2, 199, None, Optional, Part(861, 21), Part(5, 1), Part(0, 0), Part(0, 0), None, Part(0, 0), Part(0, 0)) // AI input scaling 1 PV
+    (0, 0, Some(No), Mandatory, Part(27, 27), Part(0, 1), Part(0, 1), Part(0, 1), None, Part(0, 0), Part(0, 0)) // Highest sub-index supported
+    (1, 1, None, Mandatory, Part(961, 21), Part(5, 1), Part(0, 0), Part(0, 0), None, Part(0, 0), Part(0, 0)) // AI input scaling 2 FV
+    (2, 199, None, Optional, Part(961, 21), Part(5, 1), Part(0, 0), Part(0, 0), None, Part(0, 0), Part(0, 0)) // AI input scaling 2 FV
+    (0, 0, Some(No), Mandatory, Part(27, 27), Part(0, 1), Part(0, 1), Part(0, 1), None, Part(0, 0), Part(0, 0)) // Highest sub-index supported
+    (1, 1, None, Mandatory, Part(1060, 21), Part(5, 1), Part(0, 0), Part(0, 0), None, Part(0, 0), Part(0, 0)) // AI input scaling 2 PV
+    (2, 199, None, Optional, Part(1060, 21), Part(5, 1), Part(0, 0), Part(0, 0), None, Part(0, 0), Part(0, 0)) // AI input scaling 2 PV
+    (0, 0, Some(No), Mandatory, Part(27, 27), Part(0, 1), Part(0, 1), Part(0, 1), None, Part(0, 0), Part(0, 0)) // Highest sub-index supported
+    (1, 1, None, Mandatory, Part(1161, 15), Part(5, 1), Part(0, 0), Part(0, 0), None, Part(0, 0), Part(0, 0)) // AI input offset
+    (2, 199, None, Optional, Part(1161, 15), Part(5, 1), Part(0, 0), Part(0, 0), None, Part(0, 0), Part(0, 0)) // AI input offset
+    (0, 0, Some(No), Mandatory, Part(27, 27), Part(0, 1), Part(0, 1), Part(0, 1), None, Part(0, 0), Part(0, 0)) // Highest sub-index supported
+    (1, 1, Some(Tpdo), Mandatory, Part(1457, 11), Part(5, 1), Part(0, 1), Part(0, 0), None, Part(0, 0), Part(0, 0)) // AI input PV
+    (2, 199, Some(Tpdo), Optional, Part(1457, 11), Part(5, 1), Part(0, 1), Part(0, 0), None, Part(0, 0), Part(0, 0)) // AI input PV
+    (0, 0, Some(No), Mandatory, Part(27, 27), Part(0, 1), Part(0, 1), Part(0, 1), None, Part(0, 0), Part(0, 0)) // Highest sub-index supported
+    (1, 1, None, Mandatory, Part(1740, 27), Part(5, 1), Part(0, 0), Part(0, 0), None, Part(0, 0), Part(0, 0)) // AI interrupt delta input PV
+    (2, 199, None, Optional, Part(1740, 27), Part(5, 1), Part(0, 0), Part(0, 0), None, Part(0, 0), Part(0, 0)) // AI interrupt delta input PV
+    (0, 0, Some(No), Mandatory, Part(27, 27), Part(0, 1), Part(0, 1), Part(0, 1), None, Part(0, 0), Part(0, 0)) // Highest sub-index supported
+    (1, 1, None, Mandatory, Part(1823, 27), Part(5, 1), Part(0, 0), Part(0, 0), None, Part(0, 0), Part(0, 0)) // AI interrupt lower input PV
+    (2, 199, None, Optional, Part(1823, 27), Part(5, 1), Part(0, 0), Part(0, 0), None, Part(0, 0), Part(0, 0)) // AI interrupt lower input PV
+    (0, 0, Some(No), Mandatory, Part(27, 27), Part(0, 1), Part(0, 1), Part(0, 1), None, Part(0, 0), Part(0, 0)) // Highest sub-index supported
+    (1, 1, None, Mandatory, Part(1910, 27), Part(5, 1), Part(0, 0), Part(0, 0), None, Part(0, 0), Part(0, 0)) // AI interrupt upper input PV
+    (2, 199, None, Optional, Part(1910, 27), Part(5, 1), Part(0, 0), Part(0, 0), None, Part(0, 0), Part(0, 0)) // AI interrupt upper input PV
+    (0, 0, Some(No), Mandatory, Part(27, 27), Part(0, 1), Part(0, 1), Part(0, 1), None, Part(0, 0), Part(0, 0)) // Highest sub-index supported
+    (1, 1, None, Mandatory, Part(1997, 12), Part(5, 1), Part(0, 0), Part(0, 0), None, Part(0, 0), Part(0, 0)) // AI tare zero
+    (2, 199, None, Optional, Part(1997, 12), Part(5, 1), Part(0, 0), Part(0, 0), None, Part(0, 0), Part(0, 0)) // AI tare zero
+    (0, 0, Some(No), Mandatory, Part(27, 27), Part(0, 1), Part(0, 1), Part(0, 1), None, Part(0, 0), Part(0, 0)) // Highest sub-index supported
+    (1, 1, Some(Tpdo), Mandatory, Part(2155, 9), Part(5, 1), Part(0, 1), Part(0, 0), None, Part(0, 0), Part(0, 0)) // AI net PV
+    (2, 199, Some(Tpdo), Optional, Part(2155, 9), Part(5, 1), Part(0, 1), Part(0, 0), None, Part(0, 0), Part(0, 0)) // AI net PV
+    (0, 0, Some(No), Mandatory, Part(27, 27), Part(0, 1), Part(0, 1), Part(0, 1), None, Part(0, 0), Part(0, 0)) // Highest sub-index supported
+    (1, 1, None, Mandatory, Part(2220, 25), Part(5, 1), Part(0, 0), Part(0, 0), None, Part(0, 0), Part(0, 0)) // AI interrupt delta net PV
+    (2, 199, None, Optional, Part(2220, 25), Part(5, 1), Part(0, 0), Part(0, 0), None, Part(0, 0), Part(0, 0)) // AI interrupt delta net PV
+    (0, 0, Some(No), Mandatory, Part(27, 27), Part(0, 1), Part(0, 1), Part(0, 1), None, Part(0, 0), Part(0, 0)) // Highest sub-index supported
+    (1, 1, None, Mandatory, Part(2297, 31), Part(5, 1), Part(0, 0), Part(0, 0), None, Part(0, 0), Part(0, 0)) // AI interrupt lower limit net PV
+    (2, 199, None, Optional, Part(2297, 31), Part(5, 1), Part(0, 0), Part(0, 0), None, Part(0, 0), Part(0, 0)) // AI interrupt lower limit net PV
+    (0, 0, Some(No), Mandatory, Part(27, 27), Part(0, 1), Part(0, 1), Part(0, 1), None, Part(0, 0), Part(0, 0)) // Highest sub-index supported
+    (1, 1, None, Mandatory, Part(2384, 31), Part(5, 1), Part(0, 0), Part(0, 0), None, Part(0, 0), Part(0, 0)) // AI interrupt upper limit net PV
+    (2, 199, None, Optional, Part(2384, 31), Part(5, 1), Part(0, 0), Part(0, 0), None, Part(0, 0), Part(0, 0)) // AI interrupt upper limit net PV
+    (0, 0, Some(No), Mandatory, Part(27, 27), Part(0, 1), Part(0, 1), Part(0, 1), None, Part(0, 0), Part(0, 0)) // Highest sub-index supported
+    (1, 1, None, Mandatory, Part(2471, 13), Part(5, 1), Part(0, 0), Part(0, 0), None, Part(0, 0), Part(0, 0)) // AI span start
+    (2, 199, None, Optional, Part(2471, 13), Part(5, 1), Part(0, 0), Part(0, 0), None, Part(0, 0), Part(0, 0)) // AI span start
+    (0, 0, Some(No), Mandatory, Part(27, 27), Part(0, 1), Part(0, 1), Part(0, 1), None, Part(0, 0), Part(0, 0)) // Highest sub-index supported
+    (1, 1, None, Mandatory, Part(2552, 11), Part(5, 1), Part(0, 0), Part(0, 0), None, Part(0, 0), Part(0, 0)) // AI span end
+    (2, 199, None, Optional, Part(2552, 11), Part(5, 1), Part(0, 0), Part(0, 0), None, Part(0, 0), Part(0, 0)) // AI span end
+    (0, 0, Some(No), Mandatory, Part(27, 27), Part(0, 1), Part(0, 1), Part(0, 1), None, Part(0, 0), Part(0, 0)) // Highest sub-index supported
+    (1, 1, Some(Any), Mandatory, Part(3939, 12), Part(5, 1), Part(1, 1), Part(0, 0), None, Part(0, 0), Part(0, 0)) // AO output PV
+    (2, 199, Some(Any), Optional, Part(3939, 12), Part(5, 1), Part(1, 1), Part(0, 0), None, Part(0, 0), Part(0, 0)) // AO output PV
+    (0, 0, Some(No), Mandatory, Part(27, 27), Part(0, 1), Part(0, 1), Part(0, 1), None, Part(0, 0), Part(0, 0)) // Highest sub-index supported
+    (1, 1, None, Mandatory, Part(4245, 22), Part(5, 1), Part(0, 0), Part(0, 0), None, Part(0, 0), Part(0, 0)) // AO output scaling 1 PV
+    (2, 199, None, Optional, Part(4245, 22), Part(5, 1), Part(0, 0), Part(0, 0), None, Part(0, 0), Part(0, 0)) // AO output scaling 1 PV
+    (0, 0, Some(No), Mandatory, Part(27, 27), Part(0, 1), Part(0, 1), Part(0, 1), None, Part(0, 0), Part(0, 0)) // Highest sub-index supported
+    (1, 1, None, Mandatory, Part(4347, 22), Part(5, 1), Part(0, 0), Part(0, 0), None, Part(0, 0), Part(0, 0)) // AO output scaling 1 FV
+    (2, 199, None, Optional, Part(4347, 22), Part(5, 1), Part(0, 0), Part(0, 0), None, Part(0, 0), Part(0, 0)) // AO output scaling 1 FV
+    (0, 0, Some(No), Mandatory, Part(27, 27), Part(0, 1), Part(0, 1), Part(0, 1), None, Part(0, 0), Part(0, 0)) // Highest sub-index supported
+    (1, 1, None, Mandatory, Part(4447, 22), Part(5, 1), Part(0, 0), Part(0, 0), None, Part(0, 0), Part(0, 0)) // AO output scaling 2 PV
+    (2, 199, None, Optional, Part(4447, 22), Part(5, 1), Part(0, 0), Part(0, 0), None, Part(0, 0), Part(0, 0)) // AO output scaling 2 PV
+    (0, 0, Some(No), Mandatory, Part(27, 27), Part(0, 1), Part(0, 1), Part(0, 1), None, Part(0, 0), Part(0, 0)) // Highest sub-index supported
+    (1, 1, None, Mandatory, Part(4550, 22), Part(5, 1), Part(0, 0), Part(0, 0), None, Part(0, 0), Part(0, 0)) // AO output scaling 2 FV
+    (2, 199, None, Optional, Part(4550, 22), Part(5, 1), Part(0, 0), Part(0, 0), None, Part(0, 0), Part(0, 0)) // AO output scaling 2 FV
+    (0, 0, Some(No), Mandatory, Part(27, 27), Part(0, 1), Part(0, 1), Part(0, 1), None, Part(0, 0), Part(0, 0)) // Highest sub-index supported
+    (1, 1, None, Mandatory, Part(4651, 12), Part(5, 1), Part(0, 0), Part(0, 0), None, Part(0, 0), Part(0, 0)) // AO output FV
+    (2, 199, None, Optional, Part(4651, 12), Part(5, 1), Part(0, 0), Part(0, 0), None, Part(0, 0), Part(0, 0)) // AO output FV
+    (0, 0, Some(No), Mandatory, Part(27, 27), Part(0, 1), Part(0, 1), Part(0, 1), None, Part(0, 0), Part(0, 0)) // Highest sub-index supported
+    (1, 1, None, Mandatory, Part(4959, 11), Part(5, 1), Part(0, 0), Part(0, 0), None, Part(0, 0), Part(0, 0)) // AO fault FV
+    (2, 199, None, Optional, Part(4959, 11), Part(5, 1), Part(0, 0), Part(0, 0), None, Part(0, 0), Part(0, 0)) // AO fault FV
+    (0, 0, Some(No), Mandatory, Part(27, 27), Part(0, 1), Part(0, 1), Part(0, 1), None, Part(0, 0), Part(0, 0)) // Highest sub-index supported
+    (1, 1, Some(Any), Mandatory, Part(5036, 31), Part(5, 1), Part(0, 0), Part(0, 0), None, Part(0, 0), Part(0, 0)) // CO effective current value Xeff
+    (2, 199, Some(Any), Optional, Part(5036, 31), Part(5, 1), Part(0, 0), Part(0, 0), None, Part(0, 0), Part(0, 0)) // CO effective current value Xeff
+    (0, 0, Some(No), Mandatory, Part(27, 27), Part(0, 1), Part(0, 1), Part(0, 1), None, Part(0, 0), Part(0, 0)) // Highest sub-index supported
+    (1, 1, Some(Tpdo), Mandatory, Part(5115, 27), Part(5, 1), Part(0, 1), Part(0, 0), None, Part(0, 0), Part(0, 0)) // CO effective set point Weff
+    (2, 199, Some(Tpdo), Optional, Part(5115, 27), Part(5, 1), Part(0, 1), Part(0, 0), None, Part(0, 0), Part(0, 0)) // CO effective set point Weff
+    (0, 0, Some(No), Mandatory, Part(27, 27), Part(0, 1), Part(0, 1), Part(0, 1), None, Part(0, 0), Part(0, 0)) // Highest sub-index supported
+    (1, 1, Some(Any), Mandatory, Part(5187, 14), Part(5, 1), Part(0, 0), Part(0, 0), None, Part(0, 0), Part(0, 0)) // CO set point W
+    (2, 199, Some(Any), Optional, Part(5187, 14), Part(5, 1), Part(0, 0), Part(0, 0), None, Part(0, 0), Part(0, 0)) // CO set point W
+    (0, 0, Some(No), Mandatory, Part(27, 27), Part(0, 1), Part(0, 1), Part(0, 1), None, Part(0, 0), Part(0, 0)) // Highest sub-index supported
+    (1, 1, Some(Any), Mandatory, Part(5233, 19), Part(5, 1), Part(0, 0), Part(0, 0), None, Part(0, 0), Part(0, 0)) // CO 2nd set point W2
+    (2, 199, Some(Any), Optional, Part(5233, 19), Part(5, 1), Part(0, 0), Part(0, 0), None, Part(0, 0), Part(0, 0)) // CO 2nd set point W2
+    (0, 0, Some(No), Mandatory, Part(27, 27), Part(0, 1), Part(0, 1), Part(0, 1), None, Part(0, 0), Part(0, 0)) // Highest sub-index supported
+    (1, 1, None, Mandatory, Part(5318, 27), Part(5, 1), Part(0, 0), Part(0, 0), None, Part(0, 0), Part(0, 0)) // CO lower set point limit W0
+    (2, 199, None, Optional, Part(5318, 27), Part(5, 1), Part(0, 0), Part(0, 0), None, Part(0, 0), Part(0, 0)) // CO lower set point limit W0
+    (0, 0, Some(No), Mandatory, Part(27, 27), Part(0, 1), Part(0, 1), Part(0, 1), None, Part(0, 0), Part(0, 0)) // Highest sub-index supported
+    (1, 1, None, Mandatory, Part(5366, 29), Part(5, 1), Part(0, 0), Part(0, 0), None, Part(0, 0), Part(0, 0)) // CO upper set point limit W100
+    (2, 199, None, Optional, Part(5366, 29), Part(5, 1), Part(0, 0), Part(0, 0), None, Part(0, 0), Part(0, 0)) // CO upper set point limit W100
+    (0, 0, Some(No), Mandatory, Part(27, 27), Part(0, 1), Part(0, 1), Part(0, 1), None, Part(0, 0), Part(0, 0)) // Highest sub-index supported
+    (1, 1, None, Mandatory, Part(6467, 27), Part(5, 1), Part(0, 0), Part(0, 0), None, Part(0, 0), Part(0, 0)) // CO minimum pulse time Tmin1
+    (2, 199, None, Optional, Part(6467, 27), Part(5, 1), Part(0, 0), Part(0, 0), None, Part(0, 0), Part(0, 0)) // CO minimum pulse time Tmin1
+    (0, 0, Some(No), Mandatory, Part(27, 27), Part(0, 1), Part(0, 1), Part(0, 1), None, Part(0, 0), Part(0, 0)) // Highest sub-index supported
+    (1, 1, None, Mandatory, Part(6551, 27), Part(5, 1), Part(0, 0), Part(0, 0), None, Part(0, 0), Part(0, 0)) // CO minimum pulse time Tmin2
+    (2, 199, None, Optional, Part(6551, 27), Part(5, 1), Part(0, 0), Part(0, 0), None, Part(0, 0), Part(0, 0)) // CO minimum pulse time Tmin2
+    (0, 0, Some(No), Mandatory, Part(27, 27), Part(0, 1), Part(0, 1), Part(0, 1), None, Part(0, 0), Part(0, 0)) // Highest sub-index supported
+    (1, 1, None, Mandatory, Part(6636, 25), Part(5, 1), Part(0, 0), Part(0, 0), None, Part(0, 0), Part(0, 0)) // CO motor response time Tm
+    (2, 199, None, Optional, Part(6636, 25), Part(5, 1), Part(0, 0), Part(0, 0), None, Part(0, 0), Part(0, 0)) // CO motor response time Tm
+    (0, 0, Some(No), Mandatory, Part(27, 27), Part(0, 1), Part(0, 1), Part(0, 1), None, Part(0, 0), Part(0, 0)) // Highest sub-index supported
+    (1, 1, None, Mandatory, Part(6725, 25), Part(5, 1), Part(0, 0), Part(0, 0), None, Part(0, 0), Part(0, 0)) // CO min pulse length Tpuls
+    (2, 199, None, Optional, Part(6725, 25), Part(5, 1), Part(0, 0), Part(0, 0), None, Part(0, 0), Part(0, 0)) // CO min pulse length Tpuls
+    (0, 0, Some(No), Mandatory, Part(27, 27), Part(0, 1), Part(0, 1), Part(0, 1), None, Part(0, 0), Part(0, 0)) // Highest sub-index supported
+    (1, 1, None, Mandatory, Part(6951, 32), Part(5, 1), Part(0, 0), Part(0, 0), None, Part(0, 0), Part(0, 0)) // CO neutral zone three-point Xsh1
+    (2, 199, None, Optional, Part(6951, 32), Part(5, 1), Part(0, 0), Part(0, 0), None, Part(0, 0), Part(0, 0)) // CO neutral zone three-point Xsh1
+    (0, 0, Some(No), Mandatory, Part(27, 27), Part(0, 1), Part(0, 1), Part(0, 1), None, Part(0, 0), Part(0, 0)) // Highest sub-index supported
+    (1, 1, None, Mandatory, Part(7063, 32), Part(5, 1), Part(0, 0), Part(0, 0), None, Part(0, 0), Part(0, 0)) // CO neutral zone three-point Xsh2
+    (2, 199, None, Optional, Part(7063, 32), Part(5, 1), Part(0, 0), Part(0, 0), None, Part(0, 0), Part(0, 0)) // CO neutral zone three-point Xsh2
+    (0, 0, Some(No), Mandatory, Part(27, 27), Part(0, 1), Part(0, 1), Part(0, 1), None, Part(0, 0), Part(0, 0)) // Highest sub-index supported
+    (1, 1, None, Mandatory, Part(7176, 40), Part(5, 1), Part(0, 0), Part(0, 0), None, Part(0, 0), Part(0, 0)) // CO neutral zone three-point stepping Xsh
+    (2, 199, None, Optional, Part(7176, 40), Part(5, 1), Part(0, 0), Part(0, 0), None, Part(0, 0), Part(0, 0)) // CO neutral zone three-point stepping Xsh
+    (0, 0, Some(No), Mandatory, Part(27, 27), Part(0, 1), Part(0, 1), Part(0, 1), None, Part(0, 0), Part(0, 0)) // Highest sub-index supported
+    (1, 1, None, Mandatory, Part(7270, 41), Part(5, 1), Part(0, 0), Part(0, 0), None, Part(0, 0), Part(0, 0)) // CO switching difference of signaller Xsd1
+    (2, 199, None, Optional, Part(7270, 41), Part(5, 1), Part(0, 0), Part(0, 0), None, Part(0, 0), Part(0, 0)) // CO switching difference of signaller Xsd1
+    (0, 0, Some(No), Mandatory, Part(27, 27), Part(0, 1), Part(0, 1), Part(0, 1), None, Part(0, 0), Part(0, 0)) // Highest sub-index supported
+    (1, 1, None, Mandatory, Part(7350, 50), Part(5, 1), Part(0, 0), Part(0, 0), None, Part(0, 0), Part(0, 0)) // CO switching difference of additional contact Xsd2
+    (2, 199, None, Optional, Part(7350, 50), Part(5, 1), Part(0, 0), Part(0, 0), None, Part(0, 0), Part(0, 0)) // CO switching difference of additional contact Xsd2
+    (0, 0, Some(No), Mandatory, Part(27, 27), Part(0, 1), Part(0, 1), Part(0, 1), None, Part(0, 0), Part(0, 0)) // Highest sub-index supported
+    (1, 1, None, Mandatory, Part(7441, 52), Part(5, 1), Part(0, 0), Part(0, 0), None, Part(0, 0), Part(0, 0)) // CO trigger point separation of additional contact LW
+    (2, 199, None, Optional, Part(7441, 52), Part(5, 1), Part(0, 0), Part(0, 0), None, Part(0, 0), Part(0, 0)) // CO trigger point separation of additional contact LW
+    (0, 0, Some(No), Mandatory, Part(27, 27), Part(0, 1), Part(0, 1), Part(0, 1), None, Part(0, 0), Part(0, 0)) // Highest sub-index supported
+    (1, 1, None, Mandatory, Part(7569, 24), Part(5, 1), Part(0, 0), Part(0, 0), None, Part(0, 0), Part(0, 0)) // CO proportional band Xp1
+    (2, 199, None, Optional, Part(7569, 24), Part(5, 1), Part(0, 0), Part(0, 0), None, Part(0, 0), Part(0, 0)) // CO proportional band Xp1
+    (0, 0, Some(No), Mandatory, Part(27, 27), Part(0, 1), Part(0, 1), Part(0, 1), None, Part(0, 0), Part(0, 0)) // Highest sub-index supported
+    (1, 1, None, Mandatory, Part(7642, 24), Part(5, 1), Part(0, 0), Part(0, 0), None, Part(0, 0), Part(0, 0)) // CO proportional band Xp2
+    (2, 199, None, Optional, Part(7642, 24), Part(5, 1), Part(0, 0), Part(0, 0), None, Part(0, 0), Part(0, 0)) // CO proportional band Xp2
+    (0, 0, Some(No), Mandatory, Part(27, 27), Part(0, 1), Part(0, 1), Part(0, 1), None, Part(0, 0), Part(0, 0)) // Highest sub-index supported
+    (1, 1, None, Mandatory, Part(7716, 27), Part(5, 1), Part(0, 0), Part(0, 0), None, Part(0, 0), Part(0, 0)) // CO integral action time Tn1
+    (2, 199, None, Optional, Part(7716, 27), Part(5, 1), Part(0, 0), Part(0, 0), None, Part(0, 0), Part(0, 0)) // CO integral action time Tn1
+    (0, 0, Some(No), Mandatory, Part(27, 27), Part(0, 1), Part(0, 1), Part(0, 1), None, Part(0, 0), Part(0, 0)) // Highest sub-index supported
+    (1, 1, None, Mandatory, Part(7795, 27), Part(5, 1), Part(0, 0), Part(0, 0), None, Part(0, 0), Part(0, 0)) // CO integral action time Tn2
+    (2, 199, None, Optional, Part(7795, 27), Part(5, 1), Part(0, 0), Part(0, 0), None, Part(0, 0), Part(0, 0)) // CO integral action time Tn2
+    (0, 0, Some(No), Mandatory, Part(27, 27), Part(0, 1), Part(0, 1), Part(0, 1), None, Part(0, 0), Part(0, 0)) // Highest sub-index supported
+    (1, 1, None, Mandatory, Part(7875, 29), Part(5, 1), Part(0, 0), Part(0, 0), None, Part(0, 0), Part(0, 0)) // CO derivative action time Tv1
+    (2, 199, None, Optional, Part(7875, 29), Part(5, 1), Part(0, 0), Part(0, 0), None, Part(0, 0), Part(0, 0)) // CO derivative action time Tv1
+    (0, 0, Some(No), Mandatory, Part(27, 27), Part(0, 1), Part(0, 1), Part(0, 1), None, Part(0, 0), Part(0, 0)) // Highest sub-index supported
+    (1, 1, None, Mandatory, Part(7958, 29), Part(5, 1), Part(0, 0), Part(0, 0), None, Part(0, 0), Part(0, 0)) // CO derivative action time Tv2
+    (2, 199, None, Optional, Part(7958, 29), Part(5, 1), Part(0, 0), Part(0, 0), None, Part(0, 0), Part(0, 0)) // CO derivative action time Tv2
+    (0, 0, Some(No), Mandatory, Part(27, 27), Part(0, 1), Part(0, 1), Part(0, 1), None, Part(0, 0), Part(0, 0)) // Highest sub-index supported
+    (1, 1, None, Mandatory, Part(8042, 16), Part(5, 1), Part(0, 0), Part(0, 0), None, Part(0, 0), Part(0, 0)) // CO cycle time T1
+    (2, 199, None, Optional, Part(8042, 16), Part(5, 1), Part(0, 0), Part(0, 0), None, Part(0, 0), Part(0, 0)) // CO cycle time T1
+    (0, 0, Some(No), Mandatory, Part(27, 27), Part(0, 1), Part(0, 1), Part(0, 1), None, Part(0, 0), Part(0, 0)) // Highest sub-index supported
+    (1, 1, None, Mandatory, Part(8099, 16), Part(5, 1), Part(0, 0), Part(0, 0), None, Part(0, 0), Part(0, 0)) // CO cycle time T2
+    (2, 199, None, Optional, Part(8099, 16), Part(5, 1), Part(0, 0), Part(0, 0), None, Part(0, 0), Part(0, 0)) // CO cycle time T2
+    (0, 0, Some(No), Mandatory, Part(27, 27), Part(0, 1), Part(0, 1), Part(0, 1), None, Part(0, 0), Part(0, 0)) // Highest sub-index supported
+    (1, 1, Some(Any), Mandatory, Part(8321, 14), Part(5, 1), Part(0, 0), Part(0, 0), None, Part(0, 0), Part(0, 0)) // AL input value
+    (2, 199, Some(Any), Optional, Part(8321, 14), Part(5, 1), Part(0, 0), Part(0, 0), None, Part(0, 0), Part(0, 0)) // AL input value
+    (0, 0, Some(No), Mandatory, Part(27, 27), Part(0, 1), Part(0, 1), Part(0, 1), None, Part(0, 0), Part(0, 0)) // Highest sub-index supported
+    (1, 1, None, Mandatory, Part(8438, 24), Part(5, 1), Part(0, 0), Part(0, 0), None, Part(0, 0), Part(0, 0)) // AL alternate input value
+    (2, 199, None, Optional, Part(8438, 24), Part(5, 1), Part(0, 0), Part(0, 0), None, Part(0, 0), Part(0, 0)) // AL alternate input value
+    (0, 0, Some(No), Mandatory, Part(27, 27), Part(0, 1), Part(0, 1), Part(0, 1), None, Part(0, 0), Part(0, 0)) // Highest sub-index supported
+    (1, 1, None, Mandatory, Part(8939, 8), Part(5, 1), Part(0, 0), Part(0, 0), None, Part(0, 0), Part(0, 0)) // AL level
+    (2, 199, None, Optional, Part(8939, 8), Part(5, 1), Part(0, 0), Part(0, 0), None, Part(0, 0), Part(0, 0)) // AL level
+    (0, 0, Some(No), Mandatory, Part(27, 27), Part(0, 1), Part(0, 1), Part(0, 1), None, Part(0, 0), Part(0, 0)) // Highest sub-index supported
+    (1, 1, None, Mandatory, Part(8989, 13), Part(5, 1), Part(0, 0), Part(0, 0), None, Part(0, 0), Part(0, 0)) // AL hysteresis
+    (2, 199, None, Optional, Part(8989, 13), Part(5, 1), Part(0, 0), Part(0, 0), None, Part(0, 0), Part(0, 0)) // AL hysteresis
+    (0, 0, Some(No), Mandatory, Part(27, 27), Part(0, 1), Part(0, 1), Part(0, 1), None, Part(0, 0), Part(0, 0)) // Highest sub-index supported
+    (1, 1, Some(Any), Mandatory, Part(10271, 10), Part(5, 1), Part(0, 0), Part(0, 0), None, Part(0, 0), Part(0, 0)) // Receive PV
+    (2, 199, Some(Any), Optional, Part(10271, 10), Part(5, 1), Part(0, 0), Part(0, 0), None, Part(0, 0), Part(0, 0)) // Receive PV
+    (0, 0, Some(No), Mandatory, Part(27, 27), Part(0, 1), Part(0, 1), Part(0, 1), None, Part(0, 0), Part(0, 0)) // Highest sub-index supported
+    (1, 1, Some(Any), Mandatory, Part(10339, 20), Part(5, 1), Part(0, 0), Part(0, 0), None, Part(0, 0), Part(0, 0)) // Alternate receive PV
+    (2, 199, Some(Any), Optional, Part(10339, 20), Part(5, 1), Part(0, 0), Part(0, 0), None, Part(0, 0), Part(0, 0)) // Alternate receive PV
+    (0, 0, Some(No), Mandatory, Part(27, 27), Part(0, 1), Part(0, 1), Part(0, 1), None, Part(0, 0), Part(0, 0)) // Highest sub-index supported
+    (1, 1, Some(Tpdo), Mandatory, Part(311, 11), Part(6, 1), Part(0, 1), Part(0, 0), None, Part(0, 0), Part(0, 0)) // AI input FV
+    (2, 199, Some(Tpdo), Optional, Part(311, 11), Part(6, 1), Part(0, 1), Part(0, 0), None, Part(0, 0), Part(0, 0)) // AI input FV
+    (0, 0, Some(No), Mandatory, Part(27, 27), Part(0, 1), Part(0, 1), Part(0, 1), None, Part(0, 0), Part(0, 0)) // Highest sub-index supported
+    (1, 1, None, Mandatory, Part(393, 27), Part(6, 1), Part(0, 0), Part(0, 0), None, Part(0, 0), Part(0, 0)) // AI interrupt delta input FV
+    (2, 199, None, Optional, Part(393, 27), Part(6, 1), Part(0, 0), Part(0, 0), None, Part(0, 0), Part(0, 0)) // AI interrupt delta input FV
+    (0, 0, Some(No), Mandatory, Part(27, 27), Part(0, 1), Part(0, 1), Part(0, 1), None, Part(0, 0), Part(0, 0)) // Highest sub-index supported
+    (1, 1, None, Mandatory, Part(763, 21), Part(6, 1), Part(0, 0), Part(0, 0), None, Part(0, 0), Part(0, 0)) // AI input scaling 1 FV
+    (2, 199, None, Optional, Part(763, 21), Part(6, 1), Part(0, 0), Part(0, 0), None, Part(0, 0), Part(0, 0)) // AI input scaling 1 FV
+    (0, 0, Some(No), Mandatory, Part(27, 27), Part(0, 1), Part(0, 1), Part(0, 1), None, Part(0, 0), Part(0, 0)) // Highest sub-index supported
+    (1, 1, None, Mandatory, Part(861, 21), Part(6, 1), Part(0, 0), Part(0, 0), None, Part(0, 0), Part(0, 0)) // AI input scaling 1 PV
+    (2, 199, None, Optional, Part(861, 21), Part(6, 1), Part(0, 0), Part(0, 0), None, Part(0, 0), Part(0, 0)) // AI input scaling 1 PV
+    (0, 0, Some(No), Mandatory, Part(27, 27), Part(0, 1), Part(0, 1), Part(0, 1), None, Part(0, 0), Part(0, 0)) // Highest sub-index supported
+    (1, 1, None, Mandatory, Part(961, 21), Part(6, 1), Part(0, 0), Part(0, 0), None, Part(0, 0), Part(0, 0)) // AI input scaling 2 FV
+    (2, 199, None, Optional, Part(961, 21), Part(6, 1), Part(0, 0), Part(0, 0), None, Part(0, 0), Part(0, 0)) // AI input scaling 2 FV
+    (0, 0, Some(No), Mandatory, Part(27, 27), Part(0, 1), Part(0, 1), Part(0, 1), None, Part(0, 0), Part(0, 0)) // Highest sub-index supported
+    (1, 1, None, Mandatory, Part(1060, 21), Part(6, 1), Part(0, 0), Part(0, 0), None, Part(0, 0), Part(0, 0)) // AI input scaling 2 PV
+    (2, 199, None, Optional, Part(1060, 21), Part(6, 1), Part(0, 0), Part(0, 0), None, Part(0, 0), Part(0, 0)) // AI input scaling 2 PV
+    (0, 0, Some(No), Mandatory, Part(27, 27), Part(0, 1), Part(0, 1), Part(0, 1), None, Part(0, 0), Part(0, 0)) // Highest sub-index supported
+    (1, 1, None, Mandatory, Part(1161, 15), Part(6, 1), Part(0, 0), Part(0, 0), None, Part(0, 0), Part(0, 0)) // AI input offset
+    (2, 199, None, Optional, Part(1161, 15), Part(6, 1), Part(0, 0), Part(0, 0), None, Part(0, 0), Part(0, 0)) // AI input offset
+    (0, 0, Some(No), Mandatory, Part(27, 27), Part(0, 1), Part(0, 1), Part(0, 1), None, Part(0, 0), Part(0, 0)) // Highest sub-index supported
+    (1, 1, Some(Tpdo), Mandatory, Part(1457, 11), Part(6, 1), Part(0, 1), Part(0, 0), None, Part(0, 0), Part(0, 0)) // AI input PV
+    (2, 199, Some(Tpdo), Optional, Part(1457, 11), Part(6, 1), Part(0, 1), Part(0, 0), None, Part(0, 0), Part(0, 0)) // AI input PV
+    (0, 0, Some(No), Mandatory, Part(27, 27), Part(0, 1), Part(0, 1), Part(0, 1), None, Part(0, 0), Part(0, 0)) // Highest sub-index supported
+    (1, 1, None, Mandatory, Part(1740, 27), Part(6, 1), Part(0, 0), Part(0, 0), None, Part(0, 0), Part(0, 0)) // AI interrupt delta input PV
+    (2, 199, None, Optional, Part(1740, 27), Part(6, 1), Part(0, 0), Part(0, 0), None, Part(0, 0), Part(0, 0)) // AI interrupt delta input PV
+    (0, 0, Some(No), Mandatory, Part(27, 27), Part(0, 1), Part(0, 1), Part(0, 1), None, Part(0, 0), Part(0, 0)) // Highest sub-index supported
+    (1, 1, None, Mandatory, Part(1823, 27), Part(6, 1), Part(0, 0), Part(0, 0), None, Part(0, 0), Part(0, 0)) // AI interrupt lower input PV
+    (2, 199, None, Optional, Part(1823, 27), Part(6, 1), Part(0, 0), Part(0, 0), None, Part(0, 0), Part(0, 0)) // AI interrupt lower input PV
+    (0, 0, Some(No), Mandatory, Part(27, 27), Part(0, 1), Part(0, 1), Part(0, 1), None, Part(0, 0), Part(0, 0)) // Highest sub-index supported
+    (1, 1, None, Mandatory, Part(1910, 27), Part(6, 1), Part(0, 0), Part(0, 0), None, Part(0, 0), Part(0, 0)) // AI interrupt upper input PV
+    (2, 199, None, Optional, Part(1910, 27), Part(6, 1), Part(0, 0), Part(0, 0), None, Part(0, 0), Part(0, 0)) // AI interrupt upper input PV
+    (0, 0, Some(No), Mandatory, Part(27, 27), Part(0, 1), Part(0, 1), Part(0, 1), None, Part(0, 0), Part(0, 0)) // Highest sub-index supported
+    (1, 1, None, Mandatory, Part(1997, 12), Part(6, 1), Part(0, 0), Part(0, 0), None, Part(0, 0), Part(0, 0)) // AI tare zero
+    (2, 199, None, Optional, Part(1997, 12), Part(6, 1), Part(0, 0), Part(0, 0), None, Part(0, 0), Part(0, 0)) // AI tare zero
+    (0, 0, Some(No), Mandatory, Part(27, 27), Part(0, 1), Part(0, 1), Part(0, 1), None, Part(0, 0), Part(0, 0)) // Highest sub-index supported
+    (1, 1, Some(Tpdo), Mandatory, Part(2155, 9), Part(6, 1), Part(0, 1), Part(0, 0), None, Part(0, 0), Part(0, 0)) // AI net PV
+    (2, 199, Some(Tpdo), Optional, Part(2155, 9), Part(6, 1), Part(0, 1), Part(0, 0), None, Part(0, 0), Part(0, 0)) // AI net PV
+    (0, 0, Some(No), Mandatory, Part(27, 27), Part(0, 1), Part(0, 1), Part(0, 1), None, Part(0, 0), Part(0, 0)) // Highest sub-index supported
+    (1, 1, None, Mandatory, Part(2220, 25), Part(6, 1), Part(0, 0), Part(0, 0), None, Part(0, 0), Part(0, 0)) // AI interrupt delta net PV
+    (2, 199, None, Optional, Part(2220, 25), Part(6, 1), Part(0, 0), Part(0, 0), None, Part(0, 0), Part(0, 0)) // AI interrupt delta net PV
+    (0, 0, Some(No), Mandatory, Part(27, 27), Part(0, 1), Part(0, 1), Part(0, 1), None, Part(0, 0), Part(0, 0)) // Highest sub-index supported
+    (1, 1, None, Mandatory, Part(2297, 31), Part(6, 1), Part(0, 0), Part(0, 0), None, Part(0, 0), Part(0, 0)) // AI interrupt lower limit net PV
+    (2, 199, None, Optional, Part(2297, 31), Part(6, 1), Part(0, 0), Part(0, 0), None, Part(0, 0), Part(0, 0)) // AI interrupt lower limit net PV
+    (0, 0, Some(No), Mandatory, Part(27, 27), Part(0, 1), Part(0, 1), Part(0, 1), None, Part(0, 0), Part(0, 0)) // Highest sub-index supported
+    (1, 1, None, Mandatory, Part(2384, 31), Part(6, 1), Part(0, 0), Part(0, 0), None, Part(0, 0), Part(0, 0)) // AI interrupt upper limit net PV
+    (2, 199, None, Optional, Part(2384, 31), Part(6, 1), Part(0, 0), Part(0, 0), None, Part(0, 0), Part(0, 0)) // AI interrupt upper limit net PV
+    (0, 0, Some(No), Mandatory, Part(27, 27), Part(0, 1), Part(0, 1), Part(0, 1), None, Part(0, 0), Part(0, 0)) // Highest sub-index supported
+    (1, 1, None, Mandatory, Part(2471, 13), Part(6, 1), Part(0, 0), Part(0, 0), None, Part(0, 0), Part(0, 0)) // AI span start
+    (2, 199, None, Optional, Part(2471, 13), Part(6, 1), Part(0, 0), Part(0, 0), None, Part(0, 0), Part(0, 0)) // AI span start
+    (0, 0, Some(No), Mandatory, Part(27, 27), Part(0, 1), Part(0, 1), Part(0, 1), None, Part(0, 0), Part(0, 0)) // Highest sub-index supported
+    (1, 1, None, Mandatory, Part(2552, 11), Part(6, 1), Part(0, 0), Part(0, 0), None, Part(0, 0), Part(0, 0)) // AI span end
+    (2, 199, None, Optional, Part(2552, 11), Part(6, 1), Part(0, 0), Part(0, 0), None, Part(0, 0), Part(0, 0)) // AI span end
+    (0, 0, Some(No), Mandatory, Part(27, 27), Part(0, 1), Part(0, 1), Part(0, 1), None, Part(0, 0), Part(0, 0)) // Highest sub-index supported
+    (1, 1, Some(Any), Mandatory, Part(3939, 12), Part(6, 1), Part(1, 1), Part(0, 0), None, Part(0, 0), Part(0, 0)) // AO output PV
+    (2, 199, Some(Any), Optional, Part(3939, 12), Part(6, 1), Part(1, 1), Part(0, 0), None, Part(0, 0), Part(0, 0)) // AO output PV
+    (0, 0, Some(No), Mandatory, Part(27, 27), Part(0, 1), Part(0, 1), Part(0, 1), None, Part(0, 0), Part(0, 0)) // Highest sub-index supported
+    (1, 1, None, Mandatory, Part(4245, 22), Part(6, 1), Part(0, 0), Part(0, 0), None, Part(0, 0), Part(0, 0)) // AO output scaling 1 PV
+    (2, 199, None, Optional, Part(4245, 22), Part(6, 1), Part(0, 0), Part(0, 0), None, Part(0, 0), Part(0, 0)) // AO output scaling 1 PV
+    (0, 0, Some(No), Mandatory, Part(27, 27), Part(0, 1), Part(0, 1), Part(0, 1), None, Part(0, 0), Part(0, 0)) // Highest sub-index supported
+    (1, 1, None, Mandatory, Part(4347, 22), Part(6, 1), Part(0, 0), Part(0, 0), None, Part(0, 0), Part(0, 0)) // AO output scaling 1 FV
+    (2, 199, None, Optional, Part(4347, 22), Part(6, 1), Part(0, 0), Part(0, 0), None, Part(0, 0), Part(0, 0)) // AO output scaling 1 FV
+    (0, 0, Some(No), Mandatory, Part(27, 27), Part(0, 1), Part(0, 1), Part(0, 1), None, Part(0, 0), Part(0, 0)) // Highest sub-index supported
+    (1, 1, None, Mandatory, Part(4447, 22), Part(6, 1), Part(0, 0), Part(0, 0), None, Part(0, 0), Part(0, 0)) // AO output scaling 2 PV
+    (2, 199, None, Optional, Part(4447, 22), Part(6, 1), Part(0, 0), Part(0, 0), None, Part(0, 0), Part(0, 0)) // AO output scaling 2 PV
+    (0, 0, Some(No), Mandatory, Part(27, 27), Part(0, 1), Part(0, 1), Part(0, 1), None, Part(0, 0), Part(0, 0)) // Highest sub-index supported
+    (1, 1, None, Mandatory, Part(4550, 22), Part(6, 1), Part(0, 0), Part(0, 0), None, Part(0, 0), Part(0, 0)) // AO output scaling 2 FV
+    (2, 199, None, Optional, Part(4550, 22), Part(6, 1), Part(0, 0), Part(0, 0), None, Part(0, 0), Part(0, 0)) // AO output scaling 2 FV
+    (0, 0, Some(No), Mandatory, Part(27, 27), Part(0, 1), Part(0, 1), Part(0, 1), None, Part(0, 0), Part(0, 0)) // Highest sub-index supported
+    (1, 1, None, Mandatory, Part(4651, 12), Part(6, 1), Part(0, 0), Part(0, 0), None, Part(0, 0), Part(0, 0)) // AO output FV
+    (2, 199, None, Optional, Part(4651, 12), Part(6, 1), Part(0, 0), Part(0, 0), None, Part(0, 0), Part(0, 0)) // AO output FV
+    (0, 0, Some(No), Mandatory, Part(27, 27), Part(0, 1), Part(0, 1), Part(0, 1), None, Part(0, 0), Part(0, 0)) // Highest sub-index supported
+    (1, 1, None, Mandatory, Part(4959, 11), Part(6, 1), Part(0, 0), Part(0, 0), None, Part(0, 0), Part(0, 0)) // AO fault FV
+    (2, 199, None, Optional, Part(4959, 11), Part(6, 1), Part(0, 0), Part(0, 0), None, Part(0, 0), Part(0, 0)) // AO fault FV
+    (0, 0, Some(No), Mandatory, Part(27, 27), Part(0, 1), Part(0, 1), Part(0, 1), None, Part(0, 0), Part(0, 0)) // Highest sub-index supported
+    (1, 1, Some(Any), Mandatory, Part(5036, 31), Part(6, 1), Part(0, 0), Part(0, 0), None, Part(0, 0), Part(0, 0)) // CO effective current value Xeff
+    (2, 199, Some(Any), Optional, Part(5036, 31), Part(6, 1), Part(0, 0), Part(0, 0), None, Part(0, 0), Part(0, 0)) // CO effective current value Xeff
+    (0, 0, Some(No), Mandatory, Part(27, 27), Part(0, 1), Part(0, 1), Part(0, 1), None, Part(0, 0), Part(0, 0)) // Highest sub-index supported
+    (1, 1, Some(Tpdo), Mandatory, Part(5115, 27), Part(6, 1), Part(0, 1), Part(0, 0), None, Part(0, 0), Part(0, 0)) // CO effective set point Weff
+    (2, 199, Some(Tpdo), Optional, Part(5115, 27), Part(6, 1), Part(0, 1), Part(0, 0), None, Part(0, 0), Part(0, 0)) // CO effective set point Weff
+    (0, 0, Some(No), Mandatory, Part(27, 27), Part(0, 1), Part(0, 1), Part(0, 1), None, Part(0, 0), Part(0, 0)) // Highest sub-index supported
+    (1, 1, Some(Any), Mandatory, Part(5187, 14), Part(6, 1), Part(0, 0), Part(0, 0), None, Part(0, 0), Part(0, 0)) // CO set point W
+    (2, 199, Some(Any), Optional, Part(5187, 14), Part(6, 1), Part(0, 0), Part(0, 0), None, Part(0, 0), Part(0, 0)) // CO set point W
+    (0, 0, Some(No), Mandatory, Part(27, 27), Part(0, 1), Part(0, 1), Part(0, 1), None, Part(0, 0), Part(0, 0)) // Highest sub-index supported
+    (1, 1, Some(Any), Mandatory, Part(5233, 19), Part(6, 1), Part(0, 0), Part(0, 0), None, Part(0, 0), Part(0, 0)) // CO 2nd set point W2
+    (2, 199, Some(Any), Optional, Part(5233, 19), Part(6, 1), Part(0, 0), Part(0, 0), None, Part(0, 0), Part(0, 0)) // CO 2nd set point W2
+    (0, 0, Some(No), Mandatory, Part(27, 27), Part(0, 1), Part(0, 1), Part(0, 1), None, Part(0, 0), Part(0, 0)) // Highest sub-index supported
+    (1, 1, None, Mandatory, Part(5318, 27), Part(6, 1), Part(0, 0), Part(0, 0), None, Part(0, 0), Part(0, 0)) // CO lower set point limit W0
+    (2, 199, None, Optional, Part(5318, 27), Part(6, 1), Part(0, 0), Part(0, 0), None, Part(0, 0), Part(0, 0)) // CO lower set point limit W0
+    (0, 0, Some(No), Mandatory, Part(27, 27), Part(0, 1), Part(0, 1), Part(0, 1), None, Part(0, 0), Part(0, 0)) // Highest sub-index supported
+    (1, 1, None, Mandatory, Part(5366, 29), Part(6, 1), Part(0, 0), Part(0, 0), None, Part(0, 0), Part(0, 0)) // CO upper set point limit W100
+    (2, 199, None, Optional, Part(5366, 29), Part(6, 1), Part(0, 0), Part(0, 0), None, Part(0, 0), Part(0, 0)) // CO upper set point limit W100
+    (0, 0, Some(No), Mandatory, Part(27, 27), Part(0, 1), Part(0, 1), Part(0, 1), None, Part(0, 0), Part(0, 0)) // Highest sub-index supported
+    (1, 1, None, Mandatory, Part(6467, 27), Part(6, 1), Part(0, 0), Part(0, 0), None, Part(0, 0), Part(0, 0)) // CO minimum pulse time Tmin1
+    (2, 199, None, Optional, Part(6467, 27), Part(6, 1), Part(0, 0), Part(0, 0), None, Part(0, 0), Part(0, 0)) // CO minimum pulse time Tmin1
+    (0, 0, Some(No), Mandatory, Part(27, 27), Part(0, 1), Part(0, 1), Part(0, 1), None, Part(0, 0), Part(0, 0)) // Highest sub-index supported
+    (1, 1, None, Mandatory, Part(6551, 27), Part(6, 1), Part(0, 0), Part(0, 0), None, Part(0, 0), Part(0, 0)) // CO minimum pulse time Tmin2
+    (2, 199, None, Optional, Part(6551, 27), Part(6, 1), Part(0, 0), Part(0, 0), None, Part(0, 0), Part(0, 0)) // CO minimum pulse time Tmin2
+    (0, 0, Some(No), Mandatory, Part(27, 27), Part(0, 1), Part(0, 1), Part(0, 1), None, Part(0, 0), Part(0, 0)) // Highest sub-index supported
+    (1, 1, None, Mandatory, Part(6636, 25), Part(6, 1), Part(0, 0), Part(0, 0), None, Part(0, 0), Part(0, 0)) // CO motor response time Tm
+    (2, 199, None, Optional, Part(6636, 25), Part(6, 1), Part(0, 0), Part(0, 0), None, Part(0, 0), Part(0, 0)) // CO motor response time Tm
+    (0, 0, Some(No), Mandatory, Part(27, 27), Part(0, 1), Part(0, 1), Part(0, 1), None, Part(0, 0), Part(0, 0)) // Highest sub-index supported
+    (1, 1, None, Mandatory, Part(6725, 25), Part(6, 1), Part(0, 0), Part(0, 0), None, Part(0, 0), Part(0, 0)) // CO min pulse length Tpuls
+    (2, 199, None, Optional, Part(6725, 25), Part(6, 1), Part(0, 0), Part(0, 0), None, Part(0, 0), Part(0, 0)) // CO min pulse length Tpuls
+    (0, 0, Some(No), Mandatory, Part(27, 27), Part(0, 1), Part(0, 1), Part(0, 1), None, Part(0, 0), Part(0, 0)) // Highest sub-index supported
+    (1, 1, None, Mandatory, Part(6951, 32), Part(6, 1), Part(0, 0), Part(0, 0), None, Part(0, 0), Part(0, 0)) // CO neutral zone three-point Xsh1
+    (2, 199, None, Optional, Part(6951, 32), Part(6, 1), Part(0, 0), Part(0, 0), None, Part(0, 0), Part(0, 0)) // CO neutral zone three-point Xsh1
+    (0, 0, Some(No), Mandatory, Part(27, 27), Part(0, 1), Part(0, 1), Part(0, 1), None, Part(0, 0), Part(0, 0)) // Highest sub-index supported
+    (1, 1, None, Mandatory, Part(7063, 32), Part(6, 1), Part(0, 0), Part(0, 0), None, Part(0, 0), Part(0, 0)) // CO neutral zone three-point Xsh2
+    (2, 199, None, Optional, Part(7063, 32), Part(6, 1), Part(0, 0), Part(0, 0), None, Part(0, 0), Part(0, 0)) // CO neutral zone three-point Xsh2
+    (0, 0, Some(No), Mandatory, Part(27, 27), Part(0, 1), Part(0, 1), Part(0, 1), None, Part(0, 0), Part(0, 0)) // Highest sub-index supported
+    (1, 1, None, Mandatory, Part(7176, 40), Part(6, 1), Part(0, 0), Part(0, 0), None, Part(0, 0), Part(0, 0)) // CO neutral zone three-point stepping Xsh
+    (2, 199, None, Optional, Part(7176, 40), Part(6, 1), Part(0, 0), Part(0, 0), None, Part(0, 0), Part(0, 0)) // CO neutral zone three-point stepping Xsh
+    (0, 0, Some(No), Mandatory, Part(27, 27), Part(0, 1), Part(0, 1), Part(0, 1), None, Part(0, 0), Part(0, 0)) // Highest sub-index supported
+    (1, 1, None, Mandatory, Part(7270, 41), Part(6, 1), Part(0, 0), Part(0, 0), None, Part(0, 0), Part(0, 0)) // CO switching difference of signaller Xsd1
+    (2, 199, None, Optional, Part(7270, 41), Part(6, 1), Part(0, 0), Part(0, 0), None, Part(0, 0), Part(0, 0)) // CO switching difference of signaller Xsd1
+    (0, 0, Some(No), Mandatory, Part(27, 27), Part(0, 1), Part(0, 1), Part(0, 1), None, Part(0, 0), Part(0, 0)) // Highest sub-index supported
+    (1, 1, None, Mandatory, Part(7350, 50), Part(6, 1), Part(0, 0), Part(0, 0), None, Part(0, 0), Part(0, 0)) // CO switching difference of additional contact Xsd2
+    (2, 199, None, Optional, Part(7350, 50), Part(6, 1), Part(0, 0), Part(0, 0), None, Part(0, 0), Part(0, 0)) // CO switching difference of additional contact Xsd2
+    (0, 0, Some(No), Mandatory, Part(27, 27), Part(0, 1), Part(0, 1), Part(0, 1), None, Part(0, 0), Part(0, 0)) // Highest sub-index supported
+    (1, 1, None, Mandatory, Part(7441, 52), Part(6, 1), Part(0, 0), Part(0, 0), None, Part(0, 0), Part(0, 0)) // CO trigger point separation of additional contact LW
+    (2, 199, None, Optional, Part(7441, 52), Part(6, 1), Part(0, 0), Part(0, 0), None, Part(0, 0), Part(0, 0)) // CO trigger point separation of additional contact LW
+    (0, 0, Some(No), Mandatory, Part(27, 27), Part(0, 1), Part(0, 1), Part(0, 1), None, Part(0, 0), Part(0, 0)) // Highest sub-index supported
+    (1, 1, None, Mandatory, Part(7569, 24), Part(6, 1), Part(0, 0), Part(0, 0), None, Part(0, 0), Part(0, 0)) // CO proportional band Xp1
+    (2, 199, None, Optional, Part(7569, 24), Part(6, 1), Part(0, 0), Part(0, 0), None, Part(0, 0), Part(0, 0)) // CO proportional band Xp1
+    (0, 0, Some(No), Mandatory, Part(27, 27), Part(0, 1), Part(0, 1), Part(0, 1), None, Part(0, 0), Part(0, 0)) // Highest sub-index supported
+    (1, 1, None, Mandatory, Part(7642, 24), Part(6, 1), Part(0, 0), Part(0, 0), None, Part(0, 0), Part(0, 0)) // CO proportional band Xp2
+    (2, 199, None, Optional, Part(7642, 24), Part(6, 1), Part(0, 0), Part(0, 0), None, Part(0, 0), Part(0, 0)) // CO proportional band Xp2
+    (0, 0, Some(No), Mandatory, Part(27, 27), Part(0, 1), Part(0, 1), Part(0, 1), None, Part(0, 0), Part(0, 0)) // Highest sub-index supported
+    (1, 1, None, Mandatory, Part(7716, 27), Part(6, 1), Part(0, 0), Part(0, 0), None, Part(0, 0), Part(0, 0)) // CO integral action time Tn1
+    (2, 199, None, Optional, Part(7716, 27), Part(6, 1), Part(0, 0), Part(0, 0), None, Part(0, 0), Part(0, 0)) // CO integral action time Tn1
+    (0, 0, Some(No), Mandatory, Part(27, 27), Part(0, 1), Part(0, 1), Part(0, 1), None, Part(0, 0), Part(0, 0)) // Highest sub-index supported
+    (1, 1, None, Mandatory, Part(7795, 27), Part(6, 1), Part(0, 0), Part(0, 0), None, Part(0, 0), Part(0, 0)) // CO integral action time Tn2
+    (2, 199, None, Optional, Part(7795, 27), Part(6, 1), Part(0, 0), Part(0, 0), None, Part(0, 0), Part(0, 0)) // CO integral action time Tn2
+    (0, 0, Some(No), Mandatory, Part(27, 27), Part(0, 1), Part(0, 1), Part(0, 1), None, Part(0, 0), Part(0, 0)) // Highest sub-index supported
+    (1, 1, None, Mandatory, Part(7875, 29), Part(6, 1), Part(0, 0), Part(0, 0), None, Part(0, 0), Part(0, 0)) // CO derivative action time Tv1
+    (2, 199, None, Optional, Part(7875, 29), Part(6, 1), Part(0, 0), Part(0, 0), None, Part(0, 0), Part(0, 0)) // CO derivative action time Tv1
+    (0, 0, Some(No), Mandatory, Part(27, 27), Part(0, 1), Part(0, 1), Part(0, 1), None, Part(0, 0), Part(0, 0)) // Highest sub-index supported
+    (1, 1, None, Mandatory, Part(7958, 29), Part(6, 1), Part(0, 0), Part(0, 0), None, Part(0, 0), Part(0, 0)) // CO derivative action time Tv2
+    (2, 199, None, Optional, Part(7958, 29), Part(6, 1), Part(0, 0), Part(0, 0), None, Part(0, 0), Part(0, 0)) // CO derivative action time Tv2
+    (0, 0, Some(No), Mandatory, Part(27, 27), Part(0, 1), Part(0, 1), Part(0, 1), None, Part(0, 0), Part(0, 0)) // Highest sub-index supported
+    (1, 1, None, Mandatory, Part(8042, 16), Part(6, 1), Part(0, 0), Part(0, 0), None, Part(0, 0), Part(0, 0)) // CO cycle time T1
+    (2, 199, None, Optional, Part(8042, 16), Part(6, 1), Part(0, 0), Part(0, 0), None, Part(0, 0), Part(0, 0)) // CO cycle time T1
+    (0, 0, Some(No), Mandatory, Part(27, 27), Part(0, 1), Part(0, 1), Part(0, 1), None, Part(0, 0), Part(0, 0)) // Highest sub-index supported
+    (1, 1, None, Mandatory, Part(8099, 16), Part(6, 1), Part(0, 0), Part(0, 0), None, Part(0, 0), Part(0, 0)) // CO cycle time T2
+    (2, 199, None, Optional, Part(8099, 16), Part(6, 1), Part(0, 0), Part(0, 0), None, Part(0, 0), Part(0, 0)) // CO cycle time T2
+    (0, 0, Some(No), Mandatory, Part(27, 27), Part(0, 1), Part(0, 1), Part(0, 1), None, Part(0, 0), Part(0, 0)) // Highest sub-index supported
+    (1, 1, Some(Any), Mandatory, Part(8321, 14), Part(6, 1), Part(0, 0), Part(0, 0), None, Part(0, 0), Part(0, 0)) // AL input value
+    (2, 199, Some(Any), Optional, Part(8321, 14), Part(6, 1), Part(0, 0), Part(0, 0), None, Part(0, 0), Part(0, 0)) // AL input value
+    (0, 0, Some(No), Mandatory, Part(27, 27), Part(0, 1), Part(0, 1), Part(0, 1), None, Part(0, 0), Part(0, 0)) // Highest sub-index supported
+    (1, 1, None, Mandatory, Part(8438, 24), Part(6, 1), Part(0, 0), Part(0, 0), None, Part(0, 0), Part(0, 0)) // AL alternate input value
+    (2, 199, None, Optional, Part(8438, 24), Part(6, 1), Part(0, 0), Part(0, 0), None, Part(0, 0), Part(0, 0)) // AL alternate input value
+    (0, 0, Some(No), Mandatory, Part(27, 27), Part(0, 1), Part(0, 1), Part(0, 1), None, Part(0, 0), Part(0, 0)) // Highest sub-index supported
+    (1, 1, None, Mandatory, Part(8939, 8), Part(6, 1), Part(0, 0), Part(0, 0), None, Part(0, 0), Part(0, 0)) // AL level
+    (2, 199, None, Optional, Part(8939, 8), Part(6, 1), Part(0, 0), Part(0, 0), None, Part(0, 0), Part(0, 0)) // AL level
+    (0, 0, Some(No), Mandatory, Part(27, 27), Part(0, 1), Part(0, 1), Part(0, 1), None, Part(0, 0), Part(0, 0)) // Highest sub-index supported
+    (1, 1, None, Mandatory, Part(8989, 13), Part(6, 1), Part(0, 0), Part(0, 0), None, Part(0, 0), Part(0, 0)) // AL hysteresis
+    (2, 199, None, Optional, Part(8989, 13), Part(6, 1), Part(0, 0), Part(0, 0), None, Part(0, 0), Part(0, 0)) // AL hysteresis
+    (0, 0, Some(No), Mandatory, Part(27, 27), Part(0, 1), Part(0, 1), Part(0, 1), None, Part(0, 0), Part(0, 0)) // Highest sub-index supported
+    (1, 1, Some(Any), Mandatory, Part(10271, 10), Part(6, 1), Part(0, 0), Part(0, 0), None, Part(0, 0), Part(0, 0)) // Receive PV
+    (2, 199, Some(Any), Optional, Part(10271, 10), Part(6, 1), Part(0, 0), Part(0, 0), None, Part(0, 0), Part(0, 0)) // Receive PV
+    (0, 0, Some(No), Mandatory, Part(27, 27), Part(0, 1), Part(0, 1), Part(0, 1), None, Part(0, 0), Part(0, 0)) // Highest sub-index supported
+    (1, 1, Some(Any), Mandatory, Part(10339, 20), Part(6, 1), Part(0, 0), Part(0, 0), None, Part(0, 0), Part(0, 0)) // Alternate receive PV
+    (2, 199, Some(Any), Optional, Part(10339, 20), Part(6, 1), Part(0, 0), Part(0, 0), None, Part(0, 0), Part(0, 0)) // Alternate receive PV
+    (0, 0, Some(No), Mandatory, Part(27, 27), Part(0, 1), Part(0, 1), Part(0, 1), None, Part(0, 0), Part(0, 0)) // Highest sub-index supported
+    (1, 1, Some(Tpdo), Mandatory, Part(311, 11), Part(7, 1), Part(0, 1), Part(0, 0), None, Part(0, 0), Part(0, 0)) // AI input FV
+    (2, 199, Some(Tpdo), Optional, Part(311, 11), Part(7, 1), Part(0, 1), Part(0, 0), None, Part(0, 0), Part(0, 0)) // AI input FV
+    (0, 0, Some(No), Mandatory, Part(27, 27), Part(0, 1), Part(0, 1), Part(0, 1), None, Part(0, 0), Part(0, 0)) // Highest sub-index supported
+    (1, 1, None, Mandatory, Part(393, 27), Part(7, 1), Part(0, 0), Part(0, 0), None, Part(0, 0), Part(0, 0)) // AI interrupt delta input FV
+    (2, 199, None, Optional, Part(393, 27), Part(7, 1), Part(0, 0), Part(0, 0), None, Part(0, 0), Part(0, 0)) // AI interrupt delta input FV
+    (0, 0, Some(No), Mandatory, Part(27, 27), Part(0, 1), Part(0, 1), Part(0, 1), None, Part(0, 0), Part(0, 0)) // Highest sub-index supported
+    (1, 1, None, Mandatory, Part(763, 21), Part(7, 1), Part(0, 0), Part(0, 0), None, Part(0, 0), Part(0, 0)) // AI input scaling 1 FV
+    (2, 199, None, Optional, Part(763, 21), Part(7, 1), Part(0, 0), Part(0, 0), None, Part(0, 0), Part(0, 0)) // AI input scaling 1 FV
+    (0, 0, Some(No), Mandatory, Part(27, 27), Part(0, 1), Part(0, 1), Part(0, 1), None, Part(0, 0), Part(0, 0)) // Highest sub-index supported
+    (1, 1, None, Mandatory, Part(861, 21), Part(7, 1), Part(0, 0), Part(0, 0), None, Part(0, 0), Part(0, 0)) // AI input scaling 1 PV
+    (2, 199, None, Optional, Part(861, 21), Part(7, 1), Part(0, 0), Part(0, 0), None, Part(0, 0), Part(0, 0)) // AI input scaling 1 PV
+    (0, 0, Some(No), Mandatory, Part(27, 27), Part(0, 1), Part(0, 1), Part(0, 1), None, Part(0, 0), Part(0, 0)) // Highest sub-index supported
+    (1, 1, None, Mandatory, Part(961, 21), Part(7, 1), Part(0, 0), Part(0, 0), None, Part(0, 0), Part(0, 0)) // AI input scaling 2 FV
+    (2, 199, None, Optional, Part(961, 21), Part(7, 1), Part(0, 0), Part(0, 0), None, Part(0, 0), Part(0, 0)) // AI input scaling 2 FV
+    (0, 0, Some(No), Mandatory, Part(27, 27), Part(0, 1), Part(0, 1), Part(0, 1), None, Part(0, 0), Part(0, 0)) // Highest sub-index supported
+    (1, 1, None, Mandatory, Part(1060, 21), Part(7, 1), Part(0, 0), Part(0, 0), None, Part(0, 0), Part(0, 0)) // AI input scaling 2 PV
+    (2, 199, None, Optional, Part(1060, 21), Part(7, 1), Part(0, 0), Part(0, 0), None, Part(0, 0), Part(0, 0)) // AI input scaling 2 PV
+    (0, 0, Some(No), Mandatory, Part(27, 27), Part(0, 1), Part(0, 1), Part(0, 1), None, Part(0, 0), Part(0, 0)) // Highest sub-index supported
+    (1, 1, None, Mandatory, Part(1161, 15), Part(7, 1), Part(0, 0), Part(0, 0), None, Part(0, 0), Part(0, 0)) // AI input offset
+    (2, 199, None, Optional, Part(1161, 15), Part(7, 1), Part(0, 0), Part(0, 0), None, Part(0, 0), Part(0, 0)) // AI input offset
+    (0, 0, Some(No), Mandatory, Part(27, 27), Part(0, 1), Part(0, 1), Part(0, 1), None, Part(0, 0), Part(0, 0)) // Highest sub-index supported
+    (1, 1, Some(Tpdo), Mandatory, Part(1457, 11), Part(7, 1), Part(0, 1), Part(0, 0), None, Part(0, 0), Part(0, 0)) // AI input PV
+    (2, 199, Some(Tpdo), Optional, Part(1457, 11), Part(7, 1), Part(0, 1), Part(0, 0), None, Part(0, 0), Part(0, 0)) // AI input PV
+    (0, 0, Some(No), Mandatory, Part(27, 27), Part(0, 1), Part(0, 1), Part(0, 1), None, Part(0, 0), Part(0, 0)) // Highest sub-index supported
+    (1, 1, None, Mandatory, Part(1740, 27), Part(7, 1), Part(0, 0), Part(0, 0), None, Part(0, 0), Part(0, 0)) // AI interrupt delta input PV
+    (2, 199, None, Optional, Part(1740, 27), Part(7, 1), Part(0, 0), Part(0, 0), None, Part(0, 0), Part(0, 0)) // AI interrupt delta input PV
+    (0, 0, Some(No), Mandatory, Part(27, 27), Part(0, 1), Part(0, 1), Part(0, 1), None, Part(0, 0), Part(0, 0)) // Highest sub-index supported
+    (1, 1, None, Mandatory, Part(1823, 27), Part(7, 1), Part(0, 0), Part(0, 0), None, Part(0, 0), Part(0, 0)) // AI interrupt lower input PV
+    (2, 199, None, Optional, Part(1823, 27), Part(7, 1), Part(0, 0), Part(0, 0), None, Part(0, 0), Part(0, 0)) // AI interrupt lower input PV
+    (0, 0, Some(No), Mandatory, Part(27, 27), Part(0, 1), Part(0, 1), Part(0, 1), None, Part(0, 0), Part(0, 0)) // Highest sub-index supported
+    (1, 1, None, Mandatory, Part(1910, 27), Part(7, 1), Part(0, 0), Part(0, 0), None, Part(0, 0), Part(0, 0)) // AI interrupt upper input PV
+    (2, 199, None, Optional, Part(1910, 27), Part(7, 1), Part(0, 0), Part(0, 0), None, Part(0, 0), Part(0, 0)) // AI interrupt upper input PV
+    (0, 0, Some(No), Mandatory, Part(27, 27), Part(0, 1), Part(0, 1), Part(0, 1), None, Part(0, 0), Part(0, 0)) // Highest sub-index supported
+    (1, 1, None, Mandatory, Part(1997, 12), Part(7, 1), Part(0, 0), Part(0, 0), None, Part(0, 0), Part(0, 0)) // AI tare zero
+    (2, 199, None, Optional, Part(1997, 12), Part(7, 1), Part(0, 0), Part(0, 0), None, Part(0, 0), Part(0, 0)) // AI tare zero
+    (0, 0, Some(No), Mandatory, Part(27, 27), Part(0, 1), Part(0, 1), Part(0, 1), None, Part(0, 0), Part(0, 0)) // Highest sub-index supported
+    (1, 1, Some(Tpdo), Mandatory, Part(2155, 9), Part(7, 1), Part(0, 1), Part(0, 0), None, Part(0, 0), Part(0, 0)) // AI net PV
+    (2, 199, Some(Tpdo), Optional, Part(2155, 9), Part(7, 1), Part(0, 1), Part(0, 0), None, Part(0, 0), Part(0, 0)) // AI net PV
+    (0, 0, Some(No), Mandatory, Part(27, 27), Part(0, 1), Part(0, 1), Part(0, 1), None, Part(0, 0), Part(0, 0)) // Highest sub-index supported
+    (1, 1, None, Mandatory, Part(2220, 25), Part(7, 1), Part(0, 0), Part(0, 0), None, Part(0, 0), Part(0, 0)) // AI interrupt delta net PV
+    (2, 199, None, Optional, Part(2220, 25), Part(7, 1), Part(0, 0), Part(0, 0), None, Part(0, 0), Part(0, 0)) // AI interrupt delta net PV
+    (0, 0, Some(No), Mandatory, Part(27, 27), Part(0, 1), Part(0, 1), Part(0, 1), None, Part(0, 0), Part(0, 0)) // Highest sub-index supported
+    (1, 1, None, Mandatory, Part(2297, 31), Part(7, 1), Part(0, 0), Part(0, 0), None, Part(0, 0), Part(0, 0)) // AI interrupt lower limit net PV
+    (2, 199, None, Optional, Part(2297, 31), Part(7, 1), Part(0, 0), Part(0, 0), None, Part(0, 0), Part(0, 0)) // AI interrupt lower limit net PV
+    (0, 0, Some(No), Mandatory, Part(27, 27), Part(0, 1), Part(0, 1), Part(0, 1), None, Part(0, 0), Part(0, 0)) // Highest sub-index supported
+    (1, 1, None, Mandatory, Part(2384, 31), Part(7, 1), Part(0, 0), Part(0, 0), None, Part(0, 0), Part(0, 0)) // AI interrupt upper limit net PV
+    (2, 199, None, Optional, Part(2384, 31), Part(7, 1), Part(0, 0), Part(0, 0), None, Part(0, 0), Part(0, 0)) // AI interrupt upper limit net PV
+    (0, 0, Some(No), Mandatory, Part(27, 27), Part(0, 1), Part(0, 1), Part(0, 1), None, Part(0, 0), Part(0, 0)) // Highest sub-index supported
+    (1, 1, None, Mandatory, Part(2471, 13), Part(7, 1), Part(0, 0), Part(0, 0), None, Part(0, 0), Part(0, 0)) // AI span start
+    (2, 199, None, Optional, Part(2471, 13), Part(7, 1), Part(0, 0), Part(0, 0), None, Part(0, 0), Part(0, 0)) // AI span start
+    (0, 0, Some(No), Mandatory, Part(27, 27), Part(0, 1), Part(0, 1), Part(0, 1), None, Part(0, 0), Part(0, 0)) // Highest sub-index supported
+    (1, 1, None, Mandatory, Part(2552, 11), Part(7, 1), Part(0, 0), Part(0, 0), None, Part(0, 0), Part(0, 0)) // AI span end
+    (2, 199, None, Optional, Part(2552, 11), Part(7, 1), Part(0, 0), Part(0, 0), None, Part(0, 0), Part(0, 0)) // AI span end
+    (0, 0, Some(No), Mandatory, Part(27, 27), Part(0, 1), Part(0, 1), Part(0, 1), None, Part(0, 0), Part(0, 0)) // Highest sub-index supported
+    (1, 1, Some(Any), Mandatory, Part(3939, 12), Part(7, 1), Part(1, 1), Part(0, 0), None, Part(0, 0), Part(0, 0)) // AO output PV
+    (2, 199, Some(Any), Optional, Part(3939, 12), Part(7, 1), Part(1, 1), Part(0, 0), None, Part(0, 0), Part(0, 0)) // AO output PV
+    (0, 0, Some(No), Mandatory, Part(27, 27), Part(0, 1), Part(0, 1), Part(0, 1), None, Part(0, 0), Part(0, 0)) // Highest sub-index supported
+    (1, 1, None, Mandatory, Part(4245, 22), Part(7, 1), Part(0, 0), Part(0, 0), None, Part(0, 0), Part(0, 0)) // AO output scaling 1 PV
+    (2, 199, None, Optional, Part(4245, 22), Part(7, 1), Part(0, 0), Part(0, 0), None, Part(0, 0), Part(0, 0)) // AO output scaling 1 PV
+    (0, 0, Some(No), Mandatory, Part(27, 27), Part(0, 1), Part(0, 1), Part(0, 1), None, Part(0, 0), Part(0, 0)) // Highest sub-index supported
+    (1, 1, None, Mandatory, Part(4347, 22), Part(7, 1), Part(0, 0), Part(0, 0), None, Part(0, 0), Part(0, 0)) // AO output scaling 1 FV
+    (2, 199, None, Optional, Part(4347, 22), Part(7, 1), Part(0, 0), Part(0, 0), None, Part(0, 0), Part(0, 0)) // AO output scaling 1 FV
+    (0, 0, Some(No), Mandatory, Part(27, 27), Part(0, 1), Part(0, 1), Part(0, 1), None, Part(0, 0), Part(0, 0)) // Highest sub-index supported
+    (1, 1, None, Mandatory, Part(4447, 22), Part(7, 1), Part(0, 0), Part(0, 0), None, Part(0, 0), Part(0, 0)) // AO output scaling 2 PV
+    (2, 199, None, Optional, Part(4447, 22), Part(7, 1), Part(0, 0), Part(0, 0), None, Part(0, 0), Part(0, 0)) // AO output scaling 2 PV
+    (0, 0, Some(No), Mandatory, Part(27, 27), Part(0, 1), Part(0, 1), Part(0, 1), None, Part(0, 0), Part(0, 0)) // Highest sub-index supported
+    (1, 1, None, Mandatory, Part(4550, 22), Part(7, 1), Part(0, 0), Part(0, 0), None, Part(0, 0), Part(0, 0)) // AO output scaling 2 FV
+    (2, 199, None, Optional, Part(4550, 22), Part(7, 1), Part(0, 0), Part(0, 0), None, Part(0, 0), Part(0, 0)) // AO output scaling 2 FV
+    (0, 0, Some(No), Mandatory, Part(27, 27), Part(0, 1), Part(0, 1), Part(0, 1), None, Part(0, 0), Part(0, 0)) // Highest sub-index supported
+    (1, 1, None, Mandatory, Part(4651, 12), Part(7, 1), Part(0, 0), Part(0, 0), None, Part(0, 0), Part(0, 0)) // AO output FV
+    (2, 199, None, Optional, Part(4651, 12), Part(7, 1), Part(0, 0), Part(0, 0), None, Part(0, 0), Part(0, 0)) // AO output FV
+    (0, 0, Some(No), Mandatory, Part(27, 27), Part(0, 1), Part(0, 1), Part(0, 1), None, Part(0, 0), Part(0, 0)) // Highest sub-index supported
+    (1, 1, None, Mandatory, Part(4959, 11), Part(7, 1), Part(0, 0), Part(0, 0), None, Part(0, 0), Part(0, 0)) // AO fault FV
+    (2, 199, None, Optional, Part(4959, 11), Part(7, 1), Part(0, 0), Part(0, 0), None, Part(0, 0), Part(0, 0)) // AO fault FV
+    (0, 0, Some(No), Mandatory, Part(27, 27), Part(0, 1), Part(0, 1), Part(0, 1), None, Part(0, 0), Part(0, 0)) // Highest sub-index supported
+    (1, 1, Some(Any), Mandatory, Part(5036, 31), Part(7, 1), Part(0, 0), Part(0, 0), None, Part(0, 0), Part(0, 0)) // CO effective current value Xeff
+    (2, 199, Some(Any), Optional, Part(5036, 31), Part(7, 1), Part(0, 0), Part(0, 0), None, Part(0, 0), Part(0, 0)) // CO effective current value Xeff
+    (0, 0, Some(No), Mandatory, Part(27, 27), Part(0, 1), Part(0, 1), Part(0, 1), None, Part(0, 0), Part(0, 0)) // Highest sub-index supported
+    (1, 1, Some(Tpdo), Mandatory, Part(5115, 27), Part(7, 1), Part(0, 1), Part(0, 0), None, Part(0, 0), Part(0, 0)) // CO effective set point Weff
+    (2, 199, Some(Tpdo), Optional, Part(5115, 27), Part(7, 1), Part(0, 1), Part(0, 0), None, Part(0, 0), Part(0, 0)) // CO effective set point Weff
+    (0, 0, Some(No), Mandatory, Part(27, 27), Part(0, 1), Part(0, 1), Part(0, 1), None, Part(0, 0), Part(0, 0)) // Highest sub-index supported
+    (1, 1, Some(Any), Mandatory, Part(5187, 14), Part(7, 1), Part(0, 0), Part(0, 0), None, Part(0, 0), Part(0, 0)) // CO set point W
+    (2, 199, Some(Any), Optional, Part(5187, 14), Part(7, 1), Part(0, 0), Part(0, 0), None, Part(0, 0), Part(0, 0)) // CO set point W
+    (0, 0, Some(No), Mandatory, Part(27, 27), Part(0, 1), Part(0, 1), Part(0, 1), None, Part(0, 0), Part(0, 0)) // Highest sub-index supported
+    (1, 1, Some(Any), Mandatory, Part(5233, 19), Part(7, 1), Part(0, 0), Part(0, 0), None, Part(0, 0), Part(0, 0)) // CO 2nd set point W2
+    (2, 199, Some(Any), Optional, Part(5233, 19), Part(7, 1), Part(0, 0), Part(0, 0), None, Part(0, 0), Part(0, 0)) // CO 2nd set point W2
+    (0, 0, Some(No), Mandatory, Part(27, 27), Part(0, 1), Part(0, 1), Part(0, 1), None, Part(0, 0), Part(0, 0)) // Highest sub-index supported
+    (1, 1, None, Mandatory, Part(5318, 27), Part(7, 1), Part(0, 0), Part(0, 0), None, Part(0, 0), Part(0, 0)) // CO lower set point limit W0
+    (2, 199, None, Optional, Part(5318, 27), Part(7, 1), Part(0, 0), Part(0, 0), None, Part(0, 0), Part(0, 0)) // CO lower set point limit W0
+    (0, 0, Some(No), Mandatory, Part(27, 27), Part(0, 1), Part(0, 1), Part(0, 1), None, Part(0, 0), Part(0, 0)) // Highest sub-index supported
+    (1, 1, None, Mandatory, Part(5366, 29), Part(7, 1), Part(0, 0), Part(0, 0), None, Part(0, 0), Part(0, 0)) // CO upper set point limit W100
+    (2, 199, None, Optional, Part(5366, 29), Part(7, 1), Part(0, 0), Part(0, 0), None, Part(0, 0), Part(0, 0)) // CO upper set point limit W100
+    (0, 0, Some(No), Mandatory, Part(27, 27), Part(0, 1), Part(0, 1), Part(0, 1), None, Part(0, 0), Part(0, 0)) // Highest sub-index supported
+    (1, 1, None, Mandatory, Part(6467, 27), Part(7, 1), Part(0, 0), Part(0, 0), None, Part(0, 0), Part(0, 0)) // CO minimum pulse time Tmin1
+    (2, 199, None, Optional, Part(6467, 27), Part(7, 1), Part(0, 0), Part(0, 0), None, Part(0, 0), Part(0, 0)) // CO minimum pulse time Tmin1
+    (0, 0, Some(No), Mandatory, Part(27, 27), Part(0, 1), Part(0, 1), Part(0, 1), None, Part(0, 0), Part(0, 0)) // Highest sub-index supported
+    (1, 1, None, Mandatory, Part(6551, 27), Part(7, 1), Part(0, 0), Part(0, 0), None, Part(0, 0), Part(0, 0)) // CO minimum pulse time Tmin2
+    (2, 199, None, Optional, Part(6551, 27), Part(7, 1), Part(0, 0), Part(0, 0), None, Part(0, 0), Part(0, 0)) // CO minimum pulse time Tmin2
+    (0, 0, Some(No), Mandatory, Part(27, 27), Part(0, 1), Part(0, 1), Part(0, 1), None, Part(0, 0), Part(0, 0)) // Highest sub-index supported
+    (1, 1, None, Mandatory, Part(6636, 25), Part(7, 1), Part(0, 0), Part(0, 0), None, Part(0, 0), Part(0, 0)) // CO motor response time Tm
+    (2, 199, None, Optional, Part(6636, 25), Part(7, 1), Part(0, 0), Part(0, 0), None, Part(0, 0), Part(0, 0)) // CO motor response time Tm
+    (0, 0, Some(No), Mandatory, Part(27, 27), Part(0, 1), Part(0, 1), Part(0, 1), None, Part(0, 0), Part(0, 0)) // Highest sub-index supported
+    (1, 1, None, Mandatory, Part(6725, 25), Part(7, 1), Part(0, 0), Part(0, 0), None, Part(0, 0), Part(0, 0)) // CO min pulse length Tpuls
+    (2, 199, None, Optional, Part(6725, 25), Part(7, 1), Part(0, 0), Part(0, 0), None, Part(0, 0), Part(0, 0)) // CO min pulse length Tpuls
+    (0, 0, Some(No), Mandatory, Part(27, 27), Part(0, 1), Part(0, 1), Part(0, 1), None, Part(0, 0), Part(0, 0)) // Highest sub-index supported
+    (1, 1, None, Mandatory, Part(6951, 32), Part(7, 1), Part(0, 0), Part(0, 0), None, Part(0, 0), Part(0, 0)) // CO neutral zone three-point Xsh1
+    (2, 199, None, Optional, Part(6951, 32), Part(7, 1), Part(0, 0), Part(0, 0), None, Part(0, 0), Part(0, 0)) // CO neutral zone three-point Xsh1
+    (0, 0, Some(No), Mandatory, Part(27, 27), Part(0, 1), Part(0, 1), Part(0, 1), None, Part(0, 0), Part(0, 0)) // Highest sub-index supported
+    (1, 1, None, Mandatory, Part(7063, 32), Part(7, 1), Part(0, 0), Part(0, 0), None, Part(0, 0), Part(0, 0)) // CO neutral zone three-point Xsh2
+    (2, 199, None, Optional, Part(7063, 32), Part(7, 1), Part(0, 0), Part(0, 0), None, Part(0, 0), Part(0, 0)) // CO neutral zone three-point Xsh2
+    (0, 0, Some(No), Mandatory, Part(27, 27), Part(0, 1), Part(0, 1), Part(0, 1), None, Part(0, 0), Part(0, 0)) // Highest sub-index supported
+    (1, 1, None, Mandatory, Part(7176, 40), Part(7, 1), Part(0, 0), Part(0, 0), None, Part(0, 0), Part(0, 0)) // CO neutral zone three-point stepping Xsh
+    (2, 199, None, Optional, Part(7176, 40), Part(7, 1), Part(0, 0), Part(0, 0), None, Part(0, 0), Part(0, 0)) // CO neutral zone three-point stepping Xsh
+    (0, 0, Some(No), Mandatory, Part(27, 27), Part(0, 1), Part(0, 1), Part(0, 1), None, Part(0, 0), Part(0, 0)) // Highest sub-index supported
+    (1, 1, None, Mandatory, Part(7270, 41), Part(7, 1), Part(0, 0), Part(0, 0), None, Part(0, 0), Part(0, 0)) // CO switching difference of signaller Xsd1
+    (2, 199, None, Optional, Part(7270, 41), Part(7, 1), Part(0, 0), Part(0, 0), None, Part(0, 0), Part(0, 0)) // CO switching difference of signaller Xsd1
+    (0, 0, Some(No), Mandatory, Part(27, 27), Part(0, 1), Part(0, 1), Part(0, 1), None, Part(0, 0), Part(0, 0)) // Highest sub-index supported
+    (1, 1, None, Mandatory, Part(7350, 50), Part(7, 1), Part(0, 0), Part(0, 0), None, Part(0, 0), Part(0, 0)) // CO switching difference of additional contact Xsd2
+    (2, 199, None, Optional, Part(7350, 50), Part(7, 1), Part(0, 0), Part(0, 0), None, Part(0, 0), Part(0, 0)) // CO switching difference of additional contact Xsd2
+    (0, 0, Some(No), Mandatory, Part(27, 27), Part(0, 1), Part(0, 1), Part(0, 1), None, Part(0, 0), Part(0, 0)) // Highest sub-index supported
+    (1, 1, None, Mandatory, Part(7441, 52), Part(7, 1), Part(0, 0), Part(0, 0), None, Part(0, 0), Part(0, 0)) // CO trigger point separation of additional contact LW
+    (2, 199, None, Optional, Part(7441, 52), Part(7, 1), Part(0, 0), Part(0, 0), None, Part(0, 0), Part(0, 0)) // CO trigger point separation of additional contact LW
+    (0, 0, Some(No), Mandatory, Part(27, 27), Part(0, 1), Part(0, 1), Part(0, 1), None, Part(0, 0), Part(0, 0)) // Highest sub-index supported
+    (1, 1, None, Mandatory, Part(7569, 24), Part(7, 1), Part(0, 0), Part(0, 0), None, Part(0, 0), Part(0, 0)) // CO proportional band Xp1
+    (2, 199, None, Optional, Part(7569, 24), Part(7, 1), Part(0, 0), Part(0, 0), None, Part(0, 0), Part(0, 0)) // CO proportional band Xp1
+    (0, 0, Some(No), Mandatory, Part(27, 27), Part(0, 1), Part(0, 1), Part(0, 1), None, Part(0, 0), Part(0, 0)) // Highest sub-index supported
+    (1, 1, None, Mandatory, Part(7642, 24), Part(7, 1), Part(0, 0), Part(0, 0), None, Part(0, 0), Part(0, 0)) // CO proportional band Xp2
+    (2, 199, None, Optional, Part(7642, 24), Part(7, 1), Part(0, 0), Part(0, 0), None, Part(0, 0), Part(0, 0)) // CO proportional band Xp2
+    (0, 0, Some(No), Mandatory, Part(27, 27), Part(0, 1), Part(0, 1), Part(0, 1), None, Part(0, 0), Part(0, 0)) // Highest sub-index supported
+    (1, 1, None, Mandatory, Part(7716, 27), Part(7, 1), Part(0, 0), Part(0, 0), None, Part(0, 0), Part(0, 0)) // CO integral action time Tn1
+    (2, 199, None, Optional, Part(7716, 27), Part(7, 1), Part(0, 0), Part(0, 0), None, Part(0, 0), Part(0, 0)) // CO integral action time Tn1
+    (0, 0, Some(No), Mandatory, Part(27, 27), Part(0, 1), Part(0, 1), Part(0, 1), None, Part(0, 0), Part(0, 0)) // Highest sub-index supported
+    (1, 1, None, Mandatory, Part(7795, 27), Part(7, 1), Part(0, 0), Part(0, 0), None, Part(0, 0), Part(0, 0)) // CO integral action time Tn2
+    (2, 199, None, Optional, Part(7795, 27), Part(7, 1), Part(0, 0), Part(0, 0), None, Part(0, 0), Part(0, 0)) // CO integral action time Tn2
+    (0, 0, Some(No), Mandatory, Part(27, 27), Part(0, 1), Part(0, 1), Part(0, 1), None, Part(0, 0), Part(0, 0)) // Highest sub-index supported
+    (1, 1, None, Mandatory, Part(7875, 29), Part(7, 1), Part(0, 0), Part(0, 0), None, Part(0, 0), Part(0, 0)) // CO derivative action time Tv1
+    (2, 199, None, Optional, Part(7875, 29), Part(7, 1), Part(0, 0), Part(0, 0), None, Part(0, 0), Part(0, 0)) // CO derivative action time Tv1
+    (0, 0, Some(No), Mandatory, Part(27, 27), Part(0, 1), Part(0, 1), Part(0, 1), None, Part(0, 0), Part(0, 0)) // Highest sub-index supported
+    (1, 1, None, Mandatory, Part(7958, 29), Part(7, 1), Part(0, 0), Part(0, 0), None, Part(0, 0), Part(0, 0)) // CO derivative action time Tv2
+    (2, 199, None, Optional, Part(7958, 29), Part(7, 1), Part(0, 0), Part(0, 0), None, Part(0, 0), Part(0, 0)) // CO derivative action time Tv2
+    (0, 0, Some(No), Mandatory, Part(27, 27), Part(0, 1), Part(0, 1), Part(0, 1), None, Part(0, 0), Part(0, 0)) // Highest sub-index supported
+    (1, 1, None, Mandatory, Part(8042, 16), Part(7, 1), Part(0, 0), Part(0, 0), None, Part(0, 0), Part(0, 0)) // CO cycle time T1
+    (2, 199, None, Optional, Part(8042, 16), Part(7, 1), Part(0, 0), Part(0, 0), None, Part(0, 0), Part(0, 0)) // CO cycle time T1
+    (0, 0, Some(No), Mandatory, Part(27, 27), Part(0, 1), Part(0, 1), Part(0, 1), None, Part(0, 0), Part(0, 0)) // Highest sub-index supported
+    (1, 1, None, Mandatory, Part(8099, 16), Part(7, 1), Part(0, 0), Part(0, 0), None, Part(0, 0), Part(0, 0)) // CO cycle time T2
+    (2, 199, None, Optional, Part(8099, 16), Part(7, 1), Part(0, 0), Part(0, 0), None, Part(0, 0), Part(0, 0)) // CO cycle time T2
+    (0, 0, Some(No), Mandatory, Part(27, 27), Part(0, 1), Part(0, 1), Part(0, 1), None, Part(0, 0), Part(0, 0)) // Highest sub-index supported
+    (1, 1, Some(Any), Mandatory, Part(8321, 14), Part(7, 1), Part(0, 0), Part(0, 0), None, Part(0, 0), Part(0, 0)) // AL input value
+    (2, 199, Some(Any), Optional, Part(8321, 14), Part(7, 1), Part(0, 0), Part(0, 0), None, Part(0, 0), Part(0, 0)) // AL input value
+    (0, 0, Some(No), Mandatory, Part(27, 27), Part(0, 1), Part(0, 1), Part(0, 1), None, Part(0, 0), Part(0, 0)) // Highest sub-index supported
+    (1, 1, None, Mandatory, Part(8438, 24), Part(7, 1), Part(0, 0), Part(0, 0), None, Part(0, 0), Part(0, 0)) // AL alternate input value
+    (2, 199, None, Optional, Part(8438, 24), Part(7, 1), Part(0, 0), Part(0, 0), None, Part(0, 0), Part(0, 0)) // AL alternate input value
+    (0, 0, Some(No), Mandatory, Part(27, 27), Part(0, 1), Part(0, 1), Part(0, 1), None, Part(0, 0), Part(0, 0)) // Highest sub-index supported
+    (1, 1, None, Mandatory, Part(8939, 8), Part(7, 1), Part(0, 0), Part(0, 0), None, Part(0, 0), Part(0, 0)) // AL level
+    (2, 199, None, Optional, Part(8939, 8), Part(7, 1), Part(0, 0), Part(0, 0), None, Part(0, 0), Part(0, 0)) // AL level
+    (0, 0, Some(No), Mandatory, Part(27, 27), Part(0, 1), Part(0, 1), Part(0, 1), None, Part(0, 0), Part(0, 0)) // Highest sub-index supported
+    (1, 1, None, Mandatory, Part(8989, 13), Part(7, 1), Part(0, 0), Part(0, 0), None, Part(0, 0), Part(0, 0)) // AL hysteresis
+    (2, 199, None, Optional, Part(8989, 13), Part(7, 1), Part(0, 0), Part(0, 0), None, Part(0, 0), Part(0, 0)) // AL hysteresis
+    (0, 0, Some(No), Mandatory, Part(27, 27), Part(0, 1), Part(0, 1), Part(0, 1), None, Part(0, 0), Part(0, 0)) // Highest sub-index supported
+    (1, 1, Some(Any), Mandatory, Part(10271, 10), Part(7, 1), Part(0, 0), Part(0, 0), None, Part(0, 0), Part(0, 0)) // Receive PV
+    (2, 199, Some(Any), Optional, Part(10271, 10), Part(7, 1), Part(0, 0), Part(0, 0), None, Part(0, 0), Part(0, 0)) // Receive PV
+    (0, 0, Some(No), Mandatory, Part(27, 27), Part(0, 1), Part(0, 1), Part(0, 1), None, Part(0, 0), Part(0, 0)) // Highest sub-index supported
+    (1, 1, Some(Any), Mandatory, Part(10339, 20), Part(7, 1), Part(0, 0), Part(0, 0), None, Part(0, 0), Part(0, 0)) // Alternate receive PV
+    (2, 199, Some(Any), Optional, Part(10339, 20), Part(7, 1), Part(0, 0), Part(0, 0), None, Part(0, 0), Part(0, 0)) // Alternate receive PV
+);
 
-static BITS: &[BitRow] = &[
-    BitRow { first: 0, last: 7, name: Part(611, 7), values: Part(0, 2) }, // channel
-    BitRow { first: 8, last: 15, name: Part(1555, 11), values: Part(0, 0) }, // denominator
-    BitRow { first: 16, last: 23, name: Part(1566, 9), values: Part(0, 0) }, // numerator
-    BitRow { first: 24, last: 31, name: Part(1575, 21), values: Part(0, 0) }, // prefix, a power of 10
-    BitRow { first: 0, last: 0, name: Part(2640, 15), values: Part(0, 0) }, // value not valid
-    BitRow { first: 1, last: 1, name: Part(2655, 17), values: Part(0, 0) }, // positive overload
-    BitRow { first: 2, last: 2, name: Part(2672, 17), values: Part(0, 0) }, // negative overload
-    BitRow { first: 0, last: 7, name: Part(2928, 6), values: Part(2, 4) }, // filter
-    BitRow { first: 0, last: 0, name: Part(6098, 11), values: Part(0, 0) }, // manual mode
-    BitRow { first: 0, last: 0, name: Part(6162, 13), values: Part(0, 0) }, // controller on
-    BitRow { first: 0, last: 0, name: Part(8718, 24), values: Part(0, 0) }, // alarm in case of a fault
-    BitRow { first: 0, last: 0, name: Part(9121, 5), values: Part(0, 0) }, // alarm
-    BitRow { first: 0, last: 0, name: Part(9156, 15), values: Part(0, 0) }, // reset the alarm
-    BitRow { first: 0, last: 0, name: Part(9208, 7), values: Part(0, 0) }, // alarm 1
-    BitRow { first: 1, last: 1, name: Part(9215, 7), values: Part(0, 0) }, // alarm 2
-    BitRow { first: 2, last: 2, name: Part(9222, 7), values: Part(0, 0) }, // alarm 3
-    BitRow { first: 3, last: 3, name: Part(9229, 7), values: Part(0, 0) }, // alarm 4
-    BitRow { first: 4, last: 4, name: Part(9236, 7), values: Part(0, 0) }, // alarm 5
-    BitRow { first: 5, last: 5, name: Part(9243, 7), values: Part(0, 0) }, // alarm 6
-    BitRow { first: 6, last: 6, name: Part(9250, 7), values: Part(0, 0) }, // alarm 7
-    BitRow { first: 7, last: 7, name: Part(9257, 7), values: Part(0, 0) }, // alarm 8
-    BitRow { first: 0, last: 0, name: Part(9326, 7), values: Part(0, 0) }, // alarm 9
-    BitRow { first: 1, last: 1, name: Part(9333, 8), values: Part(0, 0) }, // alarm 10
-    BitRow { first: 2, last: 2, name: Part(9341, 8), values: Part(0, 0) }, // alarm 11
-    BitRow { first: 3, last: 3, name: Part(9349, 8), values: Part(0, 0) }, // alarm 12
-    BitRow { first: 4, last: 4, name: Part(9357, 8), values: Part(0, 0) }, // alarm 13
-    BitRow { first: 5, last: 5, name: Part(9365, 8), values: Part(0, 0) }, // alarm 14
-    BitRow { first: 6, last: 6, name: Part(9373, 8), values: Part(0, 0) }, // alarm 15
-    BitRow { first: 7, last: 7, name: Part(9381, 8), values: Part(0, 0) }, // alarm 16
-    BitRow { first: 0, last: 0, name: Part(9436, 8), values: Part(0, 0) }, // an alarm
-    BitRow { first: 0, last: 0, name: Part(9488, 19), values: Part(0, 0) }, // an alarm of group 1
-    BitRow { first: 1, last: 1, name: Part(9507, 19), values: Part(0, 0) }, // an alarm of group 2
-    BitRow { first: 2, last: 2, name: Part(9526, 19), values: Part(0, 0) }, // an alarm of group 3
-    BitRow { first: 3, last: 3, name: Part(9545, 19), values: Part(0, 0) }, // an alarm of group 4
-    BitRow { first: 4, last: 4, name: Part(9564, 19), values: Part(0, 0) }, // an alarm of group 5
-    BitRow { first: 5, last: 5, name: Part(9583, 19), values: Part(0, 0) }, // an alarm of group 6
-    BitRow { first: 6, last: 6, name: Part(9602, 19), values: Part(0, 0) }, // an alarm of group 7
-    BitRow { first: 7, last: 7, name: Part(9621, 19), values: Part(0, 0) }, // an alarm of group 8
-    BitRow { first: 0, last: 0, name: Part(9713, 16), values: Part(0, 0) }, // reset all alarms
-    BitRow { first: 0, last: 0, name: Part(9784, 13), values: Part(0, 0) }, // reset alarm 1
-    BitRow { first: 1, last: 1, name: Part(9797, 13), values: Part(0, 0) }, // reset alarm 2
-    BitRow { first: 2, last: 2, name: Part(9810, 13), values: Part(0, 0) }, // reset alarm 3
-    BitRow { first: 3, last: 3, name: Part(9823, 13), values: Part(0, 0) }, // reset alarm 4
-    BitRow { first: 4, last: 4, name: Part(9836, 13), values: Part(0, 0) }, // reset alarm 5
-    BitRow { first: 5, last: 5, name: Part(9849, 13), values: Part(0, 0) }, // reset alarm 6
-    BitRow { first: 6, last: 6, name: Part(9862, 13), values: Part(0, 0) }, // reset alarm 7
-    BitRow { first: 7, last: 7, name: Part(9875, 13), values: Part(0, 0) }, // reset alarm 8
-    BitRow { first: 0, last: 0, name: Part(9949, 13), values: Part(0, 0) }, // reset alarm 9
-    BitRow { first: 1, last: 1, name: Part(9962, 14), values: Part(0, 0) }, // reset alarm 10
-    BitRow { first: 2, last: 2, name: Part(9976, 14), values: Part(0, 0) }, // reset alarm 11
-    BitRow { first: 3, last: 3, name: Part(9990, 14), values: Part(0, 0) }, // reset alarm 12
-    BitRow { first: 4, last: 4, name: Part(10004, 14), values: Part(0, 0) }, // reset alarm 13
-    BitRow { first: 5, last: 5, name: Part(10018, 14), values: Part(0, 0) }, // reset alarm 14
-    BitRow { first: 6, last: 6, name: Part(10032, 14), values: Part(0, 0) }, // reset alarm 15
-    BitRow { first: 7, last: 7, name: Part(10046, 14), values: Part(0, 0) }, // reset alarm 16
-];
+static BITS: &[BitRow] = table!(BitRow { first, last, name, values }:
+    (0, 7, Part(611, 7), Part(0, 2)) // channel
+    (8, 15, Part(1555, 11), Part(0, 0)) // denominator
+    (16, 23, Part(1566, 9), Part(0, 0)) // numerator
+    (24, 31, Part(1575, 21), Part(0, 0)) // prefix, a power of 10
+    (0, 0, Part(2640, 15), Part(0, 0)) // value not valid
+    (1, 1, Part(2655, 17), Part(0, 0)) // positive overload
+    (2, 2, Part(2672, 17), Part(0, 0)) // negative overload
+    (0, 7, Part(2928, 6), Part(2, 4)) // filter
+    (0, 0, Part(6098, 11), Part(0, 0)) // manual mode
+    (0, 0, Part(6162, 13), Part(0, 0)) // controller on
+    (0, 0, Part(8718, 24), Part(0, 0)) // alarm in case of a fault
+    (0, 0, Part(9121, 5), Part(0, 0)) // alarm
+    (0, 0, Part(9156, 15), Part(0, 0)) // reset the alarm
+    (0, 0, Part(9208, 7), Part(0, 0)) // alarm 1
+    (1, 1, Part(9215, 7), Part(0, 0)) // alarm 2
+    (2, 2, Part(9222, 7), Part(0, 0)) // alarm 3
+    (3, 3, Part(9229, 7), Part(0, 0)) // alarm 4
+    (4, 4, Part(9236, 7), Part(0, 0)) // alarm 5
+    (5, 5, Part(9243, 7), Part(0, 0)) // alarm 6
+    (6, 6, Part(9250, 7), Part(0, 0)) // alarm 7
+    (7, 7, Part(9257, 7), Part(0, 0)) // alarm 8
+    (0, 0, Part(9326, 7), Part(0, 0)) // alarm 9
+    (1, 1, Part(9333, 8), Part(0, 0)) // alarm 10
+    (2, 2, Part(9341, 8), Part(0, 0)) // alarm 11
+    (3, 3, Part(9349, 8), Part(0, 0)) // alarm 12
+    (4, 4, Part(9357, 8), Part(0, 0)) // alarm 13
+    (5, 5, Part(9365, 8), Part(0, 0)) // alarm 14
+    (6, 6, Part(9373, 8), Part(0, 0)) // alarm 15
+    (7, 7, Part(9381, 8), Part(0, 0)) // alarm 16
+    (0, 0, Part(9436, 8), Part(0, 0)) // an alarm
+    (0, 0, Part(9488, 19), Part(0, 0)) // an alarm of group 1
+    (1, 1, Part(9507, 19), Part(0, 0)) // an alarm of group 2
+    (2, 2, Part(9526, 19), Part(0, 0)) // an alarm of group 3
+    (3, 3, Part(9545, 19), Part(0, 0)) // an alarm of group 4
+    (4, 4, Part(9564, 19), Part(0, 0)) // an alarm of group 5
+    (5, 5, Part(9583, 19), Part(0, 0)) // an alarm of group 6
+    (6, 6, Part(9602, 19), Part(0, 0)) // an alarm of group 7
+    (7, 7, Part(9621, 19), Part(0, 0)) // an alarm of group 8
+    (0, 0, Part(9713, 16), Part(0, 0)) // reset all alarms
+    (0, 0, Part(9784, 13), Part(0, 0)) // reset alarm 1
+    (1, 1, Part(9797, 13), Part(0, 0)) // reset alarm 2
+    (2, 2, Part(9810, 13), Part(0, 0)) // reset alarm 3
+    (3, 3, Part(9823, 13), Part(0, 0)) // reset alarm 4
+    (4, 4, Part(9836, 13), Part(0, 0)) // reset alarm 5
+    (5, 5, Part(9849, 13), Part(0, 0)) // reset alarm 6
+    (6, 6, Part(9862, 13), Part(0, 0)) // reset alarm 7
+    (7, 7, Part(9875, 13), Part(0, 0)) // reset alarm 8
+    (0, 0, Part(9949, 13), Part(0, 0)) // reset alarm 9
+    (1, 1, Part(9962, 14), Part(0, 0)) // reset alarm 10
+    (2, 2, Part(9976, 14), Part(0, 0)) // reset alarm 11
+    (3, 3, Part(9990, 14), Part(0, 0)) // reset alarm 12
+    (4, 4, Part(10004, 14), Part(0, 0)) // reset alarm 13
+    (5, 5, Part(10018, 14), Part(0, 0)) // reset alarm 14
+    (6, 6, Part(10032, 14), Part(0, 0)) // reset alarm 15
+    (7, 7, Part(10046, 14), Part(0, 0)) // reset alarm 16
+);
 
-static MEANINGS: &[MeaningRow] = &[
-    MeaningRow { first: 0, last: 0, text: Part(618, 3) }, // off
-    MeaningRow { first: 1, last: 1, text: Part(621, 16) }, // normal operation
-    MeaningRow { first: 0, last: 0, text: Part(2934, 4) }, // none
-    MeaningRow { first: 1, last: 1, text: Part(2938, 14) }, // moving average
-    MeaningRow { first: 2, last: 2, text: Part(2952, 17) }, // repeating average
-    MeaningRow { first: 100, last: 255, text: Part(2969, 21) }, // manufacturer-specific
-];
+static MEANINGS: &[MeaningRow] = table!(MeaningRow { first, last, text }:
+    (0, 0, Part(618, 3)) // off
+    (1, 1, Part(621, 16)) // normal operation
+    (0, 0, Part(2934, 4)) // none
+    (1, 1, Part(2938, 14)) // moving average
+    (2, 2, Part(2952, 17)) // repeating average
+    (100, 255, Part(2969, 21)) // manufacturer-specific
+);
 
-static COMMANDS: &[CommandRow] = &[
-];
+static COMMANDS: &[CommandRow] = &[];
 
-static TRANSITIONS: &[TransitionRow] = &[
-];
+static TRANSITIONS: &[TransitionRow] = &[];
 
 static CONDITIONS: &[Condition] = &[
 ];

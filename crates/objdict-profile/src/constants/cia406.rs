@@ -35,171 +35,169 @@ pub(super) static PROFILE: Profile = Profile {
     },
 };
 
-static OBJECTS: &[ObjectRow] = &[
-    ObjectRow { first: 4096, last: 4096, name: Part(253, 11), object_types: Part(0, 0), need: Optional, only: None, as_many_as: Part(0, 0), entries: Part(0, 1), source: Part(264, 12), about: Part(276, 54), confidence: High }, // 1000h Device type
-    ObjectRow { first: 6144, last: 6144, name: Part(330, 30), object_types: Part(0, 0), need: Mandatory, only: None, as_many_as: Part(0, 0), entries: Part(0, 0), source: Part(360, 12), about: Part(372, 92), confidence: High }, // 1800h TPDO 1 communication parameter
-    ObjectRow { first: 6145, last: 6145, name: Part(464, 30), object_types: Part(0, 0), need: When(0), only: None, as_many_as: Part(0, 0), entries: Part(0, 0), source: Part(494, 43), about: Part(537, 67), confidence: High }, // 1801h TPDO 2 communication parameter
-    ObjectRow { first: 6656, last: 6656, name: Part(604, 24), object_types: Part(0, 0), need: Mandatory, only: None, as_many_as: Part(0, 0), entries: Part(0, 0), source: Part(360, 12), about: Part(628, 41), confidence: High }, // 1A00h TPDO 1 mapping parameter
-    ObjectRow { first: 6657, last: 6657, name: Part(669, 24), object_types: Part(0, 0), need: When(1), only: None, as_many_as: Part(0, 0), entries: Part(0, 0), source: Part(494, 43), about: Part(693, 42), confidence: High }, // 1A01h TPDO 2 mapping parameter
-    ObjectRow { first: 24576, last: 24576, name: Part(868, 20), object_types: Part(0, 1), need: Mandatory, only: None, as_many_as: Part(0, 0), entries: Part(1, 1), source: Part(888, 13), about: Part(901, 77), confidence: High }, // 6000h Operating parameters
-    ObjectRow { first: 24577, last: 24577, name: Part(978, 30), object_types: Part(0, 1), need: Optional, only: Some(2), as_many_as: Part(0, 0), entries: Part(2, 1), source: Part(1008, 7), about: Part(1015, 66), confidence: High }, // 6001h Measuring units per revolution
-    ObjectRow { first: 24578, last: 24578, name: Part(1081, 40), object_types: Part(0, 1), need: Optional, only: None, as_many_as: Part(0, 0), entries: Part(2, 1), source: Part(1008, 7), about: Part(1121, 65), confidence: High }, // 6002h Total measuring range in measuring units
-    ObjectRow { first: 24579, last: 24579, name: Part(1186, 12), object_types: Part(0, 1), need: Optional, only: None, as_many_as: Part(0, 0), entries: Part(3, 1), source: Part(1008, 7), about: Part(1198, 84), confidence: High }, // 6003h Preset value
-    ObjectRow { first: 24580, last: 24580, name: Part(1282, 14), object_types: Part(0, 1), need: When(3), only: None, as_many_as: Part(0, 0), entries: Part(4, 1), source: Part(888, 13), about: Part(1296, 39), confidence: High }, // 6004h Position value
-    ObjectRow { first: 24581, last: 24581, name: Part(1451, 38), object_types: Part(1, 2), need: Optional, only: Some(4), as_many_as: Part(0, 0), entries: Part(5, 5), source: Part(1489, 18), about: Part(1507, 86), confidence: High }, // 6005h Linear encoder measuring step settings
-    ObjectRow { first: 24584, last: 24584, name: Part(1593, 29), object_types: Part(0, 1), need: Optional, only: None, as_many_as: Part(0, 0), entries: Part(10, 1), source: Part(1622, 9), about: Part(1631, 32), confidence: Medium }, // 6008h High precision position value
-    ObjectRow { first: 24585, last: 24585, name: Part(1663, 27), object_types: Part(0, 1), need: Optional, only: None, as_many_as: Part(0, 0), entries: Part(11, 1), source: Part(1622, 9), about: Part(1690, 46), confidence: Medium }, // 6009h High precision preset value
-    ObjectRow { first: 24592, last: 24592, name: Part(1736, 38), object_types: Part(1, 2), need: Optional, only: None, as_many_as: Part(0, 1), entries: Part(12, 3), source: Part(1008, 7), about: Part(1774, 60), confidence: Medium }, // 6010h Preset values for multi-sensor devices
-    ObjectRow { first: 24608, last: 24608, name: Part(1834, 40), object_types: Part(1, 2), need: When(5), only: None, as_many_as: Part(0, 0), entries: Part(15, 3), source: Part(1008, 7), about: Part(1874, 62), confidence: Medium }, // 6020h Position values for multi-sensor devices
-    ObjectRow { first: 24624, last: 24624, name: Part(1936, 11), object_types: Part(1, 2), need: Optional, only: None, as_many_as: Part(0, 0), entries: Part(18, 3), source: Part(1622, 9), about: Part(1947, 26), confidence: Medium }, // 6030h Speed value
-    ObjectRow { first: 24640, last: 24640, name: Part(1973, 18), object_types: Part(1, 2), need: Optional, only: None, as_many_as: Part(0, 0), entries: Part(21, 3), source: Part(1622, 9), about: Part(1991, 33), confidence: Medium }, // 6040h Acceleration value
-    ObjectRow { first: 24656, last: 24656, name: Part(2024, 10), object_types: Part(1, 2), need: Optional, only: None, as_many_as: Part(0, 0), entries: Part(24, 3), source: Part(1622, 9), about: Part(2034, 25), confidence: Medium }, // 6050h Jerk value
-    ObjectRow { first: 25088, last: 25088, name: Part(2061, 12), object_types: Part(0, 1), need: Optional, only: None, as_many_as: Part(0, 0), entries: Part(27, 1), source: Part(888, 13), about: Part(2073, 108), confidence: High }, // 6200h Cyclic timer
-    ObjectRow { first: 25344, last: 25344, name: Part(2181, 18), object_types: Part(1, 2), need: Optional, only: None, as_many_as: Part(0, 0), entries: Part(28, 3), source: Part(1622, 9), about: Part(2199, 65), confidence: Medium }, // 6300h CAM state register
-    ObjectRow { first: 25345, last: 25345, name: Part(2264, 19), object_types: Part(1, 2), need: Optional, only: None, as_many_as: Part(1, 1), entries: Part(31, 3), source: Part(1622, 9), about: Part(2283, 32), confidence: Medium }, // 6301h CAM enable register
-    ObjectRow { first: 25346, last: 25346, name: Part(2315, 21), object_types: Part(1, 2), need: Optional, only: None, as_many_as: Part(1, 1), entries: Part(34, 3), source: Part(1622, 9), about: Part(2336, 41), confidence: Medium }, // 6302h CAM polarity register
-    ObjectRow { first: 25360, last: 25367, name: Part(2377, 13), object_types: Part(1, 2), need: Optional, only: None, as_many_as: Part(0, 0), entries: Part(37, 3), source: Part(1622, 9), about: Part(2390, 60), confidence: Medium }, // 6310h CAM low limit
-    ObjectRow { first: 25376, last: 25383, name: Part(2450, 14), object_types: Part(1, 2), need: Optional, only: None, as_many_as: Part(0, 0), entries: Part(40, 3), source: Part(1622, 9), about: Part(2464, 58), confidence: Medium }, // 6320h CAM high limit
-    ObjectRow { first: 25392, last: 25399, name: Part(2522, 14), object_types: Part(1, 2), need: Optional, only: None, as_many_as: Part(0, 0), entries: Part(43, 3), source: Part(1622, 9), about: Part(2536, 97), confidence: Medium }, // 6330h CAM hysteresis
-    ObjectRow { first: 25600, last: 25600, name: Part(2633, 19), object_types: Part(1, 2), need: Optional, only: None, as_many_as: Part(0, 0), entries: Part(46, 3), source: Part(1622, 9), about: Part(2652, 75), confidence: Medium }, // 6400h Area state register
-    ObjectRow { first: 25601, last: 25601, name: Part(2727, 19), object_types: Part(1, 2), need: Optional, only: None, as_many_as: Part(2, 1), entries: Part(49, 3), source: Part(1622, 9), about: Part(2746, 37), confidence: Medium }, // 6401h Work area low limit
-    ObjectRow { first: 25602, last: 25602, name: Part(2783, 20), object_types: Part(1, 2), need: Optional, only: None, as_many_as: Part(2, 1), entries: Part(52, 3), source: Part(1622, 9), about: Part(2803, 38), confidence: Medium }, // 6402h Work area high limit
-    ObjectRow { first: 25856, last: 25856, name: Part(2841, 16), object_types: Part(0, 1), need: Mandatory, only: None, as_many_as: Part(0, 0), entries: Part(55, 1), source: Part(888, 13), about: Part(2857, 52), confidence: High }, // 6500h Operating status
-    ObjectRow { first: 25857, last: 25857, name: Part(2909, 41), object_types: Part(0, 1), need: Mandatory, only: None, as_many_as: Part(0, 0), entries: Part(56, 1), source: Part(888, 13), about: Part(2950, 70), confidence: High }, // 6501h Single-turn resolution and measuring step
-    ObjectRow { first: 25858, last: 25858, name: Part(3020, 37), object_types: Part(0, 1), need: When(6), only: Some(2), as_many_as: Part(0, 0), entries: Part(57, 1), source: Part(888, 13), about: Part(3057, 49), confidence: High }, // 6502h Number of distinguishable revolutions
-    ObjectRow { first: 25859, last: 25859, name: Part(3145, 6), object_types: Part(0, 1), need: Optional, only: None, as_many_as: Part(0, 0), entries: Part(58, 1), source: Part(1008, 7), about: Part(3151, 61), confidence: High }, // 6503h Alarms
-    ObjectRow { first: 25860, last: 25860, name: Part(3212, 16), object_types: Part(0, 1), need: Optional, only: None, as_many_as: Part(0, 0), entries: Part(59, 1), source: Part(1008, 7), about: Part(3228, 54), confidence: High }, // 6504h Supported alarms
-    ObjectRow { first: 25861, last: 25861, name: Part(3394, 8), object_types: Part(0, 1), need: Optional, only: None, as_many_as: Part(0, 0), entries: Part(60, 1), source: Part(1008, 7), about: Part(3402, 81), confidence: High }, // 6505h Warnings
-    ObjectRow { first: 25862, last: 25862, name: Part(3483, 18), object_types: Part(0, 1), need: Optional, only: None, as_many_as: Part(0, 0), entries: Part(61, 1), source: Part(1008, 7), about: Part(3501, 56), confidence: High }, // 6506h Supported warnings
-    ObjectRow { first: 25863, last: 25863, name: Part(3602, 28), object_types: Part(0, 1), need: Optional, only: None, as_many_as: Part(0, 0), entries: Part(62, 1), source: Part(1008, 7), about: Part(3630, 52), confidence: High }, // 6507h Profile and software version
-    ObjectRow { first: 25864, last: 25864, name: Part(3687, 14), object_types: Part(0, 1), need: Optional, only: None, as_many_as: Part(0, 0), entries: Part(63, 1), source: Part(1008, 7), about: Part(3701, 43), confidence: High }, // 6508h Operating time
-    ObjectRow { first: 25865, last: 25865, name: Part(3744, 12), object_types: Part(0, 1), need: Optional, only: None, as_many_as: Part(0, 0), entries: Part(64, 1), source: Part(1008, 7), about: Part(3756, 86), confidence: High }, // 6509h Offset value
-    ObjectRow { first: 25866, last: 25866, name: Part(3937, 21), object_types: Part(1, 2), need: Optional, only: None, as_many_as: Part(0, 0), entries: Part(65, 4), source: Part(1008, 7), about: Part(3958, 71), confidence: High }, // 650Ah Module identification
-    ObjectRow { first: 25867, last: 25867, name: Part(4029, 13), object_types: Part(0, 1), need: Optional, only: None, as_many_as: Part(0, 0), entries: Part(56, 1), source: Part(1008, 7), about: Part(4042, 47), confidence: High }, // 650Bh Serial number
-    ObjectRow { first: 25868, last: 25868, name: Part(4089, 38), object_types: Part(1, 2), need: Optional, only: None, as_many_as: Part(0, 1), entries: Part(69, 3), source: Part(1008, 7), about: Part(4127, 60), confidence: High }, // 650Ch Offset values for multi-sensor devices
-    ObjectRow { first: 25872, last: 25872, name: Part(4187, 36), object_types: Part(0, 1), need: Optional, only: None, as_many_as: Part(0, 0), entries: Part(72, 1), source: Part(1622, 9), about: Part(4223, 60), confidence: Medium }, // 6510h Number of high precision revolutions
-    ObjectRow { first: 26623, last: 26623, name: Part(253, 11), object_types: Part(0, 1), need: Optional, only: None, as_many_as: Part(0, 0), entries: Part(73, 1), source: Part(4283, 15), about: Part(4298, 70), confidence: High }, // 67FFh Device type
-];
+static OBJECTS: &[ObjectRow] = table!(ObjectRow { first, last, name, object_types, need, only, as_many_as, entries, source, about, confidence }:
+    (4096, 4096, Part(253, 11), Part(0, 0), Optional, None, Part(0, 0), Part(0, 1), Part(264, 12), Part(276, 54), High) // 1000h Device type
+    (6144, 6144, Part(330, 30), Part(0, 0), Mandatory, None, Part(0, 0), Part(0, 0), Part(360, 12), Part(372, 92), High) // 1800h TPDO 1 communication parameter
+    (6145, 6145, Part(464, 30), Part(0, 0), When(0), None, Part(0, 0), Part(0, 0), Part(494, 43), Part(537, 67), High) // 1801h TPDO 2 communication parameter
+    (6656, 6656, Part(604, 24), Part(0, 0), Mandatory, None, Part(0, 0), Part(0, 0), Part(360, 12), Part(628, 41), High) // 1A00h TPDO 1 mapping parameter
+    (6657, 6657, Part(669, 24), Part(0, 0), When(1), None, Part(0, 0), Part(0, 0), Part(494, 43), Part(693, 42), High) // 1A01h TPDO 2 mapping parameter
+    (24576, 24576, Part(868, 20), Part(0, 1), Mandatory, None, Part(0, 0), Part(1, 1), Part(888, 13), Part(901, 77), High) // 6000h Operating parameters
+    (24577, 24577, Part(978, 30), Part(0, 1), Optional, Some(2), Part(0, 0), Part(2, 1), Part(1008, 7), Part(1015, 66), High) // 6001h Measuring units per revolution
+    (24578, 24578, Part(1081, 40), Part(0, 1), Optional, None, Part(0, 0), Part(2, 1), Part(1008, 7), Part(1121, 65), High) // 6002h Total measuring range in measuring units
+    (24579, 24579, Part(1186, 12), Part(0, 1), Optional, None, Part(0, 0), Part(3, 1), Part(1008, 7), Part(1198, 84), High) // 6003h Preset value
+    (24580, 24580, Part(1282, 14), Part(0, 1), When(3), None, Part(0, 0), Part(4, 1), Part(888, 13), Part(1296, 39), High) // 6004h Position value
+    (24581, 24581, Part(1451, 38), Part(1, 2), Optional, Some(4), Part(0, 0), Part(5, 5), Part(1489, 18), Part(1507, 86), High) // 6005h Linear encoder measuring step settings
+    (24584, 24584, Part(1593, 29), Part(0, 1), Optional, None, Part(0, 0), Part(10, 1), Part(1622, 9), Part(1631, 32), Medium) // 6008h High precision position value
+    (24585, 24585, Part(1663, 27), Part(0, 1), Optional, None, Part(0, 0), Part(11, 1), Part(1622, 9), Part(1690, 46), Medium) // 6009h High precision preset value
+    (24592, 24592, Part(1736, 38), Part(1, 2), Optional, None, Part(0, 1), Part(12, 3), Part(1008, 7), Part(1774, 60), Medium) // 6010h Preset values for multi-sensor devices
+    (24608, 24608, Part(1834, 40), Part(1, 2), When(5), None, Part(0, 0), Part(15, 3), Part(1008, 7), Part(1874, 62), Medium) // 6020h Position values for multi-sensor devices
+    (24624, 24624, Part(1936, 11), Part(1, 2), Optional, None, Part(0, 0), Part(18, 3), Part(1622, 9), Part(1947, 26), Medium) // 6030h Speed value
+    (24640, 24640, Part(1973, 18), Part(1, 2), Optional, None, Part(0, 0), Part(21, 3), Part(1622, 9), Part(1991, 33), Medium) // 6040h Acceleration value
+    (24656, 24656, Part(2024, 10), Part(1, 2), Optional, None, Part(0, 0), Part(24, 3), Part(1622, 9), Part(2034, 25), Medium) // 6050h Jerk value
+    (25088, 25088, Part(2061, 12), Part(0, 1), Optional, None, Part(0, 0), Part(27, 1), Part(888, 13), Part(2073, 108), High) // 6200h Cyclic timer
+    (25344, 25344, Part(2181, 18), Part(1, 2), Optional, None, Part(0, 0), Part(28, 3), Part(1622, 9), Part(2199, 65), Medium) // 6300h CAM state register
+    (25345, 25345, Part(2264, 19), Part(1, 2), Optional, None, Part(1, 1), Part(31, 3), Part(1622, 9), Part(2283, 32), Medium) // 6301h CAM enable register
+    (25346, 25346, Part(2315, 21), Part(1, 2), Optional, None, Part(1, 1), Part(34, 3), Part(1622, 9), Part(2336, 41), Medium) // 6302h CAM polarity register
+    (25360, 25367, Part(2377, 13), Part(1, 2), Optional, None, Part(0, 0), Part(37, 3), Part(1622, 9), Part(2390, 60), Medium) // 6310h CAM low limit
+    (25376, 25383, Part(2450, 14), Part(1, 2), Optional, None, Part(0, 0), Part(40, 3), Part(1622, 9), Part(2464, 58), Medium) // 6320h CAM high limit
+    (25392, 25399, Part(2522, 14), Part(1, 2), Optional, None, Part(0, 0), Part(43, 3), Part(1622, 9), Part(2536, 97), Medium) // 6330h CAM hysteresis
+    (25600, 25600, Part(2633, 19), Part(1, 2), Optional, None, Part(0, 0), Part(46, 3), Part(1622, 9), Part(2652, 75), Medium) // 6400h Area state register
+    (25601, 25601, Part(2727, 19), Part(1, 2), Optional, None, Part(2, 1), Part(49, 3), Part(1622, 9), Part(2746, 37), Medium) // 6401h Work area low limit
+    (25602, 25602, Part(2783, 20), Part(1, 2), Optional, None, Part(2, 1), Part(52, 3), Part(1622, 9), Part(2803, 38), Medium) // 6402h Work area high limit
+    (25856, 25856, Part(2841, 16), Part(0, 1), Mandatory, None, Part(0, 0), Part(55, 1), Part(888, 13), Part(2857, 52), High) // 6500h Operating status
+    (25857, 25857, Part(2909, 41), Part(0, 1), Mandatory, None, Part(0, 0), Part(56, 1), Part(888, 13), Part(2950, 70), High) // 6501h Single-turn resolution and measuring step
+    (25858, 25858, Part(3020, 37), Part(0, 1), When(6), Some(2), Part(0, 0), Part(57, 1), Part(888, 13), Part(3057, 49), High) // 6502h Number of distinguishable revolutions
+    (25859, 25859, Part(3145, 6), Part(0, 1), Optional, None, Part(0, 0), Part(58, 1), Part(1008, 7), Part(3151, 61), High) // 6503h Alarms
+    (25860, 25860, Part(3212, 16), Part(0, 1), Optional, None, Part(0, 0), Part(59, 1), Part(1008, 7), Part(3228, 54), High) // 6504h Supported alarms
+    (25861, 25861, Part(3394, 8), Part(0, 1), Optional, None, Part(0, 0), Part(60, 1), Part(1008, 7), Part(3402, 81), High) // 6505h Warnings
+    (25862, 25862, Part(3483, 18), Part(0, 1), Optional, None, Part(0, 0), Part(61, 1), Part(1008, 7), Part(3501, 56), High) // 6506h Supported warnings
+    (25863, 25863, Part(3602, 28), Part(0, 1), Optional, None, Part(0, 0), Part(62, 1), Part(1008, 7), Part(3630, 52), High) // 6507h Profile and software version
+    (25864, 25864, Part(3687, 14), Part(0, 1), Optional, None, Part(0, 0), Part(63, 1), Part(1008, 7), Part(3701, 43), High) // 6508h Operating time
+    (25865, 25865, Part(3744, 12), Part(0, 1), Optional, None, Part(0, 0), Part(64, 1), Part(1008, 7), Part(3756, 86), High) // 6509h Offset value
+    (25866, 25866, Part(3937, 21), Part(1, 2), Optional, None, Part(0, 0), Part(65, 4), Part(1008, 7), Part(3958, 71), High) // 650Ah Module identification
+    (25867, 25867, Part(4029, 13), Part(0, 1), Optional, None, Part(0, 0), Part(56, 1), Part(1008, 7), Part(4042, 47), High) // 650Bh Serial number
+    (25868, 25868, Part(4089, 38), Part(1, 2), Optional, None, Part(0, 1), Part(69, 3), Part(1008, 7), Part(4127, 60), High) // 650Ch Offset values for multi-sensor devices
+    (25872, 25872, Part(4187, 36), Part(0, 1), Optional, None, Part(0, 0), Part(72, 1), Part(1622, 9), Part(4223, 60), Medium) // 6510h Number of high precision revolutions
+    (26623, 26623, Part(253, 11), Part(0, 1), Optional, None, Part(0, 0), Part(73, 1), Part(4283, 15), Part(4298, 70), High) // 67FFh Device type
+);
 
-static ENTRIES: &[EntryRow] = &[
-    EntryRow { first: 0, last: 0, mapping: None, need: Optional, name: Part(0, 0), data_types: Part(0, 0), access: Part(0, 0), values: Part(0, 0), default: None, unit: Part(0, 0), bits: Part(0, 2) },
-    EntryRow { first: 0, last: 0, mapping: Some(No), need: Mandatory, name: Part(0, 0), data_types: Part(0, 1), access: Part(0, 1), values: Part(0, 0), default: None, unit: Part(0, 0), bits: Part(2, 5) },
-    EntryRow { first: 0, last: 0, mapping: Some(No), need: Mandatory, name: Part(0, 0), data_types: Part(1, 1), access: Part(0, 1), values: Part(0, 0), default: None, unit: Part(0, 0), bits: Part(0, 0) },
-    EntryRow { first: 0, last: 0, mapping: Some(No), need: Mandatory, name: Part(0, 0), data_types: Part(2, 2), access: Part(0, 1), values: Part(0, 0), default: None, unit: Part(0, 0), bits: Part(0, 0) },
-    EntryRow { first: 0, last: 0, mapping: Some(Tpdo), need: Mandatory, name: Part(0, 0), data_types: Part(2, 2), access: Part(1, 1), values: Part(0, 0), default: None, unit: Part(0, 0), bits: Part(0, 0) },
-    EntryRow { first: 0, last: 0, mapping: Some(No), need: Mandatory, name: Part(1335, 27), data_types: Part(4, 1), access: Part(1, 1), values: Part(0, 1), default: None, unit: Part(0, 0), bits: Part(0, 0) }, // Highest sub-index supported
-    EntryRow { first: 1, last: 1, mapping: Some(No), need: Mandatory, name: Part(1362, 23), data_types: Part(1, 1), access: Part(0, 1), values: Part(0, 0), default: None, unit: Part(0, 0), bits: Part(0, 0) }, // Position measuring step
-    EntryRow { first: 2, last: 2, mapping: Some(No), need: Optional, name: Part(1385, 20), data_types: Part(1, 1), access: Part(0, 1), values: Part(0, 0), default: None, unit: Part(0, 0), bits: Part(0, 0) }, // Speed measuring step
-    EntryRow { first: 3, last: 3, mapping: Some(No), need: Optional, name: Part(1405, 27), data_types: Part(1, 1), access: Part(0, 1), values: Part(0, 0), default: None, unit: Part(0, 0), bits: Part(0, 0) }, // Acceleration measuring step
-    EntryRow { first: 4, last: 4, mapping: Some(No), need: Optional, name: Part(1432, 19), data_types: Part(1, 1), access: Part(0, 1), values: Part(0, 0), default: None, unit: Part(0, 0), bits: Part(0, 0) }, // Jerk measuring step
-    EntryRow { first: 0, last: 0, mapping: Some(Tpdo), need: Mandatory, name: Part(0, 0), data_types: Part(5, 1), access: Part(1, 1), values: Part(0, 0), default: None, unit: Part(0, 0), bits: Part(0, 0) },
-    EntryRow { first: 0, last: 0, mapping: Some(No), need: Mandatory, name: Part(0, 0), data_types: Part(5, 1), access: Part(0, 1), values: Part(0, 0), default: None, unit: Part(0, 0), bits: Part(0, 0) },
-    EntryRow { first: 0, last: 0, mapping: Some(No), need: Mandatory, name: Part(1335, 27), data_types: Part(4, 1), access: Part(1, 1), values: Part(1, 1), default: None, unit: Part(0, 0), bits: Part(0, 0) }, // Highest sub-index supported
-    EntryRow { first: 1, last: 1, mapping: Some(No), need: Mandatory, name: Part(1736, 38), data_types: Part(6, 2), access: Part(0, 1), values: Part(0, 0), default: None, unit: Part(0, 0), bits: Part(0, 0) }, // Preset values for multi-sensor devices
-    EntryRow { first: 2, last: 254, mapping: Some(No), need: Optional, name: Part(1736, 38), data_types: Part(6, 2), access: Part(0, 1), values: Part(0, 0), default: None, unit: Part(0, 0), bits: Part(0, 0) }, // Preset values for multi-sensor devices
-    EntryRow { first: 0, last: 0, mapping: Some(No), need: Mandatory, name: Part(1335, 27), data_types: Part(4, 1), access: Part(1, 1), values: Part(1, 1), default: None, unit: Part(0, 0), bits: Part(0, 0) }, // Highest sub-index supported
-    EntryRow { first: 1, last: 1, mapping: Some(Tpdo), need: Mandatory, name: Part(1834, 40), data_types: Part(6, 2), access: Part(1, 1), values: Part(0, 0), default: None, unit: Part(0, 0), bits: Part(0, 0) }, // Position values for multi-sensor devices
-    EntryRow { first: 2, last: 254, mapping: Some(Tpdo), need: Optional, name: Part(1834, 40), data_types: Part(6, 2), access: Part(1, 1), values: Part(0, 0), default: None, unit: Part(0, 0), bits: Part(0, 0) }, // Position values for multi-sensor devices
-    EntryRow { first: 0, last: 0, mapping: Some(No), need: Mandatory, name: Part(1335, 27), data_types: Part(4, 1), access: Part(1, 1), values: Part(1, 1), default: None, unit: Part(0, 0), bits: Part(0, 0) }, // Highest sub-index supported
-    EntryRow { first: 1, last: 1, mapping: Some(Tpdo), need: Mandatory, name: Part(1936, 11), data_types: Part(8, 1), access: Part(1, 1), values: Part(0, 0), default: None, unit: Part(0, 0), bits: Part(0, 0) }, // Speed value
-    EntryRow { first: 2, last: 254, mapping: Some(Tpdo), need: Optional, name: Part(1936, 11), data_types: Part(8, 1), access: Part(1, 1), values: Part(0, 0), default: None, unit: Part(0, 0), bits: Part(0, 0) }, // Speed value
-    EntryRow { first: 0, last: 0, mapping: Some(No), need: Mandatory, name: Part(1335, 27), data_types: Part(4, 1), access: Part(1, 1), values: Part(1, 1), default: None, unit: Part(0, 0), bits: Part(0, 0) }, // Highest sub-index supported
-    EntryRow { first: 1, last: 1, mapping: Some(Tpdo), need: Mandatory, name: Part(1973, 18), data_types: Part(8, 1), access: Part(1, 1), values: Part(0, 0), default: None, unit: Part(0, 0), bits: Part(0, 0) }, // Acceleration value
-    EntryRow { first: 2, last: 254, mapping: Some(Tpdo), need: Optional, name: Part(1973, 18), data_types: Part(8, 1), access: Part(1, 1), values: Part(0, 0), default: None, unit: Part(0, 0), bits: Part(0, 0) }, // Acceleration value
-    EntryRow { first: 0, last: 0, mapping: Some(No), need: Mandatory, name: Part(1335, 27), data_types: Part(4, 1), access: Part(1, 1), values: Part(1, 1), default: None, unit: Part(0, 0), bits: Part(0, 0) }, // Highest sub-index supported
-    EntryRow { first: 1, last: 1, mapping: Some(Tpdo), need: Mandatory, name: Part(2024, 10), data_types: Part(8, 1), access: Part(1, 1), values: Part(0, 0), default: None, unit: Part(0, 0), bits: Part(0, 0) }, // Jerk value
-    EntryRow { first: 2, last: 254, mapping: Some(Tpdo), need: Optional, name: Part(2024, 10), data_types: Part(8, 1), access: Part(1, 1), values: Part(0, 0), default: None, unit: Part(0, 0), bits: Part(0, 0) }, // Jerk value
-    EntryRow { first: 0, last: 0, mapping: Some(No), need: Mandatory, name: Part(0, 0), data_types: Part(0, 1), access: Part(0, 1), values: Part(0, 0), default: None, unit: Part(2059, 2), bits: Part(0, 0) },
-    EntryRow { first: 0, last: 0, mapping: Some(No), need: Mandatory, name: Part(1335, 27), data_types: Part(4, 1), access: Part(1, 1), values: Part(1, 1), default: None, unit: Part(0, 0), bits: Part(0, 0) }, // Highest sub-index supported
-    EntryRow { first: 1, last: 1, mapping: Some(Tpdo), need: Mandatory, name: Part(2181, 18), data_types: Part(4, 1), access: Part(1, 1), values: Part(0, 0), default: None, unit: Part(0, 0), bits: Part(0, 0) }, // CAM state register
-    EntryRow { first: 2, last: 254, mapping: Some(Tpdo), need: Optional, name: Part(2181, 18), data_types: Part(4, 1), access: Part(1, 1), values: Part(0, 0), default: None, unit: Part(0, 0), bits: Part(0, 0) }, // CAM state register
-    EntryRow { first: 0, last: 0, mapping: Some(No), need: Mandatory, name: Part(1335, 27), data_types: Part(4, 1), access: Part(1, 1), values: Part(1, 1), default: None, unit: Part(0, 0), bits: Part(0, 0) }, // Highest sub-index supported
-    EntryRow { first: 1, last: 1, mapping: Some(Any), need: Mandatory, name: Part(2264, 19), data_types: Part(4, 1), access: Part(0, 1), values: Part(0, 0), default: None, unit: Part(0, 0), bits: Part(0, 0) }, // CAM enable register
-    EntryRow { first: 2, last: 254, mapping: Some(Any), need: Optional, name: Part(2264, 19), data_types: Part(4, 1), access: Part(0, 1), values: Part(0, 0), default: None, unit: Part(0, 0), bits: Part(0, 0) }, // CAM enable register
-    EntryRow { first: 0, last: 0, mapping: Some(No), need: Mandatory, name: Part(1335, 27), data_types: Part(4, 1), access: Part(1, 1), values: Part(1, 1), default: None, unit: Part(0, 0), bits: Part(0, 0) }, // Highest sub-index supported
-    EntryRow { first: 1, last: 1, mapping: Some(Any), need: Mandatory, name: Part(2315, 21), data_types: Part(4, 1), access: Part(0, 1), values: Part(0, 0), default: None, unit: Part(0, 0), bits: Part(0, 0) }, // CAM polarity register
-    EntryRow { first: 2, last: 254, mapping: Some(Any), need: Optional, name: Part(2315, 21), data_types: Part(4, 1), access: Part(0, 1), values: Part(0, 0), default: None, unit: Part(0, 0), bits: Part(0, 0) }, // CAM polarity register
-    EntryRow { first: 0, last: 0, mapping: Some(No), need: Mandatory, name: Part(1335, 27), data_types: Part(4, 1), access: Part(1, 1), values: Part(1, 1), default: None, unit: Part(0, 0), bits: Part(0, 0) }, // Highest sub-index supported
-    EntryRow { first: 1, last: 1, mapping: Some(No), need: Mandatory, name: Part(2377, 13), data_types: Part(9, 1), access: Part(0, 1), values: Part(0, 0), default: None, unit: Part(0, 0), bits: Part(0, 0) }, // CAM low limit
-    EntryRow { first: 2, last: 254, mapping: Some(No), need: Optional, name: Part(2377, 13), data_types: Part(9, 1), access: Part(0, 1), values: Part(0, 0), default: None, unit: Part(0, 0), bits: Part(0, 0) }, // CAM low limit
-    EntryRow { first: 0, last: 0, mapping: Some(No), need: Mandatory, name: Part(1335, 27), data_types: Part(4, 1), access: Part(1, 1), values: Part(1, 1), default: None, unit: Part(0, 0), bits: Part(0, 0) }, // Highest sub-index supported
-    EntryRow { first: 1, last: 1, mapping: Some(No), need: Mandatory, name: Part(2450, 14), data_types: Part(9, 1), access: Part(0, 1), values: Part(0, 0), default: None, unit: Part(0, 0), bits: Part(0, 0) }, // CAM high limit
-    EntryRow { first: 2, last: 254, mapping: Some(No), need: Optional, name: Part(2450, 14), data_types: Part(9, 1), access: Part(0, 1), values: Part(0, 0), default: None, unit: Part(0, 0), bits: Part(0, 0) }, // CAM high limit
-    EntryRow { first: 0, last: 0, mapping: Some(No), need: Mandatory, name: Part(1335, 27), data_types: Part(4, 1), access: Part(1, 1), values: Part(1, 1), default: None, unit: Part(0, 0), bits: Part(0, 0) }, // Highest sub-index supported
-    EntryRow { first: 1, last: 1, mapping: Some(No), need: Mandatory, name: Part(2522, 14), data_types: Part(0, 1), access: Part(0, 1), values: Part(0, 0), default: None, unit: Part(0, 0), bits: Part(0, 0) }, // CAM hysteresis
-    EntryRow { first: 2, last: 254, mapping: Some(No), need: Optional, name: Part(2522, 14), data_types: Part(0, 1), access: Part(0, 1), values: Part(0, 0), default: None, unit: Part(0, 0), bits: Part(0, 0) }, // CAM hysteresis
-    EntryRow { first: 0, last: 0, mapping: Some(No), need: Mandatory, name: Part(1335, 27), data_types: Part(4, 1), access: Part(1, 1), values: Part(1, 1), default: None, unit: Part(0, 0), bits: Part(0, 0) }, // Highest sub-index supported
-    EntryRow { first: 1, last: 1, mapping: Some(Tpdo), need: Mandatory, name: Part(2633, 19), data_types: Part(4, 1), access: Part(1, 1), values: Part(0, 0), default: None, unit: Part(0, 0), bits: Part(0, 0) }, // Area state register
-    EntryRow { first: 2, last: 254, mapping: Some(Tpdo), need: Optional, name: Part(2633, 19), data_types: Part(4, 1), access: Part(1, 1), values: Part(0, 0), default: None, unit: Part(0, 0), bits: Part(0, 0) }, // Area state register
-    EntryRow { first: 0, last: 0, mapping: Some(No), need: Mandatory, name: Part(1335, 27), data_types: Part(4, 1), access: Part(1, 1), values: Part(1, 1), default: None, unit: Part(0, 0), bits: Part(0, 0) }, // Highest sub-index supported
-    EntryRow { first: 1, last: 1, mapping: Some(No), need: Mandatory, name: Part(2727, 19), data_types: Part(9, 1), access: Part(0, 1), values: Part(0, 0), default: None, unit: Part(0, 0), bits: Part(0, 0) }, // Work area low limit
-    EntryRow { first: 2, last: 254, mapping: Some(No), need: Optional, name: Part(2727, 19), data_types: Part(9, 1), access: Part(0, 1), values: Part(0, 0), default: None, unit: Part(0, 0), bits: Part(0, 0) }, // Work area low limit
-    EntryRow { first: 0, last: 0, mapping: Some(No), need: Mandatory, name: Part(1335, 27), data_types: Part(4, 1), access: Part(1, 1), values: Part(1, 1), default: None, unit: Part(0, 0), bits: Part(0, 0) }, // Highest sub-index supported
-    EntryRow { first: 1, last: 1, mapping: Some(No), need: Mandatory, name: Part(2783, 20), data_types: Part(9, 1), access: Part(0, 1), values: Part(0, 0), default: None, unit: Part(0, 0), bits: Part(0, 0) }, // Work area high limit
-    EntryRow { first: 2, last: 254, mapping: Some(No), need: Optional, name: Part(2783, 20), data_types: Part(9, 1), access: Part(0, 1), values: Part(0, 0), default: None, unit: Part(0, 0), bits: Part(0, 0) }, // Work area high limit
-    EntryRow { first: 0, last: 0, mapping: Some(No), need: Mandatory, name: Part(0, 0), data_types: Part(0, 1), access: Part(1, 1), values: Part(0, 0), default: None, unit: Part(0, 0), bits: Part(2, 5) },
-    EntryRow { first: 0, last: 0, mapping: Some(No), need: Mandatory, name: Part(0, 0), data_types: Part(1, 1), access: Part(1, 1), values: Part(0, 0), default: None, unit: Part(0, 0), bits: Part(0, 0) },
-    EntryRow { first: 0, last: 0, mapping: Some(No), need: Mandatory, name: Part(0, 0), data_types: Part(0, 1), access: Part(1, 1), values: Part(0, 0), default: None, unit: Part(0, 0), bits: Part(0, 0) },
-    EntryRow { first: 0, last: 0, mapping: Some(Tpdo), need: Mandatory, name: Part(0, 0), data_types: Part(0, 1), access: Part(1, 1), values: Part(0, 0), default: None, unit: Part(0, 0), bits: Part(7, 3) },
-    EntryRow { first: 0, last: 0, mapping: Some(No), need: Mandatory, name: Part(0, 0), data_types: Part(0, 1), access: Part(1, 1), values: Part(0, 0), default: None, unit: Part(0, 0), bits: Part(7, 3) },
-    EntryRow { first: 0, last: 0, mapping: Some(Tpdo), need: Mandatory, name: Part(0, 0), data_types: Part(0, 1), access: Part(1, 1), values: Part(0, 0), default: None, unit: Part(0, 0), bits: Part(10, 7) },
-    EntryRow { first: 0, last: 0, mapping: Some(No), need: Mandatory, name: Part(0, 0), data_types: Part(0, 1), access: Part(1, 1), values: Part(0, 0), default: None, unit: Part(0, 0), bits: Part(10, 7) },
-    EntryRow { first: 0, last: 0, mapping: Some(No), need: Mandatory, name: Part(0, 0), data_types: Part(1, 1), access: Part(1, 1), values: Part(0, 0), default: None, unit: Part(0, 0), bits: Part(17, 2) },
-    EntryRow { first: 0, last: 0, mapping: Some(No), need: Mandatory, name: Part(0, 0), data_types: Part(1, 1), access: Part(1, 1), values: Part(0, 0), default: None, unit: Part(3682, 5), bits: Part(0, 0) },
-    EntryRow { first: 0, last: 0, mapping: Some(No), need: Mandatory, name: Part(0, 0), data_types: Part(9, 1), access: Part(1, 1), values: Part(0, 0), default: None, unit: Part(0, 0), bits: Part(0, 0) },
-    EntryRow { first: 0, last: 0, mapping: Some(No), need: Mandatory, name: Part(1335, 27), data_types: Part(4, 1), access: Part(1, 1), values: Part(2, 1), default: None, unit: Part(0, 0), bits: Part(0, 0) }, // Highest sub-index supported
-    EntryRow { first: 1, last: 1, mapping: Some(No), need: Mandatory, name: Part(3842, 25), data_types: Part(6, 2), access: Part(1, 1), values: Part(0, 0), default: None, unit: Part(0, 0), bits: Part(0, 0) }, // Manufacturer offset value
-    EntryRow { first: 2, last: 2, mapping: Some(No), need: Optional, name: Part(3867, 35), data_types: Part(6, 2), access: Part(1, 1), values: Part(0, 0), default: None, unit: Part(0, 0), bits: Part(0, 0) }, // Manufacturer minimum position value
-    EntryRow { first: 3, last: 3, mapping: Some(No), need: Optional, name: Part(3902, 35), data_types: Part(6, 2), access: Part(1, 1), values: Part(0, 0), default: None, unit: Part(0, 0), bits: Part(0, 0) }, // Manufacturer maximum position value
-    EntryRow { first: 0, last: 0, mapping: Some(No), need: Mandatory, name: Part(1335, 27), data_types: Part(4, 1), access: Part(1, 1), values: Part(1, 1), default: None, unit: Part(0, 0), bits: Part(0, 0) }, // Highest sub-index supported
-    EntryRow { first: 1, last: 1, mapping: Some(No), need: Mandatory, name: Part(4089, 38), data_types: Part(9, 1), access: Part(1, 1), values: Part(0, 0), default: None, unit: Part(0, 0), bits: Part(0, 0) }, // Offset values for multi-sensor devices
-    EntryRow { first: 2, last: 254, mapping: Some(No), need: Optional, name: Part(4089, 38), data_types: Part(9, 1), access: Part(1, 1), values: Part(0, 0), default: None, unit: Part(0, 0), bits: Part(0, 0) }, // Offset values for multi-sensor devices
-    EntryRow { first: 0, last: 0, mapping: Some(No), need: Mandatory, name: Part(0, 0), data_types: Part(10, 1), access: Part(1, 1), values: Part(0, 0), default: None, unit: Part(0, 0), bits: Part(0, 0) },
-    EntryRow { first: 0, last: 0, mapping: Some(No), need: Mandatory, name: Part(0, 0), data_types: Part(1, 1), access: Part(1, 1), values: Part(0, 0), default: None, unit: Part(0, 0), bits: Part(0, 2) },
-];
+static ENTRIES: &[EntryRow] = table!(EntryRow { first, last, mapping, need, name, data_types, access, values, default, unit, bits }:
+    (0, 0, None, Optional, Part(0, 0), Part(0, 0), Part(0, 0), Part(0, 0), None, Part(0, 0), Part(0, 2))
+    (0, 0, Some(No), Mandatory, Part(0, 0), Part(0, 1), Part(0, 1), Part(0, 0), None, Part(0, 0), Part(2, 5))
+    (0, 0, Some(No), Mandatory, Part(0, 0), Part(1, 1), Part(0, 1), Part(0, 0), None, Part(0, 0), Part(0, 0))
+    (0, 0, Some(No), Mandatory, Part(0, 0), Part(2, 2), Part(0, 1), Part(0, 0), None, Part(0, 0), Part(0, 0))
+    (0, 0, Some(Tpdo), Mandatory, Part(0, 0), Part(2, 2), Part(1, 1), Part(0, 0), None, Part(0, 0), Part(0, 0))
+    (0, 0, Some(No), Mandatory, Part(1335, 27), Part(4, 1), Part(1, 1), Part(0, 1), None, Part(0, 0), Part(0, 0)) // Highest sub-index supported
+    (1, 1, Some(No), Mandatory, Part(1362, 23), Part(1, 1), Part(0, 1), Part(0, 0), None, Part(0, 0), Part(0, 0)) // Position measuring step
+    (2, 2, Some(No), Optional, Part(1385, 20), Part(1, 1), Part(0, 1), Part(0, 0), None, Part(0, 0), Part(0, 0)) // Speed measuring step
+    (3, 3, Some(No), Optional, Part(1405, 27), Part(1, 1), Part(0, 1), Part(0, 0), None, Part(0, 0), Part(0, 0)) // Acceleration measuring step
+    (4, 4, Some(No), Optional, Part(1432, 19), Part(1, 1), Part(0, 1), Part(0, 0), None, Part(0, 0), Part(0, 0)) // Jerk measuring step
+    (0, 0, Some(Tpdo), Mandatory, Part(0, 0), Part(5, 1), Part(1, 1), Part(0, 0), None, Part(0, 0), Part(0, 0))
+    (0, 0, Some(No), Mandatory, Part(0, 0), Part(5, 1), Part(0, 1), Part(0, 0), None, Part(0, 0), Part(0, 0))
+    (0, 0, Some(No), Mandatory, Part(1335, 27), Part(4, 1), Part(1, 1), Part(1, 1), None, Part(0, 0), Part(0, 0)) // Highest sub-index supported
+    (1, 1, Some(No), Mandatory, Part(1736, 38), Part(6, 2), Part(0, 1), Part(0, 0), None, Part(0, 0), Part(0, 0)) // Preset values for multi-sensor devices
+    (2, 254, Some(No), Optional, Part(1736, 38), Part(6, 2), Part(0, 1), Part(0, 0), None, Part(0, 0), Part(0, 0)) // Preset values for multi-sensor devices
+    (0, 0, Some(No), Mandatory, Part(1335, 27), Part(4, 1), Part(1, 1), Part(1, 1), None, Part(0, 0), Part(0, 0)) // Highest sub-index supported
+    (1, 1, Some(Tpdo), Mandatory, Part(1834, 40), Part(6, 2), Part(1, 1), Part(0, 0), None, Part(0, 0), Part(0, 0)) // Position values for multi-sensor devices
+    (2, 254, Some(Tpdo), Optional, Part(1834, 40), Part(6, 2), Part(1, 1), Part(0, 0), None, Part(0, 0), Part(0, 0)) // Position values for multi-sensor devices
+    (0, 0, Some(No), Mandatory, Part(1335, 27), Part(4, 1), Part(1, 1), Part(1, 1), None, Part(0, 0), Part(0, 0)) // Highest sub-index supported
+    (1, 1, Some(Tpdo), Mandatory, Part(1936, 11), Part(8, 1), Part(1, 1), Part(0, 0), None, Part(0, 0), Part(0, 0)) // Speed value
+    (2, 254, Some(Tpdo), Optional, Part(1936, 11), Part(8, 1), Part(1, 1), Part(0, 0), None, Part(0, 0), Part(0, 0)) // Speed value
+    (0, 0, Some(No), Mandatory, Part(1335, 27), Part(4, 1), Part(1, 1), Part(1, 1), None, Part(0, 0), Part(0, 0)) // Highest sub-index supported
+    (1, 1, Some(Tpdo), Mandatory, Part(1973, 18), Part(8, 1), Part(1, 1), Part(0, 0), None, Part(0, 0), Part(0, 0)) // Acceleration value
+    (2, 254, Some(Tpdo), Optional, Part(1973, 18), Part(8, 1), Part(1, 1), Part(0, 0), None, Part(0, 0), Part(0, 0)) // Acceleration value
+    (0, 0, Some(No), Mandatory, Part(1335, 27), Part(4, 1), Part(1, 1), Part(1, 1), None, Part(0, 0), Part(0, 0)) // Highest sub-index supported
+    (1, 1, Some(Tpdo), Mandatory, Part(2024, 10), Part(8, 1), Part(1, 1), Part(0, 0), None, Part(0, 0), Part(0, 0)) // Jerk value
+    (2, 254, Some(Tpdo), Optional, Part(2024, 10), Part(8, 1), Part(1, 1), Part(0, 0), None, Part(0, 0), Part(0, 0)) // Jerk value
+    (0, 0, Some(No), Mandatory, Part(0, 0), Part(0, 1), Part(0, 1), Part(0, 0), None, Part(2059, 2), Part(0, 0))
+    (0, 0, Some(No), Mandatory, Part(1335, 27), Part(4, 1), Part(1, 1), Part(1, 1), None, Part(0, 0), Part(0, 0)) // Highest sub-index supported
+    (1, 1, Some(Tpdo), Mandatory, Part(2181, 18), Part(4, 1), Part(1, 1), Part(0, 0), None, Part(0, 0), Part(0, 0)) // CAM state register
+    (2, 254, Some(Tpdo), Optional, Part(2181, 18), Part(4, 1), Part(1, 1), Part(0, 0), None, Part(0, 0), Part(0, 0)) // CAM state register
+    (0, 0, Some(No), Mandatory, Part(1335, 27), Part(4, 1), Part(1, 1), Part(1, 1), None, Part(0, 0), Part(0, 0)) // Highest sub-index supported
+    (1, 1, Some(Any), Mandatory, Part(2264, 19), Part(4, 1), Part(0, 1), Part(0, 0), None, Part(0, 0), Part(0, 0)) // CAM enable register
+    (2, 254, Some(Any), Optional, Part(2264, 19), Part(4, 1), Part(0, 1), Part(0, 0), None, Part(0, 0), Part(0, 0)) // CAM enable register
+    (0, 0, Some(No), Mandatory, Part(1335, 27), Part(4, 1), Part(1, 1), Part(1, 1), None, Part(0, 0), Part(0, 0)) // Highest sub-index supported
+    (1, 1, Some(Any), Mandatory, Part(2315, 21), Part(4, 1), Part(0, 1), Part(0, 0), None, Part(0, 0), Part(0, 0)) // CAM polarity register
+    (2, 254, Some(Any), Optional, Part(2315, 21), Part(4, 1), Part(0, 1), Part(0, 0), None, Part(0, 0), Part(0, 0)) // CAM polarity register
+    (0, 0, Some(No), Mandatory, Part(1335, 27), Part(4, 1), Part(1, 1), Part(1, 1), None, Part(0, 0), Part(0, 0)) // Highest sub-index supported
+    (1, 1, Some(No), Mandatory, Part(2377, 13), Part(9, 1), Part(0, 1), Part(0, 0), None, Part(0, 0), Part(0, 0)) // CAM low limit
+    (2, 254, Some(No), Optional, Part(2377, 13), Part(9, 1), Part(0, 1), Part(0, 0), None, Part(0, 0), Part(0, 0)) // CAM low limit
+    (0, 0, Some(No), Mandatory, Part(1335, 27), Part(4, 1), Part(1, 1), Part(1, 1), None, Part(0, 0), Part(0, 0)) // Highest sub-index supported
+    (1, 1, Some(No), Mandatory, Part(2450, 14), Part(9, 1), Part(0, 1), Part(0, 0), None, Part(0, 0), Part(0, 0)) // CAM high limit
+    (2, 254, Some(No), Optional, Part(2450, 14), Part(9, 1), Part(0, 1), Part(0, 0), None, Part(0, 0), Part(0, 0)) // CAM high limit
+    (0, 0, Some(No), Mandatory, Part(1335, 27), Part(4, 1), Part(1, 1), Part(1, 1), None, Part(0, 0), Part(0, 0)) // Highest sub-index supported
+    (1, 1, Some(No), Mandatory, Part(2522, 14), Part(0, 1), Part(0, 1), Part(0, 0), None, Part(0, 0), Part(0, 0)) // CAM hysteresis
+    (2, 254, Some(No), Optional, Part(2522, 14), Part(0, 1), Part(0, 1), Part(0, 0), None, Part(0, 0), Part(0, 0)) // CAM hysteresis
+    (0, 0, Some(No), Mandatory, Part(1335, 27), Part(4, 1), Part(1, 1), Part(1, 1), None, Part(0, 0), Part(0, 0)) // Highest sub-index supported
+    (1, 1, Some(Tpdo), Mandatory, Part(2633, 19), Part(4, 1), Part(1, 1), Part(0, 0), None, Part(0, 0), Part(0, 0)) // Area state register
+    (2, 254, Some(Tpdo), Optional, Part(2633, 19), Part(4, 1), Part(1, 1), Part(0, 0), None, Part(0, 0), Part(0, 0)) // Area state register
+    (0, 0, Some(No), Mandatory, Part(1335, 27), Part(4, 1), Part(1, 1), Part(1, 1), None, Part(0, 0), Part(0, 0)) // Highest sub-index supported
+    (1, 1, Some(No), Mandatory, Part(2727, 19), Part(9, 1), Part(0, 1), Part(0, 0), None, Part(0, 0), Part(0, 0)) // Work area low limit
+    (2, 254, Some(No), Optional, Part(2727, 19), Part(9, 1), Part(0, 1), Part(0, 0), None, Part(0, 0), Part(0, 0)) // Work area low limit
+    (0, 0, Some(No), Mandatory, Part(1335, 27), Part(4, 1), Part(1, 1), Part(1, 1), None, Part(0, 0), Part(0, 0)) // Highest sub-index supported
+    (1, 1, Some(No), Mandatory, Part(2783, 20), Part(9, 1), Part(0, 1), Part(0, 0), None, Part(0, 0), Part(0, 0)) // Work area high limit
+    (2, 254, Some(No), Optional, Part(2783, 20), Part(9, 1), Part(0, 1), Part(0, 0), None, Part(0, 0), Part(0, 0)) // Work area high limit
+    (0, 0, Some(No), Mandatory, Part(0, 0), Part(0, 1), Part(1, 1), Part(0, 0), None, Part(0, 0), Part(2, 5))
+    (0, 0, Some(No), Mandatory, Part(0, 0), Part(1, 1), Part(1, 1), Part(0, 0), None, Part(0, 0), Part(0, 0))
+    (0, 0, Some(No), Mandatory, Part(0, 0), Part(0, 1), Part(1, 1), Part(0, 0), None, Part(0, 0), Part(0, 0))
+    (0, 0, Some(Tpdo), Mandatory, Part(0, 0), Part(0, 1), Part(1, 1), Part(0, 0), None, Part(0, 0), Part(7, 3))
+    (0, 0, Some(No), Mandatory, Part(0, 0), Part(0, 1), Part(1, 1), Part(0, 0), None, Part(0, 0), Part(7, 3))
+    (0, 0, Some(Tpdo), Mandatory, Part(0, 0), Part(0, 1), Part(1, 1), Part(0, 0), None, Part(0, 0), Part(10, 7))
+    (0, 0, Some(No), Mandatory, Part(0, 0), Part(0, 1), Part(1, 1), Part(0, 0), None, Part(0, 0), Part(10, 7))
+    (0, 0, Some(No), Mandatory, Part(0, 0), Part(1, 1), Part(1, 1), Part(0, 0), None, Part(0, 0), Part(17, 2))
+    (0, 0, Some(No), Mandatory, Part(0, 0), Part(1, 1), Part(1, 1), Part(0, 0), None, Part(3682, 5), Part(0, 0))
+    (0, 0, Some(No), Mandatory, Part(0, 0), Part(9, 1), Part(1, 1), Part(0, 0), None, Part(0, 0), Part(0, 0))
+    (0, 0, Some(No), Mandatory, Part(1335, 27), Part(4, 1), Part(1, 1), Part(2, 1), None, Part(0, 0), Part(0, 0)) // Highest sub-index supported
+    (1, 1, Some(No), Mandatory, Part(3842, 25), Part(6, 2), Part(1, 1), Part(0, 0), None, Part(0, 0), Part(0, 0)) // Manufacturer offset value
+    (2, 2, Some(No), Optional, Part(3867, 35), Part(6, 2), Part(1, 1), Part(0, 0), None, Part(0, 0), Part(0, 0)) // Manufacturer minimum position value
+    (3, 3, Some(No), Optional, Part(3902, 35), Part(6, 2), Part(1, 1), Part(0, 0), None, Part(0, 0), Part(0, 0)) // Manufacturer maximum position value
+    (0, 0, Some(No), Mandatory, Part(1335, 27), Part(4, 1), Part(1, 1), Part(1, 1), None, Part(0, 0), Part(0, 0)) // Highest sub-index supported
+    (1, 1, Some(No), Mandatory, Part(4089, 38), Part(9, 1), Part(1, 1), Part(0, 0), None, Part(0, 0), Part(0, 0)) // Offset values for multi-sensor devices
+    (2, 254, Some(No), Optional, Part(4089, 38), Part(9, 1), Part(1, 1), Part(0, 0), None, Part(0, 0), Part(0, 0)) // Offset values for multi-sensor devices
+    (0, 0, Some(No), Mandatory, Part(0, 0), Part(10, 1), Part(1, 1), Part(0, 0), None, Part(0, 0), Part(0, 0))
+    (0, 0, Some(No), Mandatory, Part(0, 0), Part(1, 1), Part(1, 1), Part(0, 0), None, Part(0, 0), Part(0, 2))
+);
 
-static BITS: &[BitRow] = &[
-    BitRow { first: 0, last: 15, name: Part(0, 21), values: Part(0, 0) }, // device profile number
-    BitRow { first: 16, last: 31, name: Part(21, 4), values: Part(0, 10) }, // type
-    BitRow { first: 0, last: 0, name: Part(735, 13), values: Part(10, 2) }, // code sequence
-    BitRow { first: 1, last: 1, name: Part(774, 32), values: Part(0, 0) }, // commissioning diagnostic control
-    BitRow { first: 2, last: 2, name: Part(806, 24), values: Part(0, 0) }, // scaling function control
-    BitRow { first: 3, last: 3, name: Part(830, 19), values: Part(0, 0) }, // measuring direction
-    BitRow { first: 12, last: 15, name: Part(849, 19), values: Part(0, 0) }, // of the manufacturer
-    BitRow { first: 0, last: 0, name: Part(3106, 14), values: Part(0, 0) }, // position error
-    BitRow { first: 1, last: 1, name: Part(3120, 25), values: Part(0, 0) }, // commissioning diagnostics
-    BitRow { first: 12, last: 15, name: Part(849, 19), values: Part(0, 0) }, // of the manufacturer
-    BitRow { first: 0, last: 0, name: Part(3282, 18), values: Part(0, 0) }, // frequency exceeded
-    BitRow { first: 1, last: 1, name: Part(3300, 21), values: Part(0, 0) }, // light control reserve
-    BitRow { first: 2, last: 2, name: Part(3321, 12), values: Part(0, 0) }, // CPU watchdog
-    BitRow { first: 3, last: 3, name: Part(3333, 20), values: Part(0, 0) }, // operating time limit
-    BitRow { first: 4, last: 4, name: Part(3353, 14), values: Part(0, 0) }, // battery charge
-    BitRow { first: 5, last: 5, name: Part(3367, 27), values: Part(0, 0) }, // reference point not reached
-    BitRow { first: 12, last: 15, name: Part(849, 19), values: Part(0, 0) }, // of the manufacturer
-    BitRow { first: 0, last: 15, name: Part(3557, 22), values: Part(0, 0) }, // version of the profile
-    BitRow { first: 16, last: 31, name: Part(3579, 23), values: Part(0, 0) }, // version of the software
-];
+static BITS: &[BitRow] = table!(BitRow { first, last, name, values }:
+    (0, 15, Part(0, 21), Part(0, 0)) // device profile number
+    (16, 31, Part(21, 4), Part(0, 10)) // type
+    (0, 0, Part(735, 13), Part(10, 2)) // code sequence
+    (1, 1, Part(774, 32), Part(0, 0)) // commissioning diagnostic control
+    (2, 2, Part(806, 24), Part(0, 0)) // scaling function control
+    (3, 3, Part(830, 19), Part(0, 0)) // measuring direction
+    (12, 15, Part(849, 19), Part(0, 0)) // of the manufacturer
+    (0, 0, Part(3106, 14), Part(0, 0)) // position error
+    (1, 1, Part(3120, 25), Part(0, 0)) // commissioning diagnostics
+    (12, 15, Part(849, 19), Part(0, 0)) // of the manufacturer
+    (0, 0, Part(3282, 18), Part(0, 0)) // frequency exceeded
+    (1, 1, Part(3300, 21), Part(0, 0)) // light control reserve
+    (2, 2, Part(3321, 12), Part(0, 0)) // CPU watchdog
+    (3, 3, Part(3333, 20), Part(0, 0)) // operating time limit
+    (4, 4, Part(3353, 14), Part(0, 0)) // battery charge
+    (5, 5, Part(3367, 27), Part(0, 0)) // reference point not reached
+    (12, 15, Part(849, 19), Part(0, 0)) // of the manufacturer
+    (0, 15, Part(3557, 22), Part(0, 0)) // version of the profile
+    (16, 31, Part(3579, 23), Part(0, 0)) // version of the software
+);
 
-static MEANINGS: &[MeaningRow] = &[
-    MeaningRow { first: 1, last: 1, text: Part(25, 18) }, // single-turn rotary
-    MeaningRow { first: 2, last: 2, text: Part(43, 17) }, // multi-turn rotary
-    MeaningRow { first: 3, last: 3, text: Part(60, 31) }, // single-turn rotary with counter
-    MeaningRow { first: 4, last: 4, text: Part(91, 18) }, // incremental rotary
-    MeaningRow { first: 5, last: 5, text: Part(109, 31) }, // incremental rotary with counter
-    MeaningRow { first: 6, last: 6, text: Part(140, 18) }, // incremental linear
-    MeaningRow { first: 7, last: 7, text: Part(158, 31) }, // incremental linear with counter
-    MeaningRow { first: 8, last: 8, text: Part(189, 15) }, // absolute linear
-    MeaningRow { first: 9, last: 9, text: Part(204, 34) }, // absolute linear with cyclic coding
-    MeaningRow { first: 10, last: 10, text: Part(238, 15) }, // several sensors
-    MeaningRow { first: 0, last: 0, text: Part(748, 9) }, // clockwise
-    MeaningRow { first: 1, last: 1, text: Part(757, 17) }, // counter-clockwise
-];
+static MEANINGS: &[MeaningRow] = table!(MeaningRow { first, last, text }:
+    (1, 1, Part(25, 18)) // single-turn rotary
+    (2, 2, Part(43, 17)) // multi-turn rotary
+    (3, 3, Part(60, 31)) // single-turn rotary with counter
+    (4, 4, Part(91, 18)) // incremental rotary
+    (5, 5, Part(109, 31)) // incremental rotary with counter
+    (6, 6, Part(140, 18)) // incremental linear
+    (7, 7, Part(158, 31)) // incremental linear with counter
+    (8, 8, Part(189, 15)) // absolute linear
+    (9, 9, Part(204, 34)) // absolute linear with cyclic coding
+    (10, 10, Part(238, 15)) // several sensors
+    (0, 0, Part(748, 9)) // clockwise
+    (1, 1, Part(757, 17)) // counter-clockwise
+);
 
-static COMMANDS: &[CommandRow] = &[
-];
+static COMMANDS: &[CommandRow] = &[];
 
-static TRANSITIONS: &[TransitionRow] = &[
-];
+static TRANSITIONS: &[TransitionRow] = &[];
 
 static CONDITIONS: &[Condition] = &[
     Condition::constant("not 1802h", &[Not, Described(6146, None)]),

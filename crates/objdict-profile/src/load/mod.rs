@@ -2,6 +2,7 @@
 //! `docs/profiles.md`.
 
 mod fields;
+mod machine;
 mod pack;
 
 use std::ops::RangeInclusive;
@@ -13,8 +14,9 @@ use self::fields::{
     BitRange, ConditionText, Meanings, NeedText, NumberOrPair, Ranges, access_types, confidence, data_types,
     mapping, number, object_types,
 };
+use self::machine::MachineTable;
 use self::pack::Packer;
-use super::tables::{BitRow, EntryRow, NeedRow, ObjectRow};
+use super::tables::{BitRow, EntryRow, NeedRow, ObjectRow, Tables};
 use super::{Confidence, Mapping, Profile};
 use crate::diagnostic::nearest;
 use crate::model::{Access, DataType, ObjectType, TypeKind, Value};
@@ -69,6 +71,9 @@ impl Profile {
             let message = format!("{:04X}h is defined twice", row.first);
             return Err(ProfileError::new(message, Some(*at)));
         }
+        let errors = packer.meanings(&file.errors.0);
+        let (machine, commands, transitions) =
+            file.state_machine.map(|machine| machine.rows(&mut packer)).unwrap_or_default();
         Ok(Self {
             group: "custom",
             document: file.document.into(),
@@ -76,11 +81,14 @@ impl Profile {
             version: file.version.map(Into::into),
             number: file.number,
             repeats: file.repeats,
-            tables: packer.tables(
-                objects.into_iter().map(|(row, _)| row).collect(),
-                &file.errors,
-                file.state_machine,
-            ),
+            tables: Tables {
+                objects: objects.into_iter().map(|(row, _)| row).collect(),
+                errors,
+                machine,
+                commands: commands.into(),
+                transitions: transitions.into(),
+                ..packer.tables()
+            },
         })
     }
 }
@@ -107,31 +115,6 @@ struct ProfileFile {
     #[serde(default)]
     errors: Meanings,
     state_machine: Option<MachineTable>,
-}
-
-#[derive(Deserialize)]
-#[serde(deny_unknown_fields)]
-struct MachineTable {
-    status: u16,
-    command: u16,
-    commands: Vec<CommandTable>,
-    transitions: Vec<TransitionTable>,
-}
-
-#[derive(Deserialize)]
-#[serde(deny_unknown_fields)]
-struct CommandTable {
-    name: String,
-    mask: String,
-}
-
-#[derive(Deserialize)]
-#[serde(deny_unknown_fields)]
-struct TransitionTable {
-    number: u8,
-    from: String,
-    to: String,
-    by: String,
 }
 
 #[derive(Deserialize)]

@@ -1,17 +1,13 @@
 //! Packing of tables: concatenated lists without duplicates.
 
-use std::borrow::Cow;
 use std::collections::HashMap;
 use std::hash::Hash;
 use std::ops::RangeInclusive;
 
-use super::fields::{Meanings, NeedText};
-use super::{CommandTable, MachineTable, TransitionTable};
+use super::fields::NeedText;
 use crate::Condition;
 use crate::model::{Access, DataType, ObjectType, Value};
-use crate::tables::{
-    BitRow, CommandRow, EntryRow, MachineRow, MeaningRow, NeedRow, ObjectRow, Part, Tables, TransitionRow,
-};
+use crate::tables::{BitRow, EntryRow, MeaningRow, NeedRow, Part, Tables};
 
 /// Concatenated lists of one type.
 pub(super) struct Lists<T> {
@@ -74,22 +70,9 @@ pub(super) struct Packer {
 }
 
 impl Packer {
-    /// The tables, with objects in ascending order.
-    pub(super) fn tables(
-        mut self,
-        objects: Vec<ObjectRow>,
-        errors: &Meanings,
-        machine: Option<MachineTable>,
-    ) -> Tables {
-        let errors = self.meanings(&errors.0);
-        let (commands, transitions) =
-            machine.as_ref().map(|machine| self.machine(machine)).unwrap_or_default();
+    /// The tables of what is packed.
+    pub(super) fn tables(self) -> Tables {
         Tables {
-            errors,
-            machine: machine.map(|machine| MachineRow { status: machine.status, command: machine.command }),
-            commands: commands.into(),
-            transitions: transitions.into(),
-            objects: objects.into(),
             entries: self.entries.items.into(),
             bits: self.bits.items.into(),
             meanings: self.meanings.items.into(),
@@ -100,21 +83,9 @@ impl Packer {
             values: self.values.items.into(),
             defaults: self.defaults.into(),
             indexes: self.indexes.items.into(),
-            texts: Cow::Owned(self.texts),
+            texts: self.texts.into(),
+            ..Tables::default()
         }
-    }
-
-    fn machine(&mut self, machine: &MachineTable) -> (Vec<CommandRow>, Vec<TransitionRow>) {
-        let command =
-            |row: &CommandTable| CommandRow { name: self.text(&row.name), mask: self.text(&row.mask) };
-        let commands = machine.commands.iter().map(command).collect();
-        let transition = |row: &TransitionTable| TransitionRow {
-            number: row.number,
-            from: self.text(&row.from),
-            to: self.text(&row.to),
-            by: self.text(&row.by),
-        };
-        (commands, machine.transitions.iter().map(transition).collect())
     }
 
     pub(super) fn text(&mut self, text: &str) -> Part {

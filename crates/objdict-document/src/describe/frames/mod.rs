@@ -1,35 +1,26 @@
 //! Frames of a bus in words: which service of which node, and what it says.
 
 mod sdo;
+mod talker;
 
 use std::collections::BTreeMap;
 
 use objdict_network::Service;
 
-use self::sdo::Transfer;
-use super::{Decoder, Reader};
+use self::sdo::Transfers;
+pub use self::talker::Talker;
+use self::talker::{Talkers, described};
+use super::Decoder;
 use crate::layout::{FieldKind, Layout};
-use crate::model::{CobId, DataType, Device, Pdo, PdoKind, Value, predefined};
-
-/// A node whose frames are read. Its device has the values with which the node runs.
-#[derive(Clone, Copy, Debug)]
-pub struct Talker<'a> {
-    /// The name.
-    pub name: &'a str,
-    /// The node-ID, 1 to 127.
-    pub node_id: u8,
-    /// The device.
-    pub device: &'a Device,
-}
+use crate::model::{CobId, DataType, Pdo, PdoKind, Value, predefined};
 
 /// Reads frames in the order of their times: segments of SDOs belong to the transfers before them.
 #[derive(Debug)]
 pub struct FrameReader<'a> {
-    talkers: Vec<Talker<'a>>,
+    talkers: Talkers<'a>,
     /// The services with CAN-IDs of 11 bits that nodes configure.
     services: BTreeMap<u16, Vec<(usize, Service)>>,
-    /// The transfers by the node-IDs of their servers.
-    transfers: BTreeMap<u8, Transfer>,
+    transfers: Transfers,
 }
 
 /// What a frame says.
@@ -50,15 +41,16 @@ impl FrameWords {
 impl<'a> FrameReader<'a> {
     /// A reader of the frames of these nodes.
     pub fn new(talkers: Vec<Talker<'a>>) -> Self {
-        let mut reader = Self { talkers, services: BTreeMap::new(), transfers: BTreeMap::new() };
-        for at in 0..reader.talkers.len() {
+        let mut reader =
+            Self { talkers: Talkers(talkers), services: BTreeMap::new(), transfers: Transfers::default() };
+        for at in 0..reader.talkers.0.len() {
             reader.add(at);
         }
         reader
     }
 
     fn add(&mut self, at: usize) {
-        let Talker { node_id, device, .. } = self.talkers[at];
+        let Talker { node_id, device, .. } = self.talkers.0[at];
         let services = device.services();
         let mut add = |cob_id: Option<CobId>, service| {
             let cob_id = cob_id.filter(|cob_id| !cob_id.is_extended());
@@ -83,8 +75,12 @@ impl<'a> FrameReader<'a> {
         let node_id = (can_id & 0x7F) as u8;
         match can_id {
             0 => FrameWords::new(Service::Nmt, self.nmt(data)),
-            0x581..=0x5FF => FrameWords::new(Service::SdoResponse, self.response(node_id, data)),
-            0x601..=0x67F => FrameWords::new(Service::SdoRequest, self.request(node_id, data)),
+            0x581..=0x5FF => {
+                FrameWords::new(Service::SdoResponse, self.transfers.response(&self.talkers, node_id, data))
+            }
+            0x601..=0x67F => {
+                FrameWords::new(Service::SdoRequest, self.transfers.request(&self.talkers, node_id, data))
+            }
             0x701..=0x77F => {
                 FrameWords::new(Service::ErrorControl, self.error_control(node_id, data, is_remote))
             }
@@ -92,18 +88,9 @@ impl<'a> FrameReader<'a> {
         }
     }
 
-    /// The name of a node.
-    fn name(&self, node_id: u8) -> String {
-        self.talker(node_id).map_or_else(|| format!("node {node_id}"), |talker| talker.name.to_owned())
-    }
-
-    fn talker(&self, node_id: u8) -> Option<Talker<'a>> {
-        self.talkers.iter().find(|talker| talker.node_id == node_id).copied()
-    }
-
     fn nmt(&self, data: &[u8]) -> String {
         let &[command, node_id, ..] = data else { return "NMT command without node-ID".to_owned() };
-        let whom = if node_id == 0 { "all nodes".to_owned() } else { self.name(node_id) };
+        let whom = if node_id == 0 { "all nodes".to_owned() } else { self.talkers.name(node_id) };
         match command {
             1 => format!("start {whom}"),
             2 => format!("stop {whom}"),
@@ -115,7 +102,7 @@ impl<'a> FrameReader<'a> {
     }
 
     fn error_control(&self, node_id: u8, data: &[u8], is_remote: bool) -> String {
-        let name = self.name(node_id);
+        let name = self.talkers.name(node_id);
         if is_remote {
             return format!("guarding request to {name}");
         }
@@ -137,7 +124,7 @@ impl<'a> FrameReader<'a> {
         let Some(&(at, service)) = users.iter().min_by_key(|(_, service)| is_rpdo(*service)) else {
             return FrameWords { service: None, text: "not a service of a known node".to_owned() };
         };
-        let talker = self.talkers[at];
+        let talker = self.talkers.0[at];
         let text = match service {
             _ if is_remote => format!("request of {service}, {}", talker.name),
             Service::Sync => match data {
@@ -188,20 +175,6 @@ fn of_bits(bits: u64, count: u32, data_type: DataType) -> Option<Value> {
     let shift = 64 - count;
     let number = if low < 0 { i128::from((bits << shift) as i64 >> shift) } else { bits.into() };
     Value::from_integer(number, data_type)
-}
-
-/// An entry with a value: `6041:00 = 1591 (Operation enabled)`, with `is_named` also by its name.
-fn described(talker: Talker<'_>, (index, sub): (u16, u8), value: &Value, is_named: bool) -> String {
-    let node_id = Some(talker.node_id);
-    let entry = talker.device.entry(index, sub);
-    let data_type = entry.as_ref().and_then(|entry| entry.implied_type());
-    let short = Reader { index, node_id }.short(Some(value), data_type);
-    let name = entry.as_ref().map_or("", |entry| &entry.name);
-    let named = if is_named && !name.is_empty() { format!(" {name}") } else { String::new() };
-    match Decoder::english(talker.device, node_id).of(index, sub, value) {
-        Some(meaning) => format!("{index:04X}:{sub:02X}{named} = {short} ({meaning})"),
-        None => format!("{index:04X}:{sub:02X}{named} = {short}"),
-    }
 }
 
 /// An NMT state as in a heartbeat: `operational`.

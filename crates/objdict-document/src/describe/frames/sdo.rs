@@ -1,16 +1,17 @@
 //! SDO transfers: what is written and read (CiA 301 §7.2.4.3).
 
+use std::collections::BTreeMap;
+
 use objdict_device::Abort;
 
-use super::{FrameReader, described};
-use crate::model::{DataType, Value};
+use super::talker::Talkers;
 
 /// The most bytes of a value that are kept to show it.
 const LONGEST: usize = 1 << 16;
 
 /// A transfer of one server, from its request on.
 #[derive(Debug)]
-pub(super) struct Transfer {
+struct Transfer {
     entry: (u16, u8),
     is_download: bool,
     /// What is known of the value.
@@ -18,10 +19,14 @@ pub(super) struct Transfer {
     is_complete: bool,
 }
 
-impl FrameReader<'_> {
+/// The transfers by the node-IDs of their servers.
+#[derive(Debug, Default)]
+pub(super) struct Transfers(BTreeMap<u8, Transfer>);
+
+impl Transfers {
     /// What a client sends.
-    pub(super) fn request(&mut self, node_id: u8, data: &[u8]) -> String {
-        let name = self.name(node_id);
+    pub(super) fn request(&mut self, talkers: &Talkers<'_>, node_id: u8, data: &[u8]) -> String {
+        let name = talkers.name(node_id);
         let Ok(bytes) = <[u8; 8]>::try_from(data) else {
             return format!("SDO of {} bytes to {name}", data.len());
         };
@@ -31,27 +36,27 @@ impl FrameReader<'_> {
             1 => {
                 let expedited = expedited(command, value);
                 let text = match &expedited {
-                    Some(value) => format!("write {}", self.value(node_id, entry, value)),
-                    None => format!("write {}{}", self.entry(node_id, entry), sized(command, value)),
+                    Some(value) => format!("write {}", talkers.value(node_id, entry, value)),
+                    None => format!("write {}{}", talkers.entry(node_id, entry), sized(command, value)),
                 };
                 self.begin(node_id, entry, true, expedited);
                 format!("{name}: {text}")
             }
             2 => {
                 self.begin(node_id, entry, false, None);
-                format!("{name}: read {}", self.entry(node_id, entry))
+                format!("{name}: read {}", talkers.entry(node_id, entry))
             }
-            0 => self.segment(node_id, &bytes, true, &name),
+            0 => self.segment(talkers, node_id, &bytes, true, &name),
             3 => format!("{name}: next segment"),
-            4 => format!("{name}: {}", self.abort(node_id, entry, value)),
+            4 => format!("{name}: {}", abort(talkers, node_id, entry, value)),
             5 | 6 => format!("{name}: block transfer"),
             _ => format!("{name}: unknown SDO command {command:02X}h"),
         }
     }
 
     /// What a server sends.
-    pub(super) fn response(&mut self, node_id: u8, data: &[u8]) -> String {
-        let name = self.name(node_id);
+    pub(super) fn response(&mut self, talkers: &Talkers<'_>, node_id: u8, data: &[u8]) -> String {
+        let name = talkers.name(node_id);
         let Ok(bytes) = <[u8; 8]>::try_from(data) else {
             return format!("SDO of {} bytes from {name}", data.len());
         };
@@ -59,22 +64,22 @@ impl FrameReader<'_> {
         let entry = (u16::from_le_bytes([low, high]), sub);
         let address = format!("{:04X}:{:02X}", entry.0, entry.1);
         match command >> 5 {
-            3 => match self.transfers.get(&node_id) {
+            3 => match self.0.get(&node_id) {
                 Some(transfer) if transfer.is_complete => format!("{name}: {address} is written"),
                 _ => format!("{name}: {address} is expected"),
             },
             2 => match expedited(command, value) {
-                Some(value) => format!("{name}: {}", self.value(node_id, entry, &value)),
-                None => format!("{name}: {}{}", self.entry(node_id, entry), sized(command, value)),
+                Some(value) => format!("{name}: {}", talkers.value(node_id, entry, &value)),
+                None => format!("{name}: {}{}", talkers.entry(node_id, entry), sized(command, value)),
             },
-            1 => match self.transfers.get(&node_id) {
+            1 => match self.0.get(&node_id) {
                 Some(Transfer { entry: (index, sub), is_complete: true, .. }) => {
                     format!("{name}: {index:04X}:{sub:02X} is written")
                 }
                 _ => format!("{name}: segment is accepted"),
             },
-            0 => self.segment(node_id, &bytes, false, &name),
-            4 => format!("{name}: {}", self.abort(node_id, entry, value)),
+            0 => self.segment(talkers, node_id, &bytes, false, &name),
+            4 => format!("{name}: {}", abort(talkers, node_id, entry, value)),
             5 | 6 => format!("{name}: block transfer"),
             _ => format!("{name}: unknown SDO command {command:02X}h"),
         }
@@ -83,14 +88,19 @@ impl FrameReader<'_> {
     fn begin(&mut self, node_id: u8, entry: (u16, u8), is_download: bool, value: Option<Vec<u8>>) {
         let is_complete = value.is_some();
         let transfer = Transfer { entry, is_download, data: value.unwrap_or_default(), is_complete };
-        self.transfers.insert(node_id, transfer);
+        self.0.insert(node_id, transfer);
     }
 
     /// A segment of a value; with the last one the value is known.
-    fn segment(&mut self, node_id: u8, bytes: &[u8; 8], is_download: bool, name: &str) -> String {
-        let Some(transfer) =
-            self.transfers.get_mut(&node_id).filter(|found| found.is_download == is_download)
-        else {
+    fn segment(
+        &mut self,
+        talkers: &Talkers<'_>,
+        node_id: u8,
+        bytes: &[u8; 8],
+        is_download: bool,
+        name: &str,
+    ) -> String {
+        let Some(transfer) = self.0.get_mut(&node_id).filter(|found| found.is_download == is_download) else {
             return format!("{name}: segment without a transfer");
         };
         let [command, segment @ ..] = bytes;
@@ -103,38 +113,12 @@ impl FrameReader<'_> {
         }
         transfer.is_complete = true;
         let (entry, data) = (transfer.entry, std::mem::take(&mut transfer.data));
-        format!("{name}: last segment, {}", self.value(node_id, entry, &data))
+        format!("{name}: last segment, {}", talkers.value(node_id, entry, &data))
     }
+}
 
-    fn abort(&self, node_id: u8, entry: (u16, u8), code: [u8; 4]) -> String {
-        format!("{}: {}", self.entry(node_id, entry), Abort::from(u32::from_le_bytes(code)))
-    }
-
-    /// `1017:00 Producer heartbeat time`.
-    fn entry(&self, node_id: u8, (index, sub): (u16, u8)) -> String {
-        let talker = self.talker(node_id);
-        let entry = talker.and_then(|talker| Some(talker.device.entry(index, sub)?.name.clone()));
-        match entry.filter(|name| !name.is_empty()) {
-            Some(name) => format!("{index:04X}:{sub:02X} {name}"),
-            None => format!("{index:04X}:{sub:02X}"),
-        }
-    }
-
-    /// The same with a value.
-    fn value(&self, node_id: u8, (index, sub): (u16, u8), bytes: &[u8]) -> String {
-        let value = self.talker(node_id).and_then(|talker| {
-            let object = talker.device.object(index)?;
-            let entry = object.entry(sub)?;
-            let of_count =
-                || DataType::of_sub_0(index).filter(|_| sub == 0 && object.object_type().has_subs());
-            let data_type = entry.implied_type().or_else(of_count)?;
-            Some(described(talker, (index, sub), &Value::from_bytes(bytes, data_type)?, true))
-        });
-        value.unwrap_or_else(|| {
-            let digits: Vec<String> = bytes.iter().map(|byte| format!("{byte:02X}")).collect();
-            format!("{} = {}", self.entry(node_id, (index, sub)), digits.join(" "))
-        })
-    }
+fn abort(talkers: &Talkers<'_>, node_id: u8, entry: (u16, u8), code: [u8; 4]) -> String {
+    format!("{}: {}", talkers.entry(node_id, entry), Abort::from(u32::from_le_bytes(code)))
 }
 
 /// The bytes of an expedited transfer.

@@ -1,5 +1,5 @@
 use super::*;
-use crate::model::{Entry, Object, ObjectType};
+use crate::model::{Device, Entry, Object, ObjectType};
 
 fn entry(name: &str, data_type: DataType, number: u64) -> Entry {
     Entry {

@@ -6,7 +6,7 @@ mod objection;
 mod pdo;
 mod services;
 
-use self::node::Node;
+use self::node::{Node, node_place};
 pub use self::objection::{AbortCode, Objection, ObjectionKind};
 pub use self::services::{Present, refusal};
 use super::{ConciseDcf, Download};
@@ -63,13 +63,5 @@ impl ConciseDcf {
             }
         }
         Verification { objections, unknown: node.into_unknown() }
-    }
-}
-
-/// The place of an entry as used in reports: the value of a VAR has no sub-index.
-fn node_place(device: &Device, index: u16, sub: u8) -> Place {
-    match device.object(index) {
-        Some(object) if sub == 0 && !object.object_type().has_subs() => Place::object(index),
-        _ => Place::entry(index, sub),
     }
 }

@@ -5,7 +5,7 @@ use std::collections::{BTreeMap, BTreeSet};
 use super::super::settings::Key;
 use super::super::transfer::{Beyond, EntryType, beyond};
 use super::super::{Download, ProblemKind};
-use super::{ObjectionKind, node_place};
+use super::objection::ObjectionKind;
 use crate::model::{Access, DataType, Device, Entry, Object, ObjectType, Place, TypeKind, Value};
 
 /// The result of a write: accepted, accepted with an objection, or rejected.
@@ -135,6 +135,14 @@ fn value_of(data_type: DataType, data: &[u8]) -> Result<Option<Value>, Objection
         return Err(ObjectionKind::NoValue(data_type));
     }
     Ok(Value::from_bytes(data, data_type))
+}
+
+/// The place of an entry as used in reports: the value of a VAR has no sub-index.
+pub(super) fn node_place(device: &Device, index: u16, sub: u8) -> Place {
+    match device.object(index) {
+        Some(object) if sub == 0 && !object.object_type().has_subs() => Place::object(index),
+        _ => Place::entry(index, sub),
+    }
 }
 
 /// Up to eight bytes as a number.

@@ -1,0 +1,37 @@
+//! What a document demands of an object or an entry, and how sure that is.
+
+use super::condition::Condition;
+
+/// Whether an object or entry is mandatory.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Need<'a> {
+    /// Optional.
+    Optional,
+    /// Mandatory.
+    Mandatory,
+    /// Mandatory under a condition.
+    When(&'a Condition),
+}
+
+/// The PDOs that may map an entry.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub enum Mapping {
+    /// None.
+    No,
+    /// TPDOs.
+    Tpdo,
+    /// RPDOs.
+    Rpdo,
+    /// Both.
+    Any,
+}
+
+/// How sure a source is.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub enum Confidence {
+    /// The document itself, or two sources that agree.
+    #[default]
+    High,
+    /// One secondary source, or a matter of the edition.
+    Medium,
+}

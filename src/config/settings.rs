@@ -1,0 +1,27 @@
+//! What a configuration says.
+
+use super::path::PathPattern;
+use crate::diagnostic::{Selection, Severity, Tool};
+use crate::lint::Level;
+use crate::source::Span;
+
+/// What a configuration says, as far as it is sound.
+#[derive(Debug, Default)]
+pub(super) struct Settings {
+    pub(super) levels: Vec<(Selection, Level)>,
+    pub(super) ignored: Vec<(PathPattern, Vec<Selection>)>,
+    pub(super) excluded: Vec<PathPattern>,
+    pub(super) profiles: Vec<WantedProfile>,
+    pub(super) node_id: Option<u8>,
+    pub(super) tools: Vec<Tool>,
+    pub(super) deny: Option<Severity>,
+}
+
+/// A profile that a configuration asks for.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct WantedProfile {
+    /// The number of the profile, or the path of a file.
+    pub name: String,
+    /// Its place.
+    pub span: Span,
+}

@@ -1,0 +1,62 @@
+//! Why a file is not written.
+
+use std::io;
+use std::path::PathBuf;
+
+/// Why a file is not written.
+#[derive(Debug, thiserror::Error)]
+#[non_exhaustive]
+pub enum OutputError {
+    /// The system does not write it.
+    #[error("cannot write `{}`: {error}", path.display())]
+    Unwritable {
+        /// The file.
+        path: PathBuf,
+        /// What the system said.
+        error: io::Error,
+    },
+    /// The run reads it, or has written it.
+    #[error("`{}` is another input or output of this run", path.display())]
+    InUse {
+        /// The file.
+        path: PathBuf,
+    },
+    /// It is in the folder, and objdict did not write it.
+    #[error("`{}` was not written by objdict", path.display())]
+    Foreign {
+        /// The file.
+        path: PathBuf,
+    },
+    /// It is in the folder, and is not as objdict wrote it.
+    #[error("`{}` was changed after objdict wrote it", path.display())]
+    Changed {
+        /// The file.
+        path: PathBuf,
+    },
+    /// Not every system can have a file of this name.
+    #[error("`{name}` is not a valid name of a file: {reason}")]
+    Name {
+        /// The name.
+        name: String,
+        /// Why.
+        reason: &'static str,
+    },
+}
+
+impl OutputError {
+    pub(super) fn unwritable(path: impl Into<PathBuf>) -> impl FnOnce(io::Error) -> Self {
+        |error| Self::Unwritable { path: path.into(), error }
+    }
+
+    /// What to do about it; `overwrite` is how the caller says that files of others may be replaced.
+    pub(crate) fn help(&self, overwrite: &str) -> Option<String> {
+        Some(match self {
+            Self::Unwritable { .. } => return None,
+            Self::InUse { .. } => "name another file for the output".to_owned(),
+            Self::Foreign { .. } | Self::Changed { .. } => {
+                format!("name another folder, or replace the file with `{overwrite}`")
+            }
+            Self::Name { .. } => "choose another name".to_owned(),
+        })
+    }
+}
