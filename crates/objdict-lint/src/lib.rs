@@ -32,6 +32,7 @@ pub use options::Options;
 pub(crate) use respell::respell;
 pub use rule::Rule;
 pub(crate) use rule::{Check, EntryAt, EntryCheck, Origin, rule, with_others};
+pub(crate) use rules::rules_of;
 pub use rules::{rules, without_disabled};
 pub use severities::{Level, Severities, UnknownLevel};
 pub(crate) use srdo::Srdo;
@@ -64,14 +65,14 @@ pub fn check(device: &Device, options: &Options) -> Findings {
 /// The rules that apply; rules about other tools only if tools are selected.
 fn asked_for(options: &Options) -> impl Iterator<Item = &'static Rule> {
     let for_tools = !options.tools.is_empty();
-    rules().filter(move |rule| for_tools || rule.info.group() != PORTABILITY)
+    rules_of(move |group| for_tools || group != PORTABILITY)
 }
 
 /// One walk over the documents that apply, for all rules of their groups.
 fn check_demands(facts: &Facts<'_>, findings: &mut Findings) {
     let applied = demands::applied(facts.device, facts.options);
     for one in &applied {
-        let rules: Vec<&Rule> = rules().filter(|rule| rule.info.group() == one.profile.group).collect();
+        let rules: Vec<&Rule> = rules_of(|group| group == one.profile.group).collect();
         for rule in &rules {
             if let Check::Applied(check) = rule.check {
                 check(&rule.info, facts, one, findings);

@@ -15,7 +15,8 @@ macro_rules! rules {
             }
         )*
 
-        static RULES: &[&[&[&Rule]]] = &[$($(#[$when])? $group::RULES,)*];
+        /// The groups by their names.
+        static RULES: &[(&str, &[&[&Rule]])] = &[$($(#[$when])? (stringify!($group), $group::RULES),)*];
     };
 }
 
@@ -23,7 +24,13 @@ pub use self::cia306::disabled_object::without_disabled;
 
 /// Every rule about the model.
 pub fn rules() -> impl Iterator<Item = &'static Rule> {
-    RULES.iter().copied().flatten().copied().flatten().copied()
+    rules_of(|_| true)
+}
+
+/// The rules of some groups.
+pub(crate) fn rules_of(is_meant: impl Fn(&str) -> bool) -> impl Iterator<Item = &'static Rule> {
+    let groups = RULES.iter().filter(move |(group, _)| is_meant(group));
+    groups.flat_map(|(_, rules)| rules.iter().copied().flatten().copied())
 }
 
 rules! {
