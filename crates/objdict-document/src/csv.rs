@@ -2,7 +2,7 @@
 //!
 //! Column names are the same in every language; new columns are appended.
 
-use std::borrow::Cow;
+use std::borrow::{Borrow, Cow};
 use std::collections::HashMap;
 use std::fmt::{Display, Write};
 
@@ -26,10 +26,10 @@ struct Row<'a> {
     downloads: &'a str,
 }
 
-type Column = (&'static str, for<'a> fn(&'a Row<'a>) -> Cow<'a, str>);
+type EntryColumn = (&'static str, for<'a> fn(&'a Row<'a>) -> Cow<'a, str>);
 
 /// The columns in order. This is a stable interface: columns are never renamed, moved or removed.
-const COLUMNS: [Column; 34] = [
+const COLUMNS: [EntryColumn; 34] = [
     ("index", |row| format!("0x{:04X}", row.object.index).into()),
     ("sub", |row| row.view.map_or("".into(), |view| format!("0x{:02X}", view.sub).into())),
     ("object_name", |row| row.object.name.as_ref().into()),
@@ -178,8 +178,21 @@ pub(super) fn write(page: &Page<'_>, device: &Device) -> String {
     text
 }
 
+/// A column: its name, and what a row has in it.
+pub(super) type Column<R> = (&'static str, fn(&R) -> String);
+
+/// A table with a line for each row.
+pub(super) fn table<R>(columns: &[Column<R>], rows: impl IntoIterator<Item: Borrow<R>>) -> String {
+    let mut text = "\u{FEFF}".to_owned();
+    line(&mut text, columns.iter().map(|(name, _)| Cow::Borrowed(*name)));
+    for row in rows {
+        line(&mut text, columns.iter().map(|(_, field)| field(row.borrow()).into()));
+    }
+    text
+}
+
 /// Writes the fields of a line.
-pub(super) fn line<'a>(text: &mut String, fields: impl IntoIterator<Item = Cow<'a, str>>) {
+fn line<'a>(text: &mut String, fields: impl IntoIterator<Item = Cow<'a, str>>) {
     for (number, field) in fields.into_iter().enumerate() {
         let between = if number > 0 { "," } else { "" };
         let _ = write!(text, "{between}{}", escape::field(&field)); // writing to a String cannot fail

@@ -62,6 +62,21 @@ impl Speaker<'_> {
         self.decoder.device.object(index).is_some()
     }
 
+    /// What the number in an object means, which has words of its own for 0; `None` without a number.
+    fn number(
+        &self,
+        index: u16,
+        number: Option<u32>,
+        (english, german): (&'static str, &'static str),
+        words: impl FnOnce(u32) -> String,
+    ) -> Option<Part> {
+        let text = match number? {
+            0 => self.pick(english, german).to_owned(),
+            number => words(number),
+        };
+        Some(self.part(index, 0, text))
+    }
+
     /// The COB-ID of an object, or a note that it is not stated; `None` if the object does not exist.
     fn cob_id(&self, index: u16, sub: u8, id: Option<CobId>) -> Option<Part> {
         let text = match id {
@@ -102,18 +117,10 @@ impl Speaker<'_> {
         };
         let mut parts = vec![cob_id];
         parts.extend(self.facts.sync.map(|_| self.part(0x1005, 0, role).only_if(change.bit_30)));
-        match self.facts.communication_cycle_period {
-            Some(0) if produces => parts.push(self.part(0x1006, 0, self.pick("cycle off", "Zyklus aus"))),
-            Some(period @ 1..) => {
-                let every = self.pick("every", "alle");
-                parts.push(self.part(
-                    0x1006,
-                    0,
-                    format!("{every} {}", time::of_microseconds(period, language)),
-                ));
-            }
-            _ => {}
-        }
+        let period = self.facts.communication_cycle_period.filter(|&period| produces || period > 0);
+        parts.extend(self.number(0x1006, period, ("cycle off", "Zyklus aus"), |period| {
+            format!("{} {}", self.pick("every", "alle"), time::of_microseconds(period, language))
+        }));
         if let Some(window @ 1..) = self.facts.synchronous_window {
             let name = self.pick("window", "Fenster");
             parts.push(self.part(0x1007, 0, format!("{name} {}", time::of_microseconds(window, language))));
@@ -138,15 +145,11 @@ impl Speaker<'_> {
             let change = ChangedCobId::of(self.decoder, 0x1014, 0);
             parts.push(self.part(0x1014, 0, self.decoder.validity(id)).only_if(change.bit_31));
         }
-        match self.facts.emcy_inhibit_time {
-            Some(0) => parts.push(self.part(0x1015, 0, self.pick("inhibit time off", "Inhibit-Time aus"))),
-            Some(inhibit) => {
-                let name = self.pick("inhibit time", "Inhibit-Time");
-                let time = time::of_tenths(inhibit.into(), self.decoder.language);
-                parts.push(self.part(0x1015, 0, format!("{name} {time}")));
-            }
-            None => {}
-        }
+        let inhibit = self.facts.emcy_inhibit_time.map(u32::from);
+        parts.extend(self.number(0x1015, inhibit, ("inhibit time off", "Inhibit-Time aus"), |time| {
+            let name = self.pick("inhibit time", "Inhibit-Time");
+            format!("{name} {}", time::of_tenths(time, self.decoder.language))
+        }));
         let history = self.decoder.device.object(0x1003).and_then(Object::highest_sub);
         if let Some(errors @ 1..) = history {
             let text = match (errors, self.decoder.language) {
@@ -201,27 +204,17 @@ impl Speaker<'_> {
     }
 
     fn guarding(&self) -> Vec<Part> {
-        let number = |index| self.decoder.number(index, 0);
-        let mut parts = Vec::new();
-        match number(0x100C) {
-            Some(0) => parts.push(self.part(0x100C, 0, self.pick("guard time off", "Guard-Time aus"))),
-            Some(guard) => {
-                let name = self.pick("guard time", "Guard-Time");
-                parts.push(self.part(0x100C, 0, format!("{name} {guard} ms")));
-            }
-            None => {}
-        }
-        match number(0x100D) {
-            Some(0) => parts.push(self.part(0x100D, 0, self.pick("no life guarding", "kein Life-Guarding"))),
-            Some(factor) => {
-                let name = self.pick("life time factor", "Life-Time-Faktor");
-                let life = number(0x100C).filter(|&guard| guard > 0 && guard <= 0xFFFF);
-                let life = life.map(|guard| format!(" ({} ms)", guard.saturating_mul(factor)));
-                parts.push(self.part(0x100D, 0, format!("{name} {factor}{}", life.unwrap_or_default())));
-            }
-            None => {}
-        }
-        parts
+        let [guard, factor] = [0x100C, 0x100D].map(|index| self.decoder.number(index, 0));
+        let time = self.number(0x100C, guard, ("guard time off", "Guard-Time aus"), |guard| {
+            format!("{} {guard} ms", self.pick("guard time", "Guard-Time"))
+        });
+        let life = self.number(0x100D, factor, ("no life guarding", "kein Life-Guarding"), |factor| {
+            let name = self.pick("life time factor", "Life-Time-Faktor");
+            let life = guard.filter(|&guard| guard > 0 && guard <= 0xFFFF);
+            let life = life.map(|guard| format!(" ({} ms)", guard.saturating_mul(factor)));
+            format!("{name} {factor}{}", life.unwrap_or_default())
+        });
+        time.into_iter().chain(life).collect()
     }
 
     fn sdo(&self, german: &'static str, english: &'static str, channel: &SdoChannel) -> Service {

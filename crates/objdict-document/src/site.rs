@@ -1,6 +1,5 @@
 //! Sites: one page per device, and an index.
 
-use std::borrow::Cow;
 use std::collections::BTreeMap;
 use std::path::Path;
 
@@ -8,7 +7,7 @@ use askama::Template;
 
 use super::anchor::Anchor;
 use super::context::Context;
-use super::csv;
+use super::csv::{self, Column};
 use super::escape::{address, filters};
 use super::form::Form;
 use super::network::{NetworkView, SiteNetwork, StatedNode, stated, tables};
@@ -165,7 +164,7 @@ impl Site {
         let text = match self.form {
             Form::Html => with_policy(HtmlIndex { index: &index }.render().unwrap_or_default() + "\n"),
             Form::Markdown => MarkdownIndex { index: &index }.render().unwrap_or_default() + "\n",
-            Form::Csv => index_csv(&self.devices),
+            Form::Csv => csv::table(&COLUMNS, &self.devices),
         };
         let mut files = vec![SiteFile { name: format!("index.{}", self.form.extension()), text }];
         let file = |(name, text): (&str, String)| SiteFile { name: name.to_owned(), text };
@@ -205,6 +204,11 @@ impl Listed {
                 [Severity::Error, Severity::Warning, Severity::Note].map(|severity| found(severity)(findings))
             }),
         }
+    }
+
+    /// The number of findings of a severity; empty if `check` did not run.
+    fn found(&self, severity: usize) -> String {
+        self.findings.map(|counts| counts[severity].to_string()).unwrap_or_default()
     }
 
     /// `5 pump`; empty for a device type.
@@ -264,49 +268,24 @@ struct MarkdownIndex<'a> {
     index: &'a Index<'a>,
 }
 
-/// One line per device. As in the other tables, columns are never renamed, moved or removed.
-fn index_csv(devices: &[Listed]) -> String {
-    const COLUMNS: [&str; 15] = [
-        "file",
-        "format",
-        "table",
-        "name",
-        "vendor",
-        "profile",
-        "node_id",
-        "node_name",
-        "objects",
-        "entries",
-        "rpdos",
-        "tpdos",
-        "errors",
-        "warnings",
-        "notes",
-    ];
-    let mut text = "\u{FEFF}".to_owned();
-    csv::line(&mut text, COLUMNS.map(Cow::Borrowed));
-    for device in devices {
-        let found = device.findings.map(|counts| counts.map(|count| count.to_string())).unwrap_or_default();
-        let counts =
-            [device.objects, device.entries, device.rpdos, device.tpdos].map(|count| count.to_string());
-        let node_id = device.node_id.map(|id| id.to_string()).unwrap_or_default();
-        let texts = [
-            &device.file,
-            &device.format,
-            &device.link,
-            &device.title,
-            &device.vendor,
-            &device.profile,
-            &node_id,
-            &device.node_name,
-        ];
-        csv::line(
-            &mut text,
-            texts.into_iter().chain(&counts).chain(&found).map(|text| Cow::Borrowed(text.as_str())),
-        );
-    }
-    text
-}
+/// The table of devices, a line each. As in the other tables, columns are never renamed, moved or removed.
+const COLUMNS: [Column<Listed>; 15] = [
+    ("file", |device| device.file.clone()),
+    ("format", |device| device.format.clone()),
+    ("table", |device| device.link.clone()),
+    ("name", |device| device.title.clone()),
+    ("vendor", |device| device.vendor.clone()),
+    ("profile", |device| device.profile.clone()),
+    ("node_id", |device| device.node_id.map(|id| id.to_string()).unwrap_or_default()),
+    ("node_name", |device| device.node_name.clone()),
+    ("objects", |device| device.objects.to_string()),
+    ("entries", |device| device.entries.to_string()),
+    ("rpdos", |device| device.rpdos.to_string()),
+    ("tpdos", |device| device.tpdos.to_string()),
+    ("errors", |device| device.found(0)),
+    ("warnings", |device| device.found(1)),
+    ("notes", |device| device.found(2)),
+];
 
 #[cfg(test)]
 mod tests {

@@ -1,99 +1,98 @@
 //! Networks as tables for spreadsheets and scripts. As in the other tables, columns are never renamed, moved or removed.
 
-use std::borrow::Cow;
-
-use objdict_network::{End, LinkRow, MappedEntry, NodeRow, Overview};
+use objdict_network::{CarriedEntry, DownloadRow, End, MappedEntry, MessageRow, NodeRow, Overview};
 
 use super::link::{Link, can_id, spoken};
-use crate::csv;
+use crate::csv::{Column, table};
 
 /// What goes from entry to entry, all messages, and what configures the nodes, with the names of the files.
 pub(crate) fn tables<'a>(networks: impl Iterator<Item = &'a Overview>) -> [(&'static str, String); 3] {
-    const LINKS: [&str; 13] = [
-        "network",
-        "can_id",
-        "sender",
-        "sender_pdo",
-        "receiver",
-        "receiver_pdo",
-        "bit",
-        "bits",
-        "from",
-        "from_name",
-        "to",
-        "to_name",
-        "too_short",
-    ];
-    const MESSAGES: [&str; 7] =
-        ["network", "can_id", "senders", "receivers", "bytes", "trigger", "period_us"];
-    const DOWNLOADS: [&str; 7] = ["network", "node_id", "node", "number", "entry", "name", "value"];
-    let [mut links, mut messages, mut downloads] = [(); 3].map(|()| "\u{FEFF}".to_owned());
-    csv::line(&mut links, LINKS.map(Cow::Borrowed));
-    csv::line(&mut messages, MESSAGES.map(Cow::Borrowed));
-    csv::line(&mut downloads, DOWNLOADS.map(Cow::Borrowed));
-    for overview in networks {
-        let name = overview.name.as_deref().unwrap_or_default();
-        for link in overview.links.iter().map(Link::new) {
-            link_lines(&mut links, name, &link);
-        }
-        let ends = |ends: &[End]| ends.iter().map(End::to_string).collect::<Vec<_>>().join("; ");
-        for message in &overview.messages {
-            let fields = [
-                name.to_owned(),
-                can_id(message.can_id),
-                ends(&message.senders),
-                ends(&message.receivers),
-                message.bytes.map(|bytes| bytes.to_string()).unwrap_or_default(),
-                message.trigger.clone(),
-                message.period.map(|period| period.to_string()).unwrap_or_default(),
-            ];
-            csv::line(&mut messages, fields.map(Cow::Owned));
-        }
-        overview.nodes.iter().for_each(|node| download_lines(&mut downloads, name, node));
-    }
-    [("links.csv", links), ("messages.csv", messages), ("downloads.csv", downloads)]
-}
-
-/// A line for each download to a node, in order.
-fn download_lines(text: &mut String, network: &str, node: &NodeRow) {
-    for (number, download) in (1_u32..).zip(&node.configuration) {
-        let fields = [
-            network.to_owned(),
-            node.node_id.map(|node_id| node_id.to_string()).unwrap_or_default(),
-            node.name.clone(),
-            number.to_string(),
-            spoken(&download.entry),
-            download.entry.name.clone(),
-            download.value.clone(),
-        ];
-        csv::line(text, fields.map(Cow::Owned));
-    }
+    let named = networks.map(|network| (network.name.as_deref().unwrap_or_default(), network));
+    let networks: Vec<(&str, &Overview)> = named.collect();
+    [
+        ("links.csv", links(&networks)),
+        ("messages.csv", messages(&networks)),
+        ("downloads.csv", downloads(&networks)),
+    ]
 }
 
 /// A line for each entry of a link.
-fn link_lines(text: &mut String, network: &str, link: &Link<'_>) {
-    let node = |end: &Option<End>| end.as_ref().map(|end| end.node.clone()).unwrap_or_default();
-    let pdo = |end: &Option<End>| end.as_ref().map(|end| end.service.to_string()).unwrap_or_default();
-    let LinkRow { sender, receiver, entries, .. } = link.row;
-    for entry in entries {
-        let address = |entry: &Option<MappedEntry>| entry.as_ref().map(spoken).unwrap_or_default();
-        let name =
-            |entry: &Option<MappedEntry>| entry.as_ref().map(|entry| entry.name.clone()).unwrap_or_default();
-        let fields = [
-            network.to_owned(),
-            link.can_id.clone(),
-            node(sender),
-            pdo(sender),
-            node(receiver),
-            pdo(receiver),
-            entry.bit.to_string(),
-            entry.bits.to_string(),
-            address(&entry.from),
-            name(&entry.from),
-            address(&entry.to),
-            name(&entry.to),
-            if link.is_too_short { "yes" } else { "no" }.to_owned(),
-        ];
-        csv::line(text, fields.map(Cow::Owned));
-    }
+fn links(networks: &[(&str, &Overview)]) -> String {
+    let links = networks
+        .iter()
+        .flat_map(|&(name, network)| network.links.iter().map(move |row| (name, Link::new(row))));
+    let links: Vec<(&str, Link<'_>)> = links.collect();
+    let columns: [Column<(&str, &Link<'_>, &CarriedEntry)>; 13] = [
+        ("network", |(network, ..)| (*network).to_owned()),
+        ("can_id", |(_, link, _)| link.can_id.clone()),
+        ("sender", |(_, link, _)| node(link.row.sender.as_ref())),
+        ("sender_pdo", |(_, link, _)| pdo(link.row.sender.as_ref())),
+        ("receiver", |(_, link, _)| node(link.row.receiver.as_ref())),
+        ("receiver_pdo", |(_, link, _)| pdo(link.row.receiver.as_ref())),
+        ("bit", |(.., entry)| entry.bit.to_string()),
+        ("bits", |(.., entry)| entry.bits.to_string()),
+        ("from", |(.., entry)| entry.from.as_ref().map(spoken).unwrap_or_default()),
+        ("from_name", |(.., entry)| entry_name(entry.from.as_ref())),
+        ("to", |(.., entry)| entry.to.as_ref().map(spoken).unwrap_or_default()),
+        ("to_name", |(.., entry)| entry_name(entry.to.as_ref())),
+        ("too_short", |(_, link, _)| if link.is_too_short { "yes" } else { "no" }.to_owned()),
+    ];
+    let rows =
+        links.iter().flat_map(|(name, link)| link.row.entries.iter().map(move |entry| (*name, link, entry)));
+    table(&columns, rows)
+}
+
+fn messages(networks: &[(&str, &Overview)]) -> String {
+    let columns: [Column<(&str, &MessageRow)>; 7] = [
+        ("network", |(network, _)| (*network).to_owned()),
+        ("can_id", |(_, message)| can_id(message.can_id)),
+        ("senders", |(_, message)| ends(&message.senders)),
+        ("receivers", |(_, message)| ends(&message.receivers)),
+        ("bytes", |(_, message)| number(message.bytes)),
+        ("trigger", |(_, message)| message.trigger.clone()),
+        ("period_us", |(_, message)| number(message.period)),
+    ];
+    let rows = networks
+        .iter()
+        .flat_map(|(name, network)| network.messages.iter().map(move |message| (*name, message)));
+    table(&columns, rows)
+}
+
+/// A line for each download to a node, in order.
+fn downloads(networks: &[(&str, &Overview)]) -> String {
+    let columns: [Column<(&str, &NodeRow, usize, &DownloadRow)>; 7] = [
+        ("network", |(network, ..)| (*network).to_owned()),
+        ("node_id", |(_, node, ..)| number(node.node_id)),
+        ("node", |(_, node, ..)| node.name.clone()),
+        ("number", |(_, _, number, _)| number.to_string()),
+        ("entry", |(.., download)| spoken(&download.entry)),
+        ("name", |(.., download)| download.entry.name.clone()),
+        ("value", |(.., download)| download.value.clone()),
+    ];
+    let nodes =
+        networks.iter().flat_map(|(name, network)| network.nodes.iter().map(move |node| (*name, node)));
+    let rows = nodes.flat_map(|(name, node)| {
+        (1..).zip(&node.configuration).map(move |(number, download)| (name, node, number, download))
+    });
+    table(&columns, rows)
+}
+
+fn node(end: Option<&End>) -> String {
+    end.map(|end| end.node.clone()).unwrap_or_default()
+}
+
+fn pdo(end: Option<&End>) -> String {
+    end.map(|end| end.service.to_string()).unwrap_or_default()
+}
+
+fn ends(ends: &[End]) -> String {
+    ends.iter().map(End::to_string).collect::<Vec<_>>().join("; ")
+}
+
+fn entry_name(entry: Option<&MappedEntry>) -> String {
+    entry.map(|entry| entry.name.clone()).unwrap_or_default()
+}
+
+fn number(number: Option<impl ToString>) -> String {
+    number.map(|number| number.to_string()).unwrap_or_default()
 }
