@@ -5,8 +5,10 @@ use std::path::PathBuf;
 use clap::{Parser, ValueEnum};
 
 use super::network::NetworkInputArgs;
-use super::{CanonicalArgs, ExpandArgs, OverwriteArgs, node_id, node_name};
-use crate::cli::input::{FileKind, InputArgs};
+use crate::cli::canonical::CanonicalArgs;
+use crate::cli::input::{ExpandArgs, FileKind, InputArgs};
+use crate::cli::save::OverwriteArgs;
+use crate::cli::values::{node_id, node_name};
 use crate::format::XddVersion;
 
 /// Convert between EDS, DCF, XDD, XDC, JSON and concise DCF, and export to DBC

@@ -6,9 +6,10 @@ use std::slice;
 
 use super::super::args::ConvertArgs;
 use super::super::input::{FileKind, Input, name_of, source_name};
+use super::super::network;
+use super::super::outcome::{Failure, note};
 use super::super::output::Output;
 use super::super::save::{Saved, is_stdout, keep, save};
-use super::super::{Failure, network, note};
 use super::Job;
 use super::losses::{self, LossReport};
 use crate::diagnostic::counted;

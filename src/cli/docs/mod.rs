@@ -12,11 +12,11 @@ use self::network::DocumentedNetwork;
 use super::args::DocsArgs;
 use super::files::{self, File};
 use super::input::{FileKind, Input, name_of, source_name};
+use super::outcome::{Failure, Outcome};
 use super::output::Output;
 use super::progress::Progress;
 use super::save::{Folder, Saved, is_folder, is_stdout, save};
 use super::settings::Settings;
-use super::{Failure, Outcome};
 use crate::diagnostic::{Diagnostic, Findings, one_line};
 use crate::document::{self, CodeName, Finding, Form, Identifiers, Options, Site, SiteFile, Subject};
 use crate::format::Description;
@@ -347,7 +347,7 @@ fn write_site(
     let progress = Progress::new("writing", read.all().count());
     let site = read.into_site(form, options, |page| {
         save_page(args, &mut folder, &page.name, &page.text, out)?;
-        progress.step_with(out)
+        Ok(progress.step_with(out)?)
     })?;
     drop(progress);
     for file in site.index() {

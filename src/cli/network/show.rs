@@ -5,9 +5,9 @@ use std::io::{self, Write};
 use serde::Serialize;
 
 use super::super::args::{NetworkShowArgs, ShowFormat};
+use super::super::outcome::{Failure, Outcome};
 use super::super::output::Output;
 use super::super::table::{Table, fit};
-use super::super::{Failure, Outcome};
 use super::{overview, source_names_of};
 use crate::json::{self, Version};
 use crate::model::PdoKind;
