@@ -182,27 +182,10 @@ impl Worker<'_> {
             findings if is_offered => crate::with_sound_fixes(description, findings, check),
             findings => findings,
         };
-        let Some((description, findings)) = check_devices(description, examine) else {
-            return Checked::Skipped("network without devices".to_owned());
-        };
+        let findings = description.map_devices(examine);
         let deny = self.settings.deny(project);
         Checked::Description(Box::new(Examined { description, findings, deny, amended, unwritten }))
     }
-}
-
-/// The description of the first device of a file, and the findings of each.
-fn check_devices(
-    description: Description,
-    check: impl Fn(&Description) -> Findings,
-) -> Option<(Description, Vec<Findings>)> {
-    let count = description.device_count();
-    let mut findings = vec![check(&description)];
-    let mut next = description;
-    for number in 1..count {
-        next = next.select(number)?;
-        findings.push(check(&next));
-    }
-    Some((next.select(0)?, findings))
 }
 
 /// Writes what was found, and keeps account of it.

@@ -5,7 +5,7 @@ use std::io;
 #[cfg(all(feature = "json", feature = "lint"))]
 use std::path::PathBuf;
 
-use super::OutputError;
+use super::output::OutputError;
 #[cfg(all(feature = "json", feature = "lint"))]
 use crate::baseline::BaselineError;
 use crate::diagnostic::{Findings, one_line};

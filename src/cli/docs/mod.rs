@@ -251,14 +251,11 @@ fn devices(
     let name = file_name(&file.path);
     match input {
         Input::Description(description) if description.device_count() > 1 && args.input.device.is_none() => {
-            let mut next = Some(*description);
-            let mut devices = Vec::new();
-            while let Some(description) = next.take() {
-                let name = format!("{name} [{}]", devices.len() + 1);
-                devices.push(described(args, &options, name, &description));
-                next = description.select(devices.len());
-            }
-            Ok(devices)
+            let described = |description: &Description| {
+                let name = format!("{name} [{}]", description.number() + 1);
+                described(args, &options, name, description)
+            };
+            Ok(description.map_devices(described))
         }
         Input::Description(description) => {
             let description = args.input.selected(&file.path, *description)?;
