@@ -39,7 +39,7 @@ impl From<Outcome> for ExitCode {
 #[derive(Debug)]
 pub(super) struct Failure {
     pub(super) message: String,
-    help: Option<String>,
+    pub(super) help: Option<String>,
     /// The lines of a text that it is about, with the message: shown instead of message and help.
     excerpt: Option<String>,
 }
