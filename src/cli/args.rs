@@ -1,6 +1,5 @@
 //! The command line.
 
-mod canonical;
 mod configure;
 mod convert;
 mod dcf;
@@ -8,8 +7,8 @@ mod docs;
 mod generate;
 mod network;
 mod new;
+mod output;
 
-use std::borrow::Cow;
 use std::num::NonZeroUsize;
 use std::path::{Path, PathBuf};
 
@@ -17,7 +16,6 @@ use clap::{Parser, Subcommand, ValueEnum};
 use clap_complete::Shell;
 use objdict_node::ObjectName;
 
-pub(super) use self::canonical::{CanonicalArgs, DialectArgs};
 pub(super) use self::configure::{ConfigureArgs, ModulesArgs, ModulesFormat};
 pub(super) use self::convert::ConvertArgs;
 pub(super) use self::dcf::{
@@ -32,13 +30,16 @@ pub(super) use self::network::{
     NetworkSchemaArgs, NetworkShowArgs, NetworkTarget, NetworkVerifyArgs,
 };
 pub(super) use self::new::NewArgs;
+pub(super) use self::output::{Counting, ReportArgs, ReportFormat, ShowFormat};
 use super::baseline::BaselineArgs;
+use super::canonical::DialectArgs;
 use super::fix::FixArgs;
-use super::input::{InputArgs, SizeArgs};
-use super::output::Color;
+use super::input::{ExpandArgs, InputArgs, SizeArgs};
+use super::save::OverwriteArgs;
 use super::settings::{ConfigFileArgs, SettingsArgs};
-use crate::diagnostic::Severity;
-use crate::model::{Address, Device, NoAddress};
+use super::terminal::TerminalArgs;
+use super::values::node_id;
+use crate::model::{Address, NoAddress};
 
 /// The CANopen object-dictionary toolchain
 ///
@@ -52,20 +53,6 @@ pub(super) struct Args<C: Subcommand = Command> {
     pub command: C,
     #[command(flatten)]
     pub terminal: TerminalArgs,
-}
-
-// Text output of every command.
-#[derive(Clone, Copy, Debug, clap::Args)]
-pub(super) struct TerminalArgs {
-    /// When to use colours
-    #[arg(long, global = true, value_enum, default_value = "auto", value_name = "WHEN", display_order = 900)]
-    pub color: Color,
-    /// Do not print notes, summaries or progress
-    #[arg(short, long, global = true, conflicts_with = "verbose", display_order = 901)]
-    pub quiet: bool,
-    /// Print the name of each file that is read to standard error
-    #[arg(short, long, global = true, display_order = 902)]
-    pub verbose: bool,
 }
 
 /// The command that is run most, alone.
@@ -195,21 +182,6 @@ pub(super) struct CheckArgs {
     pub fixing: FixArgs,
 }
 
-// How findings are reported.
-#[derive(Debug, clap::Args)]
-pub(super) struct ReportArgs {
-    /// Output format
-    #[arg(long, value_enum, default_value = "text")]
-    pub format: ReportFormat,
-    /// Report every finding separately: by default, findings with the same cause are merged, and the text report shows
-    /// 20 findings per file
-    #[arg(long)]
-    pub all: bool,
-    /// Count the findings per rule; `=only` hides the findings themselves. For the formats text, concise and json
-    #[arg(long, value_enum, value_name = "WHICH", num_args = 0..=1, require_equals = true, default_missing_value = "also")]
-    pub statistics: Option<Counting>,
-}
-
 #[derive(Debug, clap::Args)]
 pub(super) struct IdentifyArgs {
     /// Files to identify; `-` is standard input
@@ -229,34 +201,6 @@ pub(super) enum AnswerFormat {
     Text,
     /// For programs: one JSON document, one file per line (docs/json.md)
     Json,
-}
-
-/// How findings are written.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
-pub(super) enum ReportFormat {
-    /// Source excerpts with markers
-    Text,
-    /// One line per finding: file:line:column: severity rule: message
-    Concise,
-    /// For programs: one JSON document (docs/json.md)
-    Json,
-    /// SARIF 2.1.0, for code scanning services and editors
-    Sarif,
-    /// Annotations of GitHub workflows
-    Github,
-    /// A code quality report of GitLab
-    Gitlab,
-    /// JUnit XML, for viewers of test results
-    Junit,
-}
-
-/// Whether the findings are counted.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
-pub(super) enum Counting {
-    /// After the findings
-    Also,
-    /// Instead of the findings
-    Only,
 }
 
 #[derive(Debug, clap::Args)]
@@ -280,39 +224,6 @@ pub(super) struct ShowArgs {
     pub expand: ExpandArgs,
     #[command(flatten)]
     pub input: InputArgs,
-}
-
-/// How a dictionary is shown.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
-pub(super) enum ShowFormat {
-    /// Plain text
-    Table,
-    /// For programs: one JSON document, one entry per line (docs/json.md)
-    Json,
-}
-
-// What is replaced in a folder.
-#[derive(Clone, Copy, Debug, Default, clap::Args)]
-pub(super) struct OverwriteArgs {
-    /// Also replace files in the folder that objdict did not create, or that differ from their hash in `objdict.sha256`
-    #[arg(long)]
-    pub overwrite: bool,
-}
-
-// What is added to the device that a file describes.
-#[derive(Debug, clap::Args)]
-#[command(next_help_heading = "Input")]
-pub(super) struct ExpandArgs {
-    /// Add the PDO objects that CompactPDO implies, up to NrOfRXPDO and NrOfTXPDO
-    #[arg(long)]
-    pub implicit_pdos: bool,
-}
-
-impl ExpandArgs {
-    /// The device with what was asked for.
-    pub(super) fn device<'a>(&self, device: &'a Device) -> Cow<'a, Device> {
-        if self.implicit_pdos { device.with_implicit_pdos() } else { Cow::Borrowed(device) }
-    }
 }
 
 #[derive(Debug, clap::Args)]
@@ -446,53 +357,7 @@ impl ManArgs {
     }
 }
 
-/// A text of one line.
-fn node_name(text: &str) -> Result<String, String> {
-    if text.chars().any(char::is_control) {
-        Err("a name is one line".to_owned())
-    } else {
-        Ok(text.to_owned())
-    }
-}
-
-/// 1 to 127, in decimal or as `0x7F`.
-pub(super) fn node_id(text: &str) -> Result<u8, String> {
-    let number = number(text).and_then(|number| u8::try_from(number).ok());
-    number.filter(|id| (1..=127).contains(id)).ok_or_else(|| "a node-ID is a number from 1 to 127".to_owned())
-}
-
-/// 32 bits, in decimal or as `0x1234`.
-fn serial_number(text: &str) -> Result<u32, String> {
-    number(text).ok_or_else(|| "a serial number is a number of 32 bits".to_owned())
-}
-
-/// A number in decimal or as `0x7F`.
-fn number(text: &str) -> Option<u32> {
-    match text.strip_prefix("0x").or_else(|| text.strip_prefix("0X")) {
-        Some(digits) => u32::from_str_radix(digits, 16).ok(),
-        None => text.parse().ok(),
-    }
-}
-
 /// The name of objects, which a device resolves.
 fn object(text: &str) -> Result<String, NoAddress> {
     text.parse::<ObjectName>().map(|_| text.to_owned())
-}
-
-/// A severity, as an argument.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
-pub(super) enum Deny {
-    Note,
-    Warning,
-    Error,
-}
-
-impl From<Deny> for Severity {
-    fn from(deny: Deny) -> Self {
-        match deny {
-            Deny::Note => Self::Note,
-            Deny::Warning => Self::Warning,
-            Deny::Error => Self::Error,
-        }
-    }
 }

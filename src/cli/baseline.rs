@@ -6,8 +6,8 @@ use std::path::{Path, PathBuf};
 use clap::Args;
 
 use super::input::name_of;
+use super::outcome::{Failure, note};
 use super::save::{keep, save};
-use super::{Failure, note};
 use crate::baseline::{Baseline, MAX_SIZE, folder_of, name_in};
 use crate::diagnostic::{Findings, counted};
 use crate::report::{Subject, plural};

@@ -4,8 +4,8 @@ use std::collections::HashSet;
 use std::fmt::Write as _;
 use std::path::{Path, PathBuf};
 
-use super::Failure;
 use super::args::CheckArgs;
+use super::outcome::Failure;
 use super::save::save;
 use super::settings::Settings;
 use crate::source::{Fnv, SourceError, read_text};

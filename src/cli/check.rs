@@ -9,11 +9,12 @@ use super::cache::Cache;
 use super::files::{File, gather, note_outside};
 use super::fix::{Amended, FixArgs, Fixing, amend};
 use super::input::{Candidate, name_of, source_name};
+use super::outcome::{Failure, Outcome, note};
 use super::output::Output;
 use super::parallel::in_order;
 use super::progress::give_way;
+use super::report;
 use super::settings::{Project, Settings};
-use super::{Failure, Outcome, note, report};
 use crate::diagnostic::{Findings, Severity, series};
 use crate::format::Description;
 use crate::report::{Report, Subject, grouped, plural};
@@ -203,27 +204,10 @@ impl Worker<'_> {
             findings if is_offered => crate::with_sound_fixes(description, findings, check),
             findings => findings,
         };
-        let Some((description, findings)) = check_devices(description, examine) else {
-            return Checked::Skipped("network without devices".to_owned());
-        };
+        let findings = description.map_devices(examine);
         let deny = self.settings.deny(project);
         Checked::Description(Box::new(Examined { description, findings, deny, amended, unwritten, key }))
     }
-}
-
-/// The description of the first device of a file, and the findings of each.
-fn check_devices(
-    description: Description,
-    check: impl Fn(&Description) -> Findings,
-) -> Option<(Description, Vec<Findings>)> {
-    let count = description.device_count();
-    let mut findings = vec![check(&description)];
-    let mut next = description;
-    for number in 1..count {
-        next = next.select(number)?;
-        findings.push(check(&next));
-    }
-    Some((next.select(0)?, findings))
 }
 
 /// Writes what was found, and keeps account of it.

@@ -9,10 +9,10 @@ use objdict_node::ObjectName;
 use super::args::ConfigureArgs;
 use super::input::{Input, name_of, source_name};
 use super::node::{commissioning, former_node_id};
+use super::outcome::{Failure, Outcome, note, tell};
 use super::output::Output;
 use super::save::{keep, save, save_in_place};
 use super::settings::{Settings, SettingsArgs};
-use super::{Failure, Outcome, note, tell};
 use crate::configure::{
     Configuration, Rebased, Setting, SettingProblem, SettingsFile, configuration, configure, rebase,
 };

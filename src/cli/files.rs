@@ -6,9 +6,10 @@ use std::sync::Arc;
 
 use ignore::WalkBuilder;
 
+use super::input::detail;
 use super::input::name_of;
+use super::outcome::{Failure, note};
 use super::settings::{Project, Settings};
-use super::{Failure, detail, note};
 
 /// The endings of the descriptions that are looked for in folders.
 const ENDINGS: [&str; 6] = ["eds", "dcf", "xdd", "xdc", "nxdd", "nxdc"];

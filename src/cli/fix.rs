@@ -2,10 +2,11 @@
 
 use std::path::{Path, PathBuf};
 
-use super::args::DialectArgs;
+use super::canonical::DialectArgs;
+use super::diff;
+use super::outcome::{Failure, note};
 use super::output::Output;
 use super::save::save_in_place;
-use super::{Failure, diff, note};
 use crate::diagnostic::Applicability;
 use crate::format::{self, Description, Format};
 use crate::lint::Options;

@@ -4,14 +4,15 @@ use std::io::Write;
 use std::path::Path;
 
 use super::args::FmtArgs;
+use super::diff;
 use super::files::{File, gather, note_outside};
 use super::input::{Candidate, name_of};
+use super::outcome::{Failure, Outcome, note};
 use super::output::Output;
 use super::parallel::in_order;
 use super::progress::give_way;
 use super::save::{Saved, save_in_place};
 use super::settings::{Settings, SettingsArgs};
-use super::{Failure, Outcome, diff, note};
 use crate::compat;
 use crate::report::plural;
 use crate::source::{SourceFile, SourceOptions};

@@ -6,12 +6,13 @@ use std::path::{Path, PathBuf};
 
 use super::args::{GenerateArgs, SizeFormat};
 use super::input::{name_of, source_name};
+use super::outcome::{Failure, Outcome, note, tell};
 use super::output::Output;
 use super::progress::Progress;
 use super::save::{Folder, Saved, keep, require_other, save, save_in_place};
 use super::sizes;
 use super::table::Table;
-use super::{Failure, Outcome, is_quiet, note, tell};
+use super::terminal::is_quiet;
 use crate::diagnostic::{Severity, one_line};
 use crate::format::ReadError;
 use crate::format::input::Input;

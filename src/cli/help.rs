@@ -5,9 +5,9 @@ use std::io::Write;
 use clap::{Command, CommandFactory};
 
 use super::args::{Args, HelpArgs};
+use super::outcome::{Failure, Outcome};
 use super::output::Output;
 use super::table::Table;
-use super::{Failure, Outcome};
 use crate::diagnostic::{listing, nearest};
 use crate::generate::Target;
 

@@ -7,8 +7,8 @@ use serde::Serialize;
 
 use super::args::{AnswerFormat, IdentifyArgs};
 use super::input::{name_of, source_name};
+use super::outcome::{Failure, Outcome};
 use super::output::Output;
-use super::{Failure, Outcome};
 use crate::diagnostic::one_line;
 use crate::format::identify::{Identification, identify};
 use crate::json;

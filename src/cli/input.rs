@@ -1,18 +1,22 @@
 //! The files that a command reads.
 
+use std::borrow::Cow;
 use std::fs::File;
 use std::io;
 use std::path::Path;
 
 use clap::Args;
 
+use super::outcome::Failure;
+use super::outcome::tell;
 use super::save::keep;
-use super::{Failure, detail};
+use super::terminal::is_verbose;
 use crate::diagnostic::one_line;
 use crate::format::identify::ContentKind;
 use crate::format::input::{DEFAULT_MAX_ENTRIES, Reading};
 pub(super) use crate::format::input::{FileKind, Input};
 use crate::format::{self, Description, EditError, ReadError, WriteOptions};
+use crate::model::Device;
 use crate::source::{self, DEFAULT_MAX_SIZE, Encoding, SourceError};
 
 /// What reports call the standard input.
@@ -147,6 +151,22 @@ impl SizeArgs {
     }
 }
 
+// What is added to the device that a file describes.
+#[derive(Debug, clap::Args)]
+#[command(next_help_heading = "Input")]
+pub(super) struct ExpandArgs {
+    /// Add the PDO objects that CompactPDO implies, up to NrOfRXPDO and NrOfTXPDO
+    #[arg(long)]
+    pub implicit_pdos: bool,
+}
+
+impl ExpandArgs {
+    /// The device with what was asked for.
+    pub(super) fn device<'a>(&self, device: &'a Device) -> Cow<'a, Device> {
+        if self.implicit_pdos { device.with_implicit_pdos() } else { Cow::Borrowed(device) }
+    }
+}
+
 /// What the source of a file is called, as it is: in JSON, and where the name decides.
 pub(super) fn source_name(path: &Path) -> String {
     if path == Path::new("-") { STDIN.to_owned() } else { path.display().to_string() }
@@ -155,6 +175,13 @@ pub(super) fn source_name(path: &Path) -> String {
 /// A path as it is printed.
 pub(super) fn name_of(path: &Path) -> String {
     one_line(&source_name(path))
+}
+
+/// Names a file that is read, with `--verbose`.
+pub(super) fn detail(path: &Path) {
+    if is_verbose() {
+        tell(&format!("reading {}\n", name_of(path)));
+    }
 }
 
 impl From<ReadError> for Failure {

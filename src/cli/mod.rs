@@ -5,6 +5,7 @@ mod annotation;
 mod args;
 mod baseline;
 mod cache;
+mod canonical;
 mod check;
 mod configure;
 mod convert;
@@ -22,6 +23,7 @@ mod modules;
 mod network;
 mod new;
 mod node;
+mod outcome;
 mod output;
 mod packaging;
 mod parallel;
@@ -36,17 +38,18 @@ mod settings;
 mod show;
 mod sizes;
 mod table;
+mod terminal;
+mod values;
 
 use std::io::Write;
-use std::path::Path;
 use std::process::ExitCode;
-use std::sync::OnceLock;
 
-use self::args::{Args, Command, OnlyCheck, TerminalArgs};
+use self::args::{Args, Command, OnlyCheck};
+use self::outcome::Outcome;
 use self::output::Output;
 #[cfg(feature = "schema")]
 pub use self::schema::schemas;
-use crate::diagnostic::{one_line, printable_lines};
+use crate::diagnostic::printable_lines;
 
 /// Runs the command that the arguments of the process name.
 pub fn run() -> ExitCode {
@@ -57,8 +60,8 @@ pub fn run() -> ExitCode {
             return if error.use_stderr() { Outcome::Failed.into() } else { Outcome::Clean.into() };
         }
     };
-    let terminal = TERMINAL.get_or_init(|| args.terminal);
-    let mut out = Output::stdout(terminal.color);
+    terminal::set(args.terminal);
+    let mut out = Output::stdout(args.terminal.color);
     let outcome = match &args.command {
         Command::Check(OnlyCheck::Check(command)) => check::run(command, &mut out),
         Command::Convert(command) => convert::run(command, &mut out),
@@ -99,119 +102,4 @@ fn print_usage(error: &clap::Error) {
     } else {
         error.print()
     };
-}
-
-/// How a command ended.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-enum Outcome {
-    /// Success.
-    Clean,
-    /// The work was done and something was found.
-    Findings,
-    /// The work could not be done, or not for every file.
-    Failed,
-}
-
-impl Outcome {
-    /// The exit code.
-    const fn code(self) -> u8 {
-        match self {
-            Self::Clean => 0,
-            Self::Findings => 1,
-            Self::Failed => 2,
-        }
-    }
-}
-
-impl From<Outcome> for ExitCode {
-    fn from(outcome: Outcome) -> Self {
-        Self::from(outcome.code())
-    }
-}
-
-/// Why a command could not do its work.
-#[derive(Debug)]
-struct Failure {
-    message: String,
-    help: Option<String>,
-    /// The lines of a text that it is about, with the message: shown instead of message and help.
-    excerpt: Option<String>,
-}
-
-impl Failure {
-    /// A message of one line.
-    fn new(message: impl std::fmt::Display) -> Self {
-        Self { message: one_line(&message.to_string()), help: None, excerpt: None }
-    }
-
-    /// A message of several lines.
-    fn of_lines(lines: impl IntoIterator<Item = impl AsRef<str>>) -> Self {
-        let lines: Vec<String> = lines.into_iter().map(|line| one_line(line.as_ref())).collect();
-        Self { message: lines.join("\n"), help: None, excerpt: None }
-    }
-
-    fn help(mut self, help: impl AsRef<str>) -> Self {
-        self.help = Some(one_line(help.as_ref()));
-        self
-    }
-
-    fn maybe_help(self, help: Option<impl AsRef<str>>) -> Self {
-        help.into_iter().fold(self, Self::help)
-    }
-
-    fn excerpt(mut self, excerpt: String) -> Self {
-        self.excerpt = Some(excerpt);
-        self
-    }
-
-    /// Prints it on the standard error.
-    fn print(&self) {
-        if let Some(excerpt) = &self.excerpt {
-            return tell(excerpt);
-        }
-        let mut text = format!("error: {}\n", self.message);
-        if let Some(help) = &self.help {
-            text.push_str(&format!("  help: {help}\n"));
-        }
-        tell(&text);
-    }
-}
-
-/// What the arguments say about messages.
-static TERMINAL: OnceLock<TerminalArgs> = OnceLock::new();
-
-fn terminal() -> Option<&'static TerminalArgs> {
-    TERMINAL.get()
-}
-
-/// Whether `--quiet` is given.
-fn is_quiet() -> bool {
-    terminal().is_some_and(|terminal| terminal.quiet)
-}
-
-/// Writes a note or a summary to the standard error, unless `--quiet` is given.
-fn note(text: &str) {
-    if !is_quiet() {
-        tell(text);
-    }
-}
-
-/// Names a file that is read, with `--verbose`.
-fn detail(path: &Path) {
-    if terminal().is_some_and(|terminal| terminal.verbose) {
-        tell(&format!("reading {}\n", input::name_of(path)));
-    }
-}
-
-/// Writes lines to the standard error; they may quote anything from a file.
-fn tell(text: &str) {
-    let _line = progress::hide();
-    // there is no other place to report an error of this
-    let _ = std::io::stderr().write_all(printable_lines(text).as_bytes());
-}
-
-impl From<std::io::Error> for Failure {
-    fn from(error: std::io::Error) -> Self {
-        Self::new(format_args!("cannot write the output: {error}"))
-    }
 }

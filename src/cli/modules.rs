@@ -6,9 +6,9 @@ use serde::Serialize;
 
 use super::args::{ModulesArgs, ModulesFormat};
 use super::input::{Input, name_of, source_name};
+use super::outcome::{Failure, Outcome};
 use super::output::Output;
 use super::table::Table;
-use super::{Failure, Outcome};
 use crate::json::{self, Version};
 use crate::model::{Device, ExtensionCount, Module};
 

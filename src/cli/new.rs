@@ -5,9 +5,9 @@ use std::time::{SystemTime, UNIX_EPOCH};
 
 use super::args::NewArgs;
 use super::input::{FileKind, name_of};
+use super::outcome::{Failure, Outcome, note};
 use super::output::Output;
 use super::save::{is_stdout, save};
-use super::{Failure, Outcome, note};
 use crate::format::{self, WriteOptions, json};
 use crate::model::{ClockTime, Date};
 use crate::scaffold::{ChannelCounts, Encoder, EncoderClass, Functions, Wanted, scaffold};

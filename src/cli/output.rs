@@ -2,37 +2,11 @@
 
 use std::borrow::Cow;
 use std::fmt::Display;
-use std::io::{self, BufWriter, ErrorKind, IsTerminal, Stdout, Write};
+use std::io::{self, BufWriter, ErrorKind, Stdout, Write};
 
-use clap::ValueEnum;
-
-use super::{Failure, is_quiet};
+use super::outcome::Failure;
+use super::terminal::{Color, is_quiet};
 use crate::diagnostic::printable;
-
-/// When to use colours.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
-pub(super) enum Color {
-    /// On a terminal, unless `NO_COLOR` is set or `TERM` is `dumb`
-    Auto,
-    /// Always
-    Always,
-    /// Never
-    Never,
-}
-
-impl Color {
-    fn is_on(self) -> bool {
-        let is_set = |name| std::env::var_os(name).is_some_and(|value| !value.is_empty());
-        match self {
-            Self::Always => true,
-            Self::Never => false,
-            Self::Auto => {
-                let is_dumb = std::env::var_os("TERM").is_some_and(|term| term == "dumb");
-                io::stdout().is_terminal() && !is_set("NO_COLOR") && !is_dumb
-            }
-        }
-    }
-}
 
 /// The standard output, buffered. What is written to it is text for users: each line is made [`printable`], whatever names and
 /// texts it quotes. Results that other programs read go to [`raw`](Self::raw). When the reader goes away, as `head` does, what is

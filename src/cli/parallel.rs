@@ -7,8 +7,8 @@ use std::thread;
 use rayon::ThreadPoolBuilder;
 use rayon::prelude::*;
 
-use super::Failure;
 use super::files::File;
+use super::outcome::Failure;
 use super::progress::Progress;
 
 /// So many files are in memory at once, and as many are waiting to be reported.

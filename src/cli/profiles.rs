@@ -4,7 +4,7 @@
 use std::path::Path;
 use std::sync::Arc;
 
-use super::Failure;
+use super::outcome::Failure;
 use super::save::keep;
 use crate::profile::{self, OpenError, Profile, ProfileError};
 use crate::report::problem;
@@ -38,7 +38,7 @@ impl From<OpenError> for Failure {
 
 impl From<&OpenError> for Failure {
     fn from(error: &OpenError) -> Self {
-        let failure = Self { help: error.help(), ..Self::new(error) };
+        let failure = Self::new(error).maybe_help(error.help());
         match error {
             OpenError::Invalid { source_file, error: ProfileError { message, span: Some(span), help } } => {
                 failure.excerpt(problem(source_file, *span, message, help.as_deref()))

@@ -1,14 +1,13 @@
 //! How far a command is: one line on the terminal, which goes away.
 
-use std::io::{IsTerminal, Write, stderr, stdout};
+use std::io::{self, IsTerminal, Write, stderr, stdout};
 use std::sync::atomic::{AtomicUsize, Ordering};
 use std::sync::mpsc::{Receiver, RecvTimeoutError, Sender, channel};
 use std::sync::{Arc, Mutex, MutexGuard, PoisonError};
 use std::thread::{self, JoinHandle};
 use std::time::Duration;
 
-use super::output::Output;
-use super::{Failure, is_quiet};
+use super::terminal::is_quiet;
 
 /// What takes less shows nothing.
 const PATIENCE: Duration = Duration::from_secs(1);
@@ -51,7 +50,7 @@ impl Progress {
     }
 
     /// One more file is done, and the output says so: a terminal shows this at once, instead of the number.
-    pub(super) fn step_with(&self, out: &mut Output) -> Result<(), Failure> {
+    pub(super) fn step_with(&self, out: &mut dyn Write) -> io::Result<()> {
         self.step();
         if stdout().is_terminal() {
             give_way();

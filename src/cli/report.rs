@@ -2,8 +2,8 @@
 
 use std::path::PathBuf;
 
-use super::Failure;
 use super::args::{Counting, ReportArgs, ReportFormat};
+use super::outcome::Failure;
 use super::output::Output;
 use crate::report::{Concise, Detail, Github, Gitlab, Json, Junit, Report, Sarif, TextReport};
 

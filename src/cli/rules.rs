@@ -5,9 +5,9 @@ use std::io::Write;
 use serde::Serialize;
 
 use super::args::{ExplainArgs, RulesArgs, RulesFormat};
+use super::outcome::{Failure, Outcome};
 use super::output::Output;
 use super::table::Table;
-use super::{Failure, Outcome};
 use crate::diagnostic::{FixSafety, RuleInfo, Severity, listing, nearest};
 use crate::json::{self, Version};
 use crate::model::Address;

@@ -3,8 +3,7 @@
 use std::path::Path;
 use std::sync::{Mutex, MutexGuard, Once, PoisonError};
 
-use super::Failure;
-use super::args::OverwriteArgs;
+use super::outcome::Failure;
 pub(super) use crate::pipeline::Saved;
 use crate::pipeline::{self, OutputError, OutputFolder, Used};
 
@@ -52,6 +51,14 @@ fn end_well() {
 /// Refuses an output that is a file which this run reads or has written.
 pub(super) fn require_other(path: &Path) -> Result<(), Failure> {
     with_used(|used| used.require_other(path))
+}
+
+// What is replaced in a folder.
+#[derive(Clone, Copy, Debug, Default, clap::Args)]
+pub(super) struct OverwriteArgs {
+    /// Also replace files in the folder that objdict did not create, or that differ from their hash in `objdict.sha256`
+    #[arg(long)]
+    pub overwrite: bool,
 }
 
 /// A folder that a command writes into, where only what objdict wrote is replaced.

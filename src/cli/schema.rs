@@ -4,9 +4,9 @@
 use std::io::Write;
 
 use super::args::SchemaArgs;
+use super::outcome::{Failure, Outcome};
 use super::output::Output;
 use super::table::Table;
-use super::{Failure, Outcome};
 use crate::diagnostic::{listing, nearest};
 
 /// The schema of a document.

@@ -6,12 +6,13 @@ use std::path::{Path, PathBuf};
 use std::str::FromStr;
 use std::sync::Arc;
 
-use clap::Args;
+use clap::{Args, ValueEnum};
 
-use super::args::{Deny, node_id};
+use super::input::detail;
+use super::outcome::Failure;
 use super::profiles::ProfileArgs;
 use super::save::keep;
-use super::{Failure, detail};
+use super::values::node_id;
 use crate::config::Config;
 pub(super) use crate::config::Project;
 use crate::diagnostic::{Selection, Severity, Tool, series};
@@ -250,5 +251,23 @@ impl<'a> Settings<'a> {
         project.files().for_each(|file| keep(&file));
         self.projects.push((path.to_owned(), project.clone()));
         Ok(project)
+    }
+}
+
+/// A severity, as an argument.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
+pub(super) enum Deny {
+    Note,
+    Warning,
+    Error,
+}
+
+impl From<Deny> for Severity {
+    fn from(deny: Deny) -> Self {
+        match deny {
+            Deny::Note => Self::Note,
+            Deny::Warning => Self::Warning,
+            Deny::Error => Self::Error,
+        }
     }
 }

@@ -109,6 +109,14 @@ impl Description {
         }
     }
 
+    /// What a function makes of each device of the file, from this one on.
+    pub fn map_devices<T>(&self, mut make: impl FnMut(&Self) -> T) -> Vec<T> {
+        let mut made = vec![make(self)];
+        let others = (self.number + 1..).map_while(|number| self.sibling(number));
+        made.extend(others.map(|other| make(&other)));
+        made
+    }
+
     /// One of the devices of the file.
     #[cfg(feature = "json")]
     fn device_at(&self, number: usize) -> Cow<'_, Device> {

@@ -5,7 +5,7 @@ use std::path::Path;
 use objdict::bus::{Conditions, Milestone, Run, boot};
 use objdict::download::ConciseDcf;
 use objdict::format::network::{BootFiles, BuiltFile, NetworkFile};
-use objdict::network::{DcfgenMode, LelyOptions, Overview, compile};
+use objdict::network::{DcfgenMode, LelyOptions, Overview};
 use objdict::source::SourceFile;
 
 use crate::network::{new_folder, objections, path, verified};
@@ -56,8 +56,7 @@ fn checked(file: &NetworkFile) -> String {
 }
 
 fn overview(file: &NetworkFile) -> Overview {
-    let network = file.network.as_ref().unwrap();
-    Overview::new(network, &compile(network, DcfgenMode::Corrected, &mut Default::default()))
+    Overview::new(file.network().unwrap(), file.compiled().unwrap())
 }
 
 fn master(file: &NetworkFile, mode: DcfgenMode) -> String {

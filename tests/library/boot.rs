@@ -3,11 +3,11 @@
 use std::collections::BTreeSet;
 
 use objdict::bus::{BootFailure, Conditions, Milestone, NodeRun, Run, boot};
-use objdict::diagnostic::{Findings, Severity};
+use objdict::diagnostic::Severity;
 use objdict::download::{ConciseDcf, Download};
 use objdict::format::network::{BootFiles, BuiltFile, InstallError, Installation, NetworkFile, install};
 use objdict::model::{Access, Device, PdoKind};
-use objdict::network::{DcfgenMode, LelyOptions, compile};
+use objdict::network::{DcfgenMode, LelyOptions};
 use objdict::source::SourceFile;
 
 use crate::network::{objections, open, path, verified};
@@ -77,8 +77,7 @@ fn differences(node: &NodeRun, effective: &Device) -> Vec<String> {
 fn the_fixtures_boot_and_have_their_effective_values() {
     for name in NETWORKS {
         let file = open(name);
-        let network = file.network.as_ref().unwrap();
-        let compiled = compile(network, DcfgenMode::Corrected, &mut Findings::new());
+        let (network, compiled) = (file.network().unwrap(), file.compiled().unwrap());
         for files in [BootFiles::Dcf, BootFiles::Lely] {
             let installation = file.install(files).unwrap();
             assert!(installation.notes.is_empty(), "{name}: {:?}", installation.notes);
@@ -349,7 +348,7 @@ fn what_only_tools_must_not_write_is_not_against_a_file() {
     let build = file.build(DcfgenMode::Corrected).unwrap();
     let save = Download::new(0x1010, 1, *b"save");
     let stream = ConciseDcf(vec![save]);
-    let device = &file.network.as_ref().unwrap().nodes[0].device;
+    let device = &file.network().unwrap().nodes[0].device;
     assert!(!stream.verify(device, Some(5)).is_accepted());
     let files = [BuiltFile { name: "io.cdcf".to_owned(), bytes: stream.write().unwrap() }];
     assert_eq!(objections(&build, &files), Vec::<String>::new());

@@ -2,8 +2,7 @@
 
 use std::collections::BTreeSet;
 
-use objdict::diagnostic::Findings;
-use objdict::network::{DcfgenMode, Overview, compile, graph};
+use objdict::network::{Overview, graph};
 use roxmltree::{Document, Node};
 
 use crate::links::{many, open};
@@ -11,8 +10,8 @@ use crate::links::{many, open};
 /// A ring of nodes, the first of which is the manager.
 fn overview(nodes: usize, name: &str) -> Overview {
     let bus = format!("[bus]\nname = '{name}'\nbit-rate = 1000\nsync = '10ms'\nmanager = 'n0'\n");
-    let network = open(&format!("graph{nodes}"), &(bus + &many(nodes))).network.unwrap();
-    Overview::new(&network, &compile(&network, DcfgenMode::Corrected, &mut Findings::new()))
+    let file = open(&format!("graph{nodes}"), &(bus + &many(nodes)));
+    Overview::new(file.network().unwrap(), file.compiled().unwrap())
 }
 
 fn number(node: Node<'_, '_>, name: &str) -> f64 {

@@ -3,9 +3,9 @@
 use std::fmt::Write;
 use std::fs;
 
-use objdict::diagnostic::{Findings, Severity};
+use objdict::diagnostic::Severity;
 use objdict::format::network::NetworkFile;
-use objdict::network::{DcfgenMode, Messages, Network, Party, compile};
+use objdict::network::{DcfgenMode, Messages, Party, compile};
 use objdict::source::SourceFile;
 
 use crate::support;
@@ -21,12 +21,12 @@ fn chapter_4() -> String {
 }
 
 /// The PDOs of a network, a line each: CAN-ID, sender and receivers.
-fn pdos(network: &Network) -> Vec<String> {
-    let compiled = compile(network, DcfgenMode::Corrected, &mut Findings::new());
+fn pdos(file: &NetworkFile) -> Vec<String> {
+    let network = file.network().unwrap();
     let named =
         |party: &Party| format!("{} {}", network.nodes[party.node.unwrap()].name.value, party.service);
     let is_pdo = |party: &&Party| party.service.to_string().contains("PDO");
-    let messages = Messages::new(network, &compiled).0;
+    let messages = Messages::new(network, file.compiled().unwrap()).0;
     let lines = messages.iter().filter_map(|(can_id, message)| {
         let sender = message.senders.iter().find(is_pdo)?;
         let receivers: Vec<String> = message.receivers.iter().filter(is_pdo).map(named).collect();
@@ -40,9 +40,8 @@ fn the_network_of_chapter_4_comes_out_as_printed() {
     let file = open("chapter4", &chapter_4());
     let found: Vec<String> = file.check().iter().map(|finding| finding.message.to_string()).collect();
     assert_eq!(found, [""; 0]);
-    let network = file.network.unwrap();
     assert_eq!(
-        pdos(&network),
+        pdos(&file),
         [
             "18Bh left TPDO 1: plc RPDO 1",
             "18Dh middle TPDO 1: plc RPDO 5",
@@ -55,11 +54,11 @@ fn the_network_of_chapter_4_comes_out_as_printed() {
             "501h right TPDO 2: plc RPDO 4",
         ]
     );
-    let compiled = compile(&network, DcfgenMode::Corrected, &mut Findings::new());
+    let compiled = file.compiled().unwrap();
     let left = &compiled.slaves[0];
     let stream = left.arranged().unwrap();
     assert_eq!((stream.0.len(), stream.write().unwrap().len()), (33, 325));
-    let plc = compiled.manager.unwrap();
+    let plc = compiled.manager.as_ref().unwrap();
     let services = plc.device.services();
     assert_eq!(services.communication_cycle_period, Some(33_000));
     assert!(services.sync.unwrap().bit_30(), "the controller sends SYNC");
@@ -97,9 +96,10 @@ pub(crate) fn many(count: usize) -> String {
 
 #[test]
 fn a_ring_of_127_nodes_has_a_pdo_for_each_node() {
-    let network = open("ring", &many(127)).network.unwrap();
+    let file = open("ring", &many(127));
+    let network = file.network().unwrap();
     assert_eq!((network.nodes.len(), network.links.len()), (127, 504));
-    let lines = pdos(&network);
+    let lines = pdos(&file);
     for node in 1..127 {
         let line = format!("{:03X}h n{node} TPDO 1: n{} RPDO 1", 0x181 + node, (node + 1) % 127);
         assert!(lines.contains(&line), "{line}");
@@ -112,7 +112,7 @@ fn a_node_watches_others_beside_the_manager() {
     let file = open("watches", text);
     let found: Vec<_> = file.check().iter().map(|finding| finding.message.to_string()).collect();
     assert!(found.contains(&"there is no node `nowhere`, which `left` watches".to_owned()), "{found:?}");
-    let compiled = compile(&file.network.unwrap(), DcfgenMode::Corrected, &mut Findings::new());
+    let compiled = file.compiled().unwrap();
     let consumers = compiled.slaves[0].device.services().heartbeat_consumers;
     let consumers: Vec<_> =
         consumers.iter().map(|consumer| (consumer.sub, consumer.node_id, consumer.time)).collect();
@@ -159,8 +159,7 @@ fn a_watched_node_may_have_its_heartbeat_time_in_its_description() {
                 [node.bare]\nfile = \"bare.dcf\"\n";
     let file = open("watched", text);
     assert!(file.check().is_empty(), "{:?}", file.check());
-    let network = file.network.unwrap();
-    let compiled = compile(&network, DcfgenMode::Corrected, &mut Findings::new());
+    let compiled = file.compiled().unwrap();
     let consumers = compiled.slaves[0].device.services().heartbeat_consumers;
     let watched: Vec<_> = consumers.iter().map(|consumer| (consumer.node_id, consumer.time)).collect();
     assert_eq!(watched, [(5, 1500)]);
@@ -179,7 +178,7 @@ fn a_pdo_with_a_constant_cob_id_stays_on() {
     let file = NetworkFile::open(&folder.join("network.toml"), &Default::default()).unwrap();
     assert!(!file.check().has_errors(), "{:?}", file.check());
     let downloads = |mode| {
-        let compiled = compile(file.network.as_ref().unwrap(), mode, &mut Findings::new());
+        let compiled = compile(file.network().unwrap(), mode);
         let downloads = &compiled.slaves[0].downloads.0;
         downloads
             .iter()

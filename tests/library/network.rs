@@ -3,12 +3,11 @@
 use std::collections::{BTreeMap, BTreeSet};
 use std::path::PathBuf;
 
-use objdict::diagnostic::Findings;
 use objdict::download::{ConciseDcf, effective};
 use objdict::format::network::{Build, BuiltFile, ConfigurationTime, NetworkFile, init, schema};
 use objdict::format::{self, Description, Format};
 use objdict::model::{Device, Value};
-use objdict::network::{DcfgenMode, End, LelyOptions, MessageRow, Overview, compile};
+use objdict::network::{DcfgenMode, End, LelyOptions, MessageRow, Overview};
 use objdict::source::{SourceFile, SourceOptions};
 
 use crate::support;
@@ -101,8 +100,7 @@ fn every_stream_is_accepted_by_its_node() {
         let build = network.build(DcfgenMode::Corrected).unwrap();
         for BuiltFile { name, bytes } in verified(&build, build.concise().unwrap()) {
             let node = network
-                .network
-                .as_ref()
+                .network()
                 .unwrap()
                 .nodes
                 .iter()
@@ -174,9 +172,8 @@ fn downloaded(device: &Device, stream: &[u8]) -> Device {
 fn what_is_written_has_the_effective_values() {
     for name in ["worked.yml", "cell.yml", "chapter4.toml", "line.toml"] {
         let network = open(name);
-        let nodes = &network.network.as_ref().unwrap().nodes;
-        let compiled =
-            compile(network.network.as_ref().unwrap(), DcfgenMode::Corrected, &mut Findings::new());
+        let nodes = &network.network().unwrap().nodes;
+        let compiled = network.compiled().unwrap();
         let build = network.build(DcfgenMode::Corrected).unwrap();
         let dcfs = verified(&build, build.dcfs().unwrap());
         let [concise, lely] = [
@@ -305,7 +302,7 @@ fn a_node_has_the_keys_of_its_type() {
     let files = |file: &NetworkFile| file.build(DcfgenMode::Corrected).unwrap().dcfs().unwrap();
     assert_eq!(files(&one), files(&other));
     let factors = |file: &NetworkFile| -> Vec<f64> {
-        file.network.as_ref().unwrap().nodes.iter().map(|node| node.heartbeat.factor).collect()
+        file.network().unwrap().nodes.iter().map(|node| node.heartbeat.factor).collect()
     };
     assert_eq!((factors(&one), factors(&other)), (vec![2.0, 3.0], vec![2.0, 3.0]));
 }
@@ -377,9 +374,8 @@ fn nodes_keep_the_time_of_their_configuration() {
 
 /// The messages of a network in words, and its findings that depend on values.
 fn said(file: &NetworkFile) -> (Vec<String>, BTreeSet<String>) {
-    let network = file.network.as_ref().unwrap();
-    let compiled = compile(network, DcfgenMode::Corrected, &mut Findings::new());
-    let mut overview = Overview::new(network, &compiled);
+    let network = file.network().unwrap();
+    let mut overview = Overview::new(network, file.compiled().unwrap());
     overview.messages.iter_mut().for_each(|message| message.receivers.sort_by_key(End::to_string));
     let ends = |ends: &[End]| ends.iter().map(End::to_string).collect::<Vec<_>>().join(", ");
     let shown = |message: &MessageRow| {
@@ -412,7 +408,7 @@ fn configured_nodes_are_a_network() {
     let again = written(&network, "configured-nodes");
     assert!(!again.check().has_errors(), "{:?}", again.check());
     assert_eq!(said(&again).0, said(&network).0);
-    assert_eq!(again.network.unwrap().nodes.len(), 5);
+    assert_eq!(again.network().unwrap().nodes.len(), 5);
 }
 
 /// Whatever writes an entry, the network is checked and shown with its value, and the same is in the DCFs.
@@ -512,7 +508,7 @@ fn a_file_with_several_devices_is_a_network() {
         assert!(started.contains(&quoted), "{started}");
     }
     let network = NetworkFile::of_descriptions(std::slice::from_ref(&path), &Default::default()).unwrap();
-    let nodes = &network.network.as_ref().unwrap().nodes;
+    let nodes = &network.network().unwrap().nodes;
     let counts: Vec<_> = nodes.iter().map(|node| node.device.objects.len()).collect();
     assert!(matches!(counts[..], [first, second] if first != second), "{counts:?}");
     assert_eq!(network.build(DcfgenMode::Corrected).unwrap().dcfs().unwrap().len(), 2);
@@ -540,7 +536,7 @@ fn the_folder_of_descriptions_is_searched() {
                 Node5DCFName=servo.eds\nEDSBaseName=eds\n[TOPOLOGY2]\nNodes=0\n";
     std::fs::write(folder.join("nodelist.cpj"), list).unwrap();
     let file = NetworkFile::open(&folder.join("nodelist.cpj"), &Default::default()).unwrap();
-    assert_eq!(file.network.as_ref().unwrap().nodes.len(), 1);
+    assert_eq!(file.network().unwrap().nodes.len(), 1);
     let findings = file.check();
     let others = findings.iter().find(|finding| finding.rule.name() == "invalid-node-list").unwrap();
     assert_eq!(others.message.to_string(), "the file has 2 networks; only the first is read");

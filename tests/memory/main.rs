@@ -16,12 +16,10 @@ use std::thread;
 
 use cap::Cap;
 use objdict::check;
-use objdict::diagnostic::Findings;
 use objdict::format::input::{Input, Reading};
 use objdict::format::network::{NetworkFile, PathOptions};
 use objdict::format::{self, Description, Format, WriteOptions, json};
 use objdict::model::Device;
-use objdict::network::{DcfgenMode, compile};
 
 use self::bombs::Kind;
 
@@ -170,8 +168,6 @@ fn of_network(name: &str, text: &str) {
     };
     if let Some(file) = file {
         println!("{name}: {} findings", file.check().len());
-        let slaves =
-            file.network.map(|network| compile(&network, DcfgenMode::Corrected, &mut Findings::new()));
-        println!("{name}: {}", slaves.is_some());
+        println!("{name}: {}", file.compiled().is_some());
     }
 }

@@ -11,18 +11,17 @@ mod stored;
 mod sync;
 mod timing;
 
-use crate::compile::compile;
-use crate::compiled::{Compiled, DcfgenMode, Slave};
+use crate::compiled::{Compiled, Slave};
 use crate::diagnostic::{At, Findings};
 use crate::messages::{MessageId, Messages, Party};
 use crate::network::Network;
 use crate::traffic::Traffic;
 
 /// Reports the problems of a network: of the configurations, and between nodes.
-pub fn check(network: &Network, findings: &mut Findings) {
-    let compiled = compile(network, DcfgenMode::Corrected, findings);
-    let messages = Messages::new(network, &compiled);
-    let mut check = Check { network, compiled: &compiled, messages: &messages, findings };
+pub fn check(network: &Network, compiled: &Compiled, findings: &mut Findings) {
+    findings.append(compiled.findings.clone());
+    let messages = Messages::new(network, compiled);
+    let mut check = Check { network, compiled, messages: &messages, findings };
     check.nodes();
     check.can_ids();
     check.unlinked();

@@ -3,11 +3,13 @@
 mod compiler;
 mod pdo;
 
+use std::cell::OnceCell;
+
 use objdict_model::diagnostic::Severity;
 
 use self::compiler::{Compiler, Part};
 use crate::compiled::{Compiled, DcfgenMode, Slave};
-use crate::diagnostic::{At, Diagnostic, Findings, say};
+use crate::diagnostic::{At, Diagnostic, say};
 use crate::download::ConciseDcf;
 use crate::identity;
 use crate::manager::complete;
@@ -22,9 +24,9 @@ use crate::source::Span;
 const POOL: std::ops::RangeInclusive<u32> = 0x680..=0x6DF;
 
 /// Makes the downloads of all nodes.
-pub fn compile(network: &Network, mode: DcfgenMode, findings: &mut Findings) -> Compiled {
+pub fn compile(network: &Network, mode: DcfgenMode) -> Compiled {
     let mut pool = POOL;
-    let mut compiled = Compiled { slaves: Vec::new(), manager: None };
+    let mut compiled = Compiled::default();
     let own = network.manager.as_ref().and_then(|manager| manager.node);
     for (position, node) in network.nodes.iter().enumerate() {
         let Some(node_id) = node.node_id.filter(|node_id| (1..=127).contains(&node_id.value)) else {
@@ -32,10 +34,10 @@ pub fn compile(network: &Network, mode: DcfgenMode, findings: &mut Findings) -> 
             let place = Place::of(DevicePart::Commissioning).field(Field::NodeId);
             let finding = Diagnostic::new(&UNKNOWN_NODE_ID, node.name.at, message)
                 .label(At::Node(position, place), "no node-ID");
-            findings.push(finding.help("add the node-ID, or use a DCF that states it"));
+            compiled.findings.push(finding.help("add the node-ID, or use a DCF that states it"));
             continue;
         };
-        let mut compiler = Compiler::new((position, node), node_id.value, mode, findings);
+        let mut compiler = Compiler::new((position, node), node_id.value, mode, &mut compiled.findings);
         let is_manager = own == Some(position);
         let manager = network.manager.as_ref().filter(|_| !is_manager);
         let slave = slave(network, &mut compiler, manager, &mut pool);
@@ -46,7 +48,7 @@ pub fn compile(network: &Network, mode: DcfgenMode, findings: &mut Findings) -> 
         }
     }
     if let Some(manager) = compiled.manager.as_mut().filter(|_| mode == DcfgenMode::Corrected) {
-        complete(network, &compiled.slaves, manager, findings);
+        complete(network, &compiled.slaves, manager, &mut compiled.findings);
     }
     compiled
 }
@@ -102,6 +104,7 @@ fn slave(
         node: compiler.position,
         node_id: compiler.node_id,
         downloads: ConciseDcf(std::mem::take(&mut compiler.downloads)),
+        arranged: OnceCell::new(),
         unconditional: own - conditional,
         has_only_consumers,
         pdos,

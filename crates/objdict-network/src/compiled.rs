@@ -2,8 +2,11 @@
 
 use std::collections::BTreeMap;
 
+use std::cell::OnceCell;
+
 use crate::configure::PdoName;
-use crate::download::ConciseDcf;
+use crate::diagnostic::Findings;
+use crate::download::{ConciseDcf, PlanError};
 use crate::model::{Device, MappedObject};
 use crate::source::Span;
 
@@ -21,6 +24,8 @@ pub struct Slave {
     pub(crate) origins: Origins,
     /// The downloads that configure it.
     pub downloads: ConciseDcf,
+    /// Those of [`arranged`](Self::arranged), once they were asked for.
+    pub(crate) arranged: OnceCell<Result<ConciseDcf, PlanError>>,
     /// How many of them, at the end, are sent also of values that the node already has.
     pub(crate) unconditional: usize,
     /// Whether all of them are about the monitoring of the manager.
@@ -48,12 +53,14 @@ pub enum DcfgenMode {
 }
 
 /// The configurations of the nodes. One without a node-ID is left out.
-#[derive(Clone, Debug)]
+#[derive(Clone, Debug, Default)]
 pub struct Compiled {
     /// The nodes but the manager, in the order of the network.
     pub slaves: Vec<Slave>,
     /// The manager, if it has a description: its own configuration, and what it expects of the nodes.
     pub manager: Option<Slave>,
+    /// The problems of the configurations.
+    pub findings: Findings,
 }
 
 impl Compiled {

@@ -72,18 +72,23 @@ impl Slave {
     ///
     /// # Errors
     /// When the description of the node has configured values that cannot be sent.
-    pub fn arranged(&self) -> Result<ConciseDcf, PlanError> {
-        self.arrange(&self.described())
+    pub fn arranged(&self) -> Result<&ConciseDcf, PlanError> {
+        self.arranged.get_or_init(|| self.arrange(&self.described())).as_ref().map_err(PlanError::clone)
+    }
+
+    /// The same; what cannot be sent is as the network file has it.
+    pub fn arranged_or_stated(&self) -> &ConciseDcf {
+        self.arranged().unwrap_or(&self.downloads)
     }
 
     /// The downloads that Lely's master makes.
     ///
     /// # Errors
     /// When the description of the node has configured values that cannot be sent.
-    pub fn sent(&self, order: Order) -> Result<Cow<'_, ConciseDcf>, PlanError> {
+    pub fn sent(&self, order: Order) -> Result<&ConciseDcf, PlanError> {
         match order {
-            Order::Safe => self.arranged().map(Cow::Owned),
-            Order::Dcfgen => Ok(Cow::Borrowed(&self.downloads)),
+            Order::Safe => self.arranged(),
+            Order::Dcfgen => Ok(&self.downloads),
         }
     }
 

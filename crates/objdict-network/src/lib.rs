@@ -1,7 +1,7 @@
 //! CANopen networks: nodes with their descriptions, the manager that boots them, and who says what to whom. Part of
 //! [objdict](https://docs.rs/objdict); depend on that crate instead.
 //!
-//! A [`Network`] is the wanted one; [`connect`] makes PDOs of its links, and [`compile`] the downloads of each node.
+//! A [`Network`] is the wanted one; [`resolve`] makes PDOs of its links, and [`compile`] the downloads of each node.
 
 mod check;
 mod compile;
@@ -19,6 +19,7 @@ mod names;
 mod network;
 mod origin;
 mod overview;
+mod resolve;
 mod rules;
 mod traffic;
 mod unlinked;
@@ -27,7 +28,6 @@ mod watch;
 pub use check::check;
 pub use compile::compile;
 pub use compiled::{Compiled, DcfgenMode, PdoState, Slave};
-pub use connect::connect;
 pub use effective::switched_on;
 pub use identity::IdentityLevel;
 pub use lely::{LelyMaster, LelyOptions, configuration_file, lely_master};
@@ -40,9 +40,9 @@ pub use overview::{
     BootPlan, BootStep, CarriedEntry, DownloadRow, End, LinkRow, MappedEntry, MessageRow, NodeRow, Overview,
     UnlinkedEnd, UnlinkedRow,
 };
+pub use resolve::{Resolved, resolve};
 pub use rules::rules;
 pub use traffic::Uncounted;
-pub use watch::watch;
 
 use objdict_model::{Language, diagnostic, literal, model, source};
 use objdict_node::{configure, download};

@@ -10,7 +10,7 @@ use crate::Said;
 use crate::model::{Address, NoAddress};
 use crate::source::Span;
 
-/// Entries of a node whose values other nodes receive. [`connect`](crate::connect()) makes PDOs of it.
+/// Entries of a node whose values other nodes receive. [`resolve`](crate::resolve()) makes PDOs of it.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Link {
     /// Where the network file has the link.

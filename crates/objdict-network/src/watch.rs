@@ -12,11 +12,11 @@ use crate::rules::{NO_HEARTBEAT_CONSUMER, SILENT_NODE};
 use crate::source::Span;
 
 /// Makes settings of the nodes that a node [watches](Heartbeat::watched). One that cannot be monitored is a finding.
-pub fn watch(network: &mut Network, findings: &mut Findings) {
+pub(crate) fn watch(network: &mut Network, findings: &mut Findings) {
     if network.nodes.iter().all(|node| node.heartbeat.watched.is_empty()) {
         return;
     }
-    let compiled = compile(network, DcfgenMode::Corrected, &mut Findings::new());
+    let compiled = compile(network, DcfgenMode::Corrected);
     let manager = network.manager.as_ref();
     let mut settings = Vec::new();
     for (position, node) in network.nodes.iter().enumerate() {

@@ -6,10 +6,11 @@ use std::path::{Path, PathBuf};
 
 use clap::ValueEnum;
 
-use super::{DialectArgs, node_id, node_name, serial_number};
+use crate::cli::canonical::DialectArgs;
 use crate::cli::input::{EntriesArgs, InputArgs, SizeArgs};
 use crate::cli::save::is_stdout;
 use crate::cli::settings::ConfigFileArgs;
+use crate::cli::values::{node_id, node_name, serial_number};
 use crate::configure::Setting;
 use crate::format::input::{FileKind, Reading};
 use crate::model::Moment;

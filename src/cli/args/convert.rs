@@ -6,8 +6,10 @@ use clap::ValueEnum;
 use clap::builder::{PossibleValuesParser, TypedValueParser};
 
 use super::network::NetworkInputArgs;
-use super::{CanonicalArgs, ExpandArgs, OverwriteArgs, node_id, node_name};
-use crate::cli::input::{FileKind, InputArgs};
+use crate::cli::canonical::CanonicalArgs;
+use crate::cli::input::{ExpandArgs, FileKind, InputArgs};
+use crate::cli::save::OverwriteArgs;
+use crate::cli::values::{node_id, node_name};
 use crate::format::XddVersion;
 
 #[derive(Debug, clap::Args)]

@@ -6,8 +6,8 @@ use std::path::PathBuf;
 use clap::{Subcommand, ValueEnum};
 
 use super::network::AllowedPathArgs;
-use super::{ExpandArgs, node_id};
-use crate::cli::input::InputArgs;
+use crate::cli::input::{ExpandArgs, InputArgs};
+use crate::cli::values::node_id;
 use crate::format::concise::BlobSpelling;
 
 #[derive(Debug, clap::Args)]

@@ -4,8 +4,9 @@ use std::path::PathBuf;
 
 use clap::ValueEnum;
 
-use super::{ExpandArgs, NetworkInputArgs, OverwriteArgs};
-use crate::cli::input::InputArgs;
+use super::network::NetworkInputArgs;
+use crate::cli::input::{ExpandArgs, InputArgs};
+use crate::cli::save::OverwriteArgs;
 use crate::cli::settings::SettingsArgs;
 use crate::document::Form;
 

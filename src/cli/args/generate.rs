@@ -5,10 +5,11 @@ use std::path::PathBuf;
 use clap::builder::{PossibleValue, PossibleValuesParser, TypedValueParser};
 use clap::{Args, ValueEnum};
 
-use super::{Deny, ExpandArgs, OverwriteArgs, node_id};
-use crate::cli::input::InputArgs;
+use crate::cli::input::{ExpandArgs, InputArgs};
 use crate::cli::profiles::ProfileArgs;
-use crate::cli::settings::ConfigArgs;
+use crate::cli::save::OverwriteArgs;
+use crate::cli::settings::{ConfigArgs, Deny};
+use crate::cli::values::node_id;
 use crate::generate::{
     CTable, Derive, Names, OptionField, OptionValue, Options, SharedCell, StackLayout, StorageGroup, Target,
 };

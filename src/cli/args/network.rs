@@ -4,8 +4,9 @@ use std::path::{Path, PathBuf};
 
 use clap::{Subcommand, ValueEnum};
 
-use super::{OverwriteArgs, ReportArgs, ShowFormat};
+use super::output::{ReportArgs, ShowFormat};
 use crate::cli::baseline::BaselineArgs;
+use crate::cli::save::OverwriteArgs;
 use crate::cli::settings::{ConfigFileArgs, SettingsArgs};
 use crate::configure::nanoseconds;
 use crate::format::network::{ConfigurationTime, PathOptions};

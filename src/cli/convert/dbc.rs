@@ -6,9 +6,10 @@ use std::slice;
 
 use super::super::args::ConvertArgs;
 use super::super::input::{FileKind, Input, name_of, source_name};
+use super::super::network;
+use super::super::outcome::{Failure, note};
 use super::super::output::Output;
 use super::super::save::{Saved, is_stdout, keep, save};
-use super::super::{Failure, network, note};
 use super::Job;
 use super::losses::{self, LossReport};
 use crate::diagnostic::counted;
@@ -16,7 +17,7 @@ use crate::document::dbc::{self, BusNode, DbcOptions, Omission};
 use crate::format::identify::{ContentKind, identify};
 use crate::format::input::Reading;
 use crate::format::network::{ConfiguredNode, location};
-use crate::format::{Description, Loss, LossKind};
+use crate::format::{Loss, LossKind};
 use crate::model::{Device, NodeList, Part};
 use crate::network::DcfgenMode;
 
@@ -217,13 +218,7 @@ fn devices_in(reading: &Reading, job: &Job, input: Input) -> Result<Vec<Device>,
             Ok(vec![reading.select(&source_name(&job.input), *description)?.into_device()])
         }
         Input::Description(description) => {
-            let mut devices = Vec::new();
-            let mut next = Some(*description);
-            for number in 0..next.as_ref().map_or(0, Description::device_count) {
-                next = next.and_then(|description| description.select(number));
-                devices.extend(next.as_ref().map(|description| description.device().clone()));
-            }
-            Ok(devices)
+            Ok(description.map_devices(|description| description.device().clone()))
         }
         Input::Device(device) => Ok(vec![*device]),
         Input::Concise(_) | Input::NodeList(_) => {

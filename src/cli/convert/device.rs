@@ -10,7 +10,7 @@ use super::super::annotation::Described;
 use super::super::args::ConvertArgs;
 use super::super::input::{FileKind, name_of};
 use super::super::node::{commissioning, former_node_id, restated, valid_node_id};
-use super::super::{Failure, note, tell};
+use super::super::outcome::{Failure, note, tell};
 use super::Job;
 use crate::configure::rebase;
 use crate::diagnostic::{counted, series};

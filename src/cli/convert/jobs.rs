@@ -3,9 +3,9 @@
 use std::collections::BTreeMap;
 use std::path::{Path, PathBuf};
 
-use super::super::Failure;
 use super::super::args::ConvertArgs;
 use super::super::input::{FileKind, name_of};
+use super::super::outcome::Failure;
 use super::super::save::{is_folder, is_stdout};
 
 /// A file to convert.

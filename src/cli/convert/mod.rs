@@ -16,10 +16,10 @@ use self::losses::LossReport;
 use super::annotation::Described;
 use super::args::ConvertArgs;
 use super::input::{FileKind, Input, name_of};
+use super::outcome::{Failure, Outcome, note};
 use super::output::Output;
 use super::progress::{Progress, give_way};
 use super::save::{Folder, Saved, is_stdout, keep, require_other, save};
-use super::{Failure, Outcome, note};
 use crate::download::ConciseDcf;
 use crate::format::{LossKind, ReadError, concise, json};
 

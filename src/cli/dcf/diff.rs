@@ -4,8 +4,8 @@ use std::io::Write;
 
 use super::super::annotation::Described;
 use super::super::args::DcfDiffArgs;
+use super::super::outcome::{Failure, Outcome};
 use super::super::output::Output;
-use super::super::{Failure, Outcome};
 use super::stream;
 use crate::download::{ConciseDcf, Difference, Differences, Download};
 use crate::format::concise;

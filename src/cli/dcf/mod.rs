@@ -12,11 +12,11 @@ pub(super) use self::diff::differences;
 #[cfg(feature = "schema")]
 pub(super) use self::verify::Document as VerifyDocument;
 use super::annotation::Described;
-use super::args::{DcfCommand, ExpandArgs, NamingArgs};
-use super::input::{Input, InputArgs, name_of, source_name};
+use super::args::{DcfCommand, NamingArgs};
+use super::input::{ExpandArgs, Input, InputArgs, name_of, source_name};
+use super::outcome::{Failure, Outcome};
 use super::output::Output;
 use super::save::{is_stdout, save};
-use super::{Failure, Outcome};
 use crate::download::ConciseDcf;
 use crate::format::identify::{ContentKind, Identification, identify};
 use crate::format::input::{FileKind, Reading};

@@ -1,8 +1,8 @@
 //! `objdict dcf unpack`.
 
 use super::super::args::UnpackArgs;
+use super::super::outcome::{Failure, Outcome};
 use super::super::output::Output;
-use super::super::{Failure, Outcome};
 use super::{count, deliver, stream};
 use crate::format::concise;
 

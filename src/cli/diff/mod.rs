@@ -6,7 +6,7 @@ use std::io::Write;
 use std::ops::Range;
 
 use self::lines::{LineChange, changes};
-use super::Failure;
+use super::outcome::Failure;
 use super::output::Output;
 use crate::diagnostic::{one_line, printable};
 use crate::source::SourceFile;

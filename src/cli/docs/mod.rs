@@ -12,11 +12,11 @@ use self::network::DocumentedNetwork;
 use super::args::DocsArgs;
 use super::files::{self, File};
 use super::input::{FileKind, Input, name_of, source_name};
+use super::outcome::{Failure, Outcome};
 use super::output::Output;
 use super::progress::Progress;
 use super::save::{Folder, Saved, is_folder, is_stdout, save};
 use super::settings::Settings;
-use super::{Failure, Outcome};
 use crate::diagnostic::{Diagnostic, Findings, one_line};
 use crate::document::{self, CodeName, Finding, Form, Identifiers, Options, Site, SiteFile, Subject};
 use crate::format::Description;
@@ -251,14 +251,11 @@ fn devices(
     let name = file_name(&file.path);
     match input {
         Input::Description(description) if description.device_count() > 1 && args.input.device.is_none() => {
-            let mut next = Some(*description);
-            let mut devices = Vec::new();
-            while let Some(description) = next.take() {
-                let name = format!("{name} [{}]", devices.len() + 1);
-                devices.push(described(args, &options, name, &description));
-                next = description.select(devices.len());
-            }
-            Ok(devices)
+            let described = |description: &Description| {
+                let name = format!("{name} [{}]", description.number() + 1);
+                described(args, &options, name, description)
+            };
+            Ok(description.map_devices(described))
         }
         Input::Description(description) => {
             let description = args.input.selected(&file.path, *description)?;
@@ -347,7 +344,7 @@ fn write_site(
     let progress = Progress::new("writing", read.all().count());
     let site = read.into_site(form, options, |page| {
         save_page(args, &mut folder, &page.name, &page.text, out)?;
-        progress.step_with(out)
+        Ok(progress.step_with(out)?)
     })?;
     drop(progress);
     for file in site.index() {

@@ -6,8 +6,8 @@ use super::super::args::DocsArgs;
 use super::super::files::File;
 use super::super::input::{Input, name_of};
 use super::super::network;
+use super::super::outcome::{Failure, Outcome};
 use super::super::settings::Settings;
-use super::super::{Failure, Outcome};
 use super::{Documented, described, file_name, reported};
 use crate::document::{Finding, SiteNetwork};
 use crate::format::input::Reading;
@@ -51,7 +51,7 @@ impl DocumentedNetwork {
         };
         let build = opened.build(DcfgenMode::Corrected).map_err(unreadable)?;
         let mut nodes: Vec<Option<Documented>> = Vec::new();
-        nodes.resize_with(opened.network.as_ref().map_or(0, |network| network.nodes.len()), || None);
+        nodes.resize_with(opened.network().map_or(0, |network| network.nodes.len()), || None);
         for (position, dcf) in build.each_dcf().filter(|_| has_pages) {
             let Some(node) = position.and_then(|position| nodes.get_mut(position)) else { continue };
             match dcf.map_err(Failure::new).and_then(|dcf| page(args, &options, dcf)) {

@@ -7,10 +7,10 @@ use serde::Serialize;
 
 use super::super::args::{BootTarget, NetworkBootArgs, ShowFormat};
 use super::super::input::name_of;
+use super::super::outcome::{Failure, Outcome, note};
 use super::super::output::Output;
 use super::super::save::keep;
 use super::super::table::{Table, fit};
-use super::super::{Failure, Outcome, note};
 use super::{open_despite_errors, source_names_of};
 use crate::bus::{BusFrame, Conditions, Cut, Event, EventKind, Milestone, NodeRun, Run, boot};
 use crate::describe::frames::{FrameReader, Talker, nmt_state};

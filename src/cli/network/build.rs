@@ -6,10 +6,10 @@ use clap::ValueEnum;
 
 use super::super::args::{NetworkBuildArgs, NetworkTarget};
 use super::super::input::name_of;
+use super::super::outcome::{Failure, Outcome, note, tell};
 use super::super::output::Output;
 use super::super::save::Folder;
 use super::super::settings::{Settings, SettingsArgs};
-use super::super::{Failure, Outcome, note, tell};
 use super::{findings, names_of, open_one};
 use crate::diagnostic::{Diagnostic, Severity, one_line};
 use crate::format::network::{Build, BuiltFile};

@@ -2,9 +2,9 @@
 
 use super::super::args::NetworkCheckArgs;
 use super::super::check::Reporter;
+use super::super::outcome::{Failure, Outcome};
 use super::super::output::Output;
 use super::super::settings::Settings;
-use super::super::{Failure, Outcome};
 use super::{findings, of_descriptions, open, parted};
 use crate::report::Subject;
 

@@ -7,12 +7,11 @@ use std::slice;
 use super::super::annotation::Described;
 use super::super::args::NetworkDiffArgs;
 use super::super::dcf::differences;
+use super::super::outcome::{Failure, Outcome};
 use super::super::output::Output;
-use super::super::{Failure, Outcome};
-use super::compiled;
+use super::resolved;
 use crate::diagnostic::one_line;
-use crate::download::ConciseDcf;
-use crate::network::{Compiled, End, Network, Overview, Service};
+use crate::network::{End, Overview, Resolved, Service};
 
 /// A network in lines, by what they are about.
 type Sections = BTreeMap<(Order, String), Vec<String>>;
@@ -27,8 +26,8 @@ enum Order {
 }
 
 pub(super) fn run(args: &NetworkDiffArgs, out: &mut Output) -> Result<Outcome, Failure> {
-    let first = compiled(slice::from_ref(&args.first), &args.input)?;
-    let second = compiled(slice::from_ref(&args.second), &args.input)?;
+    let first = resolved(slice::from_ref(&args.first), &args.input)?;
+    let second = resolved(slice::from_ref(&args.second), &args.input)?;
     let (before, after) = (sections(&first), sections(&second));
     let mut is_same = true;
     let none = Vec::new();
@@ -38,14 +37,14 @@ pub(super) fn run(args: &NetworkDiffArgs, out: &mut Output) -> Result<Outcome, F
         let new = after.get(section).unwrap_or(&none);
         is_same &= lines(&section.1, old, new, out)?;
     }
-    for name in first.0.nodes.iter().map(|node| &node.name.value) {
+    for name in first.network().nodes.iter().map(|node| &node.name.value) {
         is_same &= configuration(name, &first, &second, out)?;
     }
     Ok(if is_same { Outcome::Clean } else { Outcome::Findings })
 }
 
-fn sections((network, compiled): &(Network, Compiled)) -> Sections {
-    let overview = Overview::new(network, compiled);
+fn sections(resolved: &Resolved) -> Sections {
+    let overview = Overview::new(resolved.network(), resolved.compiled());
     let mut sections = Sections::new();
     let bus = overview.name.iter().map(|name| format!("name {name}"));
     let bus = bus.chain(overview.bit_rate.map(|rate| format!("{rate} kbit/s")));
@@ -93,26 +92,24 @@ fn lines(title: &str, old: &[String], new: &[String], out: &mut dyn Write) -> io
 }
 
 /// Prints the downloads of a node that differ; whether there are none. A node that only one side has is reported as such.
-fn configuration(
+fn configuration<'n>(
     name: &str,
-    first: &(Network, Compiled),
-    second: &(Network, Compiled),
+    first: &'n Resolved,
+    second: &'n Resolved,
     out: &mut Output,
 ) -> Result<bool, Failure> {
-    let downloads = |(network, compiled): &(Network, Compiled)| -> Option<ConciseDcf> {
-        let slave = compiled.nodes().find(|slave| network.nodes[slave.node].name.value == name)?;
-        Some(slave.arranged().unwrap_or_else(|_| slave.downloads.clone()))
+    let of_name = |resolved: &'n Resolved| {
+        let nodes = &resolved.network().nodes;
+        resolved.compiled().nodes().find(|slave| nodes[slave.node].name.value == name)
     };
-    let (Some(old), Some(new)) = (downloads(first), downloads(second)) else { return Ok(true) };
-    let found = old.differences(&new);
+    let (Some(old), Some(new)) = (of_name(first), of_name(second)) else { return Ok(true) };
+    let found = old.arranged_or_stated().differences(new.arranged_or_stated());
     if found.is_empty() {
         return Ok(true);
     }
-    let node = second.0.nodes.iter().find(|node| node.name.value == name);
-    let described = Described {
-        device: node.map(|node| &node.device),
-        node_id: node.and_then(|node| node.node_id).map(|node_id| node_id.value),
-    };
+    let node = &second.network().nodes[new.node];
+    let described =
+        Described { device: Some(&node.device), node_id: node.node_id.map(|node_id| node_id.value) };
     writeln!(out, "downloads of {}:", one_line(name))?;
     differences(&found, described, out)?;
     Ok(false)

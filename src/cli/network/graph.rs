@@ -3,14 +3,13 @@
 use std::io::Write;
 
 use super::super::args::{GraphFormat, NetworkGraphArgs};
+use super::super::outcome::{Failure, Outcome};
 use super::super::output::Output;
-use super::super::{Failure, Outcome};
-use super::compiled;
-use crate::network::{Overview, graph};
+use super::overview;
+use crate::network::graph;
 
 pub(super) fn run(args: &NetworkGraphArgs, out: &mut Output) -> Result<Outcome, Failure> {
-    let (network, compiled) = compiled(&args.files, &args.input)?;
-    let overview = Overview::new(&network, &compiled);
+    let overview = overview(&args.files, &args.input)?;
     let text = match args.format {
         GraphFormat::Svg => graph::svg(&overview, |can_id| can_id.to_string()) + "\n",
         GraphFormat::Dot => graph::dot(&overview),

@@ -17,16 +17,16 @@ pub(super) use self::boot::Document as BootDocument;
 pub(super) use self::show::Document as ShowDocument;
 use super::args::{NetworkCommand, NetworkFormat, NetworkInitArgs, NetworkInputArgs, NetworkSchemaArgs};
 use super::input::{name_of, source_name};
+use super::outcome::{Failure, Outcome, tell};
 use super::output::Output;
 use super::save::keep;
 use super::settings::Settings;
-use super::{Failure, Outcome, tell};
 use crate::diagnostic::{Findings, Severity};
 use crate::format::ReadError;
 use crate::format::identify::ContentKind;
 use crate::format::network::{NetworkFile, init, schema};
 use crate::json;
-use crate::network::{Compiled, DcfgenMode, Network, compile};
+use crate::network::{Overview, Resolved};
 use crate::report::plural;
 
 pub(super) fn run(command: &NetworkCommand, out: &mut Output) -> Result<Outcome, Failure> {
@@ -101,7 +101,7 @@ pub(super) fn open_despite_errors(
     let file = open_one(paths, input)?;
     let errors = file.check().iter().filter(|finding| finding.severity == Severity::Error).count();
     let help = format!("`objdict network check {}` says which", names_of(paths));
-    if file.network.is_none() {
+    if file.network().is_none() {
         return Err(Failure::new(format_args!("`{}` is not a network", file.source.name())).help(help));
     }
     if errors > 0 {
@@ -112,10 +112,13 @@ pub(super) fn open_despite_errors(
 }
 
 /// The same with the configuration of its nodes.
-fn compiled(paths: &[PathBuf], input: &NetworkInputArgs) -> Result<(Network, Compiled), Failure> {
-    let network = open_despite_errors(paths, input)?.network.unwrap_or_default();
-    let compiled = compile(&network, DcfgenMode::Corrected, &mut Findings::new());
-    Ok((network, compiled))
+fn resolved(paths: &[PathBuf], input: &NetworkInputArgs) -> Result<Resolved, Failure> {
+    Ok(open_despite_errors(paths, input)?.into_resolved().unwrap_or_default())
+}
+
+fn overview(paths: &[PathBuf], input: &NetworkInputArgs) -> Result<Overview, Failure> {
+    let resolved = resolved(paths, input)?;
+    Ok(Overview::new(resolved.network(), resolved.compiled()))
 }
 
 fn print_start(args: &NetworkInitArgs, out: &mut Output) -> Result<Outcome, Failure> {

@@ -5,10 +5,10 @@ use std::io::{self, Write};
 use serde::Serialize;
 
 use super::super::args::{NetworkShowArgs, ShowFormat};
+use super::super::outcome::{Failure, Outcome};
 use super::super::output::Output;
 use super::super::table::{Table, fit};
-use super::super::{Failure, Outcome};
-use super::{compiled, source_names_of};
+use super::{overview, source_names_of};
 use crate::json::{self, Version};
 use crate::model::PdoKind;
 use crate::network::{
@@ -34,8 +34,7 @@ pub(in crate::cli) struct Document<'a> {
 }
 
 pub(super) fn run(args: &NetworkShowArgs, out: &mut Output) -> Result<Outcome, Failure> {
-    let (network, compiled) = compiled(&args.files, &args.input)?;
-    let overview = Overview::new(&network, &compiled);
+    let overview = overview(&args.files, &args.input)?;
     match args.format {
         ShowFormat::Json => {
             let document =

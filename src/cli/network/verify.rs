@@ -5,8 +5,8 @@ use std::io::Write;
 
 use super::super::args::NetworkVerifyArgs;
 use super::super::input::name_of;
+use super::super::outcome::{Failure, Outcome, note};
 use super::super::output::Output;
-use super::super::{Failure, Outcome, note};
 use crate::pipeline::{Manifest, State};
 use crate::report::plural;
 

@@ -8,8 +8,9 @@ use std::io::Write;
 #[cfg(feature = "schema")]
 pub(super) use self::json::{ListDocument, ProfileDocument};
 use super::args::{ProfileCommand, ProfileFormat, ProfileListArgs, ProfileShowArgs};
+use super::outcome::{Failure, Outcome};
 use super::output::Output;
-use super::{Failure, Outcome, profiles};
+use super::profiles;
 use crate::profile::{ObjectFacts, Profile, standard};
 
 pub(super) fn run(command: &ProfileCommand, out: &mut Output) -> Result<Outcome, Failure> {

@@ -5,9 +5,9 @@ use std::path::Path;
 
 use serde::Serialize;
 
-use crate::cli::Failure;
 use crate::cli::args::{ShowArgs, ShowFormat};
 use crate::cli::input::{name_of, source_name};
+use crate::cli::outcome::Failure;
 use crate::cli::output::Output;
 use crate::cli::table::{Table, fit};
 use crate::json::{self, Version};

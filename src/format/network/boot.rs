@@ -87,7 +87,7 @@ impl InstallError {
 impl NetworkFile {
     /// The files of Lely's master for a network in the order of dcfgen, DCFs for others.
     pub fn boot_files(&self) -> BootFiles {
-        let is_dcfgen = self.network.as_ref().is_some_and(|network| network.order == Order::Dcfgen);
+        let is_dcfgen = self.network().is_some_and(|network| network.order == Order::Dcfgen);
         if is_dcfgen { BootFiles::Lely } else { BootFiles::Dcf }
     }
 
@@ -101,7 +101,7 @@ impl NetworkFile {
             return Err(InstallError::UnreadNode { message: unread.message.to_string(), help });
         }
         if let Some((_, node)) =
-            self.network.iter().flat_map(Network::slaves).find(|(_, node)| node.node_id.is_none())
+            self.network().into_iter().flat_map(Network::slaves).find(|(_, node)| node.node_id.is_none())
         {
             return Err(InstallError::NoNodeId(node.name.value.clone()));
         }
@@ -203,7 +203,7 @@ fn nodes(
     manager: &Described,
     notes: &mut Vec<String>,
 ) -> Result<Vec<PlantNode>, InstallError> {
-    let network = network.and_then(|file| file.network.as_ref());
+    let network = network.and_then(NetworkFile::network);
     let request = |node_id: u8| {
         let mut nodes = network.into_iter().flat_map(|network| &network.nodes);
         nodes.find(|node| node.node_id.is_some_and(|said| said.value == node_id))
@@ -288,7 +288,7 @@ fn own_rate(device: &Device) -> Option<u16> {
 }
 
 fn bit_rate(manager: &Device, network: Option<&NetworkFile>) -> Option<u16> {
-    let of_network = || Some(network?.network.as_ref()?.bit_rate?.value);
+    let of_network = || Some(network?.network()?.bit_rate?.value);
     own_rate(manager).or_else(of_network).filter(|rate| *rate != 0)
 }
 

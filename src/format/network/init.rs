@@ -8,7 +8,6 @@ use std::path::{Path, PathBuf};
 use super::super::input::{Input, MAX_DEVICES, ReadError, Reading};
 use super::topology::location;
 use super::{PathOptions, quoted};
-use crate::diagnostic::Findings;
 use crate::model::{BaudRates, Device, MappedObject, NodeList, PdoKind};
 use crate::network::{DcfgenMode, Network, Node, PdoState, Said, Slave, compile};
 use crate::source::{Folder, Span};
@@ -142,7 +141,7 @@ impl Start {
             None => self.possible_manager(&mut text),
         }
         let network = Network { nodes: self.nodes, ..Network::default() };
-        let compiled = compile(&network, DcfgenMode::Corrected, &mut Findings::new());
+        let compiled = compile(&network, DcfgenMode::Corrected);
         for (position, node) in network.nodes.iter().enumerate() {
             let slave = compiled.slaves.iter().find(|slave| slave.node == position);
             described(&mut text, node, assumed.contains(&position), slave);

@@ -34,7 +34,7 @@ use super::identify::{ContentKind, identify_source};
 use super::input::{FileKind, Input, MAX_DEVICES, ReadError, Reading};
 use crate::diagnostic::{At, Diagnostic, Findings, RuleInfo, say};
 use crate::model::Device;
-use crate::network::{self, Network, Said};
+use crate::network::{self, Compiled, Network, Resolved, Said, resolve};
 use crate::source::{
     Folder, FolderError, MAX_TOML_SIZE, SourceError, SourceFile, SourceOptions, Span, absolute,
 };
@@ -52,7 +52,7 @@ pub struct NetworkFile {
     /// Whether the text is that of no file, but what [`init`] makes of descriptions.
     pub is_made: bool,
     /// What it says; `None` if it cannot be read at all.
-    pub network: Option<Network>,
+    resolved: Option<Resolved>,
     /// The description of each node of [`Network::nodes`], by its path in the file; a device as JSON has none.
     pub descriptions: BTreeMap<String, Rc<Description>>,
     /// The files of the descriptions.
@@ -87,8 +87,7 @@ impl NetworkFile {
     /// When a file cannot be read, or describes no device.
     pub fn of_descriptions(paths: &[PathBuf], options: &PathOptions) -> Result<Self, ReadError> {
         let source = SourceFile::from_text("network.toml", init(paths, options)?);
-        let file = Self::read_from(source, None, &PathOptions::default());
-        Ok(Self { is_made: true, network: file.network.map(Network::as_described), ..file })
+        Ok(Self::read_from(source, None, &PathOptions::default()))
     }
 
     /// Reads a network from its text; paths of descriptions are relative to `folder`.
@@ -105,18 +104,20 @@ impl NetworkFile {
             several: BTreeMap::new(),
             files: Vec::new(),
         };
+        let is_made = descriptions.folder.is_none();
         let mut findings = Findings::new();
-        let mut network = match identify_source(&source).kind {
+        let network = match identify_source(&source).kind {
             ContentKind::NodeList => topology::read(&source, &mut descriptions, &mut findings),
             _ if toml::is_toml(source.text()) => {
                 network_toml::read(source.text(), &mut descriptions, &mut findings)
             }
             _ => bus_yml::read(source.text(), &mut descriptions, &mut findings),
         };
-        if let Some(network) = &mut network {
-            stored::read(network, &mut findings);
-            network.settle_bit_rate();
-        }
+        let resolved = network.map(|network| {
+            let mut network = if is_made { network.as_described() } else { network };
+            stored::read(&mut network, &mut findings);
+            resolve(network, &mut findings)
+        });
         let files = std::mem::take(&mut descriptions.files);
         let descriptions = descriptions
             .read
@@ -126,14 +127,29 @@ impl NetworkFile {
                 Read::Device(_) => None,
             })
             .collect();
-        Self { source, is_made: false, network, descriptions, files, findings }
+        Self { source, is_made, resolved, descriptions, files, findings }
+    }
+
+    /// What the file says, with what follows from it; `None` if it cannot be read at all.
+    pub fn network(&self) -> Option<&Network> {
+        self.resolved.as_ref().map(Resolved::network)
+    }
+
+    /// The configurations of the nodes.
+    pub fn compiled(&self) -> Option<&Compiled> {
+        self.resolved.as_ref().map(Resolved::compiled)
+    }
+
+    /// The network with the configurations of its nodes.
+    pub fn into_resolved(self) -> Option<Resolved> {
+        self.resolved
     }
 
     /// The problems of the text and of the network that it describes, in the order of the text.
     pub fn check(&self) -> Findings {
         let mut findings = self.findings.clone();
-        if let Some(network) = &self.network {
-            network::check(network, &mut findings);
+        if let Some(resolved) = &self.resolved {
+            network::check(resolved.network(), resolved.compiled(), &mut findings);
         }
         findings.sort_by_key(|finding| match finding.labels.first().map(|label| &label.at) {
             Some(At::Span(span)) => span.start,

@@ -12,8 +12,7 @@ use crate::diagnostic::{Diagnostic, Findings, Text, say};
 use crate::model::{Address, Device, PdoKind};
 use crate::network::{
     Boot, DownloadRequest, Heartbeat, IdentityLevel, Link, LinkEnd, LinkParameters, LinkedEntries, Manager,
-    Network, Node, PdoRequest, RequestedCobId, Said, Startup, UnusedPdos, Watch, WatchTime, connect,
-    named_manager, watch,
+    Network, Node, PdoRequest, RequestedCobId, Said, Startup, UnusedPdos, Watch, WatchTime, named_manager,
 };
 use crate::source::Span;
 
@@ -29,8 +28,6 @@ pub(super) fn read(
     let nodes = reader.nodes(&section)?;
     let mut network = Network { nodes, links: reader.links(&section), ..Network::default() };
     reader.bus(&section, &mut network);
-    watch(&mut network, reader.findings);
-    connect(&mut network, reader.findings);
     Some(network)
 }
 
@@ -79,9 +76,6 @@ impl Reader<'_, '_> {
             }
         }
         self.sync(&bus, manager.as_mut());
-        if let (Some(manager), Some(at)) = (&manager, node) {
-            describe(manager, &mut network.nodes[at]);
-        }
         network.manager = manager;
     }
 
@@ -473,28 +467,6 @@ fn unused_pdos(section: &Section<'_>, findings: &mut Findings) -> Option<Said<Un
 fn is_unread(root: &Section<'_>, nodes: &[Node], name: &str) -> bool {
     let is_there = root.get("node").is_some_and(|table| table.get(name).is_some());
     is_there && nodes.iter().all(|node| node.name.value != name)
-}
-
-/// What `bus` and `manager` say, as settings of the described manager.
-fn describe(manager: &Manager, node: &mut Node) {
-    node.heartbeat.producer = node.heartbeat.producer.or(manager.heartbeat.producer);
-    node.time_cob_id = manager.time_cob_id.or(node.time_cob_id);
-    let errors = manager.error_behavior.iter();
-    node.error_behavior.extend(errors.map(|(sub, value)| (*sub, Said::new(*value, manager.name.at))));
-    let Manager { sync_period, sync_window, sync_overflow, .. } = manager;
-    let inhibit_time = manager.emcy_inhibit_time;
-    let settings = [
-        (inhibit_time.into(), manager.name.at, Setting::value(&format!("1015={inhibit_time}"))),
-        (
-            sync_overflow.value.into(),
-            sync_overflow.at,
-            Setting::value(&format!("1019={}", sync_overflow.value)),
-        ),
-        (sync_window.value, sync_window.at, Setting::value(&format!("1007={}", sync_window.value))),
-        (sync_period.value, sync_period.at, Setting::sync(&format!("producer,{}us", sync_period.value))),
-    ];
-    let said = settings.into_iter().filter(|(value, ..)| *value > 0);
-    node.implied.extend(said.filter_map(|(_, at, setting)| Some(Said::new(setting.ok()?, at))));
 }
 
 /// The factor of `1.5x`.

@@ -5,8 +5,9 @@ mod manager;
 mod replay;
 
 pub use self::replay::BuildObjection;
+use std::borrow::Cow;
+
 use super::NetworkFile;
-use crate::diagnostic::Findings;
 use crate::download::{ConciseDcf, EncodeError, PlanError};
 use crate::format::{self, EditError, Format, NodeSettings, WriteOptions};
 use crate::model::{Assignment, Commissioning, Device, Value};
@@ -59,7 +60,7 @@ pub enum BuildError {
 pub struct Build<'a> {
     file: &'a NetworkFile,
     network: &'a Network,
-    compiled: Compiled,
+    compiled: Cow<'a, Compiled>,
     configured_at: Option<ConfigurationTime>,
     /// What the files of the nodes are called, see [`Network::file_stems`].
     stems: Vec<String>,
@@ -94,8 +95,12 @@ impl NetworkFile {
     /// # Errors
     /// When the file describes none.
     pub fn build(&self, mode: DcfgenMode) -> Result<Build<'_>, BuildError> {
-        let network = self.network.as_ref().ok_or(BuildError::NoNetwork)?;
-        let compiled = compile(network, mode, &mut Findings::new());
+        let resolved = self.resolved.as_ref().ok_or(BuildError::NoNetwork)?;
+        let network = resolved.network();
+        let compiled = match mode {
+            DcfgenMode::Corrected => Cow::Borrowed(resolved.compiled()),
+            DcfgenMode::Exact => Cow::Owned(compile(network, mode)),
+        };
         Ok(Build { file: self, network, compiled, configured_at: None, stems: network.file_stems() })
     }
 }
@@ -232,8 +237,12 @@ impl Build<'_> {
         &self.network.nodes[slave.node].name.value
     }
 
-    fn arranged(&self, slave: &Slave) -> Result<ConciseDcf, BuildError> {
-        slave.arrange(&self.described(slave)).map_err(|error| self.unplanned(slave, error))
+    fn arranged<'s>(&self, slave: &'s Slave) -> Result<Cow<'s, ConciseDcf>, BuildError> {
+        let arranged = match self.configured_at {
+            Some(_) => slave.arrange(&self.described(slave)).map(Cow::Owned),
+            None => slave.arranged().map(Cow::Borrowed),
+        };
+        arranged.map_err(|error| self.unplanned(slave, error))
     }
 
     fn unplanned(&self, slave: &Slave, error: PlanError) -> BuildError {

@@ -11,19 +11,19 @@ use crate::source::Span;
 impl NetworkFile {
     /// The description of a node, by its position in the network; `None` for a device as JSON.
     pub fn description(&self, node: usize) -> Option<&Description> {
-        let node = self.network.as_ref()?.nodes.get(node)?;
+        let node = self.network()?.nodes.get(node)?;
         self.descriptions.get(&node.file.value).map(Rc::as_ref)
     }
 
     /// The first node of each description with a text.
     pub(crate) fn described_nodes(&self) -> impl Iterator<Item = usize> {
-        let nodes = self.network.as_ref().map_or(0, |network| network.nodes.len());
+        let nodes = self.network().map_or(0, |network| network.nodes.len());
         (0..nodes).filter(|node| self.description(*node).is_some() && self.first_of_file(*node) == *node)
     }
 
     /// The first node with the description of this one.
     fn first_of_file(&self, node: usize) -> usize {
-        let Some(network) = &self.network else { return node };
+        let Some(network) = self.network() else { return node };
         let file = |node: usize| network.nodes.get(node).map(|node| &node.file.value);
         (0..node).find(|first| file(*first) == file(node)).unwrap_or(node)
     }
@@ -80,7 +80,7 @@ impl NetworkFile {
 
     /// The node whose table has a span; what is about the network is found in the first description.
     fn owner(&self, span: Span) -> usize {
-        let nodes = self.network.iter().flat_map(|network| &network.nodes);
+        let nodes = self.network().into_iter().flat_map(|network| &network.nodes);
         nodes.take_while(|node| node.name.at.start <= span.start).count().saturating_sub(1)
     }
 

@@ -17,7 +17,7 @@ use crate::support;
 fn site(file: &NetworkFile, form: Form, options: &Options) -> Vec<SiteFile> {
     let mut site = Site::new(form, options);
     let build = file.build(DcfgenMode::Corrected).unwrap();
-    let mut pages = vec![None; file.network.as_ref().unwrap().nodes.len()];
+    let mut pages = vec![None; file.network().unwrap().nodes.len()];
     let mut files = Vec::new();
     for (position, dcf) in build.each_dcf() {
         // a name with a line end is not that of a DCF

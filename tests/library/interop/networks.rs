@@ -5,11 +5,11 @@ use std::fs;
 use std::path::{Path, PathBuf};
 use std::process::Command;
 
-use objdict::diagnostic::{Findings, Tool};
+use objdict::diagnostic::Tool;
 use objdict::format::network::{BuiltFile, NetworkFile, schema};
 use objdict::format::{self, Format, WriteOptions};
 use objdict::model::{Device, Value};
-use objdict::network::{DcfgenMode, LelyOptions, Slave, compile};
+use objdict::network::{DcfgenMode, LelyOptions, Slave};
 use objdict::source::SourceOptions;
 use serde_json::json;
 
@@ -62,7 +62,7 @@ fn nodes_take_their_configurations() {
         let build = network.build(DcfgenMode::Corrected).unwrap();
         write(&folder, verified(&build, build.concise().unwrap()));
         write(&folder, verified(&build, build.dcfs().unwrap()));
-        let nodes: Vec<_> = network.network.as_ref().unwrap().slaves().map(|(_, node)| node).collect();
+        let nodes: Vec<_> = network.network().unwrap().slaves().map(|(_, node)| node).collect();
         for node in &nodes {
             fs::copy(path(&node.file.value), folder.join(format!("{}.eds", node.name.value))).unwrap();
         }
@@ -191,10 +191,10 @@ fn dcfs_have_the_effective_values() {
     for name in NETWORKS.into_iter().chain(["chapter4.toml", "line.toml"]) {
         let folder = new_folder(&format!("effective-{name}"));
         let file = open(name);
-        let network = file.network.as_ref().unwrap();
+        let network = file.network().unwrap();
         let build = file.build(DcfgenMode::Corrected).unwrap();
         write(&folder, verified(&build, build.dcfs().unwrap()));
-        let compiled = compile(network, DcfgenMode::Corrected, &mut Findings::new());
+        let compiled = file.compiled().unwrap();
         let described = |slave: &Slave| {
             let mut device = slave.device.clone();
             // python-canopen reads no values of compact storage

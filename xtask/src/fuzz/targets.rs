@@ -9,7 +9,7 @@ use objdict::bus::{Conditions, boot};
 use objdict::compare::differences;
 use objdict::config::Config;
 use objdict::configure::{SettingsFile, configure};
-use objdict::diagnostic::{Applicability, Findings, Fix, Tool};
+use objdict::diagnostic::{Applicability, Fix, Tool};
 use objdict::document::dbc::{self, BusNode, DbcOptions};
 use objdict::document::{self, Form};
 use objdict::download::ConciseDcf;
@@ -352,12 +352,12 @@ fn booted(bytes: &[u8]) {
 fn network(bytes: &[u8]) {
     let file = network_file(bytes);
     let findings = file.check();
-    let Some(network) = &file.network else {
+    let Some(network) = file.network() else {
         assert!(!findings.is_empty(), "what is no network has a finding");
         return;
     };
     for mode in [DcfgenMode::Corrected, DcfgenMode::Exact] {
-        let compiled = compile(network, mode, &mut Findings::new());
+        let compiled = compile(network, mode);
         let overview = Overview::new(network, &compiled);
         let _ = (graph::svg(&overview, |can_id| can_id.to_string()), graph::dot(&overview));
         let Ok(build) = file.build(mode) else { continue };

@@ -6,7 +6,6 @@ use objdict_network::{DcfgenMode, Network, Node, Overview, Said, compile};
 
 use super::site_network::SiteNetwork;
 use crate::context::Context;
-use crate::diagnostic::Findings;
 use crate::source::Span;
 
 /// A configured node of a site.
@@ -66,7 +65,7 @@ fn network(number: Option<u32>, name: &str, nodes: Vec<StatedNode>, tag: &str) -
         nodes,
         ..Network::default()
     };
-    let compiled = compile(&network, DcfgenMode::Corrected, &mut Findings::new());
+    let compiled = compile(&network, DcfgenMode::Corrected);
     let overview = Overview::in_language(&network, &compiled, tag);
     SiteNetwork { overview, file: None, pages, findings: None }
 }

@@ -244,7 +244,7 @@ impl Check<'_, '_> {
             if !node.boot.mandatory {
                 continue;
             }
-            let downloads = slave.arranged().unwrap_or_else(|_| slave.downloads.clone());
+            let downloads = slave.arranged_or_stated();
             let bits: u64 = downloads.0.iter().map(|download| sdo_bits(download.data.len())).sum();
             let milliseconds = bits.div_ceil(self.bit_rate());
             if milliseconds > manager.boot_time.value.into() {

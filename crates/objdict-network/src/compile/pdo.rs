@@ -14,8 +14,9 @@ use crate::rules::{IDLE_PDO, MISSING_ENTRY, NO_FREE_CAN_ID, PDO_TOO_LONG, UNMAPP
 
 /// The PDOs as they are after the downloads so far.
 pub(super) fn states(compiler: &Compiler<'_, '_>) -> Vec<PdoState> {
-    let pdos = compiler.device.pdos().filter(|pdo| pdo.communication.is_some());
-    pdos.map(|pdo| state(compiler, PdoName { kind: pdo.kind, number: pdo.number })).collect()
+    let indexes = compiler.device.objects.range(0x1400..0x1A00);
+    let pdos = indexes.filter_map(|(index, _)| PdoKind::of_communication(*index));
+    pdos.map(|(kind, number)| state(compiler, PdoName { kind, number })).collect()
 }
 
 fn state(compiler: &Compiler<'_, '_>, pdo: PdoName) -> PdoState {

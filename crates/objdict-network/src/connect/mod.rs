@@ -25,12 +25,12 @@ use crate::diagnostic::Findings;
 ///
 /// A link that does not become a PDO is a finding. Nodes that [say so](crate::Node::unused_pdos) get a request to switch off each
 /// valid PDO that no link and no key uses.
-pub fn connect(network: &mut Network, findings: &mut Findings) {
+pub(crate) fn connect(network: &mut Network, findings: &mut Findings) {
     if network.links.is_empty() && (0..network.nodes.len()).all(|node| network.switches_off(node).is_none()) {
         return;
     }
     let groups = groups::collect(network, findings);
-    let compiled = compile(network, DcfgenMode::Corrected, &mut Findings::new());
+    let compiled = compile(network, DcfgenMode::Corrected);
     let requests = pack::pack(network, &compiled, groups, findings);
     for (node, request) in requests {
         network.nodes[node].pdos.push(request);

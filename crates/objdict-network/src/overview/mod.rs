@@ -252,9 +252,7 @@ impl<'n> View<'n> {
         });
         let described = self.network.nodes.iter().enumerate().map(|(position, node)| {
             let slave = self.slave(position);
-            // what cannot be arranged is counted as the network file has it
-            let downloads = slave.map(|slave| slave.arranged().unwrap_or(slave.downloads.clone()));
-            let sent = downloads.as_ref().filter(|downloads| !downloads.0.is_empty());
+            let sent = slave.map(Slave::arranged_or_stated).filter(|sent| !sent.0.is_empty());
             NodeRow {
                 node_id: node.node_id.map(|node_id| node_id.value),
                 name: node.name.value.clone(),

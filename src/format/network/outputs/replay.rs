@@ -11,7 +11,7 @@ use super::{Build, BuiltFile};
 use crate::diagnostic::{Diagnostic, Findings, Severity};
 use crate::download::{ConciseDcf, Download};
 use crate::model::{Assignment, Device, DeviceKind};
-use crate::network::{self, Heartbeat, Manager, Network, Node, Said, Slave};
+use crate::network::{self, DcfgenMode, Heartbeat, Manager, Network, Node, Said, Slave};
 use crate::source::Span;
 
 /// The rule about what nodes refuse of the manager's configurations.
@@ -59,7 +59,7 @@ impl Build<'_> {
         let network = self.network_of(nodes, manager);
         let mut findings = Findings::new();
         let network = read_stored(network, &mut findings);
-        network::check(&network, &mut findings);
+        network::check(&network, &network::compile(&network, DcfgenMode::Corrected), &mut findings);
         let is_error = |finding: &Diagnostic| finding.severity == Severity::Error;
         // of what the network file does not configure, some rules only warn; then it is no news either
         let said = self.file.check();

@@ -94,7 +94,7 @@ fn the_library_loads_the_master_and_the_nodes() {
             for row in stated {
                 assert!(master.lines().any(|line| line == *row), "{name}: no `{row}` in\n{master}");
             }
-            for Node { name, file, node_id, .. } in &file.network.as_ref().unwrap().nodes {
+            for Node { name, file, node_id, .. } in &file.network().unwrap().nodes {
                 let description =
                     fixtures().join("network").join(Path::new(&file.value).file_name().unwrap());
                 let configuration = format!("{}.bin", name.value);

@@ -194,7 +194,7 @@ fn pdos_without_a_link_and_without_a_key_are_switched_off() {
     // TPDO 1 is linked, TPDO 3 has a setting and RPDO 3 a key; TPDO 5 is not valid
     assert_eq!(off, ["rpdo1 at 7", "rpdo2 at 7", "rpdo4 at 7", "tpdo2 at 7"]);
     assert!(network.nodes[1].pdos.iter().all(|request| request.enabled));
-    let compiled = crate::compile(&network, crate::DcfgenMode::Corrected, &mut Findings::new());
+    let compiled = crate::compile(&network, crate::DcfgenMode::Corrected);
     let valid = compiled.slaves[0].pdos.iter().filter(|state| state.cob_id >> 31 == 0);
     assert_eq!(
         valid.map(|state| state.pdo.to_string()).collect::<Vec<_>>(),

@@ -9,7 +9,7 @@ use crate::source::Encoding;
 
 // Who reads what is written.
 #[derive(Clone, Debug, Default, clap::Args)]
-pub(in crate::cli) struct DialectArgs {
+pub(super) struct DialectArgs {
     /// Write EDS and DCF files for this reader: cia306 (default), lely, python-canopen, canopeneditor or codesys (docs/formats.md)
     #[arg(long, value_name = "DIALECT", value_parser = dialect)]
     pub dialect: Option<Dialect>,
@@ -22,17 +22,17 @@ fn dialect(name: &str) -> Result<Dialect, String> {
 
 impl DialectArgs {
     /// The tool that reads what is written.
-    pub(in crate::cli) fn tool(&self) -> Option<Tool> {
+    pub(super) fn tool(&self) -> Option<Tool> {
         self.dialect.and_then(Dialect::tool)
     }
 
     /// Whether it is written for another reader than any of CiA 306.
-    pub(in crate::cli) fn is_other(&self) -> bool {
+    pub(super) fn is_other(&self) -> bool {
         self.dialect.is_some_and(|dialect| dialect != Dialect::Cia306)
     }
 
     /// How it is written.
-    pub(in crate::cli) fn options(&self) -> WriteOptions {
+    pub(super) fn options(&self) -> WriteOptions {
         self.dialect.unwrap_or_default().into()
     }
 }
@@ -40,7 +40,7 @@ impl DialectArgs {
 // How an EDS or DCF is written that is no edit of a text.
 #[derive(Debug, clap::Args)]
 #[command(next_help_heading = "Canonical EDS and DCF")]
-pub(in crate::cli) struct CanonicalArgs {
+pub(super) struct CanonicalArgs {
     /// Write an EDS or DCF anew instead of editing its text, in the order and spelling that most tools read
     #[arg(long)]
     pub canonical: bool,
@@ -62,7 +62,7 @@ pub(in crate::cli) struct CanonicalArgs {
 
 /// A spelling of REAL numbers.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
-pub(in crate::cli) enum Real {
+pub(super) enum Real {
     /// As decimal numbers
     Decimal,
     /// As the hex digits of their bits, as Lely's tools read them
@@ -71,7 +71,7 @@ pub(in crate::cli) enum Real {
 
 impl CanonicalArgs {
     /// Whether a new text is wanted although there is one to edit.
-    pub(in crate::cli) fn is_asked(&self) -> bool {
+    pub(super) fn is_asked(&self) -> bool {
         self.canonical
             || self.dialect.is_other()
             || self.real.is_some()
@@ -81,7 +81,7 @@ impl CanonicalArgs {
     }
 
     /// How the text is written; an encoding that was said for reading holds for writing too.
-    pub(in crate::cli) fn options(&self, read_in: Option<Encoding>) -> WriteOptions {
+    pub(super) fn options(&self, read_in: Option<Encoding>) -> WriteOptions {
         let mut options = self.dialect.options();
         match self.real {
             Some(Real::Bits) => options.eds.real = RealSpelling::Hex,

@@ -1,0 +1,29 @@
+//! Values of arguments.
+
+/// A text of one line.
+pub(super) fn node_name(text: &str) -> Result<String, String> {
+    if text.chars().any(char::is_control) {
+        Err("a name is one line".to_owned())
+    } else {
+        Ok(text.to_owned())
+    }
+}
+
+/// 1 to 127, in decimal or as `0x7F`.
+pub(super) fn node_id(text: &str) -> Result<u8, String> {
+    let number = number(text).and_then(|number| u8::try_from(number).ok());
+    number.filter(|id| (1..=127).contains(id)).ok_or_else(|| "a node-ID is a number from 1 to 127".to_owned())
+}
+
+/// 32 bits, in decimal or as `0x1234`.
+pub(super) fn serial_number(text: &str) -> Result<u32, String> {
+    number(text).ok_or_else(|| "a serial number is a number of 32 bits".to_owned())
+}
+
+/// A number in decimal or as `0x7F`.
+fn number(text: &str) -> Option<u32> {
+    match text.strip_prefix("0x").or_else(|| text.strip_prefix("0X")) {
+        Some(digits) => u32::from_str_radix(digits, 16).ok(),
+        None => text.parse().ok(),
+    }
+}
