@@ -32,6 +32,7 @@ const MAX_HARM: usize = 8;
 
 /// A description with its findings fixed.
 #[derive(Debug)]
+#[non_exhaustive]
 pub struct Fixed {
     /// The description as it is now.
     pub description: Description,
@@ -47,6 +48,7 @@ pub struct Fixed {
 
 /// A fix of a finding.
 #[derive(Clone, Debug, PartialEq, Eq, PartialOrd, Ord)]
+#[non_exhaustive]
 pub struct AppliedFix {
     /// The rule.
     pub rule: &'static str,

@@ -11,6 +11,7 @@ use crate::model::{Device, ExtraSection, Object};
 
 /// A datum and its new value.
 #[derive(Clone, Debug, PartialEq)]
+#[non_exhaustive]
 pub struct DatumChange {
     /// Its place: a JSON pointer into the JSON of the device.
     pub path: String,

@@ -19,6 +19,7 @@ use crate::model::{Device, ExtraSection, Place};
 
 /// A datum that two devices do not have alike.
 #[derive(Clone, Debug, PartialEq)]
+#[non_exhaustive]
 pub struct DatumDifference {
     /// Its place: a JSON pointer into the JSON of the device.
     pub path: String,

@@ -19,6 +19,7 @@ pub(super) struct Settings {
 
 /// A profile that a configuration asks for.
 #[derive(Clone, Debug, PartialEq, Eq)]
+#[non_exhaustive]
 pub struct WantedProfile {
     /// The number of the profile, or the path of a file.
     pub name: String,

@@ -10,6 +10,7 @@ use crate::source::{EditError, Edits, SourceFile, SourceOptions};
 
 /// What a node is configured to be.
 #[derive(Clone, Copy, Debug)]
+#[non_exhaustive]
 pub struct NodeSettings<'a> {
     /// What is said of the node.
     pub node: &'a Commissioning,
@@ -25,6 +26,7 @@ pub struct NodeSettings<'a> {
 
 /// A description that was configured.
 #[derive(Clone, Debug)]
+#[non_exhaustive]
 pub struct ConfiguredFile {
     /// The bytes of the file.
     pub bytes: Vec<u8>,

@@ -165,6 +165,7 @@ pub(super) const MAX_DEVICES: usize = 127;
 
 /// How a file is read.
 #[derive(Clone, Debug)]
+#[non_exhaustive]
 pub struct Reading {
     /// Its format; `None` detects it.
     pub from: Option<FileKind>,

@@ -27,6 +27,7 @@ pub enum DocumentKind {
 /// Why a text is no such document.
 #[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
 #[error("line {line}, column {column}: {message}")]
+#[non_exhaustive]
 pub struct JsonError {
     /// Line, counted from 1.
     pub line: usize,

@@ -73,6 +73,7 @@ impl From<Dialect> for WriteOptions {
 
 /// A written description.
 #[derive(Clone, Debug, PartialEq)]
+#[non_exhaustive]
 pub struct Written {
     /// The bytes of the file.
     pub bytes: Vec<u8>,
@@ -84,6 +85,7 @@ pub struct Written {
 /// A datum that a written text does not give back, or that only the text states.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
+#[non_exhaustive]
 pub struct Loss {
     /// Its place in the model.
     #[serde(serialize_with = "place_text")]

@@ -96,6 +96,7 @@ pub trait Report {
 
 /// Where a label points, in the words of the file and of the model.
 #[derive(Clone, Debug)]
+#[non_exhaustive]
 pub struct Location<'a> {
     /// The file: that of the finding, or the description of a node of a network.
     pub source: &'a SourceFile,
@@ -146,6 +147,7 @@ impl<'a> Location<'a> {
 
 /// How much was found in how many files.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+#[non_exhaustive]
 pub struct Tally {
     /// Files that were checked.
     pub files: usize,

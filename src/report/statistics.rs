@@ -9,6 +9,7 @@ use crate::diagnostic::{Diagnostic, Findings, Fix, Severity};
 
 /// What a report shows.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+#[non_exhaustive]
 pub enum Detail {
     /// The findings.
     #[default]
@@ -39,6 +40,7 @@ pub struct Statistics {
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 #[cfg_attr(feature = "json", derive(serde::Serialize))]
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
+#[non_exhaustive]
 pub struct Statistic {
     /// The rule's id.
     pub rule: &'static str,

@@ -122,6 +122,7 @@ impl Nmt {
 
 /// Monitors the heartbeats of at most `N` other nodes: those of 1016h.
 #[derive(Clone, Debug)]
+#[non_exhaustive]
 pub struct HeartbeatConsumer<const N: usize> {
     nodes: [Monitored; N],
 }

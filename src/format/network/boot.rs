@@ -19,6 +19,7 @@ const NMT_STARTUP: u16 = 0x1F80;
 
 /// The files that boot a network.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[non_exhaustive]
 pub enum BootFiles {
     /// The DCF or XDC of each node, and the DCF of the manager.
     Dcf,
@@ -28,6 +29,7 @@ pub enum BootFiles {
 
 /// A network that is ready to be switched on.
 #[derive(Clone, Debug)]
+#[non_exhaustive]
 pub struct Installation {
     /// The network.
     pub plant: Plant,

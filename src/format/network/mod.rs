@@ -174,6 +174,7 @@ fn of_number(first: &Rc<Description>, number: usize) -> Rc<Description> {
 
 /// How the paths in a network file are read.
 #[derive(Clone, Debug, Default)]
+#[non_exhaustive]
 pub struct PathOptions {
     /// What replaces `@NAME@`, `$NAME` and `${NAME}`; a value that is a folder is allowed as well.
     pub variables: BTreeMap<String, String>,

@@ -39,6 +39,7 @@ pub struct Annotation {
 /// A line that is not a valid download.
 #[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
 #[error("line {line}: {message}")]
+#[non_exhaustive]
 pub struct TextError {
     /// The line, counted from 1.
     pub line: usize,
@@ -50,6 +51,7 @@ pub struct TextError {
 
 /// The lines of a text that are not valid downloads.
 #[derive(Clone, Debug, PartialEq, Eq)]
+#[non_exhaustive]
 pub struct TextErrors {
     /// The first 1000 of them, ordered by line; at least one.
     pub first: Vec<TextError>,

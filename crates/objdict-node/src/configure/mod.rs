@@ -47,6 +47,7 @@ pub use time::nanoseconds;
 
 /// A setting that cannot be applied.
 #[derive(Clone, Debug, PartialEq, Eq)]
+#[non_exhaustive]
 pub struct SettingProblem {
     /// The setting as written.
     pub setting: String,
@@ -109,6 +110,7 @@ pub fn configure(
 
 /// What settings make of a node.
 #[derive(Clone, Debug, Default, PartialEq)]
+#[non_exhaustive]
 pub struct Configuration {
     /// The values that [`configure`] returns.
     pub values: Vec<Assignment>,

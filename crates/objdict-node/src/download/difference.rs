@@ -5,6 +5,7 @@ use super::{ConciseDcf, Download};
 
 /// An entry that two configurations write differently.
 #[derive(Clone, Debug, PartialEq, Eq)]
+#[non_exhaustive]
 pub struct Difference {
     /// Index of the object.
     pub index: u16,
@@ -18,6 +19,7 @@ pub struct Difference {
 
 /// The differences between two configurations.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
+#[non_exhaustive]
 pub struct Differences {
     /// The entries in ascending order.
     pub entries: Vec<Difference>,

@@ -48,6 +48,7 @@ pub enum Order {
 
 /// The downloads of a node in order, and the skipped entries.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
+#[non_exhaustive]
 pub struct Plan {
     /// The downloads.
     pub steps: Vec<Step>,
@@ -66,6 +67,7 @@ pub enum Step {
 
 /// A DOMAIN with data in a file (`DownloadFile`, CiA 306-1 §5.3).
 #[derive(Clone, Debug, PartialEq, Eq)]
+#[non_exhaustive]
 pub struct NeededFile {
     /// Index of the object.
     pub index: u16,

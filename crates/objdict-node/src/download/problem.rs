@@ -16,6 +16,7 @@ pub enum PlanError {
 
 /// An entry whose value cannot be written.
 #[derive(Clone, Debug, PartialEq, Eq)]
+#[non_exhaustive]
 pub struct Problem {
     /// The entry.
     pub place: Place,
@@ -66,6 +67,7 @@ pub enum ProblemKind {
 
 /// An entry with a value in the description that is not written.
 #[derive(Clone, Debug, PartialEq, Eq)]
+#[non_exhaustive]
 pub struct Skipped {
     /// The entry.
     pub place: Place,

@@ -73,6 +73,7 @@ fn encode(downloads: &[Download]) -> Result<Vec<u8>, EncodeError> {
 /// Why a stream is not a valid concise DCF.
 #[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
 #[error("at byte {offset}: {kind}")]
+#[non_exhaustive]
 pub struct DecodeError {
     /// Offset of the first invalid byte.
     pub offset: usize,

@@ -19,6 +19,7 @@ const REFUSED: &str = "network/refused-configuration";
 
 /// What is against built files.
 #[derive(Clone, Debug, PartialEq, Eq)]
+#[non_exhaustive]
 pub struct BuildObjection {
     /// The name of the node that refuses a download; `None` for a finding about the network that comes of the files.
     pub node: Option<String>,

@@ -14,6 +14,7 @@ use crate::model::{Device, Place};
 
 /// The result of checking a configuration.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
+#[non_exhaustive]
 pub struct Verification {
     /// Downloads that a node rejects or that are probably mistakes, in order of transmission.
     pub objections: Vec<Objection>,

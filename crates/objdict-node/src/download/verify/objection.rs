@@ -6,6 +6,7 @@ use crate::model::{DataType, MappedObject, PdoKind, Place, Value};
 
 /// A problem of a download.
 #[derive(Clone, Debug, PartialEq, Eq)]
+#[non_exhaustive]
 pub struct Objection {
     /// Number of the download, counted from 1.
     pub number: usize,
