@@ -110,7 +110,6 @@ pub fn configure(
 
 /// What settings make of a node.
 #[derive(Clone, Debug, Default, PartialEq)]
-#[non_exhaustive]
 pub struct Configuration {
     /// The values that [`configure`] returns.
     pub values: Vec<Assignment>,

@@ -6,7 +6,6 @@ use crate::model::{Access, Address, Assignment, CobId, Device, Entry, predefined
 
 /// COB-IDs with fixed numbers, seen from the node-ID that they were made for.
 #[derive(Clone, Debug, Default, PartialEq)]
-#[non_exhaustive]
 pub struct Rebased {
     /// The COB-IDs that were the former node-ID plus a number of the predefined connection set, or plus the
     /// number in the formula of their default: each as a formula, in ascending order.
