@@ -48,7 +48,6 @@ pub struct Fixed {
 
 /// A fix of a finding.
 #[derive(Clone, Debug, PartialEq, Eq, PartialOrd, Ord)]
-#[non_exhaustive]
 pub struct AppliedFix {
     /// The rule.
     pub rule: &'static str,

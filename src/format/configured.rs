@@ -10,7 +10,6 @@ use crate::source::{EditError, Edits, SourceFile, SourceOptions};
 
 /// What a node is configured to be.
 #[derive(Clone, Copy, Debug)]
-#[non_exhaustive]
 pub struct NodeSettings<'a> {
     /// What is said of the node.
     pub node: &'a Commissioning,

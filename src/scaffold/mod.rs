@@ -15,7 +15,6 @@ use crate::profile::{self, Profile};
 
 /// Properties of a new device.
 #[derive(Clone, Debug)]
-#[non_exhaustive]
 pub struct Wanted {
     /// What it does.
     pub functions: Functions,

@@ -17,7 +17,6 @@ use crate::network::{
 
 /// A file that is built.
 #[derive(Clone, Debug, PartialEq, Eq)]
-#[non_exhaustive]
 pub struct BuiltFile {
     /// Its name, without a folder.
     pub name: String,
@@ -84,7 +83,6 @@ pub struct ConfiguredNode {
 
 /// When a configuration was made (1020h of a node, 1F26h and 1F27h of the manager). A node that has it already is not configured again.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-#[non_exhaustive]
 pub struct ConfigurationTime {
     /// Days since 1984-01-01, not 0.
     pub days: u32,

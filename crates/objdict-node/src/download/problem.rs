@@ -16,7 +16,6 @@ pub enum PlanError {
 
 /// An entry whose value cannot be written.
 #[derive(Clone, Debug, PartialEq, Eq)]
-#[non_exhaustive]
 pub struct Problem {
     /// The entry.
     pub place: Place,

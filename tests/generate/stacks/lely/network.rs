@@ -87,7 +87,7 @@ fn the_library_loads_the_master_and_the_nodes() {
             let file =
                 NetworkFile::open(&fixtures().join("network").join(name), &Default::default()).unwrap();
             let options = LelyOptions { mode, remote_pdos };
-            for BuiltFile { name, bytes, .. } in file.build(mode).unwrap().lely(&options).unwrap() {
+            for BuiltFile { name, bytes } in file.build(mode).unwrap().lely(&options).unwrap() {
                 std::fs::write(folder.join(name), bytes).unwrap();
             }
             let master = load(&library, folder, &folder.join("master.dcf"), node_id, "master.bin");
