@@ -18,7 +18,7 @@ use super::settings::{Project, Settings};
 use crate::diagnostic::{Findings, Severity, series};
 use crate::format::Description;
 use crate::report::{Report, Subject, grouped, plural};
-use crate::source::SourceFile;
+use crate::source::{SourceFile, SourceOptions};
 
 pub(super) fn run(args: &CheckArgs, out: &mut Output) -> Result<Outcome, Failure> {
     let mut settings = Settings::new(&args.settings)?;
@@ -160,9 +160,11 @@ impl Worker<'_> {
         };
         let key = self.cache.map(|cache| cache.key(&file.path, &bytes));
         if let Some(key) = key.filter(|&key| self.cache.is_some_and(|cache| cache.has(key))) {
-            return match self.args.input.reading().recognised(&source_name(&file.path), bytes) {
-                Ok((_, source)) => Checked::Clean(source, key),
-                Err(error) => Checked::Failed(error.into()),
+            let reading = self.args.input.reading();
+            let options = SourceOptions { encoding: reading.encoding, max_size: reading.max_size };
+            return match SourceFile::from_bytes(source_name(&file.path), bytes, &options) {
+                Ok(source) => Checked::Clean(source, key),
+                Err(error) => Checked::Failed(Failure::new(error)),
             };
         }
         match self.args.input.candidate(&file.path, bytes) {

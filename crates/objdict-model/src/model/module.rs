@@ -40,7 +40,7 @@ part! {
         #[cfg_attr(feature = "serde", serde(with = "super::index_list"))]
         #[cfg_attr(feature = "schema", schemars(with = "Vec<super::HexText<u16>>"))]
         pub fixed_list: Vec<u16>,
-        /// `MxFixedxx`: the description of those objects.
+        /// `MxFixedxxxx`: the description of those objects.
         #[cfg_attr(feature = "serde", serde(with = "super::index_keys"))]
         #[cfg_attr(feature = "schema", schemars(with = "BTreeMap<super::HexText<u16>, Box<Object>>"))]
         pub fixed: BTreeMap<u16, Box<Object>>,
@@ -48,7 +48,7 @@ part! {
         #[cfg_attr(feature = "serde", serde(with = "super::index_list"))]
         #[cfg_attr(feature = "schema", schemars(with = "Vec<super::HexText<u16>>"))]
         pub extension_list: Vec<u16>,
-        /// `MxSubExtxx`: the description of the new sub-indexes.
+        /// `MxSubExtxxxx`: the description of the new sub-indexes.
         #[cfg_attr(feature = "serde", serde(with = "super::index_keys"))]
         #[cfg_attr(feature = "schema", schemars(with = "BTreeMap<super::HexText<u16>, Box<Extension>>"))]
         pub extensions: BTreeMap<u16, Box<Extension>>,
