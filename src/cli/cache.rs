@@ -52,17 +52,12 @@ impl Cache {
         Ok(Self { path: path.to_owned(), settings: hash, known })
     }
 
-    /// What a file with these contents is known by.
-    pub(super) fn key(&self, path: &Path, bytes: &[u8]) -> u64 {
+    /// What a file with these contents is known by, and whether nothing was found in it.
+    pub(super) fn look_up(&self, path: &Path, bytes: &[u8]) -> (u64, bool) {
         let mut hash = self.settings;
         hash.field(path.as_os_str().as_encoded_bytes());
         hash.field(bytes);
-        hash.0
-    }
-
-    /// Whether nothing was found in a file.
-    pub(super) fn has(&self, key: u64) -> bool {
-        self.known.contains(&key)
+        (hash.0, self.known.contains(&hash.0))
     }
 
     /// Replaces what is known by the files in which nothing was found now.

@@ -18,7 +18,7 @@ use super::settings::{Project, Settings};
 use crate::diagnostic::{Findings, Severity, series};
 use crate::format::Description;
 use crate::report::{Report, Subject, grouped, plural};
-use crate::source::{SourceFile, SourceOptions};
+use crate::source::SourceFile;
 
 pub(super) fn run(args: &CheckArgs, out: &mut Output) -> Result<Outcome, Failure> {
     let mut settings = Settings::new(&args.settings)?;
@@ -158,15 +158,14 @@ impl Worker<'_> {
             Ok(bytes) => bytes,
             Err(failure) => return Checked::Failed(failure),
         };
-        let key = self.cache.map(|cache| cache.key(&file.path, &bytes));
-        if let Some(key) = key.filter(|&key| self.cache.is_some_and(|cache| cache.has(key))) {
-            let reading = self.args.input.reading();
-            let options = SourceOptions { encoding: reading.encoding, max_size: reading.max_size };
-            return match SourceFile::from_bytes(source_name(&file.path), bytes, &options) {
+        let known = self.cache.map(|cache| cache.look_up(&file.path, &bytes));
+        if let Some((key, true)) = known {
+            return match self.args.input.reading().source(&source_name(&file.path), bytes) {
                 Ok(source) => Checked::Clean(source, key),
                 Err(error) => Checked::Failed(Failure::new(error)),
             };
         }
+        let key = known.map(|(key, _)| key);
         match self.args.input.candidate(&file.path, bytes) {
             Ok(Candidate::Description(description)) => self.fix_devices(file, *description, key),
             Ok(Candidate::Foreign(kind, _)) if !file.is_named => Checked::Skipped(kind),
@@ -284,8 +283,9 @@ impl<'a> Reporter<'a> {
         match checked {
             Checked::Description(examined) => {
                 let Examined { description, findings, deny, amended, unwritten, key } = *examined;
-                // reports list each device, so that a file of several is checked again
-                self.clean.extend(key.filter(|_| matches!(&findings[..], [only] if only.is_empty())));
+                // reports list each device and count what comments suppress, so that such files are checked again
+                let is_clean = |found: &Findings| found.is_empty() && found.suppressed() == 0;
+                self.clean.extend(key.filter(|_| matches!(&findings[..], [only] if is_clean(only))));
                 if let Some(failure) = unwritten {
                     self.fail(&failure)?;
                 }

@@ -452,14 +452,22 @@ impl Reading {
         }
     }
 
+    /// The source in the bytes of a file.
+    ///
+    /// # Errors
+    /// When there are too many bytes.
+    pub fn source(&self, name: &str, bytes: Vec<u8>) -> Result<SourceFile, SourceError> {
+        let options = SourceOptions { encoding: self.encoding, max_size: self.max_size };
+        SourceFile::from_bytes(name, bytes, &options)
+    }
+
     /// The source in the bytes of a file, and what kind of file it is: what the user says, else what its content shows, else
     /// its name.
     ///
     /// # Errors
     /// When it is something that nothing here reads: [`ReadError::Foreign`]; when there are too many bytes.
     pub fn recognised(&self, name: &str, bytes: Vec<u8>) -> Result<(FileKind, SourceFile), ReadError> {
-        let options = SourceOptions { encoding: self.encoding, max_size: self.max_size };
-        let source = SourceFile::from_bytes(name, bytes, &options)?;
+        let source = self.source(name, bytes)?;
         let kind = match self.from {
             Some(kind) => kind,
             None => self::kind(&source)?,
