@@ -2,7 +2,7 @@
 
 use std::cmp::Ordering;
 
-use objdict_device::{Abort, Attributes, Dictionary};
+use objdict_device::{Abort, Attributes, Dictionary, Scope};
 use objdict_generate::{LiveEntry, Options, live_entries};
 use objdict_node::download::{Present, refusal};
 
@@ -62,8 +62,6 @@ pub struct LiveDictionary {
     stored: Vec<Vec<u8>>,
     /// Storage that 1011h marked to be dropped at the next reset, by sub-index.
     dropped: Vec<u8>,
-    /// The indexes that SDOs wrote since the last look.
-    written: Vec<u16>,
     /// Whether it refuses what CiA 301 forbids of communication objects, which a table leaves to hooks.
     is_strict: bool,
 }
@@ -80,8 +78,7 @@ impl LiveDictionary {
     pub fn with_options(device: &Device, node_id: u8, power_on: PowerOn, options: &Options) -> Self {
         let entries = live_entries(&power_on.values_of(device), node_id, options);
         let values: Vec<Vec<u8>> = entries.iter().map(|entry| entry.value.clone()).collect();
-        let (dropped, written) = (Vec::new(), Vec::new());
-        Self { entries, stored: values.clone(), values, dropped, written, is_strict: false }
+        Self { entries, stored: values.clone(), values, dropped: Vec::new(), is_strict: false }
     }
 
     /// The objects of the communication parameters of PDOs, of RPDOs and of TPDOs.
@@ -111,36 +108,6 @@ impl LiveDictionary {
         bytes.iter().take(4).rev().fold(0, |number, &byte| number << 8 | u32::from(byte))
     }
 
-    /// Sets a value that fits, without a look at access and limits: for what a device does by itself.
-    pub(crate) fn put(&mut self, index: u16, sub: u8, bytes: &[u8]) {
-        if let Ok(at) = self.find(index, sub)
-            && (bytes.len() == self.entries[at].size || has_length(&self.entries[at]))
-        {
-            self.values[at] = bytes.to_vec();
-        }
-    }
-
-    /// The indexes that SDOs wrote since the last look.
-    pub(crate) fn take_written(&mut self) -> Vec<u16> {
-        std::mem::take(&mut self.written)
-    }
-
-    /// Gives the entries the values that they restart with: those of 1000h to 1FFFh, or all (CiA 301 §7.3.2.2.1).
-    pub(crate) fn reset(&mut self, is_application: bool) {
-        for sub in std::mem::take(&mut self.dropped) {
-            for (at, entry) in
-                self.entries.iter().enumerate().filter(|(_, entry)| is_stored(sub, entry.index))
-            {
-                self.stored[at].clone_from(&entry.value);
-            }
-        }
-        for (at, entry) in self.entries.iter().enumerate() {
-            if is_application || (0x1000..0x2000).contains(&entry.index) {
-                self.values[at].clone_from(&self.stored[at]);
-            }
-        }
-    }
-
     /// A device with the present values as configured ones.
     pub fn present(&self, device: &Device) -> Device {
         let mut device = device.with_implicit_pdos().into_owned();
@@ -161,26 +128,6 @@ impl LiveDictionary {
             let is_object = |at: usize| self.entries.get(at).is_some_and(|entry| entry.index == index);
             if neighbours.into_iter().any(is_object) { Abort::NoSubIndex } else { Abort::NoObject }
         })
-    }
-
-    /// 1010h: keeps the present values for the next reset. 1011h: drops them at the next reset.
-    fn command(&mut self, index: u16, sub: u8, bytes: &[u8]) -> Result<(), Abort> {
-        if index == 0x1011 {
-            if bytes != LOAD {
-                return Err(Abort::CannotStore);
-            }
-            self.dropped.push(sub);
-            return Ok(());
-        }
-        if bytes != SAVE {
-            return Err(Abort::CannotStore);
-        }
-        for (at, entry) in self.entries.iter().enumerate() {
-            if entry.is_writable && is_stored(sub, entry.index) {
-                self.stored[at].clone_from(&self.values[at]);
-            }
-        }
-        Ok(())
     }
 }
 
@@ -281,8 +228,11 @@ impl Dictionary for LiveDictionary {
         if entry.size == 0 && entry.data_type == Some(DataType::DOMAIN) {
             return Err(Abort::CannotStore);
         }
-        if matches!(index, 0x1010 | 0x1011) && sub > 0 {
-            return self.command(index, sub, bytes);
+        match (index, sub) {
+            (0x1010, 1..) if bytes == SAVE => return self.store(sub),
+            (0x1011, 1..) if bytes == LOAD => return self.restore(sub),
+            (0x1010 | 0x1011, 1..) => return Err(Abort::CannotStore),
+            _ => {}
         }
         check(entry, bytes)?;
         if self.is_strict
@@ -298,9 +248,53 @@ impl Dictionary for LiveDictionary {
         let is_new = self.values[at] != value;
         self.values[at] = value;
         if is_new && index != 0x1020 {
-            (1..=2).for_each(|sub| self.put(0x1020, sub, &[0; 4]));
+            for sub in 1..=2 {
+                let _ = self.replace(0x1020, sub, &[0; 4]);
+            }
         }
-        self.written.push(index);
+        Ok(())
+    }
+
+    fn replace(&mut self, index: u16, sub: u8, bytes: &[u8]) -> Result<(), Abort> {
+        let at = self.find(index, sub)?;
+        if bytes.len() != self.entries[at].size && !has_length(&self.entries[at]) {
+            return Err(Abort::LengthMismatch);
+        }
+        self.values[at] = bytes.to_vec();
+        Ok(())
+    }
+
+    fn restart(&mut self, scope: Scope, _: u8) {
+        for sub in std::mem::take(&mut self.dropped) {
+            for (at, entry) in
+                self.entries.iter().enumerate().filter(|(_, entry)| is_stored(sub, entry.index))
+            {
+                self.stored[at].clone_from(&entry.value);
+            }
+        }
+        for (at, entry) in self.entries.iter().enumerate() {
+            if scope.contains(entry.index) {
+                self.values[at].clone_from(&self.stored[at]);
+            }
+        }
+    }
+
+    fn can_store(&self, _: u8) -> bool {
+        true
+    }
+
+    fn store(&mut self, sub: u8) -> Result<(), Abort> {
+        for (at, entry) in self.entries.iter().enumerate() {
+            if entry.is_writable && is_stored(sub, entry.index) {
+                self.stored[at].clone_from(&self.values[at]);
+            }
+        }
+        Ok(())
+    }
+
+    /// The stored values are dropped at the next reset.
+    fn restore(&mut self, sub: u8) -> Result<(), Abort> {
+        self.dropped.push(sub);
         Ok(())
     }
 }

@@ -200,7 +200,7 @@ impl Simulation {
         }
         for (at, node) in self.nodes.iter_mut().enumerate() {
             let Some(node) = node else { continue };
-            if at != sender || node.is_own_sync(&frame) {
+            if at != sender {
                 node.receive(&frame, self.now);
             }
         }
@@ -292,7 +292,7 @@ impl Simulation {
         let tick = (self.now / MILLISECOND + 1) * MILLISECOND;
         let nodes = self.nodes.iter().flatten();
         let pending = nodes.clone().flat_map(|node| &node.queue).map(|pending| pending.ready);
-        let due = nodes.filter_map(SimulatedNode::next).chain(self.manager.next());
+        let due = nodes.filter_map(|node| node.next(self.now)).chain(self.manager.next());
         let times = pending.chain(due).chain(self.wire.map(|wire| wire.end));
         times.filter(|time| *time > self.now).min().map_or(tick, |time| time.min(tick))
     }

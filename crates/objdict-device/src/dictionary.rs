@@ -1,4 +1,4 @@
-//! What a server needs of an object dictionary.
+//! What the services need of an object dictionary.
 
 use crate::Abort;
 use crate::table::{Data, Entry, Table};
@@ -20,7 +20,39 @@ pub struct Attributes {
     pub fits_rpdo: bool,
 }
 
+impl Attributes {
+    /// Whether values have lengths of their own, up to the size: texts, bytes and DOMAIN.
+    #[must_use]
+    pub const fn has_length(&self) -> bool {
+        matches!(self.data_type, 0x09..=0x0B | 0x0F)
+    }
+}
+
+/// Where a dictionary has an entry, so that a PDO does not search for it again. The dictionary alone knows what the number means.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Place(pub u32);
+
+/// Which values a reset gives back (CiA 301 §7.3.2.2.1).
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
+pub enum Scope {
+    /// Those of 1000h to 1FFFh: reset communication.
+    Communication,
+    /// All: power-on and reset node.
+    All,
+}
+
+impl Scope {
+    /// Whether the values of an object are given back.
+    #[must_use]
+    pub const fn contains(self, index: u16) -> bool {
+        matches!(self, Self::All) || matches!(index, 0x1000..=0x1FFF)
+    }
+}
+
 /// An object dictionary as SDO servers and PDOs use it: values are little-endian bytes.
+///
+/// The methods with a default serve dictionaries that can do more: values that are transferred in pieces, and storage.
 pub trait Dictionary {
     /// The attributes of an entry.
     ///
@@ -40,6 +72,15 @@ pub trait Dictionary {
     /// Why an SDO download to this entry is aborted; the value is unchanged.
     fn write(&mut self, index: u16, sub: u8, bytes: &[u8]) -> Result<(), Abort>;
 
+    /// Replaces a value that the device itself changes, such as the error register, whatever its access by SDO.
+    ///
+    /// # Errors
+    /// Why the value stays as it is: there is no such entry, it is a constant, or the value does not fit.
+    fn replace(&mut self, index: u16, sub: u8, bytes: &[u8]) -> Result<(), Abort>;
+
+    /// Gives values back what they had at power-on, with another node-ID if it has changed.
+    fn restart(&mut self, scope: Scope, node_id: u8);
+
     /// The value of an entry as an unsigned number.
     ///
     /// # Errors
@@ -48,8 +89,120 @@ pub trait Dictionary {
         let mut bytes = [0; 8];
         // a dictionary may use the rest of the buffer
         let length = self.read(index, sub, &mut bytes)?.min(8);
-        bytes.iter_mut().skip(length).for_each(|byte| *byte = 0);
-        Ok(u64::from_le_bytes(bytes))
+        Ok(number(&bytes, length))
+    }
+
+    /// Where an entry is, for [`Dictionary::number_at`] and [`Dictionary::write_at`].
+    ///
+    /// # Errors
+    /// Those of [`Dictionary::attributes`].
+    fn locate(&self, index: u16, sub: u8) -> Result<Place, Abort> {
+        self.attributes(index, sub).map(|_| Place(u32::from(index) << 8 | u32::from(sub)))
+    }
+
+    /// The attributes of an entry.
+    ///
+    /// # Errors
+    /// Those of [`Dictionary::attributes`].
+    fn attributes_at(&self, place: Place) -> Result<Attributes, Abort> {
+        self.attributes((place.0 >> 8) as u16, place.0 as u8)
+    }
+
+    /// The value of an entry as an unsigned number.
+    ///
+    /// # Errors
+    /// Those of [`Dictionary::number`].
+    fn number_at(&mut self, place: Place) -> Result<u64, Abort> {
+        self.number((place.0 >> 8) as u16, place.0 as u8)
+    }
+
+    /// Replaces a value as an RPDO does.
+    ///
+    /// # Errors
+    /// Those of [`Dictionary::write`].
+    fn write_at(&mut self, place: Place, bytes: &[u8]) -> Result<(), Abort> {
+        self.write((place.0 >> 8) as u16, place.0 as u8, bytes)
+    }
+
+    /// Begins an upload. `None` for a value that [`Dictionary::read`] copies as a whole; the length in bytes of one that is then
+    /// read in pieces, so that it may be longer than the buffer of the server.
+    ///
+    /// # Errors
+    /// Why the upload is aborted.
+    fn begin_read(&mut self, index: u16, sub: u8) -> Result<Option<usize>, Abort> {
+        let _ = (index, sub);
+        Ok(None)
+    }
+
+    /// Fills a piece of an upload with the bytes from an offset on. A client may ask for a piece again.
+    ///
+    /// # Errors
+    /// Why the upload is aborted.
+    fn read_piece(&mut self, index: u16, sub: u8, offset: usize, piece: &mut [u8]) -> Result<(), Abort> {
+        let _ = (index, sub, offset, piece);
+        Err(Abort::NoData)
+    }
+
+    /// Begins a download, whose length in bytes a client may state. Returns whether it comes in pieces, so that it may be longer than
+    /// the buffer of the server; else [`Dictionary::write`] gets the value as a whole. A download that was begun and not ended is
+    /// given up.
+    ///
+    /// # Errors
+    /// Why the download cannot succeed.
+    fn begin_write(&mut self, index: u16, sub: u8, length: Option<usize>) -> Result<bool, Abort> {
+        let _ = (index, sub, length);
+        Ok(false)
+    }
+
+    /// Takes a piece of a download. The pieces come in order and without gaps.
+    ///
+    /// # Errors
+    /// Why the download is aborted.
+    fn write_piece(&mut self, index: u16, sub: u8, offset: usize, piece: &[u8]) -> Result<(), Abort> {
+        let _ = (index, sub, offset, piece);
+        Err(Abort::CannotStore)
+    }
+
+    /// Ends a download in pieces, whose bytes have all arrived.
+    ///
+    /// # Errors
+    /// Why the download is aborted.
+    fn end_write(&mut self, index: u16, sub: u8, length: usize) -> Result<(), Abort> {
+        let _ = (index, sub, length);
+        Err(Abort::CannotStore)
+    }
+
+    /// Whether values can be stored by a sub-index of 1010h.
+    fn can_store(&self, sub: u8) -> bool {
+        let _ = sub;
+        false
+    }
+
+    /// Stores the values that a sub-index of 1010h names. The signature was correct.
+    ///
+    /// # Errors
+    /// Why they are not stored.
+    fn store(&mut self, sub: u8) -> Result<(), Abort> {
+        let _ = sub;
+        Err(Abort::CannotStore)
+    }
+
+    /// Lets the values that a sub-index of 1011h names be the defaults at the next reset. The signature was correct.
+    ///
+    /// # Errors
+    /// Why they stay as they are stored.
+    fn restore(&mut self, sub: u8) -> Result<(), Abort> {
+        let _ = sub;
+        Err(Abort::CannotStore)
+    }
+}
+
+/// The first `length` bytes as a number.
+const fn number(bytes: &[u8; 8], length: usize) -> u64 {
+    match length {
+        0 => 0,
+        1..=7 => u64::from_le_bytes(*bytes) & (u64::MAX >> (64 - 8 * length)),
+        _ => u64::from_le_bytes(*bytes),
     }
 }
 
@@ -66,6 +219,11 @@ impl<D: Table> From<&Entry<D>> for Attributes {
     }
 }
 
+/// The entry in a row of the table.
+pub(crate) fn entry_at<D: Table>(place: Place) -> Result<&'static Entry<D>, Abort> {
+    D::ENTRIES.get(place.0 as usize).ok_or(Abort::NoObject)
+}
+
 impl<D: Table, const RAM: usize> Dictionary for Data<D, RAM> {
     fn attributes(&self, index: u16, sub: u8) -> Result<Attributes, Abort> {
         Entry::<D>::find(index, sub).map(Attributes::from)
@@ -77,5 +235,42 @@ impl<D: Table, const RAM: usize> Dictionary for Data<D, RAM> {
 
     fn write(&mut self, index: u16, sub: u8, bytes: &[u8]) -> Result<(), Abort> {
         Self::write(self, index, sub, bytes)
+    }
+
+    fn replace(&mut self, index: u16, sub: u8, bytes: &[u8]) -> Result<(), Abort> {
+        self.write_entry(Entry::find(index, sub)?, bytes)
+    }
+
+    fn restart(&mut self, scope: Scope, node_id: u8) {
+        self.set_defaults(node_id, |index| scope.contains(index));
+    }
+
+    fn locate(&self, index: u16, sub: u8) -> Result<Place, Abort> {
+        let row = Entry::<D>::find(index, sub)?.row();
+        row.and_then(|row| u32::try_from(row).ok()).map(Place).ok_or(Abort::NoObject)
+    }
+
+    fn attributes_at(&self, place: Place) -> Result<Attributes, Abort> {
+        entry_at::<D>(place).map(Attributes::from)
+    }
+
+    fn number_at(&mut self, place: Place) -> Result<u64, Abort> {
+        let entry = entry_at(place)?;
+        if !entry.is_readable() {
+            return Err(Abort::WriteOnly);
+        }
+        let mut bytes = [0; 8];
+        let length = self.read_entry(entry, &mut bytes)?;
+        Ok(number(&bytes, length))
+    }
+
+    fn write_at(&mut self, place: Place, bytes: &[u8]) -> Result<(), Abort> {
+        let entry = entry_at(place)?;
+        if entry.is_writable() { self.write_entry(entry, bytes) } else { Err(Abort::ReadOnly) }
+    }
+
+    fn begin_write(&mut self, index: u16, sub: u8, _: Option<usize>) -> Result<bool, Abort> {
+        // a constant, or a DOMAIN without room
+        if Entry::<D>::find(index, sub)?.is_variable() { Ok(false) } else { Err(Abort::CannotStore) }
     }
 }

@@ -11,28 +11,36 @@
 #![no_std]
 #![allow(clippy::cast_possible_truncation, reason = "values are cut to the width of their field in a frame")]
 
+mod clock;
 mod dictionary;
-mod emergency;
+mod errors;
 mod frame;
+mod guard;
+mod heartbeat;
 mod nmt;
 mod node;
 mod pdo;
+mod rules;
 mod sdo;
 #[cfg(feature = "critical-section")]
 mod shared;
 #[cfg(feature = "source")]
 pub mod source;
+mod sync;
 pub mod table;
 mod watched;
 
-pub use dictionary::{Attributes, Dictionary};
-pub use emergency::emergency;
+pub use dictionary::{Attributes, Dictionary, Place, Scope};
+pub use errors::{Errors, error_code};
 pub use frame::Frame;
-pub use nmt::{Heartbeat, HeartbeatConsumer, Nmt, NmtCommand, NmtState};
+pub use guard::Guarded;
+pub use heartbeat::{Heartbeat, HeartbeatConsumer};
+pub use nmt::{Nmt, NmtCommand, NmtState};
 pub use node::{Node, Received};
-pub use pdo::{Guarded, Pdo, Pdos, Reception};
+pub use pdo::{Pdo, Pdos, Reception};
 pub use sdo::SdoServer;
 #[cfg(feature = "critical-section")]
 pub use shared::Shared;
+pub use sync::SyncProducer;
 pub use table::Abort;
 pub use watched::Watched;

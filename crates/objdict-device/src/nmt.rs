@@ -1,9 +1,10 @@
 //! NMT: the state of the node, boot-up and heartbeat.
 
+use crate::clock::{Periodic, milliseconds};
 use crate::{Dictionary, Frame};
 
 /// The first CAN-ID of boot-up and heartbeat, to which the node-ID is added.
-const ERROR_CONTROL: u32 = 0x700;
+pub(crate) const ERROR_CONTROL: u32 = 0x700;
 
 /// The NMT state of a node (CiA 301 §7.3.2.2).
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -58,21 +59,39 @@ pub enum NmtCommand {
 pub struct Nmt {
     node_id: u8,
     state: NmtState,
-    /// When the last heartbeat was sent, and which state it had.
-    sent: Option<(u64, NmtState)>,
+    /// The state that was sent last.
+    announced: NmtState,
+    heartbeat: Periodic,
 }
 
 impl Nmt {
     /// A node before boot-up.
     #[must_use]
     pub const fn new(node_id: u8) -> Self {
-        Self { node_id: node_id & 0x7F, state: NmtState::Initialising, sent: None }
+        let state = NmtState::Initialising;
+        Self { node_id: node_id & 0x7F, state, announced: state, heartbeat: Periodic::NEVER }
+    }
+
+    /// The node-ID.
+    #[must_use]
+    pub const fn node_id(&self) -> u8 {
+        self.node_id
     }
 
     /// The state.
     #[must_use]
     pub const fn state(&self) -> NmtState {
         self.state
+    }
+
+    /// Changes the state as the node itself decides, such as after an error.
+    pub(crate) const fn enter(&mut self, state: NmtState) {
+        self.state = state;
+    }
+
+    /// Whether SDOs, SYNC and emergency messages work.
+    pub(crate) const fn communicates(&self) -> bool {
+        matches!(self.state, NmtState::PreOperational | NmtState::Operational)
     }
 
     /// Takes a frame, and returns the command that it has for this node. A reset leads to [`NmtState::Initialising`]; call
@@ -94,99 +113,40 @@ impl Nmt {
         Some(command)
     }
 
+    /// Reads 1017h after a write to it: the heartbeat begins at once.
+    pub fn load<D: Dictionary + ?Sized>(&mut self, dictionary: &mut D) {
+        let period = dictionary.number(0x1017, 0).map_or(0, |period| period as u16);
+        self.heartbeat.restart(milliseconds(period));
+    }
+
     /// Ends the initialisation: the boot-up message, which counts as a heartbeat. The node is pre-operational then.
-    pub fn boot(&mut self, now: u64) -> Frame {
+    pub fn boot<D: Dictionary + ?Sized>(&mut self, dictionary: &mut D, now: u64) -> Frame {
+        self.load(dictionary);
+        self.heartbeat.wait(now);
         self.state = NmtState::PreOperational;
-        self.sent = Some((now, self.state));
+        self.announced = self.state;
         self.error_control(NmtState::Initialising)
     }
 
-    /// The heartbeat when it is due: `period` is 1017h in milliseconds, 0 for none, `now` is in microseconds. A new state is sent at
-    /// once.
-    pub fn poll(&mut self, period: u16, now: u64) -> Option<Frame> {
-        let (at, state) = self.sent?;
-        let waited = now.saturating_sub(at);
-        let is_due = waited >= u64::from(period) * 1000 || state != self.state;
-        if period == 0 || self.state == NmtState::Initialising || !is_due {
+    /// The heartbeat when it is due at a time in microseconds. A new state is sent at once; the next period does not begin with it.
+    pub fn poll(&mut self, now: u64) -> Option<Frame> {
+        if self.next(now)? > now {
             return None;
         }
-        self.sent = Some((now, self.state));
+        let _ = self.heartbeat.take(now);
+        self.announced = self.state;
         Some(self.error_control(self.state))
+    }
+
+    /// When the next heartbeat is due.
+    #[must_use]
+    pub fn next(&self, now: u64) -> Option<u64> {
+        let due = self.heartbeat.next(now).filter(|_| self.state != NmtState::Initialising);
+        if self.announced == self.state { due } else { due.map(|_| now) }
     }
 
     fn error_control(&self, state: NmtState) -> Frame {
         let bytes = [state.code(), 0, 0, 0, 0, 0, 0, 0];
         Frame::full(ERROR_CONTROL + u32::from(self.node_id), bytes).shortened(1)
-    }
-}
-
-/// Monitors the heartbeats of at most `N` other nodes: those of 1016h.
-#[derive(Clone, Debug)]
-#[non_exhaustive]
-pub struct HeartbeatConsumer<const N: usize> {
-    nodes: [Monitored; N],
-}
-
-#[derive(Clone, Copy, Debug)]
-struct Monitored {
-    node_id: u8,
-    /// In milliseconds.
-    time: u16,
-    /// The last heartbeat; `None` before the first one and after it was lost.
-    last: Option<(u64, NmtState)>,
-}
-
-/// What became known of another node.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Heartbeat {
-    /// The node has this state now; its heartbeat started or its state changed.
-    State(u8, NmtState),
-    /// The heartbeat of the node is missing (emergency 8130h).
-    Lost(u8),
-}
-
-impl<const N: usize> HeartbeatConsumer<N> {
-    /// No node is monitored before [`HeartbeatConsumer::load`].
-    #[must_use]
-    pub const fn new() -> Self {
-        Self { nodes: [Monitored { node_id: 0, time: 0, last: None }; N] }
-    }
-
-    /// Reads 1016h, after a reset or a write to it.
-    pub fn load<D: Dictionary + ?Sized>(&mut self, dictionary: &mut D) {
-        for (node, sub) in self.nodes.iter_mut().zip(1..) {
-            let value = dictionary.number(0x1016, sub).unwrap_or(0);
-            let is_used = value >> 23 == 0 && value & 0xFFFF != 0;
-            let node_id = if is_used { (value >> 16) as u8 } else { 0 };
-            *node = Monitored { node_id, time: value as u16, last: None };
-        }
-    }
-
-    /// Takes a frame at a time in microseconds. A node is monitored from its first heartbeat on.
-    pub fn receive(&mut self, frame: &Frame, now: u64) -> Option<Heartbeat> {
-        let &[code] = frame.data() else { return None };
-        let state = NmtState::from_code(code)?;
-        let is_sender = |node: &&mut Monitored| {
-            node.node_id != 0 && u32::from(frame.id()) == ERROR_CONTROL + u32::from(node.node_id)
-        };
-        let node = self.nodes.iter_mut().find(is_sender)?;
-        let before = node.last.replace((now, state));
-        (before.map(|(_, state)| state) != Some(state)).then_some(Heartbeat::State(node.node_id, state))
-    }
-
-    /// The next node whose heartbeat is missing. Call it until it returns `None`.
-    pub fn poll(&mut self, now: u64) -> Option<Heartbeat> {
-        let is_lost = |node: &&mut Monitored| {
-            node.last.is_some_and(|(at, _)| now.saturating_sub(at) > u64::from(node.time) * 1000)
-        };
-        let node = self.nodes.iter_mut().find(is_lost)?;
-        node.last = None;
-        Some(Heartbeat::Lost(node.node_id))
-    }
-}
-
-impl<const N: usize> Default for HeartbeatConsumer<N> {
-    fn default() -> Self {
-        Self::new()
     }
 }

@@ -1,5 +1,7 @@
 //! Values with the hooks of the application.
 
+use crate::dictionary::{Place, Scope, entry_at};
+use crate::guard::{RESTORE, STORE};
 use crate::table::{Data, Entry, Handle, Hooked, Hooks, Typed, Variable};
 use crate::{Abort, Attributes, Dictionary};
 
@@ -54,8 +56,7 @@ impl<D: Hooked, H: Hooks<Data<D, RAM>>, const RAM: usize, const FLAGS: usize>
     }
 
     fn flag(&mut self, entry: &Entry<D>) -> Option<(&mut u8, u8)> {
-        let key = |entry: &Entry<D>| (entry.index(), entry.sub());
-        let row = D::ENTRIES.binary_search_by_key(&key(entry), key).ok()?;
+        let row = entry.row()?;
         Some((self.changed.get_mut(row / 8)?, 1 << (row % 8)))
     }
 }
@@ -75,5 +76,51 @@ impl<D: Hooked, H: Hooks<Data<D, RAM>>, const RAM: usize, const FLAGS: usize> Di
         self.data.write_with(&mut self.hooks, index, sub, bytes)?;
         self.raise(Entry::find(index, sub)?);
         Ok(())
+    }
+
+    fn replace(&mut self, index: u16, sub: u8, bytes: &[u8]) -> Result<(), Abort> {
+        self.data.replace(index, sub, bytes)
+    }
+
+    fn restart(&mut self, scope: Scope, node_id: u8) {
+        self.data.restart(scope, node_id);
+    }
+
+    fn locate(&self, index: u16, sub: u8) -> Result<Place, Abort> {
+        self.data.locate(index, sub)
+    }
+
+    fn attributes_at(&self, place: Place) -> Result<Attributes, Abort> {
+        self.data.attributes_at(place)
+    }
+
+    fn number_at(&mut self, place: Place) -> Result<u64, Abort> {
+        let entry = entry_at::<D>(place)?;
+        if entry.is_hooked() && entry.is_readable() {
+            self.hooks.before_read(&mut self.data, entry.index(), entry.sub())?;
+        }
+        self.data.number_at(place)
+    }
+
+    fn write_at(&mut self, place: Place, bytes: &[u8]) -> Result<(), Abort> {
+        let entry = entry_at::<D>(place)?;
+        self.write(entry.index(), entry.sub(), bytes)
+    }
+
+    fn begin_write(&mut self, index: u16, sub: u8, length: Option<usize>) -> Result<bool, Abort> {
+        self.data.begin_write(index, sub, length)
+    }
+
+    fn can_store(&self, sub: u8) -> bool {
+        Entry::<D>::find(STORE, sub).is_ok_and(Entry::is_hooked)
+    }
+
+    fn store(&mut self, sub: u8) -> Result<(), Abort> {
+        if self.can_store(sub) { self.write(STORE, sub, b"save") } else { Err(Abort::CannotStore) }
+    }
+
+    fn restore(&mut self, sub: u8) -> Result<(), Abort> {
+        let is_hooked = Entry::<D>::find(RESTORE, sub).is_ok_and(Entry::is_hooked);
+        if is_hooked { self.write(RESTORE, sub, b"load") } else { Err(Abort::CannotStore) }
     }
 }

@@ -7,16 +7,13 @@ use std::io::{self, ErrorKind, Write};
 use std::net::TcpListener;
 use std::time::Instant;
 
-use objdict_device::{NmtCommand, Node, Pdos, Received};
+use objdict_device::{NmtCommand, Received};
 
 use slcan::Bus;
 
 mod od {
     include!(concat!(env!("OUT_DIR"), "/od.rs"));
 }
-
-/// A node with one SDO server for values of at most 1000 bytes.
-type Device = Node<od::Data, 1000, 1, { od::pdo::RPDOS.len() }, { od::pdo::TPDOS.len() }>;
 
 fn main() -> io::Result<()> {
     let address = std::env::args().nth(1).unwrap_or_else(|| "127.0.0.1:0".to_owned());
@@ -35,18 +32,17 @@ fn main() -> io::Result<()> {
 fn run(mut bus: Bus) -> io::Result<()> {
     let start = Instant::now();
     let now = || start.elapsed().as_micros() as u64;
-    let pdos = Pdos::new(od::pdo::RPDOS, od::pdo::TPDOS);
-    let mut device = Device::new(od::NODE_ID, od::Data::new(od::NODE_ID), pdos);
+    // one SDO server for values of at most 1000 bytes
+    let mut device = od::node::<1000, 1>(od::NODE_ID);
     bus.send(&device.boot(now()))?;
     loop {
         for frame in bus.receive()? {
             match device.receive(&frame, now()) {
                 Received::Answer(answer) => bus.send(&answer)?,
                 Received::Nmt(NmtCommand::ResetNode | NmtCommand::ResetCommunication) => {
-                    device.dictionary = od::Data::new(od::NODE_ID);
                     bus.send(&device.boot(now()))?;
                 }
-                Received::Ignored | Received::Nmt(_) | Received::Pdo(_) => {}
+                Received::Ignored | Received::Nmt(_) | Received::Pdo(_) | Received::Heartbeat(_) => {}
             }
         }
         // here the application works with the values, `device.dictionary`

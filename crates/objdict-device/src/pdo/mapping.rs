@@ -1,97 +1,162 @@
 //! What a PDO carries: the values of its mapped entries, bit after bit.
 
+use crate::dictionary::Place;
 use crate::{Abort, Dictionary};
+
+/// As many mapped entries are found once, when the mapping is loaded; those beyond are looked for each time.
+const KEPT: usize = 8;
 
 /// One mapped entry: a value of 1600h to 17FFh and 1A00h to 1BFFh.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(super) struct Mapped {
-    pub(super) index: u16,
-    pub(super) sub: u8,
+pub(crate) struct Mapped {
+    pub(crate) index: u16,
+    pub(crate) sub: u8,
     /// Length in bits.
-    pub(super) bits: u32,
+    pub(crate) bits: u8,
 }
 
 impl Mapped {
-    pub(super) const fn of(value: u64) -> Self {
-        Self { index: (value >> 16) as u16, sub: (value >> 8) as u8, bits: (value & 0xFF) as u32 }
+    pub(crate) const fn of(value: u64) -> Self {
+        Self { index: (value >> 16) as u16, sub: (value >> 8) as u8, bits: value as u8 }
     }
 
     /// Whether an RPDO leaves out these bits: the index is that of a data type.
-    pub(super) const fn is_dummy(self) -> bool {
+    pub(crate) const fn is_dummy(self) -> bool {
         matches!(self.index, 1..=7) && self.sub == 0
     }
 }
 
-/// Calls a function for each mapped entry with the position of its first bit, and returns the length of the PDO in bits.
-fn walk<D: Dictionary + ?Sized>(
-    dictionary: &mut D,
-    mapping: u16,
-    mut each: impl FnMut(&mut D, Mapped, u32) -> Result<(), Abort>,
-) -> Result<u32, Abort> {
-    let count = dictionary.number(mapping, 0)?.min(64) as u8;
-    let mut first = 0;
-    for sub in 1..=count {
+/// A mapped entry that was found.
+#[derive(Clone, Copy, Debug)]
+struct Found {
+    /// `None` for a dummy.
+    place: Option<Place>,
+    bits: u8,
+}
+
+impl Found {
+    fn of<D: Dictionary + ?Sized>(dictionary: &mut D, mapping: u16, sub: u8) -> Result<Self, Abort> {
         let mapped = Mapped::of(dictionary.number(mapping, sub)?);
         if mapped.bits == 0 {
             return Err(Abort::NotMappable);
         }
-        if first + mapped.bits > 64 {
-            return Err(Abort::PdoTooLong);
-        }
-        each(dictionary, mapped, first)?;
-        first += mapped.bits;
+        let is_dummy = mapping < 0x1A00 && mapped.is_dummy();
+        let place = if is_dummy { None } else { Some(dictionary.locate(mapped.index, mapped.sub)?) };
+        Ok(Self { place, bits: mapped.bits })
     }
-    Ok(first)
 }
 
-/// The number of bytes of the PDO.
-pub(super) fn length<D: Dictionary + ?Sized>(dictionary: &mut D, mapping: u16) -> Result<u8, Abort> {
-    walk(dictionary, mapping, |_, _, _| Ok(())).map(|bits| bits.div_ceil(8) as u8)
+/// The mapping of a PDO.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Mapping {
+    /// The index, such as 1A00h.
+    index: u16,
+    count: u8,
+    /// Length in bits, or why no frame has this mapping.
+    bits: Result<u8, Abort>,
+    kept: [Found; KEPT],
 }
 
-/// The frame with the present values, and its length in bytes.
-pub(super) fn pack<D: Dictionary + ?Sized>(dictionary: &mut D, mapping: u16) -> Result<(u64, u8), Abort> {
-    let mut frame = 0;
-    let bits = walk(dictionary, mapping, |dictionary, mapped, first| {
-        let value = dictionary.number(mapped.index, mapped.sub)?;
-        frame |= (value & lowest(mapped.bits)) << first;
-        Ok(())
-    })?;
-    Ok((frame, bits.div_ceil(8) as u8))
-}
+impl Mapping {
+    pub(super) const fn new(index: u16) -> Self {
+        Self { index, count: 0, bits: Ok(0), kept: [Found { place: None, bits: 0 }; KEPT] }
+    }
 
-/// Writes the values of a frame. One that is refused stays as it is, and does not keep the others from being written.
-pub(super) fn unpack<D: Dictionary + ?Sized>(
-    dictionary: &mut D,
-    mapping: u16,
-    frame: u64,
-) -> Result<(), Abort> {
-    let mut answer = Ok(());
-    walk(dictionary, mapping, |dictionary, mapped, first| {
-        if !mapped.is_dummy() {
-            answer = answer.and(write(dictionary, mapped, frame >> first));
+    pub(super) const fn index(&self) -> u16 {
+        self.index
+    }
+
+    /// Finds the mapped entries.
+    pub(super) fn load<D: Dictionary + ?Sized>(&mut self, dictionary: &mut D) {
+        self.count = dictionary.number(self.index, 0).unwrap_or(0).min(64) as u8;
+        self.bits = self.find(dictionary);
+    }
+
+    fn find<D: Dictionary + ?Sized>(&mut self, dictionary: &mut D) -> Result<u8, Abort> {
+        let mut bits = 0;
+        for at in 0..self.count {
+            let found = Found::of(dictionary, self.index, at + 1)?;
+            bits += found.bits.min(65);
+            if bits > 64 {
+                return Err(Abort::PdoTooLong);
+            }
+            if let Some(kept) = self.kept.get_mut(usize::from(at)) {
+                *kept = found;
+            }
+        }
+        Ok(bits)
+    }
+
+    /// The number of bytes of the PDO.
+    pub(super) fn length(&self) -> Result<u8, Abort> {
+        self.bits.map(|bits| bits.div_ceil(8))
+    }
+
+    /// Calls a function for each mapped entry that is not a dummy, with its length and the position of its first bit.
+    fn walk<D: Dictionary + ?Sized>(
+        &self,
+        dictionary: &mut D,
+        mut each: impl FnMut(&mut D, Place, u8, u8) -> Result<(), Abort>,
+    ) -> Result<(), Abort> {
+        self.bits?;
+        let mut first = 0_u8;
+        for at in 0..self.count {
+            let found = match self.kept.get(usize::from(at)) {
+                Some(kept) => *kept,
+                None => Found::of(dictionary, self.index, at + 1)?,
+            };
+            // an application may have changed the mapping since it was loaded
+            let end = first.saturating_add(found.bits);
+            if end > 64 {
+                return Err(Abort::PdoTooLong);
+            }
+            if let Some(place) = found.place {
+                each(dictionary, place, found.bits, first)?;
+            }
+            first = end;
         }
         Ok(())
-    })?;
-    answer
+    }
+
+    /// The frame with the present values, and its length in bytes.
+    pub(super) fn pack<D: Dictionary + ?Sized>(&self, dictionary: &mut D) -> Result<(u64, u8), Abort> {
+        let mut frame = 0;
+        self.walk(dictionary, |dictionary, place, bits, first| {
+            frame |= (dictionary.number_at(place)? & lowest(bits)) << first;
+            Ok(())
+        })?;
+        Ok((frame, self.length()?))
+    }
+
+    /// Writes the values of a frame. One that is refused stays as it is, and does not keep the others from being written.
+    pub(super) fn unpack<D: Dictionary + ?Sized>(&self, dictionary: &mut D, frame: u64) -> Result<(), Abort> {
+        let mut answer = Ok(());
+        self.walk(dictionary, |dictionary, place, bits, first| {
+            answer = answer.and(write(dictionary, place, bits, frame >> first));
+            Ok(())
+        })?;
+        answer
+    }
 }
 
 /// Writes the lowest bits to a mapped entry. A description may map a part of a number, whose other bits follow its sign.
-fn write<D: Dictionary + ?Sized>(dictionary: &mut D, mapped: Mapped, bits: u64) -> Result<(), Abort> {
-    let entry = dictionary.attributes(mapped.index, mapped.sub)?;
-    let mask = lowest(mapped.bits);
-    let is_negative = matches!(entry.data_type, 0x02..=0x04 | 0x10 | 0x12..=0x15) && bits & mask > mask >> 1;
-    let value = if is_negative { bits | !mask } else { bits & mask };
+fn write<D: Dictionary + ?Sized>(
+    dictionary: &mut D,
+    place: Place,
+    bits: u8,
+    frame: u64,
+) -> Result<(), Abort> {
+    let entry = dictionary.attributes_at(place)?;
+    let mask = lowest(bits);
+    let is_negative = matches!(entry.data_type, 0x02..=0x04 | 0x10 | 0x12..=0x15) && frame & mask > mask >> 1;
+    let value = if is_negative { frame | !mask } else { frame & mask };
     // texts, bytes and DOMAIN have the length that is mapped
-    let length = match entry.data_type {
-        0x09..=0x0B | 0x0F => mapped.bits.div_ceil(8) as usize,
-        _ => entry.size,
-    };
+    let length = if entry.has_length() { usize::from(bits.div_ceil(8)) } else { entry.size };
     let bytes = value.to_le_bytes();
-    dictionary.write(mapped.index, mapped.sub, bytes.get(..length).unwrap_or(&bytes))
+    dictionary.write_at(place, bytes.get(..length).unwrap_or(&bytes))
 }
 
 /// A mask of so many bits, 1 to 64.
-const fn lowest(bits: u32) -> u64 {
-    u64::MAX >> (64 - bits)
+const fn lowest(bits: u8) -> u64 {
+    u64::MAX >> (64_u8.saturating_sub(bits) & 63)
 }

@@ -1,30 +1,31 @@
 //! PDOs whose parameters and mapping change at run time.
 
-mod mapping;
+pub(crate) mod mapping;
 mod receive;
-mod rules;
 mod transmit;
 
-use crate::{Abort, Attributes, Dictionary, Frame};
+use crate::clock::milliseconds;
+use crate::guard::{Guarded, Services};
+use crate::{Abort, Dictionary, Frame, sync};
 
 use receive::Rpdo;
 use transmit::Tpdo;
 
 /// The bit of a COB-ID that says that the PDO is not valid.
-const NOT_VALID: u32 = 1 << 31;
+pub(crate) const NOT_VALID: u32 = 1 << 31;
 
-/// The COB-ID of SYNC in a device without 1005h.
-const SYNC: u32 = 0x80;
+/// What the index of the communication parameters becomes in that of the mapping.
+const MAPPING: u16 = 0x200;
 
 /// Whether a transmission type is event-driven; 0 to 240 are synchronous, those in between reserved or for remote frames.
-const fn is_event_driven(transmission_type: u8) -> bool {
+pub(crate) const fn is_event_driven(transmission_type: u8) -> bool {
     transmission_type >= 254
 }
 
 /// The PDOs of a device: `R` RPDOs and `T` TPDOs.
 ///
-/// The dictionary holds their parameters. [`Pdos::load`] reads those of communication, and writes go through [`Pdos::guard`],
-/// which checks them and keeps them up to date; the mapping is read whenever a PDO is packed or unpacked. Times are in microseconds.
+/// The dictionary holds their parameters. [`Pdos::load`] reads them, and writes go through [`Pdos::guard`],
+/// which checks them and keeps them up to date. Times are in microseconds.
 #[derive(Clone, Debug)]
 pub struct Pdos<const R: usize, const T: usize> {
     rpdos: [Rpdo; R],
@@ -59,6 +60,7 @@ pub trait Pdo: Sized {
 
 /// What became of a received frame. PDOs are named by the index of their communication parameters.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub enum Reception {
     /// It is neither SYNC nor a valid RPDO, or the PDOs are stopped.
     Ignored,
@@ -70,6 +72,8 @@ pub enum Reception {
     Held(u16),
     /// The RPDO has fewer bytes than its mapping, and is ignored (emergency 8210h).
     TooShort(u16),
+    /// The RPDO has more bytes than its mapping; the first ones are taken (emergency 8220h).
+    TooLong(u16),
     /// The dictionary refused a value of the RPDO; the others are written.
     Refused(u16, Abort),
 }
@@ -117,14 +121,9 @@ impl Parameters {
         is_event_driven(self.transmission_type)
     }
 
-    /// The index of the mapping, such as 1A00h.
-    const fn mapping(&self) -> u16 {
-        self.index | 0x200
-    }
-
     /// The event timer in microseconds.
     fn period(&self) -> Option<u64> {
-        (self.event_timer != 0).then(|| u64::from(self.event_timer) * 1000)
+        (self.event_timer != 0).then(|| milliseconds(self.event_timer))
     }
 }
 
@@ -135,7 +134,7 @@ impl<const R: usize, const T: usize> Pdos<R, T> {
         let mut pdos = Self {
             rpdos: [Rpdo::new(0); R],
             tpdos: [Tpdo::new(0); T],
-            sync: SYNC,
+            sync: 0x80,
             counts: false,
             is_running: false,
         };
@@ -152,7 +151,7 @@ impl<const R: usize, const T: usize> Pdos<R, T> {
         pdos
     }
 
-    /// Reads the communication parameters of all PDOs, after a reset or when the application changed them.
+    /// Reads the parameters of all PDOs, after a reset or when the application changed them.
     pub fn load<D: Dictionary + ?Sized>(&mut self, dictionary: &mut D) {
         self.rpdos.iter_mut().for_each(|rpdo| rpdo.load(dictionary));
         self.tpdos.iter_mut().for_each(|tpdo| tpdo.load(dictionary));
@@ -160,8 +159,8 @@ impl<const R: usize, const T: usize> Pdos<R, T> {
     }
 
     fn load_sync<D: Dictionary + ?Sized>(&mut self, dictionary: &mut D) {
-        self.sync = dictionary.number(0x1005, 0).map_or(SYNC, |cob_id| cob_id as u32);
-        self.counts = dictionary.number(0x1019, 0).is_ok_and(|overflow| overflow != 0);
+        self.sync = sync::cob_id(dictionary);
+        self.counts = dictionary.number(sync::OVERFLOW, 0).is_ok_and(|overflow| overflow != 0);
     }
 
     /// Starts the PDOs when the node becomes operational. Each event-driven TPDO is sent once.
@@ -176,34 +175,52 @@ impl<const R: usize, const T: usize> Pdos<R, T> {
         self.is_running = false;
     }
 
-    /// The dictionary for SDO servers: it refuses what parameters of PDOs cannot be, and the PDOs follow what is written.
+    /// The dictionary for SDO servers: it refuses what communication objects cannot be, and the PDOs follow what is written.
     pub const fn guard<'a, D: Dictionary + ?Sized>(
         &'a mut self,
         dictionary: &'a mut D,
-    ) -> Guarded<'a, D, R, T> {
-        Guarded { dictionary, pdos: self }
+    ) -> Guarded<'a, D, &'a mut Self> {
+        Guarded { dictionary, services: self }
     }
 
-    /// Takes a frame: SYNC or an RPDO.
+    /// Takes a frame: SYNC, or RPDOs that have this CAN-ID. Of several, the last one is returned.
     pub fn receive<D: Dictionary + ?Sized>(
         &mut self,
         dictionary: &mut D,
         frame: &Frame,
         now: u64,
     ) -> Reception {
+        let mut last = Reception::Ignored;
+        self.receive_each(dictionary, frame, now, |_, reception| last = reception);
+        last
+    }
+
+    /// Takes a frame, and calls a function for SYNC and each RPDO that it is.
+    pub(crate) fn receive_each<D: Dictionary + ?Sized>(
+        &mut self,
+        dictionary: &mut D,
+        frame: &Frame,
+        now: u64,
+        mut each: impl FnMut(&mut D, Reception),
+    ) {
         if !self.is_running {
-            return Reception::Ignored;
+            return;
         }
-        if let Some(rpdo) = self.rpdos.iter_mut().find(|rpdo| rpdo.has_id(frame.id())) {
-            return rpdo.receive(dictionary, frame, now);
+        for rpdo in self.rpdos.iter_mut().filter(|rpdo| rpdo.has_id(frame.id())) {
+            let reception = rpdo.receive(dictionary, frame, now);
+            each(dictionary, reception);
         }
-        if frame.id() != crate::frame::can_id(self.sync) {
-            return Reception::Ignored;
+        if frame.id() == crate::frame::can_id(self.sync) {
+            let counter = frame.data().first().copied().filter(|_| self.counts);
+            self.rpdos.iter_mut().for_each(|rpdo| rpdo.sync(dictionary));
+            self.tpdos.iter_mut().for_each(|tpdo| tpdo.sync(counter));
+            each(dictionary, Reception::Sync);
         }
-        let counter = frame.data().first().copied().filter(|_| self.counts);
-        self.rpdos.iter_mut().for_each(|rpdo| rpdo.sync(dictionary));
-        self.tpdos.iter_mut().for_each(|tpdo| tpdo.sync(counter));
-        Reception::Sync
+    }
+
+    /// The length of SYNC in bytes: 1 with a counter.
+    pub(crate) const fn sync_length(&self) -> usize {
+        self.counts as usize
     }
 
     /// The next TPDO that is due. Call it until it returns `None`.
@@ -216,6 +233,14 @@ impl<const R: usize, const T: usize> Pdos<R, T> {
     pub fn overdue(&mut self, now: u64) -> Option<u16> {
         let rpdos = self.rpdos.iter_mut().filter(|_| self.is_running);
         rpdos.into_iter().find_map(|rpdo| rpdo.overdue(now))
+    }
+
+    /// When a TPDO is to be sent or an RPDO is overdue; `None` if only a frame or a request can lead to that.
+    #[must_use]
+    pub fn next(&self, now: u64) -> Option<u64> {
+        let tpdos = self.tpdos.iter().filter_map(|tpdo| tpdo.next(now));
+        let rpdos = self.rpdos.iter().filter_map(Rpdo::deadline);
+        tpdos.chain(rpdos).filter(|_| self.is_running).min()
     }
 
     /// Requests a TPDO of type 0, 254 or 255 by the index of its communication parameters: it is sent as soon as SYNC or its inhibit
@@ -232,44 +257,21 @@ impl<const R: usize, const T: usize> Pdos<R, T> {
     }
 
     /// Follows a write to the dictionary.
-    fn follow<D: Dictionary + ?Sized>(&mut self, dictionary: &mut D, index: u16) {
-        if matches!(index, 0x1005 | 0x1019) {
+    pub(crate) fn follow<D: Dictionary + ?Sized>(&mut self, dictionary: &mut D, index: u16) {
+        if matches!(index, sync::COB_ID | sync::OVERFLOW) {
             self.load_sync(dictionary);
         }
-        if let Some(rpdo) = self.rpdos.iter_mut().find(|rpdo| rpdo.index() == index) {
+        if let Some(rpdo) = self.rpdos.iter_mut().find(|rpdo| rpdo.has_object(index)) {
             rpdo.load(dictionary);
         }
-        if let Some(tpdo) = self.tpdos.iter_mut().find(|tpdo| tpdo.index() == index) {
+        if let Some(tpdo) = self.tpdos.iter_mut().find(|tpdo| tpdo.has_object(index)) {
             tpdo.load(dictionary);
         }
     }
 }
 
-/// A dictionary whose PDOs follow what is written to it; see [`Pdos::guard`].
-#[derive(Debug)]
-pub struct Guarded<'a, D: ?Sized, const R: usize, const T: usize> {
-    dictionary: &'a mut D,
-    pdos: &'a mut Pdos<R, T>,
-}
-
-impl<D: Dictionary + ?Sized, const R: usize, const T: usize> Dictionary for Guarded<'_, D, R, T> {
-    fn attributes(&self, index: u16, sub: u8) -> Result<Attributes, Abort> {
-        self.dictionary.attributes(index, sub)
-    }
-
-    fn read(&mut self, index: u16, sub: u8, buffer: &mut [u8]) -> Result<usize, Abort> {
-        self.dictionary.read(index, sub, buffer)
-    }
-
-    fn write(&mut self, index: u16, sub: u8, bytes: &[u8]) -> Result<(), Abort> {
-        let entry = self.dictionary.attributes(index, sub)?;
-        // the dictionary itself knows why it refuses others
-        if entry.writable && bytes.len() == entry.size && bytes.len() <= 8 {
-            let number = bytes.iter().rev().fold(0, |number, &byte| number << 8 | u64::from(byte));
-            rules::check(self.dictionary, index, sub, number)?;
-        }
-        self.dictionary.write(index, sub, bytes)?;
-        self.pdos.follow(self.dictionary, index);
-        Ok(())
+impl<const R: usize, const T: usize> Services for &mut Pdos<R, T> {
+    fn follow<D: Dictionary + ?Sized>(&mut self, dictionary: &mut D, index: u16, _: u8) {
+        Pdos::follow(self, dictionary, index);
     }
 }

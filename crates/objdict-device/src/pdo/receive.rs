@@ -1,12 +1,14 @@
 //! An RPDO.
 
-use super::{Parameters, Reception, mapping};
+use super::mapping::Mapping;
+use super::{Parameters, Reception};
 use crate::frame::can_id;
 use crate::{Dictionary, Frame};
 
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Rpdo {
     parameters: Parameters,
+    mapping: Mapping,
     /// The data that wait for SYNC.
     held: Option<u64>,
     /// When it came last, as long as its absence was not reported.
@@ -15,7 +17,8 @@ pub(super) struct Rpdo {
 
 impl Rpdo {
     pub(super) const fn new(index: u16) -> Self {
-        Self { parameters: Parameters::new(index), held: None, came: None }
+        let mapping = Mapping::new(index | super::MAPPING);
+        Self { parameters: Parameters::new(index), mapping, held: None, came: None }
     }
 
     pub(super) const fn index(&self) -> u16 {
@@ -24,7 +27,13 @@ impl Rpdo {
 
     pub(super) fn load<D: Dictionary + ?Sized>(&mut self, dictionary: &mut D) {
         self.parameters.load(dictionary);
+        self.mapping.load(dictionary);
         self.restart();
+    }
+
+    /// Whether an object is its communication parameters or its mapping.
+    pub(super) const fn has_object(&self, index: u16) -> bool {
+        index == self.parameters.index || index == self.mapping.index()
     }
 
     pub(super) fn restart(&mut self) {
@@ -41,34 +50,46 @@ impl Rpdo {
         frame: &Frame,
         now: u64,
     ) -> Reception {
-        let (index, mapping) = (self.index(), self.parameters.mapping());
-        match mapping::length(dictionary, mapping) {
+        let index = self.index();
+        let length = match self.mapping.length() {
             Err(abort) => return Reception::Refused(index, abort),
-            Ok(length) if frame.data().len() < usize::from(length) => return Reception::TooShort(index),
-            Ok(_) => {}
+            Ok(length) => usize::from(length),
+        };
+        if frame.data().len() < length {
+            return Reception::TooShort(index);
         }
         self.came = Some(now);
         let data = u64::from_le_bytes(frame.bytes());
-        if self.parameters.is_event_driven() {
-            return match mapping::unpack(dictionary, mapping, data) {
-                Ok(()) => Reception::Written(index),
-                Err(abort) => Reception::Refused(index, abort),
-            };
+        let is_event_driven = self.parameters.is_event_driven();
+        if is_event_driven {
+            if let Err(abort) = self.mapping.unpack(dictionary, data) {
+                return Reception::Refused(index, abort);
+            }
+        } else {
+            self.held = Some(data);
         }
-        self.held = Some(data);
-        Reception::Held(index)
+        match frame.data().len() > length {
+            true => Reception::TooLong(index),
+            false if is_event_driven => Reception::Written(index),
+            false => Reception::Held(index),
+        }
     }
 
     pub(super) fn sync<D: Dictionary + ?Sized>(&mut self, dictionary: &mut D) {
         if let Some(data) = self.held.take() {
             // what the dictionary refuses stays as it is, and its client is not here to be asked
-            let _ = mapping::unpack(dictionary, self.parameters.mapping(), data);
+            let _ = self.mapping.unpack(dictionary, data);
         }
     }
 
-    pub(super) fn overdue(&mut self, now: u64) -> Option<u16> {
+    /// When its absence is to be reported.
+    pub(super) fn deadline(&self) -> Option<u64> {
         let (came, period) = (self.came?, self.parameters.period()?);
-        if !self.parameters.is_valid() || now.saturating_sub(came) < period {
+        self.parameters.is_valid().then(|| came.saturating_add(period))
+    }
+
+    pub(super) fn overdue(&mut self, now: u64) -> Option<u16> {
+        if self.deadline()? > now {
             return None;
         }
         self.came = None;

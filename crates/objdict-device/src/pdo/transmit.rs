@@ -1,11 +1,14 @@
 //! A TPDO.
 
-use super::{Parameters, mapping};
+use super::Parameters;
+use super::mapping::Mapping;
+use crate::clock::earlier;
 use crate::{Dictionary, Frame};
 
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Tpdo {
     parameters: Parameters,
+    mapping: Mapping,
     /// Whether the application asked for it.
     requested: bool,
     /// Whether a SYNC asked for it.
@@ -18,7 +21,8 @@ pub(super) struct Tpdo {
 
 impl Tpdo {
     pub(super) const fn new(index: u16) -> Self {
-        Self { parameters: Parameters::new(index), requested: false, due: false, syncs: None, sent: None }
+        let (parameters, mapping) = (Parameters::new(index), Mapping::new(index | super::MAPPING));
+        Self { parameters, mapping, requested: false, due: false, syncs: None, sent: None }
     }
 
     pub(super) const fn index(&self) -> u16 {
@@ -27,7 +31,13 @@ impl Tpdo {
 
     pub(super) fn load<D: Dictionary + ?Sized>(&mut self, dictionary: &mut D) {
         self.parameters.load(dictionary);
+        self.mapping.load(dictionary);
         self.restart();
+    }
+
+    /// Whether an object is its communication parameters or its mapping.
+    pub(super) const fn has_object(&self, index: u16) -> bool {
+        index == self.parameters.index || index == self.mapping.index()
     }
 
     pub(super) const fn restart(&mut self) {
@@ -42,8 +52,7 @@ impl Tpdo {
     pub(super) fn request_if_changed<D: Dictionary + ?Sized>(&mut self, dictionary: &mut D) {
         let sent = self.sent.map(|(_, frame)| frame);
         if self.parameters.is_valid()
-            && mapping::pack(dictionary, self.parameters.mapping())
-                .is_ok_and(|(frame, _)| Some(frame) != sent)
+            && self.mapping.pack(dictionary).is_ok_and(|(frame, _)| Some(frame) != sent)
         {
             self.request();
         }
@@ -67,24 +76,30 @@ impl Tpdo {
         }
     }
 
-    pub(super) fn is_due(&self, now: u64) -> bool {
-        let since = self.sent.map(|(at, _)| now.saturating_sub(at));
+    /// When it is to be sent, as far as that is known without a SYNC or a request.
+    pub(super) fn next(&self, now: u64) -> Option<u64> {
         let parameters = &self.parameters;
         if !parameters.is_valid() {
-            return false;
+            return None;
         }
         if !parameters.is_event_driven() {
-            return self.due;
+            return self.due.then_some(now);
         }
-        let timer = since.zip(parameters.period()).is_some_and(|(since, period)| since >= period);
-        let inhibited = since.is_some_and(|since| since < u64::from(parameters.inhibit_time) * 100);
-        (self.requested || timer) && !inhibited
+        let sent = self.sent.map(|(at, _)| at);
+        let requested = self.requested.then_some(now);
+        let timer = sent.zip(parameters.period()).map(|(sent, period)| sent.saturating_add(period));
+        let inhibited = sent.map(|sent| sent.saturating_add(u64::from(parameters.inhibit_time) * 100));
+        earlier(requested, timer).map(|due| due.max(inhibited.unwrap_or(0)))
+    }
+
+    pub(super) fn is_due(&self, now: u64) -> bool {
+        self.next(now).is_some_and(|due| due <= now)
     }
 
     /// The frame; `None` for a mapping without entries, or with one that cannot be read.
     pub(super) fn send<D: Dictionary + ?Sized>(&mut self, dictionary: &mut D, now: u64) -> Option<Frame> {
         (self.requested, self.due) = (false, false);
-        let packed = mapping::pack(dictionary, self.parameters.mapping());
+        let packed = self.mapping.pack(dictionary);
         let (frame, length) = packed.unwrap_or_default();
         self.sent = Some((now, frame));
         (length > 0).then(|| Frame::full(self.parameters.cob_id, frame.to_le_bytes()).shortened(length))

@@ -13,8 +13,8 @@ const LAST: u8 = 0x80;
 /// Where a block transfer is.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Block {
-    /// Whether the client wants a CRC.
-    crc: bool,
+    /// The CRC of the bytes so far, if the client wants one.
+    crc: Option<u16>,
     /// Segments in a sub-block.
     size: u8,
     /// The sequence number of the last segment that was sent or that came in order; 0 at the start of a sub-block.
@@ -23,16 +23,31 @@ pub(super) struct Block {
     is_last: bool,
     /// Of a download: whether the segments were acknowledged because none came any more.
     is_late: bool,
+    /// Of an upload: bytes that the CRC has, which does not take a segment twice.
+    counted: usize,
+    /// Of a download: the last segment. Only the end of the transfer says how many of its bytes are used.
+    last: [u8; 7],
 }
 
 impl Block {
-    const fn new(crc: bool, size: u8) -> Self {
-        Self { crc, size, sequence: 0, is_last: false, is_late: false }
+    const fn new(command: u8, size: u8) -> Self {
+        let crc = if command & 4 == 0 { None } else { Some(0) };
+        Self { crc, size, sequence: 0, is_last: false, is_late: false, counted: 0, last: [0; 7] }
+    }
+
+    fn count(&mut self, bytes: &[u8]) {
+        self.crc = self.crc.map(|so_far| crc(so_far, bytes));
+        self.counted += bytes.len();
     }
 
     /// Whether segments of an upload are to be sent before the client acknowledges them.
     pub(super) const fn is_sending(&self) -> bool {
         self.sequence < self.size && !self.is_last
+    }
+
+    /// Whether the segments of a download were acknowledged because none came any more.
+    pub(super) const fn is_late(&self) -> bool {
+        self.is_late
     }
 
     /// Acknowledges the segments that came, so that the client goes on after them.
@@ -58,14 +73,15 @@ impl<const BUFFER: usize> SdoServer<BUFFER> {
     ) -> Result<[u8; 8], Abort> {
         let length = (command & 2 != 0).then(|| u32::from_le_bytes(data));
         self.expect(dictionary, length)?;
-        self.transfer = Transfer::BlockDownload(Block::new(command & 4 != 0, SEGMENTS));
+        self.transfer = Transfer::BlockDownload(Block::new(command, SEGMENTS));
         Ok(self.with_entry((0xA4, [SEGMENTS, 0, 0, 0])))
     }
 
     /// Takes a segment of a download. One that is out of order is ignored up to the end of its sub-block: the client repeats
     /// what is not acknowledged.
-    pub(super) fn take_segment(
+    pub(super) fn take_segment<D: Dictionary + ?Sized>(
         &mut self,
+        dictionary: &mut D,
         mut block: Block,
         bytes: [u8; 8],
     ) -> Result<Option<[u8; 8]>, Abort> {
@@ -78,7 +94,12 @@ impl<const BUFFER: usize> SdoServer<BUFFER> {
         let in_order = sequence == block.sequence + 1;
         if in_order {
             block.sequence = sequence;
-            self.keep_segment(&segment, is_last)?;
+            if is_last {
+                block.last = segment;
+            } else {
+                block.count(&segment);
+                self.keep(dictionary, &segment)?;
+            }
         }
         let answer = (is_last || sequence >= block.size).then(|| block.acknowledge());
         self.transfer = if is_last && in_order {
@@ -89,29 +110,21 @@ impl<const BUFFER: usize> SdoServer<BUFFER> {
         Ok(answer)
     }
 
-    /// Appends a segment. Only the end of the transfer says how many bytes of the last one are used, so they may exceed the buffer.
-    fn keep_segment(&mut self, segment: &[u8; 7], is_last: bool) -> Result<(), Abort> {
-        if !is_last {
-            return self.keep(segment);
-        }
-        let bytes = self.buffer.iter_mut().skip(self.done);
-        bytes.zip(segment).for_each(|(byte, &value)| *byte = value);
-        self.done += 7;
-        Ok(())
-    }
-
     pub(super) fn end_block_download<D: Dictionary + ?Sized>(
         &mut self,
         dictionary: &mut D,
-        block: Block,
+        mut block: Block,
         bytes: [u8; 8],
     ) -> Result<[u8; 8], Abort> {
         let [command, low, high, ..] = bytes;
-        self.done = self.done.saturating_sub(usize::from(command >> 2 & 7));
-        let value = self.buffer.get(..self.done).ok_or(Abort::OutOfMemory)?;
-        if block.crc && crc(value) != u16::from_le_bytes([low, high]) {
+        let used = 7_usize.saturating_sub(usize::from(command >> 2 & 7));
+        let last = block.last;
+        let last = last.get(..used).unwrap_or(&last);
+        block.count(last);
+        if block.crc.is_some_and(|crc| crc != u16::from_le_bytes([low, high])) {
             return Err(Abort::Crc);
         }
+        self.keep(dictionary, last)?;
         self.finish_download(dictionary)?;
         Ok([0xA1, 0, 0, 0, 0, 0, 0, 0])
     }
@@ -125,7 +138,7 @@ impl<const BUFFER: usize> SdoServer<BUFFER> {
     ) -> Result<[u8; 8], Abort> {
         let size = block_size(size)?;
         let length = self.load(dictionary)?;
-        self.transfer = Transfer::BlockUploadStart(Block::new(command & 4 != 0, size));
+        self.transfer = Transfer::BlockUploadStart(Block::new(command, size));
         Ok(self.with_entry((0xC6, (length as u32).to_le_bytes())))
     }
 
@@ -151,7 +164,7 @@ impl<const BUFFER: usize> SdoServer<BUFFER> {
     }
 
     /// Goes on after the segments that the client has; it may ask for the rest before the sub-block is complete.
-    fn acknowledged(&mut self, block: Block, sequence: u8, size: u8) -> Result<Option<[u8; 8]>, Abort> {
+    fn acknowledged(&mut self, mut block: Block, sequence: u8, size: u8) -> Result<Option<[u8; 8]>, Abort> {
         if sequence > block.sequence {
             return Err(Abort::SequenceNumber);
         }
@@ -160,28 +173,35 @@ impl<const BUFFER: usize> SdoServer<BUFFER> {
             return Ok(Some(self.end_of_upload(block)));
         }
         self.done += 7 * usize::from(sequence);
-        self.transfer = Transfer::BlockUpload(Block::new(block.crc, block_size(size)?));
+        (block.size, block.sequence, block.is_last) = (block_size(size)?, 0, false);
+        self.transfer = Transfer::BlockUpload(block);
         Ok(None)
     }
 
     fn end_of_upload(&self, block: Block) -> [u8; 8] {
-        let value = self.buffer.get(..self.length.unwrap_or(0)).unwrap_or(&[]);
         // an empty value has one segment too
-        let unused = match value.len() % 7 {
-            0 if !value.is_empty() => 0,
-            used => 7 - used as u8,
+        let unused = match self.length.unwrap_or(0) {
+            0 => 7,
+            length => (7 - length % 7) % 7,
         };
-        let [low, high] = if block.crc { crc(value).to_le_bytes() } else { [0; 2] };
-        [0xC1 | unused << 2, low, high, 0, 0, 0, 0, 0]
+        let [low, high] = block.crc.unwrap_or(0).to_le_bytes();
+        [0xC1 | (unused as u8) << 2, low, high, 0, 0, 0, 0, 0]
     }
 
-    pub(super) fn next_segment(&mut self) -> [u8; 8] {
-        let Transfer::BlockUpload(mut block) = self.transfer else { return [0; 8] };
-        let (bytes, _, is_last) = self.segment(self.done + 7 * usize::from(block.sequence));
+    pub(super) fn next_segment<D: Dictionary + ?Sized>(
+        &mut self,
+        dictionary: &mut D,
+    ) -> Result<Option<[u8; 8]>, Abort> {
+        let Transfer::BlockUpload(mut block) = self.transfer else { return Ok(None) };
+        let start = self.done + 7 * usize::from(block.sequence);
+        let (bytes, used, is_last) = self.segment(dictionary, start)?;
+        if start == block.counted {
+            block.count(bytes.get(..usize::from(used)).unwrap_or(&bytes));
+        }
         block.sequence += 1;
         block.is_last = is_last;
         self.transfer = Transfer::BlockUpload(block);
-        with_command(block.sequence | if is_last { LAST } else { 0 }, bytes)
+        Ok(Some(with_command(block.sequence | if is_last { LAST } else { 0 }, bytes)))
     }
 }
 

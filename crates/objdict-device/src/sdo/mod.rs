@@ -25,10 +25,12 @@ pub struct SdoServer<const BUFFER: usize> {
     entry: [u8; 3],
     /// When the last frame came or went.
     since: u64,
-    /// Bytes of the value that were transferred; at the end of a block download up to six more.
+    /// Bytes of the value that were transferred.
     done: usize,
     /// Bytes of the value; of a download as far as the client says so.
     length: Option<usize>,
+    /// Whether the dictionary takes or gives the value in pieces; else it is in the buffer.
+    in_pieces: bool,
     buffer: [u8; BUFFER],
 }
 
@@ -71,6 +73,7 @@ impl<const BUFFER: usize> SdoServer<BUFFER> {
             since: 0,
             done: 0,
             length: None,
+            in_pieces: false,
             buffer: [0; BUFFER],
         }
     }
@@ -108,7 +111,7 @@ impl<const BUFFER: usize> SdoServer<BUFFER> {
         self.since = now;
         let bytes = frame.bytes();
         let answer = match self.transfer {
-            Transfer::BlockDownload(block) if bytes[0] != 0x80 => self.take_segment(block, bytes),
+            Transfer::BlockDownload(block) if bytes[0] != 0x80 => self.take_segment(dictionary, block, bytes),
             _ => self.answer(dictionary, bytes),
         };
         self.send(response, answer)
@@ -126,12 +129,24 @@ impl<const BUFFER: usize> SdoServer<BUFFER> {
             _ if waited >= self.timeout => Err(Abort::Timeout),
             Transfer::BlockUpload(block) if block.is_sending() => {
                 self.since = now;
-                Ok(Some(self.next_segment()))
+                self.next_segment(dictionary)
             }
             Transfer::BlockDownload(block) if waited >= self.timeout / 2 => Ok(block.acknowledge_late()),
             _ => Ok(None),
         };
         self.send(response, due)
+    }
+
+    /// When [`SdoServer::poll`] has something to say if no frame comes.
+    #[must_use]
+    pub fn next(&self, now: u64) -> Option<u64> {
+        let after = |time| Some(self.since.saturating_add(time));
+        match &self.transfer {
+            Transfer::None => None,
+            Transfer::BlockUpload(block) if block.is_sending() => Some(now),
+            Transfer::BlockDownload(block) if !block.is_late() => after(self.timeout / 2),
+            _ => after(self.timeout),
+        }
     }
 
     /// The COB-IDs of request and response; `None` while the channel is not valid.
@@ -185,7 +200,7 @@ impl<const BUFFER: usize> SdoServer<BUFFER> {
             (5, _) if starts => self.start_block_upload(dictionary, command, data).map(Some),
             (6, _) if starts => self.start_block_download(dictionary, command, data).map(Some),
             (0, Transfer::Download { toggle }) => self.download_segment(dictionary, toggle, bytes).map(Some),
-            (3, Transfer::Upload { toggle }) => self.upload_segment(toggle, command).map(Some),
+            (3, Transfer::Upload { toggle }) => self.upload_segment(dictionary, toggle, command).map(Some),
             (4, _) => {
                 self.transfer = Transfer::None;
                 Ok(None)
@@ -206,22 +221,29 @@ impl<const BUFFER: usize> SdoServer<BUFFER> {
     ) -> Result<[u8; 8], Abort> {
         const EXPEDITED: u8 = 2;
         const SIZE: u8 = 1;
-        let (index, sub) = self.address();
         if command & EXPEDITED == 0 {
             let length = (command & SIZE != 0).then(|| u32::from_le_bytes(data));
             self.expect(dictionary, length)?;
             self.transfer = Transfer::Download { toggle: 0 };
         } else {
+            let (index, sub) = self.address();
             let length = match command & SIZE {
                 0 => dictionary.attributes(index, sub)?.size.min(4),
                 _ => 4 - usize::from(command >> 2 & 3),
             };
-            dictionary.write(index, sub, data.get(..length).unwrap_or(&data))?;
+            self.expect(dictionary, Some(length as u32))?;
+            let value = data.get(..length).unwrap_or(&data);
+            if self.in_pieces {
+                self.keep(dictionary, value)?;
+                self.finish_download(dictionary)?;
+            } else {
+                dictionary.write(index, sub, value)?;
+            }
         }
         Ok(self.with_entry((0x60, [0; 4])))
     }
 
-    /// Checks what is known before the data come: access and length.
+    /// Checks what is known before the data come: access, length, and whether there is room.
     fn expect<D: Dictionary + ?Sized>(
         &mut self,
         dictionary: &mut D,
@@ -233,11 +255,18 @@ impl<const BUFFER: usize> SdoServer<BUFFER> {
             return Err(Abort::ReadOnly);
         }
         let length = length.map(|length| usize::try_from(length).unwrap_or(usize::MAX));
-        if length.is_some_and(|length| length > attributes.size) {
-            return Err(if attributes.size == 0 { Abort::CannotStore } else { Abort::TooLong });
-        }
-        if length.is_some_and(|length| length > BUFFER) {
-            return Err(Abort::OutOfMemory);
+        self.in_pieces = dictionary.begin_write(index, sub, length)?;
+        if !self.in_pieces {
+            if attributes.size == 0 {
+                return Err(Abort::CannotStore);
+            }
+            // a number has one length, which is known although the client does not state it
+            let known = length.or((!attributes.has_length()).then_some(attributes.size));
+            match known {
+                Some(known) if known > attributes.size => return Err(Abort::TooLong),
+                Some(known) if known > BUFFER.max(4) => return Err(Abort::OutOfMemory),
+                _ => {}
+            }
         }
         (self.done, self.length) = (0, length);
         Ok(())
@@ -255,7 +284,7 @@ impl<const BUFFER: usize> SdoServer<BUFFER> {
             return Err(Abort::ToggleBit);
         }
         let used = 7 - usize::from(command >> 1 & 7);
-        self.keep(segment.get(..used).unwrap_or(&segment))?;
+        self.keep(dictionary, segment.get(..used).unwrap_or(&segment))?;
         self.transfer = Transfer::Download { toggle: toggle ^ TOGGLE };
         if command & 1 != 0 {
             self.finish_download(dictionary)?;
@@ -263,69 +292,96 @@ impl<const BUFFER: usize> SdoServer<BUFFER> {
         Ok([0x20 | toggle, 0, 0, 0, 0, 0, 0, 0])
     }
 
-    /// Appends to the value in the buffer.
-    fn keep(&mut self, bytes: &[u8]) -> Result<(), Abort> {
+    /// Appends to the value.
+    fn keep<D: Dictionary + ?Sized>(&mut self, dictionary: &mut D, bytes: &[u8]) -> Result<(), Abort> {
         let end = self.done + bytes.len();
         if self.length.is_some_and(|length| end > length) {
             return Err(Abort::TooLong);
         }
-        self.buffer.get_mut(self.done..end).ok_or(Abort::OutOfMemory)?.copy_from_slice(bytes);
+        if self.in_pieces {
+            let (index, sub) = self.address();
+            dictionary.write_piece(index, sub, self.done, bytes)?;
+        } else {
+            let room = self.buffer.get_mut(self.done..end).ok_or(Abort::OutOfMemory)?;
+            room.iter_mut().zip(bytes).for_each(|(place, &byte)| *place = byte);
+        }
         self.done = end;
         Ok(())
     }
 
     fn finish_download<D: Dictionary + ?Sized>(&mut self, dictionary: &mut D) -> Result<(), Abort> {
-        let value = self.buffer.get(..self.done).ok_or(Abort::OutOfMemory)?;
-        match self.length {
-            Some(length) if self.done < length => return Err(Abort::TooShort),
-            Some(length) if self.done > length => return Err(Abort::TooLong),
-            _ => {}
+        if self.length.is_some_and(|length| self.done < length) {
+            return Err(Abort::TooShort);
         }
         let (index, sub) = self.address();
         self.transfer = Transfer::None;
+        if self.in_pieces {
+            return dictionary.end_write(index, sub, self.done);
+        }
+        let value = self.buffer.get(..self.done).ok_or(Abort::OutOfMemory)?;
         dictionary.write(index, sub, value)
     }
 
-    /// Reads the value into the buffer, so that it does not change during the transfer.
+    /// Begins an upload. A value in the buffer does not change during the transfer.
     fn load<D: Dictionary + ?Sized>(&mut self, dictionary: &mut D) -> Result<usize, Abort> {
         let (index, sub) = self.address();
-        let length = dictionary.read(index, sub, &mut self.buffer)?;
+        if !dictionary.attributes(index, sub)?.readable {
+            return Err(Abort::WriteOnly);
+        }
+        let length = dictionary.begin_read(index, sub)?;
+        self.in_pieces = length.is_some();
+        let length = match length {
+            Some(length) => length,
+            None => dictionary.read(index, sub, &mut self.buffer)?,
+        };
         (self.done, self.length) = (0, Some(length));
         Ok(length)
     }
 
     fn start_upload<D: Dictionary + ?Sized>(&mut self, dictionary: &mut D) -> Result<[u8; 8], Abort> {
         let length = self.load(dictionary)?;
-        let mut data = [0; 4];
-        match (self.buffer.get(..length), data.get_mut(..length)) {
-            (Some(value @ [_, ..]), Some(data)) => {
-                data.copy_from_slice(value);
-            }
-            _ => {
-                self.transfer = Transfer::Upload { toggle: 0 };
-                return Ok(self.with_entry((0x41, (length as u32).to_le_bytes())));
-            }
+        if !(1..=4).contains(&length) {
+            self.transfer = Transfer::Upload { toggle: 0 };
+            return Ok(self.with_entry((0x41, (length as u32).to_le_bytes())));
         }
+        let ([a, b, c, d, ..], ..) = self.segment(dictionary, 0)?;
         let unused = 4 - length as u8;
-        Ok(self.with_entry((0x43 | unused << 2, data)))
+        Ok(self.with_entry((0x43 | unused << 2, [a, b, c, d])))
     }
 
-    fn upload_segment(&mut self, toggle: u8, command: u8) -> Result<[u8; 8], Abort> {
+    fn upload_segment<D: Dictionary + ?Sized>(
+        &mut self,
+        dictionary: &mut D,
+        toggle: u8,
+        command: u8,
+    ) -> Result<[u8; 8], Abort> {
         if command & 0x10 != toggle {
             return Err(Abort::ToggleBit);
         }
-        let (bytes, used, is_last) = self.segment(self.done);
+        let (bytes, used, is_last) = self.segment(dictionary, self.done)?;
         self.done += usize::from(used);
         self.transfer = if is_last { Transfer::None } else { Transfer::Upload { toggle: toggle ^ 0x10 } };
         Ok(with_command(toggle | (7 - used) << 1 | u8::from(is_last), bytes))
     }
 
     /// The segment of the value that begins there, how many of its bytes are used, and whether it is the last one.
-    fn segment(&self, start: usize) -> ([u8; 7], u8, bool) {
-        let rest = self.buffer.get(start..self.length.unwrap_or(0)).unwrap_or(&[]);
+    fn segment<D: Dictionary + ?Sized>(
+        &mut self,
+        dictionary: &mut D,
+        start: usize,
+    ) -> Result<([u8; 7], u8, bool), Abort> {
+        let rest = self.length.unwrap_or(0).saturating_sub(start);
+        let used = rest.min(7);
         let mut bytes = [0; 7];
-        bytes.iter_mut().zip(rest).for_each(|(byte, &value)| *byte = value);
-        (bytes, rest.len().min(7) as u8, rest.len() <= 7)
+        let piece = bytes.get_mut(..used).unwrap_or_default();
+        if self.in_pieces {
+            let (index, sub) = self.address();
+            dictionary.read_piece(index, sub, start, piece)?;
+        } else {
+            let value = self.buffer.get(start..).unwrap_or_default();
+            piece.iter_mut().zip(value).for_each(|(place, &byte)| *place = byte);
+        }
+        Ok((bytes, used as u8, rest <= 7))
     }
 }
 

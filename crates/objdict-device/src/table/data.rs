@@ -23,6 +23,14 @@ impl<D: Table, const RAM: usize> Data<D, RAM> {
         data
     }
 
+    /// Sets the values of objects to the defaults for `node_id`.
+    pub fn set_defaults(&mut self, node_id: u8, is_restored: impl Fn(u16) -> bool) {
+        copy(&mut self.bytes, &[node_id & 0x7F]);
+        for entry in D::ENTRIES.iter().filter(|entry| is_restored(entry.index())) {
+            self.set_default(entry);
+        }
+    }
+
     /// The node-ID of the values.
     #[must_use]
     pub const fn node_id(&self) -> u8 {

@@ -119,8 +119,19 @@ impl<D: Table> Entry<D> {
     /// The name in the description; empty if the table has none.
     #[must_use]
     pub fn name(&self) -> &'static str {
-        let row = D::ENTRIES.binary_search_by_key(&self.key(), Self::key);
-        row.ok().and_then(|row| D::NAMES.get(row)).copied().unwrap_or("")
+        self.row().and_then(|row| D::NAMES.get(row)).copied().unwrap_or("")
+    }
+
+    /// The number of its row in the table.
+    #[must_use]
+    pub fn row(&self) -> Option<usize> {
+        D::ENTRIES.binary_search_by_key(&self.key(), Self::key).ok()
+    }
+
+    /// Whether its value can change: not that of a constant or of a DOMAIN without room.
+    #[must_use]
+    pub const fn is_variable(&self) -> bool {
+        self.ram() != 0
     }
 
     /// Maximum size of a value in an SDO transfer, in bytes.

@@ -2,7 +2,7 @@
 
 use std::collections::BTreeMap;
 
-use objdict_device::{Abort, Attributes, Dictionary};
+use objdict_device::{Abort, Attributes, Dictionary, Scope};
 
 pub(crate) const BOOLEAN: u8 = 1;
 pub(crate) const INTEGER16: u8 = 3;
@@ -14,6 +14,8 @@ pub(crate) const DOMAIN: u8 = 0x0F;
 #[derive(Default)]
 pub(crate) struct Map {
     entries: BTreeMap<(u16, u8), (Attributes, Vec<u8>)>,
+    /// The scopes of its restarts.
+    pub(crate) restarts: Vec<Scope>,
 }
 
 impl Map {
@@ -85,5 +87,15 @@ impl Dictionary for Map {
             self.set(index, sub, bytes);
             Ok(())
         }
+    }
+
+    fn replace(&mut self, index: u16, sub: u8, bytes: &[u8]) -> Result<(), Abort> {
+        self.attributes(index, sub)?;
+        self.set(index, sub, bytes);
+        Ok(())
+    }
+
+    fn restart(&mut self, scope: Scope, _: u8) {
+        self.restarts.push(scope);
     }
 }

@@ -4,9 +4,12 @@
 
 mod client;
 mod dictionary;
+mod errors;
 mod nmt;
 mod node;
 mod pdo;
+mod pieces;
+mod rules;
 mod sdo;
 mod watched;
 

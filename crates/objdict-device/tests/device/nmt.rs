@@ -1,15 +1,15 @@
-//! NMT, heartbeat and emergency.
+//! NMT and heartbeat.
 
-use objdict_device::{Heartbeat, HeartbeatConsumer, Nmt, NmtCommand, NmtState, emergency};
+use objdict_device::{Heartbeat, HeartbeatConsumer, Nmt, NmtCommand, NmtState};
 
-use crate::dictionary::{Map, UNSIGNED32};
+use crate::dictionary::{Map, UNSIGNED16, UNSIGNED32};
 use crate::frame;
 
 #[test]
 fn a_node_follows_its_master() {
     let mut nmt = Nmt::new(5);
     assert_eq!(nmt.receive(&frame(0, &[1, 5])), None, "before boot-up");
-    assert_eq!(nmt.boot(0), frame(0x705, &[0]));
+    assert_eq!(nmt.boot(&mut Map::default(), 0), frame(0x705, &[0]));
     for (command, node_id, expected, state) in [
         (1, 6, None, NmtState::PreOperational),
         (1, 5, Some(NmtCommand::Start), NmtState::Operational),
@@ -22,23 +22,38 @@ fn a_node_follows_its_master() {
         assert_eq!(nmt.receive(&frame(0, &[command, node_id])), expected, "{command}");
         assert_eq!(nmt.state(), state);
     }
-    assert_eq!(nmt.poll(100, 1_000_000), None, "no heartbeat before boot-up");
-    nmt.boot(2_000_000);
+    assert_eq!(nmt.poll(1_000_000), None, "no heartbeat before boot-up");
+    nmt.boot(&mut Map::default(), 2_000_000);
     assert_eq!(nmt.receive(&frame(0, &[129, 0])), Some(NmtCommand::ResetNode));
     assert_eq!(nmt.receive(&frame(0, &[1])), None, "too short");
 }
 
 #[test]
-fn heartbeats_come_after_the_period_and_with_a_new_state() {
+fn heartbeats_keep_their_phase_and_skip_missed_periods() {
+    let mut map = Map::default().number(0x1017, 0, UNSIGNED16, 100);
     let mut nmt = Nmt::new(5);
-    nmt.boot(0);
-    assert_eq!(nmt.poll(0, 1_000_000), None, "1017h is 0");
-    assert_eq!(nmt.poll(100, 99_999), None);
-    assert_eq!(nmt.poll(100, 100_000), Some(frame(0x705, &[0x7F])));
-    assert_eq!(nmt.poll(100, 199_999), None);
+    nmt.boot(&mut map, 0);
+    assert_eq!(nmt.next(0), Some(100_000), "the boot-up message counts as a heartbeat");
+    assert_eq!(nmt.poll(99_999), None);
+    assert_eq!(nmt.poll(130_000), Some(frame(0x705, &[0x7F])), "30 ms late");
+    assert_eq!(nmt.poll(130_000), None);
+    assert_eq!(nmt.next(130_000), Some(200_000));
+    assert_eq!(nmt.poll(750_000), Some(frame(0x705, &[0x7F])), "six periods were missed");
+    assert_eq!(nmt.poll(750_000), None);
+    assert_eq!(nmt.next(750_000), Some(800_000));
+    // a new state is sent at once
     nmt.receive(&frame(0, &[1, 5]));
-    assert_eq!(nmt.poll(100, 199_999), Some(frame(0x705, &[5])));
-    assert_eq!(nmt.poll(100, 200_000), None);
+    assert_eq!(nmt.next(760_000), Some(760_000));
+    assert_eq!(nmt.poll(760_000), Some(frame(0x705, &[5])));
+    assert_eq!(nmt.next(760_000), Some(800_000));
+    // a new period begins at once
+    map.set(0x1017, 0, &[10, 0]);
+    nmt.load(&mut map);
+    assert_eq!(nmt.poll(765_000), Some(frame(0x705, &[5])));
+    assert_eq!(nmt.next(765_000), Some(775_000));
+    map.set(0x1017, 0, &[0, 0]);
+    nmt.load(&mut map);
+    assert_eq!((nmt.next(765_000), nmt.poll(9_000_000)), (None, None));
 }
 
 #[test]
@@ -59,16 +74,8 @@ fn a_lost_heartbeat_is_reported_once() {
     assert_eq!(consumer.poll(48_000), None);
     assert_eq!(consumer.poll(48_001), Some(Heartbeat::Lost(7)));
     assert_eq!(consumer.poll(96_000), None);
-    assert_eq!(consumer.receive(&frame(0x707, &[4]), 96_000), Some(Heartbeat::State(7, NmtState::Stopped)));
-}
-
-#[test]
-fn an_emergency_has_the_cob_id_of_1014h() {
-    let mut map = Map::default();
-    let sent = frame(0x85, &[0x30, 0x81, 0x11, 1, 2, 3, 4, 5]);
-    assert_eq!(emergency(&mut map, 5, 0x8130, 0x11, [1, 2, 3, 4, 5]), Some(sent));
-    let mut map = map.number(0x1014, 0, UNSIGNED32, 0x8000_0085);
-    assert_eq!(emergency(&mut map, 5, 0x8130, 0x11, [0; 5]), None);
-    map.set(0x1014, 0, &0xC3_u32.to_le_bytes());
-    assert_eq!(emergency(&mut map, 5, 0, 0, [0; 5]), Some(frame(0xC3, &[0; 8])));
+    assert_eq!(consumer.next(), None);
+    let returned = consumer.receive(&frame(0x707, &[4]), 96_000);
+    assert_eq!(returned, Some(Heartbeat::Returned(7, NmtState::Stopped)));
+    assert_eq!(consumer.next(), Some(112_001));
 }

@@ -6,7 +6,7 @@ use crate::client::request;
 use crate::dictionary::{Map, UNSIGNED8, UNSIGNED16, UNSIGNED32};
 use crate::frame;
 
-type Small = Node<Map, 16, 1, 1, 1>;
+type Small = Node<Map, 16, 1, 1, 1, 2>;
 
 fn node() -> Small {
     let map = Map::default().number(0x1017, 0, UNSIGNED16, 100).number(0x2000, 0, UNSIGNED16, 0x1234);

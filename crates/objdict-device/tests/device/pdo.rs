@@ -103,7 +103,7 @@ fn an_rpdo_is_mapped_and_received() {
     assert_eq!(device.receive(0x305, &[1, 2, 3, 0]), Reception::Ignored);
     assert_eq!(device.cob_id(0x1401, 0x305), Ok(()));
     assert_eq!(device.receive(0x305, &[1, 2, 3]), Reception::TooShort(0x1401));
-    assert_eq!(device.receive(0x305, &[1, 2, 3, 0xFE, 9]), Reception::Written(0x1401));
+    assert_eq!(device.receive(0x305, &[1, 2, 3, 0xFE, 9]), Reception::TooLong(0x1401));
     assert_eq!((device.map.value(0x2000, 1), device.map.value(0x2000, 2)), (&[1, 2][..], &[0][..]));
     device.map = device.map.with(0x2000, 1, |attributes| attributes.writable = false);
     assert_eq!(device.receive(0x305, &[5, 5, 5, 1]), Reception::Refused(0x1401, Abort::ReadOnly));

@@ -57,7 +57,7 @@ impl Hooks<Values> for Motor {
     }
 }
 
-type Device = Node<Watched<Values, Motor, 1>, 16, 1, 1, 0>;
+type Device = Node<Watched<Values, Motor, 1>, 16, 1, 1, 0, 0>;
 
 #[test]
 fn hooks_see_what_sdos_rpdos_and_the_application_write() {

@@ -38,6 +38,8 @@ pub(super) struct Od<'a> {
     frames: Vec<FrameView<'a>>,
     /// The communication parameters of RPDOs and of TPDOs.
     pdos: [Vec<u16>; 2],
+    /// Entries of 1016h: as many heartbeats can be monitored.
+    consumers: u8,
     options: &'a Options,
 }
 
@@ -77,6 +79,13 @@ impl<'a> Od<'a> {
                 let cob_ids = table.rows.iter().filter(|row| row.sub == 1 && indexes.contains(&row.index));
                 cob_ids.map(|row| row.index).collect()
             }),
+            consumers: table
+                .rows
+                .iter()
+                .filter(|row| row.index == 0x1016)
+                .map(|row| row.sub)
+                .max()
+                .unwrap_or(0),
             options,
         })
     }

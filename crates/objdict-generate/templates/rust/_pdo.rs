@@ -8,14 +8,6 @@
 pub mod pdo {
     use super::table::{first, pack, unpack};
     use super::Data;
-{%- if options.runtime %}
-
-    /// The communication parameters of the RPDOs.
-    pub const RPDOS: [u16; {{ pdos[0].len() }}] = {{ Self::indexes(pdos[0]) }};
-
-    /// The communication parameters of the TPDOs.
-    pub const TPDOS: [u16; {{ pdos[1].len() }}] = {{ Self::indexes(pdos[1]) }};
-{%- endif %}
 {% for frame in frames %}
     /// {{ frame.frame.title }} (`0x{{ frame.frame.communication_index|hex4 }}`, `0x{{ frame.frame.mapping_index|hex4 }}`).
     #[allow(clippy::struct_excessive_bools)]

@@ -143,6 +143,24 @@ pub static SHARED: objdict_device::Shared<Data> = objdict_device::Shared::new(Da
 #[allow(dead_code, unreachable_pub)]
 pub type Watched<H> = objdict_device::Watched<Data, H, {{ rows.len().div_ceil(8) }}>;
 
+/// A node with `CHANNELS` SDO servers for values of at most `BUFFER` bytes, and with the PDOs of this device.
+#[allow(dead_code, unreachable_pub)]
+pub type Node<const BUFFER: usize, const CHANNELS: usize, D = Data> =
+    objdict_device::Node<D, BUFFER, CHANNELS, {{ pdos[0].len() }}, {{ pdos[1].len() }}, {{ consumers }}>;
+
+/// The PDOs, for `Node::new`.
+#[allow(dead_code, unreachable_pub)]
+#[rustfmt::skip]
+pub const fn pdos() -> objdict_device::Pdos<{{ pdos[0].len() }}, {{ pdos[1].len() }}> {
+    objdict_device::Pdos::new({{ Self::indexes(pdos[0]) }}, {{ Self::indexes(pdos[1]) }})
+}
+
+/// A node with the defaults, before its boot-up.
+#[allow(dead_code, unreachable_pub)]
+pub const fn node<const BUFFER: usize, const CHANNELS: usize>(node_id: u8) -> Node<BUFFER, CHANNELS> {
+    Node::new(node_id, Data::new(node_id), pdos())
+}
+
 #[allow(unreachable_pub)]
 pub use objdict_device::table;
 {%- else %}

@@ -1,0 +1,49 @@
+//! When something is due. Times are in microseconds from an arbitrary start.
+
+/// What is sent once each period. It keeps its phase, and skips the periods in which it was not polled.
+#[derive(Clone, Copy, Debug, Default)]
+pub(crate) struct Periodic {
+    /// In microseconds; 0 while nothing is sent.
+    period: u64,
+    /// `None` before the first time, which is due at once.
+    due: Option<u64>,
+}
+
+impl Periodic {
+    pub(crate) const NEVER: Self = Self { period: 0, due: None };
+
+    /// Changes the period; the first time is due at once.
+    pub(crate) fn restart(&mut self, period: u64) {
+        *self = Self { period, due: None };
+    }
+
+    /// The first time is due a period from now.
+    pub(crate) const fn wait(&mut self, now: u64) {
+        self.due = Some(now.saturating_add(self.period));
+    }
+
+    /// Whether it is due, and then the next time begins.
+    pub(crate) fn take(&mut self, now: u64) -> bool {
+        let due = self.due.unwrap_or(now);
+        let Some(missed) = now.saturating_sub(due).checked_div(self.period).filter(|_| due <= now) else {
+            return false;
+        };
+        self.due = Some(due.saturating_add(missed.saturating_add(1).saturating_mul(self.period)));
+        true
+    }
+
+    /// When it is due; `None` for never.
+    pub(crate) fn next(&self, now: u64) -> Option<u64> {
+        (self.period != 0).then(|| self.due.unwrap_or(now))
+    }
+}
+
+/// Microseconds of milliseconds.
+pub(crate) const fn milliseconds(number: u16) -> u64 {
+    number as u64 * 1000
+}
+
+/// The earlier of two times.
+pub(crate) fn earlier(one: Option<u64>, other: Option<u64>) -> Option<u64> {
+    one.into_iter().chain(other).min()
+}

@@ -1,0 +1,176 @@
+//! Errors of the node: error register, history and emergency messages (CiA 301 §7.2.7).
+
+use crate::{Dictionary, Frame};
+
+/// The error register.
+const REGISTER: u16 = 0x1001;
+/// The history of errors, the last one first.
+pub(crate) const HISTORY: u16 = 0x1003;
+/// The COB-ID of emergency messages.
+pub(crate) const COB_ID: u16 = 0x1014;
+/// The inhibit time of emergency messages, in units of 100 µs.
+pub(crate) const INHIBIT_TIME: u16 = 0x1015;
+
+/// As many errors can be active at a time.
+const ACTIVE: usize = 8;
+
+/// As many messages wait for the inhibit time or until the node may send; those beyond are in the history alone.
+const WAITING: usize = 4;
+
+/// Error codes that the services of a node report (CiA 301 §7.2.7.1).
+pub mod error_code {
+    /// CAN messages were lost.
+    pub const CAN_OVERRUN: u16 = 0x8110;
+    /// The CAN controller is error passive.
+    pub const ERROR_PASSIVE: u16 = 0x8120;
+    /// The heartbeat of a node is missing.
+    pub const HEARTBEAT: u16 = 0x8130;
+    /// The CAN controller was bus-off.
+    pub const BUS_OFF: u16 = 0x8140;
+    /// A PDO was too short and was not processed.
+    pub const PDO_TOO_SHORT: u16 = 0x8210;
+    /// A PDO was too long; its first bytes were processed.
+    pub const PDO_TOO_LONG: u16 = 0x8220;
+    /// A SYNC had another length.
+    pub const SYNC_LENGTH: u16 = 0x8240;
+    /// An RPDO did not come within its event timer.
+    pub const RPDO_TIMEOUT: u16 = 0x8250;
+}
+
+/// The errors of a node. An error is named by its code and two bytes, such as the number of a PDO, so that each is reported once until
+/// it is gone.
+#[derive(Clone, Debug)]
+pub struct Errors {
+    node_id: u8,
+    active: [Option<(u16, [u8; 2])>; ACTIVE],
+    /// The first ones are the oldest.
+    waiting: [Option<[u8; 8]>; WAITING],
+    /// `None` while messages are not valid.
+    cob_id: Option<u32>,
+    /// In microseconds.
+    inhibit_time: u64,
+    sent: Option<u64>,
+}
+
+impl Errors {
+    /// No errors.
+    #[must_use]
+    pub const fn new(node_id: u8) -> Self {
+        Self {
+            node_id,
+            active: [None; ACTIVE],
+            waiting: [None; WAITING],
+            cob_id: None,
+            inhibit_time: 0,
+            sent: None,
+        }
+    }
+
+    /// Starts without errors, after a reset.
+    pub fn boot<D: Dictionary + ?Sized>(&mut self, dictionary: &mut D) {
+        *self = Self::new(self.node_id);
+        // an application may have neither
+        let _ = dictionary.replace(HISTORY, 0, &[0]);
+        let _ = dictionary.replace(REGISTER, 0, &[0]);
+        self.load(dictionary);
+    }
+
+    /// Reads 1014h and 1015h, after a write to one of them. A device without 1014h has the COB-ID 80h + node-ID.
+    pub fn load<D: Dictionary + ?Sized>(&mut self, dictionary: &mut D) {
+        let standard = 0x80 + u32::from(self.node_id);
+        let cob_id = dictionary.number(COB_ID, 0).map_or(standard, |cob_id| cob_id as u32);
+        self.cob_id = (cob_id >> 31 == 0).then_some(cob_id);
+        self.inhibit_time = dictionary.number(INHIBIT_TIME, 0).unwrap_or(0).min(0xFFFF) * 100;
+    }
+
+    /// The error register.
+    #[must_use]
+    pub fn register(&self) -> u8 {
+        let bits = self.active.iter().flatten().map(|(code, _)| class(*code));
+        bits.fold(0, |register, bit| register | 1 | bit)
+    }
+
+    /// Reports an error with a code, such as 8130h, and bytes of the vendor, unless the error of this code and the first two bytes is
+    /// active already. Returns whether it is new.
+    pub fn report<D: Dictionary + ?Sized>(&mut self, dictionary: &mut D, code: u16, vendor: [u8; 5]) -> bool {
+        let [low, high, ..] = vendor;
+        let error = Some((code, [low, high]));
+        if self.active.contains(&error) {
+            return false;
+        }
+        if let Some(room) = self.active.iter_mut().find(|active| active.is_none()) {
+            *room = error;
+        }
+        self.send(code, vendor, self.register() | class(code) | 1);
+        let _ = dictionary.replace(REGISTER, 0, &[self.register()]);
+        let [code_low, code_high] = code.to_le_bytes();
+        remember(dictionary, [code_low, code_high, low, high]);
+        true
+    }
+
+    /// Reports that an error is gone. Returns whether it was active.
+    pub fn resolve<D: Dictionary + ?Sized>(&mut self, dictionary: &mut D, code: u16, name: [u8; 2]) -> bool {
+        let Some(active) = self.active.iter_mut().find(|active| **active == Some((code, name))) else {
+            return false;
+        };
+        *active = None;
+        let [low, high] = name;
+        self.send(0, [low, high, 0, 0, 0], self.register());
+        let _ = dictionary.replace(REGISTER, 0, &[self.register()]);
+        true
+    }
+
+    fn send(&mut self, code: u16, [a, b, c, d, e]: [u8; 5], register: u8) {
+        let [low, high] = code.to_le_bytes();
+        let room = self.waiting.iter_mut().find(|waiting| waiting.is_none());
+        if let Some(room) = room.filter(|_| self.cob_id.is_some()) {
+            *room = Some([low, high, register, a, b, c, d, e]);
+        }
+    }
+
+    /// The next emergency message that may be sent at a time in microseconds.
+    pub fn poll(&mut self, now: u64) -> Option<Frame> {
+        if self.next(now)? > now {
+            return None;
+        }
+        let bytes = self.waiting.first_mut()?.take()?;
+        self.waiting.rotate_left(1);
+        self.sent = Some(now);
+        self.cob_id.map(|cob_id| Frame::full(cob_id, bytes))
+    }
+
+    /// When the next message may be sent.
+    #[must_use]
+    pub fn next(&self, now: u64) -> Option<u64> {
+        let waits = self.waiting.iter().any(Option::is_some);
+        let after = self.sent.map_or(now, |sent| sent.saturating_add(self.inhibit_time).max(now));
+        waits.then_some(after)
+    }
+}
+
+/// The bit of the error register for a code (CiA 301 §7.5.2.2).
+const fn class(code: u16) -> u8 {
+    match code >> 12 {
+        0x2 => 1 << 1,
+        0x3 => 1 << 2,
+        0x4 => 1 << 3,
+        0x8 => 1 << 4,
+        0xF if code >= 0xFF00 => 1 << 7,
+        _ => 0,
+    }
+}
+
+/// Puts an error at the start of the history; the oldest one is dropped when it is full.
+fn remember<D: Dictionary + ?Sized>(dictionary: &mut D, error: [u8; 4]) {
+    let Ok(count) = dictionary.number(HISTORY, 0) else { return };
+    let mut rest = error;
+    let mut sub = 0;
+    while u64::from(sub) <= count && sub < 0xFE {
+        let old = dictionary.number(HISTORY, sub + 1).unwrap_or(0) as u32;
+        if dictionary.replace(HISTORY, sub + 1, &rest).is_err() {
+            break;
+        }
+        (rest, sub) = (old.to_le_bytes(), sub + 1);
+    }
+    let _ = dictionary.replace(HISTORY, 0, &[sub]);
+}

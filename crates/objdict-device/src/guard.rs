@@ -1,0 +1,114 @@
+//! The dictionary as SDO servers have it.
+
+use crate::dictionary::{Dictionary, Scope};
+use crate::{Abort, Attributes, errors, rules};
+
+/// The services that follow what is written to the dictionary, and what they can do.
+pub trait Services {
+    /// Whether they can send SYNC.
+    const PRODUCES_SYNC: bool = false;
+    /// As many heartbeats can be monitored; `None` if the application does that.
+    const CONSUMERS: Option<usize> = None;
+    /// As many SDO channels are served; `None` if the application does that.
+    const CHANNELS: Option<usize> = None;
+
+    /// Follows a write.
+    fn follow<D: Dictionary + ?Sized>(&mut self, dictionary: &mut D, index: u16, sub: u8);
+}
+
+/// A dictionary that refuses what communication objects cannot be, and whose services follow what is written to it; see
+/// [`Pdos::guard`](crate::Pdos::guard) and [`Node::guard`](crate::Node::guard).
+#[derive(Debug)]
+pub struct Guarded<'a, D: ?Sized, S> {
+    pub(crate) dictionary: &'a mut D,
+    pub(crate) services: S,
+}
+
+/// 1010h and 1011h, whose sub-indexes from 1 on take a signature.
+pub(crate) const STORE: u16 = 0x1010;
+pub(crate) const RESTORE: u16 = 0x1011;
+
+impl<D: Dictionary + ?Sized, S: Services> Guarded<'_, D, S> {
+    /// Whether an entry of 1010h or 1011h does what a signature says; if so, it is not a value.
+    fn is_command(index: u16, sub: u8) -> bool {
+        matches!(index, STORE | RESTORE) && sub > 0
+    }
+
+    fn command(&mut self, index: u16, sub: u8, bytes: &[u8]) -> Result<(), Abort> {
+        match (index, bytes) {
+            (STORE, b"save") => self.dictionary.store(sub),
+            (RESTORE, b"load") => self.dictionary.restore(sub),
+            _ => Err(Abort::CannotStore),
+        }
+    }
+}
+
+impl<D: Dictionary + ?Sized, S: Services> Dictionary for Guarded<'_, D, S> {
+    fn attributes(&self, index: u16, sub: u8) -> Result<Attributes, Abort> {
+        self.dictionary.attributes(index, sub)
+    }
+
+    fn read(&mut self, index: u16, sub: u8, buffer: &mut [u8]) -> Result<usize, Abort> {
+        // what is read is what the device can do
+        if Self::is_command(index, sub)
+            && self.attributes(index, sub)?.readable
+            && !self.dictionary.can_store(sub)
+        {
+            let Some(room) = buffer.first_chunk_mut::<4>() else { return Err(Abort::OutOfMemory) };
+            *room = [0; 4];
+            return Ok(4);
+        }
+        let is_empty = |count| count < u64::from(sub);
+        if index == errors::HISTORY && sub > 0 && self.dictionary.number(index, 0).is_ok_and(is_empty) {
+            self.attributes(index, sub)?;
+            return Err(Abort::NoData);
+        }
+        self.dictionary.read(index, sub, buffer)
+    }
+
+    fn write(&mut self, index: u16, sub: u8, bytes: &[u8]) -> Result<(), Abort> {
+        let entry = self.dictionary.attributes(index, sub)?;
+        // the dictionary itself knows why it refuses others
+        if entry.writable && bytes.len() == entry.size && bytes.len() <= 8 {
+            if Self::is_command(index, sub) {
+                return self.command(index, sub, bytes);
+            }
+            let number = bytes.iter().rev().fold(0, |number, &byte| number << 8 | u64::from(byte));
+            rules::check::<_, S>(self.dictionary, index, sub, number)?;
+        }
+        self.dictionary.write(index, sub, bytes)?;
+        self.services.follow(self.dictionary, index, sub);
+        Ok(())
+    }
+
+    fn replace(&mut self, index: u16, sub: u8, bytes: &[u8]) -> Result<(), Abort> {
+        self.dictionary.replace(index, sub, bytes)
+    }
+
+    fn restart(&mut self, scope: Scope, node_id: u8) {
+        self.dictionary.restart(scope, node_id);
+    }
+
+    fn begin_read(&mut self, index: u16, sub: u8) -> Result<Option<usize>, Abort> {
+        self.dictionary.begin_read(index, sub)
+    }
+
+    fn read_piece(&mut self, index: u16, sub: u8, offset: usize, piece: &mut [u8]) -> Result<(), Abort> {
+        self.dictionary.read_piece(index, sub, offset, piece)
+    }
+
+    fn begin_write(&mut self, index: u16, sub: u8, length: Option<usize>) -> Result<bool, Abort> {
+        // a signature is no value
+        if Self::is_command(index, sub) { Ok(false) } else { self.dictionary.begin_write(index, sub, length) }
+    }
+
+    fn write_piece(&mut self, index: u16, sub: u8, offset: usize, piece: &[u8]) -> Result<(), Abort> {
+        self.dictionary.write_piece(index, sub, offset, piece)
+    }
+
+    fn end_write(&mut self, index: u16, sub: u8, length: usize) -> Result<(), Abort> {
+        self.dictionary.end_write(index, sub, length)?;
+        self.services.follow(self.dictionary, index, sub);
+        Ok(())
+    }
+}

@@ -1,0 +1,75 @@
+//! SYNC as the node sends it.
+
+use crate::clock::Periodic;
+use crate::{Dictionary, Frame};
+
+/// The COB-ID of SYNC.
+pub(crate) const COB_ID: u16 = 0x1005;
+/// The period of SYNC in microseconds.
+pub(crate) const PERIOD: u16 = 0x1006;
+/// The highest value of the counter of SYNC; 0 without a counter.
+pub(crate) const OVERFLOW: u16 = 0x1019;
+
+/// The bit of 1005h that makes the node send SYNC.
+pub(crate) const PRODUCES: u32 = 1 << 30;
+
+/// The COB-ID of SYNC; a device without 1005h has 80h.
+pub(crate) fn cob_id<D: Dictionary + ?Sized>(dictionary: &mut D) -> u32 {
+    dictionary.number(COB_ID, 0).map_or(0x80, |cob_id| cob_id as u32)
+}
+
+/// Sends SYNC as 1005h, 1006h and 1019h say, while the node is pre-operational or operational (CiA 301 §7.2.5).
+#[derive(Clone, Debug)]
+pub struct SyncProducer {
+    cob_id: u32,
+    overflow: u8,
+    counter: u8,
+    sync: Periodic,
+}
+
+impl SyncProducer {
+    /// It sends nothing before [`SyncProducer::load`].
+    #[must_use]
+    pub const fn new() -> Self {
+        Self { cob_id: 0, overflow: 0, counter: 0, sync: Periodic::NEVER }
+    }
+
+    /// Reads the objects, after a reset or a write to one of them. The first SYNC is due at once.
+    pub fn load<D: Dictionary + ?Sized>(&mut self, dictionary: &mut D) {
+        self.cob_id = cob_id(dictionary);
+        let mut number = |index| dictionary.number(index, 0).unwrap_or(0);
+        self.overflow = number(OVERFLOW) as u8;
+        let period = if self.cob_id & PRODUCES == 0 { 0 } else { number(PERIOD) };
+        self.sync.restart(period);
+        self.restart();
+    }
+
+    /// The counter begins with 1 again: the node was stopped.
+    pub const fn restart(&mut self) {
+        self.counter = 0;
+    }
+
+    /// SYNC when it is due at a time in microseconds. The node's own PDOs follow it too.
+    pub fn poll(&mut self, now: u64) -> Option<Frame> {
+        if !self.sync.take(now) {
+            return None;
+        }
+        if self.overflow < 2 {
+            return Some(Frame::full(self.cob_id, [0; 8]).shortened(0));
+        }
+        self.counter = if self.counter < self.overflow { self.counter + 1 } else { 1 };
+        Some(Frame::full(self.cob_id, [self.counter, 0, 0, 0, 0, 0, 0, 0]).shortened(1))
+    }
+
+    /// When the next SYNC is due.
+    #[must_use]
+    pub fn next(&self, now: u64) -> Option<u64> {
+        self.sync.next(now)
+    }
+}
+
+impl Default for SyncProducer {
+    fn default() -> Self {
+        Self::new()
+    }
+}
