@@ -14,6 +14,7 @@
 mod dictionary;
 mod emergency;
 mod frame;
+mod lss;
 mod nmt;
 mod node;
 mod pdo;
@@ -28,10 +29,11 @@ mod watched;
 pub use dictionary::{Attributes, Dictionary};
 pub use emergency::emergency;
 pub use frame::Frame;
+pub use lss::{LssReceived, LssSlave, LssStoreError};
 pub use nmt::{Heartbeat, HeartbeatConsumer, Nmt, NmtCommand, NmtState};
 pub use node::{Node, Received};
 pub use pdo::{Guarded, Pdo, Pdos, Reception};
-pub use sdo::SdoServer;
+pub use sdo::{SdoClient, SdoData, SdoServer, SdoStep};
 #[cfg(feature = "critical-section")]
 pub use shared::Shared;
 pub use table::Abort;

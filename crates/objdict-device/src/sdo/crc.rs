@@ -2,7 +2,12 @@
 
 /// The CRC-16 of block transfers (CiA 301 §7.2.4.3.16): polynomial 1021h, initially 0.
 pub(super) fn crc(bytes: &[u8]) -> u16 {
-    bytes.iter().fold(0, |crc, &byte| {
+    extend(0, bytes)
+}
+
+/// The CRC of bytes with others behind them.
+pub(super) fn extend(crc: u16, bytes: &[u8]) -> u16 {
+    bytes.iter().fold(crc, |crc, &byte| {
         // by arithmetic rather than a table of 512 bytes
         let mut x = (crc >> 8) as u8 ^ byte;
         x ^= x >> 4;
@@ -17,5 +22,6 @@ mod tests {
     fn the_check_value_is_that_of_the_standard() {
         assert_eq!(super::crc(b"123456789"), 0x31C3);
         assert_eq!(super::crc(b""), 0);
+        assert_eq!(super::extend(super::crc(b"1234"), b"56789"), 0x31C3);
     }
 }

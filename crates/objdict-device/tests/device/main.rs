@@ -4,10 +4,12 @@
 
 mod client;
 mod dictionary;
+mod lss;
 mod nmt;
 mod node;
 mod pdo;
 mod sdo;
+mod sdo_client;
 mod watched;
 
 use objdict_device::Frame;
