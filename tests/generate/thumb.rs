@@ -2,7 +2,7 @@
 //! each device is linked alone. Without these packages the test is skipped with a message, except with `CI=true`.
 
 use std::fmt::Write;
-use std::path::Path;
+use std::path::{Path, PathBuf};
 use std::process::Command;
 
 use objdict::generate::{Options, SizeReport, Sizes, Target, size};
@@ -21,7 +21,8 @@ const MOST: usize = 3 * 1024;
 
 const MANIFEST: &str = "[package]\nname = \"tables\"\nversion = \"0.0.0\"\nedition = \"2021\"\n
 [lib]\ncrate-type = [\"staticlib\"]\n
-[profile.release]\nopt-level = \"s\"\npanic = \"abort\"\ncodegen-units = 1\nlto = \"fat\"\n\n[workspace]\n";
+[profile.release]\nopt-level = \"s\"\npanic = \"abort\"\ncodegen-units = 1\nlto = \"fat\"\n
+[profile.plain]\ninherits = \"release\"\nlto = \"off\"\n\n[workspace]\n";
 
 const HEAD: &str = "#![no_std]\n#[panic_handler]\nfn panic(_: &core::panic::PanicInfo) -> ! { loop {} }\n";
 
@@ -68,6 +69,21 @@ const HANDLES: &str = "
 #[no_mangle] pub fn put(data: &mut od0::Data, value: u16) { data.put(od0::PRODUCER_HEARTBEAT_TIME, value) }
 ";
 
+/// Builds the devices with a profile; returns the archive.
+fn build(folder: &Path, profile: &str) -> PathBuf {
+    let target = Path::new(env!("CARGO_TARGET_TMPDIR")).join("thumb"); // core is built once for a profile
+    let mut cargo = Command::new(std::env::var("CARGO").unwrap_or_else(|_| "cargo".to_owned()));
+    cargo.args(["build", "--quiet", "--profile", profile, "-Zbuild-std=core", "--target", TARGET]);
+    cargo
+        .current_dir(folder)
+        .env("RUSTC", RUSTC)
+        .env("RUSTC_BOOTSTRAP", "1")
+        .env("CARGO_TARGET_DIR", &target)
+        .env_remove("RUSTFLAGS");
+    succeed(&mut cargo, "").unwrap();
+    target.join(TARGET).join(profile).join("libtables.a")
+}
+
 /// Links functions of the archive; returns the size of each symbol, and of all.
 fn link(folder: &Path, archive: &Path, roots: &[String]) -> (Vec<(String, usize)>, usize) {
     let undefined = roots.iter().flat_map(|root| ["-u", root]);
@@ -107,17 +123,7 @@ fn the_code_is_small_for_any_device_and_a_handle_is_a_load() {
     }
     write!(source, "{HANDLES}").unwrap();
     std::fs::write(folder.join("src/lib.rs"), source).unwrap();
-    let target = Path::new(env!("CARGO_TARGET_TMPDIR")).join("thumb"); // core is built once
-    let mut cargo = Command::new(std::env::var("CARGO").unwrap_or_else(|_| "cargo".to_owned()));
-    cargo.args(["build", "--quiet", "--release", "-Zbuild-std=core", "--target", TARGET]).current_dir(folder);
-    cargo
-        .env("RUSTC", RUSTC)
-        .env("RUSTC_BOOTSTRAP", "1")
-        .env("CARGO_TARGET_DIR", &target)
-        .env_remove("RUSTFLAGS");
-    succeed(&mut cargo, "").unwrap();
-    let archive = target.join(TARGET).join("release/libtables.a");
-
+    let archive = build(folder, "release");
     let mut most = 0;
     for (number, (name, device)) in devices.iter().enumerate() {
         let Sizes::Known(SizeReport { total, code, .. }) =
@@ -137,9 +143,19 @@ fn the_code_is_small_for_any_device_and_a_handle_is_a_load() {
     }
     assert!((1..=MOST).contains(&most), "{most} bytes of code");
 
-    let (symbols, _) = link(folder, &archive, &["get".to_owned(), "put".to_owned()]);
-    for handle in ["get", "put"] {
-        let (_, size) = symbols.iter().find(|(name, _)| name == handle).unwrap();
-        assert!(*size <= 12, "`{handle}` has {size} bytes");
+    let handles = ["get", "put"].map(str::to_owned);
+    let roots: Vec<_> = (0..devices.len())
+        .flat_map(|number| ["new", "read", "write"].map(|root| format!("{root}_{number}")))
+        .chain(handles.clone())
+        .collect();
+    // without optimisation at link time, core stays as it is
+    for archive in [archive, build(folder, "plain")] {
+        let (symbols, _) = link(folder, &archive, &roots);
+        for handle in &handles {
+            let (_, size) = symbols.iter().find(|(name, _)| name == handle).unwrap();
+            assert!(*size <= 12, "`{handle}` has {size} bytes");
+        }
+        let panic = symbols.iter().find(|(name, _)| name.contains("panic"));
+        assert_eq!(panic, None, "a function that panics");
     }
 }

@@ -2,6 +2,7 @@
 
 /// A data frame. Frames with 29-bit identifiers and remote frames are not for this crate.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct Frame {
     id: u16,
     length: u8,

@@ -1,6 +1,6 @@
 //! The process "boot NMT slave" (CiA 302-2): step by step, each with what ends it.
 
-use objdict_device::{Abort, Frame, NmtState};
+use objdict_device::{Abort, NmtState};
 
 use super::{
     BootFailure, GUARDING, Manager, Monitor, PATIENCE, Progress, RESET_COMMUNICATION, RESET_NODE, Step,
@@ -67,16 +67,12 @@ impl Manager {
 
     /// Goes on with a transfer.
     pub(super) fn advance(&mut self, at: usize, progress: Progress, own: &mut SimulatedNode, now: u64) {
-        let result = match progress {
-            Progress::None => return,
-            Progress::Send(frame) => return own.send(now, frame),
-            Progress::Done(result) => result,
-            Progress::Aborted(frame, abort) => {
-                own.send(now, frame);
-                Err(abort)
-            }
-        };
-        self.conclude(at, result, own, now);
+        if let Some(frame) = progress.frame {
+            own.send(now, frame);
+        }
+        if let Some(result) = progress.end {
+            self.conclude(at, result, own, now);
+        }
     }
 
     /// Goes on after a transfer.
@@ -137,7 +133,8 @@ impl Manager {
     fn read(&mut self, at: usize, step: Step, (index, sub): (u16, u8), own: &mut SimulatedNode, now: u64) {
         let slave = &mut self.slaves[at];
         slave.step = step;
-        own.send(now, slave.client.upload(index, sub, now));
+        let progress = slave.client.upload(index, sub, now);
+        self.advance(at, progress, own, now);
     }
 
     /// A node does not answer: it is asked again later, a mandatory one as long as 1F89h says.
@@ -214,8 +211,8 @@ impl Manager {
             return self.configure(at, 0, own, now);
         }
         slave.step = Step::Restore;
-        let request = slave.client.download(0x1011, slave.restore, LOAD.to_vec(), now);
-        own.send(now, request);
+        let progress = slave.client.download(0x1011, slave.restore, LOAD.to_vec(), now);
+        self.advance(at, progress, own, now);
     }
 
     /// Makes a download, counted from 0.
@@ -230,8 +227,8 @@ impl Manager {
         };
         let Some(download) = download else { return self.control(at, own, now) };
         slave.step = Step::Download(number);
-        let request: Frame = slave.client.download(download.index, download.sub, download.data, now);
-        own.send(now, request);
+        let progress = slave.client.download(download.index, download.sub, download.data, now);
+        self.advance(at, progress, own, now);
     }
 
     /// Starts the error control: waits for the first heartbeat, or begins to ask.

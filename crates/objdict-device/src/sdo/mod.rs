@@ -1,12 +1,15 @@
 //! SDO servers: one channel each.
 
 mod block;
+mod client;
 mod crc;
 
 use crate::frame::can_id;
 use crate::{Abort, Dictionary, Frame};
 
 use block::Block;
+
+pub use client::{SdoClient, SdoData, SdoStep};
 
 /// The bit of a COB-ID that says that the channel is not valid.
 const NOT_VALID: u32 = 1 << 31;

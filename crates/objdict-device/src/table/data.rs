@@ -97,7 +97,7 @@ impl<D: Table, const RAM: usize> Data<D, RAM> {
             None => entry.default_bytes(),
         };
         let room = buffer.get_mut(..bytes.len()).ok_or(Abort::OutOfMemory)?;
-        room.copy_from_slice(bytes);
+        copy(room, bytes);
         Ok(bytes.len())
     }
 
@@ -160,7 +160,7 @@ impl<D: Table, const RAM: usize> Data<D, RAM> {
         let Some(place) = self.bytes.get_mut(ram..).filter(|_| ram > 0) else { return };
         if !has_length {
             if let (Some(place), Some(bytes)) = (place.get_mut(..size), bytes.get(..size)) {
-                place.copy_from_slice(bytes);
+                copy(place, bytes);
             }
             return;
         }
@@ -203,8 +203,8 @@ impl<D: Configured, const RAM: usize> Default for Data<D, RAM> {
     }
 }
 
-/// Copies as many bytes as both have.
-const fn copy(mut to: &mut [u8], mut from: &[u8]) {
+/// Copies as many bytes as both have: `copy_from_slice` would leave a panic where the compiler does not see that the lengths are equal.
+pub(super) const fn copy(mut to: &mut [u8], mut from: &[u8]) {
     while let ([place, room @ ..], [byte, rest @ ..]) = (to, from) {
         *place = *byte;
         to = room;

@@ -1,4 +1,4 @@
-use super::{Abort, Data, Entry, Handle, Table, Typed, Variable};
+use super::{Abort, Data, Entry, Handle, Table, Typed, Variable, copy};
 
 /// Hooks of the application for the entries selected with `--hook`; `V` is [`Data`].
 pub trait Hooks<V> {
@@ -121,7 +121,7 @@ impl<D: Hooked, const RAM: usize> Data<D, RAM> {
         let mut room = D::ROOM;
         let old = self.value(entry).and_then(|value| {
             let place = room.as_mut().get_mut(..value.len())?;
-            place.copy_from_slice(value);
+            copy(place, value);
             Some(&*place)
         });
         self.write_entry(entry, bytes)?;

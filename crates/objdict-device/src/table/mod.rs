@@ -25,4 +25,5 @@ pub use pdo::{first, pack, unpack};
 pub use stored::{Group, ImageError};
 pub use value::{Time, Typed};
 
+use data::copy;
 use entry::{number, part};

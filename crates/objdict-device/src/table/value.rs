@@ -40,6 +40,7 @@ macro_rules! numbers {
                 Self::load(&entry.default_number(node_id).to_le_bytes())
             }
 
+            #[inline]
             fn with_bytes<R>(value: Self, size: usize, then: impl FnOnce(&[u8]) -> R) -> R {
                 let bytes = value.to_le_bytes();
                 then(bytes.get(..size).unwrap_or(&bytes))
@@ -68,6 +69,7 @@ impl Typed for bool {
         Self::load(entry.default_bytes())
     }
 
+    #[inline]
     fn with_bytes<R>(value: Self, _: usize, then: impl FnOnce(&[u8]) -> R) -> R {
         then(&[u8::from(value)])
     }
@@ -105,6 +107,7 @@ impl Typed for Time {
         Self::load(entry.default_bytes())
     }
 
+    #[inline]
     fn with_bytes<R>(value: Self, _: usize, then: impl FnOnce(&[u8]) -> R) -> R {
         let [a, b, c, d] = value.milliseconds.to_le_bytes();
         let [e, f] = value.days.to_le_bytes();
@@ -125,6 +128,7 @@ impl Typed for [u8] {
         entry.default_bytes()
     }
 
+    #[inline]
     fn with_bytes<R>(value: &Self, _: usize, then: impl FnOnce(&[u8]) -> R) -> R {
         then(value)
     }
@@ -141,6 +145,7 @@ impl<const N: usize> Typed for [u8; N] {
         Self::load(entry.default_bytes())
     }
 
+    #[inline]
     fn with_bytes<R>(value: Self, _: usize, then: impl FnOnce(&[u8]) -> R) -> R {
         then(&value)
     }

@@ -5,12 +5,14 @@
 mod client;
 mod dictionary;
 mod errors;
+mod lss;
 mod nmt;
 mod node;
 mod pdo;
 mod pieces;
 mod rules;
 mod sdo;
+mod sdo_client;
 mod watched;
 
 use objdict_device::Frame;
