@@ -10,8 +10,8 @@ use crate::model::Value;
 pub use idle::idle;
 pub(super) use raise::{
     DuplicateKind, date_spelling, duplicate_key, duplicate_section, invalid_list_entry, list_numbering,
-    missing_header, misspelt_key, misspelt_section, quoted_name, repeated_number, section_spelling,
-    stray_compact_entry, stray_compact_section, unknown_key, unknown_section, wrong_count,
+    mapped_otherwise, missing_header, misspelt_key, misspelt_section, quoted_name, repeated_number,
+    section_spelling, stray_compact_entry, stray_compact_section, unknown_key, unknown_section, wrong_count,
 };
 
 /// Reports the spelling of a value in a line; `value` is the parsed value.
@@ -140,6 +140,14 @@ text_rules! {
     example: "`3=0x10180`",
     remedy: "Write the index in hex: `3=0x1018`.",
     source: "CiA 306-1 §4.6.3.1",
+
+    MAPPED_OTHERWISE = "cia306/mapped-otherwise", Note;
+    summary: "mapped entries have the other direction in a file of CANopenEditor",
+    checks: "Whether entries with `AccessType=rwr` are not mapped by RPDOs, and those with `rww` not by TPDOs, in files with the comment `;StorageLocation`, as CANopenEditor writes them. Such entries are read as `rw`, because its versions use the pair both ways. In other files `cia301/wrong-mapping-direction` reports them.",
+    why: "Other tools offer the entries for the other direction only, and CANopenNode marks the PDOs as not valid.",
+    example: "`[1600sub1]` with `DefaultValue=0x62000108`, and `[6200sub1]` with `AccessType=rwr`",
+    remedy: "Write `rww` for an output, `rwr` for an input, or `rw` for both.",
+    source: "CANopenEditor",
 
     DATE_SPELLING = "cia306/date-spelling", Warning, fix Mixed;
     summary: "a date or time is not spelled as the standard demands",

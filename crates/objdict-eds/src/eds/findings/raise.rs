@@ -2,14 +2,14 @@
 
 use super::{
     COMMISSIONING_SPELLING, DATE_SPELLING, DUPLICATE_KEY, DUPLICATE_SECTION, INVALID_LIST_ENTRY,
-    LIST_NUMBERING, MISSING_HEADER, MISSPELT_KEY, MISSPELT_SECTION, SECTION_SPELLING, STRAY_COMPACT_SECTION,
-    UNKNOWN_KEY, UNKNOWN_SECTION, WRONG_COUNT,
+    LIST_NUMBERING, MAPPED_OTHERWISE, MISSING_HEADER, MISSPELT_KEY, MISSPELT_SECTION, SECTION_SPELLING,
+    STRAY_COMPACT_SECTION, UNKNOWN_KEY, UNKNOWN_SECTION, WRONG_COUNT,
 };
 use crate::diagnostic::{Change, Diagnostic, Fix, Severity, counted, say};
 use crate::eds::item::Item;
 use crate::eds::keys::Key;
 use crate::eds::section::{SectionName, Spelling, section_name};
-use crate::model::{Field, ObjectType, Part, Place};
+use crate::model::{Access, Device, Field, ObjectType, Part, PdoKind, Place};
 use crate::source::Span;
 
 /// `item` repeats `first`.
@@ -61,6 +61,26 @@ pub(in crate::eds) fn repeated_number(item: &Item<'_>, other: &Item<'_>, number:
         .help(say!("write `{}={}`", number, item.value))
         .fix(Fix::safe(say!("number the {} one {}", which, number)).replace(item.name_at, number.to_string()))
         .understood()
+}
+
+/// The first of `number` entries that PDOs of another direction map than their access type names.
+pub(in crate::eds) fn mapped_otherwise(
+    device: &Device,
+    (index, sub): (u16, u8),
+    (kind, access): (PdoKind, Access),
+    number: usize,
+) -> Diagnostic {
+    let is_single = device.object(index).is_some_and(|object| object.subs.get(sub).is_none());
+    let place = if is_single { Place::object(index) } else { Place::entry(index, sub) };
+    let others = number - 1;
+    let also = match others {
+        0 => String::new(),
+        _ => format!("; also for {}", counted(others, "more entry", "more entries")),
+    };
+    let message =
+        say!("{}s map the entry, so its `{}` of CANopenEditor is read as `rw`{}", kind, access.name(), also);
+    Diagnostic::new(&MAPPED_OTHERWISE, place.field(Field::AccessType), message)
+        .help("write the direction: `rww` for an output, `rwr` for an input, `rw` for both")
 }
 
 /// Removes a line that is not read; what says something else is kept as a comment.

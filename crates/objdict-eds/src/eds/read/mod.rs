@@ -3,6 +3,7 @@
 
 mod compact;
 mod dictionary;
+mod directions;
 mod dynamic;
 mod info;
 mod items;
@@ -198,6 +199,7 @@ impl<'a> Reader<'a> {
         self.misspelt_sections();
         self.apply_compact();
         self.device.objects = self.objects.into_objects();
+        directions::unite(&mut self.device, &mut self.findings);
         self.device.kind = match self.device.commissioning {
             Some(_) => DeviceKind::Node,
             None => kind,
