@@ -75,6 +75,7 @@ fn served(out: &Path) -> Result<(), Box<dyn std::error::Error>> {
         options.runtime = true;
         options.node_id = Some(5);
         options.cell = Some(SharedCell::CriticalSection);
+        options.groups = vec!["1000-1FFF=COMMUNICATION".parse()?, "6000-9FFF=APPLICATION".parse()?];
         let generated = generate(&device, Target::RUST, &options)?;
         let contents = std::str::from_utf8(&generated.files[0].contents)?;
         let path = out.join(format!("{name}_runtime.rs"));

@@ -14,6 +14,8 @@
 mod clock;
 mod dictionary;
 mod errors;
+#[cfg(feature = "embedded-storage")]
+mod flash;
 mod frame;
 mod guard;
 mod heartbeat;
@@ -21,18 +23,23 @@ mod lss;
 mod nmt;
 mod node;
 mod pdo;
+#[cfg(feature = "embedded-storage")]
+mod program;
 mod rules;
 mod sdo;
 #[cfg(feature = "critical-section")]
 mod shared;
 #[cfg(feature = "source")]
 pub mod source;
+mod storage;
 mod sync;
 pub mod table;
 mod watched;
 
 pub use dictionary::{Attributes, Dictionary, Place, Scope};
 pub use errors::{Errors, error_code};
+#[cfg(feature = "embedded-storage")]
+pub use flash::{FlashStorage, Region};
 pub use frame::Frame;
 pub use guard::Guarded;
 pub use heartbeat::{Heartbeat, HeartbeatConsumer};
@@ -40,9 +47,12 @@ pub use lss::{LssReceived, LssSlave, LssStoreError};
 pub use nmt::{Nmt, NmtCommand, NmtState};
 pub use node::{Node, Received};
 pub use pdo::{Pdo, Pdos, Reception};
+#[cfg(feature = "embedded-storage")]
+pub use program::{ProgramRequest, ProgramState, WithProgram};
 pub use sdo::{SdoClient, SdoData, SdoServer, SdoStep};
 #[cfg(feature = "critical-section")]
 pub use shared::Shared;
+pub use storage::{Grouped, Storage, Stored};
 pub use sync::SyncProducer;
 pub use table::Abort;
 pub use watched::Watched;

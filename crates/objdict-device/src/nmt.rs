@@ -8,6 +8,7 @@ pub(crate) const ERROR_CONTROL: u32 = 0x700;
 
 /// The NMT state of a node (CiA 301 §7.3.2.2).
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub enum NmtState {
     /// Before boot-up: no service works.
     Initialising,
@@ -41,6 +42,7 @@ impl NmtState {
 
 /// What the NMT master orders.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub enum NmtCommand {
     /// Become operational.
     Start,

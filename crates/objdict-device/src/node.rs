@@ -146,7 +146,7 @@ impl<
     pub fn boot(&mut self, now: u64) -> Frame {
         self.pdos.load(&mut self.dictionary);
         self.pdos.stop();
-        self.sync.load(&mut self.dictionary);
+        self.sync.boot(&mut self.dictionary, now);
         self.consumers.load(&mut self.dictionary);
         self.errors.boot(&mut self.dictionary);
         let frame = self.nmt.boot(&mut self.dictionary, now);

@@ -28,13 +28,19 @@ pub struct SyncProducer {
 }
 
 impl SyncProducer {
-    /// It sends nothing before [`SyncProducer::load`].
+    /// It sends nothing before [`SyncProducer::boot`].
     #[must_use]
     pub const fn new() -> Self {
         Self { cob_id: 0, overflow: 0, counter: 0, sync: Periodic::NEVER }
     }
 
-    /// Reads the objects, after a reset or a write to one of them. The first SYNC is due at once.
+    /// Reads the objects after a reset. The first SYNC is due after a period.
+    pub fn boot<D: Dictionary + ?Sized>(&mut self, dictionary: &mut D, now: u64) {
+        self.load(dictionary);
+        self.sync.wait(now);
+    }
+
+    /// Reads the objects after a write to one of them. The first SYNC is due at once.
     pub fn load<D: Dictionary + ?Sized>(&mut self, dictionary: &mut D) {
         self.cob_id = cob_id(dictionary);
         let mut number = |index| dictionary.number(index, 0).unwrap_or(0);

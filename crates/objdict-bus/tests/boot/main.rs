@@ -340,7 +340,7 @@ fn a_node_that_misses_the_manager_reports_it() {
     network.conditions.after = 1000 * MILLISECOND;
     network.conditions.limit = 2000 * MILLISECOND;
     let run = network.boot();
-    assert!(frames(&run).iter().any(|frame| frame == "085 3081110000000000"));
+    assert!(frames(&run).iter().any(|frame| frame == "085 3081110100000000"));
     assert_eq!(outcome(&run, 5).state, Some(NmtState::PreOperational));
     assert!(!run.is_booted());
 }

@@ -2,7 +2,7 @@
 
 mod block;
 mod client;
-mod crc;
+pub(crate) mod crc;
 
 use crate::frame::can_id;
 use crate::{Abort, Dictionary, Frame};

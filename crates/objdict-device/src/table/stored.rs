@@ -7,9 +7,9 @@ use super::{BOOLEAN, Data, Entry, Table};
 #[derive(Clone, Copy, Debug)]
 pub struct Group<D, const IMAGE: usize> {
     /// The offset of the first value.
-    first: u32,
+    pub(super) first: u32,
     /// A hash of index, sub-index, data type and length of all entries.
-    layout: u32,
+    pub(super) layout: u32,
     store_sub_index: Option<u8>,
     table: core::marker::PhantomData<fn() -> D>,
 }
@@ -34,7 +34,7 @@ impl<D: Table, const IMAGE: usize> Group<D, IMAGE> {
     }
 
     /// The places of the values.
-    const fn places(self) -> core::ops::Range<usize> {
+    pub(super) const fn places(self) -> core::ops::Range<usize> {
         let first = self.first as usize;
         first..first + IMAGE - 6
     }
@@ -84,12 +84,19 @@ impl<D: Table, const RAM: usize> Data<D, RAM> {
         group: Group<D, IMAGE>,
         image: &[u8],
     ) -> Result<(), ImageError> {
-        let values = check(image, IMAGE, group.layout)?;
-        let places = group.places();
+        self.take(group.places(), check(image, IMAGE, group.layout)?, |_| true)
+    }
+
+    pub(super) fn take(
+        &mut self,
+        places: core::ops::Range<usize>,
+        values: &[u8],
+        is_taken: impl Fn(u16) -> bool,
+    ) -> Result<(), ImageError> {
         if members::<D>(places.clone()).any(|entry| entry.saved(places.start, values).is_none()) {
             return Err(ImageError::Value);
         }
-        for entry in members::<D>(places.clone()) {
+        for entry in members::<D>(places.clone()).filter(|entry| is_taken(entry.index())) {
             if let Some(bytes) = entry.saved(places.start, values) {
                 self.keep(entry, bytes);
             }
@@ -122,7 +129,7 @@ impl<D: Table> Entry<D> {
     }
 }
 
-fn save(values: &[u8], layout: u32, image: &mut [u8]) {
+pub(super) fn save(values: &[u8], layout: u32, image: &mut [u8]) {
     let Some((head, rest)) = image.split_first_chunk_mut() else { return };
     let Some((body, crc)) = rest.split_last_chunk_mut() else { return };
     *head = layout.to_le_bytes();
@@ -133,7 +140,7 @@ fn save(values: &[u8], layout: u32, image: &mut [u8]) {
 }
 
 /// The values of an image.
-fn check(image: &[u8], size: usize, layout: u32) -> Result<&[u8], ImageError> {
+pub(super) fn check(image: &[u8], size: usize, layout: u32) -> Result<&[u8], ImageError> {
     if image.len() != size {
         return Err(ImageError::Length);
     }

@@ -113,6 +113,11 @@ impl<'a> Od<'a> {
     }
 }
 
+/// The size of the largest image of a storage group in bytes.
+fn largest_image(table: &Table) -> usize {
+    table.groups.iter().map(|group| group.image_size).max().unwrap_or(0)
+}
+
 /// One line per crate with derived traits.
 fn derive_lines(derives: &[Derive], indent: &str) -> String {
     let line = |(derive, traits)| derives.contains(&derive).then(|| format!("\n{indent}#[derive({traits})]"));

@@ -143,6 +143,20 @@ pub static SHARED: objdict_device::Shared<Data> = objdict_device::Shared::new(Da
 #[allow(dead_code, unreachable_pub)]
 pub type Watched<H> = objdict_device::Watched<Data, H, {{ rows.len().div_ceil(8) }}>;
 
+{% if !table.groups.is_empty() -%}
+impl objdict_device::Grouped for Od {
+    const GROUPS: &'static [table::AnyGroup<Self>] = &[
+{%- for group in table.groups %}
+        groups::{{ group.field|upper }}.any(),
+{%- endfor %}
+    ];
+}
+
+/// The values with the memory that keeps their groups.
+#[allow(dead_code, unreachable_pub)]
+pub type Stored<S> = objdict_device::Stored<Data, S, {{ self::largest_image(table) }}>;
+
+{% endif -%}
 /// A node with `CHANNELS` SDO servers for values of at most `BUFFER` bytes, and with the PDOs of this device.
 #[allow(dead_code, unreachable_pub)]
 pub type Node<const BUFFER: usize, const CHANNELS: usize, D = Data> =
