@@ -189,4 +189,5 @@ def main(program, eds):
           "a TPDO and an RPDO mapped anew" if is_mapped else "no PDOs to map anew", sep=", ")
 
 
-main(*sys.argv[1:])
+if __name__ == "__main__":
+    main(*sys.argv[1:])

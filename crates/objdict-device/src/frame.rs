@@ -14,7 +14,7 @@ impl Frame {
     #[must_use]
     pub fn new(id: u16, data: &[u8]) -> Option<Self> {
         let mut bytes = [0; 8];
-        bytes.get_mut(..data.len())?.copy_from_slice(data);
+        bytes.get_mut(..data.len())?.iter_mut().zip(data).for_each(|(to, from)| *to = *from);
         let length = u8::try_from(data.len()).ok()?;
         (id <= Self::HIGHEST_ID).then_some(Self { id, length, bytes })
     }

@@ -2,11 +2,41 @@
 //!
 //! `objdict generate --target rust` writes the dictionary of a device as a table. [`table`] is the code that
 //! serves such a table; it is the same for every device. The other modules serve any [`Dictionary`]: SDO servers, PDOs
-//! whose mapping changes at run time, NMT state and heartbeat. Each takes frames and the time, and returns frames: driver, clock and
+//! whose mapping changes at run time, NMT state and heartbeat; beside it, an LSS slave and an SDO client. Each takes frames and the time, and returns frames: driver, clock and
 //! main loop belong to the application.
 //!
-//! This is a core to attach to a driver, not a complete stack: there is no SDO client, no SYNC or TIME producer, no LSS, no
-//! node guarding, no remote frame and no 29-bit identifier.
+//! ```
+//! use objdict_device::table::{Data, Entry, READ, Table, UNSIGNED16, UNSIGNED32, WRITE};
+//! use objdict_device::{Frame, Node, Pdos, Received};
+//!
+//! // as the generator writes it: the device type is in flash, the heartbeat time behind the node-ID in RAM
+//! #[derive(Clone, Copy, Debug, PartialEq)]
+//! struct Od;
+//!
+//! impl Table for Od {
+//!     const ENTRIES: &'static [Entry<Self>] = &[
+//!         Entry::new(0x1000, 0, UNSIGNED32, READ, 0, 0),
+//!         Entry::new(0x1017, 0, UNSIGNED16, READ | WRITE, 1, 4),
+//!     ];
+//!     const ROM: &'static [u8] = &[0x91, 0x01, 0x02, 0x00, 100, 0];
+//! }
+//!
+//! // node 5 with one SDO server for values of at most 64 bytes, and no PDO
+//! let mut node = Node::<_, 64, 1, 0, 0>::new(5, Data::<Od, 3>::new(5), Pdos::new([], []));
+//! assert_eq!(Some(node.boot(0)), Frame::new(0x705, &[0]));
+//!
+//! // a master reads the device type
+//! let request = Frame::new(0x605, &[0x40, 0x00, 0x10, 0x00, 0, 0, 0, 0]).unwrap();
+//! let answer = Frame::new(0x585, &[0x43, 0x00, 0x10, 0x00, 0x91, 0x01, 0x02, 0x00]).unwrap();
+//! assert_eq!(node.receive(&request, 1_000), Received::Answer(answer));
+//!
+//! // the heartbeat is due after 100 ms
+//! assert_eq!(node.poll(99_999), None);
+//! assert_eq!(node.poll(100_000), Frame::new(0x705, &[0x7F]));
+//! ```
+//!
+//! This is a core to attach to a driver, not a complete stack: there is no SYNC or TIME producer, no node guarding, no remote frame and no
+//! 29-bit identifier.
 
 #![no_std]
 #![allow(clippy::cast_possible_truncation, reason = "values are cut to the width of their field in a frame")]
@@ -35,6 +65,8 @@ mod storage;
 mod sync;
 pub mod table;
 mod watched;
+#[cfg(feature = "defmt")]
+mod with_defmt;
 
 pub use dictionary::{Attributes, Dictionary, Place, Scope};
 pub use errors::{Errors, error_code};

@@ -15,6 +15,19 @@ const TOGGLE: u8 = 0x10;
 ///
 /// It knows no driver and no clock: [`SdoClient::receive`] takes a frame, [`SdoClient::poll`] the time. Each call of a transfer gets the same
 /// data, and returns what follows. A new transfer replaces one that is under way.
+///
+/// ```
+/// use objdict_device::{Frame, SdoClient};
+///
+/// let (mut client, mut value) = (SdoClient::new(5), [0; 8]);
+/// let step = client.upload(0x1000, 0, 0);
+/// assert_eq!(step.frame, Frame::new(0x605, &[0x40, 0x00, 0x10, 0x00, 0, 0, 0, 0]));
+///
+/// let answer = Frame::new(0x585, &[0x43, 0x00, 0x10, 0x00, 0x91, 0x01, 0x02, 0x00]).unwrap();
+/// let step = client.receive(&mut value[..], &answer, 1_000);
+/// assert_eq!((step.frame, step.end), (None, Some(Ok(4))));
+/// assert_eq!(value[..4], [0x91, 0x01, 0x02, 0x00]);
+/// ```
 #[derive(Clone, Debug)]
 pub struct SdoClient {
     request: u16,
