@@ -95,6 +95,19 @@ fn what_is_left_out_is_named() {
     }
 }
 
+/// An OCTET_STRING that is plainly a text has its characters.
+#[test]
+fn octets_in_letters_are_characters() {
+    let mut entry = Entry { data_type: Some(DataType::OCTET_STRING), ..byte() };
+    entry.invalid_values.push(Field::DefaultValue, "Motor", Reason::NotHexBytes);
+    let device = with(entry);
+    let note = "0x2000sub0 / DefaultValue: `Motor` is not a valid OCTET_STRING; it is read as 4D6F746F72";
+    assert_eq!(notes(&device), [note]);
+    let generated = generate(&device, Target::named("canopennode").unwrap(), &Options::default()).unwrap();
+    let tables = String::from_utf8(generated.files[1].contents.clone()).unwrap();
+    assert!(tables.contains("{0x4D, 0x6F, 0x74, 0x6F, 0x72}"), "{tables}");
+}
+
 /// The type and the access that the standard has for an entry.
 #[test]
 fn the_standard_fills_gaps() {

@@ -276,6 +276,54 @@ fn a_section_behind_junk_is_read() {
     assert!(fixed.source().text().contains("; 50\r\n[1000]\r\n"), "{}", fixed.source().text());
 }
 
+/// What is plainly meant stops no table, and what may have been a key, a header or another value does. A safe fix of the first
+/// leaves nothing to find.
+#[test]
+fn what_is_unambiguous_stops_no_table() {
+    let eds = std::fs::read_to_string(support::fixtures().join("eds/minimal.eds")).unwrap();
+    let octets = |default: &str| {
+        let object =
+            "[2000]\r\nParameterName=Key\r\nObjectType=7\r\nDataType=10\r\nAccessType=rw\r\nDefaultValue=";
+        format!("{eds}{object}{default}\r\n")
+    };
+    let xdd = std::fs::read_to_string(support::fixtures().join("xdd/io-401.xdd")).unwrap();
+    let cases = [
+        ("cia306/junk-line", true, eds.replace("[FileInfo]", "50[FileInfo]")),
+        ("cia306/junk-line", true, eds.replace("[1018sub1]", "50[1018sub1]")),
+        ("cia306/junk-line", true, format!("1\r\nA device of prose\r\n{eds}")),
+        (
+            "cia306/junk-line",
+            true,
+            eds.replace("[1000]\r\n", "[1000]\r\n; the type, as\r\nCiA has it\r\nin 301\r\n"),
+        ),
+        ("cia306/junk-line", true, eds.replace("[1000]\r\n", "[1000]\r\n'.\r\n")),
+        ("cia306/junk-line", false, eds.replace("[1000]\r\n", "[1000]\r\nCiA has it\r\n")),
+        ("cia306/junk-line", false, eds.replace("[1000]\r\n", "[1000]\r\n; the type\r\nDataType 7\r\n")),
+        ("cia306/junk-line", false, eds.replace("[1000]\r\n", "[1000]\r\n;\r\n=======\r\n")),
+        ("cia306/junk-line", false, format!("<<<<<<< HEAD\r\n{eds}")),
+        ("cia306/invalid-value", true, octets("Motor 1")),
+        ("cia306/invalid-value", true, octets("\"1 a\"")),
+        ("cia306/invalid-value", false, octets("\"12\"")),
+        ("cia306/invalid-value", false, octets("012")),
+        ("cia311/invalid-hex", true, xdd.replace("subIndex=\"0", "subIndex=\"000")),
+        ("cia311/invalid-hex", false, xdd.replacen("subIndex=\"01", "subIndex=\"0101", 1)),
+    ];
+    for (rule, is_clear, text) in cases {
+        let format = if rule.starts_with("cia311") { Format::Xdd } else { Format::Eds };
+        let description = format::read(SourceFile::from_text("device", text.clone()), format);
+        let of_rule = |description: &Description| {
+            check(description).iter().filter(|finding| finding.rule.id == rule).cloned().collect::<Vec<_>>()
+        };
+        let found = of_rule(&description);
+        assert!(!found.is_empty(), "{rule}: {text}");
+        assert_eq!(!found.iter().any(|finding| finding.stops("c")), is_clear, "{found:?}");
+        if is_clear {
+            let fixed = fix(description, Applicability::Safe, check).description;
+            assert!(of_rule(&fixed).is_empty(), "{}", fixed.source().text());
+        }
+    }
+}
+
 /// Hex digits of all bits are no limit, and only for a tool that refuses them the number is written.
 #[test]
 fn a_lone_high_limit_of_all_bits_limits_nothing() {

@@ -288,7 +288,8 @@ impl<'a> Resolver<'a> {
     /// The bytes of a string or DOMAIN value; empty without a value.
     fn string(&mut self, place: &Place, entry: &Entry, data_type: DataType) -> Vec<u8> {
         let place = place.clone().field(value_field(entry));
-        let Some(value) = entry.value() else {
+        let intended = intended(entry, &Field::DefaultValue, data_type);
+        let Some(value) = entry.value().or(intended.as_ref()) else {
             return Vec::new();
         };
         match value.to_bytes(data_type) {

@@ -63,7 +63,7 @@ text_rules! {
         explains Value ["object-not-listed"],
         stops "*";
     summary: "a line is not a section, key or comment",
-    checks: "Whether each non-empty line is `[section]`, `key=value` or a comment.",
+    checks: "Whether each non-empty line is `[section]`, `key=value` or a comment. The rest of a wrapped comment, and what precedes the header of a section of the standard or the first section, is passed over.",
     why: "Some tools stop here, others append the line to the previous value. Merge conflict markers mean that the file contains two versions.",
     example: "`<<<<<<< HEAD`",
     remedy: "Remove the line, or put a `;` before it.",

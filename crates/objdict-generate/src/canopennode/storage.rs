@@ -35,8 +35,16 @@ impl Storage {
             (Shape::Block(_), Datum::Bytes(block)) => bytes(block.len(), block),
             (Shape::Block(length), _) => bytes(usize::from(length), &[]),
         };
+        // an application that attaches an extension states the length of a text, as CANopenEditor leaves it
+        let is_sized = is_stored || !matches!(resolved.shape, Shape::Bytes(..));
         let attribute = attribute(entry, type_);
-        Self { type_: type_.filter(|_| is_stored), elements, length, attribute, value }
+        Self {
+            type_: type_.filter(|_| is_stored),
+            elements,
+            length: if is_sized { length } else { 0 },
+            attribute,
+            value,
+        }
     }
 
     /// Whether elements of an array can share this storage.

@@ -1,7 +1,7 @@
 //! Texts that are not valid, but whose meaning is beyond doubt.
 
 use super::{Quirks, value};
-use crate::model::{Access, DataType, InvalidValue, Reason, Value};
+use crate::model::{Access, DataType, InvalidValue, Reason, Value, hex};
 
 /// What an invalid value or limit of an entry means beyond doubt.
 #[derive(Clone, Debug, PartialEq)]
@@ -20,7 +20,10 @@ impl InvalidValue {
         match self.reason {
             // the application transfers a DOMAIN, and no tool takes a text as its bytes
             Reason::NotHexBytes if data_type == DataType::DOMAIN => Some(Intended::Nothing),
-            Reason::NotHexBytes => matches!(text, "0" | "0x0").then_some(Intended::Nothing),
+            Reason::NotHexBytes if matches!(text, "0" | "0x0" | "\"\"") => Some(Intended::Nothing),
+            Reason::NotHexBytes => {
+                characters(text).map(|text| Intended::Value(Value::Bytes(text.as_bytes().into())))
+            }
             // a digit 8 or 9 cannot be octal, so the number is decimal
             Reason::NotOctal => number(text.parse().ok()?),
             Reason::OutOfRange { .. } if data_type == DataType::BOOLEAN => {
@@ -62,6 +65,23 @@ fn is_no_value(text: &str) -> bool {
     ["-", "no", "none", "n/a"].iter().any(|word| word.eq_ignore_ascii_case(text))
 }
 
+/// The characters of an OCTET_STRING that is plainly a text: it is in quotes, without which it is not bytes either, or has a letter
+/// that no notation of bytes has. Marks of templates and words for an open value are none.
+fn characters(text: &str) -> Option<&str> {
+    const OPEN: [&str; 6] = ["null", "nil", "tbd", "todo", "unknown", "undefined"];
+    let is_template = text.contains(['<', '>', '{', '}', '@', '$', '%', '[', ']']);
+    if is_template || !text.bytes().all(|byte| matches!(byte, b' '..=b'~')) {
+        return None;
+    }
+    let quoted = text.strip_prefix('"').and_then(|text| text.strip_suffix('"'));
+    let is_letter = |c: char| matches!(c.to_ascii_lowercase(), 'g' | 'i'..='w' | 'y' | 'z');
+    let is_open = is_no_value(text) || OPEN.iter().any(|word| word.eq_ignore_ascii_case(text));
+    match quoted {
+        Some(quoted) => Some(quoted).filter(|text| !text.contains('"') && hex::parse(text).is_none()),
+        None => (text.contains(is_letter) && !text.contains(['"', '\'']) && !is_open).then_some(text),
+    }
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;
@@ -73,10 +93,18 @@ mod tests {
             let reason = value(text, Some(data_type), &mut Quirks::default()).unwrap_err();
             InvalidValue { field: Field::DefaultValue, text: text.into(), reason }.intended(data_type)
         };
+        let bytes = |bytes: &[u8]| Some(Intended::Value(Value::Bytes(bytes.into())));
         for (text, data_type, expected) in [
             ("0", DataType::DOMAIN, Some(Intended::Nothing)),
             ("@ABC", DataType::DOMAIN, Some(Intended::Nothing)),
             ("@ABC", DataType::OCTET_STRING, None),
+            ("12345", DataType::OCTET_STRING, None),
+            ("0x01, 0x02", DataType::OCTET_STRING, None),
+            ("tbd", DataType::OCTET_STRING, None),
+            ("\"12\"", DataType::OCTET_STRING, None),
+            ("\"\"", DataType::OCTET_STRING, Some(Intended::Nothing)),
+            ("\"12 a\"", DataType::OCTET_STRING, bytes(b"12 a")),
+            ("Motor 1", DataType::OCTET_STRING, bytes(b"Motor 1")),
             ("None", DataType::UNSIGNED8, Some(Intended::Nothing)),
             ("5.00", DataType::INTEGER16, Some(Intended::Value(Value::Signed(5)))),
             ("5.5", DataType::INTEGER16, None),

@@ -395,10 +395,12 @@ pub(crate) fn value(text: &str, data_type: Option<DataType>, quirks: &mut Quirks
     literal::value(text, data_type, quirks)
 }
 
-/// A number in hex, with or without `0x`, of at most `digits` digits.
+/// A number in hex, with or without `0x`, of at most `digits` digits after leading zeros: old editors write a
+/// sub-index as `0001`.
 pub(crate) fn hex(text: &str, digits: usize) -> Option<u32> {
     let text = text.strip_prefix("0x").or_else(|| text.strip_prefix("0X")).unwrap_or(text);
-    let is_hex = (1..=digits).contains(&text.len()) && text.bytes().all(|byte| byte.is_ascii_hexdigit());
+    let is_short = text.trim_start_matches('0').len() <= digits;
+    let is_hex = is_short && !text.is_empty() && text.bytes().all(|byte| byte.is_ascii_hexdigit());
     if is_hex { u32::from_str_radix(text, 16).ok() } else { None }
 }
 
@@ -446,6 +448,7 @@ mod tests {
     fn hex_digits_with_and_without_a_prefix() {
         assert_eq!(hex("1018", 4), Some(0x1018));
         assert_eq!(hex("0x1a", 4), Some(0x1A));
+        assert_eq!((hex("0001", 2), hex("00000", 2), hex("0100", 2)), (Some(1), Some(0), None));
         for text in ["", "0x", "1 8", "+18", "12345", "10G0"] {
             assert_eq!(hex(text, 4), None, "{text}");
         }

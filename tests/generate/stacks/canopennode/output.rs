@@ -119,12 +119,14 @@ VendorName=Halves
 [MandatoryObjects]
 SupportedObjects=0
 [ManufacturerObjects]
-SupportedObjects=5
+SupportedObjects=7
 1=0x1017
 2=0x2000
 3=0x2001
 4=0x2002
 5=0x2003
+6=0x2004
+7=0x2005
 [1017]
 ParameterName=Producer heartbeat time
 DataType=6
@@ -161,6 +163,14 @@ DefaultValue=1
 ParameterName=Mode
 DataType=5
 AccessType=rw
+[2004]
+ParameterName=Label
+DataType=9
+AccessType=rw
+[2005]
+ParameterName=Version
+DataType=9
+AccessType=ro
 ";
 
 #[test]
@@ -184,6 +194,8 @@ fn the_layout_of_canopeneditor_has_no_storage_for_what_has_no_default() {
         "2002 02 - 1 rw-- 09",
         "2003 00 - 1 r--- 01",
         "2003 01 - 1 rw-- -",
+        "2004 00 - 0 rw-- -",
+        "2005 00 - 0 r--- -",
     ];
     assert_eq!(output.lines().collect::<Vec<_>>(), lines);
     assert!(header.contains("uint16_t x2000_cell1Temp;") && header.contains("char x2001_serialText[5];"));

@@ -2,14 +2,16 @@
 
 use super::{DUPLICATE_KEY, DUPLICATE_SECTION};
 use crate::diagnostic::{At, Diagnostic, Findings};
+use crate::eds::keys::Key;
+use crate::eds::misspelt;
 use crate::eds::section::SectionName;
-use crate::ini::findings::JUNK_LINE;
 use crate::ini::findings::lines::is_merge_mark;
-use crate::ini::{LineKind, headers};
+use crate::ini::findings::{JUNK_LINE, KEY_BEFORE_SECTION};
+use crate::ini::{LineKind, Lines, headers};
 use crate::model::Part;
 
 /// Marks repeated keys and sections, and lines that are no key, as [understood](Diagnostic::understood) where no entry can depend on
-/// them: in `[FileInfo]`, `[Comments]` and the like.
+/// them: in `[FileInfo]`, `[Comments]` and the like, before the first section and in a comment.
 pub fn idle(text: &str, findings: Findings) -> Findings {
     let rules = [&JUNK_LINE, &DUPLICATE_KEY, &DUPLICATE_SECTION];
     let is_meant = |finding: &Diagnostic| rules.iter().any(|rule| rule.id == finding.rule.id);
@@ -22,11 +24,20 @@ pub fn idle(text: &str, findings: Findings) -> Findings {
             _ => None,
         })
         .collect();
+    // keys below what may have been a header
+    let has_headless_key = findings.iter().any(|finding| finding.rule.id == KEY_BEFORE_SECTION.id);
     let is_beside = |finding: &Diagnostic| {
         let Some(At::Span(at)) = finding.labels.first().map(|label| &label.at) else { return false };
         let above = sections.partition_point(|&(start, _)| start <= at.start).checked_sub(1);
         let is_object = above.is_some_and(|above| !sections[above].1);
-        !is_object && (finding.rule.id != JUNK_LINE.id || !may_begin_object(at.of(text)))
+        let line = at.of(text);
+        match finding.rule.id == JUNK_LINE.id {
+            false => !is_object,
+            true if is_merge_mark(line) => false,
+            true if above.is_none() && !has_headless_key => true,
+            true if may_begin_object(line) => false,
+            true => !is_object || is_prose(line, &text[..at.start as usize]),
+        }
     };
     findings.filter_map(|finding| {
         let is_idle = is_meant(&finding) && is_beside(&finding);
@@ -50,5 +61,26 @@ fn is_idle(name: &str) -> bool {
 /// Whether a line that is no key may be the malformed header of an object, or marks a merge.
 fn may_begin_object(line: &str) -> bool {
     let name = line.trim_matches(|c: char| !c.is_ascii_alphanumeric());
-    is_merge_mark(line) || line.trim_end().ends_with(']') || !is_idle(name)
+    line.trim_end().ends_with(']') || !is_idle(name)
+}
+
+/// The most lines of a wrapped comment that are looked at.
+const MOST_WRAPPED: usize = 8;
+
+/// Whether a line that is no key cannot be meant as one: it has no letter or digit, or is the rest of a wrapped comment, and its
+/// first word is neither a number nor like a key.
+fn is_prose(line: &str, before: &str) -> bool {
+    let is_word = |word: &str| {
+        let is_number = word.starts_with(|c: char| c.is_ascii_digit());
+        !is_number && Key::find(word).is_none() && misspelt::key(&Part::Object(0), word).is_none()
+    };
+    let continues = || {
+        let mut kinds = before.lines().rev().take(MOST_WRAPPED).filter_map(|line| Lines::new(line).next());
+        let above = kinds.find(|line| line.kind != LineKind::Junk);
+        above.is_some_and(|line| line.kind == LineKind::Comment)
+    };
+    match line.split(|c: char| !c.is_ascii_alphanumeric()).find(|word| !word.is_empty()) {
+        Some(first) => is_word(first) && continues(),
+        None => line.is_ascii(),
+    }
 }

@@ -230,7 +230,9 @@ impl LineCheck<'_> {
         if !span.of(self.text).trim_matches([' ', '\t', '\0', '\u{1A}']).is_empty() {
             let message = say!("`{}` precedes the section header", span.of(self.text).trim());
             let finding = Diagnostic::new(&JUNK_LINE, span, message);
-            self.findings.push(without_text(finding, span, self.text, Fix::safe));
+            let finding = without_text(finding, span, self.text, Fix::safe);
+            // the section is read, unless there is another version of it
+            self.findings.push(if is_merge_mark(text) { finding } else { finding.understood() });
         } else if indent > 0 {
             let finding = Diagnostic::new(&INDENTED_SECTION, span, "spaces before the section header");
             let fix = Fix::safe("remove the spaces").replace(span, "");

@@ -6,7 +6,7 @@ rule! {
     "cia306/invalid-value", Error, Device(check), fix Mixed,
         stops "*" at [ObjectType, DataType, AccessType, DefaultValue, ParameterValue, CompactSubObj];
     summary: "a value is not valid for its key",
-    checks: "Whether numbers are valid and within the range of their type or key, defaults and limits are valid for their data type, and access types, object types, dates and times are defined in the standard. Invalid dates and times are only warnings; those that are only spelled otherwise have the rule `cia306/date-spelling`. In real files most findings are unknown access types (`R`), other number notations (`0000h`), words instead of numbers, and strings as the default of a DOMAIN: tools read each of them differently.",
+    checks: "Whether numbers are valid and within the range of their type or key, defaults and limits are valid for their data type, and access types, object types, dates and times are defined in the standard. Invalid dates and times are only warnings; those that are only spelled otherwise have the rule `cia306/date-spelling`. In real files most findings are unknown access types (`R`), other number notations (`0000h`), words instead of numbers, and strings as the default of a DOMAIN or OCTET_STRING: tools read each of them differently.",
     why: "Tools refuse the file, drop the value or truncate it: 300 in an UNSIGNED8 becomes 44.",
     example: "`DefaultValue=300` of an UNSIGNED8",
     remedy: "Write a valid value, or correct the data type.",

@@ -31,11 +31,11 @@ text_rules! {
     remedy: "Write `true` or `false`.",
     source: "CiA 311 annex A",
 
-    INVALID_HEX = "cia311/invalid-hex", Error, stops "*";
+    INVALID_HEX = "cia311/invalid-hex", Error, fix Safe, stops "*";
     summary: "a hexadecimal number has the wrong form",
-    checks: "Whether `index` has four hexadecimal digits, `subIndex` two, `dataType` two or four, `objFlags` pairs of them, without `0x` and without `h`.",
+    checks: "Whether `index` has four hexadecimal digits, `subIndex` two, `dataType` two or four, `objFlags` pairs of them, without `0x` and without `h`. Leading zeros more than that are ignored.",
     why: "Tools reject the file, or do not find the object.",
-    example: r#"`index="0x1000"`, `subIndex="1"`"#,
+    example: r#"`index="0x1000"`, `subIndex="1"`, `subIndex="0001"`"#,
     remedy: "Write only the digits, such as `1000` or `01`.",
     source: "CiA 311 annex A",
 
@@ -146,9 +146,16 @@ fn finding(text: &str, kind: Kind, at: Span, name: &str) -> Diagnostic {
                 ),
                 false => new(&INVALID_HEX, &format!("not a valid `{name}`: {digits} are expected")),
             };
-            let finding = finding.help(hex_help(text, least));
-            let is_read = fact::hex(text.trim(), most).is_some();
-            if is_read { finding.understood() } else { finding }
+            let spelled = hex_digits(text, least);
+            let finding = finding.help(match &spelled {
+                Some(digits) => say!("write `{}`", digits.clone()),
+                None => say!("write only pairs of hexadecimal digits"),
+            });
+            match spelled {
+                _ if fact::hex(text, most).is_none() => finding,
+                Some(digits) => respelled(finding, Some((digits, true)), at).understood(),
+                None => finding.understood(),
+            }
         }
         Kind::Date => {
             let finding = new(&INVALID_DATE, "not a date of the form `yyyy-mm-dd`")
@@ -206,16 +213,12 @@ fn invalid_number(text: &str, shown: &Text, name: &str, (low, high): (i128, i128
     Diagnostic::new(&INVALID_NUMBER, at, message).help(help)
 }
 
-/// The intended hex digits, padded with zeros.
-fn hex_help(text: &str, least: usize) -> Text {
+/// The intended hex digits, padded with zeros; `None` if they are open.
+fn hex_digits(text: &str, least: usize) -> Option<String> {
     let digits = text.strip_prefix("0x").or_else(|| text.strip_prefix("0X")).unwrap_or(text);
     let digits = digits.strip_suffix(['h', 'H']).unwrap_or(digits);
-    match u32::from_str_radix(digits, 16) {
-        Ok(number) if format!("{number:X}").len() <= least => {
-            say!("write `{}`", format!("{number:0least$X}"))
-        }
-        _ => say!("write only pairs of hexadecimal digits"),
-    }
+    let padded = u32::from_str_radix(digits, 16).ok().map(|number| format!("{number:0least$X}"))?;
+    (padded.len() == least).then_some(padded)
 }
 
 fn word_help(text: &str, words: &[&str]) -> String {
@@ -259,7 +262,8 @@ mod tests {
         assert_eq!(language_help("en_US"), "write `en-us`");
         assert_eq!(rate_help("125"), "write `125 Kbps`");
         assert_eq!(rate_help("1000000"), "write `1000 Kbps`");
-        assert_eq!(hex_help("0x1000", 4), "write `1000`");
-        assert_eq!(hex_help("1", 2), "write `01`");
+        assert_eq!(hex_digits("0x1000", 4).as_deref(), Some("1000"));
+        assert_eq!(hex_digits("1", 2).as_deref(), Some("01"));
+        assert_eq!(hex_digits("0001", 2).as_deref(), Some("01"));
     }
 }
