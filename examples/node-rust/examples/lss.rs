@@ -8,7 +8,7 @@ use std::io::{self, ErrorKind, Write};
 use std::net::TcpListener;
 use std::time::Instant;
 
-use objdict_device::{LssReceived, LssSlave, LssStoreError, Nmt};
+use objdict_device::{Frame, LssReceived, LssSlave, LssStoreError};
 
 use slcan::Bus;
 
@@ -36,8 +36,11 @@ fn run(mut bus: Bus, mut slaves: Vec<LssSlave>) -> io::Result<()> {
                 match slave.receive(&frame, now()) {
                     LssReceived::Ignored => {}
                     LssReceived::Answer(answer) => bus.send(&answer)?,
-                    // here a device starts its node
-                    LssReceived::NodeId(node_id) => bus.send(&Nmt::new(node_id).boot(now()))?,
+                    // here a device starts its node, which sends this with `boot`
+                    LssReceived::NodeId(node_id) => {
+                        let boot_up = Frame::new(0x700 + u16::from(node_id), &[0]);
+                        bus.send(&boot_up.ok_or(ErrorKind::InvalidData)?)?;
+                    }
                     LssReceived::Store { node_id, bit_rate } => {
                         println!("stored {node_id:?} {bit_rate:?}");
                         io::stdout().flush()?;

@@ -7,6 +7,7 @@ mod objects;
 mod paste;
 mod pdo;
 mod places;
+mod served;
 mod view;
 
 #[cfg(feature = "stacks")]
@@ -32,7 +33,9 @@ pub(super) fn make(device: &Device, options: &Options) -> Result<Made, GenerateE
     if options.cell.is_some() && !(options.runtime && table.node_id.is_some()) {
         return Err(GenerateError::NoCell);
     }
-    if !options.runtime {
+    if options.runtime {
+        notes.extend(served::notes(&table));
+    } else {
         notes.extend(freeze_mappings(&mut table, "`--runtime` or `--hook` allows it"));
     }
     let frames = frames(device, &table, &mut notes);
