@@ -16,6 +16,7 @@ import canopen
 NODE = 5
 BEYOND_LIMITS = 0x06090031, 0x06090032
 READ_ONLY, WRITE_ONLY, NOT_MAPPABLE, VALID = 0x06010002, 0x06010001, 0x06040041, 0x06010000
+CANNOT_STORE = 0x08000020
 
 
 class Slcan(can.BusABC):
@@ -92,12 +93,18 @@ def read_and_write(node):
         value = node.sdo.upload(entry.index, entry.subindex)
         assert upload_block(node, entry) == value, where
         counts["read"] += 1
-        if isinstance(entry.default, (int, float)) and not isinstance(entry.default, bool):
+        stores = entry.index in (0x1010, 0x1011) and entry.subindex > 0
+        if isinstance(entry.default, (int, float)) and not isinstance(entry.default, bool) and not stores:
             assert value == entry.encode_raw(entry.default), where
             counts["default"] += 1
         if not entry.writable:
             assert abort_of(node.sdo.download, entry.index, entry.subindex, value or b"\0") == READ_ONLY, where
             counts["refused"] += 1
+        elif stores:
+            # the node has no memory, and says so
+            assert not any(value), where
+            for signature in b"save", b"load":
+                assert abort_of(node.sdo.download, entry.index, entry.subindex, signature) == CANNOT_STORE, where
         elif not 0x1400 <= entry.index <= 0x1BFF:
             # strings without a default have room for 32 bytes, a DOMAIN for 1000
             values = [value or b"objdict"]
