@@ -1,6 +1,8 @@
 //! The real stack, if `OBJDICT_CANOPENNODE_DIR` names a checkout: it compiles with the tables, starts, and
 //! its SDO server answers as described.
 
+mod client;
+
 use std::path::{Path, PathBuf};
 use std::process::Command;
 use std::sync::atomic::{AtomicUsize, Ordering};
@@ -31,6 +33,10 @@ const SOURCES: [&str; 12] = [
     "305/CO_LSSslave",
     "storage/CO_storage",
 ];
+
+fn sources(stack: &Path) -> impl Iterator<Item = PathBuf> {
+    SOURCES.iter().map(|source| stack.join(source).with_extension("c"))
+}
 
 /// Compiles the tables with the headers of the real stack, and the stack with the tables: this fails exactly
 /// if a note says so.
@@ -82,8 +88,7 @@ fn answer(row: &Row) -> Option<String> {
 fn the_sdo_server_of_the_real_stack_answers_what_the_description_says() {
     let (Some(stack), Some(compiler)) = (checkout("OBJDICT_CANOPENNODE_DIR"), c_compiler()) else { return };
     let objects = tempfile::tempdir().unwrap();
-    let sources: Vec<PathBuf> = SOURCES.iter().map(|source| stack.join(source).with_extension("c")).collect();
-    succeed(with_port(&compiler, objects.path(), &stack).arg("-c").args(&sources), "").unwrap();
+    succeed(with_port(&compiler, objects.path(), &stack).arg("-c").args(sources(&stack)), "").unwrap();
     let objects: Vec<PathBuf> =
         objects.path().read_dir().unwrap().map(|entry| entry.unwrap().path()).collect();
     let started = AtomicUsize::new(0);

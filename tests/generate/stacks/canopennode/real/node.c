@@ -1,5 +1,6 @@
 /* A node of the real CANopenNode with generated tables and no CAN controller: it starts, and every entry is uploaded from
-   its SDO server, frame by frame. `node N` prints index, sub-index and bytes of each, or the code of the abort. */
+   its SDO server, frame by frame. `node N` prints index, sub-index and bytes of each, or the code of the abort. `node N frames`
+   takes requests from the standard input, a line each, and `.` for a millisecond; its answers end with a `.`. */
 #include "CANopen.h"
 #include "OD.h"
 
@@ -9,6 +10,14 @@
 
 static frame_t answer;
 static uint16_t answers_at;
+static bool_t prints_answers;
+
+static void print_bytes(const uint8_t *bytes, size_t count)
+{
+    for (size_t i = 0; i < count; i++) {
+        printf("%02X", bytes[i]);
+    }
+}
 
 void CO_CANsetConfigurationMode(void *can)
 {
@@ -73,6 +82,10 @@ CO_ReturnError_t CO_CANsend(CO_CANmodule_t *module, CO_CANtx_t *buffer)
     if (buffer->ident == answers_at) {
         answer.length = buffer->DLC;
         memcpy(answer.bytes, buffer->data, sizeof answer.bytes);
+        if (prints_answers) {
+            print_bytes(buffer->data, buffer->DLC);
+            printf("\n");
+        }
     }
     return CO_ERROR_NO;
 }
@@ -125,27 +138,26 @@ static CO_t *start(uint8_t node_id)
     return node;
 }
 
-/* Sends a request to the SDO server and waits for the answer. */
-static void ask(CO_t *node, uint16_t can_id, const uint8_t *request)
+/* Sends a request to the SDO server. */
+static void deliver(CO_t *node, uint16_t can_id, const uint8_t *request)
 {
     frame_t frame = {can_id, 8, {0}};
     memcpy(frame.bytes, request, 8);
-    memset(&answer, 0, sizeof answer);
     for (uint16_t i = 0; i < node->CANmodule->rxSize; i++) {
         const CO_CANrx_t *rx = &node->CANmodule->rxArray[i];
         if (rx->ident == can_id && rx->CANrx_callback != NULL) {
             rx->CANrx_callback(rx->object, &frame);
         }
     }
-    for (int i = 0; i < 20 && answer.length == 0; i++) {
-        CO_process(node, false, 1000, NULL);
-    }
 }
 
-static void print_bytes(const uint8_t *bytes, size_t count)
+/* Sends a request to the SDO server and waits for the answer. */
+static void ask(CO_t *node, uint16_t can_id, const uint8_t *request)
 {
-    for (size_t i = 0; i < count; i++) {
-        printf("%02X", bytes[i]);
+    memset(&answer, 0, sizeof answer);
+    deliver(node, can_id, request);
+    for (int i = 0; i < 20 && answer.length == 0; i++) {
+        CO_process(node, false, 1000, NULL);
     }
 }
 
@@ -181,11 +193,35 @@ static void upload(CO_t *node, uint8_t node_id, uint16_t index, uint8_t sub)
     printf("\n");
 }
 
+/* Answers the requests of a client. */
+static void converse(CO_t *node, uint8_t node_id)
+{
+    char line[32];
+    prints_answers = true;
+    while (fgets(line, (int)sizeof line, stdin) != NULL) {
+        uint8_t request[8];
+        if (line[0] != '.') {
+            for (int i = 0; i < 8; i++) {
+                const char digits[3] = {line[2 * i], line[2 * i + 1], '\0'};
+                request[i] = (uint8_t)strtoul(digits, NULL, 16);
+            }
+            deliver(node, (uint16_t)(0x600u + node_id), request);
+        }
+        CO_process(node, false, line[0] == '.' ? 1000 : 0, NULL);
+        printf(".\n");
+        (void)fflush(stdout);
+    }
+}
+
 int main(int argc, char **argv)
 {
-    const uint8_t node_id = (uint8_t)(argc == 2 ? atoi(argv[1]) : 0);
+    const uint8_t node_id = (uint8_t)(argc >= 2 ? atoi(argv[1]) : 0);
     CO_t *node = start(node_id);
     answers_at = (uint16_t)(0x580u + node_id);
+    if (argc == 3) {
+        converse(node, node_id);
+        return 0;
+    }
     for (uint16_t i = 0; i < OD->size; i++) {
         for (unsigned sub = 0; sub <= 0xFF; sub++) {
             OD_IO_t io;
