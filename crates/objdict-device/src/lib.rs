@@ -65,8 +65,6 @@ mod storage;
 mod sync;
 pub mod table;
 mod watched;
-#[cfg(feature = "defmt")]
-mod with_defmt;
 
 pub use dictionary::{Attributes, Dictionary, Place, Scope};
 pub use errors::{Errors, error_code};

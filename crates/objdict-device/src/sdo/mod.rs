@@ -134,7 +134,11 @@ impl<const BUFFER: usize> SdoServer<BUFFER> {
                 self.since = now;
                 self.next_segment(dictionary)
             }
-            Transfer::BlockDownload(block) if waited >= self.timeout / 2 => Ok(block.acknowledge_late()),
+            Transfer::BlockDownload(block)
+                if waited >= self.timeout / 2 && block.may_be_late(self.length.is_some(), self.done) =>
+            {
+                Ok(Some(block.acknowledge_late()))
+            }
             _ => Ok(None),
         };
         self.send(response, due)
@@ -147,7 +151,9 @@ impl<const BUFFER: usize> SdoServer<BUFFER> {
         match &self.transfer {
             Transfer::None => None,
             Transfer::BlockUpload(block) if block.is_sending() => Some(now),
-            Transfer::BlockDownload(block) if !block.is_late() => after(self.timeout / 2),
+            Transfer::BlockDownload(block) if block.may_be_late(self.length.is_some(), self.done) => {
+                after(self.timeout / 2)
+            }
             _ => after(self.timeout),
         }
     }
