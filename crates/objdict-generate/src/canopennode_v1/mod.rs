@@ -52,7 +52,7 @@ impl Tables<'_> {
     }
 
     fn has(&self, index: u16) -> u8 {
-        u8::from(self.dictionary.device.object(index).is_some())
+        u8::from(self.dictionary.object(index).is_some())
     }
 
     /// Whether the stack can be an LSS slave: it needs the whole identity.
@@ -66,8 +66,15 @@ impl Tables<'_> {
     }
 
     fn is_master(&self) -> u8 {
-        let node = self.dictionary.device.commissioning.as_ref();
-        u8::from(node.is_some_and(|node| node.manager == Some(true)))
+        let device = self.dictionary.device;
+        let is_manager = device.commissioning.as_ref().is_some_and(|node| node.manager == Some(true));
+        let startup = self.dictionary.entry(0x1F80, 0).map_or(0, |entry| entry.resolved.default.word());
+        u8::from(is_manager || startup & 1 == 1)
+    }
+
+    fn has_lss_master(&self) -> u8 {
+        let info = self.dictionary.device.device_info.as_ref();
+        u8::from(info.is_some_and(|info| info.lss_master == Some(true)))
     }
 
     fn size(&self) -> Sizes {

@@ -42,6 +42,10 @@ const LACKS: &[Lack] = &[
 /// The expected entries. The stack adds the node-ID to a fixed number in 1014h, too; that of this node is stored without it.
 fn expected(device: &Device) -> Vec<Row> {
     let mut rows = without(LACKS, truth(device, NODE_ID));
+    let lists: HashSet<u16> = rows.iter().filter(|row| row.sub > 0).map(|row| row.index).collect();
+    for row in rows.iter_mut().filter(|row| row.sub == 0 && lists.contains(&row.index)) {
+        (row.tpdo, row.rpdo) = (false, false); // of an array, it is mapped as its elements
+    }
     let value = device.entry(0x1014, 0).and_then(|entry| entry.value().cloned());
     for row in rows.iter_mut().filter(|row| (row.index, row.sub, row.size) == (0x1014, 0, Some(4))) {
         let bytes = row.default.as_deref().and_then(|bytes| bytes.try_into().ok());
@@ -91,6 +95,117 @@ fn the_files_of_a_small_device() {
     }
 }
 
+/// Objects as the editors for the stack write them: a list whose number of elements is mappable, elements without a name, records of
+/// one name, and members of one name.
+const OF_EDITORS: &str = "\
+[DeviceInfo]
+VendorName=Editors
+[MandatoryObjects]
+SupportedObjects=0
+[ManufacturerObjects]
+SupportedObjects=4
+1=0x2101
+2=0x2102
+3=0x2301
+4=0x2302
+[2101]
+ParameterName=Power-on counter
+ObjectType=7
+;StorageLocation=EEPROM
+DataType=7
+AccessType=rw
+[2102]
+ParameterName=Outputs
+ObjectType=8
+SubNumber=3
+[2102sub0]
+ParameterName=max sub-index
+DataType=5
+AccessType=ro
+DefaultValue=2
+PDOMapping=1
+[2102sub1]
+ParameterName=
+DataType=5
+AccessType=rw
+PDOMapping=1
+[2102sub2]
+ParameterName=Lamp
+DataType=5
+AccessType=rw
+DefaultValue=9
+PDOMapping=1
+[2301]
+ParameterName=Trace
+ObjectType=9
+SubNumber=3
+[2301sub0]
+ParameterName=max sub-index
+DataType=5
+AccessType=ro
+DefaultValue=2
+[2301sub1]
+ParameterName=Mode
+DataType=5
+AccessType=rw
+[2301sub2]
+ParameterName=Mode
+DataType=6
+AccessType=rw
+DefaultValue=3
+";
+
+/// An application with the names of the editors.
+const APPLICATION: &str = r#"
+#include "CO_driver.h"
+#include "CO_OD.h"
+#include "CO_SDO.h"
+
+extern const CO_OD_entryRecord_t OD_record2302[];
+
+static const unsigned numbers[] = {
+    OD_2101_powerOnCounter, 0x2101, OD_powerOnCounter_idx, 0x2101, OD_2102_outputs, 0x2102, OD_2102_0_outputs_maxSubIndex, 0,
+    OD_2102_1_outputs_, 1, OD_2102_2_outputs_lamp, 2, ODA_outputs_lamp, 1, ODL_outputs_arrayLength, 2, OD_2302_trace, 0x2302,
+    OD_2302_2_trace_mode, 2, OD_trace_idx, 0x2301,
+};
+
+int main(void)
+{
+    unsigned at;
+    OD_powerOnCounter++;
+    OD_trace[0].maxSubIndex = 2;
+    OD_trace[1].mode1 += 4;
+    for (at = 0; at < sizeof numbers / sizeof numbers[0]; at += 2) {
+        if (numbers[at] != numbers[at + 1]) {
+            return 1;
+        }
+    }
+    return CO_OD_EEPROM.powerOnCounter == 1 && OD_outputs[ODA_outputs_lamp] == 9 && CO_OD_RAM.trace[1].mode1 == 12
+                   && OD_record2302[2].pData == &CO_OD_RAM.trace[1].mode1
+               ? 0
+               : 1;
+}
+"#;
+
+/// An application that was written for the output of the editors compiles and finds its values.
+#[test]
+fn applications_find_the_names_of_the_editors() {
+    let Some(compiler) = c_compiler() else { return };
+    let folder = tempfile::tempdir().unwrap();
+    let first = OF_EDITORS.split_once("[2301]").unwrap().1;
+    let second = first.replace("2301", "2302").replace("DefaultValue=3", "DefaultValue=8");
+    let text = format!("{OF_EDITORS}[2302]{second}");
+    std::fs::write(folder.path().join("editors.eds"), text.replace('\n', "\r\n")).unwrap();
+    let device = crate::devices::device(&folder.path().join("editors.eds"));
+    write(folder.path(), &device, &Options::default());
+    std::fs::write(folder.path().join("application.c"), APPLICATION).unwrap();
+    let mut cc = cc(&compiler, folder.path());
+    cc.arg("-I.").arg(format!("-I{}", beside("canopennode_v1", "include").display()));
+    cc.args(["-o", "application", "CO_OD.c", "application.c"]);
+    succeed(&mut cc, "").unwrap();
+    succeed(&mut std::process::Command::new(folder.path().join("application")), "").unwrap();
+}
+
 /// The sources of the stack without a bus.
 const SOURCES: [&str; 14] = [
     "stack/drvTemplate/CO_driver.c",
@@ -115,15 +230,21 @@ fn is_answered_by_the_stack(row: &Row) -> bool {
     !row.read
         || is_long
         || matches!(row.index, 0x1001 | 0x1003 | 0x2100)
+        || is_pdo_id(row.index, row.sub) && row.size != Some(4) // its fourth byte has the state
         || row.index == 0x1200 && row.sub > 2 // the node-ID is added there, too
         || (0x1800..=0x19FF).contains(&row.index) && row.sub == 4
         || matches!(row.index, 0x1600..=0x17FF | 0x1A00..=0x1BFF) && row.sub == 0 // 0 without a mapping that is valid
         || (0x1280..=0x12FF).contains(&row.index) && row.sub > 0 // an SDO client begins without a server
 }
 
+/// Whether an entry has the COB-ID of a PDO.
+fn is_pdo_id(index: u16, sub: u8) -> bool {
+    sub == 1 && matches!(index, 0x1400..=0x15FF | 0x1800..=0x19FF)
+}
+
 /// The COB-ID of a PDO without the bit that the stack sets when it cannot use the PDO.
 fn without_state(mut row: Row) -> Row {
-    let is_id = row.sub == 1 && matches!(row.index, 0x1400..=0x15FF | 0x1800..=0x19FF);
+    let is_id = is_pdo_id(row.index, row.sub);
     if let (true, Some([.., high])) = (is_id, row.default.as_deref_mut()) {
         *high |= 0x80;
     }
@@ -169,8 +290,7 @@ fn the_sdo_server_of_the_real_stack_reads_the_tables() {
 
 /// The same for a line.
 fn line_without_state(line: &str) -> String {
-    let is_id = address(line)
-        .is_some_and(|(index, sub)| sub == 1 && matches!(index, 0x1400..=0x15FF | 0x1800..=0x19FF));
+    let is_id = address(line).is_some_and(|(index, sub)| is_pdo_id(index, sub));
     let (start, high) = line.split_at(line.len().saturating_sub(2));
     match u8::from_str_radix(high, 16) {
         Ok(high) if is_id => format!("{start}{:02X}", high | 0x80),
