@@ -186,7 +186,7 @@ targets! {
     #[cfg(feature = "stacks")]
     CANOPENNODE_V1 canopennode_v1 "canopennode-v1"
         "`CO_OD.h` and `CO_OD.c` of the stack CANopenNode 1.3"
-        [Names Renamed Groups StringCapacity DomainCapacity];
+        [Names Renamed Groups Hooks StringCapacity DomainCapacity];
 }
 
 /// Maximum size of a string, octet string or DOMAIN value in a table, in bytes.

@@ -4,6 +4,7 @@
 //! there, so that its sources compile with any description.
 
 mod cell;
+mod hooks;
 mod notes;
 mod plan;
 mod special;
@@ -24,6 +25,8 @@ struct Tables<'a> {
     head: Head,
     dictionary: &'a Dictionary<'a>,
     plan: Plan,
+    /// The indexes of objects with a function of the application, in hex.
+    hooks: Vec<String>,
 }
 
 files! {
@@ -37,7 +40,8 @@ pub(super) fn make(device: &Device, options: &Options) -> Result<Made, GenerateE
     let mut dictionary = Dictionary::new(device, options)?;
     let mut notes = std::mem::take(&mut dictionary.notes);
     let plan = Plan::new(&dictionary, options, &mut notes);
-    let tables = Tables { head: Head::new(device, options, "", ""), dictionary: &dictionary, plan };
+    let hooks = hooks::hooked(&dictionary, options, &mut notes);
+    let tables = Tables { head: Head::new(device, options, "", ""), dictionary: &dictionary, plan, hooks };
     let files = vec![render("CO_OD.h", &Header(&tables))?, render("CO_OD.c", &Source(&tables))?];
     Ok(Made { files, notes: once_per_device(in_order(notes)), size: tables.size() })
 }

@@ -72,5 +72,14 @@ extern struct sCO_OD_{{ location.name() }} CO_OD_{{ location.name() }};
 /* Adds the node-ID to the values that are formulas and to which the stack does not add it. */
 void CO_OD_applyNodeId(uint8_t nodeId);
 {%- endif %}
+{%- if let Some(first) = hooks.first() %}
+
+/*
+ * Has the SDO server call the functions of the application, `CO_SDO_abortCode_t CO_OD_hook{{ first }}(CO_ODF_arg_t *ODF_arg)` and so on,
+ * with `object` in `ODF_arg->object`: before an upload sends `ODF_arg->data`, and before a download writes it. Call it after
+ * CO_CANopenInit() with `CO->SDO[0]`.
+ */
+void CO_OD_initHooks(void *SDO, void *object);
+{%- endif %}
 
 #endif

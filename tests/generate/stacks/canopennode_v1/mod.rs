@@ -251,6 +251,97 @@ fn without_state(mut row: Row) -> Row {
     row
 }
 
+/// The entries as the SDO server of the stack reads them with the files and hooks of a folder.
+fn of_real_stack(compiler: &str, folder: &Path, stack: &Path) -> Result<String, String> {
+    let cc = || {
+        let mut command = std::process::Command::new(compiler);
+        command.current_dir(folder).args(["-std=gnu99", "-I.", "-DCO_SDO_BUFFER_SIZE=889"]);
+        for include in ["stack/drvTemplate", "stack", ""] {
+            command.arg("-isystem").arg(stack.join(include));
+        }
+        command
+    };
+    succeed(cc().args(["-Wall", "-Wextra", "-Werror", "-c", "CO_OD.c"]), "")?;
+    let mut build = cc();
+    build.args(["-w", "-o", "node", "CO_OD.o"]).args(SOURCES.map(|source| stack.join(source)));
+    build.args(folder.join("hooks.c").is_file().then_some("hooks.c"));
+    succeed(build.arg(beside("canopennode_v1", "node.c")), "")?;
+    succeed(std::process::Command::new(folder.join("node")).arg(NODE_ID.to_string()), "")
+}
+
+/// Hooks that show the argument of the application in what is read.
+const HOOKS: &str = r#"
+#include "CO_driver.h"
+#include "CO_OD.h"
+#include "CO_SDO.h"
+
+CO_SDO_abortCode_t CO_OD_hook2101(CO_ODF_arg_t *ODF_arg)
+{
+    if (ODF_arg->reading) {
+        ODF_arg->data[0] = *(uint8_t *)ODF_arg->object;
+    }
+    return (CO_SDO_abortCode_t)0;
+}
+
+CO_SDO_abortCode_t CO_OD_hook2102(CO_ODF_arg_t *ODF_arg)
+{
+    return CO_OD_hook2101(ODF_arg);
+}
+"#;
+
+/// What the stack does with the functions.
+const REGISTERED: &str = r#"
+void CO_OD_configure(CO_SDO_t *SDO, uint16_t index, CO_SDO_abortCode_t (*pODFunc)(CO_ODF_arg_t *ODF_arg), void *object,
+                     uint8_t *flags, uint8_t flagsSize)
+{
+    SDO->function[index - 0x2101] = flags == 0 && flagsSize == 0 ? pODFunc : 0;
+    SDO->object = object;
+}
+
+int main(void)
+{
+    uint8_t mark = 7, value = 0;
+    CO_SDO_t server;
+    CO_ODF_arg_t argument = {&mark, &value, 1, 1};
+    CO_OD_initHooks(&server, &mark);
+    return server.object == &mark && server.function[0](&argument) == 0 && server.function[1] == CO_OD_hook2102 && value == 7 ? 0 : 1;
+}
+"#;
+
+#[test]
+fn hooks_answer_uploads() {
+    let Some(compiler) = c_compiler() else { return };
+    let folder = tempfile::tempdir().unwrap();
+    let folder = folder.path();
+    std::fs::write(folder.join("editors.eds"), OF_EDITORS.replace('\n', "\r\n")).unwrap();
+    let device = crate::devices::device(&folder.join("editors.eds"));
+    let mut options = Options::default();
+    options.hooks = ["2101", "2102:1", "2102:2", "7000"].map(|at| at.parse().unwrap()).into();
+    let notes = write(folder, &device, &options);
+    let of_hooks = notes.iter().filter(|note| note.message.contains("hook")).map(|note| &*note.message);
+    let for_all =
+        "the stack calls the hook for all entries of the object; also for 1 more entry of the object";
+    assert_eq!(of_hooks.collect::<Vec<_>>(), ["no entry to call a hook for", for_all]);
+    std::fs::write(folder.join("registered.c"), format!("{HOOKS}{REGISTERED}")).unwrap();
+    let mut cc = cc(&compiler, folder);
+    cc.arg("-I.").arg(format!("-I{}", beside("canopennode_v1", "include").display()));
+    cc.args(["-Wno-missing-prototypes", "-o", "registered", "CO_OD.c", "registered.c"]);
+    succeed(&mut cc, "").unwrap();
+    succeed(&mut std::process::Command::new(folder.join("registered")), "").unwrap();
+    if let Some(stack) = checkout("OBJDICT_CANOPENNODE_V1_DIR") {
+        std::fs::write(folder.join("hooks.c"), HOOKS).unwrap();
+        let printed = of_real_stack(&compiler, folder, &stack).unwrap();
+        let lines: Vec<&str> = printed.lines().filter(|line| line.starts_with("210")).collect();
+        let expected = [
+            "2101 00 - 4 rw-- 5A000000",
+            "2102 00 - 1 r--- 5A",
+            "2102 01 - 1 rwtp 5A",
+            "2102 02 - 1 rwtp 5A",
+        ];
+        assert_eq!(lines, expected);
+    }
+}
+
 /// `OBJDICT_CANOPENNODE_V1_DIR` names a checkout of the stack 1.3: it compiles and starts with the tables, and its SDO server
 /// reads them.
 #[test]
@@ -264,21 +355,7 @@ fn the_sdo_server_of_the_real_stack_reads_the_tables() {
         let mut options = Options::default();
         options.node_id = Some(NODE_ID);
         write(folder.path(), device, &options);
-        let cc = || {
-            let mut command = std::process::Command::new(&compiler);
-            command.current_dir(folder.path()).args(["-std=gnu99", "-I.", "-DCO_SDO_BUFFER_SIZE=889"]);
-            for include in ["stack/drvTemplate", "stack", ""] {
-                command.arg("-isystem").arg(stack.join(include));
-            }
-            command
-        };
-        let warnings = ["-Wall", "-Wextra", "-Werror", "-c", "CO_OD.c"];
-        succeed(cc().args(warnings), "").map_err(fail)?;
-        let mut build = cc();
-        build.args(["-w", "-o", "node", "CO_OD.o"]).args(SOURCES.map(|source| stack.join(source)));
-        succeed(build.arg(beside("canopennode_v1", "node.c")), "").map_err(fail)?;
-        let mut node = std::process::Command::new(folder.path().join("node"));
-        let printed = succeed(node.arg(NODE_ID.to_string()), "").map_err(fail)?;
+        let printed = of_real_stack(&compiler, folder.path(), &stack).map_err(fail)?;
         let rows = expected(device).into_iter().filter(|row| !is_answered_by_the_stack(row));
         let rows: Vec<Row> = rows.map(without_state).collect();
         let known: HashSet<(u16, u8)> = rows.iter().map(|row| (row.index, row.sub)).collect();

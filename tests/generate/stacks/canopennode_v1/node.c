@@ -9,6 +9,7 @@
 
 extern const CO_OD_entry_t CO_OD[CO_OD_NoOfElements];
 void CO_OD_applyNodeId(uint8_t nodeId) __attribute__((weak));
+void CO_OD_initHooks(void *SDO, void *object) __attribute__((weak));
 
 static void print(CO_SDO_t *server, uint16_t index, uint8_t sub)
 {
@@ -43,6 +44,10 @@ int main(int count, char **arguments)
 #endif
     if (CO_CANopenInit(node_id) != CO_ERROR_NO) {
         return 4;
+    }
+    if (CO_OD_initHooks != NULL) {
+        static uint8_t mark = 0x5A;
+        CO_OD_initHooks(CO->SDO[0], &mark);
     }
     for (at = 0u; at < CO_OD_NoOfElements; at++) {
         unsigned sub;
