@@ -69,6 +69,7 @@ mod rom;
 #[cfg(feature = "rust")]
 mod rust;
 mod size;
+mod startup;
 mod stored;
 mod table;
 mod table_build;

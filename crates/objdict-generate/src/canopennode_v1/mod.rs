@@ -14,7 +14,7 @@ use super::escape::filters;
 use super::head::{Head, files};
 use super::memory::{Extent, Memory, Tally};
 use super::notes::{in_order, once_per_device};
-use super::{GenerateError, Made, Options, Sizes, render};
+use super::{GenerateError, Made, Options, Sizes, render, startup};
 use crate::model::{DataType, Device};
 use crate::resolve::Shape;
 use cell::Location;
@@ -43,7 +43,9 @@ pub(super) fn make(device: &Device, options: &Options) -> Result<Made, GenerateE
     let hooks = hooks::hooked(&dictionary, options, &mut notes);
     let tables = Tables { head: Head::new(device, options, "", ""), dictionary: &dictionary, plan, hooks };
     let files = vec![render("CO_OD.h", &Header(&tables))?, render("CO_OD.c", &Source(&tables))?];
-    Ok(Made { files, notes: once_per_device(in_order(notes)), size: tables.size() })
+    let mut notes = once_per_device(in_order(notes));
+    notes.append(&mut startup::notes(&startup::CANOPENNODE_V1, &dictionary));
+    Ok(Made { files, notes: in_order(notes), size: tables.size() })
 }
 
 /// What the sizes include.

@@ -128,14 +128,47 @@ static CO_t *start(uint8_t node_id)
            CO_CANopenInit(node, NULL, NULL, OD, NULL, 0, 500, 1000, 500, false, node_id, &info), info);
     info = 0;
     demand("CO_CANopenInitPDO", CO_CANopenInitPDO(node, node->em, OD, node_id, &info), 0);
-    if (info != 0) {
-        printf("CO_CANopenInitPDO: %04lX is not valid\n", (unsigned long)info);
-    }
     CO_CANsetNormalMode(node->CANmodule);
     for (int i = 0; i < 3; i++) {
         CO_process(node, false, 1000, NULL);
     }
     return node;
+}
+
+/* Whether the tables have a PDO as valid. */
+static bool_t is_stated(uint16_t communication)
+{
+    uint32_t cob_id = 0;
+    return OD_get_u32(OD_find(OD, communication), 1, &cob_id, true) == ODR_OK && (cob_id & 0x80000000u) == 0;
+}
+
+/* Prints what the tables have and the stack did not accept. */
+static void print_rejected(const CO_t *node)
+{
+    (void)node;
+#if OD_CNT_RPDO > 0
+    for (uint16_t i = 0; i < OD_CNT_RPDO; i++) {
+        if (is_stated((uint16_t)(0x1400u + i)) && !node->RPDO[i].PDO_common.valid) {
+            printf("RPDO %u disabled\n", i + 1u);
+        }
+    }
+#endif
+#if OD_CNT_TPDO > 0
+    for (uint16_t i = 0; i < OD_CNT_TPDO; i++) {
+        if (is_stated((uint16_t)(0x1800u + i)) && !node->TPDO[i].PDO_common.valid) {
+            printf("TPDO %u disabled\n", i + 1u);
+        }
+    }
+#endif
+#if OD_CNT_HB_CONS > 0
+    for (uint8_t i = 0; i < node->HBcons->numberOfMonitoredNodes; i++) {
+        uint32_t value = 0;
+        (void)OD_get_u32(OD_find(OD, 0x1016), i + 1u, &value, true);
+        if ((value & 0xFFFFu) != 0 && ((value >> 16) & 0xFFu) != 0 && node->HBcons->monitoredNodes[i].time_us == 0) {
+            printf("consumer %u rejected\n", i + 1u);
+        }
+    }
+#endif
 }
 
 /* Sends a request to the SDO server. */
@@ -222,6 +255,7 @@ int main(int argc, char **argv)
         converse(node, node_id);
         return 0;
     }
+    print_rejected(node);
     for (uint16_t i = 0; i < OD->size; i++) {
         for (unsigned sub = 0; sub <= 0xFF; sub++) {
             OD_IO_t io;
