@@ -334,12 +334,10 @@ impl<const BUFFER: usize> SdoServer<BUFFER> {
     /// Begins an upload. A value in the buffer does not change during the transfer.
     fn load<D: Dictionary + ?Sized>(&mut self, dictionary: &mut D) -> Result<usize, Abort> {
         let (index, sub) = self.address();
-        if !dictionary.attributes(index, sub)?.readable {
-            return Err(Abort::WriteOnly);
-        }
         let length = dictionary.begin_read(index, sub)?;
         self.in_pieces = length.is_some();
         let length = match length {
+            Some(_) if !dictionary.attributes(index, sub)?.readable => return Err(Abort::WriteOnly),
             Some(length) => length,
             None => dictionary.read(index, sub, &mut self.buffer)?,
         };
