@@ -176,7 +176,7 @@ fn check_mapping<D: Dictionary + ?Sized>(
         return Err(Abort::UnsupportedAccess);
     }
     match (sub, value) {
-        // said before what is wrong with the entries that there are
+        // before the entries that there are, which may be empty
         (0, 1..=64) if dictionary.attributes(index, value as u8).is_err() => Err(Abort::PdoTooLong),
         (0, 0..=64) => {
             let mut bits = 0;

@@ -66,7 +66,7 @@ impl<'d> Bench<'d> {
         match self.node.receive(&frame, self.now) {
             Received::Answer(answer) => sent.push(answer),
             Received::Nmt(NmtCommand::ResetNode | NmtCommand::ResetCommunication) => {
-                sent.push(self.node.boot(self.now))
+                sent.push(self.node.boot(self.now));
             }
             _ => {}
         }
@@ -122,8 +122,8 @@ impl<'d> Bench<'d> {
     pub(super) fn answer_of(&mut self, request: &[u8]) -> Option<[u8; 8]> {
         let node_id = self.node_id();
         let sent = self.send(0x600 + node_id, request);
-        let answers = sent.into_iter().filter(|frame| frame.id() == 0x580 + node_id);
-        answers.last().and_then(|frame| frame.data().try_into().ok())
+        let mut answers = sent.into_iter().filter(|frame| frame.id() == 0x580 + node_id);
+        answers.next_back().and_then(|frame| frame.data().try_into().ok())
     }
 
     /// Whether the SDO server answers.

@@ -4,7 +4,7 @@
 use objdict_device::{Abort, Frame};
 
 use super::bench::{Bench, MS, RESET_COMMUNICATION, STOP, Sent};
-use super::described::hex;
+use super::described::{DescribedEntry, hex};
 use super::sync::{send_sync, send_wrong_sync};
 use super::{Step, checks, ensure, impossible};
 
@@ -28,7 +28,7 @@ checks! { "emergency":
 /// The CAN-ID of the messages.
 pub(super) fn can_id(bench: &Bench<'_>) -> Step<u16> {
     let standard = 0x80 + u64::from(bench.described.node_id);
-    let is_known = bench.described.find(0x1014, 0).is_some_and(|entry| entry.is_readable());
+    let is_known = bench.described.find(0x1014, 0).is_some_and(DescribedEntry::is_readable);
     let cob_id = if is_known { bench.described.number(0x1014, 0) } else { standard };
     match cob_id >> 29 {
         0 => Ok((cob_id & 0x7FF) as u16),

@@ -6,6 +6,7 @@ use super::bench::{
     Bench, ENTER_PRE_OPERATIONAL, OPERATIONAL, PRE_OPERATIONAL, RESET_COMMUNICATION, RESET_NODE, START, STOP,
     STOPPED,
 };
+use super::described::DescribedEntry;
 use super::{Step, checks, ensure};
 
 checks! { "NMT":
@@ -42,7 +43,7 @@ fn boot_up(bench: &mut Bench<'_>) -> Step {
 
 /// A node without 1F80h, or with bit 2 of it, waits for the master (CiA 302-2).
 fn state_after_boot(bench: &Bench<'_>) -> u8 {
-    let starts = bench.described.find(0x1F80, 0).is_some_and(|entry| entry.is_readable());
+    let starts = bench.described.find(0x1F80, 0).is_some_and(DescribedEntry::is_readable);
     if starts && bench.described.number(0x1F80, 0) & 5 == 0 { OPERATIONAL } else { PRE_OPERATIONAL }
 }
 

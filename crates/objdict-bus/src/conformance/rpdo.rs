@@ -1,6 +1,7 @@
 //! RPDOs (CiA 301 §7.2.2, §7.5.2.35).
 
 use super::bench::{Bench, ENTER_PRE_OPERATIONAL, MS, STOP};
+use super::described::DescribedEntry;
 use super::emergency::{can_id, expect_history, expect_message};
 use super::pdo::{Pdo, RPDO, is_observable, reserved_types, set_up};
 use super::sync::{send_sync, sync_id};
@@ -60,7 +61,7 @@ fn change(bench: &mut Bench<'_>, pdo: &Pdo) -> Step<Change> {
 /// The present values as a frame; 0 for those that cannot be read.
 fn pdo_bytes(bench: &mut Bench<'_>, pdo: &Pdo) -> Step<Vec<u8>> {
     let is_readable = |&(index, sub, _): &super::pdo::Mapped| {
-        bench.described.find(index, sub).is_none_or(|entry| entry.is_readable())
+        bench.described.find(index, sub).is_none_or(DescribedEntry::is_readable)
     };
     let mapped = pdo
         .mapped

@@ -95,8 +95,16 @@ fn without_length(bench: &mut Bench<'_>) -> Step {
     bench.expect(index, sub, &value)
 }
 
-/// Begins a block download of a text: two segments and its bytes.
-fn begin_block(bench: &mut Bench<'_>) -> Step<(u16, u8, Vec<[u8; 8]>, Vec<u8>)> {
+/// A block download that has begun.
+struct BlockDownload {
+    index: u16,
+    sub: u8,
+    value: Vec<u8>,
+    segments: Vec<[u8; 8]>,
+}
+
+/// Begins a block download of two segments or more.
+fn begin_block(bench: &mut Bench<'_>) -> Step<BlockDownload> {
     let (index, sub, value) = written(bench, 8..=LONGEST)?;
     let answered = bench.request(start(0xC2, index, sub, (value.len() as u32).to_le_bytes()));
     expect_answer(answered, &[0xA4])?;
@@ -111,7 +119,7 @@ fn begin_block(bench: &mut Bench<'_>) -> Step<(u16, u8, Vec<[u8; 8]>, Vec<u8>)> 
         segment
     });
     let segments = segments.collect();
-    Ok((index, sub, segments, value))
+    Ok(BlockDownload { index, sub, segments, value })
 }
 
 fn end_block(bench: &mut Bench<'_>, index: u16, sub: u8, value: &[u8]) -> Step {
@@ -128,16 +136,16 @@ fn renumbered(mut segment: [u8; 8], number: usize) -> [u8; 8] {
 }
 
 fn lost_segment(bench: &mut Bench<'_>) -> Step {
-    let (index, sub, segments, value) = begin_block(bench)?;
+    let BlockDownload { index, sub, value, segments } = begin_block(bench)?;
     for (at, segment) in segments.iter().enumerate() {
         let is_last = at + 1 == segments.len();
         // the first one is lost
         if at > 0 {
             let answered = bench.request(*segment);
             if is_last {
-                expect_answer(answered, &[0xA2, 0])?
+                expect_answer(answered, &[0xA2, 0])?;
             } else {
-                ensure(answered.is_none(), || "an early answer".into())?
+                ensure(answered.is_none(), || "an early answer".into())?;
             }
         }
     }
@@ -158,7 +166,7 @@ fn send_rest(bench: &mut Bench<'_>, segments: &[[u8; 8]], from: usize) -> Step {
 }
 
 fn lost_end(bench: &mut Bench<'_>) -> Step {
-    let (index, sub, segments, value) = begin_block(bench)?;
+    let BlockDownload { index, sub, value, segments } = begin_block(bench)?;
     bench.request(segments[0]);
     let late = bench.listen(0x580 + bench.node_id(), 400 * MS);
     let is_acknowledged = late.len() == 1 && late[0].1.data().starts_with(&[0xA2, 1]);
