@@ -6,5 +6,7 @@ fn main() -> Result<(), Error> {
     println!("cargo:rerun-if-env-changed=NODE_EDS");
     let eds = std::env::var("NODE_EDS").unwrap_or_else(|_| "../../fixtures/eds/all-types.eds".to_owned());
     Builder::new(eds).node_id(5).domain_capacity(1000).runtime(true).generate()?;
+    let bootloader = Builder::new("../../fixtures/eds/bootloader.eds").node_id(5).module("bootloader");
+    bootloader.group(0x1017..=0x1017, "PERSISTENT").runtime(true).generate()?;
     Ok(())
 }

@@ -1,8 +1,9 @@
-"""canopen for Python as the master of the node: `python test.py PROGRAM EDS`.
+"""canopen for Python as the master of the node: `python test.py PROGRAM EDS [CONFORMANCE]`.
 
 Reads and writes every entry by expedited, segmented and block transfers, maps a TPDO and an RPDO anew, and uses both.
 """
 
+import json
 import re
 import socket
 import subprocess
@@ -16,6 +17,7 @@ import canopen
 NODE = 5
 BEYOND_LIMITS = 0x06090031, 0x06090032
 READ_ONLY, WRITE_ONLY, NOT_MAPPABLE, VALID = 0x06010002, 0x06010001, 0x06040041, 0x06010000
+CANNOT_STORE, NO_DATA = 0x08000020, 0x08000024
 
 
 class Slcan(can.BusABC):
@@ -89,15 +91,24 @@ def read_and_write(node):
         if not entry.readable:
             assert abort_of(node.sdo.upload, entry.index, entry.subindex) == WRITE_ONLY, where
             continue
+        if entry.index == 0x1003 and entry.subindex > 0:
+            assert abort_of(node.sdo.upload, entry.index, entry.subindex) == NO_DATA, "there was no error"
+            continue
         value = node.sdo.upload(entry.index, entry.subindex)
         assert upload_block(node, entry) == value, where
         counts["read"] += 1
-        if isinstance(entry.default, (int, float)) and not isinstance(entry.default, bool):
+        stores = entry.index in (0x1010, 0x1011) and entry.subindex > 0
+        if isinstance(entry.default, (int, float)) and not isinstance(entry.default, bool) and not stores:
             assert value == entry.encode_raw(entry.default), where
             counts["default"] += 1
         if not entry.writable:
             assert abort_of(node.sdo.download, entry.index, entry.subindex, value or b"\0") == READ_ONLY, where
             counts["refused"] += 1
+        elif stores:
+            # the node has no memory, and says so
+            assert not any(value), where
+            for signature in b"save", b"load":
+                assert abort_of(node.sdo.download, entry.index, entry.subindex, signature) == CANNOT_STORE, where
         elif not 0x1400 <= entry.index <= 0x1BFF:
             # strings without a default have room for 32 bytes, a DOMAIN for 1000
             values = [value or b"objdict"]
@@ -113,6 +124,39 @@ def read_and_write(node):
                 assert upload_block(node, entry) == value, where
             counts["written"] += 1
     return counts
+
+
+def compare(node, path):
+    """canopen for Python sees what `objdict conformance --format json` says: the objects, and the aborts that it can cause."""
+    with open(path) as file:
+        checks = json.load(file)["checks"]
+    # what `read_and_write` has found of each object is found by the checks too
+    objects = {check["name"]: check["result"] for check in checks if check["service"].startswith("objects")}
+    indexes = {entry.index for entry in variables(node.object_dictionary)}
+    assert objects == {f"{index:04X}h": "passed" for index in indexes}, objects
+    entries = list(variables(node.object_dictionary))
+    first = lambda is_meant: next((entry for entry in entries if entry.index >= 0x2000 and is_meant(entry)), None)
+    read_only, write_only = first(lambda entry: not entry.writable), first(lambda entry: not entry.readable)
+    word = first(lambda entry: entry.writable and entry.data_type in (5, 6, 7) and len(entry) >= 16)
+    up, down = node.sdo.upload, node.sdo.download
+    causes = {
+        "0602 0000h: upload without an object": (up, 0xFFFF, 0),
+        "0602 0000h: download without an object": (down, 0xFFFF, 0, b"\0"),
+        "0609 0011h: upload without a sub-index": (up, 0x1018, 0xFD),
+        "0609 0011h: download without a sub-index": (down, 0x1018, 0xFD, b"\0"),
+        "0601 0001h: upload of what is write-only": write_only and (up, write_only.index, write_only.subindex),
+        "0601 0002h: expedited download to what is read-only":
+            read_only and (down, read_only.index, read_only.subindex, b"\0"),
+        "0601 0002h: segmented download to what is read-only":
+            read_only and (down, read_only.index, read_only.subindex, bytes(4), True),
+        "0607 0012h: a stated length beyond that of the entry": word and (down, word.index, word.subindex, bytes(9)),
+        "0607 0013h: a download of one byte to a longer entry": word and (down, word.index, word.subindex, b"\0"),
+    }
+    results = {check["name"]: check["result"] for check in checks}
+    for name, cause in causes.items():
+        is_passed = cause and abort_of(*cause) == int(name[:9].replace(" ", ""), 16)
+        assert results[name] == ("passed" if is_passed else "absent"), name
+    return len(objects) + len(causes)
 
 
 def remap(node, network):
@@ -167,7 +211,7 @@ def reset(node, network, command):
     assert booted.wait(2), f"no boot-up message after {command}"
 
 
-def main(program, eds):
+def main(program, eds, conformance=None):
     process = subprocess.Popen([program], stdout=subprocess.PIPE, text=True)
     port = int(re.fullmatch(r"listening on .*:(\d+)\n", process.stdout.readline())[1])
     network = canopen.Network(Slcan(("127.0.0.1", port)))
@@ -177,6 +221,8 @@ def main(program, eds):
         node.sdo.RESPONSE_TIMEOUT = 2
         reset(node, network, "RESET")
         counts = read_and_write(node)
+        if conformance is not None:
+            counts["as in the conformance table"] = compare(node, conformance)
         is_mapped = remap(node, network)
         node.sdo[0x1017].raw = 20
         node.nmt.state = "OPERATIONAL"

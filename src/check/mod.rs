@@ -12,6 +12,7 @@ use crate::diagnostic::{Diagnostic, Findings, Reach};
 use crate::format::xdd::wording;
 use crate::format::{Description, Syntax, eds};
 use crate::lint::{self, Options};
+use crate::model::OBJDICTGEN_SECTION;
 
 /// All findings of a description, in the order of its text.
 pub fn check(description: &Description) -> Findings {
@@ -45,6 +46,11 @@ pub fn check_with(description: &Description, options: &Options) -> Findings {
     } else {
         findings
     };
+    let findings = if is_of_objdictgen(description) {
+        findings.filter_map(|finding| (!NOT_OF_OBJDICTGEN.contains(&finding.rule.id)).then_some(finding))
+    } else {
+        findings
+    };
     let findings = lint::without_disabled(description.device(), findings);
     let mut findings = options.severities.apply(findings);
     let about_comments = suppression::apply(description, options, &mut findings);
@@ -54,6 +60,17 @@ pub fn check_with(description: &Description, options: &Options) -> Findings {
         (start, finding.rule.id)
     });
     findings
+}
+
+/// What a project of objdictgen has no place for, or objdictgen itself decides: bit rates, flags, and which of the objects of
+/// CiA documents are arrays.
+const NOT_OF_OBJDICTGEN: [&str; 3] =
+    ["cia306/no-baud-rate", "cia306/command-without-flag", "cia301/wrong-object-type"];
+
+/// Whether the text is a project of objdictgen.
+fn is_of_objdictgen(description: &Description) -> bool {
+    description.is_project()
+        && description.device().extra.iter().any(|section| section.name() == OBJDICTGEN_SECTION)
 }
 
 /// The findings without the fixes of what a lost header explains: what its object seems to lack is in the section above.

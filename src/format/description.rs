@@ -12,6 +12,8 @@ use super::Syntax;
 #[cfg(all(feature = "json", feature = "xdd"))]
 use super::embedded;
 use super::ini::Document;
+#[cfg(feature = "xdd")]
+use super::objdictgen;
 use super::{Format, eds, ini};
 #[cfg(feature = "xdd")]
 use super::{xdd, xml::Tree};
@@ -44,6 +46,9 @@ enum Text {
     /// Elements of XML.
     #[cfg(feature = "xdd")]
     Xml(Arc<Tree>, OnceLock<xdd::Locator>),
+    /// A project of objdictgen, which is XML of another kind.
+    #[cfg(feature = "xdd")]
+    Objdictgen(Tree, OnceLock<objdictgen::Locator>),
 }
 
 /// The name of a file as a description states it: on one line, in any encoding.
@@ -59,9 +64,18 @@ impl Description {
             Syntax::Xml => {
                 let mut damage = Findings::new();
                 let tree = Tree::new(source, &mut damage);
-                let (device, findings) = xdd::read(&tree, 0, format.kind());
-                damage.append(findings);
-                (Text::Xml(Arc::new(tree), OnceLock::new()), device, damage)
+                if objdictgen::is_project(&tree) {
+                    let (device, findings) = objdictgen::read(&tree);
+                    // each project has one
+                    let mut damage =
+                        damage.filter_map(|found| (found.rule.id != "xml/document-type").then_some(found));
+                    damage.append(findings);
+                    (Text::Objdictgen(tree, OnceLock::new()), device, damage)
+                } else {
+                    let (device, findings) = xdd::read(&tree, 0, format.kind());
+                    damage.append(findings);
+                    (Text::Xml(Arc::new(tree), OnceLock::new()), device, damage)
+                }
             }
             // a build without XDD finds nothing but junk in one
             _ => {
@@ -83,6 +97,8 @@ impl Description {
     pub fn device_count(&self) -> usize {
         match &self.text {
             Text::Ini(..) => 1,
+            #[cfg(feature = "xdd")]
+            Text::Objdictgen(..) => 1,
             #[cfg(feature = "xdd")]
             Text::Xml(tree, _) => xdd::containers(tree).len().max(1),
         }
@@ -142,6 +158,8 @@ impl Description {
             Text::Ini(document, _) => document.source(),
             #[cfg(feature = "xdd")]
             Text::Xml(tree, _) => tree.source(),
+            #[cfg(feature = "xdd")]
+            Text::Objdictgen(tree, _) => tree.source(),
         }
     }
 
@@ -150,7 +168,7 @@ impl Description {
         match &self.text {
             Text::Ini(document, _) => Some(document),
             #[cfg(feature = "xdd")]
-            Text::Xml(..) => None,
+            Text::Xml(..) | Text::Objdictgen(..) => None,
         }
     }
 
@@ -158,18 +176,20 @@ impl Description {
     #[cfg(feature = "xdd")]
     pub fn tree(&self) -> Option<&Tree> {
         match &self.text {
-            Text::Ini(..) => None,
-            #[cfg(feature = "xdd")]
+            Text::Ini(..) | Text::Objdictgen(..) => None,
             Text::Xml(tree, _) => Some(tree),
         }
     }
 
-    /// Whether the text is a project of the editors for CANopenNode from before XDD. It is read and never changed.
+    /// Whether the text is a project: of the editors for CANopenNode from before XDD, or of objdictgen. It is read and never
+    /// changed.
     pub fn is_project(&self) -> bool {
         match &self.text {
             Text::Ini(..) => false,
             #[cfg(feature = "xdd")]
             Text::Xml(tree, _) => xdd::is_project(tree),
+            #[cfg(feature = "xdd")]
+            Text::Objdictgen(..) => true,
         }
     }
 
@@ -179,6 +199,8 @@ impl Description {
             Text::Ini(..) => false,
             #[cfg(feature = "xdd")]
             Text::Xml(tree, _) => xdd::is_network(tree),
+            #[cfg(feature = "xdd")]
+            Text::Objdictgen(..) => false,
         }
     }
 
@@ -187,7 +209,7 @@ impl Description {
         match &self.text {
             Text::Ini(document, _) => document.print(),
             #[cfg(feature = "xdd")]
-            Text::Xml(tree, _) => tree.source().to_bytes(),
+            Text::Xml(..) | Text::Objdictgen(..) => self.source().to_bytes(),
         }
     }
 
@@ -210,6 +232,10 @@ impl Description {
             #[cfg(feature = "xdd")]
             Text::Xml(tree, locator) => {
                 locator.get_or_init(|| xdd::Locator::new(tree, self.number)).locate(tree, place)
+            }
+            #[cfg(feature = "xdd")]
+            Text::Objdictgen(tree, locator) => {
+                locator.get_or_init(|| objdictgen::Locator::new(tree)).locate(tree, place)
             }
         }
     }
@@ -237,6 +263,8 @@ impl Description {
             Text::Xml(tree, locator) => {
                 locator.get_or_init(|| xdd::Locator::new(tree, self.number)).place_at(tree, span.start)
             }
+            #[cfg(feature = "xdd")]
+            Text::Objdictgen(..) => None,
         };
         place.map(Cow::Owned)
     }
@@ -262,6 +290,8 @@ impl Description {
                 });
                 edited.unwrap_or_else(|| self.anew(file_name, Some(node)))
             }
+            #[cfg(feature = "xdd")]
+            Text::Objdictgen(..) => self.anew(file_name, Some(node)),
         }
     }
 
@@ -293,6 +323,8 @@ impl Description {
                     .filter(|edited| edited.as_ref().map_or(true, |bytes| self.can_become(bytes, None)));
                 edited.unwrap_or_else(|| self.anew(file_name, None))
             }
+            #[cfg(feature = "xdd")]
+            Text::Objdictgen(..) => self.anew(file_name, None),
         }
     }
 
@@ -345,6 +377,8 @@ impl Description {
             Text::Xml(tree, _) => {
                 [true, false].into_iter().filter_map(|sorted| xdd::arrange(tree, sorted)).find(is_same)
             }
+            #[cfg(feature = "xdd")]
+            Text::Objdictgen(..) => None,
         };
         let text = found.ok_or_else(|| EditError::OtherMeaning(source.name().to_owned()))?;
         source.encode(&text).map_err(EditError::from)
@@ -367,6 +401,8 @@ impl Description {
                 let locator = locator.get_or_init(|| xdd::Locator::new(tree, self.number));
                 xdd::edits(tree, locator, &fix.changes)
             }
+            #[cfg(feature = "xdd")]
+            Text::Objdictgen(..) => None,
         }?;
         let text = self.source().text();
         let is_change = |(span, new): &&(Span, String)| span.of(text) != new;
@@ -417,6 +453,8 @@ impl Description {
             Text::Ini(..) => Findings::new(),
             #[cfg(feature = "xdd")]
             Text::Xml(tree, _) => xdd::findings::violations(tree),
+            #[cfg(feature = "xdd")]
+            Text::Objdictgen(..) => Findings::new(),
         }
     }
 
@@ -444,7 +482,7 @@ impl Description {
             #[cfg(feature = "xdd")]
             Text::Xml(tree, _) if self.number == 0 => xdd::findings::check(tree, &mut findings),
             #[cfg(feature = "xdd")]
-            Text::Xml(..) => {}
+            Text::Xml(..) | Text::Objdictgen(..) => {}
         }
         findings
     }

@@ -72,6 +72,8 @@ file_kinds! {
     /// Project of the editors for CANopenNode from before XDD
     // its objects are those of an XDD
     CanopenNode "canopennode" "xml" "CANopenNode project" Some("xdd"), Some(Format::Xdd);
+    /// Project of objdictgen, the generator of CanFestival, which is only read
+    Objdictgen "od" "od" "objdictgen project" Some("xdd"), Some(Format::Xdd);
     /// The model of a device, or the downloads of a concise DCF, as JSON
     Json "json" "json" "JSON" Some("json"), None;
     /// Concise DCF (CiA 302-3)
@@ -89,7 +91,10 @@ impl FileKind {
     /// The kinds that a description is converted to.
     #[cfg(feature = "cli")]
     pub(crate) fn written() -> impl Iterator<Item = Self> {
-        Self::ALL.iter().copied().filter(|kind| !matches!(kind, Self::CanopenNode | Self::Cpj))
+        Self::ALL
+            .iter()
+            .copied()
+            .filter(|kind| !matches!(kind, Self::CanopenNode | Self::Objdictgen | Self::Cpj))
     }
 
     /// What the last known ending of a name says, so `drive.eds.txt` is an EDS.
@@ -103,6 +108,7 @@ impl FileKind {
             "cdcf" => Some(Self::Cdcf),
             "cpj" => Some(Self::Cpj),
             "dbc" => Some(Self::Dbc),
+            "od" => Some(Self::Objdictgen),
             ending => Format::from_name(ending).map(Self::from),
         })
     }
@@ -111,6 +117,7 @@ impl FileKind {
     pub(super) fn of_content(kind: ContentKind) -> Option<Self> {
         match kind {
             ContentKind::CanopenNodeProject => Some(Self::CanopenNode),
+            ContentKind::ObjdictgenProject => Some(Self::Objdictgen),
             ContentKind::NodeList => Some(Self::Cpj),
             ContentKind::ConciseDcf => Some(Self::Cdcf),
             ContentKind::ConciseText => Some(Self::CdcfText),

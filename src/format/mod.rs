@@ -17,6 +17,8 @@ pub mod json;
 pub mod network;
 #[cfg(feature = "node")]
 pub mod nodelist;
+#[cfg(feature = "xdd")]
+mod objdictgen;
 #[cfg(all(feature = "json", feature = "xdd"))]
 mod write;
 
@@ -100,5 +102,7 @@ pub(crate) fn rules() -> impl Iterator<Item = &'static RuleInfo> {
     let rules = rules.chain(network::rules());
     #[cfg(feature = "xdd")]
     let rules = rules.chain(xml::findings::rules()).chain(xdd::findings::rules());
+    #[cfg(feature = "xdd")]
+    let rules = rules.chain(objdictgen::rules::RULES.iter().copied());
     rules
 }

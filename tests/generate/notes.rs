@@ -126,6 +126,23 @@ fn the_standard_fills_gaps() {
     assert!(code.contains("Handle<u32, Rw>") && code.contains("0x45, 0x23, 0x01"), "{code}");
 }
 
+/// The COB-IDs that the standard has for the default SDO server: with 0, stacks answer no SDO.
+#[test]
+fn the_default_sdo_server_has_cob_ids() {
+    let cob_id = || Entry { data_type: Some(DataType::UNSIGNED32), access: Some(Access::Ro), ..byte() };
+    let mut device = Device::default();
+    let main = Entry { object_type: Some(ObjectType::Record), ..byte() };
+    let subs = [(1, cob_id()), (2, cob_id())].into_iter().collect();
+    device.objects.insert(0x1200, Object { main, subs, ..Object::default() });
+    assert_eq!(
+        notes(&device),
+        [
+            "0x1200sub1 / DefaultValue: an entry without a default; the standard has `$NODEID+0x600`",
+            "0x1200sub2 / DefaultValue: an entry without a default; the standard has `$NODEID+0x580`",
+        ]
+    );
+}
+
 #[test]
 fn what_is_assumed_is_named() {
     let invalid = |field: Field, text: &str| {

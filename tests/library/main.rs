@@ -32,6 +32,7 @@ mod lossless;
 mod namesakes;
 mod network;
 mod new;
+mod objdictgen;
 #[cfg(feature = "cli")]
 mod pages;
 mod planted;

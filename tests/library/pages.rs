@@ -304,13 +304,20 @@ fn the_words_are_those_of_engineers() {
 /// The code in the tutorials is a piece of the examples, which are built and run.
 #[test]
 fn tutorials_show_code_of_the_examples() {
-    let code: String = ["firmware-rust", "firmware-rust/src", "firmware-c", "node-rust", "node-rust/src"]
-        .iter()
-        .map(|folder| root().join("examples").join(folder))
-        .chain(["examples", "crates/objdict-device/tests/device"].map(|folder| root().join(folder)))
-        .flat_map(|folder| files(&folder))
-        .filter_map(|path| fs::read_to_string(path).ok())
-        .collect();
+    let code: String = [
+        "firmware-rust",
+        "firmware-rust/src",
+        "firmware-c",
+        "node-rust",
+        "node-rust/src",
+        "node-rust/examples",
+    ]
+    .iter()
+    .map(|folder| root().join("examples").join(folder))
+    .chain(["examples", "crates/objdict-device/tests/device"].map(|folder| root().join(folder)))
+    .flat_map(|folder| files(&folder))
+    .filter_map(|path| fs::read_to_string(path).ok())
+    .collect();
     for page in ["docs/tutorial-rust.md", "docs/tutorial-c.md", "docs/runtime.md"] {
         let text = read(Path::new(page));
         let blocks: Vec<&str> = ["```rust,ignore\n", "```c\n", "```cmake\n", "```text\n"]

@@ -49,7 +49,7 @@ pub(crate) fn rule_folders() -> Vec<(String, PathBuf)> {
     folders.collect()
 }
 
-const ENDINGS: [&str; 7] = ["eds", "dcf", "xdd", "xdc", "toml", "yml", "cpj"];
+const ENDINGS: [&str; 8] = ["eds", "dcf", "xdd", "xdc", "od", "toml", "yml", "cpj"];
 
 /// The devices and configurations of a folder whose name starts with `prefix`.
 pub(crate) fn devices(folder: &Path, prefix: &str) -> Vec<PathBuf> {

@@ -13,7 +13,7 @@ use crate::examples;
 use crate::shares::{self, Shares};
 
 /// What the rules of each group are about.
-const GROUPS: [(&str, &str); 16] = [
+const GROUPS: [(&str, &str); 17] = [
     ("cia301", "communication objects (CiA 301)"),
     ("cia302", "network managers (CiA 302)"),
     ("cia304", "safety-relevant data objects (CiA 304)"),
@@ -28,6 +28,7 @@ const GROUPS: [(&str, &str); 16] = [
     ("naming", "names"),
     ("network", "networks and their files"),
     ("objdict", "the configuration of objdict"),
+    ("objdictgen", "projects of objdictgen"),
     ("portability", "what other tools reject or misread"),
     ("xml", "well-formed XML"),
 ];

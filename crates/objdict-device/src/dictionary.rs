@@ -28,7 +28,8 @@ impl Attributes {
     }
 }
 
-/// Where a dictionary has an entry, so that a PDO does not search for it again. The dictionary alone knows what the number means.
+/// Where a dictionary has an entry, so that a PDO does not search for it again. The dictionary alone knows what the number means;
+/// all ones mean no entry.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Place(pub u32);
 

@@ -98,7 +98,7 @@ impl<D: Dictionary + ?Sized, S: Services> Dictionary for Guarded<'_, D, S> {
     }
 
     fn begin_write(&mut self, index: u16, sub: u8, length: Option<usize>) -> Result<bool, Abort> {
-        // a signature is no value
+        // nothing of a signature is kept
         if Self::is_command(index, sub) { Ok(false) } else { self.dictionary.begin_write(index, sub, length) }
     }
 

@@ -1,9 +1,9 @@
 //! The core of a CANopen device for firmware: no standard library, no allocation, no `unsafe`, no dependency.
 //!
 //! `objdict generate --target rust` writes the dictionary of a device as a table. [`table`] is the code that
-//! serves such a table; it is the same for every device. The other modules serve any [`Dictionary`]: SDO servers, PDOs
-//! whose mapping changes at run time, NMT state and heartbeat; beside it, an LSS slave and an SDO client. Each takes frames and the time, and returns frames: driver, clock and
-//! main loop belong to the application.
+//! serves such a table; it is the same for every device. [`Node`] and the other modules serve any [`Dictionary`]: SDO servers, PDOs
+//! whose mapping changes at run time, SYNC, NMT, heartbeats, emergency messages and stored values; beside it, there are an LSS slave and
+//! an SDO client. Each takes frames and the time, and returns frames: driver, clock and main loop belong to the application.
 //!
 //! ```
 //! use objdict_device::table::{Data, Entry, READ, Table, UNSIGNED16, UNSIGNED32, WRITE};
@@ -21,8 +21,8 @@
 //!     const ROM: &'static [u8] = &[0x91, 0x01, 0x02, 0x00, 100, 0];
 //! }
 //!
-//! // node 5 with one SDO server for values of at most 64 bytes, and no PDO
-//! let mut node = Node::<_, 64, 1, 0, 0>::new(5, Data::<Od, 3>::new(5), Pdos::new([], []));
+//! // node 5 with one SDO server for values of at most 64 bytes, no PDO and no node to monitor
+//! let mut node = Node::<_, 64, 1, 0, 0, 0>::new(5, Data::<Od, 3>::new(5), Pdos::new([], []));
 //! assert_eq!(Some(node.boot(0)), Frame::new(0x705, &[0]));
 //!
 //! // a master reads the device type
@@ -35,7 +35,7 @@
 //! assert_eq!(node.poll(100_000), Frame::new(0x705, &[0x7F]));
 //! ```
 //!
-//! This is a core to attach to a driver, not a complete stack: there is no SYNC or TIME producer, no node guarding, no remote frame and no
+//! This is a core to attach to a driver, not a complete stack: there is no TIME, no node guarding, no remote frame and no
 //! 29-bit identifier.
 
 #![no_std]
@@ -65,8 +65,6 @@ mod storage;
 mod sync;
 pub mod table;
 mod watched;
-#[cfg(feature = "defmt")]
-mod with_defmt;
 
 pub use dictionary::{Attributes, Dictionary, Place, Scope};
 pub use errors::{Errors, error_code};

@@ -218,7 +218,7 @@ impl<
     }
 
     /// Reports an error of the device: the error register and the history have it, and an emergency message says it. `code` is that
-    /// of CiA 301 or of a device profile, such as 8110h or 2310h; the first two bytes tell errors of one code apart, and each is
+    /// of CiA 301 or of a device profile, such as 8110h or 2310h; the first two bytes distinguish errors of one code, and each is
     /// reported once until [`Node::resolve`]. After a communication error, bus-off or a lost heartbeat, the node does what 1029h says.
     pub fn report(&mut self, code: u16, vendor: [u8; 5]) {
         let is_new = self.errors.report(&mut self.dictionary, code, vendor);

@@ -101,19 +101,18 @@ impl<V: Dictionary, F: NorFlash> WithProgram<V, F> {
 
     fn control(&mut self, command: u8) -> Result<(), Abort> {
         let has_program = matches!(self.state, ProgramState::Running | ProgramState::Stopped);
-        match command {
-            0 if has_program => {
-                (self.state, self.request) = (ProgramState::Stopped, Some(ProgramRequest::Stop))
-            }
+        let (state, request) = match command {
             // there is nothing to stop
-            0 => {}
+            0 if !has_program => return Ok(()),
+            0 => (ProgramState::Stopped, ProgramRequest::Stop),
             1 | 2 if !has_program => return self.fail(NO_PROGRAM, Abort::DeviceState),
-            1 => (self.state, self.request) = (ProgramState::Running, Some(ProgramRequest::Start)),
-            2 => (self.state, self.request) = (ProgramState::Running, Some(ProgramRequest::Reset)),
+            1 => (ProgramState::Running, ProgramRequest::Start),
+            2 => (ProgramState::Running, ProgramRequest::Reset),
             3 if self.state == ProgramState::Running => return Err(Abort::DeviceState),
-            3 => self.clear()?,
+            3 => return self.clear(),
             _ => return Err(Abort::InvalidValue),
-        }
+        };
+        (self.state, self.request) = (state, Some(request));
         self.error = 0;
         Ok(())
     }
@@ -123,7 +122,7 @@ impl<V: Dictionary, F: NorFlash> WithProgram<V, F> {
         if let Err(abort) = self.region.erase(0, self.region.length()) {
             return self.fail(WRITE_ERROR, abort);
         }
-        self.state = ProgramState::Cleared;
+        (self.state, self.error) = (ProgramState::Cleared, 0);
         Ok(())
     }
 

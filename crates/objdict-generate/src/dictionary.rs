@@ -38,6 +38,13 @@ pub(crate) struct ResolvedEntry<'a> {
     pub(crate) resolved: Resolved,
 }
 
+impl ResolvedEntry<'_> {
+    /// Whether the description states a storage group of the entry itself.
+    pub(crate) fn is_stored(&self) -> bool {
+        self.entry.stack.as_ref().is_some_and(|stack| stack.storage_group.is_some())
+    }
+}
+
 impl ResolvedObject<'_> {
     /// The entry with a sub-index.
     pub(crate) fn entry(&self, sub: u8) -> Option<&ResolvedEntry<'_>> {

@@ -14,10 +14,11 @@ struct Gap {
     sub: Option<u8>,
     data_type: Option<DataType>,
     access: Option<Access>,
+    value: Option<Value>,
 }
 
-/// The device with the data types and access types that the documents for all devices define for entries without, and a note for
-/// each.
+/// The device with the data types, access types and values that the documents for all devices define for entries without, and a
+/// note for each.
 pub(crate) fn filled(device: &Device) -> (Cow<'_, Device>, Vec<Note>) {
     let gaps: Vec<Gap> =
         device.objects.iter().flat_map(|(&index, object)| gaps_of(device, index, object)).collect();
@@ -26,11 +27,12 @@ pub(crate) fn filled(device: &Device) -> (Cow<'_, Device>, Vec<Note>) {
     }
     let notes = gaps.iter().flat_map(Gap::notes).collect();
     let mut device = device.clone();
-    for Gap { index, sub, data_type, access } in gaps {
+    for Gap { index, sub, data_type, access, value } in gaps {
         let Some(object) = device.objects.get_mut(&index) else { continue };
         let entry = sub.map_or(Some(&mut object.main), |sub| object.subs.get_mut(sub));
         if let Some(entry) = entry {
             entry.access = entry.access.or(access);
+            entry.default = entry.default.take().or(value);
             data_type.into_iter().for_each(|data_type| set_type(entry, data_type));
         }
     }
@@ -52,9 +54,23 @@ fn gaps_of(device: &Device, index: u16, object: &Object) -> Vec<Gap> {
         let lacks_access = lacks(Field::AccessType, entry.implied_access().is_some());
         let data_type = lacks_type.then(|| objdict_profile::data_type(device, index, sub));
         let access = lacks_access.then(|| objdict_profile::access(device, index, sub));
-        Gap { index, sub, data_type: data_type.flatten(), access: access.flatten() }
+        let (data_type, access) = (data_type.flatten(), access.flatten());
+        let value = server_cob_id(index, sub).filter(|_| {
+            let is_number = data_type.or(entry.implied_type()) == Some(DataType::UNSIGNED32);
+            is_number && lacks(Field::DefaultValue, entry.value().is_some())
+        });
+        Gap { index, sub, data_type, access, value }
     });
-    gaps.filter(|gap| gap.data_type.is_some() || gap.access.is_some()).collect()
+    gaps.filter(|gap| gap.data_type.is_some() || gap.access.is_some() || gap.value.is_some()).collect()
+}
+
+/// The COB-ID of the default SDO server (CiA 301 §7.5.2.33). Without it, stacks serve CAN-ID 0: the node answers no SDO.
+fn server_cob_id(index: u16, sub: Option<u8>) -> Option<Value> {
+    match (index, sub) {
+        (0x1200, Some(1)) => Some(Value::NodeId(0x600)),
+        (0x1200, Some(2)) => Some(Value::NodeId(0x580)),
+        _ => None,
+    }
 }
 
 impl Gap {
@@ -66,9 +82,13 @@ impl Gap {
         });
         let access = self.access.map(|access| {
             let text = format!("an entry without an access type; the standard has `{access}`");
-            Note::new(place.field(Field::AccessType), text)
+            Note::new(place.clone().field(Field::AccessType), text)
         });
-        data_type.into_iter().chain(access)
+        let value = self.value.as_ref().map(|value| {
+            let text = format!("an entry without a default; the standard has `{value}`");
+            Note::new(place.field(Field::DefaultValue), text)
+        });
+        data_type.into_iter().chain(access).chain(value)
     }
 }
 

@@ -69,6 +69,7 @@ mod rom;
 #[cfg(feature = "rust")]
 mod rust;
 mod size;
+mod startup;
 mod stored;
 mod table;
 mod table_build;
@@ -186,7 +187,7 @@ targets! {
     #[cfg(feature = "stacks")]
     CANOPENNODE_V1 canopennode_v1 "canopennode-v1"
         "`CO_OD.h` and `CO_OD.c` of the stack CANopenNode 1.3"
-        [Names Renamed Groups StringCapacity DomainCapacity];
+        [Names Renamed Groups Hooks StringCapacity DomainCapacity];
 }
 
 /// Maximum size of a string, octet string or DOMAIN value in a table, in bytes.

@@ -40,6 +40,8 @@ pub(crate) struct Layout {
     pub(crate) shared: usize,
     /// Size of all values in bytes, with the node-ID.
     pub(crate) ram: usize,
+    /// Whether the values have initial values in flash, as those of a `static`.
+    pub(crate) section: Memory,
     /// Size of one value in RAM, in bytes.
     pub(crate) value: fn(Shape) -> usize,
     /// Size of the code in flash, 0 if it is not counted.
@@ -62,13 +64,13 @@ impl Layout {
             rom.fill(true);
             tally.of(row.index, Memory::Flash, self.row + new);
             let value = row.slot.map_or(0, |_| (self.value)(row.resolved.shape));
-            tally.of(row.index, Memory::Zeroed, value);
+            tally.of(row.index, self.section, value);
             values += value;
         }
         table.objects.iter().for_each(|object| tally.of(object.index, Memory::Flash, self.object));
         let unused = taken.iter().filter(|taken| !**taken).count();
         tally.rest(Memory::Flash, self.shared + unused);
-        tally.rest(Memory::Zeroed, self.ram.saturating_sub(values));
+        tally.rest(self.section, self.ram.saturating_sub(values));
         let mut report = tally.sums(self.counted);
         report.code = self.code;
         report.total.flash += self.code;

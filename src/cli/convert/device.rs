@@ -148,7 +148,7 @@ pub(super) fn of_device(
             let text = concise::print(&configuration, |download| described.annotate(download));
             Ok(Converted::whole(text.into_bytes()))
         }
-        FileKind::Cpj | FileKind::Dbc | FileKind::CanopenNode => {
+        FileKind::Cpj | FileKind::Dbc | FileKind::CanopenNode | FileKind::Objdictgen => {
             Err(Failure::new(format_args!("a {} is not made of one description", job.to.name())))
         }
         description => {

@@ -63,6 +63,10 @@ content_kinds! {
     NetworkXdc "network of XDC" Role::Read(Format::Xdc), None;
     /// Project of the object dictionary editors of CANopenNode before they used XDD.
     CanopenNodeProject "CANopenNode project" Role::Read(Format::Xdd), None;
+    /// Project of objdictgen, the generator of CanFestival (`.od`).
+    ObjdictgenProject "objdictgen project" Role::Read(Format::Xdd), None;
+    /// Project of objdictgen in the JSON of its newer versions.
+    ObjdictgenJson "objdictgen project as JSON" Role::Canopen, Some("`odg convert device.json device.od` makes a project that is read");
     /// Node list (CiA 306-3).
     NodeList "node list" Role::Canopen, Some("its keys `Node…DCFName` name the descriptions");
     /// Concise DCF (CiA 302-3).

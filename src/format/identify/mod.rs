@@ -125,6 +125,8 @@ impl Identification {
             Kind::CanopenNodeProject => {
                 "is a project of an object dictionary editor for CANopenNode from before XDD"
             }
+            Kind::ObjdictgenJson => "is a project of objdictgen as JSON, which is not read",
+            Kind::ObjdictgenProject => "is a project of objdictgen, the generator of CanFestival",
             Kind::NodeList => "is a node list (CiA 306-3) and describes no device",
             Kind::ConciseDcf | Kind::ConciseText | Kind::JsonConciseDcf => {
                 "is a concise DCF, which holds values and describes no device"

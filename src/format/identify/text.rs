@@ -21,6 +21,10 @@ pub(super) fn identify(content: &Content<'_>, text: &str) -> Option<Identificati
 
 /// A JSON document of objdict. Its names may be in any order, so every `kind` is looked at.
 fn json(text: &str) -> Option<Identification> {
+    if text.contains("\"od data\"") {
+        let reason = "it is JSON with the `$id` `od data`";
+        return Some(Identification::new(ContentKind::ObjdictgenJson, reason));
+    }
     if !text.contains("\"version\"") {
         return None;
     }

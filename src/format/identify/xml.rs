@@ -113,6 +113,10 @@ impl Signs {
                 ContentKind::CanopenNodeProject,
                 format!("{reason} and has `CANopenObjectList`"),
             ),
+            "PyObject" if content.contains("\"Dictionary\"") => Identification::new(
+                ContentKind::ObjdictgenProject,
+                format!("{reason} and has a `Dictionary`"),
+            ),
             _ => Identification::new(ContentKind::OtherXml, reason),
         }
     }

@@ -20,6 +20,7 @@ mod objdict_macros;
 mod one_truth;
 mod pages;
 mod sizes;
+mod startup;
 mod truth;
 
 use std::path::{Path, PathBuf};

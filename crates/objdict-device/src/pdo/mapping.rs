@@ -29,10 +29,12 @@ impl Mapped {
 /// A mapped entry that was found.
 #[derive(Clone, Copy, Debug)]
 struct Found {
-    /// `None` for a dummy.
-    place: Option<Place>,
+    place: Place,
     bits: u8,
 }
+
+/// The place of a dummy.
+const DUMMY: Place = Place(u32::MAX);
 
 impl Found {
     fn of<D: Dictionary + ?Sized>(dictionary: &mut D, mapping: u16, sub: u8) -> Result<Self, Abort> {
@@ -41,7 +43,7 @@ impl Found {
             return Err(Abort::NotMappable);
         }
         let is_dummy = mapping < 0x1A00 && mapped.is_dummy();
-        let place = if is_dummy { None } else { Some(dictionary.locate(mapped.index, mapped.sub)?) };
+        let place = if is_dummy { DUMMY } else { dictionary.locate(mapped.index, mapped.sub)? };
         Ok(Self { place, bits: mapped.bits })
     }
 }
@@ -54,12 +56,14 @@ pub(super) struct Mapping {
     count: u8,
     /// Length in bits, or why no frame has this mapping.
     bits: Result<u8, Abort>,
-    kept: [Found; KEPT],
+    /// The places of the first entries and their lengths in bits, apart: together they would take twice the memory.
+    places: [Place; KEPT],
+    lengths: [u8; KEPT],
 }
 
 impl Mapping {
     pub(super) const fn new(index: u16) -> Self {
-        Self { index, count: 0, bits: Ok(0), kept: [Found { place: None, bits: 0 }; KEPT] }
+        Self { index, count: 0, bits: Ok(0), places: [DUMMY; KEPT], lengths: [0; KEPT] }
     }
 
     pub(super) const fn index(&self) -> u16 {
@@ -80,8 +84,9 @@ impl Mapping {
             if bits > 64 {
                 return Err(Abort::PdoTooLong);
             }
-            if let Some(kept) = self.kept.get_mut(usize::from(at)) {
-                *kept = found;
+            let (at, Found { place, bits }) = (usize::from(at), found);
+            if let (Some(kept), Some(length)) = (self.places.get_mut(at), self.lengths.get_mut(at)) {
+                (*kept, *length) = (place, bits);
             }
         }
         Ok(bits)
@@ -101,17 +106,18 @@ impl Mapping {
         self.bits?;
         let mut first = 0_u8;
         for at in 0..self.count {
-            let found = match self.kept.get(usize::from(at)) {
-                Some(kept) => *kept,
-                None => Found::of(dictionary, self.index, at + 1)?,
+            let kept = (self.places.get(usize::from(at)), self.lengths.get(usize::from(at)));
+            let found = match kept {
+                (Some(&place), Some(&bits)) => Found { place, bits },
+                _ => Found::of(dictionary, self.index, at + 1)?,
             };
             // an application may have changed the mapping since it was loaded
             let end = first.saturating_add(found.bits);
             if end > 64 {
                 return Err(Abort::PdoTooLong);
             }
-            if let Some(place) = found.place {
-                each(dictionary, place, found.bits, first)?;
+            if found.place != DUMMY {
+                each(dictionary, found.place, found.bits, first)?;
             }
             first = end;
         }

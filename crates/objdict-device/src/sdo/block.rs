@@ -45,9 +45,10 @@ impl Block {
         self.sequence < self.size && !self.is_last
     }
 
-    /// Whether the segments of a download were acknowledged because none came any more.
-    pub(super) const fn is_late(&self) -> bool {
-        self.is_late
+    /// Whether the segments of a download are acknowledged when none comes any more. If the last acknowledgement was lost, one of no
+    /// segment lets the client repeat those that came, which only a CRC or a stated length reveals.
+    pub(super) const fn may_be_late(&self, has_length: bool, done: usize) -> bool {
+        !self.is_late && (self.sequence > 0 || done == 0 || has_length || self.crc.is_some())
     }
 
     /// Acknowledges the segments that came, so that the client goes on after them.
@@ -57,10 +58,10 @@ impl Block {
         [0xA2, sequence, SEGMENTS, 0, 0, 0, 0, 0]
     }
 
-    /// The same, once, when no segment comes any more: the end of the sub-block was lost.
-    pub(super) fn acknowledge_late(&mut self) -> Option<[u8; 8]> {
-        let is_first = !core::mem::replace(&mut self.is_late, true);
-        is_first.then(|| self.acknowledge())
+    /// The same when no segment comes any more: the end of the sub-block was lost.
+    pub(super) const fn acknowledge_late(&mut self) -> [u8; 8] {
+        self.is_late = true;
+        self.acknowledge()
     }
 }
 

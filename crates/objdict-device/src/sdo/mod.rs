@@ -134,7 +134,11 @@ impl<const BUFFER: usize> SdoServer<BUFFER> {
                 self.since = now;
                 self.next_segment(dictionary)
             }
-            Transfer::BlockDownload(block) if waited >= self.timeout / 2 => Ok(block.acknowledge_late()),
+            Transfer::BlockDownload(block)
+                if waited >= self.timeout / 2 && block.may_be_late(self.length.is_some(), self.done) =>
+            {
+                Ok(Some(block.acknowledge_late()))
+            }
             _ => Ok(None),
         };
         self.send(response, due)
@@ -147,7 +151,9 @@ impl<const BUFFER: usize> SdoServer<BUFFER> {
         match &self.transfer {
             Transfer::None => None,
             Transfer::BlockUpload(block) if block.is_sending() => Some(now),
-            Transfer::BlockDownload(block) if !block.is_late() => after(self.timeout / 2),
+            Transfer::BlockDownload(block) if block.may_be_late(self.length.is_some(), self.done) => {
+                after(self.timeout / 2)
+            }
             _ => after(self.timeout),
         }
     }
@@ -328,12 +334,10 @@ impl<const BUFFER: usize> SdoServer<BUFFER> {
     /// Begins an upload. A value in the buffer does not change during the transfer.
     fn load<D: Dictionary + ?Sized>(&mut self, dictionary: &mut D) -> Result<usize, Abort> {
         let (index, sub) = self.address();
-        if !dictionary.attributes(index, sub)?.readable {
-            return Err(Abort::WriteOnly);
-        }
         let length = dictionary.begin_read(index, sub)?;
         self.in_pieces = length.is_some();
         let length = match length {
+            Some(_) if !dictionary.attributes(index, sub)?.readable => return Err(Abort::WriteOnly),
             Some(length) => length,
             None => dictionary.read(index, sub, &mut self.buffer)?,
         };

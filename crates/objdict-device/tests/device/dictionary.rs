@@ -11,7 +11,7 @@ pub(crate) const UNSIGNED16: u8 = 6;
 pub(crate) const UNSIGNED32: u8 = 7;
 pub(crate) const DOMAIN: u8 = 0x0F;
 
-#[derive(Default)]
+#[derive(Clone, Default)]
 pub(crate) struct Map {
     entries: BTreeMap<(u16, u8), (Attributes, Vec<u8>)>,
     /// The scopes of its restarts.

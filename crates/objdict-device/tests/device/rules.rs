@@ -1,4 +1,4 @@
-//! What a node refuses to be told.
+//! The writes that a node refuses.
 
 use objdict_device::{Abort, Dictionary, NmtState, Node, Pdos};
 

@@ -4,7 +4,7 @@ use std::collections::HashMap;
 
 use super::words::{flags, type_name};
 use crate::Sizes;
-use crate::memory::Extent;
+use crate::memory::{Extent, Memory};
 use crate::table::Table;
 use crate::table_size::{Layout, ram};
 
@@ -69,6 +69,7 @@ pub(super) fn size(table: &Table, names: bool) -> Sizes {
         object: Extent::structure([Extent::HALF, Extent::number(rows.first / 8)]).size,
         shared: Extent::HALF.times(rows.kinds.len()).size,
         ram: ram(table),
+        section: Memory::Zeroed,
         value: |shape| Extent::of(shape).size,
         code: 0,
         name: names.then_some((4, 1)), // a pointer of 32 bits, and the zero

@@ -16,7 +16,8 @@ use super::escape::filters;
 use super::head::{Head, files};
 use super::notes::{in_order, once_per_device};
 use super::{GenerateError, Made, Options, render};
-use crate::model::Device;
+use crate::model::{Device, ExtraSection, OBJDICTGEN_SECTION};
+use names::{Names, words};
 use plan::Plan;
 use positions::{Slot, Slots};
 
@@ -39,10 +40,16 @@ files! {
 pub(super) fn make(device: &Device, options: &Options) -> Result<Made, GenerateError> {
     let mut dictionary = Dictionary::new(device, options)?;
     let mut notes = std::mem::take(&mut dictionary.notes);
-    let prefix = options.prefix_or("od")?;
-    let node = options.prefix.as_ref().unwrap_or(&prefix); // as the user spells it: objdictgen does so, too
-    let head = Head::new(device, options, node, &file_name(options, "od"));
-    let plan = Plan::new(&dictionary, options, node, &mut notes);
+    let is_project = project(device).is_some();
+    let (node, stem) = match &options.prefix {
+        // as the user spells it: objdictgen does so, too
+        Some(prefix) => (options.prefix_or("od").map(|_| prefix.clone())?, file_name(options, "od")),
+        None if is_project => (node_of_project(device), stem_of_project(options)),
+        None => ("od".to_owned(), file_name(options, "od")),
+    };
+    let head = Head::new(device, options, &node, &stem);
+    let names = Names::new(&node, is_project);
+    let plan = Plan::new(&dictionary, options, names, &mut notes);
     let slots = positions::slots(&plan.objects);
     let tables = Tables { head, dictionary: &dictionary, plan, slots };
     let stem = &tables.head.stem;
@@ -52,10 +59,33 @@ pub(super) fn make(device: &Device, options: &Options) -> Result<Made, GenerateE
     Ok(Made { files, notes: once_per_device(in_order(notes)), size })
 }
 
+/// What a project of objdictgen says, where the device is of one.
+fn project(device: &Device) -> Option<&ExtraSection> {
+    device.extra.iter().find(|section| section.name() == OBJDICTGEN_SECTION)
+}
+
+/// The name of the node of a project of objdictgen.
+fn node_of_project(device: &Device) -> String {
+    let stated = device.commissioning.as_ref().and_then(|node| node.node_name.as_deref());
+    let stated = stated.or_else(|| device.device_info.as_ref()?.product_name.as_deref());
+    let name = words(stated.unwrap_or_default());
+    let is_name = |name: &String| name.starts_with(|c: char| c.is_ascii_alphabetic()) && name.len() <= 32;
+    Some(name).filter(is_name).unwrap_or_else(|| "od".to_owned())
+}
+
+/// The name of the files that are made of a project of objdictgen: its own.
+fn stem_of_project(options: &Options) -> String {
+    let is_part = |c: char| c.is_ascii_alphanumeric() || matches!(c, '_' | '-');
+    let stem: String = options.file_stem.chars().map(|c| if is_part(c) { c } else { '_' }).collect();
+    if stem.is_empty() { "od".to_owned() } else { stem }
+}
+
 impl Tables<'_> {
     fn is_slave(&self) -> u8 {
-        let node = self.dictionary.device.commissioning.as_ref();
-        u8::from(node.is_none_or(|node| node.manager != Some(true)))
+        let device = self.dictionary.device;
+        let is_manager = device.commissioning.as_ref().and_then(|node| node.manager) == Some(true);
+        let is_master = |section: &ExtraSection| section.entries().any(|entry| entry == ("Type", "master"));
+        u8::from(!is_manager && !project(device).is_some_and(is_master))
     }
 
     /// The position of each object.

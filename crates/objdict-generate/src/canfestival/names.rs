@@ -45,12 +45,19 @@ const WORDS: &str = "
 /// The names in use; those of the stack begin with the name of the node.
 pub(super) struct Names<'a> {
     node: &'a str,
+    /// Whether an application uses the names: then those that only could be one of the stack are kept.
+    in_use: bool,
     taken: HashSet<String>,
 }
 
 impl<'a> Names<'a> {
-    pub(super) fn new(node: &'a str) -> Self {
-        Self { node, taken: HashSet::new() }
+    pub(super) fn new(node: &'a str, in_use: bool) -> Self {
+        Self { node, in_use, taken: HashSet::new() }
+    }
+
+    /// The name of the node.
+    pub(super) fn node(&self) -> &'a str {
+        self.node
     }
 
     /// The name of the variable of an entry, or of an array of them (`None`).
@@ -97,19 +104,18 @@ impl<'a> Names<'a> {
     }
 
     fn is_of_the_stack(&self, name: &str) -> bool {
-        let begins = |begin: &str| name.strip_prefix(begin).is_some();
+        let begins = |begin: &str| !self.in_use && name.strip_prefix(begin).is_some();
         let is_of_node = |node: &str| name.strip_prefix(node).is_some_and(|rest| rest.starts_with('_'));
         is_reserved_at_file_scope(name)
-            || name.ends_with("_t")
-            || is_of_node(self.node)
-            || is_of_node(&self.node.to_ascii_uppercase())
+            || (!self.in_use && name.ends_with("_t"))
+            || (!self.in_use && (is_of_node(self.node) || is_of_node(&self.node.to_ascii_uppercase())))
             || BEGINS.split_ascii_whitespace().any(begins)
             || WORDS.split_ascii_whitespace().any(|word| word == name)
     }
 }
 
 /// The words of a name, joined by `_`.
-fn words(name: &str) -> String {
+pub(super) fn words(name: &str) -> String {
     let words = name.split(|c: char| !c.is_ascii_alphanumeric() && c != '_').filter(|word| !word.is_empty());
     words.collect::<Vec<_>>().join("_")
 }
@@ -121,7 +127,7 @@ mod tests {
     #[test]
     fn names_are_those_of_objdictgen() {
         assert_eq!(words("COB-ID SYNC message"), "COB_ID_SYNC_message");
-        let mut names = Names::new("Node");
+        let mut names = Names::new("Node", false);
         let mut free = |plain: &str| names.free(plain.to_owned(), true, "2000");
         assert_eq!(free("Setpoint"), "Setpoint");
         assert_eq!(free("Setpoint"), "Setpoint_2000");
@@ -131,5 +137,9 @@ mod tests {
         assert_eq!(free("SDO_x"), "SDO_x_2000");
         assert_eq!(free("Node_Data"), "Node_Data_2000");
         assert_eq!(free(""), "x_2000");
+        let mut names = Names::new("Node", true);
+        let mut free = |plain: &str| names.free(plain.to_owned(), true, "2000");
+        assert_eq!(free("SDO_x"), "SDO_x");
+        assert_eq!(free("Rx"), "Rx_2000");
     }
 }

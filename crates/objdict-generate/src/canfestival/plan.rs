@@ -57,11 +57,11 @@ impl Plan {
     pub(super) fn new(
         dictionary: &Dictionary<'_>,
         options: &Options,
-        node: &str,
+        names: Names<'_>,
         notes: &mut Vec<Note>,
     ) -> Self {
         let mut builder = Builder {
-            node,
+            node: names.node(),
             node_id: dictionary.node_id.unwrap_or(0),
             plan: Self {
                 objects: Vec::new(),
@@ -73,7 +73,7 @@ impl Plan {
             misfits: dictionary.objects.iter().map(misfit).collect(),
             notes,
         };
-        let addresses = builder.variables(dictionary);
+        let addresses = builder.variables(dictionary, names);
         for (number, object) in dictionary.objects.iter().enumerate() {
             builder.object(object, number, &addresses[number], options);
         }
@@ -93,11 +93,10 @@ struct Builder<'a> {
 
 impl Builder<'_> {
     /// Defines the variables; returns the name of each entry's one.
-    fn variables(&mut self, dictionary: &Dictionary<'_>) -> Vec<Vec<String>> {
+    fn variables(&mut self, dictionary: &Dictionary<'_>, mut names: Names<'_>) -> Vec<Vec<String>> {
         let objects = &dictionary.objects;
         let mut addresses: Vec<Vec<String>> =
             objects.iter().map(|object| vec![String::new(); object.entries.len()]).collect();
-        let mut names = Names::new(self.node);
         let misfits = self.misfits.clone();
         let names = |wanted: &[Wanted<'_>]| {
             let wanted = wanted.iter();
@@ -179,6 +178,7 @@ impl Builder<'_> {
         }
         let family = Family::of(index).filter(|_| misfit.is_none());
         let saved = stored::group_of(object, options).is_some();
+        let selects = object.entries.iter().any(ResolvedEntry::is_stored);
         let mut rows: Vec<RowData> = Vec::new();
         for (entry, address) in object.entries.iter().zip(addresses) {
             let place = Place::entry(index, entry.sub);
@@ -188,11 +188,13 @@ impl Builder<'_> {
                 continue;
             }
             rows.resize_with(usize::from(entry.sub), || gap(self.node));
-            let row = self.row(object, entry, (address, saved));
+            let row = self.row(object, entry, (address, saved && (entry.is_stored() || !selects)));
             rows.push(row);
         }
         self.protect(object, family, &mut rows);
-        let asked = options.hooks.iter().any(|hook| hook.index == index);
+        let hook = options.hooks.iter().any(|hook| hook.index == index);
+        let stack = object.object.main.stack.as_ref();
+        let asked = hook || stack.is_some_and(|stack| stack.io_extension == Some(true));
         self.plan.objects.push(PlannedObject {
             index,
             name: object.object.name().to_owned(),

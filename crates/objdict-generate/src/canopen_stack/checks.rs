@@ -5,22 +5,18 @@ use crate::dictionary::{Dictionary, ResolvedEntry};
 use crate::model::{Access, Part, Pdo, PdoKind, Place};
 use crate::notes::once_per_device;
 use crate::resolve::Datum;
+use crate::startup;
 
 /// Maximum number of rows in the stack.
 const MOST_ROWS: usize = i16::MAX as usize;
-
-/// The bit of a COB-ID that says that it is not valid.
-const NOT_VALID: u64 = 1 << 31;
 
 /// Adds notes about entries and PDOs, and about missing objects.
 pub(super) fn check(dictionary: &Dictionary<'_>, rows: usize, notes: &mut Vec<Note>) {
     let mut common = Vec::new();
     dictionary.entries().for_each(|(object, entry)| self::entry(object.index, entry, &mut common));
     notes.extend(once_per_device(common));
-    for pdo in dictionary.device.pdos() {
-        communication(&pdo, notes);
-        mapping(dictionary, &pdo, notes);
-    }
+    notes.extend(dictionary.device.pdos().filter_map(|pdo| transmission(&pdo)));
+    notes.append(&mut startup::notes(&startup::CANOPEN_STACK, dictionary));
     demands(dictionary, rows, notes);
 }
 
@@ -46,76 +42,16 @@ fn entry(index: u16, entry: &ResolvedEntry<'_>, notes: &mut Vec<Note>) {
     if (0x1800..=0x19FF).contains(&index) && entry.sub == 6 {
         notes.push(Note::new(place(), "the stack ignores the SYNC start value"));
     }
-    let is_off = |value: &Datum| matches!(value, Datum::Word(cob_id) if cob_id & NOT_VALID != 0);
-    if index == 0x1200 && matches!(entry.sub, 1 | 2) && is_off(&resolved.default) {
-        let note =
-            Note::new(place(), "the COB-ID is not valid (bit 31), so the stack has no SDO server").warning();
-        notes.push(note.help("write `$NODEID+0x600` in sub-index 1 and `$NODEID+0x580` in sub-index 2"));
-    }
     if resolved.access == Access::Wo && index == 0x1003 {
         notes.push(Note::new(place(), "an SDO can read the entry although it is write-only"));
     }
 }
 
-fn communication(pdo: &Pdo<'_>, notes: &mut Vec<Note>) {
-    let index = pdo.communication_index();
-    if pdo.communication.is_none() {
-        return;
-    }
-    let mut say = |sub: u8, text: &str, help: Option<&'static str>| {
-        let note = Note::new(Place::entry(index, sub), text);
-        notes.push(Note { help: help.map(Into::into), ..note });
-    };
-    match pdo.cob_id {
-        Some(id) if id.is_valid() => {
-            if id.is_extended() {
-                say(1, "the stack does not support 29-bit CAN-IDs for PDOs", None);
-            }
-            if pdo.kind == PdoKind::Tpdo && !id.bit_30() {
-                let text = "the stack does not transmit a TPDO whose COB-ID has bit 30 clear (RTR allowed)";
-                let help = "set bit 30, as in `$NODEID+0x40000180`";
-                say(1, text, Some(help));
-            }
-        }
-        Some(_) => {}
-        None => say(1, "the stack ignores a PDO without a COB-ID", None),
-    }
-    match pdo.transmission_type {
-        None => say(2, "the stack ignores a PDO without a transmission type", None),
-        Some(252 | 253) => say(2, "the stack does not answer RTR frames", None),
-        Some(_) => {}
-    }
-}
-
-fn mapping(dictionary: &Dictionary<'_>, pdo: &Pdo<'_>, notes: &mut Vec<Note>) {
-    let index = pdo.mapping_index();
-    if pdo.mapping.is_none() {
-        let text = "the stack ignores a PDO without a mapping";
-        notes.push(Note::new(Place::object(pdo.communication_index()), text));
-        return;
-    }
-    if pdo.is_multiplexed() || pdo.mapped_count.is_some_and(|count| count > 8) {
-        let text = "the stack maps at most 8 objects and does not support multiplexed PDOs";
-        notes.push(Note::new(Place::entry(index, 0), text));
-    }
-    let has = |index, sub| dictionary.entry(index, sub).is_some();
-    for slot in pdo.used_slots() {
-        let Some(mapped) = slot.object.filter(|object| !object.is_unused()) else { continue };
-        let is_misread = mapped.bits % 8 != 0 || mapped.bits == 0;
-        let text = if is_misread {
-            "the stack maps whole bytes only, and misreads the entries behind"
-        } else if mapped.is_dummy() && pdo.kind == PdoKind::Rpdo && (2..=7).contains(&mapped.index) {
-            continue;
-        } else if mapped.is_dummy() {
-            "the stack does not support this dummy entry"
-        } else if !has(mapped.index, mapped.sub) {
-            "the stack ignores a PDO that maps a missing entry"
-        } else {
-            continue;
-        };
-        let note = Note::new(Place::entry(index, slot.sub), format!("{text} (`{mapped}`)"));
-        notes.push(if is_misread { note.warning() } else { note });
-    }
+/// What the transmission types of a PDO mean to the stack.
+fn transmission(pdo: &Pdo<'_>) -> Option<Note> {
+    let place = Place::entry(pdo.communication_index(), 2);
+    let is_polled = matches!(pdo.transmission_type, Some(252 | 253));
+    is_polled.then(|| Note::new(place, "the stack does not answer RTR frames"))
 }
 
 /// Requirements of the stack on the whole dictionary.

@@ -16,7 +16,7 @@ use std::borrow::Cow;
 
 use super::dictionary::Dictionary;
 use super::notes::{in_order, once_per_device};
-use super::{GenerateError, Made, Options, StackLayout, render};
+use super::{GenerateError, Made, Options, StackLayout, render, startup};
 use crate::model::Device;
 
 pub(super) fn make(device: &Device, options: &Options) -> Result<Made, GenerateError> {
@@ -34,9 +34,9 @@ pub(super) fn make(device: &Device, options: &Options) -> Result<Made, GenerateE
         notes::of_object(object, &mut own);
         node_id::notes(object, dictionary.node_id, &mut own);
     }
-    notes::of_pdos(device, &mut own);
     notes::of_stack(device, &mut own);
     notes.append(&mut once_per_device(in_order(own)));
+    notes.append(&mut startup::notes(&startup::CANOPENNODE, &dictionary));
     Ok(Made { files, notes: in_order(notes), size: sizes::report(&dictionary, &tables) })
 }
 

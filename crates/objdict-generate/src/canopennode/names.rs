@@ -11,15 +11,35 @@ use crate::names::without_mark;
 /// of the standard (`ParameterName` has up to 241 characters).
 const LONGEST: usize = 240;
 
+/// The editor whose names are made.
+#[derive(Clone, Copy, PartialEq, Eq)]
+pub(crate) enum Naming {
+    /// CANopenEditor, for CANopenNode 4.
+    Current,
+    /// The same before July 2021: `_` also before and after a word with a digit.
+    Before2021,
+    /// libEDSsharp and CANopenEditor for CANopenNode 1.3: `-` separates words.
+    Legacy,
+}
+
+impl From<StackLayout> for Naming {
+    fn from(layout: StackLayout) -> Self {
+        match layout {
+            StackLayout::CanOpenEditor2020 => Self::Before2021,
+            _ => Self::Current,
+        }
+    }
+}
+
 /// The C name of an object or entry; empty if the text has no usable character.
 ///
 /// Words are joined in camel case; the first word starts in lower case unless it is an abbreviation. `-`
 /// becomes `_`, and `_` separates two abbreviations. Accents of Latin letters are removed; all other
-/// characters separate words. Before July 2021, `_` also stood before and after a word with a digit.
-pub(crate) fn cname(name: &str, layout: StackLayout) -> String {
-    let is_old = layout == StackLayout::CanOpenEditor2020;
+/// characters separate words.
+pub(crate) fn cname(name: &str, naming: Naming) -> String {
+    let is_old = naming == Naming::Before2021;
     let plain: String = name.chars().take(4 * LONGEST).map(without_mark).collect();
-    let plain = plain.replace('-', "_");
+    let plain = if naming == Naming::Legacy { plain } else { plain.replace('-', "_") };
     let mut joined = String::new();
     let mut words = plain.split(|c: char| !c.is_ascii_alphanumeric() && c != '_');
     while let (Some(word), true) = (words.next(), joined.len() < LONGEST) {
@@ -57,26 +77,40 @@ pub(super) fn behind_index(index: u16, cname: &str) -> String {
 
 /// The member names of a record.
 pub(crate) struct Members {
-    layout: StackLayout,
+    naming: Naming,
     taken: HashSet<String>,
 }
 
 impl Members {
-    pub(crate) fn new(layout: StackLayout) -> Self {
-        Self { layout, taken: HashSet::new() }
+    pub(crate) fn new(naming: impl Into<Naming>) -> Self {
+        Self { naming: naming.into(), taken: HashSet::new() }
     }
 
     /// Claims the member name for an entry: its own name, or a similar one that is valid and free.
     pub(crate) fn claim(&mut self, name: &str, sub: u8) -> String {
-        let cname = cname(name, self.layout);
+        let cname = cname(name, self.naming);
         let plain = if cname.is_empty() { format!("sub{sub:02X}") } else { cname };
         let plain = match is_reserved(&plain) {
             true if plain.starts_with('_') => format!("x{plain}"), // names of the compiler
             true => format!("{plain}_"),
             false => plain,
         };
-        distinct(&mut self.taken, plain, &format!("{sub:02X}"))
+        match self.naming {
+            Naming::Legacy => numbered(&mut self.taken, &plain),
+            _ => distinct(&mut self.taken, plain, &format!("{sub:02X}")),
+        }
     }
+}
+
+/// A free name as libEDSsharp makes it: `mode`, `mode1`, `mode2`.
+fn numbered(taken: &mut HashSet<String>, name: &str) -> String {
+    let mut free = name.to_owned();
+    let mut number = 0;
+    while !taken.insert(free.clone()) {
+        number += 1;
+        free = format!("{name}{number}");
+    }
+    free
 }
 
 fn is_capital(c: char) -> bool {
@@ -120,22 +154,32 @@ mod tests {
             ("速度", ""),
             (" -- ", ""),
         ] {
-            assert_eq!(cname(name, StackLayout::Complete), expected, "{name}");
+            assert_eq!(cname(name, Naming::Current), expected, "{name}");
         }
-        assert_eq!(cname(&"very long ".repeat(1000), StackLayout::Complete).len(), LONGEST);
+        assert_eq!(cname(&"very long ".repeat(1000), Naming::Current).len(), LONGEST);
         for (name, expected) in [
             ("Cell 1 Temp", "cell_1_Temp"),
             ("RPDO 2 mapped object 4", "RPDO_2_mappedObject_4"),
             ("COB-ID used by PDO", "COB_IDUsedByPDO"),
             ("Device type", "deviceType"),
         ] {
-            assert_eq!(cname(name, StackLayout::CanOpenEditor2020), expected, "{name}");
+            assert_eq!(cname(name, Naming::Before2021), expected, "{name}");
         }
+        for (name, expected) in [
+            ("Power-on counter", "powerOnCounter"),
+            ("COB-ID SYNC message", "COB_ID_SYNCMessage"),
+            ("Vendor-ID", "vendorID"),
+            ("Cell 1 Temp", "cell1Temp"),
+        ] {
+            assert_eq!(cname(name, Naming::Legacy), expected, "{name}");
+        }
+        let mut members = Members::new(Naming::Legacy);
+        assert_eq!([1, 2, 3].map(|sub| members.claim("Mode", sub)), ["mode", "mode1", "mode2"]);
     }
 
     #[test]
     fn members_are_distinguished() {
-        let mut members = Members::new(StackLayout::Complete);
+        let mut members = Members::new(Naming::Current);
         assert_eq!(members.claim("Mode", 1), "mode");
         assert_eq!(members.claim("mode", 2), "mode_02");
         assert_eq!(members.claim("mode_03", 2), "mode_03");
@@ -153,7 +197,7 @@ mod tests {
         fn any_names_become_valid_and_unique_members(
             names in proptest::collection::vec(prop_oneof![any::<String>(), "[a-bA-B_ -]{0,3}"], 0..40)
         ) {
-            let mut members = Members::new(StackLayout::Complete);
+            let mut members = Members::new(Naming::Current);
             let mut seen = HashSet::new();
             for (name, sub) in names.iter().zip(0_u8..) {
                 let member = members.claim(name, sub);

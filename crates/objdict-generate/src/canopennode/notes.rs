@@ -3,30 +3,17 @@
 use super::plan::{Member, Planned};
 use super::storage::{is_odd_nan, is_text};
 use crate::Note;
-use crate::model::{CobId, DataType, Device, Place};
+use crate::model::{DataType, Device, Place};
 use crate::resolve::Shape;
-use objdict_model::canopennode::unmet;
+use objdict_model::canopennode::{Cause, unmet};
 
-/// Requirements of the stack on the device, as found by `--compat canopennode`.
+/// Requirements of the stack on the device, as found by `--compat canopennode`; mapped bits are among the causes in `startup`.
 pub(super) fn of_stack(device: &Device, notes: &mut Vec<Note>) {
-    notes.extend(unmet(device).into_iter().map(|unmet| {
+    let unmet = unmet(device).into_iter().filter(|unmet| unmet.cause != Cause::Bits);
+    notes.extend(unmet.map(|unmet| {
         let text = format!("{}; {}", unmet.message, unmet.cause.effect());
         Note::new(unmet.place, text).help(unmet.help).warning()
     }));
-}
-
-/// PDOs that the stack rejects.
-pub(super) fn of_pdos(device: &Device, notes: &mut Vec<Note>) {
-    for pdo in device.pdos() {
-        let is_valid = pdo.cob_id.is_some_and(CobId::is_valid);
-        if is_valid && pdo.mapping.is_some() && pdo.used_slots().next().is_none() {
-            let text = format!(
-                "{pdo} maps nothing: the stack reports an error when it starts, and marks it not valid"
-            );
-            let note = Note::new(Place::entry(pdo.communication_index(), 1), text);
-            notes.push(note.help("set bit 31 of the COB-ID of a PDO that is not in use"));
-        }
-    }
 }
 
 /// Deviations for the values of an object.

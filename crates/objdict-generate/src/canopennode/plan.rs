@@ -119,7 +119,7 @@ fn planned<'a>(object: &'a ResolvedObject<'a>, options: &Options, notes: &mut Ve
     let count = (is_array || COUNTED.contains(&object.index)) && elements > 0;
     Planned {
         index: object.index,
-        cname: cname(&object.name, options.layout),
+        cname: cname(&object.name, options.layout.into()),
         group: group(object, options),
         layout,
         count: count.then_some(elements),

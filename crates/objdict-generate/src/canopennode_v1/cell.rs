@@ -1,11 +1,12 @@
 //! The values of entries as members of structures.
 
+use crate::Options;
 use crate::c_code::{bytes, little_endian, number_type, typed};
+use crate::canopennode::names::Naming;
 use crate::dictionary::{ResolvedEntry, ResolvedObject};
 use crate::memory::Extent;
 use crate::model::DataType;
 use crate::resolve::Shape;
-use crate::{Options, StackLayout};
 
 /// The memory of a value.
 #[derive(Clone, Copy, PartialEq, Eq)]
@@ -140,8 +141,8 @@ fn characters(text: &[u8]) -> String {
     if characters.is_empty() { "{0}".to_owned() } else { format!("{{{}}}", characters.join(", ")) }
 }
 
-/// The rule for names: that of the current editor.
-pub(super) const NAMES: StackLayout = StackLayout::Complete;
+/// The rule for names: that of the editors for this stack.
+pub(super) const NAMES: Naming = Naming::Legacy;
 
 #[cfg(test)]
 mod tests {

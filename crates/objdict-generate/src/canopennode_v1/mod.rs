@@ -4,6 +4,7 @@
 //! there, so that its sources compile with any description.
 
 mod cell;
+mod hooks;
 mod notes;
 mod plan;
 mod special;
@@ -13,7 +14,7 @@ use super::escape::filters;
 use super::head::{Head, files};
 use super::memory::{Extent, Memory, Tally};
 use super::notes::{in_order, once_per_device};
-use super::{GenerateError, Made, Options, Sizes, render};
+use super::{GenerateError, Made, Options, Sizes, render, startup};
 use crate::model::{DataType, Device};
 use crate::resolve::Shape;
 use cell::Location;
@@ -24,6 +25,8 @@ struct Tables<'a> {
     head: Head,
     dictionary: &'a Dictionary<'a>,
     plan: Plan,
+    /// The indexes of objects with a function of the application, in hex.
+    hooks: Vec<String>,
 }
 
 files! {
@@ -37,9 +40,12 @@ pub(super) fn make(device: &Device, options: &Options) -> Result<Made, GenerateE
     let mut dictionary = Dictionary::new(device, options)?;
     let mut notes = std::mem::take(&mut dictionary.notes);
     let plan = Plan::new(&dictionary, options, &mut notes);
-    let tables = Tables { head: Head::new(device, options, "", ""), dictionary: &dictionary, plan };
+    let hooks = hooks::hooked(&dictionary, options, &mut notes);
+    let tables = Tables { head: Head::new(device, options, "", ""), dictionary: &dictionary, plan, hooks };
     let files = vec![render("CO_OD.h", &Header(&tables))?, render("CO_OD.c", &Source(&tables))?];
-    Ok(Made { files, notes: once_per_device(in_order(notes)), size: tables.size() })
+    let mut notes = once_per_device(in_order(notes));
+    notes.append(&mut startup::notes(&startup::CANOPENNODE_V1, &dictionary));
+    Ok(Made { files, notes: in_order(notes), size: tables.size() })
 }
 
 /// What the sizes include.
@@ -52,7 +58,7 @@ impl Tables<'_> {
     }
 
     fn has(&self, index: u16) -> u8 {
-        u8::from(self.dictionary.device.object(index).is_some())
+        u8::from(self.dictionary.object(index).is_some())
     }
 
     /// Whether the stack can be an LSS slave: it needs the whole identity.
@@ -66,8 +72,15 @@ impl Tables<'_> {
     }
 
     fn is_master(&self) -> u8 {
-        let node = self.dictionary.device.commissioning.as_ref();
-        u8::from(node.is_some_and(|node| node.manager == Some(true)))
+        let device = self.dictionary.device;
+        let is_manager = device.commissioning.as_ref().is_some_and(|node| node.manager == Some(true));
+        let startup = self.dictionary.entry(0x1F80, 0).map_or(0, |entry| entry.resolved.default.word());
+        u8::from(is_manager || startup & 1 == 1)
+    }
+
+    fn has_lss_master(&self) -> u8 {
+        let info = self.dictionary.device.device_info.as_ref();
+        u8::from(info.is_some_and(|info| info.lss_master == Some(true)))
     }
 
     fn size(&self) -> Sizes {

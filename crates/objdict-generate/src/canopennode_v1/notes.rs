@@ -27,9 +27,6 @@ pub(super) fn of_entry(index: u16, entry: &ResolvedEntry<'_>, node_id: Option<u8
         (0x1003, 0, _) => {
             say(place.clone(), "the stack answers with the number of errors, and takes 0 for erasing them");
         }
-        (0x1280..=0x12FF, 0, default) if *default != Datum::Word(3) => {
-            say(place.clone(), "the stack does not start with another number than 3 here");
-        }
         (0x1280..=0x12FF, 1, default) if !matches!(default, Datum::Word(0 | 0x8000_0000)) => {
             say(place.clone(), "an SDO client of the stack begins without a server");
         }

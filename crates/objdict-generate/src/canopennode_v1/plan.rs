@@ -1,6 +1,6 @@
 //! Structures, macros and rows of a dictionary.
 
-use std::collections::HashSet;
+use std::collections::{BTreeMap, HashSet};
 
 use super::cell::{Cell, Location, NAMES, NUMBERS};
 use super::notes;
@@ -56,6 +56,8 @@ pub(super) struct Plan {
     pub(super) variables: Vec<Variable>,
     /// Macros for variables, lengths and elements, with their values.
     pub(super) aliases: Vec<(String, String)>,
+    /// Macros for indexes and sub-indexes.
+    pub(super) numbers: Vec<(String, String)>,
     pub(super) rows: Vec<OdRow>,
     /// Statements that add the node-ID.
     pub(super) formulas: Vec<String>,
@@ -73,14 +75,20 @@ impl Plan {
             notes,
             names: taken,
             macros: HashSet::new(),
+            records: BTreeMap::new(),
+            named: Vec::new(),
             plan: Self::default(),
         };
         for object in &dictionary.objects {
             builder.object(object);
         }
+        builder.records();
         builder.families();
         builder.missing();
+        builder.numbers();
         builder.plan.rows.sort_by_key(|row| row.index);
+        builder.plan.types.sort_by_key(|record| record.index);
+        builder.plan.variables.sort_by_key(|variable| variable.index);
         notes::of_lengths(dictionary, builder.notes);
         builder.plan
     }
@@ -98,11 +106,35 @@ struct Builder<'a> {
     /// Names of variables in use.
     names: HashSet<String>,
     macros: HashSet<String>,
+    /// The records by name.
+    records: BTreeMap<String, Vec<Record<'a>>>,
+    /// Each object with the name of its variable.
+    named: Vec<(&'a ResolvedObject<'a>, String)>,
     plan: Plan,
 }
 
+/// A record and the values of its entries.
+struct Record<'a> {
+    object: &'a ResolvedObject<'a>,
+    location: Location,
+    cells: Vec<Cell>,
+}
+
+impl Record<'_> {
+    /// Whether one structure fits both.
+    fn is_like(&self, other: &Self) -> bool {
+        let names = |record: &Self| {
+            record.object.entries.iter().map(|entry| (entry.sub, entry.name.clone())).collect::<Vec<_>>()
+        };
+        let facts = |cell: &Cell| (cell.c_type.clone(), cell.room);
+        self.location == other.location
+            && self.cells.iter().map(facts).eq(other.cells.iter().map(facts))
+            && names(self) == names(other)
+    }
+}
+
 impl<'a> Builder<'a> {
-    fn object(&mut self, object: &ResolvedObject<'_>) {
+    fn object(&mut self, object: &'a ResolvedObject<'a>) {
         for entry in &object.entries {
             notes::of_entry(object.index, entry, self.dictionary.node_id, self.notes);
         }
@@ -116,24 +148,48 @@ impl<'a> Builder<'a> {
             self.notes.push(Note::new(Place::object(object.index), text));
         }
         let fixed = fixed.ok().flatten();
+        let cells: Vec<Cell> =
+            object.entries.iter().map(|entry| self.cell(object, entry, location)).collect();
+        let is_value = object.entries.len() == 1 && object.entries.iter().all(|entry| entry.sub == 0);
+        let is_list = !is_value && is_array(object, &cells);
         let name = match fixed {
             Some(fixed) => fixed.name.to_owned(),
             None if object.index == 0x1018 => "identity".to_owned(),
+            None if !is_value && !is_list => {
+                let same = self.records.entry(cname(&object.name, NAMES)).or_default();
+                return same.push(Record { object, location, cells });
+            }
             None => self.claim(object),
         };
-        let cells: Vec<Cell> =
-            object.entries.iter().map(|entry| self.cell(object, entry, location)).collect();
-        if object.entries.len() == 1 && object.entries.iter().all(|entry| entry.sub == 0) {
+        if is_value {
             self.value(object, &name, (location, &cells));
-        } else if is_array(object, &cells) {
+        } else if is_list {
             self.array(object, &name, (location, &cells));
         } else {
             let is_used = matches!(fixed.map(|fixed| fixed.form), Some(Form::List(..)));
             let record = if is_used { format!("{name}_{:04X}", object.index) } else { name.clone() };
-            self.record(object, &record, (location, &cells));
+            self.record(&record, &[Record { object, location, cells }]);
             if is_used {
                 let text = format!("the stack expects an ARRAY here and uses a `{name}` of its own");
                 self.notes.push(Note::new(Place::object(object.index), text));
+            }
+            return;
+        }
+        self.named.push((object, name));
+    }
+
+    /// The records that have names of their own: those of one name and structure are an array, as the editors make one.
+    fn records(&mut self) {
+        for mut same in std::mem::take(&mut self.records).into_values() {
+            while let Some(first) = same.first() {
+                let name = self.claim(first.object);
+                let (alike, others): (Vec<_>, Vec<_>) = {
+                    let is_alike: Vec<bool> = same.iter().map(|record| record.is_like(first)).collect();
+                    let mut is_alike = is_alike.into_iter();
+                    same.into_iter().partition(|_| is_alike.next() == Some(true))
+                };
+                self.record(&name, &alike);
+                same = others;
             }
         }
     }
@@ -228,18 +284,39 @@ impl<'a> Builder<'a> {
         self.push(object, max_sub, row(first, &format!("{variable}[0]")), Vec::new());
     }
 
-    fn record(&mut self, object: &ResolvedObject<'_>, name: &str, (location, cells): (Location, &[Cell])) {
-        let mut names = Members::new(NAMES);
+    fn record(&mut self, name: &str, alike: &[Record<'a>]) {
+        let Some(Record { object: first, location, .. }) = alike.first() else { return };
         let variable = format!("CO_OD_{}.{name}", location.name());
         let (mut members, mut values, mut extents) = (Vec::new(), Vec::new(), Vec::new());
+        for (number, record) in alike.iter().enumerate() {
+            let place = if alike.len() > 1 { format!("{variable}[{number}]") } else { variable.clone() };
+            let (of_type, initial, extent) = self.structure(record, &place);
+            members = of_type;
+            values.push(initial);
+            extents.push((Some(record.object.index), extent));
+            self.named.push((record.object, name.to_owned()));
+        }
+        if members.is_empty() {
+            return;
+        }
+        let type_name = format!("OD_{name}_t");
+        let (suffix, initializer) = match values.as_slice() {
+            [only] => (String::new(), only.clone()),
+            values => (format!("[{}]", values.len()), format!("{{{}}}", values.join(",\n        "))),
+        };
+        self.define((first.index, *location), (&type_name, name, &suffix), initializer, extents);
+        self.plan.types.push(StructType { index: first.index, name: type_name, members });
+    }
+
+    /// The rows of a record at a place; the members of its structure, their values and extent.
+    fn structure(&mut self, record: &Record<'_>, place: &str) -> (Vec<String>, String, Extent) {
+        let mut names = Members::new(NAMES);
+        let (mut members, mut values, mut extents) = (Vec::new(), Vec::new(), Vec::new());
         let mut rows: Vec<RecordRow> = Vec::new();
-        for (entry, cell) in object.entries.iter().zip(cells) {
-            let member = match (object.index, entry.sub) {
-                (_, 0) => names.claim("maxSubIndex", 0),
-                (0x1018, sub @ 1..=4) => names.claim(IDENTITY[usize::from(sub) - 1], sub),
-                (_, sub) => names.claim(&entry.name, sub),
-            };
-            let place = format!("{variable}.{member}");
+        let object = record.object;
+        for (entry, cell) in object.entries.iter().zip(&record.cells) {
+            let member = names.claim(&entry_name(object.index, entry), entry.sub);
+            let place = format!("{place}.{member}");
             if cell.is_stored() {
                 self.formula(object, entry, &place);
                 members.push(format!("{} {member}{}", cell.c_type, cell.suffix()));
@@ -249,14 +326,8 @@ impl<'a> Builder<'a> {
             rows.resize_with(usize::from(entry.sub), no_entry);
             rows.push(row(cell, &place));
         }
-        if !members.is_empty() {
-            let type_name = format!("OD_{name}_t");
-            let initializer = format!("{{{}}}", values.join(", "));
-            let extents = vec![(Some(object.index), Extent::structure(extents))];
-            self.define((object.index, location), (&type_name, name, ""), initializer, extents);
-            self.plan.types.push(StructType { index: object.index, name: type_name, members });
-        }
         self.push_record(object, rows);
+        (members, format!("{{{}}}", values.join(", ")), Extent::structure(extents))
     }
 
     /// A record is read by its rows; one with sub-index 0 only would be read as a value.
@@ -330,12 +401,13 @@ impl<'a> Builder<'a> {
     fn element(
         &mut self,
         family: &Family,
-        object: Option<&ResolvedObject<'_>>,
+        object: Option<&'a ResolvedObject<'a>>,
         (location, path): (Location, &str),
     ) -> Vec<String> {
         let missing = |field: special::Field| format!("0x{:X}u", family.missing(&field));
         let mut values: Vec<String> = family.fields().map(missing).collect();
         let Some(object) = object else { return values };
+        self.named.push((object, family.name.to_owned()));
         let mut rows: Vec<RecordRow> = Vec::new();
         for entry in &object.entries {
             let cell = self.cell(object, entry, location);
@@ -370,6 +442,29 @@ impl<'a> Builder<'a> {
         }
         self.push_record(object, rows);
         values
+    }
+
+    /// Macros for the indexes and sub-indexes, where no variable has the name.
+    fn numbers(&mut self) {
+        self.named.sort_by_key(|(object, _)| object.index);
+        for (object, name) in std::mem::take(&mut self.named) {
+            let index = object.index;
+            let mut numbers = vec![(format!("{index:04X}_{name}"), format!("0x{index:04X}"))];
+            numbers.push((format!("{name}_idx"), format!("0x{index:04X}")));
+            if object.object.object_type() != ObjectType::Var {
+                numbers.push((format!("{index:04X}_0_{name}_maxSubIndex"), "0".to_owned()));
+            }
+            for entry in object.entries.iter().filter(|entry| entry.sub > 0) {
+                let sub = cname(&entry_name(index, entry), NAMES);
+                numbers.push((format!("{index:04X}_{}_{name}_{sub}", entry.sub), entry.sub.to_string()));
+            }
+            for (name, value) in numbers {
+                let name = format!("OD_{name}");
+                if self.macros.insert(name.clone()) {
+                    self.plan.numbers.push((name, value));
+                }
+            }
+        }
     }
 
     /// Variables that the stack refers to and the description lacks.
@@ -417,6 +512,15 @@ fn no_entry() -> RecordRow {
     RecordRow { data: "&CO_OD_noEntry".to_owned(), attribute: 0, length: 1 }
 }
 
+/// The name of an entry; LSS reads the members of the identity.
+fn entry_name(index: u16, entry: &ResolvedEntry<'_>) -> String {
+    match (index, entry.sub) {
+        (0x1018, sub @ 1..=4) => IDENTITY[usize::from(sub) - 1].to_owned(),
+        (_, 0) if entry.name.trim().is_empty() => "maxSubIndex".to_owned(),
+        _ => entry.name.to_string(),
+    }
+}
+
 /// Whether the stack can know an object as an array: elements alike, and their number in sub-index 0, which is
 /// not stored. LSS reads the identity as a record.
 fn is_array(object: &ResolvedObject<'_>, cells: &[Cell]) -> bool {
@@ -429,9 +533,7 @@ fn is_array(object: &ResolvedObject<'_>, cells: &[Cell]) -> bool {
     let is_count = count.sub == 0
         && count.resolved.shape == Shape::Word(DataType::UNSIGNED8)
         && (object.index == 0x1003
-            || !count.resolved.access.is_writable()
-                && !count.resolved.tpdo
-                && count.resolved.default == Datum::Word(number));
+            || !count.resolved.access.is_writable() && count.resolved.default == Datum::Word(number));
     let numbered = elements.iter().zip(1_u16..).all(|(entry, sub)| u16::from(entry.sub) == sub);
     let alike = cells.iter().skip(1).all(|cell| cell.is_like(first) && cell.is_stored());
     is_list && is_count && numbered && alike && elements.len() < usize::from(u8::MAX)

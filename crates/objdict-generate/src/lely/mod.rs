@@ -10,7 +10,7 @@ mod view;
 use super::c_code::file_name;
 use super::dictionary::Dictionary;
 use super::notes::{in_order, once_per_device};
-use super::{GenerateError, Generated, Options, render};
+use super::{GenerateError, Generated, Options, render, startup};
 use crate::model::{Device, DeviceKind};
 
 pub(super) fn make(device: &Device, options: &Options) -> Result<Generated, GenerateError> {
@@ -29,5 +29,7 @@ pub(super) fn make(device: &Device, options: &Options) -> Result<Generated, Gene
         render(format!("{stem}.c"), &view::Source(&tables))?,
         render(format!("{stem}.h"), &view::Header(&tables))?,
     ];
-    Ok(Generated { files, notes: once_per_device(in_order(notes)) })
+    let mut notes = once_per_device(in_order(notes));
+    notes.append(&mut startup::notes(&startup::LELY, &dictionary));
+    Ok(Generated { files, notes: in_order(notes) })
 }

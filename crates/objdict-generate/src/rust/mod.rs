@@ -16,6 +16,7 @@ pub(super) use literal::{value_of, word_type};
 use super::defaults::constants;
 use super::frames::{frames, freeze_mappings};
 use super::meanings::meanings;
+use super::memory::Memory;
 use super::notes::in_order;
 use super::table::Table;
 use super::table_size::Layout;
@@ -48,10 +49,14 @@ pub(super) fn make(device: &Device, options: &Options) -> Result<Made, GenerateE
         object: 0,
         shared: 0,
         ram: od.places.total,
+        section: if options.cell.is_some() { Memory::Initialised } else { Memory::Zeroed },
         value: places::value_size,
         code: CODE,
         name: options.entry_names.then_some((8, 0)), // a slice on 32 bits
-        counted: "the tables and values, on any processor; the code on a Cortex-M4, optimised for size",
+        counted: match options.cell {
+            Some(_) => "the tables and values, with the initial values of `SHARED` in flash, on any processor; the code on a Cortex-M4, optimised for size",
+            None => "the tables and values, on any processor (a `static` of the values takes as much flash again); the code on a Cortex-M4, optimised for size",
+        },
     };
     let size = layout.size(&table);
     Ok(Made { files: vec![file], notes: in_order(notes), size })

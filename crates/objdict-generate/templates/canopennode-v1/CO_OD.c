@@ -55,3 +55,15 @@ void CO_OD_applyNodeId(uint8_t nodeId)
 {%- endfor %}
 }
 {%- endif %}
+{%- if !hooks.is_empty() %}
+{% for index in hooks %}
+CO_SDO_abortCode_t CO_OD_hook{{ index }}(CO_ODF_arg_t *ODF_arg);
+{%- endfor %}
+
+void CO_OD_initHooks(void *SDO, void *object)
+{
+{%- for index in hooks %}
+    CO_OD_configure((CO_SDO_t *)SDO, 0x{{ index }}u, CO_OD_hook{{ index }}, object, 0, 0u);
+{%- endfor %}
+}
+{%- endif %}

@@ -6,6 +6,7 @@
 #ifndef CO_OD_H
 #define CO_OD_H
 
+typedef bool_t BOOLEAN;
 typedef uint8_t UNSIGNED8;
 typedef uint16_t UNSIGNED16;
 typedef uint32_t UNSIGNED32;
@@ -30,7 +31,7 @@ typedef unsigned char OCTET_STRING;
 #define CO_NO_NMT_MASTER {{ self.is_master() }}
 #define CO_NO_TRACE 0
 #define CO_NO_LSS_SERVER {{ self.has_lss() }}
-#define CO_NO_LSS_CLIENT 0
+#define CO_NO_LSS_CLIENT {{ self.has_lss_master() }}
 
 #define CO_OD_NoOfElements {{ plan.rows.len() }}
 
@@ -41,6 +42,11 @@ typedef struct { /* {{ record.index|hex4 }}h */
     {{ member }};
 {%- endfor %}
 } {{ record.name }};
+{%- endfor %}
+
+/* The indexes and sub-indexes of objects. */
+{%- for (name, value) in plan.numbers %}
+#define {{ name }} {{ value }}
 {%- endfor %}
 
 /* The first and the last word of each memory: other values mean that it has other contents. */
@@ -65,6 +71,15 @@ extern struct sCO_OD_{{ location.name() }} CO_OD_{{ location.name() }};
 
 /* Adds the node-ID to the values that are formulas and to which the stack does not add it. */
 void CO_OD_applyNodeId(uint8_t nodeId);
+{%- endif %}
+{%- if let Some(first) = hooks.first() %}
+
+/*
+ * Has the SDO server call the functions of the application, `CO_SDO_abortCode_t CO_OD_hook{{ first }}(CO_ODF_arg_t *ODF_arg)` and so on,
+ * with `object` in `ODF_arg->object`: before an upload sends `ODF_arg->data`, and before a download writes it. Call it after
+ * CO_CANopenInit() with `CO->SDO[0]`.
+ */
+void CO_OD_initHooks(void *SDO, void *object);
 {%- endif %}
 
 #endif

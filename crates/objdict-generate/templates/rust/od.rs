@@ -61,6 +61,9 @@ pub const fn find(index: u16, sub: u8) -> Result<&'static Entry, Abort> {
 #[rustfmt::skip]
 pub mod groups {
     use super::{Od, table::Group};
+
+    /// The number of groups.
+    pub const COUNT: usize = {{ table.groups.len() }};
 {%- for (group, first) in table.groups.iter().zip(places.groups.iter()) %}
     /// {{ group.name|code_span }}.
     pub const {{ group.field|upper }}: Group<Od, {{ group.image_size }}> = Group::new({{ first }}, {{ self::hex(group.layout.into()) }}, {{ "{:?}"|format(group.sub_index) }});

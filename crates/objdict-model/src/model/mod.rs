@@ -57,6 +57,10 @@ mod value;
 /// objdict stores what the format does not support. Earlier versions wrote it into an EDS or DCF.
 pub const EMBEDDED_SECTION: &str = "ObjdictCarried";
 
+/// The section with what a project of objdictgen says of its node: `Profile`, and `Type00A0` … for types with limits. A device
+/// that has it keeps the names that objdictgen gives.
+pub const OBJDICTGEN_SECTION: &str = "objdictgen";
+
 /// The start of a comment line of an EDS or DCF in which objdict stores what the format does not support, after the semicolon.
 pub const EMBEDDED_COMMENT: &str = " objdict-embed: ";
 

@@ -1,5 +1,6 @@
 //! The target `canfestival`.
 
+mod objdictgen;
 mod real;
 
 use std::collections::HashSet;

@@ -1,6 +1,8 @@
 //! The target `canopen-stack`.
 
-use std::path::Path;
+use std::path::{Path, PathBuf};
+use std::process::Command;
+use std::sync::atomic::{AtomicUsize, Ordering};
 
 use objdict::generate::{Generated, Note, Options, StorageGroup};
 use objdict::model::Device;
@@ -9,8 +11,15 @@ use crate::compile::{c_compiler, cc, generate_with, succeed};
 use crate::devices::{arbitrary_devices, device, devices, for_all};
 use crate::processors::build;
 use crate::stacks::truth::{Lack, Row, compare, truth, without};
-use crate::stacks::{beside, checkout};
+use crate::stacks::{beside, checkout, startup};
 use crate::support;
+
+/// The folders with the sources of the stack.
+const FOLDERS: [&str; 7] =
+    ["config", "core", "hal", "object/basic", "object/cia301", "service/cia301", "service/cia305"];
+
+/// With more PDOs of a direction, the stack does not end to start: it counts them in a byte.
+const MOST_PDOS: u16 = 255;
 
 /// Data missing in the rows of the stack.
 const LACKS: [Lack; 5] = [
@@ -127,6 +136,47 @@ fn the_headers_of_the_real_stack_take_the_files() {
         cc.args(["-fsyntax-only", "device_od.c", "device_od_spec.c"]);
         succeed(&mut cc, "").map_err(|error| format!("{name}: {error}")).map(drop)
     });
+}
+
+/// The same checkout: what the stack does not serve when it starts is what the notes predict.
+#[test]
+fn the_real_stack_starts_as_the_notes_predict() {
+    let (Some(stack), Some(compiler)) = (checkout("OBJDICT_CANOPEN_STACK_DIR"), c_compiler()) else { return };
+    let folders: Vec<PathBuf> = FOLDERS.iter().map(|folder| stack.join("src").join(folder)).collect();
+    let sources = |folder: &PathBuf| folder.read_dir().unwrap().map(|entry| entry.unwrap().path());
+    let is_source = |path: &PathBuf| path.extension().is_some_and(|extension| extension == "c");
+    let sources: Vec<PathBuf> = folders.iter().flat_map(sources).filter(is_source).collect();
+    let real = |folder: &Path| {
+        let mut cc = Command::new(&compiler);
+        cc.current_dir(folder).args(["-std=gnu99", "-w", "-I."]);
+        cc.args(folders.iter().map(|folder| format!("-I{}", folder.display())));
+        cc.args(["-DCO_RPDO_N=255", "-DCO_TPDO_N=255", "-DCO_SSDO_N=128", "-DCO_CSDO_N=128"]);
+        cc
+    };
+    let objects = tempfile::tempdir().unwrap();
+    succeed(real(objects.path()).arg("-c").args(&sources), "").unwrap();
+    let objects: Vec<PathBuf> =
+        objects.path().read_dir().unwrap().map(|entry| entry.unwrap().path()).collect();
+    let (started, found) = (AtomicUsize::new(0), AtomicUsize::new(0));
+    for_all(&devices(), |(name, device)| {
+        let fail = |error: String| format!("{name}: {error}");
+        if device.pdos().any(|pdo| pdo.number > MOST_PDOS) {
+            return Ok(());
+        }
+        let folder = tempfile::tempdir().map_err(|error| error.to_string())?;
+        let notes = write(folder.path(), device, &options(5, false)).notes;
+        if startup::is_undefined(&notes) {
+            return Ok(());
+        }
+        let mut cc = real(folder.path());
+        cc.args(["-DDICTIONARY=\"device_od.h\"", "-o", "node", "device_od.c", "device_od_spec.c"]);
+        succeed(cc.arg(beside("canopen_stack", "node.c")).args(&objects), "").map_err(fail)?;
+        let printed = succeed(&mut Command::new(folder.path().join("node")), "").map_err(fail)?;
+        found.fetch_add(startup::compare(device, &notes, &printed).map_err(fail)?, Ordering::Relaxed);
+        started.fetch_add(1, Ordering::Relaxed);
+        Ok(())
+    });
+    eprintln!("canopen-stack: {started:?} nodes started, {found:?} predictions");
 }
 
 #[test]

@@ -70,13 +70,17 @@ static void print(const CO_OD_entry_t *object, unsigned sub, uint32_t node_id)
     if (object->maxSubIndex > 0u && object->attribute == 0u) {
         row = ((const CO_OD_entryRecord_t *)object->pData)[sub];
     } else if (object->maxSubIndex > 0u && sub == 0u) {
-        /* the number of elements, of which the stack says that a TPDO may map it, too */
+        /* the number of elements */
         memcpy(value, &object->maxSubIndex, 1u);
         row.pData = value;
         row.length = 1u;
         row.attribute = CO_ODA_READABLE;
     } else if (sub > 0u) {
         row.pData = (uint8_t *)object->pData + (size_t)(sub - 1u) * object->length;
+    }
+    if (object->maxSubIndex > 0u && sub == 0u) {
+        /* TPDOs map the number of elements if they map the elements */
+        row.attribute &= (uint16_t)~(CO_ODA_TPDO_MAPABLE | CO_ODA_RPDO_MAPABLE);
     }
     if ((row.attribute & (CO_ODA_READABLE | CO_ODA_WRITEABLE)) == 0u) {
         return; /* no entry */

@@ -2,6 +2,7 @@
 
 use std::collections::HashSet;
 use std::path::Path;
+use std::sync::atomic::{AtomicUsize, Ordering};
 
 use objdict::generate::{Note, Options, Target, generate};
 use objdict::model::{Device, Value};
@@ -12,7 +13,7 @@ use crate::processors::build;
 use crate::stacks::canfestival::address;
 use crate::stacks::canopennode::{NODE_ID, predefined};
 use crate::stacks::truth::{Lack, Row, compare, truth, without};
-use crate::stacks::{beside, checkout};
+use crate::stacks::{beside, checkout, startup};
 
 /// What the rows lack.
 const LACKS: &[Lack] = &[
@@ -42,6 +43,10 @@ const LACKS: &[Lack] = &[
 /// The expected entries. The stack adds the node-ID to a fixed number in 1014h, too; that of this node is stored without it.
 fn expected(device: &Device) -> Vec<Row> {
     let mut rows = without(LACKS, truth(device, NODE_ID));
+    let lists: HashSet<u16> = rows.iter().filter(|row| row.sub > 0).map(|row| row.index).collect();
+    for row in rows.iter_mut().filter(|row| row.sub == 0 && lists.contains(&row.index)) {
+        (row.tpdo, row.rpdo) = (false, false); // of an array, it is mapped as its elements
+    }
     let value = device.entry(0x1014, 0).and_then(|entry| entry.value().cloned());
     for row in rows.iter_mut().filter(|row| (row.index, row.sub, row.size) == (0x1014, 0, Some(4))) {
         let bytes = row.default.as_deref().and_then(|bytes| bytes.try_into().ok());
@@ -91,6 +96,117 @@ fn the_files_of_a_small_device() {
     }
 }
 
+/// Objects as the editors for the stack write them: a list whose number of elements is mappable, elements without a name, records of
+/// one name, and members of one name.
+const OF_EDITORS: &str = "\
+[DeviceInfo]
+VendorName=Editors
+[MandatoryObjects]
+SupportedObjects=0
+[ManufacturerObjects]
+SupportedObjects=4
+1=0x2101
+2=0x2102
+3=0x2301
+4=0x2302
+[2101]
+ParameterName=Power-on counter
+ObjectType=7
+;StorageLocation=EEPROM
+DataType=7
+AccessType=rw
+[2102]
+ParameterName=Outputs
+ObjectType=8
+SubNumber=3
+[2102sub0]
+ParameterName=max sub-index
+DataType=5
+AccessType=ro
+DefaultValue=2
+PDOMapping=1
+[2102sub1]
+ParameterName=
+DataType=5
+AccessType=rw
+PDOMapping=1
+[2102sub2]
+ParameterName=Lamp
+DataType=5
+AccessType=rw
+DefaultValue=9
+PDOMapping=1
+[2301]
+ParameterName=Trace
+ObjectType=9
+SubNumber=3
+[2301sub0]
+ParameterName=max sub-index
+DataType=5
+AccessType=ro
+DefaultValue=2
+[2301sub1]
+ParameterName=Mode
+DataType=5
+AccessType=rw
+[2301sub2]
+ParameterName=Mode
+DataType=6
+AccessType=rw
+DefaultValue=3
+";
+
+/// An application with the names of the editors.
+const APPLICATION: &str = r#"
+#include "CO_driver.h"
+#include "CO_OD.h"
+#include "CO_SDO.h"
+
+extern const CO_OD_entryRecord_t OD_record2302[];
+
+static const unsigned numbers[] = {
+    OD_2101_powerOnCounter, 0x2101, OD_powerOnCounter_idx, 0x2101, OD_2102_outputs, 0x2102, OD_2102_0_outputs_maxSubIndex, 0,
+    OD_2102_1_outputs_, 1, OD_2102_2_outputs_lamp, 2, ODA_outputs_lamp, 1, ODL_outputs_arrayLength, 2, OD_2302_trace, 0x2302,
+    OD_2302_2_trace_mode, 2, OD_trace_idx, 0x2301,
+};
+
+int main(void)
+{
+    unsigned at;
+    OD_powerOnCounter++;
+    OD_trace[0].maxSubIndex = 2;
+    OD_trace[1].mode1 += 4;
+    for (at = 0; at < sizeof numbers / sizeof numbers[0]; at += 2) {
+        if (numbers[at] != numbers[at + 1]) {
+            return 1;
+        }
+    }
+    return CO_OD_EEPROM.powerOnCounter == 1 && OD_outputs[ODA_outputs_lamp] == 9 && CO_OD_RAM.trace[1].mode1 == 12
+                   && OD_record2302[2].pData == &CO_OD_RAM.trace[1].mode1
+               ? 0
+               : 1;
+}
+"#;
+
+/// An application that was written for the output of the editors compiles and finds its values.
+#[test]
+fn applications_find_the_names_of_the_editors() {
+    let Some(compiler) = c_compiler() else { return };
+    let folder = tempfile::tempdir().unwrap();
+    let first = OF_EDITORS.split_once("[2301]").unwrap().1;
+    let second = first.replace("2301", "2302").replace("DefaultValue=3", "DefaultValue=8");
+    let text = format!("{OF_EDITORS}[2302]{second}");
+    std::fs::write(folder.path().join("editors.eds"), text.replace('\n', "\r\n")).unwrap();
+    let device = crate::devices::device(&folder.path().join("editors.eds"));
+    write(folder.path(), &device, &Options::default());
+    std::fs::write(folder.path().join("application.c"), APPLICATION).unwrap();
+    let mut cc = cc(&compiler, folder.path());
+    cc.arg("-I.").arg(format!("-I{}", beside("canopennode_v1", "include").display()));
+    cc.args(["-o", "application", "CO_OD.c", "application.c"]);
+    succeed(&mut cc, "").unwrap();
+    succeed(&mut std::process::Command::new(folder.path().join("application")), "").unwrap();
+}
+
 /// The sources of the stack without a bus.
 const SOURCES: [&str; 14] = [
     "stack/drvTemplate/CO_driver.c",
@@ -115,19 +231,116 @@ fn is_answered_by_the_stack(row: &Row) -> bool {
     !row.read
         || is_long
         || matches!(row.index, 0x1001 | 0x1003 | 0x2100)
+        || is_pdo_id(row.index, row.sub) && row.size != Some(4) // its fourth byte has the state
         || row.index == 0x1200 && row.sub > 2 // the node-ID is added there, too
         || (0x1800..=0x19FF).contains(&row.index) && row.sub == 4
         || matches!(row.index, 0x1600..=0x17FF | 0x1A00..=0x1BFF) && row.sub == 0 // 0 without a mapping that is valid
         || (0x1280..=0x12FF).contains(&row.index) && row.sub > 0 // an SDO client begins without a server
 }
 
+/// Whether an entry has the COB-ID of a PDO.
+fn is_pdo_id(index: u16, sub: u8) -> bool {
+    sub == 1 && matches!(index, 0x1400..=0x15FF | 0x1800..=0x19FF)
+}
+
 /// The COB-ID of a PDO without the bit that the stack sets when it cannot use the PDO.
 fn without_state(mut row: Row) -> Row {
-    let is_id = row.sub == 1 && matches!(row.index, 0x1400..=0x15FF | 0x1800..=0x19FF);
+    let is_id = is_pdo_id(row.index, row.sub);
     if let (true, Some([.., high])) = (is_id, row.default.as_deref_mut()) {
         *high |= 0x80;
     }
     row
+}
+
+/// The entries as the SDO server of the stack reads them with the files and hooks of a folder.
+fn of_real_stack(compiler: &str, folder: &Path, stack: &Path) -> Result<String, String> {
+    let cc = || {
+        let mut command = std::process::Command::new(compiler);
+        command.current_dir(folder).args(["-std=gnu99", "-I.", "-DCO_SDO_BUFFER_SIZE=889"]);
+        for include in ["stack/drvTemplate", "stack", ""] {
+            command.arg("-isystem").arg(stack.join(include));
+        }
+        command
+    };
+    succeed(cc().args(["-Wall", "-Wextra", "-Werror", "-c", "CO_OD.c"]), "")?;
+    let mut build = cc();
+    build.args(["-w", "-o", "node", "CO_OD.o"]).args(SOURCES.map(|source| stack.join(source)));
+    build.args(folder.join("hooks.c").is_file().then_some("hooks.c"));
+    succeed(build.arg(beside("canopennode_v1", "node.c")), "")?;
+    succeed(std::process::Command::new(folder.join("node")).arg(NODE_ID.to_string()), "")
+}
+
+/// Hooks that show the argument of the application in what is read.
+const HOOKS: &str = r#"
+#include "CO_driver.h"
+#include "CO_OD.h"
+#include "CO_SDO.h"
+
+CO_SDO_abortCode_t CO_OD_hook2101(CO_ODF_arg_t *ODF_arg)
+{
+    if (ODF_arg->reading) {
+        ODF_arg->data[0] = *(uint8_t *)ODF_arg->object;
+    }
+    return (CO_SDO_abortCode_t)0;
+}
+
+CO_SDO_abortCode_t CO_OD_hook2102(CO_ODF_arg_t *ODF_arg)
+{
+    return CO_OD_hook2101(ODF_arg);
+}
+"#;
+
+/// What the stack does with the functions.
+const REGISTERED: &str = r#"
+void CO_OD_configure(CO_SDO_t *SDO, uint16_t index, CO_SDO_abortCode_t (*pODFunc)(CO_ODF_arg_t *ODF_arg), void *object,
+                     uint8_t *flags, uint8_t flagsSize)
+{
+    SDO->function[index - 0x2101] = flags == 0 && flagsSize == 0 ? pODFunc : 0;
+    SDO->object = object;
+}
+
+int main(void)
+{
+    uint8_t mark = 7, value = 0;
+    CO_SDO_t server;
+    CO_ODF_arg_t argument = {&mark, &value, 1, 1};
+    CO_OD_initHooks(&server, &mark);
+    return server.object == &mark && server.function[0](&argument) == 0 && server.function[1] == CO_OD_hook2102 && value == 7 ? 0 : 1;
+}
+"#;
+
+#[test]
+fn hooks_answer_uploads() {
+    let Some(compiler) = c_compiler() else { return };
+    let folder = tempfile::tempdir().unwrap();
+    let folder = folder.path();
+    std::fs::write(folder.join("editors.eds"), OF_EDITORS.replace('\n', "\r\n")).unwrap();
+    let device = crate::devices::device(&folder.join("editors.eds"));
+    let mut options = Options::default();
+    options.hooks = ["2101", "2102:1", "2102:2", "7000"].map(|at| at.parse().unwrap()).into();
+    let notes = write(folder, &device, &options);
+    let of_hooks = notes.iter().filter(|note| note.message.contains("hook")).map(|note| &*note.message);
+    let for_all =
+        "the stack calls the hook for all entries of the object; also for 1 more entry of the object";
+    assert_eq!(of_hooks.collect::<Vec<_>>(), ["no entry to call a hook for", for_all]);
+    std::fs::write(folder.join("registered.c"), format!("{HOOKS}{REGISTERED}")).unwrap();
+    let mut cc = cc(&compiler, folder);
+    cc.arg("-I.").arg(format!("-I{}", beside("canopennode_v1", "include").display()));
+    cc.args(["-Wno-missing-prototypes", "-o", "registered", "CO_OD.c", "registered.c"]);
+    succeed(&mut cc, "").unwrap();
+    succeed(&mut std::process::Command::new(folder.join("registered")), "").unwrap();
+    if let Some(stack) = checkout("OBJDICT_CANOPENNODE_V1_DIR") {
+        std::fs::write(folder.join("hooks.c"), HOOKS).unwrap();
+        let printed = of_real_stack(&compiler, folder, &stack).unwrap();
+        let lines: Vec<&str> = printed.lines().filter(|line| line.starts_with("210")).collect();
+        let expected = [
+            "2101 00 - 4 rw-- 5A000000",
+            "2102 00 - 1 r--- 5A",
+            "2102 01 - 1 rwtp 5A",
+            "2102 02 - 1 rwtp 5A",
+        ];
+        assert_eq!(lines, expected);
+    }
 }
 
 /// `OBJDICT_CANOPENNODE_V1_DIR` names a checkout of the stack 1.3: it compiles and starts with the tables, and its SDO server
@@ -137,27 +350,18 @@ fn the_sdo_server_of_the_real_stack_reads_the_tables() {
     let (Some(stack), Some(compiler)) = (checkout("OBJDICT_CANOPENNODE_V1_DIR"), c_compiler()) else {
         return;
     };
+    let found = AtomicUsize::new(0);
     for_all(&[devices(), arbitrary_devices(12)].concat(), |(name, device)| {
         let fail = |error: String| format!("{name}: {error}");
         let folder = tempfile::tempdir().map_err(|error| error.to_string())?;
         let mut options = Options::default();
         options.node_id = Some(NODE_ID);
-        write(folder.path(), device, &options);
-        let cc = || {
-            let mut command = std::process::Command::new(&compiler);
-            command.current_dir(folder.path()).args(["-std=gnu99", "-I.", "-DCO_SDO_BUFFER_SIZE=889"]);
-            for include in ["stack/drvTemplate", "stack", ""] {
-                command.arg("-isystem").arg(stack.join(include));
-            }
-            command
-        };
-        let warnings = ["-Wall", "-Wextra", "-Werror", "-c", "CO_OD.c"];
-        succeed(cc().args(warnings), "").map_err(fail)?;
-        let mut build = cc();
-        build.args(["-w", "-o", "node", "CO_OD.o"]).args(SOURCES.map(|source| stack.join(source)));
-        succeed(build.arg(beside("canopennode_v1", "node.c")), "").map_err(fail)?;
-        let mut node = std::process::Command::new(folder.path().join("node"));
-        let printed = succeed(node.arg(NODE_ID.to_string()), "").map_err(fail)?;
+        let notes = write(folder.path(), device, &options);
+        if startup::is_undefined(&notes) {
+            return Ok(());
+        }
+        let printed = of_real_stack(&compiler, folder.path(), &stack).map_err(fail)?;
+        found.fetch_add(startup::compare(device, &notes, &printed).map_err(fail)?, Ordering::Relaxed);
         let rows = expected(device).into_iter().filter(|row| !is_answered_by_the_stack(row));
         let rows: Vec<Row> = rows.map(without_state).collect();
         let known: HashSet<(u16, u8)> = rows.iter().map(|row| (row.index, row.sub)).collect();
@@ -165,12 +369,12 @@ fn the_sdo_server_of_the_real_stack_reads_the_tables() {
         let lines: String = lines.map(|line| format!("{}\n", line_without_state(line))).collect();
         compare(name, &rows, &lines).map_err(fail)
     });
+    eprintln!("CANopenNode 1.3: {found:?} predictions");
 }
 
 /// The same for a line.
 fn line_without_state(line: &str) -> String {
-    let is_id = address(line)
-        .is_some_and(|(index, sub)| sub == 1 && matches!(index, 0x1400..=0x15FF | 0x1800..=0x19FF));
+    let is_id = address(line).is_some_and(|(index, sub)| is_pdo_id(index, sub));
     let (start, high) = line.split_at(line.len().saturating_sub(2));
     match u8::from_str_radix(high, 16) {
         Ok(high) if is_id => format!("{start}{:02X}", high | 0x80),

@@ -9,6 +9,7 @@
 
 extern const CO_OD_entry_t CO_OD[CO_OD_NoOfElements];
 void CO_OD_applyNodeId(uint8_t nodeId) __attribute__((weak));
+void CO_OD_initHooks(void *SDO, void *object) __attribute__((weak));
 
 static void print(CO_SDO_t *server, uint16_t index, uint8_t sub)
 {
@@ -28,6 +29,22 @@ static void print(CO_SDO_t *server, uint16_t index, uint8_t sub)
     puts(length > 0u ? "" : "-");
 }
 
+/* Prints the PDOs that the tables have as valid and the stack did not accept. */
+static void print_rejected(void)
+{
+    unsigned at;
+    for (at = 0u; at < CO_NO_RPDO; at++) {
+        if ((CO->RPDO[at]->RPDOCommPar->COB_IDUsedByRPDO & 0x80000000u) == 0u && !CO->RPDO[at]->valid) {
+            printf("RPDO %u disabled\n", at + 1u);
+        }
+    }
+    for (at = 0u; at < CO_NO_TPDO; at++) {
+        if ((CO->TPDO[at]->TPDOCommPar->COB_IDUsedByTPDO & 0x80000000u) == 0u && !CO->TPDO[at]->valid) {
+            printf("TPDO %u disabled\n", at + 1u);
+        }
+    }
+}
+
 int main(int count, char **arguments)
 {
     const uint8_t node_id = (uint8_t)atoi(arguments[count - 1]);
@@ -44,6 +61,11 @@ int main(int count, char **arguments)
     if (CO_CANopenInit(node_id) != CO_ERROR_NO) {
         return 4;
     }
+    if (CO_OD_initHooks != NULL) {
+        static uint8_t mark = 0x5A;
+        CO_OD_initHooks(CO->SDO[0], &mark);
+    }
+    print_rejected();
     for (at = 0u; at < CO_OD_NoOfElements; at++) {
         unsigned sub;
         for (sub = 0u; sub <= CO_OD[at].maxSubIndex; sub++) {

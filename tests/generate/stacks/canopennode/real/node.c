@@ -1,5 +1,6 @@
 /* A node of the real CANopenNode with generated tables and no CAN controller: it starts, and every entry is uploaded from
-   its SDO server, frame by frame. `node N` prints index, sub-index and bytes of each, or the code of the abort. */
+   its SDO server, frame by frame. `node N` prints index, sub-index and bytes of each, or the code of the abort. `node N frames`
+   takes requests from the standard input, a line each, and `.` for a millisecond; its answers end with a `.`. */
 #include "CANopen.h"
 #include "OD.h"
 
@@ -9,6 +10,14 @@
 
 static frame_t answer;
 static uint16_t answers_at;
+static bool_t prints_answers;
+
+static void print_bytes(const uint8_t *bytes, size_t count)
+{
+    for (size_t i = 0; i < count; i++) {
+        printf("%02X", bytes[i]);
+    }
+}
 
 void CO_CANsetConfigurationMode(void *can)
 {
@@ -73,6 +82,10 @@ CO_ReturnError_t CO_CANsend(CO_CANmodule_t *module, CO_CANtx_t *buffer)
     if (buffer->ident == answers_at) {
         answer.length = buffer->DLC;
         memcpy(answer.bytes, buffer->data, sizeof answer.bytes);
+        if (prints_answers) {
+            print_bytes(buffer->data, buffer->DLC);
+            printf("\n");
+        }
     }
     return CO_ERROR_NO;
 }
@@ -115,9 +128,6 @@ static CO_t *start(uint8_t node_id)
            CO_CANopenInit(node, NULL, NULL, OD, NULL, 0, 500, 1000, 500, false, node_id, &info), info);
     info = 0;
     demand("CO_CANopenInitPDO", CO_CANopenInitPDO(node, node->em, OD, node_id, &info), 0);
-    if (info != 0) {
-        printf("CO_CANopenInitPDO: %04lX is not valid\n", (unsigned long)info);
-    }
     CO_CANsetNormalMode(node->CANmodule);
     for (int i = 0; i < 3; i++) {
         CO_process(node, false, 1000, NULL);
@@ -125,27 +135,62 @@ static CO_t *start(uint8_t node_id)
     return node;
 }
 
-/* Sends a request to the SDO server and waits for the answer. */
-static void ask(CO_t *node, uint16_t can_id, const uint8_t *request)
+/* Whether the tables have a PDO as valid. */
+static bool_t is_stated(uint16_t communication)
+{
+    uint32_t cob_id = 0;
+    return OD_get_u32(OD_find(OD, communication), 1, &cob_id, true) == ODR_OK && (cob_id & 0x80000000u) == 0;
+}
+
+/* Prints what the tables have and the stack did not accept. */
+static void print_rejected(const CO_t *node)
+{
+    (void)node;
+#if OD_CNT_RPDO > 0
+    for (uint16_t i = 0; i < OD_CNT_RPDO; i++) {
+        if (is_stated((uint16_t)(0x1400u + i)) && !node->RPDO[i].PDO_common.valid) {
+            printf("RPDO %u disabled\n", i + 1u);
+        }
+    }
+#endif
+#if OD_CNT_TPDO > 0
+    for (uint16_t i = 0; i < OD_CNT_TPDO; i++) {
+        if (is_stated((uint16_t)(0x1800u + i)) && !node->TPDO[i].PDO_common.valid) {
+            printf("TPDO %u disabled\n", i + 1u);
+        }
+    }
+#endif
+#if OD_CNT_HB_CONS > 0
+    for (uint8_t i = 0; i < node->HBcons->numberOfMonitoredNodes; i++) {
+        uint32_t value = 0;
+        (void)OD_get_u32(OD_find(OD, 0x1016), i + 1u, &value, true);
+        if ((value & 0xFFFFu) != 0 && ((value >> 16) & 0xFFu) != 0 && node->HBcons->monitoredNodes[i].time_us == 0) {
+            printf("consumer %u rejected\n", i + 1u);
+        }
+    }
+#endif
+}
+
+/* Sends a request to the SDO server. */
+static void deliver(CO_t *node, uint16_t can_id, const uint8_t *request)
 {
     frame_t frame = {can_id, 8, {0}};
     memcpy(frame.bytes, request, 8);
-    memset(&answer, 0, sizeof answer);
     for (uint16_t i = 0; i < node->CANmodule->rxSize; i++) {
         const CO_CANrx_t *rx = &node->CANmodule->rxArray[i];
         if (rx->ident == can_id && rx->CANrx_callback != NULL) {
             rx->CANrx_callback(rx->object, &frame);
         }
     }
-    for (int i = 0; i < 20 && answer.length == 0; i++) {
-        CO_process(node, false, 1000, NULL);
-    }
 }
 
-static void print_bytes(const uint8_t *bytes, size_t count)
+/* Sends a request to the SDO server and waits for the answer. */
+static void ask(CO_t *node, uint16_t can_id, const uint8_t *request)
 {
-    for (size_t i = 0; i < count; i++) {
-        printf("%02X", bytes[i]);
+    memset(&answer, 0, sizeof answer);
+    deliver(node, can_id, request);
+    for (int i = 0; i < 20 && answer.length == 0; i++) {
+        CO_process(node, false, 1000, NULL);
     }
 }
 
@@ -181,11 +226,36 @@ static void upload(CO_t *node, uint8_t node_id, uint16_t index, uint8_t sub)
     printf("\n");
 }
 
+/* Answers the requests of a client. */
+static void converse(CO_t *node, uint8_t node_id)
+{
+    char line[32];
+    prints_answers = true;
+    while (fgets(line, (int)sizeof line, stdin) != NULL) {
+        uint8_t request[8];
+        if (line[0] != '.') {
+            for (int i = 0; i < 8; i++) {
+                const char digits[3] = {line[2 * i], line[2 * i + 1], '\0'};
+                request[i] = (uint8_t)strtoul(digits, NULL, 16);
+            }
+            deliver(node, (uint16_t)(0x600u + node_id), request);
+        }
+        CO_process(node, false, line[0] == '.' ? 1000 : 0, NULL);
+        printf(".\n");
+        (void)fflush(stdout);
+    }
+}
+
 int main(int argc, char **argv)
 {
-    const uint8_t node_id = (uint8_t)(argc == 2 ? atoi(argv[1]) : 0);
+    const uint8_t node_id = (uint8_t)(argc >= 2 ? atoi(argv[1]) : 0);
     CO_t *node = start(node_id);
     answers_at = (uint16_t)(0x580u + node_id);
+    if (argc == 3) {
+        converse(node, node_id);
+        return 0;
+    }
+    print_rejected(node);
     for (uint16_t i = 0; i < OD->size; i++) {
         for (unsigned sub = 0; sub <= 0xFF; sub++) {
             OD_IO_t io;

@@ -24,4 +24,21 @@ typedef struct {
 
 extern const CO_OD_entry_t CO_OD[];
 
+typedef uint32_t CO_SDO_abortCode_t;
+
+typedef struct {
+    void *object;
+    uint8_t *data;
+    uint16_t dataLength;
+    bool_t reading;
+} CO_ODF_arg_t;
+
+typedef struct {
+    CO_SDO_abortCode_t (*function[2])(CO_ODF_arg_t *);
+    void *object;
+} CO_SDO_t;
+
+void CO_OD_configure(CO_SDO_t *SDO, uint16_t index, CO_SDO_abortCode_t (*pODFunc)(CO_ODF_arg_t *ODF_arg), void *object,
+                     uint8_t *flags, uint8_t flagsSize);
+
 #endif

@@ -1,0 +1,46 @@
+//! What a stack does with a dictionary when it starts: which PDOs it does not serve, which heartbeat consumers it rejects, which
+//! SDO servers it lacks. One table for each stack (`stacks`), applied to the resolved entries of a table, with one warning for each
+//! cause.
+
+mod consumers;
+mod pdos;
+mod sdo;
+mod stacks;
+mod words;
+
+use crate::Note;
+use crate::dictionary::{Dictionary, ResolvedObject};
+use crate::resolve::{Datum, Shape};
+
+pub(crate) use stacks::{CANOPEN_STACK, CANOPENNODE, CANOPENNODE_V1, LELY};
+
+/// A stack, as far as a dictionary can be served less than described.
+pub(crate) struct Stack {
+    /// How it reads the mapping of a PDO.
+    mapping: pdos::Mapping,
+    /// Why it does not serve PDOs, in the order in which it looks, and what becomes of them.
+    pdos: &'static [pdos::Row],
+    /// What it does with two heartbeat consumers of one node.
+    consumers: Option<consumers::Repeated>,
+    /// What it demands of the parameters of SDO channels.
+    sdo: &'static [sdo::Row],
+}
+
+/// What the stack will not serve.
+pub(crate) fn notes(stack: &Stack, dictionary: &Dictionary<'_>) -> Vec<Note> {
+    let mut notes = pdos::notes(stack, dictionary);
+    notes.extend(stack.consumers.iter().flat_map(|repeated| consumers::notes(repeated, dictionary)));
+    notes.extend(stack.sdo.iter().flat_map(|row| sdo::notes(row, dictionary)));
+    notes
+}
+
+/// The initial number of an entry, without the node-ID; `None` if the entry is missing or no number of this many bytes.
+fn number(object: Option<&ResolvedObject<'_>>, sub: u8, bytes: usize) -> Option<u64> {
+    datum(object, sub, bytes).map(Datum::word)
+}
+
+fn datum<'a>(object: Option<&'a ResolvedObject<'_>>, sub: u8, bytes: usize) -> Option<&'a Datum> {
+    let resolved = &object?.entry(sub)?.resolved;
+    let is_number = matches!(resolved.shape, Shape::Word(_)) && resolved.shape.size() == bytes;
+    is_number.then_some(&resolved.default)
+}

@@ -1,0 +1,250 @@
+//! PDOs that a stack does not serve.
+
+use std::collections::BTreeSet;
+
+use super::{Stack, number, words};
+use crate::Note;
+use crate::dictionary::{Dictionary, ResolvedObject};
+use crate::model::{Device, MappedObject, PdoKind, Place};
+
+/// Bits of a COB-ID: not valid, no RTR, 29 bits.
+const NOT_VALID: u64 = 1 << 31;
+const NO_RTR: u64 = 1 << 30;
+const EXTENDED: u64 = 1 << 29;
+
+/// The most bits of a PDO.
+const LONGEST: u32 = 64;
+
+/// How a stack reads a mapping.
+pub(super) struct Mapping {
+    /// Whether it also reads the slots behind the number of mapped objects, up to the eighth.
+    pub(super) reads_all: bool,
+    /// The data types that it maps as dummy entries.
+    pub(super) is_dummy: fn(&Device, PdoKind, MappedObject) -> bool,
+}
+
+/// Why a PDO is not served.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
+pub(super) enum Cause {
+    NoTransmissionType,
+    NoCobId,
+    RtrAllowed,
+    Extended,
+    NoCanId,
+    NoMapping,
+    TooMany,
+    /// So many, and so short, that the stack does not notice.
+    Overrun,
+    NoSlot,
+    TooLong,
+    Dummy,
+    Missing,
+    Bits,
+    Direction,
+    NotMappable,
+    Short,
+    Empty,
+    Reserved,
+    SyncStart,
+}
+
+/// A cause, and what becomes of the PDO.
+pub(super) struct Row {
+    pub(super) cause: Cause,
+    /// `None` for both.
+    pub(super) kind: Option<PdoKind>,
+    /// What the stack does, after the PDOs: "will be disabled by the stack".
+    pub(super) effect: &'static str,
+}
+
+/// PDOs with one cause and effect.
+struct Case {
+    row: &'static Row,
+    kind: PdoKind,
+    numbers: Vec<u16>,
+    places: Vec<Place>,
+    mapped: BTreeSet<MappedObject>,
+}
+
+/// A warning for each cause.
+pub(super) fn notes(stack: &Stack, dictionary: &Dictionary<'_>) -> Vec<Note> {
+    let mut cases: Vec<Case> = Vec::new();
+    for pdo in Served::all(dictionary, &stack.mapping).filter(Served::is_valid) {
+        let Some((row, slot)) = stack.pdos.iter().find_map(|row| pdo.matches(row)) else { continue };
+        let (place, mapped) = pdo.place(row.cause, slot);
+        let known = cases.iter_mut().find(|case| std::ptr::eq(case.row, row) && case.kind == pdo.kind);
+        match known {
+            Some(case) => {
+                case.numbers.push(pdo.number);
+                case.places.push(place);
+                case.mapped.extend(mapped);
+            }
+            None => cases.push(Case {
+                row,
+                kind: pdo.kind,
+                numbers: vec![pdo.number],
+                places: vec![place],
+                mapped: mapped.into_iter().collect(),
+            }),
+        }
+    }
+    cases.into_iter().filter_map(Case::note).collect()
+}
+
+/// A valid PDO as the table has it.
+struct Served<'a> {
+    kind: PdoKind,
+    number: u16,
+    dictionary: &'a Dictionary<'a>,
+    communication: Option<&'a ResolvedObject<'a>>,
+    mapping: Option<&'a ResolvedObject<'a>>,
+    rules: &'a Mapping,
+}
+
+impl<'a> Served<'a> {
+    fn all(dictionary: &'a Dictionary<'a>, rules: &'a Mapping) -> impl Iterator<Item = Self> {
+        dictionary.device.pdos().filter_map(move |pdo| {
+            let (kind, number) = (pdo.kind, pdo.number);
+            let communication = dictionary.object(pdo.communication_index())?;
+            let mapping = dictionary.object(pdo.mapping_index());
+            Some(Self { kind, number, dictionary, communication: Some(communication), mapping, rules })
+        })
+    }
+
+    fn cob_id(&self) -> Option<u64> {
+        number(self.communication, 1, 4)
+    }
+
+    fn is_valid(&self) -> bool {
+        self.cob_id().is_none_or(|cob_id| cob_id & NOT_VALID == 0)
+    }
+
+    /// Whether the CAN-ID is 0: a formula adds a node-ID.
+    fn is_zero(&self) -> bool {
+        let datum = super::datum(self.communication, 1, 4);
+        datum.is_some_and(|datum| !datum.is_formula() && datum.word() & 0x7FF == 0)
+    }
+
+    fn count(&self) -> u8 {
+        number(self.mapping, 0, 1).and_then(|count| u8::try_from(count).ok()).unwrap_or(0)
+    }
+
+    /// The slots that the stack reads, with the mapped object; `None` for a slot that is not described.
+    fn slots(&self) -> impl Iterator<Item = (u8, Option<MappedObject>)> + '_ {
+        let last = if self.rules.reads_all { 8 } else { self.count().min(8) };
+        let mapped = |sub| number(self.mapping, sub, 4).and_then(|word| u32::try_from(word).ok());
+        (1..=last).map(move |sub| (sub, mapped(sub).map(MappedObject::from_number)))
+    }
+
+    fn mapped(&self) -> impl Iterator<Item = (u8, MappedObject)> + '_ {
+        self.slots().filter_map(|(sub, mapped)| Some((sub, mapped?)))
+    }
+
+    /// The bits of the PDO.
+    fn bits(&self) -> u32 {
+        let count = self.count();
+        self.mapped().filter(|(sub, _)| *sub <= count).map(|(_, mapped)| u32::from(mapped.bits)).sum()
+    }
+
+    /// Whether the bytes of nine objects, without the rest of single bits, are not too many.
+    fn fits_nine(&self) -> bool {
+        let bytes = (1..=9).map(|sub| number(self.mapping, sub, 4).map(|word| (word & 0xFF) / 8));
+        bytes.sum::<Option<u64>>().is_some_and(|bytes| bytes <= 8)
+    }
+
+    /// The row, if the PDO has its cause, and the sub-index of the slot with it.
+    fn matches(&self, row: &'static Row) -> Option<(&'static Row, Option<u8>)> {
+        if row.kind.is_some_and(|kind| kind != self.kind) {
+            return None;
+        }
+        let cob_id = self.cob_id().unwrap_or(0);
+        let type_ = number(self.communication, 2, 1);
+        let has = match row.cause {
+            Cause::NoTransmissionType => type_.is_none(),
+            Cause::NoCobId => self.cob_id().is_none(),
+            Cause::RtrAllowed => cob_id & NO_RTR == 0,
+            Cause::Extended => cob_id & EXTENDED != 0,
+            Cause::NoCanId => self.is_zero(),
+            Cause::NoMapping => number(self.mapping, 0, 1).is_none(),
+            Cause::TooMany => self.count() > 8,
+            Cause::Overrun => self.count() > 8 && self.fits_nine(),
+            Cause::TooLong => {
+                self.bits() > LONGEST || self.mapped().any(|(_, mapped)| u32::from(mapped.bits) > LONGEST)
+            }
+            Cause::Empty => self.bits() == 0,
+            Cause::Reserved => matches!(type_, Some(241..=253)),
+            Cause::SyncStart => number(self.communication, 6, 1).is_some_and(|value| value > 240),
+            Cause::NoSlot => {
+                let missing = self.slots().find(|(_, mapped)| mapped.is_none());
+                return missing.map(|(sub, _)| (row, Some(sub)));
+            }
+            Cause::Dummy
+            | Cause::Missing
+            | Cause::Bits
+            | Cause::Direction
+            | Cause::NotMappable
+            | Cause::Short => {
+                let wrong = self.mapped().find(|(_, mapped)| self.has(*mapped, row.cause));
+                return wrong.map(|(sub, _)| (row, Some(sub)));
+            }
+        };
+        has.then_some((row, None))
+    }
+
+    /// Whether a mapped object has the problem of a cause.
+    fn has(&self, mapped: MappedObject, cause: Cause) -> bool {
+        let is_type = mapped.index < 0x20;
+        if is_type && (self.rules.is_dummy)(self.dictionary.device, self.kind, mapped) {
+            return false;
+        }
+        let Some(entry) = self.dictionary.entry(mapped.index, mapped.sub) else {
+            return cause == if is_type { Cause::Dummy } else { Cause::Missing };
+        };
+        let resolved = &entry.resolved;
+        let (fits, fits_other) = match self.kind {
+            PdoKind::Rpdo => (resolved.rpdo, resolved.tpdo),
+            PdoKind::Tpdo => (resolved.tpdo, resolved.rpdo),
+        };
+        match cause {
+            Cause::Bits => !mapped.bits.is_multiple_of(8),
+            Cause::Direction => !fits && fits_other,
+            Cause::NotMappable => !fits && !fits_other,
+            Cause::Short => resolved.shape.size() < usize::from(mapped.bits / 8),
+            _ => false,
+        }
+    }
+
+    /// The place of a cause, and the mapped object in it.
+    fn place(&self, cause: Cause, slot: Option<u8>) -> (Place, Option<MappedObject>) {
+        let communication = self.kind.communication_index(self.number).unwrap_or(0x1400);
+        let mapping = communication + 0x200;
+        let of_communication =
+            |sub| match self.communication.is_some_and(|object| object.entry(sub).is_some()) {
+                true => Place::entry(communication, sub),
+                false => Place::object(communication),
+            };
+        let place = match (cause, slot) {
+            (Cause::NoTransmissionType | Cause::Reserved, _) => of_communication(2),
+            (Cause::NoCobId | Cause::RtrAllowed | Cause::Extended | Cause::NoCanId, _) => of_communication(1),
+            (Cause::SyncStart, _) => of_communication(6),
+            (Cause::NoMapping, _) => Place::object(communication),
+            (Cause::NoSlot, _) => Place::object(mapping),
+            (_, Some(sub)) => Place::entry(mapping, sub),
+            (_, None) => Place::entry(mapping, 0),
+        };
+        let mapped =
+            slot.and_then(|slot| self.mapped().find(|(sub, _)| *sub == slot)).map(|(_, mapped)| mapped);
+        (place, mapped)
+    }
+}
+
+impl Case {
+    fn note(self) -> Option<Note> {
+        let (why, help) = words::why(self.row.cause, self.kind, &self.mapped);
+        let text = format!("{} {} {}: {why}", self.kind, words::listed(&self.numbers), self.row.effect);
+        let mut places = self.places.into_iter();
+        let mut note = Note::new(places.next()?, text).help(help).warning();
+        note.also.extend(places);
+        Some(note)
+    }
+}

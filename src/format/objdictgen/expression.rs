@@ -1,0 +1,257 @@
+//! The expressions of Python in projects: names such as `Receive PDO %d Mapping[(idx)]`, and values such as
+//! `{True:"$NODEID+0x%X00"%(base+2),False:0x80000000}[base<4]`. Only what objdictgen writes is known.
+
+/// Longer texts are not expressions.
+const LONGEST: usize = 1000;
+
+/// Brackets in brackets.
+const DEEPEST: u8 = 20;
+
+/// What an expression is.
+#[derive(Clone, Debug, PartialEq)]
+pub(super) enum Result {
+    Number(i64),
+    Text(String),
+    /// A list in parentheses.
+    Tuple(Vec<Result>),
+    /// Keys and values in braces.
+    Map(Vec<(Result, Result)>),
+}
+
+/// The value of an expression with these variables; `None` for what is not known.
+pub(super) fn evaluate(text: &str, variables: &[(&str, i64)]) -> Option<Result> {
+    if text.len() > LONGEST {
+        return None;
+    }
+    let mut parser = Parser { rest: text, variables, depth: 0 };
+    let result = parser.comparison()?;
+    parser.rest.trim_start().is_empty().then_some(result)
+}
+
+/// The name of an object or entry: a text with an expression in brackets behind it is a format. What is behind the brackets
+/// does not count.
+pub(super) fn name(text: &str, index: i64, sub: i64) -> String {
+    let format = || {
+        let (format, arguments) = text.rsplit_once(']')?.0.rsplit_once('[')?;
+        formatted(format, evaluate(arguments, &[("idx", index), ("sub", sub)])?)
+    };
+    format().unwrap_or_else(|| text.to_owned())
+}
+
+/// A text with `%d` and `%X` replaced.
+fn formatted(format: &str, arguments: Result) -> Option<String> {
+    let mut arguments = match arguments {
+        Result::Tuple(arguments) => arguments,
+        single => vec![single],
+    }
+    .into_iter();
+    let mut parts = format.split('%');
+    let mut text = parts.next()?.to_owned();
+    while let Some(part) = parts.next() {
+        if part.is_empty() {
+            text.push('%');
+            text.push_str(parts.next()?);
+            continue;
+        }
+        let kind = part.find(|c: char| !c.is_ascii_digit() && c != '.')?;
+        let width: usize = part[..kind].rsplit('.').next()?.parse().unwrap_or(0);
+        let width = width.min(16);
+        let argument = arguments.next()?;
+        text += &match (part.as_bytes()[kind], argument) {
+            (b'd' | b'i' | b'u', Result::Number(number)) => format!("{number:0width$}"),
+            (b'X', Result::Number(number)) => format!("{number:0width$X}"),
+            (b'x', Result::Number(number)) => format!("{number:0width$x}"),
+            (b's', Result::Number(number)) => number.to_string(),
+            (b's', Result::Text(argument)) => argument,
+            _ => return None,
+        };
+        text.push_str(&part[kind + 1..]);
+    }
+    (arguments.next().is_none() && text.len() <= LONGEST).then_some(text)
+}
+
+struct Parser<'a> {
+    rest: &'a str,
+    variables: &'a [(&'a str, i64)],
+    depth: u8,
+}
+
+impl Parser<'_> {
+    fn take(&mut self, sign: char) -> bool {
+        let rest = self.rest.trim_start();
+        let found = rest.strip_prefix(sign);
+        self.rest = found.unwrap_or(rest);
+        found.is_some()
+    }
+
+    fn comparison(&mut self) -> Option<Result> {
+        let left = self.sum()?;
+        if !self.take('<') {
+            return Some(left);
+        }
+        match (left, self.sum()?) {
+            (Result::Number(left), Result::Number(right)) => Some(Result::Number(i64::from(left < right))),
+            _ => None,
+        }
+    }
+
+    fn sum(&mut self) -> Option<Result> {
+        let mut left = self.product()?;
+        loop {
+            let is_sum = self.take('+');
+            if !is_sum && !self.take('-') {
+                return Some(left);
+            }
+            left = match (left, self.product()?) {
+                (Result::Number(left), Result::Number(right)) if is_sum => {
+                    Result::Number(left.checked_add(right)?)
+                }
+                (Result::Number(left), Result::Number(right)) => Result::Number(left.checked_sub(right)?),
+                (Result::Text(left), Result::Text(right)) if is_sum => Result::Text(left + &right),
+                _ => return None,
+            };
+        }
+    }
+
+    fn product(&mut self) -> Option<Result> {
+        let mut left = self.item()?;
+        loop {
+            let is_product = self.take('*');
+            if !is_product && !self.take('%') {
+                return Some(left);
+            }
+            left = match (left, self.item()?) {
+                (Result::Number(left), Result::Number(right)) if is_product => {
+                    Result::Number(left.checked_mul(right)?)
+                }
+                (Result::Number(left), Result::Number(right)) => {
+                    Result::Number(left.checked_rem_euclid(right)?)
+                }
+                (Result::Text(format), arguments) if !is_product => {
+                    Result::Text(formatted(&format, arguments)?)
+                }
+                _ => return None,
+            };
+        }
+    }
+
+    /// A value with what is selected of it.
+    fn item(&mut self) -> Option<Result> {
+        self.depth += 1;
+        if self.depth > DEEPEST {
+            return None;
+        }
+        let mut value = self.value()?;
+        while self.take('[') {
+            let wanted = self.comparison()?;
+            let found = |items: Vec<(Result, Result)>| items.into_iter().find(|(key, _)| *key == wanted);
+            value = match value {
+                Result::Map(items) => found(items)?.1,
+                _ => return None,
+            };
+            self.take(']').then_some(())?;
+        }
+        self.depth -= 1;
+        Some(value)
+    }
+
+    fn value(&mut self) -> Option<Result> {
+        if self.take('(') {
+            return self.tuple();
+        }
+        if self.take('{') {
+            return self.map();
+        }
+        if self.take('-') {
+            let Result::Number(number) = self.item()? else { return None };
+            return Some(Result::Number(number.checked_neg()?));
+        }
+        for quote in ['"', '\''] {
+            if self.take(quote) {
+                let (text, rest) = self.rest.split_once(quote)?;
+                self.rest = rest;
+                return Some(Result::Text(text.to_owned()));
+            }
+        }
+        let end = self.rest.find(|c: char| !c.is_ascii_alphanumeric() && c != '_');
+        let (word, rest) = self.rest.split_at(end.unwrap_or(self.rest.len()));
+        self.rest = rest;
+        let known = self.variables.iter().find(|(name, _)| *name == word).map(|(_, value)| *value);
+        let number = match word {
+            "True" => Some(1),
+            "False" => Some(0),
+            _ => known.or_else(|| number(word)),
+        };
+        number.map(Result::Number)
+    }
+
+    fn tuple(&mut self) -> Option<Result> {
+        let first = self.comparison()?;
+        if self.take(')') {
+            return Some(first);
+        }
+        let mut items = vec![first];
+        while self.take(',') {
+            if self.take(')') {
+                return Some(Result::Tuple(items));
+            }
+            items.push(self.comparison()?);
+        }
+        self.take(')').then_some(Result::Tuple(items))
+    }
+
+    fn map(&mut self) -> Option<Result> {
+        let mut items = Vec::new();
+        while !self.take('}') {
+            let key = self.comparison()?;
+            self.take(':').then_some(())?;
+            items.push((key, self.comparison()?));
+            if !self.take(',') {
+                self.take('}').then_some(())?;
+                break;
+            }
+        }
+        Some(Result::Map(items))
+    }
+}
+
+/// A whole number as Python writes it.
+fn number(word: &str) -> Option<i64> {
+    let word = word.trim_end_matches(['l', 'L']);
+    match word.strip_prefix("0x").or_else(|| word.strip_prefix("0X")) {
+        Some(digits) => i64::from_str_radix(digits, 16).ok(),
+        None => word.parse().ok(),
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn names_of_objects() {
+        assert_eq!(name("Device Type", 1, 0), "Device Type");
+        assert_eq!(name("Receive PDO %d Mapping[(idx)]", 12, 0), "Receive PDO 12 Mapping");
+        assert_eq!(name("PDO %d Mapping %d[(idx,sub)]", 2, 3), "PDO 2 Mapping 3");
+        assert_eq!(name("Store %d[(sub - 3)]", 1, 5), "Store 2");
+        assert_eq!(name("CAM%d Low Limit[(idx)] (ARRAY)", 1, 0), "CAM1 Low Limit");
+        assert_eq!(name("Input %1.1d to %1.1d[(sub*8-7,sub*8)]", 1, 2), "Input 9 to 16");
+        for unknown in ["x[", "x]", "x[y]", "%d[(nothing)]", "%d %d[(idx)]", "%[(idx)]", "%q[(idx)]"] {
+            assert_eq!(name(unknown, 1, 1), unknown);
+        }
+    }
+
+    #[test]
+    fn values_of_pdos() {
+        let cob_id = "{True:\"$NODEID+0x%X80\"%(base+1),False:0x80000000}[base<4]";
+        assert_eq!(evaluate(cob_id, &[("base", 3)]), Some(Result::Text("$NODEID+0x480".to_owned())));
+        assert_eq!(evaluate(cob_id, &[("base", 4)]), Some(Result::Number(0x8000_0000)));
+        assert_eq!(evaluate("\"$NODEID+0x80\"", &[]), Some(Result::Text("$NODEID+0x80".to_owned())));
+        let deep = "(".repeat(500);
+        for unknown in
+            ["", "$NODEID+1", "{}[0]", "1+", "__import__('os')", "9223372036854775807+1", "1%0", &deep]
+        {
+            assert_eq!(evaluate(unknown, &[]), None, "{unknown}");
+        }
+    }
+}
