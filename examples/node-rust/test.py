@@ -1,8 +1,9 @@
-"""canopen for Python as the master of the node: `python test.py PROGRAM EDS`.
+"""canopen for Python as the master of the node: `python test.py PROGRAM EDS [CONFORMANCE]`.
 
 Reads and writes every entry by expedited, segmented and block transfers, maps a TPDO and an RPDO anew, and uses both.
 """
 
+import json
 import re
 import socket
 import subprocess
@@ -125,6 +126,39 @@ def read_and_write(node):
     return counts
 
 
+def compare(node, path):
+    """canopen for Python sees what `objdict conformance --format json` says: the objects, and the aborts that it can cause."""
+    with open(path) as file:
+        checks = json.load(file)["checks"]
+    # what `read_and_write` has found of each object is found by the checks too
+    objects = {check["name"]: check["result"] for check in checks if check["service"].startswith("objects")}
+    indexes = {entry.index for entry in variables(node.object_dictionary)}
+    assert objects == {f"{index:04X}h": "passed" for index in indexes}, objects
+    entries = list(variables(node.object_dictionary))
+    first = lambda is_meant: next((entry for entry in entries if entry.index >= 0x2000 and is_meant(entry)), None)
+    read_only, write_only = first(lambda entry: not entry.writable), first(lambda entry: not entry.readable)
+    word = first(lambda entry: entry.writable and entry.data_type in (5, 6, 7) and len(entry) >= 16)
+    up, down = node.sdo.upload, node.sdo.download
+    causes = {
+        "0602 0000h: upload without an object": (up, 0xFFFF, 0),
+        "0602 0000h: download without an object": (down, 0xFFFF, 0, b"\0"),
+        "0609 0011h: upload without a sub-index": (up, 0x1018, 0xFD),
+        "0609 0011h: download without a sub-index": (down, 0x1018, 0xFD, b"\0"),
+        "0601 0001h: upload of what is write-only": write_only and (up, write_only.index, write_only.subindex),
+        "0601 0002h: expedited download to what is read-only":
+            read_only and (down, read_only.index, read_only.subindex, b"\0"),
+        "0601 0002h: segmented download to what is read-only":
+            read_only and (down, read_only.index, read_only.subindex, bytes(4), True),
+        "0607 0012h: a stated length beyond that of the entry": word and (down, word.index, word.subindex, bytes(9)),
+        "0607 0013h: a download of one byte to a longer entry": word and (down, word.index, word.subindex, b"\0"),
+    }
+    results = {check["name"]: check["result"] for check in checks}
+    for name, cause in causes.items():
+        is_passed = cause and abort_of(*cause) == int(name[:9].replace(" ", ""), 16)
+        assert results[name] == ("passed" if is_passed else "absent"), name
+    return len(objects) + len(causes)
+
+
 def remap(node, network):
     """A TPDO and an RPDO with an entry each that the EDS does not map there; whether it has such."""
     node.nmt.state = "PRE-OPERATIONAL"
@@ -177,7 +211,7 @@ def reset(node, network, command):
     assert booted.wait(2), f"no boot-up message after {command}"
 
 
-def main(program, eds):
+def main(program, eds, conformance=None):
     process = subprocess.Popen([program], stdout=subprocess.PIPE, text=True)
     port = int(re.fullmatch(r"listening on .*:(\d+)\n", process.stdout.readline())[1])
     network = canopen.Network(Slcan(("127.0.0.1", port)))
@@ -187,6 +221,8 @@ def main(program, eds):
         node.sdo.RESPONSE_TIMEOUT = 2
         reset(node, network, "RESET")
         counts = read_and_write(node)
+        if conformance is not None:
+            counts["as in the conformance table"] = compare(node, conformance)
         is_mapped = remap(node, network)
         node.sdo[0x1017].raw = 20
         node.nmt.state = "OPERATIONAL"

@@ -101,6 +101,11 @@ pub(super) enum Command {
     /// plan, and each node has a page with its configured description. In a single file, a network is only this index. Pages include the
     /// findings of `check`, which do not change the exit code unless --deny is given.
     Docs(Box<DocsArgs>),
+    /// Check the node of a description against CiA 301
+    ///
+    /// Runs the node of `objdict-device` with the defaults of the description, without compiling it, and checks its services and every
+    /// entry as a master does: by frames and time. Exits with 1 if a check fails (docs/runtime.md).
+    Conformance(ConformanceArgs),
     /// Convert between EDS, DCF, XDD, XDC, JSON and concise DCF, and export to DBC
     ///
     /// EDS to EDS and DCF to DCF keep every byte. Conversions between EDS and DCF, and between XDD and XDC, edit the text and keep
@@ -201,6 +206,23 @@ pub(super) enum AnswerFormat {
     Text,
     /// For programs: one JSON document, one file per line (docs/json.md)
     Json,
+}
+
+#[derive(Debug, clap::Args)]
+pub(super) struct ConformanceArgs {
+    /// The description of the node; `-` is standard input
+    pub file: PathBuf,
+    /// The node-ID [default: from the DCF, else 1]
+    #[arg(long, value_name = "N", value_parser = node_id)]
+    pub node_id: Option<u8>,
+    /// Show only checks that fail
+    #[arg(long)]
+    pub summary: bool,
+    /// Output format
+    #[arg(long, value_enum, default_value = "table")]
+    pub format: ShowFormat,
+    #[command(flatten)]
+    pub input: InputArgs,
 }
 
 #[derive(Debug, clap::Args)]

@@ -8,6 +8,7 @@ mod cache;
 mod canonical;
 mod check;
 mod configure;
+mod conformance;
 mod convert;
 mod dcf;
 mod diff;
@@ -69,6 +70,7 @@ pub fn run() -> ExitCode {
         Command::Modules(command) => modules::run(command, &mut out),
         Command::Dcf(command) => dcf::run(&command.command, &mut out),
         Command::Network(command) => network::run(&command.command, &mut out),
+        Command::Conformance(command) => conformance::run(command, &mut out),
         Command::Identify(command) => identify::run(command, &mut out),
         Command::Generate(command) => generate::run(command, &mut out),
         Command::Docs(command) => docs::run(command, &mut out),

@@ -21,6 +21,10 @@ impl<const N: usize> Table<N> {
         self.rows.push(cells.map(|cell| fit(&cell, self.limit)));
     }
 
+    pub(in crate::cli) const fn is_empty(&self) -> bool {
+        self.rows.is_empty()
+    }
+
     pub(in crate::cli) fn write(&self, out: &mut dyn Write) -> io::Result<()> {
         let width = |column: usize| {
             let widest = self.rows.iter().map(|row| row[column].chars().count()).max().unwrap_or_default();

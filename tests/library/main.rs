@@ -10,6 +10,7 @@ mod concise;
 mod config;
 mod configure;
 mod configure_node;
+mod conformance;
 #[cfg(feature = "document")]
 #[cfg(feature = "document")]
 mod conversions;

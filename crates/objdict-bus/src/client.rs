@@ -36,7 +36,13 @@ pub(crate) struct Progress {
 
 impl Client {
     pub(crate) const fn new(node_id: u8) -> Self {
-        let client = SdoClient::new(node_id).with_timeout(TIMEOUT);
+        let node_id = node_id as u16;
+        Self::with_can_ids([0x600 + node_id, 0x580 + node_id])
+    }
+
+    /// The client of another channel: the CAN-IDs of its requests and of its responses.
+    pub(crate) const fn with_can_ids([request, response]: [u16; 2]) -> Self {
+        let client = SdoClient::with_can_ids(request, response).with_timeout(TIMEOUT);
         Self { client, value: Bytes(Vec::new()) }
     }
 
@@ -52,6 +58,21 @@ impl Client {
     pub(crate) fn upload(&mut self, index: u16, sub: u8, now: u64) -> Progress {
         self.value.0.clear();
         let step = self.client.upload(index, sub, now);
+        self.progress(step)
+    }
+
+    /// Begins to write a value by a block transfer.
+    pub(crate) fn download_block(&mut self, index: u16, sub: u8, data: Vec<u8>, now: u64) -> Progress {
+        let length = data.len();
+        self.value = Bytes(data);
+        let step = self.client.download_block(index, sub, length, now);
+        self.progress(step)
+    }
+
+    /// Begins to read a value by a block transfer.
+    pub(crate) fn upload_block(&mut self, index: u16, sub: u8, now: u64) -> Progress {
+        self.value.0.clear();
+        let step = self.client.upload_block(index, sub, now);
         self.progress(step)
     }
 

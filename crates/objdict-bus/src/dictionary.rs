@@ -69,9 +69,12 @@ pub struct LiveDictionary {
 impl LiveDictionary {
     /// The values of a device on a node, which has just been switched on.
     pub fn new(device: &Device, node_id: u8, power_on: PowerOn) -> Self {
-        let mut options = Options::default();
-        (options.string_capacity, options.domain_capacity) = (ROOM, ROOM);
-        Self { is_strict: true, ..Self::with_options(device, node_id, power_on, &options) }
+        Self { is_strict: true, ..Self::with_options(device, node_id, power_on, &roomy()) }
+    }
+
+    /// What a generated table with room for all values answers.
+    pub(crate) fn of_table(device: &Device, node_id: u8) -> Self {
+        Self::with_options(device, node_id, PowerOn::Defaults, &roomy())
     }
 
     /// What a generated table with these options answers.
@@ -131,6 +134,12 @@ impl LiveDictionary {
     }
 }
 
+fn roomy() -> Options {
+    let mut options = Options::default();
+    (options.string_capacity, options.domain_capacity) = (ROOM, ROOM);
+    options
+}
+
 /// Whether a sub-index of 1010h and 1011h is about an object.
 fn is_stored(sub: u8, index: u16) -> bool {
     let is_command = matches!(index, 0x1010 | 0x1011);
@@ -148,14 +157,16 @@ fn has_length(entry: &LiveEntry) -> bool {
     entry.data_type.is_some_and(|data_type| data_type.byte_length().is_none())
 }
 
-/// Whether a value may be written, as in a generated table.
-fn check(entry: &LiveEntry, bytes: &[u8]) -> Result<(), Abort> {
+/// Whether a value has the length of an entry.
+fn check_length(entry: &LiveEntry, bytes: &[u8]) -> Result<(), Abort> {
     if bytes.len() > entry.size {
         return Err(Abort::TooLong);
     }
-    if bytes.len() < entry.size && !has_length(entry) {
-        return Err(Abort::TooShort);
-    }
+    if bytes.len() < entry.size && !has_length(entry) { Err(Abort::TooShort) } else { Ok(()) }
+}
+
+/// Whether a value of this length may be written, as in a generated table.
+fn check(entry: &LiveEntry, bytes: &[u8]) -> Result<(), Abort> {
     match entry.data_type.map(DataType::kind) {
         Some(TypeKind::UnicodeString) if bytes.len() % 2 == 1 => return Err(Abort::LengthMismatch),
         Some(TypeKind::Boolean) if bytes != [0] && bytes != [1] => return Err(Abort::InvalidValue),
@@ -228,6 +239,7 @@ impl Dictionary for LiveDictionary {
         if entry.size == 0 && entry.data_type == Some(DataType::DOMAIN) {
             return Err(Abort::CannotStore);
         }
+        check_length(entry, bytes)?;
         match (index, sub) {
             (0x1010, 1..) if bytes == SAVE => return self.store(sub),
             (0x1011, 1..) if bytes == LOAD => return self.restore(sub),

@@ -5,6 +5,7 @@
 //! `objdict-device` over a [`LiveDictionary`]. What happens is a [`Run`], the same in every run.
 
 mod client;
+mod conformance;
 mod dictionary;
 mod frame;
 mod manager;
@@ -12,6 +13,7 @@ mod node;
 mod run;
 mod simulation;
 
+pub use conformance::{Conformance, ConformanceCheck, Verdict, conformance, conformance_of};
 pub use dictionary::{LiveDictionary, PowerOn};
 pub use frame::BusFrame;
 pub use manager::{BootFailure, Configurations, Milestone};

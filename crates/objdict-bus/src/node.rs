@@ -1,6 +1,6 @@
 //! A node: `objdict-device` over the dictionary of a description, with what its application adds: resets and guarding.
 
-use objdict_device::{Frame, NmtCommand, NmtState, Node, Pdos, Received, error_code};
+use objdict_device::{Dictionary, Frame, NmtCommand, NmtState, Node, Pdos, Received, error_code};
 
 use crate::dictionary::LiveDictionary;
 use crate::frame::BusFrame;
@@ -11,18 +11,24 @@ const LONGEST: usize = 1 << 16;
 /// Nanoseconds of a millisecond.
 pub(crate) const MILLISECOND: u64 = 1_000_000;
 
-/// The services of a device, for any number of PDOs.
-trait Services {
+/// The services of a device, for any dictionary and any number of PDOs.
+pub(crate) trait Services {
     fn boot(&mut self, now: u64) -> Frame;
     fn state(&self) -> NmtState;
     fn receive(&mut self, frame: &Frame, now: u64) -> Received;
     fn poll(&mut self, now: u64) -> Option<Frame>;
     fn next(&self, now: u64) -> Option<u64>;
     fn report(&mut self, code: u16);
+}
+
+/// The services of a simulated node, and its values.
+trait LiveServices: Services {
     fn dictionary(&self) -> &LiveDictionary;
 }
 
-impl<const R: usize, const T: usize, const N: usize> Services for Node<LiveDictionary, LONGEST, 1, R, T, N> {
+impl<D: Dictionary, const C: usize, const R: usize, const T: usize, const N: usize> Services
+    for Node<D, LONGEST, C, R, T, N>
+{
     fn boot(&mut self, now: u64) -> Frame {
         Self::boot(self, now)
     }
@@ -46,30 +52,56 @@ impl<const R: usize, const T: usize, const N: usize> Services for Node<LiveDicti
     fn report(&mut self, code: u16) {
         Self::report(self, code, [0; 5]);
     }
+}
 
+impl<const C: usize, const R: usize, const T: usize, const N: usize> LiveServices
+    for Node<LiveDictionary, LONGEST, C, R, T, N>
+{
     fn dictionary(&self) -> &LiveDictionary {
         &self.dictionary
     }
 }
 
-fn services(node_id: u8, dictionary: LiveDictionary, is_manager: bool) -> Box<dyn Services> {
-    fn with<const R: usize, const T: usize, const N: usize>(
-        node_id: u8,
-        dictionary: LiveDictionary,
-    ) -> Box<dyn Services> {
-        let pad = |indexes: &[u16], at: usize| indexes.get(at).copied().unwrap_or(0);
-        let [rpdos, tpdos] = dictionary.pdos();
-        let rpdos: [u16; R] = std::array::from_fn(|at| pad(&rpdos, at));
-        let tpdos: [u16; T] = std::array::from_fn(|at| pad(&tpdos, at));
-        Box::new(Node::<_, LONGEST, 1, R, T, N>::new(node_id, dictionary, Pdos::new(rpdos, tpdos)))
-    }
-    let most = dictionary.pdos().iter().map(Vec::len).max().unwrap_or(0);
-    match (most <= 16, is_manager) {
-        (true, false) => with::<16, 16, 127>(node_id, dictionary),
-        (false, false) => with::<512, 512, 127>(node_id, dictionary),
+/// The most PDOs of a kind in a small node.
+const FEW: usize = 16;
+/// The most PDOs of a kind that there are.
+const ALL: usize = 512;
+
+/// A node with these PDOs, in so much room.
+fn node<D: Dictionary, const C: usize, const P: usize, const N: usize>(
+    node_id: u8,
+    dictionary: D,
+    [rpdos, tpdos]: &[Vec<u16>; 2],
+) -> Box<Node<D, LONGEST, C, P, P, N>> {
+    let padded = |indexes: &[u16]| std::array::from_fn(|at| indexes.get(at).copied().unwrap_or(0));
+    Box::new(Node::new(node_id, dictionary, Pdos::new(padded(rpdos), padded(tpdos))))
+}
+
+fn has_few(pdos: &[Vec<u16>; 2]) -> bool {
+    pdos.iter().all(|pdos| pdos.len() <= FEW)
+}
+
+fn services(node_id: u8, dictionary: LiveDictionary, is_manager: bool) -> Box<dyn LiveServices> {
+    let pdos = dictionary.pdos();
+    match (has_few(&pdos), is_manager) {
+        (true, false) => node::<_, 1, FEW, 127>(node_id, dictionary, &pdos),
+        (false, false) => node::<_, 1, ALL, 127>(node_id, dictionary, &pdos),
         // a manager monitors its nodes itself
-        (true, true) => with::<16, 16, 0>(node_id, dictionary),
-        (false, true) => with::<512, 512, 0>(node_id, dictionary),
+        (true, true) => node::<_, 1, FEW, 0>(node_id, dictionary, &pdos),
+        (false, true) => node::<_, 1, ALL, 0>(node_id, dictionary, &pdos),
+    }
+}
+
+/// A node alone, with a second SDO server, over any dictionary with these PDOs.
+pub(crate) fn lone<D: Dictionary + 'static>(
+    node_id: u8,
+    dictionary: D,
+    pdos: &[Vec<u16>; 2],
+) -> Box<dyn Services> {
+    if has_few(pdos) {
+        node::<_, 2, FEW, 127>(node_id, dictionary, pdos)
+    } else {
+        node::<_, 2, ALL, 127>(node_id, dictionary, pdos)
     }
 }
 
@@ -92,7 +124,7 @@ struct Guarding {
 /// A node on the bus. Times are in nanoseconds.
 pub(crate) struct SimulatedNode {
     pub(crate) node_id: u8,
-    services: Box<dyn Services>,
+    services: Box<dyn LiveServices>,
     guarding: Guarding,
     /// When a reset ends.
     boots: Option<u64>,

@@ -176,6 +176,8 @@ fn check_mapping<D: Dictionary + ?Sized>(
         return Err(Abort::UnsupportedAccess);
     }
     match (sub, value) {
+        // before the entries that there are, which may be empty
+        (0, 1..=64) if dictionary.attributes(index, value as u8).is_err() => Err(Abort::PdoTooLong),
         (0, 0..=64) => {
             let mut bits = 0;
             for sub in 1..=value as u8 {

@@ -154,6 +154,7 @@ fn a_mapping_must_fit() {
     assert_eq!(device.write(0x1A00, 0, &[254]), Err(Abort::PdoTooLong), "no MPDO");
     assert_eq!(device.write(0x1A00, 0, &[0]), Ok(()));
     assert_eq!(device.write(0x1A00, 3, &[0; 4]), Ok(()), "an empty entry");
+    assert_eq!(device.write(0x1A00, 0, &[11]), Err(Abort::PdoTooLong), "ten entries, one of them empty");
     assert_eq!(device.write(0x1A00, 0, &[3]), abort);
     assert_eq!(device.write(0x1A00, 0, &[2]), Ok(()));
     // first the number, then the entries

@@ -1,0 +1,249 @@
+//! What a description says of the node: what the checks expect.
+
+use objdict_device::{Abort, Dictionary};
+
+use super::{Step, absent, impossible};
+use crate::dictionary::LiveDictionary;
+use crate::model::{Access, DataType, Device, Entry, PdoKind, TypeKind};
+
+/// The entries of a description on a node, in ascending order.
+pub(super) struct Described {
+    pub(super) node_id: u8,
+    pub(super) entries: Vec<DescribedEntry>,
+}
+
+/// An entry as the description has it.
+pub(super) struct DescribedEntry {
+    pub(super) index: u16,
+    pub(super) sub: u8,
+    pub(super) data_type: DataType,
+    pub(super) access: Access,
+    /// As an SDO transfers it; what the node has, if the description says none.
+    pub(super) default: Vec<u8>,
+    /// The limits of an integer.
+    pub(super) low: Option<i128>,
+    pub(super) high: Option<i128>,
+    /// Whether there are limits of another kind, which are not checked.
+    pub(super) has_other_limits: bool,
+    /// Whether RPDOs, TPDOs may map it.
+    pub(super) fits: [bool; 2],
+    /// The length of a value in bytes; `None` for texts, octets and DOMAINs.
+    length: Option<usize>,
+    /// The most bytes of a value.
+    room: usize,
+}
+
+impl DescribedEntry {
+    fn new(index: u16, sub: u8, entry: &Entry, node_id: u8, live: &[u8]) -> Option<Self> {
+        let (data_type, access) = (entry.implied_type()?, entry.implied_access()?);
+        let value = entry.value().and_then(|value| value.resolve(data_type, node_id));
+        let limit =
+            |limit: &Option<crate::model::Value>| limit.as_ref().and_then(|value| value.integer_for(node_id));
+        let (low, high) = (limit(&entry.low_limit), limit(&entry.high_limit));
+        // a table has no limits that contradict each other
+        let is_contradiction = low.zip(high).is_some_and(|(low, high)| low > high);
+        let (low, high) = if is_contradiction { (None, None) } else { (low, high) };
+        let has_limits = entry.low_limit.is_some() || entry.high_limit.is_some();
+        let fits = |kind| entry.is_mappable() && entry.fits_pdo(kind);
+        Some(Self {
+            index,
+            sub,
+            data_type,
+            access,
+            default: value.and_then(|value| value.to_bytes(data_type)).unwrap_or_else(|| live.to_vec()),
+            low,
+            high,
+            has_other_limits: has_limits && low.is_none() && high.is_none(),
+            fits: [fits(PdoKind::Rpdo), fits(PdoKind::Tpdo)],
+            length: data_type.byte_length().map(usize::from),
+            room: live.len(),
+        })
+    }
+
+    /// The entry with the length that the node has, if that is the one of its type.
+    fn with_length(mut self, length: usize) -> Option<Self> {
+        self.room = length;
+        if self.is_opaque() {
+            self.length = Some(length);
+        }
+        self.length.is_none_or(|own| own == length).then_some(self)
+    }
+
+    pub(super) fn is_readable(&self) -> bool {
+        self.access.is_readable()
+    }
+
+    pub(super) fn is_writable(&self) -> bool {
+        self.access.is_writable()
+    }
+
+    pub(super) const fn size(&self) -> Option<usize> {
+        self.length
+    }
+
+    /// Whether it has a type of the device, whose length the device has and whose values a description does not say.
+    pub(super) fn is_opaque(&self) -> bool {
+        matches!(self.data_type.kind(), TypeKind::Structure | TypeKind::Defined | TypeKind::Reserved)
+    }
+
+    pub(super) fn is_integer(&self) -> bool {
+        matches!(self.data_type.kind(), TypeKind::Signed(_) | TypeKind::Unsigned(_))
+    }
+
+    /// Whether a value is within the limits.
+    pub(super) fn allows(&self, number: i128) -> bool {
+        self.low.is_none_or(|low| low <= number) && self.high.is_none_or(|high| number <= high)
+    }
+
+    /// Whether the default is within the limits, so that it can be written too.
+    pub(super) fn allows_default(&self) -> bool {
+        !self.has_other_limits && self.number_of(&self.default).is_none_or(|number| self.allows(number))
+    }
+
+    /// The bytes of a number, if it is one of the data type.
+    pub(super) fn bytes_of(&self, number: i128) -> Option<Vec<u8>> {
+        let value = crate::model::Value::from_integer(number, self.data_type)?;
+        value.to_bytes(self.data_type)
+    }
+
+    /// The number in the bytes of a value.
+    pub(super) fn number_of(&self, bytes: &[u8]) -> Option<i128> {
+        crate::model::Value::from_bytes(bytes, self.data_type)?.as_integer()
+    }
+
+    /// Another valid value than this one.
+    pub(super) fn other_than(&self, bytes: &[u8]) -> Option<Vec<u8>> {
+        if self.has_other_limits {
+            return None;
+        }
+        if let Some(present) = self.data_type.integer_range().and(self.number_of(bytes)) {
+            let near = [present ^ 1, present ^ 2, present + 1, present - 1];
+            let mut numbers = near.into_iter().chain(self.low).chain(self.high);
+            let number = numbers
+                .find(|&number| number != present && self.allows(number) && self.bytes_of(number).is_some());
+            return self.bytes_of(number?);
+        }
+        let other = match self.data_type.kind() {
+            TypeKind::Real32 => 1.5f32.to_le_bytes().to_vec(),
+            TypeKind::Real64 => 1.5f64.to_le_bytes().to_vec(),
+            TypeKind::TimeOfDay | TypeKind::TimeDifference => vec![1, 2, 3, 0, 5, 6],
+            TypeKind::UnicodeString => b"v\0a\0l\0u\0e\0 \0".repeat(3),
+            _ if self.is_opaque() => vec![0x5A; self.length.unwrap_or(0)],
+            _ => b"a value of many segments".to_vec(),
+        };
+        let other = &other[..other.len().min(self.room & !1).max(self.room.min(1))];
+        Some(if other == bytes { vec![0; other.len()] } else { other.to_vec() })
+    }
+}
+
+impl Described {
+    pub(super) fn new(device: &Device, node_id: u8, live: &LiveDictionary) -> Self {
+        let mut entries = Vec::new();
+        for (&index, object) in device.objects.iter() {
+            for (sub, entry) in object.entries() {
+                // what a table cannot have is reported by the generator
+                let (Ok(attributes), Some(value)) = (live.attributes(index, sub), live.bytes(index, sub))
+                else {
+                    continue;
+                };
+                let entry = DescribedEntry::new(index, sub, &entry, node_id, value);
+                entries.extend(entry.and_then(|entry| entry.with_length(attributes.size)));
+            }
+        }
+        Self { node_id, entries }
+    }
+
+    pub(super) fn find(&self, index: u16, sub: u8) -> Option<&DescribedEntry> {
+        let at = self.entries.binary_search_by_key(&(index, sub), |entry| (entry.index, entry.sub));
+        at.ok().map(|at| &self.entries[at])
+    }
+
+    pub(super) fn has_object(&self, index: u16) -> bool {
+        self.object(index).next().is_some()
+    }
+
+    /// The entries of an object.
+    pub(super) fn object(&self, index: u16) -> impl Iterator<Item = &DescribedEntry> {
+        let start = self.entries.partition_point(|entry| entry.index < index);
+        self.entries[start..].iter().take_while(move |entry| entry.index == index)
+    }
+
+    /// An entry that a check is about.
+    pub(super) fn needs(&self, index: u16, sub: u8) -> Step<&DescribedEntry> {
+        match self.find(index, sub) {
+            Some(entry) => Ok(entry),
+            None if sub == 0 => absent(format!("{index:04X}h")),
+            None => absent(format!("{index:04X}h sub {sub}")),
+        }
+    }
+
+    /// An entry that a check writes.
+    pub(super) fn needs_writable(&self, index: u16, sub: u8) -> Step<&DescribedEntry> {
+        let entry = self.needs(index, sub)?;
+        if entry.is_writable() {
+            Ok(entry)
+        } else {
+            impossible(format!("{} is {}", place(index, sub), entry.access.name()))
+        }
+    }
+
+    /// The default of a number; 0 without an entry.
+    pub(super) fn number(&self, index: u16, sub: u8) -> u64 {
+        let bytes = self.find(index, sub).map(|entry| entry.default.as_slice());
+        bytes.unwrap_or_default().iter().take(8).rev().fold(0, |number, &byte| number << 8 | u64::from(byte))
+    }
+
+    /// An index without an object.
+    pub(super) fn unused(&self) -> u16 {
+        (0x2000..=u16::MAX).rev().find(|&index| !self.has_object(index)).unwrap_or(0)
+    }
+
+    /// The first entry of a kind: in the parts of the manufacturer and the profile, else in that of CiA 301, but for objects with
+    /// rules of their own.
+    pub(super) fn first(
+        &self,
+        what: &str,
+        is_meant: impl Fn(&DescribedEntry) -> bool,
+    ) -> Step<&DescribedEntry> {
+        let is_plain = |entry: &&DescribedEntry| is_meant(entry) && !has_rules(entry.index);
+        let own = self.entries.iter().filter(|entry| entry.index >= 0x2000).find(is_plain);
+        match own.or_else(|| self.entries.iter().find(is_plain)) {
+            Some(entry) => Ok(entry),
+            None => absent(what),
+        }
+    }
+}
+
+/// Whether the values of an object are no mere values: commands, and parameters of services.
+pub(super) const fn has_rules(index: u16) -> bool {
+    matches!(index, 0x1001 | 0x1003 | 0x1005 | 0x1010..=0x1016 | 0x1019 | 0x1020 | 0x1028 | 0x1029 | 0x1200..=0x1BFF | 0x1F50..=0x1F5F)
+}
+
+/// How messages call an entry.
+pub(super) fn place(index: u16, sub: u8) -> String {
+    if sub == 0 { format!("{index:04X}h") } else { format!("{index:04X}h sub {sub}") }
+}
+
+/// How messages call the answer to an SDO.
+pub(super) fn answer<T>(answer: &Result<T, Abort>) -> String {
+    match answer {
+        Ok(_) => "accepted".to_owned(),
+        Err(abort) => abort_code(*abort),
+    }
+}
+
+pub(super) fn abort_code(abort: Abort) -> String {
+    let code = abort.code();
+    format!("{:04X} {:04X}h", code >> 16, code & 0xFFFF)
+}
+
+/// How messages call bytes.
+pub(super) fn hex(bytes: &[u8]) -> String {
+    const MOST: usize = 16;
+    let mut text: String =
+        bytes.iter().take(MOST).map(|byte| format!("{byte:02X}")).collect::<Vec<_>>().join(" ");
+    if bytes.len() > MOST {
+        text += &format!(" … ({} bytes)", bytes.len());
+    }
+    if bytes.is_empty() { "no byte".to_owned() } else { text }
+}

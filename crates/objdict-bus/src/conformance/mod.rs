@@ -1,0 +1,183 @@
+//! What CiA 301 says of a node, checked on `objdict-device` with the values of a description.
+//!
+//! A check sees of the node what a master sees: frames, and when they come. What it expects is in the description and in CiA 301.
+
+mod bench;
+mod described;
+mod emergency;
+mod error_control;
+mod mapping;
+mod nmt;
+mod objects;
+mod pdo;
+mod rpdo;
+mod sdo;
+mod storage;
+mod sync;
+mod transfers;
+mod unserved;
+
+use objdict_device::Dictionary;
+
+use crate::dictionary::{LiveDictionary, PowerOn};
+use crate::model::Device;
+use bench::Bench;
+use described::Described;
+use transfers::{Exchange, Target};
+
+/// The result of a check.
+#[derive(Clone, Debug, PartialEq, Eq)]
+#[non_exhaustive]
+pub enum Verdict {
+    /// The node does what CiA 301 says.
+    Passed,
+    /// It does something else.
+    Failed(String),
+    /// The node does not have the service, and its documentation says so.
+    NotServed,
+    /// The description does not have these objects.
+    Absent(String),
+    /// Why the description makes the check impossible.
+    Impossible(String),
+}
+
+/// A check and its result.
+#[derive(Clone, Debug, PartialEq, Eq)]
+#[non_exhaustive]
+pub struct ConformanceCheck {
+    /// The service, such as `NMT`; several checks are about one.
+    pub service: &'static str,
+    /// What is checked.
+    pub name: String,
+    /// The section of CiA 301 (version 4.2.0), such as `7.2.8.3.1`, or another document of CiA.
+    pub section: &'static str,
+    /// The result.
+    pub verdict: Verdict,
+}
+
+/// The results of all checks of a description.
+#[derive(Clone, Debug, PartialEq, Eq)]
+#[non_exhaustive]
+pub struct Conformance {
+    /// The checks, service by service.
+    pub checks: Vec<ConformanceCheck>,
+}
+
+impl Conformance {
+    /// How many checks the node passes, and how many there are for this description.
+    pub fn passed(&self) -> (usize, usize) {
+        let count = |is_meant: fn(&Verdict) -> bool| {
+            self.checks.iter().filter(|check| is_meant(&check.verdict)).count()
+        };
+        let applies = |verdict: &Verdict| !matches!(verdict, Verdict::Absent(_) | Verdict::Impossible(_));
+        (count(|verdict| *verdict == Verdict::Passed), count(applies))
+    }
+
+    /// Whether no check failed.
+    pub fn is_clean(&self) -> bool {
+        !self.checks.iter().any(|check| matches!(check.verdict, Verdict::Failed(_)))
+    }
+}
+
+/// Why a check ends before its end.
+type Step<T = ()> = Result<T, Verdict>;
+
+/// A check of a service: each begins with a node that has just been switched on.
+struct Check {
+    service: &'static str,
+    name: &'static str,
+    section: &'static str,
+    run: Run,
+}
+
+/// How a check is made.
+enum Run {
+    /// By requests to the SDO server about an entry.
+    Frames(Target, &'static [Exchange]),
+    Function(fn(&mut Bench<'_>) -> Step),
+}
+
+impl Check {
+    fn run(&self, bench: &mut Bench<'_>) -> Step {
+        match self.run {
+            Run::Frames(target, exchanges) => transfers::run(bench, target, exchanges),
+            Run::Function(run) => run(bench),
+        }
+    }
+}
+
+/// The checks of a service: section, name, function.
+macro_rules! checks {
+    ($service:literal: $($section:literal $name:literal $run:expr;)*) => {
+        pub(super) const CHECKS: &[super::Check] = &[$(super::Check {
+            service: $service,
+            name: $name,
+            section: $section,
+            run: super::Run::Function($run),
+        }),*];
+    };
+}
+use checks;
+
+const SERVICES: [&[Check]; 11] = [
+    nmt::CHECKS,
+    error_control::CHECKS,
+    sdo::CHECKS,
+    transfers::CHECKS,
+    pdo::CHECKS,
+    rpdo::CHECKS,
+    mapping::CHECKS,
+    sync::CHECKS,
+    emergency::CHECKS,
+    storage::CHECKS,
+    unserved::CHECKS,
+];
+
+/// Checks the node of a description, which has the defaults and the node-ID.
+pub fn conformance(device: &Device, node_id: u8) -> Conformance {
+    conformance_of(device, node_id, |dictionary| dictionary)
+}
+
+/// Checks the node of a description whose dictionary is another one than that of the description.
+pub fn conformance_of<D: Dictionary + Clone + 'static>(
+    device: &Device,
+    node_id: u8,
+    dictionary: impl FnOnce(LiveDictionary) -> D,
+) -> Conformance {
+    let device = PowerOn::Defaults.values_of(device);
+    let live = LiveDictionary::of_table(&device, node_id);
+    let pdos = live.pdos();
+    let described = Described::new(&device, node_id, &live);
+    let dictionary = dictionary(live);
+    let bench = || Bench::new(&described, crate::node::lone(node_id, dictionary.clone(), &pdos));
+    let of_services = SERVICES.into_iter().flatten().map(|check| ConformanceCheck {
+        service: check.service,
+        name: check.name.to_owned(),
+        section: check.section,
+        verdict: verdict(check.run(&mut bench())),
+    });
+    let mut checks: Vec<ConformanceCheck> = of_services.collect();
+    checks.extend(objects::checks(&described, &mut bench()));
+    Conformance { checks }
+}
+
+fn verdict(step: Step) -> Verdict {
+    step.err().unwrap_or(Verdict::Passed)
+}
+
+fn failed<T>(text: impl Into<String>) -> Step<T> {
+    Err(Verdict::Failed(text.into()))
+}
+
+fn impossible<T>(text: impl Into<String>) -> Step<T> {
+    Err(Verdict::Impossible(text.into()))
+}
+
+fn absent<T>(text: impl Into<String>) -> Step<T> {
+    Err(Verdict::Absent(text.into()))
+}
+
+/// Fails unless a condition holds.
+fn ensure(holds: bool, text: impl FnOnce() -> String) -> Step {
+    if holds { Ok(()) } else { failed(text()) }
+}

@@ -1,0 +1,93 @@
+//! Values that resets give back and that 1010h and 1011h store and restore (CiA 301 §7.3.2.2.1, §7.5.2.13, §7.5.2.14).
+
+use objdict_device::Abort;
+
+use super::bench::{Bench, RESET_COMMUNICATION, RESET_NODE};
+use super::described::{DescribedEntry, hex, place};
+use super::{Step, absent, checks, ensure, impossible};
+
+checks! { "storage":
+    "7.3.2.2.1" "reset node gives back the values of 2000h to 9FFFh" |bench| reset(bench, RESET_NODE, true, true);
+    "7.3.2.2.1" "reset node gives back the values of 1000h to 1FFFh" |bench| reset(bench, RESET_NODE, false, true);
+    "7.3.2.2.1" "reset communication gives back the values of 1000h to 1FFFh" |bench| reset(bench, RESET_COMMUNICATION, false, true);
+    "7.3.2.2.1" "reset communication keeps the values of 2000h to 9FFFh" |bench| reset(bench, RESET_COMMUNICATION, true, false);
+    "7.5.2.13" "1010h: another signature is refused" |bench| bench.refuse(0x1010, 1, u64::from(u32::from_le_bytes(*b"load")), Abort::CannotStore);
+    "7.5.2.14" "1011h: another signature is refused" |bench| bench.refuse(0x1011, 1, u64::from(u32::from_le_bytes(*b"save")), Abort::CannotStore);
+    "7.5.2.13" "1010h: stored values survive a reset" store;
+    "7.5.2.14" "1011h: the defaults are back after a reset" restore;
+}
+
+/// The signatures as numbers.
+const SAVE: u64 = u32::from_le_bytes(*b"save") as u64;
+const LOAD: u64 = u32::from_le_bytes(*b"load") as u64;
+
+/// The first entry of the application, or of CiA 301, that takes another value than its default; and both.
+fn changeable(bench: &Bench<'_>, is_application: bool) -> Step<(u16, u8, Vec<u8>, Vec<u8>)> {
+    let is_meant = |entry: &&DescribedEntry| {
+        let is_in_range = (entry.index >= 0x2000) == is_application && entry.index < 0xA000;
+        let is_value = entry.is_readable() && entry.is_writable() && entry.is_integer();
+        is_in_range
+            && is_value
+            && !super::described::has_rules(entry.index)
+            && !is_beyond(entry)
+            && entry.allows_default()
+    };
+    let mut found = bench.described.entries.iter().filter(is_meant).filter_map(|entry| {
+        let other = entry.other_than(&entry.default)?;
+        Some((entry.index, entry.sub, entry.default.clone(), other))
+    });
+    found.next().map_or_else(|| absent("an entry that can be changed"), Ok)
+}
+
+/// Whether the objects of CiA 302, which other rules are about.
+const fn is_beyond(entry: &DescribedEntry) -> bool {
+    matches!(entry.index, 0x1F00..=0x1FFF)
+}
+
+fn write(bench: &mut Bench<'_>, index: u16, sub: u8, value: &[u8]) -> Step {
+    let written = bench.download(index, sub, value);
+    ensure(written.is_ok(), || {
+        format!("writing {} to {}: {}", hex(value), place(index, sub), super::described::answer(&written))
+    })
+}
+
+fn reset(bench: &mut Bench<'_>, command: u8, is_application: bool, gives_back: bool) -> Step {
+    let (index, sub, default, other) = changeable(bench, is_application)?;
+    write(bench, index, sub, &other)?;
+    bench.command(command);
+    bench.expect(index, sub, if gives_back { &default } else { &other })
+}
+
+/// Whether 1010h or 1011h can do something on command.
+fn needs_storage(bench: &mut Bench<'_>, index: u16) -> Step {
+    bench.described.needs_writable(index, 1)?;
+    let ability = bench.number(index, 1)?;
+    let is_meant = index == 0x1011 || ability & 1 == 1;
+    if is_meant {
+        Ok(())
+    } else {
+        impossible(format!("{} is {ability}: the device does not store on command", place(index, 1)))
+    }
+}
+
+fn store(bench: &mut Bench<'_>) -> Step {
+    needs_storage(bench, 0x1010)?;
+    let (index, sub, default, other) = changeable(bench, true).or_else(|_| changeable(bench, false))?;
+    write(bench, index, sub, &other)?;
+    bench.write(0x1010, 1, SAVE)?;
+    write(bench, index, sub, &default)?;
+    bench.command(RESET_NODE);
+    bench.expect(index, sub, &other)
+}
+
+fn restore(bench: &mut Bench<'_>) -> Step {
+    needs_storage(bench, 0x1011)?;
+    needs_storage(bench, 0x1010)?;
+    let (index, sub, default, other) = changeable(bench, true).or_else(|_| changeable(bench, false))?;
+    write(bench, index, sub, &other)?;
+    bench.write(0x1010, 1, SAVE)?;
+    bench.write(0x1011, 1, LOAD)?;
+    bench.expect(index, sub, &other)?;
+    bench.command(RESET_NODE);
+    bench.expect(index, sub, &default)
+}
