@@ -36,6 +36,7 @@ const LINES: &[(Kind, &str)] = &[
     (Text, "check @.eds @-none.eds --format github"),
     (Text, "check @.eds --format gitlab"),
     (Text, "check @.eds @-none.eds --format junit"),
+    (Text, "conformance @.eds"),
     (Text, "check @.eds --diff"),
     (Text, "check @-fixed.eds --fix --unsafe-fixes -v"),
     (Text, "check @.eds --write-baseline @-new.json"),
