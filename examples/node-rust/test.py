@@ -130,8 +130,9 @@ def compare(node, path):
     """canopen for Python sees what `objdict conformance --format json` says: the objects, and the aborts that it can cause."""
     with open(path) as file:
         checks = json.load(file)["checks"]
-    # what `read_and_write` has found of each object is found by the checks too
-    objects = {check["name"]: check["result"] for check in checks if check["service"].startswith("objects")}
+    # what `read_and_write` has found of each object is found by the checks too; canopen leaves out data types
+    objects = {check["name"]: check["result"] for check in checks
+               if check["service"].startswith("objects") and check["service"] != "objects below 1000h"}
     indexes = {entry.index for entry in variables(node.object_dictionary)}
     assert objects == {f"{index:04X}h": "passed" for index in indexes}, objects
     entries = list(variables(node.object_dictionary))

@@ -48,6 +48,8 @@ const LINES: &[(Kind, &str)] = &[
     (Text, "check --@=x"),
     (Text, "identify @.eds @.xdd @.toml @.txt @-none"),
     (Text, "identify @.eds @.txt --format json"),
+    (Text, "conformance @.eds"),
+    (Text, "conformance @.eds --format json"),
     (Text, "show @.eds"),
     (Text, "show @.eds 1018"),
     (Text, "show @.eds @"),

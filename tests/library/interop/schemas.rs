@@ -17,6 +17,8 @@ const DOCUMENTS: &[(&str, &str)] = &[
     ("findings", "network check FIXTURES/rules/network/link-mismatch/bad.toml --format json"),
     ("baseline", "check FIXTURES/broken --no-config --quiet --write-baseline OUT"),
     ("identify", "identify IDENTIFIED --format json"),
+    ("conformance", "conformance FIXTURES/eds/io-401.eds --format json"),
+    ("conformance", "conformance FIXTURES/eds/bootloader.eds --format json"),
     ("entries", "show FIXTURES/eds/all-types.eds --format json"),
     ("entries", "show FIXTURES/torture/22_default_overflow.eds --format json"),
     ("entries", "show FIXTURES/dcf/encoder-406-node3.dcf --format json"),
