@@ -152,7 +152,7 @@ targets! {
     #[cfg(feature = "stacks")]
     CANOPEN_STACK canopen_stack "canopen-stack"
         "the `CO_OBJ` table of canopen-stack 4.4 (embedded-office), its values and a node specification"
-        [Names Renamed Prefix Groups StringCapacity DomainCapacity];
+        [Names Renamed Prefix Groups Hooks StringCapacity DomainCapacity];
     #[cfg(feature = "stacks")]
     ZENCAN zencan "zencan"
         "one device configuration (.toml) for the crate zencan-build 0.0.5"
@@ -178,7 +178,7 @@ targets! {
     #[cfg(feature = "stacks")]
     LELY lely "lely"
         "the static device (`co_sdev`) of Lely core 2.4"
-        [Prefix EntryNames]
+        [Prefix Hooks EntryNames]
         unmeasured "the library copies the table, and its configuration decides what a row contains";
     #[cfg(feature = "stacks")]
     CANFESTIVAL canfestival "canfestival"

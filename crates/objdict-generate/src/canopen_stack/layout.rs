@@ -3,6 +3,7 @@
 use std::collections::{BTreeSet, HashSet};
 
 use super::cell::{Cell, Planned};
+use super::hooks;
 use super::special::STORE;
 use crate::c_code::{bytes, literal};
 use crate::dictionary::{Dictionary, ResolvedEntry, ResolvedObject};
@@ -76,10 +77,12 @@ impl Layout {
         prefix: &str,
         notes: &mut Vec<Note>,
     ) -> Self {
-        let mut scope = Scope::of_lower_case(
+        let hooks: Vec<String> = options.hooks.iter().map(|at| hooks::name(at.index)).collect();
+        let mut scope = Scope::of_lower_case(&format!(
             "objects store restore nothing rest block block_size block_read block_write block_reset
-             bytes bytes_size bytes_read bytes_write bytes_reset",
-        );
+             bytes bytes_size bytes_read bytes_write bytes_reset {}",
+            hooks.join(" ")
+        ));
         let mut layout = Self {
             data: planned.iter().map(|entries| vec![String::new(); entries.len()]).collect(),
             ..Self::default()

@@ -7,6 +7,7 @@
 
 mod cell;
 mod checks;
+mod hooks;
 mod layout;
 mod para;
 mod rows;
@@ -21,6 +22,7 @@ use super::notes::{in_order, once_per_object};
 use super::{GenerateError, Made, Options, render};
 use crate::model::{Device, PdoKind};
 use cell::{Planned, Planner, Type};
+use hooks::Hook;
 use layout::Layout;
 use para::Parameters;
 use rows::Row;
@@ -33,6 +35,7 @@ struct Tables<'a> {
     layout: Layout,
     parameters: Parameters,
     rows: Vec<Row>,
+    hooks: Vec<Hook>,
 }
 
 files! {
@@ -50,10 +53,11 @@ pub(super) fn make(device: &Device, options: &Options) -> Result<Made, GenerateE
     let planned = Planner { node_id: dictionary.node_id, notes: &mut notes }.plan(&dictionary);
     let mut layout = Layout::new(&dictionary, &planned, options, &prefix, &mut notes);
     let parameters = Parameters::new(&dictionary, &planned, &mut layout, &prefix, &mut notes);
-    let rows = rows::rows(&dictionary, &planned, &layout);
+    let mut rows = rows::rows(&dictionary, &planned, &layout);
+    let hooks = hooks::mark(&mut rows, options, &prefix, &mut notes);
     checks::check(&dictionary, rows.len(), &mut notes);
     let head = Head::new(device, options, &prefix, &file_name(options, "od"));
-    let tables = Tables { head, dictionary: &dictionary, planned, layout, parameters, rows };
+    let tables = Tables { head, dictionary: &dictionary, planned, layout, parameters, rows, hooks };
     let stem = &tables.head.stem;
     let files = vec![
         render(format!("{stem}.c"), &Source(&tables))?,
@@ -67,6 +71,11 @@ impl Tables<'_> {
     /// Whether a row has a type.
     fn has(&self, type_: Type) -> bool {
         self.planned.iter().flatten().any(|row| row.type_ == type_)
+    }
+
+    /// Whether a type of this target is replaced by one of the application, which then can call its functions.
+    fn shares(&self, type_: Type) -> bool {
+        self.rows.iter().any(|row| row.hooked && row.type_ == type_)
     }
 
     /// Minimum counts in the configuration of the stack: the middle part of the macro name, the count, of what, and an

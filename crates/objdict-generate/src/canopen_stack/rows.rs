@@ -1,6 +1,7 @@
 //! The rows of the table.
 
 use super::cell::{Cell, Planned, Type};
+use super::hooks;
 use super::layout::Layout;
 use crate::dictionary::Dictionary;
 
@@ -9,7 +10,9 @@ pub(super) struct Row {
     pub(super) index: u16,
     pub(super) sub: u8,
     pub(super) flags: String,
-    type_: Type,
+    pub(super) type_: Type,
+    /// Whether the application defines the type.
+    pub(super) hooked: bool,
     pub(super) data: String,
     pub(super) name: String,
 }
@@ -17,6 +20,7 @@ pub(super) struct Row {
 impl Row {
     pub(super) fn type_name(&self, prefix: &str) -> String {
         match self.type_ {
+            _ if self.hooked => format!("&{prefix}_{}", hooks::name(self.index)),
             Type::Stack(name) => name.to_owned(),
             Type::Block => format!("&{prefix}_block"),
             Type::Bytes => format!("&{prefix}_bytes"),
@@ -45,6 +49,7 @@ pub(super) fn rows(dictionary: &Dictionary<'_>, planned: &[Vec<Planned>], layout
             sub: entry.sub,
             flags: flags(&set),
             type_: planned.type_,
+            hooked: false,
             data: data.clone(),
             name: entry.entry.name.to_string(),
         }
@@ -62,7 +67,8 @@ fn default_sdo_server() -> impl Iterator<Item = Row> {
     let row = |sub: u8, type_: &'static str, data: &str, name: &str| {
         let (flags, type_) = (if sub == 0 { "CO_OBJ_D___R_" } else { "CO_OBJ_DN__R_" }, Type::Stack(type_));
         let name = format!("{name} (not in the description)");
-        Row { index: 0x1200, sub, flags: flags.to_owned(), type_, data: data.to_owned(), name }
+        let (flags, data) = (flags.to_owned(), data.to_owned());
+        Row { index: 0x1200, sub, flags, type_, hooked: false, data, name }
     };
     [
         row(0, "CO_TUNSIGNED8", "2u", "Highest sub-index"),

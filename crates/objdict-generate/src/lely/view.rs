@@ -1,5 +1,6 @@
 //! Views of the Lely core templates.
 
+use super::hooks::{Hook, hooked};
 use super::value::{UNCONFIGURED, data_type, has_limits, initial, limit, type_name};
 use crate::c_code::literal;
 use crate::dictionary::{Dictionary, ResolvedEntry, ResolvedObject};
@@ -9,12 +10,16 @@ use crate::model::{Access, DataType, Entry, Place, TypeKind};
 use crate::resolve::{Datum, Shape};
 use crate::{Note, Options};
 
+/// Maximum number of entries of an object: `nsub` is a byte.
+pub(super) const MOST_ENTRIES: usize = 255;
+
 /// What the files have.
 pub(super) struct Tables<'a> {
     head: Head,
     dictionary: &'a Dictionary<'a>,
     options: &'a Options,
     objects: Vec<SdevObject>,
+    hooks: Vec<Hook>,
 }
 
 files! {
@@ -57,7 +62,9 @@ impl<'a> Tables<'a> {
         notes: &mut Vec<Note>,
     ) -> Self {
         let objects = objects(dictionary, defaults, options.entry_names, notes);
-        Self { head: Head::new(dictionary.device, options, prefix, stem), dictionary, options, objects }
+        let hooks = hooked(dictionary, options, notes);
+        let head = Head::new(dictionary.device, options, prefix, stem);
+        Self { head, dictionary, options, objects, hooks }
     }
 
     /// The number of entries of all objects.
@@ -115,12 +122,12 @@ pub(super) fn objects(
 ) -> Vec<SdevObject> {
     let node_id = dictionary.node_id.unwrap_or(UNCONFIGURED);
     let rows = |object: &ResolvedObject<'_>, default: &ResolvedObject<'_>, notes: &mut Vec<Note>| {
-        let pairs = object.entries.iter().zip(&default.entries).take(usize::from(u8::MAX)); // `nsub` is a byte
+        let pairs = object.entries.iter().zip(&default.entries).take(MOST_ENTRIES);
         pairs.map(|(entry, default)| row((object, entry), default, (names, node_id), notes)).collect()
     };
     let pairs = dictionary.objects.iter().zip(&defaults.objects);
     let objects = pairs.map(|(object, default)| {
-        if let Some(entry) = object.entries.get(usize::from(u8::MAX)) {
+        if let Some(entry) = object.entries.get(MOST_ENTRIES) {
             let text = "an object of the stack has at most 255 entries; the last one is omitted";
             notes.push(Note::new(Place::entry(object.index, entry.sub), text));
         }

@@ -54,8 +54,12 @@ pub(super) fn make(device: &Device, options: &Options) -> Result<Made, GenerateE
         code: CODE,
         name: options.entry_names.then_some((8, 0)), // a slice on 32 bits
         counted: match options.cell {
-            Some(_) => "the tables and values, with the initial values of `SHARED` in flash, on any processor; the code on a Cortex-M4, optimised for size",
-            None => "the tables and values, on any processor (a `static` of the values takes as much flash again); the code on a Cortex-M4, optimised for size",
+            Some(_) => {
+                "the tables and values, with the initial values of `SHARED` in flash, on any processor; the code on a Cortex-M4, optimised for size"
+            }
+            None => {
+                "the tables and values, on any processor (a `static` of the values takes as much flash again); the code on a Cortex-M4, optimised for size"
+            }
         },
     };
     let size = layout.size(&table);

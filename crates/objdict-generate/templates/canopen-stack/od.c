@@ -64,7 +64,7 @@ static CO_ERR {{ head.lower }}_block_reset(struct CO_OBJ_T *obj, struct CO_NODE_
     return CO_ERR_NONE;
 }
 
-static const CO_OBJ_TYPE {{ head.lower }}_block = {
+{% if !self.shares(Type::Block) %}static {% endif %}const CO_OBJ_TYPE {{ head.lower }}_block = {
     {{ head.lower }}_block_size, NULL, {{ head.lower }}_block_read, {{ head.lower }}_block_write, {{ head.lower }}_block_reset,
 };
 {%- endif %}
@@ -118,7 +118,7 @@ static CO_ERR {{ head.lower }}_bytes_reset(struct CO_OBJ_T *obj, struct CO_NODE_
     return CO_ERR_NONE;
 }
 
-static const CO_OBJ_TYPE {{ head.lower }}_bytes = {
+{% if !self.shares(Type::Bytes) %}static {% endif %}const CO_OBJ_TYPE {{ head.lower }}_bytes = {
     {{ head.lower }}_bytes_size, NULL, {{ head.lower }}_bytes_read, {{ head.lower }}_bytes_write, {{ head.lower }}_bytes_reset,
 };
 {%- endif %}

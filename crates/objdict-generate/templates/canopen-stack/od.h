@@ -46,6 +46,26 @@ typedef {{ structure }} {{ member.name }}_t;
 extern {{ layout::definition(member) }}; /* {{ layout::place(member) }}: {{ member.described|c_comment }} */
 {%- endfor %}
 {%- endif %}
+{%- if self.shares(Type::Block) || self.shares(Type::Bytes) %}
+
+/* Types of this file that those below replace. */
+{%- if self.shares(Type::Block) %}
+extern const CO_OBJ_TYPE {{ head.lower }}_block;
+{%- endif %}
+{%- if self.shares(Type::Bytes) %}
+extern const CO_OBJ_TYPE {{ head.lower }}_bytes;
+{%- endif %}
+{%- endif %}
+{%- if !hooks.is_empty() %}
+
+/*
+ * Types that the application defines, each in place of those beside it, whose functions it can call:
+ * `(CO_TUNSIGNED16)->Write(obj, node, buffer, size)`. `CO_GET_SUB(obj->Key)` is the sub-index.
+ */
+{%- for hook in hooks %}
+extern const CO_OBJ_TYPE {{ head.lower }}_{{ hook.name() }}; /* {{ hook.replaced.join(", ") }} */
+{%- endfor %}
+{%- endif %}
 
 #ifdef __cplusplus
 }

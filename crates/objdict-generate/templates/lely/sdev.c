@@ -137,3 +137,21 @@ co_dev_t *{{ head.lower }}_create(void)
     return &dev;
 }
 #endif
+{%- if !hooks.is_empty() %}
+
+void {{ head.lower }}_init_hooks(co_dev_t *dev, void *data)
+{
+{%- for hook in hooks %}
+{%- for sub in hook.written %}
+    co_sub_set_dn_ind(co_dev_find_sub(dev, 0x{{ hook.index|hex4 }}u, 0x{{ (*sub)|hex2 }}u), {{ head.lower }}_hook{{ hook.index|hex4 }}_dn, data);
+{%- endfor %}
+{%- endfor %}
+#if !LELY_NO_CO_OBJ_UPLOAD
+{%- for hook in hooks %}
+{%- for sub in hook.read %}
+    co_sub_set_up_ind(co_dev_find_sub(dev, 0x{{ hook.index|hex4 }}u, 0x{{ (*sub)|hex2 }}u), {{ head.lower }}_hook{{ hook.index|hex4 }}_up, data);
+{%- endfor %}
+{%- endfor %}
+#endif
+}
+{%- endif %}

@@ -95,6 +95,7 @@ pub(crate) fn dump(
     let mut cc = cc(compiler, folder);
     cc.arg("-I.").arg(format!("-I{}", beside("canopen_stack", "include").display()));
     cc.args(["-DDICTIONARY=\"device_od.h\"", "-o", "harness", "device_od.c", "device_od_spec.c"]);
+    cc.args((!options.hooks.is_empty()).then(|| beside("canopen_stack", "hooks.c")));
     Ok((build(cc.arg(beside("canopen_stack", "harness.c")))?.run(&[], "")?, notes))
 }
 
@@ -114,17 +115,16 @@ fn the_stack_reads_what_the_description_says() {
     });
 }
 
+/// The folders with the sources of a checkout.
+fn folders(stack: &Path) -> Vec<PathBuf> {
+    FOLDERS.iter().map(|folder| stack.join("src").join(folder)).collect()
+}
+
 /// `OBJDICT_CANOPEN_STACK_DIR` names a checkout of the stack.
 #[test]
 fn the_headers_of_the_real_stack_take_the_files() {
     let (Some(stack), Some(compiler)) = (checkout("OBJDICT_CANOPEN_STACK_DIR"), c_compiler()) else { return };
-    let mut folders = vec![stack.join("src")];
-    let mut at = 0;
-    while let Some(folder) = folders.get(at).cloned() {
-        let inside = std::fs::read_dir(folder).unwrap().map(|entry| entry.unwrap().path());
-        folders.extend(inside.filter(|path| path.is_dir()));
-        at += 1;
-    }
+    let folders = folders(&stack);
     for_all(&[devices(), arbitrary_devices(12)].concat(), |(name, device)| {
         let folder = tempfile::tempdir().map_err(|error| error.to_string())?;
         write(folder.path(), device, &options(5, true));
@@ -142,7 +142,7 @@ fn the_headers_of_the_real_stack_take_the_files() {
 #[test]
 fn the_real_stack_starts_as_the_notes_predict() {
     let (Some(stack), Some(compiler)) = (checkout("OBJDICT_CANOPEN_STACK_DIR"), c_compiler()) else { return };
-    let folders: Vec<PathBuf> = FOLDERS.iter().map(|folder| stack.join("src").join(folder)).collect();
+    let folders = folders(&stack);
     let sources = |folder: &PathBuf| folder.read_dir().unwrap().map(|entry| entry.unwrap().path());
     let is_source = |path: &PathBuf| path.extension().is_some_and(|extension| extension == "c");
     let sources: Vec<PathBuf> = folders.iter().flat_map(sources).filter(is_source).collect();
@@ -177,6 +177,106 @@ fn the_real_stack_starts_as_the_notes_predict() {
         Ok(())
     });
     eprintln!("canopen-stack: {started:?} nodes started, {found:?} predictions");
+}
+
+/// A number, numbers, a text and a heartbeat.
+const HOOKED: &str = "
+[MandatoryObjects]
+SupportedObjects=3
+1=0x1000
+2=0x1001
+3=0x1018
+[OptionalObjects]
+SupportedObjects=2
+1=0x1014
+2=0x1017
+[ManufacturerObjects]
+SupportedObjects=3
+1=0x2101
+2=0x2102
+3=0x2103
+[1000]
+ParameterName=Device type
+DataType=0x0007
+AccessType=ro
+[1001]
+ParameterName=Error register
+DataType=0x0005
+AccessType=ro
+[1014]
+ParameterName=COB-ID EMCY
+DataType=0x0007
+AccessType=ro
+DefaultValue=$NODEID+0x80
+[1017]
+ParameterName=Producer heartbeat time
+DataType=0x0006
+AccessType=rw
+[1018]
+ParameterName=Identity object
+ObjectType=0x9
+DataType=0x0007
+AccessType=ro
+CompactSubObj=4
+[2101]
+ParameterName=Speed
+DataType=0x0003
+AccessType=rw
+DefaultValue=0x100
+[2102]
+ParameterName=Levels
+ObjectType=0x8
+DataType=0x0003
+AccessType=rw
+DefaultValue=0x200
+CompactSubObj=2
+[2103]
+ParameterName=Label
+DataType=0x0009
+AccessType=rw
+DefaultValue=abc
+";
+
+#[test]
+fn hooks_answer_uploads_and_refuse_downloads() {
+    let Some(compiler) = c_compiler() else { return };
+    let folder = tempfile::tempdir().unwrap();
+    let folder = folder.path();
+    std::fs::write(folder.join("hooked.eds"), HOOKED).unwrap();
+    let device = device(&folder.join("hooked.eds"));
+    let mut options = options(5, false);
+    options.hooks = ["1017", "2101", "2102:1", "2103", "7000"].map(|at| at.parse().unwrap()).into();
+    let (dump, notes) = dump(&compiler, folder, &device, &options).unwrap();
+    let hooks = notes.iter().filter(|note| note.message.contains("hook")).map(|note| &*note.message);
+    let of_stack = "the stack has its own type for the entry, so there is no hook";
+    assert_eq!(hooks.collect::<Vec<_>>(), ["no entry to call a hook for", of_stack]);
+    let lines: Vec<&str> = dump.lines().filter(|line| line.starts_with("210")).collect();
+    let expected = [
+        "2101 00 - 2 rw-- 5A01",
+        "2102 00 - 1 r--- 02",
+        "2102 01 - 2 rw-- 5A02",
+        "2102 02 - 2 rw-- 0002",
+        "2103 00 - 32 rw-- 5A6263",
+    ];
+    assert_eq!(lines, expected);
+    let Some(stack) = checkout("OBJDICT_CANOPEN_STACK_DIR") else { return };
+    let mut cc = std::process::Command::new(&compiler);
+    cc.current_dir(folder).args(["-std=gnu99", "-w", "-I.", "-DDICTIONARY=\"device_od.h\"", "-o", "node"]);
+    for folder in folders(&stack) {
+        let files = std::fs::read_dir(&folder).unwrap().map(|entry| entry.unwrap().path());
+        cc.arg("-I")
+            .arg(folder)
+            .args(files.filter(|path| path.extension().is_some_and(|extension| extension == "c")));
+    }
+    cc.args(["device_od.c", "device_od_spec.c"])
+        .args(["asked.c", "hooks.c"].map(|name| beside("canopen_stack", name)));
+    succeed(&mut cc, "").unwrap();
+    let requests =
+        ["4001210000000000", "2B012100FF000000", "2B01210001020000", "4001210000000000", "4003210000000000"];
+    let responses = succeed(std::process::Command::new(folder.join("node")).args(requests), "").unwrap();
+    let expected =
+        ["4B0121005A010000", "8001210030000906", "6001210000000000", "4B0121005A020000", "470321005A626300"];
+    assert_eq!(responses.lines().collect::<Vec<_>>(), expected);
 }
 
 #[test]

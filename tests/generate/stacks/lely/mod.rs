@@ -2,6 +2,7 @@
 
 #[cfg(feature = "network")]
 mod boot;
+mod hooks;
 #[cfg(feature = "network")]
 mod network;
 mod real;

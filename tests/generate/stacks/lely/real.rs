@@ -40,7 +40,7 @@ impl Library {
         Some(library)
     }
 
-    fn with(macros: &'static [&'static str]) -> Option<Self> {
+    pub(super) fn with(macros: &'static [&'static str]) -> Option<Self> {
         let (checkout, compiler) = (checkout("OBJDICT_LELY_DIR")?, c_compiler()?);
         let library = Self { compiler, checkout, folder: tempfile::tempdir().unwrap(), macros };
         let mut cc = library.cc(library.folder.path());
