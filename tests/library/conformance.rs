@@ -31,7 +31,7 @@ fn with_everything() -> Device {
             ..Entry::default()
         };
         let object = device.objects.get_or_insert_with(index, Object::default);
-        if matches!(index, 0x1006 | 0x1019) {
+        if matches!(index, 0x1006 | 0x1012 | 0x1019) {
             object.main = entry;
         } else {
             object.main.object_type = Some(ObjectType::Record);
@@ -39,6 +39,7 @@ fn with_everything() -> Device {
         }
     };
     add(0x1006, 0, DataType::UNSIGNED32, 0);
+    add(0x1012, 0, DataType::UNSIGNED32, 0x100);
     add(0x1019, 0, DataType::UNSIGNED8, 0);
     for (index, [client, server]) in [(0x1200, [0x605, 0x585]), (0x1201, [0x8000_0000; 2])] {
         add(index, 0, DataType::UNSIGNED8, 2);

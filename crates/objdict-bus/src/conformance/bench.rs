@@ -204,11 +204,13 @@ impl<'d> Bench<'d> {
     /// The bytes of a number that the description says can be written.
     fn writable(&self, index: u16, sub: u8, number: u64) -> Step<Vec<u8>> {
         let entry = self.described.needs_writable(index, sub)?;
-        let bytes = entry.size().and_then(|size| number.to_le_bytes().get(..size).map(<[u8]>::to_vec));
+        let bytes = number.to_le_bytes();
+        let fits = |size: &usize| *size <= 8 && bytes[*size..].iter().all(|byte| *byte == 0);
+        let bytes = entry.size().filter(fits).map(|size| bytes[..size].to_vec());
         let value = bytes.as_deref().and_then(|bytes| entry.number_of(bytes));
         match (bytes, value) {
             (Some(bytes), Some(value)) if entry.allows(value) => Ok(bytes),
-            _ => impossible(format!("{number} is beyond the limits of {}", place(index, sub))),
+            _ => impossible(format!("{number:X}h is beyond the type or the limits of {}", place(index, sub))),
         }
     }
 
@@ -247,6 +249,9 @@ impl<'d> Bench<'d> {
     /// The period of the heartbeat in microseconds, after it was switched on if it can be.
     pub(super) fn start_heartbeat(&mut self) -> Step<u64> {
         let entry = self.described.needs(0x1017, 0)?;
+        if entry.size() != Some(2) {
+            return impossible("1017h does not have two bytes");
+        }
         if !entry.is_writable() {
             return match self.described.number(0x1017, 0) {
                 0 => impossible(format!("1017h is {} and 0", entry.access.name())),

@@ -131,7 +131,8 @@ impl DescribedEntry {
             _ if self.is_opaque() => vec![0x5A; self.length.unwrap_or(0)],
             _ => b"a value of many segments".to_vec(),
         };
-        let other = &other[..other.len().min(self.room & !1).max(self.room.min(1))];
+        let room = if self.data_type.kind() == TypeKind::UnicodeString { self.room & !1 } else { self.room };
+        let other = &other[..other.len().min(room)];
         Some(if other == bytes { vec![0; other.len()] } else { other.to_vec() })
     }
 }

@@ -38,7 +38,7 @@ pub(super) fn can_id(bench: &Bench<'_>) -> Step<u16> {
 
 /// The default of 1015h in microseconds.
 pub(super) fn inhibit_time(bench: &Bench<'_>) -> u64 {
-    bench.described.number(0x1015, 0) * 100
+    bench.described.number(0x1015, 0).min(0xFFFF) * 100
 }
 
 /// Checks that there is one message, with this error and these bits of the register.

@@ -14,6 +14,7 @@ mod rpdo;
 mod sdo;
 mod storage;
 mod sync;
+mod time;
 mod transfers;
 mod unserved;
 
@@ -119,7 +120,7 @@ macro_rules! checks {
 }
 use checks;
 
-const SERVICES: [&[Check]; 11] = [
+const SERVICES: [&[Check]; 12] = [
     nmt::CHECKS,
     error_control::CHECKS,
     sdo::CHECKS,
@@ -128,6 +129,7 @@ const SERVICES: [&[Check]; 11] = [
     rpdo::CHECKS,
     mapping::CHECKS,
     sync::CHECKS,
+    time::CHECKS,
     emergency::CHECKS,
     storage::CHECKS,
     unserved::CHECKS,

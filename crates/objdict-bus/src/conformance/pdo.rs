@@ -120,7 +120,7 @@ pub(super) fn default_mapping(bench: &Bench<'_>, communication: u16) -> Vec<Mapp
 fn is_usable(bench: &Bench<'_>, mapped: &[Mapped], kind: Kind) -> bool {
     let bits: u32 = mapped.iter().map(|mapped| u32::from(mapped.2)).sum();
     let is_known = |&(index, sub, bits): &Mapped| {
-        let is_dummy = kind.direction == 0 && (1..8).contains(&index);
+        let is_dummy = kind.direction == 0 && (1..8).contains(&index) && bits > 0;
         is_dummy || bench.described.find(index, sub).is_some_and(|entry| fits(entry, bits, kind))
     };
     let is_seen = |&(index, sub, _): &Mapped| kind.direction == 1 || is_observable(bench, index, sub);
@@ -192,6 +192,7 @@ fn plan(
         return impossible(format!("{} has a CAN-ID of 29 bits", place(communication, 1)));
     }
     for &(sub, value) in settings {
+        described.needs(communication, sub)?;
         if described.number(communication, sub) != value {
             described.needs_writable(communication, sub)?;
             if matches!(sub, 3 | 6) {
@@ -318,7 +319,7 @@ fn spaces(bench: &mut Bench<'_>, pdo: &Pdo, time: u64) -> Vec<u64> {
 
 fn event_timer(bench: &mut Bench<'_>) -> Step {
     let pdo = tpdo(bench, &[(2, 255), (5, 20)]).or_else(|_| tpdo(bench, &[(2, 254), (5, 20)]))?;
-    let inhibited = bench.described.number(pdo.communication, 3) * 100;
+    let inhibited = bench.described.number(pdo.communication, 3).min(0xFFFF) * 100;
     let space = inhibited.max(20 * MS);
     let spaces = spaces(bench, &pdo, 5 * space);
     ensure(spaces == [space; 5], || format!("frames come after {spaces:?} µs"))

@@ -197,6 +197,7 @@ fn two_changes(bench: &Bench<'_>) -> Step<[Pdo; 2]> {
         .filter(|pdo| !pdo.mapped.is_empty() && pdo.mapped.iter().all(is_free))
         .collect();
     let bits = |pdo: &Pdo| pdo.mapped.iter().map(|mapped| u32::from(mapped.2)).sum::<u32>();
+    usable.retain(|pdo| bits(pdo) <= 64);
     while let Some(one) = usable.pop() {
         let other = usable.iter().position(|other| {
             bits(other) == bits(&one) && !other.mapped.iter().any(|mapped| one.mapped.contains(mapped))

@@ -11,6 +11,7 @@ checks! { "SYNC":
     "7.2.5" "the counter of 1019h" counter;
     "7.2.5" "no SYNC in stopped, and the counter begins anew" restart;
     "7.5.2.5" "1005h: another CAN-ID while the node sends SYNC is refused" |bench| { produce(bench)?; bench.refuse(0x1005, 0, 0x4000_0090, Abort::InvalidValue) };
+    "7.5.2.5" "1005h: bit 30 without 1006h is refused" without_period;
     "7.3.5" "1005h: a restricted CAN-ID is refused" |bench| bench.refuse(0x1005, 0, 0x601, Abort::InvalidValue);
     "7.5.2.5" "1005h: a CAN-ID of 29 bits is refused" |bench| bench.refuse(0x1005, 0, 0x2000_0080, Abort::InvalidValue);
     "7.5.2.5" "1005h: another CAN-ID" |bench| { bench.write(0x1005, 0, 0x90)?; bench.expect(0x1005, 0, &[0x90, 0, 0, 0]) };
@@ -55,6 +56,15 @@ fn produce(bench: &mut Bench<'_>) -> Step {
     bench.write(0x1005, 0, 0x4000_0000 | id)
 }
 
+fn without_period(bench: &mut Bench<'_>) -> Step {
+    bench.described.needs_writable(0x1005, 0)?;
+    if bench.described.has_object(0x1006) {
+        return impossible("there is 1006h");
+    }
+    let id = u64::from(sync_id(bench)?);
+    bench.refuse(0x1005, 0, 0x4000_0000 | id, Abort::InvalidValue)
+}
+
 fn lengths(bench: &mut Bench<'_>, length: usize) -> Step<Vec<Vec<u8>>> {
     let id = sync_id(bench)?;
     let syncs = bench.listen(id, 6 * PERIOD);
@@ -81,7 +91,7 @@ fn produce_counted(bench: &mut Bench<'_>) -> Step {
 }
 
 fn is_counted(data: &[Vec<u8>]) -> bool {
-    data.windows(2).all(|pair| pair[1][0] == pair[0][0] % 3 + 1)
+    data.windows(2).all(|pair| matches!(pair, [a, b] if a.len() == 1 && *b == [a[0] % 3 + 1]))
 }
 
 fn counter(bench: &mut Bench<'_>) -> Step {
