@@ -11,7 +11,8 @@ use crate::diagnostic::{Selection, Severity, Text, counted};
 use crate::format::ReadError;
 use crate::format::input::FileKind;
 use crate::generate::{
-    CTable, ChoiceError, Derive, Names, OptionField, SharedCell, StackLayout, StorageGroup, Target,
+    CTable, ChoiceError, Derive, Names, OptionField, PdoMappings, SharedCell, StackLayout, StorageGroup,
+    Target,
 };
 use crate::lint::{Level, Severities};
 use crate::model::Address;

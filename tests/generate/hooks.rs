@@ -3,12 +3,13 @@
 
 use std::process::Command;
 
-use objdict::generate::{Options, Target, generate};
+use objdict::generate::{Options, PdoMappings, Target, generate};
 use objdict::model::{Access, DataType, Device, Entry, Object, ObjectType, Value};
 
 use crate::batch::Batch;
 use crate::compile::{DRIVER, c_compiler, cc, driver, generate_with, succeed};
 use crate::devices::{devices, for_all};
+use crate::oracle::facts_of;
 use crate::{compare, script, support};
 
 fn entry(name: &str, data_type: DataType, access: Access, default: Option<Value>) -> Entry {
@@ -281,6 +282,32 @@ fn answers_are_the_same_with_hooks_and_groups() {
         generate_with(folder, device, "c", &options(device));
         let mut cc = cc(&compiler, folder);
         succeed(cc.args(["-O1", "-I.", "-o", "in-c", "od.c"]).arg(driver("driver.c")), "").map_err(fail)?;
+        let output = succeed(&mut Command::new(folder.join("in-c")), &script.input).map_err(fail)?;
+        compare(name, "C", &script, &output)
+    });
+}
+
+#[test]
+fn sdos_write_mappings_that_are_dynamic() {
+    let Some(compiler) = c_compiler() else { return };
+    let mut devices = devices();
+    let is_mapped = |row: &(u16, u8)| matches!(row.0, 0x1600..=0x17FF | 0x1A00..=0x1BFF);
+    devices.retain(|(_, device)| {
+        facts_of(device).any(|(at, facts)| is_mapped(&at) && facts.access.is_writable())
+    });
+    assert!(devices.len() > 5, "only {} devices have mappings that can be written", devices.len());
+    for_all(&devices, |(name, device)| {
+        let fail = |error: String| format!("{name}: {error}");
+        let folder = tempfile::tempdir().map_err(|error| error.to_string())?;
+        let folder = folder.path();
+        let mut options = Options::default();
+        options.pdo_mappings = PdoMappings::Dynamic;
+        let generated = generate_with(folder, device, "c", &options);
+        let sources = generated.files.iter().map(|file| &file.path).filter(|path| path.ends_with(".c"));
+        let mut cc = cc(&compiler, folder);
+        succeed(cc.args(["-O1", "-I.", "-o", "in-c"]).args(sources).arg(driver("driver.c")), "")
+            .map_err(fail)?;
+        let script = script::with_hooks(device);
         let output = succeed(&mut Command::new(folder.join("in-c")), &script.input).map_err(fail)?;
         compare(name, "C", &script, &output)
     });

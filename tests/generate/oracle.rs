@@ -189,6 +189,9 @@ impl Facts {
             low: limit(&entry.low_limit),
             high: limit(&entry.high_limit),
         };
+        if (index, sub) == (0x1003, 0) && object.compact.is_some() && object.subs.get(0).is_none() {
+            (facts.access, facts.value) = (Access::Rw, Some(Value::Unsigned(0))); // the number of errors
+        }
         facts.size = match data_type.byte_length() {
             Some(length) => usize::from(length),
             None if own => defined_length(device, data_type)?,

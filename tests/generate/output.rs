@@ -50,6 +50,45 @@ fn output_is_always_the_same_and_well_formed() {
     }
 }
 
+/// The history of errors and heartbeat consumers, compact or written out: one table.
+#[test]
+fn compact_storage_gives_the_table_of_what_is_written_out() {
+    let object = |index: u16, access: &str| {
+        format!("[{index:04X}]\nParameterName=List\nObjectType=8\nDataType=7\nAccessType={access}\n")
+    };
+    let entry = |at: &str, name: &str, rest: &str| {
+        format!("[{at}]\nParameterName={name}\nObjectType=7\nPDOMapping=0\n{rest}\n")
+    };
+    let list = "[OptionalObjects]\nSupportedObjects=2\n1=0x1003\n2=0x1016\n";
+    let compact = [(0x1003, "ro"), (0x1016, "rw")]
+        .map(|(index, access)| object(index, access) + "DefaultValue=0\nPDOMapping=0\nCompactSubObj=2\n");
+    let written =
+        [(0x1003, "ro", "rw", 0), (0x1016, "rw", "ro", 2)].map(|(index, access, of_count, count)| {
+            let of_count = format!("DataType=5\nAccessType={of_count}\nDefaultValue={count}");
+            let subs = [1, 2].map(|sub| {
+                let element = format!("DataType=7\nAccessType={access}\nDefaultValue=0");
+                entry(&format!("{index:04X}sub{sub}"), &format!("List{sub}"), &element)
+            });
+            let count = entry(&format!("{index:04X}sub0"), "NrOfObjects", &of_count);
+            format!("{}SubNumber=3\n{count}{}", object(index, access), subs.concat())
+        });
+    let folder = tempfile::tempdir().unwrap();
+    let device_of = |objects: [String; 2]| {
+        let path = folder.path().join("lists.eds");
+        std::fs::write(&path, format!("{list}{}", objects.concat())).unwrap();
+        device(&path)
+    };
+    let [compact, written] = [compact, written].map(device_of);
+    for name in ["c", "rust", "canopennode", "canopennode-v1", "canopen-stack", "canfestival", "lely"] {
+        let target = Target::named(name).unwrap();
+        let [compact, written] =
+            [&compact, &written].map(|device| generate(device, target, &Options::default()).unwrap().files);
+        for (compact, written) in compact.iter().zip(&written) {
+            assert_eq!(text(compact), text(written), "{name}");
+        }
+    }
+}
+
 /// The same device with other names gives the same code: names only affect comments and identifiers.
 #[test]
 fn no_name_changes_the_code() {

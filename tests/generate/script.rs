@@ -19,7 +19,7 @@ pub(crate) fn without_hooks(device: &Device) -> Script {
     of(device, Dictionary::freeze_mappings)
 }
 
-/// All operations on a device with hooks for all entries, for two node-IDs.
+/// All operations on a device with hooks for all entries or with dynamic mappings, for two node-IDs.
 pub(crate) fn with_hooks(device: &Device) -> Script {
     of(device, |_| {})
 }

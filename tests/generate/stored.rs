@@ -44,7 +44,8 @@ fn members(device: &Device, group: Group) -> Vec<(u16, u8, Facts)> {
     let entries = facts_of(device).filter(|((index, _), _)| (group.first..=group.last).contains(index));
     let entries = entries.filter(|((index, sub), facts)| {
         let object = &device.objects[index];
-        let count = *sub == 0 && (object.object_type() == ObjectType::Record || object.compact.is_some());
+        let is_compact = object.compact.is_some() && !matches!(index, 0x1003 | 0x1016);
+        let count = *sub == 0 && (object.object_type() == ObjectType::Record || is_compact);
         let definition = matches!(object.object_type(), ObjectType::DefType | ObjectType::DefStruct);
         let fixed = facts.access == Access::Const || facts.access == Access::Ro && (count || definition);
         !fixed && facts.size > 0

@@ -85,7 +85,8 @@ use std::fmt;
 
 pub use live::{LiveEntry, live_entries};
 pub use options::{
-    CTable, Choice, Derive, Names, OptionField, OptionValue, Options, SharedCell, StackLayout, StorageGroup,
+    CTable, Choice, Derive, Names, OptionField, OptionValue, Options, PdoMappings, SharedCell, StackLayout,
+    StorageGroup,
 };
 pub use renames::ChoiceError;
 #[cfg(feature = "toml")]
@@ -138,7 +139,7 @@ targets! {
     #[cfg(feature = "c")]
     C c "c"
         "`od.h` and `od.c` in C99 (no malloc): dictionary, values, SDO access by index and sub-index"
-        [Names Renamed Prefix Groups Hooks StringCapacity DomainCapacity Table EntryNames];
+        [Names Renamed Prefix Groups Hooks StringCapacity DomainCapacity Table EntryNames PdoMappings];
     #[cfg(feature = "stacks")]
     CONCISE concise "concise"
         "one concise DCF (.cdcf): the SDO downloads that bring a node from its defaults to its configuration"

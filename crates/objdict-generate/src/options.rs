@@ -121,6 +121,14 @@ macro_rules! with_options {
                 argument: Option<CTable> [help_heading = "Size", value_name = "LAYOUT", value_parser = one_of::<CTable>(), default_value = "compact"],
                 method: table(table: CTable) => Ok(table),
             }
+            /// Whether SDOs can write PDO mappings in the target `c`
+            ///
+            /// Default: [`PdoMappings::Fixed`]. An entry with a hook can be written with either.
+            PdoMappings "pdo-mapping" {
+                field: pdo_mappings: PdoMappings = PdoMappings::default(),
+                argument: Option<PdoMappings> [help_heading = "Stacks", value_name = "KIND", value_parser = one_of::<PdoMappings>(), default_value = "fixed"],
+                method: pdo_mappings(kind: PdoMappings) => Ok(kind),
+            }
             /// Which entries have storage in the table of the target `canopennode`
             ///
             /// Default: [`StackLayout::Complete`].
@@ -267,7 +275,7 @@ macro_rules! single_values {
     };
 }
 
-single_values!(bool u16 Names CTable StackLayout);
+single_values!(bool u16 Names CTable PdoMappings StackLayout);
 
 impl<T> OptionField for Option<T> {
     type Value = T;
@@ -339,6 +347,16 @@ choices! {
         Compact "compact" "Short rows, with functions that answer as an SDO server does"
         /// An array of structures with pointers to value, limits and default, for custom stacks.
         Structs "structs" "An array of structures with pointers, for a stack of one's own"
+    }
+
+    /// Whether SDOs can write PDO mappings.
+    #[derive(Default)]
+    PdoMappings {
+        /// No: they are those of the description, as in the structs of PDOs.
+        #[default]
+        Fixed "fixed" "As in the description: SDOs cannot write them"
+        /// As the description allows it; the application applies them, and the structs of PDOs keep those of the description.
+        Dynamic "dynamic" "SDOs write them as described, and the application applies them"
     }
 
     /// Which entries have storage in the table of the target `canopennode`, and under which names.

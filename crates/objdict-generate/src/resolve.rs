@@ -197,7 +197,23 @@ impl<'a> Resolver<'a> {
         let (low, high) = self.limits(&place, entry, data_type);
         let (tpdo, rpdo) = directions(access, entry.pdo_mapping.unwrap_or_default());
         let constant = access == Access::Const || is_fixed(object, sub, access);
-        Some(Resolved { shape, access, tpdo, rpdo, constant, default, low, high })
+        let resolved = Resolved { shape, access, tpdo, rpdo, constant, default, low, high };
+        Some(self.with_count(object, (index, sub), resolved))
+    }
+
+    /// Sub-index 0 of 1003h and 1016h is as in an ARRAY that is written out, although compact storage has only a fixed count: an
+    /// application changes both, and an SDO clears the history of errors.
+    fn with_count(&mut self, object: &Object, (index, sub): (u16, u8), resolved: Resolved) -> Resolved {
+        let is_implied = sub == 0 && object.compact.is_some() && object.subs.get(0).is_none();
+        match index {
+            0x1003 if is_implied => {
+                let text = "the number of errors, which compact storage cannot describe, is `rw` and 0, as in CiA 301";
+                self.notes.push(Note::new(Place::entry(index, sub), text));
+                Resolved { access: Access::Rw, constant: false, default: Datum::Word(0), ..resolved }
+            }
+            0x1016 if is_implied => Resolved { constant: false, ..resolved },
+            _ => resolved,
+        }
     }
 
     /// The data type of an entry, stated or implied by its object.

@@ -11,7 +11,8 @@ use crate::cli::save::OverwriteArgs;
 use crate::cli::settings::{ConfigArgs, Deny};
 use crate::cli::values::node_id;
 use crate::generate::{
-    CTable, Derive, Names, OptionField, OptionValue, Options, SharedCell, StackLayout, StorageGroup, Target,
+    CTable, Derive, Names, OptionField, OptionValue, Options, PdoMappings, SharedCell, StackLayout,
+    StorageGroup, Target,
 };
 use crate::model::Address;
 

@@ -27,6 +27,9 @@ use std::path::{Path, PathBuf};
 
 use objdict::generate::Options;
 
+use crate::compile::{c_compiler, cc, generate_with, succeed};
+use crate::devices::{devices, for_all};
+
 /// A file or folder next to the tests of a stack.
 fn beside(stack: &str, name: &str) -> PathBuf {
     Path::new(env!("CARGO_MANIFEST_DIR")).join("tests/generate/stacks").join(stack).join(name)
@@ -40,6 +43,30 @@ fn checkout(variable: &str) -> Option<PathBuf> {
     };
     assert!(folder.is_dir(), "`{variable}` names no folder: {}", folder.display());
     Some(folder)
+}
+
+/// The sources of these targets have no cast that drops `const`. The structures of the other stacks point to constants and values with
+/// the same member, which is not `const`.
+#[test]
+fn no_cast_drops_const() {
+    let Some(compiler) = c_compiler() else { return };
+    for_all(&devices(), |(name, device)| {
+        for (target, stack) in [
+            ("c", ""),
+            ("canopennode", "canopennode"),
+            ("canopennode-v1", "canopennode_v1"),
+            ("lely", "lely"),
+            ("microcanopen", "microcanopen"),
+        ] {
+            let folder = tempfile::tempdir().map_err(|error| error.to_string())?;
+            let files = generate_with(folder.path(), device, target, &for_node(5)).files;
+            let sources = files.iter().map(|file| &file.path).filter(|path| path.ends_with(".c"));
+            let mut cc = cc(&compiler, folder.path());
+            cc.args(["-fsyntax-only", "-Wcast-qual", "-I.", "-isystem"]).arg(beside(stack, "include"));
+            succeed(cc.args(sources), "").map_err(|error| format!("{name}, {target}: {error}"))?;
+        }
+        Ok(())
+    });
 }
 
 /// The options for the files of a node.

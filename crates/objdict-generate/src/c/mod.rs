@@ -17,7 +17,7 @@ use super::frames::{frames, freeze_mappings};
 use super::hooks::has_hooks;
 use super::notes::in_order;
 use super::table::Table;
-use super::{CTable, GenerateError, Made, Note, Options, render};
+use super::{CTable, GenerateError, Made, Note, Options, PdoMappings, render};
 use crate::model::{Device, Place};
 
 /// Identifiers of the targets `c` and `rust` for the objects and entries of a device, without options.
@@ -52,7 +52,10 @@ pub(super) fn make(device: &Device, options: &Options) -> Result<Made, GenerateE
     let prefix = options.prefix_or("od")?;
     let mut table = Table::new(device, options)?;
     let mut notes = std::mem::take(&mut table.notes);
-    notes.extend(freeze_mappings(&mut table, "`--hook` allows it"));
+    let are_fixed = options.pdo_mappings == PdoMappings::Fixed;
+    if are_fixed {
+        notes.extend(freeze_mappings(&mut table, "`--pdo-mapping dynamic` or `--hook` allows it"));
+    }
     let frames = frames(device, &table, &mut notes);
     let facts = view::Facts::new(device, &table, options, &mut notes);
     let tables = view::Tables::new(&table, &prefix, &facts);
@@ -75,7 +78,7 @@ pub(super) fn make(device: &Device, options: &Options) -> Result<Made, GenerateE
         notes.push(note.help("look at the flag `HOOK` of the entries where they are read and written"));
     }
     if !frames.is_empty() {
-        let view = pdo::Pdos::new(&table, &prefix, &frames);
+        let view = pdo::Pdos::new(&table, &prefix, &frames, are_fixed);
         files.push(render(format!("{prefix}_pdo.h"), &pdo::PdoHeader(&view))?);
         files.push(render(format!("{prefix}_pdo.c"), &pdo::PdoSource(&view))?);
     }

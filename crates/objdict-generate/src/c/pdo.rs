@@ -16,6 +16,8 @@ pub(super) struct Pdos<'a> {
     upper: String,
     table: &'a Table,
     frames: Vec<FrameView<'a>>,
+    /// Whether SDOs cannot write the mappings.
+    are_fixed: bool,
 }
 
 files! {
@@ -55,9 +57,9 @@ struct FieldView<'a> {
 }
 
 impl<'a> Pdos<'a> {
-    pub(super) fn new(table: &'a Table, prefix: &'a str, frames: &'a [Frame]) -> Self {
+    pub(super) fn new(table: &'a Table, prefix: &'a str, frames: &'a [Frame], are_fixed: bool) -> Self {
         let frames = frames.iter().map(|frame| frame_view(table, prefix, frame)).collect();
-        Self { lower: prefix, upper: prefix.to_ascii_uppercase(), table, frames }
+        Self { lower: prefix, upper: prefix.to_ascii_uppercase(), table, frames, are_fixed }
     }
 
     /// Whether a number of a kind is in a frame.

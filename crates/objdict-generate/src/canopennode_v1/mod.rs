@@ -97,7 +97,7 @@ impl Tables<'_> {
             let members: Vec<_> = word.into_iter().chain(variables).chain(word).collect();
             tally.structure(Memory::Initialised, &members);
         }
-        tally.rest(Memory::Flash, 1); // what a row without an entry refers to
+        tally.rest(Memory::Zeroed, 1); // what a row without an entry refers to
         tally.report(COUNTED)
     }
 }

@@ -6,6 +6,11 @@
  *
  * {{ lower }}_..._load() reads the values from the dictionary, {{ lower }}_..._store() writes them without checking
  * limits; {{ lower }}_..._pack() and {{ lower }}_..._unpack() convert them to a frame and back.
+{%- if !are_fixed %}
+ *
+ * SDOs can write the mappings, but the structs keep these: the application transfers a PDO with another one with {{ lower }}_read()
+ * and {{ lower }}_write().
+{%- endif %}
  */
 #ifndef {{ upper }}_PDO_H
 #define {{ upper }}_PDO_H

@@ -17,8 +17,8 @@ struct sCO_OD_{{ location.name() }} CO_OD_{{ location.name() }} = {
 };
 {%- endfor %}
 
-/* What a sub-index without an entry refers to. */
-const UNSIGNED8 CO_OD_noEntry = 0u;
+/* What a sub-index without an entry refers to: not constant, as the stack declares the data of all rows. */
+UNSIGNED8 CO_OD_noEntry = 0u;
 
 /* The rows of records, by sub-index. */
 {%- for object in plan.rows %}

@@ -18,12 +18,16 @@ fn described(description: &Path, node_id: u8) -> Vec<Row> {
     let device = device(description);
     let mut rows = without(&LACKS, truth(&device, node_id));
     let serial_number = device.commissioning.as_ref().and_then(|node| node.lss_serial_number);
+    let history =
+        device.object(0x1003).and_then(|object| object.compact.as_ref()).map(|compact| compact.count);
     for row in &mut rows {
         let configured = device.entry(row.index, row.sub).and_then(|entry| entry.configured.clone());
         if let Some(file) = configured.and_then(|configured| configured.upload_file) {
             row.default = Some([file.as_bytes(), b"\0"].concat());
         } else if let (0x1018, 4, Some(number)) = (row.index, row.sub, serial_number) {
             row.default = Some(number.to_le_bytes().to_vec());
+        } else if let (0x1003, 0, Some(count)) = (row.index, row.sub, history) {
+            (row.write, row.default) = (false, Some(vec![count])); // compact storage, as CiA 306 has it
         }
     }
     rows
