@@ -663,12 +663,6 @@ pub mod defaults {
 pub mod pdo {
     use super::table::{first, pack, unpack};
     use super::Data;
-
-    /// The communication parameters of the RPDOs.
-    pub const RPDOS: [u16; 0] = [];
-
-    /// The communication parameters of the TPDOs.
-    pub const TPDOS: [u16; 0] = [];
 }
 
 /// All entries in ascending order of index and sub-index.
@@ -1034,6 +1028,24 @@ impl table::Hooked for Od {
 /// The values with the hooks of the application.
 #[allow(dead_code, unreachable_pub)]
 pub type Watched<H> = objdict_device::Watched<Data, H, 20>;
+
+/// A node with `CHANNELS` SDO servers for values of at most `BUFFER` bytes, and with the PDOs of this device.
+#[allow(dead_code, unreachable_pub)]
+pub type Node<const BUFFER: usize, const CHANNELS: usize, D = Data> =
+    objdict_device::Node<D, BUFFER, CHANNELS, 0, 0, 0>;
+
+/// The PDOs, for `Node::new`.
+#[allow(dead_code, unreachable_pub)]
+#[rustfmt::skip]
+pub const fn pdos() -> objdict_device::Pdos<0, 0> {
+    objdict_device::Pdos::new([], [])
+}
+
+/// A node with the defaults, before its boot-up.
+#[allow(dead_code, unreachable_pub)]
+pub const fn node<const BUFFER: usize, const CHANNELS: usize>(node_id: u8) -> Node<BUFFER, CHANNELS> {
+    Node::new(node_id, Data::new(node_id), pdos())
+}
 
 #[allow(unreachable_pub)]
 pub use objdict_device::table;
