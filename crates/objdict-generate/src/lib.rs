@@ -69,6 +69,7 @@ mod rom;
 #[cfg(feature = "rust")]
 mod rust;
 mod size;
+#[cfg(feature = "stacks")]
 mod startup;
 mod stored;
 mod table;
