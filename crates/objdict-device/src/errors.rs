@@ -1,6 +1,6 @@
 //! Errors of the node: error register, history and emergency messages (CiA 301 §7.2.7).
 
-use crate::{Dictionary, Frame};
+use crate::{Abort, Dictionary, Frame};
 
 /// The error register.
 const REGISTER: u16 = 0x1001;
@@ -70,8 +70,8 @@ impl Errors {
     pub fn boot<D: Dictionary + ?Sized>(&mut self, dictionary: &mut D) {
         *self = Self::new(self.node_id);
         // an application may have neither
-        let _ = dictionary.replace(HISTORY, 0, &[0]);
-        let _ = dictionary.replace(REGISTER, 0, &[0]);
+        let _ = put(dictionary, HISTORY, 0, 0);
+        let _ = put(dictionary, REGISTER, 0, 0);
         self.load(dictionary);
     }
 
@@ -102,7 +102,7 @@ impl Errors {
             *room = error;
         }
         self.send(code, vendor, self.register() | class(code) | 1);
-        let _ = dictionary.replace(REGISTER, 0, &[self.register()]);
+        let _ = put(dictionary, REGISTER, 0, u32::from(self.register()));
         let [code_low, code_high] = code.to_le_bytes();
         remember(dictionary, [code_low, code_high, low, high]);
         true
@@ -116,7 +116,7 @@ impl Errors {
         *active = None;
         let [low, high] = name;
         self.send(0, [low, high, 0, 0, 0], self.register());
-        let _ = dictionary.replace(REGISTER, 0, &[self.register()]);
+        let _ = put(dictionary, REGISTER, 0, u32::from(self.register()));
         true
     }
 
@@ -163,14 +163,21 @@ const fn class(code: u16) -> u8 {
 /// Puts an error at the start of the history; the oldest one is dropped when it is full.
 fn remember<D: Dictionary + ?Sized>(dictionary: &mut D, error: [u8; 4]) {
     let Ok(count) = dictionary.number(HISTORY, 0) else { return };
-    let mut rest = error;
+    let mut rest = u32::from_le_bytes(error);
     let mut sub = 0;
     while u64::from(sub) <= count && sub < 0xFE {
         let old = dictionary.number(HISTORY, sub + 1).unwrap_or(0) as u32;
-        if dictionary.replace(HISTORY, sub + 1, &rest).is_err() {
+        if put(dictionary, HISTORY, sub + 1, rest).is_err() {
             break;
         }
-        (rest, sub) = (old.to_le_bytes(), sub + 1);
+        (rest, sub) = (old, sub + 1);
     }
-    let _ = dictionary.replace(HISTORY, 0, &[sub]);
+    let _ = put(dictionary, HISTORY, 0, u32::from(sub));
+}
+
+/// Replaces a number, in as many bytes as the description gives it.
+fn put<D: Dictionary + ?Sized>(dictionary: &mut D, index: u16, sub: u8, value: u32) -> Result<(), Abort> {
+    let size = dictionary.attributes(index, sub)?.size;
+    let bytes = value.to_le_bytes();
+    dictionary.replace(index, sub, bytes.get(..size).unwrap_or(&bytes))
 }

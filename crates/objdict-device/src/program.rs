@@ -67,10 +67,12 @@ impl<V: Dictionary, F: NorFlash> WithProgram<V, F> {
     pub fn new(data: V, mut region: Region<F>, length: u32) -> Self {
         let length = length.min(region.length());
         let mut sum = 0;
-        let mut byte = [0];
-        let is_read = (0..length).all(|at| {
-            let answer = region.read(at, &mut byte);
-            sum = crc(sum, &byte);
+        let is_read = (0..length).step_by(UNIT).all(|at| {
+            let mut unit = [0; UNIT];
+            let used = (length - at).min(UNIT as u32) as usize;
+            let unit = unit.get_mut(..used).unwrap_or_default();
+            let answer = region.read(at, unit);
+            sum = crc(sum, unit);
             answer.is_ok()
         });
         let has_program = is_read && length > 0;

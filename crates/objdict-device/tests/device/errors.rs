@@ -64,6 +64,15 @@ fn an_error_is_reported_once_until_it_is_gone() {
     assert_eq!(device.dictionary.value(0x1001, 0), [0]);
 }
 
+/// Descriptions with a number of errors of four bytes exist.
+#[test]
+fn a_history_has_the_width_of_its_description() {
+    let mut device = operational(map().number(0x1003, 0, UNSIGNED32, 2));
+    assert_eq!(device.dictionary.value(0x1003, 0), [0; 4]);
+    device.report(0x2310, [0; 5]);
+    assert_eq!(device.dictionary.value(0x1003, 0), [1, 0, 0, 0]);
+}
+
 #[test]
 fn messages_wait_for_the_inhibit_time() {
     let mut device = operational(map().number(0x1015, 0, UNSIGNED16, 20));
