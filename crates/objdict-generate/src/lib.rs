@@ -77,6 +77,7 @@ mod table_build;
 mod table_size;
 #[cfg(feature = "template")]
 mod template;
+mod unserved;
 mod variables;
 #[cfg(feature = "stacks")]
 mod zencan;
@@ -93,6 +94,7 @@ pub use renames::ChoiceError;
 #[cfg(feature = "toml")]
 pub use renames::renames;
 pub use size::{ObjectSize, Size, SizeReport, Sizes};
+pub use unserved::{UNSERVED, Unserved};
 
 use objdict_model::{diagnostic, literal, model};
 

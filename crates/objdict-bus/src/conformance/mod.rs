@@ -158,7 +158,7 @@ pub fn conformance_of<D: Dictionary + Clone + 'static>(
         section: check.section,
         verdict: verdict(check.run(&mut bench())),
     });
-    let mut checks: Vec<ConformanceCheck> = of_services.collect();
+    let mut checks: Vec<ConformanceCheck> = of_services.chain(unserved::of_objects(&described)).collect();
     checks.extend(objects::checks(&described, &mut bench()));
     Conformance { checks }
 }

@@ -1,29 +1,31 @@
-//! Services that the node does not have: docs/runtime.md lists them.
+//! Services that the node does not have: those of objects that the generator notes, and others.
+
+use objdict_generate::{UNSERVED, Unserved};
 
 use super::bench::Bench;
-use super::{Step, Verdict, absent, checks};
+use super::described::Described;
+use super::{ConformanceCheck, Step, Verdict, absent, checks, verdict};
+
+const SERVICE: &str = "not served";
 
 checks! { "not served":
-    "7.2.8.3.2" "node guarding" |bench| object(bench, 0x100C..=0x100D);
-    "7.2.6" "TIME" |bench| object(bench, 0x1012..=0x1013);
-    "7.5.2.7" "SYNC window" |bench| object(bench, 0x1007..=0x1007);
-    "7.5.2.31" "emergency consumer" |bench| object(bench, 0x1028..=0x1028);
-    "7.5.2.34" "SDO client" |bench| object(bench, 0x1280..=0x12FF);
     "7.2.3" "MPDO" mpdo;
     "7.2.2" "PDO requests by remote frames" remote;
     "7.3.3" "CAN-IDs of 29 bits" extended;
-    "7.5.2.23" "date and time of the configuration" |bench| object(bench, 0x1020..=0x1020);
-    "CiA 302-3" "programs" |bench| object(bench, 0x1F50..=0x1F57);
-    "CiA 302-2" "NMT master" |bench| object(bench, 0x1F81..=0x1F8F);
 }
 
 fn not_served_if(has: bool, what: &str) -> Step {
     if has { Err(Verdict::NotServed) } else { absent(what) }
 }
 
-fn object(bench: &mut Bench<'_>, indexes: std::ops::RangeInclusive<u16>) -> Step {
-    let has = bench.described.entries.iter().any(|entry| indexes.contains(&entry.index));
-    not_served_if(has, &format!("{:04X}h", indexes.start()))
+/// A check for each service whose objects the node does not serve.
+pub(super) fn of_objects(described: &Described) -> impl Iterator<Item = ConformanceCheck> {
+    UNSERVED.iter().filter_map(|Unserved { indexes, service, .. }| {
+        let (name, section) = (*service)?;
+        let has = described.entries.iter().any(|entry| indexes.contains(&entry.index));
+        let verdict = verdict(not_served_if(has, &format!("{:04X}h", indexes.start())));
+        Some(ConformanceCheck { service: SERVICE, name: name.to_owned(), section, verdict })
+    })
 }
 
 /// Defaults of the entries with this sub-index in a range of objects.

@@ -7,7 +7,6 @@ mod objects;
 mod paste;
 mod pdo;
 mod places;
-mod served;
 mod view;
 
 #[cfg(feature = "stacks")]
@@ -20,7 +19,7 @@ use super::memory::Memory;
 use super::notes::in_order;
 use super::table::Table;
 use super::table_size::Layout;
-use super::{GenerateError, Made, Options, render};
+use super::{GenerateError, Made, Options, render, unserved};
 use crate::model::Device;
 
 /// Bytes of `Data::new`, `read` and `write` with everything they call, for a device that needs all of it.
@@ -35,7 +34,7 @@ pub(super) fn make(device: &Device, options: &Options) -> Result<Made, GenerateE
         return Err(GenerateError::NoCell);
     }
     if options.runtime {
-        notes.extend(served::notes(&table));
+        notes.extend(unserved::notes(&table));
     } else {
         notes.extend(freeze_mappings(&mut table, "`--runtime` or `--hook` allows it"));
     }
