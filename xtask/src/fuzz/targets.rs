@@ -6,7 +6,7 @@ use std::path::Path;
 use std::sync::{Arc, LazyLock};
 
 use objdict::bus::{Conditions, boot};
-use objdict::compare::differences;
+use objdict::compare::{DatumDifference, differences};
 use objdict::config::Config;
 use objdict::configure::{SettingsFile, configure};
 use objdict::diagnostic::{Applicability, Fix, Tool};
@@ -153,7 +153,9 @@ fn convert(format: Format, bytes: &[u8]) {
         assert!(written.is_ok(), "what is written is a valid {}: {:?}", to.name(), written.err());
         let Ok(written) = written else { return };
         let Some(description) = read(to, &written.bytes) else { continue };
-        for found in differences(&device, description.device()).iter().filter(|found| found.left.is_some()) {
+        // an empty section of the node says nothing that could be lost
+        let is_lost = |found: &&DatumDifference| found.left.as_ref().is_some_and(|left| left.text() != "{}");
+        for found in differences(&device, description.device()).iter().filter(is_lost) {
             let is_named = written
                 .losses
                 .iter()
