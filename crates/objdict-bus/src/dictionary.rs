@@ -107,8 +107,7 @@ impl LiveDictionary {
 
     /// The value of an entry of at most four bytes, without a look at its access; 0 if there is none.
     pub(crate) fn word(&self, index: u16, sub: u8) -> u32 {
-        let bytes = self.bytes(index, sub).unwrap_or_default();
-        bytes.iter().take(4).rev().fold(0, |number, &byte| number << 8 | u32::from(byte))
+        number(self.bytes(index, sub).unwrap_or_default()) as u32
     }
 
     /// A device with the present values as configured ones.
@@ -134,6 +133,12 @@ impl LiveDictionary {
     }
 }
 
+/// The number in the first eight bytes of a value.
+pub(crate) fn number(bytes: &[u8]) -> u64 {
+    bytes.iter().take(8).rev().fold(0, |number, &byte| number << 8 | u64::from(byte))
+}
+
+/// Options for a table with room for all values.
 fn roomy() -> Options {
     let mut options = Options::default();
     (options.string_capacity, options.domain_capacity) = (ROOM, ROOM);
@@ -195,8 +200,7 @@ fn order(data_type: DataType, bytes: &[u8], limit: u64) -> Option<Ordering> {
 
 impl Present for LiveDictionary {
     fn number(&mut self, index: u16, sub: u8) -> Option<u64> {
-        let bytes = self.bytes(index, sub).filter(|bytes| bytes.len() <= 8)?;
-        Some(bytes.iter().rev().fold(0, |number, &byte| number << 8 | u64::from(byte)))
+        self.bytes(index, sub).filter(|bytes| bytes.len() <= 8).map(number)
     }
 
     fn subs(&self, index: u16) -> Vec<u8> {

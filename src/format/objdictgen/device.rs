@@ -127,7 +127,7 @@ impl<'a> Project<'a> {
         let product_name = node.node_name.clone();
         self.device.device_info = Some(DeviceInfo { product_name, ..DeviceInfo::default() });
         self.device.file_info = Some(info);
-        // without its ID it is no node, but a type of devices
+        // without a node-ID the project describes a type of devices
         self.device.commissioning = Some(node).filter(|node| node.node_id.is_some());
         if let Some(dictionary) = dictionary {
             self.types(dictionary, &mut extra);

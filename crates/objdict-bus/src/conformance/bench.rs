@@ -7,6 +7,7 @@ use objdict_device::{Abort, Frame, NmtCommand, Received};
 use super::described::{Described, abort_code, answer, hex, place};
 use super::{Step, Verdict, ensure, failed, impossible};
 use crate::client::{Client, Progress};
+use crate::dictionary::number;
 use crate::node::Services;
 
 /// Microseconds of a millisecond.
@@ -189,8 +190,7 @@ impl<'d> Bench<'d> {
 
     /// The value of a number.
     pub(super) fn number(&mut self, index: u16, sub: u8) -> Step<u64> {
-        let bytes = self.read(index, sub)?;
-        Ok(bytes.iter().take(8).rev().fold(0, |number, &byte| number << 8 | u64::from(byte)))
+        self.read(index, sub).map(|bytes| number(&bytes))
     }
 
     /// Checks the value of an entry.

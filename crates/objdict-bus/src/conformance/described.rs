@@ -1,9 +1,10 @@
 //! What a description says of the node: what the checks expect.
 
 use objdict_device::{Abort, Dictionary};
+use objdict_node::download::AbortCode;
 
 use super::{Step, absent, impossible};
-use crate::dictionary::LiveDictionary;
+use crate::dictionary::{LiveDictionary, number};
 use crate::model::{Access, DataType, Device, Entry, PdoKind, TypeKind};
 
 /// The entries of a description on a node, in ascending order.
@@ -190,8 +191,7 @@ impl Described {
 
     /// The default of a number; 0 without an entry.
     pub(super) fn number(&self, index: u16, sub: u8) -> u64 {
-        let bytes = self.find(index, sub).map(|entry| entry.default.as_slice());
-        bytes.unwrap_or_default().iter().take(8).rev().fold(0, |number, &byte| number << 8 | u64::from(byte))
+        self.find(index, sub).map_or(0, |entry| number(&entry.default))
     }
 
     /// An index without an object.
@@ -234,8 +234,7 @@ pub(super) fn answer<T>(answer: &Result<T, Abort>) -> String {
 }
 
 pub(super) fn abort_code(abort: Abort) -> String {
-    let code = abort.code();
-    format!("{:04X} {:04X}h", code >> 16, code & 0xFFFF)
+    AbortCode(abort.code()).to_string()
 }
 
 /// How messages call bytes.

@@ -89,8 +89,8 @@ fn cause(bench: &mut Bench<'_>, id: u16) -> Step<Vec<Sent>> {
     Ok(messages(bench, frames, id))
 }
 
-/// Lets the error be gone.
-fn mend(bench: &mut Bench<'_>, id: u16) -> Step<Vec<Sent>> {
+/// Ends the error by a SYNC of the right length.
+fn end(bench: &mut Bench<'_>, id: u16) -> Step<Vec<Sent>> {
     let frames = send_sync(bench, 1)?;
     Ok(messages(bench, frames, id))
 }
@@ -102,7 +102,7 @@ fn once(bench: &mut Bench<'_>) -> Step {
     let again = cause(bench, id)?;
     ensure(again.is_empty(), || "the error is reported twice".into())?;
     bench.run(inhibit_time(bench));
-    let gone = mend(bench, id)?;
+    let gone = end(bench, id)?;
     expect_message(&gone, 0, 0)
 }
 
@@ -112,7 +112,7 @@ fn register(bench: &mut Bench<'_>) -> Step {
     }
     cause(bench, 0x7FF)?;
     bench.expect(0x1001, 0, &[0x11])?;
-    mend(bench, 0)?;
+    end(bench, 0)?;
     bench.expect(0x1001, 0, &[0])
 }
 
@@ -121,7 +121,7 @@ fn history(bench: &mut Bench<'_>) -> Step {
     cause(bench, 0x7FF)?;
     bench.expect(0x1003, 0, &[1])?;
     expect_history(bench, 0x8240)?;
-    mend(bench, 0)?;
+    end(bench, 0)?;
     cause(bench, 0x7FF)?;
     let room = bench.described.find(0x1003, 2).is_some();
     bench.expect(0x1003, 0, &[1 + u8::from(room)])
@@ -161,7 +161,7 @@ fn inhibited(bench: &mut Bench<'_>) -> Step {
     bench.write(0x1015, 0, TIME)?;
     let first = cause(bench, id)?;
     expect_message(&first, 0x8240, 0x11)?;
-    let early = mend(bench, id)?;
+    let early = end(bench, id)?;
     ensure(early.is_empty(), || "the second message is within the inhibit time".into())?;
     let late = bench.listen(id, TIME * 100);
     expect_message(&late, 0, 0)?;

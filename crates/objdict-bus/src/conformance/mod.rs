@@ -109,7 +109,7 @@ impl Check {
 
 /// The checks of a service: section, name, function.
 macro_rules! checks {
-    ($service:literal: $($section:literal $name:literal $run:expr;)*) => {
+    ($service:tt: $($section:literal $name:literal $run:expr;)*) => {
         pub(super) const CHECKS: &[super::Check] = &[$(super::Check {
             service: $service,
             name: $name,

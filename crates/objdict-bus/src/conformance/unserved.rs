@@ -1,14 +1,16 @@
 //! Services that the node does not have: those of objects that the generator notes, and others.
 
+use std::ops::RangeInclusive;
+
 use objdict_generate::{UNSERVED, Unserved};
 
 use super::bench::Bench;
-use super::described::Described;
+use super::described::{Described, DescribedEntry};
 use super::{ConformanceCheck, Step, Verdict, absent, checks, verdict};
 
 const SERVICE: &str = "not served";
 
-checks! { "not served":
+checks! { SERVICE:
     "7.2.3" "MPDO" mpdo;
     "7.2.2" "PDO requests by remote frames" remote;
     "7.3.3" "CAN-IDs of 29 bits" extended;
@@ -29,35 +31,29 @@ pub(super) fn of_objects(described: &Described) -> impl Iterator<Item = Conforma
 }
 
 /// Defaults of the entries with this sub-index in a range of objects.
-fn defaults(
-    bench: &Bench<'_>,
-    indexes: [std::ops::RangeInclusive<u16>; 2],
-    sub: u8,
-) -> impl Iterator<Item = u64> {
+fn defaults(bench: &Bench<'_>, indexes: RangeInclusive<u16>, sub: u8) -> impl Iterator<Item = u64> {
     let described = bench.described;
-    let entries = described
-        .entries
-        .iter()
-        .filter(move |entry| entry.sub == sub && indexes.iter().any(|range| range.contains(&entry.index)));
+    let is_meant = move |entry: &&DescribedEntry| entry.sub == sub && indexes.contains(&entry.index);
+    let entries = described.entries.iter().filter(is_meant);
     entries.map(|entry| described.number(entry.index, entry.sub))
 }
 
 fn mpdo(bench: &mut Bench<'_>) -> Step {
-    let has = defaults(bench, [0x1600..=0x17FF, 0x1A00..=0x1BFF], 0).any(|count| count >= 254);
+    let has = [0x1600..=0x17FF, 0x1A00..=0x1BFF]
+        .into_iter()
+        .any(|mappings| defaults(bench, mappings, 0).any(|count| count >= 254));
     not_served_if(has, "an MPDO")
 }
 
 fn remote(bench: &mut Bench<'_>) -> Step {
-    let has = defaults(bench, [0x1800..=0x19FF, 0x1800..=0x19FF], 2).any(|kind| matches!(kind, 252 | 253));
+    let has = defaults(bench, 0x1800..=0x19FF, 2).any(|kind| matches!(kind, 252 | 253));
     not_served_if(has, "a PDO with transmission type 252 or 253")
 }
 
 fn extended(bench: &mut Bench<'_>) -> Step {
-    let mut all = defaults(bench, [0x1400..=0x15FF, 0x1800..=0x19FF], 1).chain(defaults(
-        bench,
-        [0x1005..=0x1005, 0x1014..=0x1014],
-        0,
-    ));
-    let has = all.any(|cob_id| cob_id >> 29 & 1 == 1);
+    let cob_ids = [(0x1005..=0x1005, 0), (0x1014..=0x1014, 0), (0x1400..=0x15FF, 1), (0x1800..=0x19FF, 1)];
+    let has = cob_ids
+        .into_iter()
+        .any(|(indexes, sub)| defaults(bench, indexes, sub).any(|cob_id| cob_id >> 29 & 1 == 1));
     not_served_if(has, "a CAN-ID of 29 bits")
 }

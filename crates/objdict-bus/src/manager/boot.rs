@@ -5,6 +5,7 @@ use objdict_device::{Abort, NmtState};
 use super::{
     BootFailure, GUARDING, Manager, Monitor, PATIENCE, Progress, RESET_COMMUNICATION, RESET_NODE, Step,
 };
+use crate::dictionary::number;
 use crate::node::{MILLISECOND, SimulatedNode, error_control};
 
 /// What 1011h takes.
@@ -77,11 +78,7 @@ impl Manager {
 
     /// Goes on after a transfer.
     fn conclude(&mut self, at: usize, result: Result<Vec<u8>, Abort>, own: &mut SimulatedNode, now: u64) {
-        let number = |result: Result<Vec<u8>, Abort>| {
-            result.map(|bytes| {
-                bytes.iter().take(4).rev().fold(0, |number, &byte| number << 8 | u32::from(byte))
-            })
-        };
+        let number = |result: Result<Vec<u8>, Abort>| result.map(|bytes| number(&bytes) as u32);
         match (self.slaves[at].step.clone(), result) {
             (Step::DeviceType, Err(abort @ Abort::Timeout)) => self.miss(at, abort, own, now),
             // it answers, and will not answer otherwise when it is asked again

@@ -58,7 +58,7 @@ fn is_idle(name: &str) -> bool {
     )
 }
 
-/// Whether a line that is no key may be the malformed header of an object, or marks a merge.
+/// Whether a line that is not a key may be the malformed header of an object, or marks a merge.
 fn may_begin_object(line: &str) -> bool {
     let name = line.trim_matches(|c: char| !c.is_ascii_alphanumeric());
     line.trim_end().ends_with(']') || !is_idle(name)
@@ -67,7 +67,7 @@ fn may_begin_object(line: &str) -> bool {
 /// The most lines of a wrapped comment that are looked at.
 const MOST_WRAPPED: usize = 8;
 
-/// Whether a line that is no key cannot be meant as one: it has no letter or digit, or is the rest of a wrapped comment, and its
+/// Whether a line that is not a key cannot be meant as one: it has no letter or digit, or is the rest of a wrapped comment, and its
 /// first word is neither a number nor like a key.
 fn is_prose(line: &str, before: &str) -> bool {
     let is_word = |word: &str| {
