@@ -14,6 +14,8 @@ pub mod input;
 #[cfg(feature = "json")]
 pub mod json;
 #[cfg(feature = "network")]
+mod keyed;
+#[cfg(feature = "network")]
 pub mod network;
 #[cfg(feature = "node")]
 pub mod nodelist;
@@ -99,7 +101,7 @@ pub(crate) fn rules() -> impl Iterator<Item = &'static RuleInfo> {
     #[cfg(all(feature = "json", feature = "xdd"))]
     let rules = rules.chain(embedded::RULES.iter().copied());
     #[cfg(feature = "network")]
-    let rules = rules.chain(network::rules());
+    let rules = rules.chain(network::rules()).chain(keyed::rules::RULES.iter().copied());
     #[cfg(feature = "xdd")]
     let rules = rules.chain(xml::findings::rules()).chain(xdd::findings::rules());
     #[cfg(feature = "xdd")]

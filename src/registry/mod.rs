@@ -18,7 +18,7 @@ pub fn rules() -> Vec<&'static RuleInfo> {
 }
 
 /// Former names of rules and groups, which configurations and `allow` comments may still have.
-const RENAMED: [(&str, &str); 13] = [
+const RENAMED: [(&str, &str); 19] = [
     ("cia301/error-by-default", "cia301/default-error-register"),
     ("cia301/half-set-life-guarding", "cia301/incomplete-life-guarding"),
     ("cia301/half-valid-sdo", "cia301/partly-valid-sdo"),
@@ -31,6 +31,12 @@ const RENAMED: [(&str, &str); 13] = [
     ("cia404/half-scaling", "cia404/incomplete-scaling"),
     ("house", "custom"),
     ("naming/broken-numbering", "naming/unordered-numbering"),
+    ("network/invalid-toml", "keys/invalid-toml"),
+    ("network/key-defined-twice", "keys/key-defined-twice"),
+    ("network/missing-key", "keys/missing-key"),
+    ("network/out-of-range", "keys/out-of-range"),
+    ("network/unknown-key", "keys/unknown-key"),
+    ("network/wrong-type", "keys/wrong-type"),
     ("objdict/stale-carried-data", "objdict/stale-embedded-data"),
 ];
 

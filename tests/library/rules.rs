@@ -95,7 +95,7 @@ enum Examined {
 impl Examined {
     fn new(path: &Path) -> Self {
         let is_of = |group: &str| path.starts_with(support::fixtures().join("rules").join(group));
-        if is_of("network") {
+        if is_of("network") || is_of("keys") {
             let file = NetworkFile::open(path, &Default::default()).unwrap();
             let findings = file.check();
             return Self::Network(Box::new(file), findings);

@@ -5,24 +5,9 @@ use std::collections::BTreeMap;
 use crate::configure::{PdoName, Setting};
 use crate::download::{ConciseDcf, Order};
 use crate::model::{Address, Device};
+pub use crate::source::Said;
 use crate::source::Span;
 use crate::{IdentityLevel, Link};
-
-/// Something that the network file says, with its place there; an empty place for what follows from the rest.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
-pub struct Said<T> {
-    /// What it says.
-    pub value: T,
-    /// Where it says so.
-    pub at: Span,
-}
-
-impl<T> Said<T> {
-    /// Something with its place.
-    pub const fn new(value: T, at: Span) -> Self {
-        Self { value, at }
-    }
-}
 
 /// The bit rate in kbit/s that dcfgen writes where its file states none.
 const DCFGEN_BIT_RATE: u16 = 1000;

@@ -1,6 +1,6 @@
 //! The keys of `bus.yml`: those of dcfgen 2.4.2 and of ros2_canopen.
 
-use super::section::{Key, Shape, bits};
+use crate::format::keyed::section::{Key, Shape, bits};
 
 const fn key(name: &'static str, shape: Shape, meaning: &'static str) -> Key {
     Key { name, shape, meaning }

@@ -3,13 +3,15 @@
 use std::collections::BTreeMap;
 
 use super::bus_keys::{MAPPING, MASTER, NODE, OPTIONS, PDO, SDO};
-use super::rules::{MISSING_KEY, OVERRIDDEN_KEY, UNKNOWN_KEY, WRONG_TYPE};
-use super::section::{Section, or_foreign, requested_value, wrong};
-use super::tree::{Entry, Kind, Tree};
+use super::requested_value;
+use super::rules::OVERRIDDEN_KEY;
 use super::{Descriptions, too_many, yaml};
 use crate::configure::PdoName;
 use crate::diagnostic::{Diagnostic, Findings, misspelled, say};
 use crate::download::Order;
+use crate::format::keyed::rules::{MISSING_KEY, UNKNOWN_KEY, WRONG_TYPE};
+use crate::format::keyed::section::{Section, or_foreign, wrong};
+use crate::format::keyed::tree::{Entry, Kind, Tree};
 use crate::model::{Address, PdoKind};
 use crate::network::{
     DownloadRequest, Heartbeat, Manager, Network, Node, PdoRequest, RequestedCobId, RequestedValue, Said,
@@ -332,7 +334,7 @@ impl Reader<'_, '_> {
 fn address<'t>(
     name: &str,
     item: &'t Tree,
-    keys: &'static [super::section::Key],
+    keys: &'static [crate::format::keyed::section::Key],
     findings: &mut Findings,
 ) -> Option<(Said<Address>, Section<'t>)> {
     let section = Section::shared(name, item, keys, findings)?;

@@ -10,11 +10,8 @@ mod outputs;
 mod places;
 mod rules;
 pub mod schema;
-mod section;
 mod stored;
-mod toml;
 mod topology;
-mod tree;
 mod types;
 mod yaml;
 
@@ -27,14 +24,17 @@ use std::rc::Rc;
 pub use self::boot::{BootFiles, InstallError, Installation, install};
 pub use self::init::init;
 pub use self::outputs::{Build, BuildError, BuildObjection, BuiltFile, ConfigurationTime, ConfiguredNode};
-use self::rules::{UNREADABLE_NODE, WRONG_TYPE};
+use self::rules::UNREADABLE_NODE;
 pub use self::topology::location;
 use super::Description;
 use super::identify::{ContentKind, identify_source};
 use super::input::{FileKind, Input, MAX_DEVICES, ReadError, Reading};
+use super::keyed;
+use super::keyed::rules::WRONG_TYPE;
+use super::keyed::tree::{Kind, Tree};
 use crate::diagnostic::{At, Diagnostic, Findings, RuleInfo, say};
 use crate::model::Device;
-use crate::network::{self, Compiled, Network, Resolved, Said, resolve};
+use crate::network::{self, Compiled, Network, RequestedValue, Resolved, Said, resolve};
 use crate::source::{
     Folder, FolderError, MAX_TOML_SIZE, SourceError, SourceFile, SourceOptions, Span, absolute,
 };
@@ -108,7 +108,7 @@ impl NetworkFile {
         let mut findings = Findings::new();
         let network = match identify_source(&source).kind {
             ContentKind::NodeList => topology::read(&source, &mut descriptions, &mut findings),
-            _ if toml::is_toml(source.text()) => {
+            _ if keyed::toml::is_toml(source.text()) => {
                 network_toml::read(source.text(), &mut descriptions, &mut findings)
             }
             _ => bus_yml::read(source.text(), &mut descriptions, &mut findings),
@@ -333,4 +333,15 @@ fn variable(text: &str) -> (&str, usize) {
         [b'$', b'{', ..] => named(2, "}"),
         _ => named(1, ""),
     }
+}
+
+/// The value of an entry; `None` for a list, a map or nothing.
+fn requested_value(tree: &Tree) -> Option<RequestedValue> {
+    Some(match &*tree.kind {
+        Kind::Integer(number) => RequestedValue::Integer(*number),
+        Kind::Bool(flag) => RequestedValue::Integer((*flag).into()),
+        Kind::Float(number) => RequestedValue::Real(*number),
+        Kind::Text(text) => RequestedValue::Text(text.clone()),
+        Kind::Null | Kind::List(_) | Kind::Map(_) => return None,
+    })
 }

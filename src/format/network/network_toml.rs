@@ -1,14 +1,17 @@
 //! `network.toml`: networks in the format of objdict.
 
 use super::network_keys::{BUS, LINK, MANAGER, NETWORK, NODE, PDO, SDO};
-use super::rules::{MISSING_KEY, UNREADABLE_NODE, WRONG_TYPE};
-use super::section::{Section, integer, requested_value, wrong};
-use super::tree::{Entry, Kind, Tree};
+use super::requested_value;
+use super::rules::UNREADABLE_NODE;
 use super::types::with_type;
-use super::{Descriptions, toml, too_many};
+use super::{Descriptions, too_many};
 use crate::configure::{PdoName, Setting, nanoseconds, transmission_type};
 use crate::coupler::flatten;
 use crate::diagnostic::{Diagnostic, Findings, Text, say};
+use crate::format::keyed::rules::{MISSING_KEY, WRONG_TYPE};
+use crate::format::keyed::section::{Section, integer, wrong};
+use crate::format::keyed::toml;
+use crate::format::keyed::tree::{Entry, Kind, Tree};
 use crate::model::{Address, Device, PdoKind};
 use crate::network::{
     Boot, DownloadRequest, Heartbeat, IdentityLevel, Link, LinkEnd, LinkParameters, LinkedEntries, Manager,

@@ -11,54 +11,6 @@ text_rules! {
     remedy: "Correct the reported line.",
     source: "YAML 1.1",
 
-    INVALID_TOML = "network/invalid-toml", Error;
-    summary: "the network file is not valid TOML",
-    checks: "Whether the text can be read as TOML. If it cannot, nothing else of it is checked. A text that begins with a header or with `name =` is TOML, any other is YAML.",
-    why: "Nothing of the network is known.",
-    example: "`file = left.eds` without quotes",
-    remedy: "Correct the reported line.",
-    source: "TOML 1.0",
-
-    DUPLICATE_KEY = "network/key-defined-twice", Error;
-    summary: "a key is defined twice",
-    checks: "Whether a key is there more than once in a map: a node, a PDO or a setting.",
-    why: "dcfgen takes the last one without a word, so a node that was copied and not renamed is lost.",
-    example: "two nodes that are both called `drive_1`",
-    remedy: "Remove one of the two, or give it another name.",
-    source: "YAML 1.1 §3.2.1.3",
-
-    UNKNOWN_KEY = "network/unknown-key", Error;
-    summary: "an unknown key",
-    checks: "Whether each key of a `network.toml` is in the tables of docs/network.md, and each key of a `bus.yml` one that dcfgen or the launch files of ROS know. Other programs may have keys in a `bus.yml`, so there an unknown key is a warning, unless it differs in one or two letters from one that dcfgen reads.",
-    why: "The key is misspelled or in the wrong table. dcfgen passes over it, so the node keeps its default.",
-    example: "`heartbeat_produce: 500`",
-    remedy: "Correct the name or remove the key.",
-    source: "dcf-tools 2.4.2; objdict, docs/network.md",
-
-    WRONG_TYPE = "network/wrong-type", Error;
-    summary: "a value of the wrong type",
-    checks: "Whether each value is a number, a text, true or false, a list or a map as its key demands. A number with a fraction where a whole one belongs, and a decimal number in quotes, are warnings.",
-    why: "dcfgen stops with a traceback, or takes something else: a quoted `\"false\"` is true.",
-    example: "`cob_id: \"0x205\"`, `mandatory: \"no\"`",
-    remedy: "Write the value as the message says.",
-    source: "dcf-tools 2.4.2; objdict, docs/network.md",
-
-    OUT_OF_RANGE = "network/out-of-range", Error;
-    summary: "a number out of its range",
-    checks: "Whether each number fits the object of the dictionary that it goes into.",
-    why: "dcfgen stops with a traceback, or writes a value that the manager does not load.",
-    example: "`node_id: 200`, `sync_period: -1`",
-    remedy: "Write a number in the range that the message states.",
-    source: "CiA 301; CiA 302-2",
-
-    MISSING_KEY = "network/missing-key", Error;
-    summary: "a required key is missing",
-    checks: "Whether the network has a manager, and each node the file with its description.",
-    why: "Nothing can be built without it.",
-    example: "a node without `dcf`",
-    remedy: "Add the key.",
-    source: "dcf-tools 2.4.2; objdict, docs/network.md",
-
     UNKNOWN_TYPE = "network/unknown-type", Error;
     summary: "a node uses a type that is not in the file",
     checks: "Whether the type that a node or another type names with `use` is a table below `type`, and no type uses itself.",

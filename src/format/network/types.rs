@@ -2,9 +2,9 @@
 
 use super::network_keys::NODE;
 use super::rules::UNKNOWN_TYPE;
-use super::section::wrong;
-use super::tree::{Entry, Kind, Tree};
 use crate::diagnostic::{Diagnostic, Findings, nearest, say};
+use crate::format::keyed::section::wrong;
+use crate::format::keyed::tree::{Entry, Kind, Tree};
 
 /// The key that names the type of a node, or of a type.
 const USE: &str = "use";

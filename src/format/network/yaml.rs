@@ -7,9 +7,10 @@ use std::rc::Rc;
 
 use saphyr_parser::{Event, Parser, ScalarStyle, Tag};
 
-use super::rules::{DUPLICATE_KEY, INVALID_YAML};
-use super::tree::{Entry, Kind, Tree};
+use super::rules::INVALID_YAML;
 use crate::diagnostic::{Diagnostic, Findings, say};
+use crate::format::keyed::rules::DUPLICATE_KEY;
+use crate::format::keyed::tree::{Entry, Kind, Tree};
 use crate::source::Span;
 
 /// The maximum depth of lists and maps.

@@ -221,7 +221,8 @@ fn the_schemas_say_what_the_reader_says() {
         fs::write(folder.join(name), schema.to_string()).unwrap();
         folder.join(name)
     });
-    let rules = fs::read_dir(support::fixtures().join("rules/network")).unwrap();
+    let groups = ["keys", "network"].map(|group| support::fixtures().join("rules").join(group));
+    let rules = groups.iter().flat_map(|group| fs::read_dir(group).unwrap());
     let mut files: Vec<PathBuf> = rules
         .flat_map(|rule| fs::read_dir(rule.unwrap().path()).unwrap())
         .map(|file| file.unwrap().path())

@@ -20,7 +20,7 @@ pub use hash::Fnv;
 pub use hash::hash;
 pub use iso646::transliterate;
 pub use line_index::{LineColumn, LineIndex};
-pub use span::Span;
+pub use span::{Said, Span};
 
 /// The default size limit of files: 64 MiB.
 pub const DEFAULT_MAX_SIZE: u64 = 64 << 20;

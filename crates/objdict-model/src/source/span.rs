@@ -39,3 +39,19 @@ impl Span {
         text.get(self.start as usize..self.end as usize).unwrap_or_default()
     }
 }
+
+/// Something that a text says, with its place there; an empty place for what follows from the rest of it.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub struct Said<T> {
+    /// What it says.
+    pub value: T,
+    /// Where it says so.
+    pub at: Span,
+}
+
+impl<T> Said<T> {
+    /// Something with its place.
+    pub const fn new(value: T, at: Span) -> Self {
+        Self { value, at }
+    }
+}

@@ -6,15 +6,15 @@ use crate::source::Span;
 
 /// A value and its place.
 #[derive(Clone, Debug)]
-pub(super) struct Tree {
-    pub(super) span: Span,
+pub(in crate::format) struct Tree {
+    pub(in crate::format) span: Span,
     /// Shared, because an anchor of YAML may be named more often than the text is long.
-    pub(super) kind: Rc<Kind>,
+    pub(in crate::format) kind: Rc<Kind>,
 }
 
 /// What a value is.
 #[derive(Clone, Debug)]
-pub(super) enum Kind {
+pub(in crate::format) enum Kind {
     /// Nothing.
     Null,
     Bool(bool),
@@ -27,18 +27,18 @@ pub(super) enum Kind {
 
 /// A key and its value.
 #[derive(Clone, Debug)]
-pub(super) struct Entry {
-    pub(super) key: Tree,
-    pub(super) value: Tree,
+pub(in crate::format) struct Entry {
+    pub(in crate::format) key: Tree,
+    pub(in crate::format) value: Tree,
 }
 
 impl Tree {
-    pub(super) fn new(span: Span, kind: Kind) -> Self {
+    pub(in crate::format) fn new(span: Span, kind: Kind) -> Self {
         Self { span, kind: Rc::new(kind) }
     }
 
     /// The value as a text; `None` for anything else.
-    pub(super) fn text(&self) -> Option<&str> {
+    pub(in crate::format) fn text(&self) -> Option<&str> {
         match &*self.kind {
             Kind::Text(text) => Some(text),
             _ => None,
@@ -46,7 +46,7 @@ impl Tree {
     }
 
     /// The entries of a map; `None` for anything else.
-    pub(super) fn entries(&self) -> Option<&[Entry]> {
+    pub(in crate::format) fn entries(&self) -> Option<&[Entry]> {
         match &*self.kind {
             Kind::Map(entries) => Some(entries),
             _ => None,
@@ -54,13 +54,13 @@ impl Tree {
     }
 
     /// The value of a key of a map.
-    pub(super) fn get(&self, key: &str) -> Option<&Tree> {
+    pub(in crate::format) fn get(&self, key: &str) -> Option<&Tree> {
         let entries = self.entries()?;
         entries.iter().find(|entry| entry.key.text() == Some(key)).map(|entry| &entry.value)
     }
 
     /// What the value is, for messages.
-    pub(super) fn kind_name(&self) -> &'static str {
+    pub(in crate::format) fn kind_name(&self) -> &'static str {
         match &*self.kind {
             Kind::Null => "nothing",
             Kind::Bool(_) => "true or false",
@@ -73,7 +73,7 @@ impl Tree {
     }
 
     /// The value as it is spelled in messages.
-    pub(super) fn spelled(&self) -> String {
+    pub(in crate::format) fn spelled(&self) -> String {
         match &*self.kind {
             Kind::Bool(flag) => flag.to_string(),
             Kind::Integer(number) => number.to_string(),

@@ -4,23 +4,22 @@ use super::rules::{MISSING_KEY, OUT_OF_RANGE, UNKNOWN_KEY, WRONG_TYPE};
 use super::tree::{Entry, Kind, Tree};
 use crate::configure::nanoseconds;
 use crate::diagnostic::{Diagnostic, Findings, Severity, listing, misspelled, nearest, say};
-use crate::network::{RequestedValue, Said};
-use crate::source::Span;
+use crate::source::{Said, Span};
 
 /// A key that a map may have.
 #[derive(Debug)]
-pub(super) struct Key {
+pub(in crate::format) struct Key {
     /// The name in the file.
-    pub(super) name: &'static str,
+    pub(in crate::format) name: &'static str,
     /// What its value is.
-    pub(super) shape: Shape,
+    pub(in crate::format) shape: Shape,
     /// What it means: a sentence for the JSON Schema and the documentation.
-    pub(super) meaning: &'static str,
+    pub(in crate::format) meaning: &'static str,
 }
 
 /// What a value is.
 #[derive(Debug)]
-pub(super) enum Shape {
+pub(in crate::format) enum Shape {
     /// A whole number in a range.
     Integer(i128, i128),
     /// A number above 0, also with a fraction.
@@ -60,13 +59,13 @@ pub(super) enum Shape {
 }
 
 /// All numbers of this many bits.
-pub(super) const fn bits(bits: u32) -> Shape {
+pub(in crate::format) const fn bits(bits: u32) -> Shape {
     Shape::Integer(0, (1 << bits) - 1)
 }
 
 /// A map of the file with the table of its keys.
 #[derive(Clone, Copy, Debug)]
-pub(super) struct Section<'t> {
+pub(in crate::format) struct Section<'t> {
     span: Span,
     entries: &'t [Entry],
     keys: &'static [Key],
@@ -74,7 +73,7 @@ pub(super) struct Section<'t> {
 
 impl<'t> Section<'t> {
     /// Reports a value that is no map, and unknown keys.
-    pub(super) fn new(
+    pub(in crate::format) fn new(
         name: &str,
         tree: &'t Tree,
         keys: &'static [Key],
@@ -85,7 +84,7 @@ impl<'t> Section<'t> {
 
     /// The same for a map in which other programs may have keys: an unknown key is a warning, unless it is plainly another
     /// one that is misspelled.
-    pub(super) fn shared(
+    pub(in crate::format) fn shared(
         name: &str,
         tree: &'t Tree,
         keys: &'static [Key],
@@ -116,7 +115,7 @@ impl<'t> Section<'t> {
                 let finding = rated(finding, &key);
                 findings.push(match nearest(&key, keys.iter().map(|known| known.name)) {
                     Some(meant) => finding.help(say!("did you mean `{}`?", meant)),
-                    None => finding.help("remove it, or see docs/network.md for the keys"),
+                    None => finding.help("remove it, or correct its name"),
                 });
             }
         }
@@ -124,18 +123,23 @@ impl<'t> Section<'t> {
     }
 
     /// Where the map is.
-    pub(super) const fn span(&self) -> Span {
+    pub(in crate::format) const fn span(&self) -> Span {
         self.span
     }
 
     /// The value of a key.
-    pub(super) fn get(&self, name: &str) -> Option<&'t Tree> {
+    pub(in crate::format) fn get(&self, name: &str) -> Option<&'t Tree> {
         debug_assert!(self.keys.iter().any(|key| key.name == name), "{name} is not in the table");
         self.entries.iter().find(|entry| entry.key.text() == Some(name)).map(|entry| &entry.value)
     }
 
     /// The value of a key that must be there.
-    pub(super) fn required(&self, owner: &str, name: &str, findings: &mut Findings) -> Option<&'t Tree> {
+    pub(in crate::format) fn required(
+        &self,
+        owner: &str,
+        name: &str,
+        findings: &mut Findings,
+    ) -> Option<&'t Tree> {
         let value = self.get(name);
         if value.is_none() {
             let start = Span::new(self.span.start, self.span.start);
@@ -159,14 +163,18 @@ impl<'t> Section<'t> {
     }
 
     /// A whole number.
-    pub(super) fn integer<T: TryFrom<i128>>(&self, name: &str, findings: &mut Findings) -> Option<Said<T>> {
+    pub(in crate::format) fn integer<T: TryFrom<i128>>(
+        &self,
+        name: &str,
+        findings: &mut Findings,
+    ) -> Option<Said<T>> {
         let tree = self.get(name)?;
         let number = integer(name, tree, self.range(name), findings)?;
         Some(Said::new(T::try_from(number).ok()?, tree.span))
     }
 
     /// True or false.
-    pub(super) fn flag(&self, name: &str, findings: &mut Findings) -> Option<Said<bool>> {
+    pub(in crate::format) fn flag(&self, name: &str, findings: &mut Findings) -> Option<Said<bool>> {
         let tree = self.get(name)?;
         match &*tree.kind {
             Kind::Bool(flag) => Some(Said::new(*flag, tree.span)),
@@ -182,7 +190,7 @@ impl<'t> Section<'t> {
     }
 
     /// A number above 0.
-    pub(super) fn number(&self, name: &str, findings: &mut Findings) -> Option<Said<f64>> {
+    pub(in crate::format) fn number(&self, name: &str, findings: &mut Findings) -> Option<Said<f64>> {
         let tree = self.get(name)?;
         let number = match &*tree.kind {
             // numbers of a file are far below 2^53
@@ -203,7 +211,11 @@ impl<'t> Section<'t> {
     }
 
     /// A time in its unit.
-    pub(super) fn time<T: TryFrom<i128>>(&self, name: &str, findings: &mut Findings) -> Option<Said<T>> {
+    pub(in crate::format) fn time<T: TryFrom<i128>>(
+        &self,
+        name: &str,
+        findings: &mut Findings,
+    ) -> Option<Said<T>> {
         let tree = self.get(name)?;
         let Some(&Shape::Time(high, unit)) = self.shape(name) else { return None };
         let number = match tree.text().map(nanoseconds) {
@@ -228,7 +240,7 @@ impl<'t> Section<'t> {
     }
 
     /// A text or several ones.
-    pub(super) fn texts(&self, name: &str, findings: &mut Findings) -> Vec<Said<&'t str>> {
+    pub(in crate::format) fn texts(&self, name: &str, findings: &mut Findings) -> Vec<Said<&'t str>> {
         let items = self.get(name).map_or(&[][..], |tree| match &*tree.kind {
             Kind::List(items) => items,
             _ => std::slice::from_ref(tree),
@@ -244,7 +256,7 @@ impl<'t> Section<'t> {
     }
 
     /// Numbers of 8 bits by numbers.
-    pub(super) fn numbers(&self, name: &str, findings: &mut Findings) -> Vec<(u8, Said<u8>)> {
+    pub(in crate::format) fn numbers(&self, name: &str, findings: &mut Findings) -> Vec<(u8, Said<u8>)> {
         let numbered = self.numbered(name, findings);
         let mut numbers = Vec::with_capacity(numbered.len());
         for (sub, tree) in numbered {
@@ -257,7 +269,7 @@ impl<'t> Section<'t> {
     }
 
     /// The entries of a map by name.
-    pub(super) fn named(&self, name: &str, findings: &mut Findings) -> &'t [Entry] {
+    pub(in crate::format) fn named(&self, name: &str, findings: &mut Findings) -> &'t [Entry] {
         let Some(tree) = self.get(name) else { return &[] };
         tree.entries().unwrap_or_else(|| {
             findings.push(wrong(name, tree, "a table of keys").help("write the names as keys below it"));
@@ -266,7 +278,7 @@ impl<'t> Section<'t> {
     }
 
     /// A text; numbers are taken as they are spelled.
-    pub(super) fn text(&self, name: &str, findings: &mut Findings) -> Option<Said<String>> {
+    pub(in crate::format) fn text(&self, name: &str, findings: &mut Findings) -> Option<Said<String>> {
         let tree = self.get(name)?;
         match &*tree.kind {
             Kind::Text(_) | Kind::Integer(_) | Kind::Float(_) => Some(Said::new(tree.spelled(), tree.span)),
@@ -278,7 +290,7 @@ impl<'t> Section<'t> {
     }
 
     /// A text that is one of the words of the key.
-    pub(super) fn word(&self, name: &str, findings: &mut Findings) -> Option<Said<String>> {
+    pub(in crate::format) fn word(&self, name: &str, findings: &mut Findings) -> Option<Said<String>> {
         let text = self.text(name, findings)?;
         let key = self.keys.iter().find(|key| key.name == name);
         let Some(Shape::Word(words)) = key.map(|key| &key.shape) else { return Some(text) };
@@ -292,7 +304,7 @@ impl<'t> Section<'t> {
     }
 
     /// The items of a list.
-    pub(super) fn list(&self, name: &str, findings: &mut Findings) -> Option<&'t [Tree]> {
+    pub(in crate::format) fn list(&self, name: &str, findings: &mut Findings) -> Option<&'t [Tree]> {
         let tree = self.get(name)?;
         match &*tree.kind {
             Kind::List(items) => Some(items),
@@ -306,7 +318,11 @@ impl<'t> Section<'t> {
     }
 
     /// The entries of a map by number, each with its number.
-    pub(super) fn numbered(&self, name: &str, findings: &mut Findings) -> Vec<(i128, Said<&'t Tree>)> {
+    pub(in crate::format) fn numbered(
+        &self,
+        name: &str,
+        findings: &mut Findings,
+    ) -> Vec<(i128, Said<&'t Tree>)> {
         let Some(tree) = self.get(name) else { return Vec::new() };
         let (low, high) = match self.shape(name) {
             Some(Shape::Numbered(low, high, _) | Shape::Numbers((low, high), _)) => (*low, *high),
@@ -330,7 +346,7 @@ impl<'t> Section<'t> {
 }
 
 /// A finding about an unknown key that another program may know, if it is not one of these words, misspelled.
-pub(super) fn or_foreign<'a>(
+pub(in crate::format) fn or_foreign<'a>(
     finding: Diagnostic,
     key: &str,
     words: impl IntoIterator<Item = &'a str>,
@@ -341,19 +357,8 @@ pub(super) fn or_foreign<'a>(
     }
 }
 
-/// The value of an entry; `None` for a list, a map or nothing.
-pub(super) fn requested_value(tree: &Tree) -> Option<RequestedValue> {
-    Some(match &*tree.kind {
-        Kind::Integer(number) => RequestedValue::Integer(*number),
-        Kind::Bool(flag) => RequestedValue::Integer((*flag).into()),
-        Kind::Float(number) => RequestedValue::Real(*number),
-        Kind::Text(text) => RequestedValue::Text(text.clone()),
-        Kind::Null | Kind::List(_) | Kind::Map(_) => return None,
-    })
-}
-
 /// A whole number in a range. What dcfgen silently reads as one is a warning.
-pub(super) fn integer(
+pub(in crate::format) fn integer(
     name: &str,
     tree: &Tree,
     (low, high): (i128, i128),
@@ -413,7 +418,7 @@ fn spelled_time(nanoseconds: i128) -> String {
 }
 
 /// `cob_id` is a text where a number belongs.
-pub(super) fn wrong(name: &str, tree: &Tree, expected: &'static str) -> Diagnostic {
+pub(in crate::format) fn wrong(name: &str, tree: &Tree, expected: &'static str) -> Diagnostic {
     let message = say!("`{}` is `{}`, {} where {} belongs", name, tree.spelled(), tree.kind_name(), expected);
     Diagnostic::new(&WRONG_TYPE, tree.span, message)
 }

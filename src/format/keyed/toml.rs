@@ -11,7 +11,7 @@ use crate::diagnostic::{Diagnostic, Findings};
 use crate::source::Span;
 
 /// Whether a text is TOML rather than YAML: its first line is a header, or a key with `=`.
-pub(super) fn is_toml(text: &str) -> bool {
+pub(in crate::format) fn is_toml(text: &str) -> bool {
     let lines = text.lines().map(str::trim_start).filter(|line| !line.is_empty() && !line.starts_with('#'));
     let is_toml = |line: &str| {
         line.starts_with('[') || line.find('=').is_some_and(|at| !line[..at].contains([':', '{', '-']))
@@ -20,7 +20,7 @@ pub(super) fn is_toml(text: &str) -> bool {
 }
 
 /// Reads a text; `None` if it is no TOML, which is a finding.
-pub(super) fn read(text: &str, findings: &mut Findings) -> Option<Tree> {
+pub(in crate::format) fn read(text: &str, findings: &mut Findings) -> Option<Tree> {
     let (table, errors) = DeTable::parse_recoverable(text);
     let is_duplicate = |error: &toml::de::Error| error.message().contains("duplicate key");
     let (duplicates, broken): (Vec<_>, Vec<_>) = errors.iter().partition(|error| is_duplicate(error));
