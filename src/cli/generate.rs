@@ -1,9 +1,13 @@
 //! `objdict generate`.
 
+mod compare;
+
 use std::fs;
 use std::io::Write;
 use std::path::{Path, PathBuf};
 
+#[cfg(feature = "schema")]
+pub(super) use self::compare::TableDifferences;
 use super::args::{GenerateArgs, SizeFormat};
 use super::input::{name_of, source_name};
 use super::outcome::{Failure, Outcome, note, tell};
@@ -44,6 +48,9 @@ pub(super) fn run(args: &GenerateArgs, out: &mut Output) -> Result<Outcome, Fail
         Ok(produced) => produced,
         Err(error) => return refused(error),
     };
+    if let Some(existing) = &args.compare {
+        return compare::run(args, existing, &generation, out);
+    }
     if args.list {
         list(args, &generation, out)?;
     } else {
@@ -101,7 +108,7 @@ fn write(
     let mut table = Table::new(["", "", "", ""], usize::MAX);
     for (target, generated) in &generation.outputs {
         for file in &generated.files {
-            let path = args.output.join(&file.path);
+            let path = args.folder().join(&file.path);
             let saved = match folder.save(&file.path, &file.contents)? {
                 Saved::Written => "",
                 Saved::Unchanged => "unchanged",
@@ -129,7 +136,7 @@ fn write(
 fn admit(args: &GenerateArgs, generation: &Generation, read: &[PathBuf]) -> Result<Folder, Failure> {
     read.iter().for_each(|file| keep(file));
     args.stamp.iter().chain(&args.depfile).try_for_each(|path| require_other(path))?;
-    let folder = Folder::open(&args.output, "generate", &args.overwrite)?;
+    let folder = Folder::open(args.folder(), "generate", &args.overwrite)?;
     let mut files = generation.outputs.iter().flat_map(|(_, generated)| &generated.files);
     files.try_for_each(|file| folder.admit(&file.path, &file.contents))?;
     Ok(folder)
@@ -137,7 +144,7 @@ fn admit(args: &GenerateArgs, generation: &Generation, read: &[PathBuf]) -> Resu
 
 fn list(args: &GenerateArgs, generation: &Generation, out: &mut Output) -> Result<(), Failure> {
     for file in generation.outputs.iter().flat_map(|(_, generated)| &generated.files) {
-        writeln!(out, "{}", name_of(&args.output.join(&file.path)))?;
+        writeln!(out, "{}", name_of(&args.folder().join(&file.path)))?;
     }
     Ok(())
 }

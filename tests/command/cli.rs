@@ -31,6 +31,7 @@ fn pages() {
             "eds",
             "dcf",
             "xdd",
+            "canopennode",
             "cnxml",
             "nxdd",
             "broken",
@@ -57,7 +58,8 @@ fn pages() {
 
 /// The pages for users, which may have sessions.
 fn markdown_pages() -> Vec<PathBuf> {
-    let docs = fs::read_dir("docs").unwrap().map(|entry| entry.unwrap().path());
+    let folders = ["docs", "docs/targets"].into_iter();
+    let docs = folders.flat_map(|folder| fs::read_dir(folder).unwrap()).map(|entry| entry.unwrap().path());
     let mut pages: Vec<PathBuf> = docs.filter(|path| path.extension().is_some_and(|e| e == "md")).collect();
     pages.push(PathBuf::from("README.md"));
     pages.sort();

@@ -47,6 +47,7 @@ mod concise;
 mod defaults;
 mod dictionary;
 mod escape;
+mod existing;
 mod frames;
 mod gaps;
 mod head;
@@ -85,6 +86,7 @@ mod zencan;
 use std::borrow::Cow;
 use std::fmt;
 
+pub use existing::{TableAspect, TableDifference, compare_tables};
 pub use live::{LiveEntry, live_entries};
 pub use options::{
     CTable, Choice, Derive, Names, OptionField, OptionValue, Options, PdoMappings, SharedCell, StackLayout,
@@ -117,7 +119,8 @@ macro_rules! targets {
     ($($(#[$condition:meta])? $constant:ident $module:ident $name:literal
         $summary:literal
         [$($choice:ident)*]
-        $(unmeasured $why:literal)?;
+        $(unmeasured $why:literal)?
+        $(compared $compare:ident)?;
     )+) => {
         static BACKENDS: &[&Backend] = &[$($(#[$condition])? Target::$constant.0),+];
 
@@ -129,6 +132,7 @@ macro_rules! targets {
                 summary: $summary,
                 uses: &[$(Choice::$choice),*],
                 make: make!($module $($why)?),
+                compare: [$($module::$compare as Compare)?].first().copied(),
             });)+
         }
     };
@@ -165,7 +169,8 @@ targets! {
     #[cfg(feature = "stacks")]
     CANOPENNODE canopennode "canopennode"
         "`OD.h` and `OD.c` of the stack CANopenNode 4"
-        [Names Renamed Prefix Groups StringCapacity Hooks Limits Layout];
+        [Names Renamed Prefix Groups StringCapacity Hooks Limits Layout]
+        compared compare;
     #[cfg(feature = "template")]
     TEMPLATE template "template"
         "one file, rendered from a custom Jinja template (`--template`)"
@@ -204,7 +209,12 @@ struct Backend {
     /// The options that affect the files.
     uses: &'static [Choice],
     make: Make,
+    /// How tables that a project has already are compared with those that are made.
+    compare: Option<Compare>,
 }
+
+/// Compares a header and its source with files; `None` if they are no tables of the target.
+type Compare = fn(&str, &str, &[OutputFile]) -> Option<Vec<TableDifference>>;
 
 /// The function of a target.
 enum Make {

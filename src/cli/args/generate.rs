@@ -1,6 +1,6 @@
 //! The arguments of `objdict generate`.
 
-use std::path::PathBuf;
+use std::path::{Path, PathBuf};
 
 use clap::builder::{PossibleValue, PossibleValuesParser, TypedValueParser};
 use clap::{Args, ValueEnum};
@@ -24,8 +24,11 @@ pub(in crate::cli) struct GenerateArgs {
     #[arg(long = "target", required = true, value_name = "TARGET", value_delimiter = ',', value_parser = targets())]
     pub targets: Vec<String>,
     /// The folder to write to
-    #[arg(short, long, alias = "out", value_name = "PATH")]
-    pub output: PathBuf,
+    #[arg(short, long, alias = "out", value_name = "PATH", required_unless_present = "compare")]
+    pub output: Option<PathBuf>,
+    /// Compare the tables with a header of the stack that exists, and its source beside it, instead of writing them
+    #[arg(long, value_name = "FILE", conflicts_with_all = ["output", "list", "stamp", "report"], help_heading = "Output")]
+    pub compare: Option<PathBuf>,
     /// Print the names of the files that would be written, without writing them
     #[arg(long, help_heading = "Output")]
     pub list: bool,
@@ -54,7 +57,6 @@ pub(in crate::cli) struct GenerateArgs {
         alias = "report-format",
         value_enum,
         default_value = "table",
-        requires = "report",
         value_name = "FORMAT",
         help_heading = "Size"
     )]
@@ -79,6 +81,13 @@ pub(in crate::cli) struct GenerateArgs {
     /// Ignore the findings in this file, which `check --write-baseline` writes
     #[arg(long, value_name = "FILE", help_heading = "Settings")]
     pub baseline: Option<PathBuf>,
+}
+
+impl GenerateArgs {
+    /// The folder to write to.
+    pub(in crate::cli) fn folder(&self) -> &Path {
+        self.output.as_deref().unwrap_or(Path::new(""))
+    }
 }
 
 macro_rules! arguments {
@@ -175,8 +184,19 @@ mod tests {
     const RENAMED: [(&str, &str); 3] = [("file", "new"), ("output", "out_dir"), ("from", "from_kind")];
 
     /// Arguments that are about a terminal or make.
-    const OF_THE_COMMAND: [&str; 10] =
-        ["color", "quiet", "verbose", "help", "report", "format", "list", "stamp", "depfile", "add-missing"];
+    const OF_THE_COMMAND: [&str; 11] = [
+        "color",
+        "quiet",
+        "verbose",
+        "help",
+        "report",
+        "format",
+        "list",
+        "stamp",
+        "depfile",
+        "add-missing",
+        "compare",
+    ];
 
     /// A build script can do all that the command can.
     #[test]

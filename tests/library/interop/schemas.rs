@@ -36,6 +36,10 @@ const DOCUMENTS: &[(&str, &str)] = &[
         "sizes",
         "generate FIXTURES/eds/all-types.eds --target rust,c,canopennode,lely,concise --node-id 5 --force -o WRITTEN --report size --format json",
     ),
+    (
+        "tables",
+        "generate FIXTURES/eds/minimal.eds --target canopennode --compare FIXTURES/canopennode --format json",
+    ),
     ("network", "network show FIXTURES/network/cell.yml --format json"),
     ("network", "network show FIXTURES/network/line.toml --format json"),
     (

@@ -1,5 +1,6 @@
 //! The target `canopennode`: `OD.h` and `OD.c` of CANopenNode 4.
 
+mod compare;
 mod config;
 mod groups;
 mod hooks;
@@ -14,6 +15,7 @@ mod view;
 
 use std::borrow::Cow;
 
+pub(super) use self::compare::compare;
 use super::dictionary::Dictionary;
 use super::notes::{in_order, once_per_device};
 use super::{GenerateError, Made, Options, StackLayout, render, startup};

@@ -1,5 +1,6 @@
 //! The target `canopennode`: `OD.h` and `OD.c` of CANopenNode 4.
 
+mod existing;
 mod output;
 mod real;
 
