@@ -1,4 +1,4 @@
-//! What tables of CANopenNode 4 define, whoever wrote them.
+//! What tables of CANopenNode 4 define, of any generator.
 
 use std::collections::BTreeMap;
 
@@ -259,6 +259,7 @@ fn byte(item: &Initialiser<'_>) -> Option<u8> {
         [b'\\', b'r'] => Some(b'\r'),
         [b'\\', b't'] => Some(b'\t'),
         [b'\\', b'0'] => Some(0),
+        [b'\\', b'x', digits @ ..] => u8::from_str_radix(std::str::from_utf8(digits).ok()?, 16).ok(),
         [b'\\', byte] => Some(*byte),
         _ => None,
     }
