@@ -193,6 +193,7 @@ impl<V: Dictionary, F: NorFlash> Dictionary for WithProgram<V, F> {
 
     fn begin_read(&mut self, index: u16, sub: u8) -> Result<Option<usize>, Abort> {
         match (index, sub, self.state) {
+            (DATA, 1, _) if !self.data.attributes(index, sub)?.readable => Err(Abort::WriteOnly),
             (DATA, 1, ProgramState::Running | ProgramState::Stopped) => Ok(Some(self.length as usize)),
             (DATA, 1, _) => Err(Abort::NoData),
             _ => self.data.begin_read(index, sub),
