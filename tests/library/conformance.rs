@@ -55,7 +55,7 @@ fn with_everything() -> Device {
     }
     for (index, data_type) in [
         (0x1F50, DataType::DOMAIN),
-        (0x1F51, DataType::UNSIGNED8),
+        (0x1F51, DataType::UNSIGNED32), // as some devices have it, instead of a byte
         (0x1F56, DataType::UNSIGNED32),
         (0x1F57, DataType::UNSIGNED32),
     ] {

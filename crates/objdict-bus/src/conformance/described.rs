@@ -153,7 +153,11 @@ impl Described {
                     continue;
                 };
                 let entry = DescribedEntry::new(index, sub, &entry, node_id, value);
-                entries.extend(entry.and_then(|entry| entry.with_length(attributes.size)));
+                let entry = entry.and_then(|entry| entry.with_length(attributes.size));
+                // compact storage cannot describe the number of errors, which each table has as in CiA 301
+                let is_count = (index, sub) == (0x1003, 0) && object.compact.is_some();
+                let access = |own| if is_count && attributes.writable { Access::Rw } else { own };
+                entries.extend(entry.map(|entry| DescribedEntry { access: access(entry.access), ..entry }));
             }
         }
         let info = device.device_info.as_ref();
