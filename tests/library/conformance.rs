@@ -20,7 +20,7 @@ fn fixture(name: &str) -> Device {
     format::read(source, format).device().clone()
 }
 
-/// A drive with all services: SYNC with a counter, a second SDO server, RPDOs for entries of their own.
+/// A drive with all services: SYNC with a counter, a second SDO server, RPDOs for entries of their own, a program.
 fn with_everything() -> Device {
     let mut device = fixture("eds/drive-402.eds");
     let mut add = |index: u16, sub: u8, data_type: DataType, value: u64| {
@@ -52,6 +52,18 @@ fn with_everything() -> Device {
         add(0x1410 + pdo, 2, DataType::UNSIGNED8, 255);
         add(0x1610 + pdo, 0, DataType::UNSIGNED8, 1);
         add(0x1610 + pdo, 1, DataType::UNSIGNED32, mapped);
+    }
+    for (index, data_type) in [
+        (0x1F50, DataType::DOMAIN),
+        (0x1F51, DataType::UNSIGNED32), // as some devices have it, instead of a byte
+        (0x1F56, DataType::UNSIGNED32),
+        (0x1F57, DataType::UNSIGNED32),
+    ] {
+        add(index, 0, DataType::UNSIGNED8, 1);
+        add(index, 1, data_type, 0);
+    }
+    for sub in 0..=2 {
+        add(0x1020, sub, if sub == 0 { DataType::UNSIGNED8 } else { DataType::UNSIGNED32 }, 2 >> (8 * sub));
     }
     add(0x2100, 0, DataType::UNSIGNED8, 2);
     add(0x2100, 1, DataType::UNSIGNED32, 0);

@@ -51,7 +51,7 @@ impl PowerOn {
 }
 
 /// The values of a node, with the access, the limits and the types of its description: what the generated table of this description
-/// answers. Beyond that, 1010h stores and 1011h restores, a write clears 1020h, and what CiA 301 forbids of communication objects is
+/// answers. Beyond that, 1010h stores and 1011h restores, and what CiA 301 forbids of communication objects is
 /// refused by the rules of [`refusal`].
 #[derive(Clone, Debug)]
 pub struct LiveDictionary {
@@ -261,13 +261,7 @@ impl Dictionary for LiveDictionary {
         if matches!(entry.data_type, Some(DataType::TIME_OF_DAY | DataType::TIME_DIFFERENCE)) {
             value[3] &= 0x0F; // void bits
         }
-        let is_new = self.values[at] != value;
         self.values[at] = value;
-        if is_new && index != 0x1020 {
-            for sub in 1..=2 {
-                let _ = self.replace(0x1020, sub, &[0; 4]);
-            }
-        }
         Ok(())
     }
 

@@ -24,6 +24,9 @@ pub struct Guarded<'a, D: ?Sized, S> {
     pub(crate) services: S,
 }
 
+/// Date and time of the configuration in sub-indexes 1 and 2, by which a manager knows it again.
+const CONFIGURATION: u16 = 0x1020;
+
 /// 1010h and 1011h, whose sub-indexes from 1 on take a signature.
 pub(crate) const STORE: u16 = 0x1010;
 pub(crate) const RESTORE: u16 = 0x1011;
@@ -32,6 +35,16 @@ impl<D: Dictionary + ?Sized, S: Services> Guarded<'_, D, S> {
     /// Whether an entry of 1010h or 1011h does what a signature says; if so, it is not a value.
     fn is_command(index: u16, sub: u8) -> bool {
         matches!(index, STORE | RESTORE) && sub > 0
+    }
+
+    /// Clears the date of the configuration, which is another one now (CiA 301 §7.5.2.23).
+    fn forget_configuration(&mut self, index: u16) {
+        if index != CONFIGURATION {
+            for sub in 1..=2 {
+                // a device without 1020h has nothing to clear
+                let _ = self.dictionary.replace(CONFIGURATION, sub, &[0; 4]);
+            }
+        }
     }
 
     fn command(&mut self, index: u16, sub: u8, bytes: &[u8]) -> Result<(), Abort> {
@@ -68,6 +81,7 @@ impl<D: Dictionary + ?Sized, S: Services> Dictionary for Guarded<'_, D, S> {
 
     fn write(&mut self, index: u16, sub: u8, bytes: &[u8]) -> Result<(), Abort> {
         let entry = self.dictionary.attributes(index, sub)?;
+        let mut stays = false;
         // the dictionary itself knows why it refuses others
         if entry.writable && bytes.len() == entry.size && bytes.len() <= 8 {
             if Self::is_command(index, sub) {
@@ -75,8 +89,12 @@ impl<D: Dictionary + ?Sized, S: Services> Dictionary for Guarded<'_, D, S> {
             }
             let number = bytes.iter().rev().fold(0, |number, &byte| number << 8 | u64::from(byte));
             rules::check::<_, S>(self.dictionary, index, sub, number)?;
+            stays = self.dictionary.number(index, sub) == Ok(number);
         }
         self.dictionary.write(index, sub, bytes)?;
+        if !stays {
+            self.forget_configuration(index);
+        }
         self.services.follow(self.dictionary, index, sub);
         Ok(())
     }
@@ -108,6 +126,7 @@ impl<D: Dictionary + ?Sized, S: Services> Dictionary for Guarded<'_, D, S> {
 
     fn end_write(&mut self, index: u16, sub: u8, length: usize) -> Result<(), Abort> {
         self.dictionary.end_write(index, sub, length)?;
+        self.forget_configuration(index);
         self.services.follow(self.dictionary, index, sub);
         Ok(())
     }

@@ -175,24 +175,31 @@ impl<V: Dictionary, F: NorFlash> Dictionary for WithProgram<V, F> {
     }
 
     fn read(&mut self, index: u16, sub: u8, buffer: &mut [u8]) -> Result<usize, Abort> {
-        let Some(number) = self.number_of(index).filter(|_| sub == 1) else {
+        let entry = self.data.attributes(index, sub)?;
+        let Some(number) = self.number_of(index).filter(|_| sub == 1 && entry.readable) else {
             return self.data.read(index, sub, buffer);
         };
-        let size = self.data.attributes(index, sub)?.size.min(4);
+        let size = entry.size.min(4);
         let room = buffer.get_mut(..size).ok_or(Abort::OutOfMemory)?;
         room.iter_mut().zip(number.to_le_bytes()).for_each(|(place, byte)| *place = byte);
         Ok(size)
     }
 
     fn write(&mut self, index: u16, sub: u8, bytes: &[u8]) -> Result<(), Abort> {
+        let entry = self.data.attributes(index, sub)?;
         match (index, sub, bytes) {
-            (CONTROL, 1, [command]) if self.data.attributes(index, sub)?.writable => self.control(*command),
+            // some devices have more than one byte
+            (CONTROL, 1, [command, rest @ ..]) if entry.writable && bytes.len() == entry.size => {
+                let is_known = rest.iter().all(|&byte| byte == 0);
+                if is_known { self.control(*command) } else { Err(Abort::InvalidValue) }
+            }
             _ => self.data.write(index, sub, bytes),
         }
     }
 
     fn begin_read(&mut self, index: u16, sub: u8) -> Result<Option<usize>, Abort> {
         match (index, sub, self.state) {
+            (DATA, 1, _) if !self.data.attributes(index, sub)?.readable => Err(Abort::WriteOnly),
             (DATA, 1, ProgramState::Running | ProgramState::Stopped) => Ok(Some(self.length as usize)),
             (DATA, 1, _) => Err(Abort::NoData),
             _ => self.data.begin_read(index, sub),

@@ -77,13 +77,14 @@ const fn is_restricted(id: u16) -> bool {
     matches!(id, 0..=0x07F | 0x101..=0x180 | 0x581..=0x5FF | 0x601..=0x67F | 0x6E0..=0x6FF | 0x701..=0x7FF)
 }
 
-/// 1005h. The node also receives SYNC, so its CAN-ID always counts.
+/// 1005h. The node also receives SYNC, so its CAN-ID always counts, and is that of no PDO.
 fn check_sync<D: Dictionary + ?Sized, S: Services>(dictionary: &mut D, new: u32) -> Result<(), Abort> {
     let can_send = S::PRODUCES_SYNC && dictionary.attributes(sync::PERIOD, 0).is_ok();
     let is_free = |old: u32| old & sync::PRODUCES == 0;
     let is_accepted = (is_free(new) || can_send)
         && is_cob_id(dictionary, sync::COB_ID, 0, new, is_free)
-        && !is_restricted(can_id(new));
+        && !is_restricted(can_id(new))
+        && (is_sync(dictionary, new) || !has_pdo(dictionary, new));
     valid(is_accepted)
 }
 
@@ -159,7 +160,14 @@ fn check_communication<D: Dictionary + ?Sized>(
     })
 }
 
-/// Whether a PDO would have the CAN-ID of SYNC, so that each SYNC would be its data.
+/// Whether a PDO has a CAN-ID.
+fn has_pdo<D: Dictionary + ?Sized>(dictionary: &mut D, cob_id: u32) -> bool {
+    let has_it = |old: u32| !is_not_valid(old) && can_id(old) == can_id(cob_id);
+    let mut pdos = (0x1400..=0x15FF).chain(0x1800..=0x19FF);
+    pdos.any(|index| dictionary.number(index, 1).is_ok_and(|old| has_it(old as u32)))
+}
+
+/// Whether a CAN-ID is that of SYNC: each SYNC would be the data of a PDO with it.
 fn is_sync<D: Dictionary + ?Sized>(dictionary: &mut D, cob_id: u32) -> bool {
     can_id(sync::cob_id(dictionary)) == can_id(cob_id)
 }

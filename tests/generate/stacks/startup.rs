@@ -1,6 +1,7 @@
 //! What the notes of a stack predict, in the lines in which a node of the real stack prints what it found when it started.
 
 use std::collections::BTreeSet;
+use std::fmt::Write;
 
 use objdict::generate::Note;
 use objdict::model::{Device, Part};
@@ -17,6 +18,8 @@ fn pdos(note: &Note) -> Vec<String> {
         ("be received without effect", "without effect"),
         ("not be transmitted by the stack, or empty", "without effect"),
         ("use the CAN-ID of NMT", "nmt"),
+        ("be rejected by the stack", "rejected"),
+        ("not be transmitted by the stack", "silent"),
     ];
     let effect = effects.iter().find(|(words, _)| effect.starts_with(words));
     let (Some((kind, numbers)), Some((_, effect))) = (named.split_once(' '), effect) else {
@@ -52,9 +55,39 @@ fn server(note: &Note) -> Vec<String> {
     is_off.then(|| "server off".to_owned()).into_iter().collect()
 }
 
+/// A device with an UNSIGNED16 and an UNSIGNED8 for both directions, and PDOs: the index of the communication parameters, the
+/// transmission type, the COB-ID without the node-ID, and the mapping.
+pub(crate) fn device(pdos: &[(u16, u8, u32, &[u32])]) -> Device {
+    let mut text = String::new();
+    let mut value = |section: String, data_type: u8, default: String| {
+        let _ = writeln!(text, "[{section}]\nParameterName=Value\nDataType={data_type}\nAccessType=rw");
+        let _ = writeln!(text, "DefaultValue={default}\nPDOMapping={}", u8::from(section.starts_with('2')));
+    };
+    value("2000".to_owned(), 6, "0".to_owned());
+    value("2001".to_owned(), 5, "0".to_owned());
+    for &(index, kind, cob_id, mapping) in pdos {
+        value(format!("{index:X}sub0"), 5, "2".to_owned());
+        value(format!("{index:X}sub1"), 7, format!("$NODEID+{cob_id:#X}"));
+        value(format!("{index:X}sub2"), 5, kind.to_string());
+        let mapped = |sub| format!("{:X}sub{sub:X}", index + 0x200);
+        value(mapped(0), 5, mapping.len().to_string());
+        for (at, object) in mapping.iter().enumerate() {
+            value(mapped(at + 1), 7, format!("{object:#X}"));
+        }
+    }
+    for index in pdos.iter().flat_map(|pdo| [pdo.0, pdo.0 + 0x200]) {
+        let _ = writeln!(text, "[{index:X}]\nParameterName=PDO\nObjectType=9\nSubNumber=1");
+    }
+    let folder = tempfile::tempdir().unwrap();
+    let path = folder.path().join("pdos.eds");
+    std::fs::write(&path, text).unwrap();
+    crate::devices::device(&path)
+}
+
 /// Whether the stack does something that no test can expect.
 pub(crate) fn is_undefined(notes: &[Note]) -> bool {
-    notes.iter().any(|note| note.message.contains("access memory behind its mapping"))
+    let undefined = ["access memory behind its mapping", "keep the stack from starting"];
+    notes.iter().any(|note| undefined.iter().any(|text| note.message.contains(text)))
 }
 
 /// Compares them with what the node printed; returns their number.

@@ -11,6 +11,10 @@ use crate::model::{Access, DataType, Device, Entry, PdoKind, TypeKind};
 pub(super) struct Described {
     pub(super) node_id: u8,
     pub(super) entries: Vec<DescribedEntry>,
+    /// Whether the device has an LSS slave.
+    pub(super) has_lss: bool,
+    /// In kbit/s; 0 for a bit rate that the device finds out itself.
+    pub(super) bit_rates: Vec<u16>,
 }
 
 /// An entry as the description has it.
@@ -149,10 +153,17 @@ impl Described {
                     continue;
                 };
                 let entry = DescribedEntry::new(index, sub, &entry, node_id, value);
-                entries.extend(entry.and_then(|entry| entry.with_length(attributes.size)));
+                let entry = entry.and_then(|entry| entry.with_length(attributes.size));
+                // compact storage cannot describe the number of errors, which each table has as in CiA 301
+                let is_count = (index, sub) == (0x1003, 0) && object.compact.is_some();
+                let access = |own| if is_count && attributes.writable { Access::Rw } else { own };
+                entries.extend(entry.map(|entry| DescribedEntry { access: access(entry.access), ..entry }));
             }
         }
-        Self { node_id, entries }
+        let info = device.device_info.as_ref();
+        let has_lss = info.is_some_and(|info| info.lss_supported == Some(true));
+        let bit_rates = info.map(|info| info.baud_rates.supported().collect()).unwrap_or_default();
+        Self { node_id, entries, has_lss, bit_rates }
     }
 
     pub(super) fn find(&self, index: u16, sub: u8) -> Option<&DescribedEntry> {

@@ -6,10 +6,12 @@ mod bench;
 mod described;
 mod emergency;
 mod error_control;
+mod lss;
 mod mapping;
 mod nmt;
 mod objects;
 mod pdo;
+mod program;
 mod rpdo;
 mod sdo;
 mod storage;
@@ -22,6 +24,7 @@ use objdict_device::Dictionary;
 
 use crate::dictionary::{LiveDictionary, PowerOn};
 use crate::model::Device;
+use crate::node::Services;
 use bench::Bench;
 use described::Described;
 use transfers::{Exchange, Target};
@@ -120,7 +123,7 @@ macro_rules! checks {
 }
 use checks;
 
-const SERVICES: [&[Check]; 12] = [
+const SERVICES: [&[Check]; 14] = [
     nmt::CHECKS,
     error_control::CHECKS,
     sdo::CHECKS,
@@ -132,6 +135,8 @@ const SERVICES: [&[Check]; 12] = [
     time::CHECKS,
     emergency::CHECKS,
     storage::CHECKS,
+    program::CHECKS,
+    lss::CHECKS,
     unserved::CHECKS,
 ];
 
@@ -151,7 +156,7 @@ pub fn conformance_of<D: Dictionary + Clone + 'static>(
     let pdos = live.pdos();
     let described = Described::new(&device, node_id, &live);
     let dictionary = dictionary(live);
-    let bench = || Bench::new(&described, crate::node::lone(node_id, dictionary.clone(), &pdos));
+    let bench = || Bench::new(&described, node(&described, dictionary.clone(), &pdos));
     let of_services = SERVICES.into_iter().flatten().map(|check| ConformanceCheck {
         service: check.service,
         name: check.name.to_owned(),
@@ -161,6 +166,19 @@ pub fn conformance_of<D: Dictionary + Clone + 'static>(
     let mut checks: Vec<ConformanceCheck> = of_services.chain(unserved::of_objects(&described)).collect();
     checks.extend(objects::checks(&described, &mut bench()));
     Conformance { checks }
+}
+
+/// The node, with a memory for a program if the description has one.
+fn node<D: Dictionary + 'static>(
+    described: &Described,
+    dictionary: D,
+    pdos: &[Vec<u16>; 2],
+) -> Box<dyn Services> {
+    let node_id = described.node_id;
+    if !program::is_described(described) {
+        return crate::node::lone(node_id, dictionary, pdos);
+    }
+    crate::node::lone(node_id, program::with_memory(dictionary), pdos)
 }
 
 fn verdict(step: Step) -> Verdict {

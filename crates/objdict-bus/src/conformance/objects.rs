@@ -4,7 +4,7 @@ use objdict_device::Abort;
 
 use super::bench::Bench;
 use super::described::{Described, DescribedEntry, abort_code, answer, has_rules, hex, place};
-use super::{ConformanceCheck, Step, ensure, failed, verdict};
+use super::{ConformanceCheck, Step, ensure, failed, program, verdict};
 use crate::model::TypeKind;
 
 /// A check for each object. All are read before one is written.
@@ -61,11 +61,12 @@ fn expected(entry: &DescribedEntry) -> Vec<u8> {
 fn check_reading(bench: &mut Bench<'_>, entry: &DescribedEntry) -> Step {
     let (index, sub) = (entry.index, entry.sub);
     let values = [("", bench.upload(index, sub)), (" by blocks", bench.upload_block(index, sub))];
+    let initial = of_program(bench, entry);
     let allowed = match (index, sub) {
         _ if !entry.is_readable() => Err(Abort::WriteOnly),
         (0x1003, 1..) => Err(Abort::NoData),
         _ if is_empty_domain(entry, &values[0].1) => Err(Abort::NoData),
-        _ => Ok(expected(entry)),
+        _ => initial.unwrap_or_else(|| Ok(expected(entry))),
     };
     for (how, value) in values {
         ensure(value == allowed, || {
@@ -76,6 +77,18 @@ fn check_reading(bench: &mut Bench<'_>, entry: &DescribedEntry) -> Step {
         })?;
     }
     Ok(())
+}
+
+/// What an entry of a program has, for which there is a memory and which is not there.
+fn of_program(bench: &Bench<'_>, entry: &DescribedEntry) -> Option<Result<Vec<u8>, Abort>> {
+    let initial = program::initial(entry.index, entry.sub)?;
+    program::is_described(bench.described).then(|| {
+        initial.map(|first| {
+            let mut bytes = vec![0; entry.default.len()];
+            bytes[..1].copy_from_slice(&[first]);
+            bytes
+        })
+    })
 }
 
 /// Whether a DOMAIN has no data, which the application would give.

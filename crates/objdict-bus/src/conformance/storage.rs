@@ -15,6 +15,8 @@ checks! { "storage":
     "7.5.2.14" "1011h: another signature is refused" |bench| bench.refuse(0x1011, 1, u64::from(u32::from_le_bytes(*b"save")), Abort::CannotStore);
     "7.5.2.13" "1010h: stored values survive a reset" store;
     "7.5.2.14" "1011h: the defaults are back after a reset" restore;
+    "7.5.2.23" "1020h: cleared when another value changes" |bench| configure(bench, true);
+    "7.5.2.23" "1020h: kept when a value is written again" |bench| configure(bench, false);
 }
 
 /// The signatures as numbers.
@@ -90,4 +92,14 @@ fn restore(bench: &mut Bench<'_>) -> Step {
     bench.expect(index, sub, &other)?;
     bench.command(RESET_NODE);
     bench.expect(index, sub, &default)
+}
+
+fn configure(bench: &mut Bench<'_>, changes: bool) -> Step {
+    let (index, sub, default, other) = changeable(bench, true).or_else(|_| changeable(bench, false))?;
+    for sub in 1..=2 {
+        bench.write(0x1020, sub, 0x4321)?;
+    }
+    write(bench, index, sub, if changes { &other } else { &default })?;
+    let kept = if changes { [0; 4] } else { [0x21, 0x43, 0, 0] };
+    (1..=2).try_for_each(|sub| bench.expect(0x1020, sub, &kept))
 }

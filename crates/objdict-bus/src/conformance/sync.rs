@@ -4,6 +4,7 @@ use objdict_device::{Abort, Frame};
 
 use super::bench::{Bench, ENTER_PRE_OPERATIONAL, MS, STOP};
 use super::emergency::{can_id, expect_history, expect_message};
+use super::pdo::tpdo;
 use super::{Step, checks, ensure, impossible};
 
 checks! { "SYNC":
@@ -14,6 +15,8 @@ checks! { "SYNC":
     "7.5.2.5" "1005h: bit 30 without 1006h is refused" without_period;
     "7.3.5" "1005h: a restricted CAN-ID is refused" |bench| bench.refuse(0x1005, 0, 0x601, Abort::InvalidValue);
     "7.5.2.5" "1005h: a CAN-ID of 29 bits is refused" |bench| bench.refuse(0x1005, 0, 0x2000_0080, Abort::InvalidValue);
+    "7.3.5" "1005h: the CAN-ID of a PDO is refused" |bench| { let pdo = tpdo(bench, &[])?; bench.refuse(0x1005, 0, pdo.id.into(), Abort::InvalidValue) };
+    "7.3.5" "a PDO: the CAN-ID of SYNC is refused" |bench| { let id = sync_id(bench)?; let pdo = tpdo(bench, &[])?; pdo.disable(bench)?; pdo.refuse_cob_id(bench, id.into()) };
     "7.5.2.5" "1005h: another CAN-ID" |bench| { bench.write(0x1005, 0, 0x90)?; bench.expect(0x1005, 0, &[0x90, 0, 0, 0]) };
     "7.5.2.22" "1019h of 1 is refused" |bench| { idle(bench)?; bench.refuse(0x1019, 0, 1, Abort::InvalidValue) };
     "7.5.2.22" "1019h above 240 is refused" |bench| { idle(bench)?; bench.refuse(0x1019, 0, 241, Abort::InvalidValue) };

@@ -14,6 +14,7 @@ checks! { SERVICE:
     "7.2.3" "MPDO" mpdo;
     "7.2.2" "PDO requests by remote frames" remote;
     "7.3.3" "CAN-IDs of 29 bits" extended;
+    "CiA 302-3" "programs after the first one" further_programs;
 }
 
 fn not_served_if(has: bool, what: &str) -> Step {
@@ -43,6 +44,11 @@ fn mpdo(bench: &mut Bench<'_>) -> Step {
         .into_iter()
         .any(|mappings| defaults(bench, mappings, 0).any(|count| count >= 254));
     not_served_if(has, "an MPDO")
+}
+
+fn further_programs(bench: &mut Bench<'_>) -> Step {
+    let has = bench.described.object(0x1F50).any(|entry| entry.sub > 1);
+    not_served_if(has, "a second program")
 }
 
 fn remote(bench: &mut Bench<'_>) -> Step {

@@ -385,9 +385,6 @@ fn what_is_stored_survives_a_reset() {
     let mut dictionary = LiveDictionary::new(&device(&rows), 5, PowerOn::Defaults);
     assert_eq!(dictionary.write(0x1010, 1, b"evas").map_err(Abort::code), Err(0x0800_0020));
     dictionary.write(0x1020, 1, &[1, 0, 0, 0]).unwrap();
-    dictionary.write(0x1017, 0, &[100, 0]).unwrap();
-    assert_eq!(dictionary.number(0x1020, 1), Ok(0));
-    dictionary.write(0x1020, 1, &[1, 0, 0, 0]).unwrap();
     dictionary.write(0x1010, 1, b"save").unwrap();
     assert_eq!((dictionary.number(0x1010, 1), dictionary.number(0x1020, 1)), (Ok(1), Ok(1)));
 }

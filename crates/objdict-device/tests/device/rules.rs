@@ -103,6 +103,37 @@ fn signatures_need_storage() {
     }
 }
 
+/// Each SYNC would be the data of the PDO.
+#[test]
+fn sync_and_a_pdo_do_not_share_a_can_id() {
+    let mut device = device();
+    assert_eq!(write(&mut device, 0x1400, 1, 0x8000_0080), Ok(()));
+    assert_eq!(write(&mut device, 0x1400, 1, 0x0080), INVALID);
+    assert_eq!(write(&mut device, 0x1400, 1, 0x0205), Ok(()));
+    assert_eq!(write(&mut device, 0x1005, 0, 0x0205), INVALID);
+    assert_eq!(write(&mut device, 0x1400, 1, 0x8000_0205), Ok(()));
+    assert_eq!(write(&mut device, 0x1005, 0, 0x0205), Ok(()));
+    // what the dictionary begins with stays
+    let mut map = Map::default().number(0x1005, 0, UNSIGNED32, 0x205).number(0x1400, 1, UNSIGNED32, 0x205);
+    let mut pdos = Pdos::<1, 0>::new([0x1400], []);
+    assert_eq!(pdos.guard(&mut map).write(0x1005, 0, &0x205_u32.to_le_bytes()), Ok(()));
+}
+
+#[test]
+fn another_value_clears_the_date_of_the_configuration() {
+    let mut device = device();
+    let map = std::mem::take(&mut device.dictionary);
+    device.dictionary = map.number(0x1020, 1, UNSIGNED32, 15_000).number(0x1020, 2, UNSIGNED32, 20);
+    let dates =
+        |device: &mut Device| [1, 2].map(|sub| Dictionary::number(&mut device.dictionary, 0x1020, sub));
+    write(&mut device, 0x1017, 0, 0).unwrap();
+    write(&mut device, 0x1020, 2, 30).unwrap();
+    assert_eq!(write(&mut device, 0x1019, 0, 1), INVALID);
+    assert_eq!(dates(&mut device), [Ok(15_000), Ok(30)], "no other value has changed");
+    write(&mut device, 0x1017, 0, 10).unwrap();
+    assert_eq!(dates(&mut device), [Ok(0), Ok(0)]);
+}
+
 /// A program that serves PDOs alone cannot send SYNC.
 #[test]
 fn sync_needs_a_producer() {

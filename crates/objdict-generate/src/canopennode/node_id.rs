@@ -63,7 +63,15 @@ pub(crate) fn replaced(index: u16, entry: &ResolvedEntry<'_>, node_id: Option<u8
         return Some(format!("the stack adds the node-ID to `0x{value:X}`"));
     }
     let is_of_node = node_id.is_some_and(|node_id| *value == base + u64::from(node_id));
-    (index == 0x1200 && !is_of_node).then(|| format!("the stack sets it to `$NODEID+0x{base:X}`"))
+    match index {
+        _ if is_of_node => None,
+        0x1200 => Some(format!("the stack sets it to `$NODEID+0x{base:X}`")),
+        0x1014 if value & 0x8000_0000 == 0 => Some(
+            "the stack takes `$NODEID+0x80` unless it is compiled with `CO_CONFIG_EM_PROD_CONFIGURABLE`"
+                .to_owned(),
+        ),
+        _ => None,
+    }
 }
 
 #[cfg(test)]

@@ -6,6 +6,7 @@ use super::{Stack, number, words};
 use crate::Note;
 use crate::dictionary::{Dictionary, ResolvedObject};
 use crate::model::{Device, MappedObject, PdoKind, Place};
+use crate::resolve::Shape;
 
 /// Bits of a COB-ID: not valid, no RTR, 29 bits.
 const NOT_VALID: u64 = 1 << 31;
@@ -19,6 +20,8 @@ const LONGEST: u32 = 64;
 pub(super) struct Mapping {
     /// Whether it also reads the slots behind the number of mapped objects, up to the eighth.
     pub(super) reads_all: bool,
+    /// The most objects that it maps.
+    pub(super) most: u8,
     /// The data types that it maps as dummy entries.
     pub(super) is_dummy: fn(&Device, PdoKind, MappedObject) -> bool,
 }
@@ -26,6 +29,8 @@ pub(super) struct Mapping {
 /// Why a PDO is not served.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
 pub(super) enum Cause {
+    /// Above the 255 that a byte counts. It counts for PDOs that are not valid too.
+    Number,
     NoTransmissionType,
     NoCobId,
     RtrAllowed,
@@ -43,8 +48,12 @@ pub(super) enum Cause {
     Direction,
     NotMappable,
     Short,
+    /// Numbers of another length.
+    Size,
     Empty,
     Reserved,
+    /// Neither events nor SYNCs nor RTRs transmit it.
+    NoTrigger,
     SyncStart,
 }
 
@@ -69,8 +78,10 @@ struct Case {
 /// A warning for each cause.
 pub(super) fn notes(stack: &Stack, dictionary: &Dictionary<'_>) -> Vec<Note> {
     let mut cases: Vec<Case> = Vec::new();
-    for pdo in Served::all(dictionary, &stack.mapping).filter(Served::is_valid) {
-        let Some((row, slot)) = stack.pdos.iter().find_map(|row| pdo.matches(row)) else { continue };
+    for pdo in Served::all(dictionary, &stack.mapping) {
+        let is_valid = pdo.is_valid();
+        let mut rows = stack.pdos.iter().filter(|row| is_valid || row.cause == Cause::Number);
+        let Some((row, slot)) = rows.find_map(|row| pdo.matches(row)) else { continue };
         let (place, mapped) = pdo.place(row.cause, slot);
         let known = cases.iter_mut().find(|case| std::ptr::eq(case.row, row) && case.kind == pdo.kind);
         match known {
@@ -131,7 +142,12 @@ impl<'a> Served<'a> {
 
     /// The slots that the stack reads, with the mapped object; `None` for a slot that is not described.
     fn slots(&self) -> impl Iterator<Item = (u8, Option<MappedObject>)> + '_ {
-        let last = if self.rules.reads_all { 8 } else { self.count().min(8) };
+        let (count, most) = (self.count(), self.rules.most);
+        let last = match (self.rules.reads_all, count > most) {
+            (true, _) => most,
+            (false, true) => 0, // an MPDO, or more than the stack takes
+            (false, false) => count,
+        };
         let mapped = |sub| number(self.mapping, sub, 4).and_then(|word| u32::try_from(word).ok());
         (1..=last).map(move |sub| (sub, mapped(sub).map(MappedObject::from_number)))
     }
@@ -160,6 +176,7 @@ impl<'a> Served<'a> {
         let cob_id = self.cob_id().unwrap_or(0);
         let type_ = number(self.communication, 2, 1);
         let has = match row.cause {
+            Cause::Number => self.number > 255,
             Cause::NoTransmissionType => type_.is_none(),
             Cause::NoCobId => self.cob_id().is_none(),
             Cause::RtrAllowed => cob_id & NO_RTR == 0,
@@ -173,6 +190,10 @@ impl<'a> Served<'a> {
             }
             Cause::Empty => self.bits() == 0,
             Cause::Reserved => matches!(type_, Some(241..=253)),
+            Cause::NoTrigger => match type_ {
+                Some(252 | 253) => cob_id & NO_RTR != 0,
+                type_ => matches!(type_, Some(241..=251)),
+            },
             Cause::SyncStart => number(self.communication, 6, 1).is_some_and(|value| value > 240),
             Cause::NoSlot => {
                 let missing = self.slots().find(|(_, mapped)| mapped.is_none());
@@ -183,7 +204,8 @@ impl<'a> Served<'a> {
             | Cause::Bits
             | Cause::Direction
             | Cause::NotMappable
-            | Cause::Short => {
+            | Cause::Short
+            | Cause::Size => {
                 let wrong = self.mapped().find(|(_, mapped)| self.has(*mapped, row.cause));
                 return wrong.map(|(sub, _)| (row, Some(sub)));
             }
@@ -205,11 +227,16 @@ impl<'a> Served<'a> {
             PdoKind::Rpdo => (resolved.rpdo, resolved.tpdo),
             PdoKind::Tpdo => (resolved.tpdo, resolved.rpdo),
         };
+        let bytes = usize::from(mapped.bits.div_ceil(8));
         match cause {
             Cause::Bits => !mapped.bits.is_multiple_of(8),
             Cause::Direction => !fits && fits_other,
             Cause::NotMappable => !fits && !fits_other,
-            Cause::Short => resolved.shape.size() < usize::from(mapped.bits / 8),
+            Cause::Short => resolved.shape.size() < bytes,
+            Cause::Size => {
+                let size = resolved.shape.size();
+                !matches!(resolved.shape, Shape::Bytes(..)) && size <= 8 && size != bytes
+            }
             _ => false,
         }
     }
@@ -224,10 +251,10 @@ impl<'a> Served<'a> {
                 false => Place::object(communication),
             };
         let place = match (cause, slot) {
-            (Cause::NoTransmissionType | Cause::Reserved, _) => of_communication(2),
+            (Cause::NoTransmissionType | Cause::Reserved | Cause::NoTrigger, _) => of_communication(2),
             (Cause::NoCobId | Cause::RtrAllowed | Cause::Extended | Cause::NoCanId, _) => of_communication(1),
             (Cause::SyncStart, _) => of_communication(6),
-            (Cause::NoMapping, _) => Place::object(communication),
+            (Cause::Number | Cause::NoMapping, _) => Place::object(communication),
             (Cause::NoSlot, _) => Place::object(mapping),
             (_, Some(sub)) => Place::entry(mapping, sub),
             (_, None) => Place::entry(mapping, 0),

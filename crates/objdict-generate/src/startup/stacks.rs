@@ -20,7 +20,7 @@ const fn one(cause: Cause, kind: PdoKind, effect: &'static str) -> Row {
 
 /// `PDO_initMapping`, `CO_RPDO_init`, `CO_TPDO_init`, `CO_HBconsumer_initEntry`, `CO_SDOserver_init`, `CO_SDOclient_init`.
 pub(crate) const CANOPENNODE: Stack = Stack {
-    mapping: Mapping { reads_all: true, is_dummy: |_, _, mapped| mapped.sub == 0 },
+    mapping: Mapping { reads_all: true, most: 8, is_dummy: |_, _, mapped| mapped.sub == 0 },
     pdos: &[
         both(Cause::TooMany, MEMORY),
         both(Cause::Missing, DISABLED),
@@ -49,6 +49,7 @@ pub(crate) const CANOPENNODE: Stack = Stack {
 pub(crate) const CANOPENNODE_V1: Stack = Stack {
     mapping: Mapping {
         reads_all: false,
+        most: 8,
         is_dummy: |_, _, mapped| mapped.sub == 0 && dummy_bits(mapped.index) >= mapped.bits,
     },
     pdos: &[
@@ -79,9 +80,11 @@ const EMPTY: &str = "will not be transmitted by the stack, or empty if the appli
 pub(crate) const CANOPEN_STACK: Stack = Stack {
     mapping: Mapping {
         reads_all: false,
+        most: 8,
         is_dummy: |_, kind, mapped| kind == PdoKind::Rpdo && (2..=7).contains(&mapped.index),
     },
     pdos: &[
+        both(Cause::Number, "will keep the stack from starting"),
         both(Cause::NoTransmissionType, DISABLED),
         both(Cause::NoCobId, DISABLED),
         one(Cause::RtrAllowed, PdoKind::Tpdo, DISABLED),
@@ -117,16 +120,20 @@ const NOT_SENT: &str = "will not be transmitted by the stack";
 pub(crate) const LELY: Stack = Stack {
     mapping: Mapping {
         reads_all: false,
+        most: 64,
         is_dummy: |device, kind, mapped| {
             mapped.is_unused() || kind == PdoKind::Rpdo && mapped.sub == 0 && is_enabled(device, mapped)
         },
     },
     pdos: &[
+        one(Cause::Reserved, PdoKind::Rpdo, IGNORED),
         one(Cause::TooLong, PdoKind::Rpdo, REJECTED),
         one(Cause::Dummy, PdoKind::Rpdo, REJECTED),
         one(Cause::Missing, PdoKind::Rpdo, REJECTED),
         one(Cause::Direction, PdoKind::Rpdo, REJECTED),
         one(Cause::NotMappable, PdoKind::Rpdo, REJECTED),
+        one(Cause::Size, PdoKind::Rpdo, REJECTED),
+        one(Cause::NoTrigger, PdoKind::Tpdo, NOT_SENT),
         one(Cause::TooLong, PdoKind::Tpdo, NOT_SENT),
         one(Cause::Dummy, PdoKind::Tpdo, NOT_SENT),
         one(Cause::Missing, PdoKind::Tpdo, NOT_SENT),

@@ -14,6 +14,7 @@ pub(super) fn why(cause: Cause, kind: PdoKind, mapped: &BTreeSet<MappedObject>) 
     let entries = entries(mapped);
     let be = if mapped.len() > 1 { "are" } else { "is" };
     let text = match cause {
+        Cause::Number => "the stack counts PDOs in 8 bits".to_owned(),
         Cause::NoTransmissionType => "sub-index 2 is no transmission type of 8 bits".to_owned(),
         Cause::NoCobId => "sub-index 1 is no COB-ID of 32 bits".to_owned(),
         Cause::RtrAllowed => "bit 30 of the COB-ID is clear (RTR allowed)".to_owned(),
@@ -27,6 +28,7 @@ pub(super) fn why(cause: Cause, kind: PdoKind, mapped: &BTreeSet<MappedObject>) 
         Cause::TooLong => "more than 8 bytes are mapped".to_owned(),
         Cause::Empty => "nothing is mapped".to_owned(),
         Cause::Reserved => "the transmission type is none of 0 to 240, 254 and 255".to_owned(),
+        Cause::NoTrigger => "neither events nor SYNCs nor RTRs trigger its transmission type".to_owned(),
         Cause::SyncStart => "the SYNC start value is above 240".to_owned(),
         Cause::Dummy => format!("{entries} cannot be mapped as dummy entries"),
         Cause::Missing => format!("{entries} {be} missing"),
@@ -34,12 +36,14 @@ pub(super) fn why(cause: Cause, kind: PdoKind, mapped: &BTreeSet<MappedObject>) 
         Cause::Direction => format!("{entries} can be mapped to {other}s only"),
         Cause::NotMappable => format!("{entries} cannot be mapped to PDOs"),
         Cause::Short => format!("{entries} {be} shorter than their part of the PDO"),
+        Cause::Size => format!("{entries} {be} not as long as their part of the PDO"),
     };
     (text, help(cause))
 }
 
 const fn help(cause: Cause) -> &'static str {
     match cause {
+        Cause::Number => "use the first 255 PDOs",
         Cause::NoTransmissionType | Cause::NoCobId => "describe the entry with this data type",
         Cause::RtrAllowed => "set bit 30, as in `$NODEID+0x40000180`",
         Cause::Extended => "use a CAN-ID of 11 bits",
@@ -49,6 +53,7 @@ const fn help(cause: Cause) -> &'static str {
         Cause::NoSlot => "describe these entries, or correct the number",
         Cause::Empty => "set bit 31 of the COB-ID of a PDO that is not in use",
         Cause::Reserved => "use one of these",
+        Cause::NoTrigger => "use a type up to 240 or from 254; 252 and 253 need bit 30 of the COB-ID clear",
         Cause::SyncStart => "use a value up to 240",
         Cause::Dummy => "map entries of the dictionary",
         Cause::Missing => "describe the entries, or correct the mapping",
@@ -56,7 +61,7 @@ const fn help(cause: Cause) -> &'static str {
         Cause::Direction | Cause::NotMappable => {
             "correct the access type or `PDOMapping` of the entries, or the mapping"
         }
-        Cause::Short => "correct the length in the mapping",
+        Cause::Short | Cause::Size => "correct the length in the mapping",
     }
 }
 

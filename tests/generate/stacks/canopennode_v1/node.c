@@ -13,16 +13,16 @@ void CO_OD_initHooks(void *SDO, void *object) __attribute__((weak));
 
 static void print(CO_SDO_t *server, uint16_t index, uint8_t sub)
 {
-    uint16_t at, length;
+    uint16_t at, length, mapping;
     if (CO_SDO_initTransfer(server, index, sub) != 0u || server->ODF_arg.ODdataStorage == NULL
         || CO_SDO_readOD(server, CO_SDO_BUFFER_SIZE) != 0u) {
         return;
     }
     length = server->ODF_arg.dataLength;
+    /* TPDOs map the number of elements if they map the elements */
+    mapping = sub > 0u || CO_OD[server->entryNo].maxSubIndex == 0u ? server->ODF_arg.attribute : 0u;
     printf("%04X %02X - %u %c%c%c%c ", index, sub, length, 'r', (server->ODF_arg.attribute & CO_ODA_WRITEABLE) ? 'w' : '-',
-           sub > 0u || CO_OD[server->entryNo].maxSubIndex == 0u || CO_OD[server->entryNo].attribute == 0u
-                   ? (server->ODF_arg.attribute & CO_ODA_TPDO_MAPABLE) ? 't' : '-' : '-',
-           (server->ODF_arg.attribute & CO_ODA_RPDO_MAPABLE) ? 'p' : '-');
+           (mapping & CO_ODA_TPDO_MAPABLE) ? 't' : '-', (mapping & CO_ODA_RPDO_MAPABLE) ? 'p' : '-');
     for (at = 0u; at < length; at++) {
         printf("%02X", server->databuffer[at]);
     }

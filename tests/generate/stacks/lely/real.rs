@@ -16,7 +16,7 @@ use super::{LACKS, without_files, write};
 use crate::compile::{c_compiler, succeed};
 use crate::devices::{arbitrary_devices, devices, for_all};
 use crate::stacks::truth::{Lack, compare, truth, without};
-use crate::stacks::{beside, checkout, for_node};
+use crate::stacks::{beside, checkout, for_node, startup};
 
 /// The library, compiled.
 pub(super) struct Library {
@@ -124,6 +124,63 @@ fn loads_the_tables(library: &Library, source: &str, lacks: &[Lack]) {
         }
         Ok(())
     });
+}
+
+/// PDOs that the library serves and others, by transmission type and mapping.
+fn served_or_not() -> Device {
+    let bytes = [0x2001_0008; 9];
+    let missing = [&bytes[..8], &[0x2003_0008][..]].concat();
+    startup::device(&[
+        (0x1400, 255, 0x4000_0200, &[0x2000_0010]),
+        (0x1401, 241, 0x4000_0300, &[0x2000_0010]),
+        (0x1402, 255, 0x4000_0400, &[0x2000_0020]),
+        (0x1403, 1, 0x4000_0500, &[0x2000_0008]),
+        (0x1404, 255, 0x4000_0201, &missing),
+        (0x1800, 255, 0x4000_0180, &[0x2000_0010]),
+        (0x1801, 250, 0x4000_0280, &[0x2000_0010]),
+        (0x1802, 253, 0x4000_0380, &[0x2000_0010]),
+        (0x1803, 253, 0x0000_0480, &[0x2000_0010]),
+        (0x1804, 252, 0x0000_0181, &[0x2000_0010]),
+        (0x1805, 240, 0x4000_0281, &[0x2000_0008]),
+        (0x1806, 0, 0x4000_0381, &bytes),
+    ])
+}
+
+#[test]
+fn notes_predict_which_pdos_are_not_served() {
+    let device = served_or_not();
+    let folder = tempfile::tempdir().unwrap();
+    let predicted = startup::predicted(&device, &write(folder.path(), &device, &for_node(5)));
+    let expected = [
+        "RPDO 2 without effect",
+        "RPDO 3 rejected",
+        "RPDO 4 rejected",
+        "RPDO 5 rejected",
+        "TPDO 2 silent",
+        "TPDO 3 silent",
+        "TPDO 7 silent",
+    ];
+    assert_eq!(predicted.into_iter().collect::<Vec<_>>(), expected);
+}
+
+/// What PDOs do is what the notes predict.
+#[test]
+fn the_library_serves_the_pdos_as_the_notes_predict() {
+    let Some(library) = Library::with(&[]) else { return };
+    let [started, found] = [const { AtomicUsize::new(0) }; 2];
+    let devices = [devices(), vec![("served or not".to_owned(), served_or_not())]].concat();
+    for_all(&devices, |(name, device)| {
+        let fail = |error: String| format!("{name}: {error}");
+        let device = &without_files(device);
+        let folder = tempfile::tempdir().map_err(|error| error.to_string())?;
+        let notes = write(folder.path(), device, &for_node(5));
+        let sources = ["-DSDEV=od_sdev", "device_sdev.c"];
+        let printed = library.print(folder.path(), "pdos.c", &sources, &["5"]).map_err(fail)?;
+        found.fetch_add(startup::compare(device, &notes, &printed).map_err(fail)?, Ordering::Relaxed);
+        started.fetch_add(1, Ordering::Relaxed);
+        Ok(())
+    });
+    eprintln!("Lely: {started:?} nodes started, {found:?} predictions");
 }
 
 const COMPACT: &str = "denotations, flags of configured values and the number of errors in compact storage";

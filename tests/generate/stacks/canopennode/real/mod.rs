@@ -72,6 +72,10 @@ fn answer(row: &Row) -> Option<String> {
     let lives = matches!(row.index, 0x1001 | 0x1003);
     let default = row.default.as_ref().filter(|default| !default.is_empty());
     let text = match default {
+        // without `CO_CONFIG_EM_PROD_CONFIGURABLE`, whatever CAN-ID the tables have
+        Some(default) if row.index == 0x1014 && default.len() == 4 => {
+            hex(&[0x80 + NODE_ID, 0, 0, default[3] & 0x80])
+        }
         _ if !row.read => "abort 06010001".to_owned(),
         Some(default) if !is_unicode && !lives => hex(default),
         _ => return None,
