@@ -290,7 +290,7 @@ impl FeatureKind {
     pub(super) fn bits(self) -> Vec<(u8, String)> {
         let Self::Bits { document, index } = self else { return Vec::new() };
         let facts = profile::of_number(document).and_then(|document| document.object(index)?.entry(0));
-        let fields = facts.iter().flat_map(|facts| facts.bits());
+        let fields = facts.iter().flat_map(profile::EntryFacts::bits);
         let single = fields.filter(|field| field.first == field.last);
         single.map(|field| (field.first, field.name.to_ascii_lowercase().replace(' ', "-"))).collect()
     }
@@ -385,7 +385,7 @@ impl Stored for EncoderClass {
     }
 
     fn shown(self, _: FeatureKind) -> FeatureValue {
-        name_of(self, CLASSES, &Self::ALL)
+        name_of(&self, CLASSES, &Self::ALL)
     }
 }
 
@@ -395,7 +395,7 @@ impl Stored for DataType {
     }
 
     fn shown(self, _: FeatureKind) -> FeatureValue {
-        name_of(self, VALUE_TYPE_NAMES, &VALUE_TYPES)
+        name_of(&self, VALUE_TYPE_NAMES, &VALUE_TYPES)
     }
 }
 
@@ -404,7 +404,7 @@ fn one_of<T: Copy>(value: &FeatureValue, names: &[&str], values: &[T]) -> Option
     values.get(names.iter().position(|of| of == name)?).copied()
 }
 
-fn name_of<T: PartialEq>(value: T, names: &[&str], values: &[T]) -> FeatureValue {
-    let at = values.iter().position(|of| *of == value);
+fn name_of<T: PartialEq>(value: &T, names: &[&str], values: &[T]) -> FeatureValue {
+    let at = values.iter().position(|of| of == value);
     FeatureValue::Name(at.and_then(|at| names.get(at)).copied().unwrap_or_default().to_owned())
 }

@@ -39,6 +39,11 @@ impl clap::FromArgMatches for FeatureArgs {
 fn arg(feature: &'static Feature) -> Arg {
     let heading = if feature.profiles.is_empty() { "Communication" } else { "Device profile" };
     let arg = Arg::new(feature.word).long(feature.word).help(feature.meaning).help_heading(heading);
+    // the spelling of the documents beside that of CiA's object names
+    let arg = match feature.word.strip_prefix("analog-") {
+        Some(rest) => arg.alias(format!("analogue-{rest}")),
+        None => arg,
+    };
     match feature.kind {
         FeatureKind::Flag => arg
             .value_name("BOOL")
