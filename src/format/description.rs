@@ -36,6 +36,8 @@ pub struct Description {
     number: usize,
     device: Device,
     findings: Findings,
+    /// The description of the type that this node was made from.
+    origin: Option<Box<Self>>,
 }
 
 /// The text in the syntax of its format, with what finds places in it; that is made when it is asked for.
@@ -85,7 +87,7 @@ impl Description {
             }
         };
         let (device, mut findings) = restored(device, findings);
-        let read = Self { format, text, number: 0, device, findings: Findings::new() };
+        let read = Self { format, text, number: 0, device, findings: Findings::new(), origin: None };
         if read.device_count() == 1 {
             eds::file_name::check(&read.device, read.source().name(), &mut findings);
         }
@@ -119,7 +121,14 @@ impl Description {
                 let (device, findings) = xdd::read(tree, number, self.format.kind());
                 let (device, findings) = restored(device, findings);
                 let (tree, format) = (Arc::clone(tree), self.format);
-                Some(Self { format, text: Text::Xml(tree, OnceLock::new()), number, device, findings })
+                Some(Self {
+                    format,
+                    text: Text::Xml(tree, OnceLock::new()),
+                    number,
+                    device,
+                    findings,
+                    origin: None,
+                })
             }
             _ => None,
         }
@@ -216,6 +225,18 @@ impl Description {
     /// The device.
     pub fn device(&self) -> &Device {
         &self.device
+    }
+
+    /// The description of a configured node beside that of its type, with which it is then [checked](crate::check()) too.
+    #[must_use]
+    pub fn with_origin(self, origin: Self) -> Self {
+        Self { origin: Some(Box::new(origin)), ..self }
+    }
+
+    /// The description of the type that the node was made from, as far as it was [given](Self::with_origin); labels at
+    /// [`At::Node`] point into it.
+    pub fn origin(&self) -> Option<&Self> {
+        self.origin.as_deref()
     }
 
     /// The device, without its text.
