@@ -13,7 +13,7 @@ use crate::examples;
 use crate::shares::{self, Shares};
 
 /// What the rules of each group are about.
-const GROUPS: [(&str, &str); 17] = [
+const GROUPS: [(&str, &str); 18] = [
     ("cia301", "communication objects (CiA 301)"),
     ("cia302", "network managers (CiA 302)"),
     ("cia304", "safety-relevant data objects (CiA 304)"),
@@ -24,6 +24,7 @@ const GROUPS: [(&str, &str); 17] = [
     ("cia402", "drives (CiA 402)"),
     ("cia404", "measuring devices and controllers (CiA 404)"),
     ("cia406", "encoders (CiA 406)"),
+    ("change", "changes between two descriptions, reported by `objdict diff`"),
     ("custom", "custom profiles"),
     ("naming", "names"),
     ("network", "networks and their files"),

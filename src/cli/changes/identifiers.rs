@@ -1,0 +1,53 @@
+//! What changes in the names of generated C and Rust.
+
+use std::collections::{BTreeMap, BTreeSet};
+
+use crate::diagnostic::Text;
+use crate::generate::{self, Identifier};
+use crate::lint::changes::{Change, identifier_changed};
+use crate::model::Device;
+
+type Names = BTreeMap<(u16, Option<u8>), Identifier>;
+
+/// The identifiers of a device; none if no table can be generated of it.
+fn names(device: &Device) -> Names {
+    let names = generate::identifiers(device).unwrap_or_default();
+    names.into_iter().map(|name| ((name.index, name.sub), name)).collect()
+}
+
+/// Adds the identifiers to changes of names, and the changes of identifiers whose names stay: a new entry of the same name gives both
+/// a number.
+pub(super) fn add(changes: &mut Vec<Change>, old: &Device, new: &Device) {
+    let (old, new) = (names(old), names(new));
+    let mut explained: BTreeSet<(u16, Option<u8>)> = BTreeSet::new();
+    for change in changes.iter_mut().filter(|change| is_of_name(change)) {
+        let Some(index) = change.index else { continue };
+        let key = (index, change.sub);
+        explained.insert(key);
+        if let (Some(before), Some(after)) = (old.get(&key), new.get(&key)) {
+            if before.c != after.c {
+                let text = format!(
+                    "{}: in C `{}` becomes `{}`, in Rust `{}` becomes `{}`",
+                    change.message, before.c, after.c, before.rust, after.rust
+                );
+                change.message = Text::from(text);
+            }
+        }
+    }
+    for (key, before) in &old {
+        let is_explained = explained.contains(key) || explained.contains(&(key.0, None));
+        let after = new.get(key).filter(|after| after.c != before.c && !is_explained);
+        if let Some(after) = after {
+            changes.push(identifier_changed(*key, [&before.c, &after.c], [&before.rust, &after.rust]));
+        }
+    }
+    changes.sort_by_key(|change| (change.index.is_none(), change.index));
+}
+
+fn is_of_name(change: &Change) -> bool {
+    let name = change.rule.info.name();
+    name.contains("name")
+        || name.ends_with("moved")
+        || name == "object-type-changed"
+        || name == "array-or-record"
+}
