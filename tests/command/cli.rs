@@ -39,6 +39,8 @@ fn pages() {
             "foreign",
             "profiles",
             "concise",
+            "diff",
+            "bases",
             "network",
             "rules/network/link-mismatch",
             "rules/network/link-type",

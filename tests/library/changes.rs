@@ -6,7 +6,7 @@ use std::fmt::Write as _;
 use std::fs;
 
 use objdict::format::{self, Format, WriteOptions, json};
-use objdict::lint::changes::{Audience, Change, Verdict, compare, rules};
+use objdict::lint::changes::{Audience, ChangeVerdict, DeviceChange, compare, rules};
 use objdict::model::{Compact, Date, Device, DeviceKind, Entry, Object, ObjectType, Value};
 use objdict::source::{SourceFile, SourceOptions};
 
@@ -85,7 +85,7 @@ fn planted() -> Vec<Planted> {
     found
 }
 
-fn shown(changes: &[Change]) -> String {
+fn shown(changes: &[DeviceChange]) -> String {
     changes.iter().fold(String::new(), |mut text, change| {
         writeln!(text, "  {} {} {}", change.rule.info.id, change.verdict(), change.message).unwrap();
         text
@@ -242,5 +242,7 @@ fn a_compact_object_is_its_entries() {
 
 #[test]
 fn verdicts_are_ordered() {
-    assert!(Verdict::Compatible < Verdict::Risky && Verdict::Risky < Verdict::Breaking);
+    assert!(
+        ChangeVerdict::Compatible < ChangeVerdict::Risky && ChangeVerdict::Risky < ChangeVerdict::Breaking
+    );
 }

@@ -6,11 +6,11 @@ use crate::cli::dcf::{Content, content};
 use crate::cli::input::ExpandArgs;
 use crate::cli::outcome::Failure;
 use crate::download::{ConciseDcf, Objection, PlanOptions};
-use crate::lint::changes::{Change, configuration_refused};
+use crate::lint::changes::{DeviceChange, configuration_refused};
 use crate::model::Device;
 
 /// The downloads that the new device refuses.
-pub(super) fn refused(args: &DiffArgs, [old, new]: [&Device; 2]) -> Result<Vec<Change>, Failure> {
+pub(super) fn refused(args: &DiffArgs, [old, new]: [&Device; 2]) -> Result<Vec<DeviceChange>, Failure> {
     let Some(path) = &args.against else { return Ok(Vec::new()) };
     let expand = ExpandArgs { implicit_pdos: true };
     let (old, new) = (expand.device(old), expand.device(new));

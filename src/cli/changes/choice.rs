@@ -5,7 +5,7 @@ use std::str::FromStr;
 use objdict_node::{ObjectName, resolve};
 
 use crate::diagnostic::{Selection, listing};
-use crate::lint::changes::{Audience, CHANGE, Change, Verdict};
+use crate::lint::changes::{Audience, CHANGE, ChangeVerdict, DeviceChange};
 use crate::model::{Address, Device};
 use crate::registry;
 
@@ -13,7 +13,7 @@ use crate::registry;
 #[derive(Clone, Debug)]
 pub(in crate::cli) enum Choice {
     Rules(Selection),
-    Verdict(Verdict),
+    Verdict(ChangeVerdict),
     Audience(Audience),
     Objects(String),
 }
@@ -23,7 +23,7 @@ impl FromStr for Choice {
 
     fn from_str(text: &str) -> Result<Self, String> {
         let lower = text.to_ascii_lowercase();
-        if let Some(verdict) = Verdict::ALL.into_iter().find(|verdict| verdict.name() == lower) {
+        if let Some(verdict) = ChangeVerdict::ALL.into_iter().find(|verdict| verdict.name() == lower) {
             return Ok(Self::Verdict(verdict));
         }
         if let Some(audience) = Audience::ALL.into_iter().find(|audience| audience.name() == lower) {
@@ -39,13 +39,14 @@ impl FromStr for Choice {
 }
 
 fn unknown(text: &str) -> String {
-    let words = Verdict::ALL.map(Verdict::name).into_iter().chain(Audience::ALL.map(Audience::name));
+    let words =
+        ChangeVerdict::ALL.map(ChangeVerdict::name).into_iter().chain(Audience::ALL.map(Audience::name));
     format!("`{text}` is no rule of the group {CHANGE}, no object, and none of {}", listing(words))
 }
 
 impl Choice {
     /// Whether a change between two devices is one of these.
-    pub(super) fn has(&self, change: &Change, devices: [&Device; 2]) -> bool {
+    pub(super) fn has(&self, change: &DeviceChange, devices: [&Device; 2]) -> bool {
         match self {
             Self::Rules(rules) => rules.contains(&change.rule.info),
             Self::Verdict(verdict) => change.verdict() == *verdict,

@@ -5,7 +5,7 @@ use std::io::{self, Write};
 use super::{Comparison, Side, address};
 use crate::cli::output::Output;
 use crate::document::{ChangeEffect, ChangeRow, ChangedDevice, ChangesPage};
-use crate::lint::changes::{Audience, Change, Effect, Verdict};
+use crate::lint::changes::{Audience, ChangeImpact, ChangeVerdict, DeviceChange};
 use crate::model::{Device, PdoKind, Place};
 
 pub(super) fn write(comparison: &Comparison, devices: [&Device; 2], out: &mut Output) -> io::Result<()> {
@@ -15,15 +15,15 @@ pub(super) fn write(comparison: &Comparison, devices: [&Device; 2], out: &mut Ou
         old: ChangedDevice { file: &names[0], device: &expanded[0] },
         new: ChangedDevice { file: &names[1], device: &expanded[1] },
         summary: comparison.summary(),
-        verdicts: Verdict::ALL.into_iter().rev().map(Verdict::name).collect(),
+        verdicts: ChangeVerdict::ALL.into_iter().rev().map(ChangeVerdict::name).collect(),
         audiences: Audience::ALL.into_iter().map(|audience| (audience.name(), audience.title())).collect(),
         changes: comparison.changes.iter().map(|change| row(comparison, change)).collect(),
     };
     out.raw()?.write_all(page.html().as_bytes())
 }
 
-fn row(comparison: &Comparison, change: &Change) -> ChangeRow {
-    let effect = |effect: &Effect| ChangeEffect {
+fn row(comparison: &Comparison, change: &DeviceChange) -> ChangeRow {
+    let effect = |effect: &ChangeImpact| ChangeEffect {
         audience: effect.audience.name(),
         title: effect.audience.title(),
         verdict: effect.verdict.name(),
@@ -51,7 +51,7 @@ fn at(side: &Side, place: Option<&Place>) -> String {
 }
 
 /// The PDO of a change of a mapping, or of a PDO as a whole.
-fn pdo(change: &Change) -> Option<(PdoKind, u16)> {
+fn pdo(change: &DeviceChange) -> Option<(PdoKind, u16)> {
     let is_whole = change.sub.is_none() && change.rule.info.name().starts_with("pdo-");
     change.index.filter(|_| is_whole).and_then(PdoKind::of_communication)
 }

@@ -4,7 +4,7 @@ use std::collections::{BTreeMap, BTreeSet};
 
 use crate::diagnostic::Text;
 use crate::generate::{self, Identifier};
-use crate::lint::changes::{Change, identifier_changed};
+use crate::lint::changes::{DeviceChange, identifier_changed};
 use crate::model::Device;
 
 type Names = BTreeMap<(u16, Option<u8>), Identifier>;
@@ -17,14 +17,15 @@ fn names(device: &Device) -> Names {
 
 /// Adds the identifiers to changes of names, and the changes of identifiers whose names stay: a new entry of the same name gives both
 /// a number.
-pub(super) fn add(changes: &mut Vec<Change>, old: &Device, new: &Device) {
+pub(super) fn add(changes: &mut Vec<DeviceChange>, old: &Device, new: &Device) {
     let (old, new) = (names(old), names(new));
     let mut explained: BTreeSet<(u16, Option<u8>)> = BTreeSet::new();
     for change in changes.iter_mut().filter(|change| is_of_name(change)) {
         let Some(index) = change.index else { continue };
         let key = (index, change.sub);
         explained.insert(key);
-        if let (Some(before), Some(after)) = (old.get(&key), new.get(&key)) {
+        let says_name = change.rule.info.name().contains("name");
+        if let (Some(before), Some(after), true) = (old.get(&key), new.get(&key), says_name) {
             if before.c != after.c {
                 let text = format!(
                     "{}: in C `{}` becomes `{}`, in Rust `{}` becomes `{}`",
@@ -34,17 +35,24 @@ pub(super) fn add(changes: &mut Vec<Change>, old: &Device, new: &Device) {
             }
         }
     }
+    let mut added = Vec::new();
     for (key, before) in &old {
         let is_explained = explained.contains(key) || explained.contains(&(key.0, None));
         let after = new.get(key).filter(|after| after.c != before.c && !is_explained);
         if let Some(after) = after {
-            changes.push(identifier_changed(*key, [&before.c, &after.c], [&before.rust, &after.rust]));
+            added.push(identifier_changed(*key, [&before.c, &after.c], [&before.rust, &after.rust]));
         }
     }
-    changes.sort_by_key(|change| (change.index.is_none(), change.index));
+    // behind the changes of its object
+    for change in added {
+        let is_behind = |other: &DeviceChange| other.index.is_none_or(|index| Some(index) > change.index);
+        let at = changes.iter().position(is_behind).unwrap_or(changes.len());
+        changes.insert(at, change);
+    }
 }
 
-fn is_of_name(change: &Change) -> bool {
+/// Whether a change explains that identifiers change.
+fn is_of_name(change: &DeviceChange) -> bool {
     let name = change.rule.info.name();
     name.contains("name")
         || name.ends_with("moved")

@@ -8,7 +8,7 @@ use serde::Serialize;
 use super::{Comparison, Side};
 use crate::cli::output::Output;
 use crate::json::{self, Version};
-use crate::lint::changes::{Change, Effect, Verdict};
+use crate::lint::changes::{ChangeImpact, ChangeVerdict, DeviceChange};
 use crate::model::{Device, Place};
 
 /// The version of the document. It changes when a field is removed or means something else, not when one is added.
@@ -145,12 +145,12 @@ pub(super) fn write(comparison: &Comparison, out: &mut Output) -> io::Result<()>
         version: Version,
         old: facts(&comparison.old),
         new: facts(&comparison.new),
-        verdict: comparison.verdict().map(Verdict::name),
+        verdict: comparison.verdict().map(ChangeVerdict::name),
         changes: comparison.changes.iter().map(|change| row(comparison, change)).collect(),
         summary: Summary {
-            breaking: comparison.count(Verdict::Breaking),
-            risky: comparison.count(Verdict::Risky),
-            compatible: comparison.count(Verdict::Compatible),
+            breaking: comparison.count(ChangeVerdict::Breaking),
+            risky: comparison.count(ChangeVerdict::Risky),
+            compatible: comparison.count(ChangeVerdict::Compatible),
         },
     };
     json::write_pretty(&mut out.raw()?, &document)?;
@@ -169,10 +169,10 @@ fn facts(side: &Side) -> DescriptionFacts<'_> {
     }
 }
 
-fn row<'a>(comparison: &'a Comparison, change: &'a Change) -> Row<'a> {
+fn row<'a>(comparison: &'a Comparison, change: &'a DeviceChange) -> Row<'a> {
     let source = change.rule.info.source;
-    let effect = |effect: &Effect| {
-        let Effect { audience, verdict, reason } = *effect;
+    let effect = |effect: &ChangeImpact| {
+        let ChangeImpact { audience, verdict, reason } = *effect;
         (audience.name(), EffectRow { verdict: verdict.name(), reason, source })
     };
     Row {

@@ -5,12 +5,12 @@ use std::io::{self, Write};
 use super::{Comparison, address};
 use crate::cli::output::Output;
 use crate::diagnostic::one_line;
-use crate::lint::changes::Verdict;
+use crate::lint::changes::ChangeVerdict;
 
 pub(super) fn write(comparison: &Comparison, out: &mut Output) -> io::Result<()> {
     let names = [&comparison.old, &comparison.new].map(|side| escaped(&side.name()));
     writeln!(out, "# {} → {}\n\n{}", names[0], names[1], comparison.summary())?;
-    for verdict in Verdict::ALL.into_iter().rev() {
+    for verdict in ChangeVerdict::ALL.into_iter().rev() {
         let changes = comparison.changes.iter().filter(|change| change.verdict() == verdict);
         let mut is_first = true;
         for change in changes {

@@ -19,7 +19,7 @@ use super::outcome::{Failure, Outcome};
 use super::output::Output;
 use crate::diagnostic::Findings;
 use crate::format::Description;
-use crate::lint::changes::{Change, Verdict, compare};
+use crate::lint::changes::{ChangeVerdict, DeviceChange, compare};
 use crate::model::{Device, Place};
 use crate::report::{Github, Report, Subject};
 use crate::source::LineColumn;
@@ -37,7 +37,7 @@ struct Side {
 struct Comparison {
     old: Side,
     new: Side,
-    changes: Vec<Change>,
+    changes: Vec<DeviceChange>,
 }
 
 pub(super) fn run(args: &DiffArgs, out: &mut Output) -> Result<Outcome, Failure> {
@@ -47,7 +47,7 @@ pub(super) fn run(args: &DiffArgs, out: &mut Output) -> Result<Outcome, Failure>
     identifiers::add(&mut changes, devices[0], devices[1]);
     changes.extend(against::refused(args, devices)?);
     let is_one_of =
-        |choices: &[Choice], change: &Change| choices.iter().any(|choice| choice.has(change, devices));
+        |choices: &[Choice], change: &DeviceChange| choices.iter().any(|choice| choice.has(change, devices));
     changes.retain(|change| args.select.is_empty() || is_one_of(&args.select, change));
     changes.retain(|change| !is_one_of(&args.ignore, change));
     let comparison = Comparison { old, new, changes };
@@ -61,9 +61,9 @@ pub(super) fn run(args: &DiffArgs, out: &mut Output) -> Result<Outcome, Failure>
         DiffFormat::Github => github(&comparison, out)?,
     }
     let denied = match args.deny {
-        Some(DeniedVerdict::Compatible) => Verdict::Compatible,
-        Some(DeniedVerdict::Risky) => Verdict::Risky,
-        Some(DeniedVerdict::Breaking) | None => Verdict::Breaking,
+        Some(DeniedVerdict::Compatible) => ChangeVerdict::Compatible,
+        Some(DeniedVerdict::Risky) => ChangeVerdict::Risky,
+        Some(DeniedVerdict::Breaking) | None => ChangeVerdict::Breaking,
     };
     let is_denied = comparison.changes.iter().any(|change| change.verdict() >= denied);
     Ok(if is_denied { Outcome::Findings } else { Outcome::Clean })
@@ -113,13 +113,13 @@ impl Side {
 
 impl Comparison {
     /// The number of changes of a verdict.
-    fn count(&self, verdict: Verdict) -> usize {
+    fn count(&self, verdict: ChangeVerdict) -> usize {
         self.changes.iter().filter(|change| change.verdict() == verdict).count()
     }
 
     /// The worst verdict.
-    fn verdict(&self) -> Option<Verdict> {
-        self.changes.iter().map(Change::verdict).max()
+    fn verdict(&self) -> Option<ChangeVerdict> {
+        self.changes.iter().map(DeviceChange::verdict).max()
     }
 
     /// The number of changes by verdict, in words.
@@ -127,7 +127,7 @@ impl Comparison {
         if self.changes.is_empty() {
             return "no changes".to_owned();
         }
-        let counts = Verdict::ALL.into_iter().rev().map(|verdict| (self.count(verdict), verdict));
+        let counts = ChangeVerdict::ALL.into_iter().rev().map(|verdict| (self.count(verdict), verdict));
         let counts = counts.filter(|(count, _)| *count > 0);
         let counts: Vec<String> = counts.map(|(count, verdict)| format!("{count} {verdict}")).collect();
         let total = crate::diagnostic::counted(self.changes.len(), "change", "changes");
@@ -136,7 +136,7 @@ impl Comparison {
 }
 
 /// The address of a change: `6040h:00`, `TPDO` parameters as objects; empty for the device as a whole.
-fn address(change: &Change) -> String {
+fn address(change: &DeviceChange) -> String {
     match (change.index, change.sub) {
         (Some(index), Some(sub)) => format!("{index:04X}h:{sub:02X}"),
         (Some(index), None) => format!("{index:04X}h"),
@@ -147,7 +147,7 @@ fn address(change: &Change) -> String {
 /// What was removed is annotated in the old file, all else in the new one.
 fn github(comparison: &Comparison, out: &mut Output) -> Result<(), Failure> {
     let Comparison { old, new, changes } = comparison;
-    let (here, gone): (Vec<&Change>, Vec<&Change>) =
+    let (here, gone): (Vec<&DeviceChange>, Vec<&DeviceChange>) =
         changes.iter().partition(|change| change.new_place.is_some());
     let mut raw = out.raw()?;
     let mut report = Github::new(&mut raw).base(Path::new("."));

@@ -4,7 +4,7 @@ use std::io::{self, Write};
 
 use super::{Comparison, Side, address};
 use crate::cli::output::Output;
-use crate::lint::changes::{Change, Verdict};
+use crate::lint::changes::{ChangeVerdict, DeviceChange};
 use crate::model::Place;
 
 pub(super) fn write(comparison: &Comparison, out: &mut Output) -> io::Result<()> {
@@ -14,7 +14,7 @@ pub(super) fn write(comparison: &Comparison, out: &mut Output) -> io::Result<()>
     out.summary(comparison.summary())
 }
 
-fn write_change(comparison: &Comparison, change: &Change, out: &mut Output) -> io::Result<()> {
+fn write_change(comparison: &Comparison, change: &DeviceChange, out: &mut Output) -> io::Result<()> {
     let verdict = change.verdict();
     let rule = change.rule.info.id;
     let (address, message) = (address(change), change.message.shown());
@@ -25,7 +25,7 @@ fn write_change(comparison: &Comparison, change: &Change, out: &mut Output) -> i
     if !places.is_empty() {
         writeln!(out, "{:>12}{}", "", places.join(" → "))?;
     }
-    if verdict > Verdict::Compatible {
+    if verdict > ChangeVerdict::Compatible {
         let audiences: Vec<&str> = change.audiences(verdict).map(|audience| audience.title()).collect();
         writeln!(out, "{:>12}{verdict} for {}", "", audiences.join(", "))?;
     }

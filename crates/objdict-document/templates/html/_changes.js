@@ -17,5 +17,4 @@
   };
   verdict.addEventListener("change", apply);
   audience.addEventListener("change", apply);
-  byId("tools").addEventListener("submit", event => event.preventDefault());
 })();

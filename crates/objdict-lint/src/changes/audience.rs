@@ -9,7 +9,7 @@ use crate::model::{Access, Entry, Object};
 named! {
     /// What a change means, for an audience or as a whole.
     #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
-    pub enum Verdict {
+    pub enum ChangeVerdict {
         /// What worked still works.
         Compatible = "compatible",
         /// Something may work differently and must be looked at.

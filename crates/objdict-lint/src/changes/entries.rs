@@ -68,6 +68,7 @@ impl<'a> Comparison<'a> {
     /// Compares who may read, write and map an entry.
     fn access(&mut self, spot: &Spot, [old, new]: [&Entry; 2], is_count: bool) {
         let stated = [old.implied_access(), new.implied_access()];
+        let mut is_wider = false;
         if let [Some(old_access), Some(new_access)] = stated {
             let spot = spot.field(&Field::AccessType);
             let rights = |access: Access| [access.is_readable(), access.is_writable()];
@@ -75,23 +76,29 @@ impl<'a> Comparison<'a> {
             let message = say!("the access type changes from `{}` to `{}`", old_access, new_access);
             if let Some(is_narrower) = is_narrower(rights(old_access), rights(new_access)) {
                 let rule = if is_narrower { &rules::ACCESS_NARROWED } else { &rules::ACCESS_WIDENED };
+                is_wider = !is_narrower;
                 self.report(rule, &spot, values, message);
-                if old.pdo_mapping.unwrap_or_default() == new.pdo_mapping.unwrap_or_default() {
-                    return;
-                }
             } else if (old_access == Access::Const) != (new_access == Access::Const) {
                 // a number of sub-indexes is a constant of generated code in any case
                 let affected = spot.affected.without(Audience::Firmware, !is_count);
                 self.report(&rules::CONSTANT_CHANGED, &Spot { affected, ..spot.clone() }, values, message);
             }
         }
+        self.mapping(spot, [old, new], is_wider);
+    }
+
+    /// Compares which PDOs may carry an entry. A wider access type explains that more may.
+    fn mapping(&mut self, spot: &Spot, [old, new]: [&Entry; 2], is_wider: bool) {
         let rights = |entry: &Entry| {
             [PdoKind::Rpdo, PdoKind::Tpdo].map(|kind| entry.is_mappable() && entry.fits_pdo(kind))
         };
         let (old_rights, new_rights) = (rights(old), rights(new));
         let Some(is_narrower) = is_narrower(old_rights, new_rights) else { return };
-        let rule = if is_narrower { &rules::MAPPING_NARROWED } else { &rules::MAPPING_WIDENED };
         let is_stated = old.pdo_mapping.unwrap_or_default() != new.pdo_mapping.unwrap_or_default();
+        if is_wider && !is_narrower && !is_stated {
+            return;
+        }
+        let rule = if is_narrower { &rules::MAPPING_NARROWED } else { &rules::MAPPING_WIDENED };
         let field = if is_stated { Field::PdoMapping } else { Field::AccessType };
         let values = [directions(old_rights), directions(new_rights)];
         let message = say!("PDOs that may carry the entry change from {} to {}", values[0], values[1]);

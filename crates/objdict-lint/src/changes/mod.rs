@@ -16,8 +16,8 @@ use std::borrow::Cow;
 use std::collections::{BTreeMap, BTreeSet};
 
 use self::audience::Affected;
-pub use self::audience::{Audience, Verdict};
-pub use self::rules::{ChangeRule, Effect, rules};
+pub use self::audience::{Audience, ChangeVerdict};
+pub use self::rules::{ChangeImpact, ChangeRule, rules};
 use crate::diagnostic::{Diagnostic, Severity, Text, say};
 use crate::model::{Device, Meanings, Place};
 
@@ -26,7 +26,7 @@ pub const CHANGE: &str = "change";
 
 /// A change.
 #[derive(Clone, Debug)]
-pub struct Change {
+pub struct DeviceChange {
     /// Its kind.
     pub rule: &'static ChangeRule,
     /// The index of the object, in the old device if it has it; `None` for the device as a whole.
@@ -46,19 +46,19 @@ pub struct Change {
     affected: Affected,
 }
 
-impl Change {
+impl DeviceChange {
     /// What the change means for each audience that it affects.
-    pub fn effects(&self) -> impl Iterator<Item = &'static Effect> + '_ {
+    pub fn effects(&self) -> impl Iterator<Item = &'static ChangeImpact> + '_ {
         self.rule.effects.iter().filter(|effect| self.affected.has(effect.audience))
     }
 
     /// The worst of its effects.
-    pub fn verdict(&self) -> Verdict {
-        self.effects().map(|effect| effect.verdict).max().unwrap_or(Verdict::Compatible)
+    pub fn verdict(&self) -> ChangeVerdict {
+        self.effects().map(|effect| effect.verdict).max().unwrap_or(ChangeVerdict::Compatible)
     }
 
     /// The audiences with this verdict.
-    pub fn audiences(&self, verdict: Verdict) -> impl Iterator<Item = Audience> + '_ {
+    pub fn audiences(&self, verdict: ChangeVerdict) -> impl Iterator<Item = Audience> + '_ {
         self.effects().filter(move |effect| effect.verdict == verdict).map(|effect| effect.audience)
     }
 
@@ -66,9 +66,9 @@ impl Change {
     pub fn finding(&self) -> Diagnostic {
         let place = self.new_place.as_ref().or(self.old_place.as_ref()).cloned();
         let severity = match self.verdict() {
-            Verdict::Breaking => Severity::Error,
-            Verdict::Risky => Severity::Warning,
-            Verdict::Compatible => Severity::Note,
+            ChangeVerdict::Breaking => Severity::Error,
+            ChangeVerdict::Risky => Severity::Warning,
+            ChangeVerdict::Compatible => Severity::Note,
         };
         let finding =
             Diagnostic::new(&self.rule.info, place.unwrap_or(Place::device()), self.message.clone());
@@ -77,7 +77,7 @@ impl Change {
 }
 
 /// The changes from one device to another, in the order of the dictionary; those of the device as a whole come last.
-pub fn compare(old: &Device, new: &Device) -> Vec<Change> {
+pub fn compare(old: &Device, new: &Device) -> Vec<DeviceChange> {
     let (old, new) = (old.with_implicit_pdos(), new.with_implicit_pdos());
     let (old, new) = (Side::new(&old), Side::new(&new));
     let mut comparison = Comparison { old, new, moved: BTreeMap::new(), changes: Vec::new() };
@@ -91,12 +91,12 @@ pub fn compare(old: &Device, new: &Device) -> Vec<Change> {
 
 /// The change of an identifier in generated code while the name of the entry stays. Which identifiers code has is known to the
 /// generators; `c` and `rust` are the old and the new one.
-pub fn identifier_changed((index, sub): (u16, Option<u8>), c: [&str; 2], rust: [&str; 2]) -> Change {
+pub fn identifier_changed((index, sub): (u16, Option<u8>), c: [&str; 2], rust: [&str; 2]) -> DeviceChange {
     let place = Some(match sub {
         Some(sub) => Place::entry(index, sub),
         None => Place::object(index),
     });
-    Change {
+    DeviceChange {
         rule: &rules::IDENTIFIER_CHANGED,
         index: Some(index),
         sub,
@@ -111,9 +111,9 @@ pub fn identifier_changed((index, sub): (u16, Option<u8>), c: [&str; 2], rust: [
 
 /// A download of a stored configuration that the new device refuses, with the reason. What a device refuses is known to those that
 /// verify configurations.
-pub fn configuration_refused(index: u16, sub: u8, reason: &str) -> Change {
+pub fn configuration_refused(index: u16, sub: u8, reason: &str) -> DeviceChange {
     let place = Some(Place::entry(index, sub));
-    Change {
+    DeviceChange {
         rule: &rules::CONFIGURATION_REFUSED,
         index: Some(index),
         sub: Some(sub),
@@ -148,7 +148,7 @@ struct Comparison<'a> {
     new: Side<'a>,
     /// Entries that are elsewhere in the new device.
     moved: BTreeMap<(u16, u8), (u16, u8)>,
-    changes: Vec<Change>,
+    changes: Vec<DeviceChange>,
 }
 
 /// Where a change is: for the place and for who is affected.
@@ -186,6 +186,16 @@ impl Comparison<'_> {
         let [old, new] = values;
         let Spot { index, sub, old: old_place, new: new_place, affected } = spot.clone();
         let message = message.into();
-        self.changes.push(Change { rule, index, sub, old, new, message, old_place, new_place, affected });
+        self.changes.push(DeviceChange {
+            rule,
+            index,
+            sub,
+            old,
+            new,
+            message,
+            old_place,
+            new_place,
+            affected,
+        });
     }
 }

@@ -205,7 +205,7 @@ changes! {
         Firmware: Compatible, "names and types stay";
     }
     summary: "an entry can no longer be mapped to PDOs",
-    checks: "Whether PDOs of a direction may no longer carry an entry, by `PDOMapping` and access type, and the access to it by SDO stays.",
+    checks: "Whether PDOs of a direction may no longer carry an entry, by `PDOMapping` and access type.",
     example: "`PDOMapping=1`, then `PDOMapping=0`",
     remedy: "keep the entry mappable",
     source: "CiA 306-1 §4.6.3.2; CiA 301 §7.4.5",

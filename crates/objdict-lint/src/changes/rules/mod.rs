@@ -1,6 +1,6 @@
 //! The kinds of changes as data: the page of each, and what it means for each audience, with the reason.
 
-use super::{Audience, Verdict};
+use super::{Audience, ChangeVerdict};
 use crate::diagnostic::{RuleInfo, Severity};
 
 mod device;
@@ -17,16 +17,16 @@ pub struct ChangeRule {
     /// The id, severity and page.
     pub info: RuleInfo,
     /// What the change means for each audience that it can affect.
-    pub effects: &'static [Effect],
+    pub effects: &'static [ChangeImpact],
 }
 
 /// What a kind of change means for an audience.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub struct Effect {
+pub struct ChangeImpact {
     /// Who is affected.
     pub audience: Audience,
     /// How.
-    pub verdict: Verdict,
+    pub verdict: ChangeVerdict,
     /// Why, as a clause.
     pub reason: &'static str,
 }
@@ -36,19 +36,19 @@ pub fn rules() -> impl Iterator<Item = &'static ChangeRule> {
     [entries::RULES, pdos::RULES, device::RULES].into_iter().flatten().copied()
 }
 
-const fn effect(audience: Audience, verdict: Verdict, reason: &'static str) -> Effect {
-    Effect { audience, verdict, reason }
+const fn effect(audience: Audience, verdict: ChangeVerdict, reason: &'static str) -> ChangeImpact {
+    ChangeImpact { audience, verdict, reason }
 }
 
 /// The severity of the worst effect.
-const fn severity(effects: &[Effect]) -> Severity {
+const fn severity(effects: &[ChangeImpact]) -> Severity {
     let mut worst = Severity::Note;
     let mut at = 0;
     while at < effects.len() {
         match effects[at].verdict {
-            Verdict::Breaking => return Severity::Error,
-            Verdict::Risky => worst = Severity::Warning,
-            Verdict::Compatible => {}
+            ChangeVerdict::Breaking => return Severity::Error,
+            ChangeVerdict::Risky => worst = Severity::Warning,
+            ChangeVerdict::Compatible => {}
         }
         at += 1;
     }
@@ -107,9 +107,9 @@ macro_rules! changes {
 
         $(
             pub(in super::super) static $NAME: super::ChangeRule = {
-                const EFFECTS: &[super::Effect] = &[
-                    super::effect(super::Audience::$First, super::Verdict::$FirstVerdict, $first),
-                    $(super::effect(super::Audience::$Audience, super::Verdict::$Verdict, $reason),)*
+                const EFFECTS: &[super::ChangeImpact] = &[
+                    super::effect(super::Audience::$First, super::ChangeVerdict::$FirstVerdict, $first),
+                    $(super::effect(super::Audience::$Audience, super::ChangeVerdict::$Verdict, $reason),)*
                 ];
                 super::ChangeRule {
                     info: super::RuleInfo {
