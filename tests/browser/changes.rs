@@ -25,7 +25,10 @@ fn changes_are_filtered_by_verdict_and_audience() {
     assert!(all.contains(&"change/pdo-mapping-changed".to_owned()) && all.len() > 5, "{all:?}");
     assert_eq!(page.text("hits.textContent"), "");
     choose(&page, "verdict", "breaking");
-    assert_eq!(rules(&page), ["change/pdo-mapping-changed", "change/access-narrowed", "change/mapping-narrowed"]);
+    assert_eq!(
+        rules(&page),
+        ["change/pdo-mapping-changed", "change/access-narrowed", "change/mapping-narrowed"]
+    );
     assert_eq!(page.text("hits.textContent"), format!("3 / {}", all.len()));
     // the verdict is the one for the audience
     choose(&page, "audience", "configurations");

@@ -25,14 +25,13 @@ pub(super) fn add(changes: &mut Vec<DeviceChange>, old: &Device, new: &Device) {
         let key = (index, change.sub);
         explained.insert(key);
         let says_name = change.rule.info.name().contains("name");
-        if let (Some(before), Some(after), true) = (old.get(&key), new.get(&key), says_name) {
-            if before.c != after.c {
-                let text = format!(
-                    "{}: in C `{}` becomes `{}`, in Rust `{}` becomes `{}`",
-                    change.message, before.c, after.c, before.rust, after.rust
-                );
-                change.message = Text::from(text);
-            }
+        let (Some(before), Some(after)) = (old.get(&key), new.get(&key)) else { continue };
+        if says_name && before.c != after.c {
+            let names = format!(
+                "in C `{}` becomes `{}`, in Rust `{}` becomes `{}`",
+                before.c, after.c, before.rust, after.rust
+            );
+            change.message = Text::from(format!("{}: {names}", change.message));
         }
     }
     let mut added = Vec::new();

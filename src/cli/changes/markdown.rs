@@ -5,7 +5,7 @@ use std::io::{self, Write};
 use super::{Comparison, address};
 use crate::cli::output::Output;
 use crate::diagnostic::one_line;
-use crate::lint::changes::ChangeVerdict;
+use crate::lint::changes::{Audience, ChangeVerdict};
 
 pub(super) fn write(comparison: &Comparison, out: &mut Output) -> io::Result<()> {
     let names = [&comparison.old, &comparison.new].map(|side| escaped(&side.name()));
@@ -18,7 +18,7 @@ pub(super) fn write(comparison: &Comparison, out: &mut Output) -> io::Result<()>
                 writeln!(out, "\n## {verdict}\n\n| where | change | for | rule |\n|---|---|---|---|")?;
                 is_first = false;
             }
-            let audiences: Vec<&str> = change.audiences(verdict).map(|audience| audience.title()).collect();
+            let audiences: Vec<&str> = change.audiences(verdict).map(Audience::title).collect();
             let message = escaped(&change.message.shown());
             let rule = change.rule.info.name();
             writeln!(out, "| {} | {message} | {} | `{rule}` |", address(change), audiences.join(", "))?;

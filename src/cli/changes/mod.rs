@@ -56,7 +56,7 @@ pub(super) fn run(args: &DiffArgs, out: &mut Output) -> Result<Outcome, Failure>
         DiffFormat::Json => json::write(&comparison, out)?,
         DiffFormat::Markdown => markdown::write(&comparison, out)?,
         DiffFormat::Html => {
-            html::write(&comparison, [comparison.old.device()?, comparison.new.device()?], out)?
+            html::write(&comparison, [comparison.old.device()?, comparison.new.device()?], out)?;
         }
         DiffFormat::Github => github(&comparison, out)?,
     }

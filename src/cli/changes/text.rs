@@ -4,7 +4,7 @@ use std::io::{self, Write};
 
 use super::{Comparison, Side, address};
 use crate::cli::output::Output;
-use crate::lint::changes::{ChangeVerdict, DeviceChange};
+use crate::lint::changes::{Audience, ChangeVerdict, DeviceChange};
 use crate::model::Place;
 
 pub(super) fn write(comparison: &Comparison, out: &mut Output) -> io::Result<()> {
@@ -26,7 +26,7 @@ fn write_change(comparison: &Comparison, change: &DeviceChange, out: &mut Output
         writeln!(out, "{:>12}{}", "", places.join(" → "))?;
     }
     if verdict > ChangeVerdict::Compatible {
-        let audiences: Vec<&str> = change.audiences(verdict).map(|audience| audience.title()).collect();
+        let audiences: Vec<&str> = change.audiences(verdict).map(Audience::title).collect();
         writeln!(out, "{:>12}{verdict} for {}", "", audiences.join(", "))?;
     }
     Ok(())

@@ -6,6 +6,9 @@ use super::{Comparison, Spot, rules};
 use crate::diagnostic::say;
 use crate::model::{Commissioning, DataType, Device, DeviceInfo, Field, Module, ModulePart, Part, Place};
 
+/// A text about the device.
+type FactOf = fn(&DeviceInfo) -> Option<&String>;
+
 /// What a device can do, by field; missing means no.
 fn features(device: &Device) -> Vec<(Place, String, bool)> {
     let info = device.device_info.as_ref();
@@ -55,7 +58,7 @@ impl Comparison<'_> {
     }
 
     fn facts(&mut self) {
-        let facts: [(Field, fn(&DeviceInfo) -> Option<&String>); 3] = [
+        let facts: [(Field, FactOf); 3] = [
             (Field::VendorName, |info| info.vendor_name.as_ref()),
             (Field::ProductName, |info| info.product_name.as_ref()),
             (Field::OrderCode, |info| info.order_code.as_ref()),

@@ -31,7 +31,8 @@ impl<'a> Comparison<'a> {
         let is_compact = |object: &Object| object.compact.is_some() && object.subs.get(old_sub).is_none();
         let is_made_up = (is_compact(old_object) || is_compact(new_object)) && old_sub == 0;
         let is_variable = |object: &Object| !object.object_type().has_subs() && object.subs.is_empty();
-        if !is_made_up && !(is_variable(old_object) && is_variable(new_object)) {
+        let are_variables = is_variable(old_object) && is_variable(new_object);
+        if !is_made_up && !are_variables {
             self.name(&spot, [&old.name, &new.name], &rules::ENTRY_RENAMED);
         }
         if old != new {
@@ -135,11 +136,11 @@ impl<'a> Comparison<'a> {
         }
         let node_id = self.node_id();
         let differs = |old: Option<&Value>, new: Option<&Value>| !is_same(old, new, node_id);
-        // another type explains that there is no value of it, or none that is understood
+        // a value that is missing or not understood follows from another type
         let is_understood =
             |value: Option<&Value>| value.is_some_and(|value| !matches!(value, Value::Raw(_)));
         let is_explained = |old: Option<&Value>, new: Option<&Value>| {
-            !is_typed && !(is_understood(old) && is_understood(new))
+            !(is_typed || (is_understood(old) && is_understood(new)))
         };
         let is_configured = old.configured_value().is_some() || new.configured_value().is_some();
         let (old_value, new_value) = (old.value(), new.value());

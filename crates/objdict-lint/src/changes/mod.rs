@@ -12,14 +12,13 @@ mod rules;
 mod values;
 mod versions;
 
-use std::borrow::Cow;
 use std::collections::{BTreeMap, BTreeSet};
 
 use self::audience::Affected;
 pub use self::audience::{Audience, ChangeVerdict};
 pub use self::rules::{ChangeImpact, ChangeRule, rules};
 use crate::diagnostic::{Diagnostic, Severity, Text, say};
-use crate::model::{Device, Meanings, Place};
+use crate::model::{Device, Meanings, Pdo, Place};
 
 /// The group of the rules about changes.
 pub const CHANGE: &str = "change";
@@ -72,8 +71,15 @@ impl DeviceChange {
         };
         let finding =
             Diagnostic::new(&self.rule.info, place.unwrap_or(Place::device()), self.message.clone());
-        finding.severity(severity).help(self.rule.info.remedy)
+        finding.severity(severity).help(as_help(self.rule.info.remedy))
     }
+}
+
+/// The text of a page as the help of a finding: without capital and full stop.
+fn as_help(remedy: &str) -> String {
+    let mut characters = remedy.trim_end_matches('.').chars();
+    let first = characters.next().map(|first| first.to_ascii_lowercase());
+    first.into_iter().chain(characters).collect()
 }
 
 /// The changes from one device to another, in the order of the dictionary; those of the device as a whole come last.
@@ -135,10 +141,9 @@ struct Side<'a> {
 }
 
 impl<'a> Side<'a> {
-    fn new(device: &'a Cow<'_, Device>) -> Self {
-        let device: &Device = device;
+    fn new(device: &'a Device) -> Self {
         let pdos: Vec<_> = device.pdos().collect();
-        let mapped = pdos.iter().flat_map(|pdo| pdo.mapped()).map(|object| (object.index, object.sub));
+        let mapped = pdos.iter().flat_map(Pdo::mapped).map(|object| (object.index, object.sub));
         Self { device, meanings: device.meanings(), mapped: mapped.collect() }
     }
 }

@@ -78,7 +78,7 @@ impl Comparison<'_> {
         // the CAN-ID and whether it is extended, without the permission of RTR
         let frame =
             |pdo: &Pdo<'_>| pdo.cob_id.map(number).map(|(number, depends)| (number & 0x3FFF_FFFF, depends));
-        let shown = |pdo: &Pdo<'_>| pdo.cob_id.map(|cob_id| shown(cob_id));
+        let shown = |pdo: &Pdo<'_>| pdo.cob_id.map(shown);
         let values = [shown(old), shown(new)];
         let [before, after] = values.clone().map(|text| text.unwrap_or_else(|| "none".to_owned()));
         let field =

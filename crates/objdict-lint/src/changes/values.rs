@@ -2,7 +2,7 @@
 
 use std::cmp::Ordering;
 
-use crate::model::{Entry, Value};
+use crate::model::{DataType, Entry, Value};
 
 /// The order of two numbers; `None` if one is no number. A formula is ordered among formulas.
 fn order(a: &Value, b: &Value) -> Option<Ordering> {
@@ -79,7 +79,7 @@ impl Limit<'_> {
 
 impl<'a> Range<'a> {
     pub(super) fn of(entry: &'a Entry) -> Self {
-        let implied = entry.data_type.and_then(|data_type| data_type.integer_range());
+        let implied = entry.data_type.and_then(DataType::integer_range);
         let limit = |stated: Option<&'a Value>, implied: Option<i128>| match (stated, implied) {
             (Some(value), _) => Limit::Stated(value),
             (None, Some(number)) => Limit::Implied(number),

@@ -12,7 +12,7 @@ changes! {
     summary: "the device type (1000h) changes",
     checks: "Whether the value of 1000h, the device profile and its additional information, is another one.",
     example: "`DefaultValue=0x000F0191` of 1000h, then `DefaultValue=0x00030191`",
-    remedy: "give the device another product code",
+    remedy: "Give the device another product code.",
     source: "CiA 301 §7.5.2.1; CiA 302-2 (1F84h)",
 
     IDENTITY_CHANGED = "change/identity-changed" {
@@ -24,7 +24,7 @@ changes! {
     summary: "the vendor-ID or the product code changes",
     checks: "Whether sub-index 1 or 2 of 1018h is another number.",
     example: "`DefaultValue=0x100` of 1018h sub-index 2, then `DefaultValue=0x101`",
-    remedy: "keep the identity; if it is another product, a comparison with the old one says what users must change",
+    remedy: "Keep the identity; if it is another product, a comparison with the old one says what users must change.",
     source: "CiA 301 §7.5.2.21; CiA 302-2 (1F85h, 1F86h)",
 
     CONFIGURATION_REFUSED = "change/configuration-refused" {
@@ -33,7 +33,7 @@ changes! {
     summary: "the new device refuses a download of a stored configuration",
     checks: "With `objdict diff --against`, whether the new device accepts each download of a stored configuration, as `objdict dcf verify` checks it.",
     example: "the configuration writes 6083h, which is read-only in the new description",
-    remedy: "remove the download from the configuration, or change its value",
+    remedy: "Remove the download from the configuration, or change its value.",
     source: "CiA 302-3; CiA 301 §7.2.4.3.17 (abort codes)",
 
     NODE_CHANGED = "change/node-changed" {
@@ -44,7 +44,7 @@ changes! {
     summary: "the node has another node-ID, bit rate or network",
     checks: "Whether `NodeID`, `Baudrate` or `NetNumber` of two configured nodes is another one.",
     example: "`NodeID=5`, then `NodeID=6`",
-    remedy: "change the other nodes and the manager too",
+    remedy: "Change the other nodes and the manager too.",
     source: "CiA 306-1 §5.4",
 
     NODE_FACT_CHANGED = "change/node-fact-changed" {
@@ -54,7 +54,7 @@ changes! {
     summary: "a fact about the configured node changes",
     checks: "Whether the name of a configured node or of its network, a reference designator, or whether the node is the manager, is another one.",
     example: "`NodeName=Door`, then `NodeName=Gate`",
-    remedy: "check what uses the name",
+    remedy: "Check what uses the name.",
     source: "CiA 306-1 §5.4",
 
     DEVICE_FACT_CHANGED = "change/device-fact-changed" {
@@ -65,7 +65,7 @@ changes! {
     summary: "a fact about the device changes",
     checks: "Whether the name of the vendor or product, the order code, or a text or number that identifies the device (1008h to 100Ah, the serial number) is another one.",
     example: "`ProductName=Lamp`, then `ProductName=Lamp 2`",
-    remedy: "check what uses the name",
+    remedy: "Check what uses the name.",
     source: "CiA 306-1 §4.5; CiA 301 §7.5.2.9 to §7.5.2.11, §7.5.2.21",
 
     BIT_RATE_REMOVED = "change/bit-rate-removed" {
@@ -76,7 +76,7 @@ changes! {
     summary: "the device does not support a bit rate any more",
     checks: "Whether the old description states that a bit rate or automatic detection is supported, and the new one does not.",
     example: "`BaudRate_20=1`, then `BaudRate_20=0`",
-    remedy: "keep the bit rate, unless the old description was wrong",
+    remedy: "Keep the bit rate, unless the old description was wrong.",
     source: "CiA 306-1 §4.5",
 
     BIT_RATE_ADDED = "change/bit-rate-added" {
@@ -86,7 +86,7 @@ changes! {
     summary: "the device supports another bit rate",
     checks: "Whether the new description states that a bit rate or automatic detection is supported, and the old one does not.",
     example: "`BaudRate_20=0`, then `BaudRate_20=1`",
-    remedy: "raise the major part of the revision number, if the device already has users",
+    remedy: "Raise the major part of the revision number, if the device already has users.",
     source: "CiA 306-1 §4.5",
 
     FEATURE_REMOVED = "change/feature-removed" {
@@ -96,7 +96,7 @@ changes! {
     summary: "the device does not have a feature any more",
     checks: "Whether LSS, group messaging, boot-up as master or slave, dynamic channels, safety, or the type of a dummy entry is supported by the old description only.",
     example: "`LSS_Supported=1`, then `LSS_Supported=0`",
-    remedy: "keep the feature, unless the old description was wrong",
+    remedy: "Keep the feature, unless the old description was wrong.",
     source: "CiA 306-1 §4.5, §4.6.2",
 
     FEATURE_ADDED = "change/feature-added" {
@@ -106,7 +106,7 @@ changes! {
     summary: "the device has a new feature",
     checks: "Whether LSS, group messaging, boot-up as master or slave, dynamic channels, safety, or the type of a dummy entry is supported by the new description only.",
     example: "`LSS_Supported=0`, then `LSS_Supported=1`",
-    remedy: "raise the major part of the revision number, if the device already has users",
+    remedy: "Raise the major part of the revision number, if the device already has users.",
     source: "CiA 306-1 §4.5, §4.6.2",
 
     GRANULARITY_COARSER = "change/granularity-coarser" {
@@ -116,7 +116,7 @@ changes! {
     summary: "short entries can no longer be mapped",
     checks: "Whether `Granularity` is a larger number of bits, or 0, which means that mappings are fixed.",
     example: "`Granularity=1`, then `Granularity=8`",
-    remedy: "keep the granularity",
+    remedy: "Keep the granularity.",
     source: "CiA 306-1 §4.5",
 
     GRANULARITY_FINER = "change/granularity-finer" {
@@ -126,7 +126,7 @@ changes! {
     summary: "shorter entries can be mapped",
     checks: "Whether `Granularity` is a smaller number of bits, or no longer 0.",
     example: "`Granularity=8`, then `Granularity=1`",
-    remedy: "raise the major part of the revision number, if the device already has users",
+    remedy: "Raise the major part of the revision number, if the device already has users.",
     source: "CiA 306-1 §4.5",
 
     MODULE_REMOVED = "change/module-removed" {
@@ -137,7 +137,7 @@ changes! {
     summary: "a coupler does not support a module any more",
     checks: "Whether a module of the old description, by its number, is missing in the new one.",
     example: "`[M3ModuleInfo]` is only in the old description",
-    remedy: "keep the module, and its number",
+    remedy: "Keep the module, and its number.",
     source: "CiA 306-1 §6.3",
 
     MODULE_ADDED = "change/module-added" {
@@ -147,7 +147,7 @@ changes! {
     summary: "a coupler supports another module",
     checks: "Whether the new description has a module, by its number, that the old one does not have.",
     example: "`[M3ModuleInfo]` is only in the new description",
-    remedy: "raise the major part of the revision number, if the device already has users",
+    remedy: "Raise the major part of the revision number, if the device already has users.",
     source: "CiA 306-1 §6.3",
 
     MODULE_CHANGED = "change/module-changed" {
@@ -158,7 +158,7 @@ changes! {
     summary: "a module of a coupler changes",
     checks: "Whether the description of a module, or the list of connected modules, is another one.",
     example: "`DataType=0x0005` in `[M3SubExt6000]`, then `DataType=0x0006`",
-    remedy: "plug the modules with `objdict configure` in both descriptions and compare the results",
+    remedy: "Plug the modules with `objdict configure` in both descriptions and compare the results.",
     source: "CiA 306-1 §6.3",
 
     REVISION_NOT_RAISED = "change/revision-not-raised" {
@@ -168,7 +168,7 @@ changes! {
     summary: "the behaviour on the bus changes and the major revision does not",
     checks: "Whether the upper 16 bits of 1018h sub-index 3 are greater than before, if objects, entries, PDOs or features change.",
     example: "an entry is removed, and `DefaultValue=0x00010000` of 1018h sub-index 3 stays",
-    remedy: "raise the upper 16 bits of 1018h sub-index 3 and `RevisionNumber`",
+    remedy: "Raise the upper 16 bits of 1018h sub-index 3 and `RevisionNumber`.",
     source: "CiA 301 §7.5.2.21",
 
     REVISION_LOWERED = "change/revision-lowered" {
@@ -178,7 +178,7 @@ changes! {
     summary: "the revision number is lower than before",
     checks: "Whether 1018h sub-index 3 is a lower number than in the old description.",
     example: "`DefaultValue=0x00020000` of 1018h sub-index 3, then `DefaultValue=0x00010000`",
-    remedy: "raise the revision number; if the arguments are exchanged, give the old description first",
+    remedy: "Raise the revision number; if the arguments are exchanged, give the old description first.",
     source: "CiA 301 §7.5.2.21",
 
     FILE_VERSION_NOT_RAISED = "change/file-version-not-raised" {
@@ -187,7 +187,7 @@ changes! {
     summary: "the description changes and its version does not",
     checks: "Whether `FileVersion`, or `FileRevision` in the same version, is greater than before, if anything changes. Not checked if a description does not state them.",
     example: "an entry is added, and `FileVersion=1` and `FileRevision=2` stay",
-    remedy: "raise `FileRevision`, or `FileVersion`",
+    remedy: "Raise `FileRevision`, or `FileVersion`.",
     source: "CiA 306-1 §4.4",
 
     MODIFICATION_DATE_NOT_MOVED = "change/modification-date-not-moved" {
@@ -196,7 +196,7 @@ changes! {
     summary: "the description changes and the date of its modification does not",
     checks: "Whether `ModificationDate` and `ModificationTime` are later than before, if anything changes. Not checked if a description does not state them.",
     example: "an entry is added, and `ModificationDate=11-21-2026` stays",
-    remedy: "write the date of the change to `ModificationDate`",
+    remedy: "Write the date of the change to `ModificationDate`.",
     source: "CiA 306-1 §4.4",
 
     PRODUCT_CODE_NOT_CHANGED = "change/product-code-not-changed" {
@@ -206,6 +206,6 @@ changes! {
     summary: "the device follows another profile and has the same product code",
     checks: "Whether sub-index 2 of 1018h is another number if the profile, the lower 16 bits of 1000h, is another one.",
     example: "1000h changes from CiA 401 to CiA 402, and 1018h sub-index 2 stays",
-    remedy: "give the product another product code",
+    remedy: "Give the product another product code.",
     source: "CiA 301 §7.5.2.1, §7.5.2.21",
 }

@@ -12,7 +12,7 @@ changes! {
     summary: "an object is added",
     checks: "Whether the new description has an object at an index that the old one does not have, and that no object has moved to.",
     example: "`[2001]` is only in the new description",
-    remedy: "raise the major part of the revision number, if the device already has users",
+    remedy: "Raise the major part of the revision number, if the device already has users.",
     source: "CiA 301 §7.5.2.21 (revision number); objdict, docs/storage.md (images)",
 
     OBJECT_REMOVED = "change/object-removed" {
@@ -25,7 +25,7 @@ changes! {
     summary: "an object is removed",
     checks: "Whether an object of the old description is missing in the new one, and has not moved to another index.",
     example: "`[2001]` is only in the old description",
-    remedy: "keep the object, or raise the major part of the revision number and give the device another product code if both are in use",
+    remedy: "Keep the object, or raise the major part of the revision number and give the device another product code if both are in use.",
     source: "CiA 301 §7.2.4.3.17 (abort codes), §7.5.2.21 (revision number)",
 
     OBJECT_MOVED = "change/object-moved" {
@@ -38,7 +38,7 @@ changes! {
     summary: "an object moved to another index",
     checks: "Whether an object with the name, the type and the shape of an old one is at another index, and the old index is gone or has another object. Objects below 2000h have fixed indexes and do not move.",
     example: "`Brightness` at 2000h in the old description, at 2010h in the new one",
-    remedy: "leave the object at its index",
+    remedy: "Leave the object at its index.",
     source: "CiA 301 §7.4.3 (index and sub-index address an entry)",
 
     OBJECT_RENAMED = "change/object-renamed" {
@@ -49,7 +49,7 @@ changes! {
     summary: "an object has another name",
     checks: "Whether the name of an object is another one, apart from case, blanks and punctuation.",
     example: "`ParameterName=Brightness`, then `ParameterName=Luminance`",
-    remedy: "keep the name, or keep the identifier with `objdict generate --rename`",
+    remedy: "Keep the name, or keep the identifier with `objdict generate --rename`.",
     source: "CiA 306-1 §4.6.3.2; objdict, docs/generate.md (names)",
 
     OBJECT_TYPE_CHANGED = "change/object-type-changed" {
@@ -62,7 +62,7 @@ changes! {
     summary: "an object has another structure",
     checks: "Whether one description has a variable or a domain where the other has an array or a record, or a variable where the other has a domain. The entries of such an object are not compared.",
     example: "`ObjectType=0x7`, then `ObjectType=0x9`",
-    remedy: "describe the new structure at another index",
+    remedy: "Describe the new structure at another index.",
     source: "CiA 301 §7.4.3",
 
     ARRAY_OR_RECORD = "change/array-or-record" {
@@ -72,7 +72,7 @@ changes! {
     summary: "an array became a record, or a record an array",
     checks: "Whether one description has an ARRAY where the other has a RECORD or DEFSTRUCT.",
     example: "`ObjectType=0x8`, then `ObjectType=0x9`",
-    remedy: "keep the object type if all sub-indexes have the same type",
+    remedy: "Keep the object type if all sub-indexes have the same type.",
     source: "CiA 301 §7.4.3",
 
     ENTRY_ADDED = "change/entry-added" {
@@ -84,7 +84,7 @@ changes! {
     summary: "a sub-index is added",
     checks: "Whether an object has a sub-index that it did not have, and that no entry has moved to.",
     example: "`[2001sub3]` is only in the new description",
-    remedy: "raise the major part of the revision number, if the device already has users",
+    remedy: "Raise the major part of the revision number, if the device already has users.",
     source: "CiA 301 §7.5.2.21 (revision number)",
 
     ENTRY_REMOVED = "change/entry-removed" {
@@ -97,7 +97,7 @@ changes! {
     summary: "a sub-index is removed",
     checks: "Whether a sub-index of an object is missing in the new description, and has not moved.",
     example: "`[2001sub3]` is only in the old description",
-    remedy: "keep the entry, or raise the major part of the revision number",
+    remedy: "Keep the entry, or raise the major part of the revision number.",
     source: "CiA 301 §7.2.4.3.17 (abort codes)",
 
     ENTRY_MOVED = "change/entry-moved" {
@@ -110,7 +110,7 @@ changes! {
     summary: "an entry moved to another sub-index",
     checks: "Whether an entry with the name and the type of an old one is at another sub-index of the same object, and the old sub-index is gone or has another entry.",
     example: "`Gain` at sub-index 1 in the old description, at 2 in the new one, behind a new entry",
-    remedy: "add new entries behind the existing ones",
+    remedy: "Add new entries behind the existing ones.",
     source: "CiA 301 §7.4.3 (index and sub-index address an entry)",
 
     ENTRY_RENAMED = "change/entry-renamed" {
@@ -121,7 +121,7 @@ changes! {
     summary: "an entry has another name",
     checks: "Whether the name of a sub-index is another one, apart from case, blanks and punctuation.",
     example: "`ParameterName=Gain`, then `ParameterName=Factor`",
-    remedy: "keep the name, or keep the identifier with `objdict generate --rename`",
+    remedy: "Keep the name, or keep the identifier with `objdict generate --rename`.",
     source: "CiA 306-1 §4.6.3.2; objdict, docs/generate.md (names)",
 
     NAME_RESPELLED = "change/name-respelled" {
@@ -131,7 +131,7 @@ changes! {
     summary: "a name is spelled differently",
     checks: "Whether a name differs in case, blanks or punctuation only.",
     example: "`Device Type`, then `Device type`",
-    remedy: "keep the spelling, unless it was wrong",
+    remedy: "Keep the spelling, unless it was wrong.",
     source: "CiA 306-1 §4.6.3.2; objdict, docs/generate.md (names)",
 
     IDENTIFIER_CHANGED = "change/identifier-changed" {
@@ -140,7 +140,7 @@ changes! {
     summary: "an entry has another identifier in generated code, and the same name",
     checks: "Whether the identifier of an object or entry in the targets `c` and `rust` is another one although its name stays: a new entry of the same name gives both a number.",
     example: "`OD_GAIN` becomes `OD_GAIN_2001`, because 2005h is called `Gain` too",
-    remedy: "give the new entry another name, or keep the identifier with `objdict generate --rename`",
+    remedy: "Give the new entry another name, or keep the identifier with `objdict generate --rename`.",
     source: "objdict, docs/generate.md (names)",
 
     DATA_TYPE_CHANGED = "change/data-type-changed" {
@@ -153,7 +153,7 @@ changes! {
     summary: "the data type of an entry changes",
     checks: "Whether both descriptions state a data type and it is not the same. Limits are not compared then.",
     example: "`DataType=0x0006`, then `DataType=0x0007`",
-    remedy: "describe the new value at another index or sub-index",
+    remedy: "Describe the new value at another index or sub-index.",
     source: "CiA 301 §7.4.7 (data types), §7.2.4.3.17 (abort codes)",
 
     DATA_TYPE_STATED = "change/data-type-stated" {
@@ -163,7 +163,7 @@ changes! {
     summary: "only one of the descriptions states the data type",
     checks: "Whether one description has a valid data type for an entry and the other has none.",
     example: "an entry without `DataType`, then `DataType=0x0005`",
-    remedy: "state the data type in both descriptions and compare again",
+    remedy: "State the data type in both descriptions and compare again.",
     source: "CiA 306-1 §4.6.3.2",
 
     ACCESS_NARROWED = "change/access-narrowed" {
@@ -175,7 +175,7 @@ changes! {
     summary: "an entry can no longer be read or written",
     checks: "Whether the new access type lacks a right to read or write that the old one has.",
     example: "`AccessType=rw`, then `AccessType=ro`",
-    remedy: "keep the access type",
+    remedy: "Keep the access type.",
     source: "CiA 306-1 §4.6.3.2; CiA 301 §7.2.4.3.17 (abort codes)",
 
     ACCESS_WIDENED = "change/access-widened" {
@@ -186,7 +186,7 @@ changes! {
     summary: "an entry can be read or written where it could not",
     checks: "Whether the new access type has a right to read or write that the old one lacks, and no right less.",
     example: "`AccessType=ro`, then `AccessType=rw`",
-    remedy: "raise the major part of the revision number, if the device already has users",
+    remedy: "Raise the major part of the revision number, if the device already has users.",
     source: "CiA 306-1 §4.6.3.2",
 
     CONSTANT_CHANGED = "change/constant-changed" {
@@ -196,7 +196,7 @@ changes! {
     summary: "a constant became variable, or the reverse",
     checks: "Whether the access type changes between `const` and `ro`.",
     example: "`AccessType=ro`, then `AccessType=const`",
-    remedy: "keep the access type, unless it was wrong",
+    remedy: "Keep the access type, unless it was wrong.",
     source: "CiA 306-1 §4.6.3.2",
 
     MAPPING_NARROWED = "change/mapping-narrowed" {
@@ -207,7 +207,7 @@ changes! {
     summary: "an entry can no longer be mapped to PDOs",
     checks: "Whether PDOs of a direction may no longer carry an entry, by `PDOMapping` and access type.",
     example: "`PDOMapping=1`, then `PDOMapping=0`",
-    remedy: "keep the entry mappable",
+    remedy: "Keep the entry mappable.",
     source: "CiA 306-1 §4.6.3.2; CiA 301 §7.4.5",
 
     MAPPING_WIDENED = "change/mapping-widened" {
@@ -217,7 +217,7 @@ changes! {
     summary: "an entry can be mapped to PDOs",
     checks: "Whether PDOs of a direction may carry an entry that they could not, and none may carry it no longer.",
     example: "`PDOMapping=0`, then `PDOMapping=1`",
-    remedy: "raise the major part of the revision number, if the device already has users",
+    remedy: "Raise the major part of the revision number, if the device already has users.",
     source: "CiA 306-1 §4.6.3.2; CiA 301 §7.4.5",
 
     LIMITS_NARROWED = "change/limits-narrowed" {
@@ -230,7 +230,7 @@ changes! {
     summary: "the limits of an entry are narrower",
     checks: "Whether a value that the old limits allow is not allowed by the new ones. A missing limit is that of the data type.",
     example: "`HighLimit=1000`, then `HighLimit=500`",
-    remedy: "keep the limits, or let the device clip values",
+    remedy: "Keep the limits, or let the device clip values.",
     source: "CiA 306-1 §4.6.3.2; CiA 301 §7.2.4.3.17 (abort codes)",
 
     READ_LIMITS_WIDENED = "change/read-limits-widened" {
@@ -241,7 +241,7 @@ changes! {
     summary: "the limits of a read-only entry are wider",
     checks: "Whether the new limits of an entry that no SDO can write allow a value that the old ones do not allow, and all that these allow.",
     example: "`HighLimit=1000`, then `HighLimit=4000` of an entry with `AccessType=ro`",
-    remedy: "check what the clients make of the new values",
+    remedy: "Check what the clients make of the new values.",
     source: "CiA 306-1 §4.6.3.2",
 
     READ_LIMITS_NARROWED = "change/read-limits-narrowed" {
@@ -252,7 +252,7 @@ changes! {
     summary: "the limits of a read-only entry are narrower",
     checks: "Whether the new limits of an entry that no SDO can write exclude a value that the old ones allow.",
     example: "`HighLimit=4000`, then `HighLimit=1000` of an entry with `AccessType=ro`",
-    remedy: "check the clients that wait for a value outside the new limits",
+    remedy: "Check the clients that wait for a value outside the new limits.",
     source: "CiA 306-1 §4.6.3.2",
 
     LIMITS_WIDENED = "change/limits-widened" {
@@ -263,7 +263,7 @@ changes! {
     summary: "the limits of an entry are wider",
     checks: "Whether the new limits allow more values, and all that the old ones allow.",
     example: "`HighLimit=500`, then `HighLimit=1000`",
-    remedy: "raise the major part of the revision number, if the device already has users",
+    remedy: "Raise the major part of the revision number, if the device already has users.",
     source: "CiA 306-1 §4.6.3.2",
 
     DEFAULT_CHANGED = "change/default-changed" {
@@ -276,7 +276,7 @@ changes! {
     summary: "the default value of an entry changes",
     checks: "Whether the default values are different numbers, texts or bytes. The number of sub-indexes at sub-index 0, what identifies the device, and the parameters of PDOs belong to other rules.",
     example: "`DefaultValue=10`, then `DefaultValue=0x14`",
-    remedy: "keep the default, or name the change in the release notes",
+    remedy: "Keep the default, or name the change in the release notes.",
     source: "CiA 306-1 §4.6.3.2",
 
     READ_ONLY_DEFAULT_CHANGED = "change/read-only-default-changed" {
@@ -286,7 +286,7 @@ changes! {
     summary: "the default value of a read-only entry changes",
     checks: "Whether the default values of an entry that no SDO can write are different.",
     example: "`DefaultValue=1` of an entry with `AccessType=ro`, then `DefaultValue=2`",
-    remedy: "check the clients that know the value without reading it",
+    remedy: "Check the clients that know the value without reading it.",
     source: "CiA 306-1 §4.6.3.2",
 
     CONFIGURED_VALUE_CHANGED = "change/configured-value-changed" {
@@ -296,7 +296,7 @@ changes! {
     summary: "the configured value of an entry changes",
     checks: "Whether the value of an entry after configuration is another one, where at least one description configures it.",
     example: "`ParameterValue=100`, then `ParameterValue=200`",
-    remedy: "download the new configuration to the node",
+    remedy: "Download the new configuration to the node.",
     source: "CiA 306-1 §5.3",
 
     UNIT_CHANGED = "change/unit-changed" {
@@ -309,7 +309,7 @@ changes! {
     summary: "the unit or scaling of an entry changes",
     checks: "Whether the unit, the multiplier or the offset of a parameter (CiA 311) is another one, where both descriptions state one.",
     example: "`<unit multiplier=\"1\">` with the label `mm`, then `µm`",
-    remedy: "describe the new quantity at another index",
+    remedy: "Describe the new quantity at another index.",
     source: "CiA 311 §6.4.5",
 
     UNIT_STATED = "change/unit-stated" {
@@ -319,7 +319,7 @@ changes! {
     summary: "only one of the descriptions states a unit or scaling",
     checks: "Whether one description has a unit, a multiplier or an offset for an entry (CiA 311) and the other has none.",
     example: "an entry without `unit`, then with `mm`",
-    remedy: "state the unit in both descriptions",
+    remedy: "State the unit in both descriptions.",
     source: "CiA 311 §6.4.5",
 
     VALUES_REMOVED = "change/values-removed" {
@@ -332,7 +332,7 @@ changes! {
     summary: "named values of an entry are removed",
     checks: "Whether a value has a name in the old application process and none in the new one, where both name values.",
     example: "`<enumValue value=\"2\">` is only in the old description",
-    remedy: "keep the value",
+    remedy: "Keep the value.",
     source: "CiA 311 §6.4.5",
 
     VALUES_ADDED = "change/values-added" {
@@ -344,7 +344,7 @@ changes! {
     summary: "an entry has new named values",
     checks: "Whether a value has a name in the new application process and none in the old one, where both name values.",
     example: "`<enumValue value=\"3\">` is only in the new description",
-    remedy: "check what the consumers make of the new value",
+    remedy: "Check what the consumers make of the new value.",
     source: "CiA 311 §6.4.5",
 
     VALUE_RENAMED = "change/value-renamed" {
@@ -354,7 +354,7 @@ changes! {
     summary: "a named value of an entry has another name",
     checks: "Whether a value has another name in the new application process.",
     example: "the value 1 is `open` in the old description and `opened` in the new one",
-    remedy: "keep the name, unless it was wrong",
+    remedy: "Keep the name, unless it was wrong.",
     source: "CiA 311 §6.4.5",
 
     FLAGS_CHANGED = "change/flags-changed" {
@@ -364,7 +364,7 @@ changes! {
     summary: "configuration tools must treat an entry differently",
     checks: "Whether `ObjFlags` refuses the download or the scan of an entry in only one of the descriptions.",
     example: "`ObjFlags=0`, then `ObjFlags=1`",
-    remedy: "keep the flags, unless they were wrong",
+    remedy: "Keep the flags, unless they were wrong.",
     source: "CiA 306-1 §4.6.3.3",
 
     SAFETY_CHANGED = "change/safety-changed" {
@@ -375,7 +375,7 @@ changes! {
     summary: "the safety mapping of an entry changes",
     checks: "Whether `SRDOMapping` or `InvertedSRAD` of an entry is another one.",
     example: "`SRDOMapping=1`, then `SRDOMapping=0`",
-    remedy: "assess the safety function anew",
+    remedy: "Assess the safety function anew.",
     source: "CiA 306-1 annex A; CiA 304",
 
     STORAGE_CHANGED = "change/storage-changed" {
@@ -386,6 +386,6 @@ changes! {
     summary: "an object is stored with another group",
     checks: "Whether the storage group of an object, or whether its value survives power-off (`persistent`), is another one. The groups `RAM` and `ROM` are not stored.",
     example: "`;StorageLocation=RAM`, then `;StorageLocation=PERSIST_COMM`",
-    remedy: "keep the group, or let the firmware load images of the old layout",
+    remedy: "Keep the group, or let the firmware load images of the old layout.",
     source: "objdict, docs/storage.md; CiA 311 §6.4.5 (`persistent`)",
 }

@@ -12,7 +12,7 @@ changes! {
     summary: "a PDO is added",
     checks: "Whether the new description has a PDO, described or implied by `CompactPDO`, that the old one does not have.",
     example: "`[1801]` and `[1A01]` are only in the new description",
-    remedy: "check that its CAN-ID is free if it is valid by default",
+    remedy: "Check that its CAN-ID is free if it is valid by default.",
     source: "CiA 301 §7.5.2.35 to §7.5.2.38",
 
     PDO_REMOVED = "change/pdo-removed" {
@@ -24,7 +24,7 @@ changes! {
     summary: "a PDO is removed",
     checks: "Whether a PDO of the old description, described or implied by `CompactPDO`, is missing in the new one.",
     example: "`[1801]` and `[1A01]` are only in the old description",
-    remedy: "keep the PDO, or raise the major part of the revision number",
+    remedy: "Keep the PDO, or raise the major part of the revision number.",
     source: "CiA 301 §7.5.2.35 to §7.5.2.38",
 
     PDO_MAPPING_CHANGED = "change/pdo-mapping-changed" {
@@ -36,7 +36,7 @@ changes! {
     summary: "a PDO has another mapping",
     checks: "Whether other entries, other lengths or another order are mapped, after configuration. A mapped object that moved is the same one.",
     example: "TPDO 1: Statusword (16 bits) → Statusword, Position actual value (48 bits)",
-    remedy: "keep the mapping, and map new entries to another PDO",
+    remedy: "Keep the mapping, and map new entries to another PDO.",
     source: "CiA 301 §7.5.2.36, §7.5.2.38",
 
     PDO_COB_ID_CHANGED = "change/pdo-cob-id-changed" {
@@ -48,7 +48,7 @@ changes! {
     summary: "a PDO has another CAN-ID",
     checks: "Whether the CAN-ID of a PDO that is valid in the old description is another one, after configuration.",
     example: "`DefaultValue=$NODEID+0x180`, then `DefaultValue=$NODEID+0x1C0`",
-    remedy: "keep the CAN-ID",
+    remedy: "Keep the CAN-ID.",
     source: "CiA 301 §7.5.2.35, §7.5.2.37",
 
     PDO_DISABLED = "change/pdo-disabled" {
@@ -59,7 +59,7 @@ changes! {
     summary: "a PDO is not valid any more",
     checks: "Whether bit 31 of the COB-ID is clear in the old description and set in the new one, after configuration.",
     example: "`DefaultValue=$NODEID+0x180`, then `DefaultValue=$NODEID+0x80000180`",
-    remedy: "keep the PDO valid",
+    remedy: "Keep the PDO valid.",
     source: "CiA 301 §7.5.2.35, §7.5.2.37",
 
     PDO_ENABLED = "change/pdo-enabled" {
@@ -70,7 +70,7 @@ changes! {
     summary: "a PDO is valid that was not",
     checks: "Whether bit 31 of the COB-ID is set in the old description and clear in the new one, after configuration.",
     example: "`DefaultValue=$NODEID+0x80000180`, then `DefaultValue=$NODEID+0x180`",
-    remedy: "check that the CAN-ID is free in existing networks, and that the bus has room for the frames",
+    remedy: "Check that the CAN-ID is free in existing networks, and that the bus has room for the frames.",
     source: "CiA 301 §7.5.2.35, §7.5.2.37",
 
     PDO_TRANSMISSION_CHANGED = "change/pdo-transmission-changed" {
@@ -82,7 +82,7 @@ changes! {
     summary: "a PDO is sent at other times",
     checks: "Whether the transmission type, inhibit time, event timer, SYNC start value or the permission of RTR is another one, after configuration.",
     example: "transmission type 254, then 1",
-    remedy: "keep the transmission parameters",
+    remedy: "Keep the transmission parameters.",
     source: "CiA 301 §7.5.2.35, §7.5.2.37",
 
     COB_ID_CHANGED = "change/cob-id-changed" {
@@ -94,6 +94,6 @@ changes! {
     summary: "a service has another CAN-ID",
     checks: "Whether the value of 1005h, 1012h or 1014h, of a COB-ID of an SDO (1200h to 12FFh) or of an SRDO (1301h to 1340h) is another one, after configuration.",
     example: "`DefaultValue=$NODEID+0x80` of 1014h, then `DefaultValue=$NODEID+0x90`",
-    remedy: "keep the CAN-ID",
+    remedy: "Keep the CAN-ID.",
     source: "CiA 301 §7.3.5",
 }
