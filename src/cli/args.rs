@@ -3,6 +3,7 @@
 mod configure;
 mod convert;
 mod dcf;
+mod diff;
 mod docs;
 mod features;
 mod generate;
@@ -23,6 +24,7 @@ pub(super) use self::dcf::{
     BlobFormat, DcfArgs, DcfCommand, DcfDiffArgs, NamingArgs, PackArgs, PackOrder, UnpackArgs, VerdictFormat,
     VerifyArgs,
 };
+pub(super) use self::diff::{DeniedVerdict, DiffArgs, DiffFormat};
 pub(super) use self::docs::DocsArgs;
 pub(super) use self::generate::{GenerateArgs, SizeFormat};
 pub(super) use self::network::{
@@ -107,6 +109,12 @@ pub(super) enum Command {
     /// Runs the node of `objdict-device` with the defaults of the description, without compiling it, and checks its services and every
     /// entry as a master does: by frames and time. Exits with 1 if a check fails (docs/runtime.md).
     Conformance(ConformanceArgs),
+    /// Compare two descriptions, and say whom each change affects
+    ///
+    /// Compares by meaning: objects, entries, PDOs and facts about the device; order and spelling do not count. Each change has a verdict
+    /// for stored configurations, PDO consumers, SDO clients, firmware source and stored values: breaking, risky or compatible
+    /// (docs/diff.md). Exits with 1 if there is a breaking change (see --deny).
+    Diff(DiffArgs),
     /// Convert between EDS, DCF, XDD, XDC, JSON and concise DCF, and export to DBC
     ///
     /// EDS to EDS and DCF to DCF keep every byte. Conversions between EDS and DCF, and between XDD and XDC, edit the text and keep

@@ -6,6 +6,7 @@ mod args;
 mod baseline;
 mod cache;
 mod canonical;
+mod changes;
 mod check;
 mod configure;
 mod conformance;
@@ -65,6 +66,7 @@ pub fn run() -> ExitCode {
     let mut out = Output::stdout(args.terminal.color);
     let outcome = match &args.command {
         Command::Check(OnlyCheck::Check(command)) => check::run(command, &mut out),
+        Command::Diff(command) => changes::run(command, &mut out),
         Command::Convert(command) => convert::run(command, &mut out),
         Command::Configure(command) => configure::run(command, &mut out),
         Command::Modules(command) => modules::run(command, &mut out),

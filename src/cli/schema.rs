@@ -38,6 +38,7 @@ documents! {
     "device" crate::format::json::DeviceDocument<crate::model::Device>: "A device description: `objdict convert IN -o OUT.json`.",
     "concise-dcf" crate::format::json::ConciseDocument<crate::download::ConciseDcf>: "A concise DCF: `objdict convert IN.cdcf -o OUT.json`.",
     "findings" crate::report::FindingsDocument<'_>: "Findings: `objdict check --format json`, `objdict network check --format json`.",
+    "changes" super::changes::ChangesDocument<'_>: "The changes between descriptions: `objdict diff --format json`.",
     "baseline" crate::baseline::Document: "Known findings: `objdict check --write-baseline`.",
     "identify" super::identify::Document<'_>: "What files are: `objdict identify --format json`.",
     "entries" super::show::EntriesDocument<'_>: "The entries of a dictionary: `objdict show --format json`.",

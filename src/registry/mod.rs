@@ -12,9 +12,21 @@ use crate::{format, lint};
 /// All rules, sorted by id.
 pub fn rules() -> Vec<&'static RuleInfo> {
     let of_linter = lint::rules().map(|rule| &rule.info);
-    let mut rules: Vec<_> = format::rules().chain(of_linter).chain(own::RULES.iter().copied()).collect();
+    let mut rules: Vec<_> =
+        format::rules().chain(of_linter).chain(of_changes()).chain(own::RULES.iter().copied()).collect();
     rules.sort_by_key(|rule| rule.id);
     rules
+}
+
+/// The rules about changes between two descriptions.
+#[cfg(feature = "lint")]
+fn of_changes() -> impl Iterator<Item = &'static RuleInfo> {
+    lint::changes::rules().map(|rule| &rule.info)
+}
+
+#[cfg(not(feature = "lint"))]
+fn of_changes() -> impl Iterator<Item = &'static RuleInfo> {
+    std::iter::empty()
 }
 
 /// Former names of rules and groups, which configurations and `allow` comments may still have.

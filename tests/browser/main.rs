@@ -9,6 +9,7 @@
 )]
 
 mod anchors;
+mod changes;
 mod chromium;
 mod copying;
 mod driving;

@@ -42,6 +42,19 @@ impl Page {
         Self { tab, path, _folder: folder }
     }
 
+    /// The page of what changes between two fixtures.
+    pub(crate) fn of_changes(old: &str, new: &str) -> Option<Self> {
+        let tab = Tab::new()?;
+        let folder = tempfile::tempdir().unwrap();
+        let path = folder.path().join("page.html");
+        let [old, new] = [old, new].map(|name| fixtures().join(name));
+        let mut command = Command::new(env!("CARGO_BIN_EXE_objdict"));
+        let output = command.args(["diff", "--format", "html"]).args([old, new]).output().unwrap();
+        std::fs::write(&path, output.stdout).unwrap();
+        tab.open(&path, "");
+        Some(Self { tab, path, _folder: folder })
+    }
+
     /// The anchors of the objects that are to be seen.
     pub(crate) fn objects(&self) -> Vec<String> {
         self.texts("[...document.querySelectorAll('.o')].filter(of => of.checkVisibility()).map(of => of.id)")

@@ -40,6 +40,8 @@ fn pages() {
             "foreign",
             "profiles",
             "concise",
+            "diff",
+            "bases",
             "network",
             "rules/network/link-mismatch",
             "rules/network/link-type",

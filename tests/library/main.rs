@@ -5,6 +5,7 @@
 
 mod agree;
 mod boot;
+mod changes;
 mod compat;
 mod concise;
 mod config;

@@ -46,11 +46,16 @@ fn mistakes(table: &str) -> Vec<Mistake<'_>> {
 
 impl Mistake<'_> {
     fn plant(&self, text: &str) -> String {
-        let at = text.find(&self.at).unwrap_or_else(|| panic!("{}: {:?} is not there", self.what, self.at));
-        let old = text[at..].find(&self.old).map(|old| at + old);
-        let old = old.unwrap_or_else(|| panic!("{}: {:?} is not there", self.what, self.old));
-        format!("{}{}{}", &text[..old], self.new, &text[old + self.old.len()..])
+        plant(text, self.what, &self.at, &self.old, &self.new)
     }
+}
+
+/// A text with `new` in the place of the first `old` behind `at`.
+pub(crate) fn plant(text: &str, what: &str, at: &str, old: &str, new: &str) -> String {
+    let start = text.find(at).unwrap_or_else(|| panic!("{what}: {at:?} is not there"));
+    let found = text[start..].find(old).map(|found| start + found);
+    let found = found.unwrap_or_else(|| panic!("{what}: {old:?} is not there"));
+    format!("{}{new}{}", &text[..found], &text[found + old.len()..])
 }
 
 /// The rules with a finding in a file: a device, or a network with all its devices.

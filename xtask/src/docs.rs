@@ -7,13 +7,14 @@ use std::path::Path;
 
 use objdict::compat::{MESSAGES, REACTIONS};
 use objdict::diagnostic::RuleInfo;
+use objdict::lint::changes::Audience;
 use objdict::registry;
 
 use crate::examples;
 use crate::shares::{self, Shares};
 
 /// What the rules of each group are about.
-const GROUPS: [(&str, &str); 18] = [
+const GROUPS: [(&str, &str); 20] = [
     ("cia301", "communication objects (CiA 301)"),
     ("cia302", "network managers (CiA 302)"),
     ("cia304", "safety-relevant data objects (CiA 304)"),
@@ -24,6 +25,7 @@ const GROUPS: [(&str, &str); 18] = [
     ("cia402", "drives (CiA 402)"),
     ("cia404", "measuring devices and controllers (CiA 404)"),
     ("cia406", "encoders (CiA 406)"),
+    ("change", "changes between two descriptions, reported by `objdict diff`"),
     ("configuration", "configured nodes beside their EDS"),
     ("custom", "custom profiles"),
     ("keys", "TOML and YAML files"),
@@ -40,6 +42,7 @@ pub(crate) fn run(check: bool) -> Result<(), String> {
     let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("../docs");
     let mut pages = rule_pages(&shares::read(&folder.join("rules-shares.tsv"))?)?;
     pages.insert("portability.md".to_owned(), portability_page());
+    pages.insert("diff.md".to_owned(), with_verdicts(&folder.join("diff.md"))?);
     for (name, text) in &pages {
         let (path, shown) = (folder.join(name), format!("docs/{name}"));
         if check {
@@ -70,6 +73,30 @@ fn remove_leftovers(folder: &Path, pages: &BTreeMap<String, String>, check: bool
         fs::remove_file(file.path()).map_err(|error| format!("cannot remove docs/{name}: {error}"))?;
     }
     Ok(())
+}
+
+/// The marks around the table of verdicts in docs/diff.md.
+const VERDICTS: [&str; 2] = ["<!-- verdicts -->\n", "<!-- end of verdicts -->"];
+
+/// docs/diff.md with the table of the kinds of changes and their verdicts for each audience.
+fn with_verdicts(file: &Path) -> Result<String, String> {
+    let text = fs::read_to_string(file).map_err(|error| format!("cannot read docs/diff.md: {error}"))?;
+    let parts = text
+        .split_once(VERDICTS[0])
+        .and_then(|(before, rest)| Some((before, rest.split_once(VERDICTS[1])?.1)));
+    let (before, behind) = parts.ok_or("docs/diff.md has no marks around the table of verdicts")?;
+    let titles = Audience::ALL.map(Audience::title).join(" | ");
+    let mut table = format!("| change | {titles} |\n|---|{}\n", "---|".repeat(Audience::ALL.len()));
+    for rule in objdict::lint::changes::rules() {
+        let verdict = |audience: Audience| {
+            let effect = rule.effects.iter().find(|effect| effect.audience == audience);
+            effect.map_or("–", |effect| effect.verdict.name())
+        };
+        let verdicts = Audience::ALL.map(verdict).join(" | ");
+        let info = &rule.info;
+        let _ = writeln!(table, "| [{}]({}) | {verdicts} |", info.summary, address(info.id));
+    }
+    Ok(format!("{before}{}{table}{}{behind}", VERDICTS[0], VERDICTS[1]))
 }
 
 /// The address of a rule's page in the documentation, from `docs` on.

@@ -5,6 +5,7 @@
 
 mod anchor;
 mod card;
+mod changes;
 mod communication;
 mod connections;
 mod context;
@@ -37,6 +38,7 @@ mod text_width;
 mod texts;
 mod write;
 
+pub use self::changes::{ChangeEffect, ChangeRow, ChangedDevice, ChangesPage};
 pub use self::finding::Finding;
 pub use self::form::Form;
 pub use self::network::SiteNetwork;

@@ -2,6 +2,8 @@
 //! reports [`Place`](crate::model::Place)s.
 
 #[cfg(feature = "catalogue")]
+pub mod changes;
+#[cfg(feature = "catalogue")]
 mod channels;
 mod configured;
 mod demands;

@@ -27,7 +27,7 @@ pub(in crate::cli) enum DcfCommand {
     Unpack(UnpackArgs),
     /// Compare two streams
     ///
-    /// Exits with 1 if they differ.
+    /// Exits with 1 if they differ. `objdict diff` compares the descriptions of devices.
     Diff(DcfDiffArgs),
     /// Verify a stream against the description of the node
     ///

@@ -9,6 +9,7 @@ use std::io::Write;
 use std::path::Path;
 
 pub(super) use self::diff::differences;
+pub(super) use self::pack::{Content, content};
 #[cfg(feature = "schema")]
 pub(super) use self::verify::Document as VerifyDocument;
 use super::annotation::Described;
@@ -70,7 +71,8 @@ fn stream_of(
         (_, Input::Concise(configuration)) => Ok(configuration),
         (_, Input::Description(_) | Input::Device(_)) => {
             let message = format!("`{name}` is read as {} and is not a concise DCF", kind.name());
-            Err(Failure::new(message).help(format!("`objdict dcf pack {name}` makes one of it")))
+            let help = "makes one of it, and `objdict diff` compares two descriptions";
+            Err(Failure::new(message).help(format!("`objdict dcf pack {name}` {help}")))
         }
         (_, Input::NodeList(_)) => {
             Err(Failure::new(format_args!("`{name}` is read as {} and is not a concise DCF", kind.name())))

@@ -5,7 +5,7 @@ use std::path::Path;
 use super::super::annotation::Described;
 use super::super::args::{BlobFormat, PackArgs, PackOrder};
 use super::super::convert::{read_data, refusal, tell_skipped};
-use super::super::input::{Input, source_name};
+use super::super::input::{ExpandArgs, Input, InputArgs, source_name};
 use super::super::outcome::{Failure, Outcome, tell};
 use super::super::output::Output;
 use super::{count, deliver, device, hex_of, stream_of, verify};
@@ -16,7 +16,8 @@ use crate::model::Device;
 
 pub(super) fn run(args: &PackArgs, out: &mut Output) -> Result<Outcome, Failure> {
     let eds = args.eds.as_ref().map(|path| device(path, &args.input, &args.expand)).transpose()?;
-    let (configuration, own) = match content(args, eds.as_ref())? {
+    let stream_node_id = node_id(args, None, eds.as_ref());
+    let (configuration, own) = match content(&args.file, &args.input, &args.expand, stream_node_id)? {
         Content::Device(device) => (planned(args, &device, eds.as_ref())?, Some(device)),
         Content::Stream(configuration) => (configuration, None),
     };
@@ -49,28 +50,33 @@ pub(super) fn run(args: &PackArgs, out: &mut Output) -> Result<Outcome, Failure>
     Ok(outcome)
 }
 
-/// What is in the file.
-enum Content {
+/// What is in the file of a configuration.
+pub(in crate::cli) enum Content {
     Device(Box<Device>),
     /// In any of its spellings.
     Stream(ConciseDcf),
 }
 
-fn content(args: &PackArgs, eds: Option<&Device>) -> Result<Content, Failure> {
-    let name = source_name(&args.file);
-    let bytes = args.input.size.read(&args.file)?; // once: it may be the standard input
-    let reading = args.input.reading();
-    let is_stream = hex_of(&bytes, &args.input).is_some()
+/// Reads a configuration; the formulas of a text are for `node_id`.
+pub(in crate::cli) fn content(
+    path: &Path,
+    input: &InputArgs,
+    expand: &ExpandArgs,
+    node_id: Option<u8>,
+) -> Result<Content, Failure> {
+    let name = source_name(path);
+    let bytes = input.size.read(path)?; // once: it may be the standard input
+    let reading = input.reading();
+    let is_stream = hex_of(&bytes, input).is_some()
         || matches!(reading.recognised(&name, bytes.clone())?.0, FileKind::Cdcf | FileKind::CdcfText);
     if is_stream {
-        let node_id = node_id(args, None, eds);
-        return stream_of(&name, bytes, &args.input, node_id).map(Content::Stream);
+        return stream_of(&name, bytes, input, node_id).map(Content::Stream);
     }
     match reading.read_one(&name, bytes)? {
         (_, Input::Description(description)) => {
-            Ok(Content::Device(Box::new(args.expand.device(description.device()).into_owned())))
+            Ok(Content::Device(Box::new(expand.device(description.device()).into_owned())))
         }
-        (_, Input::Device(device)) => Ok(Content::Device(Box::new(args.expand.device(&device).into_owned()))),
+        (_, Input::Device(device)) => Ok(Content::Device(Box::new(expand.device(&device).into_owned()))),
         (_, Input::Concise(configuration)) => Ok(Content::Stream(configuration)),
         (_, Input::NodeList(_)) => {
             Err(Failure::new(format_args!("`{name}` is a node list and holds no values"))

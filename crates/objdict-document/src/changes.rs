@@ -1,0 +1,130 @@
+//! What changes between two descriptions, as a page: both sides beside each other, and PDOs as drawings.
+
+use askama::Template;
+
+use super::diagram::{Diagram, Grid};
+use super::escape::filters;
+use super::layout::Layout;
+use super::policy::with_policy;
+use super::texts::Texts;
+use crate::Language;
+use crate::model::{Device, Entry, PdoKind};
+
+/// The page of a comparison.
+#[derive(Debug)]
+pub struct ChangesPage<'a> {
+    /// The old description.
+    pub old: ChangedDevice<'a>,
+    /// The new description.
+    pub new: ChangedDevice<'a>,
+    /// The number of changes, in words.
+    pub summary: String,
+    /// The verdicts, the worst first.
+    pub verdicts: Vec<&'static str>,
+    /// The audiences: identifiers and titles.
+    pub audiences: Vec<(&'static str, &'static str)>,
+    /// The changes.
+    pub changes: Vec<ChangeRow>,
+}
+
+/// One of the descriptions.
+#[derive(Clone, Copy, Debug)]
+pub struct ChangedDevice<'a> {
+    /// The file name shown to readers.
+    pub file: &'a str,
+    /// The device.
+    pub device: &'a Device,
+}
+
+/// A change.
+#[derive(Clone, Debug)]
+pub struct ChangeRow {
+    /// The worst verdict.
+    pub verdict: &'static str,
+    /// The address of the entry.
+    pub address: String,
+    /// The id of the rule.
+    pub rule: &'static str,
+    /// The change as a sentence.
+    pub message: String,
+    /// What was.
+    pub old: String,
+    /// What is.
+    pub new: String,
+    /// Line and column in the old and in the new description.
+    pub places: [String; 2],
+    /// What it means for whom.
+    pub effects: Vec<ChangeEffect>,
+    /// The PDO that is drawn on both sides.
+    pub pdo: Option<(PdoKind, u16)>,
+}
+
+/// What a change means for an audience.
+#[derive(Clone, Debug)]
+pub struct ChangeEffect {
+    /// The identifier of the audience.
+    pub audience: &'static str,
+    /// The audience in words.
+    pub title: &'static str,
+    /// The verdict.
+    pub verdict: &'static str,
+    /// Why.
+    pub reason: &'static str,
+}
+
+#[derive(Template)]
+#[template(path = "html/changes.html")]
+struct ChangesTemplate<'a> {
+    page: &'a ChangesPage<'a>,
+    rows: Vec<Row<'a>>,
+    grid: Grid,
+    t: &'static Texts,
+    version: &'static str,
+}
+
+/// A change with its drawings.
+struct Row<'a> {
+    change: &'a ChangeRow,
+    old: Option<Diagram>,
+    new: Option<Diagram>,
+}
+
+impl Row<'_> {
+    /// The audiences with the verdict of each, for the filter: `sdo-clients=breaking`.
+    fn keys(&self) -> String {
+        let keys = self.change.effects.iter().map(|effect| format!("{}={}", effect.audience, effect.verdict));
+        keys.collect::<Vec<_>>().join(" ")
+    }
+}
+
+impl ChangesPage<'_> {
+    /// Writes the page as HTML, which needs no other file.
+    pub fn html(&self) -> String {
+        let rows = self.changes.iter().map(|change| Row {
+            old: change.pdo.and_then(|pdo| drawing(self.old.device, pdo)),
+            new: change.pdo.and_then(|pdo| drawing(self.new.device, pdo)),
+            change,
+        });
+        let template = ChangesTemplate {
+            page: self,
+            rows: rows.collect(),
+            grid: Grid::new(),
+            t: Texts::of(Language::English),
+            version: env!("CARGO_PKG_VERSION"),
+        };
+        let mut text = String::with_capacity(20_000 + 1000 * self.changes.len());
+        // writing to a String cannot fail, nor do the template filters
+        let _ = template.render_into(&mut text);
+        with_policy(text)
+    }
+}
+
+/// The frame of a PDO. Its entries have no place on this page, so nothing links to them.
+fn drawing(device: &Device, (kind, number): (PdoKind, u16)) -> Option<Diagram> {
+    let pdo = device.pdo(kind, number)?;
+    let name = |entry: &Entry| entry.name.to_string();
+    let layout = Layout::new(device, &pdo, &name);
+    let mut diagram = Diagram::new(&pdo.to_string(), &layout, Language::English)?;
+    diagram.shapes.iter_mut().for_each(|shape| shape.anchor = None);
+    Some(diagram)
+}

@@ -1,0 +1,206 @@
+//! What changes between two revisions of a device, by meaning, and what each change means for whom.
+//!
+//! Devices are compared as dictionaries of entries: neither order nor spelling nor the way that they are stored counts.
+
+mod audience;
+mod device;
+mod entries;
+mod matching;
+mod objects;
+mod pdos;
+mod rules;
+mod values;
+mod versions;
+
+use std::collections::{BTreeMap, BTreeSet};
+
+use self::audience::Affected;
+pub use self::audience::{Audience, ChangeVerdict};
+pub use self::rules::{ChangeImpact, ChangeRule, rules};
+use crate::diagnostic::{Diagnostic, Severity, Text, say};
+use crate::model::{Device, Meanings, Pdo, Place};
+
+/// The group of the rules about changes.
+pub const CHANGE: &str = "change";
+
+/// A change.
+#[derive(Clone, Debug)]
+pub struct DeviceChange {
+    /// Its kind.
+    pub rule: &'static ChangeRule,
+    /// The index of the object, in the old device if it has it; `None` for the device as a whole.
+    pub index: Option<u16>,
+    /// The sub-index of the entry; `None` for an object as a whole, or a PDO.
+    pub sub: Option<u8>,
+    /// What was, in short; `None` for nothing.
+    pub old: Option<String>,
+    /// What is, in short; `None` for nothing.
+    pub new: Option<String>,
+    /// The change as a sentence.
+    pub message: Text,
+    /// The place in the old description.
+    pub old_place: Option<Place>,
+    /// The place in the new description.
+    pub new_place: Option<Place>,
+    affected: Affected,
+}
+
+impl DeviceChange {
+    /// What the change means for each audience that it affects.
+    pub fn effects(&self) -> impl Iterator<Item = &'static ChangeImpact> + '_ {
+        self.rule.effects.iter().filter(|effect| self.affected.has(effect.audience))
+    }
+
+    /// The worst of its effects.
+    pub fn verdict(&self) -> ChangeVerdict {
+        self.effects().map(|effect| effect.verdict).max().unwrap_or(ChangeVerdict::Compatible)
+    }
+
+    /// The audiences with this verdict.
+    pub fn audiences(&self, verdict: ChangeVerdict) -> impl Iterator<Item = Audience> + '_ {
+        self.effects().filter(move |effect| effect.verdict == verdict).map(|effect| effect.audience)
+    }
+
+    /// The change as a finding in one of the descriptions: at its place in the new one if it has one there.
+    pub fn finding(&self) -> Diagnostic {
+        let place = self.new_place.as_ref().or(self.old_place.as_ref()).cloned();
+        let severity = match self.verdict() {
+            ChangeVerdict::Breaking => Severity::Error,
+            ChangeVerdict::Risky => Severity::Warning,
+            ChangeVerdict::Compatible => Severity::Note,
+        };
+        let finding =
+            Diagnostic::new(&self.rule.info, place.unwrap_or(Place::device()), self.message.clone());
+        finding.severity(severity).help(as_help(self.rule.info.remedy))
+    }
+}
+
+/// The text of a page as the help of a finding: without capital and full stop.
+fn as_help(remedy: &str) -> String {
+    let mut characters = remedy.trim_end_matches('.').chars();
+    let first = characters.next().map(|first| first.to_ascii_lowercase());
+    first.into_iter().chain(characters).collect()
+}
+
+/// The changes from one device to another, in the order of the dictionary; those of the device as a whole come last.
+pub fn compare(old: &Device, new: &Device) -> Vec<DeviceChange> {
+    let (old, new) = (old.with_implicit_pdos(), new.with_implicit_pdos());
+    let (old, new) = (Side::new(&old), Side::new(&new));
+    let mut comparison = Comparison { old, new, moved: BTreeMap::new(), changes: Vec::new() };
+    comparison.objects();
+    comparison.pdos();
+    comparison.changes.sort_by_key(|change| (change.index.is_none(), change.index));
+    comparison.device();
+    comparison.versions();
+    comparison.changes
+}
+
+/// The change of an identifier in generated code while the name of the entry stays. Which identifiers code has is known to the
+/// generators; `c` and `rust` are the old and the new one.
+pub fn identifier_changed((index, sub): (u16, Option<u8>), c: [&str; 2], rust: [&str; 2]) -> DeviceChange {
+    let place = Some(match sub {
+        Some(sub) => Place::entry(index, sub),
+        None => Place::object(index),
+    });
+    DeviceChange {
+        rule: &rules::IDENTIFIER_CHANGED,
+        index: Some(index),
+        sub,
+        old: Some(c[0].to_owned()),
+        new: Some(c[1].to_owned()),
+        message: say!("in C `{}` becomes `{}`, in Rust `{}` becomes `{}`", c[0], c[1], rust[0], rust[1]),
+        old_place: place.clone(),
+        new_place: place,
+        affected: Affected::ALL,
+    }
+}
+
+/// A download of a stored configuration that the new device refuses, with the reason. What a device refuses is known to those that
+/// verify configurations.
+pub fn configuration_refused(index: u16, sub: u8, reason: &str) -> DeviceChange {
+    let place = Some(Place::entry(index, sub));
+    DeviceChange {
+        rule: &rules::CONFIGURATION_REFUSED,
+        index: Some(index),
+        sub: Some(sub),
+        old: None,
+        new: None,
+        message: Text::from(reason.to_owned()),
+        old_place: place.clone(),
+        new_place: place,
+        affected: Affected::ALL,
+    }
+}
+
+/// One of the devices.
+struct Side<'a> {
+    device: &'a Device,
+    meanings: Meanings<'a>,
+    /// The entries that a PDO carries.
+    mapped: BTreeSet<(u16, u8)>,
+}
+
+impl<'a> Side<'a> {
+    fn new(device: &'a Device) -> Self {
+        let pdos: Vec<_> = device.pdos().collect();
+        let mapped = pdos.iter().flat_map(Pdo::mapped).map(|object| (object.index, object.sub));
+        Self { device, meanings: device.meanings(), mapped: mapped.collect() }
+    }
+}
+
+struct Comparison<'a> {
+    old: Side<'a>,
+    new: Side<'a>,
+    /// Entries that are elsewhere in the new device.
+    moved: BTreeMap<(u16, u8), (u16, u8)>,
+    changes: Vec<DeviceChange>,
+}
+
+/// Where a change is: for the place and for who is affected.
+#[derive(Clone)]
+struct Spot {
+    index: Option<u16>,
+    sub: Option<u8>,
+    old: Option<Place>,
+    new: Option<Place>,
+    affected: Affected,
+}
+
+impl Spot {
+    /// A part of the device that is no object.
+    fn part(place: &Place) -> Self {
+        let place = Some(place.clone());
+        Self { index: None, sub: None, old: place.clone(), new: place, affected: Affected::ALL }
+    }
+
+    /// The place of a field.
+    fn field(&self, field: &crate::model::Field) -> Self {
+        let field = |place: &Option<Place>| place.clone().map(|place| place.field(field.clone()));
+        Self { old: field(&self.old), new: field(&self.new), ..self.clone() }
+    }
+}
+
+impl Comparison<'_> {
+    fn report(
+        &mut self,
+        rule: &'static ChangeRule,
+        spot: &Spot,
+        values: [Option<String>; 2],
+        message: impl Into<Text>,
+    ) {
+        let [old, new] = values;
+        let Spot { index, sub, old: old_place, new: new_place, affected } = spot.clone();
+        let message = message.into();
+        self.changes.push(DeviceChange {
+            rule,
+            index,
+            sub,
+            old,
+            new,
+            message,
+            old_place,
+            new_place,
+            affected,
+        });
+    }
+}

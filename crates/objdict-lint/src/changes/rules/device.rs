@@ -1,0 +1,211 @@
+//! Changes of the device as a whole, and of what identifies it and its description.
+
+use super::changes;
+
+changes! {
+    DEVICE_TYPE_CHANGED = "change/device-type-changed" {
+        Configurations: Breaking, "a manager compares 1000h with 1F84h and does not start the node";
+        PdoConsumers: Compatible, "changes of PDOs are reported on their own";
+        SdoClients: Breaking, "the device follows another profile, or other parts of it";
+        Firmware: Compatible, "names and types stay";
+    }
+    summary: "the device type (1000h) changes",
+    checks: "Whether the value of 1000h, the device profile and its additional information, is another one.",
+    example: "`DefaultValue=0x000F0191` of 1000h, then `DefaultValue=0x00030191`",
+    remedy: "Give the device another product code.",
+    source: "CiA 301 §7.5.2.1; CiA 302-2 (1F84h)",
+
+    IDENTITY_CHANGED = "change/identity-changed" {
+        Configurations: Breaking, "a manager compares 1018h with 1F85h and 1F86h and does not start the node";
+        PdoConsumers: Compatible, "changes of PDOs are reported on their own";
+        SdoClients: Breaking, "tools choose the description by vendor-ID and product code, and take the device for another one";
+        Firmware: Compatible, "names and types stay";
+    }
+    summary: "the vendor-ID or the product code changes",
+    checks: "Whether sub-index 1 or 2 of 1018h is another number.",
+    example: "`DefaultValue=0x100` of 1018h sub-index 2, then `DefaultValue=0x101`",
+    remedy: "Keep the identity; if it is another product, a comparison with the old one says what users must change.",
+    source: "CiA 301 §7.5.2.21; CiA 302-2 (1F85h, 1F86h)",
+
+    CONFIGURATION_REFUSED = "change/configuration-refused" {
+        Configurations: Breaking, "the configuration of the node is not complete, and a manager does not start it";
+    }
+    summary: "the new device refuses a download of a stored configuration",
+    checks: "With `objdict diff --against`, whether the new device accepts each download of a stored configuration, as `objdict dcf verify` checks it.",
+    example: "the configuration writes 6083h, which is read-only in the new description",
+    remedy: "Remove the download from the configuration, or change its value.",
+    source: "CiA 302-3; CiA 301 §7.2.4.3.17 (abort codes)",
+
+    NODE_CHANGED = "change/node-changed" {
+        Configurations: Breaking, "the configuration is for another node-ID, bit rate or network";
+        PdoConsumers: Breaking, "CAN-IDs follow the node-ID, and all nodes need the same bit rate";
+        SdoClients: Breaking, "the SDO channel follows the node-ID, and all nodes need the same bit rate";
+    }
+    summary: "the node has another node-ID, bit rate or network",
+    checks: "Whether `NodeID`, `Baudrate` or `NetNumber` of two configured nodes is another one.",
+    example: "`NodeID=5`, then `NodeID=6`",
+    remedy: "Change the other nodes and the manager too.",
+    source: "CiA 306-1 §5.4",
+
+    NODE_FACT_CHANGED = "change/node-fact-changed" {
+        Configurations: Compatible, "the node is configured in the same way";
+        SdoClients: Compatible, "the node answers in the same way";
+    }
+    summary: "a fact about the configured node changes",
+    checks: "Whether the name of a configured node or of its network, a reference designator, or whether the node is the manager, is another one.",
+    example: "`NodeName=Door`, then `NodeName=Gate`",
+    remedy: "Check what uses the name.",
+    source: "CiA 306-1 §5.4",
+
+    DEVICE_FACT_CHANGED = "change/device-fact-changed" {
+        Configurations: Compatible, "no value that a configuration writes is affected";
+        SdoClients: Compatible, "the device answers in the same way";
+        Firmware: Compatible, "names and types stay";
+    }
+    summary: "a fact about the device changes",
+    checks: "Whether the name of the vendor or product, the order code, or a text or number that identifies the device (1008h to 100Ah, the serial number) is another one.",
+    example: "`ProductName=Lamp`, then `ProductName=Lamp 2`",
+    remedy: "Check what uses the name.",
+    source: "CiA 306-1 §4.5; CiA 301 §7.5.2.9 to §7.5.2.11, §7.5.2.21",
+
+    BIT_RATE_REMOVED = "change/bit-rate-removed" {
+        Configurations: Breaking, "a network with the bit rate cannot have the device";
+        PdoConsumers: Breaking, "a network with the bit rate cannot have the device";
+        SdoClients: Breaking, "a network with the bit rate cannot have the device";
+    }
+    summary: "the device does not support a bit rate any more",
+    checks: "Whether the old description states that a bit rate or automatic detection is supported, and the new one does not.",
+    example: "`BaudRate_20=1`, then `BaudRate_20=0`",
+    remedy: "Keep the bit rate, unless the old description was wrong.",
+    source: "CiA 306-1 §4.5",
+
+    BIT_RATE_ADDED = "change/bit-rate-added" {
+        Configurations: Compatible, "all bit rates that were supported still are";
+        SdoClients: Compatible, "all bit rates that were supported still are";
+    }
+    summary: "the device supports another bit rate",
+    checks: "Whether the new description states that a bit rate or automatic detection is supported, and the old one does not.",
+    example: "`BaudRate_20=0`, then `BaudRate_20=1`",
+    remedy: "Raise the major part of the revision number, if the device already has users.",
+    source: "CiA 306-1 §4.5",
+
+    FEATURE_REMOVED = "change/feature-removed" {
+        Configurations: Risky, "a manager or tool that uses the feature cannot configure the device";
+        SdoClients: Risky, "a manager or tool that uses the feature cannot work with the device";
+    }
+    summary: "the device does not have a feature any more",
+    checks: "Whether LSS, group messaging, boot-up as master or slave, dynamic channels, safety, or the type of a dummy entry is supported by the old description only.",
+    example: "`LSS_Supported=1`, then `LSS_Supported=0`",
+    remedy: "Keep the feature, unless the old description was wrong.",
+    source: "CiA 306-1 §4.5, §4.6.2",
+
+    FEATURE_ADDED = "change/feature-added" {
+        Configurations: Compatible, "features that were used are still there";
+        SdoClients: Compatible, "features that were used are still there";
+    }
+    summary: "the device has a new feature",
+    checks: "Whether LSS, group messaging, boot-up as master or slave, dynamic channels, safety, or the type of a dummy entry is supported by the new description only.",
+    example: "`LSS_Supported=0`, then `LSS_Supported=1`",
+    remedy: "Raise the major part of the revision number, if the device already has users.",
+    source: "CiA 306-1 §4.5, §4.6.2",
+
+    GRANULARITY_COARSER = "change/granularity-coarser" {
+        Configurations: Breaking, "the device refuses a mapping with shorter entries, or any mapping (06040041h)";
+        SdoClients: Compatible, "entries are accessed in the same way";
+    }
+    summary: "short entries can no longer be mapped",
+    checks: "Whether `Granularity` is a larger number of bits, or 0, which means that mappings are fixed.",
+    example: "`Granularity=1`, then `Granularity=8`",
+    remedy: "Keep the granularity.",
+    source: "CiA 306-1 §4.5",
+
+    GRANULARITY_FINER = "change/granularity-finer" {
+        Configurations: Compatible, "mappings that were accepted still are";
+        SdoClients: Compatible, "entries are accessed in the same way";
+    }
+    summary: "shorter entries can be mapped",
+    checks: "Whether `Granularity` is a smaller number of bits, or no longer 0.",
+    example: "`Granularity=8`, then `Granularity=1`",
+    remedy: "Raise the major part of the revision number, if the device already has users.",
+    source: "CiA 306-1 §4.5",
+
+    MODULE_REMOVED = "change/module-removed" {
+        Configurations: Breaking, "a configuration with the module does not fit the coupler";
+        PdoConsumers: Breaking, "the data of the module are gone";
+        SdoClients: Breaking, "the objects of the module are gone";
+    }
+    summary: "a coupler does not support a module any more",
+    checks: "Whether a module of the old description, by its number, is missing in the new one.",
+    example: "`[M3ModuleInfo]` is only in the old description",
+    remedy: "Keep the module, and its number.",
+    source: "CiA 306-1 §6.3",
+
+    MODULE_ADDED = "change/module-added" {
+        Configurations: Compatible, "the modules of existing configurations are still supported";
+        SdoClients: Compatible, "the modules of existing couplers are still supported";
+    }
+    summary: "a coupler supports another module",
+    checks: "Whether the new description has a module, by its number, that the old one does not have.",
+    example: "`[M3ModuleInfo]` is only in the new description",
+    remedy: "Raise the major part of the revision number, if the device already has users.",
+    source: "CiA 306-1 §6.3",
+
+    MODULE_CHANGED = "change/module-changed" {
+        Configurations: Risky, "the objects of the module may have other types or defaults";
+        PdoConsumers: Risky, "the objects of the module may have other types or lengths";
+        SdoClients: Risky, "the objects of the module may have other types or access";
+    }
+    summary: "a module of a coupler changes",
+    checks: "Whether the description of a module, or the list of connected modules, is another one.",
+    example: "`DataType=0x0005` in `[M3SubExt6000]`, then `DataType=0x0006`",
+    remedy: "Plug the modules with `objdict configure` in both descriptions and compare the results.",
+    source: "CiA 306-1 §6.3",
+
+    REVISION_NOT_RAISED = "change/revision-not-raised" {
+        Configurations: Risky, "a manager cannot distinguish the devices by 1018h sub-index 3 (1F87h)";
+        SdoClients: Risky, "tools choose the description by the revision number, and take the old one for the new device";
+    }
+    summary: "the behaviour on the bus changes and the major revision does not",
+    checks: "Whether the upper 16 bits of 1018h sub-index 3 are greater than before, if objects, entries, PDOs or features change.",
+    example: "an entry is removed, and `DefaultValue=0x00010000` of 1018h sub-index 3 stays",
+    remedy: "Raise the upper 16 bits of 1018h sub-index 3 and `RevisionNumber`.",
+    source: "CiA 301 §7.5.2.21",
+
+    REVISION_LOWERED = "change/revision-lowered" {
+        Configurations: Risky, "a manager that accepts newer revisions only does not start the node";
+        SdoClients: Risky, "tools take the new device for an older one";
+    }
+    summary: "the revision number is lower than before",
+    checks: "Whether 1018h sub-index 3 is a lower number than in the old description.",
+    example: "`DefaultValue=0x00020000` of 1018h sub-index 3, then `DefaultValue=0x00010000`",
+    remedy: "Raise the revision number; if the arguments are exchanged, give the old description first.",
+    source: "CiA 301 §7.5.2.21",
+
+    FILE_VERSION_NOT_RAISED = "change/file-version-not-raised" {
+        Configurations: Risky, "tools that keep descriptions by file version keep the old one";
+    }
+    summary: "the description changes and its version does not",
+    checks: "Whether `FileVersion`, or `FileRevision` in the same version, is greater than before, if anything changes. Not checked if a description does not state them.",
+    example: "an entry is added, and `FileVersion=1` and `FileRevision=2` stay",
+    remedy: "Raise `FileRevision`, or `FileVersion`.",
+    source: "CiA 306-1 §4.4",
+
+    MODIFICATION_DATE_NOT_MOVED = "change/modification-date-not-moved" {
+        Configurations: Compatible, "the version of the file decides";
+    }
+    summary: "the description changes and the date of its modification does not",
+    checks: "Whether `ModificationDate` and `ModificationTime` are later than before, if anything changes. Not checked if a description does not state them.",
+    example: "an entry is added, and `ModificationDate=11-21-2026` stays",
+    remedy: "Write the date of the change to `ModificationDate`.",
+    source: "CiA 306-1 §4.4",
+
+    PRODUCT_CODE_NOT_CHANGED = "change/product-code-not-changed" {
+        Configurations: Risky, "a manager cannot distinguish the products by 1018h sub-index 2 (1F86h)";
+        SdoClients: Risky, "tools choose the description by the product code, and take the old one for the new product";
+    }
+    summary: "the device follows another profile and has the same product code",
+    checks: "Whether sub-index 2 of 1018h is another number if the profile, the lower 16 bits of 1000h, is another one.",
+    example: "1000h changes from CiA 401 to CiA 402, and 1018h sub-index 2 stays",
+    remedy: "Give the product another product code.",
+    source: "CiA 301 §7.5.2.1, §7.5.2.21",
+}

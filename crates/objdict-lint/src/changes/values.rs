@@ -1,0 +1,121 @@
+//! Values by their meaning.
+
+use std::cmp::Ordering;
+
+use crate::model::{DataType, Entry, Value};
+
+/// The order of two numbers; `None` if one is no number. A formula is ordered among formulas.
+fn order(a: &Value, b: &Value) -> Option<Ordering> {
+    match (a, b) {
+        (Value::NodeId(a), Value::NodeId(b)) => return Some(a.cmp(b)),
+        (Value::NodeId(_), _) | (_, Value::NodeId(_)) => return None,
+        _ => {}
+    }
+    match (a.as_integer(), b.as_integer()) {
+        (Some(a), Some(b)) => Some(a.cmp(&b)),
+        _ => a.as_real()?.partial_cmp(&b.as_real()?),
+    }
+}
+
+/// Whether two values are the same, with formulas evaluated for a node if it is known.
+pub(super) fn is_same(a: Option<&Value>, b: Option<&Value>, node_id: Option<u8>) -> bool {
+    match (a, b) {
+        (Some(a), Some(b)) => {
+            let number = |value: &Value| value.integer_for(node_id?);
+            a == b
+                || order(a, b) == Some(Ordering::Equal)
+                || matches!((number(a), number(b)), (Some(a), Some(b)) if a == b)
+        }
+        (None, None) => true,
+        _ => false,
+    }
+}
+
+/// A value in short.
+pub(super) fn shown(value: &Value) -> String {
+    match value {
+        Value::Unsigned(number) if *number > 0xFFFF => format!("0x{number:X}"),
+        Value::Text(text) => format!("\"{text}\""),
+        value => value.to_string(),
+    }
+}
+
+/// What an entry may be: from a lowest to a highest value.
+pub(super) struct Range<'a> {
+    low: Limit<'a>,
+    high: Limit<'a>,
+}
+
+/// One end of a range.
+enum Limit<'a> {
+    Stated(&'a Value),
+    /// That of the data type.
+    Implied(i128),
+    /// None is known.
+    Open,
+}
+
+impl Limit<'_> {
+    fn order(&self, other: &Self) -> Option<Ordering> {
+        let number = |limit: &Self| match limit {
+            Self::Stated(value) => value.as_integer(),
+            Self::Implied(number) => Some(*number),
+            Self::Open => None,
+        };
+        match (self, other) {
+            (Self::Open, Self::Open) => Some(Ordering::Equal),
+            (Self::Stated(a), Self::Stated(b)) => order(a, b),
+            _ => Some(number(self)?.cmp(&number(other)?)),
+        }
+    }
+
+    fn shown(&self) -> Option<String> {
+        match self {
+            Self::Stated(value) => Some(shown(value)),
+            _ => None,
+        }
+    }
+}
+
+impl<'a> Range<'a> {
+    pub(super) fn of(entry: &'a Entry) -> Self {
+        let implied = entry.data_type.and_then(DataType::integer_range);
+        let limit = |stated: Option<&'a Value>, implied: Option<i128>| match (stated, implied) {
+            (Some(value), _) => Limit::Stated(value),
+            (None, Some(number)) => Limit::Implied(number),
+            (None, None) => Limit::Open,
+        };
+        Self {
+            low: limit(entry.low_limit.as_ref(), implied.map(|(low, _)| low)),
+            high: limit(entry.high_limit.as_ref(), implied.map(|(_, high)| high)),
+        }
+    }
+
+    /// Equal if it allows the same as another one, less if it lacks a value of the other, else greater.
+    pub(super) fn against(&self, old: &Self) -> Ordering {
+        let narrower = |end: Option<Ordering>, inwards: Ordering, is_open: bool| match end {
+            Some(Ordering::Equal) => Ordering::Equal,
+            Some(end) if end == inwards => Ordering::Less,
+            Some(_) => Ordering::Greater,
+            // an end that cannot be compared may exclude anything, unless it is gone
+            None if is_open => Ordering::Greater,
+            None => Ordering::Less,
+        };
+        let low = narrower(self.low.order(&old.low), Ordering::Greater, matches!(self.low, Limit::Open));
+        let high = narrower(self.high.order(&old.high), Ordering::Less, matches!(self.high, Limit::Open));
+        match (low, high) {
+            (Ordering::Less, _) | (_, Ordering::Less) => Ordering::Less,
+            (Ordering::Equal, end) | (end, _) => end,
+        }
+    }
+
+    /// The stated limits; `None` without any.
+    pub(super) fn shown(&self) -> Option<String> {
+        match (self.low.shown(), self.high.shown()) {
+            (Some(low), Some(high)) => Some(format!("{low} to {high}")),
+            (Some(low), None) => Some(format!("from {low}")),
+            (None, Some(high)) => Some(format!("up to {high}")),
+            (None, None) => None,
+        }
+    }
+}

@@ -1,0 +1,164 @@
+//! `objdict diff`: what changes between two descriptions.
+
+mod against;
+mod choice;
+mod html;
+mod identifiers;
+mod json;
+mod markdown;
+mod text;
+
+use std::path::Path;
+
+pub(super) use self::choice::Choice;
+#[cfg(feature = "schema")]
+pub(super) use self::json::Document as ChangesDocument;
+use super::args::{DeniedVerdict, DiffArgs, DiffFormat};
+use super::input::{Input, InputArgs, name_of, source_name};
+use super::outcome::{Failure, Outcome};
+use super::output::Output;
+use crate::diagnostic::Findings;
+use crate::format::Description;
+use crate::lint::changes::{ChangeVerdict, DeviceChange, compare};
+use crate::model::{Device, Place};
+use crate::report::{Github, Report, Subject};
+use crate::source::LineColumn;
+
+/// One of the descriptions.
+struct Side {
+    /// The file as it was given.
+    file: String,
+    /// What it was read as.
+    format: &'static str,
+    input: Input,
+}
+
+/// Both descriptions and what changes between them.
+struct Comparison {
+    old: Side,
+    new: Side,
+    changes: Vec<DeviceChange>,
+}
+
+pub(super) fn run(args: &DiffArgs, out: &mut Output) -> Result<Outcome, Failure> {
+    let (old, new) = (side(&args.old, &args.input)?, side(&args.new, &args.input)?);
+    let devices = [old.device()?, new.device()?];
+    let mut changes = compare(devices[0], devices[1]);
+    identifiers::add(&mut changes, devices[0], devices[1]);
+    changes.extend(against::refused(args, devices)?);
+    let is_one_of =
+        |choices: &[Choice], change: &DeviceChange| choices.iter().any(|choice| choice.has(change, devices));
+    changes.retain(|change| args.select.is_empty() || is_one_of(&args.select, change));
+    changes.retain(|change| !is_one_of(&args.ignore, change));
+    let comparison = Comparison { old, new, changes };
+    match args.format {
+        DiffFormat::Text => text::write(&comparison, out)?,
+        DiffFormat::Json => json::write(&comparison, out)?,
+        DiffFormat::Markdown => markdown::write(&comparison, out)?,
+        DiffFormat::Html => {
+            html::write(&comparison, [comparison.old.device()?, comparison.new.device()?], out)?;
+        }
+        DiffFormat::Github => github(&comparison, out)?,
+    }
+    let denied = match args.deny {
+        Some(DeniedVerdict::Compatible) => ChangeVerdict::Compatible,
+        Some(DeniedVerdict::Risky) => ChangeVerdict::Risky,
+        Some(DeniedVerdict::Breaking) | None => ChangeVerdict::Breaking,
+    };
+    let is_denied = comparison.changes.iter().any(|change| change.verdict() >= denied);
+    Ok(if is_denied { Outcome::Findings } else { Outcome::Clean })
+}
+
+/// Reads a description.
+fn side(path: &Path, input: &InputArgs) -> Result<Side, Failure> {
+    let (kind, read) = input.read_one(path)?;
+    let side = Side { file: source_name(path), format: kind.name(), input: read };
+    side.device().map(|_| ())?;
+    Ok(side)
+}
+
+impl Side {
+    fn device(&self) -> Result<&Device, Failure> {
+        match &self.input {
+            Input::Description(description) => Ok(description.device()),
+            Input::Device(device) => Ok(device),
+            Input::Concise(_) | Input::NodeList(_) => {
+                let message = format!("`{}` is read as {} and describes no device", self.name(), self.format);
+                let help = "`objdict dcf diff` compares concise DCF, `objdict network diff` networks";
+                Err(Failure::new(message).help(help))
+            }
+        }
+    }
+
+    /// The file as it is printed.
+    fn name(&self) -> String {
+        name_of(Path::new(&self.file))
+    }
+
+    fn description(&self) -> Option<&Description> {
+        match &self.input {
+            Input::Description(description) => Some(description),
+            _ => None,
+        }
+    }
+
+    /// Line and column of a place: of its field, or if the text does not state that, of its part.
+    fn locate(&self, place: &Place) -> Option<LineColumn> {
+        let description = self.description()?;
+        let part = || description.locate(&Place::of(place.part.clone()));
+        let span = description.locate(place).or_else(part)?;
+        Some(description.source().line_column(span.start))
+    }
+}
+
+impl Comparison {
+    /// The number of changes of a verdict.
+    fn count(&self, verdict: ChangeVerdict) -> usize {
+        self.changes.iter().filter(|change| change.verdict() == verdict).count()
+    }
+
+    /// The worst verdict.
+    fn verdict(&self) -> Option<ChangeVerdict> {
+        self.changes.iter().map(DeviceChange::verdict).max()
+    }
+
+    /// The number of changes by verdict, in words.
+    fn summary(&self) -> String {
+        if self.changes.is_empty() {
+            return "no changes".to_owned();
+        }
+        let counts = ChangeVerdict::ALL.into_iter().rev().map(|verdict| (self.count(verdict), verdict));
+        let counts = counts.filter(|(count, _)| *count > 0);
+        let counts: Vec<String> = counts.map(|(count, verdict)| format!("{count} {verdict}")).collect();
+        let total = crate::diagnostic::counted(self.changes.len(), "change", "changes");
+        format!("{total}: {}", counts.join(", "))
+    }
+}
+
+/// The address of a change: `6040h:00`, `TPDO` parameters as objects; empty for the device as a whole.
+fn address(change: &DeviceChange) -> String {
+    match (change.index, change.sub) {
+        (Some(index), Some(sub)) => format!("{index:04X}h:{sub:02X}"),
+        (Some(index), None) => format!("{index:04X}h"),
+        (None, _) => "device".to_owned(),
+    }
+}
+
+/// What was removed is annotated in the old file, all else in the new one.
+fn github(comparison: &Comparison, out: &mut Output) -> Result<(), Failure> {
+    let Comparison { old, new, changes } = comparison;
+    let (here, gone): (Vec<&DeviceChange>, Vec<&DeviceChange>) =
+        changes.iter().partition(|change| change.new_place.is_some());
+    let mut raw = out.raw()?;
+    let mut report = Github::new(&mut raw).base(Path::new("."));
+    for (side, changes) in [(old, gone), (new, here)] {
+        let mut findings = Findings::new();
+        changes.into_iter().for_each(|change| findings.push(change.finding()));
+        match side.description() {
+            Some(description) => report.file(Subject::Description(description), &findings)?,
+            None => findings.iter().try_for_each(|finding| report.unread(&finding.message.shown()))?,
+        }
+    }
+    report.finish()?;
+    Ok(())
+}
