@@ -20,6 +20,7 @@ use objdict_node::ObjectName;
 
 pub(super) use self::configure::{ConfigureArgs, ModulesArgs, ModulesFormat};
 pub(super) use self::convert::ConvertArgs;
+pub(super) use self::dcf::indexes;
 pub(super) use self::dcf::{
     BlobFormat, DcfArgs, DcfCommand, DcfDiffArgs, NamingArgs, PackArgs, PackOrder, UnpackArgs, VerdictFormat,
     VerifyArgs,

@@ -87,7 +87,7 @@ pub(in crate::cli) enum PackOrder {
 }
 
 /// An index, or a range of them: `1400-1BFF`.
-fn indexes(text: &str) -> Result<RangeInclusive<u16>, String> {
+pub(in crate::cli) fn indexes(text: &str) -> Result<RangeInclusive<u16>, String> {
     let index = |text: &str| {
         let digits = text.trim().trim_start_matches("0x");
         u16::from_str_radix(digits, 16).map_err(|_| format!("`{text}` is not an index, such as `1800`"))

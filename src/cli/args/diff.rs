@@ -19,7 +19,7 @@ pub(in crate::cli) struct DiffArgs {
     #[arg(long, value_enum, default_value = "text")]
     pub format: DiffFormat,
     /// Report only these changes: a rule such as entry-renamed, a verdict such as breaking, an audience such as sdo-clients, or
-    /// objects as in `show`; repeatable, or separated by commas
+    /// objects as in `show` or 2000-2FFF; repeatable, or separated by commas
     #[arg(long, value_name = "WHAT", value_delimiter = ',')]
     pub select: Vec<Choice>,
     /// Do not report these changes; repeatable, or separated by commas
@@ -28,7 +28,8 @@ pub(in crate::cli) struct DiffArgs {
     /// Lowest verdict that fails the run: compatible, risky or breaking [default: breaking]
     #[arg(long, value_enum, value_name = "VERDICT", hide_possible_values = true)]
     pub deny: Option<DeniedVerdict>,
-    /// Also report which downloads of this stored configuration the new device refuses: a concise DCF, DCF or XDC
+    /// Also report which downloads of this stored configuration the new device refuses: a concise DCF, DCF or XDC, or a network with
+    /// nodes that are the old device
     #[arg(long, value_name = "FILE")]
     pub against: Option<PathBuf>,
     /// Evaluate formulas of the stored configuration for this node-ID [default: from the DCF]

@@ -1,9 +1,11 @@
 //! Which changes are reported.
 
+use std::ops::RangeInclusive;
 use std::str::FromStr;
 
 use objdict_node::{ObjectName, resolve};
 
+use crate::cli::args::indexes;
 use crate::diagnostic::{Selection, listing};
 use crate::lint::changes::{Audience, CHANGE, ChangeVerdict, DeviceChange};
 use crate::model::{Address, Device};
@@ -16,6 +18,7 @@ pub(in crate::cli) enum Choice {
     Verdict(ChangeVerdict),
     Audience(Audience),
     Objects(String),
+    Indexes(RangeInclusive<u16>),
 }
 
 impl FromStr for Choice {
@@ -32,6 +35,9 @@ impl FromStr for Choice {
         let full = if lower.contains('/') { lower.clone() } else { format!("{CHANGE}/{lower}") };
         if let Some(rule) = registry::rule(&full).filter(|rule| rule.group() == CHANGE) {
             return Ok(Self::Rules(Selection::Rule(rule)));
+        }
+        if let Ok(indexes) = indexes(text) {
+            return Ok(Self::Indexes(indexes));
         }
         let is_name = !lower.contains('/') && text.parse::<ObjectName>().is_ok();
         if is_name { Ok(Self::Objects(text.to_owned())) } else { Err(unknown(text)) }
@@ -51,6 +57,7 @@ impl Choice {
             Self::Rules(rules) => rules.contains(&change.rule.info),
             Self::Verdict(verdict) => change.verdict() == *verdict,
             Self::Audience(audience) => change.effects().any(|effect| effect.audience == *audience),
+            Self::Indexes(indexes) => change.index.is_some_and(|index| indexes.contains(&index)),
             Self::Objects(name) => {
                 devices.into_iter().flat_map(|device| resolve(device, name)).any(|address| {
                     let Address { index, sub } = address;

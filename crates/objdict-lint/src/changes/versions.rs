@@ -98,7 +98,10 @@ impl Comparison<'_> {
             let time = time.map(|time| format!(" {}", time.to_iso(false)));
             format!("{}{}", date.to_iso(), time.unwrap_or_default())
         };
-        let message = say!("the date of modification is {}, and was {}", shown(new), shown(old));
+        let message = match new == old {
+            true => say!("the date of modification stays {}", shown(new)),
+            false => say!("the date of modification is {}, and was {}", shown(new), shown(old)),
+        };
         let values = [Some(shown(old)), Some(shown(new))];
         self.report(&rules::MODIFICATION_DATE_NOT_MOVED, &spot, values, message);
     }
