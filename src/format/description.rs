@@ -310,6 +310,7 @@ impl Description {
     pub fn span_of(&self, at: &At) -> Span {
         match at {
             At::Span(span) => *span,
+            At::Patch(..) => Span::default(),
             At::Place(place) | At::Node(_, place) => self.locate(place).unwrap_or_default(),
         }
     }
@@ -319,6 +320,7 @@ impl Description {
     pub fn place_of<'a>(&self, at: &'a At) -> Option<Cow<'a, Place>> {
         let span = match at {
             At::Place(place) | At::Node(_, place) => return Some(Cow::Borrowed(place)),
+            At::Patch(..) => return None,
             At::Span(span) => span,
         };
         let place = match &self.text {

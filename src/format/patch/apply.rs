@@ -7,7 +7,7 @@ use hmac_sha256::Hash;
 use super::rules::{EXPECT_NOT_MET, INVALID_CHANGE, NO_EFFECT, OTHER_FILE};
 use super::{Patch, What, Worded, Words, selected};
 use crate::compare::{self, Datum, DatumChange};
-use crate::diagnostic::{Diagnostic, Findings, Severity, Text, say};
+use crate::diagnostic::{At, Diagnostic, Findings, Severity, Text, say};
 use crate::format::Description;
 use crate::format::keyed::fields::{entry, get, set};
 use crate::format::keyed::tree::{Kind, Tree};
@@ -33,6 +33,29 @@ impl Patched {
     /// Whether a patch could not be made.
     pub fn has_errors(&self) -> bool {
         self.findings.iter().any(|findings| findings.worst() == Some(Severity::Error))
+    }
+
+    /// The patches, each with what was found when it was made.
+    pub fn by_patch(&self) -> impl Iterator<Item = (&Patch, &Findings)> {
+        self.patches.iter().map(|patch| &**patch).zip(&self.findings)
+    }
+
+    /// The problems, a line each: the patch with line and column, the severity, the rule and the message.
+    pub fn lines(&self) -> Vec<String> {
+        let mut lines = Vec::new();
+        for (patch, findings) in self.by_patch() {
+            for finding in findings {
+                let span = match finding.labels.first().map(|label| &label.at) {
+                    Some(At::Span(span)) => *span,
+                    _ => Span::default(),
+                };
+                let start = patch.source().line_column(span.start);
+                let name = patch.source().name();
+                let (severity, rule, message) = (finding.severity, finding.rule.id, &finding.message);
+                lines.push(format!("{name}:{}:{}: {severity} {rule}: {message}", start.line, start.column));
+            }
+        }
+        lines
     }
 
     /// The patch and the place in it that changed a place of the model.

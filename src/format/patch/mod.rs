@@ -13,6 +13,7 @@ pub mod schema;
 
 use std::path::Path;
 use std::sync::Arc;
+use std::sync::atomic::{AtomicBool, Ordering};
 
 pub use self::apply::{Patched, apply};
 pub(super) use self::edit::edited;
@@ -36,6 +37,8 @@ pub struct Patch {
     selector: Selector,
     changes: Vec<Change>,
     findings: Findings,
+    /// Whether it was for a description.
+    is_used: AtomicBool,
 }
 
 /// Which files a patch is for; what is not stated selects all.
@@ -114,6 +117,11 @@ impl Patch {
         &self.source
     }
 
+    /// Whether it was [for](Self::selects) a description so far.
+    pub fn is_used(&self) -> bool {
+        self.is_used.load(Ordering::Relaxed)
+    }
+
     /// Mistakes in the patch itself.
     pub fn findings(&self) -> &Findings {
         &self.findings
@@ -153,7 +161,9 @@ impl Patch {
 
 /// Those of some patches that are for a device.
 pub fn selected(patches: &[Arc<Patch>], device: &Device) -> Vec<Arc<Patch>> {
-    patches.iter().filter(|patch| patch.selects(device)).cloned().collect()
+    let selected: Vec<Arc<Patch>> = patches.iter().filter(|patch| patch.selects(device)).cloned().collect();
+    selected.iter().for_each(|patch| patch.is_used.store(true, Ordering::Relaxed));
+    selected
 }
 
 /// What is wrong with an address.

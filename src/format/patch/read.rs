@@ -1,5 +1,7 @@
 //! A patch from its text.
 
+use std::sync::atomic::AtomicBool;
+
 use super::keys::{CHANGE, PATCH, RAW};
 use super::rules::INVALID_CHANGE;
 use super::{Change, Patch, Selector, What, Worded, Words, no_part};
@@ -19,6 +21,7 @@ pub(super) fn read(source: SourceFile) -> Patch {
         selector: Selector::default(),
         changes: Vec::new(),
         findings: Findings::new(),
+        is_used: AtomicBool::new(false),
         source,
     };
     if let Some(tree) = toml::read(patch.source.text(), &mut findings)

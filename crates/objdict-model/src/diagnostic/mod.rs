@@ -51,6 +51,8 @@ pub enum At {
     Place(Place),
     /// An address in the description of a node of a network, by the position of the node; for related places.
     Node(usize, Place),
+    /// Bytes of a patch, by the position of the patch among those that were made in the description; for related places.
+    Patch(usize, Span),
 }
 
 impl From<Span> for At {
