@@ -305,7 +305,8 @@ impl<'a> Reporter<'a> {
             Checked::Description(examined) => {
                 let Examined { description, findings, deny, amended, unwritten, key, .. } = *examined;
                 // reports list each device and count what comments suppress, so that such files are checked again
-                let is_clean = |found: &Findings| found.is_empty() && found.suppressed() == 0;
+                let is_patched = description.patched().is_some_and(|patched| !patched.lines().is_empty());
+                let is_clean = |found: &Findings| found.is_empty() && found.suppressed() == 0 && !is_patched;
                 self.clean.extend(key.filter(|_| matches!(&findings[..], [only] if is_clean(only))));
                 if let Some(failure) = unwritten {
                     self.fail(&failure)?;

@@ -47,7 +47,10 @@ fn page(description: &Description, options: &Options) -> String {
     let mut problems: Vec<(Option<Effect>, &Diagnostic)> =
         findings.iter().map(|finding| (worst(description, finding), finding)).collect();
     let rank = |effect: Option<Effect>| effect.map_or(0, |effect| u8::from(effect == Effect::Refused) + 1);
-    problems.sort_by_key(|(effect, finding)| std::cmp::Reverse((finding.severity, rank(*effect))));
+    // what the standards say comes before what tools do
+    problems.sort_by_key(|(effect, finding)| {
+        std::cmp::Reverse((finding.severity, !is_portability(finding), rank(*effect)))
+    });
     problems.retain(|(effect, finding)| finding.severity >= Severity::Warning || effect.is_some());
     let mut text = head(description, &findings);
     for (number, (_, finding)) in (1..).zip(problems.iter().take(MAX_PROBLEMS)) {

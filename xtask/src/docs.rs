@@ -13,7 +13,7 @@ use crate::examples;
 use crate::shares::{self, Shares};
 
 /// What the rules of each group are about.
-const GROUPS: [(&str, &str); 18] = [
+const GROUPS: [(&str, &str); 19] = [
     ("cia301", "communication objects (CiA 301)"),
     ("cia302", "network managers (CiA 302)"),
     ("cia304", "safety-relevant data objects (CiA 304)"),
@@ -30,6 +30,7 @@ const GROUPS: [(&str, &str); 18] = [
     ("network", "networks and their files"),
     ("objdict", "the configuration of objdict"),
     ("objdictgen", "projects of objdictgen"),
+    ("patch", "patches of description files"),
     ("portability", "what other tools reject or misread"),
     ("xml", "well-formed XML"),
 ];

@@ -487,10 +487,13 @@ fn set_group(device: &mut Device, part: &Part, value: Option<&Tree>) -> Result<(
     if let Some(path) = value.map(Tree::spelled) {
         let mut groups = &mut process_mut(device).groups;
         let mut steps = path.split('/').peekable();
+        let mut unique_id = "GROUP".to_owned();
         while let Some(name) = steps.next() {
             let known = groups.iter().position(|group| group.labels.name_in(LANGUAGE) == Some(name));
+            unique_id.push('_');
+            unique_id.extend(name.chars().map(|c| if c.is_ascii_alphanumeric() { c } else { '_' }));
             let at = known.unwrap_or_else(|| {
-                let unique_id = format!("GROUP_{}", groups.len() + 1).into();
+                let unique_id = unique_id.as_str().into();
                 groups.push(ParameterGroup {
                     unique_id,
                     labels: Labels::name(LANGUAGE, name),

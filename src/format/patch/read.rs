@@ -67,9 +67,11 @@ fn selector(section: &Section<'_>, findings: &mut Findings) -> Selector {
 fn change(tree: &Tree, findings: &mut Findings) -> Option<Change> {
     let section = Section::new("change", tree, CHANGE, findings)?;
     let at = section.required("change", "at", findings)?;
+    let is_text = at.text().is_some();
     let at = Said::new(at.spelled(), at.span);
-    let Some(part) = part_of(&at.value) else {
-        let help = "write an index in hex, and a sub-index behind it: `2001`, `2001:3`";
+    // a number of TOML would be read as decimal
+    let Some(part) = part_of(&at.value).filter(|_| is_text) else {
+        let help = "write an index in hex in quotes, and a sub-index behind it: `\"2001\"`, `\"2001:3\"`";
         findings.push(Diagnostic::new(&INVALID_CHANGE, at.at, no_part(&at.value)).help(help));
         return None;
     };
@@ -97,11 +99,8 @@ fn change(tree: &Tree, findings: &mut Findings) -> Option<Change> {
         rename,
         part,
     };
-    let does_something = !words.set.is_empty()
-        || !words.unset.is_empty()
-        || words.add.is_some()
-        || words.is_removed
-        || words.rename.is_some();
+    let is_stated = |key: &str| section.get(key).is_some();
+    let does_something = ["set", "unset", "add", "rename"].into_iter().any(is_stated) || words.is_removed;
     if !does_something {
         let finding = Diagnostic::new(
             &INVALID_CHANGE,
