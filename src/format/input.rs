@@ -1,14 +1,17 @@
 //! Any file that commands and build scripts read: what it is, and what is in it.
 
+mod tags;
+
 use std::error::Error;
 use std::num::NonZeroUsize;
 use std::path::Path;
 
+use self::tags::{containers, start_tags};
 use super::identify::{ContentKind, Identification, identify_source};
 #[cfg(feature = "json")]
 use super::json::{self, DocumentKind};
 #[cfg(feature = "patch")]
-use super::patch::{Patch, Patched};
+use super::patch::{Patch, refuse};
 use super::{Description, Format, Syntax};
 #[cfg(feature = "node")]
 use super::{concise, nodelist};
@@ -364,7 +367,7 @@ impl Reading {
         self.limited(name, &input)?;
         #[cfg(feature = "patch")]
         if let Input::Description(description) = &input {
-            refuse_unpatched(description)?;
+            refuse(description)?;
         }
         Ok((kind, input))
     }
@@ -480,7 +483,7 @@ impl Reading {
         let selected =
             selected.ok_or_else(|| ReadError::NoSuchDevice { name: name.to_owned(), number, count })?;
         #[cfg(feature = "patch")]
-        refuse_unpatched(&selected)?;
+        refuse(&selected)?;
         Ok(selected)
     }
 
@@ -528,39 +531,6 @@ impl Reading {
         }
         Ok((kind, source))
     }
-}
-
-/// Refuses a description that a patch is for and does not fit.
-#[cfg(feature = "patch")]
-fn refuse_unpatched(description: &Description) -> Result<(), ReadError> {
-    let errors: Vec<String> =
-        description.patched().filter(|patched| patched.has_errors()).map(Patched::lines).unwrap_or_default();
-    match errors.is_empty() {
-        true => Ok(()),
-        false => Err(ReadError::NotPatched {
-            name: description.source().name().to_owned(),
-            problems: errors.join("\n"),
-        }),
-    }
-}
-
-/// How many tags start an element.
-fn start_tags(text: &str) -> usize {
-    let bytes = text.as_bytes();
-    let starts = |&at: &usize| bytes.get(at + 1).is_some_and(|next| !matches!(next, b'/' | b'!' | b'?'));
-    memchr::memchr_iter(b'<', bytes).filter(starts).count()
-}
-
-/// How many tags start the description of a device.
-fn containers(text: &str) -> usize {
-    const NAME: &str = "ISO15745ProfileContainer";
-    const MAX_PREFIX: usize = 64;
-    let starts = |&at: &usize| {
-        let before = &text.as_bytes()[at.saturating_sub(MAX_PREFIX)..at];
-        let tag = before.iter().rposition(|byte| matches!(byte, b'<' | b'/' | b'>' | b' ' | b'\n'));
-        tag.is_some_and(|tag| before[tag] == b'<')
-    };
-    memchr::memmem::find_iter(text.as_bytes(), NAME).filter(starts).count()
 }
 
 /// What kind of file a source is.

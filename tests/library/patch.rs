@@ -167,7 +167,6 @@ fn revisions_of_vendors_become_each_other() {
         }
     }
     assert!(pairs >= 15, "{pairs} pairs");
-    println!("{pairs} pairs");
 }
 
 /// The page has each key with its meaning: those of the schema, which is made of the tables that patches are read by.

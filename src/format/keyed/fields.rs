@@ -124,7 +124,7 @@ pub(in crate::format) fn set(
     match word {
         "name" => entry.name = boxed().unwrap_or_default(),
         "object-type" => {
-            entry.object_type = parsed(&text, object_type).ok_or_else(|| is("an object type"))?
+            entry.object_type = parsed(&text, object_type).ok_or_else(|| is("an object type"))?;
         }
         "type" => {
             entry.data_type = parsed(&text, data_type).ok_or_else(|| is("a data type"))?;
@@ -261,7 +261,7 @@ fn value_of(tree: &Tree, data_type: Option<DataType>) -> Result<Value, Text> {
     };
     let no_type = || say!("a value needs a data type: set `type` too");
     let data_type = data_type.ok_or_else(no_type)?;
-    // an empty text is no value in an EDS
+    // an EDS has empty strings in quotes
     let text = if text.is_empty() { "\"\"".to_owned() } else { text };
     let value = literal::value(&text, Some(data_type), &mut Quirks::default());
     value.map_err(|_| say!("`{}` is not a valid `{}`", text, data_type_word(data_type)))

@@ -8,10 +8,10 @@ use super::rules::{EXPECT_NOT_MET, INVALID_CHANGE, NO_EFFECT, OTHER_FILE};
 use super::{Patch, What, Worded, Words, selected};
 use crate::compare::{self, Datum, DatumChange};
 use crate::diagnostic::{At, Diagnostic, Findings, Severity, Text, say};
-use crate::format::Description;
 use crate::format::keyed::fields::{entry, get, set};
 use crate::format::keyed::tree::{Kind, Tree};
 use crate::format::keyed::words::CIA306;
+use crate::format::{Description, ReadError};
 use crate::model::{Address, Device, Entry, Field, Object, ObjectList, Part, Place};
 use crate::source::{Said, Span};
 
@@ -144,6 +144,17 @@ fn refusal(device: &Device, refused: DatumChange) -> Problem {
             "`{}` is not what the patch expects, or cannot become what it sets",
             path
         )),
+    }
+}
+
+/// Refuses a description that a patch is for and does not fit.
+pub(in crate::format) fn refuse(description: &Description) -> Result<(), ReadError> {
+    match description.patched().filter(|patched| patched.has_errors()) {
+        None => Ok(()),
+        Some(patched) => Err(ReadError::NotPatched {
+            name: description.source().name().to_owned(),
+            problems: patched.lines().join("\n"),
+        }),
     }
 }
 

@@ -63,7 +63,7 @@ fn with_edits(original: &Description, wanted: &Device) -> Option<Description> {
 /// The differences of two devices as changes in the words of CiA 306: of the texts that an EDS would have of both.
 fn changes(original: &Description, wanted: &Device) -> Vec<Change> {
     let device = original.device();
-    let [before, after] = [device, wanted].map(|device| eds::stated(device));
+    let [before, after] = [device, wanted].map(eds::stated);
     let mut before: BTreeMap<Part, Vec<(Field, String)>> = before.into_iter().collect();
     let mut changes = Vec::new();
     for (part, fields) in after {

@@ -147,7 +147,7 @@ impl Maker<'_> {
         false
     }
 
-    /// Whether no value of the entry became invalid by a new type.
+    /// Whether all values of the entry are valid for a new type.
     fn is_sound(&self, part: &Part, word: &str) -> bool {
         let entry = crate::format::keyed::fields::entry(&self.work, part);
         word != "type" || entry.is_none_or(|entry| entry.invalid_values.is_empty())

@@ -15,6 +15,7 @@ use std::path::Path;
 use std::sync::Arc;
 use std::sync::atomic::{AtomicBool, Ordering};
 
+pub(super) use self::apply::refuse;
 pub use self::apply::{Patched, apply};
 pub(super) use self::edit::edited;
 pub use self::make::make;
@@ -166,7 +167,7 @@ pub fn selected(patches: &[Arc<Patch>], device: &Device) -> Vec<Arc<Patch>> {
     selected
 }
 
-/// What is wrong with an address.
+/// The problem of an address.
 fn no_part(text: &str) -> Text {
     crate::diagnostic::say!("`{}` is not an object, an entry, `file`, `device` or `commissioning`", text)
 }
