@@ -38,8 +38,11 @@ fn pages() {
             "nodelist",
             "foreign",
             "profiles",
+            "patches",
+            "errata",
             "concise",
             "network",
+            "rules/patch/expect-not-met",
             "rules/network/link-mismatch",
             "rules/network/link-type",
         ] {

@@ -7,6 +7,7 @@ use super::Words;
 use super::apply::make_words;
 use super::keys::FORMAT;
 use crate::compare::differences;
+use crate::diagnostic::{printable, visible};
 use crate::format::keyed::fields::{get, set};
 use crate::format::keyed::tree::{Kind, Tree};
 use crate::format::keyed::words::{ENTRY, FACTS, facts_of};
@@ -223,12 +224,21 @@ fn toml(kind: &Kind) -> String {
     }
 }
 
-/// A text in quotes; the escapes of JSON are those of TOML.
+/// A text in quotes; the escapes of JSON are those of TOML. What steers a terminal or a CI service is escaped too.
 fn quoted(text: &str) -> String {
-    serde_json::to_string(text).unwrap_or_default().replace('\u{7F}', "\\u007F")
+    let mut quoted = String::new();
+    for character in serde_json::to_string(text).unwrap_or_default().chars() {
+        match character {
+            '#' if quoted.ends_with('#') => quoted.push_str("\\u0023"),
+            _ if visible(character) == character => quoted.push(character),
+            _ => quoted.push_str(&format!("\\u{:04X}", u32::from(character))),
+        }
+    }
+    quoted
 }
 
 /// A text with quotes in it, without escapes where that is possible.
 fn literal(text: &str) -> String {
-    if text.contains('\'') || text.contains(char::is_control) { quoted(text) } else { format!("'{text}'") }
+    let is_plain = !text.contains(['\'', '\t']) && printable(text) == text;
+    if is_plain { format!("'{text}'") } else { quoted(text) }
 }
