@@ -187,6 +187,14 @@ impl Builder {
         self
     }
 
+    /// Also applies a patch to the description, if it is for it (docs/patches.md), beside those of `objdict.toml`; may be called several
+    /// times.
+    #[cfg(feature = "patch")]
+    pub fn patch(mut self, path: impl AsRef<Path>) -> Self {
+        self.request.patches.push(path.as_ref().to_owned());
+        self
+    }
+
     /// Also checks against a profile: a CiA number such as `401`, or the path of a custom profile; may be called several times.
     #[cfg(feature = "lint")]
     pub fn profile(mut self, name: impl Into<String>) -> Self {

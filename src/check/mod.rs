@@ -7,6 +7,8 @@ mod suppression;
 use std::collections::BTreeSet;
 
 use crate::compat;
+#[cfg(feature = "patch")]
+use crate::diagnostic::At;
 use crate::diagnostic::{Diagnostic, Findings, Reach};
 #[cfg(feature = "xdd")]
 use crate::format::xdd::wording;
@@ -58,11 +60,29 @@ pub fn check_with(description: &Description, options: &Options) -> Findings {
     let mut findings = options.severities.apply(findings);
     let about_comments = suppression::apply(description, options, &mut findings);
     findings.append(options.severities.apply(about_comments));
+    #[cfg(feature = "patch")]
+    let mut findings = with_causes(description, findings);
     findings.sort_by_key(|finding| {
         let start = finding.labels.first().map_or(0, |label| description.span_of(&label.at).start);
         (start, finding.rule.id)
     });
     findings
+}
+
+/// The findings with the places of patches that changed what they are about.
+#[cfg(feature = "patch")]
+fn with_causes(description: &Description, findings: Findings) -> Findings {
+    let Some(patched) = description.patched() else { return findings };
+    findings.filter_map(|finding| {
+        let cause = finding.labels.iter().find_map(|label| match &label.at {
+            At::Place(place) => patched.cause_of(place),
+            _ => None,
+        });
+        Some(match cause {
+            Some((patch, span)) => finding.label(At::Patch(patch, span), "changed by this patch"),
+            None => finding,
+        })
+    })
 }
 
 /// What a project of objdictgen has no place for, or objdictgen itself decides: bit rates, flags, and which of the objects of

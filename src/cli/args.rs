@@ -10,6 +10,7 @@ mod generate;
 mod network;
 mod new;
 mod output;
+mod patch;
 
 use std::num::NonZeroUsize;
 use std::path::{Path, PathBuf};
@@ -35,6 +36,7 @@ pub(super) use self::network::{
 };
 pub(super) use self::new::NewArgs;
 pub(super) use self::output::{Counting, ReportArgs, ReportFormat, ShowFormat};
+pub(super) use self::patch::{PatchApplyArgs, PatchCheckArgs, PatchCommand, PatchCommandArgs, PatchMakeArgs};
 use super::baseline::BaselineArgs;
 use super::canonical::DialectArgs;
 use super::fix::FixArgs;
@@ -145,6 +147,11 @@ pub(super) enum Command {
     New(NewArgs),
     /// List device profiles and show their requirements
     Profile(ProfileCommandArgs),
+    /// Correct descriptions that belong to others
+    ///
+    /// A patch is a TOML file with changes by address, each with what the file is expected to say (docs/patches.md). `--patch` of other
+    /// commands applies patches too.
+    Patch(PatchCommandArgs),
     /// Format descriptions
     ///
     /// In EDS and DCF, sections and keys move into the canonical order, with their comments; keys, section names, hex numbers and formulas
@@ -181,6 +188,9 @@ pub(super) struct CheckArgs {
     pub files: Vec<PathBuf>,
     #[command(flatten)]
     pub report: ReportArgs,
+    /// Write the most important problems of each file, their effects on tools and a patch for the vendor to this file, in Markdown
+    #[arg(long, value_name = "FILE", conflicts_with_all = ["fix", "diff", "cache"])]
+    pub vendor_report: Option<PathBuf>,
     /// Number of files to check in parallel [default: number of processors]
     #[arg(long, value_name = "N")]
     pub jobs: Option<NonZeroUsize>,

@@ -14,10 +14,13 @@ use super::output::Output;
 use super::parallel::in_order;
 use super::progress::give_way;
 use super::report;
+use super::save::require_other;
 use super::settings::{Project, Settings};
+use super::vendor::VendorReport;
 use crate::diagnostic::{Findings, Severity, series};
 use crate::format::Description;
 use crate::model::DeviceKind;
+use crate::lint::Options;
 use crate::report::{Report, Subject, grouped, plural};
 use crate::source::{SourceFile, SourceOptions};
 
@@ -27,11 +30,14 @@ pub(super) fn run(args: &CheckArgs, out: &mut Output) -> Result<Outcome, Failure
     let cache = args.cache.as_deref().map(|path| Cache::open(path, args, &settings)).transpose()?;
     let worker = Worker { args, settings: &settings, cache: cache.as_ref() };
     if args.fixing.safety().is_some() {
+        args.input.patch.none_with("`--fix`")?;
         note_outside(&files);
     }
     if args.fixing.diff {
         return show_changes(&worker, &files, &failures, out);
     }
+    args.vendor_report.iter().try_for_each(|path| require_other(path))?;
+    let mut vendor = VendorReport::default();
     let mut reporter = Reporter::new(&args.report, &args.baseline, out)?;
     for failure in failures {
         reporter.fail(&failure)?;
@@ -48,11 +54,15 @@ pub(super) fn run(args: &CheckArgs, out: &mut Output) -> Result<Outcome, Failure
             if checked.is_reported() {
                 give_way();
             }
+            if let (Checked::Description(examined), Some(_)) = (&checked, &args.vendor_report) {
+                vendor.add(&examined.description, &examined.options);
+            }
             reporter.take(checked)
         },
     )?;
     let clean = std::mem::take(&mut reporter.clean);
     let outcome = reporter.finish(Some(&args.fixing))?;
+    args.vendor_report.iter().try_for_each(|path| vendor.write(path))?;
     cache.map_or(Ok(()), |cache| cache.save(clean))?;
     Ok(outcome)
 }
@@ -122,6 +132,8 @@ struct Examined {
     description: Description,
     /// The findings of each device.
     findings: Vec<Findings>,
+    /// What it was checked with.
+    options: Options,
     /// The lowest severity that fails the run.
     deny: Severity,
     /// What is fixed in it.
@@ -167,7 +179,8 @@ impl Worker<'_> {
             };
         }
         let key = known.map(|(key, _)| key);
-        match self.args.input.candidate(&file.path, bytes) {
+        let patches = file.project.as_ref().map(|project| &project.patches[..]).unwrap_or_default();
+        match self.args.input.candidate(&file.path, bytes, patches) {
             Ok(Candidate::Description(description)) => self.fix_devices(file, *description, key),
             Ok(Candidate::Foreign(kind, _)) if !file.is_named => Checked::Skipped(kind),
             Ok(Candidate::Foreign(_, failure)) | Err(failure) => Checked::Failed(failure),
@@ -214,7 +227,15 @@ impl Worker<'_> {
         };
         let findings = description.map_devices(examine);
         let deny = self.settings.deny(project);
-        Checked::Description(Box::new(Examined { description, findings, deny, amended, unwritten, key }))
+        Checked::Description(Box::new(Examined {
+            description,
+            findings,
+            options,
+            deny,
+            amended,
+            unwritten,
+            key,
+        }))
     }
 }
 
@@ -326,14 +347,20 @@ impl<'a> Reporter<'a> {
     fn take(&mut self, checked: Checked) -> Result<(), Failure> {
         match checked {
             Checked::Description(examined) => {
-                let Examined { description, findings, deny, amended, unwritten, key } = *examined;
+                let Examined { description, findings, deny, amended, unwritten, key, .. } = *examined;
                 // reports list each device and count what comments suppress, so that such files are checked again
-                let is_clean = |found: &Findings| found.is_empty() && found.suppressed() == 0;
+                let is_patched = description.patched().is_some_and(|patched| !patched.lines().is_empty());
+                let is_clean = |found: &Findings| found.is_empty() && found.suppressed() == 0 && !is_patched;
                 self.clean.extend(key.filter(|_| matches!(&findings[..], [only] if is_clean(only))));
                 if let Some(failure) = unwritten {
                     self.fail(&failure)?;
                 }
                 amended.iter().for_each(|amended| self.fixing.count(amended));
+                for (patch, findings) in description.patched().iter().flat_map(|patched| patched.by_patch()) {
+                    if !findings.is_empty() {
+                        self.report_on(patch.source().into(), findings.clone(), deny)?;
+                    }
+                }
                 let mut next = Some(description);
                 for (number, findings) in findings.into_iter().enumerate() {
                     let Some(description) = next.and_then(|description| description.select(number)) else {

@@ -275,7 +275,7 @@ impl Causes<'_> {
     fn of(&self, finding: &Diagnostic) -> Option<String> {
         let places = finding.labels.iter().filter_map(|label| match &label.at {
             At::Place(place) => Some(place),
-            At::Span(_) | At::Node(..) => None,
+            At::Span(_) | At::Node(..) | At::Patch(..) => None,
         });
         let node_id = self.node.node_id?;
         let objects: Vec<u16> = places.clone().filter_map(|place| place.part.object()).collect();

@@ -22,6 +22,7 @@ pub(super) fn run(args: &FmtArgs, out: &mut Output) -> Result<Outcome, Failure> 
     let settings = SettingsArgs::from(&args.config);
     let (mut files, failures) = gather(&args.files, &mut Settings::new(&settings)?)?;
     note_outside(&files);
+    args.input.patch.none_with("`fmt`")?;
     files.retain(|file| !file.is_outside);
     failures.iter().for_each(Failure::print);
     let mut done = Done { has_failed: !failures.is_empty(), changed: 0, same: 0 };
@@ -57,7 +58,7 @@ struct Arranged {
 
 /// Puts one file in order; `None` for one of a folder that is not a description.
 fn arrange(args: &FmtArgs, file: &File) -> Result<Option<Arranged>, Failure> {
-    let description = match args.input.candidate(&file.path, args.input.size.bytes(&file.path)?)? {
+    let description = match args.input.candidate(&file.path, args.input.size.bytes(&file.path)?, &[])? {
         Candidate::Description(description) => *description,
         Candidate::Foreign(..) if !file.is_named => return Ok(None),
         Candidate::Foreign(_, failure) => return Err(failure),

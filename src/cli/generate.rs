@@ -75,6 +75,7 @@ pub(super) fn run(args: &GenerateArgs, out: &mut Output) -> Result<Outcome, Fail
 fn supply(args: &GenerateArgs, request: &Request, bytes: Vec<u8>) -> Result<Vec<u8>, Failure> {
     let name = source_name(&args.file);
     let refuse = |help: &str| Failure::new(format_args!("no objects can be added to `{name}`")).help(help);
+    args.input.patch.none_with("`--add-missing`")?;
     if !request.targets.iter().any(|target| target.name() == "canopennode") {
         return Err(refuse("`--add-missing` is for the target `canopennode`"));
     }
@@ -182,6 +183,7 @@ fn request(args: &GenerateArgs) -> Result<Request, Failure> {
     Ok(Request {
         file: args.file.clone(),
         reading: args.input.reading(),
+        patches: Vec::new(),
         check: args.config.check(&args.profiles),
         deny: args.deny.map(Severity::from),
         baseline: args.baseline.clone(),

@@ -4,18 +4,21 @@ use std::borrow::Cow;
 use std::fs::File;
 use std::io;
 use std::path::Path;
+use std::sync::Arc;
 
 use clap::Args;
 
 use super::outcome::Failure;
 use super::outcome::tell;
+use super::patches::PatchArgs;
 use super::save::keep;
 use super::terminal::is_verbose;
 use crate::diagnostic::one_line;
 use crate::format::identify::ContentKind;
 use crate::format::input::{DEFAULT_MAX_ENTRIES, Reading};
 pub(super) use crate::format::input::{FileKind, Input};
-use crate::format::{self, Description, EditError, ReadError, WriteOptions};
+use crate::format::patch::Patch;
+use crate::format::{Description, EditError, ReadError, WriteOptions};
 use crate::model::Device;
 use crate::source::{self, DEFAULT_MAX_SIZE, Encoding, SourceError};
 
@@ -39,6 +42,8 @@ pub(super) struct InputArgs {
     pub entries: EntriesArgs,
     #[command(flatten)]
     pub size: SizeArgs,
+    #[command(flatten)]
+    pub patch: PatchArgs,
 }
 
 // How large a device may become. What only looks at the text of a file does without.
@@ -73,7 +78,8 @@ impl InputArgs {
     pub(super) fn reading(&self) -> Reading {
         let (from, device, encoding) = (self.from, self.device, self.encoding);
         let (max_size, max_entries) = (self.size.max_size, self.entries.max_entries);
-        Reading { from, device, encoding, max_size, max_entries, node_id: None }
+        let patches = self.patch.patches.clone();
+        Reading { from, device, encoding, max_size, max_entries, node_id: None, patches }
     }
 
     /// How much of a text of so many bytes a conversion may lose or embed.
@@ -99,9 +105,16 @@ impl InputArgs {
     }
 
     /// A file with these bytes, which is to be checked.
-    pub(super) fn candidate(&self, path: &Path, bytes: Vec<u8>) -> Result<Candidate, Failure> {
+    pub(super) fn candidate(
+        &self,
+        path: &Path,
+        bytes: Vec<u8>,
+        patches: &[Arc<Patch>],
+    ) -> Result<Candidate, Failure> {
         let name = source_name(path);
-        let (kind, source) = match self.reading().recognised(&name, bytes) {
+        let mut reading = self.reading();
+        reading.patches.extend_from_slice(patches);
+        let (kind, source) = match reading.recognised(&name, bytes) {
             Ok(recognised) => recognised,
             // what is called a description and shows nothing of one is no other file that happens to be there
             Err(ReadError::Foreign { name, found }) if found.kind != ContentKind::Unknown => {
@@ -112,7 +125,7 @@ impl InputArgs {
             Err(error) => return Err(error.into()),
         };
         match kind.format() {
-            Some(format) => Ok(Candidate::Description(Box::new(format::read(source, format)))),
+            Some(format) => Ok(Candidate::Description(Box::new(reading.described(source, format)))),
             None => {
                 let message = format!(
                     "only EDS, DCF, XDD and XDC can be checked, and `{name}` is read as {}",
@@ -201,6 +214,7 @@ impl From<ReadError> for Failure {
         };
         match &error {
             // there may be several mistakes in it
+            ReadError::NotPatched { .. } => Self::of_lines(error.to_string().lines()).maybe_help(help),
             ReadError::Content { name, error } => {
                 let text = format!("cannot read `{}`: {error}", one_line(name));
                 Self::of_lines(text.lines()).maybe_help(help)

@@ -29,6 +29,8 @@ mod outcome;
 mod output;
 mod packaging;
 mod parallel;
+mod patch;
+mod patches;
 mod profile;
 mod profiles;
 mod progress;
@@ -42,6 +44,7 @@ mod sizes;
 mod table;
 mod terminal;
 mod values;
+mod vendor;
 
 use std::io::Write;
 use std::process::ExitCode;
@@ -78,6 +81,7 @@ pub fn run() -> ExitCode {
         Command::Docs(command) => docs::run(command, &mut out),
         Command::New(command) => new::run(command, &mut out),
         Command::Profile(command) => profile::run(&command.command, &mut out),
+        Command::Patch(command) => patch::run(&command.command, &mut out),
         Command::Fmt(command) => fmt::run(command, &mut out),
         Command::Rules(command) => rules::list(command, &mut out),
         Command::Schema(command) => schema::run(command, &mut out),
@@ -87,6 +91,9 @@ pub fn run() -> ExitCode {
         Command::Completions(command) => packaging::completions(command, &mut out),
         Command::Man(command) => packaging::man(command),
     };
+    if !matches!(args.command, Command::Patch(_)) {
+        patches::warn_of_unused();
+    }
     outcome
         .and_then(|outcome| out.finish().map(|()| outcome))
         .unwrap_or_else(|failure| {

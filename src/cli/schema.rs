@@ -17,19 +17,25 @@ struct Schema {
     text: &'static str,
 }
 
+/// The document whose schema is made of the tables that it is read by.
+const PATCH: &str = "patch";
+
 /// Declares the documents: name, type, and a sentence. A new one begins with an empty file in `schemas`.
 macro_rules! documents {
     ($($name:literal $Type:ty: $about:literal,)*) => {
-        const SCHEMAS: &[Schema] = &[$(Schema {
-            name: $name,
-            about: $about,
-            text: include_str!(concat!("../../schemas/", $name, ".json")),
-        }),*];
+        const SCHEMAS: &[Schema] = &[
+            $(Schema {
+                name: $name,
+                about: $about,
+                text: include_str!(concat!("../../schemas/", $name, ".json")),
+            },)*
+            Schema { name: PATCH, about: "A patch, which is read as TOML: `objdict patch make`.", text: include_str!("../../schemas/patch.json") },
+        ];
 
         /// The schemas of all documents by their names, made of the types that write them.
         #[cfg(feature = "schema")]
         pub fn schemas() -> Vec<(&'static str, serde_json::Value)> {
-            vec![$(($name, made::schema_of::<$Type>($name, $about))),*]
+            vec![$(($name, made::schema_of::<$Type>($name, $about)),)* (PATCH, crate::format::patch::schema::patch())]
         }
     };
 }

@@ -207,7 +207,8 @@ impl<'a> Settings<'a> {
         let mut contents = format!("{:?}", self.profiles);
         for (path, project) in &self.projects {
             let text = project.config.source().text();
-            let _ = write!(contents, "{} {text} {:?}", path.display(), project.profiles);
+            let _ =
+                write!(contents, "{} {text} {:?} {:?}", path.display(), project.profiles, project.patches);
         }
         contents
     }

@@ -4,7 +4,7 @@ use std::path::{Path, PathBuf};
 
 use super::path::relative;
 use super::read;
-use super::settings::{Settings, WantedProfile};
+use super::settings::{Settings, WantedFiles, WantedProfile};
 use crate::diagnostic::{Findings, Severity};
 use crate::lint::{Level, Options, Severities};
 use crate::source::{CONFIG_FILE, MAX_TOML_SIZE, SourceError, SourceFile, SourceOptions, absolute};
@@ -82,6 +82,11 @@ impl Config {
     /// [`folder`](Self::folder).
     pub fn profiles(&self) -> &[WantedProfile] {
         &self.settings.profiles
+    }
+
+    /// Patterns of the patches of descriptions (docs/patches.md), relative to [`folder`](Self::folder).
+    pub fn patches(&self) -> &[WantedFiles] {
+        &self.settings.patches
     }
 
     /// The lowest severity that fails a check.

@@ -27,4 +27,4 @@ mod settings;
 pub use self::configuration::Config;
 #[cfg(feature = "generate")]
 pub(crate) use self::project::Project;
-pub use self::settings::WantedProfile;
+pub use self::settings::{WantedFiles, WantedProfile};

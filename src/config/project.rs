@@ -5,6 +5,10 @@ use std::sync::Arc;
 
 use super::configuration::Config;
 use crate::diagnostic::Findings;
+#[cfg(feature = "patch")]
+use crate::diagnostic::say;
+#[cfg(feature = "patch")]
+use crate::format::patch::Patch;
 use crate::profile::{self, OpenError, Profile};
 use crate::registry::own::invalid_setting;
 use crate::source::SourceError;
@@ -14,6 +18,9 @@ use crate::source::SourceError;
 pub(crate) struct Project {
     pub(crate) config: Config,
     pub(crate) profiles: Vec<Arc<Profile>>,
+    /// The patches that it names by patterns.
+    #[cfg(feature = "patch")]
+    pub(crate) patches: Vec<Arc<Patch>>,
     /// Its errors.
     pub(crate) findings: Findings,
     /// Errors in the profiles that it names.
@@ -40,7 +47,16 @@ impl Project {
                 }
             }
         }
-        Ok(Self { config, profiles, findings, failures })
+        #[cfg(feature = "patch")]
+        let patches = patches_of(&config, folder, &mut findings);
+        Ok(Self {
+            config,
+            profiles,
+            #[cfg(feature = "patch")]
+            patches,
+            findings,
+            failures,
+        })
     }
 
     /// Whether files can be checked as it says.
@@ -53,8 +69,39 @@ impl Project {
     pub(crate) fn files(&self) -> impl Iterator<Item = PathBuf> {
         let wanted = self.config.profiles().iter().filter(|wanted| profile::named(&wanted.name).is_none());
         let folder = Path::new(self.config.source().name()).parent().unwrap_or(Path::new(""));
-        wanted.map(|wanted| folder.join(&wanted.name)).filter(|path| path.is_file())
+        let files = wanted.map(|wanted| folder.join(&wanted.name)).filter(|path| path.is_file());
+        #[cfg(feature = "patch")]
+        let files = files.chain(self.patches.iter().map(|patch| PathBuf::from(patch.source().name())));
+        files
     }
+}
+
+/// The patches that a configuration names, sorted for each pattern.
+#[cfg(feature = "patch")]
+fn patches_of(config: &Config, folder: &Path, findings: &mut Findings) -> Vec<Arc<Patch>> {
+    let mut patches = Vec::new();
+    for wanted in config.patches() {
+        let pattern = format!("{}/{}", glob::Pattern::escape(&folder.display().to_string()), wanted.pattern);
+        let pattern = if folder == Path::new("") { wanted.pattern.clone() } else { pattern };
+        let found =
+            glob::glob(&pattern).into_iter().flatten().filter_map(Result::ok).filter(|path| path.is_file());
+        let before = patches.len();
+        for path in found {
+            match Patch::open(&path) {
+                Ok(patch) => patches.push(Arc::new(patch)),
+                Err(error) => findings
+                    .push(invalid_setting(wanted.span, error.to_string()).help("name patches of TOML")),
+            }
+        }
+        if patches.len() == before {
+            let message = say!("`{}` matches no patch", wanted.pattern.as_str());
+            findings.push(
+                invalid_setting(wanted.span, message)
+                    .help("write a pattern relative to the folder of this configuration"),
+            );
+        }
+    }
+    patches
 }
 
 /// A path as it is called from the current folder, where it is in it.

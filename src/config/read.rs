@@ -6,7 +6,7 @@ use toml::Spanned;
 use toml::de::{DeTable, DeValue};
 
 use super::path::PathPattern;
-use super::settings::{Settings, WantedProfile};
+use super::settings::{Settings, WantedFiles, WantedProfile};
 use crate::diagnostic::{At, Diagnostic, Findings, Selection, Severity, Text, Tool, listing, nearest, say};
 use crate::lint::Level;
 use crate::registry;
@@ -14,7 +14,8 @@ use crate::registry::own::{INVALID_TOML, UNKNOWN_SETTING, invalid_setting, unkno
 use crate::source::Span;
 
 /// The settings, in the order of docs/config.md.
-const SETTINGS: [&str; 7] = ["profiles", "node-id", "compat", "deny", "exclude", "rules", "ignore"];
+const SETTINGS: [&str; 8] =
+    ["profiles", "patches", "node-id", "compat", "deny", "exclude", "rules", "ignore"];
 
 type Value<'a> = Spanned<DeValue<'a>>;
 
@@ -72,6 +73,12 @@ impl Reader<'_> {
                 let wanted =
                     profiles.into_iter().map(|(name, span)| WantedProfile { name: name.to_owned(), span });
                 self.settings.profiles = wanted.collect();
+            }
+            "patches" => {
+                let patterns = self.texts("patches", value);
+                let sound = patterns.into_iter().filter(|(text, span)| self.pattern(text, *span).is_some());
+                self.settings.patches =
+                    sound.map(|(text, span)| WantedFiles { pattern: text.to_owned(), span }).collect();
             }
             "node-id" => self.node_id(value),
             "compat" => {

@@ -12,6 +12,7 @@ pub(super) struct Settings {
     pub(super) ignored: Vec<(PathPattern, Vec<Selection>)>,
     pub(super) excluded: Vec<PathPattern>,
     pub(super) profiles: Vec<WantedProfile>,
+    pub(super) patches: Vec<WantedFiles>,
     pub(super) node_id: Option<u8>,
     pub(super) tools: Vec<Tool>,
     pub(super) deny: Option<Severity>,
@@ -23,6 +24,16 @@ pub(super) struct Settings {
 pub struct WantedProfile {
     /// The number of the profile, or the path of a file.
     pub name: String,
+    /// Its place.
+    pub span: Span,
+}
+
+/// Files that a configuration asks for by a pattern.
+#[derive(Clone, Debug, PartialEq, Eq)]
+#[non_exhaustive]
+pub struct WantedFiles {
+    /// The pattern, as of a shell.
+    pub pattern: String,
     /// Its place.
     pub span: Span,
 }

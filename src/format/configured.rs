@@ -45,6 +45,10 @@ impl Description {
         file_name: &str,
         settings: &NodeSettings<'_>,
     ) -> Result<ConfiguredFile, EditError> {
+        #[cfg(feature = "patch")]
+        if let Some(realised) = self.realised()? {
+            return realised.configured(file_name, settings);
+        }
         let mut device = settings.plugged.unwrap_or(self.device()).clone();
         device.assign(settings.assignments);
         if !settings.downloads.is_empty() {
@@ -71,6 +75,10 @@ impl Description {
 
     /// The bytes of this text with the additional objects of `device`; `None` where edits cannot add them.
     pub fn with_objects(&self, device: &Device) -> Option<Vec<u8>> {
+        #[cfg(feature = "patch")]
+        if let Some(realised) = self.realised().ok()? {
+            return realised.with_objects(device);
+        }
         #[cfg(feature = "xdd")]
         if let Some(tree) = self.tree() {
             return super::xdd::with_objects(tree, device)?.ok();

@@ -14,6 +14,8 @@ use super::embedded;
 use super::ini::Document;
 #[cfg(feature = "xdd")]
 use super::objdictgen;
+#[cfg(feature = "patch")]
+use super::patch::Patched;
 use super::{Format, eds, ini};
 #[cfg(feature = "xdd")]
 use super::{xdd, xml::Tree};
@@ -38,6 +40,9 @@ pub struct Description {
     findings: Findings,
     /// The description of the type that this node was made from.
     origin: Option<Box<Self>>,
+    /// The patches that made the device of what the text says.
+    #[cfg(feature = "patch")]
+    patched: Option<Box<Patched>>,
 }
 
 /// The text in the syntax of its format, with what finds places in it; that is made when it is asked for.
@@ -87,11 +92,24 @@ impl Description {
             }
         };
         let (device, mut findings) = restored(device, findings);
-        let read = Self { format, text, number: 0, device, findings: Findings::new(), origin: None };
+        let read = Self::new(format, text, 0, device, Findings::new());
         if read.device_count() == 1 {
             eds::file_name::check(&read.device, read.source().name(), &mut findings);
         }
         Self { findings, ..read }
+    }
+
+    fn new(format: Format, text: Text, number: usize, device: Device, findings: Findings) -> Self {
+        Self {
+            format,
+            text,
+            number,
+            device,
+            findings,
+            origin: None,
+            #[cfg(feature = "patch")]
+            patched: None,
+        }
     }
 
     /// How many devices the file describes. A network of CANopenEditor (`.nxdd`, `.nxdc`) describes several, and this is
@@ -121,14 +139,13 @@ impl Description {
                 let (device, findings) = xdd::read(tree, number, self.format.kind());
                 let (device, findings) = restored(device, findings);
                 let (tree, format) = (Arc::clone(tree), self.format);
-                Some(Self {
-                    format,
-                    text: Text::Xml(tree, OnceLock::new()),
-                    number,
-                    device,
-                    findings,
-                    origin: None,
-                })
+                let read = Self::new(format, Text::Xml(tree, OnceLock::new()), number, device, findings);
+                #[cfg(feature = "patch")]
+                let read = match &self.patched {
+                    Some(patched) => super::patch::apply(read, &patched.given),
+                    None => read,
+                };
+                Some(read)
             }
             _ => None,
         }
@@ -213,6 +230,49 @@ impl Description {
         }
     }
 
+    /// The description with this device in place of that of its text, made by patches.
+    #[cfg(feature = "patch")]
+    pub(super) fn with_patched(self, device: Device, patched: Patched) -> Self {
+        Self { device, patched: Some(Box::new(patched)), ..self }
+    }
+
+    /// The patches that were made in it; `None` where none was for it.
+    #[cfg(feature = "patch")]
+    pub fn patched(&self) -> Option<&Patched> {
+        self.patched.as_deref()
+    }
+
+    /// The description with a text that says what its patches make of it; `None` where none was for it.
+    ///
+    /// # Errors
+    /// When that text cannot be written in the encoding of the file.
+    #[cfg(feature = "patch")]
+    pub fn realised(&self) -> Result<Option<Self>, EditError> {
+        match &self.patched {
+            None => Ok(None),
+            Some(_) => {
+                let original =
+                    self.unpatched().ok_or_else(|| EditError::ReadOnly(self.source().name().to_owned()))?;
+                super::patch::edited(&original, &self.device).map(Some)
+            }
+        }
+    }
+
+    /// What the text says without the patches.
+    #[cfg(feature = "patch")]
+    fn unpatched(&self) -> Option<Self> {
+        let mut options = crate::source::SourceOptions::default();
+        (options.encoding, options.max_size) = (Some(self.source().encoding()), u64::MAX);
+        let source = SourceFile::from_bytes(self.source().name(), self.source().to_bytes(), &options).ok()?;
+        super::read(source, self.format).select(self.number)
+    }
+
+    /// Whether the text says the same as this device.
+    #[cfg(feature = "patch")]
+    pub(super) fn says(&self, device: &Device) -> bool {
+        says_the_same(&self.device, device)
+    }
+
     /// The bytes of the file, put together from what was read: always the bytes as they came.
     pub fn print(&self) -> Vec<u8> {
         match &self.text {
@@ -265,6 +325,7 @@ impl Description {
     pub fn span_of(&self, at: &At) -> Span {
         match at {
             At::Span(span) => *span,
+            At::Patch(..) => Span::default(),
             At::Place(place) | At::Node(_, place) => self.locate(place).unwrap_or_default(),
         }
     }
@@ -274,6 +335,7 @@ impl Description {
     pub fn place_of<'a>(&self, at: &'a At) -> Option<Cow<'a, Place>> {
         let span = match at {
             At::Place(place) | At::Node(_, place) => return Some(Cow::Borrowed(place)),
+            At::Patch(..) => return None,
             At::Span(span) => span,
         };
         let place = match &self.text {
@@ -298,6 +360,10 @@ impl Description {
     /// When an edited text cannot be written in the encoding of the file.
     #[cfg(any(feature = "json", not(feature = "xdd")))]
     pub fn to_node(&self, file_name: &str, node: &Commissioning) -> Result<Vec<u8>, EditError> {
+        #[cfg(feature = "patch")]
+        if let Some(realised) = self.realised()? {
+            return realised.to_node(file_name, node);
+        }
         let last_eds = self.source().name().rsplit(['/', '\\']).next().map(stated_name);
         let last_eds = last_eds.as_deref();
         let last_eds = last_eds.filter(|_| self.device.kind == DeviceKind::Type);
@@ -336,6 +402,10 @@ impl Description {
     /// When an edited text cannot be written in the encoding of the file.
     #[cfg(any(feature = "json", not(feature = "xdd")))]
     pub fn to_type(&self, file_name: &str) -> Result<Vec<u8>, EditError> {
+        #[cfg(feature = "patch")]
+        if let Some(realised) = self.realised()? {
+            return realised.to_type(file_name);
+        }
         match &self.text {
             Text::Ini(document, _) => eds::to_eds(document, file_name),
             #[cfg(feature = "xdd")]
@@ -377,6 +447,10 @@ impl Description {
     /// well-formed or has a document type.
     #[cfg(feature = "json")]
     pub fn arranged(&self) -> Result<Vec<u8>, EditError> {
+        #[cfg(feature = "patch")]
+        if let Some(realised) = self.realised()? {
+            return realised.arranged();
+        }
         let source = self.source();
         if source.is_read_only() {
             return Err(EditError::ReadOnly(source.name().to_owned()));

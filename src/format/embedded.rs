@@ -113,25 +113,36 @@ fn lines(change: &DatumChange) -> Vec<(String, String)> {
 
 /// The edits that put a datum in place of the one at its path in the comment lines of an EDS or DCF, or remove it.
 pub(super) fn edit_lines(edits: &mut Edits<'_>, path: &str, datum: Option<Datum>) {
+    remove_lines(edits, |key| key == path);
+    if let Some(after) = datum {
+        add_lines(edits, &[DatumChange { path: path.to_owned(), before: None, after: Some(after) }]);
+    }
+}
+
+/// The edits that remove the comment lines of an EDS or DCF with data of these paths.
+pub(super) fn remove_lines(edits: &mut Edits<'_>, is_removed: impl Fn(&str) -> bool) {
     let text = edits.source().text();
     let mut start = 0;
     for line in text.split_inclusive('\n') {
         let key = line.trim_start().strip_prefix(';').and_then(|line| line.strip_prefix(EMBEDDED_COMMENT));
         let key = key.and_then(|line| line.split('=').next()).and_then(|key| key.split('#').next());
         let end = start + line.len();
-        if key.is_some_and(|key| key.trim() == path) {
+        if key.is_some_and(|key| is_removed(key.trim())) {
             edits.replace(Span::new(start as u32, end as u32), "");
         }
         start = end;
     }
-    let Some(after) = datum else { return };
-    let change = DatumChange { path: path.to_owned(), before: None, after: Some(after) };
+}
+
+/// The edits that add changes as comment lines at the end of an EDS or DCF.
+pub(super) fn add_lines(edits: &mut Edits<'_>, changes: &[DatumChange]) {
+    let text = edits.source().text();
     let line_end = if text.contains("\r\n") { "\r\n" } else { "\n" };
     let mut added = if text.is_empty() || text.ends_with('\n') { String::new() } else { line_end.to_owned() };
-    for (key, piece) in lines(&change) {
+    for (key, piece) in changes.iter().flat_map(lines) {
         added.push_str(&format!(";{EMBEDDED_COMMENT}{key}={piece}{line_end}"));
     }
-    edits.replace(Span::new(start as u32, start as u32), added);
+    edits.replace(Span::empty(text.len() as u32), added);
 }
 
 /// Takes what was embedded out of a device again. What cannot be understood stays.

@@ -1,12 +1,17 @@
 //! Any file that commands and build scripts read: what it is, and what is in it.
 
+mod tags;
+
 use std::error::Error;
 use std::num::NonZeroUsize;
 use std::path::Path;
 
+use self::tags::{containers, start_tags};
 use super::identify::{ContentKind, Identification, identify_source};
 #[cfg(feature = "json")]
 use super::json::{self, DocumentKind};
+#[cfg(feature = "patch")]
+use super::patch::{Patch, refuse};
 use super::{Description, Format, Syntax};
 #[cfg(feature = "node")]
 use super::{concise, nodelist};
@@ -188,12 +193,24 @@ pub struct Reading {
     pub max_entries: usize,
     /// The node that formulas in the text of a concise DCF are evaluated for.
     pub node_id: Option<u8>,
+    /// Patches, which are made in the descriptions that they are for.
+    #[cfg(feature = "patch")]
+    pub patches: Vec<std::sync::Arc<Patch>>,
 }
 
 impl Default for Reading {
     fn default() -> Self {
         let (max_size, max_entries) = (DEFAULT_MAX_SIZE, DEFAULT_MAX_ENTRIES);
-        Self { from: None, device: None, encoding: None, max_size, max_entries, node_id: None }
+        Self {
+            from: None,
+            device: None,
+            encoding: None,
+            max_size,
+            max_entries,
+            node_id: None,
+            #[cfg(feature = "patch")]
+            patches: Vec::new(),
+        }
     }
 }
 
@@ -279,6 +296,14 @@ pub enum ReadError {
         /// What it was read as.
         kind: FileKind,
     },
+    /// A patch is for it and cannot be made.
+    #[error("cannot apply the patches to `{name}`\n{problems}")]
+    NotPatched {
+        /// The file.
+        name: String,
+        /// The problems: the patch with line and column, the rule and the message, a line each.
+        problems: String,
+    },
     /// It is of a kind that this build of the library does not read.
     #[error("`{name}` is read as {}, for which this build of objdict has no reader", kind.name())]
     NotBuilt {
@@ -300,6 +325,7 @@ impl ReadError {
             Self::Foreign { found, .. } => found.advice().map(str::to_owned),
             Self::SeveralDevices { .. } => Some("choose one by its number, counted from 1".to_owned()),
             Self::NoDevice { .. } => Some("name an EDS or DCF".to_owned()),
+            Self::NotPatched { .. } => Some("`objdict patch check` compares patches with files".to_owned()),
             Self::NotBuilt { kind, .. } => {
                 let feature = kind.feature()?;
                 Some(format!("enable the feature `{feature}` of the crate `objdict`"))
@@ -335,11 +361,23 @@ impl Reading {
             self.limited_parts(name, "sections", count, source.text().len())?;
         }
         let input = match kind.format() {
-            Some(format) => Input::Description(Box::new(super::read(source, format))),
+            Some(format) => Input::Description(Box::new(self.described(source, format))),
             None => self.content(kind, &source)?,
         };
         self.limited(name, &input)?;
+        #[cfg(feature = "patch")]
+        if let Input::Description(description) = &input {
+            refuse(description)?;
+        }
         Ok((kind, input))
+    }
+
+    /// The description of a source, with the patches that are for it.
+    pub(crate) fn described(&self, source: SourceFile, format: Format) -> Description {
+        let description = super::read(source, format);
+        #[cfg(feature = "patch")]
+        let description = super::patch::apply(description, &self.patches);
+        description
     }
 
     /// Refuses a text with too many sections or elements, before they are read: each takes more memory than its text. A
@@ -441,11 +479,12 @@ impl Reading {
         let count = description.device_count();
         let position = self.number(name, count)?;
         let number = NonZeroUsize::MIN.saturating_add(position);
-        description.select(position).ok_or_else(|| ReadError::NoSuchDevice {
-            name: name.to_owned(),
-            number,
-            count,
-        })
+        let selected = description.select(position);
+        let selected =
+            selected.ok_or_else(|| ReadError::NoSuchDevice { name: name.to_owned(), number, count })?;
+        #[cfg(feature = "patch")]
+        refuse(&selected)?;
+        Ok(selected)
     }
 
     /// The position of the device that was asked for, in a file of so many.
@@ -492,25 +531,6 @@ impl Reading {
         }
         Ok((kind, source))
     }
-}
-
-/// How many tags start an element.
-fn start_tags(text: &str) -> usize {
-    let bytes = text.as_bytes();
-    let starts = |&at: &usize| bytes.get(at + 1).is_some_and(|next| !matches!(next, b'/' | b'!' | b'?'));
-    memchr::memchr_iter(b'<', bytes).filter(starts).count()
-}
-
-/// How many tags start the description of a device.
-fn containers(text: &str) -> usize {
-    const NAME: &str = "ISO15745ProfileContainer";
-    const MAX_PREFIX: usize = 64;
-    let starts = |&at: &usize| {
-        let before = &text.as_bytes()[at.saturating_sub(MAX_PREFIX)..at];
-        let tag = before.iter().rposition(|byte| matches!(byte, b'<' | b'/' | b'>' | b' ' | b'\n'));
-        tag.is_some_and(|tag| before[tag] == b'<')
-    };
-    memchr::memmem::find_iter(text.as_bytes(), NAME).filter(starts).count()
 }
 
 /// What kind of file a source is.

@@ -13,7 +13,7 @@ pub mod identify;
 pub mod input;
 #[cfg(feature = "json")]
 pub mod json;
-#[cfg(feature = "network")]
+#[cfg(feature = "patch")]
 mod keyed;
 #[cfg(feature = "network")]
 pub mod network;
@@ -21,6 +21,8 @@ pub mod network;
 pub mod nodelist;
 #[cfg(feature = "xdd")]
 mod objdictgen;
+#[cfg(feature = "patch")]
+pub mod patch;
 #[cfg(all(feature = "json", feature = "xdd"))]
 mod write;
 
@@ -101,7 +103,9 @@ pub(crate) fn rules() -> impl Iterator<Item = &'static RuleInfo> {
     #[cfg(all(feature = "json", feature = "xdd"))]
     let rules = rules.chain(embedded::RULES.iter().copied());
     #[cfg(feature = "network")]
-    let rules = rules.chain(network::rules()).chain(keyed::rules::RULES.iter().copied());
+    let rules = rules.chain(network::rules());
+    #[cfg(feature = "patch")]
+    let rules = rules.chain(keyed::rules::RULES.iter().chain(patch::RULES).copied());
     #[cfg(feature = "xdd")]
     let rules = rules.chain(xml::findings::rules()).chain(xdd::findings::rules());
     #[cfg(feature = "xdd")]

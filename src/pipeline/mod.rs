@@ -37,6 +37,8 @@ use crate::format::Description;
 #[cfg(feature = "json")]
 use crate::format::ReadError;
 use crate::format::input::{Input, Reading};
+#[cfg(feature = "patch")]
+use crate::format::patch::{Patch, Patched};
 use crate::generate::{
     self, Generated, Note, Options, OutputFile, Size, Sizes, Target, files_of, general_notes,
 };
@@ -58,6 +60,9 @@ pub(crate) struct Request {
     pub(crate) file: PathBuf,
     /// How it is read.
     pub(crate) reading: Reading,
+    /// Patches, which are read when the description is.
+    #[cfg(feature = "patch")]
+    pub(crate) patches: Vec<PathBuf>,
     /// The settings of the check.
     pub(crate) check: CheckSettings,
     /// Whether the PDOs are described that `CompactPDO` implies.
@@ -156,7 +161,11 @@ impl Request {
         bytes: Vec<u8>,
         files: &mut Vec<PathBuf>,
     ) -> Result<CheckedDescription, Error> {
-        let described = match self.reading.read_one(name, bytes)? {
+        #[cfg(feature = "patch")]
+        let reading = &self.with_patches(files)?;
+        #[cfg(not(feature = "patch"))]
+        let reading = &self.reading;
+        let described = match reading.read_one(name, bytes)? {
             (_, Input::Description(description)) => Described::Text(description),
             #[cfg(feature = "json")]
             (_, Input::Device(device)) => Described::Model(device),
@@ -165,6 +174,14 @@ impl Request {
         };
         #[cfg(feature = "lint")]
         let (mut options, of_config) = self.configured(files)?;
+        #[cfg(feature = "patch")]
+        let of_config = match &described {
+            Described::Text(description) => {
+                let patched = description.patched().map(Patched::lines).unwrap_or_default();
+                of_config.into_iter().chain(patched).collect()
+            }
+            Described::Model(_) => of_config,
+        };
         #[cfg(not(feature = "lint"))]
         let (mut options, of_config) = (lint::Options::default(), Vec::new());
         options.node_id = self.options.node_id.filter(|id| (1..=127).contains(id)).or(options.node_id);
@@ -179,6 +196,21 @@ impl Request {
             Described::Model(device) => options.severities.apply(lint::check(device, &options)),
         };
         Ok(CheckedDescription { name: name.to_owned(), described, findings, of_config })
+    }
+
+    /// How the description is read, with the patches of arguments and configuration.
+    #[cfg(feature = "patch")]
+    fn with_patches(&self, files: &mut Vec<PathBuf>) -> Result<Reading, Error> {
+        let mut reading = self.reading.clone();
+        for path in &self.patches {
+            files.push(path.clone());
+            let patch = Patch::open(path).map_err(ReadError::from)?;
+            reading.patches.push(Arc::new(patch));
+        }
+        if let Some(project) = self.project(&mut Vec::new())? {
+            reading.patches.extend(project.patches);
+        }
+        Ok(reading)
     }
 
     /// The findings that are not in the baseline.

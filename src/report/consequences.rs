@@ -283,7 +283,7 @@ fn only(mut items: impl Iterator<Item = u16>) -> Option<u16> {
 fn index_of(finding: &Diagnostic) -> Option<u16> {
     match &finding.labels.first()?.at {
         At::Place(place) => place.part.object(),
-        At::Span(_) | At::Node(..) => None,
+        At::Span(_) | At::Node(..) | At::Patch(..) => None,
     }
 }
 

@@ -112,7 +112,7 @@ fn base(subject: Subject<'_>, sections: &Sections, finding: &Diagnostic) -> Fing
     } else if let Some(label) = finding.labels.first() {
         match &label.at {
             At::Place(place) | At::Node(_, place) => at_place(subject, place, &mut hash),
-            At::Span(span) => at_line(subject, sections, *span, &mut hash),
+            At::Span(span) | At::Patch(_, span) => at_line(subject, sections, *span, &mut hash),
         }
         hash.field(label.text.shown().as_bytes());
     }

@@ -55,6 +55,11 @@ impl<'a> Subject<'a> {
             (Self::Network(network) | Self::Node(network, _), At::Node(node, _)) => {
                 network.description(*node).map_or(self, Self::Description)
             }
+            #[cfg(feature = "patch")]
+            (Self::Description(description), At::Patch(number, _)) => {
+                let patch = description.patched().and_then(|patched| patched.patches.get(*number));
+                patch.map_or(self, |patch| Self::Text(patch.source()))
+            }
             #[cfg(feature = "network")]
             (Self::Node(..), _) => self.description().map_or(self, Self::Description),
             _ => self,
@@ -66,7 +71,7 @@ impl<'a> Subject<'a> {
     pub fn span_of(self, at: &At) -> Span {
         match (self.of_label(at), at) {
             (Self::Description(description), at) => description.span_of(at),
-            (_, At::Span(span)) => *span,
+            (_, At::Span(span) | At::Patch(_, span)) => *span,
             _ => Span::default(),
         }
     }

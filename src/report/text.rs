@@ -155,7 +155,7 @@ struct Rendered<'a> {
     help: Option<String>,
     excerpts: &'a Excerpts<'a>,
     labels: Vec<LabeledSpan>,
-    /// The labels in the descriptions of nodes.
+    /// The labels in other files: the descriptions of nodes, patches.
     others: Vec<Excerpted<'a>>,
 }
 
@@ -166,7 +166,7 @@ impl<'a> Rendered<'a> {
         for (position, label) in finding.labels.iter().enumerate() {
             let text = Some(label.text.to_string()).filter(|text| !text.is_empty());
             let span = subject.span_of(&label.at);
-            if let At::Node(..) = label.at {
+            if let At::Node(..) | At::Patch(..) = label.at {
                 let source = subject.of_label(&label.at).source();
                 let new = || (Excerpts::new(source), Vec::new());
                 let (excerpts, labels): &mut Excerpted<'_> = others.entry(source.name()).or_insert_with(new);

@@ -39,10 +39,13 @@ fn pages() {
             "nodelist",
             "foreign",
             "profiles",
+            "patches",
+            "errata",
             "concise",
             "diff",
             "bases",
             "network",
+            "rules/patch/expect-not-met",
             "rules/network/link-mismatch",
             "rules/network/link-type",
         ] {

@@ -66,7 +66,7 @@ fn the_page_names_every_setting_and_every_rule_about_them() {
     let finding = config.findings().iter().next().unwrap();
     let help = finding.help.as_ref().unwrap().shown();
     let settings: Vec<&str> = help.split('`').skip(1).step_by(2).collect();
-    assert_eq!(settings.len(), 7);
+    assert_eq!(settings.len(), 8);
     for setting in settings {
         assert!(page.contains(setting), "{setting}");
     }

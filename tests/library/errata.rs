@@ -167,6 +167,7 @@ fn found(name: &str) -> BTreeSet<String> {
         let place = match &finding.labels[0].at {
             At::Place(place) => place.to_string(),
             At::Span(span) => span.of(description.source().text()).to_owned(),
+            At::Patch(..) => panic!("no patch is made"),
             At::Node(node, place) => panic!("a device has no node {node} with {place}"),
         };
         format!("{} {place}", finding.rule.id)

@@ -36,6 +36,7 @@ mod new;
 mod objdictgen;
 #[cfg(feature = "cli")]
 mod pages;
+mod patch;
 mod planted;
 mod related;
 mod rules;

@@ -14,6 +14,7 @@ use objdict::compat::{MESSAGES, REACTIONS, Reaction};
 use objdict::config::Config;
 use objdict::diagnostic::{Applicability, At, Diagnostic, Findings, FixSafety, Tool};
 use objdict::format::network::NetworkFile;
+use objdict::format::patch::{self, Patch};
 use objdict::format::{self, Description, Format};
 use objdict::lint::Options;
 use objdict::profile::Profile;
@@ -96,6 +97,8 @@ enum Examined {
     /// A configuration.
     Config(Box<Config>),
     Network(Box<NetworkFile>, Findings),
+    /// A patch, with what is found when it is made in a fixture.
+    Patch(Box<Patch>, Findings),
 }
 
 impl Examined {
@@ -105,6 +108,15 @@ impl Examined {
             let file = NetworkFile::open(path, &Default::default()).unwrap();
             let findings = file.check();
             return Self::Network(Box::new(file), findings);
+        }
+        if is_of("patch") {
+            let patch = Arc::new(Patch::open(path).unwrap());
+            let text = fs::read(support::fixtures().join("eds/io-401.eds")).unwrap();
+            // messages name the file
+            let source = SourceFile::from_bytes("io-401.eds", text, &SourceOptions::default()).unwrap();
+            let description = patch::apply(format::read(source, Format::Eds), &[patch]);
+            let findings = description.patched().unwrap().findings[0].clone();
+            return Self::Patch(Box::new(Patch::open(path).unwrap()), findings);
         }
         if path.extension().is_some_and(|ending| ending == "toml") {
             return Self::Config(Box::new(Config::open(path).unwrap()));
@@ -139,7 +151,7 @@ impl Examined {
         match self {
             Self::Description(_, findings) | Self::Tree(_, findings) => findings,
             Self::Config(config) => config.findings(),
-            Self::Network(_, findings) => findings,
+            Self::Network(_, findings) | Self::Patch(_, findings) => findings,
         }
     }
 
@@ -149,6 +161,7 @@ impl Examined {
             Self::Tree(tree, _) => tree.source(),
             Self::Config(config) => config.source(),
             Self::Network(network, _) => &network.source,
+            Self::Patch(patch, _) => patch.source(),
         }
     }
 
@@ -164,6 +177,7 @@ impl Examined {
                 (subject.of_label(at).source(), subject.span_of(at))
             }
             (_, At::Span(span)) => (self.source(), *span),
+            (_, At::Patch(..)) => panic!("no description is patched here"),
             (_, At::Place(place) | At::Node(_, place)) => panic!("there is no place {place}"),
         }
     }
@@ -354,7 +368,7 @@ fn a_rule_offers_the_fixes_that_it_declares() {
             let (description, findings) = match Examined::new(&path) {
                 Examined::Description(description, findings) => (*description, findings),
                 Examined::Tree(_, findings) => (open(&path), findings),
-                Examined::Config(_) | Examined::Network(..) => continue,
+                Examined::Config(_) | Examined::Network(..) | Examined::Patch(..) => continue,
             };
             offer(&description, &findings);
             // what is a fix for one of the tools

@@ -14,7 +14,7 @@ use crate::examples;
 use crate::shares::{self, Shares};
 
 /// What the rules of each group are about.
-const GROUPS: [(&str, &str); 20] = [
+const GROUPS: [(&str, &str); 21] = [
     ("cia301", "communication objects (CiA 301)"),
     ("cia302", "network managers (CiA 302)"),
     ("cia304", "safety-relevant data objects (CiA 304)"),
@@ -33,6 +33,7 @@ const GROUPS: [(&str, &str); 20] = [
     ("network", "networks and their files"),
     ("objdict", "the configuration of objdict"),
     ("objdictgen", "projects of objdictgen"),
+    ("patch", "patches of description files"),
     ("portability", "what other tools reject or misread"),
     ("xml", "well-formed XML"),
 ];

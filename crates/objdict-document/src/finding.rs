@@ -35,7 +35,7 @@ impl Finding {
         let place = |finding: &Diagnostic| {
             finding.labels.iter().find_map(|label| match &label.at {
                 At::Place(place) => Some(place.clone()),
-                At::Span(_) | At::Node(..) => None,
+                At::Span(_) | At::Node(..) | At::Patch(..) => None,
             })
         };
         Self {

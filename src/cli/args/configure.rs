@@ -8,6 +8,7 @@ use clap::ValueEnum;
 
 use crate::cli::canonical::DialectArgs;
 use crate::cli::input::{EntriesArgs, InputArgs, SizeArgs};
+use crate::cli::patches::PatchArgs;
 use crate::cli::save::is_stdout;
 use crate::cli::settings::ConfigFileArgs;
 use crate::cli::values::{node_id, node_name, serial_number};
@@ -120,6 +121,8 @@ pub(in crate::cli) struct ConfigureArgs {
     #[command(flatten)]
     pub size: SizeArgs,
     #[command(flatten)]
+    pub patch: PatchArgs,
+    #[command(flatten)]
     pub config: ConfigFileArgs,
 }
 
@@ -157,7 +160,8 @@ impl ConfigureArgs {
         };
         let (device, encoding) = (self.device, self.encoding);
         let (max_size, max_entries) = (self.size.max_size, self.entries.max_entries);
-        Reading { from, device, encoding, max_size, max_entries, node_id: None }
+        let patches = self.patch.patches.clone();
+        Reading { from, device, encoding, max_size, max_entries, node_id: None, patches }
     }
 }
 

@@ -5,7 +5,7 @@ use std::path::PathBuf;
 use clap::ValueEnum;
 use clap::builder::{PossibleValuesParser, TypedValueParser};
 
-use super::network::NetworkInputArgs;
+use super::network::NetworkPathArgs;
 use crate::cli::canonical::CanonicalArgs;
 use crate::cli::input::{ExpandArgs, FileKind, InputArgs};
 use crate::cli::save::OverwriteArgs;
@@ -65,7 +65,7 @@ pub(in crate::cli) struct ConvertArgs {
     #[command(flatten)]
     pub input: InputArgs,
     #[command(flatten)]
-    pub network: NetworkInputArgs,
+    pub network: NetworkPathArgs,
 }
 
 // What a DBC describes.

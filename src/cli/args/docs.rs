@@ -4,7 +4,7 @@ use std::path::PathBuf;
 
 use clap::ValueEnum;
 
-use super::network::NetworkInputArgs;
+use super::network::NetworkPathArgs;
 use crate::cli::input::{ExpandArgs, InputArgs};
 use crate::cli::save::OverwriteArgs;
 use crate::cli::settings::SettingsArgs;
@@ -36,7 +36,7 @@ pub(in crate::cli) struct DocsArgs {
     #[command(flatten)]
     pub input: InputArgs,
     #[command(flatten)]
-    pub network: NetworkInputArgs,
+    pub network: NetworkPathArgs,
     #[command(flatten)]
     pub settings: SettingsArgs,
 }

@@ -6,6 +6,7 @@ use clap::{Subcommand, ValueEnum};
 
 use super::output::{ReportArgs, ShowFormat};
 use crate::cli::baseline::BaselineArgs;
+use crate::cli::patches::PatchArgs;
 use crate::cli::save::OverwriteArgs;
 use crate::cli::settings::{ConfigFileArgs, SettingsArgs};
 use crate::configure::nanoseconds;
@@ -60,9 +61,9 @@ pub(in crate::cli) enum NetworkCommand {
 }
 
 // How the file of a network is read.
-#[derive(Debug, clap::Args)]
+#[derive(Clone, Debug, clap::Args)]
 #[command(next_help_heading = "Input")]
-pub(in crate::cli) struct NetworkInputArgs {
+pub(in crate::cli) struct NetworkPathArgs {
     /// Replace `@NAME@`, `$NAME` and `${NAME}` in paths; repeatable
     #[arg(short = 'D', long = "define", value_name = "NAME=VALUE", value_parser = variable)]
     pub define: Vec<(String, String)>,
@@ -70,14 +71,32 @@ pub(in crate::cli) struct NetworkInputArgs {
     pub paths: AllowedPathArgs,
 }
 
+// How the descriptions that a network names are read.
+#[derive(Debug, clap::Args)]
+#[command(next_help_heading = "Input")]
+pub(in crate::cli) struct NetworkInputArgs {
+    #[command(flatten)]
+    pub paths: NetworkPathArgs,
+    #[command(flatten)]
+    pub patch: PatchArgs,
+}
+
 impl NetworkInputArgs {
     pub(in crate::cli) fn options(&self) -> PathOptions {
-        PathOptions { variables: self.define.iter().cloned().collect(), ..self.paths.options() }
+        let (variables, patches) = (self.paths.define.iter().cloned().collect(), self.patch.patches.clone());
+        PathOptions { variables, patches, ..self.paths.paths.options() }
+    }
+}
+
+impl NetworkPathArgs {
+    /// The same with the patches of the input.
+    pub(in crate::cli) fn with(&self, patch: &PatchArgs) -> NetworkInputArgs {
+        NetworkInputArgs { paths: self.clone(), patch: patch.clone() }
     }
 }
 
 // Where the files may be that a file names.
-#[derive(Debug, clap::Args)]
+#[derive(Clone, Debug, clap::Args)]
 #[command(next_help_heading = "Input")]
 pub(in crate::cli) struct AllowedPathArgs {
     /// Allow files named in the input to be read from this folder, in addition to the project: the nearest parent folder with `objdict.toml` or `.git`, else the folder of the input; repeatable

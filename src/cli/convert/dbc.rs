@@ -143,7 +143,8 @@ fn nodes_of_network(args: &ConvertArgs, job: &Job) -> Result<Vec<Node>, Failure>
         let failure = Failure::new(format_args!("`{name}` is a network, whose nodes have node-IDs"));
         return Err(failure.help("leave `--node-id` out"));
     }
-    let file = network::open_despite_errors(slice::from_ref(&job.input), &args.network)?;
+    let file =
+        network::open_despite_errors(slice::from_ref(&job.input), &args.network.with(&args.input.patch))?;
     let nodes = file.build(DcfgenMode::Corrected).and_then(|build| build.configured_nodes());
     let nodes = nodes.map_err(|error| {
         let help = format!("`objdict network check {name}` says why");

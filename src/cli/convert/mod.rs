@@ -21,7 +21,7 @@ use super::output::Output;
 use super::progress::{Progress, give_way};
 use super::save::{Folder, Saved, is_stdout, keep, require_other, save};
 use crate::download::ConciseDcf;
-use crate::format::{LossKind, ReadError, concise, json};
+use crate::format::{Description, LossKind, ReadError, concise, json};
 
 pub(super) fn run(args: &ConvertArgs, out: &mut Output) -> Result<Outcome, Failure> {
     let jobs = jobs::plan(args)?;
@@ -113,18 +113,19 @@ fn convert_one(
         Input::Description(description) if job.is_named && args.input.device.is_none() => {
             let count = description.device_count();
             if count == 1 {
-                let converted = device::of_description(args, job, *description, from)?;
+                let converted = device::of_description(args, job, written(*description)?, from)?;
                 return finish(job, from, converted, place, report, out);
             }
             for own in (0..count).map_while(|number| description.sibling(number)) {
                 let job = job.of_device(own.number());
-                let converted = device::of_description(args, &job, own, from)?;
+                let converted = device::of_description(args, &job, written(own)?, from)?;
                 finish(&job, from, converted, place, report, out)?;
             }
             Ok(())
         }
         Input::Description(description) => {
             let description = args.input.selected(&job.input, *description)?;
+            let description = written(description)?;
             finish(job, from, device::of_description(args, job, description, from)?, place, report, out)
         }
         Input::Device(device) => {
@@ -141,6 +142,11 @@ fn convert_one(
             Err(failure.help(format!("`objdict show {file}` names the files of its nodes")))
         }
     }
+}
+
+/// The description with the text that its patches make of it.
+fn written(description: Description) -> Result<Description, Failure> {
+    Ok(description.realised()?.unwrap_or(description))
 }
 
 /// Writes what a file became, and says so.

@@ -155,7 +155,9 @@ impl Read {
         if is_network {
             self.networks.push(DocumentedNetwork::read(args, settings, file, has_pages, outcome)?);
         } else {
-            let (kind, input) = args.input.reading().read(&name, bytes)?;
+            let mut reading = args.input.reading();
+            reading.patches.extend(file.project.iter().flat_map(|project| project.patches.iter().cloned()));
+            let (kind, input) = reading.read(&name, bytes)?;
             self.devices.extend(devices(args, settings, file, kind, input)?);
         }
         Ok(())

@@ -42,7 +42,7 @@ impl DocumentedNetwork {
             return Err(Failure::new(message).help("leave `--node-id` out"));
         }
         let options = settings.options(&file.path, file.project.as_deref());
-        let opened = network::open(&file.path, &args.network)?;
+        let opened = network::open(&file.path, &args.network.with(&args.input.patch))?;
         let findings = grouped(&opened, options.severities.apply(opened.check()));
         let findings = reported(&findings, |finding| Location::line_of((&opened).into(), finding));
         let unreadable = |error| {
@@ -78,7 +78,9 @@ fn page(
     options: &crate::lint::Options,
     BuiltFile { name, bytes }: BuiltFile,
 ) -> Result<Option<Documented>, Failure> {
-    let reading = Reading { from: None, device: None, encoding: None, ..args.input.reading() };
+    // the patches are in it
+    let reading =
+        Reading { from: None, device: None, encoding: None, patches: Vec::new(), ..args.input.reading() };
     Ok(match reading.read(&name, bytes)? {
         (_, Input::Description(description)) => Some(described(args, options, name, &description)),
         _ => None,

@@ -7,7 +7,7 @@ use crate::diagnostic::{Diagnostic, Findings, Severity, listing, misspelled, nea
 use crate::source::{Said, Span};
 
 /// A key that a map may have.
-#[derive(Debug)]
+#[derive(Clone, Copy, Debug)]
 pub(in crate::format) struct Key {
     /// The name in the file.
     pub(in crate::format) name: &'static str,
@@ -18,7 +18,7 @@ pub(in crate::format) struct Key {
 }
 
 /// What a value is.
-#[derive(Debug)]
+#[derive(Clone, Copy, Debug)]
 pub(in crate::format) enum Shape {
     /// A whole number in a range.
     Integer(i128, i128),

@@ -1,6 +1,6 @@
 //! Values with places: what YAML and TOML have in common.
 
-use std::rc::Rc;
+use std::sync::Arc;
 
 use crate::source::Span;
 
@@ -9,7 +9,7 @@ use crate::source::Span;
 pub(in crate::format) struct Tree {
     pub(in crate::format) span: Span,
     /// Shared, because an anchor of YAML may be named more often than the text is long.
-    pub(in crate::format) kind: Rc<Kind>,
+    pub(in crate::format) kind: Arc<Kind>,
 }
 
 /// What a value is.
@@ -34,7 +34,7 @@ pub(in crate::format) struct Entry {
 
 impl Tree {
     pub(in crate::format) fn new(span: Span, kind: Kind) -> Self {
-        Self { span, kind: Rc::new(kind) }
+        Self { span, kind: Arc::new(kind) }
     }
 
     /// The value as a text; `None` for anything else.

@@ -44,7 +44,8 @@ struct Start {
 impl Start {
     fn add(&mut self, path: &Path, options: &PathOptions) -> Result<(), ReadError> {
         let shown = path.display().to_string();
-        match Reading::default().open(path)? {
+        let reading = Reading { patches: options.patches.clone(), ..Reading::default() };
+        match reading.open(path)? {
             (_, Input::Device(device)) => self.node(shown, *device, None),
             (_, Input::Description(description)) => {
                 let mut description = *description;

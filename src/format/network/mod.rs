@@ -20,6 +20,7 @@ use std::env;
 use std::num::NonZeroUsize;
 use std::path::{Path, PathBuf};
 use std::rc::Rc;
+use std::sync::Arc;
 
 pub use self::boot::{BootFiles, InstallError, Installation, install};
 pub use self::init::init;
@@ -32,6 +33,7 @@ use super::input::{FileKind, Input, MAX_DEVICES, ReadError, Reading};
 use super::keyed;
 use super::keyed::rules::WRONG_TYPE;
 use super::keyed::tree::{Kind, Tree};
+use super::patch::Patch;
 use crate::diagnostic::{At, Diagnostic, Findings, RuleInfo, say};
 use crate::model::Device;
 use crate::network::{self, Compiled, Network, RequestedValue, Resolved, Said, resolve};
@@ -87,7 +89,8 @@ impl NetworkFile {
     /// When a file cannot be read, or describes no device.
     pub fn of_descriptions(paths: &[PathBuf], options: &PathOptions) -> Result<Self, ReadError> {
         let source = SourceFile::from_text("network.toml", init(paths, options)?);
-        Ok(Self::read_from(source, None, &PathOptions::default()))
+        let options = PathOptions { patches: options.patches.clone(), ..PathOptions::default() };
+        Ok(Self::read_from(source, None, &options))
     }
 
     /// Reads a network from its text; paths of descriptions are relative to `folder`.
@@ -102,6 +105,7 @@ impl NetworkFile {
             variables,
             read: BTreeMap::new(),
             several: BTreeMap::new(),
+            patches: &options.patches,
             files: Vec::new(),
         };
         let is_made = descriptions.folder.is_none();
@@ -180,6 +184,8 @@ pub struct PathOptions {
     pub variables: BTreeMap<String, String>,
     /// Folders that descriptions may be read from, beside those of [`Folder`].
     pub allowed: Vec<PathBuf>,
+    /// Patches of the descriptions.
+    pub patches: Vec<Arc<Patch>>,
 }
 
 impl PathOptions {
@@ -198,6 +204,7 @@ struct Descriptions<'v> {
     read: BTreeMap<String, Option<Read>>,
     /// The files with several devices, which nodes name by their numbers.
     several: BTreeMap<PathBuf, Rc<Description>>,
+    patches: &'v [Arc<Patch>],
     files: Vec<PathBuf>,
 }
 
@@ -247,7 +254,7 @@ impl Descriptions<'_> {
             error => (error.to_string(), error.help().unwrap_or(WRONG)),
         })?;
         self.files.push(path.clone());
-        let reading = Reading { device, ..Reading::default() };
+        let reading = Reading { device, patches: self.patches.to_vec(), ..Reading::default() };
         let refused = |error: ReadError| match error {
             ReadError::SeveralDevices { .. } => {
                 (format!("{error}; add the number of one, as in `{name}#1`"), WRONG)

@@ -3,7 +3,7 @@
 
 use std::borrow::Cow;
 use std::collections::BTreeMap;
-use std::rc::Rc;
+use std::sync::Arc;
 
 use saphyr_parser::{Event, Parser, ScalarStyle, Tag};
 
@@ -71,7 +71,7 @@ struct Open {
 
 struct Builder<'f> {
     offsets: Vec<u32>,
-    anchors: BTreeMap<usize, Rc<Kind>>,
+    anchors: BTreeMap<usize, Arc<Kind>>,
     open: Vec<Open>,
     findings: &'f mut Findings,
 }
@@ -92,7 +92,7 @@ impl Builder<'_> {
             }
             Event::Alias(anchor) => match self.anchors.get(&anchor) {
                 Some(kind) => {
-                    let tree = Tree { span, kind: Rc::clone(kind) };
+                    let tree = Tree { span, kind: Arc::clone(kind) };
                     Ok(self.place(tree))
                 }
                 None => Err(Box::new(
@@ -126,7 +126,7 @@ impl Builder<'_> {
     fn complete(&mut self, anchor: usize, kind: Kind, span: Span) -> Option<Tree> {
         let tree = Tree::new(span, kind);
         if anchor > 0 {
-            self.anchors.insert(anchor, Rc::clone(&tree.kind));
+            self.anchors.insert(anchor, Arc::clone(&tree.kind));
         }
         self.place(tree)
     }

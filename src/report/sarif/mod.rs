@@ -176,7 +176,9 @@ impl<W: Write> Sarif<W> {
             .filter_map(|other| other.labels.first().map(|label| (&label.at, other.message.shown())));
         let related = labels.map(|label| (&label.at, label.text.shown())).chain(others).enumerate();
         let related = related.map(|(id, (at, text))| match at {
-            At::Node(..) => self.open(file.subject.of_label(at)).location(Some(id), at, &text),
+            At::Node(..) | At::Patch(..) => {
+                self.open(file.subject.of_label(at)).location(Some(id), at, &text)
+            }
             _ => file.location(Some(id), at, &text),
         });
         let related: Vec<Location> = related.collect();

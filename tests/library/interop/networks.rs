@@ -7,6 +7,7 @@ use std::process::Command;
 
 use objdict::diagnostic::Tool;
 use objdict::format::network::{BuiltFile, NetworkFile, schema};
+use objdict::format::patch::{self, Patch};
 use objdict::format::{self, Format, WriteOptions};
 use objdict::model::{Device, Value};
 use objdict::network::{DcfgenMode, LelyOptions, Slave};
@@ -209,6 +210,16 @@ fn dcfs_have_the_effective_values() {
 }
 
 /// The rules about what a schema says too.
+/// Patches that a schema rejects: no format, an unknown key, a wrong type, a number out of range, a word that there is not.
+const WRONG_PATCHES: [&str; 6] = [
+    "vendor-id = 1\n",
+    "format = \"objdict-patch/1\"\nvendor = 1\n",
+    "format = \"objdict-patch/1\"\nvendor-id = \"one\"\n",
+    "format = \"objdict-patch/1\"\nvendor-id = 0x100000000\n",
+    "format = \"objdict-patch/2\"\n",
+    "format = \"objdict-patch/1\"\n[[change]]\nat = \"2001\"\nset = { typ = \"u8\" }\n",
+];
+
 const OF_SCHEMAS: [&str; 4] = ["missing-key", "out-of-range", "unknown-key", "wrong-type"];
 
 /// A file that is rejected has a finding of these rules, and each example of them is rejected.
@@ -216,12 +227,16 @@ const OF_SCHEMAS: [&str; 4] = ["missing-key", "out-of-range", "unknown-key", "wr
 fn the_schemas_say_what_the_reader_says() {
     let Some(programs) = environment() else { return };
     let folder = new_folder("schemas");
-    let schemas = [("bus.json", schema::bus_yml()), ("network.json", schema::network_toml())];
+    let schemas = [
+        ("bus.json", schema::bus_yml()),
+        ("network.json", schema::network_toml()),
+        ("patch.json", patch::schema::patch()),
+    ];
     let schemas = schemas.map(|(name, schema)| {
         fs::write(folder.join(name), schema.to_string()).unwrap();
         folder.join(name)
     });
-    let groups = ["keys", "network"].map(|group| support::fixtures().join("rules").join(group));
+    let groups = ["keys", "network", "patch"].map(|group| support::fixtures().join("rules").join(group));
     let rules = groups.iter().flat_map(|group| fs::read_dir(group).unwrap());
     let mut files: Vec<PathBuf> = rules
         .flat_map(|rule| fs::read_dir(rule.unwrap().path()).unwrap())
@@ -233,6 +248,11 @@ fn the_schemas_say_what_the_reader_says() {
         .filter(|path| !path.ends_with("unknown-key/bad-options.yml"))
         .collect();
     files.extend(["worked.yml", "cell.yml", "chapter4.toml", "line.toml"].map(path));
+    files.push(support::fixtures().join("patches/io-401.patch.toml"));
+    for (number, keys) in WRONG_PATCHES.iter().enumerate() {
+        files.push(folder.join(format!("{number}.patch.toml")));
+        fs::write(files.last().unwrap(), keys).unwrap();
+    }
     let script = Path::new(env!("CARGO_MANIFEST_DIR")).join("tests/library/interop/validate.py");
     let output =
         Command::new(programs.join("python")).arg(script).args(schemas).args(&files).output().unwrap();
@@ -240,7 +260,13 @@ fn the_schemas_say_what_the_reader_says() {
     let rejected: Vec<PathBuf> = String::from_utf8_lossy(&output.stdout).lines().map(PathBuf::from).collect();
     let mut differing = Vec::new();
     for file in &files {
-        let findings = NetworkFile::open(file, &Default::default()).unwrap().check();
+        let is_patch = ["patches", "patch"]
+            .iter()
+            .any(|folder| file.components().any(|part| part.as_os_str() == *folder));
+        let findings = match is_patch || file.to_string_lossy().ends_with(".patch.toml") {
+            true => Patch::open(file).unwrap().findings().clone(),
+            false => NetworkFile::open(file, &Default::default()).unwrap().check(),
+        };
         let is_found = findings.iter().any(|finding| OF_SCHEMAS.contains(&finding.rule.name()));
         if rejected.contains(file) != is_found {
             differing.push(file);

@@ -80,7 +80,10 @@ fn documents_are_valid_by_their_schemas() {
     let fixtures = support::fixtures();
     let list = objdict().arg("schema").output().unwrap();
     let list = String::from_utf8(list.stdout).unwrap();
-    let names: Vec<&str> = list.lines().skip(1).filter_map(|line| line.split_whitespace().next()).collect();
+    let mut names: Vec<&str> =
+        list.lines().skip(1).filter_map(|line| line.split_whitespace().next()).collect();
+    // it is TOML, and validated with the networks
+    names.retain(|name| *name != "patch");
     for name in &names {
         let schema = objdict().args(["schema", name]).output().unwrap();
         assert!(schema.status.success(), "{}", text_of(&schema));

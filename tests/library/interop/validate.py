@@ -1,6 +1,6 @@
-"""Validates networks against the schema of their format; prints the names of those that it rejects.
+"""Validates networks and patches against the schema of their format; prints the names of those that it rejects.
 
-usage: validate.py BUS.json NETWORK.json FILE...
+usage: validate.py BUS.json NETWORK.json PATCH.json FILE...
 """
 
 import json
@@ -18,12 +18,14 @@ def keyed(value):
     return [keyed(item) for item in value] if isinstance(value, list) else value
 
 
-bus, network = (jsonschema.Draft202012Validator(json.load(open(name))) for name in sys.argv[1:3])
-for validator in (bus, network):
+bus, network, patch = (jsonschema.Draft202012Validator(json.load(open(name))) for name in sys.argv[1:4])
+for validator in (bus, network, patch):
     validator.check_schema(validator.schema)
-for name in sys.argv[3:]:
+for name in sys.argv[4:]:
     is_toml = name.endswith(".toml")
     with open(name, "rb") as file:
         value = tomllib.load(file) if is_toml else yaml.safe_load(file)
-    if not (network if is_toml else bus).is_valid(keyed(value)):
+    is_patch = name.endswith(".patch.toml") or "/rules/patch/" in name
+    validator = patch if is_patch else network if is_toml else bus
+    if not validator.is_valid(keyed(value)):
         print(name)

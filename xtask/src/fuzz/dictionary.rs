@@ -55,7 +55,7 @@ pub(super) fn words(seeds: &[Seed]) -> Vec<String> {
     for version in XddVersion::ALL {
         words.extend(names_of(&objdict_xdd::xdd::xsd(version)));
     }
-    for schema in [schema::bus_yml(), schema::network_toml()] {
+    for schema in [schema::bus_yml(), schema::network_toml(), objdict::format::patch::schema::patch()] {
         of_schema(&schema, &mut words);
     }
     for seed in seeds {

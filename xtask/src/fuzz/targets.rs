@@ -15,6 +15,7 @@ use objdict::document::{self, Form};
 use objdict::download::ConciseDcf;
 use objdict::format::input::{Input, Reading};
 use objdict::format::network::{BootFiles, Installation, NetworkFile};
+use objdict::format::patch::{self, Patch};
 use objdict::format::{
     self, Description, Dialect, Format, NodeSettings, WriteOptions, concise, json, nodelist,
 };
@@ -53,12 +54,13 @@ impl Fuzzed {
 const DESCRIPTIONS: &[&str] = &["eds", "dcf", "xdd", "xdc"];
 
 /// All of them.
-pub(crate) const FUZZED: [Fuzzed; 15] = [
+pub(crate) const FUZZED: [Fuzzed; 16] = [
     Fuzzed { name: "check", endings: DESCRIPTIONS, run: check },
     Fuzzed { name: "fix", endings: DESCRIPTIONS, run: fix },
     Fuzzed { name: "fmt", endings: DESCRIPTIONS, run: arrange },
     Fuzzed { name: "convert", endings: DESCRIPTIONS, run: convert },
     Fuzzed { name: "configure", endings: DESCRIPTIONS, run: configured },
+    Fuzzed { name: "patch", endings: DESCRIPTIONS, run: patched },
     Fuzzed { name: "generate", endings: DESCRIPTIONS, run: tables },
     Fuzzed { name: "docs", endings: DESCRIPTIONS, run: pages },
     Fuzzed { name: "dbc", endings: DESCRIPTIONS, run: messages },
@@ -330,6 +332,30 @@ fn toml(bytes: &[u8]) {
     let text = utf8(bytes);
     let _ = (Profile::from_toml(text), SettingsFile::parse(text), generate::renames(text));
     Config::read(SourceFile::from_text("objdict.toml", text), ".");
+    let patch = Arc::new(Patch::read(SourceFile::from_text("fuzzed.patch.toml", text)));
+    let patched = patch::apply(original(Format::Eds), &[patch]);
+    let _ = (patched.patched().map(|patched| patched.lines()), patched.realised());
+}
+
+/// A healthy device.
+fn original(format: Format) -> Description {
+    static BYTES: &[u8] = include_bytes!("../../../fixtures/eds/minimal.eds");
+    read(format, BYTES).expect("it is a fixture")
+}
+
+/// The patch of a healthy device and another one makes the other one of it.
+fn patched(format: Format, bytes: &[u8]) {
+    let Some(edited) = read(format, bytes) else { return };
+    let original = original(Format::Eds);
+    let text = patch::make(original.device(), edited.device());
+    let patch = Arc::new(Patch::read(SourceFile::from_text("fuzzed.patch.toml", text)));
+    assert!(patch.findings().is_empty(), "what is made can be read: {:?}", patch.findings());
+    let patched = patch::apply(original, &[patch]);
+    let left = differences(patched.device(), edited.device());
+    assert!(left.is_empty(), "the patch makes the device: {left:?}");
+    if let Ok(Some(realised)) = patched.realised() {
+        let _ = realised.print();
+    }
 }
 
 /// A network of the descriptions in `fixtures/network`, with all that is made of it.

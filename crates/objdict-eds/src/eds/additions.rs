@@ -6,7 +6,7 @@ use crate::diagnostic::Change;
 use crate::eds::Style;
 use crate::ini::{Document, Section};
 use crate::model::{Device, Field, Object, Part, Place, Value};
-use crate::source::{SourceFile, Span};
+use crate::source::{Encoding, SourceFile, Span};
 
 /// The changes that turn the text of `before` into one of `after`, which has additional objects and
 /// sub-indexes, and other lists, counts and connected modules. Additional objects are not stored compactly, as in the
@@ -34,7 +34,7 @@ pub fn additions(before: &Device, after: &Device) -> Option<Vec<Change>> {
             }
         }
     }
-    changes.extend(sections(&new).into_iter().filter_map(|(part, fields)| match part {
+    changes.extend(sections(&new, &Style::default()).into_iter().filter_map(|(part, fields)| match part {
         Part::Object(index) if before.objects.contains_key(&index) => None,
         // all that describes an object: its links and the unknown keys of its compact storage too
         _ => part.object().is_some().then_some(Change::Add(part, fields)),
@@ -87,9 +87,14 @@ fn connected(before: &Device, after: &Device) -> Vec<Change> {
     set.chain(gone.map(|item| Change::Remove(place(Field::Item(item))))).collect()
 }
 
-/// The sections that describe the objects of a device, with their keys.
-fn sections(device: &Device) -> Vec<(Part, Vec<(Field, String)>)> {
-    let text = String::from_utf8(write::write(device, &Style::default()));
+/// What the canonical text of a device states: its sections with their keys. What is stored compactly stays so.
+pub fn stated(device: &Device) -> Vec<(Part, Vec<(Field, String)>)> {
+    sections(device, &Style { compact: true, encoding: Some(Encoding::Utf8), ..Style::default() })
+}
+
+/// The sections of the text of a device, with their keys.
+fn sections(device: &Device, style: &Style) -> Vec<(Part, Vec<(Field, String)>)> {
+    let text = String::from_utf8(write::write(device, style));
     let document = Document::new(SourceFile::from_text("additions", text.unwrap_or_default()));
     let text = document.text();
     let mut sections = Vec::new();

@@ -52,6 +52,8 @@ pub enum At {
     /// An address in the description of a node of a network, by the position of the node, or in the description of the type
     /// of a configured node (0); for related places.
     Node(usize, Place),
+    /// Bytes of a patch, by the position of the patch among those that were made in the description; for related places.
+    Patch(usize, Span),
 }
 
 impl From<Span> for At {

@@ -216,7 +216,7 @@ pub fn of_xdd(findings: Findings, text: &str, span_of: impl Fn(&At) -> Span) -> 
 fn field(finding: &Diagnostic) -> Option<&Field> {
     match &finding.labels.first()?.at {
         At::Place(place) => place.field.as_ref(),
-        At::Span(_) | At::Node(..) => None,
+        At::Span(_) | At::Node(..) | At::Patch(..) => None,
     }
 }
 
