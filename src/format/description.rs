@@ -11,6 +11,8 @@ use std::sync::OnceLock;
 use super::Syntax;
 #[cfg(all(feature = "json", feature = "xdd"))]
 use super::embedded;
+#[cfg(feature = "toml")]
+use super::device_toml;
 use super::ini::Document;
 #[cfg(feature = "xdd")]
 use super::objdictgen;
@@ -49,6 +51,9 @@ enum Text {
     /// A project of objdictgen, which is XML of another kind.
     #[cfg(feature = "xdd")]
     Objdictgen(Tree, OnceLock<objdictgen::Locator>),
+    /// Tables of keys.
+    #[cfg(feature = "toml")]
+    Toml(device_toml::Document),
 }
 
 /// The name of a file as a description states it: on one line, in any encoding.
@@ -77,6 +82,11 @@ impl Description {
                     (Text::Xml(Arc::new(tree), OnceLock::new()), device, damage)
                 }
             }
+            #[cfg(feature = "toml")]
+            Syntax::Toml => {
+                let (device, findings) = device_toml::read(source.text());
+                (Text::Toml(device_toml::Document::new(source)), device, findings)
+            }
             // a build without XDD finds nothing but junk in one
             _ => {
                 let document = Document::new(source);
@@ -99,6 +109,8 @@ impl Description {
             Text::Ini(..) => 1,
             #[cfg(feature = "xdd")]
             Text::Objdictgen(..) => 1,
+            #[cfg(feature = "toml")]
+            Text::Toml(..) => 1,
             #[cfg(feature = "xdd")]
             Text::Xml(tree, _) => xdd::containers(tree).len().max(1),
         }
@@ -160,6 +172,8 @@ impl Description {
             Text::Xml(tree, _) => tree.source(),
             #[cfg(feature = "xdd")]
             Text::Objdictgen(tree, _) => tree.source(),
+            #[cfg(feature = "toml")]
+            Text::Toml(document) => document.source(),
         }
     }
 
@@ -169,6 +183,8 @@ impl Description {
             Text::Ini(document, _) => Some(document),
             #[cfg(feature = "xdd")]
             Text::Xml(..) | Text::Objdictgen(..) => None,
+            #[cfg(feature = "toml")]
+            Text::Toml(..) => None,
         }
     }
 
@@ -178,6 +194,8 @@ impl Description {
         match &self.text {
             Text::Ini(..) | Text::Objdictgen(..) => None,
             Text::Xml(tree, _) => Some(tree),
+            #[cfg(feature = "toml")]
+            Text::Toml(..) => None,
         }
     }
 
@@ -190,6 +208,8 @@ impl Description {
             Text::Xml(tree, _) => xdd::is_project(tree),
             #[cfg(feature = "xdd")]
             Text::Objdictgen(..) => true,
+            #[cfg(feature = "toml")]
+            Text::Toml(..) => false,
         }
     }
 
@@ -201,6 +221,8 @@ impl Description {
             Text::Xml(tree, _) => xdd::is_network(tree),
             #[cfg(feature = "xdd")]
             Text::Objdictgen(..) => false,
+            #[cfg(feature = "toml")]
+            Text::Toml(..) => false,
         }
     }
 
@@ -210,6 +232,8 @@ impl Description {
             Text::Ini(document, _) => document.print(),
             #[cfg(feature = "xdd")]
             Text::Xml(..) | Text::Objdictgen(..) => self.source().to_bytes(),
+            #[cfg(feature = "toml")]
+            Text::Toml(..) => self.source().to_bytes(),
         }
     }
 
@@ -237,6 +261,8 @@ impl Description {
             Text::Objdictgen(tree, locator) => {
                 locator.get_or_init(|| objdictgen::Locator::new(tree)).locate(tree, place)
             }
+            #[cfg(feature = "toml")]
+            Text::Toml(document) => document.locate(place),
         }
     }
 
@@ -265,6 +291,8 @@ impl Description {
             }
             #[cfg(feature = "xdd")]
             Text::Objdictgen(..) => None,
+            #[cfg(feature = "toml")]
+            Text::Toml(document) => document.place_at(span.start),
         };
         place.map(Cow::Owned)
     }
@@ -292,6 +320,8 @@ impl Description {
             }
             #[cfg(feature = "xdd")]
             Text::Objdictgen(..) => self.anew(file_name, Some(node)),
+            #[cfg(feature = "toml")]
+            Text::Toml(..) => self.anew(file_name, Some(node)),
         }
     }
 
@@ -325,6 +355,8 @@ impl Description {
             }
             #[cfg(feature = "xdd")]
             Text::Objdictgen(..) => self.anew(file_name, None),
+            #[cfg(feature = "toml")]
+            Text::Toml(..) => self.anew(file_name, None),
         }
     }
 
@@ -340,7 +372,8 @@ impl Description {
             device.kind = DeviceKind::Node;
             device.commissioning = Some(node.clone());
         }
-        let format = if node.is_some() { Format::Xdc } else { Format::Xdd };
+        let kind = if node.is_some() { DeviceKind::Node } else { DeviceKind::Type };
+        let format = Format::of(self.format.syntax(), kind);
         let max_losses =
             super::WriteOptions::max_losses_of(self.source().text().len(), super::input::DEFAULT_MAX_ENTRIES);
         let options = super::WriteOptions { embed: true, max_losses, ..super::WriteOptions::default() };
@@ -379,6 +412,8 @@ impl Description {
             }
             #[cfg(feature = "xdd")]
             Text::Objdictgen(..) => None,
+            #[cfg(feature = "toml")]
+            Text::Toml(..) => None,
         };
         let text = found.ok_or_else(|| EditError::OtherMeaning(source.name().to_owned()))?;
         source.encode(&text).map_err(EditError::from)
@@ -403,6 +438,8 @@ impl Description {
             }
             #[cfg(feature = "xdd")]
             Text::Objdictgen(..) => None,
+            #[cfg(feature = "toml")]
+            Text::Toml(..) => None,
         }?;
         let text = self.source().text();
         let is_change = |(span, new): &&(Span, String)| span.of(text) != new;
@@ -455,6 +492,8 @@ impl Description {
             Text::Xml(tree, _) => xdd::findings::violations(tree),
             #[cfg(feature = "xdd")]
             Text::Objdictgen(..) => Findings::new(),
+            #[cfg(feature = "toml")]
+            Text::Toml(..) => Findings::new(),
         }
     }
 
@@ -483,6 +522,8 @@ impl Description {
             Text::Xml(tree, _) if self.number == 0 => xdd::findings::check(tree, &mut findings),
             #[cfg(feature = "xdd")]
             Text::Xml(..) | Text::Objdictgen(..) => {}
+            #[cfg(feature = "toml")]
+            Text::Toml(..) => {}
         }
         findings
     }

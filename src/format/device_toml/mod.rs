@@ -1,0 +1,149 @@
+//! `device.toml`: a device in few lines, which says only what does not follow from something else (docs/device.md).
+
+mod defaults;
+mod document;
+mod facts;
+pub(in crate::format) mod keys;
+mod lists;
+mod meaning;
+mod places;
+mod raw;
+mod reader;
+mod words;
+mod writer;
+
+use self::defaults::Defaults;
+pub(super) use self::document::Document;
+use self::keys::{DEVICE, FILE, LISTS, NODE, ROOT};
+use self::reader::Reader;
+use super::keyed::rules::WRONG_TYPE;
+use super::keyed::section::Section;
+use super::keyed::toml;
+use super::keyed::tree::{Kind, Tree};
+use crate::compare::each_difference;
+use crate::diagnostic::{Diagnostic, Findings, say};
+use crate::model::{
+    ApplicationProcess, Device, DeviceKind, DummyUsage, Extra, ExtraSection, ObjectLists,
+};
+use crate::source::EditError;
+
+/// Whether a text is a `device.toml`: its first key says so.
+pub(super) fn is_device(text: &str) -> bool {
+    let mut lines = text.lines().map(str::trim).filter(|line| !line.is_empty() && !line.starts_with('#'));
+    lines.next().and_then(|line| line.split_once('=')).is_some_and(|(key, value)| {
+        let value = value.trim_start();
+        key.trim() == "format" && value.get(1..).is_some_and(|value| value.starts_with("objdict-device/"))
+    })
+}
+
+/// The device of a text.
+pub(super) fn read(text: &str) -> (Device, Findings) {
+    let mut findings = Findings::new();
+    let tree = toml::read(text, &mut findings);
+    let device = tree.map_or_else(Device::default, |tree| of_tree(&tree, &mut findings));
+    (device, findings)
+}
+
+/// The device of a tree.
+fn of_tree(tree: &Tree, findings: &mut Findings) -> Device {
+    let Some(root) = Section::new("device.toml", tree, ROOT, findings) else { return Device::default() };
+    if let Some(format) = root.required("device.toml", "format", findings).and(root.word("format", findings)) {
+        debug_assert_eq!(format.value, keys::FORMAT);
+    }
+    let mut device = Device::default();
+    let mut reader =
+        Reader { defaults: Defaults::default(), findings, application: ApplicationProcess::default() };
+    if let Some(tree) = root.get("defaults") {
+        reader.read_defaults(tree);
+    }
+    if let Some(tree) = root.get("object") {
+        reader.read_objects(tree, &mut device.objects);
+    }
+    let application = reader.application;
+    if application != ApplicationProcess::default() {
+        device.application.push(application);
+    }
+    frame(&root, &mut device, findings);
+    device.lists = read_lists(&root, &device, findings);
+    raw::read(&root, &mut device, findings);
+    device
+}
+
+/// The parts about file, device and node.
+fn frame(root: &Section<'_>, device: &mut Device, findings: &mut Findings) {
+    let unstated: Vec<String> =
+        root.texts("unstated", findings).into_iter().map(|text| text.value.to_owned()).collect();
+    let is_stated = |name: &str| !unstated.iter().any(|word| word == name);
+    let section = |name: &str, keys, findings: &mut Findings| {
+        root.get(name).and_then(|tree| Section::new(name, tree, keys, findings))
+    };
+    let file = section("file", FILE, findings);
+    if is_stated("file") {
+        device.file_info = Some(facts::read(file.as_ref(), FILE, &facts::implied_file(), findings));
+    }
+    let about = section("device", DEVICE, findings);
+    if is_stated("device") {
+        let implied = writer::implied_device(device);
+        device.device_info = Some(facts::read(about.as_ref(), DEVICE, &implied, findings));
+    }
+    if let Some(node) = section("node", NODE, findings) {
+        device.commissioning = Some(facts::read(Some(&node), NODE, &[], findings));
+        device.kind = DeviceKind::Node;
+    }
+    if let Some(kind) = root.word("kind", findings) {
+        device.kind = if kind.value == "node" { DeviceKind::Node } else { DeviceKind::Type };
+    }
+    if let Some(dummies) = root.text("dummies", findings) {
+        match lists::dummies(&dummies.value) {
+            Ok(types) => device.dummy_usage = Some(DummyUsage { types, ..DummyUsage::default() }),
+            Err(word) => {
+                let finding = Diagnostic::new(&WRONG_TYPE, dummies.at, say!("`{}` is no data type", word));
+                findings.push(finding.help("write words of data types, as in `u8 u16 u32`"));
+            }
+        }
+    }
+    device.comments = root.get("comments").map(|tree| match &*tree.kind {
+        Kind::List(items) => items.iter().map(Tree::spelled).collect(),
+        _ => tree.spelled().split('\n').map(str::to_owned).collect(),
+    });
+    for section in root.named("extra", findings) {
+        let entries: Extra = serde_json::from_str(&facts::pairs(&section.value).to_string()).unwrap_or_default();
+        device.extra.push(ExtraSection::new(&section.key.spelled(), &entries));
+    }
+}
+
+fn read_lists(root: &Section<'_>, device: &Device, findings: &mut Findings) -> ObjectLists {
+    let mut read = lists::implied(device);
+    let section = root.get("lists").and_then(|tree| Section::new("lists", tree, LISTS, findings));
+    let Some(section) = section else { return read };
+    let unstated: Vec<String> =
+        section.texts("unstated", findings).into_iter().map(|text| text.value.to_owned()).collect();
+    for (list, name) in lists::NAMES {
+        if unstated.iter().any(|word| word == name) {
+            *read.get_mut(list) = None;
+        }
+        let Some(text) = section.text(name, findings) else { continue };
+        match words::indexes(&text.value) {
+            Ok(indexes) => *read.get_mut(list) = Some(indexes),
+            Err(word) => {
+                let finding = Diagnostic::new(&WRONG_TYPE, text.at, say!("`{}` is no index", word));
+                findings.push(finding.help("write indexes of four hex digits, as in `1000-1001 1018`"));
+            }
+        }
+    }
+    read
+}
+
+/// The text of a device, with all that it says. What has no key is measured, and written as `[raw]`.
+///
+/// # Errors
+/// When more values have no key than allowed.
+pub(super) fn write(device: &Device, max_raw: usize) -> Result<String, EditError> {
+    let mut text = writer::write(device);
+    let (read, _) = read(&text);
+    let mut missing = Vec::new();
+    each_difference(&read, device, max_raw, &mut |difference| missing.push(difference))
+        .map_err(|found| EditError::TooMuchLost { count: found.count, limit: found.limit })?;
+    raw::write(&missing, &mut text);
+    Ok(text)
+}
