@@ -53,6 +53,15 @@ impl Omissions {
         self.0 |= 1 << omission as u8;
     }
 
+    /// Those that count for a role without a list of its own: most descriptions state the types of objects.
+    pub(super) const fn of_role(self, role: Role) -> Self {
+        match role {
+            Role::Value | Role::Whole => Self(self.0 & !(1 << Omission::ObjectType as u8)),
+            Role::Sub => self,
+            Role::First => Self(0),
+        }
+    }
+
     pub(super) const fn is_within(self, other: Self) -> bool {
         self.0 & !other.0 == 0
     }

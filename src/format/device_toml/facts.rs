@@ -111,24 +111,29 @@ fn bit_rates(tree: &Tree) -> Value {
     Value::Object(rates)
 }
 
-/// Pairs of texts by a table of them.
+/// Pairs of texts by a table of them, or a list where keys are there more than once.
 pub(super) fn pairs(tree: &Tree) -> Value {
+    if let Kind::List(items) = &*tree.kind {
+        let pair = |item: &Tree| match &*item.kind {
+            Kind::List(pair) => pair.iter().map(|text| Value::from(text.spelled())).collect(),
+            _ => json!([item.spelled(), ""]),
+        };
+        return items.iter().map(pair).collect();
+    }
     let entries = tree.entries().unwrap_or_default().iter();
     entries.map(|entry| json!([entry.key.spelled(), entry.value.spelled()])).collect()
 }
 
-/// A table of pairs of texts; `None` where a key is there twice.
-pub(super) fn table_of_pairs(pairs: &[Value]) -> Option<String> {
+/// Pairs of texts as a table, or as a list where a key is there twice.
+pub(super) fn table_of_pairs(pairs: &[(&str, &str)]) -> String {
     let mut seen = std::collections::BTreeSet::new();
-    let mut table = Vec::new();
-    for pair in pairs {
-        let (name, value) = (pair.get(0)?.as_str()?, pair.get(1)?.as_str()?);
-        if !seen.insert(name) {
-            return None;
-        }
-        table.push(format!("{} = {}", key(name), quoted(value)));
-    }
-    Some(format!("{{ {} }}", table.join(", ")))
+    let is_table = pairs.iter().all(|(name, _)| seen.insert(name));
+    let item = |&(name, value): &(&str, &str)| match is_table {
+        true => format!("{} = {}", key(name), quoted(value)),
+        false => format!("[{}, {}]", quoted(name), quoted(value)),
+    };
+    let items = pairs.iter().map(item).collect::<Vec<_>>().join(", ");
+    if is_table { format!("{{ {items} }}") } else { format!("[{items}]") }
 }
 
 /// The lines of a part: what differs from what is implied.
@@ -162,7 +167,10 @@ fn spelled(key: &Key, value: &Value) -> Option<String> {
             let word = |rate: &String| if rate.parse::<u16>().is_ok() { rate.clone() } else { quoted(rate) };
             Some(format!("[{}]", listed.into_iter().map(word).collect::<Vec<_>>().join(", ")))
         }
-        ("extra", Value::Array(pairs)) => table_of_pairs(pairs),
+        ("extra", Value::Array(pairs)) => {
+            let texts = pairs.iter().filter_map(|pair| Some((pair.get(0)?.as_str()?, pair.get(1)?.as_str()?)));
+            Some(table_of_pairs(&texts.collect::<Vec<_>>()))
+        }
         (_, Value::String(text)) => Some(quoted(text)),
         (_, Value::Array(items)) => {
             let texts: Option<Vec<String>> = items.iter().map(|item| item.as_str().map(quoted)).collect();

@@ -17,7 +17,7 @@ pub(super) const ROOT: &[Key] = &[
     key("format", Shape::Word(&[FORMAT]), "The format and its version. It is the first key of the file."),
     key("kind", Shape::Word(&["type", "node"]), "Whether a type of device or a node is described; `node` follows from `[node]`."),
     key("comments", Shape::Texts, "The lines of `Comments`: a text of several lines, or a list."),
-    key("dummies", Shape::Text, "The data types that fill gaps in RPDOs: `u8 u16 u32`."),
+    key("dummies", Shape::Text, "The data types that fill gaps in RPDOs, of those that CiA 306-1 lists: `u8 u16 u32`. After `only` the list has no others: `only u8 !bool`."),
     key("unstated", Shape::Texts, "Which parts the description leaves out: `file`, `device`, `lists`."),
     key("file", Shape::Map(FILE), "About the file with the description."),
     key("device", Shape::Map(DEVICE), "About the device."),

@@ -40,18 +40,26 @@ pub(super) fn write(device: &Device, text: &mut String) {
 /// The data types that CiA 306 lists under `DummyUsage`.
 const DUMMIES: std::ops::RangeInclusive<u16> = 1..=7;
 
-/// The words of the types that are allowed; `None` where the list is not the usual one.
-pub(super) fn dummy_words(types: &BTreeMap<DataType, bool>) -> Option<String> {
+/// The words of the types that are allowed. Where others are listed than usual, all of them, after `only`.
+pub(super) fn dummy_words(types: &BTreeMap<DataType, bool>) -> String {
     let is_usual = types.keys().map(|data_type| data_type.0).eq(DUMMIES);
-    let allowed = types.iter().filter(|(_, allowed)| **allowed).map(|(data_type, _)| type_word(*data_type));
-    is_usual.then(|| allowed.collect::<Vec<_>>().join(" "))
+    let word = |(data_type, allowed): (&DataType, &bool)| match allowed {
+        true => Some(type_word(*data_type)),
+        false if is_usual => None,
+        false => Some(format!("!{}", type_word(*data_type))),
+    };
+    let only = (!is_usual).then(|| "only".to_owned());
+    only.into_iter().chain(types.iter().filter_map(word)).collect::<Vec<_>>().join(" ")
 }
 
 /// The types of these words; the word that is none otherwise.
 pub(super) fn dummies(text: &str) -> Result<BTreeMap<DataType, bool>, &str> {
-    let mut types: BTreeMap<DataType, bool> = DUMMIES.map(|code| (DataType(code), false)).collect();
-    for word in text.split_whitespace() {
-        types.insert(data_type(word).ok_or(word)?, true);
+    let listed = text.strip_prefix("only").filter(|rest| rest.is_empty() || rest.starts_with(' '));
+    let usual = DUMMIES.map(|code| (DataType(code), false));
+    let mut types: BTreeMap<DataType, bool> = if listed.is_none() { usual.collect() } else { BTreeMap::new() };
+    for word in listed.unwrap_or(text).split_whitespace() {
+        let name = word.strip_prefix('!').unwrap_or(word);
+        types.insert(data_type(name).ok_or(word)?, name == word);
     }
     Ok(types)
 }

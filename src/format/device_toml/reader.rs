@@ -39,7 +39,7 @@ impl Reader<'_> {
             let implied = self.defaults.sub0.clone();
             let unstated = Omissions::read(&section, self.findings).unwrap_or_default();
             self.defaults.sub0 = without(implied, unstated);
-            self.defaults.sub0 = self.entry("sub0", &section, Role::First, Omissions::default()).0;
+            self.defaults.sub0 = self.entry("sub0", &section, Role::First).0;
         }
     }
 
@@ -81,7 +81,7 @@ impl Reader<'_> {
             _ if has_subs => Role::Whole,
             _ => Role::Value,
         };
-        let (main, unstated) = self.entry(name, &section, role, self.defaults.unstated);
+        let (main, unstated) = self.entry(name, &section, role);
         let mut object = Object { main, ..Object::default() };
         if role == Role::Whole && said.is_none() && !unstated.has(Omission::ObjectType) {
             object.main.object_type = Some(ObjectType::Record);
@@ -153,7 +153,7 @@ impl Reader<'_> {
             };
             let Some(section) = Section::new(&name, &entry.value, ENTRY, self.findings) else { continue };
             let role = if first == 0 { Role::First } else { Role::Sub };
-            let (read, _) = self.entry(&name, &section, role, self.defaults.unstated);
+            let (read, _) = self.entry(&format!("{index:04X}{first:02X}"), &section, role);
             self.override_types_of_sub(&section, first, object, read, last);
         }
         if object.subs.is_empty() {
@@ -248,9 +248,9 @@ impl Reader<'_> {
     }
 
     /// An entry, and what its description leaves out.
-    fn entry(&mut self, name: &str, section: &Section<'_>, role: Role, usual: Omissions) -> (Entry, Omissions) {
+    fn entry(&mut self, address: &str, section: &Section<'_>, role: Role) -> (Entry, Omissions) {
         let own = Omissions::read(section, self.findings);
-        let unstated = own.unwrap_or(usual);
+        let unstated = own.unwrap_or(self.defaults.unstated.of_role(role));
         let mut entry = self.defaults.implied(role, unstated);
         if role == Role::First {
             entry = without(entry, own.unwrap_or_default());
@@ -262,7 +262,7 @@ impl Reader<'_> {
             match TypeSaid::parse(&word.value) {
                 Some(said) => {
                     entry.data_type = said.data_type;
-                    if said.object_type.is_some() {
+                    if said.object_type.is_some() && !unstated.has(Omission::ObjectType) {
                         entry.object_type = said.object_type;
                     }
                     if said.length.is_some() {
@@ -280,7 +280,7 @@ impl Reader<'_> {
         }
         self.values(section, &mut entry);
         self.stack(section, &mut entry);
-        meaning::read(section, name, &mut entry, self);
+        meaning::read(section, address, &mut entry, self);
         if let Some(tree) = section.get("extra") {
             let json = pairs(tree);
             entry.extra = serde_json::from_str(&json.to_string()).unwrap_or_default();

@@ -148,7 +148,7 @@ pub(super) fn spelled(value: &Value, hex: bool) -> Option<String> {
     Some(match value {
         Value::Boolean(value) => value.to_string(),
         Value::Signed(value) => value.to_string(),
-        Value::Unsigned(value) if hex && *value >= 0x100 => format!("0x{value:X}"),
+        Value::Unsigned(value) if hex && *value >= 0x80 => format!("0x{value:X}"),
         Value::Unsigned(value) => value.to_string(),
         Value::Real32(value) if !value.is_nan() => format!("{value:?}"),
         Value::Real64(value) if !value.is_nan() => format!("{value:?}"),

@@ -9,7 +9,7 @@ use super::reader::{numbered, sub_number, without};
 use super::words::{TypeSaid, index_list, key, quoted, spelled, type_word};
 use super::{lists, meaning};
 use crate::model::{
-    Compact, DataType, Device, DeviceKind, Entry, Object, ObjectType, PdoKind, PdoMapping, TypeKind,
+    Compact, DataType, Device, DeviceKind, Entry, ExtraSection, Object, ObjectType, PdoKind, PdoMapping, TypeKind,
     Value,
 };
 
@@ -73,8 +73,8 @@ fn head(device: &Device, text: &mut String) {
     if !unstated.is_empty() {
         push(text, &format!("unstated = [{}]", words(&unstated)));
     }
-    if let Some(dummies) = device.dummy_usage.as_ref().and_then(|usage| lists::dummy_words(&usage.types)) {
-        push(text, &format!("dummies = {}", quoted(&dummies)));
+    if let Some(usage) = &device.dummy_usage {
+        push(text, &format!("dummies = {}", quoted(&lists::dummy_words(&usage.types))));
     }
     match device.comments.as_deref() {
         None => {}
@@ -104,12 +104,21 @@ fn section(
 }
 
 fn extra(device: &Device, text: &mut String) {
-    for section in &device.extra {
-        push(text, &format!("\n[extra.{}]", key(section.name())));
+    let is_table = |section: &ExtraSection| {
         let mut seen = std::collections::BTreeSet::new();
-        for (name, value) in section.entries().filter(|(name, _)| seen.insert(*name)) {
-            push(text, &format!("{} = {}", key(name), quoted(value)));
+        section.entries().all(|(name, _)| seen.insert(name))
+    };
+    if device.extra.iter().all(is_table) {
+        for section in &device.extra {
+            push(text, &format!("\n[extra.{}]", key(section.name())));
+            section.entries().for_each(|(name, value)| push(text, &format!("{} = {}", key(name), quoted(value))));
         }
+        return;
+    }
+    // in one table, because a list cannot follow the table of another section
+    text.push_str("\n[extra]\n");
+    for section in &device.extra {
+        push(text, &format!("{} = {}", key(section.name()), facts::table_of_pairs(&section.entries().collect::<Vec<_>>())));
     }
 }
 
@@ -150,7 +159,8 @@ fn usual(device: &Device) -> Defaults {
         }
         None => {}
     }
-    if most(entries().map(|entry| entry.object_type.is_some())) == Some(false) {
+    let subs = device.objects.values().flat_map(|object| object.subs.iter()).filter(|(sub, _)| *sub != 0);
+    if most(subs.map(|(_, entry)| entry.object_type.is_some())) == Some(false) {
         defaults.unstated.add(Omission::ObjectType);
     }
     let described = || device.objects.values().filter(|object| !object.subs.is_empty() && object.compact.is_none());
@@ -297,6 +307,9 @@ impl Writer<'_> {
             Some(word) => {
                 pairs.push(("type".to_owned(), quoted(word)));
                 implied.object_type = types.object_type.or(implied.object_type);
+                if unstated.has(Omission::ObjectType) {
+                    implied.object_type = None;
+                }
             }
             None => {
                 implied.object_type = if implies_record { Some(ObjectType::Record) } else { implied.object_type };
@@ -332,7 +345,7 @@ impl Writer<'_> {
         if has_subs && object.subs.get(0).is_none() {
             needed.add(Omission::Sub0);
         }
-        let usual = self.defaults.unstated;
+        let usual = self.defaults.unstated.of_role(role);
         if needed.is_within(usual) { (usual, false) } else { (needed, true) }
     }
 
@@ -368,7 +381,7 @@ impl Writer<'_> {
 
     fn sub(&self, index: u16, sub: u8, entry: &Entry, highest: Option<u8>) -> Vec<Pair> {
         let role = if sub == 0 { Role::First } else { Role::Sub };
-        let usual = if sub == 0 { Omissions::default() } else { self.defaults.unstated };
+        let usual = self.defaults.unstated.of_role(role);
         let stated = self.defaults.implied(role, Omissions::default());
         let mut needed = needed(entry, &stated);
         let value = self.defaults.highest(highest, self.defaults.unstated).filter(|_| sub == 0);
@@ -393,7 +406,9 @@ impl Writer<'_> {
             let word = said.word().or_else(|| entry.data_type.map(type_word).filter(|word| word != "domain"));
             if let Some(word) = word.or_else(|| entry.data_type.map(|_| "domain".to_owned())) {
                 let parsed = TypeSaid::parse(&word).unwrap_or_default();
-                implied.object_type = parsed.object_type.or(implied.object_type);
+                if !unstated.has(Omission::ObjectType) {
+                    implied.object_type = parsed.object_type.or(implied.object_type);
+                }
                 has_length = parsed.length.is_some();
                 pairs.push(("type".to_owned(), quoted(&word)));
             }
@@ -409,7 +424,8 @@ impl Writer<'_> {
 
     /// The keys that no other facts decide about.
     fn rest(&self, address: &str, entry: &Entry, has_length: bool, with_default: bool, pairs: &mut Vec<Pair>) {
-        let hex = address.starts_with('1');
+        // CAN-IDs, mapped entries and identity
+        let hex = address.starts_with('1') && entry.data_type == Some(DataType::UNSIGNED32);
         let values = [
             ("default", entry.default.as_ref().filter(|_| with_default)),
             ("min", entry.low_limit.as_ref()),
@@ -446,11 +462,8 @@ impl Writer<'_> {
         for (name, text) in meaning::keys(self.device, address, entry) {
             put(name, text);
         }
-        if !entry.extra.is_empty()
-            && let Ok(serde_json::Value::Array(pairs)) = serde_json::to_value(&entry.extra)
-            && let Some(table) = facts::table_of_pairs(&pairs)
-        {
-            put("extra", table);
+        if !entry.extra.is_empty() {
+            put("extra", facts::table_of_pairs(&entry.extra.iter().collect::<Vec<_>>()));
         }
     }
 }
@@ -475,15 +488,15 @@ fn stated_value(value: &Value, data_type: Option<DataType>, hex: bool) -> Option
 /// What `type` says of an object.
 fn said_of(object: &Object) -> TypeSaid {
     let main = &object.main;
-    let object_type = main.object_type.filter(|of| {
-        matches!(of, ObjectType::Array | ObjectType::Record | ObjectType::Domain)
-    });
-    TypeSaid {
-        object_type,
-        data_type: main.data_type,
-        count: object.compact.as_ref().map(|compact| compact.count),
-        length: main.stack.as_ref().and_then(|stack| stack.min_string_length),
-    }
+    let count = object.compact.as_ref().map(|compact| compact.count);
+    let is_word = |of: &ObjectType| matches!(of, ObjectType::Array | ObjectType::Record | ObjectType::Domain);
+    let object_type = match count {
+        // equal elements are an array, unless another key says what they are
+        Some(_) => Some(ObjectType::Array),
+        None => main.object_type.filter(is_word),
+    };
+    let length = main.stack.as_ref().and_then(|stack| stack.min_string_length);
+    TypeSaid { object_type, data_type: main.data_type, count, length }
 }
 
 fn compact_keys(compact: &Compact, data_type: Option<DataType>, pairs: &mut Vec<Pair>) {
@@ -559,7 +572,7 @@ fn range_keys(entries: &[(u8, &Entry)], template: &str, index: u16, pairs: &mut 
             "default" if !is_one_value => {
                 let value = |(_, entry): &(u8, &Entry)| {
                     let value = entry.default.as_ref()?;
-                    stated_value(value, entry.implied_type(), index < 0x2000)
+                    stated_value(value, entry.implied_type(), index < 0x2000 && entry.data_type == Some(DataType::UNSIGNED32))
                 };
                 let values: Vec<String> = entries.iter().filter_map(value).collect();
                 *text = format!("[{}]", values.join(", "));
