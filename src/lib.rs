@@ -221,7 +221,6 @@ mod json;
 mod pipeline;
 pub mod registry;
 pub mod report;
-#[cfg(feature = "lint")]
 pub mod scaffold;
 
 pub use check::{check, check_with};

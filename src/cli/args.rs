@@ -4,6 +4,7 @@ mod configure;
 mod convert;
 mod dcf;
 mod docs;
+mod features;
 mod generate;
 mod network;
 mod new;

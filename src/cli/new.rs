@@ -10,13 +10,13 @@ use super::output::Output;
 use super::save::{is_stdout, save};
 use crate::format::{self, WriteOptions, json};
 use crate::model::{ClockTime, Date};
-use crate::scaffold::{ChannelCounts, Encoder, EncoderClass, Functions, Wanted, scaffold};
+use crate::scaffold::{BaseError, FEATURES, Feature, Wanted, scaffold};
 
 /// The vendor-ID of a device whose vendor is not said: one that CiA never assigns.
 const NO_VENDOR: u32 = 0xFFFF_FFFF;
 
 pub(super) fn run(args: &NewArgs, out: &mut Output) -> Result<Outcome, Failure> {
-    let functions = functions(args)?;
+    let profile = profile(args)?;
     if args.vendor_id.is_none() {
         note(&format!("note: the vendor-ID is 0x{NO_VENDOR:08X}; set yours with `--vendor-id`\n"));
     }
@@ -26,7 +26,8 @@ pub(super) fn run(args: &NewArgs, out: &mut Output) -> Result<Outcome, Failure> 
     let by_name = || FileKind::of(&args.output).filter(|_| !is_stdout).unwrap_or(FileKind::Eds);
     let kind = args.to.map_or_else(by_name, FileKind::from);
     let wanted = Wanted {
-        functions,
+        profile,
+        features: args.features.0.clone(),
         file_name: if is_stdout { format!("device.{}", kind.ending()) } else { name.into_owned() },
         vendor_name: args.vendor_name.clone(),
         vendor_id: args.vendor_id.unwrap_or(NO_VENDOR),
@@ -37,7 +38,7 @@ pub(super) fn run(args: &NewArgs, out: &mut Output) -> Result<Outcome, Failure> 
         date,
         time,
     };
-    let device = scaffold(&wanted);
+    let device = scaffold(&wanted).map_err(failure)?;
     let bytes = match kind {
         FileKind::Json => json::write_device(&device).into_bytes(),
         kind => match kind.format().filter(|format| format.kind() == device.kind) {
@@ -64,41 +65,35 @@ pub(super) fn run(args: &NewArgs, out: &mut Output) -> Result<Outcome, Failure> 
     Ok(Outcome::Clean)
 }
 
-/// What the device does, as far as the arguments fit each other.
-fn functions(args: &NewArgs) -> Result<Functions, Failure> {
-    let channels = ChannelCounts {
-        digital_inputs: args.digital_inputs,
-        digital_outputs: args.digital_outputs,
-        analog_inputs: args.analog_inputs,
-        analog_outputs: args.analog_outputs,
-    };
-    let has_channels = channels != ChannelCounts::default();
-    let is_encoder = args.encoder_class.is_some() || args.encoder_type.is_some();
-    let profile = match (args.profile, has_channels, is_encoder) {
-        (Some(profile), ..) => profile,
-        (None, true, false) => 401,
-        (None, false, true) => 406,
-        (None, false, false) => 301,
-        (None, true, true) => return Err(Failure::new("a device has either channels or an encoder")),
-    };
-    let misplaced = |what: &str, right: u16| {
-        let message = format!("CiA {profile} has no {what}");
-        Err(Failure::new(message).help(format!("use `--profile {right}`")))
+/// The profile that was said, else the first one that has the features.
+fn profile(args: &NewArgs) -> Result<u16, Failure> {
+    let given = FEATURES.iter().filter(|feature| args.features.0.get(feature.word).is_some());
+    let given: Vec<&Feature> = given.filter(|feature| !feature.profiles.is_empty()).collect();
+    let has_all = |profile: &u16| given.iter().all(|feature| feature.is_of(*profile));
+    let profile = match (args.profile, given.first()) {
+        (Some(profile), _) => profile,
+        (None, None) => 301,
+        (None, Some(first)) => *first.profiles.iter().find(|profile| has_all(profile)).ok_or_else(|| {
+            Failure::new("no profile has all of these features").help("name the profile with `--profile`")
+        })?,
     };
     match profile {
-        _ if has_channels && profile != 401 => misplaced("digital or analogue channels", 401),
-        _ if is_encoder && profile != 406 => misplaced("encoder classes or types", 406),
-        301 => Ok(Functions::Bare),
-        401 if !has_channels => Err(Failure::new("an I/O module needs inputs or outputs")
+        401 if given.is_empty() => Err(Failure::new("an I/O module needs inputs or outputs")
             .help("set their number with `--digital-inputs`, `--digital-outputs`, `--analog-inputs`, `--analog-outputs`")),
-        401 => Ok(Functions::InputsOutputs(channels)),
-        406 => Ok(Functions::Encoder(Encoder {
-            class: args.encoder_class.map_or(EncoderClass::C1, Into::into),
-            encoder_type: args.encoder_type.unwrap_or(2),
-        })),
-        _ => Err(Failure::new(format_args!("CiA {profile} is not supported"))
-            .help("301, 401 and 406 are supported")),
+        402 if args.features.0.modes.is_none() => Err(Failure::new("a drive needs modes of operation")
+            .help("name them with `--modes`, for example `--modes profile-position,homing`")),
+        _ => Ok(profile),
     }
+}
+
+fn failure(error: BaseError) -> Failure {
+    let help = match &error {
+        BaseError::Feature { word, .. } => Feature::named(word)
+            .and_then(|feature| feature.profiles.first())
+            .map_or_else(|| error.help(), |profile| format!("use `--profile {profile}`")),
+        _ => error.help(),
+    };
+    Failure::new(error).help(help)
 }
 
 /// The date and time that the description states: those that were said, else now, in Coordinated Universal Time.

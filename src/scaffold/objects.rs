@@ -1,14 +1,15 @@
 //! Objects as documents describe them.
 
-use super::{Functions, Wanted, number};
-use crate::model::{Access, DataType, Device, Entry, Object, ObjectType, PdoMapping, Value, predefined};
+use super::base::Plan;
+use super::number;
+use crate::model::{
+    Access, CobId, DataType, Device, Entry, ObjFlags, Object, ObjectType, PdoMapping, Value, predefined,
+};
 use crate::profile::{EntryFacts, Mapping, ObjectFacts, Profile};
 
 /// Makes objects of what the documents say of them, the general document first.
 pub(super) struct Maker<'a> {
-    /// What is wanted of a new device; `None` for an existing one.
-    pub(super) wanted: Option<&'a Wanted>,
-    pub(super) functions: Functions,
+    pub(super) plan: Plan,
     pub(super) documents: &'a [&'a Profile],
 }
 
@@ -42,6 +43,26 @@ impl Maker<'_> {
         }
     }
 
+    /// Adds what the documents demand of the device from this index on, until they demand nothing more.
+    pub(super) fn complete(&self, device: &mut Device, first: u16) {
+        while let Some(index) = self.missing(device, first) {
+            self.add(device, index);
+        }
+    }
+
+    /// The first object that a document demands and the device does not have.
+    fn missing(&self, device: &Device, first: u16) -> Option<u16> {
+        let objects = self.documents.iter().flat_map(|document| document.objects());
+        let objects = objects.filter(|facts| facts.first >= first && facts.is_demanded(device, 0));
+        objects.map(|facts| facts.first).find(|index| !device.objects.contains_key(index))
+    }
+
+    /// Whether the profile has an object, and not only for other devices.
+    pub(super) fn is_for(&self, device: &Device, index: u16) -> bool {
+        let facts = self.documents.last().and_then(|document| document.object(index));
+        facts.is_some_and(|facts| facts.is_for(device, 0))
+    }
+
     /// What the documents say of an object.
     fn facts(&self, index: u16) -> Vec<ObjectFacts<'_>> {
         self.documents.iter().filter_map(|document| document.object(index)).collect()
@@ -50,13 +71,12 @@ impl Maker<'_> {
     /// The sub-indexes of an object: those that it needs, and as many as there are channels.
     fn subs(&self, device: &Device, index: u16) -> impl Iterator<Item = u8> {
         let facts = self.facts(index);
-        let count = self.functions.count(index);
+        let count = self.plan.count(index);
         let is_needed = move |sub: u8| {
-            // a product is identified by its complete identity
-            let is_identity = index == 0x1018;
             facts.iter().filter_map(|facts| facts.entry(sub)).any(|facts| {
                 let is_demanded = facts.first == sub && facts.need.is_there(device, 0);
-                is_demanded || is_identity || sub == 0 || (facts.last > facts.first && sub <= count)
+                let is_element = sub <= count.unwrap_or(1) && (count.is_some() || facts.last > facts.first);
+                is_demanded || sub == 0 || is_element
             })
         };
         (0..=254u8).filter(move |&sub| is_needed(sub)).collect::<Vec<_>>().into_iter()
@@ -89,29 +109,64 @@ impl Maker<'_> {
                 Some(_) if index < FIRST_OF_MANUFACTURER => PdoMapping::No,
                 Some(_) => PdoMapping::Optional,
             }),
+            // writing stores or restores parameters, which no download of a configuration must do
+            flags: (sub > 0 && matches!(index, 0x1010 | 0x1011)).then_some(ObjFlags(1)),
             default: self.value(index, sub).or(default).or_else(|| first_value(data_type?, &facts)),
             ..Entry::default()
         }
     }
 
-    /// The value of an entry that depends on the device.
+    /// The value of an entry that depends on the device, or that a new device has where the documents leave it open.
     fn value(&self, index: u16, sub: u8) -> Option<Value> {
-        let is_encoder = matches!(self.functions, Functions::Encoder(_));
+        let Plan { profile, features } = &self.plan;
+        let is_on = |feature| feature == Some(true);
         Some(match (index, sub) {
-            (0x1000, 0) => Value::Unsigned(self.functions.device_type().into()),
-            (0x1005, 0) => Value::Unsigned(predefined::SYNC.into()),
-            (0x1008, 0) => Value::Text(self.wanted?.product_name.as_str().into()),
+            (0x1000, 0) => Value::Unsigned(self.plan.device_type().into()),
+            (0x1005, 0) => {
+                let role = if is_on(features.sync_producer) { CobId::BIT_30 } else { 0 };
+                Value::Unsigned((u32::from(predefined::SYNC) | role).into())
+            }
+            (0x1006, 0) if is_on(features.sync_producer) => Value::Unsigned(SYNC_PERIOD),
+            // groups of parameters are stored and restored on command
+            (0x1010 | 0x1011, 1..) => Value::Unsigned(1),
+            (0x1012, 0) => {
+                let role = if is_on(features.time_producer) { CobId::BIT_30 } else { CobId::BIT_31 };
+                Value::Unsigned((u32::from(predefined::TIME) | role).into())
+            }
             (0x1014, 0) => predefined::per_node(predefined::EMCY).to_value(),
             (0x1017, 0) => Value::Unsigned(HEARTBEAT),
+            (0x1200, 1) => predefined::per_node(predefined::SDO_REQUEST).to_value(),
+            (0x1200, 2) => predefined::per_node(predefined::SDO_RESPONSE).to_value(),
+            (0x1028, 1..) | (0x1201..=0x12FF, 1 | 2) => Value::Unsigned(CobId::BIT_31.into()),
+            (0x1201..=0x12FF, 3) => Value::Unsigned(1),
+            (0x6502, 0) if *profile == 402 => Value::Unsigned(features.modes.unwrap_or_default().into()),
+            (index, sub) if *profile == 402 && MOVING.contains(&(index, sub)) => Value::Unsigned(1),
+            (0x6112, 1..) if *profile == 404 => Value::Unsigned(NORMAL_OPERATION),
             // an encoder sees at least one step of one revolution
-            (0x6001 | 0x6002 | 0x6501 | 0x6502, 0) | (0x6005, 1 | 2) if is_encoder => Value::Unsigned(1),
-            (0x1018, 1) => Value::Unsigned(self.wanted?.vendor_id.into()),
-            (0x1018, 2) => Value::Unsigned(self.wanted?.product_code.into()),
-            (0x1018, 3) => Value::Unsigned(self.wanted?.revision.into()),
+            (0x6001 | 0x6002 | 0x6501 | 0x6502, 0) | (0x6005, 1 | 2) if *profile == 406 => Value::Unsigned(1),
             _ => return None,
         })
     }
 }
+
+/// Microseconds between two SYNC messages of a new device that produces them.
+const SYNC_PERIOD: u64 = 10_000;
+
+/// Speeds, ramps, slopes and times of drives with which 0 moves nothing: the least that does.
+const MOVING: [(u16, u8); 9] = [
+    (0x6046, 2),
+    (0x6048, 1),
+    (0x6048, 2),
+    (0x6081, 0),
+    (0x6083, 0),
+    (0x6087, 0),
+    (0x6099, 1),
+    (0x6099, 2),
+    (0x60C2, 1),
+];
+
+/// The operating mode of a channel that is not off (CiA 404).
+const NORMAL_OPERATION: u64 = 1;
 
 /// Milliseconds between two heartbeats of a new device.
 const HEARTBEAT: u64 = 1000;

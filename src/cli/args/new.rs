@@ -4,9 +4,9 @@ use std::path::PathBuf;
 
 use clap::ValueEnum;
 
+use super::features::FeatureArgs;
 use crate::format::input::FileKind;
 use crate::model::Date;
-use crate::scaffold::{EncoderClass, MAX_ANALOG, MAX_DIGITAL};
 
 #[derive(Debug, clap::Args)]
 pub(in crate::cli) struct NewArgs {
@@ -16,27 +16,9 @@ pub(in crate::cli) struct NewArgs {
     /// The format to write [default: by the extension of the output, else eds]
     #[arg(long, value_enum, value_name = "FORMAT")]
     pub to: Option<NewFormat>,
-    /// The device profile: 301, 401 or 406 [default: that of the other arguments]
+    /// The device profile: 301, 401, 402, 404 or 406 [default: that of the features]
     #[arg(long, value_name = "NUMBER")]
     pub profile: Option<u16>,
-    /// Number of digital inputs of one bit
-    #[arg(long, value_name = "N", default_value_t = 0, hide_default_value = true, value_parser = digital())]
-    pub digital_inputs: u16,
-    /// Number of digital outputs of one bit
-    #[arg(long, value_name = "N", default_value_t = 0, hide_default_value = true, value_parser = digital())]
-    pub digital_outputs: u16,
-    /// Number of analogue inputs of 16 bits
-    #[arg(long, alias = "analogue-inputs", value_name = "N", default_value_t = 0, hide_default_value = true, value_parser = analog())]
-    pub analog_inputs: u8,
-    /// Number of analogue outputs of 16 bits
-    #[arg(long, alias = "analogue-outputs", value_name = "N", default_value_t = 0, hide_default_value = true, value_parser = analog())]
-    pub analog_outputs: u8,
-    /// Class of the encoder [default: c1]
-    #[arg(long, value_enum, value_name = "CLASS")]
-    pub encoder_class: Option<Class>,
-    /// The encoder type of CiA 406: 1 single-turn absolute rotary, 2 multi-turn absolute rotary, … 10 several sensors [default: 2]
-    #[arg(long, value_name = "TYPE", value_parser = clap::value_parser!(u8).range(1..=10))]
-    pub encoder_type: Option<u8>,
     /// Name of the vendor
     #[arg(long, value_name = "NAME", default_value = "Vendor", value_parser = text)]
     pub vendor_name: String,
@@ -61,6 +43,8 @@ pub(in crate::cli) struct NewArgs {
     /// Replace an existing file
     #[arg(long, alias = "force")]
     pub overwrite: bool,
+    #[command(flatten)]
+    pub features: FeatureArgs,
 }
 
 /// A format of new descriptions.
@@ -79,32 +63,6 @@ impl From<NewFormat> for FileKind {
             NewFormat::Json => Self::Json,
         }
     }
-}
-
-/// A class of encoders, as an argument.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
-pub(in crate::cli) enum Class {
-    /// Position and its description
-    C1,
-    /// Also scaling, preset, alarms and diagnosis
-    C2,
-}
-
-impl From<Class> for EncoderClass {
-    fn from(class: Class) -> Self {
-        match class {
-            Class::C1 => Self::C1,
-            Class::C2 => Self::C2,
-        }
-    }
-}
-
-fn digital() -> clap::builder::RangedI64ValueParser<u16> {
-    clap::value_parser!(u16).range(0..=i64::from(MAX_DIGITAL))
-}
-
-fn analog() -> clap::builder::RangedI64ValueParser<u8> {
-    clap::value_parser!(u8).range(0..=i64::from(MAX_ANALOG))
 }
 
 /// A number in decimal or, behind `0x`, in hexadecimal.
