@@ -94,8 +94,9 @@ fn stated(key: &Key, section: &Section<'_>, tree: &Tree, findings: &mut Findings
     Some((field(key.name), value))
 }
 
-fn field(key: &str) -> String {
-    key.replace('-', "_")
+/// The name of a key in JSON.
+pub(super) fn field(key: &str) -> String {
+    if key == "bit-rates" { "baud_rates".to_owned() } else { key.replace('-', "_") }
 }
 
 /// The bit rates of a list: the others that CiA 301 defines are not supported.
@@ -143,8 +144,7 @@ pub(super) fn lines(part: &impl Serialize, keys: &[Key], implied: &[Implied]) ->
     let mut unstated = Vec::new();
     for known in keys {
         let usual = implied.iter().find(|(name, _)| *name == known.name).map(|(_, value)| value);
-        let name = if known.name == "bit-rates" { "baud_rates".to_owned() } else { field(known.name) };
-        match (fields.get(&name), usual) {
+        match (fields.get(&field(known.name)), usual) {
             (None, Some(_)) => unstated.push(quoted(known.name)),
             (Some(value), usual) if Some(value) != usual => {
                 lines.extend(spelled(known, value).map(|value| format!("{} = {value}", known.name)));

@@ -1,6 +1,9 @@
 //! The keys of `device.toml`.
 
+use std::sync::LazyLock;
+
 use crate::format::keyed::section::{Key, Shape, bits};
+use crate::scaffold::{FEATURES, FeatureKind};
 
 const fn key(name: &'static str, shape: Shape, meaning: &'static str) -> Key {
     Key { name, shape, meaning }
@@ -13,21 +16,60 @@ const EXTRA: &str = "Keys of a description that CiA's documents do not have, in 
 /// What `format` says in the first line.
 pub(super) const FORMAT: &str = "objdict-device/1";
 
-pub(super) const ROOT: &[Key] = &[
+/// The keys of the file.
+pub(super) fn root() -> &'static [Key] {
+    &ROOT
+}
+
+static ROOT: LazyLock<Vec<Key>> = LazyLock::new(|| {
+    let features = Shape::Map(features());
+    vec![
     key("format", Shape::Word(&[FORMAT]), "The format and its version. It is the first key of the file."),
+    key("profile", Shape::Text, "The device profile with the version of objdict's data of it, `402@1`: every object that it and CiA 301 demand for the features is there. `301@1` has those of CiA 301 alone."),
+    key("features", features, "What the device has and can do; what is not stated is as the profile has it."),
+    key("remove", Shape::Foreign, "Objects and entries of the profile that the device does not have: a list of addresses such as `1006` or `1018:4`, or a table of them with the reasons."),
     key("kind", Shape::Word(&["type", "node"]), "Whether a type of device or a node is described; `node` follows from `[node]`."),
     key("comments", Shape::Texts, "The lines of `Comments`: a text of several lines, or a list."),
     key("dummies", Shape::Text, "The data types that fill gaps in RPDOs, of those that CiA 306-1 lists: `u8 u16 u32`. After `only` the list has no others: `only u8 !bool`."),
-    key("unstated", Shape::Texts, "Which parts the description leaves out: `file`, `device`, `lists`."),
+    key("unstated", Shape::Texts, "Which parts the description leaves out: `file`, `device`, `comments`, `dummies`."),
     key("file", Shape::Map(FILE), "About the file with the description."),
     key("device", Shape::Map(DEVICE), "About the device."),
     key("node", Shape::Map(NODE), "The configured node."),
     key("defaults", Shape::Map(DEFAULTS), "What entries have that do not say otherwise."),
+    key("rpdo", Shape::Numbered(1, 512, PDO), "RPDOs by number."),
+    key("tpdo", Shape::Numbered(1, 512, PDO), "TPDOs by number."),
     key("lists", Shape::Map(LISTS), "The object lists, where they do not follow from the objects."),
     key("object", Shape::Named(OBJECT), "The objects by index: four hex digits."),
     key("extra", Shape::Foreign, "Sections of a description that CiA's documents do not have, each with its keys."),
     key("raw", Shape::Values, "What has no key: values of the JSON of a device by JSON pointers; they replace what the other keys say."),
     key("raw-remove", Shape::Texts, "JSON pointers of what a device does not have that the other keys say."),
+    ]
+});
+
+/// The keys of `[features]`.
+pub(super) fn features() -> &'static [Key] {
+    static KEYS: LazyLock<Vec<Key>> = LazyLock::new(|| {
+        let keys = FEATURES.iter().map(|feature| {
+            let shape = match feature.kind {
+                FeatureKind::Flag => Shape::Flag,
+                FeatureKind::Number { lowest, highest } => Shape::Integer(lowest.into(), highest.into()),
+                FeatureKind::OneOf(words) => Shape::Word(words),
+                _ => Shape::Texts,
+            };
+            key(feature.word, shape, feature.meaning)
+        });
+        keys.collect()
+    });
+    &KEYS
+}
+
+pub(super) const PDO: &[Key] = &[
+    key("map", Shape::Texts, "The mapped entries in the order of the frame: `6000:1`, `6041` for sub-index 0, `0005` for a dummy, `2000:1/8` with a number of bits."),
+    key("cob-id", Shape::Value, "COB-ID: a number, `$NODEID+0x180`, or `off` for the usual one of a PDO that is not valid."),
+    key("transmission", Shape::Text, "The transmission type: `sync/1` to `sync/240`, `event`, `rtr`, or its number."),
+    key("inhibit", Shape::Time(0xFFFF, 100_000), "The inhibit time: a text with a unit, or a number of 100 µs."),
+    key("event", Shape::Time(0xFFFF, 1_000_000), "The event timer: a text with a unit, or a number of ms."),
+    key("sync-start", bits(8), "SYNC start value."),
 ];
 
 pub(super) const FILE: &[Key] = &[

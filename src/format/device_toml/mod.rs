@@ -6,7 +6,9 @@ mod facts;
 pub(in crate::format) mod keys;
 mod lists;
 mod meaning;
+mod pdos;
 mod places;
+mod profile;
 mod raw;
 mod reader;
 mod words;
@@ -14,7 +16,8 @@ mod writer;
 
 use self::defaults::Defaults;
 pub(super) use self::document::Document;
-use self::keys::{DEVICE, FILE, LISTS, NODE, ROOT};
+use self::profile::ProfileSaid;
+use self::keys::{DEVICE, FILE, LISTS, NODE};
 use self::reader::Reader;
 use super::keyed::rules::WRONG_TYPE;
 use super::keyed::section::Section;
@@ -23,8 +26,9 @@ use super::keyed::tree::{Kind, Tree};
 use crate::compare::each_difference;
 use crate::diagnostic::{Diagnostic, Findings, say};
 use crate::model::{
-    ApplicationProcess, Device, DeviceKind, DummyUsage, Extra, ExtraSection, ObjectLists,
+    ApplicationProcess, Device, DeviceInfo, DeviceKind, DummyUsage, Extra, ExtraSection, ObjectLists, PdoKind,
 };
+use crate::scaffold;
 use crate::source::EditError;
 
 /// Whether a text is a `device.toml`: its first key says so.
@@ -46,31 +50,69 @@ pub(super) fn read(text: &str) -> (Device, Findings) {
 
 /// The device of a tree.
 fn of_tree(tree: &Tree, findings: &mut Findings) -> Device {
-    let Some(root) = Section::new("device.toml", tree, ROOT, findings) else { return Device::default() };
+    let Some(root) = Section::new("device.toml", tree, keys::root(), findings) else { return Device::default() };
     if let Some(format) = root.required("device.toml", "format", findings).and(root.word("format", findings)) {
         debug_assert_eq!(format.value, keys::FORMAT);
     }
-    let mut device = Device::default();
-    let mut reader =
-        Reader { defaults: Defaults::default(), findings, application: ApplicationProcess::default() };
-    if let Some(tree) = root.get("defaults") {
-        reader.read_defaults(tree);
+    let base = profile::read(&root, findings);
+    let info = base.as_ref().and_then(|base| base.device_info.clone());
+    let mut device = base.unwrap_or_default();
+    device.lists = ObjectLists::default();
+    frame(&root, &mut device, info.as_ref(), findings);
+    if info.is_some() {
+        scaffold::identify(&mut device);
     }
-    if let Some(tree) = root.get("object") {
-        reader.read_objects(tree, &mut device.objects);
-    }
-    let application = reader.application;
-    if application != ApplicationProcess::default() {
-        device.application.push(application);
-    }
-    frame(&root, &mut device, findings);
+    profile::remove(&root, &mut device, findings);
+    objects(&root, &mut device, findings);
+    count_pdos(&root, &mut device);
     device.lists = read_lists(&root, &device, findings);
     raw::read(&root, &mut device, findings);
     device
 }
 
+/// Reads the objects; PDOs after what they map.
+fn objects(root: &Section<'_>, device: &mut Device, findings: &mut Findings) {
+    let mut reader =
+        Reader { defaults: Defaults::default(), findings, application: ApplicationProcess::default() };
+    if let Some(tree) = root.get("defaults") {
+        reader.read_defaults(tree);
+    }
+    let tree = root.get("object");
+    if let Some(tree) = tree {
+        reader.read_objects(tree, &mut device.objects, |index| !pdos::is_pdo(index));
+    }
+    for kind in [PdoKind::Rpdo, PdoKind::Tpdo] {
+        pdos::read(root, kind, device, reader.findings);
+    }
+    if let Some(tree) = tree {
+        reader.read_objects(tree, &mut device.objects, pdos::is_pdo);
+    }
+    if reader.application != ApplicationProcess::default() {
+        device.application.push(reader.application);
+    }
+}
+
+/// The numbers of PDOs that the device has in the end, where no key states others.
+fn count_pdos(root: &Section<'_>, device: &mut Device) {
+    let section = root.get("device");
+    let is_stated = |key: &str| {
+        let unstated = section.and_then(|section| section.get("unstated"));
+        section.is_some_and(|section| section.get(key).is_some())
+            || unstated.is_some_and(|unstated| reader::names(unstated, key))
+    };
+    let count = |kind| u16::try_from(device.pdo_count(kind)).unwrap_or(PdoKind::MAX);
+    let counts = (count(PdoKind::Rpdo), count(PdoKind::Tpdo));
+    let Some(info) = &mut device.device_info else { return };
+    if !is_stated("rpdo-count") {
+        info.rpdo_count = Some(counts.0);
+    }
+    if !is_stated("tpdo-count") {
+        info.tpdo_count = Some(counts.1);
+    }
+}
+
 /// The parts about file, device and node.
-fn frame(root: &Section<'_>, device: &mut Device, findings: &mut Findings) {
+fn frame(root: &Section<'_>, device: &mut Device, base: Option<&DeviceInfo>, findings: &mut Findings) {
     let unstated: Vec<String> =
         root.texts("unstated", findings).into_iter().map(|text| text.value.to_owned()).collect();
     let is_stated = |name: &str| !unstated.iter().any(|word| word == name);
@@ -82,8 +124,9 @@ fn frame(root: &Section<'_>, device: &mut Device, findings: &mut Findings) {
         device.file_info = Some(facts::read(file.as_ref(), FILE, &facts::implied_file(), findings));
     }
     let about = section("device", DEVICE, findings);
+    device.device_info = None;
     if is_stated("device") {
-        let implied = writer::implied_device(device);
+        let implied = profile::implied_device(base, device);
         device.device_info = Some(facts::read(about.as_ref(), DEVICE, &implied, findings));
     }
     if let Some(node) = section("node", NODE, findings) {
@@ -93,6 +136,7 @@ fn frame(root: &Section<'_>, device: &mut Device, findings: &mut Findings) {
     if let Some(kind) = root.word("kind", findings) {
         device.kind = if kind.value == "node" { DeviceKind::Node } else { DeviceKind::Type };
     }
+    device.dummy_usage = device.dummy_usage.take().filter(|_| is_stated("dummies"));
     if let Some(dummies) = root.text("dummies", findings) {
         match lists::dummies(&dummies.value) {
             Ok(types) => device.dummy_usage = Some(DummyUsage { types, ..DummyUsage::default() }),
@@ -102,10 +146,13 @@ fn frame(root: &Section<'_>, device: &mut Device, findings: &mut Findings) {
             }
         }
     }
-    device.comments = root.get("comments").map(|tree| match &*tree.kind {
-        Kind::List(items) => items.iter().map(Tree::spelled).collect(),
-        _ => tree.spelled().split('\n').map(str::to_owned).collect(),
-    });
+    device.comments = match root.get("comments") {
+        None => device.comments.take().filter(|_| is_stated("comments")),
+        Some(tree) => Some(match &*tree.kind {
+            Kind::List(items) => items.iter().map(Tree::spelled).collect(),
+            _ => tree.spelled().split('\n').map(str::to_owned).collect(),
+        }),
+    };
     for section in root.named("extra", findings) {
         let entries: Extra = serde_json::from_str(&facts::pairs(&section.value).to_string()).unwrap_or_default();
         device.extra.push(ExtraSection::new(&section.key.spelled(), &entries));
@@ -139,11 +186,24 @@ fn read_lists(root: &Section<'_>, device: &Device, findings: &mut Findings) -> O
 /// # Errors
 /// When more values have no key than allowed.
 pub(super) fn write(device: &Device, max_raw: usize) -> Result<String, EditError> {
-    let mut text = writer::write(device);
-    let (read, _) = read(&text);
-    let mut missing = Vec::new();
-    each_difference(&read, device, max_raw, &mut |difference| missing.push(difference))
-        .map_err(|found| EditError::TooMuchLost { count: found.count, limit: found.limit })?;
-    raw::write(&missing, &mut text);
-    Ok(text)
+    let profile = ProfileSaid::of(device);
+    let with_profile = profile.as_ref().and_then(|profile| Some((profile, profile.base()?)));
+    let mut texts = vec![writer::write(device, None, false)];
+    if let Some((profile, base)) = &with_profile {
+        let forms = [false, true];
+        texts.extend(forms.map(|with_pdos| writer::write(device, Some((profile, base)), with_pdos)));
+    }
+    let mut shortest: Option<String> = None;
+    let length = |text: &String| (text.lines().count(), text.len());
+    for mut text in texts {
+        let (read, _) = read(&text);
+        let mut missing = Vec::new();
+        each_difference(&read, device, max_raw, &mut |difference| missing.push(difference))
+            .map_err(|found| EditError::TooMuchLost { count: found.count, limit: found.limit })?;
+        raw::write(&missing, &mut text);
+        if shortest.as_ref().is_none_or(|shortest| length(&text) < length(shortest)) {
+            shortest = Some(text);
+        }
+    }
+    Ok(shortest.unwrap_or_default())
 }

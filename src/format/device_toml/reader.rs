@@ -1,5 +1,7 @@
 //! From the tree to the objects.
 
+use std::collections::BTreeSet;
+
 use super::defaults::{Defaults, Omission, Omissions, Role};
 use super::facts::pairs;
 use super::keys::{DEFAULTS, ENTRY, OBJECT};
@@ -39,51 +41,60 @@ impl Reader<'_> {
             let implied = self.defaults.sub0.clone();
             let unstated = Omissions::read(&section, self.findings).unwrap_or_default();
             self.defaults.sub0 = without(implied, unstated);
-            self.defaults.sub0 = self.entry("sub0", &section, Role::First).0;
+            self.defaults.sub0 = self.entry("sub0", &section, Role::First, None).0;
         }
     }
 
-    /// Reads the objects of a table by index.
-    pub(super) fn read_objects(&mut self, tree: &Tree, objects: &mut Objects) {
+    /// Reads those objects of a table by index that are wanted, into those that a profile demands.
+    pub(super) fn read_objects(&mut self, tree: &Tree, objects: &mut Objects, wanted: fn(u16) -> bool) {
         let Some(entries) = tree.entries() else {
             let message = say!("`object` is {}, not a table of objects", tree.kind_name());
             let finding = Diagnostic::new(&WRONG_TYPE, tree.span, message);
             self.findings.push(finding.help("write the objects by their indexes below it"));
             return;
         };
-        let mut read = Vec::with_capacity(entries.len());
+        let mut seen = BTreeSet::new();
         for entry in entries {
             let name = entry.key.spelled();
-            match index(&name) {
-                Some(index) => read.push((entry.key.span, index, self.object(index, &name, &entry.value))),
-                None => {
+            let Some(index) = index(&name) else {
+                // said once
+                if wanted(0) {
                     let message = say!("`{}` is not an index", name);
                     let finding = Diagnostic::new(&UNKNOWN_KEY, entry.key.span, message);
                     self.findings.push(finding.help("write four hex digits, as in `[object.2000]`"));
                 }
+                continue;
+            };
+            if !wanted(index) {
+                continue;
             }
-        }
-        for (span, index, object) in read {
-            let Some(object) = object else { continue };
-            if objects.insert(index, object).is_some() {
+            if !seen.insert(index) {
                 let message = say!("the object {}h is there twice", format!("{index:04X}"));
-                self.findings.push(Diagnostic::new(&DUPLICATE_KEY, span, message).help("remove one of them"));
+                let finding = Diagnostic::new(&DUPLICATE_KEY, entry.key.span, message);
+                self.findings.push(finding.help("remove one of them"));
+            }
+            let base = objects.get(&index).cloned();
+            if let Some(object) = self.object(index, &name, &entry.value, base) {
+                objects.insert(index, object);
             }
         }
     }
 
-    fn object(&mut self, index: u16, name: &str, tree: &Tree) -> Option<Object> {
+    fn object(&mut self, index: u16, name: &str, tree: &Tree, base: Option<Object>) -> Option<Object> {
         let section = Section::new(name, tree, OBJECT, self.findings)?;
         let said = self.said(&section);
-        let has_subs = section.get("sub").is_some();
+        let is_new = base.is_none();
+        let mut object = base.unwrap_or_default();
+        let has_subs = section.get("sub").is_some() || !object.subs.is_empty();
         let role = match said {
             Some(said) if said.has_subs() => Role::Whole,
             _ if has_subs => Role::Whole,
             _ => Role::Value,
         };
-        let (main, unstated) = self.entry(name, &section, role);
-        let mut object = Object { main, ..Object::default() };
-        if role == Role::Whole && said.is_none() && !unstated.has(Omission::ObjectType) {
+        let before = Some(&object.main).filter(|_| !is_new).cloned();
+        let (main, unstated) = self.entry(name, &section, role, before);
+        object.main = main;
+        if role == Role::Whole && said.is_none() && is_new && !unstated.has(Omission::ObjectType) {
             object.main.object_type = Some(ObjectType::Record);
         }
         self.override_types(&section, &mut object.main);
@@ -143,6 +154,8 @@ impl Reader<'_> {
     fn subs(&mut self, index: u16, section: &Section<'_>, object: &mut Object, unstated: Omissions) {
         let entries = section.named("sub", self.findings);
         self.check_hexadecimal(index, entries);
+        let highest_before = Some(object.highest_sub()).filter(|_| object.subs.get(0).is_some());
+        let mut seen = BTreeSet::new();
         for entry in entries {
             let name = entry.key.spelled();
             let Some((first, last)) = subs(&name) else {
@@ -152,9 +165,12 @@ impl Reader<'_> {
                 continue;
             };
             let Some(section) = Section::new(&name, &entry.value, ENTRY, self.findings) else { continue };
-            let role = if first == 0 { Role::First } else { Role::Sub };
-            let (read, _) = self.entry(&format!("{index:04X}{first:02X}"), &section, role);
-            self.override_types_of_sub(&section, first, object, read, last);
+            if let Some(twice) = (first..=last).find(|sub| !seen.insert(*sub)) {
+                let message = say!("the sub-index {} is there twice", format!("{twice:X}"));
+                let finding = Diagnostic::new(&DUPLICATE_KEY, entry.key.span, message);
+                self.findings.push(finding.help("remove one of them"));
+            }
+            self.range(index, &section, (first, last), object);
         }
         if object.subs.is_empty() {
             return;
@@ -169,6 +185,8 @@ impl Reader<'_> {
         };
         let value = self.defaults.highest(highest, self.defaults.unstated);
         match object.subs.get_mut(0) {
+            // that of a profile stays where there are as many sub-indexes as there
+            Some(_) if highest_before == Some(highest) => {}
             Some(entry) if !has_default(entries) => entry.default = value,
             Some(_) => {}
             None if object.compact.is_none() && !unstated.has(Omission::Sub0) => {
@@ -184,41 +202,44 @@ impl Reader<'_> {
     }
 
     /// Puts an entry into an object, once or for each sub-index of a range.
-    fn override_types_of_sub(
-        &mut self,
-        section: &Section<'_>,
-        first: u8,
-        object: &mut Object,
-        mut entry: Entry,
-        last: u8,
-    ) {
-        if let Some(word) = section.word("object-type", self.findings) {
-            entry.object_type = object_type(&word.value);
-        }
+    fn range(&mut self, index: u16, section: &Section<'_>, (first, last): (u8, u8), object: &mut Object) {
         let defaults = section.get("default").and_then(|tree| match &*tree.kind {
             Kind::List(items) => Some((tree, items)),
             _ => None,
         });
+        let count = usize::from(last - first) + 1;
         if let Some((tree, items)) = defaults
-            && items.len() != usize::from(last - first) + 1
+            && items.len() != count
         {
-            let message = say!("`default` has {} values for {} sub-indexes", items.len(), u16::from(last - first) + 1);
+            let message = say!("`default` has {} values for {} sub-indexes", items.len(), count);
             self.findings.push(Diagnostic::new(&WRONG_TYPE, tree.span, message).help("write one for each"));
         }
+        let address = format!("{index:04X}{first:02X}");
+        let mut template: Option<Entry> = None;
         for (at, sub) in (first..=last).enumerate() {
-            let mut one = entry.clone();
-            if first != last {
-                one.name = numbered(&entry.name, sub).into();
+            let role = if sub == 0 { Role::First } else { Role::Sub };
+            let before = object.subs.get(sub).cloned();
+            let mut entry = match (&template, before) {
+                (Some(template), None) => template.clone(),
+                (_, before) => self.sub(&address, section, role, before),
+            };
+            template.get_or_insert_with(|| entry.clone());
+            if first != last && section.get("name").is_some() {
+                entry.name = numbered(&entry.name, sub).into();
             }
             if let Some(item) = defaults.and_then(|(_, items)| items.get(at)) {
-                one.default = self.value("default", item, &one);
+                entry.default = self.value("default", item, &entry);
             }
-            if object.subs.insert(sub, one).is_some() {
-                let message = say!("the sub-index {} is there twice", format!("{sub:X}"));
-                let finding = Diagnostic::new(&DUPLICATE_KEY, section.span(), message);
-                self.findings.push(finding.help("remove one of them"));
-            }
+            object.subs.insert(sub, entry);
         }
+    }
+
+    fn sub(&mut self, address: &str, section: &Section<'_>, role: Role, before: Option<Entry>) -> Entry {
+        let (mut entry, _) = self.entry(address, section, role, before);
+        if let Some(word) = section.word("object-type", self.findings) {
+            entry.object_type = object_type(&word.value);
+        }
+        entry
     }
 
     /// Sub-indexes are hexadecimal; `9` and `10` without `A` look as if they were not.
@@ -248,13 +269,23 @@ impl Reader<'_> {
     }
 
     /// An entry, and what its description leaves out.
-    fn entry(&mut self, address: &str, section: &Section<'_>, role: Role) -> (Entry, Omissions) {
+    fn entry(
+        &mut self,
+        address: &str,
+        section: &Section<'_>,
+        role: Role,
+        before: Option<Entry>,
+    ) -> (Entry, Omissions) {
         let own = Omissions::read(section, self.findings);
-        let unstated = own.unwrap_or(self.defaults.unstated.of_role(role));
-        let mut entry = self.defaults.implied(role, unstated);
-        if role == Role::First {
-            entry = without(entry, own.unwrap_or_default());
-        }
+        let unstated = own.unwrap_or(match before {
+            Some(_) => Omissions::default(),
+            None => self.defaults.unstated.of_role(role),
+        });
+        let mut entry = match before {
+            Some(before) => without(before, unstated),
+            None if role == Role::First => without(self.defaults.implied(role, unstated), unstated),
+            None => self.defaults.implied(role, unstated),
+        };
         if let Some(name) = section.text("name", self.findings) {
             entry.name = name.value.into();
         }
@@ -363,7 +394,7 @@ impl Reader<'_> {
 }
 
 /// Whether a text or a list of texts has a word.
-fn names(tree: &Tree, word: &str) -> bool {
+pub(super) fn names(tree: &Tree, word: &str) -> bool {
     match &*tree.kind {
         Kind::List(items) => items.iter().any(|item| item.text() == Some(word)),
         _ => tree.text() == Some(word),
@@ -387,6 +418,9 @@ pub(super) fn without(mut entry: Entry, unstated: Omissions) -> Entry {
     }
     if unstated.has(Omission::Map) {
         entry.pdo_mapping = None;
+    }
+    if unstated.has(Omission::Default) {
+        entry.default = None;
     }
     entry
 }

@@ -222,7 +222,7 @@ pub(super) fn index(text: &str) -> Option<u16> {
 }
 
 /// A sub-index in one or two hex digits.
-fn sub(text: &str) -> Option<u8> {
+pub(super) fn sub(text: &str) -> Option<u8> {
     let is_sub = matches!(text.len(), 1 | 2) && text.bytes().all(|byte| byte.is_ascii_hexdigit());
     if is_sub { u8::from_str_radix(text, 16).ok() } else { None }
 }

@@ -7,11 +7,14 @@ use super::facts::{self, Implied};
 use super::keys::{DEVICE, FILE, FORMAT, NODE};
 use super::reader::{numbered, sub_number, without};
 use super::words::{TypeSaid, index_list, key, quoted, spelled, type_word};
+use super::pdos::{PdoSaid, Standard};
+use super::profile::{ProfileSaid, implied_device, take_absent};
 use super::{lists, meaning};
 use crate::model::{
     Compact, DataType, Device, DeviceKind, Entry, ExtraSection, Object, ObjectType, PdoKind, PdoMapping, TypeKind,
     Value,
 };
+use crate::scaffold;
 
 /// An object that fits into a line of so many characters is one.
 const LINE: usize = 110;
@@ -21,36 +24,85 @@ const MAX_RANGE: usize = 16;
 
 type Pair = (String, String);
 
-/// Writes a device, without what it has no keys for.
-pub(super) fn write(device: &Device) -> String {
+/// Writes a device, without what it has no keys for: as what is different from the device that a profile demands, and with
+/// tables of its PDOs, where that is asked for.
+pub(super) fn write(device: &Device, profile: Option<(&ProfileSaid, &Device)>, with_pdos: bool) -> String {
     let mut text = format!("format = {}\n", quoted(FORMAT));
-    head(device, &mut text);
-    let implied_file = facts::implied_file();
-    section(&mut text, "file", device.file_info.as_ref(), FILE, &implied_file);
-    let implied_device = implied_device(device);
-    section(&mut text, "device", device.device_info.as_ref(), DEVICE, &implied_device);
+    let mut base = profile.map(|(_, base)| base.clone());
+    let info = base.as_ref().and_then(|base| base.device_info.clone());
+    if let Some(base) = &mut base {
+        base.device_info.clone_from(&device.device_info);
+        scaffold::identify(base);
+    }
+    text.extend(profile.map(|(said, _)| said.line()));
+    head(device, base.as_ref(), &mut text);
+    section(&mut text, "file", device.file_info.as_ref(), FILE, &facts::implied_file());
+    let implied = implied_device(info.as_ref(), device);
+    section(&mut text, "device", device.device_info.as_ref(), DEVICE, &implied);
     if let Some(node) = &device.commissioning {
         text.push_str("\n[node]\n");
         facts::lines(node, NODE, &[]).iter().for_each(|line| push(&mut text, line));
     }
+    let features = profile.map_or_else(Vec::new, |(said, _)| said.feature_lines());
+    if !features.is_empty() {
+        push(&mut text, "\n[features]");
+        features.iter().for_each(|line| push(&mut text, line));
+    }
     let defaults = usual(device);
     write_defaults(&defaults, &mut text);
     lists::write(device, &mut text);
-    if !device.objects.is_empty() {
-        text.push_str("\n[object]\n");
+    if let Some(base) = &mut base {
+        let gone = take_absent(base, device);
+        insert_removed(&gone, &mut text);
     }
-    let writer = Writer { device, defaults };
-    for (&index, object) in &device.objects {
-        writer.object(index, object, &mut text);
+    if with_pdos && let Some(base) = &mut base {
+        write_pdos(device, base, &mut text);
     }
+    objects(Writer { device, defaults, base: base.as_ref() }, &mut text);
     extra(device, &mut text);
     text
 }
 
-/// What follows for `[device]` from the objects.
-pub(super) fn implied_device(device: &Device) -> Vec<Implied> {
-    let count = |kind: PdoKind| u16::try_from(device.pdo_count(kind)).unwrap_or(PdoKind::MAX);
-    facts::implied_device(count(PdoKind::Rpdo), count(PdoKind::Tpdo))
+/// The objects that are not as they would be without a key.
+fn objects(writer: Writer<'_>, text: &mut String) {
+    let start = text.len();
+    for (&index, object) in &writer.device.objects {
+        let base = writer.base.and_then(|base| base.object(index));
+        if base != Some(object) {
+            writer.object(index, object, base, text);
+        }
+    }
+    if text.len() > start {
+        text.insert_str(start, "\n[object]\n");
+    }
+}
+
+fn insert_removed(removed: &[String], text: &mut String) {
+    if removed.is_empty() {
+        return;
+    }
+    let items: Vec<String> = removed.iter().map(|address| quoted(address)).collect();
+    let at = text.find("\n[").map_or(text.len(), |at| at + 1);
+    let at = if at < text.len() && text[..at].ends_with("\n\n") { at - 1 } else { at };
+    text.insert_str(at, &format!("remove = [{}]\n", items.join(", ")));
+}
+
+/// Writes tables of PDOs, and makes the objects in the base those that they say.
+fn write_pdos(device: &Device, base: &mut Device, text: &mut String) {
+    let mut standard = Standard::default();
+    for (kind, name) in [(PdoKind::Rpdo, "rpdo"), (PdoKind::Tpdo, "tpdo")] {
+        let numbers = device.pdos().filter(|pdo| pdo.kind == kind).map(|pdo| pdo.number);
+        for number in numbers.collect::<Vec<_>>() {
+            let Some(said) = PdoSaid::of(device, kind, number) else { continue };
+            let least = said.least(kind, number, &base.objects, &mut standard);
+            let lines = least.lines(device, kind, number);
+            if !lines.is_empty() {
+                push(text, &format!("\n[{name}.{number}]"));
+                lines.iter().for_each(|line| push(text, line));
+                least.apply(kind, number, &mut base.objects, &mut standard);
+            }
+        }
+    }
 }
 
 fn push(text: &mut String, line: &str) {
@@ -58,7 +110,7 @@ fn push(text: &mut String, line: &str) {
     text.push('\n');
 }
 
-fn head(device: &Device, text: &mut String) {
+fn head(device: &Device, base: Option<&Device>, text: &mut String) {
     if (device.kind == DeviceKind::Node) != device.commissioning.is_some() {
         let kind = if device.kind == DeviceKind::Node { "node" } else { "type" };
         push(text, &format!("kind = {}", quoted(kind)));
@@ -70,14 +122,22 @@ fn head(device: &Device, text: &mut String) {
     if device.device_info.is_none() {
         unstated.push("device");
     }
+    if device.comments.is_none() && base.is_some_and(|base| base.comments.is_some()) {
+        unstated.push("comments");
+    }
+    if device.dummy_usage.is_none() && base.is_some_and(|base| base.dummy_usage.is_some()) {
+        unstated.push("dummies");
+    }
     if !unstated.is_empty() {
         push(text, &format!("unstated = [{}]", words(&unstated)));
     }
-    if let Some(usage) = &device.dummy_usage {
+    let usual = base.and_then(|base| base.dummy_usage.as_ref());
+    if let Some(usage) = device.dummy_usage.as_ref().filter(|usage| Some(*usage) != usual) {
         push(text, &format!("dummies = {}", quoted(&lists::dummy_words(&usage.types))));
     }
     match device.comments.as_deref() {
         None => {}
+        Some([]) if base.is_some() => {}
         Some([]) => push(text, "comments = []"),
         Some([line]) => push(text, &format!("comments = {}", quoted(line))),
         Some(lines) => push(text, &format!("comments = {}", lists::several_lines(lines))),
@@ -274,12 +334,14 @@ fn inline(pairs: &[Pair]) -> String {
 struct Writer<'a> {
     device: &'a Device,
     defaults: Defaults,
+    /// What there is without keys.
+    base: Option<&'a Device>,
 }
 
 impl Writer<'_> {
-    fn object(&self, index: u16, object: &Object, text: &mut String) {
-        let mut pairs = self.main(index, object);
-        let subs = self.subs(index, object);
+    fn object(&self, index: u16, object: &Object, base: Option<&Object>, text: &mut String) {
+        let mut pairs = self.main(index, object, base);
+        let subs = self.subs(index, object, base);
         pairs.extend(subs.iter().map(|(subs, pairs)| (format!("sub.{subs}"), inline(pairs))));
         let line = format!("{index:04X} = {}", inline(&pairs));
         // what is one entry is one line; the keys of a record are lines of their own where that is shorter
@@ -290,19 +352,26 @@ impl Writer<'_> {
         pairs.iter().for_each(|(name, value)| push(text, &format!("{index:04X}.{name} = {value}")));
     }
 
-    fn main(&self, index: u16, object: &Object) -> Vec<Pair> {
+    fn main(&self, index: u16, object: &Object, base: Option<&Object>) -> Vec<Pair> {
         let main = &object.main;
         let said = said_of(object);
         let word = said.word();
         let types = word.as_deref().and_then(TypeSaid::parse).unwrap_or_default();
         let is_whole = !object.subs.is_empty() || types.has_subs();
         let role = if is_whole { Role::Whole } else { Role::Value };
-        let (unstated, own) = self.omissions(object, role);
-        let mut implied = self.defaults.implied(role, unstated);
+        let (unstated, own) = self.omissions(object, role, base);
+        let mut implied = match base {
+            Some(base) => without(base.main.clone(), unstated),
+            None => self.defaults.implied(role, unstated),
+        };
         let is_record = main.object_type == Some(ObjectType::Record) && main.data_type.is_none();
-        let implies_record = !object.subs.is_empty() && !unstated.has(Omission::ObjectType);
-        let mut pairs = vec![("name".to_owned(), quoted(&main.name))];
-        let word = word.filter(|_| !(is_record && implies_record));
+        let implies_record = base.is_none() && !object.subs.is_empty() && !unstated.has(Omission::ObjectType);
+        let mut pairs = Vec::new();
+        if base.is_none() || main.name != implied.name {
+            pairs.push(("name".to_owned(), quoted(&main.name)));
+        }
+        let is_of_base = base.is_some_and(|base| said_of(base) == said && base.main.object_type == main.object_type);
+        let word = word.filter(|_| !(is_record && implies_record) && !is_of_base);
         match &word {
             Some(word) => {
                 pairs.push(("type".to_owned(), quoted(word)));
@@ -313,12 +382,13 @@ impl Writer<'_> {
             }
             None => {
                 implied.object_type = if implies_record { Some(ObjectType::Record) } else { implied.object_type };
-                let data_type = main.data_type.map(|data_type| quoted(&type_word(data_type)));
+                let data_type = main.data_type.filter(|_| main.data_type != implied.data_type);
+                let data_type = data_type.map(|data_type| quoted(&type_word(data_type)));
                 pairs.extend(data_type.map(|word| ("data-type".to_owned(), word)));
             }
         }
         common(main, &implied, &mut pairs, &mut Omissions::default());
-        self.rest(&format!("{index:04X}"), main, word.is_some() && types.length.is_some(), true, &mut pairs);
+        self.rest(&format!("{index:04X}"), main, &implied, &mut pairs);
         if let Some(compact) = &object.compact {
             compact_keys(compact, main.data_type, &mut pairs);
         }
@@ -335,9 +405,15 @@ impl Writer<'_> {
     }
 
     /// What the description of an object leaves out, and whether that needs a key.
-    fn omissions(&self, object: &Object, role: Role) -> (Omissions, bool) {
-        let stated = self.defaults.implied(role, Omissions::default());
+    fn omissions(&self, object: &Object, role: Role, base: Option<&Object>) -> (Omissions, bool) {
+        let stated = match base {
+            Some(base) => base.main.clone(),
+            None => self.defaults.implied(role, Omissions::default()),
+        };
         let mut needed = needed(&object.main, &stated);
+        if base.is_some() && object.main.default.is_none() && stated.default.is_some() {
+            needed.add(Omission::Default);
+        }
         let has_subs = !object.subs.is_empty() && object.compact.is_none();
         if has_subs && object.sub_number.is_none() {
             needed.add(Omission::SubNumber);
@@ -345,30 +421,29 @@ impl Writer<'_> {
         if has_subs && object.subs.get(0).is_none() {
             needed.add(Omission::Sub0);
         }
-        let usual = self.defaults.unstated.of_role(role);
+        let usual = match base {
+            Some(_) => Omissions::default(),
+            None => self.defaults.unstated.of_role(role),
+        };
         if needed.is_within(usual) { (usual, false) } else { (needed, true) }
     }
 
     /// The keys of the sub-indexes, each with its keys.
-    fn subs(&self, index: u16, object: &Object) -> Vec<(String, Vec<Pair>)> {
-        let highest = object.highest_sub();
-        let is_implied = |sub: u8, entry: &Entry| {
-            sub == 0 && object.compact.is_none() && {
-                let value = self.defaults.highest(highest, self.defaults.unstated);
-                let implied = Entry { default: value, ..self.defaults.implied(Role::First, Omissions::default()) };
-                *entry == implied
-            }
-        };
-        // an object whose only entry is implied needs a key for it
-        let is_alone = object.subs.len() == 1;
-        let written: Vec<(u8, &Entry)> =
-            object.subs.iter().filter(|(sub, entry)| is_alone || !is_implied(*sub, entry)).collect();
+    fn subs(&self, index: u16, object: &Object, base: Option<&Object>) -> Vec<(String, Vec<Pair>)> {
+        let of_base = |sub: u8| base.and_then(|base| base.subs.get(sub));
+        let written: Vec<(u8, &Entry)> = object.subs.iter().filter(|(sub, entry)| {
+            self.before(*sub, object, base).as_ref() != Some(entry)
+                // an object whose only entry is implied needs a key for it
+                || (base.is_none() && object.subs.len() == 1)
+        }).collect();
         let mut keys = Vec::new();
         let mut rest = written.as_slice();
         while let Some(&(sub, entry)) = rest.first() {
-            let run = run(rest);
+            let alike = run(rest);
+            let is_new = rest[..alike].iter().all(|(sub, _)| of_base(*sub).is_none());
+            let run = if is_new { alike } else { 1 };
             let name = if run == 1 { format!("{sub:X}") } else { format!("{sub:X}-{:X}", rest[run - 1].0) };
-            let mut pairs = self.sub(index, sub, entry, highest);
+            let mut pairs = self.sub(index, (sub, entry), object, base);
             if run > 1 {
                 let template = template(&entry.name, sub, &rest[1].1.name, rest[1].0).unwrap_or_default();
                 range_keys(&rest[..run], &template, index, &mut pairs);
@@ -379,43 +454,57 @@ impl Writer<'_> {
         keys
     }
 
-    fn sub(&self, index: u16, sub: u8, entry: &Entry, highest: Option<u8>) -> Vec<Pair> {
+    /// What a sub-index is without a key, where it is there at all.
+    fn before(&self, sub: u8, object: &Object, base: Option<&Object>) -> Option<Entry> {
+        let highest = object.highest_sub();
+        let value = || self.defaults.highest(highest, self.defaults.unstated);
+        match base.and_then(|base| Some((base.highest_sub(), base.subs.get(sub)?))) {
+            Some((before, entry)) if sub != 0 || before == highest => Some(entry.clone()),
+            Some((_, entry)) => Some(Entry { default: value(), ..entry.clone() }),
+            None if sub == 0 && object.compact.is_none() => {
+                Some(Entry { default: value(), ..self.defaults.implied(Role::First, Omissions::default()) })
+            }
+            None => None,
+        }
+    }
+
+    fn sub(&self, index: u16, (sub, entry): (u8, &Entry), object: &Object, base: Option<&Object>) -> Vec<Pair> {
         let role = if sub == 0 { Role::First } else { Role::Sub };
-        let usual = self.defaults.unstated.of_role(role);
-        let stated = self.defaults.implied(role, Omissions::default());
+        let before = self.before(sub, object, base);
+        let usual = match before {
+            Some(_) => Omissions::default(),
+            None => self.defaults.unstated.of_role(role),
+        };
+        let stated = before.clone().unwrap_or_else(|| self.defaults.implied(role, Omissions::default()));
         let mut needed = needed(entry, &stated);
-        let value = self.defaults.highest(highest, self.defaults.unstated).filter(|_| sub == 0);
-        if value.is_some() && entry.default.is_none() {
+        if stated.default.is_some() && entry.default.is_none() {
             needed.add(Omission::Default);
         }
         let own = !needed.is_within(usual);
         let unstated = if own { needed } else { usual };
-        let mut implied = self.defaults.implied(role, unstated);
-        if sub == 0 {
-            implied = without(implied, needed);
-        }
+        let mut implied = match before {
+            Some(before) => without(before, unstated),
+            None => self.defaults.implied(role, unstated),
+        };
         let mut pairs = Vec::new();
         if entry.name != implied.name {
             pairs.push(("name".to_owned(), quoted(&entry.name)));
         }
-        let mut has_length = false;
-        if entry.data_type != implied.data_type || sub != 0 {
+        if entry.data_type != implied.data_type {
             let length = entry.stack.as_ref().and_then(|stack| stack.min_string_length);
             let object_type = entry.object_type.filter(|of| *of == ObjectType::Domain);
             let said = TypeSaid { object_type, data_type: entry.data_type, length, count: None };
-            let word = said.word().or_else(|| entry.data_type.map(type_word).filter(|word| word != "domain"));
-            if let Some(word) = word.or_else(|| entry.data_type.map(|_| "domain".to_owned())) {
+            let word = said.word().or_else(|| entry.data_type.map(type_word));
+            if let Some(word) = word {
                 let parsed = TypeSaid::parse(&word).unwrap_or_default();
                 if !unstated.has(Omission::ObjectType) {
                     implied.object_type = parsed.object_type.or(implied.object_type);
                 }
-                has_length = parsed.length.is_some();
                 pairs.push(("type".to_owned(), quoted(&word)));
             }
         }
         common(entry, &implied, &mut pairs, &mut Omissions::default());
-        let with_default = sub != 0 || entry.default != value;
-        self.rest(&format!("{index:04X}{sub:02X}"), entry, has_length, with_default, &mut pairs);
+        self.rest(&format!("{index:04X}{sub:02X}"), entry, &implied, &mut pairs);
         if own {
             pairs.push(("unstated".to_owned(), format!("[{}]", words(&unstated.words()))));
         }
@@ -423,21 +512,22 @@ impl Writer<'_> {
     }
 
     /// The keys that no other facts decide about.
-    fn rest(&self, address: &str, entry: &Entry, has_length: bool, with_default: bool, pairs: &mut Vec<Pair>) {
+    fn rest(&self, address: &str, entry: &Entry, implied: &Entry, pairs: &mut Vec<Pair>) {
         // CAN-IDs, mapped entries and identity
         let hex = address.starts_with('1') && entry.data_type == Some(DataType::UNSIGNED32);
         let values = [
-            ("default", entry.default.as_ref().filter(|_| with_default)),
-            ("min", entry.low_limit.as_ref()),
-            ("max", entry.high_limit.as_ref()),
-            ("value", entry.configured_value()),
+            ("default", entry.default.as_ref(), implied.default.as_ref()),
+            ("min", entry.low_limit.as_ref(), implied.low_limit.as_ref()),
+            ("max", entry.high_limit.as_ref(), implied.high_limit.as_ref()),
+            ("value", entry.configured_value(), implied.configured_value()),
         ];
-        for (name, value) in values {
+        for (name, value, implied) in values {
+            let value = value.filter(|_| value != implied);
             let text = value.and_then(|value| stated_value(value, entry.implied_type(), hex));
             pairs.extend(text.map(|text| (name.to_owned(), text)));
         }
         let mut put = |name: &str, text: String| pairs.push((name.to_owned(), text));
-        if let Some(flags) = entry.flags {
+        if let Some(flags) = entry.flags.filter(|_| entry.flags != implied.flags) {
             put("flags", flags.0.to_string());
         }
         if let Some(configured) = &entry.configured {
@@ -457,7 +547,6 @@ impl Writer<'_> {
             stack.detects_change.iter().for_each(|flag| put("detects-change", flag.to_string()));
             stack.io_extension.iter().for_each(|flag| put("io-extension", flag.to_string()));
             stack.srdo_access.iter().for_each(|word| put("srdo", quoted(word.name())));
-            let _ = has_length;
         }
         for (name, text) in meaning::keys(self.device, address, entry) {
             put(name, text);
