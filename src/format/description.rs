@@ -321,7 +321,10 @@ impl Description {
             #[cfg(feature = "xdd")]
             Text::Objdictgen(..) => self.anew(file_name, Some(node)),
             #[cfg(feature = "toml")]
-            Text::Toml(..) => self.anew(file_name, Some(node)),
+            Text::Toml(document) => match device_toml::edits::to_node(document, file_name, node) {
+                Some(edits) => self.edited(&edits),
+                None => self.anew(file_name, Some(node)),
+            },
         }
     }
 
@@ -356,8 +359,19 @@ impl Description {
             #[cfg(feature = "xdd")]
             Text::Objdictgen(..) => self.anew(file_name, None),
             #[cfg(feature = "toml")]
-            Text::Toml(..) => self.anew(file_name, None),
+            Text::Toml(document) => match device_toml::edits::to_type(document, file_name) {
+                Some(edits) => self.edited(&edits),
+                None => self.anew(file_name, None),
+            },
         }
+    }
+
+    /// The bytes of the text with edits.
+    #[cfg(feature = "toml")]
+    fn edited(&self, edits: &[(Span, String)]) -> Result<Vec<u8>, EditError> {
+        let mut edited = crate::source::Edits::new(self.source());
+        edits.iter().for_each(|(span, text)| edited.replace(*span, text.clone()));
+        edited.to_bytes()
     }
 
     /// A new text in the same syntax, where that of the file has no place for it: a file of several devices, or one
@@ -413,7 +427,7 @@ impl Description {
             #[cfg(feature = "xdd")]
             Text::Objdictgen(..) => None,
             #[cfg(feature = "toml")]
-            Text::Toml(..) => None,
+            Text::Toml(document) => Some(device_toml::edits::arranged(document)).filter(is_same),
         };
         let text = found.ok_or_else(|| EditError::OtherMeaning(source.name().to_owned()))?;
         source.encode(&text).map_err(EditError::from)
@@ -439,7 +453,7 @@ impl Description {
             #[cfg(feature = "xdd")]
             Text::Objdictgen(..) => None,
             #[cfg(feature = "toml")]
-            Text::Toml(..) => None,
+            Text::Toml(document) => device_toml::edits::edits(document, &self.device, &fix.changes),
         }?;
         let text = self.source().text();
         let is_change = |(span, new): &&(Span, String)| span.of(text) != new;

@@ -486,8 +486,15 @@ impl Reading {
         if is_xml && !cfg!(feature = "xdd") {
             return Err(ReadError::NotBuilt { name: name.to_owned(), kind });
         }
-        if kind == FileKind::Toml && !cfg!(feature = "toml") {
-            return Err(ReadError::NotBuilt { name: name.to_owned(), kind });
+        if kind == FileKind::Toml {
+            if !cfg!(feature = "toml") {
+                return Err(ReadError::NotBuilt { name: name.to_owned(), kind });
+            }
+            // the tree of a text takes 200 times its memory; the longest of those that real descriptions become has 450 kB
+            let (path, size, limit) = (name.to_owned(), source.text().len() as u64, source::MAX_TOML_SIZE);
+            if size > limit {
+                return Err(SourceError::TooLarge { path, size, limit }.into());
+            }
         }
         if is_xml {
             self.limited_parts(name, "elements", start_tags(source.text()), source.text().len())?;

@@ -73,6 +73,12 @@ pub fn write(device: &Device, format: Format, options: &WriteOptions) -> Result<
     write::write(device, format, options)
 }
 
+/// The JSON Schema of `device.toml`, by which editors complete and check it.
+#[cfg(feature = "toml")]
+pub fn device_schema() -> serde_json::Value {
+    device_toml::schema()
+}
+
 /// What a text of a format does not give back of the device that it was made of. Of the options the encoding and the limit count.
 ///
 /// # Errors

@@ -16,6 +16,7 @@ mod conformance;
 mod conversions;
 mod dbc;
 mod device_profile;
+mod device_toml;
 mod document;
 mod download_plan;
 mod errata;

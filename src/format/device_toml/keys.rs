@@ -86,7 +86,7 @@ pub(super) const FILE: &[Key] = &[
     key("modified-by", Shape::Text, "`ModifiedBy`."),
     key("last-eds", Shape::Text, "`LastEDS`."),
     key("languages", Shape::Texts, "The languages of the texts (CiA 311)."),
-    key("extra", Shape::Values, EXTRA),
+    key("extra", Shape::Foreign, EXTRA),
     key("unstated", Shape::Texts, UNSTATED),
 ];
 
@@ -116,7 +116,7 @@ pub(super) const DEVICE: &[Key] = &[
     key("sdo-manager", Shape::Flag, "`SDOManager` (CiA 311)."),
     key("configuration-manager", Shape::Flag, "`configurationManager` (CiA 311)."),
     key("lss-master", Shape::Flag, "`layerSettingServiceMaster` (CiA 311)."),
-    key("extra", Shape::Values, EXTRA),
+    key("extra", Shape::Foreign, EXTRA),
     key("unstated", Shape::Texts, UNSTATED),
 ];
 
@@ -132,7 +132,7 @@ pub(super) const NODE: &[Key] = &[
     key("net-reference-designator", Shape::Text, "`NetRefd`."),
     key("manager", Shape::Flag, "`CANopenManager`."),
     key("lss-serial-number", bits(32), "`LSS_SerialNumber`."),
-    key("extra", Shape::Values, EXTRA),
+    key("extra", Shape::Foreign, EXTRA),
 ];
 
 pub(super) const LISTS: &[Key] = &[
@@ -181,7 +181,7 @@ macro_rules! entry_keys {
             key("denotation", Shape::Text, "`Denotation`: its name in the application."),
             key("upload-file", Shape::Text, "`UploadFile`."),
             key("download-file", Shape::Text, "`DownloadFile`."),
-            key("extra", Shape::Values, EXTRA),
+            key("extra", Shape::Foreign, EXTRA),
             key("unstated", Shape::Texts, UNSTATED),
             $($of_object,)*
         ]

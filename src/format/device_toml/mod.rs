@@ -2,6 +2,7 @@
 
 mod defaults;
 mod document;
+pub(super) mod edits;
 mod facts;
 pub(in crate::format) mod keys;
 mod lists;
@@ -11,11 +12,13 @@ mod places;
 mod profile;
 mod raw;
 mod reader;
+mod schema;
 mod words;
 mod writer;
 
 use self::defaults::Defaults;
 pub(super) use self::document::Document;
+pub(super) use self::schema::schema;
 use self::profile::ProfileSaid;
 use self::keys::{DEVICE, FILE, LISTS, NODE};
 use self::reader::Reader;
@@ -73,7 +76,7 @@ fn of_tree(tree: &Tree, findings: &mut Findings) -> Device {
 /// Reads the objects; PDOs after what they map.
 fn objects(root: &Section<'_>, device: &mut Device, findings: &mut Findings) {
     let mut reader =
-        Reader { defaults: Defaults::default(), findings, application: ApplicationProcess::default() };
+        Reader { defaults: Defaults::default(), findings, application: ApplicationProcess::default(), ranged: 0 };
     if let Some(tree) = root.get("defaults") {
         reader.read_defaults(tree);
     }
@@ -188,13 +191,14 @@ fn read_lists(root: &Section<'_>, device: &Device, findings: &mut Findings) -> O
 pub(super) fn write(device: &Device, max_raw: usize) -> Result<String, EditError> {
     let profile = ProfileSaid::of(device);
     let with_profile = profile.as_ref().and_then(|profile| Some((profile, profile.base()?)));
-    let mut texts = vec![writer::write(device, None, false)];
+    let mut texts = Vec::new();
     if let Some((profile, base)) = &with_profile {
-        let forms = [false, true];
+        let forms = [true, false];
         texts.extend(forms.map(|with_pdos| writer::write(device, Some((profile, base)), with_pdos)));
     }
+    texts.push(writer::write(device, None, false));
     let mut shortest: Option<String> = None;
-    let length = |text: &String| (text.lines().count(), text.len());
+    let length = |text: &str| text.lines().filter(|line| !line.is_empty()).count();
     for mut text in texts {
         let (read, _) = read(&text);
         let mut missing = Vec::new();

@@ -66,6 +66,12 @@ impl Places {
         found.filter(|(key, _)| key.len() > path.len()).map(move |(key, spot)| (&key[path.len()..], *spot))
     }
 
+    /// The values of several lines.
+    pub(super) fn long_values(&self, text: &str) -> Vec<Span> {
+        let spots = self.spots.values().filter(|spot| !spot.is_table);
+        spots.map(|spot| spot.value).filter(|span| span.of(text).contains('\n')).collect()
+    }
+
     /// The span of a place; of what follows from something else, that of the part which it belongs to.
     pub(super) fn locate(&self, place: &Place) -> Option<Span> {
         let path = self.path_of(&place.part);

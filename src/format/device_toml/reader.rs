@@ -22,7 +22,12 @@ pub(super) struct Reader<'f> {
     pub(super) findings: &'f mut Findings,
     /// The types that the meanings of values need.
     pub(super) application: ApplicationProcess,
+    /// The entries of ranges so far.
+    pub(super) ranged: usize,
 }
+
+/// So many entries may be in ranges: a few bytes of a text make an object of them. Real devices have a few thousand.
+const MAX_RANGED: usize = 100_000;
 
 impl Reader<'_> {
     /// Reads `[defaults]`.
@@ -208,6 +213,12 @@ impl Reader<'_> {
             _ => None,
         });
         let count = usize::from(last - first) + 1;
+        self.ranged += count - 1;
+        if self.ranged > MAX_RANGED {
+            let message = say!("the ranges of sub-indexes have more than {} entries", MAX_RANGED);
+            self.findings.push(Diagnostic::new(&OUT_OF_RANGE, section.span(), message).help("describe fewer entries"));
+            return;
+        }
         if let Some((tree, items)) = defaults
             && items.len() != count
         {

@@ -168,6 +168,11 @@ fn extra(device: &Device, text: &mut String) {
         let mut seen = std::collections::BTreeSet::new();
         section.entries().all(|(name, _)| seen.insert(name))
     };
+    let mut names = std::collections::BTreeSet::new();
+    if !device.extra.iter().all(|section| names.insert(section.name())) {
+        // equal keys are no TOML
+        return;
+    }
     if device.extra.iter().all(is_table) {
         for section in &device.extra {
             push(text, &format!("\n[extra.{}]", key(section.name())));
@@ -441,10 +446,10 @@ impl Writer<'_> {
         while let Some(&(sub, entry)) = rest.first() {
             let alike = run(rest);
             let is_new = rest[..alike].iter().all(|(sub, _)| of_base(*sub).is_none());
-            let run = if is_new { alike } else { 1 };
-            let name = if run == 1 { format!("{sub:X}") } else { format!("{sub:X}-{:X}", rest[run - 1].0) };
             let mut pairs = self.sub(index, (sub, entry), object, base);
-            if run > 1 {
+            let run = if is_new { alike } else { self.changed_alike(index, rest, &pairs, object, base) };
+            let name = if run == 1 { format!("{sub:X}") } else { format!("{sub:X}-{:X}", rest[run - 1].0) };
+            if run > 1 && is_new {
                 let template = template(&entry.name, sub, &rest[1].1.name, rest[1].0).unwrap_or_default();
                 range_keys(&rest[..run], &template, index, &mut pairs);
             }
@@ -452,6 +457,28 @@ impl Writer<'_> {
             rest = &rest[run..];
         }
         keys
+    }
+
+    /// How many entries of the base, from the first one on, are changed in the same way.
+    fn changed_alike(
+        &self,
+        index: u16,
+        entries: &[(u8, &Entry)],
+        pairs: &[Pair],
+        object: &Object,
+        base: Option<&Object>,
+    ) -> usize {
+        let Some((&(first, _), rest)) = entries.split_first() else { return 0 };
+        if first == 0 || pairs.iter().any(|(name, _)| name == "name" || name == "bits") {
+            return 1;
+        }
+        let is_of_base = |sub: u8| base.is_some_and(|base| base.subs.get(sub).is_some());
+        let alike = rest.iter().enumerate().take_while(|(at, (sub, entry))| {
+            usize::from(*sub) == usize::from(first) + at + 1
+                && is_of_base(*sub)
+                && self.sub(index, (*sub, entry), object, base) == pairs
+        });
+        alike.count() + 1
     }
 
     /// What a sub-index is without a key, where it is there at all.
