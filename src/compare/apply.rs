@@ -39,7 +39,10 @@ enum Check {
     /// That it is the one of the change.
     Before,
     /// Nothing.
-    #[cfg_attr(not(feature = "toml"), expect(dead_code, reason = "only texts of people replace what they do not see"))]
+    #[cfg_attr(
+        not(feature = "toml"),
+        expect(dead_code, reason = "only texts of people replace what they do not see")
+    )]
     Nothing,
 }
 
@@ -62,7 +65,9 @@ fn make_changes(device: &mut Device, changes: Vec<DatumChange>, check: Check) ->
         let objects = std::mem::take(&mut device.objects);
         let mut frame = std::mem::take(device);
         frame.extra.sort_by(|a, b| a.name().cmp(b.name()));
-        let set = |change| set_extra(&mut frame, change, check).and_then(|change| set_large(&mut frame, change, check));
+        let set = |change| {
+            set_extra(&mut frame, change, check).and_then(|change| set_large(&mut frame, change, check))
+        };
         let others = others.into_iter().filter_map(set).collect::<Vec<_>>();
         // the JSON of the other parts takes much memory
         let mut untouched = Device::default();

@@ -9,10 +9,10 @@ use std::sync::OnceLock;
 
 #[cfg(feature = "xdd")]
 use super::Syntax;
-#[cfg(all(feature = "json", feature = "xdd"))]
-use super::embedded;
 #[cfg(feature = "toml")]
 use super::device_toml;
+#[cfg(all(feature = "json", feature = "xdd"))]
+use super::embedded;
 use super::ini::Document;
 #[cfg(feature = "xdd")]
 use super::objdictgen;
@@ -96,7 +96,8 @@ impl Description {
         };
         let (device, mut findings) = restored(device, findings);
         let read = Self { format, text, number: 0, device, findings: Findings::new() };
-        if read.device_count() == 1 {
+        // a source keeps the name of the description that is made of it
+        if read.device_count() == 1 && format != Format::Toml {
             eds::file_name::check(&read.device, read.source().name(), &mut findings);
         }
         Self { findings, ..read }

@@ -54,7 +54,8 @@ fn what_is_written_by_hand_has_no_findings_and_becomes_an_eds() {
     for name in ["io.toml", "drive.toml"] {
         let description = open(name);
         let findings = objdict::check(&description);
-        let shown: Vec<String> = findings.iter().map(|found| format!("{}: {}", found.rule.id, found.message)).collect();
+        let shown: Vec<String> =
+            findings.iter().map(|found| format!("{}: {}", found.rule.id, found.message)).collect();
         assert!(shown.is_empty(), "{name}: {shown:#?}");
         let eds = format::write(description.device(), Format::Eds, &WriteOptions::default()).unwrap();
         insta::assert_snapshot!(format!("toml_{name}"), String::from_utf8(eds.bytes).unwrap());
@@ -64,7 +65,8 @@ fn what_is_written_by_hand_has_no_findings_and_becomes_an_eds() {
 #[test]
 fn a_pdo_is_what_its_table_says() {
     let description = open("drive.toml");
-    let pdos: Vec<_> = description.device().pdos().filter(|pdo| pdo.kind == objdict::model::PdoKind::Tpdo).collect();
+    let pdos: Vec<_> =
+        description.device().pdos().filter(|pdo| pdo.kind == objdict::model::PdoKind::Tpdo).collect();
     let mapped: Vec<Vec<(u16, u8)>> =
         pdos.iter().map(|pdo| pdo.mapped().map(|mapped| (mapped.index, mapped.bits)).collect()).collect();
     assert_eq!(mapped, [vec![(0x6041, 16), (0x6064, 32)], vec![(0x2002, 16), (0x2003, 16)]]);
@@ -97,7 +99,9 @@ fn mistakes_are_found_in_their_places() {
         let found: Vec<_> = description
             .findings()
             .iter()
-            .map(|found| (description.span_of(&found.labels[0].at).of(description.source().text()), found.rule.name()))
+            .map(|found| {
+                (description.span_of(&found.labels[0].at).of(description.source().text()), found.rule.name())
+            })
             .collect();
         assert_eq!(found, [(marked, rule)], "{text}");
     }
@@ -126,7 +130,10 @@ fn a_node_keeps_the_comments_of_its_type() {
     let node = objdict::model::Commissioning { node_id: Some(7), ..Default::default() };
     let bytes = description.to_node("node.toml", &node).unwrap();
     let text = String::from_utf8(bytes).unwrap();
-    assert!(text.contains("# beside the PDOs of the profile\n") && text.contains("[node]\nnode-id = 7\n"), "{text}");
+    assert!(
+        text.contains("# beside the PDOs of the profile\n") && text.contains("[node]\nnode-id = 7\n"),
+        "{text}"
+    );
     let again = read(&text);
     assert_eq!((again.device().kind, again.device().node_id()), (DeviceKind::Node, Some(7)));
     let mut back = read(&String::from_utf8(again.to_type("io.toml").unwrap()).unwrap()).into_device();
@@ -161,7 +168,8 @@ fn configured_values_are_edits() {
 
 #[test]
 fn order_and_comments_survive_fmt() {
-    let text = "format = \"objdict-device/1\"   \n\n\n# why\n[device]\n  vendor-name = \"\"\"a  \n\n\n b\"\"\"\n\n";
+    let text =
+        "format = \"objdict-device/1\"   \n\n\n# why\n[device]\n  vendor-name = \"\"\"a  \n\n\n b\"\"\"\n\n";
     let arranged = String::from_utf8(read(text).arranged().unwrap()).unwrap();
     assert_eq!(
         arranged,
@@ -190,3 +198,40 @@ fn other_toml_is_no_device() {
     let bytes = fs::read(fixture("io.toml")).unwrap();
     assert_eq!(identify("io", &bytes).kind, ContentKind::DeviceToml);
 }
+
+/// Every key of the JSON Schema is on the page, with its meaning.
+#[test]
+fn the_reference_has_every_key() {
+    fn keys(schema: &serde_json::Value, found: &mut Vec<(String, String)>) {
+        if let Some(properties) = schema.get("properties").and_then(serde_json::Value::as_object) {
+            let meaning =
+                |value: &serde_json::Value| value["description"].as_str().unwrap_or_default().to_owned();
+            found.extend(properties.iter().map(|(key, value)| (key.clone(), meaning(value))));
+        }
+        match schema {
+            serde_json::Value::Object(fields) => fields.values().for_each(|value| keys(value, found)),
+            serde_json::Value::Array(items) => items.iter().for_each(|value| keys(value, found)),
+            _ => {}
+        }
+    }
+    let page = include_str!("../../docs/device.md");
+    let mut found = Vec::new();
+    keys(&format::device_schema(), &mut found);
+    assert!(found.len() > 100, "{found:?}");
+    for (key, meaning) in found {
+        let row = page.lines().filter(|line| line.starts_with(&format!("| `{key}` |")));
+        let meaning = meaning.trim_end_matches('.').to_lowercase();
+        assert!(
+            row.clone().any(|line| line.to_lowercase().contains(&meaning))
+                || meaning == UNSTATED
+                || meaning == EXTRA,
+            "`{key}` is not on docs/device.md as `{meaning}`"
+        );
+    }
+    let drive = fs::read_to_string(fixture("drive.toml")).unwrap();
+    assert!(page.contains(&drive), "the example of docs/device.md is fixtures/toml/drive.toml");
+}
+
+/// Meanings of keys that several tables have are on the page once.
+const UNSTATED: &str = "which facts the description leaves out that would follow from missing keys";
+const EXTRA: &str = "keys of a description that cia's documents do not have, in their order";

@@ -9,16 +9,18 @@ use crate::diagnostic::{Change, Findings};
 use crate::format::keyed::section::{Key, Shape};
 use crate::format::keyed::toml;
 use crate::format::literal;
-use crate::model::{
-    Commissioning, DataType, Device, Entry, Field, ObjectType, Part, Place, Value,
-};
+use crate::model::{Commissioning, DataType, Device, Entry, Field, ObjectType, Part, Place, Value};
 use crate::source::Span;
 
 /// Edits: each span with its replacement.
 pub(in crate::format) type TextEdits = Vec<(Span, String)>;
 
 /// The edits that make changes of a device; `None` where the text has no place for one of them.
-pub(in crate::format) fn edits(document: &Document, device: &Device, changes: &[Change]) -> Option<TextEdits> {
+pub(in crate::format) fn edits(
+    document: &Document,
+    device: &Device,
+    changes: &[Change],
+) -> Option<TextEdits> {
     let editor = Editor { text: document.source().text(), places: document.places() };
     let mut edits = Vec::new();
     for change in changes {
@@ -28,7 +30,11 @@ pub(in crate::format) fn edits(document: &Document, device: &Device, changes: &[
 }
 
 /// The edits that make a text the description of a node in a file of this name.
-pub(in crate::format) fn to_node(document: &Document, file_name: &str, node: &Commissioning) -> Option<TextEdits> {
+pub(in crate::format) fn to_node(
+    document: &Document,
+    file_name: &str,
+    node: &Commissioning,
+) -> Option<TextEdits> {
     let editor = Editor { text: document.source().text(), places: document.places() };
     let node_path = ["node".to_owned()];
     let mut edits = editor.remove(&node_path).unwrap_or_default();
@@ -191,20 +197,34 @@ impl Editor<'_> {
         let own = table.last().map(|name| key(name)).unwrap_or_default();
         // `[object.2000]` is the header of 2000, and for `object` only a part of a name
         let is_own_header = is_header
-            && key_line.of(self.text).split(']').next().is_some_and(|header| header.trim_end().ends_with(&own));
+            && key_line
+                .of(self.text)
+                .split(']')
+                .next()
+                .is_some_and(|header| header.trim_end().ends_with(&own));
         if is_own_header {
-            let text = if key_line.of(self.text).ends_with('\n') { format!("{line}\n") } else { format!("\n{line}\n") };
+            let text = if key_line.of(self.text).ends_with('\n') {
+                format!("{line}\n")
+            } else {
+                format!("\n{line}\n")
+            };
             return Some(vec![(Span::empty(key_line.end), text)]);
         }
         if is_header {
             let header = table.iter().map(|name| key(name)).collect::<Vec<_>>().join(".");
             let (name, value) = line.split_once(" = ")?;
-            let (tables, name) = name.rsplit_once('.').map_or((String::new(), name), |(tables, name)| (format!(".{tables}"), name));
+            let (tables, name) = name
+                .rsplit_once('.')
+                .map_or((String::new(), name), |(tables, name)| (format!(".{tables}"), name));
             let block = format!("{}[{header}{tables}]\n{name} = {value}\n", self.gap());
             return Some(vec![(Span::empty(self.text.len() as u32), block)]);
         }
         // dotted keys: a line of the same beginning after the last of them
-        let (rest, last) = self.places.below(table).filter(|(rest, _)| rest.len() == 1).max_by_key(|(_, spot)| spot.key.start)?;
+        let (rest, last) = self
+            .places
+            .below(table)
+            .filter(|(rest, _)| rest.len() == 1)
+            .max_by_key(|(_, spot)| spot.key.start)?;
         let start = self.line(last.key.start).start;
         let prefix = self.text.get(start as usize..last.key.start as usize)?.to_owned();
         let end = self.places.below(&[table, rest].concat()).map(|(_, spot)| spot.value.end).max();
@@ -227,15 +247,21 @@ impl Editor<'_> {
         }
         let is_table_of_lines = spot.is_table && !spot.value.of(self.text).starts_with('{');
         if is_table_of_lines {
-            let mut lines: Vec<Span> =
-                self.places.below(path).filter(|(_, spot)| !spot.is_table || spot.value.of(self.text).starts_with('{')).map(|(_, spot)| self.line(spot.key.start)).collect();
+            let mut lines: Vec<Span> = self
+                .places
+                .below(path)
+                .filter(|(_, spot)| !spot.is_table || spot.value.of(self.text).starts_with('{'))
+                .map(|(_, spot)| self.line(spot.key.start))
+                .collect();
             lines.sort_by_key(|line| line.start);
             lines.dedup();
             return Some(lines.into_iter().map(|line| (line, String::new())).collect());
         }
         let mut within = (1..path.len()).rev().filter_map(|length| self.places.at(&path[..length]));
         let inline = within.find(|parent| {
-            parent.is_table && parent.value.start < spot.key.start && spot.value.end <= parent.value.end
+            parent.is_table
+                && parent.value.start < spot.key.start
+                && spot.value.end <= parent.value.end
                 && parent.value.of(self.text).starts_with('{')
         });
         match inline {
@@ -283,7 +309,12 @@ fn integer(text: &str) -> Option<i128> {
     literal::integer(text, i64::MIN, u64::MAX, &mut literal::Quirks::default()).ok()
 }
 
-fn stated_of(data_type: Option<DataType>, part: &Part, field: &Field, text: &str) -> Option<(String, String)> {
+fn stated_of(
+    data_type: Option<DataType>,
+    part: &Part,
+    field: &Field,
+    text: &str,
+) -> Option<(String, String)> {
     let table: Option<&[Key]> = match part {
         Part::FileInfo => Some(FILE),
         Part::DeviceInfo => Some(DEVICE),
@@ -306,12 +337,19 @@ fn stated_of(data_type: Option<DataType>, part: &Part, field: &Field, text: &str
         Field::AccessType => quoted(&text.to_ascii_lowercase()),
         Field::PdoMapping => quoted(if integer(text)? == 0 { "no" } else { "optional" }),
         Field::ObjFlags | Field::SubNumber => integer(text)?.to_string(),
-        Field::DataType => return Some(("type".to_owned(), quoted(&type_word(DataType(u16::try_from(integer(text)?).ok()?))))),
+        Field::DataType => {
+            return Some((
+                "type".to_owned(),
+                quoted(&type_word(DataType(u16::try_from(integer(text)?).ok()?))),
+            ));
+        }
         Field::ObjectType => {
             let code = ObjectType::from_code(u8::try_from(integer(text)?).ok()?)?;
             quoted(&code.name().to_ascii_lowercase())
         }
-        Field::DefaultValue | Field::LowLimit | Field::HighLimit | Field::ParameterValue => value(text, data_type)?,
+        Field::DefaultValue | Field::LowLimit | Field::HighLimit | Field::ParameterValue => {
+            value(text, data_type)?
+        }
         _ => return None,
     };
     Some((name, text))

@@ -168,7 +168,8 @@ fn spelled(key: &Key, value: &Value) -> Option<String> {
             Some(format!("[{}]", listed.into_iter().map(word).collect::<Vec<_>>().join(", ")))
         }
         ("extra", Value::Array(pairs)) => {
-            let texts = pairs.iter().filter_map(|pair| Some((pair.get(0)?.as_str()?, pair.get(1)?.as_str()?)));
+            let texts =
+                pairs.iter().filter_map(|pair| Some((pair.get(0)?.as_str()?, pair.get(1)?.as_str()?)));
             Some(table_of_pairs(&texts.collect::<Vec<_>>()))
         }
         (_, Value::String(text)) => Some(quoted(text)),

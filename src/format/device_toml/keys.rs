@@ -24,25 +24,61 @@ pub(super) fn root() -> &'static [Key] {
 static ROOT: LazyLock<Vec<Key>> = LazyLock::new(|| {
     let features = Shape::Map(features());
     vec![
-    key("format", Shape::Word(&[FORMAT]), "The format and its version. It is the first key of the file."),
-    key("profile", Shape::Text, "The device profile with the version of objdict's data of it, `402@1`: every object that it and CiA 301 demand for the features is there. `301@1` has those of CiA 301 alone."),
-    key("features", features, "What the device has and can do; what is not stated is as the profile has it."),
-    key("remove", Shape::Foreign, "Objects and entries of the profile that the device does not have: a list of addresses such as `1006` or `1018:4`, or a table of them with the reasons."),
-    key("kind", Shape::Word(&["type", "node"]), "Whether a type of device or a node is described; `node` follows from `[node]`."),
-    key("comments", Shape::Texts, "The lines of `Comments`: a text of several lines, or a list."),
-    key("dummies", Shape::Text, "The data types that fill gaps in RPDOs, of those that CiA 306-1 lists: `u8 u16 u32`. After `only` the list has no others: `only u8 !bool`."),
-    key("unstated", Shape::Texts, "Which parts the description leaves out: `file`, `device`, `comments`, `dummies`."),
-    key("file", Shape::Map(FILE), "About the file with the description."),
-    key("device", Shape::Map(DEVICE), "About the device."),
-    key("node", Shape::Map(NODE), "The configured node."),
-    key("defaults", Shape::Map(DEFAULTS), "What entries have that do not say otherwise."),
-    key("rpdo", Shape::Numbered(1, 512, PDO), "RPDOs by number."),
-    key("tpdo", Shape::Numbered(1, 512, PDO), "TPDOs by number."),
-    key("lists", Shape::Map(LISTS), "The object lists, where they do not follow from the objects."),
-    key("object", Shape::Named(OBJECT), "The objects by index: four hex digits."),
-    key("extra", Shape::Foreign, "Sections of a description that CiA's documents do not have, each with its keys."),
-    key("raw", Shape::Values, "What has no key: values of the JSON of a device by JSON pointers; they replace what the other keys say."),
-    key("raw-remove", Shape::Texts, "JSON pointers of what a device does not have that the other keys say."),
+        key("format", Shape::Word(&[FORMAT]), "The format and its version. It is the first key of the file."),
+        key(
+            "profile",
+            Shape::Text,
+            "The device profile with the version of objdict's data of it, `402@1`: every object that it and CiA 301 demand for the features is there. `301@1` has those of CiA 301 alone.",
+        ),
+        key(
+            "features",
+            features,
+            "What the device has and can do; what is not stated is as the profile has it.",
+        ),
+        key(
+            "remove",
+            Shape::Foreign,
+            "Objects and entries of the profile that the device does not have: a list of addresses such as `1006` or `1018:4`, or a table of them with the reasons.",
+        ),
+        key(
+            "kind",
+            Shape::Word(&["type", "node"]),
+            "Whether a type of device or a node is described; `node` follows from `[node]`.",
+        ),
+        key("comments", Shape::Texts, "The lines of `Comments`: a text of several lines, or a list."),
+        key(
+            "dummies",
+            Shape::Text,
+            "The data types that fill gaps in RPDOs, of those that CiA 306-1 lists: `u8 u16 u32`. After `only` the list has no others: `only u8 !bool`.",
+        ),
+        key(
+            "unstated",
+            Shape::Texts,
+            "Which parts the description leaves out: `file`, `device`, `comments`, `dummies`.",
+        ),
+        key("file", Shape::Map(FILE), "About the file with the description."),
+        key("device", Shape::Map(DEVICE), "About the device."),
+        key("node", Shape::Map(NODE), "The configured node."),
+        key("defaults", Shape::Map(DEFAULTS), "What entries have that do not say otherwise."),
+        key("rpdo", Shape::Numbered(1, 512, PDO), "RPDOs by number."),
+        key("tpdo", Shape::Numbered(1, 512, PDO), "TPDOs by number."),
+        key("lists", Shape::Map(LISTS), "The object lists, where they do not follow from the objects."),
+        key("object", Shape::Named(OBJECT), "The objects by index: four hex digits."),
+        key(
+            "extra",
+            Shape::Foreign,
+            "Sections of a description that CiA's documents do not have, each with its keys.",
+        ),
+        key(
+            "raw",
+            Shape::Values,
+            "What has no key: values of the JSON of a device by JSON pointers; they replace what the other keys say.",
+        ),
+        key(
+            "raw-remove",
+            Shape::Texts,
+            "JSON pointers of what a device does not have that the other keys say.",
+        ),
     ]
 });
 
@@ -64,10 +100,26 @@ pub(super) fn features() -> &'static [Key] {
 }
 
 pub(super) const PDO: &[Key] = &[
-    key("map", Shape::Texts, "The mapped entries in the order of the frame: `6000:1`, `6041` for sub-index 0, `0005` for a dummy, `2000:1/8` with a number of bits."),
-    key("cob-id", Shape::Value, "COB-ID: a number, `$NODEID+0x180`, or `off` for the usual one of a PDO that is not valid."),
-    key("transmission", Shape::Text, "The transmission type: `sync/1` to `sync/240`, `event`, `rtr`, or its number."),
-    key("inhibit", Shape::Time(0xFFFF, 100_000), "The inhibit time: a text with a unit, or a number of 100 µs."),
+    key(
+        "map",
+        Shape::Texts,
+        "The mapped entries in the order of the frame: `6000:1`, `6041` for sub-index 0, `0005` for a dummy, `2000:1/8` with a number of bits.",
+    ),
+    key(
+        "cob-id",
+        Shape::Value,
+        "COB-ID: a number, `$NODEID+0x180`, or `off` for the usual one of a PDO that is not valid.",
+    ),
+    key(
+        "transmission",
+        Shape::Text,
+        "The transmission type: `sync/1` to `sync/240`, `event`, `rtr`, or its number.",
+    ),
+    key(
+        "inhibit",
+        Shape::Time(0xFFFF, 100_000),
+        "The inhibit time: a text with a unit, or a number of 100 µs.",
+    ),
     key("event", Shape::Time(0xFFFF, 1_000_000), "The event timer: a text with a unit, or a number of ms."),
     key("sync-start", bits(8), "SYNC start value."),
 ];
@@ -192,7 +244,11 @@ pub(super) const ENTRY: &[Key] = entry_keys!();
 
 pub(super) const OBJECT: &[Key] = entry_keys![
     key("data-type", Shape::Text, "The data type of a record or array as a whole, as in `type`."),
-    key("sub", Shape::Named(ENTRY), "The entries by sub-index in hex digits, or by a range (`1-8`) with `{}` in the name for the number."),
+    key(
+        "sub",
+        Shape::Named(ENTRY),
+        "The entries by sub-index in hex digits, or by a range (`1-8`) with `{}` in the name for the number."
+    ),
     key("sub-number", bits(8), "`SubNumber`, where it is not the number of entries."),
     key("names", Shape::Values, "The names of single elements of `[u16; 8]`, by sub-index."),
     key("values", Shape::Values, "The configured values of single elements, by sub-index."),

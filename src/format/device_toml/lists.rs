@@ -56,7 +56,8 @@ pub(super) fn dummy_words(types: &BTreeMap<DataType, bool>) -> String {
 pub(super) fn dummies(text: &str) -> Result<BTreeMap<DataType, bool>, &str> {
     let listed = text.strip_prefix("only").filter(|rest| rest.is_empty() || rest.starts_with(' '));
     let usual = DUMMIES.map(|code| (DataType(code), false));
-    let mut types: BTreeMap<DataType, bool> = if listed.is_none() { usual.collect() } else { BTreeMap::new() };
+    let mut types: BTreeMap<DataType, bool> =
+        if listed.is_none() { usual.collect() } else { BTreeMap::new() };
     for word in listed.unwrap_or(text).split_whitespace() {
         let name = word.strip_prefix('!').unwrap_or(word);
         types.insert(data_type(name).ok_or(word)?, name == word);
@@ -66,7 +67,8 @@ pub(super) fn dummies(text: &str) -> Result<BTreeMap<DataType, bool>, &str> {
 
 /// Lines as a text between triple quotes.
 pub(super) fn several_lines(lines: &[String]) -> String {
-    let is_plain = lines.iter().all(|line| !line.contains(|c: char| c.is_control() || matches!(c, '"' | '\\')));
+    let is_plain =
+        lines.iter().all(|line| !line.contains(|c: char| c.is_control() || matches!(c, '"' | '\\')));
     if is_plain {
         return format!("\"\"\"\n{}\"\"\"", lines.join("\n"));
     }

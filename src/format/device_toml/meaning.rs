@@ -135,7 +135,12 @@ fn names_of_values(parameter: &Parameter) -> Option<String> {
     if allowed.values.is_empty() || !allowed.values.iter().all(is_plain) {
         return None;
     }
-    table(allowed.values.iter().map(|value| (&*value.value, value.labels.name_in(LANGUAGE).unwrap_or_default())))
+    table(
+        allowed
+            .values
+            .iter()
+            .map(|value| (&*value.value, value.labels.name_in(LANGUAGE).unwrap_or_default())),
+    )
 }
 
 fn names_of_bits(device: &Device, address: &str, entry: &Entry, parameter: &Parameter) -> Option<String> {

@@ -7,21 +7,23 @@ mod facts;
 pub(in crate::format) mod keys;
 mod lists;
 mod meaning;
+mod objects;
 mod pdos;
 mod places;
 mod profile;
 mod raw;
 mod reader;
 mod schema;
+mod usual;
 mod words;
 mod writer;
 
 use self::defaults::Defaults;
 pub(super) use self::document::Document;
-pub(super) use self::schema::schema;
-use self::profile::ProfileSaid;
 use self::keys::{DEVICE, FILE, LISTS, NODE};
+use self::profile::ProfileSaid;
 use self::reader::Reader;
+pub(super) use self::schema::schema;
 use super::keyed::rules::WRONG_TYPE;
 use super::keyed::section::Section;
 use super::keyed::toml;
@@ -53,8 +55,11 @@ pub(super) fn read(text: &str) -> (Device, Findings) {
 
 /// The device of a tree.
 fn of_tree(tree: &Tree, findings: &mut Findings) -> Device {
-    let Some(root) = Section::new("device.toml", tree, keys::root(), findings) else { return Device::default() };
-    if let Some(format) = root.required("device.toml", "format", findings).and(root.word("format", findings)) {
+    let Some(root) = Section::new("device.toml", tree, keys::root(), findings) else {
+        return Device::default();
+    };
+    if let Some(format) = root.required("device.toml", "format", findings).and(root.word("format", findings))
+    {
         debug_assert_eq!(format.value, keys::FORMAT);
     }
     let base = profile::read(&root, findings);
@@ -66,7 +71,7 @@ fn of_tree(tree: &Tree, findings: &mut Findings) -> Device {
         scaffold::identify(&mut device);
     }
     profile::remove(&root, &mut device, findings);
-    objects(&root, &mut device, findings);
+    read_objects(&root, &mut device, findings);
     count_pdos(&root, &mut device);
     device.lists = read_lists(&root, &device, findings);
     raw::read(&root, &mut device, findings);
@@ -74,9 +79,13 @@ fn of_tree(tree: &Tree, findings: &mut Findings) -> Device {
 }
 
 /// Reads the objects; PDOs after what they map.
-fn objects(root: &Section<'_>, device: &mut Device, findings: &mut Findings) {
-    let mut reader =
-        Reader { defaults: Defaults::default(), findings, application: ApplicationProcess::default(), ranged: 0 };
+fn read_objects(root: &Section<'_>, device: &mut Device, findings: &mut Findings) {
+    let mut reader = Reader {
+        defaults: Defaults::default(),
+        findings,
+        application: ApplicationProcess::default(),
+        ranged: 0,
+    };
     if let Some(tree) = root.get("defaults") {
         reader.read_defaults(tree);
     }
@@ -157,7 +166,8 @@ fn frame(root: &Section<'_>, device: &mut Device, base: Option<&DeviceInfo>, fin
         }),
     };
     for section in root.named("extra", findings) {
-        let entries: Extra = serde_json::from_str(&facts::pairs(&section.value).to_string()).unwrap_or_default();
+        let entries: Extra =
+            serde_json::from_str(&facts::pairs(&section.value).to_string()).unwrap_or_default();
         device.extra.push(ExtraSection::new(&section.key.spelled(), &entries));
     }
 }

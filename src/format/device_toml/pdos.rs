@@ -7,9 +7,7 @@ use crate::diagnostic::{Diagnostic, Findings, say};
 use crate::format::keyed::rules::WRONG_TYPE;
 use crate::format::keyed::section::{Section, wrong};
 use crate::format::keyed::tree::Tree;
-use crate::model::{
-    CobId, DataType, Device, MappedObject, Object, Objects, PdoKind, Value, predefined,
-};
+use crate::model::{CobId, DataType, Device, MappedObject, Object, Objects, PdoKind, Value, predefined};
 use crate::scaffold::{self, Features};
 
 /// Sub-indexes of a communication parameter that keys set.
@@ -83,7 +81,11 @@ fn mapped(section: &Section<'_>, device: &Device, findings: &mut Findings) -> Ve
         match mapped_object(text.value, device) {
             Ok(found) => mapped.push(found),
             Err(message) => {
-                let finding = Diagnostic::new(&WRONG_TYPE, text.at, say!("`{}` cannot be mapped: {}", text.value, message));
+                let finding = Diagnostic::new(
+                    &WRONG_TYPE,
+                    text.at,
+                    say!("`{}` cannot be mapped: {}", text.value, message),
+                );
                 findings.push(finding.help("write an index and a sub-index of the device, as in `6000:1`"));
             }
         }
@@ -99,7 +101,9 @@ fn mapped_object(text: &str, device: &Device) -> Result<MappedObject, &'static s
     };
     let (object, entry) = address.split_once(':').unwrap_or((address, "0"));
     let (index, sub) = (index(object).ok_or(NO_ADDRESS)?, sub(entry).ok_or(NO_ADDRESS)?);
-    let bits = bits.or_else(|| bits_of(index, sub, device)).ok_or("the device has no such entry of a known length")?;
+    let bits = bits
+        .or_else(|| bits_of(index, sub, device))
+        .ok_or("the device has no such entry of a known length")?;
     Ok(MappedObject { index, sub, bits })
 }
 
@@ -122,7 +126,8 @@ impl Standard {
             let mut features = Features::default();
             let count = if kind == PdoKind::Rpdo { &mut features.rpdos } else { &mut features.tpdos };
             *count = Some(number.max(8));
-            (features.rpdo_parameters, features.tpdo_parameters) = (Some(SYNC_START.into()), Some(SYNC_START.into()));
+            (features.rpdo_parameters, features.tpdo_parameters) =
+                (Some(SYNC_START.into()), Some(SYNC_START.into()));
             features.mapping_entries = Some(64);
             self.0 = scaffold::base(301, 1, &features).ok();
         }
@@ -148,7 +153,14 @@ impl PdoSaid {
         objects.insert(mapping, object);
     }
 
-    fn communicate(&self, kind: PdoKind, number: u16, index: u16, objects: &mut Objects, standard: &mut Standard) {
+    fn communicate(
+        &self,
+        kind: PdoKind,
+        number: u16,
+        index: u16,
+        objects: &mut Objects,
+        standard: &mut Standard,
+    ) {
         let full = standard.object(index, kind, number);
         let is_new = !objects.contains_key(&index);
         let mut object = objects.get(&index).cloned().unwrap_or_else(|| full.clone());
@@ -175,7 +187,8 @@ impl PdoSaid {
         }
         if let Some(entry) = object.subs.get_mut(1) {
             let maps = self.map.as_ref().is_some_and(|map| !map.is_empty());
-            let enabled = entry.default.as_ref().and_then(CobId::from_value).filter(|_| maps).map(CobId::enabled);
+            let enabled =
+                entry.default.as_ref().and_then(CobId::from_value).filter(|_| maps).map(CobId::enabled);
             let enabled = enabled.map(CobId::to_value);
             entry.default = self.cob_id.clone().or(enabled).or(entry.default.take());
         }
@@ -205,7 +218,13 @@ impl PdoSaid {
     }
 
     /// The least that has to be said to get the same objects from those that are there.
-    pub(super) fn least(self, kind: PdoKind, number: u16, objects: &Objects, standard: &mut Standard) -> Self {
+    pub(super) fn least(
+        self,
+        kind: PdoKind,
+        number: u16,
+        objects: &Objects,
+        standard: &mut Standard,
+    ) -> Self {
         let made = |said: &Self, standard: &mut Standard| {
             let mut objects: Objects = [kind.communication_index(number), kind.mapping_index(number)]
                 .into_iter()
@@ -244,7 +263,8 @@ impl PdoSaid {
         }
         if let Some(value) = &self.cob_id {
             let is_off = *value == usual_cob_id(kind, number).disabled().to_value();
-            let text = if is_off { quoted("off") } else { super::words::spelled(value, true).unwrap_or_default() };
+            let text =
+                if is_off { quoted("off") } else { super::words::spelled(value, true).unwrap_or_default() };
             lines.push(format!("cob-id = {text}"));
         }
         if let Some(number) = self.transmission {

@@ -46,7 +46,8 @@ impl ProfileSaid {
                 format!("[{}]", names.iter().map(|name| quoted(name)).collect::<Vec<_>>().join(", "))
             }
         };
-        let stated = FEATURES.iter().filter_map(|feature| Some((feature.word, self.features.get(feature.word)?)));
+        let stated =
+            FEATURES.iter().filter_map(|feature| Some((feature.word, self.features.get(feature.word)?)));
         stated.map(|(word, stated)| format!("{word} = {}", value(stated))).collect()
     }
 }
@@ -54,12 +55,15 @@ impl ProfileSaid {
 /// Reads `profile` and `features` into the device that they demand; an empty one without a profile.
 pub(super) fn read(root: &Section<'_>, findings: &mut Findings) -> Option<Device> {
     let said = root.text("profile", findings)?;
-    let numbers = said.value.split_once('@').and_then(|(profile, version)| {
-        Some((profile.parse().ok()?, version.parse().ok()?))
-    });
+    let numbers = said
+        .value
+        .split_once('@')
+        .and_then(|(profile, version)| Some((profile.parse().ok()?, version.parse().ok()?)));
     let Some((profile, version)) = numbers else {
-        let finding = Diagnostic::new(&WRONG_TYPE, said.at, say!("`{}` is no profile with a version", said.value));
-        findings.push(finding.help("write the number of the profile and the version of its data, as in `402@1`"));
+        let finding =
+            Diagnostic::new(&WRONG_TYPE, said.at, say!("`{}` is no profile with a version", said.value));
+        findings
+            .push(finding.help("write the number of the profile and the version of its data, as in `402@1`"));
         return None;
     };
     let features = read_features(root, findings);
@@ -119,14 +123,17 @@ pub(super) fn implied_device(base: Option<&DeviceInfo>, device: &Device) -> Vec<
 /// Takes away what the device does not have.
 pub(super) fn remove(root: &Section<'_>, device: &mut Device, findings: &mut Findings) {
     let Some(tree) = root.get("remove") else { return };
-    let mut take = |at: &Tree| {
-        let text = at.spelled();
-        if !take_away(&text, device) {
-            let message = say!("`{}` cannot be removed: the profile does not bring it", text);
-            let finding = Diagnostic::new(&WRONG_TYPE, at.span, message);
-            findings.push(finding.help("write the address of an object or an entry of the profile, as in `1006` or `1018:4`"));
-        }
-    };
+    let mut take =
+        |at: &Tree| {
+            let text = at.spelled();
+            if !take_away(&text, device) {
+                let message = say!("`{}` cannot be removed: the profile does not bring it", text);
+                let finding = Diagnostic::new(&WRONG_TYPE, at.span, message);
+                findings.push(finding.help(
+                    "write the address of an object or an entry of the profile, as in `1006` or `1018:4`",
+                ));
+            }
+        };
     match &*tree.kind {
         Kind::List(items) => items.iter().for_each(&mut take),
         Kind::Map(entries) => entries.iter().for_each(|entry| take(&entry.key)),
@@ -153,7 +160,8 @@ fn recount(object: &mut Object, highest_before: Option<u8>) {
     let highest = object.highest_sub();
     if let Some(entry) = object.subs.get_mut(0).filter(|_| highest != highest_before) {
         let data_type = entry.data_type.unwrap_or(DataType::UNSIGNED8);
-        entry.default = highest.and_then(|highest| crate::model::Value::from_integer(highest.into(), data_type));
+        entry.default =
+            highest.and_then(|highest| crate::model::Value::from_integer(highest.into(), data_type));
     }
     let count = object.subs.iter().filter(|(sub, _)| *sub != 0xFF).count();
     object.sub_number = object.sub_number.and(u8::try_from(count).ok());

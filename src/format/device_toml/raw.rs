@@ -30,7 +30,9 @@ pub(super) fn read(root: &Section<'_>, device: &mut Device, findings: &mut Findi
         let span = spans.iter().find(|(path, _)| *path == change.path).map(|(_, span)| *span);
         let message = say!("the JSON of a device has no such value at `{}`", change.path);
         let finding = Diagnostic::new(&WRONG_TYPE, span.unwrap_or_default(), message);
-        findings.push(finding.help("`objdict convert` to JSON shows what there is, docs/json.md what there may be"));
+        findings.push(
+            finding.help("`objdict convert` to JSON shows what there is, docs/json.md what there may be"),
+        );
     }
 }
 

@@ -12,8 +12,8 @@ use crate::format::keyed::rules::{DUPLICATE_KEY, OUT_OF_RANGE, UNKNOWN_KEY, WRON
 use crate::format::keyed::section::Section;
 use crate::format::keyed::tree::{Kind, Tree};
 use crate::model::{
-    Access, ApplicationProcess, Compact, Entry, ObjFlags, Object, ObjectType, Objects, PdoMapping, SrdoAccess,
-    Value,
+    Access, ApplicationProcess, Compact, Entry, ObjFlags, Object, ObjectType, Objects, PdoMapping,
+    SrdoAccess, Value,
 };
 
 /// Reads objects.
@@ -132,7 +132,8 @@ impl Reader<'_> {
             for entry in section.named(name, self.findings) {
                 let sub = subs(&entry.key.spelled()).filter(|(first, last)| first == last);
                 if !sub.is_some_and(|(sub, _)| keep(sub, &entry.value)) {
-                    let message = say!("`{}` has no `{}` for `{}`", name, entry.value.spelled(), entry.key.spelled());
+                    let message =
+                        say!("`{}` has no `{}` for `{}`", name, entry.value.spelled(), entry.key.spelled());
                     let finding = Diagnostic::new(&WRONG_TYPE, entry.key.span, message);
                     self.findings.push(finding.help("write a sub-index and what it has"));
                 }
@@ -166,7 +167,8 @@ impl Reader<'_> {
             let Some((first, last)) = subs(&name) else {
                 let message = say!("`{}` is not a sub-index", name);
                 let finding = Diagnostic::new(&UNKNOWN_KEY, entry.key.span, message);
-                self.findings.push(finding.help("write one or two hex digits, or a range of them such as `1-8`"));
+                self.findings
+                    .push(finding.help("write one or two hex digits, or a range of them such as `1-8`"));
                 continue;
             };
             let Some(section) = Section::new(&name, &entry.value, ENTRY, self.findings) else { continue };
@@ -182,7 +184,8 @@ impl Reader<'_> {
         }
         let highest = object.highest_sub();
         let has_default = |entries: &[crate::format::keyed::tree::Entry]| {
-            let first = entries.iter().find(|entry| subs(&entry.key.spelled()).is_some_and(|(first, _)| first == 0));
+            let first =
+                entries.iter().find(|entry| subs(&entry.key.spelled()).is_some_and(|(first, _)| first == 0));
             first.is_some_and(|entry| {
                 entry.value.get("default").is_some()
                     || entry.value.get("unstated").is_some_and(|unstated| names(unstated, "default"))
@@ -216,7 +219,8 @@ impl Reader<'_> {
         self.ranged += count - 1;
         if self.ranged > MAX_RANGED {
             let message = say!("the ranges of sub-indexes have more than {} entries", MAX_RANGED);
-            self.findings.push(Diagnostic::new(&OUT_OF_RANGE, section.span(), message).help("describe fewer entries"));
+            self.findings
+                .push(Diagnostic::new(&OUT_OF_RANGE, section.span(), message).help("describe fewer entries"));
             return;
         }
         if let Some((tree, items)) = defaults
@@ -255,11 +259,13 @@ impl Reader<'_> {
 
     /// Sub-indexes are hexadecimal; `9` and `10` without `A` look as if they were not.
     fn check_hexadecimal(&mut self, index: u16, entries: &[crate::format::keyed::tree::Entry]) {
-        let keys: Vec<String> = entries.iter().map(|entry| entry.key.spelled().to_ascii_uppercase()).collect();
+        let keys: Vec<String> =
+            entries.iter().map(|entry| entry.key.spelled().to_ascii_uppercase()).collect();
         let has = |key: &str| keys.iter().any(|other| other == key);
         if has("9") && has("10") && !["A", "B", "C", "D", "E", "F", "0A"].into_iter().any(has) {
             let at = entries.iter().find(|entry| entry.key.spelled() == "10");
-            let message = say!("sub-index `10` of {}h is 16: sub-indexes are hexadecimal", format!("{index:04X}"));
+            let message =
+                say!("sub-index `10` of {}h is 16: sub-indexes are hexadecimal", format!("{index:04X}"));
             let span = at.map(|entry| entry.key.span).unwrap_or_default();
             let finding = Diagnostic::new(&OUT_OF_RANGE, span, message).severity(Severity::Warning);
             self.findings.push(finding.help("write `A` for the sub-index behind `9`"));
@@ -388,7 +394,8 @@ impl Reader<'_> {
         let value = value_of(tree, data_type);
         if value.is_none() {
             let word = data_type.map_or("missing".to_owned(), super::words::type_word);
-            let message = say!("`{}` is `{}`, which is no value of the type `{}`", name, tree.spelled(), word);
+            let message =
+                say!("`{}` is `{}`, which is no value of the type `{}`", name, tree.spelled(), word);
             let finding = Diagnostic::new(&WRONG_TYPE, tree.span, message);
             self.findings.push(finding.help("write a value of its data type, or correct `type`"));
         }

@@ -8,9 +8,7 @@ use crate::format::keyed::schema::{DIALECT, object};
 /// The JSON Schema.
 pub(in crate::format) fn schema() -> Value {
     let mut schema = object(root());
-    let by_hex = |digits: &str, values: Value| {
-        json!({ "type": "object", "patternProperties": { digits: values }, "additionalProperties": false })
-    };
+    let by_hex = |digits: &str, values: Value| json!({ "type": "object", "patternProperties": { digits: values }, "additionalProperties": false });
     let mut of_object = object(OBJECT);
     let properties = &mut of_object["properties"];
     with_meaning(&mut properties["sub"], by_hex("^[0-9A-Fa-f]{1,2}(-[0-9A-Fa-f]{1,2})?$", object(ENTRY)));
