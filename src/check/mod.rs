@@ -35,6 +35,9 @@ pub fn check_with(description: &Description, options: &Options) -> Findings {
         findings.append(description.portability_findings(device));
         findings = compat::react(findings, description, &options.tools);
     }
+    if let Some(origin) = description.origin() {
+        findings.append(lint::check_configured(description.device(), origin.device()));
+    }
     let findings = match description.document() {
         Some(document) => eds::findings::idle(document.text(), findings),
         None => findings,

@@ -175,6 +175,11 @@ pub(super) struct CheckArgs {
     /// Number of files to check in parallel [default: number of processors]
     #[arg(long, value_name = "N")]
     pub jobs: Option<NonZeroUsize>,
+    /// The EDS or XDD that the DCF or XDC were made from [default: the file of `LastEDS`, if it is in the folder of the DCF]
+    ///
+    /// Configured nodes are checked against it: identity, entries, types, access, defaults, limits.
+    #[arg(long, value_name = "FILE", conflicts_with = "cache")]
+    pub eds: Option<PathBuf>,
     /// Remember in this file which files have no findings, and skip them as long as they and the settings stay the same
     #[arg(long, value_name = "FILE", conflicts_with_all = ["fix", "diff"])]
     pub cache: Option<PathBuf>,

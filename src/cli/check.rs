@@ -17,8 +17,9 @@ use super::report;
 use super::settings::{Project, Settings};
 use crate::diagnostic::{Findings, Severity, series};
 use crate::format::Description;
+use crate::model::DeviceKind;
 use crate::report::{Report, Subject, grouped, plural};
-use crate::source::SourceFile;
+use crate::source::{SourceFile, SourceOptions};
 
 pub(super) fn run(args: &CheckArgs, out: &mut Output) -> Result<Outcome, Failure> {
     let mut settings = Settings::new(&args.settings)?;
@@ -199,6 +200,12 @@ impl Worker<'_> {
                 }
             },
         };
+        let description = match self.with_origin(&file.path, description) {
+            Ok(description) => description,
+            Err(failure) => return Checked::Failed(failure),
+        };
+        // what is found in it depends on another file
+        let key = key.filter(|_| last_eds(&description).is_none());
         // what these formats offer, other programs apply without a check of the result; only to count fixes, it takes too long
         let is_offered = matches!(self.args.report.format, ReportFormat::Json | ReportFormat::Sarif);
         let examine = |description: &Description| match check(description) {
@@ -209,6 +216,43 @@ impl Worker<'_> {
         let deny = self.settings.deny(project);
         Checked::Description(Box::new(Examined { description, findings, deny, amended, unwritten, key }))
     }
+}
+
+impl Worker<'_> {
+    /// The configuration of a node with the description of its type: the one that was said, else the one that `LastEDS` names, if
+    /// it is in the same folder.
+    fn with_origin(&self, path: &Path, description: Description) -> Result<Description, Failure> {
+        if description.device().kind != DeviceKind::Node {
+            return Ok(description);
+        }
+        let options = SourceOptions { encoding: None, max_size: self.args.input.size.max_size };
+        let open = |path: &Path| crate::format::open(path, &options);
+        if let Some(eds) = &self.args.eds {
+            let origin = open(eds)?;
+            return match origin.device().kind {
+                DeviceKind::Type => Ok(description.with_origin(origin)),
+                DeviceKind::Node => {
+                    let message = format!("`{}` describes a node, not a type of device", name_of(eds));
+                    Err(Failure::new(message).help("name an EDS or XDD with `--eds`"))
+                }
+            };
+        }
+        let beside = last_eds(&description).map(|name| path.with_file_name(name));
+        // what a link leads to may be outside the folder
+        let beside =
+            beside.filter(|eds| eds != path && eds.symlink_metadata().is_ok_and(|found| found.is_file()));
+        let origin = beside.and_then(|eds| open(&eds).ok());
+        Ok(match origin.filter(|origin| origin.device().kind == DeviceKind::Type) {
+            Some(origin) => description.with_origin(origin),
+            None => description,
+        })
+    }
+}
+
+/// The name of the file in `LastEDS`, without the folder that it was in on another computer.
+fn last_eds(description: &Description) -> Option<&str> {
+    let named = description.device().file_info.as_ref()?.last_eds.as_deref()?;
+    named.rsplit(['/', '\\']).next().map(str::trim).filter(|name| !matches!(*name, "" | "." | ".."))
 }
 
 /// Writes what was found, and keeps account of it.

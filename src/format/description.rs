@@ -38,6 +38,8 @@ pub struct Description {
     number: usize,
     device: Device,
     findings: Findings,
+    /// The description of the type that this node was made from.
+    origin: Option<Box<Self>>,
 }
 
 /// The text in the syntax of its format, with what finds places in it; that is made when it is asked for.
@@ -95,9 +97,14 @@ impl Description {
             }
         };
         let (device, mut findings) = restored(device, findings);
+<<<<<<< HEAD
         let read = Self { format, text, number: 0, device, findings: Findings::new() };
         // a source keeps the name of the description that is made of it
         if read.device_count() == 1 && format != Format::Toml {
+=======
+        let read = Self { format, text, number: 0, device, findings: Findings::new(), origin: None };
+        if read.device_count() == 1 {
+>>>>>>> w3
             eds::file_name::check(&read.device, read.source().name(), &mut findings);
         }
         Self { findings, ..read }
@@ -132,7 +139,14 @@ impl Description {
                 let (device, findings) = xdd::read(tree, number, self.format.kind());
                 let (device, findings) = restored(device, findings);
                 let (tree, format) = (Arc::clone(tree), self.format);
-                Some(Self { format, text: Text::Xml(tree, OnceLock::new()), number, device, findings })
+                Some(Self {
+                    format,
+                    text: Text::Xml(tree, OnceLock::new()),
+                    number,
+                    device,
+                    findings,
+                    origin: None,
+                })
             }
             _ => None,
         }
@@ -241,6 +255,18 @@ impl Description {
     /// The device.
     pub fn device(&self) -> &Device {
         &self.device
+    }
+
+    /// The description of a configured node beside that of its type, with which it is then [checked](crate::check()) too.
+    #[must_use]
+    pub fn with_origin(self, origin: Self) -> Self {
+        Self { origin: Some(Box::new(origin)), ..self }
+    }
+
+    /// The description of the type that the node was made from, as far as it was [given](Self::with_origin); labels at
+    /// [`At::Node`] point into it.
+    pub fn origin(&self) -> Option<&Self> {
+        self.origin.as_deref()
     }
 
     /// The device, without its text.

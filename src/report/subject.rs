@@ -43,10 +43,14 @@ impl<'a> Subject<'a> {
         }
     }
 
-    /// What a label points into: the description of a node, for a label of a network that does, else this subject.
+    /// What a label points into: the description of a node, for a label of a network that does, the description of its type, for
+    /// a label of a configured node that does, else this subject.
     #[must_use]
     pub fn of_label(self, at: &At) -> Self {
         match (self, at) {
+            (Self::Description(description), At::Node(..)) => {
+                description.origin().map_or(self, Self::Description)
+            }
             #[cfg(feature = "network")]
             (Self::Network(network) | Self::Node(network, _), At::Node(node, _)) => {
                 network.description(*node).map_or(self, Self::Description)

@@ -322,3 +322,37 @@ fn a_cache_changes_no_report() {
     assert_eq!(check("check --cache minimal.eds").0, Some(2));
     assert_eq!(check("check --cache mixed-eol.eds minimal.eds").0, Some(2));
 }
+
+#[test]
+fn a_configuration_is_checked_beside_its_eds() {
+    let folder = tempfile::tempdir().unwrap();
+    let file = |name: &str| folder.path().join(name);
+    let found = |line: &str| {
+        let output = run(folder.path(), &format!("check --format concise {line}"));
+        (output.status.code(), String::from_utf8(output.stdout).unwrap())
+    };
+    fs::copy("fixtures/dcf/io-401-node5.dcf", file("io-401-node5.dcf")).unwrap();
+    assert_eq!(found("io-401-node5.dcf --cache known").0, Some(0));
+    let eds = fs::read_to_string("fixtures/eds/io-401.eds").unwrap();
+    // another default in the EDS, which comes later; what is cached does not hide it
+    let other = eds.replace("[6002sub1]\r\n", "[6002sub1]\r\nLowLimit=0\r\nHighLimit=4\r\n");
+    let other = other.replace("[6002sub2]\r\n", "[6002sub2]\r\nLowLimit=0\r\nHighLimit=4\r\n");
+    assert_ne!(other, eds);
+    fs::write(file("io-401.eds"), &other).unwrap();
+    let (code, text) = found("io-401-node5.dcf --cache known");
+    assert_eq!((code, text.matches("configuration/value-outside-limits").count()), (Some(1), 1), "{text}");
+    // the one that is named comes first, and must be of a type
+    assert_eq!(found("io-401-node5.dcf --eds FIXTURES/eds/io-401.eds").0, Some(0));
+    assert_eq!(found("io-401-node5.dcf --eds io-401-node5.dcf").0, Some(2));
+    assert_eq!(found("io-401-node5.dcf --eds missing.eds").0, Some(2));
+    // a link may lead out of the folder, and a DCF is the EDS of none
+    #[cfg(unix)]
+    {
+        fs::rename(file("io-401.eds"), file("moved.eds")).unwrap();
+        std::os::unix::fs::symlink("moved.eds", file("io-401.eds")).unwrap();
+        assert_eq!(found("io-401-node5.dcf").0, Some(0));
+        fs::remove_file(file("io-401.eds")).unwrap();
+    }
+    fs::copy("fixtures/dcf/drive-402-node8.dcf", file("io-401.eds")).unwrap();
+    assert_eq!(found("io-401-node5.dcf").0, Some(0));
+}

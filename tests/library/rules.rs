@@ -64,6 +64,12 @@ pub(crate) fn open(path: &Path) -> Description {
         .unwrap_or_else(|error| panic!("{}: {error}", path.display()))
 }
 
+/// A configuration with the valid description of its type.
+pub(crate) fn with_origin(description: Description) -> Description {
+    let eds = description.device().file_info.as_ref().and_then(|info| info.last_eds.clone()).unwrap();
+    description.with_origin(open(&support::fixtures().join("eds").join(eds)))
+}
+
 /// What a fixture is checked with: the profile beside it, and the tools that its rule is about.
 pub(crate) fn options(path: &Path) -> Options {
     let mut options = Options::default();
@@ -104,6 +110,11 @@ impl Examined {
             return Self::Config(Box::new(Config::open(path).unwrap()));
         }
         let is_damaged = is_of("xml") || (is_of("cia311") && name(path).starts_with("bad"));
+        if is_of("configuration") {
+            let description = with_origin(open(path));
+            let findings = objdict::check_with(&description, &options(path));
+            return Self::Description(Box::new(description), findings);
+        }
         if !is_damaged {
             let description = open(path);
             let findings = objdict::check_with(&description, &options(path));
@@ -144,7 +155,10 @@ impl Examined {
     /// The file that a label is in, and where.
     fn resolve(&self, at: &At) -> (&SourceFile, Span) {
         match (self, at) {
-            (Self::Description(description, _), at) => (description.source(), description.span_of(at)),
+            (Self::Description(description, _), at) => {
+                let subject = Subject::Description(description);
+                (subject.of_label(at).source(), subject.span_of(at))
+            }
             (Self::Network(network, _), At::Node(..)) => {
                 let subject = Subject::Network(network);
                 (subject.of_label(at).source(), subject.span_of(at))
@@ -301,6 +315,15 @@ fn every_finding_has_a_help() {
     let bad = rule_folders().into_iter().flat_map(|(_, folder)| devices(&folder, "bad"));
     let found: Vec<String> = bad.flat_map(|path| without(&path)).collect();
     assert!(found.is_empty(), "{}", found.join("\n"));
+}
+
+#[test]
+fn a_valid_configuration_is_clean_beside_the_description_of_its_type() {
+    for path in devices(&support::fixtures().join("dcf"), "") {
+        let findings = objdict::check(&with_origin(open(&path)));
+        let messages = findings.iter().map(|finding| finding.message.to_string()).collect::<Vec<_>>();
+        assert!(messages.is_empty(), "{}: {messages:#?}", path.display());
+    }
 }
 
 #[test]

@@ -24,6 +24,7 @@ const GROUPS: [(&str, &str); 18] = [
     ("cia402", "drives (CiA 402)"),
     ("cia404", "measuring devices and controllers (CiA 404)"),
     ("cia406", "encoders (CiA 406)"),
+    ("configuration", "configured nodes beside their EDS"),
     ("custom", "custom profiles"),
     ("keys", "TOML and YAML files"),
     ("naming", "names"),

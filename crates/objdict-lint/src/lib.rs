@@ -3,6 +3,7 @@
 
 #[cfg(feature = "catalogue")]
 mod channels;
+mod configured;
 mod demands;
 #[cfg(feature = "catalogue")]
 mod drive;
@@ -26,6 +27,7 @@ use objdict_profile as profile;
 use crate::diagnostic::Findings;
 use crate::model::{Device, Object};
 
+use configured::Configured;
 #[cfg(feature = "catalogue")]
 pub(crate) use drive::{Drive, MODES};
 pub(crate) use facts::{CobIdUse, Facts, PdoFacts, Service, Target, is_unstated};
@@ -56,12 +58,29 @@ pub fn check(device: &Device, options: &Options) -> Findings {
             Check::Applied(_)
             | Check::Against(_)
             | Check::Expected(_)
+            | Check::Configured(_)
             | Check::Object(_)
             | Check::Entry(_) => {}
         }
     }
     check_demands(&facts, &mut findings);
     check_objects(device, options, &mut findings);
+    findings
+}
+
+/// Applies the rules about a configuration to the device of a node and the description of its type, which the labels at
+/// [`At::Node`](crate::diagnostic::At::Node) point into.
+pub fn check_configured(device: &Device, origin: &Device) -> Findings {
+    let mut findings = Findings::new();
+    let configured = Configured { device, origin: &origin.with_implicit_pdos(), written: origin };
+    let is_same = rules::is_same_product(device, origin);
+    for rule in rules_of(|group| group == "configuration") {
+        if let Check::Configured(check) = rule.check
+            && (is_same || rule.info.name() == "other-device")
+        {
+            check(&configured, &mut findings);
+        }
+    }
     findings
 }
 

@@ -1,5 +1,6 @@
 //! Rules about the model.
 
+use crate::configured::Configured;
 use crate::demands::{Against, Applied, Expected};
 use crate::diagnostic::{Diagnostic, Findings, RuleInfo, Text, say};
 use crate::model::{Device, Entry, Field, ModulePart, Object, ObjectType, Part, Place};
@@ -33,6 +34,8 @@ pub(crate) enum Check {
     Applied(fn(&'static RuleInfo, &Facts<'_>, &Applied<'_>, &mut Findings)),
     /// Each object that the document defines.
     Against(fn(&'static RuleInfo, &Against<'_>, &mut Findings)),
+    /// A configuration beside the description of its type.
+    Configured(fn(&Configured<'_>, &mut Findings)),
     /// Each described entry that the document defines, in objects with the structure of the document.
     Expected(fn(&'static RuleInfo, &Expected<'_>, &mut Findings)),
 }

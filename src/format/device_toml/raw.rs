@@ -3,6 +3,7 @@
 use serde_json::{Map, Value};
 
 use super::words::{key, quoted};
+use super::writer::insert_before_tables;
 use crate::compare::{Datum, DatumChange, DatumDifference, overlay};
 use crate::diagnostic::{Diagnostic, Findings, say};
 use crate::format::keyed::rules::WRONG_TYPE;
@@ -60,9 +61,8 @@ pub(super) fn write(missing: &[DatumDifference], text: &mut String) {
     let removed: Vec<String> =
         missing.iter().filter(|found| found.right.is_none()).map(|found| quoted(&found.path)).collect();
     if !removed.is_empty() {
-        // in front of the first table
-        let at = text.find("\n[").map_or(text.len(), |at| at + usize::from(!text[..at].ends_with('\n')));
-        text.insert_str(at, &format!("raw-remove = [\n    {},\n]\n", removed.join(",\n    ")));
+        let lines = format!("raw-remove = [\n    {},\n]\n", removed.join(",\n    "));
+        insert_before_tables(&lines, text);
     }
     let mut values = missing.iter().filter(|found| found.right.is_some()).peekable();
     if values.peek().is_some() {

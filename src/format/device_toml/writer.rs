@@ -65,13 +65,18 @@ fn objects(writer: &Writer<'_>, text: &mut String) {
 }
 
 fn insert_removed(removed: &[String], text: &mut String) {
-    if removed.is_empty() {
-        return;
+    if !removed.is_empty() {
+        let items: Vec<String> = removed.iter().map(|address| quoted(address)).collect();
+        insert_before_tables(&format!("remove = [{}]\n", items.join(", ")), text);
     }
-    let items: Vec<String> = removed.iter().map(|address| quoted(address)).collect();
+}
+
+/// Adds lines in front of the first table. No other line begins with a bracket.
+pub(super) fn insert_before_tables(lines: &str, text: &mut String) {
     let at = text.find("\n[").map_or(text.len(), |at| at + 1);
+    // the empty line before the table stays there
     let at = if at < text.len() && text[..at].ends_with("\n\n") { at - 1 } else { at };
-    text.insert_str(at, &format!("remove = [{}]\n", items.join(", ")));
+    text.insert_str(at, lines);
 }
 
 /// Writes tables of PDOs, and makes the objects in the base those that they say.
@@ -160,6 +165,12 @@ fn extra(device: &Device, text: &mut String) {
     let mut names = std::collections::BTreeSet::new();
     if !device.extra.iter().all(|section| names.insert(section.name())) {
         // equal keys are no TOML
+        let section = |section: &ExtraSection| {
+            let entries = facts::table_of_pairs(&section.entries().collect::<Vec<_>>());
+            format!("[{}, {entries}]", quoted(section.name()))
+        };
+        let sections: Vec<String> = device.extra.iter().map(section).collect();
+        insert_before_tables(&format!("extra = [\n    {},\n]\n", sections.join(",\n    ")), text);
         return;
     }
     if device.extra.iter().all(is_table) {

@@ -21,6 +21,7 @@ macro_rules! rules {
 }
 
 pub use self::cia306::disabled_object::without_disabled;
+pub(crate) use self::configuration::other_device::is_same as is_same_product;
 
 /// Every rule about the model.
 pub fn rules() -> impl Iterator<Item = &'static Rule> {
@@ -364,5 +365,15 @@ rules! {
         type_definition,
         unclear_direction,
         unused_mapping_slot,
+    }
+    configuration {
+        different_access,
+        different_default,
+        different_limits,
+        different_type,
+        other_device,
+        other_revision,
+        unknown_entry,
+        value_outside_limits,
     }
 }

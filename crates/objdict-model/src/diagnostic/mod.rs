@@ -49,7 +49,8 @@ pub enum At {
     Span(Span),
     /// An address in the model.
     Place(Place),
-    /// An address in the description of a node of a network, by the position of the node; for related places.
+    /// An address in the description of a node of a network, by the position of the node, or in the description of the type
+    /// of a configured node (0); for related places.
     Node(usize, Place),
 }
 

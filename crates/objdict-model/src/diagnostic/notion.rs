@@ -24,7 +24,7 @@ pub enum Notion<'a> {
 
 /// The words that templates put in braces because other syntaxes use other words.
 pub const WORDS: &[&str] =
-    &["section", "a section", "sections", "a key", "the key", "the keys", "DCF", "a DCF", ".dcf"];
+    &["section", "a section", "sections", "a key", "the key", "the keys", "DCF", "a DCF", ".dcf", "EDS"];
 
 impl<'a> Notion<'a> {
     /// The term in the braces of a template.

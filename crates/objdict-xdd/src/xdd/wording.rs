@@ -35,7 +35,7 @@ const NAMES: [(&str, Name); 4] = [
 ];
 
 /// The terms of CiA 311 for parts of an EDS.
-const WORDS: [(&str, &str); 9] = [
+const WORDS: [(&str, &str); 10] = [
     ("section", "element"),
     ("a section", "an element"),
     ("sections", "elements"),
@@ -45,6 +45,7 @@ const WORDS: [(&str, &str); 9] = [
     ("DCF", "XDC"),
     ("a DCF", "an XDC"),
     (".dcf", ".xdc"),
+    ("EDS", "XDD"),
 ];
 
 /// The term of CiA 311 for a term of CiA 306.
