@@ -97,14 +97,9 @@ impl Description {
             }
         };
         let (device, mut findings) = restored(device, findings);
-<<<<<<< HEAD
-        let read = Self { format, text, number: 0, device, findings: Findings::new() };
+        let read = Self { format, text, number: 0, device, findings: Findings::new(), origin: None };
         // a source keeps the name of the description that is made of it
         if read.device_count() == 1 && format != Format::Toml {
-=======
-        let read = Self { format, text, number: 0, device, findings: Findings::new(), origin: None };
-        if read.device_count() == 1 {
->>>>>>> w3
             eds::file_name::check(&read.device, read.source().name(), &mut findings);
         }
         Self { findings, ..read }

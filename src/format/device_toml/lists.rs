@@ -67,8 +67,10 @@ pub(super) fn dummies(text: &str) -> Result<BTreeMap<DataType, bool>, &str> {
 
 /// Lines as a text between triple quotes.
 pub(super) fn several_lines(lines: &[String]) -> String {
-    let is_plain =
-        lines.iter().all(|line| !line.contains(|c: char| c.is_control() || matches!(c, '"' | '\\')));
+    let is_plain = |line: &String| {
+        !line.starts_with('[') && !line.contains(|c: char| c.is_control() || matches!(c, '"' | '\\'))
+    };
+    let is_plain = lines.iter().all(is_plain);
     if is_plain {
         return format!("\"\"\"\n{}\"\"\"", lines.join("\n"));
     }

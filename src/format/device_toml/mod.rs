@@ -165,11 +165,24 @@ fn frame(root: &Section<'_>, device: &mut Device, base: Option<&DeviceInfo>, fin
             _ => tree.spelled().split('\n').map(str::to_owned).collect(),
         }),
     };
-    for section in root.named("extra", findings) {
-        let entries: Extra =
-            serde_json::from_str(&facts::pairs(&section.value).to_string()).unwrap_or_default();
-        device.extra.push(ExtraSection::new(&section.key.spelled(), &entries));
+    device.extra = extra(root, findings);
+}
+
+/// The sections that CiA's documents do not have; a list where several have the same name.
+fn extra(root: &Section<'_>, findings: &mut Findings) -> Vec<ExtraSection> {
+    let section = |name: &str, entries: &Tree| {
+        let entries: Extra = serde_json::from_str(&facts::pairs(entries).to_string()).unwrap_or_default();
+        ExtraSection::new(name, &entries)
+    };
+    if let Some(Kind::List(items)) = root.get("extra").map(|tree| &*tree.kind) {
+        let named = items.iter().filter_map(|item| match &*item.kind {
+            Kind::List(pair) => Some((pair.first()?.spelled(), pair.get(1)?)),
+            _ => None,
+        });
+        return named.map(|(name, entries)| section(&name, entries)).collect();
     }
+    let named = root.named("extra", findings).iter();
+    named.map(|entry| section(&entry.key.spelled(), &entry.value)).collect()
 }
 
 fn read_lists(root: &Section<'_>, device: &Device, findings: &mut Findings) -> ObjectLists {
