@@ -39,10 +39,6 @@ enum Check {
     /// That it is the one of the change.
     Before,
     /// Nothing.
-    #[cfg_attr(
-        not(feature = "toml"),
-        expect(dead_code, reason = "only texts of people replace what they do not see")
-    )]
     Nothing,
 }
 
