@@ -16,6 +16,7 @@ pub mod input;
 #[cfg(feature = "json")]
 pub mod json;
 #[cfg(feature = "toml")]
+#[cfg_attr(not(feature = "network"), allow(dead_code, reason = "files of networks use more of it"))]
 mod keyed;
 #[cfg(feature = "network")]
 pub mod network;
