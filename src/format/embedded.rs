@@ -112,6 +112,7 @@ fn lines(change: &DatumChange) -> Vec<(String, String)> {
 }
 
 /// The edits that put a datum in place of the one at its path in the comment lines of an EDS or DCF, or remove it.
+#[cfg_attr(not(feature = "node"), allow(dead_code, reason = "only configured nodes change them"))]
 pub(super) fn edit_lines(edits: &mut Edits<'_>, path: &str, datum: Option<Datum>) {
     remove_lines(edits, |key| key == path);
     if let Some(after) = datum {

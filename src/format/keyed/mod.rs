@@ -1,11 +1,13 @@
 //! Files that people write as keys and values: a tree with the place of each value, and tables of the keys that a file may have.
 
-#![cfg_attr(not(feature = "network"), allow(dead_code, reason = "patches need less of it than networks"))]
+#![cfg_attr(not(feature = "network"), allow(dead_code, reason = "files of networks use more of it"))]
 
+#[cfg(feature = "patch")]
 pub(super) mod fields;
 pub(super) mod rules;
 pub(super) mod schema;
 pub(super) mod section;
 pub(super) mod toml;
 pub(super) mod tree;
+#[cfg(feature = "patch")]
 pub(super) mod words;
