@@ -62,12 +62,24 @@ impl<'a> Rewriter<'a> {
 
     /// A value about the file, which both profiles have.
     fn set_fact(&mut self, field: &Field, value: &str) -> Option<()> {
-        let is_text = matches!(field, Field::FileName | Field::CreatedBy | Field::ModifiedBy);
-        let name = DEVICE_BODY.attribute_of(field).filter(|_| is_text)?.name;
+        let known = match field {
+            // behind the version, in one attribute
+            Field::FileRevision => DEVICE_BODY.attribute_of(&Field::FileVersion)?,
+            Field::FileVersion => return None,
+            field => DEVICE_BODY.attribute_of(field).filter(|_| !matches!(field, Field::Named(_)))?,
+        };
         let layout = self.locator.layout(self.tree)?;
         let mut is_set = None;
         for profile in [layout.device, layout.network].into_iter().flatten() {
-            self.editor.set_attribute(profile.body, name.text(), value);
+            let value = match field {
+                Field::FileRevision => {
+                    let stated = profile.body.attribute(known.name)?.value();
+                    let version = stated.split_once('.').map_or(&*stated, |(version, _)| version);
+                    format!("{version}.{value}")
+                }
+                _ => known.spelled(value)?,
+            };
+            self.editor.set_attribute(profile.body, known.name.text(), &value);
             is_set = Some(());
         }
         is_set
