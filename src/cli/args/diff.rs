@@ -13,6 +13,9 @@ use crate::cli::values::node_id;
 use crate::model::Date;
 
 #[derive(Debug, clap::Args)]
+#[command(
+    override_usage = "objdict diff [OPTIONS] <OLD> <NEW>\n       objdict diff [OPTIONS] --git <REV> <NEW>"
+)]
 pub(in crate::cli) struct DiffArgs {
     #[command(flatten)]
     pub sides: SidesArgs,
@@ -44,7 +47,7 @@ pub(in crate::cli) struct DiffArgs {
 // Which descriptions are compared.
 #[derive(Debug, clap::Args)]
 pub(in crate::cli) struct SidesArgs {
-    /// The old description: EDS, DCF, XDD, XDC or JSON; `-` is standard input. With --git, the new one
+    /// The old description: EDS, DCF, XDD, XDC or JSON; `-` is standard input; left out with --git
     pub old: PathBuf,
     /// The new description, in any of these formats
     #[arg(required_unless_present = "git", conflicts_with = "git")]
@@ -62,6 +65,9 @@ impl SidesArgs {
 }
 
 #[derive(Debug, clap::Args)]
+#[command(
+    override_usage = "objdict release [OPTIONS] <OLD> <NEW>\n       objdict release [OPTIONS] --git <REV> <NEW>"
+)]
 pub(in crate::cli) struct ReleaseArgs {
     #[command(flatten)]
     pub sides: SidesArgs,

@@ -1,7 +1,7 @@
 //! What has to be raised before a new description is released: what the rules about versions find, with fixes.
 
 use super::rules::{self, ChangeRule};
-use super::{compare, versions};
+use super::{DeviceChange, compare, versions};
 use crate::diagnostic::{Diagnostic, Findings, Fix, say};
 use crate::model::{ClockTime, Date, Device, DeviceInfo, Field, Identity, Part, Place};
 
@@ -20,10 +20,11 @@ pub struct ReleaseFacts {
 /// each with a fix where the new value is known.
 pub fn release(old: &Device, new: &Device, facts: &ReleaseFacts) -> Findings {
     let changes = compare(old, new);
-    let is_behaviour = changes.iter().any(versions::is_behaviour);
+    let raise = |change: &DeviceChange| FIXES.iter().find(|(rule, _)| std::ptr::eq(*rule, change.rule));
+    let is_behaviour = changes.iter().any(|change| versions::is_behaviour(change) && raise(change).is_none());
     let release = Release { old, new, facts, is_behaviour };
     let found = changes.iter().filter_map(|change| {
-        let (_, fix) = FIXES.iter().find(|(rule, _)| std::ptr::eq(*rule, change.rule))?;
+        let (_, fix) = raise(change)?;
         let finding = change.finding();
         Some(match fix(&release) {
             Some(fix) => finding.help(fix.title.clone()).fix(fix),

@@ -46,9 +46,9 @@ impl<'a> Rewriter<'a> {
             let known = OBJECT.attribute_of(field)?;
             let value = known.spelled(value)?;
             if element.attribute(known.name).is_none()
-                && self.locator.in_parameter(self.tree, element, field).is_some()
+                && let Some(span) = self.locator.in_parameter(self.tree, element, field)
             {
-                return None;
+                return self.set_parameter(element, span, field, &value);
             }
             self.editor.set_attribute(element, known.name.text(), &value);
             return Some(());
@@ -58,6 +58,17 @@ impl<'a> Rewriter<'a> {
             Part::DeviceInfo => self.set_identity(field, value).or_else(|| self.set_feature(field, value)),
             _ => None,
         }
+    }
+
+    /// A number in the parameter of an element, if that is of no other.
+    fn set_parameter(&mut self, element: Element<'_>, span: Span, field: &Field, value: &str) -> Option<()> {
+        let is_number =
+            *field == Field::DefaultValue && value.bytes().all(|byte| byte.is_ascii_alphanumeric());
+        if !is_number || !self.locator.has_own_parameter(self.tree, element) {
+            return None;
+        }
+        self.editor.replace(span, value);
+        Some(())
     }
 
     /// A value about the file, which both profiles have.
