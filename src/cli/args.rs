@@ -26,7 +26,7 @@ pub(super) use self::dcf::{
     BlobFormat, DcfArgs, DcfCommand, DcfDiffArgs, NamingArgs, PackArgs, PackOrder, UnpackArgs, VerdictFormat,
     VerifyArgs,
 };
-pub(super) use self::diff::{DeniedVerdict, DiffArgs, DiffFormat};
+pub(super) use self::diff::{DeniedVerdict, DiffArgs, DiffFormat, ReleaseArgs, SidesArgs};
 pub(super) use self::docs::DocsArgs;
 pub(super) use self::generate::{GenerateArgs, SizeFormat};
 pub(super) use self::network::{
@@ -118,6 +118,11 @@ pub(super) enum Command {
     /// for stored configurations, PDO consumers, SDO clients, firmware source and stored values: breaking, risky or compatible
     /// (docs/diff.md). Exits with 1 if there is a breaking change (see --deny).
     Diff(DiffArgs),
+    /// Raise the versions of a new description as its changes demand
+    ///
+    /// Compares two descriptions as `diff` does, and reports which of revision number, product code, FileVersion, FileRevision and
+    /// ModificationDate do not move with the changes. --fix sets them. Exits with 1 if something is missing (docs/diff.md).
+    Release(ReleaseArgs),
     /// Convert between EDS, DCF, XDD, XDC, JSON and concise DCF, and export to DBC
     ///
     /// EDS to EDS and DCF to DCF keep every byte. Conversions between EDS and DCF, and between XDD and XDC, edit the text and keep

@@ -17,10 +17,10 @@ use super::report;
 use super::save::require_other;
 use super::settings::{Project, Settings};
 use super::vendor::VendorReport;
-use crate::diagnostic::{Findings, Severity, series};
+use crate::diagnostic::{Applicability, Findings, Severity, series};
 use crate::format::Description;
-use crate::model::DeviceKind;
 use crate::lint::Options;
+use crate::model::DeviceKind;
 use crate::report::{Report, Subject, grouped, plural};
 use crate::source::{SourceFile, SourceOptions};
 
@@ -104,7 +104,7 @@ fn show_changes(
             Ok(())
         },
     )?;
-    fixing.finish(&worker.args.fixing);
+    fixing.finish(true);
     Ok(match fixing.is_needed() {
         _ if has_failed => Outcome::Failed,
         true => Outcome::Findings,
@@ -200,7 +200,7 @@ impl Worker<'_> {
                 let failure = Failure::new("the standard input cannot be fixed in place");
                 return Checked::Failed(failure.help("use `--diff` to print the changes"));
             }
-            Some(safety) => match amend(&file.path, description, safety, &options) {
+            Some(safety) => match amend_all(&file.path, description, safety, &options) {
                 Some((description, Some(amended))) if !self.args.fixing.diff => match amended.write() {
                     Ok(()) => (description, Some(amended), None),
                     // what is reported is what is on the disk
@@ -237,6 +237,16 @@ impl Worker<'_> {
             key,
         }))
     }
+}
+
+fn amend_all(
+    path: &Path,
+    description: Description,
+    safety: Applicability,
+    options: &Options,
+) -> Option<(Description, Option<Amended>)> {
+    let count = description.device_count();
+    amend(path, description, 0..count, |description| crate::fix_for_readers(description, safety, options))
 }
 
 impl Worker<'_> {
@@ -390,8 +400,8 @@ impl<'a> Reporter<'a> {
         };
         self.report.exit_code(outcome.code());
         self.report.finish()?;
-        if let Some(args) = fixing {
-            self.fixing.finish(args);
+        if let Some(args) = fixing.filter(|args| args.safety().is_some()) {
+            self.fixing.finish(args.diff);
         }
         let skipped: usize = self.skipped.values().sum();
         if skipped > 0 {

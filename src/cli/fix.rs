@@ -1,5 +1,6 @@
 //! Findings fixed by `check`: what is written, what is only shown, and what is said about it.
 
+use std::ops::Range;
 use std::path::{Path, PathBuf};
 
 use super::canonical::DialectArgs;
@@ -9,10 +10,9 @@ use super::output::Output;
 use super::save::save_in_place;
 use crate::diagnostic::Applicability;
 use crate::format::{self, Description, Format};
-use crate::lint::Options;
 use crate::report::plural;
 use crate::source::SourceFile;
-use crate::{AppliedFix, fix_for_readers};
+use crate::{AppliedFix, Fixed};
 
 // Whether findings are fixed.
 #[derive(Debug, clap::Args)]
@@ -51,20 +51,18 @@ pub(super) struct Amended {
     is_unfinished: bool,
 }
 
-/// Fixes all devices of a file. The description of the first one comes back, and the change where there is one.
+/// Fixes the devices of a file with these numbers. The description of the first one comes back, and the change where there is one.
 pub(super) fn amend(
     path: &Path,
     description: Description,
-    safety: Applicability,
-    options: &Options,
+    numbers: Range<usize>,
+    fix: impl Fn(Description) -> Fixed,
 ) -> Option<(Description, Option<Amended>)> {
     let (format, before) = (description.format(), copy(description.source())?);
-    let count = description.device_count();
     let mut next = description;
     let (mut applied, mut skipped, mut is_unfinished) = (0, Vec::new(), false);
-    for number in 0..count {
-        let next_device = next.select(number)?;
-        let fixed = fix_for_readers(next_device, safety, options);
+    for number in numbers.clone() {
+        let fixed = fix(next.select(number)?);
         applied += fixed.applied.len();
         skipped.extend(fixed.skipped);
         is_unfinished |= fixed.is_unfinished;
@@ -75,7 +73,7 @@ pub(super) fn amend(
     let amended =
         Amended { path: path.to_owned(), format, before, after, bytes, applied, skipped, is_unfinished };
     let is_changed = amended.applied > 0 || is_unfinished || !amended.skipped.is_empty();
-    Some((next.select(0)?, is_changed.then_some(amended)))
+    Some((next.select(numbers.start)?, is_changed.then_some(amended)))
 }
 
 impl Amended {
@@ -132,11 +130,8 @@ impl Fixing {
     }
 
     /// Reports the result.
-    pub(super) fn finish(&self, args: &FixArgs) {
-        if args.safety().is_none() {
-            return;
-        }
-        let verb = if args.diff { "would fix" } else { "fixed" };
+    pub(super) fn finish(&self, is_dry: bool) {
+        let verb = if is_dry { "would fix" } else { "fixed" };
         let (findings, files) = (plural(self.fixed, "finding"), plural(self.files, "file"));
         note(&format!("{verb} {findings} in {files}\n"));
         if self.skipped > 0 {

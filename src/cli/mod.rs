@@ -70,6 +70,7 @@ pub fn run() -> ExitCode {
     let outcome = match &args.command {
         Command::Check(OnlyCheck::Check(command)) => check::run(command, &mut out),
         Command::Diff(command) => changes::run(command, &mut out),
+        Command::Release(command) => changes::release::run(command, &mut out),
         Command::Convert(command) => convert::run(command, &mut out),
         Command::Configure(command) => configure::run(command, &mut out),
         Command::Modules(command) => modules::run(command, &mut out),

@@ -20,7 +20,7 @@ pub(super) fn run(args: &NewArgs, out: &mut Output) -> Result<Outcome, Failure> 
     if args.vendor_id.is_none() {
         note(&format!("note: the vendor-ID is 0x{NO_VENDOR:08X}; set yours with `--vendor-id`\n"));
     }
-    let (date, time) = when(args)?;
+    let (date, time) = date_and_time(args.date)?;
     let name = args.output.file_name().unwrap_or_default().to_string_lossy();
     let is_stdout = is_stdout(&args.output);
     let by_name = || FileKind::of(&args.output).filter(|_| !is_stdout).unwrap_or(FileKind::Eds);
@@ -96,9 +96,9 @@ fn failure(error: BaseError) -> Failure {
     Failure::new(error).help(help)
 }
 
-/// The date and time that the description states: those that were said, else now, in Coordinated Universal Time.
-fn when(args: &NewArgs) -> Result<(Date, ClockTime), Failure> {
-    if let Some(date) = args.date {
+/// The date and time that a description states: those that were said, else now, in Coordinated Universal Time.
+pub(super) fn date_and_time(said: Option<Date>) -> Result<(Date, ClockTime), Failure> {
+    if let Some(date) = said {
         return Ok((date, ClockTime::new(12, 0).unwrap_or(MIDNIGHT)));
     }
     let epoch = std::env::var("SOURCE_DATE_EPOCH").ok().and_then(|text| text.parse().ok());

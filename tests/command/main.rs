@@ -11,6 +11,7 @@ mod cli;
 mod dialects;
 mod fixing;
 mod flags;
+mod git;
 mod hostile;
 mod limits;
 mod outputs;

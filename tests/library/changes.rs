@@ -5,9 +5,10 @@ use std::collections::BTreeSet;
 use std::fmt::Write as _;
 use std::fs;
 
-use objdict::format::{self, Format, WriteOptions, json};
-use objdict::lint::changes::{Audience, ChangeVerdict, DeviceChange, compare, rules};
-use objdict::model::{Compact, Date, Device, DeviceKind, Entry, Object, ObjectType, Value};
+use objdict::diagnostic::Applicability;
+use objdict::format::{self, Description, Format, WriteOptions, json};
+use objdict::lint::changes::{Audience, ChangeVerdict, DeviceChange, ReleaseFacts, compare, release, rules};
+use objdict::model::{ClockTime, Compact, Date, Device, DeviceKind, Entry, Object, ObjectType, Value};
 use objdict::source::{SourceFile, SourceOptions};
 
 use crate::planted::plant;
@@ -23,9 +24,18 @@ struct Planted {
     new: Device,
 }
 
-fn read(file: &str, text: &str) -> Device {
+/// The same as texts.
+struct Texts {
+    file: String,
+    what: String,
+    expected: Vec<String>,
+    /// Before and after.
+    texts: [String; 2],
+}
+
+fn read(file: &str, text: &str) -> Description {
     let format = Format::from_name(file).unwrap_or(Format::Eds);
-    format::read(SourceFile::from_text(file, text), format).into_device()
+    format::read(SourceFile::from_text(file, text), format)
 }
 
 /// The rules about the revision number, the product code and the version and date of the file.
@@ -56,7 +66,7 @@ fn raise(device: &mut Device, expected: &[String]) {
     }
 }
 
-fn planted() -> Vec<Planted> {
+fn texts() -> Vec<Texts> {
     let table = fs::read_to_string(support::fixtures().join("changes.txt")).unwrap();
     let (mut file, mut text, mut found) = (String::new(), String::new(), Vec::new());
     for line in table.lines().filter(|line| !line.is_empty() && !line.starts_with('#')) {
@@ -74,15 +84,21 @@ fn planted() -> Vec<Planted> {
         });
         let expected =
             parts[0].split(", ").filter(|rule| *rule != "none").map(str::to_owned).collect::<Vec<_>>();
-        let (old, new) = if is_reversed { (&edited, &text) } else { (&text, &edited) };
-        let (old, mut new) = (read(&file, old), read(&file, new));
+        let texts = if is_reversed { [edited, text.clone()] } else { [text.clone(), edited] };
+        found.push(Texts { file: file.clone(), what: parts[1].clone(), expected, texts });
+    }
+    found
+}
+
+fn planted() -> Vec<Planted> {
+    let with_devices = |Texts { file, what, expected, texts: [old, new] }| {
+        let (old, mut new) = (read(&file, &old).into_device(), read(&file, &new).into_device());
         if new.kind == DeviceKind::Type && !expected.is_empty() {
             raise(&mut new, &expected);
         }
-        let what = parts[1].clone();
-        found.push(Planted { file: file.clone(), what, expected, old, new });
-    }
-    found
+        Planted { file, what, expected, old, new }
+    };
+    texts().into_iter().map(with_devices).collect()
 }
 
 fn shown(changes: &[DeviceChange]) -> String {
@@ -245,4 +261,80 @@ fn verdicts_are_ordered() {
     assert!(
         ChangeVerdict::Compatible < ChangeVerdict::Risky && ChangeVerdict::Risky < ChangeVerdict::Breaking
     );
+}
+
+/// In every text with a planted change, what a release needs is raised, and no other line changes.
+#[test]
+fn a_release_raises_what_its_changes_demand() {
+    let when = (Date::new(2030, 1, 31).unwrap(), ClockTime::new(8, 30).unwrap());
+    let facts = ReleaseFacts { date: when.0, time: when.1, product_code: Some(0x1234) };
+    let mut raised = BTreeSet::new();
+    for Texts { file, what, texts: [old, new], .. } in texts() {
+        let old = read(&file, &old).into_device();
+        let description = read(&file, &new);
+        let check = |description: &Description| release(&old, description.device(), &facts);
+        let fixed = objdict::fix(description, Applicability::Safe, check);
+        assert!(
+            fixed.findings.is_empty() && fixed.skipped.is_empty(),
+            "{file}: {what}: {:?}",
+            fixed.findings
+        );
+        raised.extend(fixed.applied.iter().map(|fix| fix.rule));
+        let after = fixed.description.source().text();
+        let pairs: Vec<(&str, &str)> =
+            new.lines().zip(after.lines()).filter(|(new, after)| new != after).collect();
+        assert_eq!(new.lines().count(), after.lines().count(), "{file}: {what}");
+        assert!(pairs.len() <= 7, "{file}: {what}: {pairs:?}");
+        if old.kind == DeviceKind::Type && !fixed.applied.is_empty() {
+            let date = if file.ends_with("eds") { "Date=01-31-2030" } else { "Date=\"2030-01-31\"" };
+            assert!(after.contains(date), "{file}: {what}");
+        }
+    }
+    assert_eq!(raised, BTreeSet::from(VERSIONS));
+}
+
+/// The revision becomes a new major one, or what it was before; a file without a revision left gets the next version.
+#[test]
+fn the_next_versions() {
+    let old = fs::read_to_string(support::fixtures().join("bases/drive.eds")).unwrap().replace("\r\n", "\n");
+    let new = fs::read_to_string(support::fixtures().join("diff/drive-2.eds")).unwrap().replace("\r\n", "\n");
+    let facts = ReleaseFacts {
+        date: Date::new(2030, 1, 31).unwrap(),
+        time: ClockTime::new(8, 30).unwrap(),
+        product_code: None,
+    };
+    let titles = |old: &str, new: &str| -> Vec<String> {
+        let findings = release(&read("a.eds", old).into_device(), &read("b.eds", new).into_device(), &facts);
+        findings
+            .iter()
+            .map(|finding| finding.fix.as_ref().map_or("none".into(), |fix| fix.title.to_string()))
+            .collect()
+    };
+    let full = |text: &str| text.replace("FileRevision=0", "FileRevision=255");
+    assert_eq!(
+        titles(&full(&old), &full(&new)),
+        [
+            "raise the revision number to 2.0",
+            "raise the version of the file to 2.0",
+            "write the date 2030-01-31"
+        ]
+    );
+    // the behaviour is that of before
+    let lower = old.replace("0x00010001", "0x00010000");
+    assert_eq!(
+        titles(&old, &lower),
+        [
+            "raise the revision number to 1.1",
+            "raise the version of the file to 1.1",
+            "write the date 2030-01-31"
+        ]
+    );
+    // no other number is left
+    let last = |text: &str| text.replace("0x00010001", "0xFFFF0000");
+    assert_eq!(titles(&last(&old), &last(&new))[0], "none");
+    // a date that moved before moves with the versions
+    let moved = new.replace("ModificationDate=11-18-2024", "ModificationDate=11-18-2025");
+    assert_eq!(titles(&old, &moved)[2], "write the date 2030-01-31");
+    let raised = moved.replace("FileRevision=0", "FileRevision=1").replace("0x00010001", "0x00020000");
+    assert!(titles(&old, &raised).is_empty(), "{:?}", titles(&old, &raised));
 }

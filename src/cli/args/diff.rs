@@ -1,20 +1,24 @@
 //! The arguments of `objdict diff`.
 
-use std::path::PathBuf;
+use std::path::{Path, PathBuf};
 
 use clap::ValueEnum;
 
 use super::network::AllowedPathArgs;
+use super::new::{date, number};
+use super::output::ReportArgs;
 use crate::cli::changes::Choice;
 use crate::cli::input::InputArgs;
 use crate::cli::values::node_id;
+use crate::model::Date;
 
 #[derive(Debug, clap::Args)]
+#[command(
+    override_usage = "objdict diff [OPTIONS] <OLD> <NEW>\n       objdict diff [OPTIONS] --git <REV> <NEW>"
+)]
 pub(in crate::cli) struct DiffArgs {
-    /// The old description: EDS, DCF, XDD, XDC or JSON; `-` is standard input
-    pub old: PathBuf,
-    /// The new description, in any of these formats
-    pub new: PathBuf,
+    #[command(flatten)]
+    pub sides: SidesArgs,
     /// Output format
     #[arg(long, value_enum, default_value = "text")]
     pub format: DiffFormat,
@@ -37,6 +41,51 @@ pub(in crate::cli) struct DiffArgs {
     pub node_id: Option<u8>,
     #[command(flatten)]
     pub paths: AllowedPathArgs,
+    #[command(flatten)]
+    pub input: InputArgs,
+}
+
+// Which descriptions are compared.
+#[derive(Debug, clap::Args)]
+pub(in crate::cli) struct SidesArgs {
+    /// The old description: EDS, DCF, XDD, XDC or JSON; `-` is standard input; left out with --git
+    pub old: PathBuf,
+    /// The new description, in any of these formats
+    #[arg(required_unless_present = "git", conflicts_with = "git")]
+    pub new: Option<PathBuf>,
+    /// Take the old description from this revision of the git repository that the new one is in, such as origin/main
+    #[arg(long, value_name = "REV")]
+    pub git: Option<String>,
+}
+
+impl SidesArgs {
+    /// The new description: the only one beside a revision.
+    pub(in crate::cli) fn newer(&self) -> &Path {
+        self.new.as_deref().unwrap_or(&self.old)
+    }
+}
+
+#[derive(Debug, clap::Args)]
+#[command(
+    override_usage = "objdict release [OPTIONS] <OLD> <NEW>\n       objdict release [OPTIONS] --git <REV> <NEW>"
+)]
+pub(in crate::cli) struct ReleaseArgs {
+    #[command(flatten)]
+    pub sides: SidesArgs,
+    /// Raise what is missing in the new description; the rest of its text stays
+    #[arg(long)]
+    pub fix: bool,
+    /// Print the changes that --fix would make without writing them, and exit with 1 if there are any
+    #[arg(long)]
+    pub diff: bool,
+    /// The product code of the new device, if it needs another one, such as 418 or 0x1A2
+    #[arg(long, value_name = "NUMBER", value_parser = number)]
+    pub product_code: Option<u32>,
+    /// Date of the release, such as 2026-11-21 [default: SOURCE_DATE_EPOCH, else now]
+    #[arg(long, value_name = "DATE", value_parser = date)]
+    pub date: Option<Date>,
+    #[command(flatten)]
+    pub report: ReportArgs,
     #[command(flatten)]
     pub input: InputArgs,
 }

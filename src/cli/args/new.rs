@@ -66,7 +66,7 @@ impl From<NewFormat> for FileKind {
 }
 
 /// A number in decimal or, behind `0x`, in hexadecimal.
-fn number(text: &str) -> Result<u32, String> {
+pub(super) fn number(text: &str) -> Result<u32, String> {
     let number = match text.strip_prefix("0x").or_else(|| text.strip_prefix("0X")) {
         Some(digits) => u32::from_str_radix(digits, 16).ok(),
         None => text.parse().ok(),
@@ -86,6 +86,6 @@ fn text(text: &str) -> Result<String, String> {
 /// Characters that a name may have, so that its line stays below 255 (CiA 306-1 §4.2).
 const MAX_NAME: usize = 100;
 
-fn date(text: &str) -> Result<Date, String> {
+pub(super) fn date(text: &str) -> Result<Date, String> {
     Date::from_iso(text).ok_or_else(|| "expected a date such as 2026-11-21".to_owned())
 }

@@ -2,10 +2,13 @@
 
 mod against;
 mod choice;
+mod git;
 mod html;
 mod identifiers;
 mod json;
 mod markdown;
+pub(super) mod release;
+mod side;
 mod text;
 
 use std::path::Path;
@@ -13,25 +16,13 @@ use std::path::Path;
 pub(super) use self::choice::Choice;
 #[cfg(feature = "schema")]
 pub(super) use self::json::Document as ChangesDocument;
+use self::side::{Side, sides};
 use super::args::{DeniedVerdict, DiffArgs, DiffFormat};
-use super::input::{Input, InputArgs, name_of, source_name};
 use super::outcome::{Failure, Outcome};
 use super::output::Output;
 use crate::diagnostic::Findings;
-use crate::format::Description;
 use crate::lint::changes::{ChangeVerdict, DeviceChange, compare};
-use crate::model::{Device, Place};
 use crate::report::{Github, Report, Subject};
-use crate::source::LineColumn;
-
-/// One of the descriptions.
-struct Side {
-    /// The file as it was given.
-    file: String,
-    /// What it was read as.
-    format: &'static str,
-    input: Input,
-}
 
 /// Both descriptions and what changes between them.
 struct Comparison {
@@ -41,7 +32,7 @@ struct Comparison {
 }
 
 pub(super) fn run(args: &DiffArgs, out: &mut Output) -> Result<Outcome, Failure> {
-    let (old, new) = (side(&args.old, &args.input)?, side(&args.new, &args.input)?);
+    let [old, new] = sides(&args.sides, &args.input)?;
     let devices = [old.device()?, new.device()?];
     let mut changes = compare(devices[0], devices[1]);
     identifiers::add(&mut changes, devices[0], devices[1]);
@@ -67,48 +58,6 @@ pub(super) fn run(args: &DiffArgs, out: &mut Output) -> Result<Outcome, Failure>
     };
     let is_denied = comparison.changes.iter().any(|change| change.verdict() >= denied);
     Ok(if is_denied { Outcome::Findings } else { Outcome::Clean })
-}
-
-/// Reads a description.
-fn side(path: &Path, input: &InputArgs) -> Result<Side, Failure> {
-    let (kind, read) = input.read_one(path)?;
-    let side = Side { file: source_name(path), format: kind.name(), input: read };
-    side.device().map(|_| ())?;
-    Ok(side)
-}
-
-impl Side {
-    fn device(&self) -> Result<&Device, Failure> {
-        match &self.input {
-            Input::Description(description) => Ok(description.device()),
-            Input::Device(device) => Ok(device),
-            Input::Concise(_) | Input::NodeList(_) => {
-                let message = format!("`{}` is read as {} and describes no device", self.name(), self.format);
-                let help = "`objdict dcf diff` compares concise DCF, `objdict network diff` networks";
-                Err(Failure::new(message).help(help))
-            }
-        }
-    }
-
-    /// The file as it is printed.
-    fn name(&self) -> String {
-        name_of(Path::new(&self.file))
-    }
-
-    fn description(&self) -> Option<&Description> {
-        match &self.input {
-            Input::Description(description) => Some(description),
-            _ => None,
-        }
-    }
-
-    /// Line and column of a place: of its field, or if the text does not state that, of its part.
-    fn locate(&self, place: &Place) -> Option<LineColumn> {
-        let description = self.description()?;
-        let part = || description.locate(&Place::of(place.part.clone()));
-        let span = description.locate(place).or_else(part)?;
-        Some(description.source().line_column(span.start))
-    }
 }
 
 impl Comparison {

@@ -2,7 +2,8 @@
 
 use std::io::{self, Write};
 
-use super::{Comparison, Side, address};
+use super::side::Side;
+use super::{Comparison, address};
 use crate::cli::output::Output;
 use crate::lint::changes::{Audience, ChangeVerdict, DeviceChange};
 use crate::model::Place;

@@ -8,6 +8,7 @@ mod entries;
 mod matching;
 mod objects;
 mod pdos;
+mod release;
 mod rules;
 mod values;
 mod versions;
@@ -16,6 +17,7 @@ use std::collections::{BTreeMap, BTreeSet};
 
 use self::audience::Affected;
 pub use self::audience::{Audience, ChangeVerdict};
+pub use self::release::{ReleaseFacts, release};
 pub use self::rules::{ChangeImpact, ChangeRule, rules};
 use crate::diagnostic::{Diagnostic, Severity, Text, say};
 use crate::model::{Device, Meanings, Pdo, Place};

@@ -109,7 +109,7 @@ impl Comparison<'_> {
 
 /// Whether a change is one of what the device does on the bus, and not of its names, of how the network uses it, or of
 /// initial values.
-fn is_behaviour(change: &DeviceChange) -> bool {
+pub(super) fn is_behaviour(change: &DeviceChange) -> bool {
     let is_of = |rules: &[&rules::ChangeRule]| rules.iter().any(|rule| std::ptr::eq(*rule, change.rule));
     let is_on_the_bus = change.effects().any(|effect| {
         matches!(effect.audience, Audience::SdoClients | Audience::PdoConsumers | Audience::Configurations)

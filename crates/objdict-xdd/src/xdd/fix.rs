@@ -46,9 +46,9 @@ impl<'a> Rewriter<'a> {
             let known = OBJECT.attribute_of(field)?;
             let value = known.spelled(value)?;
             if element.attribute(known.name).is_none()
-                && self.locator.in_parameter(self.tree, element, field).is_some()
+                && let Some(span) = self.locator.in_parameter(self.tree, element, field)
             {
-                return None;
+                return self.set_parameter(element, span, field, &value);
             }
             self.editor.set_attribute(element, known.name.text(), &value);
             return Some(());
@@ -60,14 +60,37 @@ impl<'a> Rewriter<'a> {
         }
     }
 
+    /// A number in the parameter of an element, if that is of no other.
+    fn set_parameter(&mut self, element: Element<'_>, span: Span, field: &Field, value: &str) -> Option<()> {
+        let is_number =
+            *field == Field::DefaultValue && value.bytes().all(|byte| byte.is_ascii_alphanumeric());
+        if !is_number || !self.locator.has_own_parameter(self.tree, element) {
+            return None;
+        }
+        self.editor.replace(span, value);
+        Some(())
+    }
+
     /// A value about the file, which both profiles have.
     fn set_fact(&mut self, field: &Field, value: &str) -> Option<()> {
-        let is_text = matches!(field, Field::FileName | Field::CreatedBy | Field::ModifiedBy);
-        let name = DEVICE_BODY.attribute_of(field).filter(|_| is_text)?.name;
+        let known = match field {
+            // behind the version, in one attribute
+            Field::FileRevision => DEVICE_BODY.attribute_of(&Field::FileVersion)?,
+            Field::FileVersion => return None,
+            field => DEVICE_BODY.attribute_of(field).filter(|_| !matches!(field, Field::Named(_)))?,
+        };
         let layout = self.locator.layout(self.tree)?;
         let mut is_set = None;
         for profile in [layout.device, layout.network].into_iter().flatten() {
-            self.editor.set_attribute(profile.body, name.text(), value);
+            let value = match field {
+                Field::FileRevision => {
+                    let stated = profile.body.attribute(known.name)?.value();
+                    let version = stated.split_once('.').map_or(&*stated, |(version, _)| version);
+                    format!("{version}.{value}")
+                }
+                _ => known.spelled(value)?,
+            };
+            self.editor.set_attribute(profile.body, known.name.text(), &value);
             is_set = Some(());
         }
         is_set

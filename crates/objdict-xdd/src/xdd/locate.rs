@@ -6,6 +6,7 @@ mod facts;
 
 use std::collections::HashMap;
 use std::hash::{BuildHasher, RandomState};
+use std::sync::OnceLock;
 
 use super::layout::Layout;
 use super::schema;
@@ -24,13 +25,16 @@ pub struct Locator {
     state: RandomState,
     /// The hash of each id with its element, sorted by hash.
     ids: Vec<(u32, ElementId)>,
+    /// The hashes of the parameters that several objects or sub-objects refer to, sorted; not looked for until a parameter is changed.
+    shared: OnceLock<Vec<u32>>,
 }
 
 impl Locator {
     /// Finds the objects of one device of the file.
     pub fn new(tree: &Tree, number: usize) -> Self {
         let (objects, lists) = Default::default();
-        let mut found = Self { number, objects, lists, state: RandomState::new(), ids: Vec::new() };
+        let (ids, shared) = Default::default();
+        let mut found = Self { number, objects, lists, state: RandomState::new(), ids, shared };
         let Some(layout) = Layout::of(tree, number) else { return found };
         for object in layout.objects() {
             let attributes = super::read::EntryAttributes::of(object);

@@ -3,7 +3,7 @@
 use super::{Locator, attribute_of, text_of, value_of};
 use crate::model::{Field, SimpleType};
 use crate::source::Span;
-use crate::xdd::layout::below;
+use crate::xdd::layout::{Layout, below};
 use crate::xdd::read::EntryAttributes;
 use crate::xdd::schema::OBJECT;
 use crate::xml::{Element, Name, Tree, n};
@@ -61,6 +61,25 @@ impl Locator {
             Field::Denotation => below(parameter, &[n::denotation, n::label]).map(text_of),
             _ => None,
         }
+    }
+
+    /// Whether no other object or sub-object has the parameter of an element.
+    pub(in crate::xdd) fn has_own_parameter(&self, tree: &Tree, element: Element<'_>) -> bool {
+        let reference = |element: Element<'_>| {
+            let id = element.attribute(n::uniqueIDRef)?;
+            Some(self.hash(id.value().trim_ascii()))
+        };
+        let shared = self.shared.get_or_init(|| {
+            let layout = self.layout(tree);
+            let objects = layout.iter().flat_map(Layout::objects);
+            let entries = objects
+                .flat_map(|object| std::iter::once(object).chain(object.children_named(n::CANopenSubObject)));
+            let mut all: Vec<u32> = entries.filter_map(reference).collect();
+            all.sort_unstable();
+            let several = all.chunk_by(|one, next| one == next).filter(|same| same.len() > 1);
+            several.map(|same| same[0]).collect()
+        });
+        reference(element).is_some_and(|hash| shared.binary_search(&hash).is_err())
     }
 }
 

@@ -23,6 +23,7 @@ pub(crate) use self::values::{BAUD_RATES, Kind, Target};
 pub use self::xsd::xsd;
 use super::fact::Fact;
 use super::shape::{Keep, TextField};
+use crate::literal;
 use crate::model::{Entry, Field, Value};
 use crate::xml::{Name, n};
 
@@ -233,6 +234,8 @@ impl Attribute {
                 "1" => "optional".to_owned(),
                 _ => return None,
             },
+            (Kind::Date, _) => literal::date(text)?.0.to_iso(),
+            (Kind::Time, _) => literal::clock_time(text)?.to_iso(true),
             // the parameter specifies inputs and outputs
             (Kind::Word(_), "rwr" | "rww") | (Kind::Boolean, _) => return None,
             _ => text.to_owned(),

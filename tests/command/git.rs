@@ -1,0 +1,92 @@
+//! `--git`: the old description is that of a revision.
+
+use std::fs;
+use std::path::Path;
+use std::process::{Command, Output};
+
+fn git(folder: &Path, arguments: &[&str]) {
+    let mut git = Command::new("git");
+    git.args([
+        "-c",
+        "user.name=objdict",
+        "-c",
+        "user.email=objdict@example.org",
+        "-c",
+        "init.defaultBranch=main",
+    ]);
+    let output = git.arg("-C").arg(folder).args(arguments).output().unwrap();
+    assert!(output.status.success(), "{arguments:?}: {}", String::from_utf8_lossy(&output.stderr));
+}
+
+fn objdict(folder: &Path, arguments: &[&str]) -> Output {
+    let mut command = Command::new(env!("CARGO_BIN_EXE_objdict"));
+    // a folder above may be a repository
+    command.env("GIT_CEILING_DIRECTORIES", std::env::temp_dir());
+    command.current_dir(folder).args(arguments).output().unwrap()
+}
+
+/// What is printed, and the exit code.
+fn said(folder: &Path, arguments: &[&str]) -> (String, i32) {
+    let Output { status, stdout, stderr } = objdict(folder, arguments);
+    let text = [stdout, stderr].map(|bytes| String::from_utf8(bytes).unwrap()).concat();
+    (text, status.code().unwrap())
+}
+
+#[test]
+fn the_old_description_is_that_of_a_revision() {
+    if Command::new("git").arg("--version").output().is_err() {
+        eprintln!("skipped: git is not installed");
+        return;
+    }
+    let folder = tempfile::tempdir().unwrap();
+    let folder = folder.path();
+    let copy = |from: &str, to: &str| fs::copy(Path::new("fixtures").join(from), folder.join(to)).unwrap();
+    fs::create_dir(folder.join("devices")).unwrap();
+    copy("bases/drive.eds", "devices/drive.eds");
+
+    let (text, code) = said(folder, &["diff", "--git", "HEAD", "devices/drive.eds"]);
+    assert_eq!((text.lines().next(), code), (Some("error: `devices/drive.eds` is in no git repository"), 2));
+
+    git(folder, &["init", "--quiet"]);
+    git(folder, &["add", "."]);
+    git(folder, &["commit", "--quiet", "--message", "first"]);
+    assert_eq!(said(folder, &["diff", "--git", "HEAD", "devices/drive.eds"]), ("no changes\n".to_owned(), 0));
+
+    copy("diff/drive-2.eds", "devices/drive.eds");
+    let (text, code) = said(folder, &["diff", "--git", "main", "devices/drive.eds", "--select", "6084"]);
+    assert_eq!(code, 0);
+    assert!(text.contains("6084h") && text.contains("  devices/drive.eds:321:2\n"), "{text}");
+    let (text, code) = said(folder, &["diff", "--git", "HEAD", "devices/drive.eds", "--select", "1800"]);
+    assert_eq!(code, 1);
+    assert!(text.contains("HEAD:devices/drive.eds:230:2 → devices/drive.eds:231:2"), "{text}");
+    // from the folder of the file
+    assert_eq!(said(&folder.join("devices"), &["release", "--git", "HEAD", "drive.eds"]).1, 1);
+    assert_eq!(said(folder, &["release", "--git", "HEAD", "devices/drive.eds", "--fix"]).1, 0);
+    assert_eq!(said(folder, &["release", "--git", "HEAD", "devices/drive.eds"]).1, 0);
+    let fixed = fs::read_to_string(folder.join("devices/drive.eds")).unwrap();
+    assert!(fixed.contains("RevisionNumber=0x00020000") && fixed.contains("FileRevision=1"), "{fixed}");
+
+    copy("bases/drive.eds", "new.eds");
+    for (arguments, error) in [
+        (["HEAD", "new.eds"], "git has no file `new.eds` at `HEAD`"),
+        (["origin/main", "devices/drive.eds"], "git has no revision `origin/main`"),
+        (["HEAD~1", "devices/drive.eds"], "git has no revision `HEAD~1`"),
+        (["HEAD", "-"], "`<stdin>` is no file of a git repository"),
+    ] {
+        let (text, code) = said(folder, &["diff", "--git", arguments[0], arguments[1]]);
+        assert_eq!((text.lines().next(), code), (Some(&*format!("error: {error}")), 2), "{text}");
+    }
+    // no option of git
+    let (text, code) = said(folder, &["diff", "--git=--output=x", "new.eds"]);
+    assert_eq!((&*text, code), ("error: `--output=x` is no revision of a git repository\n", 2));
+    assert!(!folder.join("x").exists());
+}
+
+#[test]
+fn git_is_needed() {
+    let mut command = Command::new(env!("CARGO_BIN_EXE_objdict"));
+    command.env("PATH", "").args(["diff", "--git", "HEAD", "fixtures/bases/drive.eds"]);
+    let text = String::from_utf8(command.output().unwrap().stderr).unwrap();
+    let error = "error: `--git` needs the program git, which is not in the path\n";
+    assert!(text.starts_with(error), "{text}");
+}
