@@ -10,7 +10,7 @@ use crate::compat;
 use crate::diagnostic::{Diagnostic, Findings, Reach};
 #[cfg(feature = "xdd")]
 use crate::format::xdd::wording;
-use crate::format::{Description, Syntax, eds};
+use crate::format::{Description, Format, Syntax, eds};
 use crate::lint::{self, Options};
 use crate::model::OBJDICTGEN_SECTION;
 
@@ -54,6 +54,11 @@ pub fn check_with(description: &Description, options: &Options) -> Findings {
     } else {
         findings
     };
+    let findings = if description.format() == Format::Toml {
+        findings.filter_map(|finding| (finding.rule.id != NOT_OF_TOML).then_some(finding))
+    } else {
+        findings
+    };
     let findings = lint::without_disabled(description.device(), findings);
     let mut findings = options.severities.apply(findings);
     let about_comments = suppression::apply(description, options, &mut findings);
@@ -69,6 +74,9 @@ pub fn check_with(description: &Description, options: &Options) -> Findings {
 /// CiA documents are arrays.
 const NOT_OF_OBJDICTGEN: [&str; 3] =
     ["cia306/no-baud-rate", "cia306/command-without-flag", "cia301/wrong-object-type"];
+
+/// Who made a file and when is in the version control of a source, and in the files that are made of it.
+const NOT_OF_TOML: &str = "cia306/missing-file-info-key";
 
 /// Whether the text is a project of objdictgen.
 fn is_of_objdictgen(description: &Description) -> bool {

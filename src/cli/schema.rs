@@ -35,7 +35,7 @@ macro_rules! documents {
 }
 
 documents! {
-    "device" crate::format::json::DeviceDocument<crate::model::Device>: "A device description: `objdict convert IN -o OUT.json`.",
+    "device-json" crate::format::json::DeviceDocument<crate::model::Device>: "A device description: `objdict convert IN -o OUT.json`.",
     "concise-dcf" crate::format::json::ConciseDocument<crate::download::ConciseDcf>: "A concise DCF: `objdict convert IN.cdcf -o OUT.json`.",
     "findings" crate::report::FindingsDocument<'_>: "Findings: `objdict check --format json`, `objdict network check --format json`.",
     "changes" super::changes::ChangesDocument<'_>: "The changes between descriptions: `objdict diff --format json`.",
@@ -56,15 +56,24 @@ documents! {
     "rules" super::rules::Document: "The rules of `check`: `objdict rules --format json`.",
 }
 
+/// The name and the meaning of the one document that people write, whose schema is made of the table of its keys.
+const SOURCE: [&str; 2] = ["device", "The short source of a device, `device.toml`."];
+
 pub(super) fn run(args: &SchemaArgs, out: &mut Output) -> Result<Outcome, Failure> {
     let Some(name) = &args.name else {
         let mut table = Table::new(["Name", "Document"], usize::MAX);
+        table.row(SOURCE.map(str::to_owned));
         for Schema { name, about, .. } in SCHEMAS {
             table.row([name, about].map(|text| (*text).to_owned()));
         }
         table.write(out)?;
         return Ok(Outcome::Clean);
     };
+    if name.eq_ignore_ascii_case(SOURCE[0]) {
+        let text = crate::json::pretty(&crate::format::device_schema()).unwrap_or_default();
+        out.raw()?.write_all(format!("{text}\n").as_bytes())?;
+        return Ok(Outcome::Clean);
+    }
     let schema = SCHEMAS.iter().find(|schema| schema.name.eq_ignore_ascii_case(name));
     let schema = schema.ok_or_else(|| unknown(name))?;
     out.raw()?.write_all(schema.text.as_bytes())?;
@@ -73,7 +82,7 @@ pub(super) fn run(args: &SchemaArgs, out: &mut Output) -> Result<Outcome, Failur
 
 fn unknown(name: &str) -> Failure {
     let failure = Failure::new(format_args!("there is no document `{name}`"));
-    let names = || SCHEMAS.iter().map(|schema| schema.name);
+    let names = || std::iter::once(SOURCE[0]).chain(SCHEMAS.iter().map(|schema| schema.name));
     failure.help(match nearest(name, names()) {
         Some(near) => format!("did you mean `{near}`? `objdict schema` lists all"),
         None => format!("the documents are {}", listing(names())),

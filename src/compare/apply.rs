@@ -24,6 +24,29 @@ pub struct DatumChange {
 /// Makes changes. Returns those that could not be made: the value has changed since, the part is gone, or the
 /// device would be none.
 pub fn apply(device: &mut Device, changes: Vec<DatumChange>) -> Vec<DatumChange> {
+    make_changes(device, changes, Check::Before)
+}
+
+/// Makes changes whatever is in their places. Returns those that lead to no device.
+#[cfg(feature = "toml")]
+pub(crate) fn overlay(device: &mut Device, changes: Vec<DatumChange>) -> Vec<DatumChange> {
+    make_changes(device, changes, Check::Nothing)
+}
+
+/// What a change demands of the datum in its place.
+#[derive(Clone, Copy, PartialEq, Eq)]
+enum Check {
+    /// That it is the one of the change.
+    Before,
+    /// Nothing.
+    #[cfg_attr(
+        not(feature = "toml"),
+        expect(dead_code, reason = "only texts of people replace what they do not see")
+    )]
+    Nothing,
+}
+
+fn make_changes(device: &mut Device, changes: Vec<DatumChange>, check: Check) -> Vec<DatumChange> {
     let mut of_objects: BTreeMap<u16, Vec<DatumChange>> = BTreeMap::new();
     let mut others = Vec::new();
     for change in changes {
@@ -35,14 +58,16 @@ pub fn apply(device: &mut Device, changes: Vec<DatumChange>) -> Vec<DatumChange>
     let mut refused = Vec::new();
     for (index, changes) in of_objects {
         let mut object = device.objects.remove(&index);
-        apply_to(&mut object, &format!("/objects/0x{index:04X}"), changes, &mut refused);
+        apply_to(&mut object, &format!("/objects/0x{index:04X}"), changes, check, &mut refused);
         device.objects.extend(object.map(|object: Object| (index, object)));
     }
     if !others.is_empty() {
         let objects = std::mem::take(&mut device.objects);
         let mut frame = std::mem::take(device);
         frame.extra.sort_by(|a, b| a.name().cmp(b.name()));
-        let set = |change| set_extra(&mut frame, change).and_then(|change| set_large(&mut frame, change));
+        let set = |change| {
+            set_extra(&mut frame, change, check).and_then(|change| set_large(&mut frame, change, check))
+        };
         let others = others.into_iter().filter_map(set).collect::<Vec<_>>();
         // the JSON of the other parts takes much memory
         let mut untouched = Device::default();
@@ -50,7 +75,7 @@ pub fn apply(device: &mut Device, changes: Vec<DatumChange>) -> Vec<DatumChange>
         exchange_untouched(&mut frame, &mut untouched, &paths);
         let mut frame = Some(frame);
         if !others.is_empty() {
-            apply_to(&mut frame, "", others, &mut refused);
+            apply_to(&mut frame, "", others, check, &mut refused);
         }
         *device = Device { objects, ..frame.unwrap_or_default() };
         exchange_untouched(device, &mut untouched, &paths);
@@ -75,7 +100,7 @@ fn exchange_untouched(one: &mut Device, other: &mut Device, paths: &[String]) {
 
 /// Makes a change of all sections that the model does not know, as one text. Returns any other change, and one that could
 /// not be made, which then is found to be stale.
-fn set_extra(frame: &mut Device, change: DatumChange) -> Option<DatumChange> {
+fn set_extra(frame: &mut Device, change: DatumChange, check: Check) -> Option<DatumChange> {
     if change.path != "/extra" || change.after.as_ref().is_some_and(|after| !after.text().starts_with('"')) {
         return Some(change);
     }
@@ -86,7 +111,7 @@ fn set_extra(frame: &mut Device, change: DatumChange) -> Option<DatumChange> {
         Some(Value::String(text)) => super::sections::parse(&text),
         _ => Some(Vec::new()),
     };
-    match after.filter(|_| before == change.before) {
+    match after.filter(|_| check == Check::Nothing || before == change.before) {
         Some(sections) => {
             frame.extra = sections;
             None
@@ -96,7 +121,7 @@ fn set_extra(frame: &mut Device, change: DatumChange) -> Option<DatumChange> {
 }
 
 /// Replaces a part of the device as a whole, without a tree of its JSON. Returns any other change, and one that could not be made.
-fn set_large(frame: &mut Device, change: DatumChange) -> Option<DatumChange> {
+fn set_large(frame: &mut Device, change: DatumChange, check: Check) -> Option<DatumChange> {
     let Some(after) = change.after.as_ref().filter(|after| after.is_large()) else { return Some(change) };
     let absent = Device::default();
     macro_rules! set {
@@ -104,7 +129,7 @@ fn set_large(frame: &mut Device, change: DatumChange) -> Option<DatumChange> {
             match change.path.strip_prefix('/') {
                 $(Some(stringify!($name)) => {
                     let present = Some(&frame.$name).filter(|present| **present != absent.$name);
-                    if change.before != present.map(|present| Datum::of(present).fingerprint()) {
+                    if check == Check::Before && change.before != present.map(|present| Datum::of(present).fingerprint()) {
                         return Some(change);
                     }
                     let document = format!("{{\"{}\":{after}}}", stringify!($name));
@@ -133,13 +158,14 @@ fn apply_to<T: Serialize + DeserializeOwned>(
     part: &mut Option<T>,
     root: &str,
     changes: Vec<DatumChange>,
+    check: Check,
     refused: &mut Vec<DatumChange>,
 ) {
     let before = part.as_ref().map(to_value);
     let mut after = before.clone();
     let mut made = Vec::new();
     for change in changes {
-        match set(&mut after, &change, &change.path[root.len()..]) {
+        match set(&mut after, &change, &change.path[root.len()..], check) {
             true => made.push(change),
             false => refused.push(change),
         }
@@ -151,7 +177,7 @@ fn apply_to<T: Serialize + DeserializeOwned>(
         // one invalid value must not affect the others
         Some(Err(_)) if made.len() > 1 => {
             for change in made {
-                apply_to(part, root, vec![change], refused);
+                apply_to(part, root, vec![change], check, refused);
             }
         }
         Some(Err(_)) => refused.append(&mut made),
@@ -159,9 +185,10 @@ fn apply_to<T: Serialize + DeserializeOwned>(
 }
 
 /// Sets the value at a path if the present value is the expected one.
-fn set(root: &mut Option<Value>, change: &DatumChange, path: &str) -> bool {
-    let is_expected =
-        |found: Option<&Value>| found.map(|value| Datum::from(value).fingerprint()) == change.before;
+fn set(root: &mut Option<Value>, change: &DatumChange, path: &str, check: Check) -> bool {
+    let is_expected = |found: Option<&Value>| {
+        check == Check::Nothing || found.map(|value| Datum::from(value).fingerprint()) == change.before
+    };
     let after = || change.after.as_ref().map(Datum::value);
     let Some((parent, key)) = path.rsplit_once('/') else {
         let as_expected = is_expected(root.as_ref());
@@ -174,7 +201,7 @@ fn set(root: &mut Option<Value>, change: &DatumChange, path: &str) -> bool {
     let parent = match root.pointer_mut(parent) {
         Some(parent) => parent,
         // what holds nothing is not in the JSON
-        None if change.before.is_none() => match make(root, parent) {
+        None if check == Check::Nothing || change.before.is_none() => match make(root, parent) {
             Some(parent) => parent,
             None => return false,
         },

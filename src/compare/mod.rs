@@ -12,6 +12,8 @@ mod sections;
 use serde::Serialize;
 use serde_json::{Map, Value};
 
+#[cfg(feature = "toml")]
+pub(crate) use apply::overlay;
 pub use apply::{DatumChange, apply};
 pub use datum::Datum;
 

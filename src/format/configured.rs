@@ -87,7 +87,7 @@ impl Description {
             Syntax::Ini => fix.changes.extend(eds::additions(self.device(), device)?),
             Syntax::Xml if device.downloads != self.device().downloads => return None,
             Syntax::Xml if device.objects.len() != self.device().objects.len() => return None,
-            Syntax::Xml => {}
+            Syntax::Xml | Syntax::Toml => {}
         }
         let mut edits = Edits::new(self.source());
         if !fix.changes.is_empty() {

@@ -9,6 +9,8 @@ use std::sync::OnceLock;
 
 #[cfg(feature = "xdd")]
 use super::Syntax;
+#[cfg(feature = "toml")]
+use super::device_toml;
 #[cfg(all(feature = "json", feature = "xdd"))]
 use super::embedded;
 use super::ini::Document;
@@ -51,6 +53,9 @@ enum Text {
     /// A project of objdictgen, which is XML of another kind.
     #[cfg(feature = "xdd")]
     Objdictgen(Tree, OnceLock<objdictgen::Locator>),
+    /// Tables of keys.
+    #[cfg(feature = "toml")]
+    Toml(device_toml::Document),
 }
 
 /// The name of a file as a description states it: on one line, in any encoding.
@@ -79,6 +84,11 @@ impl Description {
                     (Text::Xml(Arc::new(tree), OnceLock::new()), device, damage)
                 }
             }
+            #[cfg(feature = "toml")]
+            Syntax::Toml => {
+                let (device, findings) = device_toml::read(source.text());
+                (Text::Toml(device_toml::Document::new(source)), device, findings)
+            }
             // a build without XDD finds nothing but junk in one
             _ => {
                 let document = Document::new(source);
@@ -88,7 +98,8 @@ impl Description {
         };
         let (device, mut findings) = restored(device, findings);
         let read = Self { format, text, number: 0, device, findings: Findings::new(), origin: None };
-        if read.device_count() == 1 {
+        // a source keeps the name of the description that is made of it
+        if read.device_count() == 1 && format != Format::Toml {
             eds::file_name::check(&read.device, read.source().name(), &mut findings);
         }
         Self { findings, ..read }
@@ -101,6 +112,8 @@ impl Description {
             Text::Ini(..) => 1,
             #[cfg(feature = "xdd")]
             Text::Objdictgen(..) => 1,
+            #[cfg(feature = "toml")]
+            Text::Toml(..) => 1,
             #[cfg(feature = "xdd")]
             Text::Xml(tree, _) => xdd::containers(tree).len().max(1),
         }
@@ -169,6 +182,8 @@ impl Description {
             Text::Xml(tree, _) => tree.source(),
             #[cfg(feature = "xdd")]
             Text::Objdictgen(tree, _) => tree.source(),
+            #[cfg(feature = "toml")]
+            Text::Toml(document) => document.source(),
         }
     }
 
@@ -178,6 +193,8 @@ impl Description {
             Text::Ini(document, _) => Some(document),
             #[cfg(feature = "xdd")]
             Text::Xml(..) | Text::Objdictgen(..) => None,
+            #[cfg(feature = "toml")]
+            Text::Toml(..) => None,
         }
     }
 
@@ -187,6 +204,8 @@ impl Description {
         match &self.text {
             Text::Ini(..) | Text::Objdictgen(..) => None,
             Text::Xml(tree, _) => Some(tree),
+            #[cfg(feature = "toml")]
+            Text::Toml(..) => None,
         }
     }
 
@@ -199,6 +218,8 @@ impl Description {
             Text::Xml(tree, _) => xdd::is_project(tree),
             #[cfg(feature = "xdd")]
             Text::Objdictgen(..) => true,
+            #[cfg(feature = "toml")]
+            Text::Toml(..) => false,
         }
     }
 
@@ -210,6 +231,8 @@ impl Description {
             Text::Xml(tree, _) => xdd::is_network(tree),
             #[cfg(feature = "xdd")]
             Text::Objdictgen(..) => false,
+            #[cfg(feature = "toml")]
+            Text::Toml(..) => false,
         }
     }
 
@@ -219,6 +242,8 @@ impl Description {
             Text::Ini(document, _) => document.print(),
             #[cfg(feature = "xdd")]
             Text::Xml(..) | Text::Objdictgen(..) => self.source().to_bytes(),
+            #[cfg(feature = "toml")]
+            Text::Toml(..) => self.source().to_bytes(),
         }
     }
 
@@ -258,6 +283,8 @@ impl Description {
             Text::Objdictgen(tree, locator) => {
                 locator.get_or_init(|| objdictgen::Locator::new(tree)).locate(tree, place)
             }
+            #[cfg(feature = "toml")]
+            Text::Toml(document) => document.locate(place),
         }
     }
 
@@ -286,6 +313,8 @@ impl Description {
             }
             #[cfg(feature = "xdd")]
             Text::Objdictgen(..) => None,
+            #[cfg(feature = "toml")]
+            Text::Toml(document) => document.place_at(span.start),
         };
         place.map(Cow::Owned)
     }
@@ -313,6 +342,11 @@ impl Description {
             }
             #[cfg(feature = "xdd")]
             Text::Objdictgen(..) => self.anew(file_name, Some(node)),
+            #[cfg(feature = "toml")]
+            Text::Toml(document) => match device_toml::edits::to_node(document, file_name, node) {
+                Some(edits) => self.edited(&edits),
+                None => self.anew(file_name, Some(node)),
+            },
         }
     }
 
@@ -346,7 +380,20 @@ impl Description {
             }
             #[cfg(feature = "xdd")]
             Text::Objdictgen(..) => self.anew(file_name, None),
+            #[cfg(feature = "toml")]
+            Text::Toml(document) => match device_toml::edits::to_type(document, file_name) {
+                Some(edits) => self.edited(&edits),
+                None => self.anew(file_name, None),
+            },
         }
+    }
+
+    /// The bytes of the text with edits.
+    #[cfg(feature = "toml")]
+    fn edited(&self, edits: &[(Span, String)]) -> Result<Vec<u8>, EditError> {
+        let mut edited = crate::source::Edits::new(self.source());
+        edits.iter().for_each(|(span, text)| edited.replace(*span, text.clone()));
+        edited.to_bytes()
     }
 
     /// A new text in the same syntax, where that of the file has no place for it: a file of several devices, or one
@@ -361,7 +408,8 @@ impl Description {
             device.kind = DeviceKind::Node;
             device.commissioning = Some(node.clone());
         }
-        let format = if node.is_some() { Format::Xdc } else { Format::Xdd };
+        let kind = if node.is_some() { DeviceKind::Node } else { DeviceKind::Type };
+        let format = Format::of(self.format.syntax(), kind);
         let max_losses =
             super::WriteOptions::max_losses_of(self.source().text().len(), super::input::DEFAULT_MAX_ENTRIES);
         let options = super::WriteOptions { embed: true, max_losses, ..super::WriteOptions::default() };
@@ -400,6 +448,8 @@ impl Description {
             }
             #[cfg(feature = "xdd")]
             Text::Objdictgen(..) => None,
+            #[cfg(feature = "toml")]
+            Text::Toml(document) => Some(device_toml::edits::arranged(document)).filter(is_same),
         };
         let text = found.ok_or_else(|| EditError::OtherMeaning(source.name().to_owned()))?;
         source.encode(&text).map_err(EditError::from)
@@ -424,6 +474,8 @@ impl Description {
             }
             #[cfg(feature = "xdd")]
             Text::Objdictgen(..) => None,
+            #[cfg(feature = "toml")]
+            Text::Toml(document) => device_toml::edits::edits(document, &self.device, &fix.changes),
         }?;
         let text = self.source().text();
         let is_change = |(span, new): &&(Span, String)| span.of(text) != new;
@@ -476,6 +528,8 @@ impl Description {
             Text::Xml(tree, _) => xdd::findings::violations(tree),
             #[cfg(feature = "xdd")]
             Text::Objdictgen(..) => Findings::new(),
+            #[cfg(feature = "toml")]
+            Text::Toml(..) => Findings::new(),
         }
     }
 
@@ -504,6 +558,8 @@ impl Description {
             Text::Xml(tree, _) if self.number == 0 => xdd::findings::check(tree, &mut findings),
             #[cfg(feature = "xdd")]
             Text::Xml(..) | Text::Objdictgen(..) => {}
+            #[cfg(feature = "toml")]
+            Text::Toml(..) => {}
         }
         findings
     }

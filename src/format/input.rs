@@ -69,6 +69,8 @@ file_kinds! {
     Xdd "xdd" "xdd" "XDD" Some("xdd"), Some(Format::Xdd);
     /// XML device configuration (CiA 311)
     Xdc "xdc" "xdc" "XDC" Some("xdd"), Some(Format::Xdc);
+    /// The short source of a device (docs/device.md)
+    Toml "toml" "toml" "device.toml" Some("toml"), Some(Format::Toml);
     /// Project of the editors for CANopenNode from before XDD
     // its objects are those of an XDD
     CanopenNode "canopennode" "xml" "CANopenNode project" Some("xdd"), Some(Format::Xdd);
@@ -134,6 +136,7 @@ impl From<Format> for FileKind {
             Format::Dcf => Self::Dcf,
             Format::Xdd => Self::Xdd,
             Format::Xdc => Self::Xdc,
+            Format::Toml => Self::Toml,
         }
     }
 }
@@ -483,6 +486,16 @@ impl Reading {
         if is_xml && !cfg!(feature = "xdd") {
             return Err(ReadError::NotBuilt { name: name.to_owned(), kind });
         }
+        if kind == FileKind::Toml {
+            if !cfg!(feature = "toml") {
+                return Err(ReadError::NotBuilt { name: name.to_owned(), kind });
+            }
+            // the tree of a text takes 200 times its memory; the longest of those that real descriptions become has 450 kB
+            let (path, size, limit) = (name.to_owned(), source.text().len() as u64, source::MAX_TOML_SIZE);
+            if size > limit {
+                return Err(SourceError::TooLarge { path, size, limit }.into());
+            }
+        }
         if is_xml {
             self.limited_parts(name, "elements", start_tags(source.text()), source.text().len())?;
             let count = containers(source.text());
@@ -541,6 +554,8 @@ fn has_syntax(kind: FileKind, text: &str) -> bool {
             !text.contains(is_binary) && text.lines().any(|line| has_sign(line.trim_start()))
         }
         Some(Syntax::Xml) => text.trim_start().starts_with('<'),
+        // its first key says what it is, and other TOML is something else
+        Some(Syntax::Toml) => false,
         // their readers report the mistakes
         None => true,
     }

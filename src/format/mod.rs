@@ -5,6 +5,8 @@ mod complete;
 #[cfg(feature = "node")]
 mod configured;
 mod description;
+#[cfg(feature = "toml")]
+mod device_toml;
 #[cfg(all(feature = "json", feature = "xdd"))]
 mod dialect;
 #[cfg(all(feature = "json", feature = "xdd"))]
@@ -13,7 +15,7 @@ pub mod identify;
 pub mod input;
 #[cfg(feature = "json")]
 pub mod json;
-#[cfg(feature = "network")]
+#[cfg(feature = "toml")]
 mod keyed;
 #[cfg(feature = "network")]
 pub mod network;
@@ -71,6 +73,12 @@ pub fn write(device: &Device, format: Format, options: &WriteOptions) -> Result<
     write::write(device, format, options)
 }
 
+/// The JSON Schema of `device.toml`, by which editors complete and check it.
+#[cfg(feature = "toml")]
+pub fn device_schema() -> serde_json::Value {
+    device_toml::schema()
+}
+
 /// What a text of a format does not give back of the device that it was made of. Of the options the encoding and the limit count.
 ///
 /// # Errors
@@ -101,7 +109,9 @@ pub(crate) fn rules() -> impl Iterator<Item = &'static RuleInfo> {
     #[cfg(all(feature = "json", feature = "xdd"))]
     let rules = rules.chain(embedded::RULES.iter().copied());
     #[cfg(feature = "network")]
-    let rules = rules.chain(network::rules()).chain(keyed::rules::RULES.iter().copied());
+    let rules = rules.chain(network::rules());
+    #[cfg(feature = "toml")]
+    let rules = rules.chain(keyed::rules::RULES.iter().copied());
     #[cfg(feature = "xdd")]
     let rules = rules.chain(xml::findings::rules()).chain(xdd::findings::rules());
     #[cfg(feature = "xdd")]

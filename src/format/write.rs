@@ -8,6 +8,8 @@ use serde::Serialize;
 use serde_json::Value;
 
 use super::complete;
+#[cfg(feature = "toml")]
+use super::device_toml;
 use super::embedded::{self, Carrier};
 use super::ini::Document;
 use super::input::DEFAULT_MAX_ENTRIES;
@@ -220,6 +222,13 @@ fn value_of_entry(json: &Datum) -> Option<crate::model::Value> {
 
 /// The text of a device in a format, and what it does not give back.
 pub(super) fn write(device: &Device, format: Format, options: &WriteOptions) -> Result<Written, EditError> {
+    #[cfg(feature = "toml")]
+    if format == Format::Toml {
+        // it has a place for everything
+        let bytes = device_toml::write(device, options.max_losses)?.into_bytes();
+        let losses = losses(device, &bytes, format, options)?;
+        return Ok(Written { bytes, losses });
+    }
     let limit = options.max_losses;
     let kept = kept(device, format);
     let left_out = missing(device, &kept, limit.saturating_mul(LEFT_OUT))?;
@@ -376,6 +385,7 @@ fn add_invented(path: String, value: Value, losses: &mut Vec<Loss>) {
 /// What a format describes of a device: all of it, or its type.
 fn kept(device: &Device, format: Format) -> Cow<'_, Device> {
     match format.kind() {
+        DeviceKind::Type if format == Format::Toml => Cow::Borrowed(device),
         DeviceKind::Type => device.unconfigured(),
         DeviceKind::Node => Cow::Borrowed(device),
     }
@@ -423,7 +433,7 @@ fn without(missing: Vec<Missing>, others: &[Missing]) -> Vec<Missing> {
 
 const fn room(format: Format) -> Carrier {
     match format.syntax() {
-        Syntax::Ini => Carrier::Lines,
+        Syntax::Ini | Syntax::Toml => Carrier::Lines,
         Syntax::Xml => Carrier::Properties,
     }
 }
@@ -432,6 +442,10 @@ fn encode(device: &Device, format: Format, options: &WriteOptions) -> Vec<u8> {
     match format.syntax() {
         Syntax::Ini => eds::write(&options.dialect.adapted(device), &options.eds),
         Syntax::Xml => xdd::write(&complete::with_valid_access(device), options.xdd_version).into_bytes(),
+        #[cfg(feature = "toml")]
+        Syntax::Toml => device_toml::write(device, options.max_losses).unwrap_or_default().into_bytes(),
+        #[cfg(not(feature = "toml"))]
+        Syntax::Toml => Vec::new(),
     }
 }
 
@@ -475,6 +489,17 @@ fn decode(bytes: Vec<u8>, format: Format, encoding: Option<Encoding>) -> Decoded
             let device = xdd::read(&tree, 0, format.kind()).0;
             let stated = frame(&xdd::read_literally(&tree, format.kind()));
             Decoded { bytes: tree.into_source().into_bytes(), device, stated, violation }
+        }
+        #[cfg(feature = "toml")]
+        Syntax::Toml => {
+            let device = device_toml::read(source.text()).0;
+            let stated = frame(&device);
+            Decoded { bytes: source.into_bytes(), device, stated, violation: None }
+        }
+        #[cfg(not(feature = "toml"))]
+        Syntax::Toml => {
+            let (device, stated) = Default::default();
+            Decoded { bytes: source.into_bytes(), device, stated, violation: None }
         }
     }
 }

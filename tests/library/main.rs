@@ -17,6 +17,7 @@ mod conformance;
 mod conversions;
 mod dbc;
 mod device_profile;
+mod device_toml;
 mod document;
 mod download_plan;
 mod errata;

@@ -257,6 +257,25 @@ fn others() -> Vec<Bomb> {
             Kind::File,
             json("\"objects\":{", |number| format!("\"0x{:04X}\":{{}},", index(number)), "\"0xA000\":{}}"),
         ),
+        bomb("objects.toml", Kind::File, |bytes| {
+            let line = |number| format!("{:04X}={{}}\n", number % 0xFFFF);
+            repeated("format=\"objdict-device/1\"\n[object]\n", line, "", bytes)
+        }),
+        bomb("ranges.toml", Kind::File, |bytes| {
+            let line = |number| format!("{:04X}.sub.0-FE={{}}\n", number % 0xFFFF);
+            repeated("format=\"objdict-device/1\"\n[object]\n", line, "", bytes)
+        }),
+        bomb("raw.toml", Kind::File, |bytes| {
+            repeated(
+                "format=\"objdict-device/1\"\n[raw]\n\"/comments\"=[",
+                |_| "\"\",".to_owned(),
+                "]",
+                bytes,
+            )
+        }),
+        bomb("deep.toml", Kind::File, |bytes| {
+            "format=\"objdict-device/1\"\nx=".to_owned() + &"[".repeat(bytes)
+        }),
         bomb("junk.cdcf.txt", Kind::File, |bytes| repeated("", |_| "x\n".to_owned(), "", bytes)),
         bomb("downloads.cdcf.txt", Kind::File, |bytes| {
             let line = |number| format!("{:04X}:{:02X} UNSIGNED8 1\n", index(number), number % 250);

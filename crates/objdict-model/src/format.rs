@@ -14,6 +14,8 @@ named! {
         Xdd = "XDD",
         /// XML device configuration: a node (CiA 311).
         Xdc = "XDC",
+        /// The short source of a device, of either kind (docs/device.md).
+        Toml = "device.toml",
     }
 }
 
@@ -25,6 +27,7 @@ impl Format {
             "dcf" => Some(Self::Dcf),
             "xdd" | "nxdd" | "xpd" => Some(Self::Xdd),
             "xdc" | "nxdc" => Some(Self::Xdc),
+            "toml" => Some(Self::Toml),
             _ => None,
         })
     }
@@ -36,13 +39,14 @@ impl Format {
             (Syntax::Ini, DeviceKind::Node) => Self::Dcf,
             (Syntax::Xml, DeviceKind::Type) => Self::Xdd,
             (Syntax::Xml, DeviceKind::Node) => Self::Xdc,
+            (Syntax::Toml, _) => Self::Toml,
         }
     }
 
-    /// The kind of device that a file of this format describes.
+    /// The kind of device that a file of this format describes; of one that describes both, a type.
     pub const fn kind(self) -> DeviceKind {
         match self {
-            Self::Eds | Self::Xdd => DeviceKind::Type,
+            Self::Eds | Self::Xdd | Self::Toml => DeviceKind::Type,
             Self::Dcf | Self::Xdc => DeviceKind::Node,
         }
     }
@@ -52,6 +56,7 @@ impl Format {
         match self {
             Self::Eds | Self::Dcf => Syntax::Ini,
             Self::Xdd | Self::Xdc => Syntax::Xml,
+            Self::Toml => Syntax::Toml,
         }
     }
 }
@@ -63,4 +68,6 @@ pub enum Syntax {
     Ini,
     /// Elements and attributes.
     Xml,
+    /// Tables of keys.
+    Toml,
 }

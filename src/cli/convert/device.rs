@@ -170,7 +170,8 @@ fn anew(
     embed: bool,
     max_losses: usize,
 ) -> Result<Converted, Failure> {
-    if let Some(info) = &mut device.file_info {
+    // a source keeps the name of the description that it is for
+    if let Some(info) = device.file_info.as_mut().filter(|_| job.to != FileKind::Toml) {
         info.file_name = Some(base_name(&job.output));
     }
     let mut options = args.canonical.options(args.input.encoding);

@@ -67,6 +67,8 @@ content_kinds! {
     ObjdictgenProject "objdictgen project" Role::Read(Format::Xdd), None;
     /// Project of objdictgen in the JSON of its newer versions.
     ObjdictgenJson "objdictgen project as JSON" Role::Canopen, Some("`odg convert device.json device.od` makes a project that is read");
+    /// The short source of a device (docs/device.md).
+    DeviceToml "device.toml" Role::Read(Format::Toml), None;
     /// Node list (CiA 306-3).
     NodeList "node list" Role::Canopen, Some("its keys `Node…DCFName` name the descriptions");
     /// Concise DCF (CiA 302-3).

@@ -132,6 +132,7 @@ impl Identification {
                 "is a concise DCF, which holds values and describes no device"
             }
             Kind::JsonDevice => "is a device as JSON",
+            Kind::DeviceToml => "is the short source of a device (device.toml)",
             Kind::BusConfiguration => {
                 "is a bus configuration for Lely's dcfgen or ros2_canopen and describes no device"
             }
@@ -247,6 +248,11 @@ fn of_text(content: &Content<'_>) -> Identification {
         && found.kind != ContentKind::OtherXml
     {
         return found.clone();
+    }
+    // tables of TOML look like sections
+    #[cfg(feature = "toml")]
+    if let Some(found) = text::device_toml(text) {
+        return found;
     }
     // an EDS may start with the marks of a merge conflict, or with a line of a mail
     ini::identify(content)

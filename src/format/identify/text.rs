@@ -19,6 +19,13 @@ pub(super) fn identify(content: &Content<'_>, text: &str) -> Option<Identificati
         .or_else(|| bus_configuration(content, text))
 }
 
+/// The short source of a device: its first key says so.
+#[cfg(feature = "toml")]
+pub(super) fn device_toml(text: &str) -> Option<Identification> {
+    let reason = "its first key is `format`, with `objdict-device/1`";
+    crate::format::device_toml::is_device(text).then(|| Identification::new(ContentKind::DeviceToml, reason))
+}
+
 /// A JSON document of objdict. Its names may be in any order, so every `kind` is looked at.
 fn json(text: &str) -> Option<Identification> {
     if text.contains("\"od data\"") {

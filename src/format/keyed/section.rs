@@ -2,9 +2,9 @@
 
 use super::rules::{MISSING_KEY, OUT_OF_RANGE, UNKNOWN_KEY, WRONG_TYPE};
 use super::tree::{Entry, Kind, Tree};
-use crate::configure::nanoseconds;
 use crate::diagnostic::{Diagnostic, Findings, Severity, listing, misspelled, nearest, say};
 use crate::source::{Said, Span};
+use objdict_node::configure::nanoseconds;
 
 /// A key that a map may have.
 #[derive(Debug)]

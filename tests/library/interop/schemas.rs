@@ -76,7 +76,7 @@ fn documents_are_valid_by_their_schemas() {
     let Some(programs) = environment() else { return };
     let folder = Path::new(env!("CARGO_TARGET_TMPDIR")).join("interop-schemas");
     fs::remove_dir_all(&folder).ok();
-    fs::create_dir_all(folder.join("device")).unwrap();
+    fs::create_dir_all(folder.join("device-json")).unwrap();
     let fixtures = support::fixtures();
     let list = objdict().arg("schema").output().unwrap();
     let list = String::from_utf8(list.stdout).unwrap();
@@ -130,11 +130,39 @@ fn write_devices(folder: &Path) {
     fs::write(&copies[copies.len() - 1], node + DOWNLOADS).unwrap();
     let output = objdict()
         .args(["convert", "--quiet", "--to", "json", "-o"])
-        .arg(folder.join("device"))
+        .arg(folder.join("device-json"))
         .args(&copies)
         .output()
         .unwrap();
-    let written = fs::read_dir(folder.join("device")).unwrap().count();
+    let written = fs::read_dir(folder.join("device-json")).unwrap().count();
     // some fixtures are of other technologies, or are refused
     assert!(written > copies.len() * 9 / 10, "{written} of {}: {}", copies.len(), text_of(&output));
+}
+
+/// The sources that are written by hand, and those that fixtures become.
+#[test]
+fn sources_of_devices_are_valid_by_their_schema() {
+    let Some(programs) = environment() else { return };
+    let folder = Path::new(env!("CARGO_TARGET_TMPDIR")).join("interop-sources");
+    fs::remove_dir_all(&folder).ok();
+    fs::create_dir_all(&folder).unwrap();
+    let schema = folder.join("device.json");
+    fs::write(&schema, objdict::format::device_schema().to_string()).unwrap();
+    let mut files = support::files("toml", &["toml"]);
+    for (number, file) in support::files("", &["eds", "dcf", "xdd", "xdc"]).into_iter().enumerate() {
+        let Ok(description) = objdict::format::open(&file, &Default::default()) else { continue };
+        let options = objdict::format::WriteOptions::default();
+        let written = objdict::format::write(description.device(), objdict::format::Format::Toml, &options);
+        let path = folder.join(format!("{number}.toml"));
+        fs::write(&path, written.unwrap().bytes).unwrap();
+        files.push(path);
+    }
+    let script = Path::new(env!("CARGO_MANIFEST_DIR")).join("tests/library/interop/validate.py");
+    let output = Command::new(programs.join("python"))
+        .arg(script)
+        .args([&schema, &schema])
+        .args(&files)
+        .output()
+        .unwrap();
+    assert!(output.status.success() && output.stdout.is_empty(), "{}", text_of(&output));
 }

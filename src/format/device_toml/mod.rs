@@ -1,0 +1,236 @@
+//! `device.toml`: a device in few lines, which says only what does not follow from something else (docs/device.md).
+
+mod defaults;
+mod document;
+pub(super) mod edits;
+mod facts;
+pub(in crate::format) mod keys;
+mod lists;
+mod meaning;
+mod objects;
+mod pdos;
+mod places;
+mod profile;
+mod raw;
+mod reader;
+mod schema;
+mod usual;
+mod words;
+mod writer;
+
+use self::defaults::Defaults;
+pub(super) use self::document::Document;
+use self::keys::{DEVICE, FILE, LISTS, NODE};
+use self::profile::ProfileSaid;
+use self::reader::Reader;
+pub(super) use self::schema::schema;
+use super::keyed::rules::WRONG_TYPE;
+use super::keyed::section::Section;
+use super::keyed::toml;
+use super::keyed::tree::{Kind, Tree};
+use crate::compare::each_difference;
+use crate::diagnostic::{Diagnostic, Findings, say};
+use crate::model::{
+    ApplicationProcess, Device, DeviceInfo, DeviceKind, DummyUsage, Extra, ExtraSection, ObjectLists, PdoKind,
+};
+use crate::scaffold;
+use crate::source::EditError;
+
+/// Whether a text is a `device.toml`: its first key says so.
+pub(super) fn is_device(text: &str) -> bool {
+    let mut lines = text.lines().map(str::trim).filter(|line| !line.is_empty() && !line.starts_with('#'));
+    lines.next().and_then(|line| line.split_once('=')).is_some_and(|(key, value)| {
+        let value = value.trim_start();
+        key.trim() == "format" && value.get(1..).is_some_and(|value| value.starts_with("objdict-device/"))
+    })
+}
+
+/// The device of a text.
+pub(super) fn read(text: &str) -> (Device, Findings) {
+    let mut findings = Findings::new();
+    let tree = toml::read(text, &mut findings);
+    let device = tree.map_or_else(Device::default, |tree| of_tree(&tree, &mut findings));
+    (device, findings)
+}
+
+/// The device of a tree.
+fn of_tree(tree: &Tree, findings: &mut Findings) -> Device {
+    let Some(root) = Section::new("device.toml", tree, keys::root(), findings) else {
+        return Device::default();
+    };
+    if let Some(format) = root.required("device.toml", "format", findings).and(root.word("format", findings))
+    {
+        debug_assert_eq!(format.value, keys::FORMAT);
+    }
+    let base = profile::read(&root, findings);
+    let info = base.as_ref().and_then(|base| base.device_info.clone());
+    let mut device = base.unwrap_or_default();
+    device.lists = ObjectLists::default();
+    frame(&root, &mut device, info.as_ref(), findings);
+    if info.is_some() {
+        scaffold::identify(&mut device);
+    }
+    profile::remove(&root, &mut device, findings);
+    read_objects(&root, &mut device, findings);
+    count_pdos(&root, &mut device);
+    device.lists = read_lists(&root, &device, findings);
+    raw::read(&root, &mut device, findings);
+    device
+}
+
+/// Reads the objects; PDOs after what they map.
+fn read_objects(root: &Section<'_>, device: &mut Device, findings: &mut Findings) {
+    let mut reader = Reader {
+        defaults: Defaults::default(),
+        findings,
+        application: ApplicationProcess::default(),
+        ranged: 0,
+    };
+    if let Some(tree) = root.get("defaults") {
+        reader.read_defaults(tree);
+    }
+    let tree = root.get("object");
+    if let Some(tree) = tree {
+        reader.read_objects(tree, &mut device.objects, |index| !pdos::is_pdo(index));
+    }
+    for kind in [PdoKind::Rpdo, PdoKind::Tpdo] {
+        pdos::read(root, kind, device, reader.findings);
+    }
+    if let Some(tree) = tree {
+        reader.read_objects(tree, &mut device.objects, pdos::is_pdo);
+    }
+    if reader.application != ApplicationProcess::default() {
+        device.application.push(reader.application);
+    }
+}
+
+/// The numbers of PDOs that the device has in the end, where no key states others.
+fn count_pdos(root: &Section<'_>, device: &mut Device) {
+    let section = root.get("device");
+    let is_stated = |key: &str| {
+        let unstated = section.and_then(|section| section.get("unstated"));
+        section.is_some_and(|section| section.get(key).is_some())
+            || unstated.is_some_and(|unstated| reader::names(unstated, key))
+    };
+    let count = |kind| u16::try_from(device.pdo_count(kind)).unwrap_or(PdoKind::MAX);
+    let counts = (count(PdoKind::Rpdo), count(PdoKind::Tpdo));
+    let Some(info) = &mut device.device_info else { return };
+    if !is_stated("rpdo-count") {
+        info.rpdo_count = Some(counts.0);
+    }
+    if !is_stated("tpdo-count") {
+        info.tpdo_count = Some(counts.1);
+    }
+}
+
+/// The parts about file, device and node.
+fn frame(root: &Section<'_>, device: &mut Device, base: Option<&DeviceInfo>, findings: &mut Findings) {
+    let unstated: Vec<String> =
+        root.texts("unstated", findings).into_iter().map(|text| text.value.to_owned()).collect();
+    let is_stated = |name: &str| !unstated.iter().any(|word| word == name);
+    let section = |name: &str, keys, findings: &mut Findings| {
+        root.get(name).and_then(|tree| Section::new(name, tree, keys, findings))
+    };
+    let file = section("file", FILE, findings);
+    if is_stated("file") {
+        device.file_info = Some(facts::read(file.as_ref(), FILE, &facts::implied_file(), findings));
+    }
+    let about = section("device", DEVICE, findings);
+    device.device_info = None;
+    if is_stated("device") {
+        let implied = profile::implied_device(base, device);
+        device.device_info = Some(facts::read(about.as_ref(), DEVICE, &implied, findings));
+    }
+    if let Some(node) = section("node", NODE, findings) {
+        device.commissioning = Some(facts::read(Some(&node), NODE, &[], findings));
+        device.kind = DeviceKind::Node;
+    }
+    if let Some(kind) = root.word("kind", findings) {
+        device.kind = if kind.value == "node" { DeviceKind::Node } else { DeviceKind::Type };
+    }
+    device.dummy_usage = device.dummy_usage.take().filter(|_| is_stated("dummies"));
+    if let Some(dummies) = root.text("dummies", findings) {
+        match lists::dummies(&dummies.value) {
+            Ok(types) => device.dummy_usage = Some(DummyUsage { types, ..DummyUsage::default() }),
+            Err(word) => {
+                let finding = Diagnostic::new(&WRONG_TYPE, dummies.at, say!("`{}` is no data type", word));
+                findings.push(finding.help("write words of data types, as in `u8 u16 u32`"));
+            }
+        }
+    }
+    device.comments = match root.get("comments") {
+        None => device.comments.take().filter(|_| is_stated("comments")),
+        Some(tree) => Some(match &*tree.kind {
+            Kind::List(items) => items.iter().map(Tree::spelled).collect(),
+            _ => tree.spelled().split('\n').map(str::to_owned).collect(),
+        }),
+    };
+    device.extra = extra(root, findings);
+}
+
+/// The sections that CiA's documents do not have; a list where several have the same name.
+fn extra(root: &Section<'_>, findings: &mut Findings) -> Vec<ExtraSection> {
+    let section = |name: &str, entries: &Tree| {
+        let entries: Extra = serde_json::from_str(&facts::pairs(entries).to_string()).unwrap_or_default();
+        ExtraSection::new(name, &entries)
+    };
+    if let Some(Kind::List(items)) = root.get("extra").map(|tree| &*tree.kind) {
+        let named = items.iter().filter_map(|item| match &*item.kind {
+            Kind::List(pair) => Some((pair.first()?.spelled(), pair.get(1)?)),
+            _ => None,
+        });
+        return named.map(|(name, entries)| section(&name, entries)).collect();
+    }
+    let named = root.named("extra", findings).iter();
+    named.map(|entry| section(&entry.key.spelled(), &entry.value)).collect()
+}
+
+fn read_lists(root: &Section<'_>, device: &Device, findings: &mut Findings) -> ObjectLists {
+    let mut read = lists::implied(device);
+    let section = root.get("lists").and_then(|tree| Section::new("lists", tree, LISTS, findings));
+    let Some(section) = section else { return read };
+    let unstated: Vec<String> =
+        section.texts("unstated", findings).into_iter().map(|text| text.value.to_owned()).collect();
+    for (list, name) in lists::NAMES {
+        if unstated.iter().any(|word| word == name) {
+            *read.get_mut(list) = None;
+        }
+        let Some(text) = section.text(name, findings) else { continue };
+        match words::indexes(&text.value) {
+            Ok(indexes) => *read.get_mut(list) = Some(indexes),
+            Err(word) => {
+                let finding = Diagnostic::new(&WRONG_TYPE, text.at, say!("`{}` is no index", word));
+                findings.push(finding.help("write indexes of four hex digits, as in `1000-1001 1018`"));
+            }
+        }
+    }
+    read
+}
+
+/// The text of a device, with all that it says. What has no key is measured, and written as `[raw]`.
+///
+/// # Errors
+/// When more values have no key than allowed.
+pub(super) fn write(device: &Device, max_raw: usize) -> Result<String, EditError> {
+    let profile = ProfileSaid::of(device);
+    let with_profile = profile.as_ref().and_then(|profile| Some((profile, profile.base()?)));
+    let mut texts = Vec::new();
+    if let Some((profile, base)) = &with_profile {
+        let forms = [true, false];
+        texts.extend(forms.map(|with_pdos| writer::write(device, Some((profile, base)), with_pdos)));
+    }
+    texts.push(writer::write(device, None, false));
+    let mut shortest: Option<String> = None;
+    let length = |text: &str| text.lines().filter(|line| !line.is_empty()).count();
+    for mut text in texts {
+        let (read, _) = read(&text);
+        let mut missing = Vec::new();
+        each_difference(&read, device, max_raw, &mut |difference| missing.push(difference))
+            .map_err(|found| EditError::TooMuchLost { count: found.count, limit: found.limit })?;
+        raw::write(&missing, &mut text);
+        if shortest.as_ref().is_none_or(|shortest| length(&text) < length(shortest)) {
+            shortest = Some(text);
+        }
+    }
+    Ok(shortest.unwrap_or_default())
+}
