@@ -53,7 +53,8 @@ pub struct Built {
     pub objects: usize,
     /// How many entries they have.
     pub entries: usize,
-    /// The files, in the order of the targets; those that were there already with these contents too.
+    /// The files, in the order of the targets, and then the descriptions; those that were there already with these contents
+    /// too.
     pub files: Vec<PathBuf>,
     /// What the tables take in flash and RAM, by the names of the targets; empty unless
     /// [that is asked for](Builder::sizes).
