@@ -39,10 +39,6 @@ enum Check {
     /// That it is the one of the change.
     Before,
     /// Nothing.
-    #[cfg_attr(
-        not(feature = "toml"),
-        expect(dead_code, reason = "only texts of people replace what they do not see")
-    )]
     Nothing,
 }
 
@@ -64,7 +60,9 @@ fn make_changes(device: &mut Device, changes: Vec<DatumChange>, check: Check) ->
     if !others.is_empty() {
         let objects = std::mem::take(&mut device.objects);
         let mut frame = std::mem::take(device);
-        frame.extra.sort_by(|a, b| a.name().cmp(b.name()));
+        if others.iter().any(|change| change.path.starts_with("/extra")) {
+            frame.extra.sort_by(|a, b| a.name().cmp(b.name()));
+        }
         let set = |change| {
             set_extra(&mut frame, change, check).and_then(|change| set_large(&mut frame, change, check))
         };

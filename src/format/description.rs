@@ -96,7 +96,11 @@ impl Description {
                 (Text::Ini(document, OnceLock::new()), device, findings)
             }
         };
-        let (device, mut findings) = restored(device, findings);
+        let (device, mut findings) = match format {
+            // it has a place for everything
+            Format::Toml => (device, findings),
+            _ => restored(device, findings),
+        };
         let read = Self { format, text, number: 0, device, findings: Findings::new(), origin: None };
         // a source keeps the name of the description that is made of it
         if read.device_count() == 1 && format != Format::Toml {

@@ -2,13 +2,13 @@
 
 use super::keys::PDO;
 use super::words::{index, quoted, sub, value_of};
-use crate::configure::transmission_type;
 use crate::diagnostic::{Diagnostic, Findings, say};
 use crate::format::keyed::rules::WRONG_TYPE;
 use crate::format::keyed::section::{Section, wrong};
 use crate::format::keyed::tree::Tree;
 use crate::model::{CobId, DataType, Device, MappedObject, Object, Objects, PdoKind, Value, predefined};
 use crate::scaffold::{self, Features};
+use objdict_node::configure::transmission_type;
 
 /// Sub-indexes of a communication parameter that keys set.
 const TRANSMISSION: u8 = 2;

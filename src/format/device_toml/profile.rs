@@ -23,7 +23,14 @@ pub(super) struct ProfileSaid {
 impl ProfileSaid {
     /// What comes nearest to a device.
     pub(super) fn of(device: &Device) -> Option<Self> {
-        let (profile, features) = scaffold::infer(device);
+        let (profile, inferred) = scaffold::infer(device);
+        let mut features = Features::default();
+        for feature in FEATURES {
+            if let Some(value) = inferred.get(feature.word) {
+                // what a file cannot state is as usual
+                let _ = features.set(feature.word, &value);
+            }
+        }
         Some(Self { profile, version: scaffold::newest_version(profile)?, features })
     }
 
@@ -126,7 +133,7 @@ pub(super) fn implied_granularity(of_profile: Option<u8>, pdo_counts: [u16; 2]) 
     if of_profile == Some(0) && pdo_counts != [0, 0] { Some(8) } else { of_profile }
 }
 
-/// Takes away what the device does not have.
+/// Removes what the device does not have.
 pub(super) fn remove(root: &Section<'_>, device: &mut Device, findings: &mut Findings) {
     let Some(tree) = root.get("remove") else { return };
     let mut take =
@@ -173,7 +180,7 @@ fn recount(object: &mut Object, highest_before: Option<u8>) {
     object.sub_number = object.sub_number.and(u8::try_from(count).ok());
 }
 
-/// Takes away what a device does not have of its profile; returns the addresses.
+/// Removes what a device does not have of its profile; returns the addresses.
 pub(super) fn take_absent(base: &mut Device, device: &Device) -> Vec<String> {
     let mut absent = Vec::new();
     for (&index, object) in &base.objects {

@@ -80,7 +80,9 @@ fn documents_are_valid_by_their_schemas() {
     let fixtures = support::fixtures();
     let list = objdict().arg("schema").output().unwrap();
     let list = String::from_utf8(list.stdout).unwrap();
-    let names: Vec<&str> = list.lines().skip(1).filter_map(|line| line.split_whitespace().next()).collect();
+    let names = list.lines().skip(1).filter_map(|line| line.split_whitespace().next());
+    // people write it, and the test below looks at it
+    let names: Vec<&str> = names.filter(|name| *name != "device").collect();
     for name in &names {
         let schema = objdict().args(["schema", name]).output().unwrap();
         assert!(schema.status.success(), "{}", text_of(&schema));
