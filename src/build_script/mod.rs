@@ -25,6 +25,9 @@
 //! The firmware takes the file in with `include!(concat!(env!("OUT_DIR"), "/od.rs"))`. `docs/building.md` shows a whole
 //! project, `examples/firmware-rust` is one.
 //!
+//! A script also writes the EDS or XDD that goes with the firmware ([`Builder::convert_to`], with the features `json` and `xdd`).
+//! The feature `toml` reads `device.toml`.
+//!
 //! # Lines for Cargo
 //!
 //! * An error in the description fails the build: [`Error`] shows it with its place when `main` returns it.
