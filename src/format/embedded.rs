@@ -10,6 +10,7 @@ use crate::model::{
     Characteristic, CharacteristicsList, Device, DeviceFunction, EMBEDDED_COMMENT, EMBEDDED_SECTION, Entry,
     Extra, ExtraSection, Field, Labels, Part, Place, Property,
 };
+#[cfg(feature = "node")]
 use crate::source::{Edits, Span};
 
 /// The prefix of the path in the name of a property.
@@ -112,6 +113,7 @@ fn lines(change: &DatumChange) -> Vec<(String, String)> {
 }
 
 /// The edits that put a datum in place of the one at its path in the comment lines of an EDS or DCF, or remove it.
+#[cfg(feature = "node")]
 pub(super) fn edit_lines(edits: &mut Edits<'_>, path: &str, datum: Option<Datum>) {
     let text = edits.source().text();
     let mut start = 0;

@@ -18,6 +18,7 @@ pub mod input;
 #[cfg(feature = "json")]
 pub mod json;
 #[cfg(feature = "toml")]
+#[cfg_attr(not(feature = "network"), expect(dead_code, reason = "networks have more kinds of keys"))]
 mod keyed;
 #[cfg(feature = "network")]
 pub mod network;
