@@ -261,3 +261,8 @@ rule_pages! { change cia301 cia302 cia304 cia305 cia306 cia311 cia401 cia402 cia
 #[cfg(doctest)]
 #[doc = include_str!("../README.md")]
 pub struct Readme;
+
+/// So is the build script of the tutorial.
+#[cfg(doctest)]
+#[doc = include_str!("../docs/tutorial-device.md")]
+pub struct TutorialOfDevices;

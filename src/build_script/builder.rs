@@ -53,6 +53,14 @@ impl Builder {
         self
     }
 
+    /// Also writes the description to the file at `path`, in the format of its ending and with the bytes of `objdict convert`,
+    /// and replaces what is there; may be called several times. For an EDS or XDD that goes with the firmware.
+    #[cfg(all(feature = "json", feature = "xdd"))]
+    pub fn convert_to(mut self, path: impl AsRef<Path>) -> Self {
+        self.request.conversions.push(path.as_ref().to_owned());
+        self
+    }
+
     /// The folder that the files go to, instead of the one that the variable `OUT_DIR` names.
     pub fn out_dir(mut self, folder: impl AsRef<Path>) -> Self {
         self.out_dir = Some(folder.as_ref().to_owned());
@@ -281,6 +289,15 @@ impl Builder {
                 format!("{file}: {notes} of the target {target}; run `objdict generate`")
             })?;
         }
+        #[cfg(all(feature = "json", feature = "xdd"))]
+        for conversion in &generation.conversions {
+            let to = conversion.path.display();
+            let lost = conversion.lost.iter().map(|loss| format!("{file}: {to}: {loss}"));
+            cargo.warn(self.max_warnings, lost, |count| {
+                let losses = counted(count, "more loss", "more losses");
+                format!("{file}: {to}: {losses}; run `objdict convert`")
+            })?;
+        }
         Ok(())
     }
 
@@ -331,6 +348,8 @@ fn write(generation: &Generation, mut folder: OutputFolder, read: &[PathBuf]) ->
     read.iter().for_each(|file| used.add(file));
     let files = || generation.outputs.iter().flat_map(|(_, generated)| &generated.files);
     files().try_for_each(|file| folder.admit(&file.path, &file.contents, &used))?;
+    #[cfg(all(feature = "json", feature = "xdd"))]
+    generation.conversions.iter().try_for_each(|conversion| used.require_other(&conversion.path))?;
     let Generation { objects, entries, .. } = *generation;
     let sizes = generation.sizes.iter().map(|(target, sizes)| (target.name(), sizes.clone())).collect();
     let mut built = Built { objects, entries, files: Vec::new(), sizes };
@@ -339,5 +358,10 @@ fn write(generation: &Generation, mut folder: OutputFolder, read: &[PathBuf]) ->
         built.files.push(folder.join(&file.path));
     }
     folder.finish()?;
+    #[cfg(all(feature = "json", feature = "xdd"))]
+    for conversion in &generation.conversions {
+        used.save(&conversion.path, &conversion.bytes)?;
+        built.files.push(conversion.path.clone());
+    }
     Ok(built)
 }

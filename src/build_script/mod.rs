@@ -25,6 +25,9 @@
 //! The firmware takes the file in with `include!(concat!(env!("OUT_DIR"), "/od.rs"))`. `docs/building.md` shows a whole
 //! project, `examples/firmware-rust` is one.
 //!
+//! A script also writes the EDS or XDD that goes with the firmware ([`Builder::convert_to`], with the features `json` and `xdd`).
+//! The feature `toml` reads `device.toml`.
+//!
 //! # Lines for Cargo
 //!
 //! * An error in the description fails the build: [`Error`] shows it with its place when `main` returns it.
@@ -53,7 +56,8 @@ pub struct Built {
     pub objects: usize,
     /// How many entries they have.
     pub entries: usize,
-    /// The files, in the order of the targets; those that were there already with these contents too.
+    /// The files, in the order of the targets, and then the descriptions; those that were there already with these contents
+    /// too.
     pub files: Vec<PathBuf>,
     /// What the tables take in flash and RAM, by the names of the targets; empty unless
     /// [that is asked for](Builder::sizes).

@@ -190,6 +190,7 @@ fn request(args: &GenerateArgs) -> Result<Request, Failure> {
         implicit_pdos: args.expand.implicit_pdos,
         force: args.force,
         targets: targets.map_err(Failure::new)?,
+        conversions: Vec::new(),
         options: args.options.given(),
         sizes: args.report.is_some(),
         room: MemoryLimits { flash: args.max_flash, ram: args.max_ram },

@@ -41,12 +41,14 @@ pub(super) fn run(args: &NewArgs, out: &mut Output) -> Result<Outcome, Failure> 
     let device = scaffold(&wanted).map_err(failure)?;
     let bytes = match kind {
         FileKind::Json => json::write_device(&device).into_bytes(),
+        FileKind::Toml => format::new_device_toml(&wanted).map_err(failure)?.into_bytes(),
         kind => match kind.format().filter(|format| format.kind() == device.kind) {
             Some(format) => format::write(&device, format, &WriteOptions::default())?.bytes,
             None => {
                 let message = format!("a new device cannot be a {}", kind.name());
-                return Err(Failure::new(message)
-                    .help("name an output that ends in .eds, .xdd or .json, or the format with `--to`"));
+                return Err(Failure::new(message).help(
+                    "name an output that ends in .eds, .xdd, .toml or .json, or the format with `--to`",
+                ));
             }
         },
     };

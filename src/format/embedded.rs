@@ -10,6 +10,7 @@ use crate::model::{
     Characteristic, CharacteristicsList, Device, DeviceFunction, EMBEDDED_COMMENT, EMBEDDED_SECTION, Entry,
     Extra, ExtraSection, Field, Labels, Part, Place, Property,
 };
+#[cfg(feature = "node")]
 use crate::source::{Edits, Span};
 
 /// The prefix of the path in the name of a property.

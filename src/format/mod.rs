@@ -4,6 +4,8 @@
 mod complete;
 #[cfg(feature = "node")]
 mod configured;
+#[cfg(all(feature = "generate", feature = "json", feature = "xdd"))]
+mod convert;
 mod description;
 #[cfg(feature = "toml")]
 mod device_toml;
@@ -16,6 +18,7 @@ pub mod input;
 #[cfg(feature = "json")]
 pub mod json;
 #[cfg(feature = "toml")]
+#[cfg_attr(not(feature = "network"), expect(dead_code, reason = "networks have more kinds of keys"))]
 mod keyed;
 #[cfg(feature = "network")]
 pub mod network;
@@ -30,6 +33,8 @@ mod write;
 
 #[cfg(feature = "node")]
 pub use self::configured::{ConfiguredFile, NodeSettings};
+#[cfg(all(feature = "generate", feature = "json", feature = "xdd"))]
+pub(crate) use self::convert::convert;
 pub use self::description::Description;
 #[cfg(feature = "cli")]
 pub(crate) use self::description::stated_name;
@@ -43,6 +48,8 @@ use crate::diagnostic::Findings;
 use crate::diagnostic::RuleInfo;
 #[cfg(all(feature = "json", feature = "xdd"))]
 use crate::model::Device;
+#[cfg(feature = "toml")]
+use crate::scaffold::{BaseError, Wanted, scaffold};
 pub use crate::source::EditError;
 use crate::source::SourceFile;
 pub(crate) use objdict_eds::eds;
@@ -79,6 +86,16 @@ pub fn write(device: &Device, format: Format, options: &WriteOptions) -> Result<
 #[cfg(feature = "toml")]
 pub fn device_schema() -> serde_json::Value {
     device_toml::schema()
+}
+
+/// The `device.toml` of a [new device](crate::scaffold::scaffold): its profile, identity and features, with an example of an
+/// object and a PDO in comments.
+///
+/// # Errors
+/// As [`crate::scaffold::base`].
+#[cfg(feature = "toml")]
+pub fn new_device_toml(wanted: &Wanted) -> Result<String, BaseError> {
+    device_toml::start(wanted.profile, &wanted.features, &scaffold(wanted)?)
 }
 
 /// What a text of a format does not give back of the device that it was made of. Of the options the encoding and the limit count.

@@ -2,13 +2,15 @@
 
 use std::fmt::{self, Display};
 use std::io;
-#[cfg(all(feature = "json", feature = "lint"))]
+#[cfg(all(feature = "json", any(feature = "lint", feature = "xdd")))]
 use std::path::PathBuf;
 
 use super::output::OutputError;
 #[cfg(all(feature = "json", feature = "lint"))]
 use crate::baseline::BaselineError;
 use crate::diagnostic::{Findings, one_line};
+#[cfg(all(feature = "json", feature = "xdd"))]
+use crate::format::EditError;
 use crate::format::ReadError;
 use crate::generate::{ChoiceError, GenerateError, Note};
 use crate::model::Place;
@@ -102,6 +104,22 @@ pub enum Error {
         /// Why it is not known.
         why: &'static str,
     },
+    /// The name of a file for the description is that of no format that can describe the device.
+    #[cfg(all(feature = "json", feature = "xdd"))]
+    #[error("the description cannot be written as `{}`", path.display())]
+    NoFormat {
+        /// The file.
+        path: PathBuf,
+    },
+    /// The description cannot be written in another format.
+    #[cfg(all(feature = "json", feature = "xdd"))]
+    #[error("the description cannot be written as `{}`: {error}", path.display())]
+    Conversion {
+        /// The file.
+        path: PathBuf,
+        /// Why.
+        error: EditError,
+    },
     /// A file is not written.
     #[error(transparent)]
     Output(#[from] OutputError),
@@ -145,6 +163,10 @@ impl Error {
             Self::NoOutDir => {
                 Some("Cargo sets it for build scripts; otherwise set the folder with `out_dir`".to_owned())
             }
+            #[cfg(all(feature = "json", feature = "xdd"))]
+            Self::NoFormat { .. } => Some("name a file that ends in .eds or .xdd".to_owned()),
+            #[cfg(all(feature = "json", feature = "xdd"))]
+            Self::Conversion { .. } => None,
             Self::Output(error) => error.help("overwrite"),
             Self::Config(_) | Self::Choice(_) | Self::Target { .. } | Self::Cargo(_) => None,
         }

@@ -1,6 +1,8 @@
 //! From a description to the files of a product, in one piece for the command and for build scripts: reading, checking as
 //! the configuration says, generating, writing. Callers supply arguments and reporting.
 
+#[cfg(all(feature = "json", feature = "xdd"))]
+mod conversion;
 #[cfg(feature = "cli")]
 mod depfile;
 mod error;
@@ -15,6 +17,8 @@ use std::path::{Path, PathBuf};
 #[cfg(feature = "lint")]
 use std::sync::Arc;
 
+#[cfg(all(feature = "json", feature = "xdd"))]
+use self::conversion::Conversion;
 #[cfg(feature = "cli")]
 pub(crate) use self::depfile::depfile;
 pub use self::error::Error;
@@ -76,6 +80,9 @@ pub(crate) struct Request {
     pub(crate) baseline: Option<PathBuf>,
     /// What to generate; what is there twice counts once.
     pub(crate) targets: Vec<Target>,
+    /// The files that the description is also written to, in the formats of their names.
+    #[cfg(all(feature = "json", feature = "xdd"))]
+    pub(crate) conversions: Vec<PathBuf>,
     /// The options; the names of files, those in the file of names, and the hash are found out.
     pub(crate) options: Options,
     /// Whether the size of the tables is reported.
@@ -144,6 +151,9 @@ pub(crate) struct Generation {
     pub(crate) entries: usize,
     /// What was made, in the order of the targets.
     pub(crate) outputs: Vec<(Target, Generated)>,
+    /// The description in other formats.
+    #[cfg(all(feature = "json", feature = "xdd"))]
+    pub(crate) conversions: Vec<Conversion>,
     /// Sizes of the tables; empty unless requested.
     pub(crate) sizes: Vec<(Target, Sizes)>,
 }
@@ -333,7 +343,19 @@ impl Request {
             first.notes.splice(0..0, general_notes(&device, &self.targets, &options));
         }
         let entries = device.objects.values().map(|object| object.entries().count()).sum();
-        Ok(Generation { objects: device.objects.len(), entries, outputs, sizes })
+        Ok(Generation {
+            objects: device.objects.len(),
+            entries,
+            outputs,
+            #[cfg(all(feature = "json", feature = "xdd"))]
+            conversions: self.conversions_of(checked.device())?,
+            sizes,
+        })
+    }
+
+    #[cfg(all(feature = "json", feature = "xdd"))]
+    fn conversions_of(&self, device: &Device) -> Result<Vec<Conversion>, Error> {
+        self.conversions.iter().map(|path| Conversion::of(device, path)).collect()
     }
 
     fn is_stopped_by(&self, finding: &Diagnostic) -> bool {

@@ -74,7 +74,7 @@ fn the_command_writes_the_same() {
 #[test]
 fn every_format_is_read() {
     let out = TempDir::new().unwrap();
-    for file in ["eds/drive-402.eds", "dcf/io-401-node5.dcf", "xdd/io-401.xdd"] {
+    for file in ["eds/drive-402.eds", "dcf/io-401-node5.dcf", "xdd/io-401.xdd", "toml/drive.toml"] {
         let built = run(Builder::new(fixture(file)).out_dir(out.path())).0;
         assert_eq!(names(&built.unwrap()), ["od.rs"], "{file}");
     }
@@ -84,6 +84,68 @@ fn every_format_is_read() {
     for builder in [Builder::new(&json), Builder::new(&json).from_kind(FileKind::Json)] {
         assert_eq!(names(&run(builder.out_dir(out.path())).0.unwrap()), ["od.rs"]);
     }
+}
+
+/// One source makes the tables and the EDS and XDD that go with the firmware, as `objdict convert` writes them.
+#[test]
+fn descriptions_are_written_beside_the_tables() {
+    let out = TempDir::new().unwrap();
+    let source = fixture("toml/drive.toml");
+    let (eds, xdd) = (out.path().join("shipped/drive.eds"), out.path().join("shipped/drive.xdd"));
+    let builder = || Builder::new(&source).out_dir(out.path().join("od")).convert_to(&eds).convert_to(&xdd);
+    let (built, cargo) = run(builder());
+    assert_eq!(names(&built.unwrap()), ["od.rs", "drive.eds", "drive.xdd"]);
+    assert_eq!(told(&cargo, "rerun-if-changed"), [source.display().to_string()]);
+    assert!(!cargo.contains("lost: "), "{cargo}");
+    for file in [&eds, &xdd] {
+        let converted = out.path().join(file.file_name().unwrap());
+        let status = std::process::Command::new(env!("CARGO_BIN_EXE_objdict"))
+            .arg("convert")
+            .arg(&source)
+            .arg("-o")
+            .arg(&converted)
+            .output()
+            .unwrap();
+        assert!(status.status.success(), "{}", String::from_utf8_lossy(&status.stderr));
+        assert_eq!(fs::read_to_string(file).unwrap(), fs::read_to_string(&converted).unwrap());
+    }
+    let modified = || fs::metadata(&eds).unwrap().modified().unwrap();
+    let before = modified();
+    run(builder()).0.unwrap();
+    assert_eq!(modified(), before, "what is the same is not written");
+}
+
+/// A description is neither written over the one that it is made of nor in a format that cannot describe it, and then there are
+/// no tables either.
+#[test]
+fn descriptions_that_cannot_be_written() {
+    let out = TempDir::new().unwrap();
+    let source = out.path().join("drive.eds");
+    fs::copy(fixture("eds/drive-402.eds"), &source).unwrap();
+    let to = |name: &str| {
+        let od = out.path().join("od");
+        let builder = Builder::new(&source).out_dir(&od).convert_to(out.path().join(name));
+        let error = run(builder).0.unwrap_err();
+        assert!(!od.join("od.rs").exists(), "{name}");
+        error
+    };
+    assert!(matches!(to("drive.eds"), Error::Output(OutputError::InUse { .. })));
+    for name in ["drive.pdf", "drive.dbc", "drive.od", "drive.dcf"] {
+        let shown = format!("{:?}", to(name));
+        assert!(shown.starts_with("the description cannot be written as `"), "{shown}");
+        assert!(shown.ends_with("  help: name a file that ends in .eds or .xdd"), "{shown}");
+    }
+    assert_eq!(fs::read(&source).unwrap(), fs::read(fixture("eds/drive-402.eds")).unwrap());
+}
+
+/// What an EDS has no place for, even in comments, is a warning.
+#[test]
+fn losses_of_a_written_description_are_warnings() {
+    let out = TempDir::new().unwrap();
+    let source = fixture("xdd/press-402.xdd");
+    let (built, cargo) = run(Builder::new(&source).out_dir(out.path()).convert_to(out.path().join("a.eds")));
+    built.unwrap();
+    assert!(told(&cargo, "warning").iter().any(|line| line.contains("a.eds: lost: ")), "{cargo}");
 }
 
 #[test]

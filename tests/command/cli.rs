@@ -6,7 +6,7 @@ use std::io::{Read, Write};
 use std::path::{Path, PathBuf};
 use std::process::{Command, Stdio};
 
-use crate::page::{from_trycmd, to_trycmd};
+use crate::page::{from_trycmd, parts, to_trycmd};
 
 #[test]
 fn sessions() {
@@ -24,41 +24,50 @@ fn pages() {
         }
         let folder = tempfile::tempdir().unwrap();
         let case = folder.path().join("page.md");
-        fs::write(&case, to_trycmd(&text)).unwrap();
-        fs::create_dir(folder.path().join("page.out")).unwrap();
         let input = folder.path().join("page.in");
-        for fixtures in [
-            "eds",
-            "dcf",
-            "xdd",
-            "canopennode",
-            "cnxml",
-            "nxdd",
-            "broken",
-            "torture",
-            "nodelist",
-            "foreign",
-            "profiles",
-            "patches",
-            "errata",
-            "concise",
-            "diff",
-            "bases",
-            "network",
-            "rules/patch/expect-not-met",
-            "rules/network/link-mismatch",
-            "rules/network/link-type",
-        ] {
-            copy_folder(&Path::new("fixtures").join(fixtures), &input.join("fixtures").join(fixtures));
+        prepare(&input);
+        let mut printed = String::new();
+        for part in parts(&text) {
+            part.append(&input);
+            fs::write(&case, to_trycmd(part.text)).unwrap();
+            let cases = trycmd::TestCases::new();
+            cases.env("NO_COLOR", "1").case(&case).run();
+            printed.push_str(&from_trycmd(&fs::read_to_string(&case).unwrap()));
         }
-        fs::create_dir(input.join(".git")).unwrap();
-        copy_folder(Path::new("examples"), &input.join("examples"));
-        let cases = trycmd::TestCases::new();
-        cases.env("NO_COLOR", "1").case(&case).run();
         if std::env::var("TRYCMD").is_ok_and(|mode| mode == "overwrite") {
-            fs::write(page, from_trycmd(&fs::read_to_string(&case).unwrap())).unwrap();
+            fs::write(page, printed).unwrap();
         }
     }
+}
+
+/// The files that the sessions on pages name.
+fn prepare(input: &Path) {
+    for fixtures in [
+        "eds",
+        "dcf",
+        "xdd",
+        "canopennode",
+        "cnxml",
+        "nxdd",
+        "broken",
+        "torture",
+        "nodelist",
+        "foreign",
+        "profiles",
+        "patches",
+        "errata",
+        "concise",
+        "diff",
+        "bases",
+        "network",
+        "rules/patch/expect-not-met",
+        "rules/network/link-mismatch",
+        "rules/network/link-type",
+    ] {
+        copy_folder(&Path::new("fixtures").join(fixtures), &input.join("fixtures").join(fixtures));
+    }
+    fs::create_dir(input.join(".git")).unwrap();
+    copy_folder(Path::new("examples"), &input.join("examples"));
 }
 
 /// The pages for users, which may have sessions.

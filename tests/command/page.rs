@@ -4,6 +4,43 @@
 //! * `…` in an output is for any text in the line, a line `…` for any lines.
 //! * A block ends with the last line of its last output; trycmd wants an empty line behind it.
 //! * `\r\n` of JSON stays; trycmd takes backslashes for separators of paths.
+//! * `<!-- append FILE -->` in front of a block: the reader adds its lines to a file, behind an empty one, and so does the test.
+
+use std::fs;
+use std::io::Write;
+use std::path::Path;
+
+/// A piece of a page up to where its reader changes a file.
+pub(crate) struct PagePart<'a> {
+    pub(crate) text: &'a str,
+}
+
+const APPEND: &str = "<!-- append ";
+
+/// The pieces of a page, one after the other all of it.
+pub(crate) fn parts(page: &str) -> impl Iterator<Item = PagePart<'_>> {
+    let mut rest = Some(page);
+    std::iter::from_fn(move || {
+        let text = rest.take()?;
+        let end = text.get(1..).and_then(|behind| behind.find(APPEND)).map(|at| at + 1);
+        let (part, behind) = end.map_or((text, None), |end| (&text[..end], Some(&text[end..])));
+        rest = behind;
+        Some(PagePart { text: part })
+    })
+}
+
+impl PagePart<'_> {
+    /// Adds the lines of the block that the piece begins with to the file that it names.
+    pub(crate) fn append(&self, folder: &Path) {
+        let Some((file, rest)) = self.text.strip_prefix(APPEND).and_then(|rest| rest.split_once(" -->\n"))
+        else {
+            return;
+        };
+        let block = rest.split_once('\n').and_then(|(_, block)| block.split_once("```")).expect("a block").0;
+        let mut file = fs::File::options().append(true).open(folder.join(file)).unwrap();
+        write!(file, "\n{block}").unwrap();
+    }
+}
 
 /// The sessions of a page as trycmd runs them.
 pub(crate) fn to_trycmd(page: &str) -> String {
@@ -90,4 +127,16 @@ fn a_page_becomes_sessions_and_a_page_again() {
     let sessions = "Text …\n\n```console\n$ objdict one\n...\n10 [..] bytes /r/n\n\n$ objdict two\n? 2\n\n```\n\n```sh\n…\n```\n";
     assert_eq!(to_trycmd(page), sessions);
     assert_eq!(from_trycmd(sessions), page);
+}
+
+#[test]
+fn a_page_has_parts() {
+    let page = "a\n\n<!-- append b.txt -->\n```toml\nb = 1\n```\n\nc\n<!-- append d.txt -->\n```\n```\n";
+    let texts: Vec<&str> = parts(page).map(|part| part.text).collect();
+    assert_eq!(texts.concat(), page);
+    assert_eq!(texts.len(), 3);
+    let folder = tempfile::tempdir().unwrap();
+    fs::write(folder.path().join("b.txt"), "a = 1\n").unwrap();
+    parts(page).take(2).for_each(|part| part.append(folder.path()));
+    assert_eq!(fs::read_to_string(folder.path().join("b.txt")).unwrap(), "a = 1\n\nb = 1\n");
 }

@@ -100,6 +100,45 @@ fn an_io_module_has_the_default_mapping() {
     assert_eq!(device.pdos().count(), 2);
 }
 
+/// What is read of a text as a `device.toml`, in which nothing may be found.
+fn read_clean(text: &str) -> Device {
+    let description = format::read(SourceFile::from_text("new.toml", text), Format::Toml);
+    let found: Vec<String> = objdict::check(&description)
+        .iter()
+        .map(|found| format!("{}: {}", found.rule.id, found.message))
+        .collect();
+    assert!(found.is_empty(), "{found:#?}\n{text}");
+    description.into_device()
+}
+
+/// The short source becomes the EDS that `new` makes, and so does the example in its comments become objects and a PDO.
+#[test]
+fn the_short_source_is_the_same_device() {
+    for (profile, words, tpdo) in [
+        (301, "", 1),
+        (301, "rpdos=2 tpdos=2 store=1 lss heartbeat-consumers=2 device-name=false", 1),
+        (301, "heartbeat=false guarding", 1),
+        (401, "digital-inputs=16 analog-outputs=2", 2),
+        (402, "modes=profile-position,homing", 4),
+        (404, "analog-inputs=2 value-type=INTEGER16", 2),
+        (406, "", 3),
+    ] {
+        let wanted = wanted(profile, &features(words));
+        let text = format::new_device_toml(&wanted).unwrap();
+        assert!(text.lines().count() <= 40, "{text}");
+        let mut device = read_clean(&text);
+        device.file_info.as_mut().unwrap().file_name = Some(wanted.file_name.clone());
+        let eds = |device| format::write(device, Format::Eds, &WriteOptions::default()).unwrap().bytes;
+        assert_eq!(eds(&device), eds(&scaffold(&wanted).unwrap()), "{profile} {words}");
+
+        let (start, example) = text.split_once("#\n").unwrap();
+        let lines = example.lines().map(|line| line.trim_start_matches("# ").trim_start_matches('#'));
+        let example = read_clean(&format!("{start}{}", lines.collect::<Vec<_>>().join("\n")));
+        assert!(example.object(0x2000).is_some() && example.object(0x2001).is_some());
+        assert_eq!(mapped(&example, PdoKind::Tpdo, tpdo), ["2000h:00, 16 bits"], "{profile} {words}");
+    }
+}
+
 #[test]
 fn every_encoder_is_clean() {
     for encoder_type in 1..=10 {

@@ -10,7 +10,7 @@ use crate::model::Date;
 
 #[derive(Debug, clap::Args)]
 pub(in crate::cli) struct NewArgs {
-    /// The file to write: .eds .xdd .json; `-` is standard output
+    /// The file to write: .eds .xdd .toml .json; `-` is standard output
     #[arg(short, long, value_name = "FILE")]
     pub output: PathBuf,
     /// The format to write [default: by the extension of the output, else eds]
@@ -52,6 +52,8 @@ pub(in crate::cli) struct NewArgs {
 pub(in crate::cli) enum NewFormat {
     Eds,
     Xdd,
+    /// The short source of a device (docs/device.md)
+    Toml,
     Json,
 }
 
@@ -60,6 +62,7 @@ impl From<NewFormat> for FileKind {
         match format {
             NewFormat::Eds => Self::Eds,
             NewFormat::Xdd => Self::Xdd,
+            NewFormat::Toml => Self::Toml,
             NewFormat::Json => Self::Json,
         }
     }

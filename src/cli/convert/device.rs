@@ -1,10 +1,7 @@
 //! What is made of a device.
 
 use std::borrow::Cow;
-use std::mem;
 use std::path::Path;
-
-use objdict_model::canopennode::is_disabled;
 
 use super::super::annotation::Described;
 use super::super::args::ConvertArgs;
@@ -15,10 +12,8 @@ use super::Job;
 use crate::configure::rebase;
 use crate::diagnostic::{counted, series};
 use crate::download::{ConciseDcf, NeededFile, Plan, PlanError, PlanOptions, Scope, Skipped};
-use crate::format::{
-    self, Description, Format, Loss, LossKind, Syntax, WriteOptions, concise, json, stated_name,
-};
-use crate::model::{Commissioning, Device, DeviceKind, Objects, Place};
+use crate::format::{self, Description, Format, Loss, Syntax, WriteOptions, concise, json, stated_name};
+use crate::model::{Commissioning, Device, DeviceKind};
 use crate::report::plural;
 use crate::source::Folder;
 
@@ -166,48 +161,17 @@ pub(super) fn of_device(
 fn anew(
     args: &ConvertArgs,
     job: &Job,
-    mut device: Device,
+    device: Device,
     embed: bool,
     max_losses: usize,
 ) -> Result<Converted, Failure> {
-    // a source keeps the name of the description that it is for
-    if let Some(info) = device.file_info.as_mut().filter(|_| job.to != FileKind::Toml) {
-        info.file_name = Some(base_name(&job.output));
-    }
     let mut options = args.canonical.options(args.input.encoding);
     options.embed = embed;
     options.max_losses = max_losses;
     options.xdd_version = args.xdd_version.map(Into::into).unwrap_or_default();
     let format = job.to.format().unwrap_or(Format::Eds);
-    let mut losses = Vec::new();
-    if format.syntax() == Syntax::Ini && !args.keep_disabled {
-        losses = remove_disabled(&mut device);
-    }
-    let written = format::write(&device, format, &options)?;
-    losses.extend(written.losses);
-    Ok(Converted { bytes: written.bytes, losses })
-}
-
-/// Removes the objects that the device does not have: an EDS cannot say so, and every other tool would take them for
-/// objects of the device.
-fn remove_disabled(device: &mut Device) -> Vec<Loss> {
-    let (disabled, objects): (Objects, Objects) =
-        mem::take(&mut device.objects).into_iter().partition(|(_, object)| is_disabled(object));
-    device.objects = objects;
-    let loss = |(index, object)| Loss {
-        place: Place::object(index),
-        path: format!("/objects/0x{index:04X}"),
-        kind: LossKind::Lost,
-        value: serde_json::to_value(object).unwrap_or_default().into(),
-        becomes: None,
-        reason: Some("the object is disabled; `--keep-disabled` keeps it".to_owned()),
-    };
-    let losses: Vec<Loss> = disabled.into_iter().map(loss).collect();
-    let lists = &mut device.lists;
-    for list in [&mut lists.mandatory, &mut lists.optional, &mut lists.manufacturer].into_iter().flatten() {
-        list.retain(|index| device.objects.contains_key(index));
-    }
-    losses
+    let written = format::convert(device, &job.output, format, args.keep_disabled, &options)?;
+    Ok(Converted { bytes: written.bytes, losses: written.losses })
 }
 
 fn base_name(path: &Path) -> String {

@@ -14,6 +14,7 @@ mod profile;
 mod raw;
 mod reader;
 mod schema;
+mod start;
 mod usual;
 mod words;
 mod writer;
@@ -24,6 +25,7 @@ use self::keys::{DEVICE, FILE, LISTS, NODE};
 use self::profile::ProfileSaid;
 use self::reader::Reader;
 pub(super) use self::schema::schema;
+pub(super) use self::start::start;
 use super::keyed::rules::WRONG_TYPE;
 use super::keyed::section::Section;
 use super::keyed::toml;
@@ -120,6 +122,9 @@ fn count_pdos(root: &Section<'_>, device: &mut Device) {
     }
     if !is_stated("tpdo-count") {
         info.tpdo_count = Some(counts.1);
+    }
+    if !is_stated("granularity") {
+        info.granularity = profile::implied_granularity(info.granularity, [counts.0, counts.1]);
     }
 }
 

@@ -120,11 +120,17 @@ pub(super) fn implied_device(base: Option<&DeviceInfo>, device: &Device) -> Vec<
         let value = match key.name {
             "rpdo-count" => counts[0].into(),
             "tpdo-count" => counts[1].into(),
+            "granularity" => implied_granularity(base.granularity, counts)?.into(),
             name => fields.get(&facts::field(name))?.clone(),
         };
         Some((key.name, value))
     });
     implied.collect()
+}
+
+/// The granularity where no key states it: in bytes, as soon as a device has PDOs beside those of its profile.
+pub(super) fn implied_granularity(of_profile: Option<u8>, pdo_counts: [u16; 2]) -> Option<u8> {
+    if of_profile == Some(0) && pdo_counts != [0, 0] { Some(8) } else { of_profile }
 }
 
 /// Removes what the device does not have.

@@ -30,10 +30,8 @@ pub(super) fn write(device: &Device, profile: Option<(&ProfileSaid, &Device)>, w
         text.push_str("\n[node]\n");
         facts::lines(node, NODE, &[]).iter().for_each(|line| push(&mut text, line));
     }
-    let features = profile.map_or_else(Vec::new, |(said, _)| said.feature_lines());
-    if !features.is_empty() {
-        push(&mut text, "\n[features]");
-        features.iter().for_each(|line| push(&mut text, line));
+    if let Some((said, _)) = profile {
+        write_features(said, &mut text);
     }
     let defaults = usual(device);
     write_defaults(&defaults, &mut text);
@@ -48,6 +46,15 @@ pub(super) fn write(device: &Device, profile: Option<(&ProfileSaid, &Device)>, w
     objects(&Writer { device, defaults, base: base.as_ref() }, &mut text);
     extra(device, &mut text);
     text
+}
+
+/// Writes the features that are stated.
+pub(super) fn write_features(said: &ProfileSaid, text: &mut String) {
+    let features = said.feature_lines();
+    if !features.is_empty() {
+        push(text, "\n[features]");
+        features.iter().for_each(|line| push(text, line));
+    }
 }
 
 /// The objects that are not as they would be without a key.
@@ -142,7 +149,7 @@ pub(super) fn words(words: &[&str]) -> String {
     words.iter().map(|word| quoted(word)).collect::<Vec<_>>().join(", ")
 }
 
-fn section(
+pub(super) fn section(
     text: &mut String,
     name: &str,
     part: Option<&impl serde::Serialize>,

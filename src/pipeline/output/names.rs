@@ -1,8 +1,8 @@
 //! Names of files that every system can have. They are judged as texts, so that the same is refused everywhere.
 
-#[cfg(feature = "cli")]
+#[cfg(all(feature = "json", feature = "xdd"))]
 use std::ffi::OsStr;
-#[cfg(feature = "cli")]
+#[cfg(all(feature = "json", feature = "xdd"))]
 use std::path::Path;
 
 use super::error::OutputError;
@@ -31,7 +31,7 @@ pub(super) fn require_flat(name: &str) -> Result<(), OutputError> {
 }
 
 /// The same for a file that an argument names, whose folder is given. `NUL` is what Windows calls `/dev/null`.
-#[cfg(feature = "cli")]
+#[cfg(all(feature = "json", feature = "xdd"))]
 pub(super) fn require_file(path: &Path) -> Result<(), OutputError> {
     match path.file_name().and_then(OsStr::to_str).filter(|name| name.contains('.') && is_device(name)) {
         Some(name) => Err(OutputError::Name { name: name.to_owned(), reason: RESERVED }),

@@ -6,9 +6,9 @@ use std::path::Path;
 use std::path::PathBuf;
 
 use super::error::OutputError;
-#[cfg(feature = "cli")]
+#[cfg(all(feature = "json", feature = "xdd"))]
 use super::names::require_file;
-#[cfg(feature = "cli")]
+#[cfg(all(feature = "json", feature = "xdd"))]
 use super::save::{Saved, save};
 
 /// What a file is, whatever it is called: its device and its number there, or its full path where files have no numbers.
@@ -48,7 +48,7 @@ impl Used {
     }
 
     /// Writes a file that an argument names: it replaces what is there, but nothing that the run uses.
-    #[cfg(feature = "cli")]
+    #[cfg(all(feature = "json", feature = "xdd"))]
     pub(crate) fn save(&mut self, path: &Path, contents: &[u8]) -> Result<Saved, OutputError> {
         require_file(path)?;
         self.require_other(path)?;
