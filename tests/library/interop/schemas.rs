@@ -162,7 +162,7 @@ fn sources_of_devices_are_valid_by_their_schema() {
     let script = Path::new(env!("CARGO_MANIFEST_DIR")).join("tests/library/interop/validate.py");
     let output = Command::new(programs.join("python"))
         .arg(script)
-        .args([&schema, &schema])
+        .args([&schema, &schema, &schema])
         .args(&files)
         .output()
         .unwrap();
