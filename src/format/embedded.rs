@@ -113,7 +113,7 @@ fn lines(change: &DatumChange) -> Vec<(String, String)> {
 }
 
 /// The edits that put a datum in place of the one at its path in the comment lines of an EDS or DCF, or remove it.
-#[cfg_attr(not(feature = "node"), allow(dead_code, reason = "only configured nodes change them"))]
+#[cfg(feature = "node")]
 pub(super) fn edit_lines(edits: &mut Edits<'_>, path: &str, datum: Option<Datum>) {
     remove_lines(edits, |key| key == path);
     if let Some(after) = datum {
@@ -122,6 +122,7 @@ pub(super) fn edit_lines(edits: &mut Edits<'_>, path: &str, datum: Option<Datum>
 }
 
 /// The edits that remove the comment lines of an EDS or DCF with data of these paths.
+#[cfg(feature = "node")]
 pub(super) fn remove_lines(edits: &mut Edits<'_>, is_removed: impl Fn(&str) -> bool) {
     let text = edits.source().text();
     let mut start = 0;
@@ -137,6 +138,7 @@ pub(super) fn remove_lines(edits: &mut Edits<'_>, is_removed: impl Fn(&str) -> b
 }
 
 /// The edits that add changes as comment lines at the end of an EDS or DCF.
+#[cfg(feature = "node")]
 pub(super) fn add_lines(edits: &mut Edits<'_>, changes: &[DatumChange]) {
     let text = edits.source().text();
     let line_end = if text.contains("\r\n") { "\r\n" } else { "\n" };

@@ -1,7 +1,5 @@
 //! Files that people write as keys and values: a tree with the place of each value, and tables of the keys that a file may have.
 
-#![cfg_attr(not(feature = "network"), allow(dead_code, reason = "files of networks use more of it"))]
-
 #[cfg(feature = "patch")]
 pub(super) mod fields;
 pub(super) mod rules;
