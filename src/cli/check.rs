@@ -19,8 +19,8 @@ use super::settings::{Project, Settings};
 use super::vendor::VendorReport;
 use crate::diagnostic::{Findings, Severity, series};
 use crate::format::Description;
-use crate::model::DeviceKind;
 use crate::lint::Options;
+use crate::model::DeviceKind;
 use crate::report::{Report, Subject, grouped, plural};
 use crate::source::{SourceFile, SourceOptions};
 
@@ -347,7 +347,7 @@ impl<'a> Reporter<'a> {
     fn take(&mut self, checked: Checked) -> Result<(), Failure> {
         match checked {
             Checked::Description(examined) => {
-                let Examined { description, findings, deny, amended, unwritten, key, .. } = *examined;
+                let Examined { description, findings, options, deny, amended, unwritten, key } = *examined;
                 // reports list each device and count what comments suppress, so that such files are checked again
                 let is_patched = description.patched().is_some_and(|patched| !patched.lines().is_empty());
                 let is_clean = |found: &Findings| found.is_empty() && found.suppressed() == 0 && !is_patched;
@@ -357,8 +357,9 @@ impl<'a> Reporter<'a> {
                 }
                 amended.iter().for_each(|amended| self.fixing.count(amended));
                 for (patch, findings) in description.patched().iter().flat_map(|patched| patched.by_patch()) {
+                    let findings = options.severities.apply(findings.clone());
                     if !findings.is_empty() {
-                        self.report_on(patch.source().into(), findings.clone(), deny)?;
+                        self.report_on(patch.source().into(), findings, deny)?;
                     }
                 }
                 let mut next = Some(description);
