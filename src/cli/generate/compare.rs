@@ -1,7 +1,7 @@
 //! `objdict generate --compare`: tables that a project has already, beside those that would be written.
 
 use std::io::{self, Write};
-use std::path::{Path, PathBuf};
+use std::path::Path;
 
 use serde::Serialize;
 
@@ -64,7 +64,7 @@ fn not_compared(generation: &Generation) -> Failure {
         .help(format!("it compares those of {}", compared.join(", ")))
 }
 
-fn read(path: &PathBuf) -> Result<SourceFile, Failure> {
+fn read(path: &Path) -> Result<SourceFile, Failure> {
     SourceFile::open(path, &SourceOptions::default()).map_err(Failure::new)
 }
 
