@@ -357,7 +357,7 @@ impl<'a> Reporter<'a> {
     fn take(&mut self, checked: Checked) -> Result<(), Failure> {
         match checked {
             Checked::Description(examined) => {
-                let Examined { description, findings, deny, amended, unwritten, key, .. } = *examined;
+                let Examined { description, findings, options, deny, amended, unwritten, key } = *examined;
                 // reports list each device and count what comments suppress, so that such files are checked again
                 let is_patched = description.patched().is_some_and(|patched| !patched.lines().is_empty());
                 let is_clean = |found: &Findings| found.is_empty() && found.suppressed() == 0 && !is_patched;
@@ -367,8 +367,9 @@ impl<'a> Reporter<'a> {
                 }
                 amended.iter().for_each(|amended| self.fixing.count(amended));
                 for (patch, findings) in description.patched().iter().flat_map(|patched| patched.by_patch()) {
+                    let findings = options.severities.apply(findings.clone());
                     if !findings.is_empty() {
-                        self.report_on(patch.source().into(), findings.clone(), deny)?;
+                        self.report_on(patch.source().into(), findings, deny)?;
                     }
                 }
                 let mut next = Some(description);

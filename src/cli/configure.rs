@@ -3,11 +3,12 @@
 use std::borrow::Cow;
 use std::io::Write;
 use std::path::Path;
+use std::sync::Arc;
 
 use objdict_node::ObjectName;
 
 use super::args::ConfigureArgs;
-use super::input::{Input, name_of, source_name};
+use super::input::{FileKind, Input, name_of, source_name};
 use super::node::{commissioning, former_node_id};
 use super::outcome::{Failure, Outcome, note, tell};
 use super::output::Output;
@@ -18,6 +19,7 @@ use crate::configure::{
 };
 use crate::coupler::flatten;
 use crate::diagnostic::{At, Diagnostic, Severity};
+use crate::format::patch::Patch;
 use crate::format::{self, Description, Format, NodeSettings, Syntax, WriteOptions, stated_name};
 use crate::lint::{self, Options};
 use crate::model::{Assignment, Commissioning, Device, DeviceKind, Part};
@@ -25,7 +27,13 @@ use crate::report::plural;
 use crate::source::{MAX_TOML_SIZE, read_text};
 
 pub(super) fn run(args: &ConfigureArgs, out: &mut Output) -> Result<Outcome, Failure> {
-    let description = description(args)?;
+    let of_config = SettingsArgs::from(&args.config);
+    let mut config = Settings::new(&of_config)?;
+    let patches = config.patches_of(&args.file)?;
+    if args.in_place {
+        args.patch.none_with("`--in-place`")?;
+    }
+    let description = description(args, &patches)?;
     let file = settings_file(args)?;
     let own = description.device();
     if args.in_place && (own.kind != DeviceKind::Node || args.file == Path::new("-")) {
@@ -34,10 +42,9 @@ pub(super) fn run(args: &ConfigureArgs, out: &mut Output) -> Result<Outcome, Fai
         return Err(failure.help("name the file to write with `--output`"));
     }
     let plugged = if args.modules.is_empty() { None } else { Some(plugged(own, &args.modules)?) };
-    let is_xml = description.format().syntax() == Syntax::Xml;
-    let kind = Format::of(description.format().syntax(), DeviceKind::Node).name();
-    other_syntax(args, is_xml)?;
-    let node = commissioning(own, &wanted(args, &file), kind)?;
+    let kind = Format::of(description.format().syntax(), DeviceKind::Node);
+    other_syntax(args, kind)?;
+    let node = commissioning(own, &wanted(args, &file), kind.name())?;
     let mut base = Cow::Borrowed(plugged.as_ref().unwrap_or(own));
     let followers = if args.no_rebase { Vec::new() } else { followers(&base, &node) };
     if !followers.is_empty() {
@@ -58,12 +65,12 @@ pub(super) fn run(args: &ConfigureArgs, out: &mut Output) -> Result<Outcome, Fai
         downloads: &downloads,
     };
     let mut configured = description.configured(&file_name, &parts).map_err(Failure::new)?;
-    let worse = worse(own, &configured.device, &options(args, configured.device.node_id())?);
+    let worse = worse(own, &configured.device, &options(args, &mut config, configured.device.node_id())?);
     if !worse.is_empty() && !args.force {
         let causes = Causes { args, settings: &settings, base: &base, node: &node };
         return Ok(refuse_findings(&worse, &causes));
     }
-    if args.dialect.is_other() && !is_xml {
+    if args.dialect.is_other() && kind == Format::Dcf {
         let options = WriteOptions { embed: true, ..args.dialect.options() };
         configured.bytes = format::write(&configured.device, Format::Dcf, &options)?.bytes;
         tell("note: the file is written anew for the dialect, without comments\n");
@@ -93,25 +100,35 @@ pub(super) fn run(args: &ConfigureArgs, out: &mut Output) -> Result<Outcome, Fai
 }
 
 /// A file that would have another syntax than its name says.
-fn other_syntax(args: &ConfigureArgs, is_xml: bool) -> Result<(), Failure> {
+fn other_syntax(args: &ConfigureArgs, written: Format) -> Result<(), Failure> {
     let Some(output) = args.output().filter(|_| !args.in_place) else { return Ok(()) };
     let ending = output.extension().map(|ending| ending.to_string_lossy().to_ascii_lowercase());
     let named = ending.as_deref().and_then(Format::from_name);
-    if named.is_none_or(|format| (format.syntax() == Syntax::Xml) == is_xml) {
+    if named.is_none_or(|format| format.syntax() == written.syntax()) {
         return Ok(());
     }
-    let (what, help) = match is_xml {
-        true => ("an XDD becomes an XDC", "name a file `.xdc`; `objdict convert --to dcf` makes a DCF of it"),
-        false => {
+    let (what, help) = match written.syntax() {
+        Syntax::Xml => {
+            ("an XDD becomes an XDC", "name a file `.xdc`; `objdict convert --to dcf` makes a DCF of it")
+        }
+        Syntax::Ini => {
             ("an EDS becomes a DCF", "name a file `.dcf`; `objdict convert --to xdc` makes an XDC of it")
         }
+        Syntax::Toml => (
+            "a device.toml becomes one with `[node]`",
+            "name a file `.toml`; `objdict convert --to dcf` makes a DCF of it",
+        ),
     };
     Err(Failure::new(format_args!("{what}, but `{}` has another ending", name_of(output))).help(help))
 }
 
 /// The description that is configured; a device as JSON is one that is written as an EDS first.
-fn description(args: &ConfigureArgs) -> Result<Description, Failure> {
-    match args.reading().read_one(&source_name(&args.file), args.size.read(&args.file)?)? {
+fn description(args: &ConfigureArgs, patches: &[Arc<Patch>]) -> Result<Description, Failure> {
+    let mut reading = args.reading();
+    if !args.in_place {
+        reading.patches.extend_from_slice(patches);
+    }
+    match reading.read_one(&source_name(&args.file), args.size.read(&args.file)?)? {
         (_, Input::Description(description)) => Ok(*description),
         (_, Input::Device(device)) => {
             let options = WriteOptions { embed: true, ..WriteOptions::default() };
@@ -202,9 +219,9 @@ fn plugged(device: &Device, modules: &[u16]) -> Result<Device, Failure> {
 }
 
 /// The name that the description states of itself.
-fn file_name(args: &ConfigureArgs, kind: &str) -> String {
+fn file_name(args: &ConfigureArgs, kind: Format) -> String {
     let name = |path: &Path| path.file_name().map(|name| stated_name(&name.to_string_lossy()));
-    let ending = kind.to_ascii_lowercase();
+    let ending = FileKind::from(kind).ending();
     args.output().and_then(name).unwrap_or_else(|| {
         let stem = args.file.file_stem().filter(|_| args.file != Path::new("-")).unwrap_or_default();
         let stem = if stem.is_empty() { Cow::Borrowed("device") } else { stem.to_string_lossy() };
@@ -213,13 +230,12 @@ fn file_name(args: &ConfigureArgs, kind: &str) -> String {
 }
 
 /// How the node is checked: as `objdict check` checks the description that it is made of.
-fn options(args: &ConfigureArgs, node_id: Option<u8>) -> Result<Options, Failure> {
-    let of_config = SettingsArgs::from(&args.config);
-    let mut settings = Settings::new(&of_config)?;
+fn options(
+    args: &ConfigureArgs,
+    settings: &mut Settings<'_>,
+    node_id: Option<u8>,
+) -> Result<Options, Failure> {
     let project = settings.project_of(&args.file)?;
-    if let Some(failure) = settings.unusable().next() {
-        return Err(failure);
-    }
     Ok(Options { node_id, ..settings.options(&args.file, project.as_deref()) })
 }
 

@@ -82,18 +82,19 @@ impl InputArgs {
         Reading { from, device, encoding, max_size, max_entries, node_id: None, patches }
     }
 
+    /// How a file is read that has further patches.
+    pub(super) fn reading_with(&self, patches: &[Arc<Patch>]) -> Reading {
+        let mut reading = self.reading();
+        reading.patches.extend_from_slice(patches);
+        reading
+    }
+
     /// How much of a text of so many bytes a conversion may lose or embed.
     pub(super) fn max_losses(&self, bytes: usize) -> usize {
         WriteOptions::max_losses_of(bytes, self.entries.max_entries)
     }
 
-    /// What is in a file, and as what kind it was read; `-` is standard input.
-    pub(super) fn read(&self, path: &Path) -> Result<(FileKind, Input), Failure> {
-        let bytes = self.size.read(path)?;
-        Ok(self.reading().read(&source_name(path), bytes)?)
-    }
-
-    /// What is in a file, and as what kind it was read; of several devices the one that was asked for.
+    /// What is in a file, and as what kind it was read; `-` is standard input. Of several devices it is the one that was asked for.
     pub(super) fn read_one(&self, path: &Path) -> Result<(FileKind, Input), Failure> {
         let bytes = self.size.read(path)?;
         Ok(self.reading().read_one(&source_name(path), bytes)?)
@@ -112,8 +113,7 @@ impl InputArgs {
         patches: &[Arc<Patch>],
     ) -> Result<Candidate, Failure> {
         let name = source_name(path);
-        let mut reading = self.reading();
-        reading.patches.extend_from_slice(patches);
+        let reading = self.reading_with(patches);
         let (kind, source) = match reading.recognised(&name, bytes) {
             Ok(recognised) => recognised,
             // what is called a description and shows nothing of one is no other file that happens to be there

@@ -92,8 +92,12 @@ pub fn run() -> ExitCode {
         Command::Completions(command) => packaging::completions(command, &mut out),
         Command::Man(command) => packaging::man(command),
     };
-    if !matches!(args.command, Command::Patch(_)) {
+    if outcome.is_ok() && !matches!(args.command, Command::Patch(_)) {
         patches::warn_of_unused();
+    }
+    // these report them with their other findings
+    if !matches!(args.command, Command::Patch(_) | Command::Check(_) | Command::Generate(_)) {
+        patches::warn_of_effects();
     }
     outcome
         .and_then(|outcome| out.finish().map(|()| outcome))

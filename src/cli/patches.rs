@@ -1,7 +1,7 @@
 //! The patches that are named with `--patch`.
 
 use std::path::Path;
-use std::sync::{Arc, Mutex, PoisonError};
+use std::sync::{Arc, Mutex, MutexGuard, PoisonError};
 
 use super::outcome::{Failure, note};
 use super::save::keep;
@@ -29,23 +29,38 @@ impl PatchArgs {
     }
 }
 
-/// The patches that arguments name.
-static NAMED: Mutex<Vec<Arc<Patch>>> = Mutex::new(Vec::new());
+/// The patches of the run, and whether an argument names them.
+static KNOWN: Mutex<Vec<(Arc<Patch>, bool)>> = Mutex::new(Vec::new());
 
 fn open(path: &str) -> Result<Arc<Patch>, String> {
     keep(Path::new(path));
     let patch = Patch::open(Path::new(path)).map(Arc::new).map_err(|error| error.to_string())?;
-    NAMED.lock().unwrap_or_else(PoisonError::into_inner).push(Arc::clone(&patch));
+    known().push((Arc::clone(&patch), true));
     Ok(patch)
 }
 
-/// Names the patches that are for no file of the run.
+/// Patches that a configuration names.
+pub(super) fn remember(patches: &[Arc<Patch>]) {
+    known().extend(patches.iter().map(|patch| (Arc::clone(patch), false)));
+}
+
+fn known() -> MutexGuard<'static, Vec<(Arc<Patch>, bool)>> {
+    KNOWN.lock().unwrap_or_else(PoisonError::into_inner)
+}
+
+/// Names the patches of arguments that are for no file of the run.
 pub(super) fn warn_of_unused() {
-    for patch in NAMED.lock().unwrap_or_else(PoisonError::into_inner).iter().filter(|patch| !patch.is_used())
-    {
+    for (patch, _) in known().iter().filter(|(patch, is_named)| *is_named && !patch.is_used()) {
         let name = one_line(patch.source().name());
         note(&format!(
             "warning: the patch `{name}` is for none of the files\n  help: compare its `vendor-id`, `product-code` and `revision` with those of the files\n"
         ));
+    }
+}
+
+/// Reports the changes without effect, each once although several nodes may be of one file.
+pub(super) fn warn_of_effects() {
+    for line in known().iter().flat_map(|(patch, _)| patch.warnings()) {
+        note(&format!("{}\n", one_line(&line)));
     }
 }

@@ -10,12 +10,14 @@ use clap::{Args, ValueEnum};
 
 use super::input::detail;
 use super::outcome::Failure;
+use super::patches::remember;
 use super::profiles::ProfileArgs;
 use super::save::keep;
 use super::values::node_id;
 use crate::config::Config;
 pub(super) use crate::config::Project;
 use crate::diagnostic::{Selection, Severity, Tool, series};
+use crate::format::patch::Patch;
 use crate::lint::{Level, Options, Severities};
 use crate::pipeline::{CheckSettings, Configuration};
 use crate::profile::Profile;
@@ -197,6 +199,18 @@ impl<'a> Settings<'a> {
         Ok(project)
     }
 
+    /// The patches that the configuration of a file names.
+    ///
+    /// # Errors
+    /// When it cannot be used.
+    pub(super) fn patches_of(&mut self, path: &Path) -> Result<Vec<Arc<Patch>>, Failure> {
+        let project = self.project_of(path)?;
+        match self.unusable().next() {
+            Some(failure) => Err(failure),
+            None => Ok(project.map(|project| project.patches.clone()).unwrap_or_default()),
+        }
+    }
+
     /// The configurations that were met, in that order.
     pub(super) fn projects(&self) -> impl Iterator<Item = &Project> {
         self.projects.iter().map(|(_, project)| &**project)
@@ -250,6 +264,7 @@ impl<'a> Settings<'a> {
         keep(path);
         let project = Arc::new(Project::open(path).map_err(Failure::new)?);
         project.files().for_each(|file| keep(&file));
+        remember(&project.patches);
         self.projects.push((path.to_owned(), project.clone()));
         Ok(project)
     }

@@ -6,7 +6,7 @@ use std::path::Path;
 use super::outcome::Failure;
 use super::save::save;
 use crate::compat::{Effect, REACTIONS};
-use crate::diagnostic::{Applicability, Diagnostic, Findings, Severity, Tool, counted};
+use crate::diagnostic::{Applicability, Diagnostic, Severity, Tool, counted};
 use crate::format::Description;
 use crate::format::patch::make;
 use crate::lint::{Options, PORTABILITY};
@@ -36,7 +36,10 @@ impl VendorReport {
     }
 }
 
-fn page(description: &Description, options: &Options) -> String {
+fn page(patched: &Description, options: &Options) -> String {
+    // the vendor has the file without the patches
+    let original = patched.patched().and_then(|_| again(patched));
+    let description = original.as_ref().unwrap_or(patched);
     let subject = Subject::from(description);
     let all = Options { tools: Tool::ALL.to_vec(), ..options.clone() };
     let is_portability = |finding: &Diagnostic| finding.rule.group() == PORTABILITY;
@@ -52,7 +55,8 @@ fn page(description: &Description, options: &Options) -> String {
         std::cmp::Reverse((finding.severity, !is_portability(finding), rank(*effect)))
     });
     problems.retain(|(effect, finding)| finding.severity >= Severity::Warning || effect.is_some());
-    let mut text = head(description, &findings);
+    let of_standards = findings.iter().filter(|finding| !is_portability(finding));
+    let mut text = head(description, of_standards, problems.is_empty());
     for (number, (_, finding)) in (1..).zip(problems.iter().take(MAX_PROBLEMS)) {
         problem(&mut text, subject, description, finding, number);
     }
@@ -63,12 +67,16 @@ fn page(description: &Description, options: &Options) -> String {
             counted(rest, "further problem is", "further problems are")
         ));
     }
-    corrections(&mut text, description, &all);
+    corrections(&mut text, patched, &all);
     text
 }
 
 /// What the page is about.
-fn head(description: &Description, findings: &Findings) -> String {
+fn head<'f>(
+    description: &Description,
+    findings: impl Iterator<Item = &'f Diagnostic>,
+    is_empty: bool,
+) -> String {
     let device = description.device();
     let info = device.device_info.as_ref();
     let name = description.source().name().rsplit(['/', '\\']).next().unwrap_or_default();
@@ -87,13 +95,17 @@ fn head(description: &Description, findings: &Findings) -> String {
             text.push_str(&format!("- {what}: {}\n", quoted(&fact)));
         }
     }
-    let count = |severity| findings.iter().filter(|finding| finding.severity == severity).count();
-    let (errors, warnings) = (count(Severity::Error), count(Severity::Warning));
+    let (mut errors, mut warnings) = (0, 0);
+    for finding in findings {
+        errors += usize::from(finding.severity == Severity::Error);
+        warnings += usize::from(finding.severity == Severity::Warning);
+    }
     text.push_str(&format!(
-        "\nThe file was checked against the CiA documents with objdict {}: {}, {}. The most important ones:\n\n",
+        "\nThe file was checked against the CiA documents with objdict {}: {}, {}.{}\n\n",
         env!("CARGO_PKG_VERSION"),
         counted(errors, "error", "errors"),
         counted(warnings, "warning", "warnings"),
+        if is_empty { "" } else { " The most important problems:" },
     ));
     text
 }

@@ -171,3 +171,55 @@ fn named_files_are_those_of_the_project() {
     let (_, said) = run(&format!("network check network.toml -D PLACE={}", folder.path().display()));
     assert!(!said.contains("outside"), "{said}");
 }
+
+/// Keys of a device.toml are changed, added and removed where they are; what has no place there is not offered.
+#[test]
+fn the_short_source_of_a_device_is_fixed() {
+    const BEFORE: &str = r#"format = "objdict-device/1"
+
+[device]
+vendor-name = "V" # ours
+
+[object]
+# three fixes in two lines
+2000 = { name = "  A", type = "u8", access = "ro", flags = 0x10 }
+2001 = { object-type = "record", name = "B", unstated = ["sub0"], sub.1 = { name = "b", type = "u8" } }
+
+[object.2002]
+name = "C"
+flags = 0x30 # away with it
+type = "string"
+map = "optional"
+"#;
+    const AFTER: [(&str, &str); 4] = [
+        (
+            r#"name = "  A", type = "u8", access = "ro", flags = 0x10 }"#,
+            r#"name = "A", type = "u8", access = "ro" }"#,
+        ),
+        (r#"type = "u8" } }"#, r#"type = "u8" }, sub.0 = { name = "Highest sub-index supported", "#),
+        ("flags = 0x30 # away with it\n", ""),
+        (r#"map = "optional""#, r#"map = "no""#),
+    ];
+    const RULES: &str = "naming,cia306/invalid-object-flags,cia306/missing-sub-0,cia306/mapping-not-possible,cia306/missing-section";
+    let folder = tempfile::tempdir().unwrap();
+    let file = folder.path().join("device.toml");
+    fs::write(&file, BEFORE).unwrap();
+    let fixed =
+        objdict(folder.path(), &format!("check --fix --unsafe-fixes device.toml --select {RULES}"), b"");
+    let (stdout, stderr) =
+        (String::from_utf8(fixed.stdout).unwrap(), String::from_utf8(fixed.stderr).unwrap());
+    assert!(stderr.contains("fixed 5 findings in 1 file"), "{stderr}");
+    let after = fs::read_to_string(&file).unwrap();
+    for (old, new) in AFTER {
+        assert!(!after.contains(old) && after.contains(new), "{old}: {after}");
+    }
+    for kept in ["vendor-name = \"V\" # ours\n", "# three fixes in two lines\n", "type = \"string\"\n"] {
+        assert!(after.contains(kept), "{after}");
+    }
+    // a section that is missing in an EDS is none of a device.toml
+    assert!(stdout.contains("missing-section") && !stdout.contains("can be fixed"), "{stdout}");
+    let again =
+        objdict(folder.path(), &format!("check --fix --unsafe-fixes device.toml --select {RULES}"), b"");
+    assert!(String::from_utf8_lossy(&again.stderr).contains("fixed 0 findings"));
+    assert_eq!(fs::read_to_string(&file).unwrap(), after);
+}

@@ -16,6 +16,7 @@ mod hostile;
 mod limits;
 mod outputs;
 mod page;
+mod patches;
 mod pictures;
 mod recipes;
 mod replaced;

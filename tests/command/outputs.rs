@@ -29,7 +29,7 @@ fn no_output_replaces_an_input() {
     fs::hard_link(&path, folder.path().join("same.eds")).unwrap();
     fs::create_dir(folder.path().join("out")).unwrap();
     fs::hard_link(&path, folder.path().join("out/a.html")).unwrap();
-    fs::write(folder.path().join("node.toml"), "node-id = 7\nbit-rate = 125\n").unwrap();
+    fs::write(folder.path().join("node.txt"), "node-id = 7\nbit-rate = 125\n").unwrap();
     for line in [
         "convert a.eds -o a.eds",
         "convert a.eds --to xdd -o same.eds",
@@ -38,7 +38,7 @@ fn no_output_replaces_an_input() {
         "check a.eds --write-baseline ./a.eds",
         "configure a.eds --node-id 3 --bit-rate 125 -o a.eds",
         "configure a.eds --node-id 3 --bit-rate 125 --in-place",
-        "configure a.eds --settings node.toml -o node.toml",
+        "configure a.eds --settings node.txt -o node.txt",
         "docs a.eds --to csv -o same.eds",
         "docs a.eds -o out/",
         "generate a.eds --target c -o c --stamp a.eds",

@@ -193,7 +193,7 @@ fn other_toml_is_no_device() {
     let kind = |text: &str| identify("a.toml", text.as_bytes()).kind;
     assert_eq!(kind("# a drive\n\nformat = \"objdict-device/1\"\n[object]\n"), ContentKind::DeviceToml);
     assert_eq!(kind("[bus]\nname = 'a'\n"), ContentKind::Network);
-    assert_eq!(kind("format = \"objdict-patch/1\"\n"), ContentKind::Unknown);
+    assert_eq!(kind("format = \"objdict-patch/1\"\n"), ContentKind::Patch);
     assert_eq!(kind("[package]\nformat = \"objdict-device/1\"\n"), ContentKind::Unknown);
     let bytes = fs::read(fixture("io.toml")).unwrap();
     assert_eq!(identify("io", &bytes).kind, ContentKind::DeviceToml);

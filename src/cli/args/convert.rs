@@ -9,6 +9,7 @@ use super::network::NetworkPathArgs;
 use crate::cli::canonical::CanonicalArgs;
 use crate::cli::input::{ExpandArgs, FileKind, InputArgs};
 use crate::cli::save::OverwriteArgs;
+use crate::cli::settings::ConfigFileArgs;
 use crate::cli::values::{node_id, node_name};
 use crate::format::XddVersion;
 
@@ -53,9 +54,6 @@ pub(in crate::cli) struct ConvertArgs {
     /// Write all values to a concise DCF, not only those that differ from the default
     #[arg(long)]
     pub all: bool,
-    /// Ignore all configuration files; accepted for consistency, because `convert` reads none
-    #[arg(long, help_heading = "Settings")]
-    no_config: bool,
     #[command(flatten)]
     pub canonical: CanonicalArgs,
     #[command(flatten)]
@@ -66,6 +64,8 @@ pub(in crate::cli) struct ConvertArgs {
     pub input: InputArgs,
     #[command(flatten)]
     pub network: NetworkPathArgs,
+    #[command(flatten)]
+    pub config: ConfigFileArgs,
 }
 
 // What a DBC describes.

@@ -98,10 +98,11 @@ fn nodes(args: &ConvertArgs, jobs: &[Job]) -> Result<Vec<(Node, u8)>, Failure> {
             found.append(&mut nodes_of_network(args, job)?);
             continue;
         }
-        match args.input.reading().read(&name, bytes)? {
+        let reading = args.input.reading_with(&job.patches);
+        match reading.read(&name, bytes)? {
             (_, Input::NodeList(list)) => found.append(&mut nodes_of_list(args, job, &list)?),
             (from, input) => {
-                let devices = devices_in(&args.input.reading(), job, input)?;
+                let devices = devices_in(&reading, job, input)?;
                 found.append(&mut nodes_in(args, job, from, devices));
             }
         }
@@ -193,7 +194,7 @@ fn nodes_of_list(args: &ConvertArgs, job: &Job, list: &NodeList) -> Result<Vec<N
         keep(&input);
         let bytes = args.input.size.read(&input)?;
         let own = Job { input, ..job.clone() };
-        let reading = Reading { from: None, device: None, ..args.input.reading() };
+        let reading = Reading { from: None, device: None, ..args.input.reading_with(&job.patches) };
         let (from, input) = reading.read(&source_name(&own.input), bytes)?;
         for found in nodes_in(args, &own, from, devices_in(&reading, &own, input)?) {
             nodes.push(Node { node_id: Some(node.id), name: node.name.clone(), ..found });

@@ -2,11 +2,13 @@
 
 use std::collections::BTreeMap;
 use std::path::{Path, PathBuf};
+use std::sync::Arc;
 
 use super::super::args::ConvertArgs;
 use super::super::input::{FileKind, name_of};
 use super::super::outcome::Failure;
 use super::super::save::{is_folder, is_stdout};
+use crate::format::patch::Patch;
 
 /// A file to convert.
 #[derive(Clone)]
@@ -16,6 +18,8 @@ pub(super) struct Job {
     pub to: FileKind,
     /// Whether its name in a folder was made from that of the input.
     pub is_named: bool,
+    /// The patches of its configuration.
+    pub patches: Vec<Arc<Patch>>,
 }
 
 impl Job {
@@ -23,7 +27,7 @@ impl Job {
     pub(super) fn of_device(&self, number: usize) -> Self {
         let stem = self.output.file_stem().unwrap_or_default().to_string_lossy();
         let name = format!("{stem}-{}.{}", number + 1, self.to.ending());
-        Self { input: self.input.clone(), output: self.output.with_file_name(name), ..*self }
+        Self { output: self.output.with_file_name(name), ..self.clone() }
     }
 }
 
@@ -39,8 +43,13 @@ pub(super) fn plan(args: &ConvertArgs) -> Result<Vec<Job>, Failure> {
         (None, None) => return Err(no_output(inputs)),
     };
     let named = FileKind::of(output);
-    let job =
-        |input: &PathBuf, to| Job { input: input.clone(), output: output.to_owned(), to, is_named: false };
+    let job = |input: &PathBuf, to| Job {
+        input: input.clone(),
+        output: output.to_owned(),
+        to,
+        is_named: false,
+        patches: Vec::new(),
+    };
     match inputs {
         inputs if !is_folder(output) && stated.or(named) == Some(FileKind::Dbc) => {
             Ok(inputs.iter().map(|input| job(input, FileKind::Dbc)).collect())
@@ -98,7 +107,7 @@ fn into_folder(inputs: &[PathBuf], folder: &Path, to: FileKind) -> Result<Vec<Jo
             );
             return Err(Failure::new(message).help("convert them into different folders"));
         }
-        jobs.push(Job { input: input.clone(), output, to, is_named: true });
+        jobs.push(Job { input: input.clone(), output, to, is_named: true, patches: Vec::new() });
     }
     Ok(jobs)
 }

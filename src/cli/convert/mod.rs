@@ -15,16 +15,22 @@ pub(super) use self::losses::Document as LossDocument;
 use self::losses::LossReport;
 use super::annotation::Described;
 use super::args::ConvertArgs;
-use super::input::{FileKind, Input, name_of};
+use super::input::{FileKind, Input, name_of, source_name};
 use super::outcome::{Failure, Outcome, note};
 use super::output::Output;
 use super::progress::{Progress, give_way};
 use super::save::{Folder, Saved, is_stdout, keep, require_other, save};
+use super::settings::{Settings, SettingsArgs};
 use crate::download::ConciseDcf;
 use crate::format::{Description, LossKind, ReadError, concise, json};
 
 pub(super) fn run(args: &ConvertArgs, out: &mut Output) -> Result<Outcome, Failure> {
-    let jobs = jobs::plan(args)?;
+    let mut jobs = jobs::plan(args)?;
+    let settings = SettingsArgs::from(&args.config);
+    let mut settings = Settings::new(&settings)?;
+    for job in &mut jobs {
+        job.patches = settings.patches_of(&job.input)?;
+    }
     // nothing is written over a file that is read later
     jobs.iter().for_each(|job| keep(&job.input));
     args.loss_report.iter().try_for_each(|path| require_other(path))?;
@@ -104,7 +110,8 @@ fn convert_one(
     report: &mut LossReport,
     out: &mut Output,
 ) -> Result<(), Failure> {
-    let (from, input) = args.input.read(&job.input)?;
+    let reading = args.input.reading_with(&job.patches);
+    let (from, input) = reading.read(&source_name(&job.input), args.input.size.read(&job.input)?)?;
     match input {
         Input::Description(description) if description.device_count() == 0 => {
             let name = name_of(&job.input);

@@ -155,9 +155,8 @@ impl Read {
         if is_network {
             self.networks.push(DocumentedNetwork::read(args, settings, file, has_pages, outcome)?);
         } else {
-            let mut reading = args.input.reading();
-            reading.patches.extend(file.project.iter().flat_map(|project| project.patches.iter().cloned()));
-            let (kind, input) = reading.read(&name, bytes)?;
+            let patches = file.project.as_ref().map(|project| &project.patches[..]).unwrap_or_default();
+            let (kind, input) = args.input.reading_with(patches).read(&name, bytes)?;
             self.devices.extend(devices(args, settings, file, kind, input)?);
         }
         Ok(())

@@ -22,9 +22,14 @@ pub(in crate::format) fn edits(
     changes: &[Change],
 ) -> Option<TextEdits> {
     let editor = Editor { text: document.source().text(), places: document.places() };
-    let mut edits = Vec::new();
-    for change in changes {
-        edits.extend(editor.change(device, change)?);
+    let mut edits = TextEdits::new();
+    let each: Option<Vec<TextEdits>> = changes.iter().map(|change| editor.change(device, change)).collect();
+    for (span, new) in each?.concat() {
+        match edits.iter_mut().find(|(known, _)| *known == span && span.start == span.end) {
+            // keys that are added at one place are one edit: those that touch each other are refused
+            Some((_, before)) => before.push_str(&new),
+            None => edits.push((span, new)),
+        }
     }
     editor.is_toml(&edits).then_some(edits)
 }
@@ -159,8 +164,11 @@ impl Editor<'_> {
         if let Some(spot) = self.places.at(&path) {
             return (!spot.is_table).then(|| vec![(spot.value, value.to_owned())]);
         }
-        // the deepest table that there is
-        let known = (1..=table.len()).rev().find(|&length| self.places.at(&table[..length]).is_some());
+        // the deepest table that there is; dotted keys in braces have no line for another
+        let at = |length: usize| self.places.at(&table[..length]);
+        let has_braces = |spot: Spot| spot.value.of(self.text).starts_with('{');
+        let known = (1..=table.len()).rev().find(|&length| at(length).is_some_and(has_braces));
+        let known = known.or_else(|| (1..=table.len()).rev().find(|&length| at(length).is_some()));
         let rest = |length: usize| path[length..].iter().map(|name| key(name)).collect::<Vec<_>>().join(".");
         let Some(length) = known else {
             let header = table.iter().map(|name| key(name)).collect::<Vec<_>>().join(".");

@@ -3,6 +3,7 @@
 use std::sync::LazyLock;
 
 use crate::format::keyed::section::{Key, Shape, bits};
+use crate::format::keyed::types::{self, OBJECT_TYPES};
 use crate::scaffold::{FEATURES, FeatureKind};
 
 const fn key(name: &'static str, shape: Shape, meaning: &'static str) -> Key {
@@ -194,7 +195,7 @@ pub(super) const LISTS: &[Key] = &[
     key("unstated", Shape::Texts, UNSTATED),
 ];
 
-const ACCESS: Shape = Shape::Word(&["ro", "wo", "rw", "rwr", "rww", "const"]);
+const ACCESS: Shape = Shape::Word(types::ACCESS);
 const MAP: Shape = Shape::Word(&["no", "optional", "default", "tpdo", "rpdo"]);
 
 pub(super) const DEFAULTS: &[Key] = &[
@@ -210,7 +211,7 @@ macro_rules! entry_keys {
         &[
             key("name", Shape::Text, "`ParameterName`."),
             key("type", Shape::Text, "The data type: `bool`, `u8` to `u64`, `i8` to `i64`, `f32`, `f64`, `string`, `string(20)`, `unicode`, `bytes`, `time`, `time-difference`, `domain`, or the index of its definition (`0x0023`). Of an object also `record`, `array`, `[u16]` for an array of it, and `[u16; 8]` for one of 8 equal elements."),
-            key("object-type", Shape::Word(&["null", "domain", "deftype", "defstruct", "var", "array", "record"]), "The object type, where it does not follow from `type`."),
+            key("object-type", Shape::Word(OBJECT_TYPES), "The object type, where it does not follow from `type`."),
             key("access", ACCESS, "The access type."),
             key("map", MAP, "Whether PDOs carry the entry, and which."),
             key("default", Shape::ValueOrList, "The default value; of a range of sub-indexes also a list of them."),

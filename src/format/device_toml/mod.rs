@@ -38,15 +38,6 @@ use crate::model::{
 use crate::scaffold;
 use crate::source::EditError;
 
-/// Whether a text is a `device.toml`: its first key says so.
-pub(super) fn is_device(text: &str) -> bool {
-    let mut lines = text.lines().map(str::trim).filter(|line| !line.is_empty() && !line.starts_with('#'));
-    lines.next().and_then(|line| line.split_once('=')).is_some_and(|(key, value)| {
-        let value = value.trim_start();
-        key.trim() == "format" && value.get(1..).is_some_and(|value| value.starts_with("objdict-device/"))
-    })
-}
-
 /// The device of a text.
 pub(super) fn read(text: &str) -> (Device, Findings) {
     let mut findings = Findings::new();

@@ -1,49 +1,19 @@
 //! The words and values of `device.toml`: data types, values, lists of indexes.
 
 use crate::format::keyed::tree::{Kind, Tree};
+use crate::format::keyed::types::{self, TYPES};
 use crate::format::literal;
 use crate::model::{DataType, ObjectType, TypeKind, Value};
 
-/// The words of data types.
-const TYPES: [(&str, DataType); 25] = [
-    ("bool", DataType::BOOLEAN),
-    ("i8", DataType::INTEGER8),
-    ("i16", DataType::INTEGER16),
-    ("i24", DataType::INTEGER24),
-    ("i32", DataType::INTEGER32),
-    ("i40", DataType::INTEGER40),
-    ("i48", DataType::INTEGER48),
-    ("i56", DataType::INTEGER56),
-    ("i64", DataType::INTEGER64),
-    ("u8", DataType::UNSIGNED8),
-    ("u16", DataType::UNSIGNED16),
-    ("u24", DataType::UNSIGNED24),
-    ("u32", DataType::UNSIGNED32),
-    ("u40", DataType::UNSIGNED40),
-    ("u48", DataType::UNSIGNED48),
-    ("u56", DataType::UNSIGNED56),
-    ("u64", DataType::UNSIGNED64),
-    ("f32", DataType::REAL32),
-    ("f64", DataType::REAL64),
-    ("string", DataType::VISIBLE_STRING),
-    ("bytes", DataType::OCTET_STRING),
-    ("unicode", DataType::UNICODE_STRING),
-    ("time", DataType::TIME_OF_DAY),
-    ("time-difference", DataType::TIME_DIFFERENCE),
-    ("domain", DataType::DOMAIN),
-];
-
 /// The word of a data type, or its index.
 pub(super) fn type_word(data_type: DataType) -> String {
-    let word = TYPES.iter().find(|(_, known)| *known == data_type);
-    word.map_or_else(|| format!("0x{:04X}", data_type.0), |(word, _)| (*word).to_owned())
+    types::word_of(data_type).map_or_else(|| format!("0x{:04X}", data_type.0), str::to_owned)
 }
 
 /// The data type of a word.
 pub(super) fn data_type(word: &str) -> Option<DataType> {
     let index = || u16::from_str_radix(word.strip_prefix("0x")?, 16).ok();
-    let known = TYPES.iter().find(|(known, _)| *known == word);
-    known.map(|(_, data_type)| *data_type).or_else(|| index().map(DataType))
+    types::named(word).or_else(|| index().map(DataType))
 }
 
 /// All words of data types, for suggestions.

@@ -83,6 +83,8 @@ content_kinds! {
     BusConfiguration "bus configuration" Role::Canopen, Some("its keys `dcf` name the descriptions");
     /// Network of this crate: its nodes and links in TOML (docs/network.md).
     Network "network" Role::Canopen, Some("its keys `file` name the descriptions");
+    /// Patch of descriptions (docs/patches.md).
+    Patch "patch" Role::Canopen, Some("`objdict patch check` compares it with descriptions, and `--patch` applies it to them");
     /// XML device description of Ethernet POWERLINK (EPSG 311).
     PowerlinkXdd "XDD" Role::Foreign, Some("ask the vendor for the CANopen EDS or XDD");
     /// XML device configuration of Ethernet POWERLINK (EPSG 311).

@@ -137,6 +137,7 @@ impl Identification {
                 "is a bus configuration for Lely's dcfgen or ros2_canopen and describes no device"
             }
             Kind::Network => "is a network of objdict and describes no device",
+            Kind::Patch => "is a patch, which corrects descriptions and describes no device",
             Kind::PowerlinkXdd => "describes an Ethernet POWERLINK device (EPSG 311), not a CANopen one",
             Kind::PowerlinkXdc => {
                 "describes a configured Ethernet POWERLINK device (EPSG 311), not a CANopen one"
@@ -250,8 +251,7 @@ fn of_text(content: &Content<'_>) -> Identification {
         return found.clone();
     }
     // tables of TOML look like sections
-    #[cfg(feature = "toml")]
-    if let Some(found) = text::device_toml(text) {
+    if let Some(found) = text::toml(text) {
         return found;
     }
     // an EDS may start with the marks of a merge conflict, or with a line of a mail

@@ -19,11 +19,15 @@ pub(super) fn identify(content: &Content<'_>, text: &str) -> Option<Identificati
         .or_else(|| bus_configuration(content, text))
 }
 
-/// The short source of a device: its first key says so.
-#[cfg(feature = "toml")]
-pub(super) fn device_toml(text: &str) -> Option<Identification> {
-    let reason = "its first key is `format`, with `objdict-device/1`";
-    crate::format::device_toml::is_device(text).then(|| Identification::new(ContentKind::DeviceToml, reason))
+/// TOML of objdict whose first key says what it is.
+pub(super) fn toml(text: &str) -> Option<Identification> {
+    const FORMATS: [(&str, ContentKind); 2] =
+        [("objdict-device/", ContentKind::DeviceToml), ("objdict-patch/", ContentKind::Patch)];
+    let mut lines = text.lines().map(str::trim).filter(|line| !line.is_empty() && !line.starts_with('#'));
+    let (key, value) = lines.next()?.split_once('=')?;
+    let stated = value.trim_start().get(1..).filter(|_| key.trim() == "format")?;
+    let (format, kind) = FORMATS.into_iter().find(|(format, _)| stated.starts_with(format))?;
+    Some(Identification::new(kind, format!("its first key is `format`, with `{format}1`")))
 }
 
 /// A JSON document of objdict. Its names may be in any order, so every `kind` is looked at.

@@ -7,5 +7,6 @@ pub(super) mod schema;
 pub(super) mod section;
 pub(super) mod toml;
 pub(super) mod tree;
+pub(super) mod types;
 #[cfg(feature = "patch")]
 pub(super) mod words;

@@ -1,6 +1,7 @@
 //! The words by which files that people write name the fields of a device, and the keys that they may have.
 
 use super::section::{Key, Shape, bits};
+use super::types::{self, ACCESS, OBJECT_TYPES};
 use crate::model::{DataType, ObjectType, Part};
 
 const fn key(name: &'static str, shape: Shape, meaning: &'static str) -> Key {
@@ -40,9 +41,6 @@ pub(in crate::format) const ENTRY: &[Key] = &[
     ),
     key("denotation", Shape::Text, "The name of the entry in the application of a node."),
 ];
-
-const ACCESS: &[&str] = &["ro", "wo", "rw", "rwr", "rww", "const"];
-const OBJECT_TYPES: &[&str] = &["null", "domain", "deftype", "defstruct", "var", "array", "record"];
 
 /// The keys of CiA 306 for these fields, as an EDS spells them.
 pub(in crate::format) const CIA306: &[(&str, &str)] = &[
@@ -161,48 +159,19 @@ pub(in crate::format) fn word_of(name: &str) -> Option<&'static str> {
     known.or_else(|| CIA306.iter().find(|(key, _)| key.eq_ignore_ascii_case(name)).map(|(_, word)| *word))
 }
 
-/// Short words for data types.
-const TYPES: [(&str, DataType); 24] = [
-    ("bool", DataType::BOOLEAN),
-    ("i8", DataType::INTEGER8),
-    ("i16", DataType::INTEGER16),
-    ("i24", DataType::INTEGER24),
-    ("i32", DataType::INTEGER32),
-    ("i40", DataType::INTEGER40),
-    ("i48", DataType::INTEGER48),
-    ("i56", DataType::INTEGER56),
-    ("i64", DataType::INTEGER64),
-    ("u8", DataType::UNSIGNED8),
-    ("u16", DataType::UNSIGNED16),
-    ("u24", DataType::UNSIGNED24),
-    ("u32", DataType::UNSIGNED32),
-    ("u40", DataType::UNSIGNED40),
-    ("u48", DataType::UNSIGNED48),
-    ("u56", DataType::UNSIGNED56),
-    ("u64", DataType::UNSIGNED64),
-    ("f32", DataType::REAL32),
-    ("f64", DataType::REAL64),
-    ("string", DataType::VISIBLE_STRING),
-    ("unicode", DataType::UNICODE_STRING),
-    ("bytes", DataType::OCTET_STRING),
-    ("domain", DataType::DOMAIN),
-    ("time", DataType::TIME_OF_DAY),
-];
-
 /// The data type that a text names: a short word, the name of CiA 301, or its index.
 pub(in crate::format) fn data_type(text: &str) -> Option<DataType> {
-    let short = TYPES.iter().find(|(word, _)| *word == text).map(|(_, data_type)| *data_type);
     let index = || match text.strip_prefix("0x").or_else(|| text.strip_prefix("0X")) {
         Some(hex) => u16::from_str_radix(hex, 16).ok().map(DataType),
         None => text.parse().ok().map(DataType),
     };
-    short.or_else(|| DataType::from_name(&text.to_ascii_uppercase())).or_else(index)
+    types::named(text).or_else(|| DataType::from_name(&text.to_ascii_uppercase())).or_else(index)
 }
 
 /// The word for a data type.
 pub(in crate::format) fn data_type_word(data_type: DataType) -> String {
-    let short = TYPES.iter().find(|(_, of)| *of == data_type).map(|(word, _)| *word);
-    short.or_else(|| data_type.name()).map_or_else(|| format!("0x{:04X}", data_type.0), str::to_owned)
+    let word = types::word_of(data_type).or_else(|| data_type.name());
+    word.map_or_else(|| format!("0x{:04X}", data_type.0), str::to_owned)
 }
 
 /// The object type that a text names: a word, or its code.
@@ -215,6 +184,7 @@ pub(in crate::format) fn object_type(text: &str) -> Option<ObjectType> {
 
 #[cfg(test)]
 mod tests {
+    use super::types::TYPES;
     use super::*;
 
     #[test]

@@ -42,20 +42,7 @@ impl Patched {
 
     /// The problems, a line each: the patch with line and column, the severity, the rule and the message.
     pub fn lines(&self) -> Vec<String> {
-        let mut lines = Vec::new();
-        for (patch, findings) in self.by_patch() {
-            for finding in findings {
-                let span = match finding.labels.first().map(|label| &label.at) {
-                    Some(At::Span(span)) => *span,
-                    _ => Span::default(),
-                };
-                let start = patch.source().line_column(span.start);
-                let name = patch.source().name();
-                let (severity, rule, message) = (finding.severity, finding.rule.id, &finding.message);
-                lines.push(format!("{name}:{}:{}: {severity} {rule}: {message}", start.line, start.column));
-            }
-        }
-        lines
+        self.by_patch().flat_map(|(patch, findings)| lines(patch, findings)).collect()
     }
 
     /// The patch and the place in it that changed a place of the model.
@@ -69,6 +56,20 @@ impl Patched {
         };
         self.causes.iter().rev().find(|(cause, ..)| is_it(cause)).map(|&(_, patch, span)| (patch, span))
     }
+}
+
+fn lines(patch: &Patch, findings: &Findings) -> Vec<String> {
+    let line = |finding: &Diagnostic| {
+        let span = match finding.labels.first().map(|label| &label.at) {
+            Some(At::Span(span)) => *span,
+            _ => Span::default(),
+        };
+        let start = patch.source().line_column(span.start);
+        let name = patch.source().name();
+        let (severity, rule, message) = (finding.severity, finding.rule.id, &finding.message);
+        format!("{name}:{}:{}: {severity} {rule}: {message}", start.line, start.column)
+    };
+    findings.iter().map(line).collect()
 }
 
 /// The object that a part belongs to.
@@ -126,6 +127,9 @@ pub fn apply(description: Description, patches: &[Arc<Patch>]) -> Description {
             findings.push(refusal(&device, refused).finding(span, description.source().name()));
         }
         patched.findings.push(findings);
+    }
+    if !patched.has_errors() {
+        patched.by_patch().for_each(|(patch, findings)| patch.warn(lines(patch, findings)));
     }
     description.with_patched(device, patched)
 }

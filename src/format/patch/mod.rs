@@ -11,9 +11,10 @@ mod read;
 mod rules;
 pub mod schema;
 
+use std::collections::BTreeSet;
 use std::path::Path;
-use std::sync::Arc;
 use std::sync::atomic::{AtomicBool, Ordering};
+use std::sync::{Arc, Mutex, PoisonError};
 
 pub(super) use self::apply::refuse;
 pub use self::apply::{Patched, apply};
@@ -40,6 +41,8 @@ pub struct Patch {
     findings: Findings,
     /// Whether it was for a description.
     is_used: AtomicBool,
+    /// What was found when it was made and did not stop it.
+    warnings: Mutex<BTreeSet<String>>,
 }
 
 /// Which files a patch is for; what is not stated selects all.
@@ -121,6 +124,16 @@ impl Patch {
     /// Whether it was [for](Self::selects) a description so far.
     pub fn is_used(&self) -> bool {
         self.is_used.load(Ordering::Relaxed)
+    }
+
+    /// What was found when it was made in descriptions so far and did not stop that, such as changes without effect: a line each,
+    /// as of [`Patched::lines`].
+    pub fn warnings(&self) -> Vec<String> {
+        self.warnings.lock().unwrap_or_else(PoisonError::into_inner).iter().cloned().collect()
+    }
+
+    fn warn(&self, lines: Vec<String>) {
+        self.warnings.lock().unwrap_or_else(PoisonError::into_inner).extend(lines);
     }
 
     /// Mistakes in the patch itself.

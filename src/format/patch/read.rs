@@ -1,5 +1,6 @@
 //! A patch from its text.
 
+use std::sync::Mutex;
 use std::sync::atomic::AtomicBool;
 
 use super::keys::{CHANGE, PATCH, RAW};
@@ -22,6 +23,7 @@ pub(super) fn read(source: SourceFile) -> Patch {
         changes: Vec::new(),
         findings: Findings::new(),
         is_used: AtomicBool::new(false),
+        warnings: Mutex::default(),
         source,
     };
     if let Some(tree) = toml::read(patch.source.text(), &mut findings)
