@@ -17,10 +17,11 @@ use super::report;
 use super::save::require_other;
 use super::settings::{Project, Settings};
 use super::vendor::VendorReport;
+use crate::check::without_those_of_base;
 use crate::diagnostic::{Findings, Severity, series};
 use crate::format::Description;
-use crate::model::DeviceKind;
 use crate::lint::Options;
+use crate::model::DeviceKind;
 use crate::report::{Report, Subject, grouped, plural};
 use crate::source::{SourceFile, SourceOptions};
 
@@ -225,7 +226,11 @@ impl Worker<'_> {
             findings if is_offered => crate::with_sound_fixes(description, findings, check),
             findings => findings,
         };
-        let findings = description.map_devices(examine);
+        let mut of_base = None;
+        let findings = description.map_devices(|device| match (device.variant(), &of_base) {
+            (Some(variant), Some(base)) => without_those_of_base(variant, base, examine(device)),
+            _ => of_base.insert(examine(device)).clone(),
+        });
         let deny = self.settings.deny(project);
         Checked::Description(Box::new(Examined {
             description,

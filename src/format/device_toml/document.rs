@@ -1,21 +1,42 @@
-//! The text of a device: places in it, and edits of it.
+//! The text of a device: places in it, edits of it, and its variants.
 
-use std::sync::OnceLock;
+use std::sync::{Arc, OnceLock};
 
 use super::places::Places;
-use crate::model::Place;
+use crate::diagnostic::Findings;
+use crate::model::{Device, Place};
 use crate::source::{SourceFile, Span};
 
-/// A text with what finds places in it.
+/// A text, or a variant of it, with what finds places in it.
 #[derive(Debug)]
 pub(in crate::format) struct Document {
-    source: SourceFile,
+    source: Arc<SourceFile>,
+    variant: Option<String>,
     places: OnceLock<Places>,
 }
 
 impl Document {
-    pub(in crate::format) fn new(source: SourceFile) -> Self {
-        Self { source, places: OnceLock::new() }
+    /// A text and the device that it describes.
+    pub(in crate::format) fn read(source: SourceFile) -> (Self, Device, Findings) {
+        let (device, findings) = super::read(source.text());
+        (Self { source: Arc::new(source), variant: None, places: OnceLock::new() }, device, findings)
+    }
+
+    /// The same text as that of a variant, and the device that this describes.
+    pub(in crate::format) fn read_variant(&self, variant: String) -> (Self, Device, Findings) {
+        let (device, findings) = super::read_variant(self.source.text(), &variant);
+        let source = Arc::clone(&self.source);
+        (Self { source, variant: Some(variant), places: OnceLock::new() }, device, findings)
+    }
+
+    /// The names of the variants in the text.
+    pub(in crate::format) fn variants(&self) -> Vec<String> {
+        super::variants_of(self.source.text())
+    }
+
+    /// The variant that it is read as.
+    pub(in crate::format) fn variant(&self) -> Option<&str> {
+        self.variant.as_deref()
     }
 
     pub(in crate::format) fn source(&self) -> &SourceFile {
@@ -23,7 +44,10 @@ impl Document {
     }
 
     pub(super) fn places(&self) -> &Places {
-        self.places.get_or_init(|| Places::new(self.source.text()))
+        self.places.get_or_init(|| {
+            let tree = super::merged(self.source.text(), self.variant(), &mut Findings::new());
+            tree.map(|merged| Places::new(&merged.tree)).unwrap_or_default()
+        })
     }
 
     /// The span of a place of the model.

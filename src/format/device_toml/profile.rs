@@ -1,5 +1,7 @@
 //! The profile of a device: everything that it demands, before the device says what is different.
 
+use std::collections::BTreeSet;
+
 use serde_json::Value;
 
 use super::facts::{self, Implied};
@@ -127,13 +129,18 @@ pub(super) fn implied_device(base: Option<&DeviceInfo>, device: &Device) -> Vec<
     implied.collect()
 }
 
-/// Removes what the device does not have.
-pub(super) fn remove(root: &Section<'_>, device: &mut Device, findings: &mut Findings) {
+/// Removes what the device does not have; some of it may be taken away already, and the profile need not bring that.
+pub(super) fn remove(
+    root: &Section<'_>,
+    taken: &BTreeSet<String>,
+    device: &mut Device,
+    findings: &mut Findings,
+) {
     let Some(tree) = root.get("remove") else { return };
     let mut take =
         |at: &Tree| {
             let text = at.spelled();
-            if !take_away(&text, device) {
+            if !take_away(&text, device) && !taken.contains(&text) {
                 let message = say!("`{}` cannot be removed: the profile does not bring it", text);
                 let finding = Diagnostic::new(&WRONG_TYPE, at.span, message);
                 findings.push(finding.help(
