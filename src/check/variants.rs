@@ -3,15 +3,26 @@
 use crate::diagnostic::{Diagnostic, Findings, Text, say};
 use crate::format::Description;
 
-/// The findings of a variant with its name.
+/// The findings with the name of the variant, and of what is in the file that the text extends, the name of that file.
 pub(super) fn named(description: &Description, findings: Findings) -> Findings {
-    let Some(name) = description.variant() else { return findings };
+    let (variant, extended) = (description.variant(), description.extended());
+    if variant.is_none() && extended.is_none() {
+        return findings;
+    }
     findings.filter_map(|finding| {
-        let message = finding.message.clone().followed_by(&suffix(name));
+        let at = finding.labels.first().map(|label| description.span_of(&label.at));
+        let mut message = finding.message.clone();
+        if let Some((name, _)) = extended.filter(|(_, span)| at == Some(*span)) {
+            message = message.followed_by(&say!(" (in `{}`)", name));
+        }
+        if let Some(variant) = variant {
+            message = message.followed_by(&suffix(variant));
+        }
         Some(Diagnostic { message, ..finding })
     })
 }
 
+#[cfg(feature = "cli")]
 /// The findings of the variant of a name without those that the file has without it.
 pub(crate) fn without_those_of_base(name: &str, base: &Findings, findings: Findings) -> Findings {
     findings.filter_map(|finding| {

@@ -219,7 +219,7 @@ impl Worker<'_> {
             Err(failure) => return Checked::Failed(failure),
         };
         // what is found in it depends on another file
-        let key = key.filter(|_| last_eds(&description).is_none());
+        let key = key.filter(|_| last_eds(&description).is_none() && description.extended().is_none());
         // what these formats offer, other programs apply without a check of the result; only to count fixes, it takes too long
         let is_offered = matches!(self.args.report.format, ReportFormat::Json | ReportFormat::Sarif);
         let examine = |description: &Description| match check(description) {

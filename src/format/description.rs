@@ -203,6 +203,29 @@ impl Description {
         }
     }
 
+    /// Whether the text alone does not say what the device is: it is a variant, or extends another file. It is not edited then.
+    pub(crate) fn is_composed(&self) -> bool {
+        self.variant().is_some() || self.extended().is_some()
+    }
+
+    /// The file that a `device.toml` extends, as it names it, and where it does.
+    pub(crate) fn extended(&self) -> Option<(&str, Span)> {
+        match &self.text {
+            #[cfg(feature = "toml")]
+            Text::Toml(document) => document.extended(),
+            _ => None,
+        }
+    }
+
+    /// The files that a `device.toml` extends, which say a part of what the device is.
+    pub(crate) fn extended_files(&self) -> &[std::path::PathBuf] {
+        match &self.text {
+            #[cfg(feature = "toml")]
+            Text::Toml(document) => document.extended_files(),
+            _ => &[],
+        }
+    }
+
     /// The name of the variant that it describes; `None` of a file as a whole.
     pub fn variant(&self) -> Option<&str> {
         match &self.text {
@@ -321,7 +344,7 @@ impl Description {
     pub fn realised(&self) -> Result<Option<Self>, EditError> {
         match &self.patched {
             None => Ok(None),
-            Some(_) if self.variant().is_some() => Err(EditError::ReadOnly(self.source().name().to_owned())),
+            Some(_) if self.is_composed() => Err(EditError::ReadOnly(self.source().name().to_owned())),
             Some(_) => {
                 let original =
                     self.unpatched().ok_or_else(|| EditError::ReadOnly(self.source().name().to_owned()))?;
@@ -439,7 +462,7 @@ impl Description {
     #[cfg(any(feature = "json", not(feature = "xdd")))]
     pub fn to_node(&self, file_name: &str, node: &Commissioning) -> Result<Vec<u8>, EditError> {
         #[cfg(feature = "patch")]
-        if self.variant().is_none()
+        if !self.is_composed()
             && let Some(realised) = self.realised()?
         {
             return realised.to_node(file_name, node);
@@ -461,7 +484,7 @@ impl Description {
             Text::Objdictgen(..) => self.anew(file_name, Some(node)),
             #[cfg(feature = "toml")]
             Text::Toml(document) => match device_toml::edits::to_node(document, file_name, node) {
-                Some(edits) if self.variant().is_none() => self.edited(&edits),
+                Some(edits) if !self.is_composed() => self.edited(&edits),
                 _ => self.anew(file_name, Some(node)),
             },
         }
@@ -488,7 +511,7 @@ impl Description {
     #[cfg(any(feature = "json", not(feature = "xdd")))]
     pub fn to_type(&self, file_name: &str) -> Result<Vec<u8>, EditError> {
         #[cfg(feature = "patch")]
-        if self.variant().is_none()
+        if !self.is_composed()
             && let Some(realised) = self.realised()?
         {
             return realised.to_type(file_name);
@@ -505,7 +528,7 @@ impl Description {
             Text::Objdictgen(..) => self.anew(file_name, None),
             #[cfg(feature = "toml")]
             Text::Toml(document) => match device_toml::edits::to_type(document, file_name) {
-                Some(edits) if self.variant().is_none() => self.edited(&edits),
+                Some(edits) if !self.is_composed() => self.edited(&edits),
                 _ => self.anew(file_name, None),
             },
         }
@@ -586,8 +609,7 @@ impl Description {
     /// where this format or this file cannot be changed so; the finding has no fix then. A fix that writes the text in
     /// another encoding is no edit of it either.
     pub fn edits(&self, fix: &Fix) -> Option<Vec<(Span, String)>> {
-        // the text has a variant in the places of the device, and others too
-        if self.source().is_read_only() || self.is_project() || self.variant().is_some() {
+        if self.source().is_read_only() || self.is_project() || self.is_composed() {
             return None;
         }
         let edits = match &self.text {

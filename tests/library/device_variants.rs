@@ -1,9 +1,11 @@
 //! Variants of a `device.toml`: what each has otherwise than the file, on top of it.
 
+use std::fs;
+
 use objdict::format::input::{Input, Reading};
 use objdict::format::{self, Description, Format, ReadError};
 use objdict::model::{Device, Place, Value};
-use objdict::source::SourceFile;
+use objdict::source::{SourceFile, SourceOptions};
 
 fn read(text: &str) -> Description {
     format::read(SourceFile::from_text("device.toml", text), Format::Toml)
@@ -154,4 +156,99 @@ fn a_variant_is_written_whole() {
     assert_eq!(again.map_devices(|_| ()).len(), 1, "it has no variants");
     assert_eq!(again.device().objects, small.device().objects);
     assert_eq!(again.device().node_id(), Some(7));
+}
+
+/// A folder of a project with these files.
+fn project(files: &[(&str, &str)]) -> tempfile::TempDir {
+    let folder = tempfile::tempdir().unwrap();
+    fs::write(folder.path().join("objdict.toml"), "").unwrap();
+    for (name, text) in files {
+        let path = folder.path().join(name);
+        fs::create_dir_all(path.parent().unwrap()).unwrap();
+        fs::write(path, text).unwrap();
+    }
+    folder
+}
+
+fn open(folder: &tempfile::TempDir, name: &str) -> Description {
+    format::open(&folder.path().join(name), &SourceOptions::default()).unwrap()
+}
+
+#[test]
+fn a_file_is_the_one_that_it_extends_with_what_it_says_otherwise() {
+    let middle = "format = 'objdict-device/1'\nextends = '../family.toml'\nremove = ['2000', '1802', '1A02']\n\
+                  [object.2005]\ndefault = 20\n";
+    let near = "format = 'objdict-device/1'\nextends = 'parts/middle.toml'\n[device]\nproduct-number = 7\n\
+                [variant.a.device]\nproduct-number = 8\n";
+    let folder = project(&[("family.toml", FAMILY), ("parts/middle.toml", middle), ("near.toml", near)]);
+    let read = open(&folder, "near.toml");
+    assert_eq!(read.findings().len(), 0, "{:?}", read.findings());
+    assert_eq!(objdict::check(&read).len(), 0, "{:?}", objdict::check(&read));
+    let device = read.device();
+    assert_eq!(product(device), (Some(7), Some("io16.eds")));
+    assert!(
+        device.object(0x2000).is_none() && device.object(0x1802).is_none() && device.object(0x2001).is_some()
+    );
+    let default = device.object(0x2005).and_then(|object| object.entry(0)?.default.clone());
+    assert_eq!(default, Some(Value::Unsigned(20)), "the nearer file wins");
+    let numbers = read.map_devices(|device| product(device.device()).0);
+    assert_eq!(numbers, [Some(7), Some(8)], "variants are of the file that names them");
+    let vendor = Place::of(objdict::model::Part::DeviceInfo).field(objdict::model::Field::VendorNumber);
+    let text = read.source().text();
+    assert_eq!(read.locate(&vendor).unwrap().of(text), "'parts/middle.toml'");
+    let node = objdict::model::Commissioning { node_id: Some(7), ..Default::default() };
+    let whole = String::from_utf8(read.to_node("near.toml", &node).unwrap()).unwrap();
+    assert!(!whole.contains("extends"), "{whole}");
+}
+
+#[test]
+fn what_cannot_be_extended_is_a_finding_at_the_key() {
+    let head = |rest: &str| format!("format = 'objdict-device/1'\n{rest}");
+    let long: Vec<(String, String)> = (0..20)
+        .map(|number| (format!("f{number}.toml"), head(&format!("extends = 'f{}.toml'\n", number + 1))))
+        .collect();
+    let mut files: Vec<(&str, &str)> = long.iter().map(|(name, text)| (&**name, &**text)).collect();
+    let (one, other) = (head("extends = 'other.toml'\n"), head("extends = 'one.toml'\n"));
+    let wrong = head("[object.2000]\nname = 'A'\ntype = 'u17'\n");
+    let texts: Vec<String> =
+        ["one.toml", "no.toml", "../outside.toml", "a.eds", "bad.toml", "f0.toml", "wrong.toml"]
+            .iter()
+            .map(|name| head(&format!("extends = '{name}'\n")))
+            .collect();
+    files.extend([
+        ("one.toml", &*one),
+        ("other.toml", &*other),
+        ("a.eds", "[FileInfo]\n"),
+        ("bad.toml", "format = 'objdict-device/1'\n["),
+    ]);
+    files.push(("wrong.toml", &wrong));
+    let folder = project(&files);
+    for (text, message) in texts.iter().zip([
+        "files extend each other: one.toml → other.toml → one.toml",
+        "`no.toml` cannot be extended: ",
+        "`../outside.toml` cannot be extended: ",
+        "`a.eds` cannot be extended: it is no `device.toml`",
+        "`bad.toml` cannot be extended: ",
+        "more than 16 files extend each other",
+        "`u17` is no data type",
+    ]) {
+        fs::write(folder.path().join("near.toml"), text).unwrap();
+        let read = open(&folder, "near.toml");
+        let found: Vec<_> = objdict::check(&read)
+            .iter()
+            .filter(|found| found.rule.group() == "keys")
+            .map(|found| {
+                (read.span_of(&found.labels[0].at).of(text).to_owned(), found.message.shown().into_owned())
+            })
+            .collect();
+        let [(at, found)] = &found[..] else { panic!("{text}: {found:?}") };
+        assert!(at.starts_with('\'') && at.ends_with(".toml'") || at == "'a.eds'", "{at}");
+        assert!(found.starts_with(message), "{found}");
+        assert_eq!(found.ends_with(" (in `wrong.toml`)"), text.contains("wrong"), "{found}");
+    }
+    let unnamed = read(&texts[0]);
+    assert_eq!(
+        unnamed.findings().iter().next().unwrap().message.shown(),
+        "it is unknown where `one.toml` is"
+    );
 }

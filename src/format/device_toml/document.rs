@@ -1,7 +1,9 @@
 //! The text of a device: places in it, edits of it, and its variants.
 
+use std::path::PathBuf;
 use std::sync::{Arc, OnceLock};
 
+use super::extends::{self, Base};
 use super::places::Places;
 use crate::diagnostic::Findings;
 use crate::model::{Device, Place};
@@ -11,6 +13,7 @@ use crate::source::{SourceFile, Span};
 #[derive(Debug)]
 pub(in crate::format) struct Document {
     source: Arc<SourceFile>,
+    base: Option<Arc<Base>>,
     variant: Option<String>,
     places: OnceLock<Places>,
 }
@@ -18,15 +21,18 @@ pub(in crate::format) struct Document {
 impl Document {
     /// A text and the device that it describes.
     pub(in crate::format) fn read(source: SourceFile) -> (Self, Device, Findings) {
-        let (device, findings) = super::read(source.text());
-        (Self { source: Arc::new(source), variant: None, places: OnceLock::new() }, device, findings)
+        let mut findings = Findings::new();
+        let base = extends::read(source.text(), source.name(), &mut findings).map(Arc::new);
+        let device = super::read_on(source.text(), base.as_deref(), &mut findings);
+        let source = Arc::new(source);
+        (Self { source, base, variant: None, places: OnceLock::new() }, device, findings)
     }
 
     /// The same text as that of a variant, and the device that this describes.
     pub(in crate::format) fn read_variant(&self, variant: String) -> (Self, Device, Findings) {
-        let (device, findings) = super::read_variant(self.source.text(), &variant);
-        let source = Arc::clone(&self.source);
-        (Self { source, variant: Some(variant), places: OnceLock::new() }, device, findings)
+        let (device, findings) = super::read_variant(self.source.text(), self.base.as_deref(), &variant);
+        let (source, base) = (Arc::clone(&self.source), self.base.clone());
+        (Self { source, base, variant: Some(variant), places: OnceLock::new() }, device, findings)
     }
 
     /// The names of the variants in the text.
@@ -39,13 +45,24 @@ impl Document {
         self.variant.as_deref()
     }
 
+    /// What the text extends, and where it says so.
+    pub(in crate::format) fn extended(&self) -> Option<(&str, Span)> {
+        self.base.as_ref().map(|base| (base.name.as_str(), base.span))
+    }
+
+    /// The files that the text extends, the nearest first.
+    pub(in crate::format) fn extended_files(&self) -> &[PathBuf] {
+        self.base.as_ref().map(|base| &base.files[..]).unwrap_or_default()
+    }
+
     pub(in crate::format) fn source(&self) -> &SourceFile {
         &self.source
     }
 
     pub(super) fn places(&self) -> &Places {
         self.places.get_or_init(|| {
-            let tree = super::merged(self.source.text(), self.variant(), &mut Findings::new());
+            let tree =
+                super::merged(self.source.text(), self.base.as_deref(), self.variant(), &mut Findings::new());
             tree.map(|merged| Places::new(&merged.tree)).unwrap_or_default()
         })
     }

@@ -24,12 +24,17 @@ pub(super) fn root() -> &'static [Key] {
 static ROOT: LazyLock<Vec<Key>> = LazyLock::new(|| {
     let format =
         key("format", Shape::Word(&[FORMAT]), "The format and its version. It is the first key of the file.");
+    let extends = key(
+        "extends",
+        Shape::Text,
+        "The file whose device this one is, but for what this file says otherwise.",
+    );
     let variant = key(
         "variant",
         Shape::Named(variant_keys()),
         "The variants of the device by name, each with the keys of this table that are different in it.",
     );
-    [&[format], variant_keys(), &[variant]].concat()
+    [&[format, extends], variant_keys(), &[variant]].concat()
 });
 
 /// The keys of a variant, which are those of the file but for the variants themselves.

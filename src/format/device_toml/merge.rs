@@ -1,4 +1,4 @@
-//! A file or a variant on top of another file: tables merge key by key, the nearer value wins, `remove` takes away.
+//! A file or a variant on top of another file: tables merge key by key, the nearer value wins, and `remove` removes.
 
 use std::collections::{BTreeMap, BTreeSet};
 
@@ -10,7 +10,7 @@ use crate::source::Span;
 #[derive(Clone, Debug)]
 pub(super) struct Merged {
     pub(super) tree: Tree,
-    /// The addresses of `remove` that a nearer tree took away from one below it, so that no profile has to bring them.
+    /// What nearer trees removed from those below them, in capital letters; no profile has to bring it.
     pub(super) taken: BTreeSet<String>,
 }
 
@@ -24,11 +24,17 @@ impl Merged {
         let Self { mut tree, mut taken } = self;
         let removed = removals(near);
         for Entry { key, .. } in &removed {
-            let address = key.spelled();
+            let address = key.spelled().to_ascii_uppercase();
             for path in paths_of(&address) {
                 if let Some(rest) = without(&tree, &path) {
                     tree = rest;
                     taken.insert(address.clone());
+                    // the table of a PDO has two objects
+                    taken.extend(
+                        index(&address)
+                            .filter(|_| path[0] != "object")
+                            .map(|index| format!("{:04X}", index ^ 0x200)),
+                    );
                 }
             }
         }

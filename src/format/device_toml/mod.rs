@@ -3,6 +3,7 @@
 mod defaults;
 mod document;
 pub(super) mod edits;
+mod extends;
 mod facts;
 pub(in crate::format) mod keys;
 mod lists;
@@ -22,6 +23,7 @@ mod writer;
 
 use self::defaults::Defaults;
 pub(super) use self::document::Document;
+use self::extends::Base;
 use self::keys::{DEVICE, FILE, LISTS, NODE};
 use self::merge::Merged;
 use self::profile::ProfileSaid;
@@ -48,18 +50,23 @@ pub(super) fn is_device(text: &str) -> bool {
     })
 }
 
-/// The device of a text.
+/// The device of a text that extends nothing.
 pub(super) fn read(text: &str) -> (Device, Findings) {
     let mut findings = Findings::new();
-    let merged = merged(text, None, &mut findings);
-    let device = merged.map_or_else(Device::default, |merged| of_tree(&merged, &mut findings));
+    let device = read_on(text, None, &mut findings);
     (device, findings)
 }
 
+/// The device of a text on top of what it extends.
+fn read_on(text: &str, base: Option<&Base>, findings: &mut Findings) -> Device {
+    let merged = merged(text, base, None, findings);
+    merged.map_or_else(Device::default, |merged| of_tree(&merged, findings))
+}
+
 /// The device of a variant in a text.
-fn read_variant(text: &str, variant: &str) -> (Device, Findings) {
+fn read_variant(text: &str, base: Option<&Base>, variant: &str) -> (Device, Findings) {
     let mut findings = Findings::new();
-    let Some(merged) = merged(text, Some(variant), &mut findings) else {
+    let Some(merged) = merged(text, base, Some(variant), &mut findings) else {
         return (Device::default(), findings);
     };
     let mut device = of_tree(&merged, &mut findings);
@@ -67,12 +74,16 @@ fn read_variant(text: &str, variant: &str) -> (Device, Findings) {
     (device, findings)
 }
 
-/// The tree of a text, or of a variant in it.
-fn merged(text: &str, variant: Option<&str>, findings: &mut Findings) -> Option<Merged> {
-    let base = Merged::new(toml::read(text, findings)?);
+/// The tree of a text, or of a variant in it, on top of what the text extends.
+fn merged(text: &str, base: Option<&Base>, variant: Option<&str>, findings: &mut Findings) -> Option<Merged> {
+    let tree = toml::read(text, findings)?;
+    let own = match base {
+        None => Merged::new(tree),
+        Some(base) => base.merged.clone().with(&tree),
+    };
     Some(match variant {
-        None => base,
-        Some(variant) => variants::merged(base, variant, findings),
+        None => own,
+        Some(variant) => variants::merged(own, variant, findings),
     })
 }
 

@@ -140,7 +140,7 @@ pub(super) fn remove(
     let mut take =
         |at: &Tree| {
             let text = at.spelled();
-            if !take_away(&text, device) && !taken.contains(&text) {
+            if !take_away(&text, device) && !taken.contains(&text.to_ascii_uppercase()) {
                 let message = say!("`{}` cannot be removed: the profile does not bring it", text);
                 let finding = Diagnostic::new(&WRONG_TYPE, at.span, message);
                 findings.push(finding.help(

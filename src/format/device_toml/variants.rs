@@ -24,7 +24,7 @@ fn is_name(name: &str) -> bool {
     name.starts_with(|first: char| first.is_ascii_alphanumeric()) && name.bytes().all(is_part)
 }
 
-/// What is wrong with the names of variants.
+/// Reports names that no variant can have.
 pub(super) fn check(root: &Section<'_>, findings: &mut Findings) {
     let entries = root.named("variant", findings);
     for Entry { key, .. } in entries.iter().filter(|entry| !is_name(&entry.key.spelled())) {
