@@ -218,7 +218,7 @@ impl Description {
     }
 
     /// The files that a `device.toml` extends, which say a part of what the device is.
-    pub(crate) fn extended_files(&self) -> &[std::path::PathBuf] {
+    pub fn extended_files(&self) -> &[std::path::PathBuf] {
         match &self.text {
             #[cfg(feature = "toml")]
             Text::Toml(document) => document.extended_files(),
