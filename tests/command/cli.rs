@@ -44,6 +44,7 @@ fn pages() {
             "concise",
             "diff",
             "bases",
+            "toml",
             "network",
             "rules/patch/expect-not-met",
             "rules/network/link-mismatch",

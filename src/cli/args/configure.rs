@@ -179,6 +179,14 @@ pub(in crate::cli) struct ModulesArgs {
     pub input: InputArgs,
 }
 
+#[derive(Debug, clap::Args)]
+pub(in crate::cli) struct VariantsArgs {
+    /// The `device.toml`; `-` is standard input
+    pub file: PathBuf,
+    #[command(flatten)]
+    pub size: SizeArgs,
+}
+
 /// How modules are listed.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
 pub(in crate::cli) enum ModulesFormat {

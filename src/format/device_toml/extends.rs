@@ -49,7 +49,7 @@ pub(super) fn read(text: &str, name: &str, findings: &mut Findings) -> Option<Ba
     }
     chain.files.remove(0);
     let farthest = Merged::new(chain.trees.pop()?);
-    let merged = chain.trees.iter().rev().fold(farthest, |merged, near| merged.with(near));
+    let merged = chain.trees.iter().rev().fold(farthest, Merged::with);
     Some(Base { name: named.spelled(), span, files: chain.files, merged })
 }
 

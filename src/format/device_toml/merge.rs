@@ -76,8 +76,8 @@ fn paths_of(address: &str) -> Vec<Vec<String>> {
         None => {
             let Some(number) = index(address) else { return Vec::new() };
             let pdo = match number {
-                0x1400..=0x15FF | 0x1600..=0x17FF => Some("rpdo"),
-                0x1800..=0x19FF | 0x1A00..=0x1BFF => Some("tpdo"),
+                0x1400..=0x17FF => Some("rpdo"),
+                0x1800..=0x1BFF => Some("tpdo"),
                 _ => None,
             };
             // keys are compared as hex digits
