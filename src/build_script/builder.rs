@@ -123,6 +123,13 @@ impl Builder {
         self
     }
 
+    /// Which variant of a `device.toml`, by its name.
+    #[cfg(feature = "toml")]
+    pub fn variant(mut self, name: impl Into<String>) -> Self {
+        self.request.reading.variant = Some(name.into());
+        self
+    }
+
     /// The encoding of the description, if it cannot be detected.
     pub fn encoding(mut self, encoding: Encoding) -> Self {
         self.request.reading.encoding = Some(encoding);

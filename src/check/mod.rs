@@ -3,6 +3,7 @@
 
 mod comments;
 mod suppression;
+mod variants;
 
 use std::collections::BTreeSet;
 
@@ -15,6 +16,9 @@ use crate::format::xdd::wording;
 use crate::format::{Description, Format, Syntax, eds};
 use crate::lint::{self, Options};
 use crate::model::OBJDICTGEN_SECTION;
+
+#[cfg(feature = "cli")]
+pub(crate) use self::variants::without_those_of_base;
 
 /// All findings of a description, in the order of its text.
 pub fn check(description: &Description) -> Findings {
@@ -66,7 +70,8 @@ pub fn check_with(description: &Description, options: &Options) -> Findings {
     let about_comments = suppression::apply(description, options, &mut findings);
     findings.append(options.severities.apply(about_comments));
     #[cfg(feature = "patch")]
-    let mut findings = with_causes(description, findings);
+    let findings = with_causes(description, findings);
+    let mut findings = variants::named(description, findings);
     findings.sort_by_key(|finding| {
         let start = finding.labels.first().map_or(0, |label| description.span_of(&label.at).start);
         (start, finding.rule.id)

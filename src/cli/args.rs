@@ -19,7 +19,7 @@ use clap::{Parser, Subcommand, ValueEnum};
 use clap_complete::Shell;
 use objdict_node::ObjectName;
 
-pub(super) use self::configure::{ConfigureArgs, ModulesArgs, ModulesFormat};
+pub(super) use self::configure::{ConfigureArgs, ModulesArgs, ModulesFormat, VariantsArgs};
 pub(super) use self::convert::ConvertArgs;
 pub(super) use self::dcf::indexes;
 pub(super) use self::dcf::{
@@ -138,6 +138,11 @@ pub(super) enum Command {
     Configure(Box<ConfigureArgs>),
     /// List the modules that a coupler supports
     Modules(ModulesArgs),
+    /// List the variants of a `device.toml`
+    ///
+    /// The first row is the device without variants. Of a variant, the features that are different are listed, and the objects that it
+    /// has too (+), that it lacks (-), or that are different.
+    Variants(VariantsArgs),
     /// Check networks, and build the configurations of their nodes and managers
     Network(NetworkArgs),
     /// Pack, unpack, compare and verify concise DCF

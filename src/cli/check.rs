@@ -17,6 +17,7 @@ use super::report;
 use super::save::require_other;
 use super::settings::{Project, Settings};
 use super::vendor::VendorReport;
+use crate::check::without_those_of_base;
 use crate::diagnostic::{Applicability, Findings, Severity, series};
 use crate::format::Description;
 use crate::lint::Options;
@@ -218,14 +219,18 @@ impl Worker<'_> {
             Err(failure) => return Checked::Failed(failure),
         };
         // what is found in it depends on another file
-        let key = key.filter(|_| last_eds(&description).is_none());
+        let key = key.filter(|_| last_eds(&description).is_none() && description.extended().is_none());
         // what these formats offer, other programs apply without a check of the result; only to count fixes, it takes too long
         let is_offered = matches!(self.args.report.format, ReportFormat::Json | ReportFormat::Sarif);
         let examine = |description: &Description| match check(description) {
             findings if is_offered => crate::with_sound_fixes(description, findings, check),
             findings => findings,
         };
-        let findings = description.map_devices(examine);
+        let mut of_base = None;
+        let findings = description.map_devices(|device| match (device.variant(), &of_base) {
+            (Some(variant), Some(base)) => without_those_of_base(variant, base, examine(device)),
+            _ => of_base.insert(examine(device)).clone(),
+        });
         let deny = self.settings.deny(project);
         Checked::Description(Box::new(Examined {
             description,

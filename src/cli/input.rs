@@ -35,6 +35,9 @@ pub(super) struct InputArgs {
     /// The device to read from a network file (.nxdd, .nxdc), counted from 1
     #[arg(long, value_name = "NUMBER")]
     pub device: Option<std::num::NonZeroUsize>,
+    /// The variant of a `device.toml` to read [default: the device without its variants]
+    #[arg(long, value_name = "NAME")]
+    pub variant: Option<String>,
     /// Encoding of the input, if it cannot be detected: utf-8, windows-1252, cp850, utf-16le …
     #[arg(long, value_name = "ENCODING")]
     pub encoding: Option<Encoding>,
@@ -76,10 +79,10 @@ pub(super) enum Candidate {
 impl InputArgs {
     /// How a file is read.
     pub(super) fn reading(&self) -> Reading {
-        let (from, device, encoding) = (self.from, self.device, self.encoding);
+        let (from, device, variant, encoding) = (self.from, self.device, self.variant.clone(), self.encoding);
         let (max_size, max_entries) = (self.size.max_size, self.entries.max_entries);
         let patches = self.patch.patches.clone();
-        Reading { from, device, encoding, max_size, max_entries, node_id: None, patches }
+        Reading { from, device, variant, encoding, max_size, max_entries, node_id: None, patches }
     }
 
     /// How a file is read that has further patches.
@@ -125,7 +128,7 @@ impl InputArgs {
             Err(error) => return Err(error.into()),
         };
         match kind.format() {
-            Some(format) => Ok(Candidate::Description(Box::new(reading.described(source, format)))),
+            Some(format) => Ok(Candidate::Description(Box::new(reading.described(source, format)?))),
             None => {
                 let message = format!(
                     "only EDS, DCF, XDD and XDC can be checked, and `{name}` is read as {}",

@@ -44,6 +44,7 @@ mod sizes;
 mod table;
 mod terminal;
 mod values;
+mod variants;
 mod vendor;
 
 use std::io::Write;
@@ -74,6 +75,7 @@ pub fn run() -> ExitCode {
         Command::Convert(command) => convert::run(command, &mut out),
         Command::Configure(command) => configure::run(command, &mut out),
         Command::Modules(command) => modules::run(command, &mut out),
+        Command::Variants(command) => variants::run(command, &mut out),
         Command::Dcf(command) => dcf::run(&command.command, &mut out),
         Command::Network(command) => network::run(&command.command, &mut out),
         Command::Conformance(command) => conformance::run(command, &mut out),

@@ -91,8 +91,8 @@ impl Description {
             }
             #[cfg(feature = "toml")]
             Syntax::Toml => {
-                let (device, findings) = device_toml::read(source.text());
-                (Text::Toml(device_toml::Document::new(source)), device, findings)
+                let (document, device, findings) = device_toml::Document::read(source);
+                (Text::Toml(document), device, findings)
             }
             // a build without XDD finds nothing but junk in one
             _ => {
@@ -148,22 +148,89 @@ impl Description {
     }
 
     /// The description of a device of the same XML file, counted from 0, which shares the text; `None` where there are fewer.
-    #[cfg_attr(not(feature = "xdd"), expect(unused_variables, reason = "only XML describes several devices"))]
+    /// Those of a `device.toml` behind the first are its variants.
+    #[cfg_attr(
+        not(any(feature = "xdd", feature = "toml")),
+        expect(unused_variables, reason = "only XML and TOML describe several devices")
+    )]
     pub fn sibling(&self, number: usize) -> Option<Self> {
         match &self.text {
+            #[cfg(feature = "toml")]
+            Text::Toml(document) if self.number > 0 || document.variant().is_none() => {
+                let variant = document.variants().into_iter().nth(number.checked_sub(1)?)?;
+                Some(self.of_variant(document, variant, number))
+            }
             #[cfg(feature = "xdd")]
             Text::Xml(tree, _) if number < xdd::containers(tree).len() => {
                 let (device, findings) = xdd::read(tree, number, self.format.kind());
                 let (device, findings) = restored(device, findings);
                 let (tree, format) = (Arc::clone(tree), self.format);
                 let read = Self::new(format, Text::Xml(tree, OnceLock::new()), number, device, findings);
-                #[cfg(feature = "patch")]
-                let read = match &self.patched {
-                    Some(patched) => super::patch::apply(read, &patched.given),
-                    None => read,
-                };
-                Some(read)
+                Some(read.with_patches_of(self))
             }
+            _ => None,
+        }
+    }
+
+    #[cfg(feature = "toml")]
+    fn of_variant(&self, document: &device_toml::Document, variant: String, number: usize) -> Self {
+        let (document, device, findings) = document.read_variant(variant);
+        Self::new(self.format, Text::Toml(document), number, device, findings).with_patches_of(self)
+    }
+
+    /// The description with the patches that were given for another device of the file.
+    #[cfg(any(feature = "xdd", feature = "toml"))]
+    #[cfg_attr(not(feature = "patch"), expect(unused_variables, reason = "there are none"))]
+    fn with_patches_of(self, other: &Self) -> Self {
+        #[cfg(feature = "patch")]
+        if let Some(patched) = &other.patched {
+            return super::patch::apply(self, &patched.given);
+        }
+        self
+    }
+
+    /// The description of a variant of a `device.toml`, as the only device of the file.
+    ///
+    /// # Errors
+    /// When there is no variant of this name: the names that there are.
+    #[cfg(feature = "toml")]
+    pub(super) fn into_variant(self, name: &str) -> Result<Self, Vec<String>> {
+        let Text::Toml(document) = &self.text else { return Err(Vec::new()) };
+        let variants = document.variants();
+        match variants.iter().any(|variant| variant == name) {
+            true => Ok(self.of_variant(document, name.to_owned(), 0)),
+            false => Err(variants),
+        }
+    }
+
+    /// Whether the text alone does not say what the device is: it is a variant, or extends another file. It is not edited then.
+    pub(crate) fn is_composed(&self) -> bool {
+        self.variant().is_some() || self.extended().is_some()
+    }
+
+    /// The file that a `device.toml` extends, as it names it, and where it does.
+    pub(crate) fn extended(&self) -> Option<(&str, Span)> {
+        match &self.text {
+            #[cfg(feature = "toml")]
+            Text::Toml(document) => document.extended(),
+            _ => None,
+        }
+    }
+
+    /// The files that a `device.toml` extends, which say a part of what the device is.
+    pub fn extended_files(&self) -> &[std::path::PathBuf] {
+        match &self.text {
+            #[cfg(feature = "toml")]
+            Text::Toml(document) => document.extended_files(),
+            _ => &[],
+        }
+    }
+
+    /// The name of the variant that it describes; `None` of a file as a whole.
+    pub fn variant(&self) -> Option<&str> {
+        match &self.text {
+            #[cfg(feature = "toml")]
+            Text::Toml(document) => document.variant(),
             _ => None,
         }
     }
@@ -277,6 +344,7 @@ impl Description {
     pub fn realised(&self) -> Result<Option<Self>, EditError> {
         match &self.patched {
             None => Ok(None),
+            Some(_) if self.is_composed() => Err(EditError::ReadOnly(self.source().name().to_owned())),
             Some(_) => {
                 let original =
                     self.unpatched().ok_or_else(|| EditError::ReadOnly(self.source().name().to_owned()))?;
@@ -394,7 +462,9 @@ impl Description {
     #[cfg(any(feature = "json", not(feature = "xdd")))]
     pub fn to_node(&self, file_name: &str, node: &Commissioning) -> Result<Vec<u8>, EditError> {
         #[cfg(feature = "patch")]
-        if let Some(realised) = self.realised()? {
+        if !self.is_composed()
+            && let Some(realised) = self.realised()?
+        {
             return realised.to_node(file_name, node);
         }
         let last_eds = self.source().name().rsplit(['/', '\\']).next().map(stated_name);
@@ -414,8 +484,8 @@ impl Description {
             Text::Objdictgen(..) => self.anew(file_name, Some(node)),
             #[cfg(feature = "toml")]
             Text::Toml(document) => match device_toml::edits::to_node(document, file_name, node) {
-                Some(edits) => self.edited(&edits),
-                None => self.anew(file_name, Some(node)),
+                Some(edits) if !self.is_composed() => self.edited(&edits),
+                _ => self.anew(file_name, Some(node)),
             },
         }
     }
@@ -441,7 +511,9 @@ impl Description {
     #[cfg(any(feature = "json", not(feature = "xdd")))]
     pub fn to_type(&self, file_name: &str) -> Result<Vec<u8>, EditError> {
         #[cfg(feature = "patch")]
-        if let Some(realised) = self.realised()? {
+        if !self.is_composed()
+            && let Some(realised) = self.realised()?
+        {
             return realised.to_type(file_name);
         }
         match &self.text {
@@ -456,8 +528,8 @@ impl Description {
             Text::Objdictgen(..) => self.anew(file_name, None),
             #[cfg(feature = "toml")]
             Text::Toml(document) => match device_toml::edits::to_type(document, file_name) {
-                Some(edits) => self.edited(&edits),
-                None => self.anew(file_name, None),
+                Some(edits) if !self.is_composed() => self.edited(&edits),
+                _ => self.anew(file_name, None),
             },
         }
     }
@@ -537,7 +609,7 @@ impl Description {
     /// where this format or this file cannot be changed so; the finding has no fix then. A fix that writes the text in
     /// another encoding is no edit of it either.
     pub fn edits(&self, fix: &Fix) -> Option<Vec<(Span, String)>> {
-        if self.source().is_read_only() || self.is_project() {
+        if self.source().is_read_only() || self.is_project() || self.is_composed() {
             return None;
         }
         let edits = match &self.text {

@@ -16,6 +16,8 @@ use super::{Description, Format, Syntax};
 #[cfg(feature = "node")]
 use super::{concise, nodelist};
 use crate::diagnostic::counted;
+#[cfg(feature = "toml")]
+use crate::diagnostic::series;
 use crate::source::{self, DEFAULT_MAX_SIZE, Encoding, FolderError, SourceError, SourceFile, SourceOptions};
 #[cfg(feature = "json")]
 use objdict_node::download::ConciseDcf;
@@ -196,6 +198,9 @@ pub struct Reading {
     pub max_entries: usize,
     /// The node that formulas in the text of a concise DCF are evaluated for.
     pub node_id: Option<u8>,
+    /// Which variant of a `device.toml`; `None` is the device without its variants.
+    #[cfg(feature = "toml")]
+    pub variant: Option<String>,
     /// Patches, which are made in the descriptions that they are for.
     #[cfg(feature = "patch")]
     pub patches: Vec<std::sync::Arc<Patch>>,
@@ -211,6 +216,8 @@ impl Default for Reading {
             max_size,
             max_entries,
             node_id: None,
+            #[cfg(feature = "toml")]
+            variant: None,
             #[cfg(feature = "patch")]
             patches: Vec::new(),
         }
@@ -291,6 +298,17 @@ pub enum ReadError {
         /// How many.
         count: usize,
     },
+    /// It has no variant of this name.
+    #[cfg(feature = "toml")]
+    #[error("`{name}` has no variant `{variant}`")]
+    NoSuchVariant {
+        /// The file.
+        name: String,
+        /// The variant that is not there.
+        variant: String,
+        /// Those that are.
+        known: Vec<String>,
+    },
     /// It is a file of CANopen that describes no device.
     #[error("`{name}` is read as {} and describes no device", kind.name())]
     NoDevice {
@@ -327,6 +345,14 @@ impl ReadError {
             Self::Named(error) => error.help().map(str::to_owned),
             Self::Foreign { found, .. } => found.advice().map(str::to_owned),
             Self::SeveralDevices { .. } => Some("choose one by its number, counted from 1".to_owned()),
+            #[cfg(feature = "toml")]
+            Self::NoSuchVariant { known, .. } if known.is_empty() => {
+                Some("only a `device.toml` with `[variant.…]` has variants".to_owned())
+            }
+            #[cfg(feature = "toml")]
+            Self::NoSuchVariant { known, .. } => {
+                Some(format!("it has {}", series(known.iter().map(|name| format!("`{name}`")))))
+            }
             Self::NoDevice { .. } => Some("name an EDS or DCF".to_owned()),
             Self::NotPatched { .. } => Some("`objdict patch check` compares patches with files".to_owned()),
             Self::NotBuilt { kind, .. } => {
@@ -364,7 +390,7 @@ impl Reading {
             self.limited_parts(name, "sections", count, source.text().len())?;
         }
         let input = match kind.format() {
-            Some(format) => Input::Description(Box::new(self.described(source, format))),
+            Some(format) => Input::Description(Box::new(self.described(source, format)?)),
             None => self.content(kind, &source)?,
         };
         self.limited(name, &input)?;
@@ -375,12 +401,24 @@ impl Reading {
         Ok((kind, input))
     }
 
-    /// The description of a source, with the patches that are for it.
-    pub(crate) fn described(&self, source: SourceFile, format: Format) -> Description {
+    /// The description of a source, or of the variant that was asked for, with the patches that are for it.
+    ///
+    /// # Errors
+    /// When there is no such variant.
+    pub(crate) fn described(&self, source: SourceFile, format: Format) -> Result<Description, ReadError> {
         let description = super::read(source, format);
+        #[cfg(feature = "toml")]
+        let description = match &self.variant {
+            Some(variant) => {
+                let (name, variant) = (description.source().name().to_owned(), variant.clone());
+                let selected = description.into_variant(&variant);
+                selected.map_err(|known| ReadError::NoSuchVariant { name, variant, known })?
+            }
+            None => description,
+        };
         #[cfg(feature = "patch")]
         let description = super::patch::apply(description, &self.patches);
-        description
+        Ok(description)
     }
 
     /// Refuses a text with too many sections or elements, before they are read: each takes more memory than its text. A

@@ -59,6 +59,7 @@ fn prepare(input: &Path) {
         "concise",
         "diff",
         "bases",
+        "toml",
         "network",
         "rules/patch/expect-not-met",
         "rules/network/link-mismatch",

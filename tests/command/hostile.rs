@@ -107,6 +107,8 @@ const LINES: &[(Kind, &str)] = &[
     (Text, "modules @-coupler.dcf"),
     (Text, "modules @-coupler.dcf --format json"),
     (Text, "modules @.eds"),
+    (Text, "variants @.toml"),
+    (Text, "variants @.eds"),
     (Text, "network check @.toml"),
     (Text, "network check @.toml @.cpj @.eds --format json"),
     (Text, "network build @.toml --target dcf -o @-built"),

@@ -18,6 +18,7 @@ mod conversions;
 mod dbc;
 mod device_profile;
 mod device_toml;
+mod device_variants;
 mod document;
 mod download_plan;
 mod errata;

@@ -113,6 +113,9 @@ pub(in crate::cli) struct ConfigureArgs {
     /// The device to read from a network file (.nxdd, .nxdc), counted from 1
     #[arg(long, value_name = "NUMBER", help_heading = "Input")]
     device: Option<NonZeroUsize>,
+    /// The variant of a `device.toml` to read [default: the device without its variants]
+    #[arg(long, value_name = "NAME", help_heading = "Input")]
+    variant: Option<String>,
     /// Encoding of the input, if it cannot be detected: utf-8, windows-1252, cp850, utf-16le …
     #[arg(long, value_name = "ENCODING", help_heading = "Input")]
     encoding: Option<Encoding>,
@@ -158,10 +161,10 @@ impl ConfigureArgs {
             Some(From::Format(kind)) => Some(kind),
             _ => None,
         };
-        let (device, encoding) = (self.device, self.encoding);
+        let (device, variant, encoding) = (self.device, self.variant.clone(), self.encoding);
         let (max_size, max_entries) = (self.size.max_size, self.entries.max_entries);
         let patches = self.patch.patches.clone();
-        Reading { from, device, encoding, max_size, max_entries, node_id: None, patches }
+        Reading { from, device, variant, encoding, max_size, max_entries, node_id: None, patches }
     }
 }
 
@@ -174,6 +177,14 @@ pub(in crate::cli) struct ModulesArgs {
     pub format: ModulesFormat,
     #[command(flatten)]
     pub input: InputArgs,
+}
+
+#[derive(Debug, clap::Args)]
+pub(in crate::cli) struct VariantsArgs {
+    /// The `device.toml`; `-` is standard input
+    pub file: PathBuf,
+    #[command(flatten)]
+    pub size: SizeArgs,
 }
 
 /// How modules are listed.

@@ -219,6 +219,10 @@ fn devices_in(reading: &Reading, job: &Job, input: Input) -> Result<Vec<Device>,
         Input::Description(description) if reading.device.is_some() => {
             Ok(vec![reading.select(&source_name(&job.input), *description)?.into_device()])
         }
+        // variants are no nodes beside the device
+        Input::Description(description) if description.device_count() == 1 => {
+            Ok(vec![description.into_device()])
+        }
         Input::Description(description) => {
             Ok(description.map_devices(|description| description.device().clone()))
         }

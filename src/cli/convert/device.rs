@@ -45,7 +45,7 @@ pub(super) fn of_description(
     }
     let is_edited = job.to.format().is_some_and(|to| to.syntax() == description.format().syntax());
     refuse_unknown_text(job, &description, is_edited && !args.canonical.is_asked())?;
-    if description.is_project() || description.is_network() {
+    if description.is_project() || description.is_network() || description.is_composed() {
         return of_device(args, job, description.into_device(), !args.no_embed, max_losses);
     }
     let Some(to) = job.to.format().filter(|to| to.syntax() == description.format().syntax()) else {

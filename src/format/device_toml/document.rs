@@ -1,21 +1,58 @@
-//! The text of a device: places in it, and edits of it.
+//! The text of a device: places in it, edits of it, and its variants.
 
-use std::sync::OnceLock;
+use std::path::PathBuf;
+use std::sync::{Arc, OnceLock};
 
+use super::extends::{self, Base};
 use super::places::Places;
-use crate::model::Place;
+use crate::diagnostic::Findings;
+use crate::model::{Device, Place};
 use crate::source::{SourceFile, Span};
 
-/// A text with what finds places in it.
+/// A text, or a variant of it, with what finds places in it.
 #[derive(Debug)]
 pub(in crate::format) struct Document {
-    source: SourceFile,
+    source: Arc<SourceFile>,
+    base: Option<Arc<Base>>,
+    variant: Option<String>,
     places: OnceLock<Places>,
 }
 
 impl Document {
-    pub(in crate::format) fn new(source: SourceFile) -> Self {
-        Self { source, places: OnceLock::new() }
+    /// A text and the device that it describes.
+    pub(in crate::format) fn read(source: SourceFile) -> (Self, Device, Findings) {
+        let mut findings = Findings::new();
+        let base = extends::read(source.text(), source.name(), &mut findings).map(Arc::new);
+        let device = super::read_on(source.text(), base.as_deref(), &mut findings);
+        let source = Arc::new(source);
+        (Self { source, base, variant: None, places: OnceLock::new() }, device, findings)
+    }
+
+    /// The same text as that of a variant, and the device that this describes.
+    pub(in crate::format) fn read_variant(&self, variant: String) -> (Self, Device, Findings) {
+        let (device, findings) = super::read_variant(self.source.text(), self.base.as_deref(), &variant);
+        let (source, base) = (Arc::clone(&self.source), self.base.clone());
+        (Self { source, base, variant: Some(variant), places: OnceLock::new() }, device, findings)
+    }
+
+    /// The names of the variants in the text.
+    pub(in crate::format) fn variants(&self) -> Vec<String> {
+        super::variants_of(self.source.text())
+    }
+
+    /// The variant that it is read as.
+    pub(in crate::format) fn variant(&self) -> Option<&str> {
+        self.variant.as_deref()
+    }
+
+    /// What the text extends, and where it says so.
+    pub(in crate::format) fn extended(&self) -> Option<(&str, Span)> {
+        self.base.as_ref().map(|base| (base.name.as_str(), base.span))
+    }
+
+    /// The files that the text extends, the nearest first.
+    pub(in crate::format) fn extended_files(&self) -> &[PathBuf] {
+        self.base.as_ref().map(|base| &base.files[..]).unwrap_or_default()
     }
 
     pub(in crate::format) fn source(&self) -> &SourceFile {
@@ -23,7 +60,11 @@ impl Document {
     }
 
     pub(super) fn places(&self) -> &Places {
-        self.places.get_or_init(|| Places::new(self.source.text()))
+        self.places.get_or_init(|| {
+            let tree =
+                super::merged(self.source.text(), self.base.as_deref(), self.variant(), &mut Findings::new());
+            tree.map(|merged| Places::new(&merged.tree)).unwrap_or_default()
+        })
     }
 
     /// The span of a place of the model.

@@ -23,9 +23,29 @@ pub(super) fn root() -> &'static [Key] {
 }
 
 static ROOT: LazyLock<Vec<Key>> = LazyLock::new(|| {
+    let format =
+        key("format", Shape::Word(&[FORMAT]), "The format and its version. It is the first key of the file.");
+    let extends = key(
+        "extends",
+        Shape::Text,
+        "The file whose device this one is, but for what this file says otherwise.",
+    );
+    let variant = key(
+        "variant",
+        Shape::Named(variant_keys()),
+        "The variants of the device by name, each with the keys of this table that are different in it.",
+    );
+    [&[format, extends], variant_keys(), &[variant]].concat()
+});
+
+/// The keys of a variant, which are those of the file but for the variants themselves.
+pub(super) fn variant_keys() -> &'static [Key] {
+    &VARIANT
+}
+
+static VARIANT: LazyLock<Vec<Key>> = LazyLock::new(|| {
     let features = Shape::Map(features());
     vec![
-        key("format", Shape::Word(&[FORMAT]), "The format and its version. It is the first key of the file."),
         key(
             "profile",
             Shape::Text,
@@ -39,7 +59,7 @@ static ROOT: LazyLock<Vec<Key>> = LazyLock::new(|| {
         key(
             "remove",
             Shape::Foreign,
-            "Objects and entries of the profile that the device does not have: a list of addresses such as `1006` or `1018:4`, or a table of them with the reasons.",
+            "Objects and entries of the profile that the device does not have: a list of addresses such as `1006` or `1018:4`, or a table of them with the reasons. In a variant also those of the file.",
         ),
         key(
             "kind",

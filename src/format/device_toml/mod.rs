@@ -3,10 +3,12 @@
 mod defaults;
 mod document;
 pub(super) mod edits;
+mod extends;
 mod facts;
 pub(in crate::format) mod keys;
 mod lists;
 mod meaning;
+mod merge;
 mod objects;
 mod pdos;
 mod places;
@@ -16,12 +18,15 @@ mod reader;
 mod schema;
 mod start;
 mod usual;
+mod variants;
 mod words;
 mod writer;
 
 use self::defaults::Defaults;
 pub(super) use self::document::Document;
+use self::extends::Base;
 use self::keys::{DEVICE, FILE, LISTS, NODE};
+use self::merge::Merged;
 use self::profile::ProfileSaid;
 use self::reader::Reader;
 pub(super) use self::schema::schema;
@@ -38,23 +43,58 @@ use crate::model::{
 use crate::scaffold;
 use crate::source::EditError;
 
-/// The device of a text.
+/// The device of a text that extends nothing.
 pub(super) fn read(text: &str) -> (Device, Findings) {
     let mut findings = Findings::new();
-    let tree = toml::read(text, &mut findings);
-    let device = tree.map_or_else(Device::default, |tree| of_tree(&tree, &mut findings));
+    let device = read_on(text, None, &mut findings);
     (device, findings)
 }
 
+/// The device of a text on top of what it extends.
+fn read_on(text: &str, base: Option<&Base>, findings: &mut Findings) -> Device {
+    let merged = merged(text, base, None, findings);
+    merged.map_or_else(Device::default, |merged| of_tree(&merged, findings))
+}
+
+/// The device of a variant in a text.
+fn read_variant(text: &str, base: Option<&Base>, variant: &str) -> (Device, Findings) {
+    let mut findings = Findings::new();
+    let Some(merged) = merged(text, base, Some(variant), &mut findings) else {
+        return (Device::default(), findings);
+    };
+    let mut device = of_tree(&merged, &mut findings);
+    variants::name_file(&merged.tree, variant, &mut device);
+    (device, findings)
+}
+
+/// The tree of a text, or of a variant in it, on top of what the text extends.
+fn merged(text: &str, base: Option<&Base>, variant: Option<&str>, findings: &mut Findings) -> Option<Merged> {
+    let tree = toml::read(text, findings)?;
+    let own = match base {
+        None => Merged::new(tree),
+        Some(base) => base.merged.clone().with(&tree),
+    };
+    Some(match variant {
+        None => own,
+        Some(variant) => variants::merged(own, variant, findings),
+    })
+}
+
+/// The names of the variants in a text.
+fn variants_of(text: &str) -> Vec<String> {
+    toml::read(text, &mut Findings::new()).map(|tree| variants::names(&tree)).unwrap_or_default()
+}
+
 /// The device of a tree.
-fn of_tree(tree: &Tree, findings: &mut Findings) -> Device {
-    let Some(root) = Section::new("device.toml", tree, keys::root(), findings) else {
+fn of_tree(merged: &Merged, findings: &mut Findings) -> Device {
+    let Some(root) = Section::new("device.toml", &merged.tree, keys::root(), findings) else {
         return Device::default();
     };
     if let Some(format) = root.required("device.toml", "format", findings).and(root.word("format", findings))
     {
         debug_assert_eq!(format.value, keys::FORMAT);
     }
+    variants::check(&root, findings);
     let base = profile::read(&root, findings);
     let info = base.as_ref().and_then(|base| base.device_info.clone());
     let mut device = base.unwrap_or_default();
@@ -63,7 +103,7 @@ fn of_tree(tree: &Tree, findings: &mut Findings) -> Device {
     if info.is_some() {
         scaffold::identify(&mut device);
     }
-    profile::remove(&root, &mut device, findings);
+    profile::remove(&root, &merged.taken, &mut device, findings);
     read_objects(&root, &mut device, findings);
     count_pdos(&root, &mut device);
     device.lists = read_lists(&root, &device, findings);

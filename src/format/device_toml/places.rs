@@ -3,8 +3,6 @@
 use std::collections::BTreeMap;
 
 use super::words::{index, subs};
-use crate::diagnostic::Findings;
-use crate::format::keyed::toml;
 use crate::format::keyed::tree::Tree;
 use crate::model::{Field, Part, Place};
 use crate::source::Span;
@@ -32,11 +30,9 @@ pub(super) struct Places {
 }
 
 impl Places {
-    pub(super) fn new(text: &str) -> Self {
+    pub(super) fn new(tree: &Tree) -> Self {
         let mut places = Self::default();
-        if let Some(tree) = toml::read(text, &mut Findings::new()) {
-            places.add(&tree, &mut Vec::new());
-        }
+        places.add(tree, &mut Vec::new());
         places
     }
 

@@ -1,5 +1,7 @@
 //! The profile of a device: everything that it demands, before the device says what is different.
 
+use std::collections::BTreeSet;
+
 use serde_json::Value;
 
 use super::facts::{self, Implied};
@@ -133,13 +135,18 @@ pub(super) fn implied_granularity(of_profile: Option<u8>, pdo_counts: [u16; 2]) 
     if of_profile == Some(0) && pdo_counts != [0, 0] { Some(8) } else { of_profile }
 }
 
-/// Removes what the device does not have.
-pub(super) fn remove(root: &Section<'_>, device: &mut Device, findings: &mut Findings) {
+/// Removes what the device does not have; some of it may be taken away already, and the profile need not bring that.
+pub(super) fn remove(
+    root: &Section<'_>,
+    taken: &BTreeSet<String>,
+    device: &mut Device,
+    findings: &mut Findings,
+) {
     let Some(tree) = root.get("remove") else { return };
     let mut take =
         |at: &Tree| {
             let text = at.spelled();
-            if !take_away(&text, device) {
+            if !take_away(&text, device) && !taken.contains(&text.to_ascii_uppercase()) {
                 let message = say!("`{}` cannot be removed: the profile does not bring it", text);
                 let finding = Diagnostic::new(&WRONG_TYPE, at.span, message);
                 findings.push(finding.help(
