@@ -18,8 +18,12 @@ fn check(configured: &Configured<'_>, findings: &mut Findings) {
         let Some((is, original)) = pair.entry.access.zip(pair.original.access) else { continue };
         let is_written = |access| !matches!(access, Access::Ro | Access::Const);
         if is != original && (is_written(is) || is_written(original)) {
-            let message =
-                say!("{} has access type `{}`, but `{}` in the {EDS}", pair.name(), is.name(), original.name());
+            let message = say!(
+                "{} has access type `{}`, but `{}` in the {EDS}",
+                pair.name(),
+                is.name(),
+                original.name()
+            );
             let finding = configured.finding(&RULE.info, &pair, Field::AccessType, message);
             findings.push(finding.help(say!("write the access type of the {EDS}")));
         }
