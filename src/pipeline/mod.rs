@@ -161,6 +161,10 @@ pub(crate) struct Generation {
 impl Request {
     /// Reads and checks the bytes of the description, which reports call `name`. The other files that are read for it go
     /// to `files`, whatever becomes of it.
+    #[cfg_attr(
+        not(feature = "lint"),
+        expect(clippy::ptr_arg, unused_variables, reason = "configuration and profiles join it")
+    )]
     pub(crate) fn check(
         &self,
         name: &str,
@@ -178,6 +182,7 @@ impl Request {
             #[cfg(feature = "json")]
             (kind, _) => return Err(ReadError::NoDevice { name: name.to_owned(), kind }.into()),
         };
+        #[cfg(feature = "toml")]
         if let Described::Text(description) = &described {
             files.extend_from_slice(description.extended_files());
         }
