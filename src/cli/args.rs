@@ -19,7 +19,7 @@ use clap::{Parser, Subcommand, ValueEnum};
 use clap_complete::Shell;
 use objdict_node::ObjectName;
 
-pub(super) use self::configure::{ConfigureArgs, ModulesArgs, ModulesFormat, VariantsArgs};
+pub(super) use self::configure::{ConfigureArgs, ModulesArgs, ModulesFormat, VariantsArgs, VariantsFormat};
 pub(super) use self::convert::ConvertArgs;
 pub(super) use self::dcf::indexes;
 pub(super) use self::dcf::{
@@ -152,7 +152,7 @@ pub(super) enum Command {
     Dcf(DcfArgs),
     /// Create the description of a new device
     ///
-    /// Profiles: 301 (communication objects only), 401 (inputs and outputs), 406 (encoder). The file has the objects that the profile
+    /// Profiles: 301 (communication objects only), 401 (inputs and outputs), 402 (drive), 404 (measuring device), 406 (encoder). The file has the objects that the profile
     /// requires and passes `objdict check`; add your own objects from 2000h on.
     New(NewArgs),
     /// List device profiles and show their requirements

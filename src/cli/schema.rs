@@ -53,6 +53,7 @@ documents! {
     "losses" super::convert::LossDocument<'_>: "The losses of conversions: `objdict convert --loss-report`.",
     "sizes" super::sizes::Document<'_>: "The sizes of tables: `objdict generate --report size --format json`.",
     "tables" super::generate::TableDifferences<'_>: "Existing tables beside generated ones: `objdict generate --compare OD.h --format json`.",
+    "variants" super::variants::Document: "The variants of a `device.toml`: `objdict variants --format json`.",
     "network" super::network::ShowDocument<'_>: "A network: `objdict network show --format json`.",
     "boot" super::network::BootDocument<'_>: "A simulated boot: `objdict network boot --format json`.",
     "conformance" super::conformance::Document<'_>: "What a node does of CiA 301: `objdict conformance --format json`.",

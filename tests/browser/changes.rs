@@ -1,4 +1,4 @@
-//! The page of `objdict diff`: both sides, drawings of PDOs, the filter.
+//! The pages of `objdict diff` and `objdict variants`: both sides, drawings of PDOs, the filter; the table.
 
 use crate::page::Page;
 
@@ -58,4 +58,12 @@ fn pdos_are_drawn_before_and_after_beside_each_other() {
     page.resize(360, 800);
     assert!(top("old") < top("new"));
     assert!(page.is("document.documentElement.scrollWidth <= innerWidth"));
+}
+
+#[test]
+fn variants_are_rows_of_a_table() {
+    let Some(page) = Page::printed("variants", &["toml/family.toml"]) else { return };
+    let names = "[...document.querySelectorAll('tbody tr')].map(row => row.cells[0].textContent)";
+    assert_eq!(page.texts(names), ["", "io8", "io8-fast"]);
+    assert_eq!(page.text("document.querySelector('h1').textContent"), "IO module");
 }

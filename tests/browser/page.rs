@@ -44,12 +44,17 @@ impl Page {
 
     /// The page of what changes between two fixtures.
     pub(crate) fn of_changes(old: &str, new: &str) -> Option<Self> {
+        Self::printed("diff", &[old, new])
+    }
+
+    /// The page that a command prints about fixtures.
+    pub(crate) fn printed(command: &str, names: &[&str]) -> Option<Self> {
         let tab = Tab::new()?;
         let folder = tempfile::tempdir().unwrap();
         let path = folder.path().join("page.html");
-        let [old, new] = [old, new].map(|name| fixtures().join(name));
-        let mut command = Command::new(env!("CARGO_BIN_EXE_objdict"));
-        let output = command.args(["diff", "--format", "html"]).args([old, new]).output().unwrap();
+        let paths = names.iter().map(|name| fixtures().join(name));
+        let mut program = Command::new(env!("CARGO_BIN_EXE_objdict"));
+        let output = program.args([command, "--format", "html"]).args(paths).output().unwrap();
         std::fs::write(&path, output.stdout).unwrap();
         tab.open(&path, "");
         Some(Self { tab, path, _folder: folder })

@@ -36,6 +36,7 @@ mod states;
 mod subject;
 mod text_width;
 mod texts;
+mod variants;
 mod write;
 
 pub use self::changes::{ChangeEffect, ChangeRow, ChangedDevice, ChangesPage};
@@ -45,6 +46,7 @@ pub use self::network::SiteNetwork;
 pub use self::options::Options;
 pub use self::site::{Site, SiteFile};
 pub use self::subject::{CodeName, Identifiers, Subject};
+pub use self::variants::VariantsPage;
 pub use self::write::write;
 use objdict_model::{Language, diagnostic, model, source};
 use objdict_profile as profile;

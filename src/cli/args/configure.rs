@@ -183,8 +183,22 @@ pub(in crate::cli) struct ModulesArgs {
 pub(in crate::cli) struct VariantsArgs {
     /// The `device.toml`; `-` is standard input
     pub file: PathBuf,
+    /// Output format
+    #[arg(long, value_enum, default_value = "text")]
+    pub format: VariantsFormat,
     #[command(flatten)]
     pub size: SizeArgs,
+}
+
+/// How variants are shown.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
+pub(in crate::cli) enum VariantsFormat {
+    /// A table
+    Text,
+    /// For programs: one JSON document (docs/json.md)
+    Json,
+    /// A page with the table
+    Html,
 }
 
 /// How modules are listed.

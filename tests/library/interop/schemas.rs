@@ -43,6 +43,7 @@ const DOCUMENTS: &[(&str, &str)] = &[
         "tables",
         "generate FIXTURES/eds/minimal.eds --target canopennode --compare FIXTURES/canopennode --format json",
     ),
+    ("variants", "variants FIXTURES/toml/family.toml --format json"),
     ("network", "network show FIXTURES/network/cell.yml --format json"),
     ("network", "network show FIXTURES/network/line.toml --format json"),
     (
