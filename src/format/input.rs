@@ -425,6 +425,9 @@ impl Reading {
             if size > limit {
                 return Err(SourceError::TooLarge { path, size, limit }.into());
             }
+            // the parser has a kilobyte for each table, and a key with a point is one too
+            let tables = memchr::memchr3_iter(b'{', b'[', b'.', source.text().as_bytes()).count();
+            self.limited_parts(name, "tables", tables, source.text().len())?;
         }
         if is_xml {
             self.limited_parts(name, "elements", start_tags(source.text()), source.text().len())?;

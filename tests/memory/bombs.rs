@@ -258,11 +258,12 @@ fn others() -> Vec<Bomb> {
             json("\"objects\":{", |number| format!("\"0x{:04X}\":{{}},", index(number)), "\"0xA000\":{}}"),
         ),
         bomb("objects.toml", Kind::File, |bytes| {
-            let line = |number| format!("{:04X}={{}}\n", number % 0xFFFF);
+            let line = |number| format!("{:04X}={{}} # as short as is read\n", number % 0xFFFF);
             repeated("format=\"objdict-device/1\"\n[object]\n", line, "", bytes)
         }),
         bomb("ranges.toml", Kind::File, |bytes| {
-            let line = |number| format!("{:04X}.sub.0-FE={{}}\n", number % 0xFFFF);
+            let line =
+                |number| format!("{:04X}.sub.0-FE={{}} # {:60}\n", number % 0xFFFF, "as short as is read");
             repeated("format=\"objdict-device/1\"\n[object]\n", line, "", bytes)
         }),
         bomb("raw.toml", Kind::File, |bytes| {

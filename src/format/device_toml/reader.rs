@@ -27,7 +27,7 @@ pub(super) struct Reader<'f> {
 }
 
 /// So many entries may be in ranges: a few bytes of a text make an object of them. Real devices have a few thousand.
-const MAX_RANGED: usize = 100_000;
+const MAX_RANGED: usize = 15_000;
 
 impl Reader<'_> {
     /// Reads `[defaults]`.

@@ -34,11 +34,12 @@ pub(in crate::format) fn read(text: &str, findings: &mut Findings) -> Option<Tre
         };
         findings.push(Diagnostic::new(rule, span, message).help(help));
     }
-    errors.is_empty().then(|| Tree::new(Span::empty(0), map(table.get_ref())))
+    errors.is_empty().then(|| Tree::new(Span::empty(0), map(table.into_inner())))
 }
 
-fn map(table: &DeTable<'_>) -> Kind {
-    let entries = table.iter().map(|(key, value)| Entry { key: key_of(key), value: tree(value) });
+/// The parts of the parser's table are given up one by one, so that not all of a text is in memory twice.
+fn map(table: DeTable<'_>) -> Kind {
+    let entries = table.into_iter().map(|(key, value)| Entry { key: key_of(&key), value: tree(value) });
     let mut entries: Vec<Entry> = entries.collect();
     entries.sort_by_key(|entry| entry.key.span.start);
     Kind::Map(entries)
@@ -53,17 +54,18 @@ fn key_of(key: &Spanned<std::borrow::Cow<'_, str>>) -> Tree {
     Tree::new(span_of(&key.span()), kind.unwrap_or_else(|| Kind::Text(text.to_owned())))
 }
 
-fn tree(value: &Spanned<DeValue<'_>>) -> Tree {
-    let kind = match value.get_ref() {
-        DeValue::String(text) => Kind::Text(text.to_string()),
-        DeValue::Integer(number) => integer(number),
+fn tree(value: Spanned<DeValue<'_>>) -> Tree {
+    let span = span_of(&value.span());
+    let kind = match value.into_inner() {
+        DeValue::String(text) => Kind::Text(text.into_owned()),
+        DeValue::Integer(number) => integer(&number),
         DeValue::Float(number) => Kind::Float(number.as_str().parse().unwrap_or(f64::NAN)),
-        DeValue::Boolean(flag) => Kind::Bool(*flag),
+        DeValue::Boolean(flag) => Kind::Bool(flag),
         DeValue::Datetime(time) => Kind::Text(time.to_string()),
-        DeValue::Array(items) => Kind::List(items.iter().map(tree).collect()),
+        DeValue::Array(items) => Kind::List(items.into_iter().map(tree).collect()),
         DeValue::Table(table) => map(table),
     };
-    Tree::new(span_of(&value.span()), kind)
+    Tree::new(span, kind)
 }
 
 fn integer(number: &DeInteger<'_>) -> Kind {
