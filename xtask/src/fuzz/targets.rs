@@ -334,7 +334,7 @@ fn toml(bytes: &[u8]) {
     Config::read(SourceFile::from_text("objdict.toml", text), ".");
     let patch = Arc::new(Patch::read(SourceFile::from_text("fuzzed.patch.toml", text)));
     let patched = patch::apply(original(Format::Eds), &[patch]);
-    let _ = (patched.patched().map(|patched| patched.lines()), patched.realised());
+    let _ = (patched.patched().map(objdict::format::patch::Patched::lines), patched.realised());
 }
 
 /// A healthy device.
