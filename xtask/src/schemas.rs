@@ -75,6 +75,10 @@ fn every_field_is_described() {
     let mut found = Vec::new();
     for (name, schema) in objdict::cli::schemas() {
         let version = &schema["properties"]["version"]["const"];
+        // people write it: its version is in the key `format`, and its tables of keys describe it
+        if name == "patch" {
+            continue;
+        }
         assert_eq!(schema["$id"], format!("urn:objdict:{name}:{version}"));
         undescribed(&schema, name, false, &mut found);
     }
