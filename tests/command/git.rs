@@ -71,7 +71,7 @@ fn the_old_description_is_that_of_a_revision() {
         (["HEAD", "new.eds"], "git has no file `new.eds` at `HEAD`"),
         (["origin/main", "devices/drive.eds"], "git has no revision `origin/main`"),
         (["HEAD~1", "devices/drive.eds"], "git has no revision `HEAD~1`"),
-        (["HEAD", "-"], "`<stdin>` is no file of a git repository"),
+        (["HEAD", "-"], "`<stdin>` is not a file of a git repository"),
     ] {
         let (text, code) = said(folder, &["diff", "--git", arguments[0], arguments[1]]);
         assert_eq!((text.lines().next(), code), (Some(&*format!("error: {error}")), 2), "{text}");

@@ -230,7 +230,7 @@ fn what_cannot_be_extended_is_a_finding_at_the_key() {
         "`a.eds` cannot be extended: it is no `device.toml`",
         "`bad.toml` cannot be extended: ",
         "more than 16 files extend each other",
-        "`u17` is no data type",
+        "`u17` is not a data type",
     ]) {
         fs::write(folder.path().join("near.toml"), text).unwrap();
         let read = open(&folder, "near.toml");

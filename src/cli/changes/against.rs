@@ -8,9 +8,11 @@ use crate::cli::dcf::{Content, content};
 use crate::cli::input::{ExpandArgs, name_of};
 use crate::cli::outcome::Failure;
 use crate::download::{ConciseDcf, Objection, PlanOptions};
+use crate::format::identify::{ContentKind, identify_source};
 use crate::format::network::NetworkFile;
 use crate::lint::changes::{DeviceChange, configuration_refused};
 use crate::model::Device;
+use crate::source::{SourceFile, SourceOptions};
 
 /// A stored configuration.
 struct Stored {
@@ -25,11 +27,21 @@ pub(super) fn refused(args: &DiffArgs, [old, new]: [&Device; 2]) -> Result<Vec<D
     let Some(path) = &args.against else { return Ok(Vec::new()) };
     let expand = ExpandArgs { implicit_pdos: true };
     let (old, new) = (expand.device(old), expand.device(new));
-    let all = match NetworkFile::is_network(path).map_err(Failure::new)? {
+    let all = match is_network(path) {
         true => of_network(args, path, &old)?,
         false => vec![of_node(args, path, [&old, &new])?],
     };
     Ok(all.iter().flat_map(|stored| stored.refused(&old, &new)).collect())
+}
+
+/// Whether a file is plainly a network. Hex digits of a concise DCF have no mark, and a file that cannot be opened is reported where it
+/// is read.
+fn is_network(path: &Path) -> bool {
+    let source = SourceFile::open(path, &SourceOptions::default()).ok();
+    source.is_some_and(|source| {
+        let kind = identify_source(&source).kind;
+        matches!(kind, ContentKind::Network | ContentKind::BusConfiguration | ContentKind::NodeList)
+    })
 }
 
 impl Stored {

@@ -14,7 +14,7 @@ use crate::source;
 pub(super) fn read(revision: &str, path: &Path, max_size: u64) -> Result<Vec<u8>, Failure> {
     let name = path.file_name().filter(|_| path != Path::new("-"));
     let name =
-        name.ok_or_else(|| Failure::new(format!("`{}` is no file of a git repository", name_of(path))))?;
+        name.ok_or_else(|| Failure::new(format!("`{}` is not a file of a git repository", name_of(path))))?;
     // git would take it as an option
     if revision.starts_with('-') {
         return Err(Failure::new(format!("`{revision}` is no revision of a git repository")));

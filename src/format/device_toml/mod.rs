@@ -189,7 +189,7 @@ fn frame(root: &Section<'_>, device: &mut Device, base: Option<&DeviceInfo>, fin
         match lists::dummies(&dummies.value) {
             Ok(types) => device.dummy_usage = Some(DummyUsage { types, ..DummyUsage::default() }),
             Err(word) => {
-                let finding = Diagnostic::new(&WRONG_TYPE, dummies.at, say!("`{}` is no data type", word));
+                let finding = Diagnostic::new(&WRONG_TYPE, dummies.at, say!("`{}` is not a data type", word));
                 findings.push(finding.help("write words of data types, as in `u8 u16 u32`"));
             }
         }
@@ -235,7 +235,7 @@ fn read_lists(root: &Section<'_>, device: &Device, findings: &mut Findings) -> O
         match words::indexes(&text.value) {
             Ok(indexes) => *read.get_mut(list) = Some(indexes),
             Err(word) => {
-                let finding = Diagnostic::new(&WRONG_TYPE, text.at, say!("`{}` is no index", word));
+                let finding = Diagnostic::new(&WRONG_TYPE, text.at, say!("`{}` is not an index", word));
                 findings.push(finding.help("write indexes of four hex digits, as in `1000-1001 1018`"));
             }
         }

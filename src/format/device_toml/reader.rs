@@ -278,7 +278,7 @@ impl Reader<'_> {
     }
 
     fn no_type(&mut self, word: &str, span: crate::source::Span) {
-        let finding = Diagnostic::new(&WRONG_TYPE, span, say!("`{}` is no data type", word));
+        let finding = Diagnostic::new(&WRONG_TYPE, span, say!("`{}` is not a data type", word));
         self.findings.push(match nearest(word, type_words()) {
             Some(meant) => finding.help(say!("did you mean `{}`?", meant)),
             None => finding.help("write a word such as `u16`, or the index of a definition as `0x0023`"),
@@ -395,7 +395,7 @@ impl Reader<'_> {
         if value.is_none() {
             let word = data_type.map_or("missing".to_owned(), super::words::type_word);
             let message =
-                say!("`{}` is `{}`, which is no value of the type `{}`", name, tree.spelled(), word);
+                say!("`{}` is `{}`, which is not a value of the type `{}`", name, tree.spelled(), word);
             let finding = Diagnostic::new(&WRONG_TYPE, tree.span, message);
             self.findings.push(finding.help("write a value of its data type, or correct `type`"));
         }
@@ -404,7 +404,7 @@ impl Reader<'_> {
 
     pub(super) fn index_list(&mut self, text: &str, span: crate::source::Span) -> Vec<u16> {
         indexes(text).unwrap_or_else(|word| {
-            let finding = Diagnostic::new(&WRONG_TYPE, span, say!("`{}` is no index", word));
+            let finding = Diagnostic::new(&WRONG_TYPE, span, say!("`{}` is not an index", word));
             self.findings.push(finding.help("write indexes of four hex digits, as in `1000-1001 1018`"));
             Vec::new()
         })

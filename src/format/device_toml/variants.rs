@@ -28,7 +28,7 @@ fn is_name(name: &str) -> bool {
 pub(super) fn check(root: &Section<'_>, findings: &mut Findings) {
     let entries = root.named("variant", findings);
     for Entry { key, .. } in entries.iter().filter(|entry| !is_name(&entry.key.spelled())) {
-        let message = say!("`{}` is no name of a variant", key.spelled());
+        let message = say!("`{}` is not a name for a variant", key.spelled());
         let finding = Diagnostic::new(&WRONG_TYPE, key.span, message);
         findings.push(finding.help("write a name of letters and digits, `-`, `_` and `.`"));
     }

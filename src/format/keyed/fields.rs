@@ -52,7 +52,7 @@ fn is_single(object: &Object, sub: u8) -> bool {
     is_value && !object.object_type().has_subs() && object.subs.get(0).is_none()
 }
 
-/// What a field says; `None` for one that says nothing.
+/// What a field says; `None` for one that is not stated.
 pub(in crate::format) fn get(device: &Device, part: &Part, word: &str) -> Option<Kind> {
     if let Some(facts) = facts_of(part) {
         let (_, path) = facts.iter().find(|(key, _)| key.eq_ignore_ascii_case(word))?;

@@ -298,7 +298,7 @@ impl<'t> Section<'t> {
             return Some(text);
         }
         let message = say!("`{}` is not a value of `{}`", text.value, name);
-        let help = say!("write {}", listing(words.iter().map(|word| format!("`{word}`"))));
+        let help = say!("write {}", listing(words.iter().copied()));
         findings.push(Diagnostic::new(&WRONG_TYPE, text.at, message).help(help));
         None
     }

@@ -271,7 +271,7 @@ fn expect(device: &Device, part: &Part, words: &Words) -> Result<(), Problem> {
             Some(found) => {
                 say!("the vendor changed `{}` of `{}`: `{}` → `{}`", word, name, expected, shown(&found))
             }
-            None => say!("`{}` says nothing about `{}`, which was `{}`", name, word, expected),
+            None => say!("`{}` does not state `{}`, which was `{}`", name, word, expected),
         }));
     }
     for word in &words.absent {

@@ -35,7 +35,7 @@ pub(super) const CHANGE: &[Key] = &[
         Shape::Map(FIELDS),
         "What the file says now. Anything else is an error: the vendor changed it.",
     ),
-    key("absent", Shape::Texts, "Fields about which the file says nothing now."),
+    key("absent", Shape::Texts, "Fields that the file does not state now."),
     key("set", Shape::Map(FIELDS), "What the fields become."),
     key("unset", Shape::Texts, "Fields that are removed."),
     key("add", Shape::Map(FIELDS), "An object or entry that is missing, with its fields."),
@@ -47,7 +47,11 @@ pub(super) const CHANGE: &[Key] = &[
 
 pub(super) const RAW: &[Key] = &[
     key("path", Shape::Text, "A JSON pointer into the JSON of the device (docs/json.md)."),
-    key("expect", Shape::Text, "The JSON of what the file says now; without it, it says nothing there."),
+    key(
+        "expect",
+        Shape::Text,
+        "The JSON of what the file says now; without it, the file states nothing there.",
+    ),
     key("set", Shape::Text, "The JSON of what it becomes; without it, what is there is removed."),
     key("reason", Shape::Text, REASON),
     key("source", Shape::Text, SOURCE),

@@ -13,7 +13,7 @@ text_rules! {
 
     EXPECT_NOT_MET = "patch/expect-not-met", Error;
     summary: "the file does not say what a patch expects",
-    checks: "Whether the file says what `expect` states, says nothing about the fields of `absent`, and has the objects and entries that are changed.",
+    checks: "Whether the file says what `expect` states, does not state the fields of `absent`, and has the objects and entries that are changed.",
     why: "The vendor changed the file, or it is another one. The correction may be wrong there, or no longer needed.",
     example: "`expect = { type = \"u8\" }` where the file says UNSIGNED16",
     remedy: "Compare the patch with the new file, and correct `expect` or remove the change.",

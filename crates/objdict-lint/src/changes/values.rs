@@ -4,7 +4,7 @@ use std::cmp::Ordering;
 
 use crate::model::{DataType, Entry, Value};
 
-/// The order of two numbers; `None` if one is no number. A formula is ordered among formulas.
+/// The order of two numbers; `None` if one is not a number. A formula is ordered among formulas.
 fn order(a: &Value, b: &Value) -> Option<Ordering> {
     match (a, b) {
         (Value::NodeId(a), Value::NodeId(b)) => return Some(a.cmp(b)),

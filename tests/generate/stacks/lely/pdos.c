@@ -27,7 +27,7 @@ static int take(const struct can_msg *msg, void *data)
     return 0;
 }
 
-/* The values are zeros, so limits may refuse them: that says nothing of the PDO. */
+/* The values are zeros, so limits may refuse them, which is no fault of the PDO. */
 static void received(co_rpdo_t *pdo, co_unsigned32_t ac, const void *bytes, size_t size, void *data)
 {
     (void)pdo;
