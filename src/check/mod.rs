@@ -60,11 +60,7 @@ pub fn check_with(description: &Description, options: &Options) -> Findings {
     } else {
         findings
     };
-    let findings = if description.format() == Format::Toml {
-        findings.filter_map(|finding| (finding.rule.id != NOT_OF_TOML).then_some(finding))
-    } else {
-        findings
-    };
+    let findings = if description.format() == Format::Toml { findings.filter_map(of_toml) } else { findings };
     let findings = lint::without_disabled(description.device(), findings);
     let mut findings = options.severities.apply(findings);
     let about_comments = suppression::apply(description, options, &mut findings);
@@ -102,6 +98,13 @@ const NOT_OF_OBJDICTGEN: [&str; 3] =
 
 /// Who made a file and when is in the version control of a source, and in the files that are made of it.
 const NOT_OF_TOML: &str = "cia306/missing-file-info-key";
+
+/// A finding in the words of `device.toml`; `None` for one that a source does not need.
+fn of_toml(finding: Diagnostic) -> Option<Diagnostic> {
+    #[cfg(feature = "toml")]
+    let finding = finding.in_words(crate::format::device_toml::wording::words);
+    (finding.rule.id != NOT_OF_TOML).then_some(finding)
+}
 
 /// Whether the text is a project of objdictgen.
 fn is_of_objdictgen(description: &Description) -> bool {

@@ -8,7 +8,7 @@ mod configured;
 mod convert;
 mod description;
 #[cfg(feature = "toml")]
-mod device_toml;
+pub(crate) mod device_toml;
 #[cfg(all(feature = "json", feature = "xdd"))]
 mod dialect;
 #[cfg(all(feature = "json", feature = "xdd"))]

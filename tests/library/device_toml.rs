@@ -118,7 +118,10 @@ fn places_of_the_model_are_places_in_the_text() {
         (Place::of(Part::DeviceInfo).field(Field::VendorNumber), "0x3F9"),
         (Place::object(0x2003).field(Field::DataType), "\"i16\""),
         // of the profile
-        (Place::object(0x6041).field(Field::AccessType), "object"),
+        (Place::object(0x6041).field(Field::AccessType), "\"402@1\""),
+        // of a PDO
+        (Place::entry(0x1800, 3), "\"5ms\""),
+        (Place::entry(0x1A01, 2).field(Field::DefaultValue), "[\"2002\", \"2003\"]"),
     ] {
         assert_eq!(description.locate(&place).map(|span| span.of(text)), Some(marked), "{place}");
     }

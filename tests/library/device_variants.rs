@@ -2,7 +2,9 @@
 
 use std::fs;
 
+use objdict::diagnostic::Severity;
 use objdict::format::input::{Input, Reading};
+use objdict::format::network::{NetworkFile, PathOptions};
 use objdict::format::{self, Description, Format, ReadError};
 use objdict::model::{Device, Place, Value};
 use objdict::source::{SourceFile, SourceOptions};
@@ -251,4 +253,52 @@ fn what_cannot_be_extended_is_a_finding_at_the_key() {
         unnamed.findings().iter().next().unwrap().message.shown(),
         "it is unknown where `one.toml` is"
     );
+}
+
+#[test]
+fn each_variant_has_a_product_code_of_its_own() {
+    let shared = |text: &str| -> Vec<String> {
+        let findings = objdict::check(&read(text));
+        let found = findings.iter().filter(|finding| finding.rule.id == "keys/shared-product-code");
+        found.map(|finding| finding.message.to_string()).collect()
+    };
+    assert!(shared(FAMILY).is_empty());
+    let same = FAMILY.replace("product-number = 0x1618", "product-number = 0x1608");
+    assert_eq!(shared(&same), ["variant `io8-fast` has the product code of variant `io8`: `0x1608`"]);
+    let none = FAMILY.replace("product-number = 0x1608\n", "");
+    assert_eq!(
+        shared(&none),
+        ["variant `io8` has the product code of the device without variants: `0x1610`"]
+    );
+}
+
+/// A node of a network is a variant when its name follows the path, in TOML and in the YAML of dcf-tools.
+#[test]
+fn nodes_are_variants() {
+    let folder = crate::network::new_folder("variants-of-nodes");
+    fs::write(folder.join("family.toml"), FAMILY).unwrap();
+    let more = "format = \"objdict-device/1\"\nextends = \"family.toml\"\n\
+                [variant.more]\ndevice.product-number = 0x1618\n";
+    fs::write(folder.join("more.toml"), more).unwrap();
+    let nodes = "[node.big]\nfile = \"family.toml\"\nid = 1\n\
+                 [node.small]\nfile = \"family.toml#io8\"\nid = 2\n\
+                 [node.more]\nfile = \"more.toml#more\"\nid = 3\n";
+    fs::write(folder.join("network.toml"), nodes).unwrap();
+    let yaml = "master:\n  dcf: family.toml\n  node_id: 9\nbig:\n  dcf: family.toml\n  node_id: 1\nsmall:\n  dcf: family.toml#io8\n  node_id: 2\n\
+                more:\n  dcf: more.toml#more\n  node_id: 3\n";
+    fs::write(folder.join("bus.yml"), yaml).unwrap();
+    for name in ["network.toml", "bus.yml"] {
+        let network = NetworkFile::open(&folder.join(name), &PathOptions::default()).unwrap();
+        let findings = network.check();
+        let errors = findings.iter().filter(|finding| finding.severity == Severity::Error);
+        let errors: Vec<String> = errors.map(|finding| finding.message.to_string()).collect();
+        assert!(errors.is_empty(), "{name}: {errors:?}");
+        let nodes = &network.network().unwrap().nodes;
+        let codes: Vec<_> = nodes.iter().map(|node| product(&node.device).0).collect();
+        assert_eq!(codes, [Some(0x1610), Some(0x1608), Some(0x1618)], "{name}");
+    }
+    fs::write(folder.join("network.toml"), "[node.a]\nfile = \"family.toml#io9\"\nid = 1\n").unwrap();
+    let findings = NetworkFile::open(&folder.join("network.toml"), &PathOptions::default()).unwrap().check();
+    let message = findings.iter().next().unwrap().message.to_string();
+    assert!(message.ends_with("has no variant `io9`; it has `io8` and `io8-fast`"), "{message}");
 }

@@ -104,7 +104,7 @@ enum Examined {
 impl Examined {
     fn new(path: &Path) -> Self {
         let is_of = |group: &str| path.starts_with(support::fixtures().join("rules").join(group));
-        if is_of("network") || is_of("keys") {
+        if (is_of("network") || is_of("keys")) && NetworkFile::is_network(path).unwrap() {
             let file = NetworkFile::open(path, &Default::default()).unwrap();
             let findings = file.check();
             return Self::Network(Box::new(file), findings);
@@ -118,7 +118,7 @@ impl Examined {
             let findings = description.patched().unwrap().findings[0].clone();
             return Self::Patch(Box::new(Patch::open(path).unwrap()), findings);
         }
-        if path.extension().is_some_and(|ending| ending == "toml") {
+        if path.extension().is_some_and(|ending| ending == "toml") && !is_of("keys") {
             return Self::Config(Box::new(Config::open(path).unwrap()));
         }
         let is_damaged = is_of("xml") || (is_of("cia311") && name(path).starts_with("bad"));

@@ -317,7 +317,8 @@ fn integer(text: &str) -> Option<i128> {
     literal::integer(text, i64::MIN, u64::MAX, &mut literal::Quirks::default()).ok()
 }
 
-fn stated_of(
+/// The same for a value of a data type.
+pub(super) fn stated_of(
     data_type: Option<DataType>,
     part: &Part,
     field: &Field,

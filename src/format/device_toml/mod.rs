@@ -19,6 +19,7 @@ mod schema;
 mod start;
 mod usual;
 mod variants;
+pub(crate) mod wording;
 mod words;
 mod writer;
 
@@ -53,7 +54,10 @@ pub(super) fn read(text: &str) -> (Device, Findings) {
 /// The device of a text on top of what it extends.
 fn read_on(text: &str, base: Option<&Base>, findings: &mut Findings) -> Device {
     let merged = merged(text, base, None, findings);
-    merged.map_or_else(Device::default, |merged| of_tree(&merged, findings))
+    merged.map_or_else(Device::default, |merged| {
+        variants::check_product_codes(&merged.tree, findings);
+        of_tree(&merged, findings)
+    })
 }
 
 /// The device of a variant in a text.

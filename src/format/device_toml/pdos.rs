@@ -16,6 +16,18 @@ const INHIBIT: u8 = 3;
 const EVENT: u8 = 5;
 const SYNC_START: u8 = 6;
 
+/// The key that sets a sub-index of a communication parameter.
+pub(super) fn key_of(sub: u8) -> Option<&'static str> {
+    Some(match sub {
+        1 => "cob-id",
+        TRANSMISSION => "transmission",
+        INHIBIT => "inhibit",
+        EVENT => "event",
+        SYNC_START => "sync-start",
+        _ => return None,
+    })
+}
+
 /// What is said of a PDO.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
 pub(super) struct PdoSaid {

@@ -4,7 +4,7 @@ use std::collections::BTreeMap;
 
 use super::words::{index, subs};
 use crate::format::keyed::tree::Tree;
-use crate::model::{Field, Part, Place};
+use crate::model::{Field, Part, PdoKind, Place};
 use crate::source::Span;
 
 /// A key of the text and its value.
@@ -71,6 +71,9 @@ impl Places {
     /// The span of a place; of what follows from something else, that of the part which it belongs to.
     pub(super) fn locate(&self, place: &Place) -> Option<Span> {
         let path = self.path_of(&place.part);
+        if let Some(spot) = self.of_pdo(&path, place) {
+            return Some(spot.shown());
+        }
         let of_field = place.field.as_ref().into_iter().flat_map(|field| keys_of(&place.part, field));
         let mut fields = of_field.filter_map(|key| self.at(&[path.clone(), vec![key]].concat()));
         if let Some(spot) = fields.next() {
@@ -82,8 +85,33 @@ impl Places {
                 return Some(spot.shown());
             }
             path.pop();
+            // what has no table of its own comes from the profile
+            if path.len() == 1
+                && path[0] == "object"
+                && let Some(spot) = self.at(&["profile".to_owned()])
+            {
+                return Some(spot.shown());
+            }
         }
         self.at(&["format".to_owned()]).map(Spot::shown)
+    }
+
+    /// The key that makes a PDO parameter or a mapping, where the text has no table for the object.
+    fn of_pdo(&self, path: &[String], place: &Place) -> Option<Spot> {
+        let (Part::Object(index) | Part::Entry(index, _)) = place.part else { return None };
+        if self.at(path.get(..2)?).is_some() {
+            return None;
+        }
+        let mapping = PdoKind::of_mapping(index);
+        let (kind, number) = mapping.or_else(|| PdoKind::of_communication(index))?;
+        let name = if kind == PdoKind::Rpdo { "rpdo" } else { "tpdo" };
+        let table = vec![name.to_owned(), number.to_string()];
+        let key = match place.part {
+            _ if mapping.is_some() => "map",
+            Part::Entry(_, sub) => super::pdos::key_of(sub).unwrap_or_default(),
+            _ => "",
+        };
+        self.at(&[table.clone(), vec![key.to_owned()]].concat()).or_else(|| self.at(&table))
     }
 
     /// The path of a part.

@@ -3,7 +3,7 @@
 use super::keys::variant_keys;
 use super::merge::Merged;
 use crate::diagnostic::{Diagnostic, Findings, say};
-use crate::format::keyed::rules::{OUT_OF_RANGE, WRONG_TYPE};
+use crate::format::keyed::rules::{OUT_OF_RANGE, SHARED_PRODUCT_CODE, WRONG_TYPE};
 use crate::format::keyed::section::Section;
 use crate::format::keyed::tree::{Entry, Kind, Tree};
 use crate::model::Device;
@@ -36,6 +36,39 @@ pub(super) fn check(root: &Section<'_>, findings: &mut Findings) {
         let message = say!("there are {} variants, more than {}", entries.len(), MAX_VARIANTS);
         findings.push(Diagnostic::new(&OUT_OF_RANGE, key.span, message).help("write a file for each family"));
     }
+}
+
+/// Reports variants that a manager cannot know from each other.
+pub(super) fn check_product_codes(base: &Tree, findings: &mut Findings) {
+    let variants = base.get("variant").and_then(Tree::entries).unwrap_or_default();
+    let of_base = product_code(base);
+    let mut seen: Vec<(i128, Option<&Entry>)> = of_base.map(|code| (code, None)).into_iter().collect();
+    for variant in variants.iter().take(MAX_VARIANTS) {
+        let own = product_code(&variant.value);
+        let Some(code) = own.or(of_base).filter(|code| *code != 0) else { continue };
+        let Some((_, other)) = seen.iter().find(|(known, _)| *known == code) else {
+            seen.push((code, Some(variant)));
+            continue;
+        };
+        let other = match other {
+            Some(other) => say!("variant `{}`", other.key.spelled()),
+            None => say!("the device without variants"),
+        };
+        let name = variant.key.spelled();
+        let message =
+            say!("variant `{}` has the product code of {}: `{}`", name, other, format!("0x{code:X}"));
+        let finding = Diagnostic::new(&SHARED_PRODUCT_CODE, variant.key.span, message);
+        findings.push(finding.help("give it a `device.product-number` of its own"));
+    }
+}
+
+/// The product code that a table states.
+fn product_code(tree: &Tree) -> Option<i128> {
+    let at = |path: &[&str]| match &*path.iter().try_fold(tree, |tree, key| tree.get(key))?.kind {
+        Kind::Integer(number) => Some(*number),
+        _ => None,
+    };
+    at(&["object", "1018", "sub", "2", "default"]).or_else(|| at(&["device", "product-number"]))
 }
 
 /// What the file says of a variant.

@@ -50,4 +50,12 @@ text_rules! {
     example: "a node without `dcf`",
     remedy: "Add the key.",
     source: "dcf-tools 2.4.2; objdict, docs/network.md",
+
+    SHARED_PRODUCT_CODE = "keys/shared-product-code", Warning;
+    summary: "two variants with one product code",
+    checks: "Whether each variant of a `device.toml` has a product code of its own: `product-number` in its table `device`, or the default of 1018h:02.",
+    why: "A manager knows a device by vendor-ID and product code (1F85h, 1F86h). With one product code it takes one variant for the other and configures entries that are not there.",
+    example: "`[variant.io8]` without `device.product-number`",
+    remedy: "Give each variant a `device.product-number` of its own.",
+    source: "CiA 301 §7.5.2.19; CiA 302-2; objdict, docs/device.md",
 }

@@ -17,7 +17,6 @@ mod yaml;
 
 use std::collections::BTreeMap;
 use std::env;
-use std::num::NonZeroUsize;
 use std::path::{Path, PathBuf};
 use std::rc::Rc;
 use std::sync::Arc;
@@ -243,10 +242,12 @@ impl Descriptions<'_> {
         const WRONG: &str =
             "correct the path: it is relative to the network file, else to the working directory";
         let name = self.expanded(file);
-        let (name, device, path) = match (self.path(&name), numbered(&name)) {
-            (Err(_), (path, device @ Some(_))) => (path, device, self.path(path)),
+        let (name, which, path) = match (self.path(&name), selected(&name)) {
+            (Err(_), (path, which @ Some(_))) => (path, which, self.path(path)),
             (path, _) => (name.as_str(), None, path),
         };
+        let device = which.and_then(|which| which.parse().ok());
+        let variant = which.filter(|_| device.is_none()).map(str::to_owned);
         let path = path.map_err(|error| match error {
             FolderError::Unreadable(SourceError::Io { error, .. }) => {
                 (format!("cannot read `{name}`: {error}"), WRONG)
@@ -254,10 +255,17 @@ impl Descriptions<'_> {
             error => (error.to_string(), error.help().unwrap_or(WRONG)),
         })?;
         self.files.push(path.clone());
-        let reading = Reading { device, patches: self.patches.to_vec(), ..Reading::default() };
+        let reading = Reading { device, variant, patches: self.patches.to_vec(), ..Reading::default() };
         let refused = |error: ReadError| match error {
             ReadError::SeveralDevices { .. } => {
                 (format!("{error}; add the number of one, as in `{name}#1`"), WRONG)
+            }
+            ReadError::NoSuchVariant { .. } => {
+                let known = error.help().unwrap_or_default();
+                (
+                    format!("{error}; {known}"),
+                    "correct what follows `#`: the number of a device, or a variant",
+                )
             }
             error => (error.to_string(), WRONG),
         };
@@ -316,10 +324,10 @@ impl Descriptions<'_> {
     }
 }
 
-/// A path and the number of a device in that file, counted from 1: `plant.nxdc#2`.
-fn numbered(name: &str) -> (&str, Option<NonZeroUsize>) {
-    let parts = name.rsplit_once('#').and_then(|(path, number)| Some((path, number.parse().ok()?)));
-    parts.map_or((name, None), |(path, number)| (path, Some(number)))
+/// A path and which device of that file: its number, counted from 1 (`plant.nxdc#2`), or the name of a variant
+/// (`family.toml#io8`).
+fn selected(name: &str) -> (&str, Option<&str>) {
+    name.rsplit_once('#').map_or((name, None), |(path, which)| (path, Some(which)))
 }
 
 /// A text in quotes, as JSON has it, of which YAML and TOML take all.

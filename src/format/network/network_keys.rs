@@ -100,7 +100,7 @@ pub(super) const NODE: &[Key] = &[
     key(
         "file",
         Shape::Text,
-        "The file with the description, relative to this file; `plant.nxdc#2` is the second device of a file with several.",
+        "The file with the description, relative to this file; `plant.nxdc#2` is the second device of a file with several, `family.toml#io8` a variant.",
     ),
     key("id", NODE_ID, "The node-ID; that of the description without this key."),
     key("use", Shape::Text, "The `type` whose keys it has too, where it does not have them itself."),

@@ -3,6 +3,7 @@
 mod list;
 mod section;
 
+use std::cell::OnceCell;
 use std::collections::BTreeMap;
 
 use self::section::{SectionEdit, key_line};
@@ -23,8 +24,8 @@ pub fn edits(
     changes: &[Change],
 ) -> Option<Vec<(Span, String)>> {
     let edits = Edits::new(document.source());
-    let mut rewriter =
-        Rewriter { document, locator, device, edits, sections: BTreeMap::new(), added: Vec::new() };
+    let (sections, headers, added) = (BTreeMap::new(), OnceCell::new(), Vec::new());
+    let mut rewriter = Rewriter { document, locator, device, edits, sections, headers, added };
     changes.iter().try_for_each(|change| rewriter.change(change))?;
     rewriter.finish()
 }
@@ -37,6 +38,8 @@ struct Rewriter<'a> {
     edits: Edits<'a>,
     /// The sections with changed keys, by the start of their header lines.
     sections: BTreeMap<u32, SectionEdit>,
+    /// The parts that have sections, with the starts of their header lines.
+    headers: OnceCell<Vec<(Part, u32)>>,
     /// New sections, each with the part and its lines.
     added: Vec<(Part, Vec<String>)>,
 }
@@ -195,12 +198,16 @@ impl<'a> Rewriter<'a> {
     }
 
     fn sections_of(&self, wanted: impl Fn(&Part) -> bool) -> Vec<Section> {
-        let text = self.document.text();
-        let headers = self.document.lines().filter(|line| match line.kind {
-            LineKind::Section { name } => wanted(&SectionName::parse(name.of(text)).part),
-            _ => false,
+        let headers = self.headers.get_or_init(|| {
+            let text = self.document.text();
+            let of_line = |line: ini::Line| match line.kind {
+                LineKind::Section { name } => Some((SectionName::parse(name.of(text)).part, line.span.start)),
+                _ => None,
+            };
+            self.document.lines().filter_map(of_line).collect()
         });
-        headers.filter_map(|line| self.document.section_at(line.span.start)).collect()
+        let found = headers.iter().filter(|(part, _)| wanted(part));
+        found.filter_map(|(_, start)| self.document.section_at(*start)).collect()
     }
 
     fn finish(mut self) -> Option<Vec<(Span, String)>> {
