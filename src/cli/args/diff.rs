@@ -9,7 +9,9 @@ use super::new::{date, number};
 use super::output::ReportArgs;
 use crate::cli::changes::Choice;
 use crate::cli::input::InputArgs;
+use crate::cli::settings::ConfigFileArgs;
 use crate::cli::values::node_id;
+use crate::diagnostic::Severity;
 use crate::model::Date;
 
 #[derive(Debug, clap::Args)]
@@ -43,6 +45,8 @@ pub(in crate::cli) struct DiffArgs {
     pub paths: AllowedPathArgs,
     #[command(flatten)]
     pub input: InputArgs,
+    #[command(flatten)]
+    pub config: ConfigFileArgs,
 }
 
 // Which descriptions are compared.
@@ -114,4 +118,15 @@ pub(in crate::cli) enum DeniedVerdict {
     Risky,
     /// Changes that are breaking
     Breaking,
+}
+
+impl DeniedVerdict {
+    /// The severity of a finding about such a change.
+    pub(in crate::cli) const fn severity(self) -> Severity {
+        match self {
+            Self::Compatible => Severity::Note,
+            Self::Risky => Severity::Warning,
+            Self::Breaking => Severity::Error,
+        }
+    }
 }

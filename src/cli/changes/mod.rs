@@ -20,8 +20,10 @@ use self::side::{Side, sides};
 use super::args::{DeniedVerdict, DiffArgs, DiffFormat};
 use super::outcome::{Failure, Outcome};
 use super::output::Output;
+use super::settings::{Settings, SettingsArgs};
 use crate::diagnostic::Findings;
 use crate::lint::changes::{ChangeVerdict, DeviceChange, compare};
+use crate::lint::{Level, Severities};
 use crate::report::{Github, Report, Subject};
 
 /// Both descriptions and what changes between them.
@@ -41,6 +43,8 @@ pub(super) fn run(args: &DiffArgs, out: &mut Output) -> Result<Outcome, Failure>
         |choices: &[Choice], change: &DeviceChange| choices.iter().any(|choice| choice.has(change, devices));
     changes.retain(|change| args.select.is_empty() || is_one_of(&args.select, change));
     changes.retain(|change| !is_one_of(&args.ignore, change));
+    let severities = severities(args)?;
+    changes.retain(|change| severities.of(&change.rule.info) != Some(Level::Off));
     let comparison = Comparison { old, new, changes };
     match args.format {
         DiffFormat::Text => text::write(&comparison, out)?,
@@ -51,13 +55,22 @@ pub(super) fn run(args: &DiffArgs, out: &mut Output) -> Result<Outcome, Failure>
         }
         DiffFormat::Github => github(&comparison, out)?,
     }
-    let denied = match args.deny {
-        Some(DeniedVerdict::Compatible) => ChangeVerdict::Compatible,
-        Some(DeniedVerdict::Risky) => ChangeVerdict::Risky,
-        Some(DeniedVerdict::Breaking) | None => ChangeVerdict::Breaking,
+    let denied = args.deny.unwrap_or(DeniedVerdict::Breaking).severity();
+    let severity = |change: &DeviceChange| match severities.of(&change.rule.info) {
+        Some(Level::At(severity)) => severity,
+        _ => change.finding().severity,
     };
-    let is_denied = comparison.changes.iter().any(|change| change.verdict() >= denied);
+    let is_denied = comparison.changes.iter().any(|change| severity(change) >= denied);
     Ok(if is_denied { Outcome::Findings } else { Outcome::Clean })
+}
+
+/// The severities that the configuration of the new description has for changes.
+fn severities(args: &DiffArgs) -> Result<Severities, Failure> {
+    let (of_config, path) = (SettingsArgs::from(&args.config), args.sides.newer());
+    let mut settings = Settings::new(&of_config)?;
+    let project = settings.project_of(path)?;
+    let severities = settings.options(path, project.as_deref()).severities;
+    settings.unusable().next().map_or(Ok(severities), Err)
 }
 
 impl Comparison {

@@ -9,16 +9,30 @@ use crate::lint::changes::{Audience, ChangeVerdict, DeviceChange};
 use crate::model::Place;
 
 pub(super) fn write(comparison: &Comparison, out: &mut Output) -> io::Result<()> {
-    for change in &comparison.changes {
-        write_change(comparison, change, out)?;
+    for same in comparison.changes.chunk_by(is_of_next_entry) {
+        write_changes(comparison, same, out)?;
     }
     out.summary(comparison.summary())
 }
 
-fn write_change(comparison: &Comparison, change: &DeviceChange, out: &mut Output) -> io::Result<()> {
+/// Whether the second change is the same of the next sub-index.
+fn is_of_next_entry(first: &DeviceChange, second: &DeviceChange) -> bool {
+    let next = first.sub.and_then(|sub| sub.checked_add(1));
+    (first.index, next.is_some(), next) == (second.index, true, second.sub)
+        && (first.rule.info.id, first.verdict()) == (second.rule.info.id, second.verdict())
+        && first.message.shown() == second.message.shown()
+}
+
+/// Writes changes that differ in the sub-index alone; the places are those of the first.
+fn write_changes(comparison: &Comparison, same: &[DeviceChange], out: &mut Output) -> io::Result<()> {
+    let [change, rest @ ..] = same else { return Ok(()) };
     let verdict = change.verdict();
     let rule = change.rule.info.id;
-    let (address, message) = (address(change), change.message.shown());
+    let message = change.message.shown();
+    let mut address = address(change);
+    if let Some(sub) = rest.last().and_then(|last| last.sub) {
+        address += &format!("-{sub:02X}");
+    }
     writeln!(out, "{:<10}  {address:<9}  {message} [{rule}]", verdict.name())?;
     let places = [(&comparison.old, &change.old_place), (&comparison.new, &change.new_place)];
     let places = places.into_iter().filter_map(|(side, place)| at(side, place.as_ref()?));

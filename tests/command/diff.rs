@@ -1,4 +1,4 @@
-//! `--git`: the old description is that of a revision.
+//! `objdict diff`: the old description of a revision, severities of the configuration, equal changes of several entries.
 
 use std::fs;
 use std::path::Path;
@@ -89,4 +89,35 @@ fn git_is_needed() {
     let text = String::from_utf8(command.output().unwrap().stderr).unwrap();
     let error = "error: `--git` needs the program git, which is not in the path\n";
     assert!(text.starts_with(error), "{text}");
+}
+
+#[test]
+fn the_configuration_says_what_counts() {
+    let folder = tempfile::tempdir().unwrap();
+    let folder = folder.path();
+    let old = fs::read_to_string("fixtures/eds/drive-402.eds").unwrap();
+    // all sub-indexes of a mapping but the first
+    let new = (1..=8).fold(old.clone(), |text, sub| {
+        let (before, section) = text.split_once(&format!("[1A00sub{sub}]")).unwrap();
+        format!("{before}[1A00sub{sub}]{}", section.replacen("AccessType=rw", "AccessType=ro", 1))
+    });
+    fs::write(folder.join("old.eds"), old).unwrap();
+    fs::write(folder.join("new.eds"), new).unwrap();
+    let select = ["diff", "--select", "access-narrowed", "old.eds", "new.eds"];
+    let (text, code) = said(folder, &select);
+    let joined =
+        "breaking    1A00h:01-08  the access type changes from `rw` to `ro` [change/access-narrowed]";
+    assert_eq!((text.lines().next(), code), (Some(joined), 1));
+    assert_eq!(text.lines().last(), Some("8 changes: 8 breaking"));
+    for (level, changes, codes) in
+        [("off", 0, (0, 0)), ("note", 8, (0, 0)), ("warning", 8, (0, 1)), ("error", 8, (1, 1))]
+    {
+        let config = format!("[rules]\n\"change/access-narrowed\" = \"{level}\"\n");
+        fs::write(folder.join("objdict.toml"), config).unwrap();
+        let (json, code) = said(folder, &[&select[..], &["--format", "json"]].concat());
+        let found = json.matches("\"rule\": \"change/access-narrowed\"").count();
+        let (_, risky) = said(folder, &[&select[..], &["--deny", "risky"]].concat());
+        assert_eq!((found, (code, risky)), (changes, codes), "{level}");
+        assert_eq!(said(folder, &[&select[..], &["--no-config"]].concat()).1, 1, "{level}");
+    }
 }
