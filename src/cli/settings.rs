@@ -133,6 +133,11 @@ impl From<&ConfigFileArgs> for SettingsArgs {
 }
 
 impl SettingsArgs {
+    /// Which configuration applies.
+    pub(super) fn config_file(&self) -> &ConfigFileArgs {
+        &self.config.file
+    }
+
     /// The node-ID that formulas are evaluated for.
     pub(super) fn node_id(&self) -> Option<u8> {
         self.node_id

@@ -106,17 +106,25 @@ fn networks_have_patched_descriptions() {
     let network = "[bus]\nbit-rate = 250\nmanager = \"m\"\n\
         [node.m]\nfile = \"io-401.eds\"\nid = 1\n[node.a]\nfile = \"io-401.eds\"\nid = 5\n";
     fs::write(folder.path().join("network.toml"), network).unwrap();
-    for arguments in [
-        "network build network.toml --target dcf -o built -p fix.patch.toml",
-        "convert network.toml -o built/new.dbc -p fix.patch.toml",
-    ] {
-        let told = told(folder.path(), arguments);
+    let commands =
+        ["network build network.toml --target dcf -o built", "convert network.toml -o built/new.dbc"];
+    for arguments in commands {
+        let told = told(folder.path(), &format!("{arguments} -p fix.patch.toml"));
         assert_eq!(told.matches(NO_EFFECT).count(), 1, "{arguments}: {told}");
     }
     let built = fs::read_dir(folder.path().join("built")).unwrap();
     let built = built.map(|file| fs::read_to_string(file.unwrap().path()).unwrap());
     let of_nodes = built.filter(|text| text.contains("[DeviceComissioning]")).collect::<Vec<_>>();
     assert!(!of_nodes.is_empty() && of_nodes.iter().all(|text| text.contains("HighLimit=4095")));
+    fs::write(folder.path().join("objdict.toml"), "patches = [\"*.patch.toml\"]\n").unwrap();
+    for arguments in
+        commands.into_iter().chain(["network boot network.toml --summary", "docs network.toml -o page.html"])
+    {
+        let of_config = told(folder.path(), arguments);
+        assert_eq!(of_config.matches(NO_EFFECT).count(), 1, "{arguments}: {of_config}");
+        let without = told(folder.path(), &format!("{arguments} --no-config"));
+        assert!(!without.contains(NO_EFFECT), "{arguments}: {without}");
+    }
 }
 
 #[test]

@@ -6,9 +6,10 @@ use clap::{Subcommand, ValueEnum};
 
 use super::output::{ReportArgs, ShowFormat};
 use crate::cli::baseline::BaselineArgs;
+use crate::cli::outcome::Failure;
 use crate::cli::patches::PatchArgs;
 use crate::cli::save::OverwriteArgs;
-use crate::cli::settings::{ConfigFileArgs, SettingsArgs};
+use crate::cli::settings::{ConfigFileArgs, Settings, SettingsArgs};
 use crate::configure::nanoseconds;
 use crate::format::network::{ConfigurationTime, PathOptions};
 use crate::model::Date;
@@ -79,19 +80,28 @@ pub(in crate::cli) struct NetworkInputArgs {
     pub paths: NetworkPathArgs,
     #[command(flatten)]
     pub patch: PatchArgs,
+    #[command(flatten)]
+    pub config: ConfigFileArgs,
 }
 
 impl NetworkInputArgs {
-    pub(in crate::cli) fn options(&self) -> PathOptions {
-        let (variables, patches) = (self.paths.define.iter().cloned().collect(), self.patch.patches.clone());
-        PathOptions { variables, patches, ..self.paths.paths.options() }
+    /// How the descriptions of a network in this file are read.
+    ///
+    /// # Errors
+    /// When its configuration, which names patches, cannot be used.
+    pub(in crate::cli) fn options(&self, network: &Path) -> Result<PathOptions, Failure> {
+        let of_config = SettingsArgs::from(&self.config);
+        let mut patches = self.patch.patches.clone();
+        patches.extend(Settings::new(&of_config)?.patches_of(network)?);
+        let variables = self.paths.define.iter().cloned().collect();
+        Ok(PathOptions { variables, patches, ..self.paths.paths.options() })
     }
 }
 
 impl NetworkPathArgs {
-    /// The same with the patches of the input.
-    pub(in crate::cli) fn with(&self, patch: &PatchArgs) -> NetworkInputArgs {
-        NetworkInputArgs { paths: self.clone(), patch: patch.clone() }
+    /// The same with the patches of the input and a configuration.
+    pub(in crate::cli) fn with(&self, patch: &PatchArgs, config: &ConfigFileArgs) -> NetworkInputArgs {
+        NetworkInputArgs { paths: self.clone(), patch: patch.clone(), config: config.clone() }
     }
 }
 
@@ -154,7 +164,9 @@ pub(in crate::cli) struct NetworkCheckArgs {
     #[command(flatten)]
     pub report: ReportArgs,
     #[command(flatten)]
-    pub input: NetworkInputArgs,
+    pub paths: NetworkPathArgs,
+    #[command(flatten)]
+    pub patch: PatchArgs,
     #[command(flatten)]
     pub settings: SettingsArgs,
     #[command(flatten)]
@@ -191,8 +203,6 @@ pub(in crate::cli) struct NetworkBuildArgs {
     pub strict_dcfgen: bool,
     #[command(flatten)]
     pub input: NetworkInputArgs,
-    #[command(flatten)]
-    pub config: ConfigFileArgs,
 }
 
 #[derive(Debug, clap::Args)]

@@ -144,8 +144,8 @@ fn nodes_of_network(args: &ConvertArgs, job: &Job) -> Result<Vec<Node>, Failure>
         let failure = Failure::new(format_args!("`{name}` is a network, whose nodes have node-IDs"));
         return Err(failure.help("leave `--node-id` out"));
     }
-    let file =
-        network::open_despite_errors(slice::from_ref(&job.input), &args.network.with(&args.input.patch))?;
+    let input = args.network.with(&args.input.patch, &args.config);
+    let file = network::open_despite_errors(slice::from_ref(&job.input), &input)?;
     let nodes = file.build(DcfgenMode::Corrected).and_then(|build| build.configured_nodes());
     let nodes = nodes.map_err(|error| {
         let help = format!("`objdict network check {name}` says why");

@@ -42,7 +42,8 @@ impl DocumentedNetwork {
             return Err(Failure::new(message).help("leave `--node-id` out"));
         }
         let options = settings.options(&file.path, file.project.as_deref());
-        let opened = network::open(&file.path, &args.network.with(&args.input.patch))?;
+        let input = args.network.with(&args.input.patch, args.settings.config_file());
+        let opened = network::open(&file.path, &input)?;
         let findings = grouped(&opened, options.severities.apply(opened.check()));
         let findings = reported(&findings, |finding| Location::line_of((&opened).into(), finding));
         let unreadable = |error| {

@@ -20,7 +20,7 @@ use crate::report::{Subject, Tally, grouped, listed, plural};
 
 pub(super) fn run(args: &NetworkBuildArgs, out: &mut Output) -> Result<Outcome, Failure> {
     let file = open_one(&args.files, &args.input)?;
-    let settings = SettingsArgs::from(&args.config);
+    let settings = SettingsArgs::from(&args.input.config);
     let findings = findings(&file, &args.files[0], &mut Settings::new(&settings)?)?;
     // as `network check` shows and counts them
     let reported: Vec<_> = Subject::of_network(&file, findings.clone())

@@ -10,11 +10,12 @@ use crate::report::Subject;
 
 pub(super) fn run(args: &NetworkCheckArgs, out: &mut Output) -> Result<Outcome, Failure> {
     let mut settings = Settings::new(&args.settings)?;
+    let input = args.paths.with(&args.patch, args.settings.config_file());
     let mut reporter = Reporter::new(&args.report, &args.baseline, out)?;
     let (networks, descriptions) = parted(&args.files);
-    let described = (!descriptions.is_empty()).then(|| of_descriptions(&descriptions, &args.input));
+    let described = (!descriptions.is_empty()).then(|| of_descriptions(&descriptions, &input));
     let described = described.map(|file| (&descriptions[0], file));
-    let files = networks.iter().map(|path| (path, open(path, &args.input))).chain(described);
+    let files = networks.iter().map(|path| (path, open(path, &input))).chain(described);
     for (path, file) in files {
         let file = match file {
             Ok(file) => file,

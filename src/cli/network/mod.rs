@@ -46,7 +46,7 @@ pub(super) fn run(command: &NetworkCommand, out: &mut Output) -> Result<Outcome,
 /// Reads a network; none of its files is written to.
 pub(super) fn open(path: &Path, input: &NetworkInputArgs) -> Result<NetworkFile, Failure> {
     keep(path);
-    Ok(kept(NetworkFile::open(path, &input.options()).map_err(Failure::new)?))
+    Ok(kept(NetworkFile::open(path, &input.options(path)?).map_err(Failure::new)?))
 }
 
 fn kept(file: NetworkFile) -> NetworkFile {
@@ -56,7 +56,8 @@ fn kept(file: NetworkFile) -> NetworkFile {
 
 /// The network of the nodes that files describe.
 fn of_descriptions(paths: &[PathBuf], input: &NetworkInputArgs) -> Result<NetworkFile, Failure> {
-    Ok(kept(NetworkFile::of_descriptions(paths, &input.options())?))
+    let options = input.options(paths.first().map_or(Path::new(""), PathBuf::as_path))?;
+    Ok(kept(NetworkFile::of_descriptions(paths, &options)?))
 }
 
 /// The findings of a network with the severities of its configuration.
