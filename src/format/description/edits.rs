@@ -181,6 +181,18 @@ impl Description {
     /// where this format or this file cannot be changed so; the finding has no fix then. A fix that writes the text in
     /// another encoding is no edit of it either.
     pub fn edits(&self, fix: &Fix) -> Option<Vec<(Span, String)>> {
+        let edits = self.placed(fix)?;
+        #[cfg(feature = "toml")]
+        if let Text::Toml(document) = &self.text
+            && !device_toml::edits::is_toml(document, &edits)
+        {
+            return None;
+        }
+        Some(edits)
+    }
+
+    /// The edits of a fix, without the proof that the text can be read with them, which takes as long as to read it.
+    fn placed(&self, fix: &Fix) -> Option<Vec<(Span, String)>> {
         if self.source().is_read_only() || self.is_project() || self.is_composed() {
             return None;
         }
@@ -217,6 +229,6 @@ impl Description {
 
     /// Whether a fix can be made in this file.
     pub fn can_fix(&self, fix: &Fix) -> bool {
-        self.encoding_of(fix).is_some() || self.edits(fix).is_some()
+        self.encoding_of(fix).is_some() || self.placed(fix).is_some()
     }
 }

@@ -15,7 +15,8 @@ use crate::source::Span;
 /// Edits: each span with its replacement.
 pub(in crate::format) type TextEdits = Vec<(Span, String)>;
 
-/// The edits that make changes of a device; `None` where the text has no place for one of them.
+/// The edits that make changes of a device; `None` where the text has no place for one of them. Whether the text is still TOML then,
+/// [`is_toml`] says.
 pub(in crate::format) fn edits(
     document: &Document,
     device: &Device,
@@ -31,7 +32,12 @@ pub(in crate::format) fn edits(
             None => edits.push((span, new)),
         }
     }
-    editor.is_toml(&edits).then_some(edits)
+    Some(edits)
+}
+
+/// Whether the text is TOML with these edits, and none overlaps another.
+pub(in crate::format) fn is_toml(document: &Document, edits: &TextEdits) -> bool {
+    Editor { text: document.source().text(), places: document.places() }.is_toml(edits)
 }
 
 /// The edits that make a text the description of a node in a file of this name.
