@@ -7,7 +7,7 @@ use crate::messages::Message;
 use crate::model::PdoKind;
 use crate::network::Said;
 use crate::rules::{BUS_LOAD, LATE_MESSAGE, PDO_TIMES};
-use crate::timing::DeadlineKind;
+use crate::timing::{DeadlineKind, TrafficKind};
 
 /// The highest bit rate of CiA 301 in kbit/s.
 const FASTEST: u16 = 1000;
@@ -104,11 +104,11 @@ impl<'n> Check<'n, '_> {
     pub(super) fn deadlines(&mut self) {
         let Some(rate) = self.network.bit_rate else { return };
         let schedule = self.schedule();
-        // that the synchronous window is too short is reported once
+        // that the synchronous PDOs do not fit into their time is reported once
         let late = schedule.late(rate.value.max(1)).into_iter();
-        let late = late.filter_map(|(frame, response)| match frame.deadline? {
-            (_, DeadlineKind::SyncWindow) => None,
-            (deadline, _) => Some((frame, response.div_ceil(1000), deadline / 1000)),
+        let late = late.filter_map(|(frame, response)| match (frame.kind, frame.deadline?) {
+            (TrafficKind::SynchronousPdo, (_, DeadlineKind::SyncWindow | DeadlineKind::Period)) => None,
+            (_, (deadline, _)) => Some((frame, response.div_ceil(1000), deadline / 1000)),
         });
         let late: Vec<_> = late.collect();
         let Some((first, response, deadline)) = late.first() else { return };

@@ -69,7 +69,7 @@ text_rules! {
 
     SYNC_WINDOW = "network/sync-window", Warning;
     summary: "the synchronous PDOs do not fit into their time",
-    checks: "Whether SYNC and all synchronous PDOs, each with the most stuff bits, fit into the synchronous window length, or else into the communication cycle period. A window that is longer than the period is an error.",
+    checks: "Whether SYNC and all synchronous PDOs, each with the most stuff bits, fit into the synchronous window length, or else into the communication cycle period, together with the messages that may delay them. PDOs that an event may trigger at any time are not counted. A window that is longer than the period is an error.",
     why: "Nodes drop a synchronous PDO that they could not send inside the window; without a window PDOs fall into the next cycle.",
     example: "20 PDOs of 8 bytes and a cycle of 10 ms at 125 kbit/s",
     remedy: "Lengthen the window or the cycle, or divide the PDOs by transmission types and SYNC start values.",
@@ -133,7 +133,7 @@ text_rules! {
 
     LATE_MESSAGE = "network/late-message", Warning;
     summary: "a message may come too late",
-    checks: "Whether each message is on the bus before its deadline in the worst case: all messages of higher priority come at once, with the most stuff bits, and an SDO frame is just being sent. The deadline is the period, the event timer, the inhibit time, or how long a receiver waits. PDOs that an event may trigger at any time, and the EMCY, NMT and TIME, are not counted; the synchronous window has a rule of its own.",
+    checks: "Whether each message is on the bus before its deadline in the worst case: all messages of higher priority come at once, with the most stuff bits, and an SDO frame is just being sent. The deadline is the period, the event timer, or how long a receiver waits. PDOs that an event may trigger at any time, EMCY, NMT and TIME are not counted. Synchronous PDOs, but for those that a receiver waits for, are left to `network/sync-window`.",
     why: "The next value overwrites one that was not sent, or a receiver reports the sender as lost.",
     example: "a PDO of 8 bytes each millisecond on 57Fh, behind 8 others at 1000 kbit/s",
     remedy: "Give the message a lower CAN-ID, lengthen the times of those before it, or raise the bit rate. `objdict network timing` shows all times.",

@@ -22,6 +22,8 @@ pub(crate) struct Stream {
     pub(crate) jitter: u64,
     /// The stream whose messages trigger these, by its position: its response and `jitter` are the jitter.
     pub(crate) after: Option<usize>,
+    /// Whether it is a part of the background.
+    pub(crate) is_background: bool,
 }
 
 /// How often messages come.
@@ -110,7 +112,8 @@ impl Streams {
             responses.push(match unbounded {
                 Some(cause) => Response::Unbounded(Some(cause)),
                 None => {
-                    let background = self.background.filter(|background| at >= background.first);
+                    let background =
+                        self.background.filter(|background| at >= background.first && !stream.is_background);
                     let level = Level {
                         blocking: blocking[at],
                         higher: &higher,
@@ -132,7 +135,8 @@ impl Streams {
         let mut longest = 0;
         let mut blocking = vec![0; self.streams.len()];
         for (at, stream) in self.streams.iter().enumerate().rev() {
-            let background = self.background.filter(|background| at < background.end);
+            let background =
+                self.background.filter(|background| at < background.end && !stream.is_background);
             blocking[at] = longest.max(background.map_or(0, |background| background.cost));
             if stream.arrival != Arrival::Rare {
                 longest = longest.max(stream.cost);

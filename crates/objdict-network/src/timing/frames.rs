@@ -68,8 +68,6 @@ impl Rhythm {
 pub enum DeadlineKind {
     /// The period of the message.
     Period,
-    /// The inhibit time of the PDO, after which the next one may come.
-    InhibitTime,
     /// The event timer of the PDO.
     EventTimer,
     /// The synchronous window length (1007h).
@@ -289,9 +287,8 @@ impl<'n> Traffic<'n> {
             }
             _ => {
                 frame.usual = timer.or(inhibit);
-                frame.deadline = timer
-                    .map(|timer| (timer, DeadlineKind::EventTimer))
-                    .or(inhibit.map(|time| (time, DeadlineKind::InhibitTime)));
+                // an inhibit time is no deadline: what is queued by then is newer
+                frame.deadline = timer.map(|timer| (timer, DeadlineKind::EventTimer));
             }
         }
         for time in self.deadlines(message, state) {

@@ -274,7 +274,13 @@ impl Schedule {
                 TrafficKind::Guarding if !frame.is_remote => (Some(at + 1), self.options.response_time),
                 _ => (None, 0),
             };
-            Stream { cost: time(frame.most_bits()), arrival: self.arrival(frame, any_time), jitter, after }
+            Stream {
+                is_background: frame.kind == TrafficKind::Sdo,
+                cost: time(frame.most_bits()),
+                arrival: self.arrival(frame, any_time),
+                jitter,
+                after,
+            }
         });
         let is_sdo = |frame: &TimedFrame| frame.kind == TrafficKind::Sdo;
         let background =
@@ -403,7 +409,6 @@ impl TimedFrame {
     fn inhibit(&mut self, distance: u64) {
         self.rhythm = Rhythm::AtLeast(distance);
         self.usual = self.usual.or(Some(distance));
-        self.deadline = self.deadline.or(Some((distance, DeadlineKind::InhibitTime)));
     }
 
     /// `TPDO 1`, `SYNC`, `boot-up`.

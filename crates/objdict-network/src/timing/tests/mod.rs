@@ -15,6 +15,7 @@ fn streams(bit_time: u64, messages: &[(u64, u64)]) -> Streams {
         arrival: Arrival::Every(period * MICROSECOND),
         jitter: 0,
         after: None,
+        is_background: false,
     };
     Streams { streams: messages.iter().map(stream).collect(), background: None, bit_time }
 }

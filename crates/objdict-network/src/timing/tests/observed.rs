@@ -52,7 +52,13 @@ impl Bus {
             // all shares together are near the load
             let period = cost * count * 1000 / share.max(1);
             let jitter = if random.one_in(3) { random.between(0, period) } else { 0 };
-            Stream { cost, arrival: Arrival::Every(period.max(cost)), jitter, after: None }
+            Stream {
+                cost,
+                arrival: Arrival::Every(period.max(cost)),
+                jitter,
+                after: None,
+                is_background: false,
+            }
         };
         let streams = (0..count).map(|_| stream()).collect();
         Self { streams: Streams { streams, background: None, bit_time: BIT }, shortest }
