@@ -224,9 +224,8 @@ impl<'n> Check<'n, '_> {
 
     /// Whether SYNC and what it triggers fit into the window or the period.
     fn burst(&mut self, sync: &Sync) {
-        let needed = self.schedule().needed_after_sync(self.bit_rate());
-        // a bus without a place for them is reported as such
-        let Some(time) = needed.map(|needed| needed.div_ceil(1000)) else { return };
+        // with types above 1 PDOs may still meet in one cycle
+        let time = (self.schedule().bits_of_cycle() * 1000).div_ceil(self.bit_rate().into());
         let (limit, what, at, index) = match sync.window.value {
             0 => (sync.period, "communication cycle period", sync.at, 0x1006),
             window => (window, "synchronous window length", sync.window.at, 0x1007),

@@ -69,7 +69,7 @@ text_rules! {
 
     SYNC_WINDOW = "network/sync-window", Warning;
     summary: "the synchronous PDOs do not fit into their time",
-    checks: "Whether SYNC and all synchronous PDOs, each with the most stuff bits, fit into the synchronous window length, or else into the communication cycle period, together with the messages that may delay them. PDOs that an event may trigger at any time are not counted. A window that is longer than the period is an error.",
+    checks: "Whether SYNC and all synchronous PDOs, each with the most stuff bits, fit into the synchronous window length, or else into the communication cycle period. A window that is longer than the period is an error.",
     why: "Nodes drop a synchronous PDO that they could not send inside the window; without a window PDOs fall into the next cycle.",
     example: "20 PDOs of 8 bytes and a cycle of 10 ms at 125 kbit/s",
     remedy: "Lengthen the window or the cycle, or divide the PDOs by transmission types and SYNC start values.",

@@ -4,7 +4,7 @@ use super::{AnyTime, BIT_RATES, Remedy, Schedule, TimedMessage};
 use crate::timing::frames::Rhythm;
 
 /// The most messages that a remedy is looked for.
-const MOST: usize = 8;
+const MOST: usize = 3;
 
 impl Schedule {
     /// The least inhibit time, in multiples of 100 µs, of PDOs without one with which all messages meet their deadlines.
@@ -32,22 +32,18 @@ impl Schedule {
 
     /// What would help the first messages that miss their deadlines.
     pub(super) fn remedies(&self, bit_rate: u16, messages: &[TimedMessage]) -> Vec<Remedy> {
-        let missed = (0..messages.len()).filter(|at| messages[*at].is_missed()).take(MOST);
-        missed
-            .map(|message| Remedy {
-                message,
-                bit_rate: self.sufficient_rate(bit_rate, message),
-                before: self.sufficient_priority(bit_rate, message).map(|at| messages[at].can_id),
-            })
-            .collect()
-    }
-
-    fn sufficient_rate(&self, bit_rate: u16, message: usize) -> Option<u16> {
-        let mut faster = BIT_RATES.into_iter().filter(|rate| *rate > bit_rate);
-        faster.find(|rate| {
-            let responses = self.streams(*rate, AnyTime::Counts).responses();
-            !self.missed(&responses, None).contains(&message)
-        })
+        let missed: Vec<usize> =
+            (0..messages.len()).filter(|at| messages[*at].is_missed()).take(MOST).collect();
+        let faster = BIT_RATES.into_iter().filter(|rate| *rate > bit_rate && !missed.is_empty());
+        let faster: Vec<(u16, Vec<usize>)> = faster
+            .map(|rate| (rate, self.missed(&self.streams(rate, AnyTime::Counts).responses(), None)))
+            .collect();
+        let remedy = |message: usize| Remedy {
+            message,
+            bit_rate: faster.iter().find(|(_, missed)| !missed.contains(&message)).map(|(rate, _)| *rate),
+            before: self.sufficient_priority(bit_rate, message).map(|at| messages[at].can_id),
+        };
+        missed.iter().map(|message| remedy(*message)).collect()
     }
 
     /// The position of the last message before which another one would meet its deadline, without a new one that misses its own.

@@ -1,8 +1,6 @@
 //! Worst-case response times on CAN, after Davis, Burns, Bril and Lukkien, "Controller Area Network (CAN) schedulability analysis: Refuted, revisited and
 //! revised" (2007): blocking, busy periods, and every instance in them. Times are in nanoseconds.
 
-use std::collections::BTreeMap;
-
 /// The longest busy period that is looked at. A message that waits so long is as good as lost.
 const LONGEST: u64 = 10_000_000_000;
 
@@ -65,15 +63,50 @@ pub(crate) enum Response {
     Unbounded(Option<usize>),
 }
 
-/// Messages with one period and one jitter are one.
-type Demand = BTreeMap<(u64, u64), u64>;
+/// What messages of higher priority need.
+#[derive(Default)]
+struct Demand(Vec<Demanded>);
+
+struct Demanded {
+    period: u64,
+    jitter: u64,
+    cost: u64,
+}
+
+impl Demand {
+    /// Messages with one period and one jitter are one.
+    fn add(&mut self, period: u64, jitter: u64, cost: u64) {
+        match self.0.iter_mut().find(|same| (same.period, same.jitter) == (period, jitter)) {
+            Some(same) => same.cost += cost,
+            None => self.0.push(Demanded { period, jitter, cost }),
+        }
+    }
+
+    fn before(&self, until: u64) -> u64 {
+        self.0.iter().map(|one| (until + one.jitter).div_ceil(one.period) * one.cost).sum()
+    }
+}
+
+/// What no message of lower priority has shorter, as long as no less blocks it.
+struct Least {
+    blocking: u64,
+    /// The time until the first instance starts; `None` without a bound.
+    wait: Option<u64>,
+    busy: u64,
+}
+
+impl Least {
+    const fn of(blocking: u64) -> Self {
+        Self { blocking, wait: Some(0), busy: 0 }
+    }
+}
 
 impl Streams {
     /// The responses of all messages, in their order.
     pub(crate) fn responses(&self) -> Vec<Response> {
         let mut jitters: Vec<u64> = self.streams.iter().map(|stream| stream.jitter).collect();
         for _ in 0..ROUNDS {
-            let responses = self.with(&jitters);
+            let responses = self.with(&mut jitters);
             let next: Option<Vec<u64>> = self.streams.iter().map(|stream| stream.late(&responses)).collect();
             match next {
                 Some(next) if next != jitters => jitters = next,
@@ -100,12 +133,17 @@ impl Streams {
         (0..responses.len()).map(|at| if unknown(at) { cause(at) } else { responses[at] }).collect()
     }
 
-    fn with(&self, jitters: &[u64]) -> Vec<Response> {
+    /// The responses with these jitters, but for those of messages that follow one of higher priority, which are set.
+    fn with(&self, jitters: &mut [u64]) -> Vec<Response> {
         let blocking = self.blocking();
-        let mut higher = Demand::new();
+        let mut higher = Demand::default();
         let mut unbounded = None;
+        let mut least = Least::of(0);
         let mut responses = Vec::with_capacity(self.streams.len());
         for (at, stream) in self.streams.iter().enumerate() {
+            if stream.after.is_some_and(|after| after < at) {
+                jitters[at] = stream.late(&responses).unwrap_or(jitters[at]);
+            }
             if stream.arrival == Arrival::Unbounded {
                 unbounded = unbounded.or(Some(at));
             }
@@ -120,11 +158,15 @@ impl Streams {
                         background,
                         bit_time: self.bit_time,
                     };
-                    level.response(stream, jitters[at]).map_or(Response::Unbounded(None), Response::Within)
+                    if blocking[at] != least.blocking {
+                        least = Least::of(blocking[at]);
+                    }
+                    let response = level.response(stream, jitters[at], &mut least);
+                    response.map_or(Response::Unbounded(None), Response::Within)
                 }
             });
             if let Arrival::Every(period) = stream.arrival {
-                *higher.entry((period, jitters[at])).or_default() += stream.cost;
+                higher.add(period, jitters[at], stream.cost);
             }
         }
         responses
@@ -149,11 +191,11 @@ impl Streams {
     /// for ever.
     pub(crate) fn burst(&self, trigger: usize, triggered: &[usize], jitters: &[u64]) -> Option<u64> {
         let last = *triggered.iter().max()?;
-        let mut higher = Demand::new();
+        let mut higher = Demand::default();
         for (at, stream) in self.streams.iter().enumerate().take(last) {
             match stream.arrival {
                 _ if at == trigger || triggered.contains(&at) => {}
-                Arrival::Every(period) => *higher.entry((period, jitters[at])).or_default() += stream.cost,
+                Arrival::Every(period) => higher.add(period, jitters[at], stream.cost),
                 Arrival::Unbounded => return None,
                 Arrival::Rare => {}
             }
@@ -186,14 +228,17 @@ struct Level<'s> {
 
 impl Level<'_> {
     /// The response of a message; `None` without a bound.
-    fn response(&self, stream: &Stream, jitter: u64) -> Option<u64> {
-        let Arrival::Every(period) = stream.arrival else {
-            return Some(jitter + self.settle(0, 0)? + stream.cost);
-        };
-        let busy = self.busy(stream.cost, period, jitter)?;
+    fn response(&self, stream: &Stream, jitter: u64, least: &mut Least) -> Option<u64> {
+        // SDO frames do not wait for each other
+        let mut apart = Least::of(least.blocking);
+        let least = if stream.is_background { &mut apart } else { least };
+        least.wait = self.settle(0, least.wait?);
+        let mut wait = least.wait?;
+        let Arrival::Every(period) = stream.arrival else { return Some(jitter + wait + stream.cost) };
+        least.busy = self.busy(stream.cost.max(least.busy), stream.cost, period, jitter)?;
+        let busy = least.busy;
         let instances = (busy + jitter).div_ceil(period).max(1);
         let mut longest = 0;
-        let mut wait = 0;
         for instance in 0..instances {
             wait = self.settle(instance * stream.cost, wait)?;
             longest = longest.max(jitter + wait + stream.cost - (instance * period).min(jitter + wait));
@@ -213,9 +258,9 @@ impl Level<'_> {
         }
     }
 
-    /// How long the bus is busy with messages of this priority and higher ones.
-    fn busy(&self, cost: u64, period: u64, jitter: u64) -> Option<u64> {
-        let mut busy = cost;
+    /// How long the bus is busy with messages of this priority and higher ones, from a time that is no later.
+    fn busy(&self, start: u64, cost: u64, period: u64, jitter: u64) -> Option<u64> {
+        let mut busy = start;
         loop {
             let instances = (busy + jitter).div_ceil(period).max(1);
             if instances > INSTANCES {
@@ -231,9 +276,7 @@ impl Level<'_> {
 
     /// What the bus has to carry before time `until`, with `work` of its own; `None` if that takes too long.
     fn work(&self, work: u64, until: u64) -> Option<u64> {
-        let higher =
-            self.higher.iter().map(|((period, jitter), cost)| (until + jitter).div_ceil(*period) * cost);
-        let work = work + higher.sum::<u64>();
+        let work = work + self.higher.before(until);
         let work = match self.background {
             None => work,
             // a response and the next request, and both again when the bus was busy with others for as long as a response takes

@@ -121,9 +121,13 @@ pub struct TimedMessage {
 }
 
 impl TimedMessage {
-    /// Whether it may be too late.
+    /// Whether it may be too late. Nothing is known of a message that waits for PDOs which may come at any time.
     pub fn is_missed(&self) -> bool {
-        matches!((self.response, self.deadline), (Some(response), Some((deadline, _))) if response > deadline)
+        let Some((deadline, _)) = self.deadline else { return false };
+        match self.response {
+            Some(response) => response > deadline,
+            None => self.unbounded_by.is_none(),
+        }
     }
 }
 
@@ -367,16 +371,17 @@ impl Schedule {
                 [frame.deadline.map(|(deadline, _)| deadline), distance].into_iter().flatten().min();
             match responses[*at] {
                 Response::Within(response) => deadline.is_some_and(|deadline| response > deadline),
-                Response::Unbounded(_) => true,
+                Response::Unbounded(_) => deadline.is_some(),
             }
         };
         (0..self.frames.len()).filter(is_late).collect()
     }
 
-    /// The longest time from the start of SYNC to the end of the last synchronous PDO, without PDOs that are sent at any time.
-    pub(crate) fn needed_after_sync(&self, bit_rate: u16) -> Option<u64> {
-        let streams = self.streams(bit_rate, AnyTime::LeftOut);
-        self.sync_time(&streams, &streams.responses())?.needed
+    /// The most bits of SYNC and all that it triggers.
+    pub(crate) fn bits_of_cycle(&self) -> u64 {
+        let kinds = [TrafficKind::Sync, TrafficKind::SynchronousPdo];
+        let frames = self.frames.iter().filter(|frame| kinds.contains(&frame.kind));
+        frames.map(TimedFrame::most_bits).sum()
     }
 
     /// The messages that miss their deadlines even without PDOs that are sent at any time, with their responses.

@@ -116,7 +116,10 @@ fn the_network_of_the_book_has_these_responses() {
 
 #[test]
 fn the_synchronous_window_begins_with_sync() {
-    let needed = |schedule: &Schedule| schedule.needed_after_sync(125);
+    let needed = |schedule: &Schedule| {
+        let streams = schedule.streams(125, AnyTime::Counts);
+        schedule.sync_time(&streams, &streams.responses()).unwrap().needed
+    };
     assert_eq!(needed(&schedule(book(false), false)), Some(6720 * MICROSECOND));
     let mut frames = book(false);
     frames.insert(9, frame(0x60B, TrafficKind::Sdo, 8, 0));
@@ -173,4 +176,26 @@ fn the_priority_is_the_order_of_arbitration() {
             assert_eq!(one.priority().cmp(&other.priority()), arbitration(one).cmp(&arbitration(other)));
         }
     }
+}
+
+#[test]
+fn two_thousand_messages_meet_their_deadlines() {
+    let mut frames = vec![frame(0x080, TrafficKind::Sync, 0, 500)];
+    let kinds = [TrafficKind::SynchronousPdo, TrafficKind::EventPdo, TrafficKind::Heartbeat];
+    for (number, kind) in (0..2000).zip(kinds.into_iter().cycle()) {
+        let period = 1000 + number % 40 * 100;
+        frames.push(frame(0x0800_0000 + number as u32, kind, number % 9, period));
+    }
+    let schedule = schedule(frames, false);
+    let fitting = super::BIT_RATES.map(|rate| schedule.at_rate(rate)).into_iter().filter(|row| row.fits());
+    assert_eq!(fitting.map(|row| row.bit_rate).collect::<Vec<_>>(), [500, 800, 1000]);
+}
+
+#[test]
+fn a_higher_priority_or_a_faster_bus_helps() {
+    let mut frames = book(false);
+    frames[8].deadline = Some((5 * MILLISECOND, super::DeadlineKind::Receiver));
+    let schedule = schedule(frames, false);
+    let responses = schedule.streams(125, AnyTime::Counts).responses();
+    assert_eq!(schedule.missed(&responses, None), [8]);
 }
