@@ -59,8 +59,19 @@ pub(crate) struct Streams {
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum Response {
     Within(u64),
-    /// The message may wait for ever; because of the one at a position, if one alone is enough.
-    Unbounded(Option<usize>),
+    /// The message may wait for ever.
+    Unbounded(Cause),
+}
+
+/// Why a message may wait for ever.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) enum Cause {
+    /// The message at this position may come at any time.
+    Message(usize),
+    /// The background may leave no time to it; without, there is a bound.
+    Background,
+    /// The bus has too much to carry.
+    Load,
 }
 
 /// What messages of higher priority need.
@@ -114,7 +125,7 @@ impl Streams {
                 None => return self.cut(&responses),
             }
         }
-        vec![Response::Unbounded(None); self.streams.len()]
+        vec![Response::Unbounded(Cause::Load); self.streams.len()]
     }
 
     /// How late each message may be queued.
@@ -128,7 +139,7 @@ impl Streams {
         let unknown = |at: usize| first.is_some_and(|first| at >= first);
         let cause = |at: usize| match responses[at] {
             Response::Unbounded(cause) => Response::Unbounded(cause),
-            Response::Within(_) => Response::Unbounded(None),
+            Response::Within(_) => Response::Unbounded(Cause::Load),
         };
         (0..responses.len()).map(|at| if unknown(at) { cause(at) } else { responses[at] }).collect()
     }
@@ -148,7 +159,7 @@ impl Streams {
                 unbounded = unbounded.or(Some(at));
             }
             responses.push(match unbounded {
-                Some(cause) => Response::Unbounded(Some(cause)),
+                Some(cause) => Response::Unbounded(Cause::Message(cause)),
                 None => {
                     let background =
                         self.background.filter(|background| at >= background.first && !stream.is_background);
@@ -162,7 +173,7 @@ impl Streams {
                         least = Least::of(blocking[at]);
                     }
                     let response = level.response(stream, jitters[at], &mut least);
-                    response.map_or(Response::Unbounded(None), Response::Within)
+                    response.map_or_else(|| level.unbounded(stream, jitters[at]), Response::Within)
                 }
             });
             if let Arrival::Every(period) = stream.arrival {
@@ -244,6 +255,14 @@ impl Level<'_> {
             longest = longest.max(jitter + wait + stream.cost - (instance * period).min(jitter + wait));
         }
         Some(longest)
+    }
+
+    /// Why there is no response.
+    fn unbounded(&self, stream: &Stream, jitter: u64) -> Response {
+        let alone = Level { background: None, ..*self };
+        let is_bound = || alone.response(stream, jitter, &mut Least::of(self.blocking)).is_some();
+        let is_background = self.background.is_some() && is_bound();
+        Response::Unbounded(if is_background { Cause::Background } else { Cause::Load })
     }
 
     /// The time until a message may start, from a time that is no later.

@@ -14,7 +14,7 @@ pub use self::boot::{BootTimes, NodeBootTime};
 pub use self::frames::{DeadlineKind, TrafficKind};
 pub use self::load::{Load, LoadShare};
 
-use self::analysis::{Arrival, Background, Response, Stream, Streams};
+use self::analysis::{Arrival, Background, Cause, Response, Stream, Streams};
 use self::frames::{Rhythm, TimedFrame};
 use crate::Language;
 use crate::compiled::Compiled;
@@ -112,6 +112,8 @@ pub struct TimedMessage {
     pub response: Option<u64>,
     /// The message because of which there is none.
     pub unbounded_by: Option<MessageId>,
+    /// Whether there is none because SDO transfers may leave no time to it.
+    pub waits_for_sdo: bool,
     /// The longest time that it may take, and why.
     pub deadline: Option<(u64, DeadlineKind)>,
     /// Who sends it.
@@ -121,12 +123,12 @@ pub struct TimedMessage {
 }
 
 impl TimedMessage {
-    /// Whether it may be too late. Nothing is known of a message that waits for PDOs which may come at any time.
+    /// Whether it may be too late. Nothing is known of a message that waits for PDOs which may come at any time, or for SDO transfers without an end.
     pub fn is_missed(&self) -> bool {
         let Some((deadline, _)) = self.deadline else { return false };
         match self.response {
             Some(response) => response > deadline,
-            None => self.unbounded_by.is_none(),
+            None => self.unbounded_by.is_none() && !self.waits_for_sdo,
         }
     }
 }
@@ -340,9 +342,10 @@ impl Schedule {
                 Response::Unbounded(_) => None,
             },
             unbounded_by: match responses[at] {
-                Response::Unbounded(cause) => cause.map(|cause| self.frames[cause].id),
-                Response::Within(_) => None,
+                Response::Unbounded(Cause::Message(cause)) => Some(self.frames[cause].id),
+                _ => None,
             },
+            waits_for_sdo: responses[at] == Response::Unbounded(Cause::Background),
             deadline: frame.deadline,
             sender: End::new(network, &frame.sender),
             receivers: frame.receivers.iter().map(|party| End::new(network, party)).collect(),
@@ -371,6 +374,7 @@ impl Schedule {
                 [frame.deadline.map(|(deadline, _)| deadline), distance].into_iter().flatten().min();
             match responses[*at] {
                 Response::Within(response) => deadline.is_some_and(|deadline| response > deadline),
+                Response::Unbounded(Cause::Background) => false,
                 Response::Unbounded(_) => deadline.is_some(),
             }
         };

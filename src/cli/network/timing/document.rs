@@ -153,6 +153,8 @@ struct MessageRow<'a> {
     response_us: Option<u64>,
     /// The CAN-ID of the message because of which there is no bound.
     unbounded_by: Option<u32>,
+    /// Whether there is no bound because SDO transfers may leave no time to it.
+    waits_for_sdo: bool,
     /// The longest time that it may take.
     deadline_us: Option<u64>,
     /// Why.
@@ -304,6 +306,7 @@ impl<'a> MessageRow<'a> {
             jitter_us: up(message.jitter),
             response_us: response,
             unbounded_by: message.unbounded_by.map(|cause| cause.number),
+            waits_for_sdo: message.waits_for_sdo,
             deadline_us: deadline,
             deadline_kind: message.deadline.map(|(_, kind)| kind),
             slack_us: deadline

@@ -106,7 +106,8 @@ impl Report<'_> {
 
     fn messages(&self, out: &mut dyn Write) -> io::Result<()> {
         let headings = [
-            "CAN-ID", "Message", "From", "Bytes", "Bits", "Period", "Jitter", "Response", "Deadline", "Slack",
+            "CAN-ID", "Message", "From", "To", "Bytes", "Bits", "Period", "Jitter", "Response", "Deadline",
+            "Slack",
         ];
         let mut table = Table::new(headings, CELL);
         for message in &self.timing.messages {
@@ -116,6 +117,7 @@ impl Report<'_> {
                 message.can_id.to_string(),
                 message.name.clone(),
                 message.sender.node.clone(),
+                receivers(message),
                 message.bytes.to_string(),
                 format!("{least}-{most}"),
                 period(message),
@@ -258,7 +260,17 @@ fn response(message: &TimedMessage) -> String {
     match (message.response, message.unbounded_by) {
         (Some(response), _) => milliseconds(response),
         (None, Some(cause)) if cause != message.can_id => format!("unbounded ({cause})"),
+        (None, _) if message.waits_for_sdo => "unbounded (SDO)".to_owned(),
         (None, _) => "unbounded".to_owned(),
+    }
+}
+
+/// The nodes that receive a message: the name of one, else their number.
+fn receivers(message: &TimedMessage) -> String {
+    match message.receivers.as_slice() {
+        [] => String::new(),
+        [first, rest @ ..] if rest.iter().all(|end| end.position == first.position) => first.node.clone(),
+        all => plural(all.len(), "node"),
     }
 }
 

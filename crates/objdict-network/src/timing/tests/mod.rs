@@ -2,7 +2,7 @@
 
 mod observed;
 
-use super::analysis::{Arrival, Response, Stream, Streams};
+use super::analysis::{Arrival, Cause, Response, Stream, Streams};
 use super::frames::{MICROSECOND, MILLISECOND, Rhythm, TimedFrame};
 use super::{AnyTime, Load, Schedule, TimingOptions, TrafficKind};
 use crate::messages::{MessageId, Party, Service};
@@ -36,10 +36,13 @@ fn a_full_bus_has_no_bound() {
     let full = streams(1000, &[(100, 1000), (500, 1000), (400, 1000), (1, 1_000_000)]);
     let responses = full.responses();
     assert_eq!(responses[0], within(600), "the longest frame below, and its own");
-    assert_eq!(responses[3], Response::Unbounded(None));
+    assert_eq!(responses[3], Response::Unbounded(Cause::Load));
     let mut any = streams(1000, &[(100, 1000), (100, 1000), (100, 1000)]);
     any.streams[1].arrival = Arrival::Unbounded;
-    assert_eq!(any.responses(), [within(200), Response::Unbounded(Some(1)), Response::Unbounded(Some(1))]);
+    assert_eq!(
+        any.responses(),
+        [within(200), Response::Unbounded(Cause::Message(1)), Response::Unbounded(Cause::Message(1))]
+    );
     any.streams[1].arrival = Arrival::Rare;
     assert_eq!(any.responses(), [within(200), within(300), within(200)]);
 }
@@ -109,7 +112,7 @@ fn the_network_of_the_book_has_these_responses() {
     let expected = [152, 236, 288, 364, 440, 492, 576, 652, 728];
     assert_eq!(with_sdo.responses()[..9], expected.map(|time| within(time * 10)));
     // nodes that answer at once leave no time between two SDO frames
-    assert_eq!(with_sdo.responses()[10..], [Response::Unbounded(None); 2]);
+    assert_eq!(with_sdo.responses()[10..], [Response::Unbounded(Cause::Background); 2]);
     with_sdo.background.as_mut().unwrap().response_time = MILLISECOND;
     assert!(matches!(with_sdo.responses()[11], Response::Within(time) if time > 724 * 10_000));
 }
@@ -187,7 +190,8 @@ fn two_thousand_messages_meet_their_deadlines() {
         frames.push(frame(0x0800_0000 + number as u32, kind, number % 9, period));
     }
     let schedule = schedule(frames, false);
-    let fitting = super::BIT_RATES.map(|rate| schedule.at_rate(rate)).into_iter().filter(|row| row.fits());
+    let fitting =
+        super::BIT_RATES.map(|rate| schedule.at_rate(rate)).into_iter().filter(super::RateRow::fits);
     assert_eq!(fitting.map(|row| row.bit_rate).collect::<Vec<_>>(), [500, 800, 1000]);
 }
 

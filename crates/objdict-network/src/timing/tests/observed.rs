@@ -25,7 +25,7 @@ impl Random {
     }
 
     fn one_in(&mut self, count: u64) -> bool {
-        self.next() % count == 0
+        self.next().is_multiple_of(count)
     }
 }
 
@@ -92,7 +92,7 @@ fn simulate(bus: &Bus, random: &mut Random, until: u64) -> Vec<Sent> {
         if Some(place) == sdo {
             let background = bus.streams.background?;
             // requests follow responses at once, and responses take their time
-            let at = if number % 2 == 0 { sent + background.response_time } else { sent };
+            let at = if number.is_multiple_of(2) { sent + background.response_time } else { sent };
             return Some(Queued { at, duration: background.cost });
         }
         let stream = if sdo.is_some_and(|sdo| place > sdo) { place - 1 } else { place };
