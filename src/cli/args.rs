@@ -32,7 +32,7 @@ pub(super) use self::generate::{GenerateArgs, SizeFormat};
 pub(super) use self::network::{
     BootTarget, GraphFormat, NetworkArgs, NetworkBootArgs, NetworkBuildArgs, NetworkCheckArgs,
     NetworkCommand, NetworkDiffArgs, NetworkFormat, NetworkGraphArgs, NetworkInitArgs, NetworkInputArgs,
-    NetworkSchemaArgs, NetworkShowArgs, NetworkTarget, NetworkVerifyArgs,
+    NetworkSchemaArgs, NetworkShowArgs, NetworkTarget, NetworkTimingArgs, NetworkVerifyArgs,
 };
 pub(super) use self::new::NewArgs;
 pub(super) use self::output::{Counting, ReportArgs, ReportFormat, ShowFormat};

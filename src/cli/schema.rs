@@ -56,6 +56,7 @@ documents! {
     "variants" super::variants::Document: "The variants of a `device.toml`: `objdict variants --format json`.",
     "network" super::network::ShowDocument<'_>: "A network: `objdict network show --format json`.",
     "boot" super::network::BootDocument<'_>: "A simulated boot: `objdict network boot --format json`.",
+    "timing" super::network::TimingDocument<'_>: "A network in time: `objdict network timing --format json`.",
     "conformance" super::conformance::Document<'_>: "What a node does of CiA 301: `objdict conformance --format json`.",
     "verify" super::dcf::VerifyDocument<'_>: "What a node refuses: `objdict dcf verify --format json`.",
     "profiles" super::profile::ListDocument<'_>: "The built-in profiles: `objdict profile list --format json`.",

@@ -117,6 +117,8 @@ const LINES: &[(Kind, &str)] = &[
     (Text, "network verify @-built"),
     (Text, "network boot @-built"),
     (Text, "network boot @.toml --format json"),
+    (Text, "network timing @.toml"),
+    (Text, "network timing @.toml --format json --svg @-timing.svg"),
     (Text, "network verify @-none"),
     (Text, "network show @.toml"),
     (Text, "network show @.toml --format json"),

@@ -46,6 +46,7 @@ mod structure;
 #[path = "../support/mod.rs"]
 mod support;
 mod texts;
+mod timing;
 mod torture;
 mod verify;
 mod write;

@@ -167,11 +167,11 @@ impl Site {
             Form::Csv => csv::table(&COLUMNS, &self.devices),
         };
         let mut files = vec![SiteFile { name: format!("index.{}", self.form.extension()), text }];
-        let file = |(name, text): (&str, String)| SiteFile { name: name.to_owned(), text };
-        files.extend(index.networks.iter().filter_map(NetworkView::picture).map(file));
+        let pictures = index.networks.iter().flat_map(NetworkView::pictures);
+        files.extend(pictures.map(|(name, text)| SiteFile { name, text }));
         if self.form == Form::Csv && !self.networks.is_empty() {
             let overviews = self.networks.iter().map(|network| &network.overview);
-            files.extend(tables(overviews).map(file));
+            files.extend(tables(overviews).map(|(name, text)| SiteFile { name: name.to_owned(), text }));
         }
         files
     }

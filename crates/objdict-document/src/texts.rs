@@ -160,6 +160,14 @@ texts! {
     topology: "Topology", "Topologie";
     bus_load: "cyclic messages take up to", "zyklische Nachrichten belegen bis zu";
     not_counted: "Not counted", "Nicht mitgezählt";
+    load_average: "Load on average", "Buslast im Mittel";
+    load_worst: "in the worst case", "höchstens";
+    fits_from: "the network fits from", "das Netzwerk passt ab";
+    timeline: "Messages in time, if all come at once", "Nachrichten in der Zeit, wenn alle zugleich kommen";
+    response: "Response", "Antwortzeit";
+    deadline: "Deadline", "Frist";
+    unbounded: "unbounded", "unbegrenzt";
+    may_be_late: "may be late", "evtl. zu spät";
     network_nodes: "Nodes", "Knoten";
     manager: "manager", "Manager";
     heartbeat: "Heartbeat", "Heartbeat";

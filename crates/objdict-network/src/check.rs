@@ -15,6 +15,7 @@ use crate::compiled::{Compiled, Slave};
 use crate::diagnostic::{At, Findings};
 use crate::messages::{MessageId, Messages, Party};
 use crate::network::Network;
+use crate::timing::{Schedule, TimingOptions};
 use crate::traffic::Traffic;
 
 /// Reports the problems of a network: of the configurations, and between nodes.
@@ -30,6 +31,7 @@ pub fn check(network: &Network, compiled: &Compiled, findings: &mut Findings) {
     check.reserved();
     check.times();
     check.load();
+    check.deadlines();
     check.heartbeats();
     check.monitored_twice();
     check.managers();
@@ -68,8 +70,12 @@ impl<'n> Check<'n, '_> {
     }
 
     /// The bit rate in kbit/s; without one, the fastest, with which checks of time find least.
-    fn bit_rate(&self) -> u64 {
-        self.network.bit_rate.map_or(1000, |rate| rate.value.max(1)).into()
+    fn bit_rate(&self) -> u16 {
+        self.network.bit_rate.map_or(1000, |rate| rate.value.max(1))
+    }
+
+    fn schedule(&self) -> Schedule {
+        Schedule::new(self.traffic(), TimingOptions::default())
     }
 
     fn traffic(&self) -> Traffic<'n> {

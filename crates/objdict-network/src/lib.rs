@@ -21,6 +21,7 @@ mod origin;
 mod overview;
 mod resolve;
 mod rules;
+mod timing;
 mod traffic;
 mod unlinked;
 mod watch;
@@ -42,6 +43,10 @@ pub use overview::{
 };
 pub use resolve::{Resolved, resolve};
 pub use rules::rules;
+pub use timing::{
+    BootTimes, DeadlineKind, Load, LoadShare, NodeBootTime, RateRow, Remedy, SyncTime, TimedMessage, Timing,
+    TimingOptions, TrafficKind, timeline,
+};
 pub use traffic::Uncounted;
 
 use objdict_model::{Language, diagnostic, literal, model, source};

@@ -5,6 +5,7 @@ use crate::compiled::{Compiled, PdoState, Slave};
 use crate::messages::{MessageId, Messages, Service};
 use crate::network::{Network, Said};
 use crate::source::Span;
+use crate::timing::Load;
 
 /// The most bits of a data frame with so many bytes, with stuff bits and the space to the next frame.
 pub(crate) const fn frame_bits(bytes: u64, is_extended: bool) -> u64 {
@@ -127,13 +128,6 @@ impl<'n> Traffic<'n> {
         Uncounted { pdos, services }
     }
 
-    /// The producer heartbeat times of all nodes that have one, in milliseconds.
-    fn heartbeats(self) -> impl Iterator<Item = u16> {
-        let manager = self.network.manager.as_ref().filter(|manager| manager.node.is_none());
-        let manager = manager.and_then(|manager| manager.heartbeat.producer).map(|time| time.value);
-        self.compiled.nodes().map(|slave| slave.heartbeat).chain(manager).filter(|time| *time != 0)
-    }
-
     /// The share of the bit rate that is used all the time, in thousandths; `None` without a bit rate.
     pub(crate) fn load(self) -> Option<u64> {
         Some(self.load_at(self.network.bit_rate?.value))
@@ -141,46 +135,6 @@ impl<'n> Traffic<'n> {
 
     /// The same at a bit rate in kbit/s.
     pub(crate) fn load_at(self, bit_rate: u16) -> u64 {
-        let sync = self.sync();
-        // bits a second, times a thousand
-        let mut load: u64 = sync
-            .as_ref()
-            .map_or(0, |sync| frame_bits(sync.bytes, false) * 1_000_000_000 / sync.period.max(1));
-        for state in self.pdos() {
-            if let Some(period) = state.period(sync.as_ref()) {
-                load += state.frame_bits() * 1_000_000_000 / period.max(1);
-            }
-        }
-        for time in self.heartbeats() {
-            load += frame_bits(1, false) * 1_000_000 / u64::from(time);
-        }
-        // the manager asks, and the node answers
-        let guard_times = self.compiled.nodes().map(|slave| slave.guard_time).filter(|time| *time != 0);
-        for time in guard_times {
-            load += (frame_bits(0, false) + frame_bits(1, false)) * 1_000_000 / u64::from(time);
-        }
-        load / (u64::from(bit_rate) * 1000).max(1)
-    }
-}
-
-impl PdoState {
-    /// The shortest time in microseconds between two of them; `None` for PDOs that an event triggers at any time.
-    pub(crate) fn period(&self, sync: Option<&Sync>) -> Option<u64> {
-        match self.transmission {
-            0..=240 => sync.map(|sync| sync.period * u64::from(self.transmission.max(1))),
-            _ => [u64::from(self.inhibit_time) * 100, u64::from(self.event_timer) * 1000]
-                .into_iter()
-                .find(|time| *time != 0),
-        }
-    }
-
-    /// The bytes that it has on the bus.
-    pub(crate) fn bytes(&self) -> u64 {
-        u64::from(self.bits().div_ceil(8)).min(8)
-    }
-
-    /// The bits that it takes there.
-    pub(crate) fn frame_bits(&self) -> u64 {
-        frame_bits(self.bytes(), self.can_id().is_extended)
+        Load::of(&self.frames()).worst / (u64::from(bit_rate) * 1000).max(1)
     }
 }

@@ -43,6 +43,12 @@ pub(in crate::cli) enum NetworkCommand {
     /// descriptions state, and frames are arbitrated by CAN-ID. Prints each frame with its meaning, and the time at which each node becomes
     /// operational. Exits with 1 if a node that the manager must boot does not become operational.
     Boot(NetworkBootArgs),
+    /// Compute the bus load, and how long each message may take in the worst case
+    ///
+    /// The longest time from the moment at which a message is due until it is on the bus follows from all messages of higher priority and the
+    /// longest frame of lower priority (Davis, Burns, Bril, Lukkien 2007). Prints it beside the deadline: the period, the event timer,
+    /// the synchronous window, or the time that a receiver waits. Exits with 1 if a message may miss its deadline.
+    Timing(NetworkTimingArgs),
     /// Show nodes, links, CAN-IDs, boot plan and bus load of a network
     Show(NetworkShowArgs),
     /// Draw the nodes of a network and their messages, each with its CAN-ID
@@ -149,6 +155,14 @@ fn duration(text: &str) -> Result<u64, &'static str> {
         .ok_or("write a time of at most an hour, as in `100ms` or `1.5s`")
 }
 
+/// A time of at least 100 µs and at most an hour in nanoseconds.
+fn inhibit_time(text: &str) -> Result<u64, &'static str> {
+    duration(text)
+        .ok()
+        .filter(|time| *time >= 100_000)
+        .ok_or("write a time of 100 µs up to an hour, as in `10ms` or `500us`")
+}
+
 fn variable(text: &str) -> Result<(String, String), &'static str> {
     match text.split_once('=') {
         Some((name, value)) if !name.is_empty() => Ok((name.to_owned(), value.to_owned())),
@@ -239,6 +253,39 @@ pub(in crate::cli) struct NetworkBootArgs {
     /// The maximum simulated time, at most an hour
     #[arg(long, value_name = "TIME", default_value = "60s", value_parser = duration, help_heading = "Simulation")]
     pub time_limit: u64,
+    #[command(flatten)]
+    pub input: NetworkInputArgs,
+}
+
+#[derive(Debug, clap::Args)]
+pub(in crate::cli) struct NetworkTimingArgs {
+    /// The network, or the descriptions of its nodes
+    #[arg(required = true, value_name = "FILE")]
+    pub files: Vec<PathBuf>,
+    /// Output format
+    #[arg(long, value_enum, default_value = "table")]
+    pub format: ShowFormat,
+    /// Also write a picture: what each node sends in a time of at most a second, and its load
+    #[arg(long, value_name = "PATH")]
+    pub svg: Option<PathBuf>,
+    /// The bit rate in kbit/s [default: that of the network]
+    #[arg(long, value_name = "KBIT", value_parser = clap::value_parser!(u16).range(1..=1000), help_heading = "Assumptions")]
+    pub bit_rate: Option<u16>,
+    /// The least time that a node needs for the answer to an SDO or guarding request
+    #[arg(long, value_name = "TIME", default_value = "1ms", value_parser = duration, help_heading = "Assumptions")]
+    pub response_time: u64,
+    /// The most time that a node needs after SYNC until it sends
+    #[arg(long, value_name = "TIME", default_value = "0ms", value_parser = duration, help_heading = "Assumptions")]
+    pub node_delay: u64,
+    /// The inhibit time of event-driven PDOs that have none, such as 10ms
+    #[arg(long, value_name = "TIME", value_parser = inhibit_time, help_heading = "Assumptions")]
+    pub inhibit_time: Option<u64>,
+    /// No SDO transfers, as in a network that is configured
+    #[arg(long, help_heading = "Assumptions")]
+    pub no_sdo: bool,
+    /// All nodes send emergencies, as often as their inhibit time (1015h) allows
+    #[arg(long, help_heading = "Assumptions")]
+    pub emergencies: bool,
     #[command(flatten)]
     pub input: NetworkInputArgs,
 }

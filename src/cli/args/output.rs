@@ -49,6 +49,7 @@ pub(in crate::cli) enum Counting {
 #[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
 pub(in crate::cli) enum ShowFormat {
     /// Plain text
+    #[value(alias = "text")]
     Table,
     /// For programs: one JSON document, one entry per line (docs/json.md)
     Json,

@@ -12,13 +12,14 @@ use super::{Documented, described, file_name, reported};
 use crate::document::{Finding, SiteNetwork};
 use crate::format::input::Reading;
 use crate::format::network::BuiltFile;
-use crate::network::{DcfgenMode, Overview};
+use crate::network::{DcfgenMode, Overview, Timing, TimingOptions};
 use crate::report::{Location, grouped};
 
 /// A network with all that its index and the pages of its nodes need.
 pub(super) struct DocumentedNetwork {
     file: String,
     overview: Overview,
+    timing: Option<Timing>,
     pub(super) findings: Vec<Finding>,
     /// The nodes by their position in the network; `None` for one without a page.
     pub(super) nodes: Vec<Option<Documented>>,
@@ -64,12 +65,15 @@ impl DocumentedNetwork {
             }
         }
         let tag = args.lang.as_deref().unwrap_or("en");
-        Ok(Self { file: file_name(&file.path), overview: build.overview(tag), findings, nodes })
+        let overview = build.overview(tag);
+        let timing = build.timing(&TimingOptions::default(), overview.language);
+        Ok(Self { file: file_name(&file.path), overview, timing, findings, nodes })
     }
 
     /// The part of the index; `pages` are the names of the nodes' pages.
     pub(super) fn into_part(self, pages: Vec<Option<String>>) -> SiteNetwork {
-        SiteNetwork { overview: self.overview, file: Some(self.file), pages, findings: Some(self.findings) }
+        let Self { file, overview, timing, findings, .. } = self;
+        SiteNetwork { overview, timing, file: Some(file), pages, findings: Some(findings) }
     }
 }
 

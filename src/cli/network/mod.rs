@@ -6,6 +6,7 @@ mod check;
 mod diff;
 mod graph;
 mod show;
+mod timing;
 mod verify;
 
 use std::io::Write;
@@ -15,6 +16,8 @@ use std::path::{Path, PathBuf};
 pub(super) use self::boot::Document as BootDocument;
 #[cfg(feature = "schema")]
 pub(super) use self::show::Document as ShowDocument;
+#[cfg(feature = "schema")]
+pub(super) use self::timing::Document as TimingDocument;
 use super::args::{NetworkCommand, NetworkFormat, NetworkInitArgs, NetworkInputArgs, NetworkSchemaArgs};
 use super::input::{name_of, source_name};
 use super::outcome::{Failure, Outcome, tell};
@@ -35,6 +38,7 @@ pub(super) fn run(command: &NetworkCommand, out: &mut Output) -> Result<Outcome,
         NetworkCommand::Build(args) => build::run(args, out),
         NetworkCommand::Verify(args) => verify::run(args, out),
         NetworkCommand::Boot(args) => boot::run(args, out),
+        NetworkCommand::Timing(args) => timing::run(args, out),
         NetworkCommand::Show(args) => show::run(args, out),
         NetworkCommand::Graph(args) => graph::run(args, out),
         NetworkCommand::Diff(args) => diff::run(args, out),

@@ -8,11 +8,13 @@ pub use self::replay::BuildObjection;
 use std::borrow::Cow;
 
 use super::NetworkFile;
+use crate::Language;
 use crate::download::{ConciseDcf, EncodeError, PlanError};
 use crate::format::{self, EditError, Format, NodeSettings, WriteOptions};
 use crate::model::{Assignment, Commissioning, Device, Value};
 use crate::network::{
-    Compiled, DcfgenMode, LelyOptions, Network, Overview, Slave, compile, configuration_file, lely_master,
+    Compiled, DcfgenMode, LelyOptions, Network, Overview, Slave, Timing, TimingOptions, compile,
+    configuration_file, lely_master,
 };
 
 /// A file that is built.
@@ -203,6 +205,11 @@ impl Build<'_> {
     /// The network in tables, in a language.
     pub fn overview(&self, tag: &str) -> Overview {
         Overview::in_language(self.network, &self.compiled, tag)
+    }
+
+    /// Load and response times, in a language; `None` without a bit rate.
+    pub fn timing(&self, options: &TimingOptions, language: Language) -> Option<Timing> {
+        Timing::in_language(self.network, &self.compiled, options, language)
     }
 
     /// The node list (CiA 306-3) with its DCFs.

@@ -252,7 +252,7 @@ fn several_devices_make_a_site() {
                 assert!(read::html(index).contains("Line <1>"));
             }
             Form::Markdown => {
-                assert_eq!(names, ["index.md", "network-1.svg"]);
+                assert_eq!(names, ["index.md", "network-1.svg", "network-1-timeline.svg"]);
                 insta::assert_snapshot!("index.md", index);
             }
             Form::Csv => {

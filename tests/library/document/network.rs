@@ -5,7 +5,7 @@ use std::fs;
 use objdict::document::{Finding, Form, Options, Site, SiteFile, SiteNetwork, Subject};
 use objdict::format::network::NetworkFile;
 use objdict::format::{self, Format};
-use objdict::network::DcfgenMode;
+use objdict::network::{DcfgenMode, TimingOptions};
 use objdict::report::Location;
 use objdict::source::SourceFile;
 
@@ -38,8 +38,10 @@ fn site(file: &NetworkFile, form: Form, options: &Options) -> Vec<SiteFile> {
     let line = |finding| Location::line_of(file.into(), finding);
     let findings = file.check().iter().map(|finding| Finding::new(finding, line(finding))).collect();
     let overview = build.overview(options.language.as_deref().unwrap_or("en"));
+    let timing = build.timing(&TimingOptions::default(), overview.language);
     site.add_network(SiteNetwork {
         overview,
+        timing,
         file: Some("plant.toml".to_owned()),
         pages,
         findings: Some(findings),

@@ -52,6 +52,8 @@ const DOCUMENTS: &[(&str, &str)] = &[
     ),
     ("boot", "network boot FIXTURES/network/line.toml --format json"),
     ("boot", "network boot FIXTURES/network/cell.yml --format json --summary"),
+    ("timing", "network timing FIXTURES/network/chapter4.toml --format json"),
+    ("timing", "network timing FIXTURES/rules/network/late-message/bad.yml --format json"),
     (
         "verify",
         "dcf verify FIXTURES/concise/careless.cdcf --eds FIXTURES/eds/io-401.eds --node-id 5 --format json",

@@ -8,7 +8,7 @@ mod tables;
 use std::borrow::Cow;
 
 use askama::Template;
-use objdict_network::{End, MappedEntry, NodeRow, Overview, graph};
+use objdict_network::{End, MappedEntry, MessageRow, NodeRow, Overview, Timing, graph, timeline};
 
 use self::link::{Link, can_id, spoken};
 pub use self::site_network::SiteNetwork;
@@ -66,9 +66,52 @@ impl<'a> NetworkView<'a> {
         }
     }
 
-    /// The picture and its file name, if it is a file of its own.
-    pub(crate) fn picture(&self) -> Option<(&str, String)> {
-        (!self.picture.is_empty()).then(|| (self.picture.as_str(), self.drawn() + "\n"))
+    /// The pictures and their file names, if they are files of their own.
+    pub(crate) fn pictures(&self) -> Vec<(String, String)> {
+        if self.picture.is_empty() {
+            return Vec::new();
+        }
+        let timeline =
+            self.network.timing.is_some().then(|| (self.timeline_picture(), self.timeline() + "\n"));
+        [(self.picture.clone(), self.drawn() + "\n")].into_iter().chain(timeline).collect()
+    }
+
+    /// The file of the picture of messages in time.
+    fn timeline_picture(&self) -> String {
+        format!("{}-timeline.svg", self.prefix)
+    }
+
+    /// The picture of messages in time (SVG).
+    fn timeline(&self) -> String {
+        self.network.timing.as_ref().map_or_else(String::new, |timing| timeline::svg(timing, can_id))
+    }
+
+    /// Load, and the bit rate from which the network fits.
+    fn timed(&self) -> Option<String> {
+        let Timing { load, bit_rate, .. } = self.network.timing.as_ref()?;
+        let percent =
+            |percent: u64| decimal(u32::try_from(percent / 100).unwrap_or(u32::MAX), 1, self.language);
+        let Texts { load_average, load_worst, fits_from, .. } = self.texts;
+        let (average, worst) =
+            (percent(load.average_percent(*bit_rate)), percent(load.worst_percent(*bit_rate)));
+        let loads = format!("{load_average} {average} %, {load_worst} {worst} %");
+        let rate = self.network.timing.as_ref().and_then(Timing::fits_from);
+        let fits = rate.map_or_else(String::new, |rate| format!("; {fits_from} {rate} kbit/s"));
+        Some(loads + &fits)
+    }
+
+    /// How long a message may take until it is received, and its deadline; empty where nothing is known.
+    fn response(&self, message: &MessageRow) -> [String; 2] {
+        let timed = self.network.timing.iter().flat_map(|timing| &timing.messages);
+        let Some(timed) = timed.into_iter().find(|timed| timed.can_id == message.can_id) else {
+            return Default::default();
+        };
+        let time = |time: u64| {
+            of_microseconds(u32::try_from(time.div_ceil(1000)).unwrap_or(u32::MAX), self.language)
+        };
+        let response = timed.response.map_or_else(|| self.texts.unbounded.to_owned(), time);
+        let late = if timed.is_missed() { format!("; {}", self.texts.may_be_late) } else { String::new() };
+        [response + &late, timed.deadline.map(|(deadline, _)| time(deadline)).unwrap_or_default()]
     }
 
     /// The picture of nodes and messages (SVG).

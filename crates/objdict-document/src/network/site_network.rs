@@ -1,6 +1,6 @@
 //! What a site is given of a network.
 
-use objdict_network::Overview;
+use objdict_network::{Overview, Timing};
 
 use crate::finding::Finding;
 
@@ -9,6 +9,8 @@ use crate::finding::Finding;
 pub struct SiteNetwork {
     /// What the network is and does, in the language of the site.
     pub overview: Overview,
+    /// Load and response times; `None` for a network without a bit rate.
+    pub timing: Option<Timing>,
     /// The file of the network, as readers know it; `None` if only its nodes are described.
     pub file: Option<String>,
     /// The names of the nodes' pages by the position of the node in the network; `None` for a node without a page.

@@ -2,7 +2,7 @@
 
 use std::collections::BTreeMap;
 
-use objdict_network::{DcfgenMode, Network, Node, Overview, Said, compile};
+use objdict_network::{DcfgenMode, Network, Node, Overview, Said, Timing, TimingOptions, compile};
 
 use super::site_network::SiteNetwork;
 use crate::context::Context;
@@ -67,5 +67,6 @@ fn network(number: Option<u32>, name: &str, nodes: Vec<StatedNode>, tag: &str) -
     };
     let compiled = compile(&network, DcfgenMode::Corrected);
     let overview = Overview::in_language(&network, &compiled, tag);
-    SiteNetwork { overview, file: None, pages, findings: None }
+    let timing = Timing::in_language(&network, &compiled, &TimingOptions::default(), overview.language);
+    SiteNetwork { overview, timing, file: None, pages, findings: None }
 }

@@ -1,7 +1,6 @@
 //! What the manager expects while it boots the network.
 
 use super::Check;
-use super::timing::sdo_bits;
 use crate::compiled::Slave;
 use crate::diagnostic::{At, Diagnostic, Severity, say};
 use crate::download::Order;
@@ -12,6 +11,7 @@ use crate::rules::{
     WRONG_IDENTITY,
 };
 use crate::source::Span;
+use crate::timing::sdo_bits;
 
 impl Check<'_, '_> {
     pub(super) fn identities(&mut self) {
@@ -246,7 +246,7 @@ impl Check<'_, '_> {
             }
             let downloads = slave.arranged_or_stated();
             let bits: u64 = downloads.0.iter().map(|download| sdo_bits(download.data.len())).sum();
-            let milliseconds = bits.div_ceil(self.bit_rate());
+            let milliseconds = bits.div_ceil(self.bit_rate().into());
             if milliseconds > manager.boot_time.value.into() {
                 let message = say!(
                     "the configuration of `{}` takes at least {} ms, but the boot time is {} ms",

@@ -7,7 +7,7 @@ use crate::diagnostic::{Diagnostic, Severity, Text, say, series};
 use crate::messages::{MessageId, Party, Service};
 use crate::model::PdoKind;
 use crate::rules::{NO_SYNC_SENDER, SYNC_COUNTER, SYNC_WINDOW};
-use crate::traffic::{Sync, frame_bits};
+use crate::traffic::Sync;
 
 /// The most PDOs that a message names.
 const MAX_NAMED: usize = 4;
@@ -25,7 +25,7 @@ impl<'n> Check<'n, '_> {
             self.counter_of_manager(&sync);
         }
         if !self.windows(&sync, &users) {
-            self.burst(&sync, &synchronous);
+            self.burst(&sync);
         }
     }
 
@@ -223,11 +223,9 @@ impl<'n> Check<'n, '_> {
     }
 
     /// Whether SYNC and what it triggers fit into the window or the period.
-    fn burst(&mut self, sync: &Sync, synchronous: &[(&Slave, &PdoState)]) {
+    fn burst(&mut self, sync: &Sync) {
         // with types above 1 PDOs may still meet in one cycle
-        let burst: u64 = synchronous.iter().map(|(_, state)| state.frame_bits()).sum::<u64>()
-            + frame_bits(sync.bytes, false);
-        let time = (burst * 1000).div_ceil(self.bit_rate());
+        let time = (self.schedule().bits_of_cycle() * 1000).div_ceil(self.bit_rate().into());
         let (limit, what, at, index) = match sync.window.value {
             0 => (sync.period, "communication cycle period", sync.at, 0x1006),
             window => (window, "synchronous window length", sync.window.at, 0x1007),

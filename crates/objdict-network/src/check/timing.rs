@@ -6,17 +6,11 @@ use crate::diagnostic::{Diagnostic, Severity, say};
 use crate::messages::Message;
 use crate::model::PdoKind;
 use crate::network::Said;
-use crate::rules::{BUS_LOAD, PDO_TIMES};
-use crate::traffic::frame_bits;
+use crate::rules::{BUS_LOAD, LATE_MESSAGE, PDO_TIMES};
+use crate::timing::{DeadlineKind, TrafficKind};
 
 /// The highest bit rate of CiA 301 in kbit/s.
 const FASTEST: u16 = 1000;
-
-/// The most bits of the download of a value: expedited up to 4 bytes, else in segments of 7.
-pub(super) const fn sdo_bits(size: usize) -> u64 {
-    let segments = if size <= 4 { 0 } else { size.div_ceil(7) as u64 };
-    (2 + 2 * segments) * frame_bits(8, false)
-}
 
 impl<'n> Check<'n, '_> {
     /// Inhibit time, event timer and deadline.
@@ -105,5 +99,37 @@ impl<'n> Check<'n, '_> {
             let finding = Diagnostic::new(&BUS_LOAD, rate.at, message).severity(severity).understood();
             self.findings.push(finding.help("lengthen times, map entries together, or raise the bit rate"));
         }
+    }
+    /// Messages that other ones delay beyond their deadlines.
+    pub(super) fn deadlines(&mut self) {
+        let Some(rate) = self.network.bit_rate else { return };
+        let schedule = self.schedule();
+        // that the synchronous PDOs do not fit into their time is reported once
+        let late = schedule.late(rate.value.max(1)).into_iter();
+        let late = late.filter_map(|(frame, response)| match (frame.kind, frame.deadline?) {
+            (TrafficKind::SynchronousPdo, (_, DeadlineKind::SyncWindow | DeadlineKind::Period)) => None,
+            (_, (deadline, _)) => Some((frame, response.div_ceil(1000), deadline / 1000)),
+        });
+        let late: Vec<_> = late.collect();
+        let Some((first, response, deadline)) = late.first() else { return };
+        let what = self.described(&first.sender);
+        let id = first.id.to_string();
+        let rate = rate.value;
+        let message = match late.len() {
+            1 => {
+                say!("{} ({}) may take {} µs at {} kbit/s, but has {} µs", what, id, response, rate, deadline)
+            }
+            count => say!(
+                "{} ({}) may take {} µs at {} kbit/s, but has {} µs, and {} more may be late",
+                what,
+                id,
+                response,
+                rate,
+                deadline,
+                count - 1
+            ),
+        };
+        let finding = Diagnostic::new(&LATE_MESSAGE, first.sender.at, message);
+        self.findings.push(finding.help("`objdict network timing` says what delays it, and what would help"));
     }
 }

@@ -151,6 +151,17 @@ pub struct End {
     pub service: Service,
 }
 
+impl End {
+    pub(crate) fn new(network: &Network, party: &Party) -> Self {
+        let manager = || network.manager.as_ref().map(|manager| manager.name.value.clone());
+        let node = match party.node {
+            Some(position) => network.nodes[position].name.value.clone(),
+            None => manager().unwrap_or_default(),
+        };
+        Self { node, position: party.node, service: party.service }
+    }
+}
+
 /// `TPDO 1 of drive`.
 impl std::fmt::Display for End {
     fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
@@ -298,12 +309,7 @@ impl<'n> View<'n> {
     }
 
     fn end(self, party: &Party) -> End {
-        let manager = || self.network.manager.as_ref().map(|manager| manager.name.value.clone());
-        let node = match party.node {
-            Some(position) => self.network.nodes[position].name.value.clone(),
-            None => manager().unwrap_or_default(),
-        };
-        End { node, position: party.node, service: party.service }
+        End::new(self.network, party)
     }
 
     fn message(self, can_id: MessageId, message: &Message, sync: Option<&Sync>) -> MessageRow {

@@ -130,4 +130,12 @@ text_rules! {
     example: "30 PDOs of 8 bytes each 10 ms at 250 kbit/s",
     remedy: "Lengthen times, map entries together, or raise the bit rate.",
     source: "CiA 301 §7.2.2",
+
+    LATE_MESSAGE = "network/late-message", Warning;
+    summary: "a message may come too late",
+    checks: "Whether each message is on the bus before its deadline in the worst case: all messages of higher priority come at once, with the most stuff bits, and an SDO frame is just being sent. The deadline is the period, the event timer, or how long a receiver waits. PDOs that an event may trigger at any time, EMCY, NMT and TIME are not counted. Synchronous PDOs, but for those that a receiver waits for, are left to `network/sync-window`.",
+    why: "The next value overwrites one that was not sent, or a receiver reports the sender as lost.",
+    example: "a PDO of 8 bytes each millisecond on 57Fh, behind 8 others at 1000 kbit/s",
+    remedy: "Give the message a lower CAN-ID, lengthen the times of those before it, or raise the bit rate. `objdict network timing` shows all times.",
+    source: "Davis, Burns, Bril, Lukkien: Controller Area Network (CAN) schedulability analysis (2007)",
 }

@@ -1,0 +1,308 @@
+//! Worst-case response times on CAN, after Davis, Burns, Bril and Lukkien, "Controller Area Network (CAN) schedulability analysis: Refuted, revisited and
+//! revised" (2007): blocking, busy periods, and every instance in them. Times are in nanoseconds.
+
+/// The longest busy period that is looked at. A message that waits so long is as good as lost.
+const LONGEST: u64 = 10_000_000_000;
+
+/// The most instances of a message that are looked at; more come only close to the full load.
+const INSTANCES: u64 = 2000;
+
+/// The most rounds until jitters that follow from responses are settled.
+const ROUNDS: usize = 50;
+
+/// Messages of one CAN-ID, as the bus sees them.
+#[derive(Clone, Debug)]
+pub(crate) struct Stream {
+    /// The longest time that a frame takes on the bus.
+    pub(crate) cost: u64,
+    pub(crate) arrival: Arrival,
+    /// How late a message may be queued.
+    pub(crate) jitter: u64,
+    /// The stream whose messages trigger these, by its position: its response and `jitter` are the jitter.
+    pub(crate) after: Option<usize>,
+    /// Whether it is a part of the background.
+    pub(crate) is_background: bool,
+}
+
+/// How often messages come.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) enum Arrival {
+    /// At least so long after each other, but for the jitter.
+    Every(u64),
+    /// At any time.
+    Unbounded,
+    /// So rarely that they are not counted.
+    Rare,
+}
+
+/// SDO transfers in the background: one at a time, of frames that are as long as they can be.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Background {
+    pub(crate) cost: u64,
+    /// From a request to its response.
+    pub(crate) response_time: u64,
+    /// The position before which messages have a higher priority than all of its frames.
+    pub(crate) first: usize,
+    /// The position from which messages have a lower priority than all of its frames.
+    pub(crate) end: usize,
+}
+
+/// All messages of a bus by priority.
+#[derive(Clone, Debug)]
+pub(crate) struct Streams {
+    pub(crate) streams: Vec<Stream>,
+    pub(crate) background: Option<Background>,
+    pub(crate) bit_time: u64,
+}
+
+/// The longest time from the event that a message is about to its end on the bus.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) enum Response {
+    Within(u64),
+    /// The message may wait for ever.
+    Unbounded(Cause),
+}
+
+/// Why a message may wait for ever.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) enum Cause {
+    /// The message at this position may come at any time.
+    Message(usize),
+    /// The background may leave no time to it; without, there is a bound.
+    Background,
+    /// The bus has too much to carry.
+    Load,
+}
+
+/// What messages of higher priority need.
+#[derive(Default)]
+struct Demand(Vec<Demanded>);
+
+struct Demanded {
+    period: u64,
+    jitter: u64,
+    cost: u64,
+}
+
+impl Demand {
+    /// Messages with one period and one jitter are one.
+    fn add(&mut self, period: u64, jitter: u64, cost: u64) {
+        match self.0.iter_mut().find(|same| (same.period, same.jitter) == (period, jitter)) {
+            Some(same) => same.cost += cost,
+            None => self.0.push(Demanded { period, jitter, cost }),
+        }
+    }
+
+    fn before(&self, until: u64) -> u64 {
+        self.0.iter().map(|one| (until + one.jitter).div_ceil(one.period) * one.cost).sum()
+    }
+}
+
+/// What no message of lower priority has shorter, as long as no less blocks it.
+struct Least {
+    blocking: u64,
+    /// The time until the first instance starts; `None` without a bound.
+    wait: Option<u64>,
+    busy: u64,
+}
+
+impl Least {
+    const fn of(blocking: u64) -> Self {
+        Self { blocking, wait: Some(0), busy: 0 }
+    }
+}
+
+impl Streams {
+    /// The responses of all messages, in their order.
+    pub(crate) fn responses(&self) -> Vec<Response> {
+        let mut jitters: Vec<u64> = self.streams.iter().map(|stream| stream.jitter).collect();
+        for _ in 0..ROUNDS {
+            let responses = self.with(&mut jitters);
+            let next: Option<Vec<u64>> = self.streams.iter().map(|stream| stream.late(&responses)).collect();
+            match next {
+                Some(next) if next != jitters => jitters = next,
+                Some(_) => return responses,
+                None => return self.cut(&responses),
+            }
+        }
+        vec![Response::Unbounded(Cause::Load); self.streams.len()]
+    }
+
+    /// How late each message may be queued.
+    pub(crate) fn jitters(&self, responses: &[Response]) -> Vec<u64> {
+        self.streams.iter().map(|stream| stream.late(responses).unwrap_or(stream.jitter)).collect()
+    }
+
+    /// The responses where messages follow ones that may never come: all from the first of them on are not known.
+    fn cut(&self, responses: &[Response]) -> Vec<Response> {
+        let first = self.streams.iter().position(|stream| stream.late(responses).is_none());
+        let unknown = |at: usize| first.is_some_and(|first| at >= first);
+        let cause = |at: usize| match responses[at] {
+            Response::Unbounded(cause) => Response::Unbounded(cause),
+            Response::Within(_) => Response::Unbounded(Cause::Load),
+        };
+        (0..responses.len()).map(|at| if unknown(at) { cause(at) } else { responses[at] }).collect()
+    }
+
+    /// The responses with these jitters, but for those of messages that follow one of higher priority, which are set.
+    fn with(&self, jitters: &mut [u64]) -> Vec<Response> {
+        let blocking = self.blocking();
+        let mut higher = Demand::default();
+        let mut unbounded = None;
+        let mut least = Least::of(0);
+        let mut responses = Vec::with_capacity(self.streams.len());
+        for (at, stream) in self.streams.iter().enumerate() {
+            if stream.after.is_some_and(|after| after < at) {
+                jitters[at] = stream.late(&responses).unwrap_or(jitters[at]);
+            }
+            if stream.arrival == Arrival::Unbounded {
+                unbounded = unbounded.or(Some(at));
+            }
+            responses.push(match unbounded {
+                Some(cause) => Response::Unbounded(Cause::Message(cause)),
+                None => {
+                    let background =
+                        self.background.filter(|background| at >= background.first && !stream.is_background);
+                    let level = Level {
+                        blocking: blocking[at],
+                        higher: &higher,
+                        background,
+                        bit_time: self.bit_time,
+                    };
+                    if blocking[at] != least.blocking {
+                        least = Least::of(blocking[at]);
+                    }
+                    let response = level.response(stream, jitters[at], &mut least);
+                    response.map_or_else(|| level.unbounded(stream, jitters[at]), Response::Within)
+                }
+            });
+            if let Arrival::Every(period) = stream.arrival {
+                higher.add(period, jitters[at], stream.cost);
+            }
+        }
+        responses
+    }
+
+    /// The longest frame of lower priority that each message may have to wait for.
+    fn blocking(&self) -> Vec<u64> {
+        let mut longest = 0;
+        let mut blocking = vec![0; self.streams.len()];
+        for (at, stream) in self.streams.iter().enumerate().rev() {
+            let background =
+                self.background.filter(|background| at < background.end && !stream.is_background);
+            blocking[at] = longest.max(background.map_or(0, |background| background.cost));
+            if stream.arrival != Arrival::Rare {
+                longest = longest.max(stream.cost);
+            }
+        }
+        blocking
+    }
+
+    /// The longest time from the end of the message at `trigger` until others, which it triggers all at once, are on the bus; `None` if they may wait
+    /// for ever.
+    pub(crate) fn burst(&self, trigger: usize, triggered: &[usize], jitters: &[u64]) -> Option<u64> {
+        let last = *triggered.iter().max()?;
+        let mut higher = Demand::default();
+        for (at, stream) in self.streams.iter().enumerate().take(last) {
+            match stream.arrival {
+                _ if at == trigger || triggered.contains(&at) => {}
+                Arrival::Every(period) => higher.add(period, jitters[at], stream.cost),
+                Arrival::Unbounded => return None,
+                Arrival::Rare => {}
+            }
+        }
+        let background = self.background.filter(|background| last >= background.first);
+        let level =
+            Level { blocking: self.blocking()[last], higher: &higher, background, bit_time: self.bit_time };
+        level.settle(triggered.iter().map(|at| self.streams[*at].cost).sum(), 0)
+    }
+}
+
+impl Stream {
+    /// How late a message may be queued; `None` if it follows one that may never come.
+    fn late(&self, responses: &[Response]) -> Option<u64> {
+        match self.after.map(|at| responses[at]) {
+            None => Some(self.jitter),
+            Some(Response::Within(response)) => Some(response + self.jitter),
+            Some(Response::Unbounded(_)) => None,
+        }
+    }
+}
+
+/// What a message has to wait for.
+struct Level<'s> {
+    blocking: u64,
+    higher: &'s Demand,
+    background: Option<Background>,
+    bit_time: u64,
+}
+
+impl Level<'_> {
+    /// The response of a message; `None` without a bound.
+    fn response(&self, stream: &Stream, jitter: u64, least: &mut Least) -> Option<u64> {
+        // SDO frames do not wait for each other
+        let mut apart = Least::of(least.blocking);
+        let least = if stream.is_background { &mut apart } else { least };
+        least.wait = self.settle(0, least.wait?);
+        let mut wait = least.wait?;
+        let Arrival::Every(period) = stream.arrival else { return Some(jitter + wait + stream.cost) };
+        least.busy = self.busy(stream.cost.max(least.busy), stream.cost, period, jitter)?;
+        let busy = least.busy;
+        let instances = (busy + jitter).div_ceil(period).max(1);
+        let mut longest = 0;
+        for instance in 0..instances {
+            wait = self.settle(instance * stream.cost, wait)?;
+            longest = longest.max(jitter + wait + stream.cost - (instance * period).min(jitter + wait));
+        }
+        Some(longest)
+    }
+
+    /// Why there is no response.
+    fn unbounded(&self, stream: &Stream, jitter: u64) -> Response {
+        let alone = Level { background: None, ..*self };
+        let is_bound = || alone.response(stream, jitter, &mut Least::of(self.blocking)).is_some();
+        let is_background = self.background.is_some() && is_bound();
+        Response::Unbounded(if is_background { Cause::Background } else { Cause::Load })
+    }
+
+    /// The time until a message may start, from a time that is no later.
+    fn settle(&self, own: u64, start: u64) -> Option<u64> {
+        let mut wait = start.max(self.blocking + own);
+        loop {
+            let next = self.work(self.blocking + own, wait + self.bit_time)?;
+            if next <= wait {
+                return Some(wait);
+            }
+            wait = next;
+        }
+    }
+
+    /// How long the bus is busy with messages of this priority and higher ones, from a time that is no later.
+    fn busy(&self, start: u64, cost: u64, period: u64, jitter: u64) -> Option<u64> {
+        let mut busy = start;
+        loop {
+            let instances = (busy + jitter).div_ceil(period).max(1);
+            if instances > INSTANCES {
+                return None;
+            }
+            let next = self.work(self.blocking + instances * cost, busy)?;
+            if next <= busy {
+                return Some(busy);
+            }
+            busy = next;
+        }
+    }
+
+    /// What the bus has to carry before time `until`, with `work` of its own; `None` if that takes too long.
+    fn work(&self, work: u64, until: u64) -> Option<u64> {
+        let work = work + self.higher.before(until);
+        let work = match self.background {
+            None => work,
+            // a response and the next request, and both again when the bus was busy with others for as long as a response takes
+            Some(Background { cost, response_time, .. }) => {
+                work + 2 * cost * (1 + work.checked_div(response_time)?)
+            }
+        };
+        (work <= LONGEST).then_some(work)
+    }
+}

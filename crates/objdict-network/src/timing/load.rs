@@ -1,0 +1,92 @@
+//! How much of the bus is used.
+
+use std::collections::BTreeMap;
+
+use super::frames::TimedFrame;
+use super::{Schedule, TrafficKind};
+use crate::messages::Party;
+use crate::network::Network;
+use crate::overview::End;
+
+/// How many bits are sent, in thousandths of a bit each second.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub struct Load {
+    /// Without stuff bits, and PDOs as often as their event timers say, else as often as they may be sent.
+    pub average: u64,
+    /// With the most stuff bits, and PDOs as often as they may be sent.
+    pub worst: u64,
+}
+
+/// What a part of the messages has of the load.
+#[derive(Clone, Debug)]
+pub struct LoadShare<T> {
+    /// The part.
+    pub of: T,
+    /// Its load.
+    pub load: Load,
+}
+
+impl Load {
+    pub(crate) fn of<'f>(frames: impl IntoIterator<Item = &'f TimedFrame>) -> Self {
+        let loads = frames.into_iter().map(TimedFrame::load);
+        loads.fold(Self::default(), |sum, load| Self {
+            average: sum.average + load.average,
+            worst: sum.worst + load.worst,
+        })
+    }
+
+    /// The average share of a bit rate in kbit/s, in thousandths of a percent.
+    pub fn average_percent(&self, bit_rate: u16) -> u64 {
+        percent(self.average, bit_rate)
+    }
+
+    /// The share in the worst case.
+    pub fn worst_percent(&self, bit_rate: u16) -> u64 {
+        percent(self.worst, bit_rate)
+    }
+}
+
+fn percent(load: u64, bit_rate: u16) -> u64 {
+    let rate = u64::from(bit_rate.max(1)) * 1000;
+    (load * 100 + rate / 2) / rate
+}
+
+impl TimedFrame {
+    /// The load of the message. What errors, commands and requests trigger is not counted.
+    fn load(&self) -> Load {
+        // thousandths of a bit each second
+        let load = |bits: u64, period: Option<u64>| {
+            period.map_or(0, |period| bits * 1_000_000_000_000 / period.max(1))
+        };
+        if self.kind == TrafficKind::Emcy {
+            return Load::default();
+        }
+        Load {
+            average: load(self.least_bits(), self.usual),
+            worst: load(self.most_bits(), self.rhythm.distance().or(self.usual)),
+        }
+    }
+}
+
+impl Schedule {
+    pub(super) fn by_node(&self, network: &Network) -> Vec<LoadShare<End>> {
+        let mut shares: BTreeMap<Option<usize>, (Party, Vec<&TimedFrame>)> = BTreeMap::new();
+        for frame in &self.frames {
+            shares.entry(frame.sender.node).or_insert((frame.sender, Vec::new())).1.push(frame);
+        }
+        let share = |(party, frames): (Party, Vec<&TimedFrame>)| LoadShare {
+            of: End::new(network, &party),
+            load: Load::of(frames),
+        };
+        shares.into_values().map(share).collect()
+    }
+
+    pub(super) fn by_kind(&self) -> Vec<LoadShare<TrafficKind>> {
+        let mut shares: BTreeMap<TrafficKind, Vec<&TimedFrame>> = BTreeMap::new();
+        for frame in &self.frames {
+            shares.entry(frame.kind).or_default().push(frame);
+        }
+        let shares = shares.into_iter().map(|(of, frames)| LoadShare { of, load: Load::of(frames) });
+        shares.filter(|share| share.load != Load::default()).collect()
+    }
+}

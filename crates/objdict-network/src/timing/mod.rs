@@ -1,0 +1,448 @@
+//! When messages are on the bus: its load, and how long each message may take until all have received it.
+
+mod advice;
+mod analysis;
+mod boot;
+mod frames;
+mod load;
+mod simulation;
+#[cfg(test)]
+mod tests;
+pub mod timeline;
+
+pub use self::boot::{BootTimes, NodeBootTime};
+pub use self::frames::{DeadlineKind, TrafficKind};
+pub use self::load::{Load, LoadShare};
+
+use self::analysis::{Arrival, Background, Cause, Response, Stream, Streams};
+use self::frames::{Rhythm, TimedFrame};
+use crate::Language;
+use crate::compiled::Compiled;
+use crate::messages::{MessageId, Messages, Service};
+use crate::network::Network;
+use crate::overview::End;
+use crate::traffic::{Traffic, frame_bits};
+
+/// The bit rates of CiA 301 in kbit/s.
+const BIT_RATES: [u16; 8] = [10, 20, 50, 125, 250, 500, 800, 1000];
+
+/// What is assumed of a network and its nodes. Times are in nanoseconds.
+#[derive(Clone, Copy, Debug)]
+pub struct TimingOptions {
+    /// The bit rate in kbit/s; `None`: that of the network.
+    pub bit_rate: Option<u16>,
+    /// The least time from an SDO request, or a request of guarding, to its answer.
+    pub response_time: u64,
+    /// The most time from SYNC to the synchronous PDOs of a node.
+    pub node_delay: u64,
+    /// The inhibit time of PDOs that an event triggers and that have none.
+    pub event_distance: Option<u64>,
+    /// Whether there are SDO transfers in the background, one at a time.
+    pub sdo: bool,
+    /// Whether nodes send emergencies all the time.
+    pub emergencies: bool,
+}
+
+impl Default for TimingOptions {
+    /// Answers after 1 ms, no delay after SYNC, SDO transfers in the background, and no errors.
+    fn default() -> Self {
+        Self {
+            bit_rate: None,
+            response_time: frames::MILLISECOND,
+            node_delay: 0,
+            event_distance: None,
+            sdo: true,
+            emergencies: false,
+        }
+    }
+}
+
+/// A network in time. Times are in nanoseconds.
+#[derive(Clone, Debug)]
+pub struct Timing {
+    /// The name of the network.
+    pub name: Option<String>,
+    /// The language of its words.
+    pub language: Language,
+    /// The bit rate in kbit/s.
+    pub bit_rate: u16,
+    /// How much of the bus is used.
+    pub load: Load,
+    /// The same for each sender, in the order of the network.
+    pub nodes: Vec<LoadShare<End>>,
+    /// The same for each kind of message.
+    pub kinds: Vec<LoadShare<TrafficKind>>,
+    /// What the load would be at the bit rates of CiA 301.
+    pub rates: Vec<RateRow>,
+    /// SYNC and what it triggers; `None` without SYNC.
+    pub sync: Option<SyncTime>,
+    /// All messages, by priority.
+    pub messages: Vec<TimedMessage>,
+    /// The least inhibit time, in multiples of 100 µs, of the PDOs without one with which all messages meet their deadlines; `None` if there are no such PDOs, or
+    /// no time is enough.
+    pub inhibit_time: Option<u16>,
+    /// What would help messages that miss their deadlines, in the order of the messages.
+    pub remedies: Vec<Remedy>,
+    /// How long it takes to configure the nodes; `None` without a manager.
+    pub boot: Option<BootTimes>,
+}
+
+/// A message in time. Times are in nanoseconds.
+#[derive(Clone, Debug)]
+pub struct TimedMessage {
+    /// The CAN-ID.
+    pub can_id: MessageId,
+    /// What it is for.
+    pub kind: TrafficKind,
+    /// `TPDO 1`, `SYNC`, `boot-up`.
+    pub name: String,
+    /// The number of bytes.
+    pub bytes: u64,
+    /// The bits on the bus without stuff bits, and with the most.
+    pub bits: [u64; 2],
+    /// The shortest time between two of them; `None` if there is none.
+    pub period: Option<u64>,
+    /// Whether it is sent once in each period.
+    pub is_cyclic: bool,
+    /// Whether it may be sent at any time, as a PDO without inhibit time.
+    pub is_unbounded: bool,
+    /// How late it may be queued.
+    pub jitter: u64,
+    /// The longest time until it is received; `None` if there is none.
+    pub response: Option<u64>,
+    /// The message because of which there is none.
+    pub unbounded_by: Option<MessageId>,
+    /// Whether there is none because SDO transfers may leave no time to it.
+    pub waits_for_sdo: bool,
+    /// The longest time that it may take, and why.
+    pub deadline: Option<(u64, DeadlineKind)>,
+    /// Who sends it.
+    pub sender: End,
+    /// Who receives it.
+    pub receivers: Vec<End>,
+}
+
+impl TimedMessage {
+    /// Whether it may be too late. Nothing is known of a message that waits for PDOs which may come at any time, or for SDO transfers without an end.
+    pub fn is_missed(&self) -> bool {
+        let Some((deadline, _)) = self.deadline else { return false };
+        match self.response {
+            Some(response) => response > deadline,
+            None => self.unbounded_by.is_none() && !self.waits_for_sdo,
+        }
+    }
+}
+
+/// What would help a message that misses its deadline.
+#[derive(Clone, Debug)]
+pub struct Remedy {
+    /// Its position in the messages.
+    pub message: usize,
+    /// The least bit rate of CiA 301 in kbit/s at which it meets its deadline.
+    pub bit_rate: Option<u16>,
+    /// The message before which it would have to come, with which the others still meet their deadlines.
+    pub before: Option<MessageId>,
+}
+
+/// A network at a bit rate.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct RateRow {
+    /// The bit rate in kbit/s.
+    pub bit_rate: u16,
+    /// How much of the bus is used.
+    pub load: Load,
+    /// How many messages miss their deadlines, if PDOs that are sent at any time are left out.
+    pub missed: usize,
+}
+
+impl RateRow {
+    /// Whether the network fits.
+    pub fn fits(&self) -> bool {
+        self.missed == 0 && self.load.worst_percent(self.bit_rate) <= 100_000
+    }
+}
+
+/// SYNC and what it triggers. Times are in nanoseconds.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct SyncTime {
+    /// The communication cycle period (1006h).
+    pub period: u64,
+    /// The synchronous window length (1007h); 0: none.
+    pub window: u64,
+    /// From the start of SYNC to the end of the last synchronous PDO, if all are sent after one SYNC, and others delay them; `None` without a bound.
+    pub needed: Option<u64>,
+}
+
+impl SyncTime {
+    /// The time that the PDOs have.
+    pub fn limit(&self) -> u64 {
+        if self.window == 0 { self.period } else { self.window }
+    }
+}
+
+impl Timing {
+    /// The times of a network; `None` without a bit rate.
+    pub fn new(network: &Network, compiled: &Compiled, options: &TimingOptions) -> Option<Self> {
+        Self::in_language(network, compiled, options, Language::default())
+    }
+
+    /// The same with words in a language.
+    pub fn in_language(
+        network: &Network,
+        compiled: &Compiled,
+        options: &TimingOptions,
+        language: Language,
+    ) -> Option<Self> {
+        let messages = Messages::new(network, compiled);
+        let traffic = Traffic { network, compiled, messages: &messages };
+        let bit_rate =
+            options.bit_rate.or(network.bit_rate.map(|rate| rate.value)).filter(|rate| *rate > 0)?;
+        let schedule = Schedule::new(traffic, *options);
+        let streams = schedule.streams(bit_rate, AnyTime::Counts);
+        let responses = streams.responses();
+        let sync = schedule.sync_time(&streams, &responses);
+        let messages = schedule.messages(network, language, &streams, &responses);
+        Some(Self {
+            name: network.name.clone(),
+            language,
+            bit_rate,
+            load: Load::of(&schedule.frames),
+            nodes: schedule.by_node(network),
+            kinds: schedule.by_kind(),
+            rates: BIT_RATES.map(|rate| schedule.at_rate(rate)).to_vec(),
+            sync,
+            inhibit_time: schedule.bounding_inhibit_time(bit_rate),
+            remedies: schedule.remedies(bit_rate, &messages),
+            messages,
+            boot: BootTimes::new(network, compiled, bit_rate, options.response_time),
+        })
+    }
+
+    /// The least bit rate of CiA 301 from which the network fits.
+    pub fn fits_from(&self) -> Option<u16> {
+        let fitting = self.rates.iter().rev().take_while(|row| row.fits());
+        fitting.last().map(|row| row.bit_rate)
+    }
+
+    /// The PDOs that may be sent at any time.
+    pub fn unbounded(&self) -> impl Iterator<Item = &TimedMessage> {
+        self.messages.iter().filter(|message| message.is_unbounded)
+    }
+
+    /// Whether all messages meet their deadlines, and the synchronous PDOs their window.
+    pub fn is_met(&self) -> bool {
+        let is_late = self.sync.is_some_and(|sync| sync.needed.is_some_and(|needed| needed > sync.limit()));
+        !is_late && self.messages.iter().all(|message| !message.is_missed())
+    }
+}
+
+/// What PDOs that are sent at any time are taken for.
+#[derive(Clone, Copy)]
+enum AnyTime {
+    Counts,
+    LeftOut,
+    /// For PDOs with an inhibit time in nanoseconds.
+    Inhibited(u64),
+}
+
+/// The messages of a network with what is assumed of it.
+pub(crate) struct Schedule {
+    pub(crate) frames: Vec<TimedFrame>,
+    window: u64,
+    options: TimingOptions,
+}
+
+impl Schedule {
+    pub(crate) fn new(traffic: Traffic<'_>, options: TimingOptions) -> Self {
+        let mut frames = traffic.frames();
+        if let Some(distance) = options.event_distance {
+            frames
+                .iter_mut()
+                .filter(|frame| frame.rhythm == Rhythm::Unbounded)
+                .for_each(|frame| frame.inhibit(distance));
+        }
+        let window = traffic.sync().map_or(0, |sync| sync.window.value) * frames::MICROSECOND;
+        Self { frames, window, options }
+    }
+
+    fn position(&self, kind: TrafficKind) -> Option<usize> {
+        self.frames.iter().position(|frame| frame.kind == kind)
+    }
+
+    /// The messages as the bus sees them.
+    fn streams(&self, bit_rate: u16, any_time: AnyTime) -> Streams {
+        let time = |bits: u64| (bits * 1_000_000).div_ceil(bit_rate.max(1).into());
+        let sync = self.position(TrafficKind::Sync);
+        let streams = self.frames.iter().enumerate().map(|(at, frame)| {
+            let (after, jitter) = match frame.kind {
+                TrafficKind::SynchronousPdo => (sync, self.options.node_delay),
+                // the answer to the request behind it
+                TrafficKind::Guarding if !frame.is_remote => (Some(at + 1), self.options.response_time),
+                _ => (None, 0),
+            };
+            Stream {
+                is_background: frame.kind == TrafficKind::Sdo,
+                cost: time(frame.most_bits()),
+                arrival: self.arrival(frame, any_time),
+                jitter,
+                after,
+            }
+        });
+        let is_sdo = |frame: &TimedFrame| frame.kind == TrafficKind::Sdo;
+        let background =
+            self.frames.iter().position(is_sdo).filter(|_| self.options.sdo).map(|first| Background {
+                cost: self
+                    .frames
+                    .iter()
+                    .filter(|frame| is_sdo(frame))
+                    .map(|frame| time(frame.most_bits()))
+                    .max()
+                    .unwrap_or(0),
+                response_time: self.options.response_time,
+                first,
+                end: self.frames.iter().rposition(is_sdo).map_or(0, |last| last + 1),
+            });
+        Streams { streams: streams.collect(), background, bit_time: time(1) }
+    }
+
+    fn arrival(&self, frame: &TimedFrame, any_time: AnyTime) -> Arrival {
+        match (frame.rhythm, frame.kind) {
+            (_, TrafficKind::Emcy) if !self.options.emergencies => Arrival::Rare,
+            (Rhythm::Rare, TrafficKind::Emcy) => Arrival::Unbounded,
+            (Rhythm::Cyclic(time) | Rhythm::AtLeast(time), _) => Arrival::Every(time),
+            (Rhythm::Rare, _) => Arrival::Rare,
+            (Rhythm::Unbounded, _) => match any_time {
+                AnyTime::Counts => Arrival::Unbounded,
+                AnyTime::LeftOut => Arrival::Rare,
+                AnyTime::Inhibited(time) => Arrival::Every(time),
+            },
+        }
+    }
+
+    fn messages(
+        &self,
+        network: &Network,
+        language: Language,
+        streams: &Streams,
+        responses: &[Response],
+    ) -> Vec<TimedMessage> {
+        let jitters = streams.jitters(responses);
+        let message = |(at, frame): (usize, &TimedFrame)| TimedMessage {
+            can_id: frame.id,
+            kind: frame.kind,
+            name: frame.name(language),
+            bytes: frame.bytes,
+            bits: [frame.least_bits(), frame.most_bits()],
+            period: frame.rhythm.distance(),
+            is_cyclic: matches!(frame.rhythm, Rhythm::Cyclic(_)),
+            is_unbounded: frame.rhythm == Rhythm::Unbounded,
+            jitter: jitters[at],
+            response: match responses[at] {
+                Response::Within(time) => Some(time),
+                Response::Unbounded(_) => None,
+            },
+            unbounded_by: match responses[at] {
+                Response::Unbounded(Cause::Message(cause)) => Some(self.frames[cause].id),
+                _ => None,
+            },
+            waits_for_sdo: responses[at] == Response::Unbounded(Cause::Background),
+            deadline: frame.deadline,
+            sender: End::new(network, &frame.sender),
+            receivers: frame.receivers.iter().map(|party| End::new(network, party)).collect(),
+        };
+        self.frames.iter().enumerate().map(message).collect()
+    }
+
+    /// SYNC with all that it triggers.
+    fn sync_time(&self, streams: &Streams, responses: &[Response]) -> Option<SyncTime> {
+        let at = self.position(TrafficKind::Sync)?;
+        let triggered: Vec<usize> = (0..self.frames.len())
+            .filter(|at| self.frames[*at].kind == TrafficKind::SynchronousPdo)
+            .collect();
+        let jitters = streams.jitters(responses);
+        let burst = if triggered.is_empty() { Some(0) } else { streams.burst(at, &triggered, &jitters) };
+        let needed = burst.map(|burst| streams.streams[at].cost + self.options.node_delay + burst);
+        Some(SyncTime { period: self.frames[at].rhythm.distance().unwrap_or(0), window: self.window, needed })
+    }
+
+    /// The positions of messages that miss their deadlines.
+    pub(crate) fn missed(&self, responses: &[Response], any_time: Option<u64>) -> Vec<usize> {
+        let is_late = |at: &usize| {
+            let frame = &self.frames[*at];
+            let distance = any_time.filter(|_| frame.rhythm == Rhythm::Unbounded);
+            let deadline =
+                [frame.deadline.map(|(deadline, _)| deadline), distance].into_iter().flatten().min();
+            match responses[*at] {
+                Response::Within(response) => deadline.is_some_and(|deadline| response > deadline),
+                Response::Unbounded(Cause::Background) => false,
+                Response::Unbounded(_) => deadline.is_some(),
+            }
+        };
+        (0..self.frames.len()).filter(is_late).collect()
+    }
+
+    /// The most bits of SYNC and all that it triggers.
+    pub(crate) fn bits_of_cycle(&self) -> u64 {
+        let kinds = [TrafficKind::Sync, TrafficKind::SynchronousPdo];
+        let frames = self.frames.iter().filter(|frame| kinds.contains(&frame.kind));
+        frames.map(TimedFrame::most_bits).sum()
+    }
+
+    /// The messages that miss their deadlines even without PDOs that are sent at any time, with their responses.
+    pub(crate) fn late(&self, bit_rate: u16) -> Vec<(&TimedFrame, u64)> {
+        let responses = self.streams(bit_rate, AnyTime::LeftOut).responses();
+        let late = self.missed(&responses, None).into_iter().filter_map(|at| match responses[at] {
+            Response::Within(response) => Some((&self.frames[at], response)),
+            Response::Unbounded(_) => None,
+        });
+        late.collect()
+    }
+
+    /// Whether SYNC and what it triggers may take longer than they have.
+    fn is_over_window(&self, streams: &Streams, responses: &[Response]) -> bool {
+        let sync = self.sync_time(streams, responses);
+        sync.is_some_and(|sync| sync.needed.is_none_or(|needed| needed > sync.limit()))
+    }
+
+    fn at_rate(&self, bit_rate: u16) -> RateRow {
+        let streams = self.streams(bit_rate, AnyTime::LeftOut);
+        let responses = streams.responses();
+        let missed = self.missed(&responses, None).len();
+        let missed = missed.max(usize::from(self.is_over_window(&streams, &responses)));
+        RateRow { bit_rate, load: Load::of(&self.frames), missed }
+    }
+}
+
+impl TimedFrame {
+    /// Gives it an inhibit time.
+    fn inhibit(&mut self, distance: u64) {
+        self.rhythm = Rhythm::AtLeast(distance);
+        self.usual = self.usual.or(Some(distance));
+    }
+
+    /// `TPDO 1`, `SYNC`, `boot-up`.
+    fn name(&self, language: Language) -> String {
+        match (self.kind, self.rhythm, self.is_remote) {
+            (TrafficKind::Heartbeat, Rhythm::Rare, _) => language.pick("boot-up", "Boot-up").to_owned(),
+            (TrafficKind::Guarding, _, true) => {
+                language.pick("guarding request", "Guarding-Anfrage").to_owned()
+            }
+            (TrafficKind::Guarding, ..) => language.pick("guarding", "Guarding").to_owned(),
+            _ => {
+                // the manager has the other side of PDOs without numbers
+                let numbered = self.receivers.iter().find(|_| self.sender.service == Service::MirroredPdo);
+                numbered.unwrap_or(&self.sender).service.name(language).into_owned()
+            }
+        }
+    }
+}
+
+/// The most bits of the download of a value: expedited up to 4 bytes, else in segments of 7.
+pub(crate) const fn sdo_bits(size: usize) -> u64 {
+    2 * sdo_requests(size) * frame_bits(8, false)
+}
+
+/// The number of requests of the download of a value.
+const fn sdo_requests(size: usize) -> u64 {
+    1 + if size <= 4 { 0 } else { size.div_ceil(7) as u64 }
+}
