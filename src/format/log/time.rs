@@ -2,6 +2,7 @@
 
 use std::cmp::Ordering;
 use std::fmt;
+use std::str::FromStr;
 
 /// Nanoseconds of a second.
 const SECOND: u64 = 1_000_000_000;
@@ -93,6 +94,15 @@ fn exponent(text: &[u8]) -> Option<LogTime> {
     let text = std::str::from_utf8(text).ok()?;
     let seconds = text.parse::<f64>().ok().filter(|seconds| text.contains('e') && seconds.abs() < 1e9)?;
     Some(LogTime { nanoseconds: (seconds * 1e9).round() as i64, decimals: 9 })
+}
+
+/// Seconds, as in a log.
+impl FromStr for LogTime {
+    type Err = &'static str;
+
+    fn from_str(text: &str) -> Result<Self, &'static str> {
+        Self::parse(text.as_bytes(), false).ok_or("write seconds, as in `1436509052.249713`")
+    }
 }
 
 impl PartialEq for LogTime {

@@ -93,6 +93,9 @@ pub struct DecodedFrame {
 }
 
 impl DecodedFrame {
+    /// A frame of no service, as one of CAN FD.
+    pub const UNKNOWN: Self = Self::new(FrameKind::Unknown, None, None);
+
     pub(super) const fn new(kind: FrameKind, service: Option<Service>, node_id: Option<u8>) -> Self {
         Self { kind, service, node_id, sdo: None, user: 0 }
     }

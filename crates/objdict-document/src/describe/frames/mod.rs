@@ -37,6 +37,8 @@ pub struct FrameReader<'a> {
     guarded: u128,
     /// Whether a CAN-ID that no description has is that of the predefined connection set.
     has_defaults: bool,
+    /// How often a node has changed.
+    changes: u64,
 }
 
 /// What a frame says.
@@ -61,6 +63,7 @@ impl<'a> FrameReader<'a> {
             stale: Vec::new(),
             guarded: 0,
             has_defaults: false,
+            changes: 0,
         }
     }
 
@@ -73,7 +76,22 @@ impl<'a> FrameReader<'a> {
     /// Describes a node from now on.
     pub fn describe(&mut self, talker: Talker<'a>) {
         self.nodes.describe(talker);
-        self.stale.push(talker.node_id);
+        self.note_change(talker.node_id);
+    }
+
+    /// How often the values of a node have become others that change what frames mean.
+    pub const fn changes(&self) -> u64 {
+        self.changes
+    }
+
+    /// The nodes, in the order in which they became known.
+    pub fn node_ids(&self) -> impl Iterator<Item = u8> + '_ {
+        self.nodes.iter().map(|node| node.node_id)
+    }
+
+    fn note_change(&mut self, node_id: u8) {
+        self.stale.push(node_id);
+        self.changes += 1;
     }
 
     /// The words for a frame with a CAN-ID of 11 bits.
@@ -171,7 +189,7 @@ impl<'a> FrameReader<'a> {
 
     fn reset(&mut self, node_id: u8) {
         if self.nodes.get_mut(node_id).is_some_and(talker::Node::reset) {
-            self.stale.push(node_id);
+            self.note_change(node_id);
         }
     }
 
@@ -237,12 +255,12 @@ impl<'a> FrameReader<'a> {
                     node.learn((u16::from_le_bytes([low, high]), sub));
                 }
                 if node.take(entry, bytes) {
-                    self.stale.push(node_id);
+                    self.note_change(node_id);
                 }
             }
             _ => {
                 if node.take(entry, bytes) {
-                    self.stale.push(node_id);
+                    self.note_change(node_id);
                 }
             }
         }
