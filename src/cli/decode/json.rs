@@ -7,9 +7,15 @@ use serde::Serialize;
 use super::super::output::Output;
 use super::{Printer, Shown, digits, write_raw};
 use crate::describe::frames::{FrameKind, PdoSignal, SdoStep};
-use crate::json;
+use crate::json::{self, Version};
 use crate::model::Value;
 use crate::traffic::raw;
+
+/// The version of a line, see docs/json.md.
+const VERSION: u32 = 1;
+
+/// How a line begins whose time is not yet that of the frame.
+const START: &str = "{\"version\":1,\"time\":0.0,";
 
 /// Writes an object for each frame.
 pub(super) struct JsonLines;
@@ -18,12 +24,9 @@ pub(super) struct JsonLines;
 #[derive(Serialize)]
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 pub(in crate::cli) struct Line<'a> {
+    /// The version of the line.
+    version: Version<VERSION>,
     /// When it was seen, in seconds with the digits of the log.
-    #[serde(skip_serializing)]
-    #[cfg_attr(
-        not(feature = "schema"),
-        expect(dead_code, reason = "the digits of the log are written as they are")
-    )]
     time: f64,
     /// The name of the channel; absent if the log has none.
     #[serde(skip_serializing_if = "str::is_empty")]
@@ -152,6 +155,7 @@ impl Printer for JsonLines {
             _ => None,
         };
         let line = Line {
+            version: Version,
             time: 0.0,
             channel: &bus.channel,
             can_id: frame.can_id,
@@ -174,8 +178,8 @@ impl Printer for JsonLines {
             signals: signals.as_ref().map(|signals| signals.iter().map(Signal::of).collect()),
         };
         let text = json::text(&line).unwrap_or_default();
-        let rest = text.strip_prefix('{').unwrap_or_default();
+        let rest = text.strip_prefix(START).unwrap_or_default();
         // a number of JSON has the digits of the log, which a floating-point number would not keep
-        write_raw(out, &format!("{{\"time\":{},{rest}\n", frame.time))
+        write_raw(out, &format!("{{\"version\":{VERSION},\"time\":{},{rest}\n", frame.time))
     }
 }

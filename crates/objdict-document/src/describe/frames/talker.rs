@@ -174,13 +174,33 @@ impl Node<'_> {
         let node_id = Some(self.node_id);
         let short = Reader { index, node_id }.short(Some(value), self.data_type((index, sub)));
         match Decoder::english(&self.device, node_id).of(index, sub, value) {
-            Some(meaning) => format!("{short} ({meaning})"),
+            Some(meaning) => match self.command(index, value) {
+                Some(command) => format!("{short} (command: {command}, {meaning})"),
+                None => format!("{short} ({meaning})"),
+            },
             None => match scaling().and_then(|scaled| scaled.of(value)) {
                 Some(scaled) if scaled.split(' ').next() == Some(&short) => scaled,
                 Some(scaled) => format!("{short} ({scaled})"),
                 None => short,
             },
         }
+    }
+
+    /// The command that a word of the state machine of the device profile gives: `shutdown`.
+    fn command(&self, index: u16, value: &Value) -> Option<&'static str> {
+        // the state machines of documents take their commands from the profile area
+        let machine =
+            (0x6000..0xA000).contains(&index).then(|| profile::of_device(&self.device)?.state_machine())?;
+        let machine = machine.filter(|machine| machine.command == index)?;
+        let number = value.as_integer()?;
+        let is_given = |mask: &str| {
+            let bits = mask.bytes().rev().filter(|byte| *byte != b' ');
+            bits.enumerate().all(|(bit, wanted)| match wanted {
+                b'0' | b'1' => number >> bit & 1 == i128::from(wanted == b'1'),
+                _ => true,
+            })
+        };
+        machine.commands.iter().find(|(mask, _)| is_given(mask)).map(|(_, name)| *name)
     }
 
     /// The scale and the unit of an entry.
