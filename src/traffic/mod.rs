@@ -157,7 +157,7 @@ impl<'d> Buses<'d> {
         }
         let notes = self.all.iter_mut().flat_map(|bus| bus.assign(true)).collect();
         let read = std::mem::take(&mut self.all);
-        self.all = read.iter().map(|bus| bus.again()).collect();
+        self.all = read.iter().map(Bus::again).collect();
         Ok(notes)
     }
 }

@@ -47,7 +47,7 @@ pub(super) fn run(args: &DecodeArgs, out: &mut Output) -> Result<Outcome, Failur
     let mut buses = Buses::new(&by_channel, &others);
     let is_live = !args.logs.iter().all(|path| is_file(path));
     if buses.is_open() && !is_live {
-        let notes = buses.find(&mut open(args)?).map_err(unreadable)?;
+        let notes = buses.find(&mut open(args)?).map_err(|error| unreadable(&error))?;
         notes.iter().for_each(|text| note(&format!("note: {text}\n")));
     }
     let mut logs = open(args)?;
@@ -96,7 +96,7 @@ fn each_frame<'d>(
     mut show: impl FnMut(Shown<'_, 'd>) -> io::Result<()>,
 ) -> Result<(), Failure> {
     let has_filter = args.filter.is_set();
-    while let Some((log, frame)) = logs.next_frame().map_err(unreadable)? {
+    while let Some((log, frame)) = logs.next_frame().map_err(|error| unreadable(&error))? {
         let at = buses.of(log, &frame, logs);
         let bus = &mut buses.all[at];
         let decoded = bus.decode(&frame);
@@ -167,7 +167,7 @@ fn open(args: &DecodeArgs) -> Result<Logs, Failure> {
     Ok(MergedLogs(args.logs.iter().map(open).collect::<Result<_, Failure>>()?))
 }
 
-fn unreadable(error: io::Error) -> Failure {
+fn unreadable(error: &io::Error) -> Failure {
     Failure::new(format_args!("cannot read the log: {error}"))
 }
 
@@ -181,7 +181,7 @@ fn descriptions<'a>(
         keep(path);
         let is_network = node_id.is_none() && NetworkFile::is_network(path).map_err(Failure::new)?;
         if is_network {
-            found.add_network(&network::open_despite_errors(&[path.clone()], &args.input)?);
+            found.add_network(&network::open_despite_errors(std::slice::from_ref(path), &args.input)?);
             continue;
         }
         let reading = Reading { patches: args.input.patch.patches.clone(), ..Reading::default() };

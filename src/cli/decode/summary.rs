@@ -97,6 +97,7 @@ impl BusReport {
         events("Lost heartbeats", &self.lost_heartbeats, out)?;
         events("Aborted transfers", &self.aborted_transfers, out)?;
         events("Emergencies", &self.emergencies, out)?;
+        events("Not as described", &self.deviations, out)?;
         if self.further_events > 0 {
             writeln!(out, "\nand {}", plural(count(self.further_events), "further event"))?;
         }

@@ -6,7 +6,8 @@ use crate::format::log::LogTime;
 #[derive(Clone, Debug, Default)]
 pub(super) struct Cycle {
     pub(super) frames: u64,
-    last: Option<i64>,
+    /// The time of the last frame of the cycle.
+    pub(super) last: Option<i64>,
     distances: u64,
     sum: i64,
     pub(super) shortest: i64,

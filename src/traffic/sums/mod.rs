@@ -1,12 +1,14 @@
 //! Sums over the frames of a bus, in memory that does not grow with their number.
 
 mod cycle;
+mod deviations;
 mod history;
 mod report;
 
 use std::collections::BTreeMap;
 
 use self::cycle::Cycle;
+use self::deviations::{Expected, of_transfer};
 use self::history::History;
 pub(crate) use self::history::NodeEvent;
 pub(crate) use self::report::BusReport;
@@ -37,6 +39,7 @@ struct MessageSums {
     service: Option<Service>,
     node_id: Option<u8>,
     cycle: Cycle,
+    expected: Expected,
 }
 
 /// What was seen of a node.
@@ -74,6 +77,9 @@ pub(crate) struct BusSums {
     emergencies: History,
     aborts: History,
     lost: History,
+    /// What is not as the descriptions say.
+    deviations: History,
+    last_sync: Option<i64>,
     /// The last value that a node has accepted.
     written: BTreeMap<(u8, u16, u8), Vec<u8>>,
     is_written_cut: bool,
@@ -97,6 +103,8 @@ impl BusSums {
             emergencies: History::default(),
             aborts: History::default(),
             lost: History::default(),
+            deviations: History::default(),
+            last_sync: None,
             written: BTreeMap::new(),
             is_written_cut: false,
         }
@@ -132,11 +140,14 @@ impl BusSums {
         let sender = if is_sent { node_id } else { 0 };
         self.nodes[sender].frames += 1;
         self.nodes[sender].bits += bits;
-        self.message(decoded, frame);
+        if decoded.kind == FrameKind::Sync && !frame.is_remote {
+            self.last_sync = Some(frame.time.nanoseconds());
+        }
+        self.message(decoded, frame, bus);
         self.event(decoded, frame, bus);
     }
 
-    fn message(&mut self, decoded: &DecodedFrame, frame: &LoggedFrame) {
+    fn message(&mut self, decoded: &DecodedFrame, frame: &LoggedFrame, bus: &Bus<'_>) {
         let LoggedFrame { can_id, is_extended, .. } = *frame;
         let known = match is_extended {
             false => usize::from(self.base[can_id as usize & 0x7FF]).checked_sub(1),
@@ -153,13 +164,19 @@ impl BusSums {
                 self.base[can_id as usize & 0x7FF] = at as u16 + 1;
             }
             let DecodedFrame { kind, service, node_id, .. } = *decoded;
-            let cycle = Cycle::default();
-            self.messages.push(MessageSums { can_id, is_extended, kind, service, node_id, cycle });
+            let (cycle, expected) = Default::default();
+            self.messages.push(MessageSums { can_id, is_extended, kind, service, node_id, cycle, expected });
             at
         });
         let Some(message) = self.messages.get_mut(at) else { return };
         if message.kind != decoded.kind && message.kind == FrameKind::BootUp {
             message.kind = decoded.kind;
+        }
+        if decoded.kind == FrameKind::Pdo && !frame.is_remote && !is_rpdo(decoded.service) {
+            let last = message.cycle.last;
+            for text in message.expected.deviations(decoded, frame, bus, last, self.last_sync) {
+                self.deviations.add(frame.time, decoded.node_id.unwrap_or(0), || text);
+            }
         }
         // a boot-up is not a part of the cycle of heartbeats
         message.cycle.add(frame.time, decoded.kind != FrameKind::BootUp && !frame.is_remote);
@@ -202,6 +219,9 @@ impl BusSums {
 
     fn transfer(&mut self, node_id: u8, decoded: &DecodedFrame, frame: &LoggedFrame, bus: &Bus<'_>) {
         let Some(sdo) = decoded.sdo else { return };
+        if let Some(text) = of_transfer(node_id, decoded, bus) {
+            self.deviations.add(frame.time, node_id, || text);
+        }
         match (sdo.step, sdo.entry) {
             (SdoStep::Abort(_), _) => {
                 self.nodes[usize::from(node_id) % NODES].aborts += 1;

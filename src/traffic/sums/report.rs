@@ -5,7 +5,7 @@ use serde::Serialize;
 use super::history::NodeEvent;
 use super::{BusSums, MessageSums, NODES, kept, lost, milliseconds};
 use crate::describe::frames::{FrameKind, nmt_state};
-use crate::model::{Pdo, PdoKind};
+use crate::model::{CobId, Pdo, PdoKind};
 use crate::network::Service;
 use crate::traffic::{Bus, DescribedNode};
 
@@ -41,6 +41,9 @@ pub(crate) struct BusReport {
     pub(crate) aborted_transfers: Vec<NodeEvent>,
     /// The first emergencies.
     pub(crate) emergencies: Vec<NodeEvent>,
+    /// The first frames that are not as the descriptions say: length of a PDO, inhibit time, synchronous window, and type, access and limits of
+    /// entries in SDO transfers.
+    pub(crate) deviations: Vec<NodeEvent>,
     /// How many of these events there are beyond those that are listed.
     pub(crate) further_events: u64,
     /// The nodes that no description covers.
@@ -154,7 +157,7 @@ impl BusSums {
         let seconds = self.seconds();
         let kinds = FrameKind::ALL.iter().zip(self.kinds).filter(|(_, frames)| *frames > 0);
         let kinds = kinds.map(|(kind, frames)| KindSums { kind: kind.word(), frames });
-        let listed = [&self.lost, &self.aborts, &self.emergencies];
+        let listed = [&self.lost, &self.aborts, &self.emergencies, &self.deviations];
         let further = listed.iter().map(|history| history.count - history.events.len() as u64).sum();
         let nodes: Vec<NodeReport> =
             (0..NODES as u8).filter_map(|node| self.node(node, bus, seconds)).collect();
@@ -177,6 +180,7 @@ impl BusSums {
             lost_heartbeats: std::mem::take(&mut self.lost.events),
             aborted_transfers: std::mem::take(&mut self.aborts.events),
             emergencies: std::mem::take(&mut self.emergencies.events),
+            deviations: std::mem::take(&mut self.deviations.events),
             further_events: further,
         }
     }
@@ -358,7 +362,7 @@ fn described_cycle(pdo: &Pdo<'_>, sync: Option<u32>) -> Option<String> {
 fn sync_period(bus: &Bus<'_>) -> Option<u32> {
     let services = bus.reader.node_ids().filter_map(|node_id| Some(bus.reader.device(node_id)?.services()));
     let periods = services.filter_map(|services| {
-        let is_producer = services.sync.is_some_and(|sync| sync.bit_30());
+        let is_producer = services.sync.is_some_and(CobId::bit_30);
         Some((is_producer, services.communication_cycle_period.filter(|period| *period != 0)?))
     });
     periods.max_by_key(|(is_producer, _)| *is_producer).map(|(_, period)| period)
