@@ -222,6 +222,8 @@ mod pipeline;
 pub mod registry;
 pub mod report;
 pub mod scaffold;
+#[cfg(feature = "cli")]
+mod traffic;
 
 pub use check::{check, check_with};
 #[cfg(feature = "lint")]

@@ -3,6 +3,7 @@
 mod configure;
 mod convert;
 mod dcf;
+mod decode;
 mod diff;
 mod docs;
 mod features;
@@ -26,6 +27,7 @@ pub(super) use self::dcf::{
     BlobFormat, DcfArgs, DcfCommand, DcfDiffArgs, NamingArgs, PackArgs, PackOrder, UnpackArgs, VerdictFormat,
     VerifyArgs,
 };
+pub(super) use self::decode::{DecodeArgs, DecodeFormat, FrameFilterArgs, WithFile};
 pub(super) use self::diff::{DeniedVerdict, DiffArgs, DiffFormat, ReleaseArgs, SidesArgs};
 pub(super) use self::docs::DocsArgs;
 pub(super) use self::generate::{GenerateArgs, SizeFormat};
@@ -112,6 +114,12 @@ pub(super) enum Command {
     /// Runs the node of `objdict-device` with the defaults of the description, without compiling it, and checks its services and every
     /// entry as a master does: by frames and time. Exits with 1 if a check fails (docs/runtime.md).
     Conformance(ConformanceArgs),
+    /// Put the traffic of a bus into words
+    ///
+    /// Reads logs of candump, ASC of Vector, TRC of PEAK, CSV of python-can, pcap and pcapng, or a pipe of candump, and says what each
+    /// frame means by the descriptions of the nodes: services, entries by name with their values, PDO signals, states. Lines
+    /// that are not understood are reported. Exits with 2 if a log has no frame (docs/decode.md).
+    Decode(Box<DecodeArgs>),
     /// Compare two descriptions, and say whom each change affects
     ///
     /// Compares by meaning: objects, entries, PDOs and facts about the device; order and spelling do not count. Each change has a verdict

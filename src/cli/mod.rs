@@ -12,6 +12,7 @@ mod configure;
 mod conformance;
 mod convert;
 mod dcf;
+mod decode;
 mod diff;
 mod docs;
 mod files;
@@ -79,6 +80,7 @@ pub fn run() -> ExitCode {
         Command::Dcf(command) => dcf::run(&command.command, &mut out),
         Command::Network(command) => network::run(&command.command, &mut out),
         Command::Conformance(command) => conformance::run(command, &mut out),
+        Command::Decode(command) => decode::run(command, &mut out),
         Command::Identify(command) => identify::run(command, &mut out),
         Command::Generate(command) => generate::run(command, &mut out),
         Command::Docs(command) => docs::run(command, &mut out),

@@ -58,6 +58,7 @@ fn prepare(input: &Path) {
         "errata",
         "concise",
         "diff",
+        "logs",
         "bases",
         "toml",
         "network",

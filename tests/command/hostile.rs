@@ -37,6 +37,13 @@ const LINES: &[(Kind, &str)] = &[
     (Text, "check @.eds --format gitlab"),
     (Text, "check @.eds @-none.eds --format junit"),
     (Text, "conformance @.eds"),
+    (Text, "decode @.log --with 5=@.eds"),
+    (Text, "decode @.log --with @.eds --summary"),
+    (Text, "decode @.log --with 5=@.eds --format json"),
+    (Text, "decode @.log --with 5=@.eds --format csv"),
+    (Text, "decode @.log --with 5=@.eds --format csv --wide"),
+    (Text, "decode @.eds"),
+    (Text, "decode @-none.log"),
     (Text, "check @.eds --diff"),
     (Text, "check @-fixed.eds --fix --unsafe-fixes -v"),
     (Text, "check @.eds --write-baseline @-new.json"),
@@ -180,6 +187,7 @@ fn folder(name: &str, text: Option<&str>) -> tempfile::TempDir {
     write("@.xdd", read("xdd/press-402.xdd").as_bytes());
     write("@.cpj", read("nodelist/line.cpj").replace("../dcf/", "").as_bytes());
     write("@.cdcf", &fs::read("fixtures/concise/careless.cdcf").unwrap());
+    write("@.log", read("logs/chapter4.log").replace("can0", "::error::can0\u{1B}]0;x\u{7}").as_bytes());
     write("@.txt", text.unwrap_or("words").as_bytes());
     write("@.j2", b"{{ device.file_info.description }}\n");
     let profile = fs::read_to_string("fixtures/profiles/project-drives.toml").unwrap();

@@ -42,17 +42,7 @@ impl BusFrame {
 
     /// The bits that it takes on the bus: with its stuff bits, and with the space of three bits to the next frame (ISO 11898-1).
     pub fn bits(&self) -> u32 {
-        /// Delimiters, acknowledgement, end of frame, interframe space.
-        const UNSTUFFED: u32 = 1 + 2 + 7 + 3;
-        let mut bits = Stream::default();
-        bits.push(0, 1); // start of frame
-        bits.push(self.id().into(), 11);
-        bits.push(self.is_remote.into(), 1);
-        bits.push(0, 2); // 11-bit identifier, reserved
-        bits.push(self.data().len() as u32, 4);
-        self.data().iter().for_each(|byte| bits.push(u32::from(*byte), 8));
-        bits.push(bits.crc.into(), 15);
-        bits.bits + UNSTUFFED
+        classical_bits(self.id().into(), false, self.is_remote, self.data())
     }
 
     /// The time that it takes on the bus in nanoseconds, at a bit rate in kbit/s.
@@ -65,6 +55,27 @@ impl From<Frame> for BusFrame {
     fn from(frame: Frame) -> Self {
         Self { frame, is_remote: false }
     }
+}
+
+/// The bits that a frame of classical CAN takes on the bus, as [`BusFrame::bits`]; its CAN-ID may have 29 bits.
+pub fn classical_bits(can_id: u32, is_extended: bool, is_remote: bool, data: &[u8]) -> u32 {
+    /// Delimiters, acknowledgement, end of frame, interframe space.
+    const UNSTUFFED: u32 = 1 + 2 + 7 + 3;
+    let mut bits = Stream::default();
+    bits.push(0, 1); // start of frame
+    if is_extended {
+        bits.push(can_id >> 18, 11);
+        bits.push(3, 2); // substitute for the remote bit, 29-bit identifier
+        bits.push(can_id, 18);
+    } else {
+        bits.push(can_id, 11);
+    }
+    bits.push(is_remote.into(), 1);
+    bits.push(0, 2); // 11-bit identifier or reserved, reserved
+    bits.push(data.len() as u32, 4);
+    data.iter().for_each(|byte| bits.push(u32::from(*byte), 8));
+    bits.push(bits.crc.into(), 15);
+    bits.bits + UNSTUFFED
 }
 
 /// The part of a frame that is stuffed: after five equal bits comes one of the other kind.

@@ -15,7 +15,7 @@ mod simulation;
 
 pub use conformance::{Conformance, ConformanceCheck, Verdict, conformance, conformance_of};
 pub use dictionary::{LiveDictionary, PowerOn};
-pub use frame::BusFrame;
+pub use frame::{BusFrame, classical_bits};
 pub use manager::{BootFailure, Configurations, Milestone};
 pub use objdict_device::{Abort, Dictionary, NmtState};
 pub use run::{Cut, Event, EventKind, NodeRun, Run};

@@ -40,6 +40,7 @@ mod variants;
 mod write;
 
 pub use self::changes::{ChangeEffect, ChangeRow, ChangedDevice, ChangesPage};
+pub use self::escape::field as csv_field;
 pub use self::finding::Finding;
 pub use self::form::Form;
 pub use self::network::SiteNetwork;

@@ -32,6 +32,8 @@ use crate::support;
 
 #[cfg(feature = "document")]
 mod dbc;
+#[cfg(feature = "document")]
+mod logs;
 mod networks;
 #[cfg(feature = "cli")]
 mod schemas;

@@ -19,6 +19,23 @@ const DOCUMENTS: &[(&str, &str)] = &[
     ("identify", "identify IDENTIFIED --format json"),
     ("conformance", "conformance FIXTURES/eds/io-401.eds --format json"),
     ("conformance", "conformance FIXTURES/eds/bootloader.eds --format json"),
+    (
+        "frame",
+        "decode FIXTURES/logs/chapter4.log --with FIXTURES/network/chapter4.toml --kind time --format json",
+    ),
+    (
+        "frame",
+        "decode FIXTURES/logs/chapter4.log --kind sdo --object 6200:10 --to 1436509052.77 --format json",
+    ),
+    (
+        "frame",
+        "decode FIXTURES/logs/chapter4.log --with FIXTURES/network/chapter4.toml --object 5410:1 --format json",
+    ),
+    (
+        "traffic",
+        "decode FIXTURES/logs/chapter4.log --with FIXTURES/network/chapter4.toml --summary --format json",
+    ),
+    ("traffic", "decode FIXTURES/logs/drive.asc --summary --format json"),
     ("changes", "diff FIXTURES/bases/drive.eds FIXTURES/diff/drive-2.eds --format json"),
     ("changes", "diff FIXTURES/eds/drive-402.eds FIXTURES/xdd/valve.xdd --format json"),
     ("changes", "diff FIXTURES/eds/minimal.eds FIXTURES/eds/minimal.eds --format json"),

@@ -10,10 +10,12 @@ use objdict::compare::{DatumDifference, differences};
 use objdict::config::Config;
 use objdict::configure::{SettingsFile, configure};
 use objdict::diagnostic::{Applicability, Fix, Tool};
+use objdict::describe::frames::{FrameReader, RawFrame, Talker};
 use objdict::document::dbc::{self, BusNode, DbcOptions};
 use objdict::document::{self, Form};
 use objdict::download::ConciseDcf;
 use objdict::format::input::{Input, Reading};
+use objdict::format::log::{LogOptions, LogReader, LogTime};
 use objdict::format::network::{BootFiles, Installation, NetworkFile};
 use objdict::format::patch::{self, Patch};
 use objdict::format::{
@@ -54,7 +56,7 @@ impl Fuzzed {
 const DESCRIPTIONS: &[&str] = &["eds", "dcf", "xdd", "xdc"];
 
 /// All of them.
-pub(crate) const FUZZED: [Fuzzed; 16] = [
+pub(crate) const FUZZED: [Fuzzed; 17] = [
     Fuzzed { name: "check", endings: DESCRIPTIONS, run: check },
     Fuzzed { name: "fix", endings: DESCRIPTIONS, run: fix },
     Fuzzed { name: "fmt", endings: DESCRIPTIONS, run: arrange },
@@ -74,6 +76,7 @@ pub(crate) const FUZZED: [Fuzzed; 16] = [
     Fuzzed { name: "text", endings: &["txt", "cpj"], run: |_, bytes| text(bytes) },
     Fuzzed { name: "toml", endings: &["toml"], run: |_, bytes| toml(bytes) },
     Fuzzed { name: "network", endings: &["toml", "yml", "cpj"], run: |_, bytes| network(bytes) },
+    Fuzzed { name: "log", endings: &["log", "asc", "trc", "csv", "pcap"], run: |_, bytes| log(bytes) },
     Fuzzed { name: "boot", endings: &["toml", "yml", "cpj"], run: |_, bytes| booted(bytes) },
 ];
 
@@ -374,6 +377,29 @@ fn booted(bytes: &[u8]) {
         let Ok(Installation { plant, .. }) = file.install(files) else { continue };
         let run = boot(&plant, &conditions);
         assert_eq!(run.is_booted(), boot(&plant, &conditions).is_booted(), "two runs are alike");
+    }
+}
+
+/// Every frame of a log has words, and its time is read again as it is shown.
+fn log(bytes: &[u8]) {
+    let drive = original(Format::Eds);
+    let talker = Talker { name: "drive", node_id: 5, device: drive.device() };
+    let mut frames = FrameReader::of_bus(vec![talker]);
+    for frame in LogReader::new(bytes, LogOptions::default()) {
+        let frame = frame.expect("memory can be read");
+        let shown = frame.time.to_string();
+        let again = shown.parse::<LogTime>().map(LogTime::nanoseconds);
+        assert_eq!(again, Ok(frame.time.nanoseconds()), "{shown}");
+        let raw = RawFrame {
+            can_id: frame.can_id,
+            is_extended: frame.is_extended,
+            is_remote: frame.is_remote,
+            data: frame.data(),
+        };
+        let decoded = frames.decode(&raw);
+        assert!(frames.signals(&decoded, &raw).iter().all(|signal| signal.bits <= 64), "{raw:?}");
+        frames.transferred(&decoded);
+        assert!(!frames.words(&decoded, &raw).is_empty(), "{raw:?}");
     }
 }
 

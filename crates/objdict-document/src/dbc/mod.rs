@@ -20,6 +20,7 @@ use std::collections::{BTreeMap, BTreeSet};
 
 use self::message::Message;
 use self::station::Station;
+pub(crate) use self::value::{Scaled, scaling_of};
 use crate::model::{Device, Part, Place};
 
 /// A node whose frames are described.

@@ -3,7 +3,7 @@
 use super::decimal::Decimal;
 use super::signal::{Number, Scale, Signal};
 use super::station::{LANGUAGE, Station};
-use crate::model::{DataType, Entry, Meaning, ObjectType, Scaling, TypeKind, Value};
+use crate::model::{DataType, Device, Entry, Meaning, Meanings, ObjectType, Scaling, TypeKind, Value};
 use crate::profile::{self, EntryFacts, ObjectFacts};
 
 /// The largest range of values that get their common name each.
@@ -174,12 +174,7 @@ impl<'a> Carried<'a> {
 
     /// How the value is scaled, and its unit.
     fn scale(&self, entry: &'a Entry, documents: &[ObjectFacts<'_>]) -> (Scale, String) {
-        let scaling = self.station.meanings.scaling_of(entry);
-        if !scaling.is_empty() {
-            return of_description(scaling);
-        }
-        let unit = documents.iter().filter_map(|facts| facts.entry(self.sub)).find_map(|facts| facts.unit);
-        of_document(unit.unwrap_or_default())
+        scale(&self.station.meanings, entry, self.sub, documents)
     }
 
     /// The limits of the description, else the values that a document allows.
@@ -231,6 +226,70 @@ const fn kind_bits(kind: Option<TypeKind>) -> u32 {
     match kind {
         Some(TypeKind::Real64) => 64,
         _ => 32,
+    }
+}
+
+/// How a value is scaled, and its unit: as the description says, else as the documents do.
+fn scale<'a>(
+    meanings: &Meanings<'a>,
+    entry: &'a Entry,
+    sub: u8,
+    documents: &[ObjectFacts<'_>],
+) -> (Scale, String) {
+    let scaling = meanings.scaling_of(entry);
+    if !scaling.is_empty() {
+        return of_description(scaling);
+    }
+    let unit = documents.iter().filter_map(|facts| facts.entry(sub)).find_map(|facts| facts.unit);
+    of_document(unit.unwrap_or_default())
+}
+
+/// The scale, the unit and the named values of an entry.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub(crate) struct Scaled {
+    scale: Scale,
+    pub(crate) unit: String,
+    /// Names of values that the description states.
+    names: Vec<(i128, String)>,
+}
+
+/// The scale and the unit of an entry; `None` if it has neither.
+pub(crate) fn scaling_of<'a>(
+    device: &'a Device,
+    meanings: &Meanings<'a>,
+    (index, sub): (u16, u8),
+) -> Option<Scaled> {
+    let object = device.object(index)?;
+    let entry = object.subs.get(sub).unwrap_or(&object.main);
+    let documents: Vec<_> = profile::of_object(device, index).map(|(_, facts)| facts).collect();
+    let (scale, unit) = scale(meanings, entry, sub, &documents);
+    let names = match meanings.of(index, sub) {
+        Some(Meaning::Enumeration(found)) => {
+            found.values.iter().map(|value| (value.number, value.name.to_owned())).collect()
+        }
+        _ => Vec::new(),
+    };
+    let scaled = Scaled { scale, unit, names };
+    (scaled != Scaled { scale: Scale::NONE, unit: String::new(), names: Vec::new() }).then_some(scaled)
+}
+
+impl Scaled {
+    /// A value in the unit, or its name: `120 mm`.
+    pub(crate) fn of(&self, value: &Value) -> Option<String> {
+        if let Some((_, name)) = self.names.iter().find(|(number, _)| value.as_integer() == Some(*number)) {
+            return Some(name.clone());
+        }
+        let number = self.number(value)?;
+        Some(if self.unit.is_empty() { number } else { format!("{number} {}", self.unit) })
+    }
+
+    /// The number of a value in the unit.
+    pub(crate) fn number(&self, value: &Value) -> Option<String> {
+        let number = match value.as_integer() {
+            Some(number) => Decimal::integer(number),
+            None => Decimal::parse(&format!("{:e}", value.as_real()?))?,
+        };
+        Some(self.scale.apply(number)?.to_string())
     }
 }
 

@@ -10,7 +10,7 @@ use crate::diagnostic::printable;
 /// Spreadsheets evaluate fields that begin with `=`, `+`, `-` or `@`, even in quotes, so such a field gets an
 /// apostrophe as prefix, which marks text. Numbers are unchanged. A spreadsheet with `;` as separator sees a
 /// new field after each one, so the same applies there.
-pub(crate) fn field(text: &str) -> Cow<'_, str> {
+pub fn field(text: &str) -> Cow<'_, str> {
     if text.bytes().all(|byte| byte.is_ascii_alphanumeric() || b" _./()".contains(&byte)) {
         return Cow::Borrowed(text); // fast path for most names and all indexes
     }

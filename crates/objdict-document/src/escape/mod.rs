@@ -10,7 +10,7 @@ mod html;
 mod markdown;
 mod url;
 
-pub(crate) use csv::field;
+pub use csv::field;
 pub(crate) use html::Html;
 pub(crate) use markdown::{Markdown, code};
 pub(crate) use url::address;

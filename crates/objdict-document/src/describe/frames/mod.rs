@@ -1,26 +1,44 @@
 //! Frames of a bus in words: which service of which node, and what it says.
+//!
+//! A frame is decoded first, which is fast, and put into words if they are wanted.
 
+mod decoded;
+mod lss;
 mod sdo;
+mod signals;
 mod talker;
-
-use std::collections::BTreeMap;
+mod users;
+mod words;
 
 use objdict_network::Service;
 
+pub use self::decoded::{DecodedFrame, FrameKind, RawFrame, SdoFrame, SdoStep};
 use self::sdo::Transfers;
+pub use self::signals::PdoSignal;
+use self::talker::Nodes;
 pub use self::talker::Talker;
-use self::talker::{Talkers, described};
+use self::users::{User, Users};
 use super::Decoder;
-use crate::layout::{FieldKind, Layout};
-use crate::model::{CobId, DataType, Pdo, PdoKind, Value, predefined};
+use crate::model::{Device, PdoKind, Value};
 
-/// Reads frames in the order of their times: segments of SDOs belong to the transfers before them.
+/// The objects whose values change what frames mean: those of CiA 301 and its frameworks.
+const COMMUNICATION: std::ops::Range<u16> = 0x1000..0x2000;
+
+/// Reads frames in the order of their times. Segments of SDOs belong to the transfers before them, and values that nodes
+/// accept or send as answers count from then on: with another mapping a PDO says other things.
 #[derive(Debug)]
 pub struct FrameReader<'a> {
-    talkers: Talkers<'a>,
-    /// The services with CAN-IDs of 11 bits that nodes configure.
-    services: BTreeMap<u16, Vec<(usize, Service)>>,
+    nodes: Nodes<'a>,
+    users: Users,
     transfers: Transfers,
+    /// Node-IDs of nodes whose services have changed.
+    stale: Vec<u8>,
+    /// Node-IDs that were asked by guarding and have not answered yet.
+    guarded: u128,
+    /// Whether a CAN-ID that no description has is that of the predefined connection set.
+    has_defaults: bool,
+    /// How often a node has changed.
+    changes: u64,
 }
 
 /// What a frame says.
@@ -32,149 +50,272 @@ pub struct FrameWords {
     pub text: String,
 }
 
-impl FrameWords {
-    fn new(service: Service, text: impl Into<String>) -> Self {
-        Self { service: Some(service), text: text.into() }
-    }
-}
-
 impl<'a> FrameReader<'a> {
-    /// A reader of the frames of these nodes.
+    /// A reader of the frames of these nodes, which are all nodes.
     pub fn new(talkers: Vec<Talker<'a>>) -> Self {
-        let mut reader =
-            Self { talkers: Talkers(talkers), services: BTreeMap::new(), transfers: Transfers::default() };
-        for at in 0..reader.talkers.0.len() {
-            reader.add(at);
+        let nodes = Nodes::new(talkers);
+        let mut users = Users::default();
+        nodes.iter().for_each(|node| users.update(node));
+        Self {
+            nodes,
+            users,
+            transfers: Transfers::default(),
+            stale: Vec::new(),
+            guarded: 0,
+            has_defaults: false,
+            changes: 0,
         }
-        reader
     }
 
-    fn add(&mut self, at: usize) {
-        let Talker { node_id, device, .. } = self.talkers.0[at];
-        let services = device.services();
-        let mut add = |cob_id: Option<CobId>, service| {
-            let cob_id = cob_id.filter(|cob_id| !cob_id.is_extended());
-            if let Some(id) = cob_id.and_then(|cob_id| u16::try_from(cob_id.can_id(node_id)).ok()) {
-                self.services.entry(id).or_default().push((at, service));
-            }
-        };
-        add(services.sync.or(Some(CobId::new(predefined::SYNC.into()))), Service::Sync);
-        add(services.time.or(Some(CobId::new(predefined::TIME.into()))), Service::Time);
-        let emcy = services.emcy.or(Some(predefined::per_node(predefined::EMCY)));
-        add(emcy.filter(|emcy| emcy.is_valid()), Service::Emcy);
-        for kind in [PdoKind::Tpdo, PdoKind::Rpdo] {
-            let pdos = device.pdos().filter(|pdo| pdo.kind == kind && pdo.is_valid() == Some(true));
-            for pdo in pdos.collect::<Vec<Pdo<'_>>>() {
-                add(pdo.cob_id, Service::pdo(kind, pdo.number));
-            }
-        }
+    /// A reader of the frames of a bus with further nodes, whose CAN-IDs are those of the predefined connection set (CiA 301
+    /// §7.3.5).
+    pub fn of_bus(talkers: Vec<Talker<'a>>) -> Self {
+        Self { has_defaults: true, ..Self::new(talkers) }
+    }
+
+    /// Describes a node from now on.
+    pub fn describe(&mut self, talker: Talker<'a>) {
+        self.nodes.describe(talker);
+        self.note_change(talker.node_id);
+    }
+
+    /// How often the values of a node have become others that change what frames mean.
+    pub const fn changes(&self) -> u64 {
+        self.changes
+    }
+
+    /// The nodes, in the order in which they became known.
+    pub fn node_ids(&self) -> impl Iterator<Item = u8> + '_ {
+        self.nodes.iter().map(|node| node.node_id)
+    }
+
+    fn note_change(&mut self, node_id: u8) {
+        self.stale.push(node_id);
+        self.changes += 1;
     }
 
     /// The words for a frame with a CAN-ID of 11 bits.
     pub fn read(&mut self, can_id: u16, data: &[u8], is_remote: bool) -> FrameWords {
+        let frame = RawFrame { can_id: can_id.into(), is_extended: false, is_remote, data };
+        let decoded = self.decode(&frame);
+        FrameWords { service: decoded.service, text: self.words(&decoded, &frame) }
+    }
+
+    /// What a frame is.
+    pub fn decode(&mut self, frame: &RawFrame<'_>) -> DecodedFrame {
+        let RawFrame { can_id, is_extended, is_remote, data } = *frame;
         let node_id = (can_id & 0x7F) as u8;
+        if is_extended {
+            return self.configured(frame);
+        }
         match can_id {
-            0 => FrameWords::new(Service::Nmt, self.nmt(data)),
-            0x581..=0x5FF => {
-                FrameWords::new(Service::SdoResponse, self.transfers.response(&self.talkers, node_id, data))
-            }
-            0x601..=0x67F => {
-                FrameWords::new(Service::SdoRequest, self.transfers.request(&self.talkers, node_id, data))
-            }
+            0 => self.command(data),
+            0x581..=0x5FF => self.sdo((node_id, 1), data, false),
+            0x601..=0x67F => self.sdo((node_id, 1), data, true),
             0x701..=0x77F => {
-                FrameWords::new(Service::ErrorControl, self.error_control(node_id, data, is_remote))
+                let kind = self.error_control(node_id, data, is_remote);
+                DecodedFrame::new(kind, Some(Service::ErrorControl), Some(node_id))
             }
-            _ => self.configured(can_id, data, is_remote),
+            lss::FROM_SLAVE | lss::FROM_MASTER => DecodedFrame::new(FrameKind::Lss, None, None),
+            _ => self.configured(frame),
         }
     }
 
-    fn nmt(&self, data: &[u8]) -> String {
-        let &[command, node_id, ..] = data else { return "NMT command without node-ID".to_owned() };
-        let whom = if node_id == 0 { "all nodes".to_owned() } else { self.talkers.name(node_id) };
-        match command {
-            1 => format!("start {whom}"),
-            2 => format!("stop {whom}"),
-            0x80 => format!("{whom}: enter pre-operational"),
-            0x81 => format!("reset {whom}"),
-            0x82 => format!("reset the communication of {whom}"),
-            _ => format!("unknown NMT command {command:02X}h to {whom}"),
+    /// The values of a PDO.
+    pub fn signals<'r>(&'r self, decoded: &DecodedFrame, frame: &'r RawFrame<'_>) -> Vec<PdoSignal<'r>> {
+        let signals = self.user(decoded, frame).and_then(|user| {
+            let node = self.nodes.get(user.node_id)?;
+            Some(user.content.signals(node, frame.data).collect())
+        });
+        signals.unwrap_or_default()
+    }
+
+    /// The number of bits that are mapped into a PDO, if that is known.
+    pub fn mapped_bits(&self, decoded: &DecodedFrame, frame: &RawFrame<'_>) -> Option<u32> {
+        self.user(decoded, frame)?.content.bits
+    }
+
+    /// The value of an SDO transfer that is complete with this frame: its bytes, and the value where its type is known.
+    pub fn transferred(&self, decoded: &DecodedFrame) -> Option<(&[u8], Option<Value>)> {
+        let (node_id, sdo) = decoded.node_id.zip(decoded.sdo)?;
+        let is_known = sdo.step.has_value() || sdo.step == SdoStep::Written;
+        let bytes = is_known.then(|| self.transfers.value((node_id, sdo.channel)))?;
+        let value = self.nodes.get(node_id).and_then(|node| node.value_of(sdo.entry?, bytes));
+        Some((bytes, value))
+    }
+
+    /// The device of a node with the values that the frames have shown.
+    pub fn device(&self, node_id: u8) -> Option<&Device> {
+        Some(&self.nodes.get(node_id)?.device)
+    }
+
+    /// The name of a node: `node 5` without a description.
+    pub fn name(&self, node_id: u8) -> String {
+        self.nodes.name(node_id)
+    }
+
+    /// Whether a description covers a node.
+    pub fn is_described(&self, node_id: u8) -> bool {
+        self.nodes.get(node_id).is_some_and(|node| node.is_described)
+    }
+
+    /// The name of an entry: `1017:00 Producer heartbeat time`.
+    pub fn entry_name(&self, node_id: u8, entry: (u16, u8)) -> String {
+        self.nodes.entry(node_id, entry)
+    }
+
+    /// What an error code of EMCY means for a node.
+    pub fn error_code(&self, node_id: u8, code: u16) -> &'static str {
+        let empty = Device::default();
+        let device = self.device(node_id).unwrap_or(&empty);
+        Decoder::english(device, Some(node_id)).error_code(code.into())
+    }
+
+    fn user(&self, decoded: &DecodedFrame, frame: &RawFrame<'_>) -> Option<&User> {
+        let is_pdo = matches!(decoded.service, Some(Service::Pdo(_)));
+        let user = self.users.get(users::key(frame.can_id, frame.is_extended), decoded.user);
+        user.filter(|user| is_pdo && Some(user.service) == decoded.service)
+    }
+
+    /// An NMT command: a reset gives nodes back the values that they have then.
+    fn command(&mut self, data: &[u8]) -> DecodedFrame {
+        let node_id = data.get(1).copied().filter(|node_id| *node_id != 0);
+        if let &[0x81 | 0x82, whom, ..] = data {
+            let all = if whom == 0 { 1..=127 } else { whom..=whom };
+            all.for_each(|node_id| self.reset(node_id));
+        }
+        DecodedFrame::new(FrameKind::Nmt, Some(Service::Nmt), node_id)
+    }
+
+    fn reset(&mut self, node_id: u8) {
+        if self.nodes.get_mut(node_id).is_some_and(talker::Node::reset) {
+            self.note_change(node_id);
         }
     }
 
-    fn error_control(&self, node_id: u8, data: &[u8], is_remote: bool) -> String {
-        let name = self.talkers.name(node_id);
+    fn error_control(&mut self, node_id: u8, data: &[u8], is_remote: bool) -> FrameKind {
+        let bit = 1_u128 << node_id;
         if is_remote {
-            return format!("guarding request to {name}");
+            self.guarded |= bit;
+            return FrameKind::Guarding;
         }
+        let is_answer = self.guarded & bit != 0;
+        self.guarded &= !bit;
         match data {
-            [] => format!("{name}: empty heartbeat"),
-            [0, ..] => format!("{name}: boot-up"),
-            [state, ..] => {
-                let toggle = if state & 0x80 == 0 { "" } else { ", toggle bit" };
-                format!("{name}: {}{toggle}", nmt_state(state & 0x7F))
+            [0, ..] => {
+                self.reset(node_id);
+                FrameKind::BootUp
+            }
+            [state, ..] if is_answer || state & 0x80 != 0 => FrameKind::Guarding,
+            _ => FrameKind::Heartbeat,
+        }
+    }
+
+    fn sdo(&mut self, channel: (u8, u16), data: &[u8], is_request: bool) -> DecodedFrame {
+        let (node_id, _) = channel;
+        let is_download = self.transfers.is_download(channel);
+        let sdo = match is_request {
+            true => self.transfers.request(channel, data),
+            false => self.transfers.response(channel, data),
+        };
+        if let Some(entry) = sdo.entry {
+            self.learn(node_id, entry);
+            let is_accepted = is_download && !is_request && sdo.step == SdoStep::Written;
+            let is_answer = !is_download && !is_request && sdo.step.has_value();
+            if COMMUNICATION.contains(&entry.0) && (is_accepted || is_answer) {
+                self.take(channel, entry, is_accepted);
+            }
+        }
+        let service = if is_request { Service::SdoRequest } else { Service::SdoResponse };
+        let decoded = DecodedFrame::new(FrameKind::Sdo, Some(service), Some(node_id));
+        DecodedFrame { sdo: Some(sdo), ..decoded }
+    }
+
+    /// Gives a node without a description an entry, as the documents define it.
+    fn learn(&mut self, node_id: u8, entry: (u16, u8)) {
+        if !self.has_defaults {
+            return;
+        }
+        self.nodes.add_unknown(node_id);
+        if let Some(node) = self.nodes.get_mut(node_id) {
+            node.learn(entry);
+        }
+    }
+
+    /// Takes a value that a node has accepted, or has sent as an answer.
+    fn take(&mut self, (node_id, channel): (u8, u16), entry: (u16, u8), is_accepted: bool) {
+        let bytes = self.transfers.value((node_id, channel));
+        let Some(node) = self.nodes.get_mut(node_id) else { return };
+        match entry {
+            (0x1010, 1 | 2) if is_accepted && bytes == b"save" => node.store(),
+            (0x1010 | 0x1011, _) => {}
+            // the objects that a node without a description maps have names too
+            (0x1600..=0x17FF | 0x1A00..=0x1BFF, 1..) => {
+                if let &[_, sub, low, high] = bytes {
+                    node.learn((u16::from_le_bytes([low, high]), sub));
+                }
+                if node.take(entry, bytes) {
+                    self.note_change(node_id);
+                }
+            }
+            _ => {
+                if node.take(entry, bytes) {
+                    self.note_change(node_id);
+                }
             }
         }
     }
 
     /// A frame of a service whose CAN-ID is in the dictionary.
-    fn configured(&self, can_id: u16, data: &[u8], is_remote: bool) -> FrameWords {
-        let users = self.services.get(&can_id).map_or(&[][..], Vec::as_slice);
-        // a TPDO names the sender
-        let is_rpdo = |service| matches!(service, Service::Pdo(pdo) if pdo.kind == PdoKind::Rpdo);
-        let Some(&(at, service)) = users.iter().min_by_key(|(_, service)| is_rpdo(*service)) else {
-            return FrameWords { service: None, text: "not a service of a known node".to_owned() };
-        };
-        let talker = self.talkers.0[at];
-        let text = match service {
-            _ if is_remote => format!("request of {service}, {}", talker.name),
-            Service::Sync => match data {
-                [] => "SYNC".to_owned(),
-                [counter, ..] => format!("SYNC {counter}"),
-            },
-            Service::Emcy => emergency(talker, data),
-            Service::Pdo(pdo) => {
-                let content = talker.device.pdo(pdo.kind, pdo.number);
-                let content = content.map(|pdo| self.content(talker, &pdo, data)).unwrap_or_default();
-                let to = if pdo.kind == PdoKind::Rpdo { "to " } else { "" };
-                format!("{to}{} {service}: {content}", talker.name)
+    fn configured(&mut self, frame: &RawFrame<'_>) -> DecodedFrame {
+        for node_id in std::mem::take(&mut self.stale) {
+            if let Some(node) = self.nodes.get(node_id) {
+                self.users.update(node);
             }
-            _ => format!("{service}"),
+        }
+        let key = users::key(frame.can_id, frame.is_extended);
+        let Some((at, &User { node_id, service, channel, .. })) = self.users.of(key) else {
+            return self.predefined(frame);
         };
-        FrameWords::new(service, text)
+        if let Service::SdoRequest | Service::SdoResponse = service {
+            return self.sdo((node_id, channel), frame.data, service == Service::SdoRequest);
+        }
+        let kind = match service {
+            Service::Sync => FrameKind::Sync,
+            Service::Time => FrameKind::Time,
+            Service::Emcy => FrameKind::Emcy,
+            _ => FrameKind::Pdo,
+        };
+        // SYNC and TIME are for all nodes
+        let node_id = Some(node_id).filter(|_| !matches!(kind, FrameKind::Sync | FrameKind::Time));
+        DecodedFrame { user: at, ..DecodedFrame::new(kind, Some(service), node_id) }
     }
 
-    /// The values of a PDO.
-    fn content(&self, talker: Talker<'_>, pdo: &Pdo<'_>, data: &[u8]) -> String {
-        let frame = data.iter().take(8).rev().fold(0, |frame, &byte| frame << 8 | u64::from(byte));
-        let layout = Layout::new(talker.device, pdo, &|entry| entry.name.to_string());
-        let values =
-            layout.shown().filter(|(field, _)| field.kind != FieldKind::Dummy).map(|(field, span)| {
-                let (index, sub) = field.object.map_or((0, 0), |object| (object.index, object.sub));
-                if span.end > 8 * data.len() as u32 {
-                    return format!("{index:04X}:{sub:02X} is missing");
-                }
-                let bits = frame >> span.start & u64::MAX >> (64 - (span.end - span.start));
-                let value =
-                    field.data_type.and_then(|data_type| of_bits(bits, span.end - span.start, data_type));
-                match value {
-                    Some(value) => described(talker, (index, sub), &value, false),
-                    None => format!("{index:04X}:{sub:02X} = {bits:X}h"),
-                }
-            });
-        let values: Vec<String> = values.collect();
-        if values.is_empty() { "nothing is mapped".to_owned() } else { values.join(", ") }
+    /// A frame of a node without a description, by the predefined connection set.
+    fn predefined(&mut self, frame: &RawFrame<'_>) -> DecodedFrame {
+        let node_id = (frame.can_id & 0x7F) as u8;
+        let is_node = node_id != 0 && !self.is_described(node_id);
+        let pdo = |kind| Service::pdo(kind, (frame.can_id >> 8) as u16 - u16::from(kind == PdoKind::Rpdo));
+        let (kind, service) = match frame.can_id {
+            _ if !self.has_defaults || frame.is_extended => (FrameKind::Unknown, None),
+            0x080 => (FrameKind::Sync, Some(Service::Sync)),
+            0x100 => (FrameKind::Time, Some(Service::Time)),
+            0x081..=0x0FF if is_node => (FrameKind::Emcy, Some(Service::Emcy)),
+            0x181..=0x57F if is_node && frame.can_id & 0x80 != 0 => {
+                (FrameKind::Pdo, Some(pdo(PdoKind::Tpdo)))
+            }
+            0x181..=0x57F if is_node => (FrameKind::Pdo, Some(pdo(PdoKind::Rpdo))),
+            _ => (FrameKind::Unknown, None),
+        };
+        let has_node = matches!(kind, FrameKind::Emcy | FrameKind::Pdo);
+        if has_node {
+            self.nodes.add_unknown(node_id);
+        }
+        DecodedFrame {
+            user: usize::MAX,
+            ..DecodedFrame::new(kind, service, Some(node_id).filter(|_| has_node))
+        }
     }
-}
-
-/// A value in the bits of a PDO; signed ones may be cut.
-fn of_bits(bits: u64, count: u32, data_type: DataType) -> Option<Value> {
-    let Some((low, _)) = data_type.integer_range() else {
-        let length = usize::from(data_type.byte_length()?);
-        return Value::from_bytes(bits.to_le_bytes().get(..length)?, data_type);
-    };
-    let shift = 64 - count;
-    let number = if low < 0 { i128::from((bits << shift) as i64 >> shift) } else { bits.into() };
-    Value::from_integer(number, data_type)
 }
 
 /// An NMT state as in a heartbeat: `operational`.
@@ -186,26 +327,6 @@ pub fn nmt_state(state: u8) -> String {
         0x7F => "pre-operational".to_owned(),
         _ => format!("unknown state {state:02X}h"),
     }
-}
-
-/// An emergency message: `EMCY 8130h (heartbeat or guarding lost), error register 11h (generic error, communication)`.
-fn emergency(talker: Talker<'_>, data: &[u8]) -> String {
-    let &[low, high, register, ref vendor @ ..] = data else {
-        return format!("{} EMCY with {} bytes", talker.name, data.len());
-    };
-    let decoder = Decoder::english(talker.device, Some(talker.node_id));
-    let code = u16::from_le_bytes([low, high]);
-    let mut text = format!(
-        "{} EMCY {code:04X}h ({}), error register {register:02X}h ({})",
-        talker.name,
-        decoder.error_code(code.into()),
-        decoder.error_register(register.into())
-    );
-    if vendor.iter().any(|byte| *byte != 0) {
-        let bytes: Vec<String> = vendor.iter().map(|byte| format!("{byte:02X}")).collect();
-        text += &format!(", {}", bytes.join(" "));
-    }
-    text
 }
 
 #[cfg(test)]

@@ -2,132 +2,265 @@
 
 use std::collections::BTreeMap;
 
-use objdict_device::Abort;
-
-use super::talker::Talkers;
+use super::decoded::{SdoFrame, SdoStep};
 
 /// The most bytes of a value that are kept to show it.
 const LONGEST: usize = 1 << 16;
 
-/// A transfer of one server, from its request on.
-#[derive(Debug)]
+/// A transfer of one channel, from its request on.
+#[derive(Debug, Default)]
 struct Transfer {
-    entry: (u16, u8),
+    entry: Option<(u16, u8)>,
     is_download: bool,
     /// What is known of the value.
     data: Vec<u8>,
     is_complete: bool,
+    blocks: Option<Blocks>,
 }
 
-/// The transfers by the node-IDs of their servers.
+/// Where a transfer of blocks is.
+#[derive(Clone, Copy, Debug, Default)]
+struct Blocks {
+    /// Whether segments are sent now.
+    is_open: bool,
+    /// The bytes of the blocks that were accepted.
+    accepted: usize,
+    /// The number of the last segment of this block that was in its order.
+    last: u8,
+    /// Whether the segment that ends the value is among them.
+    has_end: bool,
+}
+
+/// The transfers by node-ID of the server and number of the channel.
 #[derive(Debug, Default)]
-pub(super) struct Transfers(BTreeMap<u8, Transfer>);
+pub(super) struct Transfers(BTreeMap<(u8, u16), Transfer>);
 
 impl Transfers {
-    /// What a client sends.
-    pub(super) fn request(&mut self, talkers: &Talkers<'_>, node_id: u8, data: &[u8]) -> String {
-        let name = talkers.name(node_id);
-        let Ok(bytes) = <[u8; 8]>::try_from(data) else {
-            return format!("SDO of {} bytes to {name}", data.len());
+    /// A frame of the client.
+    pub(super) fn request(&mut self, channel: (u8, u16), data: &[u8]) -> SdoFrame {
+        self.frame(channel, data, true)
+    }
+
+    /// A frame of the server.
+    pub(super) fn response(&mut self, channel: (u8, u16), data: &[u8]) -> SdoFrame {
+        self.frame(channel, data, false)
+    }
+
+    fn frame(&mut self, channel: (u8, u16), data: &[u8], is_request: bool) -> SdoFrame {
+        let transfer = self.0.entry(channel).or_default();
+        let step = match <[u8; 8]>::try_from(data) {
+            Ok(bytes) if transfer.has_segment(is_request, bytes[0]) => transfer.block_segment(bytes),
+            Ok(bytes) if is_request => transfer.request(bytes),
+            Ok(bytes) => transfer.response(bytes),
+            Err(_) => SdoStep::Malformed,
         };
-        let [command, low, high, sub, value @ ..] = bytes;
-        let entry = (u16::from_le_bytes([low, high]), sub);
+        SdoFrame { entry: transfer.entry, step, channel: channel.1, is_request }
+    }
+
+    /// What is known of the value of a transfer.
+    pub(super) fn value(&self, channel: (u8, u16)) -> &[u8] {
+        self.0.get(&channel).map_or(&[], |transfer| &transfer.data)
+    }
+
+    /// Whether the server answers to a download.
+    pub(super) fn is_download(&self, channel: (u8, u16)) -> bool {
+        self.0.get(&channel).is_some_and(|transfer| transfer.is_download)
+    }
+}
+
+impl Transfer {
+    fn request(&mut self, bytes: [u8; 8]) -> SdoStep {
+        let [command, _, _, _, value @ ..] = bytes;
         match command >> 5 {
-            1 => {
-                let expedited = expedited(command, value);
-                let text = match &expedited {
-                    Some(value) => format!("write {}", talkers.value(node_id, entry, value)),
-                    None => format!("write {}{}", talkers.entry(node_id, entry), sized(command, value)),
-                };
-                self.begin(node_id, entry, true, expedited);
-                format!("{name}: {text}")
+            1 => match expedited(command, value) {
+                Some(value) => {
+                    self.begin(bytes, true);
+                    self.data.extend(value);
+                    self.is_complete = true;
+                    SdoStep::Write
+                }
+                None => {
+                    self.begin(bytes, true);
+                    SdoStep::WriteStart(stated_size(command & 1 != 0, value))
+                }
+            },
+            2 => {
+                self.begin(bytes, false);
+                SdoStep::Read
+            }
+            0 => self.segment(bytes, true),
+            3 => SdoStep::NextSegment,
+            4 => self.abort(bytes),
+            5 => self.block_upload(bytes),
+            6 if command & 1 == 0 => {
+                self.begin(bytes, true);
+                self.blocks = Some(Blocks::default());
+                SdoStep::WriteStart(stated_size(command & 2 != 0, value))
+            }
+            6 => self.end_of_blocks(command),
+            _ => SdoStep::Unknown(command),
+        }
+    }
+
+    fn response(&mut self, bytes: [u8; 8]) -> SdoStep {
+        let [command, _, _, _, value @ ..] = bytes;
+        match command >> 5 {
+            3 => {
+                self.entry = Some(entry_of(bytes));
+                if self.is_complete { SdoStep::Written } else { SdoStep::Expected }
             }
             2 => {
-                self.begin(node_id, entry, false, None);
-                format!("{name}: read {}", talkers.entry(node_id, entry))
+                self.begin(bytes, false);
+                let Some(value) = expedited(command, value) else {
+                    return SdoStep::ValueStart(stated_size(command & 1 != 0, value));
+                };
+                self.data.extend(value);
+                self.is_complete = true;
+                SdoStep::Value
             }
-            0 => self.segment(talkers, node_id, &bytes, true, &name),
-            3 => format!("{name}: next segment"),
-            4 => format!("{name}: {}", abort(talkers, node_id, entry, value)),
-            5 | 6 => format!("{name}: block transfer"),
-            _ => format!("{name}: unknown SDO command {command:02X}h"),
+            1 if self.is_complete => SdoStep::Written,
+            1 => SdoStep::Accepted,
+            0 => self.segment(bytes, false),
+            4 => self.abort(bytes),
+            5 => self.block_download(bytes),
+            6 if command & 1 == 0 => {
+                self.begin(bytes, false);
+                self.blocks = Some(Blocks::default());
+                SdoStep::ValueStart(stated_size(command & 2 != 0, value))
+            }
+            6 => self.end_of_blocks(command),
+            _ => SdoStep::Unknown(command),
         }
     }
 
-    /// What a server sends.
-    pub(super) fn response(&mut self, talkers: &Talkers<'_>, node_id: u8, data: &[u8]) -> String {
-        let name = talkers.name(node_id);
-        let Ok(bytes) = <[u8; 8]>::try_from(data) else {
-            return format!("SDO of {} bytes from {name}", data.len());
-        };
-        let [command, low, high, sub, value @ ..] = bytes;
-        let entry = (u16::from_le_bytes([low, high]), sub);
-        let address = format!("{:04X}:{:02X}", entry.0, entry.1);
-        match command >> 5 {
-            3 => match self.0.get(&node_id) {
-                Some(transfer) if transfer.is_complete => format!("{name}: {address} is written"),
-                _ => format!("{name}: {address} is expected"),
-            },
-            2 => match expedited(command, value) {
-                Some(value) => format!("{name}: {}", talkers.value(node_id, entry, &value)),
-                None => format!("{name}: {}{}", talkers.entry(node_id, entry), sized(command, value)),
-            },
-            1 => match self.0.get(&node_id) {
-                Some(Transfer { entry: (index, sub), is_complete: true, .. }) => {
-                    format!("{name}: {index:04X}:{sub:02X} is written")
-                }
-                _ => format!("{name}: segment is accepted"),
-            },
-            0 => self.segment(talkers, node_id, &bytes, false, &name),
-            4 => format!("{name}: {}", abort(talkers, node_id, entry, value)),
-            5 | 6 => format!("{name}: block transfer"),
-            _ => format!("{name}: unknown SDO command {command:02X}h"),
-        }
+    fn begin(&mut self, bytes: [u8; 8], is_download: bool) {
+        let mut data = std::mem::take(&mut self.data);
+        data.clear();
+        *self = Self { entry: Some(entry_of(bytes)), is_download, data, ..Self::default() };
     }
 
-    fn begin(&mut self, node_id: u8, entry: (u16, u8), is_download: bool, value: Option<Vec<u8>>) {
-        let is_complete = value.is_some();
-        let transfer = Transfer { entry, is_download, data: value.unwrap_or_default(), is_complete };
-        self.0.insert(node_id, transfer);
+    fn abort(&mut self, bytes: [u8; 8]) -> SdoStep {
+        let [_, _, _, _, code @ ..] = bytes;
+        *self = Self { entry: Some(entry_of(bytes)), is_download: self.is_download, ..Self::default() };
+        SdoStep::Abort(u32::from_le_bytes(code))
+    }
+
+    fn extend(&mut self, bytes: &[u8]) {
+        if self.data.len() < LONGEST {
+            self.data.extend(bytes);
+        }
     }
 
     /// A segment of a value; with the last one the value is known.
-    fn segment(
-        &mut self,
-        talkers: &Talkers<'_>,
-        node_id: u8,
-        bytes: &[u8; 8],
-        is_download: bool,
-        name: &str,
-    ) -> String {
-        let Some(transfer) = self.0.get_mut(&node_id).filter(|found| found.is_download == is_download) else {
-            return format!("{name}: segment without a transfer");
-        };
+    fn segment(&mut self, bytes: [u8; 8], is_download: bool) -> SdoStep {
+        if self.entry.is_none() || self.is_download != is_download || self.is_complete {
+            return SdoStep::Stray;
+        }
         let [command, segment @ ..] = bytes;
-        let used = 7 - usize::from(command >> 1 & 7);
-        if transfer.data.len() < LONGEST {
-            transfer.data.extend(&segment[..used]);
-        }
+        let used = 7 - (command >> 1 & 7);
+        self.extend(&segment[..usize::from(used)]);
         if command & 1 == 0 {
-            return format!("{name}: segment of {used} bytes");
+            return SdoStep::Segment(used);
         }
-        transfer.is_complete = true;
-        let (entry, data) = (transfer.entry, std::mem::take(&mut transfer.data));
-        format!("{name}: last segment, {}", talkers.value(node_id, entry, &data))
+        self.is_complete = true;
+        SdoStep::LastSegment
+    }
+
+    /// Whether a frame is a segment of a block: its first byte is a number from 1 to 127, not a command.
+    fn has_segment(&self, is_request: bool, first: u8) -> bool {
+        self.is_download == is_request
+            && first & 0x7F != 0
+            && self.blocks.is_some_and(|blocks| blocks.is_open)
+    }
+
+    fn block_segment(&mut self, bytes: [u8; 8]) -> SdoStep {
+        let [first, segment @ ..] = bytes;
+        let (number, is_end) = (first & 0x7F, first & 0x80 != 0);
+        if let Some(blocks) = &mut self.blocks {
+            // what follows a lost segment is sent again
+            if number == blocks.last + 1 {
+                blocks.last = number;
+                blocks.has_end |= is_end;
+                self.extend(&segment);
+            }
+        }
+        SdoStep::BlockSegment(number, is_end)
+    }
+
+    /// The receiver has so many segments of a block.
+    fn block_accepted(&mut self, number: u8) -> SdoStep {
+        if let Some(blocks) = &mut self.blocks {
+            let is_whole = number >= blocks.last;
+            blocks.accepted = blocks.accepted.saturating_add(7 * usize::from(number.min(blocks.last)));
+            blocks.last = 0;
+            blocks.has_end &= is_whole;
+            blocks.is_open = !blocks.has_end;
+            self.data.truncate(blocks.accepted);
+        }
+        SdoStep::BlockAccepted(number)
+    }
+
+    /// Answers of a server to blocks of the client.
+    fn block_download(&mut self, bytes: [u8; 8]) -> SdoStep {
+        let [command, number, ..] = bytes;
+        match command & 3 {
+            0 => {
+                self.entry = Some(entry_of(bytes));
+                self.open();
+                SdoStep::Expected
+            }
+            1 => SdoStep::Written,
+            2 => self.block_accepted(number),
+            _ => SdoStep::Unknown(command),
+        }
+    }
+
+    /// Requests of a client that reads blocks.
+    fn block_upload(&mut self, bytes: [u8; 8]) -> SdoStep {
+        let [command, number, ..] = bytes;
+        match command & 3 {
+            0 => {
+                self.begin(bytes, false);
+                SdoStep::BlockRead
+            }
+            1 => SdoStep::BlockDone,
+            2 => self.block_accepted(number),
+            _ => {
+                self.open();
+                SdoStep::BlockStart
+            }
+        }
+    }
+
+    fn open(&mut self) {
+        if let Some(blocks) = &mut self.blocks {
+            blocks.is_open = true;
+        }
+    }
+
+    /// The sender says how many bytes of the last segment are not of the value.
+    fn end_of_blocks(&mut self, command: u8) -> SdoStep {
+        if self.blocks.take().is_none() {
+            return SdoStep::Stray;
+        }
+        let unused = usize::from(command >> 2 & 7);
+        self.data.truncate(self.data.len().saturating_sub(unused));
+        self.is_complete = true;
+        SdoStep::BlockEnd
     }
 }
 
-fn abort(talkers: &Talkers<'_>, node_id: u8, entry: (u16, u8), code: [u8; 4]) -> String {
-    format!("{}: {}", talkers.entry(node_id, entry), Abort::from(u32::from_le_bytes(code)))
+fn entry_of([_, low, high, sub, ..]: [u8; 8]) -> (u16, u8) {
+    (u16::from_le_bytes([low, high]), sub)
 }
 
 /// The bytes of an expedited transfer.
-fn expedited(command: u8, value: [u8; 4]) -> Option<Vec<u8>> {
+fn expedited(command: u8, value: [u8; 4]) -> Option<impl Iterator<Item = u8>> {
     let length = if command & 1 == 0 { 4 } else { 4 - usize::from(command >> 2 & 3) };
-    (command & 2 != 0).then(|| value[..length].to_vec())
+    (command & 2 != 0).then(|| value.into_iter().take(length))
 }
 
-/// The stated size of a segmented transfer.
-fn sized(command: u8, size: [u8; 4]) -> String {
-    if command & 1 == 0 { String::new() } else { format!(", {} bytes", u32::from_le_bytes(size)) }
+/// The size of a value that is sent in segments.
+fn stated_size(is_stated: bool, size: [u8; 4]) -> Option<u32> {
+    is_stated.then(|| u32::from_le_bytes(size))
 }

@@ -1,7 +1,14 @@
 //! The nodes of a bus and their entries in words.
 
+use std::borrow::Cow;
+
+use crate::dbc::{Scaled, scaling_of};
 use crate::describe::{Decoder, Reader};
-use crate::model::{DataType, Device, Value};
+use crate::model::{Assignment, DataType, Device, Entry, Meanings, Object, Value};
+use crate::profile;
+
+/// The most entries that are added to a node without a description.
+const MAX_LEARNT: usize = 4096;
 
 /// A node whose frames are read. Its device has the values with which the node runs.
 #[derive(Clone, Copy, Debug)]
@@ -14,24 +21,99 @@ pub struct Talker<'a> {
     pub device: &'a Device,
 }
 
+/// A node with the values that the frames have shown.
+#[derive(Debug)]
+pub(super) struct Node<'a> {
+    pub(super) name: Cow<'a, str>,
+    pub(super) node_id: u8,
+    pub(super) is_described: bool,
+    /// The values after a reset, and the meanings of all values.
+    start: Cow<'a, Device>,
+    pub(super) device: Cow<'a, Device>,
+    learnt: usize,
+}
+
 /// The nodes of a bus.
 #[derive(Debug)]
-pub(super) struct Talkers<'a>(pub(super) Vec<Talker<'a>>);
+pub(super) struct Nodes<'a> {
+    all: Vec<Node<'a>>,
+    /// Positions of node-IDs.
+    by_id: [Option<u8>; 128],
+}
 
-impl<'a> Talkers<'a> {
-    /// The name of a node.
-    pub(super) fn name(&self, node_id: u8) -> String {
-        self.talker(node_id).map_or_else(|| format!("node {node_id}"), |talker| talker.name.to_owned())
+impl<'a> Nodes<'a> {
+    pub(super) fn new(talkers: Vec<Talker<'a>>) -> Self {
+        let mut nodes = Self { all: Vec::new(), by_id: [None; 128] };
+        for Talker { name, node_id, device } in talkers {
+            nodes.add(Node {
+                name: Cow::Borrowed(name),
+                node_id,
+                is_described: true,
+                start: Cow::Borrowed(device),
+                device: Cow::Borrowed(device),
+                learnt: 0,
+            });
+        }
+        nodes
     }
 
-    pub(super) fn talker(&self, node_id: u8) -> Option<Talker<'a>> {
-        self.0.iter().find(|talker| talker.node_id == node_id).copied()
+    /// The first of two nodes with one node-ID counts.
+    fn add(&mut self, node: Node<'a>) {
+        let place = self.by_id.get_mut(usize::from(node.node_id)).filter(|place| place.is_none());
+        if let Some((place, at)) = place.zip(u8::try_from(self.all.len()).ok()) {
+            *place = Some(at);
+            self.all.push(node);
+        }
+    }
+
+    /// A node that no description covers, from now on.
+    pub(super) fn add_unknown(&mut self, node_id: u8) {
+        if self.get(node_id).is_none() {
+            let name = Cow::Owned(format!("node {node_id}"));
+            let (start, device) = (Cow::Owned(Device::default()), Cow::Owned(Device::default()));
+            self.add(Node { name, node_id, is_described: false, start, device, learnt: 0 });
+        }
+    }
+
+    /// Describes a node, which so far may be one without a description.
+    pub(super) fn describe(&mut self, talker: Talker<'a>) {
+        let Talker { name, node_id, device } = talker;
+        let node = Node {
+            name: Cow::Borrowed(name),
+            node_id,
+            is_described: true,
+            start: Cow::Borrowed(device),
+            device: Cow::Borrowed(device),
+            learnt: 0,
+        };
+        match self.by_id.get(usize::from(node_id)).copied().flatten() {
+            Some(at) => self.all[usize::from(at)] = node,
+            None => self.add(node),
+        }
+    }
+
+    pub(super) fn iter(&self) -> impl Iterator<Item = &Node<'a>> {
+        self.all.iter()
+    }
+
+    pub(super) fn get(&self, node_id: u8) -> Option<&Node<'a>> {
+        let at = self.by_id.get(usize::from(node_id)).copied().flatten()?;
+        self.all.get(usize::from(at))
+    }
+
+    pub(super) fn get_mut(&mut self, node_id: u8) -> Option<&mut Node<'a>> {
+        let at = self.by_id.get(usize::from(node_id)).copied().flatten()?;
+        self.all.get_mut(usize::from(at))
+    }
+
+    /// The name of a node.
+    pub(super) fn name(&self, node_id: u8) -> String {
+        self.get(node_id).map_or_else(|| format!("node {node_id}"), |node| node.name.clone().into_owned())
     }
 
     /// `1017:00 Producer heartbeat time`.
     pub(super) fn entry(&self, node_id: u8, (index, sub): (u16, u8)) -> String {
-        let talker = self.talker(node_id);
-        let entry = talker.and_then(|talker| Some(talker.device.entry(index, sub)?.name.clone()));
+        let entry = self.get(node_id).and_then(|node| Some(node.device.entry(index, sub)?.name.clone()));
         match entry.filter(|name| !name.is_empty()) {
             Some(name) => format!("{index:04X}:{sub:02X} {name}"),
             None => format!("{index:04X}:{sub:02X}"),
@@ -39,37 +121,151 @@ impl<'a> Talkers<'a> {
     }
 
     /// The same with a value.
-    pub(super) fn value(&self, node_id: u8, (index, sub): (u16, u8), bytes: &[u8]) -> String {
-        let value = self.talker(node_id).and_then(|talker| {
-            let object = talker.device.object(index)?;
-            let entry = object.entry(sub)?;
-            let of_count =
-                || DataType::of_sub_0(index).filter(|_| sub == 0 && object.object_type().has_subs());
-            let data_type = entry.implied_type().or_else(of_count)?;
-            Some(described(talker, (index, sub), &Value::from_bytes(bytes, data_type)?, true))
-        });
-        value.unwrap_or_else(|| {
-            let digits: Vec<String> = bytes.iter().map(|byte| format!("{byte:02X}")).collect();
-            format!("{} = {}", self.entry(node_id, (index, sub)), digits.join(" "))
-        })
+    pub(super) fn value(&self, node_id: u8, entry: (u16, u8), bytes: &[u8]) -> String {
+        let value = self.get(node_id).and_then(|node| Some((node, node.value_of(entry, bytes)?)));
+        match value {
+            Some((node, value)) => node.described(entry, &value),
+            None => format!("{} = {}", self.entry(node_id, entry), digits(bytes)),
+        }
     }
 }
 
-/// An entry with a value: `6041:00 = 1591 (Operation enabled)`, with `is_named` also by its name.
-pub(super) fn described(
-    talker: Talker<'_>,
-    (index, sub): (u16, u8),
-    value: &Value,
-    is_named: bool,
-) -> String {
-    let node_id = Some(talker.node_id);
-    let entry = talker.device.entry(index, sub);
-    let data_type = entry.as_ref().and_then(|entry| entry.implied_type());
-    let short = Reader { index, node_id }.short(Some(value), data_type);
-    let name = entry.as_ref().map_or("", |entry| &entry.name);
-    let named = if is_named && !name.is_empty() { format!(" {name}") } else { String::new() };
-    match Decoder::english(talker.device, node_id).of(index, sub, value) {
-        Some(meaning) => format!("{index:04X}:{sub:02X}{named} = {short} ({meaning})"),
-        None => format!("{index:04X}:{sub:02X}{named} = {short}"),
+/// `01 0A`.
+pub(super) fn digits(bytes: &[u8]) -> String {
+    let digits: Vec<String> = bytes.iter().map(|byte| format!("{byte:02X}")).collect();
+    digits.join(" ")
+}
+
+impl Node<'_> {
+    /// The type of an entry.
+    pub(super) fn data_type(&self, (index, sub): (u16, u8)) -> Option<DataType> {
+        let object = self.device.object(index)?;
+        let entry = object.entry(sub)?;
+        let of_count = || DataType::of_sub_0(index).filter(|_| sub == 0 && object.object_type().has_subs());
+        entry.implied_type().or_else(of_count)
+    }
+
+    /// The value that bytes of an SDO are.
+    pub(super) fn value_of(&self, entry: (u16, u8), bytes: &[u8]) -> Option<Value> {
+        Value::from_bytes(bytes, self.data_type(entry)?)
+    }
+
+    /// An entry with a value: `6041:00 Statusword = 1591 (state: operation enabled)`.
+    pub(super) fn described(&self, (index, sub): (u16, u8), value: &Value) -> String {
+        let entry = self.device.entry(index, sub);
+        let name = entry.as_ref().map_or("", |entry| &entry.name);
+        let named = if name.is_empty() { String::new() } else { format!(" {name}") };
+        format!("{index:04X}:{sub:02X}{named} = {}", self.words((index, sub), value))
+    }
+
+    /// A value with its meaning or its unit: `1591 (state: operation enabled)`, `1200 (120 mm)`.
+    fn words(&self, (index, sub): (u16, u8), value: &Value) -> String {
+        let scaling = || scaling_of(&self.start, &self.start.meanings(), (index, sub));
+        self.words_in((index, sub), value, scaling)
+    }
+
+    /// The same with a scale and a unit that are known.
+    pub(super) fn words_in(
+        &self,
+        (index, sub): (u16, u8),
+        value: &Value,
+        scaling: impl FnOnce() -> Option<Scaled>,
+    ) -> String {
+        let node_id = Some(self.node_id);
+        let short = Reader { index, node_id }.short(Some(value), self.data_type((index, sub)));
+        match Decoder::english(&self.device, node_id).of(index, sub, value) {
+            Some(meaning) => match self.command(index, value) {
+                Some(command) => format!("{short} (command: {command}, {meaning})"),
+                None => format!("{short} ({meaning})"),
+            },
+            None => match scaling().and_then(|scaled| scaled.of(value)) {
+                Some(scaled) if scaled.split(' ').next() == Some(&short) => scaled,
+                Some(scaled) => format!("{short} ({scaled})"),
+                None => short,
+            },
+        }
+    }
+
+    /// The command that a word of the state machine of the device profile gives: `shutdown`.
+    fn command(&self, index: u16, value: &Value) -> Option<&'static str> {
+        // the state machines of documents take their commands from the profile area
+        let machine =
+            (0x6000..0xA000).contains(&index).then(|| profile::of_device(&self.device)?.state_machine())?;
+        let machine = machine.filter(|machine| machine.command == index)?;
+        let number = value.as_integer()?;
+        let is_given = |mask: &str| {
+            let bits = mask.bytes().rev().filter(|byte| *byte != b' ');
+            bits.enumerate().all(|(bit, wanted)| match wanted {
+                b'0' | b'1' => number >> bit & 1 == i128::from(wanted == b'1'),
+                _ => true,
+            })
+        };
+        machine.commands.iter().find(|(mask, _)| is_given(mask)).map(|(_, name)| *name)
+    }
+
+    /// The scale and the unit of an entry.
+    pub(super) fn scaling(&self, meanings: &Meanings<'_>, entry: (u16, u8)) -> Option<Scaled> {
+        scaling_of(&self.start, meanings, entry)
+    }
+
+    pub(super) fn meanings(&self) -> Meanings<'_> {
+        self.start.meanings()
+    }
+
+    /// Adds an entry that no description has, as the documents define it, so that it has a name and a type.
+    pub(super) fn learn(&mut self, (index, sub): (u16, u8)) {
+        if self.is_described || self.learnt >= MAX_LEARNT || self.device.entry(index, sub).is_some() {
+            return;
+        }
+        let facts = profile::of_object(&self.device, index)
+            .find_map(|(_, facts)| Some((facts.name, facts.object_type(), facts.entry(sub)?)));
+        let Some((name, object_type, facts)) = facts else { return };
+        self.learnt += 1;
+        let entry_name = if facts.name.is_empty() { name } else { facts.name };
+        let entry = Entry {
+            name: entry_name.into(),
+            data_type: facts.data_types.first().copied(),
+            ..Entry::default()
+        };
+        let object = self.device.to_mut().objects.get_or_insert_with(index, || {
+            let main = Entry { name: name.into(), object_type: Some(object_type), ..Entry::default() };
+            Object { main, ..Object::default() }
+        });
+        if object_type.has_subs() {
+            object.subs.insert(sub, entry);
+        } else {
+            object.main = Entry { object_type: Some(object_type), ..entry };
+        }
+    }
+
+    /// Takes a value that the node has now; whether it is new.
+    pub(super) fn take(&mut self, entry: (u16, u8), bytes: &[u8]) -> bool {
+        let (index, sub) = entry;
+        let Some(value) = self.value_of(entry, bytes) else { return false };
+        let is_known = self.device.object(index).and_then(|object| object.value(sub)).is_some_and(|known| {
+            let data_type = self.data_type(entry);
+            let known = Reader { index, node_id: Some(self.node_id) }.resolve(&known, data_type);
+            known == value
+        });
+        if !is_known {
+            self.device.to_mut().assign(&[Assignment { index, sub, value }]);
+        }
+        !is_known
+    }
+
+    /// Keeps the present values over a reset (1010h).
+    pub(super) fn store(&mut self) {
+        if let Cow::Owned(device) = &self.device {
+            self.start = Cow::Owned(device.clone());
+        }
+    }
+
+    /// Goes back to the values that it has after a reset; whether they are others.
+    pub(super) fn reset(&mut self) -> bool {
+        if !self.is_described || matches!(self.device, Cow::Borrowed(_)) {
+            return false;
+        }
+        self.device = self.start.clone();
+        true
     }
 }

@@ -1,5 +1,5 @@
 use super::*;
-use crate::model::{Device, Entry, Object, ObjectType};
+use crate::model::{DataType, Device, Entry, Object, ObjectType};
 
 fn entry(name: &str, data_type: DataType, number: u64) -> Entry {
     Entry {
@@ -83,7 +83,7 @@ fn values_are_written_and_read() {
         "drive: write 1000:00 Device type = 01 00",
         "drive: 1000:00 Device type: SDO abort 06010002h: attempt to write a read-only entry",
         "drive: read 1000:00 Device type",
-        "drive: 1000:00 Device type = 0x20192 (device profile CiA 402 (drives), additional information 0x0002)",
+        "drive: 1000:00 Device type = 0x20192 (device profile CiA 402 (drives), additional information 0x0002 (servo drive))",
     ];
     assert_eq!(words, expected);
 }
@@ -120,9 +120,9 @@ fn pdos_and_emergencies() {
         (0x333, &[1]),
     ]);
     let expected = [
-        "drive TPDO 1: 6041:00 = 39, 6061:00 = -1",
-        "drive TPDO 1: 6041:00 = 39, 6061:00 is missing",
-        "to drive RPDO 1: 6040:00 = 15",
+        "drive TPDO 1: 6041:00 Statusword = 39, 6061:00 Modes of operation display = -1",
+        "drive TPDO 1: 6041:00 Statusword = 39, 6061:00 Modes of operation display is missing",
+        "to drive RPDO 1: 6040:00 Controlword = 15",
         "drive EMCY 8130h (heartbeat or guarding lost), error register 11h (generic error, communication)",
         "drive EMCY 8210h (PDO too short, not processed), error register 11h (generic error, communication), 01 00 00 00 00",
         "not a service of a known node",
@@ -137,9 +137,144 @@ fn frames_of_any_content_are_read() {
         for first in 0..=0xFF_u8 {
             let mut reader = FrameReader::new(vec![Talker { name: "drive", node_id: 5, device: &device }]);
             let data = [first, 0x08, 0x10, 0, 0xFF, 0xFF, 0xFF, 0xFF];
-            for can_id in [0, 0x085, 0x100, 0x185, 0x205, 0x585, 0x605, 0x705] {
+            for can_id in [0, 0x085, 0x100, 0x185, 0x205, 0x585, 0x605, 0x705, 0x7E4, 0x7E5] {
                 reader.read(can_id, &data[..length], first & 1 == 0);
             }
         }
     }
+}
+
+/// The words for frames on a bus of which only the drive is described.
+fn read_bus(frames: &[(u16, &[u8])]) -> Vec<String> {
+    let device = drive();
+    let mut reader = FrameReader::of_bus(vec![Talker { name: "drive", node_id: 5, device: &device }]);
+    frames.iter().map(|(can_id, data)| reader.read(*can_id, data, false).text).collect()
+}
+
+#[test]
+fn a_mapping_that_is_written_counts() {
+    let write = |command, index: u16, sub, value: u32| {
+        let ([low, high], [a, b, c, d]) = (index.to_le_bytes(), value.to_le_bytes());
+        [command, low, high, sub, a, b, c, d]
+    };
+    let frames = [
+        write(0x23, 0x1800, 1, 0x8000_0185),
+        write(0x2F, 0x1A00, 0, 0),
+        write(0x23, 0x1A00, 1, 0x6061_0008),
+        write(0x2F, 0x1A00, 0, 1),
+        write(0x23, 0x1800, 1, 0x0000_0190),
+    ];
+    let device = drive();
+    let mut reader = FrameReader::new(vec![Talker { name: "drive", node_id: 5, device: &device }]);
+    for frame in &frames[..4] {
+        reader.read(0x605, frame, false);
+        let [_, low, high, sub, ..] = *frame;
+        reader.read(0x585, &[0x60, low, high, sub, 0, 0, 0, 0], false);
+    }
+    assert_eq!(reader.read(0x185, &[8, 7], false).text, "not a service of a known node");
+    reader.read(0x605, &frames[4], false);
+    assert_eq!(reader.read(0x190, &[8], false).text, "not a service of a known node", "not yet accepted");
+    reader.read(0x585, &[0x60, 0, 0x18, 1, 0, 0, 0, 0], false);
+    let text = "drive TPDO 1: 6061:00 Modes of operation display = 8";
+    assert_eq!(reader.read(0x190, &[8], false).text, text);
+    // a reset gives back what the description says
+    reader.read(0x705, &[0], false);
+    let text = "drive TPDO 1: 6041:00 Statusword = 7, 6061:00 Modes of operation display = 8";
+    assert_eq!(reader.read(0x185, &[7, 0, 8], false).text, text);
+}
+
+#[test]
+fn values_in_blocks() {
+    let words = read(&[
+        (0x605, &[0xC2, 0x08, 0x10, 0, 16, 0, 0, 0]),
+        (0x585, &[0xA0, 0x08, 0x10, 0, 2, 0, 0, 0]),
+        (0x605, &[1, b'a', b' ', b'l', b'o', b'n', b'g', b' ']),
+        (0x605, &[2, b'?', b'?', b'?', b'?', b'?', b'?', b'?']),
+        // the second one is lost and sent again
+        (0x585, &[0xA2, 1, 2, 0, 0, 0, 0, 0]),
+        (0x605, &[1, b'd', b'r', b'i', b'v', b'e', b' ', b'n']),
+        (0x605, &[0x82, b'a', b'm', 0, 0, 0, 0, 0]),
+        (0x585, &[0xA2, 2, 2, 0, 0, 0, 0, 0]),
+        (0x605, &[0xD5, 0, 0, 0, 0, 0, 0, 0]),
+        (0x585, &[0xA1, 0, 0, 0, 0, 0, 0, 0]),
+        (0x605, &[0xA0, 0x08, 0x10, 0, 127, 0, 0, 0]),
+        (0x585, &[0xC2, 0x08, 0x10, 0, 3, 0, 0, 0]),
+        (0x605, &[0xA3, 0, 0, 0, 0, 0, 0, 0]),
+        (0x585, &[0x81, b'a', b'b', b'c', 0, 0, 0, 0]),
+        (0x605, &[0xA2, 1, 127, 0, 0, 0, 0, 0]),
+        (0x585, &[0xD1, 0, 0, 0, 0, 0, 0, 0]),
+        (0x605, &[0xA1, 0, 0, 0, 0, 0, 0, 0]),
+        (0x605, &[0x80, 0x08, 0x10, 0, 0, 0, 4, 5]),
+    ]);
+    let expected = [
+        "drive: write 1008:00 Device name, 16 bytes",
+        "drive: 1008:00 is expected",
+        "drive: segment 1 of a block",
+        "drive: segment 2 of a block",
+        "drive: segments up to 1 are accepted",
+        "drive: segment 1 of a block",
+        "drive: segment 2 of a block, the last one",
+        "drive: segments up to 2 are accepted",
+        "drive: end of the blocks, 1008:00 Device name = a long drive nam",
+        "drive: 1008:00 is written",
+        "drive: read 1008:00 Device name",
+        "drive: 1008:00 Device name, 3 bytes",
+        "drive: start of the blocks",
+        "drive: segment 1 of a block, the last one",
+        "drive: segments up to 1 are accepted",
+        "drive: end of the blocks, 1008:00 Device name = abc",
+        "drive: end of the blocks is confirmed",
+        "drive: 1008:00 Device name: SDO abort 05040000h: the transfer timed out",
+    ];
+    assert_eq!(words, expected);
+}
+
+#[test]
+fn nodes_without_a_description() {
+    let words = read_bus(&[
+        (0x187, &[1, 2]),
+        (0x307, &[3]),
+        (0x607, &[0x40, 0x17, 0x10, 0, 0, 0, 0, 0]),
+        (0x587, &[0x4B, 0x17, 0x10, 0, 0x2C, 1, 0, 0]),
+        (0x587, &[0x43, 0x00, 0x10, 0, 0x92, 1, 2, 0]),
+        (0x607, &[0x2B, 0x40, 0x60, 0, 0x0F, 0, 0, 0]),
+        (0x087, &[0x11, 0x86, 0x20, 0, 0, 0, 0, 0]),
+        (0x100, &[0xA0, 0xC9, 0x5E, 0, 0x32, 0x3D]),
+        (0x6E0, &[]),
+        (0x7E5, &[0x11, 5, 0, 0, 0, 0, 0, 0]),
+        (0x7E4, &[0x11, 0, 0, 0, 0, 0, 0, 0]),
+        (0x185, &[0x27, 0]),
+        (0x1C5, &[]),
+    ]);
+    let expected = [
+        "node 7 TPDO 1: 01 02",
+        "to node 7 RPDO 2: 03",
+        "node 7: read 1017:00 Producer heartbeat time",
+        "node 7: 1017:00 Producer heartbeat time = 300 (300 ms)",
+        "node 7: 1000:00 Device type = 0x20192 (device profile CiA 402 (drives), additional information 0x0002 (servo drive))",
+        "node 7: write 6040:00 Controlword = 15 (switch on, enable voltage, quick stop off, enable operation)",
+        "node 7 EMCY 8611h (following error), error register 20h (device-profile-specific)",
+        "TIME 2026-11-22 01:43:32.000",
+        "request of a dynamic SDO connection",
+        "LSS master: configure node-ID 5",
+        "LSS node: node-ID is accepted",
+        "drive TPDO 1: 6041:00 Statusword = 39, 6061:00 Modes of operation display is missing",
+        "node 69 TPDO 1: ",
+    ];
+    assert_eq!(words, expected);
+}
+
+#[test]
+fn guarding_is_a_question_and_an_answer() {
+    let device = drive();
+    let mut reader = FrameReader::new(vec![Talker { name: "drive", node_id: 5, device: &device }]);
+    let mut kind = |is_remote, data: &[u8]| {
+        reader.decode(&RawFrame { can_id: 0x705, is_extended: false, is_remote, data }).kind
+    };
+    assert_eq!(kind(false, &[5]), FrameKind::Heartbeat);
+    assert_eq!(kind(true, &[]), FrameKind::Guarding);
+    assert_eq!(kind(false, &[5]), FrameKind::Guarding);
+    assert_eq!(kind(false, &[0x85]), FrameKind::Guarding);
+    assert_eq!(kind(false, &[5]), FrameKind::Heartbeat);
+    assert_eq!(kind(false, &[0]), FrameKind::BootUp);
 }

@@ -1,0 +1,171 @@
+//! What a frame is: its service, its node, and the step of an SDO transfer.
+
+use objdict_network::Service;
+
+/// A frame as it is on the bus.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct RawFrame<'f> {
+    /// The CAN-ID.
+    pub can_id: u32,
+    /// Whether it has 29 bits.
+    pub is_extended: bool,
+    /// Whether it is a remote frame.
+    pub is_remote: bool,
+    /// The data.
+    pub data: &'f [u8],
+}
+
+/// What a frame is for.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
+pub enum FrameKind {
+    /// A command of the NMT master.
+    Nmt,
+    /// SYNC.
+    Sync,
+    /// TIME.
+    Time,
+    /// EMCY.
+    Emcy,
+    /// A PDO, or the request of one.
+    Pdo,
+    /// An SDO.
+    Sdo,
+    /// A heartbeat.
+    Heartbeat,
+    /// The boot-up message.
+    BootUp,
+    /// Node guarding.
+    Guarding,
+    /// LSS (CiA 305).
+    Lss,
+    /// Of no service that is known.
+    Unknown,
+}
+
+impl FrameKind {
+    /// All of them.
+    pub const ALL: [Self; 11] = [
+        Self::Nmt,
+        Self::Sync,
+        Self::Time,
+        Self::Emcy,
+        Self::Pdo,
+        Self::Sdo,
+        Self::Heartbeat,
+        Self::BootUp,
+        Self::Guarding,
+        Self::Lss,
+        Self::Unknown,
+    ];
+
+    /// Its word: `boot-up`.
+    pub const fn word(self) -> &'static str {
+        match self {
+            Self::Nmt => "nmt",
+            Self::Sync => "sync",
+            Self::Time => "time",
+            Self::Emcy => "emcy",
+            Self::Pdo => "pdo",
+            Self::Sdo => "sdo",
+            Self::Heartbeat => "heartbeat",
+            Self::BootUp => "boot-up",
+            Self::Guarding => "guarding",
+            Self::Lss => "lss",
+            Self::Unknown => "unknown",
+        }
+    }
+}
+
+/// What a frame is, without its words.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[non_exhaustive]
+pub struct DecodedFrame {
+    /// What it is for.
+    pub kind: FrameKind,
+    /// The service; `None` for a CAN-ID that no node uses.
+    pub service: Option<Service>,
+    /// The node that sends it or, of NMT commands, SDO requests and RPDOs, that it is for.
+    pub node_id: Option<u8>,
+    /// The step of an SDO transfer.
+    pub sdo: Option<SdoFrame>,
+    /// Which of the users of the CAN-ID it is.
+    pub(super) user: usize,
+}
+
+impl DecodedFrame {
+    /// A frame of no service, as one of CAN FD.
+    pub const UNKNOWN: Self = Self::new(FrameKind::Unknown, None, None);
+
+    pub(super) const fn new(kind: FrameKind, service: Option<Service>, node_id: Option<u8>) -> Self {
+        Self { kind, service, node_id, sdo: None, user: 0 }
+    }
+}
+
+/// A frame of an SDO transfer.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[non_exhaustive]
+pub struct SdoFrame {
+    /// Index and sub-index; `None` if the log does not show them, because it begins in the transfer.
+    pub entry: Option<(u16, u8)>,
+    /// What happens.
+    pub step: SdoStep,
+    /// Which SDO channel of the node, 1 for the default one.
+    pub channel: u16,
+    /// Whether the client sends it.
+    pub is_request: bool,
+}
+
+/// A step of an SDO transfer (CiA 301 §7.2.4.3).
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[non_exhaustive]
+pub enum SdoStep {
+    /// The client asks for a value.
+    Read,
+    /// The client sends a value in one frame.
+    Write,
+    /// The client is going to send a value of this size, if it states one.
+    WriteStart(Option<u32>),
+    /// The server expects the value.
+    Expected,
+    /// The server has taken the value.
+    Written,
+    /// The server sends the value in one frame.
+    Value,
+    /// The server is going to send a value of this size, if it states one.
+    ValueStart(Option<u32>),
+    /// The client asks for the next segment.
+    NextSegment,
+    /// So many bytes of the value.
+    Segment(u8),
+    /// The last bytes of the value.
+    LastSegment,
+    /// The server has taken a segment.
+    Accepted,
+    /// A segment of a transfer whose beginning is not in the log.
+    Stray,
+    /// The client or the server gives up, with an abort code.
+    Abort(u32),
+    /// The client asks for a value in blocks.
+    BlockRead,
+    /// The client starts the upload of blocks.
+    BlockStart,
+    /// A segment of a block, with its number; the last one of the value is marked.
+    BlockSegment(u8, bool),
+    /// A block was received up to the segment of this number.
+    BlockAccepted(u8),
+    /// The last block was sent: the value is complete.
+    BlockEnd,
+    /// The transfer of blocks is over.
+    BlockDone,
+    /// The frame does not have 8 bytes.
+    Malformed,
+    /// A command that CiA 301 does not define.
+    Unknown(u8),
+}
+
+impl SdoStep {
+    /// Whether the value is complete with this frame.
+    pub const fn has_value(self) -> bool {
+        matches!(self, Self::Write | Self::Value | Self::LastSegment | Self::BlockEnd)
+    }
+}

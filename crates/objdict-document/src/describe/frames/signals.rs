@@ -1,0 +1,131 @@
+//! The values in a PDO.
+
+use super::talker::Node;
+use crate::dbc::Scaled;
+use crate::layout::{FieldKind, Layout};
+use crate::model::{DataType, Pdo, Value};
+
+/// A value in a PDO.
+#[derive(Clone, Debug, PartialEq)]
+pub struct PdoSignal<'r> {
+    /// The index of the object.
+    pub index: u16,
+    /// The sub-index of the entry.
+    pub sub: u8,
+    /// The name of the entry; empty if no description has it.
+    pub name: &'r str,
+    /// The length in bits.
+    pub bits: u32,
+    /// The number of its bits; `None` if the frame is too short.
+    pub raw: Option<u64>,
+    /// The value in its type; `None` if the type is not known or the frame is too short.
+    pub value: Option<Value>,
+    /// The number in its unit, where it is another one.
+    pub scaled: Option<String>,
+    /// The unit; empty if there is none.
+    pub unit: &'r str,
+    /// The value in words.
+    pub text: String,
+}
+
+/// Where a value is in the frames of a PDO, and what it is.
+#[derive(Debug)]
+pub(super) struct SignalPlace {
+    index: u16,
+    sub: u8,
+    name: String,
+    start: u32,
+    end: u32,
+    data_type: Option<DataType>,
+    scaled: Option<Scaled>,
+}
+
+/// What a PDO carries.
+#[derive(Debug, Default)]
+pub(super) struct PdoContent {
+    pub(super) places: Vec<SignalPlace>,
+    /// The mapped bits; `None` if the description does not say.
+    pub(super) bits: Option<u32>,
+}
+
+impl PdoContent {
+    pub(super) fn new(node: &Node<'_>, pdo: &Pdo<'_>) -> Self {
+        let layout = Layout::new(&node.device, pdo, &|entry| entry.name.to_string());
+        let meanings = node.meanings();
+        let fields = layout.shown().filter(|(field, _)| field.kind != FieldKind::Dummy);
+        let places = fields.map(|(field, span)| {
+            let (index, sub) = field.object.map_or((0, 0), |object| (object.index, object.sub));
+            SignalPlace {
+                index,
+                sub,
+                name: field.name.clone(),
+                start: span.start,
+                end: span.end,
+                data_type: field.data_type,
+                scaled: node.scaling(&meanings, (index, sub)),
+            }
+        });
+        let bits = layout.bits().filter(|_| pdo.mapped_count.is_some_and(|count| count <= 64));
+        Self { places: places.collect(), bits }
+    }
+
+    /// The values in a frame.
+    pub(super) fn signals<'r>(
+        &'r self,
+        node: &'r Node<'_>,
+        data: &'r [u8],
+    ) -> impl Iterator<Item = PdoSignal<'r>> {
+        let frame = data.iter().take(8).rev().fold(0, |frame, &byte| frame << 8 | u64::from(byte));
+        let length = 8 * data.len() as u32;
+        self.places.iter().map(move |place| place.signal(node, Some(frame).filter(|_| place.end <= length)))
+    }
+}
+
+impl SignalPlace {
+    fn signal<'r>(&'r self, node: &Node<'_>, frame: Option<u64>) -> PdoSignal<'r> {
+        let bits = self.end - self.start;
+        let raw = frame.map(|frame| frame >> self.start & u64::MAX >> (64 - bits));
+        let value = raw.zip(self.data_type).and_then(|(raw, data_type)| of_bits(raw, bits, data_type));
+        let scaled =
+            self.scaled.as_ref().zip(value.as_ref()).and_then(|(scaled, value)| scaled.number(value));
+        let text = match (&value, raw) {
+            (Some(value), _) => node.words_in((self.index, self.sub), value, || self.scaled.clone()),
+            (None, Some(raw)) => format!("{raw:X}h"),
+            (None, None) => String::new(),
+        };
+        PdoSignal {
+            index: self.index,
+            sub: self.sub,
+            name: &self.name,
+            bits,
+            raw,
+            value,
+            scaled,
+            unit: self.scaled.as_ref().map_or("", |scaled| &scaled.unit),
+            text,
+        }
+    }
+}
+
+impl PdoSignal<'_> {
+    /// `6041:00 Statusword = 1591 (state: operation enabled)`.
+    pub(super) fn in_words(&self) -> String {
+        let Self { index, sub, name, text, .. } = self;
+        let named = if name.is_empty() { String::new() } else { format!(" {name}") };
+        match self.raw {
+            Some(_) => format!("{index:04X}:{sub:02X}{named} = {text}"),
+            None => format!("{index:04X}:{sub:02X}{named} is missing"),
+        }
+    }
+}
+
+/// A value in the bits of a PDO; signed ones may be cut.
+fn of_bits(bits: u64, count: u32, data_type: DataType) -> Option<Value> {
+    let Some((low, _)) = data_type.integer_range() else {
+        let length = usize::from(data_type.byte_length()?);
+        return Value::from_bytes(bits.to_le_bytes().get(..length)?, data_type);
+    };
+    let shift = 64 - count;
+    let number = if low < 0 { i128::from((bits << shift) as i64 >> shift) } else { bits.into() };
+    Value::from_integer(number, data_type)
+}

@@ -1,0 +1,92 @@
+//! Who uses which CAN-ID, by the dictionaries of the nodes.
+
+use std::collections::BTreeMap;
+
+use objdict_network::Service;
+
+use super::signals::PdoContent;
+use super::talker::Node;
+use crate::model::{CobId, PdoKind, SdoChannel, predefined};
+
+/// A CAN-ID as a number: bit 31 says that it has 29 bits.
+pub(super) type IdKey = u32;
+
+pub(super) const fn key(can_id: u32, is_extended: bool) -> IdKey {
+    if is_extended { can_id | 1 << 31 } else { can_id }
+}
+
+/// A node that uses a CAN-ID.
+#[derive(Debug)]
+pub(super) struct User {
+    pub(super) node_id: u8,
+    pub(super) service: Service,
+    /// The number of an SDO channel, from 2 on.
+    pub(super) channel: u16,
+    /// What a PDO carries.
+    pub(super) content: PdoContent,
+}
+
+/// The services with CAN-IDs that nodes configure.
+#[derive(Debug, Default)]
+pub(super) struct Users(BTreeMap<IdKey, Vec<User>>);
+
+impl Users {
+    /// The users of a CAN-ID, and the one that sends: a TPDO before RPDOs.
+    pub(super) fn of(&self, key: IdKey) -> Option<(usize, &User)> {
+        let is_rpdo = |service| matches!(service, Service::Pdo(pdo) if pdo.kind == PdoKind::Rpdo);
+        self.0.get(&key)?.iter().enumerate().min_by_key(|(_, user)| is_rpdo(user.service))
+    }
+
+    /// One of the users of a CAN-ID.
+    pub(super) fn get(&self, key: IdKey, at: usize) -> Option<&User> {
+        self.0.get(&key)?.get(at)
+    }
+
+    /// Takes the services of a node as it is now.
+    pub(super) fn update(&mut self, node: &Node<'_>) {
+        self.0.retain(|_, users| {
+            users.retain(|user| user.node_id != node.node_id);
+            !users.is_empty()
+        });
+        self.add_services(node);
+        for kind in [PdoKind::Tpdo, PdoKind::Rpdo] {
+            for pdo in node.device.pdos().filter(|pdo| pdo.kind == kind && pdo.is_valid() == Some(true)) {
+                let content = PdoContent::new(node, &pdo);
+                self.add(node, pdo.cob_id, Service::pdo(kind, pdo.number), 0, content);
+            }
+        }
+    }
+
+    fn add_services(&mut self, node: &Node<'_>) {
+        let services = node.device.services();
+        let mut add = |cob_id: Option<CobId>, service, channel| {
+            self.add(node, cob_id, service, channel, PdoContent::default());
+        };
+        add(services.sync.or(Some(CobId::new(predefined::SYNC.into()))), Service::Sync, 0);
+        add(services.time.or(Some(CobId::new(predefined::TIME.into()))), Service::Time, 0);
+        let emcy = services.emcy.or(Some(predefined::per_node(predefined::EMCY)));
+        add(emcy.filter(|emcy| emcy.is_valid()), Service::Emcy, 0);
+        let servers = services.sdo_servers.iter().filter(|server| server.number > 1);
+        for SdoChannel { number, request, response, .. } in servers {
+            let valid = |cob_id: &Option<CobId>| cob_id.filter(|cob_id| cob_id.is_valid());
+            add(valid(request), Service::SdoRequest, *number);
+            add(valid(response), Service::SdoResponse, *number);
+        }
+    }
+
+    fn add(
+        &mut self,
+        node: &Node<'_>,
+        cob_id: Option<CobId>,
+        service: Service,
+        channel: u16,
+        content: PdoContent,
+    ) {
+        let Some(cob_id) = cob_id else { return };
+        let key = key(cob_id.can_id(node.node_id), cob_id.is_extended());
+        if key != 0 {
+            let user = User { node_id: node.node_id, service, channel, content };
+            self.0.entry(key).or_default().push(user);
+        }
+    }
+}

@@ -1,0 +1,162 @@
+//! Decoded frames in words.
+
+use objdict_network::Service;
+
+use super::decoded::{DecodedFrame, FrameKind, RawFrame, SdoFrame, SdoStep};
+use super::talker::{Node, digits};
+use super::{FrameReader, lss, nmt_state, users};
+use crate::describe::{Decoder, time};
+use crate::model::PdoKind;
+use objdict_device::Abort;
+
+impl FrameReader<'_> {
+    /// What a frame says, after it was decoded.
+    pub fn words(&self, decoded: &DecodedFrame, frame: &RawFrame<'_>) -> String {
+        let RawFrame { can_id, data, .. } = *frame;
+        let name = || decoded.node_id.map_or_else(String::new, |node_id| self.nodes.name(node_id));
+        match decoded.kind {
+            FrameKind::Nmt => self.nmt(data),
+            FrameKind::Sync | FrameKind::Time | FrameKind::Emcy if frame.is_remote => {
+                request(decoded, &name())
+            }
+            FrameKind::Sync => match data {
+                [] => "SYNC".to_owned(),
+                [counter, ..] => format!("SYNC {counter}"),
+            },
+            FrameKind::Time => time_stamp(data),
+            FrameKind::Emcy => match decoded.node_id.and_then(|node_id| self.nodes.get(node_id)) {
+                Some(node) => emergency(node, data),
+                None => String::new(),
+            },
+            FrameKind::Pdo if frame.is_remote => request(decoded, &name()),
+            FrameKind::Pdo => self.pdo(decoded, frame, &name()),
+            FrameKind::Sdo => match (decoded.node_id, &decoded.sdo) {
+                (Some(node_id), Some(sdo)) => self.transfer(node_id, sdo, data),
+                _ => String::new(),
+            },
+            FrameKind::Guarding if frame.is_remote => format!("guarding request to {}", name()),
+            FrameKind::Heartbeat | FrameKind::BootUp | FrameKind::Guarding => error_control(&name(), data),
+            FrameKind::Lss => lss::words(data, can_id == lss::FROM_MASTER),
+            FrameKind::Unknown => match can_id {
+                0x6E0 if !frame.is_extended => "request of a dynamic SDO connection".to_owned(),
+                _ => "not a service of a known node".to_owned(),
+            },
+        }
+    }
+
+    fn nmt(&self, data: &[u8]) -> String {
+        let &[command, node_id, ..] = data else { return "NMT command without node-ID".to_owned() };
+        let whom = if node_id == 0 { "all nodes".to_owned() } else { self.nodes.name(node_id) };
+        match command {
+            1 => format!("start {whom}"),
+            2 => format!("stop {whom}"),
+            0x80 => format!("{whom}: enter pre-operational"),
+            0x81 => format!("reset {whom}"),
+            0x82 => format!("reset the communication of {whom}"),
+            _ => format!("unknown NMT command {command:02X}h to {whom}"),
+        }
+    }
+
+    /// The values of a PDO.
+    fn pdo(&self, decoded: &DecodedFrame, frame: &RawFrame<'_>, name: &str) -> String {
+        let service = decoded.service.map_or_else(String::new, |service| service.to_string());
+        let is_rpdo = matches!(decoded.service, Some(Service::Pdo(pdo)) if pdo.kind == PdoKind::Rpdo);
+        let values: Vec<String> =
+            self.signals(decoded, frame).iter().map(super::PdoSignal::in_words).collect();
+        let is_known = self.users.get(users::key(frame.can_id, frame.is_extended), decoded.user).is_some();
+        let content = match values.as_slice() {
+            [] if is_known => "nothing is mapped".to_owned(),
+            [] => digits(frame.data),
+            values => values.join(", "),
+        };
+        format!("{}{name} {service}: {content}", if is_rpdo { "to " } else { "" })
+    }
+
+    fn transfer(&self, node_id: u8, sdo: &SdoFrame, data: &[u8]) -> String {
+        let name = self.nodes.name(node_id);
+        let address = sdo.entry.map_or_else(String::new, |(index, sub)| format!("{index:04X}:{sub:02X}"));
+        let entry = || sdo.entry.map_or_else(String::new, |entry| self.nodes.entry(node_id, entry));
+        let value = || {
+            let bytes = self.transfers.value((node_id, sdo.channel));
+            sdo.entry.map_or_else(String::new, |entry| self.nodes.value(node_id, entry, bytes))
+        };
+        let size = |size: Option<u32>| size.map_or_else(String::new, |size| format!(", {size} bytes"));
+        let said = match sdo.step {
+            SdoStep::Read | SdoStep::BlockRead => format!("read {}", entry()),
+            SdoStep::Write => format!("write {}", value()),
+            SdoStep::WriteStart(stated) => format!("write {}{}", entry(), size(stated)),
+            SdoStep::Expected => format!("{address} is expected"),
+            SdoStep::Written => format!("{address} is written"),
+            SdoStep::Value => value(),
+            SdoStep::ValueStart(stated) => format!("{}{}", entry(), size(stated)),
+            SdoStep::NextSegment => "next segment".to_owned(),
+            SdoStep::Segment(used) => format!("segment of {used} bytes"),
+            SdoStep::LastSegment => format!("last segment, {}", value()),
+            SdoStep::Accepted => "segment is accepted".to_owned(),
+            SdoStep::Stray => "segment without a transfer".to_owned(),
+            SdoStep::Abort(code) => format!("{}: {}", entry(), Abort::from(code)),
+            SdoStep::BlockStart => "start of the blocks".to_owned(),
+            SdoStep::BlockSegment(number, false) => format!("segment {number} of a block"),
+            SdoStep::BlockSegment(number, true) => format!("segment {number} of a block, the last one"),
+            SdoStep::BlockAccepted(number) => format!("segments up to {number} are accepted"),
+            SdoStep::BlockEnd => format!("end of the blocks, {}", value()),
+            SdoStep::BlockDone => "end of the blocks is confirmed".to_owned(),
+            SdoStep::Malformed if sdo.is_request => return format!("SDO of {} bytes to {name}", data.len()),
+            SdoStep::Malformed => return format!("SDO of {} bytes from {name}", data.len()),
+            SdoStep::Unknown(command) => format!("unknown SDO command {command:02X}h"),
+        };
+        match sdo.channel {
+            1 => format!("{name}: {said}"),
+            channel => format!("{name}, SDO channel {channel}: {said}"),
+        }
+    }
+}
+
+/// The request of a PDO, SYNC or another message by a remote frame.
+fn request(decoded: &DecodedFrame, name: &str) -> String {
+    let service = decoded.service.map_or_else(String::new, |service| service.to_string());
+    if name.is_empty() { format!("request of {service}") } else { format!("request of {service}, {name}") }
+}
+
+fn error_control(name: &str, data: &[u8]) -> String {
+    match data {
+        [] => format!("{name}: empty heartbeat"),
+        [0, ..] => format!("{name}: boot-up"),
+        [state, ..] => {
+            let toggle = if state & 0x80 == 0 { "" } else { ", toggle bit" };
+            format!("{name}: {}{toggle}", nmt_state(state & 0x7F))
+        }
+    }
+}
+
+/// TIME: milliseconds since midnight in 28 bits, days since 1984-01-01.
+fn time_stamp(data: &[u8]) -> String {
+    let Ok([a, b, c, d, low, high]) = <[u8; 6]>::try_from(data) else {
+        return format!("TIME of {} bytes", data.len());
+    };
+    let day = time::date(u16::from_le_bytes([low, high]).into());
+    let clock = time::of_day(u32::from_le_bytes([a, b, c, d]) & 0x0FFF_FFFF);
+    match day.zip(clock) {
+        Some((day, clock)) => format!("TIME {day} {clock}"),
+        None => format!("TIME {}, not a valid time", digits(data)),
+    }
+}
+
+/// An emergency message: `EMCY 8130h (heartbeat or guarding lost), error register 11h (generic error, communication)`.
+fn emergency(node: &Node<'_>, data: &[u8]) -> String {
+    let &[low, high, register, ref vendor @ ..] = data else {
+        return format!("{} EMCY with {} bytes", node.name, data.len());
+    };
+    let decoder = Decoder::english(&node.device, Some(node.node_id));
+    let code = u16::from_le_bytes([low, high]);
+    let mut text = format!(
+        "{} EMCY {code:04X}h ({}), error register {register:02X}h ({})",
+        node.name,
+        decoder.error_code(code.into()),
+        decoder.error_register(register.into())
+    );
+    if vendor.iter().any(|byte| *byte != 0) {
+        text += &format!(", {}", digits(vendor));
+    }
+    text
+}

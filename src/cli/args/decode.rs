@@ -1,0 +1,126 @@
+//! The arguments of `objdict decode`.
+
+use std::path::PathBuf;
+
+use clap::ValueEnum;
+use clap::builder::{PossibleValuesParser, TypedValueParser};
+
+use super::super::values::node_id;
+use super::network::NetworkInputArgs;
+use crate::describe::frames::FrameKind;
+use crate::format::log::LogTime;
+
+#[derive(Debug, clap::Args)]
+pub(in crate::cli) struct DecodeArgs {
+    /// The logs, merged by their times; `-` is standard input, as in `candump -L can0 | objdict decode -`
+    #[arg(required = true, value_name = "LOG")]
+    pub logs: Vec<PathBuf>,
+    /// A description of a node, or a network; `5=drive.eds` describes node 5. A description without node-ID is for the node whose answers to
+    /// 1000h and 1018h match, or for the only node of the log; repeatable
+    #[arg(long, value_name = "[N=]FILE", value_parser = described)]
+    pub with: Vec<WithFile>,
+    /// The same for one channel of the logs, as in `can0=plant.toml`; repeatable
+    #[arg(long, value_name = "NAME=[N=]FILE", value_parser = of_channel)]
+    pub channel: Vec<ChannelFile>,
+    /// Output format
+    #[arg(long, value_enum, default_value = "text")]
+    pub format: DecodeFormat,
+    /// CSV with a column for each signal, in memory; the default is a row for each signal
+    #[arg(long)]
+    pub wide: bool,
+    /// The maximum number of rows of --wide
+    #[arg(long, value_name = "NUMBER", default_value_t = 1_000_000)]
+    pub max_rows: usize,
+    /// Show sums instead of frames: load, cycles beside the described ones, lost heartbeats, aborted transfers, emergencies, and what was
+    /// configured
+    #[arg(long)]
+    pub summary: bool,
+    /// The bit rate in kbit/s, to find the load [default: that of the network or DCF]
+    #[arg(long, value_name = "KBIT", value_parser = clap::value_parser!(u16).range(1..=1000))]
+    pub bit_rate: Option<u16>,
+    /// The times of a candump log are distances (candump -td) [default: found by the first lines]
+    #[arg(long)]
+    pub distances: bool,
+    #[command(flatten)]
+    pub filter: FrameFilterArgs,
+    #[command(flatten)]
+    pub input: NetworkInputArgs,
+}
+
+// Which frames are shown. The others are read too, because they change what these say.
+#[derive(Debug, clap::Args)]
+#[command(next_help_heading = "Filter")]
+pub(in crate::cli) struct FrameFilterArgs {
+    /// Only frames of this node and NMT commands for it; repeatable
+    #[arg(long, value_name = "N", value_parser = node_id)]
+    pub only_node: Vec<u8>,
+    /// Only SDOs and PDOs with this entry, in hex: 6041 or 1018:1; repeatable
+    #[arg(long, value_name = "INDEX[:SUB]", value_parser = address)]
+    pub object: Vec<(u16, Option<u8>)>,
+    /// Only frames of this kind; repeatable
+    #[arg(long, value_name = "KIND", value_parser = kind())]
+    pub kind: Vec<FrameKind>,
+    /// Only frames from this time on, in seconds as in the log
+    #[arg(long, value_name = "SECONDS", allow_hyphen_values = true)]
+    pub from: Option<LogTime>,
+    /// Only frames up to this time
+    #[arg(long, value_name = "SECONDS", allow_hyphen_values = true)]
+    pub to: Option<LogTime>,
+}
+
+/// How frames are written.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
+pub(in crate::cli) enum DecodeFormat {
+    /// A line for each frame
+    Text,
+    /// A JSON object for each frame, on one line (`objdict schema frame`)
+    Json,
+    /// A row for each signal, SDO or other frame
+    Csv,
+}
+
+/// A file that describes a node or a network.
+#[derive(Clone, Debug)]
+pub(in crate::cli) struct WithFile {
+    pub node_id: Option<u8>,
+    pub path: PathBuf,
+}
+
+/// The same for a channel.
+#[derive(Clone, Debug)]
+pub(in crate::cli) struct ChannelFile {
+    pub channel: String,
+    pub file: WithFile,
+}
+
+fn described(text: &str) -> Result<WithFile, String> {
+    let number = text.split_once('=').filter(|(number, _)| number.bytes().all(|byte| byte.is_ascii_digit()));
+    match number {
+        Some((number, path)) => Ok(WithFile { node_id: Some(node_id(number)?), path: path.into() }),
+        None => Ok(WithFile { node_id: None, path: text.into() }),
+    }
+}
+
+fn of_channel(text: &str) -> Result<ChannelFile, String> {
+    match text.split_once('=') {
+        Some((channel, file)) if !channel.is_empty() && !file.is_empty() => {
+            Ok(ChannelFile { channel: channel.to_owned(), file: described(file)? })
+        }
+        _ => Err("write a channel and its file, as in `can0=plant.toml`".to_owned()),
+    }
+}
+
+fn address(text: &str) -> Result<(u16, Option<u8>), &'static str> {
+    const WRONG: &str = "write an index in hex, with or without a sub-index, as in `6041` or `1018:1`";
+    let (index, sub) = text.split_once(':').map_or((text, None), |(index, sub)| (index, Some(sub)));
+    let digits = |text: &str| text.trim_start_matches("0x").to_owned();
+    let index = u16::from_str_radix(&digits(index), 16).map_err(|_| WRONG)?;
+    let sub = sub.map(|sub| u8::from_str_radix(&digits(sub), 16).map_err(|_| WRONG)).transpose()?;
+    Ok((index, sub))
+}
+
+fn kind() -> impl TypedValueParser<Value = FrameKind> {
+    let find = |word: String| FrameKind::ALL.into_iter().find(|kind| kind.word() == word);
+    PossibleValuesParser::new(FrameKind::ALL.map(FrameKind::word))
+        .map(move |word| find(word).unwrap_or(FrameKind::Unknown))
+}

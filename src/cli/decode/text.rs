@@ -1,0 +1,20 @@
+//! Frames as lines of text.
+
+use std::io::{self, Write};
+
+use super::super::output::Output;
+use super::{Printer, Shown, digits, id_of};
+
+/// A line for each frame: time, channel, CAN-ID, data, words.
+pub(super) struct TextLines;
+
+impl Printer for TextLines {
+    fn frame(&mut self, shown: &Shown<'_, '_>, out: &mut Output) -> io::Result<()> {
+        let Shown { frame, decoded, bus, .. } = shown;
+        let data = if frame.is_remote { "remote".to_owned() } else { digits(frame.data(), " ") };
+        let channel = if bus.channel.is_empty() { String::new() } else { format!("{}  ", bus.channel) };
+        let words = bus.words(decoded, frame);
+        let line = format!("{}  {channel}{:>3}  {data:<23}  {words}", frame.time, id_of(frame));
+        writeln!(out, "{}", line.trim_end())
+    }
+}

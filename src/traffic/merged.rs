@@ -1,0 +1,56 @@
+//! Several logs in the order of their times.
+
+use std::io::{self, BufRead};
+
+use crate::format::log::{LogOptions, LogReader, LoggedFrame};
+
+/// A log with its name.
+#[derive(Debug)]
+pub(crate) struct NamedLog<R> {
+    pub(crate) name: String,
+    pub(crate) reader: LogReader<R>,
+    /// The frame that is next, where there are other logs.
+    next: Option<LoggedFrame>,
+    is_over: bool,
+}
+
+impl<R: BufRead> NamedLog<R> {
+    pub(crate) fn new(name: String, source: R, options: LogOptions) -> Self {
+        Self { name, reader: LogReader::new(source, options), next: None, is_over: false }
+    }
+
+    fn peek(&mut self) -> io::Result<Option<&LoggedFrame>> {
+        if self.next.is_none() && !self.is_over {
+            self.next = self.reader.next_frame()?;
+            self.is_over = self.next.is_none();
+        }
+        Ok(self.next.as_ref())
+    }
+}
+
+/// Logs whose frames are taken in the order of their times; of two at one time that of the first log is first.
+#[derive(Debug)]
+pub(crate) struct MergedLogs<R>(pub(crate) Vec<NamedLog<R>>);
+
+impl<R: BufRead> MergedLogs<R> {
+    /// The next frame, and the position of its log.
+    pub(crate) fn next_frame(&mut self) -> io::Result<Option<(usize, LoggedFrame)>> {
+        // one log is not read ahead, so a frame of a live bus is there at once
+        if let [log] = self.0.as_mut_slice() {
+            return Ok(log.reader.next_frame()?.map(|frame| (0, frame)));
+        }
+        let mut first = None;
+        for (at, log) in self.0.iter_mut().enumerate() {
+            let Some(frame) = log.peek()? else { continue };
+            if first.is_none_or(|(_, time)| frame.time < time) {
+                first = Some((at, frame.time));
+            }
+        }
+        Ok(first.and_then(|(at, _)| Some((at, self.0[at].next.take()?))))
+    }
+
+    /// The name of a channel of a log.
+    pub(crate) fn channel(&self, log: usize, number: u16) -> &str {
+        self.0[log].reader.channel(number)
+    }
+}
