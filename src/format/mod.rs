@@ -20,6 +20,8 @@ pub mod json;
 #[cfg(feature = "toml")]
 #[cfg_attr(not(feature = "network"), expect(dead_code, reason = "networks have more kinds of keys"))]
 mod keyed;
+#[cfg(feature = "document")]
+pub mod log;
 #[cfg(feature = "network")]
 pub mod network;
 #[cfg(feature = "node")]

@@ -1,0 +1,259 @@
+//! Logs of CAN buses: the frames that tools recorded, in the forms of several of them, and their times as the log has them.
+//!
+//! A log is read frame by frame in constant memory, so it may be a pipe that never ends. Its form is recognised by its content.
+
+mod asc;
+mod candump;
+mod csv;
+mod frame;
+mod pcap;
+mod text;
+mod time;
+mod trc;
+
+use std::io::{self, BufRead};
+
+use memchr::memchr;
+
+pub use self::frame::LoggedFrame;
+use self::pcap::Capture;
+use self::text::TextLog;
+pub use self::time::LogTime;
+
+/// The most bad lines that are kept; more are counted.
+pub const MAX_BAD_LINES: usize = 20;
+
+/// The longest line: a frame of 64 bytes takes 300 bytes in the longest form.
+const MAX_LINE: usize = 4096;
+
+/// The most names of channels.
+const MAX_CHANNELS: usize = 256;
+
+/// The form of a log.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[non_exhaustive]
+pub enum LogForm {
+    /// candump of can-utils, as it prints or as it logs (`-l`, `-L`).
+    Candump,
+    /// ASC of Vector.
+    Asc,
+    /// TRC of PEAK, 1.0 to 2.1.
+    Trc,
+    /// CSV of python-can.
+    Csv,
+    /// pcap with frames of SocketCAN.
+    Pcap,
+    /// pcapng with frames of SocketCAN.
+    Pcapng,
+}
+
+impl LogForm {
+    /// What users call it.
+    pub const fn name(self) -> &'static str {
+        match self {
+            Self::Candump => "candump log",
+            Self::Asc => "ASC",
+            Self::Trc => "TRC",
+            Self::Csv => "CSV of python-can",
+            Self::Pcap => "pcap",
+            Self::Pcapng => "pcapng",
+        }
+    }
+}
+
+/// How a log is read.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub struct LogOptions {
+    /// Whether the times of a candump log are distances from the frame before (`-td`). Without it the first lines decide.
+    pub has_distances: Option<bool>,
+}
+
+/// A line, or a record of a pcap file, that is not understood.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct BadLine {
+    /// The number of the line or record, from 1.
+    pub line: u64,
+    /// Why it is not understood.
+    pub reason: &'static str,
+}
+
+/// What a line is.
+enum Line {
+    Frame(LoggedFrame),
+    /// A comment or an event that is not a frame.
+    Other,
+    Bad(&'static str),
+}
+
+/// Reads the frames of a log in its order.
+#[derive(Debug)]
+pub struct LogReader<R> {
+    source: R,
+    content: Content,
+    state: State,
+    /// The start of a line that is not complete.
+    partial: Vec<u8>,
+}
+
+#[derive(Debug)]
+enum Content {
+    /// Nothing was read yet.
+    Unknown,
+    Text(TextLog),
+    Capture(Capture),
+}
+
+/// What is known of a log.
+#[derive(Debug, Default)]
+struct State {
+    options: LogOptions,
+    channels: Channels,
+    line: u64,
+    bad: Vec<BadLine>,
+    bad_count: u64,
+}
+
+/// The names of channels by number.
+#[derive(Debug, Default)]
+struct Channels {
+    names: Vec<String>,
+    last: usize,
+}
+
+impl Channels {
+    /// The number of a channel; of too many all others are one.
+    fn number(&mut self, name: &[u8]) -> u16 {
+        let is_it = |at: usize| self.names.get(at).is_some_and(|known| known.as_bytes() == name);
+        if !is_it(self.last) {
+            let found = (0..self.names.len()).find(|&at| is_it(at));
+            self.last = found.unwrap_or_else(|| {
+                let is_full = self.names.len() >= MAX_CHANNELS;
+                if !is_full {
+                    self.names.push(String::from_utf8_lossy(name).into_owned());
+                }
+                self.names.len() - 1
+            });
+        }
+        self.last as u16
+    }
+}
+
+impl State {
+    fn bad(&mut self, reason: &'static str) {
+        self.bad_count += 1;
+        if self.bad.len() < MAX_BAD_LINES {
+            self.bad.push(BadLine { line: self.line, reason });
+        }
+    }
+}
+
+impl<R: BufRead> LogReader<R> {
+    /// A reader of a log.
+    pub fn new(source: R, options: LogOptions) -> Self {
+        let state = State { options, ..State::default() };
+        Self { source, content: Content::Unknown, state, partial: Vec::new() }
+    }
+
+    /// The next frame; `None` at the end. Lines that are not understood are passed over and [counted](Self::bad_count).
+    ///
+    /// # Errors
+    /// When the log cannot be read.
+    pub fn next_frame(&mut self) -> io::Result<Option<LoggedFrame>> {
+        loop {
+            match &mut self.content {
+                Content::Unknown => {
+                    let start = self.source.fill_buf()?;
+                    self.content = match Capture::of(start) {
+                        Some(capture) => Content::Capture(capture),
+                        None => Content::Text(TextLog::default()),
+                    };
+                }
+                Content::Capture(capture) => {
+                    return capture.next_frame(&mut self.source, &mut self.state);
+                }
+                Content::Text(_) => match self.next_line()? {
+                    Some(Line::Frame(frame)) => return Ok(Some(frame)),
+                    Some(Line::Bad(reason)) => self.state.bad(reason),
+                    Some(Line::Other) => {}
+                    None => return Ok(None),
+                },
+            }
+        }
+    }
+
+    /// Reads a line where it is in the buffer, or puts its parts together.
+    fn next_line(&mut self) -> io::Result<Option<Line>> {
+        let Content::Text(log) = &mut self.content else { return Ok(None) };
+        loop {
+            let buffer = self.source.fill_buf()?;
+            if buffer.is_empty() {
+                let rest = std::mem::take(&mut self.partial);
+                if rest.is_empty() {
+                    return Ok(None);
+                }
+                self.state.line += 1;
+                return Ok(Some(log.line(&rest, &[], &mut self.state)));
+            }
+            let Some(end) = memchr(b'\n', buffer) else {
+                let count = buffer.len();
+                // a byte more than the longest line marks it as too long
+                let wanted = (MAX_LINE + 1).saturating_sub(self.partial.len());
+                self.partial.extend(&buffer[..count.min(wanted)]);
+                self.source.consume(count);
+                continue;
+            };
+            self.state.line += 1;
+            let line = if self.partial.is_empty() {
+                log.line(&buffer[..end], &buffer[end + 1..], &mut self.state)
+            } else {
+                let wanted = (MAX_LINE + 1).saturating_sub(self.partial.len());
+                self.partial.extend(&buffer[..end.min(wanted)]);
+                let line = log.line(&self.partial, &buffer[end + 1..], &mut self.state);
+                self.partial.clear();
+                line
+            };
+            self.source.consume(end + 1);
+            return Ok(Some(line));
+        }
+    }
+
+    /// The form; `None` until the first frame.
+    pub fn form(&self) -> Option<LogForm> {
+        match &self.content {
+            Content::Unknown => None,
+            Content::Text(log) => log.form(),
+            Content::Capture(capture) => Some(capture.form()),
+        }
+    }
+
+    /// The name of a channel.
+    pub fn channel(&self, number: u16) -> &str {
+        self.state.channels.names.get(usize::from(number)).map_or("", String::as_str)
+    }
+
+    /// The first lines that are not understood, at most [`MAX_BAD_LINES`].
+    pub fn bad_lines(&self) -> &[BadLine] {
+        &self.state.bad
+    }
+
+    /// The number of lines that are not understood.
+    pub fn bad_count(&self) -> u64 {
+        self.state.bad_count
+    }
+
+    /// The number of the last line or record, from 1.
+    pub fn line(&self) -> u64 {
+        self.state.line
+    }
+}
+
+impl<R: BufRead> Iterator for LogReader<R> {
+    type Item = io::Result<LoggedFrame>;
+
+    fn next(&mut self) -> Option<Self::Item> {
+        self.next_frame().transpose()
+    }
+}
+
+#[cfg(test)]
+mod tests;

@@ -1,0 +1,130 @@
+//! Times of frames, with the digits that the log has.
+
+use std::cmp::Ordering;
+use std::fmt;
+
+/// Nanoseconds of a second.
+const SECOND: u64 = 1_000_000_000;
+
+/// A time in nanoseconds, from the beginning that the log has: 1970, or the start of the measurement.
+#[derive(Clone, Copy, Debug, Default)]
+pub struct LogTime {
+    nanoseconds: i64,
+    /// Digits behind the decimal point of the seconds.
+    decimals: u8,
+}
+
+impl LogTime {
+    /// A time in nanoseconds, shown with so many digits behind the decimal point of the seconds, at most 9.
+    pub fn new(nanoseconds: i64, decimals: u8) -> Self {
+        Self { nanoseconds, decimals: decimals.min(9) }
+    }
+
+    /// The time in nanoseconds.
+    pub const fn nanoseconds(self) -> i64 {
+        self.nanoseconds
+    }
+
+    /// The same number of digits for a time later by that of `distance`.
+    pub(super) fn after(self, distance: Self) -> Self {
+        let nanoseconds = self.nanoseconds.saturating_add(distance.nanoseconds);
+        Self { nanoseconds, decimals: self.decimals.max(distance.decimals) }
+    }
+
+    /// A decimal number of seconds, or with `thousandths` of milliseconds. Digits beyond nanoseconds are left out.
+    pub(super) fn parse(text: &[u8], thousandths: bool) -> Option<Self> {
+        let (is_negative, text) = match text {
+            [b'-', rest @ ..] => (true, rest),
+            _ => (false, text),
+        };
+        let mut number = 0_u64;
+        let (mut digits, mut decimals, mut is_behind) = (0, 0_u8, false);
+        let places = if thousandths { 6 } else { 9 };
+        for &byte in text {
+            match byte {
+                b'0'..=b'9' if is_behind && decimals == places => digits += 1,
+                b'0'..=b'9' => {
+                    number = number.checked_mul(10)?.checked_add(u64::from(byte - b'0'))?;
+                    decimals += u8::from(is_behind);
+                    digits += 1;
+                }
+                b'.' | b',' if !is_behind => is_behind = true,
+                _ => return exponent(text).filter(|_| digits > 0),
+            }
+        }
+        let scale = 10_u64.pow(u32::from(places - decimals));
+        let nanoseconds = i64::try_from(number.checked_mul(scale)?).ok().filter(|_| digits > 0)?;
+        let decimals = decimals + if thousandths { 3 } else { 0 };
+        Some(Self { nanoseconds: if is_negative { -nanoseconds } else { nanoseconds }, decimals })
+    }
+
+    /// A date as candump prints it with `-tA`: `2024-05-07` and `10:31:00.123456`.
+    pub(super) fn parse_date(date: &[u8], time: &[u8]) -> Option<Self> {
+        let number = |text: &[u8]| std::str::from_utf8(text).ok()?.parse::<u32>().ok();
+        let (&[y1, y2, y3, y4, b'-', m1, m2, b'-', d1, d2], &[h1, h2, b':', n1, n2, b':', ref seconds @ ..]) =
+            (date, time)
+        else {
+            return None;
+        };
+        let (year, month) = (number(&[y1, y2, y3, y4])?, number(&[m1, m2])?);
+        let (day, hours, minutes) = (number(&[d1, d2])?, number(&[h1, h2])?, number(&[n1, n2])?);
+        let is_valid = (1970..2262).contains(&year)
+            && (1..=12).contains(&month)
+            && (1..=31).contains(&day)
+            && hours < 24
+            && minutes < 60;
+        let start = is_valid.then(|| (days(year, month, day) * 24 + hours) * 60 + minutes)?;
+        let seconds = Self::parse(seconds, false)?;
+        let nanoseconds = i64::from(start).checked_mul(60 * SECOND as i64)?;
+        Some(Self { nanoseconds: nanoseconds.checked_add(seconds.nanoseconds)?, decimals: seconds.decimals })
+    }
+}
+
+/// Days from 1970-01-01 on in the Gregorian calendar, by counting years from March.
+fn days(year: u32, month: u32, day: u32) -> u32 {
+    let year = if month <= 2 { year - 1 } else { year };
+    let from_march = (month + 9) % 12;
+    let leap_days = year / 4 - year / 100 + year / 400;
+    365 * year + leap_days + (153 * from_march + 2) / 5 + day - 1 - 719_468
+}
+
+/// Seconds as Python prints small numbers: `5e-05`.
+fn exponent(text: &[u8]) -> Option<LogTime> {
+    let text = std::str::from_utf8(text).ok()?;
+    let seconds = text.parse::<f64>().ok().filter(|seconds| text.contains('e') && seconds.abs() < 1e9)?;
+    Some(LogTime { nanoseconds: (seconds * 1e9).round() as i64, decimals: 9 })
+}
+
+impl PartialEq for LogTime {
+    fn eq(&self, other: &Self) -> bool {
+        self.nanoseconds == other.nanoseconds
+    }
+}
+
+impl Eq for LogTime {}
+
+impl PartialOrd for LogTime {
+    fn partial_cmp(&self, other: &Self) -> Option<Ordering> {
+        Some(self.cmp(other))
+    }
+}
+
+impl Ord for LogTime {
+    fn cmp(&self, other: &Self) -> Ordering {
+        self.nanoseconds.cmp(&other.nanoseconds)
+    }
+}
+
+/// Seconds with the digits of the log: `1436509052.249713`.
+impl fmt::Display for LogTime {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let sign = if self.nanoseconds < 0 { "-" } else { "" };
+        let number = self.nanoseconds.unsigned_abs();
+        let decimals = usize::from(self.decimals);
+        if decimals == 0 {
+            return f.pad(&format!("{sign}{}", number / SECOND));
+        }
+        let fraction = number % SECOND / 10_u64.pow(9 - u32::from(self.decimals));
+        f.pad(&format!("{sign}{}.{fraction:0decimals$}", number / SECOND))
+    }
+}
