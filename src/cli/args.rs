@@ -11,6 +11,7 @@ mod network;
 mod new;
 mod output;
 mod patch;
+mod probe;
 
 use std::num::NonZeroUsize;
 use std::path::{Path, PathBuf};
@@ -37,6 +38,7 @@ pub(super) use self::network::{
 pub(super) use self::new::NewArgs;
 pub(super) use self::output::{Counting, ReportArgs, ReportFormat, ShowFormat};
 pub(super) use self::patch::{PatchApplyArgs, PatchCheckArgs, PatchCommand, PatchCommandArgs, PatchMakeArgs};
+pub(super) use self::probe::ProbeArgs;
 use super::baseline::BaselineArgs;
 use super::canonical::DialectArgs;
 use super::fix::FixArgs;
@@ -112,6 +114,12 @@ pub(super) enum Command {
     /// Runs the node of `objdict-device` with the defaults of the description, without compiling it, and checks its services and every
     /// entry as a master does: by frames and time. Exits with 1 if a check fails (docs/runtime.md).
     Conformance(ConformanceArgs),
+    /// Check a device against its description
+    ///
+    /// Writes what to ask the device: a script for python-canopen, the same reads as a log for canplayer, and a table. With --answers, judges
+    /// what the device answered: presence, size, type, access, values against defaults and limits, abort codes (docs/probe.md). Exits with 1
+    /// if there is a finding of severity error (see --deny).
+    Probe(Box<ProbeArgs>),
     /// Compare two descriptions, and say whom each change affects
     ///
     /// Compares by meaning: objects, entries, PDOs and facts about the device; order and spelling do not count. Each change has a verdict

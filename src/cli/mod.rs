@@ -31,6 +31,7 @@ mod packaging;
 mod parallel;
 mod patch;
 mod patches;
+mod probe;
 mod profile;
 mod profiles;
 mod progress;
@@ -79,6 +80,7 @@ pub fn run() -> ExitCode {
         Command::Dcf(command) => dcf::run(&command.command, &mut out),
         Command::Network(command) => network::run(&command.command, &mut out),
         Command::Conformance(command) => conformance::run(command, &mut out),
+        Command::Probe(command) => probe::run(command, &mut out),
         Command::Identify(command) => identify::run(command, &mut out),
         Command::Generate(command) => generate::run(command, &mut out),
         Command::Docs(command) => docs::run(command, &mut out),

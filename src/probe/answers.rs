@@ -76,7 +76,9 @@ fn of_json(text: &str) -> Result<Vec<Cells>, AnswersError> {
 /// What a cell of CSV would be; numbers of addresses and codes are written as CSV has them, in hex.
 fn cell(column: &str, value: &serde_json::Value) -> Option<String> {
     let bytes = |list: &Vec<serde_json::Value>| {
-        list.iter().map(|byte| Some(format!("{:02X}", u8::try_from(byte.as_u64()?).ok()?))).collect::<Option<Vec<_>>>()
+        list.iter()
+            .map(|byte| Some(format!("{:02X}", u8::try_from(byte.as_u64()?).ok()?)))
+            .collect::<Option<Vec<_>>>()
     };
     match value {
         serde_json::Value::Null => None,
@@ -168,7 +170,8 @@ impl Row<'_> {
         if let Some(code) = self.hex(ABORT)? {
             return Ok(SdoAnswer::Abort(code.into()));
         }
-        let size = self.get(SIZE).map(|text| text.trim().parse().map_err(|_| self.invalid(SIZE))).transpose()?;
+        let size =
+            self.get(SIZE).map(|text| text.trim().parse().map_err(|_| self.invalid(SIZE))).transpose()?;
         let value = self.get(VALUE);
         if let Some(code) = value.and_then(|text| text.trim().strip_prefix("abort")) {
             return number(code).map(|code| SdoAnswer::Abort(code.into())).ok_or_else(|| self.invalid(VALUE));
@@ -219,8 +222,11 @@ fn number(text: &str) -> Option<u32> {
 
 /// Bytes as hex digits, two each, with or without blanks.
 fn digits(text: &str) -> Option<Vec<u8>> {
-    let digits: Vec<u8> =
-        text.chars().filter(|character| *character != ' ').map(|digit| Some(digit.to_digit(16)? as u8)).collect::<Option<_>>()?;
+    let digits: Vec<u8> = text
+        .chars()
+        .filter(|character| *character != ' ')
+        .map(|digit| Some(digit.to_digit(16)? as u8))
+        .collect::<Option<_>>()?;
     (digits.len() % 2 == 0).then(|| digits.chunks(2).map(|pair| pair[0] << 4 | pair[1]).collect())
 }
 
@@ -259,6 +265,9 @@ mod tests {
         assert_eq!(error("index,value\n"), "there is no column `sub`");
         assert_eq!(error("index,sub\n12345,0\n"), "row 1: `12345` is not a valid `index`");
         assert_eq!(error("index,sub,bytes\n1000,0,123\n"), "row 1: `123` is not a valid `bytes`");
-        assert_eq!(error("{}"), "expected a list of objects with `index`, `sub` and `bytes`, `value` or `abort`");
+        assert_eq!(
+            error("{}"),
+            "expected a list of objects with `index`, `sub` and `bytes`, `value` or `abort`"
+        );
     }
 }

@@ -53,7 +53,11 @@ impl Expectation {
 
     /// How messages call it.
     pub(super) fn place(&self) -> String {
-        if self.sub == 0 && !self.is_highest_sub { format!("{:04X}h", self.index) } else { place(self.index, self.sub) }
+        if self.sub == 0 && !self.is_highest_sub {
+            format!("{:04X}h", self.index)
+        } else {
+            place(self.index, self.sub)
+        }
     }
 
     pub(super) fn is_readable(&self) -> bool {
@@ -81,9 +85,8 @@ impl Expectation {
     /// The limit that a value exceeds, and where the value is.
     pub(super) fn exceeded(&self, bytes: &[u8]) -> Option<(&Value, Ordering)> {
         let value = self.value(bytes)?;
-        let beyond = |limit: Option<&'_ Value>, side| {
-            limit.is_some_and(|limit| order(&value, limit) == Some(side))
-        };
+        let beyond =
+            |limit: Option<&'_ Value>, side| limit.is_some_and(|limit| order(&value, limit) == Some(side));
         if beyond(self.low.as_ref(), Ordering::Less) {
             return self.low.as_ref().map(|low| (low, Ordering::Less));
         }
@@ -100,7 +103,8 @@ impl Expectation {
 
     /// Two allowed values, so that one is not the present one.
     pub(super) fn allowed_values(&self) -> Vec<Vec<u8>> {
-        let present = self.default.as_ref().and_then(|bytes| self.value(bytes)).and_then(|value| value.as_integer());
+        let present =
+            self.default.as_ref().and_then(|bytes| self.value(bytes)).and_then(|value| value.as_integer());
         let present = present.filter(|_| self.data_type.is_some_and(DataType::is_integer)).unwrap_or(0);
         let limits = [&self.low, &self.high].into_iter().flatten().filter_map(Value::as_integer);
         let numbers = [present + 1, present - 1, present, present + 2].into_iter().chain(limits);

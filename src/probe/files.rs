@@ -61,7 +61,8 @@ impl ProbePlan {
         for step in self.steps.iter().filter(|step| step.attempt == Attempt::Read) {
             let [low, high] = step.index.to_le_bytes();
             frame([0x40, low, high, step.sub, 0, 0, 0, 0]);
-            let is_short = step.entry.as_ref().and_then(|entry| entry.length()).is_some_and(|length| length <= 4);
+            let is_short =
+                step.entry.as_ref().and_then(|entry| entry.length()).is_some_and(|length| length <= 4);
             if !is_short {
                 let [a, b, c, d] = TIMED_OUT.to_le_bytes();
                 frame([0x80, low, high, step.sub, a, b, c, d]);

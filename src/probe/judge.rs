@@ -67,7 +67,8 @@ struct Judge<'d> {
 
 impl<'d> Judge<'d> {
     fn new(device: &'d Device, node_id: u8, exchanges: &[Exchange]) -> Self {
-        let highest = exchanges.iter().filter(|exchange| exchange.sub == 0 && exchange.request == SdoRequest::Upload);
+        let highest =
+            exchanges.iter().filter(|exchange| exchange.sub == 0 && exchange.request == SdoRequest::Upload);
         let highest = highest.filter_map(|exchange| match exchange.answer.bytes(None).as_deref() {
             Some(&[highest]) => Some((exchange.index, highest)),
             _ => None,
@@ -111,12 +112,18 @@ impl<'d> Judge<'d> {
         of_undescribed(&place, &exchange.request, &exchange.answer, has_object)
     }
 
-    fn of_described(&mut self, entry: &Expectation, request: &SdoRequest, answer: &SdoAnswer) -> Option<Contradiction> {
+    fn of_described(
+        &mut self,
+        entry: &Expectation,
+        request: &SdoRequest,
+        answer: &SdoAnswer,
+    ) -> Option<Contradiction> {
         let memory = self.memory.entry((entry.index, entry.sub)).or_default();
         match request {
             SdoRequest::Upload => {
                 // what is above the highest sub-index of the device is said once, of sub-index 0
-                let is_above = entry.sub > 0 && self.highest.get(&entry.index).is_some_and(|highest| *highest < entry.sub);
+                let is_above = entry.sub > 0
+                    && self.highest.get(&entry.index).is_some_and(|highest| *highest < entry.sub);
                 let is_counted = is_above && matches!(answer, SdoAnswer::Abort(Abort::NoSubIndex));
                 of_upload(entry, answer, memory).filter(|_| !is_counted || self.is_counted_right(entry.index))
             }
@@ -154,7 +161,8 @@ impl<'d> Judge<'d> {
             (Aspect::Value, _) => self.device.value_place(*index, *sub),
             (Aspect::Field(field), _) => self.device.entry_place(*index, *sub).field(field.clone()),
         };
-        self.findings.push(Diagnostic::new(problem.rule, place, problem.message.clone()).help(help(problem.rule)));
+        self.findings
+            .push(Diagnostic::new(problem.rule, place, problem.message.clone()).help(help(problem.rule)));
     }
 
     fn unasked(&self, exchanges: &[Exchange]) -> Vec<(u16, u8)> {

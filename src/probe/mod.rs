@@ -11,7 +11,6 @@ mod exchange;
 mod expectation;
 mod files;
 mod judge;
-mod page;
 mod plan;
 mod rules;
 mod verdicts;

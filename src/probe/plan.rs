@@ -1,5 +1,7 @@
 //! What to ask a device.
 
+use std::ops::{Range, RangeInclusive};
+
 use super::expectation::Expectation;
 use crate::bus::Abort;
 use crate::model::Device;
@@ -10,7 +12,7 @@ pub struct ProbeOptions {
     /// Also try what must be refused, and write other values and the ones before.
     pub write: bool,
     /// Objects to write that are otherwise not written, because writing them is a command.
-    pub also: Vec<u16>,
+    pub also: Vec<RangeInclusive<u16>>,
 }
 
 /// What to ask a device, in its order.
@@ -59,7 +61,7 @@ const COMMANDS: [(u16, u16); 6] = [
 ];
 
 /// The objects of communication: their values are never changed, as the client would lose the device.
-const COMMUNICATION: std::ops::Range<u16> = 0x1000..0x2000;
+const COMMUNICATION: Range<u16> = 0x1000..0x2000;
 
 pub(super) fn is_command(index: u16) -> bool {
     COMMANDS.iter().any(|&(first, last)| (first..=last).contains(&index))
@@ -86,13 +88,14 @@ impl ProbePlan {
         }
         for (&index, object) in objects() {
             if object.object_type().has_subs()
-                && let Some(sub) = (1..=0xFE).find(|sub| !object.has(*sub) && Some(*sub) > object.highest_sub())
+                && let Some(sub) =
+                    (1..=0xFE).find(|sub| !object.has(*sub) && Some(*sub) > object.highest_sub())
             {
                 plan.ask_nothing(index, sub, Abort::NoSubIndex);
             }
             for (sub, entry) in object.entries() {
                 let entry = Expectation::new(object, index, sub, &entry, node_id);
-                plan.try_writing(entry, options.also.contains(&index));
+                plan.try_writing(entry, options.also.iter().any(|named| named.contains(&index)));
             }
         }
         if let Some(index) = (0x2000..=0xFFFF).rev().find(|index| !device.objects.contains_key(index)) {

@@ -59,7 +59,11 @@ pub(super) fn of_undescribed(
             let right = if has_object { Abort::NoSubIndex } else { Abort::NoObject };
             wrong_abort(place, asked(request), *abort, right)
         }
-        _ => contradiction(&UNDESCRIBED, Aspect::Entry, say!("the device has {}, which is not described", place)),
+        _ => contradiction(
+            &UNDESCRIBED,
+            Aspect::Entry,
+            say!("the device has {}, which is not described", place),
+        ),
     }
 }
 
@@ -71,10 +75,17 @@ pub(super) fn of_upload(entry: &Expectation, answer: &SdoAnswer, memory: &Memory
         SdoAnswer::Abort(Abort::NoObject | Abort::NoSubIndex) if is_history(entry) => None,
         SdoAnswer::Abort(abort @ (Abort::NoObject | Abort::NoSubIndex)) => absent(place, *abort),
         SdoAnswer::Abort(Abort::WriteOnly) if !entry.is_readable() => None,
-        SdoAnswer::Abort(abort) if !entry.is_readable() => wrong_abort(place, "reading", *abort, Abort::WriteOnly),
-        SdoAnswer::Abort(Abort::NoData) if entry.default.as_ref().is_none_or(Vec::is_empty) || is_history(entry) => None,
+        SdoAnswer::Abort(abort) if !entry.is_readable() => {
+            wrong_abort(place, "reading", *abort, Abort::WriteOnly)
+        }
+        SdoAnswer::Abort(Abort::NoData)
+            if entry.default.as_ref().is_none_or(Vec::is_empty) || is_history(entry) =>
+        {
+            None
+        }
         SdoAnswer::Abort(abort) => {
-            let message = say!("{} is {}, and reading it is aborted with {}", place, access(entry), words(*abort));
+            let message =
+                say!("{} is {}, and reading it is aborted with {}", place, access(entry), words(*abort));
             contradiction(&NOT_READABLE, Aspect::Field(Field::AccessType), message)
         }
         _ if !entry.is_readable() => {
@@ -99,7 +110,13 @@ fn of_value(entry: &Expectation, bytes: &[u8], memory: &Memory) -> Verdict {
     of_size(entry, bytes.len())
         .or_else(|| {
             let defect = entry.defect(bytes)?;
-            let message = say!("{} is `{}`: {}, so it is not a valid {}", entry.place(), hex(bytes), defect, type_name(entry));
+            let message = say!(
+                "{} is `{}`: {}, so it is not a valid {}",
+                entry.place(),
+                hex(bytes),
+                defect,
+                type_name(entry)
+            );
             contradiction(&INVALID_VALUE, Aspect::Field(Field::DataType), message)
         })
         .or_else(|| {
@@ -122,7 +139,8 @@ fn of_content(entry: &Expectation, bytes: &[u8], memory: &Memory) -> Verdict {
     let place = entry.place();
     if let Memory::Written(written) = memory {
         let is_own = bytes == written || entry.is_mappable || is_service(entry.index);
-        let message = || say!("{} is {}, and {} was written", place, entry.shown(bytes), entry.shown(written));
+        let message =
+            || say!("{} is {}, and {} was written", place, entry.shown(bytes), entry.shown(written));
         return if is_own { None } else { contradiction(&OTHER_THAN_WRITTEN, Aspect::Entry, message()) };
     }
     let described = entry.default.as_ref().filter(|_| *memory == Memory::Untouched && !is_volatile(entry))?;
@@ -184,7 +202,8 @@ pub(super) fn of_download(entry: &Expectation, bytes: &[u8], answer: &SdoAnswer)
                 Some(abort) if abort == right => None,
                 Some(abort) => wrong_abort(place, "writing a value outside the limits of", abort, right),
                 None => {
-                    let message = say!("{} takes {}, and `{}` is {}", place, entry.shown(bytes), field, limit);
+                    let message =
+                        say!("{} takes {}, and `{}` is {}", place, entry.shown(bytes), field, limit);
                     contradiction(&UNCHECKED_LIMIT, Aspect::Field(field), message)
                 }
             }

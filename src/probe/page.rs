@@ -1,1 +1,0 @@
-//! The judgement as a page.
