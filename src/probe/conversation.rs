@@ -30,6 +30,9 @@ struct Transfer {
 
 const ABORT: u8 = 4;
 
+/// The most bytes of a value that is refused before it is transferred.
+const LONGEST: usize = 1 << 16;
+
 impl Conversation {
     /// The conversation with a node.
     pub const fn new(node_id: u8) -> Self {
@@ -128,7 +131,11 @@ impl Conversation {
             sub,
             is_download,
             data,
-            length: None,
+            length: match command >> 5 {
+                1 => sized(command & 3 == 1, value),
+                6 => sized(command & 2 != 0, value),
+                _ => None,
+            },
             is_answered: false,
             is_complete: is_expedited,
             block: None,
@@ -139,7 +146,12 @@ impl Conversation {
         let Some(mut transfer) = self.current.take() else { return };
         let (index, sub) = (transfer.index, transfer.sub);
         let request = match transfer.is_download {
-            true => SdoRequest::Download(std::mem::take(&mut transfer.data)),
+            // bytes that were not transferred are zeros: a server may refuse the length
+            true => {
+                let (length, sent) = (transfer.length.unwrap_or(0), transfer.data.len());
+                transfer.data.resize(length.clamp(sent, sent.max(LONGEST)), 0);
+                SdoRequest::Download(std::mem::take(&mut transfer.data))
+            }
             false => SdoRequest::Upload,
         };
         self.exchanges.push(Exchange { index, sub, request, answer: answer(transfer) });

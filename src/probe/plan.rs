@@ -2,6 +2,7 @@
 
 use std::ops::{Range, RangeInclusive};
 
+use super::exchange::{Exchange, SdoAnswer, SdoRequest};
 use super::expectation::Expectation;
 use crate::bus::Abort;
 use crate::model::Device;
@@ -51,7 +52,8 @@ pub(super) enum Attempt {
 }
 
 /// Objects whose values are commands: parameters are stored or lost, programs are replaced, a drive moves.
-const COMMANDS: [(u16, u16); 6] = [
+const COMMANDS: [(u16, u16); 7] = [
+    (0x1003, 0x1003), // the error history is erased
     (0x1010, 0x1011), // store and restore parameters
     (0x1023, 0x1026), // commands of the operating system, prompt
     (0x1F50, 0x1F5F), // programs
@@ -114,6 +116,16 @@ impl ProbePlan {
         self.steps.is_empty()
     }
 
+    /// Asks over the SDO client of the application, as the script does: what was accepted is read, and the value before is written back.
+    /// `transfer` makes one transfer.
+    pub fn run(&self, transfer: impl FnMut(u16, u8, &SdoRequest) -> SdoAnswer) -> Vec<Exchange> {
+        let mut asking = Asking { transfer, exchanges: Vec::new() };
+        for step in &self.steps {
+            asking.take(step);
+        }
+        asking.exchanges
+    }
+
     fn ask(&mut self, entry: Expectation, attempt: Attempt, refusal: Option<Abort>) {
         self.steps.push(Step { index: entry.index, sub: entry.sub, entry: Some(entry), attempt, refusal });
     }
@@ -150,6 +162,58 @@ impl ProbePlan {
         let values = entry.allowed_values();
         if values.len() > 1 {
             self.ask(entry, Attempt::Other(values), None);
+        }
+    }
+}
+
+/// A plan that is carried out.
+struct Asking<T> {
+    transfer: T,
+    exchanges: Vec<Exchange>,
+}
+
+impl<T: FnMut(u16, u8, &SdoRequest) -> SdoAnswer> Asking<T> {
+    fn take(&mut self, step: &Step) {
+        let before = self.read(step);
+        let (false, Some(before)) = (step.attempt == Attempt::Read, before.filter(|bytes| !bytes.is_empty()))
+        else {
+            return;
+        };
+        let Some(sent) = step.attempt.bytes(&before) else { return };
+        if self.write(step, sent.clone()) && sent != before {
+            self.read(step);
+            self.write(step, before);
+            self.read(step);
+        }
+    }
+
+    fn read(&mut self, step: &Step) -> Option<Vec<u8>> {
+        let answer = self.transfer(step, SdoRequest::Upload);
+        answer.bytes(step.entry.as_ref().and_then(|entry| entry.data_type))
+    }
+
+    fn write(&mut self, step: &Step, bytes: Vec<u8>) -> bool {
+        self.transfer(step, SdoRequest::Download(bytes)) == SdoAnswer::Done
+    }
+
+    fn transfer(&mut self, step: &Step, request: SdoRequest) -> SdoAnswer {
+        let (index, sub) = (step.index, step.sub);
+        let answer = (self.transfer)(index, sub, &request);
+        self.exchanges.push(Exchange { index, sub, request, answer: answer.clone() });
+        answer
+    }
+}
+
+impl Attempt {
+    /// What is written to an entry with this value.
+    fn bytes(&self, before: &[u8]) -> Option<Vec<u8>> {
+        match self {
+            Self::Read => None,
+            Self::Own => Some(before.to_vec()),
+            Self::Longer => Some([before, &[0]].concat()),
+            Self::Shorter => before.split_last().map(|(_, rest)| rest.to_vec()),
+            Self::Beyond(bytes) => Some(bytes.clone()),
+            Self::Other(values) => values.iter().find(|value| *value != before).cloned(),
         }
     }
 }

@@ -77,7 +77,7 @@ text_rules! {
 
     NOT_READABLE = "probe/not-readable", Error;
     summary: "an entry that is described as readable is not",
-    checks: "Whether reading an entry with a readable `AccessType` is not aborted. 0800 0024h (no data) is right where the description has no value and in the error history (1003h).",
+    checks: "Whether reading an entry with a readable `AccessType` is not aborted. 0800 0024h (no data) and 060A 0023h (not available) are right where the description has no value and in the error history (1003h).",
     why: "A tool that reads the device by its description reports an error.",
     example: "`AccessType=rw`, and reading is aborted with 0601 0001h (write-only)",
     remedy: "Correct `AccessType`, or the device.",

@@ -78,7 +78,8 @@ pub(super) fn of_upload(entry: &Expectation, answer: &SdoAnswer, memory: &Memory
         SdoAnswer::Abort(abort) if !entry.is_readable() => {
             wrong_abort(place, "reading", *abort, Abort::WriteOnly)
         }
-        SdoAnswer::Abort(Abort::NoData)
+        // python-canopen answers with the second one
+        SdoAnswer::Abort(Abort::NoData | Abort::NoSdoConnection)
             if entry.default.as_ref().is_none_or(Vec::is_empty) || is_history(entry) =>
         {
             None
@@ -107,6 +108,9 @@ pub(super) fn of_upload(entry: &Expectation, answer: &SdoAnswer, memory: &Memory
 
 /// A value that was read.
 fn of_value(entry: &Expectation, bytes: &[u8], memory: &Memory) -> Verdict {
+    if *memory == Memory::Unknown {
+        return None;
+    }
     of_size(entry, bytes.len())
         .or_else(|| {
             let defect = entry.defect(bytes)?;
@@ -143,7 +147,7 @@ fn of_content(entry: &Expectation, bytes: &[u8], memory: &Memory) -> Verdict {
             || say!("{} is {}, and {} was written", place, entry.shown(bytes), entry.shown(written));
         return if is_own { None } else { contradiction(&OTHER_THAN_WRITTEN, Aspect::Entry, message()) };
     }
-    let described = entry.default.as_ref().filter(|_| *memory == Memory::Untouched && !is_volatile(entry))?;
+    let described = entry.default.as_ref().filter(|_| !is_volatile(entry))?;
     if is_same(entry, bytes, described) {
         return None;
     }

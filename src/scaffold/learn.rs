@@ -49,6 +49,7 @@ pub fn learn(
         let object = Learner { maker: &maker, node_id, index }.object(entries);
         device.objects.insert(index, object);
     }
+    allow_mapping(&mut device);
     // every device has them, whether it was asked or not
     for index in [0x1000, 0x1001, 0x1018] {
         if !device.objects.contains_key(&index) {
@@ -79,6 +80,31 @@ pub fn learn(
     info.revision_number = Some(wanted.revision);
     device.device_info = Some(info);
     Some(device)
+}
+
+/// What PDOs carry can be mapped, and what an RPDO carries can be written by it.
+fn allow_mapping(device: &mut Device) {
+    let mappings =
+        device.objects.iter().filter(|(index, _)| matches!(index, 0x1600..=0x17FF | 0x1A00..=0x1BFF));
+    let mapped = mappings.flat_map(|(&index, object)| {
+        let values =
+            object.entries().filter(|(sub, _)| *sub > 0).filter_map(|(_, entry)| entry.value()?.as_integer());
+        values
+            .map(move |value| (index < 0x1A00, (value >> 16 & 0xFFFF) as u16, (value >> 8 & 0xFF) as u8))
+            .collect::<Vec<_>>()
+    });
+    for (is_received, index, sub) in mapped.collect::<Vec<_>>() {
+        let Some(object) = device.objects.get_mut(&index) else { continue };
+        let entry = if object.subs.is_empty() { Some(&mut object.main) } else { object.subs.get_mut(sub) };
+        let Some(entry) = entry else { continue };
+        entry.pdo_mapping = Some(PdoMapping::Optional);
+        if is_received && entry.access.is_none_or(|access| !access.fits_rpdo()) {
+            entry.access = Some(Access::Rww);
+        }
+        if !is_received && entry.access.is_none_or(|access| !access.fits_tpdo()) {
+            entry.access = Some(Access::Rwr);
+        }
+    }
 }
 
 fn seen(exchanges: &[Exchange]) -> Entries<'_> {

@@ -1,0 +1,76 @@
+//! The script of a plan against a LocalNode of python-canopen, on its virtual bus.
+
+use std::collections::BTreeSet;
+use std::fs;
+use std::path::{Path, PathBuf};
+use std::process::Command;
+
+use objdict::probe::{Judgement, judge, read_answers};
+
+use super::planted::{self, Difference};
+use super::{NODE, device, found, plan, recorded};
+use crate::interop::environment;
+use crate::support;
+
+/// The judgement of the answers that the script wrote as CSV, which are those of its JSON and of the recorded log.
+fn judged(python: &Path, name: &str, write: bool, how: &[&str]) -> Judgement {
+    let device = device(name);
+    let folder = folder();
+    let output = folder.join(format!("{}-{write}-{}", name.replace('/', "-"), how.concat().len()));
+    let script = output.with_extension("py");
+    fs::write(&script, plan(&device, write).script()).unwrap();
+    let node = Path::new(env!("CARGO_MANIFEST_DIR")).join("tests/library/probe/local_node.py");
+    let mut command = Command::new(python.join("python"));
+    command
+        .arg("-W")
+        .arg("error")
+        .arg(node)
+        .arg(&script)
+        .arg(support::fixtures().join(name))
+        .arg(&output)
+        .args(how);
+    let run = command.output().unwrap();
+    assert!(run.status.success(), "{}", String::from_utf8_lossy(&run.stderr));
+    let read = |ending| fs::read_to_string(format!("{}.{ending}", output.display())).unwrap();
+    let exchanges = read_answers(&read("csv")).unwrap();
+    assert_eq!(read_answers(&read("json")).unwrap(), exchanges);
+    super::assert_recorded(&read("log"), &exchanges);
+    judge(&device, NODE, &exchanges)
+}
+
+fn folder() -> PathBuf {
+    let folder = Path::new(env!("CARGO_TARGET_TMPDIR")).join("probe");
+    fs::create_dir_all(&folder).unwrap();
+    folder
+}
+
+#[test]
+fn a_local_node_of_python_canopen_is_as_described() {
+    let Some(python) = environment() else { return };
+    for name in [
+        "eds/drive-402.eds",
+        "eds/io-401.eds",
+        "eds/all-types.eds",
+        "eds/encoder-406.eds",
+        "eds/cs5525-404.eds",
+    ] {
+        let judgement = judged(python, name, false, &[]);
+        assert_eq!(found(&judgement), BTreeSet::new(), "{name}");
+        assert!(judgement.unasked.is_empty());
+    }
+    for name in ["eds/drive-402.eds", "eds/encoder-406.eds"] {
+        let judgement = judged(python, name, true, &["--checked"]);
+        assert_eq!(found(&judgement), BTreeSet::new(), "{name}");
+    }
+}
+
+#[test]
+fn planted_differences_of_a_local_node_are_found_and_nothing_else() {
+    let Some(python) = environment() else { return };
+    let planted = planted::all();
+    let differences = folder().join("differences.json");
+    let rows: Vec<_> = planted.iter().map(Difference::json).collect();
+    fs::write(&differences, serde_json::to_string(&rows).unwrap()).unwrap();
+    let judgement = judged(python, planted::FIXTURE, true, &[differences.to_str().unwrap()]);
+    assert_eq!(found(&judgement), planted.iter().flat_map(Difference::expected).collect());
+}
