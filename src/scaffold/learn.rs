@@ -82,27 +82,30 @@ pub fn learn(
     Some(device)
 }
 
-/// What PDOs carry can be mapped, and what an RPDO carries can be written by it.
+/// What PDOs carry can be mapped, what an RPDO carries can be written by it, and one bit is a BOOLEAN.
 fn allow_mapping(device: &mut Device) {
     let mappings =
         device.objects.iter().filter(|(index, _)| matches!(index, 0x1600..=0x17FF | 0x1A00..=0x1BFF));
-    let mapped = mappings.flat_map(|(&index, object)| {
-        let values =
-            object.entries().filter(|(sub, _)| *sub > 0).filter_map(|(_, entry)| entry.value()?.as_integer());
-        values
-            .map(move |value| (index < 0x1A00, (value >> 16 & 0xFFFF) as u16, (value >> 8 & 0xFF) as u8))
-            .collect::<Vec<_>>()
-    });
-    for (is_received, index, sub) in mapped.collect::<Vec<_>>() {
-        let Some(object) = device.objects.get_mut(&index) else { continue };
+    let mut mapped = Vec::new();
+    for (&index, object) in mappings {
+        let values = object.entries().filter(|(sub, _)| *sub > 0);
+        let values = values.filter_map(|(_, entry)| u32::try_from(entry.value()?.as_integer()?).ok());
+        mapped.extend(values.map(|value| (index < 0x1A00, value.to_be_bytes())));
+    }
+    for (is_received, [high, low, sub, bits]) in mapped {
+        let Some(object) = device.objects.get_mut(&u16::from_be_bytes([high, low])) else { continue };
         let entry = if object.subs.is_empty() { Some(&mut object.main) } else { object.subs.get_mut(sub) };
         let Some(entry) = entry else { continue };
         entry.pdo_mapping = Some(PdoMapping::Optional);
-        if is_received && entry.access.is_none_or(|access| !access.fits_rpdo()) {
-            entry.access = Some(Access::Rww);
+        let fits = |access: Access| if is_received { access.fits_rpdo() } else { access.fits_tpdo() };
+        if !entry.access.is_some_and(fits) {
+            entry.access = Some(if is_received { Access::Rww } else { Access::Rwr });
         }
-        if !is_received && entry.access.is_none_or(|access| !access.fits_tpdo()) {
-            entry.access = Some(Access::Rwr);
+        let number =
+            entry.default.as_ref().and_then(Value::as_integer).filter(|number| (0..=1).contains(number));
+        if let (1, Some(number), Some(DataType::UNSIGNED8)) = (bits, number, entry.data_type) {
+            entry.data_type = Some(DataType::BOOLEAN);
+            entry.default = Value::from_integer(number, DataType::BOOLEAN);
         }
     }
 }
@@ -112,7 +115,9 @@ fn seen(exchanges: &[Exchange]) -> Entries<'_> {
     for Exchange { index, sub, request, answer } in exchanges {
         let is_write_only = *request == SdoRequest::Upload && *answer == SdoAnswer::Abort(Abort::WriteOnly);
         let is_written = *answer == SdoAnswer::Done;
-        if *index < 0x1000 || !(answer.is_value() || is_written || is_write_only) {
+        // an entry without a value at present
+        let is_empty = *answer == SdoAnswer::Abort(Abort::NoData);
+        if *index < 0x1000 || !(answer.is_value() || is_written || is_write_only || is_empty) {
             continue;
         }
         let entry = seen.entry(*index).or_default().entry(*sub).or_default();
@@ -187,7 +192,7 @@ impl Learner<'_> {
         let data_type = match (known_type, seen.answer) {
             (Some(known), Some(answer)) if fits(known, answer) => known,
             (_, Some(answer)) => guessed(answer),
-            (known, None) => known.unwrap_or(DataType::UNSIGNED32),
+            (known, None) => known.unwrap_or(DataType::DOMAIN),
         };
         let is_known = known_type == Some(data_type);
         let mut entry = match known.filter(|_| is_known) {

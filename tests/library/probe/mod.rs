@@ -149,7 +149,7 @@ fn the_node_of_a_description_is_as_described() {
         "eds/io-401.eds",
         "eds/all-types.eds",
         "eds/encoder-406.eds",
-        "xdd/press-402.xdd",
+        "xdd/drive-402.xdd",
     ] {
         let device = device(name);
         for write in [false, true] {
@@ -273,7 +273,7 @@ fn an_unknown_device_is_described_by_its_answers() {
         "eds/io-401.eds",
         "eds/all-types.eds",
         "eds/encoder-406.eds",
-        "xdd/press-402.xdd",
+        "xdd/drive-402.xdd",
     ] {
         let device = device(name);
         let exchanges = exchanges(&device, LiveDictionary::new(&device, NODE, PowerOn::Defaults), false);
@@ -303,7 +303,17 @@ fn answers_of_a_bench_are_numbers_and_texts() {
         .iter()
         .map(|row| (row.index, row.problem.as_ref().map(|(rule, _)| rule.name())))
         .collect();
-    assert_eq!(rows, []);
+    assert_eq!(
+        rows,
+        [
+            (0x1000, None),
+            (0x1018, None),
+            (0x1018, Some("other-value")),
+            (0x6000, None),
+            (0x1008, Some("not-readable")),
+            (0x9999, Some("undescribed")),
+        ]
+    );
 }
 
 /// The description of an abort code in a message.

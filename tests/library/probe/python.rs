@@ -47,12 +47,14 @@ fn folder() -> PathBuf {
 #[test]
 fn a_local_node_of_python_canopen_is_as_described() {
     let Some(python) = environment() else { return };
+    // python-canopen does not know all types of all-types.eds
     for name in [
         "eds/drive-402.eds",
         "eds/io-401.eds",
-        "eds/all-types.eds",
         "eds/encoder-406.eds",
         "eds/cs5525-404.eds",
+        "eds/bootloader.eds",
+        "eds/dspic-sensors.eds",
     ] {
         let judgement = judged(python, name, false, &[]);
         assert_eq!(found(&judgement), BTreeSet::new(), "{name}");
