@@ -149,8 +149,10 @@ impl<'d> Judge<'d> {
 
     fn report(&mut self, exchange: &Exchange, problem: &Contradiction) {
         let Exchange { index, sub, answer, .. } = exchange;
-        // an object that is not there has no entries either
-        let is_object = *answer == SdoAnswer::Abort(Abort::NoObject);
+        // an object that is not there has no entries either, and those of compact storage are described once
+        let object = self.device.object(*index);
+        let is_object = *answer == SdoAnswer::Abort(Abort::NoObject)
+            || object.is_some_and(|object| object.compact.is_some() && object.has(*sub));
         let key = (problem.rule.id, *index, Some(*sub).filter(|_| !is_object));
         if !self.reported.insert(key) {
             return;

@@ -24,7 +24,7 @@ text_rules! {
     checks: "Whether the device answers each request, with a value or with an abort code.",
     why: "Clients wait until they time out, and then stop or try again.",
     example: "a server that ignores requests for entries that it does not have",
-    remedy: "Answer each request; an abort code says why there is no value. If nothing answers, check node-ID and bit rate.",
+    remedy: "Answer each request; an abort code gives the reason. If nothing answers, check node-ID and bit rate.",
     source: "CiA 301 §7.2.4.2",
 
     WRONG_SIZE = "probe/wrong-size", Error;

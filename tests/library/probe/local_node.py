@@ -12,7 +12,6 @@ import sys
 import can
 import canopen
 
-NODE = 5
 CHANNEL = "probe"
 NO_SUB_INDEX, TOO_LONG, TOO_SHORT, TOO_HIGH, TOO_LOW = 0x06090011, 0x06070012, 0x06070013, 0x06090031, 0x06090032
 
@@ -20,8 +19,8 @@ NO_SUB_INDEX, TOO_LONG, TOO_SHORT, TOO_HIGH, TOO_LOW = 0x06090011, 0x06070012, 0
 class Node(canopen.LocalNode):
     """A LocalNode that also checks limits, lengths and the sub-index of a VAR, which python-canopen does not."""
 
-    def __init__(self, eds, differences):
-        super().__init__(NODE, eds)
+    def __init__(self, node_id, eds, differences):
+        super().__init__(node_id, eds)
         self.otherwise = {(one["index"], one["sub"], kind): one[kind]
                           for one in differences for kind in ("read", "write") if kind in one}
 
@@ -76,8 +75,10 @@ def main(script, eds, output, differences=None):
     client.connect(interface="virtual", channel=CHANNEL)
     recorder = can.Bus(interface="virtual", channel=CHANNEL)
     notifier = can.Notifier(recorder, [can.Logger(output + ".log")])
-    device.add_node(Node(eds, planted) if planted or "--checked" in sys.argv else canopen.LocalNode(NODE, eds))
-    asked = probe.Probe(client, NODE, timeout=2)
+    node_id = probe.NODE_ID
+    is_checked = planted or "--checked" in sys.argv
+    device.add_node(Node(node_id, eds, planted) if is_checked else canopen.LocalNode(node_id, eds))
+    asked = probe.Probe(client, node_id, timeout=2)
     asked.ask()
     for ending in ".csv", ".json":
         probe.save(asked.rows, output + ending)

@@ -10,8 +10,10 @@ use std::fmt::Write as _;
 use objdict::bus::{Abort, Dictionary, LiveDictionary, PowerOn};
 use objdict::diagnostic::Severity;
 use objdict::format::log::{LogOptions, LogReader};
+use objdict::format::network::NetworkFile;
 use objdict::format::{self, Format, WriteOptions};
 use objdict::model::{ClockTime, Date, Device};
+use objdict::network::DcfgenMode;
 use objdict::probe::{
     Conversation, Exchange, Judgement, ProbeOptions, ProbePlan, SdoAnswer, SdoRequest, judge, read_answers,
 };
@@ -35,6 +37,7 @@ fn plan(device: &Device, write: bool) -> ProbePlan {
 
 /// The node of a description, with a client and a recorder on its bus.
 struct Bench<D> {
+    node_id: u8,
     node: Node<D, 65536, 1, 0, 0, 0>,
     /// What the recorder wrote, as `candump -L`.
     log: String,
@@ -42,10 +45,10 @@ struct Bench<D> {
 }
 
 impl<D: Dictionary> Bench<D> {
-    fn new(dictionary: D) -> Self {
-        let mut node = Node::new(NODE, dictionary, Pdos::new([], []));
+    fn new(node_id: u8, dictionary: D) -> Self {
+        let mut node = Node::new(node_id, dictionary, Pdos::new([], []));
         node.boot(0);
-        Self { node, log: String::new(), now: 0 }
+        Self { node_id, node, log: String::new(), now: 0 }
     }
 
     fn record(&mut self, frame: &Frame) {
@@ -57,7 +60,7 @@ impl<D: Dictionary> Bench<D> {
 
     /// One transfer, by blocks if that is asked for.
     fn transfer(&mut self, index: u16, sub: u8, request: &SdoRequest, in_blocks: bool) -> SdoAnswer {
-        let mut client = SdoClient::new(NODE);
+        let mut client = SdoClient::new(self.node_id);
         let mut data = match request {
             SdoRequest::Upload => vec![0; 4096],
             SdoRequest::Download(bytes) => bytes.clone(),
@@ -79,7 +82,7 @@ impl<D: Dictionary> Bench<D> {
             }
             answers.extend(
                 std::iter::from_fn(|| self.node.poll(self.now))
-                    .filter(|frame| frame.id() == 0x580 + u16::from(NODE)),
+                    .filter(|frame| frame.id() == 0x580 + u16::from(self.node_id)),
             );
             if let Some(end) = step.end {
                 return match (end, request) {
@@ -136,7 +139,7 @@ fn found(judgement: &Judgement) -> BTreeSet<(&'static str, u16, u8)> {
 
 /// The exchanges with a node, as they were made and as they were recorded.
 fn exchanges(device: &Device, dictionary: impl Dictionary, write: bool) -> Vec<Exchange> {
-    let mut bench = Bench::new(dictionary);
+    let mut bench = Bench::new(NODE, dictionary);
     let made = plan(device, write).run(|index, sub, request| bench.transfer(index, sub, request, false));
     assert_recorded(&bench.log, &made);
     made
@@ -167,7 +170,7 @@ fn the_node_of_a_description_is_as_described() {
 #[test]
 fn values_are_restored() {
     let device = device("eds/drive-402.eds");
-    let mut bench = Bench::new(LiveDictionary::new(&device, NODE, PowerOn::Defaults));
+    let mut bench = Bench::new(NODE, LiveDictionary::new(&device, NODE, PowerOn::Defaults));
     let mut written = BTreeSet::new();
     plan(&device, true).run(|index, sub, request| {
         let answer = bench.transfer(index, sub, request, false);
@@ -207,7 +210,7 @@ fn commands_are_written_only_if_they_are_named() {
 #[test]
 fn values_by_blocks_are_read_from_a_log() {
     let device = device("eds/all-types.eds");
-    let mut bench = Bench::new(LiveDictionary::new(&device, NODE, PowerOn::Defaults));
+    let mut bench = Bench::new(NODE, LiveDictionary::new(&device, NODE, PowerOn::Defaults));
     let made = plan(&device, true).run(|index, sub, request| bench.transfer(index, sub, request, true));
     assert_recorded(&bench.log, &made);
     assert_eq!(found(&judge(&device, NODE, &made)), BTreeSet::new());
@@ -251,7 +254,7 @@ fn a_node_that_is_not_there_does_not_answer() {
 #[test]
 fn the_log_for_canplayer_asks_for_every_value() {
     let device = device("eds/drive-402.eds");
-    let mut bench = Bench::new(LiveDictionary::new(&device, NODE, PowerOn::Defaults));
+    let mut bench = Bench::new(NODE, LiveDictionary::new(&device, NODE, PowerOn::Defaults));
     let mut requests =
         LogReader::new(plan(&device, false).candump(50).into_bytes().leak() as &[u8], LogOptions::default());
     while let Some(request) = requests.next_frame().unwrap() {
@@ -334,4 +337,26 @@ fn messages_name_the_entry_and_the_reason() {
     );
     assert_eq!(message(SdoAnswer::Length(Some(2))), ["1018h sub-index 1 has 2 bytes, and UNSIGNED32 has 4"]);
     assert_eq!(message(SdoAnswer::Silence), ["a request for 1018h sub-index 1 has no answer"]);
+}
+
+/// The recorded boot of docs/probe.md: the island of the book, which was not configured as its DCF says. `INSTA_UPDATE=always` writes it.
+#[test]
+fn the_log_of_the_book_is_that_of_its_node() {
+    let file =
+        NetworkFile::open(&support::fixtures().join("network/chapter4.toml"), &Default::default()).unwrap();
+    let files = file.build(DcfgenMode::Corrected).unwrap().dcfs().unwrap();
+    let dcf = files.iter().find(|file| file.name == "left.dcf").unwrap();
+    let source = SourceFile::from_bytes("left.dcf", dcf.bytes.clone(), &SourceOptions::default()).unwrap();
+    let device = format::read(source, Format::Dcf).device().clone();
+    let node_id = device.node_id().unwrap();
+    let node =
+        Otherwise::new(LiveDictionary::new(&device, node_id, PowerOn::Configured), &planted::of_island());
+    let mut bench = Bench::new(node_id, node);
+    let plan = ProbePlan::new(&device, node_id, &ProbeOptions::default());
+    plan.run(|index, sub, request| bench.transfer(index, sub, request, false));
+    let path = support::fixtures().join("probe/left.log");
+    if std::env::var("INSTA_UPDATE").is_ok_and(|update| update == "always") {
+        std::fs::write(&path, &bench.log).unwrap();
+    }
+    assert_eq!(std::fs::read_to_string(path).unwrap(), bench.log);
 }

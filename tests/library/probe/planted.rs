@@ -92,6 +92,12 @@ pub(super) fn all() -> Vec<Difference> {
     rows.iter().map(|&(index, sub, kind, rules)| Difference { index, sub, kind, rules }).collect()
 }
 
+/// Those of the recorded island: a heartbeat and a transmission type are not configured.
+pub(super) fn of_island() -> Vec<Difference> {
+    let rows: [(u16, u8, &'static [u8]); 2] = [(0x1017, 0, &[0, 0]), (0x1800, 2, &[0xFF])];
+    rows.map(|(index, sub, bytes)| Difference { index, sub, kind: Reads(bytes), rules: &[] }).into()
+}
+
 impl Difference {
     pub(super) fn expected(&self) -> BTreeSet<(&'static str, u16, u8)> {
         self.rules.iter().map(|rule| (*rule, self.index, self.sub)).collect()
