@@ -227,7 +227,7 @@ fn digits(text: &str) -> Option<Vec<u8>> {
         .filter(|character| *character != ' ')
         .map(|digit| Some(digit.to_digit(16)? as u8))
         .collect::<Option<_>>()?;
-    (digits.len() % 2 == 0).then(|| digits.chunks(2).map(|pair| pair[0] << 4 | pair[1]).collect())
+    digits.len().is_multiple_of(2).then(|| digits.chunks(2).map(|pair| pair[0] << 4 | pair[1]).collect())
 }
 
 #[cfg(test)]

@@ -2,7 +2,7 @@
 
 use std::fmt::Write;
 
-use super::expectation::hex;
+use super::expectation::{Expectation, hex};
 use super::plan::{Attempt, ProbePlan, Step};
 
 /// The script without its data.
@@ -62,7 +62,7 @@ impl ProbePlan {
             let [low, high] = step.index.to_le_bytes();
             frame([0x40, low, high, step.sub, 0, 0, 0, 0]);
             let is_short =
-                step.entry.as_ref().and_then(|entry| entry.length()).is_some_and(|length| length <= 4);
+                step.entry.as_ref().and_then(Expectation::length).is_some_and(|length| length <= 4);
             if !is_short {
                 let [a, b, c, d] = TIMED_OUT.to_le_bytes();
                 frame([0x80, low, high, step.sub, a, b, c, d]);

@@ -64,7 +64,7 @@ text_rules! {
     checks: "Whether entries have their `DefaultValue`, or in a DCF their `ParameterValue`. Entries that can be mapped carry process data and are not compared, nor are errors (1001h to 1003h), commands and the serial number. An entry that was written before is compared with what was written (`probe/other-than-written`).",
     why: "Defaults that differ from the description make a tool skip downloads that are needed. The value may also have been changed and stored, then restore the defaults (1011h) before probing.",
     example: "1000 ms in 1017h where 500 ms are described",
-    remedy: "Correct `DefaultValue`, or restore the defaults of the device.",
+    remedy: "Correct the description, restore the defaults of the device, or configure it.",
     source: "CiA 306-1 §4.6.3.2",
 
     HIGHEST_SUB_INDEX = "probe/highest-sub-index", Error;

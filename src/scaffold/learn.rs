@@ -7,8 +7,8 @@ use super::objects::Maker;
 use super::{Features, Wanted, device_info, file_info, newest_version};
 use crate::bus::Abort;
 use crate::model::{
-    Access, ClockTime, DataType, Date, Device, Entry, Object, ObjectLists, ObjectType, PdoMapping, TypeKind,
-    Value,
+    Access, ClockTime, DataType, Date, Device, DummyUsage, Entry, Object, ObjectLists, ObjectType,
+    PdoMapping, TypeKind, Value,
 };
 use crate::probe::{Exchange, SdoAnswer, SdoRequest};
 
@@ -70,6 +70,8 @@ pub fn learn(
         date,
         time,
     };
+    device.dummy_usage = Some(DummyUsage::default());
+    device.comments = Some(Vec::new());
     device.lists = ObjectLists::naming(device.objects.keys().copied());
     device.file_info = Some(file_info(&wanted));
     let mut info = device_info(&maker.plan, &device);
@@ -160,7 +162,7 @@ impl Learner<'_> {
             None => entries.keys().any(|sub| *sub > 0),
         };
         if !has_subs && entries.len() == 1 && entries.contains_key(&0) {
-            object.main = self.entry(0, &entries[&0], name);
+            object.main = Entry { name: name.as_str().into(), ..self.entry(0, &entries[&0], name.clone()) };
             return object;
         }
         let mut entries: BTreeMap<u8, Entry> = entries

@@ -5,6 +5,8 @@ use std::path::PathBuf;
 use super::{BaselineArgs, InputArgs, OverwriteArgs, ReportArgs, SettingsArgs, indexes};
 
 #[derive(Debug, clap::Args)]
+#[command(mut_arg("compat", |tools| tools.hide(true)), mut_arg("profiles", |profiles| profiles.hide(true)))] // the description is not checked
+#[command(mut_arg("node_id", |node| node.help("The node-ID [default: from the DCF or the log, else 1]")))]
 pub(in crate::cli) struct ProbeArgs {
     /// The description of the device
     #[arg(required_unless_present = "learn")]

@@ -12,7 +12,9 @@ import sys
 import can
 import canopen
 
-CHANNEL = "probe"
+# a bus in this process, or with `--socketcan` one of the kernel
+BUS = ({"interface": "socketcan", "channel": "vcan0"} if "--socketcan" in sys.argv
+       else {"interface": "virtual", "channel": "probe"})
 NO_SUB_INDEX, TOO_LONG, TOO_SHORT, TOO_HIGH, TOO_LOW = 0x06090011, 0x06070012, 0x06070013, 0x06090031, 0x06090032
 
 
@@ -71,9 +73,9 @@ def main(script, eds, output, differences=None):
         with open(differences, encoding="utf-8") as file:
             planted = json.load(file)
     device, client = canopen.Network(), canopen.Network()
-    device.connect(interface="virtual", channel=CHANNEL)
-    client.connect(interface="virtual", channel=CHANNEL)
-    recorder = can.Bus(interface="virtual", channel=CHANNEL)
+    device.connect(**BUS)
+    client.connect(**BUS)
+    recorder = can.Bus(**BUS)
     notifier = can.Notifier(recorder, [can.Logger(output + ".log")])
     node_id = probe.NODE_ID
     is_checked = planted or "--checked" in sys.argv

@@ -6,6 +6,7 @@ mod python;
 
 use std::collections::BTreeSet;
 use std::fmt::Write as _;
+use std::path::Path;
 
 use objdict::bus::{Abort, Dictionary, LiveDictionary, PowerOn};
 use objdict::diagnostic::Severity;
@@ -354,7 +355,7 @@ fn the_log_of_the_book_is_that_of_its_node() {
     let mut bench = Bench::new(node_id, node);
     let plan = ProbePlan::new(&device, node_id, &ProbeOptions::default());
     plan.run(|index, sub, request| bench.transfer(index, sub, request, false));
-    let path = support::fixtures().join("probe/left.log");
+    let path = Path::new(env!("CARGO_MANIFEST_DIR")).join("fixtures/probe/left.log");
     if std::env::var("INSTA_UPDATE").is_ok_and(|update| update == "always") {
         std::fs::write(&path, &bench.log).unwrap();
     }

@@ -1,4 +1,6 @@
-//! The script of a plan against a LocalNode of python-canopen, on its virtual bus.
+//! The script of a plan against a LocalNode of python-canopen, on its virtual bus, and on one of the kernel where there is one.
+
+#![allow(clippy::print_stdout, reason = "says why it is skipped")]
 
 use std::collections::BTreeSet;
 use std::fs;
@@ -8,7 +10,7 @@ use std::process::Command;
 use objdict::probe::{Judgement, judge, read_answers};
 
 use super::planted::{self, Difference};
-use super::{NODE, device, found, plan, recorded};
+use super::{NODE, device, found, plan};
 use crate::interop::environment;
 use crate::support;
 
@@ -75,4 +77,16 @@ fn planted_differences_of_a_local_node_are_found_and_nothing_else() {
     fs::write(&differences, serde_json::to_string(&rows).unwrap()).unwrap();
     let judgement = judged(python, planted::FIXTURE, true, &[differences.to_str().unwrap()]);
     assert_eq!(found(&judgement), planted.iter().flat_map(Difference::expected).collect());
+}
+
+/// The same on a virtual bus of the kernel: `ip link add dev vcan0 type vcan && ip link set up vcan0`.
+#[test]
+fn a_local_node_on_socketcan_is_as_described() {
+    let Some(python) = environment() else { return };
+    if !Path::new("/sys/class/net/vcan0").exists() {
+        println!("there is no vcan0: the script does not run on SocketCAN");
+        return;
+    }
+    let judgement = judged(python, planted::FIXTURE, true, &["--checked", "--socketcan"]);
+    assert_eq!(found(&judgement), BTreeSet::new());
 }
