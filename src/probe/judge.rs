@@ -21,7 +21,7 @@ pub struct Judgement {
     pub unasked: Vec<(u16, u8)>,
 }
 
-/// An exchange in words, with what is wrong about it.
+/// An exchange in words, with its problem.
 #[derive(Clone, Debug)]
 pub struct Judged {
     /// The index.

@@ -19,6 +19,9 @@ import canopen
 NODE_ID = 1
 COLUMNS = ["index", "sub", "action", "sent", "size", "bytes", "abort"]
 
+# abort codes: no object, no sub-index
+ABSENT = "0x06020000", "0x06090011"
+
 # what is written instead of given bytes: the value that was read, with a zero byte more, without its last byte
 READ, OWN, LONGER, SHORTER = "read", "own", "longer", "shorter"
 
@@ -46,9 +49,23 @@ class Probe:
                 self.read(index, sub)
             else:
                 self.write_and_restore(index, sub, what)
-            if not self.is_there and len(self.rows) >= self.PATIENCE:
-                raise TimeoutError(f"node {self.node.id} does not answer")
         return self.rows
+
+    def scan(self, first, last):
+        """Reads every object of a device whose dictionary is not known."""
+        for index in range(first, last + 1):
+            value = self.find(index, 0)
+            # sub-index 0 of arrays and records is the highest sub-index; without it, sub-index 1 says that there are others
+            if value is not None and len(value) == 1 and self.find(index, 1) is not None:
+                for sub in range(2, value[0] + 1):
+                    self.read(index, sub)
+
+    def find(self, index, sub):
+        """The value of an entry that is there, if it can be read."""
+        value = self.read(index, sub)
+        if self.rows[-1].get("abort") in ABSENT:
+            self.rows.pop()
+        return value
 
     def read(self, index, sub):
         row = {"index": f"0x{index:04X}", "sub": f"0x{sub:02X}", "action": "read"}
@@ -68,6 +85,8 @@ class Probe:
             self.is_there = True
             return None
         except canopen.SdoCommunicationError:
+            if not self.is_there and len(self.rows) >= self.PATIENCE:
+                raise TimeoutError(f"node {self.node.id} does not answer") from None
             return None
         self.is_there = True
         if value is None:
@@ -122,7 +141,10 @@ def main(arguments=None):
     parser.add_argument("--timeout", type=float, default=0.5, help="seconds for an answer (default: %(default)s)")
     parser.add_argument("--node-id", type=int, default=NODE_ID, help="the node (default: %(default)s)")
     parser.add_argument("--output", default="answers.csv", help="a .csv or .json file (default: %(default)s)")
+    parser.add_argument("--scan", metavar="RANGES", help="read every object of these ranges, such as 1000-1FFF,6000-67FF, "
+                        "instead of those of the description")
     options = parser.parse_args(arguments)
+    scanned = [[int(index, 16) for index in part.split("-")] for part in options.scan.split(",")] if options.scan else []
     network = canopen.Network()
     bus = {"interface": options.interface, "channel": options.channel}
     if options.bitrate:
@@ -130,7 +152,10 @@ def main(arguments=None):
     network.connect(**bus)
     probe = Probe(network, options.node_id, options.timeout)
     try:
-        probe.ask()
+        for part in scanned:
+            probe.scan(part[0], part[-1])
+        if not scanned:
+            probe.ask()
     except TimeoutError as error:
         print(error, file=sys.stderr)
         return 1

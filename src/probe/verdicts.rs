@@ -1,4 +1,4 @@
-//! What is wrong with an answer, if anything: one exchange beside the entry that it is about.
+//! How an answer contradicts the description, if it does: one exchange beside the entry that it is about.
 
 use std::cmp::Ordering;
 

@@ -25,7 +25,7 @@ struct Seen<'a> {
 /// The entries that answered.
 type Entries<'a> = BTreeMap<u16, BTreeMap<u8, Seen<'a>>>;
 
-/// The description of a device that gave these answers; `None` if it has no value of an entry. Names, types and access are those of CiA 301 and the
+/// The description of a device that gave these answers; `None` if there is no entry among them. Names, types and access are those of CiA 301 and the
 /// profile of its device type (1000h) where they fit the answers. Of other entries the type is the unsigned integer of the size, or a
 /// text, and the access is read-only unless a write was accepted.
 pub fn learn(
@@ -96,19 +96,29 @@ fn allow_mapping(device: &mut Device) {
     }
     for (is_received, [high, low, sub, bits]) in mapped {
         let Some(object) = device.objects.get_mut(&u16::from_be_bytes([high, low])) else { continue };
-        let entry = if object.subs.is_empty() { Some(&mut object.main) } else { object.subs.get_mut(sub) };
-        let Some(entry) = entry else { continue };
-        entry.pdo_mapping = Some(PdoMapping::Optional);
-        let fits = |access: Access| if is_received { access.fits_rpdo() } else { access.fits_tpdo() };
-        if !entry.access.is_some_and(fits) {
-            entry.access = Some(if is_received { Access::Rww } else { Access::Rwr });
+        if object.subs.is_empty() {
+            allow(&mut object.main, is_received, bits);
         }
-        let number =
-            entry.default.as_ref().and_then(Value::as_integer).filter(|number| (0..=1).contains(number));
-        if let (1, Some(number), Some(DataType::UNSIGNED8)) = (bits, number, entry.data_type) {
-            entry.data_type = Some(DataType::BOOLEAN);
-            entry.default = Value::from_integer(number, DataType::BOOLEAN);
+        // the elements of an array have one access
+        let is_array = object.main.object_type == Some(ObjectType::Array);
+        let is_meant = |number: u8| number == sub || is_array && number > 0;
+        for (_, entry) in object.subs.iter_mut().filter(|(number, _)| is_meant(*number)) {
+            allow(entry, is_received, bits);
         }
+    }
+}
+
+/// Allows a PDO to carry so many bits of an entry.
+fn allow(entry: &mut Entry, is_received: bool, bits: u8) {
+    entry.pdo_mapping = Some(PdoMapping::Optional);
+    let fits = |access: Access| if is_received { access.fits_rpdo() } else { access.fits_tpdo() };
+    if !entry.access.is_some_and(fits) {
+        entry.access = Some(if is_received { Access::Rww } else { Access::Rwr });
+    }
+    let number = entry.default.as_ref().and_then(Value::as_integer).filter(|number| (0..=1).contains(number));
+    if let (1, Some(number), Some(DataType::UNSIGNED8)) = (bits, number, entry.data_type) {
+        entry.data_type = Some(DataType::BOOLEAN);
+        entry.default = Value::from_integer(number, DataType::BOOLEAN);
     }
 }
 
@@ -118,7 +128,7 @@ fn seen(exchanges: &[Exchange]) -> Entries<'_> {
         let is_write_only = *request == SdoRequest::Upload && *answer == SdoAnswer::Abort(Abort::WriteOnly);
         let is_written = *answer == SdoAnswer::Done;
         // an entry without a value at present
-        let is_empty = *answer == SdoAnswer::Abort(Abort::NoData);
+        let is_empty = matches!(answer, SdoAnswer::Abort(Abort::NoData | Abort::NoSdoConnection));
         if *index < 0x1000 || !(answer.is_value() || is_written || is_write_only || is_empty) {
             continue;
         }

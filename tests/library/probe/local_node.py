@@ -81,13 +81,22 @@ def main(script, eds, output, differences=None):
     is_checked = planted or "--checked" in sys.argv
     device.add_node(Node(node_id, eds, planted) if is_checked else canopen.LocalNode(node_id, eds))
     asked = probe.Probe(client, node_id, timeout=2)
-    asked.ask()
+    if "--scan" in sys.argv:
+        asked.scan(0x1000, 0x2FFF)
+        asked.scan(0x6000, 0x67FF)
+    else:
+        asked.ask()
     for ending in ".csv", ".json":
         probe.save(asked.rows, output + ending)
     client.disconnect()
     notifier.stop()
     recorder.shutdown()
     device.disconnect()
+    # a virtual bus may hand the recorder an answer before its request
+    with open(output + ".log", encoding="utf-8") as file:
+        frames = sorted(file, key=lambda line: line[:line.index(")")])
+    with open(output + ".log", "w", encoding="utf-8") as file:
+        file.writelines(frames)
 
 
 main(*[argument for argument in sys.argv[1:] if not argument.startswith("--")])

@@ -12,7 +12,7 @@ use objdict::bus::{Abort, Dictionary, LiveDictionary, PowerOn};
 use objdict::diagnostic::Severity;
 use objdict::format::log::{LogOptions, LogReader};
 use objdict::format::network::NetworkFile;
-use objdict::format::{self, Format, WriteOptions};
+use objdict::format::{self, Description, Format, WriteOptions};
 use objdict::model::{ClockTime, Date, Device};
 use objdict::network::DcfgenMode;
 use objdict::probe::{
@@ -270,6 +270,19 @@ fn the_log_for_canplayer_asks_for_every_value() {
     assert!(judgement.unasked.is_empty());
 }
 
+/// The description of the answers, in which `check` finds no error.
+fn learned(exchanges: &[Exchange]) -> Description {
+    let (date, time) = (Date::new(2026, 11, 26).unwrap(), ClockTime::new(12, 0).unwrap());
+    let learned = learn(exchanges, Some(NODE), "learned.eds", date, time).unwrap();
+    let bytes = format::write(&learned, Format::Eds, &WriteOptions::default()).unwrap().bytes;
+    let source = SourceFile::from_bytes("learned.eds", bytes, &SourceOptions::default()).unwrap();
+    let description = format::read(source, Format::Eds);
+    let findings = objdict::check(&description);
+    let errors: Vec<_> = findings.iter().filter(|finding| finding.severity == Severity::Error).collect();
+    assert!(errors.is_empty(), "{errors:#?}");
+    description
+}
+
 #[test]
 fn an_unknown_device_is_described_by_its_answers() {
     for name in [
@@ -281,15 +294,7 @@ fn an_unknown_device_is_described_by_its_answers() {
     ] {
         let device = device(name);
         let exchanges = exchanges(&device, LiveDictionary::new(&device, NODE, PowerOn::Defaults), false);
-        let date = Date::new(2026, 11, 26).unwrap();
-        let learned =
-            learn(&exchanges, Some(NODE), "learned.eds", date, ClockTime::new(12, 0).unwrap()).unwrap();
-        let bytes = format::write(&learned, Format::Eds, &WriteOptions::default()).unwrap().bytes;
-        let source = SourceFile::from_bytes("learned.eds", bytes, &SourceOptions::default()).unwrap();
-        let description = format::read(source, Format::Eds);
-        let findings = objdict::check(&description);
-        let errors: Vec<_> = findings.iter().filter(|finding| finding.severity == Severity::Error).collect();
-        assert!(errors.is_empty(), "{name}: {errors:#?}");
+        let description = learned(&exchanges);
         // the answers are as the new description says
         assert_eq!(found(&judge(description.device(), NODE, &exchanges)), BTreeSet::new(), "{name}");
     }
