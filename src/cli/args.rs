@@ -12,6 +12,7 @@ mod network;
 mod new;
 mod output;
 mod patch;
+mod probe;
 
 use std::num::NonZeroUsize;
 use std::path::{Path, PathBuf};
@@ -39,6 +40,7 @@ pub(super) use self::network::{
 pub(super) use self::new::NewArgs;
 pub(super) use self::output::{Counting, ReportArgs, ReportFormat, ShowFormat};
 pub(super) use self::patch::{PatchApplyArgs, PatchCheckArgs, PatchCommand, PatchCommandArgs, PatchMakeArgs};
+pub(super) use self::probe::ProbeArgs;
 use super::baseline::BaselineArgs;
 use super::canonical::DialectArgs;
 use super::fix::FixArgs;
@@ -120,6 +122,12 @@ pub(super) enum Command {
     /// frame means by the descriptions of the nodes: services, entries by name with their values, PDO signals, states. Lines
     /// that are not understood are reported. Exits with 2 if a log has no frame (docs/decode.md).
     Decode(Box<DecodeArgs>),
+    /// Check a device against its description
+    ///
+    /// Writes what to ask the device: a script for python-canopen, the same reads as a log for canplayer, and a table. With --answers, judges
+    /// what the device answered: presence, size, type, access, values against defaults and limits, abort codes (docs/probe.md). Exits with 1
+    /// if there is a finding of severity error (see --deny).
+    Probe(Box<ProbeArgs>),
     /// Compare two descriptions, and say whom each change affects
     ///
     /// Compares by meaning: objects, entries, PDOs and facts about the device; order and spelling do not count. Each change has a verdict

@@ -32,6 +32,7 @@ mod packaging;
 mod parallel;
 mod patch;
 mod patches;
+mod probe;
 mod profile;
 mod profiles;
 mod progress;
@@ -81,6 +82,7 @@ pub fn run() -> ExitCode {
         Command::Network(command) => network::run(&command.command, &mut out),
         Command::Conformance(command) => conformance::run(command, &mut out),
         Command::Decode(command) => decode::run(command, &mut out),
+        Command::Probe(command) => probe::run(command, &mut out),
         Command::Identify(command) => identify::run(command, &mut out),
         Command::Generate(command) => generate::run(command, &mut out),
         Command::Docs(command) => docs::run(command, &mut out),

@@ -14,6 +14,8 @@ pub fn rules() -> Vec<&'static RuleInfo> {
     let of_linter = lint::rules().map(|rule| &rule.info);
     let mut rules: Vec<_> =
         format::rules().chain(of_linter).chain(of_changes()).chain(own::RULES.iter().copied()).collect();
+    #[cfg(feature = "network")]
+    rules.extend(crate::probe::RULES);
     rules.sort_by_key(|rule| rule.id);
     rules
 }

@@ -7,12 +7,16 @@
 mod base;
 mod features;
 mod infer;
+#[cfg(feature = "network")]
+mod learn;
 mod objects;
 mod pdos;
 
 pub use base::{BaseError, PROFILES, base, newest_version};
 pub use features::{EncoderClass, FEATURES, Feature, FeatureError, FeatureKind, FeatureValue, Features};
 pub use infer::infer;
+#[cfg(feature = "network")]
+pub use learn::learn;
 
 use crate::model::{
     BaudRates, ClockTime, DataType, Date, Device, DeviceInfo, FileInfo, ObjectList, PdoKind, Value,

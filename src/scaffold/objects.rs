@@ -63,6 +63,23 @@ impl Maker<'_> {
         facts.is_some_and(|facts| facts.is_for(device, 0))
     }
 
+    /// What the last document says of an object that has one.
+    #[cfg(feature = "network")]
+    pub(super) fn described(&self, index: u16) -> Option<Object> {
+        let facts = self.facts(index);
+        let facts = facts.iter().rfind(|facts| facts.states_type())?;
+        let mut object = Object::default();
+        object.main.name = facts.name.into();
+        object.main.object_type = Some(facts.object_type());
+        Some(object)
+    }
+
+    /// Whether a document describes an entry.
+    #[cfg(feature = "network")]
+    pub(super) fn knows(&self, index: u16, sub: u8) -> bool {
+        self.facts(index).iter().any(|facts| facts.entry(sub).is_some())
+    }
+
     /// What the documents say of an object.
     fn facts(&self, index: u16) -> Vec<ObjectFacts<'_>> {
         self.documents.iter().filter_map(|document| document.object(index)).collect()

@@ -62,6 +62,7 @@ fn prepare(input: &Path) {
         "bases",
         "toml",
         "network",
+        "probe",
         "rules/patch/expect-not-met",
         "rules/network/link-mismatch",
         "rules/network/link-type",

@@ -40,6 +40,8 @@ mod objdictgen;
 mod pages;
 mod patch;
 mod planted;
+#[cfg(feature = "network")]
+mod probe;
 mod related;
 mod rules;
 mod structure;

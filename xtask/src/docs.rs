@@ -14,7 +14,7 @@ use crate::examples;
 use crate::shares::{self, Shares};
 
 /// What the rules of each group are about.
-const GROUPS: [(&str, &str); 21] = [
+const GROUPS: [(&str, &str); 22] = [
     ("cia301", "communication objects (CiA 301)"),
     ("cia302", "network managers (CiA 302)"),
     ("cia304", "safety-relevant data objects (CiA 304)"),
@@ -35,6 +35,7 @@ const GROUPS: [(&str, &str); 21] = [
     ("objdictgen", "projects of objdictgen"),
     ("patch", "patches of description files"),
     ("portability", "what other tools reject or misread"),
+    ("probe", "answers of a device, reported by `objdict probe`"),
     ("xml", "well-formed XML"),
 ];
 

@@ -42,7 +42,7 @@ const PACKAGES: [&str; 5] =
     ["canopen==2.4.1", "dcf-tools==2.4.2", "cantools==45.1.0", "canmatrix==1.3.3", "jsonschema==4.25.1"];
 
 /// The folder with the programs of the environment, made once; `None` when it cannot be made here.
-fn environment() -> Option<&'static Path> {
+pub(crate) fn environment() -> Option<&'static Path> {
     static ENVIRONMENT: OnceLock<Option<PathBuf>> = OnceLock::new();
     ENVIRONMENT.get_or_init(|| support::unless_offline(support::python("interop-venv", &PACKAGES))).as_deref()
 }

@@ -15,6 +15,10 @@ const DOCUMENTS: &[(&str, &str)] = &[
     ("findings", "check FIXTURES/eds/minimal.eds --no-config --format json"),
     ("findings", "network check FIXTURES/network/cell.yml --format json"),
     ("findings", "network check FIXTURES/rules/network/link-mismatch/bad.toml --format json"),
+    (
+        "findings",
+        "probe FIXTURES/eds/drive-402.eds --node-id 5 --answers FIXTURES/probe/drive-402.csv --format json",
+    ),
     ("baseline", "check FIXTURES/broken --no-config --quiet --write-baseline OUT"),
     ("identify", "identify IDENTIFIED --format json"),
     ("conformance", "conformance FIXTURES/eds/io-401.eds --format json"),
