@@ -80,7 +80,11 @@ impl<'d> Candidates<'d> {
         if let [node] = self.waiting.as_slice()
             && self.found == 0
         {
-            found.extend(self.assumed(node, is_all, reader));
+            let assumed = self.assumed(node, is_all, reader);
+            if let Some((node_id, Some(_), _)) = &assumed {
+                self.found |= 1 << node_id;
+            }
+            found.extend(assumed);
         }
         found
     }

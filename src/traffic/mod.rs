@@ -161,3 +161,6 @@ impl<'d> Buses<'d> {
         Ok(notes)
     }
 }
+
+#[cfg(test)]
+mod tests;

@@ -64,9 +64,11 @@ fn what_may_come_at_any_time_has_an_inhibit_time_that_is_enough() {
     };
     let (enough, short) = (with(tenths), with(tenths - 1));
     let is_in_time = |timing: &Timing| {
-        let own = unbounded.iter().map(|can_id| message(timing, *can_id));
-        let own = own.map(|message| message.response.is_some_and(|time| time <= message.period.unwrap()));
-        timing.is_met() && own.fold(true, |all, one| all && one)
+        let is_sent = |can_id: &u32| {
+            let message = message(timing, *can_id);
+            message.response.is_some_and(|time| time <= message.period.unwrap())
+        };
+        timing.is_met() && unbounded.iter().all(is_sent)
     };
     assert!(is_in_time(&enough) && !is_in_time(&short));
 }

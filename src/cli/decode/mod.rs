@@ -203,7 +203,7 @@ fn report_bad_lines(logs: &Logs) -> Result<Outcome, Failure> {
     let mut outcome = Outcome::Clean;
     for NamedLog { name, reader, .. } in &logs.0 {
         let count = reader.bad_count();
-        if reader.form().is_none() && count > 0 {
+        if reader.frame_count() == 0 && count > 0 {
             tell(&format!(
                 "error: `{name}` is not a log of a CAN bus\n  help: candump, ASC, TRC, CSV of python-can, pcap and pcapng are read\n"
             ));

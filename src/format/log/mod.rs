@@ -109,6 +109,7 @@ struct State {
     options: LogOptions,
     channels: Channels,
     line: u64,
+    frames: u64,
     bad: Vec<BadLine>,
     bad_count: u64,
 }
@@ -159,6 +160,12 @@ impl<R: BufRead> LogReader<R> {
     /// # Errors
     /// When the log cannot be read.
     pub fn next_frame(&mut self) -> io::Result<Option<LoggedFrame>> {
+        let frame = self.next_known()?;
+        self.state.frames += u64::from(frame.is_some());
+        Ok(frame)
+    }
+
+    fn next_known(&mut self) -> io::Result<Option<LoggedFrame>> {
         loop {
             match &mut self.content {
                 Content::Unknown => {
@@ -239,6 +246,11 @@ impl<R: BufRead> LogReader<R> {
     /// The number of lines that are not understood.
     pub fn bad_count(&self) -> u64 {
         self.state.bad_count
+    }
+
+    /// The number of frames that were read.
+    pub fn frame_count(&self) -> u64 {
+        self.state.frames
     }
 
     /// The number of the last line or record, from 1.

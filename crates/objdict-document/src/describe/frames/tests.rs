@@ -252,7 +252,7 @@ fn nodes_without_a_description() {
         "node 7: read 1017:00 Producer heartbeat time",
         "node 7: 1017:00 Producer heartbeat time = 300 (300 ms)",
         "node 7: 1000:00 Device type = 0x20192 (device profile CiA 402 (drives), additional information 0x0002 (servo drive))",
-        "node 7: write 6040:00 Controlword = 15 (switch on, enable voltage, quick stop off, enable operation)",
+        "node 7: write 6040:00 Controlword = 15 (command: enable operation, switch on, enable voltage, quick stop off, enable operation)",
         "node 7 EMCY 8611h (following error), error register 20h (device-profile-specific)",
         "TIME 2026-11-22 01:43:32.000",
         "request of a dynamic SDO connection",
