@@ -60,7 +60,7 @@ impl Project {
     }
 
     /// Whether files can be checked as it says.
-    #[cfg(feature = "cli")]
+    #[cfg(any(feature = "cli", feature = "lsp"))]
     pub(crate) fn is_usable(&self) -> bool {
         self.config.is_toml() && self.failures.is_empty()
     }
