@@ -7,10 +7,10 @@ use crate::check_with;
 use crate::config::Project;
 use crate::diagnostic::Findings;
 use crate::format::identify::{ContentKind, identify_source};
-use crate::format::input::Reading;
+use crate::format::input::{FileKind, Reading};
 use crate::format::network::{NetworkFile, PathOptions};
 use crate::format::patch::Patch;
-use crate::format::{Description, ReadError};
+use crate::format::{self, Description, ReadError};
 use crate::lint::{Options, Severities};
 use crate::profile::{OpenError, Profile};
 use crate::report::{Subject, grouped};
@@ -114,6 +114,17 @@ pub(super) fn analyse(
         },
         Err(ReadError::Foreign { .. }) if is_other(path) => {
             of_other(path, source(&name, bytes, encoding), &reading, options)
+        }
+        Err(ReadError::Foreign { .. }) if bytes.iter().all(u8::is_ascii_whitespace) => {
+            let source = source(&name, bytes, encoding);
+            match FileKind::of(path).and_then(FileKind::format) {
+                // a file that is about to be written
+                Some(format) => {
+                    let content = Content::Description(Box::new(format::read(source, format)));
+                    Analysis::of(content, Findings::new(), options)
+                }
+                None => Analysis::of(Content::Foreign(source), Findings::new(), options),
+            }
         }
         Err(error) => of_error(&error, source(&name, bytes, encoding), options),
     }

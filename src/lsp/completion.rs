@@ -7,13 +7,14 @@ use lsp_types::{
 use serde::{Deserialize, Serialize};
 
 use super::file::File;
-use super::words;
+use super::{network, words};
 use crate::diagnostic::{Change, Fix, section_name};
 use crate::format::Description;
-use crate::format::eds::{additions, is_key_of};
+use crate::format::eds::{self, additions, is_key_of};
 use crate::format::ini::{Document, LineKind};
 use crate::model::{
-    Access, DataType, Device, DeviceKind, Field, MappedObject, Object, ObjectList, ObjectType, Part, PdoKind,
+    Access, DataType, Device, DeviceKind, Field, FileInfo, MappedObject, Object, ObjectList, ObjectType,
+    Part, PdoKind,
 };
 use crate::profile::{self, ObjectFacts, Profile};
 use crate::registry;
@@ -32,12 +33,15 @@ pub(super) fn completion(file: &File, offset: u32) -> Vec<CompletionItem> {
     if let Some(items) = rules(file, offset) {
         return items;
     }
-    let Some(description) = file.description() else { return Vec::new() };
+    let Some(description) = file.description() else { return network::completion(file, offset) };
     let Some(document) = description.document() else { return Vec::new() };
-    let Some(line) = document.line_at(offset) else {
-        return Completer { file, description, document, offset }.keys(Span::empty(offset));
-    };
     let completer = Completer { file, description, document, offset };
+    let Some(line) = document.line_at(offset) else {
+        // an empty file, or the line behind the last one
+        let is_empty = document.text().trim().is_empty();
+        let here = Span::empty(offset);
+        return if is_empty { completer.sections(here) } else { completer.keys(here) };
+    };
     let before = Span::new(line.span.start, offset.clamp(line.span.start, line.span.end));
     match line.kind {
         LineKind::Section { .. } => completer.sections(line.span),
@@ -69,7 +73,13 @@ fn rules(file: &File, offset: u32) -> Option<Vec<CompletionItem>> {
     Some(groups.chain(of_rules).map(item).collect())
 }
 
-fn item(file: &File, span: Span, label: &str, new_text: String, kind: CompletionItemKind) -> CompletionItem {
+pub(super) fn item(
+    file: &File,
+    span: Span,
+    label: &str,
+    new_text: String,
+    kind: CompletionItemKind,
+) -> CompletionItem {
     let edit = TextEdit { range: file.positions().range(span), new_text };
     CompletionItem {
         label: label.to_owned(),
@@ -246,12 +256,30 @@ impl Completer<'_> {
             let item = item(self.file, line, &name, text, CompletionItemKind::FIELD);
             items.push(CompletionItem { detail: Some(object.name().to_owned()), ..item });
         }
+        if device.objects.is_empty() {
+            items.extend(scaffold::PROFILES.iter().filter_map(|(number, _)| self.device_of(*number, line)));
+        }
         let documents = profile::of_device(device).into_iter().chain(profile::for_all(device));
         for document in documents {
             let missing = document.objects().filter(|facts| device.object(facts.first).is_none());
             items.extend(missing.filter_map(|facts| self.object(document, &facts, line)));
         }
         items
+    }
+
+    /// A whole device with what a profile demands.
+    fn device_of(&self, number: u16, line: Span) -> Option<CompletionItem> {
+        let name = self.file.source().name().rsplit(['/', '\\']).next().unwrap_or_default();
+        let mut device =
+            scaffold::base(number, scaffold::newest_version(number)?, &scaffold::Features::default()).ok()?;
+        device.file_info = Some(FileInfo { file_name: Some(name.to_owned()), ..FileInfo::default() });
+        let text = String::from_utf8(eds::write(&device, &eds::Style::default())).ok()?;
+        let text = text.replace("\r\n", "\n").replace('\n', self.document.line_end());
+        let label = format!("[FileInfo] a device of CiA {number}");
+        Some(CompletionItem {
+            detail: Some("what the profile demands".to_owned()),
+            ..item(self.file, line, &label, text, CompletionItemKind::MODULE)
+        })
     }
 
     /// An object as a document demands it.

@@ -87,12 +87,11 @@ fn a_session_over_standard_input_and_output() {
     let text = "[2000]\nParameterName=Brightness\nObjectType=0x7\nDataType=0x0005\nAccessType=rw\nDefaultValue=300\nPDOMapping=0\n";
     session.ask(1, "initialize", &json!({ "capabilities": {}, "processId": null, "rootUri": null }));
     session.note("initialized", &json!({}));
-    let opened = json!({ "uri": "file:///nowhere/lamp.eds", "languageId": "eds", "version": 1, "text": text });
+    let opened =
+        json!({ "uri": "file:///nowhere/lamp.eds", "languageId": "eds", "version": 1, "text": text });
     session.note("textDocument/didOpen", &json!({ "textDocument": opened }));
     session.receive();
-    let at = |line: u32, character: u32| {
-        json!({ "textDocument": document, "position": { "line": line, "character": character } })
-    };
+    let at = |line: u32, character: u32| json!({ "textDocument": document, "position": { "line": line, "character": character } });
     session.ask(2, "textDocument/hover", &at(3, 10));
     session.ask(3, "textDocument/completion", &at(4, 11));
     session.ask(4, "textDocument/documentSymbol", &json!({ "textDocument": document }));
@@ -111,7 +110,8 @@ fn a_session_over_standard_input_and_output() {
 
 #[test]
 fn a_client_that_is_gone_ends_the_server() {
-    let output = Command::new(env!("CARGO_BIN_EXE_objdict")).arg("lsp").stdin(Stdio::null()).output().unwrap();
+    let output =
+        Command::new(env!("CARGO_BIN_EXE_objdict")).arg("lsp").stdin(Stdio::null()).output().unwrap();
     assert_eq!(output.status.code(), Some(2));
     let said = String::from_utf8_lossy(&output.stderr);
     assert!(output.stdout.is_empty() && said.starts_with("error: "), "{said}");

@@ -10,16 +10,15 @@ use serde_json::{Value, json};
 
 use super::client::{Client, fixture};
 
-const EDITS: usize = 2000;
+/// In each of four syntaxes.
+const EDITS: usize = 500;
 
-/// Short texts of each syntax, with their endings: the time of a check is that of its text.
-fn originals() -> [(&'static str, String); 4] {
-    let small = fixture("eds/minimal.eds");
-    let description = objdict::format::read(SourceFile::from_text("a.eds", small.clone()), Format::Eds);
+/// An XDD that is as short as the EDS that it is made of: the time of a check is that of its text.
+fn small_xdd() -> String {
+    let small = SourceFile::from_text("a.eds", fixture("eds/minimal.eds"));
+    let description = objdict::format::read(small, Format::Eds);
     let xdd = objdict::format::write(description.device(), Format::Xdd, &WriteOptions::default()).unwrap();
-    let dcf = include_str!("../../support/small.dcf").to_owned();
-    let toml = fixture("toml/io.toml");
-    [("eds", small), ("xdd", String::from_utf8(xdd.bytes).unwrap()), ("toml", toml), ("dcf", dcf)]
+    String::from_utf8(xdd.bytes).unwrap()
 }
 
 const WORDS: [&str; 16] = [
@@ -94,25 +93,43 @@ fn published(found: &Value) -> Vec<Value> {
     found.collect()
 }
 
-#[test]
-fn findings_are_those_of_a_check() {
+/// Edits a text of a syntax, from its start anew after each fifty edits.
+fn findings_are_those_of_a_check(ending: &str, original: &str) {
     let mut client = Client::start();
     let mut numbers = Numbers(35);
-    for (ending, original) in originals() {
-        let name = format!("a.{ending}");
-        client.open(&name, &original);
-        let mut text = original.clone();
-        for edit in 0..EDITS / 4 {
-            if edit % 50 == 0 {
-                text.clone_from(&original);
-            }
-            text = numbers.edit(&text);
-            let found = client.change(&name, &text);
-            if let Some(expected) = checked(&client.path(&name), &text) {
-                assert_eq!(published(&found), expected, "{name}, edit {edit}:\n{text}");
-            }
+    let name = format!("a.{ending}");
+    client.open(&name, original);
+    let mut text = original.to_owned();
+    for edit in 0..EDITS {
+        if edit % 50 == 0 {
+            text = original.to_owned();
+        }
+        text = numbers.edit(&text);
+        let found = client.change(&name, &text);
+        if let Some(expected) = checked(&client.path(&name), &text) {
+            assert_eq!(published(&found), expected, "{name}, edit {edit}:\n{text}");
         }
     }
+}
+
+#[test]
+fn of_an_eds() {
+    findings_are_those_of_a_check("eds", &fixture("eds/minimal.eds"));
+}
+
+#[test]
+fn of_a_dcf() {
+    findings_are_those_of_a_check("dcf", include_str!("../../support/small.dcf"));
+}
+
+#[test]
+fn of_an_xdd() {
+    findings_are_those_of_a_check("xdd", &small_xdd());
+}
+
+#[test]
+fn of_a_device_toml() {
+    findings_are_those_of_a_check("toml", &fixture("toml/io.toml"));
 }
 
 #[test]

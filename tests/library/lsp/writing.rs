@@ -58,6 +58,33 @@ fn an_object_of_a_profile_is_a_section_and_a_line_of_its_list() {
     assert_eq!(client.change("a.eds", &text), json!([]));
 }
 
+#[test]
+fn an_empty_file_becomes_a_device() {
+    let mut client = Client::start();
+    assert_eq!(client.open("new.eds", ""), json!([]));
+    let (_, items) = complete(&mut client, "new.eds", "‸");
+    let items = items.as_array().unwrap();
+    let item = items.iter().find(|item| item["label"] == "[FileInfo] a device of CiA 401").unwrap();
+    let text = item["textEdit"]["newText"].as_str().unwrap().to_owned();
+    let found = client.change("new.eds", &text);
+    let codes: Vec<&Value> = found.as_array().unwrap().iter().map(|found| &found["code"]).collect();
+    insta::assert_json_snapshot!("device_of_empty_file", codes);
+}
+
+#[test]
+fn the_ends_of_a_link_are_nodes_and_entries() {
+    let mut client = Client::start();
+    client.write("island.eds", fixture("network/island.eds"));
+    let head = "[node.a]\nfile = \"island.eds\"\nid = 2\n\n[[link]]\n";
+    let (_, items) =
+        complete(&mut client, "network.toml", &format!("{head}from = \"‸\"\nto = \"a.6200:1\"\n"));
+    assert_eq!(labels(&items), ["a"]);
+    let (_, items) =
+        complete(&mut client, "network.toml", &format!("{head}from = \"a.‸\"\nto = \"a.6200:1\"\n"));
+    let found = labels(&items);
+    assert!(found.contains(&"a.6000:1") && !found.contains(&"a.6200:1"), "{found:?}");
+}
+
 /// The actions at the start of a part of a text.
 fn actions(client: &mut Client, name: &str, text: &str, part: &str, only: Option<&str>) -> Vec<Value> {
     let position = position_of(text, part);
