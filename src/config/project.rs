@@ -66,6 +66,7 @@ impl Project {
     }
 
     /// The files with profiles that it names.
+    #[cfg(feature = "generate")]
     pub(crate) fn files(&self) -> impl Iterator<Item = PathBuf> {
         let wanted = self.config.profiles().iter().filter(|wanted| profile::named(&wanted.name).is_none());
         let folder = Path::new(self.config.source().name()).parent().unwrap_or(Path::new(""));
