@@ -15,23 +15,23 @@ use crate::source::{SourceFile, Span};
 /// So many findings of a range get quick fixes: each is tried on the text.
 const MAX_TRIED: usize = 20;
 
-/// What an action does that is made when the user chooses it.
+/// Which findings an action fixes that is made when the user chooses it.
 #[derive(Clone, Debug, Serialize, Deserialize)]
 #[serde(rename_all = "kebab-case")]
-pub(super) enum Task {
-    /// Fix all findings that have a safe fix.
-    FixAll,
-    /// Fix all findings, also with fixes that need review.
-    FixAllUnsafe,
-    /// Fix all findings of a rule.
-    FixRule(String),
+pub(super) enum Fixes {
+    /// All that have a safe fix.
+    Safe,
+    /// All, also with fixes that need review.
+    Unsafe,
+    /// Those of a rule.
+    OfRule(String),
 }
 
 /// What an action needs when it is resolved.
 #[derive(Clone, Debug, Serialize, Deserialize)]
 pub(super) struct Wanted {
     pub(super) uri: String,
-    task: Task,
+    fixes: Fixes,
 }
 
 /// The actions in a range of a file.
@@ -47,9 +47,9 @@ pub(super) fn actions(file: &File, span: Span, only: Option<&[CodeActionKind]>) 
     let has_fix = file.analysis.findings.iter().flatten().any(|finding| finding.fix.is_some());
     let fix_all = CodeActionKind::SOURCE_FIX_ALL;
     if has_fix && is_asked(&fix_all) {
-        actions.push(later(file, "fix all findings that have a safe fix", Task::FixAll, fix_all));
+        actions.push(later(file, "fix all findings that have a safe fix", Fixes::Safe, fix_all));
         let title = "fix all findings, also with unsafe fixes";
-        actions.push(later(file, title, Task::FixAllUnsafe, CodeActionKind::new("source.fixAllUnsafe")));
+        actions.push(later(file, title, Fixes::Unsafe, CodeActionKind::new("source.fixAllUnsafe")));
     }
     if is_asked(&CodeActionKind::REFACTOR) {
         actions.extend(edits::refactorings(file, description, span.start));
@@ -58,8 +58,8 @@ pub(super) fn actions(file: &File, span: Span, only: Option<&[CodeActionKind]>) 
 }
 
 /// An action whose edits are made when it is chosen.
-fn later(file: &File, title: &str, task: Task, kind: CodeActionKind) -> CodeAction {
-    let wanted = Wanted { uri: file.uri.as_str().to_owned(), task };
+fn later(file: &File, title: &str, fixes: Fixes, kind: CodeActionKind) -> CodeAction {
+    let wanted = Wanted { uri: file.uri.as_str().to_owned(), fixes };
     let data = serde_json::to_value(wanted).ok();
     CodeAction { title: title.to_owned(), kind: Some(kind), data, ..CodeAction::default() }
 }
@@ -87,7 +87,7 @@ fn quick_fixes(file: &File, description: &Description, span: Span) -> Vec<CodeAc
         let rule = finding.rule.id;
         if finding.fix.is_some() {
             let title = format!("fix all findings of {rule}");
-            let fix_rule = later(file, &title, Task::FixRule(rule.to_owned()), CodeActionKind::QUICKFIX);
+            let fix_rule = later(file, &title, Fixes::OfRule(rule.to_owned()), CodeActionKind::QUICKFIX);
             if actions.iter().all(|action: &CodeAction| action.title != title) {
                 actions.push(CodeAction { diagnostics: Some(vec![made.clone()]), ..fix_rule });
             }
@@ -142,21 +142,21 @@ fn fix(
 
 /// The edits of an action that was chosen.
 pub(super) fn resolve(file: &File, mut action: CodeAction, wanted: &Wanted) -> CodeAction {
-    if let Some(text) = file.description().and_then(|_| text_after(file, &wanted.task)) {
+    if let Some(text) = file.description().and_then(|_| text_after(file, &wanted.fixes)) {
         action.edit = Some(file.workspace_edit(file.edits_to(&text)));
     }
     action
 }
 
-/// The text after a task.
-fn text_after(file: &File, task: &Task) -> Option<String> {
+/// The text after fixes.
+fn text_after(file: &File, fixes: &Fixes) -> Option<String> {
     let options = &file.analysis.options;
     let source = SourceFile::from_text(file.source().name(), file.text());
     let description = format::read(source, file.description()?.format());
-    let fixed = match task {
-        Task::FixAll => crate::fix_for_readers(description, Applicability::Safe, options),
-        Task::FixAllUnsafe => crate::fix_for_readers(description, Applicability::Unsafe, options),
-        Task::FixRule(rule) => {
+    let fixed = match fixes {
+        Fixes::Safe => crate::fix_for_readers(description, Applicability::Safe, options),
+        Fixes::Unsafe => crate::fix_for_readers(description, Applicability::Unsafe, options),
+        Fixes::OfRule(rule) => {
             let rule = registry::rule(rule)?;
             let safety = match rule.fix.is_some_and(|fix| fix.has(Applicability::Safe)) {
                 true => Applicability::Safe,

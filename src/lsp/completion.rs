@@ -14,7 +14,7 @@ use crate::format::eds::{self, additions, is_key_of};
 use crate::format::ini::{Document, LineKind};
 use crate::model::{
     Access, DataType, Device, DeviceKind, Field, FileInfo, MappedObject, Object, ObjectList, ObjectType,
-    Part, PdoKind,
+    Part, PdoKind, Value,
 };
 use crate::profile::{self, ObjectFacts, Profile};
 use crate::registry;
@@ -359,9 +359,7 @@ fn stated(facts: &ObjectFacts<'_>, sub: Option<u8>, field: &Field) -> Option<Str
         Field::DataType => entry.data_types.first().map(|data_type| format!("0x{:04X}", data_type.0)),
         Field::AccessType => entry.access.first().map(ToString::to_string),
         Field::PdoMapping => Some(u8::from(entry.is_mappable()).to_string()),
-        Field::DefaultValue => {
-            entry.default.and_then(|value| value.as_integer()).map(|number| number.to_string())
-        }
+        Field::DefaultValue => entry.default.and_then(Value::as_integer).map(|number| number.to_string()),
         _ => None,
     }
 }

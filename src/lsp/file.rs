@@ -48,7 +48,6 @@ impl File {
     }
 
     /// Edits of this file.
-    #[expect(clippy::mutable_key_type, reason = "an address has no interior that changes")]
     pub(super) fn workspace_edit(&self, edits: Vec<TextEdit>) -> WorkspaceEdit {
         WorkspaceEdit::new(std::iter::once((self.uri.clone(), edits)).collect())
     }

@@ -139,9 +139,9 @@ impl Workspace {
     pub(super) fn descriptions(&mut self) -> Vec<File> {
         let mut paths: BTreeSet<PathBuf> = self.texts.borrow().keys().cloned().collect();
         self.folders.iter().for_each(|folder| add_descriptions(folder, 0, &mut paths));
-        let mut uris = paths.iter().filter_map(|path| of_path(path));
+        let uris = paths.iter().filter_map(|path| of_path(path));
         let mut files = Vec::new();
-        while let Some(uri) = uris.next() {
+        for uri in uris {
             files.extend(self.file(&uri).filter(|file| file.description().is_some()));
         }
         files

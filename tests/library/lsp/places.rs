@@ -4,7 +4,7 @@ use serde_json::{Value, json};
 
 use super::client::{Client, edited, fixture, marked, position_of};
 
-fn at(client: &Client, name: &str, position: Value) -> Value {
+fn at(client: &Client, name: &str, position: &Value) -> Value {
     json!({ "textDocument": client.document(name), "position": position })
 }
 
@@ -12,7 +12,7 @@ fn at(client: &Client, name: &str, position: Value) -> Value {
 fn hover(client: &mut Client, name: &str, text: &str, section: &str, part: &str) -> String {
     let start = text.find(section).unwrap_or_else(|| panic!("no {section}"));
     let offset = start + text[start..].find(part).unwrap_or_else(|| panic!("no {part}"));
-    let params = at(client, name, super::client::position(text, offset));
+    let params = at(client, name, &super::client::position(text, offset));
     client.ask("textDocument/hover", params)["contents"]["value"].as_str().unwrap_or("nothing").to_owned()
 }
 
@@ -48,9 +48,9 @@ fn a_mapping_and_a_list_lead_to_the_object() {
         let line = answer["range"]["start"]["line"].as_u64().unwrap() as usize;
         text.lines().nth(line).unwrap().to_owned()
     };
-    let params = at(&client, "drive.eds", position_of(&text, "0x60410010"));
+    let params = at(&client, "drive.eds", &position_of(&text, "0x60410010"));
     assert_eq!(line(&client.ask("textDocument/definition", params)), "[6041]");
-    let params = at(&client, "drive.eds", position_of(&text, "0x6041\n"));
+    let params = at(&client, "drive.eds", &position_of(&text, "0x6041\n"));
     assert_eq!(line(&client.ask("textDocument/definition", params.clone())), "[6041]");
     let found =
         client.ask("textDocument/references", with(params, "context", json!({ "includeDeclaration": true })));
@@ -68,7 +68,7 @@ fn an_object_gets_another_index_everywhere() {
     let mut client = Client::start();
     let text = fixture("eds/drive-402.eds").replace('\r', "");
     client.open("drive.eds", &text);
-    let params = at(&client, "drive.eds", position_of(&text, "6041]"));
+    let params = at(&client, "drive.eds", &position_of(&text, "6041]"));
     let offered = client.ask("textDocument/prepareRename", params.clone());
     assert_eq!(offered["placeholder"], "6041");
     let answer = client.ask("textDocument/rename", with(params.clone(), "newName", json!("2041")));
@@ -88,7 +88,7 @@ fn a_network_leads_to_its_descriptions() {
     let text = "[node.a]\nfile = \"island.eds\"\nid = 2\n\n[node.b]\nfile = \"island.eds\"\nid = 3\n\n\
                 [[link]]\nfrom = \"a.6000:1\"\nto = \"b.6200:1\"\n";
     client.open("network.toml", text);
-    let params = at(&client, "network.toml", position_of(text, "a.6000:1"));
+    let params = at(&client, "network.toml", &position_of(text, "a.6000:1"));
     let found = client.ask("textDocument/definition", params.clone());
     assert_eq!(found["uri"], client.uri("island.eds"));
     assert!(found["range"]["start"]["line"].as_u64().unwrap() > 0, "{found}");
@@ -163,7 +163,7 @@ fn hints_and_lenses_of_pdos() {
     let tokens = client
         .ask("textDocument/semanticTokens/full", json!({ "textDocument": client.document("drive.dcf") }));
     let data = tokens["data"].as_array().unwrap();
-    assert!(data.len() > 1000 && data.len() % 5 == 0);
+    assert!(data.len() > 1000 && data.len().is_multiple_of(5));
 }
 
 #[test]
@@ -171,7 +171,7 @@ fn nothing_is_said_where_nothing_is() {
     let mut client = Client::start();
     let (text, position) = marked("[FileInfo]\nFile‸Name=a.eds\n");
     client.open("a.eds", &text);
-    let params = at(&client, "a.eds", position);
+    let params = at(&client, "a.eds", &position);
     assert_eq!(client.ask("textDocument/hover", params.clone()), Value::Null);
     assert_eq!(client.ask("textDocument/definition", params), Value::Null);
     let id = client.send_request("textDocument/noSuch", json!({}));
