@@ -217,6 +217,11 @@ mod fix;
 pub mod format;
 #[cfg(feature = "json")]
 mod json;
+#[cfg(any(feature = "cli", feature = "lsp"))]
+mod line_diff;
+#[cfg(feature = "lsp")]
+#[doc(hidden)] // for the command alone
+pub mod lsp;
 #[cfg(feature = "generate")]
 mod pipeline;
 #[cfg(feature = "network")]

@@ -66,6 +66,31 @@ pub(super) fn directives(description: &Description) -> Vec<Directive> {
     description.document().map_or_else(Vec::new, in_lines)
 }
 
+/// Where a comment that allows a rule for the section or element around an offset is inserted, and the comment; `None` in a format
+/// without such comments.
+#[cfg(feature = "lsp")]
+pub(crate) fn insertion(description: &Description, offset: u32, rule: &str) -> Option<(Span, String)> {
+    let text = description.source().text();
+    let before = text.get(..offset as usize)?;
+    if let Some(document) = description.document() {
+        let headers = document.lines().filter(|line| matches!(line.kind, LineKind::Section { .. }));
+        let header = headers.take_while(|line| line.span.start <= offset).last();
+        let at = header.map_or(0, |header| header.span.start);
+        return Some((Span::empty(at), format!("; {KEYWORD} allow {rule}{}", document.line_end())));
+    }
+    #[cfg(feature = "xdd")]
+    if description.tree().is_some() {
+        let at = before.rfind('<')?;
+        let is_element = text[at + 1..].starts_with(|c: char| c.is_alphabetic() || c == '_');
+        let line = &before[before[..at].rfind(['\n', '\r']).map_or(0, |end| end + 1)..at];
+        let indent = if line.trim().is_empty() { line } else { "" };
+        let line_end = if text.contains("\r\n") { "\r\n" } else { "\n" };
+        return is_element
+            .then(|| (Span::empty(at as u32), format!("<!-- {KEYWORD} allow {rule} -->{line_end}{indent}")));
+    }
+    None
+}
+
 /// A comment applies to the next section, and before the first section to the whole file.
 fn in_lines(document: &Document) -> Vec<Directive> {
     let text = document.text();

@@ -2,6 +2,8 @@
 //! comments suppress.
 
 mod comments;
+#[cfg(any(feature = "cli", feature = "lsp"))]
+mod origin;
 mod suppression;
 mod variants;
 
@@ -17,8 +19,12 @@ use crate::format::{Description, Format, Syntax, eds};
 use crate::lint::{self, Options};
 use crate::model::OBJDICTGEN_SECTION;
 
-#[cfg(feature = "cli")]
-pub(crate) use self::variants::without_those_of_base;
+#[cfg(feature = "lsp")]
+pub(crate) use self::comments::insertion;
+#[cfg(any(feature = "cli", feature = "lsp"))]
+pub(crate) use self::origin::{last_eds, with_origin_beside};
+#[cfg(any(feature = "cli", feature = "lsp"))]
+pub(crate) use self::variants::of_devices;
 
 /// All findings of a description, in the order of its text.
 pub fn check(description: &Description) -> Findings {

@@ -22,9 +22,22 @@ pub(super) fn named(description: &Description, findings: Findings) -> Findings {
     })
 }
 
-#[cfg(feature = "cli")]
+/// The findings of each device of a file; of a variant those that the file does not have without it.
+#[cfg(any(feature = "cli", feature = "lsp"))]
+pub(crate) fn of_devices(
+    description: &Description,
+    examine: impl Fn(&Description) -> Findings,
+) -> Vec<Findings> {
+    let mut of_base = None;
+    description.map_devices(|device| match (device.variant(), &of_base) {
+        (Some(variant), Some(base)) => without_those_of_base(variant, base, examine(device)),
+        _ => of_base.insert(examine(device)).clone(),
+    })
+}
+
 /// The findings of the variant of a name without those that the file has without it.
-pub(crate) fn without_those_of_base(name: &str, base: &Findings, findings: Findings) -> Findings {
+#[cfg(any(feature = "cli", feature = "lsp"))]
+fn without_those_of_base(name: &str, base: &Findings, findings: Findings) -> Findings {
     findings.filter_map(|finding| {
         let at = |finding: &Diagnostic| finding.labels.first().map(|label| label.at.clone());
         let is_it = |of_base: &Diagnostic| {

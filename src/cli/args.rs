@@ -192,6 +192,11 @@ pub(super) enum Command {
     ///
     /// Without a name, lists the documents. The schemas are of draft 2020-12 and have the version of their document.
     Schema(SchemaArgs),
+    /// Serve an editor as a language server
+    ///
+    /// Speaks the Language Server Protocol on standard input and output, for descriptions, networks, `objdict.toml`, profiles and
+    /// patches. The editor starts it (docs/editors.md).
+    Lsp,
     /// Print the help of a command, or explain a topic
     ///
     /// `objdict help topics` lists the topics.

@@ -17,7 +17,7 @@ use super::report;
 use super::save::require_other;
 use super::settings::{Project, Settings};
 use super::vendor::VendorReport;
-use crate::check::without_those_of_base;
+use crate::check::{last_eds, of_devices, with_origin_beside};
 use crate::diagnostic::{Applicability, Findings, Severity, series};
 use crate::format::Description;
 use crate::lint::Options;
@@ -226,11 +226,7 @@ impl Worker<'_> {
             findings if is_offered => crate::with_sound_fixes(description, findings, check),
             findings => findings,
         };
-        let mut of_base = None;
-        let findings = description.map_devices(|device| match (device.variant(), &of_base) {
-            (Some(variant), Some(base)) => without_those_of_base(variant, base, examine(device)),
-            _ => of_base.insert(examine(device)).clone(),
-        });
+        let findings = of_devices(&description, examine);
         let deny = self.settings.deny(project);
         Checked::Description(Box::new(Examined {
             description,
@@ -273,22 +269,8 @@ impl Worker<'_> {
                 }
             };
         }
-        let beside = last_eds(&description).map(|name| path.with_file_name(name));
-        // what a link leads to may be outside the folder
-        let beside =
-            beside.filter(|eds| eds != path && eds.symlink_metadata().is_ok_and(|found| found.is_file()));
-        let origin = beside.and_then(|eds| open(&eds).ok());
-        Ok(match origin.filter(|origin| origin.device().kind == DeviceKind::Type) {
-            Some(origin) => description.with_origin(origin),
-            None => description,
-        })
+        Ok(with_origin_beside(path, description, &options))
     }
-}
-
-/// The name of the file in `LastEDS`, without the folder that it was in on another computer.
-fn last_eds(description: &Description) -> Option<&str> {
-    let named = description.device().file_info.as_ref()?.last_eds.as_deref()?;
-    named.rsplit(['/', '\\']).next().map(str::trim).filter(|name| !matches!(*name, "" | "." | ".."))
 }
 
 /// Writes what was found, and keeps account of it.

@@ -22,6 +22,7 @@ mod generate;
 mod help;
 mod identify;
 mod input;
+mod lsp;
 mod modules;
 mod network;
 mod new;
@@ -94,6 +95,7 @@ pub fn run() -> ExitCode {
         Command::Schema(command) => schema::run(command, &mut out),
         Command::Explain(command) => rules::explain(command, &mut out),
         Command::Show(command) => show::run(command, &mut out),
+        Command::Lsp => lsp::run(),
         Command::Help(command) => help::run(command, &mut out),
         Command::Completions(command) => packaging::completions(command, &mut out),
         Command::Man(command) => packaging::man(command),

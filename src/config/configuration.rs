@@ -7,7 +7,7 @@ use super::read;
 use super::settings::{Settings, WantedFiles, WantedProfile};
 use crate::diagnostic::{Findings, Severity};
 use crate::lint::{Level, Options, Severities};
-use crate::source::{CONFIG_FILE, MAX_TOML_SIZE, SourceError, SourceFile, SourceOptions, absolute};
+use crate::source::{CONFIG_FILE, MAX_TOML_SIZE, SourceError, SourceFile, SourceOptions, absolute, is_file};
 
 /// A configuration that was read.
 #[derive(Debug)]
@@ -43,7 +43,7 @@ impl Config {
 
     /// The configuration that holds in a folder: the nearest file of the name [`CONFIG_FILE`], in it or above it.
     pub fn find(folder: &Path) -> Option<PathBuf> {
-        absolute(folder).ancestors().map(|folder| folder.join(CONFIG_FILE)).find(|path| path.is_file())
+        absolute(folder).ancestors().map(|folder| folder.join(CONFIG_FILE)).find(|path| is_file(path))
     }
 
     /// The source.

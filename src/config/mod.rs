@@ -19,12 +19,12 @@
 
 mod configuration;
 mod path;
-#[cfg(feature = "generate")]
+#[cfg(any(feature = "generate", feature = "lsp"))]
 mod project;
 mod read;
 mod settings;
 
 pub use self::configuration::Config;
-#[cfg(feature = "generate")]
+#[cfg(any(feature = "generate", feature = "lsp"))]
 pub(crate) use self::project::Project;
 pub use self::settings::{WantedFiles, WantedProfile};

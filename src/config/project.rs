@@ -60,12 +60,13 @@ impl Project {
     }
 
     /// Whether files can be checked as it says.
-    #[cfg(feature = "cli")]
+    #[cfg(any(feature = "cli", feature = "lsp"))]
     pub(crate) fn is_usable(&self) -> bool {
         self.config.is_toml() && self.failures.is_empty()
     }
 
     /// The files with profiles that it names.
+    #[cfg(feature = "generate")]
     pub(crate) fn files(&self) -> impl Iterator<Item = PathBuf> {
         let wanted = self.config.profiles().iter().filter(|wanted| profile::named(&wanted.name).is_none());
         let folder = Path::new(self.config.source().name()).parent().unwrap_or(Path::new(""));

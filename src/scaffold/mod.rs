@@ -21,6 +21,8 @@ pub use learn::learn;
 use crate::model::{
     BaudRates, ClockTime, DataType, Date, Device, DeviceInfo, FileInfo, ObjectList, PdoKind, Value,
 };
+#[cfg(feature = "lsp")]
+use crate::model::{Entry, Object};
 use crate::profile;
 use base::Plan;
 
@@ -100,6 +102,28 @@ pub fn add_objects(device: &mut Device, indexes: &[u16]) {
             members.insert(at, index);
         }
     }
+}
+
+/// An object as the documents for a device demand it; `None` if no document has it.
+#[cfg(feature = "lsp")]
+pub(crate) fn object(device: &Device, index: u16) -> Option<Object> {
+    let number = device.profile().unwrap_or_default();
+    let documents = base::documents(number);
+    documents.iter().find_map(|document| document.object(index))?;
+    let maker = objects::Maker { plan: Plan::new(number, &Features::default()), documents: &documents };
+    let mut made = Device::default();
+    maker.add(&mut made, index);
+    made.objects.remove(&index)
+}
+
+/// A sub-index of an object as the documents for a device demand it; `None` if no document has it.
+#[cfg(feature = "lsp")]
+pub(crate) fn entry(device: &Device, index: u16, sub: u8) -> Option<Entry> {
+    let number = device.profile().unwrap_or_default();
+    let documents = base::documents(number);
+    documents.iter().find_map(|document| document.object(index)?.entry(sub))?;
+    let maker = objects::Maker { plan: Plan::new(number, &Features::default()), documents: &documents };
+    Some(maker.entry(index, sub))
 }
 
 fn file_info(wanted: &Wanted) -> FileInfo {

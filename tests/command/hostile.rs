@@ -164,6 +164,7 @@ const LINES: &[(Kind, &str)] = &[
     (Text, "explain @"),
     (Text, "help @"),
     (Text, "completions @"),
+    (Text, "lsp"),
     (Text, "man -o @-man"),
 ];
 

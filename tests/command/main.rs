@@ -14,6 +14,7 @@ mod fixing;
 mod flags;
 mod hostile;
 mod limits;
+mod lsp;
 mod outputs;
 mod page;
 mod patches;

@@ -32,6 +32,8 @@ mod interop;
 mod json;
 mod links;
 mod lossless;
+#[cfg(feature = "lsp")]
+mod lsp;
 mod namesakes;
 mod network;
 mod new;

@@ -1,14 +1,12 @@
 //! What a command would change, as a unified diff.
 
-mod lines;
-
 use std::io::Write;
 use std::ops::Range;
 
-use self::lines::{LineChange, changes};
 use super::outcome::Failure;
 use super::output::Output;
 use crate::diagnostic::{one_line, printable};
+use crate::line_diff::{LineChange, changes};
 use crate::source::SourceFile;
 
 /// Lines that are shown around each change.

@@ -9,7 +9,7 @@ use crate::format::identify::{ContentKind, identify_source};
 use crate::format::keyed::rules::WRONG_TYPE;
 use crate::format::keyed::toml;
 use crate::format::keyed::tree::{Entry, Kind, Tree};
-use crate::source::{Folder, MAX_TOML_SIZE, SourceFile, SourceOptions, Span};
+use crate::source::{Folder, MAX_TOML_SIZE, SourceFile, SourceOptions, Span, is_file};
 
 /// So many files may extend each other.
 const MAX_FILES: usize = 16;
@@ -63,7 +63,7 @@ impl Chain {
     /// Reads one more file; returns what this one extends.
     fn follow(&mut self, named: &Tree, span: Span) -> Result<Option<Tree>, (Text, Text)> {
         let name = named.spelled();
-        let Some(file) = self.files.last().filter(|file| file.is_file()) else {
+        let Some(file) = self.files.last().filter(|file| is_file(file)) else {
             let help = "read the file by its path, not from the standard input";
             return Err((say!("it is unknown where `{}` is", name), help.into()));
         };

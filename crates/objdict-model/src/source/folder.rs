@@ -3,7 +3,7 @@
 use std::fs;
 use std::path::{Component, Path, PathBuf};
 
-use super::{HARD_LIMIT, SourceError, read};
+use super::{HARD_LIMIT, SourceError, is_file, read};
 
 /// The name of configuration files.
 pub const CONFIG_FILE: &str = "objdict.toml";
@@ -103,6 +103,10 @@ impl Folder {
             return Err(outside());
         }
         let path = if plain.exists() { plain } else { of_windows };
+        if !path.exists() && is_file(&path) {
+            // of a file that was never saved no link leads elsewhere
+            return Ok(path);
+        }
         let failed = |error| SourceError::Io { path: path.display().to_string(), error };
         let real = fs::canonicalize(&path).map_err(failed)?;
         let is_below =

@@ -1,5 +1,6 @@
 //! From bytes to text and positions: the first stage of the pipeline.
 
+mod buffers;
 mod edit;
 mod encoding;
 mod folder;
@@ -13,6 +14,7 @@ use std::io::{self, Read};
 use std::path::Path;
 use std::sync::OnceLock;
 
+pub use buffers::{Buffers, is_file, with_buffers};
 pub use edit::{EditError, Edits};
 pub use encoding::{Encoding, Unencodable, UnknownEncoding};
 pub use folder::{CONFIG_FILE, Folder, FolderError, absolute};
@@ -83,7 +85,8 @@ pub enum SourceError {
     },
 }
 
-/// The bytes of the file at `path`, at most `limit` and never more than 1 GiB. A pipe or a device is refused before it is
+/// The bytes of the file at `path`, at most `limit` and never more than 1 GiB; of its buffer, where it has
+/// [one](with_buffers). A pipe or a device is refused before it is
 /// opened, as that alone may wait for ever.
 ///
 /// # Errors
@@ -95,6 +98,10 @@ pub fn read(path: &Path, limit: u64) -> Result<Vec<u8>, SourceError> {
         false => SourceError::Io { path: name.clone(), error },
     };
     let limit = limit.min(HARD_LIMIT);
+    if let Some(bytes) = buffers::buffered(path) {
+        let size = bytes.len() as u64;
+        return if size > limit { Err(SourceError::TooLarge { path: name, size, limit }) } else { Ok(bytes) };
+    }
     let metadata = path.metadata().map_err(unreadable)?;
     if !metadata.is_file() && !metadata.is_dir() {
         return Err(SourceError::Special { path: name });

@@ -7,16 +7,16 @@ use std::ops::Range;
 
 /// Lines of the old version that lines of the new one replace; one of the ranges may be empty.
 #[derive(Clone, Debug, PartialEq, Eq)]
-pub(super) struct LineChange {
-    pub(super) old: Range<usize>,
-    pub(super) new: Range<usize>,
+pub(crate) struct LineChange {
+    pub(crate) old: Range<usize>,
+    pub(crate) new: Range<usize>,
 }
 
 /// So many steps a search may take, some tenths of a second: enough for some thousand changes.
 const MAX_STEPS: usize = 1 << 26;
 
 /// The changes that make `new` of `old`, in order.
-pub(super) fn changes(old: &[&str], new: &[&str]) -> Vec<LineChange> {
+pub(crate) fn changes(old: &[&str], new: &[&str]) -> Vec<LineChange> {
     changes_within(MAX_STEPS, old, new)
 }
 

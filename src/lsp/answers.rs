@@ -1,0 +1,135 @@
+//! Which function answers which request.
+
+use lsp_server::{Request, Response};
+use lsp_types::request::{
+    CodeActionRequest, CodeActionResolveRequest, CodeLensRequest, Completion, DocumentLinkRequest,
+    DocumentSymbolRequest, FoldingRangeRequest, Formatting, GotoDefinition, HoverRequest, InlayHintRequest,
+    PrepareRenameRequest, References, Rename, ResolveCompletionItem, SelectionRangeRequest,
+    SemanticTokensFullRequest, WorkspaceSymbolRequest,
+};
+use lsp_types::{
+    CodeActionParams, CompletionResponse, DocumentSymbolResponse, SemanticTokensResult,
+    TextDocumentPositionParams, Uri, WorkspaceSymbolResponse,
+};
+
+use super::call::Call;
+use super::file::File;
+use super::workspace::Workspace;
+use super::{actions, completion, edits, hints, hover, navigation, symbols, tokens};
+
+/// The answer to a request.
+pub(super) fn answer(workspace: &mut Workspace, request: Request) -> Option<Response> {
+    let call = Call::new(request);
+    let call = about_places(workspace, call);
+    let call = about_files(workspace, call);
+    with_edits(workspace, call).answer()
+}
+
+/// A file and the offset in it that a request is about.
+fn at(workspace: &mut Workspace, params: &TextDocumentPositionParams) -> Option<(File, u32)> {
+    let file = workspace.file(&params.text_document.uri)?;
+    let offset = file.offset(params.position);
+    Some((file, offset))
+}
+
+fn about_places(workspace: &mut Workspace, call: Call) -> Call {
+    call.on::<HoverRequest>(|params| {
+        let (file, offset) = at(workspace, &params.text_document_position_params)?;
+        hover::hover(&file, offset)
+    })
+    .on::<Completion>(|params| {
+        let (file, offset) = at(workspace, &params.text_document_position)?;
+        Some(CompletionResponse::Array(completion::completion(&file, offset)))
+    })
+    .on::<ResolveCompletionItem>(|mut item| {
+        let wanted =
+            item.data.clone().and_then(|data| serde_json::from_value::<completion::Wanted>(data).ok());
+        if let Some(wanted) = wanted
+            && let Some(file) = file_of(workspace, &wanted.uri)
+        {
+            item.additional_text_edits = completion::resolve(&file, &wanted);
+        }
+        item
+    })
+    .on::<GotoDefinition>(|params| {
+        let (file, offset) = at(workspace, &params.text_document_position_params)?;
+        navigation::definition(&file, workspace, offset)
+    })
+    .on::<References>(|params| {
+        let (file, offset) = at(workspace, &params.text_document_position)?;
+        Some(navigation::references(&file, offset))
+    })
+    .on::<PrepareRenameRequest>(|params| {
+        let (file, offset) = at(workspace, &params)?;
+        navigation::prepare_rename(&file, offset)
+    })
+    .on::<SelectionRangeRequest>(|params| {
+        let file = workspace.file(&params.text_document.uri)?;
+        Some(params.positions.into_iter().map(|position| symbols::around(&file, position)).collect())
+    })
+    .on::<InlayHintRequest>(|params| {
+        let file = workspace.file(&params.text_document.uri)?;
+        Some(hints::hints(&file, params.range))
+    })
+}
+
+fn about_files(workspace: &mut Workspace, call: Call) -> Call {
+    call.on::<DocumentSymbolRequest>(|params| {
+        let file = workspace.file(&params.text_document.uri)?;
+        Some(DocumentSymbolResponse::Nested(symbols::outline(&file)))
+    })
+    .on::<FoldingRangeRequest>(|params| {
+        let file = workspace.file(&params.text_document.uri)?;
+        Some(symbols::folds(&file))
+    })
+    .on::<DocumentLinkRequest>(|params| {
+        let file = workspace.file(&params.text_document.uri)?;
+        Some(workspace.reading(|| navigation::links(&file)))
+    })
+    .on::<CodeLensRequest>(|params| {
+        let file = workspace.file(&params.text_document.uri)?;
+        Some(hints::lenses(&file))
+    })
+    .on::<SemanticTokensFullRequest>(|params| {
+        let file = workspace.file(&params.text_document.uri)?;
+        tokens::tokens(&file).map(SemanticTokensResult::Tokens)
+    })
+    .on::<WorkspaceSymbolRequest>(|params| {
+        let files = workspace.descriptions();
+        let found = files.iter().flat_map(|file| symbols::found(file, &params.query));
+        Some(WorkspaceSymbolResponse::Flat(found.collect()))
+    })
+}
+
+fn with_edits(workspace: &mut Workspace, call: Call) -> Call {
+    call.on::<Formatting>(|params| {
+        let file = workspace.file(&params.text_document.uri)?;
+        edits::formatted(&file)
+    })
+    .try_on::<Rename>(|params| {
+        let (file, offset) =
+            at(workspace, &params.text_document_position).ok_or_else(|| "the file is not open".to_owned())?;
+        navigation::rename(&file, offset, &params.new_name).map(Some)
+    })
+    .on::<CodeActionRequest>(|params| {
+        let CodeActionParams { text_document, range, context, .. } = params;
+        let file = workspace.file(&text_document.uri)?;
+        let span = file.positions().span(range);
+        Some(workspace.reading(|| actions::actions(&file, span, context.only.as_deref())))
+    })
+    .on::<CodeActionResolveRequest>(|action| {
+        let wanted =
+            action.data.clone().and_then(|data| serde_json::from_value::<actions::Wanted>(data).ok());
+        let Some(wanted) = wanted else { return action };
+        match file_of(workspace, &wanted.uri) {
+            Some(file) => workspace.reading(|| actions::resolve(&file, action, &wanted)),
+            None => action,
+        }
+    })
+}
+
+/// A file by its address in the data of an item.
+fn file_of(workspace: &mut Workspace, uri: &str) -> Option<File> {
+    let uri: Uri = uri.parse().ok()?;
+    workspace.file(&uri)
+}

@@ -1,0 +1,365 @@
+//! What can be written at the cursor.
+
+use lsp_types::{
+    CompletionItem, CompletionItemKind, CompletionTextEdit, Documentation, MarkupContent, MarkupKind,
+    TextEdit,
+};
+use serde::{Deserialize, Serialize};
+
+use super::file::File;
+use super::{network, words};
+use crate::diagnostic::{Change, Fix, section_name};
+use crate::format::Description;
+use crate::format::eds::{self, additions, is_key_of};
+use crate::format::ini::{Document, LineKind};
+use crate::model::{
+    Access, DataType, Device, DeviceKind, Field, FileInfo, MappedObject, Object, ObjectList, ObjectType,
+    Part, PdoKind, Value,
+};
+use crate::profile::{self, ObjectFacts, Profile};
+use crate::registry;
+use crate::scaffold;
+use crate::source::Span;
+
+/// What an item needs when it is resolved.
+#[derive(Debug, Serialize, Deserialize)]
+pub(super) struct Wanted {
+    pub(super) uri: String,
+    index: u16,
+}
+
+/// The items at an offset.
+pub(super) fn completion(file: &File, offset: u32) -> Vec<CompletionItem> {
+    if let Some(items) = rules(file, offset) {
+        return items;
+    }
+    let Some(description) = file.description() else { return network::completion(file, offset) };
+    let Some(document) = description.document() else { return Vec::new() };
+    let completer = Completer { file, description, document, offset };
+    let Some(line) = document.line_at(offset) else {
+        // an empty file, or the line behind the last one
+        let is_empty = document.text().trim().is_empty();
+        let here = Span::empty(offset);
+        return if is_empty { completer.sections(here) } else { completer.keys(here) };
+    };
+    let before = Span::new(line.span.start, offset.clamp(line.span.start, line.span.end));
+    match line.kind {
+        LineKind::Section { .. } => completer.sections(line.span),
+        LineKind::Entry { key, value } if offset > key.end => completer.values(key, value),
+        LineKind::Entry { .. } => Vec::new(),
+        _ if before.of(document.text()).trim_start().starts_with('[') => completer.sections(line.span),
+        LineKind::Comment => Vec::new(),
+        LineKind::Blank | LineKind::Junk => completer.keys(line.span),
+    }
+}
+
+/// Ids of rules: in comments that suppress findings, and in the configuration.
+fn rules(file: &File, offset: u32) -> Option<Vec<CompletionItem>> {
+    let text = file.text();
+    let before = text.get(..offset as usize)?;
+    let line = &before[before.rfind(['\n', '\r']).map_or(0, |end| end + 1)..];
+    let is_comment = line.to_ascii_lowercase().contains("objdict: allow");
+    let is_config = file.source().name().ends_with(crate::source::CONFIG_FILE);
+    if !is_comment && !is_config {
+        return None;
+    }
+    let word = file.word(offset);
+    let of_rules = registry::rules().into_iter().map(|rule| (rule.id, rule.summary));
+    let groups = registry::groups().into_iter().map(|group| (group, "all rules of the group"));
+    let item = |(id, summary): (&str, &str)| {
+        let item = item(file, word, id, id.to_owned(), CompletionItemKind::CONSTANT);
+        CompletionItem { detail: Some(summary.to_owned()), ..item }
+    };
+    Some(groups.chain(of_rules).map(item).collect())
+}
+
+pub(super) fn item(
+    file: &File,
+    span: Span,
+    label: &str,
+    new_text: String,
+    kind: CompletionItemKind,
+) -> CompletionItem {
+    let edit = TextEdit { range: file.positions().range(span), new_text };
+    CompletionItem {
+        label: label.to_owned(),
+        kind: Some(kind),
+        text_edit: Some(CompletionTextEdit::Edit(edit)),
+        ..CompletionItem::default()
+    }
+}
+
+struct Completer<'a> {
+    file: &'a File,
+    description: &'a Description,
+    document: &'a Document,
+    offset: u32,
+}
+
+impl Completer<'_> {
+    fn device(&self) -> &Device {
+        self.description.device()
+    }
+
+    /// The section that the cursor is in, with the keys that it has.
+    fn section(&self) -> Option<(Part, Vec<Field>)> {
+        let part = self.file.place(self.offset)?.part;
+        let text = self.document.text();
+        let mut keys = Vec::new();
+        self.document.visit(
+            |section| {
+                let is_here = section.header.is_some_and(|header| header.line.start <= self.offset);
+                if is_here {
+                    keys = section.entries.iter().map(|entry| Field::from_name(entry.key.of(text))).collect();
+                }
+            },
+            |_| {},
+        );
+        Some((part, keys))
+    }
+
+    /// The keys that the section does not have, with the values that the documents demand.
+    fn keys(&self, line: Span) -> Vec<CompletionItem> {
+        let Some((part, present)) = self.section() else { return Vec::new() };
+        let is_node = self.device().kind == DeviceKind::Node;
+        let of_node = Field::ParameterValue..=Field::ParamRefd;
+        let is_missing = |field: &&Field| {
+            is_key_of(&part, field) && !present.contains(field) && (is_node || !of_node.contains(field))
+        };
+        let fields = Field::NAMED.iter().map(|(_, field)| field).filter(is_missing);
+        let mut items: Vec<CompletionItem> = fields
+            .map(|field| {
+                let value = self.demanded(&part, field).unwrap_or_default();
+                let text = format!("{}={value}", field.name());
+                let item = item(self.file, line, &field.name(), text, CompletionItemKind::PROPERTY);
+                CompletionItem { detail: (!value.is_empty()).then_some(value), ..item }
+            })
+            .collect();
+        if let Part::List(list) = part {
+            items.extend(self.next_member(list, line));
+        }
+        items
+    }
+
+    /// The next line of an object list.
+    fn next_member(&self, list: ObjectList, line: Span) -> Vec<CompletionItem> {
+        let number = self.device().lists.get(list).len() + 1;
+        let line_of = |index: u16| format!("{number}=0x{index:04X}");
+        let unlisted = self.unlisted(list).into_iter();
+        unlisted
+            .map(|index| {
+                let item = item(self.file, line, &line_of(index), line_of(index), CompletionItemKind::VALUE);
+                CompletionItem { detail: words::name(self.device(), index, None), ..item }
+            })
+            .collect()
+    }
+
+    /// The described objects that belong into a list and are in none.
+    fn unlisted(&self, list: ObjectList) -> Vec<u16> {
+        let device = self.device();
+        let is_missing = |index: &u16| ObjectList::of(*index) == Some(list) && !device.lists.contains(*index);
+        device.objects.keys().copied().filter(is_missing).collect()
+    }
+
+    /// The value of a key of an object that the documents state.
+    fn demanded(&self, part: &Part, field: &Field) -> Option<String> {
+        let (index, sub) = match part {
+            Part::Object(index) => (*index, None),
+            Part::Entry(index, sub) => (*index, Some(*sub)),
+            _ => return None,
+        };
+        let objects = profile::of_object(self.device(), index).map(|(_, facts)| facts);
+        objects.into_iter().find_map(|facts| stated(&facts, sub, field))
+    }
+
+    fn values(&self, key: Span, value: Span) -> Vec<CompletionItem> {
+        let text = self.document.text();
+        let field = Field::from_name(key.of(text));
+        let span = if value.is_empty() { Span::empty(self.offset) } else { value };
+        let Some(part) = self.file.place(self.offset).map(|place| place.part) else { return Vec::new() };
+        let choices: Vec<(String, String)> = match (&part, &field) {
+            (_, Field::DataType) => DataType::STATIC
+                .iter()
+                .map(|data_type| {
+                    (format!("0x{:04X}", data_type.0), data_type.name().unwrap_or_default().to_owned())
+                })
+                .collect(),
+            (_, Field::AccessType) => {
+                Access::ALL.iter().map(|access| (access.to_string(), String::new())).collect()
+            }
+            (_, Field::ObjectType) => ObjectType::ALL
+                .iter()
+                .map(|kind| (format!("0x{:X}", kind.code()), kind.to_string()))
+                .collect(),
+            (Part::List(list), Field::Item(_)) => self.with_names(self.unlisted(*list)),
+            (Part::Links(_), Field::Item(_)) => {
+                self.with_names(self.device().objects.keys().copied().collect())
+            }
+            (Part::Entry(index, 1..), Field::DefaultValue | Field::ParameterValue)
+                if PdoKind::of_mapping(*index).is_some() =>
+            {
+                return self.mappable(*index, span);
+            }
+            (_, field) if is_flag(field) => {
+                [("0", "no"), ("1", "yes")].map(|(number, word)| (number.to_owned(), word.to_owned())).into()
+            }
+            _ => self
+                .demanded(&part, &field)
+                .map(|value| (value, "as documented".to_owned()))
+                .into_iter()
+                .collect(),
+        };
+        choices
+            .into_iter()
+            .map(|(text, word)| {
+                let label = if word.is_empty() { text.clone() } else { format!("{text} {word}") };
+                item(self.file, span, &label, text, CompletionItemKind::VALUE)
+            })
+            .collect()
+    }
+
+    fn with_names(&self, indexes: Vec<u16>) -> Vec<(String, String)> {
+        let name = |index: u16| words::name(self.device(), index, None).unwrap_or_default();
+        indexes.into_iter().map(|index| (format!("0x{index:04X}"), name(index))).collect()
+    }
+
+    /// The entries that a PDO can carry, as values of its mapping parameter.
+    fn mappable(&self, mapping: u16, span: Span) -> Vec<CompletionItem> {
+        let Some((kind, _)) = PdoKind::of_mapping(mapping) else { return Vec::new() };
+        let mut items = Vec::new();
+        for (&index, object) in &self.device().objects {
+            for (sub, entry) in
+                object.entries().filter(|(_, entry)| entry.is_mappable() && entry.fits_pdo(kind))
+            {
+                let Some(bits) = entry.implied_type().and_then(DataType::bit_length) else { continue };
+                let number = MappedObject { index, sub, bits }.to_number();
+                let name = words::name(self.device(), index, Some(sub)).unwrap_or_default();
+                let label = format!("0x{number:08X} {name}");
+                let item =
+                    item(self.file, span, &label, format!("0x{number:08X}"), CompletionItemKind::REFERENCE);
+                items.push(CompletionItem { detail: Some(format!("{bits} bits")), ..item });
+            }
+        }
+        items
+    }
+
+    /// Sections that the text does not have: objects of the documents, and the next sub-index of each object.
+    fn sections(&self, line: Span) -> Vec<CompletionItem> {
+        let device = self.device();
+        let mut items = Vec::new();
+        for (&index, object) in device.objects.iter().filter(|(_, object)| object.object_type().has_subs()) {
+            let Some(sub) = (0..=254_u8).find(|sub| object.compact.is_none() && !object.has(*sub)) else {
+                continue;
+            };
+            let name = format!("[{index:X}sub{sub:X}]");
+            let text = format!("{name}{}", self.document.line_end());
+            let item = item(self.file, line, &name, text, CompletionItemKind::FIELD);
+            items.push(CompletionItem { detail: Some(object.name().to_owned()), ..item });
+        }
+        if device.objects.is_empty() {
+            items.extend(scaffold::PROFILES.iter().filter_map(|(number, _)| self.device_of(*number, line)));
+        }
+        let documents = profile::of_device(device).into_iter().chain(profile::for_all(device));
+        for document in documents {
+            let missing = document.objects().filter(|facts| device.object(facts.first).is_none());
+            items.extend(missing.filter_map(|facts| self.object(document, &facts, line)));
+        }
+        items
+    }
+
+    /// A whole device with what a profile demands.
+    fn device_of(&self, number: u16, line: Span) -> Option<CompletionItem> {
+        let name = self.file.source().name().rsplit(['/', '\\']).next().unwrap_or_default();
+        let mut device =
+            scaffold::base(number, scaffold::newest_version(number)?, &scaffold::Features::default()).ok()?;
+        device.file_info = Some(FileInfo { file_name: Some(name.to_owned()), ..FileInfo::default() });
+        let text = String::from_utf8(eds::write(&device, &eds::Style::default())).ok()?;
+        let text = text.replace("\r\n", "\n").replace('\n', self.document.line_end());
+        let label = format!("[FileInfo] a device of CiA {number}");
+        Some(CompletionItem {
+            detail: Some("what the profile demands".to_owned()),
+            ..item(self.file, line, &label, text, CompletionItemKind::MODULE)
+        })
+    }
+
+    /// An object as a document demands it.
+    fn object(&self, document: &Profile, facts: &ObjectFacts<'_>, line: Span) -> Option<CompletionItem> {
+        let index = facts.first;
+        let object = scaffold::object(self.device(), index)?;
+        let text = sections_of(index, object, self.document.line_end())?;
+        let label = format!("[{index:X}] {}", facts.name);
+        let wanted = Wanted { uri: self.file.uri.as_str().to_owned(), index };
+        let documentation = words::of_object(self.device(), index, None);
+        let documentation = MarkupContent { kind: MarkupKind::Markdown, value: documentation };
+        Some(CompletionItem {
+            detail: Some(document.document.to_string()),
+            documentation: Some(Documentation::MarkupContent(documentation)),
+            filter_text: Some(label.clone()),
+            data: serde_json::to_value(wanted).ok(),
+            ..item(self.file, line, &label, text, CompletionItemKind::CLASS)
+        })
+    }
+}
+
+/// Adds the line of the object list to an item that adds an object.
+pub(super) fn resolve(file: &File, wanted: &Wanted) -> Option<Vec<TextEdit>> {
+    let description = file.description()?;
+    let list = ObjectList::of(wanted.index)?;
+    let mut members = description.device().lists.get(list).to_vec();
+    if members.contains(&wanted.index) {
+        return None;
+    }
+    members.insert(members.partition_point(|&member| member < wanted.index), wanted.index);
+    let fix = Fix::risky("list the object").with(Change::List(list, members));
+    Some(file.edits(description.edits(&fix)?))
+}
+
+/// The sections of an object, without the bracket that is there.
+pub(super) fn sections_of(index: u16, object: Object, line_end: &str) -> Option<String> {
+    let device = Device { objects: std::iter::once((index, object)).collect(), ..Device::default() };
+    let changes = additions(&Device::default(), &device)?;
+    let sections = changes.into_iter().filter_map(|change| match change {
+        Change::Add(part, fields) => {
+            let lines = fields.iter().map(|(field, value)| format!("{}={value}{line_end}", field.name()));
+            Some(format!("[{}]{line_end}{}", section_name(&part), lines.collect::<String>()))
+        }
+        _ => None,
+    });
+    let sections: Vec<String> = sections.collect();
+    Some(sections.join(line_end))
+}
+
+fn is_flag(field: &Field) -> bool {
+    let is_of_device = (Field::BaudRate10..=Field::SimpleBootUpSlave).contains(field);
+    let is_other = matches!(
+        field,
+        Field::PdoMapping
+            | Field::GroupMessaging
+            | Field::LssSupported
+            | Field::CanOpenManager
+            | Field::SrdoMapping
+    );
+    is_of_device
+        || is_other
+        || matches!(field, Field::Named(name) if name.to_ascii_lowercase().starts_with("dummy"))
+}
+
+/// What a document states for a key.
+fn stated(facts: &ObjectFacts<'_>, sub: Option<u8>, field: &Field) -> Option<String> {
+    if sub.is_none() && *field == Field::ParameterName {
+        return Some(facts.name.to_owned());
+    }
+    if sub.is_none() && *field == Field::ObjectType {
+        return Some(format!("0x{:X}", facts.object_type().code()));
+    }
+    let entry = facts.entry(sub.unwrap_or(0)).filter(|_| sub.is_some() || !facts.object_type().has_subs())?;
+    match field {
+        Field::ParameterName => Some(entry.name.to_owned()).filter(|name| !name.is_empty()),
+        Field::ObjectType => Some("0x7".to_owned()),
+        Field::DataType => entry.data_types.first().map(|data_type| format!("0x{:04X}", data_type.0)),
+        Field::AccessType => entry.access.first().map(ToString::to_string),
+        Field::PdoMapping => Some(u8::from(entry.is_mappable()).to_string()),
+        Field::DefaultValue => entry.default.and_then(Value::as_integer).map(|number| number.to_string()),
+        _ => None,
+    }
+}

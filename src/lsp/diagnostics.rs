@@ -1,0 +1,111 @@
+//! Findings as diagnostics of the protocol.
+
+use std::str::FromStr;
+
+use lsp_types::{
+    CodeDescription, Diagnostic, DiagnosticRelatedInformation, DiagnosticSeverity, Location, NumberOrString,
+    Range, Uri,
+};
+
+use super::analysis::{Analysis, ReadProblem};
+use super::position::{ColumnUnit, Positions};
+use super::uri::of_path;
+use crate::diagnostic::{self, Severity, SourceLabel, Text};
+use crate::report::Subject;
+use crate::source::SourceFile;
+
+/// What diagnostics say that they are from.
+const SOURCE: &str = "objdict";
+
+/// So many related places of a finding are sent.
+const MAX_RELATED: usize = 50;
+
+/// The diagnostics of a file, in the order of its text.
+pub(super) fn of(analysis: &Analysis, uri: &Uri, unit: ColumnUnit) -> Vec<Diagnostic> {
+    let maker = Maker { subject: analysis.subject(), uri, unit };
+    let errors = analysis.errors.iter().map(|problem| maker.of_problem(problem));
+    let mut made: Vec<Diagnostic> = errors.collect();
+    for findings in analysis.grouped() {
+        made.extend(findings.iter().map(|finding| maker.of_finding(finding)));
+    }
+    made
+}
+
+/// Makes diagnostics of one file.
+pub(super) struct Maker<'a> {
+    pub(super) subject: Subject<'a>,
+    pub(super) uri: &'a Uri,
+    pub(super) unit: ColumnUnit,
+}
+
+impl Maker<'_> {
+    fn of_problem(&self, problem: &ReadProblem) -> Diagnostic {
+        let positions = Positions { source: self.subject.source(), unit: self.unit };
+        Diagnostic {
+            range: positions.range(problem.span),
+            severity: Some(DiagnosticSeverity::ERROR),
+            source: Some(SOURCE.to_owned()),
+            message: with_help(problem.message.clone(), problem.help.as_deref()),
+            ..Diagnostic::default()
+        }
+    }
+
+    /// The diagnostic of a finding. The places that belong to it follow, and those of the findings of the same cause.
+    pub(super) fn of_finding(&self, finding: &diagnostic::Diagnostic) -> Diagnostic {
+        let related = finding.labels.iter().skip(1).filter_map(|label| self.related(label, &label.text));
+        let also =
+            finding.also.iter().filter_map(|other| self.related(other.labels.first()?, &other.message));
+        let related: Vec<_> = related.chain(also).take(MAX_RELATED).collect();
+        let help = finding.help.as_ref().map(Text::shown);
+        Diagnostic {
+            range: self.range_of(finding),
+            severity: Some(severity(finding.severity)),
+            code: Some(NumberOrString::String(finding.rule.id.to_owned())),
+            code_description: Uri::from_str(&finding.rule.address())
+                .ok()
+                .map(|href| CodeDescription { href }),
+            source: Some(SOURCE.to_owned()),
+            message: with_help(finding.message.shown().into_owned(), help.as_deref()),
+            related_information: (!related.is_empty()).then_some(related),
+            ..Diagnostic::default()
+        }
+    }
+
+    /// Where a finding is; the start of the text for one that is nowhere in it.
+    pub(super) fn range_of(&self, finding: &diagnostic::Diagnostic) -> Range {
+        let place = finding.labels.first().map(|label| self.located(label));
+        let place = place.filter(|(source, _)| std::ptr::eq(*source, self.subject.source()));
+        place.map(|(_, range)| range).unwrap_or_default()
+    }
+
+    fn located(&self, label: &SourceLabel) -> (&SourceFile, Range) {
+        let of_label = self.subject.of_label(&label.at);
+        let positions = Positions { source: of_label.source(), unit: self.unit };
+        (of_label.source(), positions.range(self.subject.span_of(&label.at)))
+    }
+
+    fn related(&self, label: &SourceLabel, text: &Text) -> Option<DiagnosticRelatedInformation> {
+        let (source, range) = self.located(label);
+        let is_own = std::ptr::eq(source, self.subject.source());
+        let uri = if is_own { self.uri.clone() } else { of_path(source.name().as_ref())? };
+        Some(DiagnosticRelatedInformation {
+            location: Location { uri, range },
+            message: text.shown().into_owned(),
+        })
+    }
+}
+
+fn severity(severity: Severity) -> DiagnosticSeverity {
+    match severity {
+        Severity::Error => DiagnosticSeverity::ERROR,
+        Severity::Warning => DiagnosticSeverity::WARNING,
+        Severity::Note => DiagnosticSeverity::INFORMATION,
+    }
+}
+
+fn with_help(message: String, help: Option<&str>) -> String {
+    match help {
+        Some(help) => format!("{message}\nhelp: {help}"),
+        None => message,
+    }
+}

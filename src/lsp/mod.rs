@@ -1,0 +1,28 @@
+//! `objdict lsp`: a language server for descriptions, networks and what belongs to them.
+//!
+//! The text is the truth: each change brings the whole text of a file, which is read and checked again. Answers are made of what
+//! the readers of the library give: places of the model and spans of the text.
+
+mod actions;
+mod analysis;
+mod answers;
+mod call;
+mod capabilities;
+mod completion;
+mod diagnostics;
+mod edits;
+mod file;
+mod hints;
+mod hover;
+mod mentions;
+mod navigation;
+mod network;
+mod position;
+mod server;
+mod symbols;
+mod tokens;
+mod uri;
+mod words;
+mod workspace;
+
+pub use self::server::serve;

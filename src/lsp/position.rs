@@ -1,0 +1,127 @@
+//! Lines and columns as editors count them: from 0, in units of UTF-16 or UTF-8.
+
+use lsp_types::{Position, PositionEncodingKind, Range, TextEdit};
+
+use crate::source::{SourceFile, Span};
+
+/// The unit of columns.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub(super) enum ColumnUnit {
+    Utf8,
+    /// What each client knows.
+    #[default]
+    Utf16,
+}
+
+impl ColumnUnit {
+    /// The first one of a client's list that is known.
+    pub(super) fn of(offered: &[PositionEncodingKind]) -> Self {
+        let known = offered.iter().find_map(|kind| match kind.as_str() {
+            "utf-8" => Some(Self::Utf8),
+            "utf-16" => Some(Self::Utf16),
+            _ => None,
+        });
+        known.unwrap_or_default()
+    }
+
+    pub(super) fn kind(self) -> PositionEncodingKind {
+        match self {
+            Self::Utf8 => PositionEncodingKind::UTF8,
+            Self::Utf16 => PositionEncodingKind::UTF16,
+        }
+    }
+
+    fn width(self, c: char) -> u32 {
+        (match self {
+            Self::Utf8 => c.len_utf8(),
+            Self::Utf16 => c.len_utf16(),
+        }) as u32
+    }
+}
+
+/// The positions of a text.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Positions<'a> {
+    pub(super) source: &'a SourceFile,
+    pub(super) unit: ColumnUnit,
+}
+
+impl Positions<'_> {
+    /// The position of a byte.
+    pub(super) fn of(&self, offset: u32) -> Position {
+        let (text, lines) = (self.source.text(), self.source.lines());
+        let line = lines.line_of(text, offset);
+        let start = lines.line_span(text, line).start as usize;
+        let before = text.get(start..(offset as usize).min(text.len())).unwrap_or_default();
+        Position::new(line as u32, before.chars().map(|c| self.unit.width(c)).sum())
+    }
+
+    /// The byte of a position; behind the end of a line it is that end, inside of a character its start.
+    pub(super) fn offset(&self, position: Position) -> u32 {
+        let (text, lines) = (self.source.text(), self.source.lines());
+        let span = lines.line_span(text, position.line as usize);
+        let line = span.of(text);
+        let mut left = position.character;
+        let mut at = 0;
+        for c in line.trim_end_matches(['\n', '\r']).chars() {
+            let width = self.unit.width(c);
+            if width > left {
+                break;
+            }
+            left -= width;
+            at += c.len_utf8() as u32;
+        }
+        span.start + at
+    }
+
+    pub(super) fn range(&self, span: Span) -> Range {
+        Range::new(self.of(span.start), self.of(span.end))
+    }
+
+    pub(super) fn span(&self, range: Range) -> Span {
+        let start = self.offset(range.start);
+        Span::new(start, self.offset(range.end).max(start))
+    }
+
+    pub(super) fn edit(&self, (span, text): (Span, String)) -> TextEdit {
+        TextEdit::new(self.range(span), text)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn characters_beyond_the_basic_plane_count_as_editors_count_them() {
+        let source = SourceFile::from_text("a", "a°\u{1F600}b\r\nc\u{1F600}d");
+        let at = |part: &str| source.text().find(part).unwrap_or(source.text().len()) as u32;
+        for (unit, part, line, column) in [
+            (ColumnUnit::Utf16, "b", 0, 4),
+            (ColumnUnit::Utf8, "b", 0, 7),
+            (ColumnUnit::Utf16, "d", 1, 3),
+            (ColumnUnit::Utf8, "d", 1, 5),
+            (ColumnUnit::Utf16, "no such", 1, 4),
+        ] {
+            let positions = Positions { source: &source, unit };
+            let position = Position::new(line, column);
+            assert_eq!(positions.of(at(part)), position);
+            assert_eq!(positions.offset(position), at(part));
+        }
+        let positions = Positions { source: &source, unit: ColumnUnit::Utf16 };
+        assert_eq!(positions.offset(Position::new(0, 3)), at("\u{1F600}"), "in the middle of a character");
+        assert_eq!(positions.offset(Position::new(0, 99)), at("\r\n"));
+        assert_eq!(positions.offset(Position::new(9, 9)), at("no such"));
+    }
+
+    #[test]
+    fn the_first_known_unit_counts() {
+        let of = |kinds: &[&'static str]| {
+            let kinds: Vec<_> = kinds.iter().map(|kind| PositionEncodingKind::new(kind)).collect();
+            ColumnUnit::of(&kinds)
+        };
+        assert_eq!(of(&["utf-32", "utf-8", "utf-16"]), ColumnUnit::Utf8);
+        assert_eq!(of(&["utf-16", "utf-8"]), ColumnUnit::Utf16);
+        assert_eq!(of(&[]), ColumnUnit::Utf16);
+    }
+}

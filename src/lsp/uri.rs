@@ -1,0 +1,77 @@
+//! Addresses of files: `file:///a%20b.eds` and paths.
+
+use std::fmt::Write as _;
+use std::path::{Path, PathBuf};
+
+use lsp_types::Uri;
+
+use crate::source::absolute;
+
+/// The path of an address; `None` for one that is not of a file on this computer.
+pub(super) fn path_of(uri: &Uri) -> Option<PathBuf> {
+    let encoded = uri.as_str().strip_prefix("file://")?;
+    let encoded = encoded.strip_prefix("localhost").unwrap_or(encoded);
+    let text = decoded(encoded.split(['?', '#']).next()?)?;
+    let text = match text.as_bytes() {
+        // `/C:/folder`
+        [b'/', letter, b':', ..] if cfg!(windows) && letter.is_ascii_alphabetic() => &text[1..],
+        [b'/', ..] => &text,
+        _ => return None,
+    };
+    Some(absolute(Path::new(text)))
+}
+
+/// The address of a path.
+pub(super) fn of_path(path: &Path) -> Option<Uri> {
+    let text = absolute(path).to_str()?.replace('\\', "/");
+    let mut uri = String::from(if text.starts_with('/') { "file://" } else { "file:///" });
+    for byte in text.bytes() {
+        match byte {
+            b'a'..=b'z' | b'A'..=b'Z' | b'0'..=b'9' | b'/' | b'-' | b'_' | b'.' | b'~' => {
+                uri.push(byte.into());
+            }
+            byte => {
+                let _ = write!(uri, "%{byte:02X}");
+            }
+        }
+    }
+    uri.parse().ok()
+}
+
+/// A text without percent signs; `None` where that is not UTF-8.
+fn decoded(text: &str) -> Option<String> {
+    let mut bytes = Vec::with_capacity(text.len());
+    let mut rest = text.as_bytes();
+    while let [first, behind @ ..] = rest {
+        let hex = behind.get(..2).and_then(|digits| std::str::from_utf8(digits).ok());
+        match hex.filter(|_| *first == b'%').and_then(|digits| u8::from_str_radix(digits, 16).ok()) {
+            Some(byte) => {
+                bytes.push(byte);
+                rest = &behind[2..];
+            }
+            None => {
+                bytes.push(*first);
+                rest = behind;
+            }
+        }
+    }
+    String::from_utf8(bytes).ok()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[cfg(unix)]
+    #[test]
+    fn addresses_and_paths_are_the_same() {
+        let path = Path::new("/a b/ü#?%/c:d.eds");
+        let uri = of_path(path).unwrap();
+        assert_eq!(uri.as_str(), "file:///a%20b/%C3%BC%23%3F%25/c%3Ad.eds");
+        assert_eq!(path_of(&uri).unwrap(), path);
+        let of = |text: &str| path_of(&text.parse().unwrap());
+        assert_eq!(of("file:///a/../b.eds").unwrap(), Path::new("/b.eds"));
+        assert_eq!(of("untitled:Untitled-1"), None);
+        assert_eq!(of("file://server/share/a.eds"), None);
+    }
+}

@@ -1,0 +1,7 @@
+//! The language server: an editor in this process opens files, changes them and asks.
+
+mod client;
+mod findings;
+mod places;
+mod random;
+mod writing;

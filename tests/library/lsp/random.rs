@@ -1,0 +1,146 @@
+//! After each of many edits, the server has found what a check of the same text finds.
+
+use std::path::Path;
+
+use objdict::format::input::Reading;
+use objdict::format::{Format, WriteOptions};
+use objdict::report::{Location, grouped};
+use objdict::source::SourceFile;
+use serde_json::{Value, json};
+
+use super::client::{Client, fixture};
+
+/// In each of four syntaxes.
+const EDITS: usize = 500;
+
+/// An XDD that is as short as the EDS that it is made of: the time of a check is that of its text.
+fn small_xdd() -> String {
+    let small = SourceFile::from_text("a.eds", fixture("eds/minimal.eds"));
+    let description = objdict::format::read(small, Format::Eds);
+    let xdd = objdict::format::write(description.device(), Format::Xdd, &WriteOptions::default()).unwrap();
+    String::from_utf8(xdd.bytes).unwrap()
+}
+
+const WORDS: [&str; 16] = [
+    "=",
+    "\r\n",
+    "[1000]",
+    "[1018sub1]",
+    "0x",
+    "$NODEID+",
+    "<",
+    ">",
+    "\"",
+    "]",
+    "ro",
+    "DataType=0x0007\n",
+    "\u{1F600}",
+    "; objdict: allow cia306\n",
+    "1A00",
+    "\u{e9}",
+];
+
+/// Numbers that are the same in each run.
+struct Numbers(u64);
+
+impl Numbers {
+    fn below(&mut self, limit: usize) -> usize {
+        self.0 = self.0.wrapping_mul(6364136223846793005).wrapping_add(1442695040888963407);
+        (self.0 >> 33) as usize % limit.max(1)
+    }
+
+    /// A place between two characters.
+    fn place(&mut self, text: &str) -> usize {
+        let at = self.below(text.len() + 1);
+        (at..=text.len()).find(|&at| text.is_char_boundary(at)).unwrap()
+    }
+
+    fn edit(&mut self, text: &str) -> String {
+        let start = self.place(text);
+        let end = match self.below(3) {
+            0 => start,
+            _ => {
+                let length = self.below(20);
+                (start + length..=text.len()).find(|&at| text.is_char_boundary(at)).unwrap_or(text.len())
+            }
+        };
+        let new = if self.below(2) == 0 { "" } else { WORDS[self.below(WORDS.len())] };
+        format!("{}{new}{}", &text[..start], &text[end..])
+    }
+}
+
+/// What a check finds: where, by which rule, how severe and what.
+fn checked(path: &Path, text: &str) -> Option<Vec<Value>> {
+    let name = path.display().to_string();
+    let (kind, source) = Reading::default().recognised(&name, text.as_bytes().to_vec()).ok()?;
+    let description = objdict::format::read(source, kind.format()?);
+    let findings = grouped(&description, objdict::check(&description));
+    let found = findings.iter().map(|finding| {
+        let at = Location::start_of((&description).into(), finding);
+        let message = finding.message.shown().into_owned();
+        json!([at.line - 1, finding.rule.id, finding.severity as u8, message])
+    });
+    Some(found.collect())
+}
+
+fn published(found: &Value) -> Vec<Value> {
+    let found = found.as_array().unwrap().iter().map(|found| {
+        let message = found["message"].as_str().unwrap();
+        let message = message.rsplit_once("\nhelp: ").map_or(message, |(message, _)| message);
+        let severity = 3 - found["severity"].as_u64().unwrap();
+        json!([found["range"]["start"]["line"], found["code"], severity, message])
+    });
+    found.collect()
+}
+
+/// Edits a text of a syntax, from its start anew after each fifty edits.
+fn findings_are_those_of_a_check(ending: &str, original: &str) {
+    let mut client = Client::start();
+    let mut numbers = Numbers(35);
+    let name = format!("a.{ending}");
+    client.open(&name, original);
+    let mut text = original.to_owned();
+    for edit in 0..EDITS {
+        if edit % 50 == 0 {
+            text = original.to_owned();
+        }
+        text = numbers.edit(&text);
+        let found = client.change(&name, &text);
+        if let Some(expected) = checked(&client.path(&name), &text) {
+            assert_eq!(published(&found), expected, "{name}, edit {edit}:\n{text}");
+        }
+    }
+}
+
+#[test]
+fn of_an_eds() {
+    findings_are_those_of_a_check("eds", &fixture("eds/minimal.eds"));
+}
+
+#[test]
+fn of_a_dcf() {
+    findings_are_those_of_a_check("dcf", include_str!("../../support/small.dcf"));
+}
+
+#[test]
+fn of_an_xdd() {
+    findings_are_those_of_a_check("xdd", &small_xdd());
+}
+
+#[test]
+fn of_a_device_toml() {
+    findings_are_those_of_a_check("toml", &fixture("toml/io.toml"));
+}
+
+#[test]
+fn many_edits_take_no_memory() {
+    // the server keeps the newest text of a file and what was found in it, and nothing of those before
+    let mut client = Client::start();
+    let text = fixture("eds/minimal.eds");
+    client.open("a.eds", &text);
+    for edit in 0..20 {
+        client.send_change("a.eds", &format!("{text}; {edit}\r\n"));
+    }
+    let found = client.change("a.eds", &SourceFile::from_text("a.eds", text).text().replace("minimal", "a"));
+    assert_eq!(found, json!([]));
+}
