@@ -8,3 +8,4 @@ FIXTURES = Path(__file__).parents[3] / "fixtures"
 @pytest.fixture
 def fixtures() -> Path:
     return FIXTURES
+pytest_plugins = ["pytester"]
