@@ -74,6 +74,11 @@ def test_a_file_that_python_canopen_refuses_comes_through() -> None:
     assert od[0x2000].default == 12 and od["B"].data_type == canopen.objectdictionary.DOMAIN
 
 
+def test_a_pdo_without_a_mapping_parameter_is_served() -> None:
+    text = b"[1800]\nParameterName=TPDO\nObjectType=9\nSubNumber=1\n[1800sub0]\nParameterName=n\nDataType=5\nDefaultValue=0\n"
+    assert served(load(text, name="a.eds").to_canopen(5)) == 1
+
+
 def test_names_units_and_bits_come_with_it(fixtures: Path) -> None:
     od = load(fixtures / "toml/drive.toml").to_canopen()
     assert (od[0x2000].unit, od[0x2000].factor) == ("A", 0.001)

@@ -71,7 +71,16 @@ def dictionary_of(device: Device, node_id: int | None) -> Any:
         # definitions of data types are no objects that a node serves
         if item.object_type != "DEFTYPE":
             od.add_object(_object(item, node_id))
+    _add_mappings(od)
     return od
+
+
+def _add_mappings(od: Any) -> None:
+    """The mapping parameters that a description lacks, without entries: python-canopen's nodes look for each."""
+    for index in [index for index in od if 0x1400 <= index < 0x1600 or 0x1800 <= index < 0x1A00]:
+        mapping = index + 0x200
+        if mapping not in od:
+            od.add_object(objectdictionary.ODRecord(f"Mapping of {index:04X}h", mapping))
 
 
 def _add_dummy(od: Any, name: str, is_used: bool) -> None:
