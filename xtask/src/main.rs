@@ -1,7 +1,7 @@
 //! Chores: `cargo xtask corpus FOLDER [--generate] [--shares FILE]`, `cargo xtask fuzz FOLDER COUNT|SECONDSs [PART]`,
 //! `cargo xtask targets FOLDER [--damaged] [--hostile] [--only TARGET]`, `cargo xtask concise CORPUS`,
 //! `cargo xtask readers FOLDER PYTHON [MODULES]`, `cargo xtask docs [--check]`, `cargo xtask profiles [--check]`,
-//! `cargo xtask fuzz-corpus FOLDER`, `cargo xtask xsd FOLDER`, `cargo xtask deny`.
+//! `cargo xtask fuzz-corpus FOLDER`, `cargo xtask xsd FOLDER`, `cargo xtask deny`, `cargo xtask dist wheel`.
 
 #![allow(clippy::print_stdout, reason = "the table is the result of the chore")]
 
@@ -9,6 +9,7 @@ mod changes;
 mod concise;
 mod corpus;
 mod deny;
+mod dist;
 mod docs;
 mod examples;
 mod fuzz;
@@ -52,7 +53,10 @@ usage:
   cargo xtask xsd FOLDER
       write the structure of CiA 311, versions 1.0 and 1.1, as XML Schemas: 1.0.xsd and 1.1.xsd
   cargo xtask deny
-      hold licences, versions and sources of all packages against deny.toml";
+      hold licences, versions and sources of all packages against deny.toml
+  cargo xtask dist wheel [--profile PROFILE]
+      build the wheel of the command and the Python module for this machine into target/dist; needs Python and gets maturin
+      from PyPI";
 
 fn main() -> ExitCode {
     let arguments: Vec<String> = std::env::args().skip(1).collect();
@@ -85,6 +89,8 @@ fn main() -> ExitCode {
         ["profiles", "--check"] => profiles::run(true),
         ["xsd", folder] => write_schemas(Path::new(folder)),
         ["deny"] => deny::run(),
+        ["dist", "wheel"] => dist::wheel(None),
+        ["dist", "wheel", "--profile", profile] => dist::wheel(Some(profile)),
         _ => Err(USAGE.to_owned()),
     };
     match result {

@@ -2,6 +2,7 @@
 
 use askama::Template;
 
+use super::card::Card;
 use super::escape::filters;
 use super::page::Page;
 use super::policy::with_policy;
@@ -11,6 +12,20 @@ use super::policy::with_policy;
 struct PageTemplate<'a> {
     page: &'a Page<'a>,
     version: &'static str,
+}
+
+#[derive(Template)]
+#[template(path = "html/card.html")]
+struct CardTemplate<'a> {
+    card: &'a Card,
+}
+
+/// Writes the card alone, for a place in a page of others.
+pub(super) fn write_card(card: &Card) -> String {
+    let mut text = String::new();
+    // as below
+    let _ = CardTemplate { card }.render_into(&mut text);
+    text
 }
 
 /// Writes the page as HTML.

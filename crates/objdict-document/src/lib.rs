@@ -50,6 +50,6 @@ pub use self::probed::ProbePage;
 pub use self::site::{Site, SiteFile};
 pub use self::subject::{CodeName, Identifiers, Subject};
 pub use self::variants::VariantsPage;
-pub use self::write::write;
+pub use self::write::{card, write};
 use objdict_model::{Language, diagnostic, model, source};
 use objdict_profile as profile;

@@ -1,5 +1,6 @@
 //! A page in each of the forms.
 
+use super::card::Card;
 use super::context::Context;
 use super::form::Form;
 use super::options::Options;
@@ -24,6 +25,11 @@ use crate::model::Device;
 pub fn write(subject: &Subject<'_>, form: Form, options: &Options) -> String {
     let context = Context::new(subject, options);
     write_page(&Page::new(subject, options, &context), subject.device, form)
+}
+
+/// Writes the summary of a device as a piece of HTML without styles, for a notebook.
+pub fn card(subject: &Subject<'_>, options: &Options) -> String {
+    html::write_card(&Card::new(subject, &Context::new(subject, options)))
 }
 
 pub(crate) fn write_page(page: &Page<'_>, device: &Device, form: Form) -> String {

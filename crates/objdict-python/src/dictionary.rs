@@ -1,0 +1,310 @@
+//! Descriptions that were read, and their objects.
+
+use std::collections::HashMap;
+use std::num::NonZeroUsize;
+use std::path::{Path, PathBuf};
+use std::sync::{Arc, OnceLock};
+
+use objdict::format::Description;
+use objdict::format::input::{FileKind, Input, Reading};
+use objdict::format::json;
+use objdict::model::{Device, Pdo, PdoKind};
+use objdict::source::SourceFile;
+use pyo3::prelude::*;
+use pyo3::types::PyBytes;
+
+use super::entry::{Entry, Meaning, meanings};
+use super::raised;
+use super::value::name_of;
+
+/// A device with its text.
+pub(crate) enum Described {
+    Text(Box<Description>),
+    /// From the JSON of a device, which has no lines that findings could point to.
+    Model(Box<Device>, SourceFile),
+}
+
+/// What a description says, shared by all that Python has of it.
+pub(crate) struct Shared {
+    pub(crate) described: Described,
+    /// The file; `None` of bytes.
+    pub(crate) path: Option<PathBuf>,
+    pub(crate) node_id: Option<u8>,
+    meanings: OnceLock<HashMap<(u16, u8), Meaning>>,
+}
+
+impl Shared {
+    pub(crate) fn device(&self) -> &Device {
+        match &self.described {
+            Described::Text(description) => description.device(),
+            Described::Model(device, _) => device,
+        }
+    }
+
+    pub(crate) fn source(&self) -> &SourceFile {
+        match &self.described {
+            Described::Text(description) => description.source(),
+            Described::Model(_, source) => source,
+        }
+    }
+
+    pub(crate) fn kind(&self) -> FileKind {
+        match &self.described {
+            Described::Text(description) => description.format().into(),
+            Described::Model(..) => FileKind::Json,
+        }
+    }
+
+    /// Units and names of values, which are looked for in the whole description at once.
+    pub(crate) fn meaning(&self, index: u16, sub: u8) -> Option<&Meaning> {
+        self.meanings.get_or_init(|| meanings(self.device())).get(&(index, sub))
+    }
+}
+
+/// A description.
+#[pyclass(frozen, name = "Dictionary", module = "canopen_objdict._native")]
+pub(crate) struct NativeDictionary(pub(crate) Arc<Shared>);
+
+/// An object of a description.
+#[pyclass(frozen, name = "Object", module = "canopen_objdict._native")]
+pub(crate) struct NativeObject {
+    shared: Arc<Shared>,
+    /// The index.
+    #[pyo3(get)]
+    index: u16,
+}
+
+/// Reads a file.
+#[pyfunction]
+#[pyo3(signature = (path, node_id=None, device=None, variant=None))]
+pub(crate) fn open(
+    py: Python<'_>,
+    path: PathBuf,
+    node_id: Option<u8>,
+    device: Option<NonZeroUsize>,
+    variant: Option<String>,
+) -> PyResult<NativeDictionary> {
+    let reading = reading(node_id, device, variant);
+    py.detach(|| {
+        let bytes = objdict::source::read(&path, reading.max_size).map_err(raised)?;
+        one(&reading, &path.display().to_string(), bytes, Some(path))
+    })
+}
+
+/// Reads the bytes of a file of this name.
+#[pyfunction]
+#[pyo3(signature = (data, name, node_id=None, device=None, variant=None))]
+pub(crate) fn read(
+    py: Python<'_>,
+    data: Vec<u8>,
+    name: String,
+    node_id: Option<u8>,
+    device: Option<NonZeroUsize>,
+    variant: Option<String>,
+) -> PyResult<NativeDictionary> {
+    let reading = reading(node_id, device, variant);
+    py.detach(|| one(&reading, &name, data, None))
+}
+
+pub(crate) fn reading(node_id: Option<u8>, device: Option<NonZeroUsize>, variant: Option<String>) -> Reading {
+    let mut reading = Reading::default();
+    (reading.node_id, reading.device, reading.variant) = (node_id, device, variant);
+    reading
+}
+
+/// The one device that was asked for.
+fn one(reading: &Reading, name: &str, bytes: Vec<u8>, path: Option<PathBuf>) -> PyResult<NativeDictionary> {
+    let (_, input) = reading.read_one(name, bytes).map_err(raised)?;
+    Ok(NativeDictionary(Arc::new(described(name, input, path, reading)?)))
+}
+
+/// What was read, where it is a device.
+pub(crate) fn described(
+    name: &str,
+    input: Input,
+    path: Option<PathBuf>,
+    reading: &Reading,
+) -> PyResult<Shared> {
+    let described = match input {
+        Input::Description(description) => Described::Text(description),
+        Input::Device(device) => Described::Model(device, SourceFile::from_text(name, "")),
+        _ => {
+            return Err(raised(format_args!("`{name}` describes no device")));
+        }
+    };
+    let mut shared = Shared { described, path, node_id: reading.node_id, meanings: OnceLock::new() };
+    shared.node_id = shared.node_id.or(shared.device().node_id());
+    Ok(shared)
+}
+
+/// The facts of a PDO: direction, number, COB-ID, whether it is valid, transmission type, inhibit time, event timer and SYNC
+/// start value.
+type PdoFacts =
+    (&'static str, u16, Option<u32>, Option<bool>, Option<u8>, Option<u16>, Option<u16>, Option<u8>);
+
+/// An entry in a PDO: index, sub-index and bits.
+type Mapped = (u16, u8, u8);
+
+#[pymethods]
+impl NativeDictionary {
+    /// The indexes of all objects.
+    fn indexes(&self) -> Vec<u16> {
+        self.0.device().objects.keys().copied().collect()
+    }
+
+    /// The number of objects.
+    fn __len__(&self) -> usize {
+        self.0.device().objects.len()
+    }
+
+    /// Whether there is an object.
+    fn has(&self, index: u16) -> bool {
+        self.0.device().objects.contains_key(&index)
+    }
+
+    /// An object.
+    fn object(&self, index: u16) -> Option<NativeObject> {
+        self.has(index).then(|| NativeObject { shared: Arc::clone(&self.0), index })
+    }
+
+    /// The names of all objects with their indexes, in their order.
+    fn names(&self) -> Vec<(String, u16)> {
+        let objects = self.0.device().objects.iter();
+        objects.map(|(&index, object)| (object.name().to_owned(), index)).collect()
+    }
+
+    /// The PDOs: RPDOs first.
+    fn pdos(&self) -> Vec<(PdoFacts, Vec<Mapped>)> {
+        self.0.device().pdos().map(|pdo| row(&pdo, self.0.node_id)).collect()
+    }
+
+    /// The name of the file.
+    #[getter]
+    fn name(&self) -> &str {
+        self.0.source().name()
+    }
+
+    /// The file; `None` of bytes.
+    #[getter]
+    fn path(&self) -> Option<&Path> {
+        self.0.path.as_deref()
+    }
+
+    /// The format: `EDS`, `DCF`, `XDD`, `XDC`, `device.toml` or `JSON`.
+    #[getter]
+    fn format(&self) -> &'static str {
+        self.0.kind().name()
+    }
+
+    /// The node-ID that was given, or that the description has.
+    #[getter]
+    fn node_id(&self) -> Option<u8> {
+        self.0.node_id
+    }
+
+    /// The number of the device profile.
+    #[getter]
+    fn profile(&self) -> Option<u16> {
+        self.0.device().profile()
+    }
+
+    /// The bit rates in kbit/s.
+    #[getter]
+    fn bit_rates(&self) -> Vec<u16> {
+        let info = self.0.device().device_info.as_ref();
+        info.map(|info| info.baud_rates.supported().collect()).unwrap_or_default()
+    }
+
+    /// The whole model as JSON.
+    fn json(&self, py: Python<'_>) -> String {
+        py.detach(|| json::write_device(self.0.device()))
+    }
+
+    /// File, device and node of the model as JSON, without the objects.
+    fn facts(&self, py: Python<'_>) -> String {
+        let device = self.0.device();
+        let facts = Device {
+            kind: device.kind,
+            file_info: device.file_info.clone(),
+            device_info: device.device_info.clone(),
+            commissioning: device.commissioning.clone(),
+            comments: device.comments.clone(),
+            dummy_usage: device.dummy_usage.clone(),
+            ..Device::default()
+        };
+        py.detach(|| json::write_device(&facts))
+    }
+
+    /// The bytes that were read.
+    fn source<'py>(&self, py: Python<'py>) -> Bound<'py, PyBytes> {
+        PyBytes::new(py, &self.0.source().to_bytes())
+    }
+}
+
+fn row(pdo: &Pdo<'_>, node_id: Option<u8>) -> (PdoFacts, Vec<Mapped>) {
+    let kind = match pdo.kind {
+        PdoKind::Rpdo => "rpdo",
+        PdoKind::Tpdo => "tpdo",
+    };
+    let is_known = |cob_id: &objdict::model::CobId| node_id.is_some() || !cob_id.depends_on_node_id();
+    let cob_id = pdo.cob_id.filter(is_known).map(|cob_id| cob_id.on_node(node_id.unwrap_or_default()));
+    let mapped = pdo.mapped().map(|mapped| (mapped.index, mapped.sub, mapped.bits)).collect();
+    let Pdo { number, transmission_type, inhibit_time, event_timer, sync_start_value, .. } = *pdo;
+    let is_valid = pdo.is_valid();
+    ((kind, number, cob_id, is_valid, transmission_type, inhibit_time, event_timer, sync_start_value), mapped)
+}
+
+#[pymethods]
+impl NativeObject {
+    /// The name.
+    #[getter]
+    fn name(&self) -> &str {
+        self.object().name()
+    }
+
+    /// The object type: `VAR`, `ARRAY`, `RECORD` …
+    #[getter]
+    fn object_type(&self) -> &'static str {
+        self.object().object_type().name()
+    }
+
+    /// The data type that the object itself states.
+    #[getter]
+    fn data_type(&self) -> Option<String> {
+        self.object().main.data_type.map(name_of)
+    }
+
+    /// What the description says of it.
+    #[getter]
+    fn description(&self) -> Option<String> {
+        super::entry::description_of(&self.object().main)
+    }
+
+    /// The sub-indexes of its entries.
+    fn subs(&self) -> Vec<u8> {
+        self.object().entries().map(|(sub, _)| sub).collect()
+    }
+
+    /// Whether there is an entry.
+    fn has(&self, sub: u8) -> bool {
+        self.object().has(sub)
+    }
+
+    /// An entry.
+    fn entry(&self, sub: u8) -> Option<Entry> {
+        let entry = self.object().entry(sub)?.into_owned();
+        Some(Entry { shared: Arc::clone(&self.shared), index: self.index, sub, entry })
+    }
+
+    /// The names of all entries with their sub-indexes, in their order.
+    fn names(&self) -> Vec<(String, u8)> {
+        self.object().entries().map(|(sub, entry)| (entry.name.to_string(), sub)).collect()
+    }
+}
+
+impl NativeObject {
+    /// Python has an object only of an index that the device has.
+    fn object(&self) -> &objdict::model::Object {
+        self.shared.device().object(self.index).expect("objects are made of a device that has them")
+    }
+}

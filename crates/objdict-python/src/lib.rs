@@ -1,0 +1,44 @@
+//! The native part of the Python module `canopen_objdict`: descriptions are read, and everything is made of them, by the
+//! library objdict. What a class of Python is, is in `python/canopen_objdict`; what passes between both are numbers, texts,
+//! bytes and the JSON documents of `docs/json.md`.
+
+mod dictionary;
+mod entry;
+mod findings;
+mod network;
+mod output;
+mod streams;
+mod value;
+
+use pyo3::prelude::*;
+
+pyo3::create_exception!(
+    canopen_objdict,
+    ObjdictError,
+    pyo3::exceptions::PyException,
+    "What cannot be read, written or made, with the report as its text."
+);
+
+/// A failure of objdict as an exception.
+fn raised(error: impl std::fmt::Display) -> PyErr {
+    ObjdictError::new_err(error.to_string())
+}
+
+#[pymodule]
+mod _native {
+    #[pymodule_export]
+    use super::{
+        ObjdictError,
+        dictionary::{NativeDictionary, NativeObject, open, read},
+        entry::{Entry, Formula},
+        findings::{check, errors, findings},
+        network::{build_network, check_network},
+        output::{card, changes, convert, docs, generate},
+        streams::{pack, unpack},
+    };
+
+    /// The version of objdict.
+    #[pymodule_export]
+    #[expect(non_upper_case_globals, reason = "the name that modules of Python have for it")]
+    const __version__: &str = env!("CARGO_PKG_VERSION");
+}

@@ -1,0 +1,189 @@
+//! What is made of a description: other formats, code, pages, changes.
+
+use std::borrow::Cow;
+use std::collections::BTreeMap;
+use std::path::Path;
+
+use objdict::document::{self, CodeName, Finding, Form, Identifiers, Subject};
+use objdict::download::{ConciseDcf, NeededFile, PlanOptions};
+use objdict::format::{self, EditError, Format, WriteOptions, json};
+use objdict::generate::{self as code, Generated, Options, Target};
+use objdict::lint::changes::compare;
+use objdict::model::{Commissioning, DeviceKind};
+use objdict::report::Location;
+use objdict::source::Folder;
+use pyo3::prelude::*;
+use pyo3::types::PyBytes;
+
+use super::dictionary::{Described, NativeDictionary, Shared};
+use super::findings::findings_of;
+use super::raised;
+
+/// A file of another format, and what it does not have of the device.
+type Converted = (Vec<u8>, Vec<String>);
+
+/// The description as a file of this name in another format, and what that does not have of it, a line each.
+#[pyfunction]
+#[pyo3(signature = (of, to, name, node_id=None, bit_rate=None, embed=true))]
+pub(crate) fn convert<'py>(
+    py: Python<'py>,
+    of: &NativeDictionary,
+    to: &str,
+    name: &str,
+    node_id: Option<u8>,
+    bit_rate: Option<u16>,
+    embed: bool,
+) -> PyResult<(Bound<'py, PyBytes>, Vec<String>)> {
+    let node = Node { node_id: node_id.or(of.0.node_id), bit_rate };
+    let (bytes, lost) = py.detach(|| converted(&of.0, to, name, &node, embed))?;
+    Ok((PyBytes::new(py, &bytes), lost))
+}
+
+/// The files of a target by their names, and the notes about them.
+#[pyfunction]
+pub(crate) fn generate(
+    py: Python<'_>,
+    of: &NativeDictionary,
+    target: &str,
+) -> PyResult<(BTreeMap<String, String>, Vec<String>)> {
+    let target = Target::named(target).map_err(raised)?;
+    let mut options = Options::default();
+    options.node_id = of.0.node_id;
+    let stem = Path::new(of.0.source().name()).file_stem();
+    options.file_stem = stem.map_or_else(|| "device".to_owned(), |stem| stem.to_string_lossy().into_owned());
+    let Generated { files, notes, .. } =
+        py.detach(|| code::generate(of.0.device(), target, &options)).map_err(raised)?;
+    let text = |contents: Vec<u8>| String::from_utf8(contents).map_err(raised);
+    let files = files.into_iter().map(|file| Ok((file.path, text(file.contents)?)));
+    Ok((files.collect::<PyResult<_>>()?, notes.iter().map(ToString::to_string).collect()))
+}
+
+/// The documentation as a page: `html`, `md` or `csv`.
+#[pyfunction]
+#[pyo3(signature = (of, form, language=None))]
+pub(crate) fn docs(
+    py: Python<'_>,
+    of: &NativeDictionary,
+    form: &str,
+    language: Option<String>,
+) -> PyResult<String> {
+    let form = Form::of_extension(form).ok_or_else(|| raised(format_args!("there is no form `{form}`")))?;
+    py.detach(|| page(&of.0, form, language))
+}
+
+/// The changes from one device to another: rule, index, sub-index, old, new, verdict and message of each.
+#[pyfunction]
+#[expect(clippy::type_complexity, reason = "a row of a table, which Python gives names")]
+pub(crate) fn changes(
+    py: Python<'_>,
+    old: &NativeDictionary,
+    new: &NativeDictionary,
+) -> Vec<(String, Option<u16>, Option<u8>, Option<String>, Option<String>, &'static str, String)> {
+    let row = |change: objdict::lint::changes::DeviceChange| {
+        let (verdict, message) = (change.verdict().name(), change.message.to_string());
+        let rule = change.rule.info.id.to_owned();
+        (rule, change.index, change.sub, change.old, change.new, verdict, message)
+    };
+    py.detach(|| compare(old.0.device(), new.0.device()).into_iter().map(row).collect())
+}
+
+/// The node that a description of one is for.
+struct Node {
+    node_id: Option<u8>,
+    bit_rate: Option<u16>,
+}
+
+impl Node {
+    /// What the description says of its node, but for what is wanted otherwise.
+    fn commissioning(&self, stated: Option<&Commissioning>) -> Commissioning {
+        let mut node = stated.cloned().unwrap_or_default();
+        (node.node_id, node.baud_rate) = (self.node_id.or(node.node_id), self.bit_rate.or(node.baud_rate));
+        node
+    }
+}
+
+fn converted(shared: &Shared, to: &str, name: &str, node: &Node, embed: bool) -> PyResult<Converted> {
+    let device = shared.device();
+    match to {
+        "json" => return Ok((json::write_device(device).into_bytes(), Vec::new())),
+        "cdcf" => return Ok((concise(shared, node)?, Vec::new())),
+        _ => {}
+    }
+    let format = Format::from_name(to).ok_or_else(|| raised(format_args!("there is no format `{to}`")))?;
+    if let Some(bytes) = edited(shared, format, name, node).map_err(raised)? {
+        return Ok((bytes, Vec::new()));
+    }
+    let mut device = device.clone();
+    if format.kind() == DeviceKind::Node {
+        device.commissioning = Some(node.commissioning(device.commissioning.as_ref()));
+        device.kind = DeviceKind::Node;
+    }
+    let mut options = WriteOptions::default();
+    options.embed = embed;
+    let written = format::convert(device, Path::new(name), format, false, &options).map_err(raised)?;
+    Ok((written.bytes, written.losses.iter().map(ToString::to_string).collect()))
+}
+
+/// The text with what must change in it, so that comments and order stay; `None` where the format has another syntax.
+fn edited(shared: &Shared, to: Format, name: &str, node: &Node) -> Result<Option<Vec<u8>>, EditError> {
+    let Described::Text(description) = &shared.described else { return Ok(None) };
+    let is_read_only =
+        description.is_project() || description.is_network() || description.variant().is_some();
+    if is_read_only || description.format().syntax() != to.syntax() {
+        return Ok(None);
+    }
+    let is_same = description.format() == to && node.bit_rate.is_none();
+    let is_node_kept = node.node_id == description.device().node_id();
+    Ok(Some(match to.kind() {
+        _ if is_same && (is_node_kept || to.kind() == DeviceKind::Type) => description.print(),
+        DeviceKind::Type => description.to_type(name)?,
+        DeviceKind::Node => {
+            let stated = description.device().commissioning.as_ref();
+            description.to_node(name, &node.commissioning(stated))?
+        }
+    }))
+}
+
+/// The downloads that configure the node. Files that they need are beside the description.
+fn concise(shared: &Shared, node: &Node) -> PyResult<Vec<u8>> {
+    let mut options = PlanOptions::default();
+    options.node_id = node.node_id;
+    let plan = ConciseDcf::plan(shared.device(), &options).map_err(raised)?;
+    let folder = shared.path.as_deref().map(Folder::of);
+    let read = |file: &NeededFile| match &folder {
+        Some(folder) => folder.read(&file.name).map_err(raised),
+        None => Err(raised(format_args!("`{}` is needed, and bytes are in no folder", file.name))),
+    };
+    plan.into_concise(read)?.write().map_err(raised)
+}
+
+fn page(shared: &Shared, form: Form, language: Option<String>) -> PyResult<String> {
+    let (subject, findings) = findings_of(shared)?;
+    let line = |finding| Location::line_of(subject, finding);
+    let findings: Vec<_> = findings.iter().map(|finding| Finding::new(finding, line(finding))).collect();
+    let names = code::identifiers(shared.device()).unwrap_or_default();
+    let names = names.into_iter().map(|of| ((of.index, of.sub), CodeName { rust: of.rust, c: of.c }));
+    Ok(with_subject(shared, Some(&findings), &names.collect(), |subject| {
+        let mut options = document::Options::default();
+        (options.node_id, options.language) = (shared.node_id, language);
+        document::write(subject, form, &options)
+    }))
+}
+
+fn with_subject(
+    shared: &Shared,
+    findings: Option<&[Finding]>,
+    identifiers: &Identifiers,
+    write: impl FnOnce(&Subject<'_>) -> String,
+) -> String {
+    let name = Path::new(shared.source().name()).file_name();
+    let file = name.map_or(Cow::Borrowed(""), |name| name.to_string_lossy());
+    let format = shared.kind().name();
+    write(&Subject { device: shared.device(), file: &file, format, findings, identifiers })
+}
+
+/// The card at the top of the documentation.
+#[pyfunction]
+pub(crate) fn card(of: &NativeDictionary) -> String {
+    with_subject(&of.0, None, &Identifiers::new(), |subject| document::card(subject, &Default::default()))
+}
