@@ -11,7 +11,10 @@ use crate::model::{Device, Objects, Place};
 
 /// The text of a device for a file, whose name it states. An EDS or DCF does not have the objects that are
 /// disabled, unless they are kept.
-pub(crate) fn convert(
+///
+/// # Errors
+/// As [`write`].
+pub fn convert(
     mut device: Device,
     file: &Path,
     format: Format,

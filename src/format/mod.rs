@@ -34,7 +34,7 @@ mod write;
 #[cfg(feature = "node")]
 pub use self::configured::{ConfiguredFile, NodeSettings};
 #[cfg(all(feature = "generate", feature = "json", feature = "xdd"))]
-pub(crate) use self::convert::convert;
+pub use self::convert::convert;
 pub use self::description::Description;
 #[cfg(feature = "cli")]
 pub(crate) use self::description::stated_name;
