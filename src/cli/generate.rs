@@ -91,7 +91,7 @@ fn supply(args: &GenerateArgs, request: &Request, bytes: Vec<u8>) -> Result<Vec<
         return Ok(bytes);
     }
     let mut complete = device.clone();
-    scaffold::add_objects(&mut complete, &missing);
+    scaffold::add_objects(&mut complete, 301, &missing);
     let added = missing.iter().map(|index| format!("{index:04X}h")).collect::<Vec<_>>().join(", ");
     let bytes = description.with_objects(&complete).ok_or_else(|| refuse(&format!("describe {added}")))?;
     save_in_place(&args.file, &bytes)?;

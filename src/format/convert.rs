@@ -13,7 +13,7 @@ use crate::model::{Device, Objects, Place};
 /// disabled, unless they are kept.
 ///
 /// # Errors
-/// As [`write`].
+/// As [`write()`](super::write()).
 pub fn convert(
     mut device: Device,
     file: &Path,

@@ -90,10 +90,10 @@ pub fn identify(device: &mut Device) {
     }
 }
 
-/// Adds communication objects as CiA 301 describes them, with their usual values, to a device that lacks them.
-pub fn add_objects(device: &mut Device, indexes: &[u16]) {
-    let documents = base::documents(301);
-    let maker = objects::Maker { plan: Plan::new(301, &Features::default()), documents: &documents };
+/// Adds objects as CiA 301 and the document of a profile describe them, with their usual values, to a device that lacks them.
+pub fn add_objects(device: &mut Device, profile: u16, indexes: &[u16]) {
+    let documents = base::documents(profile);
+    let maker = objects::Maker { plan: Plan::new(profile, &Features::default()), documents: &documents };
     for &index in indexes {
         maker.add(device, index);
         if let Some(list) = ObjectList::of(index) {

@@ -1,0 +1,50 @@
+//! Answers as JSON.
+
+use std::fmt::Display;
+
+use objdict::format::ReadError;
+use serde::Serialize;
+use serde_json::{Value, json};
+
+/// Why a request was refused.
+#[derive(Debug, Serialize)]
+pub(crate) struct Refusal {
+    /// The problem, as the command would print it.
+    pub(crate) message: String,
+    /// The advice.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub(crate) help: Option<String>,
+}
+
+impl Refusal {
+    pub(crate) fn new(message: impl Display) -> Self {
+        Self { message: message.to_string(), help: None }
+    }
+
+    pub(crate) fn help(self, help: impl Into<String>) -> Self {
+        Self { help: Some(help.into()), ..self }
+    }
+}
+
+impl From<ReadError> for Refusal {
+    fn from(error: ReadError) -> Self {
+        Self { help: error.help(), ..Self::new(error) }
+    }
+}
+
+/// What a request gives.
+pub(crate) type Answer = Result<Value, Refusal>;
+
+/// Data as an answer.
+pub(crate) fn data(value: impl Serialize) -> Answer {
+    serde_json::to_value(value).map_err(Refusal::new)
+}
+
+/// The text of an answer.
+pub(crate) fn of(answer: Answer) -> String {
+    match answer {
+        Ok(value) => json!({ "ok": value }),
+        Err(refusal) => json!({ "error": refusal }),
+    }
+    .to_string()
+}

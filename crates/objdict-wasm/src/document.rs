@@ -1,0 +1,309 @@
+//! An open description: the bytes that it was opened with, what they became, and the way back.
+
+use std::sync::Arc;
+
+use objdict::diagnostic::{Change, Findings, Fix};
+use objdict::format::Description;
+use objdict::format::input::{FileKind, Input, Reading};
+use objdict::format::patch::{self, Patch};
+use objdict::model::{Device, Field};
+use objdict::report::{Json, Report as _, grouped};
+use objdict::source::{Edits, Encoding, SourceFile, Span};
+use serde::{Deserialize, Serialize};
+
+use crate::answer::Refusal;
+use crate::place::place;
+
+/// So many bytes of former texts are kept, and at least one text.
+const MAX_HISTORY: usize = 64 << 20;
+
+/// A description that is being edited.
+#[derive(Debug)]
+pub(crate) struct Document {
+    description: Description,
+    original: Vec<u8>,
+    before: Vec<Vec<u8>>,
+    after: Vec<Vec<u8>>,
+}
+
+/// A piece of the text and what it becomes, as the JSON of findings has it: lines and columns are counted from 1, columns in Unicode
+/// scalar values.
+#[derive(Debug, Deserialize)]
+pub(crate) struct TextEdit {
+    line: usize,
+    column: usize,
+    end_line: usize,
+    end_column: usize,
+    text: String,
+}
+
+/// A change of a field, an object or an entry, with the spelling that the text gets.
+#[derive(Debug, Deserialize)]
+#[serde(tag = "change", rename_all = "kebab-case", deny_unknown_fields)]
+pub(crate) enum FieldChange {
+    /// Sets a field.
+    Set { at: String, value: String },
+    /// Removes a field, an object or an entry.
+    Remove { at: String },
+    /// Adds an entry with its fields.
+    Add { at: String, fields: Vec<(String, String)> },
+}
+
+/// What a page shows of a document beside its objects.
+#[derive(Debug, Serialize)]
+pub(crate) struct State<'a> {
+    pub(crate) name: &'a str,
+    pub(crate) format: &'static str,
+    pub(crate) encoding: &'static str,
+    pub(crate) text: &'a str,
+    pub(crate) is_read_only: bool,
+    pub(crate) is_changed: bool,
+    pub(crate) can_undo: bool,
+    pub(crate) can_redo: bool,
+    /// How many devices the file has; the first is shown.
+    pub(crate) devices: usize,
+}
+
+impl Document {
+    pub(crate) fn open(name: &str, bytes: Vec<u8>) -> Result<Self, Refusal> {
+        let original = bytes.clone();
+        let description = read(name, bytes, None)?;
+        Ok(Self { description, original, before: Vec::new(), after: Vec::new() })
+    }
+
+    pub(crate) fn description(&self) -> &Description {
+        &self.description
+    }
+
+    pub(crate) fn device(&self) -> &Device {
+        self.description.device()
+    }
+
+    pub(crate) fn name(&self) -> &str {
+        self.description.source().name()
+    }
+
+    pub(crate) fn state(&self) -> State<'_> {
+        let source = self.description.source();
+        State {
+            name: source.name(),
+            format: self.description.format().name(),
+            encoding: source.encoding().name(),
+            text: source.text(),
+            is_read_only: source.is_read_only() || self.description.is_project(),
+            is_changed: self.bytes() != self.original,
+            can_undo: !self.before.is_empty(),
+            can_redo: !self.after.is_empty(),
+            devices: self.description.device_count(),
+        }
+    }
+
+    /// The text that it was opened with.
+    pub(crate) fn original_text(&self) -> Result<String, Refusal> {
+        let reading = Reading::default();
+        let source = reading.source(self.name(), self.original.clone()).map_err(Refusal::new)?;
+        Ok(source.text().to_owned())
+    }
+
+    /// The bytes of the file as it is now.
+    pub(crate) fn bytes(&self) -> Vec<u8> {
+        self.description.print()
+    }
+
+    /// The document of `objdict check --format json`. Which fixes are `offered` takes some more checks of the text; without them, no
+    /// finding has one.
+    pub(crate) fn report(&self, offered: bool) -> Result<String, Refusal> {
+        let examine = |description: &Description| {
+            let findings = objdict::check(description);
+            match offered {
+                true => objdict::with_sound_fixes(description, findings, objdict::check),
+                false => without_fixes(findings),
+            }
+        };
+        let mut out = Vec::new();
+        let mut report = Json::new(&mut out);
+        let each = self.description.map_devices(|device| {
+            let findings = grouped(device, examine(device));
+            report.file(device.into(), &findings)
+        });
+        each.into_iter().collect::<Result<Vec<_>, _>>().map_err(Refusal::new)?;
+        report.finish().map_err(Refusal::new)?;
+        drop(report);
+        String::from_utf8(out).map_err(Refusal::new)
+    }
+
+    /// Makes edits of the text.
+    pub(crate) fn edit(&mut self, edits: Vec<TextEdit>) -> Result<(), Refusal> {
+        let source = self.description.source();
+        let mut made = Edits::new(source);
+        for edit in edits {
+            let start = offset(source, edit.line, edit.column)?;
+            let end = offset(source, edit.end_line, edit.end_column)?;
+            made.replace(Span { start: start.min(end), end: end.max(start) }, edit.text);
+        }
+        let bytes = made.to_bytes().map_err(Refusal::new)?;
+        self.replace(bytes)
+    }
+
+    /// Writes the text in another encoding.
+    pub(crate) fn encode(&mut self, name: &str) -> Result<(), Refusal> {
+        let encoding: Encoding = name.parse().map_err(Refusal::new)?;
+        let bytes = encoding.encode(self.description.source().text()).map_err(Refusal::new)?;
+        self.replace(bytes)
+    }
+
+    /// Makes changes of fields and entries together, as edits of the text.
+    pub(crate) fn change(&mut self, changes: &[FieldChange]) -> Result<(), Refusal> {
+        let changes: Vec<Change> =
+            changes.iter().map(|change| self.as_change(change)).collect::<Result<_, _>>()?;
+        let changes: Vec<Change> = changes.into_iter().filter(|change| !self.is_made(change)).collect();
+        if changes.is_empty() {
+            return Ok(());
+        }
+        let fix = Fix { changes, ..Fix::risky("edit") };
+        let made = self.description.edits(&fix).ok_or_else(|| {
+            Refusal::new("edits cannot change this in the file")
+                .help("edit the text, or save the description in another format first")
+        })?;
+        let mut edits = Edits::new(self.description.source());
+        made.into_iter().for_each(|(span, text)| edits.replace(span, text));
+        let bytes = edits.to_bytes().map_err(Refusal::new)?;
+        self.replace(bytes)
+    }
+
+    fn as_change(&self, change: &FieldChange) -> Result<Change, Refusal> {
+        let place_of =
+            |at: &str| place(at).ok_or_else(|| Refusal::new(format_args!("`{at}` is not edited as fields")));
+        Ok(match change {
+            FieldChange::Set { at, value } => Change::Set(place_of(at)?, value.clone()),
+            FieldChange::Remove { at } => Change::Remove(place_of(at)?),
+            FieldChange::Add { at, fields } => {
+                let fields = fields.iter().map(|(name, value)| (Field::from_name(name), value.clone()));
+                Change::Add(place_of(at)?.part, fields.collect())
+            }
+        })
+    }
+
+    /// Whether the text says it already.
+    fn is_made(&self, change: &Change) -> bool {
+        match change {
+            Change::Set(place, value) => {
+                let span = self.description.locate(place);
+                span.is_some_and(|span| span.of(self.description.source().text()) == value)
+            }
+            _ => false,
+        }
+    }
+
+    /// Makes a patch, which is how objects and entries are added, removed and moved.
+    pub(crate) fn patch(&mut self, text: &str) -> Result<(), Refusal> {
+        let patch = Arc::new(Patch::read(SourceFile::from_text("patch.toml", text)));
+        let patched = patch::apply(self.reread(self.bytes())?, &[patch]);
+        let made = patched.patched().ok_or_else(|| Refusal::new("the patch is not for this device"))?;
+        let problems: Vec<String> = match made.has_errors() {
+            true => made
+                .by_patch()
+                .flat_map(|(_, findings)| findings.iter())
+                .map(|it| it.message.to_string())
+                .collect(),
+            false => Vec::new(),
+        };
+        if let Some(first) = problems.into_iter().next() {
+            return Err(Refusal::new(first));
+        }
+        let realised = patched.realised().map_err(Refusal::new)?;
+        let bytes = realised.map_or_else(|| self.bytes(), |realised| realised.print());
+        self.replace(bytes)
+    }
+
+    /// Makes all fixes of a safety, as `objdict check --fix` does; how many.
+    pub(crate) fn fix_all(&mut self, safety: objdict::diagnostic::Applicability) -> Result<usize, Refusal> {
+        let description = self.reread(self.bytes())?;
+        let fixed = objdict::fix_for_readers(description, safety, &objdict::lint::Options::default());
+        let bytes = fixed.bytes();
+        self.replace(bytes)?;
+        Ok(fixed.applied.len())
+    }
+
+    /// Adds objects of the profiles as these demand them.
+    pub(crate) fn add_objects(&mut self, profile: u16, indexes: &[u16]) -> Result<(), Refusal> {
+        if let Some(index) = indexes.iter().find(|index| self.device().objects.contains_key(index)) {
+            return Err(Refusal::new(format_args!("the device has {index:04X}h already")));
+        }
+        let mut complete = self.device().clone();
+        objdict::scaffold::add_objects(&mut complete, profile, indexes);
+        let bytes = self.description.with_objects(&complete);
+        let bytes = bytes.ok_or_else(|| Refusal::new("no objects can be added to this file"))?;
+        self.replace(bytes)
+    }
+
+    pub(crate) fn undo(&mut self) -> Result<(), Refusal> {
+        let Some(bytes) = self.before.pop() else { return Ok(()) };
+        let now = self.bytes();
+        self.description = self.reread(bytes)?;
+        self.after.push(now);
+        Ok(())
+    }
+
+    pub(crate) fn redo(&mut self) -> Result<(), Refusal> {
+        let Some(bytes) = self.after.pop() else { return Ok(()) };
+        let now = self.bytes();
+        self.description = self.reread(bytes)?;
+        self.before.push(now);
+        Ok(())
+    }
+
+    /// The description of other bytes, and the way back to these.
+    fn replace(&mut self, bytes: Vec<u8>) -> Result<(), Refusal> {
+        let now = self.bytes();
+        if bytes == now {
+            return Ok(());
+        }
+        self.description = self.reread(bytes)?;
+        self.after.clear();
+        self.before.push(now);
+        while self.before.len() > 1 && self.before.iter().map(Vec::len).sum::<usize>() > MAX_HISTORY {
+            self.before.remove(0);
+        }
+        Ok(())
+    }
+
+    /// Another text of this file: what is typed may look like another format for a moment.
+    fn reread(&self, bytes: Vec<u8>) -> Result<Description, Refusal> {
+        read(self.name(), bytes, Some(self.description.format().into()))
+    }
+}
+
+/// The description in the bytes of a file; `from` is its format where that is known.
+fn read(name: &str, bytes: Vec<u8>, from: Option<FileKind>) -> Result<Description, Refusal> {
+    let mut reading = Reading::default();
+    reading.from = from;
+    match reading.read(name, bytes)? {
+        (_, Input::Description(description)) => Ok(*description),
+        (kind, _) => {
+            let message =
+                format!("`{name}` is read as {}, and the workbench edits descriptions", kind.name());
+            Err(Refusal::new(message).help("open an EDS, DCF, XDD, XDC or device.toml"))
+        }
+    }
+}
+
+fn without_fixes(findings: Findings) -> Findings {
+    findings.rearrange(|mut kept| {
+        kept.iter_mut().for_each(|finding| finding.fix = None);
+        kept
+    })
+}
+
+/// The offset of a line and column.
+fn offset(source: &SourceFile, line: usize, column: usize) -> Result<u32, Refusal> {
+    let text = source.text();
+    let outside = || Refusal::new(format_args!("the text has no line {line}, column {column}"));
+    let number =
+        line.checked_sub(1).filter(|line| *line < source.lines().line_count()).ok_or_else(outside)?;
+    let start = source.lines().line_span(text, number).start;
+    let rest = text.get(start as usize..).ok_or_else(outside)?;
+    let before = column.checked_sub(1).ok_or_else(outside)?;
+    let length: usize = rest.chars().take(before).map(char::len_utf8).sum();
+    u32::try_from(start as usize + length).map_err(|_| outside())
+}

@@ -1,0 +1,45 @@
+//! The engine of the workbench (`web`): objdict as it runs in the browser. The page sends requests as JSON and gets answers as
+//! JSON; bytes of files go beside them. An error is an answer too.
+
+mod answer;
+mod document;
+mod files;
+mod form;
+mod outline;
+mod place;
+mod request;
+
+use wasm_bindgen::prelude::wasm_bindgen;
+
+use self::document::Document;
+use self::files::File;
+
+/// All that a page has open.
+#[wasm_bindgen]
+#[derive(Debug, Default)]
+pub struct Workbench {
+    /// By their numbers; `None` where one was closed.
+    documents: Vec<Option<Document>>,
+    /// What the last answer names.
+    files: Vec<File>,
+}
+
+#[wasm_bindgen]
+impl Workbench {
+    /// With nothing open.
+    #[wasm_bindgen(constructor)]
+    pub fn new() -> Self {
+        Self::default()
+    }
+
+    /// Answers a request: `{"ok": …}`, or `{"error": {"message", "help"}}`. `bytes` are those of the file that it opens.
+    pub fn call(&mut self, request: &str, bytes: Vec<u8>) -> String {
+        self.files.clear();
+        answer::of(self.answer(request, bytes))
+    }
+
+    /// The bytes of a file that the last answer lists, once; empty where there is no such file.
+    pub fn take(&mut self, number: usize) -> Vec<u8> {
+        self.files.get_mut(number).map(|file| std::mem::take(&mut file.bytes)).unwrap_or_default()
+    }
+}

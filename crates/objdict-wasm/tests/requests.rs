@@ -1,0 +1,217 @@
+//! The engine of the workbench as a page calls it.
+
+use std::fs;
+use std::path::{Path, PathBuf};
+
+use objdict_wasm::Workbench;
+use serde_json::{Value, json};
+
+/// An engine with a fixture open as document 0.
+fn with(fixture: &str) -> Workbench {
+    let mut workbench = Workbench::new();
+    let path = fixtures().join(fixture);
+    let name = path.file_name().map(|name| name.to_string_lossy().into_owned());
+    let bytes = fs::read(&path).unwrap_or_else(|error| panic!("{fixture}: {error}"));
+    let opened = workbench.call(&json!({ "do": "open", "name": name }).to_string(), bytes);
+    assert!(opened.starts_with(r#"{"ok":"#), "{opened}");
+    workbench
+}
+
+fn fixtures() -> PathBuf {
+    Path::new(env!("CARGO_MANIFEST_DIR")).join("../../fixtures")
+}
+
+fn ask(workbench: &mut Workbench, request: Value) -> Value {
+    let answer = workbench.call(&request.to_string(), Vec::new());
+    serde_json::from_str(&answer).unwrap_or_else(|error| panic!("{error}: {answer}"))
+}
+
+/// The data of an answer.
+fn ok(workbench: &mut Workbench, request: Value) -> Value {
+    let mut answer = ask(workbench, request);
+    assert!(answer.get("ok").is_some(), "{answer}");
+    answer["ok"].take()
+}
+
+/// The text of document 0.
+fn text(workbench: &mut Workbench) -> String {
+    let state = ok(workbench, json!({ "do": "state", "document": 0 }));
+    state["text"].as_str().unwrap_or_default().to_owned()
+}
+
+/// The bytes of document 0 as a file.
+fn saved(workbench: &mut Workbench, name: &str) -> Vec<u8> {
+    ok(workbench, json!({ "do": "save", "document": 0, "name": name, "node_id": 5, "bit_rate": 250 }));
+    workbench.take(0)
+}
+
+/// The lines that differ.
+fn changed(before: &str, after: &str) -> Vec<String> {
+    let (before, after): (Vec<_>, Vec<_>) = (before.lines().collect(), after.lines().collect());
+    assert_eq!(before.len(), after.len());
+    before.iter().zip(&after).filter(|(old, new)| old != new).map(|(_, new)| (*new).to_owned()).collect()
+}
+
+#[test]
+fn a_field_is_one_line_and_undo_restores_the_bytes() {
+    let mut workbench = with("eds/drive-402.eds");
+    let original = fs::read(fixtures().join("eds/drive-402.eds")).unwrap_or_default();
+    let before = text(&mut workbench);
+    let set = json!({ "do": "change", "document": 0, "changes": [
+        { "change": "set", "at": "0x1017 / DefaultValue", "value": "1234" }
+    ] });
+    ok(&mut workbench, set.clone());
+    let after = text(&mut workbench);
+    assert_eq!(changed(&before, &after), ["DefaultValue=1234"]);
+    // the same again changes nothing, and there is nothing more to undo
+    ok(&mut workbench, set);
+    let state = ok(&mut workbench, json!({ "do": "undo", "document": 0 }));
+    assert_eq!(state["can_undo"], false);
+    assert_eq!(saved(&mut workbench, "drive-402.eds"), original);
+    ok(&mut workbench, json!({ "do": "redo", "document": 0 }));
+    assert_eq!(text(&mut workbench), after);
+}
+
+#[test]
+fn edits_have_lines_and_columns_of_characters() {
+    let mut workbench = with("eds/minimal.eds");
+    let before = text(&mut workbench);
+    let edit = |column: u32, end_column: u32, text: &str| {
+        json!({ "do": "edit", "document": 0, "edits": [
+            { "line": 1, "column": column, "end_line": 1, "end_column": end_column, "text": text }
+        ] })
+    };
+    ok(&mut workbench, edit(1, 1, "; \u{e4}\u{1f600}\n"));
+    ok(&mut workbench, edit(4, 5, "b"));
+    assert_eq!(text(&mut workbench), format!("; \u{e4}b\n{before}"));
+    let refused = ask(
+        &mut workbench,
+        json!({ "do": "edit", "document": 0, "edits": [
+        { "line": 100_000, "column": 1, "end_line": 1, "end_column": 1, "text": "" }
+    ] }),
+    );
+    assert_eq!(refused["error"]["message"], "the text has no line 100000, column 1");
+}
+
+#[test]
+fn a_mapping_grows_by_an_entry() {
+    let mut workbench = with("eds/io-401.eds");
+    let pdos =
+        |workbench: &mut Workbench| ok(workbench, json!({ "do": "outline", "document": 0 }))["pdos"].clone();
+    let before = pdos(&mut workbench);
+    let tpdo = before
+        .as_array()
+        .and_then(|pdos| pdos.iter().position(|pdo| pdo["kind"] == "TPDO"))
+        .unwrap_or_default();
+    let mapping = before[tpdo]["mapping"].as_u64().unwrap_or_default();
+    let next = before[tpdo]["slots"].as_array().map_or(0, Vec::len) + 1;
+    let at = format!("0x{mapping:04X}sub{next:X}");
+    let fields = json!([
+        ["ParameterName", "Mapped object"],
+        ["ObjectType", "0x7"],
+        ["DataType", "0x0007"],
+        ["AccessType", "rw"],
+        ["DefaultValue", "0x60000108"],
+        ["PDOMapping", "0"]
+    ]);
+    let count = format!("0x{mapping:04X}sub0 / DefaultValue");
+    ok(
+        &mut workbench,
+        json!({ "do": "change", "document": 0, "changes": [
+        { "change": "add", "at": at, "fields": fields },
+        { "change": "set", "at": count, "value": next.to_string() },
+    ] }),
+    );
+    let after = pdos(&mut workbench);
+    let added = json!({ "sub": next, "number": 0x6000_0108 });
+    assert_eq!(after[tpdo]["slots"][next - 1], added);
+    assert_eq!(after[tpdo]["mapped_count"], next);
+}
+
+#[test]
+fn objects_come_from_profiles_and_patches() {
+    let mut workbench = with("eds/drive-402.eds");
+    let rows = ok(&mut workbench, json!({ "do": "profile-objects", "document": 0, "profile": 402 }));
+    let missing = rows.as_array().and_then(|rows| rows.iter().rev().find(|row| row["has"] == false)).cloned();
+    let index = missing.unwrap_or_default()["index"].clone();
+    ok(&mut workbench, json!({ "do": "add-objects", "document": 0, "profile": 402, "indexes": [index] }));
+    let form = ok(&mut workbench, json!({ "do": "form", "document": 0, "index": index }));
+    assert_ne!(form["parts"][0]["fields"][0]["text"], Value::Null);
+
+    let patch = "format = \"objdict-patch/1\"\n[[change]]\nat = \"2FFF\"\nadd = { name = \"Own\", object-type = \"VAR\", type = \"u8\", access = \"rw\" }\n";
+    ok(&mut workbench, json!({ "do": "patch", "document": 0, "patch": patch }));
+    assert!(text(&mut workbench).contains("[2FFF]"));
+}
+
+#[test]
+fn a_new_device_has_no_errors() {
+    let mut workbench = Workbench::new();
+    for (number, profile) in [301, 401, 402, 404, 406].into_iter().enumerate() {
+        let new = json!({ "do": "new", "name": "new.eds", "profile": profile, "vendor": "Example", "vendor_id": 1,
+            "product": "Device", "product_code": 2, "date": [2026, 11, 26] });
+        assert_eq!(ok(&mut workbench, new)["document"], number);
+        let report = ok(&mut workbench, json!({ "do": "check", "document": number }));
+        assert_eq!(report["summary"]["errors"], 0, "{profile}: {report}");
+    }
+}
+
+#[test]
+fn refusals_are_answers() {
+    let mut workbench = with("eds/minimal.eds");
+    let bytes: [&[u8]; 4] = [b"", b"\0\xFF\xFE", b"<script>alert(1)</script>", b"{\"version\": 1}"];
+    for bytes in bytes {
+        let answer = workbench.call(r#"{"do":"open","name":"x.eds"}"#, bytes.to_vec());
+        assert!(answer.starts_with("{\"ok\"") || answer.starts_with("{\"error\""), "{answer}");
+    }
+    for request in [
+        "",
+        "{}",
+        r#"{"do":"fly"}"#,
+        r#"{"do":"state","document":99}"#,
+        r#"{"do":"generate","document":0,"target":"x"}"#,
+    ] {
+        let answer = workbench.call(request, Vec::new());
+        assert!(answer.starts_with(r#"{"error":{"message":"#), "{request}: {answer}");
+    }
+    assert!(workbench.take(7).is_empty());
+}
+
+/// Every fixture is opened, described, checked and saved, or refused in words.
+#[test]
+fn every_fixture_is_answered() {
+    let mut files = Vec::new();
+    collect(&fixtures(), &mut files);
+    let mut opened = 0;
+    for path in &files {
+        // large ones are for tests of speed
+        let Some(bytes) = fs::read(path).ok().filter(|bytes| bytes.len() < 10_000) else { continue };
+        let mut workbench = Workbench::new();
+        let name = path.file_name().map(|name| name.to_string_lossy().into_owned());
+        let answer = workbench.call(&json!({ "do": "open", "name": name }).to_string(), bytes.clone());
+        if !answer.starts_with("{\"ok\"") {
+            continue;
+        }
+        opened += 1;
+        let outline = ok(&mut workbench, json!({ "do": "outline", "document": 0 }));
+        for object in outline["objects"].as_array().into_iter().flatten().take(20) {
+            ok(&mut workbench, json!({ "do": "form", "document": 0, "index": object["index"] }));
+        }
+        ask(&mut workbench, json!({ "do": "fix-all", "document": 0 }));
+        for name in ["a.eds", "a.dcf", "a.xdd", "a.xdc", "a.toml"] {
+            ask(&mut workbench, json!({ "do": "save", "document": 0, "name": name, "node_id": 5 }));
+        }
+    }
+    assert!(opened > 50, "{opened} of {}", files.len());
+}
+
+fn collect(folder: &Path, files: &mut Vec<PathBuf>) {
+    let Ok(entries) = fs::read_dir(folder) else { return };
+    for path in entries.filter_map(Result::ok).map(|entry| entry.path()) {
+        match path.is_dir() {
+            // what rules are about is in patches of bases
+            true if path.ends_with("rules") => {}
+            true => collect(&path, files),
+            false => files.push(path),
+        }
+    }
+}

@@ -1,0 +1,28 @@
+#!/usr/bin/env bash
+# Builds the engine of the workbench, crates/objdict-wasm, into web/src/wasm: with the target of rustup where it is installed, else
+# with Debian's `rustc-web`, `rust-web-src` and `lld-19`. `build-engine.sh --check` only says whether one of them is there.
+set -euo pipefail
+cd "$(dirname "$0")/.."
+
+target=wasm32-unknown-unknown
+arguments=(build --quiet --package objdict-wasm --profile wasm --locked --target "$target" --target-dir target/wasm)
+if [ -d "$(rustc --print sysroot)/lib/rustlib/$target/lib" ]; then
+  :
+elif [ -x /usr/bin/rustc ] && [ -d /usr/lib/rustlib/src/rust/library/std ] && command -v wasm-ld-19 >/dev/null; then
+  export RUSTC=/usr/bin/rustc RUSTC_BOOTSTRAP=1 CARGO_TARGET_WASM32_UNKNOWN_UNKNOWN_LINKER=wasm-ld-19
+  arguments+=(-Zbuild-std=std,panic_abort)
+else
+  echo "no compiler for $target: install it with \`rustup target add $target\`, or Debian's rustc-web, rust-web-src and lld-19" >&2
+  exit 3
+fi
+[ "${1:-}" != --check ] || exit 0
+
+# the program that writes the JavaScript must be of the version of the crate
+version=$(sed -n 's/^wasm-bindgen = "=\(.*\)"/\1/p' crates/objdict-wasm/Cargo.toml)
+export PATH="$PWD/target/wasm-bindgen/bin:$PATH"
+if [ "$(wasm-bindgen --version 2>/dev/null)" != "wasm-bindgen $version" ]; then
+  env -u RUSTC -u RUSTC_BOOTSTRAP cargo install wasm-bindgen-cli --version "$version" --debug --quiet --root target/wasm-bindgen
+fi
+
+CARGO_INCREMENTAL=0 cargo "${arguments[@]}"
+wasm-bindgen --target web --out-dir web/src/wasm "target/wasm/$target/wasm/objdict_wasm.wasm"

@@ -1,0 +1,132 @@
+// New devices, and objects that are added to an open one.
+
+import { ask } from "./engine";
+import { h, hex, numberIn } from "./dom";
+import { patchOf } from "./form";
+import type { Opened, ProfileObject, ProfileRow } from "./protocol";
+import type { Store } from "./store";
+
+export function newDialog(store: Store): HTMLDialogElement {
+  const profile = h("select", { id: "new-profile" });
+  const text = (value: string) => h("input", { value, required: true, autocomplete: "off" });
+  const [name, vendor, vendorId, product, code] = [text("device.eds"), text(""), text("0x0"), text(""), text("0x0")];
+  const create = async (event: Event) => {
+    event.preventDefault();
+    const today = new Date();
+    const done = await store.attempt(async () => {
+      const opened = await ask<Opened>({
+        do: "new",
+        name: name.value,
+        profile: Number(profile.value),
+        vendor: vendor.value,
+        vendor_id: numberIn(vendorId.value) || 0,
+        product: product.value,
+        product_code: numberIn(code.value) || 0,
+        date: [today.getFullYear(), today.getMonth() + 1, today.getDate()],
+      });
+      await store.take(opened);
+    });
+    if (done) dialog.close();
+  };
+  const dialog = h(
+    "dialog",
+    { "aria-labelledby": "new-title" },
+    h(
+      "form",
+      { method: "dialog", onsubmit: create },
+      h("h2", { id: "new-title" }, "New device"),
+      h("label", {}, "Device profile ", profile),
+      h("label", {}, "Vendor ", vendor),
+      h("label", {}, "Vendor-ID, as CiA assigned it ", vendorId),
+      h("label", {}, "Product ", product),
+      h("label", {}, "Product code ", code),
+      h("label", {}, "File name ", name),
+      h("div", { class: "actions" }, h("button", { type: "button", onclick: () => dialog.close() }, "Cancel"), h("button", { type: "submit", class: "main" }, "Create")),
+    ),
+  );
+  dialog.addEventListener("toggle", async () => {
+    if (!dialog.open || profile.options.length > 0) return;
+    const profiles = await ask<ProfileRow[]>({ do: "profiles" });
+    profile.replaceChildren(...profiles.map((row) => h("option", { value: row.number }, `CiA ${row.number}: ${row.title}`)));
+  });
+  return dialog;
+}
+
+const TYPES: [word: string, label: string][] = [
+  ["u8", "UNSIGNED8"],
+  ["u16", "UNSIGNED16"],
+  ["u32", "UNSIGNED32"],
+  ["i8", "INTEGER8"],
+  ["i16", "INTEGER16"],
+  ["i32", "INTEGER32"],
+  ["f32", "REAL32"],
+  ["bool", "BOOLEAN"],
+  ["string", "VISIBLE_STRING"],
+];
+
+export function addDialog(store: Store): HTMLDialogElement {
+  const profile = h("select", { "aria-label": "Document" });
+  const filter = h("input", { type: "search", placeholder: "Index or name", "aria-label": "Search objects of the document" });
+  const list = h("ul", { class: "candidates" });
+  let objects: ProfileObject[] = [];
+  const show = () => {
+    const words = filter.value.toLowerCase().split(/\s+/).filter(Boolean);
+    const shown = objects.filter((object) => words.every((word) => `${hex(object.index, 4)}h ${object.name}`.toLowerCase().includes(word)));
+    list.replaceChildren(
+      ...shown.slice(0, 200).map((object) =>
+        h("li", {}, h("button", { type: "button", class: "mappable", disabled: object.has, onclick: () => void add(object.index) }, h("span", { class: "address" }, `${hex(object.index, 4)}h`), h("span", { class: "name" }, object.name), h("span", { class: "type" }, object.has ? "is there" : object.kind))),
+      ),
+    );
+  };
+  const load = async () => {
+    objects = await ask<ProfileObject[]>({ do: "profile-objects", document: store.current!.id, profile: Number(profile.value) });
+    show();
+  };
+  const add = async (index: number) => {
+    const done = await store.change({ do: "add-objects", document: store.current!.id, profile: Number(profile.value), indexes: [index] });
+    dialog.close();
+    if (done) store.select(index);
+  };
+  filter.addEventListener("input", show);
+  profile.addEventListener("change", () => void load());
+
+  const index = h("input", { placeholder: "0x2000", required: true, pattern: "(0x)?[0-9A-Fa-f]{4}h?", autocomplete: "off" });
+  const name = h("input", { required: true, autocomplete: "off" });
+  const type = h("select", {}, ...TYPES.map(([word, label]) => h("option", { value: word }, label)));
+  const access = h("select", {}, ...["rw", "ro", "wo", "const"].map((word) => h("option", {}, word)));
+  const own = async (event: Event) => {
+    event.preventDefault();
+    const digits = index.value.replace(/^0x|h$/gi, "").toUpperCase();
+    const patch = patchOf({ at: digits, add: { name: name.value, "object-type": "VAR", type: type.value, access: access.value } });
+    const done = await store.change({ do: "patch", document: store.current!.id, patch });
+    dialog.close();
+    if (done) store.select(parseInt(digits, 16));
+  };
+  const dialog = h(
+    "dialog",
+    { "aria-labelledby": "add-title" },
+    h("h2", { id: "add-title" }, "Add an object"),
+    h("section", {}, h("h3", {}, "Of a document"), profile, filter, list),
+    h(
+      "form",
+      { method: "dialog", onsubmit: own },
+      h("h3", {}, "Of your own"),
+      h("label", {}, "Index ", index),
+      h("label", {}, "Name ", name),
+      h("label", {}, "Data type ", type),
+      h("label", {}, "Access ", access),
+      h("div", { class: "actions" }, h("button", { type: "button", onclick: () => dialog.close() }, "Cancel"), h("button", { type: "submit", class: "main" }, "Add")),
+    ),
+  );
+  dialog.addEventListener("toggle", async () => {
+    if (!dialog.open || !store.current) return;
+    if (profile.options.length === 0) {
+      const profiles = await ask<ProfileRow[]>({ do: "profiles" });
+      profile.replaceChildren(...profiles.map((row) => h("option", { value: row.number }, `CiA ${row.number}: ${row.title}`)));
+    }
+    const own = String(store.current.outline.profile ?? 301);
+    if ([...profile.options].some((option) => option.value === own)) profile.value = own;
+    await load();
+  });
+  return dialog;
+}

@@ -1,0 +1,34 @@
+// Elements without a framework. Texts are always text: nothing of a file is read as HTML.
+
+type Child = Node | string | null | undefined | false;
+type Attributes = Record<string, string | number | boolean | undefined | ((event: never) => void)>;
+
+export function h<K extends keyof HTMLElementTagNameMap>(
+  tag: K,
+  attributes: Attributes = {},
+  ...children: Child[]
+): HTMLElementTagNameMap[K] {
+  const element = document.createElement(tag);
+  for (const [name, value] of Object.entries(attributes)) {
+    if (typeof value === "function") element.addEventListener(name.slice(2), value as EventListener);
+    else if (value === true) element.setAttribute(name, "");
+    else if (value !== undefined && value !== false) element.setAttribute(name, String(value));
+  }
+  element.append(...children.filter((child): child is Node | string => child !== null && child !== undefined && child !== false));
+  return element;
+}
+
+export const hex = (number: number, digits: number): string => number.toString(16).toUpperCase().padStart(digits, "0");
+export const indexText = (index: number): string => `${hex(index, 4)}h`;
+export const addressText = (index: number, sub: number): string => `${hex(index, 4)}h:${hex(sub, 2)}`;
+export const placeOf = (index: number, sub?: number): string =>
+  `0x${hex(index, 4)}${sub === undefined ? "" : `sub${sub.toString(16).toUpperCase()}`}`;
+
+/** The object that a place of a finding is about. */
+export function indexOf(place: string | undefined): number | undefined {
+  const found = /^0x([0-9A-F]{4})/.exec(place ?? "");
+  return found ? parseInt(found[1]!, 16) : undefined;
+}
+
+/** The number in a text, decimal or `0x…`; NaN for anything else. */
+export const numberIn = (text: string): number => (/^(0x[0-9a-f]+|\d+)$/i.test(text.trim()) ? Number(text) : NaN);

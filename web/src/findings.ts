@@ -1,0 +1,68 @@
+// Right: what was found, with fixes.
+
+import { h, indexOf } from "./dom";
+import type { Finding } from "./protocol";
+import type { Store } from "./store";
+
+/** So many are drawn; a file may have tens of thousands. */
+const MAX_SHOWN = 400;
+
+const PAGE = "https://docs.rs/objdict/latest/objdict/rules";
+
+function fixButton(store: Store, finding: Finding): HTMLElement | false {
+  const { fix } = finding;
+  const document = store.current!;
+  if (!fix || document.state.is_read_only) return false;
+  const make = () =>
+    void store.change(
+      fix.encoding
+        ? { do: "encode", document: document.id, encoding: fix.encoding }
+        : { do: "edit", document: document.id, edits: fix.edits },
+    );
+  const title = fix.safety === "safe" ? "keeps the meaning" : "needs your review";
+  return h("button", { class: `fix ${fix.safety}`, title, onclick: make, "data-key": `fix-${finding.fingerprint}` }, fix.title);
+}
+
+function item(store: Store, finding: Finding): HTMLElement {
+  const index = indexOf(finding.place);
+  const has = index !== undefined && store.current!.outline.objects.some((object) => object.index === index);
+  const go = () => {
+    store.index = has ? index : store.index;
+    store.view = has && store.view !== "text" ? "form" : "text";
+    store.draw();
+    if (store.view === "text") requestAnimationFrame(() => document.dispatchEvent(new CustomEvent("go-to-line", { detail: finding.line })));
+  };
+  return h(
+    "li",
+    { class: `finding ${finding.severity}` },
+    h("button", { class: "where", onclick: go }, h("span", { class: "severity" }, finding.severity), ` line ${finding.line}`, finding.place ? ` · ${finding.place}` : ""),
+    h("p", {}, finding.message),
+    finding.help && h("p", { class: "help" }, finding.help),
+    h("div", { class: "actions" }, fixButton(store, finding), h("a", { href: ruleAddress(finding.rule), target: "_blank", rel: "noreferrer noopener" }, finding.rule)),
+  );
+}
+
+function ruleAddress(rule: string): string {
+  const [group, name] = rule.split("/");
+  return `${PAGE}/${group}/index.html#${name}`;
+}
+
+export function findingsPanel(store: Store): HTMLElement {
+  const list = h("ul", { class: "scroll", "aria-label": "Findings", tabindex: 0 });
+  const summary = h("p", { role: "status", class: "summary" });
+  const safe = h("button", { onclick: () => void store.change({ do: "fix-all", document: store.current!.id }) }, "Make all safe fixes");
+  store.onDraw(() => {
+    const document = store.current;
+    const findings = document?.report.findings ?? [];
+    const { errors = 0, warnings = 0, notes = 0 } = document?.report.summary ?? {};
+    const count = (number: number, word: string) => `${number} ${word}${number === 1 ? "" : "s"}`;
+    summary.textContent = document ? [count(errors, "error"), count(warnings, "warning"), count(notes, "note")].join(", ") : "";
+    safe.hidden = !findings.some((finding) => finding.fix?.safety === "safe");
+    const shown = findings.slice(0, MAX_SHOWN).map((finding) => item(store, finding));
+    if (findings.length > MAX_SHOWN) shown.push(h("li", {}, `and ${findings.length - MAX_SHOWN} more`));
+    if (document && findings.length === 0) shown.push(h("li", { class: "nothing" }, "No findings."));
+    list.replaceChildren(...shown);
+    list.setAttribute("aria-busy", String(document !== undefined && !document.has_fixes));
+  });
+  return h("aside", { "aria-label": "Findings", class: "panel findings" }, h("div", { class: "bar" }, summary, safe), list);
+}

@@ -1,0 +1,206 @@
+// The workbench: a bar on top, objects on the left, one object, the text or a PDO in the middle, findings on the right.
+
+import { compareView } from "./compare";
+import { addDialog, newDialog } from "./create";
+import { startEngine } from "./engine";
+import { h } from "./dom";
+import { EXAMPLES } from "./examples";
+import { findingsPanel } from "./findings";
+import { formView } from "./form";
+import { objectsPanel } from "./objects";
+import { productsDialog, saveDialog } from "./output";
+import { pdoView } from "./pdo";
+import { Store, indexInAddress, type View } from "./store";
+import { diffView, textView } from "./text";
+
+const store = new Store();
+
+async function openFiles(files: Iterable<File>): Promise<void> {
+  for (const file of files) await store.open(file.name, new Uint8Array(await file.arrayBuffer()));
+}
+
+const chooser = h("input", {
+  type: "file",
+  multiple: true,
+  hidden: true,
+  "aria-label": "Files to open",
+  onchange: () => {
+    void openFiles([...(chooser.files ?? [])]).then(() => (chooser.value = ""));
+  },
+});
+
+const dialogs = { save: saveDialog(store), products: productsDialog(store), create: newDialog(store), add: addDialog(store) };
+
+function button(label: string, what: () => void, attributes: Record<string, string> = {}): HTMLButtonElement {
+  return h("button", { onclick: what, ...attributes }, label);
+}
+
+function undo(): void {
+  if (store.current?.state.can_undo) void store.change({ do: "undo", document: store.current.id });
+}
+
+function redo(): void {
+  if (store.current?.state.can_redo) void store.change({ do: "redo", document: store.current.id });
+}
+
+function examplesMenu(): HTMLElement {
+  const list = EXAMPLES.map(([label, name, text]) =>
+    button(label, () => {
+      menu.open = false;
+      void store.open(name, new TextEncoder().encode(text));
+    }),
+  );
+  const menu = h("details", { class: "menu" }, h("summary", {}, "Examples"), h("div", { class: "items" }, ...list));
+  return menu;
+}
+
+function topBar(): HTMLElement {
+  const [back, again] = [button("Undo", undo, { title: "Ctrl+Z" }), button("Redo", redo, { title: "Ctrl+Shift+Z" })];
+  const save = button("Save as …", () => dialogs.save.showModal(), { title: "Ctrl+S" });
+  const products = button("Download …", () => dialogs.products.showModal());
+  const add = button("Add object …", () => dialogs.add.showModal());
+  const theme = button("Dark or light", switchTheme, { class: "quiet" });
+  store.onDraw(() => {
+    const state = store.current?.state;
+    back.disabled = !state?.can_undo;
+    again.disabled = !state?.can_redo;
+    for (const each of [save, products, add]) each.disabled = !state;
+    add.disabled = !state || state.is_read_only;
+  });
+  return h(
+    "header",
+    {},
+    h("h1", {}, "objdict ", h("span", {}, "workbench")),
+    button("Open …", () => chooser.click(), { title: "Ctrl+O" }),
+    examplesMenu(),
+    button("New …", () => dialogs.create.showModal()),
+    back,
+    again,
+    add,
+    save,
+    products,
+    theme,
+    chooser,
+  );
+}
+
+function switchTheme(): void {
+  const root = document.documentElement;
+  const isDark = root.dataset.theme ? root.dataset.theme === "dark" : matchMedia("(prefers-color-scheme: dark)").matches;
+  root.dataset.theme = isDark ? "light" : "dark";
+}
+
+function documentTabs(): HTMLElement {
+  const tabs = h("nav", { class: "documents", "aria-label": "Open files" });
+  store.onDraw(() => {
+    tabs.hidden = store.documents.length === 0;
+    tabs.replaceChildren(
+      ...store.documents.map((document) =>
+        h(
+          "span",
+          { class: document === store.current ? "document current" : "document" },
+          h("button", { "aria-current": document === store.current ? "page" : undefined, onclick: () => store.show(document) }, document.state.name, document.state.is_changed ? " •" : ""),
+          h("button", { class: "quiet", "aria-label": `Close ${document.state.name}`, onclick: () => void store.close(document) }, "×"),
+        ),
+      ),
+    );
+  });
+  return tabs;
+}
+
+const VIEWS: [View, string][] = [
+  ["form", "Object"],
+  ["text", "Text"],
+  ["pdo", "PDOs"],
+  ["diff", "Changes"],
+  ["compare", "Compare"],
+];
+
+function middle(): HTMLElement {
+  const tabs = VIEWS.map(([view, label]) => {
+    const tab = button(label, () => {
+      store.view = view;
+      store.draw();
+    });
+    return { view, tab };
+  });
+  const facts = h("p", { class: "facts" });
+  store.onDraw(() => {
+    for (const { view, tab } of tabs) tab.setAttribute("aria-pressed", String(view === store.view));
+    const { state, outline } = store.current ?? {};
+    const parts = [outline?.vendor, outline?.product, outline?.profile ? `CiA ${outline.profile}` : null, outline?.node_id ? `node ${outline.node_id}` : null, state?.format, state?.encoding];
+    facts.textContent = parts.filter(Boolean).join(" · ");
+  });
+  return h("main", { class: "panel" }, h("div", { class: "bar views" }, ...tabs.map(({ tab }) => tab), facts), formView(store), textView(store), pdoView(store), diffView(store), compareView(store));
+}
+
+function notice(): HTMLElement {
+  const element = h("div", { class: "notice", role: "alert" });
+  store.onDraw(() => {
+    element.hidden = !store.notice;
+    if (!store.notice) return;
+    const close = () => {
+      store.notice = undefined;
+      store.draw();
+    };
+    const { kind, message, help } = store.notice;
+    element.className = `notice ${kind}`;
+    element.replaceChildren(h("p", {}, message), help ? h("p", { class: "help" }, help) : "", button("Close", close, { class: "quiet" }));
+  });
+  return element;
+}
+
+function welcome(): HTMLElement {
+  const element = h(
+    "section",
+    { class: "welcome" },
+    h("h2", {}, "Drop a device description here"),
+    h("p", {}, "EDS, DCF, XDD, XDC or device.toml. The files stay in this browser: nothing is uploaded."),
+    h("div", { class: "actions" }, button("Choose files …", () => chooser.click(), { class: "main" }), ...EXAMPLES.map(([label, name, text]) => button(label, () => void store.open(name, new TextEncoder().encode(text))))),
+  );
+  store.onDraw(() => (element.hidden = store.current !== undefined));
+  return element;
+}
+
+function listen(): void {
+  addEventListener("dragover", (event) => event.preventDefault());
+  addEventListener("drop", (event) => {
+    event.preventDefault();
+    if (event.dataTransfer?.files.length) void openFiles([...event.dataTransfer.files]);
+  });
+  addEventListener("keydown", (event) => {
+    if (!(event.ctrlKey || event.metaKey) || document.querySelector("dialog[open]")) return;
+    const key = event.key.toLowerCase();
+    // in a field, the browser undoes what was typed there
+    const isTyping = event.target instanceof HTMLInputElement && event.target.value !== event.target.defaultValue;
+    const action = { z: event.shiftKey ? redo : undo, y: redo, o: () => chooser.click(), s: () => store.current && dialogs.save.showModal() }[key];
+    if (!action || (isTyping && (key === "z" || key === "y"))) return;
+    event.preventDefault();
+    action();
+  });
+  addEventListener("hashchange", () => {
+    const index = indexInAddress();
+    if (index !== undefined) store.select(index);
+  });
+  addEventListener("beforeunload", (event) => {
+    if (store.documents.some((document) => document.state.is_changed)) event.preventDefault();
+  });
+}
+
+/** From a host, the page opens without a network too; the second time it is asked for, all of it is kept. */
+function keepForOffline(): void {
+  const isHosted = location.protocol.startsWith("http") && !document.getElementById("embedded-engine");
+  if (isHosted && import.meta.env.PROD) void navigator.serviceWorker?.register("./offline.js").catch(() => {});
+}
+
+async function start(): Promise<void> {
+  const panels = h("div", { class: "panels" }, objectsPanel(store), middle(), findingsPanel(store));
+  store.onDraw(() => (panels.hidden = !store.current));
+  document.getElementById("app")!.replaceChildren(topBar(), documentTabs(), notice(), welcome(), panels, ...Object.values(dialogs));
+  listen();
+  await startEngine(() => void store.reopen());
+  keepForOffline();
+  store.draw();
+}
+
+void start();

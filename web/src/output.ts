@@ -1,0 +1,144 @@
+// What is written: the file as it is now or in another format, and what is generated of it.
+
+import { make } from "./engine";
+import { h, numberIn } from "./dom";
+import type { MadeFile, Request } from "./protocol";
+import type { Store } from "./store";
+import { zip } from "./zip";
+
+export function download(name: string, content: Blob): void {
+  const address = URL.createObjectURL(content);
+  const link = h("a", { href: address, download: name });
+  document.body.append(link);
+  link.click();
+  link.remove();
+  setTimeout(() => URL.revokeObjectURL(address), 10_000);
+}
+
+const stem = (name: string): string => name.replace(/\.[^.]*$/, "");
+
+const FORMATS: [ending: string, label: string, needsNode: boolean][] = [
+  ["eds", "EDS", false],
+  ["dcf", "DCF", true],
+  ["xdd", "XDD", false],
+  ["xdc", "XDC", true],
+  ["toml", "device.toml", false],
+];
+
+const PRODUCTS: [id: string, label: string, request: (document: number, node_id?: number) => Request][] = [
+  ["c", "Tables in C", (document) => ({ do: "generate", document, target: "c" })],
+  ["rust", "Tables in Rust", (document) => ({ do: "generate", document, target: "rust" })],
+  ["canopennode", "Tables for CANopenNode", (document) => ({ do: "generate", document, target: "canopennode" })],
+  ["html", "Documentation (HTML)", (document) => ({ do: "docs", document, form: "html" })],
+  ["md", "Documentation (Markdown)", (document) => ({ do: "docs", document, form: "md" })],
+  ["csv", "Table of entries (CSV)", (document) => ({ do: "docs", document, form: "csv" })],
+  ["dbc", "DBC", (document, node_id) => ({ do: "dbc", document, node_id })],
+  ["concise", "Concise DCF", (document, node_id) => ({ do: "concise", document, node_id })],
+];
+
+/** One file as it is, several as a ZIP. */
+function deliver(files: MadeFile[], archive: string): void {
+  const [first] = files;
+  if (!first) return;
+  if (files.length === 1) download(first.name.split("/").at(-1)!, new Blob([first.bytes as BlobPart]));
+  else download(archive, zip(files));
+}
+
+function say(store: Store, notes: string[]): void {
+  const shown = notes.slice(0, 5).join("; ");
+  const more = notes.length > 5 ? `; and ${notes.length - 5} more` : "";
+  store.notice = notes.length > 0 ? { kind: "note", message: shown + more } : undefined;
+  store.draw();
+}
+
+export function saveDialog(store: Store): HTMLDialogElement {
+  const name = h("input", { id: "save-name", required: true, autocomplete: "off" });
+  const nodeId = h("input", { id: "save-node-id", type: "number", min: 1, max: 127 });
+  const bitRate = h("input", { id: "save-bit-rate", list: "bit-rates", inputmode: "numeric" });
+  const node = h("div", { class: "node" }, h("label", {}, "Node-ID ", nodeId), h("label", {}, "Bit rate in kbit/s ", bitRate));
+  const format = h("select", { id: "save-format" }, ...FORMATS.map(([ending, label]) => h("option", { value: ending }, label)));
+  const follow = () => {
+    name.value = `${stem(name.value)}.${format.value}`;
+    node.hidden = !FORMATS.find(([ending]) => ending === format.value)![2];
+  };
+  format.addEventListener("change", follow);
+  const save = async (event: Event) => {
+    event.preventDefault();
+    const document = store.current!.id;
+    const number = (input: HTMLInputElement) => (input.value ? Number(input.value) : undefined);
+    const request: Request = { do: "save", document, name: name.value, node_id: number(nodeId), bit_rate: number(bitRate) };
+    await store.attempt(async () => {
+      const { files, notes } = await make(request);
+      deliver(files, "");
+      say(store, notes.map((note) => `not in the file: ${note}`));
+    });
+    dialog.close();
+  };
+  const dialog = h(
+    "dialog",
+    { "aria-labelledby": "save-title" },
+    h(
+      "form",
+      { method: "dialog", onsubmit: save },
+      h("h2", { id: "save-title" }, "Save as"),
+      h("label", {}, "Format ", format),
+      h("label", {}, "Name ", name),
+      node,
+      h("datalist", { id: "bit-rates" }, ...[10, 20, 50, 125, 250, 500, 800, 1000].map((rate) => h("option", { value: rate }))),
+      h("div", { class: "actions" }, h("button", { type: "button", onclick: () => dialog.close() }, "Cancel"), h("button", { type: "submit", class: "main" }, "Save")),
+    ),
+  );
+  dialog.addEventListener("toggle", () => {
+    if (!dialog.open || !store.current) return;
+    const { state, outline } = store.current;
+    format.value = /\.(\w+)$/.exec(state.name)?.[1]?.toLowerCase() ?? "eds";
+    if (!format.value) format.value = "eds";
+    name.value = state.name;
+    nodeId.value = String(outline.node_id ?? "");
+    follow();
+  });
+  return dialog;
+}
+
+export function productsDialog(store: Store): HTMLDialogElement {
+  const boxes = PRODUCTS.map(([id, label]) => {
+    const box = h("input", { type: "checkbox", value: id });
+    return h("label", { class: "choice" }, box, ` ${label}`);
+  });
+  const nodeId = h("input", { type: "text", inputmode: "numeric", size: 4 });
+  const go = async (event: Event) => {
+    event.preventDefault();
+    const document = store.current!;
+    const chosen = PRODUCTS.filter(([id]) => dialog.querySelector<HTMLInputElement>(`input[value="${id}"]`)!.checked);
+    await store.attempt(async () => {
+      const [all, notes]: [MadeFile[], string[]] = [[], []];
+      const node = numberIn(nodeId.value);
+      for (const [id, , request] of chosen) {
+        const made = await make(request(document.id, Number.isNaN(node) ? undefined : node));
+        const folder = chosen.length > 1 && made.files.length > 1 ? `${id}/` : "";
+        all.push(...made.files.map((file) => ({ ...file, name: folder + file.name })));
+        notes.push(...made.notes.map((note) => `${id}: ${note}`));
+      }
+      deliver(all, `${stem(document.state.name)}.zip`);
+      say(store, notes);
+    });
+    dialog.close();
+  };
+  const dialog = h(
+    "dialog",
+    { "aria-labelledby": "products-title" },
+    h(
+      "form",
+      { method: "dialog", onsubmit: go },
+      h("h2", { id: "products-title" }, "Download what is made of the device"),
+      h("fieldset", {}, h("legend", {}, "Files"), ...boxes),
+      h("label", {}, "Node-ID for DBC and concise DCF ", nodeId),
+      h("p", { class: "meaning" }, "Several files come as a ZIP."),
+      h("div", { class: "actions" }, h("button", { type: "button", onclick: () => dialog.close() }, "Cancel"), h("button", { type: "submit", class: "main" }, "Download")),
+    ),
+  );
+  dialog.addEventListener("toggle", () => {
+    if (dialog.open) nodeId.value = String(store.current?.outline.node_id ?? "");
+  });
+  return dialog;
+}

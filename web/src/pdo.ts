@@ -1,0 +1,236 @@
+// Middle: a PDO as eight bytes, with what it carries. Objects are added, moved and removed by mouse and by keyboard; each step changes
+// the mapping entries in the file.
+
+import { addressText, h, hex, numberIn, placeOf } from "./dom";
+import type { FieldChange, Mappable, Mapped, PdoRow } from "./protocol";
+import type { Store } from "./store";
+
+const BITS = 64;
+const MAX_SHOWN = 200;
+const COLOURS = 8;
+
+/** Data types that RPDOs carry as gaps. */
+const DUMMIES: Mappable[] = [
+  { index: 0x05, sub: 0, bits: 8, name: "gap of 8 bits (UNSIGNED8)", rpdo: true, tpdo: false },
+  { index: 0x06, sub: 0, bits: 16, name: "gap of 16 bits (UNSIGNED16)", rpdo: true, tpdo: false },
+  { index: 0x07, sub: 0, bits: 32, name: "gap of 32 bits (UNSIGNED32)", rpdo: true, tpdo: false },
+];
+
+const TRANSMISSION: [number, string][] = [
+  [0, "0: synchronous, after a change"],
+  [1, "1: at every SYNC"],
+  [2, "2: at every second SYNC"],
+  [10, "10: at every tenth SYNC"],
+  [252, "252: sampled at SYNC, sent on request (RTR)"],
+  [253, "253: sent on request (RTR)"],
+  [254, "254: event of the vendor"],
+  [255, "255: event of the device profile"],
+];
+
+const bitsOf = (mapped: { bits: number }[]): number => mapped.reduce((sum, { bits }) => sum + bits, 0);
+
+/** The changes of the mapping entries that give a list of objects. */
+function mappingChanges(pdo: PdoRow, mapped: Mapped[], field: string): FieldChange[] {
+  const number = ({ index, sub, bits }: Mapped) => ((index << 16) | (sub << 8) | bits) >>> 0;
+  const changes: FieldChange[] = [];
+  for (let sub = 1; sub <= Math.max(mapped.length, ...pdo.slots.map((slot) => slot.sub)); sub++) {
+    const at = placeOf(pdo.mapping, sub);
+    const object = mapped[sub - 1];
+    const wanted = object ? number(object) : 0;
+    const slot = pdo.slots.find((slot) => slot.sub === sub);
+    const value = `0x${hex(wanted, 8)}`;
+    if (slot && (slot.number ?? 0) !== wanted) changes.push({ change: "set", at: `${at} / ${field}`, value });
+    else if (!slot && object) {
+      const fields: [string, string][] = [["ParameterName", `Mapped object ${sub}`], ["ObjectType", "0x7"], ["DataType", "0x0007"], ["AccessType", "rw"], [field, value], ["PDOMapping", "0"]];
+      changes.push({ change: "add", at, fields });
+    }
+  }
+  const added = changes.filter(({ change }) => change === "add").length;
+  if (added > 0) changes.push({ change: "set", at: `${placeOf(pdo.mapping)} / SubNumber`, value: String(pdo.slots.length + added + 1) });
+  if (mapped.length !== pdo.mapped_count) changes.push({ change: "set", at: `${placeOf(pdo.mapping, 0)} / ${field}`, value: String(mapped.length) });
+  return changes;
+}
+
+export function pdoView(store: Store): HTMLElement {
+  const view = h("div", { class: "pdo scroll" });
+  let filter = "";
+
+  const field = () => (store.current!.outline.is_node ? "ParameterValue" : "DefaultValue");
+  const change = async (pdo: PdoRow, mapped: Mapped[], focus?: number) => {
+    const done = await store.change({ do: "change", document: store.current!.id, changes: mappingChanges(pdo, mapped, field()) });
+    if (done && focus !== undefined) requestAnimationFrame(() => view.querySelector<HTMLElement>(`[data-key="mapped-${focus}"]`)?.focus());
+  };
+  const add = (pdo: PdoRow, { index, sub, bits, name }: Mappable, at = pdo.mapped.length) =>
+    void change(pdo, [...pdo.mapped.slice(0, at), { index, sub, bits, name }, ...pdo.mapped.slice(at)], at);
+  const move = (pdo: PdoRow, from: number, to: number) => {
+    if (to < 0 || to >= pdo.mapped.length || from === to) return;
+    const mapped = pdo.mapped.filter((_, position) => position !== from);
+    mapped.splice(to, 0, pdo.mapped[from]!);
+    void change(pdo, mapped, to);
+  };
+  const remove = (pdo: PdoRow, at: number) =>
+    void change(pdo, pdo.mapped.filter((_, position) => position !== at), Math.max(0, at - 1));
+  const communication = (pdo: PdoRow, sub: number, value: string) =>
+    void store.change({ do: "change", document: store.current!.id, changes: [{ change: "set", at: `${placeOf(pdo.communication, sub)} / ${field()}`, value }] });
+
+  /** What is dragged: the position of a mapped object, or of one that can be mapped. */
+  let dragged: { from: number } | { mappable: Mappable } | undefined;
+  const drop = (pdo: PdoRow, at: number) => (event: DragEvent) => {
+    event.preventDefault();
+    event.stopPropagation();
+    const what = dragged;
+    dragged = undefined;
+    if (!what) return;
+    if ("from" in what) move(pdo, what.from, Math.min(at, pdo.mapped.length - 1));
+    else add(pdo, what.mappable, at);
+  };
+  view.addEventListener("dragend", () => {
+    dragged = undefined;
+    store.draw();
+  });
+  const over = (event: DragEvent) => event.preventDefault();
+
+  const width = (pdo: PdoRow, bits: number) => `flex: 0 0 ${(100 * bits) / Math.max(BITS, bitsOf(pdo.mapped))}%`;
+  const block = (pdo: PdoRow, mapped: Mapped, at: number): HTMLElement => {
+    const label = mapped.name ?? (mapped.index < 0x20 ? "gap" : "not described");
+    return h(
+      "div",
+      {
+        class: `mapped colour-${at % COLOURS}`,
+        style: width(pdo, mapped.bits),
+        role: "listitem",
+        tabindex: 0,
+        draggable: "true",
+        title: `${addressText(mapped.index, mapped.sub)} ${label}, ${mapped.bits} bits`,
+        "aria-label": `${addressText(mapped.index, mapped.sub)} ${label}, ${mapped.bits} bits. Alt with arrow keys moves, Delete removes`,
+        "data-key": `mapped-${at}`,
+        ondragstart: () => (dragged = { from: at }),
+        ondragover: over,
+        ondrop: drop(pdo, at),
+        onkeydown: (event: KeyboardEvent) => {
+          const by = { ArrowLeft: -1, ArrowRight: 1 }[event.key];
+          if (event.altKey && by) move(pdo, at, at + by);
+          else if (by) view.querySelector<HTMLElement>(`[data-key="mapped-${at + by}"]`)?.focus();
+          else if (event.key === "Delete" || event.key === "Backspace") remove(pdo, at);
+          else return;
+          event.preventDefault();
+        },
+      },
+      h("span", { class: "address" }, addressText(mapped.index, mapped.sub)),
+      h("span", { class: "name" }, label),
+      h("button", { class: "quiet", "aria-label": `Remove ${label}`, onclick: () => remove(pdo, at) }, "×"),
+    );
+  };
+
+  const bytes = (pdo: PdoRow): HTMLElement => {
+    const used = bitsOf(pdo.mapped);
+    const left = BITS - used;
+    const words = left >= 0 ? `${left} of 64 bits left` : `${-left} bits more than a PDO can carry`;
+    return h(
+      "section",
+      { "aria-label": "Content" },
+      h("div", { class: "scale", "aria-hidden": "true" }, ...Array.from({ length: 8 }, (_, byte) => h("span", {}, `byte ${byte}`))),
+      h(
+        "div",
+        { class: left < 0 ? "bytes over" : "bytes", role: "list", "aria-label": "Mapped objects", ondragover: over, ondrop: drop(pdo, pdo.mapped.length) },
+        ...pdo.mapped.map((mapped, at) => block(pdo, mapped, at)),
+        left > 0 && h("div", { class: "free", style: width(pdo, left), "aria-hidden": "true" }),
+      ),
+      h("p", { role: "status", class: left < 0 ? "remark error" : "meaning" }, words),
+    );
+  };
+
+  const setting = (pdo: PdoRow, sub: number, label: string, text: string, meaning: string, choices?: [number, string][]): HTMLElement | false => {
+    if (!pdo.communication_subs.includes(sub)) return false;
+    const id = `pdo-${sub}`;
+    const input = h("input", { id, value: text, "data-key": id, list: choices ? `${id}-choices` : undefined, autocomplete: "off", onchange: () => input.value !== text && communication(pdo, sub, input.value.split(":")[0]!.trim()) });
+    return h(
+      "div",
+      { class: "field" },
+      h("label", { for: id }, label),
+      h("div", {}, input, choices && h("datalist", { id: `${id}-choices` }, ...choices.map(([value, words]) => h("option", { value: String(value) }, words))), h("p", { class: "meaning" }, meaning)),
+    );
+  };
+
+  const settings = (pdo: PdoRow): HTMLElement => {
+    const canId = pdo.can_id == null ? "" : `CAN-ID ${hex(pdo.can_id, 3)}h on this node${store.current!.outline.node_id ? "" : " (with node-ID 1)"}. `;
+    const inhibit = pdo.inhibit_time ? `${pdo.inhibit_time / 10} ms at least between two messages` : "no inhibit time";
+    const event = pdo.event_timer ? `sent every ${pdo.event_timer} ms at the latest` : "no event timer";
+    const cobId = pdo.cob_id === undefined || Number.isNaN(numberIn(pdo.cob_id)) ? (pdo.cob_id ?? "") : `0x${hex(numberIn(pdo.cob_id), 8)}`;
+    return h(
+      "section",
+      { "aria-label": "Communication" },
+      setting(pdo, 1, "COB-ID", cobId, `${canId}Bit 31 makes the PDO not valid; it is ${pdo.is_valid === false ? "not valid" : "valid"}.`),
+      validity(pdo),
+      setting(pdo, 2, "Transmission type", String(pdo.transmission_type ?? ""), pdo.transmission_words ?? "", TRANSMISSION),
+      setting(pdo, 3, "Inhibit time", String(pdo.inhibit_time ?? ""), `In multiples of 100 µs: ${inhibit}.`),
+      setting(pdo, 5, "Event timer", String(pdo.event_timer ?? ""), `In milliseconds: ${event}.`),
+    );
+  };
+
+  const validity = (pdo: PdoRow): HTMLElement | false => {
+    const [, prefix = "", digits = ""] = /^(\$NODEID\+)?(.+)$/i.exec(pdo.cob_id ?? "") ?? [];
+    const number = numberIn(digits);
+    if (Number.isNaN(number)) return false;
+    const flipped = `${prefix}0x${hex((number ^ 0x80000000) >>> 0, 8)}`;
+    return h("button", { onclick: () => communication(pdo, 1, flipped) }, pdo.is_valid === false ? "Make the PDO valid" : "Make the PDO not valid");
+  };
+
+  const candidates = (pdo: PdoRow): HTMLElement => {
+    const all = [...store.current!.outline.mappable.filter((entry) => (pdo.kind === "RPDO" ? entry.rpdo : entry.tpdo)), ...(pdo.kind === "RPDO" ? DUMMIES : [])];
+    const words = filter.toLowerCase().split(/\s+/).filter(Boolean);
+    const shown = all.filter((entry) => words.every((word) => `${addressText(entry.index, entry.sub)} ${entry.name}`.toLowerCase().includes(word)));
+    const input = h("input", {
+      type: "search",
+      value: filter,
+      placeholder: "Address or name",
+      "aria-label": "Search objects that can be mapped",
+      "data-key": "mappable-search",
+      oninput: () => {
+        filter = input.value;
+        store.draw();
+      },
+    });
+    const row = (entry: Mappable) =>
+      h(
+        "li",
+        { draggable: "true", ondragstart: () => (dragged = { mappable: entry }) },
+        h("button", { class: "mappable", onclick: () => add(pdo, entry), "data-key": `mappable-${entry.index}-${entry.sub}` }, h("span", { class: "address" }, addressText(entry.index, entry.sub)), h("span", { class: "name" }, entry.name), h("span", { class: "type" }, `${entry.bits} bits`)),
+      );
+    return h("section", { "aria-label": "Objects that can be mapped" }, h("h3", {}, "Objects that can be mapped"), h("p", { class: "meaning" }, "Enter or a click adds the object; drag it to another place."), input, h("ul", { class: "candidates" }, ...shown.slice(0, MAX_SHOWN).map(row)));
+  };
+
+  const found = (pdo: PdoRow): HTMLElement | false => {
+    const objects = [placeOf(pdo.communication), placeOf(pdo.mapping)];
+    const about = store.current!.report.findings.filter((finding) => [finding, ...(finding.places ?? [])].some((at) => objects.some((object) => at.place?.startsWith(object))));
+    return about.length > 0 && h("section", { "aria-label": "Findings about this PDO" }, ...about.map((finding) => h("p", { class: `remark ${finding.severity}` }, finding.message)));
+  };
+
+  store.onDraw(() => {
+    view.hidden = store.view !== "pdo";
+    const pdo = store.current?.outline.pdos[store.pdo];
+    // what is dragged stays in the page until it is dropped
+    if (view.hidden || dragged) return;
+    if (!pdo) {
+      view.replaceChildren(h("p", { class: "nothing" }, "The device has no PDOs."));
+      return;
+    }
+    const active = document.activeElement as HTMLElement | null;
+    const key = view.contains(active) ? active?.dataset?.key : undefined;
+    const top = view.scrollTop;
+    view.replaceChildren(
+      h("h2", {}, `${pdo.kind} ${pdo.number} `, h("span", { class: "type" }, `${hex(pdo.communication, 4)}h, ${hex(pdo.mapping, 4)}h`)),
+      bytes(pdo),
+      ...[found(pdo) || ""],
+      settings(pdo),
+      candidates(pdo),
+    );
+    view.scrollTop = top;
+    if (key) {
+      const again = view.querySelector<HTMLElement>(`[data-key="${CSS.escape(key)}"]`);
+      again?.focus({ preventScroll: true });
+      if (again instanceof HTMLInputElement && again.type === "search") again.setSelectionRange(filter.length, filter.length);
+    }
+  });
+  return view;
+}

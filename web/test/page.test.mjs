@@ -1,0 +1,287 @@
+// The page in Chromium: from a host and as one file from disk.
+
+import assert from "node:assert/strict";
+import { mkdtempSync, readFileSync, rmSync, statSync } from "node:fs";
+import { tmpdir } from "node:os";
+import { join } from "node:path";
+import { after, before, test } from "node:test";
+import { pathToFileURL } from "node:url";
+import { chromium as browserType } from "playwright-core";
+import { chromium, dist, fixture, hasCommand, host, objdict, root } from "./support.mjs";
+
+const executablePath = chromium();
+const skip = !executablePath && "no Chromium";
+const single = join(dist, "objdict-workbench.html");
+let browser;
+let server;
+
+before(async () => {
+  if (skip) return;
+  browser = await browserType.launch({ executablePath, args: ["--no-sandbox", "--disable-dev-shm-usage"] });
+  server = await host();
+});
+after(async () => {
+  await browser?.close();
+  server?.close();
+});
+
+/** Opens the page; afterwards nothing has been asked of another origin, and nothing has failed. */
+async function withPage(use, { address = server.address, size = { width: 1280, height: 800 } } = {}) {
+  const context = await browser.newContext({ viewport: size, acceptDownloads: true });
+  const page = await context.newPage();
+  const [requests, problems] = [[], []];
+  page.on("request", (request) => requests.push(request.url()));
+  page.on("pageerror", (error) => problems.push(String(error)));
+  page.on("console", (message) => message.type() === "error" && problems.push(message.text()));
+  page.on("dialog", (dialog) => problems.push(dialog.message()));
+  await page.goto(address);
+  await use(page);
+  const base = new URL("./", address).href;
+  const foreign = requests.filter((url) => !url.startsWith(base) && !/^(blob|data):/.test(url));
+  assert.deepEqual(foreign, []);
+  assert.deepEqual(problems, []);
+  await context.close();
+}
+
+async function open(page, ...files) {
+  const list = files.map(([name, buffer]) => ({ name, mimeType: "application/octet-stream", buffer: Buffer.from(buffer) }));
+  await page.setInputFiles("input[type=file]", list);
+  await page.waitForFunction((name) => document.querySelector(".document.current")?.textContent.includes(name), files.at(-1)[0]);
+}
+
+const checked = (page) => page.waitForSelector('.findings ul[aria-busy="false"]');
+
+/** The bytes of a file that the page saves. */
+async function download(page, what) {
+  const [file] = await Promise.all([page.waitForEvent("download"), what()]);
+  return { name: file.suggestedFilename(), bytes: readFileSync(await file.path()) };
+}
+
+async function saveAs(page, format, fill = {}) {
+  await page.getByRole("button", { name: "Save as …" }).click();
+  if (format) await page.selectOption("#save-format", format);
+  for (const [id, value] of Object.entries(fill)) await page.fill(id, value);
+  return download(page, () => page.locator("dialog[open] button[type=submit]").click());
+}
+
+/** The lines that differ, as numbers. */
+function changedLines(old, now) {
+  const [before, after] = [old, now].map((bytes) => bytes.toString("latin1").split("\n"));
+  assert.equal(before.length, after.length);
+  return before.map((_, line) => line).filter((line) => before[line] !== after[line]);
+}
+
+const DRIVE = "drive-402.eds";
+
+test("an edited default is one changed line, and undo takes it back", { skip }, () =>
+  withPage(async (page) => {
+    const original = fixture(`eds/${DRIVE}`);
+    await open(page, [DRIVE, original]);
+    await page.getByLabel("Search objects", { exact: true }).fill("1017");
+    await page.getByRole("option", { name: /1017h/ }).click();
+    const field = page.getByLabel("Default value").first();
+    await field.fill("1234");
+    await field.press("Enter");
+    await page.waitForSelector(".document.current:has-text('•')");
+    const saved = await saveAs(page);
+    assert.equal(saved.name, DRIVE);
+    assert.equal(changedLines(original, saved.bytes).length, 1);
+    await page.getByRole("button", { name: "Changes", exact: true }).click();
+    await page.waitForSelector(".diff .cm-changedLine");
+    assert.equal(await page.locator(".diff .cm-changedLine").count(), 1);
+    await page.getByRole("button", { name: "Undo" }).click();
+    await page.waitForSelector(".document.current:not(:has-text('•'))");
+    assert.ok((await saveAs(page)).bytes.equals(original));
+  }));
+
+test("what is typed in the text keeps line ends and encoding", { skip }, () =>
+  withPage(async (page) => {
+    const original = Buffer.from(fixture(`eds/${DRIVE}`).toString("latin1").replaceAll("\r\n", "\n").replaceAll("\n", "\r\n").replace("ParameterName=Device type", "ParameterName=Ger\xe4t"), "latin1");
+    await open(page, [DRIVE, original]);
+    await page.getByRole("button", { name: "Text", exact: true }).click();
+    await page.locator(".cm-content").click();
+    await page.keyboard.press("Control+Home");
+    await page.keyboard.type("; by hand\n");
+    await page.waitForSelector(".document.current:has-text('•')");
+    await page.waitForTimeout(600);
+    const saved = await saveAs(page);
+    assert.equal(saved.bytes.toString("latin1"), `; by hand\r\n${original.toString("latin1")}`);
+  }));
+
+test("a fix is one click", { skip }, () =>
+  withPage(async (page) => {
+    await open(page, ["encoder-406.eds", fixture("errata/a9-encoder-406.eds")]);
+    await checked(page);
+    const before = await page.locator(".finding").count();
+    const fix = page.locator("button.fix").first();
+    await fix.click();
+    await page.waitForFunction((before) => document.querySelectorAll(".finding").length < before, before);
+  }));
+
+test("a conversion is that of the command", { skip: skip || (!hasCommand && "no command `objdict`") }, () =>
+  withPage(async (page) => {
+    await open(page, [DRIVE, fixture(`eds/${DRIVE}`)]);
+    const saved = await saveAs(page, "xdd");
+    // the name of the file is in it
+    const folder = mkdtempSync(join(tmpdir(), "objdict-page-"));
+    const { status } = objdict("convert", `fixtures/eds/${DRIVE}`, "-o", join(folder, saved.name));
+    const expected = readFileSync(join(folder, saved.name));
+    rmSync(folder, { recursive: true });
+    assert.equal(status, 0);
+    assert.ok(saved.bytes.equals(expected));
+    const dcf = await saveAs(page, "dcf", { "#save-node-id": "8", "#save-bit-rate": "250" });
+    assert.match(dcf.bytes.toString(), /NodeID=8/);
+  }));
+
+const mapped = (page) => page.locator(".mapped .address").allTextContents();
+
+test("a PDO is made by keyboard and by mouse", { skip }, () =>
+  withPage(async (page) => {
+    await open(page, [DRIVE, fixture(`eds/${DRIVE}`)]);
+    await page.getByRole("option", { name: /^TPDO 2\b/ }).click();
+    await page.waitForSelector(".mapped");
+    const start = await mapped(page);
+    await page.locator(".mapped").first().focus();
+    for (let left = start.length; left > 0; left--) {
+      await page.keyboard.press("Delete");
+      await page.waitForFunction((left) => document.querySelectorAll(".mapped").length === left, left - 1);
+      if (left > 1) await page.locator(".mapped").first().focus();
+    }
+    await page.getByLabel("Search objects that can be mapped").fill("6041");
+    await page.locator(".pdo .mappable", { hasText: "6041h:00" }).focus();
+    await page.keyboard.press("Enter");
+    await page.waitForSelector(".mapped");
+    await page.getByLabel("Search objects that can be mapped").fill("6064");
+    await checked(page);
+    await page.locator(".pdo .mappable", { hasText: "6064h:00" }).dragTo(page.locator(".bytes"), { targetPosition: { x: 200, y: 40 } });
+    await page.waitForFunction(() => document.querySelectorAll(".mapped").length === 2);
+    assert.deepEqual(await mapped(page), ["6041h:00", "6064h:00"]);
+    await page.locator(".mapped").first().focus();
+    await page.keyboard.press("Alt+ArrowRight");
+    await page.waitForFunction(() => document.querySelector(".mapped .address").textContent === "6064h:00");
+    assert.match(await page.locator(".pdo [role=status]").textContent(), /16 of 64 bits left/);
+    const text = (await saveAs(page)).bytes.toString();
+    const section = (name) => new RegExp(`\\[${name}\\][^[]*`, "i").exec(text)[0];
+    assert.match(section("1A01sub0"), /DefaultValue=2\s/);
+    assert.match(section("1A01sub1"), /DefaultValue=0x60640020/);
+    assert.match(section("1A01sub2"), /DefaultValue=0x60410010/);
+  }));
+
+test("two files are compared", { skip }, () =>
+  withPage(async (page) => {
+    const old = fixture(`eds/${DRIVE}`).toString("latin1");
+    const now = old.replace(/(\[6041\][^[]*?DataType=)0x0006/i, "$10x0007");
+    assert.notEqual(old, now);
+    await open(page, ["old.eds", old], ["new.eds", now]);
+    await page.getByRole("button", { name: "Compare", exact: true }).click();
+    await page.waitForSelector(".verdict.breaking");
+    assert.match(await page.locator(".compare table").textContent(), /6041h/);
+  }));
+
+test("a new device is made, and gets an object of its profile", { skip }, () =>
+  withPage(async (page) => {
+    await page.getByRole("button", { name: "New …" }).click();
+    await page.waitForSelector("#new-profile option", { state: "attached" });
+    await page.selectOption("#new-profile", "401");
+    for (const [label, value] of [["Vendor", "Example"], ["Product", "Inputs"]]) await page.getByLabel(label, { exact: true }).fill(value);
+    await page.locator("dialog[open] button[type=submit]").click();
+    await page.waitForSelector(".document.current:has-text('device.eds')");
+    await page.getByRole("button", { name: "Add object …" }).click();
+    await page.getByLabel("Search objects of the document").fill("1010");
+    await page.locator("dialog[open] .mappable:not(:disabled)").first().click();
+    await page.waitForSelector("h2:has-text('1010h')");
+  }));
+
+test("a deep link shows the object", { skip }, () =>
+  withPage(
+    async (page) => {
+      await open(page, [DRIVE, fixture(`eds/${DRIVE}`)]);
+      await page.waitForSelector("h2:has-text('6041h')");
+    },
+    { address: `${server.address}#6041` },
+  ));
+
+test("a hostile file does no harm", { skip }, () =>
+  withPage(async (page) => {
+    const script = "<script>alert(1)</script><img src=x onerror=alert(2)>";
+    const text = fixture(`eds/${DRIVE}`).toString("latin1").replaceAll(/ParameterName=.*/g, `ParameterName=${script}`);
+    await open(page, ["script.eds", text]);
+    for (const view of ["Object", "Text", "PDOs", "Changes"]) {
+      await page.getByRole("button", { name: view, exact: true }).click();
+      await page.waitForTimeout(200);
+    }
+    assert.equal(await page.locator("#app script, #app img").count(), 0);
+    for (const [name, bytes] of [["random.eds", Buffer.from(Array.from({ length: 4096 }, (_, at) => (at * 7919) % 251))], ["empty.eds", ""], ["large.eds", Buffer.alloc((64 << 20) + 1, "[1000]\n")]]) {
+      if (bytes.length > 50e6) {
+        // larger than the protocol takes in one message
+        await page.evaluate((size) => {
+          const transfer = new DataTransfer();
+          transfer.items.add(new File([new Uint8Array(size).fill(65)], "large.eds"));
+          dispatchEvent(new DragEvent("drop", { dataTransfer: transfer, bubbles: true, cancelable: true }));
+        }, bytes.length);
+      } else {
+        await page.setInputFiles("input[type=file]", [{ name, mimeType: "application/octet-stream", buffer: Buffer.from(bytes) }]);
+      }
+      await page.waitForFunction(() => document.querySelector(".notice.error:not([hidden])") || document.querySelectorAll(".document").length > 1);
+      await page.evaluate(() => document.querySelector(".notice button")?.click());
+    }
+    // and the engine answers as before
+    await open(page, [DRIVE, fixture(`eds/${DRIVE}`)]);
+  }));
+
+test("the single file works from disk", { skip }, async () => {
+  console.log(`objdict-workbench.html: ${statSync(single).size} bytes`);
+  await withPage(
+    async (page) => {
+      await open(page, [DRIVE, fixture(`eds/${DRIVE}`)]);
+      await checked(page);
+      assert.ok((await saveAs(page)).bytes.equals(fixture(`eds/${DRIVE}`)));
+    },
+    { address: pathToFileURL(single).href },
+  );
+});
+
+test("from a host, the page opens again without a network", { skip }, async () => {
+  const context = await browser.newContext();
+  const page = await context.newPage();
+  await page.goto(server.address);
+  await page.evaluate(() => navigator.serviceWorker.ready);
+  await page.reload();
+  await open(page, [DRIVE, fixture(`eds/${DRIVE}`)]);
+  await context.setOffline(true);
+  await page.reload();
+  await open(page, [DRIVE, fixture(`eds/${DRIVE}`)]);
+  await context.close();
+});
+
+test("no width is too small", { skip }, async () => {
+  for (const width of [400, 1280, 2560]) {
+    await withPage(
+      async (page) => {
+        await open(page, [DRIVE, fixture(`eds/${DRIVE}`)]);
+        await checked(page);
+        const beside = await page.evaluate(() => document.documentElement.scrollWidth - innerWidth);
+        assert.ok(beside <= 0, `${width}: ${beside} px beside the window`);
+      },
+      { size: { width, height: 800 } },
+    );
+  }
+});
+
+test("screenshots", { skip: skip || (!process.env.OBJDICT_SCREENSHOTS && "only with OBJDICT_SCREENSHOTS=FOLDER") }, () =>
+  withPage(
+    async (page) => {
+      const folder = join(root, process.env.OBJDICT_SCREENSHOTS);
+      await open(page, ["encoder-406.eds", fixture("errata/a9-encoder-406.eds")]);
+      await checked(page);
+      await page.locator(".finding.error .where").first().click();
+      await page.locator(".form .remark").first().scrollIntoViewIfNeeded();
+      await page.screenshot({ path: join(folder, "workbench.png") });
+      await open(page, [DRIVE, fixture(`eds/${DRIVE}`)]);
+      await page.getByRole("option", { name: /^TPDO 1\b/ }).click();
+      await page.waitForSelector(".mapped");
+      await checked(page);
+      await page.screenshot({ path: join(folder, "workbench-pdo.png") });
+    },
+    { size: { width: 1120, height: 640 } },
+  ));
