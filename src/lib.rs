@@ -264,7 +264,7 @@ macro_rules! rule_pages {
 
 // addresses of rules in reports lead here
 #[cfg(all(doc, not(doctest)))]
-rule_pages! { change cia301 cia302 cia304 cia305 cia306 cia311 cia401 cia402 cia404 cia406 custom naming network objdict portability probe xml }
+rule_pages! { change cia301 cia302 cia304 cia305 cia306 cia311 cia401 cia402 cia404 cia406 custom naming network objdict portability probe traffic xml }
 
 /// The examples of the README are compiled with those of this page.
 #[cfg(doctest)]

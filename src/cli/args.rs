@@ -38,7 +38,7 @@ pub(super) use self::network::{
     NetworkSchemaArgs, NetworkShowArgs, NetworkTarget, NetworkTimingArgs, NetworkVerifyArgs,
 };
 pub(super) use self::new::NewArgs;
-pub(super) use self::output::{Counting, ReportArgs, ReportFormat, ShowFormat};
+pub(super) use self::output::{Counting, ReportArgs, ReportDetailArgs, ReportFormat, ShowFormat};
 pub(super) use self::patch::{PatchApplyArgs, PatchCheckArgs, PatchCommand, PatchCommandArgs, PatchMakeArgs};
 pub(super) use self::probe::ProbeArgs;
 use super::baseline::BaselineArgs;

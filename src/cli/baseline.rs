@@ -14,7 +14,7 @@ use crate::report::{Subject, plural};
 use crate::source::read_text;
 
 // Findings that are known.
-#[derive(Debug, Args)]
+#[derive(Debug, Default, Args)]
 #[command(next_help_heading = "Settings")]
 pub(super) struct BaselineArgs {
     /// Report only findings that are not in this file

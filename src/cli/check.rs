@@ -301,7 +301,7 @@ impl<'a> Reporter<'a> {
             has_denied: false,
             has_failed: false,
             fixing: Fixing::default(),
-            all: args.all,
+            all: args.detail.all,
             skipped: BTreeMap::new(),
             clean: Vec::new(),
         })

@@ -8,7 +8,7 @@ use super::terminal::is_quiet;
 use crate::diagnostic::{one_line, printable_lines};
 
 /// How a command ended.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
 pub(super) enum Outcome {
     /// Success.
     Clean,

@@ -20,7 +20,7 @@ pub(super) fn new<'a>(args: &ReportArgs, out: &'a mut Output) -> Result<Box<dyn 
                 Some((columns, _)) => report.width(columns.0.into()),
                 None => report,
             };
-            Box::new(if args.all { report } else { report.brief() })
+            Box::new(if args.detail.all { report } else { report.brief() })
         }
         ReportFormat::Concise => Box::new(Concise::new(out).detail(detail)),
         ReportFormat::Json => Box::new(Json::new(out.raw()?).detail(detail)),
@@ -34,7 +34,7 @@ pub(super) fn new<'a>(args: &ReportArgs, out: &'a mut Output) -> Result<Box<dyn 
 /// What is shown; only the formats of objdict have a place for statistics.
 fn detail(args: &ReportArgs) -> Result<Detail, Failure> {
     use ReportFormat::{Concise, Github, Gitlab, Json, Junit, Sarif, Text};
-    match (args.statistics, args.format) {
+    match (args.detail.statistics, args.format) {
         (None, _) => Ok(Detail::Findings),
         (Some(Counting::Also), Text | Concise | Json) => Ok(Detail::Both),
         (Some(Counting::Only), Text | Concise | Json) => Ok(Detail::Statistics),

@@ -181,7 +181,7 @@ impl<'d> Judge<'d> {
 }
 
 /// What to do about a finding.
-fn help(rule: &RuleInfo) -> String {
+pub(crate) fn help(rule: &RuleInfo) -> String {
     let mut characters = rule.remedy.trim_end_matches('.').chars();
     let first = characters.next().map(|first| first.to_ascii_lowercase());
     first.into_iter().chain(characters).collect()

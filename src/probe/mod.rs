@@ -18,6 +18,8 @@ mod verdicts;
 pub use answers::{AnswersError, read_answers};
 pub use conversation::Conversation;
 pub use exchange::{Exchange, SdoAnswer, SdoRequest};
+#[cfg(feature = "cli")]
+pub(crate) use judge::help;
 pub use judge::{Judged, Judgement, judge};
 pub use plan::{ProbeOptions, ProbePlan};
 pub(crate) use rules::RULES;

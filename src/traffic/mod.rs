@@ -4,6 +4,7 @@ mod candidates;
 mod described;
 mod error_frame;
 mod merged;
+mod rules;
 mod sums;
 
 use std::io::{self, BufRead};
@@ -11,6 +12,7 @@ use std::io::{self, BufRead};
 use self::candidates::Candidates;
 pub(crate) use self::described::{DescribedNode, Descriptions};
 pub(crate) use self::merged::{MergedLogs, NamedLog};
+pub(crate) use self::rules::RULES;
 pub(crate) use self::sums::{BusReport, BusSums, NodeEvent};
 use crate::describe::frames::{DecodedFrame, FrameReader, RawFrame, Talker};
 use crate::format::log::LoggedFrame;

@@ -73,26 +73,100 @@ fn nodes_are_found_by_their_answers() {
     assert_eq!(names, ["node 5", "node 7"]);
 }
 
-#[test]
-fn heartbeats_that_are_late() {
-    let none = Descriptions::default();
-    let mut buses = Buses::new(&[], &none);
-    // node 5 says that its heartbeat comes each 100 ms
-    let mut logs =
-        logs(&["(0.0) can0 605#4017100000000000\n(0.01) can0 585#4B17100064000000\n(0.1) can0 705#05\n\
-        (0.2) can0 705#05\n(0.4) can0 705#05\n(0.45) can0 705#00\n(0.9) can0 705#05\n(1.2) can0 080#\n"]);
-    let mut sums = BusSums::new(Some(125));
+/// What a log says beside descriptions.
+fn report(descriptions: &Descriptions, log: &'static str) -> BusReport {
+    let mut buses = Buses::new(&[], descriptions);
+    buses.find(&mut logs(&[log])).unwrap();
+    let (mut logs, mut sums) = (logs(&[log]), BusSums::new(Some(125)));
     while let Some((log, frame)) = logs.next_frame().unwrap() {
         let at = buses.of(log, &frame, &logs);
         let decoded = buses.all[at].decode(&frame);
-        sums.add(&decoded, &frame, &buses.all[at]);
+        sums.add(&decoded, &frame, log, &buses.all[at]);
     }
-    let report = sums.report(&buses.all[0]);
+    sums.report(&buses.all[0])
+}
+
+/// The rules that a log is against, and what is said; so many drives are described.
+fn against(drive_count: usize, log: &'static str) -> Vec<(&'static str, String)> {
+    let found = report(&drives(drive_count), log);
+    found.findings(0).map(|finding| (finding.rule.id, finding.message.to_string())).collect()
+}
+
+#[test]
+fn heartbeats_that_are_late() {
+    // node 5 says that its heartbeat comes each 100 ms
+    let report = report(
+        &Descriptions::default(),
+        "(0.0) can0 605#4017100000000000\n(0.01) can0 585#4B17100064000000\n(0.1) can0 705#05\n\
+        (0.2) can0 705#05\n(0.4) can0 705#05\n(0.45) can0 705#00\n(0.9) can0 705#05\n(1.2) can0 080#\n",
+    );
     let texts: Vec<_> = report.lost_heartbeats.iter().map(|event| &*event.text).collect();
     let expected = [
         "node 5: no heartbeat for 200.000 ms, limit 150.000 ms",
         "node 5: no heartbeat for 300.000 ms, limit 150.000 ms, until the end of the log",
     ];
     assert_eq!(texts, expected);
+    assert!(report.findings(0).all(|finding| finding.rule.id == "traffic/late-heartbeat"));
+    assert_eq!((report.findings(0).count(), report.findings(1).count()), (2, 0));
     assert_eq!((report.frames, report.undescribed), (8, vec![5]));
+}
+
+/// A log that is against each rule, and one that differs in what is right.
+#[test]
+fn each_rule_has_a_log_that_is_against_it() {
+    const SYNC: &str = "(0.0) can0 605#23071000D0070000\n(0.1) can0 585#6007100000000000\n\
+        (0.2) can0 605#2F00180201000000\n(0.3) can0 585#6000180200000000\n(1.0) can0 080#\n";
+    let after_sync = |pdo: &str| &*Box::leak(format!("{SYNC}{pdo}").into_boxed_str());
+    let cases: [(&str, &str, &str); 7] = [
+        ("traffic/pdo-length", "(1.0) can0 185#3702\n", "(1.0) can0 185#370201\n"),
+        (
+            "traffic/inhibit-time",
+            "(1.0) can0 185#370201\n(1.009) can0 185#370201\n",
+            // 5 % are tolerated
+            "(1.0) can0 185#370201\n(1.0096) can0 185#370201\n",
+        ),
+        (
+            "traffic/sync-window",
+            after_sync("(1.003) can0 185#370201\n"),
+            after_sync("(1.002) can0 185#370201\n"),
+        ),
+        (
+            "traffic/late-heartbeat",
+            "(1.0) can0 705#05\n(1.8) can0 705#05\n",
+            "(1.0) can0 705#05\n(1.7) can0 705#05\n",
+        ),
+        (
+            "traffic/sdo-size",
+            "(1.0) can0 605#4017100000000000\n(1.1) can0 585#43171000F4010000\n",
+            "(1.0) can0 605#4017100000000000\n(1.1) can0 585#4B171000F4010000\n",
+        ),
+        (
+            "traffic/sdo-access",
+            "(1.0) can0 605#2300100092010000\n(1.1) can0 585#6000100000000000\n",
+            "(1.0) can0 605#2300100092010000\n(1.1) can0 585#8000100002000106\n",
+        ),
+        (
+            "traffic/sdo-limits",
+            "(1.0) can0 605#4081600000000000\n(1.1) can0 585#4381600020A10700\n",
+            "(1.0) can0 605#4081600000000000\n(1.1) can0 585#43816000E8030000\n",
+        ),
+    ];
+    assert_eq!(cases.len(), RULES.len());
+    for (rule, bad, good) in cases {
+        // the drive has no window
+        let drives = usize::from(rule != "traffic/sync-window");
+        let found: Vec<_> = against(drives, bad).into_iter().map(|(id, _)| id).collect();
+        assert_eq!(found, [rule], "{bad}");
+        assert_eq!(against(drives, good), [], "{rule}: {good}");
+    }
+}
+
+#[test]
+fn findings_are_bounded_and_counted() {
+    let log: String = (0..250).map(|at| format!("({at}.5) can0 185#3702\n")).collect();
+    let found = against(1, log.leak());
+    assert_eq!(found.len(), 100);
+    assert_eq!(found[0].1, "0.5: drive-402 TPDO 1 has 2 bytes, 3 are mapped");
+    let last = "99.5: drive-402 TPDO 1 has 2 bytes, 3 are mapped (the rule finds 150 more of this node)";
+    assert_eq!(found[99].1, last);
 }

@@ -39,6 +39,8 @@ const LINES: &[(Kind, &str)] = &[
     (Text, "conformance @.eds"),
     (Text, "decode @.log --with 5=@.eds"),
     (Text, "decode @.log --with @.eds --summary"),
+    (Text, "decode @.log --with 5=@.eds --check"),
+    (Text, "decode @.log --with 5=@.eds --check --format junit"),
     (Text, "decode @.log --with 5=@.eds --format json"),
     (Text, "decode @.log --with 5=@.eds --format csv"),
     (Text, "decode @.log --with 5=@.eds --format csv --wide"),

@@ -14,7 +14,7 @@ use crate::examples;
 use crate::shares::{self, Shares};
 
 /// What the rules of each group are about.
-const GROUPS: [(&str, &str); 22] = [
+const GROUPS: [(&str, &str); 23] = [
     ("cia301", "communication objects (CiA 301)"),
     ("cia302", "network managers (CiA 302)"),
     ("cia304", "safety-relevant data objects (CiA 304)"),
@@ -36,6 +36,7 @@ const GROUPS: [(&str, &str); 22] = [
     ("patch", "patches of description files"),
     ("portability", "what other tools reject or misread"),
     ("probe", "answers of a device, reported by `objdict probe`"),
+    ("traffic", "traffic of a bus beside the descriptions, reported by `objdict decode --check`"),
     ("xml", "well-formed XML"),
 ];
 

@@ -10,8 +10,8 @@ use objdict::registry;
 /// The number of files that each rule fires on, and of files in all.
 pub(crate) type Shares = BTreeMap<String, (usize, usize)>;
 
-/// Groups that find nothing in a description alone: they need another one, a configuration, a custom profile or answers.
-const UNCOUNTED: [&str; 4] = ["change", "custom", "objdict", "probe"];
+/// Groups that find nothing in a description alone: they need another one, a configuration, a custom profile, answers or a log.
+const UNCOUNTED: [&str; 5] = ["change", "custom", "objdict", "probe", "traffic"];
 
 /// Writes a row for each rule: its id, the files that it fires on, the files in all. `fired` has a rule once for each file.
 pub(crate) fn write<'a>(

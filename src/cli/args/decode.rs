@@ -5,12 +5,16 @@ use std::path::PathBuf;
 use clap::ValueEnum;
 use clap::builder::{PossibleValuesParser, TypedValueParser};
 
+use super::super::patches::PatchArgs;
 use super::super::values::node_id;
-use super::network::NetworkInputArgs;
+use super::network::{NetworkInputArgs, NetworkPathArgs};
+use super::{ReportArgs, ReportDetailArgs, ReportFormat, SettingsArgs};
 use crate::describe::frames::FrameKind;
 use crate::format::log::LogTime;
 
 #[derive(Debug, clap::Args)]
+#[command(mut_arg("compat", |tools| tools.hide(true)), mut_arg("profiles", |profiles| profiles.hide(true)))] // descriptions are not checked
+#[command(mut_arg("node_id", |node| node.hide(true)))]
 pub(in crate::cli) struct DecodeArgs {
     /// The logs, merged by their times; `-` is standard input, as in `candump -L can0 | objdict decode -`
     #[arg(required = true, value_name = "LOG")]
@@ -35,6 +39,12 @@ pub(in crate::cli) struct DecodeArgs {
     /// configured
     #[arg(long)]
     pub summary: bool,
+    /// Report what is not as the descriptions say instead of frames (rules `traffic/…`), in the formats text, concise, json, sarif, github, gitlab
+    /// and junit. Exits with 1 if there are errors
+    #[arg(long, conflicts_with_all = ["summary", "wide"])]
+    pub check: bool,
+    #[command(flatten)]
+    pub detail: ReportDetailArgs,
     /// The bit rate in kbit/s, to find the load [default: that of the network or DCF]
     #[arg(long, value_name = "KBIT", value_parser = clap::value_parser!(u16).range(1..=1000))]
     pub bit_rate: Option<u16>,
@@ -44,7 +54,33 @@ pub(in crate::cli) struct DecodeArgs {
     #[command(flatten)]
     pub filter: FrameFilterArgs,
     #[command(flatten)]
-    pub input: NetworkInputArgs,
+    pub paths: NetworkPathArgs,
+    #[command(flatten)]
+    pub patch: PatchArgs,
+    #[command(flatten)]
+    pub settings: SettingsArgs,
+}
+
+impl DecodeArgs {
+    /// How descriptions and networks are read.
+    pub(in crate::cli) fn input(&self) -> NetworkInputArgs {
+        self.paths.with(&self.patch, self.settings.config_file())
+    }
+
+    /// How findings are reported; `None` for a format of frames.
+    pub(in crate::cli) fn report(&self) -> Option<ReportArgs> {
+        let format = match self.format {
+            DecodeFormat::Text => ReportFormat::Text,
+            DecodeFormat::Json => ReportFormat::Json,
+            DecodeFormat::Concise => ReportFormat::Concise,
+            DecodeFormat::Sarif => ReportFormat::Sarif,
+            DecodeFormat::Github => ReportFormat::Github,
+            DecodeFormat::Gitlab => ReportFormat::Gitlab,
+            DecodeFormat::Junit => ReportFormat::Junit,
+            DecodeFormat::Csv => return None,
+        };
+        Some(ReportArgs { format, detail: self.detail.clone() })
+    }
 }
 
 // Which frames are shown. The others are read too, because they change what these say.
@@ -77,6 +113,23 @@ pub(in crate::cli) enum DecodeFormat {
     Json,
     /// A row for each signal, SDO or other frame
     Csv,
+    /// With --check: one line per finding
+    Concise,
+    /// With --check: SARIF 2.1.0
+    Sarif,
+    /// With --check: annotations of GitHub workflows
+    Github,
+    /// With --check: a code quality report of GitLab
+    Gitlab,
+    /// With --check: JUnit XML
+    Junit,
+}
+
+impl DecodeFormat {
+    /// Whether only findings are written in it.
+    pub(in crate::cli) fn is_of_findings(self) -> bool {
+        !matches!(self, Self::Text | Self::Json | Self::Csv)
+    }
 }
 
 /// A file that describes a node or a network.

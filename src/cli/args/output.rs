@@ -8,6 +8,13 @@ pub(in crate::cli) struct ReportArgs {
     /// Output format
     #[arg(long, value_enum, default_value = "text")]
     pub format: ReportFormat,
+    #[command(flatten)]
+    pub detail: ReportDetailArgs,
+}
+
+// How much a report says.
+#[derive(Clone, Debug, clap::Args)]
+pub(in crate::cli) struct ReportDetailArgs {
     /// Report every finding separately: by default, findings with the same cause are merged, and the text report shows
     /// 20 findings per file
     #[arg(long)]

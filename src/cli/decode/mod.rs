@@ -1,5 +1,6 @@
 //! `objdict decode`: the traffic of a bus in words.
 
+mod check;
 mod csv;
 mod json;
 mod summary;
@@ -35,6 +36,7 @@ const BUFFER: usize = 1 << 16;
 type Logs = MergedLogs<Box<dyn BufRead>>;
 
 pub(super) fn run(args: &DecodeArgs, out: &mut Output) -> Result<Outcome, Failure> {
+    require_format(args)?;
     let others = descriptions(args.with.iter(), args)?;
     let mut by_channel: Vec<(String, Descriptions)> = Vec::new();
     for channel in args.channel.iter().map(|given| &given.channel) {
@@ -51,14 +53,18 @@ pub(super) fn run(args: &DecodeArgs, out: &mut Output) -> Result<Outcome, Failur
         notes.iter().for_each(|text| note(&format!("note: {text}\n")));
     }
     let mut logs = open(args)?;
+    if args.check {
+        let outcome = check::run(args, &mut buses, &mut logs, out)?;
+        return Ok(outcome.max(report_bad_lines(&logs)?));
+    }
     if args.summary {
         summary::run(args, &mut buses, &mut logs, out)?;
     } else {
         let mut printer: Box<dyn Printer> = match (args.format, args.wide) {
-            (DecodeFormat::Text, _) => Box::new(TextLines),
             (DecodeFormat::Json, _) => Box::new(JsonLines),
             (DecodeFormat::Csv, false) => Box::new(LongCsv::default()),
             (DecodeFormat::Csv, true) => Box::new(WideCsv::new(args.max_rows)),
+            _ => Box::new(TextLines),
         };
         each_frame(args, &mut buses, &mut logs, |shown| {
             printer.frame(&shown, out)?;
@@ -75,8 +81,25 @@ struct Shown<'s, 'd> {
     frame: &'s LoggedFrame,
     decoded: DecodedFrame,
     bus: &'s Bus<'d>,
-    /// Its position.
+    /// The position of the bus.
     at: usize,
+    /// The position of the log.
+    log: usize,
+}
+
+/// Fails for a format that has no place for what is shown.
+fn require_format(args: &DecodeArgs) -> Result<(), Failure> {
+    let (problem, help) = match args.format {
+        DecodeFormat::Csv if args.check => ("findings have no CSV", "use `--format text` or `--format json`"),
+        DecodeFormat::Csv if args.summary => {
+            ("`--summary` has no CSV", "use `--format text` or `--format json`")
+        }
+        format if format.is_of_findings() && !args.check => ("this is a format of findings", "add `--check`"),
+        DecodeFormat::Csv => return Ok(()),
+        _ if args.wide => ("`--wide` is a form of CSV", "add `--format csv`"),
+        _ => return Ok(()),
+    };
+    Err(Failure::new(problem).help(help))
 }
 
 /// What writes frames.
@@ -105,7 +128,7 @@ fn each_frame<'d>(
         }
         let bus = &buses.all[at];
         if !has_filter || args.filter.passes(&decoded, &frame, bus) {
-            show(Shown { frame: &frame, decoded, bus, at })?;
+            show(Shown { frame: &frame, decoded, bus, at, log })?;
         }
     }
     Ok(())
@@ -176,15 +199,15 @@ fn descriptions<'a>(
     files: impl Iterator<Item = &'a WithFile>,
     args: &DecodeArgs,
 ) -> Result<Descriptions, Failure> {
-    let mut found = Descriptions::default();
+    let (mut found, input) = (Descriptions::default(), args.input());
     for WithFile { node_id, path } in files {
         keep(path);
         let is_network = node_id.is_none() && NetworkFile::is_network(path).map_err(Failure::new)?;
         if is_network {
-            found.add_network(&network::open_despite_errors(std::slice::from_ref(path), &args.input)?);
+            found.add_network(&network::open_despite_errors(std::slice::from_ref(path), &input)?);
             continue;
         }
-        let reading = Reading { patches: args.input.patch.patches.clone(), ..Reading::default() };
+        let reading = Reading { patches: args.patch.patches.clone(), ..Reading::default() };
         let device = match reading.open(path)? {
             (_, Input::Description(description)) => description.device().clone(),
             (_, Input::Device(device)) => *device,
@@ -209,6 +232,9 @@ fn report_bad_lines(logs: &Logs) -> Result<Outcome, Failure> {
             ));
             outcome = Outcome::Failed;
             continue;
+        }
+        if reader.frame_count() == 0 {
+            note(&format!("note: `{name}` has no frame\n"));
         }
         for bad in reader.bad_lines() {
             tell(&format!("warning: {name}:{}: {}\n", bad.line, bad.reason));

@@ -46,15 +46,7 @@ pub(super) fn run(
     logs: &mut Logs,
     out: &mut Output,
 ) -> Result<(), Failure> {
-    let mut sums: Vec<BusSums> = Vec::new();
-    each_frame(args, buses, logs, |shown| {
-        while sums.len() <= shown.at {
-            sums.push(BusSums::new(args.bit_rate.or(shown.bus.descriptions.bit_rate)));
-        }
-        sums[shown.at].add(&shown.decoded, shown.frame, shown.bus);
-        Ok(())
-    })?;
-    let reports = sums.iter_mut().zip(&buses.all).map(|(sums, bus)| sums.report(bus)).collect();
+    let reports = reports(args, buses, logs)?;
     let document = Document {
         version: Version,
         logs: args.logs.iter().map(|path| source_name(path)).collect(),
@@ -66,9 +58,6 @@ pub(super) fn run(
         writeln!(out)?;
         return Ok(());
     }
-    if args.format == DecodeFormat::Csv {
-        return Err(Failure::new("`--summary` has no CSV").help("use `--format text` or `--format json`"));
-    }
     for (at, bus) in document.buses.iter().enumerate() {
         if at > 0 {
             writeln!(out)?;
@@ -76,6 +65,23 @@ pub(super) fn run(
         bus.write(out)?;
     }
     Ok(())
+}
+
+/// The sums of each bus.
+pub(super) fn reports(
+    args: &DecodeArgs,
+    buses: &mut Buses<'_>,
+    logs: &mut Logs,
+) -> Result<Vec<BusReport>, Failure> {
+    let mut sums: Vec<BusSums> = Vec::new();
+    each_frame(args, buses, logs, |shown| {
+        while sums.len() <= shown.at {
+            sums.push(BusSums::new(args.bit_rate.or(shown.bus.descriptions.bit_rate)));
+        }
+        sums[shown.at].add(&shown.decoded, shown.frame, shown.log, shown.bus);
+        Ok(())
+    })?;
+    Ok(sums.iter_mut().zip(&buses.all).map(|(sums, bus)| sums.report(bus)).collect())
 }
 
 impl BusReport {
@@ -181,8 +187,9 @@ fn events(title: &str, events: &[NodeEvent], out: &mut Output) -> io::Result<()>
         return Ok(());
     }
     writeln!(out, "\n{title}:")?;
-    for NodeEvent { time, text, .. } in events.iter().take(EVENTS) {
-        writeln!(out, "  {time}  {}", fit(text, LINE))?;
+    for NodeEvent { time, text, rule, .. } in events.iter().take(EVENTS) {
+        let rule = rule.map_or_else(String::new, |rule| format!(" [{}]", rule.id));
+        writeln!(out, "  {time}  {}{rule}", fit(text, LINE))?;
     }
     if events.len() > EVENTS {
         writeln!(out, "  and {} more", events.len() - EVENTS)?;

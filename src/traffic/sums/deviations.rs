@@ -1,12 +1,16 @@
 //! What frames are not as the descriptions say.
 
 use crate::describe::frames::{DecodedFrame, SdoStep};
+use crate::diagnostic::RuleInfo;
 use crate::format::log::LoggedFrame;
 use crate::model::{Access, DataType, Entry};
 use crate::network::Service;
-use crate::traffic::{Bus, raw};
+use crate::traffic::{Bus, raw, rules};
 
 use super::milliseconds;
+
+/// A rule that a frame is against, and how.
+pub(super) type Deviation = (&'static RuleInfo, String);
 
 /// What a description says of the frames of a TPDO.
 #[derive(Clone, Copy, Debug, Default)]
@@ -51,7 +55,7 @@ impl Expected {
         bus: &Bus<'_>,
         last: Option<i64>,
         sync: Option<i64>,
-    ) -> impl Iterator<Item = String> + use<> {
+    ) -> impl Iterator<Item = Deviation> + use<> {
         if self.changes != Some(bus.reader.changes()) {
             *self = Self::of(decoded, frame, bus);
         }
@@ -66,14 +70,19 @@ impl Expected {
         let is_none = length.is_none() && early.is_none() && late.is_none();
         let name = if is_none { String::new() } else { name(decoded, bus) };
         let texts = [
-            length.map(|bytes| format!("{name} has {count} bytes, {bytes} are mapped")),
+            length.map(|bytes| (&rules::PDO_LENGTH, format!("{name} has {count} bytes, {bytes} are mapped"))),
             early.map(|(inhibit, distance)| {
                 let [distance, inhibit] = [distance, inhibit].map(milliseconds);
-                format!("{name} comes {distance} ms after the one before, the inhibit time is {inhibit} ms")
+                let text = format!(
+                    "{name} comes {distance} ms after the one before, the inhibit time is {inhibit} ms"
+                );
+                (&rules::INHIBIT_TIME, text)
             }),
             late.map(|(window, after)| {
                 let [after, window] = [after, window].map(milliseconds);
-                format!("{name} comes {after} ms after SYNC, the synchronous window is {window} ms")
+                let text =
+                    format!("{name} comes {after} ms after SYNC, the synchronous window is {window} ms");
+                (&rules::SYNC_WINDOW, text)
             }),
         ];
         texts.into_iter().flatten()
@@ -86,7 +95,7 @@ fn name(decoded: &DecodedFrame, bus: &Bus<'_>) -> String {
 }
 
 /// What a transfer says against the type, the access or the limits of its entry.
-pub(super) fn of_transfer(node_id: u8, decoded: &DecodedFrame, bus: &Bus<'_>) -> Option<String> {
+pub(super) fn of_transfer(node_id: u8, decoded: &DecodedFrame, bus: &Bus<'_>) -> Option<Deviation> {
     let sdo = decoded.sdo?;
     let is_written = sdo.step == SdoStep::Written;
     let is_answer = !sdo.is_request && sdo.step.has_value();
@@ -99,14 +108,17 @@ pub(super) fn of_transfer(node_id: u8, decoded: &DecodedFrame, bus: &Bus<'_>) ->
     match access {
         Some(Access::Ro | Access::Const) if is_written => {
             let word = if access == Some(Access::Const) { "const" } else { "ro" };
-            return Some(format!("{} is written, but is {word}", name()));
+            return Some((&rules::SDO_ACCESS, format!("{} is written, but is {word}", name())));
         }
-        Some(Access::Wo) if is_answer => return Some(format!("{} is read, but is wo", name())),
+        Some(Access::Wo) if is_answer => {
+            return Some((&rules::SDO_ACCESS, format!("{} is read, but is wo", name())));
+        }
         _ => {}
     }
     let length = entry.data_type.and_then(DataType::byte_length).map(usize::from);
     if let (Some(length), true) = (length.filter(|length| *length != bytes.len()), is_answer) {
-        return Some(format!("{} has {} bytes, described are {length}", name(), bytes.len()));
+        let text = format!("{} has {} bytes, described are {length}", name(), bytes.len());
+        return Some((&rules::SDO_SIZE, text));
     }
     let number = value.and_then(|value| value.as_integer())?;
     let limits = limits(&entry, node_id);
@@ -114,7 +126,7 @@ pub(super) fn of_transfer(node_id: u8, decoded: &DecodedFrame, bus: &Bus<'_>) ->
     let bound = |limit: Option<i128>| limit.map_or_else(String::new, |limit| limit.to_string());
     is_outside.then(|| {
         let [low, high] = limits.map(bound);
-        format!("{} = {number} is outside of the limits {low} to {high}", name())
+        (&rules::SDO_LIMITS, format!("{} = {number} is outside of the limits {low} to {high}", name()))
     })
 }
 

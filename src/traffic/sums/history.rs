@@ -1,37 +1,100 @@
 //! The first events of a kind; more are counted.
 
-use serde::Serialize;
+use std::collections::BTreeMap;
 
+use serde::{Serialize, Serializer};
+
+use crate::diagnostic::{Diagnostic, RuleInfo};
 use crate::format::log::LogTime;
+use crate::source::Span;
 
-/// The most events that are kept.
+/// The most events of a node that are kept.
 const MAX_EVENTS: usize = 1000;
+
+/// The most events of a node that are kept of a rule.
+const MAX_FINDINGS: usize = 100;
 
 /// An event of a node.
 #[derive(Debug, Serialize)]
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 pub(crate) struct NodeEvent {
     /// When it happened, in seconds with the digits of the log.
-    pub(crate) time: String,
+    #[serde(serialize_with = "shown")]
+    #[cfg_attr(feature = "schema", schemars(with = "String"))]
+    pub(crate) time: LogTime,
     /// The node-ID.
     pub(crate) node: u8,
+    /// The rule that it is against; absent for what no rule forbids.
+    #[serde(serialize_with = "id", skip_serializing_if = "Option::is_none")]
+    #[cfg_attr(feature = "schema", schemars(with = "Option<String>"))]
+    pub(crate) rule: Option<&'static RuleInfo>,
     /// What happened.
     pub(crate) text: String,
+    /// The position of the log that shows it.
+    #[serde(skip)]
+    pub(crate) log: usize,
+}
+
+impl NodeEvent {
+    /// The finding of an event that is against a rule. Its place is the time.
+    pub(crate) fn finding(&self) -> Option<Diagnostic> {
+        let rule = self.rule?;
+        let message = format!("{}: {}", self.time, self.text);
+        let mut finding = Diagnostic::new(rule, Span::default(), message).help(crate::probe::help(rule));
+        finding.labels.clear();
+        Some(finding)
+    }
+}
+
+fn shown<S: Serializer>(time: &LogTime, serializer: S) -> Result<S::Ok, S::Error> {
+    serializer.collect_str(time)
+}
+
+fn id<S: Serializer>(rule: &Option<&'static RuleInfo>, serializer: S) -> Result<S::Ok, S::Error> {
+    rule.map(|rule| rule.id).serialize(serializer)
 }
 
 /// Events in their order.
 #[derive(Debug, Default)]
 pub(super) struct History {
-    pub(super) events: Vec<NodeEvent>,
-    pub(super) count: u64,
+    events: Vec<NodeEvent>,
+    /// How many there were of a node, by the id of their rule.
+    counts: BTreeMap<(Option<&'static str>, u8), usize>,
 }
 
 impl History {
-    /// Adds an event, whose text is made if it is kept.
-    pub(super) fn add(&mut self, time: LogTime, node: u8, text: impl FnOnce() -> String) {
-        self.count += 1;
-        if self.events.len() < MAX_EVENTS {
-            self.events.push(NodeEvent { time: time.to_string(), node, text: text() });
+    /// Adds an event of a node, whose text is made if it is kept.
+    pub(super) fn add(
+        &mut self,
+        (time, log): (LogTime, usize),
+        node: u8,
+        rule: Option<&'static RuleInfo>,
+        text: impl FnOnce() -> String,
+    ) {
+        let count = self.counts.entry((rule.map(|rule| rule.id), node)).or_default();
+        *count += 1;
+        if *count <= if rule.is_some() { MAX_FINDINGS } else { MAX_EVENTS } {
+            self.events.push(NodeEvent { time, node, rule, text: text(), log });
         }
+    }
+
+    /// Takes the events out. The last one of a rule and node says how many more there were.
+    pub(super) fn take(&mut self) -> Vec<NodeEvent> {
+        for (&(rule, node), count) in self.counts.iter().filter(|((rule, _), _)| rule.is_some()) {
+            let of_rule =
+                |event: &&mut NodeEvent| event.node == node && event.rule.map(|rule| rule.id) == rule;
+            if let (Some(last), Some(more @ 1..)) =
+                (self.events.iter_mut().rev().find(of_rule), count.checked_sub(MAX_FINDINGS))
+            {
+                last.text.push_str(&format!(" (the rule finds {more} more of this node)"));
+            }
+        }
+        std::mem::take(&mut self.events)
+    }
+
+    /// How many events are not kept.
+    pub(super) fn further(&self) -> u64 {
+        let count: usize = self.counts.values().sum();
+        (count - self.events.len()) as u64
     }
 }

@@ -12,7 +12,7 @@ use self::deviations::{Expected, of_transfer};
 use self::history::History;
 pub(crate) use self::history::NodeEvent;
 pub(crate) use self::report::BusReport;
-use super::Bus;
+use super::{Bus, rules};
 use crate::bus::classical_bits;
 use crate::describe::frames::{DecodedFrame, FrameKind, SdoStep};
 use crate::format::log::{LogTime, LoggedFrame};
@@ -62,6 +62,8 @@ struct NodeSums {
 pub(crate) struct BusSums {
     /// The bit rate in kbit/s.
     bit_rate: Option<u16>,
+    /// The position of the log of the last frame.
+    log: usize,
     frames: u64,
     error_frames: u64,
     bits: u64,
@@ -90,6 +92,7 @@ impl BusSums {
     pub(crate) fn new(bit_rate: Option<u16>) -> Self {
         Self {
             bit_rate,
+            log: 0,
             frames: 0,
             error_frames: 0,
             bits: 0,
@@ -110,8 +113,9 @@ impl BusSums {
         }
     }
 
-    /// Adds a frame.
-    pub(crate) fn add(&mut self, decoded: &DecodedFrame, frame: &LoggedFrame, bus: &Bus<'_>) {
+    /// Adds a frame of the log with this position.
+    pub(crate) fn add(&mut self, decoded: &DecodedFrame, frame: &LoggedFrame, log: usize, bus: &Bus<'_>) {
+        self.log = log;
         self.frames += 1;
         let (first, last) = self.span.unwrap_or((frame.time, frame.time));
         self.span = Some((first.min(frame.time), last.max(frame.time)));
@@ -174,8 +178,9 @@ impl BusSums {
         }
         if decoded.kind == FrameKind::Pdo && !frame.is_remote && !is_rpdo(decoded.service) {
             let last = message.cycle.last;
-            for text in message.expected.deviations(decoded, frame, bus, last, self.last_sync) {
-                self.deviations.add(frame.time, decoded.node_id.unwrap_or(0), || text);
+            for (rule, text) in message.expected.deviations(decoded, frame, bus, last, self.last_sync) {
+                let node_id = decoded.node_id.unwrap_or(0);
+                self.deviations.add((frame.time, self.log), node_id, Some(rule), || text);
             }
         }
         // a boot-up is not a part of the cycle of heartbeats
@@ -199,7 +204,7 @@ impl BusSums {
             }
             FrameKind::Emcy if !frame.is_remote => {
                 node.emergencies += 1;
-                self.emergencies.add(frame.time, node_id, || bus.words(decoded, frame));
+                self.emergencies.add((frame.time, self.log), node_id, None, || bus.words(decoded, frame));
             }
             FrameKind::Sdo => self.transfer(node_id, decoded, frame, bus),
             _ => {}
@@ -213,19 +218,20 @@ impl BusSums {
         let gap = time.nanoseconds().saturating_sub(last.nanoseconds());
         if gap > limit {
             node.lost += 1;
-            self.lost.add(last, node_id, || lost(&bus.reader.name(node_id), gap, limit));
+            let rule = Some(&rules::LATE_HEARTBEAT);
+            self.lost.add((last, self.log), node_id, rule, || lost(&bus.reader.name(node_id), gap, limit));
         }
     }
 
     fn transfer(&mut self, node_id: u8, decoded: &DecodedFrame, frame: &LoggedFrame, bus: &Bus<'_>) {
         let Some(sdo) = decoded.sdo else { return };
-        if let Some(text) = of_transfer(node_id, decoded, bus) {
-            self.deviations.add(frame.time, node_id, || text);
+        if let Some((rule, text)) = of_transfer(node_id, decoded, bus) {
+            self.deviations.add((frame.time, self.log), node_id, Some(rule), || text);
         }
         match (sdo.step, sdo.entry) {
             (SdoStep::Abort(_), _) => {
                 self.nodes[usize::from(node_id) % NODES].aborts += 1;
-                self.aborts.add(frame.time, node_id, || bus.words(decoded, frame));
+                self.aborts.add((frame.time, self.log), node_id, None, || bus.words(decoded, frame));
             }
             (SdoStep::Written, Some((index, sub))) => {
                 let key = (node_id, index, sub);

@@ -5,9 +5,10 @@ use serde::Serialize;
 use super::history::NodeEvent;
 use super::{BusSums, MessageSums, NODES, kept, lost, milliseconds};
 use crate::describe::frames::{FrameKind, nmt_state};
+use crate::diagnostic::Diagnostic;
 use crate::model::{CobId, Pdo, PdoKind};
 use crate::network::Service;
-use crate::traffic::{Bus, DescribedNode};
+use crate::traffic::{Bus, DescribedNode, rules};
 
 /// The sums of a bus.
 #[derive(Debug, Serialize)]
@@ -150,6 +151,16 @@ pub(crate) struct ConfigurationReport {
     pub(crate) is_cut: bool,
 }
 
+impl BusReport {
+    /// What is against the rules in a log, in the order of time.
+    pub(crate) fn findings(&self, log: usize) -> impl Iterator<Item = Diagnostic> {
+        let events = self.deviations.iter().chain(&self.lost_heartbeats);
+        let mut events: Vec<_> = events.filter(|event| event.log == log).collect();
+        events.sort_by_key(|event| event.time);
+        events.into_iter().filter_map(NodeEvent::finding)
+    }
+}
+
 impl BusSums {
     /// The sums beside what the descriptions say.
     pub(crate) fn report(&mut self, bus: &Bus<'_>) -> BusReport {
@@ -158,7 +169,7 @@ impl BusSums {
         let kinds = FrameKind::ALL.iter().zip(self.kinds).filter(|(_, frames)| *frames > 0);
         let kinds = kinds.map(|(kind, frames)| KindSums { kind: kind.word(), frames });
         let listed = [&self.lost, &self.aborts, &self.emergencies, &self.deviations];
-        let further = listed.iter().map(|history| history.count - history.events.len() as u64).sum();
+        let further = listed.iter().map(|history| history.further()).sum();
         let nodes: Vec<NodeReport> =
             (0..NODES as u8).filter_map(|node| self.node(node, bus, seconds)).collect();
         let undescribed = nodes.iter().map(|node| node.node);
@@ -177,10 +188,10 @@ impl BusSums {
             nodes,
             messages: self.messages(bus),
             configurations: self.configurations(bus),
-            lost_heartbeats: std::mem::take(&mut self.lost.events),
-            aborted_transfers: std::mem::take(&mut self.aborts.events),
-            emergencies: std::mem::take(&mut self.emergencies.events),
-            deviations: std::mem::take(&mut self.deviations.events),
+            lost_heartbeats: self.lost.take(),
+            aborted_transfers: self.aborts.take(),
+            emergencies: self.emergencies.take(),
+            deviations: self.deviations.take(),
             further_events: further,
         }
     }
@@ -195,7 +206,8 @@ impl BusSums {
             if gap > limit {
                 node.lost += 1;
                 let name = bus.reader.name(node_id);
-                self.lost.add(last, node_id, || lost(&name, gap, limit) + ", until the end of the log");
+                let text = || lost(&name, gap, limit) + ", until the end of the log";
+                self.lost.add((last, self.log), node_id, Some(&rules::LATE_HEARTBEAT), text);
             }
         }
     }
