@@ -15,6 +15,7 @@ use crate::format::log::LogTime;
 #[derive(Debug, clap::Args)]
 #[command(mut_arg("compat", |tools| tools.hide(true)), mut_arg("profiles", |profiles| profiles.hide(true)))] // descriptions are not checked
 #[command(mut_arg("node_id", |node| node.hide(true)))]
+#[command(mut_args(|arg| if ["all", "statistics", "deny"].contains(&arg.get_id().as_str()) { arg.requires("check") } else { arg }))]
 pub(in crate::cli) struct DecodeArgs {
     /// The logs, merged by their times; `-` is standard input, as in `candump -L can0 | objdict decode -`
     #[arg(required = true, value_name = "LOG")]
