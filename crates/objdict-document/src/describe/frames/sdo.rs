@@ -48,11 +48,11 @@ impl Transfers {
 
     fn frame(&mut self, channel: (u8, u16), data: &[u8], is_request: bool) -> SdoFrame {
         let transfer = self.0.entry(channel).or_default();
-        let step = match <[u8; 8]>::try_from(data) {
-            Ok(bytes) if transfer.has_segment(is_request, bytes[0]) => transfer.block_segment(bytes),
-            Ok(bytes) if is_request => transfer.request(bytes),
-            Ok(bytes) => transfer.response(bytes),
-            Err(_) => SdoStep::Malformed,
+        let step = match whole(data, is_request) {
+            Some(bytes) if transfer.has_segment(is_request, bytes[0]) => transfer.block_segment(bytes),
+            Some(bytes) if is_request => transfer.request(bytes),
+            Some(bytes) => transfer.response(bytes),
+            None => SdoStep::Malformed,
         };
         SdoFrame { entry: transfer.entry, step, channel: channel.1, is_request }
     }
@@ -66,6 +66,19 @@ impl Transfers {
     pub(super) fn is_download(&self, channel: (u8, u16)) -> bool {
         self.0.get(&channel).is_some_and(|transfer| transfer.is_download)
     }
+}
+
+/// The eight bytes of a frame. Hand-made requests often lack the bytes at the end that have no meaning, and nodes answer them.
+fn whole(data: &[u8], is_request: bool) -> Option<[u8; 8]> {
+    let mut bytes = [0; 8];
+    bytes.get_mut(..data.len())?.copy_from_slice(data);
+    let [command, _, _, _, value @ ..] = bytes;
+    let needed = match command >> 5 {
+        2 if is_request => 4,
+        1 if is_request => 4 + expedited(command, value).map_or(4, Iterator::count),
+        _ => 8,
+    };
+    (data.len() >= needed).then_some(bytes)
 }
 
 impl Transfer {

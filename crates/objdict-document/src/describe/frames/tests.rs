@@ -88,6 +88,26 @@ fn values_are_written_and_read() {
     assert_eq!(words, expected);
 }
 
+/// As `cansend` is used by hand: nodes answer them.
+#[test]
+fn requests_without_the_bytes_at_the_end() {
+    let said = read(&[
+        (0x605, &[0x40, 0x17, 0x10, 0]),
+        (0x605, &[0x2B, 0x17, 0x10, 0, 0x2C, 0x01]),
+        (0x605, &[0x2B, 0x17, 0x10, 0, 0x2C]),
+        (0x585, &[0x60, 0x17, 0x10, 0]),
+    ]);
+    assert_eq!(
+        said,
+        [
+            "drive: read 1017:00 Producer heartbeat time (in 4 bytes)",
+            "drive: write 1017:00 Producer heartbeat time = 300 (300 ms) (in 6 bytes)",
+            "SDO of 5 bytes to drive",
+            "SDO of 4 bytes from drive",
+        ]
+    );
+}
+
 #[test]
 fn segments_are_put_together() {
     let words = read(&[

@@ -105,9 +105,10 @@ impl FrameReader<'_> {
             SdoStep::Malformed => return format!("SDO of {} bytes from {name}", data.len()),
             SdoStep::Unknown(command) => format!("unknown SDO command {command:02X}h"),
         };
+        let short = if data.len() < 8 { format!(" (in {} bytes)", data.len()) } else { String::new() };
         match sdo.channel {
-            1 => format!("{name}: {said}"),
-            channel => format!("{name}, SDO channel {channel}: {said}"),
+            1 => format!("{name}: {said}{short}"),
+            channel => format!("{name}, SDO channel {channel}: {said}{short}"),
         }
     }
 }
