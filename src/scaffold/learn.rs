@@ -272,19 +272,10 @@ fn fits(data_type: DataType, answer: &SdoAnswer) -> bool {
 fn guessed(answer: &SdoAnswer) -> DataType {
     let bytes = answer.bytes(None).unwrap_or_default();
     let length = if let SdoAnswer::Length(Some(length)) = answer { *length } else { bytes.len() };
-    match length {
-        _ if length > 4 && is_text(&bytes) => DataType::VISIBLE_STRING,
-        1 => DataType::UNSIGNED8,
-        2 => DataType::UNSIGNED16,
-        3 => DataType::UNSIGNED24,
-        4 => DataType::UNSIGNED32,
-        5 => DataType::UNSIGNED40,
-        6 => DataType::UNSIGNED48,
-        7 => DataType::UNSIGNED56,
-        8 => DataType::UNSIGNED64,
-        0 => DataType::VISIBLE_STRING,
-        _ => DataType::OCTET_STRING,
+    if length == 0 || (length > 4 && is_text(&bytes)) {
+        return DataType::VISIBLE_STRING;
     }
+    DataType::unsigned(length).unwrap_or(DataType::OCTET_STRING)
 }
 
 fn is_text(bytes: &[u8]) -> bool {

@@ -76,6 +76,7 @@ pub struct ChangeEffect {
 #[template(path = "html/changes.html")]
 struct ChangesTemplate<'a> {
     page: &'a ChangesPage<'a>,
+    title: String,
     rows: Vec<Row<'a>>,
     grid: Grid,
     t: &'static Texts,
@@ -107,6 +108,7 @@ impl ChangesPage<'_> {
         });
         let template = ChangesTemplate {
             page: self,
+            title: format!("{} → {}", self.old.file, self.new.file),
             rows: rows.collect(),
             grid: Grid::new(),
             t: Texts::of(Language::English),

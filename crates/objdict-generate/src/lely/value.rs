@@ -14,17 +14,7 @@ pub(super) const UNCONFIGURED: u8 = 0xFF;
 pub(super) fn data_type(shape: Shape) -> DataType {
     match shape {
         Shape::Word(data_type) | Shape::Bytes(data_type, _) => data_type,
-        Shape::Block(length) => match length {
-            1 => DataType::UNSIGNED8,
-            2 => DataType::UNSIGNED16,
-            3 => DataType::UNSIGNED24,
-            4 => DataType::UNSIGNED32,
-            5 => DataType::UNSIGNED40,
-            6 => DataType::UNSIGNED48,
-            7 => DataType::UNSIGNED56,
-            8 => DataType::UNSIGNED64,
-            _ => DataType::OCTET_STRING,
-        },
+        Shape::Block(length) => DataType::unsigned(usize::from(length)).unwrap_or(DataType::OCTET_STRING),
     }
 }
 

@@ -125,6 +125,21 @@ impl DataType {
         if index == 0x1004 { None } else { Some(Self::UNSIGNED8) }
     }
 
+    /// The unsigned integer of so many bytes; `None` if there is none.
+    pub const fn unsigned(bytes: usize) -> Option<Self> {
+        Some(match bytes {
+            1 => Self::UNSIGNED8,
+            2 => Self::UNSIGNED16,
+            3 => Self::UNSIGNED24,
+            4 => Self::UNSIGNED32,
+            5 => Self::UNSIGNED40,
+            6 => Self::UNSIGNED48,
+            7 => Self::UNSIGNED56,
+            8 => Self::UNSIGNED64,
+            _ => return None,
+        })
+    }
+
     /// The number of bits of a value in a PDO; `None` if the length varies or is unknown.
     pub const fn bit_length(self) -> Option<u8> {
         match self.kind() {

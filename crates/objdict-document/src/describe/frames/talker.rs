@@ -33,6 +33,19 @@ pub(super) struct Node<'a> {
     learnt: usize,
 }
 
+impl<'a> Node<'a> {
+    fn of_talker(Talker { name, node_id, device }: Talker<'a>) -> Self {
+        Self {
+            name: Cow::Borrowed(name),
+            node_id,
+            is_described: true,
+            start: Cow::Borrowed(device),
+            device: Cow::Borrowed(device),
+            learnt: 0,
+        }
+    }
+}
+
 /// The nodes of a bus.
 #[derive(Debug)]
 pub(super) struct Nodes<'a> {
@@ -44,16 +57,7 @@ pub(super) struct Nodes<'a> {
 impl<'a> Nodes<'a> {
     pub(super) fn new(talkers: Vec<Talker<'a>>) -> Self {
         let mut nodes = Self { all: Vec::new(), by_id: [None; 128] };
-        for Talker { name, node_id, device } in talkers {
-            nodes.add(Node {
-                name: Cow::Borrowed(name),
-                node_id,
-                is_described: true,
-                start: Cow::Borrowed(device),
-                device: Cow::Borrowed(device),
-                learnt: 0,
-            });
-        }
+        talkers.into_iter().for_each(|talker| nodes.add(Node::of_talker(talker)));
         nodes
     }
 
@@ -77,16 +81,8 @@ impl<'a> Nodes<'a> {
 
     /// Describes a node, which so far may be one without a description.
     pub(super) fn describe(&mut self, talker: Talker<'a>) {
-        let Talker { name, node_id, device } = talker;
-        let node = Node {
-            name: Cow::Borrowed(name),
-            node_id,
-            is_described: true,
-            start: Cow::Borrowed(device),
-            device: Cow::Borrowed(device),
-            learnt: 0,
-        };
-        match self.by_id.get(usize::from(node_id)).copied().flatten() {
+        let node = Node::of_talker(talker);
+        match self.by_id.get(usize::from(node.node_id)).copied().flatten() {
             Some(at) => self.all[usize::from(at)] = node,
             None => self.add(node),
         }
