@@ -29,7 +29,7 @@ impl<'a> Columns<'a> {
         let between = text.get(self.at.0..offset).unwrap_or_default();
         let column = self.at.1 + between.chars().map(|c| c.len_utf16() as u32).sum::<u32>();
         self.at = (offset, column);
-        LineColumn { line: line as u32 + 1, column: column + 1 }
+        LineColumn { line: lines.number(line), column: column + 1 }
     }
 }
 

@@ -28,6 +28,17 @@ impl<R: BufRead> NamedLog<R> {
     }
 }
 
+/// Where a frame is.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Origin<'l> {
+    /// The position of the log.
+    pub(crate) log: usize,
+    /// The number of its line, or of its packet in a capture, from 1.
+    pub(crate) line: u64,
+    /// The line; empty in a capture.
+    pub(crate) text: &'l [u8],
+}
+
 /// Logs whose frames are taken in the order of their times; of two at one time that of the first log is first.
 #[derive(Debug)]
 pub(crate) struct MergedLogs<R>(pub(crate) Vec<NamedLog<R>>);
@@ -47,6 +58,12 @@ impl<R: BufRead> MergedLogs<R> {
             }
         }
         Ok(first.and_then(|(at, _)| Some((at, self.0[at].next.take()?))))
+    }
+
+    /// Where the last frame of a log is in it.
+    pub(crate) fn origin(&self, log: usize) -> Origin<'_> {
+        let reader = &self.0[log].reader;
+        Origin { log, line: reader.line(), text: reader.line_of_frame() }
     }
 
     /// The name of a channel of a log.

@@ -1,5 +1,6 @@
 //! What a bus carries, in words and in sums: the frames of logs with the descriptions of the nodes.
 
+mod against;
 mod candidates;
 mod described;
 mod error_frame;
@@ -9,9 +10,10 @@ mod sums;
 
 use std::io::{self, BufRead};
 
+pub(crate) use self::against::findings;
 use self::candidates::Candidates;
 pub(crate) use self::described::{DescribedNode, Descriptions};
-pub(crate) use self::merged::{MergedLogs, NamedLog};
+pub(crate) use self::merged::{MergedLogs, NamedLog, Origin};
 pub(crate) use self::rules::RULES;
 pub(crate) use self::sums::{BusReport, BusSums, NodeEvent};
 use crate::describe::frames::{DecodedFrame, FrameReader, RawFrame, Talker};

@@ -36,12 +36,12 @@ text_rules! {
     source: "CiA 301 §7.2.8.3.2.2",
 
     SDO_SIZE = "traffic/sdo-size", Error;
-    summary: "an SDO answer has another size than its data type",
-    checks: "Whether each value that is read over SDO has as many bytes as the `DataType` of its entry.",
-    why: "A client that reads the entry by its description takes a wrong number, or rejects the answer.",
+    summary: "a value in an SDO transfer has another size than its data type",
+    checks: "Whether each value that nodes answer or accept has as many bytes as the `DataType` of its entry. Transfers that do not say how many of their four bytes count are not judged.",
+    why: "A client that uses the entry by its description takes or sends a wrong number, or is refused.",
     example: "two bytes of an entry that is described as UNSIGNED32",
-    remedy: "Correct `DataType`, or the answer of the device.",
-    source: "CiA 301 §7.2.4.3.6",
+    remedy: "Correct `DataType`, or the device: it aborts a write of another size with 0607 0010h.",
+    source: "CiA 301 §7.2.4.3",
 
     SDO_ACCESS = "traffic/sdo-access", Warning;
     summary: "an SDO transfer succeeds against the access of an entry",

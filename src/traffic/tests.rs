@@ -1,6 +1,7 @@
 use std::path::Path;
 
 use super::*;
+use crate::diagnostic::At;
 use crate::format::log::LogOptions;
 use crate::format::open;
 
@@ -81,15 +82,15 @@ fn report(descriptions: &Descriptions, log: &'static str) -> BusReport {
     while let Some((log, frame)) = logs.next_frame().unwrap() {
         let at = buses.of(log, &frame, &logs);
         let decoded = buses.all[at].decode(&frame);
-        sums.add(&decoded, &frame, log, &buses.all[at]);
+        sums.add(&decoded, &frame, logs.origin(log), &buses.all[at]);
     }
     sums.report(&buses.all[0])
 }
 
 /// The rules that a log is against, and what is said; so many drives are described.
 fn against(drive_count: usize, log: &'static str) -> Vec<(&'static str, String)> {
-    let found = report(&drives(drive_count), log);
-    found.findings(0).map(|finding| (finding.rule.id, finding.message.to_string())).collect()
+    let (_, found) = findings(&[report(&drives(drive_count), log)], 0, "a.log".to_owned());
+    found.iter().map(|finding| (finding.rule.id, finding.message.to_string())).collect()
 }
 
 #[test]
@@ -106,9 +107,18 @@ fn heartbeats_that_are_late() {
         "node 5: no heartbeat for 300.000 ms, limit 150.000 ms, until the end of the log",
     ];
     assert_eq!(texts, expected);
-    assert!(report.findings(0).all(|finding| finding.rule.id == "traffic/late-heartbeat"));
-    assert_eq!((report.findings(0).count(), report.findings(1).count()), (2, 0));
-    assert_eq!((report.frames, report.undescribed), (8, vec![5]));
+    assert_eq!((report.frames, &*report.undescribed), (8, &[5][..]));
+    let reports = [report];
+    let of_log = |log| findings(&reports, log, "a.log".to_owned());
+    assert!(of_log(1).1.is_empty());
+    // they are at the last heartbeat before, the fourth and the seventh line
+    let (lines, found) = of_log(0);
+    let places = found.iter().map(|finding| {
+        let At::Span(span) = finding.labels[0].at else { unreachable!("a place in a log") };
+        (finding.rule.id, lines.line_column(span.start).line, span.of(lines.text()))
+    });
+    let expected = [(4, "(0.2) can0 705#05"), (7, "(0.9) can0 705#05")];
+    assert!(places.eq(expected.map(|(line, text)| ("traffic/late-heartbeat", line, text))));
 }
 
 /// A log that is against each rule, and one that differs in what is right.
@@ -117,7 +127,7 @@ fn each_rule_has_a_log_that_is_against_it() {
     const SYNC: &str = "(0.0) can0 605#23071000D0070000\n(0.1) can0 585#6007100000000000\n\
         (0.2) can0 605#2F00180201000000\n(0.3) can0 585#6000180200000000\n(1.0) can0 080#\n";
     let after_sync = |pdo: &str| &*Box::leak(format!("{SYNC}{pdo}").into_boxed_str());
-    let cases: [(&str, &str, &str); 7] = [
+    let cases: [(&str, &str, &str); 8] = [
         ("traffic/pdo-length", "(1.0) can0 185#3702\n", "(1.0) can0 185#370201\n"),
         (
             "traffic/inhibit-time",
@@ -138,7 +148,14 @@ fn each_rule_has_a_log_that_is_against_it() {
         (
             "traffic/sdo-size",
             "(1.0) can0 605#4017100000000000\n(1.1) can0 585#43171000F4010000\n",
-            "(1.0) can0 605#4017100000000000\n(1.1) can0 585#4B171000F4010000\n",
+            // that only two bytes count, the second one does not say
+            "(1.0) can0 605#4017100000000000\n(1.1) can0 585#4B171000F4010000\n\
+             (1.2) can0 605#22171000F4010000\n(1.3) can0 585#6017100000000000\n",
+        ),
+        (
+            "traffic/sdo-size",
+            "(1.0) can0 605#23171000F4010000\n(1.1) can0 585#6017100000000000\n",
+            "(1.0) can0 605#23171000F4010000\n(1.1) can0 585#8017100010000706\n",
         ),
         (
             "traffic/sdo-access",
@@ -151,7 +168,7 @@ fn each_rule_has_a_log_that_is_against_it() {
             "(1.0) can0 605#4081600000000000\n(1.1) can0 585#43816000E8030000\n",
         ),
     ];
-    assert_eq!(cases.len(), RULES.len());
+    assert!(RULES.iter().all(|rule| cases.iter().any(|case| case.0 == rule.id)));
     for (rule, bad, good) in cases {
         // the drive has no window
         let drives = usize::from(rule != "traffic/sync-window");

@@ -339,12 +339,11 @@ const fn direction(kind: PdoKind) -> Direction {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::Language;
     use crate::layout::tests::record;
     use crate::model::{Device, DeviceInfo, Value};
 
     fn lines(device: &Device, node_id: Option<u8>) -> Vec<String> {
-        let decoder = Decoder { device, node_id, language: Language::English };
+        let decoder = Decoder::english(device, node_id);
         let line = |line: &Connection| {
             format!(
                 "{} {} {} {} {:?}",

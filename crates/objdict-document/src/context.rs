@@ -38,7 +38,7 @@ impl<'a> Context<'a> {
         Self {
             device,
             node_id,
-            decoder: Decoder { device, node_id, language },
+            decoder: Decoder { language, ..Decoder::english(device, node_id) },
             language,
             texts: Texts::of(language),
             tag: options.tag(),

@@ -274,7 +274,7 @@ mod tests {
     use crate::model::{Device, Value};
 
     fn views(device: &Device, node_id: Option<u8>, language: Language) -> Vec<PdoView> {
-        let decoder = Decoder { device, node_id, language };
+        let decoder = Decoder { language, ..Decoder::english(device, node_id) };
         pdos(&decoder, &|entry| entry.name.to_string())
     }
 

@@ -293,7 +293,7 @@ mod tests {
     use crate::model::{Device, DeviceInfo, Value};
 
     fn texts(device: &Device, node_id: Option<u8>, language: Language) -> Vec<String> {
-        let decoder = Decoder { device, node_id, language };
+        let decoder = Decoder { language, ..Decoder::english(device, node_id) };
         let services = services(&decoder, &|entry| entry.name.to_string());
         services
             .iter()

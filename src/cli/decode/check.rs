@@ -9,9 +9,7 @@ use super::super::output::Output;
 use super::super::settings::Settings;
 use super::Logs;
 use super::summary::reports;
-use crate::diagnostic::Findings;
-use crate::source::{SourceFile, SourceOptions};
-use crate::traffic::Buses;
+use crate::traffic::{self, Buses};
 
 pub(super) fn run(
     args: &DecodeArgs,
@@ -28,13 +26,9 @@ pub(super) fn run(
     for (log, path) in args.logs.iter().enumerate() {
         let project = settings.project_of(path)?;
         let project = project.as_deref();
-        let mut found = Findings::new();
-        reports.iter().flat_map(|bus| bus.findings(log)).for_each(|finding| found.push(finding));
+        let (lines, found) = traffic::findings(&reports, log, source_name(path));
         let findings = settings.options(path, project).severities.apply(found);
-        // the text of a log of any length is not kept, so findings have no places in it
-        let name = SourceFile::from_bytes(source_name(path), Vec::new(), &SourceOptions::default());
-        let name = name.map_err(Failure::new)?;
-        reporter.report_on((&name).into(), findings, settings.deny(project))?;
+        reporter.report_on((&lines).into(), findings, settings.deny(project))?;
     }
     for project in settings.projects() {
         reporter.take_project(project, &settings)?;

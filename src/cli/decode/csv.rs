@@ -55,7 +55,7 @@ impl Printer for LongCsv {
         for signal in &signals {
             let (index, sub) = address((signal.index, signal.sub));
             let (value, scaled) = (plain(signal), signal.scaled.as_deref().unwrap_or_default());
-            let end = [&*index, &*sub, signal.name, &*value, scaled, signal.unit, &*signal.text];
+            let end = [&*index, &*sub, &*signal.name, &*value, scaled, &*signal.unit, &*signal.text];
             Self::row(&[&start[..], &end].concat(), out)?;
         }
         if !signals.is_empty() {
@@ -99,7 +99,7 @@ impl WideCsv {
         let columns = &mut self.columns;
         *self.positions.entry(key).or_insert_with(|| {
             let node = shown.bus.reader.name(node_id);
-            let name = match signal.name {
+            let name = match &*signal.name {
                 "" => format!("{:04X}:{:02X}", signal.index, signal.sub),
                 name => name.to_owned(),
             };

@@ -133,10 +133,10 @@ impl<'a> Signal<'a> {
         Self {
             index: signal.index,
             sub: signal.sub,
-            name: signal.name,
+            name: &signal.name,
             value: value.or(signal.raw.map(PlainValue::Unsigned)),
             scaled: signal.scaled.as_deref(),
-            unit: signal.unit,
+            unit: &signal.unit,
             text: &signal.text,
         }
     }

@@ -28,7 +28,7 @@ use crate::format::input::Reading;
 use crate::format::log::{LogOptions, LoggedFrame};
 use crate::format::network::NetworkFile;
 use crate::report::plural;
-use crate::traffic::{Bus, Buses, Descriptions, MergedLogs, NamedLog, raw};
+use crate::traffic::{Bus, Buses, Descriptions, MergedLogs, NamedLog, Origin, raw};
 
 /// How much of a log is read at once.
 const BUFFER: usize = 1 << 16;
@@ -83,8 +83,7 @@ struct Shown<'s, 'd> {
     bus: &'s Bus<'d>,
     /// The position of the bus.
     at: usize,
-    /// The position of the log.
-    log: usize,
+    origin: Origin<'s>,
 }
 
 /// Fails for a format that has no place for what is shown.
@@ -128,7 +127,7 @@ fn each_frame<'d>(
         }
         let bus = &buses.all[at];
         if !has_filter || args.filter.passes(&decoded, &frame, bus) {
-            show(Shown { frame: &frame, decoded, bus, at, log })?;
+            show(Shown { frame: &frame, decoded, bus, at, origin: logs.origin(log) })?;
         }
     }
     Ok(())

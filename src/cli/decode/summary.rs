@@ -78,7 +78,7 @@ pub(super) fn reports(
         while sums.len() <= shown.at {
             sums.push(BusSums::new(args.bit_rate.or(shown.bus.descriptions.bit_rate)));
         }
-        sums[shown.at].add(&shown.decoded, shown.frame, shown.log, shown.bus);
+        sums[shown.at].add(&shown.decoded, shown.frame, shown.origin, shown.bus);
         Ok(())
     })?;
     Ok(sums.iter_mut().zip(&buses.all).map(|(sums, bus)| sums.report(bus)).collect())
@@ -187,9 +187,9 @@ fn events(title: &str, events: &[NodeEvent], out: &mut Output) -> io::Result<()>
         return Ok(());
     }
     writeln!(out, "\n{title}:")?;
-    for NodeEvent { time, text, rule, .. } in events.iter().take(EVENTS) {
+    for NodeEvent { moment, text, rule, .. } in events.iter().take(EVENTS) {
         let rule = rule.map_or_else(String::new, |rule| format!(" [{}]", rule.id));
-        writeln!(out, "  {time}  {}{rule}", fit(text, LINE))?;
+        writeln!(out, "  {}  {}{rule}", moment.time, fit(text, LINE))?;
     }
     if events.len() > EVENTS {
         writeln!(out, "  and {} more", events.len() - EVENTS)?;

@@ -1,5 +1,7 @@
 //! A frame of a log.
 
+use std::fmt;
+
 use super::LogTime;
 
 /// A frame that was seen on a bus.
@@ -63,5 +65,16 @@ impl LoggedFrame {
         let place = self.data.get_mut(usize::from(self.length)).map(|place| *place = byte);
         self.length += u8::from(place.is_some());
         place.is_some()
+    }
+}
+
+/// As `candump -L` writes it: `185#3702`, `18EBFF05#R`.
+impl fmt::Display for LoggedFrame {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let Self { can_id, is_extended, is_remote, is_fd, .. } = *self;
+        let width = if is_extended { 8 } else { 3 };
+        let separator = if is_fd { "##0" } else { "#" };
+        write!(f, "{can_id:0width$X}{separator}{}", if is_remote { "R" } else { "" })?;
+        self.data().iter().try_for_each(|byte| write!(f, "{byte:02X}"))
     }
 }

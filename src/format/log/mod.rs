@@ -93,6 +93,8 @@ pub struct LogReader<R> {
     state: State,
     /// The start of a line that is not complete.
     partial: Vec<u8>,
+    /// The line of the last frame; empty in a capture.
+    line_of_frame: Vec<u8>,
 }
 
 #[derive(Debug)]
@@ -152,7 +154,7 @@ impl<R: BufRead> LogReader<R> {
     /// A reader of a log.
     pub fn new(source: R, options: LogOptions) -> Self {
         let state = State { options, ..State::default() };
-        Self { source, content: Content::Unknown, state, partial: Vec::new() }
+        Self { source, content: Content::Unknown, state, partial: Vec::new(), line_of_frame: Vec::new() }
     }
 
     /// The next frame; `None` at the end. Lines that are not understood are passed over and [counted](Self::bad_count).
@@ -199,7 +201,9 @@ impl<R: BufRead> LogReader<R> {
                     return Ok(None);
                 }
                 self.state.line += 1;
-                return Ok(Some(log.line(&rest, &[], &mut self.state)));
+                let line = log.line(&rest, &[], &mut self.state);
+                self.line_of_frame = rest;
+                return Ok(Some(line));
             }
             let Some(end) = memchr(b'\n', buffer) else {
                 let count = buffer.len();
@@ -210,14 +214,15 @@ impl<R: BufRead> LogReader<R> {
                 continue;
             };
             self.state.line += 1;
+            self.line_of_frame.clear();
             let line = if self.partial.is_empty() {
+                self.line_of_frame.extend(&buffer[..end]);
                 log.line(&buffer[..end], &buffer[end + 1..], &mut self.state)
             } else {
                 let wanted = (MAX_LINE + 1).saturating_sub(self.partial.len());
                 self.partial.extend(&buffer[..end.min(wanted)]);
-                let line = log.line(&self.partial, &buffer[end + 1..], &mut self.state);
-                self.partial.clear();
-                line
+                std::mem::swap(&mut self.line_of_frame, &mut self.partial);
+                log.line(&self.line_of_frame, &buffer[end + 1..], &mut self.state)
             };
             self.source.consume(end + 1);
             return Ok(Some(line));
@@ -256,6 +261,11 @@ impl<R: BufRead> LogReader<R> {
     /// The number of the last line or record, from 1.
     pub fn line(&self) -> u64 {
         self.state.line
+    }
+
+    /// The line of the last frame, without its end; empty in a capture, which has no lines.
+    pub fn line_of_frame(&self) -> &[u8] {
+        self.line_of_frame.trim_ascii_end()
     }
 }
 

@@ -69,12 +69,17 @@ impl<'a> Excerpts<'a> {
         if end - start > MAX_LINE && (first..=last).any(|line| is_long(&self.line(line))) {
             return None;
         }
+        // lines of a source that has some of a file may be far from each other there
+        let is_beside = |line: usize, other: usize| {
+            lines.number(line).abs_diff(lines.number(other)) as usize == line.abs_diff(other)
+        };
         let first_line = self.line(first);
         let mut from = first_line.0;
         if is_long(&first_line) {
             from = self.floor(start.saturating_sub(MARGIN).max(from));
         } else {
-            let above = (first.saturating_sub(before)..first).rev().map(|line| self.line(line));
+            let above = (first.saturating_sub(before)..first).rev();
+            let above = above.take_while(|line| is_beside(*line, first)).map(|line| self.line(line));
             from = above.take_while(|line| !is_long(line)).last().map_or(from, |line| line.0);
         }
         let last_line = if last == first { first_line } else { self.line(last) };
@@ -82,7 +87,8 @@ impl<'a> Excerpts<'a> {
         if is_long(&last_line) {
             to = self.floor((end + MARGIN).min(to));
         } else {
-            let below = (last + 1..(last + 1 + after).min(lines.line_count())).map(|line| self.line(line));
+            let below = last + 1..(last + 1 + after).min(lines.line_count());
+            let below = below.take_while(|line| is_beside(*line, last)).map(|line| self.line(line));
             to = below.take_while(|line| !is_long(line)).last().map_or(to, |line| line.1);
         }
         Some((from, to))
@@ -105,16 +111,16 @@ impl SourceCode for Excerpts<'_> {
         } else {
             self.window(start, end, lines_before, lines_after).ok_or(MietteError::OutOfBounds)?
         };
-        let at = self.source.lines().line_column(&self.text, from as u32);
-        let last = self.source.lines().line_of(&self.text, to.saturating_sub(1).max(from) as u32);
-        let line = at.line as usize - 1;
+        let lines = self.source.lines();
+        let at = lines.line_column(&self.text, from as u32);
+        let [first, last] = [from, to.saturating_sub(1).max(from)].map(|at| lines.line_of(&self.text, at as u32));
         Ok(Box::new(MietteSpanContents::new_named(
             self.name.clone(),
             &self.text.as_bytes()[from..to],
             (from, to - from).into(),
-            line,
+            at.line.saturating_sub(1) as usize,
             at.column as usize - 1,
-            last + 1 - line,
+            last + 1 - first,
         )))
     }
 }

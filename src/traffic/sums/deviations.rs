@@ -15,7 +15,7 @@ pub(super) type Deviation = (&'static RuleInfo, String);
 /// What a description says of the frames of a TPDO.
 #[derive(Clone, Copy, Debug, Default)]
 pub(super) struct Expected {
-    /// How often nodes had changed when it was found.
+    /// How often PDOs had changed when it was found.
     changes: Option<u64>,
     bytes: Option<usize>,
     /// The inhibit time in nanoseconds.
@@ -26,7 +26,7 @@ pub(super) struct Expected {
 
 impl Expected {
     fn of(decoded: &DecodedFrame, frame: &LoggedFrame, bus: &Bus<'_>) -> Self {
-        let changes = Some(bus.reader.changes());
+        let changes = Some(bus.reader.changes().pdos);
         let bits = bus.reader.mapped_bits(decoded, &raw(frame));
         let bytes = bits.filter(|bits| (1..=64).contains(bits)).map(|bits| bits.div_ceil(8) as usize);
         let device = decoded.node_id.and_then(|node_id| bus.reader.device(node_id));
@@ -56,7 +56,7 @@ impl Expected {
         last: Option<i64>,
         sync: Option<i64>,
     ) -> impl Iterator<Item = Deviation> + use<> {
-        if self.changes != Some(bus.reader.changes()) {
+        if self.changes != Some(bus.reader.changes().pdos) {
             *self = Self::of(decoded, frame, bus);
         }
         let now = frame.time.nanoseconds();
@@ -116,7 +116,7 @@ pub(super) fn of_transfer(node_id: u8, decoded: &DecodedFrame, bus: &Bus<'_>) ->
         _ => {}
     }
     let length = entry.data_type.and_then(DataType::byte_length).map(usize::from);
-    if let (Some(length), true) = (length.filter(|length| *length != bytes.len()), is_answer) {
+    if let Some(length) = length.filter(|length| *length != bytes.len()) {
         let text = format!("{} has {} bytes, described are {length}", name(), bytes.len());
         return Some((&rules::SDO_SIZE, text));
     }

@@ -5,8 +5,9 @@ use std::collections::BTreeMap;
 use serde::{Serialize, Serializer};
 
 use crate::diagnostic::{Diagnostic, RuleInfo};
-use crate::format::log::LogTime;
+use crate::format::log::{LogTime, LoggedFrame};
 use crate::source::Span;
+use crate::traffic::Origin;
 
 /// The most events of a node that are kept.
 const MAX_EVENTS: usize = 1000;
@@ -14,14 +15,41 @@ const MAX_EVENTS: usize = 1000;
 /// The most events of a node that are kept of a rule.
 const MAX_FINDINGS: usize = 100;
 
+/// When a frame was seen, and where its log has it.
+#[derive(Clone, Debug, Serialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
+pub(crate) struct Moment {
+    /// The time, in seconds with the digits of the log.
+    #[serde(serialize_with = "shown")]
+    #[cfg_attr(feature = "schema", schemars(with = "String"))]
+    pub(crate) time: LogTime,
+    /// The number of the line in the log, or of the packet in a capture, from 1.
+    pub(crate) line: u64,
+    /// The position of the log.
+    #[serde(skip)]
+    pub(crate) log: usize,
+    /// The line; in a capture the frame as candump would write it.
+    #[serde(skip)]
+    pub(crate) text: String,
+}
+
+impl Moment {
+    pub(super) fn of(frame: &LoggedFrame, Origin { log, line, text }: Origin<'_>) -> Self {
+        let text = match text {
+            [] => frame.to_string(),
+            text => String::from_utf8_lossy(text).into_owned(),
+        };
+        Self { time: frame.time, line, log, text }
+    }
+}
+
 /// An event of a node.
 #[derive(Debug, Serialize)]
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 pub(crate) struct NodeEvent {
-    /// When it happened, in seconds with the digits of the log.
-    #[serde(serialize_with = "shown")]
-    #[cfg_attr(feature = "schema", schemars(with = "String"))]
-    pub(crate) time: LogTime,
+    /// When it happened, and the frame that shows it.
+    #[serde(flatten)]
+    pub(crate) moment: Moment,
     /// The node-ID.
     pub(crate) node: u8,
     /// The rule that it is against; absent for what no rule forbids.
@@ -30,19 +58,14 @@ pub(crate) struct NodeEvent {
     pub(crate) rule: Option<&'static RuleInfo>,
     /// What happened.
     pub(crate) text: String,
-    /// The position of the log that shows it.
-    #[serde(skip)]
-    pub(crate) log: usize,
 }
 
 impl NodeEvent {
-    /// The finding of an event that is against a rule. Its place is the time.
-    pub(crate) fn finding(&self) -> Option<Diagnostic> {
+    /// The finding of an event that is against a rule, at the line of its frame.
+    pub(crate) fn finding(&self, line: Span) -> Option<Diagnostic> {
         let rule = self.rule?;
-        let message = format!("{}: {}", self.time, self.text);
-        let mut finding = Diagnostic::new(rule, Span::default(), message).help(crate::probe::help(rule));
-        finding.labels.clear();
-        Some(finding)
+        let message = format!("{}: {}", self.moment.time, self.text);
+        Some(Diagnostic::new(rule, line, message).help(crate::probe::help(rule)))
     }
 }
 
@@ -66,7 +89,7 @@ impl History {
     /// Adds an event of a node, whose text is made if it is kept.
     pub(super) fn add(
         &mut self,
-        (time, log): (LogTime, usize),
+        moment: Moment,
         node: u8,
         rule: Option<&'static RuleInfo>,
         text: impl FnOnce() -> String,
@@ -74,7 +97,7 @@ impl History {
         let count = self.counts.entry((rule.map(|rule| rule.id), node)).or_default();
         *count += 1;
         if *count <= if rule.is_some() { MAX_FINDINGS } else { MAX_EVENTS } {
-            self.events.push(NodeEvent { time, node, rule, text: text(), log });
+            self.events.push(NodeEvent { moment, node, rule, text: text() });
         }
     }
 

@@ -10,9 +10,9 @@ use std::collections::BTreeMap;
 use self::cycle::Cycle;
 use self::deviations::{Expected, of_transfer};
 use self::history::History;
-pub(crate) use self::history::NodeEvent;
+pub(crate) use self::history::{Moment, NodeEvent};
 pub(crate) use self::report::BusReport;
-use super::{Bus, rules};
+use super::{Bus, Origin, rules};
 use crate::bus::classical_bits;
 use crate::describe::frames::{DecodedFrame, FrameKind, SdoStep};
 use crate::format::log::{LogTime, LoggedFrame};
@@ -43,7 +43,7 @@ struct MessageSums {
 }
 
 /// What was seen of a node.
-#[derive(Clone, Copy, Debug, Default)]
+#[derive(Clone, Debug, Default)]
 struct NodeSums {
     frames: u64,
     bits: u64,
@@ -52,7 +52,7 @@ struct NodeSums {
     aborts: u64,
     lost: u64,
     state: Option<u8>,
-    last_heartbeat: Option<LogTime>,
+    last_heartbeat: Option<Moment>,
     /// The longest time between heartbeats in nanoseconds; `None` if no description says it.
     limit: Option<i64>,
 }
@@ -62,8 +62,6 @@ struct NodeSums {
 pub(crate) struct BusSums {
     /// The bit rate in kbit/s.
     bit_rate: Option<u16>,
-    /// The position of the log of the last frame.
-    log: usize,
     frames: u64,
     error_frames: u64,
     bits: u64,
@@ -92,7 +90,6 @@ impl BusSums {
     pub(crate) fn new(bit_rate: Option<u16>) -> Self {
         Self {
             bit_rate,
-            log: 0,
             frames: 0,
             error_frames: 0,
             bits: 0,
@@ -113,9 +110,14 @@ impl BusSums {
         }
     }
 
-    /// Adds a frame of the log with this position.
-    pub(crate) fn add(&mut self, decoded: &DecodedFrame, frame: &LoggedFrame, log: usize, bus: &Bus<'_>) {
-        self.log = log;
+    /// Adds a frame.
+    pub(crate) fn add(
+        &mut self,
+        decoded: &DecodedFrame,
+        frame: &LoggedFrame,
+        origin: Origin<'_>,
+        bus: &Bus<'_>,
+    ) {
         self.frames += 1;
         let (first, last) = self.span.unwrap_or((frame.time, frame.time));
         self.span = Some((first.min(frame.time), last.max(frame.time)));
@@ -131,8 +133,9 @@ impl BusSums {
         };
         self.bits += bits;
         self.kinds[decoded.kind as usize] += 1;
-        if self.changes != Some(bus.reader.changes()) {
-            self.changes = Some(bus.reader.changes());
+        let changes = Some(bus.reader.changes().heartbeats);
+        if self.changes != changes {
+            self.changes = changes;
             self.find_limits(bus);
         }
         // a request is sent by another node, which no frame names
@@ -147,11 +150,11 @@ impl BusSums {
         if decoded.kind == FrameKind::Sync && !frame.is_remote {
             self.last_sync = Some(frame.time.nanoseconds());
         }
-        self.message(decoded, frame, bus);
-        self.event(decoded, frame, bus);
+        self.message(decoded, frame, origin, bus);
+        self.event(decoded, frame, origin, bus);
     }
 
-    fn message(&mut self, decoded: &DecodedFrame, frame: &LoggedFrame, bus: &Bus<'_>) {
+    fn message(&mut self, decoded: &DecodedFrame, frame: &LoggedFrame, origin: Origin<'_>, bus: &Bus<'_>) {
         let LoggedFrame { can_id, is_extended, .. } = *frame;
         let known = match is_extended {
             false => usize::from(self.base[can_id as usize & 0x7FF]).checked_sub(1),
@@ -180,7 +183,7 @@ impl BusSums {
             let last = message.cycle.last;
             for (rule, text) in message.expected.deviations(decoded, frame, bus, last, self.last_sync) {
                 let node_id = decoded.node_id.unwrap_or(0);
-                self.deviations.add((frame.time, self.log), node_id, Some(rule), || text);
+                self.deviations.add(Moment::of(frame, origin), node_id, Some(rule), || text);
             }
         }
         // a boot-up is not a part of the cycle of heartbeats
@@ -188,7 +191,7 @@ impl BusSums {
     }
 
     /// What is more than a frame.
-    fn event(&mut self, decoded: &DecodedFrame, frame: &LoggedFrame, bus: &Bus<'_>) {
+    fn event(&mut self, decoded: &DecodedFrame, frame: &LoggedFrame, origin: Origin<'_>, bus: &Bus<'_>) {
         let Some(node_id) = decoded.node_id else { return };
         let node = &mut self.nodes[usize::from(node_id) % NODES];
         match decoded.kind {
@@ -199,39 +202,49 @@ impl BusSums {
             FrameKind::Heartbeat | FrameKind::Guarding if !frame.is_remote => {
                 node.state = frame.data().first().map(|state| state & 0x7F);
                 if decoded.kind == FrameKind::Heartbeat {
-                    self.heartbeat(node_id, frame.time, bus);
+                    self.heartbeat(node_id, Moment::of(frame, origin), bus);
                 }
             }
             FrameKind::Emcy if !frame.is_remote => {
                 node.emergencies += 1;
-                self.emergencies.add((frame.time, self.log), node_id, None, || bus.words(decoded, frame));
+                let moment = Moment::of(frame, origin);
+                self.emergencies.add(moment, node_id, None, || bus.words(decoded, frame));
             }
-            FrameKind::Sdo => self.transfer(node_id, decoded, frame, bus),
+            FrameKind::Sdo => self.transfer(node_id, decoded, frame, origin, bus),
             _ => {}
         }
     }
 
-    fn heartbeat(&mut self, node_id: u8, time: LogTime, bus: &Bus<'_>) {
+    fn heartbeat(&mut self, node_id: u8, moment: Moment, bus: &Bus<'_>) {
         let node = &mut self.nodes[usize::from(node_id) % NODES];
-        let last = node.last_heartbeat.replace(time);
+        let time = moment.time;
+        let last = node.last_heartbeat.replace(moment);
         let Some((last, limit)) = last.zip(node.limit) else { return };
-        let gap = time.nanoseconds().saturating_sub(last.nanoseconds());
+        let gap = time.nanoseconds().saturating_sub(last.time.nanoseconds());
         if gap > limit {
             node.lost += 1;
             let rule = Some(&rules::LATE_HEARTBEAT);
-            self.lost.add((last, self.log), node_id, rule, || lost(&bus.reader.name(node_id), gap, limit));
+            self.lost.add(last, node_id, rule, || lost(&bus.reader.name(node_id), gap, limit));
         }
     }
 
-    fn transfer(&mut self, node_id: u8, decoded: &DecodedFrame, frame: &LoggedFrame, bus: &Bus<'_>) {
+    fn transfer(
+        &mut self,
+        node_id: u8,
+        decoded: &DecodedFrame,
+        frame: &LoggedFrame,
+        origin: Origin<'_>,
+        bus: &Bus<'_>,
+    ) {
         let Some(sdo) = decoded.sdo else { return };
         if let Some((rule, text)) = of_transfer(node_id, decoded, bus) {
-            self.deviations.add((frame.time, self.log), node_id, Some(rule), || text);
+            self.deviations.add(Moment::of(frame, origin), node_id, Some(rule), || text);
         }
         match (sdo.step, sdo.entry) {
             (SdoStep::Abort(_), _) => {
                 self.nodes[usize::from(node_id) % NODES].aborts += 1;
-                self.aborts.add((frame.time, self.log), node_id, None, || bus.words(decoded, frame));
+                let moment = Moment::of(frame, origin);
+                self.aborts.add(moment, node_id, None, || bus.words(decoded, frame));
             }
             (SdoStep::Written, Some((index, sub))) => {
                 let key = (node_id, index, sub);

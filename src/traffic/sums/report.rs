@@ -5,7 +5,6 @@ use serde::Serialize;
 use super::history::NodeEvent;
 use super::{BusSums, MessageSums, NODES, kept, lost, milliseconds};
 use crate::describe::frames::{FrameKind, nmt_state};
-use crate::diagnostic::Diagnostic;
 use crate::model::{CobId, Pdo, PdoKind};
 use crate::network::Service;
 use crate::traffic::{Bus, DescribedNode, rules};
@@ -152,12 +151,9 @@ pub(crate) struct ConfigurationReport {
 }
 
 impl BusReport {
-    /// What is against the rules in a log, in the order of time.
-    pub(crate) fn findings(&self, log: usize) -> impl Iterator<Item = Diagnostic> {
-        let events = self.deviations.iter().chain(&self.lost_heartbeats);
-        let mut events: Vec<_> = events.filter(|event| event.log == log).collect();
-        events.sort_by_key(|event| event.time);
-        events.into_iter().filter_map(NodeEvent::finding)
+    /// What is against the rules in a log.
+    pub(crate) fn against_rules(&self, log: usize) -> impl Iterator<Item = &NodeEvent> {
+        self.deviations.iter().chain(&self.lost_heartbeats).filter(move |event| event.moment.log == log)
     }
 }
 
@@ -201,13 +197,13 @@ impl BusSums {
         let Some((_, end)) = self.span else { return };
         for node_id in 1..=127_u8 {
             let node = &mut self.nodes[usize::from(node_id)];
-            let Some((last, limit)) = node.last_heartbeat.zip(node.limit) else { continue };
-            let gap = end.nanoseconds().saturating_sub(last.nanoseconds());
+            let Some((last, limit)) = node.last_heartbeat.clone().zip(node.limit) else { continue };
+            let gap = end.nanoseconds().saturating_sub(last.time.nanoseconds());
             if gap > limit {
                 node.lost += 1;
                 let name = bus.reader.name(node_id);
                 let text = || lost(&name, gap, limit) + ", until the end of the log";
-                self.lost.add((last, self.log), node_id, Some(&rules::LATE_HEARTBEAT), text);
+                self.lost.add(last, node_id, Some(&rules::LATE_HEARTBEAT), text);
             }
         }
     }

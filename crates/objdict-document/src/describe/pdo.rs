@@ -90,6 +90,7 @@ impl Decoder<'_> {
         let place = format!("0x{:04X}sub{:X}", object.index, object.sub);
         Some(match self.device.entry(object.index, object.sub) {
             Some(entry) => format!("{place} {}, {bits}", entry.name),
+            None if !self.is_complete => format!("{place}, {bits}"),
             None => {
                 let missing = self.pick("which the description lacks", "den die Beschreibung nicht hat");
                 format!("{place}, {missing}, {bits}")

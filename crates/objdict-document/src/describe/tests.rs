@@ -7,7 +7,8 @@ fn of(index: u16, sub: u8, value: &Value, node_id: Option<u8>) -> String {
 }
 
 fn german(index: u16, sub: u8, number: u64) -> String {
-    let decoder = Decoder { device: &Device::default(), node_id: Some(5), language: Language::German };
+    let device = Device::default();
+    let decoder = Decoder { language: Language::German, ..Decoder::english(&device, Some(5)) };
     decoder.of(index, sub, &Value::Unsigned(number)).unwrap_or_default()
 }
 

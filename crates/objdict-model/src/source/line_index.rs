@@ -17,6 +17,8 @@ pub struct LineIndex {
     /// The number of lines that end before each block of the text, and in the whole text. Counting within a
     /// block is as fast as searching a table of all lines, which would need time and memory to build.
     ended: Vec<u32>,
+    /// The numbers of the lines, of a text that has some lines of a file; else empty.
+    numbers: Vec<u32>,
 }
 
 /// The size of a block in bytes: a block rarely has more than three lines, and their number fits into a byte.
@@ -33,7 +35,20 @@ impl LineIndex {
             count += line_ends(bytes, start, (start + BLOCK).min(bytes.len()));
             ended.push(count);
         }
-        Self { ended }
+        Self { ended, numbers: Vec::new() }
+    }
+
+    /// Counts the lines of `text`, which are those of a file with these numbers, from 1.
+    pub(super) fn with_numbers(text: &str, numbers: Vec<u32>) -> Self {
+        Self { numbers, ..Self::new(text) }
+    }
+
+    /// The number in the file, from 1, of a line that is counted from 0 in the text.
+    pub fn number(&self, line: usize) -> u32 {
+        match self.numbers.as_slice() {
+            [] => line as u32 + 1,
+            numbers => numbers.get(line).or(numbers.last()).copied().unwrap_or(1),
+        }
     }
 
     /// The line, counted from 0, that contains the byte at `offset`; an offset beyond the text counts as its
@@ -51,7 +66,7 @@ impl LineIndex {
         let line = self.line_of(text, offset as u32);
         let start = self.line_start(text, line).min(offset);
         let column = text.as_bytes()[start..offset].iter().filter(|&&byte| !is_continuation(byte)).count();
-        LineColumn { line: line as u32 + 1, column: column as u32 + 1 }
+        LineColumn { line: self.number(line), column: column as u32 + 1 }
     }
 
     /// The span of a line, counted from 0, with its line end; empty at the end of the text for a missing

@@ -10,6 +10,8 @@ mod talker;
 mod users;
 mod words;
 
+use std::collections::BTreeSet;
+
 use objdict_network::Service;
 
 pub use self::decoded::{DecodedFrame, FrameKind, RawFrame, SdoFrame, SdoStep};
@@ -17,7 +19,7 @@ use self::sdo::Transfers;
 pub use self::signals::PdoSignal;
 use self::talker::Nodes;
 pub use self::talker::Talker;
-use self::users::{User, Users};
+use self::users::{Stale, User, Users};
 use super::Decoder;
 use crate::model::{Device, PdoKind, Value};
 
@@ -31,14 +33,22 @@ pub struct FrameReader<'a> {
     nodes: Nodes<'a>,
     users: Users,
     transfers: Transfers,
-    /// Node-IDs of nodes whose services have changed.
-    stale: Vec<u8>,
+    /// What has changed of which nodes since their services were found.
+    stale: BTreeSet<(u8, Stale)>,
     /// Node-IDs that were asked by guarding and have not answered yet.
     guarded: u128,
     /// Whether a CAN-ID that no description has is that of the predefined connection set.
     has_defaults: bool,
-    /// How often a node has changed.
-    changes: u64,
+    changes: Changes,
+}
+
+/// How often nodes have changed, by what depends on it.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub struct Changes {
+    /// What heartbeats depend on: their producers and consumers.
+    pub heartbeats: u64,
+    /// What PDOs depend on: their parameters and the synchronous window length.
+    pub pdos: u64,
 }
 
 /// What a frame says.
@@ -55,15 +65,15 @@ impl<'a> FrameReader<'a> {
     pub fn new(talkers: Vec<Talker<'a>>) -> Self {
         let nodes = Nodes::new(talkers);
         let mut users = Users::default();
-        nodes.iter().for_each(|node| users.update(node));
+        nodes.iter().for_each(|node| users.update(node, Stale::All));
         Self {
             nodes,
             users,
             transfers: Transfers::default(),
-            stale: Vec::new(),
+            stale: BTreeSet::new(),
             guarded: 0,
             has_defaults: false,
-            changes: 0,
+            changes: Changes::default(),
         }
     }
 
@@ -76,11 +86,11 @@ impl<'a> FrameReader<'a> {
     /// Describes a node from now on.
     pub fn describe(&mut self, talker: Talker<'a>) {
         self.nodes.describe(talker);
-        self.note_change(talker.node_id);
+        self.note_other_values(talker.node_id);
     }
 
-    /// How often the values of a node have become others that change what frames mean.
-    pub const fn changes(&self) -> u64 {
+    /// How often the values of nodes have become others that change what frames mean.
+    pub const fn changes(&self) -> Changes {
         self.changes
     }
 
@@ -89,9 +99,19 @@ impl<'a> FrameReader<'a> {
         self.nodes.iter().map(|node| node.node_id)
     }
 
-    fn note_change(&mut self, node_id: u8) {
-        self.stale.push(node_id);
-        self.changes += 1;
+    /// All values of a node may be others.
+    fn note_other_values(&mut self, node_id: u8) {
+        self.stale.insert((node_id, Stale::All));
+        self.changes.heartbeats += 1;
+        self.changes.pdos += 1;
+    }
+
+    /// An entry of this object has another value.
+    fn note_change(&mut self, node_id: u8, index: u16) {
+        let stale = Stale::of(index);
+        self.stale.extend(stale.map(|stale| (node_id, stale)));
+        self.changes.heartbeats += u64::from(matches!(index, 0x1016 | 0x1017));
+        self.changes.pdos += u64::from(matches!(stale, Some(Stale::Pdo(..))) || index == 0x1007);
     }
 
     /// The words for a frame with a CAN-ID of 11 bits.
@@ -125,6 +145,12 @@ impl<'a> FrameReader<'a> {
     pub fn signals<'r>(&'r self, decoded: &DecodedFrame, frame: &'r RawFrame<'_>) -> Vec<PdoSignal<'r>> {
         let signals = self.user(decoded, frame).and_then(|user| {
             let node = self.nodes.get(user.node_id)?;
+            if user.content.is_multiplexed {
+                let (multiplexer, entry, bytes) = signals::multiplexed(frame.data)?;
+                // the entry of no one node has the type that the sender has
+                let node = self.nodes.get(multiplexer.node_id()).unwrap_or(node);
+                return Some(vec![PdoSignal::multiplexed(node, entry, bytes)]);
+            }
             Some(user.content.signals(node, frame.data).collect())
         });
         signals.unwrap_or_default()
@@ -139,7 +165,10 @@ impl<'a> FrameReader<'a> {
     pub fn transferred(&self, decoded: &DecodedFrame) -> Option<(&[u8], Option<Value>)> {
         let (node_id, sdo) = decoded.node_id.zip(decoded.sdo)?;
         let is_known = sdo.step.has_value() || sdo.step == SdoStep::Written;
-        let bytes = is_known.then(|| self.transfers.value((node_id, sdo.channel)))?;
+        let bytes = is_known.then(|| {
+            let length = sdo.entry.and_then(|entry| self.nodes.length(node_id, entry));
+            self.transfers.value((node_id, sdo.channel), length)
+        })?;
         let value = self.nodes.get(node_id).and_then(|node| node.value_of(sdo.entry?, bytes));
         Some((bytes, value))
     }
@@ -189,7 +218,7 @@ impl<'a> FrameReader<'a> {
 
     fn reset(&mut self, node_id: u8) {
         if self.nodes.get_mut(node_id).is_some_and(talker::Node::reset) {
-            self.note_change(node_id);
+            self.note_other_values(node_id);
         }
     }
 
@@ -244,33 +273,31 @@ impl<'a> FrameReader<'a> {
 
     /// Takes a value that a node has accepted, or has sent as an answer.
     fn take(&mut self, (node_id, channel): (u8, u16), entry: (u16, u8), is_accepted: bool) {
-        let bytes = self.transfers.value((node_id, channel));
+        let length = self.nodes.length(node_id, entry);
+        let bytes = self.transfers.value((node_id, channel), length);
         let Some(node) = self.nodes.get_mut(node_id) else { return };
         match entry {
-            (0x1010, 1 | 2) if is_accepted && bytes == b"save" => node.store(),
-            (0x1010 | 0x1011, _) => {}
+            (0x1010, 1 | 2) if is_accepted && bytes == b"save" => return node.store(),
+            (0x1011, 1 | 2) if is_accepted && bytes == b"load" => return node.restore(),
+            (0x1010 | 0x1011, _) => return,
             // the objects that a node without a description maps have names too
             (0x1600..=0x17FF | 0x1A00..=0x1BFF, 1..) => {
                 if let &[_, sub, low, high] = bytes {
                     node.learn((u16::from_le_bytes([low, high]), sub));
                 }
-                if node.take(entry, bytes) {
-                    self.note_change(node_id);
-                }
             }
-            _ => {
-                if node.take(entry, bytes) {
-                    self.note_change(node_id);
-                }
-            }
+            _ => {}
+        }
+        if node.take(entry, bytes) {
+            self.note_change(node_id, entry.0);
         }
     }
 
     /// A frame of a service whose CAN-ID is in the dictionary.
     fn configured(&mut self, frame: &RawFrame<'_>) -> DecodedFrame {
-        for node_id in std::mem::take(&mut self.stale) {
+        for (node_id, stale) in std::mem::take(&mut self.stale) {
             if let Some(node) = self.nodes.get(node_id) {
-                self.users.update(node);
+                self.users.update(node, stale);
             }
         }
         let key = users::key(frame.can_id, frame.is_extended);

@@ -14,6 +14,8 @@ struct Transfer {
     is_download: bool,
     /// What is known of the value.
     data: Vec<u8>,
+    /// Whether these are the four bytes of an expedited transfer that does not say how many of them are the value.
+    is_padded: bool,
     is_complete: bool,
     blocks: Option<Blocks>,
 }
@@ -57,9 +59,11 @@ impl Transfers {
         SdoFrame { entry: transfer.entry, step, channel: channel.1, is_request }
     }
 
-    /// What is known of the value of a transfer.
-    pub(super) fn value(&self, channel: (u8, u16)) -> &[u8] {
-        self.0.get(&channel).map_or(&[], |transfer| &transfer.data)
+    /// What is known of the value of a transfer, which has `length` bytes where the transfer does not say it.
+    pub(super) fn value(&self, channel: (u8, u16), length: Option<u8>) -> &[u8] {
+        let Some(transfer) = self.0.get(&channel) else { return &[] };
+        let length = length.filter(|_| transfer.is_padded);
+        length.and_then(|length| transfer.data.get(..length.into())).unwrap_or(&transfer.data)
     }
 
     /// Whether the server answers to a download.
@@ -89,6 +93,7 @@ impl Transfer {
                 Some(value) => {
                     self.begin(bytes, true);
                     self.data.extend(value);
+                    self.is_padded = command & 1 == 0;
                     self.is_complete = true;
                     SdoStep::Write
                 }
@@ -128,6 +133,7 @@ impl Transfer {
                     return SdoStep::ValueStart(stated_size(command & 1 != 0, value));
                 };
                 self.data.extend(value);
+                self.is_padded = command & 1 == 0;
                 self.is_complete = true;
                 SdoStep::Value
             }

@@ -1,5 +1,7 @@
 //! The values in a PDO.
 
+use std::borrow::Cow;
+
 use super::talker::Node;
 use crate::dbc::Scaled;
 use crate::layout::{FieldKind, Layout};
@@ -13,7 +15,7 @@ pub struct PdoSignal<'r> {
     /// The sub-index of the entry.
     pub sub: u8,
     /// The name of the entry; empty if no description has it.
-    pub name: &'r str,
+    pub name: Cow<'r, str>,
     /// The length in bits.
     pub bits: u32,
     /// The number of its bits; `None` if the frame is too short.
@@ -23,7 +25,7 @@ pub struct PdoSignal<'r> {
     /// The number in its unit, where it is another one.
     pub scaled: Option<String>,
     /// The unit; empty if there is none.
-    pub unit: &'r str,
+    pub unit: Cow<'r, str>,
     /// The value in words.
     pub text: String,
 }
@@ -46,6 +48,32 @@ pub(super) struct PdoContent {
     pub(super) places: Vec<SignalPlace>,
     /// The mapped bits; `None` if the description does not say.
     pub(super) bits: Option<u32>,
+    /// Whether its frames name the object that they carry.
+    pub(super) is_multiplexed: bool,
+}
+
+/// What the first byte of a multiplexed PDO says of the node-ID in it (CiA 301 §7.2.2.7).
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) enum Multiplexer {
+    /// The value is for this node, or for all (0): destination address mode.
+    To(u8),
+    /// The value is of this node: source address mode.
+    Of(u8),
+}
+
+impl Multiplexer {
+    pub(super) const fn node_id(self) -> u8 {
+        let (Self::To(node_id) | Self::Of(node_id)) = self;
+        node_id
+    }
+}
+
+/// What a multiplexed PDO carries: whose entry, and its bytes; `None` if it is too short.
+pub(super) fn multiplexed(data: &[u8]) -> Option<(Multiplexer, (u16, u8), [u8; 4])> {
+    let &[address, low, high, sub, a, b, c, d] = data else { return None };
+    let node_id = address & 0x7F;
+    let node = if address & 0x80 == 0 { Multiplexer::Of(node_id) } else { Multiplexer::To(node_id) };
+    Some((node, (u16::from_le_bytes([low, high]), sub), [a, b, c, d]))
 }
 
 impl PdoContent {
@@ -66,7 +94,8 @@ impl PdoContent {
             }
         });
         let bits = layout.bits().filter(|_| pdo.mapped_count.is_some_and(|count| count <= 64));
-        Self { places: places.collect(), bits }
+        let is_multiplexed = pdo.is_multiplexed();
+        Self { places: places.collect(), bits: if is_multiplexed { Some(64) } else { bits }, is_multiplexed }
     }
 
     /// The values in a frame.
@@ -96,18 +125,40 @@ impl SignalPlace {
         PdoSignal {
             index: self.index,
             sub: self.sub,
-            name: &self.name,
+            name: Cow::Borrowed(&self.name),
             bits,
             raw,
             value,
             scaled,
-            unit: self.scaled.as_ref().map_or("", |scaled| &scaled.unit),
+            unit: Cow::Borrowed(self.scaled.as_ref().map_or("", |scaled| &scaled.unit)),
             text,
         }
     }
 }
 
 impl PdoSignal<'_> {
+    /// The value in a multiplexed PDO, which is of an entry of `node`; without a type all four bytes are shown.
+    pub(super) fn multiplexed(
+        node: &Node<'_>,
+        (index, sub): (u16, u8),
+        bytes: [u8; 4],
+    ) -> PdoSignal<'static> {
+        let data_type = node.data_type((index, sub));
+        let bits = data_type.and_then(DataType::bit_length).map(u32::from).filter(|bits| (1..=32).contains(bits));
+        let place = SignalPlace {
+            index,
+            sub,
+            name: node.device.entry(index, sub).map_or_else(String::new, |entry| entry.name.to_string()),
+            start: 0,
+            end: bits.unwrap_or(32),
+            data_type: data_type.filter(|_| bits.is_some()),
+            scaled: node.scaling(&node.meanings(), (index, sub)),
+        };
+        let signal = place.signal(node, Some(u32::from_le_bytes(bytes).into()));
+        let (name, unit) = (signal.name.into_owned().into(), signal.unit.into_owned().into());
+        PdoSignal { name, unit, ..signal }
+    }
+
     /// `6041:00 Statusword = 1591 (state: operation enabled)`.
     pub(super) fn in_words(&self) -> String {
         let Self { index, sub, name, text, .. } = self;

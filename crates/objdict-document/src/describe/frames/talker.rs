@@ -27,7 +27,9 @@ pub(super) struct Node<'a> {
     pub(super) name: Cow<'a, str>,
     pub(super) node_id: u8,
     pub(super) is_described: bool,
-    /// The values after a reset, and the meanings of all values.
+    /// The description, and the meanings of all values.
+    described: Cow<'a, Device>,
+    /// The values after a reset.
     start: Cow<'a, Device>,
     pub(super) device: Cow<'a, Device>,
     learnt: usize,
@@ -39,6 +41,7 @@ impl<'a> Node<'a> {
             name: Cow::Borrowed(name),
             node_id,
             is_described: true,
+            described: Cow::Borrowed(device),
             start: Cow::Borrowed(device),
             device: Cow::Borrowed(device),
             learnt: 0,
@@ -74,8 +77,8 @@ impl<'a> Nodes<'a> {
     pub(super) fn add_unknown(&mut self, node_id: u8) {
         if self.get(node_id).is_none() {
             let name = Cow::Owned(format!("node {node_id}"));
-            let (start, device) = (Cow::Owned(Device::default()), Cow::Owned(Device::default()));
-            self.add(Node { name, node_id, is_described: false, start, device, learnt: 0 });
+            let [described, start, device] = std::array::from_fn(|_| Cow::Owned(Device::default()));
+            self.add(Node { name, node_id, is_described: false, described, start, device, learnt: 0 });
         }
     }
 
@@ -105,6 +108,11 @@ impl<'a> Nodes<'a> {
     /// The name of a node.
     pub(super) fn name(&self, node_id: u8) -> String {
         self.get(node_id).map_or_else(|| format!("node {node_id}"), |node| node.name.clone().into_owned())
+    }
+
+    /// The length of the values of an entry in bytes, if it is fixed.
+    pub(super) fn length(&self, node_id: u8, entry: (u16, u8)) -> Option<u8> {
+        self.get(node_id)?.data_type(entry)?.byte_length()
     }
 
     /// `1017:00 Producer heartbeat time`.
@@ -156,7 +164,7 @@ impl Node<'_> {
 
     /// A value with its meaning or its unit: `1591 (state: operation enabled)`, `1200 (120 mm)`.
     fn words(&self, (index, sub): (u16, u8), value: &Value) -> String {
-        let scaling = || scaling_of(&self.start, &self.start.meanings(), (index, sub));
+        let scaling = || scaling_of(&self.described, &self.meanings(), (index, sub));
         self.words_in((index, sub), value, scaling)
     }
 
@@ -169,7 +177,8 @@ impl Node<'_> {
     ) -> String {
         let node_id = Some(self.node_id);
         let short = Reader { index, node_id }.short(Some(value), self.data_type((index, sub)));
-        match Decoder::english(&self.device, node_id).of(index, sub, value) {
+        let decoder = Decoder { is_complete: self.is_described, ..Decoder::english(&self.device, node_id) };
+        match decoder.of(index, sub, value) {
             Some(meaning) => match self.command(index, value) {
                 Some(command) => format!("{short} (command: {command}, {meaning})"),
                 None => format!("{short} ({meaning})"),
@@ -201,11 +210,11 @@ impl Node<'_> {
 
     /// The scale and the unit of an entry.
     pub(super) fn scaling(&self, meanings: &Meanings<'_>, entry: (u16, u8)) -> Option<Scaled> {
-        scaling_of(&self.start, meanings, entry)
+        scaling_of(&self.described, meanings, entry)
     }
 
     pub(super) fn meanings(&self) -> Meanings<'_> {
-        self.start.meanings()
+        self.described.meanings()
     }
 
     /// Adds an entry that no description has, as the documents define it, so that it has a name and a type.
@@ -253,6 +262,15 @@ impl Node<'_> {
     pub(super) fn store(&mut self) {
         if let Cow::Owned(device) = &self.device {
             self.start = Cow::Owned(device.clone());
+        }
+    }
+
+    /// Forgets kept values and those of the configuration: after the next reset the values are the defaults (1011h).
+    pub(super) fn restore(&mut self) {
+        if self.is_described {
+            self.start = Cow::Owned(self.described.unconfigured().into_owned());
+            // so that a reset finds other values, also where none was written
+            self.device.to_mut();
         }
     }
 

@@ -1,5 +1,5 @@
 use super::*;
-use crate::model::{DataType, Device, Entry, Object, ObjectType};
+use crate::model::{DataType, Device, DeviceKind, Entry, Object, ObjectType};
 
 fn entry(name: &str, data_type: DataType, number: u64) -> Entry {
     Entry {
@@ -297,4 +297,51 @@ fn guarding_is_a_question_and_an_answer() {
     assert_eq!(kind(false, &[0x85]), FrameKind::Guarding);
     assert_eq!(kind(false, &[5]), FrameKind::Heartbeat);
     assert_eq!(kind(false, &[0]), FrameKind::BootUp);
+}
+
+#[test]
+fn a_multiplexed_pdo_names_its_entry() {
+    let mut device = drive();
+    device.objects.get_mut(&0x1A00).unwrap().subs.get_mut(0).unwrap().default = Some(Value::Unsigned(0xFF));
+    device.objects.get_mut(&0x1600).unwrap().subs.get_mut(0).unwrap().default = Some(Value::Unsigned(0xFE));
+    let talker = |name, node_id| Talker { name, node_id, device: &device };
+    let mut reader = FrameReader::new(vec![talker("drive", 5), talker("other", 6)]);
+    let mut words = |can_id, data: &[u8]| reader.read(can_id, data, false).text;
+    let to_other = [0x86, 0x61, 0x60, 0, 0xFF, 9, 9, 9];
+    assert_eq!(words(0x185, &to_other), "drive TPDO 1: to other: 6061:00 Modes of operation display = -1");
+    let to_all = [0x80, 0x17, 0x10, 0, 0xE8, 3, 0, 0];
+    assert_eq!(words(0x185, &to_all), "drive TPDO 1: to all nodes: 1017:00 Producer heartbeat time = 1000 (1000 ms)");
+    let of_other = [6, 0, 0x21, 1, 1, 2, 3, 4];
+    assert_eq!(words(0x205, &of_other), "to drive RPDO 1: of other: 2100:01 = 4030201h");
+    assert_eq!(words(0x205, &[6, 0, 0x21]), "to drive RPDO 1: MPDO of 3 bytes");
+}
+
+#[test]
+fn restored_defaults_count_from_the_next_reset() {
+    let mut device = drive();
+    device.kind = DeviceKind::Node;
+    let mapped = device.objects.get_mut(&0x1A00).unwrap().subs.get_mut(0).unwrap();
+    mapped.configured_mut().value = Some(Value::Unsigned(1));
+    let mut reader = FrameReader::new(vec![Talker { name: "drive", node_id: 5, device: &device }]);
+    let mut words = |can_id, data: &[u8]| reader.read(can_id, data, false).text;
+    let configured = "drive TPDO 1: 6041:00 Statusword = 7";
+    assert_eq!(words(0x185, &[7, 0, 8]), configured);
+    words(0x605, &[0x23, 0x11, 0x10, 1, b'l', b'o', b'a', b'd']);
+    words(0x585, &[0x60, 0x11, 0x10, 1, 0, 0, 0, 0]);
+    assert_eq!(words(0x185, &[7, 0, 8]), configured);
+    words(0, &[0x81, 5]);
+    let defaults = "drive TPDO 1: 6041:00 Statusword = 7, 6061:00 Modes of operation display = 8";
+    assert_eq!(words(0x185, &[7, 0, 8]), defaults);
+}
+
+#[test]
+fn a_transfer_that_does_not_state_its_size_has_that_of_the_entry() {
+    let words = read(&[
+        (0x605, &[0x22, 0x17, 0x10, 0, 0xE8, 3, 0, 0]),
+        (0x585, &[0x60, 0x17, 0x10, 0, 0, 0, 0, 0]),
+        (0x605, &[0x40, 0x17, 0x10, 0, 0, 0, 0, 0]),
+        (0x585, &[0x42, 0x17, 0x10, 0, 0xE8, 3, 0, 0]),
+    ]);
+    assert_eq!(words[0], "drive: write 1017:00 Producer heartbeat time = 1000 (1000 ms)");
+    assert_eq!(words[3], "drive: 1017:00 Producer heartbeat time = 1000 (1000 ms)");
 }

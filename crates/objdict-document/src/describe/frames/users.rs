@@ -6,7 +6,7 @@ use objdict_network::Service;
 
 use super::signals::PdoContent;
 use super::talker::Node;
-use crate::model::{CobId, PdoKind, SdoChannel, predefined};
+use crate::model::{CobId, Pdo, PdoKind, SdoChannel, predefined};
 
 /// A CAN-ID as a number: bit 31 says that it has 29 bits.
 pub(super) type IdKey = u32;
@@ -26,6 +26,34 @@ pub(super) struct User {
     pub(super) content: PdoContent,
 }
 
+/// The services of a node that have to be found again.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
+pub(super) enum Stale {
+    All,
+    Pdo(PdoKind, u16),
+    /// Those that are no PDOs.
+    Others,
+}
+
+impl Stale {
+    /// What an object decides.
+    pub(super) fn of(index: u16) -> Option<Self> {
+        let pdo = || PdoKind::of_communication(index).or_else(|| PdoKind::of_mapping(index));
+        match index {
+            0x1005 | 0x1012 | 0x1014 | 0x1200..=0x127F => Some(Self::Others),
+            _ => pdo().map(|(kind, number)| Self::Pdo(kind, number)),
+        }
+    }
+
+    fn has(self, service: Service) -> bool {
+        match (self, service) {
+            (Self::All, _) => true,
+            (Self::Pdo(kind, number), service) => service == Service::pdo(kind, number),
+            (Self::Others, service) => !matches!(service, Service::Pdo(_)),
+        }
+    }
+}
+
 /// The services with CAN-IDs that nodes configure.
 #[derive(Debug, Default)]
 pub(super) struct Users(BTreeMap<IdKey, Vec<User>>);
@@ -42,18 +70,28 @@ impl Users {
         self.0.get(&key)?.get(at)
     }
 
-    /// Takes the services of a node as it is now.
-    pub(super) fn update(&mut self, node: &Node<'_>) {
+    /// Takes services of a node as they are now.
+    pub(super) fn update(&mut self, node: &Node<'_>, stale: Stale) {
         self.0.retain(|_, users| {
-            users.retain(|user| user.node_id != node.node_id);
+            users.retain(|user| user.node_id != node.node_id || !stale.has(user.service));
             !users.is_empty()
         });
-        self.add_services(node);
-        for kind in [PdoKind::Tpdo, PdoKind::Rpdo] {
-            for pdo in node.device.pdos().filter(|pdo| pdo.kind == kind && pdo.is_valid() == Some(true)) {
-                let content = PdoContent::new(node, &pdo);
-                self.add(node, pdo.cob_id, Service::pdo(kind, pdo.number), 0, content);
+        match stale {
+            Stale::Pdo(kind, number) => {
+                node.device.pdo(kind, number).iter().for_each(|pdo| self.add_pdo(node, pdo));
             }
+            Stale::Others => self.add_services(node),
+            Stale::All => {
+                self.add_services(node);
+                node.device.pdos().for_each(|pdo| self.add_pdo(node, &pdo));
+            }
+        }
+    }
+
+    fn add_pdo(&mut self, node: &Node<'_>, pdo: &Pdo<'_>) {
+        if pdo.is_valid() == Some(true) {
+            let content = PdoContent::new(node, pdo);
+            self.add(node, pdo.cob_id, Service::pdo(pdo.kind, pdo.number), 0, content);
         }
     }
 

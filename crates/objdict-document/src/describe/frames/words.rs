@@ -3,6 +3,7 @@
 use objdict_network::Service;
 
 use super::decoded::{DecodedFrame, FrameKind, RawFrame, SdoFrame, SdoStep};
+use super::signals::{self, Multiplexer};
 use super::talker::{Node, digits};
 use super::{FrameReader, lss, nmt_state, users};
 use crate::describe::{Decoder, time};
@@ -63,11 +64,21 @@ impl FrameReader<'_> {
         let is_rpdo = matches!(decoded.service, Some(Service::Pdo(pdo)) if pdo.kind == PdoKind::Rpdo);
         let values: Vec<String> =
             self.signals(decoded, frame).iter().map(super::PdoSignal::in_words).collect();
-        let is_known = self.users.get(users::key(frame.can_id, frame.is_extended), decoded.user).is_some();
-        let content = match values.as_slice() {
-            [] if is_known => "nothing is mapped".to_owned(),
-            [] => digits(frame.data),
-            values => values.join(", "),
+        let user = self.users.get(users::key(frame.can_id, frame.is_extended), decoded.user);
+        let is_multiplexed = user.is_some_and(|user| user.content.is_multiplexed);
+        let multiplexer = signals::multiplexed(frame.data).filter(|_| is_multiplexed);
+        let content = match (values.as_slice(), multiplexer) {
+            ([value, ..], Some((Multiplexer::To(0), ..))) => format!("to all nodes: {value}"),
+            ([value, ..], Some((Multiplexer::To(node_id), ..))) => {
+                format!("to {}: {value}", self.nodes.name(node_id))
+            }
+            ([value, ..], Some((Multiplexer::Of(node_id), ..))) => {
+                format!("of {}: {value}", self.nodes.name(node_id))
+            }
+            ([], _) if is_multiplexed => format!("MPDO of {} bytes", frame.data.len()),
+            ([], _) if user.is_some() => "nothing is mapped".to_owned(),
+            ([], _) => digits(frame.data),
+            (values, None) => values.join(", "),
         };
         format!("{}{name} {service}: {content}", if is_rpdo { "to " } else { "" })
     }
@@ -77,8 +88,11 @@ impl FrameReader<'_> {
         let address = sdo.entry.map_or_else(String::new, |(index, sub)| format!("{index:04X}:{sub:02X}"));
         let entry = || sdo.entry.map_or_else(String::new, |entry| self.nodes.entry(node_id, entry));
         let value = || {
-            let bytes = self.transfers.value((node_id, sdo.channel));
-            sdo.entry.map_or_else(String::new, |entry| self.nodes.value(node_id, entry, bytes))
+            let in_words = |entry| {
+                let bytes = self.transfers.value((node_id, sdo.channel), self.nodes.length(node_id, entry));
+                self.nodes.value(node_id, entry, bytes)
+            };
+            sdo.entry.map_or_else(String::new, in_words)
         };
         let size = |size: Option<u32>| size.map_or_else(String::new, |size| format!(", {size} bytes"));
         let said = match sdo.step {
