@@ -2,6 +2,7 @@
 
 mod check;
 mod csv;
+mod html;
 mod json;
 mod summary;
 mod text;
@@ -57,7 +58,9 @@ pub(super) fn run(args: &DecodeArgs, out: &mut Output) -> Result<Outcome, Failur
         let outcome = check::run(args, &mut buses, &mut logs, out)?;
         return Ok(outcome.max(report_bad_lines(&logs)?));
     }
-    if args.summary {
+    if let Some(page) = &args.html {
+        html::run(args, &mut buses, &mut logs, page)?;
+    } else if args.summary {
         summary::run(args, &mut buses, &mut logs, out)?;
     } else {
         let mut printer: Box<dyn Printer> = match (args.format, args.wide) {
