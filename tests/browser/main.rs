@@ -24,3 +24,4 @@ mod reading;
 #[path = "../support/mod.rs"]
 mod support;
 mod tab;
+mod traffic;

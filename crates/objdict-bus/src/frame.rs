@@ -61,7 +61,7 @@ impl From<Frame> for BusFrame {
 pub fn classical_bits(can_id: u32, is_extended: bool, is_remote: bool, data: &[u8]) -> u32 {
     /// Delimiters, acknowledgement, end of frame, interframe space.
     const UNSTUFFED: u32 = 1 + 2 + 7 + 3;
-    let mut bits = Stream::default();
+    let mut bits = Bits::default();
     bits.push(0, 1); // start of frame
     if is_extended {
         bits.push(can_id >> 18, 11);
@@ -73,47 +73,74 @@ pub fn classical_bits(can_id: u32, is_extended: bool, is_remote: bool, data: &[u
     bits.push(is_remote.into(), 1);
     bits.push(0, 2); // 11-bit identifier or reserved, reserved
     bits.push(data.len() as u32, 4);
-    data.iter().for_each(|byte| bits.push(u32::from(*byte), 8));
-    bits.push(bits.crc.into(), 15);
-    bits.bits + UNSTUFFED
+    data.iter().take(8).for_each(|byte| bits.push(u32::from(*byte), 8));
+    bits.push(bits.crc().into(), 15);
+    bits.count + bits.stuffed() + UNSTUFFED
 }
 
-/// The part of a frame that is stuffed: after five equal bits comes one of the other kind.
+/// The part of a frame that is stuffed: after five equal bits comes one of the other kind. It has at most 118 bits.
 #[derive(Default)]
-struct Stream {
-    bits: u32,
-    crc: u16,
-    last: Option<bool>,
-    equal: u32,
+struct Bits {
+    number: u128,
+    count: u32,
 }
 
-impl Stream {
+impl Bits {
     fn push(&mut self, number: u32, count: u32) {
-        for position in (0..count).rev() {
-            let bit = number >> position & 1 == 1;
-            self.feed_crc(bit);
-            self.count(bit);
-            if self.equal == 5 {
-                self.count(!bit);
-            }
-        }
+        let mask = (1 << count) - 1;
+        self.number = self.number << count | u128::from(number & mask);
+        self.count += count;
     }
 
-    fn count(&mut self, bit: bool) {
-        self.equal = if self.last == Some(bit) { self.equal + 1 } else { 1 };
-        self.last = Some(bit);
-        self.bits += 1;
+    /// The check sum. It begins with 0, so it may be counted by bytes from zeros in front on.
+    fn crc(&self) -> u16 {
+        let bytes = self.number.to_be_bytes();
+        let unused = (u128::BITS - self.count) / 8;
+        let bytes = bytes.get(unused as usize..).unwrap_or_default();
+        bytes
+            .iter()
+            .fold(0, |crc: u16, byte| ((crc << 8) & 0x7FFF) ^ CRC[usize::from((crc >> 7) as u8 ^ byte)])
     }
 
-    fn feed_crc(&mut self, bit: bool) {
-        const POLYNOMIAL: u16 = 0x4599;
-        let is_set = bit != (self.crc >> 14 & 1 == 1);
-        self.crc = self.crc << 1 & 0x7FFF;
-        if is_set {
-            self.crc ^= POLYNOMIAL;
+    /// The number of stuff bits.
+    fn stuffed(&self) -> u32 {
+        // bits that differ from the one before them, from the left
+        let mut changes = (self.number ^ self.number >> 1) << (u128::BITS - self.count);
+        let (mut left, mut stuffed, mut last_is_stuffed) = (self.count, 0, false);
+        changes &= u128::MAX >> 1;
+        while left > 0 {
+            let equal = (changes << 1).leading_zeros().min(left - 1) + 1;
+            // a stuff bit at the end of the bits before is the first of these
+            let run = equal + u32::from(last_is_stuffed);
+            stuffed += run / 5;
+            last_is_stuffed = run % 5 == 0;
+            changes = changes.checked_shl(equal).unwrap_or_default();
+            left -= equal;
         }
+        stuffed
     }
 }
+
+/// The check sums of bytes, for the polynomial 4599h of 15 bits.
+const CRC: [u16; 256] = {
+    let mut sums = [0; 256];
+    let mut byte = 0;
+    while byte < sums.len() {
+        let mut sum = (byte as u16) << 7;
+        let mut bit = 0;
+        while bit < 8 {
+            let is_set = sum >> 14 & 1 == 1;
+            sum = sum << 1 & 0x7FFF;
+            if is_set {
+                sum ^= 0x4599;
+            }
+            bit += 1;
+        }
+        sums[byte] = sum;
+        byte += 1;
+    }
+    sums
+};
 
 #[cfg(test)]
 mod tests {
@@ -134,6 +161,59 @@ mod tests {
         ];
         for (id, data, bits) in cases {
             assert_eq!(frame(id, data).bits(), bits, "{id:03X}");
+        }
+    }
+
+    /// The same bit by bit, as a controller does it.
+    fn counted(numbers: &[(u32, u32)]) -> u32 {
+        let bit_of = |(number, count): (u32, u32)| (0..count).rev().map(move |at| number >> at & 1 == 1);
+        let mut bits: Vec<bool> = numbers.iter().copied().flat_map(bit_of).collect();
+        let crc = bits.iter().fold(0_u32, |crc, bit| {
+            let is_set = *bit != (crc >> 14 & 1 == 1);
+            crc << 1 & 0x7FFF ^ if is_set { 0x4599 } else { 0 }
+        });
+        bits.extend(bit_of((crc, 15)));
+        let (mut count, mut last, mut equal) = (0, None, 0);
+        for bit in bits {
+            equal = if last == Some(bit) { equal + 1 } else { 1 };
+            (last, count) = (Some(bit), count + 1);
+            if equal == 5 {
+                (last, equal, count) = (Some(!bit), 1, count + 1);
+            }
+        }
+        count + 13
+    }
+
+    #[test]
+    fn frames_are_as_long_as_counted_bit_by_bit() {
+        let mut state = 0x9E37_79B9_u32;
+        let mut random = move || {
+            state = state.wrapping_mul(1_664_525).wrapping_add(1_013_904_223);
+            state >> 8
+        };
+        for round in 0..20_000_u32 {
+            // half of them have many equal bits
+            let mut byte = || {
+                [0, 0xFF, random() as u8, random() as u8]
+                    [random() as usize % if round % 2 == 0 { 2 } else { 4 }]
+            };
+            let data: Vec<u8> = (0..round % 9).map(|_| byte()).collect();
+            let id = random() & 0x1FFF_FFFF;
+            let (is_extended, is_remote) = (round % 3 == 0, round % 7 == 0);
+            let id = if is_extended { id } else { id & 0x7FF };
+            let mut numbers = vec![(0, 1)];
+            if is_extended {
+                numbers.extend([(id >> 18, 11), (3, 2), (id, 18)]);
+            } else {
+                numbers.push((id, 11));
+            }
+            numbers.extend([(is_remote.into(), 1), (0, 2), (data.len() as u32, 4)]);
+            numbers.extend(data.iter().map(|byte| (u32::from(*byte), 8)));
+            assert_eq!(
+                classical_bits(id, is_extended, is_remote, &data),
+                counted(&numbers),
+                "{id:X}#{data:02X?}"
+            );
         }
     }
 
