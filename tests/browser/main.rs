@@ -24,4 +24,3 @@ mod reading;
 #[path = "../support/mod.rs"]
 mod support;
 mod tab;
-mod traffic;

@@ -47,18 +47,6 @@ impl Page {
         Self::printed("diff", &[old, new])
     }
 
-    /// The page of logs, made with these arguments of `decode`.
-    pub(crate) fn of_logs(arguments: &[&str]) -> Option<Self> {
-        let tab = Tab::new()?;
-        let folder = tempfile::tempdir().unwrap();
-        let path = folder.path().join("page.html");
-        let mut program = Command::new(env!("CARGO_BIN_EXE_objdict"));
-        let output = program.arg("decode").args(arguments).arg("--html").arg(&path).output().unwrap();
-        assert!(output.status.success(), "{}", String::from_utf8_lossy(&output.stderr));
-        tab.open(&path, "");
-        Some(Self { tab, path, _folder: folder })
-    }
-
     /// The page that a command prints about fixtures.
     pub(crate) fn printed(command: &str, names: &[&str]) -> Option<Self> {
         let tab = Tab::new()?;

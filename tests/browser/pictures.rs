@@ -1,4 +1,4 @@
-//! The pictures of the README and the documents, made anew by `OBJDICT_SCREENSHOTS=docs/images cargo test --test browser pictures`.
+//! The pictures of the README, made anew by `OBJDICT_SCREENSHOTS=docs/images cargo test --test browser pictures`.
 
 use std::env;
 use std::fs;
@@ -6,7 +6,6 @@ use std::path::{Path, PathBuf};
 use std::process::Command;
 
 use crate::page::Page;
-use crate::traffic;
 
 /// Wide enough for the contents beside the page, narrow enough to be read where the README shows it.
 const WIDTH: u32 = 1180;
@@ -30,12 +29,6 @@ fn pictures_are_made_where_they_are_wanted() {
     page.eval("document.querySelector('#objects h2').scrollIntoView()");
     page.settle();
     save(&page, &folder.join("page-dark.png"));
-
-    let Some(page) = traffic::cell(&[]) else { return };
-    page.resize(900, 640);
-    page.medium("screen", "light");
-    page.eval("document.querySelector('.steer').scrollIntoView()");
-    save(&page, &folder.join("decode.png"));
 }
 
 /// Writes what the window shows, with a palette where `pngquant` makes one: a third of the bytes.

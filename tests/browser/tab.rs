@@ -191,18 +191,12 @@ impl Tab {
             found = again;
         }
         assert!(found.is_array(), "{selector} is not there or has no size: {found}");
-        let at = |axis: usize| found[axis].as_f64().unwrap();
         for kind in ["mouseMoved", "mousePressed", "mouseReleased"] {
-            self.mouse(kind, at(0), at(1));
+            let event =
+                json!({ "type": kind, "x": found[0], "y": found[1], "button": "left", "clickCount": 1 });
+            self.call("Input.dispatchMouseEvent", &event);
         }
         self.settle();
-    }
-
-    /// `mouseMoved`, `mousePressed` or `mouseReleased` at a place of the window.
-    #[track_caller]
-    pub(crate) fn mouse(&self, kind: &str, x: f64, y: f64) {
-        let event = json!({ "type": kind, "x": x, "y": y, "button": "left", "clickCount": 1 });
-        self.call("Input.dispatchMouseEvent", &event);
     }
 
     /// Gives the window a size in CSS pixels.
