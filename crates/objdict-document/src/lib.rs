@@ -37,7 +37,6 @@ mod states;
 mod subject;
 mod text_width;
 mod texts;
-mod traffic;
 mod variants;
 mod write;
 
@@ -50,9 +49,6 @@ pub use self::options::Options;
 pub use self::probed::ProbePage;
 pub use self::site::{Site, SiteFile};
 pub use self::subject::{CodeName, Identifiers, Subject};
-pub use self::traffic::{
-    BusTraffic, PlotPoint, PlotValues, TrafficLane, TrafficPage, TrafficPlot, TrafficTable,
-};
 pub use self::variants::VariantsPage;
 pub use self::write::{card, write};
 use objdict_model::{Language, diagnostic, model, source};

@@ -44,16 +44,6 @@ pub(in crate::cli) struct DecodeArgs {
     /// and junit. Exits with 1 if there are errors
     #[arg(long, conflicts_with_all = ["summary", "wide"])]
     pub check: bool,
-    /// Write a page (HTML) instead: a time line of each node, plots of signals, and the sums of --summary
-    #[arg(long, value_name = "PAGE", conflicts_with_all = ["summary", "check", "wide", "format"])]
-    pub html: Option<PathBuf>,
-    /// A signal that the page of --html plots, as in `6064`, `5.6064:0` or `drive.Position actual value`; repeatable [default: the first eight that
-    /// change]
-    #[arg(long, value_name = "SIGNAL", requires = "html")]
-    pub plot: Vec<String>,
-    /// The maximum number of points of a plot and of marks of a kind in the time line of --html; of more, neighbours are joined
-    #[arg(long, value_name = "NUMBER", default_value_t = 1000, value_parser = clap::value_parser!(u32).range(10..=100_000))]
-    pub points: u32,
     #[command(flatten)]
     pub detail: ReportDetailArgs,
     /// The bit rate in kbit/s, to find the load [default: that of the network or DCF]

@@ -18,7 +18,7 @@ pub(super) fn run(
     out: &mut Output,
 ) -> Result<Outcome, Failure> {
     let Some(report) = args.report() else { return Err(Failure::new("findings have no CSV")) };
-    let reports = reports(args, buses, logs, |_| {})?;
+    let reports = reports(args, buses, logs)?;
     let mut settings = Settings::new(&args.settings)?;
     // the messages have times and values, so a baseline would know none of another log
     let baseline = BaselineArgs::default();

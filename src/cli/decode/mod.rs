@@ -2,7 +2,6 @@
 
 mod check;
 mod csv;
-mod html;
 mod json;
 mod summary;
 mod text;
@@ -58,9 +57,7 @@ pub(super) fn run(args: &DecodeArgs, out: &mut Output) -> Result<Outcome, Failur
         let outcome = check::run(args, &mut buses, &mut logs, out)?;
         return Ok(outcome.max(report_bad_lines(&logs)?));
     }
-    if let Some(page) = &args.html {
-        html::run(args, &mut buses, &mut logs, page)?;
-    } else if args.summary {
+    if args.summary {
         summary::run(args, &mut buses, &mut logs, out)?;
     } else {
         let mut printer: Box<dyn Printer> = match (args.format, args.wide) {

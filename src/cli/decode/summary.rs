@@ -9,10 +9,10 @@ use super::super::input::source_name;
 use super::super::outcome::Failure;
 use super::super::output::Output;
 use super::super::table::{Table, fit};
-use super::{Logs, Shown, each_frame};
+use super::{Logs, each_frame};
 use crate::json::{self, Version};
 use crate::report::plural;
-use crate::traffic::{BusReport, BusSums, Buses, NodeEvent, rows};
+use crate::traffic::{BusReport, BusSums, Buses, NodeEvent};
 
 /// The version of the JSON document, see docs/json.md.
 const VERSION: u32 = 1;
@@ -46,7 +46,7 @@ pub(super) fn run(
     logs: &mut Logs,
     out: &mut Output,
 ) -> Result<(), Failure> {
-    let reports = reports(args, buses, logs, |_| {})?;
+    let reports = reports(args, buses, logs)?;
     let document = Document {
         version: Version,
         logs: args.logs.iter().map(|path| source_name(path)).collect(),
@@ -67,12 +67,11 @@ pub(super) fn run(
     Ok(())
 }
 
-/// The sums of each bus; `also` is given each frame too.
-pub(super) fn reports<'d>(
+/// The sums of each bus.
+pub(super) fn reports(
     args: &DecodeArgs,
-    buses: &mut Buses<'d>,
+    buses: &mut Buses<'_>,
     logs: &mut Logs,
-    mut also: impl FnMut(&Shown<'_, 'd>),
 ) -> Result<Vec<BusReport>, Failure> {
     let mut sums: Vec<BusSums> = Vec::new();
     each_frame(args, buses, logs, |shown| {
@@ -80,7 +79,6 @@ pub(super) fn reports<'d>(
             sums.push(BusSums::new(args.bit_rate.or(shown.bus.descriptions.bit_rate)));
         }
         sums[shown.at].add(&shown.decoded, shown.frame, shown.origin, shown.bus);
-        also(&shown);
         Ok(())
     })?;
     Ok(sums.iter_mut().zip(&buses.all).map(|(sums, bus)| sums.report(bus)).collect())
@@ -89,17 +87,23 @@ pub(super) fn reports<'d>(
 impl BusReport {
     fn write(&self, out: &mut Output) -> io::Result<()> {
         let channel = if self.channel.is_empty() { String::new() } else { format!("{}: ", self.channel) };
-        writeln!(out, "{channel}{}", self.sentence())?;
+        let load = self.load.map_or_else(String::new, |load| format!(", {load:.2} % load"));
+        let (from, to, rate) = (&self.from, &self.to, self.frames_per_second);
+        writeln!(
+            out,
+            "{channel}{} from {from} to {to}, {rate:.1} frames/s{load}",
+            plural(count(self.frames), "frame")
+        )?;
         let kinds = self.kinds.iter().map(|kind| format!("{} {}", kind.kind, kind.frames));
         let errors = (self.error_frames > 0).then(|| plural(count(self.error_frames), "error frame"));
         let kinds: Vec<String> = kinds.chain(errors).collect();
         writeln!(out, "{}\n", kinds.join(", "))?;
-        table(rows::NODES, self.node_rows(), out)?;
-        writeln!(out)?;
-        table(rows::MESSAGES, self.message_rows(), out)?;
-        for (title, list) in self.events() {
-            events(title, list, out)?;
-        }
+        self.nodes(out)?;
+        self.messages(out)?;
+        events("Lost heartbeats", &self.lost_heartbeats, out)?;
+        events("Aborted transfers", &self.aborted_transfers, out)?;
+        events("Emergencies", &self.emergencies, out)?;
+        events("Not as described", &self.deviations, out)?;
         if self.further_events > 0 {
             writeln!(out, "\nand {}", plural(count(self.further_events), "further event"))?;
         }
@@ -109,6 +113,54 @@ impl BusReport {
             writeln!(out, "\nNodes without a description: {}", nodes.join(", "))?;
         }
         Ok(())
+    }
+
+    fn nodes(&self, out: &mut Output) -> io::Result<()> {
+        let headings =
+            ["Node", "Name", "Frames", "Frames/s", "Load", "State", "Boot-ups", "Lost", "EMCY", "Aborts"];
+        let mut table = Table::new(headings, CELL);
+        let some = |count: u64| if count == 0 { String::new() } else { count.to_string() };
+        for node in &self.nodes {
+            table.row([
+                if node.node == 0 { "-".to_owned() } else { node.node.to_string() },
+                node.name.clone().unwrap_or_default(),
+                node.frames.to_string(),
+                format!("{:.1}", node.frames_per_second),
+                node.load.map_or_else(String::new, |load| format!("{load:.2} %")),
+                node.state.clone().unwrap_or_default(),
+                some(node.boot_ups),
+                some(node.lost_heartbeats),
+                some(node.emergencies),
+                some(node.aborted_transfers),
+            ]);
+        }
+        table.write(out)
+    }
+
+    fn messages(&self, out: &mut Output) -> io::Result<()> {
+        writeln!(out)?;
+        let headings =
+            ["CAN-ID", "Message", "Frames", "Min ms", "Mean ms", "Max ms", "Jitter ms", "Described"];
+        let mut table = Table::new(headings, CELL);
+        for message in &self.messages {
+            let width = if message.extended { 8 } else { 3 };
+            let name = if message.name.is_empty() { message.kind } else { &message.name };
+            let [min, mean, max, jitter] = match &message.cycle {
+                Some(cycle) => [&cycle.min, &cycle.mean, &cycle.max, &cycle.jitter].map(Clone::clone),
+                None => Default::default(),
+            };
+            table.row([
+                format!("{:0width$X}", message.can_id),
+                name.to_owned(),
+                message.frames.to_string(),
+                min,
+                mean,
+                max,
+                jitter,
+                message.described.clone().unwrap_or_default(),
+            ]);
+        }
+        table.write(out)
     }
 
     fn configurations(&self, out: &mut Output) -> io::Result<()> {
@@ -128,16 +180,6 @@ impl BusReport {
         }
         Ok(())
     }
-}
-
-fn table<const N: usize>(
-    headings: [&'static str; N],
-    rows: impl Iterator<Item = [String; N]>,
-    out: &mut Output,
-) -> io::Result<()> {
-    let mut table = Table::new(headings, CELL);
-    rows.for_each(|row| table.row(row));
-    table.write(out)
 }
 
 fn events(title: &str, events: &[NodeEvent], out: &mut Output) -> io::Result<()> {

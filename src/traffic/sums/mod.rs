@@ -4,7 +4,6 @@ mod cycle;
 mod deviations;
 mod history;
 mod report;
-pub(crate) mod rows;
 
 use std::collections::BTreeMap;
 
@@ -13,7 +12,7 @@ use self::deviations::{Expected, of_transfer};
 use self::history::History;
 pub(crate) use self::history::{Moment, NodeEvent};
 pub(crate) use self::report::BusReport;
-use super::{Bus, Origin, PRE_OPERATIONAL, rules};
+use super::{Bus, Origin, rules};
 use crate::bus::classical_bits;
 use crate::describe::frames::{DecodedFrame, FrameKind, SdoStep};
 use crate::format::log::{LogTime, LoggedFrame};
@@ -139,7 +138,13 @@ impl BusSums {
             self.changes = changes;
             self.find_limits(bus);
         }
-        let sender = usize::from(decoded.sender(frame.is_remote).unwrap_or(0)) % NODES;
+        // a request is sent by another node, which no frame names
+        let is_sent = match decoded.sdo {
+            Some(sdo) => !sdo.is_request,
+            None => !frame.is_remote && decoded.kind != FrameKind::Nmt && !is_rpdo(decoded.service),
+        };
+        let node_id = usize::from(decoded.node_id.unwrap_or(0)) % NODES;
+        let sender = if is_sent { node_id } else { 0 };
         self.nodes[sender].frames += 1;
         self.nodes[sender].bits += bits;
         if decoded.kind == FrameKind::Sync && !frame.is_remote {
@@ -192,8 +197,7 @@ impl BusSums {
         match decoded.kind {
             FrameKind::BootUp => {
                 node.boot_ups += 1;
-                // a node sends it when it has become pre-operational (CiA 301 §7.3.2.2)
-                (node.last_heartbeat, node.state) = (None, Some(PRE_OPERATIONAL));
+                (node.last_heartbeat, node.state) = (None, Some(0));
             }
             FrameKind::Heartbeat | FrameKind::Guarding if !frame.is_remote => {
                 node.state = frame.data().first().map(|state| state & 0x7F);

@@ -5,7 +5,6 @@ use serde::Serialize;
 use super::history::NodeEvent;
 use super::{BusSums, MessageSums, NODES, kept, lost, milliseconds};
 use crate::describe::frames::{FrameKind, nmt_state};
-use crate::format::log::LogTime;
 use crate::model::{CobId, Pdo, PdoKind};
 use crate::network::Service;
 use crate::traffic::{Bus, DescribedNode, rules};
@@ -21,9 +20,6 @@ pub(crate) struct BusReport {
     pub(crate) from: String,
     /// The time of the last frame.
     pub(crate) to: String,
-    /// Both in nanoseconds.
-    #[serde(skip)]
-    pub(crate) span: [i64; 2],
     /// The number of frames.
     pub(crate) frames: u64,
     /// The number of error frames among them.
@@ -179,7 +175,6 @@ impl BusSums {
             channel: bus.channel.clone(),
             from: from.to_string(),
             to: to.to_string(),
-            span: [from, to].map(LogTime::nanoseconds),
             frames: self.frames,
             error_frames: self.error_frames,
             frames_per_second: rate(self.frames, seconds),

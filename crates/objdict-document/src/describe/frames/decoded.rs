@@ -2,8 +2,6 @@
 
 use objdict_network::Service;
 
-use crate::model::PdoKind;
-
 /// A frame as it is on the bus.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct RawFrame<'f> {
@@ -100,16 +98,6 @@ impl DecodedFrame {
 
     pub(super) const fn new(kind: FrameKind, service: Option<Service>, node_id: Option<u8>) -> Self {
         Self { kind, service, node_id, sdo: None, user: 0 }
-    }
-
-    /// The node that sends it; `None` for what another node sends to a node, which no frame names.
-    pub fn sender(&self, is_remote: bool) -> Option<u8> {
-        let is_rpdo = matches!(self.service, Some(Service::Pdo(pdo)) if pdo.kind == PdoKind::Rpdo);
-        let is_sent = match self.sdo {
-            Some(sdo) => !sdo.is_request,
-            None => !is_remote && self.kind != FrameKind::Nmt && !is_rpdo,
-        };
-        self.node_id.filter(|_| is_sent)
     }
 }
 

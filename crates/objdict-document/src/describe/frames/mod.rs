@@ -149,7 +149,7 @@ impl<'a> FrameReader<'a> {
                 let (multiplexer, entry, bytes) = signals::multiplexed(frame.data)?;
                 // the entry of no one node has the type that the sender has
                 let node = self.nodes.get(multiplexer.node_id()).unwrap_or(node);
-                return Some(PdoSignal::of_entry(node, entry, &bytes).into_iter().collect());
+                return Some(vec![PdoSignal::multiplexed(node, entry, bytes)]);
             }
             Some(user.content.signals(node, frame.data).collect())
         });
@@ -171,13 +171,6 @@ impl<'a> FrameReader<'a> {
         })?;
         let value = self.nodes.get(node_id).and_then(|node| node.value_of(sdo.entry?, bytes));
         Some((bytes, value))
-    }
-
-    /// The same as a signal; `None` if the value is longer than 64 bits.
-    pub fn transferred_signal(&self, decoded: &DecodedFrame) -> Option<PdoSignal<'static>> {
-        let (bytes, _) = self.transferred(decoded)?;
-        let node = self.nodes.get(decoded.node_id?)?;
-        PdoSignal::of_entry(node, decoded.sdo?.entry?, bytes)
     }
 
     /// The device of a node with the values that the frames have shown.

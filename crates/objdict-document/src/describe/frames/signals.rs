@@ -104,7 +104,7 @@ impl PdoContent {
         node: &'r Node<'_>,
         data: &'r [u8],
     ) -> impl Iterator<Item = PdoSignal<'r>> {
-        let frame = of_bytes(data);
+        let frame = data.iter().take(8).rev().fold(0, |frame, &byte| frame << 8 | u64::from(byte));
         let length = 8 * data.len() as u32;
         self.places.iter().map(move |place| place.signal(node, Some(frame).filter(|_| place.end <= length)))
     }
@@ -137,28 +137,26 @@ impl SignalPlace {
 }
 
 impl PdoSignal<'_> {
-    /// The value that bytes are of an entry, which may be more than its type needs; `None` for more than eight.
-    pub(super) fn of_entry(
+    /// The value in a multiplexed PDO, which is of an entry of `node`; without a type all four bytes are shown.
+    pub(super) fn multiplexed(
         node: &Node<'_>,
         (index, sub): (u16, u8),
-        bytes: &[u8],
-    ) -> Option<PdoSignal<'static>> {
-        let length = 8 * bytes.len() as u32;
+        bytes: [u8; 4],
+    ) -> PdoSignal<'static> {
         let data_type = node.data_type((index, sub));
-        let bits = data_type.and_then(DataType::bit_length).map(u32::from).filter(|bits| *bits <= length);
+        let bits = data_type.and_then(DataType::bit_length).map(u32::from).filter(|bits| (1..=32).contains(bits));
         let place = SignalPlace {
             index,
             sub,
             name: node.device.entry(index, sub).map_or_else(String::new, |entry| entry.name.to_string()),
             start: 0,
-            end: bits.unwrap_or(length),
+            end: bits.unwrap_or(32),
             data_type: data_type.filter(|_| bits.is_some()),
             scaled: node.scaling(&node.meanings(), (index, sub)),
         };
-        let is_number = (1..=8).contains(&bytes.len());
-        let signal = is_number.then(|| place.signal(node, Some(of_bytes(bytes))))?;
+        let signal = place.signal(node, Some(u32::from_le_bytes(bytes).into()));
         let (name, unit) = (signal.name.into_owned().into(), signal.unit.into_owned().into());
-        Some(PdoSignal { name, unit, ..signal })
+        PdoSignal { name, unit, ..signal }
     }
 
     /// `6041:00 Statusword = 1591 (state: operation enabled)`.
@@ -170,11 +168,6 @@ impl PdoSignal<'_> {
             None => format!("{index:04X}:{sub:02X}{named} is missing"),
         }
     }
-}
-
-/// The first eight bytes as a number.
-fn of_bytes(bytes: &[u8]) -> u64 {
-    bytes.iter().take(8).rev().fold(0, |number, &byte| number << 8 | u64::from(byte))
 }
 
 /// A value in the bits of a PDO; signed ones may be cut.
