@@ -4,6 +4,7 @@ mod candidates;
 mod described;
 mod error_frame;
 mod merged;
+mod recording;
 mod rules;
 mod sums;
 
@@ -12,6 +13,7 @@ use std::io::{self, BufRead};
 use self::candidates::Candidates;
 pub(crate) use self::described::{DescribedNode, Descriptions};
 pub(crate) use self::merged::{MergedLogs, NamedLog};
+pub(crate) use self::recording::{PageTexts, PlotChoice, Recording, address};
 pub(crate) use self::rules::RULES;
 pub(crate) use self::sums::{BusReport, BusSums, NodeEvent};
 use crate::describe::frames::{DecodedFrame, FrameReader, RawFrame, Talker};

@@ -7,20 +7,12 @@ use super::super::input::source_name;
 use super::super::outcome::{Failure, Outcome};
 use super::super::output::Output;
 use super::super::settings::Settings;
-use super::Logs;
-use super::summary::reports;
 use crate::diagnostic::Findings;
 use crate::source::{SourceFile, SourceOptions};
-use crate::traffic::Buses;
+use crate::traffic::BusReport;
 
-pub(super) fn run(
-    args: &DecodeArgs,
-    buses: &mut Buses<'_>,
-    logs: &mut Logs,
-    out: &mut Output,
-) -> Result<Outcome, Failure> {
+pub(super) fn run(args: &DecodeArgs, reports: &[BusReport], out: &mut Output) -> Result<Outcome, Failure> {
     let Some(report) = args.report() else { return Err(Failure::new("findings have no CSV")) };
-    let reports = reports(args, buses, logs)?;
     let mut settings = Settings::new(&args.settings)?;
     // the messages have times and values, so a baseline would know none of another log
     let baseline = BaselineArgs::default();

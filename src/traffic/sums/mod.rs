@@ -81,6 +81,8 @@ pub(crate) struct BusSums {
     lost: History,
     /// What is not as the descriptions say.
     deviations: History,
+    starts: History,
+    bus_errors: History,
     last_sync: Option<i64>,
     /// The last value that a node has accepted.
     written: BTreeMap<(u8, u16, u8), Vec<u8>>,
@@ -107,6 +109,8 @@ impl BusSums {
             aborts: History::default(),
             lost: History::default(),
             deviations: History::default(),
+            starts: History::default(),
+            bus_errors: History::default(),
             last_sync: None,
             written: BTreeMap::new(),
             is_written_cut: false,
@@ -121,6 +125,7 @@ impl BusSums {
         self.span = Some((first.min(frame.time), last.max(frame.time)));
         if frame.is_error {
             self.error_frames += 1;
+            self.bus_errors.add((frame.time, log), 0, None, || bus.words(decoded, frame));
             return;
         }
         let bits = match self.bit_rate {
@@ -195,6 +200,7 @@ impl BusSums {
             FrameKind::BootUp => {
                 node.boot_ups += 1;
                 (node.last_heartbeat, node.state) = (None, Some(0));
+                self.starts.add((frame.time, self.log), node_id, None, || bus.words(decoded, frame));
             }
             FrameKind::Heartbeat | FrameKind::Guarding if !frame.is_remote => {
                 node.state = frame.data().first().map(|state| state & 0x7F);
