@@ -51,8 +51,8 @@ pub use self::probed::ProbePage;
 pub use self::site::{Site, SiteFile};
 pub use self::subject::{CodeName, Identifiers, Subject};
 pub use self::traffic::{
-    BandRun, Bands, Curve, CurveBucket, DENSITY_KINDS, Density, TrafficBus, TrafficCourse, TrafficEvent, TrafficEvents, TrafficLane,
-    TrafficPage, TrafficPlot, TrafficTable,
+    BandRun, Bands, Curve, CurveBucket, DENSITY_KINDS, Density, TrafficBus, TrafficCourse, TrafficEvent,
+    TrafficEvents, TrafficLane, TrafficPage, TrafficPlot, TrafficTable,
 };
 pub use self::variants::VariantsPage;
 pub use self::write::{card, write};

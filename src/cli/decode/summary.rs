@@ -188,8 +188,10 @@ impl BusReport {
     pub(super) fn remarks(&self) -> impl Iterator<Item = (String, Vec<String>)> {
         let configurations = self.configurations.iter().map(|node| {
             let entries = if node.written == 1 { "entry" } else { "entries" };
-            let title =
-                format!("{}: {} {entries} written, {} as described", node.name, node.written, node.as_described);
+            let title = format!(
+                "{}: {} {entries} written, {} as described",
+                node.name, node.written, node.as_described
+            );
             let missing = node.not_written.iter();
             let missing =
                 missing.map(|entry| format!("{entry} is configured in the description and was not written"));

@@ -74,7 +74,15 @@ mod tests {
         let position =
             Signal { node_id: 5, node: "x.drive", entry: Some((0x6064, 0)), name: "Pos. actual value" };
         let is_chosen = |text: &str| text.parse::<PlotChoice>().unwrap().is_for(&position);
-        for text in ["6064", "0x6064", "6064:0", "5.6064", "X.DRIVE.6064:00", "pos. actual value", "5.Pos. actual value"] {
+        for text in [
+            "6064",
+            "0x6064",
+            "6064:0",
+            "5.6064",
+            "X.DRIVE.6064:00",
+            "pos. actual value",
+            "5.Pos. actual value",
+        ] {
             assert!(is_chosen(text), "{text}");
         }
         for text in ["6065", "6064:1", "6.6064", "drive.6064", "actual value", "5", "."] {

@@ -38,8 +38,8 @@ type Key = (usize, u8, u16, u8);
 /// What becomes of the values of a signal.
 #[derive(Debug)]
 enum Fate {
-    /// They have been the same so far, from the first time to the last.
-    Constant { value: Value, times: [i64; 2] },
+    /// They have been the same so far, so many from the first time to the last.
+    Constant { value: Value, times: [i64; 2], count: u64 },
     /// They are drawn, in the plot of this position.
     Drawn(usize),
     /// They are not drawn.
@@ -132,11 +132,23 @@ impl Recording {
         }
     }
 
-    fn pdo(&mut self, decoded: &DecodedFrame, frame: &LoggedFrame, (at, node_id): (usize, u8), bus: &Bus<'_>) {
+    fn pdo(
+        &mut self,
+        decoded: &DecodedFrame,
+        frame: &LoggedFrame,
+        (at, node_id): (usize, u8),
+        bus: &Bus<'_>,
+    ) {
         for signal in bus.reader.signals(decoded, &raw(frame)) {
             // without a type the bits are a number
             if let Some(value) = signal.value.or(signal.raw.map(Value::Unsigned)) {
-                self.value((at, node_id, signal.index, signal.sub), &value, frame.time.nanoseconds(), true, bus);
+                self.value(
+                    (at, node_id, signal.index, signal.sub),
+                    &value,
+                    frame.time.nanoseconds(),
+                    true,
+                    bus,
+                );
             }
         }
     }
@@ -159,7 +171,7 @@ impl Recording {
                 return;
             }
             let fate = if self.choices.is_empty() {
-                Fate::Constant { value: value.clone(), times: [time; 2] }
+                Fate::Constant { value: value.clone(), times: [time; 2], count: 0 }
             } else {
                 let name = bus.reader.entry_name(node_id, (index, sub));
                 self.chosen(key, &name, Some((index, sub)), bus)
@@ -167,16 +179,16 @@ impl Recording {
             self.signals.insert(key, fate);
         }
         match self.signals.get_mut(&key) {
-            Some(Fate::Constant { value: first, times }) if *first == *value => times[1] = time,
-            Some(Fate::Constant { value: first, times }) => {
-                let (first, times) = (first.clone(), *times);
+            Some(Fate::Constant { value: first, times, count }) if *first == *value => {
+                (times[1], *count) = (time, *count + 1);
+            }
+            Some(Fate::Constant { value: first, times, count }) => {
+                let (first, times, count) = (first.clone(), *times, *count);
                 let name = bus.reader.entry_name(node_id, (index, sub));
                 let fate = self.drawn(key, &name, FIRST_PLOTS, bus);
                 if let Fate::Drawn(plot) = fate {
                     let reading = bus.reader.reading(node_id, (index, sub), &first);
-                    // a value that came once is one point
-                    let times = if times[0] == times[1] { &times[..1] } else { &times };
-                    times.iter().for_each(|time| self.plots[plot].add(*time, reading.clone(), self.points));
+                    self.plots[plot].begin(times, count, reading, self.points);
                 }
                 self.signals.insert(key, fate);
             }
@@ -224,15 +236,25 @@ impl Recording {
 }
 
 impl Plot {
-    fn add(&mut self, time: i64, reading: SignalReading, points: usize) {
-        let SignalReading { number, word, unit } = reading;
-        // what has a name at first is a state
-        if matches!(&self.course, Course::Numbers(curve) if curve.count() == 0) {
-            self.unit = unit;
-            if word.is_some() {
-                self.course = Course::States(Bands::new(points));
+    /// Begins with a value that came so many times between two times. What has a name at first is a state.
+    fn begin(&mut self, times: [i64; 2], count: u64, reading: SignalReading, points: usize) {
+        self.unit = reading.unit;
+        match (reading.word, reading.number, &mut self.course) {
+            (Some(word), ..) => {
+                let mut bands = Bands::new(points);
+                bands.begin(times, &word, count);
+                self.course = Course::States(bands);
             }
+            (None, Some(number), Course::Numbers(curve)) => curve.begin(times, number, count),
+            _ => {}
         }
+    }
+
+    fn add(&mut self, time: i64, reading: SignalReading, points: usize) {
+        if matches!(&self.course, Course::Numbers(curve) if curve.count() == 0) {
+            return self.begin([time; 2], 1, reading, points);
+        }
+        let SignalReading { number, word, .. } = reading;
         match (&mut self.course, number, word) {
             (Course::Numbers(curve), Some(number), _) => curve.add(time, number),
             (Course::States(bands), _, Some(word)) => bands.add(time, &word),

@@ -2,7 +2,8 @@
 
 use super::{Course, Plot, Recording};
 use crate::document::{
-    TrafficBus, TrafficCourse, TrafficEvent, TrafficEvents, TrafficLane, TrafficPage, TrafficPlot, TrafficTable,
+    TrafficBus, TrafficCourse, TrafficEvent, TrafficEvents, TrafficLane, TrafficPage, TrafficPlot,
+    TrafficTable,
 };
 use crate::report::plural;
 use crate::traffic::{BusReport, Buses, NodeEvent};
@@ -23,10 +24,12 @@ pub(crate) struct PageTexts {
 impl Recording {
     /// The page of what was recorded.
     pub(crate) fn html(&self, texts: PageTexts, reports: &[BusReport], buses: &Buses<'_>) -> String {
-        let drawn = texts.buses.into_iter().zip(reports).enumerate().map(|(at, ((title, tables, remarks), report))| {
-            let (node_ids, lanes) = self.lanes_of(at, buses);
-            TrafficBus { title, lanes, events: events(report, &node_ids), tables, remarks }
-        });
+        let drawn = texts.buses.into_iter().zip(reports).enumerate().map(
+            |(at, ((title, tables, remarks), report))| {
+                let (node_ids, lanes) = self.lanes_of(at, buses);
+                TrafficBus { title, lanes, events: events(report, &node_ids), tables, remarks }
+            },
+        );
         TrafficPage {
             title: texts.title,
             summary: texts.summary,
@@ -43,7 +46,9 @@ impl Recording {
         let own = self.lanes.iter().filter(|((of, _), _)| *of == at);
         let lane = |(&(_, node_id), &lane): (&(usize, u8), &usize)| {
             let name = match buses.all.get(at).filter(|_| node_id != 0) {
-                Some(bus) if bus.reader.is_described(node_id) => format!("{node_id} {}", bus.reader.name(node_id)),
+                Some(bus) if bus.reader.is_described(node_id) => {
+                    format!("{node_id} {}", bus.reader.name(node_id))
+                }
                 Some(bus) => bus.reader.name(node_id),
                 None => "no node".to_owned(),
             };
@@ -73,7 +78,10 @@ impl Recording {
             sentences.push("No signal of a PDO changes. `--plot` draws others.".to_owned());
         }
         if self.density.left_out() > 0 {
-            sentences.push(format!("{} frames of further nodes are not in the time line.", self.density.left_out()));
+            sentences.push(format!(
+                "{} frames of further nodes are not in the time line.",
+                self.density.left_out()
+            ));
         }
         sentences.join(" ")
     }
@@ -83,7 +91,8 @@ impl Plot {
     fn drawn(&self, buses: &Buses<'_>) -> TrafficPlot<'_> {
         let (at, node_id, ..) = self.key;
         let bus = buses.all.get(at);
-        let channel = bus.filter(|_| buses.all.len() > 1).map_or(String::new(), |bus| format!("{} ", bus.channel));
+        let channel =
+            bus.filter(|_| buses.all.len() > 1).map_or(String::new(), |bus| format!("{} ", bus.channel));
         let node = bus.map_or_else(String::new, |bus| bus.reader.name(node_id));
         TrafficPlot {
             name: format!("{channel}{node}: {}", self.name),

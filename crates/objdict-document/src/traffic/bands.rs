@@ -58,6 +58,13 @@ impl Bands {
         }
     }
 
+    /// Begins with one word that came so many times between two times.
+    pub fn begin(&mut self, [from, to]: [i64; 2], word: &str, count: u64) {
+        self.add(from, word);
+        self.add(to, word);
+        self.count = count;
+    }
+
     fn position(&mut self, word: &str) -> usize {
         self.words.iter().position(|known| known == word).unwrap_or_else(|| {
             if self.words.len() < MAX_WORDS {

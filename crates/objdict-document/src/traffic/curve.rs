@@ -57,6 +57,15 @@ impl Curve {
         }
     }
 
+    /// Begins with one value that came so many times between two times.
+    pub fn begin(&mut self, [from, to]: [i64; 2], value: f64, count: u64) {
+        if value.is_finite() && self.buckets.is_empty() && count > 0 {
+            self.count = count;
+            self.sum = value * count as f64;
+            self.buckets.push(CurveBucket { from, to, min: value, max: value, last: value, count });
+        }
+    }
+
     /// The buckets in the order in which their values came.
     pub fn buckets(&self) -> &[CurveBucket] {
         &self.buckets
@@ -122,6 +131,15 @@ mod tests {
         assert_eq!((curve.range(), curve.mean()), (None, None));
         [f64::NAN, f64::INFINITY, 3.0].map(|value| curve.add(5, value));
         assert_eq!((curve.count(), curve.range(), curve.mean()), (1, Some((3.0, 3.0)), Some(3.0)));
+    }
+
+    #[test]
+    fn values_before_the_first_change_count() {
+        let mut curve = Curve::new(4);
+        curve.begin([10, 40], 2.0, 3);
+        curve.add(50, 6.0);
+        assert_eq!((curve.count(), curve.mean(), curve.range()), (4, Some(3.0), Some((2.0, 6.0))));
+        assert_eq!((curve.buckets()[0].from, curve.buckets()[0].to, curve.buckets().len()), (10, 40, 2));
     }
 
     proptest! {

@@ -82,7 +82,9 @@ pub(super) fn band(bands: &Bands, top: f64, height: f64, scale: &TimeScale) -> V
         }
     }
     let filled = paths.into_iter().enumerate();
-    filled.map(|(position, path)| Filled { class: state_class(&bands.words()[position], position), path }).collect()
+    filled
+        .map(|(position, path)| Filled { class: state_class(&bands.words()[position], position), path })
+        .collect()
 }
 
 /// The class of a state: those of NMT always have the same colours.
@@ -122,8 +124,12 @@ pub(super) fn words(bands: &Bands, scale: &TimeScale) -> Vec<BandWord> {
 pub(super) fn line(curve: &Curve, time: &TimeScale, value: &ValueScale) -> String {
     let mut path = String::new();
     for bucket in curve.buckets() {
-        let (x, y) = (short(time.x(bucket.to)), short(value.y(bucket.last)));
-        let _ = write!(path, "{}{x} {y}", if path.is_empty() { "M" } else { "L" });
+        let (from, to, y) = (time.x(bucket.from), short(time.x(bucket.to)), short(value.y(bucket.last)));
+        // a value that stays the same is level
+        if bucket.min == bucket.max && bucket.from < bucket.to {
+            let _ = write!(path, "{}{} {y}", if path.is_empty() { "M" } else { "L" }, short(from));
+        }
+        let _ = write!(path, "{}{to} {y}", if path.is_empty() { "M" } else { "L" });
     }
     // a value alone is a point, which a line has to show
     if curve.buckets().len() == 1 { path + "h1" } else { path }
@@ -132,7 +138,9 @@ pub(super) fn line(curve: &Curve, time: &TimeScale, value: &ValueScale) -> Strin
 /// The extremes of the buckets that have several values.
 pub(super) fn extremes(curve: &Curve, time: &TimeScale, value: &ValueScale) -> String {
     let mut path = String::new();
-    for CurveBucket { from, to, min, max, .. } in curve.buckets().iter().filter(|bucket| bucket.min < bucket.max) {
+    for CurveBucket { from, to, min, max, .. } in
+        curve.buckets().iter().filter(|bucket| bucket.min < bucket.max)
+    {
         let (left, top) = (time.x(*from), value.y(*max));
         rectangle(&mut path, left, top, time.x(*to) - left, value.y(*min) - top);
     }

@@ -212,7 +212,12 @@ impl TrafficPage<'_> {
         let highest = self.density.highest();
         let lanes = bus.lanes.iter().enumerate().map(|(position, lane)| {
             let marks = lists.iter().flat_map(|drawn| {
-                let own = drawn.list.events.iter().enumerate().filter(move |(_, event)| event.lane == Some(position));
+                let own = drawn
+                    .list
+                    .events
+                    .iter()
+                    .enumerate()
+                    .filter(move |(_, event)| event.lane == Some(position));
                 own.map(|(at, event)| Mark {
                     id: drawn.first + at,
                     class: drawn.list.class,
@@ -225,7 +230,10 @@ impl TrafficPage<'_> {
                 name: &lane.name,
                 label: self.label(lane),
                 paths: drawing::lane(self.density, lane.lane, highest, scale),
-                states: lane.states.map(|states| drawing::band(states, LANE + 2.0, 6.0, scale)).unwrap_or_default(),
+                states: lane
+                    .states
+                    .map(|states| drawing::band(states, LANE + 2.0, 6.0, scale))
+                    .unwrap_or_default(),
                 marks: marks.collect(),
             }
         });
@@ -239,7 +247,8 @@ impl TrafficPage<'_> {
             sums.iter_mut().zip(counts).for_each(|(sum, count)| *sum += u64::from(*count));
         }
         let counted = sums.iter().enumerate().filter(|(_, sum)| **sum > 0);
-        let words: Vec<String> = counted.map(|(kind, sum)| format!("{} {sum}", drawing::class(kind))).collect();
+        let words: Vec<String> =
+            counted.map(|(kind, sum)| format!("{} {sum}", drawing::class(kind))).collect();
         format!("{}: {}", lane.name, if words.is_empty() { "no frame".to_owned() } else { words.join(", ") })
     }
 
@@ -247,7 +256,8 @@ impl TrafficPage<'_> {
     fn states(&self) -> Vec<(String, &str)> {
         let bands = self.buses.iter().flat_map(|bus| &bus.lanes).filter_map(|lane| lane.states);
         let words = bands.flat_map(|bands| bands.words().iter().enumerate());
-        let mut all: Vec<_> = words.map(|(position, word)| (drawing::state_class(word, position), &**word)).collect();
+        let mut all: Vec<_> =
+            words.map(|(position, word)| (drawing::state_class(word, position), &**word)).collect();
         all.sort_unstable();
         all.dedup();
         all
@@ -264,7 +274,8 @@ impl TrafficPlot<'_> {
 
     fn numbers(&self, curve: &Curve, scale: &TimeScale) -> DrawnPlot<'_> {
         let range = curve.range().unwrap_or_default();
-        let (min, max, mean) = (rounded(range.0), rounded(range.1), rounded(curve.mean().unwrap_or_default()));
+        let (min, max, mean) =
+            (rounded(range.0), rounded(range.1), rounded(curve.mean().unwrap_or_default()));
         let value = ValueScale::new(range, PLOT);
         DrawnPlot {
             plot: self,

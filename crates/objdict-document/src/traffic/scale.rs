@@ -112,7 +112,8 @@ fn ticks(low: f64, high: f64) -> Vec<(f64, String)> {
     let step = step.unwrap_or(10.0 * power);
     let decimals = (-step.log10().floor()).clamp(0.0, 9.0) as usize;
     let first = (low / step).ceil();
-    let numbers = (0..7).map(|number| (first + f64::from(number)) * step).take_while(|number| *number <= high);
+    let numbers =
+        (0..7).map(|number| (first + f64::from(number)) * step).take_while(|number| *number <= high);
     numbers.map(|number| (number, label(number, decimals))).collect()
 }
 
@@ -151,7 +152,10 @@ mod tests {
     fn ticks_are_easy_to_read() {
         let time = TimeScale::new((1_436_509_052_250_185_000, 1_436_509_053_571_649_000));
         assert_eq!(labels(time.ticks()), ["0 ms", "500 ms", "1000 ms"].map(str::to_owned));
-        assert_eq!(labels(ValueScale::new((0.0, 100.0), 120.0).ticks()), ["0", "20", "40", "60", "80", "100"]);
+        assert_eq!(
+            labels(ValueScale::new((0.0, 100.0), 120.0).ticks()),
+            ["0", "20", "40", "60", "80", "100"]
+        );
         assert_eq!(labels(ValueScale::new((0.01, 0.012), 120.0).ticks())[0], "0.0100");
     }
 
@@ -170,10 +174,16 @@ mod tests {
 
     #[test]
     fn numbers_are_short() {
-        assert_eq!([0.0, 1234.5678, 1_000_000.0, 0.1 + 0.2, -7.0].map(rounded), ["0", "1234.57", "1000000", "0.3", "-7"]);
+        assert_eq!(
+            [0.0, 1234.5678, 1_000_000.0, 0.1 + 0.2, -7.0].map(rounded),
+            ["0", "1234.57", "1000000", "0.3", "-7"]
+        );
         assert_eq!([1e300, 12.5, 1e-9].map(rounded)[0], "1.00000e300");
         assert_eq!([0.1234, 5.0, -0.0001].map(short), ["0.123", "5", "0"]);
         let scale = TimeScale::new((1_500_000_000, 9_000_000_000));
-        assert_eq!([1_500_000_000, 1_500_000_001, 0].map(|time| scale.seconds(time)), ["0", "0.000000001", "-1.5"]);
+        assert_eq!(
+            [1_500_000_000, 1_500_000_001, 0].map(|time| scale.seconds(time)),
+            ["0", "0.000000001", "-1.5"]
+        );
     }
 }

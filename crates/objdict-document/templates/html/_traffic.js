@@ -16,6 +16,8 @@
     return { area, line, zoom: area.querySelector(".zoom"), height: area.getAttribute("height") };
   });
   const marks = all(".mark").map(mark => ({ mark, time: +mark.dataset.time, text: mark.querySelector("title").textContent }));
+  // what is not shown has no width
+  document.body.classList.add("live");
   const words = all(".word").map(word => ({ word, from: +word.dataset.from, to: +word.dataset.to, width: word.getComputedTextLength() }));
   const rows = text => (text ? text.split(";").map(row => row.split(" ")) : []);
   const plots = all(".plot").map(figure => {
@@ -168,7 +170,6 @@
   }
   if (choice) choice.hidden = false;
   document.getElementById("tools").hidden = false;
-  document.body.classList.add("live");
   draw();
   target();
 })();
