@@ -5,6 +5,7 @@ mod candidates;
 mod described;
 mod error_frame;
 mod merged;
+mod recording;
 mod rules;
 mod sums;
 
@@ -14,10 +15,14 @@ pub(crate) use self::against::findings;
 use self::candidates::Candidates;
 pub(crate) use self::described::{DescribedNode, Descriptions};
 pub(crate) use self::merged::{MergedLogs, NamedLog, Origin};
+pub(crate) use self::recording::{PageTexts, PlotChoice, Recording, address};
 pub(crate) use self::rules::RULES;
 pub(crate) use self::sums::{BusReport, BusSums, NodeEvent};
 use crate::describe::frames::{DecodedFrame, FrameReader, RawFrame, Talker};
 use crate::format::log::LoggedFrame;
+
+/// The NMT state of a node that has sent its boot-up message.
+const PRE_OPERATIONAL: u8 = 0x7F;
 
 /// The most buses.
 const MAX_BUSES: usize = 64;

@@ -100,7 +100,7 @@ fn an_index_is_filtered_and_sorted() {
 }
 
 #[track_caller]
-fn assert_fits(tab: &Tab, what: &str) {
+pub(crate) fn assert_fits(tab: &Tab, what: &str) {
     let window = "document.scrollingElement";
     if tab.is(&format!("{window}.scrollWidth > {window}.clientWidth")) {
         let wide = tab.texts(
@@ -135,7 +135,7 @@ fn texts_stand_out_in_light_and_dark() {
 
 /// Every text has a contrast of 4.5 to what is behind it, 3 where it is large (WCAG 2.1, 1.4.3).
 #[track_caller]
-fn assert_contrast(page: &Tab, what: &str) {
+pub(crate) fn assert_contrast(page: &Tab, what: &str) {
     page.settle();
     let weak = page.texts(include_str!("contrast.js"));
     assert!(weak.is_empty(), "{what}: {weak:#?}");

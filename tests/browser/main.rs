@@ -9,6 +9,7 @@
 )]
 
 mod anchors;
+mod bus_page;
 mod changes;
 mod chromium;
 mod copying;

@@ -60,6 +60,17 @@ impl Page {
         Some(Self { tab, path, _folder: folder })
     }
 
+    /// The page of logs, made by `objdict decode` with these arguments.
+    pub(crate) fn of_logs(tab: Tab, arguments: &[&str]) -> Self {
+        let folder = tempfile::tempdir().unwrap();
+        let path = folder.path().join("page.html");
+        let mut program = Command::new(env!("CARGO_BIN_EXE_objdict"));
+        let output = program.arg("decode").args(arguments).arg("--html").arg(&path).output().unwrap();
+        assert!(output.status.success(), "{}", String::from_utf8_lossy(&output.stderr));
+        tab.open(&path, "");
+        Self { tab, path, _folder: folder }
+    }
+
     /// The anchors of the objects that are to be seen.
     pub(crate) fn objects(&self) -> Vec<String> {
         self.texts("[...document.querySelectorAll('.o')].filter(of => of.checkVisibility()).map(of => of.id)")

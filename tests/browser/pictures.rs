@@ -1,11 +1,13 @@
-//! The pictures of the README, made anew by `OBJDICT_SCREENSHOTS=docs/images cargo test --test browser pictures`.
+//! The pictures of the README and of docs/decode.md, made anew by `OBJDICT_SCREENSHOTS=docs/images cargo test --test browser pictures`.
 
 use std::env;
 use std::fs;
 use std::path::{Path, PathBuf};
 use std::process::Command;
 
+use crate::bus_page::DRIVE_LOG;
 use crate::page::Page;
+use crate::tab::Tab;
 
 /// Wide enough for the contents beside the page, narrow enough to be read where the README shows it.
 const WIDTH: u32 = 1180;
@@ -29,6 +31,14 @@ fn pictures_are_made_where_they_are_wanted() {
     page.eval("document.querySelector('#objects h2').scrollIntoView()");
     page.settle();
     save(&page, &folder.join("page-dark.png"));
+
+    let Some(tab) = Tab::new() else { return };
+    tab.resize(WIDTH, 820);
+    let page = Page::of_logs(tab, &DRIVE_LOG);
+    page.medium("screen", "light");
+    page.drag(".plot:nth-of-type(3) .area", 0.58, 0.58);
+    page.eval("scrollTo(0, 0)");
+    save(&page, &folder.join("traffic.png"));
 }
 
 /// Writes what the window shows, with a palette where `pngquant` makes one: a third of the bytes.

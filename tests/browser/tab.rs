@@ -140,7 +140,9 @@ impl Tab {
             "Space" => (32, " "),
             "End" => (35, ""),
             "Home" => (36, ""),
+            "ArrowLeft" => (37, ""),
             "ArrowUp" => (38, ""),
+            "ArrowRight" => (39, ""),
             "ArrowDown" => (40, ""),
             "Backspace" => (8, ""),
             character if character.chars().count() == 1 => (0, character),
@@ -196,6 +198,45 @@ impl Tab {
                 json!({ "type": kind, "x": found[0], "y": found[1], "button": "left", "clickCount": 1 });
             self.call("Input.dispatchMouseEvent", &event);
         }
+        self.settle();
+    }
+
+    /// Moves the pointer from one part of the width of what a selector finds to another, with the button held where they differ.
+    #[track_caller]
+    pub(crate) fn drag(&self, selector: &str, from: f64, to: f64) {
+        let place = self.eval(&format!(
+            "(() => {{
+                const found = document.querySelector({selector:?});
+                found.scrollIntoView({{ block: 'center', behavior: 'instant' }});
+                const box = found.getBoundingClientRect();
+                return [box.x, box.width, box.y + box.height / 2];
+            }})()"
+        ));
+        let [left, width, y] = [0, 1, 2].map(|at| place[at].as_f64().unwrap());
+        let step = |kind: &str, part: f64| {
+            let buttons = u8::from(from != to && kind != "mouseReleased");
+            let event = json!({ "type": kind, "x": left + width * part, "y": y, "button": if kind == "mouseMoved" { "none" } else { "left" },
+                "buttons": buttons, "clickCount": 1 });
+            self.call("Input.dispatchMouseEvent", &event);
+        };
+        if from == to {
+            step("mouseMoved", to);
+        } else {
+            [("mousePressed", from), ("mouseMoved", to), ("mouseReleased", to)]
+                .map(|(kind, part)| step(kind, part));
+        }
+        self.settle();
+    }
+
+    /// Turns the wheel by so many pixels at a part of the width of what a selector finds, with Shift held or not.
+    #[track_caller]
+    pub(crate) fn wheel(&self, selector: &str, part: f64, pixels: i32, is_shifted: bool) {
+        let place = self.eval(&format!(
+            "(box => [box.x + box.width * {part}, box.y + box.height / 2])(document.querySelector({selector:?}).getBoundingClientRect())"
+        ));
+        let event = json!({ "type": "mouseWheel", "x": place[0], "y": place[1], "deltaX": 0, "deltaY": pixels,
+            "modifiers": if is_shifted { 8 } else { 0 } });
+        self.call("Input.dispatchMouseEvent", &event);
         self.settle();
     }
 

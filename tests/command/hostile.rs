@@ -44,6 +44,7 @@ const LINES: &[(Kind, &str)] = &[
     (Text, "decode @.log --with 5=@.eds --format json"),
     (Text, "decode @.log --with 5=@.eds --format csv"),
     (Text, "decode @.log --with 5=@.eds --format csv --wide"),
+    (Text, "decode @.log --with 5=@.eds --plot @ --html @-log.html"),
     (Text, "decode @.eds"),
     (Text, "decode @-none.log"),
     (Text, "probe @.eds -o @-probe"),

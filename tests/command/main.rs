@@ -10,6 +10,7 @@ mod ci;
 mod cli;
 mod dialects;
 mod diff;
+mod drawn_page;
 mod fixing;
 mod flags;
 mod hostile;

@@ -39,6 +39,8 @@ fn no_output_replaces_an_input() {
         "configure a.eds --node-id 3 --bit-rate 125 -o a.eds",
         "configure a.eds --node-id 3 --bit-rate 125 --in-place",
         "configure a.eds --settings node.txt -o node.txt",
+        "decode a.eds --html same.eds",
+        "decode node.txt --with 7=a.eds --html a.eds",
         "docs a.eds --to csv -o same.eds",
         "docs a.eds -o out/",
         "generate a.eds --target c -o c --stamp a.eds",

@@ -37,6 +37,7 @@ mod states;
 mod subject;
 mod text_width;
 mod texts;
+mod traffic;
 mod variants;
 mod write;
 
@@ -49,6 +50,10 @@ pub use self::options::Options;
 pub use self::probed::ProbePage;
 pub use self::site::{Site, SiteFile};
 pub use self::subject::{CodeName, Identifiers, Subject};
+pub use self::traffic::{
+    BandRun, Bands, Curve, CurveBucket, DENSITY_KINDS, Density, TrafficBus, TrafficCourse, TrafficEvent,
+    TrafficEvents, TrafficLane, TrafficPage, TrafficPlot, TrafficTable,
+};
 pub use self::variants::VariantsPage;
 pub use self::write::{card, write};
 use objdict_model::{Language, diagnostic, model, source};

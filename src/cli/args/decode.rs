@@ -11,6 +11,7 @@ use super::network::{NetworkInputArgs, NetworkPathArgs};
 use super::{ReportArgs, ReportDetailArgs, ReportFormat, SettingsArgs};
 use crate::describe::frames::FrameKind;
 use crate::format::log::LogTime;
+use crate::traffic::{self, PlotChoice};
 
 #[derive(Debug, clap::Args)]
 #[command(mut_arg("compat", |tools| tools.hide(true)), mut_arg("profiles", |profiles| profiles.hide(true)))] // descriptions are not checked
@@ -44,6 +45,16 @@ pub(in crate::cli) struct DecodeArgs {
     /// and junit. Exits with 1 if there are errors
     #[arg(long, conflicts_with_all = ["summary", "wide"])]
     pub check: bool,
+    /// Write a page with a time line, plots of signals and these sums to this HTML file instead of frames
+    #[arg(long, value_name = "FILE", conflicts_with = "wide")]
+    pub html: Option<PathBuf>,
+    /// Draw this signal on the page: an index in hex with or without a sub-index, or a name, with or without a node, as in `6064`, `drive.6064`,
+    /// `5.Position actual value` or `NMT state`; repeatable [default: the first 8 signals of PDOs that change]
+    #[arg(long, value_name = "[NODE.]SIGNAL", requires = "html")]
+    pub plot: Vec<PlotChoice>,
+    /// The maximum number of points of a plot; of more, neighbours become one with their least and greatest value
+    #[arg(long, value_name = "NUMBER", default_value_t = 2000, requires = "html", value_parser = points())]
+    pub points: usize,
     #[command(flatten)]
     pub detail: ReportDetailArgs,
     /// The bit rate in kbit/s, to find the load [default: that of the network or DCF]
@@ -165,12 +176,12 @@ fn of_channel(text: &str) -> Result<ChannelFile, String> {
 }
 
 fn address(text: &str) -> Result<(u16, Option<u8>), &'static str> {
-    const WRONG: &str = "write an index in hex, with or without a sub-index, as in `6041` or `1018:1`";
-    let (index, sub) = text.split_once(':').map_or((text, None), |(index, sub)| (index, Some(sub)));
-    let digits = |text: &str| text.trim_start_matches("0x").to_owned();
-    let index = u16::from_str_radix(&digits(index), 16).map_err(|_| WRONG)?;
-    let sub = sub.map(|sub| u8::from_str_radix(&digits(sub), 16).map_err(|_| WRONG)).transpose()?;
-    Ok((index, sub))
+    traffic::address(text)
+        .ok_or("write an index in hex, with or without a sub-index, as in `6041` or `1018:1`")
+}
+
+fn points() -> impl TypedValueParser<Value = usize> {
+    clap::value_parser!(u32).range(10..=100_000).map(|points| points as usize)
 }
 
 fn kind() -> impl TypedValueParser<Value = FrameKind> {

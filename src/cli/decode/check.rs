@@ -7,18 +7,10 @@ use super::super::input::source_name;
 use super::super::outcome::{Failure, Outcome};
 use super::super::output::Output;
 use super::super::settings::Settings;
-use super::Logs;
-use super::summary::reports;
-use crate::traffic::{self, Buses};
+use crate::traffic::{self, BusReport};
 
-pub(super) fn run(
-    args: &DecodeArgs,
-    buses: &mut Buses<'_>,
-    logs: &mut Logs,
-    out: &mut Output,
-) -> Result<Outcome, Failure> {
+pub(super) fn run(args: &DecodeArgs, reports: &[BusReport], out: &mut Output) -> Result<Outcome, Failure> {
     let Some(report) = args.report() else { return Err(Failure::new("findings have no CSV")) };
-    let reports = reports(args, buses, logs)?;
     let mut settings = Settings::new(&args.settings)?;
     // the messages have times and values, so a baseline would know none of another log
     let baseline = BaselineArgs::default();
@@ -26,7 +18,7 @@ pub(super) fn run(
     for (log, path) in args.logs.iter().enumerate() {
         let project = settings.project_of(path)?;
         let project = project.as_deref();
-        let (lines, found) = traffic::findings(&reports, log, source_name(path));
+        let (lines, found) = traffic::findings(reports, log, source_name(path));
         let findings = settings.options(path, project).severities.apply(found);
         reporter.report_on((&lines).into(), findings, settings.deny(project))?;
     }

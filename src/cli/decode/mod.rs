@@ -2,6 +2,7 @@
 
 mod check;
 mod csv;
+mod html;
 mod json;
 mod summary;
 mod text;
@@ -22,13 +23,13 @@ use super::input::{Input, name_of, source_name};
 use super::network;
 use super::outcome::{Failure, Outcome, note, tell};
 use super::output::Output;
-use super::save::keep;
+use super::save::{keep, require_other};
 use crate::describe::frames::{DecodedFrame, FrameKind};
 use crate::format::input::Reading;
 use crate::format::log::{LogOptions, LoggedFrame};
 use crate::format::network::NetworkFile;
 use crate::report::plural;
-use crate::traffic::{Bus, Buses, Descriptions, MergedLogs, NamedLog, Origin, raw};
+use crate::traffic::{Bus, Buses, Descriptions, MergedLogs, NamedLog, Origin, Recording, raw};
 
 /// How much of a log is read at once.
 const BUFFER: usize = 1 << 16;
@@ -53,27 +54,46 @@ pub(super) fn run(args: &DecodeArgs, out: &mut Output) -> Result<Outcome, Failur
         notes.iter().for_each(|text| note(&format!("note: {text}\n")));
     }
     let mut logs = open(args)?;
-    if args.check {
-        let outcome = check::run(args, &mut buses, &mut logs, out)?;
+    if args.check || args.summary || args.html.is_some() {
+        let outcome = sums(args, &mut buses, &mut logs, out)?;
         return Ok(outcome.max(report_bad_lines(&logs)?));
     }
-    if args.summary {
-        summary::run(args, &mut buses, &mut logs, out)?;
-    } else {
-        let mut printer: Box<dyn Printer> = match (args.format, args.wide) {
-            (DecodeFormat::Json, _) => Box::new(JsonLines),
-            (DecodeFormat::Csv, false) => Box::new(LongCsv::default()),
-            (DecodeFormat::Csv, true) => Box::new(WideCsv::new(args.max_rows)),
-            _ => Box::new(TextLines),
-        };
-        each_frame(args, &mut buses, &mut logs, |shown| {
-            printer.frame(&shown, out)?;
-            // a line of a live bus is there at once
-            if is_live { out.flush() } else { Ok(()) }
-        })?;
-        printer.end(out)?;
-    }
+    let mut printer: Box<dyn Printer> = match (args.format, args.wide) {
+        (DecodeFormat::Json, _) => Box::new(JsonLines),
+        (DecodeFormat::Csv, false) => Box::new(LongCsv::default()),
+        (DecodeFormat::Csv, true) => Box::new(WideCsv::new(args.max_rows)),
+        _ => Box::new(TextLines),
+    };
+    each_frame(args, &mut buses, &mut logs, |shown| {
+        printer.frame(&shown, out)?;
+        // a line of a live bus is there at once
+        if is_live { out.flush() } else { Ok(()) }
+    })?;
+    printer.end(out)?;
     report_bad_lines(&logs)
+}
+
+/// What is known at the end of the logs: sums, findings and a page.
+fn sums(
+    args: &DecodeArgs,
+    buses: &mut Buses<'_>,
+    logs: &mut Logs,
+    out: &mut Output,
+) -> Result<Outcome, Failure> {
+    // what cannot be written should not be read for
+    args.html.as_deref().map_or(Ok(()), require_other)?;
+    let mut recording = args.html.as_ref().map(|_| Recording::new(&args.plot, args.points));
+    let document = summary::gather(args, buses, logs, recording.as_mut())?;
+    if let Some((path, recording)) = args.html.as_deref().zip(recording) {
+        html::write(path, &recording, &document, buses)?;
+    }
+    if args.check {
+        return check::run(args, document.buses(), out);
+    }
+    if args.summary {
+        document.write(args.format, out)?;
+    }
+    Ok(Outcome::Clean)
 }
 
 /// A frame that is shown.
@@ -90,6 +110,7 @@ struct Shown<'s, 'd> {
 fn require_format(args: &DecodeArgs) -> Result<(), Failure> {
     let (problem, help) = match args.format {
         DecodeFormat::Csv if args.check => ("findings have no CSV", "use `--format text` or `--format json`"),
+        DecodeFormat::Csv if args.html.is_some() => ("a page has no CSV", "leave out `--format csv`"),
         DecodeFormat::Csv if args.summary => {
             ("`--summary` has no CSV", "use `--format text` or `--format json`")
         }

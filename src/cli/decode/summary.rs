@@ -12,7 +12,7 @@ use super::super::table::{Table, fit};
 use super::{Logs, each_frame};
 use crate::json::{self, Version};
 use crate::report::plural;
-use crate::traffic::{BusReport, BusSums, Buses, NodeEvent};
+use crate::traffic::{BusReport, BusSums, Buses, NodeEvent, Recording};
 
 /// The version of the JSON document, see docs/json.md.
 const VERSION: u32 = 1;
@@ -40,66 +40,77 @@ pub(in crate::cli) struct Document {
     buses: Vec<BusReport>,
 }
 
-pub(super) fn run(
+/// The sums over all frames that pass the filters, which are also recorded if a page is wanted.
+pub(super) fn gather(
     args: &DecodeArgs,
     buses: &mut Buses<'_>,
     logs: &mut Logs,
-    out: &mut Output,
-) -> Result<(), Failure> {
-    let reports = reports(args, buses, logs)?;
-    let document = Document {
-        version: Version,
-        logs: args.logs.iter().map(|path| source_name(path)).collect(),
-        bad_lines: logs.0.iter().map(|log| log.reader.bad_count()).sum(),
-        buses: reports,
-    };
-    if args.format == DecodeFormat::Json {
-        json::write_pretty(&mut out.raw()?, &document)?;
-        writeln!(out)?;
-        return Ok(());
-    }
-    for (at, bus) in document.buses.iter().enumerate() {
-        if at > 0 {
-            writeln!(out)?;
-        }
-        bus.write(out)?;
-    }
-    Ok(())
-}
-
-/// The sums of each bus.
-pub(super) fn reports(
-    args: &DecodeArgs,
-    buses: &mut Buses<'_>,
-    logs: &mut Logs,
-) -> Result<Vec<BusReport>, Failure> {
+    mut recording: Option<&mut Recording>,
+) -> Result<Document, Failure> {
     let mut sums: Vec<BusSums> = Vec::new();
     each_frame(args, buses, logs, |shown| {
         while sums.len() <= shown.at {
             sums.push(BusSums::new(args.bit_rate.or(shown.bus.descriptions.bit_rate)));
         }
         sums[shown.at].add(&shown.decoded, shown.frame, shown.origin, shown.bus);
+        if let Some(recording) = &mut recording {
+            recording.add(&shown.decoded, shown.frame, shown.at, shown.bus);
+        }
         Ok(())
     })?;
-    Ok(sums.iter_mut().zip(&buses.all).map(|(sums, bus)| sums.report(bus)).collect())
+    Ok(Document {
+        version: Version,
+        logs: args.logs.iter().map(|path| source_name(path)).collect(),
+        bad_lines: logs.0.iter().map(|log| log.reader.bad_count()).sum(),
+        buses: sums.iter_mut().zip(&buses.all).map(|(sums, bus)| sums.report(bus)).collect(),
+    })
 }
+
+impl Document {
+    /// The logs as they were given.
+    pub(super) fn logs(&self) -> &[String] {
+        &self.logs
+    }
+
+    /// The sums of each bus.
+    pub(super) fn buses(&self) -> &[BusReport] {
+        &self.buses
+    }
+
+    pub(super) fn write(&self, format: DecodeFormat, out: &mut Output) -> Result<(), Failure> {
+        if format == DecodeFormat::Json {
+            json::write_pretty(&mut out.raw()?, self)?;
+            writeln!(out)?;
+            return Ok(());
+        }
+        for (at, bus) in self.buses.iter().enumerate() {
+            if at > 0 {
+                writeln!(out)?;
+            }
+            bus.write(out)?;
+        }
+        Ok(())
+    }
+}
+
+/// The headings of the nodes.
+pub(super) const NODES: [&str; 10] =
+    ["Node", "Name", "Frames", "Frames/s", "Load", "State", "Boot-ups", "Lost", "EMCY", "Aborts"];
+
+/// The headings of the messages.
+pub(super) const MESSAGES: [&str; 8] =
+    ["CAN-ID", "Message", "Frames", "Min ms", "Mean ms", "Max ms", "Jitter ms", "Described"];
 
 impl BusReport {
     fn write(&self, out: &mut Output) -> io::Result<()> {
-        let channel = if self.channel.is_empty() { String::new() } else { format!("{}: ", self.channel) };
-        let load = self.load.map_or_else(String::new, |load| format!(", {load:.2} % load"));
-        let (from, to, rate) = (&self.from, &self.to, self.frames_per_second);
-        writeln!(
-            out,
-            "{channel}{} from {from} to {to}, {rate:.1} frames/s{load}",
-            plural(count(self.frames), "frame")
-        )?;
-        let kinds = self.kinds.iter().map(|kind| format!("{} {}", kind.kind, kind.frames));
-        let errors = (self.error_frames > 0).then(|| plural(count(self.error_frames), "error frame"));
-        let kinds: Vec<String> = kinds.chain(errors).collect();
-        writeln!(out, "{}\n", kinds.join(", "))?;
-        self.nodes(out)?;
-        self.messages(out)?;
+        writeln!(out, "{}\n{}\n", self.title(), self.kinds())?;
+        let mut nodes = Table::new(NODES, CELL);
+        self.node_rows().for_each(|row| nodes.row(row));
+        nodes.write(out)?;
+        writeln!(out)?;
+        let mut messages = Table::new(MESSAGES, CELL);
+        self.message_rows().for_each(|row| messages.row(row));
+        messages.write(out)?;
         events("Lost heartbeats", &self.lost_heartbeats, out)?;
         events("Aborted transfers", &self.aborted_transfers, out)?;
         events("Emergencies", &self.emergencies, out)?;
@@ -107,21 +118,36 @@ impl BusReport {
         if self.further_events > 0 {
             writeln!(out, "\nand {}", plural(count(self.further_events), "further event"))?;
         }
-        self.configurations(out)?;
-        if !self.undescribed.is_empty() {
-            let nodes: Vec<String> = self.undescribed.iter().map(ToString::to_string).collect();
-            writeln!(out, "\nNodes without a description: {}", nodes.join(", "))?;
+        for (title, lines) in self.remarks() {
+            writeln!(out, "\n{title}")?;
+            for line in lines {
+                writeln!(out, "  {}", fit(&line, LINE))?;
+            }
         }
         Ok(())
     }
 
-    fn nodes(&self, out: &mut Output) -> io::Result<()> {
-        let headings =
-            ["Node", "Name", "Frames", "Frames/s", "Load", "State", "Boot-ups", "Lost", "EMCY", "Aborts"];
-        let mut table = Table::new(headings, CELL);
+    /// The channel with its frames and their time.
+    pub(super) fn title(&self) -> String {
+        let channel = if self.channel.is_empty() { String::new() } else { format!("{}: ", self.channel) };
+        let load = self.load.map_or_else(String::new, |load| format!(", {load:.2} % load"));
+        let (from, to, rate) = (&self.from, &self.to, self.frames_per_second);
+        let frames = plural(count(self.frames), "frame");
+        format!("{channel}{frames} from {from} to {to}, {rate:.1} frames/s{load}")
+    }
+
+    /// The number of frames of each kind.
+    pub(super) fn kinds(&self) -> String {
+        let kinds = self.kinds.iter().map(|kind| format!("{} {}", kind.kind, kind.frames));
+        let errors = (self.error_frames > 0).then(|| plural(count(self.error_frames), "error frame"));
+        kinds.chain(errors).collect::<Vec<_>>().join(", ")
+    }
+
+    /// The cells of the nodes, below [`NODES`].
+    pub(super) fn node_rows(&self) -> impl Iterator<Item = [String; 10]> {
         let some = |count: u64| if count == 0 { String::new() } else { count.to_string() };
-        for node in &self.nodes {
-            table.row([
+        self.nodes.iter().map(move |node| {
+            [
                 if node.node == 0 { "-".to_owned() } else { node.node.to_string() },
                 node.name.clone().unwrap_or_default(),
                 node.frames.to_string(),
@@ -132,24 +158,20 @@ impl BusReport {
                 some(node.lost_heartbeats),
                 some(node.emergencies),
                 some(node.aborted_transfers),
-            ]);
-        }
-        table.write(out)
+            ]
+        })
     }
 
-    fn messages(&self, out: &mut Output) -> io::Result<()> {
-        writeln!(out)?;
-        let headings =
-            ["CAN-ID", "Message", "Frames", "Min ms", "Mean ms", "Max ms", "Jitter ms", "Described"];
-        let mut table = Table::new(headings, CELL);
-        for message in &self.messages {
+    /// The cells of the messages, below [`MESSAGES`].
+    pub(super) fn message_rows(&self) -> impl Iterator<Item = [String; 8]> {
+        self.messages.iter().map(|message| {
             let width = if message.extended { 8 } else { 3 };
             let name = if message.name.is_empty() { message.kind } else { &message.name };
             let [min, mean, max, jitter] = match &message.cycle {
                 Some(cycle) => [&cycle.min, &cycle.mean, &cycle.max, &cycle.jitter].map(Clone::clone),
                 None => Default::default(),
             };
-            table.row([
+            [
                 format!("{:0width$X}", message.can_id),
                 name.to_owned(),
                 message.frames.to_string(),
@@ -158,27 +180,27 @@ impl BusReport {
                 max,
                 jitter,
                 message.described.clone().unwrap_or_default(),
-            ]);
-        }
-        table.write(out)
+            ]
+        })
     }
 
-    fn configurations(&self, out: &mut Output) -> io::Result<()> {
-        for node in &self.configurations {
+    /// What was configured, and the nodes without a description: titles with what is below them.
+    pub(super) fn remarks(&self) -> impl Iterator<Item = (String, Vec<String>)> {
+        let configurations = self.configurations.iter().map(|node| {
             let entries = if node.written == 1 { "entry" } else { "entries" };
-            writeln!(
-                out,
-                "\n{}: {} {entries} written, {} as described",
+            let title = format!(
+                "{}: {} {entries} written, {} as described",
                 node.name, node.written, node.as_described
-            )?;
-            for other in &node.others {
-                writeln!(out, "  {}", fit(other, LINE))?;
-            }
-            for entry in &node.not_written {
-                writeln!(out, "  {} is configured in the description and was not written", fit(entry, LINE))?;
-            }
-        }
-        Ok(())
+            );
+            let missing = node.not_written.iter();
+            let missing =
+                missing.map(|entry| format!("{entry} is configured in the description and was not written"));
+            (title, node.others.iter().cloned().chain(missing).collect())
+        });
+        let nodes: Vec<String> = self.undescribed.iter().map(ToString::to_string).collect();
+        let undescribed = (!nodes.is_empty())
+            .then(|| (format!("Nodes without a description: {}", nodes.join(", ")), Vec::new()));
+        configurations.chain(undescribed)
     }
 }
 

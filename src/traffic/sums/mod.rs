@@ -12,7 +12,7 @@ use self::deviations::{Expected, of_transfer};
 use self::history::History;
 pub(crate) use self::history::{Moment, NodeEvent};
 pub(crate) use self::report::BusReport;
-use super::{Bus, Origin, rules};
+use super::{Bus, Origin, PRE_OPERATIONAL, rules};
 use crate::bus::classical_bits;
 use crate::describe::frames::{DecodedFrame, FrameKind, SdoStep};
 use crate::format::log::{LogTime, LoggedFrame};
@@ -79,6 +79,8 @@ pub(crate) struct BusSums {
     lost: History,
     /// What is not as the descriptions say.
     deviations: History,
+    starts: History,
+    bus_errors: History,
     last_sync: Option<i64>,
     /// The last value that a node has accepted.
     written: BTreeMap<(u8, u16, u8), Vec<u8>>,
@@ -104,6 +106,8 @@ impl BusSums {
             aborts: History::default(),
             lost: History::default(),
             deviations: History::default(),
+            starts: History::default(),
+            bus_errors: History::default(),
             last_sync: None,
             written: BTreeMap::new(),
             is_written_cut: false,
@@ -123,6 +127,7 @@ impl BusSums {
         self.span = Some((first.min(frame.time), last.max(frame.time)));
         if frame.is_error {
             self.error_frames += 1;
+            self.bus_errors.add(Moment::of(frame, origin), 0, None, || bus.words(decoded, frame));
             return;
         }
         let bits = match self.bit_rate {
@@ -197,7 +202,9 @@ impl BusSums {
         match decoded.kind {
             FrameKind::BootUp => {
                 node.boot_ups += 1;
-                (node.last_heartbeat, node.state) = (None, Some(0));
+                // a node sends it when it has become pre-operational (CiA 301 §7.3.2.2)
+                (node.last_heartbeat, node.state) = (None, Some(PRE_OPERATIONAL));
+                self.starts.add(Moment::of(frame, origin), node_id, None, || bus.words(decoded, frame));
             }
             FrameKind::Heartbeat | FrameKind::Guarding if !frame.is_remote => {
                 node.state = frame.data().first().map(|state| state & 0x7F);

@@ -50,6 +50,12 @@ pub(crate) struct BusReport {
     pub(crate) undescribed: Vec<u8>,
     /// What was written to nodes, beside their descriptions.
     pub(crate) configurations: Vec<ConfigurationReport>,
+    /// The first boot-up messages, which only a page lists.
+    #[serde(skip)]
+    pub(crate) starts: Vec<NodeEvent>,
+    /// The first error frames, which only a page lists.
+    #[serde(skip)]
+    pub(crate) bus_errors: Vec<NodeEvent>,
 }
 
 /// The number of frames of a kind.
@@ -188,6 +194,8 @@ impl BusSums {
             aborted_transfers: self.aborts.take(),
             emergencies: self.emergencies.take(),
             deviations: self.deviations.take(),
+            starts: self.starts.take(),
+            bus_errors: self.bus_errors.take(),
             further_events: further,
         }
     }

@@ -276,11 +276,16 @@ pub(crate) fn scaling_of<'a>(
 impl Scaled {
     /// A value in the unit, or its name: `120 mm`.
     pub(crate) fn of(&self, value: &Value) -> Option<String> {
-        if let Some((_, name)) = self.names.iter().find(|(number, _)| value.as_integer() == Some(*number)) {
-            return Some(name.clone());
+        if let Some(name) = value.as_integer().and_then(|number| self.name(number)) {
+            return Some(name.to_owned());
         }
         let number = self.number(value)?;
         Some(if self.unit.is_empty() { number } else { format!("{number} {}", self.unit) })
+    }
+
+    /// The name that the description gives a number.
+    pub(crate) fn name(&self, number: i128) -> Option<&str> {
+        self.names.iter().find(|(known, _)| *known == number).map(|(_, name)| name.as_str())
     }
 
     /// The number of a value in the unit.

@@ -16,7 +16,7 @@ use objdict_network::Service;
 
 pub use self::decoded::{DecodedFrame, FrameKind, RawFrame, SdoFrame, SdoStep};
 use self::sdo::Transfers;
-pub use self::signals::PdoSignal;
+pub use self::signals::{PdoSignal, SignalReading};
 use self::talker::Nodes;
 pub use self::talker::Talker;
 use self::users::{Stale, User, Users};
@@ -171,6 +171,19 @@ impl<'a> FrameReader<'a> {
         })?;
         let value = self.nodes.get(node_id).and_then(|node| node.value_of(sdo.entry?, bytes));
         Some((bytes, value))
+    }
+
+    /// What a value of an entry is in a drawing.
+    pub fn reading(&self, node_id: u8, entry: (u16, u8), value: &Value) -> SignalReading {
+        let node = self.nodes.get(node_id);
+        let scaled = node.and_then(|node| node.scaling(&node.meanings(), entry));
+        let in_unit = scaled.as_ref().and_then(|scaled| scaled.number(value)?.parse().ok());
+        let plain = || value.as_integer().map(|number| number as f64).or_else(|| value.as_real());
+        SignalReading {
+            number: in_unit.or_else(plain),
+            word: node.and_then(|node| node.state(entry, value)),
+            unit: scaled.map(|scaled| scaled.unit).unwrap_or_default(),
+        }
     }
 
     /// The device of a node with the values that the frames have shown.

@@ -30,6 +30,17 @@ pub struct PdoSignal<'r> {
     pub text: String,
 }
 
+/// What a value is in a drawing.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct SignalReading {
+    /// The number in its unit; `None` for a text.
+    pub number: Option<f64>,
+    /// The name of the value, where it is a state, a mode, a command or another of few that have names.
+    pub word: Option<String>,
+    /// The unit; empty if there is none.
+    pub unit: String,
+}
+
 /// Where a value is in the frames of a PDO, and what it is.
 #[derive(Debug)]
 pub(super) struct SignalPlace {

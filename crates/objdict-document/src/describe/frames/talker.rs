@@ -191,6 +191,25 @@ impl Node<'_> {
         }
     }
 
+    /// The name of a value where it is a state, a mode, a command or another of few that have names.
+    pub(super) fn state(&self, (index, sub): (u16, u8), value: &Value) -> Option<String> {
+        if let Some(command) = self.command(index, value) {
+            return Some(command.to_owned());
+        }
+        let number = value.as_integer()?;
+        if let Some(name) = scaling_of(&self.start, &self.start.meanings(), (index, sub))
+            .and_then(|scaled| scaled.name(number).map(str::to_owned))
+        {
+            return Some(name);
+        }
+        // fields are those of the bits, of negative numbers too
+        let bits = (number & i128::from(u64::MAX)) as u64;
+        let fields = profile::of_object(&self.device, index).filter(|(profile, _)| profile.group != "cia301");
+        let mut fields = fields.filter_map(|(_, facts)| facts.entry(sub)).flat_map(|facts| facts.bits());
+        let field = fields.find(|field| field.meanings().len() > 1)?;
+        field.meaning(bits).map(str::to_owned)
+    }
+
     /// The command that a word of the state machine of the device profile gives: `shutdown`.
     fn command(&self, index: u16, value: &Value) -> Option<&'static str> {
         // the state machines of documents take their commands from the profile area
