@@ -222,8 +222,9 @@ impl Tab {
         if from == to {
             step("mouseMoved", to);
         } else {
-            [("mousePressed", from), ("mouseMoved", to), ("mouseReleased", to)]
-                .map(|(kind, part)| step(kind, part));
+            for (kind, part) in [("mousePressed", from), ("mouseMoved", to), ("mouseReleased", to)] {
+                step(kind, part);
+            }
         }
         self.settle();
     }
