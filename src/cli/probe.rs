@@ -15,6 +15,7 @@ use crate::diagnostic::one_line;
 use crate::document::ProbePage;
 use crate::format::log::{LogOptions, LogReader};
 use crate::format::{self, Description, Format, WriteOptions};
+use crate::model::Device;
 use crate::probe::{Conversation, Exchange, Judgement, ProbeOptions, ProbePlan, judge, read_answers};
 use crate::report::{Subject, plural};
 use crate::scaffold::learn;
@@ -79,6 +80,7 @@ fn answers(
     args: &ProbeArgs,
     path: &Path,
     node_id: Option<u8>,
+    device: Option<&Device>,
 ) -> Result<(Vec<Exchange>, Option<u8>), Failure> {
     let bytes = args.input.size.read(path)?;
     let unreadable = |error: &dyn std::fmt::Display| {
@@ -90,7 +92,7 @@ fn answers(
     }
     let (mut log, mut frames) = (LogReader::new(bytes.as_slice(), LogOptions::default()), Vec::new());
     while let Some(frame) = log.next_frame()? {
-        if !frame.is_extended && !frame.is_remote && !frame.is_error {
+        if !frame.is_remote && !frame.is_error && !frame.is_fd {
             frames.push(frame);
         }
     }
@@ -101,8 +103,8 @@ fn answers(
             plural(log.bad_count() as usize, "line")
         ));
     }
-    let servers: BTreeSet<u32> =
-        frames.iter().map(|frame| frame.can_id).filter(|id| SERVERS.contains(id)).collect();
+    let base = frames.iter().filter(|frame| !frame.is_extended);
+    let servers: BTreeSet<u32> = base.map(|frame| frame.can_id).filter(|id| SERVERS.contains(id)).collect();
     let node_id = match (node_id, servers.first(), servers.len()) {
         (Some(node_id), ..) => node_id,
         (None, Some(server), 1) => (server - 0x580) as u8,
@@ -112,8 +114,13 @@ fn answers(
         }
         (None, None, _) => NODE_ID,
     };
-    let mut conversation = Conversation::new(node_id);
-    frames.iter().for_each(|frame| conversation.take(frame.can_id, frame.data()));
+    let mut conversation = match device {
+        Some(device) => Conversation::with(device, node_id),
+        None => Conversation::new(node_id),
+    };
+    for frame in &frames {
+        conversation.take(frame.can_id, frame.is_extended, frame.data());
+    }
     Ok((conversation.into_exchanges(), Some(node_id)))
 }
 
@@ -128,7 +135,7 @@ fn is_table(bytes: &[u8]) -> bool {
 fn judged(args: &ProbeArgs, file: &Path, path: &Path, out: &mut Output) -> Result<Outcome, Failure> {
     let description = description(args, file)?;
     let node_id = args.settings.node_id().or_else(|| description.device().node_id());
-    let (exchanges, node_id) = answers(args, path, node_id)?;
+    let (exchanges, node_id) = answers(args, path, node_id, Some(description.device()))?;
     let node_id = node_id.unwrap_or(NODE_ID);
     if exchanges.is_empty() {
         let failure = Failure::new(format_args!("`{}` has no SDO transfer of node {node_id}", name_of(path)));
@@ -183,7 +190,7 @@ fn page<'a>(file: &'a str, judgement: &'a Judgement, node_id: u8) -> ProbePage<'
 fn learned(args: &ProbeArgs, path: &Path, out: &mut Output) -> Result<Outcome, Failure> {
     let output = args.output.as_deref().unwrap_or(Path::new("learned.eds"));
     keep(path);
-    let (exchanges, node_id) = answers(args, path, args.settings.node_id())?;
+    let (exchanges, node_id) = answers(args, path, args.settings.node_id(), None)?;
     let (date, time) = date_and_time(None)?;
     let name = output.file_name().unwrap_or_default().to_string_lossy();
     let device = learn(&exchanges, node_id, &name, date, time);

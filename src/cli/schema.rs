@@ -17,8 +17,9 @@ struct Schema {
     text: &'static str,
 }
 
-/// The document whose schema is made of the tables that it is read by.
+/// The documents that others write, whose schemas are made of what reads them.
 const PATCH: &str = "patch";
+const ANSWERS: &str = "answers";
 
 /// Declares the documents: name, type, and a sentence. A new one begins with an empty file in `schemas`.
 macro_rules! documents {
@@ -30,12 +31,13 @@ macro_rules! documents {
                 text: include_str!(concat!("../../schemas/", $name, ".json")),
             },)*
             Schema { name: PATCH, about: "A patch, which is read as TOML: `objdict patch make`.", text: include_str!("../../schemas/patch.json") },
+            Schema { name: ANSWERS, about: "Answers of a device, which are read: `objdict probe --answers`.", text: include_str!("../../schemas/answers.json") },
         ];
 
         /// The schemas of all documents by their names, made of the types that write them.
         #[cfg(feature = "schema")]
         pub fn schemas() -> Vec<(&'static str, serde_json::Value)> {
-            vec![$(($name, made::schema_of::<$Type>($name, $about)),)* (PATCH, crate::format::patch::schema::patch())]
+            vec![$(($name, made::schema_of::<$Type>($name, $about)),)* (PATCH, crate::format::patch::schema::patch()), (ANSWERS, crate::probe::answers_schema())]
         }
     };
 }

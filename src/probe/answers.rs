@@ -38,14 +38,14 @@ pub enum AnswersError {
 }
 
 /// The names of the columns, in lower case.
-const INDEX: &str = "index";
-const SUB: &str = "sub";
-const ACTION: &str = "action";
-const SENT: &str = "sent";
-const BYTES: &str = "bytes";
-const VALUE: &str = "value";
-const ABORT: &str = "abort";
-const SIZE: &str = "size";
+pub(super) const INDEX: &str = "index";
+pub(super) const SUB: &str = "sub";
+pub(super) const ACTION: &str = "action";
+pub(super) const SENT: &str = "sent";
+pub(super) const BYTES: &str = "bytes";
+pub(super) const VALUE: &str = "value";
+pub(super) const ABORT: &str = "abort";
+pub(super) const SIZE: &str = "size";
 
 /// Reads a table; a list or object of JSON by its first character, else CSV with commas, semicolons or tabs.
 ///
@@ -84,7 +84,9 @@ fn cell(column: &str, value: &serde_json::Value) -> Option<String> {
         serde_json::Value::Null => None,
         serde_json::Value::String(text) => Some(text.clone()),
         serde_json::Value::Bool(is_set) => Some(u8::from(*is_set).to_string()),
-        serde_json::Value::Array(list) => bytes(list).map(|bytes| bytes.join(" ")),
+        serde_json::Value::Array(list) => {
+            Some(bytes(list).map_or_else(|| value.to_string(), |bytes| bytes.join(" ")))
+        }
         value => match value.as_u64().filter(|_| [INDEX, SUB, ABORT].contains(&column)) {
             Some(number) => Some(format!("0x{number:X}")),
             None => Some(value.to_string()),
@@ -163,7 +165,7 @@ impl Row<'_> {
             Some(_) => return Err(self.invalid(ACTION)),
         };
         let answer = self.answer(&request)?;
-        Ok(Exchange { index, sub, request, answer })
+        Ok(Exchange { reset: None, index, sub, request, answer })
     }
 
     fn answer(&self, request: &SdoRequest) -> Result<SdoAnswer, AnswersError> {

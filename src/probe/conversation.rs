@@ -1,14 +1,27 @@
-//! Recorded frames as exchanges: the SDO channel of one node (CiA 301 §7.2.4.3).
+//! Recorded frames as exchanges: the SDO channels of one node (CiA 301 §7.2.4.3), and its resets.
 
-use super::exchange::{Exchange, SdoAnswer, SdoRequest};
+use super::exchange::{Exchange, NodeReset, SdoAnswer, SdoRequest};
 use crate::bus::Abort;
+use crate::model::{CobId, Device, SdoChannel, predefined};
 
-/// The frames of the default SDO channel of a node, taken in their order.
+/// The frames of the SDO channels of a node, taken in their order.
 #[derive(Clone, Debug)]
 pub struct Conversation {
     node_id: u8,
-    current: Option<Transfer>,
+    channels: Vec<Channel>,
+    /// The reset since the last exchange.
+    reset: Option<NodeReset>,
+    /// Whether a reset was commanded whose boot-up message has not come yet.
+    awaits_boot_up: bool,
     exchanges: Vec<Exchange>,
+}
+
+/// A server of the node, and what it is asked.
+#[derive(Clone, Debug)]
+struct Channel {
+    request: CobId,
+    response: CobId,
+    current: Option<Transfer>,
 }
 
 /// A transfer that is under way.
@@ -34,18 +47,44 @@ const ABORT: u8 = 4;
 const LONGEST: usize = 1 << 16;
 
 impl Conversation {
-    /// The conversation with a node.
-    pub const fn new(node_id: u8) -> Self {
-        Self { node_id, current: None, exchanges: Vec::new() }
+    /// The conversation with a node on its default channel.
+    pub fn new(node_id: u8) -> Self {
+        let channel = |request, response| Channel { request, response, current: None };
+        let default = channel(
+            predefined::per_node(predefined::SDO_REQUEST),
+            predefined::per_node(predefined::SDO_RESPONSE),
+        );
+        Self { node_id, channels: vec![default], reset: None, awaits_boot_up: false, exchanges: Vec::new() }
     }
 
-    /// Takes a frame with an 11-bit CAN-ID; others than those of the channel are skipped.
-    pub fn take(&mut self, can_id: u32, data: &[u8]) {
-        let Ok(bytes) = <[u8; 8]>::try_from(data) else { return };
-        if can_id == 0x600 + u32::from(self.node_id) {
-            self.request(bytes);
-        } else if can_id == 0x580 + u32::from(self.node_id) {
-            self.response(bytes);
+    /// The conversation with a node on its default channel and those that its description has besides (1201h to 127Fh).
+    pub fn with(device: &Device, node_id: u8) -> Self {
+        let mut conversation = Self::new(node_id);
+        for SdoChannel { number, request, response, .. } in device.services().sdo_servers {
+            let valid = request.zip(response).filter(|ids| ids.0.is_valid() && ids.1.is_valid());
+            if let (2.., Some((request, response))) = (number, valid) {
+                conversation.channels.push(Channel { request, response, current: None });
+            }
+        }
+        conversation
+    }
+
+    /// Takes a frame; others than those of the channels, NMT commands and boot-up messages are skipped.
+    pub fn take(&mut self, can_id: u32, is_extended: bool, data: &[u8]) {
+        match (can_id, data) {
+            (0, &[command @ (0x81 | 0x82), whom, ..])
+                if !is_extended && [0, self.node_id].contains(&whom) =>
+            {
+                self.awaits_boot_up = true;
+                self.restart(if command == 0x81 { NodeReset::All } else { NodeReset::Communication });
+            }
+            (_, [0, ..]) if !is_extended && can_id == 0x700 + u32::from(self.node_id) => {
+                // without a command, the node was switched on
+                if !std::mem::take(&mut self.awaits_boot_up) {
+                    self.restart(NodeReset::All);
+                }
+            }
+            _ => self.transfer(can_id, is_extended, data),
         }
     }
 
@@ -55,36 +94,73 @@ impl Conversation {
         self.exchanges
     }
 
-    fn request(&mut self, bytes: [u8; 8]) {
+    fn transfer(&mut self, can_id: u32, is_extended: bool, data: &[u8]) {
+        let Ok(bytes) = <[u8; 8]>::try_from(data) else { return };
+        let node_id = self.node_id;
+        let is_of = |cob_id: CobId| (cob_id.can_id(node_id), cob_id.is_extended()) == (can_id, is_extended);
+        let mut ended = Vec::new();
+        for channel in &mut self.channels {
+            if is_of(channel.request) {
+                ended.extend(channel.request(bytes));
+            } else if is_of(channel.response) {
+                ended.extend(channel.response(bytes));
+            }
+        }
+        self.add(ended);
+    }
+
+    fn add(&mut self, ended: Vec<Exchange>) {
+        for exchange in ended {
+            let reset = self.reset.take();
+            self.exchanges.push(Exchange { reset, ..exchange });
+        }
+    }
+
+    fn restart(&mut self, reset: NodeReset) {
+        self.give_up();
+        self.reset = self.reset.max(Some(reset));
+    }
+
+    /// What is under way is not brought to its end.
+    fn give_up(&mut self) {
+        let ended = self.channels.iter_mut().filter_map(Channel::give_up).collect();
+        self.add(ended);
+    }
+}
+
+impl Channel {
+    /// Takes a request; the transfer that ends with it, or is given up for it.
+    fn request(&mut self, bytes: [u8; 8]) -> Option<Exchange> {
         let [command, segment @ ..] = bytes;
         if let Some(transfer) = self.current.as_mut().filter(|transfer| transfer.is_in_block(true)) {
-            return transfer.block_segment(command, &segment);
+            transfer.block_segment(command, &segment);
+            return None;
         }
         match (command >> 5, &mut self.current) {
-            (1 | 2, _) | (5, _) if command >> 5 != 5 || command & 3 == 0 => self.begin(bytes),
-            (6, _) if command & 1 == 0 => self.begin(bytes),
+            (1 | 2, _) | (5, _) if command >> 5 != 5 || command & 3 == 0 => return self.begin(bytes),
+            (6, _) if command & 1 == 0 => return self.begin(bytes),
             (0, Some(transfer)) if transfer.is_download => transfer.segment(command, &segment),
             // the end of a block download, with the number of bytes without data
             (6, Some(transfer)) if transfer.is_download => transfer.end_of_blocks(command),
             (5, Some(transfer)) if command & 3 == 2 => transfer.confirm(segment[0]),
             (5, Some(transfer)) if command & 3 == 3 => transfer.block = Some((0, 0)),
-            (ABORT, Some(transfer)) => {
-                // a client that wants no more than the beginning, or that waited in vain
-                if transfer.is_answered && !transfer.is_download {
-                    self.end(|transfer| SdoAnswer::Length(transfer.length));
-                } else {
-                    self.give_up();
-                }
+            // a client that wants no more than the beginning, or that waited in vain
+            (ABORT, Some(transfer)) if transfer.is_answered && !transfer.is_download => {
+                return self.end(|transfer| SdoAnswer::Length(transfer.length));
             }
+            (ABORT, Some(_)) => return self.give_up(),
             _ => {}
         }
+        None
     }
 
-    fn response(&mut self, bytes: [u8; 8]) {
+    /// Takes a response; the transfer that ends with it.
+    fn response(&mut self, bytes: [u8; 8]) -> Option<Exchange> {
         let [command, segment @ ..] = bytes;
-        let Some(transfer) = &mut self.current else { return };
+        let transfer = self.current.as_mut()?;
         if transfer.is_in_block(false) {
-            return transfer.block_segment(command, &segment);
+            transfer.block_segment(command, &segment);
+            return None;
         }
         transfer.is_answered = true;
         let [low, high, sub, value @ ..] = segment;
@@ -92,36 +168,37 @@ impl Conversation {
         match (command >> 5, transfer.is_download) {
             (ABORT, _) => {
                 let abort = Abort::from(u32::from_le_bytes(value));
-                self.end(|_| SdoAnswer::Abort(abort));
+                return self.end(|_| SdoAnswer::Abort(abort));
             }
             (2, false) if command & 2 != 0 && is_of_entry => {
                 let answer = match stated(command, value) {
                     Some(bytes) => SdoAnswer::Bytes(bytes),
                     None => SdoAnswer::Unsized(value),
                 };
-                self.end(|_| answer);
+                return self.end(|_| answer);
             }
             (2, false) if is_of_entry => transfer.length = sized(command & 1 != 0, value),
             (6, false) if command & 1 == 0 => transfer.length = sized(command & 2 != 0, value),
             (0, false) => {
                 transfer.segment(command, &segment);
                 if transfer.is_complete {
-                    self.end(|transfer| SdoAnswer::Bytes(transfer.data));
+                    return self.end(|transfer| SdoAnswer::Bytes(transfer.data));
                 }
             }
             (6, false) => {
                 transfer.end_of_blocks(command);
-                self.end(|transfer| SdoAnswer::Bytes(transfer.data));
+                return self.end(|transfer| SdoAnswer::Bytes(transfer.data));
             }
             (5, true) if command & 3 == 2 => transfer.confirm(segment[0]),
             (5, true) if command & 3 == 0 => transfer.block = Some((0, 0)),
-            (1 | 3, true) | (5, true) if transfer.is_complete => self.end(|_| SdoAnswer::Done),
+            (1 | 3, true) | (5, true) if transfer.is_complete => return self.end(|_| SdoAnswer::Done),
             _ => {}
         }
+        None
     }
 
-    fn begin(&mut self, bytes: [u8; 8]) {
-        self.give_up();
+    fn begin(&mut self, bytes: [u8; 8]) -> Option<Exchange> {
+        let before = self.give_up();
         let [command, low, high, sub, value @ ..] = bytes;
         let is_download = matches!(command >> 5, 1 | 6);
         let is_expedited = command >> 5 == 1 && command & 2 != 0;
@@ -140,10 +217,11 @@ impl Conversation {
             is_complete: is_expedited,
             block: None,
         });
+        before
     }
 
-    fn end(&mut self, answer: impl FnOnce(Transfer) -> SdoAnswer) {
-        let Some(mut transfer) = self.current.take() else { return };
+    fn end(&mut self, answer: impl FnOnce(Transfer) -> SdoAnswer) -> Option<Exchange> {
+        let mut transfer = self.current.take()?;
         let (index, sub) = (transfer.index, transfer.sub);
         let request = match transfer.is_download {
             // bytes that were not transferred are zeros: a server may refuse the length
@@ -154,19 +232,20 @@ impl Conversation {
             }
             false => SdoRequest::Upload,
         };
-        self.exchanges.push(Exchange { index, sub, request, answer: answer(transfer) });
+        Some(Exchange { reset: None, index, sub, request, answer: answer(transfer) })
     }
 
     /// The end of a transfer that was not brought to its end.
-    fn give_up(&mut self) {
-        match &self.current {
-            Some(transfer) if transfer.is_answered && !transfer.is_download => {
-                self.end(|transfer| SdoAnswer::Length(transfer.length));
-            }
+    fn give_up(&mut self) -> Option<Exchange> {
+        let transfer = self.current.as_ref()?;
+        match (transfer.is_answered, transfer.is_download) {
+            (true, false) => self.end(|transfer| SdoAnswer::Length(transfer.length)),
             // part of a value was written: nothing is known of the rest
-            Some(transfer) if transfer.is_answered => self.current = None,
-            Some(_) => self.end(|_| SdoAnswer::Silence),
-            None => {}
+            (true, true) => {
+                self.current = None;
+                None
+            }
+            (false, _) => self.end(|_| SdoAnswer::Silence),
         }
     }
 }

@@ -8,6 +8,8 @@ use crate::model::{DataType, TypeKind};
 /// An SDO transfer, from its request to its answer.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Exchange {
+    /// The reset of the node since the exchange before; of several the one that resets most.
+    pub reset: Option<NodeReset>,
     /// The index.
     pub index: u16,
     /// The sub-index.
@@ -16,6 +18,22 @@ pub struct Exchange {
     pub request: SdoRequest,
     /// What came back.
     pub answer: SdoAnswer,
+}
+
+/// After what a node has other values (CiA 301 §7.3.2.2.1).
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
+pub enum NodeReset {
+    /// Of the communication objects, 1000h to 1FFFh: NMT command 82h.
+    Communication,
+    /// Of all objects: NMT command 81h, or power.
+    All,
+}
+
+impl NodeReset {
+    /// Whether the object has the value after it that it is switched on with.
+    pub(super) fn concerns(self, index: u16) -> bool {
+        self == Self::All || (0x1000..0x2000).contains(&index)
+    }
 }
 
 /// What a client asks.

@@ -2,7 +2,7 @@
 
 use std::collections::{BTreeMap, BTreeSet};
 
-use super::exchange::{Exchange, SdoAnswer, SdoRequest};
+use super::exchange::{Exchange, NodeReset, SdoAnswer, SdoRequest};
 use super::expectation::{Expectation, hex, place};
 use super::rules;
 use super::verdicts::{Aspect, Contradiction, Memory, of_download, of_undescribed, of_upload, words};
@@ -58,6 +58,8 @@ struct Judge<'d> {
     device: &'d Device,
     node_id: u8,
     memory: BTreeMap<(u16, u8), Memory>,
+    /// Entries that were written before the device saved its parameters.
+    saved: BTreeSet<(u16, u8)>,
     /// What the device states as the highest sub-index.
     highest: BTreeMap<u16, u8>,
     /// Contradictions that are reported: a rule once for an entry.
@@ -77,6 +79,7 @@ impl<'d> Judge<'d> {
             device,
             node_id,
             memory: BTreeMap::new(),
+            saved: BTreeSet::new(),
             highest: highest.collect(),
             reported: BTreeSet::new(),
             findings: Findings::new(),
@@ -84,7 +87,10 @@ impl<'d> Judge<'d> {
     }
 
     fn take(&mut self, exchange: &Exchange) -> Judged {
-        let Exchange { index, sub, request, answer } = exchange;
+        let Exchange { reset, index, sub, request, answer } = exchange;
+        if let Some(reset) = reset {
+            self.restart(*reset);
+        }
         let entry = Expectation::of(self.device, *index, *sub, self.node_id);
         let problem = match &entry {
             None => self.of_undescribed(exchange),
@@ -106,6 +112,22 @@ impl<'d> Judge<'d> {
         }
     }
 
+    /// Forgets what was written before a reset; a device decides which parameters it saves.
+    fn restart(&mut self, reset: NodeReset) {
+        self.memory.retain(|(index, _), _| !reset.concerns(*index));
+        let saved = self.saved.iter().filter(|(index, _)| reset.concerns(*index));
+        self.memory.extend(saved.map(|&entry| (entry, Memory::Saved)));
+    }
+
+    /// What an accepted write does to other entries: saving keeps them over a reset (1010h), restoring undoes that (1011h).
+    fn command(&mut self, index: u16, bytes: &[u8]) {
+        match (index, bytes) {
+            (0x1010, b"save") => self.saved.extend(self.memory.keys()),
+            (0x1011, b"load") => self.saved.clear(),
+            _ => {}
+        }
+    }
+
     fn of_undescribed(&self, exchange: &Exchange) -> Option<Contradiction> {
         let has_object = self.device.objects.contains_key(&exchange.index);
         let place = place(exchange.index, exchange.sub);
@@ -118,21 +140,26 @@ impl<'d> Judge<'d> {
         request: &SdoRequest,
         answer: &SdoAnswer,
     ) -> Option<Contradiction> {
-        let memory = self.memory.entry((entry.index, entry.sub)).or_default();
         match request {
             SdoRequest::Upload => {
                 // what is above the highest sub-index of the device is said once, of sub-index 0
                 let is_above = entry.sub > 0
                     && self.highest.get(&entry.index).is_some_and(|highest| *highest < entry.sub);
                 let is_counted = is_above && matches!(answer, SdoAnswer::Abort(Abort::NoSubIndex));
+                let memory = self.memory.get(&(entry.index, entry.sub)).unwrap_or(&Memory::Untouched);
                 of_upload(entry, answer, memory).filter(|_| !is_counted || self.is_counted_right(entry.index))
             }
             SdoRequest::Download(bytes) => {
                 let problem = of_download(entry, bytes, answer);
-                match answer {
-                    SdoAnswer::Done if problem.is_none() => *memory = Memory::Written(bytes.clone()),
-                    SdoAnswer::Done if entry.is_writable() => *memory = Memory::Unknown,
-                    _ => {}
+                if *answer == SdoAnswer::Done {
+                    self.command(entry.index, bytes);
+                }
+                let memory = match problem {
+                    None => Memory::Written(bytes.clone()),
+                    Some(_) => Memory::Unknown,
+                };
+                if *answer == SdoAnswer::Done && (problem.is_none() || entry.is_writable()) {
+                    self.memory.insert((entry.index, entry.sub), memory);
                 }
                 problem
             }

@@ -13,13 +13,15 @@ mod files;
 mod judge;
 mod plan;
 mod rules;
+mod schema;
 mod verdicts;
 
 pub use answers::{AnswersError, read_answers};
 pub use conversation::Conversation;
-pub use exchange::{Exchange, SdoAnswer, SdoRequest};
+pub use exchange::{Exchange, NodeReset, SdoAnswer, SdoRequest};
 #[cfg(feature = "cli")]
 pub(crate) use judge::help;
 pub use judge::{Judged, Judgement, judge};
 pub use plan::{ProbeOptions, ProbePlan};
 pub(crate) use rules::RULES;
+pub use schema::answers_schema;

@@ -199,7 +199,7 @@ impl<T: FnMut(u16, u8, &SdoRequest) -> SdoAnswer> Asking<T> {
     fn transfer(&mut self, step: &Step, request: SdoRequest) -> SdoAnswer {
         let (index, sub) = (step.index, step.sub);
         let answer = (self.transfer)(index, sub, &request);
-        self.exchanges.push(Exchange { index, sub, request, answer: answer.clone() });
+        self.exchanges.push(Exchange { reset: None, index, sub, request, answer: answer.clone() });
         answer
     }
 }

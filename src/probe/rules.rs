@@ -61,7 +61,7 @@ text_rules! {
 
     OTHER_DEFAULT = "probe/other-default", Warning;
     summary: "a value differs from the described one",
-    checks: "Whether entries have their `DefaultValue`, or in a DCF their `ParameterValue`. Entries that can be mapped carry process data and are not compared, nor are errors (1001h to 1003h), commands and the serial number. An entry that was written before is compared with what was written (`probe/other-than-written`).",
+    checks: "Whether entries have their `DefaultValue`, or in a DCF their `ParameterValue`. Entries that can be mapped carry process data and are not compared, nor are errors (1001h to 1003h), commands and the serial number. An entry that was written before is compared with what was written (`probe/other-than-written`), and after a reset with the default again, unless the parameters were saved (1010h).",
     why: "Defaults that differ from the description make a tool skip downloads that are needed. The value may also have been changed and stored, then restore the defaults (1011h) before probing.",
     example: "1000 ms in 1017h where 500 ms are described",
     remedy: "Correct the description, restore the defaults of the device, or configure it.",
@@ -141,7 +141,7 @@ text_rules! {
 
     OTHER_THAN_WRITTEN = "probe/other-than-written", Warning;
     summary: "an entry has another value than was written",
-    checks: "Whether reading an entry returns what was last written and accepted. Entries that can be mapped, commands and objects of communication are not compared.",
+    checks: "Whether reading an entry returns what was last written and accepted. Entries that can be mapped, commands and objects of communication are not compared, nor is what was written before a reset of the node (NMT commands 81h and 82h, boot-up).",
     why: "The device rounds or limits the value without a word, or does not store it.",
     example: "150 is written and accepted, and 100 is read",
     remedy: "Refuse values that cannot be stored, or describe the access as write-only.",

@@ -34,6 +34,8 @@ pub(super) enum Memory {
     #[default]
     Untouched,
     Written(Vec<u8>),
+    /// It was written and saved before a reset (1010h): it is what was written, or what the device starts with.
+    Saved,
     /// Something was accepted that should not have been.
     Unknown,
 }
@@ -147,7 +149,7 @@ fn of_content(entry: &Expectation, bytes: &[u8], memory: &Memory) -> Verdict {
             || say!("{} is {}, and {} was written", place, entry.shown(bytes), entry.shown(written));
         return if is_own { None } else { contradiction(&OTHER_THAN_WRITTEN, Aspect::Entry, message()) };
     }
-    let described = entry.default.as_ref().filter(|_| !is_volatile(entry))?;
+    let described = entry.default.as_ref().filter(|_| !is_volatile(entry) && *memory != Memory::Saved)?;
     if is_same(entry, bytes, described) {
         return None;
     }

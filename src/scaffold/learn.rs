@@ -124,7 +124,7 @@ fn allow(entry: &mut Entry, is_received: bool, bits: u8) {
 
 fn seen(exchanges: &[Exchange]) -> Entries<'_> {
     let mut seen = Entries::new();
-    for Exchange { index, sub, request, answer } in exchanges {
+    for Exchange { index, sub, request, answer, .. } in exchanges {
         let is_write_only = *request == SdoRequest::Upload && *answer == SdoAnswer::Abort(Abort::WriteOnly);
         let is_written = *answer == SdoAnswer::Done;
         // an entry without a value at present

@@ -21,6 +21,7 @@ mod layout;
 mod page;
 mod paper;
 mod pictures;
+mod probe;
 mod reading;
 #[path = "../support/mod.rs"]
 mod support;

@@ -71,6 +71,16 @@ impl Page {
         Self { tab, path, _folder: folder }
     }
 
+    /// The page that a command writes to a path.
+    pub(crate) fn made(command: impl FnOnce(&Path) -> Command) -> Option<Self> {
+        let tab = Tab::new()?;
+        let folder = tempfile::tempdir().unwrap();
+        let path = folder.path().join("page.html");
+        command(&path).output().unwrap();
+        tab.open(&path, "");
+        Some(Self { tab, path, _folder: folder })
+    }
+
     /// The anchors of the objects that are to be seen.
     pub(crate) fn objects(&self) -> Vec<String> {
         self.texts("[...document.querySelectorAll('.o')].filter(of => of.checkVisibility()).map(of => of.id)")

@@ -1,8 +1,10 @@
 //! A device beside its description: answers of the node of a description, and of a LocalNode of python-canopen, are as described; what they
 //! answer otherwise is found, and nothing else.
 
+mod channels;
 mod planted;
 mod python;
+mod schema;
 
 use std::collections::BTreeSet;
 use std::fmt::Write as _;
@@ -109,7 +111,7 @@ fn recorded(log: &str) -> Vec<Exchange> {
     let mut reader = LogReader::new(log.as_bytes(), LogOptions::default());
     let mut conversation = Conversation::new(NODE);
     while let Some(frame) = reader.next_frame().unwrap() {
-        conversation.take(frame.can_id, frame.data());
+        conversation.take(frame.can_id, frame.is_extended, frame.data());
     }
     assert_eq!(reader.bad_count(), 0);
     conversation.into_exchanges()
@@ -329,7 +331,8 @@ fn answers_of_a_bench_are_numbers_and_texts() {
 #[test]
 fn messages_name_the_entry_and_the_reason() {
     let device = device("eds/encoder-406.eds");
-    let exchange = |answer| Exchange { index: 0x1018, sub: 1, request: SdoRequest::Upload, answer };
+    let exchange =
+        |answer| Exchange { reset: None, index: 0x1018, sub: 1, request: SdoRequest::Upload, answer };
     let message = |answer| {
         judge(&device, NODE, &[exchange(answer)])
             .findings
