@@ -101,7 +101,7 @@ impl Built {
     /// Writes the manual pages into a folder.
     fn manual(&self, folder: &Path) -> Result<(), String> {
         make_folder(folder)?;
-        run_program(Command::new(&self.program).args(["man", "--quiet", "--overwrite", "-o"]).arg(folder))
+        run_program(Command::new(&self.program).args(["man", "-o"]).arg(folder))
     }
 
     /// Writes the completions of a shell into a file.

@@ -20,8 +20,10 @@ pub(super) fn make(built: &Built) -> Result<(), String> {
     if cfg!(target_os = "linux") {
         // the same bytes each time
         let time = format!("--mtime=@{}", built.time());
-        tar.args(["--sort=name", "--owner=0", "--group=0", "--numeric-owner", &time]);
+        tar.args(["--sort=name", "--owner=0", "--group=0", "--numeric-owner", &time, "-I", "gzip -n"]);
+    } else {
+        tar.arg("-z");
     }
     let file = built.dist.join(format!("{name}.tar.gz"));
-    run_program(tar.env("GZIP", "-n").arg("-czf").arg(file).arg("-C").arg(stage).arg(name))
+    run_program(tar.arg("-cf").arg(file).arg("-C").arg(stage).arg(name))
 }
