@@ -61,8 +61,10 @@ impl Maker<'_> {
             range: self.range_of(finding),
             severity: Some(severity(finding.severity)),
             code: Some(NumberOrString::String(finding.rule.id.to_owned())),
-            code_description: Uri::from_str(&finding.rule.address())
-                .ok()
+            code_description: finding
+                .rule
+                .address()
+                .and_then(|address| Uri::from_str(&address).ok())
                 .map(|href| CodeDescription { href }),
             source: Some(SOURCE.to_owned()),
             message: with_help(finding.message.shown().into_owned(), help.as_deref()),

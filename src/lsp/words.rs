@@ -9,7 +9,11 @@ use crate::profile::{self, EntryFacts, Need, ObjectFacts, Profile};
 
 /// The page of a rule.
 pub(super) fn of_rule(rule: &RuleInfo) -> String {
-    format!("**{}** ({})\n\n{}\n[{}]({})", rule.id, rule.severity, rule.page(), rule.id, rule.address())
+    let mut text = format!("**{}** ({})\n\n{}", rule.id, rule.severity, rule.page());
+    if let Some(address) = rule.address() {
+        let _ = write!(text, "\n[{}]({address})", rule.id);
+    }
+    text
 }
 
 /// `6041h:00`, or `6041h` of an object without sub-indexes.

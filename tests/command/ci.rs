@@ -42,7 +42,8 @@ fn the_inputs_of_the_action_are_documented() {
         .filter_map(|line| line.strip_prefix("  ")?.strip_suffix(':'))
         .filter(|name| !name.starts_with(' '))
         .collect();
-    assert_eq!(names, ["files", "config", "format", "output", "deny", "version"]);
+    let expected = "files args baseline config format output deny version working-directory";
+    assert_eq!(names.join(" "), expected);
     for name in names {
         assert!(page.contains(&format!("\n| `{name}` |")), "{name} is not in docs/ci.md");
         assert!(action.contains(&format!("${{{{ inputs.{name} }}}}")), "{name} is not used");
@@ -72,13 +73,27 @@ fn act(folder: &Path, inputs: &[(&str, &str)]) -> Output {
     let executable = std::os::unix::fs::PermissionsExt::from_mode(0o755);
     fs::set_permissions(bin.join("cargo"), executable).expect("the stub");
     let path = format!("{}:{}", bin.display(), std::env::var("PATH").unwrap_or_default());
-    let defaults =
-        [("FILES", "."), ("CONFIG", ""), ("FORMAT", "github"), ("OUTPUT", ""), ("DENY", "warning")];
+    let defaults = [
+        ("FILES", "."),
+        ("ARGS", ""),
+        ("BASELINE", ""),
+        ("CONFIG", ""),
+        ("FORMAT", "github"),
+        ("OUTPUT", ""),
+        ("DENY", "warning"),
+    ];
+    let [outputs, paths] = ["outputs", "paths"].map(|name| bin.join(name));
+    fs::write(&paths, "").expect("a file");
     let mut last = None;
     for script in scripts() {
         let mut command = Command::new("bash");
         command.args(["--noprofile", "--norc", "-e", "-o", "pipefail", "-c", &script]).current_dir(folder);
-        command.env("PATH", &path).env("RUNNER_TEMP", folder.join("temp"));
+        // as a runner does with what a step adds to the path
+        let added = fs::read_to_string(&paths).expect("a file").trim().to_owned();
+        command.env("PATH", format!("{added}:{path}")).env("RUNNER_TEMP", folder.join("temp"));
+        command.env("GITHUB_OUTPUT", &outputs).env("GITHUB_PATH", &paths);
+        let published = fs::read_to_string(&outputs).unwrap_or_default();
+        command.env("PUBLISHED", if published.contains("published=true\n") { "true" } else { "false" });
         command.env("SOURCE", env!("CARGO_MANIFEST_DIR")).env("VERSION", "");
         command.envs(defaults).envs(inputs.iter().copied());
         let output = command.output().expect("bash");
@@ -112,6 +127,29 @@ fn the_action_checks_what_it_is_given() {
     assert_eq!((output.status.code(), output.stdout.is_empty()), (Some(1), true));
     let log = fs::read(folder.path().join("out.sarif")).expect("the log");
     assert!(serde_json::from_slice::<serde_json::Value>(&log).is_ok());
+}
+
+#[test]
+fn the_action_takes_a_baseline_and_arguments() {
+    let folder = tempfile::tempdir().expect("a folder");
+    fs::copy("fixtures/broken/orphan-sub.eds", folder.path().join("orphan-sub.eds")).expect("a file");
+    let mut write = Command::new(env!("CARGO_BIN_EXE_objdict"));
+    write.args(["check", "--write-baseline", "known.json", "."]).current_dir(folder.path());
+    write.output().expect("it runs");
+    assert_eq!(act(folder.path(), &[("BASELINE", "known.json")]).status.code(), Some(0));
+    let ignored = "--ignore\ncia306/sub-without-object\n";
+    assert_eq!(act(folder.path(), &[("ARGS", ignored)]).status.code(), Some(0));
+    assert_eq!(act(folder.path(), &[]).status.code(), Some(1));
+}
+
+#[test]
+fn the_action_finds_out_whether_there_are_packages() {
+    let folder = tempfile::tempdir().expect("a folder");
+    fs::copy("fixtures/eds/minimal.eds", folder.path().join("minimal.eds")).expect("a file");
+    act(folder.path(), &[]);
+    let outputs = fs::read_to_string(folder.path().join("stub/outputs")).expect("outputs");
+    let published = format!("published={}\n", objdict_model::diagnostic::PUBLISHED);
+    assert!(outputs.contains(&published) && outputs.starts_with("hash="), "{outputs}");
 }
 
 #[test]

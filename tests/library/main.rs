@@ -44,6 +44,8 @@ mod patch;
 mod planted;
 #[cfg(feature = "network")]
 mod probe;
+#[cfg(feature = "cli")]
+mod published;
 mod related;
 mod rules;
 mod structure;

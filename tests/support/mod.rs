@@ -11,8 +11,11 @@ use std::path::{Path, PathBuf};
 use std::process::Command;
 use std::sync::LazyLock;
 
-/// Where the pages of rules are, the only addresses outside of a page.
-pub(crate) const RULE_PAGES: &str = "https://docs.rs/objdict/";
+/// Where the pages of rules are, the only addresses outside of a page; no address begins so until there are pages.
+pub(crate) const RULE_PAGES: &str = match objdict_model::diagnostic::HOME {
+    Some(home) => home,
+    None => "nowhere",
+};
 
 /// The folder with all fixtures as files, which each test program writes anew.
 pub(crate) fn fixtures() -> PathBuf {

@@ -7,8 +7,6 @@ import type { Store } from "./store";
 /** So many are drawn; a file may have tens of thousands. */
 const MAX_SHOWN = 400;
 
-const PAGE = "https://docs.rs/objdict/latest/objdict/rules";
-
 function fixButton(store: Store, finding: Finding): HTMLElement | false {
   const { fix } = finding;
   const document = store.current!;
@@ -38,13 +36,8 @@ function item(store: Store, finding: Finding): HTMLElement {
     h("button", { class: "where", onclick: go }, h("span", { class: "severity" }, finding.severity), ` line ${finding.line}`, finding.place ? ` · ${finding.place}` : ""),
     h("p", {}, finding.message),
     finding.help && h("p", { class: "help" }, finding.help),
-    h("div", { class: "actions" }, fixButton(store, finding), h("a", { href: ruleAddress(finding.rule), target: "_blank", rel: "noreferrer noopener" }, finding.rule)),
+    h("div", { class: "actions" }, fixButton(store, finding), h("code", {}, finding.rule)),
   );
-}
-
-function ruleAddress(rule: string): string {
-  const [group, name] = rule.split("/");
-  return `${PAGE}/${group}/index.html#${name}`;
 }
 
 export function findingsPanel(store: Store): HTMLElement {

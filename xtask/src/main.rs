@@ -1,7 +1,8 @@
 //! Chores: `cargo xtask corpus FOLDER [--generate] [--shares FILE]`, `cargo xtask fuzz FOLDER COUNT|SECONDSs [PART]`,
 //! `cargo xtask targets FOLDER [--damaged] [--hostile] [--only TARGET]`, `cargo xtask concise CORPUS`,
 //! `cargo xtask readers FOLDER PYTHON [MODULES]`, `cargo xtask docs [--check]`, `cargo xtask profiles [--check]`,
-//! `cargo xtask fuzz-corpus FOLDER`, `cargo xtask xsd FOLDER`, `cargo xtask deny`, `cargo xtask dist wheel`.
+//! `cargo xtask fuzz-corpus FOLDER`, `cargo xtask xsd FOLDER`, `cargo xtask deny`, `cargo xtask dist KIND`,
+//! `cargo xtask publish [--upload]`.
 
 #![allow(clippy::print_stdout, reason = "the table is the result of the chore")]
 
@@ -15,6 +16,7 @@ mod examples;
 mod fuzz;
 mod mutate;
 mod profiles;
+mod publish;
 mod readers;
 mod round_trip;
 mod schemas;
@@ -54,9 +56,13 @@ usage:
       write the structure of CiA 311, versions 1.0 and 1.1, as XML Schemas: 1.0.xsd and 1.1.xsd
   cargo xtask deny
       hold licences, versions and sources of all packages against deny.toml
-  cargo xtask dist wheel [--profile PROFILE]
-      build the wheel of the command and the Python module for this machine into target/dist; needs Python and gets maturin
-      from PyPI";
+  cargo xtask dist KIND|all [--profile PROFILE]
+      build a package for this machine into target/dist, with SHA256SUMS: wheel (command and Python module; needs Python and
+      gets maturin from PyPI), tarball, deb, npm, docker (the folder of an image)
+  cargo xtask dist try
+      install each of them in an empty folder as docs/install.md says, and check a description
+  cargo xtask publish [--upload]
+      package the crates in the order of their dependencies, and compile what is in the packages; with --upload publish them";
 
 fn main() -> ExitCode {
     let arguments: Vec<String> = std::env::args().skip(1).collect();
@@ -89,8 +95,11 @@ fn main() -> ExitCode {
         ["profiles", "--check"] => profiles::run(true),
         ["xsd", folder] => write_schemas(Path::new(folder)),
         ["deny"] => deny::run(),
-        ["dist", "wheel"] => dist::wheel(None),
-        ["dist", "wheel", "--profile", profile] => dist::wheel(Some(profile)),
+        ["dist", "try"] => dist::try_out(),
+        ["dist", kind] => dist::run(kind, None),
+        ["dist", kind, "--profile", profile] => dist::run(kind, Some(profile)),
+        ["publish"] => publish::run(false),
+        ["publish", "--upload"] => publish::run(true),
         _ => Err(USAGE.to_owned()),
     };
     match result {

@@ -1,4 +1,4 @@
-//! Nodes and their manager on a simulated bus. Part of [objdict](https://docs.rs/objdict); depend on that crate instead.
+//! Nodes and their manager on a simulated bus. Part of `objdict`; depend on that crate instead.
 //!
 //! A [`Plant`] is a network of descriptions and of the objects of its manager. [`boot`] lets the manager boot it (CiA 302-2): real
 //! frames, arbitrated by CAN-ID and as long as the bit rate makes them, between an NMT master and nodes that are

@@ -14,8 +14,8 @@ pub struct Finding {
     pub rule: &'static str,
     /// The problem that the rule finds.
     pub title: &'static str,
-    /// The public URL of the rule's page.
-    pub address: String,
+    /// The public URL of the rule's page ([`RuleInfo::address`](crate::diagnostic::RuleInfo::address)).
+    pub address: Option<String>,
     /// The message.
     pub message: String,
     /// How to fix it.

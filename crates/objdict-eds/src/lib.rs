@@ -1,5 +1,5 @@
 //! EDS and DCF (CiA 306-1): lines with positions, the model read from them and written to them. Part of
-//! [objdict](https://docs.rs/objdict), which is the crate to depend on.
+//! `objdict`, which is the crate to depend on.
 
 pub mod eds;
 pub mod ini;

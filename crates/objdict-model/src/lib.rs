@@ -1,5 +1,5 @@
 //! The foundation of objdict: texts with positions, findings as data, and the typed dictionary of a device.
-//! Part of [objdict](https://docs.rs/objdict), which is the crate to depend on.
+//! Part of `objdict`, which is the crate to depend on.
 
 #[macro_use]
 mod named;

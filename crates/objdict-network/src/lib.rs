@@ -1,5 +1,5 @@
 //! CANopen networks: nodes with their descriptions, the manager that boots them, and who says what to whom. Part of
-//! [objdict](https://docs.rs/objdict); depend on that crate instead.
+//! `objdict`; depend on that crate instead.
 //!
 //! A [`Network`] is the wanted one; [`resolve`] makes PDOs of its links, and [`compile`] the downloads of each node.
 

@@ -1,5 +1,5 @@
 //! Configuration of nodes: settings checked against a dictionary, couplers with their modules, and concise
-//! DCF (CiA 302-3). Part of [objdict](https://docs.rs/objdict); depend on that crate instead.
+//! DCF (CiA 302-3). Part of `objdict`; depend on that crate instead.
 
 pub mod concise;
 pub mod configure;

@@ -1,5 +1,5 @@
 //! XDD and XDC (CiA 311): elements with positions, the model read from them and written to them. Part of
-//! [objdict](https://docs.rs/objdict), which is the crate to depend on.
+//! `objdict`, which is the crate to depend on.
 
 pub mod xdd;
 pub mod xml;

@@ -20,7 +20,7 @@ pub use findings::{Findings, MAX_PER_RULE};
 pub use fix::MAX_FIX_LINES;
 pub use fix::{Applicability, Change, Fix, FixSafety, Tidy};
 pub use notion::{Notion, Vocabulary, WORDS, assert_template, section_name};
-pub use rule::{Explained, HOME, Reach, RuleInfo, Stop};
+pub use rule::{Explained, HOME, PUBLISHED, Reach, RuleInfo, Stop};
 pub use selection::Selection;
 pub use text::{Argument, MAX_QUOTED, Sayable, Text, joined, listing, listing_or, series, series_or};
 pub use tool::Tool;

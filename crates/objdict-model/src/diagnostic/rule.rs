@@ -5,8 +5,12 @@ use std::fmt;
 use super::{FixSafety, Severity};
 use crate::model::Field;
 
-/// The page of objdict, the only absolute address that needs no repository.
-pub const HOME: &str = "https://docs.rs/objdict";
+/// Whether the crates and packages can be had from registries. This is the one place that says so: the links of rules follow it, and
+/// tests and `cargo xtask` hold the documentation and the actions against it.
+pub const PUBLISHED: bool = false;
+
+/// The page of objdict, the only absolute address that needs no repository; `None` until it exists.
+pub const HOME: Option<&str> = if PUBLISHED { Some("https://docs.rs/objdict") } else { None };
 
 /// The properties of a rule for reports and documentation.
 #[derive(Debug)]
@@ -125,9 +129,10 @@ impl RuleInfo {
         self.id.split_once('/').map_or(self.id, |(_, name)| name)
     }
 
-    /// The public address of its page, in the documentation of the crate `objdict`.
-    pub fn address(&self) -> String {
-        format!("https://docs.rs/objdict/latest/objdict/rules/{}/index.html#{}", self.group(), self.name())
+    /// The public address of its page, in the documentation of the crate `objdict`; `None` until that is [published](PUBLISHED).
+    pub fn address(&self) -> Option<String> {
+        let home = HOME?;
+        Some(format!("{home}/latest/objdict/rules/{}/index.html#{}", self.group(), self.name()))
     }
 
     /// The page as Markdown: the summary, and a heading with a paragraph for each of the other texts.

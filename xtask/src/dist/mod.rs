@@ -1,0 +1,192 @@
+//! Packages of the command and of the Python module, into `target/dist`, with their checksums.
+//!
+//! The command is built once and linked statically where the system allows it, so one program runs on every Linux, in an empty
+//! image, and beside any Python.
+
+mod deb;
+mod docker;
+mod npm;
+mod tarball;
+mod try_out;
+mod wheel;
+
+use std::env::consts::{ARCH, EXE_SUFFIX};
+use std::fs;
+use std::path::{Path, PathBuf};
+use std::process::Command;
+
+pub(crate) use try_out::try_out;
+
+/// The distribution on PyPI and npm, and the package for Debian: the names `objdict` there belong to packages of others.
+const DISTRIBUTION: &str = "canopen-objdict";
+
+/// A kind of package.
+struct Kind {
+    /// What `cargo xtask dist` calls it.
+    name: &'static str,
+    /// Makes it of the built command.
+    make: fn(&Built) -> Result<(), String>,
+    /// Whether it can be made on this system.
+    here: bool,
+}
+
+const KINDS: [Kind; 5] = [
+    Kind { name: "wheel", make: wheel::make, here: true },
+    Kind { name: "tarball", make: tarball::make, here: cfg!(unix) },
+    Kind { name: "deb", make: deb::make, here: cfg!(target_os = "linux") },
+    Kind { name: "npm", make: npm::make, here: cfg!(unix) },
+    Kind { name: "docker", make: docker::make, here: cfg!(target_os = "linux") },
+];
+
+/// The command as Cargo built it.
+struct Built {
+    root: PathBuf,
+    /// The folder of all packages.
+    dist: PathBuf,
+    program: PathBuf,
+    /// The version of all packages.
+    version: String,
+    /// The profile of Cargo that was asked for; `None` for packages that are published.
+    profile: Option<String>,
+}
+
+/// Makes one kind, or `all` that can be made here. Programs of the profile `dev` are made sooner, for tests.
+pub(crate) fn run(kind: &str, profile: Option<&str>) -> Result<(), String> {
+    let kinds: Vec<&Kind> =
+        KINDS.iter().filter(|own| own.name == kind || kind == "all" && own.here).collect();
+    if kinds.is_empty() {
+        let names: Vec<&str> = KINDS.iter().map(|kind| kind.name).collect();
+        return Err(format!(
+            "`{kind}` is not a kind of package: choose `all` or one of {}",
+            names.join(", ")
+        ));
+    }
+    let built = Built::new(profile)?;
+    for kind in kinds {
+        (kind.make)(&built)?;
+    }
+    checksums(&built.dist)
+}
+
+impl Built {
+    fn new(profile: Option<&str>) -> Result<Self, String> {
+        let root = root();
+        let of_command = profile.unwrap_or("release");
+        let mut cargo = Command::new(env!("CARGO"));
+        cargo.current_dir(&root).args(["rustc", "--bin", "objdict", "--profile", of_command]);
+        if cfg!(target_os = "linux") {
+            // of glibc the command calls nothing that a static program lacks: no names of hosts or users, no `dlopen`
+            cargo.args(["--", "-C", "target-feature=+crt-static"]);
+        }
+        run_program(&mut cargo)?;
+        let folder = if of_command == "dev" { "debug" } else { of_command };
+        let dist = root.join("target/dist");
+        make_folder(&dist)?;
+        // a later build replaces the one in `target`
+        let program = dist.join("stage").join(format!("objdict{EXE_SUFFIX}"));
+        copy(&root.join("target").join(folder).join(format!("objdict{EXE_SUFFIX}")), &program)?;
+        Ok(Self { dist, program, version: version(&root)?, profile: profile.map(str::to_owned), root })
+    }
+
+    /// A folder below `target/dist/stage` for the parts of a package, empty.
+    fn stage(&self, name: &str) -> Result<PathBuf, String> {
+        let folder = self.dist.join("stage").join(name);
+        if folder.exists() {
+            fs::remove_dir_all(&folder).map_err(|error| format!("{}: {error}", folder.display()))?;
+        }
+        make_folder(&folder)?;
+        Ok(folder)
+    }
+
+    /// Writes the manual pages into a folder.
+    fn manual(&self, folder: &Path) -> Result<(), String> {
+        make_folder(folder)?;
+        run_program(Command::new(&self.program).args(["man", "-o"]).arg(folder))
+    }
+
+    /// Writes the completions of a shell into a file.
+    fn completions(&self, shell: &str, file: &Path) -> Result<(), String> {
+        let output = Command::new(&self.program).args(["completions", shell]).output();
+        let output = output.map_err(|error| format!("{}: {error}", self.program.display()))?;
+        write(file, &output.stdout)
+    }
+
+    /// Copies the licences into a folder.
+    fn licences(&self, folder: &Path) -> Result<(), String> {
+        ["LICENSE-MIT", "LICENSE-APACHE"]
+            .iter()
+            .try_for_each(|name| copy(&self.root.join(name), &folder.join(name)))
+    }
+
+    /// The time of the commit, which all files in packages have, so that the same commit makes the same package.
+    fn time(&self) -> String {
+        let output = Command::new("git").current_dir(&self.root).args(["log", "-1", "--format=%ct"]).output();
+        let time = output.ok().and_then(|output| String::from_utf8(output.stdout).ok()).unwrap_or_default();
+        if time.trim().is_empty() { "0".to_owned() } else { time.trim().to_owned() }
+    }
+}
+
+/// The system of this build as Rust calls it.
+fn triple() -> String {
+    let system = match std::env::consts::OS {
+        "linux" => "unknown-linux-gnu",
+        "macos" => "apple-darwin",
+        other => other,
+    };
+    format!("{ARCH}-{system}")
+}
+
+/// Writes `SHA256SUMS` over all packages in the folder, which `sha256sum --check` reads.
+fn checksums(dist: &Path) -> Result<(), String> {
+    let failed = |error: std::io::Error| format!("{}: {error}", dist.display());
+    let mut lines = Vec::new();
+    for entry in fs::read_dir(dist).map_err(failed)? {
+        let path = entry.map_err(failed)?.path();
+        let Some(name) = path.file_name().and_then(|name| name.to_str()) else { continue };
+        if path.is_file() && name != "SHA256SUMS" {
+            let bytes = fs::read(&path).map_err(failed)?;
+            let sum: String =
+                hmac_sha256::Hash::hash(&bytes).iter().map(|byte| format!("{byte:02x}")).collect();
+            println!("{name}: {} bytes", bytes.len());
+            lines.push(format!("{sum}  {name}\n"));
+        }
+    }
+    lines.sort_unstable_by(|a, b| a[64..].cmp(&b[64..]));
+    write(&dist.join("SHA256SUMS"), lines.concat().as_bytes())
+}
+
+/// The version in the manifest of the workspace.
+fn version(root: &Path) -> Result<String, String> {
+    let path = root.join("Cargo.toml");
+    let text = fs::read_to_string(&path).map_err(|error| format!("{}: {error}", path.display()))?;
+    let manifest: toml::Table =
+        toml::from_str(&text).map_err(|error| format!("{}: {error}", path.display()))?;
+    let version = manifest["workspace"]["package"]["version"].as_str();
+    version.map(str::to_owned).ok_or_else(|| format!("{}: no version", path.display()))
+}
+
+pub(crate) fn root() -> PathBuf {
+    Path::new(env!("CARGO_MANIFEST_DIR")).parent().map(Path::to_owned).unwrap_or_default()
+}
+
+fn make_folder(folder: &Path) -> Result<(), String> {
+    fs::create_dir_all(folder).map_err(|error| format!("{}: {error}", folder.display()))
+}
+
+/// Writes a file and the folders above it.
+pub(crate) fn write(file: &Path, bytes: &[u8]) -> Result<(), String> {
+    file.parent().map_or(Ok(()), make_folder)?;
+    fs::write(file, bytes).map_err(|error| format!("{}: {error}", file.display()))
+}
+
+/// Copies a file with its permissions, and makes the folders above the copy.
+fn copy(from: &Path, to: &Path) -> Result<(), String> {
+    to.parent().map_or(Ok(()), make_folder)?;
+    fs::copy(from, to).map(drop).map_err(|error| format!("{} to {}: {error}", from.display(), to.display()))
+}
+
+pub(crate) fn run_program(command: &mut Command) -> Result<(), String> {
+    let program = command.get_program().to_owned();
+    let status = command.status().map_err(|error| format!("{}: {error}", program.display()))?;
+    if status.success() { Ok(()) } else { Err(format!("{} failed: {status}", program.display())) }
+}
