@@ -1,4 +1,4 @@
-//! Packages of the command and of the Python module, into `target/dist`.
+//! Packages of the command, of the Python module and of the extension of VS Code, into `target/dist`.
 
 use std::env::consts::EXE_SUFFIX;
 use std::fs;
@@ -16,22 +16,45 @@ pub(crate) fn wheel(profile: Option<&str>) -> Result<(), String> {
         None => ("release", "wheel"),
         Some(profile) => (profile, profile),
     };
-    run(Command::new(env!("CARGO")).current_dir(&root).args([
-        "build",
-        "--bin",
-        "objdict",
-        "--profile",
-        of_command,
-    ]))?;
-    let folder = if of_command == "dev" { "debug" } else { of_command };
-    let command = format!("objdict{EXE_SUFFIX}");
+    let built = build_command(&root, of_command)?;
     let scripts = root.join("crates/objdict-python/canopen_objdict.data/scripts");
-    let built = root.join("target").join(folder).join(&command);
-    let copied = fs::create_dir_all(&scripts).and_then(|()| fs::copy(&built, scripts.join(&command)));
-    copied.map_err(|error| format!("{}: {error}", built.display()))?;
+    copy_into(&built, &scripts)?;
     let mut build = Command::new(maturin(&root)?);
     build.current_dir(&root).args(["build", "--profile", of_module, "--out", "target/dist"]);
     run(build.args(["--manifest-path", "crates/objdict-python/Cargo.toml"]))
+}
+
+/// The extension of VS Code for this machine, which bundles the command as its server.
+pub(crate) fn vsix(profile: &str) -> Result<(), String> {
+    let root = Path::new(env!("CARGO_MANIFEST_DIR")).join("..");
+    let extension = root.join("editors/vscode");
+    copy_into(&build_command(&root, profile)?, &extension.join("server"))?;
+    let package = root.join("target/dist/objdict.vsix");
+    fs::create_dir_all(root.join("target/dist")).map_err(|error| format!("target/dist: {error}"))?;
+    let npm = if cfg!(windows) { "npm.cmd" } else { "npm" };
+    run(Command::new(npm).current_dir(&extension).args([
+        "ci",
+        "--ignore-scripts",
+        "--no-audit",
+        "--no-fund",
+    ]))?;
+    let mut build = Command::new(npm);
+    run(build.current_dir(&extension).args(["run", "package", "--", "--out"]).arg(package))
+}
+
+/// Builds the command, and returns its path.
+fn build_command(root: &Path, profile: &str) -> Result<PathBuf, String> {
+    let mut build = Command::new(env!("CARGO"));
+    run(build.current_dir(root).args(["build", "--bin", "objdict", "--profile", profile]))?;
+    let folder = if profile == "dev" { "debug" } else { profile };
+    Ok(root.join("target").join(folder).join(format!("objdict{EXE_SUFFIX}")))
+}
+
+/// Copies the command into a folder, which is made if it is missing.
+fn copy_into(built: &Path, folder: &Path) -> Result<(), String> {
+    let copied = fs::create_dir_all(folder)
+        .and_then(|()| fs::copy(built, folder.join(format!("objdict{EXE_SUFFIX}"))));
+    copied.map(|_| ()).map_err(|error| format!("{}: {error}", built.display()))
 }
 
 /// The program maturin, in an environment of its own, which is made once.

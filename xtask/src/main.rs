@@ -1,7 +1,7 @@
 //! Chores: `cargo xtask corpus FOLDER [--generate] [--shares FILE]`, `cargo xtask fuzz FOLDER COUNT|SECONDSs [PART]`,
 //! `cargo xtask targets FOLDER [--damaged] [--hostile] [--only TARGET]`, `cargo xtask concise CORPUS`,
 //! `cargo xtask readers FOLDER PYTHON [MODULES]`, `cargo xtask docs [--check]`, `cargo xtask profiles [--check]`,
-//! `cargo xtask fuzz-corpus FOLDER`, `cargo xtask xsd FOLDER`, `cargo xtask deny`, `cargo xtask dist wheel`.
+//! `cargo xtask fuzz-corpus FOLDER`, `cargo xtask xsd FOLDER`, `cargo xtask deny`, `cargo xtask dist wheel|vsix`.
 
 #![allow(clippy::print_stdout, reason = "the table is the result of the chore")]
 
@@ -56,7 +56,9 @@ usage:
       hold licences, versions and sources of all packages against deny.toml
   cargo xtask dist wheel [--profile PROFILE]
       build the wheel of the command and the Python module for this machine into target/dist; needs Python and gets maturin
-      from PyPI";
+      from PyPI
+  cargo xtask dist vsix [--profile PROFILE]
+      package the extension of VS Code with the command for this machine into target/dist; needs npm";
 
 fn main() -> ExitCode {
     let arguments: Vec<String> = std::env::args().skip(1).collect();
@@ -91,6 +93,8 @@ fn main() -> ExitCode {
         ["deny"] => deny::run(),
         ["dist", "wheel"] => dist::wheel(None),
         ["dist", "wheel", "--profile", profile] => dist::wheel(Some(profile)),
+        ["dist", "vsix"] => dist::vsix("release"),
+        ["dist", "vsix", "--profile", profile] => dist::vsix(profile),
         _ => Err(USAGE.to_owned()),
     };
     match result {
