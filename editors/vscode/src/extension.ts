@@ -50,7 +50,7 @@ async function start(context: vscode.ExtensionContext): Promise<void> {
     "objdict",
     "objdict",
     { command, args: ["lsp", ...settings.get<string[]>("server.arguments", [])] },
-    { documentSelector: [{ scheme: "file", language: "eds" }, { scheme: "untitled", language: "eds" }, ...files] },
+    { documentSelector: [{ scheme: "file", language: "eds" }, ...files] },
   );
   client = started;
   await started.start();
