@@ -1,4 +1,4 @@
-//! Packages of the command and of the Python module, into `target/dist`, with their checksums.
+//! Packages of the command, of the Python module and of the extension of VS Code, into `target/dist`, with their checksums.
 //!
 //! The command is built once and linked statically where the system allows it, so one program runs on every Linux, in an empty
 //! image, and beside any Python.
@@ -8,6 +8,7 @@ mod docker;
 mod npm;
 mod tarball;
 mod try_out;
+mod vsix;
 mod wheel;
 
 use std::env::consts::{ARCH, EXE_SUFFIX};
@@ -30,12 +31,13 @@ struct Kind {
     here: bool,
 }
 
-const KINDS: [Kind; 5] = [
+const KINDS: [Kind; 6] = [
     Kind { name: "wheel", make: wheel::make, here: true },
     Kind { name: "tarball", make: tarball::make, here: cfg!(unix) },
     Kind { name: "deb", make: deb::make, here: cfg!(target_os = "linux") },
     Kind { name: "npm", make: npm::make, here: cfg!(unix) },
     Kind { name: "docker", make: docker::make, here: cfg!(target_os = "linux") },
+    Kind { name: "vsix", make: vsix::make, here: true },
 ];
 
 /// The command as Cargo built it.

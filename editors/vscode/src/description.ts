@@ -1,0 +1,68 @@
+// What the commands do with the text of a description. Nothing here needs the editor.
+
+import { basename, dirname, extname, join } from "node:path";
+
+import { output } from "./program";
+
+/** A file as the editor has it, saved or not. */
+export interface Source {
+  /** The path of the file. */
+  path: string;
+  /** The text, which counts more than what is on the disk. */
+  text: string;
+}
+
+/** An EDS and a DCF may have the same text; the extension is the difference, and standard input has none. */
+function format(source: Source): string[] {
+  const extension = extname(source.path).slice(1).toLowerCase();
+  return ["eds", "dcf", "xdd", "xdc", "toml"].includes(extension) ? ["--from", extension] : [];
+}
+
+/** The documentation as one page of HTML, which brings its content security policy. */
+export function documentation(program: string, source: Source): Promise<string> {
+  return output(program, ["docs", "-", ...format(source), "-o", "-", "--to", "html", "--quiet"], source.text, dirname(source.path));
+}
+
+/** The objects of `[1A00]`, `[1A00sub1]` or `[1800]` above a line (from zero), or undefined outside such a section. */
+export function objectAt(text: string, line: number): string | undefined {
+  const above = text.split(/\r\n|\r|\n/).slice(0, line + 1).reverse();
+  for (const row of above) {
+    const section = /^\s*\[([^\]]*)\]/.exec(row);
+    if (section === null) continue;
+    return /^\s*([0-9a-f]{4})(?:sub[0-9a-f]{1,2}|value|name|denotation)?\s*$/i.exec(section[1] ?? "")?.[1]?.toUpperCase();
+  }
+  return undefined;
+}
+
+/** The name of a PDO, `rpdo1` to `tpdo512`, if the object is its communication or mapping (CiA 301 §7.5.2.35 to 38). */
+export function pdoOf(index: string): string | undefined {
+  const number = Number.parseInt(index, 16);
+  const receives = number >= 0x1400 && number <= 0x17ff;
+  const transmits = number >= 0x1800 && number <= 0x1bff;
+  return receives || transmits ? `${receives ? "rpdo" : "tpdo"}${(number & 0x1ff) + 1}` : undefined;
+}
+
+/** The drawing of a PDO as text. */
+export function drawing(program: string, source: Source, pdo: string): Promise<string> {
+  return output(program, ["show", "-", pdo, ...format(source), "--quiet", "--color", "never"], source.text, dirname(source.path));
+}
+
+/** The file beside a description that a conversion writes. */
+export function beside(path: string, to: string): string {
+  return join(dirname(path), `${basename(path, extname(path))}.${to}`);
+}
+
+/** Writes a description in another format; the messages say what is lost. `target` is replaced, so ask before. */
+export async function convert(program: string, source: Source, to: string, target: string): Promise<void> {
+  await output(program, ["convert", "-", ...format(source), "--to", to, "-o", target, "--quiet"], source.text, dirname(source.path));
+}
+
+/** Generates code into a folder; files that objdict did not write stay. */
+export async function generate(program: string, source: Source, target: string, folder: string): Promise<void> {
+  await output(program, ["generate", "-", ...format(source), "--target", target, "-o", folder, "--quiet"], source.text, dirname(source.path));
+}
+
+/** Nodes, links, CAN-IDs and load of a network as text. The file is read from the disk, with the descriptions that it names. */
+export function network(program: string, path: string): Promise<string> {
+  return output(program, ["network", "show", path, "--quiet", "--color", "never"], "", dirname(path));
+}

@@ -1,0 +1,139 @@
+// The extension: it starts the language server, and offers the commands of objdict that have no request of the protocol.
+
+import { existsSync } from "node:fs";
+import { basename, extname } from "node:path";
+import * as vscode from "vscode";
+import { type DocumentFilter, LanguageClient } from "vscode-languageclient/node";
+
+import { beside, convert, documentation, drawing, generate, network, objectAt, pdoOf, type Source } from "./description";
+import { findProgram, possibleValues, requireServer } from "./program";
+
+let client: LanguageClient | undefined;
+
+export async function activate(context: vscode.ExtensionContext): Promise<void> {
+  const command = (name: string, action: (program: string) => Promise<void>) =>
+    context.subscriptions.push(
+      vscode.commands.registerCommand(`objdict.${name}`, () => reported(() => action(program(context)))),
+    );
+  command("documentation", showDocumentation);
+  command("pdo", showPdo);
+  command("convert", convertFile);
+  command("generate", generateCode);
+  command("network", showNetwork);
+  command("restart", () => start(context));
+  context.subscriptions.push(
+    vscode.workspace.onDidChangeConfiguration((event) => {
+      if (["objdict.server", "objdict.files"].some((name) => event.affectsConfiguration(name)))
+        void reported(() => start(context));
+    }),
+  );
+  await reported(() => start(context));
+}
+
+export async function deactivate(): Promise<void> {
+  await client?.dispose();
+  client = undefined;
+}
+
+function program(context: vscode.ExtensionContext): string {
+  const setting = vscode.workspace.getConfiguration("objdict").get<string>("server.path", "").trim();
+  return findProgram({ setting, extension: context.extensionPath, path: process.env["PATH"] ?? "" });
+}
+
+async function start(context: vscode.ExtensionContext): Promise<void> {
+  await deactivate();
+  const command = program(context);
+  await requireServer(command);
+  const settings = vscode.workspace.getConfiguration("objdict");
+  const files: DocumentFilter[] = settings.get<string[]>("files", []).map((pattern) => ({ scheme: "file", pattern }));
+  const started = new LanguageClient(
+    "objdict",
+    "objdict",
+    { command, args: ["lsp", ...settings.get<string[]>("server.arguments", [])] },
+    { documentSelector: [{ scheme: "file", language: "eds" }, ...files] },
+  );
+  client = started;
+  await started.start();
+}
+
+/** Runs an action and shows its error, with a way to the setting. */
+async function reported(action: () => Promise<void>): Promise<void> {
+  try {
+    await action();
+  } catch (error) {
+    const message = error instanceof Error ? error.message : String(error);
+    const choice = await vscode.window.showErrorMessage(message, "Open settings");
+    if (choice !== undefined) await vscode.commands.executeCommand("workbench.action.openSettings", "objdict.server");
+  }
+}
+
+function active(): { source: Source; editor: vscode.TextEditor } {
+  const editor = vscode.window.activeTextEditor;
+  if (editor === undefined || editor.document.isUntitled) throw new Error("open and save a description first");
+  return { source: { path: editor.document.uri.fsPath, text: editor.document.getText() }, editor };
+}
+
+async function showDocumentation(program: string): Promise<void> {
+  const { source } = active();
+  const html = await documentation(program, source);
+  // The page has a policy of its own, which lets its one script and style run by their hashes and nothing else.
+  page(`Documentation of ${basename(source.path)}`, html, true);
+}
+
+async function showPdo(program: string): Promise<void> {
+  const { source, editor } = active();
+  const index = objectAt(source.text, editor.selection.active.line);
+  const pdo = index === undefined ? undefined : pdoOf(index);
+  if (pdo === undefined) throw new Error("the cursor is not in a section of a PDO: go to `[1800]`, `[1A00]` or one of their sub-indices");
+  text(pdo, await drawing(program, source, pdo));
+}
+
+async function convertFile(program: string): Promise<void> {
+  const { source } = active();
+  const own = extname(source.path).slice(1).toLowerCase();
+  const formats = (await possibleValues(program, "convert", "to")).filter((format) => format !== own);
+  const to = await vscode.window.showQuickPick(formats, { title: "Convert to" });
+  if (to === undefined) return;
+  const target = beside(source.path, to);
+  if (existsSync(target)) {
+    const replace = "Replace";
+    const answer = await vscode.window.showWarningMessage(`\`${basename(target)}\` exists`, { modal: true }, replace);
+    if (answer !== replace) return;
+  }
+  await convert(program, source, to, target);
+  await vscode.commands.executeCommand("vscode.open", vscode.Uri.file(target));
+}
+
+async function generateCode(program: string): Promise<void> {
+  const { source } = active();
+  const targets = await possibleValues(program, "generate", "target");
+  const target = await vscode.window.showQuickPick(targets, { title: "Generate" });
+  if (target === undefined) return;
+  const folders = await vscode.window.showOpenDialog({ canSelectFiles: false, canSelectFolders: true, openLabel: "Generate here" });
+  const folder = folders?.[0];
+  if (folder === undefined) return;
+  await generate(program, source, target, folder.fsPath);
+  void vscode.window.showInformationMessage(`wrote \`${target}\` to ${folder.fsPath}`);
+}
+
+async function showNetwork(program: string): Promise<void> {
+  const { source, editor } = active();
+  if (editor.document.isDirty) await editor.document.save();
+  text(basename(source.path), await network(program, source.path));
+}
+
+function page(title: string, html: string, enableScripts: boolean): void {
+  const panel = vscode.window.createWebviewPanel("objdict", title, vscode.ViewColumn.Beside, {
+    enableScripts,
+    enableFindWidget: true,
+    localResourceRoots: [],
+  });
+  panel.webview.html = html;
+}
+
+function text(title: string, content: string): void {
+  const escaped = content.replaceAll("&", "&amp;").replaceAll("<", "&lt;");
+  const policy = `<meta http-equiv="Content-Security-Policy" content="default-src 'none'; style-src 'unsafe-inline'">`;
+  const style = "<style>pre { font-family: var(--vscode-editor-font-family, monospace) }</style>";
+  page(title, `<!DOCTYPE html><html lang="en"><head>${policy}${style}</head><body><pre>${escaped}</pre></body></html>`, false);
+}

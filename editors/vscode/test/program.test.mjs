@@ -1,0 +1,85 @@
+import assert from "node:assert/strict";
+import { chmodSync, mkdirSync, mkdtempSync, readFileSync, readdirSync, writeFileSync } from "node:fs";
+import { tmpdir } from "node:os";
+import { join } from "node:path";
+import { test } from "node:test";
+
+import { beside, convert, documentation, drawing, generate, network, objectAt, pdoOf } from "../dist/description.mjs";
+import { findProgram, possibleValues, requireServer } from "../dist/program.mjs";
+import { fixture, objdict } from "./objdict.mjs";
+
+const folder = () => mkdtempSync(join(tmpdir(), "objdict-"));
+const source = (name) => ({ path: fixture(name), text: readFileSync(fixture(name), "utf8") });
+const script = (path, content) => {
+  writeFileSync(path, content);
+  chmodSync(path, 0o755);
+  return path;
+};
+
+test("the program is that of the setting, else the bundled one, else the one on PATH", () => {
+  const extension = folder();
+  const path = folder();
+  const places = { setting: "", extension, path: `:${path}` };
+  assert.throws(() => findProgram(places), /not on PATH: install it/);
+  const onPath = script(join(path, "objdict"), "");
+  assert.equal(findProgram(places), onPath);
+  mkdirSync(join(extension, "server"));
+  const bundled = script(join(extension, "server", "objdict"), "");
+  assert.equal(findProgram(places), bundled);
+  const setting = script(join(path, "other"), "");
+  assert.equal(findProgram({ ...places, setting }), setting);
+  assert.throws(() => findProgram({ ...places, setting: join(path, "none") }), /names `.*none`, which is not a program/);
+});
+
+test("a program without a language server is refused with its version", async () => {
+  await requireServer(objdict);
+  const old = script(join(folder(), "objdict"), '#!/bin/sh\n[ "$1" = --version ] && echo objdict 0.0.1 && exit\nexit 2\n');
+  await assert.rejects(requireServer(old), /\(objdict 0\.0\.1\) has no language server: install a newer/);
+});
+
+test("formats and targets are those of the program", async () => {
+  const formats = await possibleValues(objdict, "convert", "to");
+  assert.ok(formats.includes("xdd") && formats.includes("cdcf.txt"), formats.join());
+  const targets = await possibleValues(objdict, "generate", "target");
+  assert.ok(targets.includes("canopennode") && targets.includes("rust"), targets.join());
+});
+
+test("the documentation is that of the unsaved text, with its policy", async () => {
+  const minimal = source("eds/minimal.eds");
+  const html = await documentation(objdict, { ...minimal, text: minimal.text.replace(/^ProductName=.*$/m, "ProductName=Unsaved") });
+  assert.match(html, /<title>Unsaved<\/title>/);
+  assert.match(html, /Content-Security-Policy" content="default-src 'none'/);
+});
+
+test("the object of a line, and its PDO", () => {
+  const text = "[DeviceInfo]\r\nA=1\r\n[1A01sub2]\r\nX=1\r\n[1600]\n";
+  assert.deepEqual([0, 1, 2, 3, 4].map((line) => objectAt(text, line)), [undefined, undefined, "1A01", "1A01", "1600"]);
+  assert.deepEqual(["1800", "1A01", "1600", "15FF", "1018"].map(pdoOf), ["tpdo1", "tpdo2", "rpdo1", "rpdo512", undefined]);
+});
+
+test("the drawing of a PDO names what it maps", async () => {
+  const io = source("eds/io-401.eds");
+  assert.match(await drawing(objdict, io, pdoOf("1A00")), /0x1A00[^]*0x6000/);
+});
+
+test("a conversion writes beside the description, and the program reads it", async () => {
+  const path = join(folder(), "a.b.eds");
+  const target = beside(path, "xdd");
+  assert.match(target, /a\.b\.xdd$/);
+  await convert(objdict, { ...source("eds/minimal.eds"), path }, "xdd", target);
+  assert.match(readFileSync(target, "utf8"), /<ISO15745ProfileContainer/);
+  await assert.rejects(convert(objdict, { path, text: "no description" }, "xdd", target), /./);
+});
+
+test("code is generated into a folder", async () => {
+  const to = folder();
+  await generate(objdict, source("eds/minimal.eds"), "rust", to);
+  const written = readdirSync(to).filter((name) => name.endsWith(".rs"));
+  assert.equal(written.length, 1);
+  assert.match(readFileSync(join(to, written[0]), "utf8"), /0x1018/i);
+});
+
+test("a network is shown from its descriptions", async () => {
+  const shown = await network(objdict, fixture("eds/minimal.eds"));
+  assert.match(shown, /Minimal node/);
+});
