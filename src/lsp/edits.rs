@@ -2,7 +2,6 @@
 
 use lsp_types::{CodeAction, CodeActionKind, TextEdit};
 
-use super::compact;
 use super::file::File;
 use crate::diagnostic::{Change, Fix};
 use crate::format::Description;
@@ -31,7 +30,6 @@ pub(super) fn refactorings(file: &File, description: &Description, offset: u32) 
     let mut fixes = Vec::new();
     if let Some(index) = place.part.object() {
         fixes.extend(new_sub_index(device, index));
-        fixes.extend(compact::stored_otherwise(description, index));
         let has_subs = device.object(index).is_some_and(|object| object.object_type().has_subs());
         match place.part {
             Part::Entry(_, sub) => fixes.extend(mapped(device, index, sub)),

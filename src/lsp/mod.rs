@@ -10,7 +10,6 @@ mod baseline;
 mod beside;
 mod call;
 mod capabilities;
-mod compact;
 mod completion;
 mod cursor;
 mod diagnostics;

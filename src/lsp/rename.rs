@@ -114,7 +114,7 @@ fn refusal(file: &File, target: &Target) -> Option<String> {
         description.device().object(target.index).is_some_and(|object| object.compact.is_some())
     }) {
         return Some(format!(
-            "{:04X}h is stored compactly in `{name}`; write its sub-indexes out first",
+            "{:04X}h is stored compactly in `{name}`; describe its sub-indexes one by one first",
             target.index
         ));
     }
