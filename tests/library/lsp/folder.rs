@@ -231,18 +231,3 @@ fn findings_are_added_to_the_baseline_of_the_editor() {
     client.note("workspace/didChangeWatchedFiles", json!({ "changes": [] }));
     assert_eq!(client.findings("a.eds"), json!([]));
 }
-
-#[test]
-fn the_second_device_of_a_file_is_fixed_at_its_place() {
-    let mut client = Client::start();
-    let good = fixture("nxdd/line.nxdd").replace('\r', "");
-    let at = good.rfind("subNumber=\"2\"").unwrap() + "subNumber=\"".len();
-    let bad = format!("{}7{}", &good[..at], &good[at + 1..]);
-    let found = client.open("line.nxdd", &bad);
-    assert_eq!(found[0]["range"]["start"], super::client::position(&bad, at), "{found}");
-    let offered = actions(&mut client, "line.nxdd", &bad, "7\">");
-    let edits = offered.iter().map(|action| &action["edit"]["changes"][client.uri("line.nxdd")]);
-    let fixed: Vec<String> =
-        edits.filter(|edits| edits.is_array()).map(|edits| edited(&bad, edits)).collect();
-    assert!(fixed.contains(&good), "{offered:?}");
-}
