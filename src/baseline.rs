@@ -1,18 +1,18 @@
 //! Findings that are known: a check with a baseline reports what came since (docs/config.md).
 
 use std::collections::{BTreeMap, BTreeSet};
-#[cfg(all(feature = "lint", feature = "generate"))]
+#[cfg(any(all(feature = "lint", feature = "generate"), feature = "lsp"))]
 use std::path::{Path, PathBuf};
 
 use serde::{Deserialize, Serialize};
 
 use crate::diagnostic::Findings;
 use crate::report::{FINGERPRINT_NAME, Fingerprint, Subject, fingerprints};
-#[cfg(all(feature = "lint", feature = "generate"))]
+#[cfg(any(all(feature = "lint", feature = "generate"), feature = "lsp"))]
 use crate::source::absolute;
 
 /// The largest baseline in bytes: 80,000 findings, which take 40 MB of memory.
-#[cfg(all(feature = "lint", feature = "generate"))]
+#[cfg(any(all(feature = "lint", feature = "generate"), feature = "lsp"))]
 pub(crate) const MAX_SIZE: u64 = 16 << 20;
 
 /// The version of the file.
@@ -169,14 +169,14 @@ impl Baseline {
 }
 
 /// The folder that the names in a baseline start from.
-#[cfg(all(feature = "lint", feature = "generate"))]
+#[cfg(any(all(feature = "lint", feature = "generate"), feature = "lsp"))]
 pub(crate) fn folder_of(path: &Path) -> PathBuf {
     let path = absolute(path);
     path.parent().unwrap_or(&path).to_owned()
 }
 
 /// What a file is called from the folder of a baseline, with `/` between folders.
-#[cfg(all(feature = "lint", feature = "generate"))]
+#[cfg(any(all(feature = "lint", feature = "generate"), feature = "lsp"))]
 pub(crate) fn name_in(baseline: &Path, file: &str) -> String {
     if file.starts_with('<') {
         // the standard input

@@ -13,9 +13,17 @@ use crate::registry;
 use crate::registry::own::{INVALID_TOML, UNKNOWN_SETTING, invalid_setting, unknown_rule};
 use crate::source::Span;
 
-/// The settings, in the order of docs/config.md.
-const SETTINGS: [&str; 8] =
-    ["profiles", "patches", "node-id", "compat", "deny", "exclude", "rules", "ignore"];
+/// The settings with their meanings, in the order of docs/config.md.
+pub(crate) const SETTINGS: [(&str, &str); 8] = [
+    ("profiles", "Profiles that all files are checked against: numbers, or files."),
+    ("patches", "Patches that are applied to the files that they are for."),
+    ("node-id", "The node-ID that formulas are evaluated for."),
+    ("compat", "Tools that the files must be compatible with."),
+    ("deny", "The lowest severity that fails the run: `note`, `warning`, `error`."),
+    ("exclude", "Patterns of files that are not checked."),
+    ("rules", "The severity of rules and groups: `off`, `note`, `warning`, `error`."),
+    ("ignore", "Rules that are not reported in the files of a pattern."),
+];
 
 type Value<'a> = Spanned<DeValue<'a>>;
 
@@ -106,9 +114,11 @@ impl Reader<'_> {
                     span_of(&key.span()),
                     say!("there is no setting `{}`", unknown),
                 );
-                self.findings.push(match nearest(unknown, SETTINGS) {
+                self.findings.push(match nearest(unknown, SETTINGS.map(|(name, _)| name)) {
                     Some(meant) => finding.help(say!("did you mean `{}`?", meant)),
-                    None => finding.help(say!("the settings are {}", listing(SETTINGS))),
+                    None => {
+                        finding.help(say!("the settings are {}", listing(SETTINGS.map(|(name, _)| name))))
+                    }
                 });
             }
         }

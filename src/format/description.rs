@@ -217,6 +217,15 @@ impl Description {
         }
     }
 
+    /// Where a `device.toml` names its objects; `None` for another format.
+    #[cfg(feature = "lsp")]
+    pub(crate) fn toml_mentions(&self) -> Option<Vec<super::mention::Mention>> {
+        match &self.text {
+            Text::Toml(document) => Some(document.mentions()),
+            _ => None,
+        }
+    }
+
     /// The files that a `device.toml` extends, which say a part of what the device is.
     pub fn extended_files(&self) -> &[std::path::PathBuf] {
         match &self.text {

@@ -22,6 +22,8 @@ pub mod json;
 mod keyed;
 #[cfg(feature = "document")]
 pub mod log;
+#[cfg(feature = "lsp")]
+pub(crate) mod mention;
 #[cfg(feature = "network")]
 pub mod network;
 #[cfg(feature = "node")]
@@ -88,6 +90,12 @@ pub fn write(device: &Device, format: Format, options: &WriteOptions) -> Result<
 #[cfg(feature = "toml")]
 pub fn device_schema() -> serde_json::Value {
     device_toml::schema()
+}
+
+/// The words for data types in files that people write.
+#[cfg(feature = "lsp")]
+pub(crate) fn type_words() -> impl Iterator<Item = &'static str> {
+    keyed::types::TYPES.iter().map(|(word, _)| *word)
 }
 
 /// The `device.toml` of a [new device](crate::scaffold::scaffold): its profile, identity and features, with an example of an

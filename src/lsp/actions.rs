@@ -1,15 +1,21 @@
 //! Quick fixes and other changes of a file.
 
-use lsp_types::{CodeAction, CodeActionKind, CodeActionOrCommand, Diagnostic};
+use std::collections::BTreeMap;
+use std::path::Path;
+
+use lsp_types::{CodeAction, CodeActionKind, CodeActionOrCommand};
 use serde::{Deserialize, Serialize};
 
+use super::beside::{self, Target};
 use super::diagnostics::Maker;
-use super::edits;
 use super::file::File;
+use super::workspace::Workspace;
+use super::{baseline, documentation, edits};
 use crate::check::insertion;
 use crate::diagnostic::{self, Applicability, Findings, Fix};
 use crate::format::{self, Description};
 use crate::registry;
+use crate::report::Subject;
 use crate::source::{SourceFile, Span};
 
 /// So many findings of a range get quick fixes: each is tried on the text.
@@ -27,124 +33,228 @@ pub(super) enum Fixes {
     OfRule(String),
 }
 
+/// What an action does that is made when the user chooses it.
+#[derive(Clone, Debug, Serialize, Deserialize)]
+#[serde(rename_all = "kebab-case")]
+pub(super) enum Work {
+    Fix(Fixes),
+    /// Writes the description in another syntax into a new file.
+    Convert(Target),
+    /// Adds the node of a DCF to the network of its folder.
+    AddNode,
+    /// Adds the findings of a rule to the baseline.
+    AddToBaseline(String),
+}
+
 /// What an action needs when it is resolved.
 #[derive(Clone, Debug, Serialize, Deserialize)]
 pub(super) struct Wanted {
     pub(super) uri: String,
-    fixes: Fixes,
+    work: Work,
 }
 
 /// The actions in a range of a file.
-pub(super) fn actions(file: &File, span: Span, only: Option<&[CodeActionKind]>) -> Vec<CodeActionOrCommand> {
-    let Some(description) = file.description() else { return Vec::new() };
+pub(super) fn actions(
+    file: &File,
+    workspace: &Workspace,
+    span: Span,
+    only: Option<&[CodeActionKind]>,
+) -> Vec<CodeActionOrCommand> {
     let is_asked = |kind: &CodeActionKind| {
         only.is_none_or(|only| only.iter().any(|asked| kind.as_str().starts_with(asked.as_str())))
     };
     let mut actions = Vec::new();
     if is_asked(&CodeActionKind::QUICKFIX) {
-        actions.extend(quick_fixes(file, description, span));
+        actions.extend(quick_fixes(file, span));
+        actions.extend(known(file, workspace, span));
     }
+    let Some(description) = file.description() else { return shown(actions) };
     let has_fix = file.analysis.findings.iter().flatten().any(|finding| finding.fix.is_some());
     let fix_all = CodeActionKind::SOURCE_FIX_ALL;
     if has_fix && is_asked(&fix_all) {
-        actions.push(later(file, "fix all findings that have a safe fix", Fixes::Safe, fix_all));
+        let title = "fix all findings that have a safe fix";
+        actions.push(later(file, title, Work::Fix(Fixes::Safe), fix_all));
         let title = "fix all findings, also with unsafe fixes";
-        actions.push(later(file, title, Fixes::Unsafe, CodeActionKind::new("source.fixAllUnsafe")));
+        let kind = CodeActionKind::new("source.fixAllUnsafe");
+        actions.push(later(file, title, Work::Fix(Fixes::Unsafe), kind));
     }
     if is_asked(&CodeActionKind::REFACTOR) {
         actions.extend(edits::refactorings(file, description, span.start));
+        if workspace.client.creates_files {
+            let refactor = |title: &str, work| later(file, title, work, CodeActionKind::REFACTOR);
+            let targets = beside::targets(file, description).into_iter();
+            actions.extend(targets.map(|target| refactor(&target.title(file), Work::Convert(target))));
+            if beside::is_node(description) {
+                actions.push(refactor("add the node to the network of the folder", Work::AddNode));
+            }
+        }
     }
+    if workspace.client.shows_documents && is_asked(&documentation::kind()) {
+        actions.push(documentation::action(file));
+    }
+    shown(actions)
+}
+
+fn shown(actions: Vec<CodeAction>) -> Vec<CodeActionOrCommand> {
     actions.into_iter().map(CodeActionOrCommand::CodeAction).collect()
 }
 
 /// An action whose edits are made when it is chosen.
-fn later(file: &File, title: &str, fixes: Fixes, kind: CodeActionKind) -> CodeAction {
-    let wanted = Wanted { uri: file.uri.as_str().to_owned(), fixes };
+fn later(file: &File, title: &str, work: Work, kind: CodeActionKind) -> CodeAction {
+    let wanted = Wanted { uri: file.uri.as_str().to_owned(), work };
     let data = serde_json::to_value(wanted).ok();
     CodeAction { title: title.to_owned(), kind: Some(kind), data, ..CodeAction::default() }
 }
 
-/// The fixes of findings that touch a range, and comments that suppress them.
-fn quick_fixes(file: &File, description: &Description, span: Span) -> Vec<CodeAction> {
-    let subject = file.analysis.subject();
-    let maker = Maker { subject, uri: &file.uri, unit: file.unit };
-    let at = |finding: &diagnostic::Diagnostic| {
-        finding.labels.first().map(|label| subject.span_of(&label.at)).unwrap_or_default()
+/// Adding the findings of a range to the baseline, if there is one.
+fn known(file: &File, workspace: &Workspace, span: Span) -> Vec<CodeAction> {
+    let Some(name) = workspace.baseline.as_deref().and_then(Path::file_name) else { return Vec::new() };
+    let mut rules = Vec::new();
+    file.analysis.map_subjects(|subject, findings| {
+        let is_here = |finding: &&diagnostic::Diagnostic| {
+            let at = finding.labels.first().map(|label| subject.span_of(&label.at)).unwrap_or_default();
+            at.start <= span.end && span.start <= at.end
+        };
+        rules.extend(findings.iter().filter(is_here).map(|finding| finding.rule.id));
+    });
+    rules.sort_unstable();
+    rules.dedup();
+    let action = |rule: &str| {
+        let title = format!("add the findings of {rule} in this file to `{}`", name.to_string_lossy());
+        later(file, &title, Work::AddToBaseline(rule.to_owned()), CodeActionKind::QUICKFIX)
     };
-    let findings = file.analysis.findings.first().map(Findings::iter).unwrap_or_default();
-    let is_here = |finding: &&diagnostic::Diagnostic| {
-        let at = at(finding);
-        at.start <= span.end && span.start <= at.end
-    };
-    let here: Vec<&diagnostic::Diagnostic> = findings.filter(is_here).take(MAX_TRIED).collect();
+    rules.into_iter().map(action).collect()
+}
+
+/// The fixes of findings that touch a range, and comments that suppress them; of each device of a file.
+fn quick_fixes(file: &File, span: Span) -> Vec<CodeAction> {
+    let mut left = MAX_TRIED;
     let mut actions = Vec::new();
-    for finding in &here {
-        let made = maker.of_finding(finding);
-        actions.extend(fix(file, description, finding, &made));
-    }
-    for finding in &here {
-        let made = maker.of_finding(finding);
-        let rule = finding.rule.id;
-        if finding.fix.is_some() {
-            let title = format!("fix all findings of {rule}");
-            let fix_rule = later(file, &title, Fixes::OfRule(rule.to_owned()), CodeActionKind::QUICKFIX);
-            if actions.iter().all(|action: &CodeAction| action.title != title) {
-                actions.push(CodeAction { diagnostics: Some(vec![made.clone()]), ..fix_rule });
-            }
+    file.analysis.map_subjects(|subject, findings| {
+        let at = |finding: &diagnostic::Diagnostic| {
+            finding.labels.first().map(|label| subject.span_of(&label.at)).unwrap_or_default()
+        };
+        let is_here = |finding: &&diagnostic::Diagnostic| {
+            let at = at(finding);
+            at.start <= span.end && span.start <= at.end
+        };
+        let here: Vec<&diagnostic::Diagnostic> = findings.iter().filter(is_here).take(left).collect();
+        left -= here.len();
+        let maker = Maker { subject, uri: &file.uri, unit: file.unit };
+        for finding in here {
+            of_finding(file, &maker, findings, (finding, at(finding)), &mut actions);
         }
-        if let Some(edit) = insertion(description, at(finding).start, rule) {
-            actions.push(CodeAction {
-                title: format!("allow {rule} here, with a comment"),
-                kind: Some(CodeActionKind::QUICKFIX),
-                diagnostics: Some(vec![made]),
-                edit: Some(file.workspace_edit(file.edits(vec![edit]))),
-                ..CodeAction::default()
-            });
-        }
-    }
+    });
+    // what fixes a finding comes before what hides it
+    actions.sort_by_key(|action| action.edit.is_none() || action.title.starts_with("allow "));
     actions
 }
 
-/// The fix of a finding, where it fixes the finding and causes no other.
-fn fix(
+/// What can be done about a finding at its place.
+fn of_finding(
+    file: &File,
+    maker: &Maker<'_>,
+    findings: &Findings,
+    (finding, at): (&diagnostic::Diagnostic, Span),
+    actions: &mut Vec<CodeAction>,
+) {
+    let made = maker.of_finding(finding);
+    let rule = finding.rule.id;
+    let quick = |title: String, edits: Vec<(Span, String)>| CodeAction {
+        title,
+        kind: Some(CodeActionKind::QUICKFIX),
+        diagnostics: Some(vec![made.clone()]),
+        edit: Some(file.workspace_edit(file.edits(edits))),
+        ..CodeAction::default()
+    };
+    if let Some(meant) = meant(file, finding, at) {
+        actions.push(CodeAction {
+            is_preferred: Some(true),
+            ..quick(format!("replace it by `{meant}`"), vec![(at, meant)])
+        });
+    }
+    let Subject::Description(description) = maker.subject else { return };
+    actions.extend(fix(file, description, findings, finding).map(|(fix, edits)| {
+        let is_safe = fix.safety == Applicability::Safe;
+        let note = if is_safe { "" } else { " (unsafe)" };
+        CodeAction { is_preferred: Some(is_safe), ..quick(format!("{}{note}", fix.title.shown()), edits) }
+    }));
+    if finding.fix.is_some() {
+        let title = format!("fix all findings of {rule}");
+        if actions.iter().all(|action| action.title != title) {
+            let work = Work::Fix(Fixes::OfRule(rule.to_owned()));
+            let fix_rule = later(file, &title, work, CodeActionKind::QUICKFIX);
+            actions.push(CodeAction { diagnostics: Some(vec![made.clone()]), ..fix_rule });
+        }
+    }
+    if let Some(edit) = insertion(description, at.start, rule) {
+        actions.push(quick(format!("allow {rule} here, with a comment"), vec![edit]));
+    }
+}
+
+/// The edits of the fix of a finding, where it fixes the finding and causes no other.
+fn fix<'f>(
     file: &File,
     description: &Description,
-    finding: &diagnostic::Diagnostic,
-    made: &Diagnostic,
-) -> Option<CodeAction> {
-    let fix: &Fix = finding.fix.as_ref()?;
+    findings: &Findings,
+    finding: &'f diagnostic::Diagnostic,
+) -> Option<(&'f Fix, Vec<(Span, String)>)> {
+    let fix = finding.fix.as_ref()?;
     let edits = description.edits(fix)?;
     let is_it = |other: &diagnostic::Diagnostic| {
         std::ptr::eq(other.rule, finding.rule) && other.labels == finding.labels
     };
-    let findings = file.analysis.findings.first()?.clone();
-    let alone = findings.filter_map(|mut other| {
+    let alone = findings.clone().filter_map(|mut other| {
         other.fix = other.fix.take().filter(|_| is_it(&other));
         Some(other)
     });
     let tried = crate::with_sound_fixes(description, alone, |text| file.analysis.check(text));
     let is_sound =
         tried.iter().any(|other| is_it(other) && other.fix.as_ref().is_some_and(|fix| fix.is_offered));
-    if !is_sound {
-        return None;
-    }
-    let is_safe = fix.safety == Applicability::Safe;
-    let note = if is_safe { "" } else { " (unsafe)" };
-    Some(CodeAction {
-        title: format!("{}{note}", fix.title.shown()),
-        kind: Some(CodeActionKind::QUICKFIX),
-        diagnostics: Some(vec![made.clone()]),
-        edit: Some(file.workspace_edit(file.edits(edits))),
-        is_preferred: Some(is_safe),
-        ..CodeAction::default()
-    })
+    is_sound.then_some((fix, edits))
+}
+
+/// The word that a finding asks for in place of a misspelled one, if the file has one finding less with it and no other.
+fn meant(file: &File, finding: &diagnostic::Diagnostic, at: Span) -> Option<String> {
+    let help = finding.help.as_ref()?.shown();
+    let word = help.strip_prefix("did you mean `")?.strip_suffix("`?")?;
+    let text = at.of(file.text());
+    let quote = text.chars().next().filter(|first| matches!(first, '"' | '\''));
+    let quote = quote.map(String::from).unwrap_or_default();
+    let new = format!("{quote}{word}{quote}");
+    let after = file.again_with(&[(at, new.clone())])?;
+    let counts = |file: &File| {
+        let mut counts = BTreeMap::new();
+        for found in file.analysis.findings.iter().flatten() {
+            *counts.entry(found.rule.id).or_insert(0_usize) += 1;
+        }
+        (counts, file.analysis.errors.len())
+    };
+    let (mut before, errors) = counts(file);
+    let (after, errors_after) = counts(&after);
+    *before.get_mut(finding.rule.id)? -= 1;
+    let causes_none =
+        after.iter().all(|(rule, count)| before.get(rule).is_some_and(|before| count <= before));
+    (causes_none && errors_after <= errors).then_some(new)
 }
 
 /// The edits of an action that was chosen.
-pub(super) fn resolve(file: &File, mut action: CodeAction, wanted: &Wanted) -> CodeAction {
-    if let Some(text) = file.description().and_then(|_| text_after(file, &wanted.fixes)) {
-        action.edit = Some(file.workspace_edit(file.edits_to(&text)));
-    }
+pub(super) fn resolve(
+    file: &File,
+    workspace: &mut Workspace,
+    mut action: CodeAction,
+    wanted: &Wanted,
+) -> CodeAction {
+    let edit = match &wanted.work {
+        Work::Fix(fixes) => workspace.reading(|| {
+            let text = file.description().and_then(|_| text_after(file, fixes))?;
+            Some(file.workspace_edit(file.edits_to(&text)))
+        }),
+        Work::Convert(target) => workspace.reading(|| target.edit(file)),
+        Work::AddNode => beside::add_node(file, workspace),
+        Work::AddToBaseline(rule) => baseline::addition(file, workspace, rule),
+    };
+    action.edit = edit.or(action.edit);
     action
 }
 

@@ -1,6 +1,7 @@
 //! What a file is, and what is found in it: the same as `objdict check` and `objdict network check` find.
 
 use std::path::Path;
+use std::rc::Rc;
 
 use crate::check::{of_devices, with_origin_beside};
 use crate::check_with;
@@ -13,7 +14,7 @@ use crate::format::patch::Patch;
 use crate::format::{self, Description, ReadError};
 use crate::lint::{Options, Severities};
 use crate::profile::{OpenError, Profile};
-use crate::report::{Subject, grouped};
+use crate::report::Subject;
 use crate::source::{CONFIG_FILE, Encoding, MAX_TOML_SIZE, SourceFile, SourceOptions, Span};
 
 /// What is in a file.
@@ -38,6 +39,8 @@ pub(super) struct Analysis {
     /// Errors that are not findings of rules: why the file cannot be read.
     pub(super) errors: Vec<ReadProblem>,
     pub(super) options: Options,
+    /// The configuration that holds for the file.
+    project: Rc<Option<Project>>,
 }
 
 /// Why a file cannot be read or used.
@@ -74,9 +77,23 @@ impl Analysis {
         }
     }
 
-    /// The findings as `objdict check` groups them, each with what it is about.
-    pub(super) fn grouped(&self) -> impl Iterator<Item = Findings> {
-        self.findings.iter().map(|findings| grouped(self.subject(), findings.clone()))
+    /// What a function makes of each device of the file and its findings; of another file, of all of it.
+    pub(super) fn map_subjects<T>(&self, mut make: impl FnMut(Subject<'_>, &Findings) -> T) -> Vec<T> {
+        let mut findings = self.findings.iter();
+        let Some(description) = self.description() else {
+            return findings.map(|findings| make(self.subject(), findings)).collect();
+        };
+        let made = description.map_devices(|device| Some(make(device.into(), findings.next()?)));
+        made.into_iter().flatten().collect()
+    }
+
+    /// What is found in another text of the file.
+    pub(super) fn again(&self, text: &str) -> Self {
+        let source = self.subject().source();
+        let encoding = Some(source.encoding()).filter(|encoding| *encoding != Encoding::Utf8);
+        let bytes = encoding.and_then(|encoding| encoding.encode(text).ok());
+        let bytes = bytes.unwrap_or_else(|| text.as_bytes().to_vec());
+        analyse(Path::new(source.name()), bytes, encoding, Rc::clone(&self.project))
     }
 
     /// What a check finds in another text of the description.
@@ -85,12 +102,22 @@ impl Analysis {
     }
 
     fn of(content: Content, findings: Findings, options: Options) -> Self {
-        Self { content, findings: vec![findings], errors: Vec::new(), options }
+        Self { content, findings: vec![findings], errors: Vec::new(), options, project: Rc::default() }
     }
 }
 
 /// Reads and checks a file.
 pub(super) fn analyse(
+    path: &Path,
+    bytes: Vec<u8>,
+    encoding: Option<Encoding>,
+    project: Rc<Option<Project>>,
+) -> Analysis {
+    let analysis = read_and_checked(path, bytes, encoding, (*project).as_ref());
+    Analysis { project, ..analysis }
+}
+
+fn read_and_checked(
     path: &Path,
     bytes: Vec<u8>,
     encoding: Option<Encoding>,
@@ -152,13 +179,12 @@ fn of_description(path: &Path, description: Description, options: Options) -> An
     let description = with_origin_beside(path, description, &SourceOptions::default());
     let findings = of_devices(&description, |device| check_with(device, &options));
     let content = Content::Description(Box::new(description));
-    Analysis { content, findings, errors: Vec::new(), options }
+    Analysis { findings, ..Analysis::of(content, Findings::new(), options) }
 }
 
 fn of_error(error: &ReadError, source: SourceFile, options: Options) -> Analysis {
     let problem = ReadProblem { span: Span::default(), message: error.to_string(), help: error.help() };
-    let (content, findings) = (Content::Foreign(source), vec![Findings::new()]);
-    Analysis { content, findings, errors: vec![problem], options }
+    Analysis { errors: vec![problem], ..Analysis::of(Content::Foreign(source), Findings::new(), options) }
 }
 
 /// A network, a patch or a profile; anything else has no findings.

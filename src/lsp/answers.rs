@@ -3,19 +3,23 @@
 use lsp_server::{Request, Response};
 use lsp_types::request::{
     CodeActionRequest, CodeActionResolveRequest, CodeLensRequest, Completion, DocumentLinkRequest,
-    DocumentSymbolRequest, FoldingRangeRequest, Formatting, GotoDefinition, HoverRequest, InlayHintRequest,
-    PrepareRenameRequest, References, Rename, ResolveCompletionItem, SelectionRangeRequest,
+    DocumentSymbolRequest, ExecuteCommand, FoldingRangeRequest, Formatting, GotoDefinition, HoverRequest,
+    InlayHintRequest, PrepareRenameRequest, References, Rename, ResolveCompletionItem, SelectionRangeRequest,
     SemanticTokensFullRequest, WorkspaceSymbolRequest,
 };
 use lsp_types::{
     CodeActionParams, CompletionResponse, DocumentSymbolResponse, SemanticTokensResult,
     TextDocumentPositionParams, Uri, WorkspaceSymbolResponse,
 };
+use serde_json::Value;
 
 use super::call::Call;
 use super::file::File;
 use super::workspace::Workspace;
-use super::{actions, completion, edits, hints, hover, navigation, symbols, tokens};
+use super::{actions, completion, documentation, edits, hints, hover, navigation, rename, symbols, tokens};
+
+/// What is said of a file that is neither open nor on the disk.
+const NOT_OPEN: &str = "the file is not open";
 
 /// The answer to a request.
 pub(super) fn answer(workspace: &mut Workspace, request: Request) -> Option<Response> {
@@ -39,7 +43,8 @@ fn about_places(workspace: &mut Workspace, call: Call) -> Call {
     })
     .on::<Completion>(|params| {
         let (file, offset) = at(workspace, &params.text_document_position)?;
-        Some(CompletionResponse::Array(completion::completion(&file, offset)))
+        let items = workspace.reading(|| completion::completion(&file, offset));
+        Some(CompletionResponse::Array(items))
     })
     .on::<ResolveCompletionItem>(|mut item| {
         let wanted =
@@ -53,15 +58,15 @@ fn about_places(workspace: &mut Workspace, call: Call) -> Call {
     })
     .on::<GotoDefinition>(|params| {
         let (file, offset) = at(workspace, &params.text_document_position_params)?;
-        navigation::definition(&file, workspace, offset)
+        navigation::definition(&file, offset)
     })
     .on::<References>(|params| {
         let (file, offset) = at(workspace, &params.text_document_position)?;
-        Some(navigation::references(&file, offset))
+        Some(navigation::references(&file, workspace, offset))
     })
-    .on::<PrepareRenameRequest>(|params| {
-        let (file, offset) = at(workspace, &params)?;
-        navigation::prepare_rename(&file, offset)
+    .try_on::<PrepareRenameRequest>(|params| {
+        let (file, offset) = at(workspace, &params).ok_or_else(|| NOT_OPEN.to_owned())?;
+        rename::prepare(&file, offset).map(Some)
     })
     .on::<SelectionRangeRequest>(|params| {
         let file = workspace.file(&params.text_document.uri)?;
@@ -108,21 +113,30 @@ fn with_edits(workspace: &mut Workspace, call: Call) -> Call {
     })
     .try_on::<Rename>(|params| {
         let (file, offset) =
-            at(workspace, &params.text_document_position).ok_or_else(|| "the file is not open".to_owned())?;
-        navigation::rename(&file, offset, &params.new_name).map(Some)
+            at(workspace, &params.text_document_position).ok_or_else(|| NOT_OPEN.to_owned())?;
+        rename::rename(&file, workspace, offset, &params.new_name).map(Some)
+    })
+    .try_on::<ExecuteCommand>(|params| {
+        let uri = params.arguments.first().and_then(Value::as_str).unwrap_or_default();
+        let file = file_of(workspace, uri).ok_or_else(|| NOT_OPEN.to_owned())?;
+        match &*params.command {
+            documentation::PAGE => documentation::page(&file).map(|page| Some(Value::from(page))),
+            documentation::SHOW => documentation::show(&file, workspace).map(|()| None),
+            other => Err(format!("there is no command `{other}`")),
+        }
     })
     .on::<CodeActionRequest>(|params| {
         let CodeActionParams { text_document, range, context, .. } = params;
         let file = workspace.file(&text_document.uri)?;
         let span = file.positions().span(range);
-        Some(workspace.reading(|| actions::actions(&file, span, context.only.as_deref())))
+        Some(workspace.reading(|| actions::actions(&file, workspace, span, context.only.as_deref())))
     })
     .on::<CodeActionResolveRequest>(|action| {
         let wanted =
             action.data.clone().and_then(|data| serde_json::from_value::<actions::Wanted>(data).ok());
         let Some(wanted) = wanted else { return action };
         match file_of(workspace, &wanted.uri) {
-            Some(file) => workspace.reading(|| actions::resolve(&file, action, &wanted)),
+            Some(file) => actions::resolve(&file, workspace, action, &wanted),
             None => action,
         }
     })

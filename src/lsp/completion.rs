@@ -7,7 +7,7 @@ use lsp_types::{
 use serde::{Deserialize, Serialize};
 
 use super::file::File;
-use super::{network, words};
+use super::{keyed, markup, words};
 use crate::diagnostic::{Change, Fix, section_name};
 use crate::format::Description;
 use crate::format::eds::{self, additions, is_key_of};
@@ -33,8 +33,11 @@ pub(super) fn completion(file: &File, offset: u32) -> Vec<CompletionItem> {
     if let Some(items) = rules(file, offset) {
         return items;
     }
-    let Some(description) = file.description() else { return network::completion(file, offset) };
-    let Some(document) = description.document() else { return Vec::new() };
+    let Some(description) = file.description() else { return keyed::completion(file, offset) };
+    if let Some(tree) = description.tree() {
+        return markup::completion(file, tree, offset);
+    }
+    let Some(document) = description.document() else { return keyed::completion(file, offset) };
     let completer = Completer { file, description, document, offset };
     let Some(line) = document.line_at(offset) else {
         // an empty file, or the line behind the last one
@@ -60,7 +63,12 @@ fn rules(file: &File, offset: u32) -> Option<Vec<CompletionItem>> {
     let line = &before[before.rfind(['\n', '\r']).map_or(0, |end| end + 1)..];
     let is_comment = line.to_ascii_lowercase().contains("objdict: allow");
     let is_config = file.source().name().ends_with(crate::source::CONFIG_FILE);
-    if !is_comment && !is_config {
+    // settings are no rules: they begin a line before the first table
+    let is_setting = is_config
+        && !line.contains(['=', '"', '[', ' '])
+        && !before.contains("\n[")
+        && !before.starts_with('[');
+    if !is_comment && (!is_config || is_setting) {
         return None;
     }
     let word = file.word(offset);

@@ -11,7 +11,7 @@ use super::analysis::{Analysis, ReadProblem};
 use super::position::{ColumnUnit, Positions};
 use super::uri::of_path;
 use crate::diagnostic::{self, Severity, SourceLabel, Text};
-use crate::report::Subject;
+use crate::report::{Subject, grouped};
 use crate::source::SourceFile;
 
 /// What diagnostics say that they are from.
@@ -20,14 +20,16 @@ const SOURCE: &str = "objdict";
 /// So many related places of a finding are sent.
 const MAX_RELATED: usize = 50;
 
-/// The diagnostics of a file, in the order of its text.
+/// The diagnostics of a file, in the order of its text; those of the devices of a file one after the other.
 pub(super) fn of(analysis: &Analysis, uri: &Uri, unit: ColumnUnit) -> Vec<Diagnostic> {
     let maker = Maker { subject: analysis.subject(), uri, unit };
-    let errors = analysis.errors.iter().map(|problem| maker.of_problem(problem));
-    let mut made: Vec<Diagnostic> = errors.collect();
-    for findings in analysis.grouped() {
-        made.extend(findings.iter().map(|finding| maker.of_finding(finding)));
-    }
+    let mut made: Vec<Diagnostic> = analysis.errors.iter().map(|problem| maker.of_problem(problem)).collect();
+    let of_devices = analysis.map_subjects(|subject, findings| {
+        let maker = Maker { subject, uri, unit };
+        let findings = grouped(subject, findings.clone());
+        findings.iter().map(|finding| maker.of_finding(finding)).collect::<Vec<_>>()
+    });
+    made.extend(of_devices.into_iter().flatten());
     made
 }
 

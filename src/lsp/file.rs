@@ -10,7 +10,7 @@ use crate::diagnostic::At;
 use crate::format::Description;
 use crate::line_diff::changes;
 use crate::model::Place;
-use crate::source::{SourceFile, Span};
+use crate::source::{Edits, SourceFile, Span};
 
 /// A file with its findings, and how its positions are counted.
 #[derive(Clone)]
@@ -23,6 +23,23 @@ pub(super) struct File {
 impl File {
     pub(super) fn source(&self) -> &SourceFile {
         self.analysis.subject().source()
+    }
+
+    /// The name without its folders.
+    pub(super) fn name(&self) -> &str {
+        self.source().name().rsplit(['/', '\\']).next().unwrap_or_default()
+    }
+
+    /// The file with another text, which is read and checked; buffers count only where files are read in front of them.
+    pub(super) fn again(&self, text: &str) -> Self {
+        Self { analysis: Rc::new(self.analysis.again(text)), ..self.clone() }
+    }
+
+    /// The same with edits of its text; `None` where they overlap.
+    pub(super) fn again_with(&self, edits: &[(Span, String)]) -> Option<Self> {
+        let mut edited = Edits::new(self.source());
+        edits.iter().for_each(|(span, new)| edited.replace(*span, new.as_str()));
+        Some(self.again(&edited.text().ok()?))
     }
 
     pub(super) fn text(&self) -> &str {

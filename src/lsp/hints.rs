@@ -3,10 +3,11 @@
 use lsp_types::{CodeLens, Command, InlayHint, InlayHintLabel, Range};
 
 use super::file::File;
-use super::mentions::{MentionKind, mentions};
+use super::mentions::mentions;
 use super::words;
 use crate::describe::Decoder;
 use crate::format::Description;
+use crate::format::mention::MentionKind;
 use crate::model::{Device, Pdo, Place, Value};
 use crate::source::Span;
 

@@ -3,9 +3,11 @@
 use lsp_types::{Hover, HoverContents, MarkupContent, MarkupKind};
 
 use super::file::File;
-use super::mentions::{MentionKind, mention_at};
+use super::mentions::mention_at;
+use super::network::node_mention_at;
 use super::words;
 use crate::format::Description;
+use crate::format::mention::{Mention, MentionKind};
 use crate::model::{DataType, Field, ObjectType, Part, Place};
 use crate::registry;
 use crate::source::Span;
@@ -103,16 +105,12 @@ fn explained(object_type: ObjectType) -> &'static str {
     }
 }
 
-/// An entry of a node at an end of a link.
+/// An entry of a node: at an end of a link, in its settings, in a mapping.
 fn of_network(file: &File, offset: u32) -> Option<(Span, String)> {
     let network = file.analysis.network()?.network()?;
-    let ends = network.links.iter().flat_map(|link| std::iter::once(&link.from).chain(&link.to));
-    let mut here = ends.filter(|end| end.at.start <= offset && offset <= end.at.end);
-    let end = here.next()?;
-    let node = network.nodes.iter().find(|node| node.name.value == end.node)?;
-    let address = super::network::address_of(end, &node.device)?;
-    Some((
-        end.at,
-        format!("node {}\n\n{}", end.node, words::of_object(&node.device, address.0, Some(address.1))),
-    ))
+    let found = node_mention_at(file, offset)?;
+    let node = network.nodes.get(found.node)?;
+    let Mention { span, index, sub, .. } = found.mention;
+    let sub = sub.or(Some(0));
+    Some((span, format!("node {}\n\n{}", node.name.value, words::of_object(&node.device, index, sub))))
 }

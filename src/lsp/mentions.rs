@@ -3,59 +3,28 @@
 use crate::format::Description;
 use crate::format::eds::SectionName;
 use crate::format::ini::Section;
-use crate::model::{MappedObject, Part, PdoKind, Place};
+use crate::format::mention::{Digits, Mention, MentionKind};
+use crate::format::xml::Tree;
+use crate::model::{Part, PdoKind};
 use crate::source::Span;
-
-/// What mentions an object.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(super) enum MentionKind {
-    /// The header of a section, or an element: what describes it.
-    Section,
-    /// An object list or a list of links.
-    List,
-    /// A mapping parameter.
-    Mapping,
-}
-
-/// A place of the text that names an object or an entry.
-#[derive(Clone, Copy, Debug)]
-pub(super) struct Mention {
-    pub(super) kind: MentionKind,
-    /// The name or number.
-    pub(super) span: Span,
-    pub(super) index: u16,
-    pub(super) sub: Option<u8>,
-}
-
-impl Mention {
-    /// The hex digits of the index in the text; `None` where it is written otherwise.
-    pub(super) fn index_digits(&self, text: &str) -> Option<Span> {
-        let name = self.span.of(text);
-        let digits = format!("{:X}", self.index);
-        let at = name.to_ascii_uppercase().find(&digits)? as u32;
-        let start = self.span.start + at;
-        Some(Span::new(start, start + digits.len() as u32))
-    }
-}
 
 /// All mentions, in the order of the text.
 pub(super) fn mentions(description: &Description) -> Vec<Mention> {
-    let mut found = match description.document() {
-        Some(document) => {
-            let mut found = Vec::new();
-            document.visit(|section| of_section(document.text(), section, &mut found), |_| {});
-            found
-        }
-        None => of_model(description),
-    };
+    let mut found = Vec::new();
+    if let Some(document) = description.document() {
+        document.visit(|section| of_section(document.text(), section, &mut found), |_| {});
+    } else if let Some(tree) = description.tree() {
+        of_tree(tree, &mut found);
+    } else if let Some(of_toml) = description.toml_mentions() {
+        found = of_toml;
+    }
     found.sort_by_key(|mention| mention.span.start);
     found
 }
 
 /// The mention that an offset is in.
 pub(super) fn mention_at(description: &Description, offset: u32) -> Option<Mention> {
-    let is_here = |mention: &Mention| mention.span.start <= offset && offset <= mention.span.end;
-    mentions(description).into_iter().find(is_here)
+    mentions(description).into_iter().find(|mention| mention.has(offset))
 }
 
 fn of_section(text: &str, section: &Section, found: &mut Vec<Mention>) {
@@ -63,7 +32,7 @@ fn of_section(text: &str, section: &Section, found: &mut Vec<Mention>) {
     let part = SectionName::parse(header.name.of(text)).part;
     if let Some(index) = part.object() {
         let sub = if let Part::Entry(_, sub) = part { Some(sub) } else { None };
-        found.push(Mention { kind: MentionKind::Section, span: header.name, index, sub });
+        found.push(of_header(text, header.name, index, sub));
     }
     let values = section.entries.iter().map(|entry| (entry.key.of(text), entry.value));
     match part {
@@ -71,7 +40,9 @@ fn of_section(text: &str, section: &Section, found: &mut Vec<Mention>) {
             let items = values.filter(|(key, _)| key.bytes().all(|byte| byte.is_ascii_digit()));
             found.extend(items.filter_map(|(_, span)| {
                 let index = u16::try_from(number(span.of(text))?).ok()?;
-                Some(Mention { kind: MentionKind::List, span, index, sub: None })
+                let index_at = Some(Digits::of_number(text, span));
+                let kind = MentionKind::List;
+                Some(Mention { kind, span, index, sub: None, index_at, sub_at: None, last: None })
             }));
         }
         Part::Entry(index, 1..) | Part::CompactValues(index) if PdoKind::of_mapping(index).is_some() => {
@@ -80,39 +51,62 @@ fn of_section(text: &str, section: &Section, found: &mut Vec<Mention>) {
                 matches!(part, Part::CompactValues(_)) && key.bytes().all(|byte| byte.is_ascii_digit())
                     || names.iter().any(|name| name.eq_ignore_ascii_case(key))
             };
+            let values = values.filter(|(key, _)| is_value(key));
             found.extend(
-                values
-                    .filter(|(key, _)| is_value(key))
-                    .filter_map(|(_, span)| mapping(span, number(span.of(text))?)),
+                values.filter_map(|(_, span)| Mention::of_mapping(text, span, number(span.of(text))?)),
             );
         }
         _ => {}
     }
 }
 
-/// The same where the text is no INI file: the elements of objects, and the values of mapping parameters.
-fn of_model(description: &Description) -> Vec<Mention> {
-    let device = description.device();
-    let mut found = Vec::new();
-    for (&index, object) in &device.objects {
-        if let Some(span) = description.locate(&Place::object(index)) {
-            found.push(Mention { kind: MentionKind::Section, span, index, sub: None });
-        }
-        for (sub, _) in object.stated().filter(|_| PdoKind::of_mapping(index).is_some()) {
-            let value = object.value(sub).and_then(|value| value.as_integer());
-            let value = value.filter(|_| sub > 0).and_then(|value| u32::try_from(value).ok());
-            let span = description.locate(&device.value_place(index, sub));
-            found.extend(value.zip(span).and_then(|(value, span)| mapping(span, value)));
-        }
-    }
-    found
+/// The name of a section: `6041`, `1018sub1`, `1018Value`.
+fn of_header(text: &str, span: Span, index: u16, sub: Option<u8>) -> Mention {
+    let name = span.of(text).to_ascii_lowercase();
+    let digits = format!("{index:x}");
+    let index_at = name.find(&digits).map(|at| {
+        let start = span.start + at as u32;
+        Digits::hex(Span::new(start, start + digits.len() as u32))
+    });
+    let sub_at = sub.zip(name.find("sub")).and_then(|(_, at)| {
+        let from = at + "sub".len();
+        let width = name[from..].bytes().take_while(u8::is_ascii_hexdigit).count();
+        let start = span.start + from as u32;
+        (width > 0).then(|| Digits::hex(Span::new(start, start + width as u32)))
+    });
+    Mention { kind: MentionKind::Section, span, index, sub, index_at, sub_at, last: None }
 }
 
-fn mapping(span: Span, value: u32) -> Option<Mention> {
-    let mapped = MappedObject::from_number(value);
-    let is_object = !mapped.is_unused() && !mapped.is_dummy();
-    let (index, sub) = (mapped.index, Some(mapped.sub));
-    is_object.then_some(Mention { kind: MentionKind::Mapping, span, index, sub })
+/// The attributes of objects and sub-objects, and the values of mapping parameters.
+fn of_tree(tree: &Tree, found: &mut Vec<Mention>) {
+    let text = tree.text();
+    let hex = |span: Span| u16::from_str_radix(span.of(text), 16).ok();
+    for object in tree.root().into_iter().flat_map(|root| root.descendants()) {
+        if object.name() != "CANopenObject" {
+            continue;
+        }
+        let Some(at) = object.attribute("index").map(|attribute| attribute.value_span()) else { continue };
+        let Some(index) = hex(at) else { continue };
+        let kind = MentionKind::Section;
+        let (index_at, sub_at, last) = (Some(Digits::hex(at)), None, None);
+        found.push(Mention { kind, span: at, index, sub: None, index_at, sub_at, last });
+        for entry in object.children() {
+            let Some(at) = entry.attribute("subIndex").map(|attribute| attribute.value_span()) else {
+                continue;
+            };
+            let Some(sub) = hex(at).and_then(|sub| u8::try_from(sub).ok()) else { continue };
+            let (sub_at, index_at) = (Some(Digits::hex(at)), None);
+            found.push(Mention { kind, span: at, index, sub: Some(sub), index_at, sub_at, last });
+            if sub == 0 || PdoKind::of_mapping(index).is_none() {
+                continue;
+            }
+            let values = ["defaultValue", "actualValue"].into_iter().filter_map(|name| entry.attribute(name));
+            found.extend(values.filter_map(|value| {
+                let span = value.value_span();
+                Mention::of_mapping(text, span, number(span.of(text))?)
+            }));
+        }
+    }
 }
 
 /// A number in hex or decimal, as lists and mappings have it.

@@ -10,7 +10,7 @@ use lsp_types::notification::{
 use lsp_types::request::{RegisterCapability, Request as _, Shutdown};
 use lsp_types::{
     CancelParams, DidChangeWatchedFilesRegistrationOptions, FileSystemWatcher, GlobPattern, InitializeParams,
-    NumberOrString, PublishDiagnosticsParams, Registration, RegistrationParams,
+    NumberOrString, PublishDiagnosticsParams, Registration, RegistrationParams, ResourceOperationKind,
 };
 use serde::de::DeserializeOwned;
 use serde_json::json;
@@ -20,7 +20,8 @@ use super::capabilities::capabilities;
 use super::diagnostics;
 use super::position::ColumnUnit;
 use super::uri::path_of;
-use super::workspace::Workspace;
+use super::workspace::{ClientFeatures, Workspace};
+use crate::source::absolute;
 
 /// The files that findings depend on.
 const WATCHED: &str = "**/*.{eds,dcf,xdd,xdc,nxdd,nxdc,toml,yml,yaml,cpj,json}";
@@ -36,6 +37,10 @@ pub fn serve(connection: &Connection) -> Result<(), ProtocolError> {
     workspace.unit = unit_of(&params);
     let folders = params.workspace_folders.iter().flatten();
     workspace.folders = folders.filter_map(|folder| path_of(&folder.uri)).collect();
+    workspace.client = features_of(&params);
+    let baseline = params.initialization_options.as_ref().and_then(|options| options["baseline"].as_str());
+    workspace.baseline =
+        baseline.zip(workspace.folders.first()).map(|(name, folder)| absolute(&folder.join(name)));
     let info = json!({ "name": "objdict", "version": env!("CARGO_PKG_VERSION") });
     let answer = json!({ "capabilities": capabilities(workspace.unit), "serverInfo": info });
     connection.initialize_finish(id, answer)?;
@@ -44,6 +49,10 @@ pub fn serve(connection: &Connection) -> Result<(), ProtocolError> {
         server.watch();
     }
     server.run();
+    if let Some(folder) = &server.workspace.pages {
+        // pages that stay lie among temporary files
+        let _ = std::fs::remove_dir_all(folder);
+    }
     Ok(())
 }
 
@@ -51,6 +60,19 @@ fn unit_of(params: &InitializeParams) -> ColumnUnit {
     let general = params.capabilities.general.as_ref();
     let offered = general.and_then(|general| general.position_encodings.as_deref());
     ColumnUnit::of(offered.unwrap_or_default())
+}
+
+fn features_of(params: &InitializeParams) -> ClientFeatures {
+    let workspace = params.capabilities.workspace.as_ref();
+    let edit = workspace.and_then(|workspace| workspace.workspace_edit.as_ref());
+    let operations = edit.and_then(|edit| edit.resource_operations.as_deref()).unwrap_or_default();
+    let has_documents = edit.is_some_and(|edit| edit.document_changes == Some(true));
+    let window = params.capabilities.window.as_ref();
+    let show = window.and_then(|window| window.show_document.as_ref());
+    ClientFeatures {
+        creates_files: has_documents && operations.contains(&ResourceOperationKind::Create),
+        shows_documents: show.is_some_and(|show| show.support),
+    }
 }
 
 fn can_watch(params: &InitializeParams) -> bool {
@@ -169,6 +191,9 @@ impl Server<'_> {
         }
         if let Some(response) = answer(&mut self.workspace, request) {
             self.send(response);
+        }
+        for request in std::mem::take(&mut self.workspace.requests) {
+            self.send(request);
         }
     }
 

@@ -5,13 +5,17 @@ use std::collections::{BTreeMap, BTreeSet};
 use std::path::{Path, PathBuf};
 use std::rc::Rc;
 
+use lsp_server::Request;
 use lsp_types::Uri;
 
 use super::analysis::{Analysis, analyse};
+use super::baseline;
 use super::file::File;
+use super::navigation::mentions_of;
 use super::position::ColumnUnit;
 use super::uri::{of_path, path_of};
 use crate::config::{Config, Project};
+use crate::format::mention::Mention;
 use crate::source::{self, Buffers, Encoding, SourceFile, SourceOptions, absolute};
 
 /// A text that is open in the editor.
@@ -52,6 +56,15 @@ struct Derived<T> {
     files: BTreeSet<PathBuf>,
 }
 
+/// What an editor can do beyond showing answers.
+#[derive(Clone, Copy, Debug, Default)]
+pub(super) struct ClientFeatures {
+    /// Whether an edit may create files.
+    pub(super) creates_files: bool,
+    /// Whether it shows a file in the browser.
+    pub(super) shows_documents: bool,
+}
+
 /// The open files, and what is known of them.
 #[derive(Default)]
 pub(super) struct Workspace {
@@ -59,6 +72,13 @@ pub(super) struct Workspace {
     /// The folders that are open in the editor.
     pub(super) folders: Vec<PathBuf>,
     pub(super) unit: ColumnUnit,
+    pub(super) client: ClientFeatures,
+    /// The file with the findings that are known, which the editor names.
+    pub(super) baseline: Option<PathBuf>,
+    /// The folder of the pages that were shown.
+    pub(super) pages: Option<PathBuf>,
+    /// What is asked of the client next.
+    pub(super) requests: Vec<Request>,
     analyses: BTreeMap<PathBuf, Derived<Analysis>>,
     /// The configurations by the folders that they hold in.
     projects: BTreeMap<PathBuf, Derived<Option<Project>>>,
@@ -117,7 +137,11 @@ impl Workspace {
         let (analysis, mut files) = self.recorded(|| {
             let bytes = source::read(path, source::DEFAULT_MAX_SIZE).ok()?;
             let encoding = self.texts.borrow().get(path).and_then(|buffer| buffer.encoding);
-            Some(Rc::new(analyse(path, bytes, encoding, (*project.0).as_ref())))
+            let mut analysis = analyse(path, bytes, encoding, Rc::clone(&project.0));
+            if let Some(baseline) = &self.baseline {
+                baseline::sift(baseline, &mut analysis);
+            }
+            Some(Rc::new(analysis))
         });
         let analysis = analysis?;
         files.extend(project.1);
@@ -137,14 +161,58 @@ impl Workspace {
 
     /// The descriptions in the open folders, and the others that are open.
     pub(super) fn descriptions(&mut self) -> Vec<File> {
+        let files = self.files(is_description).into_iter();
+        files.filter(|file| file.description().is_some()).collect()
+    }
+
+    /// The `network.toml` of a folder: the first file that is one.
+    pub(super) fn network_in(&mut self, folder: &Path) -> Option<File> {
+        let mut paths: Vec<PathBuf> = self.texts.borrow().keys().cloned().collect();
+        let entries = std::fs::read_dir(folder).into_iter().flatten().filter_map(Result::ok);
+        paths.extend(entries.map(|entry| absolute(&entry.path())).take(MAX_FOUND));
+        paths.retain(|path| {
+            path.extension().is_some_and(|ending| ending == "toml")
+                && path.parent() == Some(&absolute(folder))
+        });
+        paths.sort();
+        let files = paths.iter().filter_map(|path| of_path(path)).filter_map(|uri| self.file(&uri));
+        files.into_iter().find(|file| file.analysis.network().is_some())
+    }
+
+    /// The networks in the open folders, and the others that are open.
+    fn networks(&mut self) -> Vec<File> {
+        let files = self.files(may_be_network).into_iter();
+        files.filter(|file| file.analysis.network().is_some()).collect()
+    }
+
+    /// The files in the open folders whose names say that they may be wanted, and all that are open.
+    fn files(&mut self, is_wanted: fn(&Path) -> bool) -> Vec<File> {
         let mut paths: BTreeSet<PathBuf> = self.texts.borrow().keys().cloned().collect();
-        self.folders.iter().for_each(|folder| add_descriptions(folder, 0, &mut paths));
-        let uris = paths.iter().filter_map(|path| of_path(path));
-        let mut files = Vec::new();
-        for uri in uris {
-            files.extend(self.file(&uri).filter(|file| file.description().is_some()));
-        }
-        files
+        self.folders.iter().for_each(|folder| add_files(folder, is_wanted, 0, &mut paths));
+        paths.iter().filter_map(|path| of_path(path)).filter_map(|uri| self.file(&uri)).collect()
+    }
+
+    /// The files that name the objects of a description, with all that they name of it: first the description itself, then that of
+    /// its type and those of nodes of this type, then networks.
+    pub(super) fn naming(&mut self, path: &Path) -> Vec<(File, Vec<Mention>)> {
+        let path_of = |file: &File| absolute(file.source().name().as_ref());
+        let type_of = |file: &File| {
+            let origin = file.description().and_then(|description| description.origin());
+            origin.map_or_else(|| path_of(file), |origin| absolute(origin.source().name().as_ref()))
+        };
+        let own = of_path(path).and_then(|uri| self.file(&uri));
+        let Some(own) = own.filter(|file| file.description().is_some()) else { return Vec::new() };
+        let of_type = type_of(&own);
+        let mut files = self.descriptions();
+        files.retain(|file| type_of(file) == of_type && path_of(file) != path);
+        files.insert(0, own);
+        let described: Vec<PathBuf> = files.iter().map(path_of).collect();
+        files.extend(self.networks());
+        let found = files.into_iter().map(|file| {
+            let mentions = mentions_of(&file, &described);
+            (file, mentions)
+        });
+        found.filter(|(_, mentions)| !mentions.is_empty()).collect()
     }
 
     /// The configuration that holds for a file, and the files that it depends on.
@@ -180,12 +248,12 @@ fn encoding_of(path: &Path, text: &str) -> Option<Encoding> {
     (source.text() == text && source.encoding() != Encoding::Utf8).then(|| source.encoding())
 }
 
-/// So deep folders are searched for descriptions, and so many of them are found.
+/// So deep folders are searched for files, and so many of them are found.
 const MAX_DEPTH: usize = 8;
 const MAX_FOUND: usize = 1000;
 
-/// Adds the descriptions below a folder.
-fn add_descriptions(folder: &Path, depth: usize, paths: &mut BTreeSet<PathBuf>) {
+/// Adds the files below a folder.
+fn add_files(folder: &Path, is_wanted: fn(&Path) -> bool, depth: usize, paths: &mut BTreeSet<PathBuf>) {
     let entries = std::fs::read_dir(folder).into_iter().flatten().filter_map(Result::ok);
     for entry in entries {
         let (path, kind) = (entry.path(), entry.file_type());
@@ -194,8 +262,8 @@ fn add_descriptions(folder: &Path, depth: usize, paths: &mut BTreeSet<PathBuf>) 
             continue;
         }
         match kind {
-            Ok(kind) if kind.is_dir() && depth < MAX_DEPTH => add_descriptions(&path, depth + 1, paths),
-            Ok(kind) if kind.is_file() && is_description(&path) => {
+            Ok(kind) if kind.is_dir() && depth < MAX_DEPTH => add_files(&path, is_wanted, depth + 1, paths),
+            Ok(kind) if kind.is_file() && is_wanted(&path) => {
                 paths.insert(path);
             }
             _ => {}
@@ -203,8 +271,13 @@ fn add_descriptions(folder: &Path, depth: usize, paths: &mut BTreeSet<PathBuf>) 
     }
 }
 
-fn is_description(path: &Path) -> bool {
+pub(super) fn is_description(path: &Path) -> bool {
     let name = path.file_name().unwrap_or_default().to_string_lossy().to_ascii_lowercase();
     let ending = name.rsplit('.').next().unwrap_or_default();
     matches!(ending, "eds" | "dcf" | "xdd" | "xdc") || name.ends_with("device.toml")
+}
+
+fn may_be_network(path: &Path) -> bool {
+    let ending = path.extension().map(|ending| ending.to_string_lossy().to_ascii_lowercase());
+    matches!(ending.as_deref(), Some("toml" | "yml" | "yaml" | "cpj"))
 }

@@ -8,6 +8,8 @@ mod facts;
 pub(in crate::format) mod keys;
 mod lists;
 mod meaning;
+#[cfg(feature = "lsp")]
+mod mentions;
 mod merge;
 mod objects;
 mod pdos;

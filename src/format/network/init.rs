@@ -33,6 +33,19 @@ pub fn init(paths: &[PathBuf], options: &PathOptions) -> Result<String, ReadErro
     Ok(start.text())
 }
 
+/// A name as a key and as the end of a link can have it.
+pub(crate) fn node_name(name: &str) -> String {
+    let is_word = |character: char| character.is_ascii_alphanumeric();
+    let words = name.split(|character| !is_word(character)).filter(|word| !word.is_empty());
+    let name = words.map(str::to_ascii_lowercase).collect::<Vec<_>>().join("_");
+    // a key of digits would be a number
+    match name.bytes().all(|byte| byte.is_ascii_digit()) {
+        true if name.is_empty() => "node".to_owned(),
+        true => format!("node_{name}"),
+        false => name,
+    }
+}
+
 /// What is known of the network.
 #[derive(Default)]
 struct Start {
@@ -103,13 +116,7 @@ impl Start {
 
     /// A name as a key and as the end of a link can have it, which no other node has.
     fn unused(&mut self, name: &str) -> String {
-        let is_word = |character: char| character.is_ascii_alphanumeric();
-        let words = name.split(|character| !is_word(character)).filter(|word| !word.is_empty());
-        let mut name = words.map(str::to_ascii_lowercase).collect::<Vec<_>>().join("_");
-        // a key of digits would be a number
-        if name.bytes().all(|byte| byte.is_ascii_digit()) {
-            name = if name.is_empty() { "node".to_owned() } else { format!("node_{name}") };
-        }
+        let name = node_name(name);
         let numbered = (2..).map(|number| format!("{name}_{number}"));
         let unused = std::iter::once(name.clone()).chain(numbered).find(|name| !self.names.contains(name));
         let unused = unused.unwrap_or(name);

@@ -4,6 +4,8 @@ mod boot;
 mod bus_keys;
 mod bus_yml;
 mod init;
+#[cfg(feature = "lsp")]
+mod mentions;
 mod network_keys;
 mod network_toml;
 mod outputs;
@@ -23,6 +25,10 @@ use std::sync::Arc;
 
 pub use self::boot::{BootFiles, InstallError, Installation, install};
 pub use self::init::init;
+#[cfg(feature = "lsp")]
+pub(crate) use self::init::node_name;
+#[cfg(feature = "lsp")]
+pub(crate) use self::mentions::NodeMention;
 pub use self::outputs::{Build, BuildError, BuildObjection, BuiltFile, ConfigurationTime, ConfiguredNode};
 use self::rules::UNREADABLE_NODE;
 pub use self::topology::location;

@@ -16,6 +16,8 @@ pub(crate) struct Client {
     next: i32,
     /// The findings of each file that were published last.
     published: BTreeMap<String, Value>,
+    /// What the server asked last, by method.
+    requested: BTreeMap<String, Value>,
     /// What the server said that it offers.
     pub(crate) offered: Value,
 }
@@ -27,14 +29,26 @@ impl Client {
 
     /// A client with these capabilities.
     pub(crate) fn start_with(capabilities: &Value) -> Self {
+        Self::start_as(capabilities, &Value::Null)
+    }
+
+    /// A client with these capabilities and options of the server.
+    pub(crate) fn start_as(capabilities: &Value, options: &Value) -> Self {
         let (connection, other) = Connection::memory();
         let server = std::thread::spawn(move || objdict::lsp::serve(&other).unwrap());
         let folder = tempfile::tempdir().unwrap();
         let server = Some(server);
-        let mut client =
-            Self { connection, server, folder, next: 0, published: BTreeMap::new(), offered: Value::Null };
+        let mut client = Self {
+            connection,
+            server,
+            folder,
+            next: 0,
+            published: BTreeMap::new(),
+            requested: BTreeMap::new(),
+            offered: Value::Null,
+        };
         let root = json!({ "uri": client.uri(""), "name": "folder" });
-        let params = json!({ "capabilities": capabilities, "workspaceFolders": [root] });
+        let params = json!({ "capabilities": capabilities, "workspaceFolders": [root], "initializationOptions": options });
         client.offered = client.ask("initialize", params);
         client.note("initialized", json!({}));
         client
@@ -128,10 +142,22 @@ impl Client {
             }
             Message::Notification(_) => {}
             Message::Request(request) => {
+                self.requested.insert(request.method, request.params);
                 let _ = self.connection.sender.send(Response::new_ok(request.id, ()).into());
             }
         }
         None
+    }
+
+    /// What the server asks next by a method.
+    pub(crate) fn request(&mut self, method: &str) -> Value {
+        loop {
+            if let Some(params) = self.requested.remove(method) {
+                return params;
+            }
+            let other = self.receive();
+            assert!(other.is_none(), "nothing was asked: {other:?}");
+        }
     }
 
     /// An answer without the folder of this run.

@@ -2,6 +2,8 @@
 
 mod client;
 mod findings;
+mod folder;
+mod keyed;
 mod places;
 mod random;
 mod writing;

@@ -28,6 +28,6 @@ pub use self::fmt::arrange;
 pub use self::layout::{containers, is_network, is_project};
 pub use self::locate::Locator;
 pub use self::read::{read, read_literally};
-pub use self::schema::xsd;
+pub use self::schema::{words_of, xsd};
 pub use self::version::XddVersion;
 pub use self::write::write;

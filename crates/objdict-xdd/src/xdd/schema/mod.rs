@@ -21,6 +21,20 @@ pub(crate) use self::lexical::{decimal, is_language, is_name, is_name_character,
 pub(crate) use self::network::{APPLICATION_LAYERS, IDENTITY, MODULE_MANAGEMENT};
 pub(crate) use self::values::{BAUD_RATES, Kind, Target};
 pub use self::xsd::xsd;
+
+/// The words that an attribute of an object or sub-object may be; none where it is no word.
+pub fn words_of(element: crate::xml::Element<'_>, name: &str) -> &'static [&'static str] {
+    let schema = match element.tag() {
+        crate::xml::n::CANopenObject => Some(OBJECT),
+        tag => OBJECT.slot(tag, 0).map(|(_, element)| element),
+    };
+    let known = schema.and_then(|schema| schema.attribute(crate::xml::Name::of(name)));
+    match known.map(|(_, attribute)| &attribute.kind) {
+        Some(Kind::Word(words) | Kind::Words(words)) => words,
+        Some(Kind::Boolean) => &["true", "false"],
+        _ => &[],
+    }
+}
 use super::fact::Fact;
 use super::shape::{Keep, TextField};
 use crate::literal;

@@ -1,0 +1,129 @@
+//! What can be written in files of keys and in XDD.
+
+use serde_json::{Value, json};
+
+use super::client::{Client, fixture, marked, position_of};
+
+fn complete(client: &mut Client, name: &str, text: &str) -> Vec<Value> {
+    let (text, position) = marked(text);
+    client.open(name, &text);
+    let params = json!({ "textDocument": client.document(name), "position": position });
+    client.ask("textDocument/completion", params).as_array().unwrap().clone()
+}
+
+fn labels(client: &mut Client, name: &str, text: &str) -> Vec<String> {
+    let items = complete(client, name, text);
+    items.iter().map(|item| item["label"].as_str().unwrap().to_owned()).collect()
+}
+
+fn has(found: &[String], wanted: &[&str]) {
+    for wanted in wanted {
+        assert!(found.iter().any(|found| found == wanted), "no `{wanted}` in {found:?}");
+    }
+}
+
+const NODE: &str = "[node.a]\nfile = \"island.eds\"\nid = 2\n";
+
+fn client() -> Client {
+    let client = Client::start();
+    client.write("island.eds", fixture("network/island.eds"));
+    client
+}
+
+#[test]
+fn keys_of_a_network() {
+    let mut client = client();
+    let items = complete(&mut client, "network.toml", &format!("{NODE}‸\n"));
+    let heartbeat = items.iter().find(|item| item["label"] == "heartbeat").unwrap();
+    assert_eq!(heartbeat["textEdit"]["newText"], "heartbeat = ");
+    assert!(heartbeat["detail"].as_str().unwrap().starts_with("Producer heartbeat time"));
+    assert!(items.iter().all(|item| item["label"] != "file"), "it has that");
+    has(&labels(&mut client, "network.toml", &format!("{NODE}\n[[link]]\n‸\n")), &["from", "to", "can-id"]);
+    has(&labels(&mut client, "network.toml", &format!("{NODE}\n[‸")), &["[bus]", "[[link]]", "[node]"]);
+    has(&labels(&mut client, "network.toml", &format!("{NODE}unused-pdos = \"‸\"\n")), &["keep", "off"]);
+    has(&labels(&mut client, "network.toml", &format!("{NODE}boot = ‸\n")), &["true", "false"]);
+}
+
+#[test]
+fn files_nodes_and_entries_of_a_network() {
+    let mut client = client();
+    // the value has no end yet, so the file is not TOML
+    has(&labels(&mut client, "network.toml", &format!("{NODE}\n[node.b]\nfile = \"‸\n")), &["island.eds"]);
+    has(&labels(&mut client, "network.toml", &format!("{NODE}\n[[link]]\nfrom = \"‸\n")), &["a"]);
+    has(&labels(&mut client, "network.toml", &format!("{NODE}\n[node.a.set]\n\"‸\n")), &["1017"]);
+    let island = fixture("network/island.eds").replace("[1017]", "[2FFF]");
+    client.open("island.eds", &island);
+    let found = labels(&mut client, "network.toml", &format!("{NODE}\n[node.a.set]\n\"‸\n"));
+    assert!(found.contains(&"2FFF".to_owned()) && !found.contains(&"1017".to_owned()), "the buffer counts");
+}
+
+#[test]
+fn keys_of_bus_yml() {
+    let mut client = client();
+    let head = "master:\n  node_id: 1\nservo:\n  dcf: island.eds\n";
+    let found = labels(&mut client, "bus.yml", &format!("{head}  ‸\n"));
+    has(&found, &["heartbeat_producer", "tpdo"]);
+    assert!(!found.contains(&"dcf".to_owned()));
+    has(
+        &labels(&mut client, "bus.yml", &format!("{head}  sdo:\n    - index: 0x1017\n      ‸\n")),
+        &["sub_index", "value"],
+    );
+    has(&labels(&mut client, "bus.yml", &format!("{head}  mandatory: ‸\n")), &["true", "false"]);
+}
+
+#[test]
+fn keys_and_words_of_a_device() {
+    let mut client = Client::start();
+    let text = fixture("toml/io.toml");
+    has(
+        &labels(&mut client, "io.toml", &format!("{text}2010 = {{ name = \"x\", ‸ }}\n")),
+        &["type", "access", "map"],
+    );
+    has(
+        &labels(&mut client, "io.toml", &format!("{text}2010 = {{ name = \"x\", access = \"‸\" }}\n")),
+        &["ro", "const"],
+    );
+    has(
+        &labels(&mut client, "io.toml", &format!("{text}2010 = {{ name = \"x\", type = \"‸\" }}\n")),
+        &["u16", "string"],
+    );
+    has(&labels(&mut client, "io.toml", &text.replace("[features]\n", "[features]\n‸\n")), &["lss", "emcy"]);
+}
+
+#[test]
+fn settings_of_a_project() {
+    let mut client = Client::start();
+    has(&labels(&mut client, "objdict.toml", "‸"), &["rules", "exclude", "node-id"]);
+    has(&labels(&mut client, "objdict.toml", "[rules]\n\"cia306/‸\""), &["cia306/file-name"]);
+}
+
+#[test]
+fn words_of_attributes() {
+    let mut client = Client::start();
+    let text = fixture("xdd/valve.xdd");
+    let marked = |name: &str| {
+        let at = text.find(&format!(" {name}=\"")).unwrap() + name.len() + 3;
+        format!("{}‸{}", &text[..at], &text[at..])
+    };
+    has(&labels(&mut client, "valve.xdd", &marked("accessType")), &["ro", "rw", "const"]);
+    has(&labels(&mut client, "valve.xdd", &marked("PDOmapping")), &["TPDO", "no"]);
+    has(&labels(&mut client, "valve.xdd", &marked("dataType")), &["0007 UNSIGNED32"]);
+}
+
+#[test]
+fn a_misspelled_key_is_replaced() {
+    let mut client = client();
+    let text = format!("{NODE}hartbeat = 500\n");
+    client.open("network.toml", &text);
+    let start = position_of(&text, "hartbeat");
+    let params = json!({
+        "textDocument": client.document("network.toml"),
+        "range": { "start": start, "end": start },
+        "context": { "diagnostics": [] },
+    });
+    let offered = client.ask("textDocument/codeAction", params);
+    let action = &offered[0];
+    assert_eq!(action["title"], "replace it by `heartbeat`");
+    let changed = super::client::edited(&text, &action["edit"]["changes"][client.uri("network.toml")]);
+    assert_eq!(changed, text.replace("hartbeat", "heartbeat"));
+}
