@@ -15,7 +15,7 @@ use lsp_types::{
 use super::call::Call;
 use super::file::File;
 use super::workspace::Workspace;
-use super::{actions, completion, edits, hints, hover, navigation, symbols, tokens};
+use super::{actions, completion, edits, hints, hover, navigation, sections, symbols, tokens};
 
 /// The answer to a request.
 pub(super) fn answer(workspace: &mut Workspace, request: Request) -> Option<Response> {
@@ -39,15 +39,14 @@ fn about_places(workspace: &mut Workspace, call: Call) -> Call {
     })
     .on::<Completion>(|params| {
         let (file, offset) = at(workspace, &params.text_document_position)?;
-        Some(CompletionResponse::Array(completion::completion(&file, offset)))
+        Some(CompletionResponse::Array(completion::completion(&file, offset, workspace.has_snippets)))
     })
     .on::<ResolveCompletionItem>(|mut item| {
-        let wanted =
-            item.data.clone().and_then(|data| serde_json::from_value::<completion::Wanted>(data).ok());
+        let wanted = item.data.clone().and_then(|data| serde_json::from_value::<sections::Wanted>(data).ok());
         if let Some(wanted) = wanted
             && let Some(file) = file_of(workspace, &wanted.uri)
         {
-            item.additional_text_edits = completion::resolve(&file, &wanted);
+            item.additional_text_edits = sections::resolve(&file, &wanted);
         }
         item
     })

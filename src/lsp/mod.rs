@@ -18,6 +18,7 @@ mod mentions;
 mod navigation;
 mod network;
 mod position;
+mod sections;
 mod server;
 mod symbols;
 mod tokens;

@@ -34,6 +34,7 @@ pub fn serve(connection: &Connection) -> Result<(), ProtocolError> {
     let params: InitializeParams = serde_json::from_value(params).unwrap_or_default();
     let mut workspace = Workspace::default();
     workspace.unit = unit_of(&params);
+    workspace.has_snippets = has_snippets(&params);
     let folders = params.workspace_folders.iter().flatten();
     workspace.folders = folders.filter_map(|folder| path_of(&folder.uri)).collect();
     let info = json!({ "name": "objdict", "version": env!("CARGO_PKG_VERSION") });
@@ -51,6 +52,13 @@ fn unit_of(params: &InitializeParams) -> ColumnUnit {
     let general = params.capabilities.general.as_ref();
     let offered = general.and_then(|general| general.position_encodings.as_deref());
     ColumnUnit::of(offered.unwrap_or_default())
+}
+
+fn has_snippets(params: &InitializeParams) -> bool {
+    let text = params.capabilities.text_document.as_ref();
+    let completion = text.and_then(|text| text.completion.as_ref());
+    let item = completion.and_then(|completion| completion.completion_item.as_ref());
+    item.is_some_and(|item| item.snippet_support == Some(true))
 }
 
 fn can_watch(params: &InitializeParams) -> bool {

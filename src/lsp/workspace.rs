@@ -59,6 +59,8 @@ pub(super) struct Workspace {
     /// The folders that are open in the editor.
     pub(super) folders: Vec<PathBuf>,
     pub(super) unit: ColumnUnit,
+    /// Whether the editor expands snippets: texts with places to fill in.
+    pub(super) has_snippets: bool,
     analyses: BTreeMap<PathBuf, Derived<Analysis>>,
     /// The configurations by the folders that they hold in.
     projects: BTreeMap<PathBuf, Derived<Option<Project>>>,

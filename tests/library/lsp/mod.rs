@@ -4,4 +4,5 @@ mod client;
 mod findings;
 mod places;
 mod random;
+mod typing;
 mod writing;
