@@ -1,9 +1,11 @@
 -- The configuration of a user of Neovim 0.7, whose functions for language servers are older than those of docs/editors.md.
 vim.o.termguicolors = true
-vim.o.columns, vim.o.lines = 100, 22
+vim.o.columns, vim.o.lines = 124, 22
 vim.o.completeopt = 'menuone,noinsert'
 vim.o.shortmess = vim.o.shortmess .. 'cF'
 vim.o.swapfile, vim.o.ruler, vim.o.laststatus = false, false, 0
+vim.g.loaded_matchparen = 1
+vim.cmd('highlight SignColumn guibg=NONE')
 -- the first action is taken, as by a user who confirms the menu
 vim.ui.select = function(items, _, choose) choose(items[1], 1) end
 vim.api.nvim_create_autocmd({ 'BufReadPost', 'BufNewFile' }, {

@@ -39,8 +39,9 @@ fn printed(rows: &[Vec<Run>]) -> String {
 
 /// The screen, drawn.
 fn drawn(neovim: &Neovim) -> String {
-    neovim.value("execute('redraw')");
-    let cells = neovim.call("screen", |text| text.starts_with('['));
+    neovim.value("execute('redraw!')");
+    neovim.call("screen", |said| said == "written");
+    let cells = std::fs::read_to_string(neovim.path("screen.json")).unwrap();
     let rows: Vec<Vec<Run>> = serde_json::from_str(&cells).unwrap();
     Term::new().min_width_px(800).render_svg(&printed(&rows))
 }
