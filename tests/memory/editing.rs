@@ -12,7 +12,7 @@ use serde_json::{Value, json};
 use super::{ALLOCATOR, bombs};
 
 /// The edits that are measured, after as many that are not; `OBJDICT_EDITS` names another number, such as 1000.
-const EDITS: usize = 15;
+const EDITS: usize = 8;
 
 /// The size of the text that is edited.
 const TEXT: usize = 500_000;
@@ -94,7 +94,8 @@ fn session() {
 
 /// A device of records of the vendor.
 fn large() -> String {
-    let mut text = std::fs::read_to_string(bombs::fixtures().join("eds/minimal.eds")).unwrap().replace('\r', "");
+    let mut text =
+        std::fs::read_to_string(bombs::fixtures().join("eds/minimal.eds")).unwrap().replace('\r', "");
     let mut index = 0x2000;
     while text.len() < TEXT {
         let _ = write!(text, "\n[{index:X}]\nParameterName=Axis {index:X}\nObjectType=0x9\nSubNumber=9\n");
