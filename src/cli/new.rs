@@ -1,7 +1,6 @@
 //! `objdict new`.
 
 use std::io::Write;
-use std::time::{SystemTime, UNIX_EPOCH};
 
 use super::args::NewArgs;
 use super::input::{FileKind, name_of};
@@ -10,10 +9,7 @@ use super::output::Output;
 use super::save::{is_stdout, save};
 use crate::format::{self, WriteOptions, json};
 use crate::model::{ClockTime, Date};
-use crate::scaffold::{BaseError, FEATURES, Feature, Wanted, scaffold};
-
-/// The vendor-ID of a device whose vendor is not said: one that CiA never assigns.
-const NO_VENDOR: u32 = 0xFFFF_FFFF;
+use crate::scaffold::{BaseError, FEATURES, Feature, MIDNIGHT, NO_VENDOR, Wanted, now, scaffold};
 
 pub(super) fn run(args: &NewArgs, out: &mut Output) -> Result<Outcome, Failure> {
     let profile = profile(args)?;
@@ -101,17 +97,7 @@ fn failure(error: BaseError) -> Failure {
 /// The date and time that a description states: those that were said, else now, in Coordinated Universal Time.
 pub(super) fn date_and_time(said: Option<Date>) -> Result<(Date, ClockTime), Failure> {
     if let Some(date) = said {
-        return Ok((date, ClockTime::new(12, 0).unwrap_or(MIDNIGHT)));
+        return Ok((date, ClockTime { hour: 12, ..MIDNIGHT }));
     }
-    let epoch = std::env::var("SOURCE_DATE_EPOCH").ok().and_then(|text| text.parse().ok());
-    let now = || SystemTime::now().duration_since(UNIX_EPOCH).map_or(0, |since| since.as_secs());
-    let seconds: u64 = epoch.unwrap_or_else(now);
-    let minutes = seconds / 60 % (24 * 60);
-    let time = u8::try_from(minutes / 60).ok().zip(u8::try_from(minutes % 60).ok());
-    let time = time.and_then(|(hour, minute)| ClockTime::new(hour, minute)).unwrap_or(MIDNIGHT);
-    let date = Date::after_1970(seconds / (24 * 60 * 60));
-    date.map(|date| (date, time))
-        .ok_or_else(|| Failure::new("the clock has no valid date").help("set one with `--date`"))
+    now().ok_or_else(|| Failure::new("the clock has no valid date").help("set one with `--date`"))
 }
-
-const MIDNIGHT: ClockTime = ClockTime { hour: 0, minute: 0, second: 0, nanosecond: 0, utc_offset: None };

@@ -16,7 +16,9 @@ use serde_json::Value;
 use super::call::Call;
 use super::file::File;
 use super::workspace::Workspace;
-use super::{actions, completion, documentation, edits, hints, hover, navigation, rename, symbols, tokens};
+use super::{
+    actions, completion, documentation, edits, hints, hover, navigation, rename, sections, symbols, tokens,
+};
 
 /// What is said of a file that is neither open nor on the disk.
 const NOT_OPEN: &str = "the file is not open";
@@ -43,16 +45,16 @@ fn about_places(workspace: &mut Workspace, call: Call) -> Call {
     })
     .on::<Completion>(|params| {
         let (file, offset) = at(workspace, &params.text_document_position)?;
-        let items = workspace.reading(|| completion::completion(&file, offset));
+        let expands_snippets = workspace.client.expands_snippets;
+        let items = workspace.reading(|| completion::completion(&file, offset, expands_snippets));
         Some(CompletionResponse::Array(items))
     })
     .on::<ResolveCompletionItem>(|mut item| {
-        let wanted =
-            item.data.clone().and_then(|data| serde_json::from_value::<completion::Wanted>(data).ok());
+        let wanted = item.data.clone().and_then(|data| serde_json::from_value::<sections::Wanted>(data).ok());
         if let Some(wanted) = wanted
             && let Some(file) = file_of(workspace, &wanted.uri)
         {
-            item.additional_text_edits = completion::resolve(&file, &wanted);
+            item.additional_text_edits = sections::resolve(&file, &wanted);
         }
         item
     })

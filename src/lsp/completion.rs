@@ -1,35 +1,22 @@
 //! What can be written at the cursor.
 
-use lsp_types::{
-    CompletionItem, CompletionItemKind, CompletionTextEdit, Documentation, MarkupContent, MarkupKind,
-    TextEdit,
-};
-use serde::{Deserialize, Serialize};
+use lsp_types::{CompletionItem, CompletionItemKind, CompletionTextEdit, TextEdit};
 
 use super::file::File;
+use super::sections::Sections;
 use super::{keyed, markup, words};
-use crate::diagnostic::{Change, Fix, section_name};
 use crate::format::Description;
-use crate::format::eds::{self, additions, is_key_of};
+use crate::format::eds::is_key_of;
 use crate::format::ini::{Document, LineKind};
 use crate::model::{
-    Access, DataType, Device, DeviceKind, Field, FileInfo, MappedObject, Object, ObjectList, ObjectType,
-    Part, PdoKind, Value,
+    Access, DataType, Device, DeviceKind, Field, MappedObject, ObjectList, ObjectType, Part, PdoKind, Value,
 };
-use crate::profile::{self, ObjectFacts, Profile};
+use crate::profile::{self, ObjectFacts};
 use crate::registry;
-use crate::scaffold;
 use crate::source::Span;
 
-/// What an item needs when it is resolved.
-#[derive(Debug, Serialize, Deserialize)]
-pub(super) struct Wanted {
-    pub(super) uri: String,
-    index: u16,
-}
-
-/// The items at an offset.
-pub(super) fn completion(file: &File, offset: u32) -> Vec<CompletionItem> {
+/// The items at an offset, for an editor that expands snippets or one that does not.
+pub(super) fn completion(file: &File, offset: u32, expands_snippets: bool) -> Vec<CompletionItem> {
     if let Some(items) = rules(file, offset) {
         return items;
     }
@@ -39,18 +26,22 @@ pub(super) fn completion(file: &File, offset: u32) -> Vec<CompletionItem> {
     }
     let Some(document) = description.document() else { return keyed::completion(file, offset) };
     let completer = Completer { file, description, document, offset };
+    let sections = |line| {
+        let device = description.device();
+        Sections { file, device, line_end: document.line_end(), line, expands_snippets }.items()
+    };
     let Some(line) = document.line_at(offset) else {
         // an empty file, or the line behind the last one
         let is_empty = document.text().trim().is_empty();
         let here = Span::empty(offset);
-        return if is_empty { completer.sections(here) } else { completer.keys(here) };
+        return if is_empty { sections(here) } else { completer.keys(here) };
     };
     let before = Span::new(line.span.start, offset.clamp(line.span.start, line.span.end));
     match line.kind {
-        LineKind::Section { .. } => completer.sections(line.span),
+        LineKind::Section { .. } => sections(line.span),
         LineKind::Entry { key, value } if offset > key.end => completer.values(key, value),
         LineKind::Entry { .. } => Vec::new(),
-        _ if before.of(document.text()).trim_start().starts_with('[') => completer.sections(line.span),
+        _ if before.of(document.text()).trim_start().starts_with('[') => sections(line.span),
         LineKind::Comment => Vec::new(),
         LineKind::Blank | LineKind::Junk => completer.keys(line.span),
     }
@@ -234,107 +225,26 @@ impl Completer<'_> {
     /// The entries that a PDO can carry, as values of its mapping parameter.
     fn mappable(&self, mapping: u16, span: Span) -> Vec<CompletionItem> {
         let Some((kind, _)) = PdoKind::of_mapping(mapping) else { return Vec::new() };
-        let mut items = Vec::new();
-        for (&index, object) in &self.device().objects {
-            for (sub, entry) in
-                object.entries().filter(|(_, entry)| entry.is_mappable() && entry.fits_pdo(kind))
-            {
-                let Some(bits) = entry.implied_type().and_then(DataType::bit_length) else { continue };
-                let number = MappedObject { index, sub, bits }.to_number();
-                let name = words::name(self.device(), index, Some(sub)).unwrap_or_default();
-                let label = format!("0x{number:08X} {name}");
-                let item =
-                    item(self.file, span, &label, format!("0x{number:08X}"), CompletionItemKind::REFERENCE);
-                items.push(CompletionItem { detail: Some(format!("{bits} bits")), ..item });
-            }
-        }
-        items
-    }
-
-    /// Sections that the text does not have: objects of the documents, and the next sub-index of each object.
-    fn sections(&self, line: Span) -> Vec<CompletionItem> {
-        let device = self.device();
-        let mut items = Vec::new();
-        for (&index, object) in device.objects.iter().filter(|(_, object)| object.object_type().has_subs()) {
-            let Some(sub) = (0..=254_u8).find(|sub| object.compact.is_none() && !object.has(*sub)) else {
-                continue;
-            };
-            let name = format!("[{index:X}sub{sub:X}]");
-            let text = format!("{name}{}", self.document.line_end());
-            let item = item(self.file, line, &name, text, CompletionItemKind::FIELD);
-            items.push(CompletionItem { detail: Some(object.name().to_owned()), ..item });
-        }
-        if device.objects.is_empty() {
-            items.extend(scaffold::PROFILES.iter().filter_map(|(number, _)| self.device_of(*number, line)));
-        }
-        let documents = profile::of_device(device).into_iter().chain(profile::for_all(device));
-        for document in documents {
-            let missing = document.objects().filter(|facts| device.object(facts.first).is_none());
-            items.extend(missing.filter_map(|facts| self.object(document, &facts, line)));
-        }
-        items
-    }
-
-    /// A whole device with what a profile demands.
-    fn device_of(&self, number: u16, line: Span) -> Option<CompletionItem> {
-        let name = self.file.source().name().rsplit(['/', '\\']).next().unwrap_or_default();
-        let mut device =
-            scaffold::base(number, scaffold::newest_version(number)?, &scaffold::Features::default()).ok()?;
-        device.file_info = Some(FileInfo { file_name: Some(name.to_owned()), ..FileInfo::default() });
-        let text = String::from_utf8(eds::write(&device, &eds::Style::default())).ok()?;
-        let text = text.replace("\r\n", "\n").replace('\n', self.document.line_end());
-        let label = format!("[FileInfo] a device of CiA {number}");
-        Some(CompletionItem {
-            detail: Some("what the profile demands".to_owned()),
-            ..item(self.file, line, &label, text, CompletionItemKind::MODULE)
-        })
-    }
-
-    /// An object as a document demands it.
-    fn object(&self, document: &Profile, facts: &ObjectFacts<'_>, line: Span) -> Option<CompletionItem> {
-        let index = facts.first;
-        let object = scaffold::object(self.device(), index)?;
-        let text = sections_of(index, object, self.document.line_end())?;
-        let label = format!("[{index:X}] {}", facts.name);
-        let wanted = Wanted { uri: self.file.uri.as_str().to_owned(), index };
-        let documentation = words::of_object(self.device(), index, None);
-        let documentation = MarkupContent { kind: MarkupKind::Markdown, value: documentation };
-        Some(CompletionItem {
-            detail: Some(document.document.to_string()),
-            documentation: Some(Documentation::MarkupContent(documentation)),
-            filter_text: Some(label.clone()),
-            data: serde_json::to_value(wanted).ok(),
-            ..item(self.file, line, &label, text, CompletionItemKind::CLASS)
-        })
+        let item = |mapped: MappedObject| {
+            let number = format!("0x{:08X}", mapped.to_number());
+            let name = words::name(self.device(), mapped.index, Some(mapped.sub)).unwrap_or_default();
+            let label = format!("{number} {name}");
+            let item = item(self.file, span, &label, number, CompletionItemKind::REFERENCE);
+            CompletionItem { detail: Some(format!("{} bits", mapped.bits)), ..item }
+        };
+        mappable(self.device(), kind).map(item).collect()
     }
 }
 
-/// Adds the line of the object list to an item that adds an object.
-pub(super) fn resolve(file: &File, wanted: &Wanted) -> Option<Vec<TextEdit>> {
-    let description = file.description()?;
-    let list = ObjectList::of(wanted.index)?;
-    let mut members = description.device().lists.get(list).to_vec();
-    if members.contains(&wanted.index) {
-        return None;
-    }
-    members.insert(members.partition_point(|&member| member < wanted.index), wanted.index);
-    let fix = Fix::risky("list the object").with(Change::List(list, members));
-    Some(file.edits(description.edits(&fix)?))
-}
-
-/// The sections of an object, without the bracket that is there.
-pub(super) fn sections_of(index: u16, object: Object, line_end: &str) -> Option<String> {
-    let device = Device { objects: std::iter::once((index, object)).collect(), ..Device::default() };
-    let changes = additions(&Device::default(), &device)?;
-    let sections = changes.into_iter().filter_map(|change| match change {
-        Change::Add(part, fields) => {
-            let lines = fields.iter().map(|(field, value)| format!("{}={value}{line_end}", field.name()));
-            Some(format!("[{}]{line_end}{}", section_name(&part), lines.collect::<String>()))
-        }
-        _ => None,
-    });
-    let sections: Vec<String> = sections.collect();
-    Some(sections.join(line_end))
+/// The entries that a PDO of a direction can carry.
+pub(super) fn mappable(device: &Device, kind: PdoKind) -> impl Iterator<Item = MappedObject> {
+    device.objects.iter().flat_map(move |(&index, object)| {
+        let fitting = object.entries().filter(move |(_, entry)| entry.is_mappable() && entry.fits_pdo(kind));
+        fitting.filter_map(move |(sub, entry)| {
+            let bits = entry.implied_type().and_then(DataType::bit_length)?;
+            Some(MappedObject { index, sub, bits })
+        })
+    })
 }
 
 fn is_flag(field: &Field) -> bool {

@@ -26,6 +26,7 @@ mod network;
 mod position;
 mod rename;
 mod schema;
+mod sections;
 mod server;
 mod symbols;
 mod tokens;

@@ -69,7 +69,11 @@ fn features_of(params: &InitializeParams) -> ClientFeatures {
     let has_documents = edit.is_some_and(|edit| edit.document_changes == Some(true));
     let window = params.capabilities.window.as_ref();
     let show = window.and_then(|window| window.show_document.as_ref());
+    let text = params.capabilities.text_document.as_ref();
+    let completion = text.and_then(|text| text.completion.as_ref());
+    let item = completion.and_then(|completion| completion.completion_item.as_ref());
     ClientFeatures {
+        expands_snippets: item.is_some_and(|item| item.snippet_support == Some(true)),
         creates_files: has_documents && operations.contains(&ResourceOperationKind::Create),
         shows_documents: show.is_some_and(|show| show.support),
     }

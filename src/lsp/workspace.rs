@@ -63,6 +63,8 @@ pub(super) struct ClientFeatures {
     pub(super) creates_files: bool,
     /// Whether it shows a file in the browser.
     pub(super) shows_documents: bool,
+    /// Whether it expands snippets: texts with places to fill in.
+    pub(super) expands_snippets: bool,
 }
 
 /// The open files, and what is known of them.

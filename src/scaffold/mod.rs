@@ -11,19 +11,25 @@ mod infer;
 mod learn;
 mod objects;
 mod pdos;
+#[cfg(feature = "lsp")]
+mod usual;
 
 pub use base::{BaseError, PROFILES, base, newest_version};
 pub use features::{EncoderClass, FEATURES, Feature, FeatureError, FeatureKind, FeatureValue, Features};
 pub use infer::infer;
 #[cfg(feature = "network")]
 pub use learn::learn;
+#[cfg(feature = "cli")]
+pub(crate) use usual::{MIDNIGHT, NO_VENDOR, now};
 
 use crate::model::{
     BaudRates, ClockTime, DataType, Date, Device, DeviceInfo, FileInfo, ObjectList, PdoKind, Value,
 };
 #[cfg(feature = "lsp")]
-use crate::model::{Entry, Object};
+use crate::model::{Entry, MappedObject, Object};
 use crate::profile;
+#[cfg(feature = "lsp")]
+use crate::profile::default_mapping::PdoMap;
 use base::Plan;
 
 /// Properties of a new device.
@@ -124,6 +130,20 @@ pub(crate) fn entry(device: &Device, index: u16, sub: u8) -> Option<Entry> {
     documents.iter().find_map(|document| document.object(index)?.entry(sub))?;
     let maker = objects::Maker { plan: Plan::new(number, &Features::default()), documents: &documents };
     Some(maker.entry(index, sub))
+}
+
+/// The communication and the mapping parameter of a PDO of a device that carries these objects.
+#[cfg(feature = "lsp")]
+pub(crate) fn pdo(
+    device: &Device,
+    kind: PdoKind,
+    number: u16,
+    mapped: Vec<MappedObject>,
+) -> Option<[(u16, Object); 2]> {
+    let profile = device.profile().unwrap_or_default();
+    let documents = base::documents(profile);
+    let maker = objects::Maker { plan: Plan::new(profile, &Features::default()), documents: &documents };
+    pdos::records(&maker, &PdoMap { kind, number, mapped })
 }
 
 fn file_info(wanted: &Wanted) -> FileInfo {

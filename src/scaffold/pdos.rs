@@ -16,14 +16,16 @@ const ROOM: u16 = 8;
 /// Adds the PDOs.
 pub(super) fn add(device: &mut Device, maker: &Maker<'_>) {
     for pdo in wanted(device, maker) {
-        let (Some(communication), Some(mapping)) =
-            (pdo.kind.communication_index(pdo.number), pdo.kind.mapping_index(pdo.number))
-        else {
-            continue;
-        };
-        device.objects.insert(communication, communication_record(maker, &pdo, communication));
-        device.objects.insert(mapping, mapping_record(maker, &pdo, mapping));
+        device.objects.extend(records(maker, &pdo).into_iter().flatten());
     }
+}
+
+/// The communication parameter and the mapping parameter of a PDO.
+pub(super) fn records(maker: &Maker<'_>, pdo: &PdoMap) -> Option<[(u16, Object); 2]> {
+    let communication = pdo.kind.communication_index(pdo.number)?;
+    let mapping = pdo.kind.mapping_index(pdo.number)?;
+    let communication = (communication, communication_record(maker, pdo, communication));
+    Some([communication, (mapping, mapping_record(maker, pdo, mapping))])
 }
 
 /// The PDOs that the features ask for, with the default mapping of the profile where it has one.

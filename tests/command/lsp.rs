@@ -5,6 +5,9 @@ use std::process::{Child, ChildStdin, ChildStdout, Command, Stdio};
 
 use serde_json::{Value, json};
 
+/// What time it is for the programs, in seconds.
+const EPOCH: &str = "1790000000";
+
 struct Session {
     server: Child,
     input: ChildStdin,
@@ -16,6 +19,7 @@ struct Session {
 impl Session {
     fn start() -> Self {
         let mut command = Command::new(env!("CARGO_BIN_EXE_objdict"));
+        let command = command.env("SOURCE_DATE_EPOCH", EPOCH);
         let mut server = command.arg("lsp").stdin(Stdio::piped()).stdout(Stdio::piped()).spawn().unwrap();
         let input = server.stdin.take().unwrap();
         let output = BufReader::new(server.stdout.take().unwrap());
@@ -30,7 +34,7 @@ impl Session {
     }
 
     /// Takes the next message.
-    fn receive(&mut self) {
+    fn receive(&mut self) -> Value {
         let mut length = 0;
         loop {
             let mut line = String::new();
@@ -45,12 +49,13 @@ impl Session {
         self.output.read_exact(&mut text).unwrap();
         let message: Value = serde_json::from_slice(&text).unwrap();
         self.log += &format!("← {}\n", brief(&message));
+        message
     }
 
     /// Sends a request and takes its answer.
-    fn ask(&mut self, id: u32, method: &str, params: &Value) {
+    fn ask(&mut self, id: u32, method: &str, params: &Value) -> Value {
         self.send(&json!({ "jsonrpc": "2.0", "id": id, "method": method, "params": params }));
-        self.receive();
+        self.receive()
     }
 
     fn note(&mut self, method: &str, params: &Value) {
@@ -106,6 +111,34 @@ fn a_session_over_standard_input_and_output() {
     session.note("exit", &Value::Null);
     assert!(session.server.wait().unwrap().success());
     insta::assert_snapshot!(session.log);
+}
+
+#[test]
+fn a_new_file_begins_as_objdict_new_writes_it() {
+    let folder = tempfile::tempdir().unwrap();
+    let mut command = Command::new(env!("CARGO_BIN_EXE_objdict"));
+    let command = command.args(["new", "--profile", "301", "-o", "new.eds"]).current_dir(folder.path());
+    assert!(command.env("SOURCE_DATE_EPOCH", EPOCH).output().unwrap().status.success());
+    let mut session = Session::start();
+    let uri = "file:///nowhere/new.eds";
+    session.ask(1, "initialize", &json!({ "capabilities": {}, "processId": null, "rootUri": null }));
+    session.note("initialized", &json!({}));
+    let opened = json!({ "uri": uri, "languageId": "eds", "version": 1, "text": "" });
+    session.note("textDocument/didOpen", &json!({ "textDocument": opened }));
+    session.receive();
+    let start = json!({ "line": 0, "character": 0 });
+    let items = session.ask(
+        2,
+        "textDocument/completion",
+        &json!({ "textDocument": { "uri": uri }, "position": start }),
+    );
+    let items = items["result"].as_array().unwrap();
+    let item = items.iter().find(|item| item["label"] == "[FileInfo] a device of CiA 301").unwrap();
+    let written = std::fs::read_to_string(folder.path().join("new.eds")).unwrap();
+    assert_eq!(item["textEdit"]["newText"].as_str().unwrap().replace('\r', ""), written.replace('\r', ""));
+    session.ask(3, "shutdown", &Value::Null);
+    session.note("exit", &Value::Null);
+    assert!(session.server.wait().unwrap().success());
 }
 
 #[test]

@@ -16,6 +16,7 @@ mod flags;
 mod hostile;
 mod limits;
 mod lsp;
+mod neovim;
 mod outputs;
 mod page;
 mod patches;

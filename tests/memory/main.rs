@@ -5,6 +5,8 @@
 #![allow(clippy::print_stdout, reason = "what a process says is shown when it fails")]
 
 mod bombs;
+#[cfg(feature = "lsp")]
+mod editing;
 
 use std::alloc::System;
 use std::env;

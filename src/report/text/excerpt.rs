@@ -113,7 +113,8 @@ impl SourceCode for Excerpts<'_> {
         };
         let lines = self.source.lines();
         let at = lines.line_column(&self.text, from as u32);
-        let [first, last] = [from, to.saturating_sub(1).max(from)].map(|at| lines.line_of(&self.text, at as u32));
+        let [first, last] =
+            [from, to.saturating_sub(1).max(from)].map(|at| lines.line_of(&self.text, at as u32));
         Ok(Box::new(MietteSpanContents::new_named(
             self.name.clone(),
             &self.text.as_bytes()[from..to],

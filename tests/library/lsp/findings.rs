@@ -1,5 +1,6 @@
 //! Findings as the user types.
 
+use lsp_server::{Connection, Message, Notification, Request, RequestId};
 use serde_json::{Value, json};
 
 use super::client::{Client, fixture, position_of};
@@ -74,17 +75,41 @@ fn a_configuration_counts_as_it_is_typed() {
 }
 
 #[test]
-fn a_cancelled_request_is_not_answered_with_a_result() {
-    let mut client = Client::start();
-    client.open("a.eds", &fixture("eds/minimal.eds"));
-    // both are in the queue when the server looks into it, or the first is answered
-    let params = json!({ "textDocument": client.document("a.eds") });
-    let id = client.send_request("textDocument/documentSymbol", params);
-    client.note("$/cancelRequest", json!({ "id": id }));
-    let answer = client.answer_to(&id);
-    if let Err(error) = answer.response_result {
-        assert_eq!(error.code, -32800);
-    }
+fn a_cancelled_request_is_answered_with_an_error() {
+    // all is in the queue before the server looks into it
+    let (client, other) = Connection::memory();
+    let request = |id: i32, method: &str, params: Value| {
+        client.sender.send(Request::new(id.into(), method.to_owned(), params).into()).unwrap();
+    };
+    let note = |method: &str, params: Value| {
+        client.sender.send(Notification::new(method.to_owned(), params).into()).unwrap();
+    };
+    let document = json!({ "uri": "file:///nowhere/a.eds" });
+    let text = fixture("eds/minimal.eds");
+    request(1, "initialize", json!({ "capabilities": {} }));
+    note("initialized", json!({}));
+    let opened = json!({ "uri": document["uri"], "languageId": "eds", "version": 0, "text": text });
+    note("textDocument/didOpen", json!({ "textDocument": opened }));
+    request(2, "textDocument/documentSymbol", json!({ "textDocument": document }));
+    request(3, "textDocument/documentSymbol", json!({ "textDocument": document }));
+    note("$/cancelRequest", json!({ "id": 2 }));
+    request(4, "shutdown", Value::Null);
+    note("exit", Value::Null);
+    objdict::lsp::serve(&other).unwrap();
+    let answers: Vec<(RequestId, Option<i32>)> = client
+        .receiver
+        .try_iter()
+        .filter_map(|message| match message {
+            Message::Response(answer) => {
+                Some((answer.id, answer.response_result.err().map(|error| error.code)))
+            }
+            _ => None,
+        })
+        .collect();
+    let mut codes: Vec<_> = answers.into_iter().map(|(id, code)| (id.to_string(), code)).collect();
+    codes.sort();
+    let expected = [("1", None), ("2", Some(-32800)), ("3", None), ("4", None)];
+    assert_eq!(codes, expected.map(|(id, code)| (id.to_owned(), code)));
 }
 
 #[test]

@@ -6,4 +6,5 @@ mod folder;
 mod keyed;
 mod places;
 mod random;
+mod typing;
 mod writing;

@@ -128,6 +128,32 @@ fn the_outline_has_areas_objects_and_sub_indexes() {
 }
 
 #[test]
+fn symbols_are_those_of_all_folders() {
+    let mut client = Client::start();
+    for folder in ["a", "b", "c"] {
+        std::fs::create_dir(client.path(folder)).unwrap();
+        client.write(&format!("{folder}/lamp.eds"), fixture("eds/minimal.eds"));
+    }
+    assert_eq!(client.offered["capabilities"]["workspace"]["workspaceFolders"]["changeNotifications"], true);
+    let folder = |client: &Client, name: &str| json!({ "uri": client.uri(name), "name": name });
+    let files = |client: &mut Client| {
+        let found = client.ask("workspace/symbol", json!({ "query": "1018" }));
+        let uris =
+            found.as_array().unwrap().iter().map(|one| one["location"]["uri"].as_str().unwrap().to_owned());
+        let start = client.uri("");
+        uris.map(|uri| uri.strip_prefix(&start).unwrap().to_owned()).collect::<Vec<_>>()
+    };
+    assert_eq!(files(&mut client), ["a/lamp.eds", "b/lamp.eds", "c/lamp.eds"]);
+    let event =
+        json!({ "added": [folder(&client, "a"), folder(&client, "c")], "removed": [folder(&client, "")] });
+    client.note("workspace/didChangeWorkspaceFolders", json!({ "event": event }));
+    assert_eq!(files(&mut client), ["a/lamp.eds", "c/lamp.eds"]);
+    let event = json!({ "added": [], "removed": [folder(&client, "a")] });
+    client.note("workspace/didChangeWorkspaceFolders", json!({ "event": event }));
+    assert_eq!(files(&mut client), ["c/lamp.eds"]);
+}
+
+#[test]
 fn ranges_around_a_place_are_in_each_other() {
     let mut client = Client::start();
     let text = fixture("eds/minimal.eds");

@@ -132,15 +132,39 @@ fn of_a_device_toml() {
     findings_are_those_of_a_check("toml", &fixture("toml/io.toml"));
 }
 
+/// Edits of each file below the folder `OBJDICT_CORPUS_DIR`, which are files of vendors.
+const EDITS_OF_A_FILE: usize = 5;
+
+/// Files that a debug build checks in a moment.
+const SMALL: usize = 60_000;
+
 #[test]
-fn many_edits_take_no_memory() {
-    // the server keeps the newest text of a file and what was found in it, and nothing of those before
+fn of_the_files_of_vendors() {
+    let Some(corpus) = std::env::var_os("OBJDICT_CORPUS_DIR") else {
+        println!("skipped: `OBJDICT_CORPUS_DIR` names no folder");
+        return;
+    };
     let mut client = Client::start();
-    let text = fixture("eds/minimal.eds");
-    client.open("a.eds", &text);
-    for edit in 0..20 {
-        client.send_change("a.eds", &format!("{text}; {edit}\r\n"));
+    let mut numbers = Numbers(36);
+    let mut edits = 0;
+    for path in crate::support::files_below(Path::new(&corpus), &["eds", "dcf", "xdd", "xdc"]) {
+        let Ok(mut text) = std::fs::read_to_string(&path) else { continue };
+        if text.len() > SMALL {
+            continue;
+        }
+        let name = format!("a.{}", path.extension().unwrap().to_string_lossy().to_lowercase());
+        client.open(&name, &text);
+        for _ in 0..EDITS_OF_A_FILE {
+            text = numbers.edit(&text);
+            let found = client.change(&name, &text);
+            if let Some(expected) = checked(&client.path(&name), &text) {
+                assert_eq!(published(&found), expected, "{}:\n{text}", path.display());
+                edits += 1;
+            }
+        }
+        client.note("textDocument/didClose", json!({ "textDocument": client.document(&name) }));
+        client.findings(&name);
     }
-    let found = client.change("a.eds", &SourceFile::from_text("a.eds", text).text().replace("minimal", "a"));
-    assert_eq!(found, json!([]));
+    println!("{edits} edits");
+    assert!(edits > 0, "no descriptions below `OBJDICT_CORPUS_DIR`");
 }

@@ -215,14 +215,13 @@ impl SourceFile {
     }
 
     /// A source that has some lines of a text that is too long to keep, each with its number, from 1.
-    pub fn from_lines<'l>(
-        name: impl Into<String>,
-        lines: impl IntoIterator<Item = (u64, &'l str)>,
-    ) -> Self {
+    pub fn from_lines<'l>(name: impl Into<String>, lines: impl IntoIterator<Item = (u64, &'l str)>) -> Self {
         let (mut text, mut numbers) = (String::new(), Vec::new());
         for (number, line) in lines {
             // what would end a line would shift the numbers of those behind it
-            text.extend(line.chars().map(|character| if matches!(character, '\n' | '\r') { ' ' } else { character }));
+            text.extend(
+                line.chars().map(|character| if matches!(character, '\n' | '\r') { ' ' } else { character }),
+            );
             text.push('\n');
             numbers.push(u32::try_from(number).unwrap_or(u32::MAX));
         }

@@ -155,7 +155,8 @@ impl PdoSignal<'_> {
         bytes: [u8; 4],
     ) -> PdoSignal<'static> {
         let data_type = node.data_type((index, sub));
-        let bits = data_type.and_then(DataType::bit_length).map(u32::from).filter(|bits| (1..=32).contains(bits));
+        let bits =
+            data_type.and_then(DataType::bit_length).map(u32::from).filter(|bits| (1..=32).contains(bits));
         let place = SignalPlace {
             index,
             sub,

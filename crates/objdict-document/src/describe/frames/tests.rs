@@ -310,7 +310,10 @@ fn a_multiplexed_pdo_names_its_entry() {
     let to_other = [0x86, 0x61, 0x60, 0, 0xFF, 9, 9, 9];
     assert_eq!(words(0x185, &to_other), "drive TPDO 1: to other: 6061:00 Modes of operation display = -1");
     let to_all = [0x80, 0x17, 0x10, 0, 0xE8, 3, 0, 0];
-    assert_eq!(words(0x185, &to_all), "drive TPDO 1: to all nodes: 1017:00 Producer heartbeat time = 1000 (1000 ms)");
+    assert_eq!(
+        words(0x185, &to_all),
+        "drive TPDO 1: to all nodes: 1017:00 Producer heartbeat time = 1000 (1000 ms)"
+    );
     let of_other = [6, 0, 0x21, 1, 1, 2, 3, 4];
     assert_eq!(words(0x205, &of_other), "to drive RPDO 1: of other: 2100:01 = 4030201h");
     assert_eq!(words(0x205, &[6, 0, 0x21]), "to drive RPDO 1: MPDO of 3 bytes");
