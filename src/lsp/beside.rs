@@ -15,7 +15,7 @@ use super::workspace::Workspace;
 use crate::diagnostic::Severity;
 use crate::format::network::node_name;
 use crate::format::{Description, Format, Syntax, WriteOptions, convert};
-use crate::model::{DeviceKind, Value};
+use crate::model::{Access, DeviceKind, Value};
 use crate::source::{SourceFile, SourceOptions, is_file};
 
 /// A new file with the description in another syntax.
@@ -151,7 +151,7 @@ fn of_type(name: &str, description: &Description, origin: &Description) -> Strin
         for (sub, entry) in object.entries() {
             let default = origin.device().object(index).and_then(|object| object.value(sub));
             let value = entry.configured_value().filter(|value| Some(*value) != default.as_deref());
-            let is_writable = entry.implied_access().is_some_and(|access| access.is_writable());
+            let is_writable = entry.implied_access().is_some_and(Access::is_writable);
             let Some(value) = value.filter(|_| is_writable) else { continue };
             let address = if has_subs { format!("{index:04X}:{sub:X}") } else { format!("{index:04X}") };
             let shown = match (value, value.as_integer()) {

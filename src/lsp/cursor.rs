@@ -131,7 +131,7 @@ impl<'a> Line<'a> {
 fn table_around(text: &str, start: usize, end: usize) -> (Vec<String>, Vec<String>) {
     let is_header = |line: &&str| line.trim_start().starts_with('[') && split_at_equals(line).is_none();
     let above: Vec<&str> = text[..start].lines().rev().collect();
-    let header = above.iter().position(|line| is_header(&line));
+    let header = above.iter().position(&is_header);
     let path =
         header.map(|number| above[number].trim().trim_matches(['[', ']'])).map(keys).unwrap_or_default();
     let below = text[end..].lines().skip(1).take_while(|line| !is_header(line));

@@ -4,7 +4,7 @@ use crate::format::Description;
 use crate::format::eds::SectionName;
 use crate::format::ini::Section;
 use crate::format::mention::{Digits, Mention, MentionKind};
-use crate::format::xml::Tree;
+use crate::format::xml::{Attribute, Element, Tree};
 use crate::model::{Part, PdoKind};
 use crate::source::Span;
 
@@ -81,17 +81,17 @@ fn of_header(text: &str, span: Span, index: u16, sub: Option<u8>) -> Mention {
 fn of_tree(tree: &Tree, found: &mut Vec<Mention>) {
     let text = tree.text();
     let hex = |span: Span| u16::from_str_radix(span.of(text), 16).ok();
-    for object in tree.root().into_iter().flat_map(|root| root.descendants()) {
+    for object in tree.root().into_iter().flat_map(Element::descendants) {
         if object.name() != "CANopenObject" {
             continue;
         }
-        let Some(at) = object.attribute("index").map(|attribute| attribute.value_span()) else { continue };
+        let Some(at) = object.attribute("index").map(Attribute::value_span) else { continue };
         let Some(index) = hex(at) else { continue };
         let kind = MentionKind::Section;
         let (index_at, sub_at, last) = (Some(Digits::hex(at)), None, None);
         found.push(Mention { kind, span: at, index, sub: None, index_at, sub_at, last });
         for entry in object.children() {
-            let Some(at) = entry.attribute("subIndex").map(|attribute| attribute.value_span()) else {
+            let Some(at) = entry.attribute("subIndex").map(Attribute::value_span) else {
                 continue;
             };
             let Some(sub) = hex(at).and_then(|sub| u8::try_from(sub).ok()) else { continue };

@@ -113,7 +113,7 @@ impl Bits {
             // a stuff bit at the end of the bits before is the first of these
             let run = equal + u32::from(last_is_stuffed);
             stuffed += run / 5;
-            last_is_stuffed = run % 5 == 0;
+            last_is_stuffed = run.is_multiple_of(5);
             changes = changes.checked_shl(equal).unwrap_or_default();
             left -= equal;
         }

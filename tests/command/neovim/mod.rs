@@ -19,6 +19,7 @@ struct Neovim {
 }
 
 /// The version of Neovim, such as `v0.7.2`; `None` says that the test is skipped.
+#[allow(clippy::print_stdout, reason = "says why a test is skipped")]
 fn version() -> Option<String> {
     let output = Command::new("nvim").arg("--version").output().ok();
     let printed = output.map(|output| String::from_utf8_lossy(&output.stdout).into_owned());

@@ -47,6 +47,7 @@ fn drawn(neovim: &Neovim) -> String {
 }
 
 #[test]
+#[allow(clippy::print_stdout, reason = "says why a test is skipped")]
 fn the_pictures_of_the_editor_are_what_it_shows() {
     let Some(version) = version() else { return };
     if !version.starts_with("v0.7.") {

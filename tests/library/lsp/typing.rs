@@ -190,7 +190,7 @@ fn a_device_is_written_with_at_most_150_keys() {
         .pdos()
         .flat_map(|pdo| pdo.slots)
         .filter_map(|slot| slot.object)
-        .map(|object| object.to_number())
+        .map(objdict::model::MappedObject::to_number)
         .collect();
     assert_eq!(carried, [0x2001_0110, 0x2001_0210]);
     read_by_others(&bytes);

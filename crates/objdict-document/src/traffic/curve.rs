@@ -129,7 +129,7 @@ mod tests {
     fn what_is_not_a_number_is_left_out() {
         let mut curve = Curve::new(0);
         assert_eq!((curve.range(), curve.mean()), (None, None));
-        [f64::NAN, f64::INFINITY, 3.0].map(|value| curve.add(5, value));
+        [f64::NAN, f64::INFINITY, 3.0].into_iter().for_each(|value| curve.add(5, value));
         assert_eq!((curve.count(), curve.range(), curve.mean()), (1, Some((3.0, 3.0)), Some(3.0)));
     }
 
@@ -159,7 +159,7 @@ mod tests {
                     to: own.iter().map(|&(time, _)| time).max().unwrap(),
                     min: numbers().fold(f64::INFINITY, f64::min),
                     max: numbers().fold(f64::NEG_INFINITY, f64::max),
-                    last: numbers().last().unwrap(),
+                    last: numbers().next_back().unwrap(),
                     count: own.len() as u64,
                 };
                 prop_assert_eq!(*bucket, found);

@@ -128,7 +128,7 @@ mod tests {
     #[test]
     fn the_whole_of_time_has_room() {
         let mut density = Density::new(100);
-        [0, i64::MAX, i64::MIN].map(|time| density.add(0, Some(FrameKind::Pdo), time));
+        [0, i64::MAX, i64::MIN].into_iter().for_each(|time| density.add(0, Some(FrameKind::Pdo), time));
         assert_eq!((density.span(), density.bins(0).count()), (Some((i64::MIN, i64::MAX)), 3));
     }
 
