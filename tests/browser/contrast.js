@@ -45,7 +45,7 @@
   const weak = new Set();
   for (const element of document.body.querySelectorAll("*")) {
     const text = [...element.childNodes].filter(of => of.nodeType === Node.TEXT_NODE).map(of => of.data).join("").trim();
-    if (!text || ["SCRIPT", "STYLE", "TITLE", "title", "desc"].includes(element.tagName) || !element.checkVisibility()) continue;
+    if (!text || ["SCRIPT", "STYLE", "TITLE", "title", "desc"].includes(element.tagName) || !element.checkVisibility({ visibilityProperty: true })) continue;
     const style = getComputedStyle(element), drawn = element.closest("svg") !== null;
     const back = drawn ? shape(element) : ground(element);
     const colour = over(parse(drawn ? style.fill : style.color), back);

@@ -115,7 +115,7 @@ mod tests {
     fn a_million_values_stay_in_the_buckets() {
         let mut curve = Curve::new(1000);
         for number in 0..1_000_000_i64 {
-            // one value of a million stands out
+            // one value of a million is another
             curve.add(number * 1000, if number == 654_321 { 9.0 } else { (number % 7) as f64 });
         }
         assert!(curve.buckets().len() <= 1000 && curve.buckets.capacity() <= 2048);
