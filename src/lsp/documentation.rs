@@ -33,7 +33,7 @@ pub(super) fn action(file: &File) -> CodeAction {
 /// The page of a description, with its findings.
 ///
 /// # Errors
-/// When the file is no description.
+/// When the file is not a description.
 pub(super) fn page(file: &File) -> Result<String, String> {
     let description = file.description().ok_or_else(|| format!("`{}` is not a description", file.name()))?;
     let shown = file.analysis.map_subjects(|subject, findings| {
@@ -54,7 +54,7 @@ pub(super) fn page(file: &File) -> Result<String, String> {
 /// Writes the page into a folder of its own for temporary files, and asks the editor to show it.
 ///
 /// # Errors
-/// When the file is no description, or the page cannot be written.
+/// When the file is not a description, or the page cannot be written.
 pub(super) fn show(file: &File, workspace: &mut Workspace) -> Result<(), String> {
     let page = page(file)?;
     let failed = |error: std::io::Error| format!("cannot write the page: {error}");

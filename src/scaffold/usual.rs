@@ -1,4 +1,4 @@
-//! What a new description states where its author says nothing.
+//! What a new description states for what its author leaves open.
 
 use std::time::{SystemTime, UNIX_EPOCH};
 

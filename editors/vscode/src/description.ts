@@ -52,9 +52,12 @@ export function beside(path: string, to: string): string {
   return join(dirname(path), `${basename(path, extname(path))}.${to}`);
 }
 
-/** Writes a description in another format; the messages say what is lost. `target` is replaced, so ask before. */
-export async function convert(program: string, source: Source, to: string, target: string): Promise<void> {
-  await output(program, ["convert", "-", ...format(source), "--to", to, "-o", target, "--quiet"], source.text, dirname(source.path));
+/** Writes a description in another format, and returns what is lost. `target` is replaced, so ask before. */
+export async function convert(program: string, source: Source, to: string, target: string): Promise<string[]> {
+  const arguments_ = ["convert", "-", ...format(source), "--to", to, "-o", target];
+  const report = await output(program, arguments_, source.text, dirname(source.path));
+  const lines = report.split("\n").map((line) => line.trim());
+  return lines.filter((line) => line.startsWith("lost: ")).map((line) => line.slice("lost: ".length));
 }
 
 /** Generates code into a folder; files that objdict did not write stay. */

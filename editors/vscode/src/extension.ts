@@ -100,7 +100,8 @@ async function convertFile(program: string): Promise<void> {
     const answer = await vscode.window.showWarningMessage(`\`${basename(target)}\` exists`, { modal: true }, replace);
     if (answer !== replace) return;
   }
-  await convert(program, source, to, target);
+  const lost = await convert(program, source, to, target);
+  if (lost.length > 0) void vscode.window.showWarningMessage(`\`${basename(target)}\` has no place for: ${lost.join("; ")}`);
   await vscode.commands.executeCommand("vscode.open", vscode.Uri.file(target));
 }
 

@@ -66,8 +66,11 @@ test("a conversion writes beside the description, and the program reads it", asy
   const path = join(folder(), "a.b.eds");
   const target = beside(path, "xdd");
   assert.match(target, /a\.b\.xdd$/);
-  await convert(objdict, { ...source("eds/minimal.eds"), path }, "xdd", target);
+  assert.deepEqual(await convert(objdict, { ...source("eds/minimal.eds"), path }, "xdd", target), []);
   assert.match(readFileSync(target, "utf8"), /<ISO15745ProfileContainer/);
+  const lost = await convert(objdict, source("xdd/press-402.xdd"), "eds", join(folder(), "press.eds"));
+  assert.equal(lost.length, 1);
+  assert.match(lost[0], /^0x2020: the object is disabled/);
   await assert.rejects(convert(objdict, { path, text: "no description" }, "xdd", target), /./);
 });
 

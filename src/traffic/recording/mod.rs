@@ -112,7 +112,7 @@ impl Recording {
                 let state = if is_boot_up { Some(PRE_OPERATIONAL) } else { frame.data().first().copied() };
                 state.into_iter().for_each(|state| self.state(state, time, (at, node_id), bus));
             }
-            FrameKind::Pdo => self.pdo(decoded, frame, (at, node_id), bus),
+            FrameKind::Pdo => self.pdo(decoded, frame, at, bus),
             FrameKind::Sdo => self.transfer(decoded, time, (at, node_id), bus),
             _ => {}
         }
@@ -133,24 +133,10 @@ impl Recording {
         }
     }
 
-    fn pdo(
-        &mut self,
-        decoded: &DecodedFrame,
-        frame: &LoggedFrame,
-        (at, node_id): (usize, u8),
-        bus: &Bus<'_>,
-    ) {
-        for signal in bus.reader.signals(decoded, &raw(frame)) {
-            // without a type the bits are a number
-            if let Some(value) = signal.value.or(signal.raw.map(Value::Unsigned)) {
-                self.value(
-                    (at, node_id, signal.index, signal.sub),
-                    &value,
-                    frame.time.nanoseconds(),
-                    true,
-                    bus,
-                );
-            }
+    fn pdo(&mut self, decoded: &DecodedFrame, frame: &LoggedFrame, at: usize, bus: &Bus<'_>) {
+        let time = frame.time.nanoseconds();
+        for (node_id, (index, sub), value) in bus.reader.values(decoded, &raw(frame)) {
+            self.value((at, node_id, index, sub), &value, time, true, bus);
         }
     }
 

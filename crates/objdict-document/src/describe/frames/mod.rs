@@ -16,9 +16,10 @@ use objdict_network::Service;
 
 pub use self::decoded::{DecodedFrame, FrameKind, RawFrame, SdoFrame, SdoStep};
 use self::sdo::Transfers;
+use self::signals::SignalPlace;
 pub use self::signals::{PdoSignal, SignalReading};
-use self::talker::Nodes;
 pub use self::talker::Talker;
+use self::talker::{Node, Nodes};
 use self::users::{Stale, User, Users};
 use super::Decoder;
 use crate::model::{Device, PdoKind, Value};
@@ -146,14 +147,38 @@ impl<'a> FrameReader<'a> {
         let signals = self.user(decoded, frame).and_then(|user| {
             let node = self.nodes.get(user.node_id)?;
             if user.content.is_multiplexed {
-                let (multiplexer, entry, bytes) = signals::multiplexed(frame.data)?;
-                // the entry of no one node has the type that the sender has
-                let node = self.nodes.get(multiplexer.node_id()).unwrap_or(node);
-                return Some(vec![PdoSignal::multiplexed(node, entry, bytes)]);
+                let (node, place, value) = self.multiplexed(node, frame)?;
+                return Some(vec![place.signal(node, Some(value)).into_owned()]);
             }
             Some(user.content.signals(node, frame.data).collect())
         });
         signals.unwrap_or_default()
+    }
+
+    /// The values of a PDO without their words, each with the node whose entry it is; without a type the bits are a number.
+    pub fn values(&self, decoded: &DecodedFrame, frame: &RawFrame<'_>) -> Vec<(u8, (u16, u8), Value)> {
+        let values = self.user(decoded, frame).and_then(|user| {
+            let node = self.nodes.get(user.node_id)?;
+            if user.content.is_multiplexed {
+                let (node, place, value) = self.multiplexed(node, frame)?;
+                return Some(vec![(node.node_id, place.entry(), place.number(value))]);
+            }
+            let values = user.content.values(frame.data);
+            Some(values.map(|(entry, value)| (node.node_id, entry, value)).collect())
+        });
+        values.unwrap_or_default()
+    }
+
+    /// What a multiplexed PDO of a node carries: the node whose entry it is, the entry, and its bytes.
+    fn multiplexed<'n>(
+        &'n self,
+        sender: &'n Node<'a>,
+        frame: &RawFrame<'_>,
+    ) -> Option<(&'n Node<'a>, SignalPlace, u64)> {
+        let (multiplexer, entry, bytes) = signals::multiplexed(frame.data)?;
+        // the entry of no one node has the type that the sender has
+        let node = self.nodes.get(multiplexer.node_id()).unwrap_or(sender);
+        Some((node, SignalPlace::multiplexed(node, entry), u32::from_le_bytes(bytes).into()))
     }
 
     /// The number of bits that are mapped into a PDO, if that is known.
@@ -165,11 +190,9 @@ impl<'a> FrameReader<'a> {
     pub fn transferred(&self, decoded: &DecodedFrame) -> Option<(&[u8], Option<Value>)> {
         let (node_id, sdo) = decoded.node_id.zip(decoded.sdo)?;
         let is_known = sdo.step.has_value() || sdo.step == SdoStep::Written;
-        let bytes = is_known.then(|| {
-            let length = sdo.entry.and_then(|entry| self.nodes.length(node_id, entry));
-            self.transfers.value((node_id, sdo.channel), length)
-        })?;
-        let value = self.nodes.get(node_id).and_then(|node| node.value_of(sdo.entry?, bytes));
+        let entry = sdo.entry.filter(|_| is_known)?;
+        let bytes = self.nodes.transferred(&self.transfers, (node_id, sdo.channel), entry);
+        let value = self.nodes.get(node_id).and_then(|node| node.value_of(entry, bytes));
         Some((bytes, value))
     }
 
@@ -230,7 +253,7 @@ impl<'a> FrameReader<'a> {
     }
 
     fn reset(&mut self, node_id: u8) {
-        if self.nodes.get_mut(node_id).is_some_and(talker::Node::reset) {
+        if self.nodes.get_mut(node_id).is_some_and(Node::reset) {
             self.note_other_values(node_id);
         }
     }
@@ -286,8 +309,7 @@ impl<'a> FrameReader<'a> {
 
     /// Takes a value that a node has accepted, or has sent as an answer.
     fn take(&mut self, (node_id, channel): (u8, u16), entry: (u16, u8), is_accepted: bool) {
-        let length = self.nodes.length(node_id, entry);
-        let bytes = self.transfers.value((node_id, channel), length);
+        let bytes = self.nodes.transferred(&self.transfers, (node_id, channel), entry);
         let Some(node) = self.nodes.get_mut(node_id) else { return };
         match entry {
             (0x1010, 1 | 2) if is_accepted && bytes == b"save" => return node.store(),

@@ -63,7 +63,7 @@ pub(super) struct PdoContent {
     pub(super) is_multiplexed: bool,
 }
 
-/// What the first byte of a multiplexed PDO says of the node-ID in it (CiA 301 §7.2.2.7).
+/// What the first byte of a multiplexed PDO says of the node-ID in it (CiA 301 §7.2.3).
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) enum Multiplexer {
     /// The value is for this node, or for all (0): destination address mode.
@@ -115,17 +115,64 @@ impl PdoContent {
         node: &'r Node<'_>,
         data: &'r [u8],
     ) -> impl Iterator<Item = PdoSignal<'r>> {
+        let parts = self.parts(data);
+        parts.map(move |(place, frame)| place.signal(node, frame))
+    }
+
+    /// The same as entries and their values; without a type the bits are a number. What a frame is too short for is left out.
+    pub(super) fn values(&self, data: &[u8]) -> impl Iterator<Item = ((u16, u8), Value)> {
+        self.parts(data).filter_map(|(place, frame)| Some((place.entry(), place.number(frame?))))
+    }
+
+    /// The places, each with the frame if it is long enough for it.
+    fn parts(&self, data: &[u8]) -> impl Iterator<Item = (&SignalPlace, Option<u64>)> + use<'_> {
         let frame = data.iter().take(8).rev().fold(0, |frame, &byte| frame << 8 | u64::from(byte));
         let length = 8 * data.len() as u32;
-        self.places.iter().map(move |place| place.signal(node, Some(frame).filter(|_| place.end <= length)))
+        self.places.iter().map(move |place| (place, Some(frame).filter(|_| place.end <= length)))
     }
 }
 
 impl SignalPlace {
-    fn signal<'r>(&'r self, node: &Node<'_>, frame: Option<u64>) -> PdoSignal<'r> {
+    /// The value in a multiplexed PDO, which is of an entry of `node`; without a type all four bytes count.
+    pub(super) fn multiplexed(node: &Node<'_>, (index, sub): (u16, u8)) -> Self {
+        let data_type = node.data_type((index, sub));
+        let bits =
+            data_type.and_then(DataType::bit_length).map(u32::from).filter(|bits| (1..=32).contains(bits));
+        Self {
+            index,
+            sub,
+            name: node.device.entry(index, sub).map_or_else(String::new, |entry| entry.name.to_string()),
+            start: 0,
+            end: bits.unwrap_or(32),
+            data_type: data_type.filter(|_| bits.is_some()),
+            scaled: node.scaling(&node.meanings(), (index, sub)),
+        }
+    }
+
+    pub(super) const fn entry(&self) -> (u16, u8) {
+        (self.index, self.sub)
+    }
+
+    /// The bits in a frame.
+    const fn raw(&self, frame: u64) -> u64 {
+        frame >> self.start & u64::MAX >> (64 - (self.end - self.start))
+    }
+
+    /// The value of these bits in the type; `None` if the type is not known.
+    fn typed(&self, raw: u64) -> Option<Value> {
+        of_bits(raw, self.end - self.start, self.data_type?)
+    }
+
+    /// The value in a frame, as a number if the type is not known.
+    pub(super) fn number(&self, frame: u64) -> Value {
+        let raw = self.raw(frame);
+        self.typed(raw).unwrap_or(Value::Unsigned(raw))
+    }
+
+    pub(super) fn signal<'r>(&'r self, node: &Node<'_>, frame: Option<u64>) -> PdoSignal<'r> {
         let bits = self.end - self.start;
-        let raw = frame.map(|frame| frame >> self.start & u64::MAX >> (64 - bits));
-        let value = raw.zip(self.data_type).and_then(|(raw, data_type)| of_bits(raw, bits, data_type));
+        let raw = frame.map(|frame| self.raw(frame));
+        let value = raw.and_then(|raw| self.typed(raw));
         let scaled =
             self.scaled.as_ref().zip(value.as_ref()).and_then(|(scaled, value)| scaled.number(value));
         let text = match (&value, raw) {
@@ -148,27 +195,10 @@ impl SignalPlace {
 }
 
 impl PdoSignal<'_> {
-    /// The value in a multiplexed PDO, which is of an entry of `node`; without a type all four bytes are shown.
-    pub(super) fn multiplexed(
-        node: &Node<'_>,
-        (index, sub): (u16, u8),
-        bytes: [u8; 4],
-    ) -> PdoSignal<'static> {
-        let data_type = node.data_type((index, sub));
-        let bits =
-            data_type.and_then(DataType::bit_length).map(u32::from).filter(|bits| (1..=32).contains(bits));
-        let place = SignalPlace {
-            index,
-            sub,
-            name: node.device.entry(index, sub).map_or_else(String::new, |entry| entry.name.to_string()),
-            start: 0,
-            end: bits.unwrap_or(32),
-            data_type: data_type.filter(|_| bits.is_some()),
-            scaled: node.scaling(&node.meanings(), (index, sub)),
-        };
-        let signal = place.signal(node, Some(u32::from_le_bytes(bytes).into()));
-        let (name, unit) = (signal.name.into_owned().into(), signal.unit.into_owned().into());
-        PdoSignal { name, unit, ..signal }
+    /// The same without what it is borrowed from.
+    pub(super) fn into_owned(self) -> PdoSignal<'static> {
+        let (name, unit) = (self.name.into_owned().into(), self.unit.into_owned().into());
+        PdoSignal { name, unit, ..self }
     }
 
     /// `6041:00 Statusword = 1591 (state: operation enabled)`.

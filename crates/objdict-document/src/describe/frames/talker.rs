@@ -2,6 +2,7 @@
 
 use std::borrow::Cow;
 
+use super::sdo::Transfers;
 use crate::dbc::{Scaled, scaling_of};
 use crate::describe::{Decoder, Reader};
 use crate::model::{Assignment, DataType, Device, Entry, Meanings, Object, Value};
@@ -110,9 +111,15 @@ impl<'a> Nodes<'a> {
         self.get(node_id).map_or_else(|| format!("node {node_id}"), |node| node.name.clone().into_owned())
     }
 
-    /// The length of the values of an entry in bytes, if it is fixed.
-    pub(super) fn length(&self, node_id: u8, entry: (u16, u8)) -> Option<u8> {
-        self.get(node_id)?.data_type(entry)?.byte_length()
+    /// What is known of the value of an entry that a transfer has.
+    pub(super) fn transferred<'t>(
+        &self,
+        transfers: &'t Transfers,
+        channel: (u8, u16),
+        entry: (u16, u8),
+    ) -> &'t [u8] {
+        let length = || self.get(channel.0)?.data_type(entry)?.byte_length();
+        transfers.value(channel, length())
     }
 
     /// `1017:00 Producer heartbeat time`.

@@ -317,6 +317,9 @@ fn a_multiplexed_pdo_names_its_entry() {
     let of_other = [6, 0, 0x21, 1, 1, 2, 3, 4];
     assert_eq!(words(0x205, &of_other), "to drive RPDO 1: of other: 2100:01 = 4030201h");
     assert_eq!(words(0x205, &[6, 0, 0x21]), "to drive RPDO 1: MPDO of 3 bytes");
+    let frame = RawFrame { can_id: 0x185, is_extended: false, is_remote: false, data: &to_other };
+    let decoded = reader.decode(&frame);
+    assert_eq!(reader.values(&decoded, &frame), [(6, (0x6061, 0), Value::Signed(-1))]);
 }
 
 #[test]

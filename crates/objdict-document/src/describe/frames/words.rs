@@ -89,7 +89,7 @@ impl FrameReader<'_> {
         let entry = || sdo.entry.map_or_else(String::new, |entry| self.nodes.entry(node_id, entry));
         let value = || {
             let in_words = |entry| {
-                let bytes = self.transfers.value((node_id, sdo.channel), self.nodes.length(node_id, entry));
+                let bytes = self.nodes.transferred(&self.transfers, (node_id, sdo.channel), entry);
                 self.nodes.value(node_id, entry, bytes)
             };
             sdo.entry.map_or_else(String::new, in_words)
