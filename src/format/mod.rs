@@ -52,6 +52,8 @@ use crate::diagnostic::Findings;
 use crate::diagnostic::RuleInfo;
 #[cfg(all(feature = "json", feature = "xdd"))]
 use crate::model::Device;
+#[cfg(feature = "lsp")]
+use crate::model::Object;
 #[cfg(feature = "toml")]
 use crate::scaffold::{BaseError, Wanted, scaffold};
 pub use crate::source::EditError;
@@ -96,6 +98,12 @@ pub fn device_schema() -> serde_json::Value {
 #[cfg(feature = "lsp")]
 pub(crate) fn type_words() -> impl Iterator<Item = &'static str> {
     keyed::types::TYPES.iter().map(|(word, _)| *word)
+}
+
+/// What writes an object as a line of the table `object` of a `device.toml`; `None` of a text that is none.
+#[cfg(feature = "lsp")]
+pub(crate) fn object_writer(text: &str) -> Option<impl Fn(u16, &Object) -> String> {
+    device_toml::object_writer(text)
 }
 
 /// The `device.toml` of a [new device](crate::scaffold::scaffold): its profile, identity and features, with an example of an

@@ -11,7 +11,7 @@ use crate::format::identify::{ContentKind, identify_source};
 use crate::format::input::{FileKind, Reading};
 use crate::format::network::{NetworkFile, PathOptions};
 use crate::format::patch::Patch;
-use crate::format::{self, Description, ReadError};
+use crate::format::{self, Description, Format, ReadError};
 use crate::lint::{Options, Severities};
 use crate::profile::{OpenError, Profile};
 use crate::report::Subject;
@@ -144,7 +144,9 @@ fn read_and_checked(
         }
         Err(ReadError::Foreign { .. }) if bytes.iter().all(u8::is_ascii_whitespace) => {
             let source = source(&name, bytes, encoding);
-            match FileKind::of(path).and_then(FileKind::format) {
+            // without an ending it is not saved yet
+            let unsaved = path.extension().is_none().then_some(Format::Eds);
+            match FileKind::of(path).and_then(FileKind::format).or(unsaved) {
                 // a file that is about to be written
                 Some(format) => {
                     let content = Content::Description(Box::new(format::read(source, format)));

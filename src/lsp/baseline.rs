@@ -1,21 +1,27 @@
 //! Findings that are known: the editor names a baseline, and shows what came since.
 
+use std::io::ErrorKind;
 use std::path::Path;
 
 use lsp_types::WorkspaceEdit;
 
-use super::analysis::Analysis;
+use super::analysis::{Analysis, ReadProblem};
 use super::beside::created;
 use super::file::File;
 use super::uri::of_path;
 use super::workspace::Workspace;
 use crate::baseline::{Baseline, MAX_SIZE, folder_of, name_in};
-use crate::source::read_text;
+use crate::source::{SourceError, Span, read_text};
 
-/// Takes the findings away that a baseline has; one that cannot be read has none.
+/// Takes the findings away that a baseline has; one that cannot be read is an error of each file.
 pub(super) fn sift(path: &Path, analysis: &mut Analysis) {
-    let Some(baseline) = read_text(path, MAX_SIZE).ok().and_then(|text| Baseline::read(&text).ok()) else {
-        return;
+    let baseline = match read(path) {
+        Ok(Some(baseline)) => baseline,
+        Ok(None) => return,
+        Err(message) => {
+            let help = Some(format!("`objdict check --write-baseline {}` writes it anew", path.display()));
+            return analysis.errors.push(ReadProblem { span: Span::default(), message, help });
+        }
     };
     let is_gone = |file: &str| !folder_of(path).join(file).exists();
     let left = analysis.map_subjects(|subject, findings| {
@@ -26,14 +32,22 @@ pub(super) fn sift(path: &Path, analysis: &mut Analysis) {
     analysis.findings = left;
 }
 
+/// The baseline of a file; `None` before there is one, or why it cannot be read.
+fn read(path: &Path) -> Result<Option<Baseline>, String> {
+    let text = match read_text(path, MAX_SIZE) {
+        Ok(text) => text,
+        Err(SourceError::Io { error, .. }) if error.kind() == ErrorKind::NotFound => return Ok(None),
+        Err(error) => return Err(error.to_string()),
+    };
+    Baseline::read(&text).map(Some).map_err(|error| format!("`{}` {error}", path.display()))
+}
+
 /// Adds the findings of a rule in a file to the baseline of the editor; a file that is no baseline stays as it is.
 pub(super) fn addition(file: &File, workspace: &mut Workspace, rule: &str) -> Option<WorkspaceEdit> {
     let path = workspace.baseline.clone()?;
-    let old = workspace.reading(|| read_text(&path, MAX_SIZE).ok());
-    let mut baseline = match &old {
-        Some(text) => Baseline::read(text).ok()?,
-        None => Baseline::default(),
-    };
+    let old = workspace.reading(|| read(&path)).ok()?;
+    let is_new = old.is_none();
+    let mut baseline = old.unwrap_or_default();
     // with those that are known, by whose number the others of the same kind are known
     let all = workspace.reading(|| file.again(file.text()));
     all.analysis.map_subjects(|subject, findings| {
@@ -41,12 +55,9 @@ pub(super) fn addition(file: &File, workspace: &mut Workspace, rule: &str) -> Op
         baseline.add(&name_in(&path, file.source().name()), subject, &of_rule);
     });
     let text = baseline.write();
-    match old {
-        Some(_) => {
-            let known = workspace.file(&of_path(&path)?)?;
-            Some(known.workspace_edit(known.edits_to(&text)))
-        }
-        None if workspace.client.creates_files => created(&path, &text),
-        None => None,
+    if is_new {
+        return if workspace.client.creates_files { created(&path, &text) } else { None };
     }
+    let known = workspace.file(&of_path(&path)?)?;
+    Some(known.workspace_edit(known.edits_to(&text)))
 }

@@ -4,12 +4,12 @@ use lsp_types::{CodeAction, CodeActionKind, TextEdit};
 
 use super::file::File;
 use crate::diagnostic::{Change, Fix};
-use crate::format::Description;
+use crate::format::{self, Description, eds};
 use crate::model::{
     DataType, Device, Entry, Field, MappedObject, ObjectList, ObjectType, Part, PdoKind, Place,
 };
 use crate::scaffold;
-use crate::source::{SourceFile, SourceOptions};
+use crate::source::{Edits, SourceFile, SourceOptions};
 
 /// The bits of a frame.
 const FRAME: u32 = 64;
@@ -42,14 +42,19 @@ pub(super) fn refactorings(file: &File, description: &Description, offset: u32) 
     }
     let action = |fix: Fix| {
         let edits = description.edits(&fix)?;
-        Some(CodeAction {
-            title: fix.title.shown().into_owned(),
-            kind: Some(CodeActionKind::REFACTOR),
-            edit: Some(file.workspace_edit(file.edits(edits))),
-            ..CodeAction::default()
-        })
+        Some(refactoring(file, fix.title.shown().into_owned(), file.edits(edits)))
     };
-    fixes.into_iter().filter_map(action).collect()
+    let restored = place.part.object().and_then(|index| restored(file, description, index));
+    fixes.into_iter().filter_map(action).chain(restored).collect()
+}
+
+fn refactoring(file: &File, title: String, edits: Vec<TextEdit>) -> CodeAction {
+    CodeAction {
+        title,
+        kind: Some(CodeActionKind::REFACTOR),
+        edit: Some(file.workspace_edit(edits)),
+        ..CodeAction::default()
+    }
 }
 
 /// Adds the next sub-index to an object, as the documents demand it, else as the one before it is.
@@ -78,13 +83,45 @@ fn new_sub_index(device: &Device, index: u16) -> Option<Fix> {
     grown.sub_number = grown.sub_number.and_then(|number| number.checked_add(1));
     after.objects.insert(index, grown);
     let title = format!("add sub-index {sub:02X} to {index:04X}h");
-    let changes = crate::format::eds::additions(&before, &after)?;
+    let changes = eds::additions(&before, &after)?;
     let mut fix = changes.into_iter().fold(Fix::risky(title), Fix::with);
     let highest = object.subs.get(0).and_then(|entry| entry.default.as_ref()?.as_integer());
     if index != 0x1003 && highest == Some(i128::from(sub) - 1) {
         fix = fix.set(Place::entry(index, 0).field(Field::DefaultValue), format!("0x{sub:X}"));
     }
     Some(fix)
+}
+
+/// Writes out the entries of an object that is stored compactly, or stores them so.
+fn restored(file: &File, description: &Description, index: u16) -> Option<CodeAction> {
+    // the other syntaxes have no compact storage
+    description.document()?;
+    let object = description.device().object(index)?;
+    let (title, after) = match &object.compact {
+        Some(compact) => {
+            let title = format!("describe the {} sub-indexes of {index:04X}h individually", compact.count);
+            (title, object.expanded().into_owned())
+        }
+        None => {
+            let compacted = object.compacted()?;
+            let name = object.subs.get(0).map(|entry| &*entry.name).filter(|name| *name != "NrOfObjects");
+            let lost = name.map(|name| format!(", without the name `{name}` of sub-index 0"));
+            (format!("store {index:04X}h compactly{}", lost.unwrap_or_default()), compacted)
+        }
+    };
+    let changed = |description: &Description, changes: Vec<Change>| {
+        let fix = changes.into_iter().fold(Fix::risky(""), Fix::with);
+        let mut edits = Edits::new(description.source());
+        description.edits(&fix)?.into_iter().for_each(|(span, new)| edits.replace(span, new));
+        edits.text().ok()
+    };
+    let [changes, added] = eds::stored(index, object, &after);
+    let left = SourceFile::from_text(file.source().name(), changed(description, changes)?);
+    let text = match &added[..] {
+        [] => left.text().to_owned(),
+        _ => changed(&format::read(left, description.format()), added)?,
+    };
+    Some(refactoring(file, title, file.edits_to(&text)))
 }
 
 /// Maps an entry into the first PDO of each direction that has room for it and a sub-index left.

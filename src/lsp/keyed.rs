@@ -10,13 +10,16 @@ use super::completion::item;
 use super::cursor::{Cursor, Spot};
 use super::file::File;
 use super::schema::Schema;
+use super::sections::{documented, missing};
 use super::words;
 use crate::config::SETTINGS;
 use crate::format::identify::{ContentKind, identify_source};
 use crate::format::network::{self, NetworkFile, PathOptions};
-use crate::format::{device_schema, patch};
+use crate::format::{self, Format, device_schema, patch};
 use crate::model::{Device, PdoKind};
 use crate::network::{Network, Node};
+use crate::profile::{ObjectFacts, Profile};
+use crate::scaffold;
 use crate::source::{CONFIG_FILE, SourceFile, Span};
 
 static NETWORK: LazyLock<Value> = LazyLock::new(network::schema::network_toml);
@@ -44,6 +47,9 @@ pub(super) fn completion(file: &File, offset: u32) -> Vec<CompletionItem> {
         Spot::Header(span) => writer.headers(*span),
         Spot::Key(span) => {
             let mut items = writer.keys(*span);
+            if std::ptr::eq(schema, &*DEVICE) && cursor.path == ["object"] {
+                items.extend(writer.objects(&without, *span));
+            }
             if cursor.path.last().is_some_and(|key| key == "set") {
                 items.extend(writer.in_network(&without, "set", *span, false));
             }
@@ -122,6 +128,23 @@ impl Writer<'_> {
                 CompletionItem { detail: Some(meaning.to_owned()), ..item }
             })
             .collect()
+    }
+
+    /// The objects of the documents that a device does not have, as lines of its table of objects.
+    fn objects(&self, without: &str, span: Span) -> Vec<CompletionItem> {
+        let source = SourceFile::from_text(self.file.source().name(), without);
+        let description = format::read(source, Format::Toml);
+        let (device, Some(write)) = (description.device(), format::object_writer(without)) else {
+            return Vec::new();
+        };
+        let item = |(document, facts): (&Profile, ObjectFacts<'_>)| {
+            let index = facts.first;
+            let line = write(index, &scaffold::object(device, index)?);
+            let label = format!("{index:04X} {}", facts.name);
+            let item = item(self.file, span, &label, line.trim_end().to_owned(), CompletionItemKind::CLASS);
+            Some(documented(device, document, index, item))
+        };
+        missing(device).filter_map(item).collect()
     }
 
     /// The words that the table of keys has for a value.

@@ -32,6 +32,33 @@ pub(super) struct Wanted {
     indexes: Vec<u16>,
 }
 
+/// An item with what the documents say of its object.
+pub(super) fn documented(
+    device: &Device,
+    document: &Profile,
+    index: u16,
+    item: CompletionItem,
+) -> CompletionItem {
+    let value = words::of_object(device, index, None);
+    let documentation = MarkupContent { kind: MarkupKind::Markdown, value };
+    CompletionItem {
+        detail: Some(document.document.to_string()),
+        documentation: Some(Documentation::MarkupContent(documentation)),
+        ..item
+    }
+}
+
+/// The objects of the documents that a device does not have; PDOs are written as a whole.
+pub(super) fn missing(device: &Device) -> impl Iterator<Item = (&'static Profile, ObjectFacts<'static>)> {
+    let documents = profile::of_device(device).into_iter().chain(profile::for_all(device));
+    let is_of_pdo =
+        |index: u16| PdoKind::of_communication(index).is_some() || PdoKind::of_mapping(index).is_some();
+    documents.flat_map(move |document| {
+        let objects = document.objects().map(move |facts| (document, facts));
+        objects.filter(move |(_, facts)| device.object(facts.first).is_none() && !is_of_pdo(facts.first))
+    })
+}
+
 /// Sections that a text does not have, for the line that the cursor is in.
 pub(super) struct Sections<'a> {
     pub(super) file: &'a File,
@@ -52,15 +79,7 @@ impl Sections<'_> {
             items.extend(PdoKind::ALL.into_iter().filter_map(|kind| self.pdo(kind)));
             items.extend(self.of_vendor());
         }
-        let documents = profile::of_device(device).into_iter().chain(profile::for_all(device));
-        let is_of_pdo =
-            |index: u16| PdoKind::of_communication(index).is_some() || PdoKind::of_mapping(index).is_some();
-        for document in documents {
-            let missing = document
-                .objects()
-                .filter(|facts| device.object(facts.first).is_none() && !is_of_pdo(facts.first));
-            items.extend(missing.filter_map(|facts| self.object(document, &facts)));
-        }
+        items.extend(missing(device).filter_map(|(document, facts)| self.object(document, &facts)));
         items
     }
 
@@ -100,13 +119,8 @@ impl Sections<'_> {
         let index = facts.first;
         let object = scaffold::object(self.device, index)?;
         let label = format!("[{index:X}] {}", facts.name);
-        let documentation = words::of_object(self.device, index, None);
-        let documentation = MarkupContent { kind: MarkupKind::Markdown, value: documentation };
-        Some(CompletionItem {
-            detail: Some(document.document.to_string()),
-            documentation: Some(Documentation::MarkupContent(documentation)),
-            ..self.objects(&label, [(index, object)], &[], CompletionItemKind::CLASS)?
-        })
+        let item = self.objects(&label, [(index, object)], &[], CompletionItemKind::CLASS)?;
+        Some(documented(self.device, document, index, item))
     }
 
     /// The next PDO of a direction, with the objects that no PDO of the direction carries, as many as a frame has room for.

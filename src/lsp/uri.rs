@@ -7,8 +7,11 @@ use lsp_types::Uri;
 
 use crate::source::absolute;
 
-/// The path of an address; `None` for one that is not of a file on this computer.
+/// The path of an address, also of a file that is not saved yet; `None` for one that is not on this computer.
 pub(super) fn path_of(uri: &Uri) -> Option<PathBuf> {
+    if let Some(name) = uri.as_str().strip_prefix("untitled:") {
+        return Some(absolute(Path::new(&decoded(name)?)));
+    }
     let encoded = uri.as_str().strip_prefix("file://")?;
     let encoded = encoded.strip_prefix("localhost").unwrap_or(encoded);
     let text = decoded(encoded.split(['?', '#']).next()?)?;
@@ -71,7 +74,8 @@ mod tests {
         assert_eq!(path_of(&uri).unwrap(), path);
         let of = |text: &str| path_of(&text.parse().unwrap());
         assert_eq!(of("file:///a/../b.eds").unwrap(), Path::new("/b.eds"));
-        assert_eq!(of("untitled:Untitled-1"), None);
+        assert_eq!(of("untitled:Untitled-1").unwrap(), absolute(Path::new("Untitled-1")));
+        assert_eq!(of("untitled:/a%20b.dcf").unwrap(), Path::new("/a b.dcf"));
         assert_eq!(of("file://server/share/a.eds"), None);
     }
 }

@@ -40,6 +40,8 @@ use super::keyed::toml;
 use super::keyed::tree::{Kind, Tree};
 use crate::compare::each_difference;
 use crate::diagnostic::{Diagnostic, Findings, say};
+#[cfg(feature = "lsp")]
+use crate::model::Object;
 use crate::model::{
     ApplicationProcess, Device, DeviceInfo, DeviceKind, DummyUsage, Extra, ExtraSection, ObjectLists, PdoKind,
 };
@@ -117,17 +119,34 @@ fn of_tree(merged: &Merged, findings: &mut Findings) -> Device {
     device
 }
 
-/// Reads the objects; PDOs after what they map.
-fn read_objects(root: &Section<'_>, device: &mut Device, findings: &mut Findings) {
-    let mut reader = Reader {
-        defaults: Defaults::default(),
-        findings,
-        application: ApplicationProcess::default(),
-        ranged: 0,
-    };
+/// A reader of objects, with the defaults of the text.
+fn reader<'f>(root: &Section<'_>, findings: &'f mut Findings) -> Reader<'f> {
+    let application = ApplicationProcess::default();
+    let mut reader = Reader { defaults: Defaults::default(), findings, application, ranged: 0 };
     if let Some(tree) = root.get("defaults") {
         reader.read_defaults(tree);
     }
+    reader
+}
+
+/// What writes an object that a text does not have, as a line of its table `object`.
+#[cfg(feature = "lsp")]
+pub(super) fn object_writer(text: &str) -> Option<impl Fn(u16, &Object) -> String> {
+    let mut findings = Findings::new();
+    let tree = merged(text, None, None, &mut findings)?.tree;
+    let root = Section::new("device.toml", &tree, keys::root(), &mut findings)?;
+    let defaults = reader(&root, &mut findings).defaults;
+    Some(move |index, object: &Object| {
+        let mut line = String::new();
+        objects::Writer { device: &Device::default(), defaults: defaults.clone(), base: None }
+            .object(index, object, None, &mut line);
+        line
+    })
+}
+
+/// Reads the objects; PDOs after what they map.
+fn read_objects(root: &Section<'_>, device: &mut Device, findings: &mut Findings) {
+    let mut reader = reader(root, findings);
     let tree = root.get("object");
     if let Some(tree) = tree {
         reader.read_objects(tree, &mut device.objects, |index| !pdos::is_pdo(index));

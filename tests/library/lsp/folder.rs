@@ -230,4 +230,10 @@ fn findings_are_added_to_the_baseline_of_the_editor() {
     client.write("known.json", &baseline);
     client.note("workspace/didChangeWatchedFiles", json!({ "changes": [] }));
     assert_eq!(client.findings("a.eds"), json!([]));
+    client.write("known.json", "{}");
+    client.note("workspace/didChangeWatchedFiles", json!({ "changes": [] }));
+    let found = client.findings("a.eds");
+    let message = found[0]["message"].as_str().unwrap();
+    assert!(message.contains("known.json` is not a baseline: "), "{message}");
+    assert_eq!(found[1]["code"], "cia306/file-name");
 }

@@ -127,3 +127,29 @@ fn a_misspelled_key_is_replaced() {
     let changed = super::client::edited(&text, &action["edit"]["changes"][client.uri("network.toml")]);
     assert_eq!(changed, text.replace("hartbeat", "heartbeat"));
 }
+
+#[test]
+fn objects_of_the_documents_in_device_toml() {
+    let mut client = client();
+    let text = fixture("toml/family.toml");
+    let before = client.open("device.toml", &text);
+    for defaults in ["", "[defaults]\naccess = \"ro\"\n\n"] {
+        let start = text.replacen("[object]\n", &format!("{defaults}[object]\n‸\n"), 1);
+        let items = complete(&mut client, "device.toml", &start);
+        let item = items.iter().find(|item| item["label"].as_str().unwrap().starts_with("1012 ")).unwrap();
+        assert_eq!(item["detail"], "CiA 301");
+        assert!(
+            items.iter().all(|item| !item["label"].as_str().unwrap().starts_with("1018 ")),
+            "it has that"
+        );
+        let line = item["textEdit"]["newText"].as_str().unwrap();
+        let after = start.replace('‸', line);
+        let source = objdict::source::SourceFile::from_text("device.toml", after.clone());
+        let description = objdict::format::read(source, objdict::format::Format::Toml);
+        let object = description.device().object(0x1012).unwrap();
+        assert_eq!(object.main.access, Some(objdict::model::Access::Rw), "{line}");
+        if defaults.is_empty() {
+            assert_eq!(client.change("device.toml", &after), before, "{line}");
+        }
+    }
+}

@@ -180,6 +180,45 @@ fn a_sub_index_is_added_with_the_count() {
 }
 
 #[test]
+fn entries_are_written_out_and_stored_compactly_again() {
+    let mut client = Client::start();
+    let read = |text: &str| {
+        let source = objdict::source::SourceFile::from_text("a.eds", text);
+        objdict::format::read(source, objdict::format::Format::Eds)
+    };
+    for (name, text) in
+        [("a.eds", fixture("eds/compact.eds")), ("b.eds", fixture("torture/04_compact_names_values.eds"))]
+    {
+        client.open(name, &text);
+        let objects = read(&text);
+        let compact = objects.device().objects.iter().filter(|(_, object)| object.compact.is_some());
+        let compact: Vec<_> = compact.map(|(index, object)| (*index, object.clone())).collect();
+        assert!(!compact.is_empty());
+        for (index, object) in compact {
+            let header = format!("[{index:X}]");
+            let offered = actions(&mut client, name, &text, &header, Some("refactor"));
+            let title = format!("describe the {} sub-indexes", object.compact.as_ref().unwrap().count);
+            let written = done(&mut client, name, &text, &offered, &title);
+            let after = read(&written);
+            assert_eq!(
+                after.device().object(index).unwrap().stated().count(),
+                object.entries().count(),
+                "{written}"
+            );
+            assert!(object.entries().eq(after.device().object(index).unwrap().entries()), "{written}");
+            client.change(name, &written);
+            let offered = actions(&mut client, name, &written, &header, Some("refactor"));
+            let stored =
+                done(&mut client, name, &written, &offered, &format!("store {index:04X}h compactly"));
+            let stored = read(&stored);
+            assert!(object.entries().eq(stored.device().object(index).unwrap().entries()));
+            assert!(stored.device().object(index).unwrap().subs.is_empty());
+            client.change(name, &text);
+        }
+    }
+}
+
+#[test]
 fn the_order_is_that_of_fmt() {
     let mut client = Client::start();
     let text = fixture("eds/minimal.eds").replace("DataType=", "datatype=");

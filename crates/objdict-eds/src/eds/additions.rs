@@ -48,6 +48,35 @@ pub fn additions(before: &Device, after: &Device) -> Option<Vec<Change>> {
     Some(changes)
 }
 
+/// The changes that turn the text of an object into that of the same object, stored in another way: first those of sections that
+/// are there, then, in the text that is left, the new ones.
+pub fn stored(index: u16, before: &Object, after: &Object) -> [Vec<Change>; 2] {
+    let of = |object: &Object| {
+        let objects = std::iter::once((index, object.clone())).collect();
+        let mut sections = stated(&Device { objects, ..Device::default() });
+        // the canonical text has names where the object has none
+        let has_names = object.compact.as_ref().is_some_and(|compact| !compact.names.is_empty());
+        let is_name = |part: &Part| matches!(part, Part::CompactNames(_));
+        sections.retain(|(part, _)| part.object() == Some(index) && (has_names || !is_name(part)));
+        sections
+    };
+    let (old, new) = (of(before), of(after));
+    let mut changes = Vec::new();
+    for (part, fields) in &old {
+        let Some((_, kept)) = new.iter().find(|(other, _)| other == part) else {
+            changes.push(Change::Remove(Place::of(part.clone())));
+            continue;
+        };
+        let place = |field: &Field| Place::of(part.clone()).field(field.clone());
+        let gone = fields.iter().filter(|(field, _)| kept.iter().all(|(other, _)| other != field));
+        changes.extend(gone.map(|(field, _)| Change::Remove(place(field))));
+        let set = kept.iter().filter(|new| !fields.contains(new));
+        changes.extend(set.map(|(field, value)| Change::Set(place(field), value.clone())));
+    }
+    let added = new.into_iter().filter(|(part, _)| old.iter().all(|(other, _)| other != part));
+    [changes, added.map(|(part, fields)| Change::Add(part, fields)).collect()]
+}
+
 /// Whether a compactly stored object has new entries.
 fn has_grown(old: &Object, new: &Object) -> bool {
     let count = |object: &Object| object.compact.as_ref().map(|compact| compact.count);

@@ -23,7 +23,7 @@ mod style;
 pub mod write;
 
 #[cfg(feature = "write")]
-pub use additions::{additions, stated};
+pub use additions::{additions, stated, stored};
 pub use configure::{to_dcf, to_eds};
 pub use fix::edits;
 pub use keys::is_key;

@@ -1,8 +1,8 @@
-//! Expands compactly stored entries.
+//! Expands compactly stored entries, and stores entries compactly.
 
 use std::borrow::Cow;
 
-use super::{Device, Entry, ExtraSection, Field, InvalidValue, InvalidValues, Object};
+use super::{Compact, Device, Entry, ExtraSection, Field, InvalidValue, InvalidValues, Object, ObjectType};
 
 impl Object {
     /// The object with a description of every entry, if it is stored compactly; otherwise unchanged.
@@ -49,6 +49,56 @@ impl Object {
             ..self.clone()
         })
     }
+
+    /// The object with its entries stored compactly (CiA 306-1 §4.6.3.2): those of an ARRAY or RECORD that are alike but for their
+    /// names, values and denotations. `None` where more than the name of sub-index 0 would be lost.
+    pub fn compacted(&self) -> Option<Object> {
+        if self.compact.is_some() || self.orphan || !self.object_type().has_subs() {
+            return None;
+        }
+        let count = self.highest_sub().filter(|count| (1..=254).contains(count))?;
+        let first = self.subs.get(1)?;
+        let main = Entry {
+            data_type: first.data_type,
+            access: first.access,
+            pdo_mapping: first.pdo_mapping,
+            default: first.default.clone(),
+            low_limit: first.low_limit.clone(),
+            high_limit: first.high_limit.clone(),
+            flags: first.flags,
+            ..self.main.clone()
+        };
+        let mut compact = Compact { count, ..Compact::default() };
+        for (sub, entry) in self.subs.iter().filter(|(sub, _)| *sub > 0) {
+            if *entry.name != *format!("{}{sub}", self.main.name) {
+                compact.names.push((sub, entry.name.clone()));
+            }
+            let Some(configured) = &entry.configured else { continue };
+            compact.values.extend(configured.value.clone().map(|value| (sub, value)));
+            compact.denotations.extend(configured.denotation.clone().map(|denotation| (sub, denotation)));
+        }
+        let compacted = Object {
+            main,
+            sub_number: None,
+            compact: Some(Box::new(compact)),
+            subs: Default::default(),
+            ..self.clone()
+        };
+        same_entries(self, &compacted).then_some(compacted)
+    }
+}
+
+/// Whether two objects have the same entries. The name of sub-index 0 may differ, and VAR is the object type of an entry without one.
+fn same_entries(left: &Object, right: &Object) -> bool {
+    let entries = |object: &Object| -> Vec<(u8, Entry)> {
+        let alike = |(sub, entry): (u8, Cow<'_, Entry>)| {
+            let entry = entry.into_owned();
+            let name = if sub == 0 { Box::default() } else { entry.name.clone() };
+            (sub, Entry { name, object_type: entry.object_type.or(Some(ObjectType::Var)), ..entry })
+        };
+        object.entries().map(alike).collect()
+    };
+    entries(left) == entries(right)
 }
 
 impl Device {
@@ -114,5 +164,35 @@ mod tests {
         let invalid = second.and_then(|entry| entry.invalid_values.get(&Field::ParameterValue));
         assert_eq!(invalid.map(|invalid| &*invalid.text), Some("x"));
         assert_eq!(object.entry(1), expanded.entry(1));
+    }
+
+    #[test]
+    fn entries_that_are_alike_are_stored_compactly() {
+        let main = Entry {
+            name: "Gain".into(),
+            object_type: Some(ObjectType::Array),
+            data_type: Some(DataType::UNSIGNED8),
+            default: Some(Value::Unsigned(7)),
+            ..Entry::default()
+        };
+        let compact = Compact {
+            count: 3,
+            names: vec![(2, "Middle".into())],
+            values: vec![(1, Value::Unsigned(9))],
+            denotations: vec![(3, "last".into())],
+            ..Compact::default()
+        };
+        let object = Object { main, compact: Some(Box::new(compact)), ..Object::default() };
+        let expanded = object.expanded().into_owned();
+        assert_eq!(expanded.compacted(), Some(object));
+        let mut changed = expanded.clone();
+        changed.subs.get_mut(3).unwrap().default = Some(Value::Unsigned(8));
+        assert_eq!(changed.compacted(), None, "one default differs");
+        let mut changed = expanded.clone();
+        changed.subs.remove(2);
+        assert_eq!(changed.compacted(), None, "a sub-index is missing");
+        let mut changed = expanded;
+        changed.subs.get_mut(0).unwrap().name = "Highest sub-index".into();
+        assert!(changed.compacted().is_some(), "the name of sub-index 0 is not kept");
     }
 }
