@@ -15,7 +15,7 @@ export async function activate(context: vscode.ExtensionContext): Promise<void> 
     context.subscriptions.push(
       vscode.commands.registerCommand(`objdict.${name}`, () => reported(() => action(program(context)))),
     );
-  command("documentation", showDocumentation);
+  command("documentationBeside", showDocumentation);
   command("pdo", showPdo);
   command("convert", convertFile);
   command("generate", generateCode);
