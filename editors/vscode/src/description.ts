@@ -34,6 +34,12 @@ export function objectAt(text: string, line: number): string | undefined {
   return undefined;
 }
 
+/** The line (from zero) of a section such as `1A00sub1`, else of its object. */
+export function sectionLine(text: string, section: string): number | undefined {
+  const names = text.split(/\r\n|\r|\n/).map((row) => /^\s*\[\s*([^\]]*?)\s*\]/.exec(row)?.[1]?.toLowerCase());
+  return [section, section.slice(0, 4)].map((name) => names.indexOf(name.toLowerCase())).find((line) => line >= 0);
+}
+
 /** The name of a PDO, `rpdo1` to `tpdo512`, if the object is its communication or mapping (CiA 301 §7.5.2.35 to 38). */
 export function pdoOf(index: string): string | undefined {
   const number = Number.parseInt(index, 16);
@@ -42,9 +48,14 @@ export function pdoOf(index: string): string | undefined {
   return receives || transmits ? `${receives ? "rpdo" : "tpdo"}${(number & 0x1ff) + 1}` : undefined;
 }
 
-/** The drawing of a PDO as text. */
-export function drawing(program: string, source: Source, pdo: string): Promise<string> {
-  return output(program, ["show", "-", pdo, ...format(source), "--quiet", "--color", "never"], source.text, dirname(source.path));
+/** The drawing of a PDO: its part of the documentation, under the same policy; what it maps is a link for `link`. */
+export async function drawing(program: string, source: Source, pdo: string, link: (section: string) => string): Promise<string> {
+  const html = await documentation(program, source);
+  const article = new RegExp(`<article [^>]*id="${pdo}">[^]*?</article>`).exec(html)?.[0];
+  if (article === undefined) throw new Error(`the documentation of \`${basename(source.path)}\` has no ${pdo}: correct the findings of its sections`);
+  const lines = /<svg class="bits defs"[^]*?<\/svg>/.exec(html)?.[0] ?? "";
+  const linked = article.replace(/<a href="#([^"]*)"/g, (_, section: string) => `<a href="${link(section)}"`);
+  return `${html.slice(0, html.indexOf("<body"))}<body><main>${lines}${linked}</main></body></html>`;
 }
 
 /** The file beside a description that a conversion writes. */

@@ -5,9 +5,13 @@ import { basename, extname } from "node:path";
 import * as vscode from "vscode";
 import { type DocumentFilter, LanguageClient } from "vscode-languageclient/node";
 
-import { beside, convert, documentation, drawing, generate, network, objectAt, pdoOf, type Source } from "./description";
+import { beside, convert, documentation, drawing, generate, network, objectAt, pdoOf, sectionLine, type Source } from "./description";
 import { findProgram, possibleValues, requireServer } from "./program";
 
+/** The command behind the links of a drawing. */
+const GO_TO = "objdict.goTo";
+/** The pages beside the text, by their titles. */
+const panels = new Map<string, vscode.WebviewPanel>();
 let client: LanguageClient | undefined;
 
 export async function activate(context: vscode.ExtensionContext): Promise<void> {
@@ -22,6 +26,7 @@ export async function activate(context: vscode.ExtensionContext): Promise<void> 
   command("network", showNetwork);
   command("restart", () => start(context));
   context.subscriptions.push(
+    vscode.commands.registerCommand(GO_TO, (path: string, section: string) => reported(() => goTo(path, section))),
     vscode.workspace.onDidChangeConfiguration((event) => {
       if (["objdict.server", "objdict.files"].some((name) => event.affectsConfiguration(name)))
         void reported(() => start(context));
@@ -50,20 +55,28 @@ async function start(context: vscode.ExtensionContext): Promise<void> {
     "objdict",
     "objdict",
     { command, args: ["lsp", ...settings.get<string[]>("server.arguments", [])] },
-    { documentSelector: [{ scheme: "file", language: "eds" }, ...files] },
+    {
+      documentSelector: [{ scheme: "file", language: "eds" }, ...files],
+      // the action of the server opens a browser; here the page goes beside the text
+      middleware: {
+        executeCommand: (name, args, next) =>
+          name === "objdict.showDocumentation" ? reported(() => showDocumentation(command)) : next(name, args),
+      },
+    },
   );
   client = started;
   await started.start();
 }
 
-/** Runs an action and shows its error, with a way to the setting. */
+/** Runs an action and shows its error, with a way to the setting that it names. */
 async function reported(action: () => Promise<void>): Promise<void> {
   try {
     await action();
   } catch (error) {
     const message = error instanceof Error ? error.message : String(error);
-    const choice = await vscode.window.showErrorMessage(message, "Open settings");
-    if (choice !== undefined) await vscode.commands.executeCommand("workbench.action.openSettings", "objdict.server");
+    const settings = message.includes("objdict.server.path") ? ["Open settings"] : [];
+    if ((await vscode.window.showErrorMessage(message, ...settings)) !== undefined)
+      await vscode.commands.executeCommand("workbench.action.openSettings", "objdict.server");
   }
 }
 
@@ -77,7 +90,7 @@ async function showDocumentation(program: string): Promise<void> {
   const { source } = active();
   const html = await documentation(program, source);
   // The page has a policy of its own, which lets its one script and style run by their hashes and nothing else.
-  page(`Documentation of ${basename(source.path)}`, html, true);
+  page(`Documentation of ${basename(source.path)}`, html, { enableScripts: true });
 }
 
 async function showPdo(program: string): Promise<void> {
@@ -85,7 +98,18 @@ async function showPdo(program: string): Promise<void> {
   const index = objectAt(source.text, editor.selection.active.line);
   const pdo = index === undefined ? undefined : pdoOf(index);
   if (pdo === undefined) throw new Error("the cursor is not in a section of a PDO: go to `[1800]`, `[1A00]` or one of their sub-indices");
-  text(pdo, await drawing(program, source, pdo));
+  const link = (section: string) => `command:${GO_TO}?${encodeURIComponent(JSON.stringify([source.path, section]))}`;
+  page(`${pdo} of ${basename(source.path)}`, await drawing(program, source, pdo, link), { enableCommandUris: [GO_TO] });
+}
+
+/** Shows a section of a description that is open. */
+async function goTo(path: string, section: string): Promise<void> {
+  const document = await vscode.workspace.openTextDocument(path);
+  const line = sectionLine(document.getText(), section);
+  if (line === undefined) throw new Error(`\`${basename(path)}\` has no section \`[${section}]\` any more: show the PDO again`);
+  const shown = vscode.window.visibleTextEditors.find((editor) => editor.document === document);
+  const selection = new vscode.Range(line, 0, line, 0);
+  await vscode.window.showTextDocument(document, { viewColumn: shown?.viewColumn ?? vscode.ViewColumn.One, selection });
 }
 
 async function convertFile(program: string): Promise<void> {
@@ -123,12 +147,15 @@ async function showNetwork(program: string): Promise<void> {
   text(basename(source.path), await network(program, source.path));
 }
 
-function page(title: string, html: string, enableScripts: boolean): void {
-  const panel = vscode.window.createWebviewPanel("objdict", title, vscode.ViewColumn.Beside, {
-    enableScripts,
-    enableFindWidget: true,
-    localResourceRoots: [],
-  });
+/** Shows a page beside the text, which keeps the focus: the next command is about the text again. */
+function page(title: string, html: string, options: vscode.WebviewOptions): void {
+  const place = { viewColumn: vscode.ViewColumn.Beside, preserveFocus: true };
+  let panel = panels.get(title);
+  if (panel === undefined) {
+    panel = vscode.window.createWebviewPanel("objdict", title, place, { enableFindWidget: true, localResourceRoots: [], ...options });
+    panel.onDidDispose(() => panels.delete(title));
+    panels.set(title, panel);
+  } else panel.reveal(undefined, true);
   panel.webview.html = html;
 }
 
@@ -136,5 +163,5 @@ function text(title: string, content: string): void {
   const escaped = content.replaceAll("&", "&amp;").replaceAll("<", "&lt;");
   const policy = `<meta http-equiv="Content-Security-Policy" content="default-src 'none'; style-src 'unsafe-inline'">`;
   const style = "<style>pre { font-family: var(--vscode-editor-font-family, monospace) }</style>";
-  page(title, `<!DOCTYPE html><html lang="en"><head>${policy}${style}</head><body><pre>${escaped}</pre></body></html>`, false);
+  page(title, `<!DOCTYPE html><html lang="en"><head>${policy}${style}</head><body><pre>${escaped}</pre></body></html>`, {});
 }

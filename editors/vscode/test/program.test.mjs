@@ -4,7 +4,7 @@ import { tmpdir } from "node:os";
 import { join } from "node:path";
 import { test } from "node:test";
 
-import { beside, convert, documentation, drawing, generate, network, objectAt, pdoOf } from "../dist/description.mjs";
+import { beside, convert, documentation, drawing, generate, network, objectAt, pdoOf, sectionLine } from "../dist/description.mjs";
 import { findProgram, possibleValues, requireServer } from "../dist/program.mjs";
 import { fixture, objdict } from "./objdict.mjs";
 
@@ -57,9 +57,19 @@ test("the object of a line, and its PDO", () => {
   assert.deepEqual(["1800", "1A01", "1600", "15FF", "1018"].map(pdoOf), ["tpdo1", "tpdo2", "rpdo1", "rpdo512", undefined]);
 });
 
-test("the drawing of a PDO names what it maps", async () => {
+test("the drawing of a PDO is that of the documentation, with its policy and links to what it maps", async () => {
   const io = source("eds/io-401.eds");
-  assert.match(await drawing(objdict, io, pdoOf("1A00")), /0x1A00[^]*0x6000/);
+  const html = await drawing(objdict, io, pdoOf("1A00"), (section) => `command:to?${section}`);
+  assert.match(html, /Content-Security-Policy" content="default-src 'none'/);
+  assert.match(html, /<article class="pdo" id="tpdo1">[^]*<svg class="bits"[^]*href="command:to\?6000sub1"/);
+  assert.doesNotMatch(html, /id="tpdo2"|<script|<a href="#/);
+  assert.equal(html.match(/id="bits"/g).length, 1);
+  await assert.rejects(drawing(objdict, io, "tpdo9", String), /has no tpdo9/);
+});
+
+test("the line of a section, or of its object", () => {
+  const text = "[6000]\r\nA=1\r\n [6000SUB1]\n";
+  assert.deepEqual(["6000", "6000sub1", "6000sub2", "6001"].map((section) => sectionLine(text, section)), [0, 2, 0, undefined]);
 });
 
 test("a conversion writes beside the description, and the program reads it", async () => {
