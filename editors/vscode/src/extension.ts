@@ -1,7 +1,7 @@
 // The extension: it starts the language server, and offers the commands of objdict that have no request of the protocol.
 
 import { existsSync } from "node:fs";
-import { basename, extname } from "node:path";
+import { basename, dirname, extname } from "node:path";
 import * as vscode from "vscode";
 import { type DocumentFilter, LanguageClient } from "vscode-languageclient/node";
 
@@ -121,7 +121,7 @@ async function convertFile(program: string): Promise<void> {
   const target = beside(source.path, to);
   if (existsSync(target)) {
     const replace = "Replace";
-    const answer = await vscode.window.showWarningMessage(`\`${basename(target)}\` exists`, { modal: true }, replace);
+    const answer = await vscode.window.showWarningMessage(`\`${basename(target)}\` exists. Replace it?`, { modal: true }, replace);
     if (answer !== replace) return;
   }
   const lost = await convert(program, source, to, target);
@@ -134,7 +134,12 @@ async function generateCode(program: string): Promise<void> {
   const targets = await possibleValues(program, "generate", "target");
   const target = await vscode.window.showQuickPick(targets, { title: "Generate" });
   if (target === undefined) return;
-  const folders = await vscode.window.showOpenDialog({ canSelectFiles: false, canSelectFolders: true, openLabel: "Generate here" });
+  const folders = await vscode.window.showOpenDialog({
+    canSelectFiles: false,
+    canSelectFolders: true,
+    defaultUri: vscode.Uri.file(dirname(source.path)),
+    openLabel: "Generate here",
+  });
   const folder = folders?.[0];
   if (folder === undefined) return;
   await generate(program, source, target, folder.fsPath);
@@ -144,7 +149,7 @@ async function generateCode(program: string): Promise<void> {
 async function showNetwork(program: string): Promise<void> {
   const { source, editor } = active();
   if (editor.document.isDirty) await editor.document.save();
-  text(basename(source.path), await network(program, source.path));
+  text(`Network of ${basename(source.path)}`, await network(program, source.path));
 }
 
 /** Shows a page beside the text, which keeps the focus: the next command is about the text again. */
