@@ -69,18 +69,21 @@ fn columns() -> [Vec<(&'static str, String)>; 4] {
         assert!(text.contains(from), "no `{from}`");
         text.replacen(from, to, 1)
     };
-    let node = "[node.a]\nfile = \"encoder-406.eds\"\nid = 3\n";
+    // not as `fmt` writes it
+    let xdc = broken(fixture("xdc/io-401-node5.xdc"), "access=\"read\"", "access=\"reed\"");
+    let xdc = broken(xdc, "  <ISO15745Profile>", "<ISO15745Profile>");
+    let extended = "format = \"objdict-device/1\"\nextends = \"device.toml\"\n";
+    let network = "[node.a]\nfile = \"island.eds\"\nid = 2\nhartbeat = 500\n[node.a.set]\n\"1017\" = 500\n";
+    let settings = "exclud = [\"old/**\"]\n[rules]\n\"cia306/sub-0-type\" = \"off\"\n";
     [
         vec![("a.dcf", broken(fixture("dcf/encoder-406-node3.dcf"), "AccessType=ro", "AccessType = ro"))],
         vec![
-            ("b.xdc", broken(fixture("xdc/io-401-node5.xdc"), "access=\"read\"", "access=\"reed\"")),
             ("device.toml", broken(fixture("toml/io.toml"), "product-name", "product-nme")),
+            ("extended.device.toml", extended.to_owned()),
+            ("b.xdc", xdc),
         ],
-        vec![("network.toml", format!("{node}heartbaet = \"1s\"\n[node.a.set]\n\"1017\" = 500\n"))],
-        vec![(
-            "objdict.toml",
-            "[rules]\n\"cia306/file-nam\" = \"off\"\n\"cia306/file-name\" = \"off\"\n".to_owned(),
-        )],
+        vec![("network.toml", network.to_owned())],
+        vec![("objdict.toml", settings.to_owned())],
     ]
 }
 
@@ -89,11 +92,18 @@ fn is_something(answer: &Value) -> bool {
     !answer.is_null() && answer.as_array().is_none_or(|list| !list.is_empty())
 }
 
-/// The starts of the words of a text, in each line.
+/// The starts of the words of a text.
 fn words(text: &str) -> impl Iterator<Item = Value> {
-    let is_word = |byte: u8| byte.is_ascii_alphanumeric();
-    let starts = |&at: &usize| is_word(text.as_bytes()[at]) && (at == 0 || !is_word(text.as_bytes()[at - 1]));
-    (0..text.len()).filter(starts).map(|at| position(text, at))
+    text.lines().enumerate().flat_map(|(line, row)| {
+        let mut before = ' ';
+        let mut column = 0;
+        let starts = row.chars().filter_map(move |c| {
+            let is_start = c.is_alphanumeric() && !before.is_alphanumeric();
+            (before, column) = (c, column + c.len_utf16());
+            is_start.then(|| json!({ "line": line, "character": column - c.len_utf16() }))
+        });
+        starts.collect::<Vec<_>>()
+    })
 }
 
 /// Whether the server answers with anything.
@@ -133,7 +143,7 @@ fn the_table_of_the_page_is_what_the_server_does() {
         ROWS.iter().flat_map(|(_, names, _)| *names).map(|&name| name.to_owned()).collect();
     assert_eq!(announced(&client), named);
     client.write("encoder-406.eds", fixture("eds/encoder-406.eds"));
-    client.write("io-401.xdd", fixture("xdd/io-401.xdd"));
+    client.write("island.eds", fixture("network/island.eds"));
     let columns = columns();
     for (name, text) in columns.iter().flatten() {
         client.write(name, text);
