@@ -56,7 +56,7 @@ async function start(context: vscode.ExtensionContext): Promise<void> {
     "objdict",
     { command, args: ["lsp", ...settings.get<string[]>("server.arguments", [])] },
     {
-      documentSelector: [{ scheme: "file", language: "eds" }, ...files],
+      documentSelector: [...["file", "untitled"].map((scheme) => ({ scheme, language: "eds" })), ...files],
       // the action of the server opens a browser; here the page goes beside the text
       middleware: {
         executeCommand: (name, args, next) =>
