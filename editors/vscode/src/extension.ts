@@ -5,7 +5,7 @@ import { basename, dirname, extname } from "node:path";
 import * as vscode from "vscode";
 import { type DocumentFilter, LanguageClient } from "vscode-languageclient/node";
 
-import { beside, convert, documentation, drawing, generate, network, objectAt, pdoOf, sectionLine, type Source } from "./description";
+import { beside, convert, documentation, drawing, generate, objectAt, pdoOf, sectionLine, type Source } from "./description";
 import { findProgram, possibleValues, requireServer } from "./program";
 
 /** The command behind the links of a drawing. */
@@ -86,9 +86,18 @@ function active(): { source: Source; editor: vscode.TextEditor } {
   return { source: { path: editor.document.uri.fsPath, text: editor.document.getText() }, editor };
 }
 
+/** The documentation: of a description as the server has it, unsaved; of a network as it is on the disk. */
+async function pageOf(program: string, document: vscode.TextDocument): Promise<string> {
+  const request = { command: "objdict.documentation", arguments: [document.uri.toString()] };
+  const html: unknown = await client?.sendRequest("workspace/executeCommand", request).catch(() => undefined);
+  if (typeof html === "string") return html;
+  if (document.isDirty) await document.save();
+  return documentation(program, document.uri.fsPath);
+}
+
 async function showDocumentation(program: string): Promise<void> {
-  const { source } = active();
-  const html = await documentation(program, source);
+  const { source, editor } = active();
+  const html = await pageOf(program, editor.document);
   // The page has a policy of its own, which lets its one script and style run by their hashes and nothing else.
   page(`Documentation of ${basename(source.path)}`, html, { enableScripts: true });
 }
@@ -99,7 +108,8 @@ async function showPdo(program: string): Promise<void> {
   const pdo = index === undefined ? undefined : pdoOf(index);
   if (pdo === undefined) throw new Error("the cursor is not in a section of a PDO: go to `[1800]`, `[1A00]` or one of their sub-indices");
   const link = (section: string) => `command:${GO_TO}?${encodeURIComponent(JSON.stringify([source.path, section]))}`;
-  page(`${pdo} of ${basename(source.path)}`, await drawing(program, source, pdo, link), { enableCommandUris: [GO_TO] });
+  const html = drawing(await pageOf(program, editor.document), pdo, link);
+  page(`${pdo} of ${basename(source.path)}`, html, { enableCommandUris: [GO_TO] });
 }
 
 /** Shows a section of a description that is open. */
@@ -146,10 +156,11 @@ async function generateCode(program: string): Promise<void> {
   void vscode.window.showInformationMessage(`wrote \`${target}\` to ${folder.fsPath}`);
 }
 
+/** The network as it is on the disk, with the descriptions that it names. */
 async function showNetwork(program: string): Promise<void> {
   const { source, editor } = active();
   if (editor.document.isDirty) await editor.document.save();
-  text(`Network of ${basename(source.path)}`, await network(program, source.path));
+  page(`Network of ${basename(source.path)}`, await documentation(program, source.path), { enableScripts: true });
 }
 
 /** Shows a page beside the text, which keeps the focus: the next command is about the text again. */
@@ -162,11 +173,4 @@ function page(title: string, html: string, options: vscode.WebviewOptions): void
     panels.set(title, panel);
   } else panel.reveal(undefined, true);
   panel.webview.html = html;
-}
-
-function text(title: string, content: string): void {
-  const escaped = content.replaceAll("&", "&amp;").replaceAll("<", "&lt;");
-  const policy = `<meta http-equiv="Content-Security-Policy" content="default-src 'none'; style-src 'unsafe-inline'">`;
-  const style = "<style>pre { font-family: var(--vscode-editor-font-family, monospace) }</style>";
-  page(title, `<!DOCTYPE html><html lang="en"><head>${policy}${style}</head><body><pre>${escaped}</pre></body></html>`, {});
 }

@@ -4,7 +4,7 @@ import { tmpdir } from "node:os";
 import { join } from "node:path";
 import { test } from "node:test";
 
-import { beside, convert, documentation, drawing, generate, network, objectAt, pdoOf, sectionLine } from "../dist/description.mjs";
+import { beside, convert, documentation, drawing, generate, objectAt, pdoOf, sectionLine } from "../dist/description.mjs";
 import { findProgram, possibleValues, requireServer } from "../dist/program.mjs";
 import { fixture, objdict } from "./objdict.mjs";
 
@@ -44,10 +44,9 @@ test("formats and targets are those of the program", async () => {
   assert.ok(targets.includes("canopennode") && targets.includes("rust"), targets.join());
 });
 
-test("the documentation is that of the unsaved text, with its policy", async () => {
-  const minimal = source("eds/minimal.eds");
-  const html = await documentation(objdict, { ...minimal, text: minimal.text.replace(/^ProductName=.*$/m, "ProductName=Unsaved") });
-  assert.match(html, /<title>Unsaved<\/title>/);
+test("the documentation of a network has its nodes, and the policy of its page", async () => {
+  const html = await documentation(objdict, fixture("network/islands.toml"));
+  assert.match(html, /<title>islands<\/title>[^]*node 12 right/);
   assert.match(html, /Content-Security-Policy" content="default-src 'none'/);
 });
 
@@ -58,13 +57,13 @@ test("the object of a line, and its PDO", () => {
 });
 
 test("the drawing of a PDO is that of the documentation, with its policy and links to what it maps", async () => {
-  const io = source("eds/io-401.eds");
-  const html = await drawing(objdict, io, pdoOf("1A00"), (section) => `command:to?${section}`);
+  const page = await documentation(objdict, fixture("eds/io-401.eds"));
+  const html = drawing(page, pdoOf("1A00"), (section) => `command:to?${section}`);
   assert.match(html, /Content-Security-Policy" content="default-src 'none'/);
   assert.match(html, /<article class="pdo" id="tpdo1">[^]*<svg class="bits"[^]*href="command:to\?6000sub1"/);
   assert.doesNotMatch(html, /id="tpdo2"|<script|<a href="#/);
   assert.equal(html.match(/id="bits"/g).length, 1);
-  await assert.rejects(drawing(objdict, io, "tpdo9", String), /has no tpdo9/);
+  assert.throws(() => drawing(page, "tpdo9", String), /has no tpdo9/);
 });
 
 test("the line of a section, or of its object", () => {
@@ -82,6 +81,7 @@ test("a conversion writes beside the description, and the program reads it", asy
   assert.equal(lost.length, 1);
   assert.match(lost[0], /^0x2020: the object is disabled/);
   await assert.rejects(convert(objdict, { path, text: "no description" }, "xdd", target), /./);
+  await assert.rejects(convert(objdict, source("network/islands.toml"), "eds", join(folder(), "a.eds")), /^Error: the text is a network/);
 });
 
 test("code is generated into a folder", async () => {
@@ -90,9 +90,4 @@ test("code is generated into a folder", async () => {
   const written = readdirSync(to).filter((name) => name.endsWith(".rs"));
   assert.equal(written.length, 1);
   assert.match(readFileSync(join(to, written[0]), "utf8"), /0x1018/i);
-});
-
-test("a network is shown from its descriptions", async () => {
-  const shown = await network(objdict, fixture("eds/minimal.eds"));
-  assert.match(shown, /Minimal node/);
 });
