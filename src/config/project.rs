@@ -30,11 +30,15 @@ pub(crate) struct Project {
 impl Project {
     /// Reads the file at `path`, and the profiles that it names.
     pub(crate) fn open(path: &Path) -> Result<Self, SourceError> {
-        let path = called(path);
-        let config = Config::open(&path)?;
+        Ok(Self::of(Config::open(&called(path))?))
+    }
+
+    /// A configuration with the profiles that it names.
+    pub(crate) fn of(config: Config) -> Self {
         let mut findings = config.findings().clone();
         let (mut profiles, mut failures) = (Vec::new(), Vec::new());
         // paths of files are relative as the configuration's own
+        let path = PathBuf::from(config.source().name());
         let folder = path.parent().unwrap_or(Path::new(""));
         for wanted in config.profiles() {
             match profile::open(&wanted.name, folder) {
@@ -49,14 +53,14 @@ impl Project {
         }
         #[cfg(feature = "patch")]
         let patches = patches_of(&config, folder, &mut findings);
-        Ok(Self {
+        Self {
             config,
             profiles,
             #[cfg(feature = "patch")]
             patches,
             findings,
             failures,
-        })
+        }
     }
 
     /// Whether files can be checked as it says.

@@ -12,7 +12,7 @@ use super::file::File;
 use super::workspace::Workspace;
 use super::{baseline, documentation, edits};
 use crate::check::insertion;
-use crate::diagnostic::{self, Applicability, Findings, Fix};
+use crate::diagnostic::{self, Applicability, Findings, Fix, RuleInfo};
 use crate::format::{self, Description};
 use crate::registry;
 use crate::report::Subject;
@@ -20,6 +20,9 @@ use crate::source::{SourceFile, Span};
 
 /// So many findings of a range get quick fixes: each is tried on the text.
 const MAX_TRIED: usize = 20;
+
+/// Fixes of all findings, which an editor does not make when a file is saved.
+pub(super) const FIX_ALL_UNSAFE: CodeActionKind = CodeActionKind::new("source.fixAllUnsafe");
 
 /// Which findings an action fixes that is made when the user chooses it.
 #[derive(Clone, Debug, Serialize, Deserialize)]
@@ -60,9 +63,13 @@ pub(super) fn actions(
     span: Span,
     only: Option<&[CodeActionKind]>,
 ) -> Vec<CodeActionOrCommand> {
-    let is_asked = |kind: &CodeActionKind| {
-        only.is_none_or(|only| only.iter().any(|asked| kind.as_str().starts_with(asked.as_str())))
+    // `source` asks for `source.fixAll`, which does not ask for `source.fixAllUnsafe`
+    let is_in = |kind: &CodeActionKind, asked: &CodeActionKind| {
+        let rest = kind.as_str().strip_prefix(asked.as_str());
+        rest.is_some_and(|rest| rest.is_empty() || rest.starts_with('.'))
     };
+    let is_asked =
+        |kind: &CodeActionKind| only.is_none_or(|only| only.iter().any(|asked| is_in(kind, asked)));
     let mut actions = Vec::new();
     if is_asked(&CodeActionKind::QUICKFIX) {
         actions.extend(quick_fixes(file, span));
@@ -70,13 +77,13 @@ pub(super) fn actions(
     }
     let Some(description) = file.description() else { return shown(actions) };
     let has_fix = file.analysis.findings.iter().flatten().any(|finding| finding.fix.is_some());
-    let fix_all = CodeActionKind::SOURCE_FIX_ALL;
-    if has_fix && is_asked(&fix_all) {
-        let title = "fix all findings that have a safe fix";
-        actions.push(later(file, title, Work::Fix(Fixes::Safe), fix_all));
-        let title = "fix all findings, also with unsafe fixes";
-        let kind = CodeActionKind::new("source.fixAllUnsafe");
-        actions.push(later(file, title, Work::Fix(Fixes::Unsafe), kind));
+    for (title, fixes, kind) in [
+        ("fix all findings that have a safe fix", Fixes::Safe, CodeActionKind::SOURCE_FIX_ALL),
+        ("fix all findings, also with unsafe fixes", Fixes::Unsafe, FIX_ALL_UNSAFE),
+    ] {
+        if has_fix && is_asked(&kind) {
+            actions.push(later(file, title, Work::Fix(fixes), kind));
+        }
     }
     if is_asked(&CodeActionKind::REFACTOR) {
         actions.extend(edits::refactorings(file, description, span.start));
@@ -176,11 +183,11 @@ fn of_finding(
     let Subject::Description(description) = maker.subject else { return };
     actions.extend(fix(file, description, findings, finding).map(|(fix, edits)| {
         let is_safe = fix.safety == Applicability::Safe;
-        let note = if is_safe { "" } else { " (unsafe)" };
-        CodeAction { is_preferred: Some(is_safe), ..quick(format!("{}{note}", fix.title.shown()), edits) }
+        let title = format!("{}{}", fix.title.shown(), note(fix.safety));
+        CodeAction { is_preferred: Some(is_safe), ..quick(title, edits) }
     }));
     if finding.fix.is_some() {
-        let title = format!("fix all findings of {rule}");
+        let title = format!("fix all findings of {rule}{}", note(safety(finding.rule)));
         if actions.iter().all(|action| action.title != title) {
             let work = Work::Fix(Fixes::OfRule(rule.to_owned()));
             let fix_rule = later(file, &title, work, CodeActionKind::QUICKFIX);
@@ -189,6 +196,22 @@ fn of_finding(
     }
     if let Some(edit) = insertion(description, at.start, rule) {
         actions.push(quick(format!("allow {rule} here, with a comment"), vec![edit]));
+    }
+}
+
+/// How safe the fixes of all findings of a rule are that are made at once.
+fn safety(rule: &RuleInfo) -> Applicability {
+    match rule.fix.is_some_and(|fix| fix.has(Applicability::Safe)) {
+        true => Applicability::Safe,
+        false => Applicability::Unsafe,
+    }
+}
+
+/// What the title of an action says of its safety.
+const fn note(safety: Applicability) -> &'static str {
+    match safety {
+        Applicability::Safe => "",
+        Applicability::Unsafe => " (unsafe)",
     }
 }
 
@@ -268,17 +291,13 @@ fn text_after(file: &File, fixes: &Fixes) -> Option<String> {
         Fixes::Unsafe => crate::fix_for_readers(description, Applicability::Unsafe, options),
         Fixes::OfRule(rule) => {
             let rule = registry::rule(rule)?;
-            let safety = match rule.fix.is_some_and(|fix| fix.has(Applicability::Safe)) {
-                true => Applicability::Safe,
-                false => Applicability::Unsafe,
-            };
             let check = |text: &Description| {
                 crate::check_with(text, options).filter_map(|mut finding| {
                     finding.fix = finding.fix.take().filter(|_| finding.rule.id == rule.id);
                     Some(finding)
                 })
             };
-            crate::fix(description, safety, check)
+            crate::fix(description, safety(rule), check)
         }
     };
     Some(fixed.description.source().text().to_owned())

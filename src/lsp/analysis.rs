@@ -5,7 +5,7 @@ use std::rc::Rc;
 
 use crate::check::{of_devices, with_origin_beside};
 use crate::check_with;
-use crate::config::Project;
+use crate::config::{Config, Project};
 use crate::diagnostic::Findings;
 use crate::format::identify::{ContentKind, identify_source};
 use crate::format::input::{FileKind, Reading};
@@ -233,7 +233,10 @@ fn is_profile(source: &SourceFile) -> bool {
 /// `objdict.toml`, with the errors of the profiles that it names.
 fn of_project(path: &Path, source: SourceFile, options: Options) -> Analysis {
     let (mut findings, mut errors) = (Findings::new(), Vec::new());
-    if let Ok(project) = Project::open(path) {
+    if source.text().len() as u64 <= MAX_TOML_SIZE {
+        // the text is not always that of the file: fixes are tried on others
+        let text = SourceFile::from_text(source.name(), source.text());
+        let project = Project::of(Config::read(text, path.parent().unwrap_or(Path::new(""))));
         findings = options.severities.apply(project.findings.clone());
         errors.extend(project.failures.iter().map(|failure| invalid(&project, failure)));
     }

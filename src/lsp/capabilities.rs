@@ -10,7 +10,7 @@ use lsp_types::{
 };
 
 use super::position::ColumnUnit;
-use super::{documentation, tokens};
+use super::{actions, documentation, tokens};
 
 pub(super) fn capabilities(unit: ColumnUnit) -> ServerCapabilities {
     ServerCapabilities {
@@ -49,6 +49,7 @@ pub(super) fn capabilities(unit: ColumnUnit) -> ServerCapabilities {
                 CodeActionKind::QUICKFIX,
                 CodeActionKind::REFACTOR,
                 CodeActionKind::SOURCE_FIX_ALL,
+                actions::FIX_ALL_UNSAFE,
                 documentation::kind(),
             ]),
             resolve_provider: Some(true),

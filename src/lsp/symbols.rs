@@ -178,7 +178,9 @@ pub(super) fn folds(file: &File) -> Vec<FoldingRange> {
     let mut symbols: Vec<DocumentSymbol> = outline(file);
     while let Some(symbol) = symbols.pop() {
         let (start, end) = (symbol.range.start.line, symbol.range.end.line);
-        if end > start {
+        // an area begins with the line of its first section, which folds that section
+        let is_area = [SymbolKind::NAMESPACE, SymbolKind::FILE].contains(&symbol.kind);
+        if end > start && !is_area {
             let kind = Some(FoldingRangeKind::Region);
             folds.push(FoldingRange { start_line: start, end_line: end, kind, ..FoldingRange::default() });
         }

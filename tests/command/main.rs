@@ -11,6 +11,7 @@ mod cli;
 mod dialects;
 mod diff;
 mod drawn_page;
+mod emacs;
 mod fixing;
 mod flags;
 mod hostile;

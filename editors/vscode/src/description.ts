@@ -12,15 +12,15 @@ export interface Source {
   text: string;
 }
 
-/** An EDS and a DCF may have the same text; the extension is the difference, and standard input has none. */
+/** An EDS and a DCF may have the same text; the extension is the difference, and standard input has none. TOML says what it is. */
 function format(source: Source): string[] {
   const extension = extname(source.path).slice(1).toLowerCase();
-  return ["eds", "dcf", "xdd", "xdc", "toml"].includes(extension) ? ["--from", extension] : [];
+  return ["eds", "dcf", "xdd", "xdc"].includes(extension) ? ["--from", extension] : [];
 }
 
-/** The documentation as one page of HTML, which brings its content security policy. */
-export function documentation(program: string, source: Source): Promise<string> {
-  return output(program, ["docs", "-", ...format(source), "-o", "-", "--to", "html", "--quiet"], source.text, dirname(source.path));
+/** The documentation of a file on the disk as one page of HTML, which brings its content security policy. */
+export function documentation(program: string, path: string): Promise<string> {
+  return output(program, ["docs", path, "-o", "-", "--to", "html", "--quiet"], "", dirname(path));
 }
 
 /** The objects of `[1A00]`, `[1A00sub1]` or `[1800]` above a line (from zero), or undefined outside such a section. */
@@ -34,6 +34,12 @@ export function objectAt(text: string, line: number): string | undefined {
   return undefined;
 }
 
+/** The line (from zero) of a section such as `1A00sub1`, else of its object. */
+export function sectionLine(text: string, section: string): number | undefined {
+  const names = text.split(/\r\n|\r|\n/).map((row) => /^\s*\[\s*([^\]]*?)\s*\]/.exec(row)?.[1]?.toLowerCase());
+  return [section, section.slice(0, 4)].map((name) => names.indexOf(name.toLowerCase())).find((line) => line >= 0);
+}
+
 /** The name of a PDO, `rpdo1` to `tpdo512`, if the object is its communication or mapping (CiA 301 §7.5.2.35 to 38). */
 export function pdoOf(index: string): string | undefined {
   const number = Number.parseInt(index, 16);
@@ -42,9 +48,13 @@ export function pdoOf(index: string): string | undefined {
   return receives || transmits ? `${receives ? "rpdo" : "tpdo"}${(number & 0x1ff) + 1}` : undefined;
 }
 
-/** The drawing of a PDO as text. */
-export function drawing(program: string, source: Source, pdo: string): Promise<string> {
-  return output(program, ["show", "-", pdo, ...format(source), "--quiet", "--color", "never"], source.text, dirname(source.path));
+/** The drawing of a PDO: its part of a documentation, under the same policy; what it maps is a link for `link`. */
+export function drawing(html: string, pdo: string, link: (section: string) => string): string {
+  const article = new RegExp(`<article [^>]*id="${pdo}">[^]*?</article>`).exec(html)?.[0];
+  if (article === undefined) throw new Error(`the documentation has no ${pdo}: correct the findings of its sections`);
+  const lines = /<svg class="bits defs"[^]*?<\/svg>/.exec(html)?.[0] ?? "";
+  const linked = article.replace(/<a href="#([^"]*)"/g, (_, section: string) => `<a href="${link(section)}"`);
+  return `${html.slice(0, html.indexOf("<body"))}<body><main>${lines}${linked}</main></body></html>`;
 }
 
 /** The file beside a description that a conversion writes. */
@@ -63,9 +73,4 @@ export async function convert(program: string, source: Source, to: string, targe
 /** Generates code into a folder; files that objdict did not write stay. */
 export async function generate(program: string, source: Source, target: string, folder: string): Promise<void> {
   await output(program, ["generate", "-", ...format(source), "--target", target, "-o", folder, "--quiet"], source.text, dirname(source.path));
-}
-
-/** Nodes, links, CAN-IDs and load of a network as text. The file is read from the disk, with the descriptions that it names. */
-export function network(program: string, path: string): Promise<string> {
-  return output(program, ["network", "show", path, "--quiet", "--color", "never"], "", dirname(path));
 }

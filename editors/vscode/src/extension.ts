@@ -1,13 +1,17 @@
 // The extension: it starts the language server, and offers the commands of objdict that have no request of the protocol.
 
 import { existsSync } from "node:fs";
-import { basename, extname } from "node:path";
+import { basename, dirname, extname } from "node:path";
 import * as vscode from "vscode";
 import { type DocumentFilter, LanguageClient } from "vscode-languageclient/node";
 
-import { beside, convert, documentation, drawing, generate, network, objectAt, pdoOf, type Source } from "./description";
+import { beside, convert, documentation, drawing, generate, objectAt, pdoOf, sectionLine, type Source } from "./description";
 import { findProgram, possibleValues, requireServer } from "./program";
 
+/** The command behind the links of a drawing. */
+const GO_TO = "objdict.goTo";
+/** The pages beside the text, by their titles. */
+const panels = new Map<string, vscode.WebviewPanel>();
 let client: LanguageClient | undefined;
 
 export async function activate(context: vscode.ExtensionContext): Promise<void> {
@@ -15,13 +19,14 @@ export async function activate(context: vscode.ExtensionContext): Promise<void> 
     context.subscriptions.push(
       vscode.commands.registerCommand(`objdict.${name}`, () => reported(() => action(program(context)))),
     );
-  command("documentation", showDocumentation);
+  command("documentationBeside", showDocumentation);
   command("pdo", showPdo);
   command("convert", convertFile);
   command("generate", generateCode);
   command("network", showNetwork);
   command("restart", () => start(context));
   context.subscriptions.push(
+    vscode.commands.registerCommand(GO_TO, (path: string, section: string) => reported(() => goTo(path, section))),
     vscode.workspace.onDidChangeConfiguration((event) => {
       if (["objdict.server", "objdict.files"].some((name) => event.affectsConfiguration(name)))
         void reported(() => start(context));
@@ -50,20 +55,28 @@ async function start(context: vscode.ExtensionContext): Promise<void> {
     "objdict",
     "objdict",
     { command, args: ["lsp", ...settings.get<string[]>("server.arguments", [])] },
-    { documentSelector: [{ scheme: "file", language: "eds" }, ...files] },
+    {
+      documentSelector: [...["file", "untitled"].map((scheme) => ({ scheme, language: "eds" })), ...files],
+      // the action of the server opens a browser; here the page goes beside the text
+      middleware: {
+        executeCommand: (name, args, next) =>
+          name === "objdict.showDocumentation" ? reported(() => showDocumentation(command)) : next(name, args),
+      },
+    },
   );
   client = started;
   await started.start();
 }
 
-/** Runs an action and shows its error, with a way to the setting. */
+/** Runs an action and shows its error, with a way to the setting that it names. */
 async function reported(action: () => Promise<void>): Promise<void> {
   try {
     await action();
   } catch (error) {
     const message = error instanceof Error ? error.message : String(error);
-    const choice = await vscode.window.showErrorMessage(message, "Open settings");
-    if (choice !== undefined) await vscode.commands.executeCommand("workbench.action.openSettings", "objdict.server");
+    const settings = message.includes("objdict.server.path") ? ["Open settings"] : [];
+    if ((await vscode.window.showErrorMessage(message, ...settings)) !== undefined)
+      await vscode.commands.executeCommand("workbench.action.openSettings", "objdict.server");
   }
 }
 
@@ -73,11 +86,20 @@ function active(): { source: Source; editor: vscode.TextEditor } {
   return { source: { path: editor.document.uri.fsPath, text: editor.document.getText() }, editor };
 }
 
+/** The documentation: of a description as the server has it, unsaved; of a network as it is on the disk. */
+async function pageOf(program: string, document: vscode.TextDocument): Promise<string> {
+  const request = { command: "objdict.documentation", arguments: [document.uri.toString()] };
+  const html: unknown = await client?.sendRequest("workspace/executeCommand", request).catch(() => undefined);
+  if (typeof html === "string") return html;
+  if (document.isDirty) await document.save();
+  return documentation(program, document.uri.fsPath);
+}
+
 async function showDocumentation(program: string): Promise<void> {
-  const { source } = active();
-  const html = await documentation(program, source);
+  const { source, editor } = active();
+  const html = await pageOf(program, editor.document);
   // The page has a policy of its own, which lets its one script and style run by their hashes and nothing else.
-  page(`Documentation of ${basename(source.path)}`, html, true);
+  page(`Documentation of ${basename(source.path)}`, html, { enableScripts: true });
 }
 
 async function showPdo(program: string): Promise<void> {
@@ -85,7 +107,19 @@ async function showPdo(program: string): Promise<void> {
   const index = objectAt(source.text, editor.selection.active.line);
   const pdo = index === undefined ? undefined : pdoOf(index);
   if (pdo === undefined) throw new Error("the cursor is not in a section of a PDO: go to `[1800]`, `[1A00]` or one of their sub-indices");
-  text(pdo, await drawing(program, source, pdo));
+  const link = (section: string) => `command:${GO_TO}?${encodeURIComponent(JSON.stringify([source.path, section]))}`;
+  const html = drawing(await pageOf(program, editor.document), pdo, link);
+  page(`${pdo} of ${basename(source.path)}`, html, { enableCommandUris: [GO_TO] });
+}
+
+/** Shows a section of a description that is open. */
+async function goTo(path: string, section: string): Promise<void> {
+  const document = await vscode.workspace.openTextDocument(path);
+  const line = sectionLine(document.getText(), section);
+  if (line === undefined) throw new Error(`\`${basename(path)}\` has no section \`[${section}]\` any more: show the PDO again`);
+  const shown = vscode.window.visibleTextEditors.find((editor) => editor.document === document);
+  const selection = new vscode.Range(line, 0, line, 0);
+  await vscode.window.showTextDocument(document, { viewColumn: shown?.viewColumn ?? vscode.ViewColumn.One, selection });
 }
 
 async function convertFile(program: string): Promise<void> {
@@ -97,7 +131,7 @@ async function convertFile(program: string): Promise<void> {
   const target = beside(source.path, to);
   if (existsSync(target)) {
     const replace = "Replace";
-    const answer = await vscode.window.showWarningMessage(`\`${basename(target)}\` exists`, { modal: true }, replace);
+    const answer = await vscode.window.showWarningMessage(`\`${basename(target)}\` exists. Replace it?`, { modal: true }, replace);
     if (answer !== replace) return;
   }
   const lost = await convert(program, source, to, target);
@@ -110,31 +144,33 @@ async function generateCode(program: string): Promise<void> {
   const targets = await possibleValues(program, "generate", "target");
   const target = await vscode.window.showQuickPick(targets, { title: "Generate" });
   if (target === undefined) return;
-  const folders = await vscode.window.showOpenDialog({ canSelectFiles: false, canSelectFolders: true, openLabel: "Generate here" });
+  const folders = await vscode.window.showOpenDialog({
+    canSelectFiles: false,
+    canSelectFolders: true,
+    defaultUri: vscode.Uri.file(dirname(source.path)),
+    openLabel: "Generate here",
+  });
   const folder = folders?.[0];
   if (folder === undefined) return;
   await generate(program, source, target, folder.fsPath);
   void vscode.window.showInformationMessage(`wrote \`${target}\` to ${folder.fsPath}`);
 }
 
+/** The network as it is on the disk, with the descriptions that it names. */
 async function showNetwork(program: string): Promise<void> {
   const { source, editor } = active();
   if (editor.document.isDirty) await editor.document.save();
-  text(basename(source.path), await network(program, source.path));
+  page(`Network of ${basename(source.path)}`, await documentation(program, source.path), { enableScripts: true });
 }
 
-function page(title: string, html: string, enableScripts: boolean): void {
-  const panel = vscode.window.createWebviewPanel("objdict", title, vscode.ViewColumn.Beside, {
-    enableScripts,
-    enableFindWidget: true,
-    localResourceRoots: [],
-  });
+/** Shows a page beside the text, which keeps the focus: the next command is about the text again. */
+function page(title: string, html: string, options: vscode.WebviewOptions): void {
+  const place = { viewColumn: vscode.ViewColumn.Beside, preserveFocus: true };
+  let panel = panels.get(title);
+  if (panel === undefined) {
+    panel = vscode.window.createWebviewPanel("objdict", title, place, { enableFindWidget: true, localResourceRoots: [], ...options });
+    panel.onDidDispose(() => panels.delete(title));
+    panels.set(title, panel);
+  } else panel.reveal(undefined, true);
   panel.webview.html = html;
-}
-
-function text(title: string, content: string): void {
-  const escaped = content.replaceAll("&", "&amp;").replaceAll("<", "&lt;");
-  const policy = `<meta http-equiv="Content-Security-Policy" content="default-src 'none'; style-src 'unsafe-inline'">`;
-  const style = "<style>pre { font-family: var(--vscode-editor-font-family, monospace) }</style>";
-  page(title, `<!DOCTYPE html><html lang="en"><head>${policy}${style}</head><body><pre>${escaped}</pre></body></html>`, false);
 }

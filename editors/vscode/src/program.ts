@@ -84,7 +84,8 @@ export function run(program: string, args: readonly string[], input = "", folder
 export async function output(program: string, args: readonly string[], input = "", folder?: string): Promise<string> {
   const outcome = await run(program, args, input, folder);
   if (outcome.code === 0) return outcome.stdout;
-  throw new ProgramError(outcome.stderr.trim() || `\`objdict ${args[0] ?? ""}\` did not finish`);
+  const said = outcome.stderr.trim().replace(/^error: /, "").replaceAll("`<stdin>`", "the text");
+  throw new ProgramError(said || `\`objdict ${args[0] ?? ""}\` did not finish`);
 }
 
 /** Refuses a program that has no language server. */

@@ -13,7 +13,7 @@ test("the package has what it contributes, and nothing else", () => {
   const folder = mkdtempSync(join(tmpdir(), "objdict-"));
   const vsix = join(folder, "objdict.vsix");
   // `vsce` checks package.json as it packages
-  execFileSync("npx", ["--no-install", "vsce", "package", "--no-dependencies", "--allow-missing-repository", "--out", vsix], { cwd: root, stdio: "pipe" });
+  execFileSync("npm", ["run", "--silent", "package", "--", "--out", vsix], { cwd: root, stdio: "pipe" });
   execFileSync("python3", ["-m", "zipfile", "-e", vsix, folder]);
   const extension = join(folder, "extension");
   const manifest = JSON.parse(readFileSync(join(extension, "package.json"), "utf8"));
@@ -24,6 +24,9 @@ test("the package has what it contributes, and nothing else", () => {
   const expected = ["LICENSE-APACHE", "LICENSE.txt", "changelog.md", "dist/extension.js", "images/icon.png", "language-configuration.json", "package.json", "readme.md", "snippets/eds.json", "syntaxes/eds.tmLanguage.json"];
   assert.deepEqual(files.sort(), expected.sort());
   assert.ok(statSync(join(extension, "dist/extension.js")).size < 600_000);
+  // VS Code has no website to look for other pictures
+  const pictures = [...readFileSync(join(extension, "readme.md"), "utf8").matchAll(/!\[[^\]]*\]\((.{14})/g)].map(([, start]) => start);
+  assert.deepEqual(pictures, ["data:image/png", "data:image/png"]);
   const commands = manifest.contributes.commands.map(({ command }) => command.replace("objdict.", ""));
   const code = readFileSync(join(root, "src/extension.ts"), "utf8");
   const registered = [...code.matchAll(/^ {2}command\("(\w+)"/gm)].map(([, name]) => name);

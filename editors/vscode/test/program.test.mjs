@@ -4,7 +4,7 @@ import { tmpdir } from "node:os";
 import { join } from "node:path";
 import { test } from "node:test";
 
-import { beside, convert, documentation, drawing, generate, network, objectAt, pdoOf } from "../dist/description.mjs";
+import { beside, convert, documentation, drawing, generate, objectAt, pdoOf, sectionLine } from "../dist/description.mjs";
 import { findProgram, possibleValues, requireServer } from "../dist/program.mjs";
 import { fixture, objdict } from "./objdict.mjs";
 
@@ -44,10 +44,9 @@ test("formats and targets are those of the program", async () => {
   assert.ok(targets.includes("canopennode") && targets.includes("rust"), targets.join());
 });
 
-test("the documentation is that of the unsaved text, with its policy", async () => {
-  const minimal = source("eds/minimal.eds");
-  const html = await documentation(objdict, { ...minimal, text: minimal.text.replace(/^ProductName=.*$/m, "ProductName=Unsaved") });
-  assert.match(html, /<title>Unsaved<\/title>/);
+test("the documentation of a network has its nodes, and the policy of its page", async () => {
+  const html = await documentation(objdict, fixture("network/islands.toml"));
+  assert.match(html, /<title>islands<\/title>[^]*node 12 right/);
   assert.match(html, /Content-Security-Policy" content="default-src 'none'/);
 });
 
@@ -57,9 +56,19 @@ test("the object of a line, and its PDO", () => {
   assert.deepEqual(["1800", "1A01", "1600", "15FF", "1018"].map(pdoOf), ["tpdo1", "tpdo2", "rpdo1", "rpdo512", undefined]);
 });
 
-test("the drawing of a PDO names what it maps", async () => {
-  const io = source("eds/io-401.eds");
-  assert.match(await drawing(objdict, io, pdoOf("1A00")), /0x1A00[^]*0x6000/);
+test("the drawing of a PDO is that of the documentation, with its policy and links to what it maps", async () => {
+  const page = await documentation(objdict, fixture("eds/io-401.eds"));
+  const html = drawing(page, pdoOf("1A00"), (section) => `command:to?${section}`);
+  assert.match(html, /Content-Security-Policy" content="default-src 'none'/);
+  assert.match(html, /<article class="pdo" id="tpdo1">[^]*<svg class="bits"[^]*href="command:to\?6000sub1"/);
+  assert.doesNotMatch(html, /id="tpdo2"|<script|<a href="#/);
+  assert.equal(html.match(/id="bits"/g).length, 1);
+  assert.throws(() => drawing(page, "tpdo9", String), /has no tpdo9/);
+});
+
+test("the line of a section, or of its object", () => {
+  const text = "[6000]\r\nA=1\r\n [6000SUB1]\n";
+  assert.deepEqual(["6000", "6000sub1", "6000sub2", "6001"].map((section) => sectionLine(text, section)), [0, 2, 0, undefined]);
 });
 
 test("a conversion writes beside the description, and the program reads it", async () => {
@@ -72,6 +81,7 @@ test("a conversion writes beside the description, and the program reads it", asy
   assert.equal(lost.length, 1);
   assert.match(lost[0], /^0x2020: the object is disabled/);
   await assert.rejects(convert(objdict, { path, text: "no description" }, "xdd", target), /./);
+  await assert.rejects(convert(objdict, source("network/islands.toml"), "eds", join(folder(), "a.eds")), /^Error: the text is a network/);
 });
 
 test("code is generated into a folder", async () => {
@@ -80,9 +90,4 @@ test("code is generated into a folder", async () => {
   const written = readdirSync(to).filter((name) => name.endsWith(".rs"));
   assert.equal(written.length, 1);
   assert.match(readFileSync(join(to, written[0]), "utf8"), /0x1018/i);
-});
-
-test("a network is shown from its descriptions", async () => {
-  const shown = await network(objdict, fixture("eds/minimal.eds"));
-  assert.match(shown, /Minimal node/);
 });

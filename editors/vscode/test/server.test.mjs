@@ -1,6 +1,7 @@
 // The server that the extension starts, over standard input and output, with a broken description.
 import assert from "node:assert/strict";
 import { spawn } from "node:child_process";
+import { readFileSync } from "node:fs";
 import { test } from "node:test";
 
 import { objdict } from "./objdict.mjs";
@@ -10,7 +11,7 @@ const packed = (message) => {
   return `Content-Length: ${Buffer.byteLength(body)}\r\n\r\n${body}`;
 };
 
-test("the server reports findings of a broken text", { timeout: 30_000 }, async () => {
+test("the server reports findings of a broken text, and its commands are not those of the extension", { timeout: 30_000 }, async () => {
   const server = spawn(objdict, ["lsp"]);
   const uri = "file:///tmp/broken.eds";
   server.stdin.write(packed({ id: 1, method: "initialize", params: { processId: null, rootUri: null, capabilities: {} } }));
@@ -25,4 +26,9 @@ test("the server reports findings of a broken text", { timeout: 30_000 }, async 
   server.kill();
   assert.match(all, /"uri":"file:\/\/\/tmp\/broken\.eds"/);
   assert.match(all, /`nine`/);
+  // the client registers the commands of the server: one that exists already keeps it from starting
+  const { commands } = JSON.parse(readFileSync(new URL("../package.json", import.meta.url), "utf8")).contributes;
+  const announced = JSON.parse(/"executeCommandProvider":\{"commands":(\[[^\]]*\])/.exec(all)[1]);
+  assert.ok(announced.length > 0);
+  assert.deepEqual(announced.filter((name) => commands.some(({ command }) => command === name)), []);
 });

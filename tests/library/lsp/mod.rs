@@ -4,6 +4,7 @@ mod client;
 mod findings;
 mod folder;
 mod keyed;
+mod offered;
 mod places;
 mod random;
 mod typing;

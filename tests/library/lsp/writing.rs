@@ -116,6 +116,8 @@ fn findings_are_fixed_one_by_one_or_together() {
     let offered = actions(&mut client, "a.eds", &bad, "AccessType = ro", None);
     let first = offered.iter().find(|action| action["isPreferred"] == true).unwrap();
     assert_eq!(first["kind"], "quickfix");
+    let on_save = actions(&mut client, "a.eds", &bad, "AccessType = ro", Some("source.fixAll"));
+    assert_eq!(on_save.len(), 1, "unsafe fixes are not made when a file is saved: {on_save:?}");
     let title = first["title"].as_str().unwrap().to_owned();
     let once = done(&mut client, "a.eds", &bad, &offered, &title);
     assert!(once.len() < bad.len());
@@ -123,6 +125,12 @@ fn findings_are_fixed_one_by_one_or_together() {
     assert!(!all.contains("AccessType =") && all.contains("AccessType= ro"), "one rule alone");
     let all = done(&mut client, "a.eds", &bad, &offered, "fix all findings that have a safe fix");
     assert_eq!(client.change("a.eds", &all), json!([]));
+    let short = fixture("torture/20_pdo_map_wrong_len.eds");
+    client.open("b.eds", &short);
+    let offered = actions(&mut client, "b.eds", &short, "0x20000010", Some("quickfix"));
+    let has = |title: &str| offered.iter().any(|action| action["title"] == title);
+    assert!(has("write `0x20000008` (unsafe)"), "{offered:?}");
+    assert!(has("fix all findings of cia301/wrong-mapping-length (unsafe)"), "{offered:?}");
 }
 
 #[test]
