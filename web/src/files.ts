@@ -67,8 +67,13 @@ export class Files {
   save(): boolean {
     const [home, shown] = [this.canSave(), this.store.current];
     if (!home || !shown) return false;
-    this.question.textContent = this.isChanged(shown) ? `Replace ${this.list[home.number]!.name} on the disk?` : `${this.list[home.number]!.name} has no changes. Write it anyway?`;
-    this.dialogs[1]!.showModal();
+    const { name } = this.list[home.number]!;
+    if (this.isChanged(shown)) {
+      this.question.textContent = `Replace ${name} on the disk?`;
+      this.dialogs[1]!.showModal();
+    } else {
+      this.say(`${name} has no changes.`);
+    }
     return true;
   }
 
@@ -85,9 +90,13 @@ export class Files {
       const { files } = await make({ do: "bytes", document: document.id });
       const response = await this.fetch(`/${home.number}`, { method: "PUT", headers: { "If-Match": home.etag }, body: files[0]!.bytes as BodyInit });
       Object.assign(home, { etag: response.headers.get("etag"), saved });
-      this.store.notice = { kind: "note", message: `${this.list[home.number]!.name} is saved.` };
-      this.store.draw();
+      this.say(`${this.list[home.number]!.name} is saved.`);
     });
+  }
+
+  private say(message: string): void {
+    this.store.notice = { kind: "note", message };
+    this.store.draw();
   }
 
   /** Opens a file, of a network the descriptions of its nodes first. */
