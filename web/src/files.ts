@@ -58,8 +58,9 @@ export class Files {
       this.list = ((await (await this.fetch("")).json()) as { files: Served[] }).files;
     });
     for (const number of this.list.keys()) if (this.list[number]!.is_open) await this.open(number);
-    const [first] = this.store.documents;
-    if (first) this.store.show(first);
+    const { documents } = this.store;
+    const named = documents.find(({ home }) => home && this.list[home.number]!.is_open) ?? documents[0];
+    if (named) this.store.show(named);
     else if (isListed) this.dialogs[0]!.showModal();
   }
 

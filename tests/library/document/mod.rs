@@ -268,7 +268,7 @@ fn several_devices_make_a_site() {
 fn pages_lead_to_the_workbench_that_is_stated() {
     let address = "https://example.com/workbench/?a=1&b=2";
     let links = [
-        (Form::Html, "<a href=\"https://example.com/workbench/?a=1&#38;b=2\">Werkbank öffnen</a>"),
+        (Form::Html, "<a href=\"https://example.com/workbench/?a=1&amp;b=2\">Werkbank öffnen</a>"),
         (Form::Markdown, "[Werkbank öffnen](<https://example.com/workbench/?a=1&b=2>)"),
     ];
     for (form, link) in links {
