@@ -132,7 +132,6 @@ fn malformed() -> Refusal {
 }
 
 /// What is answered.
-#[derive(Default)]
 pub(super) struct Response<'a> {
     pub(super) status: u16,
     pub(super) kind: &'static str,
