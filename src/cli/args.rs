@@ -10,6 +10,7 @@ mod features;
 mod generate;
 mod network;
 mod new;
+mod open;
 mod output;
 mod patch;
 mod probe;
@@ -38,6 +39,7 @@ pub(super) use self::network::{
     NetworkSchemaArgs, NetworkShowArgs, NetworkTarget, NetworkTimingArgs, NetworkVerifyArgs,
 };
 pub(super) use self::new::NewArgs;
+pub(super) use self::open::OpenArgs;
 pub(super) use self::output::{Counting, ReportArgs, ReportDetailArgs, ReportFormat, ShowFormat};
 pub(super) use self::patch::{PatchApplyArgs, PatchCheckArgs, PatchCommand, PatchCommandArgs, PatchMakeArgs};
 pub(super) use self::probe::ProbeArgs;
@@ -192,6 +194,12 @@ pub(super) enum Command {
     ///
     /// Without a name, lists the documents. The schemas are of draft 2020-12 and have the version of their document.
     Schema(SchemaArgs),
+    /// Open descriptions in the workbench, and save them in place
+    ///
+    /// Serves the page of the workbench on this computer and starts the browser. The page sees the files that are named, and the descriptions
+    /// that a network refers to; it writes a file only after it has asked, and only if the file has not changed since it was read. Ctrl-C ends
+    /// it. The command of the packages has the page; others are built with it (docs/workbench.md).
+    Open(OpenArgs),
     /// Serve an editor as a language server
     ///
     /// Speaks the Language Server Protocol on standard input and output, for descriptions, networks, `objdict.toml`, profiles and

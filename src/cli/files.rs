@@ -37,7 +37,17 @@ pub(super) fn gather(
     arguments: &[PathBuf],
     settings: &mut Settings<'_>,
 ) -> Result<(Vec<File>, Vec<Failure>), Failure> {
-    let mut gathered = Gathered { settings, files: Vec::new(), failures: Vec::new(), seen: HashSet::new() };
+    gather_with(arguments, settings, |_| false)
+}
+
+/// The same with the files of folders that are `also` looked for.
+pub(super) fn gather_with(
+    arguments: &[PathBuf],
+    settings: &mut Settings<'_>,
+    also: fn(&Path) -> bool,
+) -> Result<(Vec<File>, Vec<Failure>), Failure> {
+    let (files, failures, seen) = (Vec::new(), Vec::new(), HashSet::new());
+    let mut gathered = Gathered { settings, also, files, failures, seen };
     for argument in arguments {
         gathered.add(argument)?;
     }
@@ -46,6 +56,7 @@ pub(super) fn gather(
 
 struct Gathered<'s, 'a> {
     settings: &'s mut Settings<'a>,
+    also: fn(&Path) -> bool,
     files: Vec<File>,
     failures: Vec<Failure>,
     seen: HashSet<PathBuf>,
@@ -71,12 +82,14 @@ impl Gathered<'_, '_> {
     fn walk(&mut self, folder: &Path, searched: &Path) -> Result<(), Failure> {
         let mut walk = WalkBuilder::new(folder);
         walk.require_git(false).sort_by_file_name(Ord::cmp);
+        let also = self.also;
+        let is_wanted = |path: &Path| (is_description(path) || also(path)) && path.is_file();
         let leads_out = |path: &Path| !real(path).starts_with(searched);
         // below it, links to folders are not followed
         let is_outside = leads_out(folder);
         for found in walk.build() {
             match found {
-                Ok(found) if is_description(found.path()) && found.path().is_file() => {
+                Ok(found) if is_wanted(found.path()) => {
                     let is_outside = is_outside || found.path_is_symlink() && leads_out(found.path());
                     // what is found in the current folder is called by its name
                     let path = found.path();

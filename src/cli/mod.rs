@@ -27,6 +27,7 @@ mod modules;
 mod network;
 mod new;
 mod node;
+mod open;
 mod outcome;
 mod output;
 mod packaging;
@@ -96,6 +97,7 @@ pub fn run() -> ExitCode {
         Command::Explain(command) => rules::explain(command, &mut out),
         Command::Show(command) => show::run(command, &mut out),
         Command::Lsp => lsp::run(),
+        Command::Open(command) => open::run(command, &mut out),
         Command::Help(command) => help::run(command, &mut out),
         Command::Completions(command) => packaging::completions(command, &mut out),
         Command::Man(command) => packaging::man(command),

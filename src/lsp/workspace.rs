@@ -16,6 +16,7 @@ use super::position::ColumnUnit;
 use super::uri::{of_path, path_of};
 use crate::config::{Config, Project};
 use crate::format::mention::Mention;
+use crate::format::network::may_be_network;
 use crate::source::{self, Buffers, Encoding, SourceFile, SourceOptions, absolute};
 
 /// A text that is open in the editor.
@@ -277,9 +278,4 @@ pub(super) fn is_description(path: &Path) -> bool {
     let name = path.file_name().unwrap_or_default().to_string_lossy().to_ascii_lowercase();
     let ending = name.rsplit('.').next().unwrap_or_default();
     matches!(ending, "eds" | "dcf" | "xdd" | "xdc") || name.ends_with("device.toml")
-}
-
-fn may_be_network(path: &Path) -> bool {
-    let ending = path.extension().map(|ending| ending.to_string_lossy().to_ascii_lowercase());
-    matches!(ending.as_deref(), Some("toml" | "yml" | "yaml" | "cpj"))
 }

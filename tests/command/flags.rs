@@ -40,6 +40,22 @@ fn walk(folder: &Path) -> Vec<String> {
     names
 }
 
+#[test]
+fn a_link_to_a_workbench_leads_to_a_host_or_a_file() {
+    let link =
+        |address| run(Path::new("."), &format!("docs FIXTURES/eds/minimal.eds -o - --workbench {address}"));
+    for address in ["https://example.com/workbench/", "../objdict-workbench.html", "workbench/#6041"] {
+        let output = link(address);
+        let page = String::from_utf8(output.stdout).unwrap();
+        assert!(page.contains(&format!("<p><a href=\"{address}\">")), "{address}");
+    }
+    for address in ["javascript:alert(1)", "data:text/html,x", "ftp://example.com/", "a\"b", "<a>"] {
+        let output = link(address);
+        let message = String::from_utf8(output.stderr).unwrap();
+        assert!(output.status.code() == Some(2) && message.contains("expected a URL such as"), "{message}");
+    }
+}
+
 /// Each flag as it was called before, and as it is called now.
 const RENAMED: [(&str, &str); 13] = [
     (

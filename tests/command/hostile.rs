@@ -59,6 +59,7 @@ const LINES: &[(Kind, &str)] = &[
     (Text, "check @.eds --profile ./@.eds"),
     (Text, "check @.eds --config @.eds"),
     (Text, "check @-folder"),
+    (Text, "open @-none.eds --no-browser"),
     (Text, "check --@=x"),
     (Text, "identify @.eds @.xdd @.toml @.txt @-none"),
     (Text, "identify @.eds @.txt --format json"),

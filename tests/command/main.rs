@@ -18,6 +18,8 @@ mod hostile;
 mod limits;
 mod lsp;
 mod neovim;
+#[cfg(feature = "open")]
+mod open;
 mod outputs;
 mod page;
 mod patches;

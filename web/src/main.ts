@@ -5,6 +5,7 @@ import { addDialog, newDialog } from "./create";
 import { startEngine } from "./engine";
 import { h } from "./dom";
 import { EXAMPLES } from "./examples";
+import { Files } from "./files";
 import { findingsPanel } from "./findings";
 import { formView } from "./form";
 import { objectsPanel } from "./objects";
@@ -29,6 +30,7 @@ const chooser = h("input", {
   },
 });
 
+const files = new Files(store);
 const dialogs = { save: saveDialog(store), products: productsDialog(store), create: newDialog(store), add: addDialog(store) };
 
 function button(label: string, what: () => void, attributes: Record<string, string> = {}): HTMLButtonElement {
@@ -77,6 +79,7 @@ function topBar(): HTMLElement {
     back,
     again,
     add,
+    ...files.buttons,
     save,
     products,
     theme,
@@ -99,7 +102,7 @@ function documentTabs(): HTMLElement {
         h(
           "span",
           { class: document === store.current ? "document current" : "document" },
-          h("button", { "aria-current": document === store.current ? "page" : undefined, onclick: () => store.show(document) }, document.state.name, document.state.is_changed ? " •" : ""),
+          h("button", { "aria-current": document === store.current ? "page" : undefined, onclick: () => store.show(document) }, document.state.name, files.isChanged(document) ? " •" : ""),
           h("button", { class: "quiet", "aria-label": `Close ${document.state.name}`, onclick: () => void store.close(document) }, "×"),
         ),
       ),
@@ -173,7 +176,7 @@ function listen(): void {
     const key = event.key.toLowerCase();
     // in a field, the browser undoes what was typed there
     const isTyping = event.target instanceof HTMLInputElement && event.target.value !== event.target.defaultValue;
-    const action = { z: event.shiftKey ? redo : undo, y: redo, o: () => chooser.click(), s: () => store.current && dialogs.save.showModal() }[key];
+    const action = { z: event.shiftKey ? redo : undo, y: redo, o: () => chooser.click(), s: () => files.save() || (store.current && dialogs.save.showModal()) }[key];
     if (!action || (isTyping && (key === "z" || key === "y"))) return;
     event.preventDefault();
     action();
@@ -183,7 +186,7 @@ function listen(): void {
     if (index !== undefined) store.select(index);
   });
   addEventListener("beforeunload", (event) => {
-    if (store.documents.some((document) => document.state.is_changed)) event.preventDefault();
+    if (store.documents.some((document) => files.isChanged(document))) event.preventDefault();
   });
 }
 
@@ -196,11 +199,12 @@ function keepForOffline(): void {
 async function start(): Promise<void> {
   const panels = h("div", { class: "panels" }, objectsPanel(store), middle(), findingsPanel(store));
   store.onDraw(() => (panels.hidden = !store.current));
-  document.getElementById("app")!.replaceChildren(topBar(), documentTabs(), notice(), welcome(), panels, ...Object.values(dialogs));
+  document.getElementById("app")!.replaceChildren(topBar(), documentTabs(), notice(), welcome(), panels, ...Object.values(dialogs), ...files.dialogs);
   listen();
   await startEngine(() => void store.reopen());
   keepForOffline();
   store.draw();
+  await files.start();
 }
 
 void start();

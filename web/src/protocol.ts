@@ -25,7 +25,7 @@ export interface NewDevice {
 
 export type Request =
   | { do: "open"; name: string }
-  | { do: "close" | "state" | "original" | "outline" | "undo" | "redo"; document: number }
+  | { do: "close" | "state" | "original" | "bytes" | "outline" | "undo" | "redo"; document: number }
   | { do: "form"; document: number; index: number }
   | { do: "check"; document: number; fixes?: boolean }
   | { do: "edit"; document: number; edits: TextEdit[] }

@@ -1,6 +1,7 @@
 // What is open and what is shown, and how it changes: each change asks the engine and draws what came of it.
 
 import { Refused, ask } from "./engine";
+import type { Home } from "./files";
 import type { Opened, Outline, Report, Request, State } from "./protocol";
 
 export type View = "form" | "text" | "diff" | "pdo" | "compare";
@@ -13,6 +14,8 @@ export interface OpenDocument {
   /** Whether the report has its fixes yet. */
   has_fixes: boolean;
   original: string;
+  /** Where it is saved in place. */
+  home?: Home;
 }
 
 export interface Notice {
@@ -145,11 +148,14 @@ export class Store {
 
   /** After the engine failed: what is open is opened again, as it was. */
   async reopen(): Promise<void> {
-    const texts = this.documents.map((document) => [document.state.name, document.state.text] as const);
+    const former = this.documents;
     const message = "The engine failed, which is an error of objdict, and was started again. The files are open as they were; undo begins here.";
     this.documents = [];
     this.current = undefined;
-    for (const [name, text] of texts) await this.open(name, new TextEncoder().encode(text));
+    for (const { state, home } of former) {
+      const isOpen = await this.open(state.name, new TextEncoder().encode(state.text));
+      if (isOpen) this.documents.at(-1)!.home = home;
+    }
     this.notice = { kind: "error", message };
     this.draw();
   }

@@ -8,7 +8,7 @@ import { fileURLToPath } from "node:url";
 
 export const root = fileURLToPath(new URL("../../", import.meta.url));
 export const dist = fileURLToPath(new URL("../dist/", import.meta.url));
-const command = process.env.OBJDICT ?? join(root, "target/debug/objdict");
+export const command = process.env.OBJDICT ?? join(root, "target/debug/objdict");
 
 export const hasCommand = existsSync(command);
 

@@ -12,6 +12,8 @@ pub struct Options {
     /// The language of names and descriptions, if the description has several (RFC 5646, such as `de`).
     /// Headings and sentences use it if objdict supports it ([`Language::of_tag`]), else English.
     pub language: Option<String>,
+    /// The address of a workbench, the page that edits descriptions (default: no link to one). It is a URL of HTTP or a path.
+    pub workbench: Option<String>,
 }
 
 impl Options {

@@ -36,6 +36,8 @@ pub(crate) struct Page<'a> {
     pub(crate) is_configured: bool,
     /// The URL of the index of the site; `None` for a page alone.
     pub(crate) site: Option<String>,
+    /// The address of a workbench, and the file to open there.
+    pub(crate) workbench: Option<(&'a str, &'a str)>,
 }
 
 impl<'a> Page<'a> {
@@ -62,6 +64,7 @@ impl<'a> Page<'a> {
             areas,
             is_configured,
             site: None,
+            workbench: options.workbench.as_deref().map(|address| (address, subject.file)),
         }
     }
 

@@ -30,6 +30,8 @@ texts! {
     contents: "Contents", "Inhalt";
     to_objects: "Skip to the objects", "Zu den Objekten springen";
     device: "Device", "Gerät";
+    open_workbench: "Open the workbench", "Werkbank öffnen";
+    open_there: "and choose this file there:", "und dort diese Datei wählen:";
     findings: "Findings", "Befunde";
     communication: "Communication", "Kommunikation";
     pdos: "PDOs", "PDOs";

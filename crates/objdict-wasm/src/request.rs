@@ -92,6 +92,10 @@ enum Request {
     Redo {
         document: usize,
     },
+    /// The bytes of the file as it is now.
+    Bytes {
+        document: usize,
+    },
     /// A file in the format of its name.
     Save {
         document: usize,
@@ -201,6 +205,11 @@ impl Workbench {
             }
             Request::Undo { document } => self.change(document, Document::undo),
             Request::Redo { document } => self.change(document, Document::redo),
+            Request::Bytes { document } => {
+                let document = self.document(document)?;
+                let file = files::File { name: document.name().to_owned(), bytes: document.bytes() };
+                self.made(Ok((vec![file], Vec::new())))
+            }
             Request::Save { document, name, node_id, bit_rate } => {
                 let node = Node { node_id, bit_rate };
                 let made = files::save(self.document(document)?.description(), &name, node);

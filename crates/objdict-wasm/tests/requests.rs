@@ -45,6 +45,15 @@ fn saved(workbench: &mut Workbench, name: &str) -> Vec<u8> {
     workbench.take(0)
 }
 
+#[test]
+fn a_file_is_saved_in_place_as_it_is() {
+    for fixture in ["dcf/drive-402-node8.dcf", "eds/drive-402.eds", "xdd/io-401.xdd"] {
+        let mut workbench = with(fixture);
+        ok(&mut workbench, json!({ "do": "bytes", "document": 0 }));
+        assert_eq!(workbench.take(0), fs::read(fixtures().join(fixture)).unwrap_or_default(), "{fixture}");
+    }
+}
+
 /// The lines that differ.
 fn changed(before: &str, after: &str) -> Vec<String> {
     let (before, after): (Vec<_>, Vec<_>) = (before.lines().collect(), after.lines().collect());

@@ -31,6 +31,9 @@ pub(in crate::cli) struct DocsArgs {
     /// The language of names and descriptions, if the file has it; headings and sentences are in English or German
     #[arg(long, value_name = "TAG")]
     pub lang: Option<String>,
+    /// Link each page to the workbench at this address, a URL or a path from the pages (docs/workbench.md)
+    #[arg(long, value_name = "ADDRESS", value_parser = workbench)]
+    pub workbench: Option<String>,
     #[command(flatten)]
     pub expand: ExpandArgs,
     #[command(flatten)]
@@ -39,6 +42,17 @@ pub(in crate::cli) struct DocsArgs {
     pub network: NetworkPathArgs,
     #[command(flatten)]
     pub settings: SettingsArgs,
+}
+
+/// The address of a workbench, which becomes a link: no other scheme than those of hosts.
+fn workbench(text: &str) -> Result<String, String> {
+    let is_plain = |byte: u8| byte.is_ascii_graphic() && !b"<>\"\\".contains(&byte);
+    let is_address = !text.is_empty() && text.bytes().all(is_plain);
+    let has_scheme = text.split(['/', '?', '#']).next().is_some_and(|first| first.contains(':'));
+    match is_address && (!has_scheme || text.starts_with("https://") || text.starts_with("http://")) {
+        true => Ok(text.to_owned()),
+        false => Err("expected a URL such as `https://example.com/workbench/`, or a path".to_owned()),
+    }
 }
 
 /// How documentation is written.

@@ -97,8 +97,8 @@ pub(super) fn run(args: &DocsArgs, out: &mut Output) -> Result<Outcome, Failure>
 
 /// Writes what was read of so many files: one page, or a site.
 fn write(args: &DocsArgs, read: Read, files: usize, form: Form, out: &mut Output) -> Result<(), Failure> {
-    let options =
-        Options { title: args.title.clone(), node_id: args.settings.node_id(), language: args.lang.clone() };
+    let (title, node_id, language) = (args.title.clone(), args.settings.node_id(), args.lang.clone());
+    let options = Options { title, node_id, language, workbench: args.workbench.clone() };
     match (read.devices.as_slice(), read.networks.as_slice()) {
         ([], []) => Ok(()),
         ([one], []) if files == 1 => {

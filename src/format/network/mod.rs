@@ -46,6 +46,13 @@ use crate::source::{
     Folder, FolderError, MAX_TOML_SIZE, SourceError, SourceFile, SourceOptions, Span, absolute,
 };
 
+/// Whether a file may be a network by its name.
+#[cfg(feature = "lsp")]
+pub(crate) fn may_be_network(path: &Path) -> bool {
+    let ending = path.extension().map(|ending| ending.to_string_lossy().to_ascii_lowercase());
+    matches!(ending.as_deref(), Some("toml" | "yml" | "yaml" | "cpj"))
+}
+
 /// The rules about networks and their files.
 pub(super) fn rules() -> impl Iterator<Item = &'static RuleInfo> {
     rules::RULES.iter().copied().chain(network::rules())

@@ -25,7 +25,7 @@ const MAX_SIZE: u64 = 16 << 20;
 pub(crate) struct Hash([u8; 32]);
 
 impl Hash {
-    pub(super) fn of(bytes: &[u8]) -> Self {
+    pub(crate) fn of(bytes: &[u8]) -> Self {
         Self(hmac_sha256::Hash::hash(bytes))
     }
 

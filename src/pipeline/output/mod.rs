@@ -12,6 +12,8 @@ mod used;
 
 pub use self::error::OutputError;
 pub(crate) use self::folder::OutputFolder;
+#[cfg(feature = "open")]
+pub(crate) use self::manifest::Hash;
 #[cfg(feature = "cli")]
 pub(crate) use self::manifest::{Manifest, State};
 #[cfg(feature = "cli")]

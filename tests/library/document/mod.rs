@@ -263,6 +263,22 @@ fn several_devices_make_a_site() {
     }
 }
 
+/// A page links to a workbench where there is one, and only there.
+#[test]
+fn pages_lead_to_the_workbench_that_is_stated() {
+    let address = "https://example.com/workbench/?a=1&b=2";
+    let links = [
+        (Form::Html, "<a href=\"https://example.com/workbench/?a=1&amp;b=2\">Werkbank öffnen</a>"),
+        (Form::Markdown, "[Werkbank öffnen](<https://example.com/workbench/?a=1&b=2>)"),
+    ];
+    for (form, link) in links {
+        let stated = Options { workbench: Some(address.to_owned()), ..german() };
+        let page = unchecked("eds/drive-402.eds", form, &stated);
+        assert!(page.contains(link) && page.contains("und dort diese Datei wählen: eds/drive"), "{page}");
+        assert!(!unchecked("eds/drive-402.eds", form, &german()).contains("Werkbank"));
+    }
+}
+
 /// A number in 1000h that no document of CiA has, in all forms, and on the index.
 #[test]
 fn a_profile_number_is_not_a_document() {

@@ -76,6 +76,12 @@ impl Built {
         let of_command = profile.unwrap_or("release");
         let mut cargo = Command::new(env!("CARGO"));
         cargo.current_dir(&root).args(["rustc", "--bin", "objdict", "--profile", of_command]);
+        let page = root.join("web/dist/objdict-workbench.html");
+        if page.is_file() {
+            cargo.args(["--features", "open"]).env("OBJDICT_WORKBENCH", &page);
+        } else {
+            println!("without `objdict open`: `cd web && npm ci && npm run build` makes its page");
+        }
         if cfg!(target_os = "linux") {
             // of glibc the command calls nothing that a static program lacks: no names of hosts or users, no `dlopen`
             cargo.args(["--", "-C", "target-feature=+crt-static"]);

@@ -1,0 +1,164 @@
+// The files that `objdict open` serves: open when the page is loaded, in a list, and saved in place. Elsewhere there are none.
+
+import { Refused, make } from "./engine";
+import { h } from "./dom";
+import type { Refusal } from "./protocol";
+import type { OpenDocument, Store } from "./store";
+
+/** A file as the command lists it (src/cli/open/files.rs). */
+interface Served {
+  name: string;
+  kind: "description" | "network" | "other";
+  /** Of a network, the numbers of the descriptions of its nodes. */
+  nodes: number[];
+  is_open: boolean;
+  is_read_only: boolean;
+}
+
+/** Where a document is from. */
+export interface Home {
+  number: number;
+  /** The version on the disk. */
+  etag: string;
+  saved: string;
+}
+
+/** So many are drawn; the search has the others. */
+const MAX_SHOWN = 400;
+
+const contentOf = ({ state }: OpenDocument): string => `${state.encoding}\n${state.text}`;
+
+export class Files {
+  readonly dialogs: HTMLDialogElement[];
+  readonly buttons: HTMLElement[];
+  private readonly place = document.querySelector<HTMLMetaElement>('meta[name="objdict-files"]')?.content;
+  private list: Served[] = [];
+  private readonly question = h("p");
+  private readonly entries = h("ul", { class: "candidates" });
+  private readonly search = h("input", { type: "search", placeholder: "Name", "aria-label": "Search files", oninput: () => this.drawList() });
+
+  constructor(private readonly store: Store) {
+    const [list, ask] = [this.listDialog(), this.askDialog()];
+    this.dialogs = [list, ask];
+    const show = h("button", { onclick: () => list.showModal() }, "Files …");
+    const save = h("button", { title: "Ctrl+S", onclick: () => this.save() }, "Save");
+    this.buttons = this.place === undefined ? [] : [show, save];
+    store.onDraw(() => (save.disabled = !this.canSave()));
+  }
+
+  /** Whether a document has changes that are in no file. */
+  isChanged(document: OpenDocument): boolean {
+    return document.home ? contentOf(document) !== document.home.saved : document.state.is_changed;
+  }
+
+  /** Loads the list and opens what was named on the command line. */
+  async start(): Promise<void> {
+    if (this.place === undefined) return;
+    const isListed = await this.store.attempt(async () => {
+      this.list = ((await (await this.fetch("")).json()) as { files: Served[] }).files;
+    });
+    for (const number of this.list.keys()) if (this.list[number]!.is_open) await this.open(number);
+    const { documents } = this.store;
+    const named = documents.find(({ home }) => home && this.list[home.number]!.is_open) ?? documents[0];
+    if (named) this.store.show(named);
+    else if (isListed) this.dialogs[0]!.showModal();
+  }
+
+  /** Asks before the shown file is replaced; `false` if it cannot be saved in place. */
+  save(): boolean {
+    const [home, shown] = [this.canSave(), this.store.current];
+    if (!home || !shown) return false;
+    const { name } = this.list[home.number]!;
+    if (this.isChanged(shown)) {
+      this.question.textContent = `Replace ${name} on the disk?`;
+      this.dialogs[1]!.showModal();
+    } else {
+      this.say(`${name} has no changes.`);
+    }
+    return true;
+  }
+
+  private canSave(): Home | undefined {
+    const home = this.store.current?.home;
+    return home && !this.list[home.number]!.is_read_only ? home : undefined;
+  }
+
+  private async write(): Promise<void> {
+    const document = this.store.current!;
+    const home = document.home!;
+    await this.store.attempt(async () => {
+      const saved = contentOf(document);
+      const { files } = await make({ do: "bytes", document: document.id });
+      const response = await this.fetch(`/${home.number}`, { method: "PUT", headers: { "If-Match": home.etag }, body: files[0]!.bytes as BodyInit });
+      Object.assign(home, { etag: response.headers.get("etag"), saved });
+      this.say(`${this.list[home.number]!.name} is saved.`);
+    });
+  }
+
+  private say(message: string): void {
+    this.store.notice = { kind: "note", message };
+    this.store.draw();
+  }
+
+  /** Opens a file, of a network the descriptions of its nodes first. */
+  private async open(number: number): Promise<void> {
+    const { store } = this;
+    const { name, nodes } = this.list[number]!;
+    for (const node of nodes) await this.open(node);
+    const known = store.documents.find((document) => document.home?.number === number);
+    if (known) return store.show(known);
+    await store.attempt(async () => {
+      const response = await this.fetch(`/${number}`);
+      const bytes = new Uint8Array(await response.arrayBuffer());
+      if (!(await store.open(name, bytes))) return;
+      const opened = store.documents.at(-1)!;
+      opened.home = { number, etag: response.headers.get("etag")!, saved: contentOf(opened) };
+    });
+  }
+
+  private async fetch(below: string, options: RequestInit = {}): Promise<Response> {
+    const response = await fetch(`${this.place}${below}`, options).catch(() => {
+      throw new Refused({ message: "`objdict open` does not answer", help: "start it again, or save the file elsewhere with `Save as …`" });
+    });
+    if (response.ok) return response;
+    const answer = (await response.json().catch(() => undefined)) as { error: Refusal } | undefined;
+    throw new Refused(answer?.error ?? { message: `\`objdict open\` answered with ${response.status}` });
+  }
+
+  private listDialog(): HTMLDialogElement {
+    const close = h("button", { type: "button", onclick: () => dialog.close() }, "Close");
+    const dialog = h("dialog", { "aria-labelledby": "files-title" }, h("h2", { id: "files-title" }, "Files"), this.search, this.entries, h("div", { class: "actions" }, close));
+    dialog.addEventListener("toggle", () => dialog.open && this.drawList());
+    return dialog;
+  }
+
+  private drawList(): void {
+    const words = this.search.value.toLowerCase().split(/\s+/).filter(Boolean);
+    const isWanted = ({ name }: Served) => words.every((word) => name.toLowerCase().includes(word));
+    const row = (number: number, of = ""): HTMLElement => {
+      const { name, kind, nodes } = this.list[number]!;
+      const open = () => void this.open(number).then(() => this.dialogs[0]!.close());
+      const button = h("button", { type: "button", class: "mappable", onclick: open }, h("span", { class: "name" }, name), h("span", { class: "type" }, kind === "network" ? "network" : of));
+      return h("li", {}, button, nodes.length > 0 && h("ul", {}, ...nodes.map((node) => row(node, "of the network"))));
+    };
+    const wanted = [...this.list.keys()].filter((number) => isWanted(this.list[number]!));
+    const rows = wanted.slice(0, MAX_SHOWN).map((number) => row(number));
+    if (wanted.length > MAX_SHOWN) rows.push(h("li", {}, `and ${wanted.length - MAX_SHOWN} more`));
+    this.entries.replaceChildren(...rows);
+  }
+
+  private askDialog(): HTMLDialogElement {
+    const save = (event: Event) => {
+      event.preventDefault();
+      dialog.close();
+      void this.write();
+    };
+    const cancel = h("button", { type: "button", onclick: () => dialog.close() }, "Cancel");
+    const dialog = h(
+      "dialog",
+      { "aria-labelledby": "ask-title" },
+      h("form", { method: "dialog", onsubmit: save }, h("h2", { id: "ask-title" }, "Save"), this.question, h("div", { class: "actions" }, cancel, h("button", { type: "submit", class: "main" }, "Replace"))),
+    );
+    return dialog;
+  }
+}
