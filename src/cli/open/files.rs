@@ -171,8 +171,7 @@ impl Files {
     }
 
     fn get(&self, number: usize) -> Result<&Served, Refusal> {
-        let file =
-            self.list.get(number).ok_or_else(|| Refusal::new(404, "there is no file of this number"))?;
+        let file = self.list.get(number).ok_or_else(|| Refusal::new(404, "no file has this number"))?;
         if file.path.canonicalize().is_ok_and(|real| real == file.real) {
             return Ok(file);
         }

@@ -142,8 +142,7 @@ mod tests {
     use super::*;
     use crate::model::{Compact, DataType, ObjectType, Reason, Value};
 
-    #[test]
-    fn entries_keep_what_they_had() {
+    fn stored(compact: Compact) -> Object {
         let main = Entry {
             name: "Gain".into(),
             object_type: Some(ObjectType::Array),
@@ -151,11 +150,16 @@ mod tests {
             default: Some(Value::Unsigned(7)),
             ..Entry::default()
         };
+        Object { main, compact: Some(Box::new(compact)), ..Object::default() }
+    }
+
+    #[test]
+    fn entries_keep_what_they_had() {
         let mut invalid_values = InvalidValues::default();
         invalid_values.push(Field::Item(2), "x", Reason::NotANumber);
         let compact =
             Compact { count: 2, values: vec![(1, Value::Unsigned(9))], invalid_values, ..Compact::default() };
-        let object = Object { main, compact: Some(Box::new(compact)), ..Object::default() };
+        let object = stored(compact);
         let expanded = object.expanded();
         assert_eq!(expanded.sub_number, Some(3));
         assert!(expanded.main.data_type.is_none() && expanded.main.default.is_none());
@@ -168,13 +172,6 @@ mod tests {
 
     #[test]
     fn entries_that_are_alike_are_stored_compactly() {
-        let main = Entry {
-            name: "Gain".into(),
-            object_type: Some(ObjectType::Array),
-            data_type: Some(DataType::UNSIGNED8),
-            default: Some(Value::Unsigned(7)),
-            ..Entry::default()
-        };
         let compact = Compact {
             count: 3,
             names: vec![(2, "Middle".into())],
@@ -182,7 +179,7 @@ mod tests {
             denotations: vec![(3, "last".into())],
             ..Compact::default()
         };
-        let object = Object { main, compact: Some(Box::new(compact)), ..Object::default() };
+        let object = stored(compact);
         let expanded = object.expanded().into_owned();
         assert_eq!(expanded.compacted(), Some(object));
         let mut changed = expanded.clone();
