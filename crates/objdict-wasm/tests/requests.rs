@@ -172,7 +172,8 @@ fn a_network_is_read_with_the_open_descriptions() {
     let unread = alone["report"]["findings"].as_array().map_or(0, |findings| {
         findings.iter().filter(|finding| finding["rule"] == "network/unreadable-node").count()
     });
-    assert_eq!(unread, 3, "{alone}");
+    // two nodes share one of the two descriptions
+    assert_eq!(unread, 2, "{alone}");
     beside(&mut workbench, "network/island.eds");
     beside(&mut workbench, "network/servo.eds");
     let view = network(&mut workbench);
@@ -290,7 +291,7 @@ fn a_log_is_read_in_words() {
     let heartbeats = frames(&mut workbench, json!({ "kinds": ["heartbeat"], "nodes": [11] }));
     assert_eq!(heartbeats["total"], 1);
     assert!(
-        heartbeats["rows"][0]["cells"][4].as_str().is_some_and(|words| words.starts_with("left heartbeat")),
+        heartbeats["rows"][0]["cells"][4].as_str().is_some_and(|words| words == "left: operational"),
         "{heartbeats}"
     );
     assert_eq!(frames(&mut workbench, json!({ "text": "70c" }))["rows"][0]["line"], 2);
