@@ -171,7 +171,7 @@ test("the frames of a log are those that the command prints", { skip: !hasComman
     const decoded = (...args) => objdict("decode", log, ...(others.length > 0 ? ["--with", others[0]] : []), ...args).stdout.toString();
     const printed = decoded("--format", "json").trimEnd().split("\n").map((line) => JSON.parse(line));
     assert.equal(rows.length, printed.length);
-    assert.deepEqual(rows.map((row) => [row.kind, row.node ?? undefined, row.cells[3].replaceAll(" ", ""), row.cells[4]]), printed.map((row) => [row.kind, row.node, row.data, row.text]), log);
+    assert.deepEqual(rows.map((row) => [row.kind, row.node ?? undefined, row.cells[3].replace("remote", "").replaceAll(" ", ""), row.cells[4]]), printed.map((row) => [row.kind, row.node, row.data, row.text]), log);
     assert.deepEqual(summary.buses, JSON.parse(decoded("--summary", "--format", "json")).buses);
     assert.deepEqual(summary.report.findings, JSON.parse(decoded("--check", "--format", "json")).findings);
     workbench.free();

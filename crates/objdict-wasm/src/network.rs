@@ -61,7 +61,10 @@ pub(crate) fn read(document: &Document, files: Rc<OpenFiles>) -> Result<NetworkF
     }
     let source = document::source(document.name(), document.bytes())?;
     let folder = Path::new(document.name()).parent().unwrap_or(Path::new(""));
-    Ok(with_buffers(files, || NetworkFile::read(source, folder, &PathOptions::default())))
+    let mut options = PathOptions::default();
+    // what is open may be read, in whichever folder it is
+    options.allowed.push(Path::new("").to_owned());
+    Ok(with_buffers(files, || NetworkFile::read(source, folder, &options)))
 }
 
 /// The text of a network of the open descriptions.
