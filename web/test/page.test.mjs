@@ -222,7 +222,7 @@ test("a network gets a link by mouse and by keyboard, and is built", { skip }, (
   withPage(async (page) => {
     const original = NETWORK[0][1].toString();
     await open(page, ...NETWORK);
-    await page.waitForSelector(".network .picture img");
+    await page.waitForSelector(".network .load:has-text('4 nodes')");
     assert.match(await page.locator(".network .load").textContent(), /4 nodes · 250 kbit\/s · load \d/);
     assert.equal(await page.locator(".links li").count(), 4);
     await page.getByLabel("Node that sends", { exact: true }).selectOption("left");
@@ -425,7 +425,7 @@ async function eachView(page, see) {
     await page.locator("dialog[open] button", { hasText: "Cancel" }).click();
   }
   await open(page, ...NETWORK);
-  await page.waitForSelector(".network .picture img");
+  await page.waitForSelector(".network .load:has-text('4 nodes')");
   await see("Network");
   await open(page, ["cell.log", fixture("logs/cell.log")]);
   await page.waitForSelector(".frame");
@@ -473,7 +473,7 @@ test("screenshots", { skip: skip || (!process.env.OBJDICT_SCREENSHOTS && "only w
       await checked(page);
       await page.screenshot({ path: join(folder, "workbench-pdo.png") });
       await open(page, ...NETWORK);
-      await page.waitForSelector(".network .picture img");
+      await page.waitForSelector(".network .load:has-text('4 nodes')");
       await page.screenshot({ path: join(folder, "workbench-network.png") });
     },
     { size: { width: 1120, height: 640 } },
