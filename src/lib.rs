@@ -229,8 +229,9 @@ pub mod probe;
 pub mod registry;
 pub mod report;
 pub mod scaffold;
-#[cfg(feature = "cli")]
-mod traffic;
+#[cfg(all(feature = "document", feature = "network"))]
+#[doc(hidden)] // for the command and the workbench
+pub mod traffic;
 
 pub use check::{check, check_with};
 #[cfg(feature = "lint")]

@@ -19,7 +19,7 @@ mod verdicts;
 pub use answers::{AnswersError, read_answers};
 pub use conversation::Conversation;
 pub use exchange::{Exchange, NodeReset, SdoAnswer, SdoRequest};
-#[cfg(feature = "cli")]
+#[cfg(feature = "document")]
 pub(crate) use judge::help;
 pub use judge::{Judged, Judgement, judge};
 pub use plan::{ProbeOptions, ProbePlan};

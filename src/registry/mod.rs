@@ -16,7 +16,7 @@ pub fn rules() -> Vec<&'static RuleInfo> {
         format::rules().chain(of_linter).chain(of_changes()).chain(own::RULES.iter().copied()).collect();
     #[cfg(feature = "network")]
     rules.extend(crate::probe::RULES);
-    #[cfg(feature = "cli")]
+    #[cfg(all(feature = "document", feature = "network"))]
     rules.extend(crate::traffic::RULES);
     rules.sort_by_key(|rule| rule.id);
     rules

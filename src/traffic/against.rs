@@ -5,7 +5,7 @@ use crate::diagnostic::Findings;
 use crate::source::{SourceFile, Span};
 
 /// What is against the rules in a log, in its order, and the lines of it: of a log of any length no others are kept.
-pub(crate) fn findings(reports: &[BusReport], log: usize, name: String) -> (SourceFile, Findings) {
+pub fn findings(reports: &[BusReport], log: usize, name: String) -> (SourceFile, Findings) {
     let mut events: Vec<&NodeEvent> = reports.iter().flat_map(|bus| bus.against_rules(log)).collect();
     events.sort_by_key(|event| event.moment.line);
     let of_one_line = || events.chunk_by(|event, next| event.moment.line == next.moment.line);

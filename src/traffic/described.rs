@@ -7,30 +7,30 @@ use crate::model::Device;
 
 /// A description of a node.
 #[derive(Debug)]
-pub(crate) struct DescribedNode {
+pub struct DescribedNode {
     /// What the node is called.
-    pub(crate) name: String,
+    pub name: String,
     /// `None` for an EDS that does not say which node it is for.
-    pub(crate) node_id: Option<u8>,
+    pub node_id: Option<u8>,
     /// The device with its configured values.
-    pub(crate) device: Device,
+    pub device: Device,
     /// The name of the file.
-    pub(crate) file: String,
+    pub file: String,
     /// Whether values are those after a configuration: of a DCF, or of a node of a network.
-    pub(crate) is_configured: bool,
+    pub is_configured: bool,
 }
 
 /// What describes the nodes of a bus.
 #[derive(Debug, Default)]
-pub(crate) struct Descriptions {
-    pub(crate) nodes: Vec<DescribedNode>,
+pub struct Descriptions {
+    pub nodes: Vec<DescribedNode>,
     /// The bit rate in kbit/s, if a network or a DCF states it.
-    pub(crate) bit_rate: Option<u16>,
+    pub bit_rate: Option<u16>,
 }
 
 impl Descriptions {
     /// Adds the nodes of a network, as they are after their configuration.
-    pub(crate) fn add_network(&mut self, file: &NetworkFile) {
+    pub fn add_network(&mut self, file: &NetworkFile) {
         let (Some(network), Some(compiled)) = (file.network(), file.compiled()) else { return };
         self.bit_rate = self.bit_rate.or(network.bit_rate.as_ref().map(|rate| rate.value));
         self.nodes.extend(compiled.nodes().map(|slave| DescribedNode {
@@ -43,7 +43,7 @@ impl Descriptions {
     }
 
     /// Adds a device, for a node if it is stated.
-    pub(crate) fn add_device(&mut self, device: Device, node_id: Option<u8>, path: &Path, file: String) {
+    pub fn add_device(&mut self, device: Device, node_id: Option<u8>, path: &Path, file: String) {
         let commissioning = device.commissioning.as_ref();
         let stated = commissioning.and_then(|node| node.node_name.clone()).filter(|name| !name.is_empty());
         let stem = || path.file_stem().unwrap_or_default().to_string_lossy().into_owned();

@@ -6,16 +6,16 @@ use crate::format::log::{LogOptions, LogReader, LoggedFrame};
 
 /// A log with its name.
 #[derive(Debug)]
-pub(crate) struct NamedLog<R> {
-    pub(crate) name: String,
-    pub(crate) reader: LogReader<R>,
+pub struct NamedLog<R> {
+    pub name: String,
+    pub reader: LogReader<R>,
     /// The frame that is next, where there are other logs.
     next: Option<LoggedFrame>,
     is_over: bool,
 }
 
 impl<R: BufRead> NamedLog<R> {
-    pub(crate) fn new(name: String, source: R, options: LogOptions) -> Self {
+    pub fn new(name: String, source: R, options: LogOptions) -> Self {
         Self { name, reader: LogReader::new(source, options), next: None, is_over: false }
     }
 
@@ -30,22 +30,22 @@ impl<R: BufRead> NamedLog<R> {
 
 /// Where a frame is.
 #[derive(Clone, Copy, Debug)]
-pub(crate) struct Origin<'l> {
+pub struct Origin<'l> {
     /// The position of the log.
-    pub(crate) log: usize,
+    pub log: usize,
     /// The number of its line, or of its packet in a capture, from 1.
-    pub(crate) line: u64,
+    pub line: u64,
     /// The line; empty in a capture.
-    pub(crate) text: &'l [u8],
+    pub text: &'l [u8],
 }
 
 /// Logs whose frames are taken in the order of their times; of two at one time that of the first log is first.
 #[derive(Debug)]
-pub(crate) struct MergedLogs<R>(pub(crate) Vec<NamedLog<R>>);
+pub struct MergedLogs<R>(pub Vec<NamedLog<R>>);
 
 impl<R: BufRead> MergedLogs<R> {
     /// The next frame, and the position of its log.
-    pub(crate) fn next_frame(&mut self) -> io::Result<Option<(usize, LoggedFrame)>> {
+    pub fn next_frame(&mut self) -> io::Result<Option<(usize, LoggedFrame)>> {
         // one log is not read ahead, so a frame of a live bus is there at once
         if let [log] = self.0.as_mut_slice() {
             return Ok(log.reader.next_frame()?.map(|frame| (0, frame)));
@@ -61,13 +61,13 @@ impl<R: BufRead> MergedLogs<R> {
     }
 
     /// Where the last frame of a log is in it.
-    pub(crate) fn origin(&self, log: usize) -> Origin<'_> {
+    pub fn origin(&self, log: usize) -> Origin<'_> {
         let reader = &self.0[log].reader;
         Origin { log, line: reader.line(), text: reader.line_of_frame() }
     }
 
     /// The name of a channel of a log.
-    pub(crate) fn channel(&self, log: usize, number: u16) -> &str {
+    pub fn channel(&self, log: usize, number: u16) -> &str {
         self.0[log].reader.channel(number)
     }
 }

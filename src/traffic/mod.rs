@@ -5,19 +5,21 @@ mod candidates;
 mod described;
 mod error_frame;
 mod merged;
+#[cfg(feature = "cli")]
 mod recording;
 mod rules;
 mod sums;
 
 use std::io::{self, BufRead};
 
-pub(crate) use self::against::findings;
+pub use self::against::findings;
 use self::candidates::Candidates;
-pub(crate) use self::described::{DescribedNode, Descriptions};
-pub(crate) use self::merged::{MergedLogs, NamedLog, Origin};
+pub use self::described::{DescribedNode, Descriptions};
+pub use self::merged::{MergedLogs, NamedLog, Origin};
+#[cfg(feature = "cli")]
 pub(crate) use self::recording::{PageTexts, PlotChoice, Recording, address};
 pub(crate) use self::rules::RULES;
-pub(crate) use self::sums::{BusReport, BusSums, NodeEvent};
+pub use self::sums::{BusReport, BusSums, NodeEvent};
 use crate::describe::frames::{DecodedFrame, FrameReader, RawFrame, Talker};
 use crate::format::log::LoggedFrame;
 
@@ -29,14 +31,14 @@ const MAX_BUSES: usize = 64;
 
 /// A bus: what is known of its nodes, and where its frames are.
 #[derive(Debug)]
-pub(crate) struct Bus<'d> {
+pub struct Bus<'d> {
     /// The name of its channel in the logs; empty if it has none.
-    pub(crate) channel: String,
-    pub(crate) reader: FrameReader<'d>,
-    pub(crate) descriptions: &'d Descriptions,
+    pub channel: String,
+    pub reader: FrameReader<'d>,
+    pub descriptions: &'d Descriptions,
     candidates: Candidates<'d>,
     /// The nodes that were found for descriptions without a node-ID.
-    pub(crate) found: Vec<(u8, &'d DescribedNode)>,
+    pub found: Vec<(u8, &'d DescribedNode)>,
 }
 
 impl<'d> Bus<'d> {
@@ -56,7 +58,7 @@ impl<'d> Bus<'d> {
     }
 
     /// What a frame is. With it descriptions may find their nodes.
-    pub(crate) fn decode(&mut self, frame: &LoggedFrame) -> DecodedFrame {
+    pub fn decode(&mut self, frame: &LoggedFrame) -> DecodedFrame {
         if frame.is_error || frame.is_fd {
             return DecodedFrame::UNKNOWN;
         }
@@ -68,7 +70,7 @@ impl<'d> Bus<'d> {
     }
 
     /// Describes the nodes that descriptions without a node-ID are for; with `is_all` nothing more is to come.
-    pub(crate) fn assign(&mut self, is_all: bool) -> Vec<String> {
+    pub fn assign(&mut self, is_all: bool) -> Vec<String> {
         let mut notes = Vec::new();
         for (node_id, description, note) in self.candidates.found(is_all, &self.reader) {
             if let Some(node) = description {
@@ -88,14 +90,14 @@ impl<'d> Bus<'d> {
     }
 
     /// The description of a node.
-    pub(crate) fn description(&self, node_id: u8) -> Option<&'d DescribedNode> {
+    pub fn description(&self, node_id: u8) -> Option<&'d DescribedNode> {
         let stated = self.descriptions.nodes.iter().find(|node| node.node_id == Some(node_id));
         let found = || self.found.iter().find(|(found, _)| *found == node_id).map(|(_, node)| *node);
         stated.or_else(found)
     }
 
     /// What a frame says.
-    pub(crate) fn words(&self, decoded: &DecodedFrame, frame: &LoggedFrame) -> String {
+    pub fn words(&self, decoded: &DecodedFrame, frame: &LoggedFrame) -> String {
         match frame {
             LoggedFrame { is_error: true, .. } => error_frame::words(frame),
             LoggedFrame { is_fd: true, .. } => format!("CAN FD, {} bytes", frame.data().len()),
@@ -105,30 +107,30 @@ impl<'d> Bus<'d> {
 }
 
 /// The frame as CANopen sees it.
-pub(crate) fn raw(frame: &LoggedFrame) -> RawFrame<'_> {
+pub fn raw(frame: &LoggedFrame) -> RawFrame<'_> {
     let LoggedFrame { can_id, is_extended, is_remote, .. } = *frame;
     RawFrame { can_id, is_extended, is_remote, data: frame.data() }
 }
 
 /// The buses in logs, by the names of their channels.
 #[derive(Debug)]
-pub(crate) struct Buses<'d> {
+pub struct Buses<'d> {
     /// What describes the nodes of a channel.
     by_channel: &'d [(String, Descriptions)],
     /// What describes those of the other channels.
     others: &'d Descriptions,
-    pub(crate) all: Vec<Bus<'d>>,
+    pub all: Vec<Bus<'d>>,
     /// The position of the bus by the log and the number of its channel.
     positions: Vec<Vec<Option<usize>>>,
 }
 
 impl<'d> Buses<'d> {
-    pub(crate) fn new(by_channel: &'d [(String, Descriptions)], others: &'d Descriptions) -> Self {
+    pub fn new(by_channel: &'d [(String, Descriptions)], others: &'d Descriptions) -> Self {
         Self { by_channel, others, all: Vec::new(), positions: Vec::new() }
     }
 
     /// The position of the bus of a frame.
-    pub(crate) fn of<R: BufRead>(&mut self, log: usize, frame: &LoggedFrame, logs: &MergedLogs<R>) -> usize {
+    pub fn of<R: BufRead>(&mut self, log: usize, frame: &LoggedFrame, logs: &MergedLogs<R>) -> usize {
         let number = usize::from(frame.channel);
         if self.positions.len() <= log {
             self.positions.resize(log + 1, Vec::new());
@@ -152,14 +154,14 @@ impl<'d> Buses<'d> {
     }
 
     /// Whether a description waits for the node that it is for.
-    pub(crate) fn is_open(&self) -> bool {
+    pub fn is_open(&self) -> bool {
         let open = |descriptions: &Descriptions| descriptions.nodes.iter().any(|node| node.node_id.is_none());
         open(self.others) || self.by_channel.iter().any(|(_, descriptions)| open(descriptions))
     }
 
     /// Reads all frames of logs to find the nodes of descriptions without a node-ID, and says what was found. The frames are
     /// read again by buses that know it.
-    pub(crate) fn find<R: BufRead>(&mut self, logs: &mut MergedLogs<R>) -> io::Result<Vec<String>> {
+    pub fn find<R: BufRead>(&mut self, logs: &mut MergedLogs<R>) -> io::Result<Vec<String>> {
         while let Some((log, frame)) = logs.next_frame()? {
             let at = self.of(log, &frame, logs);
             self.all[at].decode(&frame);

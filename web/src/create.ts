@@ -3,11 +3,67 @@
 import { ask } from "./engine";
 import { h, hex, numberIn } from "./dom";
 import { patchOf } from "./form";
-import type { Opened, ProfileObject, ProfileRow } from "./protocol";
+import type { Feature, NewDevice, Opened, ProfileObject, ProfileRow } from "./protocol";
 import type { Store } from "./store";
 
+/** A feature as a field; what is left empty is as the profile has it. */
+function featureField({ word, kind, names, range, meaning }: Feature): HTMLElement {
+  const label = meaning.replace(/ \[default: .*\]$/, "");
+  const usual = /\[default: (.*)\]$/.exec(meaning)?.[1] ?? "as the profile has it";
+  const attributes = { "data-feature": word, "data-kind": kind };
+  if (kind === "number") return h("label", {}, `${label} `, h("input", { ...attributes, type: "number", min: range?.[0], max: range?.[1], placeholder: usual }));
+  const options = kind === "flag" ? [["true", "yes"], ["false", "no"]] : names.map((name) => [name, name]);
+  if (kind === "names") return h("label", {}, `${label} `, h("select", { ...attributes, multiple: true, size: Math.min(6, names.length) }, ...options.map(([value, text]) => h("option", { value }, text!))));
+  return h("label", {}, `${label} `, h("select", attributes, h("option", { value: "" }, `default: ${usual}`), ...options.map(([value, text]) => h("option", { value }, text!))));
+}
+
+function featuresIn(parent: HTMLElement): NewDevice["features"] {
+  const features: NewDevice["features"] = {};
+  for (const field of parent.querySelectorAll<HTMLInputElement | HTMLSelectElement>("[data-feature]")) {
+    const word = field.dataset.feature!;
+    const names = field instanceof HTMLSelectElement && field.multiple ? [...field.selectedOptions].map((option) => option.value) : [];
+    if (names.length > 0) features[word] = names;
+    else if (field.value !== "") features[word] = { number: Number(field.value), flag: field.value === "true" }[field.dataset.kind!] ?? field.value;
+  }
+  return features;
+}
+
+/** A text from the clipboard: a log, a description or a network. */
+export function pasteDialog(store: Store): HTMLDialogElement {
+  const text = h("textarea", { rows: 10, required: true, spellcheck: "false", id: "paste-text", placeholder: "(1436509052.249713) can0 185#3702" });
+  const name = h("input", { value: "pasted.log", required: true, autocomplete: "off" });
+  const open = async (event: Event) => {
+    event.preventDefault();
+    dialog.close();
+    if (await store.open(name.value, new TextEncoder().encode(text.value))) text.value = "";
+  };
+  const dialog = h(
+    "dialog",
+    { "aria-labelledby": "paste-title" },
+    h(
+      "form",
+      { method: "dialog", onsubmit: open },
+      h("h2", { id: "paste-title" }, "Paste a text"),
+      h("p", { class: "meaning" }, "Frames as candump or another tool of the bus prints them, or the text of a description or a network."),
+      h("label", { class: "above" }, "Text ", text),
+      h("label", {}, "Name ", name),
+      h("div", { class: "actions" }, h("button", { type: "button", onclick: () => dialog.close() }, "Cancel"), h("button", { type: "submit", class: "main" }, "Open")),
+    ),
+  );
+  return dialog;
+}
+
 export function newDialog(store: Store): HTMLDialogElement {
-  const profile = h("select", { id: "new-profile" });
+  const profile = h("select", { id: "new-profile", onchange: () => offer() });
+  const own = h("div", {});
+  const general = h("details", {});
+  let profiles: ProfileRow[] = [];
+  const offer = () => {
+    const features = profiles.find((row) => row.number === Number(profile.value))?.features ?? [];
+    const fields = (isGeneral: boolean) => features.filter((feature) => feature.is_general === isGeneral).map(featureField);
+    own.replaceChildren(...fields(false));
+    general.replaceChildren(h("summary", {}, "Communication"), ...fields(true));
+  };
   const text = (value: string) => h("input", { value, required: true, autocomplete: "off" });
   const [name, vendor, vendorId, product, code] = [text("device.eds"), text(""), text("0x0"), text(""), text("0x0")];
   const create = async (event: Event) => {
@@ -23,6 +79,7 @@ export function newDialog(store: Store): HTMLDialogElement {
         product: product.value,
         product_code: numberIn(code.value) || 0,
         date: [today.getFullYear(), today.getMonth() + 1, today.getDate()],
+        features: featuresIn(dialog),
       });
       await store.take(opened);
     });
@@ -41,13 +98,15 @@ export function newDialog(store: Store): HTMLDialogElement {
       h("label", {}, "Product ", product),
       h("label", {}, "Product code ", code),
       h("label", {}, "File name ", name),
+      h("fieldset", {}, h("legend", {}, "Features"), own, general),
       h("div", { class: "actions" }, h("button", { type: "button", onclick: () => dialog.close() }, "Cancel"), h("button", { type: "submit", class: "main" }, "Create")),
     ),
   );
   dialog.addEventListener("toggle", async () => {
-    if (!dialog.open || profile.options.length > 0) return;
-    const profiles = await ask<ProfileRow[]>({ do: "profiles" });
+    if (!dialog.open || profiles.length > 0) return;
+    profiles = await ask<ProfileRow[]>({ do: "profiles" });
     profile.replaceChildren(...profiles.map((row) => h("option", { value: row.number }, `CiA ${row.number}: ${row.title}`)));
+    offer();
   });
   return dialog;
 }

@@ -1,7 +1,7 @@
 // The engine as the page sees it: requests with answers.
 
 import engineUrl from "./wasm/objdict_wasm_bg.wasm?url";
-import type { FromWorker, MadeFile, Refusal, Request, ToWorker } from "./protocol";
+import type { Answer, FromWorker, MadeFile, Refusal, Request, ToWorker } from "./protocol";
 
 /** A request that was refused. */
 export class Refused extends Error {
@@ -39,8 +39,9 @@ export async function startEngine(whenLost: () => void): Promise<void> {
     const entry = waiting.get(data.id);
     waiting.delete(data.id);
     if (data.lost) onLost();
-    if ("ok" in data.answer) entry?.resolve({ ok: data.answer.ok, files: data.files });
-    else entry?.reject(new Refused(data.answer.error));
+    const answer = JSON.parse(data.answer) as Answer;
+    if ("ok" in answer) entry?.resolve({ ok: answer.ok, files: data.files });
+    else entry?.reject(new Refused(answer.error));
   };
 }
 

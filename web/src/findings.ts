@@ -1,5 +1,6 @@
 // Right: what was found, with fixes.
 
+import { ask } from "./engine";
 import { h, indexOf } from "./dom";
 import type { Finding } from "./protocol";
 import type { Store } from "./store";
@@ -25,10 +26,11 @@ function item(store: Store, finding: Finding): HTMLElement {
   const index = indexOf(finding.place);
   const has = index !== undefined && store.current!.outline.objects.some((object) => object.index === index);
   const go = () => {
+    const { kind } = store.current!.state;
     store.index = has ? index : store.index;
-    store.view = has && store.view !== "text" ? "form" : "text";
+    store.view = kind === "log" ? "log" : has && store.view !== "text" ? "form" : "text";
     store.draw();
-    if (store.view === "text") requestAnimationFrame(() => document.dispatchEvent(new CustomEvent("go-to-line", { detail: finding.line })));
+    if (store.view !== "form") requestAnimationFrame(() => document.dispatchEvent(new CustomEvent("go-to-line", { detail: finding.line })));
   };
   return h(
     "li",
@@ -40,10 +42,28 @@ function item(store: Store, finding: Finding): HTMLElement {
   );
 }
 
+/** The tools whose reactions are shown. */
+function toolChoice(store: Store): HTMLElement {
+  const names = h("fieldset", { class: "tools" }, h("legend", {}, "What these would say"));
+  const element = h("details", { class: "tools" }, h("summary", {}, "Other tools"), names);
+  const choose = () => {
+    store.tools = [...names.querySelectorAll<HTMLInputElement>("input:checked")].map((box) => box.value);
+    element.querySelector("summary")!.textContent = store.tools.length > 0 ? `Other tools: ${store.tools.join(", ")}` : "Other tools";
+    void store.recheck();
+  };
+  element.addEventListener("toggle", async () => {
+    if (!element.open || names.children.length > 1) return;
+    const tools = await ask<string[]>({ do: "tools" });
+    names.append(...tools.map((tool) => h("label", { class: "choice" }, h("input", { type: "checkbox", value: tool, onchange: choose }), ` ${tool}`)));
+  });
+  store.onDraw(() => (element.hidden = store.current?.state.kind !== "device"));
+  return element;
+}
+
 export function findingsPanel(store: Store): HTMLElement {
   const list = h("ul", { class: "scroll", "aria-label": "Findings", tabindex: 0 });
   const summary = h("p", { role: "status", class: "summary" });
-  const safe = h("button", { onclick: () => void store.change({ do: "fix-all", document: store.current!.id }) }, "Make all safe fixes");
+  const safe = h("button", { onclick: () => void store.change({ do: "fix-all", document: store.current!.id, tools: store.tools }) }, "Make all safe fixes");
   store.onDraw(() => {
     const document = store.current;
     const findings = document?.report.findings ?? [];
@@ -57,5 +77,5 @@ export function findingsPanel(store: Store): HTMLElement {
     list.replaceChildren(...shown);
     list.setAttribute("aria-busy", String(document !== undefined && !document.has_fixes));
   });
-  return h("aside", { "aria-label": "Findings", class: "panel findings" }, h("div", { class: "bar" }, summary, safe), list);
+  return h("aside", { "aria-label": "Findings", class: "panel findings" }, h("div", { class: "bar" }, summary, safe), toolChoice(store), list);
 }

@@ -1,23 +1,65 @@
 // The workbench: a bar on top, objects on the left, one object, the text or a PDO in the middle, findings on the right.
 
 import { compareView } from "./compare";
-import { addDialog, newDialog } from "./create";
-import { startEngine } from "./engine";
+import { configureDialog } from "./configure";
+import { addDialog, newDialog, pasteDialog } from "./create";
+import { ask, startEngine } from "./engine";
 import { h } from "./dom";
 import { EXAMPLES } from "./examples";
 import { Files } from "./files";
 import { findingsPanel } from "./findings";
 import { formView } from "./form";
+import { logView } from "./log";
+import { networkView } from "./network";
 import { objectsPanel } from "./objects";
 import { productsDialog, saveDialog } from "./output";
 import { pdoView } from "./pdo";
-import { Store, indexInAddress, type View } from "./store";
+import type { Opened } from "./protocol";
+import { Store, VIEWS, type View } from "./store";
 import { diffView, textView } from "./text";
 
 const store = new Store();
 
-async function openFiles(files: Iterable<File>): Promise<void> {
-  for (const file of files) await store.open(file.name, new Uint8Array(await file.arrayBuffer()));
+/** Opens files; networks and logs are shown before the descriptions that they are read with. */
+async function openFiles(files: Iterable<{ name: string; bytes: () => Promise<ArrayBuffer> }>): Promise<void> {
+  const before = store.documents.length;
+  for (const file of files) await store.open(file.name, new Uint8Array(await file.bytes()));
+  const opened = store.documents.slice(before);
+  const shown = opened.find(({ state }) => state.kind === "log") ?? opened.find(({ state }) => state.kind === "network");
+  if (shown) store.show(shown);
+}
+
+const chosen = (files: Iterable<File>) => [...files].map((file) => ({ name: file.name, bytes: () => file.arrayBuffer() }));
+
+/** What a folder may have beside descriptions is not opened. */
+const KNOWN = /\.(eds|dcf|xdd|xdc|nxdd|nxdc|toml|ya?ml|cpj|xpd|od|log|asc|trc|csv|pcap|pcapng|candump)$/i;
+
+/** The files that are dropped; those of folders have their paths, by which a network names them. */
+async function dropped(items: DataTransferItemList): Promise<{ name: string; bytes: () => Promise<ArrayBuffer> }[]> {
+  const found: { name: string; bytes: () => Promise<ArrayBuffer> }[] = [];
+  const read = async (entry: FileSystemEntry, isNamed: boolean): Promise<void> => {
+    if (entry.isFile) {
+      if (!isNamed && !KNOWN.test(entry.name)) return;
+      const file = await new Promise<File>((resolve, reject) => (entry as FileSystemFileEntry).file(resolve, reject));
+      found.push({ name: entry.fullPath.replace(/^\//, ""), bytes: () => file.arrayBuffer() });
+      return;
+    }
+    const reader = (entry as FileSystemDirectoryEntry).createReader();
+    for (;;) {
+      const entries = await new Promise<FileSystemEntry[]>((resolve, reject) => reader.readEntries(resolve, reject));
+      if (entries.length === 0) return;
+      for (const inner of entries) await read(inner, false);
+    }
+  };
+  // the list is emptied when the event is over
+  const entries = [...items].map((item) => item.webkitGetAsEntry());
+  const files = [...items].map((item) => item.getAsFile());
+  for (const [at, entry] of entries.entries()) {
+    const file = files[at];
+    if (entry?.isDirectory) await read(entry, true);
+    else if (file) found.push(...chosen([file]));
+  }
+  return found;
 }
 
 const chooser = h("input", {
@@ -26,12 +68,12 @@ const chooser = h("input", {
   hidden: true,
   "aria-label": "Files to open",
   onchange: () => {
-    void openFiles([...(chooser.files ?? [])]).then(() => (chooser.value = ""));
+    void openFiles(chosen(chooser.files ?? [])).then(() => (chooser.value = ""));
   },
 });
 
 const files = new Files(store);
-const dialogs = { save: saveDialog(store), products: productsDialog(store), create: newDialog(store), add: addDialog(store) };
+const dialogs = { save: saveDialog(store), products: productsDialog(store), create: newDialog(store), add: addDialog(store), configure: configureDialog(store), paste: pasteDialog(store) };
 
 function button(label: string, what: () => void, attributes: Record<string, string> = {}): HTMLButtonElement {
   return h("button", { onclick: what, ...attributes }, label);
@@ -61,24 +103,29 @@ function topBar(): HTMLElement {
   const save = button("Save as …", () => dialogs.save.showModal(), { title: "Ctrl+S" });
   const products = button("Download …", () => dialogs.products.showModal());
   const add = button("Add object …", () => dialogs.add.showModal());
+  const configure = button("Configure …", () => dialogs.configure.showModal());
   const theme = button("Dark or light", switchTheme, { class: "quiet" });
   store.onDraw(() => {
     const state = store.current?.state;
+    const isDevice = state?.kind === "device";
     back.disabled = !state?.can_undo;
     again.disabled = !state?.can_redo;
-    for (const each of [save, products, add]) each.disabled = !state;
-    add.disabled = !state || state.is_read_only;
+    save.disabled = !state || state.kind === "log";
+    for (const each of [products, configure]) each.disabled = !isDevice;
+    add.disabled = !isDevice || state.is_read_only;
   });
   return h(
     "header",
     {},
     h("h1", {}, "objdict ", h("span", {}, "workbench")),
     button("Open …", () => chooser.click(), { title: "Ctrl+O" }),
+    button("Paste …", () => dialogs.paste.showModal()),
     examplesMenu(),
     button("New …", () => dialogs.create.showModal()),
     back,
     again,
     add,
+    configure,
     ...files.buttons,
     save,
     products,
@@ -95,8 +142,11 @@ function switchTheme(): void {
 
 function documentTabs(): HTMLElement {
   const tabs = h("nav", { class: "documents", "aria-label": "Open files" });
+  const network = button("Network of these files", () => void store.attempt(async () => store.take(await ask<Opened>({ do: "new-network" }))), { class: "quiet" });
   store.onDraw(() => {
     tabs.hidden = store.documents.length === 0;
+    const count = store.documents.filter(({ state }) => state.kind === "device").length;
+    network.hidden = count < 2 || store.documents.some(({ state }) => state.kind === "network");
     tabs.replaceChildren(
       ...store.documents.map((document) =>
         h(
@@ -106,12 +156,15 @@ function documentTabs(): HTMLElement {
           h("button", { class: "quiet", "aria-label": `Close ${document.state.name}`, onclick: () => void store.close(document) }, "×"),
         ),
       ),
+      network,
     );
   });
   return tabs;
 }
 
-const VIEWS: [View, string][] = [
+const LABELS: [View, string][] = [
+  ["network", "Network"],
+  ["log", "Log"],
   ["form", "Object"],
   ["text", "Text"],
   ["pdo", "PDOs"],
@@ -120,7 +173,7 @@ const VIEWS: [View, string][] = [
 ];
 
 function middle(): HTMLElement {
-  const tabs = VIEWS.map(([view, label]) => {
+  const tabs = LABELS.map(([view, label]) => {
     const tab = button(label, () => {
       store.view = view;
       store.draw();
@@ -129,12 +182,15 @@ function middle(): HTMLElement {
   });
   const facts = h("p", { class: "facts" });
   store.onDraw(() => {
-    for (const { view, tab } of tabs) tab.setAttribute("aria-pressed", String(view === store.view));
+    for (const { view, tab } of tabs) {
+      tab.setAttribute("aria-pressed", String(view === store.view));
+      tab.hidden = !VIEWS[store.current?.state.kind ?? "device"].includes(view);
+    }
     const { state, outline } = store.current ?? {};
     const parts = [outline?.vendor, outline?.product, outline?.profile ? `CiA ${outline.profile}` : null, outline?.node_id ? `node ${outline.node_id}` : null, state?.format, state?.encoding];
     facts.textContent = parts.filter(Boolean).join(" · ");
   });
-  return h("main", { class: "panel" }, h("div", { class: "bar views" }, ...tabs.map(({ tab }) => tab), facts), formView(store), textView(store), pdoView(store), diffView(store), compareView(store));
+  return h("main", { class: "panel" }, h("div", { class: "bar views" }, ...tabs.map(({ tab }) => tab), facts), networkView(store), logView(store), formView(store), textView(store), pdoView(store), diffView(store), compareView(store));
 }
 
 function notice(): HTMLElement {
@@ -157,8 +213,8 @@ function welcome(): HTMLElement {
   const element = h(
     "section",
     { class: "welcome" },
-    h("h2", {}, "Drop a device description here"),
-    h("p", {}, "EDS, DCF, XDD, XDC or device.toml. The files stay in this browser: nothing is uploaded."),
+    h("h2", {}, "Drop device descriptions, a network or a log here"),
+    h("p", {}, "EDS, DCF, XDD, XDC, device.toml; network.toml, bus.yml or a node list with its descriptions; candump, ASC, TRC, CSV or pcap. The files stay in this browser: nothing is uploaded."),
     h("div", { class: "actions" }, button("Choose files …", () => chooser.click(), { class: "main" }), ...EXAMPLES.map(([label, name, text]) => button(label, () => void store.open(name, new TextEncoder().encode(text))))),
   );
   store.onDraw(() => (element.hidden = store.current !== undefined));
@@ -169,22 +225,20 @@ function listen(): void {
   addEventListener("dragover", (event) => event.preventDefault());
   addEventListener("drop", (event) => {
     event.preventDefault();
-    if (event.dataTransfer?.files.length) void openFiles([...event.dataTransfer.files]);
+    if (event.dataTransfer?.files.length) void dropped(event.dataTransfer.items).then(openFiles);
   });
   addEventListener("keydown", (event) => {
     if (!(event.ctrlKey || event.metaKey) || document.querySelector("dialog[open]")) return;
     const key = event.key.toLowerCase();
     // in a field, the browser undoes what was typed there
     const isTyping = event.target instanceof HTMLInputElement && event.target.value !== event.target.defaultValue;
-    const action = { z: event.shiftKey ? redo : undo, y: redo, o: () => chooser.click(), s: () => files.save() || (store.current && dialogs.save.showModal()) }[key];
+    const save = () => files.save() || (store.current && store.current.state.kind !== "log" && dialogs.save.showModal());
+    const action = { z: event.shiftKey ? redo : undo, y: redo, o: () => chooser.click(), s: save }[key];
     if (!action || (isTyping && (key === "z" || key === "y"))) return;
     event.preventDefault();
     action();
   });
-  addEventListener("hashchange", () => {
-    const index = indexInAddress();
-    if (index !== undefined) store.select(index);
-  });
+  addEventListener("hashchange", () => store.follow());
   addEventListener("beforeunload", (event) => {
     if (store.documents.some((document) => files.isChanged(document))) event.preventDefault();
   });
@@ -198,7 +252,10 @@ function keepForOffline(): void {
 
 async function start(): Promise<void> {
   const panels = h("div", { class: "panels" }, objectsPanel(store), middle(), findingsPanel(store));
-  store.onDraw(() => (panels.hidden = !store.current));
+  store.onDraw(() => {
+    panels.hidden = !store.current;
+    panels.dataset.kind = store.current?.state.kind;
+  });
   document.getElementById("app")!.replaceChildren(topBar(), documentTabs(), notice(), welcome(), panels, ...Object.values(dialogs), ...files.dialogs);
   listen();
   await startEngine(() => void store.reopen());

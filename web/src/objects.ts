@@ -84,11 +84,7 @@ export function objectsPanel(store: Store): HTMLElement {
 
   const choose = (row: Row): void => {
     if (row.kind === "object") store.select(row.object.index, store.view === "text" ? "text" : "form");
-    else if (row.kind === "pdo") {
-      store.pdo = row.position;
-      store.view = "pdo";
-      store.draw();
-    }
+    else if (row.kind === "pdo") store.selectPdo(row.position);
   };
 
   const element = (row: Row, number: number): HTMLElement => {
@@ -147,5 +143,7 @@ export function objectsPanel(store: Store): HTMLElement {
     marks = severities(store);
     show();
   });
-  return h("nav", { "aria-label": "Object dictionary", class: "panel objects" }, h("div", { class: "bar" }, search), scroll);
+  const panel = h("nav", { "aria-label": "Object dictionary", class: "panel objects" }, h("div", { class: "bar" }, search), scroll);
+  store.onDraw(() => (panel.hidden = store.current?.state.kind !== "device"));
+  return panel;
 }

@@ -15,6 +15,9 @@ export function download(name: string, content: Blob): void {
   setTimeout(() => URL.revokeObjectURL(address), 10_000);
 }
 
+/** In kbit/s, those of CiA 301. */
+export const BIT_RATES = [10, 20, 50, 125, 250, 500, 800, 1000];
+
 const stem = (name: string): string => name.replace(/\.[^.]*$/, "");
 
 const FORMATS: [ending: string, label: string, needsNode: boolean][] = [
@@ -56,17 +59,22 @@ export function saveDialog(store: Store): HTMLDialogElement {
   const nodeId = h("input", { id: "save-node-id", type: "number", min: 1, max: 127 });
   const bitRate = h("input", { id: "save-bit-rate", list: "bit-rates", inputmode: "numeric" });
   const node = h("div", { class: "node" }, h("label", {}, "Node-ID ", nodeId), h("label", {}, "Bit rate in kbit/s ", bitRate));
+  const storage = h("select", { id: "save-storage" }, h("option", { value: "" }, "as in the file"), h("option", { value: "expanded" }, "a section for each entry, written anew"), h("option", { value: "compact" }, "kept, written anew"));
+  const compact = h("label", {}, "Compact storage ", storage);
   const format = h("select", { id: "save-format" }, ...FORMATS.map(([ending, label]) => h("option", { value: ending }, label)));
+  const choice = h("label", {}, "Format ", format);
   const follow = () => {
-    name.value = `${stem(name.value)}.${format.value}`;
-    node.hidden = !FORMATS.find(([ending]) => ending === format.value)![2];
+    if (!choice.hidden) name.value = `${stem(name.value)}.${format.value}`;
+    const isDevice = store.current?.state.kind === "device";
+    node.hidden = !isDevice || !FORMATS.find(([ending]) => ending === format.value)![2];
+    compact.hidden = !isDevice || !["eds", "dcf"].includes(format.value);
   };
   format.addEventListener("change", follow);
   const save = async (event: Event) => {
     event.preventDefault();
     const document = store.current!.id;
     const number = (input: HTMLInputElement) => (input.value ? Number(input.value) : undefined);
-    const request: Request = { do: "save", document, name: name.value, node_id: number(nodeId), bit_rate: number(bitRate) };
+    const request: Request = { do: "save", document, name: name.value, node_id: number(nodeId), bit_rate: number(bitRate), storage: compact.hidden ? undefined : (storage.value as "compact" | "expanded") || undefined };
     await store.attempt(async () => {
       const { files, notes } = await make(request);
       deliver(files, "");
@@ -81,10 +89,11 @@ export function saveDialog(store: Store): HTMLDialogElement {
       "form",
       { method: "dialog", onsubmit: save },
       h("h2", { id: "save-title" }, "Save as"),
-      h("label", {}, "Format ", format),
+      choice,
       h("label", {}, "Name ", name),
       node,
-      h("datalist", { id: "bit-rates" }, ...[10, 20, 50, 125, 250, 500, 800, 1000].map((rate) => h("option", { value: rate }))),
+      compact,
+      h("datalist", { id: "bit-rates" }, ...BIT_RATES.map((rate) => h("option", { value: rate }))),
       h("div", { class: "actions" }, h("button", { type: "button", onclick: () => dialog.close() }, "Cancel"), h("button", { type: "submit", class: "main" }, "Save")),
     ),
   );
@@ -93,7 +102,10 @@ export function saveDialog(store: Store): HTMLDialogElement {
     const { state, outline } = store.current;
     format.value = /\.(\w+)$/.exec(state.name)?.[1]?.toLowerCase() ?? "eds";
     if (!format.value) format.value = "eds";
-    name.value = state.name;
+    // of a network the text is saved
+    choice.hidden = state.kind !== "device";
+    storage.value = "";
+    name.value = state.name.split("/").at(-1)!;
     nodeId.value = String(outline.node_id ?? "");
     follow();
   });

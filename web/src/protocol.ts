@@ -21,31 +21,58 @@ export interface NewDevice {
   product: string;
   product_code: number;
   date: [number, number, number];
+  features: Record<string, boolean | number | string | string[]>;
+}
+
+export interface NewNode {
+  name: string;
+  node_id: number;
+  bit_rate?: number;
+  node_name?: string;
+  modules: number[];
+  settings: string[];
+}
+
+export type LinkChange =
+  | { change: "add"; from: string; to: string }
+  | { change: "move"; link: number; end: number; to: string }
+  | { change: "remove"; link: number };
+
+/** Which frames are shown: all of an empty list. */
+export interface FrameFilter {
+  nodes: number[];
+  kinds: string[];
+  text: string;
 }
 
 export type Request =
   | { do: "open"; name: string }
-  | { do: "close" | "state" | "original" | "bytes" | "outline" | "undo" | "redo"; document: number }
+  | { do: "close" | "state" | "original" | "bytes" | "outline" | "undo" | "redo" | "modules" | "network" | "build"; document: number }
   | { do: "form"; document: number; index: number }
-  | { do: "check"; document: number; fixes?: boolean }
+  | { do: "check"; document: number; fixes?: boolean; tools?: string[] }
   | { do: "edit"; document: number; edits: TextEdit[] }
   | { do: "encode"; document: number; encoding: string }
   | { do: "change"; document: number; changes: FieldChange[] }
   | { do: "patch"; document: number; patch: string }
-  | { do: "fix-all"; document: number; unsafe?: boolean }
+  | { do: "fix-all"; document: number; unsafe?: boolean; tools?: string[] }
   | { do: "add-objects"; document: number; profile: number; indexes: number[] }
-  | { do: "save"; document: number; name: string; node_id?: number; bit_rate?: number }
+  | { do: "save"; document: number; name: string; node_id?: number; bit_rate?: number; storage?: "compact" | "expanded" }
   | { do: "generate"; document: number; target: string }
   | { do: "docs"; document: number; form: string }
   | { do: "dbc"; document: number; node_id?: number }
   | { do: "concise"; document: number; node_id?: number; all?: boolean }
   | { do: "compare"; old: number; new: number }
-  | { do: "profiles" }
+  | { do: "profiles" | "tools" | "new-network" }
   | { do: "profile-objects"; document: number; profile: number }
-  | ({ do: "new" } & NewDevice);
+  | ({ do: "new" } & NewDevice)
+  | { do: "configure"; document: number; node: NewNode }
+  | { do: "link"; document: number; link: LinkChange }
+  | { do: "decode"; document: number; with: number[] }
+  | { do: "frames"; document: number; filter: FrameFilter; first?: number; count: number; line?: number };
 
 export interface State {
   name: string;
+  kind: "device" | "network" | "log";
   format: string;
   encoding: string;
   text: string;
@@ -59,6 +86,7 @@ export interface State {
 export interface Opened {
   document: number;
   state: State;
+  notes?: string[];
 }
 
 export interface SubRow {
@@ -165,6 +193,7 @@ export interface Position {
 }
 
 export interface Finding extends Position {
+  file: string;
   rule: string;
   severity: "error" | "warning" | "note";
   help?: string;
@@ -195,9 +224,103 @@ export interface Change {
   effects: { audience: string; verdict: string; reason: string }[];
 }
 
+export interface Feature {
+  word: string;
+  kind: "flag" | "number" | "name" | "names";
+  range?: [number, number];
+  names: string[];
+  meaning: string;
+  /** Whether devices of every profile may have it. */
+  is_general: boolean;
+}
+
 export interface ProfileRow {
   number: number;
   title: string;
+  features: Feature[];
+}
+
+/** The modules of a coupler. */
+export interface Modules {
+  supported: { number: number; name?: string; order_code?: string }[];
+  connected: number[];
+}
+
+export interface NetworkEnd {
+  node: string;
+  service: string;
+}
+
+/** The document of `objdict network show --format json`, as far as it is shown. */
+export interface Overview {
+  name?: string;
+  bit_rate?: number;
+  nodes: { node_id?: number; name: string; description: string; is_manager: boolean; heartbeat: number; downloads: number; bytes: number; configuration: { entry: string; value: string }[] }[];
+  links: { can_id: string; sender?: NetworkEnd; receiver?: NetworkEnd; entries: { bit: number; bits: number; from?: string; to?: string }[] }[];
+  messages: { can_id: string; senders: NetworkEnd[]; receivers: NetworkEnd[]; bytes?: number; trigger: string; period?: number }[];
+  boot?: { manager: string; nodes: { node_id: number; name: string; steps: string[] }[] };
+}
+
+/** Load in thousandths of a percent, times in nanoseconds. */
+export interface Timing {
+  bit_rate: number;
+  average: number;
+  worst: number;
+  is_met: boolean;
+  rates: { bit_rate: number; worst: number; fits: boolean }[];
+  messages: { can_id: string; name: string; sender: string; period?: number; response?: number; deadline?: number; is_missed: boolean; is_unbounded: boolean }[];
+}
+
+/** What a node can send and receive. */
+export interface Side {
+  node: string;
+  node_id?: number;
+  file?: string;
+  is_manager: boolean;
+  entries: Mappable[];
+}
+
+/** Of a text that is no network there is only the report. */
+export interface NetworkView {
+  report: Report;
+  overview?: Overview;
+  picture?: string;
+  timing?: Timing;
+  sides?: Side[];
+  links?: { from: string; to: string[]; line: number }[];
+  can_link?: boolean;
+}
+
+export interface BusReport {
+  channel?: string;
+  from: string;
+  to: string;
+  frames: number;
+  frames_per_second: number;
+  load?: number;
+  kinds: { kind: string; frames: number }[];
+  nodes: { node: number; name?: string; frames: number; frames_per_second: number; load?: number; state?: string; boot_ups: number; lost_heartbeats: number; emergencies: number; aborted_transfers: number }[];
+  messages: { can_id: number; extended: boolean; kind: string; name: string; frames: number; cycle?: { min: string; mean: string; max: string; jitter: string }; described?: string }[];
+  undescribed: number[];
+}
+
+/** A log that was read with descriptions. */
+export interface LogSummary {
+  form: string;
+  /** How many frames can be listed. */
+  rows: number;
+  buses: BusReport[];
+  notes: string[];
+  bad_lines: [line: number, reason: string][];
+  bad_count: number;
+  report: Report;
+}
+
+export interface Frames {
+  total: number;
+  first: number;
+  /** Time, channel, CAN-ID, data and words. */
+  rows: { line: number; node?: number; kind: string; cells: [string, string, string, string, string] }[];
 }
 
 export interface ProfileObject {
@@ -216,10 +339,10 @@ export type Answer = { ok: unknown } | { error: Refusal };
 
 /** To the worker: where the engine is, then requests. */
 export type ToWorker = { engine: string | ArrayBuffer } | { id: number; request: Request; bytes?: Uint8Array };
-/** From the worker: answers by the numbers of their requests. `lost` says that the engine had to be started again. */
+/** From the worker: answers by the numbers of their requests, as JSON, which is cheaper to hand over than what it says. `lost` says that the engine had to be started again. */
 export interface FromWorker {
   id: number;
-  answer: Answer;
+  answer: string;
   files: MadeFile[];
   lost?: boolean;
 }

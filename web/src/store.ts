@@ -1,10 +1,21 @@
 // What is open and what is shown, and how it changes: each change asks the engine and draws what came of it.
 
 import { Refused, ask } from "./engine";
+import { hex } from "./dom";
 import type { Home } from "./files";
-import type { Opened, Outline, Report, Request, State } from "./protocol";
+import type { LogSummary, NetworkView, Opened, Outline, Report, Request, State } from "./protocol";
 
-export type View = "form" | "text" | "diff" | "pdo" | "compare";
+export type View = "form" | "text" | "diff" | "pdo" | "compare" | "network" | "log";
+
+/** The views of each kind of document, the first one at first. */
+export const VIEWS: Record<State["kind"], View[]> = {
+  device: ["form", "text", "pdo", "diff", "compare"],
+  network: ["network", "text", "diff"],
+  log: ["log"],
+};
+
+const NO_OUTLINE: Outline = { is_node: false, objects: [], pdos: [], mappable: [] };
+const NO_REPORT: Report = { findings: [], omitted: [], summary: { errors: 0, warnings: 0, notes: 0, suppressed: 0 } };
 
 export interface OpenDocument {
   id: number;
@@ -16,6 +27,14 @@ export interface OpenDocument {
   original: string;
   /** Where it is saved in place. */
   home?: Home;
+  network?: NetworkView;
+  log?: LogSummary;
+  /** The bytes of a log, whose text the page does not have. */
+  bytes?: Uint8Array;
+  /** The documents that a log is read with; those that suit if nothing was chosen. */
+  with?: number[];
+  /** The state of all documents that network or log were read with. */
+  seen?: number;
 }
 
 export interface Notice {
@@ -36,7 +55,11 @@ export class Store {
   /** The position of the shown PDO. */
   pdo = 0;
   search = "";
+  /** The tools whose reactions are shown. */
+  tools: string[] = [];
   notice: Notice | undefined;
+  /** Counts the changes of all documents: a network is made of several. */
+  revision = 0;
   private drawings: Drawing[] = [];
   private scheduled = false;
 
@@ -49,6 +72,7 @@ export class Store {
     this.scheduled = true;
     requestAnimationFrame(() => {
       this.scheduled = false;
+      if (this.current) void this.readTogether(this.current);
       const key = (document.activeElement as HTMLElement | null)?.dataset?.key;
       this.drawings.forEach((drawing) => drawing(this));
       if (key && (document.activeElement === document.body || !document.activeElement)) {
@@ -71,30 +95,73 @@ export class Store {
   }
 
   async open(name: string, bytes: Uint8Array): Promise<boolean> {
-    return this.attempt(async () => this.take(await ask<Opened>({ do: "open", name }, bytes)));
+    return this.attempt(async () => this.take(await ask<Opened>({ do: "open", name }, bytes), bytes));
   }
 
   /** Shows a document that the engine has opened. */
-  async take({ document: id, state }: Opened): Promise<void> {
-    const [outline, report] = await Promise.all([
-      ask<Outline>({ do: "outline", document: id }),
-      ask<Report>({ do: "check", document: id }),
-    ]);
-    this.current = { id, state, outline, report, has_fixes: false, original: state.text };
-    this.documents.push(this.current);
+  async take({ document: id, state, notes }: Opened, bytes?: Uint8Array): Promise<void> {
+    const opened: OpenDocument = { id, state, outline: NO_OUTLINE, report: NO_REPORT, has_fixes: false, original: state.text };
+    if (state.kind === "log") opened.bytes = bytes;
+    await this.read(opened);
+    this.documents.push(opened);
+    this.revision++;
     this.notice = state.devices > 1 ? { kind: "note", message: `The file has ${state.devices} devices; the first is shown.` } : undefined;
-    this.search = "";
-    const wanted = indexInAddress();
-    this.index = outline.objects.find((object) => object.index === wanted)?.index ?? outline.objects[0]?.index;
+    if (notes && notes.length > 0) this.notice = { kind: "note", message: notes.join("; ") };
     if (this.view === "compare" || this.view === "diff") this.view = "form";
+    this.show(opened);
+    this.follow();
+  }
+
+  /** Shows what the address of the page names: the object of `#6041`, the PDO of `#TPDO2`. */
+  follow(): void {
+    const { objects, pdos } = this.current?.outline ?? NO_OUTLINE;
+    const index = /^#(?:0x)?([0-9a-f]{4})h?$/i.exec(location.hash)?.[1];
+    const found = objects.find((object) => object.index === parseInt(index ?? "", 16));
+    if (found) this.index = found.index;
+    if (found && this.view === "pdo") this.view = "form";
+    const pdo = pdos.findIndex(({ kind, number }) => `#${kind}${number}`.toLowerCase() === location.hash.toLowerCase());
+    if (pdo >= 0) [this.pdo, this.view] = [pdo, "pdo"];
     this.draw();
-    void this.findFixes(this.current);
+  }
+
+  /** What is shown of a document beside its text. */
+  private async read(of: OpenDocument): Promise<void> {
+    const { id: document, state } = of;
+    if (state.kind !== "device") return;
+    const [outline, report] = await Promise.all([ask<Outline>({ do: "outline", document }), ask<Report>({ do: "check", document, tools: this.tools })]);
+    Object.assign(of, { outline, report, has_fixes: false });
+    void this.findFixes(of);
+  }
+
+  /** Reads a network or a log with the documents as they are now. */
+  private async readTogether(of: OpenDocument): Promise<void> {
+    if (of.state.kind === "device" || of.seen === this.revision) return;
+    of.seen = this.revision;
+    await this.attempt(async () => {
+      if (of.state.kind === "network") {
+        of.network = await ask<NetworkView>({ do: "network", document: of.id });
+        of.report = of.network.report;
+      } else {
+        of.log = await ask<LogSummary>({ do: "decode", document: of.id, with: this.descriptionsFor(of) });
+        of.report = of.log.report;
+      }
+      of.has_fixes = true;
+      this.draw();
+    });
+  }
+
+  /** What a log is read with: what was chosen, else the network that is open, else all descriptions. */
+  descriptionsFor(log: OpenDocument): number[] {
+    const ids = (kind: State["kind"]) => this.documents.filter((document) => document.state.kind === kind).map(({ id }) => id);
+    const chosen = log.with?.filter((id) => this.documents.some((document) => document.id === id));
+    const networks = ids("network");
+    return chosen ?? (networks.length > 0 ? networks.slice(-1) : ids("device"));
   }
 
   /** Which fixes are sound takes some checks of the text, so they come behind the findings. */
   private async findFixes(of: OpenDocument): Promise<void> {
     const text = of.state.text;
-    const report = await ask<Report>({ do: "check", document: of.id, fixes: true }).catch(() => undefined);
+    const report = await ask<Report>({ do: "check", document: of.id, fixes: true, tools: this.tools }).catch(() => undefined);
     if (!report || of.state.text !== text) return;
     of.report = report;
     of.has_fixes = true;
@@ -113,21 +180,32 @@ export class Store {
   }
 
   async refresh(of: OpenDocument, state: State): Promise<void> {
-    const [outline, report] = await Promise.all([
-      ask<Outline>({ do: "outline", document: of.id }),
-      ask<Report>({ do: "check", document: of.id }),
-    ]);
-    Object.assign(of, { state, outline, report, has_fixes: false });
+    of.state = state;
+    await this.read(of);
+    this.changed();
+  }
+
+  /** The findings anew, with the reactions of other tools. */
+  async recheck(): Promise<void> {
+    await this.attempt(async () => {
+      for (const document of this.documents) await this.read(document);
+    });
     this.draw();
-    void this.findFixes(of);
+  }
+
+  /** After a change of a document, of which others may be made. */
+  changed(): void {
+    this.revision++;
+    this.draw();
   }
 
   async close(document: OpenDocument): Promise<void> {
     await this.attempt(() => ask({ do: "close", document: document.id }));
     this.documents = this.documents.filter((other) => other !== document);
-    if (this.current === document) this.current = this.documents.at(-1);
-    this.index = this.current?.outline.objects[0]?.index;
-    this.view = "form";
+    const last = this.documents.at(-1);
+    this.revision++;
+    if (this.current === document && last) this.show(last);
+    else if (!last) this.current = undefined;
     this.draw();
   }
 
@@ -135,6 +213,9 @@ export class Store {
     this.current = document;
     this.index = document.outline.objects[0]?.index;
     this.pdo = 0;
+    this.search = "";
+    const views = VIEWS[document.state.kind];
+    if (!views.includes(this.view)) this.view = views[0]!;
     this.draw();
   }
 
@@ -142,7 +223,16 @@ export class Store {
   select(index: number, view: View = "form"): void {
     this.index = index;
     this.view = view;
-    history.replaceState(null, "", `#${index.toString(16).toUpperCase().padStart(4, "0")}`);
+    history.replaceState(null, "", `#${hex(index, 4)}`);
+    this.draw();
+  }
+
+  /** Shows a PDO, and has it in the address. */
+  selectPdo(position: number): void {
+    const pdo = this.current!.outline.pdos[position]!;
+    this.pdo = position;
+    this.view = "pdo";
+    history.replaceState(null, "", `#${pdo.kind}${pdo.number}`);
     this.draw();
   }
 
@@ -152,17 +242,11 @@ export class Store {
     const message = "The engine failed, which is an error of objdict, and was started again. The files are open as they were; undo begins here.";
     this.documents = [];
     this.current = undefined;
-    for (const { state, home } of former) {
-      const isOpen = await this.open(state.name, new TextEncoder().encode(state.text));
+    for (const { state, bytes, home } of former) {
+      const isOpen = await this.open(state.name, bytes ?? new TextEncoder().encode(state.text));
       if (isOpen) this.documents.at(-1)!.home = home;
     }
     this.notice = { kind: "error", message };
     this.draw();
   }
-}
-
-/** The index in the address of the page: `#6041`. */
-export function indexInAddress(): number | undefined {
-  const found = /^#(?:0x)?([0-9a-f]{4})h?$/i.exec(location.hash);
-  return found ? parseInt(found[1]!, 16) : undefined;
 }

@@ -88,7 +88,7 @@ class Editor {
         search({ top: true }),
         keymap.of([...defaultKeymap, ...searchKeymap]),
         EditorState.readOnly.of(readOnly),
-        EditorView.contentAttributes.of({ "aria-label": "Text of the file", spellcheck: "false" }),
+        EditorView.contentAttributes.of({ "aria-label": "Text of the file", spellcheck: "false", tabindex: "0" }),
         EditorView.updateListener.of((update) => {
           if (update.docChanged && !update.transactions.some((transaction) => transaction.annotation(fromEngine))) this.typed(update.changes);
         }),

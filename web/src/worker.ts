@@ -16,9 +16,7 @@ const started = new Promise<void>((resolve, reject) => {
     async ({ data }: MessageEvent<ToWorker>) => {
       try {
         if (!("engine" in data)) return;
-        const source = data.engine;
-        const bytes = typeof source === "string" ? await (await fetch(source)).arrayBuffer() : source;
-        module = await WebAssembly.compile(bytes);
+        module = await compiled(data.engine);
         await start();
         resolve();
       } catch (error) {
@@ -29,37 +27,71 @@ const started = new Promise<void>((resolve, reject) => {
   );
 });
 
+/** Compiled while it is loaded, where the host says what it is. */
+async function compiled(source: string | ArrayBuffer): Promise<WebAssembly.Module> {
+  if (typeof source !== "string") return WebAssembly.compile(source);
+  const response = await fetch(source);
+  const isKnown = response.headers.get("content-type")?.startsWith("application/wasm");
+  return isKnown ? WebAssembly.compileStreaming(response) : WebAssembly.compile(await response.arrayBuffer());
+}
+
 async function start(): Promise<void> {
-  const instance = await init({ module_or_path: module });
-  void instance;
+  await init({ module_or_path: module });
   workbench = new Workbench();
 }
 
+/** So often a device is made, read and checked before there is a file: a browser compiles functions when they are called first, and
+ *  optimises those that are called often. */
+const WARM_TURNS = 6;
+
+/** The requests that wait for the engine. */
+let waiting = 0;
+
+async function warm(): Promise<void> {
+  const trial = new Workbench();
+  const ask = (request: Request) => trial.call(JSON.stringify(request), new Uint8Array());
+  for (let turn = 0; turn < WARM_TURNS && waiting === 0; turn++) {
+    ask({ do: "new", name: "warm.eds", profile: 402, vendor: "", vendor_id: 1, product: "", product_code: 1, date: [2026, 1, 1], features: { rpdos: 16, tpdos: 16 } });
+    ask({ do: "outline", document: 0 });
+    ask({ do: "check", document: 0, fixes: turn > 1 });
+    ask({ do: "close", document: 0 });
+    // requests that came meanwhile are counted
+    await new Promise((resolve) => setTimeout(resolve));
+  }
+  trial.free();
+}
+
+/** The requests whose answers list files. */
+const MAKING: Request["do"][] = ["save", "generate", "docs", "dbc", "concise", "build"];
+
 function filesOf(answer: Answer): MadeFile[] {
-  const names = "ok" in answer ? (answer.ok as Made | null)?.files : undefined;
-  if (!Array.isArray(names)) return [];
+  const names = "ok" in answer ? (answer.ok as Made).files : [];
   return names.map((name, number) => ({ name, bytes: workbench!.take(number) }));
 }
 
 function ask(request: Request, bytes?: Uint8Array): Omit<FromWorker, "id"> {
   if (bytes && bytes.length > MAX_BYTES) {
     const message = `the file has ${bytes.length} bytes, more than the limit of ${MAX_BYTES}`;
-    return { answer: { error: { message } }, files: [] };
+    return { answer: JSON.stringify({ error: { message } } satisfies Answer), files: [] };
   }
-  const answer = JSON.parse(workbench!.call(JSON.stringify(request), bytes ?? new Uint8Array())) as Answer;
-  return { answer, files: filesOf(answer) };
+  const answer = workbench!.call(JSON.stringify(request), bytes ?? new Uint8Array());
+  return { answer, files: MAKING.includes(request.do) ? filesOf(JSON.parse(answer) as Answer) : [] };
 }
 
-let queue: Promise<void> = started;
+let queue: Promise<void> = started.then(() => warm().catch(start));
 self.addEventListener("message", ({ data }: MessageEvent<ToWorker>) => {
   if (!("id" in data)) return;
   const { id, request, bytes } = data;
+  waiting++;
   queue = queue
     .then(() => ({ id, ...ask(request, bytes) }))
     .catch(async (error: unknown) => {
-      const failed: FromWorker = { id, answer: { error: { message: `the engine failed: ${String(error)}` } }, files: [], lost: true };
+      const answer: Answer = { error: { message: `the engine failed: ${String(error)}` } };
       if (module) await start();
-      return failed;
+      return { id, answer: JSON.stringify(answer), files: [], lost: true } satisfies FromWorker;
     })
-    .then((message) => self.postMessage(message));
+    .then((message) => {
+      waiting--;
+      self.postMessage(message);
+    });
 });

@@ -1,14 +1,17 @@
-//! An open description: the bytes that it was opened with, what they became, and the way back.
+//! An open description or network: the bytes that it was opened with, what they became, and the way back.
 
+use std::io;
 use std::sync::Arc;
 
-use objdict::diagnostic::{Change, Findings, Fix};
+use objdict::diagnostic::{Applicability, Change, Findings, Fix};
 use objdict::format::Description;
 use objdict::format::input::{FileKind, Input, Reading};
+use objdict::format::network::NetworkFile;
 use objdict::format::patch::{self, Patch};
+use objdict::lint::Options;
 use objdict::model::{Device, Field};
-use objdict::report::{Json, Report as _, grouped};
-use objdict::source::{Edits, Encoding, SourceFile, Span};
+use objdict::report::{Json, Report as _, Subject, grouped};
+use objdict::source::{Edits, Encoding, SourceFile, SourceOptions, Span};
 use serde::{Deserialize, Serialize};
 
 use crate::answer::Refusal;
@@ -17,13 +20,21 @@ use crate::place::place;
 /// So many bytes of former texts are kept, and at least one text.
 const MAX_HISTORY: usize = 64 << 20;
 
-/// A description that is being edited.
+/// A text that is being edited.
 #[derive(Debug)]
 pub(crate) struct Document {
-    description: Description,
+    content: Content,
     original: Vec<u8>,
     before: Vec<Vec<u8>>,
     after: Vec<Vec<u8>>,
+}
+
+/// What a text is read as.
+#[derive(Debug)]
+enum Content {
+    Description(Box<Description>),
+    /// Its nodes are described by other documents, so it is read when it is asked for.
+    Network(SourceFile),
 }
 
 /// A piece of the text and what it becomes, as the JSON of findings has it: lines and columns are counted from 1, columns in Unicode
@@ -53,6 +64,8 @@ pub(crate) enum FieldChange {
 #[derive(Debug, Serialize)]
 pub(crate) struct State<'a> {
     pub(crate) name: &'a str,
+    /// `device` or `network`.
+    pub(crate) kind: &'static str,
     pub(crate) format: &'static str,
     pub(crate) encoding: &'static str,
     pub(crate) text: &'a str,
@@ -67,74 +80,107 @@ pub(crate) struct State<'a> {
 impl Document {
     pub(crate) fn open(name: &str, bytes: Vec<u8>) -> Result<Self, Refusal> {
         let original = bytes.clone();
-        let description = read(name, bytes, None)?;
-        Ok(Self { description, original, before: Vec::new(), after: Vec::new() })
+        let content = Content::Description(Box::new(read(name, bytes, None)?));
+        Ok(Self { content, original, before: Vec::new(), after: Vec::new() })
     }
 
-    pub(crate) fn description(&self) -> &Description {
-        &self.description
+    pub(crate) fn network(name: &str, bytes: Vec<u8>) -> Result<Self, Refusal> {
+        let content = Content::Network(source(name, bytes.clone())?);
+        Ok(Self { content, original: bytes, before: Vec::new(), after: Vec::new() })
     }
 
-    pub(crate) fn device(&self) -> &Device {
-        self.description.device()
+    pub(crate) fn description(&self) -> Result<&Description, Refusal> {
+        match &self.content {
+            Content::Description(description) => Ok(description),
+            Content::Network(source) => {
+                let message = format!("`{}` is a network, not a device", source.name());
+                Err(Refusal::new(message).help("show the description of one of its nodes"))
+            }
+        }
+    }
+
+    pub(crate) fn device(&self) -> Result<&Device, Refusal> {
+        Ok(self.description()?.device())
+    }
+
+    pub(crate) fn is_network(&self) -> bool {
+        matches!(self.content, Content::Network(_))
+    }
+
+    pub(crate) fn source(&self) -> &SourceFile {
+        match &self.content {
+            Content::Description(description) => description.source(),
+            Content::Network(source) => source,
+        }
     }
 
     pub(crate) fn name(&self) -> &str {
-        self.description.source().name()
+        self.source().name()
     }
 
     pub(crate) fn state(&self) -> State<'_> {
-        let source = self.description.source();
+        let source = self.source();
+        let (kind, format, is_project, devices) = match &self.content {
+            Content::Description(description) => {
+                ("device", description.format().name(), description.is_project(), description.device_count())
+            }
+            Content::Network(_) => ("network", "network", false, 0),
+        };
         State {
             name: source.name(),
-            format: self.description.format().name(),
+            kind,
+            format,
             encoding: source.encoding().name(),
             text: source.text(),
-            is_read_only: source.is_read_only() || self.description.is_project(),
+            is_read_only: source.is_read_only() || is_project,
             is_changed: self.bytes() != self.original,
             can_undo: !self.before.is_empty(),
             can_redo: !self.after.is_empty(),
-            devices: self.description.device_count(),
+            devices,
         }
     }
 
     /// The text that it was opened with.
     pub(crate) fn original_text(&self) -> Result<String, Refusal> {
         let reading = Reading::default();
-        let source = reading.source(self.name(), self.original.clone()).map_err(Refusal::new)?;
-        Ok(source.text().to_owned())
+        let original = reading.source(self.name(), self.original.clone()).map_err(Refusal::new)?;
+        Ok(original.text().to_owned())
     }
 
     /// The bytes of the file as it is now.
     pub(crate) fn bytes(&self) -> Vec<u8> {
-        self.description.print()
+        match &self.content {
+            Content::Description(description) => description.print(),
+            Content::Network(source) => {
+                Edits::new(source).to_bytes().unwrap_or_else(|_| self.original.clone())
+            }
+        }
     }
 
     /// The document of `objdict check --format json`. Which fixes are `offered` takes some more checks of the text; without them, no
     /// finding has one.
-    pub(crate) fn report(&self, offered: bool) -> Result<String, Refusal> {
+    pub(crate) fn report(&self, offered: bool, options: &Options) -> Result<String, Refusal> {
+        let description = self.description()?;
+        let check = |description: &Description| objdict::check_with(description, options);
         let examine = |description: &Description| {
-            let findings = objdict::check(description);
+            let findings = check(description);
             match offered {
-                true => objdict::with_sound_fixes(description, findings, objdict::check),
+                true => objdict::with_sound_fixes(description, findings, check),
                 false => without_fixes(findings),
             }
         };
-        let mut out = Vec::new();
-        let mut report = Json::new(&mut out);
-        let each = self.description.map_devices(|device| {
-            let findings = grouped(device, examine(device));
-            report.file(device.into(), &findings)
-        });
-        each.into_iter().collect::<Result<Vec<_>, _>>().map_err(Refusal::new)?;
-        report.finish().map_err(Refusal::new)?;
-        drop(report);
-        String::from_utf8(out).map_err(Refusal::new)
+        report(|report| {
+            let each = description.map_devices(|device| {
+                let findings = grouped(device, examine(device));
+                report.file(device.into(), &findings)
+            });
+            each.into_iter().collect()
+        })
     }
 
     /// Makes edits of the text.
     pub(crate) fn edit(&mut self, edits: Vec<TextEdit>) -> Result<(), Refusal> {
-        let source = self.description.source();
+        let source = self.source();
         let mut made = Edits::new(source);
         for edit in edits {
             let start = offset(source, edit.line, edit.column)?;
@@ -148,7 +194,7 @@ impl Document {
     /// Writes the text in another encoding.
     pub(crate) fn encode(&mut self, name: &str) -> Result<(), Refusal> {
         let encoding: Encoding = name.parse().map_err(Refusal::new)?;
-        let bytes = encoding.encode(self.description.source().text()).map_err(Refusal::new)?;
+        let bytes = encoding.encode(self.source().text()).map_err(Refusal::new)?;
         self.replace(bytes)
     }
 
@@ -156,16 +202,18 @@ impl Document {
     pub(crate) fn change(&mut self, changes: &[FieldChange]) -> Result<(), Refusal> {
         let changes: Vec<Change> =
             changes.iter().map(|change| self.as_change(change)).collect::<Result<_, _>>()?;
-        let changes: Vec<Change> = changes.into_iter().filter(|change| !self.is_made(change)).collect();
+        let description = self.description()?;
+        let changes: Vec<Change> =
+            changes.into_iter().filter(|change| !is_made(description, change)).collect();
         if changes.is_empty() {
             return Ok(());
         }
         let fix = Fix { changes, ..Fix::risky("edit") };
-        let made = self.description.edits(&fix).ok_or_else(|| {
+        let made = description.edits(&fix).ok_or_else(|| {
             Refusal::new("edits cannot change this in the file")
                 .help("edit the text, or save the description in another format first")
         })?;
-        let mut edits = Edits::new(self.description.source());
+        let mut edits = Edits::new(description.source());
         made.into_iter().for_each(|(span, text)| edits.replace(span, text));
         let bytes = edits.to_bytes().map_err(Refusal::new)?;
         self.replace(bytes)
@@ -184,21 +232,10 @@ impl Document {
         })
     }
 
-    /// Whether the text says it already.
-    fn is_made(&self, change: &Change) -> bool {
-        match change {
-            Change::Set(place, value) => {
-                let span = self.description.locate(place);
-                span.is_some_and(|span| span.of(self.description.source().text()) == value)
-            }
-            _ => false,
-        }
-    }
-
     /// Makes a patch, which is how objects and entries are added, removed and moved.
     pub(crate) fn patch(&mut self, text: &str) -> Result<(), Refusal> {
         let patch = Arc::new(Patch::read(SourceFile::from_text("patch.toml", text)));
-        let patched = patch::apply(self.reread(self.bytes())?, &[patch]);
+        let patched = patch::apply(self.again()?, &[patch]);
         let made = patched.patched().ok_or_else(|| Refusal::new("the patch is not for this device"))?;
         let problems: Vec<String> = match made.has_errors() {
             true => made
@@ -216,23 +253,22 @@ impl Document {
         self.replace(bytes)
     }
 
-    /// Makes all fixes of a safety, as `objdict check --fix` does; how many.
-    pub(crate) fn fix_all(&mut self, safety: objdict::diagnostic::Applicability) -> Result<usize, Refusal> {
-        let description = self.reread(self.bytes())?;
-        let fixed = objdict::fix_for_readers(description, safety, &objdict::lint::Options::default());
+    /// Makes all fixes of a safety, as `objdict check --fix` does.
+    pub(crate) fn fix_all(&mut self, safety: Applicability, options: &Options) -> Result<(), Refusal> {
+        let fixed = objdict::fix_for_readers(self.again()?, safety, options);
         let bytes = fixed.bytes();
-        self.replace(bytes)?;
-        Ok(fixed.applied.len())
+        self.replace(bytes)
     }
 
     /// Adds objects of the profiles as these demand them.
     pub(crate) fn add_objects(&mut self, profile: u16, indexes: &[u16]) -> Result<(), Refusal> {
-        if let Some(index) = indexes.iter().find(|index| self.device().objects.contains_key(index)) {
+        let device = self.device()?;
+        if let Some(index) = indexes.iter().find(|index| device.objects.contains_key(index)) {
             return Err(Refusal::new(format_args!("the device has {index:04X}h already")));
         }
-        let mut complete = self.device().clone();
+        let mut complete = device.clone();
         objdict::scaffold::add_objects(&mut complete, profile, indexes);
-        let bytes = self.description.with_objects(&complete);
+        let bytes = self.description()?.with_objects(&complete);
         let bytes = bytes.ok_or_else(|| Refusal::new("no objects can be added to this file"))?;
         self.replace(bytes)
     }
@@ -240,7 +276,7 @@ impl Document {
     pub(crate) fn undo(&mut self) -> Result<(), Refusal> {
         let Some(bytes) = self.before.pop() else { return Ok(()) };
         let now = self.bytes();
-        self.description = self.reread(bytes)?;
+        self.content = self.reread(bytes)?;
         self.after.push(now);
         Ok(())
     }
@@ -248,18 +284,18 @@ impl Document {
     pub(crate) fn redo(&mut self) -> Result<(), Refusal> {
         let Some(bytes) = self.after.pop() else { return Ok(()) };
         let now = self.bytes();
-        self.description = self.reread(bytes)?;
+        self.content = self.reread(bytes)?;
         self.before.push(now);
         Ok(())
     }
 
     /// The description of other bytes, and the way back to these.
-    fn replace(&mut self, bytes: Vec<u8>) -> Result<(), Refusal> {
+    pub(crate) fn replace(&mut self, bytes: Vec<u8>) -> Result<(), Refusal> {
         let now = self.bytes();
         if bytes == now {
             return Ok(());
         }
-        self.description = self.reread(bytes)?;
+        self.content = self.reread(bytes)?;
         self.after.clear();
         self.before.push(now);
         while self.before.len() > 1 && self.before.iter().map(Vec::len).sum::<usize>() > MAX_HISTORY {
@@ -269,8 +305,58 @@ impl Document {
     }
 
     /// Another text of this file: what is typed may look like another format for a moment.
-    fn reread(&self, bytes: Vec<u8>) -> Result<Description, Refusal> {
-        read(self.name(), bytes, Some(self.description.format().into()))
+    fn reread(&self, bytes: Vec<u8>) -> Result<Content, Refusal> {
+        Ok(match &self.content {
+            Content::Network(_) => Content::Network(source(self.name(), bytes)?),
+            Content::Description(description) => {
+                let from = Some(description.format().into());
+                Content::Description(Box::new(read(self.name(), bytes, from)?))
+            }
+        })
+    }
+
+    /// A description of its own, which can be changed.
+    fn again(&self) -> Result<Description, Refusal> {
+        read(self.name(), self.bytes(), Some(self.description()?.format().into()))
+    }
+}
+
+/// The text of a file.
+pub(crate) fn source(name: &str, bytes: Vec<u8>) -> Result<SourceFile, Refusal> {
+    SourceFile::from_bytes(name, bytes, &SourceOptions::default()).map_err(Refusal::new)
+}
+
+/// What is written into a report as JSON.
+fn report(write: impl FnOnce(&mut Json<&mut Vec<u8>>) -> io::Result<()>) -> Result<String, Refusal> {
+    let mut out = Vec::new();
+    let mut report = Json::new(&mut out);
+    write(&mut report).map_err(Refusal::new)?;
+    report.finish().map_err(Refusal::new)?;
+    drop(report);
+    String::from_utf8(out).map_err(Refusal::new)
+}
+
+/// The document of `objdict network check --format json`.
+pub(crate) fn network_report(network: &NetworkFile) -> Result<String, Refusal> {
+    report(|report| {
+        let subjects = Subject::of_network(network, network.check());
+        subjects.into_iter().try_for_each(|(subject, found)| report.file(subject, &grouped(subject, found)))
+    })
+}
+
+/// The findings in a text that is not a description, as the same document.
+pub(crate) fn text_report(text: &SourceFile, findings: Findings) -> Result<String, Refusal> {
+    report(|report| report.file(text.into(), &grouped(text, findings)))
+}
+
+/// Whether the text says it already.
+fn is_made(description: &Description, change: &Change) -> bool {
+    match change {
+        Change::Set(place, value) => {
+            let span = description.locate(place);
+            span.is_some_and(|span| span.of(description.source().text()) == value)
+        }
+        _ => false,
     }
 }
 

@@ -10,7 +10,7 @@ use objdict::generate::{self, Target};
 use objdict::model::{Commissioning, DeviceKind};
 use objdict::report::{Location, grouped};
 use objdict::source::hash;
-use serde::Serialize;
+use serde::{Deserialize, Serialize};
 
 use crate::answer::Refusal;
 
@@ -41,8 +41,18 @@ pub(crate) struct Node {
     pub(crate) bit_rate: Option<u16>,
 }
 
+/// How entries of objects in compact storage are written when a file is written anew.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Deserialize)]
+#[serde(rename_all = "kebab-case")]
+pub(crate) enum Storage {
+    /// As `CompactSubObj`.
+    Compact,
+    /// A section for each entry.
+    Expanded,
+}
+
 /// A description as a file of a format, as `objdict convert` writes it.
-pub(crate) fn save(description: &Description, name: &str, node: Node) -> Files {
+pub(crate) fn save(description: &Description, name: &str, node: Node, storage: Option<Storage>) -> Files {
     let format = Format::from_name(name).ok_or_else(|| {
         Refusal::new(format_args!("`{name}` has no ending of a known format"))
             .help("`.eds`, `.dcf`, `.xdd`, `.xdc` and `.toml` are known")
@@ -59,9 +69,9 @@ pub(crate) fn save(description: &Description, name: &str, node: Node) -> Files {
     }
     let has_text = !description.is_project() && !description.is_network();
     let mut notes = Vec::new();
-    let bytes = if has_text && format == description.format() && !is_node {
+    let bytes = if storage.is_none() && has_text && format == description.format() && !is_node {
         description.print()
-    } else if has_text && format.syntax() == description.format().syntax() {
+    } else if storage.is_none() && has_text && format.syntax() == description.format().syntax() {
         match is_node {
             true => description.to_node(name, &commissioning),
             false => description.to_type(name),
@@ -74,6 +84,7 @@ pub(crate) fn save(description: &Description, name: &str, node: Node) -> Files {
         }
         let mut options = WriteOptions::default();
         options.embed = true;
+        options.eds.compact = storage == Some(Storage::Compact);
         let written =
             format::convert(device, Path::new(name), format, false, &options).map_err(Refusal::new)?;
         let lost = written.losses.iter().filter(|loss| loss.kind == LossKind::Lost);

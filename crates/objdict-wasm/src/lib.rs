@@ -5,6 +5,9 @@ mod answer;
 mod document;
 mod files;
 mod form;
+mod log;
+mod network;
+mod node;
 mod outline;
 mod place;
 mod request;
@@ -13,13 +16,21 @@ use wasm_bindgen::prelude::wasm_bindgen;
 
 use self::document::Document;
 use self::files::File;
+use self::log::Log;
+
+/// What is open: a text that is edited, or a log.
+#[derive(Debug)]
+enum Open {
+    Text(Box<Document>),
+    Log(Box<Log>),
+}
 
 /// All that a page has open.
 #[wasm_bindgen]
 #[derive(Debug, Default)]
 pub struct Workbench {
     /// By their numbers; `None` where one was closed.
-    documents: Vec<Option<Document>>,
+    documents: Vec<Option<Open>>,
     /// What the last answer names.
     files: Vec<File>,
 }

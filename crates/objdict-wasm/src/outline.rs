@@ -86,7 +86,7 @@ struct MappedRow {
 
 /// An entry that PDOs may carry.
 #[derive(Debug, Serialize)]
-struct Mappable {
+pub(crate) struct Mappable {
     index: u16,
     sub: u8,
     bits: u32,
@@ -189,7 +189,8 @@ fn name_of(device: &Device, index: u16, sub: u8) -> Option<String> {
     })
 }
 
-fn mappable(device: &Device) -> Vec<Mappable> {
+/// The entries that PDOs can carry.
+pub(crate) fn mappable(device: &Device) -> Vec<Mappable> {
     let mut rows = Vec::new();
     for (&index, object) in device.objects.iter() {
         for (sub, entry) in object.entries().filter(|(_, entry)| entry.is_mappable()) {

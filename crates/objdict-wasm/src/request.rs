@@ -1,18 +1,24 @@
 //! What a page asks for.
 
-use objdict::diagnostic::Applicability;
+use std::collections::BTreeMap;
+
+use objdict::diagnostic::{Applicability, Tool};
+use objdict::format::identify::{ContentKind, identify};
+use objdict::format::network::NetworkFile;
 use objdict::format::{self, Format, WriteOptions};
-use objdict::lint::changes;
+use objdict::lint::{Options, changes};
 use objdict::model::{ClockTime, Date};
-use objdict::scaffold::{FEATURES, Features, PROFILES, Wanted, scaffold};
+use objdict::scaffold::{FEATURES, Feature, FeatureKind, FeatureValue, Features, PROFILES, Wanted, scaffold};
+use objdict::traffic::Descriptions;
 use serde::Deserialize;
 use serde_json::{Value, json};
 
-use crate::Workbench;
 use crate::answer::{Answer, Refusal, data};
 use crate::document::{Document, FieldChange, TextEdit};
-use crate::files::{self, Files, Made, Node};
-use crate::{form, outline};
+use crate::files::{self, File, Files, Made, Node, Storage};
+use crate::log::{Filter, Log};
+use crate::network::{LinkChange, OpenFiles};
+use crate::{Open, Workbench, form, log, network, node, outline};
 
 /// A request.
 #[derive(Debug, Deserialize)]
@@ -48,7 +54,12 @@ enum Request {
         document: usize,
         #[serde(default)]
         fixes: bool,
+        /// The tools whose reactions count, as with `--compat`.
+        #[serde(default)]
+        tools: Vec<String>,
     },
+    /// The tools whose reactions are known.
+    Tools {},
     /// Edits of the text.
     Edit {
         document: usize,
@@ -74,6 +85,8 @@ enum Request {
         document: usize,
         #[serde(default)]
         r#unsafe: bool,
+        #[serde(default)]
+        tools: Vec<String>,
     },
     /// Objects as CiA 301 and the document of a profile describe them.
     AddObjects {
@@ -102,6 +115,8 @@ enum Request {
         name: String,
         node_id: Option<u8>,
         bit_rate: Option<u16>,
+        /// Compact storage of an EDS or DCF that is written anew: kept, or a section for each entry.
+        storage: Option<Storage>,
     },
     Generate {
         document: usize,
@@ -130,6 +145,45 @@ enum Request {
     Profiles {},
     /// A new device, opened as an EDS.
     New(NewDevice),
+    /// The modules of a coupler.
+    Modules {
+        document: usize,
+    },
+    /// A description as that of a node, opened as a DCF or XDC.
+    Configure {
+        document: usize,
+        node: node::Wanted,
+    },
+    /// Nodes, messages, links, load and findings of a network.
+    Network {
+        document: usize,
+    },
+    /// A `network.toml` of the open descriptions.
+    NewNetwork {},
+    /// A link of a network changed.
+    Link {
+        document: usize,
+        link: LinkChange,
+    },
+    /// All files of a network.
+    Build {
+        document: usize,
+    },
+    /// The frames of a log with the descriptions of other documents.
+    Decode {
+        document: usize,
+        with: Vec<usize>,
+    },
+    /// Some of these frames.
+    Frames {
+        document: usize,
+        #[serde(default)]
+        filter: Filter,
+        #[serde(default)]
+        first: usize,
+        count: usize,
+        line: Option<u64>,
+    },
 }
 
 /// What a page asks of a new device.
@@ -143,14 +197,37 @@ struct NewDevice {
     product_code: u32,
     /// Year, month and day: only the page knows it.
     date: (u16, u8, u8),
+    /// Features by their words.
+    #[serde(default)]
+    features: BTreeMap<String, FeatureChoice>,
+}
+
+/// The value of a feature.
+#[derive(Debug, Deserialize)]
+#[serde(untagged)]
+enum FeatureChoice {
+    Flag(bool),
+    Number(i64),
+    Name(String),
+    Names(Vec<String>),
 }
 
 impl NewDevice {
-    fn wanted(self) -> Wanted {
+    fn wanted(self) -> Result<Wanted, Refusal> {
         let (year, month, day) = self.date;
-        Wanted {
+        let mut features = Features::default();
+        for (word, choice) in self.features {
+            let value = match choice {
+                FeatureChoice::Flag(flag) => FeatureValue::Flag(flag),
+                FeatureChoice::Number(number) => FeatureValue::Number(number),
+                FeatureChoice::Name(name) => FeatureValue::Name(name),
+                FeatureChoice::Names(names) => FeatureValue::Names(names),
+            };
+            features.set(&word, &value).map_err(Refusal::new)?;
+        }
+        Ok(Wanted {
             profile: self.profile,
-            features: Features::default(),
+            features,
             file_name: self.name,
             author: self.vendor.clone(),
             vendor_name: self.vendor,
@@ -160,7 +237,7 @@ impl NewDevice {
             revision: 0x1_0000,
             date: Date { day, month, year },
             time: ClockTime { hour: 0, minute: 0, second: 0, nanosecond: 0, utc_offset: None },
-        }
+        })
     }
 }
 
@@ -171,19 +248,22 @@ impl Workbench {
             Request::Open { name } => self.open(&name, bytes),
             Request::Close { document } => {
                 self.documents.get_mut(document).map(Option::take);
-                Ok(Value::Null)
+                data(())
             }
-            Request::State { document } => data(self.document(document)?.state()),
+            Request::State { document } => match self.opened(document)? {
+                Open::Text(text) => data(text.state()),
+                Open::Log(log) => data(log.state()),
+            },
             Request::Original { document } => data(self.document(document)?.original_text()?),
-            Request::Outline { document } => data(outline::outline(self.document(document)?.description())),
+            Request::Outline { document } => data(outline::outline(self.document(document)?.description()?)),
             Request::Form { document, index } => {
-                let form = form::form(self.document(document)?.description(), index);
+                let form = form::form(self.document(document)?.description()?, index);
                 data(form.ok_or_else(|| Refusal::new(format_args!("the device has no object {index:04X}h")))?)
             }
-            Request::Check { document, fixes } => {
-                let report = self.document(document)?.report(fixes)?;
-                serde_json::from_str(&report).map_err(Refusal::new)
+            Request::Check { document, fixes, tools } => {
+                self.document(document)?.report(fixes, &options(&tools)?)
             }
+            Request::Tools {} => data(Tool::ALL.into_iter().map(Tool::name).collect::<Vec<_>>()),
             Request::Edit { document, edits } => self.change(document, |document| document.edit(edits)),
             Request::Encode { document, encoding } => {
                 self.change(document, |document| document.encode(&encoding))
@@ -192,16 +272,17 @@ impl Workbench {
                 self.change(document, |document| document.change(&changes))
             }
             Request::Patch { document, patch } => self.change(document, |document| document.patch(&patch)),
-            Request::FixAll { document, r#unsafe } => {
+            Request::FixAll { document, r#unsafe, tools } => {
                 let safety = if r#unsafe { Applicability::Unsafe } else { Applicability::Safe };
-                self.change(document, |document| document.fix_all(safety).map(|_| ()))
+                let options = options(&tools)?;
+                self.change(document, |document| document.fix_all(safety, &options))
             }
             Request::AddObjects { document, profile, indexes } => {
                 self.change(document, |document| document.add_objects(profile, &indexes))
             }
             Request::ProfileObjects { document, profile } => {
-                let device = self.document(document)?.device();
-                Ok(profile_objects(profile, |index| device.objects.contains_key(&index)))
+                let device = self.document(document)?.device()?;
+                data(profile_objects(profile, |index| device.objects.contains_key(&index)))
             }
             Request::Undo { document } => self.change(document, Document::undo),
             Request::Redo { document } => self.change(document, Document::redo),
@@ -210,57 +291,153 @@ impl Workbench {
                 let file = files::File { name: document.name().to_owned(), bytes: document.bytes() };
                 self.made(Ok((vec![file], Vec::new())))
             }
-            Request::Save { document, name, node_id, bit_rate } => {
-                let node = Node { node_id, bit_rate };
-                let made = files::save(self.document(document)?.description(), &name, node);
+            Request::Save { document, name, node_id, bit_rate, storage } => {
+                let document = self.document(document)?;
+                let made = match document.is_network() {
+                    true => Ok((vec![File { name, bytes: document.bytes() }], Vec::new())),
+                    false => files::save(document.description()?, &name, Node { node_id, bit_rate }, storage),
+                };
                 self.made(made)
             }
             Request::Generate { document, target } => {
-                let made = files::tables(self.document(document)?.description(), &target);
+                let made = files::tables(self.document(document)?.description()?, &target);
                 self.made(made)
             }
             Request::Docs { document, form } => {
-                let made = files::page(self.document(document)?.description(), &form);
+                let made = files::page(self.document(document)?.description()?, &form);
                 self.made(made)
             }
             Request::Dbc { document, node_id } => {
                 let node = Node { node_id, bit_rate: None };
-                let made = files::dbc(self.document(document)?.description(), node);
+                let made = files::dbc(self.document(document)?.description()?, node);
                 self.made(made)
             }
             Request::Concise { document, node_id, all } => {
                 let node = Node { node_id, bit_rate: None };
-                let made = files::concise(self.document(document)?.description(), node, all);
+                let made = files::concise(self.document(document)?.description()?, node, all);
                 self.made(made)
             }
             Request::Compare { old, new } => self.compare(old, new),
-            Request::Profiles {} => Ok(profiles()),
-            Request::New(new) => self.start(&new.wanted()),
+            Request::Profiles {} => data(profiles()),
+            Request::New(new) => self.start(&new.wanted()?),
+            Request::Modules { document } => data(node::modules(self.document(document)?.device()?)),
+            Request::Configure { document, node } => {
+                let (file, notes) = node::configured(self.document(document)?.description()?, &node)?;
+                let document = Document::open(&file.name, file.bytes)?;
+                self.insert(Open::Text(Box::new(document)), notes)
+            }
+            request => self.answer_about_buses(request),
+        }
+    }
+
+    /// Requests about networks and logs, which are about several documents.
+    fn answer_about_buses(&mut self, request: Request) -> Answer {
+        match request {
+            Request::Network { document } => network::view(&self.network(document)?),
+            Request::NewNetwork {} => {
+                let described = self.texts().filter(|document| !document.is_network());
+                let text = network::start(OpenFiles::new(described))?;
+                self.insert(
+                    Open::Text(Box::new(Document::network("network.toml", text.into_bytes())?)),
+                    Vec::new(),
+                )
+            }
+            Request::Link { document, link } => {
+                let bytes = network::linked(&self.network(document)?, &link)?;
+                self.change(document, |document| document.replace(bytes))
+            }
+            Request::Build { document } => {
+                let made = network::build(&self.network(document)?);
+                self.made(made)
+            }
+            Request::Decode { document, with } => {
+                let mut descriptions = Descriptions::default();
+                for number in with {
+                    let other = self.document(number)?;
+                    match other.is_network() {
+                        true => descriptions.add_network(&self.network(number)?),
+                        false => log::describe(&mut descriptions, other.device()?, other.name()),
+                    }
+                }
+                self.log(document)?.decode(&descriptions)
+            }
+            Request::Frames { document, filter, first, count, line } => {
+                data(self.log(document)?.rows(&filter, first, count, line))
+            }
+            _ => Err(Refusal::new("the request is not known")),
+        }
+    }
+
+    /// The texts that are open.
+    fn texts(&self) -> impl Iterator<Item = &Document> {
+        self.documents.iter().flatten().filter_map(|open| match open {
+            Open::Text(document) => Some(&**document),
+            Open::Log(_) => None,
+        })
+    }
+
+    fn network(&self, number: usize) -> Result<NetworkFile, Refusal> {
+        network::read(self.document(number)?, OpenFiles::new(self.texts()))
+    }
+
+    fn log(&mut self, number: usize) -> Result<&mut Log, Refusal> {
+        match self.documents.get_mut(number).and_then(Option::as_mut) {
+            Some(Open::Log(log)) => Ok(log),
+            _ => Err(Refusal::new("the document is not a log")),
         }
     }
 
     fn open(&mut self, name: &str, bytes: Vec<u8>) -> Answer {
-        let document = Document::open(name, bytes)?;
+        let identified = identify(name, &bytes).kind;
+        // one that nothing is known of yet is read by its name, and its mistakes are findings
+        let ending = name.rsplit('.').next().unwrap_or_default().to_ascii_lowercase();
+        let is_called = ["toml", "yml", "yaml", "cpj"].contains(&ending.as_str());
+        let is_network = identified.is_network() || identified == ContentKind::Unknown && is_called;
+        let log = || (identified == ContentKind::Unknown).then(|| Log::open(name, &bytes))?;
+        let opened = match (is_network, log()) {
+            (true, _) => Open::Text(Box::new(Document::network(name, bytes)?)),
+            (false, Some(log)) => Open::Log(Box::new(log)),
+            (false, None) => Open::Text(Box::new(Document::open(name, bytes)?)),
+        };
+        self.insert(opened, Vec::new())
+    }
+
+    /// Keeps what was opened, and says what it is, with notes about it.
+    fn insert(&mut self, opened: Open, notes: Vec<String>) -> Answer {
         let number = self.documents.iter().position(Option::is_none).unwrap_or(self.documents.len());
         if number == self.documents.len() {
             self.documents.push(None);
         }
-        let state = data(document.state())?;
-        self.documents[number] = Some(document);
-        Ok(json!({ "document": number, "state": state }))
+        let state = match &opened {
+            Open::Text(document) => data(document.state())?,
+            Open::Log(log) => data(log.state())?,
+        };
+        self.documents[number] = Some(opened);
+        Ok(format!("{{\"document\":{number},\"state\":{state},\"notes\":{}}}", data(notes)?))
+    }
+
+    fn opened(&self, number: usize) -> Result<&Open, Refusal> {
+        let open = self.documents.get(number).and_then(Option::as_ref);
+        open.ok_or_else(|| Refusal::new("the document is not open"))
     }
 
     fn document(&self, number: usize) -> Result<&Document, Refusal> {
-        let document = self.documents.get(number).and_then(Option::as_ref);
-        document.ok_or_else(|| Refusal::new("the document is not open"))
+        match self.opened(number)? {
+            Open::Text(document) => Ok(document),
+            Open::Log(log) => Err(is_log(log)),
+        }
     }
 
     /// Changes a document, and says what it is now.
     fn change(&mut self, number: usize, change: impl FnOnce(&mut Document) -> Result<(), Refusal>) -> Answer {
-        let document = self.documents.get_mut(number).and_then(Option::as_mut);
-        let document = document.ok_or_else(|| Refusal::new("the document is not open"))?;
-        change(document)?;
-        data(document.state())
+        match self.documents.get_mut(number).and_then(Option::as_mut) {
+            Some(Open::Text(document)) => {
+                change(document)?;
+                data(document.state())
+            }
+            Some(Open::Log(log)) => Err(is_log(log)),
+            None => Err(Refusal::new("the document is not open")),
+        }
     }
 
     fn made(&mut self, files: Files) -> Answer {
@@ -271,7 +448,7 @@ impl Workbench {
     }
 
     fn compare(&self, old: usize, new: usize) -> Answer {
-        let (old, new) = (self.document(old)?.device(), self.document(new)?.device());
+        let (old, new) = (self.document(old)?.device()?, self.document(new)?.device()?);
         let changes = changes::compare(old, new);
         let rows = changes.iter().map(|change| {
             let effects = change.effects().map(|effect| {
@@ -288,7 +465,7 @@ impl Workbench {
                 "effects": effects.collect::<Vec<_>>(),
             })
         });
-        Ok(rows.collect::<Vec<_>>().into())
+        data(rows.collect::<Vec<_>>())
     }
 
     fn start(&mut self, wanted: &Wanted) -> Answer {
@@ -298,12 +475,43 @@ impl Workbench {
     }
 }
 
+fn is_log(log: &Log) -> Refusal {
+    Refusal::new(format_args!("`{}` is a log, which is not edited", log.name()))
+}
+
+/// What is checked with the reactions of tools.
+fn options(tools: &[String]) -> Result<Options, Refusal> {
+    let tool = |name: &String| {
+        Tool::named(name).ok_or_else(|| Refusal::new(format_args!("the reactions of `{name}` are not known")))
+    };
+    let tools = tools.iter().map(tool).collect::<Result<_, _>>()?;
+    Ok(Options { tools, ..Options::default() })
+}
+
+/// What a page asks for a feature.
+fn feature(feature: &Feature) -> Value {
+    let (kind, range) = match feature.kind {
+        FeatureKind::Flag => ("flag", None),
+        FeatureKind::Number { lowest, highest } => ("number", Some([lowest, highest])),
+        FeatureKind::Bits { .. } => ("names", None),
+        _ => ("name", None),
+    };
+    json!({
+        "word": feature.word,
+        "kind": kind,
+        "range": range,
+        "names": feature.kind.names(),
+        "meaning": feature.meaning,
+        "is_general": feature.profiles.is_empty(),
+    })
+}
+
 fn profiles() -> Value {
     let rows = PROFILES.iter().map(|&(number, ..)| {
         let profile = objdict::profile::of_number(number);
         let title =
             profile.map_or_else(|| "without a profile".to_owned(), |profile| profile.title.to_string());
-        let features = FEATURES.iter().filter(|feature| feature.is_of(number)).map(|feature| feature.word);
+        let features = FEATURES.iter().filter(|feature| feature.is_of(number)).map(feature);
         json!({ "number": number, "title": title, "features": features.collect::<Vec<_>>() })
     });
     rows.collect::<Vec<_>>().into()

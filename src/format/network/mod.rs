@@ -4,6 +4,7 @@ mod boot;
 mod bus_keys;
 mod bus_yml;
 mod init;
+mod link_edits;
 #[cfg(feature = "lsp")]
 mod mentions;
 mod network_keys;
@@ -27,6 +28,7 @@ pub use self::boot::{BootFiles, InstallError, Installation, install};
 pub use self::init::init;
 #[cfg(feature = "lsp")]
 pub(crate) use self::init::node_name;
+pub use self::link_edits::LinkEdit;
 #[cfg(feature = "lsp")]
 pub(crate) use self::mentions::NodeMention;
 pub use self::outputs::{Build, BuildError, BuildObjection, BuiltFile, ConfigurationTime, ConfiguredNode};

@@ -18,19 +18,19 @@ const MAX_FINDINGS: usize = 100;
 /// When a frame was seen, and where its log has it.
 #[derive(Clone, Debug, Serialize)]
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
-pub(crate) struct Moment {
+pub struct Moment {
     /// The time, in seconds with the digits of the log.
     #[serde(serialize_with = "shown")]
     #[cfg_attr(feature = "schema", schemars(with = "String"))]
-    pub(crate) time: LogTime,
+    pub time: LogTime,
     /// The number of the line in the log, or of the packet in a capture, from 1.
-    pub(crate) line: u64,
+    pub line: u64,
     /// The position of the log.
     #[serde(skip)]
-    pub(crate) log: usize,
+    pub log: usize,
     /// The line; in a capture the frame as candump would write it.
     #[serde(skip)]
-    pub(crate) text: String,
+    pub text: String,
 }
 
 impl Moment {
@@ -46,23 +46,23 @@ impl Moment {
 /// An event of a node.
 #[derive(Debug, Serialize)]
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
-pub(crate) struct NodeEvent {
+pub struct NodeEvent {
     /// When it happened, and the frame that shows it.
     #[serde(flatten)]
-    pub(crate) moment: Moment,
+    pub moment: Moment,
     /// The node-ID.
-    pub(crate) node: u8,
+    pub node: u8,
     /// The rule that it is against; absent for what no rule forbids.
     #[serde(serialize_with = "id", skip_serializing_if = "Option::is_none")]
     #[cfg_attr(feature = "schema", schemars(with = "Option<String>"))]
-    pub(crate) rule: Option<&'static RuleInfo>,
+    pub rule: Option<&'static RuleInfo>,
     /// What happened.
-    pub(crate) text: String,
+    pub text: String,
 }
 
 impl NodeEvent {
     /// The finding of an event that is against a rule, at the line of its frame.
-    pub(crate) fn finding(&self, line: Span) -> Option<Diagnostic> {
+    pub fn finding(&self, line: Span) -> Option<Diagnostic> {
         let rule = self.rule?;
         let message = format!("{}: {}", self.moment.time, self.text);
         Some(Diagnostic::new(rule, line, message).help(crate::probe::help(rule)))

@@ -10,8 +10,9 @@ use std::collections::BTreeMap;
 use self::cycle::Cycle;
 use self::deviations::{Expected, of_transfer};
 use self::history::History;
-pub(crate) use self::history::{Moment, NodeEvent};
-pub(crate) use self::report::BusReport;
+pub(crate) use self::history::Moment;
+pub use self::history::NodeEvent;
+pub use self::report::BusReport;
 use super::{Bus, Origin, PRE_OPERATIONAL, rules};
 use crate::bus::classical_bits;
 use crate::describe::frames::{DecodedFrame, FrameKind, SdoStep};
@@ -59,7 +60,7 @@ struct NodeSums {
 
 /// The sums of a bus.
 #[derive(Debug)]
-pub(crate) struct BusSums {
+pub struct BusSums {
     /// The bit rate in kbit/s.
     bit_rate: Option<u16>,
     frames: u64,
@@ -89,7 +90,7 @@ pub(crate) struct BusSums {
 
 impl BusSums {
     /// Sums without a frame; the load is found if the bit rate in kbit/s is known.
-    pub(crate) fn new(bit_rate: Option<u16>) -> Self {
+    pub fn new(bit_rate: Option<u16>) -> Self {
         Self {
             bit_rate,
             frames: 0,
@@ -115,13 +116,7 @@ impl BusSums {
     }
 
     /// Adds a frame.
-    pub(crate) fn add(
-        &mut self,
-        decoded: &DecodedFrame,
-        frame: &LoggedFrame,
-        origin: Origin<'_>,
-        bus: &Bus<'_>,
-    ) {
+    pub fn add(&mut self, decoded: &DecodedFrame, frame: &LoggedFrame, origin: Origin<'_>, bus: &Bus<'_>) {
         self.frames += 1;
         let (first, last) = self.span.unwrap_or((frame.time, frame.time));
         self.span = Some((first.min(frame.time), last.max(frame.time)));

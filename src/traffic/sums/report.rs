@@ -12,160 +12,160 @@ use crate::traffic::{Bus, DescribedNode, rules};
 /// The sums of a bus.
 #[derive(Debug, Serialize)]
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema), schemars(rename = "Bus"))]
-pub(crate) struct BusReport {
+pub struct BusReport {
     /// The name of the channel; absent if the log has none.
     #[serde(skip_serializing_if = "String::is_empty")]
-    pub(crate) channel: String,
+    pub channel: String,
     /// The time of the first frame, in seconds with the digits of the log.
-    pub(crate) from: String,
+    pub from: String,
     /// The time of the last frame.
-    pub(crate) to: String,
+    pub to: String,
     /// The number of frames.
-    pub(crate) frames: u64,
+    pub frames: u64,
     /// The number of error frames among them.
-    pub(crate) error_frames: u64,
+    pub error_frames: u64,
     /// Frames in a second.
-    pub(crate) frames_per_second: f64,
+    pub frames_per_second: f64,
     /// The load in percent; absent without a bit rate.
     #[serde(skip_serializing_if = "Option::is_none")]
-    pub(crate) load: Option<f64>,
+    pub load: Option<f64>,
     /// The number of frames of each kind.
-    pub(crate) kinds: Vec<KindSums>,
+    pub kinds: Vec<KindSums>,
     /// The nodes that sent frames, or that are described.
-    pub(crate) nodes: Vec<NodeReport>,
+    pub nodes: Vec<NodeReport>,
     /// The CAN-IDs in ascending order.
-    pub(crate) messages: Vec<MessageReport>,
+    pub messages: Vec<MessageReport>,
     /// The first heartbeats that did not come in time; the time is that of the one before.
-    pub(crate) lost_heartbeats: Vec<NodeEvent>,
+    pub lost_heartbeats: Vec<NodeEvent>,
     /// The first SDO transfers that ended with an abort code.
-    pub(crate) aborted_transfers: Vec<NodeEvent>,
+    pub aborted_transfers: Vec<NodeEvent>,
     /// The first emergencies.
-    pub(crate) emergencies: Vec<NodeEvent>,
+    pub emergencies: Vec<NodeEvent>,
     /// The first frames that are not as the descriptions say: length of a PDO, inhibit time, synchronous window, and type, access and limits of
     /// entries in SDO transfers.
-    pub(crate) deviations: Vec<NodeEvent>,
+    pub deviations: Vec<NodeEvent>,
     /// How many of these events there are beyond those that are listed.
-    pub(crate) further_events: u64,
+    pub further_events: u64,
     /// The nodes that no description covers.
-    pub(crate) undescribed: Vec<u8>,
+    pub undescribed: Vec<u8>,
     /// What was written to nodes, beside their descriptions.
-    pub(crate) configurations: Vec<ConfigurationReport>,
+    pub configurations: Vec<ConfigurationReport>,
     /// The first boot-up messages, which only a page lists.
     #[serde(skip)]
-    pub(crate) starts: Vec<NodeEvent>,
+    pub starts: Vec<NodeEvent>,
     /// The first error frames, which only a page lists.
     #[serde(skip)]
-    pub(crate) bus_errors: Vec<NodeEvent>,
+    pub bus_errors: Vec<NodeEvent>,
 }
 
 /// The number of frames of a kind.
 #[derive(Debug, Serialize)]
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
-pub(crate) struct KindSums {
+pub struct KindSums {
     /// The kind.
-    pub(crate) kind: &'static str,
+    pub kind: &'static str,
     /// The number of frames.
-    pub(crate) frames: u64,
+    pub frames: u64,
 }
 
 /// What was seen of a node.
 #[derive(Debug, Serialize)]
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
-pub(crate) struct NodeReport {
+pub struct NodeReport {
     /// The node-ID; 0 for the frames of no node, such as SYNC, NMT and the requests of SDO clients.
-    pub(crate) node: u8,
+    pub node: u8,
     /// The name; absent without a description.
     #[serde(skip_serializing_if = "Option::is_none")]
-    pub(crate) name: Option<String>,
+    pub name: Option<String>,
     /// The number of frames that it sent.
-    pub(crate) frames: u64,
+    pub frames: u64,
     /// The load of them in percent; absent without a bit rate.
     #[serde(skip_serializing_if = "Option::is_none")]
-    pub(crate) load: Option<f64>,
+    pub load: Option<f64>,
     /// Frames in a second.
-    pub(crate) frames_per_second: f64,
+    pub frames_per_second: f64,
     /// Its last NMT state; absent without a heartbeat or guarding.
     #[serde(skip_serializing_if = "Option::is_none")]
-    pub(crate) state: Option<String>,
+    pub state: Option<String>,
     /// The number of boot-up messages.
-    pub(crate) boot_ups: u64,
+    pub boot_ups: u64,
     /// The number of heartbeats that did not come in time.
-    pub(crate) lost_heartbeats: u64,
+    pub lost_heartbeats: u64,
     /// The number of emergencies.
-    pub(crate) emergencies: u64,
+    pub emergencies: u64,
     /// The number of SDO transfers with it that ended with an abort code.
-    pub(crate) aborted_transfers: u64,
+    pub aborted_transfers: u64,
 }
 
 /// What was seen of a CAN-ID. Times are in milliseconds.
 #[derive(Debug, Serialize)]
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
-pub(crate) struct MessageReport {
+pub struct MessageReport {
     /// The CAN-ID.
-    pub(crate) can_id: u32,
+    pub can_id: u32,
     /// Whether it has 29 bits.
-    pub(crate) extended: bool,
+    pub extended: bool,
     /// The kind of its frames.
-    pub(crate) kind: &'static str,
+    pub kind: &'static str,
     /// The node; absent for frames of no node.
     #[serde(skip_serializing_if = "Option::is_none")]
-    pub(crate) node: Option<u8>,
+    pub node: Option<u8>,
     /// What it is: `drive TPDO 1`.
-    pub(crate) name: String,
+    pub name: String,
     /// The number of frames.
-    pub(crate) frames: u64,
+    pub frames: u64,
     /// The distances between its frames; absent without two frames, and for frames without a cycle.
     #[serde(skip_serializing_if = "Option::is_none")]
-    pub(crate) cycle: Option<CycleReport>,
+    pub cycle: Option<CycleReport>,
     /// The cycle that the descriptions state; absent if they state none.
     #[serde(skip_serializing_if = "Option::is_none")]
-    pub(crate) described: Option<String>,
+    pub described: Option<String>,
 }
 
 /// Distances between frames in milliseconds.
 #[derive(Debug, Serialize)]
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
-pub(crate) struct CycleReport {
+pub struct CycleReport {
     /// The shortest.
-    pub(crate) min: String,
+    pub min: String,
     /// The mean.
-    pub(crate) mean: String,
+    pub mean: String,
     /// The longest.
-    pub(crate) max: String,
+    pub max: String,
     /// The difference of both.
-    pub(crate) jitter: String,
+    pub jitter: String,
 }
 
 /// What was written to a node.
 #[derive(Debug, Serialize)]
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
-pub(crate) struct ConfigurationReport {
+pub struct ConfigurationReport {
     /// The node-ID.
-    pub(crate) node: u8,
+    pub node: u8,
     /// Its name.
-    pub(crate) name: String,
+    pub name: String,
     /// The number of entries that were written.
-    pub(crate) written: usize,
+    pub written: usize,
     /// The number of those that have the value of the description.
-    pub(crate) as_described: usize,
+    pub as_described: usize,
     /// The entries with other values: what was written, and what the description says.
-    pub(crate) others: Vec<String>,
+    pub others: Vec<String>,
     /// The configured entries of the description that were not written.
-    pub(crate) not_written: Vec<String>,
+    pub not_written: Vec<String>,
     /// Whether more entries were written than are compared.
-    pub(crate) is_cut: bool,
+    pub is_cut: bool,
 }
 
 impl BusReport {
     /// What is against the rules in a log.
-    pub(crate) fn against_rules(&self, log: usize) -> impl Iterator<Item = &NodeEvent> {
+    pub fn against_rules(&self, log: usize) -> impl Iterator<Item = &NodeEvent> {
         self.deviations.iter().chain(&self.lost_heartbeats).filter(move |event| event.moment.log == log)
     }
 }
 
 impl BusSums {
     /// The sums beside what the descriptions say.
-    pub(crate) fn report(&mut self, bus: &Bus<'_>) -> BusReport {
+    pub fn report(&mut self, bus: &Bus<'_>) -> BusReport {
         self.close(bus);
         let seconds = self.seconds();
         let kinds = FrameKind::ALL.iter().zip(self.kinds).filter(|(_, frames)| *frames > 0);

@@ -1,7 +1,7 @@
 //! Reads the files that another file names, only from its project.
 
-use std::fs;
 use std::path::{Component, Path, PathBuf};
+use std::{fs, io};
 
 use super::{HARD_LIMIT, SourceError, is_file, read};
 
@@ -107,7 +107,15 @@ impl Folder {
             // of a file that was never saved no link leads elsewhere
             return Ok(path);
         }
-        let failed = |error| SourceError::Io { path: path.display().to_string(), error };
+        let failed = |error: io::Error| SourceError::Io {
+            path: path.display().to_string(),
+            // in a browser there are only buffers
+            error: if error.kind() == io::ErrorKind::Unsupported {
+                io::ErrorKind::NotFound.into()
+            } else {
+                error
+            },
+        };
         let real = fs::canonicalize(&path).map_err(failed)?;
         let is_below =
             |folder: &PathBuf| fs::canonicalize(folder).is_ok_and(|folder| real.starts_with(folder));

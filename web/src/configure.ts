@@ -1,0 +1,71 @@
+// A node of a description: its node-ID, bit rate, modules and values, as a DCF or XDC of its own.
+
+import { ask } from "./engine";
+import { h } from "./dom";
+import { BIT_RATES } from "./output";
+import type { Modules, Opened } from "./protocol";
+import type { Store } from "./store";
+
+export function configureDialog(store: Store): HTMLDialogElement {
+  const name = h("input", { id: "configure-name", required: true, autocomplete: "off" });
+  const nodeId = h("input", { id: "configure-node-id", type: "number", min: 1, max: 127, required: true });
+  const bitRate = h("select", { id: "configure-bit-rate" }, ...BIT_RATES.map((rate) => h("option", { value: rate }, `${rate} kbit/s`)));
+  const nodeName = h("input", { id: "configure-node-name", autocomplete: "off" });
+  const settings = h("textarea", { id: "configure-settings", rows: 4, spellcheck: "false", placeholder: "1017=1000\n1800:5=100" });
+  const choice = h("select", { "aria-label": "Module" });
+  const rack = h("ol", { class: "rack", "aria-label": "Modules in their order" });
+  const modules = h("fieldset", {}, h("legend", {}, "Modules"), choice, " ", h("button", { type: "button", onclick: () => plug(Number(choice.value)) }, "Plug in"), rack);
+  let supported: Modules["supported"] = [];
+  let plugged: number[] = [];
+  const show = () => {
+    const label = (number: number) => supported.find((module) => module.number === number)?.name ?? `module ${number}`;
+    const remove = (at: number) => {
+      plugged.splice(at, 1);
+      show();
+    };
+    rack.replaceChildren(...plugged.map((number, at) => h("li", {}, label(number), " ", h("button", { type: "button", class: "quiet", "aria-label": `Remove ${label(number)}`, onclick: () => remove(at) }, "Remove"))));
+  };
+  const plug = (number: number) => {
+    plugged.push(number);
+    show();
+  };
+  const configure = async (event: Event) => {
+    event.preventDefault();
+    const lines = settings.value.split("\n").map((line) => line.trim()).filter(Boolean);
+    const node = { name: name.value, node_id: Number(nodeId.value), bit_rate: Number(bitRate.value), node_name: nodeName.value, modules: plugged, settings: lines };
+    dialog.close();
+    await store.attempt(async () => store.take(await ask<Opened>({ do: "configure", document: store.current!.id, node })));
+  };
+  const dialog = h(
+    "dialog",
+    { "aria-labelledby": "configure-title" },
+    h(
+      "form",
+      { method: "dialog", onsubmit: configure },
+      h("h2", { id: "configure-title" }, "Configure a node"),
+      h("p", { class: "meaning" }, "The description stays as it is; the node is a DCF or XDC beside it."),
+      h("label", {}, "Node-ID ", nodeId),
+      h("label", {}, "Bit rate ", bitRate),
+      h("label", {}, "Name of the node ", nodeName),
+      modules,
+      h("label", { class: "above" }, "Values, one a line ", settings),
+      h("label", {}, "File name ", name),
+      h("div", { class: "actions" }, h("button", { type: "button", onclick: () => dialog.close() }, "Cancel"), h("button", { type: "submit", class: "main" }, "Configure")),
+    ),
+  );
+  dialog.addEventListener("toggle", async () => {
+    if (!dialog.open || !store.current) return;
+    const { id, state, outline } = store.current;
+    nodeId.value = String(outline.node_id ?? 1);
+    bitRate.value = "250";
+    const isXml = /^xd/i.test(state.format);
+    name.value = `${state.name.split("/").at(-1)!.replace(/\.[^.]*$/, "")}-node.${isXml ? "xdc" : state.format.toLowerCase().includes("toml") ? "toml" : "dcf"}`;
+    const known = await ask<Modules>({ do: "modules", document: id }).catch(() => ({ supported: [], connected: [] }));
+    supported = known.supported;
+    plugged = [...known.connected];
+    modules.hidden = supported.length === 0;
+    choice.replaceChildren(...supported.map((module) => h("option", { value: module.number }, [module.name ?? `module ${module.number}`, module.order_code].filter(Boolean).join(", "))));
+    show();
+  });
+  return dialog;
+}

@@ -1,0 +1,138 @@
+// Middle: a log of a bus in words, read with the open descriptions. Only the frames in sight are in the page; the engine has the others.
+
+import { ask } from "./engine";
+import { h, hex } from "./dom";
+import { table } from "./network";
+import type { BusReport, FrameFilter, Frames, LogSummary } from "./protocol";
+import type { OpenDocument, Store } from "./store";
+
+const ROW = 24;
+/** Rows above and below those in sight. */
+const AROUND = 30;
+/** Browsers draw no element that is higher, so a longer list is scrolled in larger steps. */
+const MAX_HEIGHT = 8_000_000;
+
+const some = (count: number): string => (count === 0 ? "" : String(count));
+const rate = (load: number | undefined): string => (load == null ? "" : `${load.toFixed(2)} %`);
+
+function busTables(bus: BusReport): HTMLElement {
+  const nodes = bus.nodes.map((node) => [node.node === 0 ? "–" : String(node.node), node.name ?? "", String(node.frames), node.frames_per_second.toFixed(1), rate(node.load), node.state ?? "", some(node.boot_ups), some(node.lost_heartbeats), some(node.emergencies), some(node.aborted_transfers)]);
+  const messages = bus.messages.map((message) => [`${hex(message.can_id, message.extended ? 8 : 3)}h`, message.name || message.kind, String(message.frames), message.cycle?.min ?? "", message.cycle?.mean ?? "", message.cycle?.max ?? "", message.described ?? ""]);
+  const title = `${bus.channel ? `${bus.channel}: ` : ""}${bus.frames} frames, ${bus.frames_per_second.toFixed(1)} frames/s${bus.load == null ? "" : `, ${rate(bus.load)} load`}`;
+  return h(
+    "details",
+    {},
+    h("summary", {}, title),
+    table(["Node", "Name", "Frames", "Frames/s", "Load", "State", "Boot-ups", "Lost", "EMCY", "Aborts"], nodes, "Nodes"),
+    table(["CAN-ID", "Message", "Frames", "Min ms", "Mean ms", "Max ms", "Described"], messages, "Messages"),
+  );
+}
+
+function remarks(log: LogSummary): string[] {
+  const undescribed = [...new Set(log.buses.flatMap((bus) => bus.undescribed))];
+  const frames = log.buses.reduce((sum, bus) => sum + bus.frames, 0);
+  return [
+    ...(undescribed.length > 0 ? [`No description of node ${undescribed.join(", ")}: drop its EDS or DCF on the page.`] : []),
+    ...log.notes,
+    ...log.bad_lines.slice(0, 3).map(([line, reason]) => `Line ${line}: ${reason}.`),
+    ...(log.bad_count > 3 ? [`${log.bad_count} lines are not understood.`] : []),
+    ...(log.rows < frames ? [`The first ${log.rows} of ${frames} frames are listed; sums and findings are over all.`] : []),
+  ];
+}
+
+export function logView(store: Store): HTMLElement {
+  const filters = new Map<number, FrameFilter>();
+  const kind = h("select", { "aria-label": "Kind of frames", onchange: () => filtered() });
+  const node = h("select", { "aria-label": "Node", onchange: () => filtered() });
+  const search = h("input", { type: "search", placeholder: "Search in frames", "aria-label": "Search in frames", oninput: () => filtered() });
+  const total = h("span", { class: "count", role: "status" });
+  const list = h("div", { class: "rows" });
+  const scroll = h("div", { class: "scroll frames", tabindex: 0, role: "region", "aria-label": "Frames" }, list);
+  const others = h("fieldset", { class: "others" });
+  const sums = h("div", { class: "sums" });
+  const view = h("div", { class: "log" }, others, h("div", { class: "bar" }, node, kind, search, total), scroll, sums);
+  let shown: LogSummary | undefined;
+  let of: OpenDocument | undefined;
+  let asked = 0;
+  /** The number of rows that pass, and how many of them a row of the list is worth. */
+  let [count, scale] = [0, 1];
+  let marked: number | undefined;
+
+  const filter = (): FrameFilter => filters.get(of?.id ?? -1) ?? { nodes: [], kinds: [], text: "" };
+  const filtered = () => {
+    if (!of) return;
+    filters.set(of.id, { nodes: node.value ? [Number(node.value)] : [], kinds: kind.value ? [kind.value] : [], text: search.value });
+    scroll.scrollTop = 0;
+    void show();
+  };
+  const first = () => Math.floor((scroll.scrollTop / ROW) * scale);
+  const show = async (line?: number) => {
+    if (!of) return;
+    const number = ++asked;
+    const rows = Math.ceil((scroll.clientHeight || 600) / ROW) + 2 * AROUND;
+    const start = Math.max(0, first() - AROUND);
+    const frames = await ask<Frames>({ do: "frames", document: of.id, filter: filter(), first: start, count: rows, line }).catch(() => undefined);
+    if (!frames || number !== asked) return;
+    count = frames.total;
+    const height = Math.min(count * ROW, MAX_HEIGHT);
+    scale = Math.max(1, (count * ROW) / Math.max(1, height));
+    list.style.height = `${height}px`;
+    total.textContent = `${count} frame${count === 1 ? "" : "s"}`;
+    if (line !== undefined) {
+      marked = line;
+      scroll.scrollTop = Math.max(0, (frames.first / scale) * ROW - scroll.clientHeight / 2);
+      return void show();
+    }
+    const top = (at: number) => (scale === 1 ? (frames.first + at) * ROW : scroll.scrollTop + (frames.first + at - first()) * ROW);
+    list.replaceChildren(
+      ...frames.rows.map(({ line, kind, cells: [time, channel, id, data, words] }, at) =>
+        h("div", { class: `row frame ${kind}${line === marked ? " marked" : ""}`, style: `top:${top(at)}px`, title: `line ${line}: ${words}` }, h("span", { class: "address" }, time), channel && h("span", { class: "type" }, channel), h("span", { class: "address id" }, id), h("span", { class: "address data" }, data), h("span", { class: "name" }, words)),
+      ),
+    );
+  };
+  scroll.addEventListener("scroll", () => requestAnimationFrame(() => void show()));
+  document.addEventListener("go-to-line", (event) => {
+    if (store.view === "log") void show((event as CustomEvent<number>).detail);
+  });
+
+  const choices = (log: LogSummary) => {
+    const { nodes, kinds, text } = filter();
+    const known = new Map(log.buses.flatMap((bus) => bus.nodes).map((each) => [each.node, each.name]));
+    const option = (value: string, label: string, selected: boolean) => h("option", { value, selected }, label);
+    node.replaceChildren(option("", "All nodes", nodes.length === 0), ...[...known].filter(([id]) => id > 0).map(([id, name]) => option(String(id), name ? `${id} ${name}` : `${id}`, nodes.includes(id))));
+    const all = [...new Set(log.buses.flatMap((bus) => bus.kinds.map((each) => each.kind)))];
+    kind.replaceChildren(option("", "All kinds", kinds.length === 0), ...all.map((each) => option(each, each, kinds.includes(each))));
+    search.value = text;
+  };
+  const descriptions = (log: OpenDocument) => {
+    const chosen = store.descriptionsFor(log);
+    const boxes = store.documents
+      .filter((other) => other.state.kind !== "log")
+      .map((other) => {
+        const box = h("input", {
+          type: "checkbox",
+          checked: chosen.includes(other.id),
+          onchange: () => {
+            log.with = box.checked ? [...chosen, other.id] : chosen.filter((id) => id !== other.id);
+            store.changed();
+          },
+        });
+        return h("label", { class: "choice" }, box, ` ${other.state.name}`);
+      });
+    others.replaceChildren(h("legend", {}, "Read with"), ...(boxes.length > 0 ? boxes : [h("p", { class: "meaning" }, "Drop the EDS or DCF of the nodes, or their network, on the page: then PDOs and values have names.")]));
+  };
+
+  store.onDraw(() => {
+    view.hidden = store.view !== "log";
+    const { current } = store;
+    if (view.hidden || !current?.log) return;
+    descriptions(current);
+    if (current.log === shown) return;
+    if (of !== current) scroll.scrollTop = 0;
+    [shown, of] = [current.log, current];
+    choices(current.log);
+    sums.replaceChildren(...remarks(current.log).map((text) => h("p", { class: "meaning" }, text)), ...current.log.buses.map(busTables));
+    void show();
+  });
+  return view;
+}
