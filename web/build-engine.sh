@@ -13,7 +13,8 @@ if [ -d "$(rustc --print sysroot)/lib/rustlib/$target/lib" ]; then
   :
 elif [ -x /usr/bin/rustc ] && [ -d /usr/lib/rustlib/src/rust/library/std ] && command -v wasm-ld-19 >/dev/null; then
   export RUSTC=/usr/bin/rustc RUSTC_BOOTSTRAP=1 CARGO_TARGET_WASM32_UNKNOWN_UNKNOWN_LINKER=wasm-ld-19
-  arguments+=(-Zbuild-std=std,panic_abort)
+  # a standard library whose sorts are small is a tenth of the engine less
+  arguments+=(-Zbuild-std=std,panic_abort -Zbuild-std-features=optimize_for_size)
 else
   echo "no compiler for $target: install it with \`rustup target add $target\`, or Debian's rustc-web, rust-web-src and lld-19" >&2
   exit 3
@@ -28,4 +29,5 @@ if [ "$(wasm-bindgen --version 2>/dev/null)" != "wasm-bindgen $version" ]; then
 fi
 
 CARGO_INCREMENTAL=0 cargo "${arguments[@]}"
-wasm-bindgen --target web --out-dir web/src/wasm "target/wasm/$target/$profile/objdict_wasm.wasm"
+# names of functions would double what is loaded
+wasm-bindgen --target web --remove-name-section --out-dir web/src/wasm "target/wasm/$target/$profile/objdict_wasm.wasm"

@@ -41,6 +41,8 @@ pub(super) enum Fixes {
 #[serde(rename_all = "kebab-case")]
 pub(super) enum Work {
     Fix(Fixes),
+    /// Writes the entries of an object out of compact storage, or stores them so.
+    Store(u16),
     /// Writes the description in another syntax into a new file.
     Convert(Target),
     /// Adds the node of a DCF to the network of its folder.
@@ -86,9 +88,11 @@ pub(super) fn actions(
         }
     }
     if is_asked(&CodeActionKind::REFACTOR) {
+        let refactor = |title: &str, work| later(file, title, work, CodeActionKind::REFACTOR);
         actions.extend(edits::refactorings(file, description, span.start));
+        let storage = edits::storage(file, description, span.start);
+        actions.extend(storage.map(|(index, title)| refactor(&title, Work::Store(index))));
         if workspace.client.creates_files {
-            let refactor = |title: &str, work| later(file, title, work, CodeActionKind::REFACTOR);
             let targets = beside::targets(file, description).into_iter();
             actions.extend(targets.map(|target| refactor(&target.title(file), Work::Convert(target))));
             if beside::is_node(description) {
@@ -273,6 +277,7 @@ pub(super) fn resolve(
             let text = file.description().and_then(|_| text_after(file, fixes))?;
             Some(file.workspace_edit(file.edits_to(&text)))
         }),
+        Work::Store(index) => edits::restored(file, *index).map(|edits| file.workspace_edit(edits)),
         Work::Convert(target) => workspace.reading(|| target.edit(file)),
         Work::AddNode => beside::add_node(file, workspace),
         Work::AddToBaseline(rule) => baseline::addition(file, workspace, rule),

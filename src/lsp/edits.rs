@@ -6,7 +6,7 @@ use super::file::File;
 use crate::diagnostic::{Change, Fix};
 use crate::format::{self, Description, eds};
 use crate::model::{
-    DataType, Device, Entry, Field, MappedObject, ObjectList, ObjectType, Part, PdoKind, Place,
+    DataType, Device, Entry, Field, MappedObject, Object, ObjectList, ObjectType, Part, PdoKind, Place,
 };
 use crate::scaffold;
 use crate::source::{Edits, SourceFile, SourceOptions};
@@ -41,20 +41,15 @@ pub(super) fn refactorings(file: &File, description: &Description, offset: u32) 
         fixes.extend(listed(device, list));
     }
     let action = |fix: Fix| {
-        let edits = description.edits(&fix)?;
-        Some(refactoring(file, fix.title.shown().into_owned(), file.edits(edits)))
+        let edits = file.edits(description.edits(&fix)?);
+        Some(CodeAction {
+            title: fix.title.shown().into_owned(),
+            kind: Some(CodeActionKind::REFACTOR),
+            edit: Some(file.workspace_edit(edits)),
+            ..CodeAction::default()
+        })
     };
-    let restored = place.part.object().and_then(|index| restored(file, description, index));
-    fixes.into_iter().filter_map(action).chain(restored).collect()
-}
-
-fn refactoring(file: &File, title: String, edits: Vec<TextEdit>) -> CodeAction {
-    CodeAction {
-        title,
-        kind: Some(CodeActionKind::REFACTOR),
-        edit: Some(file.workspace_edit(edits)),
-        ..CodeAction::default()
-    }
+    fixes.into_iter().filter_map(action).collect()
 }
 
 /// Adds the next sub-index to an object, as the documents demand it, else as the one before it is.
@@ -92,23 +87,33 @@ fn new_sub_index(device: &Device, index: u16) -> Option<Fix> {
     Some(fix)
 }
 
-/// Writes out the entries of an object that is stored compactly, or stores them so.
-fn restored(file: &File, description: &Description, index: u16) -> Option<CodeAction> {
-    // the other syntaxes have no compact storage
-    description.document()?;
+/// The other way to store an object at an offset, and what it is called: entries written out, or compact storage.
+pub(super) fn storage(file: &File, description: &Description, offset: u32) -> Option<(u16, String)> {
+    let index = file.place(offset)?.part.object()?;
     let object = description.device().object(index)?;
-    let (title, after) = match &object.compact {
-        Some(compact) => {
-            let title = format!("describe the {} sub-indexes of {index:04X}h individually", compact.count);
-            (title, object.expanded().into_owned())
-        }
+    stored_otherwise(description, object)?;
+    let title = match &object.compact {
+        Some(compact) => format!("describe the {} sub-indexes of {index:04X}h individually", compact.count),
         None => {
-            let compacted = object.compacted()?;
             let name = object.subs.get(0).map(|entry| &*entry.name).filter(|name| *name != "NrOfObjects");
             let lost = name.map(|name| format!(", without the name `{name}` of sub-index 0"));
-            (format!("store {index:04X}h compactly{}", lost.unwrap_or_default()), compacted)
+            format!("store {index:04X}h compactly{}", lost.unwrap_or_default())
         }
     };
+    Some((index, title))
+}
+
+/// An object stored the other way; only EDS and DCF have compact storage.
+fn stored_otherwise(description: &Description, object: &Object) -> Option<Object> {
+    description.document()?;
+    if object.compact.is_some() { Some(object.expanded().into_owned()) } else { object.compacted() }
+}
+
+/// The edits that store an object the other way.
+pub(super) fn restored(file: &File, index: u16) -> Option<Vec<TextEdit>> {
+    let description = file.description()?;
+    let object = description.device().object(index)?;
+    let after = stored_otherwise(description, object)?;
     let changed = |description: &Description, changes: Vec<Change>| {
         let fix = changes.into_iter().fold(Fix::risky(""), Fix::with);
         let mut edits = Edits::new(description.source());
@@ -121,7 +126,7 @@ fn restored(file: &File, description: &Description, index: u16) -> Option<CodeAc
         [] => left.text().to_owned(),
         _ => changed(&format::read(left, description.format()), added)?,
     };
-    Some(refactoring(file, title, file.edits_to(&text)))
+    Some(file.edits_to(&text))
 }
 
 /// Maps an entry into the first PDO of each direction that has room for it and a sub-index left.

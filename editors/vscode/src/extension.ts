@@ -141,7 +141,8 @@ async function convertFile(program: string): Promise<void> {
 
 async function generateCode(program: string): Promise<void> {
   const { source } = active();
-  const targets = await possibleValues(program, "generate", "target");
+  // a template is a file of the user's own, which the command line names
+  const targets = (await possibleValues(program, "generate", "target")).filter((target) => target !== "template");
   const target = await vscode.window.showQuickPick(targets, { title: "Generate" });
   if (target === undefined) return;
   const folders = await vscode.window.showOpenDialog({
