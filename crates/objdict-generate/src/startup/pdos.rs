@@ -20,7 +20,7 @@ const LONGEST: u32 = 64;
 pub(super) struct Mapping {
     /// Whether it also reads the slots behind the number of mapped objects, up to the eighth.
     pub(super) reads_all: bool,
-    /// The fewest objects that it maps to a TPDO: the first slot may be read whatever their number is.
+    /// The fewest objects that it maps to a TPDO: the first slot may be read even if their number is 0.
     pub(super) least: u8,
     /// The most objects that it maps.
     pub(super) most: u8,
@@ -60,7 +60,7 @@ pub(super) enum Cause {
     Size,
     /// A length that the functions of the dictionary refuse: each other one when they write, a longer one when they read.
     Length,
-    /// In flash, and the stack writes whatever the access type is.
+    /// In flash, and the stack does not look at the access type when it writes.
     Constant,
     Empty,
     Reserved,
