@@ -94,6 +94,15 @@ fn details_of_an_eds() {
         found.to_string(),
         "EDS 4.0 (CANopen) – it has the sections `[FileInfo]`, `[DeviceInfo]` and `[MandatoryObjects]`"
     );
+    // what each node of POWERLINK has may be as far behind; one of both may be an oddity
+    let objects = |both: &str| format!("[DeviceInfo]\n[1000]\n{}[1F93]\r\n{both}", "; \n".repeat(100_000));
+    let found = identify("x.eds", objects("[1F98]\r\n").as_bytes());
+    assert_eq!(found.kind, ContentKind::PowerlinkEds);
+    assert_eq!(
+        found.to_string(),
+        "EDS (Ethernet POWERLINK) – only Ethernet POWERLINK has objects in `[1F93]` and `[1F98]`"
+    );
+    assert_eq!(kind("x.eds", &objects("; [1F98]\r\n")), ContentKind::Eds);
     // the section of the node may be the last one, far behind what is looked at line by line
     let long = format!("[DeviceInfo]\n[2000]\n{}[DeviceComissioning]\nNodeID=0x7F\n", "; \n".repeat(100_000));
     let found = identify("", long.as_bytes());

@@ -42,7 +42,7 @@ pub(super) fn identify(content: &Content<'_>) -> Option<Identification> {
         signs.node_id = late.node_id;
     }
     if !signs.canopen.is_empty() {
-        return Some(signs.description(content));
+        return Some(if is_powerlink(content) { powerlink() } else { signs.description(content) });
     }
     if let Some(topology) = signs.topology {
         let reason = format!("it has a section `[{}]`", quoted(topology));
@@ -58,14 +58,32 @@ pub(super) fn identify(content: &Content<'_>) -> Option<Identification> {
     Some(Identification { technology, ..Identification::new(ContentKind::CipEds, reason) })
 }
 
+/// Objects that each node of Ethernet POWERLINK has: its node-ID and its timing. CiA 302 ends at 1F91h.
+const POWERLINK: [&str; 2] = ["[1F93]", "[1F98]"];
+
+fn is_powerlink(content: &Content<'_>) -> bool {
+    POWERLINK.iter().all(|section| line_starts(content.bytes, section).next().is_some())
+}
+
+fn powerlink() -> Identification {
+    let [node_id, timing] = POWERLINK;
+    let reason = format!("only Ethernet POWERLINK has objects in `{node_id}` and `{timing}`");
+    let technology = Some("Ethernet POWERLINK".to_owned());
+    Identification { technology, ..Identification::new(ContentKind::PowerlinkEds, reason) }
+}
+
+/// Where lines start with a text.
+fn line_starts<'a>(bytes: &'a [u8], text: &'a str) -> impl Iterator<Item = usize> + 'a {
+    memchr::memmem::find_iter(bytes, text)
+        .filter(|&at| matches!(bytes[..at].last(), None | Some(b'\n' | b'\r')))
+}
+
 /// The section of the node, where it is behind the first objects: it may be the last of the file.
 fn commissioning_behind<'a>(content: &'a Content<'_>) -> Option<Cow<'a, str>> {
     // both spellings start with this, so one look at a large file is enough
-    let start = memchr::memmem::find_iter(content.bytes, "[DeviceCom").find(|&at| {
-        let starts_line = matches!(content.bytes[..at].last(), None | Some(b'\n' | b'\r'));
+    let start = line_starts(content.bytes, "[DeviceCom").find(|&at| {
         let rest = &content.bytes[at..];
-        starts_line
-            && (rest.starts_with(b"[DeviceComissioning]") || rest.starts_with(b"[DeviceCommissioning]"))
+        rest.starts_with(b"[DeviceComissioning]") || rest.starts_with(b"[DeviceCommissioning]")
     })?;
     let rest = &content.bytes[start..];
     Some(String::from_utf8_lossy(&rest[..rest.len().min(SECTION)]))

@@ -85,6 +85,8 @@ content_kinds! {
     Network "network" Role::Canopen, Some("its keys `file` name the descriptions");
     /// Patch of descriptions (docs/patches.md).
     Patch "patch" Role::Canopen, Some("`objdict patch check` compares it with descriptions, and `--patch` applies it to them");
+    /// EDS of Ethernet POWERLINK, which has the layout of that of CANopen.
+    PowerlinkEds "EDS" Role::Foreign, Some("ask the vendor for the CANopen EDS or XDD");
     /// XML device description of Ethernet POWERLINK (EPSG 311).
     PowerlinkXdd "XDD" Role::Foreign, Some("ask the vendor for the CANopen EDS or XDD");
     /// XML device configuration of Ethernet POWERLINK (EPSG 311).

@@ -138,6 +138,7 @@ impl Identification {
             }
             Kind::Network => "is a network of objdict and describes no device",
             Kind::Patch => "is a patch, which corrects descriptions and describes no device",
+            Kind::PowerlinkEds => "describes an Ethernet POWERLINK device, not a CANopen one",
             Kind::PowerlinkXdd => "describes an Ethernet POWERLINK device (EPSG 311), not a CANopen one",
             Kind::PowerlinkXdc => {
                 "describes a configured Ethernet POWERLINK device (EPSG 311), not a CANopen one"

@@ -15,7 +15,7 @@ use super::dictionary::Dictionary;
 use super::escape::filters;
 use super::head::{Head, files};
 use super::notes::{in_order, once_per_device};
-use super::{GenerateError, Made, Options, render};
+use super::{GenerateError, Made, Options, render, startup};
 use crate::model::{Device, ExtraSection, OBJDICTGEN_SECTION};
 use names::{Names, words};
 use plan::Plan;
@@ -50,6 +50,7 @@ pub(super) fn make(device: &Device, options: &Options) -> Result<Made, GenerateE
     let head = Head::new(device, options, &node, &stem);
     let names = Names::new(&node, is_project);
     let plan = Plan::new(&dictionary, options, names, &mut notes);
+    notes.append(&mut startup::notes(&startup::CANFESTIVAL, &dictionary));
     let slots = positions::slots(&plan.objects);
     let tables = Tables { head, dictionary: &dictionary, plan, slots };
     let stem = &tables.head.stem;
@@ -86,6 +87,11 @@ impl Tables<'_> {
         let is_manager = device.commissioning.as_ref().and_then(|node| node.manager) == Some(true);
         let is_master = |section: &ExtraSection| section.entries().any(|entry| entry == ("Type", "master"));
         u8::from(!is_manager && !project(device).is_some_and(is_master))
+    }
+
+    /// A COB-ID of the SDO server, which `setNodeId()` changes.
+    fn server_cob_id(&self, base: u16) -> String {
+        format!("{:08X}", base + u16::from(self.dictionary.node_id.unwrap_or(0)))
     }
 
     /// The position of each object.

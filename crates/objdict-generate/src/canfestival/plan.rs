@@ -208,7 +208,7 @@ impl Builder<'_> {
     fn protect(&mut self, object: &ResolvedObject<'_>, family: Option<Family>, rows: &mut Vec<RowData>) {
         let Some(family) = family else { return };
         let count = match object.entries.first().map(|entry| &entry.resolved.default) {
-            Some(Datum::Word(count @ 0..=64))
+            Some(Datum::Word(count @ 0..=254))
                 if matches!(family, Family::RpdoMapping | Family::TpdoMapping) =>
             {
                 usize::try_from(*count).unwrap_or(0) + 1
@@ -280,12 +280,12 @@ impl Builder<'_> {
     }
 }
 
-/// A row for a sub-index without an entry: reads are refused, and no write has its length.
+/// A row for a sub-index without an entry: no buffer is long enough for it, and no write has its length.
 fn gap(node: &str) -> RowData {
     RowData {
         access: "RO | WO".to_owned(),
         data_type: "uint8".to_owned(),
-        size: 0,
+        size: u32::MAX as usize,
         object: format!("{node}_zero"),
     }
 }

@@ -14,6 +14,8 @@ pub(super) enum Slot {
     NoPdo,
     /// A mapping of no objects, for a PDO without a mapping.
     NoMapping,
+    /// The parameters of the SDO server, which a node also has without 1200h.
+    Server,
 }
 
 /// The list, and the first and last position of each family; 0 without one.
@@ -66,6 +68,9 @@ pub(super) fn slots(objects: &[PlannedObject]) -> Slots {
                     found.push((index, instead));
                 }
             }
+        }
+        if of == Family::SdoServer && !found.iter().any(|(index, _)| *index == 0x1200) {
+            found.push((0x1200, Slot::Server));
         }
         found.sort_by_key(|(index, _)| *index);
         list.extend(found.into_iter().map(|(_, slot)| slot));

@@ -31,7 +31,11 @@ pub(super) fn report(dictionary: &Dictionary<'_>, plan: &Plan, slots: &Slots) ->
         tally.rest(Memory::Initialised, word.size); // its COB-ID
     }
     if slots.has(Slot::NoMapping) {
-        tally.rest(Memory::Flash, row);
+        tally.rest(Memory::Flash, 2 * row);
+    }
+    if slots.has(Slot::Server) {
+        tally.rest(Memory::Flash, 3 * row);
+        tally.rest(Memory::Initialised, 2 * word.size); // its COB-IDs
     }
     let ranges = half.times(slots.first.len() + slots.last.len()); // of the families
     tally.rest(Memory::Flash, ranges.size + half.size + byte.size); // with their number, and the role of the node

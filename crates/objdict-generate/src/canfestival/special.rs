@@ -61,7 +61,8 @@ impl Family {
             Self::SdoServer => 3,
             Self::SdoClient => 4,
             Self::Rpdo | Self::Tpdo => 6,
-            Self::RpdoMapping | Self::TpdoMapping => 1,
+            // a mapping of nothing is read, too
+            Self::RpdoMapping | Self::TpdoMapping => 2,
         }
     }
 }

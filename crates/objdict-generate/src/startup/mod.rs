@@ -12,7 +12,7 @@ use crate::Note;
 use crate::dictionary::{Dictionary, ResolvedObject};
 use crate::resolve::{Datum, Shape};
 
-pub(crate) use stacks::{CANOPEN_STACK, CANOPENNODE, CANOPENNODE_V1, LELY};
+pub(crate) use stacks::{CANFESTIVAL, CANOPEN_STACK, CANOPENNODE, CANOPENNODE_V1, LELY};
 
 /// A stack, as far as a dictionary can be served less than described.
 pub(crate) struct Stack {
@@ -20,8 +20,8 @@ pub(crate) struct Stack {
     mapping: pdos::Mapping,
     /// Why it does not serve PDOs, in the order in which it looks, and what becomes of them.
     pdos: &'static [pdos::Row],
-    /// What it does with two heartbeat consumers of one node.
-    consumers: Option<consumers::Repeated>,
+    /// Which heartbeat consumers it takes; `None` if all.
+    consumers: Option<consumers::Consumers>,
     /// What it demands of the parameters of SDO channels.
     sdo: &'static [sdo::Row],
 }
@@ -29,7 +29,7 @@ pub(crate) struct Stack {
 /// What the stack will not serve.
 pub(crate) fn notes(stack: &Stack, dictionary: &Dictionary<'_>) -> Vec<Note> {
     let mut notes = pdos::notes(stack, dictionary);
-    notes.extend(stack.consumers.iter().flat_map(|repeated| consumers::notes(repeated, dictionary)));
+    notes.extend(stack.consumers.iter().flat_map(|rules| consumers::notes(rules, dictionary)));
     notes.extend(stack.sdo.iter().flat_map(|row| sdo::notes(row, dictionary)));
     notes
 }

@@ -5,7 +5,7 @@ use std::collections::BTreeSet;
 use super::{Stack, number, words};
 use crate::Note;
 use crate::dictionary::{Dictionary, ResolvedObject};
-use crate::model::{Device, MappedObject, PdoKind, Place};
+use crate::model::{DataType, Device, MappedObject, PdoKind, Place};
 use crate::resolve::Shape;
 
 /// Bits of a COB-ID: not valid, no RTR, 29 bits.
@@ -20,6 +20,8 @@ const LONGEST: u32 = 64;
 pub(super) struct Mapping {
     /// Whether it also reads the slots behind the number of mapped objects, up to the eighth.
     pub(super) reads_all: bool,
+    /// The fewest objects that it maps to a TPDO: the first slot may be read even if their number is 0.
+    pub(super) least: u8,
     /// The most objects that it maps.
     pub(super) most: u8,
     /// The data types that it maps as dummy entries.
@@ -36,6 +38,12 @@ pub(super) enum Cause {
     RtrAllowed,
     Extended,
     NoCanId,
+    /// The CAN-ID is 0, and there is something to send.
+    OnNmt,
+    /// Outside the CAN-IDs that the stack takes for PDOs.
+    NotDispatched,
+    /// An RPDO before it has the CAN-ID, valid or not.
+    Taken,
     NoMapping,
     TooMany,
     /// So many, and so short, that the stack does not notice.
@@ -50,6 +58,10 @@ pub(super) enum Cause {
     Short,
     /// Numbers of another length.
     Size,
+    /// A length that the functions of the dictionary refuse: each other one when they write, a longer one when they read.
+    Length,
+    /// In flash, and the stack does not look at the access type when it writes.
+    Constant,
     Empty,
     Reserved,
     /// Neither events nor SYNCs nor RTRs transmit it.
@@ -136,13 +148,20 @@ impl<'a> Served<'a> {
         datum.is_some_and(|datum| !datum.is_formula() && datum.word() & 0x7FF == 0)
     }
 
+    /// The CAN-ID on the node.
+    fn can_id(&self) -> u64 {
+        let datum = super::datum(self.communication, 1, 4);
+        datum.map_or(0, |datum| datum.on_node(self.dictionary.node_id) & 0x7FF)
+    }
+
     fn count(&self) -> u8 {
         number(self.mapping, 0, 1).and_then(|count| u8::try_from(count).ok()).unwrap_or(0)
     }
 
     /// The slots that the stack reads, with the mapped object; `None` for a slot that is not described.
     fn slots(&self) -> impl Iterator<Item = (u8, Option<MappedObject>)> + '_ {
-        let (count, most) = (self.count(), self.rules.most);
+        let least = if self.kind == PdoKind::Tpdo { self.rules.least } else { 0 };
+        let (count, most) = (self.count().max(least), self.rules.most);
         let last = match (self.rules.reads_all, count > most) {
             (true, _) => most,
             (false, true) => 0, // an MPDO, or more than the stack takes
@@ -182,6 +201,13 @@ impl<'a> Served<'a> {
             Cause::RtrAllowed => cob_id & NO_RTR == 0,
             Cause::Extended => cob_id & EXTENDED != 0,
             Cause::NoCanId => self.is_zero(),
+            Cause::OnNmt => self.bits() > 0 && self.is_zero(),
+            Cause::NotDispatched => self.bits() > 0 && !(0x180..=0x57F).contains(&self.can_id()),
+            Cause::Taken => {
+                let is_before = |pdo: &Self| pdo.kind == self.kind && pdo.number < self.number;
+                let mut before = Self::all(self.dictionary, self.rules).filter(is_before);
+                self.bits() > 0 && before.any(|pdo| pdo.can_id() == self.can_id())
+            }
             Cause::NoMapping => number(self.mapping, 0, 1).is_none(),
             Cause::TooMany => self.count() > 8,
             Cause::Overrun => self.count() > 8 && self.fits_nine(),
@@ -205,7 +231,9 @@ impl<'a> Served<'a> {
             | Cause::Direction
             | Cause::NotMappable
             | Cause::Short
-            | Cause::Size => {
+            | Cause::Size
+            | Cause::Length
+            | Cause::Constant => {
                 let wrong = self.mapped().find(|(_, mapped)| self.has(*mapped, row.cause));
                 return wrong.map(|(sub, _)| (row, Some(sub)));
             }
@@ -228,7 +256,12 @@ impl<'a> Served<'a> {
             PdoKind::Tpdo => (resolved.tpdo, resolved.rpdo),
         };
         let bytes = usize::from(mapped.bits.div_ceil(8));
+        let is_text = matches!(resolved.shape, Shape::Bytes(DataType::VISIBLE_STRING, _));
         match cause {
+            Cause::Length if self.kind == PdoKind::Tpdo => resolved.shape.size() > bytes,
+            Cause::Length if is_text => resolved.shape.size() < bytes,
+            Cause::Length => resolved.shape.size() != bytes,
+            Cause::Constant => resolved.constant && !is_text,
             Cause::Bits => !mapped.bits.is_multiple_of(8),
             Cause::Direction => !fits && fits_other,
             Cause::NotMappable => !fits && !fits_other,
@@ -252,7 +285,16 @@ impl<'a> Served<'a> {
             };
         let place = match (cause, slot) {
             (Cause::NoTransmissionType | Cause::Reserved | Cause::NoTrigger, _) => of_communication(2),
-            (Cause::NoCobId | Cause::RtrAllowed | Cause::Extended | Cause::NoCanId, _) => of_communication(1),
+            (
+                Cause::NoCobId
+                | Cause::RtrAllowed
+                | Cause::Extended
+                | Cause::NoCanId
+                | Cause::OnNmt
+                | Cause::NotDispatched
+                | Cause::Taken,
+                _,
+            ) => of_communication(1),
             (Cause::SyncStart, _) => of_communication(6),
             (Cause::Number | Cause::NoMapping, _) => Place::object(communication),
             (Cause::NoSlot, _) => Place::object(mapping),

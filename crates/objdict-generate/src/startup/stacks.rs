@@ -1,7 +1,7 @@
-//! One table for each stack, read from its sources: CANopenNode 4 of July 2026 and 1.3, canopen-stack 4.4, Lely core 2.4.
+//! One table for each stack, read from its sources: CANopenNode 4 of July 2026 and 1.3, canopen-stack 4.4, Lely core 2.4, CanFestival 3.
 
 use super::Stack;
-use super::consumers::Repeated;
+use super::consumers::Consumers;
 use super::pdos::{Cause, Mapping, Row};
 use super::sdo;
 use crate::model::{DataType, Device, MappedObject, PdoKind};
@@ -20,7 +20,7 @@ const fn one(cause: Cause, kind: PdoKind, effect: &'static str) -> Row {
 
 /// `PDO_initMapping`, `CO_RPDO_init`, `CO_TPDO_init`, `CO_HBconsumer_initEntry`, `CO_SDOserver_init`, `CO_SDOclient_init`.
 pub(crate) const CANOPENNODE: Stack = Stack {
-    mapping: Mapping { reads_all: true, most: 8, is_dummy: |_, _, mapped| mapped.sub == 0 },
+    mapping: Mapping { reads_all: true, least: 0, most: 8, is_dummy: |_, _, mapped| mapped.sub == 0 },
     pdos: &[
         both(Cause::TooMany, MEMORY),
         both(Cause::Missing, DISABLED),
@@ -34,10 +34,10 @@ pub(crate) const CANOPENNODE: Stack = Stack {
         both(Cause::NoCanId, DISABLED),
         both(Cause::Extended, "will use the lower 11 bits of the CAN-ID in the stack"),
     ],
-    consumers: Some(Repeated {
+    consumers: Some(Consumers {
         from_last: false,
         is_counted: false,
-        effect: "the stack rejects the heartbeat consumer",
+        repeated: Some("the stack rejects the heartbeat consumer"),
     }),
     sdo: &[
         sdo::Row::Highest { first: 0x1201, last: 0x127F, allowed: &[2, 3] },
@@ -49,6 +49,7 @@ pub(crate) const CANOPENNODE: Stack = Stack {
 pub(crate) const CANOPENNODE_V1: Stack = Stack {
     mapping: Mapping {
         reads_all: false,
+        least: 0,
         most: 8,
         is_dummy: |_, _, mapped| mapped.sub == 0 && dummy_bits(mapped.index) >= mapped.bits,
     },
@@ -80,6 +81,7 @@ const EMPTY: &str = "will not be transmitted by the stack, or empty if the appli
 pub(crate) const CANOPEN_STACK: Stack = Stack {
     mapping: Mapping {
         reads_all: false,
+        least: 0,
         most: 8,
         is_dummy: |_, kind, mapped| kind == PdoKind::Rpdo && (2..=7).contains(&mapped.index),
     },
@@ -105,10 +107,10 @@ pub(crate) const CANOPEN_STACK: Stack = Stack {
         one(Cause::Missing, PdoKind::Tpdo, EMPTY),
         both(Cause::Bits, "will be misread by the stack"),
     ],
-    consumers: Some(Repeated {
+    consumers: Some(Consumers {
         from_last: true,
         is_counted: true,
-        effect: "the stack does not monitor the nodes of this and of all entries before",
+        repeated: Some("the stack does not monitor the nodes of this and of all entries before"),
     }),
     sdo: &[sdo::Row::DefaultServer],
 };
@@ -120,6 +122,7 @@ const NOT_SENT: &str = "will not be transmitted by the stack";
 pub(crate) const LELY: Stack = Stack {
     mapping: Mapping {
         reads_all: false,
+        least: 0,
         most: 64,
         is_dummy: |device, kind, mapped| {
             mapped.is_unused() || kind == PdoKind::Rpdo && mapped.sub == 0 && is_enabled(device, mapped)
@@ -142,6 +145,28 @@ pub(crate) const LELY: Stack = Stack {
     ],
     consumers: None,
     sdo: &[],
+};
+
+/// `proceedPDO`, `buildPDO`, `_sendPDOevent`, `canDispatch`, `proceedSDO`, `heartbeatInit`.
+pub(crate) const CANFESTIVAL: Stack = Stack {
+    mapping: Mapping { reads_all: false, least: 1, most: 64, is_dummy: |_, _, mapped| mapped.bits == 0 },
+    pdos: &[
+        one(Cause::NotDispatched, PdoKind::Rpdo, IGNORED),
+        one(Cause::Taken, PdoKind::Rpdo, IGNORED),
+        one(Cause::Dummy, PdoKind::Rpdo, REJECTED),
+        one(Cause::Missing, PdoKind::Rpdo, REJECTED),
+        one(Cause::Length, PdoKind::Rpdo, REJECTED),
+        one(Cause::Constant, PdoKind::Rpdo, "will make the stack write to constants"),
+        one(Cause::NoTrigger, PdoKind::Tpdo, NOT_SENT),
+        one(Cause::Dummy, PdoKind::Tpdo, NOT_SENT),
+        one(Cause::Missing, PdoKind::Tpdo, NOT_SENT),
+        one(Cause::Length, PdoKind::Tpdo, NOT_SENT),
+        one(Cause::OnNmt, PdoKind::Tpdo, ON_NMT),
+        both(Cause::Extended, "will use the lower 11 bits of the CAN-ID in the stack"),
+        both(Cause::TooLong, "will lose in the stack what is behind 8 bytes"),
+    ],
+    consumers: Some(Consumers { from_last: false, is_counted: true, repeated: None }),
+    sdo: &[sdo::Row::DefaultServer],
 };
 
 /// The bits that CANopenNode 1.3 has for a dummy entry.

@@ -19,7 +19,9 @@ pub(super) fn why(cause: Cause, kind: PdoKind, mapped: &BTreeSet<MappedObject>) 
         Cause::NoCobId => "sub-index 1 is no COB-ID of 32 bits".to_owned(),
         Cause::RtrAllowed => "bit 30 of the COB-ID is clear (RTR allowed)".to_owned(),
         Cause::Extended => "the CAN-ID has 29 bits".to_owned(),
-        Cause::NoCanId => "the CAN-ID is 0".to_owned(),
+        Cause::NoCanId | Cause::OnNmt => "the CAN-ID is 0".to_owned(),
+        Cause::NotDispatched => "the stack takes only the CAN-IDs 180h to 57Fh for PDOs".to_owned(),
+        Cause::Taken => "an RPDO before it has the same CAN-ID, valid or not".to_owned(),
         Cause::NoMapping => "the mapping is missing".to_owned(),
         Cause::TooMany | Cause::Overrun => {
             "the stack maps at most 8 objects and does not support multiplexed PDOs".to_owned()
@@ -35,8 +37,9 @@ pub(super) fn why(cause: Cause, kind: PdoKind, mapped: &BTreeSet<MappedObject>) 
         Cause::Bits => format!("{entries} {be} mapped with a length that is not a multiple of 8 bits"),
         Cause::Direction => format!("{entries} can be mapped to {other}s only"),
         Cause::NotMappable => format!("{entries} cannot be mapped to PDOs"),
+        Cause::Constant => format!("{entries} {be} in flash"),
         Cause::Short => format!("{entries} {be} shorter than their part of the PDO"),
-        Cause::Size => format!("{entries} {be} not as long as their part of the PDO"),
+        Cause::Size | Cause::Length => format!("{entries} {be} not as long as their part of the PDO"),
     };
     (text, help(cause))
 }
@@ -47,7 +50,9 @@ const fn help(cause: Cause) -> &'static str {
         Cause::NoTransmissionType | Cause::NoCobId => "describe the entry with this data type",
         Cause::RtrAllowed => "set bit 30, as in `$NODEID+0x40000180`",
         Cause::Extended => "use a CAN-ID of 11 bits",
-        Cause::NoCanId => "write a CAN-ID, or set bit 31 if the PDO is not in use",
+        Cause::NoCanId | Cause::OnNmt => "write a CAN-ID, or set bit 31 if the PDO is not in use",
+        Cause::NotDispatched => "use one of these",
+        Cause::Taken => "use a CAN-ID of its own",
         Cause::NoMapping => "describe the mapping parameter, or set bit 31 of the COB-ID",
         Cause::TooMany | Cause::Overrun | Cause::TooLong => "map fewer objects",
         Cause::NoSlot => "describe these entries, or correct the number",
@@ -61,7 +66,8 @@ const fn help(cause: Cause) -> &'static str {
         Cause::Direction | Cause::NotMappable => {
             "correct the access type or `PDOMapping` of the entries, or the mapping"
         }
-        Cause::Short | Cause::Size => "correct the length in the mapping",
+        Cause::Constant => "correct the access type of the entries, or the mapping",
+        Cause::Short | Cause::Size | Cause::Length => "correct the length in the mapping",
     }
 }
 

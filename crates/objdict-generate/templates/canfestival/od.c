@@ -101,6 +101,16 @@ static ODCallback_t {{ head.lower }}_Index{{ object.index|hex4 }}_callbacks[{{ o
 {%- endfor %}
 };
 {%- endfor %}
+{%- if slots.has(Slot::Server) %}
+
+/* The SDO server, which a node also has without 1200h. */
+static UNS32 {{ head.lower }}_serverCobIds[2] = {0x{{ self.server_cob_id(0x600) }}u, 0x{{ self.server_cob_id(0x580) }}u};
+{{ head.upper }}_ROWS {{ head.lower }}_server[3] = {
+    {{ head.upper }}_ROW(RO, uint8, 1u, &{{ head.lower }}_zero),
+    {{ head.upper }}_ROW(RO, uint32, 4u, &{{ head.lower }}_serverCobIds[0]),
+    {{ head.upper }}_ROW(RO, uint32, 4u, &{{ head.lower }}_serverCobIds[1]),
+};
+{%- endif %}
 {%- if slots.has(Slot::NoPdo) %}
 
 /* The parameters of a mapping without any: a PDO that is not valid. */
@@ -117,7 +127,10 @@ static UNS32 {{ head.lower }}_noCobId = 0x80000000u;
 {%- if slots.has(Slot::NoMapping) %}
 
 /* The mapping of a PDO without any. */
-{{ head.upper }}_ROWS {{ head.lower }}_noMapping[1] = { {{- head.upper }}_ROW(RO, uint8, 1u, &{{ head.lower }}_zero)};
+{{ head.upper }}_ROWS {{ head.lower }}_noMapping[2] = {
+    {{ head.upper }}_ROW(RO, uint8, 1u, &{{ head.lower }}_zero),
+    {{ head.upper }}_ROW(RO, uint32, 4u, &{{ head.lower }}_zero),
+};
 {%- endif %}
 
 const indextable {{ head.lower }}_objdict[] = {
@@ -130,8 +143,10 @@ const indextable {{ head.lower }}_objdict[] = {
     {NULL, 0u, 0u},
 {%- when Slot::NoPdo %}
     {(subindex *){{ head.lower }}_noPdo, 6u, 0u},
+{%- when Slot::Server %}
+    {(subindex *){{ head.lower }}_server, 3u, 0u},
 {%- when Slot::NoMapping %}
-    {(subindex *){{ head.lower }}_noMapping, 1u, 0u},
+    {(subindex *){{ head.lower }}_noMapping, 2u, 0u},
 {%- endmatch %}
 {%- endfor %}
 };

@@ -34,10 +34,11 @@ impl InvalidValue {
                 let end = formula.find(|c: char| c != '_' && !c.is_ascii_alphabetic());
                 let (name, offset) = formula.split_at(end.unwrap_or(formula.len()));
                 let is_node_id = name.replace('_', "").to_ascii_uppercase().ends_with("NODEID");
-                let formula = is_node_id.then(|| format!("$NODEID{offset}"))?;
-                value(&formula, Some(data_type), &mut Quirks::default()).ok().map(Intended::Value)
+                of_node_id(offset, data_type).filter(|_| is_node_id)
             }
             Reason::NotANumber if is_no_value(text) => Some(Intended::Nothing),
+            // a script has replaced `$NODEID` by nothing
+            Reason::NotANumber if text.starts_with("\\+") => of_node_id(&text[1..], data_type),
             Reason::NotANumber => {
                 let (whole, zeros) = text.split_once('.')?;
                 let is_whole = !zeros.is_empty() && zeros.bytes().all(|digit| digit == b'0');
@@ -58,6 +59,12 @@ impl InvalidValue {
             _ => None,
         })
     }
+}
+
+/// The formula of the node-ID with what is behind it.
+fn of_node_id(offset: &str, data_type: DataType) -> Option<Intended> {
+    let formula = format!("$NODEID{offset}");
+    value(&formula, Some(data_type), &mut Quirks::default()).ok().map(Intended::Value)
 }
 
 /// Whether a text says that nothing is set.
@@ -113,6 +120,9 @@ mod tests {
             ("3", DataType::BOOLEAN, Some(Intended::Value(Value::Boolean(true)))),
             ("$MY_NODE_ID+0x200", DataType::UNSIGNED32, Some(Intended::Value(Value::NodeId(0x200)))),
             ("$SPEED+1", DataType::UNSIGNED32, None),
+            ("\\+384", DataType::UNSIGNED32, Some(Intended::Value(Value::NodeId(0x180)))),
+            ("\\+", DataType::UNSIGNED32, None),
+            ("\\384", DataType::UNSIGNED32, None),
             ("300", DataType::UNSIGNED8, None),
         ] {
             assert_eq!(meaning(text, data_type), expected, "{text}");

@@ -5,7 +5,7 @@ use std::io::{BufRead, BufReader, Write};
 use std::path::Path;
 use std::process::{Child, ChildStdin, ChildStdout, Command, Stdio};
 
-use objdict::generate::Options;
+use objdict::generate::{Options, StackLayout};
 use objdict::model::{Access, DataType, Value};
 use objdict_device::{Abort, Frame, SdoClient, SdoStep};
 
@@ -79,22 +79,30 @@ fn answer(line: &str) -> Frame {
     Frame::new(0x580 + u16::from(NODE_ID), &bytes).unwrap()
 }
 
+/// The stack with the tables of a device that has a text with this default, and with a file of the application.
+fn with_text(default: Option<Value>, options: &Options, application: Option<&str>) -> Option<Server> {
+    let (stack, compiler) = (checkout("OBJDICT_CANOPENNODE_DIR")?, c_compiler()?);
+    let folder = tempfile::tempdir().unwrap();
+    let mut device = device(&support::fixtures().join("eds/io-401.eds"));
+    let text = odd::entry("Text", DataType::VISIBLE_STRING, Access::Rw, default);
+    device.objects.insert(TEXT, odd::var(text));
+    generate_into(folder.path(), &device, options);
+    let mut cc = with_port(&compiler, folder.path(), &stack);
+    cc.args(FLAGS).args(["-o", "node", "OD.c"]).arg(beside("canopennode", "real/node.c"));
+    if let Some(source) = application {
+        std::fs::write(folder.path().join("application.c"), source).unwrap();
+        cc.args(["-DWITH_HOOKS", "application.c"]);
+    }
+    cc.arg(stack.join("CANopen.c")).arg(stack.join("301/crc16-ccitt.c")).args(sources(&stack));
+    succeed(&mut cc, "").unwrap();
+    Some(Server::start(&folder.path().join("node")))
+}
+
 /// A text of every length is written and read by each protocol.
 #[test]
 fn a_client_writes_and_reads_an_entry_of_the_real_stack() {
-    let (Some(stack), Some(compiler)) = (checkout("OBJDICT_CANOPENNODE_DIR"), c_compiler()) else { return };
-    let folder = tempfile::tempdir().unwrap();
-    let mut device = device(&support::fixtures().join("eds/io-401.eds"));
-    let text = Some(Value::Text("x".repeat(LONGEST).into()));
-    let text = odd::entry("Text", DataType::VISIBLE_STRING, Access::Rw, text);
-    device.objects.insert(TEXT, odd::var(text));
-    generate_into(folder.path(), &device, &Options::default());
-    let mut cc = with_port(&compiler, folder.path(), &stack);
-    cc.args(FLAGS).args(["-o", "node", "OD.c"]).arg(beside("canopennode", "real/node.c"));
-    cc.arg(stack.join("CANopen.c")).arg(stack.join("301/crc16-ccitt.c")).args(sources(&stack));
-    succeed(&mut cc, "").unwrap();
-
-    let mut server = Server::start(&folder.path().join("node"));
+    let text = Value::Text("x".repeat(LONGEST).into());
+    let Some(mut server) = with_text(Some(text), &Options::default(), None) else { return };
     for length in 1..=LONGEST {
         let value: Vec<u8> = (0..length).map(|at| (at * 37 + length) as u8 | 1).collect();
         for is_block in [false, true] {
@@ -114,4 +122,64 @@ fn a_client_writes_and_reads_an_entry_of_the_real_stack() {
     let mut client = SdoClient::new(NODE_ID);
     let step = client.upload_block(0x3000, 0, 0);
     assert_eq!(server.run(&mut client, &mut [], step), Err(Abort::NoObject));
+}
+
+/// A text of the application, as in the examples of the stack.
+const APPLICATION: &str = r#"
+#include "301/CO_ODinterface.h"
+#include "OD.h"
+#include <string.h>
+
+static char text[32];
+
+ODR_t OD_read_H2ABC(OD_stream_t *stream, void *buf, OD_size_t count, OD_size_t *countRead)
+{
+    *countRead = (OD_size_t)strlen(text);
+    if (*countRead > count) {
+        return ODR_DEV_INCOMPAT;
+    }
+    memcpy(buf, text, *countRead);
+    stream->dataLength = *countRead;
+    return ODR_OK;
+}
+
+ODR_t OD_write_H2ABC(OD_stream_t *stream, const void *buf, OD_size_t count, OD_size_t *countWritten)
+{
+    (void)stream;
+    if (count >= sizeof text) {
+        return ODR_DATA_LONG;
+    }
+    memset(text, 0, sizeof text);
+    memcpy(text, buf, count);
+    *countWritten = count;
+    return ODR_OK;
+}
+"#;
+
+/// In the layout of `CANopenEditor` a text without default has no variable and no length, so any length reaches the application.
+#[test]
+fn a_text_without_a_variable_is_written_to_the_application() {
+    let mut options = Options::default();
+    options.layout = StackLayout::CanOpenEditor;
+    let Some(mut server) = with_text(None, &options, None) else { return };
+    let transfer = |server: &mut Server, sent: &[u8]| {
+        let mut client = SdoClient::new(NODE_ID);
+        let mut value = sent.to_vec();
+        let step = client.download(&mut value[..], TEXT, 0, sent.len(), 0);
+        let written = server.run(&mut client, &mut value, step);
+        let mut read = [0; 32];
+        let step = client.upload(TEXT, 0, 0);
+        (written, server.run(&mut client, &mut read, step).map(|length| read[..length].to_vec()))
+    };
+    // without the application there is nothing
+    let missing = Abort::NoSubIndex;
+    assert_eq!(transfer(&mut server, b"drive"), (Err(missing), Err(missing)));
+
+    options.hooks = [format!("{TEXT:X}").parse().unwrap()].into();
+    let Some(mut server) = with_text(None, &options, Some(APPLICATION)) else { return };
+    for text in ["d", "five!", "fifteen letters"] {
+        let bytes = text.as_bytes().to_vec();
+        assert_eq!(transfer(&mut server, &bytes), (Ok(bytes.len()), Ok(bytes)), "{text}");
+    }
+    assert_eq!(transfer(&mut server, &[b'x'; 40]).0, Err(Abort::TooLong));
 }

@@ -121,6 +121,9 @@ static CO_t *start(uint8_t node_id)
         exit(1);
     }
     OD_applyNodeId(node_id);
+#ifdef WITH_HOOKS
+    OD_initHooks(NULL);
+#endif
     demand("CO_CANinit", CO_CANinit(node, NULL, bit_rate), 0);
     memset(&address, 0, sizeof address);
     demand("CO_LSSinit", CO_LSSinit(node, &address, &pending_id, &bit_rate), 0);
