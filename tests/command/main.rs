@@ -29,3 +29,5 @@ mod replaced;
 mod reports;
 #[path = "../support/mod.rs"]
 mod support;
+#[cfg(windows)]
+mod windows;

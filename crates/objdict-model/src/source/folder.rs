@@ -1,9 +1,9 @@
 //! Reads the files that another file names, only from its project.
 
 use std::fs;
-use std::path::{Component, Path, PathBuf};
+use std::path::{Component, MAIN_SEPARATOR_STR, Path, PathBuf};
 
-use super::{HARD_LIMIT, SourceError, is_file, read};
+use super::{HARD_LIMIT, SourceError, is_file, read, shown};
 
 /// The name of configuration files.
 pub const CONFIG_FILE: &str = "objdict.toml";
@@ -96,18 +96,20 @@ impl Folder {
         }
         let outside = || FolderError::Outside { name: name.to_owned() };
         let plain = self.folder.join(name);
-        let of_windows = self.folder.join(name.replace('\\', "/"));
+        // a path that begins with `\\?\` has the separators of Windows alone
+        let foreign = if cfg!(windows) { '/' } else { '\\' };
+        let native = self.folder.join(name.replace(foreign, MAIN_SEPARATOR_STR));
         // before accessing the file system, to reveal nothing about its contents
         let may_lead_to = |path: &Path| self.allowed.iter().any(|folder| absolute(path).starts_with(folder));
-        if !may_lead_to(&plain) || !may_lead_to(&of_windows) {
+        if !may_lead_to(&plain) || !may_lead_to(&native) {
             return Err(outside());
         }
-        let path = if plain.exists() { plain } else { of_windows };
+        let path = if !cfg!(windows) && plain.exists() { plain } else { native };
         if !path.exists() && is_file(&path) {
             // of a file that was never saved no link leads elsewhere
             return Ok(path);
         }
-        let failed = |error| SourceError::Io { path: path.display().to_string(), error };
+        let failed = |error| SourceError::Io { path: shown(&path), error };
         let real = fs::canonicalize(&path).map_err(failed)?;
         let is_below =
             |folder: &PathBuf| fs::canonicalize(folder).is_ok_and(|folder| real.starts_with(folder));
