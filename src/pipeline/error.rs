@@ -146,9 +146,10 @@ impl Error {
                     .to_owned(),
             ),
             #[cfg(all(feature = "json", feature = "lint"))]
-            Self::Baseline { path, .. } => {
-                Some(format!("`objdict check --write-baseline {}` writes it anew", crate::source::shown(path)))
-            }
+            Self::Baseline { path, .. } => Some(format!(
+                "`objdict check --write-baseline {}` writes it anew",
+                crate::source::shown(path)
+            )),
             Self::UnknownRule { name } => Some(match crate::registry::nearest_selection(name) {
                 Some(meant) => format!("did you mean `{meant}`?"),
                 None => "`objdict rules` lists all".to_owned(),

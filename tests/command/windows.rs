@@ -1,4 +1,5 @@
-//! What only Windows has: drives, separators, names of devices, and patterns that the shell leaves to programs.
+//! What only Windows has: drives, separators, names of devices, and patterns that the shell leaves to programs. Elsewhere these tests need a
+//! command for Windows (`OBJDICT_PROGRAM`).
 
 use std::fs;
 use std::path::{Path, PathBuf};
@@ -7,7 +8,7 @@ use std::process::{Command, Output};
 const SOURCE: &str = "fixtures/eds/minimal.eds";
 
 fn objdict(folder: &Path, arguments: &[&str]) -> Output {
-    Command::new(env!("CARGO_BIN_EXE_objdict")).args(arguments).current_dir(folder).output().unwrap()
+    Command::new(crate::program()).args(arguments).current_dir(folder).output().unwrap()
 }
 
 /// What a command prints that ends with a code.
@@ -18,22 +19,33 @@ fn said(folder: &Path, arguments: &[&str], code: i32) -> String {
     text
 }
 
-/// A folder below one with a blank and letters of several alphabets in its name.
-fn folder() -> (tempfile::TempDir, PathBuf) {
+/// A folder with a blank and letters of several alphabets in its name, if the command is one for Windows.
+#[allow(clippy::print_stdout, reason = "says why a test is skipped")]
+fn folder() -> Option<(tempfile::TempDir, PathBuf)> {
+    if !crate::is_for_windows() {
+        println!("skipped: the command is not for Windows");
+        return None;
+    }
     let temporary = tempfile::tempdir().unwrap();
     let folder = temporary.path().join("Geräte 電源 №5");
     fs::create_dir(&folder).unwrap();
-    (temporary, folder)
+    Some((temporary, folder))
+}
+
+/// A path from its drive. For wine, the root of Linux is drive Z.
+fn with_drive(path: &Path) -> String {
+    let path = path.display().to_string();
+    if cfg!(windows) { path } else { format!("Z:{}", path.replace('/', r"\")) }
 }
 
 #[test]
 fn names_of_files_are_unicode() {
-    let (_temporary, folder) = folder();
+    let Some((_temporary, folder)) = folder() else { return };
     for name in ["a b.eds", "Antrieb ü€.eds", "電源.eds", "(1) & ^%PATH%!.eds", "😀.eds", "-x.eds"] {
         fs::copy(SOURCE, folder.join(name)).unwrap();
         let path = format!(".\\{name}");
-        assert_eq!(said(&folder, &["check", &path], 0), "no findings in 1 file\n");
-        let findings = said(&folder, &["check", "--select", "cia306/file-name", "--format", "concise", &path], 0);
+        let findings =
+            said(&folder, &["check", "--select", "cia306/file-name", "--format", "concise", &path], 0);
         assert!(findings.lines().next().is_some_and(|line| line.starts_with(&path)), "{findings}");
         said(&folder, &["convert", &path, "-o", "out\\"], 0);
         assert_eq!(fs::read(folder.join("out").join(name)).unwrap(), fs::read(SOURCE).unwrap(), "{name}");
@@ -43,53 +55,50 @@ fn names_of_files_are_unicode() {
 /// A path may be long, begin at a drive, at the root of one, or with `\\?\`, and have both separators.
 #[test]
 fn paths_have_drives() {
-    let (_temporary, folder) = folder();
-    let plain = std::path::absolute(&folder).unwrap();
-    let mut deep = plain.clone();
-    deep.extend(std::iter::repeat_n("a folder with a name of forty letters ..", 8));
-    let deep = deep.join("end");
-    let verbatim = format!(r"\\?\{}", deep.display());
-    fs::create_dir_all(&verbatim).unwrap();
+    let Some((_temporary, folder)) = folder() else { return };
+    let mut deep = folder.clone();
+    deep.extend(std::iter::repeat_n("a folder with a name of forty letters - x", 8));
+    fs::create_dir_all(&deep).unwrap();
     assert!(deep.as_os_str().len() > 260);
-    for folder in [&plain, &deep, Path::new(&verbatim), &plain.join("new")] {
-        let shown = folder.display().to_string();
-        let roots = [shown.clone(), shown.replacen(r"\", "/", 1), shown[2..].to_owned()];
-        let of_drive = folder.starts_with(r"\\?\");
-        for root in roots.iter().take(if of_drive { 1 } else { 3 }) {
+    let source = with_drive(&fs::canonicalize(SOURCE).unwrap());
+    for path in [&folder, &deep, &folder.join("new")] {
+        let shown = with_drive(path);
+        let verbatim = format!(r"\\?\{shown}");
+        for root in [&shown, &shown.replacen('\\', "/", 2), &shown[2..], &verbatim] {
             let [eds, out] = [format!(r"{root}\a.eds"), format!(r"{root}\out")];
-            let here = env!("CARGO_MANIFEST_DIR");
-            said(Path::new(here), &["convert", SOURCE, "-o", &eds], 0);
-            said(Path::new(here), &["check", &eds], 0);
-            said(Path::new(here), &["generate", &eds, "--target", "canopennode", "-o", &out], 0);
-            assert!(folder.join(r"out\canopennode\OD.h").is_file(), "{root}");
-            said(Path::new(here), &["show", &eds, "1017"], 0);
-            assert!(said(Path::new(here), &["check", &format!(r"{root}\*.eds")], 0).contains("1 file"));
-            assert!(said(Path::new(here), &["check", &format!(r"{root}\none.eds")], 2).contains("cannot read"));
-            fs::remove_dir_all(folder.join("out")).unwrap();
+            said(&folder, &["convert", &source, "-o", &eds], 0);
+            said(&folder, &["check", "--severity", "cia306/file-name=off", &eds], 0);
+            said(&folder, &["generate", &eds, "--target", "c", "--target", "canopennode", "-o", &out], 0);
+            assert!(path.join("out/canopennode/OD.h").is_file(), "{root}");
+            said(&folder, &["show", &eds, "1017"], 0);
+            assert!(said(&folder, &["check", &format!(r"{root}\*.eds")], 0).contains("1 file"));
+            let none = said(&folder, &["check", &format!(r"{root}\none.eds")], 2);
+            assert!(none.starts_with("error: cannot read `"), "{none}");
+            fs::remove_dir_all(path.join("out")).unwrap();
         }
     }
 }
 
-/// A description in JSON of what is found: SARIF names files by addresses.
+/// SARIF names files by their addresses, others from the current folder.
 #[test]
 fn addresses_of_files_have_drives() {
-    let (_temporary, folder) = folder();
+    let Some((_temporary, folder)) = folder() else { return };
     fs::copy("fixtures/broken/octal.eds", folder.join("a.eds")).unwrap();
-    let path = std::path::absolute(folder.join("a.eds")).unwrap();
-    let here = Path::new(env!("CARGO_MANIFEST_DIR"));
-    for path in [path.display().to_string(), format!(r"\\?\{}", path.display())] {
-        let log = said(here, &["check", "--format", "sarif", &path], 1);
-        let drive = format!("\"uri\":\"file:///{}:/", &path.trim_start_matches(r"\\?\")[..1]);
-        assert!(log.contains(&drive) && log.contains("Ger%C3%A4te%20%E9%9B%BB"), "{log}");
+    let path = with_drive(&folder.join("a.eds"));
+    for path in [path.clone(), format!(r"\\?\{path}")] {
         let inside = said(&folder, &["check", "--format", "github", &path], 1);
-        assert!(inside.starts_with("::error file=a.eds,"), "{inside}");
+        assert!(inside.contains("::error file=a.eds,"), "{inside}");
+        fs::create_dir_all(folder.join("other")).unwrap();
+        let log = said(&folder.join("other"), &["check", "--format", "sarif", &path], 1);
+        let start = format!("\"uri\":\"file:///{}/", &path.trim_start_matches(r"\\?\")[..2]);
+        assert!(log.contains(&start) && log.contains("/Ger%C3%A4te%20%E9%9B%BB"), "{log}");
     }
 }
 
 /// `cmd` gives patterns to programs as they are.
 #[test]
 fn patterns_are_expanded() {
-    let (_temporary, folder) = folder();
+    let Some((_temporary, folder)) = folder() else { return };
     fs::create_dir_all(folder.join("sub/below")).unwrap();
     for name in ["a.eds", "B.EDS", "sub/c.eds", "sub/below/d e.eds", "sub/e.dcf"] {
         fs::copy(SOURCE, folder.join(name)).unwrap();
@@ -104,12 +113,9 @@ fn patterns_are_expanded() {
         (r"*\**\?*.[ed]*", 3),
         ("SUB", 3),
     ] {
-        let checked = said(&folder, &["check", "--severity", "cia306/file-name=off", pattern], 0);
+        let checked = said(&folder, &["check", "--severity", "cia306=off", pattern], 0);
         assert!(checked.starts_with(&format!("no findings in {count} file")), "{pattern}: {checked}");
     }
-    let program = env!("CARGO_BIN_EXE_objdict").replace('/', r"\");
-    let of_cmd = Command::new("cmd").args(["/d", "/c", &program, "check", "*.eds"]).current_dir(&folder).output();
-    assert!(String::from_utf8_lossy(&of_cmd.unwrap().stdout).contains("in 2 files"));
     said(&folder, &["fmt", r"**\*.eds"], 0);
     assert!(said(&folder, &["check", "*.xdd"], 2).contains("no file matches `*.xdd`"));
 }
@@ -117,15 +123,19 @@ fn patterns_are_expanded() {
 /// Where a path is printed, it has one kind of separator, however it was given.
 #[test]
 fn separators_are_those_of_the_system() {
-    let (_temporary, folder) = folder();
+    let Some((_temporary, folder)) = folder() else { return };
     fs::create_dir(folder.join("sub")).unwrap();
     fs::copy("fixtures/eds/io-401.eds", folder.join("sub/a.eds")).unwrap();
     fs::copy("fixtures/broken/octal.eds", folder.join("sub/bad.eds")).unwrap();
     let network = "[manager]\nid = 1\n[node.io]\nfile = \"sub/a.eds\"\nid = 2\n";
     fs::write(folder.join("network.toml"), network).unwrap();
     for (line, code, path) in [
-        ("generate sub/a.eds --target canopennode -o out/one", 0, r"out\one\canopennode\OD.h"),
-        ("generate sub/a.eds --target canopennode -o out/one --list", 0, r"out\one\canopennode\OD.h"),
+        ("generate sub/a.eds --target c --target canopennode -o out/one", 0, r"out\one\canopennode\OD.h"),
+        (
+            "generate sub/a.eds --target c --target canopennode -o out/one --list",
+            0,
+            r"out\one\canopennode\OD.h",
+        ),
         ("convert sub/a.eds sub/bad.eds -o out/two --to json --verbose", 0, r"out\two\a.json"),
         ("docs sub/a.eds -o out/three/ --verbose", 0, r"sub\a.eds"),
         ("network build network.toml --target dcf -o out/four", 0, r"out\four\io.dcf"),
@@ -157,10 +167,10 @@ fn separators_are_those_of_the_system() {
 /// `con` and `nul.eds` are devices in every folder.
 #[test]
 fn names_of_devices_are_no_files() {
-    let (_temporary, folder) = folder();
+    let Some((_temporary, folder)) = folder() else { return };
     fs::copy(SOURCE, folder.join("a.eds")).unwrap();
     let before = fs::read(folder.join("a.eds")).unwrap();
-    for output in ["con.xdd", "nul.json", r"sub\Aux.xdc", "com1.eds", r"\\?\C:\prn.xdd"] {
+    for output in ["con.xdd", "nul.json", r"sub\Aux.xdd", "com1.eds", r"\\?\C:\prn.xdd"] {
         let text = said(&folder, &["convert", "a.eds", "-o", output], 2);
         assert!(text.contains("Windows reserves it for a device"), "{output}: {text}");
     }
@@ -175,7 +185,10 @@ fn names_of_devices_are_no_files() {
     }
     for input in ["nul", "nul.eds", r"sub\nul.eds"] {
         let text = said(&folder, &["check", input], 2);
-        assert!(text.starts_with("error: cannot read `") || text.contains("is a pipe or a device"), "{input}: {text}");
+        assert!(
+            text.starts_with("error: cannot read `") || text.contains("is a pipe or a device"),
+            "{input}: {text}"
+        );
     }
     assert_eq!(fs::read(folder.join("a.eds")).unwrap(), before);
 }
@@ -183,13 +196,13 @@ fn names_of_devices_are_no_files() {
 /// Names that differ in case are one file, and so are two names of it.
 #[test]
 fn no_other_name_of_an_input_is_an_output() {
-    let (_temporary, folder) = folder();
+    let Some((_temporary, folder)) = folder() else { return };
     let path = folder.join("Drive.eds");
     fs::copy(SOURCE, &path).unwrap();
-    let short = format!(r"\\?\{}", std::path::absolute(&path).unwrap().display());
+    let verbatim = format!(r"\\?\{}", with_drive(&path));
     let before = fs::read(&path).unwrap();
     fs::hard_link(&path, folder.join("link.eds")).unwrap();
-    for output in ["drive.EDS", r".\Drive.eds", &short, r"x\..\DRIVE.eds", "link.eds"] {
+    for output in ["drive.EDS", r".\Drive.eds", &verbatim, r"x\..\DRIVE.eds", "link.eds"] {
         let text = said(&folder, &["convert", "Drive.eds", "--to", "xdd", "-o", output], 2);
         assert!(text.contains("is another input or output of this run"), "{output}: {text}");
         assert_eq!(fs::read(&path).unwrap(), before, "{output}");
@@ -204,7 +217,7 @@ fn no_other_name_of_an_input_is_an_output() {
 /// Line breaks stay as they are, in files that are changed and in those of pipes.
 #[test]
 fn line_breaks_stay() {
-    let (_temporary, folder) = folder();
+    let Some((_temporary, folder)) = folder() else { return };
     let text = fs::read_to_string("fixtures/broken/octal.eds").unwrap().replace("\r\n", "\n");
     for (name, text) in [("lf.eds", text.clone()), ("crlf.eds", text.replace('\n', "\r\n"))] {
         fs::write(folder.join(name), &text).unwrap();
@@ -215,7 +228,7 @@ fn line_breaks_stay() {
         assert_eq!(fixed.matches('\n').count(), fixed.lines().count());
         assert!(name != "crlf.eds" || fixed.matches('\r').count() == fixed.matches('\n').count());
         let file = fs::File::open(folder.join(name)).unwrap();
-        let mut through = Command::new(env!("CARGO_BIN_EXE_objdict"));
+        let mut through = Command::new(crate::program());
         let through = through.args(["convert", "-", "--to", "eds"]).stdin(file).output().unwrap();
         assert_eq!(String::from_utf8(through.stdout).unwrap(), fixed, "{name}");
     }
@@ -224,26 +237,26 @@ fn line_breaks_stay() {
 /// A read-only file is left alone, and so is one that another program holds open.
 #[test]
 fn files_of_others_are_left_alone() {
-    use std::os::windows::fs::OpenOptionsExt;
-    let (_temporary, folder) = folder();
+    let Some((_temporary, folder)) = folder() else { return };
     let path = folder.join("a.eds");
     fs::copy("fixtures/broken/octal.eds", &path).unwrap();
     let before = fs::read(&path).unwrap();
-    let mut permissions = fs::metadata(&path).unwrap().permissions();
+    let writable = fs::metadata(&path).unwrap().permissions();
+    let mut permissions = writable.clone();
     permissions.set_readonly(true);
-    fs::set_permissions(&path, permissions.clone()).unwrap();
-    assert!(said(&folder, &["check", "--fix", "a.eds"], 2).contains("cannot write `a.eds`: it is read-only"));
-    #[allow(clippy::permissions_set_readonly_false, reason = "Windows has one bit for it")]
-    permissions.set_readonly(false);
     fs::set_permissions(&path, permissions).unwrap();
+    assert!(said(&folder, &["check", "--fix", "a.eds"], 2).contains("cannot write `a.eds`: it is read-only"));
+    fs::set_permissions(&path, writable).unwrap();
+    // a lock of Windows is one for programs of Windows alone
+    #[cfg(windows)]
     {
+        use std::os::windows::fs::OpenOptionsExt;
         // readers may come, writers not
         let _open = fs::OpenOptions::new().read(true).share_mode(1).open(&path).unwrap();
         assert!(said(&folder, &["check", "--fix", "a.eds"], 2).contains("cannot write `a.eds`: "));
-        assert_eq!(fs::read(&path).unwrap(), before);
-        let names = fs::read_dir(&folder).unwrap().map(|entry| entry.unwrap().file_name());
-        assert_eq!(names.collect::<Vec<_>>(), ["a.eds"], "nothing is left");
     }
+    assert_eq!(fs::read(&path).unwrap(), before);
+    assert_eq!(fs::read_dir(&folder).unwrap().count(), 1, "nothing is left");
     said(&folder, &["check", "--fix", "a.eds"], 0);
     assert!(fs::read(&path).unwrap() != before);
 }

@@ -71,12 +71,6 @@ pub(crate) fn run(command: &mut Command) -> Result<(), String> {
     if output.status.success() { Ok(()) } else { Err(String::from_utf8_lossy(&text).into_owned()) }
 }
 
-/// What a program printed, with `/` between folders on every system.
-pub(crate) fn printed(bytes: &[u8]) -> String {
-    let text = String::from_utf8_lossy(bytes);
-    if cfg!(windows) { text.replace('\\', "/") } else { text.into_owned() }
-}
-
 /// What a test needs from the network. Without it the test says so and is skipped, except with `CI=true`.
 #[allow(clippy::print_stdout, reason = "says why a test is skipped")]
 pub(crate) fn unless_offline<T>(needed: Result<T, String>) -> Option<T> {

@@ -283,8 +283,7 @@ impl Descriptions<'_> {
             error => (error.to_string(), WRONG),
         };
         if let Some(first) = self.several.get(&path) {
-            let number =
-                reading.number(&shown(&path), first.device_count()).map_err(refused)?;
+            let number = reading.number(&shown(&path), first.device_count()).map_err(refused)?;
             return Ok(Read::Description(of_number(first, number)));
         }
         match reading.open(&path).map_err(refused)? {
@@ -298,9 +297,7 @@ impl Descriptions<'_> {
                 Ok(Read::Description(of_number(&first, number)))
             }
             (_, Input::Device(device)) => Ok(Read::Device(Rc::new(*device))),
-            (kind, _) => {
-                Err((format!("`{}` is a {}, not a description", shown(&path), kind.name()), WRONG))
-            }
+            (kind, _) => Err((format!("`{}` is a {}, not a description", shown(&path), kind.name()), WRONG)),
         }
     }
 

@@ -139,7 +139,9 @@ impl OutputFolder {
     ///
     /// # Errors
     /// When it cannot be written.
-    pub(crate) fn finish(self) -> Result<(), OutputError> {
+    pub(crate) fn finish(mut self) -> Result<(), OutputError> {
+        // Windows does not replace a file that is open
+        self.log = None;
         if self.listed.is_empty() {
             return Ok(());
         }

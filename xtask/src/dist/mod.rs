@@ -80,7 +80,8 @@ impl Built {
         make_folder(&dist)?;
         // a later build replaces the one in `target`
         let program = dist.join("stage").join(format!("objdict{EXE_SUFFIX}"));
-        let built = Self { dist, program, version: version(&root)?, profile: profile.map(str::to_owned), root };
+        let built =
+            Self { dist, program, version: version(&root)?, profile: profile.map(str::to_owned), root };
         let mut cargo = Command::new(env!("CARGO"));
         built.with_options(cargo.arg("rustc"));
         if cfg!(target_os = "linux") {
@@ -88,7 +89,10 @@ impl Built {
             cargo.args(["--", "-C", "target-feature=+crt-static"]);
         }
         run_program(&mut cargo)?;
-        copy(&built.root.join("target").join(built.folder()).join(format!("objdict{EXE_SUFFIX}")), &built.program)?;
+        copy(
+            &built.root.join("target").join(built.folder()).join(format!("objdict{EXE_SUFFIX}")),
+            &built.program,
+        )?;
         Ok(built)
     }
 
