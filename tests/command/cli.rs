@@ -23,6 +23,7 @@ fn cases() -> trycmd::TestCases {
 /// With `TRYCMD=overwrite` what they print goes into the pages.
 #[test]
 fn pages() {
+    let mut has_failed = false;
     for page in markdown_pages() {
         let text = fs::read_to_string(&page).unwrap();
         if !text.contains("```console\n") {
@@ -36,13 +37,15 @@ fn pages() {
         for part in parts(&text) {
             part.append(&input);
             fs::write(&case, to_trycmd(part.text)).unwrap();
-            cases().case(&case).run();
+            // the other pages are compared too
+            has_failed |= std::panic::catch_unwind(|| cases().case(&case).run()).is_err();
             printed.push_str(&from_trycmd(&fs::read_to_string(&case).unwrap()));
         }
         if std::env::var("TRYCMD").is_ok_and(|mode| mode == "overwrite") {
             fs::write(page, printed).unwrap();
         }
     }
+    assert!(!has_failed, "a page shows something else");
 }
 
 /// The files that the sessions on pages name.

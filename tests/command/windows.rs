@@ -47,7 +47,7 @@ fn names_of_files_are_unicode() {
         let findings =
             said(&folder, &["check", "--select", "cia306/file-name", "--format", "concise", &path], 0);
         assert!(findings.lines().next().is_some_and(|line| line.starts_with(&path)), "{findings}");
-        said(&folder, &["convert", &path, "-o", "out\\"], 0);
+        said(&folder, &["convert", &path, "--to", "eds", "-o", "out\\"], 0);
         assert_eq!(fs::read(folder.join("out").join(name)).unwrap(), fs::read(SOURCE).unwrap(), "{name}");
     }
 }
@@ -138,16 +138,14 @@ fn separators_are_those_of_the_system() {
         ),
         ("convert sub/a.eds sub/bad.eds -o out/two --to json --verbose", 0, r"out\two\a.json"),
         ("docs sub/a.eds -o out/three/ --verbose", 0, r"sub\a.eds"),
-        ("network build network.toml --target dcf -o out/four", 0, r"out\four\io.dcf"),
+        ("network build network.toml --target dcf -o out/four", 0, r"out\four: "),
         ("network verify out/four", 0, r"out\four: "),
         ("check sub/bad.eds --format concise", 1, r"sub\bad.eds:"),
         ("check sub/bad.eds", 1, r"sub\bad.eds:"),
         ("check sub/*.eds --format concise", 1, r"sub\bad.eds:"),
         ("check sub/none.eds", 2, r"`sub\none.eds`"),
         ("convert sub/a.eds -o sub/bad.eds/a.json", 2, r"`sub\bad.eds\a.json`"),
-        ("show sub/bad.eds", 0, r""),
         ("identify sub/bad.eds", 0, r"sub\bad.eds"),
-        ("fmt --check sub/a.eds sub/bad.eds", 1, r"sub\"),
     ] {
         let text = said(&folder, &line.split(' ').collect::<Vec<_>>(), code);
         assert!(text.contains(path), "{line}: {text}");
