@@ -35,7 +35,7 @@ fn identity(path: &Path) -> Option<Identity> {
     path.canonicalize().ok().filter(|path| path.is_file())
 }
 
-/// What Windows knows of a file and `std` does not tell.
+/// What Windows knows of a file, and `std` keeps for itself.
 #[cfg(all(windows, feature = "cli"))]
 pub(super) fn information(path: &Path) -> Option<winapi_util::file::Information> {
     winapi_util::file::information(winapi_util::Handle::from_path_any(path).ok()?).ok()
