@@ -258,7 +258,7 @@ impl Builder {
     fn produce(&self, files: &mut Vec<PathBuf>) -> Result<(CheckedDescription, Generation), Error> {
         let Request { file, reading, .. } = &self.request;
         let bytes = source::read(file, reading.max_size).map_err(ReadError::from)?;
-        let checked = self.request.check(&file.display().to_string(), bytes, files)?;
+        let checked = self.request.check(&source::shown(file), bytes, files)?;
         let generation = self.request.produce(&checked, files)?;
         Ok((checked, generation))
     }
@@ -269,7 +269,7 @@ impl Builder {
         generation: &Generation,
         cargo: &mut Cargo<impl Write>,
     ) -> io::Result<()> {
-        let file = self.request.file.display();
+        let file = source::shown(&self.request.file);
         let of_file = |severity| {
             let of_severity = checked.findings.iter().filter(move |finding| finding.severity == severity);
             of_severity.map(|finding| {
@@ -298,7 +298,7 @@ impl Builder {
         }
         #[cfg(all(feature = "json", feature = "xdd"))]
         for conversion in &generation.conversions {
-            let to = conversion.path.display();
+            let to = source::shown(&conversion.path);
             let lost = conversion.lost.iter().map(|loss| format!("{file}: {to}: {loss}"));
             cargo.warn(self.max_warnings, lost, |count| {
                 let losses = counted(count, "more loss", "more losses");

@@ -59,7 +59,7 @@ use crate::model::{Address, NoAddress};
 ///
 /// Exit codes: 0 success, 1 findings, 2 failure (see `objdict help exit-codes`).
 #[derive(Debug, Parser)]
-#[command(name = "objdict", version, disable_help_subcommand = true)]
+#[command(name = "objdict", bin_name = "objdict", version, disable_help_subcommand = true)]
 pub(super) struct Args<C: Subcommand = Command> {
     #[command(subcommand)]
     pub command: C,

@@ -8,7 +8,7 @@ use super::args::CheckArgs;
 use super::outcome::Failure;
 use super::save::save;
 use super::settings::Settings;
-use crate::source::{Fnv, SourceError, read_text};
+use crate::source::{Fnv, SourceError, read_text, shown};
 
 /// The first line of a cache.
 const HEAD: &str = "objdict cache 1";
@@ -40,7 +40,7 @@ impl Cache {
         };
         let mut lines = text.lines();
         if lines.next() != Some(HEAD) {
-            let message = format!("`{}` is not a cache of objdict", path.display());
+            let message = format!("`{}` is not a cache of objdict", shown(path));
             return Err(Failure::new(message).help("name a file that does not exist yet"));
         }
         let mut hash = Fnv::new();

@@ -105,7 +105,9 @@ impl Gathered<'_, '_> {
     /// The files that a pattern matches, whatever their ending, and the descriptions in the folders that it matches.
     fn expand(&mut self, pattern: &Path) -> Result<(), Failure> {
         let shown = name_of(pattern);
-        let matches = match glob::glob(&pattern.to_string_lossy()) {
+        // as the system compares names
+        let options = glob::MatchOptions { case_sensitive: !cfg!(windows), ..glob::MatchOptions::new() };
+        let matches = match glob::glob_with(&pattern.to_string_lossy(), options) {
             Ok(matches) => matches,
             Err(error) => {
                 self.failures
@@ -176,7 +178,9 @@ fn real(path: &Path) -> PathBuf {
 }
 
 fn is_pattern(path: &Path) -> bool {
-    path.to_string_lossy().contains(['*', '?', '['])
+    let path = path.to_string_lossy();
+    // `\\?\C:\drive.eds` is a path of Windows
+    path.strip_prefix(r"\\?\").unwrap_or(&path).contains(['*', '?', '['])
 }
 
 fn is_description(path: &Path) -> bool {

@@ -185,7 +185,7 @@ impl ExpandArgs {
 
 /// What the source of a file is called, as it is: in JSON, and where the name decides.
 pub(super) fn source_name(path: &Path) -> String {
-    if path == Path::new("-") { STDIN.to_owned() } else { path.display().to_string() }
+    if path == Path::new("-") { STDIN.to_owned() } else { source::shown(path) }
 }
 
 /// A path as it is printed.

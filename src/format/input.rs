@@ -228,7 +228,7 @@ impl Reading {
     /// # Errors
     /// When it cannot be read at all, see [`ReadError`]. Problems in a description are among its findings.
     pub fn open(&self, path: &Path) -> Result<(FileKind, Input), ReadError> {
-        self.read(&path.display().to_string(), source::read(path, self.max_size)?)
+        self.read(&source::shown(path), source::read(path, self.max_size)?)
     }
 
     /// What is in the bytes of a file of this name, and as what kind they were read.
@@ -482,7 +482,7 @@ fn has_syntax(kind: FileKind, text: &str) -> bool {
 /// When the file cannot be opened, or is no description. Problems in a description are among the findings.
 pub fn open(path: &Path, options: &SourceOptions) -> Result<Description, ReadError> {
     let reading = Reading { encoding: options.encoding, max_size: options.max_size, ..Reading::default() };
-    let name = path.display().to_string();
+    let name = source::shown(path);
     let (kind, source) = reading.recognised(&name, source::read(path, options.max_size)?)?;
     match kind.format() {
         Some(format) => Ok(super::read(source, format)),

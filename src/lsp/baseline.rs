@@ -11,7 +11,7 @@ use super::file::File;
 use super::uri::of_path;
 use super::workspace::Workspace;
 use crate::baseline::{Baseline, MAX_SIZE, folder_of, name_in};
-use crate::source::{SourceError, Span, read_text};
+use crate::source::{SourceError, Span, read_text, shown};
 
 /// Takes the findings away that a baseline has; one that cannot be read is an error of each file.
 pub(super) fn sift(path: &Path, analysis: &mut Analysis) {
@@ -19,7 +19,7 @@ pub(super) fn sift(path: &Path, analysis: &mut Analysis) {
         Ok(Some(baseline)) => baseline,
         Ok(None) => return,
         Err(message) => {
-            let help = Some(format!("`objdict check --write-baseline {}` writes it anew", path.display()));
+            let help = Some(format!("`objdict check --write-baseline {}` writes it anew", shown(path)));
             return analysis.errors.push(ReadProblem { span: Span::default(), message, help });
         }
     };
@@ -39,7 +39,7 @@ fn read(path: &Path) -> Result<Option<Baseline>, String> {
         Err(SourceError::Io { error, .. }) if error.kind() == ErrorKind::NotFound => return Ok(None),
         Err(error) => return Err(error.to_string()),
     };
-    Baseline::read(&text).map(Some).map_err(|error| format!("`{}` {error}", path.display()))
+    Baseline::read(&text).map(Some).map_err(|error| format!("`{}` {error}", shown(path)))
 }
 
 /// Adds the findings of a rule in a file to the baseline of the editor; a file that is no baseline stays as it is.

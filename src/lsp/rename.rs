@@ -11,7 +11,7 @@ use super::network::{node_mention_at, path_of_node};
 use super::workspace::Workspace;
 use crate::format::mention::{Digits, Mention, MentionKind};
 use crate::model::Device;
-use crate::source::{Span, absolute};
+use crate::source::{Span, absolute, shown};
 
 /// What gets another number.
 struct Target {
@@ -158,7 +158,7 @@ pub(super) fn rename(
         if let Some(description) = other.description() {
             number = Some(target.number(new, description.device())?);
         }
-        let number = number.ok_or_else(|| format!("`{}` cannot be read", target.path.display()))?;
+        let number = number.ok_or_else(|| format!("`{}` cannot be read", shown(&target.path)))?;
         let edits = target.edits(&other, &mentions, number)?;
         if edits.is_empty() {
             continue;

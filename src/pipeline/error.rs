@@ -40,7 +40,7 @@ pub enum Error {
     Profile(#[from] OpenError),
     /// A baseline cannot be used.
     #[cfg(all(feature = "json", feature = "lint"))]
-    #[error("`{}` {error}", path.display())]
+    #[error("`{}` {error}", crate::source::shown(path))]
     Baseline {
         /// The file.
         path: PathBuf,
@@ -106,14 +106,14 @@ pub enum Error {
     },
     /// The name of a file for the description is that of no format that can describe the device.
     #[cfg(all(feature = "json", feature = "xdd"))]
-    #[error("the description cannot be written as `{}`", path.display())]
+    #[error("the description cannot be written as `{}`", crate::source::shown(path))]
     NoFormat {
         /// The file.
         path: PathBuf,
     },
     /// The description cannot be written in another format.
     #[cfg(all(feature = "json", feature = "xdd"))]
-    #[error("the description cannot be written as `{}`: {error}", path.display())]
+    #[error("the description cannot be written as `{}`: {error}", crate::source::shown(path))]
     Conversion {
         /// The file.
         path: PathBuf,
@@ -146,9 +146,10 @@ impl Error {
                     .to_owned(),
             ),
             #[cfg(all(feature = "json", feature = "lint"))]
-            Self::Baseline { path, .. } => {
-                Some(format!("`objdict check --write-baseline {}` writes it anew", path.display()))
-            }
+            Self::Baseline { path, .. } => Some(format!(
+                "`objdict check --write-baseline {}` writes it anew",
+                crate::source::shown(path)
+            )),
             Self::UnknownRule { name } => Some(match crate::registry::nearest_selection(name) {
                 Some(meant) => format!("did you mean `{meant}`?"),
                 None => "`objdict rules` lists all".to_owned(),

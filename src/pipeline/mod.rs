@@ -57,7 +57,7 @@ use crate::profile::{self, Profile};
 use crate::report::{Location, Subject, grouped, listed};
 use crate::source::hash;
 #[cfg(feature = "lint")]
-use crate::source::{MAX_TOML_SIZE, read_text};
+use crate::source::{MAX_TOML_SIZE, read_text, shown};
 
 /// What is to be made of a description.
 #[derive(Debug, Default)]
@@ -511,7 +511,7 @@ fn without_text(name: &str, finding: &Diagnostic) -> String {
 #[cfg(feature = "lint")]
 fn names_in(path: &Path) -> Result<BTreeMap<Address, String>, Error> {
     let text = read_text(path, MAX_TOML_SIZE)?;
-    generate::renames(&text).map_err(|error| Error::Names { file: path.display().to_string(), error })
+    generate::renames(&text).map_err(|error| Error::Names { file: shown(path), error })
 }
 
 /// The file's name without its last ending.

@@ -13,7 +13,9 @@ impl Base {
 
     /// The way to a file from the folder; a path that leads elsewhere stays as it is.
     pub(super) fn relative(&self, name: &str) -> String {
-        let path = Path::new(name);
+        // a drive has a shorter name than `\\?\C:`, which no URI can have
+        let plain = name.strip_prefix(r"\\?\").filter(|rest| rest.as_bytes().get(1) == Some(&b':'));
+        let path = Path::new(plain.unwrap_or(name));
         let inside = self.0.as_deref().and_then(|base| path.strip_prefix(base).ok());
         let shown = inside.unwrap_or(path).to_string_lossy();
         let shown = if cfg!(windows) { shown.replace('\\', "/") } else { shown.into_owned() };

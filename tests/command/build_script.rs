@@ -52,7 +52,7 @@ fn the_command_writes_the_same() {
     let builder = Builder::new(&file).out_dir(ours.path()).target(Target::RUST).target(Target::C);
     let builder = builder.target(Target::CONCISE).string_capacity(12).names(Names::Index).prefix("io");
     let built = run(builder).0.unwrap();
-    let status = std::process::Command::new(env!("CARGO_BIN_EXE_objdict"))
+    let status = std::process::Command::new(crate::program())
         .arg("generate")
         .arg(&file)
         .args(["--target", "rust,c,concise", "--string-capacity", "12", "--names", "index", "--prefix", "io"])
@@ -99,7 +99,7 @@ fn descriptions_are_written_beside_the_tables() {
     assert!(!cargo.contains("lost: "), "{cargo}");
     for file in [&eds, &xdd] {
         let converted = out.path().join(file.file_name().unwrap());
-        let status = std::process::Command::new(env!("CARGO_BIN_EXE_objdict"))
+        let status = std::process::Command::new(crate::program())
             .arg("convert")
             .arg(&source)
             .arg("-o")

@@ -33,7 +33,7 @@ impl Project {
 
     /// What make does and prints, and whether it succeeds.
     fn make(&self) -> (String, bool) {
-        let objdict = format!("OBJDICT={}", env!("CARGO_BIN_EXE_objdict"));
+        let objdict = format!("OBJDICT={}", crate::program());
         let output = Command::new("make").arg(objdict).current_dir(self.0.path()).output().unwrap();
         let printed = String::from_utf8([output.stdout, output.stderr].concat()).unwrap();
         (printed, output.status.success())

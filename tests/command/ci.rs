@@ -25,7 +25,7 @@ fn the_hooks_call_what_there_is() {
     for entry in values(&hooks, "entry") {
         let mut words = entry.split(' ');
         assert_eq!(words.next(), Some("objdict"));
-        let mut command = Command::new(env!("CARGO_BIN_EXE_objdict"));
+        let mut command = Command::new(crate::program());
         let output = command.args(words).arg("fixtures/eds/minimal.eds").output().expect("it runs");
         assert_eq!(output.status.code(), Some(0), "{entry}");
     }
@@ -67,7 +67,7 @@ fn act(folder: &Path, inputs: &[(&str, &str)]) -> Output {
     fs::create_dir_all(&bin).expect("a folder");
     let cargo = format!(
         "#!/bin/sh\nwhile [ \"$1\" != --root ]; do shift; done\nmkdir -p \"$2/bin\"\nln -sf {} \"$2/bin/objdict\"\n",
-        env!("CARGO_BIN_EXE_objdict")
+        crate::program()
     );
     fs::write(bin.join("cargo"), cargo).expect("the stub");
     let executable = std::os::unix::fs::PermissionsExt::from_mode(0o755);
@@ -133,7 +133,7 @@ fn the_action_checks_what_it_is_given() {
 fn the_action_takes_a_baseline_and_arguments() {
     let folder = tempfile::tempdir().expect("a folder");
     fs::copy("fixtures/broken/orphan-sub.eds", folder.path().join("orphan-sub.eds")).expect("a file");
-    let mut write = Command::new(env!("CARGO_BIN_EXE_objdict"));
+    let mut write = Command::new(crate::program());
     write.args(["check", "--write-baseline", "known.json", "."]).current_dir(folder.path());
     write.output().expect("it runs");
     assert_eq!(act(folder.path(), &[("BASELINE", "known.json")]).status.code(), Some(0));

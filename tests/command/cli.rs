@@ -10,13 +10,20 @@ use crate::page::{from_trycmd, parts, to_trycmd};
 
 #[test]
 fn sessions() {
-    trycmd::TestCases::new().env("NO_COLOR", "1").case("tests/cli/*.md");
+    cases().case("tests/cli/*.md");
+}
+
+fn cases() -> trycmd::TestCases {
+    let cases = trycmd::TestCases::new();
+    cases.env("NO_COLOR", "1").register_bin("objdict", PathBuf::from(crate::program()));
+    cases
 }
 
 /// The sessions on the pages of the documentation run in a folder of their own that has the fixtures, for they write files.
 /// With `TRYCMD=overwrite` what they print goes into the pages.
 #[test]
 fn pages() {
+    let mut has_failed = false;
     for page in markdown_pages() {
         let text = fs::read_to_string(&page).unwrap();
         if !text.contains("```console\n") {
@@ -30,14 +37,15 @@ fn pages() {
         for part in parts(&text) {
             part.append(&input);
             fs::write(&case, to_trycmd(part.text)).unwrap();
-            let cases = trycmd::TestCases::new();
-            cases.env("NO_COLOR", "1").case(&case).run();
+            // the other pages are compared too
+            has_failed |= std::panic::catch_unwind(|| cases().case(&case).run()).is_err();
             printed.push_str(&from_trycmd(&fs::read_to_string(&case).unwrap()));
         }
         if std::env::var("TRYCMD").is_ok_and(|mode| mode == "overwrite") {
             fs::write(page, printed).unwrap();
         }
     }
+    assert!(!has_failed, "a page shows something else");
 }
 
 /// The files that the sessions on pages name.
@@ -100,7 +108,7 @@ fn copy_folder(from: &Path, to: &Path) {
 }
 
 fn objdict() -> Command {
-    Command::new(env!("CARGO_BIN_EXE_objdict"))
+    Command::new(crate::program())
 }
 
 /// A reader that goes away, as `head` does, is no error.

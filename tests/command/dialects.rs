@@ -9,7 +9,7 @@ fn fixture(name: &str) -> PathBuf {
 }
 
 fn objdict(folder: &Path, line: &str) -> Output {
-    let mut command = Command::new(env!("CARGO_BIN_EXE_objdict"));
+    let mut command = Command::new(crate::program());
     command.args(line.split_whitespace()).current_dir(folder).output().unwrap()
 }
 

@@ -19,7 +19,7 @@ fn git(folder: &Path, arguments: &[&str]) {
 }
 
 fn objdict(folder: &Path, arguments: &[&str]) -> Output {
-    let mut command = Command::new(env!("CARGO_BIN_EXE_objdict"));
+    let mut command = Command::new(crate::program());
     // a folder above may be a repository
     command.env("GIT_CEILING_DIRECTORIES", std::env::temp_dir());
     command.current_dir(folder).args(arguments).output().unwrap()
@@ -84,7 +84,7 @@ fn the_old_description_is_that_of_a_revision() {
 
 #[test]
 fn git_is_needed() {
-    let mut command = Command::new(env!("CARGO_BIN_EXE_objdict"));
+    let mut command = Command::new(crate::program());
     command.env("PATH", "").args(["diff", "--git", "HEAD", "fixtures/bases/drive.eds"]);
     let text = String::from_utf8(command.output().unwrap().stderr).unwrap();
     let error = "error: `--git` needs the program git, which is not in the path\n";

@@ -68,7 +68,7 @@ fn python(script: &str, path: &Path) -> String {
 }
 
 fn decode(arguments: &[&str], page: &Path) -> Output {
-    let mut command = Command::new(env!("CARGO_BIN_EXE_objdict"));
+    let mut command = Command::new(crate::program());
     command.arg("decode").args(arguments).arg("--html").arg(page).output().unwrap()
 }
 

@@ -35,7 +35,7 @@ fn the_configuration_of_the_page_finds_completes_and_renames() {
     let broken = drive.replacen("AccessType=ro", "AccessType=rx", 1);
     fs::write(&file, &broken).unwrap();
     fs::write(&lisp, configuration("lisp")).unwrap();
-    let program = std::path::Path::new(env!("CARGO_BIN_EXE_objdict"));
+    let program = std::path::Path::new(crate::program());
     let path = format!("{}:{}", program.parent().unwrap().display(), std::env::var("PATH").unwrap());
     let output = Command::new("emacs")
         .args(["--batch", "--load", "tests/command/emacs.el"])

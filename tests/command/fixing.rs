@@ -10,7 +10,7 @@ use serde_json::Value;
 use crate::support;
 
 fn objdict(folder: &Path, arguments: &str, input: &[u8]) -> Output {
-    let mut command = Command::new(env!("CARGO_BIN_EXE_objdict"));
+    let mut command = Command::new(crate::program());
     command.args(arguments.split_whitespace()).current_dir(folder);
     command.stdin(Stdio::piped()).stdout(Stdio::piped()).stderr(Stdio::piped());
     let mut child = command.spawn().unwrap();

@@ -7,11 +7,7 @@ use std::process::{Command, Output};
 fn run(folder: &Path, line: &str) -> Output {
     let fixtures = fs::canonicalize("fixtures").unwrap();
     let line = line.replace("FIXTURES", fixtures.to_str().unwrap());
-    Command::new(env!("CARGO_BIN_EXE_objdict"))
-        .args(line.split_whitespace())
-        .current_dir(folder)
-        .output()
-        .unwrap()
+    Command::new(crate::program()).args(line.split_whitespace()).current_dir(folder).output().unwrap()
 }
 
 /// The output of a command in a folder of its own, and the files that it wrote there.

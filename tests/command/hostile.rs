@@ -232,8 +232,7 @@ fn commands() -> BTreeSet<String> {
 
 /// What a command writes to the standard output and to the standard error.
 fn objdict(folder: &Path, arguments: &[&str]) -> (String, String, Option<i32>) {
-    let output =
-        Command::new(env!("CARGO_BIN_EXE_objdict")).args(arguments).current_dir(folder).output().unwrap();
+    let output = Command::new(crate::program()).args(arguments).current_dir(folder).output().unwrap();
     let [out, err] = [output.stdout, output.stderr].map(|bytes| String::from_utf8_lossy(&bytes).into_owned());
     (out, err, output.status.code())
 }

@@ -16,11 +16,8 @@ fn limit_kib(bytes: usize) -> usize {
 fn a_file_over_the_limit_is_refused() {
     let mut file = tempfile::Builder::new().suffix(".eds").tempfile().unwrap();
     file.write_all(b"[FileInfo]\n").unwrap();
-    let output = Command::new(env!("CARGO_BIN_EXE_objdict"))
-        .args(["check", "--max-size", "5"])
-        .arg(file.path())
-        .output()
-        .unwrap();
+    let output =
+        Command::new(crate::program()).args(["check", "--max-size", "5"]).arg(file.path()).output().unwrap();
     assert_eq!(output.status.code(), Some(2));
     let message = String::from_utf8_lossy(&output.stderr).into_owned();
     assert!(message.contains("has 11 bytes") && message.contains("--max-size"), "{message}");
@@ -30,7 +27,7 @@ fn a_file_over_the_limit_is_refused() {
 #[cfg(target_os = "linux")]
 fn refusal(folder: &Path, kib: usize, line: &str) -> (Option<i32>, String) {
     let script = format!("ulimit -d {kib} && exec \"$0\" {line}");
-    let program = env!("CARGO_BIN_EXE_objdict");
+    let program = crate::program();
     let output = Command::new("sh").args(["-c", &script, program]).current_dir(folder).output().unwrap();
     (output.status.code(), String::from_utf8_lossy(&output.stderr).into_owned())
 }
@@ -88,8 +85,7 @@ fn small_parts_are_limited() {
         let name = format!("a.{from}");
         fs::write(folder.path().join(&name), text).unwrap();
         let line = ["convert", &name, "--from", from, "--to", to, "-o", "out"];
-        let output =
-            Command::new(env!("CARGO_BIN_EXE_objdict")).args(line).current_dir(&folder).output().unwrap();
+        let output = Command::new(crate::program()).args(line).current_dir(&folder).output().unwrap();
         let message = String::from_utf8_lossy(&output.stderr).into_owned();
         assert_eq!(output.status.code(), Some(2), "{name}: {message}");
         assert!(message.contains(what), "{name}: {message}");
@@ -111,7 +107,7 @@ fn items_of_lists_in_an_xdd_are_located_in_linear_time() {
     }
     fs::write(folder.path().join("a.eds"), eds).unwrap();
     let run = |arguments: &[&str]| {
-        let mut command = Command::new(env!("CARGO_BIN_EXE_objdict"));
+        let mut command = Command::new(crate::program());
         command.args(arguments).current_dir(folder.path()).output().unwrap()
     };
     assert!(run(&["convert", "a.eds", "-o", "a.xdd"]).status.success());

@@ -18,7 +18,7 @@ struct Session {
 
 impl Session {
     fn start() -> Self {
-        let mut command = Command::new(env!("CARGO_BIN_EXE_objdict"));
+        let mut command = Command::new(crate::program());
         let command = command.env("SOURCE_DATE_EPOCH", EPOCH);
         let mut server = command.arg("lsp").stdin(Stdio::piped()).stdout(Stdio::piped()).spawn().unwrap();
         let input = server.stdin.take().unwrap();
@@ -116,7 +116,7 @@ fn a_session_over_standard_input_and_output() {
 #[test]
 fn a_new_file_begins_as_objdict_new_writes_it() {
     let folder = tempfile::tempdir().unwrap();
-    let mut command = Command::new(env!("CARGO_BIN_EXE_objdict"));
+    let mut command = Command::new(crate::program());
     let command = command.args(["new", "--profile", "301", "-o", "new.eds"]).current_dir(folder.path());
     assert!(command.env("SOURCE_DATE_EPOCH", EPOCH).output().unwrap().status.success());
     let mut session = Session::start();
@@ -143,8 +143,7 @@ fn a_new_file_begins_as_objdict_new_writes_it() {
 
 #[test]
 fn a_client_that_is_gone_ends_the_server() {
-    let output =
-        Command::new(env!("CARGO_BIN_EXE_objdict")).arg("lsp").stdin(Stdio::null()).output().unwrap();
+    let output = Command::new(crate::program()).arg("lsp").stdin(Stdio::null()).output().unwrap();
     assert_eq!(output.status.code(), Some(2));
     let said = String::from_utf8_lossy(&output.stderr);
     assert!(output.stdout.is_empty() && said.starts_with("error: "), "{said}");

@@ -29,3 +29,22 @@ mod replaced;
 mod reports;
 #[path = "../support/mod.rs"]
 mod support;
+mod windows;
+
+/// The command: the one that Cargo built, or the one that `OBJDICT_PROGRAM` names, as `.ci/run` does with that for Windows.
+fn program() -> &'static str {
+    static PROGRAM: std::sync::LazyLock<Option<String>> =
+        std::sync::LazyLock::new(|| std::env::var("OBJDICT_PROGRAM").ok());
+    PROGRAM.as_deref().unwrap_or(env!("CARGO_BIN_EXE_objdict"))
+}
+
+/// What the command printed, with `/` between folders on every system.
+fn printed(bytes: &[u8]) -> String {
+    let text = String::from_utf8_lossy(bytes);
+    if is_for_windows() { text.replace('\\', "/") } else { text.into_owned() }
+}
+
+/// Whether the command is one for Windows.
+fn is_for_windows() -> bool {
+    cfg!(windows) || std::env::var_os("OBJDICT_PROGRAM").is_some()
+}

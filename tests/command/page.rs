@@ -3,7 +3,7 @@
 //! * `<!-- exit 0 2 -->` in front of a block has the exit codes of its commands; without it all are 0.
 //! * `…` in an output is for any text in the line, a line `…` for any lines.
 //! * A block ends with the last line of its last output; trycmd wants an empty line behind it.
-//! * `\r\n` of JSON stays; trycmd takes backslashes for separators of paths.
+//! * `\r\n` of JSON stays; trycmd takes backslashes for separators of paths. So the path `a\\b` in JSON and headings of a command for Windows is `a//b`.
 //! * `<!-- append FILE -->` in front of a block: the reader adds its lines to a file, behind an empty one, and so does the test.
 
 use std::fs;
@@ -65,7 +65,8 @@ pub(crate) fn to_trycmd(page: &str) -> String {
             _ => {}
         }
         text.push_str(&if in_session {
-            line.replace('…', "[..]").replace(r"\r\n", "/r/n")
+            let line = line.replace('…', "[..]").replace(r"\r\n", "/r/n");
+            if crate::is_for_windows() { with_paths_of_windows(&line) } else { line }
         } else {
             line.to_owned()
         });
@@ -74,6 +75,22 @@ pub(crate) fn to_trycmd(page: &str) -> String {
             let code = codes.next().filter(|code| *code != "0");
             code.into_iter().for_each(|code| text.push_str(&format!("? {code}\n")));
         }
+    }
+    text
+}
+
+fn with_paths_of_windows(line: &str) -> String {
+    // a heading of Markdown, where a backslash is escaped too
+    if line.starts_with("# fixtures/") {
+        return line.replace('/', "//");
+    }
+    let mut pieces = line.split_inclusive("\"file\":").map(str::to_owned);
+    let mut text = pieces.next().unwrap_or_default();
+    for piece in pieces {
+        let path = piece.trim_start_matches([' ', '"']);
+        let end = piece.len() - path.len() + path.find('"').unwrap_or_default();
+        text.push_str(&piece[..end].replace('/', "//"));
+        text.push_str(&piece[end..]);
     }
     text
 }

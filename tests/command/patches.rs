@@ -44,7 +44,7 @@ fn project() -> TempDir {
 }
 
 fn run(folder: &Path, arguments: &str) -> Output {
-    let mut command = Command::new(env!("CARGO_BIN_EXE_objdict"));
+    let mut command = Command::new(crate::program());
     command.args(arguments.split_whitespace()).current_dir(folder).output().unwrap()
 }
 

@@ -6,7 +6,7 @@ use std::process::Command;
 use anstyle_svg::Term;
 
 fn drawn(line: &str, columns: u16) -> String {
-    let mut command = Command::new(env!("CARGO_BIN_EXE_objdict"));
+    let mut command = Command::new(crate::program());
     let output = command.args(line.split(' ')).args(["--color", "always"]).output().unwrap();
     let printed = String::from_utf8(output.stdout).unwrap();
     let text = format!("\u{1B}[1m$ objdict {line}\u{1B}[0m\n{printed}");

@@ -31,7 +31,7 @@ fn run(program: &str, arguments: &[&str], folder: &Path) -> Option<String> {
         println!("skipped: there is no `{program}`");
         return None;
     }
-    let mut paths = vec![Path::new(env!("CARGO_BIN_EXE_objdict")).parent().unwrap().to_owned()];
+    let mut paths = vec![Path::new(crate::program()).parent().unwrap().to_owned()];
     paths.extend(env::split_paths(&env::var_os("PATH").unwrap_or_default()));
     let mut command = Command::new(program);
     command.args(arguments).current_dir(folder).env("PATH", env::join_paths(paths).unwrap());

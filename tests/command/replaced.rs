@@ -16,7 +16,7 @@ fn folder() -> tempfile::TempDir {
 }
 
 fn command(folder: &Path, line: &str) -> Command {
-    let mut command = Command::new(env!("CARGO_BIN_EXE_objdict"));
+    let mut command = Command::new(crate::program());
     command.args(line.split_whitespace()).current_dir(folder);
     command
 }
@@ -28,7 +28,7 @@ fn objdict(folder: &Path, line: &str) -> Output {
 /// Runs a command that must end with a code; what it writes.
 fn run(folder: &Path, line: &str, code: i32) -> String {
     let output = objdict(folder, line);
-    let text = [output.stdout, output.stderr].map(|bytes| String::from_utf8(bytes).unwrap()).concat();
+    let text = [output.stdout, output.stderr].map(|bytes| crate::printed(&bytes)).concat();
     assert_eq!(output.status.code(), Some(code), "{line}: {text}");
     text
 }

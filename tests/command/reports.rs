@@ -12,7 +12,7 @@ use crate::support;
 
 /// The command where all fixtures are files.
 fn command() -> Command {
-    let mut command = Command::new(env!("CARGO_BIN_EXE_objdict"));
+    let mut command = Command::new(crate::program());
     command.current_dir(support::fixtures().join(".."));
     command
 }

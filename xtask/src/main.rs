@@ -58,8 +58,8 @@ usage:
       hold licences, versions and sources of all packages against deny.toml
   cargo xtask dist KIND|all [--profile PROFILE]
       build a package for this machine into target/dist, with SHA256SUMS: wheel (command and Python module; needs Python and
-      gets maturin from PyPI), tarball, deb, npm, docker (the folder of an image), vsix (the
-      extension of VS Code; needs npm)
+      gets maturin from PyPI), tarball, windows (a ZIP; on Linux needs mingw and rustc-web, see .ci/windows; not built by
+      `all`), deb, npm, docker (the folder of an image), vsix (the extension of VS Code; needs npm)
   cargo xtask dist try
       install each of them in an empty folder as docs/install.md says, and check a description
   cargo xtask publish [--upload]

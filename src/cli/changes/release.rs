@@ -15,6 +15,7 @@ use crate::format::Description;
 use crate::lint::changes::{ReleaseFacts, release};
 use crate::model::{Device, DeviceKind};
 use crate::report::Subject;
+use crate::source::shown;
 
 pub(in crate::cli) fn run(args: &ReleaseArgs, out: &mut Output) -> Result<Outcome, Failure> {
     let (date, time) = date_and_time(args.date)?;
@@ -37,7 +38,7 @@ pub(in crate::cli) fn run(args: &ReleaseArgs, out: &mut Output) -> Result<Outcom
         let fix = |description| crate::fix(description, Applicability::Safe, check);
         let amended = amend(path, description, number..number + 1, fix);
         let (after, amended) =
-            amended.ok_or_else(|| Failure::new(format!("cannot change `{}`", path.display())))?;
+            amended.ok_or_else(|| Failure::new(format!("cannot change `{}`", shown(path))))?;
         description = after;
         match amended {
             Some(amended) if args.diff => fixing.show(&amended, out)?,

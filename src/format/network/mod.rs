@@ -45,7 +45,7 @@ use crate::diagnostic::{At, Diagnostic, Findings, RuleInfo, say};
 use crate::model::Device;
 use crate::network::{self, Compiled, Network, RequestedValue, Resolved, Said, resolve};
 use crate::source::{
-    Folder, FolderError, MAX_TOML_SIZE, SourceError, SourceFile, SourceOptions, Span, absolute,
+    Folder, FolderError, MAX_TOML_SIZE, SourceError, SourceFile, SourceOptions, Span, absolute, shown,
 };
 
 /// Whether a file may be a network by its name.
@@ -285,14 +285,13 @@ impl Descriptions<'_> {
             error => (error.to_string(), WRONG),
         };
         if let Some(first) = self.several.get(&path) {
-            let number =
-                reading.number(&path.display().to_string(), first.device_count()).map_err(refused)?;
+            let number = reading.number(&shown(&path), first.device_count()).map_err(refused)?;
             return Ok(Read::Description(of_number(first, number)));
         }
         match reading.open(&path).map_err(refused)? {
             (_, Input::Description(first)) => {
                 let count = first.device_count();
-                let number = reading.number(&path.display().to_string(), count).map_err(refused)?;
+                let number = reading.number(&shown(&path), count).map_err(refused)?;
                 let first = Rc::new(*first);
                 if count > 1 {
                     self.several.insert(path, Rc::clone(&first));
@@ -300,9 +299,7 @@ impl Descriptions<'_> {
                 Ok(Read::Description(of_number(&first, number)))
             }
             (_, Input::Device(device)) => Ok(Read::Device(Rc::new(*device))),
-            (kind, _) => {
-                Err((format!("`{}` is a {}, not a description", path.display(), kind.name()), WRONG))
-            }
+            (kind, _) => Err((format!("`{}` is a {}, not a description", shown(&path), kind.name()), WRONG)),
         }
     }
 

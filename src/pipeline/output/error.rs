@@ -3,12 +3,14 @@
 use std::io;
 use std::path::PathBuf;
 
+use crate::source::shown;
+
 /// Why a file is not written.
 #[derive(Debug, thiserror::Error)]
 #[non_exhaustive]
 pub enum OutputError {
     /// The system does not write it.
-    #[error("cannot write `{}`: {error}", path.display())]
+    #[error("cannot write `{}`: {error}", shown(path))]
     Unwritable {
         /// The file.
         path: PathBuf,
@@ -16,19 +18,19 @@ pub enum OutputError {
         error: io::Error,
     },
     /// The run reads it, or has written it.
-    #[error("`{}` is another input or output of this run", path.display())]
+    #[error("`{}` is another input or output of this run", shown(path))]
     InUse {
         /// The file.
         path: PathBuf,
     },
     /// It is in the folder, and objdict did not write it.
-    #[error("`{}` was not written by objdict", path.display())]
+    #[error("`{}` was not written by objdict", shown(path))]
     Foreign {
         /// The file.
         path: PathBuf,
     },
     /// It is in the folder, and is not as objdict wrote it.
-    #[error("`{}` was changed after objdict wrote it", path.display())]
+    #[error("`{}` was changed after objdict wrote it", shown(path))]
     Changed {
         /// The file.
         path: PathBuf,

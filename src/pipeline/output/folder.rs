@@ -71,12 +71,14 @@ impl OutputFolder {
 
     /// The path of a file in the folder.
     pub(crate) fn join(&self, name: &str) -> PathBuf {
-        self.path.join(name)
+        let mut path = self.path.clone();
+        path.extend(name.split('/'));
+        path
     }
 
     pub(super) fn find(&self, name: &str, contents: &[u8], used: &Used) -> Result<Found, OutputError> {
         require_portable(name)?;
-        let path = self.path.join(name);
+        let path = self.join(name);
         if name.eq_ignore_ascii_case(NAME) || self.taken.contains(&name.to_lowercase()) {
             return Err(OutputError::InUse { path });
         }
@@ -108,7 +110,7 @@ impl OutputFolder {
         used: &mut Used,
     ) -> Result<Saved, OutputError> {
         let found = self.find(name, contents, used)?;
-        let path = self.path.join(name);
+        let path = self.join(name);
         let is_marked = contents.split(|&byte| byte == b'\n').take(HEAD_LINES).any(is_mark);
         let is_listed = found == Found::Same && self.manifest.has(name, contents);
         if !is_marked && !is_listed {
@@ -137,7 +139,9 @@ impl OutputFolder {
     ///
     /// # Errors
     /// When it cannot be written.
-    pub(crate) fn finish(self) -> Result<(), OutputError> {
+    pub(crate) fn finish(mut self) -> Result<(), OutputError> {
+        // Windows does not replace a file that is open
+        self.log = None;
         if self.listed.is_empty() {
             return Ok(());
         }

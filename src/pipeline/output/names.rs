@@ -52,7 +52,7 @@ fn defect(part: &str) -> Option<&'static str> {
 }
 
 /// Whether Windows takes a name for a device: `con`, `AUX.txt`, `com1 .log`.
-fn is_device(name: &str) -> bool {
+pub(super) fn is_device(name: &str) -> bool {
     let stem = name.split(['.', ':']).next().unwrap_or_default().trim_end_matches(' ').to_ascii_uppercase();
     let port = stem.strip_prefix("COM").or_else(|| stem.strip_prefix("LPT"));
     DEVICES.contains(&stem.as_str())

@@ -162,6 +162,8 @@ impl Replacement<'_> {
         let new_list = beside(&list, self.manifest.text().as_bytes())?;
         let mut log = Log::open(self.folder, origin)?;
         changed().try_for_each(|file| log.add(file.name, Hash::of(file.contents)))?;
+        // Windows does not replace a file that is open
+        drop(log);
         let replaced = changed().map(|file| self.folder.join(file.name)).filter(|path| path.exists());
         let replaced: Vec<(PathBuf, PathBuf)> =
             replaced.map(|path| (path.clone(), Temporary::name_beside(&path))).collect();

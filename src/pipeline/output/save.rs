@@ -1,10 +1,14 @@
 //! Files that are written: as a whole, and only when they change.
 
+use std::ffi::OsStr;
 use std::fs::{self, File, Metadata, OpenOptions};
 use std::hash::{BuildHasher, RandomState};
 use std::io::{self, ErrorKind, Write};
 use std::path::{Path, PathBuf};
 use std::sync::{Mutex, MutexGuard, PoisonError};
+
+use super::names::is_device;
+use crate::source::shown;
 
 /// What became of a file.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -22,12 +26,16 @@ static TEMPORARY: Mutex<Vec<PathBuf>> = Mutex::new(Vec::new());
 /// keeps its permissions, its owner and its other names; one that is read-only is left alone. A pipe or a device is
 /// written to.
 pub(crate) fn save(path: &Path, contents: &[u8]) -> io::Result<Saved> {
+    let to_device =
+        || OpenOptions::new().append(true).open(path)?.write_all(contents).map(|()| Saved::Written);
+    // of `NUL` Windows knows nothing else
+    if cfg!(windows) && path.file_name().and_then(OsStr::to_str).is_some_and(is_device) {
+        return to_device();
+    }
     let Ok(found) = fs::metadata(path) else { return replace(path, None, contents) };
     match () {
         () if found.is_dir() => Err(io::Error::other("it is a directory")),
-        () if !found.is_file() || is_of_system(path) => {
-            OpenOptions::new().append(true).open(path)?.write_all(contents).map(|()| Saved::Written)
-        }
+        () if !found.is_file() || is_of_system(path) => to_device(),
         () if found.len() == contents.len() as u64 && fs::read(path)? == contents => Ok(Saved::Unchanged),
         () if found.permissions().readonly() => Err(io::Error::other("it is read-only")),
         () => replace(path, Some(&found), contents),
@@ -46,7 +54,7 @@ fn replace(path: &Path, found: Option<&Metadata>, contents: &[u8]) -> io::Result
         fs::create_dir_all(folder)?;
     }
     let (mut file, temporary) = Temporary::beside(&path)?;
-    if found.is_some_and(|found| !can_be_renamed(&file, found)) {
+    if found.is_some_and(|found| !can_be_renamed(&file, &path, found)) {
         overwrite(&path, file, temporary, contents)?;
     } else {
         file.write_all(contents)?;
@@ -61,14 +69,19 @@ fn replace(path: &Path, found: Option<&Metadata>, contents: &[u8]) -> io::Result
 
 /// Whether a new file may take the place of one: not if that has other names, or another owner.
 #[cfg(unix)]
-fn can_be_renamed(new: &File, found: &Metadata) -> bool {
+fn can_be_renamed(new: &File, _: &Path, found: &Metadata) -> bool {
     use std::os::unix::fs::MetadataExt;
     let is_ours = |new: Metadata| (new.uid(), new.gid()) == (found.uid(), found.gid());
     found.nlink() == 1 && new.metadata().is_ok_and(is_ours)
 }
 
-#[cfg(not(unix))]
-fn can_be_renamed(_: &File, _: &Metadata) -> bool {
+#[cfg(all(windows, feature = "cli"))]
+fn can_be_renamed(_: &File, path: &Path, _: &Metadata) -> bool {
+    super::used::information(path).is_some_and(|found| found.number_of_links() == 1)
+}
+
+#[cfg(not(any(unix, all(windows, feature = "cli"))))]
+fn can_be_renamed(_: &File, _: &Path, _: &Metadata) -> bool {
     true
 }
 
@@ -83,7 +96,7 @@ fn overwrite(path: &Path, mut backup: File, temporary: Temporary, contents: &[u8
     if fs::copy(&temporary.0, path).is_ok() {
         return Err(error);
     }
-    let error = io::Error::other(format!("{error}; its former contents are in `{}`", temporary.0.display()));
+    let error = io::Error::other(format!("{error}; its former contents are in `{}`", shown(&temporary.0)));
     pending.retain(|path| *path != temporary.0);
     std::mem::forget(temporary);
     Err(error)

@@ -2,7 +2,7 @@
 
 use std::collections::HashSet;
 use std::path::Path;
-#[cfg(not(unix))]
+#[cfg(not(any(unix, all(windows, feature = "cli"))))]
 use std::path::PathBuf;
 
 use super::error::OutputError;
@@ -12,9 +12,9 @@ use super::names::require_file;
 use super::save::{Saved, save};
 
 /// What a file is, whatever it is called: its device and its number there, or its full path where files have no numbers.
-#[cfg(unix)]
+#[cfg(any(unix, all(windows, feature = "cli")))]
 type Identity = (u64, u64);
-#[cfg(not(unix))]
+#[cfg(not(any(unix, all(windows, feature = "cli"))))]
 type Identity = PathBuf;
 
 /// `None` for what does not exist, and for pipes and devices: writing to these takes nothing away.
@@ -24,9 +24,21 @@ fn identity(path: &Path) -> Option<Identity> {
     path.metadata().ok().filter(std::fs::Metadata::is_file).map(|file| (file.dev(), file.ino()))
 }
 
-#[cfg(not(unix))]
+#[cfg(all(windows, feature = "cli"))]
+fn identity(path: &Path) -> Option<Identity> {
+    let file = path.is_file().then(|| information(path)).flatten()?;
+    Some((file.volume_serial_number(), file.file_index()))
+}
+
+#[cfg(not(any(unix, all(windows, feature = "cli"))))]
 fn identity(path: &Path) -> Option<Identity> {
     path.canonicalize().ok().filter(|path| path.is_file())
+}
+
+/// What Windows knows of a file, and `std` keeps for itself.
+#[cfg(all(windows, feature = "cli"))]
+pub(super) fn information(path: &Path) -> Option<winapi_util::file::Information> {
+    winapi_util::file::information(winapi_util::Handle::from_path_any(path).ok()?).ok()
 }
 
 /// The files that a run reads or has written.

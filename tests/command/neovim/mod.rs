@@ -40,7 +40,7 @@ impl Neovim {
             .args(["--headless", "--clean", "--listen", "socket", "-u"])
             .arg(init)
             .arg(file)
-            .env("OBJDICT", env!("CARGO_BIN_EXE_objdict"))
+            .env("OBJDICT", crate::program())
             .envs(["XDG_STATE_HOME", "XDG_CACHE_HOME", "XDG_DATA_HOME"].map(|name| (name, folder.path())))
             .current_dir(folder.path())
             .stdin(Stdio::null())
@@ -132,8 +132,7 @@ impl Drop for Neovim {
 
 /// What the command prints for a file, and whether it succeeds.
 fn objdict(folder: &Path, arguments: &[&str]) -> String {
-    let output =
-        Command::new(env!("CARGO_BIN_EXE_objdict")).args(arguments).current_dir(folder).output().unwrap();
+    let output = Command::new(crate::program()).args(arguments).current_dir(folder).output().unwrap();
     String::from_utf8(output.stdout).unwrap()
 }
 

@@ -105,7 +105,7 @@ impl Answer {
 }
 
 fn command(folder: &Path, arguments: &str) -> Command {
-    let mut command = Command::new(env!("CARGO_BIN_EXE_objdict"));
+    let mut command = Command::new(crate::program());
     command.arg("open").args(arguments.split_whitespace()).current_dir(folder);
     command.stdin(Stdio::null()).stderr(Stdio::null());
     command

@@ -10,6 +10,7 @@ mod tarball;
 mod try_out;
 mod vsix;
 mod wheel;
+mod windows;
 
 use std::env::consts::{ARCH, EXE_SUFFIX};
 use std::fs;
@@ -31,9 +32,11 @@ struct Kind {
     here: bool,
 }
 
-const KINDS: [Kind; 6] = [
+const KINDS: [Kind; 7] = [
     Kind { name: "wheel", make: wheel::make, here: true },
     Kind { name: "tarball", make: tarball::make, here: cfg!(unix) },
+    // elsewhere it needs mingw, so it is made where it is asked for
+    Kind { name: "windows", make: windows::make, here: cfg!(windows) },
     Kind { name: "deb", make: deb::make, here: cfg!(target_os = "linux") },
     Kind { name: "npm", make: npm::make, here: cfg!(unix) },
     Kind { name: "docker", make: docker::make, here: cfg!(target_os = "linux") },
@@ -73,27 +76,56 @@ pub(crate) fn run(kind: &str, profile: Option<&str>) -> Result<(), String> {
 impl Built {
     fn new(profile: Option<&str>) -> Result<Self, String> {
         let root = root();
-        let of_command = profile.unwrap_or("release");
+        let dist = root.join("target/dist");
+        make_folder(&dist)?;
+        // a later build replaces the one in `target`
+        let program = dist.join("stage").join(format!("objdict{EXE_SUFFIX}"));
+        let built =
+            Self { dist, program, version: version(&root)?, profile: profile.map(str::to_owned), root };
         let mut cargo = Command::new(env!("CARGO"));
-        cargo.current_dir(&root).args(["rustc", "--bin", "objdict", "--profile", of_command]);
-        let page = root.join("web/dist/objdict-workbench.html");
-        if page.is_file() {
-            cargo.args(["--features", "open"]).env("OBJDICT_WORKBENCH", &page);
-        } else {
-            println!("without `objdict open`: `cd web && npm ci && npm run build` makes its page");
-        }
+        built.with_options(cargo.arg("rustc"));
         if cfg!(target_os = "linux") {
             // of glibc the command calls nothing that a static program lacks: no names of hosts or users, no `dlopen`
             cargo.args(["--", "-C", "target-feature=+crt-static"]);
         }
         run_program(&mut cargo)?;
-        let folder = if of_command == "dev" { "debug" } else { of_command };
-        let dist = root.join("target/dist");
-        make_folder(&dist)?;
-        // a later build replaces the one in `target`
-        let program = dist.join("stage").join(format!("objdict{EXE_SUFFIX}"));
-        copy(&root.join("target").join(folder).join(format!("objdict{EXE_SUFFIX}")), &program)?;
-        Ok(Self { dist, program, version: version(&root)?, profile: profile.map(str::to_owned), root })
+        copy(
+            &built.root.join("target").join(built.folder()).join(format!("objdict{EXE_SUFFIX}")),
+            &built.program,
+        )?;
+        Ok(built)
+    }
+
+    /// A command of Cargo with the options of the packages.
+    fn with_options<'a>(&self, cargo: &'a mut Command) -> &'a mut Command {
+        let profile = self.profile.as_deref().unwrap_or("release");
+        cargo.current_dir(&self.root).args(["--bin", "objdict", "--profile", profile]);
+        let page = self.root.join("web/dist/objdict-workbench.html");
+        if page.is_file() {
+            cargo.args(["--features", "open"]).env("OBJDICT_WORKBENCH", &page);
+        } else {
+            println!("without `objdict open`: `cd web && npm ci && npm run build` makes its page");
+        }
+        cargo
+    }
+
+    /// Where Cargo puts what it builds.
+    fn folder(&self) -> &str {
+        match self.profile.as_deref() {
+            Some("dev") => "debug",
+            profile => profile.unwrap_or("release"),
+        }
+    }
+
+    /// Fills the folder of an archive: the program, its manual, completions and licences.
+    fn fill(&self, folder: &Path, program: &Path) -> Result<(), String> {
+        copy(program, &folder.join(program.file_name().unwrap_or_default()))?;
+        self.manual(&folder.join("man"))?;
+        for shell in ["bash", "elvish", "fish", "powershell", "zsh"] {
+            self.completions(shell, &folder.join("completions").join(format!("objdict.{shell}")))?;
+        }
+        self.licences(folder)?;
+        copy(&self.root.join("README.md"), &folder.join("README.md"))
     }
 
     /// A folder below `target/dist/stage` for the parts of a package, empty.
@@ -139,9 +171,15 @@ fn triple() -> String {
     let system = match std::env::consts::OS {
         "linux" => "unknown-linux-gnu",
         "macos" => "apple-darwin",
+        "windows" => "pc-windows-msvc",
         other => other,
     };
     format!("{ARCH}-{system}")
+}
+
+/// What Python is called.
+fn python() -> &'static str {
+    if cfg!(windows) { "python" } else { "python3" }
 }
 
 /// Writes `SHA256SUMS` over all packages in the folder, which `sha256sum --check` reads.

@@ -2,20 +2,13 @@
 
 use std::process::Command;
 
-use super::{Built, copy, run_program, triple};
+use super::{Built, run_program, triple};
 
 /// `objdict-VERSION-TARGET.tar.gz`: a folder with program, manual, completions and licences.
 pub(super) fn make(built: &Built) -> Result<(), String> {
     let name = format!("objdict-{}-{}", built.version, triple());
     let stage = built.stage("tarball")?;
-    let folder = stage.join(&name);
-    copy(&built.program, &folder.join("objdict"))?;
-    built.manual(&folder.join("man"))?;
-    for shell in ["bash", "elvish", "fish", "powershell", "zsh"] {
-        built.completions(shell, &folder.join("completions").join(format!("objdict.{shell}")))?;
-    }
-    built.licences(&folder)?;
-    copy(&built.root.join("README.md"), &folder.join("README.md"))?;
+    built.fill(&stage.join(&name), &built.program)?;
     let mut tar = Command::new("tar");
     if cfg!(target_os = "linux") {
         // the same bytes each time

@@ -4,7 +4,7 @@ use std::env::consts::EXE_SUFFIX;
 use std::path::PathBuf;
 use std::process::Command;
 
-use super::{Built, copy, run_program};
+use super::{Built, copy, python, run_program};
 
 /// The version that the wheel was tried with.
 const MATURIN: &str = "maturin==1.16.*";
@@ -25,8 +25,7 @@ fn maturin(built: &Built) -> Result<PathBuf, String> {
     let programs = environment.join(if cfg!(windows) { "Scripts" } else { "bin" });
     let maturin = programs.join(format!("maturin{EXE_SUFFIX}"));
     if !maturin.exists() {
-        let python = if cfg!(windows) { "python" } else { "python3" };
-        run_program(Command::new(python).args(["-m", "venv"]).arg(&environment))?;
+        run_program(Command::new(python()).args(["-m", "venv"]).arg(&environment))?;
         let python = programs.join(format!("python{EXE_SUFFIX}"));
         run_program(Command::new(python).args(["-m", "pip", "install", "--quiet", MATURIN]))?;
     }

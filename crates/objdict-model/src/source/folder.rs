@@ -1,9 +1,9 @@
 //! Reads the files that another file names, only from its project.
 
-use std::path::{Component, Path, PathBuf};
+use std::path::{Component, MAIN_SEPARATOR_STR, Path, PathBuf};
 use std::{fs, io};
 
-use super::{HARD_LIMIT, SourceError, is_file, read};
+use super::{HARD_LIMIT, SourceError, is_file, read, shown};
 
 /// The name of configuration files.
 pub const CONFIG_FILE: &str = "objdict.toml";
@@ -96,25 +96,24 @@ impl Folder {
         }
         let outside = || FolderError::Outside { name: name.to_owned() };
         let plain = self.folder.join(name);
-        let of_windows = self.folder.join(name.replace('\\', "/"));
+        // a path that begins with `\\?\` has the separators of Windows alone
+        let foreign = if cfg!(windows) { '/' } else { '\\' };
+        let native = self.folder.join(name.replace(foreign, MAIN_SEPARATOR_STR));
         // before accessing the file system, to reveal nothing about its contents
         let may_lead_to = |path: &Path| self.allowed.iter().any(|folder| absolute(path).starts_with(folder));
-        if !may_lead_to(&plain) || !may_lead_to(&of_windows) {
+        if !may_lead_to(&plain) || !may_lead_to(&native) {
             return Err(outside());
         }
-        let path = if plain.exists() { plain } else { of_windows };
+        let path = if !cfg!(windows) && plain.exists() { plain } else { native };
         if !path.exists() && is_file(&path) {
             // of a file that was never saved no link leads elsewhere
             return Ok(path);
         }
-        let failed = |error: io::Error| SourceError::Io {
-            path: path.display().to_string(),
+        let failed = |error: io::Error| {
             // in a browser there are only buffers
-            error: if error.kind() == io::ErrorKind::Unsupported {
-                io::ErrorKind::NotFound.into()
-            } else {
-                error
-            },
+            let is_missing = error.kind() == io::ErrorKind::Unsupported;
+            let error = if is_missing { io::ErrorKind::NotFound.into() } else { error };
+            SourceError::Io { path: shown(&path), error }
         };
         let real = fs::canonicalize(&path).map_err(failed)?;
         let is_below =

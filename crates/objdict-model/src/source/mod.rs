@@ -92,7 +92,7 @@ pub enum SourceError {
 /// # Errors
 /// When the system cannot read the file, it is larger, or it is none.
 pub fn read(path: &Path, limit: u64) -> Result<Vec<u8>, SourceError> {
-    let name = path.display().to_string();
+    let name = shown(path);
     let unreadable = |error| match path.is_dir() {
         true => SourceError::Directory { path: name.clone() },
         false => SourceError::Io { path: name.clone(), error },
@@ -126,8 +126,14 @@ pub fn read(path: &Path, limit: u64) -> Result<Vec<u8>, SourceError> {
 pub fn read_text(path: &Path, limit: u64) -> Result<String, SourceError> {
     String::from_utf8(read(path, limit)?).map_err(|error| {
         let error = io::Error::new(io::ErrorKind::InvalidData, error.utf8_error());
-        SourceError::Io { path: path.display().to_string(), error }
+        SourceError::Io { path: shown(path), error }
     })
+}
+
+/// A path as it is printed: with the separators of the system, whatever those of its parts are.
+pub fn shown(path: &Path) -> String {
+    let path = path.display().to_string();
+    if cfg!(windows) { path.replace('/', "\\") } else { path }
 }
 
 /// Reads the rest of a stream after `bytes`, at most `limit`; `name` is its name in errors.
@@ -164,7 +170,7 @@ impl SourceFile {
     /// # Errors
     /// When the system cannot read the file, or it is larger than `options.max_size`.
     pub fn open(path: &Path, options: &SourceOptions) -> Result<Self, SourceError> {
-        Self::from_bytes(path.display().to_string(), read(path, options.max_size)?, options)
+        Self::from_bytes(shown(path), read(path, options.max_size)?, options)
     }
 
     /// A source of the given bytes; `name` is its name in reports.
