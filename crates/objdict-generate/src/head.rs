@@ -35,7 +35,7 @@ impl Head {
 
 /// Declares the files of a target: the template of each sees the fields and methods of one view. The derive is stated by
 /// the caller, because templates are found from the file that it is in.
-#[cfg(any(feature = "c", feature = "stacks"))]
+#[cfg(any(feature = "c", feature = "canopennode"))]
 macro_rules! files {
     (#[$derive:meta] $visibility:vis $view:ident: $($file:ident $path:tt)+) => {$(
         #[$derive]
@@ -52,5 +52,5 @@ macro_rules! files {
     )+};
 }
 
-#[cfg(any(feature = "c", feature = "stacks"))]
+#[cfg(any(feature = "c", feature = "canopennode"))]
 pub(crate) use files;

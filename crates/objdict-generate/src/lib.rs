@@ -30,7 +30,7 @@
 #[cfg(feature = "c")]
 mod c;
 mod c_code;
-#[cfg(feature = "stacks")]
+#[cfg(feature = "canopennode")]
 mod c_words;
 #[cfg(feature = "stacks")]
 mod canfestival;
@@ -38,7 +38,7 @@ mod canfestival;
 mod canopen_rs;
 #[cfg(feature = "stacks")]
 mod canopen_stack;
-#[cfg(feature = "stacks")]
+#[cfg(feature = "canopennode")]
 mod canopennode;
 #[cfg(feature = "stacks")]
 mod canopennode_v1;
@@ -70,7 +70,7 @@ mod rom;
 #[cfg(feature = "rust")]
 mod rust;
 mod size;
-#[cfg(feature = "stacks")]
+#[cfg(feature = "canopennode")]
 mod startup;
 mod stored;
 mod table;
@@ -166,7 +166,7 @@ targets! {
         "one device configuration (.toml) for the crate zencan-build 0.0.5"
         [Names Renamed Groups StringCapacity]
         unmeasured "the crate zencan-build generates the tables from the file";
-    #[cfg(feature = "stacks")]
+    #[cfg(feature = "canopennode")]
     CANOPENNODE canopennode "canopennode"
         "`OD.h` and `OD.c` of the stack CANopenNode 4"
         [Names Renamed Prefix Groups StringCapacity Hooks Limits Layout]
