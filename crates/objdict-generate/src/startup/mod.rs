@@ -12,7 +12,9 @@ use crate::Note;
 use crate::dictionary::{Dictionary, ResolvedObject};
 use crate::resolve::{Datum, Shape};
 
-pub(crate) use stacks::{CANFESTIVAL, CANOPEN_STACK, CANOPENNODE, CANOPENNODE_V1, LELY};
+pub(crate) use stacks::CANOPENNODE;
+#[cfg(feature = "stacks")]
+pub(crate) use stacks::{CANFESTIVAL, CANOPEN_STACK, CANOPENNODE_V1, LELY};
 
 /// A stack, as far as a dictionary can be served less than described.
 pub(crate) struct Stack {
