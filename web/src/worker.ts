@@ -62,7 +62,7 @@ async function warm(): Promise<void> {
 }
 
 /** The requests whose answers list files. */
-const MAKING: Request["do"][] = ["save", "generate", "docs", "dbc", "concise", "build"];
+const MAKING: Request["do"][] = ["bytes", "save", "generate", "docs", "dbc", "concise", "build"];
 
 function filesOf(answer: Answer): MadeFile[] {
   const names = "ok" in answer ? (answer.ok as Made).files : [];

@@ -18,7 +18,7 @@ const MAX_FINDINGS: usize = 100;
 /// When a frame was seen, and where its log has it.
 #[derive(Clone, Debug, Serialize)]
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
-pub struct Moment {
+pub struct Seen {
     /// The time, in seconds with the digits of the log.
     #[serde(serialize_with = "shown")]
     #[cfg_attr(feature = "schema", schemars(with = "String"))]
@@ -33,7 +33,7 @@ pub struct Moment {
     pub text: String,
 }
 
-impl Moment {
+impl Seen {
     pub(super) fn of(frame: &LoggedFrame, Origin { log, line, text }: Origin<'_>) -> Self {
         let text = match text {
             [] => frame.to_string(),
@@ -49,7 +49,7 @@ impl Moment {
 pub struct NodeEvent {
     /// When it happened, and the frame that shows it.
     #[serde(flatten)]
-    pub moment: Moment,
+    pub moment: Seen,
     /// The node-ID.
     pub node: u8,
     /// The rule that it is against; absent for what no rule forbids.
@@ -89,7 +89,7 @@ impl History {
     /// Adds an event of a node, whose text is made if it is kept.
     pub(super) fn add(
         &mut self,
-        moment: Moment,
+        moment: Seen,
         node: u8,
         rule: Option<&'static RuleInfo>,
         text: impl FnOnce() -> String,

@@ -10,8 +10,8 @@ use std::collections::BTreeMap;
 use self::cycle::Cycle;
 use self::deviations::{Expected, of_transfer};
 use self::history::History;
-pub(crate) use self::history::Moment;
 pub use self::history::NodeEvent;
+pub(crate) use self::history::Seen;
 pub use self::report::BusReport;
 use super::{Bus, Origin, PRE_OPERATIONAL, rules};
 use crate::bus::classical_bits;
@@ -53,7 +53,7 @@ struct NodeSums {
     aborts: u64,
     lost: u64,
     state: Option<u8>,
-    last_heartbeat: Option<Moment>,
+    last_heartbeat: Option<Seen>,
     /// The longest time between heartbeats in nanoseconds; `None` if no description says it.
     limit: Option<i64>,
 }
@@ -122,7 +122,7 @@ impl BusSums {
         self.span = Some((first.min(frame.time), last.max(frame.time)));
         if frame.is_error {
             self.error_frames += 1;
-            self.bus_errors.add(Moment::of(frame, origin), 0, None, || bus.words(decoded, frame));
+            self.bus_errors.add(Seen::of(frame, origin), 0, None, || bus.words(decoded, frame));
             return;
         }
         let bits = match self.bit_rate {
@@ -183,7 +183,7 @@ impl BusSums {
             let last = message.cycle.last;
             for (rule, text) in message.expected.deviations(decoded, frame, bus, last, self.last_sync) {
                 let node_id = decoded.node_id.unwrap_or(0);
-                self.deviations.add(Moment::of(frame, origin), node_id, Some(rule), || text);
+                self.deviations.add(Seen::of(frame, origin), node_id, Some(rule), || text);
             }
         }
         // a boot-up is not a part of the cycle of heartbeats
@@ -199,17 +199,17 @@ impl BusSums {
                 node.boot_ups += 1;
                 // a node sends it when it has become pre-operational (CiA 301 §7.3.2.2)
                 (node.last_heartbeat, node.state) = (None, Some(PRE_OPERATIONAL));
-                self.starts.add(Moment::of(frame, origin), node_id, None, || bus.words(decoded, frame));
+                self.starts.add(Seen::of(frame, origin), node_id, None, || bus.words(decoded, frame));
             }
             FrameKind::Heartbeat | FrameKind::Guarding if !frame.is_remote => {
                 node.state = frame.data().first().map(|state| state & 0x7F);
                 if decoded.kind == FrameKind::Heartbeat {
-                    self.heartbeat(node_id, Moment::of(frame, origin), bus);
+                    self.heartbeat(node_id, Seen::of(frame, origin), bus);
                 }
             }
             FrameKind::Emcy if !frame.is_remote => {
                 node.emergencies += 1;
-                let moment = Moment::of(frame, origin);
+                let moment = Seen::of(frame, origin);
                 self.emergencies.add(moment, node_id, None, || bus.words(decoded, frame));
             }
             FrameKind::Sdo => self.transfer(node_id, decoded, frame, origin, bus),
@@ -217,7 +217,7 @@ impl BusSums {
         }
     }
 
-    fn heartbeat(&mut self, node_id: u8, moment: Moment, bus: &Bus<'_>) {
+    fn heartbeat(&mut self, node_id: u8, moment: Seen, bus: &Bus<'_>) {
         let node = &mut self.nodes[usize::from(node_id) % NODES];
         let time = moment.time;
         let last = node.last_heartbeat.replace(moment);
@@ -240,12 +240,12 @@ impl BusSums {
     ) {
         let Some(sdo) = decoded.sdo else { return };
         if let Some((rule, text)) = of_transfer(node_id, decoded, bus) {
-            self.deviations.add(Moment::of(frame, origin), node_id, Some(rule), || text);
+            self.deviations.add(Seen::of(frame, origin), node_id, Some(rule), || text);
         }
         match (sdo.step, sdo.entry) {
             (SdoStep::Abort(_), _) => {
                 self.nodes[usize::from(node_id) % NODES].aborts += 1;
-                let moment = Moment::of(frame, origin);
+                let moment = Seen::of(frame, origin);
                 self.aborts.add(moment, node_id, None, || bus.words(decoded, frame));
             }
             (SdoStep::Written, Some((index, sub))) => {
