@@ -151,9 +151,7 @@ impl Document {
     pub(crate) fn bytes(&self) -> Vec<u8> {
         match &self.content {
             Content::Description(description) => description.print(),
-            Content::Network(source) => {
-                Edits::new(source).to_bytes().unwrap_or_else(|_| self.original.clone())
-            }
+            Content::Network(source) => source.to_bytes(),
         }
     }
 
