@@ -230,7 +230,7 @@ pub mod registry;
 pub mod report;
 pub mod scaffold;
 #[cfg(all(feature = "document", feature = "network"))]
-#[doc(hidden)] // for the command and the workbench
+#[doc(hidden)] // for the command, the workbench and the module of Python
 pub mod traffic;
 
 pub use check::{check, check_with};

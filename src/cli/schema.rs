@@ -60,7 +60,7 @@ documents! {
     "boot" super::network::BootDocument<'_>: "A simulated boot: `objdict network boot --format json`.",
     "timing" super::network::TimingDocument<'_>: "A network in time: `objdict network timing --format json`.",
     "conformance" super::conformance::Document<'_>: "What a node does of CiA 301: `objdict conformance --format json`.",
-    "frame" super::decode::Line<'_>: "A frame, on one line: `objdict decode --format json`.",
+    "frame" crate::traffic::FrameDocument<'_>: "A frame, on one line: `objdict decode --format json`.",
     "traffic" super::decode::SummaryDocument: "Sums over logs: `objdict decode --summary --format json`.",
     "verify" super::dcf::VerifyDocument<'_>: "What a node refuses: `objdict dcf verify --format json`.",
     "profiles" super::profile::ListDocument<'_>: "The built-in profiles: `objdict profile list --format json`.",

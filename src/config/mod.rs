@@ -26,7 +26,7 @@ mod settings;
 
 pub use self::configuration::Config;
 #[cfg(any(feature = "generate", feature = "lsp"))]
-pub(crate) use self::project::Project;
+pub use self::project::Project;
 #[cfg(feature = "lsp")]
 pub(crate) use self::read::SETTINGS;
 pub use self::settings::{WantedFiles, WantedProfile};

@@ -13,23 +13,29 @@ use crate::profile::{self, OpenError, Profile};
 use crate::registry::own::invalid_setting;
 use crate::source::SourceError;
 
-/// A configuration with the profiles that it names.
+/// A configuration with the profiles and patches that it names.
 #[derive(Debug)]
-pub(crate) struct Project {
-    pub(crate) config: Config,
-    pub(crate) profiles: Vec<Arc<Profile>>,
+pub struct Project {
+    /// What it says.
+    pub config: Config,
+    /// The profiles that it names.
+    pub profiles: Vec<Arc<Profile>>,
     /// The patches that it names by patterns.
     #[cfg(feature = "patch")]
-    pub(crate) patches: Vec<Arc<Patch>>,
+    pub patches: Vec<Arc<Patch>>,
     /// Its errors.
-    pub(crate) findings: Findings,
-    /// Errors in the profiles that it names.
-    pub(crate) failures: Vec<OpenError>,
+    pub findings: Findings,
+    /// Errors in the profiles that it names: with one of them files cannot be checked as it says.
+    pub failures: Vec<OpenError>,
 }
 
 impl Project {
-    /// Reads the file at `path`, and the profiles that it names.
-    pub(crate) fn open(path: &Path) -> Result<Self, SourceError> {
+    /// Reads the file at `path`, and the profiles and patches that it names.
+    ///
+    /// # Errors
+    ///
+    /// When the file cannot be read. What is wrong in it is in `findings`.
+    pub fn open(path: &Path) -> Result<Self, SourceError> {
         Ok(Self::of(Config::open(&called(path))?))
     }
 

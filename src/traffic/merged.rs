@@ -3,6 +3,7 @@
 use std::io::{self, BufRead};
 
 use crate::format::log::{LogOptions, LogReader, LoggedFrame};
+use crate::report::plural;
 
 /// A log with its name.
 #[derive(Debug)]
@@ -17,6 +18,26 @@ pub struct NamedLog<R> {
 impl<R: BufRead> NamedLog<R> {
     pub fn new(name: String, source: R, options: LogOptions) -> Self {
         Self { name, reader: LogReader::new(source, options), next: None, is_over: false }
+    }
+
+    /// Why a file that was read to its end is no log; `None` of one with frames, and of an empty one.
+    pub fn problem(&self) -> Option<String> {
+        let is_log = self.reader.frame_count() > 0 || self.reader.bad_count() == 0;
+        (!is_log).then(|| {
+            let name = &self.name;
+            format!("`{name}` is not a log of a CAN bus\n  help: candump, ASC, TRC, CSV of python-can, pcap and pcapng are read")
+        })
+    }
+
+    /// The lines that are not understood.
+    pub fn warnings(&self) -> impl Iterator<Item = String> {
+        let (name, known) = (&self.name, self.reader.bad_lines());
+        let further = self.reader.bad_count() - known.len() as u64;
+        let further = (further > 0).then(|| {
+            let further = plural(usize::try_from(further).unwrap_or(usize::MAX), "further line");
+            format!("{name}: {further} not understood")
+        });
+        known.iter().map(move |bad| format!("{name}:{}: {}", bad.line, bad.reason)).chain(further)
     }
 
     fn peek(&mut self) -> io::Result<Option<&LoggedFrame>> {

@@ -4,6 +4,7 @@ mod against;
 mod candidates;
 mod described;
 mod error_frame;
+mod line;
 mod merged;
 #[cfg(feature = "cli")]
 mod recording;
@@ -15,6 +16,10 @@ use std::io::{self, BufRead};
 pub use self::against::findings;
 use self::candidates::Candidates;
 pub use self::described::{DescribedNode, Descriptions};
+#[cfg(feature = "schema")]
+pub(crate) use self::line::FrameDocument;
+#[cfg(feature = "cli")]
+pub(crate) use self::line::digits;
 pub use self::merged::{MergedLogs, NamedLog, Origin};
 #[cfg(feature = "cli")]
 pub(crate) use self::recording::{PageTexts, PlotChoice, Recording, address};

@@ -7,13 +7,16 @@ use std::sync::{Arc, OnceLock};
 
 use objdict::format::Description;
 use objdict::format::input::{FileKind, Input, Reading};
+use objdict::config::Project;
 use objdict::format::json;
+use objdict::format::patch::Patch;
 use objdict::model::{Device, Pdo, PdoKind};
 use objdict::source::SourceFile;
 use pyo3::prelude::*;
 use pyo3::types::PyBytes;
 
 use super::entry::{Entry, Meaning, meanings};
+use super::findings::project_of;
 use super::raised;
 use super::value::name_of;
 
@@ -30,6 +33,8 @@ pub(crate) struct Shared {
     /// The file; `None` of bytes.
     pub(crate) path: Option<PathBuf>,
     pub(crate) node_id: Option<u8>,
+    /// The nearest configuration of the file.
+    pub(crate) project: Option<Arc<Project>>,
     meanings: OnceLock<HashMap<(u16, u8), Meaning>>,
 }
 
@@ -74,26 +79,29 @@ pub(crate) struct NativeObject {
     index: u16,
 }
 
-/// Reads a file.
+/// Reads a file, with patches and with those of the nearest configuration.
 #[pyfunction]
-#[pyo3(signature = (path, node_id=None, device=None, variant=None))]
+#[pyo3(signature = (path, node_id=None, device=None, variant=None, patches=Vec::new()))]
 pub(crate) fn open(
     py: Python<'_>,
     path: PathBuf,
     node_id: Option<u8>,
     device: Option<NonZeroUsize>,
     variant: Option<String>,
+    patches: Vec<PathBuf>,
 ) -> PyResult<NativeDictionary> {
-    let reading = reading(node_id, device, variant);
     py.detach(|| {
+        let project = project_of(&path)?.map(Arc::new);
+        let mut reading = reading(node_id, device, variant, project.as_deref());
+        reading.patches.extend(opened(&patches)?);
         let bytes = objdict::source::read(&path, reading.max_size).map_err(raised)?;
-        one(&reading, &path.display().to_string(), bytes, Some(path))
+        one(&reading, &path.display().to_string(), bytes, Some(path), project)
     })
 }
 
-/// Reads the bytes of a file of this name.
+/// Reads the bytes of a file of this name, with patches.
 #[pyfunction]
-#[pyo3(signature = (data, name, node_id=None, device=None, variant=None))]
+#[pyo3(signature = (data, name, node_id=None, device=None, variant=None, patches=Vec::new()))]
 pub(crate) fn read(
     py: Python<'_>,
     data: Vec<u8>,
@@ -101,21 +109,42 @@ pub(crate) fn read(
     node_id: Option<u8>,
     device: Option<NonZeroUsize>,
     variant: Option<String>,
+    patches: Vec<PathBuf>,
 ) -> PyResult<NativeDictionary> {
-    let reading = reading(node_id, device, variant);
-    py.detach(|| one(&reading, &name, data, None))
+    py.detach(|| {
+        let mut reading = reading(node_id, device, variant, None);
+        reading.patches = opened(&patches)?;
+        one(&reading, &name, data, None, None)
+    })
 }
 
-pub(crate) fn reading(node_id: Option<u8>, device: Option<NonZeroUsize>, variant: Option<String>) -> Reading {
+fn opened(patches: &[PathBuf]) -> PyResult<Vec<Arc<Patch>>> {
+    patches.iter().map(|path| Patch::open(path).map(Arc::new).map_err(raised)).collect()
+}
+
+/// How a file is read that this configuration is for.
+pub(crate) fn reading(
+    node_id: Option<u8>,
+    device: Option<NonZeroUsize>,
+    variant: Option<String>,
+    project: Option<&Project>,
+) -> Reading {
     let mut reading = Reading::default();
     (reading.node_id, reading.device, reading.variant) = (node_id, device, variant);
+    reading.patches = project.map(|project| project.patches.clone()).unwrap_or_default();
     reading
 }
 
 /// The one device that was asked for.
-fn one(reading: &Reading, name: &str, bytes: Vec<u8>, path: Option<PathBuf>) -> PyResult<NativeDictionary> {
+fn one(
+    reading: &Reading,
+    name: &str,
+    bytes: Vec<u8>,
+    path: Option<PathBuf>,
+    project: Option<Arc<Project>>,
+) -> PyResult<NativeDictionary> {
     let (_, input) = reading.read_one(name, bytes).map_err(raised)?;
-    Ok(NativeDictionary(Arc::new(described(name, input, path, reading)?)))
+    Ok(NativeDictionary(Arc::new(described(name, input, path, reading, project)?)))
 }
 
 /// What was read, where it is a device.
@@ -124,6 +153,7 @@ pub(crate) fn described(
     input: Input,
     path: Option<PathBuf>,
     reading: &Reading,
+    project: Option<Arc<Project>>,
 ) -> PyResult<Shared> {
     let described = match input {
         Input::Description(description) => Described::Text(description),
@@ -132,7 +162,7 @@ pub(crate) fn described(
             return Err(raised(format_args!("`{name}` describes no device")));
         }
     };
-    let mut shared = Shared { described, path, node_id: reading.node_id, meanings: OnceLock::new() };
+    let mut shared = Shared { described, path, node_id: reading.node_id, project, meanings: OnceLock::new() };
     shared.node_id = shared.node_id.or(shared.device().node_id());
     Ok(shared)
 }

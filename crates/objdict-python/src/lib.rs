@@ -8,6 +8,7 @@ mod findings;
 mod network;
 mod output;
 mod streams;
+mod traffic;
 mod value;
 
 use pyo3::prelude::*;
@@ -35,6 +36,7 @@ mod _native {
         network::{build_network, check_network},
         output::{card, changes, convert, docs, generate},
         streams::{pack, unpack},
+        traffic::{Frames, decode, is_network},
     };
 
     /// The version of objdict.

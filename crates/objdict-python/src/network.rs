@@ -9,7 +9,7 @@ use objdict::report::{Report, Subject, grouped};
 use pyo3::prelude::*;
 use pyo3::types::PyBytes;
 
-use super::findings::{document, errors_among};
+use super::findings::{document, errors_among, project_of};
 use super::raised;
 
 /// The name of a node and its node-ID.
@@ -51,8 +51,11 @@ pub(crate) fn build_network<'py>(
     Ok(files.into_iter().map(|file| (file.name, PyBytes::new(py, &file.bytes))).collect())
 }
 
-fn opened(path: &Path) -> PyResult<NetworkFile> {
-    NetworkFile::open(path, &PathOptions::default()).map_err(raised)
+/// A network, its descriptions with the patches of the nearest configuration.
+pub(crate) fn opened(path: &Path) -> PyResult<NetworkFile> {
+    let mut options = PathOptions::default();
+    options.patches = project_of(path)?.map(|project| project.patches).unwrap_or_default();
+    NetworkFile::open(path, &options).map_err(raised)
 }
 
 /// Builds nothing of a network with errors.

@@ -3,7 +3,6 @@
 mod check;
 mod csv;
 mod html;
-mod json;
 mod summary;
 mod text;
 
@@ -12,12 +11,9 @@ use std::io::{self, BufRead, BufReader, Write};
 use std::path::{Path, PathBuf};
 
 use self::csv::{LongCsv, WideCsv};
-use self::json::JsonLines;
-#[cfg(feature = "schema")]
-pub(super) use self::json::Line;
 #[cfg(feature = "schema")]
 pub(super) use self::summary::Document as SummaryDocument;
-use self::text::TextLines;
+use self::text::{JsonLines, TextLines};
 use super::args::{DecodeArgs, DecodeFormat, FrameFilterArgs, WithFile};
 use super::input::{Input, name_of, source_name};
 use super::network;
@@ -28,8 +24,7 @@ use crate::describe::frames::{DecodedFrame, FrameKind};
 use crate::format::input::Reading;
 use crate::format::log::{LogOptions, LoggedFrame};
 use crate::format::network::NetworkFile;
-use crate::report::plural;
-use crate::traffic::{Bus, Buses, Descriptions, MergedLogs, NamedLog, Origin, Recording, raw};
+use crate::traffic::{Bus, Buses, Descriptions, MergedLogs, NamedLog, Origin, Recording, digits, raw};
 
 /// How much of a log is read at once.
 const BUFFER: usize = 1 << 16;
@@ -244,33 +239,18 @@ fn descriptions<'a>(
 /// Reports lines that are not understood. A log without a frame is not one.
 fn report_bad_lines(logs: &Logs) -> Result<Outcome, Failure> {
     let mut outcome = Outcome::Clean;
-    for NamedLog { name, reader, .. } in &logs.0 {
-        let count = reader.bad_count();
-        if reader.frame_count() == 0 && count > 0 {
-            tell(&format!(
-                "error: `{name}` is not a log of a CAN bus\n  help: candump, ASC, TRC, CSV of python-can, pcap and pcapng are read\n"
-            ));
+    for log in &logs.0 {
+        if let Some(problem) = log.problem() {
+            tell(&format!("error: {problem}\n"));
             outcome = Outcome::Failed;
             continue;
         }
-        if reader.frame_count() == 0 {
-            note(&format!("note: `{name}` has no frame\n"));
+        if log.reader.frame_count() == 0 {
+            note(&format!("note: `{}` has no frame\n", log.name));
         }
-        for bad in reader.bad_lines() {
-            tell(&format!("warning: {name}:{}: {}\n", bad.line, bad.reason));
-        }
-        let further = count - reader.bad_lines().len() as u64;
-        if further > 0 {
-            let further = plural(usize::try_from(further).unwrap_or(usize::MAX), "further line");
-            tell(&format!("warning: {name}: {further} not understood\n"));
-        }
+        log.warnings().for_each(|text| tell(&format!("warning: {text}\n")));
     }
     Ok(outcome)
-}
-
-/// The bytes of a frame in hex.
-fn digits(bytes: &[u8], between: &str) -> String {
-    bytes.iter().map(|byte| format!("{byte:02X}")).collect::<Vec<_>>().join(between)
 }
 
 /// The CAN-ID in hex: 3 digits for 11 bits, 8 for 29.

@@ -1,9 +1,9 @@
-//! Frames as lines of text.
+//! Frames as lines: of text, or of JSON.
 
 use std::io::{self, Write};
 
 use super::super::output::Output;
-use super::{Printer, Shown, digits, id_of};
+use super::{Printer, Shown, digits, id_of, write_raw};
 
 /// A line for each frame: time, channel, CAN-ID, data, words.
 pub(super) struct TextLines;
@@ -16,5 +16,14 @@ impl Printer for TextLines {
         let words = bus.words(decoded, frame);
         let line = format!("{}  {channel}{:>3}  {data:<23}  {words}", frame.time, id_of(frame));
         writeln!(out, "{}", line.trim_end())
+    }
+}
+
+/// A line of JSON for each frame.
+pub(super) struct JsonLines;
+
+impl Printer for JsonLines {
+    fn frame(&mut self, shown: &Shown<'_, '_>, out: &mut Output) -> io::Result<()> {
+        write_raw(out, &(shown.bus.json(&shown.decoded, shown.frame) + "\n"))
     }
 }

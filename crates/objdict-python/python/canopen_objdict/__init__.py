@@ -11,6 +11,7 @@ from ._findings import Edit, Finding, Fix, Related, check
 from ._native import Entry, Formula, ObjdictError, __version__
 from ._network import Network, Node
 from ._pdo import Mapped, Pdo
+from ._traffic import Frame, Signal, decode
 
 __all__ = [
     "Change",
@@ -20,6 +21,7 @@ __all__ = [
     "Finding",
     "Fix",
     "Formula",
+    "Frame",
     "Mapped",
     "Network",
     "Node",
@@ -27,8 +29,10 @@ __all__ = [
     "Object",
     "Pdo",
     "Related",
+    "Signal",
     "__version__",
     "check",
     "concise",
+    "decode",
     "load",
 ]

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import json
 import os
-from collections.abc import Iterator, Mapping
+from collections.abc import Iterable, Iterator, Mapping
 from functools import cached_property
 from pathlib import Path
 from typing import TYPE_CHECKING, Any, BinaryIO, NamedTuple, TextIO, Union, overload
@@ -42,20 +42,27 @@ def load(
     name: str | None = None,
     device: int | None = None,
     variant: str | None = None,
+    patches: Iterable[str | os.PathLike[str]] = (),
 ) -> Device:
     """Reads a description: EDS, DCF, XDD, XDC, a project of CANopenNode or objdictgen, `device.toml` or JSON.
 
     `name` is what findings call bytes and file objects. Of a file with several devices, `device` says which one, counted
-    from 1; `variant` is one of a `device.toml`.
+    from 1; `variant` is one of a `device.toml`. A file is read with the patches that the nearest `objdict.toml` names, and with
+    `patches`.
     """
+    patched = [os.fspath(path) for path in patches]
     if isinstance(source, (str, os.PathLike)):
-        return Device(_native.open(os.fspath(source), node_id, device, variant))
-    if not isinstance(source, (bytes, bytearray, memoryview)):
-        stated = getattr(source, "name", None)
-        name = name or (stated if isinstance(stated, str) else None)
-        content = source.read()
-        source = content.encode() if isinstance(content, str) else content
-    return Device(_native.read(bytes(source), name or "<bytes>", node_id, device, variant))
+        return Device(_native.open(os.fspath(source), node_id, device, variant, patched))
+    stated, content = content_of(source)
+    return Device(_native.read(content, name or stated or "<bytes>", node_id, device, variant, patched))
+
+
+def content_of(source: bytes | bytearray | memoryview | BinaryIO | TextIO) -> tuple[str | None, bytes]:
+    """The name of a file object, and what is in it."""
+    if isinstance(source, (bytes, bytearray, memoryview)):
+        return None, bytes(source)
+    name, content = getattr(source, "name", None), source.read()
+    return name if isinstance(name, str) else None, content.encode() if isinstance(content, str) else bytes(content)
 
 
 class Object(Mapping[int, Entry]):

@@ -125,8 +125,16 @@ class Dictionary:
     def facts(self) -> str: ...
     def source(self) -> bytes: ...
 
+@final
+class Frames:
+    def next(self) -> tuple[list[str], bool]: ...
+
 def open(
-    path: str | os.PathLike[str], node_id: int | None = None, device: int | None = None, variant: str | None = None
+    path: str | os.PathLike[str],
+    node_id: int | None = None,
+    device: int | None = None,
+    variant: str | None = None,
+    patches: list[str] = ...,
 ) -> Dictionary: ...
 def read(
     data: bytes,
@@ -134,7 +142,12 @@ def read(
     node_id: int | None = None,
     device: int | None = None,
     variant: str | None = None,
+    patches: list[str] = ...,
 ) -> Dictionary: ...
+def decode(
+    logs: list[tuple[str, bytes | None]], networks: list[str], devices: list[tuple[int | None, Dictionary]]
+) -> Frames: ...
+def is_network(path: str) -> bool: ...
 def convert(
     of: Dictionary,
     to: str,
