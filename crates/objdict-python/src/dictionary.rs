@@ -5,9 +5,9 @@ use std::num::NonZeroUsize;
 use std::path::{Path, PathBuf};
 use std::sync::{Arc, OnceLock};
 
+use objdict::config::Project;
 use objdict::format::Description;
 use objdict::format::input::{FileKind, Input, Reading};
-use objdict::config::Project;
 use objdict::format::json;
 use objdict::format::patch::Patch;
 use objdict::model::{Device, Pdo, PdoKind};

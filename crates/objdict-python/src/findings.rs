@@ -5,11 +5,11 @@ use std::io;
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
+use objdict::check_with;
 use objdict::config::{Config, Project};
 use objdict::diagnostic::{Findings, Severity};
 use objdict::lint::{self, Severities};
 use objdict::report::{Concise, Json, Report, Subject, grouped};
-use objdict::check_with;
 use pyo3::prelude::*;
 
 use super::dictionary::{Described, NativeDictionary, Shared, described, reading};
@@ -73,7 +73,8 @@ fn add(
     let bytes = objdict::source::read(path, reading.max_size).map_err(io::Error::other)?;
     let name = path.display().to_string();
     let (_, input) = reading.read(&name, bytes).map_err(io::Error::other)?;
-    let first = described(&name, input, Some(path.to_owned()), &reading, project).map_err(io::Error::other)?;
+    let first =
+        described(&name, input, Some(path.to_owned()), &reading, project).map_err(io::Error::other)?;
     let Described::Text(description) = &first.described else {
         let (subject, findings) = findings_of(&first).map_err(io::Error::other)?;
         return report.file(subject, &findings);

@@ -30,6 +30,22 @@ def test_the_nearest_configuration_counts(fixtures: Path, tmp_path: Path) -> Non
     assert all(finding.rule != "cia306/number-suffix" for finding in check(path))
 
 
+def test_patches_are_applied(fixtures: Path, tmp_path: Path) -> None:
+    path, patch = tmp_path / "io.eds", tmp_path / "io.patch.toml"
+    path.write_bytes((fixtures / "eds/io-401.eds").read_bytes())
+    patch.write_bytes((fixtures / "patches/io-401.patch.toml").read_bytes())
+    assert load(path)[0x6401, 1].unit != "V"
+    assert load(path, patches=[patch])[0x6401, 1].unit == "V"
+    assert load(path.read_bytes(), patches=[patch])[0x6401, 1].data_type == "UNSIGNED16"
+    (tmp_path / "objdict.toml").write_text('patches = ["*.patch.toml"]\n')
+    assert load(path)[0x6401, 1].data_type == "UNSIGNED16"
+    (tmp_path / "network.toml").write_text('[[node]]\nname = "io"\nid = 5\nfile = "io.eds"\n')
+    built = Network.load(tmp_path / "network.toml").build(force=True)
+    assert load(built["io.dcf"], name="io.dcf")[0x6401, 1].data_type == "UNSIGNED16"
+    (tmp_path / "objdict.toml").write_text('patches = ["nothing.toml"]\n')
+    assert [finding.rule for finding in check(path) if finding.path.endswith("objdict.toml")] == ["objdict/invalid-setting"]
+
+
 @pytest.mark.parametrize("to", ["eds", "dcf", "xdd", "xdc", "toml", "json"])
 def test_a_converted_device_is_the_same(fixtures: Path, to: str) -> None:
     drive = load(fixtures / "eds/drive-402.eds")

@@ -60,6 +60,16 @@ def test_the_first_example(fixtures: Path, tmp_path: Path, monkeypatch: pytest.M
     exec(compile(example[1], "python.md", "exec"), {})
 
 
+def test_the_log(fixtures: Path, tmp_path: Path, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]) -> None:
+    example = re.search(r"```python\n(for frame in .*?)```", PAGE.read_text(encoding="utf-8"), re.DOTALL)
+    assert example is not None
+    shutil.copy(fixtures / "logs/drive.asc", tmp_path)
+    shutil.copy(fixtures / "eds/drive-402.eds", tmp_path)
+    monkeypatch.chdir(tmp_path)
+    exec(compile("import canopen_objdict\n" + example[1], "python.md", "exec"), {})
+    assert "Position actual value" in capsys.readouterr().out
+
+
 def test_the_new_device(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     example = re.search(r"```python\n(lamp = .*?)```", PAGE.read_text(encoding="utf-8"), re.DOTALL)
     assert example is not None
