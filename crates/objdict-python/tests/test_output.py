@@ -39,7 +39,7 @@ def test_patches_are_applied(fixtures: Path, tmp_path: Path) -> None:
     assert load(path.read_bytes(), patches=[patch])[0x6401, 1].data_type == "UNSIGNED16"
     (tmp_path / "objdict.toml").write_text('patches = ["*.patch.toml"]\n')
     assert load(path)[0x6401, 1].data_type == "UNSIGNED16"
-    (tmp_path / "network.toml").write_text('[[node]]\nname = "io"\nid = 5\nfile = "io.eds"\n')
+    (tmp_path / "network.toml").write_text('[bus]\nbit-rate = 125\n\n[node.io]\nfile = "io.eds"\nid = 5\n')
     built = Network.load(tmp_path / "network.toml").build(force=True)
     assert load(built["io.dcf"], name="io.dcf")[0x6401, 1].data_type == "UNSIGNED16"
     (tmp_path / "objdict.toml").write_text('patches = ["nothing.toml"]\n')

@@ -10,8 +10,13 @@ import { findProgram, possibleValues, requireServer } from "./program";
 
 /** The command behind the links of a drawing. */
 const GO_TO = "objdict.goTo";
+/** How long after a change a drawing follows, in milliseconds: not at every key. */
+const FOLLOWS_AFTER = 300;
 /** The pages beside the text, by their titles. */
 const panels = new Map<string, vscode.WebviewPanel>();
+/** How the pages are drawn that follow their text, by their titles. */
+const drawings = new Map<string, { document: vscode.TextDocument; draw: (html: string) => string }>();
+let waiting: NodeJS.Timeout | undefined;
 let client: LanguageClient | undefined;
 
 export async function activate(context: vscode.ExtensionContext): Promise<void> {
@@ -27,6 +32,10 @@ export async function activate(context: vscode.ExtensionContext): Promise<void> 
   command("restart", () => start(context));
   context.subscriptions.push(
     vscode.commands.registerCommand(GO_TO, (path: string, section: string) => reported(() => goTo(path, section))),
+    vscode.workspace.onDidChangeTextDocument(({ document }) => {
+      clearTimeout(waiting);
+      waiting = setTimeout(() => void follow(document), FOLLOWS_AFTER);
+    }),
     vscode.workspace.onDidChangeConfiguration((event) => {
       if (["objdict.server", "objdict.files"].some((name) => event.affectsConfiguration(name)))
         void reported(() => start(context));
@@ -88,11 +97,17 @@ function active(): { source: Source; editor: vscode.TextEditor } {
 
 /** The documentation: of a description as the server has it, unsaved; of a network as it is on the disk. */
 async function pageOf(program: string, document: vscode.TextDocument): Promise<string> {
-  const request = { command: "objdict.documentation", arguments: [document.uri.toString()] };
-  const html: unknown = await client?.sendRequest("workspace/executeCommand", request).catch(() => undefined);
-  if (typeof html === "string") return html;
+  const html = await served(document);
+  if (html !== undefined) return html;
   if (document.isDirty) await document.save();
   return documentation(program, document.uri.fsPath);
+}
+
+/** The documentation of a description as the server has it. */
+async function served(document: vscode.TextDocument): Promise<string | undefined> {
+  const request = { command: "objdict.documentation", arguments: [document.uri.toString()] };
+  const html: unknown = await client?.sendRequest("workspace/executeCommand", request).catch(() => undefined);
+  return typeof html === "string" ? html : undefined;
 }
 
 async function showDocumentation(program: string): Promise<void> {
@@ -108,8 +123,25 @@ async function showPdo(program: string): Promise<void> {
   const pdo = index === undefined ? undefined : pdoOf(index);
   if (pdo === undefined) throw new Error("the cursor is not in a section of a PDO: go to `[1800]`, `[1A00]` or one of their sub-indices");
   const link = (section: string) => `command:${GO_TO}?${encodeURIComponent(JSON.stringify([source.path, section]))}`;
-  const html = drawing(await pageOf(program, editor.document), pdo, link);
-  page(`${pdo} of ${basename(source.path)}`, html, { enableCommandUris: [GO_TO] });
+  const draw = (html: string) => drawing(html, pdo, link);
+  const title = `${pdo} of ${basename(source.path)}`;
+  page(title, draw(await pageOf(program, editor.document)), { enableCommandUris: [GO_TO] });
+  drawings.set(title, { document: editor.document, draw });
+}
+
+/** Draws the pages of a text again. A drawing stays as long as the text, half typed, has no such PDO. */
+async function follow(document: vscode.TextDocument): Promise<void> {
+  const own = [...drawings].filter(([, { document: drawn }]) => drawn === document);
+  const html = own.length > 0 ? await served(document) : undefined;
+  if (html === undefined) return;
+  for (const [title, { draw }] of own) {
+    const panel = panels.get(title);
+    try {
+      if (panel !== undefined) panel.webview.html = draw(html);
+    } catch {
+      continue;
+    }
+  }
 }
 
 /** Shows a section of a description that is open. */
@@ -170,7 +202,7 @@ function page(title: string, html: string, options: vscode.WebviewOptions): void
   let panel = panels.get(title);
   if (panel === undefined) {
     panel = vscode.window.createWebviewPanel("objdict", title, place, { enableFindWidget: true, localResourceRoots: [], ...options });
-    panel.onDidDispose(() => panels.delete(title));
+    panel.onDidDispose(() => [panels, drawings].forEach((of) => of.delete(title)));
     panels.set(title, panel);
   } else panel.reveal(undefined, true);
   panel.webview.html = html;

@@ -392,6 +392,6 @@ fn a_browser_is_started_and_a_signal_ends_it() {
         })
         .unwrap();
     assert_eq!(fs::read_to_string(started).unwrap(), address.trim());
-    assert!(Command::new("kill").args(["-INT", &process.id().to_string()]).status().unwrap().success());
+    assert!(Command::new("kill").args(["-TERM", &process.id().to_string()]).status().unwrap().success());
     assert!(!process.wait().unwrap().success());
 }
