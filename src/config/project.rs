@@ -34,7 +34,7 @@ impl Project {
     ///
     /// # Errors
     ///
-    /// When the file cannot be read. What is wrong in it is in `findings`.
+    /// When the file cannot be read. Errors in it are in `findings`.
     pub fn open(path: &Path) -> Result<Self, SourceError> {
         Ok(Self::of(Config::open(&called(path))?))
     }

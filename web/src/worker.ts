@@ -42,7 +42,7 @@ async function start(): Promise<void> {
 
 /** So often a device is made, read and checked before there is a file: a browser compiles functions when they are called first, and
  *  optimises those that are called often. */
-const WARM_TURNS = 6;
+const WARM_TURNS = 24;
 
 /** The requests that wait for the engine. */
 let waiting = 0;

@@ -56,9 +56,9 @@ usage:
       write the structure of CiA 311, versions 1.0 and 1.1, as XML Schemas: 1.0.xsd and 1.1.xsd
   cargo xtask deny
       hold licences, versions and sources of all packages against deny.toml
-  cargo xtask dist KIND|all [--profile PROFILE]
+  cargo xtask dist KIND|all [--profile PROFILE] [--target TARGET]
       build a package for this machine into target/dist, with SHA256SUMS: wheel (command and Python module; needs Python and
-      gets maturin from PyPI), tarball, windows (a ZIP; on Linux needs mingw and rustc-web, see .ci/windows; not built by
+      gets maturin from PyPI; with --target, on Linux, for another system, by mingw or by zig from PyPI), tarball, windows (a ZIP; on Linux needs mingw and rustc-web, see .ci/windows; not built by
       `all`), deb, npm, docker (the folder of an image), vsix (the extension of VS Code; needs npm)
   cargo xtask dist try
       install each of them in an empty folder as docs/install.md says, and check a description
@@ -97,8 +97,10 @@ fn main() -> ExitCode {
         ["xsd", folder] => write_schemas(Path::new(folder)),
         ["deny"] => deny::run(),
         ["dist", "try"] => dist::try_out(),
-        ["dist", kind] => dist::run(kind, None),
-        ["dist", kind, "--profile", profile] => dist::run(kind, Some(profile)),
+        ["dist", kind, ref options @ ..] => match dist::Options::of(options) {
+            Some(options) => dist::run(kind, options),
+            None => Err(USAGE.to_owned()),
+        },
         ["publish"] => publish::run(false),
         ["publish", "--upload"] => publish::run(true),
         _ => Err(USAGE.to_owned()),

@@ -91,7 +91,7 @@ fn describe(networks: &[PathBuf], devices: &[(Option<u8>, Arc<Shared>)]) -> PyRe
     Ok(descriptions)
 }
 
-/// Reads logs until nobody asks for more, and returns the lines that are not understood.
+/// Reads logs as long as frames are asked for, and returns the lines that are not understood.
 fn send(
     sources: &[Source],
     descriptions: &Descriptions,

@@ -3,6 +3,7 @@
 //! The command is built once and linked statically where the system allows it, so one program runs on every Linux, in an empty
 //! image, and beside any Python.
 
+mod cross;
 mod deb;
 mod docker;
 mod npm;
@@ -51,12 +52,36 @@ struct Built {
     program: PathBuf,
     /// The version of all packages.
     version: String,
-    /// The profile of Cargo that was asked for; `None` for packages that are published.
+    options: Options,
+}
+
+/// How packages are built.
+#[derive(Default)]
+pub(crate) struct Options {
+    /// The profile of Cargo; `None` for packages that are published.
     profile: Option<String>,
+    /// The system that a wheel is for; `None` for this one.
+    target: Option<String>,
+}
+
+impl Options {
+    /// What the words behind a kind choose.
+    pub(crate) fn of(mut words: &[&str]) -> Option<Self> {
+        let mut options = Self::default();
+        while let [name, value, rest @ ..] = words {
+            match *name {
+                "--profile" => options.profile = Some((*value).to_owned()),
+                "--target" => options.target = Some((*value).to_owned()),
+                _ => return None,
+            }
+            words = rest;
+        }
+        words.is_empty().then_some(options)
+    }
 }
 
 /// Makes one kind, or `all` that can be made here. Programs of the profile `dev` are made sooner, for tests.
-pub(crate) fn run(kind: &str, profile: Option<&str>) -> Result<(), String> {
+pub(crate) fn run(kind: &str, options: Options) -> Result<(), String> {
     let kinds: Vec<&Kind> =
         KINDS.iter().filter(|own| own.name == kind || kind == "all" && own.here).collect();
     if kinds.is_empty() {
@@ -66,7 +91,10 @@ pub(crate) fn run(kind: &str, profile: Option<&str>) -> Result<(), String> {
             names.join(", ")
         ));
     }
-    let built = Built::new(profile)?;
+    if options.target.is_some() && kind != "wheel" {
+        return Err(format!("`--target` is for a wheel, not for `{kind}`"));
+    }
+    let built = Built::new(options)?;
     for kind in kinds {
         (kind.make)(&built)?;
     }
@@ -74,14 +102,17 @@ pub(crate) fn run(kind: &str, profile: Option<&str>) -> Result<(), String> {
 }
 
 impl Built {
-    fn new(profile: Option<&str>) -> Result<Self, String> {
+    fn new(options: Options) -> Result<Self, String> {
         let root = root();
         let dist = root.join("target/dist");
         make_folder(&dist)?;
         // a later build replaces the one in `target`
         let program = dist.join("stage").join(format!("objdict{EXE_SUFFIX}"));
-        let built =
-            Self { dist, program, version: version(&root)?, profile: profile.map(str::to_owned), root };
+        let mut built = Self { dist, program, version: version(&root)?, options, root };
+        if let Some(target) = &built.options.target {
+            built.program = cross::program(&built, target)?;
+            return Ok(built);
+        }
         let mut cargo = Command::new(env!("CARGO"));
         built.with_options(cargo.arg("rustc"));
         if cfg!(target_os = "linux") {
@@ -98,7 +129,7 @@ impl Built {
 
     /// A command of Cargo with the options of the packages.
     fn with_options<'a>(&self, cargo: &'a mut Command) -> &'a mut Command {
-        let profile = self.profile.as_deref().unwrap_or("release");
+        let profile = self.options.profile.as_deref().unwrap_or("release");
         cargo.current_dir(&self.root).args(["--bin", "objdict", "--profile", profile]);
         let page = self.root.join("web/dist/objdict-workbench.html");
         if page.is_file() {
@@ -111,7 +142,7 @@ impl Built {
 
     /// Where Cargo puts what it builds.
     fn folder(&self) -> &str {
-        match self.profile.as_deref() {
+        match self.options.profile.as_deref() {
             Some("dev") => "debug",
             profile => profile.unwrap_or("release"),
         }
