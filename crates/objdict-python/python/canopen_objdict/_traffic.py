@@ -75,13 +75,14 @@ def decode(
     `nodes` says what describes them: networks, devices, or a mapping of node-IDs to devices. A device without a node-ID is for
     the node that it fits, which is found in the logs. Lines that are not understood are a warning at the end.
     """
-    sources = [_source(log) for log in (logs if _is_several(logs) else [logs])]
+    sources = [_source(log) for log in _listed(logs)]
     networks: list[str] = []
     devices: list[tuple[int | None, _native.Dictionary]] = []
     if isinstance(nodes, Mapping) and not isinstance(nodes, Device):
-        for node_id, device in nodes.items():
-            device = device if isinstance(device, Device) else load(device, node_id)
-            devices.append((node_id, device._native))
+        of_nodes: Mapping[int, Any] = nodes
+        for node_id, device in of_nodes.items():
+            described = device if isinstance(device, Device) else load(device, node_id)
+            devices.append((node_id, described._native))
     else:
         for node in [nodes] if isinstance(nodes, (str, os.PathLike, Device, Network)) else nodes:
             if isinstance(node, Network):
@@ -95,9 +96,11 @@ def decode(
     return _frames(_native.decode(sources, networks, devices))
 
 
-def _is_several(logs: Any) -> bool:
+def _listed(logs: Source | Iterable[Source]) -> list[Any]:
+    """One log as a list: bytes and files could be iterated over too."""
     is_one = isinstance(logs, (str, os.PathLike, bytes, bytearray, memoryview)) or hasattr(logs, "read")
-    return not is_one
+    several: list[Any] = [logs] if is_one else list(logs)  # type: ignore[arg-type]
+    return several
 
 
 def _source(log: Any) -> tuple[str, bytes | None]:
