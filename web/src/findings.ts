@@ -22,9 +22,9 @@ function fixButton(store: Store, finding: Finding): HTMLElement | false {
   return h("button", { class: `fix ${fix.safety}`, title, onclick: make, "data-key": `fix-${finding.fingerprint}` }, fix.title);
 }
 
-function item(store: Store, finding: Finding): HTMLElement {
+function item(store: Store, finding: Finding, objects: Set<number>): HTMLElement {
   const index = indexOf(finding.place);
-  const has = index !== undefined && store.current!.outline.objects.some((object) => object.index === index);
+  const has = index !== undefined && objects.has(index);
   const go = () => {
     const { kind } = store.current!.state;
     store.index = has ? index : store.index;
@@ -69,11 +69,13 @@ export function findingsPanel(store: Store): HTMLElement {
     const findings = document?.report.findings ?? [];
     const { errors = 0, warnings = 0, notes = 0 } = document?.report.summary ?? {};
     const count = (number: number, word: string) => `${number} ${word}${number === 1 ? "" : "s"}`;
-    summary.textContent = document ? [count(errors, "error"), count(warnings, "warning"), count(notes, "note")].join(", ") : "";
+    const counts = [count(errors, "error"), count(warnings, "warning"), count(notes, "note")].join(", ");
+    summary.textContent = !document ? "" : document.is_checked ? counts : "Checking …";
     safe.hidden = !findings.some((finding) => finding.fix?.safety === "safe");
-    const shown = findings.slice(0, MAX_SHOWN).map((finding) => item(store, finding));
+    const objects = new Set(document?.outline.objects.map((object) => object.index));
+    const shown = findings.slice(0, MAX_SHOWN).map((finding) => item(store, finding, objects));
     if (findings.length > MAX_SHOWN) shown.push(h("li", {}, `and ${findings.length - MAX_SHOWN} more`));
-    if (document && findings.length === 0) shown.push(h("li", { class: "nothing" }, "No findings."));
+    if (document?.is_checked && findings.length === 0) shown.push(h("li", { class: "nothing" }, "No findings."));
     list.replaceChildren(...shown);
     list.setAttribute("aria-busy", String(document !== undefined && !document.has_fixes));
   });

@@ -22,6 +22,8 @@ export interface OpenDocument {
   state: State;
   outline: Outline;
   report: Report;
+  /** Whether the report is that of the check, which comes a little after the objects. */
+  is_checked: boolean;
   /** Whether the report has its fixes yet. */
   has_fixes: boolean;
   original: string;
@@ -100,9 +102,10 @@ export class Store {
 
   /** Shows a document that the engine has opened. */
   async take({ document: id, state, notes }: Opened, bytes?: Uint8Array): Promise<void> {
-    const opened: OpenDocument = { id, state, outline: NO_OUTLINE, report: NO_REPORT, has_fixes: false, original: state.text };
+    const opened: OpenDocument = { id, state, outline: NO_OUTLINE, report: NO_REPORT, is_checked: false, has_fixes: false, original: state.text };
     if (state.kind === "log") opened.bytes = bytes;
-    await this.read(opened);
+    const [outline, checked] = this.read(opened);
+    await outline;
     this.documents.push(opened);
     this.revision++;
     this.notice = state.devices > 1 ? { kind: "note", message: `The file has ${state.devices} devices; the first is shown.` } : undefined;
@@ -110,6 +113,9 @@ export class Store {
     if (this.view === "compare" || this.view === "diff") this.view = "form";
     this.show(opened);
     this.follow();
+    // the objects are drawn while the engine checks
+    await checked;
+    this.draw();
   }
 
   /** Shows what the address of the page names: the object of `#6041`, the PDO of `#TPDO2`. */
@@ -124,13 +130,19 @@ export class Store {
     this.draw();
   }
 
-  /** What is shown of a document beside its text. */
-  private async read(of: OpenDocument): Promise<void> {
+  /** What is shown of a document beside its text: first its objects, then what the check finds. */
+  private read(of: OpenDocument): Promise<void>[] {
     const { id: document, state } = of;
-    if (state.kind !== "device") return;
-    const [outline, report] = await Promise.all([ask<Outline>({ do: "outline", document }), ask<Report>({ do: "check", document, tools: this.tools })]);
-    Object.assign(of, { outline, report, has_fixes: false });
-    void this.findFixes(of);
+    if (state.kind !== "device") return [];
+    const outlined = ask<Outline>({ do: "outline", document }).then((outline) => void (of.outline = outline));
+    const checked = ask<Report>({ do: "check", document, tools: this.tools }).then((report) => {
+      Object.assign(of, { report, is_checked: true, has_fixes: false });
+      // what is drawn now asks before
+      setTimeout(() => void this.findFixes(of));
+    });
+    // a failure of both is told once
+    checked.catch(() => undefined);
+    return [outlined, checked];
   }
 
   /** Reads a network or a log with the documents as they are now. */
@@ -145,7 +157,7 @@ export class Store {
         of.log = await ask<LogSummary>({ do: "decode", document: of.id, with: this.descriptionsFor(of) });
         of.report = of.log.report;
       }
-      of.has_fixes = true;
+      of.is_checked = of.has_fixes = true;
       this.draw();
     });
   }
@@ -181,14 +193,14 @@ export class Store {
 
   async refresh(of: OpenDocument, state: State): Promise<void> {
     of.state = state;
-    await this.read(of);
+    await Promise.all(this.read(of));
     this.changed();
   }
 
   /** The findings anew, with the reactions of other tools. */
   async recheck(): Promise<void> {
     await this.attempt(async () => {
-      for (const document of this.documents) await this.read(document);
+      for (const document of this.documents) await Promise.all(this.read(document));
     });
     this.draw();
   }
