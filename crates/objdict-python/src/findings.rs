@@ -49,10 +49,12 @@ pub(crate) fn check(py: Python<'_>, paths: Vec<PathBuf>) -> PyResult<String> {
         let mut projects = BTreeMap::new();
         document(|report| {
             paths.iter().try_for_each(|path| add(report, path, &mut projects))?;
-            let mut projects = projects.values().flatten();
-            projects.try_for_each(|project: &Arc<Project>| {
-                report.file(project.config.source().into(), &project.findings)
-            })
+            // several folders may have one configuration
+            let named = projects.values().flatten().map(|project| (project.config.source().name(), project));
+            let named: BTreeMap<&str, &Arc<Project>> = named.collect();
+            named
+                .values()
+                .try_for_each(|project| report.file(project.config.source().into(), &project.findings))
         })
     })
 }
