@@ -42,7 +42,7 @@ pub(super) struct Maker<'a> {
 
 impl Maker<'_> {
     fn of_problem(&self, problem: &ReadProblem) -> Diagnostic {
-        let positions = Positions { source: self.subject.source(), unit: self.unit };
+        let positions = Positions::new(self.subject.source(), self.unit);
         Diagnostic {
             range: positions.range(problem.span),
             severity: Some(DiagnosticSeverity::ERROR),
@@ -84,7 +84,7 @@ impl Maker<'_> {
 
     fn located(&self, label: &SourceLabel) -> (&SourceFile, Range) {
         let of_label = self.subject.of_label(&label.at);
-        let positions = Positions { source: of_label.source(), unit: self.unit };
+        let positions = Positions::new(of_label.source(), self.unit);
         (of_label.source(), positions.range(self.subject.span_of(&label.at)))
     }
 

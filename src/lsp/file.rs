@@ -51,7 +51,7 @@ impl File {
     }
 
     pub(super) fn positions(&self) -> Positions<'_> {
-        Positions { source: self.source(), unit: self.unit }
+        Positions::new(self.source(), self.unit)
     }
 
     pub(super) fn offset(&self, position: Position) -> u32 {

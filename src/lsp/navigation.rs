@@ -53,7 +53,7 @@ fn in_network(file: &File, offset: u32) -> Option<Location> {
         let description = file.analysis.network()?.description(found.node)?;
         let place = described(description.device(), &found.mention);
         let span = place.and_then(|place| description.locate(&place)).unwrap_or_default();
-        let positions = Positions { source: description.source(), unit: file.unit };
+        let positions = Positions::new(description.source(), file.unit);
         return Some(Location::new(of_path(&path_of_node(file, found.node)?)?, positions.range(span)));
     }
     let is_here = |span: Span| span.start <= offset && offset <= span.end;

@@ -1,8 +1,8 @@
 //! Lines and columns as editors count them: from 0, in units of UTF-16 or UTF-8.
 
-use lsp_types::{Position, PositionEncodingKind, Range, TextEdit};
+use lsp_types::{Position, PositionEncodingKind, Range, TextDocumentContentChangeEvent, TextEdit};
 
-use crate::source::{SourceFile, Span};
+use crate::source::{LineIndex, SourceFile, Span};
 
 /// The unit of columns.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
@@ -42,25 +42,29 @@ impl ColumnUnit {
 /// The positions of a text.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Positions<'a> {
-    pub(super) source: &'a SourceFile,
-    pub(super) unit: ColumnUnit,
+    text: &'a str,
+    lines: &'a LineIndex,
+    unit: ColumnUnit,
 }
 
-impl Positions<'_> {
+impl<'a> Positions<'a> {
+    pub(super) fn new(source: &'a SourceFile, unit: ColumnUnit) -> Self {
+        Self { text: source.text(), lines: source.lines(), unit }
+    }
+
     /// The position of a byte.
     pub(super) fn of(&self, offset: u32) -> Position {
-        let (text, lines) = (self.source.text(), self.source.lines());
-        let line = lines.line_of(text, offset);
-        let start = lines.line_span(text, line).start as usize;
+        let text = self.text;
+        let line = self.lines.line_of(text, offset);
+        let start = self.lines.line_span(text, line).start as usize;
         let before = text.get(start..(offset as usize).min(text.len())).unwrap_or_default();
         Position::new(line as u32, before.chars().map(|c| self.unit.width(c)).sum())
     }
 
     /// The byte of a position; behind the end of a line it is that end, inside of a character its start.
     pub(super) fn offset(&self, position: Position) -> u32 {
-        let (text, lines) = (self.source.text(), self.source.lines());
-        let span = lines.line_span(text, position.line as usize);
-        let line = span.of(text);
+        let span = self.lines.line_span(self.text, position.line as usize);
+        let line = span.of(self.text);
         let mut left = position.character;
         let mut at = 0;
         for c in line.trim_end_matches(['\n', '\r']).chars() {
@@ -88,6 +92,16 @@ impl Positions<'_> {
     }
 }
 
+/// Makes a change that an editor sends: of a range, or of the whole text.
+pub(super) fn apply(text: &mut String, change: TextDocumentContentChangeEvent, unit: ColumnUnit) {
+    let Some(range) = change.range else {
+        *text = change.text;
+        return;
+    };
+    let span = Positions { text, lines: &LineIndex::new(text), unit }.span(range);
+    text.replace_range(span.start as usize..span.end as usize, &change.text);
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;
@@ -103,12 +117,12 @@ mod tests {
             (ColumnUnit::Utf8, "d", 1, 5),
             (ColumnUnit::Utf16, "no such", 1, 4),
         ] {
-            let positions = Positions { source: &source, unit };
+            let positions = Positions::new(&source, unit);
             let position = Position::new(line, column);
             assert_eq!(positions.of(at(part)), position);
             assert_eq!(positions.offset(position), at(part));
         }
-        let positions = Positions { source: &source, unit: ColumnUnit::Utf16 };
+        let positions = Positions::new(&source, ColumnUnit::Utf16);
         assert_eq!(positions.offset(Position::new(0, 3)), at("\u{1F600}"), "in the middle of a character");
         assert_eq!(positions.offset(Position::new(0, 99)), at("\r\n"));
         assert_eq!(positions.offset(Position::new(9, 9)), at("no such"));

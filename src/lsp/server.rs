@@ -156,11 +156,9 @@ impl Server<'_> {
                 }
             }
             DidChangeTextDocument::METHOD => {
-                if let Some(mut params) = read::<DidChangeTextDocument>(note)
-                    && let Some(change) = params.content_changes.pop()
-                {
+                if let Some(params) = read::<DidChangeTextDocument>(note) {
                     let changed = params.text_document;
-                    self.workspace.change(&changed.uri, changed.version, change.text);
+                    self.workspace.change(&changed.uri, changed.version, params.content_changes);
                 }
             }
             DidCloseTextDocument::METHOD => {

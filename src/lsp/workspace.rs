@@ -6,13 +6,13 @@ use std::path::{Path, PathBuf};
 use std::rc::Rc;
 
 use lsp_server::Request;
-use lsp_types::Uri;
+use lsp_types::{TextDocumentContentChangeEvent, Uri};
 
 use super::analysis::{Analysis, analyse};
 use super::baseline;
 use super::file::File;
 use super::navigation::mentions_of;
-use super::position::ColumnUnit;
+use super::position::{ColumnUnit, apply};
 use super::uri::{of_path, path_of};
 use crate::config::{Config, Project};
 use crate::format::mention::Mention;
@@ -96,11 +96,12 @@ impl Workspace {
         self.forget(&path);
     }
 
-    /// Takes a new text of an open file.
-    pub(super) fn change(&mut self, uri: &Uri, version: i32, text: String) {
+    /// Makes changes of an open file, each in the text that the one before leaves.
+    pub(super) fn change(&mut self, uri: &Uri, version: i32, changes: Vec<TextDocumentContentChangeEvent>) {
         let Some(path) = path_of(uri) else { return };
         if let Some(buffer) = self.texts.borrow_mut().get_mut(&path) {
-            (buffer.version, buffer.text) = (version, text);
+            buffer.version = version;
+            changes.into_iter().for_each(|change| apply(&mut buffer.text, change, self.unit));
         }
         self.forget(&path);
     }

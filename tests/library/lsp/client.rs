@@ -14,6 +14,8 @@ pub(crate) struct Client {
     server: Option<JoinHandle<()>>,
     folder: tempfile::TempDir,
     next: i32,
+    /// The texts of the open files.
+    texts: BTreeMap<String, String>,
     /// The findings of each file that were published last.
     published: BTreeMap<String, Value>,
     /// What the server asked last, by method.
@@ -43,6 +45,7 @@ impl Client {
             server,
             folder,
             next: 0,
+            texts: BTreeMap::new(),
             published: BTreeMap::new(),
             requested: BTreeMap::new(),
             offered: Value::Null,
@@ -79,15 +82,18 @@ impl Client {
     pub(crate) fn open(&mut self, name: &str, text: &str) -> Value {
         let document = json!({ "uri": self.uri(name), "languageId": "x", "version": 0, "text": text });
         self.note("textDocument/didOpen", json!({ "textDocument": document }));
+        self.texts.insert(name.to_owned(), text.to_owned());
         self.findings(name)
     }
 
-    /// Sends a new text of an open file.
+    /// Sends what a new text of an open file has of its own, as editors do.
     pub(crate) fn send_change(&mut self, name: &str, text: &str) {
         self.next += 1;
         let document = json!({ "uri": self.uri(name), "version": self.next });
-        let change = json!({ "textDocument": document, "contentChanges": [{ "text": text }] });
-        self.note("textDocument/didChange", change);
+        let unit = self.offered["capabilities"]["positionEncoding"].as_str().unwrap();
+        let old = self.texts.insert(name.to_owned(), text.to_owned()).unwrap();
+        let change = difference(&old, text, unit == "utf-8");
+        self.note("textDocument/didChange", json!({ "textDocument": document, "contentChanges": [change] }));
     }
 
     /// Changes an open file, and returns its findings.
@@ -240,4 +246,25 @@ pub(crate) fn edited(text: &str, edits: &Value) -> String {
 pub(crate) fn fixture(name: &str) -> String {
     let path = Path::new(env!("CARGO_MANIFEST_DIR")).join("fixtures").join(name);
     std::fs::read_to_string(path).unwrap()
+}
+
+/// The change between two texts, without what both have before it and behind it.
+fn difference(old: &str, new: &str, counts_bytes: bool) -> Value {
+    let is_border = |text: &str, at: usize| {
+        text.is_char_boundary(at) && !(text[..at].ends_with('\r') && text[at..].starts_with('\n'))
+    };
+    let common = old.bytes().zip(new.bytes()).take_while(|(a, b)| a == b).count();
+    let start = (0..=common).rev().find(|&at| is_border(old, at) && is_border(new, at)).unwrap();
+    let ends = old[start..].bytes().rev().zip(new[start..].bytes().rev());
+    let common = ends.take_while(|(a, b)| a == b).count();
+    let both = |kept: usize| is_border(old, old.len() - kept) && is_border(new, new.len() - kept);
+    let kept = (0..=common).rev().find(|&kept| both(kept)).unwrap();
+    let position = |at: usize| {
+        let mut lines = old[..at].replace("\r\n", "\n").replace('\r', "\n");
+        let last = lines.split_off(lines.rfind('\n').map_or(0, |at| at + 1));
+        let character = if counts_bytes { last.len() } else { last.encode_utf16().count() };
+        json!({ "line": lines.matches('\n').count(), "character": character })
+    };
+    let range = json!({ "start": position(start), "end": position(old.len() - kept) });
+    json!({ "range": range, "text": new[start..new.len() - kept] })
 }
