@@ -131,6 +131,7 @@ impl Built {
     fn with_options<'a>(&self, cargo: &'a mut Command) -> &'a mut Command {
         let profile = self.options.profile.as_deref().unwrap_or("release");
         cargo.current_dir(&self.root).args(["--bin", "objdict", "--profile", profile]);
+        self.optimise_nothing(cargo);
         let page = self.root.join("web/dist/objdict-workbench.html");
         if page.is_file() {
             cargo.args(["--features", "open"]).env("OBJDICT_WORKBENCH", &page);
@@ -138,6 +139,15 @@ impl Built {
             println!("without `objdict open`: `cd web && npm ci && npm run build` makes its page");
         }
         cargo
+    }
+
+    /// What the profile `dev` optimises for tests that read thousands of files costs more than it saves here.
+    fn optimise_nothing(&self, cargo: &mut Command) {
+        if self.options.profile.as_deref() == Some("dev") {
+            for name in ["eds", "lint", "model", "xdd"] {
+                cargo.args(["--config", &format!("profile.dev.package.objdict-{name}.opt-level=0")]);
+            }
+        }
     }
 
     /// Where Cargo puts what it builds.

@@ -28,6 +28,7 @@ pub(super) fn make(built: &Built) -> Result<(), String> {
     };
     build.current_dir(&built.root).args(["--out", "target/dist"]);
     build.args(["--profile", built.options.profile.as_deref().unwrap_or("wheel")]);
+    built.optimise_nothing(&mut build);
     run_program(build.args(["--manifest-path", "crates/objdict-python/Cargo.toml"]))
 }
 
