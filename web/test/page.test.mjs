@@ -136,7 +136,7 @@ test("a file of 500 KB is open in no time", { skip }, async () => {
           transfer.items.add(new File([text], "large.eds"));
           const start = performance.now();
           dispatchEvent(new DragEvent("drop", { dataTransfer: transfer, bubbles: true, cancelable: true }));
-          while (!document.querySelector(".row") || !document.querySelector(".finding")) await new Promise((resolve) => requestAnimationFrame(resolve));
+          while (!(document.querySelector(".row") && document.querySelector(".finding")) && performance.now() - start < 30_000) await new Promise((resolve) => requestAnimationFrame(resolve));
           return Math.round(performance.now() - start);
         }, large(500_000)),
       );
