@@ -70,12 +70,12 @@ export function findingsPanel(store: Store): HTMLElement {
     const { errors = 0, warnings = 0, notes = 0 } = document?.report.summary ?? {};
     const count = (number: number, word: string) => `${number} ${word}${number === 1 ? "" : "s"}`;
     const counts = [count(errors, "error"), count(warnings, "warning"), count(notes, "note")].join(", ");
-    summary.textContent = !document ? "" : document.is_checked ? counts : "Checking …";
+    summary.textContent = document ? { running: "Checking …", done: counts, failed: "The check failed" }[document.check] : "";
     safe.hidden = !findings.some((finding) => finding.fix?.safety === "safe");
     const objects = new Set(document?.outline.objects.map((object) => object.index));
     const shown = findings.slice(0, MAX_SHOWN).map((finding) => item(store, finding, objects));
     if (findings.length > MAX_SHOWN) shown.push(h("li", {}, `and ${findings.length - MAX_SHOWN} more`));
-    if (document?.is_checked && findings.length === 0) shown.push(h("li", { class: "nothing" }, "No findings."));
+    if (document?.check === "done" && findings.length === 0) shown.push(h("li", { class: "nothing" }, "No findings."));
     list.replaceChildren(...shown);
     list.setAttribute("aria-busy", String(document !== undefined && !document.has_fixes));
   });

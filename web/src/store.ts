@@ -22,8 +22,8 @@ export interface OpenDocument {
   state: State;
   outline: Outline;
   report: Report;
-  /** Whether the report is that of the check, which comes a little after the objects. */
-  is_checked: boolean;
+  /** How far the check is, whose report comes a little after the objects. */
+  check: "running" | "done" | "failed";
   /** Whether the report has its fixes yet. */
   has_fixes: boolean;
   original: string;
@@ -102,7 +102,7 @@ export class Store {
 
   /** Shows a document that the engine has opened. */
   async take({ document: id, state, notes }: Opened, bytes?: Uint8Array): Promise<void> {
-    const opened: OpenDocument = { id, state, outline: NO_OUTLINE, report: NO_REPORT, is_checked: false, has_fixes: false, original: state.text };
+    const opened: OpenDocument = { id, state, outline: NO_OUTLINE, report: NO_REPORT, check: "running", has_fixes: false, original: state.text };
     if (state.kind === "log") opened.bytes = bytes;
     const [outline, checked] = this.read(opened);
     await outline;
@@ -136,12 +136,15 @@ export class Store {
     if (state.kind !== "device") return [];
     const outlined = ask<Outline>({ do: "outline", document }).then((outline) => void (of.outline = outline));
     const checked = ask<Report>({ do: "check", document, tools: this.tools }).then((report) => {
-      Object.assign(of, { report, is_checked: true, has_fixes: false });
+      Object.assign(of, { report, check: "done", has_fixes: false });
       // what is drawn now asks before
       setTimeout(() => void this.findFixes(of));
     });
-    // a failure of both is told once
-    checked.catch(() => undefined);
+    // of both, who waits for them tells the first failure
+    checked.catch(() => {
+      Object.assign(of, { report: NO_REPORT, check: "failed", has_fixes: true });
+      this.draw();
+    });
     return [outlined, checked];
   }
 
@@ -157,7 +160,7 @@ export class Store {
         of.log = await ask<LogSummary>({ do: "decode", document: of.id, with: this.descriptionsFor(of) });
         of.report = of.log.report;
       }
-      of.is_checked = of.has_fixes = true;
+      Object.assign(of, { check: "done", has_fixes: true });
       this.draw();
     });
   }
@@ -173,8 +176,8 @@ export class Store {
   /** Which fixes are sound takes some checks of the text, so they come behind the findings. */
   private async findFixes(of: OpenDocument): Promise<void> {
     const text = of.state.text;
-    const report = await ask<Report>({ do: "check", document: of.id, fixes: true, tools: this.tools }).catch(() => undefined);
-    if (!report || of.state.text !== text) return;
+    const report = await ask<Report>({ do: "check", document: of.id, fixes: true, tools: this.tools }).catch(() => of.report);
+    if (of.state.text !== text) return;
     of.report = report;
     of.has_fixes = true;
     this.draw();

@@ -147,6 +147,20 @@ test("a file of 500 KB is open in no time", { skip }, async () => {
   assert.ok(Math.min(...times) < 1000, times.join());
 });
 
+test("a check that fails is said to have failed", { skip }, () =>
+  withPage(async (page) => {
+    await page.evaluate(() => {
+      const send = Worker.prototype.postMessage;
+      Worker.prototype.postMessage = function (message, ...more) {
+        return send.call(this, message.request?.do === "check" ? { ...message, request: { do: "no such request" } } : message, ...more);
+      };
+    });
+    await open(page, [DRIVE, fixture(`eds/${DRIVE}`)]);
+    await page.waitForSelector(".summary:has-text('The check failed')");
+    await page.locator(".row").first().waitFor();
+    await page.getByRole("alert").first().waitFor();
+  }));
+
 test("a fix is one click", { skip }, () =>
   withPage(async (page) => {
     await open(page, ["encoder-406.eds", fixture("errata/a9-encoder-406.eds")]);
