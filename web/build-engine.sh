@@ -1,8 +1,7 @@
 #!/usr/bin/env bash
 # Builds the engine of the workbench, crates/objdict-wasm, into web/src/wasm: with the target of rustup where it is installed, else
 # with Debian's `rustc-web`, `rust-web-src` and `lld-19`. `build-engine.sh --check` only says whether one of them is there, and
-# `--profile NAME` takes another profile than `wasm`: `wasm-quick` links in seconds, for work on the page. With Binaryen's `wasm-opt` the
-# engine becomes smaller.
+# `--profile NAME` takes another profile than `wasm`: `wasm-quick` links in seconds, for work on the page.
 set -euo pipefail
 cd "$(dirname "$0")/.."
 
@@ -31,15 +30,5 @@ if [ "$(wasm-bindgen --version 2>/dev/null)" != "wasm-bindgen $version" ]; then
 fi
 
 CARGO_INCREMENTAL=0 cargo "${arguments[@]}"
-engine="target/wasm/$target/$profile/objdict_wasm.wasm"
-# in ten seconds a fiftieth less to load; what `-Oz` does beyond takes minutes, and what it leaves compresses worse
-if [ "$profile" = wasm ] && command -v wasm-opt >/dev/null; then
-  mkdir -p target/wasm/smaller
-  # before there is a second table, which Debian's version confuses with the first
-  wasm-opt --enable-{bulk-memory,multivalue,mutable-globals,nontrapping-float-to-int,reference-types,sign-ext} \
-    --dce --remove-unused-module-elements --duplicate-function-elimination --optimize-instructions --vacuum \
-    --simplify-locals-nostructure --coalesce-locals --reorder-locals --vacuum "$engine" -o target/wasm/smaller/objdict_wasm.wasm
-  engine=target/wasm/smaller/objdict_wasm.wasm
-fi
 # names of functions would double what is loaded
-wasm-bindgen --target web --remove-name-section --out-dir web/src/wasm "$engine"
+wasm-bindgen --target web --remove-name-section --out-dir web/src/wasm "target/wasm/$target/$profile/objdict_wasm.wasm"

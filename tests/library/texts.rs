@@ -77,12 +77,9 @@ fn what_is_quoted_is_cut() {
         let description = open(&path);
         let text = description.source().text();
         let findings = objdict::check_with(&description, &options(&path));
-        let mut tried = BTreeSet::new();
         for finding in &findings {
-            let labels = finding.labels.iter().enumerate();
-            let new = labels.filter(|(number, _)| tried.insert((finding.rule.id, *number)));
-            let spans: Vec<_> = new.map(|(_, label)| description.span_of(&label.at)).collect();
-            for span in spans.into_iter().filter(|span| !span.is_empty()) {
+            let spans = finding.labels.iter().map(|label| description.span_of(&label.at));
+            for span in spans.filter(|span| !span.is_empty()) {
                 let (before, behind) = (&text[..span.start as usize], &text[span.end as usize..]);
                 let sentence = longest(&path, format!("{before}{}{}{behind}", span.of(text), long(20_000)));
                 assert!(sentence.len() < 2_000, "{}: {} bytes: {sentence}", path.display(), sentence.len());

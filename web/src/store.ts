@@ -152,7 +152,7 @@ export class Store {
   private async readTogether(of: OpenDocument): Promise<void> {
     if (of.state.kind === "device" || of.seen === this.revision) return;
     of.seen = this.revision;
-    await this.attempt(async () => {
+    const is_read = await this.attempt(async () => {
       if (of.state.kind === "network") {
         of.network = await ask<NetworkView>({ do: "network", document: of.id });
         of.report = of.network.report;
@@ -160,9 +160,9 @@ export class Store {
         of.log = await ask<LogSummary>({ do: "decode", document: of.id, with: this.descriptionsFor(of) });
         of.report = of.log.report;
       }
-      Object.assign(of, { check: "done", has_fixes: true });
-      this.draw();
     });
+    Object.assign(of, { check: is_read ? "done" : "failed", has_fixes: true });
+    this.draw();
   }
 
   /** What a log is read with: what was chosen, else the network that is open, else all descriptions. */
