@@ -51,14 +51,14 @@ pub fn grouped<'a>(subject: impl Into<Subject<'a>>, findings: Findings) -> Findi
         let kept = without_consequences(subject, kept);
         let starts: Vec<u32> = kept.iter().map(|finding| start(subject, finding)).collect();
         let causes: Vec<Cause> = kept.iter().map(Cause::of).collect();
-        let mut at_place: BTreeMap<(&Cause, u32), usize> = BTreeMap::new();
-        for at in causes.iter().zip(starts.iter().copied()) {
+        let mut at_place: BTreeMap<(u32, &Cause), usize> = BTreeMap::new();
+        for at in starts.iter().copied().zip(&causes) {
             *at_place.entry(at).or_default() += 1;
         }
         let mut firsts: BTreeMap<&Cause, usize> = BTreeMap::new();
         let mut joined: Vec<Diagnostic> = Vec::with_capacity(kept.len());
-        for (finding, (cause, start)) in kept.into_iter().zip(causes.iter().zip(&starts)) {
-            let is_alone = at_place.get(&(cause, *start)).is_none_or(|count| *count > 1);
+        for (finding, at @ (_, cause)) in kept.into_iter().zip(starts.iter().copied().zip(&causes)) {
+            let is_alone = at_place.get(&at).is_none_or(|count| *count > 1);
             match firsts.get(cause).and_then(|&first| joined.get_mut(first)).filter(|_| !is_alone) {
                 Some(first) => first.also.push(finding),
                 None => {

@@ -110,6 +110,9 @@ export function patchOf(change: Record<string, string | boolean | Record<string,
 export function formView(store: Store): HTMLElement {
   const view = h("div", { class: "form scroll", tabindex: -1 });
   let asked = 0;
+  // asked for between two drawings, it would have the page laid out once more
+  let top = 0;
+  view.addEventListener("scroll", () => (top = view.scrollTop));
   const choices = Object.entries(CHOICES).map(([name, values]) => h("datalist", { id: `choices-${name}` }, ...values.map((value) => h("option", { value }))));
   store.onDraw(async () => {
     const { current, index } = store;
@@ -124,10 +127,9 @@ export function formView(store: Store): HTMLElement {
     }
     const key = (document.activeElement as HTMLElement | null)?.dataset?.key;
     const same = view.dataset.shown === `${current.id}-${index}`;
-    const top = view.scrollTop;
     view.dataset.shown = `${current.id}-${index}`;
     view.replaceChildren(h("h2", {}, h("span", { class: "address" }, indexText(form.index)), ` ${form.name} `, h("span", { class: "type" }, form.kind)), ...form.parts.map((part) => partSection(store, form, part)), ...choices);
-    view.scrollTop = same ? top : 0;
+    if (!same && top > 0) view.scrollTop = 0;
     if (key) view.querySelector<HTMLElement>(`[data-key="${CSS.escape(key)}"]`)?.focus({ preventScroll: true });
   });
   return view;

@@ -37,7 +37,7 @@ function rowsOf(store: Store): Row[] {
   if (pdos.length > 0) rows.push({ kind: "area", title: "PDOs", count: pdos.length }, ...pdos);
   let area = "";
   let head: { kind: "area"; title: string; count: number } | undefined;
-  for (const object of outline.objects.filter((object) => matches(object, words))) {
+  for (const object of words.length > 0 ? outline.objects.filter((object) => matches(object, words)) : outline.objects) {
     const title = AREAS.filter(([first]) => object.index >= first).at(-1)?.[1] ?? "Data types";
     if (title !== area) rows.push((head = { kind: "area", title: (area = title), count: 0 }));
     head!.count++;

@@ -93,7 +93,6 @@ export interface SubRow {
   sub: number;
   name: string;
   data_type?: string;
-  words?: string;
 }
 
 export interface ObjectRow {
@@ -101,7 +100,6 @@ export interface ObjectRow {
   name: string;
   kind: string;
   data_type?: string;
-  words?: string;
   line?: number;
   subs: SubRow[];
 }

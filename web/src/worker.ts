@@ -2,7 +2,7 @@
 // request is answered with an error.
 
 import init, { Workbench } from "./wasm/objdict_wasm.js";
-import type { Answer, FromWorker, Made, MadeFile, Request, ToWorker } from "./protocol";
+import type { Answer, FromWorker, Made, MadeFile, Opened, Request, ToWorker } from "./protocol";
 
 /** The largest file that is opened, as for the command. */
 const MAX_BYTES = 64 << 20;
@@ -40,21 +40,32 @@ async function start(): Promise<void> {
   workbench = new Workbench();
 }
 
-/** So often a device is made, read and checked before there is a file: a browser compiles functions when they are called first, and
+/** So often a device is read and checked before there is a file: a browser compiles functions when they are called first, and
  *  optimises those that are called often. */
 const WARM_TURNS = 24;
 
 /** The requests that wait for the engine. */
 let waiting = 0;
 
+/** A device with PDOs, and with objects that are in no list, so that there are findings. */
+function warmFile(trial: Workbench): Uint8Array {
+  const request: Request = { do: "new", name: "warm.eds", profile: 402, vendor: "", vendor_id: 1, product: "", product_code: 1, date: [2026, 1, 1], features: { rpdos: 16, tpdos: 16 } };
+  const made = JSON.parse(trial.call(JSON.stringify(request), new Uint8Array())) as { ok: Opened };
+  const objects = Array.from({ length: 500 }, (_, at) => `\r\n[${(0x2000 + at).toString(16)}]\r\nParameterName=Object ${at}\r\nObjectType=7\r\nDataType=7\r\nAccessType=rw\r\nDefaultValue=${at}\r\nPDOMapping=0\r\n`);
+  return new TextEncoder().encode(made.ok.state.text + objects.join(""));
+}
+
 async function warm(): Promise<void> {
   const trial = new Workbench();
-  const ask = (request: Request) => trial.call(JSON.stringify(request), new Uint8Array());
+  const file = warmFile(trial);
+  const ask = (request: Request, bytes?: Uint8Array) => trial.call(JSON.stringify(request), bytes ?? new Uint8Array());
   for (let turn = 0; turn < WARM_TURNS && waiting === 0; turn++) {
-    ask({ do: "new", name: "warm.eds", profile: 402, vendor: "", vendor_id: 1, product: "", product_code: 1, date: [2026, 1, 1], features: { rpdos: 16, tpdos: 16 } });
-    ask({ do: "outline", document: 0 });
-    ask({ do: "check", document: 0, fixes: turn > 1 });
-    ask({ do: "close", document: 0 });
+    ask({ do: "open", name: "warm.eds" }, file);
+    ask({ do: "outline", document: 1 });
+    ask({ do: "check", document: 1 });
+    ask({ do: "close", document: 1 });
+    // of many findings it would keep a file waiting
+    if (turn % 8 === 7) ask({ do: "check", document: 0, fixes: true });
     // requests that came meanwhile are counted
     await new Promise((resolve) => setTimeout(resolve));
   }

@@ -2,33 +2,31 @@
 
 use objdict::describe::Decoder;
 use objdict::format::Description;
-use objdict::model::{CobId, Device, Entry, Object, ObjectType, Pdo, PdoKind, Place};
+use objdict::model::{Device, Entry, Object, Pdo, PdoKind, Place};
 use serde::Serialize;
 
 /// The lists of a device.
 #[derive(Debug, Serialize)]
-pub(crate) struct Outline {
-    product: Option<String>,
-    vendor: Option<String>,
+pub(crate) struct Outline<'a> {
+    product: Option<&'a str>,
+    vendor: Option<&'a str>,
     profile: Option<u16>,
     node_id: Option<u8>,
     is_node: bool,
-    objects: Vec<ObjectRow>,
+    objects: Vec<ObjectRow<'a>>,
     pdos: Vec<PdoRow>,
     mappable: Vec<Mappable>,
 }
 
 /// An object, as a row of a list.
 #[derive(Debug, Serialize)]
-struct ObjectRow {
+struct ObjectRow<'a> {
     index: u16,
-    name: String,
+    name: &'a str,
     /// `VAR`, `ARRAY` …
     kind: &'static str,
     /// The data type of a VAR.
     data_type: Option<String>,
-    /// The value of a VAR in words.
-    words: Option<String>,
     /// The line of its section or element, counted from 1.
     line: Option<u32>,
     subs: Vec<SubRow>,
@@ -39,7 +37,6 @@ struct SubRow {
     sub: u8,
     name: String,
     data_type: Option<String>,
-    words: Option<String>,
 }
 
 /// A PDO with what it carries.
@@ -95,53 +92,39 @@ pub(crate) struct Mappable {
     tpdo: bool,
 }
 
-pub(crate) fn outline(description: &Description) -> Outline {
+pub(crate) fn outline(description: &Description) -> Outline<'_> {
     let device = description.device();
     let decoder = Decoder::english(device, device.node_id());
     let info = device.device_info.as_ref();
     Outline {
-        product: info.and_then(|info| info.product_name.clone()),
-        vendor: info.and_then(|info| info.vendor_name.clone()),
+        product: info.and_then(|info| info.product_name.as_deref()),
+        vendor: info.and_then(|info| info.vendor_name.as_deref()),
         profile: device.profile(),
         node_id: device.node_id(),
         is_node: device.kind == objdict::model::DeviceKind::Node,
-        objects: device
-            .objects
-            .iter()
-            .map(|(&index, object)| row(description, &decoder, index, object))
-            .collect(),
+        objects: device.objects.iter().map(|(&index, object)| row(description, index, object)).collect(),
         pdos: device.pdos().map(|pdo| pdo_row(device, &decoder, &pdo)).collect(),
         mappable: mappable(device),
     }
 }
 
-/// Lists show no more values than this in words: an array may have 254, and a file many arrays.
-const MAX_WORDS: usize = 32;
-
-fn row(description: &Description, decoder: &Decoder<'_>, index: u16, object: &Object) -> ObjectRow {
-    let words = |sub: u8, entry: &Entry| entry.value().and_then(|value| decoder.of(index, sub, value));
+fn row<'a>(description: &Description, index: u16, object: &'a Object) -> ObjectRow<'a> {
     let type_of = |entry: &Entry| entry.data_type.map(|data_type| data_type.to_string());
     let has_subs = object.object_type().has_subs();
     let subs = object.entries().filter(|_| has_subs).map(|(sub, entry)| SubRow {
         sub,
         name: entry.name.to_string(),
         data_type: type_of(&entry),
-        words: if usize::from(sub) < MAX_WORDS { words(sub, &entry) } else { None },
     });
     let span = description.locate(&Place::object(index));
     ObjectRow {
         index,
-        name: object.name().to_owned(),
-        kind: kind(object.object_type()),
+        name: object.name(),
+        kind: object.object_type().name(),
         data_type: type_of(&object.main).filter(|_| !has_subs),
-        words: if has_subs { None } else { words(0, &object.main) },
         line: span.map(|span| description.source().line_column(span.start).line),
         subs: subs.collect(),
     }
-}
-
-fn kind(object_type: ObjectType) -> &'static str {
-    object_type.name()
 }
 
 fn pdo_row(device: &Device, decoder: &Decoder<'_>, pdo: &Pdo<'_>) -> PdoRow {
@@ -164,7 +147,7 @@ fn pdo_row(device: &Device, decoder: &Decoder<'_>, pdo: &Pdo<'_>) -> PdoRow {
         communication: pdo.communication_index(),
         mapping: pdo.mapping_index(),
         cob_id: value(1).map(|value| value.to_string()),
-        can_id: pdo.cob_id.map(|cob_id| can_id(cob_id, device.node_id().unwrap_or(1))),
+        can_id: pdo.cob_id.map(|cob_id| cob_id.can_id(device.node_id().unwrap_or(1))),
         is_valid: pdo.is_valid(),
         transmission_type: pdo.transmission_type,
         transmission_words: words(2),
@@ -175,10 +158,6 @@ fn pdo_row(device: &Device, decoder: &Decoder<'_>, pdo: &Pdo<'_>) -> PdoRow {
         slots: slots.collect(),
         mapped: mapped.collect(),
     }
-}
-
-fn can_id(cob_id: CobId, node_id: u8) -> u32 {
-    cob_id.can_id(node_id)
 }
 
 fn name_of(device: &Device, index: u16, sub: u8) -> Option<String> {
