@@ -11,7 +11,7 @@ use objdict::registry;
 pub(crate) type Shares = BTreeMap<String, (usize, usize)>;
 
 /// Groups that find nothing in a description alone: they need another one, a configuration, a custom profile, answers or a log.
-const UNCOUNTED: [&str; 5] = ["change", "custom", "objdict", "probe", "traffic"];
+const UNCOUNTED: [&str; 6] = ["change", "configuration", "custom", "objdict", "probe", "traffic"];
 
 /// Writes a row for each rule: its id, the files that it fires on, the files in all. `fired` has a rule once for each file.
 pub(crate) fn write<'a>(

@@ -144,7 +144,7 @@ impl Built {
     /// What the profile `dev` optimises for tests that read thousands of files costs more than it saves here.
     fn optimise_nothing(&self, cargo: &mut Command) {
         if self.options.profile.as_deref() == Some("dev") {
-            for name in ["eds", "lint", "model", "xdd"] {
+            for name in ["bus", "eds", "lint", "model", "profile", "xdd"] {
                 cargo.args(["--config", &format!("profile.dev.package.objdict-{name}.opt-level=0")]);
             }
         }

@@ -24,9 +24,12 @@ pub fn misspelled<'a>(wanted: &str, words: impl IntoIterator<Item = &'a str>) ->
 
 fn closest<'a>(wanted: &str, words: impl IntoIterator<Item = &'a str>, most: usize) -> Option<&'a str> {
     let wanted = wanted.to_ascii_lowercase();
+    let length = wanted.chars().count();
     let distance = |word: &str| edits(&wanted, &word.to_ascii_lowercase());
-    let words = words.into_iter().map(|word| (distance(word), word));
+    // so many letters are added or removed at least; a file may have a word of a million
+    let words = words.into_iter().filter(|word| word.chars().count().abs_diff(length) <= most);
     words
+        .map(|word| (distance(word), word))
         .filter(|&(distance, _)| distance <= most)
         .min_by_key(|&(distance, _)| distance)
         .map(|(_, word)| word)
@@ -117,6 +120,7 @@ mod tests {
     fn the_nearest_word_is_one_that_is_near() {
         assert_eq!(nearest("Waring", ["note", "warning", "error"]), Some("warning"));
         assert_eq!(nearest("x", ["note", "warning", "error"]), None);
+        assert_eq!(nearest(&"n".repeat(100_000_000), ["note", "warning", "error"]), None);
     }
 
     #[test]
