@@ -39,7 +39,7 @@ mod networks;
 mod schemas;
 
 const PACKAGES: [&str; 5] =
-    ["canopen==2.4.1", "dcf-tools==2.4.2", "cantools==45.1.0", "canmatrix==1.3.3", "jsonschema==4.25.1"];
+    ["canopen==2.4.1", "dcf-tools==2.4.2", "cantools==45.1.0", "canmatrix==1.3.3", "jsonschema-rs==0.61.0"];
 
 /// The folder with the programs of the environment, made once; `None` when it cannot be made here.
 pub(crate) fn environment() -> Option<&'static Path> {

@@ -1,4 +1,4 @@
-//! dcfgen builds the same of a network, python-canopen's device takes what is built, and jsonschema validates with the schemas.
+//! dcfgen builds the same of a network, python-canopen's device takes what is built, and jsonschema-rs validates with the schemas.
 
 use std::collections::BTreeMap;
 use std::fs;

@@ -7,7 +7,7 @@ import json
 import sys
 import tomllib
 
-import jsonschema
+import jsonschema_rs
 import yaml
 
 
@@ -18,9 +18,10 @@ def keyed(value):
     return [keyed(item) for item in value] if isinstance(value, list) else value
 
 
-bus, network, patch = (jsonschema.Draft202012Validator(json.load(open(name))) for name in sys.argv[1:4])
-for validator in (bus, network, patch):
-    validator.check_schema(validator.schema)
+schemas = [json.load(open(name)) for name in sys.argv[1:4]]
+for schema in schemas:
+    jsonschema_rs.meta.validate(schema)
+bus, network, patch = map(jsonschema_rs.Draft202012Validator, schemas)
 for name in sys.argv[4:]:
     is_toml = name.endswith(".toml")
     with open(name, "rb") as file:
