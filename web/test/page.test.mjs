@@ -101,6 +101,28 @@ test("an edited default is one changed line, and undo takes it back", { skip }, 
     assert.ok((await saveAs(page)).bytes.equals(original));
   }));
 
+test("a form stays where it was scrolled to, and another one begins at its top", { skip }, () =>
+  withPage(async (page) => {
+    await open(page, [DRIVE, fixture(`eds/${DRIVE}`)]);
+    const choose = async (index) => {
+      await page.getByLabel("Search objects", { exact: true }).fill(index);
+      await page.getByRole("option", { name: new RegExp(`${index}h`) }).click();
+      await page.waitForSelector(`.form h2:has-text("${index}h")`);
+    };
+    const top = () => page.locator(".form").evaluate((form) => form.scrollTop);
+    await choose("1A00");
+    await page.locator(".form").evaluate((form) => (form.scrollTop = 300));
+    const field = page.getByLabel("Name", { exact: true }).nth(2);
+    await field.evaluate((input) => {
+      input.value = "Another name";
+      input.dispatchEvent(new Event("change", { bubbles: true }));
+    });
+    await page.waitForSelector('.form h3:has-text("Another name")');
+    assert.equal(await top(), 300);
+    await choose("1018");
+    assert.equal(await top(), 0);
+  }));
+
 test("what is typed in the text keeps line ends and encoding", { skip }, () =>
   withPage(async (page) => {
     const original = Buffer.from(fixture(`eds/${DRIVE}`).toString("latin1").replaceAll("\r\n", "\n").replaceAll("\n", "\r\n").replace("ParameterName=Device type", "ParameterName=Ger\xe4t"), "latin1");
