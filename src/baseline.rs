@@ -143,6 +143,19 @@ impl Baseline {
         before - findings.len()
     }
 
+    /// [`Baseline::suppress`] of a baseline in a file, beside which what is not there is gone.
+    #[cfg(any(all(feature = "lint", feature = "generate"), feature = "lsp"))]
+    pub(crate) fn suppress_beside<'a>(
+        &self,
+        path: &Path,
+        subject: impl Into<Subject<'a>>,
+        findings: &mut Findings,
+    ) -> usize {
+        let subject = subject.into();
+        let is_gone = |file: &str| !folder_of(path).join(file).exists();
+        self.suppress(&name_in(path, subject.source().name()), subject, findings, is_gone)
+    }
+
     /// The findings of a file that is gone and had the same ones: it was moved.
     fn moved(&self, prints: &[Fingerprint], is_gone: impl Fn(&str) -> bool) -> Option<&BTreeSet<Known>> {
         let prints: BTreeSet<Fingerprint> = prints.iter().copied().collect();

@@ -57,10 +57,8 @@ impl Known {
         match self {
             Self::Nothing => {}
             Self::Read(path, baseline, matched) => {
-                let file = name_in(path, file);
-                let is_gone = |file: &str| !folder_of(path).join(file).exists();
-                let count = baseline.suppress(&file, subject, findings, is_gone);
-                *matched.entry(file).or_default() += count;
+                let count = baseline.suppress_beside(path, subject, findings);
+                *matched.entry(name_in(path, file)).or_default() += count;
             }
             Self::Write(path, baseline) => {
                 baseline.add(&name_in(path, file), subject, findings);

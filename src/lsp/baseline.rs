@@ -10,7 +10,7 @@ use super::beside::created;
 use super::file::File;
 use super::uri::of_path;
 use super::workspace::Workspace;
-use crate::baseline::{Baseline, MAX_SIZE, folder_of, name_in};
+use crate::baseline::{Baseline, MAX_SIZE, name_in};
 use crate::source::{SourceError, Span, read_text, shown};
 
 /// Takes the findings away that a baseline has; one that cannot be read is an error of each file.
@@ -23,10 +23,9 @@ pub(super) fn sift(path: &Path, analysis: &mut Analysis) {
             return analysis.errors.push(ReadProblem { span: Span::default(), message, help });
         }
     };
-    let is_gone = |file: &str| !folder_of(path).join(file).exists();
     let left = analysis.map_subjects(|subject, findings| {
         let mut findings = findings.clone();
-        baseline.suppress(&name_in(path, subject.source().name()), subject, &mut findings, is_gone);
+        baseline.suppress_beside(path, subject, &mut findings);
         findings
     });
     analysis.findings = left;

@@ -205,7 +205,7 @@ impl Request {
             Described::Text(description) => {
                 let findings = crate::check_with(description, &options);
                 #[cfg(all(feature = "json", feature = "lint"))]
-                let findings = self.unknown(name, description, findings, files)?;
+                let findings = self.unknown(description, findings, files)?;
                 grouped(&**description, findings)
             }
             #[cfg(feature = "json")]
@@ -233,7 +233,6 @@ impl Request {
     #[cfg(all(feature = "json", feature = "lint"))]
     fn unknown(
         &self,
-        name: &str,
         description: &Description,
         mut findings: Findings,
         files: &mut Vec<PathBuf>,
@@ -243,8 +242,7 @@ impl Request {
             let text = read_text(path, baseline::MAX_SIZE)?;
             let baseline =
                 Baseline::read(&text).map_err(|error| Error::Baseline { path: path.clone(), error })?;
-            let is_gone = |file: &str| !baseline::folder_of(path).join(file).exists();
-            baseline.suppress(&baseline::name_in(path, name), description, &mut findings, is_gone);
+            baseline.suppress_beside(path, description, &mut findings);
         }
         Ok(findings)
     }
