@@ -258,8 +258,12 @@ export class Store {
     this.documents = [];
     this.current = undefined;
     for (const { state, bytes, home } of former) {
-      const isOpen = await this.open(state.name, bytes ?? new TextEncoder().encode(state.text));
-      if (isOpen) this.documents.at(-1)!.home = home;
+      if (!(await this.open(state.name, bytes ?? new TextEncoder().encode(state.text)))) continue;
+      const opened = this.documents.at(-1)!;
+      opened.home = home;
+      // the page has the text, not the bytes
+      const { encoding } = state;
+      if (opened.state.encoding !== encoding) await this.change({ do: "encode", document: opened.id, encoding });
     }
     this.notice = { kind: "error", message };
     this.draw();

@@ -183,6 +183,27 @@ test("a check that fails is said to have failed", { skip }, () =>
     await page.getByRole("alert").first().waitFor();
   }));
 
+test("what is open survives an engine that fails", { skip }, () =>
+  withPage(async (page) => {
+    const original = fixture("torture/02_latin1.eds");
+    await open(page, ["latin1.eds", original]);
+    await checked(page);
+    await page.evaluate(() => {
+      const send = Worker.prototype.postMessage;
+      Worker.prototype.postMessage = function (message, ...more) {
+        Worker.prototype.postMessage = send;
+        // a request that contains itself is no JSON
+        const request = {};
+        request.request = request;
+        return send.call(this, { ...message, request }, ...more);
+      };
+    });
+    await page.locator(".row").nth(1).click();
+    await page.getByRole("alert").filter({ hasText: "was started again" }).waitFor();
+    await checked(page);
+    assert.deepEqual((await saveAs(page)).bytes, original);
+  }));
+
 test("a fix is one click", { skip }, () =>
   withPage(async (page) => {
     await open(page, ["encoder-406.eds", fixture("errata/a9-encoder-406.eds")]);
