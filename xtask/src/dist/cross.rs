@@ -22,8 +22,10 @@ pub(super) fn program(built: &Built, target: &str) -> Result<PathBuf, String> {
         }
         false => {
             let mut cargo = zig(built, "cargo-zigbuild")?;
-            // the files that a program starts with are those of zig
-            cargo.env("RUSTFLAGS", "-Clink-self-contained=no");
+            if target.contains("-linux-") {
+                // the files that a program starts with are those of zig
+                cargo.env("RUSTFLAGS", "-Clink-self-contained=no");
+            }
             cargo.args(["zigbuild", STANDARD_LIBRARY, "--target", target]);
             cargo
         }
