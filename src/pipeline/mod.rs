@@ -25,7 +25,7 @@ pub use self::error::Error;
 pub(crate) use self::error::placed;
 #[cfg(feature = "cli")]
 pub(crate) use self::error::report_lines;
-#[cfg(feature = "open")]
+#[cfg(feature = "cli")]
 pub(crate) use self::output::Hash;
 pub use self::output::OutputError;
 #[cfg(feature = "cli")]

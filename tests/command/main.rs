@@ -18,7 +18,6 @@ mod hostile;
 mod limits;
 mod lsp;
 mod neovim;
-#[cfg(feature = "open")]
 mod open;
 mod outputs;
 mod page;

@@ -19,9 +19,11 @@ mod profiles;
 mod publish;
 mod readers;
 mod round_trip;
+#[cfg(feature = "schema")]
 mod schemas;
 mod shares;
 mod targets;
+mod unit_graph;
 
 use std::path::Path;
 use std::process::ExitCode;

@@ -6,7 +6,6 @@ use crate::cli::input::SizeArgs;
 use crate::cli::settings::ConfigFileArgs;
 
 #[derive(Debug, clap::Args)]
-#[cfg_attr(not(feature = "open"), allow(dead_code, reason = "the arguments are the same without the page"))]
 pub(in crate::cli) struct OpenArgs {
     /// Files, folders and patterns such as `devices/**/*.eds`
     ///

@@ -1,6 +1,7 @@
 //! The server of `objdict open`: the page, the list of its files, and their bytes. Only a program on this computer reaches it, only one that
 //! knows the token is answered, and only a page that it served itself may write.
 
+use std::borrow::Cow;
 use std::fmt::Write as _;
 use std::io::Write as _;
 use std::net::{Ipv4Addr, TcpListener, TcpStream};
@@ -17,8 +18,11 @@ use crate::cli::outcome::{Failure, Outcome, note};
 use crate::cli::output::Output;
 use crate::report::plural;
 
-/// The page of the workbench in one file.
-const PAGE: &str = include_str!(env!("OBJDICT_WORKBENCH"));
+/// The page of the workbench in one file, in programs that are built with it.
+#[cfg(feature = "open")]
+const PAGE: Option<&str> = Some(include_str!(env!("OBJDICT_WORKBENCH")));
+#[cfg(not(feature = "open"))]
+const PAGE: Option<&str> = None;
 
 /// So many connections are served at a time.
 const MAX_CONNECTIONS: usize = 32;
@@ -38,7 +42,7 @@ pub(super) fn run(args: &OpenArgs, out: &mut Output) -> Result<Outcome, Failure>
         Failure::new(message).help("choose another one with `--port`, or leave it out")
     })?;
     let port = listener.local_addr()?.port();
-    let server = Server { files, page: page(), port, token: token()?, connections: AtomicUsize::new(0) };
+    let server = Server { files, page: page()?, port, token: token()?, connections: AtomicUsize::new(0) };
     let address = format!("http://127.0.0.1:{port}/{}/", server.token);
     writeln!(out, "{address}")?;
     out.finish()?;
@@ -49,11 +53,26 @@ pub(super) fn run(args: &OpenArgs, out: &mut Output) -> Result<Outcome, Failure>
     serve(&listener, &Arc::new(server))
 }
 
-/// The page with what the single file on disk does without: the place of the files, and the permission to ask for them.
-fn page() -> String {
+/// The page with what the single file on disk does without: the place of the files, and the permission to ask for them. It is the file that
+/// the variable `OBJDICT_WORKBENCH` names, or the one in this program.
+fn page() -> Result<String, Failure> {
+    let page = match std::env::var_os("OBJDICT_WORKBENCH") {
+        Some(path) => Cow::Owned(std::fs::read_to_string(&path).map_err(|error| {
+            let message = format!("cannot read the workbench `{}`: {error}", path.display());
+            Failure::new(message)
+                .help("build it with `cd web && npm run build`, or unset `OBJDICT_WORKBENCH`")
+        })?),
+        None => Cow::Borrowed(PAGE.ok_or_else(without_page)?),
+    };
     let place = "<meta name=\"objdict-files\" content=\"files\">\n<title>";
-    PAGE.replacen("default-src 'none'", "default-src 'none'; connect-src 'self'", 1)
-        .replacen("<title>", place, 1)
+    let policy = "default-src 'none'; connect-src 'self'";
+    Ok(page.replacen("default-src 'none'", policy, 1).replacen("<title>", place, 1))
+}
+
+fn without_page() -> Failure {
+    let help = "install a package, or build the page and name it with `OBJDICT_WORKBENCH` (docs/workbench.md); \
+                `web/dist/objdict-workbench.html` opens files without the command";
+    Failure::new("this `objdict` was built without the workbench").help(help)
 }
 
 fn token() -> Result<String, Failure> {

@@ -12,7 +12,7 @@ mod used;
 
 pub use self::error::OutputError;
 pub(crate) use self::folder::OutputFolder;
-#[cfg(feature = "open")]
+#[cfg(feature = "cli")]
 pub(crate) use self::manifest::Hash;
 #[cfg(feature = "cli")]
 pub(crate) use self::manifest::{Manifest, State};

@@ -107,6 +107,7 @@ impl Answer {
 fn command(folder: &Path, arguments: &str) -> Command {
     let mut command = Command::new(crate::program());
     command.arg("open").args(arguments.split_whitespace()).current_dir(folder);
+    command.env("OBJDICT_WORKBENCH", concat!(env!("CARGO_MANIFEST_DIR"), "/tests/command/open/page.html"));
     command.stdin(Stdio::null()).stderr(Stdio::null());
     command
 }
