@@ -35,7 +35,7 @@ struct Server {
     connections: AtomicUsize,
 }
 
-pub(super) fn run(args: &OpenArgs, out: &mut Output) -> Result<Outcome, Failure> {
+pub(in crate::cli) fn run(args: &OpenArgs, out: &mut Output) -> Result<Outcome, Failure> {
     let files = Files::gather(args)?;
     let listener = TcpListener::bind((Ipv4Addr::LOCALHOST, args.port)).map_err(|error| {
         let message = format!("cannot listen on port {}: {error}", args.port);
