@@ -5,6 +5,7 @@
 
 pub(crate) mod devices;
 mod patches;
+pub(crate) mod skips;
 
 use std::fs;
 use std::path::{Path, PathBuf};
@@ -71,16 +72,16 @@ pub(crate) fn run(command: &mut Command) -> Result<(), String> {
     if output.status.success() { Ok(()) } else { Err(String::from_utf8_lossy(&text).into_owned()) }
 }
 
-/// What a test needs from the network. Without it the test says so and is skipped, except with `CI=true`.
-#[allow(clippy::print_stdout, reason = "says why a test is skipped")]
+/// What a test needs from the network. Without it the test is skipped, or fails with `CI=true`.
+#[track_caller]
 pub(crate) fn unless_offline<T>(needed: Result<T, String>) -> Option<T> {
-    let is_ci = std::env::var("CI").is_ok_and(|ci| ci == "true");
-    needed
-        .inspect_err(|reason| {
-            assert!(!is_ci, "{reason}");
-            println!("skipped: {reason}");
-        })
-        .ok()
+    match needed {
+        Ok(needed) => Some(needed),
+        Err(reason) => {
+            skips::skip_unless_ci(reason);
+            None
+        }
+    }
 }
 
 /// All files below a folder with one of the endings, in order.

@@ -1,0 +1,102 @@
+//! Skipped and sampled tests, listed when their program ends: cargo hides what a passing test prints.
+//!
+//! `OBJDICT_SKIPS` names a file to which each line is also appended, so that the gate lists those of all programs.
+
+#![allow(dead_code, reason = "each test binary uses a part of it")]
+
+use std::collections::BTreeSet;
+use std::env;
+use std::fmt::Display;
+use std::fs::OpenOptions;
+use std::io::{Write, stderr};
+use std::panic::Location;
+use std::process::Command;
+use std::sync::{Mutex, Once};
+use std::thread;
+
+/// One of so many items is used by default.
+const STEP: usize = 4;
+
+static LINES: Mutex<BTreeSet<String>> = Mutex::new(BTreeSet::new());
+
+/// Skips the current test, or a part of it, for lack of something that no registry offers, such as a checkout that a
+/// variable names. The caller returns.
+#[track_caller]
+pub(crate) fn skip(reason: impl Display) {
+    record("skipped", &reason.to_string());
+}
+
+/// Skips the current test, or a part of it, for lack of something that can be installed; with `CI=true`, fails.
+#[track_caller]
+pub(crate) fn skip_unless_ci(reason: impl Display) {
+    assert!(env::var("CI").as_deref() != Ok("true"), "{reason}");
+    skip(reason);
+}
+
+/// Whether `PROGRAM --version` succeeds; if not, the current test is skipped, or fails with `CI=true`.
+#[track_caller]
+pub(crate) fn has(program: &str, package: &str) -> bool {
+    let output = Command::new(program).arg("--version").output();
+    let has = output.is_ok_and(|output| output.status.success());
+    if !has {
+        skip_unless_ci(format_args!("no `{program}`: install the package `{package}`"));
+    }
+    has
+}
+
+/// One item of each four, or all with `OBJDICT_SAMPLE=all`. A number in the variable selects which one of the four, so
+/// any four successive numbers use every item.
+#[track_caller]
+pub(crate) fn sample<T>(items: impl IntoIterator<Item = T>) -> Vec<T> {
+    let items: Vec<T> = items.into_iter().collect();
+    if samples_all() {
+        return items;
+    }
+    let seed = env::var("OBJDICT_SAMPLE")
+        .map_or(0, |text| text.parse().expect("OBJDICT_SAMPLE is `all` or a number"));
+    let all = items.len();
+    let is_used = |number: usize| {
+        let group = number / STEP;
+        // the last group may be smaller
+        number % STEP == (group + seed) % STEP.min(all - group * STEP)
+    };
+    let used: Vec<T> =
+        items.into_iter().enumerate().filter(|(number, _)| is_used(*number)).map(|(_, item)| item).collect();
+    if used.len() < all {
+        record("sampled", &format!("{} of {all}, all with `OBJDICT_SAMPLE=all`", used.len()));
+    }
+    used
+}
+
+/// Whether nothing is sampled.
+pub(crate) fn samples_all() -> bool {
+    env::var("OBJDICT_SAMPLE").as_deref() == Ok("all")
+}
+
+#[track_caller]
+fn record(verdict: &str, text: &str) {
+    static AT_EXIT: Once = Once::new();
+    AT_EXIT.call_once(|| {
+        shutdown_hooks::add_shutdown_hook(list);
+    });
+    let thread = thread::current();
+    // the test's name, unless it runs on the main thread or is in one of its own
+    let test = thread.name().filter(|name| *name != "main").unwrap_or(Location::caller().file());
+    let line = format!("{verdict}: {} {test}: {text}", env!("CARGO_CRATE_NAME"));
+    if !LINES.lock().unwrap().insert(line.clone()) {
+        return;
+    }
+    if let Some(path) = env::var_os("OBJDICT_SKIPS") {
+        let mut file = OpenOptions::new().create(true).append(true).open(path).unwrap();
+        // at once, because other programs append to the file too
+        file.write_all(format!("{line}\n").as_bytes()).unwrap();
+    }
+}
+
+extern "C" fn list() {
+    // a panic must not reach the caller, which is C
+    let Ok(lines) = LINES.lock() else { return };
+    for line in &*lines {
+        writeln!(stderr(), "{line}").ok();
+    }
+}
