@@ -12,6 +12,8 @@ use std::time::Duration;
 
 use serde_json::{Value, json};
 
+use crate::support::skips::skip_unless_ci;
+
 /// How long anything may take before it counts as hanging. Machines of CI are slow, and a large page takes its time.
 pub(crate) const PATIENCE: Duration = Duration::from_secs(60);
 
@@ -61,23 +63,15 @@ struct Mail {
 }
 
 impl Chromium {
-    /// The browser, started by the first test that wants it. `None` where there is none: the caller passes, except when
-    /// `CI=true`, where this panics.
+    /// The browser, started by the first test that needs it. `None` without Chromium: the test is skipped, or fails with
+    /// `CI=true`.
     pub(crate) fn shared() -> Option<&'static Self> {
         static CHROMIUM: OnceLock<Option<Chromium>> = OnceLock::new();
-        CHROMIUM.get_or_init(Self::find).as_ref()
-    }
-
-    fn find() -> Option<Self> {
-        match executable() {
-            Some(path) => Some(Self::start(&path)),
-            None if env::var("CI").is_ok_and(|ci| ci == "true") => panic!("no chromium"),
-            None => {
-                // not by `println!`, which a test that passes keeps to itself
-                let _ = writeln!(std::io::stderr(), "skipped: no chromium");
-                None
-            }
+        let found = CHROMIUM.get_or_init(|| executable().map(|path| Self::start(&path))).as_ref();
+        if found.is_none() {
+            skip_unless_ci("no Chromium: install the package `chromium`");
         }
+        found
     }
 
     fn start(path: &Path) -> Self {

@@ -4,6 +4,8 @@ use std::fs;
 use std::path::Path;
 use std::process::{Command, Output};
 
+use crate::support::skips::has;
+
 fn git(folder: &Path, arguments: &[&str]) {
     let mut git = Command::new("git");
     git.args([
@@ -34,8 +36,7 @@ fn said(folder: &Path, arguments: &[&str]) -> (String, i32) {
 
 #[test]
 fn the_old_description_is_that_of_a_revision() {
-    if Command::new("git").arg("--version").output().is_err() {
-        eprintln!("skipped: git is not installed");
+    if !has("git", "git") {
         return;
     }
     let folder = tempfile::tempdir().unwrap();

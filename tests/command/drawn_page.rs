@@ -57,8 +57,7 @@ for line in open(sys.argv[1]):
 
 /// Whether the tests are skipped.
 fn is_without_python() -> bool {
-    let found = Command::new("python3").arg("--version").output();
-    support::unless_offline(found.map_err(|error| format!("python3: {error}"))).is_none()
+    !support::skips::has("python3", "python3")
 }
 
 fn python(script: &str, path: &Path) -> String {

@@ -5,6 +5,8 @@ use std::process::Command;
 
 use serde_json::Value;
 
+use crate::support::skips::skip_unless_ci;
+
 /// The block of `docs/editors.md` in this language.
 fn configuration(language: &str) -> String {
     let page = fs::read_to_string("docs/editors.md").unwrap();
@@ -13,13 +15,12 @@ fn configuration(language: &str) -> String {
 }
 
 /// Whether Emacs has Eglot.
-#[allow(clippy::print_stdout, reason = "says why the test is skipped")]
 fn has_eglot() -> bool {
     let packages = "(progn (require 'package) (package-initialize) (require 'eglot))";
     let found = Command::new("emacs").args(["--batch", "--eval", packages]).output();
     let is_there = found.is_ok_and(|output| output.status.success());
     if !is_there {
-        println!("skipped: no Emacs with Eglot; install the packages `emacs-nox` and `elpa-eglot`");
+        skip_unless_ci("no Emacs with Eglot: install the packages `emacs-nox` and `elpa-eglot`");
     }
     is_there
 }

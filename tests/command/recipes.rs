@@ -1,11 +1,11 @@
 //! The lines for jq and the Python script of docs/json.md, run as they are on the page.
 
-#![allow(clippy::print_stdout, reason = "says why it is skipped")]
-
 use std::env;
 use std::fs;
 use std::path::Path;
 use std::process::Command;
+
+use crate::support::skips::has;
 
 /// The first block of docs/json.md with this fence.
 fn block(fence: &str) -> String {
@@ -27,8 +27,7 @@ fn folder() -> tempfile::TempDir {
 
 /// What a program prints in the folder, with `objdict` in its path; `None` without the program.
 fn run(program: &str, arguments: &[&str], folder: &Path) -> Option<String> {
-    if Command::new(program).arg("--version").output().is_err() {
-        println!("skipped: there is no `{program}`");
+    if !has(program, program) {
         return None;
     }
     let mut paths = vec![Path::new(crate::program()).parent().unwrap().to_owned()];

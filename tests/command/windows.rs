@@ -5,6 +5,8 @@ use std::fs;
 use std::path::{Path, PathBuf};
 use std::process::{Command, Output};
 
+use crate::support::skips::skip;
+
 const SOURCE: &str = "fixtures/eds/minimal.eds";
 
 fn objdict(folder: &Path, arguments: &[&str]) -> Output {
@@ -20,10 +22,9 @@ fn said(folder: &Path, arguments: &[&str], code: i32) -> String {
 }
 
 /// A folder with a blank and letters of several alphabets in its name, if the command is one for Windows.
-#[allow(clippy::print_stdout, reason = "says why a test is skipped")]
 fn folder() -> Option<(tempfile::TempDir, PathBuf)> {
     if !crate::is_for_windows() {
-        println!("skipped: the command is not for Windows");
+        skip("the command is not for Windows");
         return None;
     }
     let temporary = tempfile::tempdir().unwrap();

@@ -5,6 +5,7 @@ use std::process::Command;
 
 use objdict::generate::{CTable, Options, Target, generate};
 
+use crate::support::skips::has;
 use crate::{device, odd, support};
 
 /// The rules that the page names for a layout.
@@ -44,8 +45,7 @@ fn found(options: &Options) -> BTreeSet<String> {
 
 #[test]
 fn the_deviations_are_those_of_the_page() {
-    if Command::new("cppcheck").arg("--version").output().is_err() {
-        eprintln!("skipped: there is no cppcheck");
+    if !has("cppcheck", "cppcheck") {
         return;
     }
     for table in [CTable::Compact, CTable::Structs] {

@@ -7,6 +7,7 @@ use std::process::Command;
 use std::sync::OnceLock;
 
 use crate::compile::succeed;
+use crate::support::skips::skip_unless_ci;
 
 /// The compiler for a Cortex-M4.
 pub(crate) const CORTEX_M4: &str = "arm-none-eabi-gcc";
@@ -18,29 +19,28 @@ pub(crate) const CORTEX_M4_FLAGS: [&str; 3] = ["-mcpu=cortex-m4", "-mthumb", "-c
 const TRIAL: &str = "#include <stdint.h>\n#include <stdio.h>\n#include <string.h>\nint main(void) { return puts(\"\") < 0; }\n";
 
 /// Whether a compiler accepts a program.
-fn works(what: &str, compiler: &OsStr, flags: &[&str]) -> bool {
+fn works(compiler: &OsStr, flags: &[&str]) -> bool {
     let folder = tempfile::tempdir().unwrap();
     std::fs::write(folder.path().join("trial.c"), TRIAL).unwrap();
     let mut command = Command::new(compiler);
     let result = command.current_dir(folder.path()).args(flags).arg("trial.c").output();
-    let works = result.is_ok_and(|output| output.status.success());
-    assert!(works || std::env::var("CI").as_deref() != Ok("true"), "nothing compiles for {what}");
-    if !works {
-        eprintln!("skipped: nothing compiles for {what}");
-    }
-    works
+    result.is_ok_and(|output| output.status.success())
 }
 
 /// Whether 32-bit programs can be built on this machine.
 pub(crate) fn builds_for_32_bits(compiler: &OsStr) -> bool {
     static WORKS: OnceLock<bool> = OnceLock::new();
-    *WORKS.get_or_init(|| works("32 bits", compiler, &["-m32"]))
+    *WORKS.get_or_init(|| works(compiler, &["-m32"]))
+        || skip_unless_ci("nothing compiles for 32 bits: install the package `gcc-multilib`")
 }
 
 /// Whether files can be compiled for a Cortex-M4 on this machine.
 pub(crate) fn compiles_for_cortex_m4() -> bool {
     static WORKS: OnceLock<bool> = OnceLock::new();
-    *WORKS.get_or_init(|| works("a Cortex-M4", OsStr::new(CORTEX_M4), &CORTEX_M4_FLAGS))
+    *WORKS.get_or_init(|| works(OsStr::new(CORTEX_M4), &CORTEX_M4_FLAGS))
+        || skip_unless_ci(
+            "nothing compiles for a Cortex-M4: install `gcc-arm-none-eabi` and `libnewlib-arm-none-eabi`",
+        )
 }
 
 /// Builds the program of a compiler command with its name after `-o`. Builds it again for 32 bits if

@@ -14,6 +14,7 @@ use objdict::{AppliedFix, Fixed, check, check_with, fix, fix_for_readers, with_s
 use serde_json::Value::Null;
 
 use crate::support;
+use crate::support::skips::sample;
 
 pub(crate) fn folders(folder: &Path, files: &mut Vec<PathBuf>) {
     let mut entries: Vec<PathBuf> =
@@ -29,12 +30,16 @@ pub(crate) fn folders(folder: &Path, files: &mut Vec<PathBuf>) {
     }
 }
 
-/// All descriptions of the fixtures.
-fn descriptions() -> Vec<Description> {
+/// The files with the descriptions of the fixtures.
+fn files() -> Vec<PathBuf> {
     let mut files = Vec::new();
     folders(&support::fixtures(), &mut files);
     assert!(files.len() > 300);
-    read_all(&files)
+    files
+}
+
+fn descriptions() -> Vec<Description> {
+    read_all(&files())
 }
 
 fn read_all(files: &[PathBuf]) -> Vec<Description> {
@@ -161,13 +166,15 @@ fn offers(description: &Description, safety: Applicability) -> (Vec<AppliedFix>,
     (offers, encoding.encode(&edits.text().expect("offers do not overlap")).unwrap())
 }
 
+/// In a sample; `findings_go_and_none_come` and `each_fix_alone_fixes_its_finding` make the fixes of every fixture.
 #[test]
 fn reports_offer_what_is_made() {
     let (mut offered, mut at_once) = (0, 0);
-    for description in descriptions() {
+    let descriptions = read_all(&sample(files()));
+    for description in &descriptions {
         for safety in [Applicability::Safe, Applicability::Unsafe] {
-            let (offers, bytes) = offers(&description, safety);
-            let fixed = fix(copy(&description), safety, check);
+            let (offers, bytes) = offers(description, safety);
+            let fixed = fix(copy(description), safety, check);
             let name = description.source().name();
             for offer in &offers {
                 assert!(fixed.applied.contains(offer), "{name}: {offer:?} is not made");
@@ -175,11 +182,13 @@ fn reports_offer_what_is_made() {
             assert_eq!(offers.is_empty(), fixed.applied.is_empty(), "{name}: {:?}", fixed.applied);
             offered += offers.len();
             at_once += usize::from(!offers.is_empty() && bytes == fixed.bytes());
-            let rest = fix(read(&description, bytes), safety, check);
+            let rest = fix(read(description, bytes), safety, check);
             assert_eq!(rest.bytes(), fixed.bytes(), "{name}: the offers are what `--fix` begins with");
         }
     }
-    assert!(offered > 400 && at_once > 300, "{offered} offers, {at_once} files need no second round");
+    // of the fixtures of rules, more than every fourth
+    let least = descriptions.len() / 5;
+    assert!(offered > least && at_once > least, "{offered} offers, {at_once} files need no second round");
 }
 
 /// A fix that does harm does not keep a large file from the others: they are tried without it.

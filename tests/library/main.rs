@@ -48,6 +48,7 @@ mod probe;
 mod published;
 mod related;
 mod rules;
+mod skipping;
 mod structure;
 #[path = "../support/mod.rs"]
 mod support;

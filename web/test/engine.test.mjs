@@ -7,7 +7,7 @@ import { basename, dirname, join } from "node:path";
 import { test } from "node:test";
 import { brotliCompressSync } from "node:zlib";
 import init, { Workbench } from "../src/wasm/objdict_wasm.js";
-import { fixture, fixtures, hasCommand, objdict, root } from "./support.mjs";
+import { fixture, fixtures, noCommand, objdict, root } from "./support.mjs";
 
 const wasm = readFileSync(new URL("../src/wasm/objdict_wasm_bg.wasm", import.meta.url));
 await init({ module_or_path: wasm });
@@ -49,7 +49,7 @@ function opened(workbench, names) {
   return answers[0];
 }
 
-test("the findings are those of the command", { skip: !hasCommand && "no command `objdict`" }, () => {
+test("the findings are those of the command", { skip: noCommand }, () => {
   let compared = 0;
   for (const { path, name, bytes } of fixtures()) {
     const workbench = new Workbench();
@@ -75,7 +75,7 @@ test("the findings are those of the command", { skip: !hasCommand && "no command
   assert.ok(compared > 100);
 });
 
-test("so are those of the files in a folder", { skip: (!hasCommand && "no command `objdict`") || (!process.env.OBJDICT_CORPUS && "only with OBJDICT_CORPUS=FOLDER") }, () => {
+test("so are those of the files in a folder", { skip: noCommand || (!process.env.OBJDICT_CORPUS && "only with OBJDICT_CORPUS=FOLDER") }, () => {
   const folder = process.env.OBJDICT_CORPUS;
   const files = readdirSync(folder, { recursive: true }).map(String).filter((name) => /\.(eds|dcf|xdd|xdc|nxdd|nxdc)$/i.test(name));
   let compared = 0;
@@ -100,7 +100,7 @@ test("so are those of the files in a folder", { skip: (!hasCommand && "no comman
   assert.ok(compared > 0);
 });
 
-test("what other tools would say is what the command says", { skip: !hasCommand && "no command `objdict`" }, () => {
+test("what other tools would say is what the command says", { skip: noCommand }, () => {
   const name = "fixtures/eds/compact.eds";
   const workbench = new Workbench();
   opened(workbench, [name]);
@@ -119,7 +119,7 @@ const NETWORKS = [
   ["fixtures/nodelist/line.cpj", ...["manager-302-node1", "encoder-406-node3", "drive-402-node8", "io-401-node5", "coupler-modular-node10"].map((name) => `fixtures/dcf/${name}.dcf`)],
 ];
 
-test("a network is what the command says, and its files are those that the command builds", { skip: !hasCommand && "no command `objdict`" }, () => {
+test("a network is what the command says, and its files are those that the command builds", { skip: noCommand }, () => {
   const folder = mkdtempSync(join(tmpdir(), "objdict-web-"));
   try {
     for (const names of NETWORKS) {
@@ -158,7 +158,7 @@ test("a network is what the command says, and its files are those that the comma
   }
 });
 
-test("the frames of a log are those that the command prints", { skip: !hasCommand && "no command `objdict`" }, () => {
+test("the frames of a log are those that the command prints", { skip: noCommand }, () => {
   for (const [log, ...others] of [
     ["fixtures/logs/cell.log", ...NETWORKS[1]],
     ["fixtures/logs/drive.asc", "fixtures/eds/drive-402.eds"],
@@ -178,7 +178,7 @@ test("the frames of a log are those that the command prints", { skip: !hasComman
   }
 });
 
-test("what is written is what the command writes", { skip: !hasCommand && "no command `objdict`" }, () => {
+test("what is written is what the command writes", { skip: noCommand }, () => {
   const folder = mkdtempSync(join(tmpdir(), "objdict-web-"));
   try {
     for (const name of ["eds/drive-402.eds", "eds/io-401.eds", "xdd/io-401.xdd", "dcf/drive-402-node8.dcf"]) {

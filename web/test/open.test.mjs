@@ -10,10 +10,10 @@ import { createInterface } from "node:readline";
 import { fileURLToPath } from "node:url";
 import { after, before, test } from "node:test";
 import { chromium as browserType } from "playwright-core";
-import { chromium, command, fixture, hasCommand } from "./support.mjs";
+import { chromium, command, fixture, noCommand, without } from "./support.mjs";
 
 const executablePath = chromium();
-const skip = (!executablePath && "no Chromium") || (!hasCommand && "no command");
+const skip = without(executablePath, "no Chromium: install the package `chromium`") || noCommand;
 // the command reads the page when it starts, so a new page needs no new command
 const env = { ...process.env, OBJDICT_WORKBENCH: fileURLToPath(new URL("../dist/objdict-workbench.html", import.meta.url)) };
 let browser;

@@ -8,10 +8,10 @@ import { after, before, test } from "node:test";
 import { pathToFileURL } from "node:url";
 import axe from "axe-core";
 import { chromium as browserType } from "playwright-core";
-import { chromium, dist, fixture, hasCommand, host, objdict, root } from "./support.mjs";
+import { chromium, dist, fixture, host, noCommand, objdict, root, without } from "./support.mjs";
 
 const executablePath = chromium();
-const skip = !executablePath && "no Chromium";
+const skip = without(executablePath, "no Chromium: install the package `chromium`");
 const single = join(dist, "objdict-workbench.html");
 let browser;
 let server;
@@ -214,7 +214,7 @@ test("a fix is one click", { skip }, () =>
     await page.waitForFunction((before) => document.querySelectorAll(".finding").length < before, before);
   }));
 
-test("a conversion is that of the command", { skip: skip || (!hasCommand && "no command `objdict`") }, () =>
+test("a conversion is that of the command", { skip: skip || noCommand }, () =>
   withPage(async (page) => {
     await open(page, [DRIVE, fixture(`eds/${DRIVE}`)]);
     const saved = await saveAs(page, "xdd");

@@ -1,16 +1,24 @@
 // What the tests share: fixtures, the command, a static host, and Chromium.
 
 import { execFileSync, spawnSync } from "node:child_process";
-import { existsSync, readFileSync, readdirSync, statSync } from "node:fs";
+import { appendFileSync, existsSync, readFileSync, readdirSync, statSync } from "node:fs";
 import { createServer } from "node:http";
-import { extname, join, relative } from "node:path";
+import { basename, extname, join, relative } from "node:path";
 import { fileURLToPath } from "node:url";
 
 export const root = fileURLToPath(new URL("../../", import.meta.url));
 export const dist = fileURLToPath(new URL("../dist/", import.meta.url));
 export const command = process.env.OBJDICT ?? join(root, "target/debug/objdict");
 
-export const hasCommand = existsSync(command);
+/** The reason to skip tests, or false; with `CI=true` an error. `OBJDICT_SKIPS` names a file that collects the reasons. */
+export function without(isThere, reason) {
+  if (isThere) return false;
+  if (process.env.CI === "true") throw new Error(reason);
+  if (process.env.OBJDICT_SKIPS) appendFileSync(process.env.OBJDICT_SKIPS, `skipped: ${reason} (${basename(process.argv[1])})\n`);
+  return reason;
+}
+
+export const noCommand = without(existsSync(command), "no command `objdict`: run `cargo build`");
 
 /** What the command prints, whatever it found. */
 export function objdict(...args) {

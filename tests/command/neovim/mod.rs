@@ -6,6 +6,8 @@ use std::process::{Child, Command, Stdio};
 use std::thread::sleep;
 use std::time::{Duration, Instant};
 
+use crate::support::skips::skip_unless_ci;
+
 mod screen;
 
 /// So long an answer may take on a busy machine.
@@ -19,13 +21,12 @@ struct Neovim {
 }
 
 /// The version of Neovim, such as `v0.7.2`; `None` says that the test is skipped.
-#[allow(clippy::print_stdout, reason = "says why a test is skipped")]
 fn version() -> Option<String> {
     let output = Command::new("nvim").arg("--version").output().ok();
     let printed = output.map(|output| String::from_utf8_lossy(&output.stdout).into_owned());
     let version = printed.and_then(|text| Some(text.lines().next()?.strip_prefix("NVIM ")?.to_owned()));
     if version.is_none() {
-        println!("skipped: no Neovim; install the package `neovim`");
+        skip_unless_ci("no `nvim`: install the package `neovim`");
     }
     version
 }

@@ -6,6 +6,7 @@ use std::path::Path;
 use anstyle_svg::Term;
 
 use super::{Neovim, drive, to, version};
+use crate::support::skips::skip;
 
 /// A part of a row: text, foreground, background, and whether it is bold.
 type Run = (String, i64, i64, u8);
@@ -47,11 +48,10 @@ fn drawn(neovim: &Neovim) -> String {
 }
 
 #[test]
-#[allow(clippy::print_stdout, reason = "says why a test is skipped")]
 fn the_pictures_of_the_editor_are_what_it_shows() {
     let Some(version) = version() else { return };
     if !version.starts_with("v0.7.") {
-        println!("skipped: the pictures are of Neovim 0.7, and this is {version}");
+        skip(format_args!("the pictures are of Neovim 0.7, and this is {version}"));
         return;
     }
     let page = std::fs::read_to_string("docs/editors.md").unwrap();

@@ -29,6 +29,7 @@ use objdict::generate::Options;
 
 use crate::compile::{c_compiler, cc, generate_with, succeed};
 use crate::devices::{devices, for_all};
+use crate::support::skips::skip;
 
 /// A file or folder next to the tests of a stack.
 fn beside(stack: &str, name: &str) -> PathBuf {
@@ -38,7 +39,7 @@ fn beside(stack: &str, name: &str) -> PathBuf {
 /// The checkout of a real stack named by an environment variable; says so when there is none.
 fn checkout(variable: &str) -> Option<PathBuf> {
     let Some(folder) = std::env::var_os(variable).map(PathBuf::from) else {
-        eprintln!("skipped: `{variable}` names no checkout");
+        skip(format_args!("`{variable}` names no checkout"));
         return None;
     };
     assert!(folder.is_dir(), "`{variable}` names no folder: {}", folder.display());

@@ -167,17 +167,16 @@ fn python_reads_the_tables() {
     const SCRIPT: &str = "import csv, io, json, sys\n\
         text = io.TextIOWrapper(sys.stdin.buffer, encoding='utf-8-sig', newline='')\n\
         print(json.dumps(list(csv.reader(text, strict=True))))";
+    if !crate::support::skips::has("python3", "python3") {
+        return;
+    }
     for path in
         ["document/hostile.dcf", "document/hostile.xdd", "xdd/press-402.xdd", "dcf/drive-402-node8.dcf"]
     {
         let table = unchecked(path, Form::Csv, &german());
         let python =
             Command::new("python3").args(["-c", SCRIPT]).stdin(Stdio::piped()).stdout(Stdio::piped()).spawn();
-        let Ok(mut python) = python else {
-            eprintln!("skipped: there is no python3");
-            assert!(std::env::var_os("CI").is_none(), "CI has Python");
-            return;
-        };
+        let mut python = python.unwrap();
         python.stdin.take().unwrap().write_all(table.as_bytes()).unwrap();
         let lines: Vec<Vec<String>> =
             serde_json::from_slice(&python.wait_with_output().unwrap().stdout).unwrap();

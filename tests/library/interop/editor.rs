@@ -10,6 +10,7 @@ use objdict::model::DeviceKind;
 
 use super::dialects::all_devices;
 use crate::support;
+use crate::support::skips::{has, skip};
 
 /// The readers of EDS, DCF, XDD and XDC.
 const SOURCES: [&str; 10] = [
@@ -57,12 +58,10 @@ fn without_protobuf(source: &str) -> String {
 /// The program that opens files, compiled; `None` without a checkout or a compiler.
 fn editor() -> Option<PathBuf> {
     let Some(checkout) = std::env::var_os("OBJDICT_CANOPENEDITOR_DIR").map(PathBuf::from) else {
-        println!("skipped: `OBJDICT_CANOPENEDITOR_DIR` names no checkout");
+        skip("`OBJDICT_CANOPENEDITOR_DIR` names no checkout");
         return None;
     };
-    let is_there = |program| Command::new(program).arg("--version").output().is_ok();
-    if !is_there("mcs") || !is_there("mono") {
-        println!("skipped: `mcs` and `mono` compile and run CANopenEditor");
+    if !has("mcs", "mono-mcs") || !has("mono", "mono-runtime") {
         return None;
     }
     let library = checkout.join("libEDSsharp");

@@ -14,6 +14,7 @@ use serde_json::{Value as Json, json};
 
 use super::{environment, readings};
 use crate::support;
+use crate::support::skips::{sample, samples_all};
 
 const TOOLS: [Tool; 3] = [Tool::DcfTools, Tool::PythonCanopen, Tool::NodeCanopen];
 const NODE_ID: u8 = 5;
@@ -29,10 +30,10 @@ struct Case {
     tools: Vec<Tool>,
 }
 
-/// The fixtures that a safe fix changes: without `--compat`, and with each tool.
+/// Those of a sample of the fixtures that a safe fix changes: without `--compat`, and with each tool.
 fn cases(folder: &Path) -> Vec<Case> {
     let mut cases = Vec::new();
-    for path in support::devices_of_all_folders() {
+    for path in sample(support::devices_of_all_folders()) {
         for selected in [&[][..], &TOOLS[..1], &TOOLS[1..2], &TOOLS[2..]] {
             let Ok(description) = format::open(&path, &SourceOptions::default()) else { continue };
             let options = Options { tools: selected.to_vec(), ..Options::default() };
@@ -133,6 +134,7 @@ fn worse(before: &Json, after: &Json, meant: &BTreeMap<String, [Json; 6]>) -> Ve
     worse
 }
 
+/// For every fixture, `fix::safe_fixes_leave_the_device_as_it_is` compares what objdict itself reads.
 #[test]
 fn no_tool_reads_a_file_worse_after_safe_fixes() {
     let Some(programs) = environment() else { return };
@@ -152,5 +154,6 @@ fn no_tool_reads_a_file_worse_after_safe_fixes() {
         }
     }
     assert!(failures.is_empty(), "{} failures\n{}", failures.len(), failures.join("\n"));
-    assert!(cases.len() > 300 && accepted > 50, "{} cases, {accepted} accepted", cases.len());
+    let [most, many] = if samples_all() { [300, 50] } else { [60, 5] };
+    assert!(cases.len() > most && accepted > many, "{} cases, {accepted} accepted", cases.len());
 }

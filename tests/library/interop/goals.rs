@@ -10,6 +10,7 @@ use objdict::source::SourceOptions;
 
 use super::{environment, readings};
 use crate::support;
+use crate::support::skips::skip;
 
 /// What is made of each file, for whom, and the least share of files that it reads, in a thousand.
 struct Goal {
@@ -50,7 +51,7 @@ fn in_dialect(description: &Description, dialect: Dialect) -> Vec<u8> {
 #[test]
 fn tools_read_their_share_of_the_corpus() {
     let Some(corpus) = std::env::var_os("OBJDICT_CORPUS_DIR") else {
-        println!("skipped: `OBJDICT_CORPUS_DIR` names no folder");
+        skip("`OBJDICT_CORPUS_DIR` names no folder");
         return;
     };
     let Some(programs) = environment() else { return };

@@ -5,7 +5,7 @@
 //! The test makes a Python environment below `target` and installs the packages. Without Python or network it says so
 //! and passes, except when `CI=true`.
 
-#![allow(clippy::print_stdout, reason = "says why it is skipped")]
+#![allow(clippy::print_stdout, reason = "prints what a tool read")]
 
 mod dialects;
 mod editor;
@@ -41,29 +41,30 @@ mod schemas;
 const PACKAGES: [&str; 5] =
     ["canopen==2.4.1", "dcf-tools==2.4.2", "cantools==45.1.0", "canmatrix==1.3.3", "jsonschema-rs==0.61.0"];
 
-/// The folder with the programs of the environment, made once; `None` when it cannot be made here.
+/// The folder with the programs of the environment, made once; `None`, and the test is skipped, when it cannot be made here.
 pub(crate) fn environment() -> Option<&'static Path> {
-    static ENVIRONMENT: OnceLock<Option<PathBuf>> = OnceLock::new();
-    ENVIRONMENT.get_or_init(|| support::unless_offline(support::python("interop-venv", &PACKAGES))).as_deref()
+    static ENVIRONMENT: OnceLock<Result<PathBuf, String>> = OnceLock::new();
+    let made = ENVIRONMENT.get_or_init(|| support::python("interop-venv", &PACKAGES));
+    support::unless_offline(made.as_deref().map_err(Clone::clone))
 }
 
 /// The package of npm, installed once.
 fn node_modules() -> Option<&'static Path> {
-    static MODULES: OnceLock<Option<PathBuf>> = OnceLock::new();
-    MODULES.get_or_init(install_node_modules).as_deref()
+    static MODULES: OnceLock<Result<PathBuf, String>> = OnceLock::new();
+    support::unless_offline(MODULES.get_or_init(install_node_modules).as_deref().map_err(Clone::clone))
 }
 
-fn install_node_modules() -> Option<PathBuf> {
+fn install_node_modules() -> Result<PathBuf, String> {
     let folder = Path::new(env!("CARGO_TARGET_TMPDIR")).join("interop-npm");
     let modules = folder.join("node_modules");
     if modules.join("canopen").is_dir() {
-        return Some(modules);
+        return Ok(modules);
     }
     fs::create_dir_all(&folder).unwrap();
     let mut npm = Command::new("npm");
     npm.args(["install", "--silent", "--no-save", "--prefix"]).arg(&folder).arg("canopen@6.2.1");
-    let is_there = Command::new("npm").arg("--version").output().is_ok();
-    (is_there && support::unless_offline(support::run(&mut npm)).is_some()).then_some(modules)
+    support::run(&mut npm).map_err(|error| format!("npm: {error}"))?;
+    Ok(modules)
 }
 
 fn text_of(output: &Output) -> String {

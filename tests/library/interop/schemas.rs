@@ -165,7 +165,8 @@ fn write_devices(folder: &Path) {
     assert!(written > copies.len() * 9 / 10, "{written} of {}: {}", copies.len(), text_of(&output));
 }
 
-/// The sources that are written by hand, and those that fixtures become.
+/// The sources that are written by hand, and those that a sample of the fixtures becomes: the reader, which is as strict as the
+/// schema about keys, reads that of every healthy device in `device_toml`.
 #[test]
 fn sources_of_devices_are_valid_by_their_schema() {
     let Some(programs) = environment() else { return };
@@ -175,7 +176,8 @@ fn sources_of_devices_are_valid_by_their_schema() {
     let schema = folder.join("device.json");
     fs::write(&schema, objdict::format::device_schema().to_string()).unwrap();
     let mut files = support::files("toml", &["toml"]);
-    for (number, file) in support::files("", &["eds", "dcf", "xdd", "xdc"]).into_iter().enumerate() {
+    let fixtures = support::skips::sample(support::files("", &["eds", "dcf", "xdd", "xdc"]));
+    for (number, file) in fixtures.into_iter().enumerate() {
         let Ok(description) = objdict::format::open(&file, &Default::default()) else { continue };
         let options = objdict::format::WriteOptions::default();
         let written = objdict::format::write(description.device(), objdict::format::Format::Toml, &options);

@@ -1,7 +1,5 @@
 //! The script of a plan against a LocalNode of python-canopen, on its virtual bus, and on one of the kernel where there is one.
 
-#![allow(clippy::print_stdout, reason = "says why it is skipped")]
-
 use std::collections::BTreeSet;
 use std::fs;
 use std::path::{Path, PathBuf};
@@ -105,7 +103,7 @@ fn an_unknown_local_node_is_scanned() {
 fn a_local_node_on_socketcan_is_as_described() {
     let Some(python) = environment() else { return };
     if !Path::new("/sys/class/net/vcan0").exists() {
-        println!("there is no vcan0: the script does not run on SocketCAN");
+        support::skips::skip("there is no vcan0: the script does not run on SocketCAN");
         return;
     }
     let judgement = judged(python, planted::FIXTURE, true, &["--checked", "--socketcan"]);
