@@ -31,6 +31,7 @@ mod ini_oracle;
 mod interop;
 mod json;
 mod links;
+mod lint;
 mod lossless;
 #[cfg(feature = "lsp")]
 mod lsp;
@@ -44,6 +45,7 @@ mod patch;
 mod planted;
 #[cfg(feature = "network")]
 mod probe;
+mod profiles;
 #[cfg(feature = "cli")]
 mod published;
 mod related;

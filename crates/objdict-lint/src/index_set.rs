@@ -50,16 +50,3 @@ impl FromIterator<u16> for IndexSet {
         set
     }
 }
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    #[test]
-    fn the_edges_are_in_it() {
-        let mut set: IndexSet = [0, 63, 0xFFFF].into_iter().collect();
-        assert!(set.contains(0) && set.contains(63) && set.contains(0xFFFF));
-        assert!(!set.contains(64) && !set.contains(0xFFFE));
-        assert!(set.insert(64) && !set.insert(64));
-    }
-}

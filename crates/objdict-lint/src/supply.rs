@@ -45,14 +45,3 @@ impl ListFixes {
         Some(fix())
     }
 }
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    #[test]
-    fn members_come_where_they_belong() {
-        assert_eq!(with_members(&[1, 5], [3]), [1, 3, 5]);
-        assert_eq!(with_members(&[5, 1], [3]), [5, 1, 3]);
-    }
-}

@@ -65,36 +65,3 @@ impl Profile {
         self.errors().find(|(codes, _)| codes.contains(&code)).map(|(_, text)| text)
     }
 }
-
-#[cfg(test)]
-mod tests {
-    use crate::named;
-
-    #[test]
-    fn transitions_lead_from_state_to_state() {
-        let machine = named("402").unwrap().state_machine().unwrap();
-        let is_state = |name: &str| machine.states.iter().any(|(_, state)| *state == name);
-        assert_eq!((machine.states.len(), machine.transitions.len()), (8, 17));
-        for (number, transition) in (0..).zip(&machine.transitions) {
-            assert_eq!(transition.number, number);
-            assert!(is_state(transition.to), "{transition:?}");
-            assert!(is_state(transition.from) || matches!(number, 0 | 13), "{transition:?}");
-        }
-        let is_used =
-            |name: &str| machine.transitions.iter().any(|of| of.by.split(", ").any(|by| by == name));
-        assert!(machine.commands.iter().all(|(_, name)| is_used(name)), "{:?}", machine.commands);
-        assert!(machine.commands.iter().all(|(mask, _)| mask.len() == 9), "{:?}", machine.commands);
-    }
-
-    #[test]
-    fn errors_of_a_drive_have_names() {
-        let drive = named("402").unwrap();
-        assert_eq!(drive.error(0x8611), Some("following error"));
-        assert_eq!(drive.error(0x8612), Some("reference limit"));
-        assert_eq!(drive.error(0x5115), Some("low voltage of a supply of the manufacturer"));
-        assert_eq!(drive.error(0xFF00), None);
-        let codes: Vec<u64> = drive.errors().flat_map(|(codes, _)| codes).collect();
-        assert!(codes.is_sorted(), "{codes:X?}");
-        assert_eq!(named("401").unwrap().errors().len(), 0);
-    }
-}

@@ -68,33 +68,3 @@ pub(super) fn matched<K: Copy + Ord>(old: &[Part<K>], new: &[Part<K>]) -> Matche
         pairs,
     }
 }
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    fn parts(names: &[(u8, &str)]) -> Vec<Part<u8>> {
-        let part = |&(key, name): &(u8, &str)| Part { key, words: words(name), shape: String::new() };
-        names.iter().map(part).collect()
-    }
-
-    #[test]
-    fn parts_move_behind_an_inserted_one() {
-        let old = parts(&[(1, "Gain"), (2, "Offset")]);
-        let found = matched(&old, &parts(&[(1, "Mode"), (2, "Gain"), (3, "Offset")]));
-        assert_eq!(found.pairs, [(1, 2), (2, 3)]);
-        assert_eq!((found.removed, found.added), (vec![], vec![1]));
-    }
-
-    #[test]
-    fn another_name_is_no_move() {
-        let found = matched(&parts(&[(1, "Gain"), (2, "Offset")]), &parts(&[(1, "GAIN"), (2, "Shift")]));
-        assert_eq!(found.pairs, [(1, 1), (2, 2)]);
-    }
-
-    #[test]
-    fn a_name_that_occurs_twice_does_not_move() {
-        let found = matched(&parts(&[(1, "Gain"), (2, "Gain")]), &parts(&[(2, "Gain"), (3, "Gain")]));
-        assert_eq!((found.pairs, found.removed, found.added), (vec![(2, 2)], vec![1], vec![3]));
-    }
-}

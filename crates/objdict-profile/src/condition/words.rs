@@ -122,27 +122,3 @@ impl Words<'_> {
         format!(" {}", ranges.join(" or "))
     }
 }
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    #[test]
-    fn conditions_are_sentences() {
-        let words = |text: &str| text.parse::<Condition>().unwrap().in_words(&Device::default(), 0);
-        assert_eq!(words("6040h"), "6040h is described");
-        assert_eq!(words("not 1A00h:2"), "1A00h sub-index 2 is not described");
-        assert_eq!(words("1000h[16] and not 1000h[23]"), "1000h bit 16 is set and bit 23 is not");
-        assert_eq!(words("6502h[2] or 6502h[8]"), "6502h bit 2 is set or bit 8 is set");
-        assert_eq!(words("not 1000h[16..31] in 1..5, 10"), "1000h bits 16 to 31 are not 1 to 5 or 10");
-        assert_eq!(words("6401h > 4"), "6401h is at least 5");
-        assert_eq!(
-            words("6040h and (6041h or not 6060h)"),
-            "6040h is described and (6041h is described or 6060h is not described)"
-        );
-        assert_eq!(
-            words("not (6040h or 6041h[0..3] = 0)"),
-            "6040h is not described and 6041h bits 0 to 3 are not 0"
-        );
-    }
-}
