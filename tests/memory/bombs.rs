@@ -19,11 +19,11 @@ pub(crate) enum Kind {
     Network,
 }
 
-/// A text between two others, repeated with a number.
+/// A text of about so many bytes between two others: lines with their numbers.
 fn repeated(start: &str, line: impl Fn(usize) -> String, end: &str, bytes: usize) -> String {
     let mut text = start.to_owned();
     for number in 0.. {
-        if text.len() >= bytes {
+        if text.len() - start.len() >= bytes {
             break;
         }
         text.push_str(&line(number));
