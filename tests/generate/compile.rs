@@ -20,7 +20,8 @@ pub(crate) fn driver(name: &str) -> PathBuf {
 /// The driver of Rust tables.
 pub(crate) const DRIVER: &str = include_str!("drivers/driver.rs");
 
-/// The C compiler; without one, the test is skipped, or fails with `CI=true`.
+/// The C compiler; without it the test, or its half in C, is skipped, or fails with `CI=true`.
+#[track_caller]
 pub(crate) fn c_compiler() -> Option<String> {
     let name = std::env::var("CC").unwrap_or_else(|_| "cc".to_owned());
     has(&name, "gcc").then_some(name)

@@ -6,10 +6,10 @@ use std::process::Command;
 use objdict::generate::{Generated, Options, Target, generate};
 use objdict::model::Device;
 
-use crate::compile::succeed;
 use crate::devices::{device, devices};
-use crate::output::{bare, has};
-use crate::support;
+use crate::output::bare;
+use crate::support::{self, skips::has};
+use crate::verdicts::accepts;
 
 fn generated(device: &Device, target: &str) -> Generated {
     let generated = generate(device, Target::named(target).unwrap(), &Options::default()).unwrap();
@@ -56,7 +56,7 @@ const TARGETS: [&str; 2] = ["canopen-rs", "zencan"];
 #[test]
 fn canopen_rs_is_well_formed() {
     let program = std::env::var("RUSTFMT").unwrap_or_else(|_| "rustfmt".to_owned());
-    if !has(&mut Command::new(&program)) {
+    if !has(&program, "rustfmt") {
         return;
     }
     let folder = tempfile::tempdir().unwrap();
@@ -64,8 +64,9 @@ fn canopen_rs_is_well_formed() {
         let path = folder.path().join("od.rs");
         std::fs::write(&path, &generated(&device, "canopen-rs").files[0].contents).unwrap();
         let mut rustfmt = Command::new(&program);
-        rustfmt.args(["--edition=2021", "--check", "--config-path", "/dev/null"]).arg(&path);
-        succeed(&mut rustfmt, "").unwrap_or_else(|error| panic!("{name}: {error}"));
+        rustfmt.current_dir(folder.path());
+        rustfmt.args(["--edition=2021", "--check", "--config-path", "/dev/null", "od.rs"]);
+        accepts(&mut rustfmt).unwrap_or_else(|error| panic!("{name}: {error}"));
     }
 }
 

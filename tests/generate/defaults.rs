@@ -4,13 +4,13 @@
 use std::collections::{BTreeMap, BTreeSet};
 use std::fmt::Write;
 use std::path::Path;
-use std::process::Command;
 
-use objdict::generate::{CTable, Options, Target, generate};
+use objdict::generate::{CTable, Generated, Options, Target, generate};
 use objdict::model::{Access, DataType, Device, Entry, Object, ObjectType, Value};
 
-use crate::batch::Batch;
-use crate::compile::{c_compiler, cc, succeed};
+use crate::batch::{Part, TABLES};
+use crate::compile::{c_compiler, cc};
+use crate::processors::host;
 use crate::{devices, for_all};
 
 /// The node-IDs used to call functions.
@@ -214,12 +214,11 @@ fn check_c(
     }
     program.push_str("    return 0;\n}\n");
     std::fs::write(folder.join("defaults.c"), program).map_err(|error| error.to_string())?;
-    succeed(cc(compiler, folder).args(["-I.", "-o", "in-c", "defaults.c"]), "")?;
-    succeed(&mut Command::new(folder.join("in-c")), "").map(drop)
+    host(cc(compiler, folder).args(["-I.", "-o", "in-c", "defaults.c"])).succeed()
 }
 
 /// A device with services that no fixture has, and names similar to those of the constants.
-fn odd() -> Device {
+pub(crate) fn odd() -> Device {
     let mut device = Device::default();
     let entry = |name: &str, data_type, default| Entry {
         name: name.into(),
@@ -264,24 +263,24 @@ fn odd() -> Device {
     device
 }
 
+fn text(generated: &Generated) -> String {
+    String::from_utf8_lossy(&generated.files[0].contents).into_owned()
+}
+
+/// The program of the test below.
+pub(crate) fn part(name: &str, device: &Device, generated: &Generated) -> Part {
+    let program = in_rust(&text(generated), &Constants::of(device));
+    Part::new(&format!("defaults {name}"), &program.unwrap_or_else(|error| panic!("{name}: {error}")), &())
+}
+
 #[test]
 fn constants_are_what_the_objects_say() {
     let compiler = c_compiler();
     let devices: Vec<(String, Device)> =
         devices().into_iter().chain([("services".to_owned(), odd())]).collect();
-    let text = |generated: &objdict::generate::Generated| {
-        String::from_utf8_lossy(&generated.files[0].contents).into_owned()
-    };
-    let mut batch = Batch::new();
-    for (name, device) in &devices {
-        let generated = generate(device, Target::RUST, &Options::default()).unwrap();
-        let program = in_rust(&text(&generated), &Constants::of(device));
-        batch.add(name, &generated, &program.unwrap_or_else(|error| panic!("{name}: {error}")));
-    }
-    batch.build(&[]);
     for_all(&devices, |(name, device)| {
         let fail = |error: String| format!("{name}: {error}");
-        batch.run(name, "").map_err(fail)?;
+        TABLES.check(&format!("defaults {name}"), "", |_| Ok(())).map_err(fail)?;
         let folder = tempfile::tempdir().map_err(|error| error.to_string())?;
         let folder = folder.path();
         let expected = Constants::of(device);

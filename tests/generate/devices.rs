@@ -1,8 +1,8 @@
 //! The test devices.
 
 use std::path::{Path, PathBuf};
-use std::sync::Mutex;
 use std::sync::atomic::{AtomicUsize, Ordering};
+use std::sync::{LazyLock, Mutex};
 
 use objdict::format::{self, Format};
 use objdict::generate::{Options, Target, generate};
@@ -22,6 +22,11 @@ pub(crate) fn device(path: &Path) -> Device {
 /// Every valid fixture, the hostile ones, and a device with everything that no fixture has. If
 /// `OBJDICT_CORPUS_DIR` names a folder, also every description below it that has no error which stops the generation.
 pub(crate) fn devices() -> Vec<(String, Device)> {
+    static READ: LazyLock<Vec<(String, Device)>> = LazyLock::new(read);
+    READ.clone()
+}
+
+fn read() -> Vec<(String, Device)> {
     let mut paths = support::good_devices();
     paths.push(support::fixtures().join("broken/hostile-unicode.eds"));
     paths.push(support::fixtures().join("xdd/valve.xdd"));
@@ -79,6 +84,11 @@ pub(crate) fn for_all<T: Sync>(items: &[T], check: impl Fn(&T) -> Result<(), Str
 
 /// Arbitrary but reproducible devices that can be generated.
 pub(crate) fn arbitrary_devices(count: usize) -> Vec<(String, Device)> {
+    static DEVICES: LazyLock<Vec<(String, Device)>> = LazyLock::new(|| arbitrary(60));
+    DEVICES[..count].to_vec()
+}
+
+fn arbitrary(count: usize) -> Vec<(String, Device)> {
     let mut runner = TestRunner::deterministic();
     let strategy = support::devices::device(support::devices::Texts::Any);
     let rust = Target::named("rust").unwrap();

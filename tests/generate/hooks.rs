@@ -1,15 +1,14 @@
 //! Hooks are called exactly for the requested entries, before reads and after writes, and their results are
 //! returned.
 
-use std::process::Command;
-
 use objdict::generate::{Options, PdoMappings, Target, generate};
 use objdict::model::{Access, DataType, Device, Entry, Object, ObjectType, Value};
 
 use crate::batch::Batch;
-use crate::compile::{DRIVER, c_compiler, cc, driver, generate_with, succeed};
+use crate::compile::{DRIVER, c_compiler, cc, driver, generate_with};
 use crate::devices::{devices, for_all};
 use crate::oracle::facts_of;
+use crate::processors::host;
 use crate::{compare, script, support};
 
 fn entry(name: &str, data_type: DataType, access: Access, default: Option<Value>) -> Entry {
@@ -234,20 +233,22 @@ fn hooks_are_called_for_what_they_are_asked_for() {
     let input: String = SESSION.iter().map(|(line, _)| format!("{line}\n")).collect();
     let expected: Vec<&str> = SESSION.iter().flat_map(|(_, lines)| *lines).copied().collect();
 
-    let mut batch = Batch::new();
-    batch.add("hooks", &generate(&device, Target::RUST, &options).unwrap(), RUST);
-    batch.build(&[]);
-    let output = batch.run("hooks", &input).unwrap();
-    assert_eq!(output.lines().collect::<Vec<_>>(), expected, "Rust");
+    let compare = |language: &str, output: &str| match output.lines().eq(expected.iter().copied()) {
+        true => Ok(()),
+        false => Err(format!("{language}: {output}\nwhere {expected:?} was expected")),
+    };
+    let mut batch = Batch::new(&[]);
+    batch.add("hooks", &generate(&device, Target::RUST, &options).unwrap(), RUST, &(&input, &expected));
+    batch.build();
+    batch.check("hooks", &input, |output| compare("Rust", output)).unwrap();
 
     let Some(compiler) = c_compiler() else { return };
     generate_with(folder, &device, "c", &options);
     std::fs::write(folder.join("driver.c"), C).unwrap();
     for level in ["-O0", "-O2"] {
         let mut cc = cc(&compiler, folder);
-        succeed(cc.args([level, "-I.", "-o", "in-c", "od.c", "driver.c"]), "").unwrap();
-        let output = succeed(&mut Command::new(folder.join("in-c")), &input).unwrap();
-        assert_eq!(output.lines().collect::<Vec<_>>(), expected, "C {level}");
+        let programs = host(cc.args([level, "-I.", "-o", "in-c", "od.c", "driver.c"]));
+        programs.check(&[], &input, &expected, |output| compare(level, output)).unwrap();
     }
 }
 
@@ -266,24 +267,25 @@ fn answers_are_the_same_with_hooks_and_groups() {
         options.groups = ["1000-31FF=COMM", "3300-34FF=OTHER"].map(|group| group.parse().unwrap()).to_vec();
         options
     };
-    let mut batch = Batch::new();
+    let mut batch = Batch::new(&[]);
     for (name, device) in &devices {
-        batch.add(name, &generate(device, Target::RUST, &options(device)).unwrap(), DRIVER);
+        let script = script::with_hooks(device);
+        let generated = generate(device, Target::RUST, &options(device)).unwrap();
+        batch.add(name, &generated, DRIVER, &(&script.input, &script.expected));
     }
-    batch.build(&[]);
+    batch.build();
     for_all(&devices, |(name, device)| {
         let fail = |error: String| format!("{name}: {error}");
         let script = script::with_hooks(device);
-        let output = batch.run(name, &script.input).map_err(fail)?;
-        compare(name, "Rust", &script, &output)?;
+        batch.check(name, &script.input, |answers| compare(name, "Rust", &script, answers)).map_err(fail)?;
         let Some(compiler) = c_compiler() else { return Ok(()) };
         let folder = tempfile::tempdir().map_err(|error| error.to_string())?;
         let folder = folder.path();
         generate_with(folder, device, "c", &options(device));
         let mut cc = cc(&compiler, folder);
-        succeed(cc.args(["-O1", "-I.", "-o", "in-c", "od.c"]).arg(driver("driver.c")), "").map_err(fail)?;
-        let output = succeed(&mut Command::new(folder.join("in-c")), &script.input).map_err(fail)?;
-        compare(name, "C", &script, &output)
+        let programs = host(cc.args(["-O1", "-I.", "-o", "in-c", "od.c"]).arg(driver("driver.c")));
+        let compare = |answers: &str| compare(name, "C", &script, answers);
+        programs.check(&[], &script.input, &script.expected, compare).map_err(fail)
     });
 }
 
@@ -305,11 +307,10 @@ fn sdos_write_mappings_that_are_dynamic() {
         let generated = generate_with(folder, device, "c", &options);
         let sources = generated.files.iter().map(|file| &file.path).filter(|path| path.ends_with(".c"));
         let mut cc = cc(&compiler, folder);
-        succeed(cc.args(["-O1", "-I.", "-o", "in-c"]).args(sources).arg(driver("driver.c")), "")
-            .map_err(fail)?;
+        let programs = host(cc.args(["-O1", "-I.", "-o", "in-c"]).args(sources).arg(driver("driver.c")));
         let script = script::with_hooks(device);
-        let output = succeed(&mut Command::new(folder.join("in-c")), &script.input).map_err(fail)?;
-        compare(name, "C", &script, &output)
+        let compare = |answers: &str| compare(name, "C", &script, answers);
+        programs.check(&[], &script.input, &script.expected, compare).map_err(fail)
     });
 }
 

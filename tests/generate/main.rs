@@ -31,6 +31,7 @@ mod support;
 #[cfg(feature = "template")]
 mod template;
 mod thumb;
+mod verdicts;
 mod words;
 
 use std::sync::atomic::{AtomicUsize, Ordering};
@@ -38,11 +39,12 @@ use std::sync::atomic::{AtomicUsize, Ordering};
 use objdict::generate::{Options, Target, generate};
 use objdict::model::Device;
 
-use batch::Batch;
+use batch::{Part, TABLES};
 use compile::{DRIVER, c_compiler, cc, driver, generate_into, rustc, succeed};
 use devices::{arbitrary_devices, device, devices, for_all};
 use processors::build;
 use script::Script;
+use verdicts::Key;
 
 /// The first answers that differ from the expected ones.
 fn compare(name: &str, language: &str, script: &Script, output: &str) -> Result<(), String> {
@@ -65,23 +67,22 @@ fn compare(name: &str, language: &str, script: &Script, output: &str) -> Result<
     Err(format!("{name}, {language}:\n{}", differences.join("\n")))
 }
 
+/// The program of the test below.
+fn answers(name: &str, device: &Device) -> Part {
+    let script = script::without_hooks(device);
+    Part::new(&format!("answers {name}"), DRIVER, &(script.input, script.expected))
+}
+
 #[test]
 fn rust_and_c_answer_as_the_description_says() {
     let compiler = c_compiler();
     let answers = AtomicUsize::new(0);
-    let devices = [devices(), arbitrary_devices(8)].concat();
-    let mut batch = Batch::new();
-    for (name, device) in &devices {
-        batch.add(name, &generate(device, Target::RUST, &Options::default()).unwrap(), DRIVER);
-    }
-    batch.build(&[]);
-    for_all(&devices, |(name, device)| {
+    for_all(&[devices(), arbitrary_devices(8)].concat(), |(name, device)| {
         let script = script::without_hooks(device);
         answers.fetch_add(script.expected.len(), Ordering::Relaxed);
         let fail = |error: String| format!("{name}: {error}");
-
-        let in_rust = batch.run(name, &script.input).map_err(fail)?;
-        compare(name, "Rust", &script, &in_rust)?;
+        let in_rust = |answers: &str| compare(name, "Rust", &script, answers);
+        TABLES.check(&format!("answers {name}"), &script.input, in_rust).map_err(fail)?;
 
         let Some(compiler) = &compiler else { return Ok(()) };
         let folder = tempfile::tempdir().map_err(|error| error.to_string())?;
@@ -89,8 +90,8 @@ fn rust_and_c_answer_as_the_description_says() {
         generate_into(folder, device, "c");
         let mut cc = cc(compiler, folder);
         cc.args(["-I.", "-o", "in-c", "od.c"]).arg(driver("driver.c"));
-        let in_c = build(&cc).and_then(|programs| programs.run(&[], &script.input)).map_err(fail)?;
-        compare(name, "C", &script, &in_c)
+        let compare = |answers: &str| compare(name, "C", &script, answers);
+        build(&cc).check(&[], &script.input, &script.expected, compare).map_err(fail)
     });
     let answers = answers.into_inner();
     assert!(answers > 150_000, "only {answers} answers were compared");
@@ -106,11 +107,19 @@ fn what_damaged_and_arbitrary_descriptions_give_compiles() {
     paths.extend(support::files("errata", &["eds"]));
     let damaged = paths.into_iter().map(|path| (path.display().to_string(), device(&path)));
     let devices: Vec<(String, Device)> = damaged.chain(arbitrary_devices(60)).collect();
-    let (mut modules, mut sources) = (String::from("#![no_std]\n"), Vec::new());
+    let (mut modules, mut sources, mut keys) = (String::from("#![no_std]\n"), Vec::new(), Vec::new());
+    let mut count = 0;
+    let mut rustc = rustc(folder.path());
+    rustc.args(["--crate-type=lib", "--emit=metadata", "all.rs"]);
+    let mut cc = c_compiler().map(|compiler| cc(&compiler, folder.path()));
+    if let Some(cc) = &mut cc {
+        cc.arg("-fsyntax-only");
+    }
     for (number, (name, device)) in devices.iter().enumerate() {
         // the name is in the path of compiler errors
         let stem = name.rsplit('/').next().unwrap().replace(|c: char| !c.is_ascii_alphanumeric(), "_");
-        let folder = folder.path().join(format!("{number}-{stem}"));
+        let module = format!("{number}-{stem}");
+        let folder = folder.path().join(&module);
         std::fs::create_dir(&folder).unwrap();
         let is_refused = [Target::RUST, Target::C].into_iter().any(|target| {
             let error = generate(device, target, &Options::default()).err();
@@ -121,13 +130,24 @@ fn what_damaged_and_arbitrary_descriptions_give_compiles() {
         }
         generate_into(&folder, device, "rust");
         generate_into(&folder, device, "c");
-        modules.push_str(&format!("pub mod od{number} {{ include!({:?}); }}\n", folder.join("od.rs")));
-        sources.push(folder.join("od.c"));
+        count += 1;
+        let mut key = Key::new();
+        [Some(&rustc), cc.as_ref()].into_iter().flatten().for_each(|compiler| key.tool(compiler));
+        key.folder(&folder);
+        if !key.is_kept() {
+            modules.push_str(&format!("pub mod od{number} {{ include!(\"{module}/od.rs\"); }}\n"));
+            sources.push(folder.join("od.c"));
+            keys.push(key);
+        }
     }
-    assert!(sources.len() > devices.len() / 2, "hardly anything was generated");
+    assert!(count > devices.len() / 2, "hardly anything was generated");
+    if keys.is_empty() {
+        return;
+    }
     std::fs::write(folder.path().join("all.rs"), modules).unwrap();
-    let mut rustc = rustc(folder.path());
-    succeed(rustc.args(["--crate-type=lib", "--emit=metadata", "all.rs"]), "").unwrap();
-    let Some(compiler) = c_compiler() else { return };
-    succeed(cc(&compiler, folder.path()).arg("-fsyntax-only").args(sources), "").unwrap();
+    succeed(&mut rustc, "").unwrap();
+    if let Some(cc) = &mut cc {
+        succeed(cc.args(sources), "").unwrap();
+    }
+    keys.iter().for_each(Key::keep);
 }

@@ -2,7 +2,6 @@
 
 use std::fmt::Write;
 use std::path::Path;
-use std::process::Command;
 
 use objdict::generate::{Options, Target, generate};
 use objdict::model::{
@@ -12,9 +11,9 @@ use objdict::model::{
 };
 
 use crate::batch::Batch;
-use crate::compile::{c_compiler, cc, generate_into, succeed};
+use crate::compile::{c_compiler, cc, generate_into};
 use crate::odd::{entry, of_type};
-use crate::processors::build;
+use crate::processors::{build, host};
 use crate::{device, for_all, support};
 
 /// Test words.
@@ -418,17 +417,18 @@ fn in_c(folder: &Path, text: &str, compiler: &str, device: &Device) -> Result<()
     }
     program.push_str("    return 0;\n}\n");
     std::fs::write(folder.join("meanings.c"), &program).map_err(|error| error.to_string())?;
-    succeed(cc(compiler, folder).args(["-I.", "-Wno-type-limits", "-o", "in-c", "meanings.c"]), "")?;
-    let output = succeed(&mut Command::new(folder.join("in-c")), "")?;
-    let answers: Vec<&str> = output.lines().collect();
-    match expected.iter().zip(&answers).position(|(expected, answer)| expected != answer) {
-        None if expected.len() == answers.len() => Ok(()),
-        at => {
-            let at = at.unwrap_or_default();
-            let asked = program.lines().filter(|line| line.starts_with("printf")).nth(at);
-            Err(format!("`{}` where `{}` was expected: {asked:?}", answers[at], expected[at]))
+    let programs = host(cc(compiler, folder).args(["-I.", "-Wno-type-limits", "-o", "in-c", "meanings.c"]));
+    programs.check(&[], "", &expected, |output| {
+        let answers: Vec<&str> = output.lines().collect();
+        match expected.iter().zip(&answers).position(|(expected, answer)| expected != answer) {
+            None if expected.len() == answers.len() => Ok(()),
+            at => {
+                let at = at.unwrap_or_default();
+                let asked = program.lines().filter(|line| line.starts_with("printf")).nth(at);
+                Err(format!("`{}` where `{}` was expected: {asked:?}", answers[at], expected[at]))
+            }
         }
-    }
+    })
 }
 
 #[test]
@@ -437,16 +437,16 @@ fn enumerations_and_bit_fields_are_those_of_the_model() {
     let text = |generated: &objdict::generate::Generated| {
         String::from_utf8_lossy(&generated.files[0].contents).into_owned()
     };
-    let mut batch = Batch::new();
+    let mut batch = Batch::new(&[]);
     for (name, device) in devices() {
         let generated = generate(&device, Target::RUST, &Options::default()).unwrap();
         let program = in_rust(&text(&generated), &device);
-        batch.add(&name, &generated, &program.unwrap_or_else(|error| panic!("{name}: {error}")));
+        batch.add(&name, &generated, &program.unwrap_or_else(|error| panic!("{name}: {error}")), &());
     }
-    batch.build(&[]);
+    batch.build();
     for_all(&devices(), |(name, device)| {
         let fail = |error: String| format!("{name}: {error}");
-        batch.run(name, "").map_err(fail)?;
+        batch.check(name, "", |_| Ok(())).map_err(fail)?;
         let Some(compiler) = &compiler else { return Ok(()) };
         let folder = tempfile::tempdir().map_err(|error| error.to_string())?;
         let folder = folder.path();
@@ -497,10 +497,10 @@ fn the_valve_reads_as_people_would_write_it() {
             assert_eq!(ChannelState::from_value(data.get(od::CHANNEL_STATES.at(2))), Some(ChannelState::BrokenWire));
         }
     "#;
-    let mut batch = Batch::new();
-    batch.add("valve", &generate(&valve, Target::RUST, &Options::default()).unwrap(), program);
-    batch.build(&["-Adead-code"]);
-    batch.run("valve", "").unwrap();
+    let mut batch = Batch::new(&["-Adead-code"]);
+    batch.add("valve", &generate(&valve, Target::RUST, &Options::default()).unwrap(), program, &());
+    batch.build();
+    batch.check("valve", "", |_| Ok(())).unwrap();
 }
 
 /// Words that the device profile defines, where the description says nothing of them.
@@ -549,10 +549,10 @@ fn words_of_a_profile_have_the_names_of_its_document() {
             assert_eq!((word, controlword::fault_reset::get(0x0080)), (0x0006, true));
         }
     "#;
-    let mut batch = Batch::new();
-    batch.add("drive", &generate(&drive, Target::RUST, &Options::default()).unwrap(), program);
-    batch.build(&["-Adead-code"]);
-    batch.run("drive", "").unwrap();
+    let mut batch = Batch::new(&["-Adead-code"]);
+    batch.add("drive", &generate(&drive, Target::RUST, &Options::default()).unwrap(), program, &());
+    batch.build();
+    batch.check("drive", "", |_| Ok(())).unwrap();
 
     let text = |device: &Device, target: Target, file: usize| {
         let generated = generate(device, target, &Options::default()).unwrap();
@@ -574,8 +574,8 @@ fn words_of_a_profile_have_the_names_of_its_document() {
         let folder = tempfile::tempdir().unwrap();
         generate_into(folder.path(), &drive, "c");
         std::fs::write(folder.path().join("states.c"), STATES).unwrap();
-        let programs = build(cc(&compiler, folder.path()).args(["-I.", "-o", "states", "states.c"])).unwrap();
-        assert_eq!(programs.run(&[], "").unwrap(), "39 55 - 0 16 32 48 -");
+        let programs = build(cc(&compiler, folder.path()).args(["-I.", "-o", "states", "states.c"]));
+        programs.expect(&[], "39 55 - 0 16 32 48 -").unwrap();
     }
     let encoder = text(&device(&support::fixtures().join("eds/encoder-406.eds")), Target::RUST, 0);
     assert!(encoder.contains("pub mod operating_parameters") && encoder.contains("Clockwise = 0,"));

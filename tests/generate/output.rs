@@ -7,9 +7,10 @@ use objdict::generate::{CTable, Options, OutputFile, Sizes, Target, generate, si
 use objdict::model::{Access, DataType, Device, Entry, Object, ObjectType, PdoMapping, Value};
 
 use crate::batch::Batch;
-use crate::compile::{c_compiler, cc, generate_into, generate_with, rustc, succeed};
-use crate::processors::build;
-use crate::support::skips::{self, skip_unless_ci};
+use crate::compile::{c_compiler, cc, generate_into, generate_with, rustc};
+use crate::processors::{build, host};
+use crate::support::skips::{has, skip_unless_ci};
+use crate::verdicts::{Key, accepts};
 use crate::{device, devices, odd, support};
 
 /// All files of the table targets.
@@ -167,7 +168,7 @@ fn large_dictionaries_get_longer_places() {
     let large = files(&device, &Options::default());
     assert!(self::text(&small[1]).contains("typedef uint16_t od_offset_t;"));
     assert!(self::text(&large[1]).contains("typedef uint32_t od_offset_t;"), "two fields of 60,000 bytes");
-    let mut batch = Batch::new();
+    let mut batch = Batch::new(&["-Adead-code"]);
     let program = r#"
         mod od { include!("od.rs"); }
         fn main() {
@@ -179,9 +180,9 @@ fn large_dictionaries_get_longer_places() {
             assert_eq!((data.get(od::TEXT_0), data.get(od::TEXT_1)), (&buffer[..], &b"short"[..]));
         }
     "#;
-    batch.add("large", &generate(&device, Target::RUST, &Options::default()).unwrap(), program);
-    batch.build(&["-Adead-code"]);
-    batch.run("large", "").unwrap();
+    batch.add("large", &generate(&device, Target::RUST, &Options::default()).unwrap(), program, &());
+    batch.build();
+    batch.check("large", "", |_| Ok(())).unwrap();
 }
 
 /// A device whose numbers need wider rows in C: long texts, pairs of data type and flags, entries.
@@ -259,22 +260,18 @@ fn rows_in_c_are_as_wide_as_the_device_needs() {
         let folder = tempfile::tempdir().unwrap();
         generate_into(folder.path(), &device, "c");
         std::fs::write(folder.path().join("wide.c"), WIDE).unwrap();
-        let programs = build(cc(&compiler, folder.path()).args(["-I.", "-o", "wide", "wide.c"])).unwrap();
+        let programs = build(cc(&compiler, folder.path()).args(["-I.", "-o", "wide", "wide.c"]));
         let Sizes::Known(report) = size(&device, Target::C, &Options::default()).unwrap() else { panic!() };
-        assert_eq!(programs.run(&[], "").unwrap(), format!("{rows} {}", report.total.flash), "{case:?}");
+        programs
+            .expect(&[], &format!("{rows} {}", report.total.flash))
+            .unwrap_or_else(|error| panic!("{case:?}: {error}"));
     }
-}
-
-/// Whether a tool of the Rust distribution is installed; if not, the test is skipped, or fails with `CI=true`.
-pub(crate) fn has(tool: &mut Command) -> bool {
-    let runs = tool.arg("--version").output().is_ok_and(|output| output.status.success());
-    runs || skip_unless_ci(format_args!("no {tool:?}: install the Rust component"))
 }
 
 #[test]
 fn rustfmt_changes_nothing() {
     let program = std::env::var("RUSTFMT").unwrap_or_else(|_| "rustfmt".to_owned());
-    if !has(&mut Command::new(&program)) {
+    if !has(&program, "rustfmt") {
         return;
     }
     let folder = tempfile::tempdir().unwrap();
@@ -284,12 +281,12 @@ fn rustfmt_changes_nothing() {
         generate_into(&folder, &device, "rust");
         let mut rustfmt = Command::new(&program);
         let rustfmt = rustfmt.args(["--edition=2021", "--check", "--config-path", "/dev/null", "od.rs"]);
-        succeed(rustfmt.current_dir(folder), "").unwrap_or_else(|error| panic!("{name}: {error}"));
+        accepts(rustfmt.current_dir(folder)).unwrap_or_else(|error| panic!("{name}: {error}"));
     }
     generate_with(folder.path(), &crate::odd::device(), "rust", &crate::stored::options());
     let mut rustfmt = Command::new(&program);
     let rustfmt = rustfmt.args(["--edition=2021", "--check", "--config-path", "/dev/null", "od.rs"]);
-    succeed(rustfmt.current_dir(folder.path()), "").unwrap();
+    accepts(rustfmt.current_dir(folder.path())).unwrap();
 }
 
 /// Names that Doxygen would take for commands, tags, entities, links and fences.
@@ -299,7 +296,7 @@ const MARKUP: &str = r#"@brief torque|a\param b|<b>bold & co|#hash ::global|`tic
 
 #[test]
 fn doxygen_warns_of_nothing() {
-    if !skips::has("doxygen", "doxygen") {
+    if !has("doxygen", "doxygen") {
         return;
     }
     let mut hostile = device(&support::fixtures().join("eds/dspic-sensors.eds"));
@@ -323,8 +320,15 @@ fn doxygen_warns_of_nothing() {
             let settings =
                 "QUIET=YES\nEXTRACT_ALL=YES\nGENERATE_HTML=NO\nGENERATE_LATEX=NO\nGENERATE_XML=YES\n";
             std::fs::write(folder.path().join("Doxyfile"), settings).unwrap();
-            let output = Command::new("doxygen").current_dir(folder.path()).output().unwrap();
-            assert_eq!(String::from_utf8_lossy(&output.stderr), "", "{table:?}");
+            let mut doxygen = Command::new("doxygen");
+            doxygen.current_dir(folder.path());
+            let mut key = Key::new();
+            key.command(&doxygen);
+            key.or_try(|| match &*doxygen.output().unwrap().stderr {
+                [] => Ok(()),
+                warnings => Err(String::from_utf8_lossy(warnings).into_owned()),
+            })
+            .unwrap_or_else(|warnings| panic!("{table:?}: {warnings}"));
         }
     }
 }
@@ -332,7 +336,9 @@ fn doxygen_warns_of_nothing() {
 #[test]
 fn clippy_finds_nothing() {
     let cargo = std::env::var("CARGO").unwrap_or_else(|_| "cargo".to_owned());
-    if !has(Command::new(&cargo).arg("clippy")) {
+    let version = Command::new(&cargo).args(["clippy", "--version"]).output();
+    if !version.is_ok_and(|output| output.status.success()) {
+        skip_unless_ci("no clippy: `rustup component add clippy`");
         return;
     }
     let folder = tempfile::tempdir().unwrap();
@@ -369,7 +375,7 @@ fn clippy_finds_nothing() {
     let mut clippy = Command::new(cargo);
     let clippy = clippy.args(["clippy", "--offline", "--quiet"]).current_dir(folder);
     let clippy = clippy.env("CARGO_TARGET_DIR", folder.join("target")).env_remove("RUSTFLAGS");
-    succeed(clippy, "").unwrap_or_else(|error| panic!("{error}"));
+    accepts(clippy).unwrap_or_else(|error| panic!("{error}"));
 }
 
 /// The examples of the documentation with their tables.
@@ -387,11 +393,9 @@ fn the_examples_of_the_documentation_run() {
         generate_into(folder, &minimal, target);
     }
     std::fs::write(folder.join("example.rs"), example("rust")).unwrap();
-    succeed(rustc(folder).args(["-o", "in-rust", "example.rs"]), "").unwrap();
-    succeed(&mut Command::new(folder.join("in-rust")), "").unwrap();
+    host(rustc(folder).args(["-o", "in-rust", "example.rs"])).succeed().unwrap();
     std::fs::write(folder.join("example.c"), example("c")).unwrap();
     if let Some(compiler) = c_compiler() {
-        let programs = build(cc(&compiler, folder).args(["-o", "in-c", "od.c", "example.c"])).unwrap();
-        programs.run(&[], "").unwrap();
+        build(cc(&compiler, folder).args(["-o", "in-c", "od.c", "example.c"])).succeed().unwrap();
     }
 }

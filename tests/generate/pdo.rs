@@ -328,9 +328,10 @@ impl Case {
         std::fs::write(folder.join("driver.c"), &self.session.c).map_err(|error| error.to_string())?;
         let mut cc = cc(compiler, folder);
         cc.args(["-I.", "-o", "in-c", "od.c", "od_pdo.c", "driver.c"]);
-        let output = build(&cc).and_then(|programs| programs.run(&[], ""));
-        let output = output.map_err(|error| format!("{}: {error}", self.name))?;
-        self.session.compare(&self.name, "C", &output)
+        let compare = |output: &str| self.session.compare(&self.name, "C", output);
+        build(&cc)
+            .check(&[], "", &self.session.answers, compare)
+            .map_err(|error| format!("{}: {error}", self.name))
     }
 }
 
@@ -350,14 +351,15 @@ fn frames_are_packed_as_the_description_says() {
         })
         .collect();
     assert!(cases.len() > 9, "{}", cases.len());
-    let mut batch = Batch::new();
+    let mut batch = Batch::new(&[]);
     for Case { name, device, options, session } in &cases {
-        batch.add(name, &generate(device, Target::RUST, options).unwrap(), &session.rust);
+        let generated = generate(device, Target::RUST, options).unwrap();
+        batch.add(name, &generated, &session.rust, &session.answers);
     }
-    batch.build(&[]);
+    batch.build();
     let compiler = c_compiler();
     for_all(&cases, |case| {
-        case.session.compare(&case.name, "Rust", &batch.run(&case.name, "")?)?;
+        batch.check(&case.name, "", |output| case.session.compare(&case.name, "Rust", output))?;
         compiler.as_ref().map_or(Ok(()), |compiler| case.in_c(compiler))
     });
 }

@@ -1,13 +1,15 @@
 //! The processors for generated C: the host, a 32-bit variant of the host, and a Cortex-M4. Missing compilers
-//! are skipped with a message, except with `CI=true`.
+//! are skipped, or fail with `CI=true`.
 
 use std::ffi::{OsStr, OsString};
-use std::path::{Path, PathBuf};
+use std::fmt::Debug;
+use std::path::PathBuf;
 use std::process::Command;
-use std::sync::OnceLock;
+use std::sync::{Mutex, OnceLock};
 
 use crate::compile::succeed;
 use crate::support::skips::skip_unless_ci;
+use crate::verdicts::Key;
 
 /// The compiler for a Cortex-M4.
 pub(crate) const CORTEX_M4: &str = "arm-none-eabi-gcc";
@@ -19,71 +21,134 @@ pub(crate) const CORTEX_M4_FLAGS: [&str; 3] = ["-mcpu=cortex-m4", "-mthumb", "-c
 const TRIAL: &str = "#include <stdint.h>\n#include <stdio.h>\n#include <string.h>\nint main(void) { return puts(\"\") < 0; }\n";
 
 /// Whether a compiler accepts a program.
-fn works(compiler: &OsStr, flags: &[&str]) -> bool {
+fn works((what, package): (&str, &str), compiler: &OsStr, flags: &[&str]) -> bool {
     let folder = tempfile::tempdir().unwrap();
     std::fs::write(folder.path().join("trial.c"), TRIAL).unwrap();
     let mut command = Command::new(compiler);
     let result = command.current_dir(folder.path()).args(flags).arg("trial.c").output();
-    result.is_ok_and(|output| output.status.success())
+    let works = result.is_ok_and(|output| output.status.success());
+    if !works {
+        skip_unless_ci(format_args!("nothing compiles for {what}: install the package `{package}`"));
+    }
+    works
 }
 
 /// Whether 32-bit programs can be built on this machine.
 pub(crate) fn builds_for_32_bits(compiler: &OsStr) -> bool {
     static WORKS: OnceLock<bool> = OnceLock::new();
-    *WORKS.get_or_init(|| works(compiler, &["-m32"]))
-        || skip_unless_ci("nothing compiles for 32 bits: install the package `gcc-multilib`")
+    *WORKS.get_or_init(|| works(("32 bits", "gcc-multilib"), compiler, &["-m32"]))
 }
 
 /// Whether files can be compiled for a Cortex-M4 on this machine.
 pub(crate) fn compiles_for_cortex_m4() -> bool {
     static WORKS: OnceLock<bool> = OnceLock::new();
-    *WORKS.get_or_init(|| works(OsStr::new(CORTEX_M4), &CORTEX_M4_FLAGS))
-        || skip_unless_ci(
-            "nothing compiles for a Cortex-M4: install `gcc-arm-none-eabi` and `libnewlib-arm-none-eabi`",
-        )
+    *WORKS
+        .get_or_init(|| works(("a Cortex-M4", "gcc-arm-none-eabi"), OsStr::new(CORTEX_M4), &CORTEX_M4_FLAGS))
 }
 
-/// Builds the program of a compiler command with its name after `-o`. Builds it again for 32 bits if
-/// possible, and compiles its files for a Cortex-M4.
-pub(crate) fn build(cc: &Command) -> Result<Programs, String> {
-    let folder = cc.get_current_dir().unwrap();
+/// The programs of a compiler command for this machine, for 32 bits if possible, and objects for a Cortex-M4. The
+/// command has the name of a program after `-o`.
+#[track_caller]
+pub(crate) fn build(cc: &Command) -> Programs {
     let arguments: Vec<&OsStr> = cc.get_args().collect();
     let at = arguments.iter().position(|argument| *argument == "-o").unwrap();
-    let name = arguments[at + 1];
-    let (before, behind) = (&arguments[..at], &arguments[at + 2..]);
-    let with = |program: &OsStr| {
+    let with = |program: &OsStr, arguments: &[&OsStr]| {
         let mut command = Command::new(program);
-        command.current_dir(folder).args(before).args(behind);
+        command.current_dir(cc.get_current_dir().unwrap()).args(arguments);
         command
     };
-    succeed(with(cc.get_program()).arg("-o").arg(name), "")?;
+    let mut programs = host(cc);
     if builds_for_32_bits(cc.get_program()) {
-        succeed(with(cc.get_program()).arg("-m32").arg("-o").arg(for_32_bits(name)), "")?;
+        let name = for_32_bits(arguments[at + 1]);
+        let own = [OsStr::new("-m32"), arguments[at], &name];
+        let own = [&arguments[..at], &own, &arguments[at + 2..]].concat();
+        programs.add(with(cc.get_program(), &own), Some(&name));
     }
     if compiles_for_cortex_m4() {
-        succeed(with(OsStr::new(CORTEX_M4)).args(CORTEX_M4_FLAGS), "")?;
+        let own = [&arguments[..at], &CORTEX_M4_FLAGS.map(OsStr::new), &arguments[at + 2..]].concat();
+        programs.add(with(OsStr::new(CORTEX_M4), &own), None);
     }
-    Ok(Programs::at(&folder.join(name)))
+    programs
+}
+
+/// The program of a compiler command for this machine alone.
+#[track_caller]
+pub(crate) fn host(cc: &Command) -> Programs {
+    let arguments: Vec<&OsStr> = cc.get_args().collect();
+    let at = arguments.iter().position(|argument| *argument == "-o").unwrap();
+    let mut programs =
+        Programs { key: Key::new(), commands: Vec::new(), paths: Vec::new(), built: OnceLock::new() };
+    let mut command = Command::new(cc.get_program());
+    command.current_dir(cc.get_current_dir().unwrap()).args(&arguments);
+    programs.add(command, Some(arguments[at + 1]));
+    programs
 }
 
 fn for_32_bits(name: &OsStr) -> OsString {
     [name, OsStr::new("-32")].into_iter().collect()
 }
 
-/// A program for each processor that can run on this machine.
-pub(crate) struct Programs(Vec<PathBuf>);
+/// A program for each processor that can run on this machine. They are compiled when they run first, so the sources must
+/// be there until then.
+pub(crate) struct Programs {
+    key: Key,
+    commands: Vec<Mutex<Command>>,
+    paths: Vec<PathBuf>,
+    built: OnceLock<Result<(), String>>,
+}
 
 impl Programs {
-    /// The programs that [`build`] created for a name.
-    pub(crate) fn at(path: &Path) -> Self {
-        let other = path.with_file_name(for_32_bits(path.file_name().unwrap()));
-        Self([path.to_owned(), other].into_iter().filter(|path| path.exists()).collect())
+    fn add(&mut self, command: Command, name: Option<&OsStr>) {
+        self.key.command(&command);
+        self.paths.extend(name.map(|name| command.get_current_dir().unwrap().join(name)));
+        self.commands.push(Mutex::new(command));
     }
 
-    /// Runs them; all must print the same.
+    /// What decides whether they compile, and what they print.
+    pub(crate) fn key(&self) -> &Key {
+        &self.key
+    }
+
+    /// Compiles them, unless the record has that they compile and run without an error.
+    #[track_caller]
+    pub(crate) fn succeed(&self) -> Result<(), String> {
+        self.check(&[], "", &"", |_| Ok(()))
+    }
+
+    /// Checks the output.
+    #[track_caller]
+    pub(crate) fn expect(&self, arguments: &[&str], expected: &str) -> Result<(), String> {
+        self.check(arguments, "", &expected, |printed| match printed == expected {
+            true => Ok(()),
+            false => Err(format!("`{printed}` where `{expected}` was expected")),
+        })
+    }
+
+    /// Compiles them, runs them, and compares what they print, unless the record has that it passed. The function may
+    /// depend on the expected value and what is printed, and on nothing else.
+    #[track_caller]
+    pub(crate) fn check(
+        &self,
+        arguments: &[&str],
+        input: &str,
+        expected: &dyn Debug,
+        compare: impl FnOnce(&str) -> Result<(), String>,
+    ) -> Result<(), String> {
+        let mut key = self.key.clone();
+        key.tests_of_caller();
+        key.debug(&(arguments, input, expected));
+        key.or_try(|| compare(&self.run(arguments, input)?))
+    }
+
+    /// Runs them, and compiles them first if they did not run yet; all must print the same.
     pub(crate) fn run(&self, arguments: &[&str], input: &str) -> Result<String, String> {
+        let build = || {
+            let mut commands = self.commands.iter();
+            commands.try_for_each(|command| succeed(&mut command.lock().unwrap(), "").map(drop))
+        };
+        self.built.get_or_init(build).clone()?;
         let run = |program: &PathBuf| succeed(Command::new(program).args(arguments), input);
-        let (first, others) = self.0.split_first().unwrap();
+        let (first, others) = self.paths.split_first().unwrap();
         let printed = run(first)?;
         for program in others {
             let other = run(program)?;

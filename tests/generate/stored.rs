@@ -2,15 +2,15 @@
 //! if any part is invalid.
 
 use std::fmt::Write;
-use std::process::Command;
 
 use objdict::generate::{CTable, Options, SizeReport, Sizes, Target, generate, size};
 use objdict::model::{Access, Device, ObjectType, StackOptions, TypeKind};
 
 use crate::batch::Batch;
-use crate::compile::{c_compiler, cc, generate_with, rustc, succeed};
+use crate::compile::{c_compiler, cc, generate_with, rustc};
 use crate::devices::{device, devices, for_all};
 use crate::oracle::{Dictionary, Facts, facts_of, hex};
+use crate::processors::host;
 use crate::script::edges;
 use crate::{odd, support};
 
@@ -379,23 +379,24 @@ impl Case {
         generate_with(folder, &self.device, "c", &options);
         std::fs::write(folder.join("driver.c"), programs(&self.groups, writes).1)
             .map_err(|error| error.to_string())?;
-        succeed(cc(compiler, folder).args(["-O1", "-I.", "-o", "in-c", "od.c", "driver.c"]), "")?;
-        let output = succeed(&mut Command::new(folder.join("in-c")), &session.input)?;
-        session.compare(&self.name, &format!("C, {table:?}"), &output)
+        let programs = host(cc(compiler, folder).args(["-O1", "-I.", "-o", "in-c", "od.c", "driver.c"]));
+        let compare = |output: &str| session.compare(&self.name, &format!("C, {table:?}"), output);
+        programs.check(&[], &session.input, &session.expected, compare)
     }
 }
 
 fn run(cases: &[Case]) {
-    let mut batch = Batch::new();
+    let mut batch = Batch::new(&[]);
     for Case { name, device, options, groups } in cases {
         let generated = generate(device, Target::RUST, options).unwrap();
-        batch.add(name, &generated, &programs(groups, true).0);
+        let session = Session::of(device, groups, true);
+        batch.add(name, &generated, &programs(groups, true).0, &(session.input, session.expected));
     }
-    batch.build(&[]);
+    batch.build();
     let compiler = c_compiler();
     for_all(cases, |case| {
         let session = Session::of(&case.device, &case.groups, true);
-        session.compare(&case.name, "Rust", &batch.run(&case.name, &session.input)?)?;
+        batch.check(&case.name, &session.input, |output| session.compare(&case.name, "Rust", output))?;
         let Some(compiler) = &compiler else { return Ok(()) };
         let in_c = |table| case.in_c(compiler, table).map_err(|error| format!("{}: {error}", case.name));
         in_c(CTable::Compact).and_then(|()| in_c(CTable::Structs))
@@ -484,32 +485,33 @@ fn sizes_are_those_of_the_compilers() {
         ("all types", all, options()),
         ("press", press, Options::default()),
     ];
-    let mut batch = Batch::new();
+    let report = |device: &Device, target, options: &Options| {
+        let sizes = size(device, Target::named(target).unwrap(), options).unwrap();
+        let Sizes::Known(SizeReport { total: report, .. }) = sizes else { panic!("no sizes of `{target}`") };
+        (report.flash, report.ram)
+    };
+    let mut batch = Batch::new(&["-Adead-code"]);
     for (name, device, options) in &cases {
-        batch.add(name, &generate(device, Target::RUST, options).unwrap(), crate::size::RUST);
+        let generated = generate(device, Target::RUST, options).unwrap();
+        batch.add(name, &generated, crate::size::RUST, &report(device, "rust", options));
     }
-    batch.build(&["-Adead-code"]);
+    batch.build();
     for (name, device, options) in cases {
-        let report = |target| {
-            let sizes = size(&device, Target::named(target).unwrap(), &options).unwrap();
-            let Sizes::Known(SizeReport { total: report, .. }) = sizes else {
-                panic!("no sizes of `{target}`")
-            };
-            (report.flash, report.ram)
+        let (flash, ram) = report(&device, "rust", &options);
+        let compare = |output: &str| {
+            let (rows, measured) = output.trim().split_once(' ').unwrap();
+            let is_so = measured == ram.to_string() && rows.parse::<usize>().unwrap() < flash;
+            if is_so { Ok(()) } else { Err(format!("{name}: {output}, but {flash} {ram} reported")) }
         };
-        let output = batch.run(name, "").unwrap();
-        let (rows, ram) = output.trim().split_once(' ').unwrap();
-        assert_eq!(report("rust").1.to_string(), ram, "{name}");
-        assert!(report("rust").0 > rows.parse().unwrap(), "{name}");
+        batch.check(name, "", compare).unwrap();
         let Some(compiler) = c_compiler() else { continue };
         let folder = tempfile::tempdir().unwrap();
         let folder = folder.path();
         generate_with(folder, &device, "c", &options);
         std::fs::write(folder.join("size.c"), crate::size::C).unwrap();
-        succeed(cc(&compiler, folder).args(["-I.", "-o", "in-c", "size.c"]), "").unwrap();
-        let output = succeed(&mut Command::new(folder.join("in-c")), "").unwrap();
-        let (flash, ram) = report("c");
-        assert_eq!(output.trim(), format!("{flash} {ram}"), "{name}");
+        let (flash, ram) = report(&device, "c", &options);
+        let programs = host(cc(&compiler, folder).args(["-I.", "-o", "in-c", "size.c"]));
+        programs.expect(&[], &format!("{flash} {ram}\n")).unwrap_or_else(|error| panic!("{name}: {error}"));
     }
 }
 
@@ -535,11 +537,9 @@ fn the_examples_of_the_documentation_run() {
         );
     }
     std::fs::write(folder.join("example.rs"), example("rust")).unwrap();
-    succeed(rustc(folder).args(["-o", "in-rust", "example.rs"]), "").unwrap();
-    succeed(&mut Command::new(folder.join("in-rust")), "").unwrap();
+    host(rustc(folder).args(["-o", "in-rust", "example.rs"])).succeed().unwrap();
     std::fs::write(folder.join("example.c"), example("c")).unwrap();
     if let Some(compiler) = c_compiler() {
-        succeed(cc(&compiler, folder).args(["-o", "in-c", "od.c", "example.c"]), "").unwrap();
-        succeed(&mut Command::new(folder.join("in-c")), "").unwrap();
+        host(cc(&compiler, folder).args(["-o", "in-c", "od.c", "example.c"])).succeed().unwrap();
     }
 }

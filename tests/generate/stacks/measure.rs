@@ -7,6 +7,7 @@ use std::process::Command;
 
 use crate::compile::{c_compiler, succeed};
 use crate::processors::{CORTEX_M4, CORTEX_M4_FLAGS, builds_for_32_bits, compiles_for_cortex_m4};
+use crate::verdicts::Key;
 
 /// Sizes in object files, in bytes.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
@@ -59,6 +60,14 @@ impl Tools {
         let mut command = (self.compiler)(folder);
         command.arg("-DOD_NO_NAMES"); // which a linker also removes
         command
+    }
+
+    /// Adds what decides about a measurement, except for the command of the compiler.
+    pub(crate) fn add_to(&self, key: &mut Key) {
+        key.add(include_str!("measure.rs"));
+        for program in [self.nm, self.objdump] {
+            key.tool(&Command::new(program));
+        }
     }
 
     /// Measures all object files of a folder.

@@ -23,20 +23,24 @@ mod sizes;
 mod startup;
 mod truth;
 
+use std::fmt::Debug;
 use std::path::{Path, PathBuf};
 
-use objdict::generate::Options;
+use objdict::generate::{Note, Options};
 
-use crate::compile::{c_compiler, cc, generate_with, succeed};
+use crate::compile::{c_compiler, cc, generate_with};
 use crate::devices::{devices, for_all};
+use crate::processors::Programs;
 use crate::support::skips::skip;
+use crate::verdicts::accepts;
 
 /// A file or folder next to the tests of a stack.
 fn beside(stack: &str, name: &str) -> PathBuf {
     Path::new(env!("CARGO_MANIFEST_DIR")).join("tests/generate/stacks").join(stack).join(name)
 }
 
-/// The checkout of a real stack named by an environment variable; says so when there is none.
+/// The checkout of a real stack named by an environment variable; without it the test is skipped.
+#[track_caller]
 fn checkout(variable: &str) -> Option<PathBuf> {
     let Some(folder) = std::env::var_os(variable).map(PathBuf::from) else {
         skip(format_args!("`{variable}` names no checkout"));
@@ -63,11 +67,43 @@ fn no_cast_drops_const() {
             let files = generate_with(folder.path(), device, target, &for_node(5)).files;
             let sources = files.iter().map(|file| &file.path).filter(|path| path.ends_with(".c"));
             let mut cc = cc(&compiler, folder.path());
-            cc.args(["-fsyntax-only", "-Wcast-qual", "-I.", "-isystem"]).arg(beside(stack, "include"));
-            succeed(cc.args(sources), "").map_err(|error| format!("{name}, {target}: {error}"))?;
+            cc.args(["-fsyntax-only", "-Wcast-qual", "-I."]);
+            if !stack.is_empty() {
+                cc.arg("-isystem").arg(beside(stack, "include"));
+            }
+            accepts(cc.args(sources)).map_err(|error| format!("{name}, {target}: {error}"))?;
         }
         Ok(())
     });
+}
+
+/// A program that looks up the entries of generated tables as a stack does and prints them, and the notes.
+pub(crate) struct Harness {
+    pub(crate) programs: Programs,
+    pub(crate) arguments: Vec<String>,
+    pub(crate) notes: Vec<Note>,
+}
+
+impl Harness {
+    fn arguments(&self) -> Vec<&str> {
+        self.arguments.iter().map(String::as_str).collect()
+    }
+
+    /// The entries, one per line.
+    pub(crate) fn dump(&self) -> Result<String, String> {
+        self.programs.run(&self.arguments(), "")
+    }
+
+    /// Compares the entries with the expected ones, unless the record has that they are equal. The function may depend
+    /// on these and the dump, and on nothing else.
+    #[track_caller]
+    pub(crate) fn check(
+        &self,
+        expected: &dyn Debug,
+        compare: impl FnOnce(&str) -> Result<(), String>,
+    ) -> Result<(), String> {
+        self.programs.check(&self.arguments(), "", expected, compare)
+    }
 }
 
 /// The options for the files of a node.

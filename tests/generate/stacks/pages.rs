@@ -1,14 +1,15 @@
 //! The examples on the target pages compile with the generated files.
 
 use std::path::Path;
-use std::process::Command;
 
 use objdict::generate::{CTable, Options, Target, generate};
 
-use crate::compile::{c_compiler, cc, succeed};
+use crate::compile::{c_compiler, cc};
 use crate::devices::device;
+use crate::processors::host;
 use crate::stacks::beside;
 use crate::support::fixtures;
+use crate::verdicts::accepts;
 
 /// The subject of a page's examples.
 struct Page {
@@ -123,12 +124,10 @@ fn the_examples_of_the_pages_compile() {
             }
             match about.prints {
                 None => {
-                    succeed(cc.args(["-c", "example.c"]), "").unwrap();
+                    accepts(cc.args(["-c", "example.c"])).unwrap();
                 }
                 Some(prints) => {
-                    succeed(cc.args(["-o", "example", "example.c"]).args(&sources), "").unwrap();
-                    let printed = succeed(&mut Command::new(folder.join("example")), "").unwrap();
-                    assert_eq!(printed, prints, "{}", about.name);
+                    host(cc.args(["-o", "example", "example.c"]).args(&sources)).expect(&[], prints).unwrap();
                 }
             }
         }

@@ -1,6 +1,7 @@
 //! The size report agrees with the compiler to the byte, for every C target.
 
 use std::path::Path;
+use std::process::Command;
 
 use objdict::generate::{CTable, Options, SizeReport, Sizes, StorageGroup, Target, generate, size};
 use objdict::model::Device;
@@ -8,7 +9,8 @@ use objdict::model::Device;
 use crate::compile::succeed;
 use crate::devices::{arbitrary_devices, devices, for_all};
 use crate::stacks::beside;
-use crate::stacks::measure::{Measured, Tools, tools};
+use crate::stacks::measure::{Tools, tools};
+use crate::verdicts::Key;
 
 /// A target with options, and the folder of its declarations.
 struct Case {
@@ -59,15 +61,8 @@ impl Case {
         options
     }
 
-    /// The compiled size of the files; for plain `c`, including a variable for the values, which the
-    /// application defines.
-    fn measured(
-        &self,
-        tools: &Tools,
-        folder: &Path,
-        device: &Device,
-        options: &Options,
-    ) -> Result<Measured, String> {
+    /// The compiler of the files; for plain `c`, also of a variable for the values, which the application defines.
+    fn compiler(&self, tools: &Tools, folder: &Path, device: &Device, options: &Options) -> Command {
         let target = Target::named(self.target).unwrap();
         let mut cc = tools.cc(folder);
         cc.arg("-I.").arg(format!("-I{}", beside(self.declarations, "").display()));
@@ -82,8 +77,7 @@ impl Case {
             std::fs::write(folder.join("data.c"), "#include \"od.h\"\nod_data_t data;\n").unwrap();
             cc.arg("data.c");
         }
-        succeed(&mut cc, "")?;
-        tools.measure(folder)
+        cc
     }
 }
 
@@ -101,20 +95,32 @@ fn the_report_is_what_the_compiler_makes_of_the_files() {
     // a name of it is like those of layouts, which are measured as code
     devices.retain(|(name, _)| name != "words");
     for_all(&devices, |(name, device)| {
+        let mut key = Key::new();
+        tools.add_to(&mut key);
+        let mut compilers = Vec::new();
         for (number, case) in CASES.iter().enumerate() {
             let folder = tempfile::tempdir().map_err(|error| error.to_string())?;
             let options = case.options((number % 2 == 0).then_some(5));
-            let fail = |error: String| format!("{name}, {} ({number}): {error}", case.target);
-            let measured = case.measured(&tools, folder.path(), device, &options).map_err(fail)?;
-            let mut total = report(device, case.target, &options).total;
-            if options.limits && total.flash == measured.flash + ONLY_LIMIT {
-                total.flash = measured.flash; // the compiler inlines the only row
-            }
-            if (total.flash, total.ram) != (measured.flash, measured.ram) {
-                return Err(fail(format!("{total:?} reported, {measured:?} measured")));
-            }
+            let total = report(device, case.target, &options).total;
+            let cc = case.compiler(&tools, folder.path(), device, &options);
+            key.command(&cc);
+            key.debug(&total);
+            compilers.push((folder, options, total, cc));
         }
-        Ok(())
+        key.or_try(|| {
+            compilers.iter_mut().enumerate().try_for_each(|(number, (folder, options, total, cc))| {
+                let fail = |error: String| format!("{name}, {} ({number}): {error}", CASES[number].target);
+                succeed(cc, "").map_err(fail)?;
+                let measured = tools.measure(folder.path()).map_err(fail)?;
+                if options.limits && total.flash == measured.flash + ONLY_LIMIT {
+                    total.flash = measured.flash; // the compiler inlines the only row
+                }
+                match (total.flash, total.ram) == (measured.flash, measured.ram) {
+                    true => Ok(()),
+                    false => Err(fail(format!("{total:?} reported, {measured:?} measured"))),
+                }
+            })
+        })
     });
 }
 

@@ -2,15 +2,15 @@
 
 use std::path::Path;
 
-use objdict::generate::{CTable, Note, Options};
+use objdict::generate::{CTable, Options};
 use objdict::model::{DataType, Device, Value};
 
 use crate::compile::{c_compiler, cc, generate_with};
 use crate::devices::{arbitrary_devices, devices, for_all};
 use crate::oracle::{facts_of, hex};
-use crate::processors::{Programs, build};
-use crate::stacks::beside;
+use crate::processors::build;
 use crate::stacks::truth::{Row, compare, truth};
+use crate::stacks::{Harness, beside};
 
 /// A limit for a node, as the harness prints it.
 fn limit(limit: Option<&Value>, data_type: DataType, node_id: u8) -> String {
@@ -41,14 +41,13 @@ fn with_limits(device: &Device, node_id: u8) -> Vec<String> {
     lines.collect()
 }
 
-/// The rows for a node, with or without names, one per line, and the notes; `harness` is the program that
-/// prints them.
-pub(crate) fn dump(
+/// The rows for a node, with or without names.
+pub(crate) fn harness(
     compiler: &str,
     folder: &Path,
     device: &Device,
     (node_id, names): (u8, bool),
-) -> Result<(String, Vec<Note>), String> {
+) -> Harness {
     let mut options = Options::default();
     options.table = CTable::Structs;
     options.entry_names = names;
@@ -56,7 +55,7 @@ pub(crate) fn dump(
     let mut cc = cc(compiler, folder);
     let sources = generated.files.iter().map(|file| &file.path).filter(|path| path.ends_with(".c"));
     cc.args(["-I.", "-o", "harness"]).args(sources).arg(beside("c_structs", "harness.c"));
-    Ok((build(&cc)?.run(&[&node_id.to_string()], "")?, generated.notes))
+    Harness { programs: build(&cc), arguments: vec![node_id.to_string()], notes: generated.notes }
 }
 
 #[test]
@@ -67,17 +66,18 @@ fn the_array_of_structures_has_what_the_description_says() {
             let fail = |error: String| format!("{name}: {error}");
             let folder = tempfile::tempdir().map_err(|error| error.to_string())?;
             let node_id = if names { 5 } else { 127 };
-            let (dump, _) = dump(&compiler, folder.path(), device, (node_id, names)).map_err(fail)?;
-            compare(name, &rows(device, node_id), &dump)?;
-            let dump = Programs::at(&folder.path().join("harness"))
-                .run(&[&node_id.to_string(), "limits"], "")
-                .map_err(fail)?;
+            let harness = harness(&compiler, folder.path(), device, (node_id, names));
+            let rows = rows(device, node_id);
+            harness.check(&rows, |dump| compare(name, &rows, dump)).map_err(fail)?;
             let expected = with_limits(device, node_id);
-            for (expected, line) in expected.iter().zip(dump.lines()) {
-                if expected != line {
-                    return Err(fail(format!("`{line}` where `{expected}` was expected")));
-                }
-            }
+            let compare = |dump: &str| {
+                let mut lines = expected.iter().zip(dump.lines());
+                lines.find(|(expected, line)| expected != line).map_or(Ok(()), |(expected, line)| {
+                    Err(format!("`{line}` where `{expected}` was expected"))
+                })
+            };
+            let arguments = [&node_id.to_string(), "limits"];
+            harness.programs.check(&arguments, "", &expected, compare).map_err(fail)?;
         }
         Ok(())
     });

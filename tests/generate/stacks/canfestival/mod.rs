@@ -9,12 +9,13 @@ use std::path::Path;
 use objdict::generate::{Note, Options, Target, generate};
 use objdict::model::{DataType, Device, TypeKind, Value};
 
-use crate::compile::{c_compiler, cc, generate_with, succeed};
+use crate::compile::{c_compiler, cc, generate_with};
 use crate::devices::{arbitrary_devices, devices, for_all};
 use crate::oracle::{facts_of, hex};
 use crate::processors::build;
 use crate::stacks::truth::{Lack, Row, compare, truth, without};
-use crate::stacks::{beside, for_node};
+use crate::stacks::{Harness, beside, for_node};
+use crate::verdicts::accepts;
 
 /// What the rows lack.
 const LACKS: [Lack; 5] = [
@@ -53,34 +54,28 @@ fn write(folder: &Path, device: &Device, options: &Options) -> Vec<Note> {
     generate_with(folder, device, "canfestival", options).notes
 }
 
-/// What the harness prints for an input, with these flags, and the notes.
-fn run(
-    compiler: &str,
-    folder: &Path,
-    (device, node_id): (&Device, u8),
-    (flags, arguments, input): (&[&str], &[&str], &str),
-) -> Result<(String, Vec<Note>), String> {
+/// The harness with these flags.
+fn with_flags(compiler: &str, folder: &Path, (device, node_id): (&Device, u8), flags: &[&str]) -> Harness {
     let notes = write(folder, device, &for_node(node_id));
     let mut cc = cc(compiler, folder);
     cc.arg("-I.").arg(format!("-I{}", beside("canfestival", "include").display())).args(flags);
     cc.args(["-o", "harness", "device_od.c"]);
-    Ok((build(cc.arg(beside("canfestival", "harness.c")))?.run(arguments, input)?, notes))
+    let programs = build(cc.arg(beside("canfestival", "harness.c")));
+    Harness { programs, arguments: Vec::new(), notes }
 }
 
-pub(crate) fn dump(
-    compiler: &str,
-    folder: &Path,
-    device: &Device,
-    node_id: u8,
-) -> Result<(String, Vec<Note>), String> {
-    run(compiler, folder, (device, node_id), (&[], &[], ""))
+pub(crate) fn harness(compiler: &str, folder: &Path, device: &Device, node_id: u8) -> Harness {
+    with_flags(compiler, folder, (device, node_id), &[])
 }
 
 /// The expected rows; an entry with a range has no type.
 fn expected(device: &Device, node_id: u8, dump: &str) -> Vec<Row> {
+    with_ranges(without(&LACKS, truth(device, node_id)), dump)
+}
+
+fn with_ranges(mut rows: Vec<Row>, dump: &str) -> Vec<Row> {
     let has_range = |line: &&str| line.split(' ').nth(2) == Some("-");
     let ranges: HashSet<(u16, u8)> = dump.lines().filter(has_range).filter_map(address).collect();
-    let mut rows = without(&LACKS, truth(device, node_id));
     for row in rows.iter_mut().filter(|row| ranges.contains(&(row.index, row.sub))) {
         row.data_type = None;
     }
@@ -100,9 +95,10 @@ fn the_stack_reads_what_the_description_says() {
         for (node_id, flags) in [(5, [].as_slice()), (127, &["-DOD_CALLBACK_IN_ROW"])] {
             let fail = |error: String| format!("{name}, node {node_id}: {error}");
             let folder = tempfile::tempdir().map_err(|error| error.to_string())?;
-            let (dump, _) =
-                run(&compiler, folder.path(), (device, node_id), (flags, &[], "")).map_err(fail)?;
-            compare(name, &expected(device, node_id, &dump), &dump).map_err(fail)?;
+            let rows = without(&LACKS, truth(device, node_id));
+            let harness = with_flags(&compiler, folder.path(), (device, node_id), flags);
+            let compare = |dump: &str| compare(name, &with_ranges(rows.clone(), dump), dump);
+            harness.check(&rows, compare).map_err(fail)?;
         }
         Ok(())
     });
@@ -141,17 +137,18 @@ fn limits_are_checked() {
         let folder = tempfile::tempdir().map_err(|error| error.to_string())?;
         let writes = writes(device, 5);
         let input: String = writes.iter().map(|(line, _)| line.as_str()).collect();
-        let (answers, _) = run(&compiler, folder.path(), (device, 5), (&[], &["write"], &input))?;
-        for (answer, (line, expected)) in answers.lines().zip(&writes) {
-            if answer != format!("{expected:08X}") {
-                return Err(format!("{name}: {answer}, not {expected:08X}, for {line}"));
+        let compare = |answers: &str| {
+            for (answer, (line, expected)) in answers.lines().zip(&writes) {
+                if answer != format!("{expected:08X}") {
+                    return Err(format!("{name}: {answer}, not {expected:08X}, for {line}"));
+                }
             }
-        }
-        if answers.lines().count() == writes.len() {
-            Ok(())
-        } else {
-            Err(format!("{name}: answers are missing"))
-        }
+            match answers.lines().count() == writes.len() {
+                true => Ok(()),
+                false => Err(format!("{name}: answers are missing")),
+            }
+        };
+        harness(&compiler, folder.path(), device, 5).programs.check(&["write"], &input, &writes, compare)
     });
 }
 
@@ -187,5 +184,5 @@ fn pdos_are_where_their_mappings_are() {
     let Some(compiler) = c_compiler() else { return };
     let mut cc = cc(&compiler, folder.path());
     cc.arg("-I.").arg(format!("-I{}", beside("canfestival", "include").display()));
-    succeed(cc.args(["-c", "device_od.c"]), "").unwrap();
+    accepts(cc.args(["-c", "device_od.c"])).unwrap();
 }

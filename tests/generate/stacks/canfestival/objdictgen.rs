@@ -30,8 +30,7 @@ fn rows(compiler: &str, folder: &Path, flags: &[&str]) -> String {
     cc.current_dir(folder).args(["-w", "-I.", "-o", "harness", "device.c"]).args(flags);
     cc.arg(format!("-I{}", beside("canfestival", "include").display()))
         .arg(beside("canfestival", "harness.c"));
-    let printed = build(&cc).and_then(|program| program.run(&[], ""));
-    let printed = printed.unwrap_or_else(|error| panic!("{error}"));
+    let printed = build(&cc).run(&[], "").unwrap_or_else(|error| panic!("{error}"));
     // objdictgen gives a text of 20 characters a row of the default size
     let lines = printed.lines().filter(|line| !line.starts_with("2002 03 09 "));
     lines.map(|line| format!("{line}\n")).collect()

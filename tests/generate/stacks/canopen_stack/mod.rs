@@ -4,14 +4,14 @@ use std::path::{Path, PathBuf};
 use std::process::Command;
 use std::sync::atomic::{AtomicUsize, Ordering};
 
-use objdict::generate::{Generated, Note, Options, StorageGroup};
+use objdict::generate::{Generated, Options, StorageGroup};
 use objdict::model::Device;
 
 use crate::compile::{c_compiler, cc, generate_with, succeed};
 use crate::devices::{arbitrary_devices, device, devices, for_all};
 use crate::processors::build;
 use crate::stacks::truth::{Lack, Row, compare, truth, without};
-use crate::stacks::{beside, checkout, startup};
+use crate::stacks::{Harness, beside, checkout, startup};
 use crate::support;
 
 /// The folders with the sources of the stack.
@@ -81,19 +81,15 @@ fn expected(device: &Device, node_id: u8) -> Vec<Row> {
     rows
 }
 
-/// The entries found by the stack, one per line, and the notes.
-pub(crate) fn dump(
-    compiler: &str,
-    folder: &Path,
-    device: &Device,
-    options: &Options,
-) -> Result<(String, Vec<Note>), String> {
+/// The entries found by the stack.
+pub(crate) fn harness(compiler: &str, folder: &Path, device: &Device, options: &Options) -> Harness {
     let notes = write(folder, device, options).notes;
     let mut cc = cc(compiler, folder);
     cc.arg("-I.").arg(format!("-I{}", beside("canopen_stack", "include").display()));
     cc.args(["-DDICTIONARY=\"device_od.h\"", "-o", "harness", "device_od.c", "device_od_spec.c"]);
     cc.args((!options.hooks.is_empty()).then(|| beside("canopen_stack", "hooks.c")));
-    Ok((build(cc.arg(beside("canopen_stack", "harness.c")))?.run(&[], "")?, notes))
+    let programs = build(cc.arg(beside("canopen_stack", "harness.c")));
+    Harness { programs, arguments: Vec::new(), notes }
 }
 
 #[test]
@@ -105,8 +101,9 @@ fn the_stack_reads_what_the_description_says() {
             let fail = |error: String| format!("{name}, node {node_id}: {error}");
             let folder = tempfile::tempdir().map_err(|error| error.to_string())?;
             let options = options(node_id, grouped);
-            let (dump, _) = dump(&compiler, folder.path(), device, &options).map_err(fail)?;
-            compare(name, &expected(device, node_id), &dump).map_err(fail)?;
+            let rows = expected(device, node_id);
+            let harness = harness(&compiler, folder.path(), device, &options);
+            harness.check(&rows, |dump| compare(name, &rows, dump)).map_err(fail)?;
         }
         Ok(())
     });
@@ -240,7 +237,8 @@ fn hooks_answer_uploads_and_refuse_downloads() {
     let device = device(&folder.join("hooked.eds"));
     let mut options = options(5, false);
     options.hooks = ["1017", "2101", "2102:1", "2103", "7000"].map(|at| at.parse().unwrap()).into();
-    let (dump, notes) = dump(&compiler, folder, &device, &options).unwrap();
+    let harness = harness(&compiler, folder, &device, &options);
+    let (dump, notes) = (harness.dump().unwrap(), &harness.notes);
     let hooks = notes.iter().filter(|note| note.message.contains("hook")).map(|note| &*note.message);
     let of_stack = "the stack has its own type for the entry, so there is no hook";
     assert_eq!(hooks.collect::<Vec<_>>(), ["no entry to call a hook for", of_stack]);

@@ -18,7 +18,7 @@ use crate::oracle::{Answer, Dictionary, Facts, STRING_ROOM, facts_of, hex};
 use crate::processors::build;
 use crate::script::edges;
 use crate::stacks::truth::{Lack, Row, compare, truth, without};
-use crate::stacks::{beside, checkout};
+use crate::stacks::{Harness, beside, checkout};
 use crate::support::skips::has;
 
 /// The node-ID of all tests.
@@ -96,17 +96,12 @@ fn with_declarations(compiler: &str, folder: &Path) -> Command {
     command
 }
 
-/// The entries found by the stack, one per line, and the notes.
-pub(crate) fn dump(
-    compiler: &str,
-    folder: &Path,
-    device: &Device,
-    options: &Options,
-) -> Result<(String, Vec<Note>), String> {
+/// The entries found by the stack.
+pub(crate) fn harness(compiler: &str, folder: &Path, device: &Device, options: &Options) -> Harness {
     let notes = generate_into(folder, device, options);
     let mut cc = with_declarations(compiler, folder);
     cc.args(["-o", "harness", "OD.c"]).arg(beside("canopennode", "harness.c"));
-    Ok((build(&cc)?.run(&["dump", &NODE_ID.to_string()], "")?, notes))
+    Harness { programs: build(&cc), arguments: vec!["dump".to_owned(), NODE_ID.to_string()], notes }
 }
 
 #[test]
@@ -119,12 +114,12 @@ fn the_tables_hold_what_the_description_says() {
         let folder = tempfile::tempdir().map_err(|error| error.to_string())?;
         let folder = folder.path();
         let fail = |error: String| format!("{name}: {error}");
-        let (output, notes) = dump(&compiler, folder, device, &Options::default()).map_err(fail)?;
+        let harness = harness(&compiler, folder, device, &Options::default());
         let expected = expected(device);
         entries.fetch_add(expected.len(), Ordering::Relaxed);
-        compare(name, &expected, &output)?;
+        harness.check(&expected, |dump| compare(name, &expected, dump)).map_err(fail)?;
         match &stack {
-            Some(stack) => real::compiles(&compiler, folder, stack, &notes).map_err(fail),
+            Some(stack) => real::compiles(&compiler, folder, stack, &harness.notes).map_err(fail),
             None => Ok(()),
         }
     });
@@ -155,7 +150,7 @@ fn limits_are_kept_where_it_is_asked_for() {
         generate_into(folder, device, &options);
         let mut cc = with_declarations(&compiler, folder);
         cc.args(["-DWITH_LIMITS", "-o", "harness", "OD.c"]).arg(beside("canopennode", "harness.c"));
-        let programs = build(&cc).map_err(fail)?;
+        let programs = build(&cc);
         let mut dictionary = Dictionary::new(device, NODE_ID);
         let (mut input, mut expected) = (String::new(), Vec::new());
         for ((index, sub), facts) in facts_of(device).filter(|((index, _), facts)| is_kept(*index, facts)) {
@@ -167,14 +162,16 @@ fn limits_are_kept_where_it_is_asked_for() {
             }
         }
         writes.fetch_add(expected.len(), Ordering::Relaxed);
-        let output = programs.run(&["write", &NODE_ID.to_string()], &input).map_err(fail)?;
-        let answers: Vec<String> =
-            input.lines().zip(output.lines()).map(|(line, answer)| format!("{line}: {answer}")).collect();
-        if answers == expected {
-            return Ok(());
-        }
-        let wrong = answers.iter().zip(&expected).find(|(answer, expected)| answer != expected);
-        Err(fail(format!("{wrong:?}")))
+        let compare = |output: &str| {
+            let answers: Vec<String> =
+                input.lines().zip(output.lines()).map(|(line, answer)| format!("{line}: {answer}")).collect();
+            if answers == expected {
+                return Ok(());
+            }
+            let wrong = answers.iter().zip(&expected).find(|(answer, expected)| answer != expected);
+            Err(format!("{wrong:?}"))
+        };
+        programs.check(&["write", &NODE_ID.to_string()], &input, &expected, compare).map_err(fail)
     });
     let writes = writes.into_inner();
     assert!(writes > 400, "only {writes} writes were compared");
@@ -200,7 +197,7 @@ fn several_dictionaries_go_into_one_program_and_into_cpp() {
     generate_into(folder, &crate::odd::device(), &with_limits());
     let mut cc = with_declarations(&compiler, folder);
     cc.args(["-DCO_MULTIPLE_OD", "-o", "several", "OD.c", "MOTOR.c"]);
-    build(cc.arg(beside("canopennode", "several.c"))).unwrap().run(&[], "").unwrap();
+    build(cc.arg(beside("canopennode", "several.c"))).succeed().unwrap();
 
     let cpp = std::env::var("CXX").unwrap_or_else(|_| "c++".to_owned());
     if !has(&cpp, "g++") {

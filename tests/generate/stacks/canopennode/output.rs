@@ -3,7 +3,7 @@
 use objdict::generate::{Options, StackLayout, Target, generate};
 use objdict::model::Device;
 
-use super::{dump, generate_into, with_declarations};
+use super::{generate_into, harness, with_declarations};
 use crate::compile::c_compiler;
 use crate::devices::device;
 use crate::processors::build;
@@ -94,7 +94,7 @@ fn described(text: &str) -> Device {
 fn nothing_falls_into_the_known_traps() {
     let Some(compiler) = c_compiler() else { return };
     let folder = tempfile::tempdir().unwrap();
-    let (output, _) = dump(&compiler, folder.path(), &described(TRAPS), &Options::default()).unwrap();
+    let output = harness(&compiler, folder.path(), &described(TRAPS), &Options::default()).dump().unwrap();
     let value = |address: &str| {
         let line = output.lines().find(|line| line.starts_with(address)).unwrap();
         line.rsplit(' ').next().unwrap().to_owned()
@@ -181,7 +181,7 @@ fn the_layout_of_canopeneditor_has_no_storage_for_what_has_no_default() {
         let folder = tempfile::tempdir().unwrap();
         let mut options = Options::default();
         options.layout = layout;
-        let (output, _) = dump(&compiler, folder.path(), &device, &options).unwrap();
+        let output = harness(&compiler, folder.path(), &device, &options).dump().unwrap();
         (output, std::fs::read_to_string(folder.path().join("OD.h")).unwrap())
     };
     let (output, header) = dump(StackLayout::CanOpenEditor);
@@ -248,7 +248,7 @@ fn a_hook_answers_writes() {
     cc.args(["-DWITH_LIMITS", "-DWITH_HOOKS", "-o", "harness", "OD.c", "hooks.c"])
         .arg(beside("canopennode", "harness.c"));
     let input = "6040 00 8000\n6040 00 0F00\n6060 00 80\n";
-    let output = build(&cc).unwrap().run(&["write", "5"], input).unwrap();
+    let output = build(&cc).run(&["write", "5"], input).unwrap();
     assert_eq!(output.lines().take(2).collect::<Vec<_>>(), ["06090030", "00000000"]);
 }
 

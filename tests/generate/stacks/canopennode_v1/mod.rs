@@ -9,11 +9,11 @@ use objdict::model::{Device, Value};
 
 use crate::compile::{c_compiler, cc, generate_with, succeed};
 use crate::devices::{arbitrary_devices, devices, for_all};
-use crate::processors::build;
+use crate::processors::{build, host};
 use crate::stacks::canfestival::address;
 use crate::stacks::canopennode::{NODE_ID, predefined};
 use crate::stacks::truth::{Lack, Row, compare, truth, without};
-use crate::stacks::{beside, checkout, startup};
+use crate::stacks::{Harness, beside, checkout, startup};
 
 /// What the rows lack.
 const LACKS: &[Lack] = &[
@@ -63,17 +63,21 @@ fn write(folder: &Path, device: &Device, options: &Options) -> Vec<Note> {
     generate_with(folder, device, "canopennode-v1", options).notes
 }
 
-/// The entries, one per line, without the number of errors, and the notes.
-pub(crate) fn dump(compiler: &str, folder: &Path, device: &Device) -> Result<(String, Vec<Note>), String> {
+/// The entries, with the number of errors.
+pub(crate) fn harness(compiler: &str, folder: &Path, device: &Device) -> Harness {
     let mut options = Options::default();
     options.node_id = Some(NODE_ID);
     let notes = write(folder, device, &options);
     let mut cc = cc(compiler, folder);
     cc.arg("-I.").arg(format!("-I{}", beside("canopennode_v1", "include").display()));
     cc.args(["-o", "harness", "CO_OD.c"]).arg(beside("canopennode_v1", "harness.c"));
-    let printed = build(&cc)?.run(&[&NODE_ID.to_string()], "")?;
-    let lines = printed.lines().filter(|line| !line.starts_with("1003 00 "));
-    Ok((lines.map(|line| format!("{line}\n")).collect(), notes))
+    Harness { programs: build(&cc), arguments: vec![NODE_ID.to_string()], notes }
+}
+
+/// The entries without the number of errors.
+pub(crate) fn without_count(dump: &str) -> String {
+    let lines = dump.lines().filter(|line| !line.starts_with("1003 00 "));
+    lines.map(|line| format!("{line}\n")).collect()
 }
 
 #[test]
@@ -82,8 +86,9 @@ fn the_tables_have_what_the_description_says() {
     for_all(&[devices(), arbitrary_devices(12)].concat(), |(name, device)| {
         let fail = |error: String| format!("{name}: {error}");
         let folder = tempfile::tempdir().map_err(|error| error.to_string())?;
-        let (dump, _) = dump(&compiler, folder.path(), device).map_err(fail)?;
-        compare(name, &expected(device), &dump).map_err(fail)
+        let rows = expected(device);
+        let harness = harness(&compiler, folder.path(), device);
+        harness.check(&rows, |dump| compare(name, &rows, &without_count(dump))).map_err(fail)
     });
 }
 
@@ -203,8 +208,7 @@ fn applications_find_the_names_of_the_editors() {
     let mut cc = cc(&compiler, folder.path());
     cc.arg("-I.").arg(format!("-I{}", beside("canopennode_v1", "include").display()));
     cc.args(["-o", "application", "CO_OD.c", "application.c"]);
-    succeed(&mut cc, "").unwrap();
-    succeed(&mut std::process::Command::new(folder.path().join("application")), "").unwrap();
+    host(&cc).succeed().unwrap();
 }
 
 /// The sources of the stack without a bus.
@@ -327,8 +331,7 @@ fn hooks_answer_uploads() {
     let mut cc = cc(&compiler, folder);
     cc.arg("-I.").arg(format!("-I{}", beside("canopennode_v1", "include").display()));
     cc.args(["-Wno-missing-prototypes", "-o", "registered", "CO_OD.c", "registered.c"]);
-    succeed(&mut cc, "").unwrap();
-    succeed(&mut std::process::Command::new(folder.join("registered")), "").unwrap();
+    host(&cc).succeed().unwrap();
     if let Some(stack) = checkout("OBJDICT_CANOPENNODE_V1_DIR") {
         std::fs::write(folder.join("hooks.c"), HOOKS).unwrap();
         let printed = of_real_stack(&compiler, folder, &stack).unwrap();

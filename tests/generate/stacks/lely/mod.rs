@@ -17,7 +17,7 @@ use crate::devices::{arbitrary_devices, device, devices, for_all};
 use crate::oracle::facts_of;
 use crate::processors::build;
 use crate::stacks::truth::{Lack, Row, compare, truth, without};
-use crate::stacks::{beside, for_node};
+use crate::stacks::{Harness, beside, for_node};
 
 /// What the rows lack.
 const LACKS: [Lack; 4] = [
@@ -95,27 +95,17 @@ fn write(folder: &Path, device: &Device, options: &Options) -> Vec<Note> {
     generate_with(folder, device, "lely", options).notes
 }
 
-/// The rows, one per line, and the notes. With `arguments`, details too; with `flags` of a configuration.
-fn dump_with(
-    compiler: &str,
-    folder: &Path,
-    (device, node_id): (&Device, u8),
-    (flags, arguments): (&[&str], &[&str]),
-) -> Result<(String, Vec<Note>), String> {
+/// The rows, with the flags of a configuration; with the argument `all`, details too.
+fn with_flags(compiler: &str, folder: &Path, (device, node_id): (&Device, u8), flags: &[&str]) -> Harness {
     let notes = write(folder, device, &for_node(node_id));
     let mut cc = cc(compiler, folder);
     cc.arg("-I.").arg(format!("-I{}", beside("lely", "include").display())).args(flags);
     cc.args(["-DSDEV=od_sdev", "-o", "harness", "device_sdev.c"]);
-    Ok((build(cc.arg(beside("lely", "harness.c")))?.run(arguments, "")?, notes))
+    Harness { programs: build(cc.arg(beside("lely", "harness.c"))), arguments: Vec::new(), notes }
 }
 
-pub(crate) fn dump(
-    compiler: &str,
-    folder: &Path,
-    device: &Device,
-    node_id: u8,
-) -> Result<(String, Vec<Note>), String> {
-    dump_with(compiler, folder, (device, node_id), (&[], &[]))
+pub(crate) fn harness(compiler: &str, folder: &Path, device: &Device, node_id: u8) -> Harness {
+    with_flags(compiler, folder, (device, node_id), &[])
 }
 
 /// The limits of all integers, as the harness prints them: those of the description, else those of the type.
@@ -142,9 +132,9 @@ fn the_library_reads_what_the_description_says() {
             let fail = |error: String| format!("{name}, node {node_id}: {error}");
             let folder = tempfile::tempdir().map_err(|error| error.to_string())?;
             let device = &without_files(device);
-            let (dump, _) =
-                dump_with(&compiler, folder.path(), (device, node_id), (flags, &[])).map_err(fail)?;
-            compare(name, &without(&LACKS, truth(device, node_id)), &dump).map_err(fail)?;
+            let rows = without(&LACKS, truth(device, node_id));
+            let harness = with_flags(&compiler, folder.path(), (device, node_id), flags);
+            harness.check(&rows, |dump| compare(name, &rows, dump)).map_err(fail)?;
         }
         Ok(())
     });
@@ -160,16 +150,19 @@ fn every_integer_has_limits() {
     let devices: Vec<_> = devices().into_iter().filter(|(name, _)| name != "words").collect();
     for_all(&devices, |(name, device)| {
         let folder = tempfile::tempdir().map_err(|error| error.to_string())?;
-        let (dump, _) = dump_with(&compiler, folder.path(), (device, 5), (&[], &["all"]))?;
-        let mut lines = dump.lines();
-        for ((index, sub), limits) in limits(device, 5) {
-            let start = format!("{index:04X} {sub:02X} ");
-            let line = lines.find(|line| line.starts_with(&start)).unwrap_or("");
-            if !line.contains(&limits) {
-                return Err(format!("{name}: `{line}` has not{limits}"));
+        let limits = limits(device, 5);
+        let compare = |dump: &str| {
+            let mut lines = dump.lines();
+            for ((index, sub), limits) in &limits {
+                let start = format!("{index:04X} {sub:02X} ");
+                let line = lines.find(|line| line.starts_with(&start)).unwrap_or("");
+                if !line.contains(limits) {
+                    return Err(format!("{name}: `{line}` has not{limits}"));
+                }
             }
-        }
-        Ok(())
+            Ok(())
+        };
+        harness(&compiler, folder.path(), device, 5).programs.check(&["all"], "", &limits, compare)
     });
 }
 
@@ -240,6 +233,6 @@ fn a_table_and_its_details() {
         file("lamp_sdev.c").replace(env!("CARGO_PKG_VERSION"), "[version]")
     );
     let Some(compiler) = c_compiler() else { return };
-    let (dump, _) = dump_with(&compiler, folder.path(), (&device, 5), (&[], &["all"])).unwrap();
-    insta::assert_snapshot!("lamp", dump);
+    let harness = harness(&compiler, folder.path(), &device, 5);
+    insta::assert_snapshot!("lamp", harness.programs.run(&["all"], "").unwrap());
 }

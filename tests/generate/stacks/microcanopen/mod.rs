@@ -2,14 +2,14 @@
 
 use std::path::Path;
 
-use objdict::generate::{Generated, Note};
+use objdict::generate::Generated;
 use objdict::model::{Device, TypeKind};
 
 use crate::compile::{c_compiler, cc, generate_with};
 use crate::devices::{arbitrary_devices, device, devices, for_all};
 use crate::processors::{Programs, build};
 use crate::stacks::truth::{Lack, Row, compare, truth, without};
-use crate::stacks::{beside, for_node};
+use crate::stacks::{Harness, beside, for_node};
 use crate::support::fixtures;
 
 /// Whether the stored length is the actual length of a value.
@@ -55,22 +55,17 @@ fn write(folder: &Path, device: &Device, node_id: u8) -> Generated {
     generate_with(folder, device, "microcanopen", &for_node(node_id))
 }
 
-fn built(compiler: &str, folder: &Path) -> Result<Programs, String> {
+fn built(compiler: &str, folder: &Path) -> Programs {
     let mut cc = cc(compiler, folder);
     cc.arg("-I.").arg(format!("-I{}", beside("microcanopen", "include").display()));
     cc.args(["-o", "harness", "device_mco.c"]).arg(beside("microcanopen", "harness.c"));
     build(&cc)
 }
 
-/// The entries found by the stack, one per line, and the notes.
-pub(crate) fn dump(
-    compiler: &str,
-    folder: &Path,
-    device: &Device,
-    node_id: u8,
-) -> Result<(String, Vec<Note>), String> {
+/// The entries found by the stack.
+pub(crate) fn harness(compiler: &str, folder: &Path, device: &Device, node_id: u8) -> Harness {
     let notes = write(folder, device, node_id).notes;
-    Ok((built(compiler, folder)?.run(&[], "")?, notes))
+    Harness { programs: built(compiler, folder), arguments: Vec::new(), notes }
 }
 
 #[test]
@@ -80,8 +75,9 @@ fn a_client_reads_what_the_description_says() {
         for node_id in [5, 127] {
             let fail = |error: String| format!("{name}, node {node_id}: {error}");
             let folder = tempfile::tempdir().map_err(|error| error.to_string())?;
-            let (dump, _) = dump(&compiler, folder.path(), device, node_id).map_err(fail)?;
-            compare(name, &without(&LACKS, truth(device, node_id)), &dump).map_err(fail)?;
+            let rows = without(&LACKS, truth(device, node_id));
+            let harness = harness(&compiler, folder.path(), device, node_id);
+            harness.check(&rows, |dump| compare(name, &rows, dump)).map_err(fail)?;
         }
         Ok(())
     });
@@ -92,7 +88,7 @@ fn pdos_are_initialised_with_what_lies_in_the_image() {
     let Some(compiler) = c_compiler() else { return };
     let folder = tempfile::tempdir().unwrap();
     let generated = write(folder.path(), &device(&fixtures().join("eds/io-401.eds")), 5);
-    let calls = built(&compiler, folder.path()).unwrap().run(&["pdos"], "").unwrap();
+    let calls = built(&compiler, folder.path()).run(&["pdos"], "").unwrap();
     insta::assert_snapshot!("calls", calls);
     let notes: String = generated.notes.iter().map(|note| format!("{note}\n")).collect();
     insta::assert_snapshot!("notes", notes);

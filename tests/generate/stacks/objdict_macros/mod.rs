@@ -2,14 +2,13 @@
 
 use std::path::Path;
 
-use objdict::generate::Note;
 use objdict::model::{Device, PdoKind};
 
 use crate::compile::{c_compiler, cc, generate_with};
 use crate::devices::{arbitrary_devices, devices, for_all};
-use crate::processors::{Programs, build};
+use crate::processors::build;
 use crate::stacks::truth::{Lack, Row, compare, truth, without};
-use crate::stacks::{beside, for_node};
+use crate::stacks::{Harness, beside, for_node};
 
 /// Data missing in the rows.
 const LACKS: [Lack; 3] = [
@@ -46,17 +45,13 @@ fn mapping(device: &Device) -> String {
     text
 }
 
-/// The rows, one per line, and the notes; `harness` is the program that prints them.
-pub(crate) fn dump(
-    compiler: &str,
-    folder: &Path,
-    device: &Device,
-    node_id: u8,
-) -> Result<(String, Vec<Note>), String> {
+/// The rows.
+pub(crate) fn harness(compiler: &str, folder: &Path, device: &Device, node_id: u8) -> Harness {
     let generated = generate_with(folder, device, "objdict-macros", &for_node(node_id));
     let mut cc = cc(compiler, folder);
     let cc = cc.args(["-I.", "-o", "harness", "objdict.c", "mapping.c"]);
-    Ok((build(cc.arg(beside("objdict_macros", "harness.c")))?.run(&[], "")?, generated.notes))
+    let programs = build(cc.arg(beside("objdict_macros", "harness.c")));
+    Harness { programs, arguments: Vec::new(), notes: generated.notes }
 }
 
 #[test]
@@ -66,12 +61,10 @@ fn the_rows_have_what_the_description_says() {
         for node_id in [5, 127] {
             let fail = |error: String| format!("{name}, node {node_id}: {error}");
             let folder = tempfile::tempdir().map_err(|error| error.to_string())?;
-            let (dump, _) = dump(&compiler, folder.path(), device, node_id).map_err(fail)?;
-            compare(name, &without(&LACKS, truth(device, node_id)), &dump).map_err(fail)?;
-            let maps = Programs::at(&folder.path().join("harness")).run(&["mapping"], "").map_err(fail)?;
-            if maps != mapping(device) {
-                return Err(fail(format!("{maps}\nwhere this was expected:\n{}", mapping(device))));
-            }
+            let rows = without(&LACKS, truth(device, node_id));
+            let harness = harness(&compiler, folder.path(), device, node_id);
+            harness.check(&rows, |dump| compare(name, &rows, dump)).map_err(fail)?;
+            harness.programs.expect(&["mapping"], &mapping(device)).map_err(fail)?;
         }
         Ok(())
     });
