@@ -15,7 +15,7 @@ elif [ -x /usr/bin/rustc ] && [ -d /usr/lib/rustlib/src/rust/library/std ] && co
   export RUSTC=/usr/bin/rustc RUSTC_BOOTSTRAP=1 CARGO_TARGET_WASM32_UNKNOWN_UNKNOWN_LINKER=wasm-ld-19
   # a standard library of small parts, without the words of a panic, which a page never sees, is a fifth of the engine less
   export CARGO_TARGET_WASM32_UNKNOWN_UNKNOWN_RUSTFLAGS="-Zunstable-options -Cpanic=immediate-abort -Zlocation-detail=none"
-  arguments+=(-Zbuild-std=std,panic_abort -Zbuild-std-features=optimize_for_size)
+  arguments+=('-Zbuild-std=std,panic_abort' -Zbuild-std-features=optimize_for_size)
 else
   echo "no compiler for $target: install it with \`rustup target add $target\`, or Debian's rustc-web, rust-web-src and lld-19" >&2
   exit 3

@@ -1,5 +1,4 @@
-//! The files that run objdict in CI: their keys, and the script of the action with a `cargo` that brings the command of
-//! this build.
+//! The files that run objdict in CI: their keys, and the script of the action with a `cargo` that brings the command of this build. The workflows of the project itself: what their first run would stumble over.
 
 use std::fs;
 use std::path::Path;
@@ -50,28 +49,41 @@ fn the_inputs_of_the_action_are_documented() {
     }
 }
 
-/// The scripts of the action's steps.
-fn scripts() -> Vec<String> {
-    let action = fs::read_to_string("action.yml").expect("the action");
+/// The scripts of a YAML file, each of which is a block of lines behind `head`.
+fn scripts(file: &str, head: &str) -> Vec<String> {
+    let text = fs::read_to_string(file).expect("a file");
     let mut scripts = Vec::new();
-    for part in action.split("      run: |\n").skip(1) {
-        let lines = part.lines().map_while(|line| line.strip_prefix("        ")).collect::<Vec<_>>();
-        scripts.push(lines.join("\n"));
+    for part in text.split(head).skip(1) {
+        // behind the head only a comment
+        let lines = part.lines().skip(1).map_while(|line| match line.trim_start() {
+            "" => Some(""),
+            _ => line.strip_prefix("        ").or_else(|| line.strip_prefix("      ")),
+        });
+        scripts.push(lines.collect::<Vec<_>>().join("\n"));
     }
     scripts
+}
+
+/// Writes a program that stands before others in the path.
+fn stub(file: &Path, script: &str) {
+    fs::create_dir_all(file.parent().expect("a folder")).expect("a folder");
+    fs::write(file, format!("#!/bin/sh\n{script}\n")).expect("the stub");
+    let executable = std::os::unix::fs::PermissionsExt::from_mode(0o755);
+    fs::set_permissions(file, executable).expect("the stub");
+}
+
+/// A `cargo` that installs the command of this build.
+fn cargo() -> String {
+    let program = crate::program();
+    format!(
+        "while [ \"$1\" != --root ]; do shift; done\nmkdir -p \"$2/bin\"\nln -sf {program} \"$2/bin/objdict\""
+    )
 }
 
 /// Runs the action as a workflow does, in `folder`, with inputs beside the defaults.
 fn act(folder: &Path, inputs: &[(&str, &str)]) -> Output {
     let bin = folder.join("stub");
-    fs::create_dir_all(&bin).expect("a folder");
-    let cargo = format!(
-        "#!/bin/sh\nwhile [ \"$1\" != --root ]; do shift; done\nmkdir -p \"$2/bin\"\nln -sf {} \"$2/bin/objdict\"\n",
-        crate::program()
-    );
-    fs::write(bin.join("cargo"), cargo).expect("the stub");
-    let executable = std::os::unix::fs::PermissionsExt::from_mode(0o755);
-    fs::set_permissions(bin.join("cargo"), executable).expect("the stub");
+    stub(&bin.join("cargo"), &cargo());
     let path = format!("{}:{}", bin.display(), std::env::var("PATH").unwrap_or_default());
     let defaults = [
         ("FILES", "."),
@@ -85,7 +97,7 @@ fn act(folder: &Path, inputs: &[(&str, &str)]) -> Output {
     let [outputs, paths] = ["outputs", "paths"].map(|name| bin.join(name));
     fs::write(&paths, "").expect("a file");
     let mut last = None;
-    for script in scripts() {
+    for script in scripts("action.yml", "      run: |") {
         let mut command = Command::new("bash");
         command.args(["--noprofile", "--norc", "-e", "-o", "pipefail", "-c", &script]).current_dir(folder);
         // as a runner does with what a step adds to the path
@@ -158,4 +170,63 @@ fn the_action_insists_on_a_version() {
     fs::copy("fixtures/eds/minimal.eds", folder.path().join("minimal.eds")).expect("a file");
     assert_eq!(act(folder.path(), &[("VERSION", env!("CARGO_PKG_VERSION"))]).status.code(), Some(0));
     assert_eq!(act(folder.path(), &[("VERSION", "99.0.0")]).status.code(), Some(2));
+}
+
+/// The workflows of the project, each with its name.
+fn workflows() -> Vec<(String, String)> {
+    let files = fs::read_dir(".github/workflows").expect("the workflows");
+    let paths = files.map(|file| file.expect("a file").path());
+    paths.map(|path| (path.display().to_string(), fs::read_to_string(&path).expect("a workflow"))).collect()
+}
+
+#[test]
+fn actions_are_pinned_by_hash() {
+    let mut files = workflows();
+    files.push(("action.yml".to_owned(), fs::read_to_string("action.yml").expect("the action")));
+    for (file, text) in files {
+        for action in values(&text, "uses").into_iter().filter(|action| !action.starts_with("./")) {
+            let (_, version) = action.split_once('@').expect("a version");
+            let (hash, comment) = version.split_once(' ').unwrap_or((version, ""));
+            let is_hash = hash.len() == 40 && hash.bytes().all(|byte| byte.is_ascii_hexdigit());
+            assert!(
+                is_hash && comment.starts_with("# v"),
+                "{file}: `{action}` needs a commit and its version"
+            );
+        }
+    }
+}
+
+/// git refuses a checkout of another user, as that of a job in a container is, and Debian's Node is too old for vite and vsce.
+#[test]
+fn jobs_can_use_git_and_node() {
+    for (file, text) in workflows() {
+        let (_, jobs) = text.split_once("\njobs:\n").expect("jobs");
+        let mut parts: Vec<String> = Vec::new();
+        for line in jobs.lines() {
+            let is_name =
+                line.starts_with("  ") && line.as_bytes().get(2).is_some_and(u8::is_ascii_lowercase);
+            if is_name || parts.is_empty() {
+                parts.push(String::new());
+            }
+            parts.last_mut().expect("a job").extend([line, "\n"]);
+        }
+        for job in parts {
+            let steps: Vec<&str> = job.split("\n      - ").collect();
+            let has = |step: &str, word: &str| {
+                step.lines().any(|line| line.contains(word) && !line.trim_start().starts_with('#'))
+            };
+            let first = |word: &str| steps.iter().position(|step| has(step, word));
+            let uses = ["npm ", "cargo xtask dist", ".ci/run"].iter().filter_map(|word| first(word)).min();
+            let Some(uses) = uses else { continue };
+            let node = first("uses: actions/setup-node@").filter(|node| *node < uses);
+            let node = steps[node.unwrap_or_else(|| panic!("{file}: no Node before `{}`", steps[uses]))];
+            let version = values(node, "node-version")[0].parse::<u32>().expect("a number");
+            assert!(
+                version >= 20 && !node.contains("if:"),
+                "{file}: not every leg has Node 20 or newer: {node}"
+            );
+            let is_safe = first("safe.directory \"$GITHUB_WORKSPACE\"").is_some_and(|safe| safe < uses);
+            assert!(is_safe || !job.contains("\n    container:"), "{file}: git refuses the checkout: {job}");
+        }
+    }
 }
