@@ -1,4 +1,5 @@
-//! The files that run objdict in CI: their keys, and the script of the action with a `cargo` that brings the command of this build. The workflows of the project itself: what their first run would stumble over.
+//! The files that run objdict in CI: their keys, and the scripts of the action and of GitLab's component with a `cargo` that brings
+//! the command of this build. The workflows of the project itself: what their first run would stumble over.
 
 use std::fs;
 use std::path::Path;
@@ -170,6 +171,76 @@ fn the_action_insists_on_a_version() {
     fs::copy("fixtures/eds/minimal.eds", folder.path().join("minimal.eds")).expect("a file");
     assert_eq!(act(folder.path(), &[("VERSION", env!("CARGO_PKG_VERSION"))]).status.code(), Some(0));
     assert_eq!(act(folder.path(), &[("VERSION", "99.0.0")]).status.code(), Some(2));
+}
+
+/// Runs git in a folder, as an author with a name, and returns what it prints.
+fn git(folder: &Path, words: &str) -> String {
+    let mut git = Command::new("git");
+    git.args(["-c", "user.name=test", "-c", "user.email=test@localhost"]).args(words.split(' '));
+    let output = git.current_dir(folder).output().expect("git");
+    assert!(output.status.success(), "git {words}: {}", String::from_utf8_lossy(&output.stderr));
+    String::from_utf8_lossy(&output.stdout).trim().to_owned()
+}
+
+#[test]
+fn the_component_of_gitlab_builds_the_ref_that_it_is_given() {
+    let folder = tempfile::tempdir().expect("a folder");
+    let [repository, job] = ["repository", "job"].map(|name| folder.path().join(name));
+    fs::create_dir_all(&repository).expect("a folder");
+    fs::create_dir_all(&job).expect("a folder");
+    git(&repository, "init --quiet --initial-branch main");
+    // a commit for each ref; `feature/main` is listed before `main`
+    let commits = [
+        ("main", "tag first"),
+        ("feature/main", "branch feature/main"),
+        ("v1", "tag -a -m v1 v1"),
+        ("feature/v1", "branch feature/v1"),
+        ("light", "tag light"),
+        ("both-branch", "branch both"),
+        ("both-tag", "tag both"),
+        ("last", "branch other"),
+    ];
+    for (subject, names) in commits {
+        git(&repository, &format!("commit --quiet --allow-empty -m {subject}"));
+        git(&repository, names);
+    }
+    git(&repository, "reset --quiet --hard first");
+    fs::copy("fixtures/eds/minimal.eds", job.join("minimal.eds")).expect("a file");
+    let bin = folder.path().join("bin");
+    stub(&bin.join("cargo"), &format!("echo \"$@\" > called\n{}", cargo()));
+    let path = format!("{}:{}", bin.display(), std::env::var("PATH").unwrap_or_default());
+    let template = scripts("templates/objdict.yml", "    - |").remove(0);
+
+    let commit = git(&repository, "rev-parse other");
+    let subjects = [
+        ("main", "main"),
+        ("feature/main", "feature/main"),
+        ("v1", "v1"),
+        ("light", "light"),
+        ("both", "both-branch"),
+        (&*commit, "last"),
+    ];
+    for (reference, subject) in subjects {
+        let mut script = template.clone();
+        for (input, value) in
+            [("repository", &*repository.to_string_lossy()), ("ref", reference), ("working-directory", ".")]
+        {
+            script = script.replace(&format!("$[[ inputs.{input} ]]"), value);
+        }
+        for input in ["version", "baseline", "args"] {
+            script = script.replace(&format!("$[[ inputs.{input} ]]"), "");
+        }
+        let mut bash = Command::new("bash");
+        bash.args(["-e", "-o", "pipefail", "-c", &script]).current_dir(&job).env("PATH", &path);
+        let output = bash.output().expect("bash");
+        assert!(output.status.success(), "{reference}: {}", String::from_utf8_lossy(&output.stderr));
+        let called = fs::read_to_string(job.join("called")).expect("cargo was called");
+        let (_, revision) = called.split_once("--rev ").expect("a revision");
+        let revision = revision.split(' ').next().unwrap_or_default();
+        assert_eq!(git(&repository, &format!("log -1 --format=%s {revision}")), subject, "{reference}");
+        let report = fs::read_to_string(job.join("gl-code-quality-report.json")).expect("the report");
+        assert!(report.starts_with('['), "{report}");
+    }
 }
 
 /// The workflows of the project, each with its name.
