@@ -17,7 +17,11 @@ pub(crate) fn run(upload: bool) -> Result<(), String> {
     }
     let root = root();
     let crates = published(&root)?;
-    let problems: Vec<String> = crates.iter().flat_map(problems).collect();
+    let mut problems: Vec<String> = crates.iter().flat_map(problems).collect();
+    // `cargo binstall`, npm and PyPI compare it with the place that uploads
+    if upload && crates.iter().any(|package| name(package) == "objdict" && package["repository"].is_null()) {
+        problems.push("objdict: no `repository`: set it in the commit of the release".to_owned());
+    }
     if !problems.is_empty() {
         return Err(problems.join("\n"));
     }
@@ -56,9 +60,9 @@ fn own(package: &Value) -> impl Iterator<Item = &Value> {
 
 /// What crates.io would refuse, or a reader of its page miss.
 fn problems(package: &Value) -> Vec<String> {
-    let is_text = |key: &str| package[key].as_str().is_some_and(|text| !text.is_empty());
-    let missing =
-        ["description", "license", "documentation", "rust_version"].into_iter().filter(|key| !is_text(key));
+    let is_text = |value: &Value| value.as_str().is_some_and(|text| !text.is_empty());
+    let facts = ["description", "license", "documentation", "homepage", "readme", "rust_version", "authors"];
+    let missing = facts.into_iter().filter(|key| !is_text(&package[key]) && !is_text(&package[key][0]));
     let mut problems: Vec<String> = missing.map(|key| format!("{}: no `{key}`", name(package))).collect();
     for dependency in own(package).filter(|dependency| dependency["req"] == "*") {
         problems.push(format!("{}: `{}` has a path and no version", name(package), name(dependency)));
@@ -130,7 +134,8 @@ mod tests {
             .map(|need| serde_json::json!({ "name": need, "kind": null, "path": "x", "req": "=1.0.0" }))
             .collect();
         serde_json::json!({
-            "name": name, "description": "d", "license": "MIT", "documentation": "u", "rust_version": "1.88", "dependencies": needs,
+            "name": name, "description": "d", "license": "MIT", "documentation": "u", "homepage": "u", "readme": "README.md",
+            "rust_version": "1.88", "authors": ["a"], "dependencies": needs,
         })
     }
 
