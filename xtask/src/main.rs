@@ -65,8 +65,8 @@ usage:
       write the structure of CiA 311, versions 1.0 and 1.1, as XML Schemas: 1.0.xsd and 1.1.xsd
   cargo xtask deny
       hold licences, versions and sources of all packages against deny.toml
-  cargo xtask dist KIND|all [--profile PROFILE] [--target TARGET]
-      build a package for this machine into target/dist, with SHA256SUMS: wheel (command and Python module; needs Python and
+  cargo xtask dist KIND|all [--profile PROFILE] [--target TARGET] [--program FILE] [--features LIST]
+      build a package for this machine into target/dist, with SHA256SUMS (with --program, of a command that is built already; --features are for the module of a wheel, so that it shares what is built): wheel (command and Python module; needs Python and
       gets maturin from PyPI; with --target, on Linux, for another system, by mingw or by zig from PyPI), tarball, windows (a ZIP; on Linux needs mingw and rustc-web, see .ci/windows; not built by
       `all`), deb, npm, docker (the folder of an image), vsix (the extension of VS Code; needs npm)
   cargo xtask dist try

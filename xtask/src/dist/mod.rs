@@ -1,7 +1,8 @@
 //! Packages of the command, of the Python module and of the extension of VS Code, into `target/dist`, with their checksums.
 //!
 //! The command is built once and linked statically where the system allows it, so one program runs on every Linux, in an empty
-//! image, and beside any Python.
+//! image, and beside any Python. With `--program` nothing is built but the Python module: the gate packs the program that it tested,
+//! and its packages run on this machine alone.
 
 mod cross;
 mod deb;
@@ -17,6 +18,8 @@ use std::env::consts::{ARCH, EXE_SUFFIX};
 use std::fs;
 use std::path::{Path, PathBuf};
 use std::process::Command;
+
+use toml::Table;
 
 pub(crate) use try_out::try_out;
 
@@ -39,7 +42,7 @@ const KINDS: [Kind; 7] = [
     // elsewhere it needs mingw, so it is made where it is asked for
     Kind { name: "windows", make: windows::make, here: cfg!(windows) },
     Kind { name: "deb", make: deb::make, here: cfg!(target_os = "linux") },
-    Kind { name: "npm", make: npm::make, here: cfg!(unix) },
+    Kind { name: "npm", make: npm::make, here: true },
     Kind { name: "docker", make: docker::make, here: cfg!(target_os = "linux") },
     Kind { name: "vsix", make: vsix::make, here: true },
 ];
@@ -52,6 +55,8 @@ struct Built {
     program: PathBuf,
     /// The version of all packages.
     version: String,
+    /// Cargo.toml of the workspace.
+    manifest: Table,
     options: Options,
 }
 
@@ -62,6 +67,10 @@ pub(crate) struct Options {
     profile: Option<String>,
     /// The system that a wheel is for; `None` for this one.
     target: Option<String>,
+    /// The command, if it is built already.
+    program: Option<PathBuf>,
+    /// Features that the module in a wheel is built with besides its own.
+    features: Option<String>,
 }
 
 impl Options {
@@ -71,6 +80,8 @@ impl Options {
         while let [name, value, rest @ ..] = words {
             match *name {
                 "--profile" => options.profile = Some((*value).to_owned()),
+                "--features" => options.features = Some((*value).to_owned()),
+                "--program" => options.program = Some(PathBuf::from(value)),
                 "--target" => options.target = Some((*value).to_owned()),
                 _ => return None,
             }
@@ -94,6 +105,9 @@ pub(crate) fn run(kind: &str, options: Options) -> Result<(), String> {
     if options.target.is_some() && kind != "wheel" {
         return Err(format!("`--target` is for a wheel, not for `{kind}`"));
     }
+    if options.program.is_some() && !matches!(kind, "wheel" | "tarball" | "deb" | "npm" | "vsix") {
+        return Err(format!("`--program` is for a package of this machine, not for `{kind}`: leave it out"));
+    }
     let built = Built::new(options)?;
     for kind in kinds {
         (kind.make)(&built)?;
@@ -108,9 +122,19 @@ impl Built {
         make_folder(&dist)?;
         // a later build replaces the one in `target`
         let program = dist.join("stage").join(format!("objdict{EXE_SUFFIX}"));
-        let mut built = Self { dist, program, version: version(&root)?, options, root };
+        let manifest = manifest(&root)?;
+        let version = manifest["workspace"]["package"]["version"].as_str().unwrap_or_default().to_owned();
+        let mut built = Self { dist, program, version, manifest, options, root };
         if let Some(target) = &built.options.target {
             built.program = cross::program(&built, target)?;
+            return Ok(built);
+        }
+        if let Some(program) = &built.options.program {
+            copy(program, &built.program)?;
+            if cfg!(target_os = "linux") {
+                // packages have no symbols, which are half of a program of the profile `dev`
+                run_program(Command::new("strip").arg(&built.program))?;
+            }
             return Ok(built);
         }
         let mut cargo = Command::new(env!("CARGO"));
@@ -127,11 +151,16 @@ impl Built {
         Ok(built)
     }
 
+    /// What Cargo.toml says about all packages or about the command, such as its keywords; `Null` if it does not.
+    fn fact(&self, key: &str) -> serde_json::Value {
+        let tables = [&self.manifest["workspace"]["package"], &self.manifest["package"]];
+        serde_json::json!(tables.iter().find_map(|table| table.get(key)))
+    }
+
     /// A command of Cargo with the options of the packages.
     fn with_options<'a>(&self, cargo: &'a mut Command) -> &'a mut Command {
         let profile = self.options.profile.as_deref().unwrap_or("release");
         cargo.current_dir(&self.root).args(["--bin", "objdict", "--profile", profile]);
-        self.optimise_nothing(cargo);
         let page = self.root.join("web/dist/objdict-workbench.html");
         if page.is_file() {
             cargo.args(["--features", "open"]).env("OBJDICT_WORKBENCH", &page);
@@ -139,15 +168,6 @@ impl Built {
             println!("without `objdict open`: `cd web && npm ci && npm run build` makes its page");
         }
         cargo
-    }
-
-    /// What the profile `dev` optimises for tests that read thousands of files costs more than it saves here.
-    fn optimise_nothing(&self, cargo: &mut Command) {
-        if self.options.profile.as_deref() == Some("dev") {
-            for name in ["bus", "eds", "lint", "model", "profile", "xdd"] {
-                cargo.args(["--config", &format!("profile.dev.package.objdict-{name}.opt-level=0")]);
-            }
-        }
     }
 
     /// Where Cargo puts what it builds.
@@ -199,9 +219,10 @@ impl Built {
             .try_for_each(|name| copy(&self.root.join(name), &folder.join(name)))
     }
 
-    /// The time of the commit, which all files in packages have, so that the same commit makes the same package.
-    fn time(&self) -> String {
-        let output = Command::new("git").current_dir(&self.root).args(["log", "-1", "--format=%ct"]).output();
+    /// The time of the commit in a format of git, which all files in packages have, so that the same commit makes the same package.
+    fn time(&self, format: &str) -> String {
+        let mut git = Command::new("git");
+        let output = git.current_dir(&self.root).args(["log", "-1", &format!("--format={format}")]).output();
         let time = output.ok().and_then(|output| String::from_utf8(output.stdout).ok()).unwrap_or_default();
         if time.trim().is_empty() { "0".to_owned() } else { time.trim().to_owned() }
     }
@@ -242,14 +263,11 @@ fn checksums(dist: &Path) -> Result<(), String> {
     write(&dist.join("SHA256SUMS"), lines.concat().as_bytes())
 }
 
-/// The version in the manifest of the workspace.
-fn version(root: &Path) -> Result<String, String> {
+/// The manifest of the workspace.
+fn manifest(root: &Path) -> Result<Table, String> {
     let path = root.join("Cargo.toml");
     let text = fs::read_to_string(&path).map_err(|error| format!("{}: {error}", path.display()))?;
-    let manifest: toml::Table =
-        toml::from_str(&text).map_err(|error| format!("{}: {error}", path.display()))?;
-    let version = manifest["workspace"]["package"]["version"].as_str();
-    version.map(str::to_owned).ok_or_else(|| format!("{}: no version", path.display()))
+    text.parse().map_err(|error| format!("{}: {error}", path.display()))
 }
 
 pub(crate) fn root() -> PathBuf {
@@ -270,6 +288,11 @@ pub(crate) fn write(file: &Path, bytes: &[u8]) -> Result<(), String> {
 fn copy(from: &Path, to: &Path) -> Result<(), String> {
     to.parent().map_or(Ok(()), make_folder)?;
     fs::copy(from, to).map(drop).map_err(|error| format!("{} to {}: {error}", from.display(), to.display()))
+}
+
+/// npm, or a program that comes with it.
+fn npm() -> Command {
+    Command::new(if cfg!(windows) { "npm.cmd" } else { "npm" })
 }
 
 pub(crate) fn run_program(command: &mut Command) -> Result<(), String> {

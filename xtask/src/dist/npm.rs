@@ -2,14 +2,16 @@
 
 use std::env::consts::{ARCH, EXE_SUFFIX, OS};
 use std::path::Path;
-use std::process::Command;
 
 use serde_json::{Value, json};
 
-use super::{Built, DISTRIBUTION, copy, run_program, write};
+use super::{Built, DISTRIBUTION, copy, npm, run_program, write};
 
 /// Starts the program of the package for this system.
 const START: &str = include_str!("start.js");
+
+/// The page of each package in the registry.
+const README: &str = include_str!("npm.md");
 
 /// The systems that packages are made for, as `process.platform` and `process.arch` of Node name them.
 const SYSTEMS: [(&str, &str); 5] =
@@ -17,16 +19,7 @@ const SYSTEMS: [(&str, &str); 5] =
 
 /// `canopen-objdict-VERSION.tgz`, and that of this system.
 pub(super) fn make(built: &Built) -> Result<(), String> {
-    let system = match OS {
-        "macos" => "darwin",
-        "windows" => "win32",
-        other => other,
-    };
-    let processor = match ARCH {
-        "x86_64" => "x64",
-        "aarch64" => "arm64",
-        other => other,
-    };
+    let (system, processor) = system();
     let name = format!("{DISTRIBUTION}-{system}-{processor}");
     let folder = built.stage(&name)?;
     copy(&built.program, &folder.join(format!("objdict{EXE_SUFFIX}")))?;
@@ -48,20 +41,44 @@ pub(super) fn make(built: &Built) -> Result<(), String> {
     pack(built, &folder, &manifest)
 }
 
+/// This system and its processor, as Node and the editors that are built on it name them.
+pub(super) fn system() -> (&'static str, &'static str) {
+    let system = match OS {
+        "macos" => "darwin",
+        "windows" => "win32",
+        other => other,
+    };
+    let processor = match ARCH {
+        "x86_64" => "x64",
+        "aarch64" => "arm64",
+        other => other,
+    };
+    (system, processor)
+}
+
 /// What the manifests of all packages say.
 fn manifest(built: &Built, name: &str) -> Value {
-    json!({
+    let mut manifest = json!({
         "name": name,
         "version": built.version,
-        "description": "CANopen object-dictionary toolchain: the command objdict",
-        "license": "MIT OR Apache-2.0",
-    })
+        "description": built.fact("description"),
+        "author": built.fact("authors")[0],
+        "license": built.fact("license"),
+        "homepage": built.fact("homepage"),
+        "keywords": built.fact("keywords"),
+    });
+    // npm compares it with the repository that uploads the package
+    if let Some(repository) = built.fact("repository").as_str() {
+        manifest["repository"] = json!({ "type": "git", "url": format!("git+{repository}.git") });
+    }
+    manifest
 }
 
 fn pack(built: &Built, folder: &Path, manifest: &Value) -> Result<(), String> {
     built.licences(folder)?;
+    write(&folder.join("README.md"), README.as_bytes())?;
     write(&folder.join("package.json"), format!("{manifest:#}\n").as_bytes())?;
-    let mut npm = Command::new("npm");
+    let mut npm = npm();
     npm.current_dir(folder).args(["pack", "--silent", "--pack-destination"]).arg(&built.dist);
     run_program(&mut npm)
 }

@@ -12,7 +12,7 @@ pub(super) fn make(built: &Built) -> Result<(), String> {
     let mut tar = Command::new("tar");
     if cfg!(target_os = "linux") {
         // the same bytes each time
-        let time = format!("--mtime=@{}", built.time());
+        let time = format!("--mtime=@{}", built.time("%ct"));
         tar.args(["--sort=name", "--owner=0", "--group=0", "--numeric-owner", &time, "-I", "gzip -n"]);
     } else {
         tar.arg("-z");

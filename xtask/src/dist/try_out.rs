@@ -121,13 +121,13 @@ fn substitutes(folder: &Path, home: &Path) -> Result<(), String> {
     make_folder(&home.join("root/var/lib/dpkg/info"))?;
     make_folder(&home.join("root/var/lib/dpkg/updates"))?;
     write(&home.join("root/var/lib/dpkg/status"), b"")?;
+    let cargo =
+        format!("exec \"{}\" \"$@\" --debug --offline --target-dir target --root \"$HOME\"", env!("CARGO"));
     let programs = [
         ("sudo", "exec \"$@\""),
         ("dpkg", "exec /usr/bin/dpkg --root=\"$HOME/root\" --force-not-root \"$@\""),
-        (
-            "cargo",
-            "exec \"$CARGO_HOME/bin/cargo\" \"$@\" --debug --offline --target-dir target --root \"$HOME\"",
-        ),
+        // that of a distribution is not in the folder of rustup
+        ("cargo", cargo.as_str()),
     ];
     for (name, line) in programs {
         let file = folder.join(name);

@@ -28,7 +28,9 @@ pub(super) fn make(built: &Built) -> Result<(), String> {
     };
     build.current_dir(&built.root).args(["--out", "target/dist"]);
     build.args(["--profile", built.options.profile.as_deref().unwrap_or("wheel")]);
-    built.optimise_nothing(&mut build);
+    if let Some(features) = &built.options.features {
+        build.args(["--features", features]);
+    }
     run_program(build.args(["--manifest-path", "crates/objdict-python/Cargo.toml"]))
 }
 

@@ -29,5 +29,5 @@ pub(super) fn make(built: &Built) -> Result<(), String> {
     let stage = built.stage("windows")?;
     built.fill(&stage.join(&name), &program)?;
     let file = built.dist.join(format!("{name}.zip"));
-    run_program(Command::new(python()).args(["-c", ZIP]).args([&file, &stage]).arg(built.time()))
+    run_program(Command::new(python()).args(["-c", ZIP]).args([&file, &stage]).arg(built.time("%ct")))
 }
