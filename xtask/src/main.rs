@@ -1,7 +1,7 @@
 //! Chores: `cargo xtask corpus FOLDER [--generate] [--shares FILE]`, `cargo xtask fuzz FOLDER COUNT|SECONDSs [PART]`,
 //! `cargo xtask targets FOLDER [--damaged] [--hostile] [--only TARGET]`, `cargo xtask concise CORPUS`,
 //! `cargo xtask readers FOLDER PYTHON [MODULES]`, `cargo xtask docs [--check]`, `cargo xtask profiles [--check]`,
-//! `cargo xtask fuzz-corpus FOLDER`, `cargo xtask xsd FOLDER`, `cargo xtask deny`, `cargo xtask dist KIND`,
+//! `cargo xtask fuzz-corpus FOLDER`, `cargo xtask xsd FOLDER`, `cargo xtask dist KIND`,
 //! `cargo xtask publish [--upload]`.
 
 #![allow(clippy::print_stdout, reason = "the table is the result of the chore")]
@@ -9,7 +9,6 @@
 mod changes;
 mod concise;
 mod corpus;
-mod deny;
 mod dist;
 mod docs;
 mod examples;
@@ -63,8 +62,6 @@ usage:
       --check only compare
   cargo xtask xsd FOLDER
       write the structure of CiA 311, versions 1.0 and 1.1, as XML Schemas: 1.0.xsd and 1.1.xsd
-  cargo xtask deny
-      hold licences, versions and sources of all packages against deny.toml
   cargo xtask dist KIND|all [--profile PROFILE] [--target TARGET] [--program FILE] [--features LIST]
       build a package for this machine into target/dist, with SHA256SUMS (with --program, of a command that is built already; --features are for the module of a wheel, so that it shares what is built): wheel (command and Python module; needs Python and
       gets maturin from PyPI; with --target, on Linux, for another system, by mingw or by zig from PyPI), tarball, windows (a ZIP; on Linux needs mingw and rustc-web, see .ci/windows; not built by
@@ -104,7 +101,6 @@ fn main() -> ExitCode {
         ["profiles"] => profiles::run(false),
         ["profiles", "--check"] => profiles::run(true),
         ["xsd", folder] => write_schemas(Path::new(folder)),
-        ["deny"] => deny::run(),
         ["dist", "try"] => dist::try_out(),
         ["dist", kind, ref options @ ..] => match dist::Options::of(options) {
             Some(options) => dist::run(kind, options),

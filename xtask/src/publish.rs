@@ -157,6 +157,22 @@ mod tests {
     }
 
     #[test]
+    fn each_published_crate_has_the_texts_of_its_licences() {
+        for package in published(&root()).unwrap() {
+            let mut command = Command::new(env!("CARGO"));
+            command.args(["package", "--list", "--allow-dirty", "-p", name(&package)]);
+            let listed = String::from_utf8(command.output().unwrap().stdout).unwrap();
+            for text in ["LICENSE-APACHE", "LICENSE-MIT"] {
+                assert!(
+                    listed.lines().any(|line| line == text),
+                    "{} has no {text}: {listed}",
+                    name(&package)
+                );
+            }
+        }
+    }
+
+    #[test]
     fn the_crates_of_the_workspace_are_complete() {
         let crates = published(&root()).unwrap();
         let problems: Vec<String> = crates.iter().flat_map(problems).collect();
