@@ -251,21 +251,7 @@ pub use objdict_node::{configure, coupler, download};
 pub use objdict_profile as profile;
 
 #[cfg(all(doc, not(doctest)))]
-macro_rules! rule_pages {
-    ($($group:ident)*) => {
-        /// The pages of the rules, a module for each group. `objdict explain` prints the same texts.
-        pub mod rules {
-            $(
-                #[doc = include_str!(concat!("../docs/rules/", stringify!($group), ".md"))]
-                pub mod $group {}
-            )*
-        }
-    };
-}
-
-// addresses of rules in reports lead here
-#[cfg(all(doc, not(doctest)))]
-rule_pages! { change cia301 cia302 cia304 cia305 cia306 cia311 cia401 cia402 cia404 cia406 custom naming network objdict portability probe traffic xml }
+pub use registry::groups::rules;
 
 /// The examples of the README are compiled with those of this page.
 #[cfg(doctest)]

@@ -5,7 +5,7 @@
 //! what the reader will find in its place, so that later edits are not undone.
 
 use crate::compare::{Datum, DatumChange, apply};
-use crate::diagnostic::{Diagnostic, Findings, RuleInfo, say, text_rule};
+use crate::diagnostic::{Diagnostic, Findings, say, text_rules};
 use crate::model::{
     Characteristic, CharacteristicsList, Device, DeviceFunction, EMBEDDED_COMMENT, EMBEDDED_SECTION, Entry,
     Extra, ExtraSection, Field, Labels, Part, Place, Property,
@@ -31,10 +31,7 @@ pub(super) enum Carrier {
     Properties,
 }
 
-/// Every rule of this module.
-pub(super) static RULES: &[&RuleInfo] = &[&STALE_EMBEDDED_DATA];
-
-text_rule! {
+text_rules! {
     STALE_EMBEDDED_DATA = "objdict/stale-embedded-data", Note;
     summary: "carried data are of a part that was changed since",
     checks: "Whether the data that a conversion embedded in comment lines `; objdict-embed: …` or in properties `objdict:…` still belong to the file: each item names the datum that it replaces.",

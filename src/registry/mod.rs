@@ -1,6 +1,7 @@
 //! All rules: those of the format readers, those of the linter, and those about the configuration and suppression of
 //! rules. `explain`, severities, suppression and the documentation treat them alike.
 
+pub(crate) mod groups;
 pub(crate) mod own;
 
 use std::borrow::Cow;
@@ -9,28 +10,20 @@ use std::collections::BTreeSet;
 use crate::diagnostic::{RuleInfo, Selection, nearest};
 use crate::{format, lint};
 
+pub use self::groups::{GROUPS, Group};
+
 /// All rules, sorted by id.
 pub fn rules() -> Vec<&'static RuleInfo> {
     let of_linter = lint::rules().map(|rule| &rule.info);
-    let mut rules: Vec<_> =
-        format::rules().chain(of_linter).chain(of_changes()).chain(own::RULES.iter().copied()).collect();
+    let mut rules: Vec<_> = format::rules().chain(of_linter).chain(own::RULES.iter().copied()).collect();
+    #[cfg(feature = "lint")]
+    rules.extend(lint::changes::rules().map(|rule| &rule.info));
     #[cfg(feature = "network")]
     rules.extend(crate::probe::RULES);
     #[cfg(all(feature = "document", feature = "network"))]
     rules.extend(crate::traffic::RULES);
     rules.sort_by_key(|rule| rule.id);
     rules
-}
-
-/// The rules about changes between two descriptions.
-#[cfg(feature = "lint")]
-fn of_changes() -> impl Iterator<Item = &'static RuleInfo> {
-    lint::changes::rules().map(|rule| &rule.info)
-}
-
-#[cfg(not(feature = "lint"))]
-fn of_changes() -> impl Iterator<Item = &'static RuleInfo> {
-    std::iter::empty()
 }
 
 /// Former names of rules and groups, which configurations and `allow` comments may still have.

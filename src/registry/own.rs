@@ -4,20 +4,10 @@
 use super::nearest_selection;
 #[cfg(feature = "lint")]
 use crate::diagnostic::Text;
-use crate::diagnostic::{Diagnostic, RuleInfo, say, text_rule};
+use crate::diagnostic::{Diagnostic, say, text_rules};
 use crate::source::Span;
 
-/// Every rule of this module.
-pub(super) static RULES: &[&RuleInfo] = &[
-    &INVALID_SETTING,
-    &INVALID_SUPPRESSION,
-    &INVALID_TOML,
-    &UNKNOWN_RULE,
-    &UNKNOWN_SETTING,
-    &UNUSED_SUPPRESSION,
-];
-
-text_rule! {
+text_rules! {
     INVALID_TOML = "objdict/invalid-toml", Error;
     summary: "the configuration is not valid TOML",
     checks: "Whether `objdict.toml` is valid TOML. If it is not, the files that it applies to are not checked, and the exit code is 2.",
@@ -25,9 +15,7 @@ text_rule! {
     example: r#"`cia306/file-name = "off"`: the id of a rule contains a `/` and must be quoted"#,
     remedy: "Correct the reported line.",
     source: "objdict, docs/config.md; TOML 1.1",
-}
 
-text_rule! {
     UNKNOWN_SETTING = "objdict/unknown-setting", Warning;
     summary: "the configuration contains an unknown setting",
     checks: "Whether each top-level key of `objdict.toml` is a known setting.",
@@ -35,9 +23,7 @@ text_rule! {
     example: "`node_id = 5` instead of `node-id = 5`",
     remedy: "Correct the name or remove the setting.",
     source: "objdict, docs/config.md",
-}
 
-text_rule! {
     INVALID_SETTING = "objdict/invalid-setting", Error;
     summary: "a setting has an invalid value",
     checks: "Whether each setting of `objdict.toml` has a value of its type and, for a fixed set of values, one of them.",
@@ -45,9 +31,7 @@ text_rule! {
     example: "`node-id = 128`",
     remedy: "Write a valid value.",
     source: "objdict, docs/config.md",
-}
 
-text_rule! {
     UNKNOWN_RULE = "objdict/unknown-rule", Warning;
     summary: "an unknown rule or group",
     checks: "Whether each rule name in `objdict.toml` and in comments `objdict: allow` is the id of a rule, such as `cia306/file-name`, or a group, such as `cia306`.",
@@ -55,9 +39,7 @@ text_rule! {
     example: "`; objdict: allow cia306/filename`",
     remedy: "Correct the name; `objdict rules` lists all rules.",
     source: "objdict, docs/config.md",
-}
 
-text_rule! {
     INVALID_SUPPRESSION = "objdict/invalid-suppression", Warning;
     summary: "a comment contains an invalid objdict instruction",
     checks: "Whether a comment that starts with `objdict:` continues with `allow` and the ids of rules or names of groups, separated by blanks or commas.",
@@ -65,9 +47,7 @@ text_rule! {
     example: "`; objdict: ignore cia306/file-name`",
     remedy: "Write `; objdict: allow cia306/file-name`; a reason may follow after ` -- `.",
     source: "objdict, docs/config.md",
-}
 
-text_rule! {
     UNUSED_SUPPRESSION = "objdict/unused-suppression", Warning, fix Safe;
     summary: "a comment allows a rule without findings",
     checks: "Whether each rule in a comment `objdict: allow` has a finding in the following section or element, or in the file if the comment is before the first one. Rules that are off, and rules about tools or custom profiles that are not selected, are not checked.",

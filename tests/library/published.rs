@@ -5,6 +5,7 @@ use std::collections::BTreeSet;
 use std::fs;
 use std::path::{Path, PathBuf};
 
+use objdict::registry;
 use objdict_model::diagnostic::{HOME, PUBLISHED, RuleInfo, Severity};
 
 use crate::pages::{pages, pages_for_users, read};
@@ -91,6 +92,28 @@ fn rules_have_an_address_as_soon_as_there_is_a_page() {
     assert_eq!(HOME.is_some(), PUBLISHED);
     let expected = "https://docs.rs/objdict/latest/objdict/rules/cia306/index.html#file-name";
     assert!(address.is_none_or(|address| address == expected));
+}
+
+/// A link to the page of a rule leads to a module that exists, and to the heading of the rule in it.
+#[test]
+fn the_address_of_each_rule_is_a_heading_of_its_page() {
+    let names: Vec<&str> = registry::GROUPS.iter().map(|group| group.name).collect();
+    assert!(registry::groups().into_iter().eq(names.iter().copied()), "{names:?}");
+    for rule in registry::rules() {
+        let address = rule.page_address();
+        let parts = address.strip_prefix("rules/").and_then(|rest| rest.split_once("/index.html#"));
+        let (group, anchor) = parts.unwrap_or_else(|| panic!("{address}"));
+        assert!(names.contains(&group), "{address}: there is no such module");
+        let page = read(&Path::new("docs/rules").join(group).with_extension("md"));
+        // a second heading with the same words would have the anchor with a number
+        let words = |line: &str| Some(line.strip_prefix('#')?.trim_matches(['#', ' ']).to_lowercase());
+        let headings: Vec<_> = page
+            .lines()
+            .filter(|line| words(line).is_some_and(|words| words.replace(' ', "-") == anchor))
+            .collect();
+        assert_eq!(headings, [format!("## {}", rule.name())], "{address}");
+        assert!(page.contains(&format!("\n## {anchor}\n\n`{}` · ", rule.id)), "{address}: of another rule");
+    }
 }
 
 /// What README and pages show is a line of docs/install.md, which `cargo xtask dist try` runs.

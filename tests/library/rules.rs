@@ -322,6 +322,28 @@ fn a_bad_fixture_shows_its_rule_and_no_other() {
     }
 }
 
+/// Shares of a corpus are shown for the rules that a description alone can raise: each of these has a fixture that does, and no
+/// other rule has one.
+#[test]
+fn groups_say_what_their_rules_need() {
+    let options = Options { tools: Tool::ALL.to_vec(), ..Options::default() };
+    let is_raised = |id: &str, path: &PathBuf| {
+        let format = Format::from_name(name(path)).filter(|format| *format != Format::Toml);
+        format.is_some()
+            && objdict::check_with(&open(path), &options).iter().any(|finding| finding.rule.id == id)
+    };
+    for (id, folder) in rule_folders() {
+        let group = registry::rule(&id).unwrap().group();
+        let needs = registry::GROUPS.iter().find(|known| known.name == group).unwrap().needs;
+        let raised: Vec<_> =
+            devices(&folder, "bad").into_iter().filter(|path| is_raised(&id, path)).collect();
+        // comments and data for objdict are in descriptions, though not in those of others
+        if group != "objdict" {
+            assert_eq!(raised.is_empty(), needs.is_some(), "{id} needs {needs:?}: {raised:?}");
+        }
+    }
+}
+
 #[test]
 fn every_finding_has_a_help() {
     let without = |path: &PathBuf| {

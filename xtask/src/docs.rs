@@ -13,33 +13,6 @@ use objdict::registry;
 use crate::examples;
 use crate::shares::{self, Shares};
 
-/// What the rules of each group are about.
-const GROUPS: [(&str, &str); 23] = [
-    ("cia301", "communication objects (CiA 301)"),
-    ("cia302", "network managers (CiA 302)"),
-    ("cia304", "safety-relevant data objects (CiA 304)"),
-    ("cia305", "layer setting services (CiA 305)"),
-    ("cia306", "EDS and DCF files (CiA 306)"),
-    ("cia311", "XDD and XDC files (CiA 311)"),
-    ("cia401", "I/O modules (CiA 401)"),
-    ("cia402", "drives (CiA 402)"),
-    ("cia404", "measuring devices and controllers (CiA 404)"),
-    ("cia406", "encoders (CiA 406)"),
-    ("change", "changes between two descriptions, reported by `objdict diff`"),
-    ("configuration", "configured nodes beside their EDS"),
-    ("custom", "custom profiles"),
-    ("keys", "TOML and YAML files"),
-    ("naming", "names"),
-    ("network", "networks and their files"),
-    ("objdict", "the configuration of objdict"),
-    ("objdictgen", "projects of objdictgen"),
-    ("patch", "patches of description files"),
-    ("portability", "what other tools reject or misread"),
-    ("probe", "answers of a device, reported by `objdict probe`"),
-    ("traffic", "traffic of a bus beside the descriptions, reported by `objdict decode --check`"),
-    ("xml", "well-formed XML"),
-];
-
 /// Writes the generated pages, or with `check` fails when one is not what it would write.
 pub(crate) fn run(check: bool) -> Result<(), String> {
     let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("../docs");
@@ -164,14 +137,16 @@ fn rule_pages(shares: &Shares) -> Result<BTreeMap<String, String>, String> {
     let mut index = String::from(INDEX);
     let fixes = rules.iter().filter(|rule| rule.fix.is_some()).count();
     let _ = writeln!(index, "{} rules, {fixes} of them with a fix.\n", rules.len());
-    index.push_str("| group | rules | about |\n|---|---|---|\n");
+    index.push_str("| group | rules | about | needs |\n|---|---|---|---|\n");
     let mut pages = BTreeMap::new();
     let mut tables = String::new();
     for group in rules.chunk_by(|a, b| a.group() == b.group()) {
         let name = group[0].group();
-        let about = GROUPS.iter().find(|(group, _)| *group == name).map(|(_, about)| about);
-        let about = about.ok_or_else(|| format!("xtask/src/docs.rs: `GROUPS` lacks `{name}`"))?;
-        let _ = writeln!(index, "| [`{name}`](#{name}) | {} | {about} |", group.len());
+        let row = registry::GROUPS.iter().find(|group| group.name == name);
+        let registry::Group { about, needs, .. } =
+            row.ok_or_else(|| format!("src/registry/groups.rs lacks `{name}`"))?;
+        let needs = needs.unwrap_or("–");
+        let _ = writeln!(index, "| [`{name}`](#{name}) | {} | {about} | {needs} |", group.len());
         let _ = writeln!(tables, "\n## {name}\n\n{HEADINGS}");
         group.iter().for_each(|rule| list(rule, shares, &mut tables));
         let mut page = format!("# {name}: {about}\n\n{GENERATED}\n");

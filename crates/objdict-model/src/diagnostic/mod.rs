@@ -15,7 +15,7 @@ mod words;
 use crate::model::Place;
 pub use crate::source::Span;
 
-pub use crate::{fix_of, rule_info, say, text_rule, text_rules};
+pub use crate::{fix_of, rule_info, say, text_rules};
 pub use findings::{Findings, MAX_PER_RULE};
 pub use fix::MAX_FIX_LINES;
 pub use fix::{Applicability, Change, Fix, FixSafety, Tidy};

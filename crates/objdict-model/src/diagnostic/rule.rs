@@ -131,8 +131,12 @@ impl RuleInfo {
 
     /// The public address of its page, in the documentation of the crate `objdict`; `None` until that is [published](PUBLISHED).
     pub fn address(&self) -> Option<String> {
-        let home = HOME?;
-        Some(format!("{home}/latest/objdict/rules/{}/index.html#{}", self.group(), self.name()))
+        HOME.map(|home| format!("{home}/latest/objdict/{}", self.page_address()))
+    }
+
+    /// The address of its page below the documentation of the crate `objdict`, whether that is published or not.
+    pub fn page_address(&self) -> String {
+        format!("rules/{}/index.html#{}", self.group(), self.name())
     }
 
     /// The page as Markdown: the summary, and a heading with a paragraph for each of the other texts.
@@ -179,16 +183,7 @@ macro_rules! rule_info {
     };
 }
 
-/// Declares a rule reported by the reader of a format: `text_rule! { NAME = … }` with the fields of
-/// [`rule_info!`] is a `static`.
-#[macro_export]
-macro_rules! text_rule {
-    ($NAME:ident = $($info:tt)+) => {
-        pub(crate) static $NAME: $crate::diagnostic::RuleInfo = $crate::rule_info! { $($info)+ };
-    };
-}
-
-/// Declares the rules of a module, each like [`text_rule!`](crate::text_rule), and the list `RULES` of them.
+/// Declares the rules of a module with the fields of [`rule_info!`], each a `static RuleInfo`, and the list `RULES` of them.
 #[macro_export]
 macro_rules! text_rules {
     ($(
@@ -204,8 +199,8 @@ macro_rules! text_rules {
         /// Every rule of this module.
         pub static RULES: &[&$crate::diagnostic::RuleInfo] = &[$(&$NAME),+];
 
-        $($crate::text_rule! {
-            $NAME = $id, $severity $(, fix $safety)? $(, explains $reach [$($rule),+])*
+        $(pub(crate) static $NAME: $crate::diagnostic::RuleInfo = $crate::rule_info! {
+            $id, $severity $(, fix $safety)? $(, explains $reach [$($rule),+])*
                 $(, stops $target $(at [$($field),+])?)*;
             summary: $summary,
             checks: $checks,
@@ -213,7 +208,7 @@ macro_rules! text_rules {
             example: $example,
             remedy: $remedy,
             source: $source,
-        })+
+        };)+
     };
 }
 
