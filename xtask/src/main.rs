@@ -2,7 +2,7 @@
 //! `cargo xtask targets FOLDER [--damaged] [--hostile] [--only TARGET]`, `cargo xtask concise CORPUS`,
 //! `cargo xtask readers FOLDER PYTHON [MODULES]`, `cargo xtask docs [--check]`, `cargo xtask profiles [--check]`,
 //! `cargo xtask fuzz-corpus FOLDER`, `cargo xtask xsd FOLDER`, `cargo xtask dist KIND`,
-//! `cargo xtask publish [--upload]`.
+//! `cargo xtask publish [--upload]`, `cargo xtask interface [--check]`.
 
 #![allow(clippy::print_stdout, reason = "the table is the result of the chore")]
 
@@ -13,6 +13,7 @@ mod dist;
 mod docs;
 mod examples;
 mod fuzz;
+mod interface;
 mod mutate;
 mod profiles;
 mod publish;
@@ -57,6 +58,9 @@ usage:
   cargo xtask docs [--check]
       write docs/rules (with docs/rules-shares.tsv), docs/portability.md and the JSON Schemas in schemas; with --check only
       compare
+  cargo xtask interface [--check]
+      write tests/interface.txt, the public items of `objdict` and `objdict-device` with their signatures; with --check only
+      compare (only with the compiler that xtask/src/interface.rs names, which writes the JSON that it reads)
   cargo xtask profiles [--check]
       write the constants of the profiles that come with the program from their TOML (crates/objdict-profile); with
       --check only compare
@@ -75,6 +79,8 @@ fn main() -> ExitCode {
     let arguments: Vec<String> = std::env::args().skip(1).collect();
     let arguments: Vec<&str> = arguments.iter().map(String::as_str).collect();
     let result = match arguments[..] {
+        // cargo calls this program as rustdoc
+        _ if std::env::var_os(interface::RUSTDOC).is_some() => interface::rustdoc(&arguments),
         ["corpus", folder] => corpus::run(Path::new(folder), false, None),
         ["corpus", folder, "--generate"] => corpus::run(Path::new(folder), true, None),
         ["corpus", folder, "--shares", file] => corpus::run(Path::new(folder), false, Some(Path::new(file))),
@@ -98,6 +104,8 @@ fn main() -> ExitCode {
         }
         ["docs"] => docs::run(false).and_then(|()| schemas::run(false)),
         ["docs", "--check"] => docs::run(true).and_then(|()| schemas::run(true)),
+        ["interface"] => interface::run(false),
+        ["interface", "--check"] => interface::run(true),
         ["profiles"] => profiles::run(false),
         ["profiles", "--check"] => profiles::run(true),
         ["xsd", folder] => write_schemas(Path::new(folder)),
