@@ -3,12 +3,12 @@
 use std::collections::BTreeMap;
 use std::path::Path;
 
-use lsp_types::{CodeAction, CodeActionKind, CodeActionOrCommand};
 use serde::{Deserialize, Serialize};
 
 use super::beside::{self, Target};
 use super::diagnostics::Maker;
 use super::file::File;
+use super::protocol::{CodeAction, FIX_ALL, QUICKFIX, REFACTOR, WorkspaceEdit};
 use super::workspace::Workspace;
 use super::{baseline, documentation, edits};
 use crate::check::insertion;
@@ -22,7 +22,7 @@ use crate::source::{SourceFile, Span};
 const MAX_TRIED: usize = 20;
 
 /// Fixes of all findings, which an editor does not make when a file is saved.
-pub(super) const FIX_ALL_UNSAFE: CodeActionKind = CodeActionKind::new("source.fixAllUnsafe");
+pub(super) const FIX_ALL_UNSAFE: &str = "source.fixAllUnsafe";
 
 /// Which findings an action fixes that is made when the user chooses it.
 #[derive(Clone, Debug, Serialize, Deserialize)]
@@ -63,32 +63,31 @@ pub(super) fn actions(
     file: &File,
     workspace: &Workspace,
     span: Span,
-    only: Option<&[CodeActionKind]>,
-) -> Vec<CodeActionOrCommand> {
+    only: Option<&[String]>,
+) -> Vec<CodeAction> {
     // `source` asks for `source.fixAll`, which does not ask for `source.fixAllUnsafe`
-    let is_in = |kind: &CodeActionKind, asked: &CodeActionKind| {
-        let rest = kind.as_str().strip_prefix(asked.as_str());
+    let is_in = |kind: &str, asked: &String| {
+        let rest = kind.strip_prefix(asked.as_str());
         rest.is_some_and(|rest| rest.is_empty() || rest.starts_with('.'))
     };
-    let is_asked =
-        |kind: &CodeActionKind| only.is_none_or(|only| only.iter().any(|asked| is_in(kind, asked)));
+    let is_asked = |kind: &str| only.is_none_or(|only| only.iter().any(|asked| is_in(kind, asked)));
     let mut actions = Vec::new();
-    if is_asked(&CodeActionKind::QUICKFIX) {
+    if is_asked(QUICKFIX) {
         actions.extend(quick_fixes(file, span));
         actions.extend(known(file, workspace, span));
     }
-    let Some(description) = file.description() else { return shown(actions) };
+    let Some(description) = file.description() else { return actions };
     let has_fix = file.analysis.findings.iter().flatten().any(|finding| finding.fix.is_some());
     for (title, fixes, kind) in [
-        ("fix all findings that have a safe fix", Fixes::Safe, CodeActionKind::SOURCE_FIX_ALL),
+        ("fix all findings that have a safe fix", Fixes::Safe, FIX_ALL),
         ("fix all findings, also with unsafe fixes", Fixes::Unsafe, FIX_ALL_UNSAFE),
     ] {
-        if has_fix && is_asked(&kind) {
+        if has_fix && is_asked(kind) {
             actions.push(later(file, title, Work::Fix(fixes), kind));
         }
     }
-    if is_asked(&CodeActionKind::REFACTOR) {
-        let refactor = |title: &str, work| later(file, title, work, CodeActionKind::REFACTOR);
+    if is_asked(REFACTOR) {
+        let refactor = |title: &str, work| later(file, title, work, REFACTOR);
         actions.extend(edits::refactorings(file, description, span.start));
         let storage = edits::storage(file, description, span.start);
         actions.extend(storage.map(|(index, title)| refactor(&title, Work::Store(index))));
@@ -100,21 +99,17 @@ pub(super) fn actions(
             }
         }
     }
-    if workspace.client.shows_documents && is_asked(&documentation::kind()) {
+    if workspace.client.shows_documents && is_asked(documentation::KIND) {
         actions.push(documentation::action(file));
     }
-    shown(actions)
-}
-
-fn shown(actions: Vec<CodeAction>) -> Vec<CodeActionOrCommand> {
-    actions.into_iter().map(CodeActionOrCommand::CodeAction).collect()
+    actions
 }
 
 /// An action whose edits are made when it is chosen.
-fn later(file: &File, title: &str, work: Work, kind: CodeActionKind) -> CodeAction {
-    let wanted = Wanted { uri: file.uri.as_str().to_owned(), work };
+fn later(file: &File, title: &str, work: Work, kind: &'static str) -> CodeAction {
+    let wanted = Wanted { uri: file.uri.clone(), work };
     let data = serde_json::to_value(wanted).ok();
-    CodeAction { title: title.to_owned(), kind: Some(kind), data, ..CodeAction::default() }
+    CodeAction { title: title.to_owned(), kind, data, ..CodeAction::default() }
 }
 
 /// Adding the findings of a range to the baseline, if there is one.
@@ -132,7 +127,7 @@ fn known(file: &File, workspace: &Workspace, span: Span) -> Vec<CodeAction> {
     rules.dedup();
     let action = |rule: &str| {
         let title = format!("add the findings of {rule} in this file to `{}`", name.to_string_lossy());
-        later(file, &title, Work::AddToBaseline(rule.to_owned()), CodeActionKind::QUICKFIX)
+        later(file, &title, Work::AddToBaseline(rule.to_owned()), QUICKFIX)
     };
     rules.into_iter().map(action).collect()
 }
@@ -173,7 +168,7 @@ fn of_finding(
     let rule = finding.rule.id;
     let quick = |title: String, edits: Vec<(Span, String)>| CodeAction {
         title,
-        kind: Some(CodeActionKind::QUICKFIX),
+        kind: QUICKFIX,
         diagnostics: Some(vec![made.clone()]),
         edit: Some(file.workspace_edit(file.edits(edits))),
         ..CodeAction::default()
@@ -194,7 +189,7 @@ fn of_finding(
         let title = format!("fix all findings of {rule}{}", note(safety(finding.rule)));
         if actions.iter().all(|action| action.title != title) {
             let work = Work::Fix(Fixes::OfRule(rule.to_owned()));
-            let fix_rule = later(file, &title, work, CodeActionKind::QUICKFIX);
+            let fix_rule = later(file, &title, work, QUICKFIX);
             actions.push(CodeAction { diagnostics: Some(vec![made.clone()]), ..fix_rule });
         }
     }
@@ -266,13 +261,8 @@ fn meant(file: &File, finding: &diagnostic::Diagnostic, at: Span) -> Option<Stri
 }
 
 /// The edits of an action that was chosen.
-pub(super) fn resolve(
-    file: &File,
-    workspace: &mut Workspace,
-    mut action: CodeAction,
-    wanted: &Wanted,
-) -> CodeAction {
-    let edit = match &wanted.work {
+pub(super) fn resolve(file: &File, workspace: &mut Workspace, wanted: &Wanted) -> Option<WorkspaceEdit> {
+    match &wanted.work {
         Work::Fix(fixes) => workspace.reading(|| {
             let text = file.description().and_then(|_| text_after(file, fixes))?;
             Some(file.workspace_edit(file.edits_to(&text)))
@@ -281,9 +271,7 @@ pub(super) fn resolve(
         Work::Convert(target) => workspace.reading(|| target.edit(file)),
         Work::AddNode => beside::add_node(file, workspace),
         Work::AddToBaseline(rule) => baseline::addition(file, workspace, rule),
-    };
-    action.edit = edit.or(action.edit);
-    action
+    }
 }
 
 /// The text after fixes.

@@ -1,20 +1,14 @@
 //! Which function answers which request.
 
 use lsp_server::{Request, Response};
-use lsp_types::request::{
-    CodeActionRequest, CodeActionResolveRequest, CodeLensRequest, Completion, DocumentLinkRequest,
-    DocumentSymbolRequest, ExecuteCommand, FoldingRangeRequest, Formatting, GotoDefinition, HoverRequest,
-    InlayHintRequest, PrepareRenameRequest, References, Rename, ResolveCompletionItem, SelectionRangeRequest,
-    SemanticTokensFullRequest, WorkspaceSymbolRequest,
-};
-use lsp_types::{
-    CodeActionParams, CompletionResponse, DocumentSymbolResponse, SemanticTokensResult,
-    TextDocumentPositionParams, Uri, WorkspaceSymbolResponse,
-};
-use serde_json::Value;
+use serde::de::DeserializeOwned;
+use serde_json::{Map, Value, json};
 
 use super::call::Call;
 use super::file::File;
+use super::protocol::{
+    AtPosition, AtPositions, CommandCall, InContext, InFile, InRange, NewName, Position, Query, TextDocument,
+};
 use super::workspace::Workspace;
 use super::{
     actions, completion, documentation, edits, hints, hover, navigation, rename, sections, symbols, tokens,
@@ -32,120 +26,116 @@ pub(super) fn answer(workspace: &mut Workspace, request: Request) -> Option<Resp
 }
 
 /// A file and the offset in it that a request is about.
-fn at(workspace: &mut Workspace, params: &TextDocumentPositionParams) -> Option<(File, u32)> {
-    let file = workspace.file(&params.text_document.uri)?;
-    let offset = file.offset(params.position);
+fn at(workspace: &mut Workspace, document: &TextDocument, position: Position) -> Option<(File, u32)> {
+    let file = workspace.file(&document.uri)?;
+    let offset = file.offset(position);
     Some((file, offset))
 }
 
 fn about_places(workspace: &mut Workspace, call: Call) -> Call {
-    call.on::<HoverRequest>(|params| {
-        let (file, offset) = at(workspace, &params.text_document_position_params)?;
+    call.on("textDocument/hover", |params: AtPosition| {
+        let (file, offset) = at(workspace, &params.text_document, params.position)?;
         hover::hover(&file, offset)
     })
-    .on::<Completion>(|params| {
-        let (file, offset) = at(workspace, &params.text_document_position)?;
+    .on("textDocument/completion", |params: AtPosition| {
+        let (file, offset) = at(workspace, &params.text_document, params.position)?;
         let expands_snippets = workspace.client.expands_snippets;
-        let items = workspace.reading(|| completion::completion(&file, offset, expands_snippets));
-        Some(CompletionResponse::Array(items))
+        Some(workspace.reading(|| completion::completion(&file, offset, expands_snippets)))
     })
-    .on::<ResolveCompletionItem>(|mut item| {
-        let wanted = item.data.clone().and_then(|data| serde_json::from_value::<sections::Wanted>(data).ok());
-        if let Some(wanted) = wanted
-            && let Some(file) = file_of(workspace, &wanted.uri)
-        {
-            item.additional_text_edits = sections::resolve(&file, &wanted);
-        }
+    .on("completionItem/resolve", |mut item: Sent| {
+        let edits = wanted::<sections::Wanted>(&item).and_then(|wanted| {
+            let file = workspace.file(&wanted.uri)?;
+            sections::resolve(&file, &wanted)
+        });
+        item.extend(edits.map(|edits| ("additionalTextEdits".to_owned(), json!(edits))));
         item
     })
-    .on::<GotoDefinition>(|params| {
-        let (file, offset) = at(workspace, &params.text_document_position_params)?;
+    .on("textDocument/definition", |params: AtPosition| {
+        let (file, offset) = at(workspace, &params.text_document, params.position)?;
         navigation::definition(&file, offset)
     })
-    .on::<References>(|params| {
-        let (file, offset) = at(workspace, &params.text_document_position)?;
+    .on("textDocument/references", |params: AtPosition| {
+        let (file, offset) = at(workspace, &params.text_document, params.position)?;
         Some(navigation::references(&file, workspace, offset))
     })
-    .try_on::<PrepareRenameRequest>(|params| {
-        let (file, offset) = at(workspace, &params).ok_or_else(|| NOT_OPEN.to_owned())?;
-        rename::prepare(&file, offset).map(Some)
+    .try_on("textDocument/prepareRename", |params: AtPosition| {
+        let at = at(workspace, &params.text_document, params.position);
+        let (file, offset) = at.ok_or_else(|| NOT_OPEN.to_owned())?;
+        rename::prepare(&file, offset)
     })
-    .on::<SelectionRangeRequest>(|params| {
+    .on("textDocument/selectionRange", |params: AtPositions| {
         let file = workspace.file(&params.text_document.uri)?;
-        Some(params.positions.into_iter().map(|position| symbols::around(&file, position)).collect())
+        Some(
+            params.positions.into_iter().map(|position| symbols::around(&file, position)).collect::<Vec<_>>(),
+        )
     })
-    .on::<InlayHintRequest>(|params| {
+    .on("textDocument/inlayHint", |params: InRange| {
         let file = workspace.file(&params.text_document.uri)?;
         Some(hints::hints(&file, params.range))
     })
 }
 
 fn about_files(workspace: &mut Workspace, call: Call) -> Call {
-    call.on::<DocumentSymbolRequest>(|params| {
-        let file = workspace.file(&params.text_document.uri)?;
-        Some(DocumentSymbolResponse::Nested(symbols::outline(&file)))
+    call.on("textDocument/documentSymbol", |params: InFile| {
+        Some(symbols::outline(&workspace.file(&params.text_document.uri)?))
     })
-    .on::<FoldingRangeRequest>(|params| {
-        let file = workspace.file(&params.text_document.uri)?;
-        Some(symbols::folds(&file))
+    .on("textDocument/foldingRange", |params: InFile| {
+        Some(symbols::folds(&workspace.file(&params.text_document.uri)?))
     })
-    .on::<DocumentLinkRequest>(|params| {
+    .on("textDocument/documentLink", |params: InFile| {
         let file = workspace.file(&params.text_document.uri)?;
         Some(workspace.reading(|| navigation::links(&file)))
     })
-    .on::<CodeLensRequest>(|params| {
-        let file = workspace.file(&params.text_document.uri)?;
-        Some(hints::lenses(&file))
+    .on("textDocument/codeLens", |params: InFile| {
+        Some(hints::lenses(&workspace.file(&params.text_document.uri)?))
     })
-    .on::<SemanticTokensFullRequest>(|params| {
-        let file = workspace.file(&params.text_document.uri)?;
-        tokens::tokens(&file).map(SemanticTokensResult::Tokens)
+    .on("textDocument/semanticTokens/full", |params: InFile| {
+        tokens::tokens(&workspace.file(&params.text_document.uri)?)
     })
-    .on::<WorkspaceSymbolRequest>(|params| {
+    .on("workspace/symbol", |params: Query| {
         let files = workspace.descriptions();
-        let found = files.iter().flat_map(|file| symbols::found(file, &params.query));
-        Some(WorkspaceSymbolResponse::Flat(found.collect()))
+        files.iter().flat_map(|file| symbols::found(file, &params.query)).collect::<Vec<_>>()
     })
 }
 
 fn with_edits(workspace: &mut Workspace, call: Call) -> Call {
-    call.on::<Formatting>(|params| {
-        let file = workspace.file(&params.text_document.uri)?;
-        edits::formatted(&file)
+    call.on("textDocument/formatting", |params: InFile| {
+        edits::formatted(&workspace.file(&params.text_document.uri)?)
     })
-    .try_on::<Rename>(|params| {
-        let (file, offset) =
-            at(workspace, &params.text_document_position).ok_or_else(|| NOT_OPEN.to_owned())?;
-        rename::rename(&file, workspace, offset, &params.new_name).map(Some)
+    .try_on("textDocument/rename", |params: NewName| {
+        let at = at(workspace, &params.text_document, params.position);
+        let (file, offset) = at.ok_or_else(|| NOT_OPEN.to_owned())?;
+        rename::rename(&file, workspace, offset, &params.new_name)
     })
-    .try_on::<ExecuteCommand>(|params| {
-        let uri = params.arguments.first().and_then(Value::as_str).unwrap_or_default();
-        let file = file_of(workspace, uri).ok_or_else(|| NOT_OPEN.to_owned())?;
+    .try_on("workspace/executeCommand", |params: CommandCall| {
+        let uri = params.arguments.as_ref().and_then(|arguments| arguments.first()?.as_str());
+        let file = workspace.file(uri.unwrap_or_default()).ok_or_else(|| NOT_OPEN.to_owned())?;
         match &*params.command {
-            documentation::PAGE => documentation::page(&file).map(|page| Some(Value::from(page))),
+            documentation::PAGE => documentation::page(&file).map(Some),
             documentation::SHOW => documentation::show(&file, workspace).map(|()| None),
             other => Err(format!("there is no command `{other}`")),
         }
     })
-    .on::<CodeActionRequest>(|params| {
-        let CodeActionParams { text_document, range, context, .. } = params;
-        let file = workspace.file(&text_document.uri)?;
-        let span = file.positions().span(range);
-        Some(workspace.reading(|| actions::actions(&file, workspace, span, context.only.as_deref())))
+    .on("textDocument/codeAction", |params: InContext| {
+        let file = workspace.file(&params.text_document.uri)?;
+        let span = file.positions().span(params.range);
+        let only = params.context.only.as_deref();
+        Some(workspace.reading(|| actions::actions(&file, workspace, span, only)))
     })
-    .on::<CodeActionResolveRequest>(|action| {
-        let wanted =
-            action.data.clone().and_then(|data| serde_json::from_value::<actions::Wanted>(data).ok());
-        let Some(wanted) = wanted else { return action };
-        match file_of(workspace, &wanted.uri) {
-            Some(file) => actions::resolve(&file, workspace, action, &wanted),
-            None => action,
-        }
+    .on("codeAction/resolve", |mut action: Sent| {
+        let edit = wanted::<actions::Wanted>(&action).and_then(|wanted| {
+            let file = workspace.file(&wanted.uri)?;
+            actions::resolve(&file, workspace, &wanted)
+        });
+        action.extend(edit.map(|edit| ("edit".to_owned(), json!(edit))));
+        action
     })
 }
 
-/// A file by its address in the data of an item.
-fn file_of(workspace: &mut Workspace, uri: &str) -> Option<File> {
-    let uri: Uri = uri.parse().ok()?;
-    workspace.file(&uri)
+/// An item that the server sent before, and completes when the user chooses it.
+type Sent = Map<String, Value>;
+
+/// What the server needs to complete an item.
+fn wanted<T: DeserializeOwned>(item: &Sent) -> Option<T> {
+    serde_json::from_value(item.get("data")?.clone()).ok()
 }

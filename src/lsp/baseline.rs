@@ -3,11 +3,10 @@
 use std::io::ErrorKind;
 use std::path::Path;
 
-use lsp_types::WorkspaceEdit;
-
 use super::analysis::{Analysis, ReadProblem};
 use super::beside::created;
 use super::file::File;
+use super::protocol::WorkspaceEdit;
 use super::uri::of_path;
 use super::workspace::Workspace;
 use crate::baseline::{Baseline, MAX_SIZE, name_in};

@@ -3,13 +3,11 @@
 use std::fmt::Write as _;
 use std::path::{Path, PathBuf};
 
-use lsp_types::{
-    CreateFile, CreateFileOptions, DocumentChangeOperation, DocumentChanges, OneOf,
-    OptionalVersionedTextDocumentIdentifier, ResourceOp, TextDocumentEdit, TextEdit, Uri, WorkspaceEdit,
-};
 use serde::{Deserialize, Serialize};
+use serde_json::json;
 
 use super::file::File;
+use super::protocol::{TextEdit, WorkspaceEdit};
 use super::uri::of_path;
 use super::workspace::Workspace;
 use crate::diagnostic::Severity;
@@ -74,20 +72,13 @@ impl Target {
 /// The edit that creates a file; it fails in the editor where the file is there.
 pub(super) fn created(path: &Path, text: &str) -> Option<WorkspaceEdit> {
     let uri = of_path(path)?;
-    let options = CreateFileOptions { overwrite: Some(false), ignore_if_exists: Some(false) };
-    let create = CreateFile { uri: uri.clone(), options: Some(options), annotation_id: None };
     let edit = TextEdit { new_text: text.to_owned(), ..TextEdit::default() };
-    let operations = vec![
-        DocumentChangeOperation::Op(ResourceOp::Create(create)),
-        DocumentChangeOperation::Edit(edits_of(uri, vec![edit])),
-    ];
-    let document_changes = Some(DocumentChanges::Operations(operations));
-    Some(WorkspaceEdit { document_changes, ..WorkspaceEdit::default() })
-}
-
-fn edits_of(uri: Uri, edits: Vec<TextEdit>) -> TextDocumentEdit {
-    let text_document = OptionalVersionedTextDocumentIdentifier { uri, version: None };
-    TextDocumentEdit { text_document, edits: edits.into_iter().map(OneOf::Left).collect() }
+    let options = json!({ "overwrite": false, "ignoreIfExists": false });
+    let document_changes = json!([
+        { "kind": "create", "uri": uri, "options": options },
+        { "textDocument": { "uri": uri, "version": null }, "edits": [edit] },
+    ]);
+    Some(WorkspaceEdit { document_changes: Some(document_changes), ..WorkspaceEdit::default() })
 }
 
 /// Whether a description is that of a node which a network can have.

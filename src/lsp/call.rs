@@ -1,6 +1,8 @@
 //! A request, and the one answer that it gets.
 
 use lsp_server::{ErrorCode, Request, Response};
+use serde::Serialize;
+use serde::de::DeserializeOwned;
 
 /// A request that is answered by the first handler of its method.
 pub(super) struct Call {
@@ -14,19 +16,21 @@ impl Call {
     }
 
     /// Answers the request if it is of this method.
-    pub(super) fn on<R: lsp_types::request::Request>(
+    pub(super) fn on<P: DeserializeOwned, R: Serialize>(
         self,
-        answer: impl FnOnce(R::Params) -> R::Result,
+        method: &str,
+        answer: impl FnOnce(P) -> R,
     ) -> Self {
-        self.try_on::<R>(|params| Ok(answer(params)))
+        self.try_on(method, |params| Ok(answer(params)))
     }
 
     /// The same where the answer may be an error, in words for the user.
-    pub(super) fn try_on<R: lsp_types::request::Request>(
+    pub(super) fn try_on<P: DeserializeOwned, R: Serialize>(
         mut self,
-        answer: impl FnOnce(R::Params) -> Result<R::Result, String>,
+        method: &str,
+        answer: impl FnOnce(P) -> Result<R, String>,
     ) -> Self {
-        if let Some(request) = self.request.take_if(|request| request.method == R::METHOD) {
+        if let Some(request) = self.request.take_if(|request| request.method == method) {
             let (id, failed) = (request.id, |id, code, text| Response::new_err(id, code as i32, text));
             self.response = Some(match serde_json::from_value(request.params).map(answer) {
                 Ok(Ok(result)) => Response::new_ok(id, result),

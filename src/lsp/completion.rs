@@ -1,8 +1,7 @@
 //! What can be written at the cursor.
 
-use lsp_types::{CompletionItem, CompletionItemKind, CompletionTextEdit, TextEdit};
-
 use super::file::File;
+use super::protocol::{CompletionItem, CompletionItemKind, TextEdit};
 use super::sections::Sections;
 use super::{keyed, markup, words};
 use crate::format::Description;
@@ -80,12 +79,7 @@ pub(super) fn item(
     kind: CompletionItemKind,
 ) -> CompletionItem {
     let edit = TextEdit { range: file.positions().range(span), new_text };
-    CompletionItem {
-        label: label.to_owned(),
-        kind: Some(kind),
-        text_edit: Some(CompletionTextEdit::Edit(edit)),
-        ..CompletionItem::default()
-    }
+    CompletionItem { label: label.to_owned(), kind, text_edit: Some(edit), ..CompletionItem::default() }
 }
 
 struct Completer<'a> {

@@ -1,14 +1,8 @@
 //! Findings as diagnostics of the protocol.
 
-use std::str::FromStr;
-
-use lsp_types::{
-    CodeDescription, Diagnostic, DiagnosticRelatedInformation, DiagnosticSeverity, Location, NumberOrString,
-    Range, Uri,
-};
-
 use super::analysis::{Analysis, ReadProblem};
 use super::position::{ColumnUnit, Positions};
+use super::protocol::{CodeDescription, Diagnostic, Location, Range, RelatedInformation};
 use super::uri::of_path;
 use crate::diagnostic::{self, Severity, SourceLabel, Text};
 use crate::report::{Subject, grouped};
@@ -21,7 +15,7 @@ const SOURCE: &str = "objdict";
 const MAX_RELATED: usize = 50;
 
 /// The diagnostics of a file, in the order of its text; those of the devices of a file one after the other.
-pub(super) fn of(analysis: &Analysis, uri: &Uri, unit: ColumnUnit) -> Vec<Diagnostic> {
+pub(super) fn of(analysis: &Analysis, uri: &str, unit: ColumnUnit) -> Vec<Diagnostic> {
     let maker = Maker { subject: analysis.subject(), uri, unit };
     let mut made: Vec<Diagnostic> = analysis.errors.iter().map(|problem| maker.of_problem(problem)).collect();
     let of_devices = analysis.map_subjects(|subject, findings| {
@@ -36,7 +30,7 @@ pub(super) fn of(analysis: &Analysis, uri: &Uri, unit: ColumnUnit) -> Vec<Diagno
 /// Makes diagnostics of one file.
 pub(super) struct Maker<'a> {
     pub(super) subject: Subject<'a>,
-    pub(super) uri: &'a Uri,
+    pub(super) uri: &'a str,
     pub(super) unit: ColumnUnit,
 }
 
@@ -45,8 +39,8 @@ impl Maker<'_> {
         let positions = Positions::new(self.subject.source(), self.unit);
         Diagnostic {
             range: positions.range(problem.span),
-            severity: Some(DiagnosticSeverity::ERROR),
-            source: Some(SOURCE.to_owned()),
+            severity: number(Severity::Error),
+            source: SOURCE,
             message: with_help(problem.message.clone(), problem.help.as_deref()),
             ..Diagnostic::default()
         }
@@ -61,17 +55,12 @@ impl Maker<'_> {
         let help = finding.help.as_ref().map(Text::shown);
         Diagnostic {
             range: self.range_of(finding),
-            severity: Some(severity(finding.severity)),
-            code: Some(NumberOrString::String(finding.rule.id.to_owned())),
-            code_description: finding
-                .rule
-                .address()
-                .and_then(|address| Uri::from_str(&address).ok())
-                .map(|href| CodeDescription { href }),
-            source: Some(SOURCE.to_owned()),
+            severity: number(finding.severity),
+            code: Some(finding.rule.id),
+            code_description: finding.rule.address().map(|href| CodeDescription { href }),
+            source: SOURCE,
             message: with_help(finding.message.shown().into_owned(), help.as_deref()),
             related_information: (!related.is_empty()).then_some(related),
-            ..Diagnostic::default()
         }
     }
 
@@ -88,22 +77,20 @@ impl Maker<'_> {
         (of_label.source(), positions.range(self.subject.span_of(&label.at)))
     }
 
-    fn related(&self, label: &SourceLabel, text: &Text) -> Option<DiagnosticRelatedInformation> {
+    fn related(&self, label: &SourceLabel, text: &Text) -> Option<RelatedInformation> {
         let (source, range) = self.located(label);
         let is_own = std::ptr::eq(source, self.subject.source());
-        let uri = if is_own { self.uri.clone() } else { of_path(source.name().as_ref())? };
-        Some(DiagnosticRelatedInformation {
-            location: Location { uri, range },
-            message: text.shown().into_owned(),
-        })
+        let uri = if is_own { self.uri.to_owned() } else { of_path(source.name().as_ref())? };
+        Some(RelatedInformation { location: Location { uri, range }, message: text.shown().into_owned() })
     }
 }
 
-fn severity(severity: Severity) -> DiagnosticSeverity {
+/// The number of a severity in the protocol.
+const fn number(severity: Severity) -> u8 {
     match severity {
-        Severity::Error => DiagnosticSeverity::ERROR,
-        Severity::Warning => DiagnosticSeverity::WARNING,
-        Severity::Note => DiagnosticSeverity::INFORMATION,
+        Severity::Error => 1,
+        Severity::Warning => 2,
+        Severity::Note => 3,
     }
 }
 

@@ -3,11 +3,10 @@
 use std::path::PathBuf;
 
 use lsp_server::{Request, RequestId};
-use lsp_types::request::{Request as _, ShowDocument};
-use lsp_types::{CodeAction, CodeActionKind, Command, ShowDocumentParams};
 use serde_json::json;
 
 use super::file::File;
+use super::protocol::{CodeAction, Command};
 use super::uri::of_path;
 use super::workspace::Workspace;
 use crate::document::{Finding, Form, Identifiers, Options, Subject, write};
@@ -19,15 +18,14 @@ pub(super) const PAGE: &str = "objdict.documentation";
 /// The command that shows the page in the browser.
 pub(super) const SHOW: &str = "objdict.showDocumentation";
 
-pub(super) fn kind() -> CodeActionKind {
-    CodeActionKind::new("source.documentation")
-}
+/// The kind of the action that shows the page.
+pub(super) const KIND: &str = "source.documentation";
 
 pub(super) fn action(file: &File) -> CodeAction {
     let title = "show the documentation".to_owned();
-    let arguments = Some(vec![json!(file.uri.as_str())]);
-    let command = Some(Command { title: title.clone(), command: SHOW.to_owned(), arguments });
-    CodeAction { title, kind: Some(kind()), command, ..CodeAction::default() }
+    let arguments = Some(json!([file.uri]));
+    let command = Some(Command { title: title.clone(), command: SHOW, arguments });
+    CodeAction { title, kind: KIND, command, ..CodeAction::default() }
 }
 
 /// The page of a description, with its findings.
@@ -62,9 +60,9 @@ pub(super) fn show(file: &File, workspace: &mut Workspace) -> Result<(), String>
     let path = folder.join(format!("{}.html", file.name()));
     std::fs::write(&path, page).map_err(failed)?;
     let uri = of_path(&path).ok_or("cannot name the page")?;
-    let params = ShowDocumentParams { uri, external: Some(true), take_focus: None, selection: None };
+    let params = json!({ "uri": uri, "external": true });
     let id = RequestId::from("show".to_owned());
-    workspace.requests.push(Request::new(id, ShowDocument::METHOD.to_owned(), params));
+    workspace.requests.push(Request::new(id, "window/showDocument".to_owned(), params));
     Ok(())
 }
 

@@ -1,8 +1,7 @@
 //! Changes of a description that fix nothing: order and spelling, and new parts.
 
-use lsp_types::{CodeAction, CodeActionKind, TextEdit};
-
 use super::file::File;
+use super::protocol::{CodeAction, REFACTOR, TextEdit};
 use crate::diagnostic::{Change, Fix};
 use crate::format::{self, Description, eds};
 use crate::model::{
@@ -44,7 +43,7 @@ pub(super) fn refactorings(file: &File, description: &Description, offset: u32) 
         let edits = file.edits(description.edits(&fix)?);
         Some(CodeAction {
             title: fix.title.shown().into_owned(),
-            kind: Some(CodeActionKind::REFACTOR),
+            kind: REFACTOR,
             edit: Some(file.workspace_edit(edits)),
             ..CodeAction::default()
         })

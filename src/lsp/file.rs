@@ -2,10 +2,9 @@
 
 use std::rc::Rc;
 
-use lsp_types::{Position, TextEdit, Uri, WorkspaceEdit};
-
 use super::analysis::Analysis;
 use super::position::{ColumnUnit, Positions};
+use super::protocol::{Position, TextEdit, Uri, WorkspaceEdit};
 use crate::diagnostic::At;
 use crate::format::Description;
 use crate::line_diff::changes;

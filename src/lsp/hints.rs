@@ -1,9 +1,8 @@
 //! What is shown beside the text: names of mapped objects, COB-IDs of the node, bits of PDOs.
 
-use lsp_types::{CodeLens, Command, InlayHint, InlayHintLabel, Range};
-
 use super::file::File;
 use super::mentions::mentions;
+use super::protocol::{CodeLens, Command, InlayHint, Range};
 use super::words;
 use crate::describe::Decoder;
 use crate::format::Description;
@@ -34,16 +33,7 @@ pub(super) fn hints(file: &File, range: Range) -> Vec<InlayHint> {
 }
 
 fn hint(file: &File, span: Span, text: String) -> InlayHint {
-    InlayHint {
-        position: file.positions().of(span.end),
-        label: InlayHintLabel::String(text),
-        kind: None,
-        text_edits: None,
-        tooltip: None,
-        padding_left: Some(true),
-        padding_right: None,
-        data: None,
-    }
+    InlayHint { position: file.positions().of(span.end), label: text, padding_left: true }
 }
 
 /// The CAN-ID of a PDO whose COB-ID is a formula, or has flags.
@@ -72,8 +62,8 @@ pub(super) fn lenses(file: &File) -> Vec<CodeLens> {
     let device = description.device();
     let lens = |pdo: Pdo<'_>| {
         let span = description.locate(&Place::object(pdo.mapping_index()))?;
-        let command = Command { title: title(device, &pdo), command: String::new(), arguments: None };
-        Some(CodeLens { range: file.positions().range(span), command: Some(command), data: None })
+        let command = Command { title: title(device, &pdo), ..Command::default() };
+        Some(CodeLens { range: file.positions().range(span), command })
     };
     device.pdos().filter_map(lens).collect()
 }

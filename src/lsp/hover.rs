@@ -1,10 +1,9 @@
 //! What is under the cursor.
 
-use lsp_types::{Hover, HoverContents, MarkupContent, MarkupKind};
-
 use super::file::File;
 use super::mentions::mention_at;
 use super::network::node_mention_at;
+use super::protocol::{Hover, Markdown};
 use super::words;
 use crate::format::Description;
 use crate::format::mention::{Mention, MentionKind};
@@ -17,8 +16,7 @@ pub(super) fn hover(file: &File, offset: u32) -> Option<Hover> {
     let (span, text) = of_rule(file, offset)
         .or_else(|| of_description(file, offset))
         .or_else(|| of_network(file, offset))?;
-    let contents = HoverContents::Markup(MarkupContent { kind: MarkupKind::Markdown, value: text });
-    Some(Hover { contents, range: Some(file.positions().range(span)) })
+    Some(Hover { contents: Markdown::new(text), range: file.positions().range(span) })
 }
 
 /// The page of the rule whose id is under the cursor.

@@ -3,12 +3,12 @@
 use std::path::Path;
 use std::sync::LazyLock;
 
-use lsp_types::{CompletionItem, CompletionItemKind};
 use serde_json::{Value, json};
 
 use super::completion::item;
 use super::cursor::{Cursor, Spot};
 use super::file::File;
+use super::protocol::{CompletionItem, CompletionItemKind};
 use super::schema::Schema;
 use super::sections::{documented, missing};
 use super::words;

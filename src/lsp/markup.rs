@@ -1,9 +1,8 @@
 //! What can be written in XDD and XDC: the words that CiA 311 has for an attribute.
 
-use lsp_types::{CompletionItem, CompletionItemKind};
-
 use super::completion::item;
 use super::file::File;
+use super::protocol::{CompletionItem, CompletionItemKind};
 use crate::format::xdd::words_of;
 use crate::format::xml::Tree;
 use crate::model::DataType;

@@ -24,6 +24,7 @@ mod mentions;
 mod navigation;
 mod network;
 mod position;
+mod protocol;
 mod rename;
 mod schema;
 mod sections;

@@ -2,12 +2,11 @@
 
 use std::path::{Path, PathBuf};
 
-use lsp_types::{DocumentLink, GotoDefinitionResponse, Location, Range};
-
 use super::file::File;
 use super::mentions::{mention_at, mentions};
 use super::network::{named_files, node_mention_at, path_of_node};
 use super::position::Positions;
+use super::protocol::{DocumentLink, Location, Range};
 use super::uri::of_path;
 use super::workspace::Workspace;
 use crate::check::last_eds;
@@ -17,12 +16,11 @@ use crate::model::{Device, Field, Part, Place};
 use crate::source::{Span, absolute};
 
 /// Where what an offset names is described.
-pub(super) fn definition(file: &File, offset: u32) -> Option<GotoDefinitionResponse> {
-    let location = match file.description() {
-        Some(description) => in_description(file, description, offset)?,
-        None => in_network(file, offset)?,
-    };
-    Some(GotoDefinitionResponse::Scalar(location))
+pub(super) fn definition(file: &File, offset: u32) -> Option<Location> {
+    match file.description() {
+        Some(description) => in_description(file, description, offset),
+        None => in_network(file, offset),
+    }
 }
 
 fn in_description(file: &File, description: &Description, offset: u32) -> Option<Location> {
@@ -120,8 +118,6 @@ pub(super) fn links(file: &File) -> Vec<DocumentLink> {
     let link = |(span, path): (Span, PathBuf)| DocumentLink {
         range: file.positions().range(span),
         target: of_path(&path),
-        tooltip: None,
-        data: None,
     };
     found.into_iter().map(link).collect()
 }

@@ -1,7 +1,6 @@
 //! Lines and columns as editors count them: from 0, in units of UTF-16 or UTF-8.
 
-use lsp_types::{Position, PositionEncodingKind, Range, TextDocumentContentChangeEvent, TextEdit};
-
+use super::protocol::{ContentChange, Position, Range, TextEdit};
 use crate::source::{LineIndex, SourceFile, Span};
 
 /// The unit of columns.
@@ -15,8 +14,8 @@ pub(super) enum ColumnUnit {
 
 impl ColumnUnit {
     /// The first one of a client's list that is known.
-    pub(super) fn of(offered: &[PositionEncodingKind]) -> Self {
-        let known = offered.iter().find_map(|kind| match kind.as_str() {
+    pub(super) fn of<'a>(mut offered: impl Iterator<Item = &'a str>) -> Self {
+        let known = offered.find_map(|kind| match kind {
             "utf-8" => Some(Self::Utf8),
             "utf-16" => Some(Self::Utf16),
             _ => None,
@@ -24,10 +23,10 @@ impl ColumnUnit {
         known.unwrap_or_default()
     }
 
-    pub(super) fn kind(self) -> PositionEncodingKind {
+    pub(super) const fn name(self) -> &'static str {
         match self {
-            Self::Utf8 => PositionEncodingKind::UTF8,
-            Self::Utf16 => PositionEncodingKind::UTF16,
+            Self::Utf8 => "utf-8",
+            Self::Utf16 => "utf-16",
         }
     }
 
@@ -88,12 +87,12 @@ impl<'a> Positions<'a> {
     }
 
     pub(super) fn edit(&self, (span, text): (Span, String)) -> TextEdit {
-        TextEdit::new(self.range(span), text)
+        TextEdit { range: self.range(span), new_text: text }
     }
 }
 
 /// Makes a change that an editor sends: of a range, or of the whole text.
-pub(super) fn apply(text: &mut String, change: TextDocumentContentChangeEvent, unit: ColumnUnit) {
+pub(super) fn apply(text: &mut String, change: ContentChange, unit: ColumnUnit) {
     let Some(range) = change.range else {
         *text = change.text;
         return;
@@ -130,10 +129,7 @@ mod tests {
 
     #[test]
     fn the_first_known_unit_counts() {
-        let of = |kinds: &[&'static str]| {
-            let kinds: Vec<_> = kinds.iter().map(|kind| PositionEncodingKind::new(kind)).collect();
-            ColumnUnit::of(&kinds)
-        };
+        let of = |kinds: &[&'static str]| ColumnUnit::of(kinds.iter().copied());
         assert_eq!(of(&["utf-32", "utf-8", "utf-16"]), ColumnUnit::Utf8);
         assert_eq!(of(&["utf-16", "utf-8"]), ColumnUnit::Utf16);
         assert_eq!(of(&[]), ColumnUnit::Utf16);

@@ -3,11 +3,10 @@
 use std::collections::BTreeMap;
 use std::path::PathBuf;
 
-use lsp_types::{PrepareRenameResponse, WorkspaceEdit};
-
 use super::file::File;
 use super::mentions::mention_at;
 use super::network::{node_mention_at, path_of_node};
+use super::protocol::{Renamed, WorkspaceEdit};
 use super::workspace::Workspace;
 use crate::format::mention::{Digits, Mention, MentionKind};
 use crate::model::Device;
@@ -125,7 +124,7 @@ fn refusal(file: &File, target: &Target) -> Option<String> {
 ///
 /// # Errors
 /// When nothing with digits is there, or the file cannot be changed: why.
-pub(super) fn prepare(file: &File, offset: u32) -> Result<PrepareRenameResponse, String> {
+pub(super) fn prepare(file: &File, offset: u32) -> Result<Renamed, String> {
     let target = Target::at(file, offset)?;
     match refusal(file, &target) {
         Some(reason) => Err(reason),
@@ -135,7 +134,7 @@ pub(super) fn prepare(file: &File, offset: u32) -> Result<PrepareRenameResponse,
                 Some(sub) => format!("{sub:X}"),
                 None => format!("{:04X}", target.index),
             };
-            Ok(PrepareRenameResponse::RangeWithPlaceholder { range, placeholder })
+            Ok(Renamed { range, placeholder })
         }
     }
 }
@@ -169,9 +168,9 @@ pub(super) fn rename(
         if !workspace.reading(|| says_the_same(&other, &target, number, &edits)) {
             return Err(format!("`{}` would describe something else", other.name()));
         }
-        changes.insert(other.uri.as_str().to_owned(), (other.uri.clone(), other.edits(edits)));
+        changes.insert(other.uri.clone(), other.edits(edits));
     }
-    Ok(WorkspaceEdit::new(changes.into_values().collect()))
+    Ok(WorkspaceEdit::new(changes))
 }
 
 /// Whether a text mentions with its edits what it mentioned before, under the new number.

@@ -1,12 +1,10 @@
 //! Whole sections that are written at once: a device, objects of the documents, PDOs, and objects of the vendor.
 
-use lsp_types::{
-    CompletionItem, CompletionItemKind, Documentation, InsertTextFormat, MarkupContent, MarkupKind, TextEdit,
-};
 use serde::{Deserialize, Serialize};
 
 use super::completion::{item, mappable};
 use super::file::File;
+use super::protocol::{CompletionItem, CompletionItemKind, Markdown, SNIPPET, TextEdit};
 use super::words;
 use crate::diagnostic::{Change, Fix, section_name};
 use crate::format::eds::{self, additions};
@@ -39,11 +37,9 @@ pub(super) fn documented(
     index: u16,
     item: CompletionItem,
 ) -> CompletionItem {
-    let value = words::of_object(device, index, None);
-    let documentation = MarkupContent { kind: MarkupKind::Markdown, value };
     CompletionItem {
         detail: Some(document.document.to_string()),
-        documentation: Some(Documentation::MarkupContent(documentation)),
+        documentation: Some(Markdown::new(words::of_object(device, index, None))),
         ..item
     }
 }
@@ -188,7 +184,7 @@ impl Sections<'_> {
     ) -> Option<CompletionItem> {
         let indexes = objects.iter().map(|(index, _)| *index).collect();
         let text = sections_of(objects, self.line_end)?;
-        let wanted = Wanted { uri: self.file.uri.as_str().to_owned(), indexes };
+        let wanted = Wanted { uri: self.file.uri.clone(), indexes };
         let item = self.written(label, text, blanks, kind);
         Some(CompletionItem { data: serde_json::to_value(wanted).ok(), ..item })
     }
@@ -205,7 +201,7 @@ impl Sections<'_> {
         let text = if is_snippet { snippet(&text, blanks) } else { text };
         CompletionItem {
             filter_text: Some(label.to_owned()),
-            insert_text_format: is_snippet.then_some(InsertTextFormat::SNIPPET),
+            insert_text_format: is_snippet.then_some(SNIPPET),
             ..item(self.file, self.line, label, text, kind)
         }
     }

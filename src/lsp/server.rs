@@ -3,28 +3,25 @@
 use std::collections::VecDeque;
 
 use lsp_server::{Connection, ErrorCode, Message, Notification, ProtocolError, Request, RequestId, Response};
-use lsp_types::notification::{
-    Cancel, DidChangeTextDocument, DidChangeWatchedFiles, DidChangeWorkspaceFolders, DidCloseTextDocument,
-    DidOpenTextDocument, DidSaveTextDocument, Exit, Notification as _, PublishDiagnostics,
-};
-use lsp_types::request::{RegisterCapability, Request as _, Shutdown};
-use lsp_types::{
-    CancelParams, DidChangeWatchedFilesRegistrationOptions, FileSystemWatcher, GlobPattern, InitializeParams,
-    NumberOrString, PublishDiagnosticsParams, Registration, RegistrationParams, ResourceOperationKind,
-};
 use serde::de::DeserializeOwned;
-use serde_json::json;
+use serde_json::{Value, json};
 
 use super::answers::answer;
 use super::capabilities::capabilities;
 use super::diagnostics;
 use super::position::ColumnUnit;
+use super::protocol::{Diagnostic, DidChange, DidChangeFolders, DidOpen, InFile, WorkspaceFolder};
 use super::uri::path_of;
 use super::workspace::{ClientFeatures, Workspace};
 use crate::source::absolute;
 
 /// The files that findings depend on.
-const WATCHED: &str = "**/*.{eds,dcf,xdd,xdc,nxdd,nxdc,toml,yml,yaml,cpj,json}";
+const FILES: &str = "**/*.{eds,dcf,xdd,xdc,nxdd,nxdc,toml,yml,yaml,cpj,json}";
+
+/// Methods of messages without an answer.
+const CANCEL: &str = "$/cancelRequest";
+const CHANGED: &str = "textDocument/didChange";
+const WATCHED: &str = "workspace/didChangeWatchedFiles";
 
 /// Serves a client until it leaves.
 ///
@@ -32,20 +29,19 @@ const WATCHED: &str = "**/*.{eds,dcf,xdd,xdc,nxdd,nxdc,toml,yml,yaml,cpj,json}";
 /// When the client does not follow the protocol.
 pub fn serve(connection: &Connection) -> Result<(), ProtocolError> {
     let (id, params) = connection.initialize_start()?;
-    let params: InitializeParams = serde_json::from_value(params).unwrap_or_default();
     let mut workspace = Workspace::default();
     workspace.unit = unit_of(&params);
-    let folders = params.workspace_folders.iter().flatten();
-    workspace.folders = folders.filter_map(|folder| path_of(&folder.uri)).collect();
+    let folders = params["workspaceFolders"].as_array().into_iter().flatten();
+    workspace.folders = folders.filter_map(|folder| path_of(folder["uri"].as_str()?)).collect();
     workspace.client = features_of(&params);
-    let baseline = params.initialization_options.as_ref().and_then(|options| options["baseline"].as_str());
+    let baseline = params["initializationOptions"]["baseline"].as_str();
     workspace.baseline =
         baseline.zip(workspace.folders.first()).map(|(name, folder)| absolute(&folder.join(name)));
     let info = json!({ "name": "objdict", "version": env!("CARGO_PKG_VERSION") });
     let answer = json!({ "capabilities": capabilities(workspace.unit), "serverInfo": info });
     connection.initialize_finish(id, answer)?;
     let mut server = Server { connection, workspace, is_shut_down: false };
-    if can_watch(&params) {
+    if can(&params, "workspace/didChangeWatchedFiles/dynamicRegistration") {
         server.watch();
     }
     server.run();
@@ -56,33 +52,24 @@ pub fn serve(connection: &Connection) -> Result<(), ProtocolError> {
     Ok(())
 }
 
-fn unit_of(params: &InitializeParams) -> ColumnUnit {
-    let general = params.capabilities.general.as_ref();
-    let offered = general.and_then(|general| general.position_encodings.as_deref());
-    ColumnUnit::of(offered.unwrap_or_default())
+fn unit_of(params: &Value) -> ColumnUnit {
+    let offered = params["capabilities"]["general"]["positionEncodings"].as_array();
+    ColumnUnit::of(offered.into_iter().flatten().filter_map(Value::as_str))
 }
 
-fn features_of(params: &InitializeParams) -> ClientFeatures {
-    let workspace = params.capabilities.workspace.as_ref();
-    let edit = workspace.and_then(|workspace| workspace.workspace_edit.as_ref());
-    let operations = edit.and_then(|edit| edit.resource_operations.as_deref()).unwrap_or_default();
-    let has_documents = edit.is_some_and(|edit| edit.document_changes == Some(true));
-    let window = params.capabilities.window.as_ref();
-    let show = window.and_then(|window| window.show_document.as_ref());
-    let text = params.capabilities.text_document.as_ref();
-    let completion = text.and_then(|text| text.completion.as_ref());
-    let item = completion.and_then(|completion| completion.completion_item.as_ref());
+fn features_of(params: &Value) -> ClientFeatures {
+    let edit = &params["capabilities"]["workspace"]["workspaceEdit"];
+    let creates = edit["resourceOperations"].as_array().is_some_and(|kinds| kinds.contains(&json!("create")));
     ClientFeatures {
-        expands_snippets: item.is_some_and(|item| item.snippet_support == Some(true)),
-        creates_files: has_documents && operations.contains(&ResourceOperationKind::Create),
-        shows_documents: show.is_some_and(|show| show.support),
+        expands_snippets: can(params, "textDocument/completion/completionItem/snippetSupport"),
+        creates_files: creates && can(params, "workspace/workspaceEdit/documentChanges"),
+        shows_documents: can(params, "window/showDocument/support"),
     }
 }
 
-fn can_watch(params: &InitializeParams) -> bool {
-    let workspace = params.capabilities.workspace.as_ref();
-    let watching = workspace.and_then(|workspace| workspace.did_change_watched_files.as_ref());
-    watching.is_some_and(|watching| watching.dynamic_registration == Some(true))
+/// Whether a client has a capability.
+fn can(params: &Value, path: &str) -> bool {
+    params.pointer(&format!("/capabilities/{path}")) == Some(&Value::Bool(true))
 }
 
 struct Server<'a> {
@@ -102,7 +89,7 @@ impl Server<'_> {
             queue.extend(self.connection.receiver.try_iter());
             self.drop_cancelled(&mut queue);
             match queue.pop_front() {
-                Some(Message::Notification(note)) if note.method == Exit::METHOD => return,
+                Some(Message::Notification(note)) if note.method == "exit" => return,
                 Some(Message::Notification(note)) => self.take(note),
                 Some(Message::Request(request)) => self.answer(request),
                 Some(Message::Response(_)) | None => {}
@@ -117,12 +104,8 @@ impl Server<'_> {
     /// Answers the waiting requests that the client has cancelled.
     fn drop_cancelled(&self, queue: &mut VecDeque<Message>) {
         let id = |message: &Message| match message {
-            Message::Notification(note) if note.method == Cancel::METHOD => {
-                let params: CancelParams = serde_json::from_value(note.params.clone()).ok()?;
-                Some(match params.id {
-                    NumberOrString::Number(number) => RequestId::from(number),
-                    NumberOrString::String(text) => RequestId::from(text),
-                })
+            Message::Notification(note) if note.method == CANCEL => {
+                serde_json::from_value(note.params.get("id")?.clone()).ok()
             }
             _ => None,
         };
@@ -136,7 +119,7 @@ impl Server<'_> {
                 self.send(Response::new_err(request.id.clone(), code, "cancelled".to_owned()));
                 false
             }
-            Message::Notification(note) => note.method != Cancel::METHOD,
+            Message::Notification(note) => note.method != CANCEL,
             _ => true,
         });
     }
@@ -149,33 +132,31 @@ impl Server<'_> {
     /// Takes a message without an answer.
     fn take(&mut self, note: Notification) {
         match &*note.method {
-            DidOpenTextDocument::METHOD => {
-                if let Some(params) = read::<DidOpenTextDocument>(note) {
-                    let opened = params.text_document;
+            "textDocument/didOpen" => {
+                if let Some(DidOpen { text_document: opened }) = read(note) {
                     self.workspace.open(opened.uri, opened.version, opened.text);
                 }
             }
-            DidChangeTextDocument::METHOD => {
-                if let Some(params) = read::<DidChangeTextDocument>(note) {
-                    let changed = params.text_document;
-                    self.workspace.change(&changed.uri, changed.version, params.content_changes);
+            CHANGED => {
+                if let Some(DidChange { text_document: changed, content_changes }) = read(note) {
+                    self.workspace.change(&changed.uri, changed.version, content_changes);
                 }
             }
-            DidCloseTextDocument::METHOD => {
-                if let Some(params) = read::<DidCloseTextDocument>(note) {
-                    let uri = params.text_document.uri;
-                    self.workspace.close(&uri);
-                    self.notify::<PublishDiagnostics>(PublishDiagnosticsParams::new(uri, Vec::new(), None));
+            "textDocument/didClose" => {
+                if let Some(InFile { text_document: closed }) = read(note) {
+                    self.workspace.close(&closed.uri);
+                    self.show(&closed.uri, &[], None);
                 }
             }
-            DidChangeWatchedFiles::METHOD | DidSaveTextDocument::METHOD => self.workspace.forget_all(),
-            DidChangeWorkspaceFolders::METHOD => {
-                if let Some(params) = read::<DidChangeWorkspaceFolders>(note) {
-                    let removed: Vec<_> =
-                        params.event.removed.iter().filter_map(|folder| path_of(&folder.uri)).collect();
-                    let added = params.event.added.iter().filter_map(|folder| path_of(&folder.uri));
+            WATCHED | "textDocument/didSave" => self.workspace.forget_all(),
+            "workspace/didChangeWorkspaceFolders" => {
+                if let Some(DidChangeFolders { event }) = read(note) {
+                    let paths = |folders: &[WorkspaceFolder]| -> Vec<_> {
+                        folders.iter().filter_map(|folder| path_of(&folder.uri)).collect()
+                    };
+                    let removed = paths(&event.removed);
                     self.workspace.folders.retain(|folder| !removed.contains(folder));
-                    self.workspace.folders.extend(added);
+                    self.workspace.folders.extend(paths(&event.added));
                 }
             }
             _ => {}
@@ -183,7 +164,7 @@ impl Server<'_> {
     }
 
     fn answer(&mut self, request: Request) {
-        if request.method == Shutdown::METHOD {
+        if request.method == "shutdown" {
             self.is_shut_down = true;
             return self.send(Response::new_ok(request.id, ()));
         }
@@ -204,38 +185,34 @@ impl Server<'_> {
         for (path, uri, version) in self.workspace.unknown() {
             let Some(analysis) = self.workspace.analysis(&path) else { continue };
             let found = diagnostics::of(&analysis, &uri, self.workspace.unit);
-            self.notify::<PublishDiagnostics>(PublishDiagnosticsParams::new(uri, found, Some(version)));
+            self.show(&uri, &found, Some(version));
         }
     }
 
-    fn notify<N: lsp_types::notification::Notification>(&self, params: N::Params) {
-        self.send(Notification::new(N::METHOD.to_owned(), params));
+    /// Shows findings in a file, in place of those before.
+    fn show(&self, uri: &str, found: &[Diagnostic], version: Option<i32>) {
+        let mut params = json!({ "uri": uri, "diagnostics": found });
+        if let Some(version) = version {
+            params["version"] = json!(version);
+        }
+        self.send(Notification { method: "textDocument/publishDiagnostics".to_owned(), params });
     }
 
     /// Asks the client to say when files of the disk change.
     fn watch(&self) {
-        let watcher = FileSystemWatcher { glob_pattern: GlobPattern::String(WATCHED.to_owned()), kind: None };
-        let options = DidChangeWatchedFilesRegistrationOptions { watchers: vec![watcher] };
-        let registration = Registration {
-            id: "watched".to_owned(),
-            method: DidChangeWatchedFiles::METHOD.to_owned(),
-            register_options: serde_json::to_value(options).ok(),
-        };
-        let params = RegistrationParams { registrations: vec![registration] };
+        let options = json!({ "watchers": [{ "globPattern": FILES }] });
+        let registration = json!({ "id": "watched", "method": WATCHED, "registerOptions": options });
+        let params = json!({ "registrations": [registration] });
         let id = RequestId::from("watch".to_owned());
-        self.send(Request::new(id, RegisterCapability::METHOD.to_owned(), params));
+        self.send(Request::new(id, "client/registerCapability".to_owned(), params));
     }
 }
 
 fn is_change(message: &Message) -> bool {
-    matches!(message, Message::Notification(note) if note.method == DidChangeTextDocument::METHOD)
+    matches!(message, Message::Notification(note) if note.method == CHANGED)
 }
 
 /// The parameters of a notification; `None` where they are not those of its method.
-fn read<N>(note: Notification) -> Option<N::Params>
-where
-    N: lsp_types::notification::Notification,
-    N::Params: DeserializeOwned,
-{
+fn read<T: DeserializeOwned>(note: Notification) -> Option<T> {
     serde_json::from_value(note.params).ok()
 }

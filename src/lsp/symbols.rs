@@ -1,11 +1,9 @@
 //! The outline of a file, what can be folded, and ranges around a place.
 
-use lsp_types::{
-    DocumentSymbol, FoldingRange, FoldingRangeKind, Location, Position, Range, SelectionRange,
-    SymbolInformation, SymbolKind,
-};
-
 use super::file::File;
+use super::protocol::{
+    DocumentSymbol, FoldingRange, Location, Position, Range, SelectionRange, SymbolInformation, SymbolKind,
+};
 use super::words;
 use crate::format::Description;
 use crate::format::eds::SectionName;
@@ -129,7 +127,6 @@ fn of_network(file: &File) -> Vec<DocumentSymbol> {
     symbols.collect()
 }
 
-#[expect(deprecated, reason = "the type has the field")]
 fn symbol(
     file: &File,
     name: String,
@@ -141,20 +138,10 @@ fn symbol(
     let (range, selection_range) = (file.positions().range(span), file.positions().range(selected));
     // a name that is empty is refused
     let name = if name.is_empty() { "?".to_owned() } else { name };
-    DocumentSymbol {
-        name,
-        detail,
-        kind,
-        tags: None,
-        deprecated: None,
-        range,
-        selection_range,
-        children: None,
-    }
+    DocumentSymbol { name, kind, range, selection_range, detail, children: None }
 }
 
 /// The objects of a file whose index or name has a text.
-#[expect(deprecated, reason = "the type has the field")]
 pub(super) fn found(file: &File, query: &str) -> Vec<SymbolInformation> {
     let Some(description) = file.description() else { return Vec::new() };
     let wanted = query.trim().trim_start_matches("0x").to_lowercase();
@@ -166,8 +153,8 @@ pub(super) fn found(file: &File, query: &str) -> Vec<SymbolInformation> {
         }
         let Some(span) = description.locate(&Place::object(index)) else { continue };
         let location = Location::new(file.uri.clone(), file.positions().range(span));
-        let (kind, container_name) = (SymbolKind::OBJECT, Some(area(index).to_owned()));
-        found.push(SymbolInformation { name, kind, tags: None, deprecated: None, location, container_name });
+        let (kind, container_name) = (SymbolKind::OBJECT, area(index));
+        found.push(SymbolInformation { name, kind, location, container_name });
     }
     found
 }
@@ -181,8 +168,7 @@ pub(super) fn folds(file: &File) -> Vec<FoldingRange> {
         // an area begins with the line of its first section, which folds that section
         let is_area = [SymbolKind::NAMESPACE, SymbolKind::FILE].contains(&symbol.kind);
         if end > start && !is_area {
-            let kind = Some(FoldingRangeKind::Region);
-            folds.push(FoldingRange { start_line: start, end_line: end, kind, ..FoldingRange::default() });
+            folds.push(FoldingRange { start_line: start, end_line: end, kind: "region" });
         }
         symbols.extend(symbol.children.unwrap_or_default());
     }

@@ -1,30 +1,18 @@
 //! What the words of an EDS or DCF are, for their colours.
 
-use lsp_types::{SemanticToken, SemanticTokenType, SemanticTokens, SemanticTokensLegend};
-
 use super::file::File;
+use super::protocol::SemanticTokens;
 use crate::format::ini::LineKind;
 use crate::source::Span;
 
 /// The kinds of words; a token names one by its position.
-const KINDS: [SemanticTokenType; 6] = [
-    SemanticTokenType::COMMENT,
-    SemanticTokenType::NAMESPACE,
-    SemanticTokenType::PROPERTY,
-    SemanticTokenType::NUMBER,
-    SemanticTokenType::STRING,
-    SemanticTokenType::MACRO,
-];
+pub(super) const KINDS: [&str; 6] = ["comment", "namespace", "property", "number", "string", "macro"];
 const COMMENT: u32 = 0;
 const SECTION: u32 = 1;
 const KEY: u32 = 2;
 const NUMBER: u32 = 3;
 const TEXT: u32 = 4;
 const FORMULA: u32 = 5;
-
-pub(super) fn legend() -> SemanticTokensLegend {
-    SemanticTokensLegend { token_types: KINDS.to_vec(), token_modifiers: Vec::new() }
-}
 
 /// The tokens of a text, each relative to the one before.
 pub(super) fn tokens(file: &File) -> Option<SemanticTokens> {
@@ -38,14 +26,8 @@ pub(super) fn tokens(file: &File) -> Option<SemanticTokens> {
         let delta_start = if line == last.0 { start - last.1 } else { start };
         let length = range.end.character - start;
         if length > 0 {
-            let delta_line = line - last.0;
-            data.push(SemanticToken {
-                delta_line,
-                delta_start,
-                length,
-                token_type: kind,
-                token_modifiers_bitset: 0,
-            });
+            // without modifiers
+            data.extend([line - last.0, delta_start, length, kind, 0]);
             last = (line, start);
         }
     };
@@ -60,7 +42,7 @@ pub(super) fn tokens(file: &File) -> Option<SemanticTokens> {
             LineKind::Blank | LineKind::Junk => {}
         }
     }
-    Some(SemanticTokens { result_id: None, data })
+    Some(SemanticTokens { data })
 }
 
 fn kind_of(value: &str) -> u32 {

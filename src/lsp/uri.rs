@@ -3,16 +3,15 @@
 use std::fmt::Write as _;
 use std::path::{Path, PathBuf};
 
-use lsp_types::Uri;
-
+use super::protocol::Uri;
 use crate::source::absolute;
 
 /// The path of an address, also of a file that is not saved yet; `None` for one that is not on this computer.
-pub(super) fn path_of(uri: &Uri) -> Option<PathBuf> {
-    if let Some(name) = uri.as_str().strip_prefix("untitled:") {
+pub(super) fn path_of(uri: &str) -> Option<PathBuf> {
+    if let Some(name) = uri.strip_prefix("untitled:") {
         return Some(absolute(Path::new(&decoded(name)?)));
     }
-    let encoded = uri.as_str().strip_prefix("file://")?;
+    let encoded = uri.strip_prefix("file://")?;
     let encoded = encoded.strip_prefix("localhost").unwrap_or(encoded);
     let text = decoded(encoded.split(['?', '#']).next()?)?;
     let text = match text.as_bytes() {
@@ -38,7 +37,7 @@ pub(super) fn of_path(path: &Path) -> Option<Uri> {
             }
         }
     }
-    uri.parse().ok()
+    Some(uri)
 }
 
 /// A text without percent signs; `None` where that is not UTF-8.
@@ -70,9 +69,9 @@ mod tests {
     fn addresses_and_paths_are_the_same() {
         let path = Path::new("/a b/ü#?%/c:d.eds");
         let uri = of_path(path).unwrap();
-        assert_eq!(uri.as_str(), "file:///a%20b/%C3%BC%23%3F%25/c%3Ad.eds");
+        assert_eq!(uri, "file:///a%20b/%C3%BC%23%3F%25/c%3Ad.eds");
         assert_eq!(path_of(&uri).unwrap(), path);
-        let of = |text: &str| path_of(&text.parse().unwrap());
+        let of = path_of;
         assert_eq!(of("file:///a/../b.eds").unwrap(), Path::new("/b.eds"));
         assert_eq!(of("untitled:Untitled-1").unwrap(), absolute(Path::new("Untitled-1")));
         assert_eq!(of("untitled:/a%20b.dcf").unwrap(), Path::new("/a b.dcf"));

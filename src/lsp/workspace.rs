@@ -6,13 +6,13 @@ use std::path::{Path, PathBuf};
 use std::rc::Rc;
 
 use lsp_server::Request;
-use lsp_types::{TextDocumentContentChangeEvent, Uri};
 
 use super::analysis::{Analysis, analyse};
 use super::baseline;
 use super::file::File;
 use super::navigation::mentions_of;
 use super::position::{ColumnUnit, apply};
+use super::protocol::{ContentChange, Uri};
 use super::uri::{of_path, path_of};
 use crate::config::{Config, Project};
 use crate::format::mention::Mention;
@@ -97,7 +97,7 @@ impl Workspace {
     }
 
     /// Makes changes of an open file, each in the text that the one before leaves.
-    pub(super) fn change(&mut self, uri: &Uri, version: i32, changes: Vec<TextDocumentContentChangeEvent>) {
+    pub(super) fn change(&mut self, uri: &str, version: i32, changes: Vec<ContentChange>) {
         let Some(path) = path_of(uri) else { return };
         if let Some(buffer) = self.texts.borrow_mut().get_mut(&path) {
             buffer.version = version;
@@ -106,7 +106,7 @@ impl Workspace {
         self.forget(&path);
     }
 
-    pub(super) fn close(&mut self, uri: &Uri) {
+    pub(super) fn close(&mut self, uri: &str) {
         let Some(path) = path_of(uri) else { return };
         self.texts.borrow_mut().remove(&path);
         self.forget(&path);
@@ -158,9 +158,9 @@ impl Workspace {
     }
 
     /// A file that a request is about.
-    pub(super) fn file(&mut self, uri: &Uri) -> Option<File> {
+    pub(super) fn file(&mut self, uri: &str) -> Option<File> {
         let analysis = self.analysis(&path_of(uri)?)?;
-        Some(File { analysis, uri: uri.clone(), unit: self.unit })
+        Some(File { analysis, uri: uri.to_owned(), unit: self.unit })
     }
 
     /// The descriptions in the open folders, and the others that are open.
