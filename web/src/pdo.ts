@@ -30,7 +30,7 @@ const TRANSMISSION: [number, string][] = [
 const bitsOf = (mapped: { bits: number }[]): number => mapped.reduce((sum, { bits }) => sum + bits, 0);
 
 /** The changes of the mapping entries that give a list of objects. */
-function mappingChanges(pdo: PdoRow, mapped: Mapped[], field: string): FieldChange[] {
+export function mappingChanges(pdo: PdoRow, mapped: Mapped[], field: string): FieldChange[] {
   const number = ({ index, sub, bits }: Mapped) => ((index << 16) | (sub << 8) | bits) >>> 0;
   const changes: FieldChange[] = [];
   for (let sub = 1; sub <= Math.max(mapped.length, ...pdo.slots.map((slot) => slot.sub)); sub++) {

@@ -50,7 +50,7 @@ function diagnosticsOf(document: OpenDocument, doc: Text): Diagnostic[] {
 }
 
 /** The edits of changes, in the lines of the text before them. */
-function editsOf(changes: ChangeSet, before: Text, lineEnd: string): TextEdit[] {
+export function editsOf(changes: ChangeSet, before: Text, lineEnd: string): TextEdit[] {
   const edits: TextEdit[] = [];
   changes.iterChanges((from, to, _from, _to, inserted) => {
     const [line, column] = lineAndColumn(before, from);
