@@ -10,7 +10,7 @@ use objdict::generate::{Note, Options, Target, generate};
 use objdict::model::{DataType, Device, TypeKind, Value};
 
 use crate::compile::{c_compiler, cc, generate_with};
-use crate::devices::{arbitrary_devices, devices, for_all};
+use crate::devices::{arbitrary_devices, device, devices, for_all};
 use crate::oracle::{facts_of, hex};
 use crate::processors::build;
 use crate::stacks::truth::{Lack, Row, compare, truth, without};
@@ -185,4 +185,17 @@ fn pdos_are_where_their_mappings_are() {
     let mut cc = cc(&compiler, folder.path());
     cc.arg("-I.").arg(format!("-I{}", beside("canfestival", "include").display()));
     accepts(cc.args(["-c", "device_od.c"])).unwrap();
+}
+
+#[test]
+fn lists_may_be_full() {
+    let mut device = device(&crate::support::fixtures().join("eds/io-401.eds"));
+    for (count, fits) in [(2, true), (3, false)] {
+        device.objects.get_mut(&0x1016).unwrap().subs.get_mut(0).unwrap().default =
+            Some(Value::Unsigned(count));
+        let notes = generate(&device, Target::named("canfestival").unwrap(), &for_node(5)).unwrap().notes;
+        let refused =
+            notes.iter().any(|note| note.to_string().contains("a count and UNSIGNED32 entries without gaps"));
+        assert_eq!(refused, !fits, "{count}");
+    }
 }

@@ -4,8 +4,8 @@ use std::path::{Path, PathBuf};
 use std::process::Command;
 use std::sync::atomic::{AtomicUsize, Ordering};
 
-use objdict::generate::{Generated, Options, StorageGroup};
-use objdict::model::Device;
+use objdict::generate::{Generated, Note, Options, StorageGroup};
+use objdict::model::{Access, Device, Value};
 
 use crate::compile::{c_compiler, cc, generate_with, succeed};
 use crate::devices::{arbitrary_devices, device, devices, for_all};
@@ -285,4 +285,21 @@ fn a_server_without_a_valid_cob_id_is_a_warning() {
     assert_eq!(warnings(&text), 0);
     let off = text.replace("$NODEID+0x600", "0x80000000").replace("$NODEID+0x580", "0x80000000");
     assert_eq!(warnings(&off), 1, "one note for both COB-IDs");
+}
+
+/// The stack takes a `Data` field of 0 for a missing address.
+#[test]
+fn a_constant_heartbeat_time_of_0_has_an_address() {
+    let mut device = device(&support::fixtures().join("eds/io-401.eds"));
+    let heartbeat = &mut device.objects.get_mut(&0x1017).unwrap().main;
+    (heartbeat.access, heartbeat.default) = (Some(Access::Const), Some(Value::Unsigned(0)));
+    let folder = tempfile::tempdir().unwrap();
+    let files = write(folder.path(), &device, &Options::default()).files;
+    let texts = files.iter().map(|file| String::from_utf8_lossy(&file.contents));
+    let lines: Vec<String> = texts
+        .flat_map(|text| {
+            text.lines().filter(|line| line.contains("CO_THB_PROD")).map(str::to_owned).collect::<Vec<_>>()
+        })
+        .collect();
+    assert!(lines.len() == 1 && lines[0].contains('&'), "{lines:#?}");
 }

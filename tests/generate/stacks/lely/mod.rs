@@ -236,3 +236,14 @@ fn a_table_and_its_details() {
     let harness = harness(&compiler, folder.path(), &device, 5);
     insta::assert_snapshot!("lamp", harness.programs.run(&["all"], "").unwrap());
 }
+
+/// The library reads texts up to their zero.
+#[test]
+fn a_text_beyond_a_literal_has_room_for_its_zero() {
+    let mut device = device(&crate::support::fixtures().join("eds/io-401.eds"));
+    let text = "a".repeat(5000);
+    device.objects.get_mut(&0x1008).unwrap().main.default = Some(Value::Text(text.into()));
+    let files = generate(&device, Target::named("lely").unwrap(), &for_node(5)).unwrap().files;
+    let room = "CO_DOMAIN_NC(co_unsigned8_t, 5001, ";
+    assert!(files.iter().any(|file| String::from_utf8_lossy(&file.contents).contains(room)));
+}

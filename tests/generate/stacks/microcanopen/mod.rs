@@ -2,8 +2,8 @@
 
 use std::path::Path;
 
-use objdict::generate::Generated;
-use objdict::model::{Device, TypeKind};
+use objdict::generate::{Generated, Note};
+use objdict::model::{Device, TypeKind, Value};
 
 use crate::compile::{c_compiler, cc, generate_with};
 use crate::devices::{arbitrary_devices, device, devices, for_all};
@@ -92,4 +92,16 @@ fn pdos_are_initialised_with_what_lies_in_the_image() {
     insta::assert_snapshot!("calls", calls);
     let notes: String = generated.notes.iter().map(|note| format!("{note}\n")).collect();
     insta::assert_snapshot!("notes", notes);
+}
+
+#[test]
+fn inhibit_times_are_rounded_up() {
+    let mut device = device(&fixtures().join("eds/io-401.eds"));
+    for (tenths, milliseconds) in [(11, 2), (20, 2)] {
+        let communication = device.objects.get_mut(&0x1800).unwrap();
+        communication.subs.get_mut(3).unwrap().default = Some(Value::Unsigned(tenths));
+        let files = write(tempfile::tempdir().unwrap().path(), &device, 5).files;
+        let call = format!("MCO_InitTPDO(1, 0, 0, {milliseconds}, 2, 0);");
+        assert!(files.iter().any(|file| String::from_utf8_lossy(&file.contents).contains(&call)), "{call}");
+    }
 }
