@@ -1,6 +1,6 @@
 //! Concise DCF of the healthy configurations: planned, encoded, decoded.
 
-use objdict::download::{ConciseDcf, NeededFile, PlanOptions, Scope, SkipReason};
+use objdict::download::{ConciseDcf, DecodeErrorKind, NeededFile, PlanOptions, Scope, SkipReason};
 use objdict::format::{self, Format, concise};
 use objdict::generate::{Options, Target, generate};
 use objdict::model::{Access, Device, Place, Value};
@@ -111,4 +111,12 @@ fn what_a_stream_cannot_carry_is_named() {
     let error = generate(&device, Target::named("concise").unwrap(), &Options::default()).unwrap_err();
     let expected = "0x1400sub1: `$NODEID+0x200` needs the node-ID";
     assert!(error.to_string().starts_with(expected), "{error}");
+}
+
+/// FFh extends the sign of a negative number only.
+#[test]
+fn a_byte_behind_a_positive_number_is_not_its_padding() {
+    let stream = [1, 0, 0, 0, 0x00, 0x20, 0, 3, 0, 0, 0, 1, 2, 3, 0xFF];
+    let error = ConciseDcf::parse(&stream).unwrap_err();
+    assert_eq!(error.kind, DecodeErrorKind::TrailingBytes { count: 1, left: 1 });
 }

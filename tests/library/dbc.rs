@@ -131,3 +131,17 @@ fn device_of_one_tpdo() -> Objects {
         [1A00sub1]\nDataType=7\nDefaultValue=0x20000010\n[2000]\nParameterName=Pressure\nDataType=6\n";
     format::read(SourceFile::from_text("pdo.eds", text), Format::Eds).into_device().objects
 }
+
+/// The event timer of a PDO that is sent on request is no cycle.
+#[test]
+fn pdos_on_request_have_no_cycle() {
+    let mut device = device("eds/io-401.eds");
+    for (transmission, has_cycle) in [(252_u8, false), (253, false), (254, true)] {
+        let communication = device.objects.get_mut(&0x1801).unwrap();
+        for (sub, value) in [(2, transmission.into()), (5, 1000)] {
+            communication.subs.get_mut(sub).unwrap().default = Some(Value::Unsigned(value));
+        }
+        let text = shown(&[node(&device, 5)], DbcOptions::default());
+        assert_eq!(text.contains("BA_ \"GenMsgCycleTime\" BO_ 645 1000;"), has_cycle, "{text}");
+    }
+}

@@ -122,3 +122,13 @@ fn deep_nesting_is_refused() {
             .unwrap_err();
     assert_eq!((line, message.as_str()), (2, "expected value"));
 }
+
+#[test]
+fn a_real_number_beyond_its_type_is_an_error() {
+    let path = support::fixtures().join("eds/all-types.eds");
+    let text = json::write_device(format::open(&path, &SourceOptions::default()).unwrap().device());
+    for number in ["1e39", "-1e39"] {
+        let error = json::read_device(&text.replacen("3.4028235e38", number, 1)).unwrap_err();
+        assert!(error.message.contains("is not a REAL number"), "{error}");
+    }
+}

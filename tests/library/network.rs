@@ -543,3 +543,16 @@ fn the_folder_of_descriptions_is_searched() {
     let started = init(&[folder.join("nodelist.cpj")], &Default::default()).unwrap();
     assert!(started.contains("[node.servo_5]\n") && started.contains("\nid = 5\n"), "{started}");
 }
+
+/// `options` has the retry factor of the nodes that state none.
+#[test]
+fn a_node_overrides_the_options() {
+    let text = "options:\n  retry_factor: 9\nmaster:\n  node_id: 1\n\
+        counter:\n  dcf: counter.eds\n  node_id: 3\n  retry_factor: 2\n\
+        other:\n  dcf: counter.eds\n  node_id: 4\n";
+    let source = SourceFile::from_text("bus.yml", text);
+    let file = NetworkFile::read(source, path("bus.yml").parent().unwrap(), &Default::default());
+    let factors: Vec<u8> =
+        file.network().unwrap().nodes.iter().map(|node| node.boot.retry_factor.value).collect();
+    assert_eq!(factors, [2, 9]);
+}

@@ -3,7 +3,10 @@
 use objdict::Language;
 use objdict::bus::{Conditions, EventKind, boot};
 use objdict::format::network::NetworkFile;
-use objdict::network::{DcfgenMode, DeadlineKind, MessageId, TimedMessage, Timing, TimingOptions, timeline};
+use objdict::network::{
+    BootTimes, DcfgenMode, DeadlineKind, MessageId, NodeBootTime, TimedMessage, Timing, TimingOptions,
+    timeline,
+};
 use roxmltree::Document;
 
 use crate::{links, network};
@@ -46,6 +49,12 @@ fn the_islands_of_the_book_have_the_published_responses() {
     let node = &boot.nodes[0];
     assert_eq!((node.bus, node.total), (31 * 270 * 8000, 31 * 270 * 8000 + 31_000_000));
     assert!(boot.limit == 0 && !boot.is_late(node));
+    // the time of the responses counts
+    let is_late = |limit| {
+        let node = NodeBootTime { is_mandatory: true, ..node.clone() };
+        BootTimes { limit, nodes: Vec::new() }.is_late(&node)
+    };
+    assert!(is_late(node.total - 1) && !is_late(node.total));
 }
 
 #[test]
