@@ -3,9 +3,10 @@
 use std::collections::BTreeMap;
 
 use objdict::diagnostic::Applicability;
-use objdict::format::{self, Description};
-use objdict::model::{Access, Commissioning, Device, PdoKind, Value};
-use objdict::source::SourceOptions;
+use objdict::format::{self, Description, Format};
+use objdict::model::{Access, Commissioning, Device, ObjectList, PdoKind, Value};
+use objdict::profile::of_object;
+use objdict::source::{SourceFile, SourceOptions};
 
 use crate::support;
 
@@ -200,4 +201,27 @@ fn pdos_that_no_section_describes_are_implied() {
 fn line_ends_stay_as_they_are() {
     let bytes = open("34_crlf").print();
     assert!(bytes.windows(2).all(|pair| pair[1] != b'\n' || pair[0] == b'\r'));
+}
+
+/// A list whose section is there twice has the indexes of both.
+#[test]
+fn a_repeated_list_is_read_to_its_end() {
+    let text = "[OptionalObjects]\nSupportedObjects=1\n1=0x1008\n\n[OptionalObjects]\nSupportedObjects=2\n1=0x1008\n2=0x100A\n";
+    let device = format::read(SourceFile::from_text("twice.eds", text), Format::Eds).into_device();
+    assert_eq!(device.lists.get(ObjectList::Optional), [0x1008, 0x100A]);
+}
+
+/// Only the profile of drives repeats its objects each 800h.
+#[test]
+fn other_profiles_describe_one_logical_device() {
+    let text = |profile: u16| {
+        format!("[1000]\nObjectType=0x7\nDataType=0x0007\nAccessType=ro\nDefaultValue={profile}\n")
+    };
+    let described = |profile, index| {
+        let source = SourceFile::from_text("profile.eds", text(profile));
+        let device = format::read(source, Format::Eds).into_device();
+        of_object(&device, index).count()
+    };
+    assert!(described(402, 0x6840) == 1 && described(401, 0x6200) == 1);
+    assert_eq!(described(401, 0x6A00), 0);
 }

@@ -306,6 +306,11 @@ fn a_log_is_read_in_words() {
     assert_eq!(frames(&mut workbench, json!({ "text": "70c" }))["rows"][0]["line"], 2);
     let later = ok(&mut workbench, json!({ "do": "frames", "document": 3, "count": 10, "line": 3 }));
     assert_eq!((&later["first"], &later["rows"][0]["line"]), (&json!(2), &json!(4)));
+    // read again with other descriptions, the rows of a filter are new
+    let left = json!({ "text": "left" });
+    assert_eq!(frames(&mut workbench, left.clone())["total"], 1);
+    ok(&mut workbench, json!({ "do": "decode", "document": 3, "with": [] }));
+    assert_eq!(frames(&mut workbench, left)["total"], 0);
 }
 
 #[test]

@@ -257,6 +257,32 @@ fn blocks() {
     assert_eq!(read(&log), expected);
 }
 
+/// A capture of a machine that writes the high byte first.
+#[test]
+fn blocks_in_big_endian() {
+    let block = |kind: u32, content: &[u8]| {
+        let length = (content.len() as u32 + 12).to_be_bytes();
+        [&kind.to_be_bytes()[..], &length, content, &length].concat()
+    };
+    let section = [&[0x1A, 0x2B, 0x3C, 0x4D, 0, 1, 0, 0][..], &[0xFF; 8]].concat();
+    let can = [
+        &[0, 227, 0, 0, 0, 0, 0, 0][..],
+        &[0, 2, 0, 4],
+        b"can0",
+        &[0, 9, 0, 1, 9, 0, 0, 0],
+        &[0, 14, 0, 8, 0, 0, 0, 0, 0, 0, 0, 10],
+        &[0; 4],
+    ]
+    .concat();
+    let packet = packet(0x18B, 0, &[1, 2, 4, 8, 17]);
+    let nanoseconds = 1_436_509_042_249_713_001_u64.to_be_bytes();
+    let length = (packet.len() as u32).to_be_bytes();
+    let mut enhanced = [&[0; 4][..], &nanoseconds, &length, &length, &packet].concat();
+    enhanced.resize(enhanced.len().next_multiple_of(4), 0);
+    let log = [block(0x0A0D_0D0A, &section), block(1, &can), block(6, &enhanced)].concat();
+    assert_eq!(read(&log), ["1436509052.249713001 can0 18B 0102040811"]);
+}
+
 #[test]
 fn what_is_no_log_ends() {
     assert_eq!(read(b""), [""; 0]);
