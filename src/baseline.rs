@@ -33,16 +33,19 @@ struct Known {
 }
 
 /// Why a text is not a baseline.
-#[derive(Debug, thiserror::Error)]
+#[derive(Debug)]
 #[non_exhaustive]
 pub enum BaselineError {
     /// It is not the JSON of one.
-    #[error("is not a baseline: {0}")]
-    Json(#[from] serde_json::Error),
+    Json(serde_json::Error),
     /// It was written by another version of this program, or its fingerprints are made in another way.
-    #[error("is a baseline of another version, and the findings in it cannot be known again")]
     Version,
 }
+
+objdict_model::error_messages! { BaselineError: from serde_json::Error as Json {
+    Self::Json(error) => "is not a baseline: {error}";
+    Self::Version => "is a baseline of another version, and the findings in it cannot be known again";
+} }
 
 #[derive(Deserialize)]
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]

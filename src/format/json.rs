@@ -25,8 +25,7 @@ pub enum DocumentKind {
 }
 
 /// Why a text is no such document.
-#[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
-#[error("line {line}, column {column}: {message}")]
+#[derive(Clone, Debug, PartialEq, Eq)]
 #[non_exhaustive]
 pub struct JsonError {
     /// Line, counted from 1.
@@ -36,6 +35,10 @@ pub struct JsonError {
     /// The problem.
     pub message: String,
 }
+
+objdict_model::error_messages! { JsonError: {
+    Self { line, column, message } => "line {line}, column {column}: {message}";
+} }
 
 #[derive(Serialize, Deserialize)]
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]

@@ -12,14 +12,12 @@ use crate::model::{NodeList, Topology, TopologyNode};
 use crate::source::SourceFile;
 
 /// Why a text is no node list.
-#[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
+#[derive(Clone, Debug, PartialEq, Eq)]
 #[non_exhaustive]
 pub enum NodeListError {
     /// The text is XML.
-    #[error("the file is XML; a node list of CiA 306-3 is an INI file with a section `[Topology]`")]
     Xml,
     /// The text is no INI file.
-    #[error("line {line} cannot be read: {message}")]
     Ini {
         /// The line, counted from 1, up to which rust-ini came.
         line: usize,
@@ -27,10 +25,8 @@ pub enum NodeListError {
         message: String,
     },
     /// There is no network in it.
-    #[error("there is no section `[Topology]`")]
     NoTopology,
     /// A number is none, or out of range.
-    #[error("`{key}={text}` in `[{section}]` is not a number from {low} to {high}")]
     Number {
         /// The section.
         section: String,
@@ -44,6 +40,14 @@ pub enum NodeListError {
         high: u8,
     },
 }
+
+objdict_model::error_messages! { NodeListError: {
+    Self::Xml => "the file is XML; a node list of CiA 306-3 is an INI file with a section `[Topology]`";
+    Self::Ini { line, message } => "line {line} cannot be read: {message}";
+    Self::NoTopology => "there is no section `[Topology]`";
+    Self::Number { section, key, text, low, high } =>
+        "`{key}={text}` in `[{section}]` is not a number from {low} to {high}";
+} }
 
 /// Reads a node list.
 ///

@@ -25,22 +25,17 @@ use crate::source::SourceError;
 ///
 /// `Display` is one sentence, and `Debug` is what a reader of the build's output needs: the sentence, the findings with
 /// their places and what to do. So `fn main() -> Result<(), Error>` reports all of it.
-#[derive(thiserror::Error)]
 #[non_exhaustive]
 pub enum Error {
     /// The description cannot be read.
-    #[error(transparent)]
-    Input(#[from] ReadError),
+    Input(ReadError),
     /// A configuration, or another file that an option names, cannot be read.
-    #[error(transparent)]
-    Config(#[from] SourceError),
+    Config(SourceError),
     /// A profile cannot be used.
     #[cfg(feature = "lint")]
-    #[error(transparent)]
-    Profile(#[from] OpenError),
+    Profile(OpenError),
     /// A baseline cannot be used.
     #[cfg(all(feature = "json", feature = "lint"))]
-    #[error("`{}` {error}", crate::source::shown(path))]
     Baseline {
         /// The file.
         path: PathBuf,
@@ -48,7 +43,6 @@ pub enum Error {
         error: BaselineError,
     },
     /// Errors in the description make a table wrong, or the configuration has errors.
-    #[error("`{file}` has {}, so nothing was generated", plural(findings.len(), noun))]
     Findings {
         /// The file that they are in.
         file: String,
@@ -60,13 +54,11 @@ pub enum Error {
         report: String,
     },
     /// No rule and no group has this name.
-    #[error("there is no rule or group `{name}`")]
     UnknownRule {
         /// The name.
         name: String,
     },
     /// The file of names cannot be used.
-    #[error("{file}{}: {error}", error.line.map(|line| format!(":{line}")).unwrap_or_default())]
     Names {
         /// The file.
         file: String,
@@ -74,10 +66,8 @@ pub enum Error {
         error: ChoiceError,
     },
     /// An option has a value that it cannot have.
-    #[error(transparent)]
-    Choice(#[from] ChoiceError),
+    Choice(ChoiceError),
     /// A target cannot express the device.
-    #[error("target `{target}`: {error}")]
     Target {
         /// The target.
         target: &'static str,
@@ -85,7 +75,6 @@ pub enum Error {
         error: GenerateError,
     },
     /// The tables take more than they may.
-    #[error("target `{target}`: the tables take {bytes} bytes of {memory}, the limit is {most}")]
     TooLarge {
         /// The target.
         target: &'static str,
@@ -97,7 +86,6 @@ pub enum Error {
         most: usize,
     },
     /// The tables may take only so much, and what they take is known of none of the targets.
-    #[error("target `{target}`: the size of the tables is unknown and cannot be limited: {why}")]
     NotMeasured {
         /// The first of the targets.
         target: &'static str,
@@ -106,14 +94,12 @@ pub enum Error {
     },
     /// The name of a file for the description is that of no format that can describe the device.
     #[cfg(all(feature = "json", feature = "xdd"))]
-    #[error("the description cannot be written as `{}`", crate::source::shown(path))]
     NoFormat {
         /// The file.
         path: PathBuf,
     },
     /// The description cannot be written in another format.
     #[cfg(all(feature = "json", feature = "xdd"))]
-    #[error("the description cannot be written as `{}`: {error}", crate::source::shown(path))]
     Conversion {
         /// The file.
         path: PathBuf,
@@ -121,15 +107,47 @@ pub enum Error {
         error: EditError,
     },
     /// A file is not written.
-    #[error(transparent)]
-    Output(#[from] OutputError),
+    Output(OutputError),
     /// No output folder is set.
-    #[error("the variable `OUT_DIR` is not set")]
     NoOutDir,
     /// The output to Cargo failed.
-    #[error("cannot write to Cargo: {0}")]
-    Cargo(#[source] io::Error),
+    Cargo(io::Error),
 }
+
+objdict_model::error_messages! { Error:
+    from ReadError as Input
+    from SourceError as Config
+    #[cfg(feature = "lint")]
+    from OpenError as Profile
+    from ChoiceError as Choice
+    from OutputError as Output
+{
+    Self::Input(error) => "{error}";
+    Self::Config(error) => "{error}";
+    #[cfg(feature = "lint")]
+    Self::Profile(error) => "{error}";
+    #[cfg(all(feature = "json", feature = "lint"))]
+    Self::Baseline { path, error } => "`{}` {error}", crate::source::shown(path);
+    Self::Findings { file, findings, noun, .. } =>
+        "`{file}` has {}, so nothing was generated", plural(findings.len(), noun);
+    Self::UnknownRule { name } => "there is no rule or group `{name}`";
+    Self::Names { file, error } =>
+        "{file}{}: {error}", error.line.map(|line| format!(":{line}")).unwrap_or_default();
+    Self::Choice(error) => "{error}";
+    Self::Target { target, error } => "target `{target}`: {error}";
+    Self::TooLarge { target, memory, bytes, most } =>
+        "target `{target}`: the tables take {bytes} bytes of {memory}, the limit is {most}";
+    Self::NotMeasured { target, why } =>
+        "target `{target}`: the size of the tables is unknown and cannot be limited: {why}";
+    #[cfg(all(feature = "json", feature = "xdd"))]
+    Self::NoFormat { path } => "the description cannot be written as `{}`", crate::source::shown(path);
+    #[cfg(all(feature = "json", feature = "xdd"))]
+    Self::Conversion { path, error } =>
+        "the description cannot be written as `{}`: {error}", crate::source::shown(path);
+    Self::Output(error) => "{error}";
+    Self::NoOutDir => "the variable `OUT_DIR` is not set";
+    Self::Cargo(error) => "cannot write to Cargo: {error}";
+} }
 
 impl Error {
     /// What to do about it, where that is known.

@@ -8,11 +8,10 @@ use std::collections::BTreeMap;
 use super::exchange::{Exchange, SdoAnswer, SdoRequest};
 
 /// Why a table is not one of answers.
-#[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
+#[derive(Clone, Debug, PartialEq, Eq)]
 #[non_exhaustive]
 pub enum AnswersError {
     /// Not JSON.
-    #[error("line {line}: {message}")]
     Json {
         /// The line, from 1.
         line: usize,
@@ -20,13 +19,10 @@ pub enum AnswersError {
         message: String,
     },
     /// The document is JSON, but no list of objects.
-    #[error("expected a list of objects with `index`, `sub` and `bytes`, `value` or `abort`")]
     NoList,
     /// A column is missing.
-    #[error("there is no column `{0}`")]
     MissingColumn(&'static str),
     /// A cell is not what its column needs.
-    #[error("row {row}: `{text}` is not a valid `{column}`")]
     Cell {
         /// The row, from 1, without the headings.
         row: usize,
@@ -36,6 +32,13 @@ pub enum AnswersError {
         text: String,
     },
 }
+
+objdict_model::error_messages! { AnswersError: {
+    Self::Json { line, message } => "line {line}: {message}";
+    Self::NoList => "expected a list of objects with `index`, `sub` and `bytes`, `value` or `abort`";
+    Self::MissingColumn(column) => "there is no column `{column}`";
+    Self::Cell { row, column, text } => "row {row}: `{text}` is not a valid `{column}`";
+} }
 
 /// The names of the columns, in lower case.
 pub(super) const INDEX: &str = "index";

@@ -16,14 +16,12 @@ use crate::profile::{self, Profile};
 pub const PROFILES: &[(u16, u16)] = &[(301, 1), (401, 1), (402, 1), (404, 1), (406, 1)];
 
 /// Why there is no device for a profile and features.
-#[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
+#[derive(Clone, Debug, PartialEq, Eq)]
 #[non_exhaustive]
 pub enum BaseError {
     /// No device is made of the profile.
-    #[error("CiA {0} is not supported")]
     Profile(u16),
     /// The profile has no such version.
-    #[error("CiA {profile} has no version {version}")]
     Version {
         /// The profile.
         profile: u16,
@@ -31,7 +29,6 @@ pub enum BaseError {
         version: u16,
     },
     /// The profile does not have the feature.
-    #[error("CiA {profile} has no `{word}`")]
     Feature {
         /// The profile.
         profile: u16,
@@ -39,7 +36,6 @@ pub enum BaseError {
         word: &'static str,
     },
     /// The profile has fewer channels.
-    #[error("CiA {profile} has at most {highest} `{word}`")]
     TooMany {
         /// The profile.
         profile: u16,
@@ -49,6 +45,13 @@ pub enum BaseError {
         highest: u16,
     },
 }
+
+objdict_model::error_messages! { BaseError: {
+    Self::Profile(profile) => "CiA {profile} is not supported";
+    Self::Version { profile, version } => "CiA {profile} has no version {version}";
+    Self::Feature { profile, word } => "CiA {profile} has no `{word}`";
+    Self::TooMany { profile, word, highest } => "CiA {profile} has at most {highest} `{word}`";
+} }
 
 impl BaseError {
     /// What is possible.

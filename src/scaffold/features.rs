@@ -59,17 +59,15 @@ pub enum FeatureValue {
 }
 
 /// Why a feature cannot be set.
-#[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
+#[derive(Clone, Debug, PartialEq, Eq)]
 #[non_exhaustive]
 pub enum FeatureError {
     /// No feature has the word.
-    #[error("`{word}` is not a feature")]
     Unknown {
         /// The word.
         word: String,
     },
     /// The feature does not take the value.
-    #[error("`{word}` must be {expected}")]
     Misfit {
         /// The word of the feature.
         word: &'static str,
@@ -77,6 +75,11 @@ pub enum FeatureError {
         expected: String,
     },
 }
+
+objdict_model::error_messages! { FeatureError: {
+    Self::Unknown { word } => "`{word}` is not a feature";
+    Self::Misfit { word, expected } => "`{word}` must be {expected}";
+} }
 
 /// What of a device a feature describes.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]

@@ -1,7 +1,7 @@
 //! Chores: `cargo xtask corpus FOLDER [--generate] [--shares FILE]`, `cargo xtask fuzz FOLDER COUNT|SECONDSs [PART]`,
 //! `cargo xtask targets FOLDER [--damaged] [--hostile] [--only TARGET]`, `cargo xtask concise CORPUS`,
 //! `cargo xtask readers FOLDER PYTHON [MODULES]`, `cargo xtask docs [--check]`, `cargo xtask profiles [--check]`,
-//! `cargo xtask fuzz-corpus FOLDER`, `cargo xtask xsd FOLDER`, `cargo xtask dist KIND`,
+//! `cargo xtask templates [--check]`, `cargo xtask fuzz-corpus FOLDER`, `cargo xtask xsd FOLDER`, `cargo xtask dist KIND`,
 //! `cargo xtask publish [--upload]`, `cargo xtask interface [--check]`.
 
 #![allow(clippy::print_stdout, reason = "the table is the result of the chore")]
@@ -30,6 +30,7 @@ mod schemas {
 }
 mod shares;
 mod targets;
+mod templates;
 mod unit_graph;
 
 use std::path::Path;
@@ -64,6 +65,9 @@ usage:
   cargo xtask profiles [--check]
       write the constants of the profiles that come with the program from their TOML (crates/objdict-profile); with
       --check only compare
+  cargo xtask templates [--check]
+      write the templates of crates/objdict-generate as Rust, so that no build compiles a template engine; with --check only
+      compare
   cargo xtask xsd FOLDER
       write the structure of CiA 311, versions 1.0 and 1.1, as XML Schemas: 1.0.xsd and 1.1.xsd
   cargo xtask dist KIND|all [--profile PROFILE] [--target TARGET] [--program FILE] [--features LIST]
@@ -108,6 +112,8 @@ fn main() -> ExitCode {
         ["interface", "--check"] => interface::run(true),
         ["profiles"] => profiles::run(false),
         ["profiles", "--check"] => profiles::run(true),
+        ["templates"] => templates::run(false),
+        ["templates", "--check"] => templates::run(true),
         ["xsd", folder] => write_schemas(Path::new(folder)),
         ["dist", "try"] => dist::try_out(),
         ["dist", kind, ref options @ ..] => match dist::Options::of(options) {

@@ -1,6 +1,6 @@
 //! Escaping of description texts for their place in generated code.
 //!
-//! The functions are also askama filters, so that templates show how each text is escaped. All characters
+//! The functions are the filters of the templates, which so show how each text is escaped. All characters
 //! except letters, digits and printable ASCII become `\u{…}`: line ends and other control characters,
 //! direction marks, invisible and unassigned characters.
 
@@ -149,35 +149,21 @@ impl<const DIGITS: usize> fmt::Display for Hex<DIGITS> {
     }
 }
 
-/// The same as template filters, and filters for indexes and sub-indexes.
-#[allow(unreachable_pub, reason = "the attribute generates `pub` items")]
-pub(super) mod filters {
-    use std::borrow::Borrow;
+/// `0x1017` without its prefix.
+pub(super) fn hex4(index: &u16) -> Hex<4> {
+    Hex(*index)
+}
 
-    use askama::{Result, Values};
+/// The same for a sub-index.
+pub(super) fn hex2(sub: &u8) -> Hex<2> {
+    Hex(u16::from(*sub))
+}
 
-    use super::Hex;
-
-    #[askama::filter_fn]
-    pub(crate) fn hex2(sub: impl Borrow<u8>, _: &dyn Values) -> Result<Hex<2>> {
-        Ok(Hex(u16::from(*sub.borrow())))
-    }
-
-    #[askama::filter_fn]
-    pub(crate) fn hex4(index: impl Borrow<u16>, _: &dyn Values) -> Result<Hex<4>> {
-        Ok(Hex(*index.borrow()))
-    }
-
-    macro_rules! of_texts {
-        ($($name:ident)+) => {$(
-            #[askama::filter_fn]
-            pub(crate) fn $name(text: impl AsRef<str>, _: &dyn Values) -> Result<String> {
-                Ok(super::$name(text.as_ref()))
-            }
-        )+};
-    }
-
-    of_texts! { code_span rust_text toml_string c_comment doxygen c_text }
+/// The first letter in upper case, and the others in lower case.
+pub(super) fn capitalize(word: &str) -> String {
+    let mut letters = word.chars();
+    let first: String = letters.next().into_iter().flat_map(char::to_uppercase).collect();
+    first + &letters.as_str().to_lowercase()
 }
 
 #[cfg(test)]

@@ -1,5 +1,4 @@
-//! What the files of a target have in common: the texts of their first lines, their names, and the view that their
-//! templates see.
+//! What the files of a target have in common: the texts of their first lines and their names.
 
 use super::Options;
 use crate::model::Device;
@@ -32,25 +31,3 @@ impl Head {
         }
     }
 }
-
-/// Declares the files of a target: the template of each sees the fields and methods of one view. The derive is stated by
-/// the caller, because templates are found from the file that it is in.
-#[cfg(any(feature = "c", feature = "canopennode"))]
-macro_rules! files {
-    (#[$derive:meta] $visibility:vis $view:ident: $($file:ident $path:tt)+) => {$(
-        #[$derive]
-        #[template(path = $path, escape = "none")]
-        $visibility struct $file<'a>($visibility &'a $view<'a>);
-
-        impl<'a> std::ops::Deref for $file<'a> {
-            type Target = $view<'a>;
-
-            fn deref(&self) -> &$view<'a> {
-                self.0
-            }
-        }
-    )+};
-}
-
-#[cfg(any(feature = "c", feature = "canopennode"))]
-pub(crate) use files;

@@ -27,6 +27,13 @@
     allow(dead_code, unused_macros)
 )]
 
+/// A statement of an expanded template.
+macro_rules! put {
+    ($out:ident, $($text:tt)+) => {
+        let _ = std::fmt::Write::write_fmt(&mut $out, format_args!($($text)+)); // writing to a String cannot fail
+    };
+}
+
 #[cfg(feature = "c")]
 mod c;
 mod c_code;
@@ -338,25 +345,20 @@ impl fmt::Display for Note {
 }
 
 /// Why nothing was generated.
-#[derive(Debug, thiserror::Error)]
+#[derive(Debug)]
 #[non_exhaustive]
 pub enum GenerateError {
     /// There is no target with this name.
-    #[error("unknown target `{name}`; the targets are {}", known_targets())]
     UnknownTarget {
         /// The name.
         name: String,
     },
     /// The node-ID is not valid.
-    #[error("`{node_id}` is not a node-ID from 1 to 127")]
     NodeId {
         /// The value.
         node_id: u8,
     },
     /// The prefix is not a valid identifier.
-    #[error(
-        "`{text}` is not an identifier of at most 16 characters for `{option}`: use letters, digits and single `_`"
-    )]
     Identifier {
         /// The option name after `--` on the command line.
         option: &'static str,
@@ -364,7 +366,6 @@ pub enum GenerateError {
         text: String,
     },
     /// A prefix or module has the name of a standard module, file or header.
-    #[error("`{word}` for `{option}` hides a standard module or header: choose another name")]
     Hides {
         /// The option name after `--` on the command line.
         option: &'static str,
@@ -372,25 +373,20 @@ pub enum GenerateError {
         word: String,
     },
     /// The device has no entry that can be generated.
-    #[error("the device has no entries")]
     NoEntries {
         /// Why its entries cannot be used.
         notes: Vec<Note>,
     },
     /// Values that cannot be represented.
-    #[error("{}", list(.0))]
     Inexpressible(
         /// The places with the problems; at least one.
         Vec<Note>,
     ),
     /// Shared values were requested without the crate for them, or without the node-ID that they start with.
-    #[error("`--cell` needs `--runtime` and a node-ID (`--node-id N`)")]
     NoCell,
     /// The target `template` was requested without a template.
-    #[error("the target `template` needs a template (`--template FILE`)")]
     NoTemplate,
     /// A custom template cannot be read or rendered.
-    #[error("{file}{}: {message}", line.map(|line| format!(":{line}")).unwrap_or_default())]
     UserTemplate {
         /// The template file.
         file: String,
@@ -399,15 +395,22 @@ pub enum GenerateError {
         /// The error.
         message: String,
     },
-    /// A template could not be rendered; this is a bug of this crate.
-    #[error("cannot render the template of `{file}`: {source}")]
-    Template {
-        /// The output file.
-        file: String,
-        /// The error of the template engine.
-        source: askama::Error,
-    },
 }
+
+objdict_model::error_messages! { GenerateError: {
+    Self::UnknownTarget { name } => "unknown target `{name}`; the targets are {}", known_targets();
+    Self::NodeId { node_id } => "`{node_id}` is not a node-ID from 1 to 127";
+    Self::Identifier { option, text } =>
+        "`{text}` is not an identifier of at most 16 characters for `{option}`: use letters, digits and single `_`";
+    Self::Hides { option, word } =>
+        "`{word}` for `{option}` hides a standard module or header: choose another name";
+    Self::NoEntries { .. } => "the device has no entries";
+    Self::Inexpressible(notes) => "{}", list(notes);
+    Self::NoCell => "`--cell` needs `--runtime` and a node-ID (`--node-id N`)";
+    Self::NoTemplate => "the target `template` needs a template (`--template FILE`)";
+    Self::UserTemplate { file, line, message } =>
+        "{file}{}: {message}", line.map(|line| format!(":{line}")).unwrap_or_default();
+} }
 
 fn known_targets() -> String {
     Target::all().map(|target| format!("`{}`", target.name())).collect::<Vec<_>>().join(", ")
@@ -495,13 +498,9 @@ pub fn size(device: &Device, target: Target, options: &Options) -> Result<Sizes,
     }
 }
 
-/// Renders a template as a file that ends with one line feed.
-fn render(file: impl Into<String>, template: &impl askama::Template) -> Result<OutputFile, GenerateError> {
-    let path = file.into();
-    match template.render() {
-        Ok(text) => Ok(OutputFile { path, contents: (text + "\n").into_bytes() }), // askama drops the last line feed
-        Err(source) => Err(GenerateError::Template { file: path, source }),
-    }
+/// A file with the text of a template, which ends with one line feed.
+fn render(path: impl Into<String>, text: String) -> OutputFile {
+    OutputFile { path: path.into(), contents: (text + "\n").into_bytes() } // templates drop the last line feed
 }
 
 #[cfg(test)]

@@ -11,14 +11,15 @@ use crate::model::Address;
 use crate::model::NoAddress;
 
 /// An invalid value of an option.
-#[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
-#[error("{message}")]
+#[derive(Clone, Debug, PartialEq, Eq)]
 pub struct ChoiceError {
     /// Line in a file, counted from 1.
     pub line: Option<usize>,
     /// Description of the error: lower case, no full stop.
     pub message: String,
 }
+
+objdict_model::error_messages! { ChoiceError: { Self { message, .. } => "{message}"; } }
 
 impl ChoiceError {
     fn new(message: impl Into<String>) -> Self {

@@ -44,9 +44,12 @@ impl FromStr for Level {
 }
 
 /// A word that is not a level.
-#[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
-#[error("`{0}` is not a valid severity: `off`, `note`, `warning` or `error`")]
+#[derive(Clone, Debug, PartialEq, Eq)]
 pub struct UnknownLevel(pub String);
+
+objdict_model::error_messages! { UnknownLevel: {
+    Self(name) => "`{name}` is not a valid severity: `off`, `note`, `warning` or `error`";
+} }
 
 /// Severities that replace those of the rules. A later setting takes precedence.
 #[derive(Clone, Debug, Default)]

@@ -1,6 +1,31 @@
 //! The foundation of objdict: texts with positions, findings as data, and the typed dictionary of a device.
 //! Part of `objdict`, which is the crate to depend on.
 
+/// Implements `Display` and `Error` for an error: the message of each pattern, and `From` for what a variant wraps.
+#[doc(hidden)]
+#[macro_export]
+macro_rules! error_messages {
+    ($error:ident: $($(#[$when:meta])* from $wrapped:ty as $variant:ident)* {
+        $($(#[$condition:meta])* $pattern:pat => $message:literal $(, $value:expr)*;)+
+    }) => {
+        impl ::std::fmt::Display for $error {
+            fn fmt(&self, f: &mut ::std::fmt::Formatter<'_>) -> ::std::fmt::Result {
+                match self {
+                    $($(#[$condition])* $pattern => ::std::write!(f, $message $(, $value)*),)+
+                }
+            }
+        }
+
+        impl ::std::error::Error for $error {}
+
+        $($(#[$when])* impl From<$wrapped> for $error {
+            fn from(error: $wrapped) -> Self {
+                Self::$variant(error)
+            }
+        })*
+    };
+}
+
 #[macro_use]
 mod named;
 

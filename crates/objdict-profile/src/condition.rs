@@ -47,23 +47,18 @@ pub enum Term {
 }
 
 /// Why a text is not a valid condition.
-#[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
-#[error("expected {expected} {}", Found(.found))]
+#[derive(Clone, Debug, PartialEq, Eq)]
 pub struct ConditionError {
     expected: &'static str,
     found: String,
 }
 
-struct Found<'a>(&'a str);
-
-impl fmt::Display for Found<'_> {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        match self.0 {
-            "" => f.write_str("at the end of the condition"),
-            found => write!(f, "at `{found}`"),
-        }
-    }
-}
+objdict_model::error_messages! { ConditionError: {
+    Self { expected, found } => "expected {expected} {}", match found.as_str() {
+        "" => "at the end of the condition".to_owned(),
+        found => format!("at `{found}`"),
+    };
+} }
 
 /// Maximum nesting depth of brackets and `not`.
 const MAX_DEPTH: u8 = 16;

@@ -7,20 +7,17 @@ use super::{Profile, ProfileError, named, standard};
 use crate::source::{MAX_TOML_SIZE, SourceError, SourceFile, SourceOptions};
 
 /// Why a profile cannot be opened.
-#[derive(Debug, thiserror::Error)]
+#[derive(Debug)]
 #[non_exhaustive]
 pub enum OpenError {
     /// Neither a built-in profile nor a file.
-    #[error("unknown profile `{name}`")]
     Unknown {
         /// The name.
         name: String,
     },
     /// The file cannot be opened.
-    #[error(transparent)]
-    Source(#[from] SourceError),
+    Source(SourceError),
     /// The file is not a valid profile.
-    #[error("`{}` is not a valid profile: {error}", source_file.name())]
     Invalid {
         /// The invalid profile.
         source_file: Box<SourceFile>,
@@ -28,6 +25,12 @@ pub enum OpenError {
         error: ProfileError,
     },
 }
+
+objdict_model::error_messages! { OpenError: from SourceError as Source {
+    Self::Unknown { name } => "unknown profile `{name}`";
+    Self::Source(error) => "{error}";
+    Self::Invalid { source_file, error } => "`{}` is not a valid profile: {error}", source_file.name();
+} }
 
 impl OpenError {
     /// How to fix it.

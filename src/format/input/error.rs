@@ -11,17 +11,14 @@ use crate::format::identify::Identification;
 use crate::source::{FolderError, SourceError};
 
 /// Why a file is not read.
-#[derive(Debug, thiserror::Error)]
+#[derive(Debug)]
 #[non_exhaustive]
 pub enum ReadError {
     /// It could not be opened, or is too large.
-    #[error(transparent)]
-    Source(#[from] SourceError),
+    Source(SourceError),
     /// Another file names it, and it may not be read.
-    #[error(transparent)]
-    Named(#[from] FolderError),
+    Named(FolderError),
     /// It is a look-alike of another technology, or a file of CANopen that nothing here reads.
-    #[error("`{name}` {}", .found.verdict())]
     Foreign {
         /// The file.
         name: String,
@@ -29,7 +26,6 @@ pub enum ReadError {
         found: Box<Identification>,
     },
     /// Its objects in compact storage have more entries than allowed.
-    #[error("`{name}` has {count} entries in compact storage, more than the limit of {limit}")]
     TooManyEntries {
         /// The file.
         name: String,
@@ -39,7 +35,6 @@ pub enum ReadError {
         limit: usize,
     },
     /// It has more sections, elements or values than allowed.
-    #[error("`{name}` has {count} {what}, more than the limit of {limit}")]
     TooManyParts {
         /// The file.
         name: String,
@@ -51,7 +46,6 @@ pub enum ReadError {
         limit: usize,
     },
     /// Its content is malformed where that cannot be skipped: JSON, concise DCF, a node list.
-    #[error("cannot read `{name}`: {error}")]
     Content {
         /// The file.
         name: String,
@@ -59,7 +53,6 @@ pub enum ReadError {
         error: Box<dyn Error + Send + Sync>,
     },
     /// It describes several devices, and none is selected.
-    #[error("`{name}` describes {count} devices")]
     SeveralDevices {
         /// The file.
         name: String,
@@ -67,7 +60,6 @@ pub enum ReadError {
         count: usize,
     },
     /// It describes fewer devices than the number of the one that is meant.
-    #[error("`{name}` has no device {number}, it describes {}", counted(*count, "device", "devices"))]
     NoSuchDevice {
         /// The file.
         name: String,
@@ -77,7 +69,6 @@ pub enum ReadError {
         count: usize,
     },
     /// It describes, or several files in all describe, more devices than a network can have.
-    #[error("`{name}`: there are {count} devices, but a network has at most {MAX_DEVICES}")]
     TooManyDevices {
         /// The file, or the last one.
         name: String,
@@ -86,7 +77,6 @@ pub enum ReadError {
     },
     /// It has no variant of this name.
     #[cfg(feature = "toml")]
-    #[error("`{name}` has no variant `{variant}`")]
     NoSuchVariant {
         /// The file.
         name: String,
@@ -96,7 +86,6 @@ pub enum ReadError {
         known: Vec<String>,
     },
     /// It is a file of CANopen that describes no device.
-    #[error("`{name}` is read as {} and describes no device", kind.name())]
     NoDevice {
         /// The file.
         name: String,
@@ -104,7 +93,6 @@ pub enum ReadError {
         kind: FileKind,
     },
     /// A patch is for it and cannot be made.
-    #[error("cannot apply the patches to `{name}`\n{problems}")]
     NotPatched {
         /// The file.
         name: String,
@@ -112,7 +100,6 @@ pub enum ReadError {
         problems: String,
     },
     /// It is of a kind that this build of the library does not read.
-    #[error("`{name}` is read as {}, for which this build of objdict has no reader", kind.name())]
     NotBuilt {
         /// The file.
         name: String,
@@ -120,6 +107,31 @@ pub enum ReadError {
         kind: FileKind,
     },
 }
+
+objdict_model::error_messages! { ReadError:
+    from SourceError as Source
+    from FolderError as Named
+{
+    Self::Source(error) => "{error}";
+    Self::Named(error) => "{error}";
+    Self::Foreign { name, found } => "`{name}` {}", found.verdict();
+    Self::TooManyEntries { name, count, limit } =>
+        "`{name}` has {count} entries in compact storage, more than the limit of {limit}";
+    Self::TooManyParts { name, what, count, limit } =>
+        "`{name}` has {count} {what}, more than the limit of {limit}";
+    Self::Content { name, error } => "cannot read `{name}`: {error}";
+    Self::SeveralDevices { name, count } => "`{name}` describes {count} devices";
+    Self::NoSuchDevice { name, number, count } =>
+        "`{name}` has no device {number}, it describes {}", counted(*count, "device", "devices");
+    Self::TooManyDevices { name, count } =>
+        "`{name}`: there are {count} devices, but a network has at most {MAX_DEVICES}";
+    #[cfg(feature = "toml")]
+    Self::NoSuchVariant { name, variant, .. } => "`{name}` has no variant `{variant}`";
+    Self::NoDevice { name, kind } => "`{name}` is read as {} and describes no device", kind.name();
+    Self::NotPatched { name, problems } => "cannot apply the patches to `{name}`\n{problems}";
+    Self::NotBuilt { name, kind } =>
+        "`{name}` is read as {}, for which this build of objdict has no reader", kind.name();
+} }
 
 impl ReadError {
     /// What to do about it, where that is known.

@@ -38,26 +38,20 @@ pub struct Installation {
 }
 
 /// Why files are not a network that can be switched on.
-#[derive(Debug, thiserror::Error)]
+#[derive(Debug)]
 #[non_exhaustive]
 pub enum InstallError {
     /// The network cannot be built.
-    #[error(transparent)]
-    Build(#[from] BuildError),
+    Build(BuildError),
     /// A file cannot be read.
-    #[error(transparent)]
-    Read(#[from] ReadError),
+    Read(ReadError),
     /// No file describes a manager.
-    #[error("no file describes a manager: a device with 1F80h bit 0, or a DCF with `CANopenManager=1`")]
     NoManager,
     /// Several files describe a manager.
-    #[error("`{0}` and `{1}` both describe a manager")]
     Managers(String, String),
     /// A manager or a node has no node-ID.
-    #[error("`{0}` states no node-ID")]
     NoNodeId(String),
     /// The network file has a node that cannot be read, so the network would be another one.
-    #[error("{message}")]
     UnreadNode {
         /// The node and the reason.
         message: String,
@@ -65,12 +59,25 @@ pub enum InstallError {
         help: Option<String>,
     },
     /// Two nodes have the same node-ID.
-    #[error("`{0}` and `{1}` both have the node-ID {2}")]
     NodeIds(String, String, u8),
     /// A file with downloads is malformed.
-    #[error("`{0}`: {1}")]
     Downloads(String, crate::download::DecodeError),
 }
+
+objdict_model::error_messages! { InstallError:
+    from BuildError as Build
+    from ReadError as Read
+{
+    Self::Build(error) => "{error}";
+    Self::Read(error) => "{error}";
+    Self::NoManager =>
+        "no file describes a manager: a device with 1F80h bit 0, or a DCF with `CANopenManager=1`";
+    Self::Managers(one, other) => "`{one}` and `{other}` both describe a manager";
+    Self::NoNodeId(name) => "`{name}` states no node-ID";
+    Self::UnreadNode { message, .. } => "{message}";
+    Self::NodeIds(one, other, node_id) => "`{one}` and `{other}` both have the node-ID {node_id}";
+    Self::Downloads(name, error) => "`{name}`: {error}";
+} }
 
 impl InstallError {
     /// What to do about it, where that is known.

@@ -27,17 +27,14 @@ pub struct BuiltFile {
 }
 
 /// Why a network cannot be built.
-#[derive(Debug, thiserror::Error)]
+#[derive(Debug)]
 #[non_exhaustive]
 pub enum BuildError {
     /// The file of the network cannot be read.
-    #[error("the file describes no network")]
     NoNetwork,
     /// There is no manager.
-    #[error("the network has no manager")]
     NoManager,
     /// The configuration of a node cannot be sent.
-    #[error("the configuration of `{node}`: {error}")]
     Plan {
         /// The name of the node.
         node: String,
@@ -45,10 +42,8 @@ pub enum BuildError {
         error: PlanError,
     },
     /// A stream is too long.
-    #[error(transparent)]
-    Encode(#[from] EncodeError),
+    Encode(EncodeError),
     /// A DCF cannot be written.
-    #[error("the DCF of `{node}`: {error}")]
     Edit {
         /// The name of the node.
         node: String,
@@ -56,6 +51,14 @@ pub enum BuildError {
         error: EditError,
     },
 }
+
+objdict_model::error_messages! { BuildError: from EncodeError as Encode {
+    Self::NoNetwork => "the file describes no network";
+    Self::NoManager => "the network has no manager";
+    Self::Plan { node, error } => "the configuration of `{node}`: {error}";
+    Self::Encode(error) => "{error}";
+    Self::Edit { node, error } => "the DCF of `{node}`: {error}";
+} }
 
 /// A network that was compiled, for its outputs.
 #[derive(Debug)]

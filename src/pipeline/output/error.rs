@@ -6,11 +6,10 @@ use std::path::PathBuf;
 use crate::source::shown;
 
 /// Why a file is not written.
-#[derive(Debug, thiserror::Error)]
+#[derive(Debug)]
 #[non_exhaustive]
 pub enum OutputError {
     /// The system does not write it.
-    #[error("cannot write `{}`: {error}", shown(path))]
     Unwritable {
         /// The file.
         path: PathBuf,
@@ -18,25 +17,21 @@ pub enum OutputError {
         error: io::Error,
     },
     /// The run reads it, or has written it.
-    #[error("`{}` is another input or output of this run", shown(path))]
     InUse {
         /// The file.
         path: PathBuf,
     },
     /// It is in the folder, and objdict did not write it.
-    #[error("`{}` was not written by objdict", shown(path))]
     Foreign {
         /// The file.
         path: PathBuf,
     },
     /// It is in the folder, and is not as objdict wrote it.
-    #[error("`{}` was changed after objdict wrote it", shown(path))]
     Changed {
         /// The file.
         path: PathBuf,
     },
     /// Not every system can have a file of this name.
-    #[error("`{name}` is not a valid name of a file: {reason}")]
     Name {
         /// The name.
         name: String,
@@ -44,6 +39,14 @@ pub enum OutputError {
         reason: &'static str,
     },
 }
+
+objdict_model::error_messages! { OutputError: {
+    Self::Unwritable { path, error } => "cannot write `{}`: {error}", shown(path);
+    Self::InUse { path } => "`{}` is another input or output of this run", shown(path);
+    Self::Foreign { path } => "`{}` was not written by objdict", shown(path);
+    Self::Changed { path } => "`{}` was changed after objdict wrote it", shown(path);
+    Self::Name { name, reason } => "`{name}` is not a valid name of a file: {reason}";
+} }
 
 impl OutputError {
     pub(super) fn unwritable(path: impl Into<PathBuf>) -> impl FnOnce(io::Error) -> Self {

@@ -2,22 +2,19 @@
 
 use std::collections::BTreeSet;
 
-use askama::Template;
-
 use super::words::{macro_name, word_type};
-use crate::escape::filters;
 use crate::meanings::{self, EnumType, Named, WordPart, WordType};
 use crate::model::{DataType, TypeKind};
 use crate::names::{Scope, clip};
 
 /// The macros.
-#[derive(Template)]
-#[template(path = "c/_meanings.h", escape = "none")]
 pub(super) struct Meanings<'a> {
     upper: String,
     enums: Vec<EnumView<'a>>,
     words: Vec<WordView<'a>>,
 }
+
+include!("../../expanded/c/_meanings.h.rs");
 
 struct EnumView<'a> {
     of: &'a EnumType,

@@ -61,13 +61,13 @@ pub(super) fn make(device: &Device, options: &Options) -> Result<Made, GenerateE
     let tables = view::Tables::new(&table, &prefix, &facts);
     let (header, source, size) = match options.table {
         CTable::Compact => (
-            render(format!("{prefix}.h"), &view::Header(&tables))?,
-            render(format!("{prefix}.c"), &view::Source(&tables))?,
+            render(format!("{prefix}.h"), tables.header()),
+            render(format!("{prefix}.c"), tables.source()),
             rows::size(&table, options.entry_names),
         ),
         CTable::Structs => (
-            render(format!("{prefix}.h"), &view::StructsHeader(&tables))?,
-            render(format!("{prefix}.c"), &view::StructsSource(&tables))?,
+            render(format!("{prefix}.h"), tables.structs_header()),
+            render(format!("{prefix}.c"), tables.structs_source()),
             structs::size(&table, &prefix, options.entry_names),
         ),
     };
@@ -79,8 +79,8 @@ pub(super) fn make(device: &Device, options: &Options) -> Result<Made, GenerateE
     }
     if !frames.is_empty() {
         let view = pdo::Pdos::new(&table, &prefix, &frames, are_fixed);
-        files.push(render(format!("{prefix}_pdo.h"), &pdo::PdoHeader(&view))?);
-        files.push(render(format!("{prefix}_pdo.c"), &pdo::PdoSource(&view))?);
+        files.push(render(format!("{prefix}_pdo.h"), view.header()));
+        files.push(render(format!("{prefix}_pdo.c"), view.source()));
     }
     Ok(Made { files, notes: in_order(notes), size })
 }

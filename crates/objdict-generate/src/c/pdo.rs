@@ -2,9 +2,7 @@
 
 use super::defaults::of_node;
 use super::words::{hex_bytes, word_type};
-use crate::escape::filters;
 use crate::frames::{Carried, Frame, FrameField};
-use crate::head::files;
 use crate::model::{DataType, TypeKind};
 use crate::resolve::{Datum, Shape, is_time};
 use crate::table::{Row, Table};
@@ -20,12 +18,8 @@ pub(super) struct Pdos<'a> {
     are_fixed: bool,
 }
 
-files! {
-    #[derive(askama::Template)]
-    pub(super) Pdos:
-    PdoHeader "c/od_pdo.h"
-    PdoSource "c/od_pdo.c"
-}
+include!("../../expanded/c/od_pdo.h.rs");
+include!("../../expanded/c/od_pdo.c.rs");
 
 /// A frame.
 struct FrameView<'a> {

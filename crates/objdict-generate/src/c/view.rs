@@ -7,8 +7,6 @@ use super::stored::{self, GroupView, MemberView};
 use super::structs::Structs;
 use super::words::{hex_bytes, macro_name};
 use crate::defaults::{Constant, constants};
-use crate::escape::filters;
-use crate::head::files;
 use crate::hooks;
 use crate::meanings::{Named, meanings};
 use crate::model::{DataType, Device};
@@ -37,14 +35,10 @@ pub(super) struct Tables<'a> {
     hooks: bool,
 }
 
-files! {
-    #[derive(askama::Template)]
-    pub(super) Tables:
-    Header "c/od.h"
-    Source "c/od.c"
-    StructsHeader "c/structs.h"
-    StructsSource "c/structs.c"
-}
+include!("../../expanded/c/od.h.rs");
+include!("../../expanded/c/od.c.rs");
+include!("../../expanded/c/structs.h.rs");
+include!("../../expanded/c/structs.c.rs");
 
 /// Further contents of headers.
 pub(super) struct Facts {

@@ -12,8 +12,7 @@ mod special;
 
 use super::c_code::file_name;
 use super::dictionary::Dictionary;
-use super::escape::filters;
-use super::head::{Head, files};
+use super::head::Head;
 use super::notes::{in_order, once_per_device};
 use super::{GenerateError, Made, Options, render, startup};
 use crate::model::{Device, ExtraSection, OBJDICTGEN_SECTION};
@@ -30,12 +29,8 @@ struct Tables<'a> {
     slots: Slots,
 }
 
-files! {
-    #[derive(askama::Template)]
-    Tables:
-    Source "canfestival/od.c"
-    Header "canfestival/od.h"
-}
+include!("../../expanded/canfestival/od.c.rs");
+include!("../../expanded/canfestival/od.h.rs");
 
 pub(super) fn make(device: &Device, options: &Options) -> Result<Made, GenerateError> {
     let mut dictionary = Dictionary::new(device, options)?;
@@ -55,7 +50,7 @@ pub(super) fn make(device: &Device, options: &Options) -> Result<Made, GenerateE
     let tables = Tables { head, dictionary: &dictionary, plan, slots };
     let stem = &tables.head.stem;
     let files =
-        vec![render(format!("{stem}.c"), &Source(&tables))?, render(format!("{stem}.h"), &Header(&tables))?];
+        vec![render(format!("{stem}.c"), tables.source()), render(format!("{stem}.h"), tables.header())];
     let size = sizes::report(&dictionary, &tables.plan, &tables.slots);
     Ok(Made { files, notes: once_per_device(in_order(notes)), size })
 }

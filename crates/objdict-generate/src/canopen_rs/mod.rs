@@ -26,6 +26,6 @@ pub(super) fn make(device: &Device, options: &Options) -> Result<Generated, Gene
         return Err(GenerateError::NoEntries { notes });
     }
     let head = Head::new(device, options, &function, &module);
-    let file = render(format!("{module}.rs"), &view::Od::new(&dictionary, head))?;
+    let file = render(format!("{module}.rs"), view::Od::new(&dictionary, head).text());
     Ok(Generated { files: vec![file], notes })
 }

@@ -1,10 +1,8 @@
 //! View of templates/canopen-rs/od.rs.
 
-use askama::Template;
-
 use super::losses::is_modelled;
 use crate::dictionary::{Dictionary, ResolvedEntry};
-use crate::escape::{byte_string, filters};
+use crate::escape::byte_string;
 use crate::head::Head;
 use crate::model::{DataType, TypeKind};
 use crate::names::Scope;
@@ -13,8 +11,6 @@ use crate::rust::{value_of, word_type};
 use crate::variables::{Wanted, claim};
 
 /// The file.
-#[derive(Template)]
-#[template(path = "canopen-rs/od.rs", escape = "none")]
 pub(super) struct Od {
     /// Its `lower` is the name of the function.
     head: Head,
@@ -23,6 +19,8 @@ pub(super) struct Od {
     has_formulas: bool,
     rows: Vec<Row>,
 }
+
+include!("../../expanded/canopen-rs/od.rs.rs");
 
 /// An entry.
 struct Row {

@@ -16,8 +16,7 @@ mod special;
 
 use super::c_code::file_name;
 use super::dictionary::Dictionary;
-use super::escape::filters;
-use super::head::{Head, files};
+use super::head::Head;
 use super::notes::{in_order, once_per_object};
 use super::{GenerateError, Made, Options, render};
 use crate::model::{Device, PdoKind};
@@ -38,13 +37,9 @@ struct Tables<'a> {
     hooks: Vec<Hook>,
 }
 
-files! {
-    #[derive(askama::Template)]
-    Tables:
-    Source "canopen-stack/od.c"
-    Header "canopen-stack/od.h"
-    Specification "canopen-stack/spec.c"
-}
+include!("../../expanded/canopen-stack/od.c.rs");
+include!("../../expanded/canopen-stack/od.h.rs");
+include!("../../expanded/canopen-stack/spec.c.rs");
 
 pub(super) fn make(device: &Device, options: &Options) -> Result<Made, GenerateError> {
     let mut dictionary = Dictionary::new(device, options)?;
@@ -60,9 +55,9 @@ pub(super) fn make(device: &Device, options: &Options) -> Result<Made, GenerateE
     let tables = Tables { head, dictionary: &dictionary, planned, layout, parameters, rows, hooks };
     let stem = &tables.head.stem;
     let files = vec![
-        render(format!("{stem}.c"), &Source(&tables))?,
-        render(format!("{stem}.h"), &Header(&tables))?,
-        render(format!("{stem}_spec.c"), &Specification(&tables))?,
+        render(format!("{stem}.c"), tables.source()),
+        render(format!("{stem}.h"), tables.header()),
+        render(format!("{stem}_spec.c"), tables.specification()),
     ];
     Ok(Made { files, notes: once_per_object(in_order(notes)), size: sizes::report(&tables) })
 }

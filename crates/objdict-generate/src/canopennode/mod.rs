@@ -29,8 +29,8 @@ pub(super) fn make(device: &Device, options: &Options) -> Result<Made, GenerateE
     let mut own = Vec::new();
     let tables = view::Tables::new(&dictionary, options, prefix, &mut own);
     let files = vec![
-        render(format!("{}.h", tables.prefix), &view::Header(&tables))?,
-        render(format!("{}.c", tables.prefix), &view::Source(&tables))?,
+        render(format!("{}.h", tables.prefix), tables.header()),
+        render(format!("{}.c", tables.prefix), tables.source()),
     ];
     for object in &tables.objects {
         notes::of_object(object, &mut own);

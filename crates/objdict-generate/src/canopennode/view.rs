@@ -7,8 +7,7 @@ use super::node_id::applied;
 use super::plan::{Layout, Member, Planned, plan};
 use super::storage::Storage;
 use crate::dictionary::Dictionary;
-use crate::escape::filters;
-use crate::head::{Head, files};
+use crate::head::Head;
 use crate::memory::Extent;
 use crate::{Note, Options};
 use objdict_model::canopennode::Counters;
@@ -29,12 +28,8 @@ pub(super) struct Tables<'a> {
     pub(super) limits: Option<Vec<Limited>>,
 }
 
-files! {
-    #[derive(askama::Template)]
-    pub(super) Tables:
-    Header "canopennode/OD.h"
-    Source "canopennode/OD.c"
-}
+include!("../../expanded/canopennode/OD.h.rs");
+include!("../../expanded/canopennode/OD.c.rs");
 
 /// A storage group: the variables of its objects.
 pub(super) struct GroupView {

@@ -10,8 +10,7 @@ mod plan;
 mod special;
 
 use super::dictionary::Dictionary;
-use super::escape::filters;
-use super::head::{Head, files};
+use super::head::Head;
 use super::memory::{Extent, Memory, Tally};
 use super::notes::{in_order, once_per_device};
 use super::{GenerateError, Made, Options, Sizes, render, startup};
@@ -29,12 +28,8 @@ struct Tables<'a> {
     hooks: Vec<String>,
 }
 
-files! {
-    #[derive(askama::Template)]
-    Tables:
-    Header "canopennode-v1/CO_OD.h"
-    Source "canopennode-v1/CO_OD.c"
-}
+include!("../../expanded/canopennode-v1/CO_OD.h.rs");
+include!("../../expanded/canopennode-v1/CO_OD.c.rs");
 
 pub(super) fn make(device: &Device, options: &Options) -> Result<Made, GenerateError> {
     let mut dictionary = Dictionary::new(device, options)?;
@@ -42,7 +37,7 @@ pub(super) fn make(device: &Device, options: &Options) -> Result<Made, GenerateE
     let plan = Plan::new(&dictionary, options, &mut notes);
     let hooks = hooks::hooked(&dictionary, options, &mut notes);
     let tables = Tables { head: Head::new(device, options, "", ""), dictionary: &dictionary, plan, hooks };
-    let files = vec![render("CO_OD.h", &Header(&tables))?, render("CO_OD.c", &Source(&tables))?];
+    let files = vec![render("CO_OD.h", tables.header()), render("CO_OD.c", tables.source())];
     let mut notes = once_per_device(in_order(notes));
     notes.append(&mut startup::notes(&startup::CANOPENNODE_V1, &dictionary));
     Ok(Made { files, notes: in_order(notes), size: tables.size() })

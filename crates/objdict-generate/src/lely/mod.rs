@@ -26,10 +26,8 @@ pub(super) fn make(device: &Device, options: &Options) -> Result<Generated, Gene
     let defaults = Dictionary::new(&defaults, &unlimited)?;
     let mut notes = std::mem::take(&mut dictionary.notes);
     let tables = view::Tables::new(&dictionary, &defaults, options, (&prefix, &stem), &mut notes);
-    let files = vec![
-        render(format!("{stem}.c"), &view::Source(&tables))?,
-        render(format!("{stem}.h"), &view::Header(&tables))?,
-    ];
+    let files =
+        vec![render(format!("{stem}.c"), tables.source()), render(format!("{stem}.h"), tables.header())];
     let mut notes = once_per_device(in_order(notes));
     notes.append(&mut startup::notes(&startup::LELY, &dictionary));
     Ok(Generated { files, notes: in_order(notes) })

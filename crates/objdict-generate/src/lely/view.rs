@@ -4,8 +4,8 @@ use super::hooks::{Hook, hooked};
 use super::value::{UNCONFIGURED, data_type, has_limits, initial, limit, type_name};
 use crate::c_code::literal;
 use crate::dictionary::{Dictionary, ResolvedEntry, ResolvedObject};
-use crate::escape::{c_text, filters, shown};
-use crate::head::{Head, files};
+use crate::escape::{c_text, shown};
+use crate::head::Head;
 use crate::model::{Access, DataType, Entry, Place, TypeKind};
 use crate::resolve::{Datum, Shape};
 use crate::{Note, Options};
@@ -22,12 +22,8 @@ pub(super) struct Tables<'a> {
     hooks: Vec<Hook>,
 }
 
-files! {
-    #[derive(askama::Template)]
-    pub(super) Tables:
-    Source "lely/sdev.c"
-    Header "lely/sdev.h"
-}
+include!("../../expanded/lely/sdev.c.rs");
+include!("../../expanded/lely/sdev.h.rs");
 
 /// An object: a `struct co_sobj`.
 pub(super) struct SdevObject {

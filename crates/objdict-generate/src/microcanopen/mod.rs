@@ -41,8 +41,8 @@ pub(super) fn make(device: &Device, options: &Options) -> Result<Made, GenerateE
     let head = Head::new(device, options, &prefix, &stem);
     let tables = Tables { head, dictionary: &dictionary, image, calls, replies };
     let files = vec![
-        render(format!("{stem}_mco.c"), &view::Source(&tables))?,
-        render(format!("{stem}_pimg.h"), &view::Header(&tables))?,
+        render(format!("{stem}_mco.c"), tables.source()),
+        render(format!("{stem}_pimg.h"), tables.header()),
     ];
     Ok(Made { files, notes: once_per_device(in_order(notes)), size: size(&tables) })
 }

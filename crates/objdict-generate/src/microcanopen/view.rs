@@ -4,8 +4,7 @@ use super::image::{Image, ImageEntry};
 use super::pdos::Call;
 use super::replies::Reply;
 use crate::dictionary::Dictionary;
-use crate::escape::filters;
-use crate::head::{Head, files};
+use crate::head::Head;
 use crate::model::PdoKind;
 use crate::resolve::Datum;
 
@@ -18,12 +17,8 @@ pub(super) struct Tables<'a> {
     pub(super) replies: Vec<Reply>,
 }
 
-files! {
-    #[derive(askama::Template)]
-    pub(super) Tables:
-    Source "microcanopen/mco.c"
-    Header "microcanopen/pimg.h"
-}
+include!("../../expanded/microcanopen/mco.c.rs");
+include!("../../expanded/microcanopen/pimg.h.rs");
 
 impl Tables<'_> {
     /// In milliseconds.

@@ -9,8 +9,7 @@ mod mapping;
 
 use super::c_code::{bytes, exact_type, typed};
 use super::dictionary::{Dictionary, ResolvedEntry};
-use super::escape::filters;
-use super::head::{Head, files};
+use super::head::Head;
 use super::memory::{Extent, Memory, Tally};
 use super::names::Scope;
 use super::notes::{added, in_order, once_per_device};
@@ -38,13 +37,9 @@ struct ObjectRow<'a> {
     address: String,
 }
 
-files! {
-    #[derive(askama::Template)]
-    Tables:
-    Header "objdict-macros/objdict.h"
-    Source "objdict-macros/objdict.c"
-    Mapping "objdict-macros/mapping.c"
-}
+include!("../../expanded/objdict-macros/objdict.h.rs");
+include!("../../expanded/objdict-macros/objdict.c.rs");
+include!("../../expanded/objdict-macros/mapping.c.rs");
 
 pub(super) fn make(device: &Device, options: &Options) -> Result<Made, GenerateError> {
     let mut dictionary = Dictionary::new(device, options)?;
@@ -52,9 +47,9 @@ pub(super) fn make(device: &Device, options: &Options) -> Result<Made, GenerateE
     let mut notes = std::mem::take(&mut dictionary.notes);
     let tables = Tables::new(&dictionary, Head::new(device, options, &prefix, ""), &mut notes);
     let files = vec![
-        render("objdict.h", &Header(&tables))?,
-        render("objdict.c", &Source(&tables))?,
-        render("mapping.c", &Mapping(&tables))?,
+        render("objdict.h", tables.header()),
+        render("objdict.c", tables.source()),
+        render("mapping.c", tables.mapping()),
     ];
     Ok(Made { files, notes: once_per_device(in_order(notes)), size: tables.size() })
 }

@@ -2,23 +2,20 @@
 
 use std::collections::HashSet;
 
-use askama::Template;
-
 use super::literal::{value_of, word_type};
-use crate::escape::filters;
 use crate::meanings::{self, EnumType, Named, WordPart, WordType};
 use crate::model::{DataType, TypeKind};
 use crate::resolve::{Datum, Shape};
 
 /// The modules `enums` and `bits`, if not empty.
-#[derive(Template)]
-#[template(path = "rust/_meanings.rs", escape = "none")]
 pub(super) struct Meanings<'a> {
     enums: Vec<EnumView<'a>>,
     words: Vec<WordView<'a>>,
     /// Attribute lines after the standard derives of enumerations.
     derives: String,
 }
+
+include!("../../expanded/rust/_meanings.rs.rs");
 
 struct EnumView<'a> {
     name: String,

@@ -42,7 +42,7 @@ pub(super) fn make(device: &Device, options: &Options) -> Result<Made, GenerateE
     let constants = constants(device, &table, &mut notes);
     let named = meanings(device, &table, options, &mut notes);
     let od = view::Od::new(device, &table, options, &frames, &constants, &named)?;
-    let file = render(format!("{module}.rs"), &od)?;
+    let file = render(format!("{module}.rs"), od.text());
     let layout = Layout {
         row: 10,
         object: 0,

@@ -1,9 +1,7 @@
 //! View of templates/rust/_objects.rs: objects and entries as typed constants.
 
-use askama::Template;
-
 use super::literal::{value_of, word_type};
-use crate::escape::{code_span, filters};
+use crate::escape::code_span;
 use crate::model::{DataType, Device, TypeKind};
 use crate::resolve::{Datum, Shape};
 use crate::table::{Row, Table, TableField, TableObject};
@@ -18,11 +16,11 @@ pub(super) const AREAS: [(&str, &str, u16, u16); 5] = [
 ];
 
 /// The modules of all areas with objects.
-#[derive(Template)]
-#[template(path = "rust/_objects.rs", escape = "none")]
 pub(super) struct Objects<'a> {
     areas: Vec<AreaView<'a>>,
 }
+
+include!("../../expanded/rust/_objects.rs.rs");
 
 struct AreaView<'a> {
     name: &'static str,

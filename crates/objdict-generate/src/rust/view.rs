@@ -1,7 +1,5 @@
 //! View of templates/rust/od.rs.
 
-use askama::Template;
-
 use super::defaults::{ItemView, item_view};
 use super::literal::{hex, hex_bytes};
 use super::meanings::Meanings;
@@ -10,7 +8,6 @@ use super::paste::Parts;
 use super::pdo::FrameView;
 use super::places::Places;
 use crate::defaults::Constant;
-use crate::escape::filters;
 use crate::frames::Frame;
 use crate::hooks;
 use crate::meanings::Named;
@@ -20,8 +17,6 @@ use crate::table::{Row, Table};
 use crate::{Derive, GenerateError, Options};
 
 /// The file `od.rs`.
-#[derive(Template)]
-#[template(path = "rust/od.rs", escape = "none")]
 pub(super) struct Od<'a> {
     table: &'a Table,
     /// Size of the longest value in bytes.
@@ -42,6 +37,8 @@ pub(super) struct Od<'a> {
     consumers: u8,
     options: &'a Options,
 }
+
+include!("../../expanded/rust/od.rs.rs");
 
 /// A row of the table.
 struct RowView<'a> {

@@ -12,7 +12,6 @@ mod pdo;
 mod value;
 
 use super::dictionary::Dictionary;
-use super::escape::filters;
 use super::notes::{in_order, once_per_object};
 use super::{GenerateError, Generated, Note, Options, render};
 use crate::model::{CobId, Device, Place};
@@ -30,13 +29,11 @@ pub(super) fn make(device: &Device, options: &Options) -> Result<Generated, Gene
     let mut notes = std::mem::take(&mut maker.notes);
     notes.extend(maker.answers.differences(&dictionary));
     notes.extend(dictionary.notes.iter().cloned());
-    let file = render(format!("{}.toml", options.file_stem), &config)?;
+    let file = render(format!("{}.toml", options.file_stem), config.text());
     Ok(Generated { files: vec![file], notes: once_per_object(in_order(notes)) })
 }
 
 /// The file.
-#[derive(askama::Template)]
-#[template(path = "zencan/device.toml", escape = "none")]
 struct Config {
     made_by: String,
     settings: Settings,
@@ -46,6 +43,8 @@ struct Config {
     pdos: Vec<Pdo>,
     objects: Vec<ObjectView>,
 }
+
+include!("../../expanded/zencan/device.toml.rs");
 
 /// Builds a configuration, the SDO answers of zencan, and notes.
 struct Maker<'a> {

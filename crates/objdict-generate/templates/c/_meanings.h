@@ -1,8 +1,9 @@
+{# Meanings<'_>::text #}
 {% if !enums.is_empty() -%}
 /* Named values of entries. With ..._MASK, the value is that of these bits; any others are possible. */
 {%- for view in enums %}
 
-/** {{ view.of.title|doxygen }}: {{ self::entries(view.of.entries) }} */
+/** {{ view.of.title|doxygen }}: {{ self::entries(&view.of.entries) }} */
 {%- for value in view.values %}
 #define {{ upper }}_{{ value.name|upper }} {{ value.number }} /**< {{ value.label|doxygen }} */
 {%- endfor %}
@@ -16,7 +17,7 @@
    only the lowest bits are used. */
 {%- for view in words %}
 
-/** {{ view.of.title|doxygen }}: {{ self::entries(view.of.entries) }} */
+/** {{ view.of.title|doxygen }}: {{ self::entries(&view.of.entries) }} */
 {%- for part in view.parts %}
 #define {{ part.name }}_SHIFT {{ part.of.first }}u /**< {{ part.of.label|doxygen }} */
 #define {{ part.name }}_BITS {{ part.of.bits }}u

@@ -1,3 +1,4 @@
+{# Tables<'_>::source #}
 /*
  * {{ table.head.made_by }}; do not edit.
  *

@@ -1,3 +1,4 @@
+{# Tables<'_>::header #}
 /**
  * @file
  * {{ table.head.made_by }}; do not edit.
@@ -35,7 +36,7 @@ extern "C" {
 {% include "_defaults.h" %}
 {%- if let Some(meanings) = meanings %}
 
-{{ meanings }}
+{{ meanings.text() }}
 {%- endif %}
 
 /** A time of day since 1984-01-01, or a time difference. */

@@ -1,3 +1,4 @@
+{# Pdos<'_>::source #}
 /*
  * {{ table.head.made_by }}; do not edit.
  */

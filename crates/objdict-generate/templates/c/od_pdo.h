@@ -1,3 +1,4 @@
+{# Pdos<'_>::header #}
 /**
  * @file
  * {{ table.head.made_by }}; do not edit.

@@ -1,3 +1,4 @@
+{# Tables<'_>::structs_header #}
 /**
  * @file
  * {{ table.head.made_by }}; do not edit.
@@ -35,7 +36,7 @@ extern "C" {
 {% include "_defaults.h" %}
 {%- if let Some(meanings) = meanings %}
 
-{{ meanings }}
+{{ meanings.text() }}
 {%- endif %}
 
 {%- if self.has_time() || !groups.is_empty() %}

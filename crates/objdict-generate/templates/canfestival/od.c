@@ -1,3 +1,4 @@
+{# Tables<'_>::source #}
 /*
  * {{ head.made_by }}; do not edit.
  *
@@ -136,7 +137,7 @@ static UNS32 {{ head.lower }}_noCobId = 0x80000000u;
 const indextable {{ head.lower }}_objdict[] = {
 {%- for slot in slots.list %}
 {%- match slot %}
-{%- when Slot::Object with (number) %}
+{%- when Slot::Object(number) %}
 {%- let object = plan.objects[*number] %}
     {(subindex *){{ head.lower }}_Index{{ object.index|hex4 }}, {{ object.rows.len() }}u, 0x{{ object.index|hex4 }}u},
 {%- when Slot::Nothing %}
@@ -186,8 +187,8 @@ s_PDO_status {{ head.lower }}_PDO_status[{{ slots.transmitted() }}] = {
 };
 
 /* SDO servers and clients, RPDOs and their mappings, TPDOs and their mappings. */
-const quick_index {{ head.lower }}_firstIndex = { {%- for position in slots.first %}{{ position }}u{% if !loop.last %}, {% endif %}{% endfor -%} };
-const quick_index {{ head.lower }}_lastIndex = { {%- for position in slots.last %}{{ position }}u{% if !loop.last %}, {% endif %}{% endfor -%} };
+const quick_index {{ head.lower }}_firstIndex = { {%- for position in slots.first %}{% if !loop.first %}, {% endif %}{{ position }}u{% endfor -%} };
+const quick_index {{ head.lower }}_lastIndex = { {%- for position in slots.last %}{% if !loop.first %}, {% endif %}{{ position }}u{% endfor -%} };
 const UNS16 {{ head.lower }}_ObjdictSize = sizeof({{ head.lower }}_objdict) / sizeof({{ head.lower }}_objdict[0]);
 
 CO_Data {{ head.lower }}_Data = CANOPEN_NODE_DATA_INITIALIZER({{ head.lower }});

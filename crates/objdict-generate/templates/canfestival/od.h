@@ -1,3 +1,4 @@
+{# Tables<'_>::header #}
 /*
  * {{ head.made_by }}; do not edit.
  *

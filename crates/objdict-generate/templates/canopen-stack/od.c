@@ -1,3 +1,4 @@
+{# Tables<'_>::source #}
 /*
  * {{ head.made_by }}; do not edit.
  *
@@ -175,7 +176,7 @@ static const CO_PARA {{ head.lower }}_restore[] = {
 
 const CO_OBJ {{ head.lower }}_objects[{{ head.upper }}_LEN + 1u] = {
 {%- for row in rows %}
-    {CO_KEY(0x{{ row.index|hex4 }}, 0x{{ row.sub|hex2 }}, {{ row.flags }}), {{ row.type_name(head.lower) }}, (CO_DATA){{ row.data }}}, /* {{ row.name|c_comment }} */
+    {CO_KEY(0x{{ row.index|hex4 }}, 0x{{ row.sub|hex2 }}, {{ row.flags }}), {{ row.type_name(&head.lower) }}, (CO_DATA){{ row.data }}}, /* {{ row.name|c_comment }} */
 {%- endfor %}
     CO_OBJ_DICT_ENDMARK
 };

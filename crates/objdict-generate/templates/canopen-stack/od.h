@@ -1,3 +1,4 @@
+{# Tables<'_>::header #}
 /*
  * {{ head.made_by }}; do not edit.
  *
@@ -18,7 +19,7 @@ extern "C" {
 {%- endif %}
 
 /* Minimum configuration of the stack: CO_SSDO_N and so on, up to the highest number in use. */
-{%- for (name, count, what, condition) in self.counts() %}
+{%- for (name, count, what, _) in self.counts() %}
 #define {{ head.upper }}_{{ name }}_N {{ count }} /* {{ what }} */
 {%- endfor %}
 

@@ -1,3 +1,4 @@
+{# Tables<'_>::specification #}
 /*
  * {{ head.made_by }}.
  *

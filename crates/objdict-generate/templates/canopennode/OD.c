@@ -1,3 +1,4 @@
+{# Tables<'_>::source #}
 {%- let od = prefix.as_str() -%}
 /*
  * {{ head.made_by }}; do not edit.
@@ -53,7 +54,7 @@ static CO_PROGMEM ODObjs_t ODObjs = {
     {%- when Layout::Array(sub0, elements) %}
     {%- let storage = elements[0].storage %}
         .dataOrig0 = {{ object.address(sub0, od) }},
-        .dataOrig = {{ object.address(elements[0], od) }},
+        .dataOrig = {{ object.address(&elements[0], od) }},
         .attribute0 = {{ sub0.storage.attribute }},
         .attribute = {{ storage.attribute }},
         .dataElementLength = {{ storage.length }},

@@ -1,3 +1,4 @@
+{# Tables<'_>::source #}
 /*
  * {{ head.made_by }}; do not edit.
  *
@@ -143,13 +144,13 @@ void {{ head.lower }}_init_hooks(co_dev_t *dev, void *data)
 {
 {%- for hook in hooks %}
 {%- for sub in hook.written %}
-    co_sub_set_dn_ind(co_dev_find_sub(dev, 0x{{ hook.index|hex4 }}u, 0x{{ (*sub)|hex2 }}u), {{ head.lower }}_hook{{ hook.index|hex4 }}_dn, data);
+    co_sub_set_dn_ind(co_dev_find_sub(dev, 0x{{ hook.index|hex4 }}u, 0x{{ sub|hex2 }}u), {{ head.lower }}_hook{{ hook.index|hex4 }}_dn, data);
 {%- endfor %}
 {%- endfor %}
 #if !LELY_NO_CO_OBJ_UPLOAD
 {%- for hook in hooks %}
 {%- for sub in hook.read %}
-    co_sub_set_up_ind(co_dev_find_sub(dev, 0x{{ hook.index|hex4 }}u, 0x{{ (*sub)|hex2 }}u), {{ head.lower }}_hook{{ hook.index|hex4 }}_up, data);
+    co_sub_set_up_ind(co_dev_find_sub(dev, 0x{{ hook.index|hex4 }}u, 0x{{ sub|hex2 }}u), {{ head.lower }}_hook{{ hook.index|hex4 }}_up, data);
 {%- endfor %}
 {%- endfor %}
 #endif

@@ -1,3 +1,4 @@
+{# Tables<'_>::source #}
 /*
  * {{ head.made_by }}; do not edit.
  *

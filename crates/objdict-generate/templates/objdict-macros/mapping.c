@@ -1,3 +1,4 @@
+{# Tables<'_>::mapping #}
 /*
  * {{ head.made_by }}; do not edit.
  *

@@ -1,3 +1,4 @@
+{# Meanings<'_>::text #}
 {% if !enums.is_empty() -%}
 /// Named values of entries.
 #[allow(dead_code, unreachable_pub)]
@@ -6,7 +7,7 @@ pub mod enums {
 {%- for view in enums %}
 {%- if !loop.first %}
 {% endif %}
-    /// {{ view.of.title|code_span }}: values of {{ self::entries(view.of.entries) }}.
+    /// {{ view.of.title|code_span }}: values of {{ self::entries(&view.of.entries) }}.
     #[allow(clippy::enum_variant_names)]
     #[derive(Clone, Copy, Debug, PartialEq, Eq)]{{ derives }}
     #[repr({{ view.repr }})]
@@ -22,9 +23,9 @@ pub mod enums {
 {%- for alias in view.aliases %}
         /// {{ alias.label|code_span }}: the same value.
         pub const {{ alias.name }}: Self = Self::{{ alias.variant }};
-{%- if loop.last %}
-{% endif %}
 {%- endfor %}
+{%- if !view.aliases.is_empty() %}
+{% endif %}
         /// The value of the entry.
         #[must_use]
         pub const fn value(self) -> {{ view.type_ }} {
@@ -69,7 +70,7 @@ pub mod bits {
 {%- for view in words %}
 {%- if !loop.first %}
 {% endif %}
-    /// {{ view.of.title|code_span }}: {{ self::entries(view.of.entries) }}.
+    /// {{ view.of.title|code_span }}: {{ self::entries(&view.of.entries) }}.
     pub mod {{ view.of.name }} {
 {%- for part in view.parts %}
 {%- if !loop.first %}

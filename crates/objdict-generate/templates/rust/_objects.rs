@@ -1,3 +1,4 @@
+{# Objects<'_>::text #}
 {% for area in areas -%}
 {%- if !loop.first %}
 {% endif -%}

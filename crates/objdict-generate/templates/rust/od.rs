@@ -1,3 +1,4 @@
+{# Od<'_>::text #}
 // {{ table.head.made_by }}; do not edit.
 //
 // Object dictionary of {{ table.head.product|code_span }} by {{ table.head.vendor|code_span }}.
@@ -54,7 +55,7 @@ pub const fn find(index: u16, sub: u8) -> Result<&'static Entry, Abort> {
     Entry::find(index, sub)
 }
 
-{{ objects }}
+{{ objects.text() }}
 {%- if !table.groups.is_empty() %}
 /// Storage groups: `data.save(groups::{{ table.groups[0].field|upper }}, &mut image)`.
 #[allow(dead_code, unreachable_pub)]
@@ -73,7 +74,7 @@ pub mod groups {
 {% include "_defaults.rs" %}
 
 {% if let Some(meanings) = meanings -%}
-{{ meanings }}
+{{ meanings.text() }}
 
 {% endif -%}
 {%- if options.runtime || !frames.is_empty() -%}
@@ -169,7 +170,7 @@ pub type Node<const BUFFER: usize, const CHANNELS: usize, D = Data> =
 #[allow(dead_code, unreachable_pub)]
 #[rustfmt::skip]
 pub const fn pdos() -> objdict_device::Pdos<{{ pdos[0].len() }}, {{ pdos[1].len() }}> {
-    objdict_device::Pdos::new({{ Self::indexes(pdos[0]) }}, {{ Self::indexes(pdos[1]) }})
+    objdict_device::Pdos::new({{ Self::indexes(&pdos[0]) }}, {{ Self::indexes(&pdos[1]) }})
 }
 
 /// A node with the defaults, before its boot-up.

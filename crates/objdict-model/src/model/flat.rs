@@ -93,15 +93,19 @@ impl From<ExtraSection> for SectionForm {
 }
 
 /// Why fields are inconsistent.
-#[derive(Debug, thiserror::Error)]
+#[derive(Debug)]
 pub(super) enum Unfit {
     /// A value that is not valid for the data type of its entry.
-    #[error("{field}: `{value}` is not a valid {data_type}")]
     Value { field: &'static str, value: Value, data_type: DataType },
     /// A name, value or denotation of a missing entry.
-    #[error("{field}: there is no sub-index {sub:X}h among the {count} that are stored compactly")]
     Sub { field: &'static str, sub: u8, count: u8 },
 }
+
+crate::error_messages! { Unfit: {
+    Self::Value { field, value, data_type } => "{field}: `{value}` is not a valid {data_type}";
+    Self::Sub { field, sub, count } =>
+        "{field}: there is no sub-index {sub:X}h among the {count} that are stored compactly";
+} }
 
 fn check(entry: &Entry) -> Result<(), Unfit> {
     let values = [

@@ -17,29 +17,22 @@ struct SpanEdit {
 }
 
 /// Why a source cannot be edited.
-#[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
+#[derive(Clone, Debug, PartialEq, Eq)]
 #[non_exhaustive]
 pub enum EditError {
     /// Two edits touch the same bytes.
-    #[error("two edits touch the same text, at bytes {} to {}", .0.start, .0.end)]
     Overlap(Span),
     /// The bytes of the file cannot be restored from its text, so an edited text cannot be written.
-    #[error("`{0}` is not valid in its encoding and cannot be edited; save the file as UTF-8 first")]
     ReadOnly(String),
     /// A new key, value or section name contains a line end.
-    #[error("`{}` contains a line end", .0.escape_debug())]
     LineEnd(String),
     /// A new name, value or text contains a character that is not allowed in XML.
-    #[error("`{}` cannot be written in XML", .0.escape_debug())]
     NotXml(String),
     /// The new text would be read differently.
-    #[error("`{0}` cannot be formatted without changing its meaning")]
     OtherMeaning(String),
     /// A new text violates the standard: an error of objdict.
-    #[error("objdict would write a text that is not valid: {0}")]
     NotValid(String),
     /// The new text would not give back more values of the description than allowed.
-    #[error("the format has no place for {count} values of the description, more than the limit of {limit}")]
     TooMuchLost {
         /// How many, each with what its place takes.
         count: usize,
@@ -47,9 +40,21 @@ pub enum EditError {
         limit: usize,
     },
     /// A new text has a character that the encoding of the file lacks.
-    #[error(transparent)]
-    Unencodable(#[from] Unencodable),
+    Unencodable(Unencodable),
 }
+
+crate::error_messages! { EditError: from Unencodable as Unencodable {
+    Self::Overlap(span) => "two edits touch the same text, at bytes {} to {}", span.start, span.end;
+    Self::ReadOnly(name) =>
+        "`{name}` is not valid in its encoding and cannot be edited; save the file as UTF-8 first";
+    Self::LineEnd(text) => "`{}` contains a line end", text.escape_debug();
+    Self::NotXml(text) => "`{}` cannot be written in XML", text.escape_debug();
+    Self::OtherMeaning(text) => "`{text}` cannot be formatted without changing its meaning";
+    Self::NotValid(problem) => "objdict would write a text that is not valid: {problem}";
+    Self::TooMuchLost { count, limit } =>
+        "the format has no place for {count} values of the description, more than the limit of {limit}";
+    Self::Unencodable(error) => "{error}";
+} }
 
 impl<'a> Edits<'a> {
     /// No changes.

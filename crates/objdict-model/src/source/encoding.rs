@@ -111,21 +111,27 @@ impl FromStr for Encoding {
 }
 
 /// An unknown [`Encoding`] name.
-#[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
-#[error("unknown encoding `{name}`, expected one of {}", Encoding::NAMES.join(", "))]
+#[derive(Clone, Debug, PartialEq, Eq)]
 pub struct UnknownEncoding {
     name: String,
 }
 
+crate::error_messages! { UnknownEncoding: {
+    Self { name } => "unknown encoding `{name}`, expected one of {}", Encoding::NAMES.join(", ");
+} }
+
 /// A character that an [`Encoding`] lacks.
-#[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
-#[error("the encoding {encoding} has no character `{character}`")]
+#[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Unencodable {
     /// The character.
     pub character: char,
     /// The requested encoding.
     pub encoding: Encoding,
 }
+
+crate::error_messages! { Unencodable: {
+    Self { character, encoding } => "the encoding {encoding} has no character `{character}`";
+} }
 
 /// Whether all bytes beyond ISO 646 are German letters of code page 850 in words. One of them must be `ä`, `ö` or `ü`, which are a quote
 /// or a control character in Windows-1252; the others are letters there too.

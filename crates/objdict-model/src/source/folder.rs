@@ -20,25 +20,28 @@ pub struct Folder {
 }
 
 /// Why a file that another one names is not read.
-#[derive(Debug, thiserror::Error)]
+#[derive(Debug)]
 #[non_exhaustive]
 pub enum FolderError {
     /// The file cannot be read, or is none.
-    #[error(transparent)]
-    Unreadable(#[from] SourceError),
+    Unreadable(SourceError),
     /// The name points outside the allowed folders.
-    #[error("`{name}` is outside the project")]
     Outside {
         /// The name, as in the file.
         name: String,
     },
     /// The name is that of a share in a network.
-    #[error("`{name}` is on another computer")]
     Remote {
         /// The name, as in the file.
         name: String,
     },
 }
+
+crate::error_messages! { FolderError: from SourceError as Unreadable {
+    Self::Unreadable(error) => "{error}";
+    Self::Outside { name } => "`{name}` is outside the project";
+    Self::Remote { name } => "`{name}` is on another computer";
+} }
 
 impl FolderError {
     /// How to fix the error; options are those of the command line.

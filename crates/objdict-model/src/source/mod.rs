@@ -50,11 +50,10 @@ impl Default for SourceOptions {
 }
 
 /// Why a file could not be opened.
-#[derive(Debug, thiserror::Error)]
+#[derive(Debug)]
 #[non_exhaustive]
 pub enum SourceError {
     /// The operating system reported an error.
-    #[error("cannot read `{path}`: {error}")]
     Io {
         /// The file.
         path: String,
@@ -62,19 +61,16 @@ pub enum SourceError {
         error: io::Error,
     },
     /// The path is a directory.
-    #[error("`{path}` is a directory")]
     Directory {
         /// The directory.
         path: String,
     },
     /// The path is a pipe, a socket or a device, which need not end.
-    #[error("`{path}` is a pipe or a device, not a file")]
     Special {
         /// The path.
         path: String,
     },
     /// The file is larger than allowed.
-    #[error("`{path}` has {size} bytes, more than the limit of {limit}")]
     TooLarge {
         /// The file.
         path: String,
@@ -84,6 +80,13 @@ pub enum SourceError {
         limit: u64,
     },
 }
+
+crate::error_messages! { SourceError: {
+    Self::Io { path, error } => "cannot read `{path}`: {error}";
+    Self::Directory { path } => "`{path}` is a directory";
+    Self::Special { path } => "`{path}` is a pipe or a device, not a file";
+    Self::TooLarge { path, size, limit } => "`{path}` has {size} bytes, more than the limit of {limit}";
+} }
 
 /// The bytes of the file at `path`, at most `limit` and never more than 1 GiB; of its buffer, where it has
 /// [one](with_buffers). A pipe or a device is refused before it is

@@ -37,8 +37,7 @@ pub struct Annotation {
 }
 
 /// A line that is not a valid download.
-#[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
-#[error("line {line}: {message}")]
+#[derive(Clone, Debug, PartialEq, Eq)]
 #[non_exhaustive]
 pub struct TextError {
     /// The line, counted from 1.
@@ -48,6 +47,8 @@ pub struct TextError {
     /// How to fix it.
     pub help: &'static str,
 }
+
+objdict_model::error_messages! { TextError: { Self { line, message, .. } => "line {line}: {message}"; } }
 
 /// The lines of a text that are not valid downloads.
 #[derive(Clone, Debug, PartialEq, Eq)]

@@ -58,16 +58,19 @@ pub struct SettingsFile {
 }
 
 /// Why a settings file cannot be read.
-#[derive(Debug, thiserror::Error)]
+#[derive(Debug)]
 #[non_exhaustive]
 pub enum SettingsFileError {
     /// Not valid TOML, or unknown keys.
-    #[error("{}", .0.to_string().trim_end())]
     Toml(toml::de::Error),
     /// All invalid settings of the file.
-    #[error("{}", .0.iter().map(ToString::to_string).collect::<Vec<_>>().join("\n"))]
     Settings(Vec<NoSetting>),
 }
+
+objdict_model::error_messages! { SettingsFileError: {
+    Self::Toml(error) => "{}", error.to_string().trim_end();
+    Self::Settings(settings) => "{}", settings.iter().map(ToString::to_string).collect::<Vec<_>>().join("\n");
+} }
 
 #[derive(Deserialize)]
 #[serde(rename_all = "kebab-case", deny_unknown_fields)]

@@ -171,14 +171,15 @@ pub enum CanId {
 }
 
 /// A text that is not a valid setting.
-#[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
-#[error("`{text}` is not a setting: {expected}")]
+#[derive(Clone, Debug, PartialEq, Eq)]
 pub struct NoSetting {
     /// The text.
     text: String,
     /// The expected syntax.
     expected: &'static str,
 }
+
+objdict_model::error_messages! { NoSetting: { Self { text, expected } => "`{text}` is not a setting: {expected}"; } }
 
 impl NoSetting {
     fn new(text: &str, expected: &'static str) -> Self {

@@ -15,11 +15,14 @@ const HEADER: usize = 7;
 const MAX_TRIED: usize = 1 << 16;
 
 /// A configuration too large for a stream: a count or a size does not fit into 32 bits.
-#[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
-#[error("{what} exceeds the limit of a concise DCF, 4294967295")]
+#[derive(Clone, Debug, PartialEq, Eq)]
 pub struct EncodeError {
     what: String,
 }
+
+objdict_model::error_messages! { EncodeError: {
+    Self { what } => "{what} exceeds the limit of a concise DCF, 4294967295";
+} }
 
 impl ConciseDcf {
     /// Parses a stream.
@@ -71,8 +74,7 @@ fn encode(downloads: &[Download]) -> Result<Vec<u8>, EncodeError> {
 }
 
 /// Why a stream is not a valid concise DCF.
-#[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
-#[error("at byte {offset}: {kind}")]
+#[derive(Clone, Debug, PartialEq, Eq)]
 #[non_exhaustive]
 pub struct DecodeError {
     /// Offset of the first invalid byte.
@@ -81,18 +83,18 @@ pub struct DecodeError {
     pub kind: DecodeErrorKind,
 }
 
+objdict_model::error_messages! { DecodeError: { Self { offset, kind } => "at byte {offset}: {kind}"; } }
+
 /// Errors of a stream. Entries are counted from 1.
-#[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
+#[derive(Clone, Debug, PartialEq, Eq)]
 #[non_exhaustive]
 pub enum DecodeErrorKind {
     /// The stream is shorter than the count.
-    #[error("the stream has {length} bytes, but its entry count takes 4")]
     NoCount {
         /// Length of the stream.
         length: usize,
     },
     /// The count is larger than the number of entries.
-    #[error("the stream has {found} of {count} entries")]
     CountTooLarge {
         /// The stated number.
         count: u32,
@@ -100,7 +102,6 @@ pub enum DecodeErrorKind {
         found: u32,
     },
     /// An entry ends within its index, sub-index or size.
-    #[error("entry {entry} of {count} has {left} of the 7 bytes for index, sub-index and size")]
     TruncatedHeader {
         /// Number of the entry.
         entry: u32,
@@ -110,9 +111,6 @@ pub enum DecodeErrorKind {
         left: usize,
     },
     /// An entry ends within its data.
-    #[error(
-        "entry {entry} of {count}, {index:04X}h sub-index {sub:X}h, has a size of {size} bytes, but {left} are left"
-    )]
     TruncatedData {
         /// Number of the entry.
         entry: u32,
@@ -128,7 +126,6 @@ pub enum DecodeErrorKind {
         left: usize,
     },
     /// Bytes follow the last entry.
-    #[error("{left} bytes follow the last of {count} entries")]
     TrailingBytes {
         /// The stated number of entries.
         count: u32,
@@ -137,10 +134,6 @@ pub enum DecodeErrorKind {
     },
     /// A bug of the generator dcfgen: integers of 24, 40, 48 and 56 bits state their true size, but four or
     /// eight bytes follow, so every later entry is shifted.
-    #[error(
-        "entry {entry} of {count}, {index:04X}h sub-index {sub:X}h, has a size of {size} bytes, but {padded} bytes of \
-         data: dcfgen pads integers of 24, 40, 48 and 56 bits and shifts every later entry"
-    )]
     PaddedInteger {
         /// Number of the first such entry.
         entry: u32,
@@ -156,6 +149,19 @@ pub enum DecodeErrorKind {
         padded: u32,
     },
 }
+
+objdict_model::error_messages! { DecodeErrorKind: {
+    Self::NoCount { length } => "the stream has {length} bytes, but its entry count takes 4";
+    Self::CountTooLarge { count, found } => "the stream has {found} of {count} entries";
+    Self::TruncatedHeader { entry, count, left } =>
+        "entry {entry} of {count} has {left} of the 7 bytes for index, sub-index and size";
+    Self::TruncatedData { entry, count, index, sub, size, left } =>
+        "entry {entry} of {count}, {index:04X}h sub-index {sub:X}h, has a size of {size} bytes, but {left} are left";
+    Self::TrailingBytes { count, left } => "{left} bytes follow the last of {count} entries";
+    Self::PaddedInteger { entry, count, index, sub, size, padded } =>
+        "entry {entry} of {count}, {index:04X}h sub-index {sub:X}h, has a size of {size} bytes, but {padded} bytes of data: \
+         dcfgen pads integers of 24, 40, 48 and 56 bits and shifts every later entry";
+} }
 
 fn count(stream: &[u8]) -> Option<u32> {
     stream.first_chunk().copied().map(u32::from_le_bytes)

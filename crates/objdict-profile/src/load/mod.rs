@@ -23,8 +23,7 @@ use crate::model::{Access, DataType, ObjectType, TypeKind, Value};
 use crate::source::Span;
 
 /// Why a text is not a valid profile.
-#[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
-#[error("{message}")]
+#[derive(Clone, Debug, PartialEq, Eq)]
 pub struct ProfileError {
     /// The message.
     pub message: String,
@@ -33,6 +32,8 @@ pub struct ProfileError {
     /// A suggestion or an instruction.
     pub help: Option<String>,
 }
+
+objdict_model::error_messages! { ProfileError: { Self { message, .. } => "{message}"; } }
 
 impl ProfileError {
     fn new(message: String, span: Option<Span>) -> Self {
