@@ -125,7 +125,17 @@ fn features_need_so_many_crates() {
         let cells: Vec<&str> = row.trim_matches('|').split('|').map(str::trim).collect();
         let [feature, _, stated] = cells[..] else { panic!("{row}") };
         let mut cargo = Command::new(env!("CARGO"));
-        cargo.args(["tree", "--locked", "-e", "normal", "--prefix", "none", "--no-default-features"]);
+        cargo.args([
+            "tree",
+            "--package",
+            "objdict",
+            "--locked",
+            "-e",
+            "normal",
+            "--prefix",
+            "none",
+            "--no-default-features",
+        ]);
         if feature != "none" {
             cargo.args(["--features", feature.trim_matches('`')]);
         }

@@ -85,6 +85,19 @@ fn a_pdo_is_what_its_table_says() {
     assert!(pdos.iter().all(|pdo| pdo.is_valid() == Some(true)));
 }
 
+/// Inhibit times are multiples of 100 µs; those of whole milliseconds are written as such.
+#[test]
+fn inhibit_times_keep_their_unit() {
+    let text = fs::read_to_string(fixture("io.toml")).unwrap();
+    for time in ["5ms", "1500us", "100us"] {
+        let inhibit = format!("inhibit = \"{time}\"");
+        let changed = read(&text.replace("inhibit = \"5ms\"", &inhibit));
+        let again = written(changed.device());
+        assert!(again.contains(&inhibit), "{time}:\n{again}");
+        assert!(read(&again).device() == changed.device(), "{time}");
+    }
+}
+
 #[test]
 fn mistakes_are_found_in_their_places() {
     const HEAD: &str = "format = \"objdict-device/1\"\n";

@@ -160,12 +160,19 @@ impl Built {
     /// A command of Cargo with the options of the packages.
     fn with_options<'a>(&self, cargo: &'a mut Command) -> &'a mut Command {
         let profile = self.options.profile.as_deref().unwrap_or("release");
-        cargo.current_dir(&self.root).args(["--bin", "objdict", "--profile", profile]);
+        cargo.current_dir(&self.root).args([
+            "--package",
+            "objdict",
+            "--bin",
+            "objdict",
+            "--profile",
+            profile,
+        ]);
         let page = self.root.join("web/dist/objdict-workbench.html");
         if page.is_file() {
             cargo.args(["--features", "open"]).env("OBJDICT_WORKBENCH", &page);
         } else {
-            println!("without `objdict open`: `cd web && npm ci && npm run build` makes its page");
+            println!("without the page of `objdict open`: `cd web && npm ci && npm run build` makes it");
         }
         cargo
     }

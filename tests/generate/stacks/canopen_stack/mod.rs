@@ -4,7 +4,7 @@ use std::path::{Path, PathBuf};
 use std::process::Command;
 use std::sync::atomic::{AtomicUsize, Ordering};
 
-use objdict::generate::{Generated, Note, Options, StorageGroup};
+use objdict::generate::{Generated, Options, StorageGroup};
 use objdict::model::{Access, Device, Value};
 
 use crate::compile::{c_compiler, cc, generate_with, succeed};

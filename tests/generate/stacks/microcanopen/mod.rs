@@ -2,7 +2,7 @@
 
 use std::path::Path;
 
-use objdict::generate::{Generated, Note};
+use objdict::generate::Generated;
 use objdict::model::{Device, TypeKind, Value};
 
 use crate::compile::{c_compiler, cc, generate_with};
