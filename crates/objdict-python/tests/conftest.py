@@ -21,8 +21,9 @@ def pytest_runtest_makereport(item: pytest.Item) -> Generator[None, Any, None]:
     if report.skipped and os.environ.get("CI") == "true":
         report.outcome = "failed"
     elif report.skipped and (path := os.environ.get("OBJDICT_SKIPS")):
+        reason = report.longrepr[2].removeprefix("Skipped: ")
         with open(path, "a", encoding="utf-8") as file:
-            file.write(f"skipped: {report.longrepr[2].removeprefix("Skipped: ")} (python: {item.name})\n")
+            file.write(f"skipped: {reason} (python: {item.name})\n")
 
 
 pytest_plugins = ["pytester"]
