@@ -88,5 +88,8 @@ fn the_gate_has_the_commands_of_the_readme() {
     };
     let (readme, gate) = (read("README.md"), read(".ci/run"));
     assert!(readme.contains("\ncargo run -- check ") && readme.contains("\ncargo test "));
-    assert!(gate.contains("\ntests() { cargo test --no-fail-fast; }\n") && gate.contains("\n  cargo test --no-run\n"));
+    assert!(
+        gate.contains("\ntests() { cargo test --no-fail-fast; }\n")
+            && gate.contains("\n  cargo test --no-run\n")
+    );
 }
