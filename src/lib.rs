@@ -186,72 +186,71 @@
 //! 3. [`lint`]: rules about the model, which know no files; with those that only a text can show they are in [`registry`].
 //! 4. [`diagnostic`] and [`report`]: findings as data, located when they are shown.
 //! 5. [`generate`] and [`download`]: what is made of a device; they see the model alone.
-//! 6. [`document`]: what is said of a device, to people and to spreadsheets (feature `document`).
+//! 6. [`document`]: what is said of a device, to people and to spreadsheets (feature `full`).
 
 #![cfg_attr(docsrs, feature(doc_cfg))]
 
-#[cfg(feature = "json")]
-pub mod baseline;
-#[cfg(feature = "generate")]
-pub mod build_script;
-mod check;
+#[cfg(any(feature = "c", feature = "canopennode", feature = "rust", feature = "template"))]
+pub use objdict_build::build_script;
+#[cfg(feature = "full")]
+pub use objdict_bus as bus;
 #[cfg(feature = "cli")]
 #[doc(hidden)] // for the command alone
-pub mod cli;
-#[cfg(feature = "json")]
-pub mod compare;
-#[doc(hidden)] // the tests compare its table with the tools
-pub mod compat;
-#[cfg(feature = "lint")]
-pub mod config;
-/// Findings as plain data: a rule, a severity, a message, places or spans, a help and a fix.
-pub mod diagnostic {
-    pub(crate) use objdict_model::diagnostic::*;
-    pub use objdict_model::diagnostic::{
-        Applicability, At, Change, Diagnostic, Findings, Fix, FixSafety, MAX_PER_RULE, RuleInfo, Selection,
-        Severity, SourceLabel, Span, Text, Tidy, Tool,
-    };
-}
-#[cfg(feature = "lint")]
-mod fix;
-pub mod format;
-#[cfg(feature = "json")]
-mod json;
-#[cfg(any(feature = "cli", feature = "lsp"))]
-mod line_diff;
-#[cfg(feature = "lsp")]
-#[doc(hidden)] // for the command alone
-pub mod lsp;
-#[cfg(feature = "generate")]
-mod pipeline;
-#[cfg(feature = "network")]
-pub mod probe;
-pub mod registry;
-pub mod report;
-pub mod scaffold;
-#[cfg(all(feature = "document", feature = "network"))]
-#[doc(hidden)] // for the command, the workbench and the module of Python
-pub mod traffic;
-
-pub use check::{check, check_with};
-#[cfg(feature = "lint")]
-pub use fix::{AppliedFix, Fixed, fix, fix_for_readers, with_sound_fixes};
-#[cfg(feature = "network")]
-pub use objdict_bus as bus;
-#[cfg(feature = "document")]
+pub use objdict_cli as cli;
+#[cfg(feature = "full")]
 pub use objdict_document::{self as document, describe};
-#[cfg(feature = "generate")]
+#[cfg(feature = "toml")]
+pub use objdict_format::compare;
+#[cfg(any(feature = "c", feature = "canopennode", feature = "rust", feature = "template"))]
 pub use objdict_generate as generate;
 pub use objdict_lint as lint;
-pub use objdict_model::{Language, model, source};
-#[cfg(feature = "network")]
+pub use objdict_model::{Language, diagnostic, model, source};
+#[cfg(feature = "full")]
 pub use objdict_network as network;
-#[cfg(feature = "node")]
+#[cfg(feature = "toml")]
 pub use objdict_node::{configure, coupler, download};
 pub use objdict_profile as profile;
+#[cfg(feature = "toml")]
+pub use objdict_project::baseline;
+#[doc(hidden)] // the tests compare its table with the tools
+pub use objdict_project::compat;
+#[cfg(feature = "lint")]
+pub use objdict_project::{AppliedFix, Fixed, config, fix, fix_for_readers, with_sound_fixes};
+pub use objdict_project::{check, check_with, registry, report};
+#[cfg(feature = "full")]
+pub use objdict_traffic::{self as traffic, probe};
+
+/// Description files: what a file is, and from its bytes to the model.
+pub mod format {
+    pub use objdict_format::*;
+    #[cfg(feature = "full")]
+    pub use objdict_network_file as network;
+    #[cfg(feature = "full")]
+    pub use objdict_traffic::log;
+}
+
+/// New descriptions: a device that has what its profile demands of it, and nothing that it does not.
+pub mod scaffold {
+    pub use objdict_format::scaffold::*;
+    #[cfg(feature = "full")]
+    pub use objdict_traffic::probe::learn;
+}
+
+#[cfg(all(doc, not(doctest)))] // the addresses of rules lead here
+macro_rules! pages {
+    ($($name:ident: $about:literal, $needs:expr;)+) => {
+        /// The pages of the rules, a module for each group. `objdict explain` prints the same texts.
+        pub mod rules {
+            $(
+                #[doc = include_str!(concat!("../docs/rules/", stringify!($name), ".md"))]
+                pub mod $name {}
+            )+
+        }
+    };
+}
 
 #[cfg(all(doc, not(doctest)))]
-pub use registry::groups::rules;
+objdict_project::with_rule_groups!(pages);
 
 /// The examples of the README are compiled with those of this page.
 #[cfg(doctest)]

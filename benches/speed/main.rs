@@ -1,11 +1,11 @@
 //! How fast the library is; `cargo bench xml` runs one module.
 
 mod concise;
-#[cfg(feature = "document")]
+#[cfg(feature = "full")]
 mod docs;
 mod large;
 mod lookup;
-#[cfg(feature = "network")]
+#[cfg(feature = "full")]
 mod network;
 mod read;
 mod xml;

@@ -12,7 +12,7 @@ mod devices;
 mod gates;
 mod handles;
 mod hooks;
-#[cfg(feature = "network")]
+#[cfg(feature = "full")]
 mod live;
 mod meanings;
 mod misra;

@@ -12,8 +12,8 @@ mod config;
 mod configure;
 mod configure_node;
 mod conformance;
-#[cfg(feature = "document")]
-#[cfg(feature = "document")]
+#[cfg(feature = "full")]
+#[cfg(feature = "full")]
 mod conversions;
 mod dbc;
 mod device_profile;
@@ -33,7 +33,7 @@ mod json;
 mod links;
 mod lint;
 mod lossless;
-#[cfg(feature = "lsp")]
+#[cfg(feature = "full")]
 mod lsp;
 mod namesakes;
 mod network;
@@ -43,7 +43,7 @@ mod objdictgen;
 mod pages;
 mod patch;
 mod planted;
-#[cfg(feature = "network")]
+#[cfg(feature = "full")]
 mod probe;
 mod profiles;
 #[cfg(feature = "cli")]

@@ -72,7 +72,6 @@ fn line(features: &Features) -> String {
         FeatureValue::Number(number) => format!("{word}={number}"),
         FeatureValue::Name(name) => format!("{word}={name}"),
         FeatureValue::Names(names) => format!("{word}={}", names.join(",")),
-        _ => unreachable!(),
     });
     words.collect::<Vec<_>>().join(" ")
 }

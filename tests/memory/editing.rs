@@ -51,7 +51,7 @@ fn session() {
     let (edits, fault) = session.split_once(' ').unwrap();
     let edits: usize = edits.parse().unwrap();
     let (client, other) = Connection::memory();
-    let server = std::thread::spawn(move || objdict::lsp::serve(&other).unwrap());
+    let server = std::thread::spawn(move || objdict_lsp::serve(&other).unwrap());
     let request = |id: i32, method: &str, params: Value| {
         client.sender.send(Request::new(id.into(), method.to_owned(), params).into()).unwrap();
     };

@@ -5,7 +5,7 @@ import { h } from "./dom";
 import type { Refusal } from "./protocol";
 import type { OpenDocument, Store } from "./store";
 
-/** A file as the command lists it (src/cli/open/files.rs). */
+/** A file as the command lists it (crates/objdict-cli/src/open/files.rs). */
 interface Served {
   name: string;
   kind: "description" | "network" | "other";

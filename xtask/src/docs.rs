@@ -144,7 +144,7 @@ fn rule_pages(shares: &Shares) -> Result<BTreeMap<String, String>, String> {
         let name = group[0].group();
         let row = registry::GROUPS.iter().find(|group| group.name == name);
         let registry::Group { about, needs, .. } =
-            row.ok_or_else(|| format!("src/registry/groups.rs lacks `{name}`"))?;
+            row.ok_or_else(|| format!("crates/objdict-project/src/registry/groups.rs lacks `{name}`"))?;
         let needs = needs.unwrap_or("–");
         let _ = writeln!(index, "| [`{name}`](#{name}) | {} | {about} | {needs} |", group.len());
         let _ = writeln!(tables, "\n## {name}\n\n{HEADINGS}");

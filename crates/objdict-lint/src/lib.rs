@@ -12,6 +12,7 @@ mod drive;
 mod facts;
 mod index_set;
 mod options;
+pub mod recorded;
 mod respell;
 mod rule;
 mod rules;

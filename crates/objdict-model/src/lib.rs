@@ -32,6 +32,8 @@ mod named;
 pub mod canopennode;
 pub mod diagnostic;
 mod format;
+#[cfg(feature = "json")]
+pub mod json;
 mod language;
 pub mod literal;
 pub mod model;

@@ -30,9 +30,9 @@ use serde_json::json;
 
 use crate::support;
 
-#[cfg(feature = "document")]
+#[cfg(feature = "full")]
 mod dbc;
-#[cfg(feature = "document")]
+#[cfg(feature = "full")]
 mod logs;
 mod networks;
 #[cfg(feature = "cli")]

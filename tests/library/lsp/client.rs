@@ -37,7 +37,7 @@ impl Client {
     /// A client with these capabilities and options of the server.
     pub(crate) fn start_as(capabilities: &Value, options: &Value) -> Self {
         let (connection, other) = Connection::memory();
-        let server = std::thread::spawn(move || objdict::lsp::serve(&other).unwrap());
+        let server = std::thread::spawn(move || objdict_lsp::serve(&other).unwrap());
         let folder = tempfile::tempdir().unwrap();
         let server = Some(server);
         let mut client = Self {

@@ -95,7 +95,7 @@ fn a_cancelled_request_is_answered_with_an_error() {
     note("$/cancelRequest", json!({ "id": 2 }));
     request(4, "shutdown", Value::Null);
     note("exit", Value::Null);
-    objdict::lsp::serve(&other).unwrap();
+    objdict_lsp::serve(&other).unwrap();
     let answers: Vec<(RequestId, Option<i32>)> = client
         .receiver
         .try_iter()

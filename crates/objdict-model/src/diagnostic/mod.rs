@@ -24,7 +24,9 @@ pub use rule::{Explained, HOME, PUBLISHED, Reach, RuleInfo, Stop};
 pub use selection::Selection;
 pub use text::{Argument, MAX_QUOTED, Sayable, Text, joined, listing, listing_or, series, series_or};
 pub use tool::Tool;
-pub use words::{counted, misspelled, nearest, one_line, printable, printable_lines, sub_index, visible};
+pub use words::{
+    counted, misspelled, nearest, one_line, plural, printable, printable_lines, sub_index, visible,
+};
 
 named! {
     /// The severity of a finding.

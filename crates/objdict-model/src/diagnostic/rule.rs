@@ -199,7 +199,7 @@ macro_rules! text_rules {
         /// Every rule of this module.
         pub static RULES: &[&$crate::diagnostic::RuleInfo] = &[$(&$NAME),+];
 
-        $(pub(crate) static $NAME: $crate::diagnostic::RuleInfo = $crate::rule_info! {
+        $(#[doc = $summary] #[allow(unreachable_pub, reason = "most modules use theirs alone")] pub static $NAME: $crate::diagnostic::RuleInfo = $crate::rule_info! {
             $id, $severity $(, fix $safety)? $(, explains $reach [$($rule),+])*
                 $(, stops $target $(at [$($field),+])?)*;
             summary: $summary,

@@ -103,6 +103,11 @@ pub fn printable(line: &str) -> Cow<'_, str> {
     Cow::Owned(text)
 }
 
+/// A number with its noun: `1 file`, `2 files`.
+pub fn plural(count: usize, word: &str) -> String {
+    if count == 1 { format!("1 {word}") } else { format!("{count} {word}s") }
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;

@@ -6,6 +6,7 @@ mod parse;
 mod print;
 mod respell;
 mod spelling;
+mod time;
 
 pub use calendar::{clock_time, date};
 pub use intended::Intended;
@@ -13,3 +14,4 @@ pub use parse::{Quirk, Quirks, high_limit, integer, plain_value, small_number, s
 pub use print::{RealSpelling, Spelling, print};
 pub use respell::{respell, trailing_comment};
 pub use spelling::{QUOTED, RULES, spelling, spelling_in_line};
+pub use time::nanoseconds;

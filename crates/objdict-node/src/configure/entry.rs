@@ -2,7 +2,7 @@
 
 use std::borrow::Cow;
 
-use super::time::{in_unit_of, nanoseconds};
+use super::time::in_unit_of;
 use super::{Configurator, Wrong};
 use crate::diagnostic::{listing, nearest, series, sub_index};
 use crate::download::{Beyond, beyond, bytes_of, transferred_type};
@@ -11,6 +11,7 @@ use crate::model::{
     Access, Address, DataType, Entry, ExplicitDownload, Field, Moment, Object, ObjectType, Value,
 };
 use crate::resolve::{ObjectName, candidates};
+use objdict_model::literal::nanoseconds;
 
 /// Maximum number of candidates listed for an ambiguous name.
 const MAX_CANDIDATES: usize = 8;

@@ -41,9 +41,9 @@ use crate::resolve::ObjectName;
 
 #[cfg(feature = "toml")]
 pub use file::{SettingsFile, SettingsFileError};
+pub use objdict_model::literal::nanoseconds;
 pub use rebase::{Rebased, rebase};
 pub use setting::{CanId, NoSetting, PdoName, PdoParameter, Setting, transmission_type};
-pub use time::nanoseconds;
 
 /// A setting that cannot be applied.
 #[derive(Clone, Debug, PartialEq, Eq)]

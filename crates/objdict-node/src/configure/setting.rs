@@ -3,9 +3,10 @@
 use std::fmt;
 use std::str::FromStr;
 
-use super::time::{milliseconds, nanoseconds};
+use super::time::milliseconds;
 use crate::model::{Moment, PdoKind};
 use crate::resolve::ObjectName;
+use objdict_model::literal::nanoseconds;
 
 /// One setting.
 #[derive(Clone, Debug, PartialEq, Eq)]

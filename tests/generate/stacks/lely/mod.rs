@@ -1,9 +1,9 @@
 //! The target `lely`.
 
-#[cfg(feature = "network")]
+#[cfg(feature = "full")]
 mod boot;
 mod hooks;
-#[cfg(feature = "network")]
+#[cfg(feature = "full")]
 mod network;
 mod real;
 

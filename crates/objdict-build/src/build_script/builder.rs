@@ -1,0 +1,375 @@
+//! What a build script asks for.
+
+use std::io::{self, Write};
+use std::num::NonZeroUsize;
+use std::ops::RangeInclusive;
+use std::path::{Path, PathBuf};
+
+use super::cargo::Cargo;
+use super::{Built, Error};
+#[cfg(feature = "lint")]
+use crate::pipeline::Configuration;
+use crate::pipeline::{CheckedDescription, Generation, OutputFolder, Request, Used, placed};
+use objdict_format::ReadError;
+use objdict_format::input::FileKind;
+use objdict_generate::{
+    CTable, ChoiceError, Derive, Names, OptionField, PdoMappings, SharedCell, StackLayout, StorageGroup,
+    Target,
+};
+use objdict_lint::{Level, Severities};
+use objdict_model::diagnostic::{Selection, Severity, Text, counted};
+use objdict_model::model::Address;
+use objdict_model::source;
+use objdict_model::source::Encoding;
+use objdict_project::registry;
+
+/// The default number of warnings about a description, and of notes about a target.
+const MAX_WARNINGS: usize = 20;
+
+/// Generates files from a description; see [the module](super).
+///
+/// Paths are relative to the current folder, which is that of `Cargo.toml` where Cargo runs a build script.
+#[derive(Debug)]
+#[must_use = "nothing is generated without `generate`"]
+pub struct Builder {
+    request: Request,
+    out_dir: Option<PathBuf>,
+    overwrite: bool,
+    max_warnings: usize,
+    /// The first invalid option.
+    failure: Option<Error>,
+}
+
+impl Builder {
+    /// Generates from the description at `path`: EDS, DCF, XDD, XDC, or the JSON of a device.
+    pub fn new(path: impl AsRef<Path>) -> Self {
+        let request = Request { file: path.as_ref().to_owned(), ..Request::default() };
+        Self { request, out_dir: None, overwrite: false, max_warnings: MAX_WARNINGS, failure: None }
+    }
+
+    /// What to generate; may be called several times. Without it, the first
+    /// that the features of this crate bring: `rust`, where it is among them.
+    pub fn target(mut self, target: Target) -> Self {
+        self.request.targets.push(target);
+        self
+    }
+
+    /// Also writes the description to the file at `path`, in the format of its ending and with the bytes of `objdict convert`,
+    /// and replaces what is there; may be called several times. For an EDS or XDD that goes with the firmware.
+    #[cfg(feature = "full")]
+    pub fn convert_to(mut self, path: impl AsRef<Path>) -> Self {
+        self.request.conversions.push(path.as_ref().to_owned());
+        self
+    }
+
+    /// The folder that the files go to, instead of the one that the variable `OUT_DIR` names.
+    pub fn out_dir(mut self, folder: impl AsRef<Path>) -> Self {
+        self.out_dir = Some(folder.as_ref().to_owned());
+        self
+    }
+
+    /// Whether to replace files in the folder that objdict did not make, or that are not as
+    /// `objdict.sha256` lists them. The inputs are never
+    /// replaced.
+    pub fn overwrite(mut self, overwrite: bool) -> Self {
+        self.overwrite = overwrite;
+        self
+    }
+
+    /// Whether to generate even where errors in the description make the tables wrong. They become warnings of the build.
+    pub fn force(mut self, force: bool) -> Self {
+        self.request.force = force;
+        self
+    }
+
+    /// Another name to make the identifiers of an object or entry of; one that a file of names has for it counts more.
+    pub fn name_of(mut self, at: Address, name: impl Into<String>) -> Self {
+        self.request.options.renamed.insert(at, name.into());
+        self
+    }
+
+    /// The bytes of flash that the tables of each target may take at most, without the code that serves them.
+    pub fn max_flash(mut self, bytes: usize) -> Self {
+        self.request.room.flash = Some(bytes);
+        self
+    }
+
+    /// The bytes of RAM that the values of each target may take at most.
+    pub fn max_ram(mut self, bytes: usize) -> Self {
+        self.request.room.ram = Some(bytes);
+        self
+    }
+
+    /// Computes the size of the tables of each target, for [`Built::sizes`]; without it, only if there is a limit.
+    pub fn sizes(mut self) -> Self {
+        self.request.sizes = true;
+        self
+    }
+
+    /// Whether to describe the PDOs that `CompactPDO` implies, as many as `NrOfRXPDO` and `NrOfTXPDO` say.
+    pub fn implicit_pdos(mut self, describe: bool) -> Self {
+        self.request.implicit_pdos = describe;
+        self
+    }
+
+    /// The format of the description, instead of the detected one.
+    pub fn from_kind(mut self, kind: FileKind) -> Self {
+        self.request.reading.from = Some(kind);
+        self
+    }
+
+    /// Which device of a network file (`.nxdd`, `.nxdc`), counted from 1.
+    pub fn device(mut self, number: NonZeroUsize) -> Self {
+        self.request.reading.device = Some(number);
+        self
+    }
+
+    /// Which variant of a `device.toml`, by its name.
+    #[cfg(feature = "full")]
+    pub fn variant(mut self, name: impl Into<String>) -> Self {
+        self.request.reading.variant = Some(name.into());
+        self
+    }
+
+    /// The encoding of the description, if it cannot be detected.
+    pub fn encoding(mut self, encoding: Encoding) -> Self {
+        self.request.reading.encoding = Some(encoding);
+        self
+    }
+
+    /// The largest description that is read, in bytes; without it, [64 MiB](objdict_model::source::DEFAULT_MAX_SIZE).
+    pub fn max_size(mut self, bytes: u64) -> Self {
+        self.request.reading.max_size = bytes;
+        self
+    }
+
+    /// How many entries the description may have in compact storage; without it,
+    /// [250,000](objdict_format::input::DEFAULT_MAX_ENTRIES).
+    pub fn max_entries(mut self, count: usize) -> Self {
+        self.request.reading.max_entries = count;
+        self
+    }
+
+    /// The configuration; without it, the nearest `objdict.toml` in the folder of the description or above.
+    #[cfg(feature = "lint")]
+    pub fn config(mut self, file: impl AsRef<Path>) -> Self {
+        self.request.check.config = Configuration::At(file.as_ref().to_owned());
+        self
+    }
+
+    /// Uses no configuration.
+    #[cfg(feature = "lint")]
+    pub fn no_config(mut self) -> Self {
+        self.request.check.config = Configuration::Off;
+        self
+    }
+
+    /// The severity of a rule or group, such as `cia306/file-name` or `cia302`. Later calls override earlier ones, and all of them
+    /// the configuration.
+    pub fn severity(self, rules: &str, level: Level) -> Self {
+        self.with_rules(rules, |severities, rules| severities.set(rules, level))
+    }
+
+    /// Reports only a rule or group; may be called several times.
+    pub fn select(self, rules: &str) -> Self {
+        self.with_rules(rules, Severities::select)
+    }
+
+    /// Does not report a rule or group; may be called several times.
+    pub fn ignore(self, rules: &str) -> Self {
+        self.severity(rules, Level::Off)
+    }
+
+    /// The lowest severity of a finding that stops the generation. Without it, only errors do that make a table wrong: type,
+    /// access or value of an entry is unknown, or it is described twice.
+    pub fn deny(mut self, severity: Severity) -> Self {
+        self.request.deny = Some(severity);
+        self
+    }
+
+    /// A file of findings that are known, as `objdict check --write-baseline` writes it: they neither stop the generation nor
+    /// become warnings.
+    #[cfg(feature = "full")]
+    pub fn baseline(mut self, file: impl AsRef<Path>) -> Self {
+        self.request.baseline = Some(file.as_ref().to_owned());
+        self
+    }
+
+    fn with_rules(mut self, name: &str, change: impl FnOnce(&mut Severities, Selection)) -> Self {
+        match registry::select(name) {
+            Some(rules) => change(&mut self.request.check.severities, rules),
+            None => self.fail(Error::UnknownRule { name: name.to_owned() }),
+        }
+        self
+    }
+
+    /// Also applies a patch to the description, if it is for it (docs/patches.md), beside those of `objdict.toml`; may be called several
+    /// times.
+    #[cfg(feature = "full")]
+    pub fn patch(mut self, path: impl AsRef<Path>) -> Self {
+        self.request.patches.push(path.as_ref().to_owned());
+        self
+    }
+
+    /// Also checks against a profile: a CiA number such as `401`, or the path of a custom profile; may be called several times.
+    #[cfg(feature = "lint")]
+    pub fn profile(mut self, name: impl Into<String>) -> Self {
+        self.request.check.profiles.push(name.into());
+        self
+    }
+
+    /// The number of warnings of the check, and of notes of each target, that Cargo shows; the rest is counted. Without it, 20.
+    /// Errors of the check are all shown.
+    pub fn max_warnings(mut self, most: usize) -> Self {
+        self.max_warnings = most;
+        self
+    }
+
+    /// Checks the description, writes the files and reports to Cargo on the standard output.
+    ///
+    /// # Errors
+    /// When there is an error in the description, or a file cannot be read or written, see [`Error`].
+    pub fn generate(self) -> Result<Built, Error> {
+        self.generate_to(&mut io::stdout().lock())
+    }
+
+    /// As [`generate`](Self::generate); the lines for Cargo go to `cargo`.
+    ///
+    /// # Errors
+    /// As [`generate`](Self::generate), and when `cargo` cannot be written to.
+    pub fn generate_to(mut self, cargo: &mut dyn Write) -> Result<Built, Error> {
+        if let Some(error) = self.failure {
+            return Err(error);
+        }
+        if self.request.targets.is_empty() {
+            self.request.targets.extend(Target::all().next());
+        }
+        let mut cargo = Cargo::new(cargo);
+        let mut files = vec![self.request.file.clone()];
+        let produced = self.produce(&mut files);
+        // also when it fails, so that the next run knows what to wait for
+        files.iter().try_for_each(|file| cargo.depends_on(file)).map_err(Error::Cargo)?;
+        let (checked, generation) = produced?;
+        self.warn(&checked, &generation, &mut cargo).map_err(Error::Cargo)?;
+        let folder = self.out_dir.or_else(|| std::env::var_os("OUT_DIR").map(PathBuf::from));
+        let folder = OutputFolder::open(&folder.ok_or(Error::NoOutDir)?, "generate", self.overwrite)?;
+        write(&generation, folder, &files)
+    }
+
+    fn produce(&self, files: &mut Vec<PathBuf>) -> Result<(CheckedDescription, Generation), Error> {
+        let Request { file, reading, .. } = &self.request;
+        let bytes = source::read(file, reading.max_size).map_err(ReadError::from)?;
+        let checked = self.request.check(&source::shown(file), bytes, files)?;
+        let generation = self.request.produce(&checked, files)?;
+        Ok((checked, generation))
+    }
+
+    fn warn(
+        &self,
+        checked: &CheckedDescription,
+        generation: &Generation,
+        cargo: &mut Cargo<impl Write>,
+    ) -> io::Result<()> {
+        let file = source::shown(&self.request.file);
+        let of_file = |severity| {
+            let of_severity = checked.findings.iter().filter(move |finding| finding.severity == severity);
+            of_severity.map(|finding| {
+                with_advice(checked.line(finding), finding.help.as_ref().map(Text::shown).as_deref())
+            })
+        };
+        cargo.warn(usize::MAX, of_file(Severity::Error), |_| String::new())?;
+        let warnings = checked.of_config.iter().cloned().chain(of_file(Severity::Warning));
+        cargo.warn(self.max_warnings, warnings, |count| {
+            let warnings = counted(count, "more warning", "more warnings");
+            format!("{file}: {warnings}; run `objdict check`")
+        })?;
+        for (target, generated) in &generation.outputs {
+            let target = target.name();
+            // errors come first, so that the limit does not drop them
+            let (warnings, notes): (Vec<_>, Vec<_>) =
+                generated.notes.iter().partition(|note| note.severity >= Severity::Warning);
+            let notes = warnings.into_iter().chain(notes).map(|note| {
+                let text = format!("{file}: {}: {target}: {}", note.severity, placed(note));
+                with_advice(text, note.help.as_deref())
+            });
+            cargo.warn(self.max_warnings, notes, |count| {
+                let notes = counted(count, "more note", "more notes");
+                format!("{file}: {notes} of the target {target}; run `objdict generate`")
+            })?;
+        }
+        #[cfg(feature = "full")]
+        for conversion in &generation.conversions {
+            let to = source::shown(&conversion.path);
+            let lost = conversion.lost.iter().map(|loss| format!("{file}: {to}: {loss}"));
+            cargo.warn(self.max_warnings, lost, |count| {
+                let losses = counted(count, "more loss", "more losses");
+                format!("{file}: {to}: {losses}; run `objdict convert`")
+            })?;
+        }
+        Ok(())
+    }
+
+    fn fail(&mut self, error: Error) {
+        self.failure.get_or_insert(error);
+    }
+}
+
+macro_rules! methods {
+    ($(
+        $(#[doc = $doc:tt])+
+        $choice:ident $name:literal {
+            field: $field:ident: $type:ty = $default:expr,
+            argument: $argument:ty [$($clap:tt)*],
+            method: $method:ident($($parameter:ident: $of:ty),*) => $value:expr,
+            $(needs: $feature:tt,)?
+        }
+    )+) => {
+        /// Options of generated code.
+        impl Builder {
+            $(
+                $(#[doc = $doc])+
+                $(#[cfg(feature = $feature)])?
+                pub fn $method(mut self $(, $parameter: $of)*) -> Self {
+                    let value: Result<_, ChoiceError> = $value;
+                    match value {
+                        Ok(value) => self.request.options.$field.put(value),
+                        Err(error) => self.fail(error.into()),
+                    }
+                    self
+                }
+            )+
+        }
+    };
+}
+
+objdict_generate::with_options!(methods);
+
+fn with_advice(line: String, help: Option<&str>) -> String {
+    match help {
+        Some(help) => format!("{line} ({help})"),
+        None => line,
+    }
+}
+
+fn write(generation: &Generation, mut folder: OutputFolder, read: &[PathBuf]) -> Result<Built, Error> {
+    let mut used = Used::default();
+    read.iter().for_each(|file| used.add(file));
+    let files = || generation.outputs.iter().flat_map(|(_, generated)| &generated.files);
+    files().try_for_each(|file| folder.admit(&file.path, &file.contents, &used))?;
+    #[cfg(feature = "full")]
+    generation.conversions.iter().try_for_each(|conversion| used.require_other(&conversion.path))?;
+    let Generation { objects, entries, .. } = *generation;
+    let sizes = generation.sizes.iter().map(|(target, sizes)| (target.name(), sizes.clone())).collect();
+    let mut built = Built { objects, entries, files: Vec::new(), sizes };
+    for file in files() {
+        folder.save(&file.path, &file.contents, &mut used)?;
+        built.files.push(folder.join(&file.path));
+    }
+    folder.finish()?;
+    #[cfg(feature = "full")]
+    for conversion in &generation.conversions {
+        used.save(&conversion.path, &conversion.bytes)?;
+        built.files.push(conversion.path.clone());
+    }
+    Ok(built)
+}

@@ -1,0 +1,67 @@
+//! Why a file is not written.
+
+use std::io;
+use std::path::PathBuf;
+
+use objdict_model::source::shown;
+
+/// Why a file is not written.
+#[derive(Debug)]
+#[non_exhaustive]
+pub enum OutputError {
+    /// The system does not write it.
+    Unwritable {
+        /// The file.
+        path: PathBuf,
+        /// What the system said.
+        error: io::Error,
+    },
+    /// The run reads it, or has written it.
+    InUse {
+        /// The file.
+        path: PathBuf,
+    },
+    /// It is in the folder, and objdict did not write it.
+    Foreign {
+        /// The file.
+        path: PathBuf,
+    },
+    /// It is in the folder, and is not as objdict wrote it.
+    Changed {
+        /// The file.
+        path: PathBuf,
+    },
+    /// Not every system can have a file of this name.
+    Name {
+        /// The name.
+        name: String,
+        /// Why.
+        reason: &'static str,
+    },
+}
+
+objdict_model::error_messages! { OutputError: {
+    Self::Unwritable { path, error } => "cannot write `{}`: {error}", shown(path);
+    Self::InUse { path } => "`{}` is another input or output of this run", shown(path);
+    Self::Foreign { path } => "`{}` was not written by objdict", shown(path);
+    Self::Changed { path } => "`{}` was changed after objdict wrote it", shown(path);
+    Self::Name { name, reason } => "`{name}` is not a valid name of a file: {reason}";
+} }
+
+impl OutputError {
+    pub(super) fn unwritable(path: impl Into<PathBuf>) -> impl FnOnce(io::Error) -> Self {
+        |error| Self::Unwritable { path: path.into(), error }
+    }
+
+    /// What to do about it; `overwrite` is how the caller says that files of others may be replaced.
+    pub fn help(&self, overwrite: &str) -> Option<String> {
+        Some(match self {
+            Self::Unwritable { .. } => return None,
+            Self::InUse { .. } => "name another file for the output".to_owned(),
+            Self::Foreign { .. } | Self::Changed { .. } => {
+                format!("name another folder, or replace the file with `{overwrite}`")
+            }
+            Self::Name { .. } => "choose another name".to_owned(),
+        })
+    }
+}

@@ -1,0 +1,156 @@
+//! A folder that files are written into, beside those of others.
+
+use std::collections::{BTreeMap, HashSet};
+use std::io;
+use std::path::{Path, PathBuf};
+
+use super::error::OutputError;
+use super::manifest::{Hash, Log, Manifest, NAME};
+use super::names::require_portable;
+use super::save::{Saved, save};
+use super::used::Used;
+use objdict_model::source::read;
+
+/// What the first lines of generated files say, in a comment of their language.
+const MARK: &[u8] = b"Made by objdict ";
+
+/// So many lines at the start of a file may say it.
+const HEAD_LINES: usize = 3;
+
+/// A folder that a run writes files into. It replaces what objdict wrote: the first lines of a file say so, or the list of the
+/// folder, if the file is as it was written. The list gets the files whose first lines say nothing.
+#[derive(Debug)]
+pub struct OutputFolder {
+    pub(super) path: PathBuf,
+    /// What writes the files, for the list.
+    pub(super) origin: String,
+    /// Whether files of others are replaced too.
+    pub(super) overwrite: bool,
+    pub(super) manifest: Manifest,
+    /// The files of this run that are in the list.
+    listed: BTreeMap<String, Hash>,
+    log: Option<Log>,
+    /// The names that this run has written to, as a system sees them that does not distinguish upper and lower case.
+    pub(super) taken: HashSet<String>,
+}
+
+/// What is where a file is to be written.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) enum Found {
+    /// Nothing, or a file that may be replaced.
+    Replaceable,
+    /// A file with the contents.
+    Same,
+}
+
+impl OutputFolder {
+    /// The folder at `path`, which need not exist; `origin` is what writes the files.
+    ///
+    /// # Errors
+    /// When its list cannot be read.
+    pub fn open(path: &Path, origin: &str, overwrite: bool) -> Result<Self, OutputError> {
+        let manifest = Manifest::open(path).map_err(OutputError::unwritable(path.join(NAME)))?;
+        Ok(Self {
+            path: path.to_owned(),
+            origin: origin.to_owned(),
+            overwrite,
+            manifest: manifest.unwrap_or_default(),
+            listed: BTreeMap::new(),
+            log: None,
+            taken: HashSet::new(),
+        })
+    }
+
+    /// Refuses a file that must not be written; `name` has `/` between folder and file.
+    ///
+    /// # Errors
+    /// When the name is not valid, the run uses the file, or another program wrote or changed it.
+    pub fn admit(&self, name: &str, contents: &[u8], used: &Used) -> Result<(), OutputError> {
+        self.find(name, contents, used).map(|_| ())
+    }
+
+    /// The path of a file in the folder.
+    pub fn join(&self, name: &str) -> PathBuf {
+        let mut path = self.path.clone();
+        path.extend(name.split('/'));
+        path
+    }
+
+    pub(super) fn find(&self, name: &str, contents: &[u8], used: &Used) -> Result<Found, OutputError> {
+        require_portable(name)?;
+        let path = self.join(name);
+        if name.eq_ignore_ascii_case(NAME) || self.taken.contains(&name.to_lowercase()) {
+            return Err(OutputError::InUse { path });
+        }
+        used.require_other(&path)?;
+        let former = match read(&path, u64::MAX) {
+            Ok(former) => former,
+            Err(_) if path.is_file() && !self.overwrite => return Err(OutputError::Foreign { path }),
+            // nothing is there, or what is no file, of which the system says whether it can be written
+            Err(_) => return Ok(Found::Replaceable),
+        };
+        let is_marked = former.split(|&byte| byte == b'\n').take(HEAD_LINES).any(is_mark);
+        match () {
+            () if former == contents => Ok(Found::Same),
+            () if self.overwrite || former.is_empty() || is_marked => Ok(Found::Replaceable),
+            () if self.manifest.has(name, &former) => Ok(Found::Replaceable),
+            () if self.manifest.files.contains_key(name) => Err(OutputError::Changed { path }),
+            () => Err(OutputError::Foreign { path }),
+        }
+    }
+
+    /// Gives a file in the folder its contents.
+    ///
+    /// # Errors
+    /// As [`admit`](Self::admit), and when the file or the list cannot be written.
+    pub fn save(&mut self, name: &str, contents: &[u8], used: &mut Used) -> Result<Saved, OutputError> {
+        let found = self.find(name, contents, used)?;
+        let path = self.join(name);
+        let is_marked = contents.split(|&byte| byte == b'\n').take(HEAD_LINES).any(is_mark);
+        let is_listed = found == Found::Same && self.manifest.has(name, contents);
+        if !is_marked && !is_listed {
+            self.list(name, Hash::of(contents)).map_err(OutputError::unwritable(self.path.join(NAME)))?;
+        }
+        let saved = match found {
+            Found::Same => Saved::Unchanged,
+            Found::Replaceable => save(&path, contents).map_err(OutputError::unwritable(&path))?,
+        };
+        used.add(&path);
+        self.taken.insert(name.to_lowercase());
+        Ok(saved)
+    }
+
+    /// Notes that a file is written, before it is: a run that is killed then leaves no file that the next one does not know.
+    fn list(&mut self, name: &str, hash: Hash) -> io::Result<()> {
+        let log = match &mut self.log {
+            Some(log) => log,
+            log => log.insert(Log::open(&self.path, &self.origin)?),
+        };
+        self.listed.insert(name.to_owned(), hash);
+        log.add(name, hash)
+    }
+
+    /// Writes the list, if there are files in it that are new or have changed.
+    ///
+    /// # Errors
+    /// When it cannot be written.
+    pub fn finish(mut self) -> Result<(), OutputError> {
+        // Windows does not replace a file that is open
+        self.log = None;
+        if self.listed.is_empty() {
+            return Ok(());
+        }
+        let path = self.path.join(NAME);
+        // another run may have written to the folder
+        let mut manifest =
+            Manifest::open(&self.path).map_err(OutputError::unwritable(&path))?.unwrap_or_default();
+        for (name, hash) in &self.listed {
+            manifest.set(name, *hash, &self.origin);
+        }
+        save(&path, manifest.text().as_bytes()).map_err(OutputError::unwritable(&path)).map(|_| ())
+    }
+}
+
+fn is_mark(line: &[u8]) -> bool {
+    memchr::memmem::find(line, MARK).is_some()
+}

@@ -1,0 +1,238 @@
+//! The list of the files that objdict wrote into a folder. It has the form of `sha256sum`, which checks it too; a comment in
+//! front of files says what wrote them.
+
+use std::collections::{BTreeMap, BTreeSet};
+use std::fmt::{self, Write as _};
+use std::fs::{File, OpenOptions};
+use std::io::{self, ErrorKind, Write as _};
+use std::path::Path;
+
+use super::names::require_portable;
+use objdict_model::source::{SourceError, read};
+
+/// The name of the list.
+pub(super) const NAME: &str = "objdict.sha256";
+
+/// Its first line.
+const HEAD: &str =
+    "# Files that objdict wrote here. Check them with `objdict network verify` or `sha256sum -c`.\n";
+
+/// The largest list that is read, in bytes.
+const MAX_SIZE: u64 = 16 << 20;
+
+/// A SHA-256.
+#[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
+pub struct Hash([u8; 32]);
+
+impl Hash {
+    /// The hash of these bytes.
+    pub fn of(bytes: &[u8]) -> Self {
+        Self(hmac_sha256::Hash::hash(bytes))
+    }
+
+    fn parse(digits: &str) -> Option<Self> {
+        if digits.len() != 64 || !digits.bytes().all(|digit| digit.is_ascii_hexdigit()) {
+            return None;
+        }
+        let mut hash = [0; 32];
+        for (byte, pair) in hash.iter_mut().zip(digits.as_bytes().chunks_exact(2)) {
+            *byte = u8::from_str_radix(std::str::from_utf8(pair).ok()?, 16).ok()?;
+        }
+        Some(Self(hash))
+    }
+}
+
+impl fmt::Display for Hash {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        self.0.iter().try_for_each(|byte| write!(f, "{byte:02x}"))
+    }
+}
+
+impl fmt::Debug for Hash {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        fmt::Display::fmt(self, f)
+    }
+}
+
+/// What is known of a file.
+#[derive(Clone, Debug, Default, PartialEq, Eq)]
+pub(super) struct Record {
+    /// What it may hold: several while it is being replaced, and when that was interrupted.
+    pub(super) hashes: BTreeSet<Hash>,
+    /// What wrote it.
+    pub(super) origin: String,
+}
+
+/// What a file of the list is now.
+#[cfg(feature = "command")]
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum State {
+    /// As it was written.
+    Same,
+    /// Another content.
+    Changed,
+    /// Not there.
+    Missing,
+    /// As it was written, or as it was to be written when that was interrupted.
+    Interrupted,
+}
+
+/// The files that objdict wrote into a folder, by their names there.
+#[derive(Clone, Debug, Default, PartialEq, Eq)]
+pub struct Manifest {
+    pub(super) files: BTreeMap<String, Record>,
+}
+
+impl Manifest {
+    /// What it is called in its folder.
+    #[cfg(feature = "command")]
+    pub const NAME: &str = NAME;
+
+    /// The list of a folder; `None` where there is none.
+    ///
+    /// # Errors
+    /// When it cannot be read, or is another file of this name.
+    pub fn open(folder: &Path) -> io::Result<Option<Self>> {
+        let bytes = match read(&folder.join(NAME), MAX_SIZE) {
+            Ok(bytes) => bytes,
+            Err(SourceError::Io { error, .. })
+                if matches!(error.kind(), ErrorKind::NotFound | ErrorKind::NotADirectory) =>
+            {
+                return Ok(None);
+            }
+            Err(SourceError::Io { error, .. }) => return Err(error),
+            Err(error) => return Err(io::Error::other(error.to_string())),
+        };
+        let text = String::from_utf8_lossy(&bytes);
+        // a checkout of git may end lines with CR LF
+        match text.lines().next() {
+            None => Ok(None),
+            Some(line) if line == HEAD.trim_end() => Ok(Some(Self::parse(&text))),
+            Some(_) => Err(io::Error::other("objdict did not write this list")),
+        }
+    }
+
+    /// A last line without its end was cut, and is skipped.
+    fn parse(text: &str) -> Self {
+        let text = text.rfind('\n').map_or("", |end| &text[..=end]);
+        let mut files: BTreeMap<String, Record> = BTreeMap::new();
+        let mut origin = "";
+        for line in text.lines().skip(1) {
+            if let Some(heading) = line.strip_prefix("# ") {
+                origin = heading;
+            }
+            // a name that leads out of the folder is not one that objdict wrote
+            let file = file_of(line).filter(|(_, name)| require_portable(name).is_ok());
+            let Some((hash, name)) = file else { continue };
+            let record = files.entry(name).or_default();
+            record.hashes.insert(hash);
+            record.origin = origin.to_owned();
+        }
+        Self { files }
+    }
+
+    /// The list as a text, by what wrote the files and by their names.
+    pub(super) fn text(&self) -> String {
+        let mut by_origin: BTreeMap<&str, String> = BTreeMap::new();
+        for (name, record) in &self.files {
+            let text = by_origin.entry(&record.origin).or_default();
+            record.hashes.iter().for_each(|hash| text.push_str(&line(name, *hash)));
+        }
+        let mut text = HEAD.to_owned();
+        for (origin, files) in by_origin {
+            let _ = write!(text, "# {origin}\n{files}"); // writing to a string does not fail
+        }
+        text
+    }
+
+    /// What becomes of a file that was written as a whole.
+    pub(super) fn set(&mut self, name: &str, hash: Hash, origin: &str) {
+        let record = Record { hashes: BTreeSet::from([hash]), origin: origin.to_owned() };
+        self.files.insert(name.to_owned(), record);
+    }
+
+    /// Whether objdict wrote a file of this name and content.
+    pub(super) fn has(&self, name: &str, contents: &[u8]) -> bool {
+        self.files.get(name).is_some_and(|record| record.hashes.contains(&Hash::of(contents)))
+    }
+
+    /// Whether a file is in the list, or is the list.
+    #[cfg(feature = "command")]
+    pub fn lists(&self, name: &str) -> bool {
+        name == NAME || self.files.contains_key(name)
+    }
+
+    /// The files with what they are now, by their names.
+    #[cfg(feature = "command")]
+    pub fn verify(&self, folder: &Path) -> impl Iterator<Item = (&str, io::Result<State>)> {
+        self.files.iter().map(move |(name, record)| (name.as_str(), record.state(&folder.join(name))))
+    }
+}
+
+#[cfg(feature = "command")]
+impl Record {
+    fn state(&self, path: &Path) -> io::Result<State> {
+        let bytes = match std::fs::read(path) {
+            Ok(bytes) => bytes,
+            Err(error) if error.kind() == ErrorKind::NotFound => return Ok(State::Missing),
+            Err(error) => return Err(error),
+        };
+        Ok(match self.hashes.contains(&Hash::of(&bytes)) {
+            false => State::Changed,
+            true if self.hashes.len() > 1 => State::Interrupted,
+            true => State::Same,
+        })
+    }
+}
+
+/// Files that are about to be written, so that they are known should the run end before the list is written.
+#[derive(Debug)]
+pub(super) struct Log(File);
+
+impl Log {
+    /// Goes on with the list of a folder, or begins it.
+    pub(super) fn open(folder: &Path, origin: &str) -> io::Result<Self> {
+        std::fs::create_dir_all(folder)?;
+        let mut file = OpenOptions::new().create(true).append(true).open(folder.join(NAME))?;
+        let head = if file.metadata()?.len() == 0 { HEAD } else { "" };
+        file.write_all(format!("{head}# {origin}\n").as_bytes())?;
+        Ok(Self(file))
+    }
+
+    pub(super) fn add(&mut self, name: &str, hash: Hash) -> io::Result<()> {
+        self.0.write_all(line(name, hash).as_bytes())
+    }
+}
+
+/// A line of `sha256sum`; names in folders have no character that it escapes.
+fn line(name: &str, hash: Hash) -> String {
+    format!("{hash}  {name}\n")
+}
+
+fn file_of(line: &str) -> Option<(Hash, String)> {
+    let (digits, name) = line.split_once("  ")?;
+    Some((Hash::parse(digits)?, name.to_owned()))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_list_reads_back() {
+        let mut manifest = Manifest::default();
+        manifest.set("left.dcf", Hash::of(b"abc"), "network build --target dcf");
+        manifest.set("a b.eds", Hash::of(b""), "convert");
+        manifest.files.get_mut("left.dcf").unwrap().hashes.insert(Hash::of(b"new"));
+        let text = manifest.text();
+        assert!(text.contains(
+            "# convert\ne3b0c44298fc1c149afbf4c8996fb92427ae41e4649b934ca495991b7852b855  a b.eds\n"
+        ));
+        assert!(
+            text.contains("ba7816bf8f01cfea414140de5dae2223b00361a396177a9cb410ff61f20015ad  left.dcf\n")
+        );
+        assert_eq!(Manifest::parse(&text), manifest);
+        let cut = &text[..text.len() - 5];
+        assert_eq!(Manifest::parse(cut).files["left.dcf"].hashes.len(), 1);
+    }
+}

@@ -1,0 +1,21 @@
+//! Files that a run writes. None takes the place of one that the run reads; a file that an argument names is replaced; in a
+//! folder only what objdict wrote is, unless `overwrite` is set.
+
+mod error;
+mod folder;
+mod manifest;
+mod names;
+#[cfg(feature = "command")]
+mod replace;
+mod save;
+mod used;
+
+pub use self::error::OutputError;
+pub use self::folder::OutputFolder;
+#[cfg(feature = "command")]
+pub use self::manifest::Hash;
+#[cfg(feature = "command")]
+pub use self::manifest::{Manifest, State};
+#[cfg(feature = "command")]
+pub use self::save::{Saved, abandon, save};
+pub use self::used::Used;

@@ -1,0 +1,290 @@
+//! All files of a folder that belong together, replaced at once: a run that fails or is killed leaves the former files, and
+//! never some of them beside new ones.
+//!
+//! A folder that holds nothing else is built beside the old one, and both change places in one step. Where that is not
+//! possible, as with files of others in the folder, the old files leave it before the new ones come.
+
+use std::fs::{self, File};
+use std::io;
+use std::path::{Path, PathBuf};
+
+use super::error::OutputError;
+use super::folder::{Found, OutputFolder};
+use super::manifest::{Hash, Log, Manifest, NAME};
+use super::names::require_flat;
+use super::save::{Temporary, pending};
+use super::used::Used;
+
+/// A file that is to be in the folder.
+struct Wanted<'a> {
+    name: &'a str,
+    contents: &'a [u8],
+    found: Found,
+}
+
+impl OutputFolder {
+    /// Gives the folder these files. Other files stay; the result is the names of those that the same origin wrote before.
+    ///
+    /// # Errors
+    /// When one of the files must not be written, or cannot be. Then all are as they were.
+    pub fn replace(mut self, files: &[(&str, &[u8])], used: &mut Used) -> Result<Vec<String>, OutputError> {
+        let failed = |path: PathBuf| OutputError::unwritable(path);
+        files.iter().try_for_each(|(name, _)| require_flat(name))?;
+        let shown = self.path.clone();
+        fs::create_dir_all(&shown).map_err(failed(shown.clone()))?;
+        let folder = fs::canonicalize(&shown).map_err(failed(shown.clone()))?;
+        let _lock = locked(&folder).map_err(failed(shown.clone()))?;
+        // another run may have had the lock
+        self.manifest = Manifest::open(&folder).map_err(failed(shown.join(NAME)))?.unwrap_or_default();
+        let mut wanted = Vec::with_capacity(files.len());
+        for &(name, contents) in files {
+            let found = self.find(name, contents, used)?;
+            if found == Found::Replaceable {
+                require_file(&folder.join(name)).map_err(failed(shown.join(name)))?;
+            }
+            self.taken.insert(name.to_lowercase());
+            wanted.push(Wanted { name, contents, found });
+        }
+        let is_stale = |name: &&String| {
+            let is_ours = self.manifest.files.get(*name).is_some_and(|record| record.origin == self.origin);
+            is_ours && files.iter().all(|(wanted, _)| wanted != name) && folder.join(name).exists()
+        };
+        let stale = self.manifest.files.keys().filter(is_stale).cloned().collect();
+        let mut manifest = self.manifest.clone();
+        wanted.iter().for_each(|file| manifest.set(file.name, Hash::of(file.contents), &self.origin));
+        let is_same = manifest == self.manifest && wanted.iter().all(|file| file.found == Found::Same);
+        let replacement = Replacement { folder: &folder, wanted, manifest, former: &self.manifest };
+        replacement.clean_up();
+        if !is_same && !replacement.by_exchange().map_err(failed(shown.clone()))? {
+            replacement.in_place(&self.origin).map_err(failed(shown))?;
+        }
+        files.iter().for_each(|(name, _)| used.add(&folder.join(name)));
+        Ok(stale)
+    }
+}
+
+/// What a folder gets.
+struct Replacement<'a> {
+    /// Its full path.
+    folder: &'a Path,
+    wanted: Vec<Wanted<'a>>,
+    /// The list in the end.
+    manifest: Manifest,
+    /// The list that is there.
+    former: &'a Manifest,
+}
+
+impl Replacement<'_> {
+    /// Removes what runs have left that were killed.
+    fn clean_up(&self) {
+        let names = self.manifest.files.keys().map(String::as_str);
+        for left in Temporary::left_in(self.folder, &names.chain([NAME]).collect::<Vec<_>>()) {
+            let _ = fs::remove_file(left);
+        }
+        let (Some(parent), Some(name)) = (self.folder.parent(), self.folder.file_name()) else { return };
+        for left in Temporary::left_in(parent, &[&name.to_string_lossy()]) {
+            if left.is_dir() && is_abandoned(&left) {
+                let _ = fs::remove_dir_all(left);
+            }
+        }
+    }
+
+    /// Builds the folder beside the one that is there and exchanges both. Whether that was possible.
+    fn by_exchange(&self) -> io::Result<bool> {
+        if !CAN_EXCHANGE || !self.is_ours_alone() {
+            return Ok(false);
+        }
+        let Ok(new) = Temporary::folder_beside(self.folder) else { return Ok(false) };
+        let _lock = locked(&new.0)?;
+        if !has_owner_of(&new.0, self.folder) {
+            return Ok(false);
+        }
+        fs::set_permissions(&new.0, fs::metadata(self.folder)?.permissions())?;
+        let wanted = |name: &str| self.wanted.iter().find(|file| file.name == name);
+        for name in self.manifest.files.keys() {
+            let (old, path) = (self.folder.join(name), new.0.join(name));
+            match wanted(name).filter(|file| file.found != Found::Same) {
+                Some(file) => write(&path, file.contents, &old)?,
+                None if !old.exists() => {}
+                None => fs::hard_link(&old, &path).or_else(|_| fs::copy(&old, &path).map(|_| ()))?,
+            }
+        }
+        write(&new.0.join(NAME), self.manifest.text().as_bytes(), &self.folder.join(NAME))?;
+        // no signal ends the process before this is done
+        let _pending = pending();
+        if exchange(&new.0, self.folder).is_err() {
+            return Ok(false);
+        }
+        // what came into the old folder in the meantime
+        for entry in fs::read_dir(&new.0)?.flatten().filter(|entry| !self.is_known(entry)) {
+            fs::rename(entry.path(), self.folder.join(entry.file_name()))?;
+        }
+        Ok(true)
+    }
+
+    /// Whether an entry of the folder has the name of a file that objdict wrote or writes.
+    fn is_known(&self, entry: &fs::DirEntry) -> bool {
+        entry
+            .file_name()
+            .to_str()
+            .is_some_and(|name| self.former.lists(name) || self.wanted.iter().any(|file| file.name == name))
+    }
+
+    /// Whether there is nothing in the folder but files of the list, and it is not the working directory, which would be the
+    /// old one.
+    fn is_ours_alone(&self) -> bool {
+        let is_ours = |entry: fs::DirEntry| {
+            let is_file = entry.metadata().is_ok_and(|found| found.is_file() && has_one_name(&found));
+            is_file && self.is_known(&entry)
+        };
+        let is_flat = self.manifest.files.keys().all(|name| !name.contains('/'));
+        let is_elsewhere = std::env::current_dir().is_ok_and(|here| !here.starts_with(self.folder));
+        is_flat
+            && is_elsewhere
+            && fs::read_dir(self.folder)
+                .is_ok_and(|mut entries| entries.all(|entry| entry.is_ok_and(is_ours)))
+    }
+
+    /// Moves the old files away and the new ones in. The list has the contents of both in the meantime.
+    fn in_place(&self, origin: &str) -> io::Result<()> {
+        let beside = |path: &Path, contents: &[u8]| {
+            let (_, new) = Temporary::beside(path)?;
+            write(&new.0, contents, path).map(|()| new)
+        };
+        let changed = || self.wanted.iter().filter(|file| file.found != Found::Same);
+        let new = changed().map(|file| beside(&self.folder.join(file.name), file.contents));
+        let new: Vec<Temporary> = new.collect::<io::Result<_>>()?;
+        let list = self.folder.join(NAME);
+        let new_list = beside(&list, self.manifest.text().as_bytes())?;
+        let mut log = Log::open(self.folder, origin)?;
+        changed().try_for_each(|file| log.add(file.name, Hash::of(file.contents)))?;
+        // Windows does not replace a file that is open
+        drop(log);
+        let replaced = changed().map(|file| self.folder.join(file.name)).filter(|path| path.exists());
+        let replaced: Vec<(PathBuf, PathBuf)> =
+            replaced.map(|path| (path.clone(), Temporary::name_beside(&path))).collect();
+        let _pending = pending();
+        let mut moves = Moves::default();
+        replaced.iter().try_for_each(|(path, away)| moves.rename(path, away))?;
+        changed().zip(&new).try_for_each(|(file, new)| moves.rename(&new.0, &self.folder.join(file.name)))?;
+        moves.rename(&new_list.0, &list)?;
+        moves.done.clear();
+        replaced.iter().for_each(|(_, away)| _ = fs::remove_file(away));
+        Ok(())
+    }
+}
+
+/// Files that were renamed; they get their former names when one cannot be.
+#[derive(Default)]
+struct Moves {
+    done: Vec<(PathBuf, PathBuf)>,
+}
+
+impl Moves {
+    fn rename(&mut self, from: &Path, to: &Path) -> io::Result<()> {
+        fs::rename(from, to)?;
+        self.done.push((from.to_owned(), to.to_owned()));
+        Ok(())
+    }
+}
+
+impl Drop for Moves {
+    fn drop(&mut self) {
+        for (from, to) in self.done.drain(..).rev() {
+            let _ = fs::rename(to, from);
+        }
+    }
+}
+
+/// Writes a new file, with the permissions of an old one.
+fn write(path: &Path, contents: &[u8], old: &Path) -> io::Result<()> {
+    fs::write(path, contents)?;
+    let file = File::options().write(true).open(path)?;
+    file.sync_data()?;
+    match fs::metadata(old) {
+        Ok(found) => file.set_permissions(found.permissions()),
+        Err(_) => Ok(()),
+    }
+}
+
+/// Refuses to replace what is no file, or is read-only.
+fn require_file(path: &Path) -> io::Result<()> {
+    match fs::metadata(path) {
+        Ok(found) if !found.is_file() => Err(io::Error::other("it is not a file")),
+        Ok(found) if found.permissions().readonly() => Err(io::Error::other("it is read-only")),
+        _ => Ok(()),
+    }
+}
+
+/// Whether two folders can change places.
+const CAN_EXCHANGE: bool = cfg!(all(target_os = "linux", target_env = "gnu"));
+
+#[cfg(all(target_os = "linux", target_env = "gnu"))]
+fn exchange(one: &Path, other: &Path) -> io::Result<()> {
+    use nix::fcntl::{AT_FDCWD, RenameFlags, renameat2};
+    Ok(renameat2(AT_FDCWD, one, AT_FDCWD, other, RenameFlags::RENAME_EXCHANGE)?)
+}
+
+#[cfg(not(all(target_os = "linux", target_env = "gnu")))]
+fn exchange(_: &Path, _: &Path) -> io::Result<()> {
+    Err(io::ErrorKind::Unsupported.into())
+}
+
+/// Waits until no other run has the folder. A folder that is exchanged in the meantime is locked anew.
+#[cfg(unix)]
+fn locked(folder: &Path) -> io::Result<Option<nix::fcntl::Flock<File>>> {
+    use std::os::unix::fs::MetadataExt;
+
+    use nix::fcntl::{Flock, FlockArg};
+    loop {
+        // not every file system has locks
+        let Ok(lock) = Flock::lock(File::open(folder)?, FlockArg::LockExclusive) else { return Ok(None) };
+        let is_there = fs::metadata(folder).is_ok_and(|found| {
+            lock.metadata().is_ok_and(|locked| (locked.dev(), locked.ino()) == (found.dev(), found.ino()))
+        });
+        if is_there {
+            return Ok(Some(lock));
+        }
+        fs::create_dir_all(folder)?;
+    }
+}
+
+#[cfg(not(unix))]
+fn locked(_: &Path) -> io::Result<Option<()>> {
+    Ok(None)
+}
+
+/// Whether the run that made a folder has ended.
+#[cfg(unix)]
+fn is_abandoned(folder: &Path) -> bool {
+    use nix::fcntl::{Flock, FlockArg};
+    File::open(folder).is_ok_and(|file| Flock::lock(file, FlockArg::LockExclusiveNonblock).is_ok())
+}
+
+#[cfg(not(unix))]
+fn is_abandoned(_: &Path) -> bool {
+    false
+}
+
+#[cfg(unix)]
+fn has_one_name(file: &fs::Metadata) -> bool {
+    use std::os::unix::fs::MetadataExt;
+    file.nlink() == 1
+}
+
+#[cfg(not(unix))]
+fn has_one_name(_: &fs::Metadata) -> bool {
+    true
+}
+
+#[cfg(unix)]
+fn has_owner_of(one: &Path, other: &Path) -> bool {
+    use std::os::unix::fs::MetadataExt;
+    let owner = |path: &Path| fs::metadata(path).ok().map(|found| (found.uid(), found.gid()));
+    owner(one) == owner(other)
+}
+
+#[cfg(not(unix))]
+fn has_owner_of(_: &Path, _: &Path) -> bool {
+    true
+}

@@ -1,0 +1,71 @@
+//! The files of a run.
+
+use std::collections::HashSet;
+use std::path::Path;
+#[cfg(not(any(unix, all(windows, feature = "command"))))]
+use std::path::PathBuf;
+
+use super::error::OutputError;
+#[cfg(feature = "full")]
+use super::names::require_file;
+#[cfg(feature = "full")]
+use super::save::{Saved, save};
+
+/// What a file is, whatever it is called: its device and its number there, or its full path where files have no numbers.
+#[cfg(any(unix, all(windows, feature = "command")))]
+type Identity = (u64, u64);
+#[cfg(not(any(unix, all(windows, feature = "command"))))]
+type Identity = PathBuf;
+
+/// `None` for what does not exist, and for pipes and devices: writing to these takes nothing away.
+#[cfg(unix)]
+fn identity(path: &Path) -> Option<Identity> {
+    use std::os::unix::fs::MetadataExt;
+    path.metadata().ok().filter(std::fs::Metadata::is_file).map(|file| (file.dev(), file.ino()))
+}
+
+#[cfg(all(windows, feature = "command"))]
+fn identity(path: &Path) -> Option<Identity> {
+    let file = path.is_file().then(|| information(path)).flatten()?;
+    Some((file.volume_serial_number(), file.file_index()))
+}
+
+#[cfg(not(any(unix, all(windows, feature = "command"))))]
+fn identity(path: &Path) -> Option<Identity> {
+    path.canonicalize().ok().filter(|path| path.is_file())
+}
+
+/// What Windows knows of a file, and `std` keeps for itself.
+#[cfg(all(windows, feature = "command"))]
+pub(super) fn information(path: &Path) -> Option<winapi_util::file::Information> {
+    winapi_util::file::information(winapi_util::Handle::from_path_any(path).ok()?).ok()
+}
+
+/// The files that a run reads or has written.
+#[derive(Debug, Default)]
+pub struct Used(HashSet<Identity>);
+
+impl Used {
+    /// Notes that the run uses a file.
+    pub fn add(&mut self, path: &Path) {
+        self.0.extend(identity(path));
+    }
+
+    /// Refuses a file that the run uses already.
+    pub fn require_other(&self, path: &Path) -> Result<(), OutputError> {
+        match identity(path) {
+            Some(identity) if self.0.contains(&identity) => Err(OutputError::InUse { path: path.to_owned() }),
+            _ => Ok(()),
+        }
+    }
+
+    /// Writes a file that an argument names: it replaces what is there, but nothing that the run uses.
+    #[cfg(feature = "full")]
+    pub fn save(&mut self, path: &Path, contents: &[u8]) -> Result<Saved, OutputError> {
+        require_file(path)?;
+        self.require_other(path)?;
+        let saved = save(path, contents).map_err(OutputError::unwritable(path))?;
+        self.add(path);
+        Ok(saved)
+    }
+}

@@ -1,0 +1,192 @@
+//! The arguments of `objdict decode`.
+
+use std::path::PathBuf;
+
+use clap::ValueEnum;
+use clap::builder::{PossibleValuesParser, TypedValueParser};
+
+use super::super::patches::PatchArgs;
+use super::super::values::node_id;
+use super::network::{NetworkInputArgs, NetworkPathArgs};
+use super::{ReportArgs, ReportDetailArgs, ReportFormat, SettingsArgs};
+use objdict_document::describe::frames::FrameKind;
+use objdict_traffic as traffic;
+use objdict_traffic::PlotChoice;
+use objdict_traffic::log::LogTime;
+
+#[derive(Debug, clap::Args)]
+#[command(mut_arg("compat", |tools| tools.hide(true)), mut_arg("profiles", |profiles| profiles.hide(true)))] // descriptions are not checked
+#[command(mut_arg("node_id", |node| node.hide(true)))]
+#[command(mut_args(|arg| if ["all", "statistics", "deny"].contains(&arg.get_id().as_str()) { arg.requires("check") } else { arg }))]
+pub(crate) struct DecodeArgs {
+    /// The logs, merged by their times; `-` is standard input, as in `candump -L can0 | objdict decode -`
+    #[arg(required = true, value_name = "LOG")]
+    pub logs: Vec<PathBuf>,
+    /// A description of a node, or a network; `5=drive.eds` describes node 5. A description without node-ID is for the node whose answers to
+    /// 1000h and 1018h match, or for the only node of the log; repeatable
+    #[arg(long, value_name = "[N=]FILE", value_parser = described)]
+    pub with: Vec<WithFile>,
+    /// The same for one channel of the logs, as in `can0=plant.toml`; repeatable
+    #[arg(long, value_name = "NAME=[N=]FILE", value_parser = of_channel)]
+    pub channel: Vec<ChannelFile>,
+    /// Output format
+    #[arg(long, value_enum, default_value = "text")]
+    pub format: DecodeFormat,
+    /// CSV with a column for each signal, in memory; the default is a row for each signal
+    #[arg(long)]
+    pub wide: bool,
+    /// The maximum number of rows of --wide
+    #[arg(long, value_name = "NUMBER", default_value_t = 1_000_000)]
+    pub max_rows: usize,
+    /// Show sums instead of frames: load, cycles beside the described ones, lost heartbeats, aborted transfers, emergencies, and what was
+    /// configured
+    #[arg(long)]
+    pub summary: bool,
+    /// Report what is not as the descriptions say instead of frames (rules `traffic/…`), in the formats text, concise, json, sarif, github, gitlab
+    /// and junit. Exits with 1 if there are errors
+    #[arg(long, conflicts_with_all = ["summary", "wide"])]
+    pub check: bool,
+    /// Write a page with a time line, plots of signals and these sums to this HTML file instead of frames
+    #[arg(long, value_name = "FILE", conflicts_with = "wide")]
+    pub html: Option<PathBuf>,
+    /// Draw this signal on the page: an index in hex with or without a sub-index, or a name, with or without a node, as in `6064`, `drive.6064`,
+    /// `5.Position actual value` or `NMT state`; repeatable [default: the first 8 signals of PDOs that change]
+    #[arg(long, value_name = "[NODE.]SIGNAL", requires = "html")]
+    pub plot: Vec<PlotChoice>,
+    /// The maximum number of points of a plot; of more, neighbours become one with their least and greatest value
+    #[arg(long, value_name = "NUMBER", default_value_t = 2000, requires = "html", value_parser = points())]
+    pub points: usize,
+    #[command(flatten)]
+    pub detail: ReportDetailArgs,
+    /// The bit rate in kbit/s, to find the load [default: that of the network or DCF]
+    #[arg(long, value_name = "KBIT", value_parser = clap::value_parser!(u16).range(1..=1000))]
+    pub bit_rate: Option<u16>,
+    /// The times of a candump log are distances (candump -td) [default: found by the first lines]
+    #[arg(long)]
+    pub distances: bool,
+    #[command(flatten)]
+    pub filter: FrameFilterArgs,
+    #[command(flatten)]
+    pub paths: NetworkPathArgs,
+    #[command(flatten)]
+    pub patch: PatchArgs,
+    #[command(flatten)]
+    pub settings: SettingsArgs,
+}
+
+impl DecodeArgs {
+    /// How descriptions and networks are read.
+    pub(crate) fn input(&self) -> NetworkInputArgs {
+        self.paths.with(&self.patch, self.settings.config_file())
+    }
+
+    /// How findings are reported; `None` for a format of frames.
+    pub(crate) fn report(&self) -> Option<ReportArgs> {
+        let format = match self.format {
+            DecodeFormat::Text => ReportFormat::Text,
+            DecodeFormat::Json => ReportFormat::Json,
+            DecodeFormat::Concise => ReportFormat::Concise,
+            DecodeFormat::Sarif => ReportFormat::Sarif,
+            DecodeFormat::Github => ReportFormat::Github,
+            DecodeFormat::Gitlab => ReportFormat::Gitlab,
+            DecodeFormat::Junit => ReportFormat::Junit,
+            DecodeFormat::Csv => return None,
+        };
+        Some(ReportArgs { format, detail: self.detail.clone() })
+    }
+}
+
+// Which frames are shown. The others are read too, because they change what these say.
+#[derive(Debug, clap::Args)]
+#[command(next_help_heading = "Filter")]
+pub(crate) struct FrameFilterArgs {
+    /// Only frames of this node and NMT commands for it; repeatable
+    #[arg(long, value_name = "N", value_parser = node_id)]
+    pub only_node: Vec<u8>,
+    /// Only SDOs and PDOs with this entry, in hex: 6041 or 1018:1; repeatable
+    #[arg(long, value_name = "INDEX[:SUB]", value_parser = address)]
+    pub object: Vec<(u16, Option<u8>)>,
+    /// Only frames of this kind; repeatable
+    #[arg(long, value_name = "KIND", value_parser = kind())]
+    pub kind: Vec<FrameKind>,
+    /// Only frames from this time on, in seconds as in the log
+    #[arg(long, value_name = "SECONDS", allow_hyphen_values = true)]
+    pub from: Option<LogTime>,
+    /// Only frames up to this time
+    #[arg(long, value_name = "SECONDS", allow_hyphen_values = true)]
+    pub to: Option<LogTime>,
+}
+
+/// How frames are written.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
+pub(crate) enum DecodeFormat {
+    /// A line for each frame
+    Text,
+    /// A JSON object for each frame, on one line (`objdict schema frame`)
+    Json,
+    /// A row for each signal, SDO or other frame
+    Csv,
+    /// With --check: one line per finding
+    Concise,
+    /// With --check: SARIF 2.1.0
+    Sarif,
+    /// With --check: annotations of GitHub workflows
+    Github,
+    /// With --check: a code quality report of GitLab
+    Gitlab,
+    /// With --check: JUnit XML
+    Junit,
+}
+
+impl DecodeFormat {
+    /// Whether only findings are written in it.
+    pub(crate) fn is_of_findings(self) -> bool {
+        !matches!(self, Self::Text | Self::Json | Self::Csv)
+    }
+}
+
+/// A file that describes a node or a network.
+#[derive(Clone, Debug)]
+pub(crate) struct WithFile {
+    pub node_id: Option<u8>,
+    pub path: PathBuf,
+}
+
+/// The same for a channel.
+#[derive(Clone, Debug)]
+pub(crate) struct ChannelFile {
+    pub channel: String,
+    pub file: WithFile,
+}
+
+fn described(text: &str) -> Result<WithFile, String> {
+    let number = text.split_once('=').filter(|(number, _)| number.bytes().all(|byte| byte.is_ascii_digit()));
+    match number {
+        Some((number, path)) => Ok(WithFile { node_id: Some(node_id(number)?), path: path.into() }),
+        None => Ok(WithFile { node_id: None, path: text.into() }),
+    }
+}
+
+fn of_channel(text: &str) -> Result<ChannelFile, String> {
+    match text.split_once('=') {
+        Some((channel, file)) if !channel.is_empty() && !file.is_empty() => {
+            Ok(ChannelFile { channel: channel.to_owned(), file: described(file)? })
+        }
+        _ => Err("write a channel and its file, as in `can0=plant.toml`".to_owned()),
+    }
+}
+
+fn address(text: &str) -> Result<(u16, Option<u8>), &'static str> {
+    traffic::address(text)
+        .ok_or("write an index in hex, with or without a sub-index, as in `6041` or `1018:1`")
+}
+
+fn points() -> impl TypedValueParser<Value = usize> {
+    clap::value_parser!(u32).range(10..=100_000).map(|points| points as usize)
+}
+
+fn kind() -> impl TypedValueParser<Value = FrameKind> {
+    let find = |word: String| FrameKind::ALL.into_iter().find(|kind| kind.word() == word);
+    PossibleValuesParser::new(FrameKind::ALL.map(FrameKind::word))
+        .map(move |word| find(word).unwrap_or(FrameKind::Unknown))
+}

@@ -1,0 +1,132 @@
+//! The arguments of `objdict diff`.
+
+use std::path::{Path, PathBuf};
+
+use clap::ValueEnum;
+
+use super::network::AllowedPathArgs;
+use super::new::{date, number};
+use super::output::ReportArgs;
+use crate::changes::Choice;
+use crate::input::InputArgs;
+use crate::settings::ConfigFileArgs;
+use crate::values::node_id;
+use objdict_model::diagnostic::Severity;
+use objdict_model::model::Date;
+
+#[derive(Debug, clap::Args)]
+#[command(
+    override_usage = "objdict diff [OPTIONS] <OLD> <NEW>\n       objdict diff [OPTIONS] --git <REV> <NEW>"
+)]
+pub(crate) struct DiffArgs {
+    #[command(flatten)]
+    pub sides: SidesArgs,
+    /// Output format
+    #[arg(long, value_enum, default_value = "text")]
+    pub format: DiffFormat,
+    /// Report only these changes: a rule such as entry-renamed, a verdict such as breaking, an audience such as sdo-clients, or
+    /// objects as in `show` or 2000-2FFF; repeatable, or separated by commas
+    #[arg(long, value_name = "WHAT", value_delimiter = ',')]
+    pub select: Vec<Choice>,
+    /// Do not report these changes; repeatable, or separated by commas
+    #[arg(long, value_name = "WHAT", value_delimiter = ',')]
+    pub ignore: Vec<Choice>,
+    /// Lowest verdict that fails the run: compatible, risky or breaking [default: breaking]
+    #[arg(long, value_enum, value_name = "VERDICT", hide_possible_values = true)]
+    pub deny: Option<DeniedVerdict>,
+    /// Also report which downloads of this stored configuration the new device refuses: a concise DCF, DCF or XDC, or a network with
+    /// nodes that are the old device
+    #[arg(long, value_name = "FILE")]
+    pub against: Option<PathBuf>,
+    /// Evaluate formulas of the stored configuration for this node-ID [default: from the DCF]
+    #[arg(long, value_name = "N", value_parser = node_id, requires = "against")]
+    pub node_id: Option<u8>,
+    #[command(flatten)]
+    pub paths: AllowedPathArgs,
+    #[command(flatten)]
+    pub input: InputArgs,
+    #[command(flatten)]
+    pub config: ConfigFileArgs,
+}
+
+// Which descriptions are compared.
+#[derive(Debug, clap::Args)]
+pub(crate) struct SidesArgs {
+    /// The old description: EDS, DCF, XDD, XDC or JSON; `-` is standard input; left out with --git
+    pub old: PathBuf,
+    /// The new description, in any of these formats
+    #[arg(required_unless_present = "git", conflicts_with = "git")]
+    pub new: Option<PathBuf>,
+    /// Take the old description from this revision of the git repository that the new one is in, such as origin/main
+    #[arg(long, value_name = "REV")]
+    pub git: Option<String>,
+}
+
+impl SidesArgs {
+    /// The new description: the only one beside a revision.
+    pub(crate) fn newer(&self) -> &Path {
+        self.new.as_deref().unwrap_or(&self.old)
+    }
+}
+
+#[derive(Debug, clap::Args)]
+#[command(
+    override_usage = "objdict release [OPTIONS] <OLD> <NEW>\n       objdict release [OPTIONS] --git <REV> <NEW>"
+)]
+pub(crate) struct ReleaseArgs {
+    #[command(flatten)]
+    pub sides: SidesArgs,
+    /// Raise what is missing in the new description; the rest of its text stays
+    #[arg(long)]
+    pub fix: bool,
+    /// Print the changes that --fix would make without writing them, and exit with 1 if there are any
+    #[arg(long)]
+    pub diff: bool,
+    /// The product code of the new device, if it needs another one, such as 418 or 0x1A2
+    #[arg(long, value_name = "NUMBER", value_parser = number)]
+    pub product_code: Option<u32>,
+    /// Date of the release, such as 2026-11-21 [default: SOURCE_DATE_EPOCH, else now]
+    #[arg(long, value_name = "DATE", value_parser = date)]
+    pub date: Option<Date>,
+    #[command(flatten)]
+    pub report: ReportArgs,
+    #[command(flatten)]
+    pub input: InputArgs,
+}
+
+/// How changes are written.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
+pub(crate) enum DiffFormat {
+    /// A line per change, and whom it affects
+    Text,
+    /// For programs: one JSON document (docs/json.md)
+    Json,
+    /// Tables, for release notes and pull requests
+    Markdown,
+    /// A page with both sides, PDO diagrams and a filter
+    Html,
+    /// Annotations of GitHub workflows
+    Github,
+}
+
+/// The lowest verdict that fails the run.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
+pub(crate) enum DeniedVerdict {
+    /// Any change
+    Compatible,
+    /// Changes that are risky or breaking
+    Risky,
+    /// Changes that are breaking
+    Breaking,
+}
+
+impl DeniedVerdict {
+    /// The severity of a finding about such a change.
+    pub(crate) const fn severity(self) -> Severity {
+        match self {
+            Self::Compatible => Severity::Note,
+            Self::Risky => Severity::Warning,
+            Self::Breaking => Severity::Error,
+        }
+    }
+}

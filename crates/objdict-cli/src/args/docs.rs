@@ -1,0 +1,77 @@
+//! The arguments of `objdict docs`.
+
+use std::path::PathBuf;
+
+use clap::ValueEnum;
+
+use super::network::NetworkPathArgs;
+use crate::input::{ExpandArgs, InputArgs};
+use crate::save::OverwriteArgs;
+use crate::settings::SettingsArgs;
+use objdict_document::Form;
+
+#[derive(Debug, clap::Args)]
+#[command(mut_arg("deny", |deny| deny.help("Lowest severity that fails the run: note, warning or error [default: none]")))]
+pub(crate) struct DocsArgs {
+    /// Files, folders and patterns such as `devices/**/*.eds`; networks (`network.toml`, `bus.yml`, a node list); `-` is
+    /// standard input
+    #[arg(required = true, value_name = "PATH")]
+    pub files: Vec<PathBuf>,
+    /// The file to write, or the folder for a site; `-` is standard output
+    #[arg(short, long, alias = "out", value_name = "PATH")]
+    pub output: PathBuf,
+    #[command(flatten)]
+    pub overwrite: OverwriteArgs,
+    /// The format of the pages [default: by the extension of the output, else html]
+    #[arg(long, alias = "format", value_enum, value_name = "FORMAT")]
+    pub to: Option<DocsFormat>,
+    /// The title of the page or site [default: the name of the product or network]
+    #[arg(long, value_name = "TEXT")]
+    pub title: Option<String>,
+    /// The language of names and descriptions, if the file has it; headings and sentences are in English or German
+    #[arg(long, value_name = "TAG")]
+    pub lang: Option<String>,
+    /// Link each page to the workbench at this address, a URL or a path from the pages (docs/workbench.md)
+    #[arg(long, value_name = "ADDRESS", value_parser = workbench)]
+    pub workbench: Option<String>,
+    #[command(flatten)]
+    pub expand: ExpandArgs,
+    #[command(flatten)]
+    pub input: InputArgs,
+    #[command(flatten)]
+    pub network: NetworkPathArgs,
+    #[command(flatten)]
+    pub settings: SettingsArgs,
+}
+
+/// The address of a workbench, which becomes a link: no other scheme than those of hosts.
+fn workbench(text: &str) -> Result<String, String> {
+    let is_plain = |byte: u8| byte.is_ascii_graphic() && !b"<>\"\\".contains(&byte);
+    let is_address = !text.is_empty() && text.bytes().all(is_plain);
+    let has_scheme = text.split(['/', '?', '#']).next().is_some_and(|first| first.contains(':'));
+    match is_address && (!has_scheme || text.starts_with("https://") || text.starts_with("http://")) {
+        true => Ok(text.to_owned()),
+        false => Err("expected a URL such as `https://example.com/workbench/`, or a path".to_owned()),
+    }
+}
+
+/// How documentation is written.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
+pub(crate) enum DocsFormat {
+    /// One self-contained page
+    Html,
+    /// One file of tables, as GitHub and GitLab render them
+    Markdown,
+    /// One line for each entry, for spreadsheets
+    Csv,
+}
+
+impl From<DocsFormat> for Form {
+    fn from(format: DocsFormat) -> Self {
+        match format {
+            DocsFormat::Html => Self::Html,
+            DocsFormat::Markdown => Self::Markdown,
+            DocsFormat::Csv => Self::Csv,
+        }
+    }
+}

@@ -1,0 +1,222 @@
+//! The arguments of `objdict generate`.
+
+use std::path::{Path, PathBuf};
+
+use clap::builder::{PossibleValue, PossibleValuesParser, TypedValueParser};
+use clap::{Args, ValueEnum};
+
+use crate::input::{ExpandArgs, InputArgs};
+use crate::profiles::ProfileArgs;
+use crate::save::OverwriteArgs;
+use crate::settings::{ConfigArgs, Deny};
+use crate::values::node_id;
+use objdict_generate::{
+    CTable, Derive, Names, OptionField, OptionValue, Options, PdoMappings, SharedCell, StackLayout,
+    StorageGroup, Target,
+};
+use objdict_model::model::Address;
+
+#[derive(Debug, Args)]
+pub(crate) struct GenerateArgs {
+    /// The description; `-` is standard input
+    pub file: PathBuf,
+    /// What to generate; repeatable, or separated by commas
+    #[arg(long = "target", required = true, value_name = "TARGET", value_delimiter = ',', value_parser = targets())]
+    pub targets: Vec<String>,
+    /// The folder to write to
+    #[arg(short, long, alias = "out", value_name = "PATH", required_unless_present = "compare")]
+    pub output: Option<PathBuf>,
+    /// Compare the tables with a header of the stack that exists, and its source beside it, instead of writing them
+    #[arg(long, value_name = "FILE", conflicts_with_all = ["output", "list", "stamp", "report"], help_heading = "Output")]
+    pub compare: Option<PathBuf>,
+    /// Print the names of the files that would be written, without writing them
+    #[arg(long, help_heading = "Output")]
+    pub list: bool,
+    /// Write this file on every successful run, for make: other files are written only if they change
+    #[arg(long, value_name = "FILE", help_heading = "Output")]
+    pub stamp: Option<PathBuf>,
+    /// Write a make rule with the inputs of the stamp file
+    #[arg(long, value_name = "FILE", requires = "stamp", help_heading = "Output")]
+    pub depfile: Option<PathBuf>,
+    /// Add the objects that CANopenNode needs to compile and start to the description, as CiA 301 describes them
+    #[arg(long, help_heading = "Stacks")]
+    pub add_missing: bool,
+    /// Generate even if errors make the tables wrong
+    #[arg(long, help_heading = "Output")]
+    pub force: bool,
+    #[command(flatten)]
+    pub options: OptionArgs,
+    #[command(flatten, next_help_heading = "Output")]
+    pub overwrite: OverwriteArgs,
+    /// Report the flash and RAM usage of the tables, object by object
+    #[arg(long, value_enum, value_name = "WHAT", help_heading = "Size")]
+    pub report: Option<ReportArg>,
+    /// Output format
+    #[arg(
+        long,
+        alias = "report-format",
+        value_enum,
+        default_value = "table",
+        value_name = "FORMAT",
+        help_heading = "Size"
+    )]
+    pub format: SizeFormat,
+    /// Fail if the tables of a target take more flash than this, not counting code
+    #[arg(long, value_name = "BYTES", help_heading = "Size")]
+    pub max_flash: Option<usize>,
+    /// Fail if the values take more RAM than this
+    #[arg(long, value_name = "BYTES", help_heading = "Size")]
+    pub max_ram: Option<usize>,
+    #[command(flatten)]
+    pub expand: ExpandArgs,
+    #[command(flatten)]
+    pub input: InputArgs,
+    #[command(flatten)]
+    pub config: ConfigArgs,
+    #[command(flatten)]
+    pub profiles: ProfileArgs,
+    /// Lowest severity that stops the generation: note, warning or error [default: errors that make a table wrong]
+    #[arg(long, value_enum, value_name = "SEVERITY", hide_possible_values = true, help_heading = "Settings")]
+    pub deny: Option<Deny>,
+    /// Ignore the findings in this file, which `check --write-baseline` writes
+    #[arg(long, value_name = "FILE", help_heading = "Settings")]
+    pub baseline: Option<PathBuf>,
+}
+
+impl GenerateArgs {
+    /// The folder to write to.
+    pub(crate) fn folder(&self) -> &Path {
+        self.output.as_deref().unwrap_or(Path::new(""))
+    }
+}
+
+macro_rules! arguments {
+    ($(
+        $(#[doc = $doc:tt])+
+        $choice:ident $name:literal {
+            field: $field:ident: $type:ty = $default:expr,
+            argument: $argument:ty [$($clap:tt)*],
+            method: $method:ident($($parameter:ident: $of:ty),*) => $value:expr,
+            $(needs: $feature:tt,)?
+        }
+    )+) => {
+        // The options of generated code.
+        #[derive(Debug, Args)]
+        pub(crate) struct OptionArgs {
+            $(
+                $(#[doc = $doc])+
+                #[arg(long = $name, long_help = None::<&str>, $($clap)*)]
+                $field: $argument,
+            )+
+        }
+
+        impl OptionArgs {
+            pub(crate) fn given(&self) -> Options {
+                let mut options = Options::default();
+                $(self.$field.give(&mut options.$field);)+
+                options
+            }
+        }
+    };
+}
+
+objdict_generate::with_options!(arguments);
+
+/// What the command line gives for a setting.
+trait Given<S> {
+    fn give(&self, setting: &mut S);
+}
+
+/// A flag turns the setting over.
+impl Given<bool> for bool {
+    fn give(&self, setting: &mut bool) {
+        *setting ^= self;
+    }
+}
+
+impl<S: OptionField<Value: Clone>> Given<S> for Option<S::Value> {
+    fn give(&self, setting: &mut S) {
+        self.iter().for_each(|value| setting.put(value.clone()));
+    }
+}
+
+impl<S: OptionField<Value: Clone>> Given<S> for Vec<S::Value> {
+    fn give(&self, setting: &mut S) {
+        self.iter().for_each(|value| setting.put(value.clone()));
+    }
+}
+
+/// The names of a few values, each with what it is.
+fn one_of<T: OptionValue>() -> impl TypedValueParser<Value = T> {
+    let names = T::ALL.iter().map(|(_, name, help)| PossibleValue::new(*name).help(*help));
+    PossibleValuesParser::new(names).try_map(|given| {
+        let found = T::ALL.iter().find(|(_, name, _)| *name == given);
+        found.map(|(value, ..)| *value).ok_or("there is no such value")
+    })
+}
+
+/// What is reported about the output.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
+pub(crate) enum ReportArg {
+    /// Bytes of flash and RAM
+    Size,
+}
+
+/// How a report is shown.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
+pub(crate) enum SizeFormat {
+    /// Plain text
+    Table,
+    /// For programs: one JSON document, instead of the list of files (docs/json.md)
+    Json,
+}
+
+fn targets() -> PossibleValuesParser {
+    let value = |target: Target| PossibleValue::new(target.name()).help(target.summary());
+    PossibleValuesParser::new(Target::all().map(value))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// Methods of the builder that have other names than the arguments.
+    const RENAMED: [(&str, &str); 3] = [("file", "new"), ("output", "out_dir"), ("from", "from_kind")];
+
+    /// Arguments that are about a terminal or make.
+    const OF_THE_COMMAND: [&str; 11] = [
+        "color",
+        "quiet",
+        "verbose",
+        "help",
+        "report",
+        "format",
+        "list",
+        "stamp",
+        "depfile",
+        "add-missing",
+        "compare",
+    ];
+
+    /// A build script can do all that the command can.
+    #[test]
+    fn every_other_argument_is_a_method_of_the_builder() {
+        let builder = include_str!("../../../objdict-build/src/build_script/builder.rs");
+        let mut command = GenerateArgs::augment_args(clap::Command::default());
+        command.build();
+        let declared = OptionArgs::augment_args(clap::Command::default()); // their methods are made of the same lines
+        for argument in command.get_arguments() {
+            let name = argument.get_long().map_or(argument.get_id().as_str(), |long| long);
+            let is_declared = declared.get_arguments().any(|declared| declared.get_id() == argument.get_id());
+            if is_declared || OF_THE_COMMAND.contains(&name) {
+                continue;
+            }
+            let renamed = RENAMED.iter().find(|(argument, _)| *argument == name);
+            let method = renamed.map_or_else(|| name.replace('-', "_"), |(_, method)| (*method).to_owned());
+            assert!(
+                builder.contains(&format!("    pub fn {method}(")),
+                "`--{name}` has no method `{method}` in crates/objdict-build/src/build_script/builder.rs"
+            );
+        }
+    }
+}

@@ -1,0 +1,94 @@
+//! The arguments of `objdict new`.
+
+use std::path::PathBuf;
+
+use clap::ValueEnum;
+
+use super::features::FeatureArgs;
+use objdict_format::input::FileKind;
+use objdict_model::model::Date;
+
+#[derive(Debug, clap::Args)]
+pub(crate) struct NewArgs {
+    /// The file to write: .eds .xdd .toml .json; `-` is standard output
+    #[arg(short, long, value_name = "FILE")]
+    pub output: PathBuf,
+    /// The format to write [default: by the extension of the output, else eds]
+    #[arg(long, value_enum, value_name = "FORMAT")]
+    pub to: Option<NewFormat>,
+    /// The device profile: 301, 401, 402, 404 or 406 [default: that of the features]
+    #[arg(long, value_name = "NUMBER")]
+    pub profile: Option<u16>,
+    /// Name of the vendor
+    #[arg(long, value_name = "NAME", default_value = "Vendor", value_parser = text)]
+    pub vendor_name: String,
+    /// Vendor-ID assigned by CiA, such as 418 or 0x1A2
+    #[arg(long, value_name = "NUMBER", value_parser = number)]
+    pub vendor_id: Option<u32>,
+    /// Name of the product
+    #[arg(long, value_name = "NAME", default_value = "Device", value_parser = text)]
+    pub product_name: String,
+    /// Product code
+    #[arg(long, value_name = "NUMBER", default_value = "1", value_parser = number)]
+    pub product_code: u32,
+    /// Revision number, with the major revision in the upper 16 bits
+    #[arg(long, value_name = "NUMBER", default_value = "0x00010000", value_parser = number)]
+    pub revision: u32,
+    /// Author of the description [default: the vendor]
+    #[arg(long, value_name = "NAME", value_parser = text)]
+    pub author: Option<String>,
+    /// Date of the description, such as 2026-11-21 [default: SOURCE_DATE_EPOCH, else now]
+    #[arg(long, value_name = "DATE", value_parser = date)]
+    pub date: Option<Date>,
+    /// Replace an existing file
+    #[arg(long, alias = "force")]
+    pub overwrite: bool,
+    #[command(flatten)]
+    pub features: FeatureArgs,
+}
+
+/// A format of new descriptions.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
+pub(crate) enum NewFormat {
+    Eds,
+    Xdd,
+    /// The short source of a device (docs/device.md)
+    Toml,
+    Json,
+}
+
+impl From<NewFormat> for FileKind {
+    fn from(format: NewFormat) -> Self {
+        match format {
+            NewFormat::Eds => Self::Eds,
+            NewFormat::Xdd => Self::Xdd,
+            NewFormat::Toml => Self::Toml,
+            NewFormat::Json => Self::Json,
+        }
+    }
+}
+
+/// A number in decimal or, behind `0x`, in hexadecimal.
+pub(super) fn number(text: &str) -> Result<u32, String> {
+    let number = match text.strip_prefix("0x").or_else(|| text.strip_prefix("0X")) {
+        Some(digits) => u32::from_str_radix(digits, 16).ok(),
+        None => text.parse().ok(),
+    };
+    number.ok_or_else(|| "expected a number of 32 bits such as 418 or 0x1A2".to_owned())
+}
+
+/// A line of ISO 646, which every tool reads.
+fn text(text: &str) -> Result<String, String> {
+    if text.bytes().all(|byte| (0x20..0x7F).contains(&byte)) && text.len() <= MAX_NAME {
+        Ok(text.to_owned())
+    } else {
+        Err(format!("expected at most {MAX_NAME} characters of ISO 646"))
+    }
+}
+
+/// Characters that a name may have, so that its line stays below 255 (CiA 306-1 §4.2).
+const MAX_NAME: usize = 100;
+
+pub(super) fn date(text: &str) -> Result<Date, String> {
+    Date::from_iso(text).ok_or_else(|| "expected a date such as 2026-11-21".to_owned())
+}

@@ -1,0 +1,63 @@
+//! How results are written.
+
+use clap::ValueEnum;
+
+// How findings are reported.
+#[derive(Debug, clap::Args)]
+pub(crate) struct ReportArgs {
+    /// Output format
+    #[arg(long, value_enum, default_value = "text")]
+    pub format: ReportFormat,
+    #[command(flatten)]
+    pub detail: ReportDetailArgs,
+}
+
+// How much a report says.
+#[derive(Clone, Debug, clap::Args)]
+pub(crate) struct ReportDetailArgs {
+    /// Report every finding separately: by default, findings with the same cause are merged, and the text report shows
+    /// 20 findings per file
+    #[arg(long)]
+    pub all: bool,
+    /// Count the findings per rule; `=only` hides the findings themselves. For the formats text, concise and json
+    #[arg(long, value_enum, value_name = "WHICH", num_args = 0..=1, require_equals = true, default_missing_value = "also")]
+    pub statistics: Option<Counting>,
+}
+
+/// How findings are written.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
+pub(crate) enum ReportFormat {
+    /// Source excerpts with markers
+    Text,
+    /// One line per finding: file:line:column: severity rule: message
+    Concise,
+    /// For programs: one JSON document (docs/json.md)
+    Json,
+    /// SARIF 2.1.0, for code scanning services and editors
+    Sarif,
+    /// Annotations of GitHub workflows
+    Github,
+    /// A code quality report of GitLab
+    Gitlab,
+    /// JUnit XML, for viewers of test results
+    Junit,
+}
+
+/// Whether the findings are counted.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
+pub(crate) enum Counting {
+    /// After the findings
+    Also,
+    /// Instead of the findings
+    Only,
+}
+
+/// How a dictionary is shown.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
+pub(crate) enum ShowFormat {
+    /// Plain text
+    #[value(alias = "text")]
+    Table,
+    /// For programs: one JSON document, one entry per line (docs/json.md)
+    Json,
+}

@@ -1,0 +1,76 @@
+//! Files that had no findings: a check with the same settings does not look at them again.
+
+use std::collections::HashSet;
+use std::fmt::Write as _;
+use std::path::{Path, PathBuf};
+
+use super::args::CheckArgs;
+use super::outcome::Failure;
+use super::save::save;
+use super::settings::Settings;
+use objdict_model::source::{Fnv, SourceError, read_text, shown};
+
+/// The first line of a cache.
+const HEAD: &str = "objdict cache 1";
+
+/// The largest cache that is read, in bytes: two million files.
+const MAX_SIZE: u64 = 32 << 20;
+
+/// What is known of earlier checks. A file is known by the hash of its name, its contents and everything else that decides what is
+/// found in it.
+pub(super) struct Cache {
+    path: PathBuf,
+    /// The hash of everything but the file.
+    settings: Fnv,
+    known: HashSet<u64>,
+}
+
+impl Cache {
+    /// The cache at `path`, for a check with these arguments and what their files say.
+    ///
+    /// # Errors
+    /// When it cannot be read, or is another file.
+    pub(super) fn open(path: &Path, args: &CheckArgs, settings: &Settings<'_>) -> Result<Self, Failure> {
+        let text = match read_text(path, MAX_SIZE) {
+            Ok(text) => text,
+            Err(SourceError::Io { error, .. }) if error.kind() == std::io::ErrorKind::NotFound => {
+                HEAD.to_owned()
+            }
+            Err(error) => return Err(Failure::new(error)),
+        };
+        let mut lines = text.lines();
+        if lines.next() != Some(HEAD) {
+            let message = format!("`{}` is not a cache of objdict", shown(path));
+            return Err(Failure::new(message).help("name a file that does not exist yet"));
+        }
+        let mut hash = Fnv::new();
+        hash.field(env!("CARGO_PKG_VERSION").as_bytes());
+        hash.field(format!("{:?} {:?} {:?}", args.settings, args.input, args.fixing).as_bytes());
+        hash.field(settings.contents().as_bytes());
+        // a line that is corrupted is the hash of no file, and the file is checked
+        let known = lines.filter_map(|line| u64::from_str_radix(line, 16).ok()).collect();
+        Ok(Self { path: path.to_owned(), settings: hash, known })
+    }
+
+    /// What a file with these contents is known by, and whether nothing was found in it.
+    pub(super) fn look_up(&self, path: &Path, bytes: &[u8]) -> (u64, bool) {
+        let mut hash = self.settings;
+        hash.field(path.as_os_str().as_encoded_bytes());
+        hash.field(bytes);
+        (hash.0, self.known.contains(&hash.0))
+    }
+
+    /// Replaces what is known by the files in which nothing was found now.
+    ///
+    /// # Errors
+    /// When it cannot be written.
+    pub(super) fn save(&self, mut clean: Vec<u64>) -> Result<(), Failure> {
+        clean.sort_unstable();
+        clean.dedup();
+        let mut text = format!("{HEAD}\n");
+        for key in clean {
+            let _ = writeln!(text, "{key:016x}");
+        }
+        save(&self.path, text.as_bytes()).map(drop)
+    }
+}

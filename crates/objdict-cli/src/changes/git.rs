@@ -1,0 +1,71 @@
+//! A file as it was at a revision of its git repository.
+
+use std::ffi::OsString;
+use std::io::{self, ErrorKind, Read};
+use std::path::Path;
+use std::process::{Command, Stdio};
+
+use crate::input::name_of;
+use crate::outcome::Failure;
+use objdict_format::ReadError;
+use objdict_model::source;
+
+/// The bytes of a file at a revision, as git has stored them.
+pub(super) fn read(revision: &str, path: &Path, max_size: u64) -> Result<Vec<u8>, Failure> {
+    let name = path.file_name().filter(|_| path != Path::new("-"));
+    let name =
+        name.ok_or_else(|| Failure::new(format!("`{}` is not a file of a git repository", name_of(path))))?;
+    // git would take it as an option
+    if revision.starts_with('-') {
+        return Err(Failure::new(format!("`{revision}` is no revision of a git repository")));
+    }
+    let folder = path.parent().filter(|folder| !folder.as_os_str().is_empty()).unwrap_or(Path::new("."));
+    let mut object = OsString::from(format!("{revision}:./"));
+    object.push(name);
+    let mut command = Command::new("git");
+    command.arg("-C").arg(folder).args(["show", "--no-textconv"]).arg(object).env("LC_ALL", "C");
+    command.stdin(Stdio::null()).stdout(Stdio::piped()).stderr(Stdio::piped());
+    let mut git = command.spawn().map_err(|error| not_started(&error))?;
+    let stored =
+        git.stdout.take().map(|stdout| source::read_stream(stdout, &name_of(path), max_size, Vec::new()));
+    let mut complaint = String::new();
+    if let Some(stderr) = git.stderr.take() {
+        let _ = stderr.take(MAX_COMPLAINT).read_to_string(&mut complaint);
+    }
+    let is_done = git.wait().is_ok_and(|status| status.success());
+    match stored {
+        Some(Err(error)) => Err(ReadError::from(error).into()),
+        Some(Ok(bytes)) if is_done => Ok(bytes),
+        _ => Err(refused(revision, path, &complaint)),
+    }
+}
+
+/// So much of what git says is read.
+const MAX_COMPLAINT: u64 = 4096;
+
+fn not_started(error: &io::Error) -> Failure {
+    match error.kind() {
+        ErrorKind::NotFound => Failure::new("`--git` needs the program git, which is not in the path")
+            .help("install git, or give both files"),
+        _ => Failure::new(format!("git cannot be started: {error}")),
+    }
+}
+
+/// Why git does not have the file.
+fn refused(revision: &str, path: &Path, complaint: &str) -> Failure {
+    let name = name_of(path);
+    let says = |text: &str| complaint.contains(text);
+    if says("not a git repository") {
+        return Failure::new(format!("`{name}` is in no git repository")).help("give both files");
+    }
+    if says("invalid object name") || says("unknown revision") || says("bad revision") {
+        let failure = Failure::new(format!("git has no revision `{revision}`"));
+        return failure.help("fetch it first: `git fetch origin main` for `origin/main`");
+    }
+    if says("does not exist") || says("but not in") {
+        let help = "name the file of that revision with OLD and NEW: `git show REV:PATH` prints it";
+        return Failure::new(format!("git has no file `{name}` at `{revision}`")).help(help);
+    }
+    let first = complaint.lines().next().unwrap_or_default();
+    Failure::new(format!("git cannot read `{name}` at `{revision}`: {first}"))
+}

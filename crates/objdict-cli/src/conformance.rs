@@ -1,0 +1,176 @@
+//! `objdict conformance`.
+
+use std::io::{self, Write};
+
+use serde::Serialize;
+
+use super::args::{ConformanceArgs, ShowFormat};
+use super::input::{Input, name_of, source_name};
+use super::outcome::{Failure, Outcome};
+use super::output::Output;
+use super::table::Table;
+use objdict_bus::{Conformance, ConformanceCheck, Verdict, conformance};
+use objdict_model::json;
+use objdict_model::json::Version;
+use objdict_model::model::Device;
+
+/// The version of the JSON document, see docs/json.md.
+const VERSION: u32 = 1;
+
+/// The most characters of a cell.
+const CELL: usize = 80;
+
+/// The node-ID of a description that does not say one.
+const NODE_ID: u8 = 1;
+
+pub(super) fn run(args: &ConformanceArgs, out: &mut Output) -> Result<Outcome, Failure> {
+    let (_, input) = args.input.read_one(&args.file)?;
+    let device: &Device = match &input {
+        Input::Description(description) => description.device(),
+        Input::Device(device) => device,
+        _ => return Err(Failure::new(format_args!("`{}` describes no device", name_of(&args.file)))),
+    };
+    let node_id = args.node_id.or_else(|| device.node_id()).unwrap_or(NODE_ID);
+    let results = conformance(device, node_id);
+    match args.format {
+        ShowFormat::Table => text(&results, args.summary, out)?,
+        ShowFormat::Json => write_json(&source_name(&args.file), node_id, &results, out)?,
+    }
+    Ok(if results.is_clean() { Outcome::Clean } else { Outcome::Findings })
+}
+
+fn text(results: &Conformance, is_short: bool, out: &mut Output) -> io::Result<()> {
+    let mut table = Table::new(["Service", "Check", "Section", "Result"], CELL);
+    for service in results.checks.chunk_by(|a, b| a.service == b.service) {
+        // an object that is as described is said in one line with the others
+        let is_object = service[0].service.starts_with("objects");
+        for check in service {
+            let is_shown = if is_short || is_object { is_failed(check) } else { true };
+            if is_shown {
+                let cells = [check.service, &check.name, check.section];
+                let [service, name, section] = cells.map(str::to_owned);
+                table.row([service, name, section, words(&check.verdict)]);
+            }
+        }
+        if is_object && !is_short {
+            let passed = service.iter().filter(|check| check.verdict == Verdict::Passed).count();
+            let result = format!("{passed} of {} passed", service.len());
+            table.row([service[0].service.to_owned(), "each entry".to_owned(), "7.4".to_owned(), result]);
+        }
+    }
+    if !table.is_empty() {
+        table.write(out)?;
+        writeln!(out)?;
+    }
+    writeln!(out, "{}", verdict(results))
+}
+
+fn is_failed(check: &ConformanceCheck) -> bool {
+    matches!(check.verdict, Verdict::Failed(_))
+}
+
+/// The result of a check in words.
+fn words(verdict: &Verdict) -> String {
+    match verdict {
+        Verdict::Failed(why) => format!("FAILED: {why}"),
+        Verdict::NotServed => "not served".to_owned(),
+        Verdict::Absent(what) => format!("not in the description: {what}"),
+        Verdict::Impossible(why) => format!("not possible: {why}"),
+        _ => "passed".to_owned(),
+    }
+}
+
+/// Such as: 214 of 220; not served: node guarding, TIME
+fn verdict(results: &Conformance) -> String {
+    let (passed, count) = results.passed();
+    let mut verdict = format!("{passed} of {count}");
+    let failed = results.checks.iter().filter(|check| is_failed(check)).count();
+    if failed > 0 {
+        verdict += &format!("; {failed} failed");
+    }
+    let unserved = results.checks.iter().filter(|check| check.verdict == Verdict::NotServed);
+    let unserved: Vec<&str> = unserved.map(|check| check.name.as_str()).collect();
+    if !unserved.is_empty() {
+        verdict += &format!("; not served: {}", unserved.join(", "));
+    }
+    let is_left_out =
+        |check: &&ConformanceCheck| matches!(check.verdict, Verdict::Absent(_) | Verdict::Impossible(_));
+    let left_out = results.checks.iter().filter(is_left_out).count();
+    if left_out > 0 {
+        verdict += &format!("; {left_out} do not apply to this description");
+    }
+    verdict
+}
+
+#[derive(Serialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
+pub(crate) struct Document<'a> {
+    /// The version of the document.
+    version: Version<VERSION>,
+    /// The file as it was given.
+    file: &'a str,
+    /// The node-ID.
+    node_id: u8,
+    /// The number of checks that passed.
+    passed: usize,
+    /// The number of checks that apply to the description: without `absent` and `impossible`.
+    count: usize,
+    /// Whether no check failed.
+    is_clean: bool,
+    /// The checks, service by service; of the dictionary one for each object.
+    checks: Vec<Row<'a>>,
+}
+
+/// A check.
+#[derive(Serialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema), schemars(rename = "Check"))]
+struct Row<'a> {
+    /// The service that it is about.
+    service: &'a str,
+    /// What is checked; of an object its index.
+    name: &'a str,
+    /// The section of CiA 301, or another document of CiA.
+    section: &'a str,
+    /// The result.
+    result: CheckResult,
+    /// What failed, what is absent, or why it is impossible.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    reason: Option<&'a str>,
+}
+
+/// The result of a check.
+#[derive(Serialize)]
+#[serde(rename_all = "kebab-case")]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema), schemars(rename = "Result"))]
+enum CheckResult {
+    /// As CiA 301 says.
+    Passed,
+    /// Otherwise.
+    Failed,
+    /// The node does not have the service.
+    NotServed,
+    /// The objects are not in the description.
+    Absent,
+    /// The description makes the check impossible.
+    Impossible,
+}
+
+fn row(check: &ConformanceCheck) -> Row<'_> {
+    let (result, reason) = match &check.verdict {
+        Verdict::Failed(why) => (CheckResult::Failed, Some(why.as_str())),
+        Verdict::NotServed => (CheckResult::NotServed, None),
+        Verdict::Absent(what) => (CheckResult::Absent, Some(what.as_str())),
+        Verdict::Impossible(why) => (CheckResult::Impossible, Some(why.as_str())),
+        _ => (CheckResult::Passed, None),
+    };
+    Row { service: check.service, name: &check.name, section: check.section, result, reason }
+}
+
+fn write_json(file: &str, node_id: u8, results: &Conformance, out: &mut Output) -> io::Result<()> {
+    let (passed, count) = results.passed();
+    let checks = results.checks.iter().map(row).collect();
+    let document =
+        Document { version: Version, file, node_id, passed, count, is_clean: results.is_clean(), checks };
+    json::write(&mut out.raw()?, &document)?;
+    writeln!(out)
+}

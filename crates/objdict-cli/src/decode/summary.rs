@@ -1,0 +1,221 @@
+//! Sums over the frames of logs.
+
+use std::io::{self, Write};
+
+use serde::Serialize;
+
+use super::super::args::{DecodeArgs, DecodeFormat};
+use super::super::input::source_name;
+use super::super::outcome::Failure;
+use super::super::output::Output;
+use super::super::table::{Table, fit};
+use super::{Logs, each_frame};
+use objdict_model::diagnostic::plural;
+use objdict_model::json;
+use objdict_model::json::Version;
+use objdict_traffic::{BusReport, BusSums, Buses, NodeEvent, Recording};
+
+/// The version of the JSON document, see docs/json.md.
+const VERSION: u32 = 1;
+
+/// The most characters of a cell.
+const CELL: usize = 60;
+
+/// The most characters of a line.
+const LINE: usize = 200;
+
+/// The most events of a kind that the text shows.
+const EVENTS: usize = 20;
+
+/// The sums over logs.
+#[derive(Serialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
+pub(crate) struct Document {
+    /// The version of the document.
+    version: Version<VERSION>,
+    /// The logs as they were given.
+    logs: Vec<String>,
+    /// The number of lines that are not understood.
+    bad_lines: u64,
+    /// The buses, by the channels of the logs.
+    buses: Vec<BusReport>,
+}
+
+/// The sums over all frames that pass the filters, which are also recorded if a page is wanted.
+pub(super) fn gather(
+    args: &DecodeArgs,
+    buses: &mut Buses<'_>,
+    logs: &mut Logs,
+    mut recording: Option<&mut Recording>,
+) -> Result<Document, Failure> {
+    let mut sums: Vec<BusSums> = Vec::new();
+    each_frame(args, buses, logs, |shown| {
+        while sums.len() <= shown.at {
+            sums.push(BusSums::new(args.bit_rate.or(shown.bus.descriptions.bit_rate)));
+        }
+        sums[shown.at].add(&shown.decoded, shown.frame, shown.origin, shown.bus);
+        if let Some(recording) = &mut recording {
+            recording.add(&shown.decoded, shown.frame, shown.at, shown.bus);
+        }
+        Ok(())
+    })?;
+    Ok(Document {
+        version: Version,
+        logs: args.logs.iter().map(|path| source_name(path)).collect(),
+        bad_lines: logs.0.iter().map(|log| log.reader.bad_count()).sum(),
+        buses: sums.iter_mut().zip(&buses.all).map(|(sums, bus)| sums.report(bus)).collect(),
+    })
+}
+
+impl Document {
+    /// The logs as they were given.
+    pub(super) fn logs(&self) -> &[String] {
+        &self.logs
+    }
+
+    /// The sums of each bus.
+    pub(super) fn buses(&self) -> &[BusReport] {
+        &self.buses
+    }
+
+    pub(super) fn write(&self, format: DecodeFormat, out: &mut Output) -> Result<(), Failure> {
+        if format == DecodeFormat::Json {
+            json::write_pretty(&mut out.raw()?, self)?;
+            writeln!(out)?;
+            return Ok(());
+        }
+        for (at, bus) in self.buses.iter().enumerate() {
+            if at > 0 {
+                writeln!(out)?;
+            }
+            write_bus(bus, out)?;
+        }
+        Ok(())
+    }
+}
+
+/// The headings of the nodes.
+pub(super) const NODES: [&str; 10] =
+    ["Node", "Name", "Frames", "Frames/s", "Load", "State", "Boot-ups", "Lost", "EMCY", "Aborts"];
+
+/// The headings of the messages.
+pub(super) const MESSAGES: [&str; 8] =
+    ["CAN-ID", "Message", "Frames", "Min ms", "Mean ms", "Max ms", "Jitter ms", "Described"];
+
+fn write_bus(bus: &BusReport, out: &mut Output) -> io::Result<()> {
+    writeln!(out, "{}\n{}\n", title(bus), kinds(bus))?;
+    let mut nodes = Table::new(NODES, CELL);
+    node_rows(bus).for_each(|row| nodes.row(row));
+    nodes.write(out)?;
+    writeln!(out)?;
+    let mut messages = Table::new(MESSAGES, CELL);
+    message_rows(bus).for_each(|row| messages.row(row));
+    messages.write(out)?;
+    events("Lost heartbeats", &bus.lost_heartbeats, out)?;
+    events("Aborted transfers", &bus.aborted_transfers, out)?;
+    events("Emergencies", &bus.emergencies, out)?;
+    events("Not as described", &bus.deviations, out)?;
+    if bus.further_events > 0 {
+        writeln!(out, "\nand {}", plural(count(bus.further_events), "further event"))?;
+    }
+    for (title, lines) in remarks(bus) {
+        writeln!(out, "\n{title}")?;
+        for line in lines {
+            writeln!(out, "  {}", fit(&line, LINE))?;
+        }
+    }
+    Ok(())
+}
+
+/// The channel with its frames and their time.
+pub(super) fn title(bus: &BusReport) -> String {
+    let channel = if bus.channel.is_empty() { String::new() } else { format!("{}: ", bus.channel) };
+    let load = bus.load.map_or_else(String::new, |load| format!(", {load:.2} % load"));
+    let (from, to, rate) = (&bus.from, &bus.to, bus.frames_per_second);
+    let frames = plural(count(bus.frames), "frame");
+    format!("{channel}{frames} from {from} to {to}, {rate:.1} frames/s{load}")
+}
+
+/// The number of frames of each kind.
+pub(super) fn kinds(bus: &BusReport) -> String {
+    let kinds = bus.kinds.iter().map(|kind| format!("{} {}", kind.kind, kind.frames));
+    let errors = (bus.error_frames > 0).then(|| plural(count(bus.error_frames), "error frame"));
+    kinds.chain(errors).collect::<Vec<_>>().join(", ")
+}
+
+/// The cells of the nodes, below [`NODES`].
+pub(super) fn node_rows(bus: &BusReport) -> impl Iterator<Item = [String; 10]> {
+    let some = |count: u64| if count == 0 { String::new() } else { count.to_string() };
+    bus.nodes.iter().map(move |node| {
+        [
+            if node.node == 0 { "-".to_owned() } else { node.node.to_string() },
+            node.name.clone().unwrap_or_default(),
+            node.frames.to_string(),
+            format!("{:.1}", node.frames_per_second),
+            node.load.map_or_else(String::new, |load| format!("{load:.2} %")),
+            node.state.clone().unwrap_or_default(),
+            some(node.boot_ups),
+            some(node.lost_heartbeats),
+            some(node.emergencies),
+            some(node.aborted_transfers),
+        ]
+    })
+}
+
+/// The cells of the messages, below [`MESSAGES`].
+pub(super) fn message_rows(bus: &BusReport) -> impl Iterator<Item = [String; 8]> {
+    bus.messages.iter().map(|message| {
+        let width = if message.extended { 8 } else { 3 };
+        let name = if message.name.is_empty() { message.kind } else { &message.name };
+        let [min, mean, max, jitter] = match &message.cycle {
+            Some(cycle) => [&cycle.min, &cycle.mean, &cycle.max, &cycle.jitter].map(Clone::clone),
+            None => Default::default(),
+        };
+        [
+            format!("{:0width$X}", message.can_id),
+            name.to_owned(),
+            message.frames.to_string(),
+            min,
+            mean,
+            max,
+            jitter,
+            message.described.clone().unwrap_or_default(),
+        ]
+    })
+}
+
+/// What was configured, and the nodes without a description: titles with what is below them.
+pub(super) fn remarks(bus: &BusReport) -> impl Iterator<Item = (String, Vec<String>)> {
+    let configurations = bus.configurations.iter().map(|node| {
+        let entries = if node.written == 1 { "entry" } else { "entries" };
+        let title =
+            format!("{}: {} {entries} written, {} as described", node.name, node.written, node.as_described);
+        let missing = node.not_written.iter();
+        let missing =
+            missing.map(|entry| format!("{entry} is configured in the description and was not written"));
+        (title, node.others.iter().cloned().chain(missing).collect())
+    });
+    let nodes: Vec<String> = bus.undescribed.iter().map(ToString::to_string).collect();
+    let undescribed = (!nodes.is_empty())
+        .then(|| (format!("Nodes without a description: {}", nodes.join(", ")), Vec::new()));
+    configurations.chain(undescribed)
+}
+
+fn events(title: &str, events: &[NodeEvent], out: &mut Output) -> io::Result<()> {
+    if events.is_empty() {
+        return Ok(());
+    }
+    writeln!(out, "\n{title}:")?;
+    for NodeEvent { moment, text, rule, .. } in events.iter().take(EVENTS) {
+        let rule = rule.map_or_else(String::new, |rule| format!(" [{}]", rule.id));
+        writeln!(out, "  {}  {}{rule}", moment.time, fit(text, LINE))?;
+    }
+    if events.len() > EVENTS {
+        writeln!(out, "  and {} more", events.len() - EVENTS)?;
+    }
+    Ok(())
+}
+
+fn count(number: u64) -> usize {
+    usize::try_from(number).unwrap_or(usize::MAX)
+}

@@ -1,0 +1,148 @@
+//! The command `objdict`: one file a command. Results go to the standard output, messages to the
+//! standard error.
+
+mod annotation;
+mod args;
+mod baseline;
+mod cache;
+mod canonical;
+mod changes;
+mod check;
+mod configure;
+mod conformance;
+mod convert;
+mod dcf;
+mod decode;
+mod diff;
+mod docs;
+mod files;
+mod fix;
+mod fmt;
+mod generate;
+mod help;
+mod identify;
+mod input;
+mod lsp;
+mod modules;
+mod network;
+mod new;
+mod node;
+mod open;
+mod outcome;
+mod output;
+mod packaging;
+mod parallel;
+mod patch;
+mod patches;
+mod probe;
+mod profile;
+mod profiles;
+mod progress;
+mod report;
+mod rules;
+mod save;
+mod schema;
+mod settings;
+mod show;
+mod sizes;
+mod table;
+mod terminal;
+mod values;
+mod variants;
+mod vendor;
+
+use std::io::Write;
+use std::process::ExitCode;
+
+use self::args::{Args, Command, OnlyCheck};
+use self::outcome::Outcome;
+use self::output::Output;
+#[cfg(feature = "schema")]
+pub use self::schema::schemas;
+use objdict_model::diagnostic::printable_lines;
+
+/// What the command prints of the repository. A published crate has only its own folder, so the program brings these.
+#[derive(Debug)]
+pub struct Texts {
+    /// `docs/cli.md`.
+    pub cli: &'static str,
+    /// `docs/config.md`.
+    pub config: &'static str,
+    /// `docs/dcf.md`.
+    pub dcf: &'static str,
+    /// `docs/formats.md`.
+    pub formats: &'static str,
+    /// The JSON Schemas of documents, by their names.
+    pub schemas: &'static [(&'static str, &'static str)],
+    /// The page of `objdict open`; `None` in a program that was built without it.
+    pub workbench: Option<&'static str>,
+}
+
+/// Runs the command that the arguments of the process name.
+pub fn run(texts: &Texts) -> ExitCode {
+    let args = match Args::of_process() {
+        Ok(args) => args,
+        Err(error) => {
+            print_usage(&error);
+            return if error.use_stderr() { Outcome::Failed.into() } else { Outcome::Clean.into() };
+        }
+    };
+    terminal::set(args.terminal);
+    let mut out = Output::stdout(args.terminal.color);
+    let outcome = match &args.command {
+        Command::Check(OnlyCheck::Check(command)) => check::run(command, &mut out),
+        Command::Diff(command) => changes::run(command, &mut out),
+        Command::Release(command) => changes::release::run(command, &mut out),
+        Command::Convert(command) => convert::run(command, &mut out),
+        Command::Configure(command) => configure::run(command, &mut out),
+        Command::Modules(command) => modules::run(command, &mut out),
+        Command::Variants(command) => variants::run(command, &mut out),
+        Command::Dcf(command) => dcf::run(&command.command, &mut out),
+        Command::Network(command) => network::run(&command.command, &mut out),
+        Command::Conformance(command) => conformance::run(command, &mut out),
+        Command::Decode(command) => decode::run(command, &mut out),
+        Command::Probe(command) => probe::run(command, &mut out),
+        Command::Identify(command) => identify::run(command, &mut out),
+        Command::Generate(command) => generate::run(command, &mut out),
+        Command::Docs(command) => docs::run(command, &mut out),
+        Command::New(command) => new::run(command, &mut out),
+        Command::Profile(command) => profile::run(&command.command, &mut out),
+        Command::Patch(command) => patch::run(&command.command, &mut out),
+        Command::Fmt(command) => fmt::run(command, &mut out),
+        Command::Rules(command) => rules::list(command, &mut out),
+        Command::Schema(command) => schema::run(command, texts, &mut out),
+        Command::Explain(command) => rules::explain(command, &mut out),
+        Command::Show(command) => show::run(command, &mut out),
+        Command::Lsp => lsp::run(),
+        Command::Open(command) => open::run(command, texts, &mut out),
+        Command::Help(command) => help::run(command, texts, &mut out),
+        Command::Completions(command) => packaging::completions(command, &mut out),
+        Command::Man(command) => packaging::man(command),
+    };
+    if outcome.is_ok() && !matches!(args.command, Command::Patch(_)) {
+        patches::warn_of_unused();
+    }
+    // these report them with their other findings
+    if !matches!(args.command, Command::Patch(_) | Command::Check(_) | Command::Generate(_)) {
+        patches::warn_of_effects();
+    }
+    outcome
+        .and_then(|outcome| out.finish().map(|()| outcome))
+        .unwrap_or_else(|failure| {
+            failure.print();
+            Outcome::Failed
+        })
+        .into()
+}
+
+/// Prints the help, or an error of the arguments, which quotes them.
+fn print_usage(error: &clap::Error) {
+    let plain = error.render().to_string();
+    let shown = printable_lines(&plain);
+    // there is no other place to report an error of this
+    let _ = if error.use_stderr() && shown != plain {
+        std::io::stderr().write_all(shown.as_bytes())
+    } else {
+        error.print()
+    };
+}

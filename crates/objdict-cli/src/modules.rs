@@ -1,0 +1,142 @@
+//! `objdict modules`.
+
+use std::io::{self, Write};
+
+use serde::Serialize;
+
+use super::args::{ModulesArgs, ModulesFormat};
+use super::input::{Input, name_of, source_name};
+use super::outcome::{Failure, Outcome};
+use super::output::Output;
+use super::table::Table;
+use objdict_model::json;
+use objdict_model::json::Version;
+use objdict_model::model::{Device, ExtensionCount, Module};
+
+/// The version of the JSON document, see docs/json.md.
+const VERSION: u32 = 1;
+
+/// So many characters of a cell are shown.
+const CELL: usize = 48;
+
+pub(super) fn run(args: &ModulesArgs, out: &mut Output) -> Result<Outcome, Failure> {
+    let (_, input) = args.input.read_one(&args.file)?;
+    let file = name_of(&args.file);
+    let device: &Device = match &input {
+        Input::Description(description) => description.device(),
+        Input::Device(device) => device,
+        _ => return Err(Failure::new(format_args!("`{file}` describes no device"))),
+    };
+    let modules =
+        device.modules.as_ref().map(|modules| &modules.supported).filter(|modules| !modules.is_empty());
+    let Some(modules) = modules else {
+        return Err(Failure::new(format_args!("`{file}` has no modules"))
+            .help("only the description of a coupler lists them, in `[SupportedModules]`"));
+    };
+    let connected = device.modules.as_ref().and_then(|modules| modules.connected.as_deref());
+    let rows: Vec<Row<'_>> = modules.iter().map(|(&number, module)| row(number, module, connected)).collect();
+    match args.format {
+        ModulesFormat::Text => text(&rows, out)?,
+        ModulesFormat::Json => {
+            let file = source_name(&args.file);
+            let document = Document { version: Version, file: &file, connected, modules: rows };
+            json::write_pretty(&mut out.raw()?, &document)?;
+            writeln!(out)?;
+        }
+    }
+    Ok(Outcome::Clean)
+}
+
+#[derive(Serialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
+pub(super) struct Document<'a> {
+    /// The version of the document.
+    version: Version<VERSION>,
+    /// The file as it was given.
+    file: &'a str,
+    /// The numbers of the modules that are plugged in, in their physical order; only of a DCF with `ConnectedModules`.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    connected: Option<&'a [u16]>,
+    /// The modules by number.
+    modules: Vec<Row<'a>>,
+}
+
+/// A module.
+#[derive(Serialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema), schemars(rename = "Module"))]
+struct Row<'a> {
+    /// Its number, counted from 1.
+    number: u16,
+    /// The product name; empty if missing.
+    product_name: &'a str,
+    /// The order code; empty if missing.
+    order_code: &'a str,
+    /// Objects that are there once.
+    #[cfg_attr(feature = "schema", schemars(with = "Vec<objdict_model::model::HexText<u16>>"))]
+    fixed: Vec<String>,
+    /// What each module adds.
+    adds: Vec<Added>,
+    /// How many are plugged in; only of a DCF with `ConnectedModules`.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    plugged: Option<usize>,
+    /// The lines of its comments.
+    comments: &'a [String],
+}
+
+/// What a module adds to an object.
+#[derive(Serialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
+struct Added {
+    /// The index of the object.
+    #[cfg_attr(feature = "schema", schemars(with = "objdict_model::model::HexText<u16>"))]
+    index: String,
+    /// The number of sub-indexes.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    subs: Option<u8>,
+    /// The number of bits of a sub-index that modules share.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    bits: Option<u8>,
+}
+
+fn row<'a>(number: u16, module: &'a Module, connected: Option<&[u16]>) -> Row<'a> {
+    let adds = module.extensions.iter().map(|(index, extension)| {
+        let (subs, bits) = match extension.count {
+            Some(ExtensionCount::Subs(count)) => (Some(count), None),
+            Some(ExtensionCount::SharedBits(bits)) => (None, Some(bits)),
+            None => (None, None),
+        };
+        Added { index: format!("0x{index:04X}"), subs, bits }
+    });
+    Row {
+        number,
+        product_name: module.product_name.as_deref().unwrap_or_default(),
+        order_code: module.order_code.as_deref().unwrap_or_default(),
+        fixed: module.fixed.keys().map(|index| format!("0x{index:04X}")).collect(),
+        adds: adds.collect(),
+        plugged: connected.map(|connected| connected.iter().filter(|&&other| other == number).count()),
+        comments: &module.comments,
+    }
+}
+
+fn text(rows: &[Row<'_>], out: &mut dyn Write) -> io::Result<()> {
+    let mut table = Table::new(["Number", "Product", "Order code", "Adds", "Brings once", "Plugged"], CELL);
+    for row in rows {
+        let added = |added: &Added| match (added.subs, added.bits) {
+            (Some(subs), _) => format!("{} x {subs}", &added.index[2..]),
+            (None, Some(1)) => format!("{} x 1 bit", &added.index[2..]),
+            (None, Some(bits)) => format!("{} x {bits} bits", &added.index[2..]),
+            (None, None) => added.index[2..].to_owned(),
+        };
+        let adds: Vec<String> = row.adds.iter().map(added).collect();
+        let fixed: Vec<&str> = row.fixed.iter().map(|index| &index[2..]).collect();
+        table.row([
+            row.number.to_string(),
+            row.product_name.to_owned(),
+            row.order_code.to_owned(),
+            adds.join(", "),
+            fixed.join(", "),
+            row.plugged.map_or(String::new(), |count| count.to_string()),
+        ]);
+    }
+    table.write(out)
+}

@@ -1,0 +1,149 @@
+//! `objdict network`: several nodes and their manager.
+
+mod boot;
+mod build;
+mod check;
+mod diff;
+mod graph;
+mod show;
+mod timing;
+mod verify;
+
+use std::io::Write;
+use std::path::{Path, PathBuf};
+
+#[cfg(feature = "schema")]
+pub(super) use self::boot::Document as BootDocument;
+#[cfg(feature = "schema")]
+pub(super) use self::show::Document as ShowDocument;
+#[cfg(feature = "schema")]
+pub(super) use self::timing::Document as TimingDocument;
+use super::args::{NetworkCommand, NetworkFormat, NetworkInitArgs, NetworkInputArgs, NetworkSchemaArgs};
+use super::input::{name_of, source_name};
+use super::outcome::{Failure, Outcome, tell};
+use super::output::Output;
+use super::save::keep;
+use super::settings::Settings;
+use objdict_format::ReadError;
+use objdict_format::identify::ContentKind;
+use objdict_model::diagnostic::plural;
+use objdict_model::diagnostic::{Findings, Severity};
+use objdict_model::json;
+use objdict_network::{Overview, Resolved};
+use objdict_network_file::{NetworkFile, init, schema};
+
+pub(super) fn run(command: &NetworkCommand, out: &mut Output) -> Result<Outcome, Failure> {
+    match command {
+        NetworkCommand::Check(args) => check::run(args, out),
+        NetworkCommand::Build(args) => build::run(args, out),
+        NetworkCommand::Verify(args) => verify::run(args, out),
+        NetworkCommand::Boot(args) => boot::run(args, out),
+        NetworkCommand::Timing(args) => timing::run(args, out),
+        NetworkCommand::Show(args) => show::run(args, out),
+        NetworkCommand::Graph(args) => graph::run(args, out),
+        NetworkCommand::Diff(args) => diff::run(args, out),
+        NetworkCommand::Init(args) => print_start(args, out),
+        NetworkCommand::Schema(args) => print_schema(args, out),
+    }
+}
+
+/// Reads a network; none of its files is written to.
+pub(super) fn open(path: &Path, input: &NetworkInputArgs) -> Result<NetworkFile, Failure> {
+    keep(path);
+    Ok(kept(NetworkFile::open(path, &input.options(path)?).map_err(Failure::new)?))
+}
+
+fn kept(file: NetworkFile) -> NetworkFile {
+    file.files.iter().for_each(|path| keep(path));
+    file
+}
+
+/// The network of the nodes that files describe.
+fn of_descriptions(paths: &[PathBuf], input: &NetworkInputArgs) -> Result<NetworkFile, Failure> {
+    let options = input.options(paths.first().map_or(Path::new(""), PathBuf::as_path))?;
+    Ok(kept(NetworkFile::of_descriptions(paths, &options)?))
+}
+
+/// The findings of a network with the severities of its configuration.
+fn findings(file: &NetworkFile, path: &Path, settings: &mut Settings<'_>) -> Result<Findings, Failure> {
+    let project = settings.project_of(path)?;
+    Ok(settings.options(path, project.as_deref()).severities.apply(file.check()))
+}
+
+/// The networks among files, and the descriptions of nodes. One that cannot be opened is found out when it is read.
+fn parted(paths: &[PathBuf]) -> (Vec<PathBuf>, Vec<PathBuf>) {
+    paths.iter().cloned().partition(|path| NetworkFile::is_network(path).unwrap_or(true))
+}
+
+/// Reads the network of one file, or of the nodes that several files describe.
+fn open_one(paths: &[PathBuf], input: &NetworkInputArgs) -> Result<NetworkFile, Failure> {
+    let (networks, descriptions) = parted(paths);
+    match (networks.as_slice(), descriptions.as_slice()) {
+        ([], descriptions) => of_descriptions(descriptions, input),
+        ([network], []) => open(network, input),
+        ([network, ..], _) => {
+            let message = format!("`{}` is a network, so no other file can be named", name_of(network));
+            Err(Failure::new(message).help("name one network, or the descriptions of its nodes"))
+        }
+    }
+}
+
+/// The names of files, as a command takes them.
+fn names_of(paths: &[PathBuf]) -> String {
+    paths.iter().map(|path| name_of(path)).collect::<Vec<_>>().join(" ")
+}
+
+/// The same as JSON has them.
+fn source_names_of(paths: &[PathBuf]) -> String {
+    paths.iter().map(|path| source_name(path)).collect::<Vec<_>>().join(" ")
+}
+
+/// Reads a network that is to be shown or booted. Its errors are left to `network check`.
+pub(super) fn open_despite_errors(
+    paths: &[PathBuf],
+    input: &NetworkInputArgs,
+) -> Result<NetworkFile, Failure> {
+    let file = open_one(paths, input)?;
+    let errors = file.check().iter().filter(|finding| finding.severity == Severity::Error).count();
+    let help = format!("`objdict network check {}` says which", names_of(paths));
+    if file.network().is_none() {
+        return Err(Failure::new(format_args!("`{}` is not a network", file.source.name())).help(help));
+    }
+    if errors > 0 {
+        let warning = format!("the network has {}, so what it does may differ", plural(errors, "error"));
+        tell(&format!("warning: {warning}\n  help: {help}\n"));
+    }
+    Ok(file)
+}
+
+/// The same with the configuration of its nodes.
+fn resolved(paths: &[PathBuf], input: &NetworkInputArgs) -> Result<Resolved, Failure> {
+    Ok(open_despite_errors(paths, input)?.into_resolved().unwrap_or_default())
+}
+
+fn overview(paths: &[PathBuf], input: &NetworkInputArgs) -> Result<Overview, Failure> {
+    let resolved = resolved(paths, input)?;
+    Ok(Overview::new(resolved.network(), resolved.compiled()))
+}
+
+fn print_start(args: &NetworkInitArgs, out: &mut Output) -> Result<Outcome, Failure> {
+    args.files.iter().for_each(|path| keep(path));
+    let text = init(&args.files, &args.paths.options()).map_err(|error| match error {
+        ReadError::Foreign { ref found, .. } if found.kind == ContentKind::Unknown => {
+            Failure::new(error).help("name descriptions or node lists")
+        }
+        error => error.into(),
+    })?;
+    out.raw()?.write_all(text.as_bytes())?;
+    Ok(Outcome::Clean)
+}
+
+fn print_schema(args: &NetworkSchemaArgs, out: &mut Output) -> Result<Outcome, Failure> {
+    let schema = match args.format {
+        NetworkFormat::Bus => schema::bus_yml(),
+        NetworkFormat::Network => schema::network_toml(),
+    };
+    json::write_pretty(&mut out.raw()?, &schema)?;
+    writeln!(out)?;
+    Ok(Outcome::Clean)
+}

@@ -1,0 +1,104 @@
+//! `objdict new`.
+
+use std::io::Write;
+
+use super::args::NewArgs;
+use super::input::{FileKind, name_of};
+use super::outcome::{Failure, Outcome, note};
+use super::output::Output;
+use super::save::{is_stdout, save};
+use objdict_format as format;
+use objdict_format::scaffold::{BaseError, FEATURES, Feature, MIDNIGHT, NO_VENDOR, Wanted, now, scaffold};
+use objdict_format::{WriteOptions, json};
+use objdict_model::model::{ClockTime, Date};
+
+pub(super) fn run(args: &NewArgs, out: &mut Output) -> Result<Outcome, Failure> {
+    let profile = profile(args)?;
+    if args.vendor_id.is_none() {
+        note(&format!("note: the vendor-ID is 0x{NO_VENDOR:08X}; set yours with `--vendor-id`\n"));
+    }
+    let (date, time) = date_and_time(args.date)?;
+    let name = args.output.file_name().unwrap_or_default().to_string_lossy();
+    let is_stdout = is_stdout(&args.output);
+    let by_name = || FileKind::of(&args.output).filter(|_| !is_stdout).unwrap_or(FileKind::Eds);
+    let kind = args.to.map_or_else(by_name, FileKind::from);
+    let wanted = Wanted {
+        profile,
+        features: args.features.0.clone(),
+        file_name: if is_stdout { format!("device.{}", kind.ending()) } else { name.into_owned() },
+        vendor_name: args.vendor_name.clone(),
+        vendor_id: args.vendor_id.unwrap_or(NO_VENDOR),
+        product_name: args.product_name.clone(),
+        product_code: args.product_code,
+        revision: args.revision,
+        author: args.author.clone().unwrap_or_else(|| args.vendor_name.clone()),
+        date,
+        time,
+    };
+    let device = scaffold(&wanted).map_err(failure)?;
+    let bytes = match kind {
+        FileKind::Json => json::write_device(&device).into_bytes(),
+        FileKind::Toml => format::new_device_toml(&wanted).map_err(failure)?.into_bytes(),
+        kind => match kind.format().filter(|format| format.kind() == device.kind) {
+            Some(format) => format::write(&device, format, &WriteOptions::default())?.bytes,
+            None => {
+                let message = format!("a new device cannot be a {}", kind.name());
+                return Err(Failure::new(message).help(
+                    "name an output that ends in .eds, .xdd, .toml or .json, or the format with `--to`",
+                ));
+            }
+        },
+    };
+    if is_stdout {
+        out.raw()?.write_all(&bytes)?;
+        return Ok(Outcome::Clean);
+    }
+    if args.output.exists() && !args.overwrite {
+        let message = format!("`{}` exists", name_of(&args.output));
+        return Err(Failure::new(message).help("name another file, or replace it with `--overwrite`"));
+    }
+    save(&args.output, &bytes)?;
+    let (pdos, objects) = (device.pdos().count(), device.objects.len());
+    let file = name_of(&args.output);
+    out.summary(format_args!("{file} ({}), {objects} objects, {pdos} PDOs", kind.name()))?;
+    Ok(Outcome::Clean)
+}
+
+/// The profile that was said, else the first one that has the features.
+fn profile(args: &NewArgs) -> Result<u16, Failure> {
+    let given = FEATURES.iter().filter(|feature| args.features.0.get(feature.word).is_some());
+    let given: Vec<&Feature> = given.filter(|feature| !feature.profiles.is_empty()).collect();
+    let has_all = |profile: &u16| given.iter().all(|feature| feature.is_of(*profile));
+    let profile = match (args.profile, given.first()) {
+        (Some(profile), _) => profile,
+        (None, None) => 301,
+        (None, Some(first)) => *first.profiles.iter().find(|profile| has_all(profile)).ok_or_else(|| {
+            Failure::new("no profile has all of these features").help("name the profile with `--profile`")
+        })?,
+    };
+    match profile {
+        401 if given.is_empty() => Err(Failure::new("an I/O module needs inputs or outputs")
+            .help("set their number with `--digital-inputs`, `--digital-outputs`, `--analog-inputs`, `--analog-outputs`")),
+        402 if args.features.0.modes.is_none() => Err(Failure::new("a drive needs modes of operation")
+            .help("name them with `--modes`, for example `--modes profile-position,homing`")),
+        _ => Ok(profile),
+    }
+}
+
+fn failure(error: BaseError) -> Failure {
+    let help = match &error {
+        BaseError::Feature { word, .. } => Feature::named(word)
+            .and_then(|feature| feature.profiles.first())
+            .map_or_else(|| error.help(), |profile| format!("use `--profile {profile}`")),
+        _ => error.help(),
+    };
+    Failure::new(error).help(help)
+}
+
+/// The date and time that a description states: those that were said, else now, in Coordinated Universal Time.
+pub(super) fn date_and_time(said: Option<Date>) -> Result<(Date, ClockTime), Failure> {
+    if let Some(date) = said {
+        return Ok((date, ClockTime { hour: 12, ..MIDNIGHT }));
+    }
+    now().ok_or_else(|| Failure::new("the clock has no valid date").help("set one with `--date`"))
+}

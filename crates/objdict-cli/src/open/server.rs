@@ -1,0 +1,195 @@
+//! The server of `objdict open`: the page, the list of its files, and their bytes. Only a program on this computer reaches it, only one that
+//! knows the token is answered, and only a page that it served itself may write.
+
+use std::borrow::Cow;
+use std::fmt::Write as _;
+use std::io::Write as _;
+use std::net::{Ipv4Addr, TcpListener, TcpStream};
+use std::process::{Command, Stdio};
+use std::sync::Arc;
+use std::sync::atomic::{AtomicUsize, Ordering};
+use std::thread;
+use std::time::Duration;
+
+use super::files::Files;
+use super::http::{Refusal, Request, Response};
+use crate::Texts;
+use crate::args::OpenArgs;
+use crate::outcome::{Failure, Outcome, note};
+use crate::output::Output;
+use objdict_model::diagnostic::plural;
+
+/// So many connections are served at a time.
+const MAX_CONNECTIONS: usize = 32;
+
+struct Server {
+    files: Files,
+    page: String,
+    port: u16,
+    token: String,
+    connections: AtomicUsize,
+}
+
+pub(crate) fn run(args: &OpenArgs, texts: &Texts, out: &mut Output) -> Result<Outcome, Failure> {
+    let files = Files::gather(args)?;
+    let listener = TcpListener::bind((Ipv4Addr::LOCALHOST, args.port)).map_err(|error| {
+        let message = format!("cannot listen on port {}: {error}", args.port);
+        Failure::new(message).help("choose another one with `--port`, or leave it out")
+    })?;
+    let port = listener.local_addr()?.port();
+    let server =
+        Server { files, page: page(texts)?, port, token: token()?, connections: AtomicUsize::new(0) };
+    let address = format!("http://127.0.0.1:{port}/{}/", server.token);
+    writeln!(out, "{address}")?;
+    out.finish()?;
+    note(&format!("serving {} to this computer until Ctrl-C\n", plural(server.files.count(), "file")));
+    if !args.no_browser {
+        start_browser(address);
+    }
+    serve(&listener, &Arc::new(server))
+}
+
+/// The page with what the single file on disk does without: the place of the files, and the permission to ask for them. It is the file that
+/// the variable `OBJDICT_WORKBENCH` names, or the one in this program.
+fn page(texts: &Texts) -> Result<String, Failure> {
+    let page = match std::env::var_os("OBJDICT_WORKBENCH") {
+        Some(path) => Cow::Owned(std::fs::read_to_string(&path).map_err(|error| {
+            let message = format!("cannot read the workbench `{}`: {error}", path.display());
+            Failure::new(message)
+                .help("build it with `cd web && npm run build`, or unset `OBJDICT_WORKBENCH`")
+        })?),
+        None => Cow::Borrowed(texts.workbench.ok_or_else(without_page)?),
+    };
+    let place = "<meta name=\"objdict-files\" content=\"files\">\n<title>";
+    let policy = "default-src 'none'; connect-src 'self'";
+    Ok(page.replacen("default-src 'none'", policy, 1).replacen("<title>", place, 1))
+}
+
+fn without_page() -> Failure {
+    let help = "install a package, or build the page and name it with `OBJDICT_WORKBENCH` (docs/workbench.md); \
+                `web/dist/objdict-workbench.html` opens files without the command";
+    Failure::new("this `objdict` was built without the workbench").help(help)
+}
+
+fn token() -> Result<String, Failure> {
+    let mut random = [0; 16];
+    getrandom::fill(&mut random)
+        .map_err(|error| Failure::new(format_args!("cannot draw a random number: {error}")))?;
+    Ok(random.iter().fold(String::new(), |mut token, byte| {
+        let _ = write!(token, "{byte:02x}");
+        token
+    }))
+}
+
+fn start_browser(address: String) {
+    let (program, arguments): (_, &[&str]) = match std::env::consts::OS {
+        "windows" => ("cmd", &["/C", "start", ""]),
+        "macos" => ("open", &[]),
+        _ => ("xdg-open", &[]),
+    };
+    // it may run as long as the browser
+    let _ = thread::Builder::new().spawn(move || {
+        let mut command = Command::new(program);
+        command.args(arguments).arg(address);
+        let started = command.stdin(Stdio::null()).stdout(Stdio::null()).stderr(Stdio::null()).status();
+        if !started.is_ok_and(|status| status.success()) {
+            note(&format!("note: `{program}` did not start a browser: open the address in one\n"));
+        }
+    });
+}
+
+fn serve(listener: &TcpListener, server: &Arc<Server>) -> Result<Outcome, Failure> {
+    loop {
+        let Ok((stream, _)) = listener.accept() else {
+            // as with too many open files, which are fewer later
+            thread::sleep(Duration::from_millis(100));
+            continue;
+        };
+        if server.connections.fetch_add(1, Ordering::SeqCst) >= MAX_CONNECTIONS {
+            server.connections.fetch_sub(1, Ordering::SeqCst);
+            continue;
+        }
+        let of_thread = Arc::clone(server);
+        let started = thread::Builder::new().spawn(move || {
+            of_thread.converse(stream);
+            of_thread.connections.fetch_sub(1, Ordering::SeqCst);
+        });
+        if started.is_err() {
+            server.connections.fetch_sub(1, Ordering::SeqCst);
+        }
+    }
+}
+
+impl Server {
+    fn converse(&self, stream: TcpStream) {
+        let Ok(answers) = stream.try_clone() else { return };
+        let Some(request) = Request::read(stream) else { return };
+        let response = request.and_then(|mut request| self.answer(&mut request));
+        // a page that was closed meanwhile needs no answer
+        let _ = response.unwrap_or_else(Response::from).send(&answers);
+    }
+
+    fn answer(&self, request: &mut Request) -> Result<Response<'_>, Refusal> {
+        let path = self.admit(request)?;
+        let ok = |kind, etag, body| Response { status: 200, kind, etag, body };
+        match (&*request.method, &*path) {
+            ("GET", "") => Ok(ok("text/html; charset=utf-8", None, self.page.as_bytes().into())),
+            ("GET", "files") => {
+                let list = self.files.list().map_err(|failure| Refusal(500, failure))?;
+                Ok(ok("application/json", None, list.into()))
+            }
+            ("GET", path) => {
+                let (bytes, etag) = self.files.read(number(path)?)?;
+                Ok(ok("application/octet-stream", Some(etag), bytes.into()))
+            }
+            ("PUT", path) => {
+                let number = number(path)?;
+                let unstated =
+                    || Refusal::new(428, "the request does not say which version of the file it replaces");
+                let expected = request.header("if-match")?.ok_or_else(unstated)?.to_owned();
+                let body = request.body(self.files.max_size())?;
+                let etag = self.files.write(number, &expected, &body)?;
+                Ok(ok("text/plain", Some(etag), [].as_slice().into()))
+            }
+            _ => Err(Refusal::new(405, "only `GET` and `PUT` are answered")),
+        }
+    }
+
+    /// The path of a request below the token. A page of another site has another `Origin`; and it has another `Host` if its name was made to
+    /// mean this computer.
+    fn admit(&self, request: &Request) -> Result<String, Refusal> {
+        let hosts = ["127.0.0.1", "localhost"].map(|host| format!("{host}:{}", self.port));
+        let host = request.header("host")?.unwrap_or_default();
+        if !hosts.iter().any(|own| own == host) {
+            return Err(Refusal::new(403, "the request is for another host"));
+        }
+        let origin = request.header("origin")?;
+        let is_own = origin.map_or(request.method == "GET", |origin| origin == format!("http://{host}"));
+        if !is_own {
+            return Err(Refusal::new(403, "the request is from the page of another site"));
+        }
+        let (token, path) =
+            request.target.strip_prefix('/').and_then(|path| path.split_once('/')).unwrap_or_default();
+        if !is_equal(token, &self.token) {
+            return Err(Refusal::new(403, "the address lacks its token")
+                .help("open the address that `objdict open` printed"));
+        }
+        Ok(path.split('?').next().unwrap_or_default().to_owned())
+    }
+}
+
+/// The number of a file in `files/3`.
+fn number(path: &str) -> Result<usize, Refusal> {
+    let digits =
+        path.strip_prefix("files/").filter(|digits| digits.bytes().all(|digit| digit.is_ascii_digit()));
+    digits
+        .and_then(|digits| digits.parse().ok())
+        .ok_or_else(|| Refusal::new(404, "the address names no file of the list"))
+}
+
+/// Compares in a time that does not depend on how much is equal.
+fn is_equal(one: &str, other: &str) -> bool {
+    let differences =
+        one.bytes().zip(other.bytes()).fold(0, |differences, (one, other)| differences | (one ^ other));
+    one.len() == other.len() && differences == 0
+}

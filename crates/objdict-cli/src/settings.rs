@@ -1,0 +1,294 @@
+//! Settings of a check: from arguments, and from the configurations of the folders that files are in.
+
+use std::collections::HashMap;
+use std::fmt::Write as _;
+use std::path::{Path, PathBuf};
+use std::str::FromStr;
+use std::sync::Arc;
+
+use clap::{Args, ValueEnum};
+
+use super::input::detail;
+use super::outcome::Failure;
+use super::patches::remember;
+use super::profiles::ProfileArgs;
+use super::save::keep;
+use super::values::node_id;
+pub(crate) use objdict_build::pipeline::{CheckSettings, Configuration};
+use objdict_format::patch::Patch;
+use objdict_lint::{Level, Options, Severities};
+use objdict_model::diagnostic::{Selection, Severity, Tool, series};
+use objdict_profile::Profile;
+use objdict_project::config::Config;
+pub(super) use objdict_project::config::Project;
+use objdict_project::registry;
+
+// Which configuration applies.
+#[derive(Clone, Debug, Default, Args)]
+#[command(next_help_heading = "Settings")]
+pub(super) struct ConfigFileArgs {
+    /// Use this configuration for all files [default: the nearest `objdict.toml` in the folder of each file or above]
+    #[arg(long, value_name = "FILE")]
+    config: Option<PathBuf>,
+    /// Ignore all configuration files
+    #[arg(long, conflicts_with = "config")]
+    no_config: bool,
+}
+
+// Which configuration applies, and what overrides it.
+#[derive(Debug, Default, Args)]
+#[command(next_help_heading = "Settings")]
+pub(super) struct ConfigArgs {
+    #[command(flatten)]
+    file: ConfigFileArgs,
+    /// Override the severity of a rule or group: cia306/file-name=off, cia302=note; repeatable
+    #[arg(long = "severity", value_name = "RULE=SEVERITY")]
+    severities: Vec<RuleLevel>,
+    /// Report only this rule or group; repeatable, or separated by commas
+    #[arg(long, value_name = "RULE", value_delimiter = ',', value_parser = rules)]
+    select: Vec<Selection>,
+    /// Do not report this rule or group; repeatable, or separated by commas
+    #[arg(long, value_name = "RULE", value_delimiter = ',', value_parser = rules)]
+    ignore: Vec<Selection>,
+}
+
+// Settings of a check.
+#[derive(Debug, Default, Args)]
+#[command(next_help_heading = "Settings")]
+pub(super) struct SettingsArgs {
+    #[command(flatten)]
+    config: ConfigArgs,
+    /// Lowest severity that fails the run: note, warning or error [default: error]
+    #[arg(long, value_enum, value_name = "SEVERITY", hide_possible_values = true)]
+    deny: Option<Deny>,
+    /// Evaluate formulas for this node-ID [default: from the DCF]
+    #[arg(long, value_name = "N", value_parser = node_id)]
+    node_id: Option<u8>,
+    /// Also check compatibility with this tool: dcf-tools, lely, canopeneditor, python-canopen, node-canopen, codesys,
+    /// canopennode, canchkeds; repeatable, or separated by commas
+    #[arg(long, value_name = "TOOL", value_delimiter = ',', value_parser = tool)]
+    compat: Vec<Tool>,
+    #[command(flatten)]
+    profiles: ProfileArgs,
+}
+
+/// A rule or group with its severity: `cia306/file-name=off`.
+#[derive(Clone, Copy, Debug)]
+struct RuleLevel {
+    rules: Selection,
+    level: Level,
+}
+
+impl FromStr for RuleLevel {
+    type Err = String;
+
+    fn from_str(text: &str) -> Result<Self, String> {
+        let (name, level) = text.split_once('=').ok_or("expected a rule, `=` and a severity")?;
+        let level = level.parse().map_err(|error: objdict_lint::UnknownLevel| error.to_string())?;
+        Ok(Self { rules: rules(name)?, level })
+    }
+}
+
+/// A rule or group by its name.
+fn rules(name: &str) -> Result<Selection, String> {
+    registry::select(name).ok_or_else(|| match registry::nearest_selection(name) {
+        Some(meant) => format!("there is no rule or group `{name}`, did you mean `{meant}`?"),
+        None => format!("there is no rule or group `{name}`, `objdict rules` lists all"),
+    })
+}
+
+fn tool(name: &str) -> Result<Tool, String> {
+    Tool::named(name).ok_or_else(|| format!("the tools are {}", series(Tool::ALL)))
+}
+
+impl ConfigArgs {
+    /// Settings of a check, with further profiles.
+    pub(super) fn check(&self, profiles: &ProfileArgs) -> CheckSettings {
+        let config = match &self.file.config {
+            Some(path) => Configuration::At(path.clone()),
+            None if self.file.no_config => Configuration::Off,
+            None => Configuration::Nearest,
+        };
+        CheckSettings { config, severities: self.severities(), profiles: profiles.profiles.clone() }
+    }
+
+    fn severities(&self) -> Severities {
+        let mut severities = Severities::default();
+        for &RuleLevel { rules, level } in &self.severities {
+            severities.set(rules, level);
+        }
+        for &rules in &self.ignore {
+            severities.set(rules, Level::Off);
+        }
+        self.select.iter().for_each(|&rules| severities.select(rules));
+        severities
+    }
+}
+
+impl From<&ConfigFileArgs> for SettingsArgs {
+    fn from(file: &ConfigFileArgs) -> Self {
+        let config = ConfigArgs { file: file.clone(), ..ConfigArgs::default() };
+        Self { config, ..Self::default() }
+    }
+}
+
+impl SettingsArgs {
+    /// Which configuration applies.
+    pub(super) fn config_file(&self) -> &ConfigFileArgs {
+        &self.config.file
+    }
+
+    /// The node-ID that formulas are evaluated for.
+    pub(super) fn node_id(&self) -> Option<u8> {
+        self.node_id
+    }
+
+    /// Whether arguments name the tools that descriptions are for.
+    pub(super) fn names_tools(&self) -> bool {
+        !self.compat.is_empty()
+    }
+
+    /// The lowest severity that fails the run, if an argument sets it.
+    pub(super) fn stated_deny(&self) -> Option<Severity> {
+        self.deny.map(Severity::from)
+    }
+}
+
+/// Settings of a check, with the configurations, each of which is read once.
+pub(super) struct Settings<'a> {
+    args: &'a SettingsArgs,
+    severities: Severities,
+    profiles: Vec<Arc<Profile>>,
+    /// The configuration for all files, where one was named.
+    named: Option<Arc<Project>>,
+    /// The configuration that holds in a folder.
+    by_folder: HashMap<PathBuf, Option<Arc<Project>>>,
+    /// Those that were read, in the order in which they were met, by their path.
+    projects: Vec<(PathBuf, Arc<Project>)>,
+}
+
+impl<'a> Settings<'a> {
+    /// What the arguments say.
+    ///
+    /// # Errors
+    /// When the configuration or a profile that they name cannot be read.
+    pub(super) fn new(args: &'a SettingsArgs) -> Result<Self, Failure> {
+        let mut settings = Self {
+            args,
+            severities: args.config.severities(),
+            profiles: args.profiles.load()?,
+            named: None,
+            by_folder: HashMap::new(),
+            projects: Vec::new(),
+        };
+        if let Some(path) = &args.config.file.config {
+            settings.named = Some(settings.open(path)?);
+        }
+        Ok(settings)
+    }
+
+    /// The configuration that holds for a file; the standard input is taken for a file of the current folder.
+    ///
+    /// # Errors
+    /// When it cannot be opened.
+    pub(super) fn project_of(&mut self, path: &Path) -> Result<Option<Arc<Project>>, Failure> {
+        if self.args.config.file.no_config || self.named.is_some() {
+            return Ok(self.named.clone());
+        }
+        let folder = path.parent().filter(|folder| *folder != Path::new("")).unwrap_or(Path::new("."));
+        if let Some(known) = self.by_folder.get(folder) {
+            return Ok(known.clone());
+        }
+        let project = Config::find(folder).map(|path| self.open(&path)).transpose()?;
+        self.by_folder.insert(folder.to_owned(), project.clone());
+        Ok(project)
+    }
+
+    /// The patches that the configuration of a file names.
+    ///
+    /// # Errors
+    /// When it cannot be used.
+    pub(super) fn patches_of(&mut self, path: &Path) -> Result<Vec<Arc<Patch>>, Failure> {
+        let project = self.project_of(path)?;
+        match self.unusable().next() {
+            Some(failure) => Err(failure),
+            None => Ok(project.map(|project| project.patches.clone()).unwrap_or_default()),
+        }
+    }
+
+    /// The configurations that were met, in that order.
+    pub(super) fn projects(&self) -> impl Iterator<Item = &Project> {
+        self.projects.iter().map(|(_, project)| &**project)
+    }
+
+    /// What all files say that settings come from, for a hash.
+    pub(super) fn contents(&self) -> String {
+        let mut contents = format!("{:?}", self.profiles);
+        for (path, project) in &self.projects {
+            let text = project.config.source().text();
+            let _ =
+                write!(contents, "{} {text} {:?} {:?}", path.display(), project.profiles, project.patches);
+        }
+        contents
+    }
+
+    /// The configurations that were met and cannot be used.
+    pub(super) fn unusable(&self) -> impl Iterator<Item = Failure> {
+        self.projects().filter(|project| !project.is_usable()).map(|project| {
+            let message = format!("`{}` cannot be used", project.config.source().name());
+            Failure::new(message).help("run `objdict check` for the reasons")
+        })
+    }
+
+    /// The options of the check of a file.
+    pub(super) fn options(&self, path: &Path, project: Option<&Project>) -> Options {
+        let mut options = match project {
+            Some(project) => project.config.options(path, &self.severities),
+            None => Options { severities: self.severities.clone(), ..Options::default() },
+        };
+        let of_project = project.map(|project| &project.profiles[..]).unwrap_or_default();
+        options.profiles = of_project.iter().chain(&self.profiles).cloned().collect();
+        options.node_id = self.args.node_id.or(options.node_id);
+        if !self.args.compat.is_empty() {
+            options.tools.clone_from(&self.args.compat);
+        }
+        options
+    }
+
+    /// The lowest severity that makes the exit code 1.
+    pub(super) fn deny(&self, project: Option<&Project>) -> Severity {
+        let stated = self.args.deny.map(Severity::from);
+        stated.or_else(|| project.and_then(|project| project.config.deny())).unwrap_or(Severity::Error)
+    }
+
+    fn open(&mut self, path: &Path) -> Result<Arc<Project>, Failure> {
+        if let Some((_, project)) = self.projects.iter().find(|(known, _)| known == path) {
+            return Ok(project.clone());
+        }
+        detail(path);
+        keep(path);
+        let project = Arc::new(Project::open(path).map_err(Failure::new)?);
+        project.files().for_each(|file| keep(&file));
+        remember(&project.patches);
+        self.projects.push((path.to_owned(), project.clone()));
+        Ok(project)
+    }
+}
+
+/// A severity, as an argument.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
+pub(super) enum Deny {
+    Note,
+    Warning,
+    Error,
+}
+
+impl From<Deny> for Severity {
+    fn from(deny: Deny) -> Self {
+        match deny {
+            Deny::Note => Self::Note,
+            Deny::Warning => Self::Warning,
+            Deny::Error => Self::Error,
+        }
+    }
+}

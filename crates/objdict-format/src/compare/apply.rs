@@ -1,0 +1,237 @@
+//! Making the changes that turn one device into another.
+
+use std::collections::BTreeMap;
+
+use serde::Serialize;
+use serde::de::DeserializeOwned;
+use serde_json::{Map, Value};
+
+use super::{Datum, to_value};
+use objdict_model::model::{Device, ExtraSection, Object};
+
+/// A datum and its new value.
+#[derive(Clone, Debug, PartialEq)]
+#[non_exhaustive]
+pub struct DatumChange {
+    /// Its place: a JSON pointer into the JSON of the device.
+    pub path: String,
+    /// The [`fingerprint`](Datum::fingerprint) of the former value, `None` for nothing.
+    pub before: Option<u32>,
+    /// The new value; `None` removes the datum.
+    pub after: Option<Datum>,
+}
+
+/// Makes changes. Returns those that could not be made: the value has changed since, the part is gone, or the
+/// device would be none.
+pub fn apply(device: &mut Device, changes: Vec<DatumChange>) -> Vec<DatumChange> {
+    make_changes(device, changes, Check::Before)
+}
+
+/// Makes changes whatever is in their places. Returns those that lead to no device.
+#[cfg(feature = "full")]
+pub fn overlay(device: &mut Device, changes: Vec<DatumChange>) -> Vec<DatumChange> {
+    make_changes(device, changes, Check::Nothing)
+}
+
+/// What a change demands of the datum in its place.
+#[derive(Clone, Copy, PartialEq, Eq)]
+enum Check {
+    /// That it is the one of the change.
+    Before,
+    /// Nothing.
+    Nothing,
+}
+
+fn make_changes(device: &mut Device, changes: Vec<DatumChange>, check: Check) -> Vec<DatumChange> {
+    let mut of_objects: BTreeMap<u16, Vec<DatumChange>> = BTreeMap::new();
+    let mut others = Vec::new();
+    for change in changes {
+        match index_of(&change.path) {
+            Some(index) => of_objects.entry(index).or_default().push(change),
+            None => others.push(change),
+        }
+    }
+    let mut refused = Vec::new();
+    for (index, changes) in of_objects {
+        let mut object = device.objects.remove(&index);
+        apply_to(&mut object, &format!("/objects/0x{index:04X}"), changes, check, &mut refused);
+        device.objects.extend(object.map(|object: Object| (index, object)));
+    }
+    if !others.is_empty() {
+        let objects = std::mem::take(&mut device.objects);
+        let mut frame = std::mem::take(device);
+        if others.iter().any(|change| change.path.starts_with("/extra")) {
+            frame.extra.sort_by(|a, b| a.name().cmp(b.name()));
+        }
+        let set = |change| {
+            set_extra(&mut frame, change, check).and_then(|change| set_large(&mut frame, change, check))
+        };
+        let others = others.into_iter().filter_map(set).collect::<Vec<_>>();
+        // the JSON of the other parts takes much memory
+        let mut untouched = Device::default();
+        let paths: Vec<String> = others.iter().map(|change| change.path.clone()).collect();
+        exchange_untouched(&mut frame, &mut untouched, &paths);
+        let mut frame = Some(frame);
+        if !others.is_empty() {
+            apply_to(&mut frame, "", others, check, &mut refused);
+        }
+        *device = Device { objects, ..frame.unwrap_or_default() };
+        exchange_untouched(device, &mut untouched, &paths);
+    }
+    refused
+}
+
+/// Exchanges the large parts of two devices that no path leads into.
+fn exchange_untouched(one: &mut Device, other: &mut Device, paths: &[String]) {
+    let is_touched = |name: &str| {
+        paths.iter().any(|path| path.get(1..).is_some_and(|path| path.split('/').next() == Some(name)))
+    };
+    macro_rules! exchange {
+        ($($name:ident)*) => {
+            $(if !is_touched(stringify!($name)) {
+                std::mem::swap(&mut one.$name, &mut other.$name);
+            })*
+        };
+    }
+    exchange! { application comments downloads extra functions lists module_objects modules tools }
+}
+
+/// Makes a change of all sections that the model does not know, as one text. Returns any other change, and one that could
+/// not be made, which then is found to be stale.
+fn set_extra(frame: &mut Device, change: DatumChange, check: Check) -> Option<DatumChange> {
+    if change.path != "/extra" || change.after.as_ref().is_some_and(|after| !after.text().starts_with('"')) {
+        return Some(change);
+    }
+    let present: Vec<&ExtraSection> = frame.extra.iter().collect();
+    let before = (!present.is_empty())
+        .then(|| Datum::from(Value::String(super::sections::print(&present))).fingerprint());
+    let after = match change.after.as_ref().map(Datum::value) {
+        Some(Value::String(text)) => super::sections::parse(&text),
+        _ => Some(Vec::new()),
+    };
+    match after.filter(|_| check == Check::Nothing || before == change.before) {
+        Some(sections) => {
+            frame.extra = sections;
+            None
+        }
+        None => Some(change),
+    }
+}
+
+/// Replaces a part of the device as a whole, without a tree of its JSON. Returns any other change, and one that could not be made.
+fn set_large(frame: &mut Device, change: DatumChange, check: Check) -> Option<DatumChange> {
+    let Some(after) = change.after.as_ref().filter(|after| after.is_large()) else { return Some(change) };
+    let absent = Device::default();
+    macro_rules! set {
+        ($($name:ident)*) => {
+            match change.path.strip_prefix('/') {
+                $(Some(stringify!($name)) => {
+                    let present = Some(&frame.$name).filter(|present| **present != absent.$name);
+                    if check == Check::Before && change.before != present.map(|present| Datum::of(present).fingerprint()) {
+                        return Some(change);
+                    }
+                    let document = format!("{{\"{}\":{after}}}", stringify!($name));
+                    let Ok(read) = serde_json::from_str::<Device>(&document) else { return Some(change) };
+                    frame.$name = read.$name;
+                    None
+                })*
+                _ => Some(change),
+            }
+        };
+    }
+    set! {
+        application comments commissioning device_info downloads dummy_usage dynamic_channels file_info functions headers
+        identity lists manager module_objects modules network_identity tools
+    }
+}
+
+/// The object that a path leads to or into.
+fn index_of(path: &str) -> Option<u16> {
+    let digits = path.strip_prefix("/objects/0x")?.split('/').next()?;
+    u16::from_str_radix(digits, 16).ok()
+}
+
+/// Makes the changes of one part: all of them, or where that gives no part, each for itself.
+fn apply_to<T: Serialize + DeserializeOwned>(
+    part: &mut Option<T>,
+    root: &str,
+    changes: Vec<DatumChange>,
+    check: Check,
+    refused: &mut Vec<DatumChange>,
+) {
+    let before = part.as_ref().map(to_value);
+    let mut after = before.clone();
+    let mut made = Vec::new();
+    for change in changes {
+        match set(&mut after, &change, &change.path[root.len()..], check) {
+            true => made.push(change),
+            false => refused.push(change),
+        }
+    }
+    // as a text: reading the model from another source would be a megabyte of code
+    match after.map(|after| serde_json::from_str(&after.to_string())) {
+        None => *part = None,
+        Some(Ok(changed)) => *part = Some(changed),
+        // one invalid value must not affect the others
+        Some(Err(_)) if made.len() > 1 => {
+            for change in made {
+                apply_to(part, root, vec![change], check, refused);
+            }
+        }
+        Some(Err(_)) => refused.append(&mut made),
+    }
+}
+
+/// Sets the value at a path if the present value is the expected one.
+fn set(root: &mut Option<Value>, change: &DatumChange, path: &str, check: Check) -> bool {
+    let is_expected = |found: Option<&Value>| {
+        check == Check::Nothing || found.map(|value| Datum::from(value).fingerprint()) == change.before
+    };
+    let after = || change.after.as_ref().map(Datum::value);
+    let Some((parent, key)) = path.rsplit_once('/') else {
+        let as_expected = is_expected(root.as_ref());
+        if as_expected {
+            *root = after();
+        }
+        return as_expected;
+    };
+    let Some(root) = root.as_mut() else { return false };
+    let parent = match root.pointer_mut(parent) {
+        Some(parent) => parent,
+        // what holds nothing is not in the JSON
+        None if check == Check::Nothing || change.before.is_none() => match make(root, parent) {
+            Some(parent) => parent,
+            None => return false,
+        },
+        None => return false,
+    };
+    let key = key.replace("~1", "/").replace("~0", "~");
+    match parent {
+        Value::Object(map) if is_expected(map.get(&key)) => {
+            match after() {
+                Some(value) => map.insert(key, value),
+                None => map.remove(&key),
+            };
+            true
+        }
+        Value::Array(items) => match (key.parse().ok().and_then(|at: usize| items.get_mut(at)), after()) {
+            (Some(item), Some(value)) if is_expected(Some(item)) => {
+                *item = value;
+                true
+            }
+            _ => false,
+        },
+        _ => false,
+    }
+}
+
+/// The map of a path, made where it is missing.
+fn make<'a>(root: &'a mut Value, path: &str) -> Option<&'a mut Value> {
+    path.split('/').skip(1).try_fold(root, |at, key| {
+        let key = key.replace("~1", "/").replace("~0", "~");
+        match at {
+            Value::Object(map) => Some(map.entry(key).or_insert_with(|| Value::Object(Map::new()))),
+            _ => None,
+        }
+    })
+}

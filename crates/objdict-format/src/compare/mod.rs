@@ -1,0 +1,237 @@
+//! Two devices, datum by datum: where they differ, and how one becomes the other.
+//!
+//! A datum is named by its path in the JSON of the model (docs/json.md), as a JSON pointer (RFC 6901):
+//! `/objects/0x1018/subs/0x01/default`. Objects that are equal are never turned into JSON, so that a comparison of
+//! equal devices costs no more than looking at them.
+
+mod apply;
+mod datum;
+mod place;
+mod sections;
+
+use serde::Serialize;
+use serde_json::{Map, Value};
+
+#[cfg(feature = "full")]
+pub use apply::overlay;
+pub use apply::{DatumChange, apply};
+pub use datum::Datum;
+
+use objdict_model::model::{Device, ExtraSection, Place};
+
+/// A datum that two devices do not have alike.
+#[derive(Clone, Debug, PartialEq)]
+#[non_exhaustive]
+pub struct DatumDifference {
+    /// Its place: a JSON pointer into the JSON of the device.
+    pub path: String,
+    /// What the left device says; `None` for nothing.
+    pub left: Option<Datum>,
+    /// What the right device says; `None` for nothing.
+    pub right: Option<Datum>,
+}
+
+impl DatumDifference {
+    /// The address of the datum.
+    pub fn place(&self) -> Place {
+        place::of(&self.path)
+    }
+}
+
+/// Where two devices differ, in the order of the model. The order of sections that the model does not know says nothing.
+///
+/// ```
+/// use objdict::compare::differences;
+/// use objdict::model::{Device, Entry, Object};
+///
+/// let named = |name: &str| {
+///     let main = Entry { name: name.into(), ..Entry::default() };
+///     let mut device = Device::default();
+///     device.objects.insert(0x2000, Object { main, ..Object::default() });
+///     device
+/// };
+/// let found = differences(&named("Speed"), &named("Velocity"));
+/// assert_eq!(found[0].path, "/objects/0x2000/name");
+/// assert_eq!(found[0].place().to_string(), "0x2000 / ParameterName");
+/// ```
+pub fn differences(left: &Device, right: &Device) -> Vec<DatumDifference> {
+    let mut found = Vec::new();
+    // without a limit there are never too many
+    let _ = each_difference(left, right, usize::MAX, &mut |difference| found.push(difference));
+    found
+}
+
+/// Devices differ in more values than allowed.
+#[derive(Clone, Copy, Debug)]
+#[cfg_attr(not(feature = "xdd"), expect(dead_code, reason = "only conversions have a limit"))]
+pub struct TooMany {
+    /// In how many.
+    pub count: usize,
+    /// How many are allowed.
+    pub limit: usize,
+}
+
+/// Calls `found` for each of the [`differences`]: their values may be much more than the devices.
+///
+/// # Errors
+/// When the differences have more values than the limit, or one part that differs has: its JSON is not made.
+pub fn each_difference(
+    left: &Device,
+    right: &Device,
+    limit: usize,
+    found: &mut dyn FnMut(DatumDifference),
+) -> Result<(), TooMany> {
+    if left == right {
+        return Ok(());
+    }
+    let mut comparison = Comparison { path: String::new(), count: 0, limit, found };
+    comparison.frames(left, right);
+    comparison.extra(left, right);
+    comparison.path.push_str("/objects");
+    let indexes: std::collections::BTreeSet<u16> =
+        left.objects.keys().chain(right.objects.keys()).copied().collect();
+    for index in indexes {
+        comparison.part(&format!("0x{index:04X}"), &left.object(index), &right.object(index));
+    }
+    let count = comparison.count;
+    if count > limit { Err(TooMany { count, limit }) } else { Ok(()) }
+}
+
+/// A comparison of two devices.
+struct Comparison<'a> {
+    /// Where it is.
+    path: String,
+    /// How many values differ so far; of differences each counts as [`DIFFERENCE`].
+    count: usize,
+    limit: usize,
+    found: &'a mut dyn FnMut(DatumDifference),
+}
+
+/// A part of more values that only one device has is not made a tree.
+const MAX_TREE: usize = 1000;
+
+/// A part of more values that both have is not compared value by value; of an object it always is.
+const MAX_TREES: usize = 20_000;
+
+/// What a path takes, beside its values.
+const DIFFERENCE: usize = 2;
+
+impl Comparison<'_> {
+    /// Everything of the devices but their objects and the sections that the model does not know.
+    fn frames(&mut self, left: &Device, right: &Device) {
+        macro_rules! parts {
+            ($($name:ident)*) => { $(self.part(stringify!($name), &left.$name, &right.$name);)* };
+        }
+        // in the order of the names, as in JSON
+        parts! { application commissioning comments device_info downloads dummy_usage dynamic_channels file_info functions headers identity }
+        if left.kind != right.kind {
+            let json = |device: &Device| Some(to_value(&device.kind).into());
+            self.push("/kind".to_owned(), json(left), json(right));
+        }
+        parts! { lists manager module_objects modules network_identity tools }
+    }
+
+    /// A part of the devices, which is not in their JSON where it is empty. Its JSON is only made where it differs.
+    fn part<T: Serialize + PartialEq + Default>(&mut self, name: &str, left: &T, right: &T) {
+        if left == right {
+            return;
+        }
+        let is_present = |part: &&T| **part != T::default();
+        let (left, right) = (Some(left).filter(is_present), Some(right).filter(is_present));
+        let size = [left, right].into_iter().flatten().map(datum::count).max().unwrap_or_default();
+        if size > self.limit || self.count > self.limit {
+            self.count += size;
+            return;
+        }
+        let is_frame = self.path.is_empty();
+        self.step(name, |comparison| match (left, right) {
+            (Some(_), None) if size > MAX_TREE => comparison.whole(left, right, size),
+            (Some(_), Some(_)) if size > MAX_TREES && is_frame => comparison.whole(left, right, size),
+            _ => comparison.values(left.map(to_value), right.map(to_value)),
+        });
+    }
+
+    /// A large part as one difference: no tree of its JSON is made.
+    fn whole<T: Serialize>(&mut self, left: Option<&T>, right: Option<&T>, size: usize) {
+        self.count += DIFFERENCE + size;
+        self.push(self.path.clone(), left.map(Datum::of), right.map(Datum::of));
+    }
+
+    /// The sections that the model does not know: those that differ where both devices have as many, else all as one text,
+    /// because the JSON of a short section takes a hundred times its memory.
+    fn extra(&mut self, left: &Device, right: &Device) {
+        const MAX_SINGLE: usize = 1000;
+        let (left, right) = (sorted_extra(left), sorted_extra(right));
+        let differs = |(left, right): &(&&ExtraSection, &&ExtraSection)| left != right;
+        let differing = || left.iter().zip(&right).enumerate().filter(|(_, pair)| differs(pair));
+        if left.len() == right.len() && differing().count() <= MAX_SINGLE {
+            self.step("extra", |comparison| {
+                for (position, (left, right)) in differing() {
+                    let (left, right) = (to_value(left), to_value(right));
+                    comparison
+                        .step(&position.to_string(), |comparison| comparison.values(Some(left), Some(right)));
+                }
+            });
+        } else {
+            let text = |sections: &[&ExtraSection]| {
+                (!sections.is_empty()).then(|| Value::String(sections::print(sections)).into())
+            };
+            self.push("/extra".to_owned(), text(&left), text(&right));
+        }
+    }
+
+    /// Takes the values, because a copy of a large one takes much memory.
+    fn values(&mut self, left: Option<Value>, right: Option<Value>) {
+        match (left, right) {
+            (left, right) if left == right => {}
+            (Some(Value::Object(left)), Some(Value::Object(right))) => self.maps(left, right),
+            // of lists of one length, the items that differ; of others the items cannot be matched
+            (Some(Value::Array(left)), Some(Value::Array(right))) if left.len() == right.len() => {
+                for (position, (left, right)) in left.into_iter().zip(right).enumerate() {
+                    self.step(&position.to_string(), |comparison| {
+                        comparison.values(Some(left), Some(right));
+                    });
+                }
+            }
+            (left, right) => {
+                self.count +=
+                    DIFFERENCE + [&left, &right].into_iter().flatten().map(datum::count).sum::<usize>();
+                self.push(self.path.clone(), left.map(Datum::from), right.map(Datum::from));
+            }
+        }
+    }
+
+    fn maps(&mut self, left: Map<String, Value>, mut right: Map<String, Value>) {
+        for (key, value) in left {
+            let other = right.remove(&key);
+            self.step(&key, |comparison| comparison.values(Some(value), other));
+        }
+        for (key, value) in right {
+            self.step(&key, |comparison| comparison.values(None, Some(value)));
+        }
+    }
+
+    fn step(&mut self, key: &str, visit: impl FnOnce(&mut Self)) {
+        let length = self.path.len();
+        self.path.push('/');
+        self.path.push_str(&key.replace('~', "~0").replace('/', "~1"));
+        visit(self);
+        self.path.truncate(length);
+    }
+
+    fn push(&mut self, path: String, left: Option<Datum>, right: Option<Datum>) {
+        (self.found)(DatumDifference { path, left, right });
+    }
+}
+
+/// The sections that the model does not know in an order, so that paths into them mean the same in two devices.
+fn sorted_extra(device: &Device) -> Vec<&ExtraSection> {
+    let mut sections: Vec<&ExtraSection> = device.extra.iter().collect();
+    sections.sort_by_key(|section| section.name());
+    sections
+}
+
+/// The JSON of a part of the model, which always has one: its keys are texts.
+fn to_value(part: &impl Serialize) -> Value {
+    serde_json::to_value(part).unwrap_or_default()
+}

@@ -1,0 +1,178 @@
+//! From paths in the JSON of the model to addresses in the device.
+
+use objdict_model::model::{Field, ModulePart, ObjectList, Part, Place};
+
+/// The address of a path.
+pub(super) fn of(path: &str) -> Place {
+    let mut steps = path.split('/').skip(1);
+    let first = steps.next().unwrap_or_default();
+    let rest: Vec<&str> = steps.collect();
+    let whole = |part: Part| with_field(part, &rest, field);
+    match first {
+        "file_info" => whole(Part::FileInfo),
+        "device_info" => match rest[..] {
+            ["baud_rates", rate] => with_field(Part::DeviceInfo, &[&format!("baud_rate_{rate}")], field),
+            _ => with_field(Part::DeviceInfo, &rest, device_field),
+        },
+        "dummy_usage" => whole(Part::DummyUsage),
+        "comments" => whole(Part::Comments),
+        "commissioning" => with_field(Part::Commissioning, &rest, node_field),
+        "downloads" => named(Part::Commissioning, &[&[first], rest.as_slice()].concat()),
+        "lists" => list(&rest),
+        "objects" => object(&rest, &Part::Object, &Part::Entry),
+        "modules" => modules(&rest),
+        "dynamic_channels" => whole(Part::DynamicChannels),
+        "tools" => whole(Part::Tools),
+        "headers" => whole(Part::Headers),
+        "identity" => whole(Part::Identity),
+        "network_identity" => whole(Part::NetworkIdentity),
+        "manager" => whole(Part::Manager),
+        "functions" => whole(Part::Functions),
+        "application" => whole(Part::Application),
+        "module_objects" => whole(Part::ModuleObjects),
+        _ => named(Part::Device, &[&[first], rest.as_slice()].concat()),
+    }
+}
+
+/// The place of the field that steps lead to.
+fn with_field(part: Part, steps: &[&str], field: fn(&str) -> Option<Field>) -> Place {
+    match steps {
+        [] => Place::of(part),
+        [name] => match field(name) {
+            Some(field) => Place::of(part).field(field),
+            None => named(part, steps),
+        },
+        _ => named(part, steps),
+    }
+}
+
+/// A field that has no name but its path.
+fn named(part: Part, steps: &[&str]) -> Place {
+    let name = steps.join("/").replace("~1", "/").replace("~0", "~");
+    if name.is_empty() { Place::of(part) } else { Place::of(part).field(Field::Named(name.into())) }
+}
+
+fn number<T>(digits: &str, from_hex: fn(&str, u32) -> Result<T, std::num::ParseIntError>) -> Option<T> {
+    from_hex(digits.strip_prefix("0x")?, 16).ok()
+}
+
+fn object(steps: &[&str], object: &dyn Fn(u16) -> Part, entry: &dyn Fn(u16, u8) -> Part) -> Place {
+    let Some((index, rest)) = steps.split_first() else { return Place::device() };
+    let Some(index) = number(index, u16::from_str_radix) else { return named(Part::Device, steps) };
+    match rest {
+        ["subs", sub, rest @ ..] => match number(sub, u8::from_str_radix) {
+            Some(sub) => entry_field(entry(index, sub), rest),
+            None => named(object(index), rest),
+        },
+        ["compact", "names", ..] => compact(Part::CompactNames(index), &rest[2..]),
+        ["compact", "values", ..] => compact(Part::CompactValues(index), &rest[2..]),
+        ["compact", "denotations", ..] => compact(Part::CompactDenotations(index), &rest[2..]),
+        ["compact", "count"] | ["compact"] => Place::of(object(index)).field(Field::CompactSubObj),
+        ["links", ..] => Place::of(Part::Links(index)),
+        rest => entry_field(object(index), rest),
+    }
+}
+
+fn compact(part: Part, steps: &[&str]) -> Place {
+    match steps {
+        [sub, ..] => match number(sub, u8::from_str_radix) {
+            Some(sub) => Place::of(part).field(Field::Item(sub.into())),
+            None => named(part, steps),
+        },
+        [] => Place::of(part),
+    }
+}
+
+/// A field of an entry. Of a value the path goes on to its kind, which says nothing more.
+fn entry_field(part: Part, steps: &[&str]) -> Place {
+    let field = match steps {
+        ["name"] => Field::ParameterName,
+        ["object_type"] => Field::ObjectType,
+        ["data_type"] => Field::DataType,
+        ["access"] => Field::AccessType,
+        ["pdo_mapping"] => Field::PdoMapping,
+        ["default", ..] => Field::DefaultValue,
+        ["low_limit", ..] => Field::LowLimit,
+        ["high_limit", ..] => Field::HighLimit,
+        ["flags"] => Field::ObjFlags,
+        ["sub_number"] => Field::SubNumber,
+        ["count", ..] => Field::Count,
+        ["obj_extend"] => Field::ObjExtend,
+        ["configured", "value", ..] => Field::ParameterValue,
+        ["configured", "denotation"] => Field::Denotation,
+        ["configured", "upload_file"] => Field::UploadFile,
+        ["configured", "download_file"] => Field::DownloadFile,
+        ["configured", "reference_designator"] => Field::ParamRefd,
+        ["safety", "srdo_mapping"] => Field::SrdoMapping,
+        ["safety", "inverted_srad"] => Field::InvertedSrad,
+        _ => return named(part, steps),
+    };
+    Place::of(part).field(field)
+}
+
+fn list(steps: &[&str]) -> Place {
+    let list = match steps.first() {
+        Some(&"mandatory") => ObjectList::Mandatory,
+        Some(&"optional") => ObjectList::Optional,
+        Some(&"manufacturer") => ObjectList::Manufacturer,
+        _ => return named(Part::Device, steps),
+    };
+    let item = steps.get(1).and_then(|position| position.parse::<u32>().ok());
+    let place = Place::of(Part::List(list));
+    // items are counted from 1
+    item.and_then(|item| item.checked_add(1)).map_or(place.clone(), |item| place.field(Field::Item(item)))
+}
+
+fn modules(steps: &[&str]) -> Place {
+    match steps {
+        ["connected", rest @ ..] => named(Part::ConnectedModules, rest),
+        ["supported", number, rest @ ..] => match number.parse() {
+            Ok(number) => module(number, rest),
+            Err(_) => named(Part::SupportedModules, steps),
+        },
+        _ => named(Part::SupportedModules, steps),
+    }
+}
+
+fn module(number: u16, steps: &[&str]) -> Place {
+    let part = |part: ModulePart| Part::Module(number, part);
+    match steps {
+        ["comments", rest @ ..] => named(part(ModulePart::Comments), rest),
+        ["fixed_list", rest @ ..] => named(part(ModulePart::FixedObjects), rest),
+        ["fixed", rest @ ..] => object(rest, &|index| part(ModulePart::Fixed(index)), &|index, sub| {
+            part(ModulePart::FixedEntry(index, sub))
+        }),
+        ["extension_list", rest @ ..] => named(part(ModulePart::SubExtends), rest),
+        ["extensions", rest @ ..] => object(rest, &|index| part(ModulePart::SubExt(index)), &|index, _| {
+            part(ModulePart::SubExt(index))
+        }),
+        rest => with_field(part(ModulePart::Info), rest, field),
+    }
+}
+
+/// The field whose name is that of the JSON but for case and underscores: `file_version`, `FileVersion`.
+fn field(name: &str) -> Option<Field> {
+    let squeezed = name.replace('_', "");
+    let same = |text: &str| text.replace('_', "").eq_ignore_ascii_case(&squeezed);
+    Field::NAMED.iter().find(|(text, _)| same(text)).map(|(_, field)| field.clone())
+}
+
+/// A field of the device that JSON calls otherwise than CiA 306-1.
+fn device_field(name: &str) -> Option<Field> {
+    match name {
+        "rpdo_count" => Some(Field::NrOfRxPdo),
+        "tpdo_count" => Some(Field::NrOfTxPdo),
+        "safety_supported" => Some(Field::CanOpenSafetySupported),
+        name => field(name),
+    }
+}
+
+/// A field of the commissioning that JSON calls otherwise than CiA 306-1.
+fn node_field(name: &str) -> Option<Field> {
+    match name {
+        "node_reference_designator" => Some(Field::NodeRefd),
+        "net_reference_designator" => Some(Field::NetRefd),
+        "manager" => Some(Field::CanOpenManager),
+        name => field(name),
+    }
+}

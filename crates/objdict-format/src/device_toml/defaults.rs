@@ -1,0 +1,138 @@
+//! What follows from missing keys of an entry, for the reader and for the writer.
+
+use objdict_keyed::rules::WRONG_TYPE;
+use objdict_keyed::section::Section;
+use objdict_model::diagnostic::{Diagnostic, Findings, say};
+use objdict_model::model::{Access, DataType, Entry, ObjectType, PdoMapping, Value};
+
+/// What an entry is in its object.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) enum Role {
+    /// The value of an object without sub-indexes, or all elements of one in compact storage.
+    Value,
+    /// An object whose entries are described below it.
+    Whole,
+    /// A sub-index.
+    Sub,
+    /// Sub-index 0.
+    First,
+}
+
+/// A fact that a description may leave out although it follows from a missing key.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) enum Omission {
+    ObjectType,
+    Access,
+    Map,
+    Default,
+    SubNumber,
+    Sub0,
+}
+
+impl Omission {
+    pub(super) const ALL: [(Self, &'static str); 6] = [
+        (Self::ObjectType, "object-type"),
+        (Self::Access, "access"),
+        (Self::Map, "map"),
+        (Self::Default, "default"),
+        (Self::SubNumber, "sub-number"),
+        (Self::Sub0, "sub0"),
+    ];
+}
+
+/// A set of them.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub(super) struct Omissions(u8);
+
+impl Omissions {
+    pub(super) const fn has(self, omission: Omission) -> bool {
+        self.0 & 1 << omission as u8 != 0
+    }
+
+    pub(super) fn add(&mut self, omission: Omission) {
+        self.0 |= 1 << omission as u8;
+    }
+
+    /// Those that count for a role without a list of its own: most descriptions state the types of objects.
+    pub(super) const fn of_role(self, role: Role) -> Self {
+        match role {
+            Role::Value | Role::Whole => Self(self.0 & !(1 << Omission::ObjectType as u8)),
+            Role::Sub => self,
+            Role::First => Self(0),
+        }
+    }
+
+    pub(super) const fn is_within(self, other: Self) -> bool {
+        self.0 & !other.0 == 0
+    }
+
+    pub(super) fn words(self) -> Vec<&'static str> {
+        let there = Omission::ALL.into_iter().filter(|(omission, _)| self.has(*omission));
+        there.map(|(_, word)| word).collect()
+    }
+
+    /// Those of the key `unstated`; `None` without it.
+    pub(super) fn read(section: &Section<'_>, findings: &mut Findings) -> Option<Self> {
+        section.get("unstated")?;
+        let mut omissions = Self::default();
+        for text in section.texts("unstated", findings) {
+            match Omission::ALL.into_iter().find(|(_, word)| *word == text.value) {
+                Some((omission, _)) => omissions.add(omission),
+                None => {
+                    let message = say!("`{}` is no fact that follows from missing keys", text.value);
+                    let words = Omission::ALL.map(|(_, word)| format!("`{word}`")).join(", ");
+                    let finding = Diagnostic::new(&WRONG_TYPE, text.at, message);
+                    findings.push(finding.help(say!("write one of {}", words)));
+                }
+            }
+        }
+        Some(omissions)
+    }
+}
+
+/// What entries have that do not say otherwise.
+#[derive(Clone, Debug)]
+pub(super) struct Defaults {
+    pub(super) access: Access,
+    pub(super) map: PdoMapping,
+    pub(super) unstated: Omissions,
+    /// Sub-index 0, without its value.
+    pub(super) sub0: Entry,
+}
+
+impl Default for Defaults {
+    fn default() -> Self {
+        let sub0 = Entry {
+            name: "Highest sub-index supported".into(),
+            object_type: Some(ObjectType::Var),
+            data_type: Some(DataType::UNSIGNED8),
+            access: Some(Access::Const),
+            pdo_mapping: Some(PdoMapping::No),
+            ..Entry::default()
+        };
+        Self { access: Access::Rw, map: PdoMapping::No, unstated: Omissions::default(), sub0 }
+    }
+}
+
+impl Defaults {
+    /// What an entry without keys is, whose description leaves out so much.
+    pub(super) fn implied(&self, role: Role, unstated: Omissions) -> Entry {
+        if role == Role::First {
+            return self.sub0.clone();
+        }
+        let is_value = role != Role::Whole;
+        Entry {
+            object_type: Some(ObjectType::Var).filter(|_| !unstated.has(Omission::ObjectType)),
+            access: Some(self.access).filter(|_| is_value && !unstated.has(Omission::Access)),
+            pdo_mapping: Some(self.map).filter(|_| is_value && !unstated.has(Omission::Map)),
+            ..Entry::default()
+        }
+    }
+
+    /// The value of sub-index 0 that does not state it.
+    pub(super) fn highest(&self, highest: Option<u8>, unstated: Omissions) -> Option<Value> {
+        let number = highest.filter(|_| !unstated.has(Omission::Default))?;
+        let data_type = self.sub0.data_type.unwrap_or(DataType::UNSIGNED8);
+        Value::from_integer(number.into(), data_type)
+    }
+}

@@ -1,0 +1,133 @@
+//! The file that a `device.toml` extends, and those that it extends in turn.
+
+use std::fs;
+use std::path::{Path, PathBuf};
+
+use super::merge::Merged;
+use crate::identify::{ContentKind, identify_source};
+use objdict_keyed::rules::WRONG_TYPE;
+use objdict_keyed::toml;
+use objdict_keyed::tree::{Entry, Kind, Tree};
+use objdict_model::diagnostic::{Diagnostic, Findings, Text, say};
+use objdict_model::source::{Folder, MAX_TOML_SIZE, SourceFile, SourceOptions, Span, is_file};
+
+/// So many files may extend each other.
+const MAX_FILES: usize = 16;
+
+/// What a text extends.
+#[derive(Clone, Debug)]
+pub(super) struct Base {
+    /// The name in the text.
+    pub(super) name: String,
+    /// Where it is.
+    pub(super) span: Span,
+    /// The files that were read, the nearest first.
+    pub(super) files: Vec<PathBuf>,
+    /// What they say, all of it in the place of the name.
+    pub(super) merged: Merged,
+}
+
+/// Reads what a text of this name extends; a file that cannot be used is a finding at the key.
+pub(super) fn read(text: &str, name: &str, findings: &mut Findings) -> Option<Base> {
+    // most texts need not be read twice
+    let tree = text.contains("extends").then(|| toml::read(text, &mut Findings::new())).flatten()?;
+    let named = tree.get("extends")?;
+    let span = named.span;
+    let refuse = |message: Text, help: Text, findings: &mut Findings| {
+        findings.push(Diagnostic::new(&WRONG_TYPE, span, message).help(help));
+    };
+    let mut chain = Chain { files: vec![PathBuf::from(name)], trees: Vec::new() };
+    let mut next = Some(named.clone());
+    while let Some(named) = next {
+        match chain.follow(&named, span) {
+            Ok(further) => next = further,
+            Err((message, help)) => {
+                refuse(message, help, findings);
+                return None;
+            }
+        }
+    }
+    chain.files.remove(0);
+    let farthest = Merged::new(chain.trees.pop()?);
+    let merged = chain.trees.iter().rev().fold(farthest, Merged::with);
+    Some(Base { name: named.spelled(), span, files: chain.files, merged })
+}
+
+/// The files that were followed, the nearest first; the first one is that which extends.
+struct Chain {
+    files: Vec<PathBuf>,
+    trees: Vec<Tree>,
+}
+
+impl Chain {
+    /// Reads one more file; returns what this one extends.
+    fn follow(&mut self, named: &Tree, span: Span) -> Result<Option<Tree>, (Text, Text)> {
+        let name = named.spelled();
+        let Some(file) = self.files.last().filter(|file| is_file(file)) else {
+            let help = "read the file by its path, not from the standard input";
+            return Err((say!("it is unknown where `{}` is", name), help.into()));
+        };
+        if named.text().is_none() {
+            return Err((say!("`extends` is {}", named.kind_name()), "write the name of a file".into()));
+        }
+        let path = Folder::of(file).resolve(&name).map_err(|error| {
+            let help = error.help().unwrap_or("write the name of a `device.toml` relative to this file");
+            (say!("`{}` cannot be extended: {}", name, error.to_string()), say!("{}", help))
+        })?;
+        let real = |path: &Path| fs::canonicalize(path).ok();
+        if let Some(first) = self.files.iter().position(|file| real(file) == real(&path)) {
+            let shown = |path: &Path| path.file_name().unwrap_or_default().to_string_lossy().into_owned();
+            let files = self.files[first..].iter().map(PathBuf::as_path).chain([path.as_path()]);
+            let circle = files.map(shown).collect::<Vec<_>>().join(" → ");
+            return Err((say!("files extend each other: {}", circle), "remove one `extends`".into()));
+        }
+        if self.trees.len() == MAX_FILES {
+            let message = say!("more than {} files extend each other", MAX_FILES);
+            return Err((message, "merge some of them".into()));
+        }
+        let tree = opened(&path).map_err(|error| {
+            let help = "`objdict check` of that file says what is wrong with it";
+            (say!("`{}` cannot be extended: {}", name, error), help.into())
+        })?;
+        let further = tree.get("extends").cloned();
+        self.trees.push(placed(&only_device(&tree), span));
+        self.files.push(path);
+        Ok(further)
+    }
+}
+
+/// The tree of a file.
+fn opened(path: &Path) -> Result<Tree, String> {
+    let options = SourceOptions { encoding: None, max_size: MAX_TOML_SIZE };
+    let source = SourceFile::open(path, &options).map_err(|error| error.to_string())?;
+    if identify_source(&source).kind != ContentKind::DeviceToml {
+        return Err("it is no `device.toml`".to_owned());
+    }
+    let mut findings = Findings::new();
+    toml::read(source.text(), &mut findings).ok_or_else(|| {
+        let first = findings.iter().next().map(|finding| finding.message.shown().into_owned());
+        first.unwrap_or_default()
+    })
+}
+
+/// What a file says of its device: variants are of the file alone.
+fn only_device(tree: &Tree) -> Tree {
+    let is_other = |entry: &&Entry| !matches!(entry.key.text(), Some("format" | "extends" | "variant"));
+    let entries = tree.entries().unwrap_or_default().iter().filter(is_other);
+    Tree::new(tree.span, Kind::Map(entries.cloned().collect()))
+}
+
+/// The tree with all its values in one place.
+fn placed(tree: &Tree, span: Span) -> Tree {
+    let kind = match &*tree.kind {
+        Kind::List(items) => Kind::List(items.iter().map(|item| placed(item, span)).collect()),
+        Kind::Map(entries) => {
+            let entries = entries
+                .iter()
+                .map(|Entry { key, value }| Entry { key: placed(key, span), value: placed(value, span) });
+            Kind::Map(entries.collect())
+        }
+        kind => kind.clone(),
+    };
+    Tree::new(span, kind)
+}

@@ -1,0 +1,180 @@
+//! What values mean: description, unit, names of values and bits, as parts of the application process (CiA 311).
+
+use super::reader::Reader;
+use super::words::{key, quoted};
+use objdict_keyed::rules::WRONG_TYPE;
+use objdict_keyed::section::Section;
+use objdict_model::diagnostic::{Diagnostic, Findings, say};
+use objdict_model::model::{
+    AllowedValues, ApplicationProcess, DataTypeRef, Device, Entry, Label, Labels, Parameter, ScaledValue,
+    SimpleType, TypeDefinition, TypeShape, Unit, VarDeclaration,
+};
+
+/// The language of the texts.
+const LANGUAGE: &str = "en";
+
+/// Reads the meaning of an entry into its parameter.
+pub(super) fn read(section: &Section<'_>, address: &str, entry: &mut Entry, reader: &mut Reader<'_>) {
+    let findings = &mut *reader.findings;
+    if let Some(text) = section.text("description", findings) {
+        entry.parameter_mut().labels = described(&text.value);
+    }
+    if let Some(text) = section.text("unit", findings) {
+        entry.parameter_mut().unit = Some(unit(&text.value));
+    }
+    for name in ["factor", "offset"] {
+        let Some(text) = section.text(name, findings) else { continue };
+        let parameter = entry.parameter_mut();
+        let field = if name == "factor" { &mut parameter.multiplier } else { &mut parameter.offset };
+        *field = Some(text.value.into());
+    }
+    if section.get("enum").is_some() {
+        let values = section.named("enum", findings).iter();
+        let values = values.map(|value| named_value(&value.key.spelled(), &value.value.spelled()));
+        entry.parameter_mut().allowed_values =
+            Some(AllowedValues { values: values.collect(), ..AllowedValues::default() });
+    }
+    if section.get("bits").is_some() {
+        let members: Vec<VarDeclaration> = members(section, address, findings);
+        let id = bits_id(address);
+        entry.parameter_mut().data_type = Some(DataTypeRef::Defined(id.as_str().into()));
+        reader.application.data_types.push(struct_of(&entry.name, &id, members));
+    }
+}
+
+fn members(section: &Section<'_>, address: &str, findings: &mut Findings) -> Vec<VarDeclaration> {
+    let mut members = Vec::new();
+    for bits in section.named("bits", findings) {
+        let text = bits.key.spelled();
+        match range(&text) {
+            Some(range) => members.push(member(address, range, &bits.value.spelled())),
+            None => {
+                let finding = Diagnostic::new(&WRONG_TYPE, bits.key.span, say!("`{}` is no bit", text));
+                findings.push(finding.help("write the number of a bit, or a range such as `4-7`"));
+            }
+        }
+    }
+    members
+}
+
+/// The first and last bit.
+fn range(text: &str) -> Option<(u8, u8)> {
+    let (first, last) = text.split_once('-').unwrap_or((text, text));
+    let (first, last) = (first.trim().parse().ok()?, last.trim().parse().ok()?);
+    (first <= last && last < 64).then_some((first, last))
+}
+
+fn described(text: &str) -> Labels {
+    Labels(vec![Label::Description { lang: LANGUAGE.into(), text: text.into(), uri: None }])
+}
+
+fn unit(name: &str) -> Unit {
+    Unit { multiplier: "1".into(), uri: None, labels: Labels::name(LANGUAGE, name) }
+}
+
+fn named_value(number: &str, name: &str) -> ScaledValue {
+    ScaledValue { value: number.into(), labels: Labels::name(LANGUAGE, name), ..ScaledValue::default() }
+}
+
+fn bits_id(address: &str) -> String {
+    format!("UID_BITS_{address}")
+}
+
+fn struct_of(name: &str, id: &str, members: Vec<VarDeclaration>) -> TypeDefinition {
+    let shape = TypeShape::Struct { members };
+    TypeDefinition { name: name.into(), unique_id: id.into(), labels: Labels::default(), shape }
+}
+
+fn member(address: &str, (first, last): (u8, u8), name: &str) -> VarDeclaration {
+    let is_single = first == last;
+    let simple = if is_single { SimpleType::Bool } else { SimpleType::Bitstring };
+    VarDeclaration {
+        name: name.into(),
+        unique_id: format!("UID_BIT_{address}_{first}").into(),
+        data_type: Some(DataTypeRef::Simple(simple)),
+        start: Some(first.to_string().into()),
+        size: (!is_single).then(|| (last - first + 1).to_string().into()),
+        ..VarDeclaration::default()
+    }
+}
+
+/// The keys of what an entry means, as far as there are any for it.
+pub(super) fn keys(device: &Device, address: &str, entry: &Entry) -> Vec<(&'static str, String)> {
+    let Some(parameter) = &entry.parameter else { return Vec::new() };
+    let mut keys = Vec::new();
+    if let [Label::Description { lang, text, uri: None }] = parameter.labels.0.as_slice()
+        && **lang == *LANGUAGE
+    {
+        keys.push(("description", quoted(text)));
+    }
+    if let Some(unit) = &parameter.unit
+        && let Some(name) = unit.labels.name_in(LANGUAGE)
+    {
+        keys.push(("unit", quoted(name)));
+    }
+    keys.extend(parameter.multiplier.as_deref().map(|text| ("factor", number(text))));
+    keys.extend(parameter.offset.as_deref().map(|text| ("offset", number(text))));
+    keys.extend(names_of_values(parameter).map(|table| ("enum", table)));
+    keys.extend(names_of_bits(device, address, entry, parameter).map(|table| ("bits", table)));
+    keys
+}
+
+/// A number as TOML reads it back with the same digits, or a text.
+fn number(text: &str) -> String {
+    let is_same = text.parse::<i64>().is_ok_and(|number| number.to_string() == text)
+        || text.parse::<f64>().is_ok_and(|number| number.is_finite() && format!("{number:?}") == text);
+    if is_same { text.to_owned() } else { quoted(text) }
+}
+
+fn names_of_values(parameter: &Parameter) -> Option<String> {
+    let allowed = parameter.allowed_values.as_ref()?;
+    let is_plain = |value: &ScaledValue| {
+        let name = value.labels.name_in(LANGUAGE).unwrap_or_default();
+        named_value(&value.value, name) == *value
+    };
+    if allowed.values.is_empty() || !allowed.values.iter().all(is_plain) {
+        return None;
+    }
+    table(
+        allowed
+            .values
+            .iter()
+            .map(|value| (&*value.value, value.labels.name_in(LANGUAGE).unwrap_or_default())),
+    )
+}
+
+fn names_of_bits(device: &Device, address: &str, entry: &Entry, parameter: &Parameter) -> Option<String> {
+    let id = bits_id(address);
+    match &parameter.data_type {
+        Some(DataTypeRef::Defined(defined)) if **defined == *id => {}
+        _ => return None,
+    }
+    let process: &ApplicationProcess = device.application.first()?;
+    let definition = process.data_types.iter().find(|definition| *definition.unique_id == *id)?;
+    let TypeShape::Struct { members } = &definition.shape else { return None };
+    let bits: Option<Vec<(String, &str)>> = members
+        .iter()
+        .map(|found| {
+            let first: u8 = found.start.as_deref()?.parse().ok()?;
+            let size: u8 = found.size.as_deref().unwrap_or("1").parse().ok()?;
+            let last = first.checked_add(size.checked_sub(1)?)?;
+            let text = if first == last { first.to_string() } else { format!("{first}-{last}") };
+            (member(address, (first, last), &found.name) == *found).then_some((text, &*found.name))
+        })
+        .collect();
+    let bits = bits.filter(|_| *definition == struct_of(&entry.name, &id, members.clone()))?;
+    table(bits.iter().map(|(bit, name)| (bit.as_str(), *name)))
+}
+
+/// A table of names by number; `None` where a number is there twice.
+fn table<'a>(names: impl Iterator<Item = (&'a str, &'a str)>) -> Option<String> {
+    let mut seen = std::collections::BTreeSet::new();
+    let mut items = Vec::new();
+    for (number, name) in names {
+        if !seen.insert(number) {
+            return None;
+        }
+        items.push(format!("{} = {}", key(number), quoted(name)));
+    }
+    Some(format!("{{ {} }}", items.join(", ")))
+}

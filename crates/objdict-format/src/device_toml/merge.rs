@@ -1,0 +1,138 @@
+//! A file or a variant on top of another file: tables merge key by key, the nearer value wins, and `remove` removes.
+
+use std::collections::{BTreeMap, BTreeSet};
+
+use super::words::{index, sub};
+use objdict_keyed::tree::{Entry, Kind, Tree};
+use objdict_model::source::Span;
+
+/// Trees that were merged.
+#[derive(Clone, Debug)]
+pub(super) struct Merged {
+    pub(super) tree: Tree,
+    /// What nearer trees removed from those below them, in capital letters; no profile has to bring it.
+    pub(super) taken: BTreeSet<String>,
+}
+
+impl Merged {
+    pub(super) fn new(tree: Tree) -> Self {
+        Self { tree, taken: BTreeSet::new() }
+    }
+
+    /// The same with a nearer tree on top.
+    pub(super) fn with(self, near: &Tree) -> Self {
+        let Self { mut tree, mut taken } = self;
+        let removed = removals(near);
+        for Entry { key, .. } in &removed {
+            let address = key.spelled().to_ascii_uppercase();
+            for path in paths_of(&address) {
+                if let Some(rest) = without(&tree, &path) {
+                    tree = rest;
+                    taken.insert(address.clone());
+                    // the table of a PDO has two objects
+                    taken.extend(
+                        index(&address)
+                            .filter(|_| path[0] != "object")
+                            .map(|index| format!("{:04X}", index ^ 0x200)),
+                    );
+                }
+            }
+        }
+        let mut removals = removals(&tree);
+        // what the nearer one describes is there again
+        removals.retain(|removal| !paths_of(&removal.key.spelled()).iter().any(|path| has(near, path)));
+        removals.extend(removed);
+        let mut tree = merged(&tree, near);
+        if let Kind::Map(entries) = &*tree.kind {
+            let mut entries: Vec<Entry> =
+                entries.iter().filter(|entry| entry.key.text() != Some("remove")).cloned().collect();
+            let key = Tree::new(Span::empty(0), Kind::Text("remove".to_owned()));
+            entries.push(Entry { key, value: Tree::new(Span::empty(0), Kind::Map(removals)) });
+            tree = Tree::new(tree.span, Kind::Map(entries));
+        }
+        Self { tree, taken }
+    }
+}
+
+/// What `remove` names, each as a key.
+fn removals(tree: &Tree) -> Vec<Entry> {
+    let entry = |key: &Tree| Entry { key: key.clone(), value: Tree::new(key.span, Kind::Null) };
+    match tree.get("remove").map(|tree| (tree, &*tree.kind)) {
+        None => Vec::new(),
+        Some((_, Kind::List(items))) => items.iter().map(entry).collect(),
+        Some((_, Kind::Map(entries))) => entries.clone(),
+        Some((tree, _)) => vec![entry(tree)],
+    }
+}
+
+/// Where a file may describe what is at an address: objects, also as PDOs, and entries.
+fn paths_of(address: &str) -> Vec<Vec<String>> {
+    let words = |words: &[&str]| words.iter().map(|word| (*word).to_owned()).collect();
+    match address.split_once(':') {
+        Some((object, entry)) if index(object).is_some() && sub(entry).is_some() => {
+            vec![words(&["object", object, "sub", entry])]
+        }
+        Some(_) => Vec::new(),
+        None => {
+            let Some(number) = index(address) else { return Vec::new() };
+            let pdo = match number {
+                0x1400..=0x17FF => Some("rpdo"),
+                0x1800..=0x1BFF => Some("tpdo"),
+                _ => None,
+            };
+            // keys are compared as hex digits
+            let pdo = pdo.map(|pdo| words(&[pdo, &((number & 0x1FF) + 1).to_string()]));
+            std::iter::once(words(&["object", address])).chain(pdo).collect()
+        }
+    }
+}
+
+/// A key in one spelling: `200a` and `200A`, `1` and `01` are the same.
+fn spelling(key: &str) -> String {
+    let is_hex = !key.is_empty() && key.len() <= 4 && key.bytes().all(|byte| byte.is_ascii_hexdigit());
+    match u16::from_str_radix(key, 16) {
+        Ok(number) if is_hex => format!("{number:X}"),
+        _ => key.to_owned(),
+    }
+}
+
+fn entry_of<'t>(tree: &'t Tree, key: &str) -> Option<&'t Entry> {
+    tree.entries()?.iter().find(|entry| spelling(&entry.key.spelled()) == spelling(key))
+}
+
+fn has(tree: &Tree, path: &[String]) -> bool {
+    match path {
+        [] => true,
+        [key, rest @ ..] => entry_of(tree, key).is_some_and(|entry| has(&entry.value, rest)),
+    }
+}
+
+/// The tree without what is at a path; `None` where nothing is.
+fn without(tree: &Tree, path: &[String]) -> Option<Tree> {
+    let (key, rest) = path.split_first()?;
+    let found = entry_of(tree, key)?;
+    let replaced = if rest.is_empty() { None } else { Some(without(&found.value, rest)?) };
+    let entries = tree.entries()?.iter().filter_map(|entry| match &replaced {
+        _ if !std::ptr::eq(entry, found) => Some(entry.clone()),
+        None => None,
+        Some(value) => Some(Entry { key: entry.key.clone(), value: value.clone() }),
+    });
+    Some(Tree::new(tree.span, Kind::Map(entries.collect())))
+}
+
+/// Two trees as one. What both have is in the place of the nearer one.
+fn merged(far: &Tree, near: &Tree) -> Tree {
+    let (Kind::Map(below), Kind::Map(above)) = (&*far.kind, &*near.kind) else { return near.clone() };
+    let mut nearer: BTreeMap<String, &Entry> =
+        above.iter().map(|entry| (spelling(&entry.key.spelled()), entry)).collect();
+    let mut entries: Vec<Entry> = Vec::with_capacity(below.len() + above.len());
+    for entry in below {
+        entries.push(match nearer.remove(&spelling(&entry.key.spelled())) {
+            None => entry.clone(),
+            Some(own) => Entry { key: own.key.clone(), value: merged(&entry.value, &own.value) },
+        });
+    }
+    let is_new = |entry: &&Entry| nearer.contains_key(&spelling(&entry.key.spelled()));
+    entries.extend(above.iter().filter(is_new).cloned());
+    Tree::new(near.span, Kind::Map(entries))
+}

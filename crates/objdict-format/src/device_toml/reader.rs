@@ -1,0 +1,464 @@
+//! From the tree to the objects.
+
+use std::collections::BTreeSet;
+
+use super::defaults::{Defaults, Omission, Omissions, Role};
+use super::facts::pairs;
+use super::keys::{DEFAULTS, ENTRY, OBJECT};
+use super::meaning;
+use super::words::{TypeSaid, data_type, index, indexes, subs, type_words, value_of};
+use objdict_keyed::rules::{DUPLICATE_KEY, OUT_OF_RANGE, UNKNOWN_KEY, WRONG_TYPE};
+use objdict_keyed::section::Section;
+use objdict_keyed::tree::{Kind, Tree};
+use objdict_model::diagnostic::{Diagnostic, Findings, Severity, nearest, say};
+use objdict_model::model::{
+    Access, ApplicationProcess, Compact, Entry, ObjFlags, Object, ObjectType, Objects, PdoMapping,
+    SrdoAccess, Value,
+};
+
+/// Reads objects.
+pub(super) struct Reader<'f> {
+    pub(super) defaults: Defaults,
+    pub(super) findings: &'f mut Findings,
+    /// The types that the meanings of values need.
+    pub(super) application: ApplicationProcess,
+    /// The entries of ranges so far.
+    pub(super) ranged: usize,
+}
+
+/// So many entries may be in ranges: a few bytes of a text make an object of them. Real devices have a few thousand.
+const MAX_RANGED: usize = 15_000;
+
+impl Reader<'_> {
+    /// Reads `[defaults]`.
+    pub(super) fn read_defaults(&mut self, tree: &Tree) {
+        let Some(section) = Section::new("defaults", tree, DEFAULTS, self.findings) else { return };
+        if let Some(access) = section.word("access", self.findings) {
+            self.defaults.access = Access::from_name(&access.value).unwrap_or(Access::Rw);
+        }
+        if let Some(map) = section.word("map", self.findings) {
+            self.defaults.map = mapping(&map.value).unwrap_or_default();
+        }
+        self.defaults.unstated = Omissions::read(&section, self.findings).unwrap_or_default();
+        if let Some(tree) = section.get("sub0")
+            && let Some(section) = Section::new("sub0", tree, ENTRY, self.findings)
+        {
+            let implied = self.defaults.sub0.clone();
+            let unstated = Omissions::read(&section, self.findings).unwrap_or_default();
+            self.defaults.sub0 = without(implied, unstated);
+            self.defaults.sub0 = self.entry("sub0", &section, Role::First, None).0;
+        }
+    }
+
+    /// Reads those objects of a table by index that are wanted, into those that a profile demands.
+    pub(super) fn read_objects(&mut self, tree: &Tree, objects: &mut Objects, wanted: fn(u16) -> bool) {
+        let Some(entries) = tree.entries() else {
+            let message = say!("`object` is {}, not a table of objects", tree.kind_name());
+            let finding = Diagnostic::new(&WRONG_TYPE, tree.span, message);
+            self.findings.push(finding.help("write the objects by their indexes below it"));
+            return;
+        };
+        let mut seen = BTreeSet::new();
+        for entry in entries {
+            let name = entry.key.spelled();
+            let Some(index) = index(&name) else {
+                // said once
+                if wanted(0) {
+                    let message = say!("`{}` is not an index", name);
+                    let finding = Diagnostic::new(&UNKNOWN_KEY, entry.key.span, message);
+                    self.findings.push(finding.help("write four hex digits, as in `[object.2000]`"));
+                }
+                continue;
+            };
+            if !wanted(index) {
+                continue;
+            }
+            if !seen.insert(index) {
+                let message = say!("the object {}h is there twice", format!("{index:04X}"));
+                let finding = Diagnostic::new(&DUPLICATE_KEY, entry.key.span, message);
+                self.findings.push(finding.help("remove one of them"));
+            }
+            let base = objects.get(&index).cloned();
+            if let Some(object) = self.object(index, &name, &entry.value, base) {
+                objects.insert(index, object);
+            }
+        }
+    }
+
+    fn object(&mut self, index: u16, name: &str, tree: &Tree, base: Option<Object>) -> Option<Object> {
+        let section = Section::new(name, tree, OBJECT, self.findings)?;
+        let said = self.said(&section);
+        let is_new = base.is_none();
+        let mut object = base.unwrap_or_default();
+        let has_subs = section.get("sub").is_some() || !object.subs.is_empty();
+        let role = match said {
+            Some(said) if said.has_subs() => Role::Whole,
+            _ if has_subs => Role::Whole,
+            _ => Role::Value,
+        };
+        let before = Some(&object.main).filter(|_| !is_new).cloned();
+        let (main, unstated) = self.entry(name, &section, role, before);
+        object.main = main;
+        if role == Role::Whole && said.is_none() && is_new && !unstated.has(Omission::ObjectType) {
+            object.main.object_type = Some(ObjectType::Record);
+        }
+        self.override_types(&section, &mut object.main);
+        if let Some(count) = said.and_then(|said| said.count) {
+            object.compact = Some(Box::new(self.compact(&section, count, &object.main)));
+        }
+        self.subs(index, &section, &mut object, unstated);
+        if let Some(links) = section.text("links", self.findings) {
+            object.links = self.index_list(&links.value, links.at);
+        }
+        Some(object)
+    }
+
+    /// The types of an object that are no consequence of `type`.
+    fn override_types(&mut self, section: &Section<'_>, main: &mut Entry) {
+        if let Some(word) = section.text("data-type", self.findings) {
+            main.data_type = data_type(&word.value);
+            if main.data_type.is_none() {
+                self.no_type(&word.value, word.at);
+            }
+        }
+        if let Some(word) = section.word("object-type", self.findings) {
+            main.object_type = object_type(&word.value);
+        }
+    }
+
+    fn compact(&mut self, section: &Section<'_>, count: u8, main: &Entry) -> Compact {
+        let mut compact = Compact { count, ..Compact::default() };
+        let mut listed = |name: &str, keep: &mut dyn FnMut(u8, &Tree) -> bool| {
+            for entry in section.named(name, self.findings) {
+                let sub = subs(&entry.key.spelled()).filter(|(first, last)| first == last);
+                if !sub.is_some_and(|(sub, _)| keep(sub, &entry.value)) {
+                    let message =
+                        say!("`{}` has no `{}` for `{}`", name, entry.value.spelled(), entry.key.spelled());
+                    let finding = Diagnostic::new(&WRONG_TYPE, entry.key.span, message);
+                    self.findings.push(finding.help("write a sub-index and what it has"));
+                }
+            }
+        };
+        listed("names", &mut |sub, tree| {
+            compact.names.push((sub, tree.spelled().into()));
+            true
+        });
+        listed("values", &mut |sub, tree| {
+            let value = value_of(tree, main.data_type);
+            let is_value = value.is_some();
+            compact.values.extend(value.map(|value| (sub, value)));
+            is_value
+        });
+        listed("denotations", &mut |sub, tree| {
+            compact.denotations.push((sub, tree.spelled().into()));
+            true
+        });
+        compact
+    }
+
+    /// The entries of an object, and what follows from them.
+    fn subs(&mut self, index: u16, section: &Section<'_>, object: &mut Object, unstated: Omissions) {
+        let entries = section.named("sub", self.findings);
+        self.check_hexadecimal(index, entries);
+        let highest_before = Some(object.highest_sub()).filter(|_| object.subs.get(0).is_some());
+        let mut seen = BTreeSet::new();
+        for entry in entries {
+            let name = entry.key.spelled();
+            let Some((first, last)) = subs(&name) else {
+                let message = say!("`{}` is not a sub-index", name);
+                let finding = Diagnostic::new(&UNKNOWN_KEY, entry.key.span, message);
+                self.findings
+                    .push(finding.help("write one or two hex digits, or a range of them such as `1-8`"));
+                continue;
+            };
+            let Some(section) = Section::new(&name, &entry.value, ENTRY, self.findings) else { continue };
+            if let Some(twice) = (first..=last).find(|sub| !seen.insert(*sub)) {
+                let message = say!("the sub-index {} is there twice", format!("{twice:X}"));
+                let finding = Diagnostic::new(&DUPLICATE_KEY, entry.key.span, message);
+                self.findings.push(finding.help("remove one of them"));
+            }
+            self.range(index, &section, (first, last), object);
+        }
+        if object.subs.is_empty() {
+            return;
+        }
+        let highest = object.highest_sub();
+        let has_default = |entries: &[objdict_keyed::tree::Entry]| {
+            let first =
+                entries.iter().find(|entry| subs(&entry.key.spelled()).is_some_and(|(first, _)| first == 0));
+            first.is_some_and(|entry| {
+                entry.value.get("default").is_some()
+                    || entry.value.get("unstated").is_some_and(|unstated| names(unstated, "default"))
+            })
+        };
+        let value = self.defaults.highest(highest, self.defaults.unstated);
+        match object.subs.get_mut(0) {
+            // that of a profile stays where there are as many sub-indexes as there
+            Some(_) if highest_before == Some(highest) => {}
+            Some(entry) if !has_default(entries) => entry.default = value,
+            Some(_) => {}
+            None if object.compact.is_none() && !unstated.has(Omission::Sub0) => {
+                let first = Entry { default: value, ..self.defaults.implied(Role::First, unstated) };
+                object.subs.insert(0, first);
+            }
+            None => {}
+        }
+        object.sub_number = sub_number(object, unstated);
+        if let Some(number) = section.integer("sub-number", self.findings) {
+            object.sub_number = Some(number.value);
+        }
+    }
+
+    /// Puts an entry into an object, once or for each sub-index of a range.
+    fn range(&mut self, index: u16, section: &Section<'_>, (first, last): (u8, u8), object: &mut Object) {
+        let defaults = section.get("default").and_then(|tree| match &*tree.kind {
+            Kind::List(items) => Some((tree, items)),
+            _ => None,
+        });
+        let count = usize::from(last - first) + 1;
+        self.ranged += count - 1;
+        if self.ranged > MAX_RANGED {
+            let message = say!("the ranges of sub-indexes have more than {} entries", MAX_RANGED);
+            self.findings
+                .push(Diagnostic::new(&OUT_OF_RANGE, section.span(), message).help("describe fewer entries"));
+            return;
+        }
+        if let Some((tree, items)) = defaults
+            && items.len() != count
+        {
+            let message = say!("`default` has {} values for {} sub-indexes", items.len(), count);
+            self.findings.push(Diagnostic::new(&WRONG_TYPE, tree.span, message).help("write one for each"));
+        }
+        let address = format!("{index:04X}{first:02X}");
+        let mut template: Option<Entry> = None;
+        for (at, sub) in (first..=last).enumerate() {
+            let role = if sub == 0 { Role::First } else { Role::Sub };
+            let before = object.subs.get(sub).cloned();
+            let mut entry = match (&template, before) {
+                (Some(template), None) => template.clone(),
+                (_, before) => self.sub(&address, section, role, before),
+            };
+            template.get_or_insert_with(|| entry.clone());
+            if first != last && section.get("name").is_some() {
+                entry.name = numbered(&entry.name, sub).into();
+            }
+            if let Some(item) = defaults.and_then(|(_, items)| items.get(at)) {
+                entry.default = self.value("default", item, &entry);
+            }
+            object.subs.insert(sub, entry);
+        }
+    }
+
+    fn sub(&mut self, address: &str, section: &Section<'_>, role: Role, before: Option<Entry>) -> Entry {
+        let (mut entry, _) = self.entry(address, section, role, before);
+        if let Some(word) = section.word("object-type", self.findings) {
+            entry.object_type = object_type(&word.value);
+        }
+        entry
+    }
+
+    /// Sub-indexes are hexadecimal; `9` and `10` without `A` look as if they were not.
+    fn check_hexadecimal(&mut self, index: u16, entries: &[objdict_keyed::tree::Entry]) {
+        let keys: Vec<String> =
+            entries.iter().map(|entry| entry.key.spelled().to_ascii_uppercase()).collect();
+        let has = |key: &str| keys.iter().any(|other| other == key);
+        if has("9") && has("10") && !["A", "B", "C", "D", "E", "F", "0A"].into_iter().any(has) {
+            let at = entries.iter().find(|entry| entry.key.spelled() == "10");
+            let message =
+                say!("sub-index `10` of {}h is 16: sub-indexes are hexadecimal", format!("{index:04X}"));
+            let span = at.map(|entry| entry.key.span).unwrap_or_default();
+            let finding = Diagnostic::new(&OUT_OF_RANGE, span, message).severity(Severity::Warning);
+            self.findings.push(finding.help("write `A` for the sub-index behind `9`"));
+        }
+    }
+
+    fn said(&mut self, section: &Section<'_>) -> Option<TypeSaid> {
+        let word = section.get("type")?.text()?;
+        TypeSaid::parse(word)
+    }
+
+    fn no_type(&mut self, word: &str, span: objdict_model::source::Span) {
+        let finding = Diagnostic::new(&WRONG_TYPE, span, say!("`{}` is not a data type", word));
+        self.findings.push(match nearest(word, type_words()) {
+            Some(meant) => finding.help(say!("did you mean `{}`?", meant)),
+            None => finding.help("write a word such as `u16`, or the index of a definition as `0x0023`"),
+        });
+    }
+
+    /// An entry, and what its description leaves out.
+    fn entry(
+        &mut self,
+        address: &str,
+        section: &Section<'_>,
+        role: Role,
+        before: Option<Entry>,
+    ) -> (Entry, Omissions) {
+        let own = Omissions::read(section, self.findings);
+        let unstated = own.unwrap_or(match before {
+            Some(_) => Omissions::default(),
+            None => self.defaults.unstated.of_role(role),
+        });
+        let mut entry = match before {
+            Some(before) => without(before, unstated),
+            None if role == Role::First => without(self.defaults.implied(role, unstated), unstated),
+            None => self.defaults.implied(role, unstated),
+        };
+        if let Some(name) = section.text("name", self.findings) {
+            entry.name = name.value.into();
+        }
+        if let Some(word) = section.text("type", self.findings) {
+            match TypeSaid::parse(&word.value) {
+                Some(said) => {
+                    entry.data_type = said.data_type;
+                    if said.object_type.is_some() && !unstated.has(Omission::ObjectType) {
+                        entry.object_type = said.object_type;
+                    }
+                    if said.length.is_some() {
+                        entry.stack_mut().min_string_length = said.length;
+                    }
+                }
+                None => self.no_type(&word.value, word.at),
+            }
+        }
+        if let Some(access) = section.word("access", self.findings) {
+            entry.access = Access::from_name(&access.value);
+        }
+        if let Some(map) = section.word("map", self.findings) {
+            entry.pdo_mapping = mapping(&map.value);
+        }
+        self.values(section, &mut entry);
+        self.stack(section, &mut entry);
+        meaning::read(section, address, &mut entry, self);
+        if let Some(tree) = section.get("extra") {
+            let json = pairs(tree);
+            entry.extra = serde_json::from_str(&json.to_string()).unwrap_or_default();
+        }
+        (entry, unstated)
+    }
+
+    fn values(&mut self, section: &Section<'_>, entry: &mut Entry) {
+        let is_list = |tree: &Tree| matches!(&*tree.kind, Kind::List(_));
+        if let Some(tree) = section.get("default").filter(|tree| !is_list(tree)) {
+            entry.default = self.value("default", tree, entry);
+        }
+        if let Some(tree) = section.get("min") {
+            entry.low_limit = self.value("min", tree, entry);
+        }
+        if let Some(tree) = section.get("max") {
+            entry.high_limit = self.value("max", tree, entry);
+        }
+        if let Some(tree) = section.get("value") {
+            let value = self.value("value", tree, entry);
+            entry.configured_mut().value = value;
+        }
+        if let Some(flags) = section.integer("flags", self.findings) {
+            entry.flags = Some(ObjFlags(flags.value));
+        }
+        for name in ["denotation", "upload-file", "download-file"] {
+            let Some(text) = section.text(name, self.findings) else { continue };
+            let configured = entry.configured_mut();
+            let field = match name {
+                "denotation" => &mut configured.denotation,
+                "upload-file" => &mut configured.upload_file,
+                _ => &mut configured.download_file,
+            };
+            *field = Some(text.value.into());
+        }
+    }
+
+    fn stack(&mut self, section: &Section<'_>, entry: &mut Entry) {
+        for name in ["group", "count-label"] {
+            let Some(text) = section.text(name, self.findings) else { continue };
+            let stack = entry.stack_mut();
+            let field = if name == "group" { &mut stack.storage_group } else { &mut stack.count_label };
+            *field = Some(text.value.into());
+        }
+        for name in ["disabled", "detects-change", "io-extension"] {
+            let Some(flag) = section.flag(name, self.findings) else { continue };
+            let stack = entry.stack_mut();
+            let field = match name {
+                "disabled" => &mut stack.disabled,
+                "detects-change" => &mut stack.detects_change,
+                _ => &mut stack.io_extension,
+            };
+            *field = Some(flag.value);
+        }
+        if let Some(word) = section.word("srdo", self.findings) {
+            entry.stack_mut().srdo_access = SrdoAccess::from_name(&word.value);
+        }
+    }
+
+    /// A value of an entry, whose type is known.
+    fn value(&mut self, name: &str, tree: &Tree, entry: &Entry) -> Option<Value> {
+        let data_type = entry.implied_type();
+        let value = value_of(tree, data_type);
+        if value.is_none() {
+            let word = data_type.map_or("missing".to_owned(), super::words::type_word);
+            let message =
+                say!("`{}` is `{}`, which is not a value of the type `{}`", name, tree.spelled(), word);
+            let finding = Diagnostic::new(&WRONG_TYPE, tree.span, message);
+            self.findings.push(finding.help("write a value of its data type, or correct `type`"));
+        }
+        value
+    }
+
+    pub(super) fn index_list(&mut self, text: &str, span: objdict_model::source::Span) -> Vec<u16> {
+        indexes(text).unwrap_or_else(|word| {
+            let finding = Diagnostic::new(&WRONG_TYPE, span, say!("`{}` is not an index", word));
+            self.findings.push(finding.help("write indexes of four hex digits, as in `1000-1001 1018`"));
+            Vec::new()
+        })
+    }
+}
+
+/// Whether a text or a list of texts has a word.
+pub(super) fn names(tree: &Tree, word: &str) -> bool {
+    match &*tree.kind {
+        Kind::List(items) => items.iter().any(|item| item.text() == Some(word)),
+        _ => tree.text() == Some(word),
+    }
+}
+
+/// `SubNumber` of an object that does not state another one.
+pub(super) fn sub_number(object: &Object, unstated: Omissions) -> Option<u8> {
+    let count = object.subs.iter().filter(|(sub, _)| *sub != 0xFF).count();
+    let is_there = !object.subs.is_empty() && object.compact.is_none() && !unstated.has(Omission::SubNumber);
+    u8::try_from(count).ok().filter(|_| is_there)
+}
+
+/// An entry without what its description leaves out.
+pub(super) fn without(mut entry: Entry, unstated: Omissions) -> Entry {
+    if unstated.has(Omission::ObjectType) {
+        entry.object_type = None;
+    }
+    if unstated.has(Omission::Access) {
+        entry.access = None;
+    }
+    if unstated.has(Omission::Map) {
+        entry.pdo_mapping = None;
+    }
+    if unstated.has(Omission::Default) {
+        entry.default = None;
+    }
+    entry
+}
+
+/// A name with the number of a sub-index in it.
+pub(super) fn numbered(template: &str, sub: u8) -> String {
+    template.replace("{}", &sub.to_string()).replace("{x}", &format!("{sub:X}"))
+}
+
+pub(super) fn mapping(word: &str) -> Option<PdoMapping> {
+    Some(match word {
+        "no" => PdoMapping::No,
+        "optional" => PdoMapping::Optional,
+        "default" => PdoMapping::Default,
+        "tpdo" => PdoMapping::Tpdo,
+        "rpdo" => PdoMapping::Rpdo,
+        _ => return None,
+    })
+}
+
+fn object_type(word: &str) -> Option<ObjectType> {
+    ObjectType::ALL.into_iter().find(|known| known.name().eq_ignore_ascii_case(word))
+}

@@ -1,0 +1,206 @@
+//! The words and values of `device.toml`: data types, values, lists of indexes.
+
+use objdict_keyed::tree::{Kind, Tree};
+use objdict_keyed::types;
+use objdict_keyed::types::TYPES;
+use objdict_model::literal;
+use objdict_model::model::{DataType, ObjectType, TypeKind, Value};
+
+/// The word of a data type, or its index.
+pub(super) fn type_word(data_type: DataType) -> String {
+    types::word_of(data_type).map_or_else(|| format!("0x{:04X}", data_type.0), str::to_owned)
+}
+
+/// The data type of a word.
+pub(super) fn data_type(word: &str) -> Option<DataType> {
+    let index = || u16::from_str_radix(word.strip_prefix("0x")?, 16).ok();
+    types::named(word).or_else(|| index().map(DataType))
+}
+
+/// All words of data types, for suggestions.
+pub(super) fn type_words() -> impl Iterator<Item = &'static str> {
+    TYPES.iter().map(|(word, _)| *word).chain(["record", "array"])
+}
+
+/// What `type` says.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub(super) struct TypeSaid {
+    /// `None` for what follows from the data type.
+    pub(super) object_type: Option<ObjectType>,
+    pub(super) data_type: Option<DataType>,
+    /// The number of equal elements.
+    pub(super) count: Option<u8>,
+    /// The length of a `string(20)`.
+    pub(super) length: Option<u32>,
+}
+
+impl TypeSaid {
+    /// Whether it is a type of the object as a whole, whose entries are described below it.
+    pub(super) fn has_subs(&self) -> bool {
+        self.count.is_none() && self.object_type.is_some_and(ObjectType::has_subs)
+    }
+
+    /// The meaning of a word.
+    pub(super) fn parse(word: &str) -> Option<Self> {
+        let plain = |data_type| Self { data_type: Some(data_type), ..Self::default() };
+        let of = |object_type| Self { object_type: Some(object_type), ..Self::default() };
+        if let Some(inner) = word.strip_prefix('[').and_then(|word| word.strip_suffix(']')) {
+            let (element, count) = match inner.split_once(';') {
+                Some((element, count)) => {
+                    (element, Some(count.trim().parse().ok().filter(|count| matches!(count, 1..=254))?))
+                }
+                None => (inner, None),
+            };
+            let data_type = Some(data_type(element.trim())?);
+            return Some(Self { data_type, count, ..of(ObjectType::Array) });
+        }
+        if let Some(length) = word.strip_prefix("string(").and_then(|word| word.strip_suffix(')')) {
+            let length = Some(length.trim().parse().ok()?);
+            return Some(Self { length, ..plain(DataType::VISIBLE_STRING) });
+        }
+        match word {
+            "record" => Some(of(ObjectType::Record)),
+            "array" => Some(of(ObjectType::Array)),
+            "domain" => Some(Self { object_type: Some(ObjectType::Domain), ..plain(DataType::DOMAIN) }),
+            word => data_type(word).map(plain),
+        }
+    }
+
+    /// Its word; `None` where there is none, and the object type needs a key of its own.
+    pub(super) fn word(&self) -> Option<String> {
+        let data_type = self.data_type.map(type_word);
+        Some(match (self.object_type, data_type, self.count) {
+            (Some(ObjectType::Array), Some(word), Some(count)) => format!("[{word}; {count}]"),
+            (Some(ObjectType::Array), Some(word), None) => format!("[{word}]"),
+            (Some(ObjectType::Array), None, None) => "array".to_owned(),
+            (Some(ObjectType::Record), None, None) => "record".to_owned(),
+            (Some(ObjectType::Domain), Some(word), None) if word == "domain" => word,
+            (None, Some(word), None) if word != "domain" => match self.length {
+                Some(length) if word == "string" => format!("string({length})"),
+                _ => word,
+            },
+            _ => return None,
+        })
+    }
+}
+
+/// The value that a key states for an entry of this type; `None` if it is none of the type.
+pub(super) fn value_of(tree: &Tree, data_type: Option<DataType>) -> Option<Value> {
+    let kind = data_type.map_or(TypeKind::Reserved, DataType::kind);
+    let is_open = matches!(kind, TypeKind::Structure | TypeKind::Defined | TypeKind::Reserved);
+    match &*tree.kind {
+        Kind::Text(text) => match kind {
+            TypeKind::VisibleString | TypeKind::UnicodeString => Some(Value::Text(text.as_str().into())),
+            _ if is_open => Some(Value::Raw(text.as_str().into())),
+            _ if text.is_empty() => match kind {
+                TypeKind::OctetString | TypeKind::Domain => Some(Value::Bytes(Box::default())),
+                _ => None,
+            },
+            _ => literal::value(text, data_type, &mut literal::Quirks::default()).ok(),
+        },
+        Kind::Integer(number) => match kind {
+            TypeKind::Real32 => Some(Value::Real32(*number as f32)),
+            TypeKind::Real64 => Some(Value::Real64(*number as f64)),
+            _ if is_open => Some(Value::Raw(number.to_string().into())),
+            _ => Value::from_integer(*number, data_type?),
+        },
+        Kind::Float(number) => match kind {
+            TypeKind::Real32 => Some(Value::Real32(*number as f32)),
+            TypeKind::Real64 => Some(Value::Real64(*number)),
+            _ => None,
+        },
+        Kind::Bool(flag) => Value::from_integer((*flag).into(), data_type?),
+        Kind::Null | Kind::List(_) | Kind::Map(_) => None,
+    }
+}
+
+/// A value as TOML; `None` for one that has no short form.
+pub(super) fn spelled(value: &Value, hex: bool) -> Option<String> {
+    Some(match value {
+        Value::Boolean(value) => value.to_string(),
+        Value::Signed(value) => value.to_string(),
+        Value::Unsigned(value) if hex && *value >= 0x80 => format!("0x{value:X}"),
+        Value::Unsigned(value) => value.to_string(),
+        Value::Real32(value) if !value.is_nan() => format!("{value:?}"),
+        Value::Real64(value) if !value.is_nan() => format!("{value:?}"),
+        Value::Text(text) | Value::Raw(text) => quoted(text),
+        Value::Bytes(bytes) => {
+            quoted(&bytes.iter().map(|byte| format!("{byte:02X}")).collect::<Vec<_>>().join(" "))
+        }
+        Value::NodeId(_) => quoted(&value.to_string()),
+        Value::Real32(_) | Value::Real64(_) | Value::Time(_) => return None,
+    })
+}
+
+/// A text in quotes.
+pub(super) fn quoted(text: &str) -> String {
+    let mut quoted = String::with_capacity(text.len() + 2);
+    quoted.push('"');
+    for c in text.chars() {
+        match c {
+            '"' => quoted.push_str("\\\""),
+            '\\' => quoted.push_str("\\\\"),
+            '\n' => quoted.push_str("\\n"),
+            '\r' => quoted.push_str("\\r"),
+            '\t' => quoted.push_str("\\t"),
+            c if c.is_control() => quoted.push_str(&format!("\\u{:04X}", c as u32)),
+            c => quoted.push(c),
+        }
+    }
+    quoted.push('"');
+    quoted
+}
+
+/// A key, in quotes where it needs them.
+pub(super) fn key(text: &str) -> String {
+    let is_bare = |byte: u8| byte.is_ascii_alphanumeric() || matches!(byte, b'-' | b'_');
+    if !text.is_empty() && text.bytes().all(is_bare) { text.to_owned() } else { quoted(text) }
+}
+
+/// Indexes as `1000-1001 1018`.
+pub(super) fn index_list(indexes: &[u16]) -> String {
+    let mut words: Vec<(u16, u16)> = Vec::new();
+    for &index in indexes {
+        match words.last_mut() {
+            Some((_, last)) if last.checked_add(1) == Some(index) => *last = index,
+            _ => words.push((index, index)),
+        }
+    }
+    let word = |(first, last): (u16, u16)| match first == last {
+        true => format!("{first:04X}"),
+        false => format!("{first:04X}-{last:04X}"),
+    };
+    words.into_iter().map(word).collect::<Vec<_>>().join(" ")
+}
+
+/// The indexes of such a text; the word that is none otherwise.
+pub(super) fn indexes(text: &str) -> Result<Vec<u16>, &str> {
+    let mut indexes = Vec::new();
+    for word in text.split_whitespace() {
+        let (first, last) = word.split_once('-').unwrap_or((word, word));
+        match (index(first), index(last)) {
+            (Some(first), Some(last)) if first <= last => indexes.extend(first..=last),
+            _ => return Err(word),
+        }
+    }
+    Ok(indexes)
+}
+
+/// An index in four hex digits.
+pub(super) fn index(text: &str) -> Option<u16> {
+    let is_index = text.len() == 4 && text.bytes().all(|byte| byte.is_ascii_hexdigit());
+    if is_index { u16::from_str_radix(text, 16).ok() } else { None }
+}
+
+/// A sub-index in one or two hex digits.
+pub(super) fn sub(text: &str) -> Option<u8> {
+    let is_sub = matches!(text.len(), 1 | 2) && text.bytes().all(|byte| byte.is_ascii_hexdigit());
+    if is_sub { u8::from_str_radix(text, 16).ok() } else { None }
+}
+
+/// The first and last sub-index of a key.
+pub(super) fn subs(text: &str) -> Option<(u8, u8)> {
+    let (first, last) = text.split_once('-').unwrap_or((text, text));
+    let (first, last) = (sub(first)?, sub(last)?);
+    (first <= last).then_some((first, last))
+}

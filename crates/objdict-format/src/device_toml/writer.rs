@@ -1,0 +1,204 @@
+//! From a device to the text: the short form of each part, where it has one.
+
+use super::facts::{self, Implied};
+use super::keys::{DEVICE, FILE, FORMAT, NODE};
+use super::lists;
+use super::objects::Writer;
+use super::pdos::{PdoSaid, Standard};
+use super::profile::{ProfileSaid, implied_device, take_absent};
+use super::usual::{usual, write_defaults};
+use super::words::{key, quoted};
+use crate::scaffold;
+use objdict_model::model::{Device, DeviceKind, ExtraSection, PdoKind};
+
+/// Writes a device, without what it has no keys for: as what is different from the device that a profile demands, and with
+/// tables of its PDOs, where that is asked for.
+pub(super) fn write(device: &Device, profile: Option<(&ProfileSaid, &Device)>, with_pdos: bool) -> String {
+    let mut text = format!("format = {}\n", quoted(FORMAT));
+    let mut base = profile.map(|(_, base)| base.clone());
+    let info = base.as_ref().and_then(|base| base.device_info.clone());
+    if let Some(base) = &mut base {
+        base.device_info.clone_from(&device.device_info);
+        scaffold::identify(base);
+    }
+    text.extend(profile.map(|(said, _)| said.line()));
+    head(device, base.as_ref(), &mut text);
+    section(&mut text, "file", device.file_info.as_ref(), FILE, &facts::implied_file());
+    let implied = implied_device(info.as_ref(), device);
+    section(&mut text, "device", device.device_info.as_ref(), DEVICE, &implied);
+    if let Some(node) = &device.commissioning {
+        text.push_str("\n[node]\n");
+        facts::lines(node, NODE, &[]).iter().for_each(|line| push(&mut text, line));
+    }
+    if let Some((said, _)) = profile {
+        write_features(said, &mut text);
+    }
+    let defaults = usual(device);
+    write_defaults(&defaults, &mut text);
+    lists::write(device, &mut text);
+    if let Some(base) = &mut base {
+        let gone = take_absent(base, device);
+        insert_removed(&gone, &mut text);
+    }
+    if with_pdos && let Some(base) = &mut base {
+        write_pdos(device, base, &mut text);
+    }
+    objects(&Writer { device, defaults, base: base.as_ref() }, &mut text);
+    extra(device, &mut text);
+    text
+}
+
+/// Writes the features that are stated.
+pub(super) fn write_features(said: &ProfileSaid, text: &mut String) {
+    let features = said.feature_lines();
+    if !features.is_empty() {
+        push(text, "\n[features]");
+        features.iter().for_each(|line| push(text, line));
+    }
+}
+
+/// The objects that are not as they would be without a key.
+fn objects(writer: &Writer<'_>, text: &mut String) {
+    let start = text.len();
+    for (&index, object) in &writer.device.objects {
+        let base = writer.base.and_then(|base| base.object(index));
+        if base != Some(object) {
+            writer.object(index, object, base, text);
+        }
+    }
+    if text.len() > start {
+        text.insert_str(start, "\n[object]\n");
+    }
+}
+
+fn insert_removed(removed: &[String], text: &mut String) {
+    if !removed.is_empty() {
+        let items: Vec<String> = removed.iter().map(|address| quoted(address)).collect();
+        insert_before_tables(&format!("remove = [{}]\n", items.join(", ")), text);
+    }
+}
+
+/// Adds lines in front of the first table. No other line begins with a bracket.
+pub(super) fn insert_before_tables(lines: &str, text: &mut String) {
+    let at = text.find("\n[").map_or(text.len(), |at| at + 1);
+    // the empty line before the table stays there
+    let at = if at < text.len() && text[..at].ends_with("\n\n") { at - 1 } else { at };
+    text.insert_str(at, lines);
+}
+
+/// Writes tables of PDOs, and makes the objects in the base those that they say.
+fn write_pdos(device: &Device, base: &mut Device, text: &mut String) {
+    let mut standard = Standard::default();
+    for (kind, name) in [(PdoKind::Rpdo, "rpdo"), (PdoKind::Tpdo, "tpdo")] {
+        let numbers = device.pdos().filter(|pdo| pdo.kind == kind).map(|pdo| pdo.number);
+        for number in numbers.collect::<Vec<_>>() {
+            let Some(said) = PdoSaid::of(device, kind, number) else { continue };
+            let least = said.least(kind, number, &base.objects, &mut standard);
+            let lines = least.lines(device, kind, number);
+            if !lines.is_empty() {
+                push(text, &format!("\n[{name}.{number}]"));
+                lines.iter().for_each(|line| push(text, line));
+                least.apply(kind, number, &mut base.objects, &mut standard);
+            }
+        }
+    }
+}
+
+/// Adds a line.
+pub(super) fn push(text: &mut String, line: &str) {
+    text.push_str(line);
+    text.push('\n');
+}
+
+fn head(device: &Device, base: Option<&Device>, text: &mut String) {
+    if (device.kind == DeviceKind::Node) != device.commissioning.is_some() {
+        let kind = if device.kind == DeviceKind::Node { "node" } else { "type" };
+        push(text, &format!("kind = {}", quoted(kind)));
+    }
+    let mut unstated = Vec::new();
+    if device.file_info.is_none() {
+        unstated.push("file");
+    }
+    if device.device_info.is_none() {
+        unstated.push("device");
+    }
+    if device.comments.is_none() && base.is_some_and(|base| base.comments.is_some()) {
+        unstated.push("comments");
+    }
+    if device.dummy_usage.is_none() && base.is_some_and(|base| base.dummy_usage.is_some()) {
+        unstated.push("dummies");
+    }
+    if !unstated.is_empty() {
+        push(text, &format!("unstated = [{}]", words(&unstated)));
+    }
+    let usual = base.and_then(|base| base.dummy_usage.as_ref());
+    if let Some(usage) = device.dummy_usage.as_ref().filter(|usage| Some(*usage) != usual) {
+        push(text, &format!("dummies = {}", quoted(&lists::dummy_words(&usage.types))));
+    }
+    match device.comments.as_deref() {
+        None => {}
+        Some([]) if base.is_some() => {}
+        Some([]) => push(text, "comments = []"),
+        Some([line]) => push(text, &format!("comments = {}", quoted(line))),
+        Some(lines) => push(text, &format!("comments = {}", lists::several_lines(lines))),
+    }
+}
+
+/// Words in quotes.
+pub(super) fn words(words: &[&str]) -> String {
+    words.iter().map(|word| quoted(word)).collect::<Vec<_>>().join(", ")
+}
+
+pub(super) fn section(
+    text: &mut String,
+    name: &str,
+    part: Option<&impl serde::Serialize>,
+    keys: &[objdict_keyed::section::Key],
+    implied: &[Implied],
+) {
+    let Some(part) = part else { return };
+    let lines = facts::lines(part, keys, implied);
+    if !lines.is_empty() {
+        push(text, &format!("\n[{name}]"));
+        lines.iter().for_each(|line| push(text, line));
+    }
+}
+
+fn extra(device: &Device, text: &mut String) {
+    let is_table = |section: &ExtraSection| {
+        let mut seen = std::collections::BTreeSet::new();
+        section.entries().all(|(name, _)| seen.insert(name))
+    };
+    let mut names = std::collections::BTreeSet::new();
+    if !device.extra.iter().all(|section| names.insert(section.name())) {
+        // equal keys are no TOML
+        let section = |section: &ExtraSection| {
+            let entries = facts::table_of_pairs(&section.entries().collect::<Vec<_>>());
+            format!("[{}, {entries}]", quoted(section.name()))
+        };
+        let sections: Vec<String> = device.extra.iter().map(section).collect();
+        insert_before_tables(&format!("extra = [\n    {},\n]\n", sections.join(",\n    ")), text);
+        return;
+    }
+    if device.extra.iter().all(is_table) {
+        for section in &device.extra {
+            push(text, &format!("\n[extra.{}]", key(section.name())));
+            section
+                .entries()
+                .for_each(|(name, value)| push(text, &format!("{} = {}", key(name), quoted(value))));
+        }
+        return;
+    }
+    // in one table, because a list cannot follow the table of another section
+    text.push_str("\n[extra]\n");
+    for section in &device.extra {
+        push(
+            text,
+            &format!(
+                "{} = {}",
+                key(section.name()),
+                facts::table_of_pairs(&section.entries().collect::<Vec<_>>())
+            ),
+        );
+    }
+}

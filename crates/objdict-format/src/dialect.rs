@@ -1,0 +1,285 @@
+//! Who reads an EDS or DCF: one table of how it is written for each tool, and which findings are fixed for it.
+
+use std::borrow::Cow;
+use std::collections::BTreeSet;
+
+use super::complete::complete;
+use crate::Style;
+use objdict_model::diagnostic::Tool;
+use objdict_model::literal::RealSpelling;
+use objdict_model::model::{
+    DataType, Device, EMBEDDED_SECTION, Extra, ExtraSection, Field, InvalidValues, Object, ObjectType,
+};
+
+/// The reader that an EDS or DCF is written for.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+#[non_exhaustive]
+pub enum Dialect {
+    /// Any tool that reads CiA 306.
+    #[default]
+    Cia306,
+    /// The tools of Lely core: dcf-tools and dcf2c.
+    Lely,
+    /// The library canopen for Python.
+    PythonCanopen,
+    /// CANopenEditor.
+    CanOpenEditor,
+    /// CODESYS.
+    Codesys,
+}
+
+/// What a reader needs.
+struct Row {
+    dialect: Dialect,
+    name: &'static str,
+    /// Whose reactions to findings are known.
+    tool: Option<Tool>,
+    real: RealSpelling,
+    quote_strings: bool,
+    /// `DataType` and `AccessType` at every entry, and an object above every entry.
+    complete: bool,
+    /// All three object lists, with the objects that belong into them.
+    lists: bool,
+    /// Nothing but the sections and keys that the tool knows.
+    known_only: bool,
+    /// The sections about the file and the device, also those that say nothing.
+    frame: bool,
+}
+
+const ANY: Row = Row {
+    dialect: Dialect::Cia306,
+    name: "cia306",
+    tool: None,
+    real: RealSpelling::Decimal,
+    quote_strings: false,
+    complete: false,
+    lists: false,
+    known_only: false,
+    frame: false,
+};
+
+/// All readers.
+const ROWS: [Row; 5] = [
+    ANY,
+    Row {
+        dialect: Dialect::Lely,
+        name: "lely",
+        tool: Some(Tool::DcfTools),
+        real: RealSpelling::Hex,
+        quote_strings: true,
+        complete: true,
+        lists: true,
+        known_only: true,
+        frame: false,
+    },
+    Row {
+        dialect: Dialect::PythonCanopen,
+        name: "python-canopen",
+        tool: Some(Tool::PythonCanopen),
+        complete: true,
+        frame: true,
+        ..ANY
+    },
+    Row {
+        dialect: Dialect::CanOpenEditor,
+        name: "canopeneditor",
+        tool: Some(Tool::CanOpenEditor),
+        complete: true,
+        lists: true,
+        frame: true,
+        ..ANY
+    },
+    Row { dialect: Dialect::Codesys, name: "codesys", tool: Some(Tool::Codesys), ..ANY },
+];
+
+impl Dialect {
+    /// All dialects.
+    pub const ALL: [Self; 5] =
+        [Self::Cia306, Self::Lely, Self::PythonCanopen, Self::CanOpenEditor, Self::Codesys];
+
+    fn row(self) -> &'static Row {
+        ROWS.iter().find(|row| row.dialect == self).unwrap_or(&ROWS[0])
+    }
+
+    /// The name on the command line.
+    pub fn name(self) -> &'static str {
+        self.row().name
+    }
+
+    /// The tool whose findings are fixed; `None` for CiA 306 itself.
+    pub fn tool(self) -> Option<Tool> {
+        self.row().tool
+    }
+
+    /// How values are spelled.
+    pub fn style(self) -> Style {
+        let Row { real, quote_strings, .. } = *self.row();
+        Style { real, quote_strings, ..Style::default() }
+    }
+
+    /// The device with what the reader demands, and without what it refuses.
+    pub(super) fn adapted(self, device: &Device) -> Cow<'_, Device> {
+        let row = self.row();
+        // no reader takes keys before the first section
+        let is_stray = |section: &ExtraSection| section.name().is_empty();
+        if !row.complete && !device.extra.iter().any(is_stray) {
+            return Cow::Borrowed(device);
+        }
+        let original = device;
+        let mut device = device.clone();
+        device.extra.retain(|section| !is_stray(section));
+        if !row.complete {
+            return Cow::Owned(device);
+        }
+        device.objects.retain(|_, object| !object.orphan);
+        for (&index, object) in device.objects.iter_mut() {
+            settle_kind(object);
+            complete(original, index, object);
+        }
+        if row.known_only {
+            remove_unknown(&mut device);
+        }
+        if row.frame {
+            device.file_info.get_or_insert_default();
+            device.device_info.get_or_insert_default();
+            device.dummy_usage.get_or_insert_default();
+            device.comments.get_or_insert_default();
+        }
+        if let Some(usage) = &mut device.dummy_usage {
+            (1..=7).for_each(|number| _ = usage.types.entry(DataType(number)).or_insert(false));
+            usage.invalid_values = InvalidValues::default();
+        }
+        if let Some(info) = &mut device.device_info {
+            // texts that are not numbers are refused
+            info.invalid_values = InvalidValues::default();
+        }
+        if row.lists {
+            list_all(&mut device);
+        }
+        if self == Self::CanOpenEditor {
+            adapt_to_editor(&mut device);
+        }
+        Cow::Owned(device)
+    }
+}
+
+/// What CANopenEditor skips, misreads or crashes at.
+fn adapt_to_editor(device: &mut Device) {
+    // it reads the keys of another name into the section before, and those of `[4900sub100]` as sub-index 100h
+    let is_passed_over = |name: &str| {
+        let is_plain = name.bytes().all(|byte| byte.is_ascii_alphanumeric());
+        is_plain && !name.replace("sub", "").bytes().all(|byte| byte.is_ascii_hexdigit())
+    };
+    device.extra.retain(|section| section.name() == EMBEDDED_SECTION || is_passed_over(section.name()));
+    if let Some(modules) = &mut device.modules {
+        let lists = modules.supported.values_mut();
+        let lists = lists.flat_map(|module| [&mut module.fixed_list, &mut module.extension_list]);
+        // it keeps a list by its values, so that none may be there twice
+        for list in lists.chain(&mut modules.connected) {
+            let mut seen = BTreeSet::new();
+            list.retain(|number| seen.insert(*number));
+        }
+    }
+    for object in device.objects.values_mut() {
+        // it skips a sub-index that is not a VAR
+        for (_, entry) in object.subs.iter_mut().filter(|(_, entry)| entry.object_type.is_some()) {
+            entry.object_type = Some(ObjectType::Var);
+        }
+    }
+}
+
+/// Gives an object with sub-indexes the type of one.
+fn settle_kind(object: &mut Object) {
+    let is_var = object.main.object_type.is_some() && !object.object_type().has_subs();
+    if !object.object_type().has_subs() && (object.compact.is_some() || !is_var && !object.subs.is_empty()) {
+        object.main.object_type = Some(ObjectType::Array);
+    }
+    // a number of sub-indexes that is not valid is read as compact storage
+    object
+        .main
+        .invalid_values
+        .retain(|invalid| ![Field::ObjectType, Field::CompactSubObj].contains(&invalid.field));
+}
+
+/// Puts every object into the list that it belongs into.
+fn list_all(device: &mut Device) {
+    let is_mandatory = |index: u16| matches!(index, 0x1000 | 0x1001 | 0x1018);
+    let is_vendor = |index: u16| matches!(index, 0x2000..=0x5FFF);
+    let all: Vec<u16> = device.objects.keys().copied().filter(|index| *index >= 0x1000).collect();
+    let lists = &mut device.lists;
+    let sorted = |list: &mut Option<Vec<u16>>, belongs: &dyn Fn(u16) -> bool| {
+        let list = list.get_or_insert_default();
+        list.retain(|index| belongs(*index) && all.binary_search(index).is_ok());
+        let missing = all.iter().filter(|index| belongs(**index) && !list.contains(index));
+        let missing: Vec<u16> = missing.copied().collect();
+        list.extend(missing);
+    };
+    sorted(&mut lists.mandatory, &is_mandatory);
+    sorted(&mut lists.optional, &|index| !is_mandatory(index) && !is_vendor(index));
+    sorted(&mut lists.manufacturer, &is_vendor);
+}
+
+/// Removes the sections and keys that dcf-tools refuses.
+fn remove_unknown(device: &mut Device) {
+    device.extra.retain(|section| section.name() == EMBEDDED_SECTION);
+    device.modules = None;
+    device.dynamic_channels = None;
+    device.tools.clear();
+    if let Some(info) = &mut device.file_info {
+        clear(&mut info.extra, &mut info.invalid_values);
+    }
+    if let Some(info) = &mut device.device_info {
+        clear(&mut info.extra, &mut info.invalid_values);
+        info.baud_rates.auto = None;
+        info.safety_supported = None;
+    }
+    if let Some(usage) = &mut device.dummy_usage {
+        clear(&mut usage.extra, &mut usage.invalid_values);
+    }
+    if let Some(node) = &mut device.commissioning {
+        clear(&mut node.extra, &mut node.invalid_values);
+    }
+    device.objects.retain(|index, _| *index >= 0x1000);
+    device.objects.values_mut().for_each(remove_unknown_of);
+    // a number of sub-indexes without any is refused
+    device.objects.retain(|_, object| {
+        !object.object_type().has_subs() || object.compact.is_some() || !object.subs.is_empty()
+    });
+}
+
+fn remove_unknown_of(object: &mut Object) {
+    object.links.clear();
+    if let Some(compact) = &mut object.compact {
+        clear(&mut compact.extra, &mut compact.invalid_values);
+    }
+    object.subs.remove(0xFF);
+    let has_subs = object.object_type().has_subs();
+    let is_counted = has_subs && object.compact.is_none();
+    object.sub_number = u8::try_from(object.subs.len()).ok().filter(|_| is_counted);
+    if is_counted {
+        object.main.access = None;
+    }
+    let entries = object.subs.iter_mut().map(|(_, entry)| entry);
+    for entry in entries.chain([&mut object.main]) {
+        entry.safety = None;
+        clear(&mut entry.extra, &mut entry.invalid_values);
+        if !entry.data_type.is_some_and(DataType::is_numeric) {
+            (entry.low_limit, entry.high_limit) = (None, None);
+        }
+    }
+}
+
+fn clear(extra: &mut Extra, invalid_values: &mut InvalidValues) {
+    *extra = Extra::default();
+    *invalid_values = InvalidValues::default();
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn every_dialect_has_a_row() {
+        assert!(Dialect::ALL.iter().zip(&ROWS).all(|(dialect, row)| row.dialect == *dialect));
+    }
+}

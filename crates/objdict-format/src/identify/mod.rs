@@ -1,0 +1,329 @@
+//! What a file is, found out from its content: the formats of CANopen, and the look-alikes that are taken for them.
+//!
+//! The name counts only where the content does not decide: an EDS and a DCF, or an XDD and an XDC, may have the same text.
+//! Nothing here fails on malformed content; unrecognised content is [`ContentKind::Unknown`].
+
+#[cfg(feature = "full")]
+mod binary;
+mod ini;
+mod kind;
+mod text;
+#[cfg(feature = "xdd")]
+mod xml;
+
+use std::borrow::Cow;
+use std::fmt;
+
+#[cfg(feature = "node-list")]
+pub(super) use self::ini::is_topology;
+pub use self::kind::ContentKind;
+use objdict_model::source::{Encoding, SourceFile};
+
+/// So many bytes from the start are looked at; single words are looked for in all of them.
+const HEAD: usize = 1 << 16;
+
+/// So many characters of a text from a file are quoted.
+const QUOTED: usize = 100;
+
+/// What files of other programs begin with.
+const SIGNATURES: [(&[u8], &str); 11] = [
+    (b"\x89PNG\r\n", "it is a PNG image"),
+    (b"\xFF\xD8\xFF", "it is a JPEG image"),
+    (b"GIF8", "it is a GIF image"),
+    (b"%PDF-", "it is a PDF document"),
+    (b"PK\x03\x04", "it is a ZIP archive"),
+    (b"\x1F\x8B\x08", "it is a gzip archive"),
+    (b"7z\xBC\xAF\x27\x1C", "it is a 7z archive"),
+    (b"Rar!\x1A\x07", "it is a RAR archive"),
+    (b"\x7FELF", "it is a program (ELF)"),
+    (b"MZ", "it is a program of Windows"),
+    (b"\xD0\xCF\x11\xE0", "it is a document of Microsoft Office"),
+];
+
+/// What a file is, and why it is taken for that.
+#[derive(Clone, Debug, PartialEq, Eq)]
+#[cfg_attr(feature = "full", derive(serde::Serialize))]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
+#[non_exhaustive]
+pub struct Identification {
+    /// What it holds.
+    pub kind: ContentKind,
+    /// The technology that it belongs to, such as `CANopen` or `EtherNet/IP`; `None` where it is not known.
+    #[cfg_attr(feature = "full", serde(skip_serializing_if = "Option::is_none"))]
+    pub technology: Option<String>,
+    /// The version of its format, as the file states it: `4.0` of an EDS, `1.1` of an XDD.
+    #[cfg_attr(feature = "full", serde(rename = "format_version", skip_serializing_if = "Option::is_none"))]
+    pub version: Option<String>,
+    /// The namespace of an XML file.
+    #[cfg_attr(feature = "full", serde(skip_serializing_if = "Option::is_none"))]
+    pub namespace: Option<String>,
+    /// How many devices a network of XDD or XDC describes.
+    #[cfg_attr(feature = "full", serde(skip_serializing_if = "Option::is_none"))]
+    pub devices: Option<usize>,
+    /// The node-ID that a DCF or XDC states.
+    #[cfg_attr(feature = "full", serde(skip_serializing_if = "Option::is_none"))]
+    pub node_id: Option<u8>,
+    /// What shows it, as a clause: "the root element is …".
+    pub reason: String,
+}
+
+/// What a file with these bytes is; `name` is its name or path, or anything without an ending where there is none.
+///
+/// It looks at the first 64 KiB, at all of a concise DCF, and for single words in the whole of a description.
+pub fn identify(name: &str, bytes: &[u8]) -> Identification {
+    if let Some(encoding) = utf16(bytes) {
+        let text = encoding.decode(bytes.to_vec());
+        return of_text(&Content::new(name, text.as_bytes()));
+    }
+    let content = Content::new(name, bytes);
+    #[cfg(feature = "full")]
+    if let Some(found) = content.looks_binary().then(|| binary::identify(bytes)).flatten() {
+        return found;
+    }
+    of_text(&content)
+}
+
+/// What an opened file is; as [`identify`].
+pub fn identify_source(source: &SourceFile) -> Identification {
+    let content = Content::new(source.name(), source.text().as_bytes());
+    if content.looks_binary() {
+        return identify(source.name(), &source.to_bytes());
+    }
+    of_text(&content)
+}
+
+impl Identification {
+    fn new(kind: ContentKind, reason: impl Into<String>) -> Self {
+        let technology = kind.is_canopen().then(|| "CANopen".to_owned());
+        Self {
+            kind,
+            technology,
+            version: None,
+            namespace: None,
+            devices: None,
+            node_id: None,
+            reason: reason.into(),
+        }
+    }
+
+    /// What a file is that no description can be read from, with a verb in front: "describes an EtherCAT device (ESI), not
+    /// a CANopen one".
+    pub fn verdict(&self) -> Cow<'static, str> {
+        use ContentKind as Kind;
+        Cow::Borrowed(match self.kind {
+            Kind::Eds => "is an EDS",
+            Kind::Dcf => "is a DCF",
+            Kind::Xdd => "is an XDD",
+            Kind::Xdc => "is an XDC",
+            Kind::Xpd => "is a profile database (XPD)",
+            Kind::NetworkXdd | Kind::NetworkXdc => {
+                let several = self.devices.filter(|&count| count != 1);
+                let count =
+                    several.map_or("one XDD or XDC".to_owned(), |count| format!("{count} XDD or XDC"));
+                return Cow::Owned(format!("is a network of CANopenEditor with {count} in it"));
+            }
+            Kind::CanopenNodeProject => {
+                "is a project of an object dictionary editor for CANopenNode from before XDD"
+            }
+            Kind::ObjdictgenJson => "is a project of objdictgen as JSON, which is not read",
+            Kind::ObjdictgenProject => "is a project of objdictgen, the generator of CanFestival",
+            Kind::NodeList => "is a node list (CiA 306-3) and describes no device",
+            Kind::ConciseDcf | Kind::ConciseText | Kind::JsonConciseDcf => {
+                "is a concise DCF, which holds values and describes no device"
+            }
+            Kind::JsonDevice => "is a device as JSON",
+            Kind::DeviceToml => "is the short source of a device (device.toml)",
+            Kind::BusConfiguration => {
+                "is a bus configuration for Lely's dcfgen or ros2_canopen and describes no device"
+            }
+            Kind::Network => "is a network of objdict and describes no device",
+            Kind::Patch => "is a patch, which corrects descriptions and describes no device",
+            Kind::PowerlinkEds => "describes an Ethernet POWERLINK device, not a CANopen one",
+            Kind::PowerlinkXdd => "describes an Ethernet POWERLINK device (EPSG 311), not a CANopen one",
+            Kind::PowerlinkXdc => {
+                "describes a configured Ethernet POWERLINK device (EPSG 311), not a CANopen one"
+            }
+            Kind::PowerlinkConcise => "configures an Ethernet POWERLINK network, not a CANopen one",
+            Kind::CanopenFdXdd => {
+                "describes a CANopen FD device (CiA 1311), and only those of classic CANopen are read (CiA 311)"
+            }
+            Kind::EthercatEsi => "describes an EtherCAT device (ESI), not a CANopen one",
+            Kind::CipEds => {
+                let technology = self.technology.as_deref().unwrap_or("CIP");
+                return Cow::Owned(format!("is the EDS of a device for {technology}, not for CANopen"));
+            }
+            Kind::FpgaConstraints => "holds constraints of an FPGA design (Tcl), no CANopen device",
+            Kind::Iodd => "describes an IO-Link device (IODD), not a CANopen one",
+            Kind::Gsdml => "describes a PROFINET device (GSDML), not a CANopen one",
+            Kind::Gsd => "describes a PROFIBUS device (GSD), not a CANopen one",
+            Kind::Dbc => "is a CAN database (DBC), which has messages and signals but no object dictionary",
+            Kind::OtherProfile => {
+                let technology = self.technology.as_deref().unwrap_or("an unnamed technology");
+                return Cow::Owned(format!(
+                    "is a device profile (ISO 15745) for {technology}, not for CANopen"
+                ));
+            }
+            Kind::OtherXml => return Cow::Owned(format!("is XML, but no description: {}", self.reason)),
+            Kind::Unknown => return Cow::Owned(format!("is not a file that objdict knows: {}", self.reason)),
+        })
+    }
+
+    /// What to do about a file that no description can be read from.
+    pub fn advice(&self) -> Option<&'static str> {
+        self.kind.advice()
+    }
+}
+
+/// `XDC 1.1 (CANopen), node-ID 5 – the root element is …`
+impl fmt::Display for Identification {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.write_str(self.kind.name())?;
+        if let Some(version) = &self.version {
+            write!(f, " {version}")?;
+        }
+        if let Some(technology) = &self.technology {
+            write!(f, " ({technology})")?;
+        }
+        if let Some(id) = self.node_id {
+            write!(f, ", node-ID {id}")?;
+        }
+        match self.devices {
+            Some(1) => f.write_str(", 1 device")?,
+            Some(count) => write!(f, ", {count} devices")?,
+            None => {}
+        }
+        write!(f, " – {}", self.reason)
+    }
+}
+
+/// A content as it is looked at.
+struct Content<'a> {
+    /// The name of the file, without its folders.
+    name: &'a str,
+    /// All bytes, in an encoding that has ASCII as its lower half.
+    bytes: &'a [u8],
+    /// The start of it as text.
+    head: Cow<'a, str>,
+}
+
+impl<'a> Content<'a> {
+    fn new(name: &'a str, bytes: &'a [u8]) -> Self {
+        let bytes = bytes.strip_prefix(b"\xEF\xBB\xBF").unwrap_or(bytes);
+        let head = &bytes[..bytes.len().min(HEAD)];
+        // looking for the first invalid byte takes a tenth of what replacing those that may come does
+        let head = std::str::from_utf8(head).map_or_else(|_| String::from_utf8_lossy(head), Cow::Borrowed);
+        Self { name: file_name(name), bytes, head }
+    }
+
+    fn looks_binary(&self) -> bool {
+        let start = &self.bytes[..self.bytes.len().min(1 << 10)];
+        memchr::memchr(0, start).is_some()
+    }
+
+    /// Whether the name has one of these endings, the last known one or not.
+    fn is_called(&self, endings: &[&str]) -> bool {
+        let mut parts = self.name.rsplit('.');
+        parts.any(|part| endings.iter().any(|ending| ending.eq_ignore_ascii_case(part)))
+    }
+
+    /// Whether the content contains a word.
+    #[cfg(feature = "xdd")]
+    fn contains(&self, word: &str) -> bool {
+        self.find(word).is_some()
+    }
+
+    #[cfg(feature = "xdd")]
+    fn find(&self, word: &str) -> Option<usize> {
+        memchr::memmem::find(self.bytes, word.as_bytes())
+    }
+}
+
+fn of_text(content: &Content<'_>) -> Identification {
+    let text = content.head.trim_start_matches(is_blank);
+    if text.is_empty() {
+        let reason = if content.bytes.is_empty() { "the file is empty" } else { "there are only blanks" };
+        return Identification::new(ContentKind::Unknown, reason);
+    }
+    #[cfg(feature = "xdd")]
+    let xml = xml::identify(content, text);
+    #[cfg(not(feature = "xdd"))]
+    let xml = of_xml(text);
+    if let Some(found) = &xml
+        && found.kind != ContentKind::OtherXml
+    {
+        return found.clone();
+    }
+    // tables of TOML look like sections
+    if let Some(found) = text::toml(text) {
+        return found;
+    }
+    // an EDS may start with the marks of a merge conflict, or with a line of a mail
+    ini::identify(content)
+        .or(xml)
+        .or_else(|| text::identify(content, text))
+        .or_else(|| behind_junk(content))
+        .unwrap_or_else(|| unknown(content))
+}
+
+#[cfg(feature = "xdd")]
+use self::xml::behind_junk;
+
+/// XML, which a build without the feature `xdd` does not look into.
+#[cfg(not(feature = "xdd"))]
+fn of_xml(text: &str) -> Option<Identification> {
+    let reason = "it starts with `<`, and this build of objdict reads no XML: enable its feature `xdd`";
+    text.starts_with('<').then(|| Identification::new(ContentKind::OtherXml, reason))
+}
+
+#[cfg(not(feature = "xdd"))]
+fn behind_junk(_: &Content<'_>) -> Option<Identification> {
+    None
+}
+
+fn unknown(content: &Content<'_>) -> Identification {
+    let reason = match SIGNATURES.iter().find(|(start, _)| content.bytes.starts_with(start)) {
+        Some((_, what)) => what,
+        None if content.looks_binary() => "binary data that is not a concise DCF",
+        None => "a text without anything that a known format has",
+    };
+    Identification::new(ContentKind::Unknown, reason)
+}
+
+fn is_blank(character: char) -> bool {
+    character.is_whitespace() || matches!(character, '\0' | '\u{1A}' | '\u{FEFF}')
+}
+
+/// UTF-16, by its byte order mark or by the first character, which is ASCII in every format.
+fn utf16(bytes: &[u8]) -> Option<Encoding> {
+    match bytes {
+        [0xFF, 0xFE, ..] => Some(Encoding::Utf16Le),
+        [0xFE, 0xFF, ..] => Some(Encoding::Utf16Be),
+        [b'<' | b'[' | b';' | b'{', 0, next, 0, ..] if *next != 0 => Some(Encoding::Utf16Le),
+        [0, b'<' | b'[' | b';' | b'{', 0, next, ..] if *next != 0 => Some(Encoding::Utf16Be),
+        _ => None,
+    }
+}
+
+/// The last part of a path.
+fn file_name(path: &str) -> &str {
+    path.rsplit(['/', '\\']).next().unwrap_or(path)
+}
+
+/// A text from the file as it is quoted: not without end, and without what steers a terminal.
+fn quoted(text: &str) -> String {
+    let clean = |c: char| if c.is_control() { ' ' } else { c };
+    let mut quoted: String = text.trim().chars().take(QUOTED).map(clean).collect();
+    if text.trim().chars().nth(QUOTED).is_some() {
+        quoted.push('…');
+    }
+    quoted
+}
+
+/// `a`, `a and b`, `a, b and c`.
+fn list(words: &[String]) -> String {
+    match words {
+        [] => String::new(),
+        [one] => one.clone(),
+        [first @ .., last] => format!("{} and {last}", first.join(", ")),
+    }
+}

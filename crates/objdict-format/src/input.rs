@@ -1,0 +1,507 @@
+//! Any file that commands and build scripts read: what it is, and what is in it.
+
+mod error;
+mod tags;
+
+use std::num::NonZeroUsize;
+use std::path::Path;
+
+pub use self::error::ReadError;
+use self::tags::{containers, start_tags};
+use super::identify::{ContentKind, identify_source};
+#[cfg(feature = "full")]
+use super::json::{self, DocumentKind};
+#[cfg(feature = "node-list")]
+use super::nodelist;
+#[cfg(feature = "full")]
+use super::patch::{Patch, refuse};
+use super::{Description, Format, Syntax};
+use objdict_model::source;
+use objdict_model::source::{DEFAULT_MAX_SIZE, Encoding, SourceError, SourceFile, SourceOptions};
+#[cfg(feature = "full")]
+use objdict_node::concise;
+#[cfg(feature = "full")]
+use objdict_node::download::ConciseDcf;
+
+/// Declares the kinds of files, each with its word on the command line and the ending of its files, what people call it, the
+/// feature of this crate with which it is read, and its format where it is a description with its text.
+macro_rules! file_kinds {
+    ($( $(#[$doc:meta])+ $kind:ident $word:literal $ending:literal $name:literal $feature:expr, $format:expr; )+) => {
+        /// A kind of file that commands and build scripts read or write.
+        #[derive(Clone, Copy, Debug, PartialEq, Eq)]
+        #[cfg_attr(feature = "clap", derive(clap::ValueEnum))]
+        #[non_exhaustive]
+        pub enum FileKind {
+            $( $(#[$doc])+ #[cfg_attr(feature = "clap", value(name = $word))] $kind, )+
+        }
+
+        impl FileKind {
+            #[cfg(feature = "clap")]
+            const ALL: &[Self] = &[$( Self::$kind ),+];
+
+            /// Its word on the command line.
+            #[cfg(feature = "clap")]
+            pub const fn word(self) -> &'static str {
+                match self { $( Self::$kind => $word ),+ }
+            }
+
+            /// The ending of its files.
+            pub const fn ending(self) -> &'static str {
+                match self { $( Self::$kind => $ending ),+ }
+            }
+
+            /// What people call it.
+            pub const fn name(self) -> &'static str {
+                match self { $( Self::$kind => $name ),+ }
+            }
+
+            /// The feature of this crate with which it is read; `None` if nothing reads it.
+            const fn feature(self) -> Option<&'static str> {
+                match self { $( Self::$kind => $feature ),+ }
+            }
+
+            /// The format, where it is a description with its text.
+            pub const fn format(self) -> Option<Format> {
+                match self { $( Self::$kind => $format ),+ }
+            }
+        }
+    };
+}
+
+file_kinds! {
+    /// Electronic data sheet (CiA 306-1)
+    Eds "eds" "eds" "EDS" Some("default"), Some(Format::Eds);
+    /// Device configuration file (CiA 306-1)
+    Dcf "dcf" "dcf" "DCF" Some("default"), Some(Format::Dcf);
+    /// XML device description (CiA 311)
+    Xdd "xdd" "xdd" "XDD" Some("xdd"), Some(Format::Xdd);
+    /// XML device configuration (CiA 311)
+    Xdc "xdc" "xdc" "XDC" Some("xdd"), Some(Format::Xdc);
+    /// The short source of a device (docs/device.md)
+    Toml "toml" "toml" "device.toml" Some("toml"), Some(Format::Toml);
+    /// Project of the editors for CANopenNode from before XDD
+    // its objects are those of an XDD
+    CanopenNode "canopennode" "xml" "CANopenNode project" Some("xdd"), Some(Format::Xdd);
+    /// Project of objdictgen, the generator of CanFestival, which is only read
+    Objdictgen "od" "od" "objdictgen project" Some("xdd"), Some(Format::Xdd);
+    /// The model of a device, or the downloads of a concise DCF, as JSON
+    Json "json" "json" "JSON" Some("toml"), None;
+    /// Concise DCF (CiA 302-3)
+    Cdcf "cdcf" "cdcf" "concise DCF" Some("toml"), None;
+    /// Concise DCF as a text of one download a line (docs/dcf.md)
+    CdcfText "cdcf.txt" "cdcf.txt" "concise DCF as text" Some("toml"), None;
+    /// Node list (CiA 306-3)
+    Cpj "cpj" "cpj" "node list" Some("full"), None;
+    /// The messages of nodes on the CAN bus, which is only written
+    #[cfg_attr(feature = "clap", value(skip))]
+    Dbc "dbc" "dbc" "DBC" None, None;
+}
+
+impl FileKind {
+    /// The kinds that a description is converted to.
+    #[cfg(feature = "clap")]
+    pub fn written() -> impl Iterator<Item = Self> {
+        Self::ALL
+            .iter()
+            .copied()
+            .filter(|kind| !matches!(kind, Self::CanopenNode | Self::Objdictgen | Self::Cpj))
+    }
+
+    /// What the last known ending of a name says, so `drive.eds.txt` is an EDS.
+    pub fn of(path: &Path) -> Option<Self> {
+        let name = path.file_name()?.to_string_lossy();
+        if name.to_ascii_lowercase().ends_with(".cdcf.txt") {
+            return Some(Self::CdcfText);
+        }
+        name.rsplit('.').find_map(|ending| match ending.to_ascii_lowercase().as_str() {
+            "json" => Some(Self::Json),
+            "cdcf" => Some(Self::Cdcf),
+            "cpj" => Some(Self::Cpj),
+            "dbc" => Some(Self::Dbc),
+            "od" => Some(Self::Objdictgen),
+            ending => Format::from_name(ending).map(Self::from),
+        })
+    }
+
+    /// The kind of a content that commands read.
+    pub fn of_content(kind: ContentKind) -> Option<Self> {
+        match kind {
+            ContentKind::CanopenNodeProject => Some(Self::CanopenNode),
+            ContentKind::ObjdictgenProject => Some(Self::Objdictgen),
+            ContentKind::NodeList => Some(Self::Cpj),
+            ContentKind::ConciseDcf => Some(Self::Cdcf),
+            ContentKind::ConciseText => Some(Self::CdcfText),
+            ContentKind::JsonDevice | ContentKind::JsonConciseDcf => Some(Self::Json),
+            kind => kind.format().map(Self::from),
+        }
+    }
+}
+
+impl From<Format> for FileKind {
+    fn from(format: Format) -> Self {
+        match format {
+            Format::Eds => Self::Eds,
+            Format::Dcf => Self::Dcf,
+            Format::Xdd => Self::Xdd,
+            Format::Xdc => Self::Xdc,
+            Format::Toml => Self::Toml,
+        }
+    }
+}
+
+/// What was in a file.
+#[derive(Debug)]
+pub enum Input {
+    /// A device as text: EDS, DCF, XDD or XDC.
+    Description(Box<Description>),
+    /// A device as JSON.
+    #[cfg(feature = "full")]
+    Device(Box<objdict_model::model::Device>),
+    /// The downloads of a concise DCF, as such or as JSON.
+    #[cfg(feature = "full")]
+    Concise(ConciseDcf),
+    /// The nodes of networks.
+    #[cfg(feature = "node-list")]
+    NodeList(objdict_model::model::NodeList),
+}
+
+/// The default limit of entries in compact storage: a conversion takes 1.5 kB for each, real devices have a few thousand.
+pub const DEFAULT_MAX_ENTRIES: usize = 250_000;
+
+/// A text may have a section or element for so many bytes, and one for so many entries that are
+/// [allowed](Reading::max_entries): those of real descriptions are longer.
+const BYTES_PER_PART: usize = 64;
+const ENTRIES_PER_PART: usize = 16;
+
+/// The JSON of a device may have a value for so many bytes, and one for each entry that is allowed.
+#[cfg(feature = "full")]
+const BYTES_PER_VALUE: usize = 16;
+
+/// A file with several devices is a network, and a node-ID is one of 127.
+pub const MAX_DEVICES: usize = 127;
+
+/// How a file is read.
+#[derive(Clone, Debug)]
+pub struct Reading {
+    /// Its format; `None` detects it.
+    pub from: Option<FileKind>,
+    /// Which device of a network file (`.nxdd`, `.nxdc`), counted from 1.
+    pub device: Option<NonZeroUsize>,
+    /// The encoding; `None` finds it out.
+    pub encoding: Option<Encoding>,
+    /// The largest size in bytes that is read. More than 1 GiB is never read.
+    pub max_size: u64,
+    /// How many entries objects in compact storage (`CompactSubObj`) may have in all: what is made of the device has each.
+    /// A text may have a sixteenth as many sections or elements, and one more for each 64 bytes; JSON may have as many
+    /// values, and one more for each 16 bytes.
+    pub max_entries: usize,
+    /// The node that formulas in the text of a concise DCF are evaluated for.
+    pub node_id: Option<u8>,
+    /// Which variant of a `device.toml`; `None` is the device without its variants.
+    #[cfg(feature = "full")]
+    pub variant: Option<String>,
+    /// Patches, which are made in the descriptions that they are for.
+    #[cfg(feature = "full")]
+    pub patches: Vec<std::sync::Arc<Patch>>,
+}
+
+impl Default for Reading {
+    fn default() -> Self {
+        let (max_size, max_entries) = (DEFAULT_MAX_SIZE, DEFAULT_MAX_ENTRIES);
+        Self {
+            from: None,
+            device: None,
+            encoding: None,
+            max_size,
+            max_entries,
+            node_id: None,
+            #[cfg(feature = "full")]
+            variant: None,
+            #[cfg(feature = "full")]
+            patches: Vec::new(),
+        }
+    }
+}
+
+impl Reading {
+    /// What is in a file, and as what kind it was read.
+    ///
+    /// # Errors
+    /// When it cannot be read at all, see [`ReadError`]. Problems in a description are among its findings.
+    pub fn open(&self, path: &Path) -> Result<(FileKind, Input), ReadError> {
+        self.read(&source::shown(path), source::read(path, self.max_size)?)
+    }
+
+    /// What is in the bytes of a file of this name, and as what kind they were read.
+    ///
+    /// # Errors
+    /// As [`open`](Self::open).
+    pub fn read(&self, name: &str, bytes: Vec<u8>) -> Result<(FileKind, Input), ReadError> {
+        let (kind, source) = self.recognised(name, bytes)?;
+        if kind.format().is_some_and(|format| format.syntax() == Syntax::Ini) {
+            // what only looks at the text takes little memory for a section
+            let count = memchr::memmem::find_iter(source.text().as_bytes(), "\n[").count();
+            self.limited_parts(name, "sections", count, source.text().len())?;
+        }
+        let input = match kind.format() {
+            Some(format) => Input::Description(Box::new(self.described(source, format)?)),
+            None => self.content(kind, &source)?,
+        };
+        self.limited(name, &input)?;
+        #[cfg(feature = "full")]
+        if let Input::Description(description) = &input {
+            refuse(description)?;
+        }
+        Ok((kind, input))
+    }
+
+    /// The description of a source, or of the variant that was asked for, with the patches that are for it.
+    ///
+    /// # Errors
+    /// When there is no such variant.
+    pub fn described(&self, source: SourceFile, format: Format) -> Result<Description, ReadError> {
+        let description = super::read(source, format);
+        #[cfg(feature = "full")]
+        let description = match &self.variant {
+            Some(variant) => {
+                let (name, variant) = (description.source().name().to_owned(), variant.clone());
+                let selected = description.into_variant(&variant);
+                selected.map_err(|known| ReadError::NoSuchVariant { name, variant, known })?
+            }
+            None => description,
+        };
+        #[cfg(feature = "full")]
+        let description = super::patch::apply(description, &self.patches);
+        Ok(description)
+    }
+
+    /// Refuses a text with too many sections or elements, before they are read: each takes more memory than its text. A
+    /// large text may have more.
+    fn limited_parts(
+        &self,
+        name: &str,
+        what: &'static str,
+        count: usize,
+        bytes: usize,
+    ) -> Result<(), ReadError> {
+        let (name, limit) = (name.to_owned(), self.max_entries / ENTRIES_PER_PART + bytes / BYTES_PER_PART);
+        if count > limit { Err(ReadError::TooManyParts { name, what, count, limit }) } else { Ok(()) }
+    }
+
+    /// Refuses a document of many short values: each takes more memory than its text.
+    #[cfg(feature = "full")]
+    fn limited_values(&self, source: &SourceFile) -> Result<(), ReadError> {
+        let count = memchr::memchr3_iter(b',', b'[', b'{', source.text().as_bytes()).count();
+        let limit = self.max_entries + source.text().len() / BYTES_PER_VALUE;
+        let name = source.name().to_owned();
+        if count > limit {
+            Err(ReadError::TooManyParts { name, what: "values", count, limit })
+        } else {
+            Ok(())
+        }
+    }
+
+    /// Refuses a device that would take too much memory expanded.
+    fn limited(&self, name: &str, input: &Input) -> Result<(), ReadError> {
+        let count = match input {
+            Input::Description(description) => description.device().compact_entries(),
+            #[cfg(feature = "full")]
+            Input::Device(device) => device.compact_entries(),
+            #[cfg(feature = "full")]
+            _ => 0,
+        };
+        let (name, limit) = (name.to_owned(), self.max_entries);
+        if count > limit { Err(ReadError::TooManyEntries { name, count, limit }) } else { Ok(()) }
+    }
+
+    /// What a source of another kind than a description holds.
+    fn content(&self, kind: FileKind, source: &SourceFile) -> Result<Input, ReadError> {
+        #[cfg(feature = "full")]
+        let damaged = |error: Box<dyn std::error::Error + Send + Sync>| ReadError::Content {
+            name: source.name().to_owned(),
+            error,
+        };
+        match kind {
+            #[cfg(feature = "full")]
+            FileKind::Json => {
+                self.limited_values(source)?;
+                match json::kind(source.text()).map_err(|error| damaged(error.into()))? {
+                    DocumentKind::Device => {
+                        json::read_device(source.text()).map(|device| Input::Device(Box::new(device)))
+                    }
+                    DocumentKind::ConciseDcf => json::read_configuration(source.text()).map(Input::Concise),
+                }
+                .map_err(|error| damaged(error.into()))
+            }
+            #[cfg(feature = "full")]
+            FileKind::Cdcf => {
+                let configuration = ConciseDcf::parse(&source.to_bytes());
+                configuration.map(Input::Concise).map_err(|error| damaged(error.into()))
+            }
+            #[cfg(feature = "full")]
+            FileKind::CdcfText => {
+                let configuration = concise::parse(source.text(), self.node_id);
+                configuration.map(Input::Concise).map_err(|error| damaged(error.into()))
+            }
+            #[cfg(feature = "node-list")]
+            FileKind::Cpj => {
+                nodelist::read(source).map(Input::NodeList).map_err(|error| damaged(error.into()))
+            }
+            kind => Err(ReadError::NotBuilt { name: source.name().to_owned(), kind }),
+        }
+    }
+
+    /// As [`read`](Self::read), of several devices the one that was asked for.
+    ///
+    /// # Errors
+    /// As [`open`](Self::open), and when there is no such device, or several and none was asked for.
+    pub fn read_one(&self, name: &str, bytes: Vec<u8>) -> Result<(FileKind, Input), ReadError> {
+        let (kind, input) = self.read(name, bytes)?;
+        Ok(match input {
+            Input::Description(description) => {
+                (kind, Input::Description(Box::new(self.select(name, *description)?)))
+            }
+            #[cfg(feature = "full")]
+            input => (kind, input),
+        })
+    }
+
+    /// The device of a file that was asked for: the only one, or the one of a number.
+    ///
+    /// # Errors
+    /// When there is no such device, or several and none was asked for.
+    pub fn select(&self, name: &str, description: Description) -> Result<Description, ReadError> {
+        let count = description.device_count();
+        let position = self.number(name, count)?;
+        let number = NonZeroUsize::MIN.saturating_add(position);
+        let selected = description.select(position);
+        let selected =
+            selected.ok_or_else(|| ReadError::NoSuchDevice { name: name.to_owned(), number, count })?;
+        #[cfg(feature = "full")]
+        refuse(&selected)?;
+        Ok(selected)
+    }
+
+    /// The position of the device that was asked for, in a file of so many.
+    pub fn number(&self, name: &str, count: usize) -> Result<usize, ReadError> {
+        let name = name.to_owned();
+        match self.device {
+            None if count == 1 => Ok(0),
+            None => Err(ReadError::SeveralDevices { name, count }),
+            Some(number) if number.get() <= count => Ok(number.get() - 1),
+            Some(number) => Err(ReadError::NoSuchDevice { name, number, count }),
+        }
+    }
+
+    /// The source in the bytes of a file.
+    ///
+    /// # Errors
+    /// When there are too many bytes.
+    pub fn source(&self, name: &str, bytes: Vec<u8>) -> Result<SourceFile, SourceError> {
+        let options = SourceOptions { encoding: self.encoding, max_size: self.max_size };
+        SourceFile::from_bytes(name, bytes, &options)
+    }
+
+    /// The source in the bytes of a file, and what kind of file it is: what the user says, else what its content shows, else
+    /// its name.
+    ///
+    /// # Errors
+    /// When it is something that nothing here reads: [`ReadError::Foreign`]; when there are too many bytes.
+    pub fn recognised(&self, name: &str, bytes: Vec<u8>) -> Result<(FileKind, SourceFile), ReadError> {
+        let source = self.source(name, bytes)?;
+        let kind = match self.from {
+            Some(kind) => kind,
+            None => self::kind(&source)?,
+        };
+        let is_xml = kind.format().is_some_and(|format| format.syntax() == Syntax::Xml);
+        if is_xml && !cfg!(feature = "xdd") {
+            return Err(ReadError::NotBuilt { name: name.to_owned(), kind });
+        }
+        if kind == FileKind::Toml {
+            if !cfg!(feature = "full") {
+                return Err(ReadError::NotBuilt { name: name.to_owned(), kind });
+            }
+            // the tree of a text takes 200 times its memory; the longest of those that real descriptions become has 450 kB
+            let (path, size, limit) = (name.to_owned(), source.text().len() as u64, source::MAX_TOML_SIZE);
+            if size > limit {
+                return Err(SourceError::TooLarge { path, size, limit }.into());
+            }
+            // the parser has a kilobyte for each table, and a key with a point is one too
+            let tables = memchr::memchr3_iter(b'{', b'[', b'.', source.text().as_bytes()).count();
+            self.limited_parts(name, "tables", tables, source.text().len())?;
+        }
+        if is_xml {
+            self.limited_parts(name, "elements", start_tags(source.text()), source.text().len())?;
+            let count = containers(source.text());
+            if count > MAX_DEVICES {
+                return Err(ReadError::TooManyDevices { name: name.to_owned(), count });
+            }
+        }
+        Ok((kind, source))
+    }
+}
+
+/// What kind of file a source is.
+fn kind(source: &SourceFile) -> Result<FileKind, ReadError> {
+    let found = identify_source(source);
+    match FileKind::of_content(found.kind) {
+        Some(kind) => Ok(kind),
+        None => {
+            let named = FileKind::of(Path::new(source.name())).filter(|_| found.kind == ContentKind::Unknown);
+            named
+                .filter(|&kind| kind.feature().is_some() && has_syntax(kind, source.text()))
+                .ok_or_else(|| ReadError::Foreign { name: source.name().to_owned(), found: Box::new(found) })
+        }
+    }
+}
+
+/// Whether a text that shows nothing of its format has at least the syntax of the kind that its name says, so that its
+/// mistakes can be reported.
+fn has_syntax(kind: FileKind, text: &str) -> bool {
+    match kind.format().map(Format::syntax) {
+        Some(Syntax::Ini) => {
+            let is_binary = |c: char| c.is_control() && !matches!(c, '\t' | '\r' | '\n' | '\x0C' | '\x1A');
+            let has_sign = |line: &str| {
+                let key = line.split_once('=').map(|(key, _)| key.trim_end());
+                let is_key = |key: &str| !key.is_empty() && key.bytes().all(|b| b.is_ascii_alphanumeric());
+                line.starts_with(['[', ';']) || key.is_some_and(is_key)
+            };
+            !text.contains(is_binary) && text.lines().any(|line| has_sign(line.trim_start()))
+        }
+        Some(Syntax::Xml) => text.trim_start().starts_with('<'),
+        // its first key says what it is, and other TOML is something else
+        Some(Syntax::Toml) => false,
+        // their readers report the mistakes
+        None => true,
+    }
+}
+
+/// Reads the description at `path` as what its content shows it to be ([`identify()`](super::identify::identify)). Where that
+/// is not known, as in a malformed file, the name decides. Of a file with several devices it is the first.
+///
+/// # Errors
+/// When the file cannot be opened, or is no description. Problems in a description are among the findings.
+pub fn open(path: &Path, options: &SourceOptions) -> Result<Description, ReadError> {
+    let reading = Reading { encoding: options.encoding, max_size: options.max_size, ..Reading::default() };
+    let name = source::shown(path);
+    let (kind, source) = reading.recognised(&name, source::read(path, options.max_size)?)?;
+    match kind.format() {
+        Some(format) => Ok(super::read(source, format)),
+        None => Err(ReadError::NoDevice { name, kind }),
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn the_last_known_ending_counts() {
+        let kind = |name| FileKind::of(Path::new(name));
+        assert_eq!(kind("a/drive.EDS"), Some(FileKind::Eds));
+        assert_eq!(kind("drive.dcf.txt"), Some(FileKind::Dcf));
+        assert_eq!(kind("drive.eds.json"), Some(FileKind::Json));
+        assert_eq!(kind("json"), Some(FileKind::Json));
+        assert_eq!(kind("drive.xml"), None);
+    }
+}

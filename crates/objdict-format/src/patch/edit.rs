@@ -1,0 +1,122 @@
+//! The text of a description as another device, by as few edits as the format has places for.
+
+use std::collections::BTreeMap;
+
+use crate as format;
+use crate::compare::{DatumChange, each_difference};
+use crate::input::DEFAULT_MAX_ENTRIES;
+use crate::{Description, EditError, Syntax, WriteOptions, embedded};
+use objdict_eds::eds;
+use objdict_model::diagnostic::{Change, Fix};
+use objdict_model::model::{Device, Field, ObjectList, Part, Place};
+use objdict_model::source::{Edits, SourceFile, SourceOptions};
+
+/// The description with the text of `wanted`: where its format has a place by edits, in an EDS or DCF else by embedding; where
+/// neither is possible, it is written anew.
+///
+/// # Errors
+/// When the text cannot be written in the encoding of the file, or does not give back more than a limit.
+pub(crate) fn edited(original: &Description, wanted: &Device) -> Result<Description, EditError> {
+    let options = WriteOptions {
+        embed: true,
+        max_losses: WriteOptions::max_losses_of(original.source().text().len(), DEFAULT_MAX_ENTRIES),
+        ..WriteOptions::default()
+    };
+    let found =
+        with_edits(original, wanted).and_then(|edited| with_embedded(edited, wanted, options.max_losses));
+    if let Some(edited) = found.filter(|edited| edited.is_as_valid_as(original)) {
+        return Ok(edited);
+    }
+    let bytes = format::write(wanted, original.format(), &options)?.bytes;
+    again(original, bytes).ok_or_else(|| EditError::OtherMeaning(original.source().name().to_owned()))
+}
+
+/// The same file with other bytes.
+fn again(original: &Description, bytes: Vec<u8>) -> Option<Description> {
+    let source = original.source();
+    let mut options = SourceOptions::default();
+    (options.encoding, options.max_size) = (Some(source.encoding()), u64::MAX);
+    let source = SourceFile::from_bytes(source.name(), bytes, &options).ok()?;
+    format::read(source, original.format()).select(original.number())
+}
+
+/// What edits can make of it.
+fn with_edits(original: &Description, wanted: &Device) -> Option<Description> {
+    let changes = changes(original, wanted);
+    let edits_of = |changes: Vec<Change>| original.edits(&Fix { changes, ..Fix::safe("apply the patch") });
+    let found = edits_of(changes.clone()).or_else(|| {
+        // one that has no place must not stop the others
+        let possible = changes.into_iter().filter(|change| edits_of(vec![change.clone()]).is_some());
+        edits_of(possible.collect())
+    });
+    let mut edits = Edits::new(original.source());
+    found.into_iter().flatten().for_each(|(span, text)| edits.replace(span, text));
+    let edited = again(original, edits.to_bytes().ok()?)?;
+    #[cfg(feature = "xdd")]
+    if let Some(tree) = edited.tree()
+        && wanted.objects.keys().any(|index| edited.device().object(*index).is_none())
+    {
+        let bytes = objdict_xdd::xdd::with_objects(tree, wanted)?.ok()?;
+        return again(original, bytes);
+    }
+    Some(edited)
+}
+
+/// The differences of two devices as changes in the words of CiA 306: of the texts that an EDS would have of both.
+fn changes(original: &Description, wanted: &Device) -> Vec<Change> {
+    let device = original.device();
+    let [before, after] = [device, wanted].map(eds::stated);
+    let mut before: BTreeMap<Part, Vec<(Field, String)>> = before.into_iter().collect();
+    let mut changes = Vec::new();
+    for (part, fields) in after {
+        let old = before.remove(&part).unwrap_or_default();
+        if matches!(part, Part::List(_)) || old == fields {
+            continue;
+        }
+        if original.locate(&Place::of(part.clone())).is_none() {
+            changes.push(Change::Add(part, fields));
+            continue;
+        }
+        for (field, _) in old.iter().filter(|(field, _)| !fields.iter().any(|(other, _)| other == field)) {
+            changes.push(Change::Remove(Place::of(part.clone()).field(field.clone())));
+        }
+        for (field, text) in fields {
+            if !old.contains(&(field.clone(), text.clone())) {
+                changes.push(Change::Set(Place::of(part.clone()).field(field), text));
+            }
+        }
+    }
+    let is_gone = |part: &Part| part.object().is_some_and(|index| wanted.object(index).is_none());
+    changes.extend(before.into_keys().filter_map(|part| match part {
+        Part::Object(_) => Some(Change::Remove(Place::of(part))),
+        Part::List(_) => None,
+        // gone with its object
+        part if is_gone(&part) => None,
+        part => Some(Change::Remove(Place::of(part))),
+    }));
+    let lists = ObjectList::ALL.into_iter().filter(|list| device.lists.get(*list) != wanted.lists.get(*list));
+    changes.extend(lists.map(|list| Change::List(list, wanted.lists.get(list).to_vec())));
+    changes
+}
+
+/// The description with what edits could not say embedded; `None` where its format has no place for that.
+fn with_embedded(edited: Description, wanted: &Device, limit: usize) -> Option<Description> {
+    if edited.says(wanted) {
+        return Some(edited);
+    }
+    if edited.format().syntax() != Syntax::Ini {
+        return None;
+    }
+    let mut edits = Edits::new(edited.source());
+    embedded::remove_lines(&mut edits, |_| true);
+    let bare = again(&edited, edits.to_bytes().ok()?)?;
+    let mut changes = Vec::new();
+    let mut found = |difference: crate::compare::DatumDifference| {
+        let before = difference.left.map(|left| left.fingerprint());
+        changes.push(DatumChange { path: difference.path, before, after: difference.right });
+    };
+    each_difference(bare.device(), wanted, limit, &mut found).ok()?;
+    let mut edits = Edits::new(bare.source());
+    embedded::add_lines(&mut edits, &changes);
+    again(&bare, edits.to_bytes().ok()?).filter(|edited| edited.says(wanted))
+}

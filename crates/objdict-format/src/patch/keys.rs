@@ -1,0 +1,58 @@
+//! The keys of a patch.
+
+use crate::patch::words::FIELDS;
+use objdict_keyed::section::{Key, Shape, bits};
+
+const fn key(name: &'static str, shape: Shape, meaning: &'static str) -> Key {
+    Key { name, shape, meaning }
+}
+
+/// The word that makes a file a patch.
+pub(super) const FORMAT: &str = "objdict-patch/1";
+
+const REASON: &str = "Why: for readers, and for the vendor.";
+const SOURCE: &str = "Where it is said: a manual with its page, a measurement.";
+
+pub(super) const PATCH: &[Key] = &[
+    key("format", Shape::Word(&[FORMAT]), "What the file is; the first key."),
+    key("title", Shape::Text, "What the patch is for."),
+    key("vendor-id", bits(32), "The vendor-ID (1018h:01, else `VendorNumber`) of the files that it is for."),
+    key("product-code", bits(32), "Their product code (1018h:02, else `ProductNumber`)."),
+    key(
+        "revision",
+        Shape::IntegerOr(0, u32::MAX as i128, "any"),
+        "Their revision number (1018h:03, else `RevisionNumber`), or `any` (default).",
+    ),
+    key("sha256", Shape::Text, "The hash of the file that the patch was made for; another file is an error."),
+    key("change", Shape::List(CHANGE), "The changes, made one after the other."),
+    key("raw", Shape::List(RAW), "Changes for which there are no words, made after the others."),
+];
+
+pub(super) const CHANGE: &[Key] = &[
+    key("at", Shape::Text, "An object (`2001`), an entry (`2001:3`), or `file`, `device`, `commissioning`."),
+    key(
+        "expect",
+        Shape::Map(FIELDS),
+        "What the file says now. Anything else is an error: the vendor changed it.",
+    ),
+    key("absent", Shape::Texts, "Fields that the file does not state now."),
+    key("set", Shape::Map(FIELDS), "What the fields become."),
+    key("unset", Shape::Texts, "Fields that are removed."),
+    key("add", Shape::Map(FIELDS), "An object or entry that is missing, with its fields."),
+    key("remove", Shape::Flag, "`true` removes the object or entry."),
+    key("rename", Shape::Text, "The index, or index and sub-index, that the object or entry has in truth."),
+    key("reason", Shape::Text, REASON),
+    key("source", Shape::Text, SOURCE),
+];
+
+pub(super) const RAW: &[Key] = &[
+    key("path", Shape::Text, "A JSON pointer into the JSON of the device (docs/json.md)."),
+    key(
+        "expect",
+        Shape::Text,
+        "The JSON of what the file says now; without it, the file states nothing there.",
+    ),
+    key("set", Shape::Text, "The JSON of what it becomes; without it, what is there is removed."),
+    key("reason", Shape::Text, REASON),
+    key("source", Shape::Text, SOURCE),
+];

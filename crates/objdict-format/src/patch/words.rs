@@ -1,0 +1,211 @@
+//! The words by which files that people write name the fields of a device, and the keys that they may have.
+
+use objdict_keyed::section::{Key, Shape, bits};
+use objdict_keyed::types;
+use objdict_keyed::types::{ACCESS, OBJECT_TYPES};
+use objdict_model::model::{DataType, ObjectType, Part};
+
+const fn key(name: &'static str, shape: Shape, meaning: &'static str) -> Key {
+    Key { name, shape, meaning }
+}
+
+/// The fields of an object or entry.
+pub(crate) const ENTRY: &[Key] = &[
+    key("name", Shape::Text, "The name."),
+    key("object-type", Shape::Word(OBJECT_TYPES), "The object type."),
+    key(
+        "type",
+        Shape::Text,
+        "The data type: `u16`, `i32`, `f32`, `bool`, `string`, `bytes`, `domain`, a name of CiA 301, or its index.",
+    ),
+    key("access", Shape::Word(ACCESS), "The access of the network."),
+    key("default", Shape::Value, "The default value: a number, a text, or `$NODEID+n`."),
+    key("value", Shape::Value, "The configured value of a node."),
+    key("min", Shape::Value, "The low limit."),
+    key("max", Shape::Value, "The high limit."),
+    key(
+        "map",
+        Shape::Value,
+        "Whether PDOs may carry the entry: `true`, `false`, `default`, `tpdo` or `rpdo`.",
+    ),
+    key("flags", bits(32), "`ObjFlags`: bit 0 refuses downloads of a configuration tool, bit 1 uploads."),
+    key("unit", Shape::Text, "The unit of the engineering value."),
+    key("factor", Shape::Value, "The engineering value is (value + offset) * factor."),
+    key("offset", Shape::Value, "The engineering value is (value + offset) * factor."),
+    key("enum", Shape::Values, "Names of values: `{ Off = 0, On = 1 }`."),
+    key("bits", Shape::Values, "Names of bits and bit fields: `{ Ready = 0, Mode = \"4-6\" }`."),
+    key("description", Shape::Text, "What the entry is for."),
+    key(
+        "group",
+        Shape::Text,
+        "The group that configuration tools show the entry in; `/` separates nested groups.",
+    ),
+    key("denotation", Shape::Text, "The name of the entry in the application of a node."),
+];
+
+/// The keys of CiA 306 for these fields, as an EDS spells them.
+pub(crate) const CIA306: &[(&str, &str)] = &[
+    ("ParameterName", "name"),
+    ("ObjectType", "object-type"),
+    ("DataType", "type"),
+    ("AccessType", "access"),
+    ("DefaultValue", "default"),
+    ("ParameterValue", "value"),
+    ("LowLimit", "min"),
+    ("HighLimit", "max"),
+    ("PDOMapping", "map"),
+    ("ObjFlags", "flags"),
+    ("Denotation", "denotation"),
+];
+
+/// The facts about a description: the keys of CiA 306, each with its place in the JSON of the model.
+pub(crate) type Facts = &'static [(&'static str, &'static str)];
+
+/// Those about the file.
+const FILE: Facts = &[
+    ("FileName", "/file_info/file_name"),
+    ("FileVersion", "/file_info/file_version"),
+    ("FileRevision", "/file_info/file_revision"),
+    ("EDSVersion", "/file_info/eds_version"),
+    ("Description", "/file_info/description"),
+    ("CreationTime", "/file_info/creation_time"),
+    ("CreationDate", "/file_info/creation_date"),
+    ("CreatedBy", "/file_info/created_by"),
+    ("ModificationTime", "/file_info/modification_time"),
+    ("ModificationDate", "/file_info/modification_date"),
+    ("ModifiedBy", "/file_info/modified_by"),
+    ("LastEDS", "/file_info/last_eds"),
+];
+
+/// Those about the device.
+const DEVICE: Facts = &[
+    ("VendorName", "/device_info/vendor_name"),
+    ("VendorNumber", "/device_info/vendor_number"),
+    ("ProductName", "/device_info/product_name"),
+    ("ProductNumber", "/device_info/product_number"),
+    ("RevisionNumber", "/device_info/revision_number"),
+    ("OrderCode", "/device_info/order_code"),
+    ("BaudRate_10", "/device_info/baud_rates/10"),
+    ("BaudRate_20", "/device_info/baud_rates/20"),
+    ("BaudRate_50", "/device_info/baud_rates/50"),
+    ("BaudRate_125", "/device_info/baud_rates/125"),
+    ("BaudRate_250", "/device_info/baud_rates/250"),
+    ("BaudRate_500", "/device_info/baud_rates/500"),
+    ("BaudRate_800", "/device_info/baud_rates/800"),
+    ("BaudRate_1000", "/device_info/baud_rates/1000"),
+    ("SimpleBootUpMaster", "/device_info/simple_boot_up_master"),
+    ("SimpleBootUpSlave", "/device_info/simple_boot_up_slave"),
+    ("Granularity", "/device_info/granularity"),
+    ("DynamicChannelsSupported", "/device_info/dynamic_channels_supported"),
+    ("GroupMessaging", "/device_info/group_messaging"),
+    ("NrOfRXPDO", "/device_info/rpdo_count"),
+    ("NrOfTXPDO", "/device_info/tpdo_count"),
+    ("LSS_Supported", "/device_info/lss_supported"),
+    ("CompactPDO", "/device_info/compact_pdo"),
+    ("CANopenSafetySupported", "/device_info/safety_supported"),
+];
+
+/// Those about the node of a DCF.
+const COMMISSIONING: Facts = &[
+    ("NodeID", "/commissioning/node_id"),
+    ("NodeName", "/commissioning/node_name"),
+    ("NodeRefd", "/commissioning/node_reference_designator"),
+    ("Baudrate", "/commissioning/baud_rate"),
+    ("NetNumber", "/commissioning/net_number"),
+    ("NetworkName", "/commissioning/network_name"),
+    ("NetRefd", "/commissioning/net_reference_designator"),
+    ("CANopenManager", "/commissioning/manager"),
+    ("LSS_SerialNumber", "/commissioning/lss_serial_number"),
+];
+
+/// The parts with facts, by the words that name them.
+pub(crate) const FACTS: [(&str, Part, Facts); 3] = [
+    ("file", Part::FileInfo, FILE),
+    ("device", Part::DeviceInfo, DEVICE),
+    ("commissioning", Part::Commissioning, COMMISSIONING),
+];
+
+/// All keys of fields: the words, the keys of CiA 306, and those of facts.
+pub(crate) const FIELDS: &[Key] = &{
+    const COUNT: usize = ENTRY.len() + CIA306.len() + FILE.len() + DEVICE.len() + COMMISSIONING.len();
+    let mut keys = [ENTRY[0]; COUNT];
+    let mut at = 0;
+    while at < COUNT {
+        let [cia306, file, device, commissioning] = [
+            ENTRY.len(),
+            ENTRY.len() + CIA306.len(),
+            ENTRY.len() + CIA306.len() + FILE.len(),
+            ENTRY.len() + CIA306.len() + FILE.len() + DEVICE.len(),
+        ];
+        keys[at] = match at {
+            at if at < cia306 => ENTRY[at],
+            at if at < file => key(CIA306[at - cia306].0, Shape::Value, "The key of CiA 306 for the word."),
+            at if at < device => key(FILE[at - file].0, Shape::Value, "A fact about the file."),
+            at if at < commissioning => key(DEVICE[at - device].0, Shape::Value, "A fact about the device."),
+            at => key(COMMISSIONING[at - commissioning].0, Shape::Value, "A fact about the node."),
+        };
+        at += 1;
+    }
+    keys
+};
+
+/// The facts of a part.
+pub(crate) fn facts_of(part: &Part) -> Option<Facts> {
+    FACTS.iter().find(|(_, of, _)| of == part).map(|(.., facts)| *facts)
+}
+
+/// The word of a key, which may be one of CiA 306.
+pub(crate) fn word_of(name: &str) -> Option<&'static str> {
+    let known = ENTRY.iter().find(|key| key.name == name).map(|key| key.name);
+    known.or_else(|| CIA306.iter().find(|(key, _)| key.eq_ignore_ascii_case(name)).map(|(_, word)| *word))
+}
+
+/// The data type that a text names: a short word, the name of CiA 301, or its index.
+pub(crate) fn data_type(text: &str) -> Option<DataType> {
+    let index = || match text.strip_prefix("0x").or_else(|| text.strip_prefix("0X")) {
+        Some(hex) => u16::from_str_radix(hex, 16).ok().map(DataType),
+        None => text.parse().ok().map(DataType),
+    };
+    types::named(text).or_else(|| DataType::from_name(&text.to_ascii_uppercase())).or_else(index)
+}
+
+/// The word for a data type.
+pub(crate) fn data_type_word(data_type: DataType) -> String {
+    let word = types::word_of(data_type).or_else(|| data_type.name());
+    word.map_or_else(|| format!("0x{:04X}", data_type.0), str::to_owned)
+}
+
+/// The object type that a text names: a word, or its code.
+pub(crate) fn object_type(text: &str) -> Option<ObjectType> {
+    let code =
+        text.strip_prefix("0x").map_or_else(|| text.parse().ok(), |hex| u8::from_str_radix(hex, 16).ok());
+    let is = |kind: &ObjectType| kind.name().eq_ignore_ascii_case(text) || Some(kind.code()) == code;
+    ObjectType::ALL.into_iter().find(is)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::types::TYPES;
+    use super::*;
+
+    #[test]
+    fn words_of_types_read_back() {
+        for (word, of) in TYPES {
+            assert_eq!((data_type(word), data_type_word(of)), (Some(of), word.to_owned()));
+        }
+        for of in DataType::STATIC.iter().copied().chain([DataType(0x21), DataType(0x60)]) {
+            assert_eq!(data_type(&data_type_word(of)), Some(of));
+        }
+        assert_eq!(data_type("unsigned16"), Some(DataType::UNSIGNED16));
+        assert_eq!(data_type("0x0006"), Some(DataType::UNSIGNED16));
+        assert_eq!(data_type("u12"), None);
+    }
+
+    #[test]
+    fn keys_of_cia_306_have_words() {
+        assert_eq!(word_of("datatype"), Some("type"));
+        assert_eq!(word_of("unit"), Some("unit"));
+        assert!(CIA306.iter().all(|(_, word)| word_of(word) == Some(word)));
+        assert!(OBJECT_TYPES.iter().all(|word| object_type(word).is_some()));
+    }
+}

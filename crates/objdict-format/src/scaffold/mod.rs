@@ -1,0 +1,198 @@
+//! New descriptions: a device that has what its profile demands of it, and nothing that it does not.
+//!
+//! The objects come from the data of the profiles ([`objdict_profile`]): what is mandatory, always or for what the device
+//! can do, is described with the data type, access and default of the document. Where the document leaves a choice, the
+//! first one is taken.
+
+pub mod base;
+mod features;
+mod infer;
+pub mod objects;
+mod pdos;
+#[cfg(feature = "full")]
+mod usual;
+
+pub use base::{BaseError, PROFILES, base, newest_version};
+pub use features::{EncoderClass, FEATURES, Feature, FeatureError, FeatureKind, FeatureValue, Features};
+pub use infer::infer;
+#[cfg(feature = "full")]
+pub use usual::{MIDNIGHT, NO_VENDOR, now};
+
+use base::Plan;
+use objdict_model::model::{
+    BaudRates, ClockTime, DataType, Date, Device, DeviceInfo, FileInfo, ObjectList, PdoKind, Value,
+};
+#[cfg(feature = "full")]
+use objdict_model::model::{Entry, MappedObject, Object};
+use objdict_profile as profile;
+#[cfg(feature = "full")]
+use objdict_profile::default_mapping::PdoMap;
+
+/// Properties of a new device.
+#[derive(Clone, Debug)]
+pub struct Wanted {
+    /// The number of its profile; 301 for a device without one.
+    pub profile: u16,
+    /// What it has and can do.
+    pub features: Features,
+    /// `FileName`.
+    pub file_name: String,
+    /// `VendorName`.
+    pub vendor_name: String,
+    /// The vendor-ID that CiA gave the vendor, 1018h sub-index 1.
+    pub vendor_id: u32,
+    /// `ProductName`, and the device name in 1008h.
+    pub product_name: String,
+    /// Product code, 1018h sub-index 2.
+    pub product_code: u32,
+    /// Revision number, 1018h sub-index 3.
+    pub revision: u32,
+    /// `CreatedBy` and `ModifiedBy`.
+    pub author: String,
+    /// When the description is made.
+    pub date: Date,
+    /// What time it is then.
+    pub time: ClockTime,
+}
+
+/// The description of a new device, of the newest version of its profile.
+///
+/// # Errors
+/// As [`base`].
+pub fn scaffold(wanted: &Wanted) -> Result<Device, BaseError> {
+    let version = newest_version(wanted.profile).ok_or(BaseError::Profile(wanted.profile))?;
+    let mut device = base(wanted.profile, version, &wanted.features)?;
+    device.file_info = Some(file_info(wanted));
+    if let Some(info) = &mut device.device_info {
+        info.vendor_name = Some(wanted.vendor_name.clone());
+        info.vendor_number = Some(wanted.vendor_id);
+        info.product_name = Some(wanted.product_name.clone());
+        info.product_number = Some(wanted.product_code);
+        info.revision_number = Some(wanted.revision);
+    }
+    identify(&mut device);
+    Ok(device)
+}
+
+/// Copies vendor, product and revision of the device information to the objects that have them (1008h, 1018h), where these
+/// are described.
+pub fn identify(device: &mut Device) {
+    let Some(info) = &device.device_info else { return };
+    let number = |number: Option<u32>| number.map(|number| Value::Unsigned(number.into()));
+    let identity = [number(info.vendor_number), number(info.product_number), number(info.revision_number)];
+    let name = info.product_name.as_deref().map(|name| Value::Text(name.into()));
+    if let Some(object) = device.objects.get_mut(&0x1008) {
+        object.main.default = name;
+    }
+    let Some(object) = device.objects.get_mut(&0x1018) else { return };
+    for (sub, value) in (1..).zip(identity) {
+        if let Some(entry) = object.subs.get_mut(sub) {
+            entry.default = value;
+        }
+    }
+}
+
+/// Adds objects as CiA 301 and the document of a profile describe them, with their usual values, to a device that lacks them.
+pub fn add_objects(device: &mut Device, profile: u16, indexes: &[u16]) {
+    let documents = base::documents(profile);
+    let maker = objects::Maker { plan: Plan::new(profile, &Features::default()), documents: &documents };
+    for &index in indexes {
+        maker.add(device, index);
+        if let Some(list) = ObjectList::of(index) {
+            let members = device.lists.get_mut(list).get_or_insert_default();
+            let at = members.partition_point(|&member| member < index);
+            members.insert(at, index);
+        }
+    }
+}
+
+/// An object as the documents for a device demand it; `None` if no document has it.
+#[cfg(feature = "full")]
+pub fn object(device: &Device, index: u16) -> Option<Object> {
+    let number = device.profile().unwrap_or_default();
+    let documents = base::documents(number);
+    documents.iter().find_map(|document| document.object(index))?;
+    let maker = objects::Maker { plan: Plan::new(number, &Features::default()), documents: &documents };
+    let mut made = Device::default();
+    maker.add(&mut made, index);
+    made.objects.remove(&index)
+}
+
+/// A sub-index of an object as the documents for a device demand it; `None` if no document has it.
+#[cfg(feature = "full")]
+pub fn entry(device: &Device, index: u16, sub: u8) -> Option<Entry> {
+    let number = device.profile().unwrap_or_default();
+    let documents = base::documents(number);
+    documents.iter().find_map(|document| document.object(index)?.entry(sub))?;
+    let maker = objects::Maker { plan: Plan::new(number, &Features::default()), documents: &documents };
+    Some(maker.entry(index, sub))
+}
+
+/// The communication and the mapping parameter of a PDO of a device that carries these objects.
+#[cfg(feature = "full")]
+pub fn pdo(
+    device: &Device,
+    kind: PdoKind,
+    number: u16,
+    mapped: Vec<MappedObject>,
+) -> Option<[(u16, Object); 2]> {
+    let profile = device.profile().unwrap_or_default();
+    let documents = base::documents(profile);
+    let maker = objects::Maker { plan: Plan::new(profile, &Features::default()), documents: &documents };
+    pdos::records(&maker, &PdoMap { kind, number, mapped })
+}
+
+/// What a new description says of its file.
+pub fn file_info(wanted: &Wanted) -> FileInfo {
+    let profile = profile::of_number(wanted.profile);
+    let profile = profile
+        .map_or_else(|| "CiA 301".to_owned(), |profile| format!("{} ({})", profile.document, profile.title));
+    FileInfo {
+        file_name: Some(wanted.file_name.clone()),
+        file_version: Some(1),
+        file_revision: Some(0),
+        eds_version: Some("4.0".to_owned()),
+        description: Some(format!("{}, {profile}", wanted.product_name)),
+        creation_time: Some(wanted.time),
+        creation_date: Some(wanted.date),
+        created_by: Some(wanted.author.clone()),
+        modification_time: Some(wanted.time),
+        modification_date: Some(wanted.date),
+        modified_by: Some(wanted.author.clone()),
+        ..FileInfo::default()
+    }
+}
+
+/// What a new description says of its device.
+pub fn device_info(plan: &Plan, device: &Device) -> DeviceInfo {
+    let count = |kind: PdoKind| u16::try_from(device.pdo_count(kind)).unwrap_or(PdoKind::MAX);
+    DeviceInfo {
+        order_code: Some(String::new()),
+        baud_rates: BaudRates {
+            kbit_10: Some(false),
+            kbit_20: Some(true),
+            kbit_50: Some(true),
+            kbit_125: Some(true),
+            kbit_250: Some(true),
+            kbit_500: Some(true),
+            kbit_800: Some(false),
+            kbit_1000: Some(true),
+            ..BaudRates::default()
+        },
+        simple_boot_up_master: Some(false),
+        simple_boot_up_slave: Some(true),
+        // in steps of a byte, when there is something to map
+        granularity: Some(if device.pdos().next().is_some() { 8 } else { 0 }),
+        dynamic_channels_supported: Some(0),
+        group_messaging: Some(false),
+        rpdo_count: Some(count(PdoKind::Rpdo)),
+        tpdo_count: Some(count(PdoKind::Tpdo)),
+        lss_supported: Some(plan.features.lss == Some(true)),
+        ..DeviceInfo::default()
+    }
+}
+
+/// A number as a value of its type.
+fn number(number: u32, data_type: DataType) -> Option<Value> {
+    Value::from_integer(number.into(), data_type)
+}

@@ -1,0 +1,11 @@
+//! Files that people write as keys and values: a tree with the place of each value, and tables of the keys that a file may have.
+//! Part of `objdict`, which is the crate to depend on.
+
+pub mod rules;
+pub mod schema;
+pub mod section;
+pub mod toml;
+pub mod tree;
+pub mod types;
+#[cfg(feature = "yaml")]
+pub mod yaml;

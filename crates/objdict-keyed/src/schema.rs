@@ -1,0 +1,64 @@
+//! JSON Schemas of the tables of keys.
+
+use serde_json::{Map, Value, json};
+
+use super::section::{Key, Shape};
+
+/// The dialect of the schemas.
+pub const DIALECT: &str = "https://json-schema.org/draft/2020-12/schema";
+
+/// A map with these keys and no others.
+pub fn object(keys: &[Key]) -> Value {
+    let properties: Map<String, Value> =
+        keys.iter().map(|key| (key.name.to_owned(), property(key))).collect();
+    json!({ "type": "object", "properties": properties, "additionalProperties": false })
+}
+
+fn property(key: &Key) -> Value {
+    let mut value = shape(&key.shape);
+    if let Some(fields) = value.as_object_mut() {
+        fields.insert("description".to_owned(), key.meaning.into());
+    }
+    value
+}
+
+fn shape(shape: &Shape) -> Value {
+    match shape {
+        Shape::Integer(low, high) => integer(*low, *high),
+        Shape::Number => json!({ "type": "number", "exclusiveMinimum": 0 }),
+        Shape::Flag => json!({ "type": "boolean" }),
+        Shape::Text => json!({ "type": ["string", "number"] }),
+        Shape::Word(words) => json!({ "enum": words }),
+        Shape::IntegerOr(low, high, word) => json!({ "anyOf": [integer(*low, *high), { "const": word }] }),
+        Shape::Value => json!({ "type": ["integer", "number", "string", "boolean"] }),
+        Shape::Time(high, _) => json!({ "anyOf": [integer(0, *high), { "type": "string" }] }),
+        Shape::ValueOrList => {
+            let value = self::shape(&Shape::Value);
+            json!({ "anyOf": [value, { "type": "array", "items": value }] })
+        }
+        Shape::Values => json!({ "type": "object", "additionalProperties": self::shape(&Shape::Value) }),
+        Shape::Texts => {
+            json!({ "anyOf": [{ "type": "string" }, { "type": "array", "items": { "type": "string" } }] })
+        }
+        Shape::Numerals(low, high) => json!({ "type": "array", "items": integer(*low, *high) }),
+        Shape::Map(keys) => object(keys),
+        Shape::Named(keys) => json!({ "type": "object", "additionalProperties": object(keys) }),
+        Shape::List(keys) => json!({ "type": "array", "items": object(keys) }),
+        Shape::Numbered(low, high, keys) => by_number(*low, *high, &object(keys)),
+        Shape::Numbers((low, high), values) => by_number(*low, *high, &integer(values.0, values.1)),
+        Shape::Foreign => json!({}),
+    }
+}
+
+fn integer(low: i128, high: i128) -> Value {
+    // all ranges are of objects of 32 bits
+    json!({ "type": "integer", "minimum": i64::try_from(low).ok(), "maximum": i64::try_from(high).ok() })
+}
+
+/// A map by number. JSON has no keys but texts, so the range is that of their length.
+fn by_number(low: i128, high: i128, values: &Value) -> Value {
+    let digits = high.to_string().len();
+    let first = if low > 0 { "[1-9]" } else { "[0-9]" };
+    let pattern = format!("^{first}[0-9]{{0,{}}}$", digits - 1);
+    json!({ "type": "object", "patternProperties": { pattern: values }, "additionalProperties": false })
+}

@@ -1,0 +1,392 @@
+//! Reading maps by a table of their keys, which also makes their JSON Schema.
+
+use super::rules::{MISSING_KEY, OUT_OF_RANGE, UNKNOWN_KEY, WRONG_TYPE};
+use super::tree::{Entry, Kind, Tree};
+use objdict_model::diagnostic::{Diagnostic, Findings, Severity, listing, misspelled, nearest, say};
+use objdict_model::literal::nanoseconds;
+use objdict_model::source::{Said, Span};
+
+/// A key that a map may have.
+#[derive(Clone, Copy, Debug)]
+pub struct Key {
+    /// The name in the file.
+    pub name: &'static str,
+    /// What its value is.
+    pub shape: Shape,
+    /// What it means: a sentence for the JSON Schema and the documentation.
+    pub meaning: &'static str,
+}
+
+/// What a value is.
+#[derive(Clone, Copy, Debug)]
+pub enum Shape {
+    /// A whole number in a range.
+    Integer(i128, i128),
+    /// A number above 0, also with a fraction.
+    Number,
+    /// True or false.
+    Flag,
+    /// A text.
+    Text,
+    /// One of these words.
+    Word(&'static [&'static str]),
+    /// A whole number in a range, or this word.
+    IntegerOr(i128, i128, &'static str),
+    /// A time: a text with a unit, or a whole number up to the first one of units of so many nanoseconds.
+    Time(i128, u64),
+    /// A number or a text.
+    Value,
+    /// Such a value, or a list of them.
+    ValueOrList,
+    /// A map of values by any names.
+    Values,
+    /// A text, or a list of texts.
+    Texts,
+    /// A list of whole numbers in a range.
+    Numerals(i128, i128),
+    /// Such a map.
+    Map(&'static [Key]),
+    /// A map of such maps by any names.
+    Named(&'static [Key]),
+    /// A list of such maps.
+    List(&'static [Key]),
+    /// A map of such maps by number.
+    Numbered(i128, i128, &'static [Key]),
+    /// A map of numbers in the second range by numbers in the first one.
+    Numbers((i128, i128), (i128, i128)),
+    /// Something for other programs.
+    Foreign,
+}
+
+/// All numbers of this many bits.
+pub const fn bits(bits: u32) -> Shape {
+    Shape::Integer(0, (1 << bits) - 1)
+}
+
+/// A map of the file with the table of its keys.
+#[derive(Clone, Copy, Debug)]
+pub struct Section<'t> {
+    span: Span,
+    entries: &'t [Entry],
+    keys: &'static [Key],
+}
+
+impl<'t> Section<'t> {
+    /// Reports a value that is no map, and unknown keys.
+    pub fn new(name: &str, tree: &'t Tree, keys: &'static [Key], findings: &mut Findings) -> Option<Self> {
+        Self::with_unknown(name, tree, keys, |finding, _| finding, findings)
+    }
+
+    /// The same for a map in which other programs may have keys: an unknown key is a warning, unless it is plainly another
+    /// one that is misspelled.
+    pub fn shared(name: &str, tree: &'t Tree, keys: &'static [Key], findings: &mut Findings) -> Option<Self> {
+        let own = || keys.iter().filter(|key| !matches!(key.shape, Shape::Foreign)).map(|key| key.name);
+        Self::with_unknown(name, tree, keys, |finding, key| or_foreign(finding, key, own()), findings)
+    }
+
+    fn with_unknown(
+        name: &str,
+        tree: &'t Tree,
+        keys: &'static [Key],
+        rated: impl Fn(Diagnostic, &str) -> Diagnostic,
+        findings: &mut Findings,
+    ) -> Option<Self> {
+        let Some(entries) = tree.entries() else {
+            let message = say!("`{}` is {}, not a table of keys", name, tree.kind_name());
+            findings.push(Diagnostic::new(&WRONG_TYPE, tree.span, message).help("write its keys below it"));
+            return None;
+        };
+        let section = Self { span: tree.span, entries, keys };
+        for entry in entries {
+            let key = entry.key.spelled();
+            if !keys.iter().any(|known| known.name == key) {
+                let finding =
+                    Diagnostic::new(&UNKNOWN_KEY, entry.key.span, say!("`{}` has no key `{}`", name, key));
+                let finding = rated(finding, &key);
+                findings.push(match nearest(&key, keys.iter().map(|known| known.name)) {
+                    Some(meant) => finding.help(say!("did you mean `{}`?", meant)),
+                    None => finding.help("remove it, or correct its name"),
+                });
+            }
+        }
+        Some(section)
+    }
+
+    /// Where the map is.
+    pub const fn span(&self) -> Span {
+        self.span
+    }
+
+    /// The value of a key.
+    pub fn get(&self, name: &str) -> Option<&'t Tree> {
+        debug_assert!(self.keys.iter().any(|key| key.name == name), "{name} is not in the table");
+        self.entries.iter().find(|entry| entry.key.text() == Some(name)).map(|entry| &entry.value)
+    }
+
+    /// The value of a key that must be there.
+    pub fn required(&self, owner: &str, name: &str, findings: &mut Findings) -> Option<&'t Tree> {
+        let value = self.get(name);
+        if value.is_none() {
+            let start = Span::new(self.span.start, self.span.start);
+            let finding = Diagnostic::new(&MISSING_KEY, start, say!("`{}` has no key `{}`", owner, name));
+            findings.push(finding.help(say!("add `{}`", name)));
+        }
+        value
+    }
+
+    /// What the table says of a value.
+    fn shape(&self, name: &str) -> Option<&'static Shape> {
+        self.keys.iter().find(|key| key.name == name).map(|key| &key.shape)
+    }
+
+    /// The range of a number in the table.
+    fn range(&self, name: &str) -> (i128, i128) {
+        match self.shape(name) {
+            Some(Shape::Integer(low, high) | Shape::IntegerOr(low, high, _)) => (*low, *high),
+            _ => (i128::MIN, i128::MAX),
+        }
+    }
+
+    /// A whole number.
+    pub fn integer<T: TryFrom<i128>>(&self, name: &str, findings: &mut Findings) -> Option<Said<T>> {
+        let tree = self.get(name)?;
+        let number = integer(name, tree, self.range(name), findings)?;
+        Some(Said::new(T::try_from(number).ok()?, tree.span))
+    }
+
+    /// True or false.
+    pub fn flag(&self, name: &str, findings: &mut Findings) -> Option<Said<bool>> {
+        let tree = self.get(name)?;
+        match &*tree.kind {
+            Kind::Bool(flag) => Some(Said::new(*flag, tree.span)),
+            Kind::Integer(number) => Some(Said::new(*number != 0, tree.span)),
+            _ => {
+                let finding = wrong(name, tree, "true or false");
+                findings.push(
+                    finding.help("write `true` or `false` without quotes; dcfgen takes any text as true"),
+                );
+                None
+            }
+        }
+    }
+
+    /// A number above 0.
+    pub fn number(&self, name: &str, findings: &mut Findings) -> Option<Said<f64>> {
+        let tree = self.get(name)?;
+        let number = match &*tree.kind {
+            // numbers of a file are far below 2^53
+            Kind::Integer(number) => *number as f64,
+            Kind::Float(number) => *number,
+            _ => {
+                findings
+                    .push(wrong(name, tree, "a number").help(say!("write a number, as in `{}: 1.5`", name)));
+                return None;
+            }
+        };
+        if number.is_finite() && number > 0.0 {
+            return Some(Said::new(number, tree.span));
+        }
+        let message = say!("`{}` is {}, which is not above 0", name, number);
+        findings.push(Diagnostic::new(&OUT_OF_RANGE, tree.span, message).help("write a number above 0"));
+        None
+    }
+
+    /// A time in its unit.
+    pub fn time<T: TryFrom<i128>>(&self, name: &str, findings: &mut Findings) -> Option<Said<T>> {
+        let tree = self.get(name)?;
+        let Some(&Shape::Time(high, unit)) = self.shape(name) else { return None };
+        let number = match tree.text().map(nanoseconds) {
+            None => integer(name, tree, (0, high), findings)?,
+            Some(Some(time)) if time.is_multiple_of(unit) && i128::from(time / unit) <= high => {
+                (time / unit).into()
+            }
+            Some(time) => {
+                let longest = spelled_time(high.saturating_mul(unit.into()));
+                let (rule, expected) = match time {
+                    Some(time) if time.is_multiple_of(unit) => (&OUT_OF_RANGE, say!("{} at most", longest)),
+                    Some(_) => (&OUT_OF_RANGE, say!("in multiples of {}", spelled_time(unit.into()))),
+                    None => (&WRONG_TYPE, say!("a time")),
+                };
+                let message = say!("`{}` is `{}`, which is not {}", name, tree.spelled(), expected);
+                let finding = Diagnostic::new(rule, tree.span, message);
+                findings.push(finding.help("write a number with a unit, as in `33ms`, `1.5 s` or `250us`"));
+                return None;
+            }
+        };
+        Some(Said::new(T::try_from(number).ok()?, tree.span))
+    }
+
+    /// A text or several ones.
+    pub fn texts(&self, name: &str, findings: &mut Findings) -> Vec<Said<&'t str>> {
+        let items = self.get(name).map_or(&[][..], |tree| match &*tree.kind {
+            Kind::List(items) => items,
+            _ => std::slice::from_ref(tree),
+        });
+        let mut texts = Vec::with_capacity(items.len());
+        for item in items {
+            match item.text() {
+                Some(text) => texts.push(Said::new(text, item.span)),
+                None => findings.push(wrong(name, item, "a text").help("write a text in quotes")),
+            }
+        }
+        texts
+    }
+
+    /// Numbers of 8 bits by numbers.
+    pub fn numbers(&self, name: &str, findings: &mut Findings) -> Vec<(u8, Said<u8>)> {
+        let numbered = self.numbered(name, findings);
+        let mut numbers = Vec::with_capacity(numbered.len());
+        for (sub, tree) in numbered {
+            let value = integer(name, tree.value, (0, 255), findings);
+            if let (Ok(sub), Some(Ok(value))) = (u8::try_from(sub), value.map(u8::try_from)) {
+                numbers.push((sub, Said::new(value, tree.value.span)));
+            }
+        }
+        numbers
+    }
+
+    /// The entries of a map by name.
+    pub fn named(&self, name: &str, findings: &mut Findings) -> &'t [Entry] {
+        let Some(tree) = self.get(name) else { return &[] };
+        tree.entries().unwrap_or_else(|| {
+            findings.push(wrong(name, tree, "a table of keys").help("write the names as keys below it"));
+            &[]
+        })
+    }
+
+    /// A text; numbers are taken as they are spelled.
+    pub fn text(&self, name: &str, findings: &mut Findings) -> Option<Said<String>> {
+        let tree = self.get(name)?;
+        match &*tree.kind {
+            Kind::Text(_) | Kind::Integer(_) | Kind::Float(_) => Some(Said::new(tree.spelled(), tree.span)),
+            _ => {
+                findings.push(wrong(name, tree, "a text").help("write a text in quotes"));
+                None
+            }
+        }
+    }
+
+    /// A text that is one of the words of the key.
+    pub fn word(&self, name: &str, findings: &mut Findings) -> Option<Said<String>> {
+        let text = self.text(name, findings)?;
+        let key = self.keys.iter().find(|key| key.name == name);
+        let Some(Shape::Word(words)) = key.map(|key| &key.shape) else { return Some(text) };
+        if words.contains(&text.value.as_str()) {
+            return Some(text);
+        }
+        let message = say!("`{}` is not a value of `{}`", text.value, name);
+        let help = say!("write {}", listing(words.iter().copied()));
+        findings.push(Diagnostic::new(&WRONG_TYPE, text.at, message).help(help));
+        None
+    }
+
+    /// The items of a list.
+    pub fn list(&self, name: &str, findings: &mut Findings) -> Option<&'t [Tree]> {
+        let tree = self.get(name)?;
+        match &*tree.kind {
+            Kind::List(items) => Some(items),
+            _ => {
+                findings.push(wrong(name, tree, "a list").help(
+                    "write each item in a line of its own after `- `, or all in brackets, `[]` for none",
+                ));
+                None
+            }
+        }
+    }
+
+    /// The entries of a map by number, each with its number.
+    pub fn numbered(&self, name: &str, findings: &mut Findings) -> Vec<(i128, Said<&'t Tree>)> {
+        let Some(tree) = self.get(name) else { return Vec::new() };
+        let (low, high) = match self.shape(name) {
+            Some(Shape::Numbered(low, high, _) | Shape::Numbers((low, high), _)) => (*low, *high),
+            _ => (i128::MIN, i128::MAX),
+        };
+        let Some(entries) = tree.entries() else {
+            findings.push(wrong(name, tree, "a table of keys").help("write the numbers as keys below it"));
+            return Vec::new();
+        };
+        let mut numbered = Vec::with_capacity(entries.len());
+        for Entry { key, value } in entries {
+            if key.text().is_some() {
+                let finding = wrong(name, key, "a number");
+                findings.push(finding.help("write the number without quotes"));
+            } else if let Some(number) = integer(name, key, (low, high), findings) {
+                numbered.push((number, Said::new(value, key.span)));
+            }
+        }
+        numbered
+    }
+}
+
+/// A finding about an unknown key that another program may know, if it is not one of these words, misspelled.
+pub fn or_foreign<'a>(
+    finding: Diagnostic,
+    key: &str,
+    words: impl IntoIterator<Item = &'a str>,
+) -> Diagnostic {
+    match misspelled(key, words) {
+        Some(_) => finding.understood(),
+        None => finding.severity(Severity::Warning),
+    }
+}
+
+/// A whole number in a range. What dcfgen silently reads as one is a warning.
+pub fn integer(name: &str, tree: &Tree, (low, high): (i128, i128), findings: &mut Findings) -> Option<i128> {
+    let number = match &*tree.kind {
+        Kind::Integer(number) => *number,
+        Kind::Float(number) if number.is_finite() && number.abs() < 1e18 => {
+            let cut = number.trunc() as i128;
+            if number.fract() != 0.0 {
+                let message = say!("`{}` is {}, which is read as {}", name, number, cut);
+                let finding = Diagnostic::new(&WRONG_TYPE, tree.span, message).severity(Severity::Warning);
+                findings.push(finding.help("write a whole number"));
+            }
+            cut
+        }
+        Kind::Bool(flag) => {
+            let message = say!("`{}` is {}, which is read as {}", name, flag.to_string(), u8::from(*flag));
+            let finding = Diagnostic::new(&WRONG_TYPE, tree.span, message).severity(Severity::Warning);
+            findings.push(finding.help("write a number"));
+            (*flag).into()
+        }
+        Kind::Text(text) if text.parse::<i128>().is_ok() => {
+            let finding = wrong(name, tree, "a number").severity(Severity::Warning);
+            findings.push(finding.help("write it without quotes"));
+            text.parse().ok()?
+        }
+        _ => {
+            findings.push(wrong(name, tree, "a whole number").help(say!(
+                "write a number from {} to {}",
+                low,
+                high
+            )));
+            return None;
+        }
+    };
+    if (low..=high).contains(&number) {
+        return Some(number);
+    }
+    let message = say!("`{}` is {}, which is not {} to {}", name, number, low, high);
+    findings.push(Diagnostic::new(&OUT_OF_RANGE, tree.span, message).help(say!(
+        "write a number from {} to {}",
+        low,
+        high
+    )));
+    None
+}
+
+/// A time in the largest unit that has no fraction.
+fn spelled_time(nanoseconds: i128) -> String {
+    let units = [(1_000_000_000, "s"), (1_000_000, "ms"), (1000, "us")];
+    let unit = units.iter().find(|(length, _)| nanoseconds % length == 0);
+    unit.map_or_else(
+        || format!("{nanoseconds}ns"),
+        |(length, unit)| format!("{}{unit}", nanoseconds / length),
+    )
+}
+
+/// `cob_id` is a text where a number belongs.
+pub fn wrong(name: &str, tree: &Tree, expected: &'static str) -> Diagnostic {
+    let message = say!("`{}` is `{}`, {} where {} belongs", name, tree.spelled(), tree.kind_name(), expected);
+    Diagnostic::new(&WRONG_TYPE, tree.span, message)
+}

@@ -1,0 +1,95 @@
+//! Values with places: what YAML and TOML have in common.
+
+use std::sync::Arc;
+
+use objdict_model::source::Span;
+
+/// A value and its place.
+#[derive(Clone, Debug)]
+pub struct Tree {
+    /// The bytes of the value in the text.
+    pub span: Span,
+    /// Shared, because an anchor of YAML may be named more often than the text is long.
+    pub kind: Arc<Kind>,
+}
+
+/// What a value is.
+#[derive(Clone, Debug)]
+pub enum Kind {
+    /// Nothing.
+    Null,
+    /// A truth value.
+    Bool(bool),
+    /// An integer.
+    Integer(i128),
+    /// A number with a fraction.
+    Float(f64),
+    /// A text.
+    Text(String),
+    /// A list.
+    List(Vec<Tree>),
+    /// A table, in the order of the text.
+    Map(Vec<Entry>),
+}
+
+/// A key and its value.
+#[derive(Clone, Debug)]
+pub struct Entry {
+    /// The key, which is a text.
+    pub key: Tree,
+    /// Its value.
+    pub value: Tree,
+}
+
+impl Tree {
+    /// A value at a place of the text.
+    pub fn new(span: Span, kind: Kind) -> Self {
+        Self { span, kind: Arc::new(kind) }
+    }
+
+    /// The value as a text; `None` for anything else.
+    pub fn text(&self) -> Option<&str> {
+        match &*self.kind {
+            Kind::Text(text) => Some(text),
+            _ => None,
+        }
+    }
+
+    /// The entries of a map; `None` for anything else.
+    pub fn entries(&self) -> Option<&[Entry]> {
+        match &*self.kind {
+            Kind::Map(entries) => Some(entries),
+            _ => None,
+        }
+    }
+
+    /// The value of a key of a map.
+    pub fn get(&self, key: &str) -> Option<&Tree> {
+        let entries = self.entries()?;
+        entries.iter().find(|entry| entry.key.text() == Some(key)).map(|entry| &entry.value)
+    }
+
+    /// What the value is, for messages.
+    pub fn kind_name(&self) -> &'static str {
+        match &*self.kind {
+            Kind::Null => "nothing",
+            Kind::Bool(_) => "true or false",
+            Kind::Integer(_) => "a whole number",
+            Kind::Float(_) => "a number with a fraction",
+            Kind::Text(_) => "a text",
+            Kind::List(_) => "a list",
+            Kind::Map(_) => "a table of keys",
+        }
+    }
+
+    /// The value as it is spelled in messages.
+    pub fn spelled(&self) -> String {
+        match &*self.kind {
+            Kind::Bool(flag) => flag.to_string(),
+            Kind::Integer(number) => number.to_string(),
+            Kind::Float(number) => format!("{number:?}"),
+            Kind::Text(text) => text.clone(),
+            Kind::Null | Kind::List(_) | Kind::Map(_) => self.kind_name().to_owned(),
+        }
+    }
+}

@@ -1,0 +1,165 @@
+//! Changes of a description that fix nothing: order and spelling, and new parts.
+
+use super::file::File;
+use super::protocol::{CodeAction, REFACTOR, TextEdit};
+use objdict_eds::eds;
+use objdict_format as format;
+use objdict_format::Description;
+use objdict_format::scaffold;
+use objdict_model::diagnostic::{Change, Fix};
+use objdict_model::model::{
+    DataType, Device, Entry, Field, MappedObject, Object, ObjectList, ObjectType, Part, PdoKind, Place,
+};
+use objdict_model::source::{Edits, SourceFile, SourceOptions};
+
+/// The bits of a frame.
+const FRAME: u32 = 64;
+
+/// The edits that put a file into the order and spelling of `objdict fmt`; `None` where that is not possible.
+pub(super) fn formatted(file: &File) -> Option<Vec<TextEdit>> {
+    let description = file.description()?;
+    let bytes = description.arranged().ok()?;
+    let options = SourceOptions { encoding: Some(file.source().encoding()), max_size: u64::MAX };
+    let source = SourceFile::from_bytes(file.source().name(), bytes, &options).ok()?;
+    Some(file.edits_to(source.text()))
+}
+
+/// The changes that can be made at an offset.
+pub(super) fn refactorings(file: &File, description: &Description, offset: u32) -> Vec<CodeAction> {
+    let Some(place) = file.place(offset) else { return Vec::new() };
+    let device = description.device();
+    let mut fixes = Vec::new();
+    if let Some(index) = place.part.object() {
+        fixes.extend(new_sub_index(device, index));
+        let has_subs = device.object(index).is_some_and(|object| object.object_type().has_subs());
+        match place.part {
+            Part::Entry(_, sub) => fixes.extend(mapped(device, index, sub)),
+            _ if has_subs => {}
+            _ => fixes.extend(mapped(device, index, 0)),
+        }
+    }
+    if let Part::List(list) = place.part {
+        fixes.extend(listed(device, list));
+    }
+    let action = |fix: Fix| {
+        let edits = file.edits(description.edits(&fix)?);
+        Some(CodeAction {
+            title: fix.title.shown().into_owned(),
+            kind: REFACTOR,
+            edit: Some(file.workspace_edit(edits)),
+            ..CodeAction::default()
+        })
+    };
+    fixes.into_iter().filter_map(action).collect()
+}
+
+/// Adds the next sub-index to an object, as the documents demand it, else as the one before it is.
+fn new_sub_index(device: &Device, index: u16) -> Option<Fix> {
+    let object = device.object(index).filter(|object| object.object_type().has_subs())?;
+    if object.compact.is_some() {
+        return None;
+    }
+    let sub = (0..=254_u8).find(|sub| !object.has(*sub))?;
+    let entry = scaffold::entry(device, index, sub).unwrap_or_else(|| {
+        let like = sub.checked_sub(1).filter(|before| *before > 0).and_then(|before| object.subs.get(before));
+        Entry {
+            name: format!("{} {sub}", object.name()).into(),
+            object_type: Some(ObjectType::Var),
+            data_type: like.and_then(|like| like.data_type).or(Some(DataType::UNSIGNED8)),
+            access: like.and_then(|like| like.access),
+            pdo_mapping: like.and_then(|like| like.pdo_mapping),
+            ..Entry::default()
+        }
+    });
+    let mut after = Device { kind: device.kind, ..Device::default() };
+    let mut before = after.clone();
+    before.objects.insert(index, object.clone());
+    let mut grown = object.clone();
+    grown.subs.insert(sub, entry);
+    grown.sub_number = grown.sub_number.and_then(|number| number.checked_add(1));
+    after.objects.insert(index, grown);
+    let title = format!("add sub-index {sub:02X} to {index:04X}h");
+    let changes = eds::additions(&before, &after)?;
+    let mut fix = changes.into_iter().fold(Fix::risky(title), Fix::with);
+    let highest = object.subs.get(0).and_then(|entry| entry.default.as_ref()?.as_integer());
+    if index != 0x1003 && highest == Some(i128::from(sub) - 1) {
+        fix = fix.set(Place::entry(index, 0).field(Field::DefaultValue), format!("0x{sub:X}"));
+    }
+    Some(fix)
+}
+
+/// The other way to store an object at an offset, and what it is called: entries written out, or compact storage.
+pub(super) fn storage(file: &File, description: &Description, offset: u32) -> Option<(u16, String)> {
+    let index = file.place(offset)?.part.object()?;
+    let object = description.device().object(index)?;
+    stored_otherwise(description, object)?;
+    let title = match &object.compact {
+        Some(compact) => format!("describe the {} sub-indexes of {index:04X}h individually", compact.count),
+        None => {
+            let name = object.subs.get(0).map(|entry| &*entry.name).filter(|name| *name != "NrOfObjects");
+            let lost = name.map(|name| format!(", without the name `{name}` of sub-index 0"));
+            format!("store {index:04X}h compactly{}", lost.unwrap_or_default())
+        }
+    };
+    Some((index, title))
+}
+
+/// An object stored the other way; only EDS and DCF have compact storage.
+fn stored_otherwise(description: &Description, object: &Object) -> Option<Object> {
+    description.document()?;
+    if object.compact.is_some() { Some(object.expanded().into_owned()) } else { object.compacted() }
+}
+
+/// The edits that store an object the other way.
+pub(super) fn restored(file: &File, index: u16) -> Option<Vec<TextEdit>> {
+    let description = file.description()?;
+    let object = description.device().object(index)?;
+    let after = stored_otherwise(description, object)?;
+    let changed = |description: &Description, changes: Vec<Change>| {
+        let fix = changes.into_iter().fold(Fix::risky(""), Fix::with);
+        let mut edits = Edits::new(description.source());
+        description.edits(&fix)?.into_iter().for_each(|(span, new)| edits.replace(span, new));
+        edits.text().ok()
+    };
+    let [changes, added] = eds::stored(index, object, &after);
+    let left = SourceFile::from_text(file.source().name(), changed(description, changes)?);
+    let text = match &added[..] {
+        [] => left.text().to_owned(),
+        _ => changed(&format::read(left, description.format()), added)?,
+    };
+    Some(file.edits_to(&text))
+}
+
+/// Maps an entry into the first PDO of each direction that has room for it and a sub-index left.
+fn mapped(device: &Device, index: u16, sub: u8) -> Vec<Fix> {
+    let entry = device.object(index).and_then(|object| object.entry(sub));
+    let Some(entry) = entry.filter(|_| PdoKind::of_mapping(index).is_none()) else { return Vec::new() };
+    let Some(bits) = entry.implied_type().and_then(DataType::bit_length) else { return Vec::new() };
+    let kinds = PdoKind::ALL.into_iter().filter(|kind| entry.is_mappable() && entry.fits_pdo(*kind));
+    let fix = |kind: PdoKind| {
+        let mut pdos =
+            device.pdos().filter(|pdo| pdo.kind == kind && pdo.bit_length() + u32::from(bits) <= FRAME);
+        pdos.find_map(|pdo| {
+            let count = pdo.mapped_count.filter(|count| *count < 64)?;
+            let slot = pdo.slots.iter().find(|slot| slot.sub == count + 1)?;
+            let number = MappedObject { index, sub, bits }.to_number();
+            let mapping = pdo.mapping_index();
+            let title = format!("map into {pdo} (now {} of {FRAME} bits)", pdo.bit_length());
+            let value = device.value_place(mapping, slot.sub);
+            let counted = device.value_place(mapping, 0);
+            Some(
+                Fix::risky(title).set(value, format!("0x{number:08X}")).set(counted, (count + 1).to_string()),
+            )
+        })
+    };
+    kinds.filter_map(fix).collect()
+}
+
+/// Numbers a list again, in the order of its indexes.
+fn listed(device: &Device, list: ObjectList) -> Option<Fix> {
+    let mut members = device.lists.get(list).to_vec();
+    members.sort_unstable();
+    members.dedup();
+    let title = format!("number {list} again, in the order of indexes");
+    (!members.is_empty()).then(|| Fix::risky(title).with(Change::List(list, members)))
+}

@@ -1,0 +1,112 @@
+//! JSON as objdict writes it: characters that steer a terminal or the direction of text are escapes, and so is the start of what
+//! a CI service takes for a command.
+
+use std::fmt;
+use std::io::{self, Write};
+
+use serde::de::{self, Visitor};
+use serde::{Deserialize, Deserializer, Serialize, Serializer};
+
+use crate::diagnostic::visible;
+
+/// The version of a document: this number, and no other.
+#[derive(Clone, Copy, Debug)]
+pub struct Version<const NUMBER: u32>;
+
+impl<const NUMBER: u32> Serialize for Version<NUMBER> {
+    fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
+        serializer.serialize_u32(NUMBER)
+    }
+}
+
+impl<'de, const NUMBER: u32> Deserialize<'de> for Version<NUMBER> {
+    fn deserialize<D: Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
+        deserializer.deserialize_any(Self)
+    }
+}
+
+impl<const NUMBER: u32> Visitor<'_> for Version<NUMBER> {
+    type Value = Self;
+
+    fn expecting(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        write!(f, "the version {NUMBER}")
+    }
+
+    fn visit_u64<E: de::Error>(self, version: u64) -> Result<Self, E> {
+        match version {
+            version if version == u64::from(NUMBER) => Ok(Self),
+            _ => Err(E::custom(format!("the version `{version}` is unknown, this tool knows {NUMBER}"))),
+        }
+    }
+}
+
+#[cfg(feature = "schema")]
+impl<const NUMBER: u32> schemars::JsonSchema for Version<NUMBER> {
+    fn inline_schema() -> bool {
+        true
+    }
+
+    fn schema_name() -> std::borrow::Cow<'static, str> {
+        "Version".into()
+    }
+
+    fn json_schema(_: &mut schemars::SchemaGenerator) -> schemars::Schema {
+        schemars::json_schema!({ "const": NUMBER })
+    }
+}
+
+/// Writes a value in one line.
+pub fn write(out: &mut dyn Write, value: &(impl Serialize + ?Sized)) -> io::Result<()> {
+    out.write_all(text(value)?.as_bytes())
+}
+
+/// Writes a value in lines, without an end of the last one.
+pub fn write_pretty(out: &mut dyn Write, value: &(impl Serialize + ?Sized)) -> io::Result<()> {
+    out.write_all(pretty(value)?.as_bytes())
+}
+
+/// A value in one line.
+pub fn text(value: &(impl Serialize + ?Sized)) -> serde_json::Result<String> {
+    serde_json::to_string(value).map(escaped)
+}
+
+/// A value in lines.
+pub fn pretty(value: &(impl Serialize + ?Sized)) -> serde_json::Result<String> {
+    serde_json::to_string_pretty(value).map(escaped)
+}
+
+/// JSON with the same meaning, in which nothing but line ends steers anything. Outside of texts it has no such characters.
+fn escaped(json: String) -> String {
+    let is_plain = |byte: u8| matches!(byte, b'\n' | b' '..=b'~');
+    if json.bytes().all(is_plain) && !json.contains("##") {
+        return json;
+    }
+    let mut escaped = String::with_capacity(json.len());
+    let mut characters = json.chars().peekable();
+    while let Some(character) = characters.next() {
+        let is_mark = character == '#' && characters.peek() == Some(&'#');
+        if is_mark || (character != '\n' && visible(character) != character) {
+            // all of these are in the basic plane
+            escaped.push_str(&format!("\\u{:04x}", u32::from(character)));
+        } else {
+            escaped.push(character);
+        }
+    }
+    escaped
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn texts_read_back() {
+        let hostile = "a\u{1B}\u{7F}\u{85}\u{9B}\u{202E}\u{2066}\u{FEFF}##[error]#[b] \u{FFFD} größer\n";
+        for json in [text(&hostile).unwrap(), pretty(&vec![hostile]).unwrap()] {
+            assert!(json.chars().all(|c| c == '\n' || visible(c) == c), "{json}");
+            assert!(!json.contains("##") && json.contains("größer"), "{json}");
+            assert!(json.contains("\\u202e") && json.contains("\\u009b"), "{json}");
+        }
+        assert_eq!(serde_json::from_str::<String>(&text(&hostile).unwrap()).unwrap(), hostile);
+    }
+}

@@ -1,0 +1,350 @@
+//! A network as its manager and its nodes find it when they are switched on: from the files that are built of it.
+
+use std::path::Path;
+
+use objdict_bus::{Configurations, Plant, PlantNode, PowerOn};
+
+use super::rules::UNREADABLE_NODE;
+use super::{Build, BuildError, BuiltFile, NetworkFile};
+use objdict_format::input::{FileKind, Input, ReadError, Reading};
+use objdict_model::model::{Assignment, Device, DeviceKind, Entry, Value};
+use objdict_network::{DcfgenMode, LelyOptions, Network, Node};
+use objdict_node::download::{ConciseDcf, Order};
+
+/// The bit rate in kbit/s of a network that states none.
+const BIT_RATE: u16 = 125;
+
+const CONCISE_DCF: u16 = 0x1F22;
+const NMT_STARTUP: u16 = 0x1F80;
+
+/// The files that boot a network.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[non_exhaustive]
+pub enum BootFiles {
+    /// The DCF or XDC of each node, and the DCF of the manager.
+    Dcf,
+    /// The files of Lely's master; the nodes are their descriptions.
+    Lely,
+}
+
+/// A network that is ready to be switched on.
+#[derive(Clone, Debug)]
+pub struct Installation {
+    /// The network.
+    pub plant: Plant,
+    /// What was assumed, and which nodes are left out: sentences in lower case without a full stop.
+    pub notes: Vec<String>,
+}
+
+/// Why files are not a network that can be switched on.
+#[derive(Debug)]
+#[non_exhaustive]
+pub enum InstallError {
+    /// The network cannot be built.
+    Build(BuildError),
+    /// A file cannot be read.
+    Read(ReadError),
+    /// No file describes a manager.
+    NoManager,
+    /// Several files describe a manager.
+    Managers(String, String),
+    /// A manager or a node has no node-ID.
+    NoNodeId(String),
+    /// The network file has a node that cannot be read, so the network would be another one.
+    UnreadNode {
+        /// The node and the reason.
+        message: String,
+        /// What to do about it.
+        help: Option<String>,
+    },
+    /// Two nodes have the same node-ID.
+    NodeIds(String, String, u8),
+    /// A file with downloads is malformed.
+    Downloads(String, objdict_node::download::DecodeError),
+}
+
+objdict_model::error_messages! { InstallError:
+    from BuildError as Build
+    from ReadError as Read
+{
+    Self::Build(error) => "{error}";
+    Self::Read(error) => "{error}";
+    Self::NoManager =>
+        "no file describes a manager: a device with 1F80h bit 0, or a DCF with `CANopenManager=1`";
+    Self::Managers(one, other) => "`{one}` and `{other}` both describe a manager";
+    Self::NoNodeId(name) => "`{name}` states no node-ID";
+    Self::UnreadNode { message, .. } => "{message}";
+    Self::NodeIds(one, other, node_id) => "`{one}` and `{other}` both have the node-ID {node_id}";
+    Self::Downloads(name, error) => "`{name}`: {error}";
+} }
+
+impl InstallError {
+    /// What to do about it, where that is known.
+    pub fn help(&self) -> Option<String> {
+        match self {
+            Self::Read(error) => error.help(),
+            Self::NoManager => {
+                Some("build the network with `--target dcf`, `manager`, `cpj` or `lely`".to_owned())
+            }
+            Self::UnreadNode { help, .. } => help.clone(),
+            _ => None,
+        }
+    }
+}
+
+impl NetworkFile {
+    /// The files of Lely's master for a network in the order of dcfgen, DCFs for others.
+    pub fn boot_files(&self) -> BootFiles {
+        let is_dcfgen = self.network().is_some_and(|network| network.order == Order::Dcfgen);
+        if is_dcfgen { BootFiles::Lely } else { BootFiles::Dcf }
+    }
+
+    /// Builds files of the network in memory and reads them.
+    ///
+    /// # Errors
+    /// When they cannot be built, or are not a network.
+    pub fn install(&self, files: BootFiles) -> Result<Installation, InstallError> {
+        if let Some(unread) = self.findings.iter().find(|finding| finding.rule.id == UNREADABLE_NODE.id) {
+            let help = unread.help.as_ref().map(ToString::to_string);
+            return Err(InstallError::UnreadNode { message: unread.message.to_string(), help });
+        }
+        if let Some((_, node)) =
+            self.network().into_iter().flat_map(Network::slaves).find(|(_, node)| node.node_id.is_none())
+        {
+            return Err(InstallError::NoNodeId(node.name.value.clone()));
+        }
+        let build = self.build(DcfgenMode::Corrected)?;
+        install(&files.of(&build)?, Some(self))
+    }
+}
+
+impl BootFiles {
+    fn of(self, build: &Build<'_>) -> Result<Vec<BuiltFile>, BuildError> {
+        match self {
+            Self::Dcf => build.dcfs(),
+            Self::Lely => build.lely(&LelyOptions::default()),
+        }
+    }
+}
+
+/// Reads the files of a network: the DCF of its manager with the files that it names, and the DCFs of the nodes. Nodes without one are
+/// those of the network file.
+///
+/// # Errors
+/// When a file cannot be read, and when none or several describe a manager.
+pub fn install(files: &[BuiltFile], network: Option<&NetworkFile>) -> Result<Installation, InstallError> {
+    let mut described = described(files)?;
+    let manager = described.remove(manager_among(&described)?);
+    let mut notes = Vec::new();
+    let nodes = nodes(described, network, &manager, &mut notes)?;
+    let bit_rate = bit_rate(&manager.device, network).unwrap_or_else(|| {
+        notes.push(format!("no bit rate is stated, so it is {BIT_RATE} kbit/s"));
+        BIT_RATE
+    });
+    let (nodes, foreign): (Vec<_>, Vec<_>) =
+        nodes.into_iter().partition(|node| own_rate(&node.device).is_none_or(|rate| rate == bit_rate));
+    for node in foreign {
+        let rate = own_rate(&node.device).unwrap_or_default();
+        notes.push(format!(
+            "`{}` is set to {rate} kbit/s and the bus to {bit_rate}, so it is left out",
+            node.name
+        ));
+    }
+    let manager = configured(manager, files)?;
+    let nodes = nodes.into_iter().map(|node| with_identity(node, &manager.device)).collect();
+    let configurations = configurations(&manager.device, files);
+    Ok(Installation { plant: Plant { bit_rate, manager, configurations, nodes }, notes })
+}
+
+/// A description among the files.
+pub(super) struct Described {
+    /// The name of the file.
+    file: String,
+    pub(super) device: Device,
+}
+
+impl Described {
+    fn name(&self) -> String {
+        let stated = self.device.commissioning.as_ref().and_then(|node| node.node_name.clone());
+        let stem = Path::new(&self.file).file_stem().unwrap_or_default();
+        stated.filter(|name| !name.is_empty()).unwrap_or_else(|| stem.to_string_lossy().into_owned())
+    }
+}
+
+pub(super) fn described(files: &[BuiltFile]) -> Result<Vec<Described>, ReadError> {
+    let mut described = Vec::new();
+    for BuiltFile { name, bytes } in files {
+        let kind = FileKind::of(Path::new(name));
+        if !kind.is_some_and(|kind| kind.format().is_some() || kind == FileKind::Json) {
+            continue;
+        }
+        let device = match Reading::default().read_one(name, bytes.clone())?.1 {
+            Input::Description(description) => description.device().clone(),
+            Input::Device(device) => *device,
+            _ => continue,
+        };
+        described.push(Described { file: name.clone(), device });
+    }
+    Ok(described)
+}
+
+pub(super) fn manager_among(described: &[Described]) -> Result<usize, InstallError> {
+    let is_manager = |device: &Device| {
+        let startup = device.value(NMT_STARTUP, 0).and_then(|value| value.as_integer());
+        let is_stated = device.commissioning.as_ref().and_then(|node| node.manager);
+        is_stated.unwrap_or_else(|| startup.is_some_and(|startup| startup & 1 == 1))
+    };
+    let mut managers = described.iter().enumerate().filter(|(_, described)| is_manager(&described.device));
+    match (managers.next(), managers.next()) {
+        (Some((at, _)), None) => Ok(at),
+        (Some((_, first)), Some((_, second))) => {
+            Err(InstallError::Managers(first.file.clone(), second.file.clone()))
+        }
+        (None, _) => Err(InstallError::NoManager),
+    }
+}
+
+/// The nodes beside the manager, each with its own node-ID.
+fn nodes(
+    described: Vec<Described>,
+    network: Option<&NetworkFile>,
+    manager: &Described,
+    notes: &mut Vec<String>,
+) -> Result<Vec<PlantNode>, InstallError> {
+    let network = network.and_then(NetworkFile::network);
+    let request = |node_id: u8| {
+        let mut nodes = network.into_iter().flat_map(|network| &network.nodes);
+        nodes.find(|node| node.node_id.is_some_and(|said| said.value == node_id))
+    };
+    let of_file = |described: Described| match described.device.node_id() {
+        None => {
+            let note = format!("`{}` states no node-ID, so it is left out", described.file);
+            Err(note)
+        }
+        Some(node_id) => Ok(PlantNode {
+            name: described.name(),
+            node_id,
+            power_on: PowerOn::Defaults,
+            must_boot: request(node_id).map(|node| node.boot.boot),
+            device: described.device,
+        }),
+    };
+    let of_network = |node: &Node| {
+        let is_configured = network.is_some_and(|network| network.order == Order::Dcfgen)
+            && node.device.kind == DeviceKind::Node;
+        Some(PlantNode {
+            name: node.name.value.clone(),
+            node_id: node.node_id?.value,
+            device: node.device.clone(),
+            // dcfgen takes a DCF for what the node has
+            power_on: if is_configured { PowerOn::Configured } else { PowerOn::Defaults },
+            must_boot: Some(node.boot.boot),
+        })
+    };
+    let mut nodes: Vec<PlantNode> = Vec::new();
+    for node in described.into_iter().map(of_file) {
+        match node {
+            Ok(node) => nodes.push(node),
+            Err(note) => notes.push(note),
+        }
+    }
+    if nodes.is_empty() {
+        nodes =
+            network.into_iter().flat_map(Network::slaves).filter_map(|(_, node)| of_network(node)).collect();
+    }
+    nodes.sort_by_key(|node| node.node_id);
+    let own = manager.device.node_id();
+    let pairs = nodes.windows(2).filter(|pair| pair[0].node_id == pair[1].node_id);
+    let mut clashes = pairs.map(|pair| (pair[0].name.clone(), pair[1].name.clone(), pair[0].node_id));
+    let with_manager = nodes.iter().find(|node| Some(node.node_id) == own);
+    let with_manager = with_manager.map(|node| (node.name.clone(), manager.name(), node.node_id));
+    match clashes.next().or(with_manager) {
+        Some((first, second, node_id)) => Err(InstallError::NodeIds(first, second, node_id)),
+        None => Ok(nodes),
+    }
+}
+
+/// A node with an identity: that of 1018h, where the description has no number there, that of `DeviceInfo`, else what the manager expects. The
+/// default of a serial number is none, because an EDS describes all devices of a type.
+fn with_identity(mut node: PlantNode, manager: &Device) -> PlantNode {
+    let device = &node.device;
+    let info = device.device_info.as_ref();
+    let serial = device.commissioning.as_ref().and_then(|node| node.lss_serial_number);
+    let identity = device.identity();
+    let is_configured = device.entry(0x1018, 4).is_some_and(|entry| entry.configured_value().is_some());
+    let of_node = |(sub, own, stated): (u8, Option<u32>, Option<u32>)| {
+        let expected =
+            manager.value(0x1F84 + u16::from(sub), node.node_id).and_then(|value| value.as_integer());
+        let expected = expected.and_then(|number| u32::try_from(number).ok());
+        let number = [own, stated, expected].into_iter().flatten().find(|number| *number != 0)?;
+        Some(Assignment { index: 0x1018, sub, value: Value::Unsigned(number.into()) })
+    };
+    let values = [
+        (1, identity.vendor_id, info.and_then(|info| info.vendor_number)),
+        (2, identity.product_code, info.and_then(|info| info.product_number)),
+        (3, identity.revision_number, info.and_then(|info| info.revision_number)),
+        (4, identity.serial_number.filter(|_| is_configured), serial),
+    ];
+    let values: Vec<Assignment> = values.into_iter().filter_map(of_node).collect();
+    node.device.assign(&values);
+    node
+}
+
+/// The bit rate that a description is set to.
+fn own_rate(device: &Device) -> Option<u16> {
+    device.commissioning.as_ref()?.baud_rate.filter(|rate| *rate != 0)
+}
+
+fn bit_rate(manager: &Device, network: Option<&NetworkFile>) -> Option<u16> {
+    let of_network = || Some(network?.network()?.bit_rate?.value);
+    own_rate(manager).or_else(of_network).filter(|rate| *rate != 0)
+}
+
+/// The manager with the downloads that Lely's master makes to itself: those of `master.bin` beside `master.dcf`.
+pub(super) fn configured(manager: Described, files: &[BuiltFile]) -> Result<PlantNode, InstallError> {
+    let node_id = manager.device.node_id().ok_or_else(|| InstallError::NoNodeId(manager.file.clone()))?;
+    let beside = Path::new(&manager.file).with_extension("bin");
+    let own = files.iter().find(|file| Path::new(&file.name) == beside);
+    let (name, mut device) = (manager.name(), manager.device);
+    if let Some(own) = own {
+        let downloads = ConciseDcf::parse(&own.bytes)
+            .map_err(|error| InstallError::Downloads(own.name.clone(), error))?;
+        let values = downloads.0.iter().filter_map(|download| {
+            let (index, sub) = (download.index, download.sub);
+            Some(Assignment { index, sub, value: download.value(&device)? })
+        });
+        let values: Vec<Assignment> = values.collect();
+        device.assign(&values);
+    }
+    let name = if name.is_empty() { "manager".to_owned() } else { name };
+    Ok(PlantNode { name, node_id, device, power_on: PowerOn::Configured, must_boot: None })
+}
+
+/// The concise DCFs of the nodes: in the manager, or in files that it names.
+pub(super) fn configurations(manager: &Device, files: &[BuiltFile]) -> Configurations {
+    let mut configurations = Configurations::new();
+    let Some(object) = manager.object(CONCISE_DCF) else { return configurations };
+    for (node_id, entry) in object.entries().filter(|(sub, _)| (1..=127).contains(sub)) {
+        if let Some(stream) = stream(&entry, files) {
+            let downloads = stream.and_then(|stream| {
+                ConciseDcf::parse(&stream).map(|concise| concise.0).map_err(|error| error.to_string())
+            });
+            configurations.insert(node_id, downloads);
+        }
+    }
+    configurations
+}
+
+/// The bytes of a concise DCF; `None` if there is none.
+fn stream(entry: &Entry, files: &[BuiltFile]) -> Option<Result<Vec<u8>, String>> {
+    let named = entry.configured.as_ref().and_then(|configured| configured.upload_file.as_deref());
+    match (named, entry.value()) {
+        (Some(path), _) => {
+            let name = path.rsplit(['/', '\\']).next().unwrap_or(path);
+            let file = files.iter().find(|file| file.name == name);
+            Some(file.map(|file| file.bytes.clone()).ok_or_else(|| format!("`{name}` (1F22h) is missing")))
+        }
+        (None, Some(Value::Bytes(bytes))) if !bytes.is_empty() => Some(Ok(bytes.to_vec())),
+        _ => None,
+    }
+}

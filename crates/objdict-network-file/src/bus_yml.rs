@@ -1,0 +1,376 @@
+//! `bus.yml`: the networks of dcfgen, and those of ros2_canopen, which makes such a file of them first.
+
+use std::collections::BTreeMap;
+
+use super::bus_keys::{MAPPING, MASTER, NODE, OPTIONS, PDO, SDO};
+use super::requested_value;
+use super::rules::OVERRIDDEN_KEY;
+use super::{Descriptions, too_many};
+use objdict_keyed::rules::{MISSING_KEY, UNKNOWN_KEY, WRONG_TYPE};
+use objdict_keyed::section::{Section, or_foreign, wrong};
+use objdict_keyed::tree::{Entry, Kind, Tree};
+use objdict_keyed::yaml;
+use objdict_model::diagnostic::{Diagnostic, Findings, misspelled, say};
+use objdict_model::model::{Address, PdoKind};
+use objdict_model::source::Span;
+use objdict_network::{
+    DownloadRequest, Heartbeat, Manager, Network, Node, PdoRequest, RequestedCobId, RequestedValue, Said,
+    Startup,
+};
+use objdict_node::configure::PdoName;
+use objdict_node::download::Order;
+
+/// What dcfgen has beside the nodes.
+const KEYS_OF_DCFGEN: [&str; 2] = ["options", "master"];
+
+/// What ros2_canopen has beside the nodes.
+const KEYS_OF_ROS: [&str; 4] = ["options", "master", "defaults", "nodes"];
+
+/// Reads a network; `None` if the text is no YAML.
+pub(super) fn read(
+    text: &str,
+    descriptions: &mut Descriptions<'_>,
+    findings: &mut Findings,
+) -> Option<Network> {
+    let tree = yaml::read(text, findings)?;
+    let Some(entries) = tree.entries() else {
+        let finding = Diagnostic::new(&WRONG_TYPE, tree.span, "the file has no keys");
+        findings.push(finding.help("write `master` and the nodes, each with its keys below it"));
+        return None;
+    };
+    let mut reader = Reader { options: Options::default(), descriptions, findings };
+    if let Some(options) = tree.get("options") {
+        reader.options(options);
+    }
+    let mut network = Network {
+        run_time_folder: reader.options.folder.clone(),
+        order: Order::Dcfgen,
+        ..Network::default()
+    };
+    network.manager = match tree.get("master") {
+        Some(master) => reader.manager(master, &mut network.bit_rate),
+        None => {
+            let finding = Diagnostic::new(&MISSING_KEY, Span::empty(0), "the network has no `master`");
+            reader.findings.push(finding.help("add `master` with its `node_id`"));
+            // without one, all PDOs would be reported too
+            Some(Manager { name: Said::new("master".to_owned(), Span::empty(0)), ..Manager::default() })
+        }
+    };
+    let nodes = match tree.get("nodes") {
+        Some(_) => reader.ros_nodes(&tree),
+        None => reader.nodes(entries),
+    };
+    if let Some(finding) = too_many(nodes.len(), Some(tree.span)) {
+        reader.findings.push(finding);
+        return None;
+    }
+    network.nodes = nodes.iter().filter_map(|entry| reader.node(entry)).collect();
+    Some(network)
+}
+
+/// What holds for all nodes.
+struct Options {
+    folder: String,
+    factor: f64,
+    retry_factor: Option<Said<u8>>,
+}
+
+impl Default for Options {
+    fn default() -> Self {
+        Self { folder: String::new(), factor: Heartbeat::DEFAULT_FACTOR, retry_factor: None }
+    }
+}
+
+struct Reader<'a, 'd> {
+    options: Options,
+    descriptions: &'a mut Descriptions<'d>,
+    findings: &'a mut Findings,
+}
+
+impl Reader<'_, '_> {
+    fn options(&mut self, tree: &Tree) {
+        let findings = &mut *self.findings;
+        let Some(section) = Section::shared("options", tree, OPTIONS, findings) else { return };
+        if let Some(folder) = section.text("dcf_path", findings) {
+            self.options.folder = self.descriptions.expanded(&folder.value);
+        }
+        if let Some(factor) = section.number("heartbeat_multiplier", findings) {
+            self.options.factor = factor.value;
+        }
+        self.options.retry_factor = section.integer("retry_factor", findings);
+    }
+
+    fn heartbeat(&mut self, section: &Section<'_>) -> Heartbeat {
+        let findings = &mut *self.findings;
+        Heartbeat {
+            producer: section.integer("heartbeat_producer", findings),
+            factor: section
+                .number("heartbeat_multiplier", findings)
+                .map_or(self.options.factor, |factor| factor.value),
+            consumer: section.flag("heartbeat_consumer", findings),
+            watched: Vec::new(),
+        }
+    }
+
+    fn manager(&mut self, tree: &Tree, bit_rate: &mut Option<Said<u16>>) -> Option<Manager> {
+        let section = Section::shared("master", tree, MASTER, self.findings)?;
+        let heartbeat = self.heartbeat(&section);
+        let error_behavior = section
+            .numbers("error_behavior", self.findings)
+            .into_iter()
+            .map(|(sub, value)| (sub, value.value))
+            .collect();
+        let findings = &mut *self.findings;
+        *bit_rate = section.integer("baudrate", findings);
+        section.required("master", "node_id", findings);
+        let mut flag = |name, default| section.flag(name, findings).map_or(default, |flag| flag.value);
+        let startup = Startup {
+            start: flag("start", true),
+            start_nodes: flag("start_nodes", true),
+            start_all_nodes: flag("start_all_nodes", false),
+            reset_all_nodes: flag("reset_all_nodes", false),
+            stop_all_nodes: flag("stop_all_nodes", false),
+        };
+        let number = |name: &str, findings: &mut Findings| {
+            section.integer(name, findings).map_or(0, |number| number.value)
+        };
+        Some(Manager {
+            name: Said::new("master".to_owned(), section.span()),
+            node_id: section.integer("node_id", findings),
+            node: None,
+            identity: ["vendor_id", "product_code", "revision_number"].map(|name| number(name, findings)),
+            serial_number: number("serial_number", findings),
+            sync_period: section.integer("sync_period", findings).unwrap_or_default(),
+            sync_window: section.integer("sync_window", findings).unwrap_or_default(),
+            sync_overflow: section.integer("sync_overflow", findings).unwrap_or_default(),
+            time_cob_id: section.integer("time_cob_id", findings),
+            emcy_inhibit_time: section.integer("emcy_inhibit_time", findings).map_or(0, |time| time.value),
+            nmt_inhibit_time: section.integer("nmt_inhibit_time", findings).map_or(0, |time| time.value),
+            heartbeat,
+            error_behavior,
+            startup,
+            boot_time: section.integer("boot_time", findings).unwrap_or_default(),
+        })
+    }
+
+    /// The nodes of ros2_canopen, as dcfgen gets them: in the order of their names, with the keys of `defaults`.
+    /// The nodes of a file of dcfgen: all keys but two, and but those that begin with a point.
+    fn nodes(&mut self, entries: &[Entry]) -> Vec<Entry> {
+        let mut nodes = Vec::new();
+        for entry in entries {
+            let name = entry.key.spelled();
+            if KEYS_OF_DCFGEN.contains(&&*name) || name.starts_with('.') {
+                continue;
+            }
+            // a node has a description
+            let meant = misspelled(&name, KEYS_OF_DCFGEN).filter(|_| entry.value.get("dcf").is_none());
+            let Some(meant) = meant else {
+                nodes.push(entry.clone());
+                continue;
+            };
+            let message = say!("`{}` is not a node, because it has no `dcf`", name);
+            let finding = Diagnostic::new(&UNKNOWN_KEY, entry.key.span, message);
+            self.findings.push(finding.help(say!("did you mean `{}`?", meant)));
+        }
+        nodes
+    }
+
+    fn ros_nodes(&mut self, tree: &Tree) -> Vec<Entry> {
+        for entry in tree.entries().unwrap_or_default() {
+            let name = entry.key.spelled();
+            if !KEYS_OF_ROS.contains(&&*name) {
+                let message = say!("`{}` beside `nodes` is not a node", name);
+                let finding = Diagnostic::new(&UNKNOWN_KEY, entry.key.span, message);
+                let finding = or_foreign(finding, &name, KEYS_OF_ROS);
+                self.findings.push(finding.help("move it below `nodes`, or correct it"));
+            }
+        }
+        let nodes = tree.get("nodes").and_then(Tree::entries);
+        let Some(nodes) = nodes else {
+            if let Some(nodes) = tree.get("nodes") {
+                self.findings.push(
+                    wrong("nodes", nodes, "a table of keys").help("write each node by its name below it"),
+                );
+            }
+            return Vec::new();
+        };
+        let defaults = tree.get("defaults").and_then(Tree::entries).unwrap_or_default();
+        let mut nodes: Vec<Entry> = nodes.iter().map(|node| self.with_defaults(node, defaults)).collect();
+        nodes.sort_by_key(|entry| entry.key.spelled());
+        nodes
+    }
+
+    fn with_defaults(&mut self, node: &Entry, defaults: &[Entry]) -> Entry {
+        let Some(own) = node.value.entries() else { return node.clone() };
+        let mut entries: BTreeMap<String, Entry> =
+            own.iter().map(|entry| (entry.key.spelled(), entry.clone())).collect();
+        for default in defaults {
+            let name = default.key.spelled();
+            let former = entries.insert(name.clone(), default.clone());
+            let Some(former) = former.filter(|former| !is_same(&former.value, &default.value)) else {
+                continue;
+            };
+            let message = say!("`{}` of `{}` is overridden by `defaults`", name, node.key.spelled());
+            self.findings.push(
+                Diagnostic::new(&OVERRIDDEN_KEY, former.key.span, message)
+                    .label(default.key.span, "the value that counts")
+                    .help(say!("move `{}` from `defaults` to the nodes", name)),
+            );
+        }
+        let entries =
+            entries.into_values().map(|entry| Entry { value: sorted(&entry.value), ..entry }).collect();
+        Entry { key: node.key.clone(), value: Tree::new(node.value.span, Kind::Map(entries)) }
+    }
+
+    fn node(&mut self, entry: &Entry) -> Option<Node> {
+        let name = entry.key.spelled();
+        let section = Section::shared(&name, &entry.value, NODE, self.findings)?;
+        let heartbeat = self.heartbeat(&section);
+        let error_behavior = section.numbers("error_behavior", self.findings);
+        let pdos = PdoKind::ALL.into_iter().flat_map(|kind| self.pdos(&section, kind)).collect();
+        let downloads = self.downloads(&section);
+        section.required(&name, "dcf", self.findings)?;
+        let file = section.text("dcf", self.findings)?;
+        let device = self.descriptions.read(&name, &file, self.findings)?;
+        let findings = &mut *self.findings;
+        let described = device.node_id().map(|node_id| Said::new(node_id, file.at));
+        let mut node = Node {
+            name: Said::new(name, entry.key.span),
+            // one that is out of range is reported, and not replaced by another
+            node_id: match section.get("node_id") {
+                Some(_) => Some(section.integer("node_id", findings)?),
+                None => described,
+            },
+            heartbeat,
+            guarding: (
+                section.integer("guard_time", findings),
+                section.integer("life_time_factor", findings),
+            ),
+            time_cob_id: section.integer("time_cob_id", findings),
+            error_behavior,
+            pdos,
+            downloads,
+            revision_number: section.integer("revision_number", findings),
+            serial_number: section.integer("serial_number", findings),
+            run_time_folder: section
+                .text("dcf_path", findings)
+                .map(|folder| self.descriptions.expanded(&folder.value)),
+            file,
+            device,
+            ..Node::default()
+        };
+        let boot = &mut node.boot;
+        let mut flag = |name, target: &mut bool| {
+            if let Some(flag) = section.flag(name, findings) {
+                *target = flag.value;
+            }
+        };
+        flag("boot", &mut boot.boot);
+        flag("mandatory", &mut boot.mandatory);
+        flag("reset_communication", &mut boot.reset_communication);
+        let retry_factor = section.integer("retry_factor", findings).or(self.options.retry_factor);
+        boot.retry_factor = retry_factor.unwrap_or(boot.retry_factor);
+        boot.software_file =
+            section.text("software_file", findings).map(|file| file.value).filter(|file| !file.is_empty());
+        boot.software_version =
+            section.integer("software_version", findings).map_or(0, |version| version.value);
+        boot.restore_configuration = section.integer("restore_configuration", findings).unwrap_or_default();
+        Some(node)
+    }
+
+    fn pdos(&mut self, section: &Section<'_>, kind: PdoKind) -> Vec<PdoRequest> {
+        let name = kind.name().to_ascii_lowercase();
+        let numbered = section.numbered(&name, self.findings);
+        numbered.into_iter().filter_map(|(number, tree)| self.pdo(kind, number, &tree)).collect()
+    }
+
+    fn pdo(&mut self, kind: PdoKind, number: i128, tree: &Said<&Tree>) -> Option<PdoRequest> {
+        let pdo = PdoName { kind, number: u16::try_from(number).ok()? };
+        let findings = &mut *self.findings;
+        let section = Section::shared(&pdo.to_string(), tree.value, PDO, findings)?;
+        let cob_id = match section.get("cob_id") {
+            Some(tree) if tree.text() == Some("auto") => Some(Said::new(RequestedCobId::Auto, tree.span)),
+            _ => section
+                .integer("cob_id", findings)
+                .map(|id| Said::new(RequestedCobId::Number(id.value), id.at)),
+        };
+        let mapping = section.list("mapping", findings).map(|items| {
+            items
+                .iter()
+                .filter_map(|item| address("mapping", item, MAPPING, findings).map(|(at, _)| at))
+                .collect()
+        });
+        Some(PdoRequest {
+            enabled: section.flag("enabled", findings).is_none_or(|enabled| enabled.value),
+            cob_id,
+            transmission: section.integer("transmission", findings),
+            inhibit_time: section.integer("inhibit_time", findings),
+            event_timer: section.integer("event_timer", findings),
+            deadline: section.integer("event_deadline", findings),
+            sync_start: section.integer("sync_start", findings),
+            mapping,
+            ..PdoRequest::new(pdo, tree.at)
+        })
+    }
+
+    fn downloads(&mut self, section: &Section<'_>) -> Vec<Said<DownloadRequest>> {
+        let items = section.list("sdo", self.findings).unwrap_or_default();
+        items.iter().filter_map(|item| self.download(item)).collect()
+    }
+
+    fn download(&mut self, item: &Tree) -> Option<Said<DownloadRequest>> {
+        let (Said { value: Address { index, sub }, .. }, section) = address("sdo", item, SDO, self.findings)?;
+        let tree = section.get("value");
+        let Some(value) = tree.map_or(Some(RequestedValue::Integer(0)), requested_value) else {
+            let finding = wrong("value", tree?, "a number");
+            self.findings.push(finding.help("write a number, or a text in quotes"));
+            return None;
+        };
+        let at = tree.map_or(item.span, |tree| tree.span);
+        Some(Said::new(DownloadRequest { index, sub: sub.unwrap_or(0), value }, at))
+    }
+}
+
+/// The entry that an item of a list names.
+fn address<'t>(
+    name: &str,
+    item: &'t Tree,
+    keys: &'static [objdict_keyed::section::Key],
+    findings: &mut Findings,
+) -> Option<(Said<Address>, Section<'t>)> {
+    let section = Section::shared(name, item, keys, findings)?;
+    section.required(name, "index", findings)?;
+    let index = section.integer("index", findings)?.value;
+    let sub = match section.get("sub_index") {
+        Some(_) => section.integer("sub_index", findings)?.value,
+        None => 0,
+    };
+    Some((Said::new(Address { index, sub: Some(sub) }, item.span), section))
+}
+
+/// Whether two values are the same, but for where they stand.
+fn is_same(a: &Tree, b: &Tree) -> bool {
+    match (&*a.kind, &*b.kind) {
+        (Kind::List(a), Kind::List(b)) => a.len() == b.len() && a.iter().zip(b).all(|(a, b)| is_same(a, b)),
+        (Kind::Map(a), Kind::Map(b)) => {
+            let has = |entry: &Entry| {
+                let name = entry.key.spelled();
+                b.iter().any(|other| other.key.spelled() == name && is_same(&entry.value, &other.value))
+            };
+            a.len() == b.len() && a.iter().all(has)
+        }
+        (Kind::List(_) | Kind::Map(_), _) | (_, Kind::List(_) | Kind::Map(_)) => false,
+        _ => a.spelled() == b.spelled(),
+    }
+}
+
+/// A map by number in the order of its numbers, which is how ros2_canopen writes it.
+fn sorted(tree: &Tree) -> Tree {
+    let Some(entries) = tree.entries() else { return tree.clone() };
+    let mut entries = entries.to_vec();
+    entries.sort_by_key(|entry| match *entry.key.kind {
+        Kind::Integer(number) => number,
+        _ => i128::MAX,
+    });
+    Tree::new(tree.span, Kind::Map(entries))
+}

@@ -1,0 +1,369 @@
+//! Networks: `network.toml`, `bus.yml` of dcfgen and ros2_canopen, and node lists.
+
+mod boot;
+mod bus_keys;
+mod bus_yml;
+mod init;
+mod link_edits;
+mod mentions;
+mod network_keys;
+mod network_toml;
+mod outputs;
+mod places;
+mod rules;
+pub mod schema;
+mod stored;
+mod topology;
+mod types;
+
+use std::collections::BTreeMap;
+use std::env;
+use std::path::{Path, PathBuf};
+use std::rc::Rc;
+use std::sync::Arc;
+
+pub use self::boot::{BootFiles, InstallError, Installation, install};
+pub use self::init::init;
+pub use self::init::node_name;
+pub use self::link_edits::LinkEdit;
+pub use self::mentions::NodeMention;
+pub use self::outputs::{Build, BuildError, BuildObjection, BuiltFile, ConfigurationTime, ConfiguredNode};
+use self::rules::UNREADABLE_NODE;
+pub use self::topology::location;
+use objdict_format::Description;
+use objdict_format::identify::{ContentKind, identify_source};
+use objdict_format::input::{FileKind, Input, MAX_DEVICES, ReadError, Reading};
+use objdict_format::patch::Patch;
+use objdict_keyed as keyed;
+use objdict_keyed::rules::WRONG_TYPE;
+use objdict_keyed::tree::{Kind, Tree};
+use objdict_model::diagnostic::{At, Diagnostic, Findings, RuleInfo, say};
+use objdict_model::model::Device;
+use objdict_model::source::{
+    Folder, FolderError, MAX_TOML_SIZE, SourceError, SourceFile, SourceOptions, Span, absolute, shown,
+};
+use objdict_network as network;
+use objdict_network::{Compiled, Network, RequestedValue, Resolved, Said, resolve};
+
+/// Whether a file may be a network by its name.
+pub fn may_be_network(path: &Path) -> bool {
+    let ending = path.extension().map(|ending| ending.to_string_lossy().to_ascii_lowercase());
+    matches!(ending.as_deref(), Some("toml" | "yml" | "yaml" | "cpj"))
+}
+
+/// The rules about networks and their files.
+pub fn rules() -> impl Iterator<Item = &'static RuleInfo> {
+    rules::RULES.iter().copied().chain(network::rules())
+}
+
+/// A network with its file and the descriptions of its nodes.
+#[derive(Debug)]
+pub struct NetworkFile {
+    /// The text.
+    pub source: SourceFile,
+    /// Whether the text is that of no file, but what [`init`] makes of descriptions.
+    pub is_made: bool,
+    /// What it says; `None` if it cannot be read at all.
+    resolved: Option<Resolved>,
+    /// The description of each node of [`Network::nodes`], by its path in the file; a device as JSON has none.
+    pub descriptions: BTreeMap<String, Rc<Description>>,
+    /// The files of the descriptions.
+    pub files: Vec<PathBuf>,
+    /// The problems of the text.
+    findings: Findings,
+}
+
+impl NetworkFile {
+    /// Reads a network and the descriptions of its nodes.
+    ///
+    /// # Errors
+    /// When the file cannot be opened. Descriptions that cannot be opened are findings.
+    pub fn open(path: &Path, options: &PathOptions) -> Result<Self, SourceError> {
+        let source = SourceFile::open(path, &SourceOptions { encoding: None, max_size: MAX_TOML_SIZE })?;
+        Ok(Self::read(source, path.parent().unwrap_or(Path::new("")), options))
+    }
+
+    /// Whether a file is read as a network: a node list, or what no other format knows.
+    ///
+    /// # Errors
+    /// When it cannot be opened.
+    pub fn is_network(path: &Path) -> Result<bool, SourceError> {
+        let source = SourceFile::open(path, &SourceOptions::default())?;
+        let kind = FileKind::of_content(identify_source(&source).kind);
+        Ok(kind.is_none_or(|kind| kind == FileKind::Cpj))
+    }
+
+    /// The network of the nodes that these files describe: what [`init`] makes of them.
+    ///
+    /// # Errors
+    /// When a file cannot be read, or describes no device.
+    pub fn of_descriptions(paths: &[PathBuf], options: &PathOptions) -> Result<Self, ReadError> {
+        let source = SourceFile::from_text("network.toml", init(paths, options)?);
+        let options = PathOptions { patches: options.patches.clone(), ..PathOptions::default() };
+        Ok(Self::read_from(source, None, &options))
+    }
+
+    /// Reads a network from its text; paths of descriptions are relative to `folder`.
+    pub fn read(source: SourceFile, folder: &Path, options: &PathOptions) -> Self {
+        Self::read_from(source, Some(options.folder(folder)), options)
+    }
+
+    fn read_from(source: SourceFile, folder: Option<Folder>, options: &PathOptions) -> Self {
+        let variables = &options.variables;
+        let mut descriptions = Descriptions {
+            folder,
+            variables,
+            read: BTreeMap::new(),
+            several: BTreeMap::new(),
+            patches: &options.patches,
+            files: Vec::new(),
+        };
+        let is_made = descriptions.folder.is_none();
+        let mut findings = Findings::new();
+        let network = match identify_source(&source).kind {
+            ContentKind::NodeList => topology::read(&source, &mut descriptions, &mut findings),
+            _ if keyed::toml::is_toml(source.text()) => {
+                network_toml::read(source.text(), &mut descriptions, &mut findings)
+            }
+            _ => bus_yml::read(source.text(), &mut descriptions, &mut findings),
+        };
+        let resolved = network.map(|network| {
+            let mut network = if is_made { network.as_described() } else { network };
+            stored::read(&mut network, &mut findings);
+            resolve(network, &mut findings)
+        });
+        let files = std::mem::take(&mut descriptions.files);
+        let descriptions = descriptions
+            .read
+            .into_iter()
+            .filter_map(|(name, read)| match read? {
+                Read::Description(description) => Some((name, description)),
+                Read::Device(_) => None,
+            })
+            .collect();
+        Self { source, is_made, resolved, descriptions, files, findings }
+    }
+
+    /// What the file says, with what follows from it; `None` if it cannot be read at all.
+    pub fn network(&self) -> Option<&Network> {
+        self.resolved.as_ref().map(Resolved::network)
+    }
+
+    /// The configurations of the nodes.
+    pub fn compiled(&self) -> Option<&Compiled> {
+        self.resolved.as_ref().map(Resolved::compiled)
+    }
+
+    /// The network with the configurations of its nodes.
+    pub fn into_resolved(self) -> Option<Resolved> {
+        self.resolved
+    }
+
+    /// The problems of the text and of the network that it describes, in the order of the text.
+    pub fn check(&self) -> Findings {
+        let mut findings = self.findings.clone();
+        if let Some(resolved) = &self.resolved {
+            network::check(resolved.network(), resolved.compiled(), &mut findings);
+        }
+        findings.sort_by_key(|finding| match finding.labels.first().map(|label| &label.at) {
+            Some(At::Span(span)) => span.start,
+            _ => 0,
+        });
+        self.with_places(findings)
+    }
+}
+
+/// The finding about more nodes than a network can have: none of them is read.
+fn too_many(count: usize, at: Option<Span>) -> Option<Diagnostic> {
+    let message = say!("there are {} nodes, but a network has at most {}", count, MAX_DEVICES);
+    let finding = Diagnostic::new(&WRONG_TYPE, at.unwrap_or_default(), message).help("remove nodes");
+    (count > MAX_DEVICES).then_some(finding)
+}
+
+/// One of the descriptions in a file, of which the first was read.
+fn of_number(first: &Rc<Description>, number: usize) -> Rc<Description> {
+    let other = (number != first.number()).then(|| first.sibling(number)).flatten();
+    other.map_or_else(|| Rc::clone(first), Rc::new)
+}
+
+/// How the paths in a network file are read.
+#[derive(Clone, Debug, Default)]
+pub struct PathOptions {
+    /// What replaces `@NAME@`, `$NAME` and `${NAME}`; a value that is a folder is allowed as well.
+    pub variables: BTreeMap<String, String>,
+    /// Folders that descriptions may be read from, beside those of [`Folder`].
+    pub allowed: Vec<PathBuf>,
+    /// Patches of the descriptions.
+    pub patches: Vec<Arc<Patch>>,
+}
+
+impl PathOptions {
+    fn folder(&self, folder: &Path) -> Folder {
+        let values = self.variables.values().map(Path::new).filter(|value| value.is_dir());
+        self.allowed.iter().map(PathBuf::as_path).chain(values).fold(Folder::new(folder), Folder::allow)
+    }
+}
+
+/// The descriptions of nodes, each read once.
+struct Descriptions<'v> {
+    /// The folder of the network file; `None` where the paths are those of arguments.
+    folder: Option<Folder>,
+    variables: &'v BTreeMap<String, String>,
+    /// What was read of each path; `None` after a failure.
+    read: BTreeMap<String, Option<Read>>,
+    /// The files with several devices, which nodes name by their numbers.
+    several: BTreeMap<PathBuf, Rc<Description>>,
+    patches: &'v [Arc<Patch>],
+    files: Vec<PathBuf>,
+}
+
+#[derive(Clone)]
+enum Read {
+    Description(Rc<Description>),
+    /// Of a device as JSON.
+    Device(Rc<Device>),
+}
+
+impl Read {
+    fn device(&self) -> &Device {
+        match self {
+            Self::Description(description) => description.device(),
+            Self::Device(device) => device,
+        }
+    }
+}
+
+impl Descriptions<'_> {
+    /// The device that a node is described by.
+    fn read(&mut self, node: &str, file: &Said<String>, findings: &mut Findings) -> Option<Device> {
+        if !self.read.contains_key(&file.value) {
+            let read = self.open(&file.value);
+            if let Err((reason, help)) = &read {
+                let message = format!("the description of `{node}`: {reason}");
+                findings.push(Diagnostic::new(&UNREADABLE_NODE, file.at, message).help(*help));
+            }
+            self.read.insert(file.value.clone(), read.ok());
+        }
+        self.read.get(&file.value)?.as_ref().map(|read| read.device().clone())
+    }
+
+    /// The error and its help, if it cannot be read.
+    fn open(&mut self, file: &str) -> Result<Read, (String, &'static str)> {
+        const WRONG: &str =
+            "correct the path: it is relative to the network file, else to the working directory";
+        let name = self.expanded(file);
+        let (name, which, path) = match (self.path(&name), selected(&name)) {
+            (Err(_), (path, which @ Some(_))) => (path, which, self.path(path)),
+            (path, _) => (name.as_str(), None, path),
+        };
+        let device = which.and_then(|which| which.parse().ok());
+        let variant = which.filter(|_| device.is_none()).map(str::to_owned);
+        let path = path.map_err(|error| match error {
+            FolderError::Unreadable(SourceError::Io { error, .. }) => {
+                (format!("cannot read `{name}`: {error}"), WRONG)
+            }
+            error => (error.to_string(), error.help().unwrap_or(WRONG)),
+        })?;
+        self.files.push(path.clone());
+        let reading = Reading { device, variant, patches: self.patches.to_vec(), ..Reading::default() };
+        let refused = |error: ReadError| match error {
+            ReadError::SeveralDevices { .. } => {
+                (format!("{error}; add the number of one, as in `{name}#1`"), WRONG)
+            }
+            ReadError::NoSuchVariant { .. } => {
+                let known = error.help().unwrap_or_default();
+                (
+                    format!("{error}; {known}"),
+                    "correct what follows `#`: the number of a device, or a variant",
+                )
+            }
+            error => (error.to_string(), WRONG),
+        };
+        if let Some(first) = self.several.get(&path) {
+            let number = reading.number(&shown(&path), first.device_count()).map_err(refused)?;
+            return Ok(Read::Description(of_number(first, number)));
+        }
+        match reading.open(&path).map_err(refused)? {
+            (_, Input::Description(first)) => {
+                let count = first.device_count();
+                let number = reading.number(&shown(&path), count).map_err(refused)?;
+                let first = Rc::new(*first);
+                if count > 1 {
+                    self.several.insert(path, Rc::clone(&first));
+                }
+                Ok(Read::Description(of_number(&first, number)))
+            }
+            (_, Input::Device(device)) => Ok(Read::Device(Rc::new(*device))),
+            (kind, _) => Err((format!("`{}` is a {}, not a description", shown(&path), kind.name()), WRONG)),
+        }
+    }
+
+    /// A file beside that of the network, else in the working directory.
+    fn path(&self, name: &str) -> Result<PathBuf, FolderError> {
+        let Some(folder) = &self.folder else {
+            let failed = |error| SourceError::Io { path: name.to_owned(), error };
+            std::fs::metadata(name).map_err(failed)?;
+            return Ok(name.into());
+        };
+        folder.resolve(name).or_else(|error| {
+            let here = Path::new(name).is_relative().then(|| absolute(Path::new(name)));
+            let here = here.filter(|here| here.to_str().is_some_and(|here| folder.resolve(here).is_ok()));
+            here.map(|_| name.into()).ok_or(error)
+        })
+    }
+
+    /// A text with the values of its variables; one that is not known stays as it is.
+    fn expanded(&self, text: &str) -> String {
+        let value = |name: &str| self.variables.get(name).cloned().or_else(|| env::var(name).ok());
+        let mut expanded = String::with_capacity(text.len());
+        let mut rest = text;
+        while let Some(start) = rest.find(['@', '$']) {
+            expanded.push_str(&rest[..start]);
+            rest = &rest[start..];
+            let (name, length) = variable(rest);
+            match value(name).filter(|_| length > 0) {
+                Some(value) => expanded.push_str(&value),
+                None => expanded.push_str(&rest[..length.max(1)]),
+            }
+            rest = &rest[length.max(1)..];
+        }
+        expanded + rest
+    }
+}
+
+/// A path and which device of that file: its number, counted from 1 (`plant.nxdc#2`), or the name of a variant
+/// (`family.toml#io8`).
+fn selected(name: &str) -> (&str, Option<&str>) {
+    name.rsplit_once('#').map_or((name, None), |(path, which)| (path, Some(which)))
+}
+
+/// A text in quotes, as JSON has it, of which YAML and TOML take all.
+fn quoted(text: &str) -> String {
+    objdict_model::json::text(&text).unwrap_or_default()
+}
+
+/// The name of the variable that a text begins with, and the length of both with what marks it; 0 if it is none.
+fn variable(text: &str) -> (&str, usize) {
+    let named = |start: usize, ending: &str| {
+        let rest = text.get(start..).unwrap_or_default();
+        let length = rest.bytes().take_while(|byte| byte.is_ascii_alphanumeric() || *byte == b'_').count();
+        let is_complete = length > 0 && rest[length..].starts_with(ending);
+        (&rest[..length], if is_complete { start + length + ending.len() } else { 0 })
+    };
+    match text.as_bytes() {
+        [b'@', ..] => named(1, "@"),
+        [b'$', b'{', ..] => named(2, "}"),
+        _ => named(1, ""),
+    }
+}
+
+/// The value of an entry; `None` for a list, a map or nothing.
+fn requested_value(tree: &Tree) -> Option<RequestedValue> {
+    Some(match &*tree.kind {
+        Kind::Integer(number) => RequestedValue::Integer(*number),
+        Kind::Bool(flag) => RequestedValue::Integer((*flag).into()),
+        Kind::Float(number) => RequestedValue::Real(*number),
+        Kind::Text(text) => RequestedValue::Text(text.clone()),
+        Kind::Null | Kind::List(_) | Kind::Map(_) => return None,
+    })
+}

@@ -1,0 +1,134 @@
+//! The manager as a device: what it expects of the nodes, and their configurations.
+
+use super::{Build, BuildError, BuiltFile, written};
+use objdict_format as format;
+use objdict_format::Format;
+use objdict_model::model::{
+    Access, Assignment, Compact, DataType, Device, DeviceKind, Entry, Object, ObjectList, ObjectType, Subs,
+    Value,
+};
+use objdict_model::source::SourceFile;
+use objdict_network::{LelyOptions, Slave, expected, lely_master};
+
+const CONCISE_DCF: u16 = 0x1F22;
+
+impl Build<'_> {
+    /// The DCF of the manager, with the concise DCF of each node in 1F22h: of its description, to which missing objects are
+    /// added, or else of a manager with a PDO for each PDO of a node.
+    ///
+    /// # Errors
+    /// When there is no manager, or the configuration of a node cannot be sent.
+    pub fn manager(&self) -> Result<BuiltFile, BuildError> {
+        let device = self.manager_device()?;
+        if let Some(manager) = &self.compiled.manager {
+            return self.dcf(manager, &device);
+        }
+        let manager = self.network.manager.as_ref().ok_or(BuildError::NoManager)?;
+        let node_id = manager.node_id.ok_or(BuildError::NoManager)?;
+        let commissioning = self.commissioning(&manager.name.value, node_id.value, &device, true);
+        let stem = self.stems.last().unwrap_or(&manager.name.value);
+        written(&manager.name.value, stem, device, commissioning)
+    }
+
+    /// The manager with its values.
+    ///
+    /// # Errors
+    /// When there is none, or the configuration of a node cannot be sent.
+    pub fn manager_device(&self) -> Result<Device, BuildError> {
+        let mut device = match &self.compiled.manager {
+            Some(manager) => manager.described(),
+            None => self.made()?,
+        };
+        self.configure(&mut device)?;
+        if let Some(time) = self.configured_at {
+            self.expect(&mut device, 0x1F26, "Expected configuration date", time.days);
+            self.expect(&mut device, 0x1F27, "Expected configuration time", time.milliseconds);
+        }
+        Ok(device)
+    }
+
+    /// A manager without a description of its own, which has what Lely's master has.
+    fn made(&self) -> Result<Device, BuildError> {
+        let options = LelyOptions::default();
+        let master =
+            lely_master(self.network, &self.compiled.slaves, &options).ok_or(BuildError::NoManager)?;
+        let description = format::read(SourceFile::from_text("master.dcf", master.dcf), Format::Dcf);
+        let mut device = description.device().clone();
+        device.kind = DeviceKind::Node;
+        // for the others Lely's master has downloads of its own
+        device.assign(&expected(self.network, &self.compiled.slaves));
+        Ok(device)
+    }
+
+    /// Puts the concise DCF of each node into 1F22h.
+    fn configure(&self, device: &mut Device) -> Result<(), BuildError> {
+        if device.object(CONCISE_DCF).is_none() {
+            add(device, CONCISE_DCF, domains("Concise DCF"));
+        }
+        for slave in &self.compiled.slaves {
+            let stream = self.arranged(slave)?.write()?;
+            let Some(object) = device.objects.get_mut(&CONCISE_DCF) else { continue };
+            if let Some(entry) = object.subs.get_mut(slave.node_id) {
+                entry.access = Some(Access::Rw);
+                entry.configured_mut().upload_file = None;
+            }
+            let value = Value::Bytes(stream.into());
+            device.assign(&[Assignment { index: CONCISE_DCF, sub: slave.node_id, value }]);
+        }
+        Ok(())
+    }
+
+    /// Adds an array with the same number for each node that can keep it (1020h).
+    fn expect(&self, device: &mut Device, index: u16, name: &str, number: u32) {
+        let has_it = |slave: &&Slave| slave.device.object(0x1020).is_some();
+        let values = self.compiled.slaves.iter().filter(has_it);
+        let mut values: Vec<(u8, Value)> =
+            values.map(|slave| (slave.node_id, Value::Unsigned(number.into()))).collect();
+        values.sort_unstable_by_key(|(node_id, _)| *node_id);
+        if device.object(index).is_some() {
+            let values = values.into_iter().map(|(sub, value)| Assignment { index, sub, value });
+            return device.assign(&values.collect::<Vec<_>>());
+        }
+        let main = Entry {
+            name: name.into(),
+            object_type: Some(ObjectType::Array),
+            data_type: Some(DataType::UNSIGNED32),
+            access: Some(Access::Rw),
+            ..Entry::default()
+        };
+        let compact = Some(Box::new(Compact { count: 127, values, ..Compact::default() }));
+        add(device, index, Object { main, compact, ..Object::default() });
+    }
+}
+
+/// Adds an object to a dictionary and its lists.
+fn add(device: &mut Device, index: u16, object: Object) {
+    device.objects.insert(index, object);
+    if let Some(list) = ObjectList::of(index) {
+        device.lists.get_mut(list).get_or_insert_default().push(index);
+    }
+}
+
+/// An array with a DOMAIN for each node.
+fn domains(name: &str) -> Object {
+    let entry = |name: String| Entry {
+        name: name.into(),
+        object_type: Some(ObjectType::Var),
+        data_type: Some(DataType::DOMAIN),
+        access: Some(Access::Rw),
+        ..Entry::default()
+    };
+    let main = Entry { name: name.into(), object_type: Some(ObjectType::Array), ..Entry::default() };
+    let mut subs = Subs::default();
+    let highest = Entry {
+        data_type: Some(DataType::UNSIGNED8),
+        access: Some(Access::Const),
+        default: Some(Value::Unsigned(127)),
+        ..entry("Highest sub-index supported".to_owned())
+    };
+    subs.insert(0, highest);
+    for node_id in 1..=127 {
+        subs.insert(node_id, entry(format!("Node-ID {node_id}")));
+    }
+    Object { main, subs, sub_number: Some(128), ..Object::default() }
+}

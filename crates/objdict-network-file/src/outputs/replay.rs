@@ -1,0 +1,174 @@
+//! Built files, replayed: each node takes what is built for it, and the network that comes of it is checked again.
+
+use std::borrow::Cow;
+use std::fmt;
+
+use objdict_bus::{Configurations, PlantNode, PowerOn};
+
+use super::super::boot::{Described, configurations, configured, described, manager_among};
+use super::super::{InstallError, stored};
+use super::{Build, BuiltFile};
+use objdict_model::diagnostic::{Diagnostic, Findings, Severity};
+use objdict_model::model::{Assignment, Device, DeviceKind};
+use objdict_model::source::Span;
+use objdict_network as network;
+use objdict_network::{DcfgenMode, Heartbeat, Manager, Network, Node, Said, Slave};
+use objdict_node::download::{ConciseDcf, Download};
+
+/// The rule about what nodes refuse of the manager's configurations.
+const REFUSED: &str = "network/refused-configuration";
+
+/// What is against built files.
+#[derive(Clone, Debug, PartialEq, Eq)]
+#[non_exhaustive]
+pub struct BuildObjection {
+    /// The name of the node that refuses a download; `None` for a finding about the network that comes of the files.
+    pub node: Option<String>,
+    /// What is against it: a sentence in lower case without a full stop.
+    pub message: String,
+}
+
+impl fmt::Display for BuildObjection {
+    fn fmt(&self, out: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match &self.node {
+            Some(node) => write!(out, "`{node}` {}", self.message),
+            None => out.write_str(&self.message),
+        }
+    }
+}
+
+impl Build<'_> {
+    /// Replays built files: each node takes its concise DCF, from the manager or from a file of its own, as [`ConciseDcf::verify`] says. Then the nodes, with
+    /// what they were sent or with the values of their built DCFs, and the manager are checked by the rules about networks. What
+    /// is against it is returned, with the errors of these rules.
+    ///
+    /// # Errors
+    /// When a file cannot be read, or several describe a manager.
+    pub fn verify(&self, files: &[BuiltFile]) -> Result<Vec<BuildObjection>, InstallError> {
+        let mut described = described(files)?;
+        let manager = match manager_among(&described) {
+            Ok(position) => Some(described.remove(position)),
+            Err(InstallError::NoManager) => None,
+            Err(error) => return Err(error),
+        };
+        let manager = manager.map(|manager| configured(manager, files)).transpose()?;
+        let streams = manager.as_ref().map(|manager| configurations(&manager.device, files));
+        let streams = streams.unwrap_or_default();
+        let mut objections = Vec::new();
+        let slaves = self.compiled.slaves.iter();
+        let nodes = slaves.map(|slave| self.replayed(slave, &described, &streams, files, &mut objections));
+        let nodes = nodes.collect();
+        let network = self.network_of(nodes, manager);
+        let mut findings = Findings::new();
+        let network = read_stored(network, &mut findings);
+        network::check(&network, &network::compile(&network, DcfgenMode::Corrected), &mut findings);
+        let is_error = |finding: &Diagnostic| finding.severity == Severity::Error;
+        // of what the network file does not configure, some rules only warn; then it is no news either
+        let said = self.file.check();
+        let is_known = |rule: &str| said.iter().any(|finding| finding.rule.id == rule && !is_error(finding));
+        // what the nodes refuse was said of the nodes
+        let is_news = |rule: &str| rule != REFUSED && !is_known(rule);
+        let errors = findings.iter().filter(|finding| is_error(finding) && is_news(finding.rule.id));
+        let errors = errors
+            .map(|finding| BuildObjection { node: None, message: finding.message.shown().into_owned() });
+        objections.extend(errors);
+        Ok(objections)
+    }
+
+    /// A node after it took what the files have for it.
+    fn replayed(
+        &self,
+        slave: &Slave,
+        described: &[Described],
+        streams: &Configurations,
+        files: &[BuiltFile],
+        objections: &mut Vec<BuildObjection>,
+    ) -> Node {
+        let node = &self.network.nodes[slave.node];
+        let mut object = |message: String| {
+            objections.push(BuildObjection { node: Some(node.name.value.clone()), message });
+        };
+        let start = self.start(slave);
+        let downloads = match streams.get(&slave.node_id) {
+            Some(stream) => Some(stream.clone()),
+            None => self.own_stream(slave, files),
+        };
+        let downloads = downloads.unwrap_or_else(|| Ok(Vec::new())).unwrap_or_else(|reason| {
+            object(format!("has no valid configuration: {reason}"));
+            Vec::new()
+        });
+        let stream = ConciseDcf(downloads);
+        for refusal in stream.verify(&start, Some(slave.node_id)).aborts() {
+            let (number, index, sub) = (refusal.number, refusal.index, refusal.sub);
+            object(format!("refuses download {number}, {index:04X}:{sub:02X}: {}", refusal.kind));
+        }
+        let built = described.iter().find(|other| other.device.node_id() == Some(slave.node_id));
+        let device = built.map_or_else(|| after(start, &stream), |built| built.device.clone());
+        Node {
+            name: node.name.clone(),
+            file: node.file.clone(),
+            node_id: Some(Said::new(slave.node_id, Span::empty(0))),
+            device,
+            boot: node.boot.clone(),
+            ..Node::default()
+        }
+    }
+
+    /// The concise DCF of a node that is a file of its own.
+    fn own_stream(&self, slave: &Slave, files: &[BuiltFile]) -> Option<Result<Vec<Download>, String>> {
+        let name = format!("{}.cdcf", self.stems[slave.node]);
+        let file = files.iter().find(|file| file.name == name)?;
+        Some(ConciseDcf::parse(&file.bytes).map(|stream| stream.0).map_err(|error| error.to_string()))
+    }
+
+    /// A node that was switched on and not configured yet.
+    fn start(&self, slave: &Slave) -> Device {
+        let node = &self.network.nodes[slave.node];
+        let (power_on, device) = match network::switched_on(self.network, node) {
+            Cow::Owned(configured) => (PowerOn::Configured, configured),
+            Cow::Borrowed(device) => (PowerOn::Defaults, device.clone()),
+        };
+        let (name, node_id) = (node.name.value.clone(), slave.node_id);
+        PlantNode { name, node_id, device, power_on, must_boot: None }.switched_on()
+    }
+
+    /// The network of nodes that are configured already. Its manager is the one of the files, else the one that belongs to them.
+    fn network_of(&self, mut nodes: Vec<Node>, built: Option<PlantNode>) -> Network {
+        let manager = self.network.manager.as_ref();
+        let own = || {
+            let device = self.manager_device().ok()?;
+            let node_id = self.compiled.manager.as_ref().map(|slave| slave.node_id);
+            let node_id = node_id.or_else(|| Some(manager?.node_id?.value))?;
+            Some((device, node_id))
+        };
+        let found = built.map(|built| (built.device, built.node_id)).or_else(own);
+        let manager = manager.zip(found).map(|(manager, (device, node_id))| {
+            let node_id = Some(Said::new(node_id, Span::empty(0)));
+            nodes.push(Node { name: manager.name.clone(), device, node_id, ..Node::default() });
+            // it monitors what its configuration says
+            let consumer = Some(Said::new(false, Span::empty(0)));
+            let heartbeat = Heartbeat { consumer, ..Heartbeat::default() };
+            let node = Some(nodes.len() - 1);
+            Manager { name: manager.name.clone(), node_id, node, heartbeat, ..Manager::default() }
+        });
+        let (name, bit_rate) = (self.network.name.clone(), self.network.bit_rate);
+        Network { name, bit_rate, manager, nodes, ..Network::default() }
+    }
+}
+
+/// A node after its downloads.
+fn after(mut device: Device, stream: &ConciseDcf) -> Device {
+    for download in &stream.0 {
+        if let Some(value) = download.value(&device) {
+            device.assign(&[Assignment { index: download.index, sub: download.sub, value }]);
+        }
+    }
+    device.kind = DeviceKind::Node;
+    device
+}
+
+/// With the configurations that the manager holds.
+fn read_stored(mut network: Network, findings: &mut Findings) -> Network {
+    stored::read(&mut network, findings);
+    network.as_described()
+}

@@ -1,0 +1,80 @@
+//! What the description of the manager holds of the nodes: their DCFs (1F20h) and concise DCFs (1F22h) (CiA 302-3).
+
+use super::rules::INVALID_CONFIGURATION;
+use objdict_format as format;
+use objdict_format::Format;
+use objdict_model::diagnostic::{At, Diagnostic, Findings, say};
+use objdict_model::model::{Device, Value};
+use objdict_model::source::{SourceFile, SourceOptions};
+use objdict_network::{Network, Node, Stored};
+use objdict_node::download::{ConciseDcf, PlanOptions, Step};
+
+const DCF: u16 = 0x1F20;
+const CONCISE_DCF: u16 = 0x1F22;
+
+/// Reads the configurations that the manager's description holds, each for its node. One that cannot be read is a finding.
+pub(super) fn read(network: &mut Network, findings: &mut Findings) {
+    let Some(own) = network.manager.as_ref().and_then(|manager| manager.node) else { return };
+    let manager = &network.nodes[own];
+    let mut configurations = Vec::new();
+    for index in [DCF, CONCISE_DCF] {
+        let Some(object) = manager.device.object(index) else { continue };
+        for (node_id, entry) in object.entries().filter(|(sub, _)| (1..=127).contains(sub)) {
+            let Some(Value::Bytes(bytes)) = entry.value() else { continue };
+            // an empty one reads as a stream without downloads
+            if bytes.is_empty() || bytes[..] == [0; 4] {
+                continue;
+            }
+            // what is assigned without being there is the matter of 1F81h
+            let has_id = |node: &Node| node.node_id.map(|id| id.value) == Some(node_id);
+            let Some(node) = network.nodes.iter().position(has_id) else { continue };
+            let found = match index {
+                CONCISE_DCF => ConciseDcf::parse(bytes).map_err(|error| error.to_string()),
+                _ => of_dcf(bytes, node_id),
+            };
+            match found {
+                Ok(downloads) => configurations.push((node, Stored { index, downloads })),
+                Err(reason) => {
+                    let name = &manager.name.value;
+                    let message = say!(
+                        "the configuration in {:04X}h:{:02X} of `{}` is not valid: {}",
+                        index,
+                        node_id,
+                        name,
+                        reason
+                    );
+                    let place = At::Node(own, manager.device.value_place(index, node_id));
+                    let at = network.nodes[node].file.at;
+                    let finding = Diagnostic::new(&INVALID_CONFIGURATION, at, message)
+                        .label(place, "the configuration")
+                        .help("write the manager's DCF anew: `objdict network build --target manager`");
+                    findings.push(finding.understood());
+                }
+            }
+        }
+    }
+    for (node, stored) in configurations {
+        network.nodes[node].stored.push(stored);
+    }
+}
+
+/// The downloads that configure a node as its DCF says.
+fn of_dcf(bytes: &[u8], node_id: u8) -> Result<ConciseDcf, String> {
+    let source = SourceFile::from_bytes("1F20h", bytes.to_vec(), &SourceOptions::default())
+        .map_err(|error| error.to_string())?;
+    let description = format::read(source, Format::Dcf);
+    let device: &Device = description.device();
+    if device.objects.is_empty() {
+        return Err("it is not a DCF".to_owned());
+    }
+    if let Some(other) = device.node_id().filter(|other| *other != node_id) {
+        return Err(format!("it is the DCF of node {other}"));
+    }
+    let options = PlanOptions { node_id: Some(node_id), ..PlanOptions::default() };
+    let plan = ConciseDcf::plan(device, &options).map_err(|error| error.to_string())?;
+    let downloads = plan.steps.into_iter().filter_map(|step| match step {
+        Step::Write(download) => Some(download),
+        Step::File(_) => None,
+    });
+    Ok(ConciseDcf(downloads.collect()))
+}

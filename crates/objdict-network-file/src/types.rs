@@ -1,0 +1,68 @@
+//! Node types of `network.toml`: keys that several nodes have in common.
+
+use super::network_keys::NODE;
+use super::rules::UNKNOWN_TYPE;
+use objdict_keyed::section::wrong;
+use objdict_keyed::tree::{Entry, Kind, Tree};
+use objdict_model::diagnostic::{Diagnostic, Findings, nearest, say};
+
+/// The key that names the type of a node, or of a type.
+const USE: &str = "use";
+
+/// A node with the keys of its type, and of the type that this one uses. Keys that the node has itself count more; tables
+/// are joined key by key, and other values are replaced.
+pub(super) fn with_type(node: &Entry, types: &[Entry], findings: &mut Findings) -> Entry {
+    let mut value = node.value.clone();
+    let mut names = Vec::new();
+    let mut used = node.value.get(USE);
+    while let Some(tree) = used {
+        let name = match &*tree.kind {
+            Kind::Text(_) | Kind::Integer(_) => tree.spelled(),
+            _ => {
+                findings.push(wrong(USE, tree, "a text").help("write the name of a type in quotes"));
+                break;
+            }
+        };
+        let finding = |message, help| Diagnostic::new(&UNKNOWN_TYPE, tree.span, message).help(help);
+        let Some(found) = types.iter().find(|entry| entry.key.spelled() == name) else {
+            let known: Vec<String> = types.iter().map(|entry| entry.key.spelled()).collect();
+            let help = match nearest(&name, known.iter().map(String::as_str)) {
+                Some(meant) => say!("did you mean `{}`?", meant),
+                None => say!("add `[type.{}]` with the keys that its nodes have in common", name),
+            };
+            findings.push(finding(say!("there is no type `{}`", name), help));
+            break;
+        };
+        if names.contains(&name) {
+            let help = say!("remove a `use` of the types that use each other");
+            findings.push(finding(say!("the type `{}` uses itself", name), help));
+            break;
+        }
+        names.push(name);
+        value = joined(&value, &known(&found.value));
+        used = found.value.get(USE);
+    }
+    Entry { key: node.key.clone(), value }
+}
+
+/// The keys of a type that a node may have; others are reported for the type.
+fn known(kind: &Tree) -> Tree {
+    let is_known = |entry: &&Entry| NODE.iter().any(|key| key.name == entry.key.spelled());
+    let entries = kind.entries().unwrap_or_default().iter().filter(is_known).cloned();
+    Tree::new(kind.span, Kind::Map(entries.collect()))
+}
+
+/// A table with what another one has in addition; of anything else the first.
+fn joined(own: &Tree, general: &Tree) -> Tree {
+    let (Some(entries), Some(others)) = (own.entries(), general.entries()) else { return own.clone() };
+    let find = |entries: &[Entry], key: &Tree| {
+        let found = entries.iter().find(|entry| entry.key.spelled() == key.spelled());
+        found.map(|entry| entry.value.clone())
+    };
+    let inherited = others.iter().map(|Entry { key, value }| Entry {
+        key: key.clone(),
+        value: find(entries, key).map_or_else(|| value.clone(), |own| joined(&own, value)),
+    });
+    let added = entries.iter().filter(|entry| find(others, &entry.key).is_none()).cloned();
+    Tree::new(own.span, Kind::Map(inherited.chain(added).collect()))
+}

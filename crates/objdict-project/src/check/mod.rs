@@ -1,0 +1,142 @@
+//! All findings of a description: one call for the rules about the text and about the model, without the findings that
+//! comments suppress.
+
+mod comments;
+#[cfg(feature = "full")]
+mod origin;
+mod suppression;
+mod variants;
+
+use std::collections::BTreeSet;
+
+use crate::compat;
+use objdict_eds::eds;
+use objdict_format::{Description, Format, Syntax};
+use objdict_lint as lint;
+use objdict_lint::Options;
+#[cfg(feature = "full")]
+use objdict_model::diagnostic::At;
+use objdict_model::diagnostic::{Diagnostic, Findings, Reach};
+use objdict_model::model::OBJDICTGEN_SECTION;
+#[cfg(feature = "xdd")]
+use objdict_xdd::xdd::wording;
+
+#[cfg(feature = "full")]
+pub use self::comments::insertion;
+#[cfg(feature = "full")]
+pub use self::origin::{last_eds, with_origin_beside};
+#[cfg(feature = "full")]
+pub use self::variants::of_devices;
+
+/// All findings of a description, in the order of its text.
+pub fn check(description: &Description) -> Findings {
+    check_with(description, &Options::default())
+}
+
+/// As [`check`], with options.
+pub fn check_with(description: &Description, options: &Options) -> Findings {
+    let is_xml = description.format().syntax() == Syntax::Xml;
+    let mut findings = description.findings().clone();
+    findings.append(description.text_findings());
+    if options.tools.is_empty() || is_xml {
+        // the rules about other tools cover only the text formats of CiA 306
+        let options = Options { tools: Vec::new(), ..options.clone() };
+        findings.append(lint::check(description.device(), &options));
+    } else {
+        let seen = description.seen_by_others();
+        let device = seen.as_ref().unwrap_or_else(|| description.device());
+        findings.append(lint::check(device, options));
+        findings.append(description.portability_findings(device));
+        findings = compat::react(findings, description, &options.tools);
+    }
+    if let Some(origin) = description.origin() {
+        findings.append(lint::check_configured(description.device(), origin.device()));
+    }
+    let findings = match description.document() {
+        Some(document) => eds::findings::idle(document.text(), findings),
+        None => findings,
+    };
+    let findings = without_fixes_of_lost(description, findings);
+    #[cfg(feature = "xdd")]
+    let findings = if is_xml {
+        wording::of_xdd(findings, description.source().text(), |at| description.span_of(at))
+    } else {
+        findings
+    };
+    let findings = if is_of_objdictgen(description) {
+        findings.filter_map(|finding| (!NOT_OF_OBJDICTGEN.contains(&finding.rule.id)).then_some(finding))
+    } else {
+        findings
+    };
+    let findings = if description.format() == Format::Toml { findings.filter_map(of_toml) } else { findings };
+    let findings = lint::without_disabled(description.device(), findings);
+    let mut findings = options.severities.apply(findings);
+    let about_comments = suppression::apply(description, options, &mut findings);
+    findings.append(options.severities.apply(about_comments));
+    #[cfg(feature = "full")]
+    let findings = with_causes(description, findings);
+    let mut findings = variants::named(description, findings);
+    findings.sort_by_key(|finding| {
+        let start = finding.labels.first().map_or(0, |label| description.span_of(&label.at).start);
+        (start, finding.rule.id)
+    });
+    findings
+}
+
+/// The findings with the places of patches that changed what they are about.
+#[cfg(feature = "full")]
+fn with_causes(description: &Description, findings: Findings) -> Findings {
+    let Some(patched) = description.patched() else { return findings };
+    findings.filter_map(|finding| {
+        let cause = finding.labels.iter().find_map(|label| match &label.at {
+            At::Place(place) => patched.cause_of(place),
+            _ => None,
+        });
+        Some(match cause {
+            Some((patch, span)) => finding.label(At::Patch(patch, span), "changed by this patch"),
+            None => finding,
+        })
+    })
+}
+
+/// What a project of objdictgen has no place for, or objdictgen itself decides: bit rates, flags, and which of the objects of
+/// CiA documents are arrays.
+const NOT_OF_OBJDICTGEN: [&str; 3] =
+    ["cia306/no-baud-rate", "cia306/command-without-flag", "cia301/wrong-object-type"];
+
+/// Who made a file and when is in the version control of a source, and in the files that are made of it.
+const NOT_OF_TOML: &str = "cia306/missing-file-info-key";
+
+/// A finding in the words of `device.toml`; `None` for one that a source does not need.
+fn of_toml(finding: Diagnostic) -> Option<Diagnostic> {
+    #[cfg(feature = "full")]
+    let finding = finding.in_words(objdict_format::device_toml::wording::words);
+    (finding.rule.id != NOT_OF_TOML).then_some(finding)
+}
+
+/// Whether the text is a project of objdictgen.
+fn is_of_objdictgen(description: &Description) -> bool {
+    description.is_project()
+        && description.device().extra.iter().any(|section| section.name() == OBJDICTGEN_SECTION)
+}
+
+/// The findings without the fixes of what a lost header explains: what its object seems to lack is in the section above.
+fn without_fixes_of_lost(description: &Description, findings: Findings) -> Findings {
+    let is_header = |finding: &Diagnostic| {
+        let line = finding.labels.first().map(|label| description.span_of(&label.at)).unwrap_or_default();
+        line.of(description.source().text()).trim_end().ends_with(']')
+    };
+    let is_lost = |finding: &&Diagnostic| {
+        let reaches = |reach| finding.rule.explains.iter().any(|explained| explained.reach == reach);
+        reaches(Reach::Lost) || reaches(Reach::Header) && is_header(finding)
+    };
+    let explained = findings.iter().filter(is_lost).flat_map(|finding| finding.rule.explains);
+    let rules: BTreeSet<&str> = explained.flat_map(|one| one.rules).copied().collect();
+    if rules.is_empty() {
+        return findings;
+    }
+    findings.filter_map(|mut finding| {
+        finding.fix = finding.fix.filter(|_| !rules.contains(finding.rule.name()));
+        Some(finding)
+    })
+}

@@ -1,0 +1,144 @@
+//! The reactions of other tools to findings: one table, applied to the findings of a check in one place.
+//!
+//! A rule knows a problem, but not the affected tools. When a check includes tools
+//! ([`Options::tools`](objdict_lint::Options::tools)), each finding that affects one of them names it, and has at least the
+//! severity of the effect. Findings of the group `portability` are reported for affected tools only.
+
+mod canchkeds;
+mod fixes;
+mod reactions;
+#[cfg(feature = "lint")]
+mod spellings;
+
+use objdict_format::Description;
+#[cfg(feature = "full")]
+use objdict_lint::Options;
+use objdict_lint::PORTABILITY;
+#[cfg(feature = "full")]
+use objdict_model::diagnostic::Applicability;
+use objdict_model::diagnostic::{Diagnostic, Findings, Severity, Text, Tool, say};
+use objdict_model::model::DeviceKind;
+#[cfg(feature = "lint")]
+pub use spellings::with_refused_spellings;
+
+pub use canchkeds::MESSAGES;
+pub use reactions::REACTIONS;
+
+/// The reaction of tools to a finding of a rule.
+#[derive(Clone, Copy, Debug)]
+pub struct Reaction {
+    /// The id of the rule.
+    pub rule: &'static str,
+    /// The tools with the same reaction.
+    pub tools: &'static [Tool],
+    /// The effect on the file.
+    pub effect: Effect,
+    /// The reaction, as a passive sentence: "the file is refused".
+    pub what: &'static str,
+    /// The affected findings of the rule; `None` for all.
+    pub when: Option<When>,
+}
+
+/// The condition of a reaction.
+#[derive(Clone, Copy, Debug)]
+pub struct When {
+    /// In words: "in `[DummyUsage]`".
+    pub text: &'static str,
+    /// Whether a finding meets the condition.
+    pub holds: fn(&Description, &Diagnostic) -> bool,
+}
+
+/// The effect of a finding on a tool.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Effect {
+    /// The tool refuses the file, or crashes.
+    Refused,
+    /// The tool misreads the file.
+    Wrong,
+    /// The tool ignores the content, or drops it when writing the file.
+    Dropped,
+    /// The tool reports an error.
+    Failed,
+    /// The tool reports a warning.
+    Warned,
+}
+
+impl Effect {
+    /// The lowest severity of a finding with this effect.
+    pub const fn severity(self) -> Severity {
+        match self {
+            Self::Refused | Self::Failed => Severity::Error,
+            Self::Wrong | Self::Warned => Severity::Warning,
+            Self::Dropped => Severity::Note,
+        }
+    }
+
+    /// The name of the effect.
+    pub const fn name(self) -> &'static str {
+        match self {
+            Self::Refused => "refused",
+            Self::Wrong => "wrong",
+            Self::Dropped => "dropped",
+            Self::Failed => "error",
+            Self::Warned => "warning",
+        }
+    }
+}
+
+/// A description with the safe fixes of what a tool refuses, misreads or drops.
+#[cfg(feature = "full")]
+pub fn adapt(description: Description, tool: Tool) -> Description {
+    let options = Options { tools: vec![tool], ..Options::default() };
+    let concerns = |rule: &str| REACTIONS.iter().any(|row| row.rule == rule && row.tools.contains(&tool));
+    let check = |description: &Description| {
+        let findings = crate::check_with(description, &options);
+        findings.filter_map(|finding| concerns(finding.rule.id).then_some(finding))
+    };
+    crate::fix(description, Applicability::Safe, check).description
+}
+
+/// Adds the reactions of the selected tools to the findings, and chooses the fixes that they need; removes findings of the
+/// group `portability` that affect none of them.
+pub fn react(findings: Findings, description: &Description, tools: &[Tool]) -> Findings {
+    // CANchkEDS does not check configurations
+    let is_type = description.device().kind == DeviceKind::Type;
+    findings.filter_map(|finding| {
+        let finding = fixes::choose(finding, description, tools)?;
+        let messages = MESSAGES.iter().filter(|_| is_type);
+        let reactions = REACTIONS.iter().chain(messages).filter(|reaction| reaction.rule == finding.rule.id);
+        let of_these = |reaction: &&Reaction| {
+            reaction.tools.iter().any(|tool| tools.contains(tool))
+                && reaction.when.is_none_or(|when| (when.holds)(description, &finding))
+        };
+        let reactions: Vec<&Reaction> = reactions.filter(of_these).collect();
+        let is_own = finding.rule.group() == PORTABILITY;
+        match reactions.iter().map(|reaction| reaction.effect.severity()).max() {
+            None => (!is_own).then_some(finding),
+            Some(severity) => Some(with_reactions(finding, &reactions, severity, tools)),
+        }
+    })
+}
+
+fn with_reactions(
+    mut finding: Diagnostic,
+    reactions: &[&Reaction],
+    severity: Severity,
+    tools: &[Tool],
+) -> Diagnostic {
+    let text = reactions.iter().map(|reaction| {
+        let names = reaction.tools.iter().filter(|tool| tools.contains(tool)).map(|tool| tool.name());
+        format!("{}: {}", names.collect::<Vec<_>>().join(", "), reaction.what)
+    });
+    let text = text.collect::<Vec<_>>().join("; ");
+    if finding.rule.group() == PORTABILITY {
+        finding.message = say!("{}; {}", finding.message, Text::from(text));
+        finding.severity = severity;
+    } else {
+        finding.help = Some(match finding.help {
+            Some(help) => say!("{}; {}", help, Text::from(text)),
+            None => text.into(),
+        });
+        finding.severity = finding.severity.max(severity);
+    }
+    finding
+}

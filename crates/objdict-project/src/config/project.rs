@@ -1,0 +1,122 @@
+//! A configuration with what it needs from other files.
+
+use std::path::{Path, PathBuf};
+use std::sync::Arc;
+
+use super::configuration::Config;
+use crate::registry::own::invalid_setting;
+#[cfg(feature = "full")]
+use objdict_format::patch::Patch;
+use objdict_model::diagnostic::Findings;
+#[cfg(feature = "full")]
+use objdict_model::diagnostic::say;
+use objdict_model::source::SourceError;
+use objdict_profile as profile;
+use objdict_profile::{OpenError, Profile};
+
+/// A configuration with the profiles and patches that it names.
+#[derive(Debug)]
+pub struct Project {
+    /// What it says.
+    pub config: Config,
+    /// The profiles that it names.
+    pub profiles: Vec<Arc<Profile>>,
+    /// The patches that it names by patterns.
+    #[cfg(feature = "full")]
+    pub patches: Vec<Arc<Patch>>,
+    /// Its errors.
+    pub findings: Findings,
+    /// Errors in the profiles that it names: with one of them files cannot be checked as it says.
+    pub failures: Vec<OpenError>,
+}
+
+impl Project {
+    /// Reads the file at `path`, and the profiles and patches that it names.
+    ///
+    /// # Errors
+    ///
+    /// When the file cannot be read. Errors in it are in `findings`.
+    pub fn open(path: &Path) -> Result<Self, SourceError> {
+        Ok(Self::of(Config::open(&called(path))?))
+    }
+
+    /// A configuration with the profiles that it names.
+    pub fn of(config: Config) -> Self {
+        let mut findings = config.findings().clone();
+        let (mut profiles, mut failures) = (Vec::new(), Vec::new());
+        // paths of files are relative as the configuration's own
+        let path = PathBuf::from(config.source().name());
+        let folder = path.parent().unwrap_or(Path::new(""));
+        for wanted in config.profiles() {
+            match profile::open(&wanted.name, folder) {
+                Ok(profile) => profiles.push(profile),
+                Err(error @ OpenError::Invalid { .. }) => failures.push(error),
+                Err(error) => {
+                    let finding = invalid_setting(wanted.span, error.to_string());
+                    let path = || "write a path relative to the folder of this configuration".to_owned();
+                    findings.push(finding.help(error.help().unwrap_or_else(path)));
+                }
+            }
+        }
+        #[cfg(feature = "full")]
+        let patches = patches_of(&config, folder, &mut findings);
+        Self {
+            config,
+            profiles,
+            #[cfg(feature = "full")]
+            patches,
+            findings,
+            failures,
+        }
+    }
+
+    /// Whether files can be checked as it says.
+    #[cfg(feature = "full")]
+    pub fn is_usable(&self) -> bool {
+        self.config.is_toml() && self.failures.is_empty()
+    }
+
+    /// The files with profiles that it names.
+    pub fn files(&self) -> impl Iterator<Item = PathBuf> {
+        let wanted = self.config.profiles().iter().filter(|wanted| profile::named(&wanted.name).is_none());
+        let folder = Path::new(self.config.source().name()).parent().unwrap_or(Path::new(""));
+        let files = wanted.map(|wanted| folder.join(&wanted.name)).filter(|path| path.is_file());
+        #[cfg(feature = "full")]
+        let files = files.chain(self.patches.iter().map(|patch| PathBuf::from(patch.source().name())));
+        files
+    }
+}
+
+/// The patches that a configuration names, sorted for each pattern.
+#[cfg(feature = "full")]
+fn patches_of(config: &Config, folder: &Path, findings: &mut Findings) -> Vec<Arc<Patch>> {
+    let mut patches = Vec::new();
+    for wanted in config.patches() {
+        let pattern = format!("{}/{}", glob::Pattern::escape(&folder.display().to_string()), wanted.pattern);
+        let pattern = if folder == Path::new("") { wanted.pattern.clone() } else { pattern };
+        let found =
+            glob::glob(&pattern).into_iter().flatten().filter_map(Result::ok).filter(|path| path.is_file());
+        let before = patches.len();
+        for path in found {
+            match Patch::open(&path) {
+                Ok(patch) => patches.push(Arc::new(patch)),
+                Err(error) => findings
+                    .push(invalid_setting(wanted.span, error.to_string()).help("name patches of TOML")),
+            }
+        }
+        if patches.len() == before {
+            let message = say!("`{}` matches no patch", wanted.pattern.as_str());
+            findings.push(
+                invalid_setting(wanted.span, message)
+                    .help("write a pattern relative to the folder of this configuration"),
+            );
+        }
+    }
+    patches
+}
+
+/// A path as it is called from the current folder, where it is in it.
+fn called(path: &Path) -> PathBuf {
+    let current = std::env::current_dir().ok();
+    current.and_then(|folder| path.strip_prefix(folder).ok()).unwrap_or(path).to_owned()
+}

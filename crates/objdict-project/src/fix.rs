@@ -1,0 +1,437 @@
+//! Findings fixed: fixes applied, and proven by reading and checking the text again.
+
+use std::collections::{BTreeMap, BTreeSet};
+
+use crate::check_with;
+use crate::compat::with_refused_spellings;
+use objdict_format as format;
+use objdict_format::{Description, Syntax};
+use objdict_lint::Options;
+use objdict_model::diagnostic::{Applicability, At, Diagnostic, Findings, Severity};
+use objdict_model::model::Part;
+use objdict_model::source::{Edits, Encoding, SourceFile, SourceOptions, Span};
+
+/// So many texts are read and checked; the fixes that need more than that are left ([`Fixed::is_unfinished`]).
+const MAX_TRIALS: u32 = 1000;
+
+/// Texts of so many bytes together are read and checked to find the fixes that a report offers, but at least [`MIN_OFFER_TRIALS`].
+const MAX_OFFER_BYTES: usize = 8 << 20;
+
+/// One for all fixes, and one without those that did harm.
+const MIN_OFFER_TRIALS: usize = 2;
+
+/// The rules that find what a fix of another rule leaves open: a new section lacks what only its author knows.
+const LEFT_OPEN: [&str; 4] = [
+    "cia306/missing-device-info-key",
+    "cia306/missing-file-info-key",
+    "cia306/missing-last-eds",
+    "cia306/no-baud-rate",
+];
+
+/// A rule with so many fixes in a round that did harm gets no further trial.
+const MAX_HARM: usize = 8;
+
+/// A description with its findings fixed.
+#[derive(Debug)]
+#[non_exhaustive]
+pub struct Fixed {
+    /// The description as it is now.
+    pub description: Description,
+    /// What is still found in it.
+    pub findings: Findings,
+    /// The fixes that were made, in their order.
+    pub applied: Vec<AppliedFix>,
+    /// The fixes that cannot be made, for their finding would still be there, or another one would have come.
+    pub skipped: Vec<AppliedFix>,
+    /// Whether fixes are left because a thousand texts were tried; fixing the result again goes on.
+    pub is_unfinished: bool,
+}
+
+/// A fix of a finding.
+#[derive(Clone, Debug, PartialEq, Eq, PartialOrd, Ord)]
+pub struct AppliedFix {
+    /// The rule.
+    pub rule: &'static str,
+    /// What was found.
+    pub message: String,
+    /// What was done about it, or was not.
+    pub title: String,
+}
+
+impl Fixed {
+    /// The bytes of the file.
+    pub fn bytes(&self) -> Vec<u8> {
+        self.description.print()
+    }
+}
+
+/// Fixes what `check` finds in a description and a fix no less safe than `safety` can fix. Fixes that touch each other are
+/// made one after the other: after each round the text is read and checked again. A fix after which its finding is still
+/// there, or another one has come, is taken back, and tried again when other fixes have changed the text. So the result
+/// has no fix that another run makes, unless [`Fixed::is_unfinished`].
+pub fn fix(
+    description: Description,
+    safety: Applicability,
+    check: impl Fn(&Description) -> Findings,
+) -> Fixed {
+    let findings = check(&description);
+    let (applied, skipped) = (Vec::new(), Vec::new());
+    let mut fixed = Fixed { description, findings, applied, skipped, is_unfinished: false };
+    let mut left = MAX_TRIALS;
+    // by the numbers of their findings; it holds for this text alone
+    let mut refused: BTreeMap<usize, AppliedFix> = BTreeMap::new();
+    loop {
+        let Fixed { description, findings, .. } = &fixed;
+        let mut candidates = candidates(description, findings, safety, &refused);
+        // alone: in another encoding everything may be another text
+        if let Some(number) = candidates.iter().position(|candidate| candidate.encoding.is_some()) {
+            candidates = vec![candidates.swap_remove(number)];
+        }
+        if candidates.is_empty() || left == 0 {
+            fixed.is_unfinished = !candidates.is_empty();
+            break;
+        }
+        let mut trials = Trials::new(description, findings, &candidates, &check, left);
+        let accepted = trials.run();
+        left = trials.left;
+        let applied = |number: usize| candidates[number].applied.clone();
+        match trials.best.take() {
+            Some((description, findings)) => {
+                refused.clear();
+                fixed.applied.extend(accepted.into_iter().map(applied));
+                (fixed.description, fixed.findings) = (description, findings);
+            }
+            None => refused.extend(trials.harmful.iter().map(|&n| (candidates[n].finding, applied(n)))),
+        }
+    }
+    fixed.skipped.extend(refused.into_values());
+    fixed
+}
+
+/// As [`fix`], and also fixes spellings that CiA 306 allows and readers refuse: empty numbers, missing keys of `[DummyUsage]`, keys in
+/// another case and, without unsafe fixes, a text that is not UTF-8. With tools in the options, what these need is fixed and nothing else.
+pub fn fix_for_readers(description: Description, safety: Applicability, options: &Options) -> Fixed {
+    let check = |description: &Description| check_with(description, options);
+    if description.format().syntax() != Syntax::Ini || !options.tools.is_empty() {
+        return fix(description, safety, check);
+    }
+    let with_spellings = |description: &Description| {
+        with_refused_spellings(description, safety, check(description), &options.severities)
+    };
+    let fixed = fix(description, safety, with_spellings);
+    Fixed { findings: check(&fixed.description), ..fixed }
+}
+
+/// The findings with those fixes alone offered ([`Fix::is_offered`](objdict_model::diagnostic::Fix::is_offered)) that [`fix`] makes of this
+/// text at once: no two of them touch each other, and each fixes its finding and causes no other. In a large file some may be
+/// missing where others do harm.
+pub fn with_sound_fixes(
+    description: &Description,
+    findings: Findings,
+    check: impl Fn(&Description) -> Findings,
+) -> Findings {
+    let candidates = candidates(description, &findings, Applicability::Unsafe, &BTreeMap::new());
+    let affordable = MAX_OFFER_BYTES / description.source().text().len().max(1);
+    let trials = affordable.clamp(MIN_OFFER_TRIALS, MAX_TRIALS as usize);
+    let mut trials = Trials::new(description, &findings, &candidates, &check, trials as u32);
+    let offers: BTreeSet<_> = trials.run().into_iter().map(|number| candidates[number].finding).collect();
+    findings.rearrange(|mut kept| {
+        for (number, finding) in kept.iter_mut().enumerate() {
+            finding.fix.iter_mut().for_each(|fix| fix.is_offered = offers.contains(&number));
+        }
+        kept
+    })
+}
+
+/// A fix as what it does to the text.
+struct Candidate {
+    applied: AppliedFix,
+    safety: Applicability,
+    /// The number of its finding.
+    finding: usize,
+    key: Key,
+    edits: Vec<(Span, String)>,
+    encoding: Option<Encoding>,
+}
+
+/// The fixes to be made in one round: those that do not touch one that was taken before. Safe ones come first.
+fn candidates(
+    description: &Description,
+    findings: &Findings,
+    safety: Applicability,
+    refused: &BTreeMap<usize, AppliedFix>,
+) -> Vec<Candidate> {
+    let fixes = findings.iter().enumerate().filter_map(|(number, finding)| {
+        let fix =
+            finding.fix.as_ref().filter(|fix| fix.safety <= safety && !refused.contains_key(&number))?;
+        Some((number, finding, fix))
+    });
+    let mut fixes: Vec<_> = fixes.collect();
+    fixes.sort_by_key(|(.., fix)| fix.safety);
+    let mut taken = Taken::default();
+    let candidates = fixes.into_iter().filter_map(|(number, finding, fix)| {
+        let encoding = description.encoding_of(fix);
+        let edits = match encoding {
+            Some(_) => Vec::new(),
+            None => description.edits(fix).filter(|edits| taken.take(edits))?,
+        };
+        let (message, title) = (finding.message.to_string(), fix.title.to_string());
+        let applied = AppliedFix { rule: finding.rule.id, message, title };
+        let (safety, key) = (fix.safety, Key::of(finding));
+        Some(Candidate { applied, safety, finding: number, key, edits, encoding })
+    });
+    candidates.collect()
+}
+
+/// The search for the fixes that can be made together.
+struct Trials<'a, F> {
+    description: &'a Description,
+    /// Whether the encoding of the file is not the one that its bytes are recognised by.
+    is_encoding_given: bool,
+    candidates: &'a [Candidate],
+    check: &'a F,
+    before: Counts,
+    /// How many more texts may be tried.
+    left: u32,
+    /// What came of the last text that was better than the one before.
+    best: Option<(Description, Findings)>,
+    harmful: Vec<usize>,
+}
+
+impl<'a, F: Fn(&Description) -> Findings> Trials<'a, F> {
+    fn new(
+        description: &'a Description,
+        findings: &Findings,
+        candidates: &'a [Candidate],
+        check: &'a F,
+        left: u32,
+    ) -> Self {
+        let before = Counts::of(findings);
+        let source = description.source();
+        let is_encoding_given = Encoding::detect(&source.to_bytes()) != source.encoding();
+        let (best, harmful) = (None, Vec::new());
+        Self { description, is_encoding_given, candidates, check, before, left, best, harmful }
+    }
+
+    /// The fixes that are made in this round, in the order of their findings. Safe ones are tried first, because they must
+    /// do no harm without the others.
+    fn run(&mut self) -> Vec<usize> {
+        let mut numbers: Vec<usize> = (0..self.candidates.len()).collect();
+        // those of one rule fail together, and are found fast where they are side by side
+        numbers.sort_by_key(|&number| (self.candidates[number].safety, self.candidates[number].applied.rule));
+        let is_safe = |&number: &usize| self.candidates[number].safety == Applicability::Safe;
+        let (safe, others) = numbers.split_at(numbers.partition_point(is_safe));
+        let mut accepted = Vec::new();
+        for numbers in [safe, others].into_iter().filter(|numbers| !numbers.is_empty()) {
+            accepted = self.narrow(accepted, numbers);
+        }
+        accepted.sort_by_key(|&number| self.candidates[number].finding);
+        accepted
+    }
+
+    /// Those of `numbers` that can be made with the `accepted` ones, and these. Mostly that is all of them; else those
+    /// where something is wrong then are tried apart from the others; where all are, each half is.
+    fn narrow(&mut self, accepted: Vec<usize>, numbers: &[usize]) -> Vec<usize> {
+        let mut all = accepted.clone();
+        all.extend(numbers);
+        let harm = match self.attempt(&all) {
+            Ok(outcome) => {
+                self.best = Some(outcome);
+                return all;
+            }
+            Err(harm) => harm,
+        };
+        if self.left == 0 {
+            return accepted;
+        }
+        if let [only] = numbers {
+            self.harmful.push(*only);
+            return accepted;
+        }
+        if self.is_hopeless(numbers) {
+            self.harmful.extend(numbers);
+            return accepted;
+        }
+        let is_harmless =
+            |&number: &usize| !harm.iter().any(|harm| self.candidates[number].key.is_near(harm));
+        let (mut first, mut second): (Vec<_>, Vec<_>) = numbers.iter().copied().partition(is_harmless);
+        if first.is_empty() || second.is_empty() {
+            first = numbers.to_vec();
+            second = first.split_off(numbers.len() / 2);
+        }
+        let accepted = self.narrow(accepted, &first);
+        self.narrow(accepted, &second)
+    }
+
+    /// Whether all of these are fixes of one rule that did harm often enough.
+    fn is_hopeless(&self, numbers: &[usize]) -> bool {
+        let rule = |number: &usize| self.candidates[*number].applied.rule;
+        let Some(first) = numbers.first().map(rule) else { return false };
+        let harm = self.harmful.iter().filter(|number| rule(number) == first).count();
+        harm >= MAX_HARM && numbers.iter().all(|number| rule(number) == first)
+    }
+
+    /// The description with some fixes made, where each fixes its finding and none makes another; else where it is known,
+    /// the findings that there would be too many of.
+    fn attempt(&mut self, numbers: &[usize]) -> Result<(Description, Findings), Vec<Key>> {
+        self.left = self.left.checked_sub(1).ok_or_else(Vec::new)?;
+        let (description, fixed) = self.amended(numbers).ok_or_else(Vec::new)?;
+        let findings = (self.check)(&description);
+        match Counts::of(&findings).harm(&self.before, &fixed) {
+            harm if harm.is_empty() => Ok((description, findings)),
+            harm => Err(harm),
+        }
+    }
+
+    /// The description with some fixes made, and how many findings of each kind they fix; `None` where validation refuses it.
+    fn amended(&self, numbers: &[usize]) -> Option<(Description, BTreeMap<&'a Key, u32>)> {
+        let source = self.description.source();
+        let mut edits = Edits::new(source);
+        let mut encoding = source.encoding();
+        let mut fixed = BTreeMap::new();
+        for &number in numbers {
+            let candidate = &self.candidates[number];
+            candidate.edits.iter().for_each(|(span, text)| edits.replace(*span, text.as_str()));
+            encoding = candidate.encoding.unwrap_or(encoding);
+            *fixed.entry(&candidate.key).or_default() += 1;
+        }
+        let bytes = encoding.encode(&edits.text().ok()?).ok()?;
+        // without the bytes that a fix removes, the others may be those of another encoding
+        let mut options = SourceOptions::default();
+        options.encoding = self.is_encoding_given.then_some(encoding);
+        options.max_size = u64::MAX;
+        let source = SourceFile::from_bytes(source.name(), bytes, &options).ok()?;
+        let number = self.description.number();
+        let description = format::read(source, self.description.format()).select(number)?;
+        // rules may be switched off
+        description.is_as_valid_as(self.description).then_some((description, fixed))
+    }
+}
+
+/// What a finding is counted by: its rule, and the part of the description where it is.
+#[derive(Clone, Debug, PartialEq, Eq, PartialOrd, Ord)]
+struct Key(&'static str, Option<Part>);
+
+impl Key {
+    fn of(finding: &Diagnostic) -> Self {
+        let part = match finding.labels.first().map(|label| &label.at) {
+            Some(At::Place(place)) => Some(place.part.clone()),
+            _ => None,
+        };
+        Self(finding.rule.id, part)
+    }
+
+    /// Whether both are findings of one part, or where no part is known, of one rule.
+    fn is_near(&self, other: &Self) -> bool {
+        match (&self.1, &other.1) {
+            (Some(part), Some(other)) => part == other,
+            _ => self.0 == other.0,
+        }
+    }
+}
+
+/// How many findings there are of each kind.
+#[derive(Default)]
+struct Counts {
+    parts: BTreeMap<Key, u32>,
+    /// By rule alone, those that were only counted among them.
+    rules: BTreeMap<&'static str, u32>,
+    /// By rule and the least severity, those that are known.
+    severe: BTreeMap<(&'static str, Severity), u32>,
+    /// The rules of which not all findings are known.
+    capped: BTreeSet<&'static str>,
+}
+
+impl Counts {
+    fn of(findings: &Findings) -> Self {
+        let mut counts = Self::default();
+        for finding in findings {
+            *counts.parts.entry(Key::of(finding)).or_default() += 1;
+            *counts.rules.entry(finding.rule.id).or_default() += 1;
+            for least in
+                [Severity::Warning, Severity::Error].into_iter().filter(|&least| least <= finding.severity)
+            {
+                *counts.severe.entry((finding.rule.id, least)).or_default() += 1;
+            }
+        }
+        for (rule, omitted) in findings.omitted() {
+            *counts.rules.entry(rule).or_default() += omitted;
+            counts.capped.insert(rule);
+        }
+        counts
+    }
+
+    /// The findings that there are too many of: that were `fixed` and are not gone, that have come or become more severe,
+    /// but not what a new section leaves open.
+    fn harm(&self, before: &Self, fixed: &BTreeMap<&Key, u32>) -> Vec<Key> {
+        let adds_section = fixed.keys().any(|key| key.0 == "cia306/missing-section");
+        let is_open = |rule: &str| adds_section && LEFT_OPEN.contains(&rule);
+        let fixed_of =
+            |rule: &str| fixed.iter().filter(|(key, _)| key.0 == rule).map(|(_, count)| count).sum();
+        let is_more =
+            |now: u32, before: Option<&u32>, fixed: u32| now + fixed > before.copied().unwrap_or_default();
+        let is_known = |rule: &str| !self.capped.contains(rule) && !before.capped.contains(rule);
+        let rules = self
+            .rules
+            .iter()
+            .filter(|&(rule, &now)| !is_known(rule) && is_more(now, before.rules.get(rule), fixed_of(rule)));
+        let severe = self
+            .severe
+            .iter()
+            .filter(|&(key, &now)| is_known(key.0) && is_more(now, before.severe.get(key), 0));
+        let parts = self.parts.iter().filter(|&(key, &now)| {
+            let fixed = fixed.get(key).copied().unwrap_or_default();
+            is_known(key.0) && is_more(now, before.parts.get(key), fixed)
+        });
+        let whole = rules
+            .map(|(rule, _)| *rule)
+            .chain(severe.map(|((rule, _), _)| *rule))
+            .map(|rule| Key(rule, None));
+        whole.chain(parts.map(|(key, _)| key.clone())).filter(|key| !is_open(key.0)).collect()
+    }
+}
+
+/// The spans that fixes of a round replace.
+#[derive(Default)]
+struct Taken(BTreeMap<u32, u32>);
+
+impl Taken {
+    /// Takes the spans of a fix, unless one of them overlaps a span that was taken. Texts that are put in may not even touch
+    /// another change, for it would be open which comes first.
+    fn take(&mut self, edits: &[(Span, String)]) -> bool {
+        if edits.iter().any(|(span, _)| self.is_taken(*span)) {
+            return false;
+        }
+        self.0.extend(edits.iter().map(|(span, _)| (span.start, span.end)));
+        true
+    }
+
+    fn is_taken(&self, span: Span) -> bool {
+        let near = self.0.range(..=span.end).rev().take(2);
+        near.map(|(&start, &end)| Span::new(start, end)).any(|taken| {
+            if taken.is_empty() || span.is_empty() {
+                taken.start <= span.end && span.start <= taken.end
+            } else {
+                taken.start < span.end && span.start < taken.end
+            }
+        })
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn spans_that_touch_an_insertion_are_taken() {
+        let mut taken = Taken::default();
+        let edit = |start, end| vec![(Span::new(start, end), String::new())];
+        assert!(taken.take(&edit(5, 8)) && taken.take(&edit(8, 10)) && taken.take(&edit(20, 20)));
+        for (start, end) in [(4, 6), (9, 9), (10, 10), (5, 5), (20, 20), (19, 20), (20, 21), (0, 30)] {
+            assert!(!taken.take(&edit(start, end)), "{start}..{end}");
+        }
+        assert!(taken.take(&edit(10, 12)) && taken.take(&edit(3, 4)));
+        let both = [(Span::new(14, 15), String::new()), (Span::new(9, 10), String::new())];
+        assert!(!taken.take(&both) && taken.take(&edit(14, 15)), "all of a fix or nothing");
+    }
+}

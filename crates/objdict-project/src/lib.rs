@@ -1,0 +1,22 @@
+//! From a file and its configuration to findings, and their reports. Part of `objdict`, which is the crate to depend on.
+
+#![cfg_attr(not(feature = "full"), allow(unreachable_pub, reason = "what is used depends on the features"))]
+
+#[cfg(feature = "full")]
+pub mod baseline;
+pub mod check;
+pub mod compat;
+#[cfg(feature = "lint")]
+pub mod config;
+#[cfg(feature = "lint")]
+mod fix;
+#[cfg(feature = "full")]
+pub mod line_diff;
+pub mod registry;
+pub mod report;
+
+pub use check::{check, check_with};
+#[cfg(feature = "full")]
+pub use check::{insertion, last_eds, of_devices, with_origin_beside};
+#[cfg(feature = "lint")]
+pub use fix::{AppliedFix, Fixed, fix, fix_for_readers, with_sound_fixes};

@@ -1,0 +1,73 @@
+//! The rules about instructions to objdict itself, in `objdict.toml` and in comments. They are next to the list of all rules
+//! because they check the names of rules.
+
+use super::nearest_selection;
+#[cfg(feature = "lint")]
+use objdict_model::diagnostic::Text;
+use objdict_model::diagnostic::{Diagnostic, say, text_rules};
+use objdict_model::source::Span;
+
+text_rules! {
+    INVALID_TOML = "objdict/invalid-toml", Error;
+    summary: "the configuration is not valid TOML",
+    checks: "Whether `objdict.toml` is valid TOML. If it is not, the files that it applies to are not checked, and the exit code is 2.",
+    why: "A check without its configuration reports unwanted findings and misses those that were requested.",
+    example: r#"`cia306/file-name = "off"`: the id of a rule contains a `/` and must be quoted"#,
+    remedy: "Correct the reported line.",
+    source: "objdict, docs/config.md; TOML 1.1",
+
+    UNKNOWN_SETTING = "objdict/unknown-setting", Warning;
+    summary: "the configuration contains an unknown setting",
+    checks: "Whether each top-level key of `objdict.toml` is a known setting.",
+    why: "The name is probably misspelled, and the setting has no effect.",
+    example: "`node_id = 5` instead of `node-id = 5`",
+    remedy: "Correct the name or remove the setting.",
+    source: "objdict, docs/config.md",
+
+    INVALID_SETTING = "objdict/invalid-setting", Error;
+    summary: "a setting has an invalid value",
+    checks: "Whether each setting of `objdict.toml` has a value of its type and, for a fixed set of values, one of them.",
+    why: "The setting has no effect, and the check differs from the intended one.",
+    example: "`node-id = 128`",
+    remedy: "Write a valid value.",
+    source: "objdict, docs/config.md",
+
+    UNKNOWN_RULE = "objdict/unknown-rule", Warning;
+    summary: "an unknown rule or group",
+    checks: "Whether each rule name in `objdict.toml` and in comments `objdict: allow` is the id of a rule, such as `cia306/file-name`, or a group, such as `cia306`.",
+    why: "The setting or comment has no effect.",
+    example: "`; objdict: allow cia306/filename`",
+    remedy: "Correct the name; `objdict rules` lists all rules.",
+    source: "objdict, docs/config.md",
+
+    INVALID_SUPPRESSION = "objdict/invalid-suppression", Warning;
+    summary: "a comment contains an invalid objdict instruction",
+    checks: "Whether a comment that starts with `objdict:` continues with `allow` and the ids of rules or names of groups, separated by blanks or commas.",
+    why: "The author expects the comment to suppress a finding, but it is reported.",
+    example: "`; objdict: ignore cia306/file-name`",
+    remedy: "Write `; objdict: allow cia306/file-name`; a reason may follow after ` -- `.",
+    source: "objdict, docs/config.md",
+
+    UNUSED_SUPPRESSION = "objdict/unused-suppression", Warning, fix Safe;
+    summary: "a comment allows a rule without findings",
+    checks: "Whether each rule in a comment `objdict: allow` has a finding in the following section or element, or in the file if the comment is before the first one. Rules that are off, and rules about tools or custom profiles that are not selected, are not checked.",
+    why: "The allowed problem was fixed or moved. The comment would hide the same problem if it occurs again.",
+    example: "`; objdict: allow cia306/file-name` in a file whose `FileName` is right",
+    remedy: "Remove the comment or the rule from it, or move the comment before the intended section.",
+    source: "objdict, docs/config.md",
+}
+
+/// A setting with an invalid value.
+#[cfg(feature = "lint")]
+pub fn invalid_setting(span: Span, message: impl Into<Text>) -> Diagnostic {
+    Diagnostic::new(&INVALID_SETTING, span, message)
+}
+
+/// A name that is neither a rule nor a group.
+pub fn unknown_rule(span: Span, name: &str) -> Diagnostic {
+    let finding = Diagnostic::new(&UNKNOWN_RULE, span, say!("there is no rule or group `{}`", name));
+    match nearest_selection(name) {
+        Some(meant) => finding.help(say!("did you mean `{}`?", meant)),
+        None => finding.help("run `objdict rules` to list all rules"),
+    }
+}

@@ -1,0 +1,273 @@
+//! Identity of a finding when the file is edited around it: baselines and CI services match findings with it.
+
+use std::collections::HashMap;
+use std::fmt;
+
+use serde::{Serialize, Serializer};
+
+use super::Subject;
+use objdict_eds::ini::LineKind;
+use objdict_format::Description;
+use objdict_model::diagnostic::{At, Diagnostic};
+use objdict_model::model::{Field, ModulePart, Part, Place};
+use objdict_model::source::{Fnv, Span};
+
+/// The name and version of the recipe, for outputs that name their fingerprints. A change of the recipe is a new version:
+/// otherwise users of stored fingerprints would get all findings as new ones.
+pub const FINGERPRINT_NAME: &str = "objdict/v1";
+
+/// The most bytes of a line that count. An XDD may be one line, and a change far away is no change of the finding.
+const MAX_LINE: usize = 400;
+
+/// The bytes on each side of a label that count in a longer line.
+const CONTEXT: usize = 80;
+
+/// A hash of the subject of a finding, without its position: of the rule, the place in the model and the remark, and of
+/// its number among equal ones. Where the finding is about the text itself, the section and the text of the line count for
+/// the place, without blanks. Lines that move, list members that are numbered anew and another wording change nothing.
+///
+/// Of joined findings the place does not count, but what they say has in common: it stays when some of them are fixed.
+///
+/// The name of the file is not part of it.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
+pub struct Fingerprint(u64);
+
+impl Fingerprint {
+    /// The fingerprint of the `number`th finding that is equal otherwise, counted from 0.
+    pub(super) fn repeated(self, number: u32) -> Self {
+        if number == 0 {
+            return self;
+        }
+        let mut hash = Fnv(self.0);
+        hash.field(&number.to_be_bytes());
+        Self(hash.0)
+    }
+}
+
+/// 16 hex digits.
+impl fmt::Display for Fingerprint {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        write!(f, "{:016x}", self.0)
+    }
+}
+
+impl std::str::FromStr for Fingerprint {
+    type Err = std::num::ParseIntError;
+
+    fn from_str(text: &str) -> Result<Self, Self::Err> {
+        u64::from_str_radix(text, 16).map(Self)
+    }
+}
+
+impl Serialize for Fingerprint {
+    fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
+        serializer.collect_str(self)
+    }
+}
+
+#[cfg(feature = "schema")]
+objdict_model::inline_schemas! {
+    Fingerprint: |_| schemars::json_schema!({ "type": "string", "pattern": "^[0-9a-f]{16}$" });
+}
+
+/// The fingerprint of a finding that has no equal before it; see [`fingerprints`].
+pub fn fingerprint<'a>(subject: impl Into<Subject<'a>>, finding: &Diagnostic) -> Fingerprint {
+    let subject = subject.into();
+    base(subject, &Sections::new(subject), finding)
+}
+
+/// The fingerprints of findings, in their order. Equal ones are numbered, so give all findings of a file, and filter later.
+pub fn fingerprints<'a, 's>(
+    subject: impl Into<Subject<'s>>,
+    findings: impl IntoIterator<Item = &'a Diagnostic>,
+) -> Vec<Fingerprint> {
+    let mut findings = findings.into_iter().peekable();
+    if findings.peek().is_none() {
+        return Vec::new();
+    }
+    let subject = subject.into();
+    let sections = Sections::new(subject);
+    let mut seen: HashMap<Fingerprint, u32> = HashMap::new();
+    findings
+        .map(|finding| {
+            let base = base(subject, &sections, finding);
+            let number = seen.entry(base).or_default();
+            let fingerprint = base.repeated(*number);
+            *number = number.saturating_add(1);
+            fingerprint
+        })
+        .collect()
+}
+
+fn base(subject: Subject<'_>, sections: &Sections, finding: &Diagnostic) -> Fingerprint {
+    let mut hash = Fnv::new();
+    hash.field(finding.rule.id.as_bytes());
+    if let Some(number) = subject.description().map(Description::number).filter(|number| *number > 0) {
+        hash.field(&(number as u64).to_be_bytes());
+    }
+    if let Some(other) = finding.also.first() {
+        // what the message says without the places; that of the first one counts them
+        hash.field(other.message.pattern().as_bytes());
+        hash.field(&[finding.severity as u8, u8::from(finding.fix.is_some())]);
+    } else if let Some(label) = finding.labels.first() {
+        match &label.at {
+            At::Place(place) | At::Node(_, place) => at_place(subject, place, &mut hash),
+            At::Span(span) | At::Patch(_, span) => at_line(subject, sections, *span, &mut hash),
+        }
+        hash.field(label.text.shown().as_bytes());
+    }
+    Fingerprint(hash.0)
+}
+
+/// The address; of a member of a list its text, because members are numbered anew when one comes or goes.
+fn at_place(subject: Subject<'_>, place: &Place, hash: &mut Fnv) {
+    let is_list = matches!(
+        place.part,
+        Part::List(_) | Part::Links(_) | Part::Module(_, ModulePart::FixedObjects | ModulePart::SubExtends)
+    );
+    match (&place.field, subject.description().and_then(|description| description.locate(place))) {
+        (Some(Field::Item(_)), Some(span)) if is_list => {
+            hash.field(place.part.to_string().as_bytes());
+            hash.text(span.of(subject.source().text()));
+        }
+        _ => hash.field(place.to_string().as_bytes()),
+    }
+}
+
+/// The section and the line, or the text around the span of a long line.
+fn at_line(subject: Subject<'_>, sections: &Sections, span: Span, hash: &mut Fnv) {
+    let source = subject.source();
+    let text = source.text();
+    let line = source.lines().line_span(text, source.lines().line_of(text, span.start));
+    hash.field(sections.at(text, span.start).as_bytes());
+    if line.len() as usize <= MAX_LINE {
+        hash.text(line.of(text));
+    } else {
+        let from = (span.start as usize).saturating_sub(CONTEXT).max(line.start as usize);
+        let to = (span.end as usize).min(span.start as usize + MAX_LINE).saturating_add(CONTEXT);
+        let to = to.min(line.end as usize);
+        let mut boundaries = (from..=to.max(from)).filter(|&at| text.is_char_boundary(at));
+        let from = boundaries.next().unwrap_or(from);
+        hash.text(text.get(from..boundaries.next_back().unwrap_or(from)).unwrap_or_default());
+    }
+}
+
+/// The headers of an INI file, in order; none of XML.
+struct Sections(Vec<Span>);
+
+impl Sections {
+    fn new(subject: Subject<'_>) -> Self {
+        let document = subject.description().and_then(Description::document);
+        let lines = document.into_iter().flat_map(|document| document.lines());
+        Self(
+            lines
+                .filter_map(|line| match line.kind {
+                    LineKind::Section { name } => Some(name),
+                    _ => None,
+                })
+                .collect(),
+        )
+    }
+
+    /// The name of the section at an offset.
+    fn at<'t>(&self, text: &'t str, offset: u32) -> &'t str {
+        let behind = self.0.partition_point(|name| name.start <= offset);
+        behind.checked_sub(1).map_or("", |number| self.0[number].of(text))
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use std::collections::HashSet;
+
+    use super::*;
+    use objdict_format as format;
+    use objdict_format::Format;
+    use objdict_model::source::SourceFile;
+
+    const BROKEN: &str = include_str!("../../../../fixtures/broken/octal.eds");
+
+    /// Rule, message and fingerprint of each finding.
+    fn prints(text: &str) -> Vec<(&'static str, String, Fingerprint)> {
+        let description = format::read(SourceFile::from_text("a.eds", text), Format::Eds);
+        let findings = crate::check(&description);
+        let prints = fingerprints(&description, &findings);
+        findings.iter().zip(prints).map(|(f, print)| (f.rule.id, f.message.to_string(), print)).collect()
+    }
+
+    #[test]
+    fn moved_lines_and_blanks_change_nothing() {
+        let text = BROKEN.replace("\r\n", "\n");
+        let before = prints(&text);
+        assert!(before.len() > 3, "{before:?}");
+        let moved = text.replacen('[', ";\n;\n[", 1).replace("\n[", "\n\n[");
+        assert_eq!(prints(&moved), before);
+        let junk = |line: &str| prints(&format!("[Comments]\n{line}\n")).last().map(|(.., print)| *print);
+        assert_eq!(junk("no key at all"), junk("  no key  at all "));
+        assert_ne!(junk("no key at all"), junk("nor here"));
+    }
+
+    #[test]
+    fn equal_findings_are_distinguished() {
+        let text = "[2000]\njunk\njunk\n[2001]\njunk\n";
+        let all = prints(text);
+        let distinct: HashSet<Fingerprint> = all.iter().map(|(.., print)| *print).collect();
+        assert_eq!(distinct.len(), all.len(), "{all:?}");
+        let fewer = prints("[2000]\njunk\n[2001]\njunk\n");
+        let gone = all.iter().filter(|item| !fewer.contains(item)).count();
+        assert_eq!(gone, 1, "the rest are the same:\n{all:?}\n{fewer:?}");
+    }
+
+    #[test]
+    fn joined_findings_are_known_by_their_cause() {
+        let prints = |objects: &[&str]| {
+            let object = |index: &&str| {
+                let limit = if index.ends_with('0') { "LowLimit" } else { "HighLimit" };
+                format!("[{index}]\nParameterName=A\nObjectType=7\nDataType=5\nAccessType=ro\n{limit}=1\n")
+            };
+            let text: String = objects.iter().map(object).collect();
+            let description = format::read(SourceFile::from_text("a.eds", text), Format::Eds);
+            let findings = crate::report::grouped(&description, crate::check(&description));
+            let prints = fingerprints(&description, &findings);
+            let joined = findings.iter().zip(prints).filter(|(finding, _)| !finding.also.is_empty());
+            joined.map(|(finding, print)| (finding.rule.id, print)).collect::<Vec<_>>()
+        };
+        let all = prints(&["2000", "2001", "2010", "2011", "2020", "2021"]);
+        assert!(all.iter().filter(|(rule, _)| *rule == "cia306/single-limit").count() == 2, "{all:?}");
+        assert_eq!(all, prints(&["2010", "2011", "2020", "2021"]), "the first place is fixed");
+        let distinct: HashSet<Fingerprint> = all.iter().map(|(_, print)| *print).collect();
+        assert_eq!(distinct.len(), all.len(), "{all:?}");
+    }
+
+    #[test]
+    fn list_members_are_known_by_their_text() {
+        let list = |members: &str| {
+            let text = format!("[OptionalObjects]\nSupportedObjects=2\n{members}\n[1000]\nParameterName=A\n");
+            let all = prints(&text);
+            let mut wanted = all.into_iter().filter(|(rule, ..)| *rule == "cia306/listed-object-missing");
+            wanted.next().map(|(.., print)| print)
+        };
+        let first = list("1=0x1000\n2=0x3FFF");
+        assert!(first.is_some());
+        assert_eq!(first, list("1=0x3FFF\n2=0x1000"));
+    }
+
+    #[test]
+    fn a_change_far_away_in_a_long_line_changes_nothing() {
+        let print = |front: usize| {
+            let text = format!("{}junk{}", "a".repeat(front), "b".repeat(2000));
+            let description = format::read(SourceFile::from_text("a.eds", text), Format::Eds);
+            let at = Span::new(front as u32, front as u32 + 4);
+            let finding = Diagnostic::new(crate::registry::rules()[0], at, "m");
+            fingerprint(&description, &finding)
+        };
+        assert_eq!(print(1000), print(1500));
+    }
+
+    #[test]
+    fn the_text_of_a_fingerprint_is_read_again() {
+        let print = Fingerprint(0x12AB);
+        assert_eq!(print.to_string(), "00000000000012ab");
+        assert_eq!(print.to_string().parse(), Ok(print));
+    }
+}

@@ -1,0 +1,181 @@
+//! JUnit XML: a suite for each file, a test case for each finding, and a passed one for a file without findings.
+
+use std::collections::HashMap;
+use std::io::{self, Write};
+use std::path::Path;
+
+use super::path::Base;
+use super::{Location, Report, Subject};
+use objdict_model::diagnostic::one_line;
+use objdict_model::diagnostic::{Diagnostic, Findings, Severity};
+use objdict_xdd::xml::XmlWriter;
+
+/// Findings as failed tests. There is no schema that all readers agree on; this is what they have in common.
+#[derive(Debug)]
+pub struct Junit<W> {
+    out: W,
+    base: Base,
+    deny: Severity,
+    xml: XmlWriter,
+}
+
+impl<W: Write> Junit<W> {
+    /// A report that writes to `out`.
+    pub fn new(out: W) -> Self {
+        let mut xml = XmlWriter::new();
+        xml.open("testsuites", [("name", "objdict")]);
+        Self { out, base: Base::default(), deny: Severity::Error, xml }
+    }
+
+    /// With paths as they are seen from `folder`, which is that of the repository.
+    #[must_use]
+    pub fn base(mut self, folder: &Path) -> Self {
+        self.base = Base::new(folder);
+        self
+    }
+
+    /// With findings below `severity` as passed tests that say something.
+    #[must_use]
+    pub fn deny(mut self, severity: Severity) -> Self {
+        self.deny = severity;
+        self
+    }
+
+    fn suite(&mut self, name: &str, tests: usize, failures: usize, errors: usize) {
+        let (tests, failures, errors) = (tests.to_string(), failures.to_string(), errors.to_string());
+        let attributes = [("name", name), ("tests", &*tests), ("failures", &*failures), ("errors", &*errors)];
+        self.xml.open("testsuite", attributes);
+    }
+
+    /// A test case; `seen` counts the names in its file, for readers take cases of one name for one case.
+    fn case(
+        &mut self,
+        file: &str,
+        subject: Subject<'_>,
+        finding: &Diagnostic,
+        seen: &mut HashMap<String, u32>,
+    ) {
+        let at = finding.labels.first().map(|label| Location::new(subject, label));
+        let start = Location::start_of(subject, finding);
+        let position = format!("{}:{}", start.line, start.column);
+        let place = at.and_then(|at| at.place).map_or_else(|| position.clone(), |place| place.to_string());
+        let mut name = format!("{}: {place}", finding.rule.id);
+        let count = seen.entry(name.clone()).or_default();
+        *count += 1;
+        if *count > 1 {
+            name.push_str(&format!(" ({count})"));
+        }
+        self.xml.open("testcase", [("name", &*name), ("classname", file)]);
+        let message = one_line(&finding.message.shown());
+        let severity = finding.severity.to_string();
+        let mut text = format!("{file}:{position}: {severity}: {message}");
+        if let Some(help) = &finding.help {
+            text.push_str("\nhelp: ");
+            text.push_str(&one_line(&help.shown()));
+        }
+        if finding.severity >= self.deny {
+            self.xml.text_element("failure", [("type", &*severity), ("message", &*message)], &text);
+        } else {
+            self.xml.text_element("system-out", [], &text);
+        }
+        self.xml.close();
+    }
+}
+
+impl<W: Write> Report for Junit<W> {
+    fn deny_from(&mut self, severity: Severity) {
+        self.deny = severity;
+    }
+
+    fn file(&mut self, subject: Subject<'_>, findings: &Findings) -> io::Result<()> {
+        let name = one_line(&self.base.relative(subject.source().name()));
+        let failures = findings.iter().filter(|finding| finding.severity >= self.deny).count();
+        self.suite(&name, findings.len().max(1), failures, 0);
+        let mut seen = HashMap::new();
+        for finding in findings {
+            self.case(&name, subject, finding, &mut seen);
+        }
+        if findings.is_empty() {
+            self.xml.empty("testcase", [("name", "no findings"), ("classname", &*name)]);
+        }
+        let omitted: Vec<String> = findings
+            .omitted()
+            .map(|(rule, count)| format!("{count} more findings of {rule} are not shown"))
+            .collect();
+        if !omitted.is_empty() {
+            self.xml.text_element("system-out", [], &omitted.join("\n"));
+        }
+        self.xml.close();
+        self.out.write_all(self.xml.take().as_bytes())
+    }
+
+    fn unread(&mut self, message: &str) -> io::Result<()> {
+        let message = one_line(message);
+        self.suite("objdict", 1, 0, 1);
+        self.xml.open("testcase", [("name", &*message), ("classname", "objdict")]);
+        self.xml.empty("error", [("type", "unreadable"), ("message", &*message)]);
+        self.xml.close();
+        self.xml.close();
+        self.out.write_all(self.xml.take().as_bytes())
+    }
+
+    fn finish(&mut self) -> io::Result<()> {
+        let rest = std::mem::take(&mut self.xml).finish();
+        self.out.write_all(rest.as_bytes())?;
+        self.out.flush()
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use objdict_format as format;
+    use objdict_format::Format;
+    use objdict_model::diagnostic::{RuleInfo, Severity};
+    use objdict_model::source::{SourceFile, Span};
+
+    static TEST: RuleInfo = RuleInfo::bare("test/test", Severity::Error);
+
+    #[test]
+    fn whatever_is_found_is_well_formed() {
+        let source = SourceFile::from_text("a&\u{1}<b>.eds", "x");
+        let mut findings = Findings::new();
+        for message in ["]]> <&\"'>", "\u{0}\u{8}\u{B}\u{FFFE}\u{FFFF}\u{1F600}\n\t"] {
+            findings.push(Diagnostic::new(&TEST, Span::new(0, 1), message).help("<help>"));
+        }
+        findings.push(Diagnostic::new(&TEST, Span::new(0, 1), "mild").severity(Severity::Note));
+        let clean = SourceFile::from_text("clean.eds", "");
+        let mut out = Vec::new();
+        let mut report = Junit::new(&mut out);
+        report.file((&source).into(), &findings).unwrap();
+        report.file((&clean).into(), &Findings::new()).unwrap();
+        report.unread("cannot read `<x>`").unwrap();
+        report.finish().unwrap();
+        let text = String::from_utf8(out).unwrap();
+        let document = roxmltree::Document::parse(&text).unwrap();
+        let count = |name| document.descendants().filter(|node| node.has_tag_name(name)).count();
+        assert_eq!((count("testsuite"), count("testcase"), count("failure"), count("error")), (3, 5, 2, 1));
+        let suite = document.descendants().find(|node| node.has_tag_name("testsuite")).unwrap();
+        assert_eq!((suite.attribute("tests"), suite.attribute("failures")), (Some("3"), Some("2")));
+    }
+
+    #[test]
+    fn nothing_checked_is_a_document_too() {
+        let mut out = Vec::new();
+        Junit::new(&mut out).finish().unwrap();
+        let text = String::from_utf8(out).unwrap();
+        assert!(roxmltree::Document::parse(&text).unwrap().root_element().has_tag_name("testsuites"));
+    }
+
+    #[test]
+    fn cases_are_named_by_their_place() {
+        let text = "[2000]\nParameterName=A\nObjectType=7\nDataType=5\nAccessType=rw\nDefaultValue=300\n";
+        let description = format::read(SourceFile::from_text("a.eds", text), Format::Eds);
+        let mut out = Vec::new();
+        let mut report = Junit::new(&mut out);
+        report.file((&description).into(), &crate::check(&description)).unwrap();
+        report.finish().unwrap();
+        let text = String::from_utf8(out).unwrap();
+        assert!(text.contains("name=\"cia306/invalid-value: 0x2000 / DefaultValue\""), "{text}");
+    }
+}

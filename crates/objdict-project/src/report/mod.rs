@@ -1,0 +1,241 @@
+//! Findings as output: one file a format. A report is given one checked file after the other and writes as it goes, so
+//! the findings of a thousand files are never in memory at once.
+
+mod concise;
+mod consequences;
+#[cfg(feature = "full")]
+mod fingerprint;
+mod github;
+#[cfg(feature = "full")]
+mod gitlab;
+mod group;
+#[cfg(feature = "full")]
+mod json;
+#[cfg(feature = "xdd")]
+mod junit;
+mod path;
+#[cfg(any(test, not(feature = "text")))]
+#[cfg_attr(feature = "text", allow(unreachable_pub, reason = "`text` takes its place"))]
+mod plain;
+#[cfg(feature = "full")]
+mod sarif;
+mod statistics;
+mod subject;
+#[cfg(feature = "text")]
+mod text;
+#[cfg(feature = "full")]
+mod utf16;
+
+use std::borrow::Cow;
+use std::fmt;
+use std::io;
+
+use objdict_model::diagnostic::{Diagnostic, Findings, Severity, SourceLabel, plural};
+use objdict_model::model::Place;
+use objdict_model::source::{LineColumn, SourceFile, Span};
+
+pub use concise::Concise;
+#[cfg(feature = "full")]
+pub use fingerprint::{FINGERPRINT_NAME, Fingerprint, fingerprint, fingerprints};
+pub use github::Github;
+#[cfg(feature = "full")]
+pub use gitlab::Gitlab;
+pub use group::grouped;
+#[cfg(feature = "schema")]
+pub use json::Document as FindingsDocument;
+#[cfg(feature = "full")]
+pub use json::Json;
+#[cfg(feature = "xdd")]
+pub use junit::Junit;
+#[cfg(not(feature = "text"))]
+pub use plain::listed;
+#[cfg(all(feature = "lint", not(feature = "text")))]
+pub use plain::problem;
+#[cfg(feature = "full")]
+pub use sarif::Sarif;
+pub use statistics::{Detail, Statistic, Statistics};
+pub use subject::Subject;
+#[cfg(feature = "text")]
+pub use text::TextReport;
+#[cfg(feature = "text")]
+pub use text::{listed, problem};
+
+/// Writes what was found in files.
+pub trait Report {
+    /// Takes the findings of the next file, in the order of the report.
+    ///
+    /// # Errors
+    /// When the output cannot be written.
+    fn file(&mut self, subject: Subject<'_>, findings: &Findings) -> io::Result<()>;
+
+    /// Takes a file that could not be read: the message names it. Most formats have no place for it, so the caller
+    /// also reports it elsewhere.
+    ///
+    /// # Errors
+    /// When the output cannot be written.
+    fn unread(&mut self, message: &str) -> io::Result<()> {
+        let _ = message;
+        Ok(())
+    }
+
+    /// Takes the exit code of the process, before the report ends.
+    fn exit_code(&mut self, code: u8) {
+        let _ = code;
+    }
+
+    /// Sets the lowest severity that fails the run, for the files that follow.
+    fn deny_from(&mut self, severity: Severity) {
+        let _ = severity;
+    }
+
+    /// Ends the report. No file follows.
+    ///
+    /// # Errors
+    /// When the output cannot be written.
+    fn finish(&mut self) -> io::Result<()>;
+}
+
+/// Where a label points, in the words of the file and of the model.
+#[derive(Clone, Debug)]
+#[non_exhaustive]
+pub struct Location<'a> {
+    /// The file: that of the finding, or the description of a node of a network.
+    pub source: &'a SourceFile,
+    /// The bytes of the decoded text.
+    pub span: Span,
+    /// Line and column of the first character.
+    pub start: LineColumn,
+    /// Line and column behind the last character.
+    pub end: LineColumn,
+    /// The address in the model; `None` outside the parts of a description.
+    pub place: Option<Cow<'a, Place>>,
+    /// The remark; empty where the message says all.
+    pub text: Cow<'a, str>,
+}
+
+impl<'a> Location<'a> {
+    /// The location of a label of a finding about `subject`.
+    pub fn new(subject: Subject<'a>, label: &'a SourceLabel) -> Self {
+        let subject = subject.of_label(&label.at);
+        let span = subject.span_of(&label.at);
+        let source = subject.source();
+        Self {
+            source,
+            span,
+            start: source.line_column(span.start),
+            end: source.line_column(span.end),
+            place: subject.description().and_then(|description| description.place_of(&label.at)),
+            text: label.text.shown(),
+        }
+    }
+
+    /// Line and column of a finding; the start of the text for one that has no place.
+    pub fn start_of(subject: Subject<'_>, finding: &Diagnostic) -> LineColumn {
+        let start = finding.labels.first().map_or(0, |label| subject.span_of(&label.at).start);
+        subject.source().line_column(start)
+    }
+
+    /// The line of a finding, counted from 1; `None` for one that points nowhere.
+    pub fn line_of(subject: Subject<'_>, finding: &Diagnostic) -> Option<u32> {
+        (!finding.labels.is_empty()).then(|| Self::start_of(subject, finding).line)
+    }
+
+    /// The locations of a finding: where it is, then the related ones.
+    pub fn all(subject: Subject<'a>, finding: &'a Diagnostic) -> Vec<Self> {
+        finding.labels.iter().map(|label| Self::new(subject, label)).collect()
+    }
+}
+
+/// How much was found in how many files.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+#[non_exhaustive]
+pub struct Tally {
+    /// Files that were checked.
+    pub files: usize,
+    /// Files with at least one finding.
+    pub files_with_findings: usize,
+    /// Places of findings: each that is [joined](grouped) counts.
+    pub places: usize,
+    /// Findings of severity error.
+    pub errors: usize,
+    /// Findings of severity warning.
+    pub warnings: usize,
+    /// Findings of severity note.
+    pub notes: usize,
+    /// Findings that were only counted, because their rule had too many in one file.
+    pub omitted: usize,
+    /// Findings that the file, the configuration or a baseline says not to report.
+    pub suppressed: usize,
+}
+
+impl Tally {
+    /// Adds one file.
+    pub fn add(&mut self, findings: &Findings) {
+        self.files += 1;
+        self.files_with_findings += usize::from(!findings.is_empty());
+        for finding in findings {
+            self.places += 1 + finding.also.len();
+            match finding.severity {
+                Severity::Error => self.errors += 1,
+                Severity::Warning => self.warnings += 1,
+                Severity::Note => self.notes += 1,
+            }
+        }
+        self.omitted += findings.omitted().map(|(_, count)| count as usize).sum::<usize>();
+        self.suppressed += findings.suppressed() as usize;
+    }
+
+    /// Number of reported findings of at least this severity.
+    pub fn at_least(&self, severity: Severity) -> usize {
+        match severity {
+            Severity::Error => self.errors,
+            Severity::Warning => self.errors + self.warnings,
+            Severity::Note => self.errors + self.warnings + self.notes,
+        }
+    }
+}
+
+/// `3 errors, 2 warnings, 1 note in 2 of 5 files`.
+impl fmt::Display for Tally {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let counts = [(self.errors, "error"), (self.warnings, "warning"), (self.notes, "note")];
+        let found: Vec<String> =
+            counts.iter().filter(|(count, _)| *count > 0).map(|&(count, word)| plural(count, word)).collect();
+        if found.is_empty() {
+            write!(f, "no findings in {}", plural(self.files, "file"))?;
+        } else {
+            f.write_str(&found.join(", "))?;
+            if self.places > self.at_least(Severity::Note) {
+                write!(f, " at {} places", self.places)?;
+            }
+            f.write_str(" in ")?;
+            if self.files_with_findings < self.files {
+                write!(f, "{} of ", self.files_with_findings)?;
+            }
+            f.write_str(&plural(self.files, "file"))?;
+        }
+        if self.omitted > 0 {
+            write!(f, ", and {} more that are not shown", self.omitted)?;
+        }
+        match self.suppressed {
+            0 => Ok(()),
+            suppressed => write!(f, "; {suppressed} suppressed"),
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_tally_reads_as_a_sentence() {
+        let tally = Tally { files: 5, files_with_findings: 2, errors: 3, notes: 1, ..Tally::default() };
+        assert_eq!(tally.to_string(), "3 errors, 1 note in 2 of 5 files");
+        let tally = Tally { files: 1, files_with_findings: 1, warnings: 1, omitted: 7, ..Tally::default() };
+        assert_eq!(tally.to_string(), "1 warning in 1 file, and 7 more that are not shown");
+        assert_eq!(Tally { files: 2, ..Tally::default() }.to_string(), "no findings in 2 files");
+        assert_eq!(tally.at_least(Severity::Error), 0);
+        assert_eq!(tally.at_least(Severity::Warning), 1);
+    }
+}

@@ -1,0 +1,127 @@
+//! What findings are about.
+
+#[cfg(feature = "network")]
+use std::collections::BTreeMap;
+
+use objdict_format::Description;
+use objdict_model::diagnostic::At;
+#[cfg(feature = "network")]
+use objdict_model::diagnostic::Findings;
+use objdict_model::source::{SourceFile, Span};
+#[cfg(feature = "network")]
+use objdict_network_file::NetworkFile;
+
+/// What the findings of a file are about.
+#[derive(Clone, Copy, Debug)]
+pub enum Subject<'a> {
+    /// A description.
+    Description(&'a Description),
+    /// A network; its findings have spans, and labels that point into the descriptions of its nodes.
+    #[cfg(feature = "network")]
+    Network(&'a NetworkFile),
+    /// The description of a node of a network that has no file; labels point into the descriptions of the other nodes too.
+    #[cfg(feature = "network")]
+    Node(&'a NetworkFile, usize),
+    /// The text of a description without findings, which was not read because it is known.
+    Unchanged(&'a SourceFile),
+    /// Another text, such as the configuration; its findings have spans and no places.
+    Text(&'a SourceFile),
+}
+
+impl<'a> Subject<'a> {
+    /// The text.
+    pub fn source(self) -> &'a SourceFile {
+        match self {
+            Self::Description(description) => description.source(),
+            #[cfg(feature = "network")]
+            Self::Network(network) => &network.source,
+            #[cfg(feature = "network")]
+            Self::Node(network, node) => {
+                network.description(node).map_or(&network.source, Description::source)
+            }
+            Self::Unchanged(source) | Self::Text(source) => source,
+        }
+    }
+
+    /// What a label points into: the description of a node, for a label of a network that does, the description of its type, for
+    /// a label of a configured node that does, else this subject.
+    #[must_use]
+    pub fn of_label(self, at: &At) -> Self {
+        match (self, at) {
+            (Self::Description(description), At::Node(..)) => {
+                description.origin().map_or(self, Self::Description)
+            }
+            #[cfg(feature = "network")]
+            (Self::Network(network) | Self::Node(network, _), At::Node(node, _)) => {
+                network.description(*node).map_or(self, Self::Description)
+            }
+            #[cfg(feature = "full")]
+            (Self::Description(description), At::Patch(number, _)) => {
+                let patch = description.patched().and_then(|patched| patched.patches.get(*number));
+                patch.map_or(self, |patch| Self::Text(patch.source()))
+            }
+            #[cfg(feature = "network")]
+            (Self::Node(..), _) => self.description().map_or(self, Self::Description),
+            _ => self,
+        }
+    }
+
+    /// Where a label points in the text of [what it points into](Self::of_label); the start of the text for what is not
+    /// in it.
+    pub fn span_of(self, at: &At) -> Span {
+        match (self.of_label(at), at) {
+            (Self::Description(description), at) => description.span_of(at),
+            (_, At::Span(span) | At::Patch(_, span)) => *span,
+            _ => Span::default(),
+        }
+    }
+
+    /// The description; `None` for another text.
+    pub fn description(self) -> Option<&'a Description> {
+        match self {
+            Self::Description(description) => Some(description),
+            #[cfg(feature = "network")]
+            Self::Node(network, node) => network.description(node),
+            _ => None,
+        }
+    }
+
+    /// The findings of a network by what they are about: its file or, if it has none, the descriptions of its nodes.
+    #[cfg(feature = "network")]
+    pub fn of_network(network: &'a NetworkFile, findings: Findings) -> Vec<(Self, Findings)> {
+        if !network.is_made {
+            return vec![(network.into(), findings)];
+        }
+        let nodes = network.described_nodes();
+        let mut by_node: BTreeMap<Option<usize>, Findings> =
+            nodes.map(|node| (Some(node), Findings::new())).collect();
+        for finding in &findings {
+            let described = network.in_description(finding);
+            let (node, finding) =
+                described.map_or_else(|| (None, finding.clone()), |(node, finding)| (Some(node), finding));
+            by_node.entry(node).or_default().push(finding);
+        }
+        let subject =
+            |node: Option<usize>| node.map_or(Self::Network(network), |node| Self::Node(network, node));
+        by_node.into_iter().map(|(node, findings)| (subject(node), findings)).collect()
+    }
+}
+
+impl<'a> From<&'a Description> for Subject<'a> {
+    fn from(description: &'a Description) -> Self {
+        Self::Description(description)
+    }
+}
+
+#[cfg(feature = "network")]
+impl<'a> From<&'a NetworkFile> for Subject<'a> {
+    fn from(network: &'a NetworkFile) -> Self {
+        Self::Network(network)
+    }
+}
+
+impl<'a> From<&'a SourceFile> for Subject<'a> {
+    fn from(source: &'a SourceFile) -> Self {
+        Self::Text(source)
+    }
+}

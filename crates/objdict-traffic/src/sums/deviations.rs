@@ -1,0 +1,136 @@
+//! What frames are not as the descriptions say.
+
+use crate::log::LoggedFrame;
+use crate::{Bus, raw};
+use objdict_document::describe::frames::{DecodedFrame, SdoStep};
+use objdict_lint::recorded::traffic as rules;
+use objdict_model::diagnostic::RuleInfo;
+use objdict_model::model::{Access, DataType, Entry};
+use objdict_network::Service;
+
+use super::milliseconds;
+
+/// A rule that a frame is against, and how.
+pub(super) type Deviation = (&'static RuleInfo, String);
+
+/// What a description says of the frames of a TPDO.
+#[derive(Clone, Copy, Debug, Default)]
+pub(super) struct Expected {
+    /// How often PDOs had changed when it was found.
+    changes: Option<u64>,
+    bytes: Option<usize>,
+    /// The inhibit time in nanoseconds.
+    inhibit: Option<i64>,
+    /// The synchronous window length in nanoseconds.
+    window: Option<i64>,
+}
+
+impl Expected {
+    fn of(decoded: &DecodedFrame, frame: &LoggedFrame, bus: &Bus<'_>) -> Self {
+        let changes = Some(bus.reader.changes().pdos);
+        let bits = bus.reader.mapped_bits(decoded, &raw(frame));
+        let bytes = bits.filter(|bits| (1..=64).contains(bits)).map(|bits| bits.div_ceil(8) as usize);
+        let device = decoded.node_id.and_then(|node_id| bus.reader.device(node_id));
+        let pdo = match decoded.service {
+            Some(Service::Pdo(pdo)) => device.and_then(|device| device.pdo(pdo.kind, pdo.number)),
+            _ => None,
+        };
+        let inhibit = pdo.as_ref().filter(|pdo| pdo.transmission_type.is_some_and(|kind| kind >= 254));
+        let inhibit = inhibit.and_then(|pdo| pdo.inhibit_time).filter(|time| *time != 0);
+        let is_synchronous = pdo.is_some_and(|pdo| matches!(pdo.transmission_type, Some(1..=240)));
+        let window =
+            device.filter(|_| is_synchronous).and_then(|device| device.services().synchronous_window);
+        Self {
+            changes,
+            bytes,
+            inhibit: inhibit.map(|time| i64::from(time) * 100_000),
+            window: window.filter(|window| *window != 0).map(|window| i64::from(window) * 1000),
+        }
+    }
+
+    /// What is not as described in a frame; `last` is the time of the frame before, `sync` that of the last SYNC.
+    pub(super) fn deviations(
+        &mut self,
+        decoded: &DecodedFrame,
+        frame: &LoggedFrame,
+        bus: &Bus<'_>,
+        last: Option<i64>,
+        sync: Option<i64>,
+    ) -> impl Iterator<Item = Deviation> + use<> {
+        if self.changes != Some(bus.reader.changes().pdos) {
+            *self = Self::of(decoded, frame, bus);
+        }
+        let now = frame.time.nanoseconds();
+        let count = frame.data().len();
+        let length = self.bytes.filter(|bytes| *bytes != count);
+        let distance = self.inhibit.zip(last).map(|(inhibit, last)| (inhibit, now.saturating_sub(last)));
+        // 5 % are the tolerance of clocks
+        let early = distance.filter(|(inhibit, distance)| *distance < inhibit / 100 * 95);
+        let after = self.window.zip(sync).map(|(window, sync)| (window, now.saturating_sub(sync)));
+        let late = after.filter(|(window, after)| after > window);
+        let is_none = length.is_none() && early.is_none() && late.is_none();
+        let name = if is_none { String::new() } else { name(decoded, bus) };
+        let texts = [
+            length.map(|bytes| (&rules::PDO_LENGTH, format!("{name} has {count} bytes, {bytes} are mapped"))),
+            early.map(|(inhibit, distance)| {
+                let [distance, inhibit] = [distance, inhibit].map(milliseconds);
+                let text = format!(
+                    "{name} comes {distance} ms after the one before, the inhibit time is {inhibit} ms"
+                );
+                (&rules::INHIBIT_TIME, text)
+            }),
+            late.map(|(window, after)| {
+                let [after, window] = [after, window].map(milliseconds);
+                let text =
+                    format!("{name} comes {after} ms after SYNC, the synchronous window is {window} ms");
+                (&rules::SYNC_WINDOW, text)
+            }),
+        ];
+        texts.into_iter().flatten()
+    }
+}
+
+fn name(decoded: &DecodedFrame, bus: &Bus<'_>) -> String {
+    let service = decoded.service.map_or_else(String::new, |service| service.to_string());
+    format!("{} {service}", bus.reader.name(decoded.node_id.unwrap_or(0)))
+}
+
+/// What a transfer says against the type, the access or the limits of its entry.
+pub(super) fn of_transfer(node_id: u8, decoded: &DecodedFrame, bus: &Bus<'_>) -> Option<Deviation> {
+    let sdo = decoded.sdo?;
+    let is_written = sdo.step == SdoStep::Written;
+    let is_answer = !sdo.is_request && sdo.step.has_value();
+    let (index, sub) = sdo.entry.filter(|_| is_written || is_answer)?;
+    let described = bus.description(node_id)?;
+    let entry = described.device.entry(index, sub)?;
+    let (bytes, value) = bus.reader.transferred(decoded)?;
+    let name = || format!("{}: {}", bus.reader.name(node_id), bus.reader.entry_name(node_id, (index, sub)));
+    let access = entry.implied_access();
+    match access {
+        Some(Access::Ro | Access::Const) if is_written => {
+            let word = if access == Some(Access::Const) { "const" } else { "ro" };
+            return Some((&rules::SDO_ACCESS, format!("{} is written, but is {word}", name())));
+        }
+        Some(Access::Wo) if is_answer => {
+            return Some((&rules::SDO_ACCESS, format!("{} is read, but is wo", name())));
+        }
+        _ => {}
+    }
+    let length = entry.data_type.and_then(DataType::byte_length).map(usize::from);
+    if let Some(length) = length.filter(|length| *length != bytes.len()) {
+        let text = format!("{} has {} bytes, described are {length}", name(), bytes.len());
+        return Some((&rules::SDO_SIZE, text));
+    }
+    let number = value.and_then(|value| value.as_integer())?;
+    let limits = limits(&entry, node_id);
+    let is_outside = limits[0].is_some_and(|low| number < low) || limits[1].is_some_and(|high| number > high);
+    let bound = |limit: Option<i128>| limit.map_or_else(String::new, |limit| limit.to_string());
+    is_outside.then(|| {
+        let [low, high] = limits.map(bound);
+        (&rules::SDO_LIMITS, format!("{} = {number} is outside of the limits {low} to {high}", name()))
+    })
+}
+
+fn limits(entry: &Entry, node_id: u8) -> [Option<i128>; 2] {
+    [&entry.low_limit, &entry.high_limit].map(|limit| limit.as_ref()?.integer_for(node_id))
+}

@@ -1,0 +1,123 @@
+//! The first events of a kind; more are counted.
+
+use std::collections::BTreeMap;
+
+use serde::{Serialize, Serializer};
+
+use crate::Origin;
+use crate::log::{LogTime, LoggedFrame};
+use objdict_model::diagnostic::{Diagnostic, RuleInfo};
+use objdict_model::source::Span;
+
+/// The most events of a node that are kept.
+const MAX_EVENTS: usize = 1000;
+
+/// The most events of a node that are kept of a rule.
+const MAX_FINDINGS: usize = 100;
+
+/// When a frame was seen, and where its log has it.
+#[derive(Clone, Debug, Serialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
+pub struct Seen {
+    /// The time, in seconds with the digits of the log.
+    #[serde(serialize_with = "shown")]
+    #[cfg_attr(feature = "schema", schemars(with = "String"))]
+    pub time: LogTime,
+    /// The number of the line in the log, or of the packet in a capture, from 1.
+    pub line: u64,
+    /// The position of the log.
+    #[serde(skip)]
+    pub log: usize,
+    /// The line; in a capture the frame as candump would write it.
+    #[serde(skip)]
+    pub text: String,
+}
+
+impl Seen {
+    pub(super) fn of(frame: &LoggedFrame, Origin { log, line, text }: Origin<'_>) -> Self {
+        let text = match text {
+            [] => frame.to_string(),
+            text => String::from_utf8_lossy(text).into_owned(),
+        };
+        Self { time: frame.time, line, log, text }
+    }
+}
+
+/// An event of a node.
+#[derive(Debug, Serialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
+pub struct NodeEvent {
+    /// When it happened, and the frame that shows it.
+    #[serde(flatten)]
+    pub moment: Seen,
+    /// The node-ID.
+    pub node: u8,
+    /// The rule that it is against; absent for what no rule forbids.
+    #[serde(serialize_with = "id", skip_serializing_if = "Option::is_none")]
+    #[cfg_attr(feature = "schema", schemars(with = "Option<String>"))]
+    pub rule: Option<&'static RuleInfo>,
+    /// What happened.
+    pub text: String,
+}
+
+impl NodeEvent {
+    /// The finding of an event that is against a rule, at the line of its frame.
+    pub fn finding(&self, line: Span) -> Option<Diagnostic> {
+        let rule = self.rule?;
+        let message = format!("{}: {}", self.moment.time, self.text);
+        Some(Diagnostic::new(rule, line, message).help(crate::probe::help(rule)))
+    }
+}
+
+fn shown<S: Serializer>(time: &LogTime, serializer: S) -> Result<S::Ok, S::Error> {
+    serializer.collect_str(time)
+}
+
+fn id<S: Serializer>(rule: &Option<&'static RuleInfo>, serializer: S) -> Result<S::Ok, S::Error> {
+    rule.map(|rule| rule.id).serialize(serializer)
+}
+
+/// Events in their order.
+#[derive(Debug, Default)]
+pub(super) struct History {
+    events: Vec<NodeEvent>,
+    /// How many there were of a node, by the id of their rule.
+    counts: BTreeMap<(Option<&'static str>, u8), usize>,
+}
+
+impl History {
+    /// Adds an event of a node, whose text is made if it is kept.
+    pub(super) fn add(
+        &mut self,
+        moment: Seen,
+        node: u8,
+        rule: Option<&'static RuleInfo>,
+        text: impl FnOnce() -> String,
+    ) {
+        let count = self.counts.entry((rule.map(|rule| rule.id), node)).or_default();
+        *count += 1;
+        if *count <= if rule.is_some() { MAX_FINDINGS } else { MAX_EVENTS } {
+            self.events.push(NodeEvent { moment, node, rule, text: text() });
+        }
+    }
+
+    /// Takes the events out. The last one of a rule and node says how many more there were.
+    pub(super) fn take(&mut self) -> Vec<NodeEvent> {
+        for (&(rule, node), count) in self.counts.iter().filter(|((rule, _), _)| rule.is_some()) {
+            let of_rule =
+                |event: &&mut NodeEvent| event.node == node && event.rule.map(|rule| rule.id) == rule;
+            if let (Some(last), Some(more @ 1..)) =
+                (self.events.iter_mut().rev().find(of_rule), count.checked_sub(MAX_FINDINGS))
+            {
+                last.text.push_str(&format!(" (the rule finds {more} more of this node)"));
+            }
+        }
+        std::mem::take(&mut self.events)
+    }
+
+    /// How many events are not kept.
+    pub(super) fn further(&self) -> u64 {
+        let count: usize = self.counts.values().sum();
+        (count - self.events.len()) as u64
+    }
+}

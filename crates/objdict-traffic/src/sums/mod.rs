@@ -1,0 +1,311 @@
+//! Sums over the frames of a bus, in memory that does not grow with their number.
+
+mod cycle;
+mod deviations;
+mod history;
+mod report;
+
+use std::collections::BTreeMap;
+
+use self::cycle::Cycle;
+use self::deviations::{Expected, of_transfer};
+use self::history::History;
+pub use self::history::NodeEvent;
+pub(crate) use self::history::Seen;
+pub use self::report::BusReport;
+use super::{Bus, Origin, PRE_OPERATIONAL};
+use crate::log::{LogTime, LoggedFrame};
+use objdict_bus::classical_bits;
+use objdict_document::describe::frames::{DecodedFrame, FrameKind, SdoStep};
+use objdict_lint::recorded::traffic as rules;
+use objdict_network::Service;
+
+/// The most CAN-IDs of 29 bits.
+const MAX_EXTENDED: usize = 4096;
+
+/// The most entries whose last written values are kept.
+const MAX_WRITTEN: usize = 10_000;
+
+/// The most bytes of a written value that are compared.
+const MAX_VALUE: usize = 256;
+
+/// The node-IDs, and 0 for frames of no node.
+const NODES: usize = 128;
+
+/// What was seen of a CAN-ID.
+#[derive(Clone, Debug)]
+struct MessageSums {
+    can_id: u32,
+    is_extended: bool,
+    kind: FrameKind,
+    service: Option<Service>,
+    node_id: Option<u8>,
+    cycle: Cycle,
+    expected: Expected,
+}
+
+/// What was seen of a node.
+#[derive(Clone, Debug, Default)]
+struct NodeSums {
+    frames: u64,
+    bits: u64,
+    boot_ups: u64,
+    emergencies: u64,
+    aborts: u64,
+    lost: u64,
+    state: Option<u8>,
+    last_heartbeat: Option<Seen>,
+    /// The longest time between heartbeats in nanoseconds; `None` if no description says it.
+    limit: Option<i64>,
+}
+
+/// The sums of a bus.
+#[derive(Debug)]
+pub struct BusSums {
+    /// The bit rate in kbit/s.
+    bit_rate: Option<u16>,
+    frames: u64,
+    error_frames: u64,
+    bits: u64,
+    span: Option<(LogTime, LogTime)>,
+    kinds: [u64; FrameKind::ALL.len()],
+    /// Positions of CAN-IDs of 11 bits, from 1 on.
+    base: Vec<u16>,
+    extended: BTreeMap<u32, usize>,
+    messages: Vec<MessageSums>,
+    nodes: Vec<NodeSums>,
+    /// How often nodes had changed when the limits of heartbeats were found.
+    changes: Option<u64>,
+    emergencies: History,
+    aborts: History,
+    lost: History,
+    /// What is not as the descriptions say.
+    deviations: History,
+    starts: History,
+    bus_errors: History,
+    last_sync: Option<i64>,
+    /// The last value that a node has accepted.
+    written: BTreeMap<(u8, u16, u8), Vec<u8>>,
+    is_written_cut: bool,
+}
+
+impl BusSums {
+    /// Sums without a frame; the load is found if the bit rate in kbit/s is known.
+    pub fn new(bit_rate: Option<u16>) -> Self {
+        Self {
+            bit_rate,
+            frames: 0,
+            error_frames: 0,
+            bits: 0,
+            span: None,
+            kinds: Default::default(),
+            base: vec![0; 0x800],
+            extended: BTreeMap::new(),
+            messages: Vec::new(),
+            nodes: vec![NodeSums::default(); NODES],
+            changes: None,
+            emergencies: History::default(),
+            aborts: History::default(),
+            lost: History::default(),
+            deviations: History::default(),
+            starts: History::default(),
+            bus_errors: History::default(),
+            last_sync: None,
+            written: BTreeMap::new(),
+            is_written_cut: false,
+        }
+    }
+
+    /// Adds a frame.
+    pub fn add(&mut self, decoded: &DecodedFrame, frame: &LoggedFrame, origin: Origin<'_>, bus: &Bus<'_>) {
+        self.frames += 1;
+        let (first, last) = self.span.unwrap_or((frame.time, frame.time));
+        self.span = Some((first.min(frame.time), last.max(frame.time)));
+        if frame.is_error {
+            self.error_frames += 1;
+            self.bus_errors.add(Seen::of(frame, origin), 0, None, || bus.words(decoded, frame));
+            return;
+        }
+        let bits = match self.bit_rate {
+            Some(_) if !frame.is_fd => {
+                classical_bits(frame.can_id, frame.is_extended, frame.is_remote, frame.data()).into()
+            }
+            _ => 0,
+        };
+        self.bits += bits;
+        self.kinds[decoded.kind as usize] += 1;
+        let changes = Some(bus.reader.changes().heartbeats);
+        if self.changes != changes {
+            self.changes = changes;
+            self.find_limits(bus);
+        }
+        // a request is sent by another node, which no frame names
+        let is_sent = match decoded.sdo {
+            Some(sdo) => !sdo.is_request,
+            None => !frame.is_remote && decoded.kind != FrameKind::Nmt && !is_rpdo(decoded.service),
+        };
+        let node_id = usize::from(decoded.node_id.unwrap_or(0)) % NODES;
+        let sender = if is_sent { node_id } else { 0 };
+        self.nodes[sender].frames += 1;
+        self.nodes[sender].bits += bits;
+        if decoded.kind == FrameKind::Sync && !frame.is_remote {
+            self.last_sync = Some(frame.time.nanoseconds());
+        }
+        self.message(decoded, frame, origin, bus);
+        self.event(decoded, frame, origin, bus);
+    }
+
+    fn message(&mut self, decoded: &DecodedFrame, frame: &LoggedFrame, origin: Origin<'_>, bus: &Bus<'_>) {
+        let LoggedFrame { can_id, is_extended, .. } = *frame;
+        let known = match is_extended {
+            false => usize::from(self.base[can_id as usize & 0x7FF]).checked_sub(1),
+            true => self.extended.get(&can_id).copied(),
+        };
+        let at = known.unwrap_or_else(|| {
+            let at = self.messages.len();
+            if is_extended {
+                if self.extended.len() >= MAX_EXTENDED {
+                    return usize::MAX;
+                }
+                self.extended.insert(can_id, at);
+            } else {
+                self.base[can_id as usize & 0x7FF] = at as u16 + 1;
+            }
+            let DecodedFrame { kind, service, node_id, .. } = *decoded;
+            let (cycle, expected) = Default::default();
+            self.messages.push(MessageSums { can_id, is_extended, kind, service, node_id, cycle, expected });
+            at
+        });
+        let Some(message) = self.messages.get_mut(at) else { return };
+        if message.kind != decoded.kind && message.kind == FrameKind::BootUp {
+            message.kind = decoded.kind;
+        }
+        if decoded.kind == FrameKind::Pdo && !frame.is_remote && !is_rpdo(decoded.service) {
+            let last = message.cycle.last;
+            for (rule, text) in message.expected.deviations(decoded, frame, bus, last, self.last_sync) {
+                let node_id = decoded.node_id.unwrap_or(0);
+                self.deviations.add(Seen::of(frame, origin), node_id, Some(rule), || text);
+            }
+        }
+        // a boot-up is not a part of the cycle of heartbeats
+        message.cycle.add(frame.time, decoded.kind != FrameKind::BootUp && !frame.is_remote);
+    }
+
+    /// What is more than a frame.
+    fn event(&mut self, decoded: &DecodedFrame, frame: &LoggedFrame, origin: Origin<'_>, bus: &Bus<'_>) {
+        let Some(node_id) = decoded.node_id else { return };
+        let node = &mut self.nodes[usize::from(node_id) % NODES];
+        match decoded.kind {
+            FrameKind::BootUp => {
+                node.boot_ups += 1;
+                // a node sends it when it has become pre-operational (CiA 301 §7.3.2.2)
+                (node.last_heartbeat, node.state) = (None, Some(PRE_OPERATIONAL));
+                self.starts.add(Seen::of(frame, origin), node_id, None, || bus.words(decoded, frame));
+            }
+            FrameKind::Heartbeat | FrameKind::Guarding if !frame.is_remote => {
+                node.state = frame.data().first().map(|state| state & 0x7F);
+                if decoded.kind == FrameKind::Heartbeat {
+                    self.heartbeat(node_id, Seen::of(frame, origin), bus);
+                }
+            }
+            FrameKind::Emcy if !frame.is_remote => {
+                node.emergencies += 1;
+                let moment = Seen::of(frame, origin);
+                self.emergencies.add(moment, node_id, None, || bus.words(decoded, frame));
+            }
+            FrameKind::Sdo => self.transfer(node_id, decoded, frame, origin, bus),
+            _ => {}
+        }
+    }
+
+    fn heartbeat(&mut self, node_id: u8, moment: Seen, bus: &Bus<'_>) {
+        let node = &mut self.nodes[usize::from(node_id) % NODES];
+        let time = moment.time;
+        let last = node.last_heartbeat.replace(moment);
+        let Some((last, limit)) = last.zip(node.limit) else { return };
+        let gap = time.nanoseconds().saturating_sub(last.time.nanoseconds());
+        if gap > limit {
+            node.lost += 1;
+            let rule = Some(&rules::LATE_HEARTBEAT);
+            self.lost.add(last, node_id, rule, || lost(&bus.reader.name(node_id), gap, limit));
+        }
+    }
+
+    fn transfer(
+        &mut self,
+        node_id: u8,
+        decoded: &DecodedFrame,
+        frame: &LoggedFrame,
+        origin: Origin<'_>,
+        bus: &Bus<'_>,
+    ) {
+        let Some(sdo) = decoded.sdo else { return };
+        if let Some((rule, text)) = of_transfer(node_id, decoded, bus) {
+            self.deviations.add(Seen::of(frame, origin), node_id, Some(rule), || text);
+        }
+        match (sdo.step, sdo.entry) {
+            (SdoStep::Abort(_), _) => {
+                self.nodes[usize::from(node_id) % NODES].aborts += 1;
+                let moment = Seen::of(frame, origin);
+                self.aborts.add(moment, node_id, None, || bus.words(decoded, frame));
+            }
+            (SdoStep::Written, Some((index, sub))) => {
+                let key = (node_id, index, sub);
+                if self.written.len() >= MAX_WRITTEN && !self.written.contains_key(&key) {
+                    self.is_written_cut = true;
+                    return;
+                }
+                if let Some((bytes, _)) = bus.reader.transferred(decoded) {
+                    self.written.insert(key, kept(bytes).to_vec());
+                }
+            }
+            _ => {}
+        }
+    }
+
+    /// How long each node may be without a heartbeat: as its consumers say, else 1.5 times its own time.
+    fn find_limits(&mut self, bus: &Bus<'_>) {
+        const MILLISECOND: i64 = 1_000_000;
+        let services: Vec<_> = bus
+            .reader
+            .node_ids()
+            .filter_map(|node_id| Some((node_id, bus.reader.device(node_id)?.services())))
+            .collect();
+        for node in &mut self.nodes {
+            node.limit = None;
+        }
+        for (node_id, own) in &services {
+            let produced = own.heartbeat_time.filter(|time| *time != 0);
+            self.nodes[usize::from(*node_id) % NODES].limit =
+                produced.map(|time| i64::from(time) * MILLISECOND * 3 / 2);
+        }
+        let consumed = services.iter().flat_map(|(_, services)| &services.heartbeat_consumers);
+        let mut consumed: Vec<_> = consumed.filter(|consumer| consumer.time != 0).collect();
+        consumed.sort_by_key(|consumer| std::cmp::Reverse(consumer.time));
+        for consumer in consumed {
+            if let Some(node) = self.nodes.get_mut(usize::from(consumer.node_id)) {
+                node.limit = Some(i64::from(consumer.time) * MILLISECOND);
+            }
+        }
+    }
+}
+
+/// What is kept of a value to compare it.
+fn kept(bytes: &[u8]) -> &[u8] {
+    &bytes[..bytes.len().min(MAX_VALUE)]
+}
+
+fn lost(name: &str, gap: i64, limit: i64) -> String {
+    format!("{name}: no heartbeat for {} ms, limit {} ms", milliseconds(gap), milliseconds(limit))
+}
+
+fn is_rpdo(service: Option<Service>) -> bool {
+    matches!(service, Some(Service::Pdo(pdo)) if pdo.kind == objdict_model::model::PdoKind::Rpdo)
+}
+
+/// Nanoseconds as milliseconds with three digits: `33.012`.
+pub(super) fn milliseconds(nanoseconds: i64) -> String {
+    let sign = if nanoseconds < 0 { "-" } else { "" };
+    let micro = (nanoseconds.unsigned_abs() + 500) / 1000;
+    format!("{sign}{}.{:03}", micro / 1000, micro % 1000)
+}

@@ -1,0 +1,189 @@
+use std::path::Path;
+
+use super::*;
+use crate::log::LogOptions;
+use objdict_format::open;
+use objdict_model::diagnostic::At;
+
+fn logs(texts: &[&'static str]) -> MergedLogs<&'static [u8]> {
+    let log = |text: &&'static str| NamedLog::new("log".to_owned(), text.as_bytes(), LogOptions::default());
+    MergedLogs(texts.iter().map(log).collect())
+}
+
+/// Descriptions of the drive of the fixtures (vendor 3F9h, product 402h), so many, without a node-ID.
+fn drives(count: usize) -> Descriptions {
+    let path = Path::new("fixtures/eds/drive-402.eds");
+    let device = open(path, &Default::default()).unwrap().device().clone();
+    let mut found = Descriptions::default();
+    for number in 1..=count {
+        found.add_device(device.clone(), None, path, format!("{number}.eds"));
+    }
+    found
+}
+
+/// What is said of the nodes of descriptions, and the names of the nodes 5 and 7 then.
+fn found(descriptions: &Descriptions, log: &'static str) -> (Vec<String>, [String; 2]) {
+    let mut buses = Buses::new(&[], descriptions);
+    let notes = buses.find(&mut logs(&[log])).unwrap();
+    (notes, [5, 7].map(|node_id| buses.all[0].reader.name(node_id)))
+}
+
+#[test]
+fn logs_are_merged_by_their_times() {
+    let mut logs = logs(&[
+        "(1.0) can0 080#\n(3.0) can0 081#\n(4.0) can0 082#\n",
+        "(2.0) can1 083#\n(3.0) can0 084#\nnothing\n",
+    ]);
+    let none = Descriptions::default();
+    let mut buses = Buses::new(&[], &none);
+    let mut order = Vec::new();
+    while let Some((log, frame)) = logs.next_frame().unwrap() {
+        let bus = buses.of(log, &frame, &logs);
+        order.push((frame.can_id, log, buses.all[bus].channel.clone()));
+    }
+    let expected =
+        [(0x80, 0, "can0"), (0x83, 1, "can1"), (0x81, 0, "can0"), (0x84, 1, "can0"), (0x82, 0, "can0")];
+    assert_eq!(order, expected.map(|(can_id, log, channel)| (can_id, log, channel.to_owned())));
+    assert_eq!((logs.0[1].reader.bad_count(), buses.all.len()), (1, 2));
+}
+
+#[test]
+fn the_only_node_is_assumed() {
+    let (notes, names) = found(&drives(1), "(1.0) can0 705#05\n(2.0) can0 187#00\n");
+    assert_eq!(notes, ["`1.eds` is taken for node 5, the only one in the log without a description"]);
+    assert_eq!(names, ["drive-402", "node 7"]);
+    let (notes, names) = found(&drives(1), "(1.0) can0 705#05\n(2.0) can0 707#05\n");
+    assert_eq!(
+        notes,
+        ["`1.eds` does not say which node it describes: the log has 5, 7; write `--with 5=1.eds`"]
+    );
+    assert_eq!(names, ["node 5", "node 7"]);
+    let (notes, _) = found(&drives(2), "(1.0) can0 705#05\n");
+    assert_eq!(notes, [""; 0]);
+}
+
+#[test]
+fn nodes_are_found_by_their_answers() {
+    let log = "(1.0) can0 705#05\n(1.1) can0 707#05\n(2.0) can0 587#4318100102040000\n\
+        (2.1) can0 585#43181001F9030000\n(2.2) can0 585#4318100202040000\n";
+    let (notes, names) = found(&drives(1), log);
+    assert_eq!(notes, ["`1.eds` describes node 5, by its answers to 1000h and 1018h"]);
+    assert_eq!(names, ["drive-402", "node 7"]);
+    let (notes, names) = found(&drives(1), "(1.0) can0 585#4318100102040000\n");
+    assert_eq!(notes, ["`1.eds` does not describe node 5, whose identity (1000h, 1018h) is another one"]);
+    assert_eq!(names, ["node 5", "node 7"]);
+}
+
+/// What a log says beside descriptions.
+fn report(descriptions: &Descriptions, log: &'static str) -> BusReport {
+    let mut buses = Buses::new(&[], descriptions);
+    buses.find(&mut logs(&[log])).unwrap();
+    let (mut logs, mut sums) = (logs(&[log]), BusSums::new(Some(125)));
+    while let Some((log, frame)) = logs.next_frame().unwrap() {
+        let at = buses.of(log, &frame, &logs);
+        let decoded = buses.all[at].decode(&frame);
+        sums.add(&decoded, &frame, logs.origin(log), &buses.all[at]);
+    }
+    sums.report(&buses.all[0])
+}
+
+/// The rules that a log is against, and what is said; so many drives are described.
+fn against(drive_count: usize, log: &'static str) -> Vec<(&'static str, String)> {
+    let (_, found) = findings(&[report(&drives(drive_count), log)], 0, "a.log".to_owned());
+    found.iter().map(|finding| (finding.rule.id, finding.message.to_string())).collect()
+}
+
+#[test]
+fn heartbeats_that_are_late() {
+    // node 5 says that its heartbeat comes each 100 ms
+    let report = report(
+        &Descriptions::default(),
+        "(0.0) can0 605#4017100000000000\n(0.01) can0 585#4B17100064000000\n(0.1) can0 705#05\n\
+        (0.2) can0 705#05\n(0.4) can0 705#05\n(0.45) can0 705#00\n(0.9) can0 705#05\n(1.2) can0 080#\n",
+    );
+    let texts: Vec<_> = report.lost_heartbeats.iter().map(|event| &*event.text).collect();
+    let expected = [
+        "node 5: no heartbeat for 200.000 ms, limit 150.000 ms",
+        "node 5: no heartbeat for 300.000 ms, limit 150.000 ms, until the end of the log",
+    ];
+    assert_eq!(texts, expected);
+    assert_eq!((report.frames, &*report.undescribed), (8, &[5][..]));
+    let reports = [report];
+    let of_log = |log| findings(&reports, log, "a.log".to_owned());
+    assert!(of_log(1).1.is_empty());
+    // they are at the last heartbeat before, the fourth and the seventh line
+    let (lines, found) = of_log(0);
+    let places = found.iter().map(|finding| {
+        let At::Span(span) = finding.labels[0].at else { unreachable!("a place in a log") };
+        (finding.rule.id, lines.line_column(span.start).line, span.of(lines.text()))
+    });
+    let expected = [(4, "(0.2) can0 705#05"), (7, "(0.9) can0 705#05")];
+    assert!(places.eq(expected.map(|(line, text)| ("traffic/late-heartbeat", line, text))));
+}
+
+/// A log that is against each rule, and one that differs in what is right.
+#[test]
+fn each_rule_has_a_log_that_is_against_it() {
+    const SYNC: &str = "(0.0) can0 605#23071000D0070000\n(0.1) can0 585#6007100000000000\n\
+        (0.2) can0 605#2F00180201000000\n(0.3) can0 585#6000180200000000\n(1.0) can0 080#\n";
+    let after_sync = |pdo: &str| &*Box::leak(format!("{SYNC}{pdo}").into_boxed_str());
+    let cases: [(&str, &str, &str); 8] = [
+        ("traffic/pdo-length", "(1.0) can0 185#3702\n", "(1.0) can0 185#370201\n"),
+        (
+            "traffic/inhibit-time",
+            "(1.0) can0 185#370201\n(1.009) can0 185#370201\n",
+            // 5 % are tolerated
+            "(1.0) can0 185#370201\n(1.0096) can0 185#370201\n",
+        ),
+        (
+            "traffic/sync-window",
+            after_sync("(1.003) can0 185#370201\n"),
+            after_sync("(1.002) can0 185#370201\n"),
+        ),
+        (
+            "traffic/late-heartbeat",
+            "(1.0) can0 705#05\n(1.8) can0 705#05\n",
+            "(1.0) can0 705#05\n(1.7) can0 705#05\n",
+        ),
+        (
+            "traffic/sdo-size",
+            "(1.0) can0 605#4017100000000000\n(1.1) can0 585#43171000F4010000\n",
+            // that only two bytes count, the second one does not say
+            "(1.0) can0 605#4017100000000000\n(1.1) can0 585#4B171000F4010000\n\
+             (1.2) can0 605#22171000F4010000\n(1.3) can0 585#6017100000000000\n",
+        ),
+        (
+            "traffic/sdo-size",
+            "(1.0) can0 605#23171000F4010000\n(1.1) can0 585#6017100000000000\n",
+            "(1.0) can0 605#23171000F4010000\n(1.1) can0 585#8017100010000706\n",
+        ),
+        (
+            "traffic/sdo-access",
+            "(1.0) can0 605#2300100092010000\n(1.1) can0 585#6000100000000000\n",
+            "(1.0) can0 605#2300100092010000\n(1.1) can0 585#8000100002000106\n",
+        ),
+        (
+            "traffic/sdo-limits",
+            "(1.0) can0 605#4081600000000000\n(1.1) can0 585#4381600020A10700\n",
+            "(1.0) can0 605#4081600000000000\n(1.1) can0 585#43816000E8030000\n",
+        ),
+    ];
+    assert!(RULES.iter().all(|rule| cases.iter().any(|case| case.0 == rule.id)));
+    for (rule, bad, good) in cases {
+        // the drive has no window
+        let drives = usize::from(rule != "traffic/sync-window");
+        let found: Vec<_> = against(drives, bad).into_iter().map(|(id, _)| id).collect();
+        assert_eq!(found, [rule], "{bad}");
+        assert_eq!(against(drives, good), [], "{rule}: {good}");
+    }
+}
+
+#[test]
+fn findings_are_bounded_and_counted() {
+    let log: String = (0..250).map(|at| format!("({at}.5) can0 185#3702\n")).collect();
+    let found = against(1, log.leak());
+    assert_eq!(found.len(), 100);
+    assert_eq!(found[0].1, "0.5: drive-402 TPDO 1 has 2 bytes, 3 are mapped");
+    let last = "99.5: drive-402 TPDO 1 has 2 bytes, 3 are mapped (the rule finds 150 more of this node)";
+    assert_eq!(found[99].1, last);
+}
