@@ -215,7 +215,7 @@ pub use objdict_project::baseline;
 #[doc(hidden)] // the tests compare its table with the tools
 pub use objdict_project::compat;
 #[cfg(feature = "lint")]
-pub use objdict_project::{AppliedFix, Fixed, config, fix, fix_for_readers, with_sound_fixes};
+pub use objdict_project::{AppliedFix, Fixed, config, fix, fix_for_readers, with_sound_fixes, workspace};
 pub use objdict_project::{check, check_with, registry, report};
 #[cfg(feature = "full")]
 pub use objdict_traffic::{self as traffic, probe};

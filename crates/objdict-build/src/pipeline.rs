@@ -30,12 +30,12 @@ pub use crate::output::OutputError;
 #[cfg(feature = "command")]
 pub use crate::output::{Manifest, Saved, State, abandon, save};
 pub use crate::output::{OutputFolder, Used};
-use objdict_format::Description;
 #[cfg(feature = "full")]
 use objdict_format::ReadError;
 use objdict_format::input::{Input, Reading};
 #[cfg(feature = "full")]
 use objdict_format::patch::{Patch, Patched};
+use objdict_format::{Description, Format};
 use objdict_generate as generate;
 use objdict_generate::{Generated, Note, Options, OutputFile, Size, Sizes, Target, files_of, general_notes};
 use objdict_lint as lint;
@@ -47,9 +47,9 @@ use objdict_model::diagnostic::{Diagnostic, Findings, Severity};
 #[cfg(feature = "lint")]
 use objdict_model::model::Address;
 use objdict_model::model::{Device, Place};
-use objdict_model::source::hash;
 #[cfg(feature = "lint")]
 use objdict_model::source::{MAX_TOML_SIZE, read_text, shown};
+use objdict_model::source::{SourceOptions, hash};
 #[cfg(feature = "lint")]
 use objdict_profile as profile;
 #[cfg(feature = "lint")]
@@ -58,9 +58,14 @@ use objdict_profile::Profile;
 use objdict_project::baseline;
 #[cfg(feature = "full")]
 use objdict_project::baseline::Baseline;
+use objdict_project::check::{of_devices, with_origin_beside};
 #[cfg(feature = "lint")]
-use objdict_project::config::{Config, Project};
+use objdict_project::config::Project;
 use objdict_project::report::{Location, Subject, grouped, listed};
+#[cfg(feature = "lint")]
+pub use objdict_project::workspace::Configuration;
+#[cfg(feature = "lint")]
+use objdict_project::workspace::{Overrides, Workspace};
 
 /// What is to be made of a description.
 #[derive(Debug, Default)]
@@ -107,19 +112,6 @@ pub struct CheckSettings {
     /// Profiles to check against beside that of the device: numbers, or paths of files.
     #[cfg(feature = "lint")]
     pub profiles: Vec<String>,
-}
-
-/// Which configuration applies.
-#[cfg(feature = "lint")]
-#[derive(Debug, Default)]
-pub enum Configuration {
-    /// The nearest, in the folder of the description or above.
-    #[default]
-    Nearest,
-    /// That of a path.
-    At(PathBuf),
-    /// None.
-    Off,
 }
 
 /// A description that was read and checked.
@@ -185,7 +177,10 @@ impl Request {
         #[cfg(not(feature = "full"))]
         let reading = &self.reading;
         let described = match reading.read_one(name, bytes)? {
-            (_, Input::Description(description)) => Described::Text(description),
+            (_, Input::Description(description)) => {
+                let options = SourceOptions { encoding: None, max_size: reading.max_size };
+                Described::Text(Box::new(with_origin_beside(&self.file, *description, &options)))
+            }
             #[cfg(feature = "full")]
             (_, Input::Device(device)) => Described::Model(device),
             #[cfg(feature = "full")]
@@ -196,7 +191,7 @@ impl Request {
             files.extend_from_slice(description.extended_files());
         }
         #[cfg(feature = "lint")]
-        let (mut options, of_config) = self.configured(files)?;
+        let (options, of_config) = self.configured(files)?;
         #[cfg(feature = "full")]
         let of_config = match &described {
             Described::Text(description) => {
@@ -206,11 +201,13 @@ impl Request {
             Described::Model(_) => of_config,
         };
         #[cfg(not(feature = "lint"))]
-        let (mut options, of_config) = (lint::Options::default(), Vec::new());
-        options.node_id = self.options.node_id.filter(|id| (1..=127).contains(id)).or(options.node_id);
+        let (options, of_config) = {
+            let node_id = self.options.node_id.filter(|id| (1..=127).contains(id));
+            (lint::Options { node_id, ..lint::Options::default() }, Vec::new())
+        };
         let findings = match &described {
             Described::Text(description) => {
-                let findings = objdict_project::check_with(description, &options);
+                let findings = checked(description, &options);
                 #[cfg(feature = "full")]
                 let findings = self.unknown(description, findings, files)?;
                 grouped(&**description, findings)
@@ -231,7 +228,7 @@ impl Request {
             reading.patches.push(Arc::new(patch));
         }
         if let Some(project) = self.project(&mut Vec::new())? {
-            reading.patches.extend(project.patches);
+            reading.patches.extend(project.patches.iter().cloned());
         }
         Ok(reading)
     }
@@ -257,48 +254,30 @@ impl Request {
     /// The options of the check, and the problems of the configuration that they come from.
     #[cfg(feature = "lint")]
     fn configured(&self, files: &mut Vec<PathBuf>) -> Result<(lint::Options, Vec<String>), Error> {
-        let severities = &self.check.severities;
-        let Some(project) = self.project(files)? else {
-            let options = lint::Options { severities: severities.clone(), ..lint::Options::default() };
-            return Ok((self.with_profiles(options, files)?, Vec::new()));
+        let project = self.project(files)?;
+        let profiles = self.check.profiles.iter().map(|name| self.profile(name, files));
+        let overrides = Overrides {
+            severities: self.check.severities.clone(),
+            profiles: profiles.collect::<Result<_, _>>()?,
+            node_id: self.options.node_id.filter(|id| (1..=127).contains(id)),
+            ..Overrides::default()
         };
-        let mut options = project.config.options(&self.file, severities);
-        options.profiles.extend(project.profiles.iter().cloned());
-        let options = self.with_profiles(options, files)?;
-        let findings = config_findings(&project, &options)?;
-        Ok((options, findings))
+        let options = overrides.options(&self.file, project.as_ref());
+        let findings = project.map(|project| config_findings(&project, &options)).transpose()?;
+        Ok((options, findings.unwrap_or_default()))
     }
 
     #[cfg(feature = "lint")]
     fn project(&self, files: &mut Vec<PathBuf>) -> Result<Option<Project>, Error> {
-        let path = match &self.check.config {
-            Configuration::Off => return Ok(None),
-            Configuration::At(path) => Some(path.clone()),
-            Configuration::Nearest => {
-                let folder = self.file.parent().filter(|folder| *folder != Path::new(""));
-                Config::find(folder.unwrap_or(Path::new(".")))
-            }
-        };
-        let Some(path) = path else { return Ok(None) };
-        files.push(path.clone());
-        let mut project = Project::open(&path)?;
-        files.extend(project.files());
+        let mut workspace = Workspace::new(self.check.config.clone(), Overrides::default())?;
+        let project = workspace.project_of(&self.file)?;
+        files.extend(workspace.inputs());
+        drop(workspace);
+        let Some(mut project) = project.and_then(Arc::into_inner) else { return Ok(None) };
         if !project.failures.is_empty() {
             return Err(project.failures.swap_remove(0).into());
         }
         Ok(Some(project))
-    }
-
-    #[cfg(feature = "lint")]
-    fn with_profiles(
-        &self,
-        mut options: lint::Options,
-        files: &mut Vec<PathBuf>,
-    ) -> Result<lint::Options, Error> {
-        for name in &self.check.profiles {
-            options.profiles.push(self.profile(name, files)?);
-        }
-        Ok(options)
     }
 
     #[cfg(feature = "lint")]
@@ -457,6 +436,18 @@ impl CheckedDescription {
             Described::Model(_) => without_text(&self.name, finding),
         }
     }
+}
+
+/// The findings of a description. A source with variants is checked as a whole: a product of it is made of a source without errors.
+fn checked(description: &Description, options: &lint::Options) -> Findings {
+    let check = |description: &Description| objdict_project::check_with(description, options);
+    if description.format() != Format::Toml {
+        return check(description);
+    }
+    of_devices(description, check).into_iter().fold(Findings::new(), |mut all, found| {
+        all.append(found);
+        all
+    })
 }
 
 /// Warnings about a configuration, a line each. Its errors stop the run even with `--force`, because the intended check is

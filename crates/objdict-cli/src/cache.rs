@@ -30,7 +30,7 @@ impl Cache {
     ///
     /// # Errors
     /// When it cannot be read, or is another file.
-    pub(super) fn open(path: &Path, args: &CheckArgs, settings: &Settings<'_>) -> Result<Self, Failure> {
+    pub(super) fn open(path: &Path, args: &CheckArgs, settings: &Settings) -> Result<Self, Failure> {
         let text = match read_text(path, MAX_SIZE) {
             Ok(text) => text,
             Err(SourceError::Io { error, .. }) if error.kind() == std::io::ErrorKind::NotFound => {

@@ -23,8 +23,9 @@ use objdict_model::diagnostic::plural;
 use objdict_model::diagnostic::{Applicability, Findings, Severity, series};
 use objdict_model::model::DeviceKind;
 use objdict_model::source::{SourceFile, SourceOptions};
-use objdict_project::check::{last_eds, of_devices, with_origin_beside};
+use objdict_project::check::{last_eds, of_devices};
 use objdict_project::report::{Report, Subject, grouped};
+use objdict_project::workspace::with_origin_beside;
 
 pub(super) fn run(args: &CheckArgs, out: &mut Output) -> Result<Outcome, Failure> {
     let mut settings = Settings::new(&args.settings)?;
@@ -160,7 +161,7 @@ impl Checked {
 /// Checks one file. Threads share only data that none of them changes.
 struct Worker<'a> {
     args: &'a CheckArgs,
-    settings: &'a Settings<'a>,
+    settings: &'a Settings,
     cache: Option<&'a Cache>,
 }
 
@@ -317,7 +318,7 @@ impl<'a> Reporter<'a> {
     }
 
     /// Errors in a configuration; one without errors is not mentioned.
-    pub(super) fn take_project(&mut self, project: &Project, settings: &Settings<'_>) -> Result<(), Failure> {
+    pub(super) fn take_project(&mut self, project: &Project, settings: &Settings) -> Result<(), Failure> {
         for failure in &project.failures {
             self.fail(&failure.into())?;
         }

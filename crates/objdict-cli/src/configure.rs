@@ -232,11 +232,7 @@ fn file_name(args: &ConfigureArgs, kind: Format) -> String {
 }
 
 /// How the node is checked: as `objdict check` checks the description that it is made of.
-fn options(
-    args: &ConfigureArgs,
-    settings: &mut Settings<'_>,
-    node_id: Option<u8>,
-) -> Result<Options, Failure> {
+fn options(args: &ConfigureArgs, settings: &mut Settings, node_id: Option<u8>) -> Result<Options, Failure> {
     let project = settings.project_of(&args.file)?;
     Ok(Options { node_id, ..settings.options(&args.file, project.as_deref()) })
 }

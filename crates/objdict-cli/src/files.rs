@@ -35,7 +35,7 @@ pub(super) struct File {
 /// When a configuration cannot be opened.
 pub(super) fn gather(
     arguments: &[PathBuf],
-    settings: &mut Settings<'_>,
+    settings: &mut Settings,
 ) -> Result<(Vec<File>, Vec<Failure>), Failure> {
     gather_with(arguments, settings, |_| false)
 }
@@ -43,7 +43,7 @@ pub(super) fn gather(
 /// The same with the files of folders that are `also` looked for.
 pub(super) fn gather_with(
     arguments: &[PathBuf],
-    settings: &mut Settings<'_>,
+    settings: &mut Settings,
     also: fn(&Path) -> bool,
 ) -> Result<(Vec<File>, Vec<Failure>), Failure> {
     let (files, failures, seen) = (Vec::new(), Vec::new(), HashSet::new());
@@ -54,15 +54,15 @@ pub(super) fn gather_with(
     Ok((gathered.files, gathered.failures))
 }
 
-struct Gathered<'s, 'a> {
-    settings: &'s mut Settings<'a>,
+struct Gathered<'s> {
+    settings: &'s mut Settings,
     also: fn(&Path) -> bool,
     files: Vec<File>,
     failures: Vec<Failure>,
     seen: HashSet<PathBuf>,
 }
 
-impl Gathered<'_, '_> {
+impl Gathered<'_> {
     fn add(&mut self, argument: &Path) -> Result<(), Failure> {
         if argument.is_dir() {
             let before = self.files.len();

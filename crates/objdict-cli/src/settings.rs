@@ -1,6 +1,5 @@
 //! Settings of a check: from arguments, and from the configurations of the folders that files are in.
 
-use std::collections::HashMap;
 use std::fmt::Write as _;
 use std::path::{Path, PathBuf};
 use std::str::FromStr;
@@ -14,14 +13,14 @@ use super::patches::remember;
 use super::profiles::ProfileArgs;
 use super::save::keep;
 use super::values::node_id;
-pub(crate) use objdict_build::pipeline::{CheckSettings, Configuration};
+pub(crate) use objdict_build::pipeline::CheckSettings;
 use objdict_format::patch::Patch;
 use objdict_lint::{Level, Options, Severities};
 use objdict_model::diagnostic::{Selection, Severity, Tool, series};
-use objdict_profile::Profile;
-use objdict_project::config::Config;
 pub(super) use objdict_project::config::Project;
 use objdict_project::registry;
+pub(crate) use objdict_project::workspace::Configuration;
+use objdict_project::workspace::{Overrides, Workspace};
 
 // Which configuration applies.
 #[derive(Clone, Debug, Default, Args)]
@@ -101,14 +100,20 @@ fn tool(name: &str) -> Result<Tool, String> {
     Tool::named(name).ok_or_else(|| format!("the tools are {}", series(Tool::ALL)))
 }
 
+impl ConfigFileArgs {
+    fn configuration(&self) -> Configuration {
+        match &self.config {
+            Some(path) => Configuration::At(path.clone()),
+            None if self.no_config => Configuration::Off,
+            None => Configuration::Nearest,
+        }
+    }
+}
+
 impl ConfigArgs {
     /// Settings of a check, with further profiles.
     pub(super) fn check(&self, profiles: &ProfileArgs) -> CheckSettings {
-        let config = match &self.file.config {
-            Some(path) => Configuration::At(path.clone()),
-            None if self.file.no_config => Configuration::Off,
-            None => Configuration::Nearest,
-        };
+        let config = self.file.configuration();
         CheckSettings { config, severities: self.severities(), profiles: profiles.profiles.clone() }
     }
 
@@ -154,37 +159,25 @@ impl SettingsArgs {
     }
 }
 
-/// Settings of a check, with the configurations, each of which is read once.
-pub(super) struct Settings<'a> {
-    args: &'a SettingsArgs,
-    severities: Severities,
-    profiles: Vec<Arc<Profile>>,
-    /// The configuration for all files, where one was named.
-    named: Option<Arc<Project>>,
-    /// The configuration that holds in a folder.
-    by_folder: HashMap<PathBuf, Option<Arc<Project>>>,
-    /// Those that were read, in the order in which they were met, by their path.
-    projects: Vec<(PathBuf, Arc<Project>)>,
-}
+/// Settings of a check, with the configurations.
+pub(super) struct Settings(Workspace);
 
-impl<'a> Settings<'a> {
+impl Settings {
     /// What the arguments say.
     ///
     /// # Errors
     /// When the configuration or a profile that they name cannot be read.
-    pub(super) fn new(args: &'a SettingsArgs) -> Result<Self, Failure> {
-        let mut settings = Self {
-            args,
+    pub(super) fn new(args: &SettingsArgs) -> Result<Self, Failure> {
+        let overrides = Overrides {
             severities: args.config.severities(),
             profiles: args.profiles.load()?,
-            named: None,
-            by_folder: HashMap::new(),
-            projects: Vec::new(),
+            node_id: args.node_id,
+            tools: args.compat.clone(),
+            deny: args.stated_deny(),
         };
-        if let Some(path) = &args.config.file.config {
-            settings.named = Some(settings.open(path)?);
-        }
-        Ok(settings)
+        let workspace = Workspace::new(args.config.file.configuration(), overrides).map_err(Failure::new)?;
+        workspace.projects().for_each(|(path, project)| take(path, project));
+        Ok(Self(workspace))
     }
 
     /// The configuration that holds for a file; the standard input is taken for a file of the current folder.
@@ -192,15 +185,9 @@ impl<'a> Settings<'a> {
     /// # Errors
     /// When it cannot be opened.
     pub(super) fn project_of(&mut self, path: &Path) -> Result<Option<Arc<Project>>, Failure> {
-        if self.args.config.file.no_config || self.named.is_some() {
-            return Ok(self.named.clone());
-        }
-        let folder = path.parent().filter(|folder| *folder != Path::new("")).unwrap_or(Path::new("."));
-        if let Some(known) = self.by_folder.get(folder) {
-            return Ok(known.clone());
-        }
-        let project = Config::find(folder).map(|path| self.open(&path)).transpose()?;
-        self.by_folder.insert(folder.to_owned(), project.clone());
+        let known = self.0.projects().count();
+        let project = self.0.project_of(path).map_err(Failure::new)?;
+        self.0.projects().skip(known).for_each(|(path, project)| take(path, project));
         Ok(project)
     }
 
@@ -218,13 +205,13 @@ impl<'a> Settings<'a> {
 
     /// The configurations that were met, in that order.
     pub(super) fn projects(&self) -> impl Iterator<Item = &Project> {
-        self.projects.iter().map(|(_, project)| &**project)
+        self.0.projects().map(|(_, project)| &**project)
     }
 
     /// What all files say that settings come from, for a hash.
     pub(super) fn contents(&self) -> String {
-        let mut contents = format!("{:?}", self.profiles);
-        for (path, project) in &self.projects {
+        let mut contents = format!("{:?}", self.0.overrides().profiles);
+        for (path, project) in self.0.projects() {
             let text = project.config.source().text();
             let _ =
                 write!(contents, "{} {text} {:?} {:?}", path.display(), project.profiles, project.patches);
@@ -242,37 +229,21 @@ impl<'a> Settings<'a> {
 
     /// The options of the check of a file.
     pub(super) fn options(&self, path: &Path, project: Option<&Project>) -> Options {
-        let mut options = match project {
-            Some(project) => project.config.options(path, &self.severities),
-            None => Options { severities: self.severities.clone(), ..Options::default() },
-        };
-        let of_project = project.map(|project| &project.profiles[..]).unwrap_or_default();
-        options.profiles = of_project.iter().chain(&self.profiles).cloned().collect();
-        options.node_id = self.args.node_id.or(options.node_id);
-        if !self.args.compat.is_empty() {
-            options.tools.clone_from(&self.args.compat);
-        }
-        options
+        self.0.overrides().options(path, project)
     }
 
     /// The lowest severity that makes the exit code 1.
     pub(super) fn deny(&self, project: Option<&Project>) -> Severity {
-        let stated = self.args.deny.map(Severity::from);
-        stated.or_else(|| project.and_then(|project| project.config.deny())).unwrap_or(Severity::Error)
+        self.0.overrides().deny(project)
     }
+}
 
-    fn open(&mut self, path: &Path) -> Result<Arc<Project>, Failure> {
-        if let Some((_, project)) = self.projects.iter().find(|(known, _)| known == path) {
-            return Ok(project.clone());
-        }
-        detail(path);
-        keep(path);
-        let project = Arc::new(Project::open(path).map_err(Failure::new)?);
-        project.files().for_each(|file| keep(&file));
-        remember(&project.patches);
-        self.projects.push((path.to_owned(), project.clone()));
-        Ok(project)
-    }
+/// A configuration that was opened: no output goes over its files, and patches that are for no file are named at the end.
+fn take(path: &Path, project: &Project) {
+    detail(path);
+    keep(path);
+    project.files().for_each(|file| keep(&file));
+    remember(&project.patches);
 }
 
 /// A severity, as an argument.

@@ -8,15 +8,15 @@ use objdict_format::identify::{ContentKind, identify_source};
 use objdict_format::input::{FileKind, Reading};
 use objdict_format::patch::Patch;
 use objdict_format::{Description, Format, ReadError};
-use objdict_lint::{Options, Severities};
+use objdict_lint::Options;
 use objdict_model::diagnostic::Findings;
 use objdict_model::source::{CONFIG_FILE, Encoding, MAX_TOML_SIZE, SourceFile, SourceOptions, Span};
 use objdict_network_file::{NetworkFile, PathOptions};
 use objdict_profile::{OpenError, Profile};
-use objdict_project::check::{of_devices, with_origin_beside};
 use objdict_project::check_with;
 use objdict_project::config::{Config, Project};
 use objdict_project::report::Subject;
+use objdict_project::workspace::{self, Overrides, with_origin_beside};
 
 /// What is in a file.
 #[derive(Debug)]
@@ -167,10 +167,7 @@ fn is_other(path: &Path) -> bool {
 }
 
 fn options(path: &Path, project: Option<&Project>) -> Options {
-    let Some(project) = project else { return Options::default() };
-    let mut options = project.config.options(path, &Severities::default());
-    options.profiles.clone_from(&project.profiles);
-    options
+    Overrides::default().options(path, project)
 }
 
 fn source(name: &str, bytes: Vec<u8>, encoding: Option<Encoding>) -> SourceFile {
@@ -180,7 +177,7 @@ fn source(name: &str, bytes: Vec<u8>, encoding: Option<Encoding>) -> SourceFile 
 
 fn of_description(path: &Path, description: Description, options: Options) -> Analysis {
     let description = with_origin_beside(path, description, &SourceOptions::default());
-    let findings = of_devices(&description, |device| check_with(device, &options));
+    let findings = workspace::findings(&description, &options);
     let content = Content::Description(Box::new(description));
     Analysis { findings, ..Analysis::of(content, Findings::new(), options) }
 }

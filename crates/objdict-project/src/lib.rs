@@ -14,9 +14,9 @@ mod fix;
 pub mod line_diff;
 pub mod registry;
 pub mod report;
+#[cfg(feature = "lint")]
+pub mod workspace;
 
 pub use check::{check, check_with};
-#[cfg(feature = "full")]
-pub use check::{insertion, last_eds, of_devices, with_origin_beside};
 #[cfg(feature = "lint")]
 pub use fix::{AppliedFix, Fixed, fix, fix_for_readers, with_sound_fixes};

@@ -11,7 +11,8 @@ use objdict::format::input::{FileKind, Input, Reading};
 use objdict::format::json;
 use objdict::format::patch::Patch;
 use objdict::model::{Device, Pdo, PdoKind};
-use objdict::source::SourceFile;
+use objdict::source::{SourceFile, SourceOptions};
+use objdict::workspace::{Workspace, with_origin_beside};
 use pyo3::prelude::*;
 use pyo3::types::PyBytes;
 
@@ -91,7 +92,7 @@ pub(crate) fn open(
     patches: Vec<PathBuf>,
 ) -> PyResult<NativeDictionary> {
     py.detach(|| {
-        let project = project_of(&path)?.map(Arc::new);
+        let project = project_of(&mut Workspace::default(), &path)?;
         let mut reading = reading(node_id, device, variant, project.as_deref());
         reading.patches.extend(opened(&patches)?);
         let bytes = objdict::source::read(&path, reading.max_size).map_err(raised)?;
@@ -156,7 +157,13 @@ pub(crate) fn described(
     project: Option<Arc<Project>>,
 ) -> PyResult<Shared> {
     let described = match input {
-        Input::Description(description) => Described::Text(description),
+        Input::Description(description) => {
+            let description = match &path {
+                Some(path) => with_origin_beside(path, *description, &SourceOptions::default()),
+                None => *description,
+            };
+            Described::Text(Box::new(description))
+        }
         Input::Device(device) => Described::Model(device, SourceFile::from_text(name, "")),
         _ => {
             return Err(raised(format_args!("`{name}` describes no device")));

@@ -1,15 +1,15 @@
 //! Findings as the JSON document of `objdict check --format json`.
 
-use std::collections::BTreeMap;
 use std::io;
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
 use objdict::check_with;
-use objdict::config::{Config, Project};
+use objdict::config::Project;
 use objdict::diagnostic::{Findings, Severity};
-use objdict::lint::{self, Severities};
+use objdict::lint;
 use objdict::report::{Concise, Json, Report, Subject, grouped};
+use objdict::workspace::{self, Overrides, Workspace};
 use pyo3::prelude::*;
 
 use super::dictionary::{Described, NativeDictionary, Shared, described, reading};
@@ -46,31 +46,19 @@ pub(crate) fn errors_among(subject: Subject<'_>, findings: Findings) -> PyResult
 #[pyfunction]
 pub(crate) fn check(py: Python<'_>, paths: Vec<PathBuf>) -> PyResult<String> {
     py.detach(|| {
-        let mut projects = BTreeMap::new();
+        let mut workspace = Workspace::default();
         document(|report| {
-            paths.iter().try_for_each(|path| add(report, path, &mut projects))?;
-            // several folders may have one configuration
-            let named = projects.values().flatten().map(|project| (project.config.source().name(), project));
-            let named: BTreeMap<&str, &Arc<Project>> = named.collect();
-            named
-                .values()
-                .try_for_each(|project| report.file(project.config.source().into(), &project.findings))
+            paths.iter().try_for_each(|path| add(report, path, &mut workspace))?;
+            workspace
+                .projects()
+                .try_for_each(|(_, project)| report.file(project.config.source().into(), &project.findings))
         })
     })
 }
 
 /// Each device of a file is checked; the findings of all are those of the file.
-fn add(
-    report: &mut impl Report,
-    path: &Path,
-    projects: &mut BTreeMap<PathBuf, Option<Arc<Project>>>,
-) -> io::Result<()> {
-    let folder = path.parent().unwrap_or(Path::new("")).to_owned();
-    let project = match projects.get(&folder) {
-        Some(known) => known.clone(),
-        None => project_of(path).map_err(io::Error::other)?.map(Arc::new),
-    };
-    projects.insert(folder, project.clone());
+fn add(report: &mut impl Report, path: &Path, workspace: &mut Workspace) -> io::Result<()> {
+    let project = project_of(workspace, path).map_err(io::Error::other)?;
     let reading = reading(None, None, None, project.as_deref());
     let bytes = objdict::source::read(path, reading.max_size).map_err(io::Error::other)?;
     let name = path.display().to_string();
@@ -81,9 +69,9 @@ fn add(
         let (subject, findings) = findings_of(&first).map_err(io::Error::other)?;
         return report.file(subject, &findings);
     };
-    let options = options(&first);
-    let all = description.map_devices(|device| grouped(device, check_with(device, &options)));
-    all.into_iter().try_for_each(|findings| report.file((&**description).into(), &findings))
+    let all = workspace::findings(description, &options(&first));
+    let mut all = all.into_iter().map(|findings| grouped(&**description, findings));
+    all.try_for_each(|findings| report.file((&**description).into(), &findings))
 }
 
 /// The findings of a device with the nearest configuration, as `objdict check` reports them.
@@ -100,26 +88,23 @@ pub(crate) fn findings_of(shared: &Shared) -> PyResult<(Subject<'_>, Findings)> 
     })
 }
 
-/// The nearest configuration of a file, with the profiles and patches that it names.
-pub(crate) fn project_of(path: &Path) -> PyResult<Option<Project>> {
-    let folder = path.parent().filter(|folder| *folder != Path::new(""));
-    let Some(found) = Config::find(folder.unwrap_or(Path::new("."))) else { return Ok(None) };
-    let mut project = Project::open(&found).map_err(raised)?;
-    match project.failures.pop() {
+/// The configuration that holds for a file, with the profiles and patches that it names.
+pub(crate) fn project_of(workspace: &mut Workspace, path: &Path) -> PyResult<Option<Arc<Project>>> {
+    let project = workspace.project_of(path).map_err(raised)?;
+    match project.as_ref().and_then(|project| project.failures.first()) {
         Some(failure) => Err(raised(failure)),
-        None => Ok(Some(project)),
+        None => Ok(project),
     }
 }
 
 /// What the configuration says of a file; bytes have none.
 fn options(shared: &Shared) -> lint::Options {
-    let mut options = lint::Options::default();
-    if let (Some(path), Some(project)) = (&shared.path, &shared.project) {
-        options = project.config.options(path, &Severities::default());
-        options.profiles.extend(project.profiles.iter().cloned());
+    let node_id = shared.node_id.filter(|id| (1..=127).contains(id));
+    let overrides = Overrides { node_id, ..Overrides::default() };
+    match &shared.path {
+        Some(path) => overrides.options(path, shared.project.as_deref()),
+        None => overrides.options(Path::new(""), None),
     }
-    options.node_id = shared.node_id.filter(|id| (1..=127).contains(id)).or(options.node_id);
-    options
 }
 
 /// A JSON document of findings.

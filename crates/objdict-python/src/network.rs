@@ -6,6 +6,7 @@ use std::path::{Path, PathBuf};
 use objdict::format::network::{Build, BuildError, BuiltFile, NetworkFile, PathOptions};
 use objdict::network::{DcfgenMode, LelyOptions};
 use objdict::report::{Report, Subject, grouped};
+use objdict::workspace::Workspace;
 use pyo3::prelude::*;
 use pyo3::types::PyBytes;
 
@@ -54,7 +55,9 @@ pub(crate) fn build_network<'py>(
 /// A network, its descriptions with the patches of the nearest configuration.
 pub(crate) fn opened(path: &Path) -> PyResult<NetworkFile> {
     let mut options = PathOptions::default();
-    options.patches = project_of(path)?.map(|project| project.patches).unwrap_or_default();
+    options.patches = project_of(&mut Workspace::default(), path)?
+        .map(|project| project.patches.clone())
+        .unwrap_or_default();
     NetworkFile::open(path, &options).map_err(raised)
 }
 

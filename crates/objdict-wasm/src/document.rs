@@ -167,10 +167,12 @@ impl Document {
                 false => without_fixes(findings),
             }
         };
+        let found = objdict::workspace::of_devices(description, examine);
         report(|report| {
+            let mut found = found.into_iter();
             let each = description.map_devices(|device| {
-                let findings = grouped(device, examine(device));
-                report.file(device.into(), &findings)
+                let findings = found.next().unwrap_or_default();
+                report.file(device.into(), &grouped(device, findings))
             });
             each.into_iter().collect()
         })

@@ -26,7 +26,9 @@ use objdict_lint as lint;
 use objdict_model::Language;
 use objdict_model::diagnostic::{Diagnostic, Findings, one_line};
 use objdict_model::model::Device;
+use objdict_model::source::SourceOptions;
 use objdict_project::report::{Location, grouped};
+use objdict_project::workspace::with_origin_beside;
 
 /// A device with all that its page needs.
 struct Documented {
@@ -143,7 +145,7 @@ impl Read {
     fn add(
         &mut self,
         args: &DocsArgs,
-        settings: &Settings<'_>,
+        settings: &Settings,
         file: &File,
         has_pages: bool,
         outcome: &mut Outcome,
@@ -245,7 +247,7 @@ fn form(args: &DocsArgs) -> Result<Form, Failure> {
 /// The devices of a file; one of CANopenEditor may have several.
 fn devices(
     args: &DocsArgs,
-    settings: &Settings<'_>,
+    settings: &Settings,
     file: &File,
     kind: FileKind,
     input: Input,
@@ -262,6 +264,8 @@ fn devices(
         }
         Input::Description(description) => {
             let description = args.input.selected(&file.path, *description)?;
+            let options_of_files = SourceOptions { encoding: None, max_size: args.input.size.max_size };
+            let description = with_origin_beside(&file.path, description, &options_of_files);
             Ok(vec![described(args, &options, name, &description)])
         }
         Input::Device(device) => {

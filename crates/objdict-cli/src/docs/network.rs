@@ -29,7 +29,7 @@ impl DocumentedNetwork {
     /// Reads a network; `has_pages` says whether its nodes have pages. A node whose DCF cannot be written has none.
     pub(super) fn read(
         args: &DocsArgs,
-        settings: &Settings<'_>,
+        settings: &Settings,
         file: &File,
         has_pages: bool,
         outcome: &mut Outcome,

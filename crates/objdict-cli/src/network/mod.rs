@@ -65,7 +65,7 @@ fn of_descriptions(paths: &[PathBuf], input: &NetworkInputArgs) -> Result<Networ
 }
 
 /// The findings of a network with the severities of its configuration.
-fn findings(file: &NetworkFile, path: &Path, settings: &mut Settings<'_>) -> Result<Findings, Failure> {
+fn findings(file: &NetworkFile, path: &Path, settings: &mut Settings) -> Result<Findings, Failure> {
     let project = settings.project_of(path)?;
     Ok(settings.options(path, project.as_deref()).severities.apply(file.check()))
 }

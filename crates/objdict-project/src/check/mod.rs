@@ -2,7 +2,6 @@
 //! comments suppress.
 
 mod comments;
-#[cfg(feature = "full")]
 mod origin;
 mod suppression;
 mod variants;
@@ -23,9 +22,7 @@ use objdict_xdd::xdd::wording;
 
 #[cfg(feature = "full")]
 pub use self::comments::insertion;
-#[cfg(feature = "full")]
 pub use self::origin::{last_eds, with_origin_beside};
-#[cfg(feature = "full")]
 pub use self::variants::of_devices;
 
 /// All findings of a description, in the order of its text.

@@ -23,7 +23,6 @@ pub(super) fn named(description: &Description, findings: Findings) -> Findings {
 }
 
 /// The findings of each device of a file; of a variant those that the file does not have without it.
-#[cfg(feature = "full")]
 pub fn of_devices(description: &Description, examine: impl Fn(&Description) -> Findings) -> Vec<Findings> {
     let mut of_base = None;
     description.map_devices(|device| match (device.variant(), &of_base) {
@@ -33,7 +32,6 @@ pub fn of_devices(description: &Description, examine: impl Fn(&Description) -> F
 }
 
 /// The findings of the variant of a name without those that the file has without it.
-#[cfg(feature = "full")]
 fn without_those_of_base(name: &str, base: &Findings, findings: Findings) -> Findings {
     findings.filter_map(|finding| {
         let at = |finding: &Diagnostic| finding.labels.first().map(|label| label.at.clone());

@@ -71,7 +71,6 @@ impl Project {
     }
 
     /// Whether files can be checked as it says.
-    #[cfg(feature = "full")]
     pub fn is_usable(&self) -> bool {
         self.config.is_toml() && self.failures.is_empty()
     }

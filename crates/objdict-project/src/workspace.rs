@@ -1,0 +1,155 @@
+//! The one way from a file to its findings. The command, the language server, build scripts, pages and Python come here, so that they
+//! agree on which configuration holds, what overrides it, and what belongs to a file beside its text.
+
+use std::collections::BTreeMap;
+use std::path::{Path, PathBuf};
+use std::sync::Arc;
+
+use objdict_format::Description;
+use objdict_lint::{Options, Severities};
+use objdict_model::diagnostic::{Findings, Severity, Tool};
+use objdict_model::source::SourceError;
+use objdict_profile::Profile;
+
+use crate::check::check_with;
+pub use crate::check::{of_devices, with_origin_beside};
+use crate::config::{Config, Project};
+
+/// Which configuration applies.
+#[derive(Clone, Debug, Default)]
+pub enum Configuration {
+    /// The nearest `objdict.toml`, in the folder of a file or above.
+    #[default]
+    Nearest,
+    /// That of a path, for all files.
+    At(PathBuf),
+    /// None.
+    Off,
+}
+
+/// What counts more than the configuration: arguments of a command, or settings of a build script.
+#[derive(Clone, Debug, Default)]
+pub struct Overrides {
+    /// The severities that replace those of rules and configuration.
+    pub severities: Severities,
+    /// Profiles to check against beside those of the configuration.
+    pub profiles: Vec<Arc<Profile>>,
+    /// The node-ID that formulas are evaluated for.
+    pub node_id: Option<u8>,
+    /// The tools that descriptions are also for; empty for those of the configuration.
+    pub tools: Vec<Tool>,
+    /// The lowest severity that fails a check.
+    pub deny: Option<Severity>,
+}
+
+impl Overrides {
+    /// The options of the check of a file with its configuration.
+    pub fn options(&self, path: &Path, project: Option<&Project>) -> Options {
+        let mut options = match project {
+            Some(project) => project.config.options(path, &self.severities),
+            None => Options { severities: self.severities.clone(), ..Options::default() },
+        };
+        let of_project = project.map(|project| &project.profiles[..]).unwrap_or_default();
+        options.profiles = of_project.iter().chain(&self.profiles).cloned().collect();
+        options.node_id = self.node_id.or(options.node_id);
+        if !self.tools.is_empty() {
+            options.tools.clone_from(&self.tools);
+        }
+        options
+    }
+
+    /// The lowest severity that fails the check of a file with its configuration: errors, unless one says otherwise.
+    pub fn deny(&self, project: Option<&Project>) -> Severity {
+        self.deny.or_else(|| project.and_then(|project| project.config.deny())).unwrap_or(Severity::Error)
+    }
+}
+
+/// The configurations of files, each of which is read once, with what overrides them.
+///
+/// ```
+/// use std::path::Path;
+///
+/// use objdict_format::{Format, read};
+/// use objdict_model::source::SourceFile;
+/// use objdict_project::workspace::{Configuration, Overrides, Workspace, findings};
+///
+/// let mut workspace = Workspace::new(Configuration::Off, Overrides::default())?;
+/// let path = Path::new("lamp.eds");
+/// let project = workspace.project_of(path)?;
+/// let lamp = read(SourceFile::from_text("lamp.eds", "[2000]\nDataType=5\n"), Format::Eds);
+/// let of_devices = findings(&lamp, &workspace.overrides().options(path, project.as_deref()));
+/// assert!(of_devices[0].has_errors());
+/// # Ok::<(), objdict_model::source::SourceError>(())
+/// ```
+#[derive(Debug, Default)]
+pub struct Workspace {
+    configuration: Configuration,
+    overrides: Overrides,
+    /// The configuration that holds in a folder.
+    by_folder: BTreeMap<PathBuf, Option<Arc<Project>>>,
+    /// Those that were read, in the order in which they were met, by their paths.
+    projects: Vec<(PathBuf, Arc<Project>)>,
+}
+
+impl Workspace {
+    /// Files with their configurations.
+    ///
+    /// # Errors
+    /// When the configuration for all files cannot be opened.
+    pub fn new(configuration: Configuration, overrides: Overrides) -> Result<Self, SourceError> {
+        let mut made = Self { configuration, overrides, by_folder: BTreeMap::new(), projects: Vec::new() };
+        if let Configuration::At(path) = &made.configuration {
+            let path = path.clone();
+            made.open(path)?;
+        }
+        Ok(made)
+    }
+
+    /// What counts more than the configurations.
+    pub fn overrides(&self) -> &Overrides {
+        &self.overrides
+    }
+
+    /// The configuration that holds for a file; the standard input is taken for a file of the current folder.
+    ///
+    /// # Errors
+    /// When it cannot be opened.
+    pub fn project_of(&mut self, path: &Path) -> Result<Option<Arc<Project>>, SourceError> {
+        match &self.configuration {
+            Configuration::Off => return Ok(None),
+            Configuration::At(_) => return Ok(self.projects.first().map(|(_, project)| project.clone())),
+            Configuration::Nearest => {}
+        }
+        let folder = path.parent().filter(|folder| *folder != Path::new("")).unwrap_or(Path::new("."));
+        if let Some(known) = self.by_folder.get(folder) {
+            return Ok(known.clone());
+        }
+        let project = Config::find(folder).map(|path| self.open(path)).transpose()?;
+        self.by_folder.insert(folder.to_owned(), project.clone());
+        Ok(project)
+    }
+
+    /// The configurations that were met, in that order, with their paths.
+    pub fn projects(&self) -> impl Iterator<Item = (&Path, &Arc<Project>)> {
+        self.projects.iter().map(|(path, project)| (&**path, project))
+    }
+
+    /// The files that were read for the configurations: these themselves, profiles and patches.
+    pub fn inputs(&self) -> impl Iterator<Item = PathBuf> {
+        self.projects.iter().flat_map(|(path, project)| std::iter::once(path.clone()).chain(project.files()))
+    }
+
+    fn open(&mut self, path: PathBuf) -> Result<Arc<Project>, SourceError> {
+        if let Some((_, project)) = self.projects.iter().find(|(known, _)| *known == path) {
+            return Ok(project.clone());
+        }
+        let project = Arc::new(Project::open(&path)?);
+        self.projects.push((path, project.clone()));
+        Ok(project)
+    }
+}
+
+/// The findings of each device of a file; of a variant those that the file does not have without it.
+pub fn findings(description: &Description, options: &Options) -> Vec<Findings> {
+    of_devices(description, |device| check_with(device, options))
+}
