@@ -37,7 +37,7 @@ pub(crate) use index_set::IndexSet;
 pub use options::Options;
 pub(crate) use respell::respell;
 pub use rule::Rule;
-pub(crate) use rule::{Check, EntryAt, EntryCheck, Origin, rule, with_others};
+pub(crate) use rule::{Check, EntryAt, EntryCheck, Origin, with_others};
 pub(crate) use rules::rules_of;
 pub use rules::{rules, without_disabled};
 pub use severities::{Level, Severities, UnknownLevel};

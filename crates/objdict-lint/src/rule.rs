@@ -125,8 +125,7 @@ pub(crate) fn with_others<T: Into<Text>>(
 }
 
 /// A [`Rule`]: the fields of [`rule_info!`](objdict_model::rule_info), with the check after the severity.
-/// `one! { "cia306/name", Error, Entry(check), fix Safe; summary: "…", … }`
-macro_rules! one {
+macro_rules! rule {
     (
         $id:literal, $severity:ident, $kind:ident($check:path) $(, fix $safety:ident)?
             $(, explains $reach:ident [$($rule:literal),+])*
@@ -143,24 +142,31 @@ macro_rules! one {
         }
     };
 }
-pub(crate) use one;
-
-/// Declares the rule of a file with the fields of [`one!`]: a `static RULE`.
-macro_rules! rule {
-    ($($rule:tt)+) => {
-        pub(crate) static RULE: $crate::Rule = $crate::rule::one! { $($rule)+ };
-    };
-}
 pub(crate) use rule;
 
-/// Declares the rules of a group that use shared checks, with the fields of [`one!`]: a `static RULES`.
-macro_rules! demands {
+/// Declares the rules of a file, `RULES`: `"cia306/name" = NAME, Error, Entry(name), fix Safe; summary: "…", …` for each.
+/// A check reports with `NAME.info`; checks of documents get the information as their first argument and need no name.
+macro_rules! rules {
+    ($(
+        $id:literal = $name:ident, $severity:ident, $kind:ident($check:path) $(, fix $safety:ident)?
+            $(, explains $reach:ident [$($rule:literal),+])*
+            $(, stops $target:literal $(at [$($field:ident),+])?)*;
+        $($part:ident: $text:literal,)+
+    )+) => {
+        $(static $name: $crate::Rule = $crate::rule::rule! {
+            $id, $severity, $kind($check) $(, fix $safety)? $(, explains $reach [$($rule),+])*
+                $(, stops $target $(at [$($field),+])?)*;
+            $($part: $text,)+
+        };)+
+
+        pub(crate) const RULES: &[&$crate::Rule] = &[$(&$name,)+];
+    };
     ($(
         $id:literal, $severity:ident, $kind:ident($check:path) $(, fix $safety:ident)?;
         $($part:ident: $text:literal,)+
     )+) => {
-        pub(crate) static RULES: &[&$crate::Rule] =
-            &[$(&$crate::rule::one! { $id, $severity, $kind($check) $(, fix $safety)?; $($part: $text,)+ },)+];
+        pub(crate) const RULES: &[&$crate::Rule] =
+            &[$(&$crate::rule::rule! { $id, $severity, $kind($check) $(, fix $safety)?; $($part: $text,)+ },)+];
     };
 }
-pub(crate) use demands;
+pub(crate) use rules;

@@ -4,9 +4,9 @@ use crate::demands::{
     different_channel_count, missing_entry, missing_object, reserved_bits, sub_0_out_of_range,
     undefined_sub_index, wrong_access, wrong_data_type, wrong_mapping, wrong_object_type, wrong_value,
 };
-use crate::rule::demands;
+use crate::rule::rules;
 
-demands! {
+rules! {
     "cia302/different-program-count", Error, Against(different_channel_count);
     summary: "1F51h and 1F50h have a different number of programs",
     checks: "Whether program control (1F51h) has as many sub-indexes as program data (1F50h).",

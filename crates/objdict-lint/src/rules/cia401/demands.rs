@@ -5,9 +5,9 @@ use crate::demands::{
     undefined_sub_index, wrong_access, wrong_data_type, wrong_default, wrong_mapping, wrong_object_type,
     wrong_value,
 };
-use crate::rule::demands;
+use crate::rule::rules;
 
-demands! {
+rules! {
     "cia401/different-channel-count", Warning, Against(different_channel_count);
     summary: "a parameter array and its channels have different lengths",
     checks: "Whether the parameters of channels (polarity, filter, interrupt masks, error mode and value, limits, scaling) have as many elements as there are channels. The rule accepts the number of channels of any width.",

@@ -5,9 +5,9 @@ use crate::demands::{
     undefined_field_value, undefined_sub_index, wrong_access, wrong_data_type, wrong_mapping,
     wrong_object_type,
 };
-use crate::rule::demands;
+use crate::rule::rules;
 
-demands! {
+rules! {
     "cia406/different-channel-count", Warning, Against(different_channel_count);
     summary: "an object of an encoder and its sensors or channels have different lengths",
     checks: "Whether 6010h and 650Ch have as many elements as 6020h, 6301h and 6302h as many as 6300h, 6401h and 6402h as many as 6400h.",

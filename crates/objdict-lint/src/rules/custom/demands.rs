@@ -4,9 +4,9 @@ use crate::demands::{
     misplaced_object, missing_entry, missing_object, undefined_sub_index, wrong_access, wrong_data_type,
     wrong_default, wrong_mapping, wrong_object_type, wrong_value,
 };
-use crate::rule::demands;
+use crate::rule::rules;
 
-demands! {
+rules! {
     "custom/misplaced-object", Warning, Against(misplaced_object);
     summary: "a custom profile defines the object for other devices only",
     checks: "Whether the condition in `only` of a loaded profile holds.",
