@@ -1,5 +1,7 @@
 //! Rules about the model.
 
+#[cfg(feature = "catalogue")]
+use crate::Drive;
 use crate::configured::Configured;
 use crate::demands::{Against, Applied, Expected};
 use crate::diagnostic::{Diagnostic, Findings, RuleInfo, Text, say};
@@ -12,6 +14,13 @@ pub struct Rule {
     pub info: RuleInfo,
     /// The check and its subject.
     pub(crate) check: Check,
+}
+
+impl Rule {
+    /// A finding of this rule.
+    pub(crate) fn at(&'static self, place: Place, message: impl Into<Text>) -> Diagnostic {
+        Diagnostic::new(&self.info, place, message)
+    }
 }
 
 /// A check of one entry.
@@ -31,7 +40,13 @@ pub(crate) enum Check {
     /// Each PDO with at least one described object.
     Pdo(fn(&Facts<'_>, &PdoFacts<'_>, &mut Findings)),
     /// Each logical device that the document of the rule's group applies to.
-    Applied(fn(&'static RuleInfo, &Facts<'_>, &Applied<'_>, &mut Findings)),
+    Applied(fn(&Facts<'_>, &Applied<'_>, &mut Findings)),
+    /// The same for a check that the rules of several groups share.
+    #[cfg(feature = "catalogue")]
+    Demand(fn(&'static RuleInfo, &Facts<'_>, &Applied<'_>, &mut Findings)),
+    /// Each axis of a drive.
+    #[cfg(feature = "catalogue")]
+    Drive(fn(Drive<'_>, &mut Findings)),
     /// Each object that the document defines.
     Against(fn(&'static RuleInfo, &Against<'_>, &mut Findings)),
     /// A configuration beside the description of its type.
@@ -145,7 +160,8 @@ macro_rules! rule {
 pub(crate) use rule;
 
 /// Declares the rules of a file, `RULES`: `"cia306/name" = NAME, Error, Entry(name), fix Safe; summary: "…", …` for each.
-/// A check reports with `NAME.info`; checks of documents get the information as their first argument and need no name.
+/// A check reports with `NAME.at(place, message)`; checks of documents get the rule as their first argument and need no
+/// name.
 macro_rules! rules {
     ($(
         $id:literal = $name:ident, $severity:ident, $kind:ident($check:path) $(, fix $safety:ident)?

@@ -133,7 +133,8 @@ fn both_directions(facts: &Facts<'_>, transmitter: &CobIdUse, receiver: &CobIdUs
     let place = |cob_id: &CobIdUse| facts.device.value_place(cob_id.index, cob_id.sub);
     if transmitter.index == receiver.index {
         let message = say!("{} uses `{}` in both directions", transmitter.service, transmitter.cob_id);
-        return Diagnostic::new(&CAN_ID_IN_BOTH_DIRECTIONS.info, place(receiver), message)
+        return CAN_ID_IN_BOTH_DIRECTIONS
+            .at(place(receiver), message)
             .label(place(transmitter), "the other direction")
             .help("give each direction its own CAN-ID, or set bit 31 in both");
     }
@@ -146,7 +147,8 @@ fn both_directions(facts: &Facts<'_>, transmitter: &CobIdUse, receiver: &CobIdUs
     // the mistake is probably in the entry for another node
     let is_at_receiver = receiver.service == Service::EmcyConsumer || receiver.index > transmitter.index;
     let (at, other) = if is_at_receiver { (receiver, transmitter) } else { (transmitter, receiver) };
-    Diagnostic::new(&CAN_ID_IN_BOTH_DIRECTIONS.info, place(at), message)
+    CAN_ID_IN_BOTH_DIRECTIONS
+        .at(place(at), message)
         .label(place(other), say!("{} uses it here", other.service))
         .help("give each service its own CAN-ID, or set bit 31 to mark one of them as not valid")
 }
@@ -156,7 +158,7 @@ fn can_id_of_other_service(facts: &Facts<'_>, findings: &mut Findings) {
         let Some(owner) = facts.foreign_service(cob_id) else { continue };
         let message = say!("`{}` gives {} the CAN-ID of {}", cob_id.cob_id, cob_id.service, owner);
         let place = facts.device.value_place(cob_id.index, cob_id.sub);
-        let finding = Diagnostic::new(&CAN_ID_OF_OTHER_SERVICE.info, place, message);
+        let finding = CAN_ID_OF_OTHER_SERVICE.at(place, message);
         findings.push(finding.help("use a CAN-ID from 181h to 57Fh or 680h to 6DFh"));
     }
 }
@@ -219,7 +221,8 @@ fn collision_of(facts: &Facts<'_>, first: &CobIdUse, second: &CobIdUse, node: Op
     };
     let (one, other) = (first.service, second.service);
     let message = say!("{} and {} both {} with COB-ID `{}`{}", other, one, does, second.cob_id, on_node);
-    let finding = Diagnostic::new(&COB_ID_COLLISION.info, place(second), message)
+    let finding = COB_ID_COLLISION
+        .at(place(second), message)
         .label(place(first), say!("{} uses it here", one))
         .help("give each service its own CAN-ID, or set bit 31 to mark one of them as not valid");
     let is_rpdo = |service| matches!(service, Service::Pdo(PdoKind::Rpdo, _));
@@ -250,7 +253,7 @@ fn cob_id_not_predefined(facts: &Facts<'_>, pdo: &PdoFacts<'_>, findings: &mut F
             say!("the default COB-ID of {} is `{}`; CiA 301 defines `{!}`", pdo.pdo, cob_id, expected);
         let place = facts.device.value_place(pdo.pdo.communication_index(), 1);
         let flags = cob_id.number() & CobId::BIT_30;
-        let finding = Diagnostic::new(&COB_ID_NOT_PREDEFINED.info, place, message);
+        let finding = COB_ID_NOT_PREDEFINED.at(place, message);
         findings.push(finding.help(say!("write `$NODEID+0x{:X}`", flags | u32::from(base))));
     }
 }
@@ -272,7 +275,7 @@ fn fixed_node_id(facts: &Facts<'_>, findings: &mut Findings) {
             let number = cob_id.cob_id.number() & !0x7FF | u32::from(base);
             let title = say!("write `$NODEID+0x{:X}`", number);
             let fix = Fix::risky(title.clone()).set(place.clone(), format!("$NODEID+0x{number:X}"));
-            findings.push(Diagnostic::new(&FIXED_NODE_ID.info, place, message).help(title).fix(fix));
+            findings.push(FIXED_NODE_ID.at(place, message).help(title).fix(fix));
         }
     }
 }
@@ -292,7 +295,7 @@ fn invalid_cob_id(facts: &Facts<'_>, findings: &mut Findings) {
         );
         let place = facts.device.value_place(cob_id.index, cob_id.sub);
         let number = cob_id.cob_id.number();
-        let finding = Diagnostic::new(&INVALID_COB_ID.info, place.clone(), message).help(cob_id_help(number));
+        let finding = INVALID_COB_ID.at(place.clone(), message).help(cob_id_help(number));
         let meant = number_with_shifted_flag(number).filter(|_| !cob_id.cob_id.depends_on_node_id());
         findings.push(match meant {
             Some(meant) => {
@@ -354,7 +357,7 @@ fn use_of_restricted(
         owner
     );
     let place = facts.device.value_place(cob_id.index, cob_id.sub);
-    let finding = Diagnostic::new(&RESTRICTED_CAN_ID.info, place, message);
+    let finding = RESTRICTED_CAN_ID.at(place, message);
     if cob_id.service == Service::EmcyConsumer && cob_id.cob_id == CobId::new(0) {
         return finding.severity(Severity::Warning).help("write `0x80000000` for an unused entry");
     }
@@ -383,7 +386,7 @@ fn service_cob_id_not_predefined(facts: &Facts<'_>, findings: &mut Findings) {
                 cob_id.cob_id,
                 cob_id.service
             );
-            let finding = Diagnostic::new(&SERVICE_COB_ID_NOT_PREDEFINED.info, place.clone(), message);
+            let finding = SERVICE_COB_ID_NOT_PREDEFINED.at(place.clone(), message);
             let fix = Fix::risky("write the CAN-ID of the predefined connection set")
                 .set(place, expected.to_string());
             findings.push(finding.help(say!("write `{}`", expected)).fix(fix));
@@ -422,11 +425,8 @@ fn emergency_of_other_node(facts: &Facts<'_>, findings: &mut Findings) {
         let service = cob_id.service;
         let message =
             say!("{} has `{:03X}h`, the CAN-ID of the EMCY of node {}", service, can_id, can_id - 0x80);
-        let finding = Diagnostic::new(
-            &SERVICE_COB_ID_NOT_PREDEFINED.info,
-            facts.device.value_place(cob_id.index, cob_id.sub),
-            message,
-        );
+        let finding =
+            SERVICE_COB_ID_NOT_PREDEFINED.at(facts.device.value_place(cob_id.index, cob_id.sub), message);
         findings.push(finding.help(match service {
             Service::Sync => {
                 say!("write `0x{:X}`", u32::from(predefined::SYNC) | cob_id.cob_id.number() & CobId::BIT_30)
@@ -447,7 +447,7 @@ fn short_can_id_in_extended_frame(facts: &Facts<'_>, findings: &mut Findings) {
             cob_id.service
         );
         let place = facts.device.value_place(cob_id.index, cob_id.sub);
-        let finding = Diagnostic::new(&SHORT_CAN_ID_IN_EXTENDED_FRAME.info, place, message);
+        let finding = SHORT_CAN_ID_IN_EXTENDED_FRAME.at(place, message);
         findings.push(finding.help("clear bit 29, or set bit 31 if the service is not valid"));
     }
 }
@@ -471,11 +471,7 @@ fn tpdo_of_other_node(facts: &Facts<'_>, findings: &mut Findings) {
             number,
             node
         );
-        let finding = Diagnostic::new(
-            &TPDO_OF_OTHER_NODE.info,
-            facts.device.value_place(cob_id.index, cob_id.sub),
-            message,
-        );
+        let finding = TPDO_OF_OTHER_NODE.at(facts.device.value_place(cob_id.index, cob_id.sub), message);
         findings.push(finding.help("use a CAN-ID of this node, and configure the other node to receive it"));
     }
 }

@@ -1,6 +1,6 @@
 //! EMCY, and the reaction of the device to errors.
 
-use crate::diagnostic::{Diagnostic, Findings, Fix, Severity, say, sub_index};
+use crate::diagnostic::{Findings, Fix, Severity, say, sub_index};
 use crate::model::{Device, DeviceKind, PdoKind, Place};
 use crate::rule::rules;
 use crate::{Facts, Service, stated};
@@ -57,7 +57,7 @@ fn default_error_register(device: &Device, findings: &mut Findings) {
         // sub-index 0 of a compactly stored history is the number of its entries
         let Some(value) = value.filter(|&value| value != 0 && !is_compact) else { continue };
         let message = say!("the default of {} is `{}` instead of 0", what, value);
-        let finding = Diagnostic::new(&DEFAULT_ERROR_REGISTER.info, device.value_place(index, 0), message);
+        let finding = DEFAULT_ERROR_REGISTER.at(device.value_place(index, 0), message);
         findings.push(finding.help("write 0"));
     }
 }
@@ -100,7 +100,7 @@ fn emergency_consumer_of_other_node(facts: &Facts<'_>, findings: &mut Findings) 
             continue;
         };
         let place = facts.device.value_place(consumer.index, consumer.sub);
-        let finding = Diagnostic::new(&EMERGENCY_CONSUMER_OF_OTHER_NODE.info, place, message);
+        let finding = EMERGENCY_CONSUMER_OF_OTHER_NODE.at(place, message);
         let is_own = facts.device.node_id() == Some(consumer.sub) && can_id == 0x80 + node;
         findings.push(match is_own {
             true => finding.help("set bit 31 to disable the entry"),
@@ -123,7 +123,7 @@ fn emergency_disabled(facts: &Facts<'_>, findings: &mut Findings) {
     let message = say!("bit 31 of `{}` marks EMCY as not valid", emcy.cob_id);
     let place = device.value_place(0x1014, 0);
     let fix = Fix::risky("write `$NODEID+0x80`").set(place.clone(), "$NODEID+0x80");
-    let finding = Diagnostic::new(&EMERGENCY_DISABLED.info, place, message);
+    let finding = EMERGENCY_DISABLED.at(place, message);
     // a node without a valid node-ID has no value for the formula
     let commissioning = device.commissioning.as_ref();
     let has_value = commissioning.is_none_or(|node| matches!(node.node_id, Some(1..=127)));
@@ -139,12 +139,10 @@ fn emergency_without_cob_id(device: &Device, findings: &mut Findings) {
     let help = "add 1014h (UNSIGNED32) with the default `$NODEID+0x80`";
     if device.objects.contains_key(&0x1015) {
         let message = "1015h (inhibit time EMCY) is described without 1014h (COB-ID EMCY)";
-        findings
-            .push(Diagnostic::new(&EMERGENCY_WITHOUT_COB_ID.info, Place::object(0x1015), message).help(help));
+        findings.push(EMERGENCY_WITHOUT_COB_ID.at(Place::object(0x1015), message).help(help));
     } else if device.objects.contains_key(&0x1003) {
         let message = "1003h (pre-defined error field) is described without 1014h (COB-ID EMCY)";
-        let finding =
-            Diagnostic::new(&EMERGENCY_WITHOUT_COB_ID.info, Place::object(0x1003), message).help(help);
+        let finding = EMERGENCY_WITHOUT_COB_ID.at(Place::object(0x1003), message).help(help);
         findings.push(finding.severity(Severity::Note));
     }
 }
@@ -155,7 +153,7 @@ fn invalid_error_behavior(device: &Device, findings: &mut Findings) {
         let value = object.value(sub).and_then(|value| value.as_integer());
         let Some(value) = value.filter(|value| (3..128).contains(value)) else { continue };
         let message = say!("error behavior `{}` in sub-index {} of 1029h is reserved", value, sub_index(sub));
-        let finding = Diagnostic::new(&INVALID_ERROR_BEHAVIOR.info, device.value_place(0x1029, sub), message);
+        let finding = INVALID_ERROR_BEHAVIOR.at(device.value_place(0x1029, sub), message);
         findings.push(finding.help("write 0 for pre-operational, 1 for no change or 2 for stopped"));
         if object.compact.is_some() {
             return; // all sub-indexes share one value

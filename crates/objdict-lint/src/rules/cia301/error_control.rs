@@ -2,7 +2,7 @@
 
 use std::collections::BTreeMap;
 
-use crate::diagnostic::{Diagnostic, Findings, Severity, Text, say};
+use crate::diagnostic::{Findings, Severity, Text, say};
 use crate::model::{Access, Device, Place, Value};
 use crate::rule::rules;
 use crate::{Facts, stated};
@@ -64,7 +64,8 @@ fn heartbeat_beside_guarding(facts: &Facts<'_>, findings: &mut Findings) {
     }
     let place = |index| facts.device.value_place(index, 0);
     let message = "guard time and heartbeat time are both set, but a node uses only one of them";
-    let finding = Diagnostic::new(&HEARTBEAT_BESIDE_GUARDING.info, place(0x100C), message)
+    let finding = HEARTBEAT_BESIDE_GUARDING
+        .at(place(0x100C), message)
         .label(place(0x1017), "the heartbeat time")
         .label(place(0x100D), "the life time factor");
     findings.push(finding.help("write 0 to 100Ch and 100Dh, or to 1017h"));
@@ -89,7 +90,7 @@ fn heartbeat_switched_off(device: &Device, findings: &mut Findings) {
     } else {
         say!("the configuration switches the heartbeat off, and the device has no node guarding")
     };
-    let finding = Diagnostic::new(&HEARTBEAT_SWITCHED_OFF.info, device.value_place(0x1017, 0), message);
+    let finding = HEARTBEAT_SWITCHED_OFF.at(device.value_place(0x1017, 0), message);
     findings.push(finding.help("write a heartbeat time in milliseconds"));
 }
 
@@ -102,7 +103,8 @@ fn incomplete_life_guarding(facts: &Facts<'_>, findings: &mut Findings) {
     let (set, zero) = if time == 0 { (0x100D, 0x100C) } else { (0x100C, 0x100D) };
     let message =
         say!("the guard time is {} ms and the life time factor is {}, so life guarding is off", time, factor);
-    let finding = Diagnostic::new(&INCOMPLETE_LIFE_GUARDING.info, facts.device.value_place(zero, 0), message)
+    let finding = INCOMPLETE_LIFE_GUARDING
+        .at(facts.device.value_place(zero, 0), message)
         .label(facts.device.value_place(set, 0), "this value is set");
     findings.push(finding.help("set both 100Ch and 100Dh, or write 0 to both"));
 }
@@ -113,7 +115,7 @@ fn incomplete_node_guarding(device: &Device, findings: &mut Findings) {
         if device.objects.contains_key(&index) && !stated::is_there(device, other) {
             let message =
                 say!("{:04X}h ({}) is described without {:04X}h ({})", index, name, other, other_name);
-            let finding = Diagnostic::new(&INCOMPLETE_NODE_GUARDING.info, Place::object(index), message);
+            let finding = INCOMPLETE_NODE_GUARDING.at(Place::object(index), message);
             findings.push(finding.help(say!("add {:04X}h, or remove {:04X}h", other, index)));
         }
     }
@@ -130,9 +132,8 @@ fn invalid_consumer_heartbeat(device: &Device, findings: &mut Findings) {
             continue;
         }
         let place = device.value_place(0x1016, sub);
-        let finding = |message: Text, help: Text| {
-            Diagnostic::new(&INVALID_CONSUMER_HEARTBEAT.info, place.clone(), message).help(help)
-        };
+        let finding =
+            |message: Text, help: Text| INVALID_CONSUMER_HEARTBEAT.at(place.clone(), message).help(help);
         if value >> 24 != 0 {
             let message = say!("`0x{:08X}` in 1016h sub-index {} has bits above the node-ID set", value, sub);
             findings.push(finding(message, say!("did you mean `0x{:08X}`?", value & 0x00FF_FFFF)));
@@ -175,8 +176,5 @@ fn no_error_control(device: &Device, findings: &mut Findings) {
     }
     let message =
         "the device has no error control: neither a heartbeat (1017h) nor node guarding (100Ch, 100Dh)";
-    findings.push(
-        Diagnostic::new(&NO_ERROR_CONTROL.info, Place::device(), message)
-            .help("add 1017h (producer heartbeat time)"),
-    );
+    findings.push(NO_ERROR_CONTROL.at(Place::device(), message).help("add 1017h (producer heartbeat time)"));
 }

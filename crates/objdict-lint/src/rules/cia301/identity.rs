@@ -3,7 +3,7 @@
 use std::ops::RangeInclusive;
 
 use crate::demands::Applied;
-use crate::diagnostic::{Argument, Diagnostic, Findings, RuleInfo, Severity, Text, say};
+use crate::diagnostic::{Argument, Findings, Severity, Text, say};
 use crate::model::{Device, DeviceKind, Identity, Object, ObjectList, Part, Place};
 use crate::profile::Need;
 use crate::rule::rules;
@@ -79,8 +79,7 @@ fn device_type_without_value(device: &Device, findings: &mut Findings) {
     let Some(object) = device.object(0x1000) else { return };
     if is_unstated(object, 0) {
         let place = device.value_place(0x1000, 0);
-        let finding =
-            Diagnostic::new(&DEVICE_TYPE_WITHOUT_VALUE.info, place, "the device type 1000h has no value");
+        let finding = DEVICE_TYPE_WITHOUT_VALUE.at(place, "the device type 1000h has no value");
         findings.push(finding.help(say!(
             "add `{DefaultValue}` with the value of the device; `0x00000000` if it follows no profile"
         )));
@@ -91,15 +90,13 @@ fn invalid_device_type(facts: &Facts<'_>, findings: &mut Findings) {
     let Some(device_type) = facts.number(0x1000, 0) else { return };
     let (profile, additional) = (device_type & 0xFFFF, device_type >> 16);
     if let Some((message, meant)) = misread_profile(profile, additional) {
-        let finding =
-            Diagnostic::new(&INVALID_DEVICE_TYPE.info, facts.device.value_place(0x1000, 0), message);
+        let finding = INVALID_DEVICE_TYPE.at(facts.device.value_place(0x1000, 0), message);
         findings.push(finding.severity(Severity::Warning).help(say!("write `0x{:08X}`", meant)));
     }
     let has_drive = [0x6040, 0x6041, 0x6060].iter().all(|&index| facts.device.object(index).is_some());
     if device_type == 0 && has_drive {
         let message = "the device has the objects of a drive, but states no profile";
-        let finding =
-            Diagnostic::new(&INVALID_DEVICE_TYPE.info, facts.device.value_place(0x1000, 0), message);
+        let finding = INVALID_DEVICE_TYPE.at(facts.device.value_place(0x1000, 0), message);
         let finding = finding.severity(Severity::Note).label(Place::object(0x6040), "the controlword");
         findings.push(finding.help("write `0x00020192` for a servo drive that follows CiA 402"));
     }
@@ -111,7 +108,7 @@ fn invalid_device_type(facts: &Facts<'_>, findings: &mut Findings) {
         device_type,
         additional
     );
-    let finding = Diagnostic::new(&INVALID_DEVICE_TYPE.info, facts.device.value_place(0x1000, 0), message);
+    let finding = INVALID_DEVICE_TYPE.at(facts.device.value_place(0x1000, 0), message);
     let finding = finding.help("write the profile number to the low word, or write 0");
     findings.push(if device_type == 0x0001_0000 { finding.severity(Severity::Warning) } else { finding });
 }
@@ -130,12 +127,7 @@ fn misread_profile(profile: i128, additional: i128) -> Option<(Text, i128)> {
     is_exchanged.then_some((message, profile << 16 | additional))
 }
 
-fn missing_mandatory_object(
-    rule: &'static RuleInfo,
-    facts: &Facts<'_>,
-    applied: &Applied<'_>,
-    findings: &mut Findings,
-) {
+fn missing_mandatory_object(facts: &Facts<'_>, applied: &Applied<'_>, findings: &mut Findings) {
     let device = facts.device;
     // a file without any part of a device has no missing objects
     if device.objects.is_empty() && device.device_info.is_none() && device.file_info.is_none() {
@@ -157,7 +149,7 @@ fn missing_mandatory_object(
             Part::Object(index),
             Argument::OfLists(say!(" and list `0x{:04X}` in `MandatoryObjects`", index))
         );
-        findings.push(Diagnostic::new(rule, place, message).help(help));
+        findings.push(MISSING_MANDATORY_OBJECT.at(place, message).help(help));
     }
 }
 
@@ -173,7 +165,7 @@ fn missing_module_list(device: &Device, findings: &mut Findings) {
         return;
     }
     let message = "the device supports modules, but has no module list (1027h)";
-    let finding = Diagnostic::new(&MISSING_MODULE_LIST.info, Place::of(Part::SupportedModules), message);
+    let finding = MISSING_MODULE_LIST.at(Place::of(Part::SupportedModules), message);
     findings.push(finding.help("add 1027h (module list, ARRAY of UNSIGNED16)"));
 }
 
@@ -183,11 +175,7 @@ fn missing_vendor_id(device: &Device, findings: &mut Findings) {
         return;
     }
     let place = Place::object(Identity::INDEX);
-    let finding = Diagnostic::new(
-        &MISSING_VENDOR_ID.info,
-        place,
-        "the identity object 1018h has no sub-index 1, the vendor-ID",
-    );
+    let finding = MISSING_VENDOR_ID.at(place, "the identity object 1018h has no sub-index 1, the vendor-ID");
     findings.push(finding.help(say!(
         "add `{[1018sub1]}` with `{DataType=0x0007}`, `{AccessType=ro}` and the vendor-ID as `{DefaultValue}`"
     )));
@@ -198,7 +186,7 @@ fn module_list_without_modules(device: &Device, findings: &mut Findings) {
     let has_modules = device.modules.as_ref().is_some_and(|modules| !modules.supported.is_empty());
     if device.kind == DeviceKind::Type && device.object(0x1027).is_some_and(is_there) && !has_modules {
         let message = say!("1027h is the module list, but no module is described");
-        let finding = Diagnostic::new(&MODULE_LIST_WITHOUT_MODULES.info, Place::object(0x1027), message);
+        let finding = MODULE_LIST_WITHOUT_MODULES.at(Place::object(0x1027), message);
         findings.push(finding.help("describe the supported modules, or remove 1027h"));
     }
 }
@@ -210,9 +198,9 @@ fn obsolete_object(device: &Device, index: u16, object: &Object, findings: &mut 
     let finding = match contradiction {
         Some(contradiction) => {
             let message = say!("{}; {}", message, contradiction);
-            Diagnostic::new(&OBSOLETE_OBJECT.info, Place::object(index), message).severity(Severity::Warning)
+            OBSOLETE_OBJECT.at(Place::object(index), message).severity(Severity::Warning)
         }
-        None => Diagnostic::new(&OBSOLETE_OBJECT.info, Place::object(index), message),
+        None => OBSOLETE_OBJECT.at(Place::object(index), message),
     };
     findings.push(finding.help("remove the object unless an old tool needs it"));
 }
@@ -243,9 +231,9 @@ fn vendor_id_zero(device: &Device, findings: &mut Findings) {
     let help = "write the vendor-ID that CiA assigned to the vendor of the device";
     if device.identity().vendor_id == Some(0) {
         let message = "the vendor-ID is `0`, which CiA never assigns";
-        findings.push(Diagnostic::new(&VENDOR_ID_ZERO.info, place, message).help(help));
+        findings.push(VENDOR_ID_ZERO.at(place, message).help(help));
     } else if is_unstated(object, 1) {
-        let finding = Diagnostic::new(&VENDOR_ID_ZERO.info, place, "the vendor-ID has no value");
+        let finding = VENDOR_ID_ZERO.at(place, "the vendor-ID has no value");
         findings.push(finding.severity(Severity::Note).help(help));
     }
 }

@@ -2,7 +2,7 @@
 
 use std::collections::BTreeMap;
 
-use crate::diagnostic::{Diagnostic, Findings, Fix, Severity, Text, say};
+use crate::diagnostic::{Findings, Fix, Severity, Text, say};
 use crate::model::{Access, DataType, Field, MappedObject, Part, PdoKind, Place};
 use crate::rule::rules;
 use crate::{Facts, PdoFacts, Target};
@@ -95,14 +95,13 @@ fn invalid_dummy_mapping(facts: &Facts<'_>, pdo: &PdoFacts<'_>, findings: &mut F
         let place = facts.device.value_place(pdo.pdo.mapping_index(), mapped.slot);
         if let Some((what, help)) = dummy_defect(pdo.pdo.kind, mapped.object) {
             let message = say!("{} {}", pdo.pdo, what);
-            findings.push(Diagnostic::new(&INVALID_DUMMY_MAPPING.info, place, message).help(help));
+            findings.push(INVALID_DUMMY_MAPPING.at(place, message).help(help));
         } else if let Some(key) = forbidding_key(facts, mapped.object) {
             let data_type = DataType(mapped.object.index);
             let message =
                 say!("{} has a dummy entry of type {}, which `DummyUsage` disables", pdo.pdo, data_type);
             let key = Place::of(Part::DummyUsage).field(key);
-            let finding =
-                Diagnostic::new(&INVALID_DUMMY_MAPPING.info, place, message).label(key, "disabled here");
+            let finding = INVALID_DUMMY_MAPPING.at(place, message).label(key, "disabled here");
             findings.push(finding.help("use a type that `DummyUsage` enables"));
         }
     }
@@ -146,7 +145,7 @@ fn mapped_object_missing(facts: &Facts<'_>, pdo: &PdoFacts<'_>, findings: &mut F
                     object.index,
                     object.sub
                 );
-                let finding = Diagnostic::new(&MAPPED_OBJECT_MISSING.info, place, message);
+                let finding = MAPPED_OBJECT_MISSING.at(place, message);
                 let finding = finding.label(Place::object(object.index), "the object");
                 finding.help("describe the sub-index, or map another one")
             }
@@ -157,8 +156,7 @@ fn mapped_object_missing(facts: &Facts<'_>, pdo: &PdoFacts<'_>, findings: &mut F
                     object.index,
                     object.sub
                 );
-                Diagnostic::new(&MAPPED_OBJECT_MISSING.info, place, message)
-                    .help("describe the object, or map another one")
+                MAPPED_OBJECT_MISSING.at(place, message).help("describe the object, or map another one")
             }
         };
         findings.push(if facts.device.is_modular() { finding.severity(Severity::Note) } else { finding });
@@ -176,7 +174,7 @@ fn mapped_object_not_mappable(facts: &Facts<'_>, pdo: &PdoFacts<'_>, findings: &
         let (index, sub) = (mapped.object.index, mapped.object.sub);
         let message = say!("{} maps {:04X}h:{:02X}, which is not mappable", pdo.pdo, index, sub);
         let place = facts.device.value_place(pdo.pdo.mapping_index(), mapped.slot);
-        let finding = Diagnostic::new(&MAPPED_OBJECT_NOT_MAPPABLE.info, place, message);
+        let finding = MAPPED_OBJECT_NOT_MAPPABLE.at(place, message);
         let is_single = facts.device.object(index).is_some_and(|object| object.subs.get(sub).is_none());
         let target = if is_single { Place::object(index) } else { Place::entry(index, sub) };
         let fix = Fix::risky(say!("write `{PDOMapping=1}` for the object"))
@@ -202,7 +200,7 @@ fn mapping_granularity(facts: &Facts<'_>, pdo: &PdoFacts<'_>, findings: &mut Fin
         granularity
     );
     let place = facts.device.value_place(pdo.pdo.mapping_index(), first.slot);
-    let finding = Diagnostic::new(&MAPPING_GRANULARITY.info, place, message);
+    let finding = MAPPING_GRANULARITY.at(place, message);
     let finding = finding.label(Place::of(Part::DeviceInfo).field(Field::Granularity), "the granularity");
     findings.push(finding.help("correct the granularity, or map only objects that are multiples of it"));
 }
@@ -212,7 +210,7 @@ fn mapping_of_count(facts: &Facts<'_>, pdo: &PdoFacts<'_>, findings: &mut Findin
         let index = mapped.object.index;
         let message = say!("{} maps {:04X}h:00, the number of entries of an array or record", pdo.pdo, index);
         let place = facts.device.value_place(pdo.pdo.mapping_index(), mapped.slot);
-        let finding = Diagnostic::new(&MAPPING_OF_COUNT.info, place, message);
+        let finding = MAPPING_OF_COUNT.at(place, message);
         let finding = finding.label(Place::object(index), "the values are in sub-index 1 and above");
         findings.push(finding.help("map a sub-index above 0"));
     }
@@ -224,9 +222,7 @@ fn mapping_of_variable_length(facts: &Facts<'_>, pdo: &PdoFacts<'_>, findings: &
         let message = say!("{} maps {}, a {} without a fixed length", pdo.pdo, mapped.object, data_type);
         let device = facts.device;
         let place = device.value_place(pdo.pdo.mapping_index(), mapped.slot);
-        findings.push(
-            Diagnostic::new(&MAPPING_OF_VARIABLE_LENGTH.info, place, message).help("map another object"),
-        );
+        findings.push(MAPPING_OF_VARIABLE_LENGTH.at(place, message).help("map another object"));
     }
 }
 
@@ -238,7 +234,7 @@ fn object_mapped_twice(facts: &Facts<'_>, pdo: &PdoFacts<'_>, findings: &mut Fin
         match seen.get(&(object.index, object.sub)) {
             Some(&first) => {
                 let message = say!("{} maps {:04X}h:{:02X} twice", pdo.pdo, object.index, object.sub);
-                let finding = Diagnostic::new(&OBJECT_MAPPED_TWICE.info, place(mapped.slot), message);
+                let finding = OBJECT_MAPPED_TWICE.at(place(mapped.slot), message);
                 findings
                     .push(finding.label(place(first), "first mapped here").help("map the intended object"));
             }
@@ -261,7 +257,7 @@ fn unaligned_mapping(facts: &Facts<'_>, pdo: &PdoFacts<'_>, findings: &mut Findi
             let message =
                 say!("{} maps {} at bit {}, which is not a byte boundary", pdo.pdo, mapped.object, start);
             let place = facts.device.value_place(pdo.pdo.mapping_index(), mapped.slot);
-            let finding = Diagnostic::new(&UNALIGNED_MAPPING.info, place, message);
+            let finding = UNALIGNED_MAPPING.at(place, message);
             findings.push(finding.help("map the single bits last, or fill the byte before"));
             return;
         }
@@ -281,7 +277,7 @@ fn wrong_mapping_direction(facts: &Facts<'_>, pdo: &PdoFacts<'_>, findings: &mut
         let place = facts.device.value_place(pdo.pdo.mapping_index(), mapped.slot);
         let is_single = facts.device.object(index).is_some_and(|object| object.subs.get(sub).is_none());
         let target = if is_single { Place::object(index) } else { Place::entry(index, sub) };
-        let finding = Diagnostic::new(&WRONG_MAPPING_DIRECTION.info, place, message);
+        let finding = WRONG_MAPPING_DIRECTION.at(place, message);
         let finding = finding.label(target.field(Field::AccessType), "the access type");
         findings.push(finding.help(match pdo.pdo.kind {
             PdoKind::Rpdo => "map a writable object: `rww`, `rw` or `wo`",
@@ -320,7 +316,7 @@ fn wrong_mapping_length(facts: &Facts<'_>, pdo: &PdoFacts<'_>, findings: &mut Fi
         let place = facts.device.value_place(pdo.pdo.mapping_index(), mapped.slot);
         let is_single = facts.device.object(index).is_some_and(|object| object.subs.get(sub).is_none());
         let target = if is_single { Place::object(index) } else { Place::entry(index, sub) };
-        let finding = Diagnostic::new(&WRONG_MAPPING_LENGTH.info, place.clone(), message);
+        let finding = WRONG_MAPPING_LENGTH.at(place.clone(), message);
         let finding = finding.label(target.field(Field::DataType), "the data type");
         let right = MappedObject { bits, ..mapped.object };
         let right = format!("0x{:08X}", right.to_number());

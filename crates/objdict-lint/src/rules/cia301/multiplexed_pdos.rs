@@ -1,6 +1,6 @@
 //! Multiplexed PDOs with their scanner and dispatching lists.
 
-use crate::diagnostic::{Diagnostic, Findings, say};
+use crate::diagnostic::{Findings, say};
 use crate::model::{Device, Object, PdoKind};
 use crate::rule::rules;
 use crate::{Facts, PdoFacts, stated};
@@ -58,7 +58,7 @@ fn listed_entry_missing(device: &Device, index: u16, object: &Object, findings: 
         }
         let message =
             say!("{:04X}h names {:04X}h:{:02X}, but there is no such entry", index, target, missing);
-        let finding = Diagnostic::new(&LISTED_ENTRY_MISSING.info, device.value_place(index, sub), message);
+        let finding = LISTED_ENTRY_MISSING.at(device.value_place(index, sub), message);
         findings.push(finding.help("describe the entry, or write 0"));
     }
 }
@@ -71,7 +71,8 @@ fn multiplexed_pdo_transmission_type(facts: &Facts<'_>, pdo: &PdoFacts<'_>, find
     let place = facts.device.value_place(pdo.communication_index(), 2);
     let message =
         say!("{} is a multiplexed PDO, but transmission type `{}` is synchronous", pdo, transmission_type);
-    let finding = Diagnostic::new(&MULTIPLEXED_PDO_TRANSMISSION_TYPE.info, place, message)
+    let finding = MULTIPLEXED_PDO_TRANSMISSION_TYPE
+        .at(place, message)
         .label(facts.device.value_place(pdo.mapping_index(), 0), "this makes it a multiplexed PDO");
     findings.push(finding.help("write 254 or 255"));
 }
@@ -90,11 +91,7 @@ fn multiplexed_pdo_without_list(facts: &Facts<'_>, findings: &mut Findings) {
             continue;
         }
         let message = say!("{} is a multiplexed PDO in source address mode, but there is no {}", pdo, name);
-        let finding = Diagnostic::new(
-            &MULTIPLEXED_PDO_WITHOUT_LIST.info,
-            device.value_place(pdo.mapping_index(), 0),
-            message,
-        );
+        let finding = MULTIPLEXED_PDO_WITHOUT_LIST.at(device.value_place(pdo.mapping_index(), 0), message);
         findings.push(finding.help(say!(
             "add {:04X}h ({}), or write 255 for destination address mode",
             first,

@@ -1,6 +1,6 @@
 //! The mapping of a PDO as a whole: its number of entries, length and access types.
 
-use crate::diagnostic::{Argument, Diagnostic, Findings, Fix, Text, say, sub_index};
+use crate::diagnostic::{Argument, Findings, Fix, Text, say, sub_index};
 use crate::model::{Access, Device, Field, Object, Part, PdoKind, Place};
 use crate::rule::rules;
 use crate::{Facts, PdoFacts, is_unstated};
@@ -100,7 +100,7 @@ fn gap_in_mapping(_: &Facts<'_>, pdo: &PdoFacts<'_>, findings: &mut Findings) {
     let index = pdo.mapping_index();
     let message =
         say!("{:04X}h has sub-index {} but no sub-index {}", index, sub_index(slot.sub), sub_index(missing));
-    let finding = Diagnostic::new(&GAP_IN_MAPPING.info, Place::entry(index, slot.sub), message);
+    let finding = GAP_IN_MAPPING.at(Place::entry(index, slot.sub), message);
     findings.push(
         finding.help(say!("add `{}`, or remove the sub-indexes after it", Part::Entry(index, missing))),
     );
@@ -137,7 +137,7 @@ fn granularity_against_access(facts: &Facts<'_>, findings: &mut Findings) {
     let value = if granularity == 0 { "8" } else { "0" };
     let fix = Fix::risky(say!("write `{}`", Argument::setting(Field::Granularity, value)))
         .set(place.clone(), value);
-    let finding = Diagnostic::new(&GRANULARITY_AGAINST_ACCESS.info, place, message).help(help).fix(fix);
+    let finding = GRANULARITY_AGAINST_ACCESS.at(place, message).help(help).fix(fix);
     findings.push(finding.label(Place::object(pdo.mapping_index()), text));
 }
 
@@ -170,7 +170,7 @@ fn mappable_without_pdo(device: &Device, findings: &mut Findings) {
     });
     let Some((place, _)) = found else { return };
     let message = say!("the entry is mappable to {}s, but the device has none", missing);
-    let finding = Diagnostic::new(&MAPPABLE_WITHOUT_PDO.info, place.field(Field::PdoMapping), message);
+    let finding = MAPPABLE_WITHOUT_PDO.at(place.field(Field::PdoMapping), message);
     findings.push(finding.help(say!("describe the PDOs, or write `{PDOMapping=0}`")));
 }
 
@@ -197,8 +197,7 @@ fn mapping_beyond_count(facts: &Facts<'_>, pdo: &PdoFacts<'_>, findings: &mut Fi
         pdo.pdo,
         count
     );
-    let finding =
-        Diagnostic::new(&MAPPING_BEYOND_COUNT.info, facts.device.value_place(index, first.sub), message);
+    let finding = MAPPING_BEYOND_COUNT.at(facts.device.value_place(index, first.sub), message);
     let finding = finding.label(facts.device.value_place(index, 0), "the number of mapped objects");
     findings.push(finding.help("increase sub-index 0, or write 0 here"));
 }
@@ -216,7 +215,7 @@ fn mapping_without_count(_: &Facts<'_>, pdo: &PdoFacts<'_>, findings: &mut Findi
     }
     let place = Place::entry(pdo.mapping_index(), 0).field(Field::DefaultValue);
     let message = say!("the mapping of {} is fixed, but its number of objects is not stated", pdo);
-    let finding = Diagnostic::new(&MAPPING_WITHOUT_COUNT.info, place, message);
+    let finding = MAPPING_WITHOUT_COUNT.at(place, message);
     findings.push(finding.help("write the number of mapped objects"));
 }
 
@@ -229,7 +228,8 @@ fn mapping_without_valid_bit(_: &Facts<'_>, pdo: &PdoFacts<'_>, findings: &mut F
     let at = |index, sub| Place::entry(index, sub).field(Field::AccessType);
     let message =
         say!("the COB-ID of {} is `{}`, so it cannot be disabled to change its mapping", pdo, fixed);
-    let finding = Diagnostic::new(&MAPPING_WITHOUT_VALID_BIT.info, at(pdo.communication_index(), 1), message)
+    let finding = MAPPING_WITHOUT_VALID_BIT
+        .at(at(pdo.communication_index(), 1), message)
         .label(at(pdo.mapping_index(), 0), "the mapping is writable");
     findings.push(finding.help("make the COB-ID `rw`, or the mapping `const`"));
 }
@@ -245,11 +245,7 @@ fn mixed_mapping_access(_: &Facts<'_>, pdo: &PdoFacts<'_>, findings: &mut Findin
     } else {
         say!("sub-index {} of {:04X}h is writable, but the number of mapped objects is read-only", sub, index)
     };
-    let finding = Diagnostic::new(
-        &MIXED_MAPPING_ACCESS.info,
-        Place::entry(index, sub).field(Field::AccessType),
-        message,
-    );
+    let finding = MIXED_MAPPING_ACCESS.at(Place::entry(index, sub).field(Field::AccessType), message);
     let finding =
         finding.label(Place::entry(index, 0).field(Field::AccessType), "the number of mapped objects");
     findings.push(finding.help("make all sub-indexes `rw`, or all of them `const`"));
@@ -272,7 +268,7 @@ fn pdo_length_exceeded(facts: &Facts<'_>, pdo: &PdoFacts<'_>, findings: &mut Fin
     let index = pdo.pdo.mapping_index();
     let place = facts.device.value_place(index, beyond.map_or(0, |mapped| mapped.slot));
     let message = say!("{} maps {} bits, {} more than a CAN frame holds", pdo.pdo, bits, bits - 64);
-    let finding = Diagnostic::new(&PDO_LENGTH_EXCEEDED.info, place, message);
+    let finding = PDO_LENGTH_EXCEEDED.at(place, message);
     let finding = finding.label(facts.device.value_place(index, 0), "the number of mapped objects");
     findings.push(finding.help("move this object and the following ones to another PDO"));
 }
@@ -290,7 +286,7 @@ fn valid_pdo_without_mapping(facts: &Facts<'_>, pdo: &PdoFacts<'_>, findings: &m
     }
     let place = facts.device.value_place(pdo.pdo.communication_index(), 1);
     let message = say!("`{}` makes {} valid, but it maps no objects", cob_id, pdo.pdo);
-    let finding = Diagnostic::new(&VALID_PDO_WITHOUT_MAPPING.info, place, message);
+    let finding = VALID_PDO_WITHOUT_MAPPING.at(place, message);
     let finding =
         finding.label(facts.device.value_place(pdo.pdo.mapping_index(), 0), "no objects are mapped");
     findings.push(finding.help(say!("set bit 31: `{}`, or map an object", cob_id.disabled())));
@@ -300,7 +296,7 @@ fn wrong_mapping_count(facts: &Facts<'_>, pdo: &PdoFacts<'_>, findings: &mut Fin
     let (Some(count), Some(object)) = (pdo.pdo.mapped_count, pdo.pdo.mapping) else { return };
     let index = pdo.pdo.mapping_index();
     let place = facts.device.value_place(index, 0);
-    let finding = |message: Text| Diagnostic::new(&WRONG_MAPPING_COUNT.info, place.clone(), message);
+    let finding = |message: Text| WRONG_MAPPING_COUNT.at(place.clone(), message);
     if (65..=253).contains(&count) {
         let finding = finding(say!(
             "the number of mapped objects of {} is `{}`, which is not from 0 to 64",

@@ -1,6 +1,6 @@
 //! The communication parameters of PDOs.
 
-use crate::diagnostic::{Diagnostic, Findings, Fix, Severity, say};
+use crate::diagnostic::{Findings, Fix, Severity, say};
 use crate::model::{DataType, DeviceKind, Field, Part, Place};
 use crate::rule::rules;
 use crate::{Facts, PdoFacts, is_unstated, stated, with_others};
@@ -54,7 +54,7 @@ fn incomplete_pdo_parameter(_: &Facts<'_>, pdo: &PdoFacts<'_>, findings: &mut Fi
     for (sub, name) in [(1, "COB-ID"), (2, "transmission type")] {
         if !object.has(sub) {
             let message = say!("{} is missing sub-index {} ({}) of {:04X}h", pdo, sub, name, index);
-            let finding = Diagnostic::new(&INCOMPLETE_PDO_PARAMETER.info, Place::object(index), message);
+            let finding = INCOMPLETE_PDO_PARAMETER.at(Place::object(index), message);
             findings.push(finding.help(say!("add `{}`", Part::Entry(index, sub))));
         }
     }
@@ -68,11 +68,7 @@ fn pdo_parameter_without_value(facts: &Facts<'_>, pdo: &PdoFacts<'_>, findings: 
         let has_type = object.subs.get(sub).is_none_or(|entry| entry.data_type.is_some());
         if has_type && is_unstated(object, sub) {
             let message = say!("the {} of {} has no value", name, pdo);
-            let finding = Diagnostic::new(
-                &PDO_PARAMETER_WITHOUT_VALUE.info,
-                facts.device.value_place(index, sub),
-                message,
-            );
+            let finding = PDO_PARAMETER_WITHOUT_VALUE.at(facts.device.value_place(index, sub), message);
             findings
                 .push(finding.help("write the value that the device has after its defaults are restored"));
             return;
@@ -93,11 +89,7 @@ fn pdo_valid_by_default(facts: &Facts<'_>, findings: &mut Findings) {
     });
     let Some((first, cob_id)) = on.next() else { return };
     let message = say!("`{}` makes {} valid by default, although it has no predefined CAN-ID", cob_id, first);
-    let finding = Diagnostic::new(
-        &PDO_VALID_BY_DEFAULT.info,
-        device.value_place(first.communication_index(), 1),
-        message,
-    );
+    let finding = PDO_VALID_BY_DEFAULT.at(device.value_place(first.communication_index(), 1), message);
     let finding = finding.help(say!("set bit 31: `{}`", cob_id.disabled()));
     let place = |index| device.value_place(index, 1);
     findings.push(with_others(
@@ -120,7 +112,7 @@ fn pdo_without_mapping(facts: &Facts<'_>, pdo: &PdoFacts<'_>, findings: &mut Fin
         return;
     }
     let message = say!("{} has {}, {:04X}h, but no {}, {:04X}h", pdo, what, there, other, missing);
-    let finding = Diagnostic::new(&PDO_WITHOUT_MAPPING.info, Place::object(there), message);
+    let finding = PDO_WITHOUT_MAPPING.at(Place::object(there), message);
     findings.push(finding.help(say!("add {:04X}h, or remove {:04X}h", missing, there)));
 }
 
@@ -130,7 +122,7 @@ fn reserved_pdo_sub_index(facts: &Facts<'_>, findings: &mut Findings) {
     let Some((first, _)) = with.clone().next() else { return };
     let place = |index| Place::entry(index, 4);
     let message = say!("{} has the reserved sub-index 4 in {:04X}h", first, first.communication_index());
-    let finding = Diagnostic::new(&RESERVED_PDO_SUB_INDEX.info, place(first.communication_index()), message);
+    let finding = RESERVED_PDO_SUB_INDEX.at(place(first.communication_index()), message);
     let finding = finding.help(say!("remove the {section}; the event timer is sub-index 5"));
     let is_compatible = with.clone().all(|(_, entry)| entry.data_type == Some(DataType::UNSIGNED8));
     let finding = if is_compatible { finding.severity(Severity::Note) } else { finding };

@@ -1,6 +1,6 @@
 //! The transmission types and timers of PDOs.
 
-use crate::diagnostic::{Diagnostic, Findings, Fix, say};
+use crate::diagnostic::{Findings, Fix, say};
 use crate::model::{CobId, PdoKind};
 use crate::rule::rules;
 use crate::{Facts, PdoFacts};
@@ -64,9 +64,9 @@ fn inhibit_above_event_timer(facts: &Facts<'_>, pdo: &PdoFacts<'_>, findings: &m
         inhibit,
         event
     );
-    let finding =
-        Diagnostic::new(&INHIBIT_ABOVE_EVENT_TIMER.info, facts.device.value_place(index, 3), message)
-            .label(facts.device.value_place(index, 5), "the event timer");
+    let finding = INHIBIT_ABOVE_EVENT_TIMER
+        .at(facts.device.value_place(index, 3), message)
+        .label(facts.device.value_place(index, 5), "the event timer");
     findings
         .push(finding.help("shorten the inhibit time (unit 100 µs), or extend the event timer (unit 1 ms)"));
 }
@@ -82,7 +82,7 @@ fn reserved_transmission_type(facts: &Facts<'_>, pdo: &PdoFacts<'_>, findings: &
     if let Some(transmission_type) = reserved {
         let message = say!("transmission type `{}` of {} is reserved", transmission_type, pdo);
         let place = facts.device.value_place(pdo.communication_index(), 2);
-        let finding = Diagnostic::new(&RESERVED_TRANSMISSION_TYPE.info, place, message);
+        let finding = RESERVED_TRANSMISSION_TYPE.at(place, message);
         findings.push(finding.help("write 254 or 255 for event-driven, 0 to 240 for synchronous"));
     }
 }
@@ -100,7 +100,7 @@ fn rtr_only_pdo(facts: &Facts<'_>, pdo: &PdoFacts<'_>, findings: &mut Findings) 
         transmission_type
     );
     let place = facts.device.value_place(pdo.communication_index(), 2);
-    let finding = Diagnostic::new(&RTR_ONLY_PDO.info, place, message);
+    let finding = RTR_ONLY_PDO.at(place, message);
     findings.push(finding.help("use 254 or 255 with an event timer, or a synchronous type"));
 }
 
@@ -116,7 +116,8 @@ fn rtr_pdo_without_rtr(facts: &Facts<'_>, pdo: &PdoFacts<'_>, findings: &mut Fin
             transmission_type,
             cob_id
         );
-        let finding = Diagnostic::new(&RTR_PDO_WITHOUT_RTR.info, facts.device.value_place(index, 2), message)
+        let finding = RTR_PDO_WITHOUT_RTR
+            .at(facts.device.value_place(index, 2), message)
             .label(facts.device.value_place(index, 1), "bit 30: no RTR allowed");
         let flags = if cob_id.depends_on_node_id() { "$NODEID+" } else { "" };
         let number = cob_id.number() & !CobId::BIT_30;
@@ -147,14 +148,13 @@ fn timer_without_effect(facts: &Facts<'_>, pdo: &PdoFacts<'_>, findings: &mut Fi
         Some(transmission_type) => {
             let message = say!("{} is synchronous, so its {} of `{}` has no effect", pdo, name, time);
             let reason = say!("transmission type {} is synchronous", transmission_type);
-            let finding = Diagnostic::new(&TIMER_WITHOUT_EFFECT.info, place, message);
+            let finding = TIMER_WITHOUT_EFFECT.at(place, message);
             let finding = finding.label(facts.device.value_place(index, 2), reason);
             finding.help("write 0, or use transmission type 254 or 255")
         }
         None => {
             let message = say!("the {} `{}` of {} has no effect", name, time, pdo);
-            Diagnostic::new(&TIMER_WITHOUT_EFFECT.info, place, message)
-                .help("write 0: reception is not inhibited")
+            TIMER_WITHOUT_EFFECT.at(place, message).help("write 0: reception is not inhibited")
         }
     };
     findings.push(finding);

@@ -94,7 +94,7 @@ fn default_sdo_cob_id(facts: &Facts<'_>, findings: &mut Findings) {
             let place = facts.device.value_place(cob_id.index, cob_id.sub);
             let title = say!("write `{}`", expected);
             let fix = Fix::risky(title.clone()).set(place.clone(), expected.to_string());
-            findings.push(Diagnostic::new(&DEFAULT_SDO_COB_ID.info, place, message).help(title).fix(fix));
+            findings.push(DEFAULT_SDO_COB_ID.at(place, message).help(title).fix(fix));
         }
     }
 }
@@ -106,7 +106,7 @@ fn default_sdo_node_id(device: &Device, findings: &mut Findings) {
         return;
     }
     let message = "1200h has sub-index 3, but the default SDO has no specific client";
-    let finding = Diagnostic::new(&DEFAULT_SDO_NODE_ID.info, Place::entry(index, 3), message);
+    let finding = DEFAULT_SDO_NODE_ID.at(Place::entry(index, 3), message);
     let finding = finding.help(say!("remove `{[1200sub3]}`"));
     let is_whole = object.sub_number == Some(4) && object.highest_sub() == Some(3) && object.subs.len() == 4;
     findings.push(if is_whole {
@@ -130,7 +130,7 @@ fn gap_in_sdo_numbers(device: &Device, findings: &mut Findings) {
                     what,
                     index - 1
                 );
-                let finding = Diagnostic::new(&GAP_IN_SDO_NUMBERS.info, Place::object(index), message);
+                let finding = GAP_IN_SDO_NUMBERS.at(Place::object(index), message);
                 findings.push(finding.help("use the next free index, or describe the missing channels"));
                 break;
             }
@@ -164,9 +164,9 @@ fn partly_valid_sdo(facts: &Facts<'_>, findings: &mut Findings) {
             invalid.sub
         );
         let device = facts.device;
-        let finding =
-            Diagnostic::new(&PARTLY_VALID_SDO.info, device.value_place(valid.index, valid.sub), message)
-                .label(device.value_place(invalid.index, invalid.sub), "not valid");
+        let finding = PARTLY_VALID_SDO
+            .at(device.value_place(valid.index, valid.sub), message)
+            .label(device.value_place(invalid.index, invalid.sub), "not valid");
         findings.push(finding.help("set bit 31 in both, or clear it in both"));
     }
 }
@@ -194,8 +194,8 @@ fn sdo_cob_ids_exchanged(facts: &Facts<'_>, findings: &mut Findings) {
         let fix = Fix::risky("exchange the COB-IDs")
             .set(place(request), response.cob_id.to_string())
             .set(place(response), request.cob_id.to_string());
-        let finding = Diagnostic::new(&SDO_COB_IDS_EXCHANGED.info, place(request), message)
-            .label(place(response), "the other direction");
+        let finding =
+            SDO_COB_IDS_EXCHANGED.at(place(request), message).label(place(response), "the other direction");
         findings.push(finding.help("exchange the COB-IDs").fix(fix));
     }
 }
@@ -218,7 +218,8 @@ fn sdo_node_id(facts: &Facts<'_>, findings: &mut Findings) {
         } else {
             continue;
         };
-        let finding = Diagnostic::new(&SDO_NODE_ID.info, facts.device.value_place(request.index, 3), message)
+        let finding = SDO_NODE_ID
+            .at(facts.device.value_place(request.index, 3), message)
             .label(facts.device.value_place(request.index, 1), "the COB-ID");
         findings.push(finding.help("write the node-ID of the peer"));
     }
@@ -250,11 +251,7 @@ fn sdo_valid_by_default(facts: &Facts<'_>, findings: &mut Findings) {
             continue;
         }
         let message = say!("`{}` makes {} valid by default", cob_id.cob_id, cob_id.service);
-        let finding = Diagnostic::new(
-            &SDO_VALID_BY_DEFAULT.info,
-            facts.device.value_place(cob_id.index, cob_id.sub),
-            message,
-        );
+        let finding = SDO_VALID_BY_DEFAULT.at(facts.device.value_place(cob_id.index, cob_id.sub), message);
         findings.push(finding.help("write `0x80000000` to both COB-IDs"));
     }
 }

@@ -1,6 +1,6 @@
 //! Storing and restoring parameters, the stored EDS and the configuration date.
 
-use crate::diagnostic::{Diagnostic, Findings, Fix, Text, say, sub_index};
+use crate::diagnostic::{Findings, Fix, Text, say, sub_index};
 use crate::model::{Device, DeviceKind, Entry, Field, Place, Value};
 use crate::rule::rules;
 use crate::{Facts, stated};
@@ -51,7 +51,7 @@ fn incomplete_eds_storage(device: &Device, findings: &mut Findings) {
     for (there, other, lacks) in [(0x1021, 0x1022, "format of the EDS"), (0x1022, 0x1021, "stored EDS")] {
         if device.objects.contains_key(&there) && !stated::is_there(device, other) {
             let message = say!("{:04X}h is described without {:04X}h ({})", there, other, lacks);
-            let finding = Diagnostic::new(&INCOMPLETE_EDS_STORAGE.info, Place::object(there), message);
+            let finding = INCOMPLETE_EDS_STORAGE.at(Place::object(there), message);
             findings.push(finding.help(say!("add {:04X}h, or remove {:04X}h", other, there)));
         }
     }
@@ -70,16 +70,15 @@ fn invalid_configuration_date(facts: &Facts<'_>, findings: &mut Findings) {
             date,
             time
         );
-        Diagnostic::new(&INVALID_CONFIGURATION_DATE.info, place(if date == 0 { 2 } else { 1 }), message)
+        INVALID_CONFIGURATION_DATE
+            .at(place(if date == 0 { 2 } else { 1 }), message)
             .help("write 0 to sub-indexes 1 and 2")
     } else if time >= MILLISECONDS_OF_DAY {
         let message = say!("{} ms since midnight is more than a day ({} ms)", time, MILLISECONDS_OF_DAY);
-        Diagnostic::new(&INVALID_CONFIGURATION_DATE.info, place(2), message)
-            .help("write the milliseconds since midnight")
+        INVALID_CONFIGURATION_DATE.at(place(2), message).help("write the milliseconds since midnight")
     } else if date == 0 && time != 0 {
         let message = "the configuration time is set without a date";
-        Diagnostic::new(&INVALID_CONFIGURATION_DATE.info, place(1), message)
-            .help("write the days since 1984-01-01")
+        INVALID_CONFIGURATION_DATE.at(place(1), message).help("write the days since 1984-01-01")
     } else {
         return;
     };
@@ -106,10 +105,10 @@ fn storage_signature_as_default(device: &Device, findings: &mut Findings) {
                 index,
                 which
             );
-            Diagnostic::new(&STORAGE_SIGNATURE_AS_DEFAULT.info, place.clone(), message)
+            STORAGE_SIGNATURE_AS_DEFAULT.at(place.clone(), message)
         } else {
             let message = say!("`0x{:08X}` of {:04X}h{} has reserved bits set", value, index, which);
-            Diagnostic::new(&STORAGE_SIGNATURE_AS_DEFAULT.info, place.clone(), message)
+            STORAGE_SIGNATURE_AS_DEFAULT.at(place.clone(), message)
         };
         let fix = Fix::risky("write `1`, the value for storing or restoring on command").set(place, "1");
         findings.push(
@@ -132,8 +131,7 @@ fn storage_without_function(device: &Device, findings: &mut Findings) {
         let is_zero = |&sub: &u8| object.value(sub).is_some_and(|value| value.as_integer() == Some(0));
         let Some(&first) = subs.first().filter(|_| subs.iter().all(is_zero)) else { continue };
         let message = say!("{:04X}h is `0`: the device can {} nothing", index, verb);
-        let finding =
-            Diagnostic::new(&STORAGE_WITHOUT_FUNCTION.info, device.value_place(index, first), message);
+        let finding = STORAGE_WITHOUT_FUNCTION.at(device.value_place(index, first), message);
         findings
             .push(finding.help(say!("write 1 if the device can {} on command, or remove the object", verb)));
     }
@@ -146,7 +144,7 @@ fn store_without_restore(device: &Device, findings: &mut Findings) {
     ];
     for (there, other, message) in pairs {
         if device.objects.contains_key(&there) && !stated::is_there(device, other) {
-            let finding = Diagnostic::new(&STORE_WITHOUT_RESTORE.info, Place::object(there), message);
+            let finding = STORE_WITHOUT_RESTORE.at(Place::object(there), message);
             findings.push(finding.help(say!("add {:04X}h", other)));
         }
     }

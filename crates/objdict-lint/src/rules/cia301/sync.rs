@@ -1,6 +1,6 @@
 //! SYNC and TIME.
 
-use crate::diagnostic::{Diagnostic, Findings, Severity, say};
+use crate::diagnostic::{Findings, Severity, say};
 use crate::model::{Device, Object, PdoKind, Place};
 use crate::rule::rules;
 use crate::{Facts, PdoFacts, Service, stated, with_others};
@@ -70,7 +70,7 @@ fn invalid_sync_counter(facts: &Facts<'_>, findings: &mut Findings) {
     let place = device.value_place(0x1019, 0);
     if overflow == 1 || overflow > 240 {
         let message = say!("the overflow value `{}` of the SYNC counter is reserved", overflow);
-        let finding = Diagnostic::new(&INVALID_SYNC_COUNTER.info, place, message);
+        let finding = INVALID_SYNC_COUNTER.at(place, message);
         findings.push(finding.help("write 0 to disable the counter, or a value from 2 to 240"));
         return;
     }
@@ -86,7 +86,7 @@ fn invalid_sync_counter(facts: &Facts<'_>, findings: &mut Findings) {
         "the SYNC counter overflows at `{}`, which is not a multiple of every transmission type",
         overflow
     );
-    let finding = Diagnostic::new(&INVALID_SYNC_COUNTER.info, place, message).severity(Severity::Warning);
+    let finding = INVALID_SYNC_COUNTER.at(place, message).severity(Severity::Warning);
     let finding = finding.help("write the least common multiple of the transmission types");
     let others = broken.map(|(pdo, every)| {
         let at = device.value_place(pdo.communication_index(), 2);
@@ -101,13 +101,8 @@ fn invalid_sync_start_value(facts: &Facts<'_>, pdo: &PdoFacts<'_>, findings: &mu
         return;
     };
     let device = facts.device;
-    let finding = |message| {
-        Diagnostic::new(
-            &INVALID_SYNC_START_VALUE.info,
-            device.value_place(pdo.communication_index(), 6),
-            message,
-        )
-    };
+    let finding =
+        |message| INVALID_SYNC_START_VALUE.at(device.value_place(pdo.communication_index(), 6), message);
     let counter = device.value(0x1019, 0).and_then(|value| value.as_integer());
     if start > 240 {
         let finding = finding(say!("the SYNC start value `{}` of {} is out of range (0 to 240)", start, pdo));
@@ -153,7 +148,7 @@ fn sync_object_without_sync(device: &Device, index: u16, _: &Object, findings: &
         return;
     }
     let message = say!("{:04X}h ({}) is described without 1005h (COB-ID SYNC)", index, name);
-    let finding = Diagnostic::new(&SYNC_OBJECT_WITHOUT_SYNC.info, Place::object(index), message);
+    let finding = SYNC_OBJECT_WITHOUT_SYNC.at(Place::object(index), message);
     findings.push(finding.help(say!("add 1005h (COB-ID SYNC), or remove {:04X}h", index)));
 }
 
@@ -166,15 +161,14 @@ fn sync_producer_without_period(facts: &Facts<'_>, findings: &mut Findings) {
             "`{}` makes the device a SYNC producer, but 1006h (communication cycle period) is missing",
             sync.cob_id
         );
-        let finding =
-            Diagnostic::new(&SYNC_PRODUCER_WITHOUT_PERIOD.info, device.value_place(0x1005, 0), message);
+        let finding = SYNC_PRODUCER_WITHOUT_PERIOD.at(device.value_place(0x1005, 0), message);
         findings.push(finding.help("add 1006h (UNSIGNED32), or clear bit 30 of 1005h"));
     } else if facts.number(0x1006, 0) == Some(0) {
         let message =
             say!("`{}` makes the device a SYNC producer, but a period of `0` switches SYNC off", sync.cob_id);
-        let finding =
-            Diagnostic::new(&SYNC_PRODUCER_WITHOUT_PERIOD.info, device.value_place(0x1006, 0), message)
-                .label(device.value_place(0x1005, 0), "bit 30 is set");
+        let finding = SYNC_PRODUCER_WITHOUT_PERIOD
+            .at(device.value_place(0x1006, 0), message)
+            .label(device.value_place(0x1005, 0), "bit 30 is set");
         findings.push(finding.help("write the period in microseconds, or clear bit 30 of 1005h"));
     }
 }
@@ -186,9 +180,9 @@ fn sync_window_above_period(facts: &Facts<'_>, findings: &mut Findings) {
     }
     let message =
         say!("the synchronous window of {} µs is longer than the SYNC period of {} µs", window, period);
-    let finding =
-        Diagnostic::new(&SYNC_WINDOW_ABOVE_PERIOD.info, facts.device.value_place(0x1007, 0), message)
-            .label(facts.device.value_place(0x1006, 0), "the SYNC period");
+    let finding = SYNC_WINDOW_ABOVE_PERIOD
+        .at(facts.device.value_place(0x1007, 0), message)
+        .label(facts.device.value_place(0x1006, 0), "the SYNC period");
     findings.push(finding.help("shorten the window, or extend the period"));
 }
 
@@ -209,11 +203,8 @@ fn synchronous_pdo_without_sync(facts: &Facts<'_>, findings: &mut Findings) {
         first,
         transmission_type
     );
-    let finding = Diagnostic::new(
-        &SYNCHRONOUS_PDO_WITHOUT_SYNC.info,
-        device.value_place(first.communication_index(), 2),
-        message,
-    );
+    let finding =
+        SYNCHRONOUS_PDO_WITHOUT_SYNC.at(device.value_place(first.communication_index(), 2), message);
     let finding = finding.help("add 1005h (UNSIGNED32, default `0x80`), or use transmission type 254 or 255");
     let place = |index| device.value_place(index, 2);
     let others = synchronous.map(|pdo| (place(pdo.communication_index()), say!("{} too", pdo)));
@@ -224,7 +215,6 @@ fn time_producer_and_consumer(facts: &Facts<'_>, findings: &mut Findings) {
     let time = facts.cob_ids.iter().find(|cob_id| cob_id.service == Service::Time);
     let Some(time) = time.filter(|time| !time.cob_id.is_valid() && time.cob_id.bit_30()) else { return };
     let message = say!("`{}` makes the device both producer and consumer of TIME", time.cob_id);
-    let finding =
-        Diagnostic::new(&TIME_PRODUCER_AND_CONSUMER.info, facts.device.value_place(0x1012, 0), message);
+    let finding = TIME_PRODUCER_AND_CONSUMER.at(facts.device.value_place(0x1012, 0), message);
     findings.push(finding.help("clear bit 30 for a consumer, or bit 31 for a producer"));
 }

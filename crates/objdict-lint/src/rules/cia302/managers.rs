@@ -7,7 +7,7 @@ use crate::rule::rules;
 use crate::{Facts, with_others};
 
 rules! {
-    "cia302/contradictory-startup", Warning, Against(contradictory_startup);
+    "cia302/contradictory-startup" = CONTRADICTORY_STARTUP, Warning, Against(contradictory_startup);
     summary: "bits of 1F80h contradict each other or the slave assignment",
     checks: "Whether 1F80h has both bits 4 and 6 set, where bit 6 takes precedence, or both bits 1 and 3, where bit 1 has no effect because of bit 3, and whether bit 0 (NMT master) is set in a configuration that assigns slaves (1F81h, bit 0).",
     why: "The device performs one of the two actions, and the user of the other bit expects the other one.",
@@ -15,7 +15,7 @@ rules! {
     remedy: "Clear bit 4 to stop all nodes or bit 6 to reset them; clear bit 1 when slaves are not started (bit 3).",
     source: "CiA 302-2 (1F80h)",
 
-    "cia302/flying-master-time-slots", Error, Against(flying_master_time_slots);
+    "cia302/flying-master-time-slots" = FLYING_MASTER_TIME_SLOTS, Error, Against(flying_master_time_slots);
     summary: "the time slots of a flying master overlap",
     checks: "Whether the priority time slot of 1F90h (sub-index 4) is longer than 127 times the device time slot (sub-index 5).",
     why: "A device waits for the priority time slot times its priority plus the device time slot times its node-ID before it claims the master role. If the slots overlap, a device of low priority claims it before one of high priority.",
@@ -23,7 +23,7 @@ rules! {
     remedy: "Increase the priority time slot or reduce the device time slot. The defaults of the document are 1500 and 10.",
     source: "CiA 302-2 (1F90h)",
 
-    "cia302/incomplete-guarding", Warning, Against(incomplete_guarding);
+    "cia302/incomplete-guarding" = INCOMPLETE_GUARDING, Warning, Against(incomplete_guarding);
     summary: "the guarding of a slave has only one of guard time and retry factor",
     checks: "Whether each entry of 1F81h for a slave of this master (bit 0) has both a guard time (bits 16 to 31) and a retry factor (bits 8 to 15), or neither.",
     why: "With only one of the two, guarding is off and the loss of a node is not detected.",
@@ -31,7 +31,7 @@ rules! {
     remedy: "Set both, or clear both and use heartbeat.",
     source: "CiA 302-2 (1F81h)",
 
-    "cia302/manager-not-marked", Note, Applied(manager_not_marked), fix Unsafe;
+    "cia302/manager-not-marked" = MANAGER_NOT_MARKED, Note, Applied(manager_not_marked), fix Unsafe;
     summary: "the device has objects of a network manager but is not marked as one",
     checks: "Whether a device with lists of nodes (1F20h, 1F22h, 1F23h, 1F25h, 1F81h to 1F88h) has `SimpleBootUpMaster=0`.",
     why: "A tool that searches for the network manager ignores the device.",
@@ -39,7 +39,7 @@ rules! {
     remedy: "Write `SimpleBootUpMaster=1` if the device can boot a network.",
     source: "CiA 306-1 §4.4; CiA 302-2",
 
-    "cia302/master-without-slaves", Warning, Against(master_without_slaves);
+    "cia302/master-without-slaves" = MASTER_WITHOUT_SLAVES, Warning, Against(master_without_slaves);
     summary: "an NMT master has no list of slaves",
     checks: "Whether a device whose 1F80h makes it NMT master (bit 0) has the slave assignment, 1F81h. Modular devices are not checked, because a module may provide the object.",
     why: "The master does not know which nodes to expect: it boots none of them and detects no missing node.",
@@ -47,7 +47,7 @@ rules! {
     remedy: "Describe 1F81h, or clear bit 0 of 1F80h if the device is not a master.",
     source: "CiA 302-2 (1F80h, 1F81h)",
 
-    "cia302/self-starting-not-marked", Note, Against(self_starting_not_marked), fix Unsafe;
+    "cia302/self-starting-not-marked" = SELF_STARTING_NOT_MARKED, Note, Against(self_starting_not_marked), fix Unsafe;
     summary: "the device starts by itself but is not marked as a simple boot-up slave",
     checks: "Whether a device that enters operational without a master (bits 0 and 2 of 1F80h are clear) has `SimpleBootUpSlave=0`.",
     why: "A master that relies on the description configures the node while it already transmits. Some drives have 0 in 1F80h and still wait for their master, so it is a note.",
@@ -55,7 +55,7 @@ rules! {
     remedy: "Write `SimpleBootUpSlave=1`, or set bit 2 of 1F80h if the device waits for its master.",
     source: "CiA 302-2 (1F80h); CiA 306-1 §4.4",
 
-    "cia302/slave-not-assigned", Warning, Against(slave_not_assigned);
+    "cia302/slave-not-assigned" = SLAVE_NOT_ASSIGNED, Warning, Against(slave_not_assigned);
     summary: "an entry of 1F81h configures a node that is not a slave",
     checks: "Whether bit 0 (slave of this master) is set in each entry of 1F81h that is not 0, and whether no entry makes the node of a DCF its own slave. One finding, with every such entry.",
     why: "Without bit 0 the manager ignores all other bits: it does not boot a node that is marked as mandatory, and does not guard it.",
@@ -144,14 +144,14 @@ fn incomplete_guarding(rule: &'static RuleInfo, at: &Against<'_>, findings: &mut
 const MANAGER_LISTS: [u16; 12] =
     [0x1F20, 0x1F22, 0x1F23, 0x1F25, 0x1F81, 0x1F82, 0x1F83, 0x1F84, 0x1F85, 0x1F86, 0x1F87, 0x1F88];
 
-fn manager_not_marked(rule: &'static RuleInfo, facts: &Facts<'_>, _: &Applied<'_>, findings: &mut Findings) {
+fn manager_not_marked(facts: &Facts<'_>, _: &Applied<'_>, findings: &mut Findings) {
     let device = facts.device;
     let marked = device.device_info.as_ref().and_then(|info| info.simple_boot_up_master);
     let list = MANAGER_LISTS.iter().find(|&&index| device.object(index).is_some_and(|object| !object.orphan));
     if let Some(&index) = list.filter(|_| marked == Some(false)) {
         let message = say!("the device has {:04X}h, a list of nodes, but `{SimpleBootUpMaster=0}`", index);
         let place = Place::of(Part::DeviceInfo).field(Field::SimpleBootUpMaster);
-        let finding = Diagnostic::new(rule, place.clone(), message);
+        let finding = MANAGER_NOT_MARKED.at(place.clone(), message);
         let finding = finding.label(Place::object(index), "a list of nodes");
         let finding = finding.help(say!("write `{SimpleBootUpMaster=1}` if the device can boot a network"));
         findings.push(finding.fix(Fix::risky(say!("write `{SimpleBootUpMaster=1}`")).set(place, "1")));

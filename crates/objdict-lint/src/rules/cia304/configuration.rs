@@ -1,6 +1,6 @@
 //! The protection of the SRDO configuration, and the flag for CANopen Safety.
 
-use crate::diagnostic::{Diagnostic, Findings, say};
+use crate::diagnostic::{Findings, say};
 use crate::model::{Field, Part, Place};
 use crate::rule::rules;
 use crate::{Facts, Srdo, stated};
@@ -48,7 +48,7 @@ fn checksum_missing(facts: &Facts<'_>, findings: &mut Findings) {
     let number = |srdo: &crate::Srdo<'_>| u8::try_from(srdo.number).unwrap_or(u8::MAX);
     if let Some(srdo) = facts.srdos.iter().find(|srdo| !object.has(number(srdo))) {
         let message = say!("13FFh has no sub-index {} for the checksum of {}", srdo.number, srdo);
-        let finding = Diagnostic::new(&CHECKSUM_MISSING.info, Place::object(0x13FF), message);
+        let finding = CHECKSUM_MISSING.at(Place::object(0x13FF), message);
         findings.push(finding.help("describe an element for each SRDO"));
     }
 }
@@ -62,10 +62,7 @@ fn missing_safety_object(facts: &Facts<'_>, findings: &mut Findings) {
     for (index, name) in [(0x13FE, "configuration valid"), (0x13FF, "safety configuration checksum")] {
         if !stated::is_there(facts.device, index) {
             let message = say!("the device has SRDOs but no {:04X}h ({})", index, name);
-            findings.push(
-                Diagnostic::new(&MISSING_SAFETY_OBJECT.info, place.clone(), message)
-                    .help(say!("add {:04X}h", index)),
-            );
+            findings.push(MISSING_SAFETY_OBJECT.at(place.clone(), message).help(say!("add {:04X}h", index)));
         }
     }
 }
@@ -75,15 +72,9 @@ fn safety_flag(facts: &Facts<'_>, findings: &mut Findings) {
     let Some(supported) = info.and_then(|info| info.safety_supported) else { return };
     let place = Place::of(Part::DeviceInfo).field(Field::CanOpenSafetySupported);
     let finding = match (supported, facts.srdos.first()) {
-        (true, None) => {
-            Diagnostic::new(&SAFETY_FLAG.info, place, "the device supports SRDOs but has no SRDO objects")
-        }
+        (true, None) => SAFETY_FLAG.at(place, "the device supports SRDOs but has no SRDO objects"),
         (false, Some(srdo)) => {
-            let finding = Diagnostic::new(
-                &SAFETY_FLAG.info,
-                place,
-                say!("the device has {} but does not support SRDOs", srdo),
-            );
+            let finding = SAFETY_FLAG.at(place, say!("the device has {} but does not support SRDOs", srdo));
             finding.label(Place::object(srdo.first_index()), "the SRDO")
         }
         _ => return,
@@ -107,9 +98,9 @@ fn wrong_checksum(facts: &Facts<'_>, findings: &mut Findings) {
                 stated,
                 right
             );
-            let finding =
-                Diagnostic::new(&WRONG_CHECKSUM.info, facts.device.value_place(0x13FF, sub), message)
-                    .label(facts.device.value_place(0x13FE, 0), "the configuration is marked valid");
+            let finding = WRONG_CHECKSUM
+                .at(facts.device.value_place(0x13FF, sub), message)
+                .label(facts.device.value_place(0x13FE, 0), "the configuration is marked valid");
             findings.push(finding.help("verify the configuration and write its checksum"));
         }
     }

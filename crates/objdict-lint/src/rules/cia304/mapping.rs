@@ -1,6 +1,6 @@
 //! The mapping of SRDOs, and the safety entries with their inverted copies.
 
-use crate::diagnostic::{Diagnostic, Findings, Text, say, sub_index};
+use crate::diagnostic::{Findings, Text, say, sub_index};
 use crate::model::{DataType, Device, Field, Place};
 use crate::rule::rules;
 use crate::{Facts, Target};
@@ -73,8 +73,7 @@ fn invalid_inverted_object(device: &Device, findings: &mut Findings) {
                 continue;
             };
             let message = say!("`0x{:06X}` is not a valid inverted entry: {}", srad, what);
-            let finding =
-                Diagnostic::new(&INVALID_INVERTED_OBJECT.info, part.field(Field::InvertedSrad), message);
+            let finding = INVALID_INVERTED_OBJECT.at(part.field(Field::InvertedSrad), message);
             findings.push(finding.help("write index and sub-index of the inverted entry as six hex digits"));
         }
     }
@@ -116,7 +115,7 @@ fn mapped_object_missing(facts: &Facts<'_>, findings: &mut Findings) {
             };
             let message = say!("{} maps {:04X}h:{:02X}, {}", srdo, mapped.index, mapped.sub, what);
             let place = facts.device.value_place(srdo.mapping_index(), sub);
-            let finding = Diagnostic::new(&MAPPED_OBJECT_MISSING.info, place, message);
+            let finding = MAPPED_OBJECT_MISSING.at(place, message);
             findings.push(finding.help("describe the object, or map the intended one"));
         }
     }
@@ -139,7 +138,7 @@ fn object_not_safe(facts: &Facts<'_>, findings: &mut Findings) {
                 mapped.sub
             );
             let place = facts.device.value_place(srdo.mapping_index(), sub);
-            let finding = Diagnostic::new(&OBJECT_NOT_SAFE.info, place, message);
+            let finding = OBJECT_NOT_SAFE.at(place, message);
             findings.push(finding.help(say!("write `{SRDOMapping=1}` for the entry, or map another one")));
         }
     }
@@ -158,7 +157,7 @@ fn srdo_length_exceeded(facts: &Facts<'_>, findings: &mut Findings) {
         if bits > 64 {
             let place = facts.device.value_place(srdo.mapping_index(), 0);
             let message = say!("{} maps {} bits, more than the 64 bits of a CAN frame", srdo, bits);
-            let finding = Diagnostic::new(&SRDO_LENGTH_EXCEEDED.info, place, message);
+            let finding = SRDO_LENGTH_EXCEEDED.at(place, message);
             findings.push(finding.help("remove objects, or move them to another SRDO"));
         }
     }
@@ -170,8 +169,8 @@ fn unequal_pair(facts: &Facts<'_>, findings: &mut Findings) {
             let place = |sub| facts.device.value_place(srdo.mapping_index(), sub);
             let message =
                 say!("{} maps {} with the inverted object {} of another length", srdo, plain.1, inverted.1);
-            let finding = Diagnostic::new(&UNEQUAL_PAIR.info, place(inverted.0), message)
-                .label(place(plain.0), "the plain object");
+            let finding =
+                UNEQUAL_PAIR.at(place(inverted.0), message).label(place(plain.0), "the plain object");
             findings.push(finding.help("map the matching inverted object"));
         }
     }
@@ -184,12 +183,10 @@ fn wrong_mapping_count(facts: &Facts<'_>, findings: &mut Findings) {
         let place = facts.device.value_place(index, 0);
         let finding = if count > 16 {
             let message = say!("{} maps `{}` objects, but 16 is the maximum", srdo, count);
-            Diagnostic::new(&WRONG_MAPPING_COUNT.info, place, message)
-                .help("write 0, or an even number up to 16")
+            WRONG_MAPPING_COUNT.at(place, message).help("write 0, or an even number up to 16")
         } else if count % 2 == 1 {
             let message = say!("{} maps `{}` objects, an odd number", srdo, count);
-            Diagnostic::new(&WRONG_MAPPING_COUNT.info, place, message)
-                .help("map the inverted object of each plain one")
+            WRONG_MAPPING_COUNT.at(place, message).help("map the inverted object of each plain one")
         } else {
             let is_filled = |sub: u8| {
                 srdo.slots
@@ -206,7 +203,8 @@ fn wrong_mapping_count(facts: &Facts<'_>, findings: &mut Findings) {
                 index,
                 what
             );
-            Diagnostic::new(&WRONG_MAPPING_COUNT.info, place, message)
+            WRONG_MAPPING_COUNT
+                .at(place, message)
                 .help("describe the entry with its object, or write a smaller number")
         };
         findings.push(finding);
@@ -221,7 +219,7 @@ fn wrong_mapping_length(facts: &Facts<'_>, findings: &mut Findings) {
             let Some(bits) = data_type.bit_length().filter(|&bits| bits != mapped.bits) else { continue };
             let message = say!("{} maps {}, but its data type {} has {} bits", srdo, mapped, data_type, bits);
             let place = facts.device.value_place(srdo.mapping_index(), sub);
-            let finding = Diagnostic::new(&WRONG_MAPPING_LENGTH.info, place, message);
+            let finding = WRONG_MAPPING_LENGTH.at(place, message);
             let right = u64::from(mapped.to_number() & !0xFF) | u64::from(bits);
             findings.push(finding.help(say!("write `0x{:08X}`", right)));
         }

@@ -1,6 +1,6 @@
 //! The communication parameters of SRDOs.
 
-use crate::diagnostic::{Diagnostic, Findings, Fix, Severity, say};
+use crate::diagnostic::{Findings, Fix, Severity, say};
 use crate::model::{DeviceKind, Part, Place};
 use crate::rule::rules;
 use crate::{Facts, Srdo, stated};
@@ -79,8 +79,7 @@ fn cob_id_collision(facts: &Facts<'_>, findings: &mut Findings) {
                     srdo,
                     facts.srdos.get(first).map_or(0, |srdo| srdo.number)
                 );
-                let finding = Diagnostic::new(&COB_ID_COLLISION.info, place(at), message)
-                    .label(place(first), "first used here");
+                let finding = COB_ID_COLLISION.at(place(at), message).label(place(first), "first used here");
                 findings.push(finding.help("give each SRDO its own pair of COB-IDs"));
             }
             None => seen.push((cob_id, at)),
@@ -107,7 +106,7 @@ fn incomplete_srdo_parameter(facts: &Facts<'_>, findings: &mut Findings) {
         let index = srdo.communication_index();
         for (sub, name) in PARAMETER_SUBS.into_iter().filter(|(sub, _)| !object.has(*sub)) {
             let message = say!("{} is missing sub-index {} ({}) of {:04X}h", srdo, sub, name, index);
-            let finding = Diagnostic::new(&INCOMPLETE_SRDO_PARAMETER.info, Place::object(index), message);
+            let finding = INCOMPLETE_SRDO_PARAMETER.at(Place::object(index), message);
             findings.push(finding.help(say!("add `{}`", Part::Entry(index, sub))));
         }
     }
@@ -126,7 +125,7 @@ fn invalid_cob_id_pair(facts: &Facts<'_>, findings: &mut Findings) {
         let finding = if !is_plain {
             let message =
                 say!("COB-ID 1 of {} is `{:X}h`, which is not an odd CAN-ID from 101h to 17Fh", srdo, plain);
-            Diagnostic::new(&INVALID_COB_ID_PAIR.info, place(5), message)
+            INVALID_COB_ID_PAIR.at(place(5), message)
         } else if inverted != plain + 1 {
             let message = say!(
                 "COB-ID 2 of {} is `{:X}h`, which does not follow COB-ID 1 `{:X}h`",
@@ -134,7 +133,7 @@ fn invalid_cob_id_pair(facts: &Facts<'_>, findings: &mut Findings) {
                 inverted,
                 plain
             );
-            Diagnostic::new(&INVALID_COB_ID_PAIR.info, place(6), message).label(place(5), "COB-ID 1")
+            INVALID_COB_ID_PAIR.at(place(6), message).label(place(5), "COB-ID 1")
         } else {
             continue;
         };
@@ -151,7 +150,7 @@ fn invalid_direction(facts: &Facts<'_>, findings: &mut Findings) {
         };
         let place = facts.device.value_place(srdo.communication_index(), 1);
         let message = say!("`{}` is not a valid information direction of {}", direction, srdo);
-        let finding = Diagnostic::new(&INVALID_DIRECTION.info, place, message);
+        let finding = INVALID_DIRECTION.at(place, message);
         findings.push(finding.help("write 0 (not valid), 1 (transmit) or 2 (receive)"));
     }
 }
@@ -162,12 +161,8 @@ fn invalid_time(facts: &Facts<'_>, findings: &mut Findings) {
         let place = |sub| facts.device.value_place(srdo.communication_index(), sub);
         let name = if srdo.number(1) == Some(2) { "safeguard cycle time" } else { "refresh time" };
         let finding = match (cycle, validation) {
-            (Some(0), _) => {
-                Diagnostic::new(&INVALID_TIME.info, place(2), say!("the {} of {} is 0 ms", name, srdo))
-            }
-            (_, Some(0)) => {
-                Diagnostic::new(&INVALID_TIME.info, place(3), say!("the validation time of {} is 0 ms", srdo))
-            }
+            (Some(0), _) => INVALID_TIME.at(place(2), say!("the {} of {} is 0 ms", name, srdo)),
+            (_, Some(0)) => INVALID_TIME.at(place(3), say!("the validation time of {} is 0 ms", srdo)),
             (Some(cycle), Some(validation)) if validation > cycle => {
                 let message = say!(
                     "the validation time of {} is {} ms, longer than its {} of {} ms",
@@ -176,8 +171,7 @@ fn invalid_time(facts: &Facts<'_>, findings: &mut Findings) {
                     name,
                     cycle
                 );
-                let finding =
-                    Diagnostic::new(&INVALID_TIME.info, place(3), message).severity(Severity::Warning);
+                let finding = INVALID_TIME.at(place(3), message).severity(Severity::Warning);
                 finding.label(place(2), say!("the {}", name))
             }
             _ => continue,
@@ -199,7 +193,7 @@ fn srdo_without_mapping(facts: &Facts<'_>, findings: &mut Findings) {
             continue;
         }
         let message = say!("{} has {:04X}h but no {:04X}h ({})", srdo, there, missing, what);
-        let finding = Diagnostic::new(&SRDO_WITHOUT_MAPPING.info, Place::object(there), message);
+        let finding = SRDO_WITHOUT_MAPPING.at(Place::object(there), message);
         findings.push(finding.help(say!("add {:04X}h, or remove {:04X}h", missing, there)));
     }
 }
@@ -210,8 +204,6 @@ fn wrong_transmission_type(facts: &Facts<'_>, findings: &mut Findings) {
         let place = facts.device.value_place(srdo.communication_index(), 4);
         let message = say!("the transmission type of {} is `{}`; it must be 254", srdo, transmission_type);
         let fix = Fix::risky("write `0xFE`").set(place.clone(), "0xFE");
-        findings.push(
-            Diagnostic::new(&WRONG_TRANSMISSION_TYPE.info, place, message).help("write `0xFE`").fix(fix),
-        );
+        findings.push(WRONG_TRANSMISSION_TYPE.at(place, message).help("write `0xFE`").fix(fix));
     }
 }

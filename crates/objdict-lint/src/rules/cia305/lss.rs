@@ -1,6 +1,6 @@
 //! The LSS address and nodes that get their node-ID by LSS.
 
-use crate::diagnostic::{Diagnostic, Findings, say, series};
+use crate::diagnostic::{Findings, say, series};
 use crate::is_unstated;
 use crate::model::{Device, DeviceKind, Field, Part, Place};
 use crate::rule::rules;
@@ -56,7 +56,8 @@ fn incomplete_address(device: &Device, findings: &mut Findings) {
         let has_type = object.subs.get(sub).is_some_and(|entry| entry.data_type.is_some());
         if has_type && is_unstated(object, sub) {
             let message = say!("the {}, part of the LSS address, has no value", name);
-            let finding = Diagnostic::new(&INCOMPLETE_ADDRESS.info, device.value_place(0x1018, sub), message)
+            let finding = INCOMPLETE_ADDRESS
+                .at(device.value_place(0x1018, sub), message)
                 .label(Place::of(Part::DeviceInfo).field(Field::LssSupported), "the device supports LSS");
             findings.push(finding.help("add the value"));
         }
@@ -71,7 +72,8 @@ fn serial_number_in_eds(device: &Device, findings: &mut Findings) {
         return;
     };
     let message = say!("all devices of the type have the serial number `{}`", serial_number);
-    let finding = Diagnostic::new(&SERIAL_NUMBER_IN_EDS.info, device.value_place(0x1018, 4), message)
+    let finding = SERIAL_NUMBER_IN_EDS
+        .at(device.value_place(0x1018, 4), message)
         .label(Place::of(Part::DeviceInfo).field(Field::LssSupported), "LSS needs a unique serial number");
     findings.push(finding.help(say!("remove the value; the serial number of a node belongs in its {DCF}")));
 }
@@ -83,7 +85,8 @@ fn serial_number_without_lss(device: &Device, findings: &mut Findings) {
     let Some(number) = number.filter(|_| refuses) else { return };
     let message = say!("serial number {:h} is set for LSS, but the device does not support LSS", number);
     let place = Place::of(Part::Commissioning).field(Field::LssSerialNumber);
-    let finding = Diagnostic::new(&SERIAL_NUMBER_WITHOUT_LSS.info, place, message)
+    let finding = SERIAL_NUMBER_WITHOUT_LSS
+        .at(place, message)
         .label(Place::of(Part::DeviceInfo).field(Field::LssSupported), "LSS is not supported");
     findings.push(
         finding.help(say!("remove the number, or write `{LSS_Supported=1}` if the device supports LSS")),
@@ -110,7 +113,7 @@ fn unconfigured_without_address(device: &Device, findings: &mut Findings) {
     }
     let message = say!("`255` requires LSS, but the LSS address is missing the {}", series(missing));
     let place = Place::of(Part::Commissioning).field(Field::LssSerialNumber);
-    let finding = Diagnostic::new(&UNCONFIGURED_WITHOUT_ADDRESS.info, place, message);
+    let finding = UNCONFIGURED_WITHOUT_ADDRESS.at(place, message);
     findings.push(finding.help("write the numbers from the label of the device"));
 }
 
@@ -122,7 +125,8 @@ fn unconfigured_without_lss(device: &Device, findings: &mut Findings) {
     }
     let message = "`255` makes the node wait for LSS, but the device does not support LSS";
     let place = Place::of(Part::Commissioning).field(Field::NodeId);
-    let finding = Diagnostic::new(&UNCONFIGURED_WITHOUT_LSS.info, place, message)
+    let finding = UNCONFIGURED_WITHOUT_LSS
+        .at(place, message)
         .label(Place::of(Part::DeviceInfo).field(Field::LssSupported), "LSS is not supported");
     findings.push(finding.help("write the node-ID"));
 }

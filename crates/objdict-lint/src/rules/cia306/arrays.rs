@@ -1,6 +1,6 @@
 //! The elements of ARRAYs and RECORDs.
 
-use crate::diagnostic::{Diagnostic, Findings, Fix, say, sub_index};
+use crate::diagnostic::{Findings, Fix, say, sub_index};
 use crate::model::{Access, Device, Field, Object, ObjectType, Place};
 use crate::rule::rules;
 use crate::{Facts, demands, stated, with_others};
@@ -52,7 +52,8 @@ fn array_of_mixed_access(device: &Device, findings: &mut Findings) {
         sub_index(first.0),
         first.1
     );
-    let finding = Diagnostic::new(&ARRAY_OF_MIXED_ACCESS.info, place(index, other.0), message)
+    let finding = ARRAY_OF_MIXED_ACCESS
+        .at(place(index, other.0), message)
         .label(place(index, first.0), say!("`{}` here", first.1))
         .help(say!(
             "correct the access type, or write `{ObjectType=0x9}` (RECORD) where the device profile allows it"
@@ -88,8 +89,8 @@ fn array_of_mixed_types(_: &Device, index: u16, object: &Object, findings: &mut 
         data_type
     );
     let place = |sub| Place::entry(index, sub).field(Field::DataType);
-    let finding = Diagnostic::new(&ARRAY_OF_MIXED_TYPES.info, place(sub), message)
-        .label(place(first), say!("{} here", data_type));
+    let finding =
+        ARRAY_OF_MIXED_TYPES.at(place(sub), message).label(place(first), say!("{} here", data_type));
     let object_type = Place::object(index).field(Field::ObjectType);
     let fix = Fix::risky(say!("write `{ObjectType=0x9}`")).set(object_type, "0x9");
     findings.push(finding.help(say!("write `{ObjectType=0x9}` (RECORD), or correct the data type")).fix(fix));
@@ -106,7 +107,7 @@ fn gap_in_array(_: &Device, index: u16, object: &Object, findings: &mut Findings
         if sub != last + 1 {
             let message =
                 say!("{:04X}h has sub-index {} directly after {}", index, sub_index(sub), sub_index(last));
-            let finding = Diagnostic::new(&GAP_IN_ARRAY.info, Place::entry(index, sub), message);
+            let finding = GAP_IN_ARRAY.at(Place::entry(index, sub), message);
             findings.push(finding.help("describe the missing elements, or change the object to a RECORD"));
             return;
         }
@@ -128,7 +129,7 @@ fn object_without_entries(facts: &Facts<'_>, findings: &mut Findings) {
             continue;
         }
         let message = say!("{:04X}h has no entry besides sub-index 0", index);
-        let finding = Diagnostic::new(&OBJECT_WITHOUT_ENTRIES.info, Place::object(index), message);
+        let finding = OBJECT_WITHOUT_ENTRIES.at(Place::object(index), message);
         findings.push(finding.help("describe the entries, or remove the object"));
     }
 }

@@ -1,6 +1,6 @@
 //! `[DeviceComissioning]` of a DCF.
 
-use crate::diagnostic::{Diagnostic, Findings, Fix, Severity, say, series};
+use crate::diagnostic::{Findings, Fix, Severity, say, series};
 use crate::model::{BaudRates, Commissioning, Device, DeviceKind, Field, Part, Place};
 use crate::rule::rules;
 use crate::stated;
@@ -47,7 +47,7 @@ fn invalid_baud_rate(device: &Device, findings: &mut Findings) {
             0 => say!("`{Baudrate}` is 0: no bit rate is selected").to_owned(),
             _ => say!("`{Baudrate}` is {}, but CANopen does not define this bit rate", rate),
         };
-        let finding = Diagnostic::new(&INVALID_BAUD_RATE.info, place, message).severity(if rate == 0 {
+        let finding = INVALID_BAUD_RATE.at(place, message).severity(if rate == 0 {
             Severity::Warning
         } else {
             Severity::Error
@@ -68,7 +68,7 @@ fn invalid_baud_rate(device: &Device, findings: &mut Findings) {
     }
     let message = say!("`{Baudrate}` is {}, which the device does not support", rate);
     let label = Place { field, ..Place::of(Part::DeviceInfo) };
-    let finding = Diagnostic::new(&INVALID_BAUD_RATE.info, place, message).label(label, "not supported");
+    let finding = INVALID_BAUD_RATE.at(place, message).label(label, "not supported");
     findings
         .push(finding.help(say!("write a bit rate that the device supports: {} kbit/s", series(supported))));
 }
@@ -87,8 +87,8 @@ fn invalid_node_id(device: &Device, findings: &mut Findings) {
         None if has_invalid_node_id(node) => return,
         None => say!("`{NodeID}` is missing").to_owned(),
     };
-    let finding = Diagnostic::new(&INVALID_NODE_ID.info, place, message)
-        .help(say!("write `{NodeID=}` and a number from 1 to 127"));
+    let finding =
+        INVALID_NODE_ID.at(place, message).help(say!("write `{NodeID=}` and a number from 1 to 127"));
     findings.push(if is_note { finding.severity(Severity::Note) } else { finding });
 }
 
@@ -104,7 +104,7 @@ fn has_invalid_node_id(node: &Commissioning) -> bool {
 
 fn report_unknown_node_id(place: Place, formula: Place, findings: &mut Findings) {
     let message = say!("`{NodeID}` is 255, so formulas with `$NODEID` have no value");
-    let finding = Diagnostic::new(&INVALID_NODE_ID.info, place, message).label(formula, "a formula");
+    let finding = INVALID_NODE_ID.at(place, message).label(formula, "a formula");
     findings.push(finding.help("write the future node-ID of the node"));
 }
 
@@ -112,7 +112,7 @@ fn missing_commissioning(device: &Device, findings: &mut Findings) {
     let says_something = !device.objects.is_empty() || device.device_info.is_some();
     if device.kind == DeviceKind::Node && device.commissioning.is_none() && says_something {
         let message = say!("{section} `{[DeviceComissioning]}` is missing");
-        let finding = Diagnostic::new(&MISSING_COMMISSIONING.info, Place::device(), message);
+        let finding = MISSING_COMMISSIONING.at(Place::device(), message);
         let finding = match stated::first_formula(device) {
             Some(formula) => finding.label(formula, "a formula without a value"),
             None => finding.severity(Severity::Warning),
@@ -127,8 +127,7 @@ fn missing_node_name(device: &Device, findings: &mut Findings) {
     }
     let place = Place::of(Part::Commissioning).field(Field::NodeName);
     let message = say!("`{[DeviceComissioning]}` has no `{NodeName}`");
-    let finding =
-        Diagnostic::new(&MISSING_NODE_NAME.info, place.clone(), message).help(say!("add `{NodeName}`"));
+    let finding = MISSING_NODE_NAME.at(place.clone(), message).help(say!("add `{NodeName}`"));
     let name = device.device_info.as_ref().and_then(|info| info.product_name.clone());
     findings.push(match name.filter(|name| !name.is_empty()) {
         Some(name) => finding.fix(Fix::risky(say!("use the name of the product")).set(place, name)),

@@ -2,7 +2,7 @@
 
 use std::cmp::Ordering;
 
-use crate::diagnostic::{Diagnostic, Findings, Fix, Severity, counted, say};
+use crate::diagnostic::{Findings, Fix, Severity, counted, say};
 use crate::model::{Access, DataType, Device, DeviceKind, Entry, Field, Object, ObjectType, Part, Place};
 use crate::rule::rules;
 use crate::{EntryAt, stated};
@@ -72,7 +72,7 @@ fn configuration_in_eds(device: &Device, findings: &mut Findings) {
         0 => say!("{} belongs in {a DCF}", what),
         _ => say!("{} and {} belong in {a DCF}", what, counted(others, "similar item", "similar items")),
     };
-    let finding = Diagnostic::new(&CONFIGURATION_IN_EDS.info, first.clone(), message);
+    let finding = CONFIGURATION_IN_EDS.at(first.clone(), message);
     findings.push(finding.help(say!(
         "write values as `{DefaultValue}`, or add `{[DeviceComissioning]}` and rename the file to {.dcf}"
     )));
@@ -134,7 +134,7 @@ fn misplaced_file(at: &EntryAt<'_>, findings: &mut Findings) {
     } else {
         return;
     };
-    findings.push(Diagnostic::new(&MISPLACED_FILE.info, at.field(field), message).help(help));
+    findings.push(MISPLACED_FILE.at(at.field(field), message).help(help));
 }
 
 fn read_only_value(at: &EntryAt<'_>, findings: &mut Findings) {
@@ -162,7 +162,8 @@ fn read_only_value(at: &EntryAt<'_>, findings: &mut Findings) {
         access,
         default
     );
-    let finding = Diagnostic::new(&READ_ONLY_VALUE.info, at.field(Field::ParameterValue), message)
+    let finding = READ_ONLY_VALUE
+        .at(at.field(Field::ParameterValue), message)
         .severity(severity)
         .label(at.field(Field::AccessType), "not writable");
     let fix = Fix::risky(say!("remove `{ParameterValue}`")).remove(at.field(Field::ParameterValue));
@@ -178,7 +179,8 @@ fn value_of_no_download(at: &EntryAt<'_>, findings: &mut Findings) {
     if own || at.sub.is_some_and(|sub| sub > 0) && at.object.main.flags().refuses_write() {
         let message = say!("`{ParameterValue}` is never written: `{ObjFlags}` bit 0 forbids the download");
         let flags = if own { at.place() } else { at.object_place() };
-        let finding = Diagnostic::new(&VALUE_OF_NO_DOWNLOAD.info, at.field(Field::ParameterValue), message)
+        let finding = VALUE_OF_NO_DOWNLOAD
+            .at(at.field(Field::ParameterValue), message)
             .label(flags.field(Field::ObjFlags), "forbids the download");
         let fix = Fix::risky(say!("remove `{ParameterValue}`")).remove(at.field(Field::ParameterValue));
         findings.push(finding.help(say!("remove `{ParameterValue}`")).fix(fix));

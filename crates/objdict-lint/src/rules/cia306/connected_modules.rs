@@ -53,7 +53,7 @@ fn missing_module_object(device: &Device, findings: &mut Findings) {
         let item = u32::try_from(at + 1).unwrap_or(u32::MAX);
         let message = say!("module {} defines {:04X}h{}, missing in the {DCF}", number, first, more);
         let place = Place::of(Part::ConnectedModules).field(Field::Item(item));
-        let finding = Diagnostic::new(&MISSING_MODULE_OBJECT.info, place, message);
+        let finding = MISSING_MODULE_OBJECT.at(place, message);
         findings.push(finding.help("describe the objects as defined by the modules"));
     }
 }
@@ -116,7 +116,8 @@ fn described_structure(device: &Device, index: u16) -> Option<&Object> {
 }
 
 fn incomplete_object(index: u16, message: Text) -> Diagnostic {
-    Diagnostic::new(&MISSING_MODULE_OBJECT.info, Place::object(index), message)
+    MISSING_MODULE_OBJECT
+        .at(Place::object(index), message)
         .help("describe the sub-indexes as defined by the modules")
 }
 
@@ -135,7 +136,7 @@ fn module_numbering(device: &Device, findings: &mut Findings) {
                 say!("{} modules are described, but `{[SupportedModules]}` has no count", described);
             let fix = Fix::safe(say!("write `{}`", Argument::setting(Field::NrOfEntries, described)))
                 .set(count, described.to_string());
-            let finding = Diagnostic::new(&MODULE_NUMBERING.info, first_module(modules), message).fix(fix);
+            let finding = MODULE_NUMBERING.at(first_module(modules), message).fix(fix);
             findings.push(finding.help(say!(
                 "write `{}` in `{[SupportedModules]}`",
                 Argument::setting(Field::NrOfEntries, described)
@@ -145,7 +146,7 @@ fn module_numbering(device: &Device, findings: &mut Findings) {
             let message = say!("`{NrOfEntries}` is {}, but {} described", declared, modules_are(described));
             let fix = Fix::safe(say!("write `{}`", Argument::setting(Field::NrOfEntries, described)));
             let fix = fix.set(count.clone(), described.to_string());
-            let finding = Diagnostic::new(&MODULE_NUMBERING.info, count, message).fix(fix);
+            let finding = MODULE_NUMBERING.at(count, message).fix(fix);
             findings.push(finding.help(say!(
                 "write `{}`, or describe the others",
                 Argument::setting(Field::NrOfEntries, described)
@@ -155,8 +156,7 @@ fn module_numbering(device: &Device, findings: &mut Findings) {
         Some(declared) => {
             let numbers = series(modules.supported.keys());
             let message = say!("{} modules have the numbers {}, not 1 to {}", declared, numbers, declared);
-            findings
-                .push(Diagnostic::new(&MODULE_NUMBERING.info, count, message).help("renumber the modules"));
+            findings.push(MODULE_NUMBERING.at(count, message).help("renumber the modules"));
         }
     }
 }
@@ -185,8 +185,7 @@ fn unknown_connected_module(device: &Device, findings: &mut Findings) {
         if let Some((sub, other)) = listed.filter(|&(_, other)| other != 0 && other != i128::from(*number)) {
             let place = Place::of(Part::ConnectedModules).field(Field::Item(item));
             let message = say!("module {} is connected, but 1027h:{} is {}", number, sub_index(sub), other);
-            let finding =
-                Diagnostic::new(&UNKNOWN_CONNECTED_MODULE.info, place, message).severity(Severity::Warning);
+            let finding = UNKNOWN_CONNECTED_MODULE.at(place, message).severity(Severity::Warning);
             let finding = finding.label(device.value_place(0x1027, sub), "the module list");
             findings.push(finding.help("write the module that is connected in both places"));
         }
@@ -194,7 +193,7 @@ fn unknown_connected_module(device: &Device, findings: &mut Findings) {
             let place = Place::of(Part::ConnectedModules).field(Field::Item(item));
             let message = say!("module {} is connected, but not described", number);
             let fix = Fix::risky("remove the list entry").remove(place.clone());
-            let finding = Diagnostic::new(&UNKNOWN_CONNECTED_MODULE.info, place, message).fix(fix);
+            let finding = UNKNOWN_CONNECTED_MODULE.at(place, message).fix(fix);
             findings.push(finding.help(say!(
                 "add the {sections} of the module (`{}` and others), or correct the number",
                 Part::Module(*number, ModulePart::Info)

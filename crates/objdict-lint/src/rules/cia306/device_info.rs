@@ -1,6 +1,6 @@
 //! `[DeviceInfo]`: keys, bit rates, and the identity object.
 
-use crate::diagnostic::{Argument, Diagnostic, Findings, Fix, Severity, listing, listing_or, say};
+use crate::diagnostic::{Argument, Findings, Fix, Severity, listing, listing_or, say};
 use crate::model::{Device, DeviceInfo, DeviceKind, Field, Part, Place, Value};
 use crate::rule::rules;
 
@@ -58,14 +58,14 @@ fn identity_mismatch(device: &Device, findings: &mut Findings) {
         let fix =
             Fix::risky(title).set(Place::of(Part::DeviceInfo).field(field.clone()), format!("0x{value:X}"));
         let message = say!("`{}` is {:h}, but 1018h sub-index {} is {:h}", field, stated, sub, value);
-        let finding =
-            Diagnostic::new(&IDENTITY_MISMATCH.info, Place::of(Part::DeviceInfo).field(field), message)
-                .severity(if stated == 0 || value == 0 || is_of_node {
-                    Severity::Warning
-                } else {
-                    Severity::Error
-                })
-                .label(device.value_place(0x1018, sub), "the identity object");
+        let finding = IDENTITY_MISMATCH
+            .at(Place::of(Part::DeviceInfo).field(field), message)
+            .severity(if stated == 0 || value == 0 || is_of_node {
+                Severity::Warning
+            } else {
+                Severity::Error
+            })
+            .label(device.value_place(0x1018, sub), "the identity object");
         let finding = finding.help("write the number that the device reports in both places");
         findings.push(if value > 0 { finding.fix(fix) } else { finding });
     }
@@ -81,12 +81,9 @@ fn missing_device_info_key(device: &Device, findings: &mut Findings) {
     let Some(first) = missing.first() else { return };
     let message = say!("`{[DeviceInfo]}` has no {}", listing_or(&missing));
     let light = device.kind == DeviceKind::Node || missing == [Field::OrderCode];
-    let finding = Diagnostic::new(
-        &MISSING_DEVICE_INFO_KEY.info,
-        Place::of(Part::DeviceInfo).field(first.clone()),
-        message,
-    )
-    .severity(if light { Severity::Note } else { Severity::Warning });
+    let finding = MISSING_DEVICE_INFO_KEY
+        .at(Place::of(Part::DeviceInfo).field(first.clone()), message)
+        .severity(if light { Severity::Note } else { Severity::Warning });
     let title = say!("add {}", listing(missing.iter().map(example_line)));
     let fix = add_default_keys(device, &missing);
     let finding = finding.help(title);
@@ -170,7 +167,7 @@ fn no_baud_rate(device: &Device, findings: &mut Findings) {
             say!("add a key such as `{BaudRate_125=1}` for each supported bit rate"),
         ),
     };
-    findings.push(Diagnostic::new(&NO_BAUD_RATE.info, place, message).help(help));
+    findings.push(NO_BAUD_RATE.at(place, message).help(help));
 }
 
 fn reserved_key(device: &Device, findings: &mut Findings) {
@@ -181,7 +178,5 @@ fn reserved_key(device: &Device, findings: &mut Findings) {
     let message = say!("readers ignore {} of EDS version 3.0", listing(&keys));
     let place = |key: &str| Place::of(Part::DeviceInfo).field(Field::from_name(key));
     let fix = keys.iter().fold(Fix::safe(say!("remove {the keys}")), |fix, key| fix.remove(place(key)));
-    findings.push(
-        Diagnostic::new(&RESERVED_KEY.info, place(first), message).help(say!("remove {the keys}")).fix(fix),
-    );
+    findings.push(RESERVED_KEY.at(place(first), message).help(say!("remove {the keys}")).fix(fix));
 }

@@ -1,6 +1,6 @@
 //! Dynamic channels and their network variables.
 
-use crate::diagnostic::{Diagnostic, Findings, Fix, Severity, counted, listing_or, say};
+use crate::diagnostic::{Findings, Fix, Severity, counted, listing_or, say};
 use crate::model::{Device, DeviceKind, DynamicChannels, Field, Part, Place, Segment};
 use crate::rule::rules;
 
@@ -39,7 +39,8 @@ fn described_network_variable(device: &Device, findings: &mut Findings) {
     let Some((&first, _)) = variables.next() else { return };
     let objects = counted(1 + variables.count(), "object is", "objects are");
     let message = say!("the device has dynamic channels, but {} described in A000h to AFFFh", objects);
-    let finding = Diagnostic::new(&DESCRIBED_NETWORK_VARIABLE.info, Place::object(first), message)
+    let finding = DESCRIBED_NETWORK_VARIABLE
+        .at(Place::object(first), message)
         .label(Place::of(Part::DeviceInfo).field(Field::DynamicChannelsSupported), "dynamic channels");
     findings.push(finding.help(say!("remove the objects, or write `{DynamicChannelsSupported=0}`")));
 }
@@ -53,13 +54,14 @@ fn dynamic_channels_flag(device: &Device, findings: &mut Findings) {
             let message =
                 say!("`{DynamicChannelsSupported}` is {}, but `{[DynamicChannels]}` is missing", number);
             let fix = Fix::risky(say!("write `{DynamicChannelsSupported=0}`")).set(flag.clone(), "0");
-            let finding = Diagnostic::new(&DYNAMIC_CHANNELS_FLAG.info, flag, message).fix(fix);
+            let finding = DYNAMIC_CHANNELS_FLAG.at(flag, message).fix(fix);
             findings.push(finding.help(say!("describe the segments in `{[DynamicChannels]}`, or write 0")));
         }
         (Some(0), Some(channels)) if !channels.segments.iter().all(Segment::is_empty) => {
             let message = say!("`{[DynamicChannels]}` has segments, but `{DynamicChannelsSupported}` is 0");
             let fix = Fix::risky(say!("write `{DynamicChannelsSupported=1}`")).set(flag.clone(), "1");
-            let finding = Diagnostic::new(&DYNAMIC_CHANNELS_FLAG.info, flag, message)
+            let finding = DYNAMIC_CHANNELS_FLAG
+                .at(flag, message)
                 .fix(fix)
                 .label(Place::of(Part::DynamicChannels), "segments");
             findings
@@ -111,8 +113,7 @@ fn check_segment_keys(
         return;
     }
     let message = say!("segment {} of the dynamic channels has no {}", number, listing_or(&missing));
-    let finding =
-        Diagnostic::new(&INVALID_SEGMENT.info, Place::of(Part::DynamicChannels), message).severity(severity);
+    let finding = INVALID_SEGMENT.at(Place::of(Part::DynamicChannels), message).severity(severity);
     findings.push(finding.help("write `TypeN`, `DirN`, `RangeN` and `PPOffsetN` for each segment"));
 }
 
@@ -125,22 +126,19 @@ fn check_segment_range(
     let at = segment_place("Range", number);
     let range = say!("{:04X}h to {:04X}h", low, high);
     if low > high {
-        let finding =
-            Diagnostic::new(&INVALID_SEGMENT.info, at, say!("the range {} is in descending order", range));
+        let finding = INVALID_SEGMENT.at(at, say!("the range {} is in descending order", range));
         findings.push(finding.help("write the smaller index first"));
     } else if low < 0xA000 || high > 0xBFFF {
         let message = say!("the range {} is not within A000h to BFFFh, the area of network variables", range);
-        findings.push(
-            Diagnostic::new(&INVALID_SEGMENT.info, at, message).help("write a range from 0xA000 to 0xBFFF"),
-        );
+        findings.push(INVALID_SEGMENT.at(at, message).help("write a range from 0xA000 to 0xBFFF"));
     } else {
         let before = (1..number).zip(&channels.segments);
         let overlaps = |range: (u16, u16)| range.0 <= high && low <= range.1;
         let other = before.into_iter().find(|(_, segment)| segment.range.is_some_and(overlaps));
         if let Some((other, _)) = other {
             let message = say!("the ranges of segments {} and {} overlap", other, number);
-            let finding = Diagnostic::new(&INVALID_SEGMENT.info, at, message)
-                .label(segment_place("Range", other), "the other range");
+            let finding =
+                INVALID_SEGMENT.at(at, message).label(segment_place("Range", other), "the other range");
             findings.push(finding.help("write separate ranges for the segments"));
         }
     }

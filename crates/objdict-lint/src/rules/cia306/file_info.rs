@@ -1,6 +1,6 @@
 //! `[FileInfo]`: keys, dates and the EDS version.
 
-use crate::diagnostic::{Diagnostic, Findings, Fix, Severity, Text, listing_or, say, series};
+use crate::diagnostic::{Findings, Fix, Severity, Text, listing_or, say, series};
 use crate::model::{Device, DeviceKind, Field, FileInfo, Part, Place};
 use crate::rule::rules;
 
@@ -57,7 +57,7 @@ fn eds_version(device: &Device, findings: &mut Findings) {
         _ => (Severity::Warning, say!("`{}` is not a valid EDS version, which has the form `4.0`", text)),
     };
     let fix = Fix::risky(say!("write `{EDSVersion=4.0}`")).set(place.clone(), "4.0");
-    let finding = Diagnostic::new(&EDS_VERSION.info, place, message).severity(severity);
+    let finding = EDS_VERSION.at(place, message).severity(severity);
     findings.push(finding.help(say!("write `{EDSVersion=4.0}`")).fix(fix));
 }
 
@@ -73,7 +73,7 @@ fn implausible_date(device: &Device, findings: &mut Findings) {
         .find_map(|(field, date)| Some((field, date.filter(|date| date.year < FIRST_YEAR)?)));
     let Some((field, date)) = early else { return };
     let message = say!("EDS files did not exist in the year {:04}", date.year);
-    let finding = Diagnostic::new(&IMPLAUSIBLE_DATE.info, Place::of(Part::FileInfo).field(field), message);
+    let finding = IMPLAUSIBLE_DATE.at(Place::of(Part::FileInfo).field(field), message);
     findings.push(finding.help("correct the date"));
 }
 
@@ -121,7 +121,7 @@ fn report_missing_keys(info: &FileInfo, missing: &[Field], severity: Severity, f
     let Some(first) = missing.first() else { return };
     let message = say!("`{[FileInfo]}` has no {}", listing_or(missing));
     let place = Place::of(Part::FileInfo).field(first.clone());
-    let finding = Diagnostic::new(&MISSING_FILE_INFO_KEY.info, place, message).severity(severity);
+    let finding = MISSING_FILE_INFO_KEY.at(place, message).severity(severity);
     let finding = finding.help(say!("add {}", series(missing.iter().map(key_with_form))));
     findings.push(match fill_missing_keys(info, missing) {
         Some(fix) => finding.fix(fix),
@@ -161,7 +161,7 @@ fn missing_last_eds(device: &Device, findings: &mut Findings) {
         return;
     }
     let place = Place::of(Part::FileInfo).field(Field::LastEds);
-    let finding = Diagnostic::new(&MISSING_LAST_EDS.info, place, "the file does not name its EDS");
+    let finding = MISSING_LAST_EDS.at(place, "the file does not name its EDS");
     findings.push(finding.help(say!("write the file name of the EDS as `{LastEDS}`")));
 }
 
@@ -183,7 +183,6 @@ fn modified_before_created(device: &Device, findings: &mut Findings) {
         None => say!("modified on {}, but created on {}", modified, created),
     };
     let place = |field| Place::of(Part::FileInfo).field(field);
-    let finding = Diagnostic::new(&MODIFIED_BEFORE_CREATED.info, place(wrong), message)
-        .label(place(right), "created here");
+    let finding = MODIFIED_BEFORE_CREATED.at(place(wrong), message).label(place(right), "created here");
     findings.push(finding.help("correct the date; the order is month, day, year: `01-31-2026`"));
 }

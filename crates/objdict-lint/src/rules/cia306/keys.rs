@@ -2,7 +2,7 @@
 
 use std::collections::HashMap;
 
-use crate::diagnostic::{Argument, Diagnostic, Findings, Fix, Severity, listing, listing_or, say, sub_index};
+use crate::diagnostic::{Argument, Findings, Fix, Severity, listing, listing_or, say, sub_index};
 use crate::model::{Access, DataType, Device, Entry, Field, Object, ObjectType, Place};
 use crate::rule::rules;
 use crate::{EntryAt, profile, stated};
@@ -76,7 +76,7 @@ fn command_without_flag(_: &Device, index: u16, object: &Object, findings: &mut 
     let Some((place, _)) = places.first().cloned() else { return };
     let message =
         say!("writing {:04X}h {}, but `{ObjFlags}` does not stop tools from writing it", index, command);
-    let finding = Diagnostic::new(&COMMAND_WITHOUT_FLAG.info, place, message);
+    let finding = COMMAND_WITHOUT_FLAG.at(place, message);
     let fix = Fix::risky(say!("write `{ObjFlags=0x1}` in its writable entries"));
     let fix = places
         .into_iter()
@@ -107,8 +107,7 @@ fn duplicate_name(_: &Device, index: u16, object: &Object, findings: &mut Findin
     let message =
         say!("sub-indexes {} and {} are both called `{}`", sub_index(first), sub_index(second), name);
     let place = |sub| Place::entry(index, sub).field(Field::ParameterName);
-    let finding =
-        Diagnostic::new(&DUPLICATE_NAME.info, place(second), message).label(place(first), "first here");
+    let finding = DUPLICATE_NAME.at(place(second), message).label(place(first), "first here");
     findings.push(finding.help("add a number or a word to the names"));
 }
 
@@ -136,7 +135,7 @@ fn invalid_object_flags(at: &EntryAt<'_>, findings: &mut Findings) {
         "`{ObjFlags}` is {}, but only bits 0 to 2 are defined",
         Argument::value_of(Field::ObjFlags, format_args!("{:#x}", flags.0))
     );
-    let finding = Diagnostic::new(&INVALID_OBJECT_FLAGS.info, at.field(Field::ObjFlags), message);
+    let finding = INVALID_OBJECT_FLAGS.at(at.field(Field::ObjFlags), message);
     let known = flags.0 & 7;
     findings.push(if known == 0 {
         let fix = Fix::risky(say!("remove {the key}")).remove(at.field(Field::ObjFlags));
@@ -188,7 +187,7 @@ fn check_value_keys(at: &EntryAt<'_>, kind: &str, findings: &mut Findings) {
         _ => say!("{}", kind),
     };
     let message = say!("{} needs {}", kind, listing(&missing));
-    let mut finding = Diagnostic::new(&MISSING_KEY.info, at.field(first.clone()), message);
+    let mut finding = MISSING_KEY.at(at.field(first.clone()), message);
     let data_type = type_of_count(at).or_else(|| profile::data_type(at.device, at.index, at.sub));
     let access = profile::access(at.device, at.index, at.sub);
     if missing == [Field::DataType]
@@ -227,7 +226,7 @@ fn check_sub_number(at: &EntryAt<'_>, object_type: ObjectType, findings: &mut Fi
     let described = stated::described_subs(at.object);
     let article = if object_type == ObjectType::Array { "an" } else { "a" };
     let message = say!("{} {} needs `{SubNumber}`", article, object_type);
-    let finding = Diagnostic::new(&MISSING_KEY.info, at.field(Field::SubNumber), message);
+    let finding = MISSING_KEY.at(at.field(Field::SubNumber), message);
     findings.push(if described > 0 {
         let title = say!("add `{}`", Argument::setting(Field::SubNumber, described));
         let fix = Fix::safe(title.clone()).set(at.field(Field::SubNumber), described.to_string());
@@ -245,7 +244,7 @@ fn check_object_type_key(at: &EntryAt<'_>, findings: &mut Findings) {
     }
     let message =
         say!("an object with sub-indexes needs `{ObjectType}`; without `{ObjectType}` the object is a VAR");
-    let finding = Diagnostic::new(&MISSING_KEY.info, at.field(Field::ObjectType), message);
+    let finding = MISSING_KEY.at(at.field(Field::ObjectType), message);
     let fix = Fix::risky(say!("add `{ObjectType=0x9}`")).set(at.field(Field::ObjectType), "0x9");
     findings.push(
         finding.help(say!("add `{ObjectType=0x9}` for a RECORD, `{ObjectType=0x8}` for an ARRAY")).fix(fix),
@@ -261,7 +260,7 @@ fn missing_name(at: &EntryAt<'_>, findings: &mut Findings) {
         None => say!("{:04X}h", at.index),
     };
     let message = say!("{} has no name", what);
-    let finding = Diagnostic::new(&MISSING_NAME.info, at.field(Field::ParameterName), message);
+    let finding = MISSING_NAME.at(at.field(Field::ParameterName), message);
     findings.push(finding.help(say!("write `{ParameterName=}` and a name")));
 }
 
@@ -283,8 +282,11 @@ fn unsupported_key(at: &EntryAt<'_>, findings: &mut Findings) {
     let fix = if keys == [Field::SubNumber] { Fix::safe(title) } else { Fix::risky(title) };
     let fix = keys.iter().fold(fix, |fix, field| fix.remove(at.field(field.clone())));
     let compact = keys.contains(&Field::CompactSubObj);
-    let finding = Diagnostic::new(&UNSUPPORTED_KEY.info, at.field(first.clone()), message)
-        .severity(if compact { Severity::Error } else { Severity::Warning });
+    let finding = UNSUPPORTED_KEY.at(at.field(first.clone()), message).severity(if compact {
+        Severity::Error
+    } else {
+        Severity::Warning
+    });
     let finding = finding.fix(fix);
     findings.push(if object_type.has_subs() {
         finding.help(match keys.len() {

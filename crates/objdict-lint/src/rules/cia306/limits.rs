@@ -2,7 +2,7 @@
 
 use std::cmp::Ordering;
 
-use crate::diagnostic::{Diagnostic, Findings, Fix, Text, say, sub_index};
+use crate::diagnostic::{Findings, Fix, Text, say, sub_index};
 use crate::model::{Access, DataType, Entry, Field, ObjectType, Part, Place, TypeKind, Value};
 use crate::rule::rules;
 use crate::{EntryAt, stated};
@@ -62,7 +62,7 @@ fn fixed_by_limits(at: &EntryAt<'_>, findings: &mut Findings) {
         return;
     }
     let message = say!("the entry is writable, but its limits allow only {:h}", low);
-    let finding = Diagnostic::new(&FIXED_BY_LIMITS.info, at.field(Field::HighLimit), message);
+    let finding = FIXED_BY_LIMITS.at(at.field(Field::HighLimit), message);
     let finding = finding.label(at.field(Field::LowLimit), "the other limit");
     findings.push(finding.help("correct the limits, or remove them"));
 }
@@ -82,8 +82,8 @@ fn limits_on_text(at: &EntryAt<'_>, findings: &mut Findings) {
     // another rule reports these keys for DOMAIN objects, which do not support them
     if is_text && at.holds_value() && at.object_type() != Some(ObjectType::Domain) {
         let message = say!("`{}` has no meaning for a {}", field, data_type);
-        let finding = Diagnostic::new(&LIMITS_ON_TEXT.info, at.field(field), message)
-            .label(at.field(Field::DataType), "not a number");
+        let finding =
+            LIMITS_ON_TEXT.at(at.field(field), message).label(at.field(Field::DataType), "not a number");
         let stated =
             [(Field::LowLimit, entry.low_limit.is_some()), (Field::HighLimit, entry.high_limit.is_some())];
         let stated = stated.into_iter().filter(|(_, stated)| *stated);
@@ -99,7 +99,8 @@ fn low_limit_above_high(at: &EntryAt<'_>, findings: &mut Findings) {
         return;
     }
     let message = say!("`{LowLimit}` is {}, but `{HighLimit}` is {}", low, high);
-    let finding = Diagnostic::new(&LOW_LIMIT_ABOVE_HIGH.info, at.field(Field::LowLimit), message)
+    let finding = LOW_LIMIT_ABOVE_HIGH
+        .at(at.field(Field::LowLimit), message)
         .label(at.field(Field::HighLimit), "the high limit");
     let is_formula = [low, high].into_iter().any(|limit| matches!(limit, Value::NodeId(_)));
     let fix = Fix::risky("swap the limits")
@@ -130,7 +131,7 @@ fn single_limit(at: &EntryAt<'_>, findings: &mut Findings) {
         return;
     }
     let message = say!("`{}` is set without `{}`", stated, missing);
-    let finding = Diagnostic::new(&SINGLE_LIMIT.info, at.field(stated), message);
+    let finding = SINGLE_LIMIT.at(at.field(stated), message);
     findings.push(finding.help(say!("add `{}`", missing)));
 }
 
@@ -223,7 +224,6 @@ fn report_exceeded(
         _ => say!("{:h}", value),
     };
     let message = say!("{} is {}, but `{}` is {}", what, number(value), field, number(limit));
-    let finding =
-        Diagnostic::new(&VALUE_OUTSIDE_LIMITS.info, place, message).label(at.field(field), "the limit");
+    let finding = VALUE_OUTSIDE_LIMITS.at(place, message).label(at.field(field), "the limit");
     findings.push(finding.help("correct the value or the limit"));
 }

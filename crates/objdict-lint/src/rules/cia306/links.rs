@@ -1,6 +1,6 @@
 //! Object links.
 
-use crate::diagnostic::{Diagnostic, Findings, Fix, say};
+use crate::diagnostic::{Findings, Fix, say};
 use crate::model::{Device, Field, Object, Part, Place};
 use crate::rule::rules;
 
@@ -30,7 +30,7 @@ fn link_to_missing_object(device: &Device, index: u16, object: &Object, findings
     if object.orphan && object.subs.is_empty() {
         let message = say!("links of {:04X}h are described, but the object is missing", index);
         let fix = Fix::risky(say!("remove the {section}")).remove(section.clone());
-        let finding = Diagnostic::new(&LINK_TO_MISSING_OBJECT.info, section, message).fix(fix);
+        let finding = LINK_TO_MISSING_OBJECT.at(section, message).fix(fix);
         findings.push(
             finding.help(say!("describe the object in `{}`, or remove the {section}", Part::Object(index))),
         );
@@ -41,7 +41,7 @@ fn link_to_missing_object(device: &Device, index: u16, object: &Object, findings
         let message = say!("{:04X}h links to {:04X}h, which is not described", index, link);
         let place = section.clone().field(Field::Item(number));
         let fix = Fix::risky("remove the link").remove(place.clone());
-        let finding = Diagnostic::new(&LINK_TO_MISSING_OBJECT.info, place, message).fix(fix);
+        let finding = LINK_TO_MISSING_OBJECT.at(place, message).fix(fix);
         findings.push(finding.help("correct the index, or remove the link"));
     }
 }
@@ -58,10 +58,7 @@ fn repeated_link(_: &Device, index: u16, object: &Object, findings: &mut Finding
         let message = say!("{:04X}h has two links to {:04X}h", index, link);
         let item = u32::try_from(at + 1).unwrap_or(u32::MAX);
         let place = Place::of(Part::Links(index)).field(Field::Item(item));
-        findings.push(
-            Diagnostic::new(&REPEATED_LINK.info, place, message)
-                .help("remove the link and decrease the count by one"),
-        );
+        findings.push(REPEATED_LINK.at(place, message).help("remove the link and decrease the count by one"));
         return;
     }
 }

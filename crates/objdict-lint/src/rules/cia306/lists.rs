@@ -71,8 +71,7 @@ fn disabled_object(device: &Device, findings: &mut Findings) {
     let number = 1 + disabled.count();
     let objects =
         counted(number, "object is marked as disabled and is", "objects are marked as disabled and are");
-    let finding =
-        Diagnostic::new(&DISABLED_OBJECT.info, Place::object(first), say!("{} not checked", objects));
+    let finding = DISABLED_OBJECT.at(Place::object(first), say!("{} not checked", objects));
     findings.push(finding.help("remove the objects before you publish the description"));
 }
 
@@ -104,7 +103,7 @@ fn listed_object_missing(device: &Device, findings: &mut Findings) {
                 let place = Place::of(Part::List(list)).field(Field::Item(number));
                 let message =
                     say!("{:04X}h is listed, but {section} `{}` is missing", index, Part::Object(*index));
-                let finding = Diagnostic::new(&LISTED_OBJECT_MISSING.info, place, message);
+                let finding = LISTED_OBJECT_MISSING.at(place, message);
                 let mut finding = finding.help(listed_object_help(device, *index));
                 finding.fix = fixes.next(device.lists.get(list), || {
                     let fix = Fix::risky("remove all list entries without a description");
@@ -132,7 +131,7 @@ fn nothing_described(device: &Device, findings: &mut Findings) {
     let Some((list, _)) = listed.next() else { return };
     let objects = counted(1 + listed.count(), "object is", "objects are");
     let message = say!("{} listed, but none is described", objects);
-    let finding = Diagnostic::new(&LISTED_OBJECT_MISSING.info, Place::of(Part::List(list)), message);
+    let finding = LISTED_OBJECT_MISSING.at(Place::of(Part::List(list)), message);
     findings.push(finding.help(say!("add {a section} such as `{[1000]}` for each object")));
 }
 
@@ -199,7 +198,7 @@ fn check_list_sections(device: &Device, light: Severity, findings: &mut Findings
         }
         let objects_belong = counted(objects, "object belongs", "objects belong");
         let message = say!("{section} `{}` is missing, but {} in it", list, objects_belong);
-        let finding = Diagnostic::new(&MISSING_SECTION.info, Place::device(), message);
+        let finding = MISSING_SECTION.at(Place::device(), message);
         findings.push(
             finding.help(say!("add the list of these objects: `{SupportedObjects=1}`, `1=0x1000`")).fix(fix),
         );
@@ -226,9 +225,7 @@ fn section_is_missing(section: &Part) -> Text {
 }
 
 fn report_section(section: &Part, severity: Severity, help: impl Into<Text>) -> Diagnostic {
-    Diagnostic::new(&MISSING_SECTION.info, Place::device(), section_is_missing(section))
-        .severity(severity)
-        .help(help)
+    MISSING_SECTION.at(Place::device(), section_is_missing(section)).severity(severity).help(help)
 }
 
 fn object_listed_twice(device: &Device, findings: &mut Findings) {
@@ -251,7 +248,7 @@ fn object_listed_twice(device: &Device, findings: &mut Findings) {
             } else {
                 say!("{:04X}h is listed in `{}` and in `{}`", index, other, list)
             };
-            let finding = Diagnostic::new(&OBJECT_LISTED_TWICE.info, place(list, number), message);
+            let finding = OBJECT_LISTED_TWICE.at(place(list, number), message);
             let finding = finding.label(place(other, at), "first here");
             let wrong = if ObjectList::of(index) == Some(list) { other } else { list };
             let mut finding = match other == list {
@@ -293,7 +290,7 @@ fn object_not_listed(device: &Device, findings: &mut Findings) {
         let all = with_members(lists.get(list), others.clone());
         for index in others {
             let message = say!("{:04X}h is described, but not in any object list", index);
-            let finding = Diagnostic::new(&OBJECT_NOT_LISTED.info, Place::object(index), message);
+            let finding = OBJECT_NOT_LISTED.at(Place::object(index), message);
             let mut finding = finding.help(say!("add `0x{:04X}` to `{}`", index, list));
             finding.fix = fixes.next(&all, || {
                 let fix = Fix::safe(say!("add all described objects to `{}`", list));
@@ -318,7 +315,7 @@ fn unsorted_list(device: &Device, findings: &mut Findings) {
         let item = u32::try_from(at + 2).unwrap_or(u32::MAX);
         let place = Place::of(Part::List(list)).field(Field::Item(item));
         let fix = Fix::safe("sort the list").with(Change::List(list, sorted));
-        findings.push(Diagnostic::new(&UNSORTED_LIST.info, place, message).help("sort the list").fix(fix));
+        findings.push(UNSORTED_LIST.at(place, message).help("sort the list").fix(fix));
     }
 }
 
@@ -338,8 +335,7 @@ fn wrong_object_list(device: &Device, findings: &mut Findings) {
             if right != list && !is_in(index, right) {
                 let place = Place::of(Part::List(list)).field(Field::Item(number));
                 let message = say!("{:04X}h is in `{}`, but belongs in `{!}`", index, list, right);
-                let mut finding = Diagnostic::new(&WRONG_OBJECT_LIST.info, place, message)
-                    .help(say!("move it to `{}`", right));
+                let mut finding = WRONG_OBJECT_LIST.at(place, message).help(say!("move it to `{}`", right));
                 let members = device.lists.get(list);
                 finding.fix = fixes.next(members, || move_to_list(device, list, right, &is_in));
                 let missed = right == ObjectList::Mandatory;

@@ -3,7 +3,7 @@
 use std::collections::{BTreeMap, HashMap};
 
 use crate::IndexSet;
-use crate::diagnostic::{Diagnostic, Findings, Fix, listing, listing_or, say};
+use crate::diagnostic::{Findings, Fix, listing, listing_or, say};
 use crate::model::{
     DataType, Device, DeviceKind, Entry, ExtensionCount, Field, Module, ModulePart, Object, Part, Place,
 };
@@ -78,7 +78,7 @@ fn invalid_extension_limit(device: &Device, findings: &mut Findings) {
             let place = |field| Place::of(Part::Module(number, ModulePart::SubExt(index))).field(field);
             let finding = if limit == 255 {
                 let message = "`255` is above 254, the highest sub-index of an element";
-                Diagnostic::new(&INVALID_EXTENSION_LIMIT.info, place(Field::ObjExtend), message)
+                INVALID_EXTENSION_LIMIT.at(place(Field::ObjExtend), message)
             } else if count > limit {
                 let message = say!(
                     "module {} adds {} sub-indexes per instance to {:04X}h, but `{ObjExtend}` is {}",
@@ -87,7 +87,8 @@ fn invalid_extension_limit(device: &Device, findings: &mut Findings) {
                     index,
                     limit
                 );
-                Diagnostic::new(&INVALID_EXTENSION_LIMIT.info, place(Field::ObjExtend), message)
+                INVALID_EXTENSION_LIMIT
+                    .at(place(Field::ObjExtend), message)
                     .label(place(Field::Count), "number of added sub-indexes")
             } else {
                 continue;
@@ -113,7 +114,7 @@ fn missing_module_info(device: &Device, findings: &mut Findings) {
         };
         let info = Place::of(Part::Module(number, ModulePart::Info)).field(first.clone());
         let place = if missing.len() == 4 { first_section(number, module) } else { info };
-        let finding = Diagnostic::new(&MISSING_MODULE_INFO.info, place, message);
+        let finding = MISSING_MODULE_INFO.at(place, message);
         findings.push(finding.help(say!("add {}", listing(&missing))));
     }
 }
@@ -160,8 +161,7 @@ fn missing_obj_extend(device: &Device, findings: &mut Findings) {
             let place = Place::of(Part::Module(number, ModulePart::SubExt(index))).field(Field::ObjExtend);
             let message = say!("module {} adds bits to {:04X}h without `{ObjExtend}`", number, index);
             let title = say!("write `{ObjExtend=128}`");
-            let finding =
-                Diagnostic::new(&MISSING_OBJ_EXTEND.info, place.clone(), message).help(title.clone());
+            let finding = MISSING_OBJ_EXTEND.at(place.clone(), message).help(title.clone());
             findings.push(finding.fix(Fix::risky(title).set(place, "128")));
         }
     }
@@ -229,8 +229,7 @@ fn report_conflict(
     }
     let place = |number| Place::of(Part::Module(number, part));
     let message = say!("{:04X}h of modules {} and {} differs in {}", index, first, second, listing(fields));
-    let finding = Diagnostic::new(&MODULE_CONFLICT.info, place(second), message)
-        .label(place(first), "the other description");
+    let finding = MODULE_CONFLICT.at(place(second), message).label(place(first), "the other description");
     findings.push(finding.help("use the same description in all modules"));
 }
 
@@ -258,7 +257,7 @@ fn check_fixed_list(number: u16, module: &Module, findings: &mut Findings) {
                 "sub-indexes of the fixed object {:04X}h are described, but the object is missing",
                 index
             );
-            let finding = Diagnostic::new(&MODULE_LIST_MISMATCH.info, place, message);
+            let finding = MODULE_LIST_MISMATCH.at(place, message);
             findings.push(
                 finding.help(say!("add {a section} `{}`", Part::Module(number, ModulePart::Fixed(index)))),
             );
@@ -286,7 +285,7 @@ fn listed_only(list: &Part, (item, index): (u32, u16), section: &Part, findings:
     let place = Place::of(list.clone()).field(Field::Item(item));
     let fix = Fix::risky("remove the list entry").remove(place.clone());
     let message = say!("{:04X}h is listed, but {section} `{}` is missing", index, section);
-    let finding = Diagnostic::new(&MODULE_LIST_MISMATCH.info, place, message).fix(fix);
+    let finding = MODULE_LIST_MISMATCH.at(place, message).fix(fix);
     findings.push(finding.help("describe the object, or remove its list entry"));
 }
 
@@ -296,7 +295,7 @@ fn described_only(section: Part, index: u16, (list, length): (&Part, usize), fin
     let title = say!("add `0x{:04X}` to `{}`", index, list);
     let fix = Fix::safe(title.clone()).set(place, format!("0x{index:04X}"));
     let message = say!("{:04X}h is described, but not listed in `{}`", index, list);
-    let finding = Diagnostic::new(&MODULE_LIST_MISMATCH.info, Place::of(section), message);
+    let finding = MODULE_LIST_MISMATCH.at(Place::of(section), message);
     findings.push(finding.help(title).fix(fix));
 }
 
@@ -315,21 +314,15 @@ fn module_overlap(device: &Device, findings: &mut Findings) {
             let place = Place::of(Part::Module(number, ModulePart::Fixed(index)));
             let fixed = say!("{:04X}h is a fixed object of module {}", index, number);
             if device.kind == DeviceKind::Type && device.objects.contains_key(&index) {
-                let finding = Diagnostic::new(
-                    &MODULE_OVERLAP.info,
-                    place,
-                    say!("{} and also an object of the device", fixed),
-                )
-                .label(Place::object(index), "the device's");
+                let finding = MODULE_OVERLAP
+                    .at(place, say!("{} and also an object of the device", fixed))
+                    .label(Place::object(index), "the device's");
                 findings.push(finding.help("keep only one definition"));
             } else if let Some(&other) = extended.get(&index) {
                 let extension = Place::of(Part::Module(other, ModulePart::SubExt(index)));
-                let finding = Diagnostic::new(
-                    &MODULE_OVERLAP.info,
-                    place,
-                    say!("{} and is extended by module {}", fixed, other),
-                )
-                .label(extension, "the extension");
+                let finding = MODULE_OVERLAP
+                    .at(place, say!("{} and is extended by module {}", fixed, other))
+                    .label(extension, "the extension");
                 findings.push(finding.help("describe the object either as fixed or as extension"));
             }
         }
@@ -348,8 +341,7 @@ fn module_without_objects(device: &Device, findings: &mut Findings) {
             part(ModulePart::FixedObjects),
             part(ModulePart::SubExtends)
         );
-        let finding =
-            Diagnostic::new(&MODULE_WITHOUT_OBJECTS.info, Place::of(part(ModulePart::Info)), message);
+        let finding = MODULE_WITHOUT_OBJECTS.at(Place::of(part(ModulePart::Info)), message);
         findings.push(finding.help("describe the objects of the module"));
     }
 }

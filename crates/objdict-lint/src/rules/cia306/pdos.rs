@@ -1,6 +1,6 @@
 //! PDO mapping keys, dummy entries, and the numbers of PDOs in `[DeviceInfo]`.
 
-use crate::diagnostic::{Argument, Diagnostic, Findings, Fix, Severity, Text, listing, say, series};
+use crate::diagnostic::{Argument, Findings, Fix, Severity, Text, listing, say, series};
 use crate::model::{
     Access, DataType, Device, DeviceInfo, Entry, Field, MappedObject, ObjectType, Part, Place, TypeKind,
     Value,
@@ -66,7 +66,8 @@ fn access_without_mapping(at: &EntryAt<'_>, findings: &mut Findings) {
     }
     let pdo = if access == Access::Rwr { "a TPDO" } else { "an RPDO" };
     let message = say!("`{}` allows mapping to {}, but the entry is not mappable", access, pdo);
-    let finding = Diagnostic::new(&ACCESS_WITHOUT_MAPPING.info, at.field(Field::AccessType), message)
+    let finding = ACCESS_WITHOUT_MAPPING
+        .at(at.field(Field::AccessType), message)
         .label(at.field(Field::PdoMapping), "not mappable");
     let fix = Fix::risky(say!("write `{AccessType=rw}`")).set(at.field(Field::AccessType), "rw");
     findings.push(finding.help(say!("write `{PDOMapping=1}`, or `{AccessType=rw}`")).fix(fix));
@@ -104,7 +105,8 @@ fn dummy_below_granularity(facts: &Facts<'_>, findings: &mut Findings) {
     let place = |data_type| Place::of(Part::DummyUsage).field(Field::Named(key(data_type).into()));
     let title = say!("write `{}=0`", key(first));
     let fix = smaller.iter().fold(Fix::risky(title.clone()), |fix, data_type| fix.set(place(data_type), "0"));
-    let finding = Diagnostic::new(&DUMMY_BELOW_GRANULARITY.info, place(first), message)
+    let finding = DUMMY_BELOW_GRANULARITY
+        .at(place(first), message)
         .label(Place::of(Part::DeviceInfo).field(Field::Granularity), "the granularity");
     findings.push(finding.help(title).fix(fix));
 }
@@ -122,7 +124,7 @@ fn dummy_type(device: &Device, findings: &mut Findings) {
     let place = |data_type| Place::of(Part::DummyUsage).field(Field::Named(key(data_type).into()));
     let title = say!("write `{}=0`", key(first));
     let fix = wrong.iter().fold(Fix::safe(title.clone()), |fix, data_type| fix.set(place(data_type), "0"));
-    findings.push(Diagnostic::new(&DUMMY_TYPE.info, place(first), message).help(title).fix(fix));
+    findings.push(DUMMY_TYPE.at(place(first), message).help(title).fix(fix));
 }
 
 fn mapping_not_possible(at: &EntryAt<'_>, findings: &mut Findings) {
@@ -155,8 +157,7 @@ fn mapping_not_possible(at: &EntryAt<'_>, findings: &mut Findings) {
         return;
     }
     let message = say!("`{PDOMapping}` is {}, but {}", entry.pdo_mapping.unwrap_or_default(), message);
-    let finding = Diagnostic::new(&MAPPING_NOT_POSSIBLE.info, at.field(Field::PdoMapping), message)
-        .label(at.field(field), label);
+    let finding = MAPPING_NOT_POSSIBLE.at(at.field(Field::PdoMapping), message).label(at.field(field), label);
     let title = say!("write `{PDOMapping=0}`");
     let fix = Fix::risky(title.clone()).set(at.field(Field::PdoMapping), "0");
     findings.push(finding.help(title).fix(fix));
@@ -184,13 +185,10 @@ fn wrong_compact_pdo(device: &Device, findings: &mut Findings) {
     let corrected = (mask & POSSIBLE_SUBS) | MANDATORY_SUBS;
     if info.rpdo_count == Some(0) && info.tpdo_count == Some(0) {
         let fix = Fix::safe(say!("write `{CompactPDO=0}`")).set(place.clone(), "0");
-        let finding = Diagnostic::new(
-            &WRONG_COMPACT_PDO.info,
-            place,
-            say!("`{CompactPDO}` is {:#04x}, but the device has no PDO", mask),
-        )
-        .label(Place::of(Part::DeviceInfo).field(Field::NrOfRxPdo), "no RPDO")
-        .label(Place::of(Part::DeviceInfo).field(Field::NrOfTxPdo), "no TPDO");
+        let finding = WRONG_COMPACT_PDO
+            .at(place, say!("`{CompactPDO}` is {:#04x}, but the device has no PDO", mask))
+            .label(Place::of(Part::DeviceInfo).field(Field::NrOfRxPdo), "no RPDO")
+            .label(Place::of(Part::DeviceInfo).field(Field::NrOfTxPdo), "no TPDO");
         findings.push(finding.help(say!("write `{CompactPDO=0}` or remove {the key}")).fix(fix));
     } else if corrected != mask {
         let message = match mask & MANDATORY_SUBS {
@@ -200,12 +198,9 @@ fn wrong_compact_pdo(device: &Device, findings: &mut Findings) {
         let title = say!("write `CompactPDO={:#04x}`", corrected);
         let fix = Fix::risky(title.clone()).set(place.clone(), format!("{corrected:#04x}"));
         let only_sub_4 = mask ^ corrected == 1 << 3;
-        let finding = Diagnostic::new(
-            &WRONG_COMPACT_PDO.info,
-            place,
-            say!("`{CompactPDO}` is {:#04x}, but {}", mask, message),
-        )
-        .severity(if only_sub_4 { Severity::Note } else { Severity::Warning });
+        let finding = WRONG_COMPACT_PDO
+            .at(place, say!("`{CompactPDO}` is {:#04x}, but {}", mask, message))
+            .severity(if only_sub_4 { Severity::Note } else { Severity::Warning });
         findings.push(finding.help(title).fix(fix));
     }
 }
@@ -265,7 +260,7 @@ fn check_pdo_count(
     // a number above it is what is left of PDOs that are missing
     let fix = if stated > described { Fix::risky(title.clone()) } else { Fix::safe(title.clone()) };
     let fix = fix.set(place.clone(), described.to_string());
-    let finding = Diagnostic::new(&WRONG_PDO_COUNT.info, place, message).fix(fix);
+    let finding = WRONG_PDO_COUNT.at(place, message).fix(fix);
     findings.push(if stated > described {
         finding.help(say!("{}, or describe the missing {}s", title, name))
     } else {

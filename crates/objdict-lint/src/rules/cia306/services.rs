@@ -1,6 +1,6 @@
 //! `[DeviceInfo]` flags of services: boot-up, network manager, LSS and group messaging.
 
-use crate::diagnostic::{Diagnostic, Findings, Severity, say, series_or};
+use crate::diagnostic::{Findings, Severity, say, series_or};
 use crate::model::{Access, Device, Field, Object, Part, Place, Value};
 use crate::rule::rules;
 use crate::{Facts, stated};
@@ -54,7 +54,7 @@ fn boot_up_master_without_startup(device: &Device, findings: &mut Findings) {
     }
     let place = Place::of(Part::DeviceInfo).field(Field::SimpleBootUpMaster);
     let message = "the device is a boot-up master, but 1F80h (NMT startup) is missing";
-    let finding = Diagnostic::new(&BOOT_UP_MASTER_WITHOUT_STARTUP.info, place, message);
+    let finding = BOOT_UP_MASTER_WITHOUT_STARTUP.at(place, message);
     findings.push(finding.help("add 1F80h (NMT startup, UNSIGNED32), or write 0"));
 }
 
@@ -66,8 +66,7 @@ fn group_messaging_flag(facts: &Facts<'_>, findings: &mut Findings) {
     let list = device.objects.range(0x1FA0..=0x1FFF).next();
     let finding = match (flag, multiplexed, list) {
         (false, Some(pdo), _) => {
-            let finding = Diagnostic::new(
-                &GROUP_MESSAGING_FLAG.info,
+            let finding = GROUP_MESSAGING_FLAG.at(
                 place,
                 say!("{} is a multiplexed PDO, but `{GroupMessaging}` is {GroupMessaging:0}", pdo),
             );
@@ -76,19 +75,16 @@ fn group_messaging_flag(facts: &Facts<'_>, findings: &mut Findings) {
         (false, None, Some((&index, _))) => {
             let message =
                 say!("{:04X}h is for multiplexed PDOs, but `{GroupMessaging}` is {GroupMessaging:0}", index);
-            Diagnostic::new(&GROUP_MESSAGING_FLAG.info, place, message)
-                .label(Place::object(index), "the list")
+            GROUP_MESSAGING_FLAG.at(place, message).label(Place::object(index), "the list")
         }
         (true, None, None) if has_dynamic_mapping(facts) => {
             let message =
                 say!("`{GroupMessaging}` is {GroupMessaging:1}, but no PDO is multiplexed by default");
-            Diagnostic::new(&GROUP_MESSAGING_FLAG.info, place, message).severity(Severity::Note)
+            GROUP_MESSAGING_FLAG.at(place, message).severity(Severity::Note)
         }
-        (true, None, None) => Diagnostic::new(
-            &GROUP_MESSAGING_FLAG.info,
-            place,
-            "the device has no multiplexed PDO and no PDO that can become one",
-        ),
+        (true, None, None) => {
+            GROUP_MESSAGING_FLAG.at(place, "the device has no multiplexed PDO and no PDO that can become one")
+        }
         _ => return,
     };
     findings.push(finding.help("correct the flag"));
@@ -116,7 +112,8 @@ fn lss_serial_number(device: &Device, findings: &mut Findings) {
     if value != i128::from(stated) {
         let message = say!("`{LSS_SerialNumber}` is {}, but 1018h sub-index 4 is {}", stated, value);
         let place = Place::of(Part::Commissioning).field(Field::LssSerialNumber);
-        let finding = Diagnostic::new(&LSS_SERIAL_NUMBER.info, place, message)
+        let finding = LSS_SERIAL_NUMBER
+            .at(place, message)
             .label(Place::entry(0x1018, 4).field(field), "the serial number of the identity object");
         findings.push(finding.help("write the serial number of the device in both places"));
     }
@@ -137,7 +134,8 @@ fn lss_without_identity(device: &Device, findings: &mut Findings) {
         return;
     }
     let message = say!("`{LSS_Supported}` is {LSS_Supported:1}, but 1018h has no {}", series_or(&missing));
-    let finding = Diagnostic::new(&LSS_WITHOUT_IDENTITY.info, Place::object(0x1018), message)
+    let finding = LSS_WITHOUT_IDENTITY
+        .at(Place::object(0x1018), message)
         .label(Place::of(Part::DeviceInfo).field(Field::LssSupported), "LSS is supported");
     findings.push(finding.help(say!("describe sub-indexes 1 to 4 of 1018h, or write `{LSS_Supported=0}`")));
 }
@@ -149,14 +147,10 @@ fn manager_without_nmt_master(device: &Device, findings: &mut Findings) {
         return;
     }
     let place = Place::of(Part::Commissioning).field(Field::CanOpenManager);
-    let finding = Diagnostic::new(
-        &MANAGER_WITHOUT_NMT_MASTER.info,
-        place,
-        "the node is the network manager, but not an NMT master",
-    )
-    .label(
-        Place::of(Part::DeviceInfo).field(Field::SimpleBootUpMaster),
-        "not an NMT master, and 1F80h is missing",
-    );
+    let finding =
+        MANAGER_WITHOUT_NMT_MASTER.at(place, "the node is the network manager, but not an NMT master").label(
+            Place::of(Part::DeviceInfo).field(Field::SimpleBootUpMaster),
+            "not an NMT master, and 1F80h is missing",
+        );
     findings.push(finding.help(say!("write `{CANopenManager=0}`, or correct `{SimpleBootUpMaster}`")));
 }

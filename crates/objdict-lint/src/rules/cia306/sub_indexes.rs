@@ -1,8 +1,6 @@
 //! Sub-index 0, `SubNumber`, and sections of sub-indexes that do not match their object.
 
-use crate::diagnostic::{
-    Argument, Change, Diagnostic, Findings, Fix, Severity, Text, counted, listing, say, sub_index,
-};
+use crate::diagnostic::{Argument, Change, Findings, Fix, Severity, Text, counted, listing, say, sub_index};
 use crate::model::{
     Access, DataType, Device, Entry, Field, Object, ObjectList, ObjectType, Part, Place, Value,
 };
@@ -97,7 +95,8 @@ fn compact_and_sub_number(_: &Device, index: u16, object: &Object, findings: &mu
     let count = compact.count;
     let message = say!("`{SubNumber}` is {}, but `{CompactSubObj}` already defines {}", number, count);
     let place = |field| Place::object(index).field(field);
-    let finding = Diagnostic::new(&COMPACT_AND_SUB_NUMBER.info, place(Field::SubNumber), message)
+    let finding = COMPACT_AND_SUB_NUMBER
+        .at(place(Field::SubNumber), message)
         .label(place(Field::CompactSubObj), say!("sub-indexes 0 to {}", count));
     let fix = Fix::safe(say!("remove `{SubNumber}`")).remove(place(Field::SubNumber));
     findings.push(finding.help(say!("remove `{SubNumber}`")).fix(fix));
@@ -111,9 +110,9 @@ fn contradictory_sub_0(_: &Device, index: u16, object: &Object, findings: &mut F
     let fields = different_fields(&object.main, sub_0);
     let Some(first) = fields.first() else { return };
     let message = say!("sub-index 0 of {:04X}h has a different {} than the object", index, listing(&fields));
-    let finding =
-        Diagnostic::new(&CONTRADICTORY_SUB_0.info, Place::entry(index, 0).field(first.clone()), message)
-            .label(Place::object(index).field(first.clone()), "the object");
+    let finding = CONTRADICTORY_SUB_0
+        .at(Place::entry(index, 0).field(first.clone()), message)
+        .label(Place::object(index).field(first.clone()), "the object");
     findings.push(finding.help(say!("remove the {section} of the sub-index")));
 }
 
@@ -148,7 +147,7 @@ fn missing_sub_0(_: &Device, index: u16, object: &Object, findings: &mut Finding
     let article = if object_type == ObjectType::Array { "an" } else { "a" };
     let message = say!("{:04X}h is {} {} without sub-index 0", index, article, object_type);
     let highest = object.highest_sub().unwrap_or_default();
-    let finding = Diagnostic::new(&MISSING_SUB_0.info, Place::object(index), message);
+    let finding = MISSING_SUB_0.at(Place::object(index), message);
     let finding = finding.fix(add_sub_0(index, object));
     findings.push(finding.help(say!(
         "add `{}` of type UNSIGNED8 with `{}`",
@@ -175,7 +174,7 @@ fn sub_0_type(at: &EntryAt<'_>, findings: &mut Findings) {
     };
     if data_type != expected && stated::object_type(at.object).is_some_and(ObjectType::has_subs) {
         let message = say!("sub-index 0 of {:04X}h is {}, not UNSIGNED8", at.index, data_type);
-        let finding = Diagnostic::new(&SUB_0_TYPE.info, at.field(Field::DataType), message);
+        let finding = SUB_0_TYPE.at(at.field(Field::DataType), message);
         let fix = Fix::risky(say!("write `{DataType=0x0005}`")).set(at.field(Field::DataType), "0x0005");
         findings.push(finding.help(say!("write `{DataType=0x0005}`")).fix(fix));
     }
@@ -197,8 +196,7 @@ fn sub_number_mismatch(_: &Device, index: u16, object: &Object, findings: &mut F
         _ => counted(described, "sub-index is", "sub-indexes are"),
     };
     let message = say!("`{SubNumber}` is {}, but {} described", stated, described_text);
-    let finding =
-        Diagnostic::new(&SUB_NUMBER_MISMATCH.info, Place::object(index).field(Field::SubNumber), message);
+    let finding = SUB_NUMBER_MISMATCH.at(Place::object(index).field(Field::SubNumber), message);
     findings.push(if described == 0 {
         finding.help(say!("describe the sub-indexes, or correct `{ObjectType}`"))
     } else {
@@ -222,7 +220,8 @@ fn sub_of_var(_: &Device, index: u16, object: &Object, findings: &mut Findings) 
         return;
     };
     let message = say!("{:04X}h is a {}, but has sub-index {}", index, object_type, sub_index(sub));
-    let finding = Diagnostic::new(&SUB_OF_VAR.info, Place::entry(index, sub), message)
+    let finding = SUB_OF_VAR
+        .at(Place::entry(index, sub), message)
         .label(Place::object(index).field(Field::ObjectType), say!("a {}", object_type));
     findings.push(finding.help(say!(
         "write `{ObjectType=0x9}` (RECORD) or `{ObjectType:0x8}` (ARRAY), or remove the sub-indexes"
@@ -239,7 +238,7 @@ fn sub_without_object(device: &Device, findings: &mut Findings) {
     for (&index, object) in orphans {
         let Some((sub, _)) = object.subs.iter().next() else { continue };
         let message = say!("sub-indexes of {:04X}h are described, but the object is missing", index);
-        let finding = Diagnostic::new(&SUB_WITHOUT_OBJECT.info, Place::entry(index, sub), message);
+        let finding = SUB_WITHOUT_OBJECT.at(Place::entry(index, sub), message);
         let title =
             say!("add {a section} `{}` with name, object type and `{SubNumber}`", Part::Object(index));
         let mut finding = finding.help(title.clone());
@@ -292,7 +291,8 @@ fn wrong_highest_sub_index(_: &Device, index: u16, object: &Object, findings: &m
     let finding = if value < i128::from(highest) {
         let message =
             say!("sub-index 0 of {:04X}h is {}, but sub-index {} is described", index, value, highest);
-        Diagnostic::new(&WRONG_HIGHEST_SUB_INDEX.info, place, message)
+        WRONG_HIGHEST_SUB_INDEX
+            .at(place, message)
             .label(Place::entry(index, highest), "the highest sub-index")
             .help(say!("write `{}`", Argument::setting(&field, highest)))
     } else {
@@ -302,7 +302,8 @@ fn wrong_highest_sub_index(_: &Device, index: u16, object: &Object, findings: &m
             value,
             highest
         );
-        Diagnostic::new(&WRONG_HIGHEST_SUB_INDEX.info, place, message)
+        WRONG_HIGHEST_SUB_INDEX
+            .at(place, message)
             .severity(Severity::Warning)
             .help(say!("describe the missing sub-indexes, or write `{}`", Argument::setting(&field, highest)))
     };
@@ -317,8 +318,7 @@ fn missing_highest(index: u16, sub_0: &Entry, highest: u8, findings: &mut Findin
     let place = Place::entry(index, 0).field(Field::DefaultValue);
     let fix = Fix::risky(say!("write `{}`", Argument::setting(Field::DefaultValue, highest)))
         .set(place.clone(), highest.to_string());
-    let finding =
-        Diagnostic::new(&WRONG_HIGHEST_SUB_INDEX.info, place, message).severity(Severity::Warning).fix(fix);
+    let finding = WRONG_HIGHEST_SUB_INDEX.at(place, message).severity(Severity::Warning).fix(fix);
     findings.push(
         finding
             .help(say!("write `{}`, the highest sub-index", Argument::setting(Field::DefaultValue, highest))),
@@ -343,7 +343,7 @@ fn wrong_structure_entry(_: &Device, index: u16, object: &Object, findings: &mut
     let finding = if let Some(other) = entry.data_type.filter(|&data_type| data_type != DataType::UNSIGNED32)
     {
         let message = say!("sub-index FFh of {:04X}h is {}, but must be UNSIGNED32", index, other);
-        Diagnostic::new(&WRONG_STRUCTURE_ENTRY.info, place(Field::DataType), message)
+        WRONG_STRUCTURE_ENTRY.at(place(Field::DataType), message)
     } else if let Some(code) =
         stated_object_code(entry).filter(|&code| code != i128::from(object_type.code()))
     {
@@ -353,7 +353,7 @@ fn wrong_structure_entry(_: &Device, index: u16, object: &Object, findings: &mut
             code,
             object_type
         );
-        let finding = Diagnostic::new(&WRONG_STRUCTURE_ENTRY.info, place(Field::DefaultValue), message);
+        let finding = WRONG_STRUCTURE_ENTRY.at(place(Field::DefaultValue), message);
         finding.label(Place::object(index).field(Field::ObjectType), "the object type")
     } else {
         return;

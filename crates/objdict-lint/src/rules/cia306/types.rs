@@ -1,7 +1,7 @@
 //! Object types, data types and reserved indexes.
 
 use crate::EntryAt;
-use crate::diagnostic::{Argument, Diagnostic, Findings, Fix, Text, counted, say, sub_index};
+use crate::diagnostic::{Argument, Findings, Fix, Text, counted, say, sub_index};
 use crate::model::{DataType, Device, Field, Object, ObjectType, Part, Place, TypeKind};
 use crate::rule::rules;
 
@@ -67,7 +67,7 @@ fn described_standard_type(device: &Device, findings: &mut Findings) {
         _ => say!(", and {} more", counted(others, "type", "types")),
     };
     let message = say!("{:04X}h ({}) is a type that CiA 301 defines{}", index, name, more);
-    let finding = Diagnostic::new(&DESCRIBED_STANDARD_TYPE.info, Place::object(index), message);
+    let finding = DESCRIBED_STANDARD_TYPE.at(Place::object(index), message);
     findings.push(
         finding
             .help(say!("remove the {sections}{}", Argument::OfLists(" and their lines in the lists".into()))),
@@ -78,8 +78,7 @@ fn domain_mismatch(at: &EntryAt<'_>, findings: &mut Findings) {
     let Some(data_type) = at.entry.data_type else { return };
     let is_domain = at.entry.object_type == Some(ObjectType::Domain);
     if is_domain && data_type != DataType::DOMAIN {
-        let finding = Diagnostic::new(
-            &DOMAIN_MISMATCH.info,
+        let finding = DOMAIN_MISMATCH.at(
             at.field(Field::DataType),
             say!("the object type is DOMAIN, but the data type is {}", data_type),
         );
@@ -87,7 +86,8 @@ fn domain_mismatch(at: &EntryAt<'_>, findings: &mut Findings) {
         findings.push(finding.help(say!("write `{DataType=0x000F}`, or correct `{ObjectType}`")).fix(fix));
     } else if at.sub.is_none() && data_type == DataType::DOMAIN && at.object_type() == Some(ObjectType::Var) {
         let message = "the data type is DOMAIN, but the object type is VAR";
-        let finding = Diagnostic::new(&DOMAIN_MISMATCH.info, at.field(Field::ObjectType), message)
+        let finding = DOMAIN_MISMATCH
+            .at(at.field(Field::ObjectType), message)
             .label(at.field(Field::DataType), "a DOMAIN");
         let fix = Fix::risky(say!("write `{ObjectType=0x2}`")).set(at.field(Field::ObjectType), "0x2");
         findings.push(finding.help(say!("write `{ObjectType=0x2}`, or correct `{DataType}`")).fix(fix));
@@ -109,7 +109,7 @@ fn nested_structure(at: &EntryAt<'_>, findings: &mut Findings) {
     };
     let message = say!("{} is a structure ({}), but must be a single value", what, kind);
     let is_of_one_type = nested_type.is_some() && structure.is_none() && entry.data_type.is_some();
-    let mut finding = Diagnostic::new(&NESTED_STRUCTURE.info, at.field(field.clone()), message);
+    let mut finding = NESTED_STRUCTURE.at(at.field(field.clone()), message);
     if is_of_one_type {
         // the data type says that it is a single value
         let title = say!("write `{ObjectType=0x7}`");
@@ -142,7 +142,7 @@ fn null_object(_: &Device, index: u16, object: &Object, findings: &mut Findings)
         return;
     }
     let message = say!("{:04X}h is a NULL object, which has no data", index);
-    let finding = Diagnostic::new(&NULL_OBJECT.info, Place::object(index).field(Field::ObjectType), message);
+    let finding = NULL_OBJECT.at(Place::object(index).field(Field::ObjectType), message);
     findings.push(finding.help("write the actual object type, or remove the object"));
 }
 
@@ -159,7 +159,7 @@ fn reserved_index(_: &Device, index: u16, object: &Object, findings: &mut Findin
     };
     if !object.orphan {
         let message = say!("{:04X}h is in a reserved area ({})", index, area);
-        let finding = Diagnostic::new(&RESERVED_INDEX.info, Place::object(index), message);
+        let finding = RESERVED_INDEX.at(Place::object(index), message);
         findings.push(finding.help(match index {
             0x0260..=0x0FFF => "move data types to 0040h to 025Fh",
             _ => "move vendor-specific objects to 2000h to 5FFFh",
@@ -182,7 +182,7 @@ fn undefined_data_type(at: &EntryAt<'_>, findings: &mut Findings) {
         return;
     }
     let message = say!("{:04X}h {}", data_type.0, why);
-    let finding = Diagnostic::new(&UNDEFINED_DATA_TYPE.info, at.field(Field::DataType), message);
+    let finding = UNDEFINED_DATA_TYPE.at(at.field(Field::DataType), message);
     findings.push(match data_type.kind() {
         TypeKind::Reserved => finding.help(say!("write a type of CiA 301, such as `{DataType:0x0007}` for UNSIGNED32")),
         _ => finding.help(say!(

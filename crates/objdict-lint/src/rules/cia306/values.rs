@@ -1,6 +1,6 @@
 //! Defaults and other values.
 
-use crate::diagnostic::{Argument, Diagnostic, Findings, Severity, Text, joined, say};
+use crate::diagnostic::{Argument, Findings, Severity, Text, joined, say};
 use crate::model::{
     Access, DataType, Device, Field, InvalidValue, ObjectType, Place, Reason, TypeKind, Value,
 };
@@ -76,7 +76,8 @@ fn check_formula(
         data_type,
         highest
     );
-    let finding = Diagnostic::new(&FORMULA_OUT_OF_RANGE.info, at.field(field.clone()), message)
+    let finding = FORMULA_OUT_OF_RANGE
+        .at(at.field(field.clone()), message)
         .label(at.field(Field::DataType), "the type");
     findings.push(finding.help("choose a larger data type, or correct the number"));
 }
@@ -87,8 +88,7 @@ fn invalid_value(device: &Device, findings: &mut Findings) {
             let data_type = device.data_type_of(&part, &invalid.field);
             let place = Place::of(part.clone()).field(invalid.field.clone());
             let fix = respell(invalid, data_type, place.clone());
-            let finding =
-                Diagnostic::new(&INVALID_VALUE.info, place, invalid_value_message(invalid, data_type));
+            let finding = INVALID_VALUE.at(place, invalid_value_message(invalid, data_type));
             let is_date = matches!(invalid.reason, Reason::NotADate | Reason::NotAClockTime);
             // tools do not depend on dates
             let severity = if is_date { Severity::Warning } else { Severity::Error };
@@ -201,9 +201,9 @@ fn missing_constant(at: &EntryAt<'_>, findings: &mut Findings) {
     if varies || count || values || domain || !entry.invalid_values.is_empty() {
         return;
     }
-    let finding =
-        Diagnostic::new(&MISSING_CONSTANT.info, at.field(Field::DefaultValue), "the constant has no value")
-            .label(at.field(Field::AccessType), "a constant");
+    let finding = MISSING_CONSTANT
+        .at(at.field(Field::DefaultValue), "the constant has no value")
+        .label(at.field(Field::AccessType), "a constant");
     findings.push(
         finding
             .help(say!("write `{DefaultValue}`, or `{AccessType=ro}` if the value differs between devices")),
@@ -219,7 +219,7 @@ fn write_only_default(at: &EntryAt<'_>, findings: &mut Findings) {
         Value::Text(text) => say!("`{DefaultValue}` is `{}`, but the entry is write-only", text),
         value => say!("`{DefaultValue}` is {:h}, but the entry is write-only", value),
     };
-    let finding = Diagnostic::new(&WRITE_ONLY_DEFAULT.info, at.field(Field::DefaultValue), message);
+    let finding = WRITE_ONLY_DEFAULT.at(at.field(Field::DefaultValue), message);
     let finding = finding.label(at.field(Field::AccessType), "write only");
     findings.push(finding.help(say!("remove the value, or correct `{AccessType}`")));
 }

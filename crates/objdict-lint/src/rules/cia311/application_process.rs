@@ -2,7 +2,7 @@
 
 use std::collections::HashSet;
 
-use crate::diagnostic::{Diagnostic, Findings, Text, joined, say};
+use crate::diagnostic::{Findings, Text, joined, say};
 use crate::model::{BitStruct, Device, Meaning, Object, Place, TypeDefinition, TypeShape};
 use crate::rule::rules;
 
@@ -33,9 +33,7 @@ fn unfitting_type(device: &Device, findings: &mut Findings) {
     let mut report = |definition: &TypeDefinition, place: Place, problem: Text| {
         if seen.insert(definition.unique_id.clone()) {
             let message = say!("the type `{}` does not fit: {}", &*definition.name, problem);
-            findings.push(
-                Diagnostic::new(&UNFITTING_TYPE.info, place, message).help("correct the type or the entry"),
-            );
+            findings.push(UNFITTING_TYPE.at(place, message).help("correct the type or the entry"));
         }
     };
     for (&index, object) in &device.objects {
@@ -104,7 +102,7 @@ fn value_without_name(device: &Device, findings: &mut Findings) {
             }
             let numbers = named.values.iter().take(8).map(|name| say!("`{}`", name.number));
             let message = say!("`{}` is not a value of the enumeration `{}`", value, &*definition.name);
-            let finding = Diagnostic::new(&VALUE_WITHOUT_NAME.info, device.value_place(index, sub), message);
+            let finding = VALUE_WITHOUT_NAME.at(device.value_place(index, sub), message);
             findings.push(finding.help(say!("write one of {}, or add the value", joined(numbers, ", "))));
         }
     }

@@ -1,12 +1,12 @@
 //! Objects of a drive that need each other.
 
 use crate::demands::Applied;
-use crate::diagnostic::{Diagnostic, Findings, RuleInfo, Text, say, series};
+use crate::diagnostic::{Findings, Text, say, series};
 use crate::rule::rules;
 use crate::{Drive, Facts};
 
 rules! {
-    "cia402/incomplete-touch-probe", Warning, Applied(incomplete_touch_probe);
+    "cia402/incomplete-touch-probe" = INCOMPLETE_TOUCH_PROBE, Warning, Drive(incomplete_touch_probe);
     summary: "the description of a touch probe is incomplete",
     checks: "Whether 60B8h (touch probe function) and 60B9h (touch probe status) are both described if one of them or 60BAh to 60BDh (positions of touch probes) is.",
     why: "Without the function the probe cannot be enabled; without the status a master does not know whether the position was sampled.",
@@ -14,7 +14,7 @@ rules! {
     remedy: "Describe the missing object.",
     source: "CiA 402-2, touch probe",
 
-    "cia402/interpolation-without-data", Warning, Applied(interpolation_without_data);
+    "cia402/interpolation-without-data" = INTERPOLATION_WITHOUT_DATA, Warning, Drive(interpolation_without_data);
     summary: "interpolation is supported without its data record or its time",
     checks: "Whether a drive whose 6502h states interpolated position mode has 60C1h (interpolation data record) and 60C2h (interpolation time period), and a drive with 60C0h (interpolation sub mode select) or 60C4h (interpolation data configuration) has 60C1h. A missing 60C0h is named beside the others.",
     why: "A master writes the set-points to the data record and the time between two of them to 60C2h; without them there is nothing to interpolate.",
@@ -22,7 +22,7 @@ rules! {
     remedy: "Describe the objects, or clear bit 6 of 6502h.",
     source: "CiA 402-2, interpolated position mode",
 
-    "cia402/notation-without-dimension", Warning, Applied(notation_without_dimension);
+    "cia402/notation-without-dimension" = NOTATION_WITHOUT_DIMENSION, Warning, Drive(notation_without_dimension);
     summary: "only one of notation index and dimension index is described",
     checks: "Whether both unit objects of version 2 are described: 6089h and 608Ah for positions, 608Bh and 608Ch for velocities, 608Dh and 608Eh for accelerations.",
     why: "The notation index is a power of ten, the dimension index a unit: neither has a meaning alone.",
@@ -30,7 +30,7 @@ rules! {
     remedy: "Describe the other, or use 60A8h to 60ABh of version 4.",
     source: "CiA 402 version 2, factor group",
 
-    "cia402/target-without-actual-value", Warning, Applied(target_without_actual_value);
+    "cia402/target-without-actual-value" = TARGET_WITHOUT_ACTUAL_VALUE, Warning, Applied(target_without_actual_value);
     summary: "a target is described without its actual value",
     checks: "Whether the actual value of each target is described: 6044h for 6042h, 6064h for 607Ah, 606Ch for 60FFh, 6077h for 6071h. If 6502h states a mode that requires the actual value, `cia402/missing-object` reports it instead.",
     why: "Without the actual value a master cannot monitor the axis or detect that it has reached the target.",
@@ -38,7 +38,7 @@ rules! {
     remedy: "Describe the actual value.",
     source: "CiA 402-2, IEC 61800-7-201",
 
-    "cia402/time-without-window", Note, Applied(time_without_window);
+    "cia402/time-without-window" = TIME_WITHOUT_WINDOW, Note, Drive(time_without_window);
     summary: "a time is described without its window",
     checks: "Whether 6065h (following error window) is described with 6066h (its time out), 6067h (position window) with 6068h, 606Dh (velocity window) with 606Eh, 606Fh (velocity threshold) with 6070h.",
     why: "The time states how long the value may be outside, or must be inside, a window that cannot be set.",
@@ -47,13 +47,7 @@ rules! {
     source: "CiA 402-2, IEC 61800-7-201",
 }
 
-fn incomplete_touch_probe(
-    rule: &'static RuleInfo,
-    facts: &Facts<'_>,
-    applied: &Applied<'_>,
-    findings: &mut Findings,
-) {
-    let drive = Drive::new(facts, applied);
+fn incomplete_touch_probe(drive: Drive<'_>, findings: &mut Findings) {
     let Some(there) = (0x60B8..=0x60BD).find(|&index| drive.has(index)) else { return };
     let missing = [(0x60B8, "touch probe function"), (0x60B9, "touch probe status")];
     let missing = missing.into_iter().filter(|&(index, _)| drive.lacks(index));
@@ -62,16 +56,11 @@ fn incomplete_touch_probe(
         return;
     }
     let message = say!("{} is described without {}", drive.name(there), series(&missing));
-    findings.push(Diagnostic::new(rule, drive.place(there), message).help("describe the missing objects"));
+    findings
+        .push(INCOMPLETE_TOUCH_PROBE.at(drive.place(there), message).help("describe the missing objects"));
 }
 
-fn interpolation_without_data(
-    rule: &'static RuleInfo,
-    facts: &Facts<'_>,
-    applied: &Applied<'_>,
-    findings: &mut Findings,
-) {
-    let drive = Drive::new(facts, applied);
+fn interpolation_without_data(drive: Drive<'_>, findings: &mut Findings) {
     let is_stated = drive.supports(6) == Some(true);
     let there = [0x60C0, 0x60C4].into_iter().find(|&index| drive.has(index));
     let lacks_data = drive.lacks(0x60C1) && (is_stated || there.is_some());
@@ -87,12 +76,12 @@ fn interpolation_without_data(
         Some(there) => {
             let message =
                 say!("{} is described without {} (interpolation data record)", drive.name(there), missing);
-            Diagnostic::new(rule, drive.place(there), message)
+            INTERPOLATION_WITHOUT_DATA.at(drive.place(there), message)
         }
         None => {
             let message =
                 say!("interpolated position mode is supported, but {} {} missing", missing.clone(), verb);
-            Diagnostic::new(rule, drive.value_place(0x6502, 0), message)
+            INTERPOLATION_WITHOUT_DATA.at(drive.value_place(0x6502, 0), message)
         }
     };
     findings.push(finding.help("describe the missing objects, or clear bit 6 of 6502h"));
@@ -103,13 +92,7 @@ fn has_cyclic_mode(drive: Drive<'_>) -> bool {
     (7..=9).any(|bit| drive.supports(bit) == Some(true))
 }
 
-fn notation_without_dimension(
-    rule: &'static RuleInfo,
-    facts: &Facts<'_>,
-    applied: &Applied<'_>,
-    findings: &mut Findings,
-) {
-    let drive = Drive::new(facts, applied);
+fn notation_without_dimension(drive: Drive<'_>, findings: &mut Findings) {
     for notation in [0x6089, 0x608B, 0x608D] {
         let (there, missing, name) = match (drive.has(notation), drive.has(notation + 1)) {
             (true, false) => (notation, notation + 1, "dimension index"),
@@ -119,7 +102,7 @@ fn notation_without_dimension(
         if drive.lacks(missing) {
             let (there_name, missing) = (drive.name(there), drive.name(missing));
             let message = say!("{} is described without its {} {}", there_name, name, missing);
-            let finding = Diagnostic::new(rule, drive.place(there), message);
+            let finding = NOTATION_WITHOUT_DIMENSION.at(drive.place(there), message);
             findings.push(finding.help(say!("describe {}", missing)));
         }
     }
@@ -132,12 +115,7 @@ const TARGETS: [(u16, u16, &str); 4] = [
     (0x6071, 0x6077, "torque actual value"),
 ];
 
-fn target_without_actual_value(
-    rule: &'static RuleInfo,
-    facts: &Facts<'_>,
-    applied: &Applied<'_>,
-    findings: &mut Findings,
-) {
+fn target_without_actual_value(facts: &Facts<'_>, applied: &Applied<'_>, findings: &mut Findings) {
     let drive = Drive::new(facts, applied);
     for (target, actual, name) in TARGETS {
         if !drive.has(target) || !drive.lacks(actual) || is_demanded(facts, applied, actual) {
@@ -145,7 +123,7 @@ fn target_without_actual_value(
         }
         let (target_name, actual_name) = (drive.name(target), drive.name(actual));
         let message = say!("{} is described without {} ({})", target_name, actual_name, name);
-        let finding = Diagnostic::new(rule, drive.place(target), message);
+        let finding = TARGET_WITHOUT_ACTUAL_VALUE.at(drive.place(target), message);
         findings.push(finding.help(say!("describe {}", actual_name)));
     }
 }
@@ -156,13 +134,7 @@ fn is_demanded(facts: &Facts<'_>, applied: &Applied<'_>, index: u16) -> bool {
     wanted.is_some_and(|wanted| wanted.is_demanded(facts.device, applied.block))
 }
 
-fn time_without_window(
-    rule: &'static RuleInfo,
-    facts: &Facts<'_>,
-    applied: &Applied<'_>,
-    findings: &mut Findings,
-) {
-    let drive = Drive::new(facts, applied);
+fn time_without_window(drive: Drive<'_>, findings: &mut Findings) {
     for (window, time, name) in [
         (0x6065, 0x6066, "following error window"),
         (0x6067, 0x6068, "position window"),
@@ -172,7 +144,7 @@ fn time_without_window(
         if drive.has(time) && drive.lacks(window) {
             let (time_name, window) = (drive.name(time), drive.name(window));
             let message = say!("{} is described without its {} {}", time_name, name, window);
-            let finding = Diagnostic::new(rule, drive.place(time), message);
+            let finding = TIME_WITHOUT_WINDOW.at(drive.place(time), message);
             findings.push(finding.help(say!("describe {}", window)));
         }
     }

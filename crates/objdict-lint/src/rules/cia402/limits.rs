@@ -1,12 +1,11 @@
 //! The limits of a drive: positions, speeds and set-points.
 
-use crate::demands::Applied;
-use crate::diagnostic::{Diagnostic, Findings, RuleInfo, Severity, say};
+use crate::Drive;
+use crate::diagnostic::{Findings, Severity, say};
 use crate::rule::rules;
-use crate::{Drive, Facts};
 
 rules! {
-    "cia402/limit-min-above-max", Error, Applied(limit_min_above_max);
+    "cia402/limit-min-above-max" = LIMIT_MIN_ABOVE_MAX, Error, Drive(limit_min_above_max);
     summary: "no position or speed is between the limits of a drive",
     checks: "Whether sub-index 1 of 607Bh (position range limit), 607Dh (software position limit) and 6046h (vl velocity min max amount) is not greater than sub-index 2, configured or default. Two equal positions other than 0 are a warning.",
     why: "No position is between the limits: depending on the vendor, the drive rejects every target or treats the limits as disabled.",
@@ -14,7 +13,7 @@ rules! {
     remedy: "Swap the values, or write the limits of the machine. If both limits are 0, many drives disable them, so they are not reported.",
     source: "CiA 402-2, IEC 61800-7-201",
 
-    "cia402/limit-outside-range", Warning, Applied(limit_outside_range);
+    "cia402/limit-outside-range" = LIMIT_OUTSIDE_RANGE, Warning, Drive(limit_outside_range);
     summary: "a software limit is outside the position range",
     checks: "Whether the limits of 607Dh (software position limit) are within 607Bh (position range limit), if both have a lower limit below the upper one.",
     why: "Positions wrap at the end of the range before they reach the limit, so the limit never stops the axis.",
@@ -22,7 +21,7 @@ rules! {
     remedy: "Move the software limit into the range, or widen the range.",
     source: "CiA 402-2, position range limit and software position limit",
 
-    "cia402/set-point-above-limit", Warning, Applied(set_point_above_limit);
+    "cia402/set-point-above-limit" = SET_POINT_ABOVE_LIMIT, Warning, Drive(set_point_above_limit);
     summary: "a set-point of a drive is above its limit",
     checks: "Whether 6081h and 60FFh (profile and target velocity) are not above 607Fh (max profile velocity), 6083h and 609Ah (profile and homing acceleration) not above 60C5h, 6084h and 6085h (profile and quick stop deceleration) not above 60C6h, 6071h, 60E0h and 60E1h (target torque and torque limits) not above 6072h (max torque), and 6042h (vl target velocity) not above sub-index 2 of 6046h, configured or default. A limit of 0 or without a value is ignored.",
     why: "The drive moves more slowly than configured, or rejects the set-point.",
@@ -30,7 +29,7 @@ rules! {
     remedy: "Lower the set-point, or raise the limit.",
     source: "CiA 402-2, IEC 61800-7-201",
 
-    "cia402/target-outside-limits", Warning, Applied(target_outside_limits);
+    "cia402/target-outside-limits" = TARGET_OUTSIDE_LIMITS, Warning, Drive(target_outside_limits);
     summary: "a target position is outside the limits of the axis",
     checks: "Whether the configured or default value of 607Ah (target position) is within 607Dh (software position limit) and 607Bh (position range limit), if the lower limit is below the upper one.",
     why: "The axis stops at the limit, or rejects the first set-point.",
@@ -38,7 +37,7 @@ rules! {
     remedy: "Correct the target or the limits.",
     source: "CiA 402-2, target position and software position limit",
 
-    "cia402/value-beyond-support", Warning, Applied(value_beyond_support);
+    "cia402/value-beyond-support" = VALUE_BEYOND_SUPPORT, Warning, Drive(value_beyond_support);
     summary: "a value exceeds what another sub-index of the object supports",
     checks: "Whether the actual buffer size of 60C4h (sub-index 2) is at most the maximum (sub-index 1), whether 60A4h has as many jerks as 60A3h says, and whether each digital output that 60FEh switches on (sub-index 1) is enabled in the bit mask (sub-index 2).",
     why: "The drive rejects the size of the buffer or has no value for a jerk; an output that the mask does not enable stays off.",
@@ -47,13 +46,7 @@ rules! {
     source: "CiA 402-2, interpolation data configuration, profile jerk and digital outputs",
 }
 
-fn limit_min_above_max(
-    rule: &'static RuleInfo,
-    facts: &Facts<'_>,
-    applied: &Applied<'_>,
-    findings: &mut Findings,
-) {
-    let drive = Drive::new(facts, applied);
+fn limit_min_above_max(drive: Drive<'_>, findings: &mut Findings) {
     for index in [0x607B, 0x607D, 0x6046] {
         let (Some(min), Some(max)) = (drive.value(index, 1), drive.value(index, 2)) else { continue };
         // a speed may be fixed, and two limits of 0 are mostly disabled
@@ -68,18 +61,12 @@ fn limit_min_above_max(
         } else {
             continue;
         };
-        let finding = Diagnostic::new(rule, drive.value_place(index, 1), message).severity(severity);
+        let finding = LIMIT_MIN_ABOVE_MAX.at(drive.value_place(index, 1), message).severity(severity);
         findings.push(finding.label(drive.value_place(index, 2), "the upper limit").help(help));
     }
 }
 
-fn limit_outside_range(
-    rule: &'static RuleInfo,
-    facts: &Facts<'_>,
-    applied: &Applied<'_>,
-    findings: &mut Findings,
-) {
-    let drive = Drive::new(facts, applied);
+fn limit_outside_range(drive: Drive<'_>, findings: &mut Findings) {
     let limits =
         |index| Some((drive.value(index, 1)?, drive.value(index, 2)?)).filter(|(min, max)| min < max);
     let (Some((first, last)), Some((min, max))) = (limits(0x607B), limits(0x607D)) else { return };
@@ -99,7 +86,7 @@ fn limit_outside_range(
         last,
         drive.name(0x607B)
     );
-    let finding = Diagnostic::new(rule, drive.value_place(0x607D, sub), message);
+    let finding = LIMIT_OUTSIDE_RANGE.at(drive.value_place(0x607D, sub), message);
     let finding = finding.label(drive.value_place(0x607B, sub), "the position range");
     findings.push(finding.help("move the limit into the range or widen the range"));
 }
@@ -118,13 +105,7 @@ const SET_POINT_LIMITS: [(u16, (u16, u8), &str); 10] = [
     (0x60E1, (0x6072, 0), "negative torque limit"),
 ];
 
-fn set_point_above_limit(
-    rule: &'static RuleInfo,
-    facts: &Facts<'_>,
-    applied: &Applied<'_>,
-    findings: &mut Findings,
-) {
-    let drive = Drive::new(facts, applied);
+fn set_point_above_limit(drive: Drive<'_>, findings: &mut Findings) {
     for (index, (limit_index, sub), name) in SET_POINT_LIMITS {
         let (Some(value), Some(limit)) = (drive.value(index, 0), drive.value(limit_index, sub)) else {
             continue;
@@ -133,19 +114,13 @@ fn set_point_above_limit(
             continue;
         }
         let message = say!("the {} `{}` is above its limit `{}`", name, value, limit);
-        let finding = Diagnostic::new(rule, drive.value_place(index, 0), message);
+        let finding = SET_POINT_ABOVE_LIMIT.at(drive.value_place(index, 0), message);
         let finding = finding.label(drive.value_place(limit_index, sub), "the limit");
         findings.push(finding.help("lower the set-point or raise the limit"));
     }
 }
 
-fn target_outside_limits(
-    rule: &'static RuleInfo,
-    facts: &Facts<'_>,
-    applied: &Applied<'_>,
-    findings: &mut Findings,
-) {
-    let drive = Drive::new(facts, applied);
+fn target_outside_limits(drive: Drive<'_>, findings: &mut Findings) {
     let Some(target) = drive.value(0x607A, 0) else { return };
     for (index, name) in [(0x607D, "software limits"), (0x607B, "position range")] {
         let (Some(min), Some(max)) = (drive.value(index, 1), drive.value(index, 2)) else { continue };
@@ -161,24 +136,18 @@ fn target_outside_limits(
             max,
             drive.name(index)
         );
-        let finding = Diagnostic::new(rule, drive.value_place(0x607A, 0), message);
+        let finding = TARGET_OUTSIDE_LIMITS.at(drive.value_place(0x607A, 0), message);
         let finding = finding.label(drive.value_place(index, sub), "the limit");
         findings.push(finding.help("correct the target or the limits"));
         return;
     }
 }
 
-fn value_beyond_support(
-    rule: &'static RuleInfo,
-    facts: &Facts<'_>,
-    applied: &Applied<'_>,
-    findings: &mut Findings,
-) {
-    let drive = Drive::new(facts, applied);
+fn value_beyond_support(drive: Drive<'_>, findings: &mut Findings) {
     let values = |index| Some((drive.value(index, 1)?, drive.value(index, 2)?));
     if let Some((maximum, actual)) = values(0x60C4).filter(|(maximum, actual)| actual > maximum) {
         let message = say!("the buffer size `{}` is above the maximum `{}`", actual, maximum);
-        let finding = Diagnostic::new(rule, drive.value_place(0x60C4, 2), message);
+        let finding = VALUE_BEYOND_SUPPORT.at(drive.value_place(0x60C4, 2), message);
         let finding = finding.label(drive.value_place(0x60C4, 1), "the maximum");
         findings.push(finding.help("lower the buffer size"));
     }
@@ -187,7 +156,7 @@ fn value_beyond_support(
         && used > jerks.into()
     {
         let message = say!("the profile uses {} jerks, but {} has {}", used, drive.name(0x60A4), jerks);
-        let finding = Diagnostic::new(rule, drive.value_place(0x60A3, 0), message);
+        let finding = VALUE_BEYOND_SUPPORT.at(drive.value_place(0x60A3, 0), message);
         let finding = finding.label(drive.value_place(0x60A4, 0), "the number of jerks");
         findings.push(finding.help("describe the jerks, or use fewer"));
     }
@@ -198,7 +167,7 @@ fn value_beyond_support(
             outputs & !mask,
             mask
         );
-        let finding = Diagnostic::new(rule, drive.value_place(0x60FE, 1), message);
+        let finding = VALUE_BEYOND_SUPPORT.at(drive.value_place(0x60FE, 1), message);
         let finding = finding.label(drive.value_place(0x60FE, 2), "the bit mask");
         findings.push(finding.help("enable the outputs in the bit mask, or switch them off"));
     }

@@ -1,13 +1,13 @@
 //! The objects of a drive that PDOs must carry.
 
 use crate::demands::Applied;
-use crate::diagnostic::{Diagnostic, Findings, RuleInfo, say};
+use crate::diagnostic::{Findings, say};
 use crate::model::{Entry, Field, PdoKind};
 use crate::rule::rules;
 use crate::{Drive, Facts, PdoFacts};
 
 rules! {
-    "cia402/controlword-not-mappable", Warning, Applied(controlword_not_mappable);
+    "cia402/controlword-not-mappable" = CONTROLWORD_NOT_MAPPABLE, Warning, Applied(controlword_not_mappable);
     summary: "the controlword or the statusword is not mappable",
     checks: "Whether 6040h and 6041h are marked as mappable in a drive with RPDOs and TPDOs.",
     why: "Masters control the state machine by PDO. If the objects cannot be mapped, each transition needs an SDO transfer, which most masters do not support.",
@@ -15,7 +15,7 @@ rules! {
     remedy: "Write `PDOMapping=1` if the drive supports it.",
     source: "CiA 402-2, controlword and statusword; CiA 402-3, default PDOs",
 
-    "cia402/controlword-not-mapped", Note, Applied(controlword_not_mapped);
+    "cia402/controlword-not-mapped" = CONTROLWORD_NOT_MAPPED, Note, Applied(controlword_not_mapped);
     summary: "no PDO carries the controlword or the statusword by default",
     checks: "Whether at least one RPDO maps 6040h and one TPDO maps 6041h by default, in drives whose PDOs have a default mapping. Only the first axis is checked. Drives with an incomplete default mapping, and objects that are not mappable, are skipped.",
     why: "The default PDOs of CiA 402-3 begin with these objects, and a master that keeps the default mapping relies on them.",
@@ -23,7 +23,7 @@ rules! {
     remedy: "Map the objects by default, first in RPDO 1 and TPDO 1; or ignore the note if every master configures the mapping. It is a note because the drive works with a master that sets its own mapping.",
     source: "CiA 402-3, default PDOs",
 
-    "cia402/cyclic-target-not-mappable", Warning, Applied(cyclic_target_not_mappable);
+    "cia402/cyclic-target-not-mappable" = CYCLIC_TARGET_NOT_MAPPABLE, Warning, Drive(cyclic_target_not_mappable);
     summary: "the target of a cyclic mode is not mappable",
     checks: "Whether 607Ah (target position), 60FFh (target velocity) and 6071h (target torque) are marked as mappable if 6502h states the corresponding cyclic synchronous mode.",
     why: "A cyclic mode needs a new target with every SYNC; SDO transfers are too slow.",
@@ -32,12 +32,7 @@ rules! {
     source: "CiA 402-2, cyclic synchronous modes",
 }
 
-fn controlword_not_mappable(
-    rule: &'static RuleInfo,
-    facts: &Facts<'_>,
-    applied: &Applied<'_>,
-    findings: &mut Findings,
-) {
+fn controlword_not_mappable(facts: &Facts<'_>, applied: &Applied<'_>, findings: &mut Findings) {
     let drive = Drive::new(facts, applied);
     for (index, name, kind) in [(0x6040, "controlword", PdoKind::Rpdo), (0x6041, "statusword", PdoKind::Tpdo)]
     {
@@ -48,16 +43,11 @@ fn controlword_not_mappable(
         }
         let message = say!("{} ({}) is not mappable, so no {} can carry it", drive.name(index), name, kind);
         let place = drive.place(index).field(Field::PdoMapping);
-        findings.push(Diagnostic::new(rule, place, message).help(say!("write `{PDOMapping=1}`")));
+        findings.push(CONTROLWORD_NOT_MAPPABLE.at(place, message).help(say!("write `{PDOMapping=1}`")));
     }
 }
 
-fn controlword_not_mapped(
-    rule: &'static RuleInfo,
-    facts: &Facts<'_>,
-    applied: &Applied<'_>,
-    findings: &mut Findings,
-) {
+fn controlword_not_mapped(facts: &Facts<'_>, applied: &Applied<'_>, findings: &mut Findings) {
     if applied.block > 0 {
         return;
     }
@@ -75,20 +65,14 @@ fn controlword_not_mapped(
             continue;
         }
         let message = say!("no {} maps {} ({}) by default", kind, drive.name(index), name);
-        let finding = Diagnostic::new(rule, drive.place(index), message);
+        let finding = CONTROLWORD_NOT_MAPPED.at(drive.place(index), message);
         let place = facts.device.value_place(first.pdo.mapping_index(), 1);
         let help = say!("map it as the first object: `0x{:04X}0010`", drive.index(index));
         findings.push(finding.label(place, say!("{} maps this", first.pdo)).help(help));
     }
 }
 
-fn cyclic_target_not_mappable(
-    rule: &'static RuleInfo,
-    facts: &Facts<'_>,
-    applied: &Applied<'_>,
-    findings: &mut Findings,
-) {
-    let drive = Drive::new(facts, applied);
+fn cyclic_target_not_mappable(drive: Drive<'_>, findings: &mut Findings) {
     for (bit, index, mode) in [(7, 0x607A, "position"), (8, 0x60FF, "velocity"), (9, 0x6071, "torque")] {
         let Some(entry) = drive.variable(index) else { continue };
         let is_readable = entry.invalid_values.get(&Field::PdoMapping).is_none();
@@ -96,7 +80,7 @@ fn cyclic_target_not_mappable(
             let name = drive.name(index);
             let message =
                 say!("{} is not mappable, but cyclic synchronous {} mode needs it in a PDO", name, mode);
-            let finding = Diagnostic::new(rule, drive.place(index).field(Field::PdoMapping), message);
+            let finding = CYCLIC_TARGET_NOT_MAPPABLE.at(drive.place(index).field(Field::PdoMapping), message);
             let finding = finding.label(drive.value_place(0x6502, 0), say!("bit {} states the mode", bit));
             findings.push(finding.help(say!("write `{PDOMapping=1}`")));
         }

@@ -1,12 +1,12 @@
 //! The values of a drive that stop or start it unintentionally.
 
 use crate::demands::Applied;
-use crate::diagnostic::{Diagnostic, Findings, RuleInfo, Severity, say};
+use crate::diagnostic::{Findings, Severity, say};
 use crate::rule::rules;
 use crate::{Drive, Facts, with_others};
 
 rules! {
-    "cia402/enabled-by-default", Warning, Applied(enabled_by_default);
+    "cia402/enabled-by-default" = ENABLED_BY_DEFAULT, Warning, Drive(enabled_by_default);
     summary: "the controlword of a drive is the command to move from the start",
     checks: "Whether 6040h, configured or default, is not `Enable operation`: bits 0 to 3 set and bit 7 not.",
     why: "The axis is powered as soon as its state allows it, before a master has checked anything: after a restart or a repaired fault, it may move.",
@@ -14,7 +14,7 @@ rules! {
     remedy: "Write 0, and let the master command the states one after the other.",
     source: "CiA 402-2, controlword",
 
-    "cia402/interpolation-time-differs", Warning, Applied(interpolation_time_differs);
+    "cia402/interpolation-time-differs" = INTERPOLATION_TIME_DIFFERS, Warning, Drive(interpolation_time_differs);
     summary: "the interpolation time does not match the SYNC period",
     checks: "Whether the time in 60C2h, value times ten to the power of the index in seconds, is a multiple or a divisor of 1006h (communication cycle period), if both are not 0.",
     why: "The drive interpolates towards the next target for the time in 60C2h, but the next target arrives with SYNC: if the times differ, the axis stutters.",
@@ -22,7 +22,7 @@ rules! {
     remedy: "Set both to the same time.",
     source: "CiA 402-2, interpolation time period; CiA 301 §7.5.2.6",
 
-    "cia402/zero-factor", Error, Applied(zero_factor);
+    "cia402/zero-factor" = ZERO_FACTOR, Error, Applied(zero_factor);
     summary: "a factor or resolution of a drive is 0",
     checks: "Whether sub-indexes 1 and 2 of the factors are not 0, configured or default: 604Bh, 604Ch, 608Fh to 6097h, 60A2h.",
     why: "The drive divides by one and multiplies by the other: with 0 it cannot compute positions.",
@@ -30,7 +30,7 @@ rules! {
     remedy: "Write 1 for no scaling, or remove the default if the value depends on the motor.",
     source: "CiA 402-2, factor group",
 
-    "cia402/zero-speed", Note, Applied(zero_speed);
+    "cia402/zero-speed" = ZERO_SPEED, Note, Drive(zero_speed);
     summary: "a speed, a ramp or a torque of a drive is 0",
     checks: "Whether the speeds, ramps and torques that the modes of 6502h need are not 0: 6048h, 6046h sub-index 2, the speeds of 6049h and 604Ah, 6081h, 6083h, 6084h, 6087h, 6099h, 609Ah and 60C2h, and for all modes 6072h, 6073h, 6075h, 6076h, 6085h, 60E0h and 60E1h, in position modes also 6065h (following error window), and 607Fh (max profile velocity). One finding for each axis. A configured value is a warning; a default is a note, because a master may write another value first. 6065h, 607Fh and 60C2h are always a note, because some drives take 0 for no limit or no interpolation; other limits of speeds and accelerations are not checked.",
     why: "The axis accepts the command and does not move, or has no torque.",
@@ -39,26 +39,14 @@ rules! {
     source: "CiA 402-2, the object descriptions of the modes",
 }
 
-fn enabled_by_default(
-    rule: &'static RuleInfo,
-    facts: &Facts<'_>,
-    applied: &Applied<'_>,
-    findings: &mut Findings,
-) {
-    let drive = Drive::new(facts, applied);
+fn enabled_by_default(drive: Drive<'_>, findings: &mut Findings) {
     let Some(command) = drive.value(0x6040, 0).filter(|command| command & 0x8F == 0x0F) else { return };
     let message = say!("the controlword `0x{:04X}` enables the operation at power-on", command);
-    let finding = Diagnostic::new(rule, drive.value_place(0x6040, 0), message);
+    let finding = ENABLED_BY_DEFAULT.at(drive.value_place(0x6040, 0), message);
     findings.push(finding.help("write 0, and let the master enable the operation"));
 }
 
-fn interpolation_time_differs(
-    rule: &'static RuleInfo,
-    facts: &Facts<'_>,
-    applied: &Applied<'_>,
-    findings: &mut Findings,
-) {
-    let drive = Drive::new(facts, applied);
+fn interpolation_time_differs(drive: Drive<'_>, findings: &mut Findings) {
     let (Some(value), Some(index)) = (drive.value(0x60C2, 1), drive.value(0x60C2, 2)) else { return };
     let Some(period) = drive.value(0x1006, 0).filter(|&period| period > 0) else { return };
     let Some(time) = microseconds(value, index).filter(|&time| time > 0) else { return };
@@ -71,7 +59,7 @@ fn interpolation_time_differs(
         time,
         period
     );
-    let finding = Diagnostic::new(rule, drive.value_place(0x60C2, 1), message);
+    let finding = INTERPOLATION_TIME_DIFFERS.at(drive.value_place(0x60C2, 1), message);
     let finding = finding.label(drive.value_place(0x1006, 0), "the SYNC period");
     findings.push(finding.help("set both to the same time"));
 }
@@ -83,14 +71,14 @@ fn microseconds(value: i128, index: i128) -> Option<i128> {
     Some(value * 10i128.pow(power))
 }
 
-fn zero_factor(rule: &'static RuleInfo, facts: &Facts<'_>, applied: &Applied<'_>, findings: &mut Findings) {
+fn zero_factor(facts: &Facts<'_>, applied: &Applied<'_>, findings: &mut Findings) {
     let drive = Drive::new(facts, applied);
     for index in [0x604B, 0x604C].into_iter().chain(0x608F..=0x6097).chain([0x60A2]) {
         let zero: Vec<u8> = [1, 2].into_iter().filter(|&sub| drive.value(index, sub) == Some(0)).collect();
         let Some(&first) = zero.first() else { continue };
         let name = applied.profile.object(index).map_or("", |facts| facts.name);
         let message = say!("{} ({}) is a ratio, but has the value `0`", drive.name(index), name);
-        let finding = Diagnostic::new(rule, drive.value_place(index, first), message);
+        let finding = ZERO_FACTOR.at(drive.value_place(index, first), message);
         let others = zero.iter().skip(1).map(|&sub| (drive.value_place(index, sub), "also here"));
         findings.push(with_others(finding, others).help("write 1 for no scaling"));
     }
@@ -128,8 +116,7 @@ const NON_ZERO_VALUES: [(u16, u8, u32, &str); 22] = [
     (0x60E1, 0, 0, "negative torque limit"),
 ];
 
-fn zero_speed(rule: &'static RuleInfo, facts: &Facts<'_>, applied: &Applied<'_>, findings: &mut Findings) {
-    let drive = Drive::new(facts, applied);
+fn zero_speed(drive: Drive<'_>, findings: &mut Findings) {
     let modes = drive.modes().unwrap_or(0);
     let zeros = NON_ZERO_VALUES.iter().filter(|&&(index, sub, needed, _)| {
         (needed == 0 || modes & needed != 0) && drive.value(index, sub) == Some(0)
@@ -142,7 +129,7 @@ fn zero_speed(rule: &'static RuleInfo, facts: &Facts<'_>, applied: &Applied<'_>,
     let (configured, defaults): (Vec<_>, Vec<_>) = zeros.copied().partition(is_configured);
     let mut all = configured.iter().chain(&defaults);
     let Some(&(index, sub, _, name)) = all.next() else { return };
-    let finding = Diagnostic::new(rule, drive.value_place(index, sub), say!("the {} is `0`", name));
+    let finding = ZERO_SPEED.at(drive.value_place(index, sub), say!("the {} is `0`", name));
     let others = all.map(|&(index, sub, _, name)| (drive.value_place(index, sub), say!("the {} too", name)));
     let finding = with_others(finding, others).help("write a value that fits the machine");
     findings.push(if configured.is_empty() { finding } else { finding.severity(Severity::Warning) });

@@ -24,7 +24,7 @@ rules! {
     remedy: "Remove the object or correct the type.",
     source: "CiA 406, the object descriptions",
 
-    "cia406/missing-object", Error, Applied(missing_object);
+    "cia406/missing-object", Error, Demand(missing_object);
     summary: "an object that CiA 406 requires of an encoder is missing",
     checks: "Whether an encoder has the objects of every class: 6000h, 6500h and 6501h; 6004h, or 6020h for several sensors; 6502h for rotary encoders; and its two TPDOs, 1800h and 1801h with their mappings (1802h instead of 1801h, as in editions before 3). Objects that depend on the encoder type are not checked if 1000h does not state the type.",
     why: "Masters read the position from this object or from TPDO 1, and need resolution and number of revolutions to interpret it.",

@@ -1,13 +1,13 @@
 //! The TPDOs of an encoder.
 
 use crate::demands::Applied;
-use crate::diagnostic::{Diagnostic, Findings, Fix, RuleInfo, Severity, say};
+use crate::diagnostic::{Findings, Fix, Severity, say};
 use crate::model::{DeviceKind, MappedObject, PdoKind};
 use crate::rule::rules;
 use crate::{Facts, PdoFacts, Target};
 
 rules! {
-    "cia406/cyclic-timer-mismatch", Error, Applied(cyclic_timer_mismatch);
+    "cia406/cyclic-timer-mismatch" = CYCLIC_TIMER_MISMATCH, Error, Applied(cyclic_timer_mismatch);
     summary: "the cyclic timer and the event timer of TPDO 1 differ",
     checks: "Whether 6200h and 1800h sub-index 5 have the same value if both are described.",
     why: "Both objects access one timer, so one of the values is wrong, and the start-up value of the encoder is ambiguous.",
@@ -15,7 +15,7 @@ rules! {
     remedy: "Write the same time, in milliseconds.",
     source: "CiA 406 (6200h, 1800h)",
 
-    "cia406/wrong-default-mapping", Error, Applied(wrong_default_mapping), fix Unsafe;
+    "cia406/wrong-default-mapping" = WRONG_DEFAULT_MAPPING, Error, Applied(wrong_default_mapping), fix Unsafe;
     summary: "a TPDO of an encoder does not carry the position",
     checks: "Whether TPDO 1 and TPDO 2 of an EDS carry the position and nothing else: 6004h with 32 bits, 6008h with 64 bits in encoders of high precision, 6020h sub-index 1 in those with several sensors. Further objects after the position are a warning. TPDO 2 is not checked if there is a TPDO 3, which was the synchronous one before edition 3. PDOs with invalid entries are not checked.",
     why: "Encoders are interchangeable because the position is in the first four bytes of TPDO 1.",
@@ -23,7 +23,7 @@ rules! {
     remedy: "Write `0x60040020`, in the description and in the device.",
     source: "CiA 406 (1A00h, 1A01h)",
 
-    "cia406/wrong-transmission-type", Warning, Applied(wrong_transmission_type), fix Unsafe;
+    "cia406/wrong-transmission-type" = WRONG_TRANSMISSION_TYPE, Warning, Applied(wrong_transmission_type), fix Unsafe;
     summary: "a TPDO of an encoder has a transmission type other than that of CiA 406",
     checks: "Whether TPDO 1 of an EDS is sent by its timer (transmission type 254; 255 is accepted) and TPDO 2 on each SYNC (type 1). TPDO 2 is not checked if there is a TPDO 3, which was the synchronous one before edition 3.",
     why: "A master that knows the profile expects TPDO 1 asynchronously and TPDO 2 with each SYNC.",
@@ -32,19 +32,14 @@ rules! {
     source: "CiA 406 (1800h, 1801h)",
 }
 
-fn cyclic_timer_mismatch(
-    rule: &'static RuleInfo,
-    facts: &Facts<'_>,
-    applied: &Applied<'_>,
-    findings: &mut Findings,
-) {
+fn cyclic_timer_mismatch(facts: &Facts<'_>, applied: &Applied<'_>, findings: &mut Findings) {
     let device = facts.device;
     let value = |index: u16, sub: u8| device.object(index)?.value(sub)?.as_integer();
     let (Some(cyclic), Some(event)) = (value(0x6200, 0), value(0x1800, 5)) else { return };
     if cyclic != event && applied.block == 0 {
         let message =
             say!("the cyclic timer is `{}` ms, but the event timer of TPDO 1 is {} ms", cyclic, event);
-        let finding = Diagnostic::new(rule, device.value_place(0x6200, 0), message);
+        let finding = CYCLIC_TIMER_MISMATCH.at(device.value_place(0x6200, 0), message);
         let finding = finding.label(device.value_place(0x1800, 5), "the same timer");
         findings.push(finding.help("write the same time to both"));
     }
@@ -57,12 +52,7 @@ const POSITION_OBJECTS: [MappedObject; 3] = [
     MappedObject { index: 0x6020, sub: 1, bits: 32 },
 ];
 
-fn wrong_default_mapping(
-    rule: &'static RuleInfo,
-    facts: &Facts<'_>,
-    applied: &Applied<'_>,
-    findings: &mut Findings,
-) {
+fn wrong_default_mapping(facts: &Facts<'_>, applied: &Applied<'_>, findings: &mut Findings) {
     let device = facts.device;
     if device.kind != DeviceKind::Type || applied.block > 0 || device.profile() == Some(0xFFFF) {
         return;
@@ -79,7 +69,7 @@ fn wrong_default_mapping(
         if right {
             let message = say!("{} maps more than the position", pdo.pdo);
             let place = device.value_place(index, pdo.mapped.get(1).map_or(0, |second| second.slot));
-            let finding = Diagnostic::new(rule, place, message).severity(Severity::Warning);
+            let finding = WRONG_DEFAULT_MAPPING.at(place, message).severity(Severity::Warning);
             let fix = Fix::risky("map the position only").set(device.value_place(index, 0), "1");
             findings.push(finding.help("map other values into other TPDOs").fix(fix));
             continue;
@@ -96,7 +86,7 @@ fn wrong_default_mapping(
             ),
             None => say!("{} maps {:04X}h:{:02X} first, not the position", pdo.pdo, found, sub),
         };
-        let finding = Diagnostic::new(rule, device.value_place(index, first.slot), message);
+        let finding = WRONG_DEFAULT_MAPPING.at(device.value_place(index, first.slot), message);
         let (is_there, number) = match device.object(0x6004) {
             Some(_) => (true, "0x60040020"),
             None => (device.objects.contains_key(&0x6020), "0x60200120"),
@@ -120,12 +110,7 @@ fn is_mapping_readable(pdo: &PdoFacts<'_>) -> bool {
 /// A TPDO with its default type and all types it may have.
 const ALLOWED_TYPES: [(u16, u8, &[u8]); 2] = [(1, 254, &[254, 255]), (2, 1, &[1])];
 
-fn wrong_transmission_type(
-    rule: &'static RuleInfo,
-    facts: &Facts<'_>,
-    applied: &Applied<'_>,
-    findings: &mut Findings,
-) {
+fn wrong_transmission_type(facts: &Facts<'_>, applied: &Applied<'_>, findings: &mut Findings) {
     let device = facts.device;
     if device.kind != DeviceKind::Type || applied.block > 0 || device.profile() == Some(0xFFFF) {
         return;
@@ -141,7 +126,7 @@ fn wrong_transmission_type(
         let Some(found) = wrong else { continue };
         let message = say!("transmission type `{}` of {} differs from CiA 406 ({!})", found, pdo, right);
         let place = device.value_place(pdo.communication_index(), 2);
-        let finding = Diagnostic::new(rule, place.clone(), message).help(say!("write {}", right));
+        let finding = WRONG_TRANSMISSION_TYPE.at(place.clone(), message).help(say!("write {}", right));
         findings.push(finding.fix(Fix::risky(say!("write `{}`", right)).set(place, right.to_string())));
     }
 }

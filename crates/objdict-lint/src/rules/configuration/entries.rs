@@ -133,11 +133,7 @@ fn unknown_entry(configured: &Configured<'_>, findings: &mut Findings) {
             if !object.orphan {
                 let is_configured = object.entries().any(|(_, entry)| entry.configured_value().is_some());
                 let message = say!("the {EDS} has no object {:04X}h", index);
-                push_by_use(
-                    Diagnostic::new(&UNKNOWN_ENTRY.info, Place::object(index), message),
-                    is_configured,
-                    findings,
-                );
+                push_by_use(UNKNOWN_ENTRY.at(Place::object(index), message), is_configured, findings);
             }
             continue;
         };
@@ -147,7 +143,7 @@ fn unknown_entry(configured: &Configured<'_>, findings: &mut Findings) {
         let is_configured = missing.iter().any(|(_, entry)| entry.configured_value().is_some());
         let list = series(missing.iter().map(|(sub, _)| sub_index(*sub)));
         let message = say!("the {EDS} has no {} {} in {:04X}h", count_noun(missing.len()), list, index);
-        let finding = Diagnostic::new(&UNKNOWN_ENTRY.info, Place::entry(index, *first), message);
+        let finding = UNKNOWN_ENTRY.at(Place::entry(index, *first), message);
         let finding = finding.label(At::Node(0, Place::object(index)), say!("in the {EDS}"));
         push_by_use(finding, is_configured, findings);
     }
@@ -185,7 +181,7 @@ fn value_outside_limits(configured: &Configured<'_>, findings: &mut Findings) {
         let message =
             say!("{} is configured as {:h}, but `{}` is {:h} in the {EDS}", pair.name(), value, field, limit);
         let place = configured.device.value_place(pair.index, pair.sub.unwrap_or_default());
-        let finding = Diagnostic::new(&VALUE_OUTSIDE_LIMITS.info, place, message);
+        let finding = VALUE_OUTSIDE_LIMITS.at(place, message);
         let sub = pair.sub.map_or(Place::object(pair.index), |sub| Place::entry(pair.index, sub));
         let finding = finding.label(At::Node(0, sub.field(field)), say!("in the {EDS}"));
         findings.push(finding.help("configure a value that the device accepts"));

@@ -1,7 +1,7 @@
 //! The product and revision of a configuration, compared with its EDS.
 
 use crate::configured::Configured;
-use crate::diagnostic::{At, Diagnostic, Findings, say};
+use crate::diagnostic::{At, Findings, say};
 use crate::model::{Device, DeviceInfo, Field, Part, Place};
 use crate::rule::rules;
 
@@ -30,7 +30,7 @@ fn other_device(configured: &Configured<'_>, findings: &mut Findings) {
             continue;
         };
         let message = say!("the {} is `0x{:08X}`, but that of the {EDS} is `0x{:08X}`", name, is, wanted);
-        let finding = Diagnostic::new(&OTHER_DEVICE.info, place, message);
+        let finding = OTHER_DEVICE.at(place, message);
         findings.push(
             finding
                 .label(At::Node(0, other), say!("in the {EDS}"))
@@ -78,7 +78,6 @@ fn other_revision(configured: &Configured<'_>, findings: &mut Findings) {
     let found = difference(device, origin, &Field::RevisionNumber, |info| info.revision_number, 3);
     let Some((place, is, other, wanted)) = found else { return };
     let message = say!("the revision number is `0x{:08X}`, but that of the {EDS} is `0x{:08X}`", is, wanted);
-    let finding =
-        Diagnostic::new(&OTHER_REVISION.info, place, message).label(At::Node(0, other), say!("in the {EDS}"));
+    let finding = OTHER_REVISION.at(place, message).label(At::Node(0, other), say!("in the {EDS}"));
     findings.push(finding.help(say!("make the configuration anew from this {EDS}")));
 }

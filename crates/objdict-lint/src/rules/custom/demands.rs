@@ -15,7 +15,7 @@ rules! {
     remedy: "Remove the object, or correct the values that the condition depends on.",
     source: "the loaded profile",
 
-    "custom/missing-object", Error, Applied(missing_object);
+    "custom/missing-object", Error, Demand(missing_object);
     summary: "an object that a custom profile requires is missing",
     checks: "Whether the device has the objects that a profile loaded with `--profile` or `profiles` in `objdict.toml` makes mandatory, always or under a condition that holds for the device. Objects that a module of a modular device may add are not reported.",
     why: "Project software relies on the object.",

@@ -2,7 +2,7 @@
 
 use std::collections::HashMap;
 
-use crate::diagnostic::{Diagnostic, Findings, say, sub_index};
+use crate::diagnostic::{Findings, say, sub_index};
 use crate::model::{Device, DeviceKind, Field, ModulePart, Object, Part, Place};
 use crate::rule::rules;
 use crate::with_others;
@@ -73,7 +73,7 @@ fn duplicate_denotation(device: &Device, findings: &mut Findings) {
     let mut repeated = repeated.into_iter();
     let Some((first, second, name)) = repeated.next() else { return };
     let message = say!("two entries have the denotation `{}`", name);
-    let finding = Diagnostic::new(&DUPLICATE_DENOTATION.info, second, message).label(first, "first here");
+    let finding = DUPLICATE_DENOTATION.at(second, message).label(first, "first here");
     let others = repeated.map(|(_, place, name)| (place, say!("`{}` again", name)));
     findings.push(with_others(finding, others).help("give each entry a unique denotation"));
 }
@@ -90,8 +90,7 @@ fn duplicate_module(device: &Device, findings: &mut Findings) {
         }
         let place = |number| Place::of(Part::Module(number, ModulePart::Info)).field(Field::ProductName);
         let message = say!("modules {} and {} are both `{}` with order code `{}`", first, number, name, code);
-        let finding =
-            Diagnostic::new(&DUPLICATE_MODULE.info, place(number), message).label(place(first), "first here");
+        let finding = DUPLICATE_MODULE.at(place(number), message).label(place(first), "first here");
         findings.push(finding.help("add the version to the name, or remove one of the modules"));
     }
 }
@@ -111,8 +110,7 @@ fn duplicate_object_name(device: &Device, findings: &mut Findings) {
     let Some((first, second, name)) = repeated.next() else { return };
     let place = |index| Place::object(index).field(Field::ParameterName);
     let message = say!("{:04X}h and {:04X}h are both called `{}`", first, second, name);
-    let finding = Diagnostic::new(&DUPLICATE_OBJECT_NAME.info, place(second), message)
-        .label(place(first), "first here");
+    let finding = DUPLICATE_OBJECT_NAME.at(place(second), message).label(place(first), "first here");
     let others = repeated
         .map(|(first, index, _)| (place(index), say!("and {:04X}h the same as {:04X}h", index, first)));
     findings.push(with_others(finding, others).help("add a number or a word to the names"));
@@ -132,8 +130,7 @@ fn same_identifier(_: &Device, index: u16, object: &Object, findings: &mut Findi
         sub_index(second)
     );
     let place = |sub| Place::entry(index, sub).field(Field::ParameterName);
-    let finding =
-        Diagnostic::new(&SAME_IDENTIFIER.info, place(second), message).label(place(first), "first here");
+    let finding = SAME_IDENTIFIER.at(place(second), message).label(place(first), "first here");
     findings.push(finding.help("express the difference in words"));
 }
 

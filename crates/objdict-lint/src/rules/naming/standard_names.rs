@@ -4,7 +4,7 @@ use std::cell::LazyCell;
 use std::collections::HashMap;
 
 use crate::demands::{self, Against};
-use crate::diagnostic::{Diagnostic, Findings, say, sub_index};
+use crate::diagnostic::{Findings, say, sub_index};
 use crate::model::{Field, PdoKind, Place};
 use crate::profile::index_in;
 use crate::rule::rules;
@@ -55,7 +55,7 @@ fn name_of_other_object(facts: &Facts<'_>, findings: &mut Findings) {
     }
     let mut wrong = wrong.into_iter().map(|(place, text)| (place.field(Field::ParameterName), text));
     let Some((place, message)) = wrong.next() else { return };
-    let finding = Diagnostic::new(&NAME_OF_OTHER_OBJECT.info, place, message);
+    let finding = NAME_OF_OTHER_OBJECT.at(place, message);
     findings.push(
         with_others(finding, wrong).help("write the name that the document gives it, or move the object"),
     );
@@ -122,10 +122,7 @@ fn wrong_pdo_direction(_: &Facts<'_>, pdo: &PdoFacts<'_>, findings: &mut Finding
         if says(other) && !says(own) {
             let message = say!("{:04X}h belongs to {}, but is named `{}`", index, pdo, name);
             let place = Place::object(index).field(Field::ParameterName);
-            findings.push(
-                Diagnostic::new(&WRONG_PDO_DIRECTION.info, place, message)
-                    .help("correct the name or the index"),
-            );
+            findings.push(WRONG_PDO_DIRECTION.at(place, message).help("correct the name or the index"));
             return;
         }
     }

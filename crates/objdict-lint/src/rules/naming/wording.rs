@@ -1,7 +1,7 @@
 //! Names that are placeholders, too long, or contradict their entry.
 
 use crate::EntryAt;
-use crate::diagnostic::{Diagnostic, Findings, Fix, say, sub_index};
+use crate::diagnostic::{Findings, Fix, say, sub_index};
 use crate::model::{DataType, Device, Field, Object, Place, TypeKind};
 use crate::rule::rules;
 
@@ -59,7 +59,7 @@ fn long_name(at: &EntryAt<'_>, findings: &mut Findings) {
     let length = name.chars().count();
     if length > LONGEST_NAME {
         let message = say!("the name has {} characters", length);
-        let finding = Diagnostic::new(&LONG_NAME.info, at.field(Field::ParameterName), message);
+        let finding = LONG_NAME.at(at.field(Field::ParameterName), message);
         findings.push(finding.help("shorten the name, and move the description to a comment or the manual"));
     }
 }
@@ -88,7 +88,7 @@ fn placeholder(at: &EntryAt<'_>, findings: &mut Findings) {
         return;
     }
     let message = say!("`{}` is a placeholder", name);
-    let finding = Diagnostic::new(&PLACEHOLDER.info, at.field(Field::ParameterName), message);
+    let finding = PLACEHOLDER.at(at.field(Field::ParameterName), message);
     findings.push(finding.help("write a descriptive name"));
 }
 
@@ -107,9 +107,7 @@ fn repeated_blanks(at: &EntryAt<'_>, findings: &mut Findings) {
     let place = at.field(Field::ParameterName);
     let message = say!("`{}` has extra spaces", name);
     let fix = Fix::risky("remove the extra spaces").set(place.clone(), clean.as_str());
-    findings.push(
-        Diagnostic::new(&REPEATED_BLANKS.info, place, message).help(say!("write `{}`", clean)).fix(fix),
-    );
+    findings.push(REPEATED_BLANKS.at(place, message).help(say!("write `{}`", clean)).fix(fix));
 }
 
 fn type_in_name(at: &EntryAt<'_>, findings: &mut Findings) {
@@ -121,7 +119,7 @@ fn type_in_name(at: &EntryAt<'_>, findings: &mut Findings) {
         return;
     }
     let message = say!("the name ends with `{}`, but the entry is {}", text, data_type);
-    let finding = Diagnostic::new(&TYPE_IN_NAME.info, at.field(Field::DataType), message);
+    let finding = TYPE_IN_NAME.at(at.field(Field::DataType), message);
     let finding = finding.label(at.field(Field::ParameterName), "the name");
     findings.push(finding.help("correct the type or the name"));
 }
@@ -164,8 +162,7 @@ fn unordered_numbering(_: &Device, index: u16, object: &Object, findings: &mut F
         name(second)
     );
     let place = |sub| Place::entry(index, sub).field(Field::ParameterName);
-    let finding = Diagnostic::new(&UNORDERED_NUMBERING.info, place(second), message)
-        .label(place(first), "the previous element");
+    let finding = UNORDERED_NUMBERING.at(place(second), message).label(place(first), "the previous element");
     findings.push(finding.help("number the names in the order of the sub-indexes"));
 }
 

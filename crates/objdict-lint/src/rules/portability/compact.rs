@@ -1,6 +1,6 @@
 //! Compact objects, whose sections not all tools read.
 
-use crate::diagnostic::{Diagnostic, Findings, say};
+use crate::diagnostic::{Findings, say};
 use crate::model::{Compact, Device, Part, Place};
 use crate::rule::rules;
 use crate::with_others;
@@ -53,12 +53,9 @@ fn compact_denotations(device: &Device, findings: &mut Findings) {
         is_meant.then(|| Place::of(Part::CompactDenotations(index)))
     });
     let Some(first) = places.next() else { return };
-    let finding = Diagnostic::new(
-        &COMPACT_DENOTATIONS.info,
-        first,
-        "not all tools read the denotations of a compact object",
-    )
-    .help(say!("use `{[xxxxName]}`, or describe the sub-indexes individually"));
+    let finding = COMPACT_DENOTATIONS
+        .at(first, "not all tools read the denotations of a compact object")
+        .help(say!("use `{[xxxxName]}`, or describe the sub-indexes individually"));
     findings.push(with_others(finding, places.map(|place| (place, "the same here"))));
 }
 
@@ -71,9 +68,9 @@ fn compact_names(device: &Device, findings: &mut Findings) {
         is_meant.then(|| Place::of(Part::CompactNames(index)))
     });
     let Some(first) = places.next() else { return };
-    let finding =
-        Diagnostic::new(&COMPACT_NAMES.info, first, "not all tools read the names of a compact object")
-            .help("describe the sub-indexes individually");
+    let finding = COMPACT_NAMES
+        .at(first, "not all tools read the names of a compact object")
+        .help("describe the sub-indexes individually");
     findings.push(with_others(finding, places.map(|place| (place, "the same here"))));
 }
 
@@ -89,12 +86,9 @@ fn compact_parameter_value(device: &Device, findings: &mut Findings) {
         is_meant.then(|| Place::of(Part::Object(index)))
     });
     let Some(first) = places.next() else { return };
-    let finding = Diagnostic::new(
-        &COMPACT_PARAMETER_VALUE.info,
-        first,
-        say!("`{ParameterValue}` of a compact object configures all sub-indexes"),
-    )
-    .help(say!("write the values in `{[xxxxValue]}`"));
+    let finding = COMPACT_PARAMETER_VALUE
+        .at(first, say!("`{ParameterValue}` of a compact object configures all sub-indexes"))
+        .help(say!("write the values in `{[xxxxValue]}`"));
     findings.push(with_others(finding, places.map(|place| (place, "the same here"))));
 }
 
@@ -105,12 +99,9 @@ fn compact_storage(device: &Device, findings: &mut Findings) {
         is_meant.then(|| Place::of(Part::Object(index)))
     });
     let Some(first) = places.next() else { return };
-    let finding = Diagnostic::new(
-        &COMPACT_STORAGE.info,
-        first,
-        say!("not all tools support `{CompactSubObj}` as the standard defines it"),
-    )
-    .help("describe the sub-indexes individually");
+    let finding = COMPACT_STORAGE
+        .at(first, say!("not all tools support `{CompactSubObj}` as the standard defines it"))
+        .help("describe the sub-indexes individually");
     findings.push(with_others(finding, places.map(|place| (place, "the same here"))));
 }
 
@@ -125,8 +116,8 @@ fn compact_values(device: &Device, findings: &mut Findings) {
         is_meant.then(|| Place::of(Part::CompactValues(index)))
     });
     let Some(first) = places.next() else { return };
-    let finding =
-        Diagnostic::new(&COMPACT_VALUES.info, first, "not all tools read the values of a compact object")
-            .help("describe the sub-indexes individually");
+    let finding = COMPACT_VALUES
+        .at(first, "not all tools read the values of a compact object")
+        .help("describe the sub-indexes individually");
     findings.push(with_others(finding, places.map(|place| (place, "the same here"))));
 }

@@ -1,6 +1,6 @@
 //! PDO mappings that not all tools read correctly.
 
-use crate::diagnostic::{Diagnostic, Findings, Fix, counted, say};
+use crate::diagnostic::{Findings, Fix, counted, say};
 use crate::model::{Access, Device, Field, ObjectType, Part, PdoKind, PdoMapping, Place};
 use crate::rule::rules;
 use crate::{EntryAt, Facts, Origin, PdoFacts};
@@ -55,8 +55,7 @@ fn implicit_pdo(device: &Device, findings: &mut Findings) {
         ),
     };
     let place = Place::of(Part::DeviceInfo).field(Field::CompactPdo);
-    findings
-        .push(Diagnostic::new(&IMPLICIT_PDO.info, place, message).help("describe the objects of these PDOs"));
+    findings.push(IMPLICIT_PDO.at(place, message).help("describe the objects of these PDOs"));
 }
 
 fn mapping_of_structure(at: &EntryAt<'_>, findings: &mut Findings) {
@@ -69,8 +68,7 @@ fn mapping_of_structure(at: &EntryAt<'_>, findings: &mut Findings) {
     if is_without_value && at.entry.pdo_mapping == Some(PdoMapping::No) {
         let place = at.field(Field::PdoMapping);
         let message = say!("this {} has `{PDOMapping=0}`", at.object_type().unwrap_or(ObjectType::Var));
-        let finding = Diagnostic::new(&MAPPING_OF_STRUCTURE.info, place.clone(), message)
-            .help(say!("remove {the key}"));
+        let finding = MAPPING_OF_STRUCTURE.at(place.clone(), message).help(say!("remove {the key}"));
         findings.push(finding.fix(Fix::safe(say!("remove {the key}")).remove(place)));
     }
 }
@@ -84,8 +82,7 @@ fn unclear_direction(device: &Device, findings: &mut Findings) {
     let Some(first) = unclear.next() else { return };
     let entries = counted(unclear.count() + 1, "entry is", "entries are");
     let message = say!("{} mappable with `{AccessType=rw}`, which names no direction", entries);
-    let finding =
-        Diagnostic::new(&UNCLEAR_DIRECTION.info, Place::of(first).field(Field::AccessType), message);
+    let finding = UNCLEAR_DIRECTION.at(Place::of(first).field(Field::AccessType), message);
     findings.push(finding.help(say!("write `{AccessType=rwr}` for TPDOs, `{AccessType=rww}` for RPDOs")));
 }
 
@@ -96,7 +93,7 @@ fn unused_mapping_slot(facts: &Facts<'_>, pdo: &PdoFacts<'_>, findings: &mut Fin
     let (Some(0), Some(count), Some(highest)) = (granularity, pdo.pdo.mapped_count, highest) else { return };
     if count < highest {
         let message = say!("{:04X}h has {} entries, but {} maps only `{}`", index, highest, pdo.pdo, count);
-        let finding = Diagnostic::new(&UNUSED_MAPPING_SLOT.info, facts.device.value_place(index, 0), message);
+        let finding = UNUSED_MAPPING_SLOT.at(facts.device.value_place(index, 0), message);
         findings.push(finding.help("remove the unused entries, or write another `Granularity`"));
     }
 }

@@ -1,6 +1,6 @@
 //! Sections and keys that not all tools know.
 
-use crate::diagnostic::{Diagnostic, Findings, say};
+use crate::diagnostic::{Findings, say};
 use crate::model::{Device, Entry, Field, Part, Place};
 use crate::rule::rules;
 use crate::{stated, with_others};
@@ -98,11 +98,7 @@ rules! {
 fn auto_baud_rate(device: &Device, findings: &mut Findings) {
     let Some(auto) = device.device_info.as_ref().and_then(|info| info.baud_rates.auto) else { return };
     let place = Place::of(Part::DeviceInfo).field(Field::BaudRateAuto);
-    let finding = Diagnostic::new(
-        &AUTO_BAUD_RATE.info,
-        place,
-        say!("`{BaudRate_auto}` is {a key} of later editions of CiA 306"),
-    );
+    let finding = AUTO_BAUD_RATE.at(place, say!("`{BaudRate_auto}` is {a key} of later editions of CiA 306"));
     findings.push(finding.help(if auto {
         say!("use a copy without {the key} for the tool")
     } else {
@@ -117,26 +113,23 @@ fn denotation(device: &Device, findings: &mut Findings) {
         })
         .map(|(place, _)| place.field(Field::Denotation));
     let Some(first) = places.next() else { return };
-    let finding = Diagnostic::new(&DENOTATION.info, first, say!("not all tools read `{Denotation}`"))
+    let finding = DENOTATION
+        .at(first, say!("not all tools read `{Denotation}`"))
         .help(say!("repeat important denotations in `{ParameterName}`"));
     findings.push(with_others(finding, places.map(|place| (place, "another one"))));
 }
 
 fn dynamic_channels(device: &Device, findings: &mut Findings) {
     if device.dynamic_channels.is_some() {
-        let finding = Diagnostic::new(
-            &DYNAMIC_CHANNELS.info,
-            Place::of(Part::DynamicChannels),
-            say!("`{[DynamicChannels]}` is {a section} of CiA 302"),
-        );
+        let finding = DYNAMIC_CHANNELS
+            .at(Place::of(Part::DynamicChannels), say!("`{[DynamicChannels]}` is {a section} of CiA 302"));
         findings.push(finding.help(say!("use a copy without the {section} for the tool")));
     }
 }
 
 fn modules(device: &Device, findings: &mut Findings) {
     if device.modules.is_some() {
-        let finding =
-            Diagnostic::new(&MODULES.info, Place::of(Part::SupportedModules), "the file describes modules");
+        let finding = MODULES.at(Place::of(Part::SupportedModules), "the file describes modules");
         findings.push(finding.help("use a file of the device with its connected modules for the tool"));
     }
 }
@@ -146,9 +139,9 @@ fn object_flags(device: &Device, findings: &mut Findings) {
         .filter(|(_, entry)| entry.flags().0 != 0)
         .map(|(place, _)| place.field(Field::ObjFlags));
     let Some(first) = places.next() else { return };
-    let finding =
-        Diagnostic::new(&OBJECT_FLAGS.info, first, say!("not all configuration tools observe `{ObjFlags}`"))
-            .help("check the values that the tool writes to these entries");
+    let finding = OBJECT_FLAGS
+        .at(first, say!("not all configuration tools observe `{ObjFlags}`"))
+        .help("check the values that the tool writes to these entries");
     findings.push(with_others(finding, places.map(|place| (place, "another one"))));
 }
 
@@ -158,7 +151,8 @@ fn object_links(device: &Device, findings: &mut Findings) {
         is_meant.then(|| Place::of(Part::Links(index)))
     });
     let Some(first) = places.next() else { return };
-    let finding = Diagnostic::new(&OBJECT_LINKS.info, first, "some tools do not know object links")
+    let finding = OBJECT_LINKS
+        .at(first, "some tools do not know object links")
         .help(say!("use a copy without the {section} for the tool"));
     findings.push(with_others(finding, places.map(|place| (place, "the same here"))));
 }
@@ -170,7 +164,8 @@ fn parameter_reference(device: &Device, findings: &mut Findings) {
         })
         .map(|(place, _)| place.field(Field::ParamRefd));
     let Some(first) = places.next() else { return };
-    let finding = Diagnostic::new(&PARAMETER_REFERENCE.info, first, say!("not all tools read `{ParamRefd}`"))
+    let finding = PARAMETER_REFERENCE
+        .at(first, say!("not all tools read `{ParamRefd}`"))
         .help("keep the original file");
     findings.push(with_others(finding, places.map(|place| (place, "another one"))));
 }
@@ -182,7 +177,8 @@ fn safety_key(device: &Device, findings: &mut Findings) {
         stated::entries(device).filter_map(|(place, entry)| Some(place.field(safety_field(entry)?)));
     let mut places = supported.into_iter().chain(entries);
     let Some(first) = places.next() else { return };
-    let finding = Diagnostic::new(&SAFETY_KEY.info, first, say!("{the key} belongs to CANopen Safety"))
+    let finding = SAFETY_KEY
+        .at(first, say!("{the key} belongs to CANopen Safety"))
         .help(say!("use a copy without {the key} for the tool"));
     findings.push(with_others(finding, places.map(|place| (place, "another one"))));
 }
@@ -200,7 +196,7 @@ fn sub_index_255(device: &Device, findings: &mut Findings) {
     for (&index, object) in &device.objects {
         if object.subs.get(0xFF).is_some() && !object.orphan {
             let message = say!("{:04X}h has sub-index FFh", index);
-            let finding = Diagnostic::new(&SUB_INDEX_255.info, Place::entry(index, 0xFF), message);
+            let finding = SUB_INDEX_255.at(Place::entry(index, 0xFF), message);
             findings.push(finding.help("use a copy without this sub-index for the tool"));
         }
     }
@@ -208,11 +204,7 @@ fn sub_index_255(device: &Device, findings: &mut Findings) {
 
 fn tool_list(device: &Device, findings: &mut Findings) {
     if !device.tools.is_empty() {
-        let finding = Diagnostic::new(
-            &TOOL_LIST.info,
-            Place::of(Part::Tools),
-            say!("some tools do not know `{[Tools]}`"),
-        );
+        let finding = TOOL_LIST.at(Place::of(Part::Tools), say!("some tools do not know `{[Tools]}`"));
         findings.push(finding.help(say!("use a copy without the {sections} for the tool")));
     }
 }
@@ -223,11 +215,8 @@ fn type_definition(device: &Device, findings: &mut Findings) {
         is_meant.then(|| Place::of(Part::Object(index)))
     });
     let Some(first) = places.next() else { return };
-    let finding = Diagnostic::new(
-        &TYPE_DEFINITION.info,
-        first,
-        "some tools do not know data types defined in the file",
-    )
-    .help("use standard types, and remove the definition");
+    let finding = TYPE_DEFINITION
+        .at(first, "some tools do not know data types defined in the file")
+        .help("use standard types, and remove the definition");
     findings.push(with_others(finding, places.map(|place| (place, "the same here"))));
 }

@@ -1,6 +1,6 @@
 //! Values that not all tools read correctly.
 
-use crate::diagnostic::{Diagnostic, Findings, Fix, listing, listing_or, say};
+use crate::diagnostic::{Findings, Fix, listing, listing_or, say};
 use crate::model::{Access, DataType, Device, Entry, Field, ModulePart, ObjectType, Part, Place, Value};
 use crate::rule::rules;
 use crate::{EntryAt, Origin, stated, with_others};
@@ -65,7 +65,7 @@ fn domain_without_type(at: &EntryAt<'_>, findings: &mut Findings) {
     let message = say!("this DOMAIN has no {}", listing_or(missing.iter().map(|(field, _)| field)));
     let fix = Fix::safe(say!("add {}", listing(&lines)));
     let fix = missing.iter().fold(fix, |fix, (field, value)| fix.set(at.field(field.clone()), *value));
-    let finding = Diagnostic::new(&DOMAIN_WITHOUT_TYPE.info, at.place(), message);
+    let finding = DOMAIN_WITHOUT_TYPE.at(at.place(), message);
     findings.push(finding.help(say!("add {}", listing(&lines))).fix(fix));
 }
 
@@ -85,7 +85,7 @@ fn empty_text(device: &Device, findings: &mut Findings) {
 fn report_empty_text(part: &Part, field: Field, text: Option<&str>, findings: &mut Findings) {
     if text.is_some_and(|text| text.trim().is_empty()) {
         let message = say!("`{}` of `{}` is empty", field, part);
-        let finding = Diagnostic::new(&EMPTY_TEXT.info, Place::of(part.clone()).field(field), message);
+        let finding = EMPTY_TEXT.at(Place::of(part.clone()).field(field), message);
         findings.push(finding.help("write the text"));
     }
 }
@@ -94,7 +94,8 @@ fn file_reference(device: &Device, findings: &mut Findings) {
     let mut places =
         stated::entries(device).filter_map(|(place, entry)| Some(place.field(file_field(entry)?)));
     let Some(first) = places.next() else { return };
-    let finding = Diagnostic::new(&FILE_REFERENCE.info, first, "not all tools load the file of this entry")
+    let finding = FILE_REFERENCE
+        .at(first, "not all tools load the file of this entry")
         .help("load the file in the application");
     findings.push(with_others(finding, places.map(|place| (place, "another one"))));
 }
@@ -116,7 +117,8 @@ fn long_value(device: &Device, findings: &mut Findings) {
             place.field(field)
         });
     let Some(first) = places.next() else { return };
-    let finding = Diagnostic::new(&LONG_VALUE.info, first, "the value has more than four bytes")
+    let finding = LONG_VALUE
+        .at(first, "the value has more than four bytes")
         .help("write the entry from the application");
     findings.push(with_others(finding, places.map(|place| (place, "another one"))));
 }
@@ -130,8 +132,8 @@ fn time_value(device: &Device, findings: &mut Findings) {
     let mut places =
         stated::entries(device).filter_map(|(place, entry)| Some(place.field(time_field(entry)?)));
     let Some(first) = places.next() else { return };
-    let finding = Diagnostic::new(&TIME_VALUE.info, first, "not all tools read times")
-        .help("remove the value if 0 is acceptable");
+    let finding =
+        TIME_VALUE.at(first, "not all tools read times").help("remove the value if 0 is acceptable");
     findings.push(with_others(finding, places.map(|place| (place, "another one"))));
 }
 
