@@ -21,6 +21,21 @@ impl Rule {
     pub(crate) fn at(&'static self, place: Place, message: impl Into<Text>) -> Diagnostic {
         Diagnostic::new(&self.info, place, message)
     }
+
+    /// Reports all `places` in one finding at the first one, if there is one; the further ones have the text `others`.
+    #[cfg(feature = "catalogue")]
+    pub(crate) fn report_all(
+        &'static self,
+        mut places: impl Iterator<Item = Place>,
+        others: &'static str,
+        (message, help): (impl Into<Text>, impl Into<Text>),
+        findings: &mut Findings,
+    ) {
+        if let Some(first) = places.next() {
+            let finding = self.at(first, message).help(help);
+            findings.push(with_others(finding, places.map(|place| (place, others))));
+        }
+    }
 }
 
 /// A check of one entry.
@@ -160,8 +175,7 @@ macro_rules! rule {
 pub(crate) use rule;
 
 /// Declares the rules of a file, `RULES`: `"cia306/name" = NAME, Error, Entry(name), fix Safe; summary: "…", …` for each.
-/// A check reports with `NAME.at(place, message)`; checks of documents get the rule as their first argument and need no
-/// name.
+/// A check reports with `NAME.at(place, message)`. If every check gets its rule as an argument, the rows have no names.
 macro_rules! rules {
     ($(
         $id:literal = $name:ident, $severity:ident, $kind:ident($check:path) $(, fix $safety:ident)?

@@ -64,7 +64,8 @@ rules! {
     remedy: "Use a CAN-ID from 181h to 57Fh or from 680h to 6DFh, or set bit 31 to mark the service as not valid.",
     source: "CiA 301 §7.3.5, table 40",
 
-    "cia301/service-cob-id-not-predefined" = SERVICE_COB_ID_NOT_PREDEFINED, Warning, Facts(service_cob_id_not_predefined), fix Unsafe;
+    "cia301/service-cob-id-not-predefined" = SERVICE_COB_ID_NOT_PREDEFINED, Warning,
+        Facts(service_cob_id_not_predefined), fix Unsafe;
     summary: "the CAN-ID of SYNC, TIME or EMCY differs from the predefined connection set",
     checks: "Whether the defaults of an EDS are 80h for SYNC, 100h for TIME and 80h plus the node-ID for EMCY. In a DCF, SYNC and EMCY must not have the CAN-ID of the EMCY of another node (81h to FFh). Flags are ignored. COB-IDs that another rule reports are not checked.",
     why: "With the predefined connection set, devices of all vendors work together without configuration. A device that expects SYNC on another CAN-ID does not receive it.",
@@ -72,7 +73,8 @@ rules! {
     remedy: "Write `0x80`, `0x100` or `$NODEID+0x80`.",
     source: "CiA 301 §7.3.5, tables 38 and 39",
 
-    "cia301/short-can-id-in-extended-frame" = SHORT_CAN_ID_IN_EXTENDED_FRAME, Warning, Facts(short_can_id_in_extended_frame);
+    "cia301/short-can-id-in-extended-frame" = SHORT_CAN_ID_IN_EXTENDED_FRAME, Warning,
+        Facts(short_can_id_in_extended_frame);
     summary: "a COB-ID is marked as 29 bits long but has only 11",
     checks: "Whether each active COB-ID with bit 29 set (extended frame) has more than 11 bits.",
     why: "Extended frames are rare, and a base frame with the same number is another identifier. Often bit 29 was set instead of bit 30 or 31.",
@@ -89,18 +91,20 @@ rules! {
     source: "CiA 301 §7.3.5",
 }
 
-fn can_id_in_both_directions(facts: &Facts<'_>, findings: &mut Findings) {
-    let is_looked_at = |cob_id: &&CobIdUse| {
+/// The COB-IDs in use; other rules report those with wrong bits, without node-ID or with a restricted CAN-ID.
+fn unreported_cob_ids<'a>(facts: &'a Facts<'_>) -> impl Iterator<Item = &'a CobIdUse> {
+    facts.cob_ids.iter().filter(|cob_id| {
         let is_readable = cob_id.is_in_use() && cob_id.wrong_bits() == 0;
-        // other rules report a missing node-ID and a restricted CAN-ID
         is_readable && facts.base_without_node_id(cob_id).is_none() && !facts.is_restricted(cob_id)
-    };
-    let (sent, received): (Vec<_>, Vec<_>) =
-        facts.cob_ids.iter().filter(is_looked_at).partition(|cob_id| cob_id.is_sent());
+    })
+}
+
+fn can_id_in_both_directions(facts: &Facts<'_>, findings: &mut Findings) {
+    let (sent, received): (Vec<_>, Vec<_>) = unreported_cob_ids(facts).partition(|cob_id| cob_id.is_sent());
     let mut pairs = BTreeSet::new();
     for transmitter in &sent {
         let same = |other: &&&CobIdUse| collision_key(facts, other) == collision_key(facts, transmitter);
-        for receiver in received.iter().filter(same).filter(|other| !is_peer_rule(facts, transmitter, other))
+        for receiver in received.iter().filter(same).filter(|other| !has_peer_rule(facts, transmitter, other))
         {
             // both directions of a client and a server have one cause
             let objects = [transmitter.index, receiver.index];
@@ -119,7 +123,7 @@ fn collision_key(facts: &Facts<'_>, cob_id: &CobIdUse) -> (bool, bool, u32) {
 }
 
 /// Whether another rule reports that the device is its own peer.
-fn is_peer_rule(facts: &Facts<'_>, transmitter: &CobIdUse, receiver: &CobIdUse) -> bool {
+fn has_peer_rule(facts: &Facts<'_>, transmitter: &CobIdUse, receiver: &CobIdUse) -> bool {
     let own = facts.device.node_id().map(i128::from);
     let client = [transmitter, receiver]
         .into_iter()
@@ -166,12 +170,7 @@ fn can_id_of_other_service(facts: &Facts<'_>, findings: &mut Findings) {
 fn cob_id_collision(facts: &Facts<'_>, findings: &mut Findings) {
     let mut fixed: BTreeMap<CanIdKey, &CobIdUse> = BTreeMap::new();
     let mut per_node: BTreeMap<CanIdKey, &CobIdUse> = BTreeMap::new();
-    let is_looked_at = |cob_id: &&CobIdUse| {
-        let is_readable = cob_id.is_in_use() && cob_id.wrong_bits() == 0;
-        // other rules report a missing node-ID and a restricted CAN-ID
-        is_readable && facts.base_without_node_id(cob_id).is_none() && !facts.is_restricted(cob_id)
-    };
-    for cob_id in facts.cob_ids.iter().filter(is_looked_at) {
+    for cob_id in unreported_cob_ids(facts) {
         let node = facts.device.node_id();
         let key = CanIdKey::new(cob_id, node.unwrap_or(0));
         // with a known node-ID every formula is a number

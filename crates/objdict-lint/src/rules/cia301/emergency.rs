@@ -14,7 +14,8 @@ rules! {
     remedy: "Write 0.",
     source: "CiA 301 §7.5.2.2, §7.5.2.4",
 
-    "cia301/emergency-consumer-of-other-node" = EMERGENCY_CONSUMER_OF_OTHER_NODE, Warning, Facts(emergency_consumer_of_other_node);
+    "cia301/emergency-consumer-of-other-node" = EMERGENCY_CONSUMER_OF_OTHER_NODE, Warning,
+        Facts(emergency_consumer_of_other_node);
     summary: "an EMCY consumer entry uses the COB-ID of another node or service",
     checks: "Whether each valid COB-ID of 1028h between 81h and FFh is 80h plus its sub-index, which is the node-ID of the producer, whether no entry has a CAN-ID of the PDOs of the predefined connection set, and whether no entry of a DCF refers to the node itself.",
     why: "The device attributes the error of one node to another.",
@@ -57,8 +58,7 @@ fn default_error_register(device: &Device, findings: &mut Findings) {
         // sub-index 0 of a compactly stored history is the number of its entries
         let Some(value) = value.filter(|&value| value != 0 && !is_compact) else { continue };
         let message = say!("the default of {} is `{}` instead of 0", what, value);
-        let finding = DEFAULT_ERROR_REGISTER.at(device.value_place(index, 0), message);
-        findings.push(finding.help("write 0"));
+        findings.push(DEFAULT_ERROR_REGISTER.at(device.value_place(index, 0), message).help("write 0"));
     }
 }
 

@@ -40,7 +40,8 @@ rules! {
     remedy: "Add the missing object, or remove both and use the heartbeat.",
     source: "CiA 301 §7.5.2.11, §7.5.2.12",
 
-    "cia301/invalid-consumer-heartbeat" = INVALID_CONSUMER_HEARTBEAT, Error, Device(invalid_consumer_heartbeat);
+    "cia301/invalid-consumer-heartbeat" = INVALID_CONSUMER_HEARTBEAT, Error,
+        Device(invalid_consumer_heartbeat);
     summary: "a heartbeat consumer entry cannot monitor a node",
     checks: "Whether each value of 1016h with a time has a node-ID from 1 to 127, has its upper byte clear, does not monitor the node of the DCF itself, and does not monitor a node of an earlier entry. A node-ID without a time is a warning.",
     why: "A device rejects such a value with an abort, or monitors no node. Often the node-ID is missing and the value is only the time.",

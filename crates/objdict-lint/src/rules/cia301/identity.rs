@@ -10,7 +10,8 @@ use crate::rule::rules;
 use crate::{Facts, canopennode, is_unstated, profile, stated};
 
 rules! {
-    "cia301/device-type-without-value" = DEVICE_TYPE_WITHOUT_VALUE, Warning, Device(device_type_without_value);
+    "cia301/device-type-without-value" = DEVICE_TYPE_WITHOUT_VALUE, Warning,
+        Device(device_type_without_value);
     summary: "the device type has no value",
     checks: "Whether 1000h has a value.",
     why: "The low word of 1000h is the number of the device profile. Without it a tool does not know the meaning of the objects from 6000h on, and no profile rule applies.",
@@ -50,7 +51,8 @@ rules! {
     remedy: "Describe `[1018sub1]`, a read-only UNSIGNED32 with the vendor-ID assigned by CiA as its default.",
     source: "CiA 301 §7.5.2.21",
 
-    "cia301/module-list-without-modules" = MODULE_LIST_WITHOUT_MODULES, Warning, Device(module_list_without_modules);
+    "cia301/module-list-without-modules" = MODULE_LIST_WITHOUT_MODULES, Warning,
+        Device(module_list_without_modules);
     summary: "a device has a module list, but supports no modules",
     checks: "Whether a device with 1027h, the module list, describes the modules that it supports.",
     why: "The numbers in 1027h are those of the described modules. Without the descriptions, a configuration tool cannot offer the modules and cannot add their objects.",

@@ -24,7 +24,8 @@ rules! {
     remedy: "Describe the object, or map another one. The eight digits are index, sub-index and length.",
     source: "CiA 301 §7.5.2.36, §7.5.2.38; CiA 306-1 §6.2.2",
 
-    "cia301/mapped-object-not-mappable" = MAPPED_OBJECT_NOT_MAPPABLE, Error, Pdo(mapped_object_not_mappable), fix Unsafe;
+    "cia301/mapped-object-not-mappable" = MAPPED_OBJECT_NOT_MAPPABLE, Error,
+        Pdo(mapped_object_not_mappable), fix Unsafe;
     summary: "a PDO maps an object that is not mappable",
     checks: "Whether each mapped entry has `PDOMapping` set.",
     why: "Either the object is mappable and no tool offers it, or it is not and the default mapping is wrong.",
@@ -81,7 +82,8 @@ rules! {
     source: "CiA 301 §7.5.2.36 (corrigendum 3); CiA 306-1 §4.6.3.2",
 
     // canopen-stack takes the length of the object, so that what follows is at another place of the frame
-    "cia301/wrong-mapping-length" = WRONG_MAPPING_LENGTH, Error, Pdo(wrong_mapping_length), fix Unsafe, stops "canopen-stack";
+    "cia301/wrong-mapping-length" = WRONG_MAPPING_LENGTH, Error,
+        Pdo(wrong_mapping_length), fix Unsafe, stops "canopen-stack";
     summary: "the length in a PDO mapping differs from the length of the object",
     checks: "Whether the last two digits of each mapping entry, the length in bits, match the data type of the object. Objects of variable length are not checked. A BOOLEAN with 8 bits is a warning: devices that map only whole bytes do this, such as those with CANopenNode.",
     why: "The device rejects the mapping with an abort; a receiver reads the following objects from the wrong position of the frame.",
@@ -163,6 +165,12 @@ fn mapped_object_missing(facts: &Facts<'_>, pdo: &PdoFacts<'_>, findings: &mut F
     }
 }
 
+/// The section of a mapped entry: a sub-index, or the object itself.
+fn target_place(facts: &Facts<'_>, MappedObject { index, sub, .. }: MappedObject) -> Place {
+    let is_single = facts.device.object(index).is_some_and(|object| object.subs.get(sub).is_none());
+    if is_single { Place::object(index) } else { Place::entry(index, sub) }
+}
+
 fn mapped_object_not_mappable(facts: &Facts<'_>, pdo: &PdoFacts<'_>, findings: &mut Findings) {
     for mapped in &pdo.mapped {
         let Target::Entry(entry) = &mapped.target else { continue };
@@ -175,8 +183,7 @@ fn mapped_object_not_mappable(facts: &Facts<'_>, pdo: &PdoFacts<'_>, findings: &
         let message = say!("{} maps {:04X}h:{:02X}, which is not mappable", pdo.pdo, index, sub);
         let place = facts.device.value_place(pdo.pdo.mapping_index(), mapped.slot);
         let finding = MAPPED_OBJECT_NOT_MAPPABLE.at(place, message);
-        let is_single = facts.device.object(index).is_some_and(|object| object.subs.get(sub).is_none());
-        let target = if is_single { Place::object(index) } else { Place::entry(index, sub) };
+        let target = target_place(facts, mapped.object);
         let fix = Fix::risky(say!("write `{PDOMapping=1}` for the object"))
             .set(target.clone().field(Field::PdoMapping), "1");
         let finding = finding.label(target.field(Field::PdoMapping), "not mappable").fix(fix);
@@ -275,8 +282,7 @@ fn wrong_mapping_direction(facts: &Facts<'_>, pdo: &PdoFacts<'_>, findings: &mut
         let (index, sub) = (mapped.object.index, mapped.object.sub);
         let message = say!("{} maps {:04X}h:{:02X}, which is {}", pdo.pdo, index, sub, direction_of(access));
         let place = facts.device.value_place(pdo.pdo.mapping_index(), mapped.slot);
-        let is_single = facts.device.object(index).is_some_and(|object| object.subs.get(sub).is_none());
-        let target = if is_single { Place::object(index) } else { Place::entry(index, sub) };
+        let target = target_place(facts, mapped.object);
         let finding = WRONG_MAPPING_DIRECTION.at(place, message);
         let finding = finding.label(target.field(Field::AccessType), "the access type");
         findings.push(finding.help(match pdo.pdo.kind {
@@ -314,8 +320,7 @@ fn wrong_mapping_length(facts: &Facts<'_>, pdo: &PdoFacts<'_>, findings: &mut Fi
             data_type
         );
         let place = facts.device.value_place(pdo.pdo.mapping_index(), mapped.slot);
-        let is_single = facts.device.object(index).is_some_and(|object| object.subs.get(sub).is_none());
-        let target = if is_single { Place::object(index) } else { Place::entry(index, sub) };
+        let target = target_place(facts, mapped.object);
         let finding = WRONG_MAPPING_LENGTH.at(place.clone(), message);
         let finding = finding.label(target.field(Field::DataType), "the data type");
         let right = MappedObject { bits, ..mapped.object };

@@ -14,7 +14,8 @@ rules! {
     remedy: "Describe the entry, or write 0 for an unused place of the list.",
     source: "CiA 301 §7.5.2.39, §7.5.2.40",
 
-    "cia301/multiplexed-pdo-transmission-type" = MULTIPLEXED_PDO_TRANSMISSION_TYPE, Warning, Pdo(multiplexed_pdo_transmission_type);
+    "cia301/multiplexed-pdo-transmission-type" = MULTIPLEXED_PDO_TRANSMISSION_TYPE, Warning,
+        Pdo(multiplexed_pdo_transmission_type);
     summary: "a multiplexed PDO has a synchronous transmission type",
     checks: "Whether the transmission type of each multiplexed PDO (sub-index 0 of the mapping is 254 or 255) is 254 or 255.",
     why: "A multiplexed PDO transmits one entry per frame when that entry changes. SYNC cannot trigger it.",
@@ -22,7 +23,8 @@ rules! {
     remedy: "Write 254 or 255.",
     source: "CiA 301 §7.2.2.6, §7.5.2.36",
 
-    "cia301/multiplexed-pdo-without-list" = MULTIPLEXED_PDO_WITHOUT_LIST, Error, Facts(multiplexed_pdo_without_list);
+    "cia301/multiplexed-pdo-without-list" = MULTIPLEXED_PDO_WITHOUT_LIST, Error,
+        Facts(multiplexed_pdo_without_list);
     summary: "a multiplexed PDO in source address mode has no list",
     checks: "Whether a device with a TPDO whose mapping has 254 in sub-index 0 has an object scanner list (1FA0h to 1FCFh), and one with such an RPDO an object dispatching list (1FD0h to 1FFFh).",
     why: "In source address mode, the lists define which entries are sent and where received entries are written. Without them nothing is sent, and received data are discarded.",

@@ -14,7 +14,8 @@ rules! {
     remedy: "Describe the missing sub-index, or remove those after the gap.",
     source: "CiA 301 §7.5.2.36, table 69",
 
-    "cia301/granularity-against-access" = GRANULARITY_AGAINST_ACCESS, Warning, Facts(granularity_against_access), fix Unsafe;
+    "cia301/granularity-against-access" = GRANULARITY_AGAINST_ACCESS, Warning,
+        Facts(granularity_against_access), fix Unsafe;
     summary: "`Granularity` contradicts the access types of the PDO mappings",
     checks: "Whether `Granularity` is 0 if no PDO mapping is writable, and not 0 if one is. A partly writable mapping has its own rule.",
     why: "Tools read `Granularity` to decide whether the mapping can be changed. With 0 they do not offer the change; with another value they offer a change that the device rejects.",
@@ -215,8 +216,7 @@ fn mapping_without_count(_: &Facts<'_>, pdo: &PdoFacts<'_>, findings: &mut Findi
     }
     let place = Place::entry(pdo.mapping_index(), 0).field(Field::DefaultValue);
     let message = say!("the mapping of {} is fixed, but its number of objects is not stated", pdo);
-    let finding = MAPPING_WITHOUT_COUNT.at(place, message);
-    findings.push(finding.help("write the number of mapped objects"));
+    findings.push(MAPPING_WITHOUT_COUNT.at(place, message).help("write the number of mapped objects"));
 }
 
 fn mapping_without_valid_bit(_: &Facts<'_>, pdo: &PdoFacts<'_>, findings: &mut Findings) {

@@ -14,7 +14,8 @@ rules! {
     remedy: "Describe the missing sub-index.",
     source: "CiA 301 §7.5.2.35, §7.5.2.37",
 
-    "cia301/pdo-parameter-without-value" = PDO_PARAMETER_WITHOUT_VALUE, Note, Pdo(pdo_parameter_without_value);
+    "cia301/pdo-parameter-without-value" = PDO_PARAMETER_WITHOUT_VALUE, Note,
+        Pdo(pdo_parameter_without_value);
     summary: "the COB-ID or transmission type of a PDO has no value",
     checks: "Whether sub-indexes 1 and 2 of each PDO communication parameter have a value.",
     why: "The CAN-ID and the trigger of the PDO in a new device are unknown. A tool that restores the defaults omits this entry.",
@@ -38,7 +39,8 @@ rules! {
     remedy: "Describe the other object, or remove this one.",
     source: "CiA 301 §7.5.2.35 to §7.5.2.38; CiA 306-1 §4.6.3.4.1",
 
-    "cia301/reserved-pdo-sub-index" = RESERVED_PDO_SUB_INDEX, Warning, Facts(reserved_pdo_sub_index), fix Unsafe;
+    "cia301/reserved-pdo-sub-index" = RESERVED_PDO_SUB_INDEX, Warning,
+        Facts(reserved_pdo_sub_index), fix Unsafe;
     summary: "a PDO communication parameter has the reserved sub-index 4",
     checks: "Whether an object from 1400h to 15FFh or from 1800h to 19FFh describes sub-index 4. The rule reports one finding for the device, with every such PDO. An UNSIGNED8, a compatibility entry of older devices, is a note: a quarter of the examined files have it, and it is harmless. Another data type is a warning, because the entry is probably meant for another sub-index.",
     why: "CiA 301 reserves the sub-index; a device answers with an abort. An event timer that is written there instead of to sub-index 5 has no effect.",

@@ -14,7 +14,8 @@ rules! {
     remedy: "Add the missing object: 1021h is a DOMAIN, 1022h an UNSIGNED8 or UNSIGNED16 with 0 for an uncompressed file.",
     source: "CiA 301 §7.5.2.24, §7.5.2.25",
 
-    "cia301/invalid-configuration-date" = INVALID_CONFIGURATION_DATE, Warning, Facts(invalid_configuration_date);
+    "cia301/invalid-configuration-date" = INVALID_CONFIGURATION_DATE, Warning,
+        Facts(invalid_configuration_date);
     summary: "the configuration date is impossible",
     checks: "Whether 1020h, verify configuration, is 0 in an EDS, and in a DCF contains a time below 86400000 ms and a date with it.",
     why: "A manager that reads its own date from 1020h assumes that the device is configured and writes nothing. A new device with a date, or one with an impossible time, is never configured or is configured at every start.",
@@ -22,7 +23,8 @@ rules! {
     remedy: "Write the days since 1984-01-01 to sub-index 1 and the milliseconds since midnight to sub-index 2; 0 to both in an EDS.",
     source: "CiA 301 §7.5.2.23",
 
-    "cia301/storage-signature-as-default" = STORAGE_SIGNATURE_AS_DEFAULT, Warning, Device(storage_signature_as_default), fix Unsafe;
+    "cia301/storage-signature-as-default" = STORAGE_SIGNATURE_AS_DEFAULT, Warning,
+        Device(storage_signature_as_default), fix Unsafe;
     summary: "a default of 1010h or 1011h is not a value that the device returns",
     checks: "Whether the defaults of 1010h are 0 to 3 and those of 1011h 0 or 1: the values that the device returns when the entry is read. Bit 0 means that it stores or restores on command, bit 1 of 1010h that it stores autonomously.",
     why: "The signatures `save` and `load` are written to the entries, not read from them. A tool that compares the device with its description finds a difference, and one that writes the defaults stores or restores by accident.",

@@ -30,7 +30,8 @@ rules! {
     remedy: "Add 1005h, or remove the object.",
     source: "CiA 301 §7.5.2.6, §7.5.2.7, §7.5.2.22",
 
-    "cia301/sync-producer-without-period" = SYNC_PRODUCER_WITHOUT_PERIOD, Warning, Facts(sync_producer_without_period);
+    "cia301/sync-producer-without-period" = SYNC_PRODUCER_WITHOUT_PERIOD, Warning,
+        Facts(sync_producer_without_period);
     summary: "the device produces SYNC but has no communication cycle period",
     checks: "Whether a device whose 1005h has bit 30 set (SYNC producer) has 1006h, the communication cycle period, and whether its value is not 0.",
     why: "The period of SYNC is unknown, or SYNC is switched off by a period of 0: synchronous PDOs are never sent.",
@@ -46,7 +47,8 @@ rules! {
     remedy: "Shorten the window, or extend the period.",
     source: "CiA 301 §7.5.2.6, §7.5.2.7",
 
-    "cia301/synchronous-pdo-without-sync" = SYNCHRONOUS_PDO_WITHOUT_SYNC, Error, Facts(synchronous_pdo_without_sync);
+    "cia301/synchronous-pdo-without-sync" = SYNCHRONOUS_PDO_WITHOUT_SYNC, Error,
+        Facts(synchronous_pdo_without_sync);
     summary: "a synchronous PDO on a device without SYNC",
     checks: "Whether a device with a valid PDO of a synchronous transmission type (0 to 240, for a TPDO also 252) has 1005h, the COB-ID of SYNC. The rule reports one finding for the device, with every such PDO.",
     why: "Without 1005h the device does not process SYNC, so the PDO is never sent or never applied.",
@@ -54,7 +56,8 @@ rules! {
     remedy: "Add 1005h with the default 80h, or give the PDO transmission type 254 or 255.",
     source: "CiA 301 §7.5.2.5, §7.5.2.35, §7.5.2.37",
 
-    "cia301/time-producer-and-consumer" = TIME_PRODUCER_AND_CONSUMER, Warning, Facts(time_producer_and_consumer);
+    "cia301/time-producer-and-consumer" = TIME_PRODUCER_AND_CONSUMER, Warning,
+        Facts(time_producer_and_consumer);
     summary: "the device is both producer and consumer of TIME",
     checks: "Whether 1012h has both bit 31 (TIME consumer) and bit 30 (TIME producer) set.",
     why: "One device of a network produces the time, and the others consume it. A device that does both sets its clock from its own message.",

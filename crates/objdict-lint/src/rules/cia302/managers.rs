@@ -47,7 +47,8 @@ rules! {
     remedy: "Describe 1F81h, or clear bit 0 of 1F80h if the device is not a master.",
     source: "CiA 302-2 (1F80h, 1F81h)",
 
-    "cia302/self-starting-not-marked" = SELF_STARTING_NOT_MARKED, Note, Against(self_starting_not_marked), fix Unsafe;
+    "cia302/self-starting-not-marked" = SELF_STARTING_NOT_MARKED, Note,
+        Against(self_starting_not_marked), fix Unsafe;
     summary: "the device starts by itself but is not marked as a simple boot-up slave",
     checks: "Whether a device that enters operational without a master (bits 0 and 2 of 1F80h are clear) has `SimpleBootUpSlave=0`.",
     why: "A master that relies on the description configures the node while it already transmits. Some drives have 0 in 1F80h and still wait for their master, so it is a note.",

@@ -1,9 +1,9 @@
 //! The mapping of SRDOs, and the safety entries with their inverted copies.
 
 use crate::diagnostic::{Findings, Text, say, sub_index};
-use crate::model::{DataType, Device, Field, Place};
+use crate::model::{DataType, Device, Field, MappedObject, Place};
 use crate::rule::rules;
-use crate::{Facts, Target};
+use crate::{Facts, Srdo, Target};
 
 rules! {
     "cia304/invalid-inverted-object" = INVALID_INVERTED_OBJECT, Error, Device(invalid_inverted_object);
@@ -104,20 +104,29 @@ fn inversion_problem(
     }
 }
 
-fn mapped_object_missing(facts: &Facts<'_>, findings: &mut Findings) {
-    for srdo in &facts.srdos {
-        for (sub, mapped) in srdo.mapped() {
-            let what = match Target::of(facts.device, mapped) {
-                Target::NoObject => "but there is no such object",
-                Target::NoEntry => "but the object has no such sub-index",
-                Target::Count => "the number of entries of an array or record",
-                _ => continue,
-            };
-            let message = say!("{} maps {:04X}h:{:02X}, {}", srdo, mapped.index, mapped.sub, what);
+/// The mapping entries in use of all SRDOs, with their places and targets.
+fn mapped_entries<'a>(
+    facts: &'a Facts<'_>,
+) -> impl Iterator<Item = (&'a Srdo<'a>, Place, MappedObject, Target<'a>)> {
+    facts.srdos.iter().flat_map(move |srdo| {
+        srdo.mapped().map(move |(sub, mapped)| {
             let place = facts.device.value_place(srdo.mapping_index(), sub);
-            let finding = MAPPED_OBJECT_MISSING.at(place, message);
-            findings.push(finding.help("describe the object, or map the intended one"));
-        }
+            (srdo, place, mapped, Target::of(facts.device, mapped))
+        })
+    })
+}
+
+fn mapped_object_missing(facts: &Facts<'_>, findings: &mut Findings) {
+    for (srdo, place, mapped, target) in mapped_entries(facts) {
+        let what = match target {
+            Target::NoObject => "but there is no such object",
+            Target::NoEntry => "but the object has no such sub-index",
+            Target::Count => "the number of entries of an array or record",
+            _ => continue,
+        };
+        let message = say!("{} maps {:04X}h:{:02X}, {}", srdo, mapped.index, mapped.sub, what);
+        let finding = MAPPED_OBJECT_MISSING.at(place, message);
+        findings.push(finding.help("describe the object, or map the intended one"));
     }
 }
 
@@ -125,22 +134,15 @@ fn object_not_safe(facts: &Facts<'_>, findings: &mut Findings) {
     if facts.srdos.is_empty() || !uses_srdo_mapping(facts.device) {
         return;
     }
-    for srdo in &facts.srdos {
-        for (sub, mapped) in srdo.mapped() {
-            let Target::Entry(entry) = Target::of(facts.device, mapped) else { continue };
-            if entry.safety.as_ref().and_then(|safety| safety.srdo_mapping) == Some(true) {
-                continue;
-            }
-            let message = say!(
-                "{} maps {:04X}h:{:02X}, which is not mappable to SRDOs",
-                srdo,
-                mapped.index,
-                mapped.sub
-            );
-            let place = facts.device.value_place(srdo.mapping_index(), sub);
-            let finding = OBJECT_NOT_SAFE.at(place, message);
-            findings.push(finding.help(say!("write `{SRDOMapping=1}` for the entry, or map another one")));
+    for (srdo, place, mapped, target) in mapped_entries(facts) {
+        let Target::Entry(entry) = target else { continue };
+        if entry.safety.as_ref().and_then(|safety| safety.srdo_mapping) == Some(true) {
+            continue;
         }
+        let message =
+            say!("{} maps {:04X}h:{:02X}, which is not mappable to SRDOs", srdo, mapped.index, mapped.sub);
+        let finding = OBJECT_NOT_SAFE.at(place, message);
+        findings.push(finding.help(say!("write `{SRDOMapping=1}` for the entry, or map another one")));
     }
 }
 
@@ -212,16 +214,13 @@ fn wrong_mapping_count(facts: &Facts<'_>, findings: &mut Findings) {
 }
 
 fn wrong_mapping_length(facts: &Facts<'_>, findings: &mut Findings) {
-    for srdo in &facts.srdos {
-        for (sub, mapped) in srdo.mapped() {
-            let Target::Entry(entry) = Target::of(facts.device, mapped) else { continue };
-            let Some(data_type) = entry.data_type else { continue };
-            let Some(bits) = data_type.bit_length().filter(|&bits| bits != mapped.bits) else { continue };
-            let message = say!("{} maps {}, but its data type {} has {} bits", srdo, mapped, data_type, bits);
-            let place = facts.device.value_place(srdo.mapping_index(), sub);
-            let finding = WRONG_MAPPING_LENGTH.at(place, message);
-            let right = u64::from(mapped.to_number() & !0xFF) | u64::from(bits);
-            findings.push(finding.help(say!("write `0x{:08X}`", right)));
-        }
+    for (srdo, place, mapped, target) in mapped_entries(facts) {
+        let Target::Entry(entry) = target else { continue };
+        let Some(data_type) = entry.data_type else { continue };
+        let Some(bits) = data_type.bit_length().filter(|&bits| bits != mapped.bits) else { continue };
+        let message = say!("{} maps {}, but its data type {} has {} bits", srdo, mapped, data_type, bits);
+        let finding = WRONG_MAPPING_LENGTH.at(place, message);
+        let right = u64::from(mapped.to_number() & !0xFF) | u64::from(bits);
+        findings.push(finding.help(say!("write `0x{:08X}`", right)));
     }
 }

@@ -54,7 +54,8 @@ rules! {
     remedy: "Add the missing object.",
     source: "EN 50325-5 (CiA 304)",
 
-    "cia304/wrong-transmission-type" = WRONG_TRANSMISSION_TYPE, Error, Facts(wrong_transmission_type), fix Unsafe;
+    "cia304/wrong-transmission-type" = WRONG_TRANSMISSION_TYPE, Error,
+        Facts(wrong_transmission_type), fix Unsafe;
     summary: "the transmission type of an SRDO is not 254",
     checks: "Whether the transmission type of each SRDO is 254. The standard allows no other value.",
     why: "SRDOs are always sent cyclically, and their safety depends on their timing. SYNC or a remote frame must not trigger them.",

@@ -22,7 +22,8 @@ rules! {
     remedy: "Remove the value, or write 0; the serial number of a node belongs in its DCF.",
     source: "CiA 305, CiA 301 §7.5.2.21",
 
-    "cia305/serial-number-without-lss" = SERIAL_NUMBER_WITHOUT_LSS, Warning, Device(serial_number_without_lss);
+    "cia305/serial-number-without-lss" = SERIAL_NUMBER_WITHOUT_LSS, Warning,
+        Device(serial_number_without_lss);
     summary: "a node without LSS has a serial number for LSS",
     checks: "Whether a DCF with an `LSS_SerialNumber` other than 0 has `LSS_Supported=0`.",
     why: "A manager tries to select the node by LSS at every start and waits for an answer that never comes.",
@@ -30,7 +31,8 @@ rules! {
     remedy: "Write `LSS_Supported=1` if the device supports it, otherwise remove the number.",
     source: "CiA 305, CiA 306-1 §4.5, §5.4",
 
-    "cia305/unconfigured-without-address" = UNCONFIGURED_WITHOUT_ADDRESS, Warning, Device(unconfigured_without_address);
+    "cia305/unconfigured-without-address" = UNCONFIGURED_WITHOUT_ADDRESS, Warning,
+        Device(unconfigured_without_address);
     summary: "a node gets its node-ID by LSS, but its LSS address is incomplete",
     checks: "Whether a DCF with `NodeID=255` states the four numbers of the LSS address: vendor-ID, product code, revision number and serial number, the last one in 1018h sub-index 4 or as `LSS_SerialNumber`. A 0 counts as not stated, except for product code and revision number.",
     why: "A manager without the numbers must search for the node and may find another device of the same type.",

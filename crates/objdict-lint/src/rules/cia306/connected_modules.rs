@@ -28,7 +28,8 @@ rules! {
     remedy: "Renumber the modules in all their sections and in `[ConnectedModules]`.",
     source: "CiA 306-1 §6.3",
 
-    "cia306/unknown-connected-module" = UNKNOWN_CONNECTED_MODULE, Error, Device(unknown_connected_module), fix Unsafe;
+    "cia306/unknown-connected-module" = UNKNOWN_CONNECTED_MODULE, Error,
+        Device(unknown_connected_module), fix Unsafe;
     summary: "a connected module is not described, or not the one of the module list",
     checks: "Whether each number in `[ConnectedModules]` is the number of a described module, and in a DCF the value of 1027h (module list) at its position, if that is not 0. The second is a warning.",
     why: "The objects of such a module are unknown.",

@@ -13,7 +13,8 @@ rules! {
     remedy: "Write the number that the device reports in both places.",
     source: "CiA 306-1 §4.5",
 
-    "cia306/missing-device-info-key" = MISSING_DEVICE_INFO_KEY, Warning, Device(missing_device_info_key), fix Unsafe;
+    "cia306/missing-device-info-key" = MISSING_DEVICE_INFO_KEY, Warning,
+        Device(missing_device_info_key), fix Unsafe;
     summary: "`[DeviceInfo]` lacks mandatory keys",
     checks: "Whether vendor, product, order code, boot-up behaviour, granularity, dynamic channels, group messaging, PDO counts and LSS are given. Names may be empty, numbers may not. `BaudRate_x` of unsupported bit rates may be missing. The finding is a note in a DCF, which is for one known device, and if only the order code is missing. In real files, mostly the order code is missing, or the numbers of products that were never sold; nearly all files without granularity, boot-up or group messaging are DCFs written by a tool, so two of three findings are notes.",
     why: "A configuration tool looks up the description by its numbers and uses the other keys to enable its functions. A conformance test refuses the file.",

@@ -5,7 +5,8 @@ use crate::model::{Device, DeviceKind, DynamicChannels, Field, Part, Place, Segm
 use crate::rule::rules;
 
 rules! {
-    "cia306/described-network-variable" = DESCRIBED_NETWORK_VARIABLE, Error, Device(described_network_variable);
+    "cia306/described-network-variable" = DESCRIBED_NETWORK_VARIABLE, Error,
+        Device(described_network_variable);
     summary: "network variables of dynamic channels are described as objects",
     checks: "Whether the EDS of a device with dynamic channels describes objects A000h to AFFFh.",
     why: "The application program of such a device defines these objects; the EDS only describes their segments. Objects described in addition conflict with the program.",

@@ -21,7 +21,8 @@ rules! {
     remedy: "Correct the date.",
     source: "CiA 306-1 §4.4",
 
-    "cia306/missing-file-info-key" = MISSING_FILE_INFO_KEY, Warning, Device(missing_file_info_key), fix Unsafe;
+    "cia306/missing-file-info-key" = MISSING_FILE_INFO_KEY, Warning,
+        Device(missing_file_info_key), fix Unsafe;
     summary: "`[FileInfo]` lacks mandatory keys",
     checks: "Whether `FileName`, `FileVersion`, `FileRevision`, `Description`, `CreationTime`, `CreationDate` and `CreatedBy` are given. A missing `ModificationTime`, `ModificationDate` or `ModifiedBy` is a note: the file may be unmodified. `Description` may be empty.",
     why: "Configuration tools distinguish files of one device by version and date. A conformance test refuses the file.",

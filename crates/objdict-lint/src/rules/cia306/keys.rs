@@ -32,7 +32,8 @@ rules! {
     remedy: "Write the sum of 1 and 2, or remove the key.",
     source: "CiA 306-1 §4.6.3.3",
 
-    "cia306/missing-key" = MISSING_KEY, Error, Entry(missing_key), fix Mixed, stops "*" at [DataType, AccessType];
+    "cia306/missing-key" = MISSING_KEY, Error,
+        Entry(missing_key), fix Mixed, stops "*" at [DataType, AccessType];
     summary: "a key required by the object type is missing",
     checks: "Whether a VAR, DEFTYPE or sub-index, and an ARRAY or RECORD with `CompactSubObj`, has `DataType` and `AccessType`; whether any other ARRAY, RECORD or DEFSTRUCT has `SubNumber`; and whether an object with sub-indexes has `ObjectType` (a missing object type means VAR). A `DOMAIN` needs none of these keys.",
     why: "Without data type and access, the value cannot be read or written. Tools guess differently or refuse the file.",

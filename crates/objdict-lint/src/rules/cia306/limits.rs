@@ -131,8 +131,7 @@ fn single_limit(at: &EntryAt<'_>, findings: &mut Findings) {
         return;
     }
     let message = say!("`{}` is set without `{}`", stated, missing);
-    let finding = SINGLE_LIMIT.at(at.field(stated), message);
-    findings.push(finding.help(say!("add `{}`", missing)));
+    findings.push(SINGLE_LIMIT.at(at.field(stated), message).help(say!("add `{}`", missing)));
 }
 
 fn value_outside_limits(at: &EntryAt<'_>, findings: &mut Findings) {

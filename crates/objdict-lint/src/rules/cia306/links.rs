@@ -5,7 +5,8 @@ use crate::model::{Device, Field, Object, Part, Place};
 use crate::rule::rules;
 
 rules! {
-    "cia306/link-to-missing-object" = LINK_TO_MISSING_OBJECT, Warning, Object(link_to_missing_object), fix Unsafe;
+    "cia306/link-to-missing-object" = LINK_TO_MISSING_OBJECT, Warning,
+        Object(link_to_missing_object), fix Unsafe;
     summary: "a link refers to a missing object",
     checks: "Whether each index in `[xxxxObjectLinks]` is described, and object xxxx as well.",
     why: "Tools show linked objects as a group; the group is incomplete.",

@@ -16,7 +16,8 @@ rules! {
     remedy: "Remove objects that the device does not have before you publish the description, or remove the mark.",
     source: "CANopenEditor",
 
-    "cia306/listed-object-missing" = LISTED_OBJECT_MISSING, Error, Device(listed_object_missing), fix Mixed, explains Section ["unknown-key"];
+    "cia306/listed-object-missing" = LISTED_OBJECT_MISSING, Error,
+        Device(listed_object_missing), fix Mixed, explains Section ["unknown-key"];
     summary: "a list contains an object that is not described",
     checks: "Whether each index of the three lists has its section. `CompactPDO` makes no exception: implied PDOs are not listed.",
     why: "Most readers stop at such a list entry, or show an object without name and type.",
@@ -24,7 +25,8 @@ rules! {
     remedy: "Describe the object, or remove its list entry and update the count.",
     source: "CiA 306-1 §4.6.3.1",
 
-    "cia306/missing-section" = MISSING_SECTION, Error, Device(missing_section), fix Safe, explains Keys ["unknown-key"];
+    "cia306/missing-section" = MISSING_SECTION, Error,
+        Device(missing_section), fix Safe, explains Keys ["unknown-key"];
     summary: "a standard section is missing",
     checks: "Whether `[FileInfo]`, `[DeviceInfo]`, `[DummyUsage]`, `[Comments]` and the three object lists are in the file. A missing `[FileInfo]` or `[DeviceInfo]` of an EDS is an error, and so is a missing list of described objects. DCFs get lower severities: tools that write them need not record the author. In real files, mostly DCFs without `[Comments]` or `[FileInfo]` are reported, as a harmless note; the errors are fragments and lists whose absence hides whole ranges of objects. An empty file has its own finding.",
     why: "Objects of a missing list are not listed at all, so most tools do not see them. Without `[DeviceInfo]` the device is unknown. The other sections may be empty, but some readers refuse a file without them.",

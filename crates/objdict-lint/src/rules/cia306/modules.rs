@@ -114,8 +114,7 @@ fn missing_module_info(device: &Device, findings: &mut Findings) {
         };
         let info = Place::of(Part::Module(number, ModulePart::Info)).field(first.clone());
         let place = if missing.len() == 4 { first_section(number, module) } else { info };
-        let finding = MISSING_MODULE_INFO.at(place, message);
-        findings.push(finding.help(say!("add {}", listing(&missing))));
+        findings.push(MISSING_MODULE_INFO.at(place, message).help(say!("add {}", listing(&missing))));
     }
 }
 
@@ -295,8 +294,7 @@ fn described_only(section: Part, index: u16, (list, length): (&Part, usize), fin
     let title = say!("add `0x{:04X}` to `{}`", index, list);
     let fix = Fix::safe(title.clone()).set(place, format!("0x{index:04X}"));
     let message = say!("{:04X}h is described, but not listed in `{}`", index, list);
-    let finding = MODULE_LIST_MISMATCH.at(Place::of(section), message);
-    findings.push(finding.help(title).fix(fix));
+    findings.push(MODULE_LIST_MISMATCH.at(Place::of(section), message).help(title).fix(fix));
 }
 
 fn module_overlap(device: &Device, findings: &mut Findings) {

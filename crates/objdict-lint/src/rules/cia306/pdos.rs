@@ -9,7 +9,8 @@ use crate::rule::rules;
 use crate::{EntryAt, Facts, canopennode, stated};
 
 rules! {
-    "cia306/access-without-mapping" = ACCESS_WITHOUT_MAPPING, Warning, Entry(access_without_mapping), fix Unsafe;
+    "cia306/access-without-mapping" = ACCESS_WITHOUT_MAPPING, Warning,
+        Entry(access_without_mapping), fix Unsafe;
     summary: "the access type names a PDO direction, but the entry is not mappable",
     checks: "Whether entries with access `rwr` or `rww` have `PDOMapping=1`.",
     why: "`rwr` and `rww` are `rw` with the PDO direction that the entry can be mapped to. One of the two keys is wrong, and tools may not offer the entry for mapping.",
@@ -17,7 +18,8 @@ rules! {
     remedy: "Write `PDOMapping=1`, or `AccessType=rw`.",
     source: "CiA 306-1 §4.6.3.2",
 
-    "cia306/dummy-below-granularity" = DUMMY_BELOW_GRANULARITY, Warning, Facts(dummy_below_granularity), fix Unsafe;
+    "cia306/dummy-below-granularity" = DUMMY_BELOW_GRANULARITY, Warning,
+        Facts(dummy_below_granularity), fix Unsafe;
     summary: "a dummy type is smaller than the granularity",
     checks: "Whether the length of each type that `[DummyUsage]` enables is a multiple of `Granularity`. With 0 the mapping is fixed and not checked, and neither is a device whose default mapping contradicts the granularity, which `cia301/mapping-granularity` reports.",
     why: "A device with a granularity of 8 maps whole bytes: it rejects a dummy entry of one bit, although tools offer it.",
@@ -73,6 +75,20 @@ fn access_without_mapping(at: &EntryAt<'_>, findings: &mut Findings) {
     findings.push(finding.help(say!("write `{PDOMapping=1}`, or `{AccessType=rw}`")).fix(fix));
 }
 
+/// The data types that `[DummyUsage]` allows as dummy entries.
+fn enabled_dummies(device: &Device) -> impl Iterator<Item = DataType> {
+    let types = device.dummy_usage.iter().flat_map(|usage| &usage.types);
+    types.filter(|(_, enabled)| **enabled).map(|(data_type, _)| *data_type)
+}
+
+fn dummy_key(data_type: &DataType) -> String {
+    format!("Dummy{:04X}", data_type.0)
+}
+
+fn dummy_place(data_type: &DataType) -> Place {
+    Place::of(Part::DummyUsage).field(Field::Named(dummy_key(data_type).into()))
+}
+
 fn dummy_below_granularity(facts: &Facts<'_>, findings: &mut Findings) {
     let device = facts.device;
     let granularity = device.device_info.as_ref().and_then(|info| info.granularity);
@@ -82,49 +98,43 @@ fn dummy_below_granularity(facts: &Facts<'_>, findings: &mut Findings) {
     if facts.pdos.iter().flat_map(|pdo| &pdo.mapped).any(|mapped| is_odd(mapped.object.bits)) {
         return;
     }
-    let Some(usage) = &device.dummy_usage else { return };
-    let enabled = usage.types.iter().filter(|(_, enabled)| **enabled).map(|(data_type, _)| *data_type);
-    let smaller: Vec<DataType> = enabled
+    let smaller: Vec<DataType> = enabled_dummies(device)
         .filter(|data_type| data_type.is_dummy() && data_type.bit_length().is_some_and(is_odd))
         .collect();
     let Some(first) = smaller.first() else { return };
-    let key = |data_type: &DataType| format!("Dummy{:04X}", data_type.0);
     let message = match smaller[..] {
         [one] => say!(
             "`{}` enables {}, which is not a multiple of the granularity of `{}` bits",
-            key(&one),
+            dummy_key(&one),
             one,
             granularity
         ),
         _ => say!(
             "{} enable types that are not multiples of the granularity of `{}` bits",
-            listing(smaller.iter().map(key)),
+            listing(smaller.iter().map(dummy_key)),
             granularity
         ),
     };
-    let place = |data_type| Place::of(Part::DummyUsage).field(Field::Named(key(data_type).into()));
-    let title = say!("write `{}=0`", key(first));
-    let fix = smaller.iter().fold(Fix::risky(title.clone()), |fix, data_type| fix.set(place(data_type), "0"));
+    let title = say!("write `{}=0`", dummy_key(first));
+    let fix =
+        smaller.iter().fold(Fix::risky(title.clone()), |fix, data_type| fix.set(dummy_place(data_type), "0"));
     let finding = DUMMY_BELOW_GRANULARITY
-        .at(place(first), message)
+        .at(dummy_place(first), message)
         .label(Place::of(Part::DeviceInfo).field(Field::Granularity), "the granularity");
     findings.push(finding.help(title).fix(fix));
 }
 
 fn dummy_type(device: &Device, findings: &mut Findings) {
-    let Some(usage) = &device.dummy_usage else { return };
-    let allowed = usage.types.iter().filter(|(_, allowed)| **allowed).map(|(data_type, _)| *data_type);
-    let wrong: Vec<DataType> = allowed.filter(|data_type| !data_type.is_dummy()).collect();
+    let wrong: Vec<DataType> = enabled_dummies(device).filter(|data_type| !data_type.is_dummy()).collect();
     let Some(first) = wrong.first() else { return };
-    let key = |data_type: &DataType| format!("Dummy{:04X}", data_type.0);
     let message = match wrong[..] {
-        [one] => say!("`{}` is 1, but {} cannot be a dummy", key(&one), one),
-        _ => say!("{} allow dummies that no PDO can map", listing(wrong.iter().map(key))),
+        [one] => say!("`{}` is 1, but {} cannot be a dummy", dummy_key(&one), one),
+        _ => say!("{} allow dummies that no PDO can map", listing(wrong.iter().map(dummy_key))),
     };
-    let place = |data_type| Place::of(Part::DummyUsage).field(Field::Named(key(data_type).into()));
-    let title = say!("write `{}=0`", key(first));
-    let fix = wrong.iter().fold(Fix::safe(title.clone()), |fix, data_type| fix.set(place(data_type), "0"));
-    findings.push(DUMMY_TYPE.at(place(first), message).help(title).fix(fix));
+    let title = say!("write `{}=0`", dummy_key(first));
+    let fix =
+        wrong.iter().fold(Fix::safe(title.clone()), |fix, data_type| fix.set(dummy_place(data_type), "0"));
+    findings.push(DUMMY_TYPE.at(dummy_place(first), message).help(title).fix(fix));
 }
 
 fn mapping_not_possible(at: &EntryAt<'_>, findings: &mut Findings) {
@@ -175,7 +185,6 @@ fn is_short_string(entry: &Entry) -> bool {
 }
 
 const MANDATORY_SUBS: u8 = 0x03;
-
 const POSSIBLE_SUBS: u8 = 0x37;
 
 fn wrong_compact_pdo(device: &Device, findings: &mut Findings) {

@@ -6,7 +6,8 @@ use crate::rule::rules;
 use crate::{Facts, stated};
 
 rules! {
-    "cia306/boot-up-master-without-startup" = BOOT_UP_MASTER_WITHOUT_STARTUP, Note, Device(boot_up_master_without_startup);
+    "cia306/boot-up-master-without-startup" = BOOT_UP_MASTER_WITHOUT_STARTUP, Note,
+        Device(boot_up_master_without_startup);
     summary: "a boot-up master lacks 1F80h, NMT startup",
     checks: "Whether a device with `SimpleBootUpMaster=1` has 1F80h, NMT startup.",
     why: "A configuration tool uses 1F80h to make the device the NMT master. Without 1F80h, a tool can neither configure how the device starts the network nor turn the master off.",
@@ -38,7 +39,8 @@ rules! {
     remedy: "Describe sub-indexes 1 to 4 of 1018h, or write `LSS_Supported=0`.",
     source: "CiA 305, CiA 301 §7.5.2.21",
 
-    "cia306/manager-without-nmt-master" = MANAGER_WITHOUT_NMT_MASTER, Warning, Device(manager_without_nmt_master);
+    "cia306/manager-without-nmt-master" = MANAGER_WITHOUT_NMT_MASTER, Warning,
+        Device(manager_without_nmt_master);
     summary: "the network manager is not an NMT master",
     checks: "Whether a DCF with `CANopenManager=1` has `SimpleBootUpMaster=1` or 1F80h, NMT startup.",
     why: "The manager starts and monitors the other nodes. Without an NMT master they stay in the state after power-on.",

@@ -68,7 +68,8 @@ rules! {
     remedy: "Describe the object, or remove its sub-indexes.",
     source: "CiA 306-1 §4.6.3.2",
 
-    "cia306/wrong-highest-sub-index" = WRONG_HIGHEST_SUB_INDEX, Error, Object(wrong_highest_sub_index), fix Unsafe;
+    "cia306/wrong-highest-sub-index" = WRONG_HIGHEST_SUB_INDEX, Error,
+        Object(wrong_highest_sub_index), fix Unsafe;
     summary: "sub-index 0 is not the highest sub-index",
     checks: "Whether the value of sub-index 0 is the highest described sub-index, excluding FFh. A lower value is an error; a higher or missing value is a warning. Not checked: objects with a writable sub-index 0, or whose sub-index 0 counts used entries (error history, PDO and SRDO mappings, lists for multiplexed PDOs).",
     why: "Managers read as many entries as sub-index 0 indicates. They never see entries above it, and get an abort for missing ones.",

@@ -8,7 +8,8 @@ use crate::rule::rules;
 use crate::{Facts, channels};
 
 rules! {
-    "cia401/channels-not-in-device-type" = CHANNELS_NOT_IN_DEVICE_TYPE, Warning, Applied(channels_not_in_device_type), fix Unsafe;
+    "cia401/channels-not-in-device-type" = CHANNELS_NOT_IN_DEVICE_TYPE, Warning,
+        Applied(channels_not_in_device_type), fix Unsafe;
     summary: "the module has channels that its device type does not state",
     checks: "Whether 1000h states each kind of channel that the description has objects for: bit 16 for digital inputs, bit 17 for digital outputs, bit 18 for analogue inputs, bit 19 for analogue outputs.",
     why: "A master that relies on the device type does not use these channels.",
@@ -24,7 +25,8 @@ rules! {
     remedy: "Add PDOs from PDO 5 on for the remaining channels, not valid by default.",
     source: "CiA 401, default PDOs; CiA 301 §7.5.2.35 (PDO 5 and above)",
 
-    "cia401/device-type-without-channels" = DEVICE_TYPE_WITHOUT_CHANNELS, Error, Applied(device_type_without_channels), fix Unsafe;
+    "cia401/device-type-without-channels" = DEVICE_TYPE_WITHOUT_CHANNELS, Error,
+        Applied(device_type_without_channels), fix Unsafe;
     summary: "the device type states channels that the module does not have",
     checks: "Whether there is an object of any width for each kind of channel that 1000h states: bit 16 for digital inputs (6000h, 6100h, 6120h or 6020h to 6027h), bit 17 for digital outputs (6200h, 6300h, 6320h, 6220h to 6227h), bit 18 for analogue inputs (6400h to 6404h), bit 19 for analogue outputs (6410h to 6414h). In a device with several logical devices the types are in 67FFh and each object 800h further. Channels that a module of a modular device may add are not reported. The PDOs of channels that the module does not have are not demanded.",
     why: "A master relies on the device type: it uses the channels and the PDOs that carry them. In real files the device type is nearly always copied from a larger device of the same family.",
@@ -58,7 +60,6 @@ fn channels_not_in_device_type(facts: &Facts<'_>, applied: &Applied<'_>, finding
 
 /// The number of elements that the default PDOs carry: PDO 1, and PDOs 2 to 4.
 const DEFAULT_BYTES: u8 = 8;
-
 const DEFAULT_WORDS: u8 = 12;
 
 /// The last PDO with a default mapping.

@@ -7,7 +7,8 @@ use crate::rule::rules;
 use crate::{Facts, PdoFacts, Target, channels};
 
 rules! {
-    "cia401/wrong-default-mapping" = WRONG_DEFAULT_MAPPING, Warning, Applied(wrong_default_mapping), fix Unsafe;
+    "cia401/wrong-default-mapping" = WRONG_DEFAULT_MAPPING, Warning,
+        Applied(wrong_default_mapping), fix Unsafe;
     summary: "the default mapping of a PDO of an I/O module differs from CiA 401",
     checks: "Whether the default mapping of PDO 1 to 4 in an EDS is that of the profile, as far as there are channels: RPDO 1 carries the first 8 bytes of digital outputs (6200h), RPDOs 2 to 4 the first 12 words of analogue outputs (6411h), TPDO 1 the first 8 bytes of digital inputs (6000h), TPDOs 2 to 4 the first 12 words of analogue inputs (6401h). A PDO that carries only some of its channels is a note. The rule does not apply when bit 23 of 1000h declares a manufacturer-specific mapping, to devices with several logical devices, to PDOs that map nothing, and to PDOs whose entries are invalid.",
     why: "The default mapping makes modules of different vendors interchangeable: a master that knows the profile uses it without configuration. In real files most PDOs that differ carry fewer channels than available, which affects only the missing ones.",
@@ -15,7 +16,8 @@ rules! {
     remedy: "Use the mapping of the profile, or set bit 23 of 1000h.",
     source: "CiA 401, default PDOs",
 
-    "cia401/wrong-transmission-type" = WRONG_TRANSMISSION_TYPE, Warning, Applied(wrong_transmission_type), fix Unsafe;
+    "cia401/wrong-transmission-type" = WRONG_TRANSMISSION_TYPE, Warning,
+        Applied(wrong_transmission_type), fix Unsafe;
     summary: "a default PDO of an I/O module has a transmission type other than 255",
     checks: "Whether the default transmission type of PDO 1 to 4 of an EDS, as far as there are channels for them, is 255: sent when an input changes, applied immediately. The rule does not apply to PDOs that are not valid by default, when bit 23 of 1000h declares a manufacturer-specific mapping, and to devices with several logical devices.",
     why: "Without configuration, a master gets no inputs from a module that waits for a SYNC. With 254 the vendor, not the profile, defines when the PDO is sent.",

@@ -14,7 +14,8 @@ rules! {
     remedy: "Describe the missing object.",
     source: "CiA 402-2, touch probe",
 
-    "cia402/interpolation-without-data" = INTERPOLATION_WITHOUT_DATA, Warning, Drive(interpolation_without_data);
+    "cia402/interpolation-without-data" = INTERPOLATION_WITHOUT_DATA, Warning,
+        Drive(interpolation_without_data);
     summary: "interpolation is supported without its data record or its time",
     checks: "Whether a drive whose 6502h states interpolated position mode has 60C1h (interpolation data record) and 60C2h (interpolation time period), and a drive with 60C0h (interpolation sub mode select) or 60C4h (interpolation data configuration) has 60C1h. A missing 60C0h is named beside the others.",
     why: "A master writes the set-points to the data record and the time between two of them to 60C2h; without them there is nothing to interpolate.",
@@ -22,7 +23,8 @@ rules! {
     remedy: "Describe the objects, or clear bit 6 of 6502h.",
     source: "CiA 402-2, interpolated position mode",
 
-    "cia402/notation-without-dimension" = NOTATION_WITHOUT_DIMENSION, Warning, Drive(notation_without_dimension);
+    "cia402/notation-without-dimension" = NOTATION_WITHOUT_DIMENSION, Warning,
+        Drive(notation_without_dimension);
     summary: "only one of notation index and dimension index is described",
     checks: "Whether both unit objects of version 2 are described: 6089h and 608Ah for positions, 608Bh and 608Ch for velocities, 608Dh and 608Eh for accelerations.",
     why: "The notation index is a power of ten, the dimension index a unit: neither has a meaning alone.",
@@ -30,7 +32,8 @@ rules! {
     remedy: "Describe the other, or use 60A8h to 60ABh of version 4.",
     source: "CiA 402 version 2, factor group",
 
-    "cia402/target-without-actual-value" = TARGET_WITHOUT_ACTUAL_VALUE, Warning, Applied(target_without_actual_value);
+    "cia402/target-without-actual-value" = TARGET_WITHOUT_ACTUAL_VALUE, Warning,
+        Applied(target_without_actual_value);
     summary: "a target is described without its actual value",
     checks: "Whether the actual value of each target is described: 6044h for 6042h, 6064h for 607Ah, 606Ch for 60FFh, 6077h for 6071h. If 6502h states a mode that requires the actual value, `cia402/missing-object` reports it instead.",
     why: "Without the actual value a master cannot monitor the axis or detect that it has reached the target.",

@@ -23,7 +23,8 @@ rules! {
     remedy: "Map the objects by default, first in RPDO 1 and TPDO 1; or ignore the note if every master configures the mapping. It is a note because the drive works with a master that sets its own mapping.",
     source: "CiA 402-3, default PDOs",
 
-    "cia402/cyclic-target-not-mappable" = CYCLIC_TARGET_NOT_MAPPABLE, Warning, Drive(cyclic_target_not_mappable);
+    "cia402/cyclic-target-not-mappable" = CYCLIC_TARGET_NOT_MAPPABLE, Warning,
+        Drive(cyclic_target_not_mappable);
     summary: "the target of a cyclic mode is not mappable",
     checks: "Whether 607Ah (target position), 60FFh (target velocity) and 6071h (target torque) are marked as mappable if 6502h states the corresponding cyclic synchronous mode.",
     why: "A cyclic mode needs a new target with every SYNC; SDO transfers are too slow.",

@@ -15,7 +15,8 @@ rules! {
     remedy: "Add 1005h with the default 80h, or clear the bits of the modes in 6502h.",
     source: "CiA 402-2, cyclic synchronous modes; CiA 301 §7.5.2.5",
 
-    "cia402/homing-method-not-supported" = HOMING_METHOD_NOT_SUPPORTED, Error, Drive(homing_method_not_supported);
+    "cia402/homing-method-not-supported" = HOMING_METHOD_NOT_SUPPORTED, Error,
+        Drive(homing_method_not_supported);
     summary: "the homing method of a drive is not in its list of supported methods",
     checks: "Whether the configured or default value of 6098h (homing method) is in 60E3h (supported homing methods), if all entries of that list have a value. 0 (no homing) is not checked.",
     why: "The drive rejects homing with its start-up method.",

@@ -14,7 +14,8 @@ rules! {
     remedy: "Write 0, and let the master command the states one after the other.",
     source: "CiA 402-2, controlword",
 
-    "cia402/interpolation-time-differs" = INTERPOLATION_TIME_DIFFERS, Warning, Drive(interpolation_time_differs);
+    "cia402/interpolation-time-differs" = INTERPOLATION_TIME_DIFFERS, Warning,
+        Drive(interpolation_time_differs);
     summary: "the interpolation time does not match the SYNC period",
     checks: "Whether the time in 60C2h, value times ten to the power of the index in seconds, is a multiple or a divisor of 1006h (communication cycle period), if both are not 0.",
     why: "The drive interpolates towards the next target for the time in 60C2h, but the next target arrives with SYNC: if the times differ, the axis stutters.",

@@ -8,7 +8,8 @@ use crate::rule::rules;
 use crate::{Facts, with_others};
 
 rules! {
-    "cia406/different-measuring-range" = DIFFERENT_MEASURING_RANGE, Warning, Applied(different_measuring_range), fix Unsafe;
+    "cia406/different-measuring-range" = DIFFERENT_MEASURING_RANGE, Warning,
+        Applied(different_measuring_range), fix Unsafe;
     summary: "the measuring range is not the product of resolution and revolutions",
     checks: "Whether the default of 6002h in the EDS of a rotary encoder is the resolution (6501h) times the revolutions (6502h). Products above 32 bits are not compared.",
     why: "Scaling is off by default, so the measuring range must be the physical one.",
@@ -40,7 +41,8 @@ rules! {
     remedy: "Write a preset inside the measuring range.",
     source: "CiA 406 (6002h, 6003h)",
 
-    "cia406/revolutions-of-single-turn" = REVOLUTIONS_OF_SINGLE_TURN, Warning, Applied(revolutions_of_single_turn);
+    "cia406/revolutions-of-single-turn" = REVOLUTIONS_OF_SINGLE_TURN, Warning,
+        Applied(revolutions_of_single_turn);
     summary: "a single-turn encoder has more than one revolution",
     checks: "Whether 6502h of an encoder of type 1 (absolute, single-turn) is 1. Type 3 is not checked because it counts revolutions.",
     why: "Either the type is wrong, or a master that multiplies resolution and revolutions computes a wrong measuring range.",

@@ -23,7 +23,8 @@ rules! {
     remedy: "Write `0x60040020`, in the description and in the device.",
     source: "CiA 406 (1A00h, 1A01h)",
 
-    "cia406/wrong-transmission-type" = WRONG_TRANSMISSION_TYPE, Warning, Applied(wrong_transmission_type), fix Unsafe;
+    "cia406/wrong-transmission-type" = WRONG_TRANSMISSION_TYPE, Warning,
+        Applied(wrong_transmission_type), fix Unsafe;
     summary: "a TPDO of an encoder has a transmission type other than that of CiA 406",
     checks: "Whether TPDO 1 of an EDS is sent by its timer (transmission type 254; 255 is accepted) and TPDO 2 on each SYNC (type 1). TPDO 2 is not checked if there is a TPDO 3, which was the synchronous one before edition 3.",
     why: "A master that knows the profile expects TPDO 1 asynchronously and TPDO 2 with each SYNC.",

@@ -53,7 +53,7 @@ pub(crate) fn is_same(device: &Device, origin: &Device) -> bool {
 
 /// Where two devices state different numbers: in the device information, else in a sub-index of 1018h. The place and the number
 /// of each.
-pub(crate) fn difference(
+fn difference(
     device: &Device,
     origin: &Device,
     field: &Field,

@@ -11,7 +11,8 @@ use crate::rule::rules;
 use crate::{Facts, PdoFacts, with_others};
 
 rules! {
-    "naming/name-of-other-object" = NAME_OF_OTHER_OBJECT, Note, Facts(name_of_other_object), explains Around ["duplicate-object-name"];
+    "naming/name-of-other-object" = NAME_OF_OTHER_OBJECT, Note,
+        Facts(name_of_other_object), explains Around ["duplicate-object-name"];
     summary: "an object has the name of another object of the standard",
     checks: "Whether no object has the name that the CiA document gives to another index, and no entry the name of another sub-index of the same object. Only letters and digits are compared, without case; `Reserved` is not a name. One finding for each device.",
     why: "Users and tools that go by names write the deceleration to the acceleration. Either the index or the name is wrong; usually both were exchanged.",
@@ -106,7 +107,6 @@ fn plain_name(name: &str) -> String {
 }
 
 const RECEIVE_WORDS: [&str; 3] = ["rpdo", "receive", "rxpdo"];
-
 const TRANSMIT_WORDS: [&str; 3] = ["tpdo", "transmit", "txpdo"];
 
 fn wrong_pdo_direction(_: &Facts<'_>, pdo: &PdoFacts<'_>, findings: &mut Findings) {

@@ -88,8 +88,7 @@ fn placeholder(at: &EntryAt<'_>, findings: &mut Findings) {
         return;
     }
     let message = say!("`{}` is a placeholder", name);
-    let finding = PLACEHOLDER.at(at.field(Field::ParameterName), message);
-    findings.push(finding.help("write a descriptive name"));
+    findings.push(PLACEHOLDER.at(at.field(Field::ParameterName), message).help("write a descriptive name"));
 }
 
 fn repeated_blanks(at: &EntryAt<'_>, findings: &mut Findings) {

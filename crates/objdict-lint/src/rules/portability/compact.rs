@@ -1,9 +1,8 @@
 //! Compact objects, whose sections not all tools read.
 
 use crate::diagnostic::{Findings, say};
-use crate::model::{Compact, Device, Part, Place};
+use crate::model::{Compact, Device, Object, Part, Place};
 use crate::rule::rules;
-use crate::with_others;
 
 rules! {
     "portability/compact-denotations" = COMPACT_DENOTATIONS, Error, Device(compact_denotations);
@@ -47,31 +46,34 @@ rules! {
     source: "python-canopen 2.4.1, CANopenEditor of 2026",
 }
 
+/// The places of the compact objects that a rule is about.
+fn compact_objects(
+    device: &Device,
+    part: fn(u16) -> Part,
+    is_meant: impl Fn(&Object, &Compact) -> bool,
+) -> impl Iterator<Item = Place> {
+    device.objects.iter().filter_map(move |(&index, object)| {
+        let compact = object.compact.as_ref()?;
+        is_meant(object, compact).then(|| Place::of(part(index)))
+    })
+}
+
 fn compact_denotations(device: &Device, findings: &mut Findings) {
-    let mut places = device.objects.iter().filter_map(|(&index, object)| {
-        let is_meant = object.compact.as_ref().is_some_and(|compact| !compact.denotations.is_empty());
-        is_meant.then(|| Place::of(Part::CompactDenotations(index)))
-    });
-    let Some(first) = places.next() else { return };
-    let finding = COMPACT_DENOTATIONS
-        .at(first, "not all tools read the denotations of a compact object")
-        .help(say!("use `{[xxxxName]}`, or describe the sub-indexes individually"));
-    findings.push(with_others(finding, places.map(|place| (place, "the same here"))));
+    let places =
+        compact_objects(device, Part::CompactDenotations, |_, compact| !compact.denotations.is_empty());
+    let texts = (
+        "not all tools read the denotations of a compact object",
+        say!("use `{[xxxxName]}`, or describe the sub-indexes individually"),
+    );
+    COMPACT_DENOTATIONS.report_all(places, "the same here", texts, findings);
 }
 
 fn compact_names(device: &Device, findings: &mut Findings) {
-    let mut places = device.objects.iter().filter_map(|(&index, object)| {
-        let is_meant = object
-            .compact
-            .as_ref()
-            .is_some_and(|compact| !compact.names.is_empty() && !has_gap_in_names(compact));
-        is_meant.then(|| Place::of(Part::CompactNames(index)))
+    let places = compact_objects(device, Part::CompactNames, |_, compact| {
+        !compact.names.is_empty() && !has_gap_in_names(compact)
     });
-    let Some(first) = places.next() else { return };
-    let finding = COMPACT_NAMES
-        .at(first, "not all tools read the names of a compact object")
-        .help("describe the sub-indexes individually");
-    findings.push(with_others(finding, places.map(|place| (place, "the same here"))));
+    let texts = ("not all tools read the names of a compact object", "describe the sub-indexes individually");
+    COMPACT_NAMES.report_all(places, "the same here", texts, findings);
 }
 
 /// Whether a name between 1 and the number of names is missing, which another rule reports.
@@ -80,29 +82,25 @@ fn has_gap_in_names(compact: &Compact) -> bool {
 }
 
 fn compact_parameter_value(device: &Device, findings: &mut Findings) {
-    let mut places = device.objects.iter().filter_map(|(&index, object)| {
-        let is_meant = object.compact.as_ref().is_some_and(|compact| compact.values.is_empty())
-            && object.main.configured_value().is_some();
-        is_meant.then(|| Place::of(Part::Object(index)))
+    let places = compact_objects(device, Part::Object, |object, compact| {
+        compact.values.is_empty() && object.main.configured_value().is_some()
     });
-    let Some(first) = places.next() else { return };
-    let finding = COMPACT_PARAMETER_VALUE
-        .at(first, say!("`{ParameterValue}` of a compact object configures all sub-indexes"))
-        .help(say!("write the values in `{[xxxxValue]}`"));
-    findings.push(with_others(finding, places.map(|place| (place, "the same here"))));
+    let texts = (
+        say!("`{ParameterValue}` of a compact object configures all sub-indexes"),
+        say!("write the values in `{[xxxxValue]}`"),
+    );
+    COMPACT_PARAMETER_VALUE.report_all(places, "the same here", texts, findings);
 }
 
 fn compact_storage(device: &Device, findings: &mut Findings) {
-    let mut places = device.objects.iter().filter_map(|(&index, object)| {
-        let is_meant = object.compact.as_ref().is_some_and(|compact| has_no_sections(compact))
-            && object.main.configured_value().is_none();
-        is_meant.then(|| Place::of(Part::Object(index)))
+    let places = compact_objects(device, Part::Object, |object, compact| {
+        has_no_sections(compact) && object.main.configured_value().is_none()
     });
-    let Some(first) = places.next() else { return };
-    let finding = COMPACT_STORAGE
-        .at(first, say!("not all tools support `{CompactSubObj}` as the standard defines it"))
-        .help("describe the sub-indexes individually");
-    findings.push(with_others(finding, places.map(|place| (place, "the same here"))));
+    let texts = (
+        say!("not all tools support `{CompactSubObj}` as the standard defines it"),
+        "describe the sub-indexes individually",
+    );
+    COMPACT_STORAGE.report_all(places, "the same here", texts, findings);
 }
 
 /// Whether the object has no sections for its sub-indexes.
@@ -111,13 +109,8 @@ fn has_no_sections(compact: &Compact) -> bool {
 }
 
 fn compact_values(device: &Device, findings: &mut Findings) {
-    let mut places = device.objects.iter().filter_map(|(&index, object)| {
-        let is_meant = object.compact.as_ref().is_some_and(|compact| !compact.values.is_empty());
-        is_meant.then(|| Place::of(Part::CompactValues(index)))
-    });
-    let Some(first) = places.next() else { return };
-    let finding = COMPACT_VALUES
-        .at(first, "not all tools read the values of a compact object")
-        .help("describe the sub-indexes individually");
-    findings.push(with_others(finding, places.map(|place| (place, "the same here"))));
+    let places = compact_objects(device, Part::CompactValues, |_, compact| !compact.values.is_empty());
+    let texts =
+        ("not all tools read the values of a compact object", "describe the sub-indexes individually");
+    COMPACT_VALUES.report_all(places, "the same here", texts, findings);
 }

@@ -3,7 +3,7 @@
 use crate::diagnostic::{Findings, say};
 use crate::model::{Device, Entry, Field, Part, Place};
 use crate::rule::rules;
-use crate::{stated, with_others};
+use crate::stated;
 
 rules! {
     "portability/auto-baud-rate" = AUTO_BAUD_RATE, Error, Device(auto_baud_rate);
@@ -107,16 +107,16 @@ fn auto_baud_rate(device: &Device, findings: &mut Findings) {
 }
 
 fn denotation(device: &Device, findings: &mut Findings) {
-    let mut places = stated::entries(device)
+    let places = stated::entries(device)
         .filter(|(_, entry)| {
             entry.configured.as_ref().is_some_and(|configured| configured.denotation.is_some())
         })
         .map(|(place, _)| place.field(Field::Denotation));
-    let Some(first) = places.next() else { return };
-    let finding = DENOTATION
-        .at(first, say!("not all tools read `{Denotation}`"))
-        .help(say!("repeat important denotations in `{ParameterName}`"));
-    findings.push(with_others(finding, places.map(|place| (place, "another one"))));
+    let texts = (
+        say!("not all tools read `{Denotation}`"),
+        say!("repeat important denotations in `{ParameterName}`"),
+    );
+    DENOTATION.report_all(places, "another one", texts, findings);
 }
 
 fn dynamic_channels(device: &Device, findings: &mut Findings) {
@@ -135,39 +135,34 @@ fn modules(device: &Device, findings: &mut Findings) {
 }
 
 fn object_flags(device: &Device, findings: &mut Findings) {
-    let mut places = stated::entries(device)
+    let places = stated::entries(device)
         .filter(|(_, entry)| entry.flags().0 != 0)
         .map(|(place, _)| place.field(Field::ObjFlags));
-    let Some(first) = places.next() else { return };
-    let finding = OBJECT_FLAGS
-        .at(first, say!("not all configuration tools observe `{ObjFlags}`"))
-        .help("check the values that the tool writes to these entries");
-    findings.push(with_others(finding, places.map(|place| (place, "another one"))));
+    let texts = (
+        say!("not all configuration tools observe `{ObjFlags}`"),
+        "check the values that the tool writes to these entries",
+    );
+    OBJECT_FLAGS.report_all(places, "another one", texts, findings);
 }
 
 fn object_links(device: &Device, findings: &mut Findings) {
-    let mut places = device.objects.iter().filter_map(|(&index, object)| {
+    let places = device.objects.iter().filter_map(|(&index, object)| {
         let is_meant = !object.links.is_empty();
         is_meant.then(|| Place::of(Part::Links(index)))
     });
-    let Some(first) = places.next() else { return };
-    let finding = OBJECT_LINKS
-        .at(first, "some tools do not know object links")
-        .help(say!("use a copy without the {section} for the tool"));
-    findings.push(with_others(finding, places.map(|place| (place, "the same here"))));
+    let texts =
+        ("some tools do not know object links", say!("use a copy without the {section} for the tool"));
+    OBJECT_LINKS.report_all(places, "the same here", texts, findings);
 }
 
 fn parameter_reference(device: &Device, findings: &mut Findings) {
-    let mut places = stated::entries(device)
+    let places = stated::entries(device)
         .filter(|(_, entry)| {
             entry.configured.as_ref().is_some_and(|configured| configured.reference_designator.is_some())
         })
         .map(|(place, _)| place.field(Field::ParamRefd));
-    let Some(first) = places.next() else { return };
-    let finding = PARAMETER_REFERENCE
-        .at(first, say!("not all tools read `{ParamRefd}`"))
-        .help("keep the original file");
-    findings.push(with_others(finding, places.map(|place| (place, "another one"))));
+    let texts = (say!("not all tools read `{ParamRefd}`"), "keep the original file");
+    PARAMETER_REFERENCE.report_all(places, "another one", texts, findings);
 }
 
 fn safety_key(device: &Device, findings: &mut Findings) {
@@ -175,12 +170,10 @@ fn safety_key(device: &Device, findings: &mut Findings) {
     let supported = info.map(|_| Place::of(Part::DeviceInfo).field(Field::CanOpenSafetySupported));
     let entries =
         stated::entries(device).filter_map(|(place, entry)| Some(place.field(safety_field(entry)?)));
-    let mut places = supported.into_iter().chain(entries);
-    let Some(first) = places.next() else { return };
-    let finding = SAFETY_KEY
-        .at(first, say!("{the key} belongs to CANopen Safety"))
-        .help(say!("use a copy without {the key} for the tool"));
-    findings.push(with_others(finding, places.map(|place| (place, "another one"))));
+    let places = supported.into_iter().chain(entries);
+    let texts =
+        (say!("{the key} belongs to CANopen Safety"), say!("use a copy without {the key} for the tool"));
+    SAFETY_KEY.report_all(places, "another one", texts, findings);
 }
 
 fn safety_field(entry: &Entry) -> Option<Field> {
@@ -210,13 +203,13 @@ fn tool_list(device: &Device, findings: &mut Findings) {
 }
 
 fn type_definition(device: &Device, findings: &mut Findings) {
-    let mut places = device.objects.iter().filter_map(|(&index, object)| {
+    let places = device.objects.iter().filter_map(|(&index, object)| {
         let is_meant = index < 0x1000 && !object.orphan;
         is_meant.then(|| Place::of(Part::Object(index)))
     });
-    let Some(first) = places.next() else { return };
-    let finding = TYPE_DEFINITION
-        .at(first, "some tools do not know data types defined in the file")
-        .help("use standard types, and remove the definition");
-    findings.push(with_others(finding, places.map(|place| (place, "the same here"))));
+    let texts = (
+        "some tools do not know data types defined in the file",
+        "use standard types, and remove the definition",
+    );
+    TYPE_DEFINITION.report_all(places, "the same here", texts, findings);
 }

@@ -3,7 +3,7 @@
 use crate::diagnostic::{Findings, Fix, listing, listing_or, say};
 use crate::model::{Access, DataType, Device, Entry, Field, ModulePart, ObjectType, Part, Place, Value};
 use crate::rule::rules;
-use crate::{EntryAt, Origin, stated, with_others};
+use crate::{EntryAt, Origin, stated};
 
 rules! {
     "portability/domain-without-type" = DOMAIN_WITHOUT_TYPE, Error, Entry(domain_without_type), fix Safe;
@@ -65,8 +65,7 @@ fn domain_without_type(at: &EntryAt<'_>, findings: &mut Findings) {
     let message = say!("this DOMAIN has no {}", listing_or(missing.iter().map(|(field, _)| field)));
     let fix = Fix::safe(say!("add {}", listing(&lines)));
     let fix = missing.iter().fold(fix, |fix, (field, value)| fix.set(at.field(field.clone()), *value));
-    let finding = DOMAIN_WITHOUT_TYPE.at(at.place(), message);
-    findings.push(finding.help(say!("add {}", listing(&lines))).fix(fix));
+    findings.push(DOMAIN_WITHOUT_TYPE.at(at.place(), message).help(say!("add {}", listing(&lines))).fix(fix));
 }
 
 fn empty_text(device: &Device, findings: &mut Findings) {
@@ -85,19 +84,14 @@ fn empty_text(device: &Device, findings: &mut Findings) {
 fn report_empty_text(part: &Part, field: Field, text: Option<&str>, findings: &mut Findings) {
     if text.is_some_and(|text| text.trim().is_empty()) {
         let message = say!("`{}` of `{}` is empty", field, part);
-        let finding = EMPTY_TEXT.at(Place::of(part.clone()).field(field), message);
-        findings.push(finding.help("write the text"));
+        findings.push(EMPTY_TEXT.at(Place::of(part.clone()).field(field), message).help("write the text"));
     }
 }
 
 fn file_reference(device: &Device, findings: &mut Findings) {
-    let mut places =
-        stated::entries(device).filter_map(|(place, entry)| Some(place.field(file_field(entry)?)));
-    let Some(first) = places.next() else { return };
-    let finding = FILE_REFERENCE
-        .at(first, "not all tools load the file of this entry")
-        .help("load the file in the application");
-    findings.push(with_others(finding, places.map(|place| (place, "another one"))));
+    let places = stated::entries(device).filter_map(|(place, entry)| Some(place.field(file_field(entry)?)));
+    let texts = ("not all tools load the file of this entry", "load the file in the application");
+    FILE_REFERENCE.report_all(places, "another one", texts, findings);
 }
 
 fn file_field(entry: &Entry) -> Option<Field> {
@@ -110,17 +104,13 @@ fn file_field(entry: &Entry) -> Option<Field> {
 }
 
 fn long_value(device: &Device, findings: &mut Findings) {
-    let mut places =
-        stated::entries(device).filter(|(_, entry)| is_long_value(entry)).map(|(place, entry)| {
-            let field =
-                if entry.configured_value().is_some() { Field::ParameterValue } else { Field::DefaultValue };
-            place.field(field)
-        });
-    let Some(first) = places.next() else { return };
-    let finding = LONG_VALUE
-        .at(first, "the value has more than four bytes")
-        .help("write the entry from the application");
-    findings.push(with_others(finding, places.map(|place| (place, "another one"))));
+    let places = stated::entries(device).filter(|(_, entry)| is_long_value(entry)).map(|(place, entry)| {
+        let field =
+            if entry.configured_value().is_some() { Field::ParameterValue } else { Field::DefaultValue };
+        place.field(field)
+    });
+    let texts = ("the value has more than four bytes", "write the entry from the application");
+    LONG_VALUE.report_all(places, "another one", texts, findings);
 }
 
 fn is_long_value(entry: &Entry) -> bool {
@@ -129,12 +119,9 @@ fn is_long_value(entry: &Entry) -> bool {
 }
 
 fn time_value(device: &Device, findings: &mut Findings) {
-    let mut places =
-        stated::entries(device).filter_map(|(place, entry)| Some(place.field(time_field(entry)?)));
-    let Some(first) = places.next() else { return };
-    let finding =
-        TIME_VALUE.at(first, "not all tools read times").help("remove the value if 0 is acceptable");
-    findings.push(with_others(finding, places.map(|place| (place, "another one"))));
+    let places = stated::entries(device).filter_map(|(place, entry)| Some(place.field(time_field(entry)?)));
+    let texts = ("not all tools read times", "remove the value if 0 is acceptable");
+    TIME_VALUE.report_all(places, "another one", texts, findings);
 }
 
 fn time_field(entry: &Entry) -> Option<Field> {
