@@ -38,7 +38,7 @@ pub(crate) use index_set::IndexSet;
 pub use options::Options;
 pub(crate) use respell::respell;
 pub use rule::Rule;
-pub(crate) use rule::{Check, EntryAt, EntryCheck, Origin, rule, with_others};
+pub(crate) use rule::{Check, EntryAt, EntryCheck, Origin, with_others};
 pub(crate) use rules::rules_of;
 pub use rules::{rules, without_disabled};
 pub use severities::{Level, Severities, UnknownLevel};
@@ -58,12 +58,7 @@ pub fn check(device: &Device, options: &Options) -> Findings {
             Check::Device(check) => check(device, &mut findings),
             Check::Facts(check) => check(&facts, &mut findings),
             Check::Pdo(check) => facts.pdos.iter().for_each(|pdo| check(&facts, pdo, &mut findings)),
-            Check::Applied(_)
-            | Check::Against(_)
-            | Check::Expected(_)
-            | Check::Configured(_)
-            | Check::Object(_)
-            | Check::Entry(_) => {}
+            _ => {}
         }
     }
     check_demands(&facts, &mut findings);
@@ -99,8 +94,13 @@ fn check_demands(facts: &Facts<'_>, findings: &mut Findings) {
     for one in &applied {
         let rules: Vec<&Rule> = rules_of(|group| group == one.profile.group).collect();
         for rule in &rules {
-            if let Check::Applied(check) = rule.check {
-                check(&rule.info, facts, one, findings);
+            match rule.check {
+                Check::Applied(check) => check(facts, one, findings),
+                #[cfg(feature = "catalogue")]
+                Check::Demand(check) => check(&rule.info, facts, one, findings),
+                #[cfg(feature = "catalogue")]
+                Check::Drive(check) => check(Drive::new(facts, one), findings),
+                _ => {}
             }
         }
         for against in demands::against(facts.device, one) {

@@ -1,5 +1,7 @@
 //! Rules about the model.
 
+#[cfg(feature = "catalogue")]
+use crate::Drive;
 use crate::configured::Configured;
 use crate::demands::{Against, Applied, Expected};
 use crate::diagnostic::{Diagnostic, Findings, RuleInfo, Text, say};
@@ -12,6 +14,28 @@ pub struct Rule {
     pub info: RuleInfo,
     /// The check and its subject.
     pub(crate) check: Check,
+}
+
+impl Rule {
+    /// A finding of this rule.
+    pub(crate) fn at(&'static self, place: Place, message: impl Into<Text>) -> Diagnostic {
+        Diagnostic::new(&self.info, place, message)
+    }
+
+    /// Reports all `places` in one finding at the first one, if there is one; the further ones have the text `others`.
+    #[cfg(feature = "catalogue")]
+    pub(crate) fn report_all(
+        &'static self,
+        mut places: impl Iterator<Item = Place>,
+        others: &'static str,
+        (message, help): (impl Into<Text>, impl Into<Text>),
+        findings: &mut Findings,
+    ) {
+        if let Some(first) = places.next() {
+            let finding = self.at(first, message).help(help);
+            findings.push(with_others(finding, places.map(|place| (place, others))));
+        }
+    }
 }
 
 /// A check of one entry.
@@ -31,7 +55,13 @@ pub(crate) enum Check {
     /// Each PDO with at least one described object.
     Pdo(fn(&Facts<'_>, &PdoFacts<'_>, &mut Findings)),
     /// Each logical device that the document of the rule's group applies to.
-    Applied(fn(&'static RuleInfo, &Facts<'_>, &Applied<'_>, &mut Findings)),
+    Applied(fn(&Facts<'_>, &Applied<'_>, &mut Findings)),
+    /// The same for a check that the rules of several groups share.
+    #[cfg(feature = "catalogue")]
+    Demand(fn(&'static RuleInfo, &Facts<'_>, &Applied<'_>, &mut Findings)),
+    /// Each axis of a drive.
+    #[cfg(feature = "catalogue")]
+    Drive(fn(Drive<'_>, &mut Findings)),
     /// Each object that the document defines.
     Against(fn(&'static RuleInfo, &Against<'_>, &mut Findings)),
     /// A configuration beside the description of its type.
@@ -125,8 +155,7 @@ pub(crate) fn with_others<T: Into<Text>>(
 }
 
 /// A [`Rule`]: the fields of [`rule_info!`](objdict_model::rule_info), with the check after the severity.
-/// `one! { "cia306/name", Error, Entry(check), fix Safe; summary: "…", … }`
-macro_rules! one {
+macro_rules! rule {
     (
         $id:literal, $severity:ident, $kind:ident($check:path) $(, fix $safety:ident)?
             $(, explains $reach:ident [$($rule:literal),+])*
@@ -143,24 +172,31 @@ macro_rules! one {
         }
     };
 }
-pub(crate) use one;
-
-/// Declares the rule of a file with the fields of [`one!`]: a `static RULE`.
-macro_rules! rule {
-    ($($rule:tt)+) => {
-        pub(crate) static RULE: $crate::Rule = $crate::rule::one! { $($rule)+ };
-    };
-}
 pub(crate) use rule;
 
-/// Declares the rules of a group that use shared checks, with the fields of [`one!`]: a `static RULES`.
-macro_rules! demands {
+/// Declares the rules of a file, `RULES`: `"cia306/name" = NAME, Error, Entry(name), fix Safe; summary: "…", …` for each.
+/// A check reports with `NAME.at(place, message)`. If every check gets its rule as an argument, the rows have no names.
+macro_rules! rules {
+    ($(
+        $id:literal = $name:ident, $severity:ident, $kind:ident($check:path) $(, fix $safety:ident)?
+            $(, explains $reach:ident [$($rule:literal),+])*
+            $(, stops $target:literal $(at [$($field:ident),+])?)*;
+        $($part:ident: $text:literal,)+
+    )+) => {
+        $(static $name: $crate::Rule = $crate::rule::rule! {
+            $id, $severity, $kind($check) $(, fix $safety)? $(, explains $reach [$($rule),+])*
+                $(, stops $target $(at [$($field),+])?)*;
+            $($part: $text,)+
+        };)+
+
+        pub(crate) const RULES: &[&$crate::Rule] = &[$(&$name,)+];
+    };
     ($(
         $id:literal, $severity:ident, $kind:ident($check:path) $(, fix $safety:ident)?;
         $($part:ident: $text:literal,)+
     )+) => {
-        pub(crate) static RULES: &[&$crate::Rule] =
-            &[$(&$crate::rule::one! { $id, $severity, $kind($check) $(, fix $safety)?; $($part: $text,)+ },)+];
+        pub(crate) const RULES: &[&$crate::Rule] =
+            &[$(&$crate::rule::rule! { $id, $severity, $kind($check) $(, fix $safety)?; $($part: $text,)+ },)+];
     };
 }
-pub(crate) use demands;
+pub(crate) use rules;

@@ -3,9 +3,9 @@
 use crate::demands::{
     sub_0_out_of_range, undefined_sub_index, wrong_access, wrong_data_type, wrong_mapping, wrong_object_type,
 };
-use crate::rule::demands;
+use crate::rule::rules;
 
-demands! {
+rules! {
     "cia301/mapped-communication-object", Warning, Against(wrong_mapping), fix Unsafe;
     summary: "a communication object that cannot be mapped to a PDO is marked as mappable",
     checks: "Whether `PDOMapping` is set at a communication object of CiA 301. Exceptions are 1001h, 1002h, 1013h, 1026h and the COB-IDs of SDOs, which CiA 301 declares mappable.",

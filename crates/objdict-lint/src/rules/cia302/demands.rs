@@ -4,9 +4,9 @@ use crate::demands::{
     different_channel_count, missing_entry, missing_object, reserved_bits, sub_0_out_of_range,
     undefined_sub_index, wrong_access, wrong_data_type, wrong_mapping, wrong_object_type, wrong_value,
 };
-use crate::rule::demands;
+use crate::rule::rules;
 
-demands! {
+rules! {
     "cia302/different-program-count", Error, Against(different_channel_count);
     summary: "1F51h and 1F50h have a different number of programs",
     checks: "Whether program control (1F51h) has as many sub-indexes as program data (1F50h).",
@@ -15,7 +15,7 @@ demands! {
     remedy: "Describe an entry of 1F51h for each program of 1F50h.",
     source: "CiA 302-3 (1F50h, 1F51h)",
 
-    "cia302/missing-object", Error, Applied(missing_object);
+    "cia302/missing-object", Error, Demand(missing_object);
     summary: "an object that CiA 302 requires together with another one is missing",
     checks: "Whether objects that belong together are all described: 1F20h with 1F21h, 1F23h with 1F24h, 1F26h with 1F27h, 1F51h with 1F50h, and 1F90h if bit 5 of 1F80h makes the device a flying master. Modular devices are not checked, because a module may provide the object.",
     why: "A stored DCF without its format cannot be read, an expected date without a time is only half of the comparison, and a program cannot be started without its control object.",

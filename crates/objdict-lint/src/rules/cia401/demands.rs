@@ -5,9 +5,9 @@ use crate::demands::{
     undefined_sub_index, wrong_access, wrong_data_type, wrong_default, wrong_mapping, wrong_object_type,
     wrong_value,
 };
-use crate::rule::demands;
+use crate::rule::rules;
 
-demands! {
+rules! {
     "cia401/different-channel-count", Warning, Against(different_channel_count);
     summary: "a parameter array and its channels have different lengths",
     checks: "Whether the parameters of channels (polarity, filter, interrupt masks, error mode and value, limits, scaling) have as many elements as there are channels. The rule accepts the number of channels of any width.",
@@ -16,7 +16,7 @@ demands! {
     remedy: "Describe an element for each channel.",
     source: "CiA 401, the object descriptions",
 
-    "cia401/missing-object", Error, Applied(missing_object);
+    "cia401/missing-object", Error, Demand(missing_object);
     summary: "an object that CiA 401 requires of an I/O module is missing",
     checks: "Whether an I/O module has the PDOs for the channels that 1000h states, unless bit 23 declares a manufacturer-specific mapping, and the objects that every master can read: 6000h if it has inputs of another width, 6200h if it has such outputs, 6401h and 6411h if it has analogue channels of another resolution. `device-type-without-channels` reports channels that have no object at all. Objects that a module of a modular device may add are not reported.",
     why: "A master that knows only CiA 401 accesses the channels through these objects and PDOs.",
@@ -80,7 +80,7 @@ demands! {
     remedy: "Write `PDOMapping=0`, unless the device really can map the parameter.",
     source: "CiA 401, the object descriptions",
 
-    "cia401/wrong-mapping-direction", Warning, Applied(mapped_in_wrong_direction);
+    "cia401/wrong-mapping-direction", Warning, Demand(mapped_in_wrong_direction);
     summary: "a TPDO carries outputs, or an RPDO carries inputs",
     checks: "Whether RPDOs carry no inputs (6000h to 6127h, 6400h to 6404h) and TPDOs no outputs (6200h to 6327h, 6410h to 6414h). If access type and mapping already forbid it, `cia301/wrong-mapping-direction` reports it instead.",
     why: "CiA 401 maps outputs into RPDOs only. Some devices let a TPDO carry them to report the current state; a master that knows the profile does not expect this.",

@@ -4,10 +4,10 @@ use crate::demands::{
     missing_entry, missing_object, undefined_sub_index, wrong_access, wrong_data_type, wrong_mapping,
     wrong_object_type, wrong_value,
 };
-use crate::rule::demands;
+use crate::rule::rules;
 
-demands! {
-    "cia402/missing-object", Error, Applied(missing_object);
+rules! {
+    "cia402/missing-object", Error, Demand(missing_object);
     summary: "an object that CiA 402 requires of a drive is missing",
     checks: "Whether a drive has the controlword 6040h and the statusword 6041h, and the mandatory objects of each mode that 6502h (supported drive modes) states: 6042h to 6044h, 6046h and 6048h for velocity; 607Ah, 6081h, 6083h and 6064h for profile position; 60FFh, 606Ch and 6083h for profile velocity; 6071h, 6077h and 6087h for torque; 6098h and 6099h for homing; the targets, 6064h and 60C2h for the cyclic modes. Further axes, 800h indexes apart, are checked like the first. Objects that a module of a modular device may add are not reported.",
     why: "A master controls the drive with 6040h and 6041h and writes the objects of the mode; if one is missing, the SDO transfer is aborted and the axis does not move.",

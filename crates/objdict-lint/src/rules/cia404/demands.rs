@@ -1,9 +1,9 @@
 //! The requirements of CiA 404: one row per rule that uses a check of [`crate::demands`].
 
 use crate::demands::{undefined_sub_index, wrong_access, wrong_data_type, wrong_object_type};
-use crate::rule::demands;
+use crate::rule::rules;
 
-demands! {
+rules! {
     "cia404/undefined-sub-index", Warning, Against(undefined_sub_index);
     summary: "an object of a measuring device has more channels than CiA 404 defines",
     checks: "Whether the objects that CiA 404 defines have only channels 1 to 199.",

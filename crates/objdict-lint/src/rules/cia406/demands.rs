@@ -5,9 +5,9 @@ use crate::demands::{
     undefined_field_value, undefined_sub_index, wrong_access, wrong_data_type, wrong_mapping,
     wrong_object_type,
 };
-use crate::rule::demands;
+use crate::rule::rules;
 
-demands! {
+rules! {
     "cia406/different-channel-count", Warning, Against(different_channel_count);
     summary: "an object of an encoder and its sensors or channels have different lengths",
     checks: "Whether 6010h and 650Ch have as many elements as 6020h, 6301h and 6302h as many as 6300h, 6401h and 6402h as many as 6400h.",
@@ -24,7 +24,7 @@ demands! {
     remedy: "Remove the object or correct the type.",
     source: "CiA 406, the object descriptions",
 
-    "cia406/missing-object", Error, Applied(missing_object);
+    "cia406/missing-object", Error, Demand(missing_object);
     summary: "an object that CiA 406 requires of an encoder is missing",
     checks: "Whether an encoder has the objects of every class: 6000h, 6500h and 6501h; 6004h, or 6020h for several sensors; 6502h for rotary encoders; and its two TPDOs, 1800h and 1801h with their mappings (1802h instead of 1801h, as in editions before 3). Objects that depend on the encoder type are not checked if 1000h does not state the type.",
     why: "Masters read the position from this object or from TPDO 1, and need resolution and number of revolutions to interpret it.",

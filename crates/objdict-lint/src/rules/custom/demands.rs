@@ -4,9 +4,9 @@ use crate::demands::{
     misplaced_object, missing_entry, missing_object, undefined_sub_index, wrong_access, wrong_data_type,
     wrong_default, wrong_mapping, wrong_object_type, wrong_value,
 };
-use crate::rule::demands;
+use crate::rule::rules;
 
-demands! {
+rules! {
     "custom/misplaced-object", Warning, Against(misplaced_object);
     summary: "a custom profile defines the object for other devices only",
     checks: "Whether the condition in `only` of a loaded profile holds.",
@@ -15,7 +15,7 @@ demands! {
     remedy: "Remove the object, or correct the values that the condition depends on.",
     source: "the loaded profile",
 
-    "custom/missing-object", Error, Applied(missing_object);
+    "custom/missing-object", Error, Demand(missing_object);
     summary: "an object that a custom profile requires is missing",
     checks: "Whether the device has the objects that a profile loaded with `--profile` or `profiles` in `objdict.toml` makes mandatory, always or under a condition that holds for the device. Objects that a module of a modular device may add are not reported.",
     why: "Project software relies on the object.",

@@ -1,0 +1,145 @@
+//! The communication parameters of PDOs.
+
+use crate::diagnostic::{Findings, Fix, Severity, say};
+use crate::model::{DataType, DeviceKind, Field, Part, Place};
+use crate::rule::rules;
+use crate::{Facts, PdoFacts, is_unstated, stated, with_others};
+
+rules! {
+    "cia301/incomplete-pdo-parameter" = INCOMPLETE_PDO_PARAMETER, Error, Pdo(incomplete_pdo_parameter);
+    summary: "a PDO communication parameter lacks the COB-ID or the transmission type",
+    checks: "Whether each object from 1400h to 15FFh and from 1800h to 19FFh has sub-indexes 1 and 2.",
+    why: "A manager cannot configure the PDO, and a tool cannot show when it is sent.",
+    example: "`[1801]` with only `[1801sub0]` and `[1801sub1]`",
+    remedy: "Describe the missing sub-index.",
+    source: "CiA 301 §7.5.2.35, §7.5.2.37",
+
+    "cia301/pdo-parameter-without-value" = PDO_PARAMETER_WITHOUT_VALUE, Note,
+        Pdo(pdo_parameter_without_value);
+    summary: "the COB-ID or transmission type of a PDO has no value",
+    checks: "Whether sub-indexes 1 and 2 of each PDO communication parameter have a value.",
+    why: "The CAN-ID and the trigger of the PDO in a new device are unknown. A tool that restores the defaults omits this entry.",
+    example: "`[1800sub2]` without `DefaultValue`",
+    remedy: "Write the value that the device has after its defaults are restored.",
+    source: "CiA 301 §7.5.2.35, §7.5.2.37",
+
+    "cia301/pdo-valid-by-default" = PDO_VALID_BY_DEFAULT, Warning, Facts(pdo_valid_by_default);
+    summary: "a PDO without a predefined CAN-ID is valid by default",
+    checks: "Whether the default COB-ID of PDO 5 and above has bit 31 set. The rule reports one finding for the device, with every such PDO. A DCF is not checked: it holds the configuration of a node, and tools write that as default.",
+    why: "The predefined connection set has no CAN-ID for these PDOs. A PDO that is valid after a reset may use the CAN-ID of another device before a manager can configure it.",
+    example: "`[1804sub1]` with `DefaultValue=$NODEID+0x1C0`",
+    remedy: "Set bit 31: `$NODEID+0x800001C0`, or `0x80000000`.",
+    source: "CiA 301 §7.5.2.35 table 67, §7.5.2.37 table 71",
+
+    "cia301/pdo-without-mapping" = PDO_WITHOUT_MAPPING, Error, Pdo(pdo_without_mapping);
+    summary: "a PDO has only one of its two objects",
+    checks: "Whether each PDO communication parameter (1400h to 15FFh, 1800h to 19FFh) has the mapping parameter 200h above it, and the reverse. A module may provide the other object.",
+    why: "Without the mapping, the contents of the PDO are unknown; without the communication parameter, its CAN-ID and trigger. `CompactPDO` allows both objects to be omitted, not only one.",
+    example: "`[1802]` without `[1A02]`",
+    remedy: "Describe the other object, or remove this one.",
+    source: "CiA 301 §7.5.2.35 to §7.5.2.38; CiA 306-1 §4.6.3.4.1",
+
+    "cia301/reserved-pdo-sub-index" = RESERVED_PDO_SUB_INDEX, Warning,
+        Facts(reserved_pdo_sub_index), fix Unsafe;
+    summary: "a PDO communication parameter has the reserved sub-index 4",
+    checks: "Whether an object from 1400h to 15FFh or from 1800h to 19FFh describes sub-index 4. The rule reports one finding for the device, with every such PDO. An UNSIGNED8, a compatibility entry of older devices, is a note: a quarter of the examined files have it, and it is harmless. Another data type is a warning, because the entry is probably meant for another sub-index.",
+    why: "CiA 301 reserves the sub-index; a device answers with an abort. An event timer that is written there instead of to sub-index 5 has no effect.",
+    example: "`[1800sub4]`",
+    remedy: "Remove the section. The gap between 3 and 5 is correct, and sub-index 0 remains the highest sub-index.",
+    source: "CiA 301 §7.4.8.1, §7.5.2.35, §7.5.2.37",
+}
+
+fn incomplete_pdo_parameter(_: &Facts<'_>, pdo: &PdoFacts<'_>, findings: &mut Findings) {
+    let Some(object) = pdo.communication_record() else { return };
+    let pdo = &pdo.pdo;
+    let index = pdo.communication_index();
+    for (sub, name) in [(1, "COB-ID"), (2, "transmission type")] {
+        if !object.has(sub) {
+            let message = say!("{} is missing sub-index {} ({}) of {:04X}h", pdo, sub, name, index);
+            let finding = INCOMPLETE_PDO_PARAMETER.at(Place::object(index), message);
+            findings.push(finding.help(say!("add `{}`", Part::Entry(index, sub))));
+        }
+    }
+}
+
+fn pdo_parameter_without_value(facts: &Facts<'_>, pdo: &PdoFacts<'_>, findings: &mut Findings) {
+    let Some(object) = pdo.communication_record() else { return };
+    let pdo = &pdo.pdo;
+    let index = pdo.communication_index();
+    for (sub, name) in [(1, "COB-ID"), (2, "transmission type")] {
+        let has_type = object.subs.get(sub).is_none_or(|entry| entry.data_type.is_some());
+        if has_type && is_unstated(object, sub) {
+            let message = say!("the {} of {} has no value", name, pdo);
+            let finding = PDO_PARAMETER_WITHOUT_VALUE.at(facts.device.value_place(index, sub), message);
+            findings
+                .push(finding.help("write the value that the device has after its defaults are restored"));
+            return;
+        }
+    }
+}
+
+fn pdo_valid_by_default(facts: &Facts<'_>, findings: &mut Findings) {
+    let device = facts.device;
+    let is_type = device.kind == DeviceKind::Type;
+    let mut on = facts.pdos.iter().filter_map(|of_pdo| {
+        let pdo = &of_pdo.pdo;
+        let entry = pdo.communication?.subs.get(1)?;
+        let cob_id = of_pdo.cob_id().filter(|cob_id| cob_id.cob_id.is_valid() && cob_id.wrong_bits() == 0)?;
+        // another rule reports a restricted CAN-ID
+        let is_looked_at = pdo.number > 4 && is_type && !facts.is_restricted(&cob_id);
+        (is_looked_at && entry.configured_value().is_none()).then_some((pdo, cob_id.cob_id))
+    });
+    let Some((first, cob_id)) = on.next() else { return };
+    let message = say!("`{}` makes {} valid by default, although it has no predefined CAN-ID", cob_id, first);
+    let finding = PDO_VALID_BY_DEFAULT.at(device.value_place(first.communication_index(), 1), message);
+    let finding = finding.help(say!("set bit 31: `{}`", cob_id.disabled()));
+    let place = |index| device.value_place(index, 1);
+    findings.push(with_others(
+        finding,
+        on.map(|(pdo, _)| (place(pdo.communication_index()), say!("{} too", pdo))),
+    ));
+}
+
+fn pdo_without_mapping(facts: &Facts<'_>, pdo: &PdoFacts<'_>, findings: &mut Findings) {
+    let pdo = &pdo.pdo;
+    let (communication, mapping) = (pdo.communication_index(), pdo.mapping_index());
+    let (there, what, missing, other) = match (pdo.communication, pdo.mapping) {
+        (Some(_), None) => (communication, "a communication parameter", mapping, "mapping parameter"),
+        (None, Some(_)) => (mapping, "a mapping parameter", communication, "communication parameter"),
+        _ => return,
+    };
+    let device = facts.device;
+    let mut modules = device.modules.iter().flat_map(|modules| modules.supported.values());
+    if device.lists.contains(missing) || modules.any(|module| module.fixed.contains_key(&missing)) {
+        return;
+    }
+    let message = say!("{} has {}, {:04X}h, but no {}, {:04X}h", pdo, what, there, other, missing);
+    let finding = PDO_WITHOUT_MAPPING.at(Place::object(there), message);
+    findings.push(finding.help(say!("add {:04X}h, or remove {:04X}h", missing, there)));
+}
+
+fn reserved_pdo_sub_index(facts: &Facts<'_>, findings: &mut Findings) {
+    let pdos = facts.pdos.iter().map(|facts| &facts.pdo);
+    let with = pdos.filter_map(|pdo| Some((pdo, pdo.communication?.subs.get(4)?)));
+    let Some((first, _)) = with.clone().next() else { return };
+    let place = |index| Place::entry(index, 4);
+    let message = say!("{} has the reserved sub-index 4 in {:04X}h", first, first.communication_index());
+    let finding = RESERVED_PDO_SUB_INDEX.at(place(first.communication_index()), message);
+    let finding = finding.help(say!("remove the {section}; the event timer is sub-index 5"));
+    let is_compatible = with.clone().all(|(_, entry)| entry.data_type == Some(DataType::UNSIGNED8));
+    let finding = if is_compatible { finding.severity(Severity::Note) } else { finding };
+    let fix = with.clone().fold(Fix::risky(say!("remove the {section}")), |fix, (pdo, _)| {
+        let described = pdo.communication.map_or(0, stated::described_subs).saturating_sub(1);
+        let number = Place::object(pdo.communication_index()).field(Field::SubNumber);
+        let fix = fix.remove(place(pdo.communication_index())).set(number, described.to_string());
+        let Some(object) = pdo.communication.filter(|object| object.highest_sub() == Some(4)) else {
+            return fix;
+        };
+        let highest = object.subs.iter().map(|(sub, _)| sub).filter(|&sub| sub < 4).max().unwrap_or_default();
+        let count = Place::entry(pdo.communication_index(), 0).field(Field::DefaultValue);
+        fix.set(count, highest.to_string())
+    });
+    let finding = finding.fix(fix);
+    let others = with.skip(1).map(|(pdo, _)| (place(pdo.communication_index()), say!("{} too", pdo)));
+    findings.push(with_others(finding, others));
+}

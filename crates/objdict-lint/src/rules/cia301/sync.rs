@@ -1,0 +1,223 @@
+//! SYNC and TIME.
+
+use crate::diagnostic::{Findings, Severity, say};
+use crate::model::{Device, Object, PdoKind, Place};
+use crate::rule::rules;
+use crate::{Facts, PdoFacts, Service, stated, with_others};
+
+rules! {
+    "cia301/invalid-sync-counter" = INVALID_SYNC_COUNTER, Error, Facts(invalid_sync_counter);
+    summary: "the overflow value of the SYNC counter is reserved or does not match the PDOs",
+    checks: "Whether 1019h is 0 or 2 to 240, and, as a warning, whether it is a multiple of the transmission type of each valid TPDO that is sent with every n-th SYNC.",
+    why: "The device rejects 1 and values above 240. If the overflow value is not a multiple of n, the counter restarts within a cycle and the PDO is sent early once per counter period.",
+    example: "`[1019]` with `DefaultValue=1`",
+    remedy: "Write 0 to send SYNC without a counter, otherwise the least common multiple of the transmission types.",
+    source: "CiA 301 §7.5.2.22",
+
+    "cia301/invalid-sync-start-value" = INVALID_SYNC_START_VALUE, Error, Pdo(invalid_sync_start_value);
+    summary: "a TPDO waits for a SYNC counter value that never occurs",
+    checks: "Whether the SYNC start value of each TPDO is at most 240 and at most the overflow value of the SYNC counter, 1019h. A start value on a device without a counter has no effect and is a warning.",
+    why: "The TPDO starts with the SYNC whose counter has the start value. The counter runs from 1 to the overflow value and never reaches a higher start value.",
+    example: "`[1800sub6]` with `DefaultValue=12` and `[1019]` with `DefaultValue=10`",
+    remedy: "Write 0 to start with any SYNC, or a value up to that of 1019h.",
+    source: "CiA 301 §7.5.2.22, §7.5.2.37",
+
+    "cia301/sync-object-without-sync" = SYNC_OBJECT_WITHOUT_SYNC, Warning, Object(sync_object_without_sync);
+    summary: "the device has a SYNC object but no COB-ID for SYNC",
+    checks: "Whether a device with 1006h (communication cycle period), 1007h (synchronous window length) or 1019h (synchronous counter overflow value) has 1005h, the COB-ID of SYNC.",
+    why: "Period, window and counter belong to a SYNC message that the device does not support.",
+    example: "`[1006]` without `[1005]`",
+    remedy: "Add 1005h, or remove the object.",
+    source: "CiA 301 §7.5.2.6, §7.5.2.7, §7.5.2.22",
+
+    "cia301/sync-producer-without-period" = SYNC_PRODUCER_WITHOUT_PERIOD, Warning,
+        Facts(sync_producer_without_period);
+    summary: "the device produces SYNC but has no communication cycle period",
+    checks: "Whether a device whose 1005h has bit 30 set (SYNC producer) has 1006h, the communication cycle period, and whether its value is not 0.",
+    why: "The period of SYNC is unknown, or SYNC is switched off by a period of 0: synchronous PDOs are never sent.",
+    example: "`[1005]` with `DefaultValue=0x40000080`, without `[1006]`",
+    remedy: "Add 1006h, an UNSIGNED32 in microseconds, and write the period; or clear bit 30.",
+    source: "CiA 301 §7.5.2.5, §7.5.2.6",
+
+    "cia301/sync-window-above-period" = SYNC_WINDOW_ABOVE_PERIOD, Error, Facts(sync_window_above_period);
+    summary: "the synchronous window is longer than the SYNC period",
+    checks: "Whether 1007h, the synchronous window length, is at most 1006h, the communication cycle period. Both are in microseconds; 0 disables them.",
+    why: "Synchronous PDOs are sent within the window after SYNC. A window longer than the period never ends, and a device rejects it.",
+    example: "`[1006]` with `DefaultValue=1000` and `[1007]` with `DefaultValue=5000`",
+    remedy: "Shorten the window, or extend the period.",
+    source: "CiA 301 §7.5.2.6, §7.5.2.7",
+
+    "cia301/synchronous-pdo-without-sync" = SYNCHRONOUS_PDO_WITHOUT_SYNC, Error,
+        Facts(synchronous_pdo_without_sync);
+    summary: "a synchronous PDO on a device without SYNC",
+    checks: "Whether a device with a valid PDO of a synchronous transmission type (0 to 240, for a TPDO also 252) has 1005h, the COB-ID of SYNC. The rule reports one finding for the device, with every such PDO.",
+    why: "Without 1005h the device does not process SYNC, so the PDO is never sent or never applied.",
+    example: "`[1801sub2]` with `DefaultValue=1`, without `[1005]`",
+    remedy: "Add 1005h with the default 80h, or give the PDO transmission type 254 or 255.",
+    source: "CiA 301 §7.5.2.5, §7.5.2.35, §7.5.2.37",
+
+    "cia301/time-producer-and-consumer" = TIME_PRODUCER_AND_CONSUMER, Warning,
+        Facts(time_producer_and_consumer);
+    summary: "the device is both producer and consumer of TIME",
+    checks: "Whether 1012h has both bit 31 (TIME consumer) and bit 30 (TIME producer) set.",
+    why: "One device of a network produces the time, and the others consume it. A device that does both sets its clock from its own message.",
+    example: "`[1012]` with `DefaultValue=0xC0000100`",
+    remedy: "Clear one of the bits.",
+    source: "CiA 301 §7.5.2.15",
+}
+
+fn invalid_sync_counter(facts: &Facts<'_>, findings: &mut Findings) {
+    let device = facts.device;
+    let value = device.value(0x1019, 0).and_then(|value| value.as_integer());
+    let Some(overflow) = value.and_then(|value| u8::try_from(value).ok()) else { return };
+    let place = device.value_place(0x1019, 0);
+    if overflow == 1 || overflow > 240 {
+        let message = say!("the overflow value `{}` of the SYNC counter is reserved", overflow);
+        let finding = INVALID_SYNC_COUNTER.at(place, message);
+        findings.push(finding.help("write 0 to disable the counter, or a value from 2 to 240"));
+        return;
+    }
+    let cycles =
+        |transmission_type: &u8| (2..=240).contains(transmission_type) && overflow % transmission_type != 0;
+    let tpdos = facts.pdos.iter().map(|facts| &facts.pdo);
+    let tpdos = tpdos.filter(|pdo| pdo.kind == PdoKind::Tpdo && pdo.is_valid() == Some(true));
+    let mut broken = tpdos.filter_map(|pdo| Some((pdo, pdo.transmission_type.filter(cycles)?))).peekable();
+    if overflow == 0 || broken.peek().is_none() {
+        return;
+    }
+    let message = say!(
+        "the SYNC counter overflows at `{}`, which is not a multiple of every transmission type",
+        overflow
+    );
+    let finding = INVALID_SYNC_COUNTER.at(place, message).severity(Severity::Warning);
+    let finding = finding.help("write the least common multiple of the transmission types");
+    let others = broken.map(|(pdo, every)| {
+        let at = device.value_place(pdo.communication_index(), 2);
+        (at, say!("{} has transmission type {}", pdo, every))
+    });
+    findings.push(with_others(finding, others));
+}
+
+fn invalid_sync_start_value(facts: &Facts<'_>, pdo: &PdoFacts<'_>, findings: &mut Findings) {
+    let pdo = &pdo.pdo;
+    let Some(start) = pdo.sync_start_value.filter(|&start| start > 0 && pdo.kind == PdoKind::Tpdo) else {
+        return;
+    };
+    let device = facts.device;
+    let finding =
+        |message| INVALID_SYNC_START_VALUE.at(device.value_place(pdo.communication_index(), 6), message);
+    let counter = device.value(0x1019, 0).and_then(|value| value.as_integer());
+    if start > 240 {
+        let finding = finding(say!("the SYNC start value `{}` of {} is out of range (0 to 240)", start, pdo));
+        findings.push(finding.help("write 0 to start with any SYNC"));
+        return;
+    }
+    match counter {
+        None if device.objects.contains_key(&0x1019) => {}
+        None | Some(0) => {
+            let finding = finding(say!(
+                "the SYNC start value `{}` of {} has no effect without a SYNC counter",
+                start,
+                pdo
+            ));
+            let finding = match counter {
+                Some(_) => finding.label(device.value_place(0x1019, 0), "the counter is disabled here"),
+                None => finding,
+            };
+            findings.push(finding.severity(Severity::Warning).help("write 0, or set 1019h"));
+        }
+        Some(overflow) if i128::from(start) > overflow => {
+            let finding = finding(say!(
+                "{} waits for SYNC counter `{}`, but the counter overflows at {}",
+                pdo,
+                start,
+                overflow
+            ));
+            let finding = finding.label(device.value_place(0x1019, 0), "the overflow value");
+            findings.push(finding.help(say!("write at most {}", overflow)));
+        }
+        Some(_) => {}
+    }
+}
+
+fn sync_object_without_sync(device: &Device, index: u16, _: &Object, findings: &mut Findings) {
+    let name = match index {
+        0x1006 => "communication cycle period",
+        0x1007 => "synchronous window length",
+        0x1019 => "synchronous counter overflow value",
+        _ => return,
+    };
+    if stated::is_there(device, 0x1005) {
+        return;
+    }
+    let message = say!("{:04X}h ({}) is described without 1005h (COB-ID SYNC)", index, name);
+    let finding = SYNC_OBJECT_WITHOUT_SYNC.at(Place::object(index), message);
+    findings.push(finding.help(say!("add 1005h (COB-ID SYNC), or remove {:04X}h", index)));
+}
+
+fn sync_producer_without_period(facts: &Facts<'_>, findings: &mut Findings) {
+    let device = facts.device;
+    let sync = facts.cob_ids.iter().find(|cob_id| cob_id.service == Service::Sync);
+    let Some(sync) = sync.filter(|sync| sync.is_sent()) else { return };
+    if !stated::is_there(device, 0x1006) {
+        let message = say!(
+            "`{}` makes the device a SYNC producer, but 1006h (communication cycle period) is missing",
+            sync.cob_id
+        );
+        let finding = SYNC_PRODUCER_WITHOUT_PERIOD.at(device.value_place(0x1005, 0), message);
+        findings.push(finding.help("add 1006h (UNSIGNED32), or clear bit 30 of 1005h"));
+    } else if facts.number(0x1006, 0) == Some(0) {
+        let message =
+            say!("`{}` makes the device a SYNC producer, but a period of `0` switches SYNC off", sync.cob_id);
+        let finding = SYNC_PRODUCER_WITHOUT_PERIOD
+            .at(device.value_place(0x1006, 0), message)
+            .label(device.value_place(0x1005, 0), "bit 30 is set");
+        findings.push(finding.help("write the period in microseconds, or clear bit 30 of 1005h"));
+    }
+}
+
+fn sync_window_above_period(facts: &Facts<'_>, findings: &mut Findings) {
+    let (Some(period), Some(window)) = (facts.number(0x1006, 0), facts.number(0x1007, 0)) else { return };
+    if period == 0 || window <= period {
+        return;
+    }
+    let message =
+        say!("the synchronous window of {} µs is longer than the SYNC period of {} µs", window, period);
+    let finding = SYNC_WINDOW_ABOVE_PERIOD
+        .at(facts.device.value_place(0x1007, 0), message)
+        .label(facts.device.value_place(0x1006, 0), "the SYNC period");
+    findings.push(finding.help("shorten the window, or extend the period"));
+}
+
+fn synchronous_pdo_without_sync(facts: &Facts<'_>, findings: &mut Findings) {
+    let device = facts.device;
+    if stated::is_there(device, 0x1005) {
+        return;
+    }
+    let mut synchronous = facts
+        .pdos
+        .iter()
+        .map(|facts| &facts.pdo)
+        .filter(|pdo| pdo.is_synchronous() && pdo.is_valid() == Some(true));
+    let Some(first) = synchronous.next() else { return };
+    let transmission_type = first.transmission_type.unwrap_or_default();
+    let message = say!(
+        "{} has the synchronous transmission type `{}`, but 1005h (COB-ID SYNC) is missing",
+        first,
+        transmission_type
+    );
+    let finding =
+        SYNCHRONOUS_PDO_WITHOUT_SYNC.at(device.value_place(first.communication_index(), 2), message);
+    let finding = finding.help("add 1005h (UNSIGNED32, default `0x80`), or use transmission type 254 or 255");
+    let place = |index| device.value_place(index, 2);
+    let others = synchronous.map(|pdo| (place(pdo.communication_index()), say!("{} too", pdo)));
+    findings.push(with_others(finding, others));
+}
+
+fn time_producer_and_consumer(facts: &Facts<'_>, findings: &mut Findings) {
+    let time = facts.cob_ids.iter().find(|cob_id| cob_id.service == Service::Time);
+    let Some(time) = time.filter(|time| !time.cob_id.is_valid() && time.cob_id.bit_30()) else { return };
+    let message = say!("`{}` makes the device both producer and consumer of TIME", time.cob_id);
+    let finding = TIME_PRODUCER_AND_CONSUMER.at(facts.device.value_place(0x1012, 0), message);
+    findings.push(finding.help("clear bit 30 for a consumer, or bit 31 for a producer"));
+}

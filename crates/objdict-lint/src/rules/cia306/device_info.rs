@@ -1,0 +1,183 @@
+//! `[DeviceInfo]`: keys, bit rates, and the identity object.
+
+use crate::diagnostic::{Argument, Findings, Fix, Severity, listing, listing_or, say};
+use crate::model::{Device, DeviceInfo, DeviceKind, Field, Part, Place, Value};
+use crate::rule::rules;
+
+rules! {
+    "cia306/identity-mismatch" = IDENTITY_MISMATCH, Error, Device(identity_mismatch), fix Unsafe;
+    summary: "`[DeviceInfo]` and the identity object disagree",
+    checks: "Whether `VendorNumber`, `ProductNumber` and `RevisionNumber` equal 1018h sub-indexes 1, 2 and 3, where both values are given. In a DCF, the configured value counts before the default. The finding is a warning if one of the two is 0, because it was probably never filled in, and if only the configured value differs.",
+    why: "A tool looks up the EDS by the values read from 1018h. With different numbers in `[DeviceInfo]`, the tool finds no EDS or the wrong one.",
+    example: "`VendorNumber=0x59` and `DefaultValue=0x5A` in `[1018sub1]`",
+    remedy: "Write the number that the device reports in both places.",
+    source: "CiA 306-1 §4.5",
+
+    "cia306/missing-device-info-key" = MISSING_DEVICE_INFO_KEY, Warning,
+        Device(missing_device_info_key), fix Unsafe;
+    summary: "`[DeviceInfo]` lacks mandatory keys",
+    checks: "Whether vendor, product, order code, boot-up behaviour, granularity, dynamic channels, group messaging, PDO counts and LSS are given. Names may be empty, numbers may not. `BaudRate_x` of unsupported bit rates may be missing. The finding is a note in a DCF, which is for one known device, and if only the order code is missing. In real files, mostly the order code is missing, or the numbers of products that were never sold; nearly all files without granularity, boot-up or group messaging are DCFs written by a tool, so two of three findings are notes.",
+    why: "A configuration tool looks up the description by its numbers and uses the other keys to enable its functions. A conformance test refuses the file.",
+    example: "`[DeviceInfo]` without `NrOfRXPDO`",
+    remedy: "Add the keys. Write 0 for unsupported features.",
+    source: "CiA 306-1 §4.5",
+
+    "cia306/no-baud-rate" = NO_BAUD_RATE, Warning, Device(no_baud_rate);
+    summary: "no supported bit rate is given",
+    checks: "Whether at least one `BaudRate_x` is 1, unless the device detects the bit rate (`BaudRate_auto=1`).",
+    why: "Configuration tools offer only the bit rates given here, so they offer none.",
+    example: "`[DeviceInfo]` without any `BaudRate_x`",
+    remedy: "Add `BaudRate_125=1` and the other supported bit rates.",
+    source: "CiA 306-1 §4.5",
+
+    "cia306/reserved-key" = RESERVED_KEY, Note, Device(reserved_key), fix Safe;
+    summary: "`[DeviceInfo]` has a key of EDS version 3.0",
+    checks: "Whether `ProductVersion`, `ProductRevision`, `LMT_ManufacturerName`, `LMT_ProductName`, `ExtendedBootUpMaster` or `ExtendedBootUpSlave` is used.",
+    why: "Version 4.0 reserves these keys and readers ignore them, so their values have no effect.",
+    example: "`ExtendedBootUpMaster=0`",
+    remedy: "Remove the keys.",
+    source: "CiA 306-1 §4.5",
+}
+
+fn identity_mismatch(device: &Device, findings: &mut Findings) {
+    let Some(info) = &device.device_info else { return };
+    let numbers = [
+        (1, Field::VendorNumber, info.vendor_number),
+        (2, Field::ProductNumber, info.product_number),
+        (3, Field::RevisionNumber, info.revision_number),
+    ];
+    for (sub, field, stated) in numbers {
+        let (Some(stated), Some(entry)) = (stated, device.entry(0x1018, sub)) else { continue };
+        let is_stated = |value: i128| value == i128::from(stated);
+        let Some(value) = entry.value().and_then(Value::as_integer).filter(|&value| !is_stated(value)) else {
+            continue;
+        };
+        // the value of one node, which a tool may have read from it
+        let is_of_node = entry.default.as_ref().and_then(Value::as_integer).is_some_and(is_stated);
+        let title = say!("write `{}`", Argument::setting(&field, format_args!("0x{value:X}")));
+        // which of the two is right is the decision of the author
+        let fix =
+            Fix::risky(title).set(Place::of(Part::DeviceInfo).field(field.clone()), format!("0x{value:X}"));
+        let message = say!("`{}` is {:h}, but 1018h sub-index {} is {:h}", field, stated, sub, value);
+        let finding = IDENTITY_MISMATCH
+            .at(Place::of(Part::DeviceInfo).field(field), message)
+            .severity(if stated == 0 || value == 0 || is_of_node {
+                Severity::Warning
+            } else {
+                Severity::Error
+            })
+            .label(device.value_place(0x1018, sub), "the identity object");
+        let finding = finding.help("write the number that the device reports in both places");
+        findings.push(if value > 0 { finding.fix(fix) } else { finding });
+    }
+}
+
+fn missing_device_info_key(device: &Device, findings: &mut Findings) {
+    let Some(info) = &device.device_info else { return };
+    let missing: Vec<Field> = stated_keys(info)
+        .into_iter()
+        .filter(|(field, stated)| !stated && info.invalid_values.get(field).is_none())
+        .map(|(field, _)| field)
+        .collect();
+    let Some(first) = missing.first() else { return };
+    let message = say!("`{[DeviceInfo]}` has no {}", listing_or(&missing));
+    let light = device.kind == DeviceKind::Node || missing == [Field::OrderCode];
+    let finding = MISSING_DEVICE_INFO_KEY
+        .at(Place::of(Part::DeviceInfo).field(first.clone()), message)
+        .severity(if light { Severity::Note } else { Severity::Warning });
+    let title = say!("add {}", listing(missing.iter().map(example_line)));
+    let fix = add_default_keys(device, &missing);
+    let finding = finding.help(title);
+    findings.push(match fix {
+        Some(fix) => finding.fix(fix),
+        None => finding,
+    });
+}
+
+/// The mandatory keys and whether each has a value.
+fn stated_keys(info: &DeviceInfo) -> [(Field, bool); 14] {
+    [
+        (Field::VendorName, info.vendor_name.is_some()),
+        (Field::VendorNumber, info.vendor_number.is_some()),
+        (Field::ProductName, info.product_name.is_some()),
+        (Field::ProductNumber, info.product_number.is_some()),
+        (Field::RevisionNumber, info.revision_number.is_some()),
+        (Field::OrderCode, info.order_code.is_some()),
+        (Field::SimpleBootUpMaster, info.simple_boot_up_master.is_some()),
+        (Field::SimpleBootUpSlave, info.simple_boot_up_slave.is_some()),
+        (Field::Granularity, info.granularity.is_some()),
+        (Field::DynamicChannelsSupported, info.dynamic_channels_supported.is_some()),
+        (Field::GroupMessaging, info.group_messaging.is_some()),
+        (Field::NrOfRxPdo, info.rpdo_count.is_some()),
+        (Field::NrOfTxPdo, info.tpdo_count.is_some()),
+        (Field::LssSupported, info.lss_supported.is_some()),
+    ]
+}
+
+/// An example line for the help.
+fn example_line(field: &Field) -> Argument {
+    let value = match field {
+        Field::VendorName | Field::ProductName | Field::OrderCode => "",
+        Field::Granularity => "8",
+        _ => "0",
+    };
+    Argument::setting(field, value)
+}
+
+/// The missing keys with their known or most common values; `None` if a name is missing.
+fn add_default_keys(device: &Device, missing: &[Field]) -> Option<Fix> {
+    let count = |range: std::ops::RangeInclusive<u16>| device.objects.range(range).count().to_string();
+    let identity = |sub: u8| {
+        let number = device.entry(0x1018, sub)?.default.as_ref()?.as_integer()?;
+        Some(format!("0x{number:X}"))
+    };
+    missing.iter().try_fold(Fix::risky(say!("add {the keys}")), |fix, field| {
+        let value = match field {
+            Field::VendorName | Field::ProductName => return None,
+            Field::VendorNumber => identity(1)?,
+            Field::ProductNumber => identity(2)?,
+            Field::RevisionNumber => identity(3)?,
+            Field::OrderCode => String::new(),
+            Field::Granularity => "8".to_owned(),
+            Field::NrOfRxPdo => count(0x1400..=0x15FF),
+            Field::NrOfTxPdo => count(0x1800..=0x19FF),
+            _ => "0".to_owned(),
+        };
+        Some(fix.set(Place::of(Part::DeviceInfo).field(field.clone()), value))
+    })
+}
+
+fn no_baud_rate(device: &Device, findings: &mut Findings) {
+    let Some(info) = &device.device_info else { return };
+    let rates = &info.baud_rates;
+    let is_known = |field: &Field| info.invalid_values.get(field).is_none();
+    let unreadable = rates.iter().any(|(_, field, _)| !is_known(&field)) || !is_known(&Field::BaudRateAuto);
+    if rates.supported().next().is_some() || rates.auto == Some(true) || unreadable {
+        return;
+    }
+    let stated = rates.iter().find(|(.., supported)| supported.is_some());
+    let (place, message, help) = match stated {
+        Some((_, field, _)) => (
+            Place::of(Part::DeviceInfo).field(field),
+            say!("every `{BaudRate_x}` is 0"),
+            say!("write 1 for each supported bit rate, such as `{BaudRate_125=1}`"),
+        ),
+        None => (
+            Place::of(Part::DeviceInfo),
+            say!("`{[DeviceInfo]}` has no `{BaudRate_x}`"),
+            say!("add a key such as `{BaudRate_125=1}` for each supported bit rate"),
+        ),
+    };
+    findings.push(NO_BAUD_RATE.at(place, message).help(help));
+}
+
+fn reserved_key(device: &Device, findings: &mut Findings) {
+    let Some(info) = &device.device_info else { return };
+    let keys: Vec<&str> =
+        info.extra.iter().map(|(key, _)| key).filter(|key| DeviceInfo::is_reserved(key)).collect();
+    let Some(first) = keys.first() else { return };
+    let message = say!("readers ignore {} of EDS version 3.0", listing(&keys));
+    let place = |key: &str| Place::of(Part::DeviceInfo).field(Field::from_name(key));
+    let fix = keys.iter().fold(Fix::safe(say!("remove {the keys}")), |fix, key| fix.remove(place(key)));
+    findings.push(RESERVED_KEY.at(place(first), message).help(say!("remove {the keys}")).fix(fix));
+}

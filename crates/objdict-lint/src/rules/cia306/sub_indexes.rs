@@ -1,0 +1,373 @@
+//! Sub-index 0, `SubNumber`, and sections of sub-indexes that do not match their object.
+
+use crate::diagnostic::{Argument, Change, Findings, Fix, Severity, Text, counted, listing, say, sub_index};
+use crate::model::{
+    Access, DataType, Device, Entry, Field, Object, ObjectList, ObjectType, Part, Place, Value,
+};
+use crate::rule::rules;
+use crate::{EntryAt, IndexSet, ListFixes, stated, sub_0, with_members};
+
+rules! {
+    "cia306/compact-and-sub-number" = COMPACT_AND_SUB_NUMBER, Error, Object(compact_and_sub_number), fix Safe;
+    summary: "an object has both `CompactSubObj` and `SubNumber`",
+    checks: "Whether `SubNumber` of an object with `CompactSubObj` is 0, empty or missing. Sub-indexes described in addition to the compact ones may be counted.",
+    why: "Both keys describe the sub-indexes. Some readers use one, some the other.",
+    example: "`CompactSubObj=8` and `SubNumber=9`",
+    remedy: "Remove `SubNumber`.",
+    source: "CiA 306-1 §4.6.3.4.2",
+
+    "cia306/contradictory-sub-0" = CONTRADICTORY_SUB_0, Warning, Object(contradictory_sub_0);
+    summary: "the section of a VAR and that of its sub-index 0 disagree",
+    checks: "Whether a VAR that also has a section for sub-index 0 has the same data type, access, mapping, default and limits in both. Keys that only one of them has are not compared.",
+    why: "Both sections describe the same value. Some tools read the first one, others the second one.",
+    example: "`DataType=0x0006` in `[6040]` and `DataType=0x0007` in `[6040sub0]`",
+    remedy: "Remove the section of the sub-index.",
+    source: "CiA 301 §7.4.3, CiA 306-1 §4.6.3.2",
+
+    "cia306/missing-sub-0" = MISSING_SUB_0, Error, Object(missing_sub_0), fix Unsafe;
+    summary: "an ARRAY or RECORD has no sub-index 0",
+    checks: "Whether each ARRAY, RECORD and DEFSTRUCT without `CompactSubObj` describes sub-index 0.",
+    why: "Managers first read sub-index 0 to get the number of entries.",
+    example: "`[1003]` with `[1003sub1]` only",
+    remedy: "Describe sub-index 0: UNSIGNED8, with the highest sub-index as its default.",
+    source: "CiA 301 §7.4.7.2, CiA 306-1 §4.6.3.2",
+
+    "cia306/sub-0-type" = SUB_0_TYPE, Error, Entry(sub_0_type), fix Unsafe;
+    summary: "sub-index 0 is not an UNSIGNED8",
+    checks: "Whether sub-index 0 of an ARRAY, RECORD or DEFSTRUCT has the data type UNSIGNED8, except in the obsolete 1004h, where it is a number of PDOs.",
+    why: "Sub-index 0 is the highest sub-index, and managers read one byte.",
+    example: "`[1A00sub0]` with `DataType=0x0007`",
+    remedy: "Write `DataType=0x0005`.",
+    source: "CiA 301 §7.4.7.2",
+
+    "cia306/sub-number-mismatch" = SUB_NUMBER_MISMATCH, Error, Object(sub_number_mismatch), fix Mixed,
+        explains Object [
+            "wrong-highest-sub-index", "gap-in-mapping", "gap-in-array", "missing-sub-index", "wrong-mapping-count",
+            "incomplete-pdo-parameter", "incomplete-sdo-parameter"
+        ];
+    summary: "`SubNumber` does not match the described sub-indexes",
+    checks: "Whether `SubNumber` of an ARRAY, RECORD or DEFSTRUCT equals the number of its sections, including sub-index 0, excluding sub-index FFh. Gaps are legal: `SubNumber` is not the highest sub-index plus one.",
+    why: "Readers that count do not see the last sub-indexes, or look for missing ones.",
+    example: "`SubNumber=3` where sub-indexes 0 to 3 are described",
+    remedy: "Write the number of sections.",
+    source: "CiA 306-1 §4.6.3.2",
+
+    "cia306/sub-of-var" = SUB_OF_VAR, Error, Object(sub_of_var);
+    summary: "a VAR or DOMAIN has sub-indexes",
+    checks: "Whether an object of type VAR, DOMAIN, DEFTYPE or NULL describes sub-indexes. Sub-index 0 alone is accepted: it may describe the value of a VAR.",
+    why: "Some tools treat the object as a single value and drop its sub-indexes, others treat it as a RECORD.",
+    example: "`ObjectType=0x7` in `[2000]`, and `[2000sub1]`",
+    remedy: "Write `ObjectType=0x9` (RECORD) or `0x8` (ARRAY), or remove the sub-indexes.",
+    source: "CiA 301 §7.4.3",
+
+    "cia306/sub-without-object" = SUB_WITHOUT_OBJECT, Error, Device(sub_without_object), fix Unsafe;
+    summary: "a sub-index has no object",
+    checks: "Whether the object of each sub-index has a section.",
+    why: "Object type and name are missing; many tools refuse the file.",
+    example: "`[2001sub1]` without `[2001]`",
+    remedy: "Describe the object, or remove its sub-indexes.",
+    source: "CiA 306-1 §4.6.3.2",
+
+    "cia306/wrong-highest-sub-index" = WRONG_HIGHEST_SUB_INDEX, Error,
+        Object(wrong_highest_sub_index), fix Unsafe;
+    summary: "sub-index 0 is not the highest sub-index",
+    checks: "Whether the value of sub-index 0 is the highest described sub-index, excluding FFh. A lower value is an error; a higher or missing value is a warning. Not checked: objects with a writable sub-index 0, or whose sub-index 0 counts used entries (error history, PDO and SRDO mappings, lists for multiplexed PDOs).",
+    why: "Managers read as many entries as sub-index 0 indicates. They never see entries above it, and get an abort for missing ones.",
+    example: "`[1018sub0]` with `DefaultValue=3`, and `[1018sub4]`",
+    remedy: "Write the highest sub-index, or describe the missing entries.",
+    source: "CiA 301 §7.4.7.2, CiA 306-1 §4.6.3.2",
+
+    "cia306/wrong-structure-entry" = WRONG_STRUCTURE_ENTRY, Error, Object(wrong_structure_entry);
+    summary: "sub-index FFh does not match the object",
+    checks: "Whether each sub-index FFh, which describes the structure of its object, is an UNSIGNED32 with the object code in the lowest byte and the data type above. A missing value is accepted, and DEFSTRUCTs are not checked.",
+    why: "A master that reads FFh gets a wrong object type or data type.",
+    example: "`[2000subFF]` with `DefaultValue=0x00000509` in an ARRAY",
+    remedy: "Write `0x00`, four digits of the data type and two digits of the object code: `0x00000508` is an ARRAY of UNSIGNED8.",
+    source: "CiA 301 §7.4.7.2",
+}
+
+fn compact_and_sub_number(_: &Device, index: u16, object: &Object, findings: &mut Findings) {
+    let Some(compact) = &object.compact else { return };
+    let Some(number) = object.sub_number.filter(|&number| number > 0) else { return };
+    let is_structure = stated::object_type(object).is_some_and(ObjectType::has_subs);
+    if !is_structure || stated::described_subs(object) == usize::from(number) {
+        return;
+    }
+    let count = compact.count;
+    let message = say!("`{SubNumber}` is {}, but `{CompactSubObj}` already defines {}", number, count);
+    let place = |field| Place::object(index).field(field);
+    let finding = COMPACT_AND_SUB_NUMBER
+        .at(place(Field::SubNumber), message)
+        .label(place(Field::CompactSubObj), say!("sub-indexes 0 to {}", count));
+    let fix = Fix::safe(say!("remove `{SubNumber}`")).remove(place(Field::SubNumber));
+    findings.push(finding.help(say!("remove `{SubNumber}`")).fix(fix));
+}
+
+fn contradictory_sub_0(_: &Device, index: u16, object: &Object, findings: &mut Findings) {
+    let Some(sub_0) = object.subs.get(0).filter(|_| object.subs.len() == 1) else { return };
+    if stated::object_type(object).is_none_or(ObjectType::has_subs) {
+        return;
+    }
+    let fields = different_fields(&object.main, sub_0);
+    let Some(first) = fields.first() else { return };
+    let message = say!("sub-index 0 of {:04X}h has a different {} than the object", index, listing(&fields));
+    let finding = CONTRADICTORY_SUB_0
+        .at(Place::entry(index, 0).field(first.clone()), message)
+        .label(Place::object(index).field(first.clone()), "the object");
+    findings.push(finding.help(say!("remove the {section} of the sub-index")));
+}
+
+/// The fields that both state differently.
+fn different_fields(object: &Entry, sub_0: &Entry) -> Vec<Field> {
+    fn differ<T: PartialEq>(left: &Option<T>, right: &Option<T>) -> bool {
+        matches!((left, right), (Some(left), Some(right)) if left != right)
+    }
+    let fields = [
+        (Field::DataType, differ(&object.data_type, &sub_0.data_type)),
+        (Field::AccessType, differ(&object.access, &sub_0.access)),
+        (Field::DefaultValue, differ(&object.default, &sub_0.default)),
+        (Field::PdoMapping, differ(&object.pdo_mapping, &sub_0.pdo_mapping)),
+        (Field::LowLimit, differ(&object.low_limit, &sub_0.low_limit)),
+        (Field::HighLimit, differ(&object.high_limit, &sub_0.high_limit)),
+    ];
+    fields.into_iter().filter(|(_, differ)| *differ).map(|(field, _)| field).collect()
+}
+
+fn missing_sub_0(_: &Device, index: u16, object: &Object, findings: &mut Findings) {
+    if object.subs.get(0).is_some() || object.compact.is_some() {
+        return;
+    }
+    // other rules report an object without sub-indexes
+    let counted_only = object.subs.is_empty() && object.sub_number != Some(0);
+    let Some(object_type) = stated::object_type(object).filter(|object_type| object_type.has_subs()) else {
+        return;
+    };
+    if counted_only {
+        return;
+    }
+    let article = if object_type == ObjectType::Array { "an" } else { "a" };
+    let message = say!("{:04X}h is {} {} without sub-index 0", index, article, object_type);
+    let highest = object.highest_sub().unwrap_or_default();
+    let finding = MISSING_SUB_0.at(Place::object(index), message);
+    let finding = finding.fix(add_sub_0(index, object));
+    findings.push(finding.help(say!(
+        "add `{}` of type UNSIGNED8 with `{}`",
+        Part::Entry(index, 0),
+        Argument::setting(Field::DefaultValue, highest)
+    )));
+}
+
+/// Adds sub-index 0, and updates `SubNumber`.
+fn add_sub_0(index: u16, object: &Object) -> Fix {
+    let fix = Fix::risky(say!("add `{}`", Part::Entry(index, 0))).with(sub_0(index, object));
+    let described = stated::described_subs(object) + 1;
+    if object.sub_number.map(usize::from) == Some(described) {
+        return fix;
+    }
+    fix.set(Place::object(index).field(Field::SubNumber), described.to_string())
+}
+
+fn sub_0_type(at: &EntryAt<'_>, findings: &mut Findings) {
+    let (Some(0), Some(expected), Some(data_type)) =
+        (at.sub, DataType::of_sub_0(at.index), at.entry.data_type)
+    else {
+        return;
+    };
+    if data_type != expected && stated::object_type(at.object).is_some_and(ObjectType::has_subs) {
+        let message = say!("sub-index 0 of {:04X}h is {}, not UNSIGNED8", at.index, data_type);
+        let finding = SUB_0_TYPE.at(at.field(Field::DataType), message);
+        let fix = Fix::risky(say!("write `{DataType=0x0005}`")).set(at.field(Field::DataType), "0x0005");
+        findings.push(finding.help(say!("write `{DataType=0x0005}`")).fix(fix));
+    }
+}
+
+fn sub_number_mismatch(_: &Device, index: u16, object: &Object, findings: &mut Findings) {
+    let Some(stated) = object.sub_number.map(usize::from) else { return };
+    let described = stated::described_subs(object);
+    if stated == described || object.compact.is_some() {
+        return;
+    }
+    // another rule reports a sub-index 0 that is counted but missing
+    let only_sub_0_missing = described > 0 && stated == described + 1 && object.subs.get(0).is_none();
+    if only_sub_0_missing || !stated::object_type(object).is_some_and(ObjectType::has_subs) {
+        return;
+    }
+    let described_text = match described {
+        0 => "no sub-index is".to_owned(),
+        _ => counted(described, "sub-index is", "sub-indexes are"),
+    };
+    let message = say!("`{SubNumber}` is {}, but {} described", stated, described_text);
+    let finding = SUB_NUMBER_MISMATCH.at(Place::object(index).field(Field::SubNumber), message);
+    findings.push(if described == 0 {
+        finding.help(say!("describe the sub-indexes, or correct `{ObjectType}`"))
+    } else {
+        let title = say!("write `{}`", Argument::setting(Field::SubNumber, described));
+        let place = Place::object(index).field(Field::SubNumber);
+        // if sub-index 0 agrees with `SubNumber`, a section is missing
+        let value = object.value(0).and_then(|value| value.as_integer());
+        let is_lost = stated > described && value == i128::try_from(stated).ok().map(|stated| stated - 1);
+        let fix = if is_lost { Fix::risky(title.clone()) } else { Fix::safe(title.clone()) };
+        finding.fix(fix.set(place, described.to_string())).help(if stated > described {
+            say!("describe the others, or {}", title)
+        } else {
+            title
+        })
+    });
+}
+
+fn sub_of_var(_: &Device, index: u16, object: &Object, findings: &mut Findings) {
+    let Some((sub, _)) = object.subs.iter().find(|&(sub, _)| sub != 0) else { return };
+    let Some(object_type) = stated::object_type(object).filter(|object_type| !object_type.has_subs()) else {
+        return;
+    };
+    let message = say!("{:04X}h is a {}, but has sub-index {}", index, object_type, sub_index(sub));
+    let finding = SUB_OF_VAR
+        .at(Place::entry(index, sub), message)
+        .label(Place::object(index).field(Field::ObjectType), say!("a {}", object_type));
+    findings.push(finding.help(say!(
+        "write `{ObjectType=0x9}` (RECORD) or `{ObjectType:0x8}` (ARRAY), or remove the sub-indexes"
+    )));
+}
+
+fn sub_without_object(device: &Device, findings: &mut Findings) {
+    let mut orphans = device.objects.iter().filter(|(_, object)| object.orphan).peekable();
+    if orphans.peek().is_none() {
+        return;
+    }
+    let listed: IndexSet = device.lists.iter().map(|(_, index)| index).collect();
+    let mut fixes = ListFixes::new();
+    for (&index, object) in orphans {
+        let Some((sub, _)) = object.subs.iter().next() else { continue };
+        let message = say!("sub-indexes of {:04X}h are described, but the object is missing", index);
+        let finding = SUB_WITHOUT_OBJECT.at(Place::entry(index, sub), message);
+        let title =
+            say!("add {a section} `{}` with name, object type and `{SubNumber}`", Part::Object(index));
+        let mut finding = finding.help(title.clone());
+        let list = ObjectList::of(index).filter(|&list| !listed.contains(index) && device.lists.has(list));
+        finding.fix = match list {
+            Some(list) => {
+                let members = device.lists.get(list);
+                fixes.next(members, || {
+                    let others = with_members(members, [index]);
+                    object_section(title, index, object).with(Change::List(list, others))
+                })
+            }
+            None => Some(object_section(title, index, object)),
+        };
+        findings.push(finding);
+    }
+}
+
+/// The missing section of the object, with sub-index 0 if that is also missing.
+fn object_section(title: Text, index: u16, object: &Object) -> Fix {
+    let fix = Fix::risky(title);
+    let (fix, described) = match object.subs.get(0) {
+        Some(_) => (fix, stated::described_subs(object)),
+        None => (fix.with(sub_0(index, object)), stated::described_subs(object) + 1),
+    };
+    let keys = [
+        (Field::ParameterName, format!("Object {index:04X}h")),
+        (Field::ObjectType, "0x9".to_owned()),
+        (Field::SubNumber, described.to_string()),
+    ];
+    fix.with(Change::Add(Part::Object(index), keys.to_vec()))
+}
+
+fn wrong_highest_sub_index(_: &Device, index: u16, object: &Object, findings: &mut Findings) {
+    let Some(sub_0) = object.subs.get(0) else { return };
+    let counts = stated::counts_otherwise(index) || sub_0.access.is_some_and(Access::is_writable);
+    if counts || object.compact.is_some() || !stated::object_type(object).is_some_and(ObjectType::has_subs) {
+        return;
+    }
+    let highest = object.highest_sub().unwrap_or_default();
+    let (field, value) = match (sub_0.configured_value(), &sub_0.default) {
+        (Some(value), _) => (Field::ParameterValue, value.as_integer()),
+        (None, Some(value)) => (Field::DefaultValue, value.as_integer()),
+        (None, None) => return missing_highest(index, sub_0, highest, findings),
+    };
+    let Some(value) = value.filter(|&value| value != i128::from(highest)) else { return };
+    let place = Place::entry(index, 0).field(field.clone());
+    let title = say!("write `{}`", Argument::setting(&field, highest));
+    let fix = Fix::risky(title).set(place.clone(), highest.to_string());
+    let finding = if value < i128::from(highest) {
+        let message =
+            say!("sub-index 0 of {:04X}h is {}, but sub-index {} is described", index, value, highest);
+        WRONG_HIGHEST_SUB_INDEX
+            .at(place, message)
+            .label(Place::entry(index, highest), "the highest sub-index")
+            .help(say!("write `{}`", Argument::setting(&field, highest)))
+    } else {
+        let message = say!(
+            "sub-index 0 of {:04X}h is {}, but the highest described sub-index is {}",
+            index,
+            value,
+            highest
+        );
+        WRONG_HIGHEST_SUB_INDEX
+            .at(place, message)
+            .severity(Severity::Warning)
+            .help(say!("describe the missing sub-indexes, or write `{}`", Argument::setting(&field, highest)))
+    };
+    findings.push(finding.fix(fix));
+}
+
+fn missing_highest(index: u16, sub_0: &Entry, highest: u8, findings: &mut Findings) {
+    if !sub_0.invalid_values.is_empty() || sub_0.data_type.is_none() {
+        return;
+    }
+    let message = say!("sub-index 0 of {:04X}h has no value", index);
+    let place = Place::entry(index, 0).field(Field::DefaultValue);
+    let fix = Fix::risky(say!("write `{}`", Argument::setting(Field::DefaultValue, highest)))
+        .set(place.clone(), highest.to_string());
+    let finding = WRONG_HIGHEST_SUB_INDEX.at(place, message).severity(Severity::Warning).fix(fix);
+    findings.push(
+        finding
+            .help(say!("write `{}`, the highest sub-index", Argument::setting(Field::DefaultValue, highest))),
+    );
+}
+
+fn wrong_structure_entry(_: &Device, index: u16, object: &Object, findings: &mut Findings) {
+    let Some(entry) = object.subs.get(0xFF) else { return };
+    let object_type =
+        stated::object_type(object).filter(|kind| matches!(kind, ObjectType::Array | ObjectType::Record));
+    let Some(object_type) =
+        object_type.filter(|_| entry.object_type.is_none_or(|kind| kind == ObjectType::Var))
+    else {
+        return;
+    };
+    // if sub-index 0 is 255, FFh is an ordinary element
+    let is_element = object.value(0).is_some_and(|count| count.as_integer() == Some(0xFF));
+    if is_element {
+        return;
+    }
+    let place = |field| Place::entry(index, 0xFF).field(field);
+    let finding = if let Some(other) = entry.data_type.filter(|&data_type| data_type != DataType::UNSIGNED32)
+    {
+        let message = say!("sub-index FFh of {:04X}h is {}, but must be UNSIGNED32", index, other);
+        WRONG_STRUCTURE_ENTRY.at(place(Field::DataType), message)
+    } else if let Some(code) =
+        stated_object_code(entry).filter(|&code| code != i128::from(object_type.code()))
+    {
+        let message = say!(
+            "sub-index FFh of {:04X}h has object code {}, but the object is {}",
+            index,
+            code,
+            object_type
+        );
+        let finding = WRONG_STRUCTURE_ENTRY.at(place(Field::DefaultValue), message);
+        finding.label(Place::object(index).field(Field::ObjectType), "the object type")
+    } else {
+        return;
+    };
+    let code = object_type.code();
+    findings.push(finding.help(say!(
+        "write an UNSIGNED32 such as `{}{:02X}`, with four digits of the data type",
+        "0x0000{data type}",
+        code
+    )));
+}
+
+/// The object code: the lowest byte of the value.
+fn stated_object_code(entry: &Entry) -> Option<i128> {
+    Some(entry.default.as_ref().and_then(Value::as_integer)? & 0xFF)
+}

@@ -1,0 +1,233 @@
+//! Defaults and other values.
+
+use crate::diagnostic::{Argument, Findings, Severity, Text, joined, say};
+use crate::model::{
+    Access, DataType, Device, Field, InvalidValue, ObjectType, Place, Reason, TypeKind, Value,
+};
+use crate::rule::rules;
+use crate::{EntryAt, respell, stated};
+
+rules! {
+    "cia306/formula-out-of-range" = FORMULA_OUT_OF_RANGE, Error, Entry(formula_out_of_range);
+    summary: "a formula exceeds the range of its data type",
+    checks: "Whether `$NODEID` plus the number fits the data type for every node-ID from 1 to 127, or, in a DCF, for the node-ID of the node.",
+    why: "On some nodes the value is truncated, which gives a wrong COB-ID or node-ID.",
+    example: "`DefaultValue=$NODEID+0x90` of an UNSIGNED8",
+    remedy: "Choose a larger data type, or correct the number.",
+    source: "CiA 306-1 §4.3",
+
+    "cia306/invalid-value" = INVALID_VALUE, Error, Device(invalid_value), fix Mixed,
+        stops "*" at [ObjectType, DataType, AccessType, DefaultValue, ParameterValue, CompactSubObj];
+    summary: "a value is not valid for its key",
+    checks: "Whether numbers are valid and within the range of their type or key, defaults and limits are valid for their data type, and access types, object types, dates and times are defined in the standard. Invalid dates and times are only warnings; those that are only spelled otherwise have the rule `cia306/date-spelling`. In real files most findings are unknown access types (`R`), other number notations (`0000h`), words instead of numbers, and strings as the default of a DOMAIN or OCTET_STRING: tools read each of them differently.",
+    why: "Tools refuse the file, drop the value or truncate it: 300 in an UNSIGNED8 becomes 44.",
+    example: "`DefaultValue=300` of an UNSIGNED8",
+    remedy: "Write a valid value, or correct the data type.",
+    source: "CiA 306-1 §4.3, §4.6.3.2",
+
+    "cia306/missing-constant" = MISSING_CONSTANT, Note, Entry(missing_constant);
+    summary: "a constant has no value",
+    checks: "Whether entries with access `const` have a `DefaultValue`. Not checked: strings 1008h to 100Ah and identity 1018h, which often share one description for several versions of a device, DOMAINs, and sub-index 0, which has its own rule.",
+    why: "Tools know a constant without asking the device. Code generated from the description contains 0 instead.",
+    example: "`AccessType=const` without `DefaultValue`",
+    remedy: "Write the value, or `AccessType=ro` for a value that differs between devices.",
+    source: "CiA 306-1 §4.6.3.2",
+
+    "cia306/write-only-default" = WRITE_ONLY_DEFAULT, Note, Entry(write_only_default);
+    summary: "a write-only entry has a default",
+    checks: "Whether entries with `AccessType=wo` have a `DefaultValue` other than 0.",
+    why: "The entry cannot be read back, so tools that restore or compare defaults fail at it. Mostly the entry is a command, and writing its default would execute the command.",
+    example: "`AccessType=wo` and `DefaultValue=1`",
+    remedy: "Remove the value, or correct the access type.",
+    source: "CiA 306-1 §4.6.3.2",
+}
+
+fn formula_out_of_range(at: &EntryAt<'_>, findings: &mut Findings) {
+    let entry = at.entry;
+    let Some(data_type) = entry.data_type else { return };
+    let fields = [
+        (&Field::DefaultValue, entry.default.as_ref()),
+        (&Field::LowLimit, entry.low_limit.as_ref()),
+        (&Field::HighLimit, entry.high_limit.as_ref()),
+        (&Field::ParameterValue, entry.configured_value()),
+    ];
+    for (field, value) in fields {
+        if let Some(value @ Value::NodeId(_)) = value {
+            check_formula(at, data_type, field, value, findings);
+        }
+    }
+}
+
+fn check_formula(
+    at: &EntryAt<'_>,
+    data_type: DataType,
+    field: &Field,
+    value: &Value,
+    findings: &mut Findings,
+) {
+    let Some((_, highest)) = data_type.integer_range() else { return };
+    let [_, node_id] = stated::node_ids(at.device);
+    let Some(result) = value.integer_for(node_id).filter(|&result| result > highest) else { return };
+    let message = say!(
+        "`{}` is {} on node {}, but the maximum of {} is {}",
+        value,
+        result,
+        node_id,
+        data_type,
+        highest
+    );
+    let finding = FORMULA_OUT_OF_RANGE
+        .at(at.field(field.clone()), message)
+        .label(at.field(Field::DataType), "the type");
+    findings.push(finding.help("choose a larger data type, or correct the number"));
+}
+
+fn invalid_value(device: &Device, findings: &mut Findings) {
+    for (part, invalid_values) in device.invalid_values() {
+        for invalid in invalid_values.iter() {
+            let data_type = device.data_type_of(&part, &invalid.field);
+            let place = Place::of(part.clone()).field(invalid.field.clone());
+            let fix = respell(invalid, data_type, place.clone());
+            let finding = INVALID_VALUE.at(place, invalid_value_message(invalid, data_type));
+            let is_date = matches!(invalid.reason, Reason::NotADate | Reason::NotAClockTime);
+            // tools do not depend on dates
+            let severity = if is_date { Severity::Warning } else { Severity::Error };
+            let finding = finding.severity(severity).help(invalid_value_help(invalid, data_type));
+            let finding = match fix {
+                Some(fix) => finding.fix(fix),
+                None => finding,
+            };
+            findings.push(if is_understood(invalid, data_type) { finding.understood() } else { finding });
+        }
+    }
+}
+
+/// Whether tables have what the text means.
+fn is_understood(invalid: &InvalidValue, data_type: Option<DataType>) -> bool {
+    match invalid.field {
+        Field::AccessType => invalid.intended_access().is_some(),
+        Field::DefaultValue => data_type.and_then(|data_type| invalid.intended(data_type)).is_some(),
+        Field::CompactSubObj => invalid.text.trim() == "255", // read as 254
+        _ => false,
+    }
+}
+
+fn invalid_value_message(invalid: &InvalidValue, data_type: Option<DataType>) -> Text {
+    let InvalidValue { field, text, reason } = invalid;
+    let what = match data_type {
+        Some(data_type) => say!("`{}` of type {}", field, data_type),
+        None => say!("`{}`", field),
+    };
+    match reason {
+        Reason::OutOfRange { low, high } => {
+            say!("`{}` does not fit {}, which allows {} to {}", text, what, low, high)
+        }
+        Reason::NotANumber => say!("`{}` is not a number, but {} needs one", text, what),
+        Reason::NotOctal => {
+            say!("`{}` is not a number: a leading zero means octal, which has no digits 8 and 9", text)
+        }
+        Reason::NotReal => say!("`{}` is not a valid number for {}", text, what),
+        Reason::NotHexBytes => {
+            say!("`{}` is not a sequence of hex digit pairs, but {} needs one", text, what)
+        }
+        Reason::NotATime => say!("`{}` is not a time, but {} needs one", text, what),
+        Reason::NotAFormula => say!("`{}` is not a formula of the form `$NODEID+number`", text),
+        Reason::FormulaForType => say!("`{}` is a formula, but {} is not an integer", text, what),
+        Reason::UnknownWord => say!("`{}` is not a valid {}", text, what),
+        Reason::NotADate => say!("`{}` is not a date of the form `mm-dd-yyyy`", text),
+        Reason::NotAClockTime => say!("`{}` is not a time of the form `hh:mmAM` or `hh:mmPM`", text),
+        Reason::Malformed => say!("`{}` does not have the form required by {}", text, what),
+    }
+}
+
+fn invalid_value_help(invalid: &InvalidValue, data_type: Option<DataType>) -> Text {
+    match (&invalid.field, &invalid.reason) {
+        (Field::AccessType, _) => match invalid.intended_access() {
+            Some(access) => say!("did you mean `{}`? write one of {}", access, access_names()),
+            None => say!("write one of the access types {}", access_names()),
+        },
+        (Field::ObjectType, _) => say!(
+            "write one of the object types: {ObjectType:0x0} NULL, {ObjectType:0x2} DOMAIN, {ObjectType:0x5} DEFTYPE, {ObjectType:0x6} DEFSTRUCT, {ObjectType:0x7} VAR, {ObjectType:0x8} ARRAY, {ObjectType:0x9} RECORD"
+        ),
+        (Field::Count, _) => "write the number of sub-indexes, or `0;` and a number of bits".into(),
+        (_, Reason::NotADate) => {
+            "write month and day with two digits, the year with four: `01-31-2026`".into()
+        }
+        (_, Reason::NotAClockTime) => "write hour (01 to 12) and minute with two digits: `09:45AM`".into(),
+        (_, Reason::NotAFormula) => {
+            "write `$NODEID`, or `$NODEID+` and a number; other operators are not supported".into()
+        }
+        (_, Reason::NotHexBytes) => "write two hex digits per byte and nothing else: `01A105`".into(),
+        (_, Reason::NotATime) => "write days and milliseconds, separated by a space".into(),
+        (_, Reason::NotOctal) => "remove the leading zeros".into(),
+        (Field::Baudrate, Reason::OutOfRange { .. } | Reason::NotANumber) => {
+            "write the bit rate in kbit/s: 10, 20, 50, 125, 250, 500, 800 or 1000".into()
+        }
+        (_, Reason::OutOfRange { .. }) if data_type.is_some() => {
+            "write a value that fits, or choose a larger data type".into()
+        }
+        (_, Reason::OutOfRange { low: 0, high: 1 }) => "write 0 or 1".into(),
+        (_, Reason::OutOfRange { low, high }) => say!("write a number from {} to {}", low, high),
+        (field, Reason::NotANumber) if data_type.is_none() => match switch_number(&invalid.text) {
+            Some(number) => say!("write `{}`", Argument::setting(field, number)),
+            None => "write a number in decimal or hex, such as `10` or `0xA`".into(),
+        },
+        _ => say!("write a valid value, or leave {the key} empty"),
+    }
+}
+
+/// The number for a word such as `yes` or `no`.
+fn switch_number(word: &str) -> Option<u8> {
+    let is = |words: [&str; 3]| words.iter().any(|other| other.eq_ignore_ascii_case(word));
+    let (yes, no) = (is(["true", "yes", "on"]), is(["false", "no", "off"]));
+    (yes || no).then_some(yes.into())
+}
+
+fn access_names() -> Argument {
+    joined(Access::ALL.map(|access| say!("`{}`", access)), ", ")
+}
+
+fn missing_constant(at: &EntryAt<'_>, findings: &mut Findings) {
+    let entry = at.entry;
+    if entry.access != Some(Access::Const) || entry.value().is_some() || !at.holds_value() {
+        return;
+    }
+    let varies = matches!(at.index, 0x1000 | 0x1008..=0x100A | 0x1018);
+    let count = at.sub == Some(0) && at.object.object_type().has_subs();
+    let values =
+        at.sub.is_none() && at.object.compact.as_ref().is_some_and(|compact| !compact.values.is_empty());
+    let domain = at.object_type() == Some(ObjectType::Domain)
+        || entry.data_type.is_none_or(|data_type| data_type.kind() == TypeKind::Domain);
+    if varies || count || values || domain || !entry.invalid_values.is_empty() {
+        return;
+    }
+    let finding = MISSING_CONSTANT
+        .at(at.field(Field::DefaultValue), "the constant has no value")
+        .label(at.field(Field::AccessType), "a constant");
+    findings.push(
+        finding
+            .help(say!("write `{DefaultValue}`, or `{AccessType=ro}` if the value differs between devices")),
+    );
+}
+
+fn write_only_default(at: &EntryAt<'_>, findings: &mut Findings) {
+    if at.entry.access != Some(Access::Wo) || !at.holds_value() || at.entry.is_mappable() {
+        return;
+    }
+    let Some(default) = at.entry.default.as_ref().filter(|value| !is_zero_or_empty(value)) else { return };
+    let message = match default {
+        Value::Text(text) => say!("`{DefaultValue}` is `{}`, but the entry is write-only", text),
+        value => say!("`{DefaultValue}` is {:h}, but the entry is write-only", value),
+    };
+    let finding = WRITE_ONLY_DEFAULT.at(at.field(Field::DefaultValue), message);
+    let finding = finding.label(at.field(Field::AccessType), "write only");
+    findings.push(finding.help(say!("remove the value, or correct `{AccessType}`")));
+}
+
+fn is_zero_or_empty(value: &Value) -> bool {
+    match value {
+        Value::Text(text) | Value::Raw(text) => text.is_empty(),
+        Value::Bytes(bytes) => bytes.iter().all(|&byte| byte == 0),
+        _ => value.as_real() == Some(0.0),
+    }
+}

@@ -1,0 +1,89 @@
+//! The objects of a drive that PDOs must carry.
+
+use crate::demands::Applied;
+use crate::diagnostic::{Findings, say};
+use crate::model::{Entry, Field, PdoKind};
+use crate::rule::rules;
+use crate::{Drive, Facts, PdoFacts};
+
+rules! {
+    "cia402/controlword-not-mappable" = CONTROLWORD_NOT_MAPPABLE, Warning, Applied(controlword_not_mappable);
+    summary: "the controlword or the statusword is not mappable",
+    checks: "Whether 6040h and 6041h are marked as mappable in a drive with RPDOs and TPDOs.",
+    why: "Masters control the state machine by PDO. If the objects cannot be mapped, each transition needs an SDO transfer, which most masters do not support.",
+    example: "`PDOMapping=0` in `[6040]`",
+    remedy: "Write `PDOMapping=1` if the drive supports it.",
+    source: "CiA 402-2, controlword and statusword; CiA 402-3, default PDOs",
+
+    "cia402/controlword-not-mapped" = CONTROLWORD_NOT_MAPPED, Note, Applied(controlword_not_mapped);
+    summary: "no PDO carries the controlword or the statusword by default",
+    checks: "Whether at least one RPDO maps 6040h and one TPDO maps 6041h by default, in drives whose PDOs have a default mapping. Only the first axis is checked. Drives with an incomplete default mapping, and objects that are not mappable, are skipped.",
+    why: "The default PDOs of CiA 402-3 begin with these objects, and a master that keeps the default mapping relies on them.",
+    example: "`DefaultValue=0x607A0020` in `[1600sub1]`, and no RPDO with 60400010h",
+    remedy: "Map the objects by default, first in RPDO 1 and TPDO 1; or ignore the note if every master configures the mapping. It is a note because the drive works with a master that sets its own mapping.",
+    source: "CiA 402-3, default PDOs",
+
+    "cia402/cyclic-target-not-mappable" = CYCLIC_TARGET_NOT_MAPPABLE, Warning,
+        Drive(cyclic_target_not_mappable);
+    summary: "the target of a cyclic mode is not mappable",
+    checks: "Whether 607Ah (target position), 60FFh (target velocity) and 6071h (target torque) are marked as mappable if 6502h states the corresponding cyclic synchronous mode.",
+    why: "A cyclic mode needs a new target with every SYNC; SDO transfers are too slow.",
+    example: "`DefaultValue=0x00000080` in `[6502]`, and `PDOMapping=0` in `[607A]`",
+    remedy: "Write `PDOMapping=1`, or clear the bit of the mode in 6502h.",
+    source: "CiA 402-2, cyclic synchronous modes",
+}
+
+fn controlword_not_mappable(facts: &Facts<'_>, applied: &Applied<'_>, findings: &mut Findings) {
+    let drive = Drive::new(facts, applied);
+    for (index, name, kind) in [(0x6040, "controlword", PdoKind::Rpdo), (0x6041, "statusword", PdoKind::Tpdo)]
+    {
+        let has_pdos = facts.pdos.iter().any(|facts| facts.pdo.kind == kind);
+        let Some(entry) = drive.variable(index).filter(|_| has_pdos) else { continue };
+        if entry.is_mappable() || entry.invalid_values.get(&Field::PdoMapping).is_some() {
+            continue;
+        }
+        let message = say!("{} ({}) is not mappable, so no {} can carry it", drive.name(index), name, kind);
+        let place = drive.place(index).field(Field::PdoMapping);
+        findings.push(CONTROLWORD_NOT_MAPPABLE.at(place, message).help(say!("write `{PDOMapping=1}`")));
+    }
+}
+
+fn controlword_not_mapped(facts: &Facts<'_>, applied: &Applied<'_>, findings: &mut Findings) {
+    if applied.block > 0 {
+        return;
+    }
+    let drive = Drive::new(facts, applied);
+    for (index, name, kind) in [(0x6040, "controlword", PdoKind::Rpdo), (0x6041, "statusword", PdoKind::Tpdo)]
+    {
+        let pdos = facts.pdos.iter().filter(|facts| facts.pdo.kind == kind);
+        let is_open = pdos.clone().any(|facts| facts.pdo.used_slots().any(|slot| slot.object.is_none()));
+        let maps = |facts: &PdoFacts<'_>| {
+            facts.mapped.iter().any(|mapped| mapped.object.index == drive.index(index))
+        };
+        let Some(first) = pdos.clone().find(|facts| !facts.mapped.is_empty()) else { continue };
+        let is_mappable = drive.variable(index).is_some_and(Entry::is_mappable);
+        if is_open || !is_mappable || pdos.clone().any(maps) {
+            continue;
+        }
+        let message = say!("no {} maps {} ({}) by default", kind, drive.name(index), name);
+        let finding = CONTROLWORD_NOT_MAPPED.at(drive.place(index), message);
+        let place = facts.device.value_place(first.pdo.mapping_index(), 1);
+        let help = say!("map it as the first object: `0x{:04X}0010`", drive.index(index));
+        findings.push(finding.label(place, say!("{} maps this", first.pdo)).help(help));
+    }
+}
+
+fn cyclic_target_not_mappable(drive: Drive<'_>, findings: &mut Findings) {
+    for (bit, index, mode) in [(7, 0x607A, "position"), (8, 0x60FF, "velocity"), (9, 0x6071, "torque")] {
+        let Some(entry) = drive.variable(index) else { continue };
+        let is_readable = entry.invalid_values.get(&Field::PdoMapping).is_none();
+        if drive.supports(bit) == Some(true) && is_readable && !entry.is_mappable() {
+            let name = drive.name(index);
+            let message =
+                say!("{} is not mappable, but cyclic synchronous {} mode needs it in a PDO", name, mode);
+            let finding = CYCLIC_TARGET_NOT_MAPPABLE.at(drive.place(index).field(Field::PdoMapping), message);
+            let finding = finding.label(drive.value_place(0x6502, 0), say!("bit {} states the mode", bit));
+            findings.push(finding.help(say!("write `{PDOMapping=1}`")));
+        }
+    }
+}

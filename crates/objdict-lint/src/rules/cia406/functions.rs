@@ -1,0 +1,169 @@
+//! The functions of an encoder: class C2, scaling, alarms and CAMs.
+
+use crate::demands::{self, Applied};
+use crate::diagnostic::{Findings, say, series, sub_index};
+use crate::model::{Field, Place};
+use crate::profile::{device_type_index, index_in};
+use crate::rule::rules;
+use crate::{Facts, with_others};
+
+rules! {
+    "cia406/cam-without-limits" = CAM_WITHOUT_LIMITS, Warning, Applied(cam_without_limits);
+    summary: "an encoder enables a CAM that has no limits",
+    checks: "Whether each CAM that 6301h (CAM enable register) enables has a low limit (6310h to 6317h) and a high limit (6320h to 6327h), configured or default.",
+    why: "The CAM is active between its limits. Without them its state is not defined.",
+    example: "`[6301sub1]` with `DefaultValue=0x02`, without `[6311]` and `[6321]`",
+    remedy: "Describe the limits, or clear the bit of the CAM.",
+    source: "CiA 406 (6301h, 6310h to 6327h)",
+
+    "cia406/contradictory-copy" = CONTRADICTORY_COPY, Warning, Applied(contradictory_copy);
+    summary: "two objects of an encoder that have one value differ",
+    checks: "Whether 6500h (operating status) has the value of 6000h (operating parameters), and 650Bh the serial number of 1018h sub-index 4, by their defaults. A serial number of 0 is not compared.",
+    why: "The status is what the parameters switch on, so one of the values is not that of the device: a master that compares them rejects the configuration.",
+    example: "`[6000]` with `DefaultValue=0x0004`, `[6500]` with `DefaultValue=0x0000`",
+    remedy: "Write the same value to both, in the description and in the device.",
+    source: "CiA 406 (6000h, 6500h, 650Bh)",
+
+    "cia406/incomplete-class-2" = INCOMPLETE_CLASS_2, Warning, Applied(incomplete_class_2);
+    summary: "an encoder has some functions of class C2, but not all",
+    checks: "Whether an encoder with scaling and preset (6002h and 6003h), which only class C2 requires, has the other objects of that class: 6001h if it is rotary or 6005h if it is linear, 6200h unless 1800h has an event timer, alarms and warnings (6503h to 6506h), 6507h, 6509h, 650Ah and 650Bh. Encoders with several sensors or with only one of 6002h and 6003h are not checked.",
+    why: "An encoder of class C1 may have any of these objects, so nothing fails; but a master that expects class C2 gets SDO aborts.",
+    example: "`[6002]` and `[6003]` without `[6503]`",
+    remedy: "Describe the other objects too, or declare an encoder of class C1 with scaling.",
+    source: "CiA 406, class C2; manuals of encoders",
+
+    "cia406/scaling-off" = SCALING_OFF, Warning, Applied(scaling_off);
+    summary: "a configuration scales the position of an encoder, but scaling is switched off",
+    checks: "Whether bit 2 of 6000h is set when a configuration (DCF or XDC) sets 6001h (measuring units per revolution) or 6002h (measuring range) to another value than the default.",
+    why: "Without the bit, the encoder ignores the values and sends its physical position: the master computes with another resolution.",
+    example: "`[6001]` with `ParameterValue=3600` and `DefaultValue=8192`, `[6000]` with `ParameterValue=0`",
+    remedy: "Set bit 2 of 6000h, or remove the values.",
+    source: "CiA 406 (6000h to 6002h)",
+
+    "cia406/unsupported-alarm" = UNSUPPORTED_ALARM, Warning, Applied(unsupported_alarm);
+    summary: "an alarm or a warning is set that the encoder does not support",
+    checks: "Whether the bits of 6503h (alarms) and 6505h (warnings) that are set are also set in 6504h (supported alarms) and 6506h (supported warnings), configured or default.",
+    why: "A master evaluates only the supported bits, so it overlooks the alarm or takes it for an error of the device.",
+    example: "`[6503]` with `DefaultValue=0x0002`, `[6504]` with `DefaultValue=0x0001`",
+    remedy: "Correct one of the two values. Alarms and warnings are 0 by default.",
+    source: "CiA 406 (6503h to 6506h)",
+}
+
+fn cam_without_limits(facts: &Facts<'_>, applied: &Applied<'_>, findings: &mut Findings) {
+    let device = facts.device;
+    let at = |index: u16| index_in(applied.block, index);
+    let Some(enabled) = device.object(at(0x6301)) else { return };
+    for (sub, _) in enabled.entries().filter(|(sub, _)| (1..0xFF).contains(sub)) {
+        let Some(bits) = enabled.value(sub).and_then(|value| value.as_integer()) else { continue };
+        let limits = |cam: u16| [at(0x6310 + cam), at(0x6320 + cam)];
+        let lacks = |index: &u16| match device.object(*index) {
+            Some(object) => !object.has(sub),
+            None => !demands::is_there(device, *index),
+        };
+        let cams = (0..8).filter(|cam| bits >> cam & 1 == 1);
+        let Some((cam, limit)) =
+            cams.flat_map(|cam| limits(cam).map(|limit| (cam, limit))).find(|(_, limit)| lacks(limit))
+        else {
+            continue;
+        };
+        let message = say!(
+            "channel {} enables CAM {}, but {:04X}h has no limit for it",
+            sub_index(sub),
+            cam + 1,
+            limit
+        );
+        let finding = CAM_WITHOUT_LIMITS.at(device.value_place(at(0x6301), sub), message);
+        findings.push(finding.help("describe the limits, or clear the bit of the CAM"));
+    }
+}
+
+fn contradictory_copy(facts: &Facts<'_>, applied: &Applied<'_>, findings: &mut Findings) {
+    let device = facts.device;
+    let at = |index: u16| index_in(applied.block, index);
+    // a configuration changes only one of them
+    let value = |(index, sub): (u16, u8)| device.object(index)?.entry(sub)?.default.as_ref()?.as_integer();
+    let pairs = [((at(0x6500), 0), (at(0x6000), 0), true), ((at(0x650B), 0), (0x1018, 4), false)];
+    for (copy, original, may_be_0) in pairs {
+        let (Some(shown), Some(right)) = (value(copy), value(original)) else { continue };
+        if shown == right || (!may_be_0 && (shown == 0 || right == 0)) {
+            continue;
+        }
+        let name = |(index, sub): (u16, u8)| match sub {
+            0 => say!("{:04X}h", index),
+            _ => say!("{:04X}h sub-index {}", index, sub),
+        };
+        let message = say!("{} is `0x{:X}`, but {} is `0x{:X}`", name(copy), shown, name(original), right);
+        let place = |(index, sub): (u16, u8)| match sub {
+            0 => Place::object(index).field(Field::DefaultValue),
+            _ => Place::entry(index, sub).field(Field::DefaultValue),
+        };
+        let finding = CONTRADICTORY_COPY.at(place(copy), message).label(place(original), "the same value");
+        findings.push(finding.help("write the same value to both"));
+    }
+}
+
+/// The objects that class C2 adds to class C1, scaling and preset, for all encoder types.
+const CLASS_2_OBJECTS: [u16; 8] = [0x6503, 0x6504, 0x6505, 0x6506, 0x6507, 0x6509, 0x650A, 0x650B];
+
+fn incomplete_class_2(facts: &Facts<'_>, applied: &Applied<'_>, findings: &mut Findings) {
+    let (device, block) = (facts.device, applied.block);
+    let device_type = device.object(device_type_index(device, block));
+    let device_type = device_type.and_then(|object| object.value(0)?.as_integer());
+    let of_type = match device_type.map(|device_type| device_type >> 16) {
+        Some(1..=5) => 0x6001,
+        Some(6..=9) => 0x6005,
+        _ => return,
+    };
+    let is_there = |index: u16| demands::is_there(device, index_in(block, index));
+    if !is_there(0x6002) || !is_there(0x6003) {
+        return;
+    }
+    let has_timer = block == 0 && device.object(0x1800).is_some_and(|object| object.has(5));
+    let timer = (!has_timer).then_some(0x6200);
+    let all = std::iter::once(of_type).chain(timer).chain(CLASS_2_OBJECTS);
+    let missing: Vec<String> = all
+        .filter(|&index| !is_there(index))
+        .map(|index| format!("{:04X}h", index_in(block, index)))
+        .collect();
+    if !missing.is_empty() {
+        let message = say!("the encoder has scaling and preset of class C2, but lacks {}", series(missing));
+        let finding = INCOMPLETE_CLASS_2.at(Place::object(index_in(block, 0x6003)), message);
+        findings.push(finding.help("describe the missing objects"));
+    }
+}
+
+fn scaling_off(facts: &Facts<'_>, applied: &Applied<'_>, findings: &mut Findings) {
+    let device = facts.device;
+    let at = |index: u16| index_in(applied.block, index);
+    let control = facts.number(at(0x6000), 0);
+    let mut scaled = [0x6001, 0x6002].map(at).into_iter().filter(|&index| {
+        let entry = device.object(index).map(|object| &object.main);
+        entry.is_some_and(|entry| {
+            entry.configured_value().is_some_and(|value| entry.default.as_ref() != Some(value))
+        })
+    });
+    let Some(first) = scaled.next().filter(|_| control.is_some_and(|control| control & 4 == 0)) else {
+        return;
+    };
+    let message = say!("{:04X}h is configured, but bit 2 of {:04X}h switches scaling off", first, at(0x6000));
+    let finding = SCALING_OFF.at(device.value_place(first, 0), message);
+    let finding = finding.label(device.value_place(at(0x6000), 0), "bit 2 is not set");
+    let others = scaled.map(|index| (device.value_place(index, 0), "also here"));
+    findings.push(with_others(finding, others).help("set bit 2, or remove the values"));
+}
+
+fn unsupported_alarm(facts: &Facts<'_>, applied: &Applied<'_>, findings: &mut Findings) {
+    let device = facts.device;
+    for (set, supported, name) in [(0x6503, 0x6504, "alarm"), (0x6505, 0x6506, "warning")] {
+        let [set, supported] = [set, supported].map(|index| index_in(applied.block, index));
+        let value = |index: u16| device.object(index)?.value(0)?.as_integer();
+        let (Some(bits), Some(known)) = (value(set), value(supported)) else { continue };
+        if bits & !known != 0 {
+            let message =
+                say!("{:04X}h sets `0x{:04X}`, which is not a supported {}", set, bits & !known, name);
+            let finding = UNSUPPORTED_ALARM.at(device.value_place(set, 0), message);
+            let finding = finding.label(device.value_place(supported, 0), "supported");
+            findings.push(finding.help("write 0, or set the bit in the supported ones"));
+        }
+    }
+}

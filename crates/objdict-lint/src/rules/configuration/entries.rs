@@ -1,0 +1,189 @@
+//! The entries of a configuration, compared with its EDS.
+
+use std::cmp::Ordering;
+
+use crate::configured::{Configured, Pair};
+use crate::diagnostic::{At, Diagnostic, Findings, Severity, say, series, sub_index};
+use crate::model::{Access, Entry, Field, Place, Value};
+use crate::rule::rules;
+use crate::stated;
+
+rules! {
+    "configuration/different-access" = DIFFERENT_ACCESS, Warning, Configured(different_access);
+    summary: "an entry of a configuration has another access type than in its EDS",
+    checks: "Whether each entry of a DCF has the `AccessType` of its EDS, where both state one. `ro` and `const` are the same here: neither is downloaded.",
+    why: "A tool downloads what the device does not let it write, or leaves out what it must write.",
+    example: "`AccessType=rw` in the DCF, and `AccessType=ro` in the EDS",
+    remedy: "Write the access type of the EDS, or check with the EDS of the device.",
+    source: "CiA 306-1 §4.6.3.2, §5.3",
+
+    "configuration/different-default" = DIFFERENT_DEFAULT, Warning, Configured(different_default);
+    summary: "an entry of a configuration has another default than in its EDS",
+    checks: "Whether each entry of a DCF has the `DefaultValue` of its EDS, where both state one. Formulas are evaluated for the node-ID of the DCF. The identity (1018h) is checked by other rules; of a coupler, what its modules change is not checked.",
+    why: "Tools download what differs from the default. With another default in the DCF they leave out a value that the device does not have.",
+    example: "`DefaultValue=100` in the DCF, and `DefaultValue=0` in the EDS",
+    remedy: "Write the value as `ParameterValue`, and the default of the EDS as `DefaultValue`.",
+    source: "CiA 306-1 §4.6.3.2, §5.3.1",
+
+    "configuration/different-limits" = DIFFERENT_LIMITS, Warning, Configured(different_limits);
+    summary: "an entry of a configuration has other limits than in its EDS",
+    checks: "Whether `LowLimit` and `HighLimit` of each entry of a DCF are those of its EDS, where both state them.",
+    why: "A tool that checks values with the DCF accepts what the device rejects, or the reverse.",
+    example: "`HighLimit=200` in the DCF, and `HighLimit=100` in the EDS",
+    remedy: "Write the limit of the EDS, or check with the EDS of the device.",
+    source: "CiA 306-1 §4.6.3.2, §5.3",
+
+    "configuration/different-type" = DIFFERENT_TYPE, Error, Configured(different_type);
+    summary: "an entry of a configuration has another data type than in its EDS",
+    checks: "Whether each entry of a DCF has the `DataType` of its EDS, where both state one.",
+    why: "A download has the length of the wrong type: the device rejects it with abort code 06070010h, or takes other bytes.",
+    example: "`DataType=0x0005` in the DCF, and `DataType=0x0006` in the EDS",
+    remedy: "Write the data type of the EDS, or check with the EDS of the device.",
+    source: "CiA 306-1 §4.6.3.2, §5.3",
+
+    "configuration/unknown-entry" = UNKNOWN_ENTRY, Warning, Configured(unknown_entry);
+    summary: "a configuration has an object or a sub-index that its EDS does not have",
+    checks: "Whether each object and sub-index of a DCF is in its EDS, also as one that `CompactPDO` or `CompactSubObj` implies. With a configured value it is an error. A DCF of a coupler is not checked, because its modules bring objects.",
+    why: "The device rejects the download with abort code 06020000h or 06090011h, and the configuration stops there.",
+    example: "`[2001]` with `ParameterValue=5`, and an EDS without `[2001]`",
+    remedy: "Remove the entry, or check with the EDS of the device.",
+    source: "CiA 306-1 §5.3; CiA 301 §7.2.4.3.17",
+
+    "configuration/value-outside-limits" = VALUE_OUTSIDE_LIMITS, Error, Configured(value_outside_limits);
+    summary: "a configured value is outside the limits of the EDS",
+    checks: "Whether each `ParameterValue` of a DCF is between `LowLimit` and `HighLimit` of its EDS. A value outside the limits of the DCF itself is `cia306/value-outside-limits`.",
+    why: "The device rejects the download with abort code 06090031h or 06090032h.",
+    example: "`ParameterValue=150` in the DCF, and `HighLimit=100` in the EDS",
+    remedy: "Configure a value that the device accepts.",
+    source: "CiA 306-1 §4.6.3.2, §5.3.1",
+}
+
+fn different_access(configured: &Configured<'_>, findings: &mut Findings) {
+    for pair in configured.pairs() {
+        let Some((is, original)) = pair.entry.access.zip(pair.original.access) else { continue };
+        let is_written = |access| !matches!(access, Access::Ro | Access::Const);
+        if is != original && (is_written(is) || is_written(original)) {
+            let message = say!(
+                "{} has access type `{}`, but `{}` in the {EDS}",
+                pair.name(),
+                is.name(),
+                original.name()
+            );
+            let finding = configured.finding(&DIFFERENT_ACCESS.info, &pair, Field::AccessType, message);
+            findings.push(finding.help(say!("write the access type of the {EDS}")));
+        }
+    }
+}
+
+fn different_default(configured: &Configured<'_>, findings: &mut Findings) {
+    // the modules of a coupler change the module list, and count in the arrays that they extend
+    let is_of_modules =
+        |pair: &Pair<'_>| configured.origin.is_modular() && (pair.index == 0x1027 || pair.sub == Some(0));
+    for pair in configured.pairs().filter(|pair| pair.index != 0x1018 && !is_of_modules(pair)) {
+        let Some((is, original)) = pair.entry.default.as_ref().zip(pair.original.default.as_ref()) else {
+            continue;
+        };
+        if configured.differ(is, original) {
+            let message = say!("the default of {} is {:h}, but {:h} in the {EDS}", pair.name(), is, original);
+            let finding = configured.finding(&DIFFERENT_DEFAULT.info, &pair, Field::DefaultValue, message);
+            findings.push(
+                finding.help(say!("write the value as `{ParameterValue}`, and the default of the {EDS}")),
+            );
+        }
+    }
+}
+
+type Limit = fn(&Entry) -> Option<&Value>;
+
+fn different_limits(configured: &Configured<'_>, findings: &mut Findings) {
+    let limits: [(Field, Limit); 2] = [
+        (Field::LowLimit, |entry| entry.low_limit.as_ref()),
+        (Field::HighLimit, |entry| entry.high_limit.as_ref()),
+    ];
+    for pair in configured.pairs() {
+        for (field, limit) in &limits {
+            let Some((is, original)) = limit(pair.entry).zip(limit(&pair.original)) else { continue };
+            if configured.differ(is, original) {
+                let message =
+                    say!("`{}` of {} is {:h}, but {:h} in the {EDS}", field, pair.name(), is, original);
+                let finding = configured.finding(&DIFFERENT_LIMITS.info, &pair, field.clone(), message);
+                findings.push(finding.help(say!("write the limit of the {EDS}")));
+            }
+        }
+    }
+}
+
+fn different_type(configured: &Configured<'_>, findings: &mut Findings) {
+    for pair in configured.pairs() {
+        let Some((is, original)) = pair.entry.data_type.zip(pair.original.data_type) else { continue };
+        if is != original {
+            let message = say!("{} has data type `{}`, but `{}` in the {EDS}", pair.name(), is, original);
+            let finding = configured.finding(&DIFFERENT_TYPE.info, &pair, Field::DataType, message);
+            findings.push(finding.help(say!("write the data type of the {EDS}")));
+        }
+    }
+}
+
+fn unknown_entry(configured: &Configured<'_>, findings: &mut Findings) {
+    if configured.origin.is_modular() {
+        return;
+    }
+    for (&index, object) in &configured.device.objects {
+        let Some(origin) = configured.origin.object(index) else {
+            if !object.orphan {
+                let is_configured = object.entries().any(|(_, entry)| entry.configured_value().is_some());
+                let message = say!("the {EDS} has no object {:04X}h", index);
+                push_by_use(UNKNOWN_ENTRY.at(Place::object(index), message), is_configured, findings);
+            }
+            continue;
+        };
+        let subs = object.described().filter_map(|(sub, entry)| Some((sub?, entry)));
+        let missing: Vec<(u8, &Entry)> = subs.filter(|(sub, _)| !origin.has(*sub)).collect();
+        let Some((first, _)) = missing.first() else { continue };
+        let is_configured = missing.iter().any(|(_, entry)| entry.configured_value().is_some());
+        let list = series(missing.iter().map(|(sub, _)| sub_index(*sub)));
+        let message = say!("the {EDS} has no {} {} in {:04X}h", count_noun(missing.len()), list, index);
+        let finding = UNKNOWN_ENTRY.at(Place::entry(index, *first), message);
+        let finding = finding.label(At::Node(0, Place::object(index)), say!("in the {EDS}"));
+        push_by_use(finding, is_configured, findings);
+    }
+}
+
+fn count_noun(count: usize) -> &'static str {
+    if count == 1 { "sub-index" } else { "sub-indexes" }
+}
+
+fn push_by_use(finding: Diagnostic, is_configured: bool, findings: &mut Findings) {
+    let finding = finding.help(say!("remove it, or check with the {EDS} of the device"));
+    findings.push(if is_configured { finding.severity(Severity::Error) } else { finding });
+}
+
+fn value_outside_limits(configured: &Configured<'_>, findings: &mut Findings) {
+    let node_id = configured.node_id();
+    for pair in configured.pairs() {
+        let Some(value) = pair.entry.configured_value() else { continue };
+        let beyond = |limit: Option<&Value>, order| {
+            limit.is_some_and(|limit| stated::compare(value, limit, node_id) == Some(order))
+        };
+        let original = &pair.original;
+        let sides = [
+            (Field::LowLimit, &pair.entry.low_limit, &original.low_limit, Ordering::Less),
+            (Field::HighLimit, &pair.entry.high_limit, &original.high_limit, Ordering::Greater),
+        ];
+        let exceeded = sides
+            .into_iter()
+            .find(|(_, own, limit, order)| beyond(limit.as_ref(), *order) && !beyond(own.as_ref(), *order));
+        // limits of a signature, not of what is read
+        let Some((field, _, Some(limit), _)) = exceeded.filter(|_| !matches!(pair.index, 0x1010 | 0x1011))
+        else {
+            continue;
+        };
+        let message =
+            say!("{} is configured as {:h}, but `{}` is {:h} in the {EDS}", pair.name(), value, field, limit);
+        let place = configured.device.value_place(pair.index, pair.sub.unwrap_or_default());
+        let finding = VALUE_OUTSIDE_LIMITS.at(place, message);
+        let sub = pair.sub.map_or(Place::object(pair.index), |sub| Place::entry(pair.index, sub));
+        let finding = finding.label(At::Node(0, sub.field(field)), say!("in the {EDS}"));
+        findings.push(finding.help("configure a value that the device accepts"));
+    }
+}

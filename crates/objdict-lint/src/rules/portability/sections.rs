@@ -1,0 +1,215 @@
+//! Sections and keys that not all tools know.
+
+use crate::diagnostic::{Findings, say};
+use crate::model::{Device, Entry, Field, Part, Place};
+use crate::rule::rules;
+use crate::stated;
+
+rules! {
+    "portability/auto-baud-rate" = AUTO_BAUD_RATE, Error, Device(auto_baud_rate);
+    summary: "a tool does not know `BaudRate_auto`",
+    checks: "Whether `[DeviceInfo]` has the key `BaudRate_auto`.",
+    why: "dcf-tools knows only the keys of the first edition of CiA 306 and refuses a file with other keys.",
+    example: "`BaudRate_auto=0`",
+    remedy: "Remove the key if it is 0; otherwise use a copy without the key for the tool.",
+    source: "dcf-tools 2.4.2",
+
+    "portability/denotation" = DENOTATION, Note, Device(denotation);
+    summary: "a tool drops a denotation",
+    checks: "Whether an entry of a DCF has a `Denotation`. The first one is shown with the others.",
+    why: "python-canopen does not read the denotation and writes files without it: the application's name of the entry is lost.",
+    example: "`Denotation=Pump 3`",
+    remedy: "Repeat important denotations in `ParameterName`.",
+    source: "python-canopen 2.4.1",
+
+    "portability/dynamic-channels" = DYNAMIC_CHANNELS, Error, Device(dynamic_channels);
+    summary: "a tool does not know `[DynamicChannels]`",
+    checks: "Whether the file has a section `[DynamicChannels]`.",
+    why: "dcf-tools refuses a file with unknown sections; python-canopen and CANopenEditor write files without the section.",
+    example: "`[DynamicChannels]`",
+    remedy: "Use a copy without the section for the tool; network variables then have no segments.",
+    source: "dcf-tools 2.4.2, python-canopen 2.4.1, CANopenEditor of 2026",
+
+    "portability/modules" = MODULES, Error, Device(modules);
+    summary: "a tool does not know modules",
+    checks: "Whether the file describes modules: `[SupportedModules]` and the sections `[Mx…]`.",
+    why: "dcf-tools refuses a file with such sections. python-canopen reads only the device without the objects of the modules.",
+    example: "`[SupportedModules]`",
+    remedy: "Use a file of the device with its connected modules for the tool.",
+    source: "dcf-tools 2.4.2, python-canopen 2.4.1",
+
+    "portability/object-flags" = OBJECT_FLAGS, Note, Device(object_flags);
+    summary: "a tool ignores `ObjFlags`",
+    checks: "Whether an entry has an `ObjFlags` other than 0. The first one is shown with the others.",
+    why: "dcf-tools accepts the key and writes the excluded entries; python-canopen does not know the key and writes files without it.",
+    example: "`ObjFlags=1`, which forbids the download of the entry",
+    remedy: "Check the values that the tool writes to these entries, or remove the values.",
+    source: "dcf-tools 2.4.2, python-canopen 2.4.1",
+
+    "portability/object-links" = OBJECT_LINKS, Error, Device(object_links);
+    summary: "a tool does not know object links",
+    checks: "Whether an object has a section `[xxxxObjectLinks]`. The first one is shown with the others.",
+    why: "dcf-tools refuses a file with unknown sections; python-canopen and CANopenEditor write files without the section.",
+    example: "`[2000ObjectLinks]`",
+    remedy: "Use a copy without the section for the tool: the section only groups objects.",
+    source: "dcf-tools 2.4.2, python-canopen 2.4.1, CANopenEditor of 2026",
+
+    "portability/parameter-reference" = PARAMETER_REFERENCE, Note, Device(parameter_reference);
+    summary: "a tool drops a reference designator",
+    checks: "Whether an entry of a DCF has a `ParamRefd`. The first one is shown with the others.",
+    why: "python-canopen and CANopenEditor write files without the key.",
+    example: "`ParamRefd=-A1.X3`",
+    remedy: "Keep the original file, and do not edit it with the tool.",
+    source: "python-canopen 2.4.1, CANopenEditor of 2026",
+
+    "portability/safety-key" = SAFETY_KEY, Error, Device(safety_key);
+    summary: "a tool does not know the keys of CANopen Safety",
+    checks: "Whether an entry has `SRDOMapping` or `InvertedSRAD`, or `[DeviceInfo]` has `CANopenSafetySupported`. The first one is shown with the others.",
+    why: "dcf-tools refuses a file with unknown keys; python-canopen and CANopenEditor write files without them.",
+    example: "`SRDOMapping=1`",
+    remedy: "Use a copy of the file without these keys for the tool.",
+    source: "dcf-tools 2.4.2, python-canopen 2.4.1, CANopenEditor of 2026",
+
+    "portability/sub-index-255" = SUB_INDEX_255, Error, Device(sub_index_255);
+    summary: "an object has sub-index FFh",
+    checks: "Whether an object has sub-index FFh, the structure of the object in CiA 301.",
+    why: "The highest sub-index that dcf-tools allows is 254; it refuses the file.",
+    example: "`[2000subFF]`",
+    remedy: "Remove the sub-index if the device does not need it; otherwise use a copy without it for the tool.",
+    source: "dcf-tools 2.4.2",
+
+    "portability/tool-list" = TOOL_LIST, Error, Device(tool_list);
+    summary: "a tool does not know `[Tools]`",
+    checks: "Whether the file has a section `[Tools]`.",
+    why: "dcf-tools refuses a file with unknown sections; python-canopen and CANopenEditor write files without the sections.",
+    example: "`[Tools]` and `[Tool1]`",
+    remedy: "Use a copy without the sections for the tool. No device needs them.",
+    source: "dcf-tools 2.4.2, python-canopen 2.4.1, CANopenEditor of 2026",
+
+    "portability/type-definition" = TYPE_DEFINITION, Error, Device(type_definition);
+    summary: "the file defines data types",
+    checks: "Whether the file has objects below 1000h, which define types. The first one is shown with the others.",
+    why: "dcf-tools does not support such sections and refuses the file; python-canopen skips them and treats entries of these types as DOMAIN.",
+    example: "`[40]` with `ObjectType=0x5`",
+    remedy: "Use standard types, and remove the definitions.",
+    source: "dcf-tools 2.4.2, python-canopen 2.4.1",
+}
+
+fn auto_baud_rate(device: &Device, findings: &mut Findings) {
+    let Some(auto) = device.device_info.as_ref().and_then(|info| info.baud_rates.auto) else { return };
+    let place = Place::of(Part::DeviceInfo).field(Field::BaudRateAuto);
+    let finding = AUTO_BAUD_RATE.at(place, say!("`{BaudRate_auto}` is {a key} of later editions of CiA 306"));
+    findings.push(finding.help(if auto {
+        say!("use a copy without {the key} for the tool")
+    } else {
+        say!("remove {the key}: 0 is the default")
+    }));
+}
+
+fn denotation(device: &Device, findings: &mut Findings) {
+    let places = stated::entries(device)
+        .filter(|(_, entry)| {
+            entry.configured.as_ref().is_some_and(|configured| configured.denotation.is_some())
+        })
+        .map(|(place, _)| place.field(Field::Denotation));
+    let texts = (
+        say!("not all tools read `{Denotation}`"),
+        say!("repeat important denotations in `{ParameterName}`"),
+    );
+    DENOTATION.report_all(places, "another one", texts, findings);
+}
+
+fn dynamic_channels(device: &Device, findings: &mut Findings) {
+    if device.dynamic_channels.is_some() {
+        let finding = DYNAMIC_CHANNELS
+            .at(Place::of(Part::DynamicChannels), say!("`{[DynamicChannels]}` is {a section} of CiA 302"));
+        findings.push(finding.help(say!("use a copy without the {section} for the tool")));
+    }
+}
+
+fn modules(device: &Device, findings: &mut Findings) {
+    if device.modules.is_some() {
+        let finding = MODULES.at(Place::of(Part::SupportedModules), "the file describes modules");
+        findings.push(finding.help("use a file of the device with its connected modules for the tool"));
+    }
+}
+
+fn object_flags(device: &Device, findings: &mut Findings) {
+    let places = stated::entries(device)
+        .filter(|(_, entry)| entry.flags().0 != 0)
+        .map(|(place, _)| place.field(Field::ObjFlags));
+    let texts = (
+        say!("not all configuration tools observe `{ObjFlags}`"),
+        "check the values that the tool writes to these entries",
+    );
+    OBJECT_FLAGS.report_all(places, "another one", texts, findings);
+}
+
+fn object_links(device: &Device, findings: &mut Findings) {
+    let places = device.objects.iter().filter_map(|(&index, object)| {
+        let is_meant = !object.links.is_empty();
+        is_meant.then(|| Place::of(Part::Links(index)))
+    });
+    let texts =
+        ("some tools do not know object links", say!("use a copy without the {section} for the tool"));
+    OBJECT_LINKS.report_all(places, "the same here", texts, findings);
+}
+
+fn parameter_reference(device: &Device, findings: &mut Findings) {
+    let places = stated::entries(device)
+        .filter(|(_, entry)| {
+            entry.configured.as_ref().is_some_and(|configured| configured.reference_designator.is_some())
+        })
+        .map(|(place, _)| place.field(Field::ParamRefd));
+    let texts = (say!("not all tools read `{ParamRefd}`"), "keep the original file");
+    PARAMETER_REFERENCE.report_all(places, "another one", texts, findings);
+}
+
+fn safety_key(device: &Device, findings: &mut Findings) {
+    let info = device.device_info.as_ref().filter(|info| info.safety_supported.is_some());
+    let supported = info.map(|_| Place::of(Part::DeviceInfo).field(Field::CanOpenSafetySupported));
+    let entries =
+        stated::entries(device).filter_map(|(place, entry)| Some(place.field(safety_field(entry)?)));
+    let places = supported.into_iter().chain(entries);
+    let texts =
+        (say!("{the key} belongs to CANopen Safety"), say!("use a copy without {the key} for the tool"));
+    SAFETY_KEY.report_all(places, "another one", texts, findings);
+}
+
+fn safety_field(entry: &Entry) -> Option<Field> {
+    let safety = entry.safety.as_ref()?;
+    let stated = [
+        (Field::SrdoMapping, safety.srdo_mapping.is_some()),
+        (Field::InvertedSrad, safety.inverted_srad.is_some()),
+    ];
+    stated.into_iter().find(|(_, stated)| *stated).map(|(field, _)| field)
+}
+
+fn sub_index_255(device: &Device, findings: &mut Findings) {
+    for (&index, object) in &device.objects {
+        if object.subs.get(0xFF).is_some() && !object.orphan {
+            let message = say!("{:04X}h has sub-index FFh", index);
+            let finding = SUB_INDEX_255.at(Place::entry(index, 0xFF), message);
+            findings.push(finding.help("use a copy without this sub-index for the tool"));
+        }
+    }
+}
+
+fn tool_list(device: &Device, findings: &mut Findings) {
+    if !device.tools.is_empty() {
+        let finding = TOOL_LIST.at(Place::of(Part::Tools), say!("some tools do not know `{[Tools]}`"));
+        findings.push(finding.help(say!("use a copy without the {sections} for the tool")));
+    }
+}
+
+fn type_definition(device: &Device, findings: &mut Findings) {
+    let places = device.objects.iter().filter_map(|(&index, object)| {
+        let is_meant = index < 0x1000 && !object.orphan;
+        is_meant.then(|| Place::of(Part::Object(index)))
+    });
+    let texts = (
+        "some tools do not know data types defined in the file",
+        "use standard types, and remove the definition",
+    );
+    TYPE_DEFINITION.report_all(places, "the same here", texts, findings);
+}
