@@ -1,4 +1,5 @@
 use crate::diagnostic::{Diagnostic, Findings, say};
+use crate::model::{MappedObject, Pdo};
 use crate::{Facts, PdoFacts, rule};
 
 rule! {
@@ -13,17 +14,15 @@ rule! {
 
 fn check(facts: &Facts<'_>, pdo: &PdoFacts<'_>, findings: &mut Findings) {
     let bits: u32 = pdo.mapped.iter().map(|mapped| u32::from(mapped.object.bits)).sum();
-    if bits <= 64 || !pdo.lengths_are_right() {
+    if bits <= Pdo::FRAME_BITS || !pdo.lengths_are_right() {
         return;
     }
-    let mut sum = 0;
-    let beyond = pdo.mapped.iter().find(|mapped| {
-        sum += u32::from(mapped.object.bits);
-        sum > 64
-    });
+    let mut placed = MappedObject::placed(&pdo.mapped, |mapped| mapped.object.bits);
+    let beyond =
+        placed.find(|(first, mapped)| first + u32::from(mapped.object.bits) > Pdo::FRAME_BITS);
     let index = pdo.pdo.mapping_index();
-    let place = facts.device.value_place(index, beyond.map_or(0, |mapped| mapped.slot));
-    let message = say!("{} maps {} bits, {} more than a CAN frame holds", pdo.pdo, bits, bits - 64);
+    let place = facts.device.value_place(index, beyond.map_or(0, |(_, mapped)| mapped.slot));
+    let message = say!("{} maps {} bits, {} more than a CAN frame holds", pdo.pdo, bits, bits - Pdo::FRAME_BITS);
     let finding = Diagnostic::new(&RULE.info, place, message);
     let finding = finding.label(facts.device.value_place(index, 0), "the number of mapped objects");
     findings.push(finding.help("move this object and the following ones to another PDO"));
