@@ -73,7 +73,7 @@ fn a_frame_has_64_bits() {
     assert_eq!(
         map(&[0x0007_0010]),
         [
-            "3: `0007h:00, 16 bits` is mapped, but it has 32 (0604 0042h)",
+            "3: `0007h:00, 16 bits` is mapped, but it has 32 (0604 0041h)",
             "4: sub-index 1h maps nothing (0604 0041h)"
         ][..1]
     );

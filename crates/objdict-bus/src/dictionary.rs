@@ -4,13 +4,8 @@ use std::cmp::Ordering;
 
 use objdict_device::{Abort, Attributes, Dictionary, Scope};
 use objdict_generate::{LiveEntry, Options, live_entries};
-use objdict_node::download::{Present, refusal};
 
 use crate::model::{Access, Assignment, DataType, Device, Object, TypeKind, Value};
-
-/// "save" and "load", which 1010h and 1011h take (CiA 301 §7.5.2.13, §7.5.2.14).
-const SAVE: [u8; 4] = *b"save";
-const LOAD: [u8; 4] = *b"load";
 
 /// Room for texts and DOMAINs, in bytes.
 const ROOM: u16 = 0xFFFF;
@@ -51,8 +46,7 @@ impl PowerOn {
 }
 
 /// The values of a node, with the access, the limits and the types of its description: what the generated table of this description
-/// answers. Beyond that, 1010h stores and 1011h restores, and what CiA 301 forbids of communication objects is
-/// refused by the rules of [`refusal`].
+/// answers. Beyond that, 1010h stores and 1011h restores.
 #[derive(Clone, Debug)]
 pub struct LiveDictionary {
     /// In ascending order.
@@ -62,14 +56,14 @@ pub struct LiveDictionary {
     stored: Vec<Vec<u8>>,
     /// Storage that 1011h marked to be dropped at the next reset, by sub-index.
     dropped: Vec<u8>,
-    /// Whether it refuses what CiA 301 forbids of communication objects, which a table leaves to hooks.
-    is_strict: bool,
+    /// Whether it represents any device with the description, and not only one with the services of `objdict-device`.
+    is_any: bool,
 }
 
 impl LiveDictionary {
     /// The values of a device on a node, which has just been switched on.
     pub fn new(device: &Device, node_id: u8, power_on: PowerOn) -> Self {
-        Self { is_strict: true, ..Self::with_options(device, node_id, power_on, &roomy()) }
+        Self { is_any: true, ..Self::with_options(device, node_id, power_on, &roomy()) }
     }
 
     /// What a generated table with room for all values answers.
@@ -81,7 +75,7 @@ impl LiveDictionary {
     pub fn with_options(device: &Device, node_id: u8, power_on: PowerOn, options: &Options) -> Self {
         let entries = live_entries(&power_on.values_of(device), node_id, options);
         let values: Vec<Vec<u8>> = entries.iter().map(|entry| entry.value.clone()).collect();
-        Self { entries, stored: values.clone(), values, dropped: Vec::new(), is_strict: false }
+        Self { entries, stored: values.clone(), values, dropped: Vec::new(), is_any: false }
     }
 
     /// The objects of the communication parameters of PDOs, of RPDOs and of TPDOs.
@@ -198,16 +192,6 @@ fn order(data_type: DataType, bytes: &[u8], limit: u64) -> Option<Ordering> {
     }
 }
 
-impl Present for LiveDictionary {
-    fn number(&mut self, index: u16, sub: u8) -> Option<u64> {
-        self.bytes(index, sub).filter(|bytes| bytes.len() <= 8).map(number)
-    }
-
-    fn subs(&self, index: u16) -> Vec<u8> {
-        self.entries.iter().filter(|entry| entry.index == index).map(|entry| entry.sub).collect()
-    }
-}
-
 impl Dictionary for LiveDictionary {
     fn attributes(&self, index: u16, sub: u8) -> Result<Attributes, Abort> {
         let entry = &self.entries[self.find(index, sub)?];
@@ -244,19 +228,7 @@ impl Dictionary for LiveDictionary {
             return Err(Abort::CannotStore);
         }
         check_length(entry, bytes)?;
-        match (index, sub) {
-            (0x1010, 1..) if bytes == SAVE => return self.store(sub),
-            (0x1011, 1..) if bytes == LOAD => return self.restore(sub),
-            (0x1010 | 0x1011, 1..) => return Err(Abort::CannotStore),
-            _ => {}
-        }
         check(entry, bytes)?;
-        if self.is_strict
-            && let Some(abort) = refusal(self, index, sub, bytes)
-        {
-            return Err(abort.0.into());
-        }
-        let entry = &self.entries[at];
         let mut value = bytes.to_vec();
         if matches!(entry.data_type, Some(DataType::TIME_OF_DAY | DataType::TIME_DIFFERENCE)) {
             value[3] &= 0x0F; // void bits
@@ -287,6 +259,10 @@ impl Dictionary for LiveDictionary {
                 self.values[at].clone_from(&self.stored[at]);
             }
         }
+    }
+
+    fn serves_more(&self) -> bool {
+        self.is_any
     }
 
     fn can_store(&self, _: u8) -> bool {

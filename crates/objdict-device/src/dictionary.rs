@@ -173,6 +173,13 @@ pub trait Dictionary {
         Err(Abort::CannotStore)
     }
 
+    /// Whether the application serves what this crate does not: TPDOs on request (transmission types 252 and 253), multiplexed PDOs,
+    /// CAN-IDs of 29 bits, sending TIME, and more SDO channels and monitored nodes than a [`Node`](crate::Node) has. Else writes that
+    /// ask for it are refused.
+    fn serves_more(&self) -> bool {
+        false
+    }
+
     /// Whether values can be stored by a sub-index of 1010h.
     fn can_store(&self, sub: u8) -> bool {
         let _ = sub;
@@ -222,6 +229,9 @@ macro_rules! forward {
         $crate::dictionary::forward!($field: places);
     };
     ($field:ident: places) => {
+        fn serves_more(&self) -> bool {
+            self.$field.serves_more()
+        }
         fn replace(&mut self, index: u16, sub: u8, bytes: &[u8]) -> Result<(), Abort> {
             self.$field.replace(index, sub, bytes)
         }

@@ -1,5 +1,7 @@
 //! Errors of the node: error register, history and emergency messages (CiA 301 §7.2.7).
 
+use crate::frame::EXTENDED;
+use crate::pdo::NOT_VALID;
 use crate::{Abort, Dictionary, Frame};
 
 /// The error register.
@@ -79,7 +81,7 @@ impl Errors {
     pub fn load<D: Dictionary + ?Sized>(&mut self, dictionary: &mut D) {
         let standard = 0x80 + u32::from(self.node_id);
         let cob_id = dictionary.number(COB_ID, 0).map_or(standard, |cob_id| cob_id as u32);
-        self.cob_id = (cob_id >> 31 == 0).then_some(cob_id);
+        self.cob_id = (cob_id & (NOT_VALID | EXTENDED) == 0).then_some(cob_id);
         self.inhibit_time = dictionary.number(INHIBIT_TIME, 0).unwrap_or(0).min(0xFFFF) * 100;
     }
 

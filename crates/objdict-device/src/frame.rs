@@ -52,6 +52,9 @@ impl Frame {
     }
 }
 
+/// The bit of a COB-ID that says that the CAN-ID has 29 bits.
+pub(crate) const EXTENDED: u32 = 1 << 29;
+
 /// The lower 11 bits of a COB-ID.
 pub(crate) const fn can_id(cob_id: u32) -> u16 {
     (cob_id & Frame::HIGHEST_ID as u32) as u16

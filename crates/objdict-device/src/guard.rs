@@ -46,14 +46,6 @@ impl<D: Dictionary + ?Sized, S: Services> Guarded<'_, D, S> {
             }
         }
     }
-
-    fn command(&mut self, index: u16, sub: u8, bytes: &[u8]) -> Result<(), Abort> {
-        match (index, bytes) {
-            (STORE, b"save") => self.dictionary.store(sub),
-            (RESTORE, b"load") => self.dictionary.restore(sub),
-            _ => Err(Abort::CannotStore),
-        }
-    }
 }
 
 impl<D: Dictionary + ?Sized, S: Services> Dictionary for Guarded<'_, D, S> {
@@ -84,11 +76,13 @@ impl<D: Dictionary + ?Sized, S: Services> Dictionary for Guarded<'_, D, S> {
         let mut stays = false;
         // the dictionary itself knows why it refuses others
         if entry.writable && bytes.len() == entry.size && bytes.len() <= 8 {
-            if Self::is_command(index, sub) {
-                return self.command(index, sub, bytes);
-            }
             let number = bytes.iter().rev().fold(0, |number, &byte| number << 8 | u64::from(byte));
             rules::check::<_, S>(self.dictionary, index, sub, number)?;
+            match (index, sub) {
+                (STORE, 1..) => return self.dictionary.store(sub),
+                (RESTORE, 1..) => return self.dictionary.restore(sub),
+                _ => {}
+            }
             stays = self.dictionary.number(index, sub) == Ok(number);
         }
         self.dictionary.write(index, sub, bytes)?;

@@ -1,8 +1,9 @@
-//! What may be written to communication objects at run time (CiA 301 §7.5.2), so that a node accepts only what it then does.
+//! What may be written to communication objects (CiA 301 §7.5.2). Nodes ask these rules at run time, and tools ask them of downloads,
+//! so a configuration that a tool accepts is one that a node accepts.
 
 use crate::errors;
-use crate::frame::can_id;
-use crate::guard::Services;
+use crate::frame::{EXTENDED, can_id};
+use crate::guard::{RESTORE, STORE, Services};
 use crate::heartbeat::{CONSUMER_TIME, monitored};
 use crate::pdo::mapping::Mapped;
 use crate::pdo::{NOT_VALID, is_event_driven};
@@ -18,11 +19,96 @@ const DUMMIES: [u8; 7] = [1, 8, 16, 32, 8, 16, 32];
 const TIME: u16 = 0x1012;
 const SENDS_TIME: u32 = 1 << 30;
 
-/// The bits of a COB-ID for CAN-IDs of 29 bits, which nothing here sends.
-const BEYOND_11_BITS: u32 = 0x3FFF_F800;
+/// The COB-IDs of the emergency messages of other nodes.
+const EMCY_CONSUMER: u16 = 0x1028;
+
+/// The bits of a COB-ID between a CAN-ID of 11 bits and bit 29.
+const STRAY_BITS: u32 = 0x1FFF_F800;
 
 /// The CAN-ID and the bits that say how it is sent.
 const BITS_0_TO_29: u32 = 0x3FFF_FFFF;
+
+/// Why a node refuses a value of a communication object.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
+pub enum Refusal {
+    /// The entry does not have this value, or no service follows it.
+    Undefined,
+    /// The CAN-ID belongs to a service that cannot be configured.
+    RestrictedCanId,
+    /// The CAN-ID is that of SYNC; for SYNC, that of a valid PDO.
+    SharedWithSync,
+    /// Bits 0 to 29 of a COB-ID change while the service is valid.
+    InUse,
+    /// 1010h, 1011h: not the signature.
+    Signature,
+    /// 1016h: this sub-index monitors the node already.
+    MonitoredTwice(u8),
+    /// 1019h: the period (1006h) is not 0.
+    PeriodRuns,
+    /// The node has no room for another service of this kind.
+    NoRoom,
+    /// The inhibit time or the SYNC start value changes while the PDO is valid.
+    PdoIsValid,
+    /// The mapping changes while the PDO is valid.
+    MappingIsValid,
+    /// The mapping changes while its sub-index 0 is not 0.
+    MappingInUse,
+    /// The entry that this sub-index maps does not exist, or no PDO of this direction can carry it.
+    NotMappable(u8),
+    /// The entry that this sub-index maps has another length.
+    MappedLength(u8),
+    /// This sub-index is counted and maps nothing.
+    NothingMapped(u8),
+    /// The mapping does not have this sub-index.
+    NoMappingEntry(u8),
+    /// So many bits are mapped, more than 64.
+    PdoTooLong(u16),
+}
+
+impl From<Refusal> for Abort {
+    fn from(refusal: Refusal) -> Self {
+        match refusal {
+            Refusal::Undefined
+            | Refusal::RestrictedCanId
+            | Refusal::SharedWithSync
+            | Refusal::InUse
+            | Refusal::PdoIsValid => Self::InvalidValue,
+            Refusal::Signature => Self::CannotStore,
+            Refusal::MonitoredTwice(_) => Self::Incompatible,
+            Refusal::PeriodRuns => Self::DeviceState,
+            Refusal::NoRoom => Self::InternalIncompatible,
+            Refusal::MappingIsValid | Refusal::MappingInUse => Self::UnsupportedAccess,
+            Refusal::NotMappable(_) | Refusal::MappedLength(_) | Refusal::NothingMapped(_) => {
+                Self::NotMappable
+            }
+            Refusal::NoMappingEntry(_) | Refusal::PdoTooLong(_) => Self::PdoTooLong,
+        }
+    }
+}
+
+/// Services without limits of their own.
+struct AnyServices;
+
+impl Services for AnyServices {
+    const PRODUCES_SYNC: bool = true;
+
+    fn follow<D: Dictionary + ?Sized>(&mut self, _: &mut D, _: u16, _: u8) {}
+}
+
+/// Checks the new value of an entry as [`Node::guard`](crate::Node::guard) does, for a node with room for all services: the entry is
+/// writable and has the length of the value. Entries that are not of communication objects have no rules.
+///
+/// # Errors
+/// Why a node refuses the value.
+pub fn check_write<D: Dictionary + ?Sized>(
+    dictionary: &mut D,
+    index: u16,
+    sub: u8,
+    value: u64,
+) -> Result<(), Refusal> {
+    check::<D, AnyServices>(dictionary, index, sub, value)
+}
 
 /// Checks the new value of an entry against the rules of its service; entries of other objects have none.
 pub(crate) fn check<D: Dictionary + ?Sized, S: Services>(
@@ -30,46 +116,58 @@ pub(crate) fn check<D: Dictionary + ?Sized, S: Services>(
     index: u16,
     sub: u8,
     value: u64,
-) -> Result<(), Abort> {
+) -> Result<(), Refusal> {
+    let word = value as u32;
     match (index, sub) {
-        (errors::HISTORY, 0) => valid(value == 0),
-        (sync::COB_ID, 0) => check_sync::<D, S>(dictionary, value as u32),
+        (errors::HISTORY, 0) => defined(value == 0),
+        (sync::COB_ID, 0) => check_sync::<D, S>(dictionary, word),
+        (STORE, 1..) => ensure(value == u32::from_le_bytes(*b"save").into(), Refusal::Signature),
+        (RESTORE, 1..) => ensure(value == u32::from_le_bytes(*b"load").into(), Refusal::Signature),
         (sync::OVERFLOW, 0) => check_overflow(dictionary, value),
         (TIME, 0) => {
-            let is_free = |old: u32| old & (SENDS_TIME | NOT_VALID) == 0;
-            valid(value as u32 & SENDS_TIME == 0 && is_cob_id(dictionary, index, sub, value as u32, is_free))
+            defined(word & SENDS_TIME == 0 || dictionary.serves_more())?;
+            check_cob_id(dictionary, index, sub, word, |old| old & (SENDS_TIME | NOT_VALID) == 0)
         }
-        (errors::COB_ID, 0) => valid(is_cob_id(dictionary, index, sub, value as u32, is_not_valid)),
+        (errors::COB_ID, 0) | (EMCY_CONSUMER, 1..=0x7F) => {
+            check_cob_id(dictionary, index, sub, word, is_not_valid)
+        }
         (CONSUMER_TIME, 1..) => check_consumer::<D, S>(dictionary, sub, value),
-        (0x1200..=0x127F, 1 | 2) => check_server::<D, S>(dictionary, index, sub, value as u32),
+        (0x1200..=0x12FF, 1 | 2) => check_sdo::<D, S>(dictionary, index, sub, word),
         (0x1400..=0x15FF | 0x1800..=0x19FF, _) => check_communication(dictionary, index, sub, value),
         (0x1600..=0x17FF | 0x1A00..=0x1BFF, _) => check_mapping(dictionary, index, sub, value),
         _ => Ok(()),
     }
 }
 
-const fn valid(is_valid: bool) -> Result<(), Abort> {
-    if is_valid { Ok(()) } else { Err(Abort::InvalidValue) }
+const fn ensure(is_accepted: bool, refusal: Refusal) -> Result<(), Refusal> {
+    if is_accepted { Ok(()) } else { Err(refusal) }
+}
+
+const fn defined(is_defined: bool) -> Result<(), Refusal> {
+    ensure(is_defined, Refusal::Undefined)
 }
 
 const fn is_not_valid(cob_id: u32) -> bool {
     cob_id & NOT_VALID != 0
 }
 
-/// Whether a COB-ID may have this value: bits 0 to 29 stay as they are until the service does not use them any more, and the CAN-ID
-/// of a service that is in use is not that of another one.
-fn is_cob_id<D: Dictionary + ?Sized>(
+/// Checks a COB-ID: bits 0 to 29 stay as they are until the service does not use them any more, and the CAN-ID of a service that is in
+/// use is not that of another one.
+fn check_cob_id<D: Dictionary + ?Sized>(
     dictionary: &mut D,
     index: u16,
     sub: u8,
     new: u32,
     is_free: impl Fn(u32) -> bool,
-) -> bool {
-    let old = dictionary.number(index, sub).map_or(NOT_VALID, |old| old as u32);
-    if new & BEYOND_11_BITS != 0 {
-        return false;
+) -> Result<(), Refusal> {
+    let is_extended = new & EXTENDED != 0;
+    defined(if is_extended { dictionary.serves_more() } else { new & STRAY_BITS == 0 })?;
+    if is_free(new) {
+        return Ok(());
     }
-    is_free(new) || ((is_free(old) || (old ^ new) & BITS_0_TO_29 == 0) && !is_restricted(can_id(new)))
+    ensure(is_extended || !is_restricted(can_id(new)), Refusal::RestrictedCanId)?;
+    let old = dictionary.number(index, sub).map_or(NOT_VALID, |old| old as u32);
+    ensure(is_free(old) || is_same_id(old, new), Refusal::InUse)
 }
 
 /// CAN-IDs of other services (CiA 301 §7.3.5).
@@ -77,23 +175,26 @@ const fn is_restricted(id: u16) -> bool {
     matches!(id, 0..=0x07F | 0x101..=0x180 | 0x581..=0x5FF | 0x601..=0x67F | 0x6E0..=0x6FF | 0x701..=0x7FF)
 }
 
+const fn is_same_id(one: u32, other: u32) -> bool {
+    (one ^ other) & BITS_0_TO_29 == 0
+}
+
 /// 1005h. The node also receives SYNC, so its CAN-ID always counts, and is that of no PDO.
-fn check_sync<D: Dictionary + ?Sized, S: Services>(dictionary: &mut D, new: u32) -> Result<(), Abort> {
+fn check_sync<D: Dictionary + ?Sized, S: Services>(dictionary: &mut D, new: u32) -> Result<(), Refusal> {
     let can_send = S::PRODUCES_SYNC && dictionary.attributes(sync::PERIOD, 0).is_ok();
     let is_free = |old: u32| old & sync::PRODUCES == 0;
-    let is_accepted = (is_free(new) || can_send)
-        && is_cob_id(dictionary, sync::COB_ID, 0, new, is_free)
-        && !is_restricted(can_id(new))
-        && (is_sync(dictionary, new) || !has_pdo(dictionary, new));
-    valid(is_accepted)
+    defined(is_free(new) || can_send)?;
+    check_cob_id(dictionary, sync::COB_ID, 0, new, is_free)?;
+    ensure(new & EXTENDED != 0 || !is_restricted(can_id(new)), Refusal::RestrictedCanId)?;
+    ensure(is_sync(dictionary, new) || !has_pdo(dictionary, new), Refusal::SharedWithSync)
 }
 
 /// 1019h: its value changes while there is no period.
-fn check_overflow<D: Dictionary + ?Sized>(dictionary: &mut D, value: u64) -> Result<(), Abort> {
-    valid(matches!(value, 0 | 2..=240))?;
+fn check_overflow<D: Dictionary + ?Sized>(dictionary: &mut D, value: u64) -> Result<(), Refusal> {
+    defined(matches!(value, 0 | 2..=240))?;
     let stays = dictionary.number(sync::OVERFLOW, 0) == Ok(value);
     let runs = dictionary.number(sync::PERIOD, 0).is_ok_and(|period| period != 0);
-    if runs && !stays { Err(Abort::DeviceState) } else { Ok(()) }
+    ensure(stays || !runs, Refusal::PeriodRuns)
 }
 
 /// 1016h: each node is monitored once.
@@ -101,38 +202,44 @@ fn check_consumer<D: Dictionary + ?Sized, S: Services>(
     dictionary: &mut D,
     sub: u8,
     value: u64,
-) -> Result<(), Abort> {
+) -> Result<(), Refusal> {
     let Some((node_id, _)) = monitored(value) else { return Ok(()) };
-    let is_twice = |other: u8| {
+    let mut is_it = |other: u8| {
         let other = if other == sub { None } else { dictionary.number(CONSUMER_TIME, other).ok() };
         other.and_then(monitored).is_some_and(|(other, _)| other == node_id)
     };
-    if (1..=0x7F).any(is_twice) {
-        return Err(Abort::Incompatible);
+    if let Some(other) = (1..=0x7F).find(|other| is_it(*other)) {
+        return Err(Refusal::MonitoredTwice(other));
     }
-    if S::CONSUMERS.is_some_and(|most| usize::from(sub) > most) {
-        Err(Abort::InternalIncompatible)
-    } else {
-        Ok(())
-    }
+    let has_room = S::CONSUMERS.is_none_or(|most| usize::from(sub) <= most);
+    ensure(has_room || dictionary.serves_more(), Refusal::NoRoom)
 }
 
-/// 1200h and the channels after it. That of 1200h has COB-IDs that no device can change.
-fn check_server<D: Dictionary + ?Sized, S: Services>(
+/// 1200h and the channels after it, and clients from 1280h on. That of 1200h has COB-IDs that no device can change. A channel is valid
+/// while bit 31 of both COB-IDs is clear, and a client may have those of the default channel of another node.
+fn check_sdo<D: Dictionary + ?Sized, S: Services>(
     dictionary: &mut D,
     index: u16,
     sub: u8,
     new: u32,
-) -> Result<(), Abort> {
-    let stays = dictionary.number(index, sub) == Ok(u64::from(new));
-    let is_accepted = match index {
-        0x1200 => stays,
-        _ => is_cob_id(dictionary, index, sub, new, is_not_valid),
-    };
-    valid(is_accepted)?;
-    let number = usize::from(index & 0x7F);
-    let is_served = is_not_valid(new) || S::CHANNELS.is_none_or(|channels| number < channels);
-    if is_served { Ok(()) } else { Err(Abort::InternalIncompatible) }
+) -> Result<(), Refusal> {
+    let old = dictionary.number(index, sub);
+    if index == 0x1200 {
+        return defined(old == Ok(new.into()));
+    }
+    let other_is_free = dictionary.number(index, 3 - sub).is_ok_and(|other| is_not_valid(other as u32));
+    let is_client_of_default = index >= 0x1280 && matches!(new, 0x581..=0x5FF | 0x601..=0x67F);
+    match check_cob_id(dictionary, index, sub, new, is_not_valid) {
+        Err(Refusal::RestrictedCanId) if is_client_of_default => {
+            let stays = old.is_ok_and(|old| is_not_valid(old as u32) || is_same_id(old as u32, new));
+            ensure(stays || other_is_free, Refusal::InUse)?;
+        }
+        Err(Refusal::InUse) if other_is_free => {}
+        checked => checked?,
+    }
+    let number = usize::from(index - 0x1200);
+    let is_served = index >= 0x1280 || S::CHANNELS.is_none_or(|channels| number < channels);
+    ensure(is_not_valid(new) || is_served || dictionary.serves_more(), Refusal::NoRoom)
 }
 
 fn is_valid<D: Dictionary + ?Sized>(dictionary: &mut D, communication: u16) -> bool {
@@ -144,32 +251,39 @@ fn check_communication<D: Dictionary + ?Sized>(
     index: u16,
     sub: u8,
     value: u64,
-) -> Result<(), Abort> {
+) -> Result<(), Refusal> {
     let is_tpdo = index >= 0x1800;
-    let may_change = !is_valid(dictionary, index) || dictionary.number(index, sub) == Ok(value);
-    valid(match sub {
+    match sub {
         1 => {
             let new = value as u32;
-            is_cob_id(dictionary, index, 1, new, is_not_valid)
-                && (is_not_valid(new) || !is_sync(dictionary, new))
+            check_cob_id(dictionary, index, 1, new, is_not_valid)?;
+            ensure(is_not_valid(new) || !is_sync(dictionary, new), Refusal::SharedWithSync)
         }
-        2 => value <= 240 || (value <= 0xFF && is_event_driven(value as u8)),
-        3 if is_tpdo => may_change,
-        6 if is_tpdo => may_change && value <= 240,
-        _ => true,
-    })
+        2 => defined(match u8::try_from(value) {
+            Ok(0..=240) => true,
+            // on request
+            Ok(252 | 253) => is_tpdo && dictionary.serves_more(),
+            other => other.is_ok_and(is_event_driven),
+        }),
+        3 | 6 if is_tpdo => {
+            defined(sub == 3 || value <= 240)?;
+            let may_change = !is_valid(dictionary, index) || dictionary.number(index, sub) == Ok(value);
+            ensure(may_change, Refusal::PdoIsValid)
+        }
+        _ => Ok(()),
+    }
 }
 
 /// Whether a PDO has a CAN-ID.
 fn has_pdo<D: Dictionary + ?Sized>(dictionary: &mut D, cob_id: u32) -> bool {
-    let has_it = |old: u32| !is_not_valid(old) && can_id(old) == can_id(cob_id);
+    let has_it = |old: u32| !is_not_valid(old) && is_same_id(old, cob_id);
     let mut pdos = (0x1400..=0x15FF).chain(0x1800..=0x19FF);
     pdos.any(|index| dictionary.number(index, 1).is_ok_and(|old| has_it(old as u32)))
 }
 
 /// Whether a CAN-ID is that of SYNC: each SYNC would be the data of a PDO with it.
 fn is_sync<D: Dictionary + ?Sized>(dictionary: &mut D, cob_id: u32) -> bool {
-    can_id(sync::cob_id(dictionary)) == can_id(cob_id)
+    is_same_id(sync::cob_id(dictionary), cob_id)
 }
 
 /// A mapping changes while the PDO is not valid: first its number of entries to 0, then the entries, then their number.
@@ -178,46 +292,56 @@ fn check_mapping<D: Dictionary + ?Sized>(
     index: u16,
     sub: u8,
     value: u64,
-) -> Result<(), Abort> {
+) -> Result<(), Refusal> {
     let is_rpdo = index < 0x1A00;
-    if is_valid(dictionary, index - 0x200) || (sub != 0 && dictionary.number(index, 0)? != 0) {
-        return Err(Abort::UnsupportedAccess);
-    }
-    match (sub, value) {
-        // before the entries that there are, which may be empty
-        (0, 1..=64) if dictionary.attributes(index, value as u8).is_err() => Err(Abort::PdoTooLong),
-        (0, 0..=64) => {
-            let mut bits = 0;
-            for sub in 1..=value as u8 {
-                let mapped = dictionary.number(index, sub).map_err(|_| Abort::PdoTooLong)?;
-                bits += u32::from(bits_of(dictionary, Mapped::of(mapped), is_rpdo)?);
-            }
-            if bits <= 64 { Ok(()) } else { Err(Abort::PdoTooLong) }
-        }
-        (0, _) => Err(Abort::PdoTooLong),
+    ensure(!is_valid(dictionary, index - 0x200), Refusal::MappingIsValid)?;
+    if sub != 0 {
+        let is_in_use = dictionary.number(index, 0).is_ok_and(|count| count != 0);
+        ensure(!is_in_use, Refusal::MappingInUse)?;
         // an empty entry; counted ones are checked with the number
-        (_, 0) => Ok(()),
-        _ => bits_of(dictionary, Mapped::of(value), is_rpdo).map(drop),
+        return if value == 0 { Ok(()) } else { bits_of(dictionary, sub, value, is_rpdo).map(drop) };
     }
+    let count = match u8::try_from(value) {
+        Ok(count @ 0..=64) => count,
+        // multiplexed: each frame names its entry
+        Ok(254 | 255) if dictionary.serves_more() => return Ok(()),
+        _ => return Err(Refusal::NoMappingEntry(65)),
+    };
+    // before the entries that there are, which may be empty
+    let has_all = count == 0 || dictionary.attributes(index, count).is_ok();
+    ensure(has_all, Refusal::NoMappingEntry(count))?;
+    let mut bits = 0;
+    for sub in 1..=count {
+        let mapped = dictionary.number(index, sub).map_err(|_| Refusal::NoMappingEntry(sub))?;
+        ensure(mapped != 0, Refusal::NothingMapped(sub))?;
+        bits += u16::from(bits_of(dictionary, sub, mapped, is_rpdo)?);
+    }
+    ensure(bits <= 64, Refusal::PdoTooLong(bits))
 }
 
-/// The length of a mapped entry, which must exist, be mappable, and be as long as its value.
-fn bits_of<D: Dictionary + ?Sized>(dictionary: &mut D, mapped: Mapped, is_rpdo: bool) -> Result<u8, Abort> {
-    let is_accepted = if is_rpdo && mapped.is_dummy() {
+/// The length of the entry that a sub-index maps: it must exist, be mappable, and be as long as its value.
+fn bits_of<D: Dictionary + ?Sized>(
+    dictionary: &mut D,
+    sub: u8,
+    mapped: u64,
+    is_rpdo: bool,
+) -> Result<u8, Refusal> {
+    let mapped = Mapped::of(mapped);
+    let is_fitting = if is_rpdo && mapped.is_dummy() {
         DUMMIES.get(usize::from(mapped.index) - 1) == Some(&mapped.bits)
     } else {
-        let entry = dictionary.attributes(mapped.index, mapped.sub).map_err(|_| Abort::NotMappable)?;
+        let entry = dictionary.attributes(mapped.index, mapped.sub);
+        let entry = entry.ok().filter(|entry| if is_rpdo { entry.fits_rpdo } else { entry.fits_tpdo });
+        let entry = entry.ok_or(Refusal::NotMappable(sub))?;
         let bits = usize::from(mapped.bits);
-        let fits_length = match entry.data_type {
+        match entry.data_type {
             BOOLEAN => bits == 1 || bits == 8,
             // texts, bytes and DOMAIN may be shorter than their room
             _ if entry.has_length() => bits > 0 && bits.is_multiple_of(8) && bits <= 8 * entry.size,
             _ => bits == 8 * entry.size,
-        };
-        fits_length && if is_rpdo { entry.fits_rpdo } else { entry.fits_tpdo }
+        }
     };
-    if !is_accepted {
-        return Err(Abort::NotMappable);
-    }
-    if mapped.bits <= 64 { Ok(mapped.bits) } else { Err(Abort::PdoTooLong) }
+    ensure(is_fitting, Refusal::MappedLength(sub))?;
+    ensure(mapped.bits <= 64, Refusal::PdoTooLong(mapped.bits.into()))?;
+    Ok(mapped.bits)
 }

@@ -1,6 +1,7 @@
 //! SYNC as the node sends it.
 
 use crate::clock::Periodic;
+use crate::frame::EXTENDED;
 use crate::{Dictionary, Frame};
 
 /// The COB-ID of SYNC.
@@ -45,7 +46,7 @@ impl SyncProducer {
         self.cob_id = cob_id(dictionary);
         let mut number = |index| dictionary.number(index, 0).unwrap_or(0);
         self.overflow = number(OVERFLOW) as u8;
-        let period = if self.cob_id & PRODUCES == 0 { 0 } else { number(PERIOD) };
+        let period = if self.cob_id & (PRODUCES | EXTENDED) != PRODUCES { 0 } else { number(PERIOD) };
         self.sync.restart(period);
         self.restart();
     }

@@ -1,13 +1,11 @@
 //! The assignment of frame bits to the mapped objects of a PDO.
 //!
-//! The first mapped object occupies the lowest bits of the frame; the others follow without gaps (CiA 301
-//! §7.2.2.2). Bit n is bit n modulo 8 of byte n / 8.
+//! Bit n is bit n modulo 8 of byte n / 8.
 
 use super::anchor::Anchor;
 use crate::model::{DataType, Device, Entry, MappedObject, Pdo};
 
-/// Bits of a classical CAN data field.
-pub(crate) const FRAME_BITS: u32 = 64;
+pub(crate) const FRAME_BITS: u32 = Pdo::FRAME_BITS;
 
 /// The layout of a PDO frame.
 pub(crate) struct Layout {
@@ -75,14 +73,14 @@ impl Layout {
             Some(0xFF) => (Content::DestinationMultiplexed, 0),
             Some(count) => (Content::Reserved(count), 0),
         };
-        let mut next = Some(0);
-        let fields = (1..=count).map(|slot| {
-            let object = pdo.slots.iter().find(|found| found.sub == slot).and_then(|found| found.object);
-            let mut field = field(device, slot, object, name);
-            field.first = next;
-            // the position after an unknown object is unknown
-            next = next.filter(|_| object.is_some()).map(|first| first + field.bits);
-            field
+        let objects = (1..=count).map(|slot| pdo.slots.iter().find(|found| found.sub == slot)?.object);
+        let placed = MappedObject::placed(objects, |object| object.map_or(0, |object| object.bits));
+        // the position after an unknown object is unknown
+        let mut is_known = true;
+        let fields = (1..).zip(placed).map(|(slot, (first, object))| {
+            let first = is_known.then_some(first);
+            is_known &= object.is_some();
+            Field { first, ..field(device, slot, object, name) }
         });
         Self { content, fields: fields.collect() }
     }

@@ -1,7 +1,7 @@
 //! Contents of PDO frames for the targets `rust` and `c`: a struct for each PDO of the default mapping.
 //!
-//! A frame is one number of at most 64 bits. The first mapped object occupies its lowest bits, and its bytes
-//! are transmitted from the lowest on (CiA 301 §7.2.2.2), so packing is shifting for fields of any length.
+//! A frame is one number of at most 64 bits whose bytes are transmitted from the lowest on (CiA 301 §7.2.2.2), so packing is shifting for
+//! fields of any length.
 
 use super::Note;
 use super::names::{Scope, words};
@@ -9,9 +9,6 @@ use super::notes::once_per_device;
 use super::resolve::{Resolved, Shape};
 use super::table::{Row, Table};
 use crate::model::{Access, CobId, DataType, Device, MappedObject, Pdo, PdoKind, Place, TypeKind};
-
-/// Bits of a classical CAN data field.
-const MAX_BITS: u32 = 64;
 
 /// A PDO with the contents of its frame.
 #[derive(Debug)]
@@ -97,24 +94,20 @@ fn frame(pdo: &Pdo<'_>, table: &Table, notes: &mut Vec<Note>) -> Option<Frame> {
         return None;
     }
     let bits = pdo.bit_length();
-    if bits > MAX_BITS {
+    if bits > Pdo::FRAME_BITS {
         let text = format!("{pdo} maps {bits} bits, but a frame has 64; it has no struct");
         notes.push(Note::new(place, text));
         return None;
     }
     let mut scope = Scope::of_lower_case("");
-    let mut first = 0;
     let mut fields = Vec::new();
-    for slot in pdo.used_slots() {
-        let Some(object) = slot.object.filter(|object| !object.is_unused()) else { continue };
-        if !object.is_dummy() {
-            let place = Place::entry(pdo.mapping_index(), slot.sub);
-            match field(object, first, table, &mut scope) {
-                Ok(field) => fields.push(field),
-                Err(why) => notes.push(Note::new(place, format!("{object} is not a field of {pdo}: {why}"))),
-            }
+    let placed = MappedObject::placed(pdo.mapped_slots(), |(_, object)| object.bits);
+    for (first, (sub, object)) in placed.filter(|(_, (_, object))| !object.is_dummy()) {
+        let place = Place::entry(pdo.mapping_index(), sub);
+        match field(object, first, table, &mut scope) {
+            Ok(field) => fields.push(field),
+            Err(why) => notes.push(Note::new(place, format!("{object} is not a field of {pdo}: {why}"))),
         }
-        first += u32::from(object.bits);
     }
     let name = format!("{}{}", if pdo.kind == PdoKind::Rpdo { "rpdo" } else { "tpdo" }, pdo.number);
     (!fields.is_empty()).then(|| Frame {

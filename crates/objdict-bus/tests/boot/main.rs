@@ -1,10 +1,12 @@
 //! Networks that boot, and networks that do not.
 
+mod acceptance;
 mod plant;
 
 use objdict_bus::{Abort, Cut, Dictionary, EventKind, LiveDictionary, Milestone, NmtState, PowerOn};
 use objdict_model::model::Access;
 
+use objdict_device::Pdos;
 use plant::{MILLISECOND, Network, device, failure, frames, milestones, node_rows, outcome};
 
 #[test]
@@ -365,6 +367,8 @@ fn a_run_is_the_same_every_time() {
 #[test]
 fn an_identifier_changes_only_while_its_service_is_not_valid() {
     let mut dictionary = LiveDictionary::new(&device(&node_rows(5)), 5, PowerOn::Defaults);
+    let mut pdos = Pdos::<0, 0>::new([], []);
+    let mut dictionary = pdos.guard(&mut dictionary);
     let mut write = |cob_id: u32| dictionary.write(0x1014, 0, &cob_id.to_le_bytes()).map_err(Abort::code);
     assert_eq!(write(0x86), Err(0x0609_0030));
     assert_eq!([0x8000_0085, 0x8000_0086, 0x86].map(&mut write), [Ok(()); 3]);
@@ -383,6 +387,8 @@ fn what_is_stored_survives_a_reset() {
         (0x1020, 2, 32, Access::Rw, 0),
     ]);
     let mut dictionary = LiveDictionary::new(&device(&rows), 5, PowerOn::Defaults);
+    let mut pdos = Pdos::<0, 0>::new([], []);
+    let mut dictionary = pdos.guard(&mut dictionary);
     assert_eq!(dictionary.write(0x1010, 1, b"evas").map_err(Abort::code), Err(0x0800_0020));
     dictionary.write(0x1020, 1, &[1, 0, 0, 0]).unwrap();
     dictionary.write(0x1010, 1, b"save").unwrap();

@@ -5,6 +5,7 @@ mod receive;
 mod transmit;
 
 use crate::clock::milliseconds;
+use crate::frame::{EXTENDED, can_id};
 use crate::guard::{Guarded, Services};
 use crate::{Abort, Dictionary, Frame, sync};
 
@@ -114,7 +115,7 @@ impl Parameters {
     }
 
     const fn is_valid(&self) -> bool {
-        self.cob_id & NOT_VALID == 0
+        self.cob_id & (NOT_VALID | EXTENDED) == 0
     }
 
     const fn is_event_driven(&self) -> bool {
@@ -210,7 +211,7 @@ impl<const R: usize, const T: usize> Pdos<R, T> {
             let reception = rpdo.receive(dictionary, frame, now);
             each(dictionary, reception);
         }
-        if frame.id() == crate::frame::can_id(self.sync) {
+        if self.sync & EXTENDED == 0 && frame.id() == can_id(self.sync) {
             let counter = frame.data().first().copied().filter(|_| self.counts);
             self.rpdos.iter_mut().for_each(|rpdo| rpdo.sync(dictionary));
             self.tpdos.iter_mut().for_each(|tpdo| tpdo.sync(counter));

@@ -4,7 +4,7 @@ mod block;
 mod client;
 pub(crate) mod crc;
 
-use crate::frame::can_id;
+use crate::frame::{EXTENDED, can_id};
 use crate::{Abort, Dictionary, Frame};
 
 use block::Block;
@@ -166,7 +166,7 @@ impl<const BUFFER: usize> SdoServer<BUFFER> {
         }
         let mut cob_id = |sub| dictionary.number(self.object, sub).map(|number| number as u32);
         let (request, response) = (cob_id(1).ok()?, cob_id(2).ok()?);
-        ((request | response) & NOT_VALID == 0).then_some((request, response))
+        ((request | response) & (NOT_VALID | EXTENDED) == 0).then_some((request, response))
     }
 
     fn send(&mut self, response: u32, answer: Result<Option<[u8; 8]>, Abort>) -> Option<Frame> {

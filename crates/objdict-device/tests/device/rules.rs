@@ -80,7 +80,10 @@ fn a_write_that_no_service_follows_is_refused() {
         (0x1201, 1, 0x0601, INVALID),
         (0x1201, 1, 0x2000_0640, INVALID),
         (0x1201, 1, 0x0680, Ok(())),
-        (0x1201, 1, 0x0681, INVALID),
+        // the channel is not valid until both COB-IDs are
+        (0x1201, 1, 0x0681, Ok(())),
+        (0x1201, 2, 0x0682, Ok(())),
+        (0x1201, 1, 0x0680, INVALID),
         (0x1202, 1, 0x0690, Err(Abort::InternalIncompatible)),
         // each SYNC would be an RPDO
         (0x1400, 1, 0x0080, INVALID),

@@ -83,10 +83,7 @@ fn call(
 fn place(pdo: &Pdo<'_>, image: &mut Image<'_>) -> Result<(usize, usize), (Place, String)> {
     let index = pdo.mapping_index();
     let at = |sub: u8| Place::entry(index, sub);
-    let mapped: Vec<(u8, MappedObject)> = pdo
-        .used_slots()
-        .filter_map(|slot| Some((slot.sub, slot.object.filter(|object| !object.is_unused())?)))
-        .collect();
+    let mapped: Vec<(u8, MappedObject)> = pdo.mapped_slots().collect();
     if mapped.is_empty() {
         return Err((at(0), "nothing is mapped".to_owned()));
     }

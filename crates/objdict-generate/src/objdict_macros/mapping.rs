@@ -40,9 +40,8 @@ pub(super) fn pdos(tables: &Tables<'_>, notes: &mut Vec<Note>) -> Vec<PdoRow> {
 fn entries(pdo: &Pdo<'_>, tables: &Tables<'_>, notes: &mut Vec<Note>) -> Vec<String> {
     let index = pdo.mapping_index();
     let mut entries = Vec::new();
-    for slot in pdo.used_slots() {
-        let Some(mapped) = slot.object.filter(|object| !object.is_unused()) else { continue };
-        let place = Place::entry(index, slot.sub);
+    for (slot, mapped) in pdo.mapped_slots() {
+        let place = Place::entry(index, slot);
         if entries.len() == SLOTS {
             notes.push(Note::new(place, format!("a PDO has {SLOTS} mapping entries at most")));
             break;

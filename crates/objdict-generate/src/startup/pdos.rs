@@ -5,16 +5,13 @@ use std::collections::BTreeSet;
 use super::{Stack, number, words};
 use crate::Note;
 use crate::dictionary::{Dictionary, ResolvedObject};
-use crate::model::{DataType, Device, MappedObject, PdoKind, Place};
+use crate::model::{DataType, Device, MappedObject, Pdo, PdoKind, Place};
 use crate::resolve::Shape;
 
 /// Bits of a COB-ID: not valid, no RTR, 29 bits.
 const NOT_VALID: u64 = 1 << 31;
 const NO_RTR: u64 = 1 << 30;
 const EXTENDED: u64 = 1 << 29;
-
-/// The most bits of a PDO.
-const LONGEST: u32 = 64;
 
 /// How a stack reads a mapping.
 pub(super) struct Mapping {
@@ -212,7 +209,8 @@ impl<'a> Served<'a> {
             Cause::TooMany => self.count() > 8,
             Cause::Overrun => self.count() > 8 && self.fits_nine(),
             Cause::TooLong => {
-                self.bits() > LONGEST || self.mapped().any(|(_, mapped)| u32::from(mapped.bits) > LONGEST)
+                self.bits() > Pdo::FRAME_BITS
+                    || self.mapped().any(|(_, mapped)| u32::from(mapped.bits) > Pdo::FRAME_BITS)
             }
             Cause::Empty => self.bits() == 0,
             Cause::Reserved => matches!(type_, Some(241..=253)),

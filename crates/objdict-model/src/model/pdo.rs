@@ -98,6 +98,19 @@ impl MappedObject {
         u32::from_le_bytes([self.bits, self.sub, low, high])
     }
 
+    /// Mapped objects with the lowest bit of each in the frame; `bits` is the length of one. The first object occupies the lowest bits, and the
+    /// others follow without gaps (CiA 301 §7.2.2.2).
+    pub fn placed<T>(
+        objects: impl IntoIterator<Item = T>,
+        bits: impl Fn(&T) -> u8,
+    ) -> impl Iterator<Item = (u32, T)> {
+        objects.into_iter().scan(0, move |next, object| {
+            let first = *next;
+            *next += u32::from(bits(&object));
+            Some((first, object))
+        })
+    }
+
     /// Whether the number is 0, so that nothing is mapped.
     pub const fn is_unused(self) -> bool {
         self.to_number() == 0
@@ -155,6 +168,9 @@ pub struct Pdo<'a> {
 }
 
 impl<'a> Pdo<'a> {
+    /// The bits of a classical CAN data field.
+    pub const FRAME_BITS: u32 = 64;
+
     fn new(device: &'a Device, kind: PdoKind, number: u16) -> Self {
         let object = |index: Option<u16>| device.object(index?);
         let communication = object(kind.communication_index(number));
@@ -215,9 +231,15 @@ impl<'a> Pdo<'a> {
         self.slots.iter().copied().take_while(move |slot| slot.sub <= count)
     }
 
+    /// The mapped objects with their sub-indexes, in the order of the frame.
+    pub fn mapped_slots(&self) -> impl Iterator<Item = (u8, MappedObject)> + '_ {
+        let slots = self.used_slots().filter_map(|slot| Some((slot.sub, slot.object?)));
+        slots.filter(|(_, object)| !object.is_unused())
+    }
+
     /// The mapped objects, in the order of the frame.
     pub fn mapped(&self) -> impl Iterator<Item = MappedObject> + '_ {
-        self.used_slots().filter_map(|slot| slot.object).filter(|object| !object.is_unused())
+        self.mapped_slots().map(|(_, object)| object)
     }
 
     /// The total number of mapped bits.

@@ -6,7 +6,7 @@ use objdict_node::download::transferred_type;
 use objdict_node::{ObjectName, resolve};
 
 use crate::diagnostic::{At, Diagnostic, RuleInfo, Text, listing, nearest, say};
-use crate::model::{Address, DataType, Device, Field, Object, PdoKind, Place};
+use crate::model::{Address, DataType, Device, Field, MappedObject, Object, PdoKind, Place};
 use crate::names::unknown_node;
 use crate::origin::{because, refusing_field};
 use crate::rules::{LINK_DIRECTION, LINK_MISMATCH, LINK_TOO_LONG, LINK_TYPE, UNKNOWN_ENTRY, UNKNOWN_NODE};
@@ -22,6 +22,10 @@ pub(super) struct Carried {
 }
 
 impl Carried {
+    pub(super) const fn mapped(self) -> MappedObject {
+        MappedObject { index: self.index, sub: self.sub, bits: self.bits }
+    }
+
     pub(super) const fn address(self) -> Address {
         Address { index: self.index, sub: Some(self.sub) }
     }

@@ -4,10 +4,7 @@ use std::collections::BTreeMap;
 
 use super::ends::Carried;
 use super::groups::{Receiver, Signal};
-use crate::model::MappedObject;
-
-/// Bits of a CAN data field.
-pub(super) const MAX_BITS: u32 = 64;
+use crate::model::{MappedObject, Pdo};
 
 /// The entries of a group in a PDO.
 pub(super) struct Frame<'a> {
@@ -30,30 +27,25 @@ impl<'a> Frame<'a> {
     pub(super) fn of(signals: &[&'a Signal], slots: usize) -> Self {
         let mut frame = Self { signals: Vec::new(), mapped: Vec::new(), bits: 0 };
         for signal in signals.iter().take(slots) {
-            let Carried { index, sub, bits, .. } = signal.entry;
-            if frame.bits + u32::from(bits) > MAX_BITS {
+            let mapped = signal.entry.mapped();
+            if frame.bits + u32::from(mapped.bits) > Pdo::FRAME_BITS {
                 break;
             }
             frame.signals.push((frame.bits, signal));
-            frame.mapped.push(MappedObject { index, sub, bits });
-            frame.bits += u32::from(bits);
+            frame.mapped.push(mapped);
+            frame.bits += u32::from(mapped.bits);
         }
         frame
     }
 
     /// Those of the signals that a fixed mapping has.
     pub(super) fn of_fixed(signals: &[&'a Signal], mapped: &[MappedObject]) -> Self {
-        let mut frame = Self { signals: Vec::new(), mapped: mapped.to_vec(), bits: 0 };
-        for object in mapped {
-            let carried = |signal: &Carried| {
-                (signal.index, signal.sub, signal.bits) == (object.index, object.sub, object.bits)
-            };
-            if let Some(signal) = signals.iter().find(|signal| carried(&signal.entry)) {
-                frame.signals.push((frame.bits, signal));
-            }
-            frame.bits += u32::from(object.bits);
-        }
-        frame
+        let placed = MappedObject::placed(mapped, |object| object.bits);
+        let carried = placed.filter_map(|(first, object)| {
+            Some((first, *signals.iter().find(|signal| signal.entry.mapped() == *object)?))
+        });
+        let bits = mapped.iter().map(|object| u32::from(object.bits)).sum();
+        Self { signals: carried.collect(), mapped: mapped.to_vec(), bits }
     }
 
     /// The number of signals.

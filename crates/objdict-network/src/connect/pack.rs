@@ -3,14 +3,14 @@
 use std::collections::BTreeMap;
 
 use super::can_ids::{CanIds, User, plain, predefined};
-use super::frame::{Frame, MAX_BITS, Share};
+use super::frame::{Frame, Share};
 use super::groups::{LinkGroup, Signal};
 use super::obstacles;
 use super::pdos::{Candidate, Mapping, NodePdos, Obstacle};
 use crate::compiled::{Compiled, Slave, received_type};
 use crate::configure::PdoName;
 use crate::diagnostic::{Diagnostic, Findings, say};
-use crate::model::{CobId, PdoKind};
+use crate::model::{CobId, Pdo, PdoKind};
 use crate::rules::{CONTRADICTION, FIXED_PDO, LINK_TOO_LONG, NO_FREE_CAN_ID, NO_FREE_PDO};
 use crate::source::Span;
 use crate::{LinkParameters, Network, Node, PdoRequest, RequestedCobId, Said};
@@ -98,9 +98,9 @@ impl Packer<'_> {
     /// Gives a group as many PDOs as needed. What single consumers cannot take from them is returned as groups of their own.
     fn place(&mut self, group: &LinkGroup) -> Result<Vec<LinkGroup>, Box<Diagnostic>> {
         let bits: u32 = group.signals.iter().map(|signal| u32::from(signal.entry.bits)).sum();
-        if group.parameters.can_id.is_some() && bits > MAX_BITS {
+        if group.parameters.can_id.is_some() && bits > Pdo::FRAME_BITS {
             let message =
-                say!("{} bits are linked with one CAN-ID, but a PDO has at most {}", bits, MAX_BITS);
+                say!("{} bits are linked with one CAN-ID, but a PDO has at most {}", bits, Pdo::FRAME_BITS);
             let help = "leave the CAN-ID out, or give links with other CAN-IDs a part of the entries";
             return Err(Box::new(Diagnostic::new(&LINK_TOO_LONG, group.at, message).help(help)));
         }

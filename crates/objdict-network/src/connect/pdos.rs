@@ -2,7 +2,6 @@
 
 use super::can_ids::{on_node, plain};
 use super::ends::Carried;
-use super::frame::MAX_BITS;
 use crate::compiled::Slave;
 use crate::configure::PdoName;
 use crate::model::{Access, Address, CobId, DataType, Device, MappedObject, Pdo, PdoKind};
@@ -115,7 +114,7 @@ impl NodePdos {
             // entries of a frame do not overlap
             let gap = position.saturating_sub(end);
             mapping.extend(self.fill(gap).ok_or(Obstacle::Gap(gap))?);
-            mapping.push(MappedObject { index: entry.index, sub: entry.sub, bits: entry.bits });
+            mapping.push(entry.mapped());
             end = position + u32::from(entry.bits);
         }
         if mapping.len() > slots {
@@ -141,7 +140,7 @@ impl NodePdos {
 
     /// The fewest dummies of so many bits, of at most a frame.
     fn fill(&self, gap: u32) -> Option<Vec<MappedObject>> {
-        if gap > MAX_BITS {
+        if gap > Pdo::FRAME_BITS {
             return None;
         }
         let mut fewest: Vec<Option<Vec<MappedObject>>> = vec![Some(Vec::new())];
@@ -290,21 +289,10 @@ impl Candidate {
 
     /// Whether the fixed mapping receives these entries, all of them and no others, from a frame of so many bits.
     fn receives(&self, wanted: &[(u32, Carried)], frame: u32) -> bool {
-        let mut wanted = wanted.iter();
-        let mut position = 0;
-        for mapped in &self.mapped {
-            if !mapped.is_dummy() {
-                let is_next = wanted.next().is_some_and(|(at, entry)| {
-                    (*at, entry.index, entry.sub, entry.bits)
-                        == (position, mapped.index, mapped.sub, mapped.bits)
-                });
-                if !is_next {
-                    return false;
-                }
-            }
-            position += u32::from(mapped.bits);
-        }
-        position <= frame && wanted.next().is_none()
+        let wanted = wanted.iter().map(|(at, entry)| (*at, entry.mapped()));
+        let placed = MappedObject::placed(self.mapped.iter().copied(), |mapped| mapped.bits);
+        let length = self.mapped.iter().map(|mapped| u32::from(mapped.bits)).sum::<u32>();
+        length <= frame && placed.filter(|(_, mapped)| !mapped.is_dummy()).eq(wanted)
     }
 }
 

@@ -113,13 +113,13 @@ impl View<'_> {
     }
 
     fn parts(self, pdo: &PdoState, device: &Device) -> Vec<Part> {
-        let mut next = 0;
-        let part = |object: &MappedObject| {
-            let bit = next;
-            next += u32::from(object.bits);
-            Part { bit, bits: object.bits.into(), entry: self.named(device, *object) }
+        let placed = MappedObject::placed(pdo.mapping.values(), |object| object.bits);
+        let part = |(bit, object): (u32, &MappedObject)| Part {
+            bit,
+            bits: object.bits.into(),
+            entry: self.named(device, *object),
         };
-        pdo.mapping.values().map(part).collect()
+        placed.map(part).collect()
     }
 
     fn named(self, device: &Device, mapped: MappedObject) -> MappedEntry {

@@ -3,26 +3,19 @@
 use super::{Configurator, PdoName, PdoParameter, Wrong};
 use crate::diagnostic::listing;
 use crate::download::transferred_type;
-use crate::model::{Address, DataType, MappedObject, PdoKind, Value};
+use crate::model::{Address, DataType, MappedObject, Pdo, PdoKind, Value};
 use crate::resolve::ObjectName;
-
-/// Bits of a CAN data field.
-const FRAME: u32 = 64;
 
 impl Configurator<'_> {
     /// Maps entries into a PDO. Mapping entries after the last mapped object keep their values, because the
     /// number of mapped objects excludes them.
     pub(super) fn map(&mut self, pdo: PdoName, objects: &[ObjectName]) -> Result<(), Wrong> {
         let index = self.mapping_of(pdo)?;
-        let mut bits = 0;
-        let mut mapped = Vec::with_capacity(objects.len());
-        for name in objects {
-            let object = self.mappable(pdo.kind, self.address(name)?)?;
-            bits += u32::from(object.bits);
-            mapped.push(object);
-        }
-        if bits > FRAME {
-            return Err(Wrong::new(format!("{bits} bits are mapped, but a PDO has at most {FRAME}")));
+        let mapped = objects.iter().map(|name| self.mappable(pdo.kind, self.address(name)?));
+        let mapped = mapped.collect::<Result<Vec<_>, _>>()?;
+        let (bits, most) = (mapped.iter().map(|object| u32::from(object.bits)).sum::<u32>(), Pdo::FRAME_BITS);
+        if bits > most {
+            return Err(Wrong::new(format!("{bits} bits are mapped, but a PDO has at most {most}")));
         }
         for (sub, object) in (1..=u8::MAX).zip(&mapped) {
             self.assign(pdo, index, sub, object.to_number().into())?;

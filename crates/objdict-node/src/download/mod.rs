@@ -28,7 +28,7 @@ pub use plan::{NeededFile, Order, Plan, PlanOptions, Scope, Step};
 pub use problem::{PlanError, Problem, ProblemKind, SkipReason, Skipped};
 pub use stream::{DecodeError, DecodeErrorKind, EncodeError};
 pub use transfer::{Beyond, beyond, bytes_of, transferred_type};
-pub use verify::{AbortCode, Objection, ObjectionKind, Present, Verification, refusal};
+pub use verify::{AbortCode, Objection, ObjectionKind, Verification};
 
 /// One SDO download: an entry and the transferred bytes.
 #[derive(Clone, PartialEq, Eq)]

@@ -258,18 +258,13 @@ fn unaligned_mapping(facts: &Facts<'_>, pdo: &PdoFacts<'_>, findings: &mut Findi
     if granularity > 1 || !pdo.lengths_are_right() {
         return;
     }
-    let mut start = 0u32;
-    for mapped in &pdo.mapped {
-        if mapped.object.bits >= 8 && !start.is_multiple_of(8) {
-            let message =
-                say!("{} maps {} at bit {}, which is not a byte boundary", pdo.pdo, mapped.object, start);
-            let place = facts.device.value_place(pdo.pdo.mapping_index(), mapped.slot);
-            let finding = UNALIGNED_MAPPING.at(place, message);
-            findings.push(finding.help("map the single bits last, or fill the byte before"));
-            return;
-        }
-        start += u32::from(mapped.object.bits);
-    }
+    let mut placed = MappedObject::placed(&pdo.mapped, |mapped| mapped.object.bits);
+    let unaligned = placed.find(|(start, mapped)| mapped.object.bits >= 8 && !start.is_multiple_of(8));
+    let Some((start, mapped)) = unaligned else { return };
+    let message = say!("{} maps {} at bit {}, which is not a byte boundary", pdo.pdo, mapped.object, start);
+    let place = facts.device.value_place(pdo.pdo.mapping_index(), mapped.slot);
+    let finding = UNALIGNED_MAPPING.at(place, message);
+    findings.push(finding.help("map the single bits last, or fill the byte before"));
 }
 
 fn wrong_mapping_direction(facts: &Facts<'_>, pdo: &PdoFacts<'_>, findings: &mut Findings) {

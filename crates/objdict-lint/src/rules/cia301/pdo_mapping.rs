@@ -1,7 +1,7 @@
 //! The mapping of a PDO as a whole: its number of entries, length and access types.
 
 use crate::diagnostic::{Argument, Findings, Fix, Text, say, sub_index};
-use crate::model::{Access, Device, Field, Object, Part, PdoKind, Place};
+use crate::model::{Access, Device, Field, MappedObject, Object, Part, Pdo, PdoKind, Place};
 use crate::rule::rules;
 use crate::{Facts, PdoFacts, is_unstated};
 
@@ -257,17 +257,15 @@ fn is_entry_writable(object: &Object, sub: u8) -> Option<bool> {
 
 fn pdo_length_exceeded(facts: &Facts<'_>, pdo: &PdoFacts<'_>, findings: &mut Findings) {
     let bits: u32 = pdo.mapped.iter().map(|mapped| u32::from(mapped.object.bits)).sum();
-    if bits <= 64 || !pdo.lengths_are_right() {
+    if bits <= Pdo::FRAME_BITS || !pdo.lengths_are_right() {
         return;
     }
-    let mut sum = 0;
-    let beyond = pdo.mapped.iter().find(|mapped| {
-        sum += u32::from(mapped.object.bits);
-        sum > 64
-    });
+    let mut placed = MappedObject::placed(&pdo.mapped, |mapped| mapped.object.bits);
+    let beyond =
+        placed.find(|(first, mapped)| first + u32::from(mapped.object.bits) > Pdo::FRAME_BITS);
     let index = pdo.pdo.mapping_index();
-    let place = facts.device.value_place(index, beyond.map_or(0, |mapped| mapped.slot));
-    let message = say!("{} maps {} bits, {} more than a CAN frame holds", pdo.pdo, bits, bits - 64);
+    let place = facts.device.value_place(index, beyond.map_or(0, |(_, mapped)| mapped.slot));
+    let message = say!("{} maps {} bits, {} more than a CAN frame holds", pdo.pdo, bits, bits - Pdo::FRAME_BITS);
     let finding = PDO_LENGTH_EXCEEDED.at(place, message);
     let finding = finding.label(facts.device.value_place(index, 0), "the number of mapped objects");
     findings.push(finding.help("move this object and the following ones to another PDO"));

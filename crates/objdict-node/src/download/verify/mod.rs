@@ -3,12 +3,10 @@
 
 mod node;
 mod objection;
-mod pdo;
 mod services;
 
 use self::node::{Node, node_place};
 pub use self::objection::{AbortCode, Objection, ObjectionKind};
-pub use self::services::{Present, refusal};
 use super::{ConciseDcf, Download};
 use crate::model::{Device, Place};
 
@@ -46,9 +44,10 @@ impl ConciseDcf {
     ///
     /// Access, sizes and limits are those of the description. A rejected write changes nothing, so if a
     /// stream does not mark a PDO as not valid first, every write that fails for this reason is reported.
-    /// Each download is checked against the strictest reading of CiA 301; where devices differ,
+    /// Each download is checked by the rules of nodes ([`objdict_device::check_write`]); where devices differ,
     /// [`ObjectionKind::is_refusal`] is false.
     pub fn verify(&self, device: &Device, node_id: Option<u8>) -> Verification {
+        let device = &*device.with_implicit_pdos();
         let mut node = Node::new(device, node_id.or_else(|| device.node_id()));
         let mut objections = Vec::new();
         for (position, (offset, download)) in self.with_offsets().enumerate() {

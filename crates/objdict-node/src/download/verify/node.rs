@@ -2,11 +2,15 @@
 
 use std::collections::{BTreeMap, BTreeSet};
 
+use objdict_device::{Abort, Attributes, Dictionary, Scope, check_write};
+
 use super::super::settings::Key;
 use super::super::transfer::{Beyond, EntryType, beyond};
 use super::super::{Download, ProblemKind};
 use super::objection::ObjectionKind;
-use crate::model::{Access, DataType, Device, Entry, Object, ObjectType, Place, TypeKind, Value};
+use crate::model::{
+    Access, DataType, Device, Entry, Field, InvalidValue, Object, ObjectType, PdoKind, Place, TypeKind, Value,
+};
 
 /// The result of a write: accepted, accepted with an objection, or rejected.
 pub(super) type Judgement = Result<Option<ObjectionKind>, ObjectionKind>;
@@ -36,35 +40,49 @@ impl<'a> Node<'a> {
         self.unknown.iter().map(|&(index, sub)| node_place(self.device, index, sub)).collect()
     }
 
-    /// Applies a download, or rejects it without changing the state.
+    /// Applies a download, or rejects it without changing the state. The order of the checks is that of a node.
     pub(super) fn take(&mut self, download: &Download) -> Judgement {
-        self.judge_entry(download)?;
-        let of_service = self.judge_service(download)?;
-        let late = self.judge_order(download.index);
-        self.written.insert((download.index, download.sub), download.data.clone());
-        Ok(of_service.or(late))
-    }
-
-    /// Checks of every entry: existence, access, size and limits.
-    fn judge_entry(&self, download: &Download) -> Result<(), ObjectionKind> {
-        let object = self.device.object(download.index).ok_or(ObjectionKind::NoObject)?;
-        let entry = object.entry(download.sub).ok_or(ObjectionKind::NoSubIndex)?;
-        if !can_be_written(download.index, object, &entry) {
+        let key @ (index, sub) = (download.index, download.sub);
+        let object = self.device.object(index).ok_or(ObjectionKind::NoObject)?;
+        let entry = object.entry(sub).ok_or(ObjectionKind::NoSubIndex)?;
+        if !self.can_be_written(key, object, &entry) {
             return Err(ObjectionKind::NotWritable);
         }
         if entry.flags().refuses_write() || object.main.flags().refuses_write() {
             return Err(ObjectionKind::RefusesDownload);
         }
-        let entry_type = EntryType::of(self.device, object, (download.index, download.sub), &entry);
-        let Some(data_type) = entry_type.transferred else { return Ok(()) };
-        let value = value_of(data_type, &download.data)?;
-        match value.as_ref().and_then(|value| Some((value, beyond(&entry, value, self.node_id)?))) {
-            Some((value, Beyond::Low(limit))) => {
-                Err(ObjectionKind::BelowLimit { value: value.clone(), limit })
+        let mut doubt = None;
+        if let Some(data_type) = EntryType::of(self.device, object, key, &entry).transferred {
+            let (length, found) = (data_type.byte_length().map(usize::from), download.data.len());
+            if let Some(expected) = length.filter(|&expected| expected != found) {
+                return Err(ObjectionKind::Length { data_type, expected, found });
             }
-            Some((value, Beyond::High(limit))) => {
-                Err(ObjectionKind::AboveLimit { value: value.clone(), limit })
+            if let Some(number) = number(&download.data).filter(|_| length.is_some()) {
+                check_write(self, index, sub, number)
+                    .map_err(|refusal| self.explain(refusal, key, number))?;
+                doubt = self.doubt(key, number);
             }
+            self.check_value(&entry, data_type, &download.data)?;
+        }
+        let late = self.judge_order(index);
+        self.written.insert(key, download.data.clone());
+        Ok(doubt.or(late))
+    }
+
+    /// Checks the bytes of a type, and the limits.
+    fn check_value(&self, entry: &Entry, data_type: DataType, data: &[u8]) -> Result<(), ObjectionKind> {
+        let is_value = match data_type.kind() {
+            TypeKind::Boolean => data.iter().all(|&byte| byte <= 1),
+            TypeKind::UnicodeString => data.len().is_multiple_of(2),
+            _ => true,
+        };
+        if !is_value {
+            return Err(ObjectionKind::NoValue(data_type));
+        }
+        let value = Value::from_bytes(data, data_type);
+        match value.and_then(|value| Some((beyond(entry, &value, self.node_id)?, value))) {
+            Some((Beyond::Low(limit), value)) => Err(ObjectionKind::BelowLimit { value, limit }),
+            Some((Beyond::High(limit), value)) => Err(ObjectionKind::AboveLimit { value, limit }),
             None => Ok(()),
         }
     }
@@ -87,54 +105,94 @@ impl<'a> Node<'a> {
         std::mem::take(&mut self.is_stored).then_some(ObjectionKind::NotStored)
     }
 
-    /// The present value of an entry as a number; `None` if the entry does not exist or the value is unknown.
-    pub(super) fn number(&mut self, key: Key) -> Option<u64> {
-        let bytes = match self.written.get(&key) {
-            Some(written) => written.clone(),
-            None => self.default(key)?,
-        };
-        number(&bytes)
+    /// The present value of a 32-bit entry; `None` if the node does not have it, or the value is unknown.
+    pub(super) fn word(&mut self, (index, sub): Key) -> Option<u32> {
+        u32::try_from(Dictionary::number(self, index, sub).ok()?).ok()
     }
 
-    /// The same for 32-bit entries.
-    pub(super) fn word(&mut self, key: Key) -> Option<u32> {
-        u32::try_from(self.number(key)?).ok()
-    }
-
-    fn default(&mut self, (index, sub): Key) -> Option<Vec<u8>> {
+    /// The value at power-on: the default, or what a description states of an entry that is never written. Without one it is 0.
+    fn default(&mut self, key @ (index, sub): Key) -> Option<Vec<u8>> {
         let object = self.device.object(index)?;
         let entry = object.entry(sub)?;
-        let bytes = EntryType::of(self.device, object, (index, sub), &entry)
-            .bytes(entry.default.as_ref()?, self.node_id);
+        let entry_type = EntryType::of(self.device, object, key, &entry);
+        let is_written = self.can_be_written(key, object, &entry);
+        let Some(value) = (if is_written { entry.default.as_ref() } else { entry.value() }) else {
+            return Some(vec![0; usize::from(entry_type.transferred?.byte_length()?)]);
+        };
+        let bytes = entry_type.bytes(value, self.node_id);
         if matches!(bytes, Err(ProblemKind::NeedsNodeId(_))) {
-            self.unknown.insert((index, sub));
+            self.unknown.insert(key);
         }
         bytes.ok()
     }
+
+    /// The access type; without one that of CiA 301, and else that of a generated table.
+    fn access(&self, (index, sub): Key, object: &Object, entry: &Entry) -> Access {
+        let sub = object.object_type().has_subs().then_some(sub);
+        let intended =
+            || entry.invalid_values.get(&Field::AccessType).and_then(InvalidValue::intended_access);
+        let defined = || objdict_profile::access(self.device, index, sub);
+        entry.implied_access().or_else(intended).or_else(defined).unwrap_or(Access::Ro)
+    }
+
+    fn can_be_written(&self, key: Key, object: &Object, entry: &Entry) -> bool {
+        let object_type = object.object_type();
+        let is_definition =
+            matches!(object_type, ObjectType::Null | ObjectType::DefType | ObjectType::DefStruct);
+        key.0 >= 0x1000 && !is_definition && self.access(key, object, entry).is_writable()
+    }
 }
 
-fn can_be_written(index: u16, object: &Object, entry: &Entry) -> bool {
-    let object_type = object.object_type();
-    let is_definition = matches!(object_type, ObjectType::Null | ObjectType::DefType | ObjectType::DefStruct);
-    // without an access type the entry may be writable
-    index >= 0x1000 && !is_definition && entry.access.is_none_or(Access::is_writable)
-}
+/// The dictionary that the rules of a node ask.
+impl Dictionary for Node<'_> {
+    fn attributes(&self, index: u16, sub: u8) -> Result<Attributes, Abort> {
+        let object = self.device.object(index).ok_or(Abort::NoObject)?;
+        let entry = object.entry(sub).ok_or(Abort::NoSubIndex)?;
+        let data_type = EntryType::of(self.device, object, (index, sub), &entry).transferred;
+        // a type that is not known has any length, as texts have
+        let fixed = data_type.and_then(|data_type| Some((data_type, usize::from(data_type.byte_length()?))));
+        let (data_type, size) = fixed.unwrap_or((DataType::DOMAIN, usize::from(u16::MAX)));
+        let access = self.access((index, sub), object, &entry);
+        let is_mapped = |kind| entry.is_mappable() && entry.fits_pdo(kind);
+        Ok(Attributes {
+            size,
+            data_type: u8::try_from(data_type.0).unwrap_or(0),
+            readable: access.is_readable(),
+            writable: self.can_be_written((index, sub), object, &entry),
+            fits_tpdo: is_mapped(PdoKind::Tpdo),
+            fits_rpdo: is_mapped(PdoKind::Rpdo),
+        })
+    }
 
-/// Decodes bytes; `None` for types without limits.
-fn value_of(data_type: DataType, data: &[u8]) -> Result<Option<Value>, ObjectionKind> {
-    let found = data.len();
-    if let Some(expected) = data_type.byte_length().map(usize::from).filter(|&expected| expected != found) {
-        return Err(ObjectionKind::Length { data_type, expected, found });
+    fn read(&mut self, index: u16, sub: u8, buffer: &mut [u8]) -> Result<usize, Abort> {
+        if !self.attributes(index, sub)?.readable {
+            return Err(Abort::WriteOnly);
+        }
+        let bytes = match self.written.get(&(index, sub)) {
+            Some(written) => written.clone(),
+            None => self.default((index, sub)).ok_or(Abort::NoData)?,
+        };
+        buffer.get_mut(..bytes.len()).ok_or(Abort::OutOfMemory)?.copy_from_slice(&bytes);
+        Ok(bytes.len())
     }
-    let is_value = match data_type.kind() {
-        TypeKind::Boolean => data.iter().all(|&byte| byte <= 1),
-        TypeKind::UnicodeString => found.is_multiple_of(2),
-        _ => true,
-    };
-    if !is_value {
-        return Err(ObjectionKind::NoValue(data_type));
+
+    fn write(&mut self, index: u16, sub: u8, bytes: &[u8]) -> Result<(), Abort> {
+        self.replace(index, sub, bytes)
     }
-    Ok(Value::from_bytes(data, data_type))
+
+    fn replace(&mut self, index: u16, sub: u8, bytes: &[u8]) -> Result<(), Abort> {
+        self.written.insert((index, sub), bytes.to_vec());
+        Ok(())
+    }
+
+    fn restart(&mut self, scope: Scope, _: u8) {
+        self.written.retain(|&(index, _), _| !scope.contains(index));
+    }
+
+    /// The description does not say what the device serves.
+    fn serves_more(&self) -> bool {
+        true
+    }
 }
 
 /// The place of an entry as used in reports: the value of a VAR has no sub-index.
@@ -146,7 +204,7 @@ pub(super) fn node_place(device: &Device, index: u16, sub: u8) -> Place {
 }
 
 /// Up to eight bytes as a number.
-pub(super) fn number(bytes: &[u8]) -> Option<u64> {
+fn number(bytes: &[u8]) -> Option<u64> {
     let mut word = [0; 8];
     word.get_mut(..bytes.len())?.copy_from_slice(bytes);
     Some(u64::from_le_bytes(word))

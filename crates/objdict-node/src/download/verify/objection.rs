@@ -2,6 +2,8 @@
 
 use std::fmt;
 
+use objdict_device::Abort;
+
 use crate::model::{DataType, MappedObject, PdoKind, Place, Value};
 
 /// A problem of a download.
@@ -85,8 +87,15 @@ pub enum ObjectionKind {
         /// The present COB-ID.
         present: u32,
     },
-    /// The entry of a PDO may change only while bit 31 of its COB-ID is set.
+    /// A PDO and SYNC would have the same CAN-ID.
+    SharedWithSync {
+        /// The CAN-ID.
+        can_id: u32,
+    },
+    /// The inhibit time and the SYNC start value of a PDO may change only while bit 31 of its COB-ID is set.
     PdoIsValid(PdoKind, u16),
+    /// The mapping of a PDO may change only while bit 31 of its COB-ID is set.
+    MappingIsValid(PdoKind, u16),
     /// A mapping may change only while its sub-index 0 is 0.
     MappingInUse,
     /// The mapped object does not exist, or PDOs of this kind cannot map it.
@@ -96,7 +105,7 @@ pub enum ObjectionKind {
         /// The mapping entry.
         mapped: MappedObject,
         /// Length of the entry in bits.
-        bits: u8,
+        bits: u32,
     },
     /// More than 64 bits, or more than 64 objects, are mapped.
     PdoTooLong {
@@ -105,6 +114,11 @@ pub enum ObjectionKind {
     },
     /// A sub-index within the number of mapped objects is empty.
     NothingMapped {
+        /// The sub-index.
+        sub: u8,
+    },
+    /// The number of mapped objects includes a sub-index that the mapping does not have.
+    NoMappingEntry {
         /// The sub-index.
         sub: u8,
     },
@@ -153,27 +167,37 @@ impl ObjectionKind {
     /// The abort code of the device; `None` for downloads that it accepts, and for rules that apply only to
     /// tools.
     pub const fn abort(&self) -> Option<AbortCode> {
-        Some(AbortCode(match self {
-            Self::NoObject => 0x0602_0000,
-            Self::NoSubIndex => 0x0609_0011,
-            Self::NotWritable => 0x0601_0002,
-            Self::Length { expected, found, .. } if *found > *expected => 0x0607_0012,
-            Self::Length { .. } => 0x0607_0013,
-            Self::AboveLimit { .. } => 0x0609_0031,
-            Self::BelowLimit { .. } => 0x0609_0032,
-            Self::NoValue(_) | Self::Undefined(_) | Self::RestrictedCanId { .. } => 0x0609_0030,
-            Self::InUse { .. } | Self::RenamedWhileSwitchedOff { .. } => 0x0609_0030,
-            Self::PdoIsValid(..) | Self::MappingInUse | Self::PeriodRuns => 0x0800_0022,
-            Self::NotMappable(..) | Self::NothingMapped { .. } => 0x0604_0041,
-            Self::MappedLength { .. } | Self::PdoTooLong { .. } => 0x0604_0042,
-            Self::WatchedTwice { .. } => 0x0604_0043,
-            Self::Signature { .. } => 0x0800_0020,
+        let abort = match self {
+            Self::NoObject => Abort::NoObject,
+            Self::NoSubIndex => Abort::NoSubIndex,
+            Self::NotWritable => Abort::ReadOnly,
+            Self::Length { expected, found, .. } if *found > *expected => Abort::TooLong,
+            Self::Length { .. } => Abort::TooShort,
+            Self::AboveLimit { .. } => Abort::TooHigh,
+            Self::BelowLimit { .. } => Abort::TooLow,
+            Self::NoValue(DataType::UNICODE_STRING) => Abort::LengthMismatch,
+            Self::NoValue(_)
+            | Self::Undefined(_)
+            | Self::RestrictedCanId { .. }
+            | Self::SharedWithSync { .. }
+            | Self::InUse { .. }
+            | Self::RenamedWhileSwitchedOff { .. }
+            | Self::PdoIsValid(..) => Abort::InvalidValue,
+            Self::MappingIsValid(..) | Self::MappingInUse => Abort::UnsupportedAccess,
+            Self::PeriodRuns => Abort::DeviceState,
+            Self::NotMappable(..) | Self::MappedLength { .. } | Self::NothingMapped { .. } => {
+                Abort::NotMappable
+            }
+            Self::NoMappingEntry { .. } | Self::PdoTooLong { .. } => Abort::PdoTooLong,
+            Self::WatchedTwice { .. } => Abort::Incompatible,
+            Self::Signature { .. } => Abort::CannotStore,
             Self::RefusesDownload
             | Self::WatchesNobody { .. }
             | Self::TwoErrorControls
             | Self::NotStored
             | Self::ClearsVerification => return None,
-        }))
+        };
+        Some(AbortCode(abort.code()))
     }
 
     /// How to fix it.
@@ -183,7 +207,7 @@ impl ObjectionKind {
             Self::RenamedWhileSwitchedOff { present } => {
                 return Some(format!("set bit 31 without changing the identifier of `0x{present:X}`"));
             }
-            Self::PdoIsValid(kind, number) => {
+            Self::PdoIsValid(kind, number) | Self::MappingIsValid(kind, number) => {
                 return Some(format!("set bit 31 of the COB-ID of {kind} {number} first"));
             }
             Self::MappingInUse => "write 0 to sub-index 0 first",
@@ -207,11 +231,13 @@ impl AbortCode {
     /// The description in CiA 301.
     pub const fn text(self) -> &'static str {
         match self.0 {
+            0x0601_0000 => "unsupported access to an object",
             0x0601_0002 => "attempt to write a read only object",
             0x0602_0000 => "object does not exist in the object dictionary",
             0x0604_0041 => "object cannot be mapped to the PDO",
             0x0604_0042 => "number and length of the objects to be mapped would exceed PDO length",
             0x0604_0043 => "general parameter incompatibility",
+            0x0607_0010 => "data type does not match, length of service parameter does not match",
             0x0607_0012 => "length of service parameter too high",
             0x0607_0013 => "length of service parameter too low",
             0x0609_0011 => "sub-index does not exist",
@@ -263,7 +289,12 @@ impl fmt::Display for ObjectionKind {
                 f,
                 "the write that marks `0x{present:X}` not valid also changes its identifier, which some devices reject"
             ),
-            Self::PdoIsValid(kind, number) => write!(f, "{kind} {number} is valid, so this cannot change"),
+            Self::SharedWithSync { can_id } => {
+                write!(f, "the CAN-ID `0x{can_id:X}` would be that of SYNC and of a PDO")
+            }
+            Self::PdoIsValid(kind, number) | Self::MappingIsValid(kind, number) => {
+                write!(f, "{kind} {number} is valid, so this cannot change")
+            }
             Self::MappingInUse => f.write_str("sub-index 0 of the mapping is not 0, so this cannot change"),
             Self::NotMappable(mapped, kind) => {
                 write!(f, "no {kind} can carry `{mapped}`")
@@ -271,6 +302,7 @@ impl fmt::Display for ObjectionKind {
             Self::MappedLength { mapped, bits } => write!(f, "`{mapped}` is mapped, but it has {bits}"),
             Self::PdoTooLong { bits } => write!(f, "{bits} bits are mapped, but a PDO has 64"),
             Self::NothingMapped { sub } => write!(f, "sub-index {sub:X}h maps nothing"),
+            Self::NoMappingEntry { sub } => write!(f, "the mapping has no sub-index {sub:X}h"),
             Self::WatchedTwice { node_id, sub } => {
                 write!(f, "sub-index {sub:X}h already monitors node {node_id}")
             }
