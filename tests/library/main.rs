@@ -13,13 +13,14 @@ mod configure;
 mod configure_node;
 mod conformance;
 #[cfg(feature = "full")]
-#[cfg(feature = "full")]
 mod conversions;
 mod dbc;
 mod device_profile;
 mod device_toml;
 mod device_variants;
 mod document;
+#[cfg(feature = "cli")]
+mod doors;
 mod download_plan;
 mod errata;
 mod fix;

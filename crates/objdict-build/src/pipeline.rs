@@ -63,7 +63,7 @@ use objdict_project::check::{of_devices, with_origin_beside};
 use objdict_project::config::Project;
 use objdict_project::report::{Location, Subject, grouped, listed};
 #[cfg(feature = "lint")]
-pub use objdict_project::workspace::Configuration;
+pub use objdict_project::workspace::ConfigSource;
 #[cfg(feature = "lint")]
 use objdict_project::workspace::{Overrides, Workspace};
 
@@ -106,7 +106,7 @@ pub struct Request {
 pub struct CheckSettings {
     /// Where the configuration comes from.
     #[cfg(feature = "lint")]
-    pub config: Configuration,
+    pub config: ConfigSource,
     /// The severities that replace those of the rules.
     pub severities: Severities,
     /// Profiles to check against beside that of the device: numbers, or paths of files.

@@ -44,9 +44,9 @@ macro_rules! documents {
 documents! {
     "device-json" objdict_format::json::DeviceDocument<objdict_model::model::Device>: "A device description: `objdict convert IN -o OUT.json`.",
     "concise-dcf" objdict_format::json::ConciseDocument<objdict_node::download::ConciseDcf>: "A concise DCF: `objdict convert IN.cdcf -o OUT.json`.",
-    "findings" objdict_project::report::FindingsDocument<'_>: "Findings: `objdict check --format json`, `objdict network check --format json`.",
+    "findings" objdict_project::report::CheckJson<'_>: "Findings: `objdict check --format json`, `objdict network check --format json`.",
     "changes" super::changes::ChangesDocument<'_>: "The changes between descriptions: `objdict diff --format json`.",
-    "baseline" objdict_project::baseline::Document: "Known findings: `objdict check --write-baseline`.",
+    "baseline" objdict_project::baseline::BaselineJson: "Known findings: `objdict check --write-baseline`.",
     "identify" super::identify::Document<'_>: "What files are: `objdict identify --format json`.",
     "entries" super::show::EntriesDocument<'_>: "The entries of a dictionary: `objdict show --format json`.",
     "node-list" super::show::NodeListDocument<'_>: "A node list: `objdict show NETWORK.cpj --format json`.",

@@ -19,7 +19,7 @@ use objdict_lint::{Level, Options, Severities};
 use objdict_model::diagnostic::{Selection, Severity, Tool, series};
 pub(super) use objdict_project::config::Project;
 use objdict_project::registry;
-pub(crate) use objdict_project::workspace::Configuration;
+pub(crate) use objdict_project::workspace::ConfigSource;
 use objdict_project::workspace::{Overrides, Workspace};
 
 // Which configuration applies.
@@ -101,11 +101,11 @@ fn tool(name: &str) -> Result<Tool, String> {
 }
 
 impl ConfigFileArgs {
-    fn configuration(&self) -> Configuration {
+    fn configuration(&self) -> ConfigSource {
         match &self.config {
-            Some(path) => Configuration::At(path.clone()),
-            None if self.no_config => Configuration::Off,
-            None => Configuration::Nearest,
+            Some(path) => ConfigSource::At(path.clone()),
+            None if self.no_config => ConfigSource::Off,
+            None => ConfigSource::Nearest,
         }
     }
 }

@@ -1,7 +1,7 @@
 //! Reading maps by a table of their keys, which also makes their JSON Schema.
 
 use super::rules::{MISSING_KEY, OUT_OF_RANGE, UNKNOWN_KEY, WRONG_TYPE};
-use super::tree::{Entry, Kind, Tree};
+use super::tree::{KeyedTree, Kind, Pair};
 use objdict_model::diagnostic::{Diagnostic, Findings, Severity, listing, misspelled, nearest, say};
 use objdict_model::literal::nanoseconds;
 use objdict_model::source::{Said, Span};
@@ -65,28 +65,38 @@ pub const fn bits(bits: u32) -> Shape {
 
 /// A map of the file with the table of its keys.
 #[derive(Clone, Copy, Debug)]
-pub struct Section<'t> {
+pub struct KeyedTable<'t> {
     span: Span,
-    entries: &'t [Entry],
+    entries: &'t [Pair],
     keys: &'static [Key],
 }
 
-impl<'t> Section<'t> {
+impl<'t> KeyedTable<'t> {
     /// Reports a value that is no map, and unknown keys.
-    pub fn new(name: &str, tree: &'t Tree, keys: &'static [Key], findings: &mut Findings) -> Option<Self> {
+    pub fn new(
+        name: &str,
+        tree: &'t KeyedTree,
+        keys: &'static [Key],
+        findings: &mut Findings,
+    ) -> Option<Self> {
         Self::with_unknown(name, tree, keys, |finding, _| finding, findings)
     }
 
     /// The same for a map in which other programs may have keys: an unknown key is a warning, unless it is plainly another
     /// one that is misspelled.
-    pub fn shared(name: &str, tree: &'t Tree, keys: &'static [Key], findings: &mut Findings) -> Option<Self> {
+    pub fn shared(
+        name: &str,
+        tree: &'t KeyedTree,
+        keys: &'static [Key],
+        findings: &mut Findings,
+    ) -> Option<Self> {
         let own = || keys.iter().filter(|key| !matches!(key.shape, Shape::Foreign)).map(|key| key.name);
         Self::with_unknown(name, tree, keys, |finding, key| or_foreign(finding, key, own()), findings)
     }
 
     fn with_unknown(
         name: &str,
-        tree: &'t Tree,
+        tree: &'t KeyedTree,
         keys: &'static [Key],
         rated: impl Fn(Diagnostic, &str) -> Diagnostic,
         findings: &mut Findings,
@@ -118,13 +128,13 @@ impl<'t> Section<'t> {
     }
 
     /// The value of a key.
-    pub fn get(&self, name: &str) -> Option<&'t Tree> {
+    pub fn get(&self, name: &str) -> Option<&'t KeyedTree> {
         debug_assert!(self.keys.iter().any(|key| key.name == name), "{name} is not in the table");
         self.entries.iter().find(|entry| entry.key.text() == Some(name)).map(|entry| &entry.value)
     }
 
     /// The value of a key that must be there.
-    pub fn required(&self, owner: &str, name: &str, findings: &mut Findings) -> Option<&'t Tree> {
+    pub fn required(&self, owner: &str, name: &str, findings: &mut Findings) -> Option<&'t KeyedTree> {
         let value = self.get(name);
         if value.is_none() {
             let start = Span::new(self.span.start, self.span.start);
@@ -246,7 +256,7 @@ impl<'t> Section<'t> {
     }
 
     /// The entries of a map by name.
-    pub fn named(&self, name: &str, findings: &mut Findings) -> &'t [Entry] {
+    pub fn named(&self, name: &str, findings: &mut Findings) -> &'t [Pair] {
         let Some(tree) = self.get(name) else { return &[] };
         tree.entries().unwrap_or_else(|| {
             findings.push(wrong(name, tree, "a table of keys").help("write the names as keys below it"));
@@ -281,7 +291,7 @@ impl<'t> Section<'t> {
     }
 
     /// The items of a list.
-    pub fn list(&self, name: &str, findings: &mut Findings) -> Option<&'t [Tree]> {
+    pub fn list(&self, name: &str, findings: &mut Findings) -> Option<&'t [KeyedTree]> {
         let tree = self.get(name)?;
         match &*tree.kind {
             Kind::List(items) => Some(items),
@@ -295,7 +305,7 @@ impl<'t> Section<'t> {
     }
 
     /// The entries of a map by number, each with its number.
-    pub fn numbered(&self, name: &str, findings: &mut Findings) -> Vec<(i128, Said<&'t Tree>)> {
+    pub fn numbered(&self, name: &str, findings: &mut Findings) -> Vec<(i128, Said<&'t KeyedTree>)> {
         let Some(tree) = self.get(name) else { return Vec::new() };
         let (low, high) = match self.shape(name) {
             Some(Shape::Numbered(low, high, _) | Shape::Numbers((low, high), _)) => (*low, *high),
@@ -306,7 +316,7 @@ impl<'t> Section<'t> {
             return Vec::new();
         };
         let mut numbered = Vec::with_capacity(entries.len());
-        for Entry { key, value } in entries {
+        for Pair { key, value } in entries {
             if key.text().is_some() {
                 let finding = wrong(name, key, "a number");
                 findings.push(finding.help("write the number without quotes"));
@@ -331,7 +341,12 @@ pub fn or_foreign<'a>(
 }
 
 /// A whole number in a range. What dcfgen silently reads as one is a warning.
-pub fn integer(name: &str, tree: &Tree, (low, high): (i128, i128), findings: &mut Findings) -> Option<i128> {
+pub fn integer(
+    name: &str,
+    tree: &KeyedTree,
+    (low, high): (i128, i128),
+    findings: &mut Findings,
+) -> Option<i128> {
     let number = match &*tree.kind {
         Kind::Integer(number) => *number,
         Kind::Float(number) if number.is_finite() && number.abs() < 1e18 => {
@@ -386,7 +401,7 @@ fn spelled_time(nanoseconds: i128) -> String {
 }
 
 /// `cob_id` is a text where a number belongs.
-pub fn wrong(name: &str, tree: &Tree, expected: &'static str) -> Diagnostic {
+pub fn wrong(name: &str, tree: &KeyedTree, expected: &'static str) -> Diagnostic {
     let message = say!("`{}` is `{}`, {} where {} belongs", name, tree.spelled(), tree.kind_name(), expected);
     Diagnostic::new(&WRONG_TYPE, tree.span, message)
 }

@@ -6,7 +6,7 @@ use toml::Spanned;
 use toml::de::{DeInteger, DeTable, DeValue};
 
 use super::rules::{DUPLICATE_KEY, INVALID_TOML};
-use super::tree::{Entry, Kind, Tree};
+use super::tree::{KeyedTree, Kind, Pair};
 use objdict_model::diagnostic::{Diagnostic, Findings};
 use objdict_model::source::Span;
 
@@ -20,7 +20,7 @@ pub fn is_toml(text: &str) -> bool {
 }
 
 /// Reads a text; `None` if it is no TOML, which is a finding.
-pub fn read(text: &str, findings: &mut Findings) -> Option<Tree> {
+pub fn read(text: &str, findings: &mut Findings) -> Option<KeyedTree> {
     let (table, errors) = DeTable::parse_recoverable(text);
     let is_duplicate = |error: &toml::de::Error| error.message().contains("duplicate key");
     let (duplicates, broken): (Vec<_>, Vec<_>) = errors.iter().partition(|error| is_duplicate(error));
@@ -34,27 +34,27 @@ pub fn read(text: &str, findings: &mut Findings) -> Option<Tree> {
         };
         findings.push(Diagnostic::new(rule, span, message).help(help));
     }
-    errors.is_empty().then(|| Tree::new(Span::empty(0), map(table.into_inner())))
+    errors.is_empty().then(|| KeyedTree::new(Span::empty(0), map(table.into_inner())))
 }
 
 /// The parts of the parser's table are given up one by one, so that not all of a text is in memory twice.
 fn map(table: DeTable<'_>) -> Kind {
-    let entries = table.into_iter().map(|(key, value)| Entry { key: key_of(&key), value: tree(value) });
-    let mut entries: Vec<Entry> = entries.collect();
+    let entries = table.into_iter().map(|(key, value)| Pair { key: key_of(&key), value: tree(value) });
+    let mut entries: Vec<Pair> = entries.collect();
     entries.sort_by_key(|entry| entry.key.span.start);
     Kind::Map(entries)
 }
 
 /// TOML has no keys but texts; those of digits are numbers, as in YAML.
-fn key_of(key: &Spanned<std::borrow::Cow<'_, str>>) -> Tree {
+fn key_of(key: &Spanned<std::borrow::Cow<'_, str>>) -> KeyedTree {
     let text = &**key.get_ref();
     let is_number = !text.starts_with('0') && text.bytes().all(|byte| byte.is_ascii_digit());
     let number = Some(text).filter(|_| is_number);
     let kind = number.and_then(|text| text.parse().ok()).map(Kind::Integer);
-    Tree::new(span_of(&key.span()), kind.unwrap_or_else(|| Kind::Text(text.to_owned())))
+    KeyedTree::new(span_of(&key.span()), kind.unwrap_or_else(|| Kind::Text(text.to_owned())))
 }
 
-fn tree(value: Spanned<DeValue<'_>>) -> Tree {
+fn tree(value: Spanned<DeValue<'_>>) -> KeyedTree {
     let span = span_of(&value.span());
     let kind = match value.into_inner() {
         DeValue::String(text) => Kind::Text(text.into_owned()),
@@ -65,7 +65,7 @@ fn tree(value: Spanned<DeValue<'_>>) -> Tree {
         DeValue::Array(items) => Kind::List(items.into_iter().map(tree).collect()),
         DeValue::Table(table) => map(table),
     };
-    Tree::new(span, kind)
+    KeyedTree::new(span, kind)
 }
 
 fn integer(number: &DeInteger<'_>) -> Kind {
@@ -102,7 +102,7 @@ mod tests {
         let keys: Vec<_> = tree.entries().unwrap().iter().map(|entry| entry.key.span.of(text)).collect();
         assert_eq!(keys, ["z", "a", "b"]);
         assert_eq!(tree.get("z").unwrap().spelled(), "16");
-        let numbered = &tree.get("a").and_then(Tree::entries).unwrap()[0];
+        let numbered = &tree.get("a").and_then(KeyedTree::entries).unwrap()[0];
         assert!(matches!(*numbered.key.kind, Kind::Integer(1)));
         assert_eq!(numbered.value.span.of(text), "'ä'");
         for (text, rule) in

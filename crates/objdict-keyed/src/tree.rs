@@ -6,7 +6,7 @@ use objdict_model::source::Span;
 
 /// A value and its place.
 #[derive(Clone, Debug)]
-pub struct Tree {
+pub struct KeyedTree {
     /// The bytes of the value in the text.
     pub span: Span,
     /// Shared, because an anchor of YAML may be named more often than the text is long.
@@ -27,21 +27,21 @@ pub enum Kind {
     /// A text.
     Text(String),
     /// A list.
-    List(Vec<Tree>),
+    List(Vec<KeyedTree>),
     /// A table, in the order of the text.
-    Map(Vec<Entry>),
+    Map(Vec<Pair>),
 }
 
 /// A key and its value.
 #[derive(Clone, Debug)]
-pub struct Entry {
+pub struct Pair {
     /// The key, which is a text.
-    pub key: Tree,
+    pub key: KeyedTree,
     /// Its value.
-    pub value: Tree,
+    pub value: KeyedTree,
 }
 
-impl Tree {
+impl KeyedTree {
     /// A value at a place of the text.
     pub fn new(span: Span, kind: Kind) -> Self {
         Self { span, kind: Arc::new(kind) }
@@ -56,7 +56,7 @@ impl Tree {
     }
 
     /// The entries of a map; `None` for anything else.
-    pub fn entries(&self) -> Option<&[Entry]> {
+    pub fn entries(&self) -> Option<&[Pair]> {
         match &*self.kind {
             Kind::Map(entries) => Some(entries),
             _ => None,
@@ -64,7 +64,7 @@ impl Tree {
     }
 
     /// The value of a key of a map.
-    pub fn get(&self, key: &str) -> Option<&Tree> {
+    pub fn get(&self, key: &str) -> Option<&KeyedTree> {
         let entries = self.entries()?;
         entries.iter().find(|entry| entry.key.text() == Some(key)).map(|entry| &entry.value)
     }

@@ -9,7 +9,7 @@ use saphyr_parser::{Event, Parser, ScalarStyle, Tag};
 
 use crate::rules::DUPLICATE_KEY;
 use crate::rules::INVALID_YAML;
-use crate::tree::{Entry, Kind, Tree};
+use crate::tree::{KeyedTree, Kind, Pair};
 use objdict_model::diagnostic::{Diagnostic, Findings, say};
 use objdict_model::source::Span;
 
@@ -17,7 +17,7 @@ use objdict_model::source::Span;
 const MAX_DEPTH: usize = 64;
 
 /// Reads a text of one document; `None` if it is not YAML, or has a second document, which is a finding.
-pub fn read(text: &str, findings: &mut Findings) -> Option<Tree> {
+pub fn read(text: &str, findings: &mut Findings) -> Option<KeyedTree> {
     let mut builder =
         Builder { offsets: offsets(text), anchors: BTreeMap::new(), open: Vec::new(), findings };
     let mut document = None;
@@ -49,7 +49,7 @@ pub fn read(text: &str, findings: &mut Findings) -> Option<Tree> {
             }
         }
     }
-    document.or_else(|| Some(Tree::new(Span::empty(0), Kind::Null)))
+    document.or_else(|| Some(KeyedTree::new(Span::empty(0), Kind::Null)))
 }
 
 /// The offset in bytes of each character; empty for a text of which each character is a byte.
@@ -65,7 +65,7 @@ fn offsets(text: &str) -> Vec<u32> {
 struct Open {
     start: u32,
     anchor: usize,
-    items: Vec<Tree>,
+    items: Vec<KeyedTree>,
     is_map: bool,
 }
 
@@ -85,14 +85,14 @@ impl Builder<'_> {
     }
 
     /// Takes the next event; the document at its end.
-    fn take(&mut self, event: Event<'_>, span: Span) -> Result<Option<Tree>, Box<Diagnostic>> {
+    fn take(&mut self, event: Event<'_>, span: Span) -> Result<Option<KeyedTree>, Box<Diagnostic>> {
         match event {
             Event::Scalar(text, style, anchor, tag) => {
                 Ok(self.complete(anchor, scalar(text, style, tag.as_deref()), span))
             }
             Event::Alias(anchor) => match self.anchors.get(&anchor) {
                 Some(kind) => {
-                    let tree = Tree { span, kind: Arc::clone(kind) };
+                    let tree = KeyedTree { span, kind: Arc::clone(kind) };
                     Ok(self.place(tree))
                 }
                 None => Err(Box::new(
@@ -123,8 +123,8 @@ impl Builder<'_> {
         }
     }
 
-    fn complete(&mut self, anchor: usize, kind: Kind, span: Span) -> Option<Tree> {
-        let tree = Tree::new(span, kind);
+    fn complete(&mut self, anchor: usize, kind: Kind, span: Span) -> Option<KeyedTree> {
+        let tree = KeyedTree::new(span, kind);
         if anchor > 0 {
             self.anchors.insert(anchor, Arc::clone(&tree.kind));
         }
@@ -132,7 +132,7 @@ impl Builder<'_> {
     }
 
     /// Puts a value into what is open; the document itself is returned.
-    fn place(&mut self, tree: Tree) -> Option<Tree> {
+    fn place(&mut self, tree: KeyedTree) -> Option<KeyedTree> {
         match self.open.last_mut() {
             Some(open) => {
                 open.items.push(tree);
@@ -143,24 +143,24 @@ impl Builder<'_> {
     }
 
     /// The entries of a map: merged ones (`<<`) first, own ones override them; of a key that is there twice the last one counts.
-    fn map(&mut self, items: Vec<Tree>) -> Kind {
+    fn map(&mut self, items: Vec<KeyedTree>) -> Kind {
         let mut merged = Vec::new();
         let mut own = Vec::new();
         let mut items = items.into_iter();
         while let (Some(key), Some(value)) = (items.next(), items.next()) {
             if key.text() != Some("<<") {
-                own.push(Entry { key, value });
+                own.push(Pair { key, value });
                 continue;
             }
             match &*value.kind {
                 Kind::Map(entries) => merged.extend(entries.iter().cloned()),
                 Kind::List(maps) => {
-                    merged.extend(maps.iter().rev().filter_map(Tree::entries).flatten().cloned());
+                    merged.extend(maps.iter().rev().filter_map(KeyedTree::entries).flatten().cloned());
                 }
                 _ => {}
             }
         }
-        let mut entries: Vec<Entry> = Vec::with_capacity(merged.len() + own.len());
+        let mut entries: Vec<Pair> = Vec::with_capacity(merged.len() + own.len());
         let mut places: BTreeMap<String, (usize, bool)> = BTreeMap::new();
         for (entry, is_own) in
             merged.into_iter().map(|entry| (entry, false)).chain(own.into_iter().map(|entry| (entry, true)))
@@ -186,7 +186,7 @@ impl Builder<'_> {
         Kind::Map(entries)
     }
 
-    fn defined_twice(&mut self, first: &Tree, second: &Tree) {
+    fn defined_twice(&mut self, first: &KeyedTree, second: &KeyedTree) {
         let message = say!("`{}` is defined twice", second.spelled());
         self.findings.push(
             Diagnostic::new(&DUPLICATE_KEY, second.span, message)
@@ -285,7 +285,7 @@ fn float(text: &str) -> Option<f64> {
 mod tests {
     use super::*;
 
-    fn tree(text: &str) -> Tree {
+    fn tree(text: &str) -> KeyedTree {
         let mut findings = Findings::new();
         read(text, &mut findings).filter(|_| findings.is_empty()).unwrap()
     }
@@ -307,7 +307,7 @@ mod tests {
             ("1.5e+3", "Float(1500.0)"),
             (".5", "Float(0.5)"),
             ("10.", "Float(10.0)"),
-            ("-", "List([Tree { span: Span { start: 1, end: 1 }, kind: Null }])"),
+            ("-", "List([KeyedTree { span: Span { start: 1, end: 1 }, kind: Null }])"),
             ("y", "Text(\"y\")"),
             ("on", "Bool(true)"),
             ("No", "Bool(false)"),
@@ -324,7 +324,7 @@ mod tests {
     #[test]
     fn own_keys_override_merged_ones_and_keep_their_place() {
         let tree = tree("a: &a {x: 1, y: 2}\nb: {z: 0, <<: *a, y: 3}\n");
-        let entries = tree.get("b").and_then(Tree::entries).unwrap();
+        let entries = tree.get("b").and_then(KeyedTree::entries).unwrap();
         let shown: Vec<String> = entries
             .iter()
             .map(|entry| format!("{}={}", entry.key.spelled(), entry.value.spelled()))

@@ -7,8 +7,8 @@ use super::requested_value;
 use super::rules::OVERRIDDEN_KEY;
 use super::{Descriptions, too_many};
 use objdict_keyed::rules::{MISSING_KEY, UNKNOWN_KEY, WRONG_TYPE};
-use objdict_keyed::section::{Section, or_foreign, wrong};
-use objdict_keyed::tree::{Entry, Kind, Tree};
+use objdict_keyed::section::{KeyedTable, or_foreign, wrong};
+use objdict_keyed::tree::{KeyedTree, Kind, Pair};
 use objdict_keyed::yaml;
 use objdict_model::diagnostic::{Diagnostic, Findings, misspelled, say};
 use objdict_model::model::{Address, PdoKind};
@@ -88,9 +88,9 @@ struct Reader<'a, 'd> {
 }
 
 impl Reader<'_, '_> {
-    fn options(&mut self, tree: &Tree) {
+    fn options(&mut self, tree: &KeyedTree) {
         let findings = &mut *self.findings;
-        let Some(section) = Section::shared("options", tree, OPTIONS, findings) else { return };
+        let Some(section) = KeyedTable::shared("options", tree, OPTIONS, findings) else { return };
         if let Some(folder) = section.text("dcf_path", findings) {
             self.options.folder = self.descriptions.expanded(&folder.value);
         }
@@ -100,7 +100,7 @@ impl Reader<'_, '_> {
         self.options.retry_factor = section.integer("retry_factor", findings);
     }
 
-    fn heartbeat(&mut self, section: &Section<'_>) -> Heartbeat {
+    fn heartbeat(&mut self, section: &KeyedTable<'_>) -> Heartbeat {
         let findings = &mut *self.findings;
         Heartbeat {
             producer: section.integer("heartbeat_producer", findings),
@@ -112,8 +112,8 @@ impl Reader<'_, '_> {
         }
     }
 
-    fn manager(&mut self, tree: &Tree, bit_rate: &mut Option<Said<u16>>) -> Option<Manager> {
-        let section = Section::shared("master", tree, MASTER, self.findings)?;
+    fn manager(&mut self, tree: &KeyedTree, bit_rate: &mut Option<Said<u16>>) -> Option<Manager> {
+        let section = KeyedTable::shared("master", tree, MASTER, self.findings)?;
         let heartbeat = self.heartbeat(&section);
         let error_behavior = section
             .numbers("error_behavior", self.findings)
@@ -155,7 +155,7 @@ impl Reader<'_, '_> {
 
     /// The nodes of ros2_canopen, as dcfgen gets them: in the order of their names, with the keys of `defaults`.
     /// The nodes of a file of dcfgen: all keys but two, and but those that begin with a point.
-    fn nodes(&mut self, entries: &[Entry]) -> Vec<Entry> {
+    fn nodes(&mut self, entries: &[Pair]) -> Vec<Pair> {
         let mut nodes = Vec::new();
         for entry in entries {
             let name = entry.key.spelled();
@@ -175,7 +175,7 @@ impl Reader<'_, '_> {
         nodes
     }
 
-    fn ros_nodes(&mut self, tree: &Tree) -> Vec<Entry> {
+    fn ros_nodes(&mut self, tree: &KeyedTree) -> Vec<Pair> {
         for entry in tree.entries().unwrap_or_default() {
             let name = entry.key.spelled();
             if !KEYS_OF_ROS.contains(&&*name) {
@@ -185,7 +185,7 @@ impl Reader<'_, '_> {
                 self.findings.push(finding.help("move it below `nodes`, or correct it"));
             }
         }
-        let nodes = tree.get("nodes").and_then(Tree::entries);
+        let nodes = tree.get("nodes").and_then(KeyedTree::entries);
         let Some(nodes) = nodes else {
             if let Some(nodes) = tree.get("nodes") {
                 self.findings.push(
@@ -194,15 +194,15 @@ impl Reader<'_, '_> {
             }
             return Vec::new();
         };
-        let defaults = tree.get("defaults").and_then(Tree::entries).unwrap_or_default();
-        let mut nodes: Vec<Entry> = nodes.iter().map(|node| self.with_defaults(node, defaults)).collect();
+        let defaults = tree.get("defaults").and_then(KeyedTree::entries).unwrap_or_default();
+        let mut nodes: Vec<Pair> = nodes.iter().map(|node| self.with_defaults(node, defaults)).collect();
         nodes.sort_by_key(|entry| entry.key.spelled());
         nodes
     }
 
-    fn with_defaults(&mut self, node: &Entry, defaults: &[Entry]) -> Entry {
+    fn with_defaults(&mut self, node: &Pair, defaults: &[Pair]) -> Pair {
         let Some(own) = node.value.entries() else { return node.clone() };
-        let mut entries: BTreeMap<String, Entry> =
+        let mut entries: BTreeMap<String, Pair> =
             own.iter().map(|entry| (entry.key.spelled(), entry.clone())).collect();
         for default in defaults {
             let name = default.key.spelled();
@@ -218,13 +218,13 @@ impl Reader<'_, '_> {
             );
         }
         let entries =
-            entries.into_values().map(|entry| Entry { value: sorted(&entry.value), ..entry }).collect();
-        Entry { key: node.key.clone(), value: Tree::new(node.value.span, Kind::Map(entries)) }
+            entries.into_values().map(|entry| Pair { value: sorted(&entry.value), ..entry }).collect();
+        Pair { key: node.key.clone(), value: KeyedTree::new(node.value.span, Kind::Map(entries)) }
     }
 
-    fn node(&mut self, entry: &Entry) -> Option<Node> {
+    fn node(&mut self, entry: &Pair) -> Option<Node> {
         let name = entry.key.spelled();
-        let section = Section::shared(&name, &entry.value, NODE, self.findings)?;
+        let section = KeyedTable::shared(&name, &entry.value, NODE, self.findings)?;
         let heartbeat = self.heartbeat(&section);
         let error_behavior = section.numbers("error_behavior", self.findings);
         let pdos = PdoKind::ALL.into_iter().flat_map(|kind| self.pdos(&section, kind)).collect();
@@ -278,16 +278,16 @@ impl Reader<'_, '_> {
         Some(node)
     }
 
-    fn pdos(&mut self, section: &Section<'_>, kind: PdoKind) -> Vec<PdoRequest> {
+    fn pdos(&mut self, section: &KeyedTable<'_>, kind: PdoKind) -> Vec<PdoRequest> {
         let name = kind.name().to_ascii_lowercase();
         let numbered = section.numbered(&name, self.findings);
         numbered.into_iter().filter_map(|(number, tree)| self.pdo(kind, number, &tree)).collect()
     }
 
-    fn pdo(&mut self, kind: PdoKind, number: i128, tree: &Said<&Tree>) -> Option<PdoRequest> {
+    fn pdo(&mut self, kind: PdoKind, number: i128, tree: &Said<&KeyedTree>) -> Option<PdoRequest> {
         let pdo = PdoName { kind, number: u16::try_from(number).ok()? };
         let findings = &mut *self.findings;
-        let section = Section::shared(&pdo.to_string(), tree.value, PDO, findings)?;
+        let section = KeyedTable::shared(&pdo.to_string(), tree.value, PDO, findings)?;
         let cob_id = match section.get("cob_id") {
             Some(tree) if tree.text() == Some("auto") => Some(Said::new(RequestedCobId::Auto, tree.span)),
             _ => section
@@ -313,12 +313,12 @@ impl Reader<'_, '_> {
         })
     }
 
-    fn downloads(&mut self, section: &Section<'_>) -> Vec<Said<DownloadRequest>> {
+    fn downloads(&mut self, section: &KeyedTable<'_>) -> Vec<Said<DownloadRequest>> {
         let items = section.list("sdo", self.findings).unwrap_or_default();
         items.iter().filter_map(|item| self.download(item)).collect()
     }
 
-    fn download(&mut self, item: &Tree) -> Option<Said<DownloadRequest>> {
+    fn download(&mut self, item: &KeyedTree) -> Option<Said<DownloadRequest>> {
         let (Said { value: Address { index, sub }, .. }, section) = address("sdo", item, SDO, self.findings)?;
         let tree = section.get("value");
         let Some(value) = tree.map_or(Some(RequestedValue::Integer(0)), requested_value) else {
@@ -334,11 +334,11 @@ impl Reader<'_, '_> {
 /// The entry that an item of a list names.
 fn address<'t>(
     name: &str,
-    item: &'t Tree,
+    item: &'t KeyedTree,
     keys: &'static [objdict_keyed::section::Key],
     findings: &mut Findings,
-) -> Option<(Said<Address>, Section<'t>)> {
-    let section = Section::shared(name, item, keys, findings)?;
+) -> Option<(Said<Address>, KeyedTable<'t>)> {
+    let section = KeyedTable::shared(name, item, keys, findings)?;
     section.required(name, "index", findings)?;
     let index = section.integer("index", findings)?.value;
     let sub = match section.get("sub_index") {
@@ -349,11 +349,11 @@ fn address<'t>(
 }
 
 /// Whether two values are the same, but for where they stand.
-fn is_same(a: &Tree, b: &Tree) -> bool {
+fn is_same(a: &KeyedTree, b: &KeyedTree) -> bool {
     match (&*a.kind, &*b.kind) {
         (Kind::List(a), Kind::List(b)) => a.len() == b.len() && a.iter().zip(b).all(|(a, b)| is_same(a, b)),
         (Kind::Map(a), Kind::Map(b)) => {
-            let has = |entry: &Entry| {
+            let has = |entry: &Pair| {
                 let name = entry.key.spelled();
                 b.iter().any(|other| other.key.spelled() == name && is_same(&entry.value, &other.value))
             };
@@ -365,12 +365,12 @@ fn is_same(a: &Tree, b: &Tree) -> bool {
 }
 
 /// A map by number in the order of its numbers, which is how ros2_canopen writes it.
-fn sorted(tree: &Tree) -> Tree {
+fn sorted(tree: &KeyedTree) -> KeyedTree {
     let Some(entries) = tree.entries() else { return tree.clone() };
     let mut entries = entries.to_vec();
     entries.sort_by_key(|entry| match *entry.key.kind {
         Kind::Integer(number) => number,
         _ => i128::MAX,
     });
-    Tree::new(tree.span, Kind::Map(entries))
+    KeyedTree::new(tree.span, Kind::Map(entries))
 }

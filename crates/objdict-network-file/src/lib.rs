@@ -36,7 +36,7 @@ use objdict_format::input::{FileKind, Input, MAX_DEVICES, ReadError, Reading};
 use objdict_format::patch::Patch;
 use objdict_keyed as keyed;
 use objdict_keyed::rules::WRONG_TYPE;
-use objdict_keyed::tree::{Kind, Tree};
+use objdict_keyed::tree::{KeyedTree, Kind};
 use objdict_model::diagnostic::{At, Diagnostic, Findings, RuleInfo, say};
 use objdict_model::model::Device;
 use objdict_model::source::{
@@ -358,7 +358,7 @@ fn variable(text: &str) -> (&str, usize) {
 }
 
 /// The value of an entry; `None` for a list, a map or nothing.
-fn requested_value(tree: &Tree) -> Option<RequestedValue> {
+fn requested_value(tree: &KeyedTree) -> Option<RequestedValue> {
     Some(match &*tree.kind {
         Kind::Integer(number) => RequestedValue::Integer(*number),
         Kind::Bool(flag) => RequestedValue::Integer((*flag).into()),

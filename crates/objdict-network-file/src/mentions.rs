@@ -3,7 +3,7 @@
 use super::NetworkFile;
 use objdict_format::mention::{Digits, Mention, MentionKind};
 use objdict_keyed as keyed;
-use objdict_keyed::tree::{Entry, Kind, Tree};
+use objdict_keyed::tree::{KeyedTree, Kind, Pair};
 use objdict_keyed::yaml;
 use objdict_model::diagnostic::Findings;
 use objdict_model::source::Span;
@@ -41,14 +41,14 @@ struct Finder<'a> {
 }
 
 impl Finder<'_> {
-    fn of_toml(&mut self, tree: &Tree) {
-        let table = |name: &str| tree.get(name).and_then(Tree::entries).unwrap_or_default();
-        for Entry { key, value } in table("node") {
+    fn of_toml(&mut self, tree: &KeyedTree) {
+        let table = |name: &str| tree.get(name).and_then(KeyedTree::entries).unwrap_or_default();
+        for Pair { key, value } in table("node") {
             self.settings(&self.named(&key.spelled()), value);
         }
-        for Entry { key, value } in table("type") {
+        for Pair { key, value } in table("type") {
             let name = key.spelled();
-            let uses = |entry: &&Entry| entry.value.get("use").is_some_and(|used| used.spelled() == name);
+            let uses = |entry: &&Pair| entry.value.get("use").is_some_and(|used| used.spelled() == name);
             let users = table("node").iter().filter(uses);
             let users: Vec<usize> = users.flat_map(|entry| self.named(&entry.key.spelled())).collect();
             self.settings(&users, value);
@@ -59,9 +59,9 @@ impl Finder<'_> {
         }
     }
 
-    fn of_yaml(&mut self, tree: &Tree) {
+    fn of_yaml(&mut self, tree: &KeyedTree) {
         let nodes = tree.get("nodes").unwrap_or(tree);
-        for Entry { key, value } in nodes.entries().unwrap_or_default() {
+        for Pair { key, value } in nodes.entries().unwrap_or_default() {
             let nodes = self.named(&key.spelled());
             for item in value.get("sdo").map(items).unwrap_or_default() {
                 self.pair(&nodes, item);
@@ -81,8 +81,8 @@ impl Finder<'_> {
     }
 
     /// The keys of `set`, the entries of `sdo`, and the mappings of PDOs.
-    fn settings(&mut self, nodes: &[usize], table: &Tree) {
-        for Entry { key, .. } in table.get("set").and_then(Tree::entries).unwrap_or_default() {
+    fn settings(&mut self, nodes: &[usize], table: &KeyedTree) {
+        for Pair { key, .. } in table.get("set").and_then(KeyedTree::entries).unwrap_or_default() {
             self.text(nodes, key.span);
         }
         let downloads = table.get("sdo").map(items).unwrap_or_default();
@@ -93,7 +93,7 @@ impl Finder<'_> {
     }
 
     /// One end of a link: a node and its entries behind a point.
-    fn end(&mut self, end: &Tree) {
+    fn end(&mut self, end: &KeyedTree) {
         let text = end.span.of(self.text);
         let Some((node, _)) = text.split_once('.') else { return };
         let name = node.trim_start_matches(['"', '\'']).trim();
@@ -121,7 +121,7 @@ impl Finder<'_> {
     }
 
     /// `index` and `sub_index` of `bus.yml`.
-    fn pair(&mut self, nodes: &[usize], item: &Tree) {
+    fn pair(&mut self, nodes: &[usize], item: &KeyedTree) {
         let number = |name: &str| match item.get(name).map(|tree| (&*tree.kind, tree.span)) {
             Some((Kind::Integer(number), span)) => Some((u16::try_from(*number).ok()?, span)),
             _ => None,
@@ -142,14 +142,14 @@ impl Finder<'_> {
 }
 
 /// The items of a list, or the one value.
-fn items(tree: &Tree) -> &[Tree] {
+fn items(tree: &KeyedTree) -> &[KeyedTree] {
     match &*tree.kind {
         Kind::List(items) => items,
         _ => std::slice::from_ref(tree),
     }
 }
 
-fn pdos(table: &Tree) -> impl Iterator<Item = &Tree> {
+fn pdos(table: &KeyedTree) -> impl Iterator<Item = &KeyedTree> {
     let kinds = ["rpdo", "tpdo"].into_iter().filter_map(|kind| table.get(kind)?.entries());
     kinds.flatten().map(|entry| &entry.value)
 }

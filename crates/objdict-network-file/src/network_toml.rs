@@ -6,9 +6,9 @@ use super::rules::UNREADABLE_NODE;
 use super::types::with_type;
 use super::{Descriptions, too_many};
 use objdict_keyed::rules::{MISSING_KEY, WRONG_TYPE};
-use objdict_keyed::section::{Section, integer, wrong};
+use objdict_keyed::section::{KeyedTable, integer, wrong};
 use objdict_keyed::toml;
-use objdict_keyed::tree::{Entry, Kind, Tree};
+use objdict_keyed::tree::{KeyedTree, Kind, Pair};
 use objdict_model::diagnostic::{Diagnostic, Findings, Text, say};
 use objdict_model::model::{Address, Device, PdoKind};
 use objdict_model::source::Span;
@@ -26,7 +26,7 @@ pub(super) fn read(
     findings: &mut Findings,
 ) -> Option<Network> {
     let tree = toml::read(text, findings)?;
-    let section = Section::new("the network", &tree, NETWORK, findings)?;
+    let section = KeyedTable::new("the network", &tree, NETWORK, findings)?;
     let mut reader = Reader { descriptions, findings };
     let nodes = reader.nodes(&section)?;
     let mut network = Network { nodes, links: reader.links(&section), ..Network::default() };
@@ -41,10 +41,10 @@ struct Reader<'a, 'd> {
 
 impl Reader<'_, '_> {
     /// `[bus]` and `[manager]`.
-    fn bus(&mut self, root: &Section<'_>, network: &mut Network) {
-        let empty = Tree::new(Span::empty(0), Kind::Map(Vec::new()));
+    fn bus(&mut self, root: &KeyedTable<'_>, network: &mut Network) {
+        let empty = KeyedTree::new(Span::empty(0), Kind::Map(Vec::new()));
         let bus = root.get("bus").unwrap_or(&empty);
-        let Some(bus) = Section::new("bus", bus, BUS, self.findings) else { return };
+        let Some(bus) = KeyedTable::new("bus", bus, BUS, self.findings) else { return };
         let findings = &mut *self.findings;
         network.name = bus.text("name", findings).map(|name| name.value);
         network.bit_rate = bus.integer("bit-rate", findings);
@@ -82,12 +82,12 @@ impl Reader<'_, '_> {
         network.manager = manager;
     }
 
-    fn folder(&mut self, section: &Section<'_>) -> Option<String> {
+    fn folder(&mut self, section: &KeyedTable<'_>) -> Option<String> {
         let folder = section.text("run-time-folder", self.findings)?;
         Some(self.descriptions.expanded(&folder.value))
     }
 
-    fn sync(&mut self, bus: &Section<'_>, manager: Option<&mut Manager>) {
+    fn sync(&mut self, bus: &KeyedTable<'_>, manager: Option<&mut Manager>) {
         let findings = &mut *self.findings;
         let period = bus.time("sync", findings);
         let window = bus.time("sync-window", findings);
@@ -108,8 +108,8 @@ impl Reader<'_, '_> {
     }
 
     /// The manager; what its table does not say follows from its description.
-    fn manager(&mut self, tree: &Tree, node: Option<&Node>) -> Option<Manager> {
-        let section = Section::new("manager", tree, MANAGER, self.findings)?;
+    fn manager(&mut self, tree: &KeyedTree, node: Option<&Node>) -> Option<Manager> {
+        let section = KeyedTable::new("manager", tree, MANAGER, self.findings)?;
         let mut heartbeat = self.heartbeat(&section, "watches-nodes");
         if let Some(node) = node {
             heartbeat.producer = heartbeat.producer.or(node.heartbeat.producer);
@@ -151,7 +151,7 @@ impl Reader<'_, '_> {
         })
     }
 
-    fn heartbeat(&mut self, section: &Section<'_>, consumer: &str) -> Heartbeat {
+    fn heartbeat(&mut self, section: &KeyedTable<'_>, consumer: &str) -> Heartbeat {
         let factor = section.text("watch", self.findings).and_then(|watch| {
             let factor = factor(&watch.value);
             if factor.is_none() {
@@ -171,9 +171,9 @@ impl Reader<'_, '_> {
         }
     }
 
-    fn watched(&mut self, section: &Section<'_>) -> Vec<Said<Watch>> {
+    fn watched(&mut self, section: &KeyedTable<'_>) -> Vec<Said<Watch>> {
         let mut watched = Vec::new();
-        for Entry { key, value } in section.named("watches", self.findings) {
+        for Pair { key, value } in section.named("watches", self.findings) {
             let text = value.spelled();
             let milliseconds = || {
                 let time = nanoseconds(&text).filter(|time| time.is_multiple_of(1_000_000))?;
@@ -196,10 +196,10 @@ impl Reader<'_, '_> {
     }
 
     /// The nodes; `None` if there are too many.
-    fn nodes(&mut self, root: &Section<'_>) -> Option<Vec<Node>> {
+    fn nodes(&mut self, root: &KeyedTable<'_>) -> Option<Vec<Node>> {
         let types = root.named("type", self.findings);
         for kind in types {
-            Section::new(&format!("type {}", kind.key.spelled()), &kind.value, NODE, self.findings);
+            KeyedTable::new(&format!("type {}", kind.key.spelled()), &kind.value, NODE, self.findings);
         }
         let nodes = root.named("node", self.findings);
         if let Some(finding) = too_many(nodes.len(), nodes.last().map(|entry| entry.key.span)) {
@@ -210,7 +210,7 @@ impl Reader<'_, '_> {
     }
 
     /// A node; problems of its type are reported for the first node that uses it.
-    fn node_with_type(&mut self, entry: &Entry, types: &[Entry]) -> Option<Node> {
+    fn node_with_type(&mut self, entry: &Pair, types: &[Pair]) -> Option<Node> {
         let mut found = Findings::new();
         let entry = with_type(entry, types, &mut found);
         let node = Reader { descriptions: &mut *self.descriptions, findings: &mut found }.node(&entry);
@@ -226,9 +226,9 @@ impl Reader<'_, '_> {
         node
     }
 
-    fn node(&mut self, entry: &Entry) -> Option<Node> {
+    fn node(&mut self, entry: &Pair) -> Option<Node> {
         let name = entry.key.spelled();
-        let section = Section::new(&name, &entry.value, NODE, self.findings)?;
+        let section = KeyedTable::new(&name, &entry.value, NODE, self.findings)?;
         let mut heartbeat = self.heartbeat(&section, "watches-manager");
         heartbeat.watched = self.watched(&section);
         let error_behavior = section.numbers("error-behavior", self.findings);
@@ -266,7 +266,7 @@ impl Reader<'_, '_> {
         })
     }
 
-    fn with_modules(&mut self, section: &Section<'_>, device: Device) -> Option<Device> {
+    fn with_modules(&mut self, section: &KeyedTable<'_>, device: Device) -> Option<Device> {
         let Some(items) = section.list("modules", self.findings) else { return Some(device) };
         let numbers = items.iter().filter_map(|item| integer("modules", item, (1, 0xFFFF), self.findings));
         let numbers: Vec<u16> = numbers.filter_map(|number| u16::try_from(number).ok()).collect();
@@ -283,7 +283,7 @@ impl Reader<'_, '_> {
         }
     }
 
-    fn boot(&mut self, section: &Section<'_>) -> Boot {
+    fn boot(&mut self, section: &KeyedTable<'_>) -> Boot {
         let findings = &mut *self.findings;
         let default = Boot::default();
         let mut flag = |name, default| section.flag(name, findings).map_or(default, |flag| flag.value);
@@ -302,9 +302,9 @@ impl Reader<'_, '_> {
         }
     }
 
-    fn settings(&mut self, section: &Section<'_>) -> Vec<Said<Setting>> {
+    fn settings(&mut self, section: &KeyedTable<'_>) -> Vec<Said<Setting>> {
         let mut settings = Vec::new();
-        for Entry { key, value } in section.named("set", self.findings) {
+        for Pair { key, value } in section.named("set", self.findings) {
             let setting = match &*value.kind {
                 Kind::Null | Kind::List(_) | Kind::Map(_) => {
                     self.findings.push(wrong("set", value, "a value").help("write a number or a text"));
@@ -325,14 +325,14 @@ impl Reader<'_, '_> {
         settings
     }
 
-    fn pdos(&mut self, section: &Section<'_>, kind: PdoKind) -> Vec<PdoRequest> {
+    fn pdos(&mut self, section: &KeyedTable<'_>, kind: PdoKind) -> Vec<PdoRequest> {
         let numbered = section.numbered(&kind.name().to_ascii_lowercase(), self.findings);
         numbered.into_iter().filter_map(|(number, tree)| self.pdo(kind, number, &tree)).collect()
     }
 
-    fn pdo(&mut self, kind: PdoKind, number: i128, tree: &Said<&Tree>) -> Option<PdoRequest> {
+    fn pdo(&mut self, kind: PdoKind, number: i128, tree: &Said<&KeyedTree>) -> Option<PdoRequest> {
         let pdo = PdoName { kind, number: u16::try_from(number).ok()? };
-        let section = Section::new(&pdo.to_string(), tree.value, PDO, self.findings)?;
+        let section = KeyedTable::new(&pdo.to_string(), tree.value, PDO, self.findings)?;
         let transmission = self.transmission(&section);
         let mapping = section.get("map").map(|_| self.mapping(&section));
         let findings = &mut *self.findings;
@@ -355,7 +355,7 @@ impl Reader<'_, '_> {
         })
     }
 
-    fn transmission(&mut self, section: &Section<'_>) -> Option<Said<u8>> {
+    fn transmission(&mut self, section: &KeyedTable<'_>) -> Option<Said<u8>> {
         let text = section.text("type", self.findings)?;
         let number = transmission_type(&text.value);
         if number.is_none() {
@@ -368,7 +368,7 @@ impl Reader<'_, '_> {
         number.map(|number| Said::new(number, text.at))
     }
 
-    fn mapping(&mut self, section: &Section<'_>) -> Vec<Said<Address>> {
+    fn mapping(&mut self, section: &KeyedTable<'_>) -> Vec<Said<Address>> {
         let mut mapping = Vec::new();
         for text in section.texts("map", self.findings) {
             match text.value.parse::<LinkedEntries>().ok().and_then(|entries| entries.addresses()) {
@@ -383,14 +383,14 @@ impl Reader<'_, '_> {
         mapping
     }
 
-    fn downloads(&mut self, section: &Section<'_>) -> Vec<Said<DownloadRequest>> {
+    fn downloads(&mut self, section: &KeyedTable<'_>) -> Vec<Said<DownloadRequest>> {
         let items = section.list("sdo", self.findings).unwrap_or_default();
         items.iter().filter_map(|item| self.download(item)).flatten().collect()
     }
 
     /// The downloads of an item, one for each value.
-    fn download(&mut self, item: &Tree) -> Option<Vec<Said<DownloadRequest>>> {
-        let section = Section::new("sdo", item, SDO, self.findings)?;
+    fn download(&mut self, item: &KeyedTree) -> Option<Vec<Said<DownloadRequest>>> {
+        let section = KeyedTable::new("sdo", item, SDO, self.findings)?;
         section.required("sdo", "entry", self.findings)?;
         let value = section.required("sdo", "value", self.findings)?;
         let entry = section.text("entry", self.findings)?;
@@ -419,13 +419,13 @@ impl Reader<'_, '_> {
         Some(downloads)
     }
 
-    fn links(&mut self, root: &Section<'_>) -> Vec<Link> {
+    fn links(&mut self, root: &KeyedTable<'_>) -> Vec<Link> {
         let items = root.list("link", self.findings).unwrap_or_default();
         items.iter().filter_map(|item| self.link(item)).collect()
     }
 
-    fn link(&mut self, item: &Tree) -> Option<Link> {
-        let section = Section::new("link", item, LINK, self.findings)?;
+    fn link(&mut self, item: &KeyedTree) -> Option<Link> {
+        let section = KeyedTable::new("link", item, LINK, self.findings)?;
         section.required("link", "from", self.findings);
         section.required("link", "to", self.findings);
         let from = section.text("from", self.findings);
@@ -456,18 +456,18 @@ impl Reader<'_, '_> {
     }
 }
 
-fn identity(section: &Section<'_>, findings: &mut Findings) -> Option<IdentityLevel> {
+fn identity(section: &KeyedTable<'_>, findings: &mut Findings) -> Option<IdentityLevel> {
     let word = section.word("identity", findings)?;
     IdentityLevel::ALL.into_iter().find(|level| level.word() == word.value)
 }
 
-fn unused_pdos(section: &Section<'_>, findings: &mut Findings) -> Option<Said<UnusedPdos>> {
+fn unused_pdos(section: &KeyedTable<'_>, findings: &mut Findings) -> Option<Said<UnusedPdos>> {
     let word = section.word("unused-pdos", findings)?;
     Some(Said::new(if word.value == "off" { UnusedPdos::Off } else { UnusedPdos::Keep }, word.at))
 }
 
 /// Whether the file has a node of this name that cannot be read.
-fn is_unread(root: &Section<'_>, nodes: &[Node], name: &str) -> bool {
+fn is_unread(root: &KeyedTable<'_>, nodes: &[Node], name: &str) -> bool {
     let is_there = root.get("node").is_some_and(|table| table.get(name).is_some());
     is_there && nodes.iter().all(|node| node.name.value != name)
 }

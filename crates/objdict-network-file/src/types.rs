@@ -3,7 +3,7 @@
 use super::network_keys::NODE;
 use super::rules::UNKNOWN_TYPE;
 use objdict_keyed::section::wrong;
-use objdict_keyed::tree::{Entry, Kind, Tree};
+use objdict_keyed::tree::{KeyedTree, Kind, Pair};
 use objdict_model::diagnostic::{Diagnostic, Findings, nearest, say};
 
 /// The key that names the type of a node, or of a type.
@@ -11,7 +11,7 @@ const USE: &str = "use";
 
 /// A node with the keys of its type, and of the type that this one uses. Keys that the node has itself count more; tables
 /// are joined key by key, and other values are replaced.
-pub(super) fn with_type(node: &Entry, types: &[Entry], findings: &mut Findings) -> Entry {
+pub(super) fn with_type(node: &Pair, types: &[Pair], findings: &mut Findings) -> Pair {
     let mut value = node.value.clone();
     let mut names = Vec::new();
     let mut used = node.value.get(USE);
@@ -42,27 +42,27 @@ pub(super) fn with_type(node: &Entry, types: &[Entry], findings: &mut Findings) 
         value = joined(&value, &known(&found.value));
         used = found.value.get(USE);
     }
-    Entry { key: node.key.clone(), value }
+    Pair { key: node.key.clone(), value }
 }
 
 /// The keys of a type that a node may have; others are reported for the type.
-fn known(kind: &Tree) -> Tree {
-    let is_known = |entry: &&Entry| NODE.iter().any(|key| key.name == entry.key.spelled());
+fn known(kind: &KeyedTree) -> KeyedTree {
+    let is_known = |entry: &&Pair| NODE.iter().any(|key| key.name == entry.key.spelled());
     let entries = kind.entries().unwrap_or_default().iter().filter(is_known).cloned();
-    Tree::new(kind.span, Kind::Map(entries.collect()))
+    KeyedTree::new(kind.span, Kind::Map(entries.collect()))
 }
 
 /// A table with what another one has in addition; of anything else the first.
-fn joined(own: &Tree, general: &Tree) -> Tree {
+fn joined(own: &KeyedTree, general: &KeyedTree) -> KeyedTree {
     let (Some(entries), Some(others)) = (own.entries(), general.entries()) else { return own.clone() };
-    let find = |entries: &[Entry], key: &Tree| {
+    let find = |entries: &[Pair], key: &KeyedTree| {
         let found = entries.iter().find(|entry| entry.key.spelled() == key.spelled());
         found.map(|entry| entry.value.clone())
     };
-    let inherited = others.iter().map(|Entry { key, value }| Entry {
+    let inherited = others.iter().map(|Pair { key, value }| Pair {
         key: key.clone(),
         value: find(entries, key).map_or_else(|| value.clone(), |own| joined(&own, value)),
     });
     let added = entries.iter().filter(|entry| find(others, &entry.key).is_none()).cloned();
-    Tree::new(own.span, Kind::Map(inherited.chain(added).collect()))
+    KeyedTree::new(own.span, Kind::Map(inherited.chain(added).collect()))
 }

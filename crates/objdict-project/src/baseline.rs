@@ -50,7 +50,7 @@ objdict_model::error_messages! { BaselineError: from serde_json::Error as Json {
 /// The JSON of a baseline.
 #[derive(Deserialize)]
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
-pub struct Document {
+pub struct BaselineJson {
     /// The version of the document.
     #[cfg_attr(feature = "schema", schemars(with = "objdict_model::json::Version<VERSION>"))]
     version: u32,
@@ -80,7 +80,7 @@ impl Baseline {
     /// # Errors
     /// When the text is none, or one whose findings cannot be known again.
     pub fn read(text: &str) -> Result<Self, BaselineError> {
-        let document: Document = serde_json::from_str(text)?;
+        let document: BaselineJson = serde_json::from_str(text)?;
         if document.version != VERSION || document.fingerprints != FINGERPRINT_NAME {
             return Err(BaselineError::Version);
         }

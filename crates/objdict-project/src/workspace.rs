@@ -17,7 +17,7 @@ use crate::config::{Config, Project};
 
 /// Which configuration applies.
 #[derive(Clone, Debug, Default)]
-pub enum Configuration {
+pub enum ConfigSource {
     /// The nearest `objdict.toml`, in the folder of a file or above.
     #[default]
     Nearest,
@@ -71,9 +71,9 @@ impl Overrides {
 ///
 /// use objdict_format::{Format, read};
 /// use objdict_model::source::SourceFile;
-/// use objdict_project::workspace::{Configuration, Overrides, Workspace, findings};
+/// use objdict_project::workspace::{ConfigSource, Overrides, Workspace, findings};
 ///
-/// let mut workspace = Workspace::new(Configuration::Off, Overrides::default())?;
+/// let mut workspace = Workspace::new(ConfigSource::Off, Overrides::default())?;
 /// let path = Path::new("lamp.eds");
 /// let project = workspace.project_of(path)?;
 /// let lamp = read(SourceFile::from_text("lamp.eds", "[2000]\nDataType=5\n"), Format::Eds);
@@ -83,7 +83,7 @@ impl Overrides {
 /// ```
 #[derive(Debug, Default)]
 pub struct Workspace {
-    configuration: Configuration,
+    config: ConfigSource,
     overrides: Overrides,
     /// The configuration that holds in a folder.
     by_folder: BTreeMap<PathBuf, Option<Arc<Project>>>,
@@ -96,9 +96,9 @@ impl Workspace {
     ///
     /// # Errors
     /// When the configuration for all files cannot be opened.
-    pub fn new(configuration: Configuration, overrides: Overrides) -> Result<Self, SourceError> {
-        let mut made = Self { configuration, overrides, by_folder: BTreeMap::new(), projects: Vec::new() };
-        if let Configuration::At(path) = &made.configuration {
+    pub fn new(config: ConfigSource, overrides: Overrides) -> Result<Self, SourceError> {
+        let mut made = Self { config, overrides, by_folder: BTreeMap::new(), projects: Vec::new() };
+        if let ConfigSource::At(path) = &made.config {
             let path = path.clone();
             made.open(path)?;
         }
@@ -115,10 +115,10 @@ impl Workspace {
     /// # Errors
     /// When it cannot be opened.
     pub fn project_of(&mut self, path: &Path) -> Result<Option<Arc<Project>>, SourceError> {
-        match &self.configuration {
-            Configuration::Off => return Ok(None),
-            Configuration::At(_) => return Ok(self.projects.first().map(|(_, project)| project.clone())),
-            Configuration::Nearest => {}
+        match &self.config {
+            ConfigSource::Off => return Ok(None),
+            ConfigSource::At(_) => return Ok(self.projects.first().map(|(_, project)| project.clone())),
+            ConfigSource::Nearest => {}
         }
         let folder = path.parent().filter(|folder| *folder != Path::new("")).unwrap_or(Path::new("."));
         if let Some(known) = self.by_folder.get(folder) {

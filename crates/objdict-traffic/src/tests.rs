@@ -12,7 +12,7 @@ fn logs(texts: &[&'static str]) -> MergedLogs<&'static [u8]> {
 
 /// Descriptions of the drive of the fixtures (vendor 3F9h, product 402h), so many, without a node-ID.
 fn drives(count: usize) -> Descriptions {
-    let path = Path::new("fixtures/eds/drive-402.eds");
+    let path = Path::new("../../fixtures/eds/drive-402.eds");
     let device = open(path, &Default::default()).unwrap().device().clone();
     let mut found = Descriptions::default();
     for number in 1..=count {

@@ -1,6 +1,6 @@
 //! The language server: an editor in this process opens files, changes them and asks.
 
-mod client;
+pub(crate) mod client;
 mod findings;
 mod folder;
 mod keyed;

@@ -8,7 +8,7 @@ use std::path::{Path, PathBuf};
 use super::cargo::Cargo;
 use super::{Built, Error};
 #[cfg(feature = "lint")]
-use crate::pipeline::Configuration;
+use crate::pipeline::ConfigSource;
 use crate::pipeline::{CheckedDescription, Generation, OutputFolder, Request, Used, placed};
 use objdict_format::ReadError;
 use objdict_format::input::FileKind;
@@ -153,14 +153,14 @@ impl Builder {
     /// The configuration; without it, the nearest `objdict.toml` in the folder of the description or above.
     #[cfg(feature = "lint")]
     pub fn config(mut self, file: impl AsRef<Path>) -> Self {
-        self.request.check.config = Configuration::At(file.as_ref().to_owned());
+        self.request.check.config = ConfigSource::At(file.as_ref().to_owned());
         self
     }
 
     /// Uses no configuration.
     #[cfg(feature = "lint")]
     pub fn no_config(mut self) -> Self {
-        self.request.check.config = Configuration::Off;
+        self.request.check.config = ConfigSource::Off;
         self
     }
 

@@ -3,6 +3,7 @@
 //! The simple case is one line. It writes `od.rs` to `OUT_DIR`:
 //!
 //! ```no_run
+//! # extern crate objdict_build as objdict;
 //! // build.rs
 //! fn main() -> Result<(), objdict::build_script::Error> {
 //!     objdict::build_script::generate("motor.eds")?;
@@ -13,6 +14,7 @@
 //! Every option of the command `objdict generate` is a method of [`Builder`]:
 //!
 //! ```no_run
+//! # mod objdict { pub use objdict_build::build_script; pub use objdict_generate as generate; }
 //! use objdict::build_script::Builder;
 //! use objdict::generate::Target;
 //!

@@ -41,6 +41,7 @@ impl DatumDifference {
 /// Where two devices differ, in the order of the model. The order of sections that the model does not know says nothing.
 ///
 /// ```
+/// # mod objdict { pub use objdict_format::compare; pub use objdict_model::model; }
 /// use objdict::compare::differences;
 /// use objdict::model::{Device, Entry, Object};
 ///

@@ -1,7 +1,7 @@
 //! What follows from missing keys of an entry, for the reader and for the writer.
 
 use objdict_keyed::rules::WRONG_TYPE;
-use objdict_keyed::section::Section;
+use objdict_keyed::section::KeyedTable;
 use objdict_model::diagnostic::{Diagnostic, Findings, say};
 use objdict_model::model::{Access, DataType, Entry, ObjectType, PdoMapping, Value};
 
@@ -72,7 +72,7 @@ impl Omissions {
     }
 
     /// Those of the key `unstated`; `None` without it.
-    pub(super) fn read(section: &Section<'_>, findings: &mut Findings) -> Option<Self> {
+    pub(super) fn read(section: &KeyedTable<'_>, findings: &mut Findings) -> Option<Self> {
         section.get("unstated")?;
         let mut omissions = Self::default();
         for text in section.texts("unstated", findings) {

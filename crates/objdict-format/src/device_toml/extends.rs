@@ -7,7 +7,7 @@ use super::merge::Merged;
 use crate::identify::{ContentKind, identify_source};
 use objdict_keyed::rules::WRONG_TYPE;
 use objdict_keyed::toml;
-use objdict_keyed::tree::{Entry, Kind, Tree};
+use objdict_keyed::tree::{KeyedTree, Kind, Pair};
 use objdict_model::diagnostic::{Diagnostic, Findings, Text, say};
 use objdict_model::source::{Folder, MAX_TOML_SIZE, SourceFile, SourceOptions, Span, is_file};
 
@@ -56,12 +56,12 @@ pub(super) fn read(text: &str, name: &str, findings: &mut Findings) -> Option<Ba
 /// The files that were followed, the nearest first; the first one is that which extends.
 struct Chain {
     files: Vec<PathBuf>,
-    trees: Vec<Tree>,
+    trees: Vec<KeyedTree>,
 }
 
 impl Chain {
     /// Reads one more file; returns what this one extends.
-    fn follow(&mut self, named: &Tree, span: Span) -> Result<Option<Tree>, (Text, Text)> {
+    fn follow(&mut self, named: &KeyedTree, span: Span) -> Result<Option<KeyedTree>, (Text, Text)> {
         let name = named.spelled();
         let Some(file) = self.files.last().filter(|file| is_file(file)) else {
             let help = "read the file by its path, not from the standard input";
@@ -97,7 +97,7 @@ impl Chain {
 }
 
 /// The tree of a file.
-fn opened(path: &Path) -> Result<Tree, String> {
+fn opened(path: &Path) -> Result<KeyedTree, String> {
     let options = SourceOptions { encoding: None, max_size: MAX_TOML_SIZE };
     let source = SourceFile::open(path, &options).map_err(|error| error.to_string())?;
     if identify_source(&source).kind != ContentKind::DeviceToml {
@@ -111,23 +111,23 @@ fn opened(path: &Path) -> Result<Tree, String> {
 }
 
 /// What a file says of its device: variants are of the file alone.
-fn only_device(tree: &Tree) -> Tree {
-    let is_other = |entry: &&Entry| !matches!(entry.key.text(), Some("format" | "extends" | "variant"));
+fn only_device(tree: &KeyedTree) -> KeyedTree {
+    let is_other = |entry: &&Pair| !matches!(entry.key.text(), Some("format" | "extends" | "variant"));
     let entries = tree.entries().unwrap_or_default().iter().filter(is_other);
-    Tree::new(tree.span, Kind::Map(entries.cloned().collect()))
+    KeyedTree::new(tree.span, Kind::Map(entries.cloned().collect()))
 }
 
 /// The tree with all its values in one place.
-fn placed(tree: &Tree, span: Span) -> Tree {
+fn placed(tree: &KeyedTree, span: Span) -> KeyedTree {
     let kind = match &*tree.kind {
         Kind::List(items) => Kind::List(items.iter().map(|item| placed(item, span)).collect()),
         Kind::Map(entries) => {
             let entries = entries
                 .iter()
-                .map(|Entry { key, value }| Entry { key: placed(key, span), value: placed(value, span) });
+                .map(|Pair { key, value }| Pair { key: placed(key, span), value: placed(value, span) });
             Kind::Map(entries.collect())
         }
         kind => kind.clone(),
     };
-    Tree::new(span, kind)
+    KeyedTree::new(span, kind)
 }

@@ -7,8 +7,8 @@ use serde_json::{Map, Value, json};
 
 use super::words::{key, quoted};
 use objdict_keyed::rules::WRONG_TYPE;
-use objdict_keyed::section::{Key, Section, Shape};
-use objdict_keyed::tree::{Kind, Tree};
+use objdict_keyed::section::{Key, KeyedTable, Shape};
+use objdict_keyed::tree::{KeyedTree, Kind};
 use objdict_model::diagnostic::{Diagnostic, Findings, say};
 
 /// What a field is without its key.
@@ -35,7 +35,7 @@ pub(super) fn implied_device(rpdos: u16, tpdos: u16) -> Vec<Implied> {
 
 /// The part that a section describes; `None` in the place of a section is one without keys.
 pub(super) fn read<T: DeserializeOwned + Default>(
-    section: Option<&Section<'_>>,
+    section: Option<&KeyedTable<'_>>,
     keys: &'static [Key],
     implied: &[Implied],
     findings: &mut Findings,
@@ -79,7 +79,12 @@ fn parse<T: DeserializeOwned>(fields: Map<String, Value>) -> Result<T, String> {
 }
 
 /// The field of a key with its value in JSON.
-fn stated(key: &Key, section: &Section<'_>, tree: &Tree, findings: &mut Findings) -> Option<(String, Value)> {
+fn stated(
+    key: &Key,
+    section: &KeyedTable<'_>,
+    tree: &KeyedTree,
+    findings: &mut Findings,
+) -> Option<(String, Value)> {
     let value = match (key.name, &key.shape) {
         ("unstated", _) => return None,
         ("bit-rates", _) => return Some(("baud_rates".to_owned(), bit_rates(tree))),
@@ -100,7 +105,7 @@ pub(super) fn field(key: &str) -> String {
 }
 
 /// The bit rates of a list: the others that CiA 301 defines are not supported.
-fn bit_rates(tree: &Tree) -> Value {
+fn bit_rates(tree: &KeyedTree) -> Value {
     let one = std::slice::from_ref(tree);
     let listed = match &*tree.kind {
         Kind::List(items) => items.as_slice(),
@@ -115,9 +120,9 @@ fn bit_rates(tree: &Tree) -> Value {
 }
 
 /// Pairs of texts by a table of them, or a list where keys are there more than once.
-pub(super) fn pairs(tree: &Tree) -> Value {
+pub(super) fn pairs(tree: &KeyedTree) -> Value {
     if let Kind::List(items) = &*tree.kind {
-        let pair = |item: &Tree| match &*item.kind {
+        let pair = |item: &KeyedTree| match &*item.kind {
             Kind::List(pair) => pair.iter().map(|text| Value::from(text.spelled())).collect(),
             _ => json!([item.spelled(), ""]),
         };

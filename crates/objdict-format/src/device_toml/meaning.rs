@@ -3,7 +3,7 @@
 use super::reader::Reader;
 use super::words::{key, quoted};
 use objdict_keyed::rules::WRONG_TYPE;
-use objdict_keyed::section::Section;
+use objdict_keyed::section::KeyedTable;
 use objdict_model::diagnostic::{Diagnostic, Findings, say};
 use objdict_model::model::{
     AllowedValues, ApplicationProcess, DataTypeRef, Device, Entry, Label, Labels, Parameter, ScaledValue,
@@ -14,7 +14,7 @@ use objdict_model::model::{
 const LANGUAGE: &str = "en";
 
 /// Reads the meaning of an entry into its parameter.
-pub(super) fn read(section: &Section<'_>, address: &str, entry: &mut Entry, reader: &mut Reader<'_>) {
+pub(super) fn read(section: &KeyedTable<'_>, address: &str, entry: &mut Entry, reader: &mut Reader<'_>) {
     let findings = &mut *reader.findings;
     if let Some(text) = section.text("description", findings) {
         entry.parameter_mut().labels = described(&text.value);
@@ -42,7 +42,7 @@ pub(super) fn read(section: &Section<'_>, address: &str, entry: &mut Entry, read
     }
 }
 
-fn members(section: &Section<'_>, address: &str, findings: &mut Findings) -> Vec<VarDeclaration> {
+fn members(section: &KeyedTable<'_>, address: &str, findings: &mut Findings) -> Vec<VarDeclaration> {
     let mut members = Vec::new();
     for bits in section.named("bits", findings) {
         let text = bits.key.spelled();

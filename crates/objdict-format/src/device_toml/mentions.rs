@@ -3,7 +3,7 @@
 use super::document::Document;
 use crate::mention::{Digits, Mention, MentionKind};
 use objdict_keyed::toml;
-use objdict_keyed::tree::{Entry, Kind, Tree};
+use objdict_keyed::tree::{KeyedTree, Kind, Pair};
 use objdict_model::source::Span;
 
 impl Document {
@@ -13,7 +13,7 @@ impl Document {
         let mut finder = Finder { text, found: Vec::new() };
         if let Some(tree) = toml::read(text, &mut objdict_model::diagnostic::Findings::new()) {
             finder.of_device(&tree);
-            for Entry { value, .. } in tree.get("variant").and_then(Tree::entries).unwrap_or_default() {
+            for Pair { value, .. } in tree.get("variant").and_then(KeyedTree::entries).unwrap_or_default() {
                 finder.of_device(value);
             }
             finder.headers();
@@ -31,26 +31,26 @@ struct Finder<'a> {
 }
 
 impl Finder<'_> {
-    fn of_device(&mut self, tree: &Tree) {
-        for Entry { key, value } in tree.get("object").and_then(Tree::entries).unwrap_or_default() {
+    fn of_device(&mut self, tree: &KeyedTree) {
+        for Pair { key, value } in tree.get("object").and_then(KeyedTree::entries).unwrap_or_default() {
             let Some(object) = Mention::of_address(self.text, key.span, MentionKind::Section) else {
                 continue;
             };
             self.found.push(object);
-            for entry in value.get("sub").and_then(Tree::entries).unwrap_or_default() {
+            for entry in value.get("sub").and_then(KeyedTree::entries).unwrap_or_default() {
                 self.sub(object.index, entry.key.span);
             }
             value.get("links").into_iter().for_each(|links| self.words(links));
         }
-        let lists = tree.get("lists").and_then(Tree::entries).unwrap_or_default();
+        let lists = tree.get("lists").and_then(KeyedTree::entries).unwrap_or_default();
         lists.iter().for_each(|entry| self.words(&entry.value));
         let removed = tree.get("remove");
         removed.into_iter().for_each(|removed| self.words(removed));
-        for Entry { key, .. } in removed.and_then(Tree::entries).unwrap_or_default() {
+        for Pair { key, .. } in removed.and_then(KeyedTree::entries).unwrap_or_default() {
             self.found.extend(Mention::of_address(self.text, key.span, MentionKind::List));
         }
         for kind in ["rpdo", "tpdo"] {
-            for Entry { value, .. } in tree.get(kind).and_then(Tree::entries).unwrap_or_default() {
+            for Pair { value, .. } in tree.get(kind).and_then(KeyedTree::entries).unwrap_or_default() {
                 let mapped = value.get("map").map(items).unwrap_or_default().iter();
                 let mapped =
                     mapped.filter_map(|item| Mention::of_address(self.text, item.span, MentionKind::Mapping));
@@ -80,7 +80,7 @@ impl Finder<'_> {
     }
 
     /// Addresses with blanks between them; ranges name no single object.
-    fn words(&mut self, list: &Tree) {
+    fn words(&mut self, list: &KeyedTree) {
         for item in items(list) {
             let Kind::Text(_) = &*item.kind else { continue };
             let mut start = item.span.start;
@@ -120,7 +120,7 @@ impl Finder<'_> {
 }
 
 /// The items of a list, or the one value.
-fn items(tree: &Tree) -> &[Tree] {
+fn items(tree: &KeyedTree) -> &[KeyedTree] {
     match &*tree.kind {
         Kind::List(items) => items,
         _ => std::slice::from_ref(tree),

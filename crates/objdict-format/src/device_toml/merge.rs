@@ -3,27 +3,27 @@
 use std::collections::{BTreeMap, BTreeSet};
 
 use super::words::{index, sub};
-use objdict_keyed::tree::{Entry, Kind, Tree};
+use objdict_keyed::tree::{KeyedTree, Kind, Pair};
 use objdict_model::source::Span;
 
 /// Trees that were merged.
 #[derive(Clone, Debug)]
 pub(super) struct Merged {
-    pub(super) tree: Tree,
+    pub(super) tree: KeyedTree,
     /// What nearer trees removed from those below them, in capital letters; no profile has to bring it.
     pub(super) taken: BTreeSet<String>,
 }
 
 impl Merged {
-    pub(super) fn new(tree: Tree) -> Self {
+    pub(super) fn new(tree: KeyedTree) -> Self {
         Self { tree, taken: BTreeSet::new() }
     }
 
     /// The same with a nearer tree on top.
-    pub(super) fn with(self, near: &Tree) -> Self {
+    pub(super) fn with(self, near: &KeyedTree) -> Self {
         let Self { mut tree, mut taken } = self;
         let removed = removals(near);
-        for Entry { key, .. } in &removed {
+        for Pair { key, .. } in &removed {
             let address = key.spelled().to_ascii_uppercase();
             for path in paths_of(&address) {
                 if let Some(rest) = without(&tree, &path) {
@@ -44,19 +44,19 @@ impl Merged {
         removals.extend(removed);
         let mut tree = merged(&tree, near);
         if let Kind::Map(entries) = &*tree.kind {
-            let mut entries: Vec<Entry> =
+            let mut entries: Vec<Pair> =
                 entries.iter().filter(|entry| entry.key.text() != Some("remove")).cloned().collect();
-            let key = Tree::new(Span::empty(0), Kind::Text("remove".to_owned()));
-            entries.push(Entry { key, value: Tree::new(Span::empty(0), Kind::Map(removals)) });
-            tree = Tree::new(tree.span, Kind::Map(entries));
+            let key = KeyedTree::new(Span::empty(0), Kind::Text("remove".to_owned()));
+            entries.push(Pair { key, value: KeyedTree::new(Span::empty(0), Kind::Map(removals)) });
+            tree = KeyedTree::new(tree.span, Kind::Map(entries));
         }
         Self { tree, taken }
     }
 }
 
 /// What `remove` names, each as a key.
-fn removals(tree: &Tree) -> Vec<Entry> {
-    let entry = |key: &Tree| Entry { key: key.clone(), value: Tree::new(key.span, Kind::Null) };
+fn removals(tree: &KeyedTree) -> Vec<Pair> {
+    let entry = |key: &KeyedTree| Pair { key: key.clone(), value: KeyedTree::new(key.span, Kind::Null) };
     match tree.get("remove").map(|tree| (tree, &*tree.kind)) {
         None => Vec::new(),
         Some((_, Kind::List(items))) => items.iter().map(entry).collect(),
@@ -96,11 +96,11 @@ fn spelling(key: &str) -> String {
     }
 }
 
-fn entry_of<'t>(tree: &'t Tree, key: &str) -> Option<&'t Entry> {
+fn entry_of<'t>(tree: &'t KeyedTree, key: &str) -> Option<&'t Pair> {
     tree.entries()?.iter().find(|entry| spelling(&entry.key.spelled()) == spelling(key))
 }
 
-fn has(tree: &Tree, path: &[String]) -> bool {
+fn has(tree: &KeyedTree, path: &[String]) -> bool {
     match path {
         [] => true,
         [key, rest @ ..] => entry_of(tree, key).is_some_and(|entry| has(&entry.value, rest)),
@@ -108,31 +108,31 @@ fn has(tree: &Tree, path: &[String]) -> bool {
 }
 
 /// The tree without what is at a path; `None` where nothing is.
-fn without(tree: &Tree, path: &[String]) -> Option<Tree> {
+fn without(tree: &KeyedTree, path: &[String]) -> Option<KeyedTree> {
     let (key, rest) = path.split_first()?;
     let found = entry_of(tree, key)?;
     let replaced = if rest.is_empty() { None } else { Some(without(&found.value, rest)?) };
     let entries = tree.entries()?.iter().filter_map(|entry| match &replaced {
         _ if !std::ptr::eq(entry, found) => Some(entry.clone()),
         None => None,
-        Some(value) => Some(Entry { key: entry.key.clone(), value: value.clone() }),
+        Some(value) => Some(Pair { key: entry.key.clone(), value: value.clone() }),
     });
-    Some(Tree::new(tree.span, Kind::Map(entries.collect())))
+    Some(KeyedTree::new(tree.span, Kind::Map(entries.collect())))
 }
 
 /// Two trees as one. What both have is in the place of the nearer one.
-fn merged(far: &Tree, near: &Tree) -> Tree {
+fn merged(far: &KeyedTree, near: &KeyedTree) -> KeyedTree {
     let (Kind::Map(below), Kind::Map(above)) = (&*far.kind, &*near.kind) else { return near.clone() };
-    let mut nearer: BTreeMap<String, &Entry> =
+    let mut nearer: BTreeMap<String, &Pair> =
         above.iter().map(|entry| (spelling(&entry.key.spelled()), entry)).collect();
-    let mut entries: Vec<Entry> = Vec::with_capacity(below.len() + above.len());
+    let mut entries: Vec<Pair> = Vec::with_capacity(below.len() + above.len());
     for entry in below {
         entries.push(match nearer.remove(&spelling(&entry.key.spelled())) {
             None => entry.clone(),
-            Some(own) => Entry { key: own.key.clone(), value: merged(&entry.value, &own.value) },
+            Some(own) => Pair { key: own.key.clone(), value: merged(&entry.value, &own.value) },
         });
     }
-    let is_new = |entry: &&Entry| nearer.contains_key(&spelling(&entry.key.spelled()));
+    let is_new = |entry: &&Pair| nearer.contains_key(&spelling(&entry.key.spelled()));
     entries.extend(above.iter().filter(is_new).cloned());
-    Tree::new(near.span, Kind::Map(entries))
+    KeyedTree::new(near.span, Kind::Map(entries))
 }

@@ -37,9 +37,9 @@ pub(super) use self::start::start;
 use crate::compare::each_difference;
 use crate::scaffold;
 use objdict_keyed::rules::WRONG_TYPE;
-use objdict_keyed::section::Section;
+use objdict_keyed::section::KeyedTable;
 use objdict_keyed::toml;
-use objdict_keyed::tree::{Kind, Tree};
+use objdict_keyed::tree::{KeyedTree, Kind};
 use objdict_model::diagnostic::{Diagnostic, Findings, say};
 #[cfg(feature = "full")]
 use objdict_model::model::Object;
@@ -95,7 +95,7 @@ fn variants_of(text: &str) -> Vec<String> {
 
 /// The device of a tree.
 fn of_tree(merged: &Merged, findings: &mut Findings) -> Device {
-    let Some(root) = Section::new("device.toml", &merged.tree, keys::root(), findings) else {
+    let Some(root) = KeyedTable::new("device.toml", &merged.tree, keys::root(), findings) else {
         return Device::default();
     };
     if let Some(format) = root.required("device.toml", "format", findings).and(root.word("format", findings))
@@ -120,7 +120,7 @@ fn of_tree(merged: &Merged, findings: &mut Findings) -> Device {
 }
 
 /// A reader of objects, with the defaults of the text.
-fn reader<'f>(root: &Section<'_>, findings: &'f mut Findings) -> Reader<'f> {
+fn reader<'f>(root: &KeyedTable<'_>, findings: &'f mut Findings) -> Reader<'f> {
     let application = ApplicationProcess::default();
     let mut reader = Reader { defaults: Defaults::default(), findings, application, ranged: 0 };
     if let Some(tree) = root.get("defaults") {
@@ -134,7 +134,7 @@ fn reader<'f>(root: &Section<'_>, findings: &'f mut Findings) -> Reader<'f> {
 pub(super) fn object_writer(text: &str) -> Option<impl Fn(u16, &Object) -> String> {
     let mut findings = Findings::new();
     let tree = merged(text, None, None, &mut findings)?.tree;
-    let root = Section::new("device.toml", &tree, keys::root(), &mut findings)?;
+    let root = KeyedTable::new("device.toml", &tree, keys::root(), &mut findings)?;
     let defaults = reader(&root, &mut findings).defaults;
     Some(move |index, object: &Object| {
         let mut line = String::new();
@@ -145,7 +145,7 @@ pub(super) fn object_writer(text: &str) -> Option<impl Fn(u16, &Object) -> Strin
 }
 
 /// Reads the objects; PDOs after what they map.
-fn read_objects(root: &Section<'_>, device: &mut Device, findings: &mut Findings) {
+fn read_objects(root: &KeyedTable<'_>, device: &mut Device, findings: &mut Findings) {
     let mut reader = reader(root, findings);
     let tree = root.get("object");
     if let Some(tree) = tree {
@@ -163,7 +163,7 @@ fn read_objects(root: &Section<'_>, device: &mut Device, findings: &mut Findings
 }
 
 /// The numbers of PDOs that the device has in the end, where no key states others.
-fn count_pdos(root: &Section<'_>, device: &mut Device) {
+fn count_pdos(root: &KeyedTable<'_>, device: &mut Device) {
     let section = root.get("device");
     let is_stated = |key: &str| {
         let unstated = section.and_then(|section| section.get("unstated"));
@@ -185,12 +185,12 @@ fn count_pdos(root: &Section<'_>, device: &mut Device) {
 }
 
 /// The parts about file, device and node.
-fn frame(root: &Section<'_>, device: &mut Device, base: Option<&DeviceInfo>, findings: &mut Findings) {
+fn frame(root: &KeyedTable<'_>, device: &mut Device, base: Option<&DeviceInfo>, findings: &mut Findings) {
     let unstated: Vec<String> =
         root.texts("unstated", findings).into_iter().map(|text| text.value.to_owned()).collect();
     let is_stated = |name: &str| !unstated.iter().any(|word| word == name);
     let section = |name: &str, keys, findings: &mut Findings| {
-        root.get(name).and_then(|tree| Section::new(name, tree, keys, findings))
+        root.get(name).and_then(|tree| KeyedTable::new(name, tree, keys, findings))
     };
     let file = section("file", FILE, findings);
     if is_stated("file") {
@@ -222,7 +222,7 @@ fn frame(root: &Section<'_>, device: &mut Device, base: Option<&DeviceInfo>, fin
     device.comments = match root.get("comments") {
         None => device.comments.take().filter(|_| is_stated("comments")),
         Some(tree) => Some(match &*tree.kind {
-            Kind::List(items) => items.iter().map(Tree::spelled).collect(),
+            Kind::List(items) => items.iter().map(KeyedTree::spelled).collect(),
             _ => tree.spelled().split('\n').map(str::to_owned).collect(),
         }),
     };
@@ -230,8 +230,8 @@ fn frame(root: &Section<'_>, device: &mut Device, base: Option<&DeviceInfo>, fin
 }
 
 /// The sections that CiA's documents do not have; a list where several have the same name.
-fn extra(root: &Section<'_>, findings: &mut Findings) -> Vec<ExtraSection> {
-    let section = |name: &str, entries: &Tree| {
+fn extra(root: &KeyedTable<'_>, findings: &mut Findings) -> Vec<ExtraSection> {
+    let section = |name: &str, entries: &KeyedTree| {
         let entries: Extra = serde_json::from_str(&facts::pairs(entries).to_string()).unwrap_or_default();
         ExtraSection::new(name, &entries)
     };
@@ -246,9 +246,9 @@ fn extra(root: &Section<'_>, findings: &mut Findings) -> Vec<ExtraSection> {
     named.map(|entry| section(&entry.key.spelled(), &entry.value)).collect()
 }
 
-fn read_lists(root: &Section<'_>, device: &Device, findings: &mut Findings) -> ObjectLists {
+fn read_lists(root: &KeyedTable<'_>, device: &Device, findings: &mut Findings) -> ObjectLists {
     let mut read = lists::implied(device);
-    let section = root.get("lists").and_then(|tree| Section::new("lists", tree, LISTS, findings));
+    let section = root.get("lists").and_then(|tree| KeyedTable::new("lists", tree, LISTS, findings));
     let Some(section) = section else { return read };
     let unstated: Vec<String> =
         section.texts("unstated", findings).into_iter().map(|text| text.value.to_owned()).collect();

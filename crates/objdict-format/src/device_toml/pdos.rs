@@ -4,8 +4,8 @@ use super::keys::PDO;
 use super::words::{index, quoted, sub, value_of};
 use crate::scaffold::{self, Features};
 use objdict_keyed::rules::WRONG_TYPE;
-use objdict_keyed::section::{Section, wrong};
-use objdict_keyed::tree::Tree;
+use objdict_keyed::section::{KeyedTable, wrong};
+use objdict_keyed::tree::KeyedTree;
 use objdict_model::diagnostic::{Diagnostic, Findings, say};
 use objdict_model::model::{
     CobId, DataType, Device, MappedObject, Object, Objects, PdoKind, Value, predefined,
@@ -47,11 +47,11 @@ pub(super) fn is_pdo(index: u16) -> bool {
 }
 
 /// Reads the PDOs of a direction into a device that has the other objects.
-pub(super) fn read(root: &Section<'_>, kind: PdoKind, device: &mut Device, findings: &mut Findings) {
+pub(super) fn read(root: &KeyedTable<'_>, kind: PdoKind, device: &mut Device, findings: &mut Findings) {
     let name = if kind == PdoKind::Rpdo { "rpdo" } else { "tpdo" };
     let mut standard = Standard::default();
     for (number, tree) in root.numbered(name, findings) {
-        let Some(section) = Section::new(name, tree.value, PDO, findings) else { continue };
+        let Some(section) = KeyedTable::new(name, tree.value, PDO, findings) else { continue };
         let said = PdoSaid {
             map: section.get("map").map(|_| mapped(&section, device, findings)),
             cob_id: section.get("cob-id").and_then(|tree| cob_id(tree, kind, number, findings)),
@@ -64,7 +64,7 @@ pub(super) fn read(root: &Section<'_>, kind: PdoKind, device: &mut Device, findi
     }
 }
 
-fn transmission(section: &Section<'_>, findings: &mut Findings) -> Option<u8> {
+fn transmission(section: &KeyedTable<'_>, findings: &mut Findings) -> Option<u8> {
     let text = section.text("transmission", findings)?;
     let number = transmission_type(&text.value);
     if number.is_none() {
@@ -74,7 +74,7 @@ fn transmission(section: &Section<'_>, findings: &mut Findings) -> Option<u8> {
     number
 }
 
-fn cob_id(tree: &Tree, kind: PdoKind, number: i128, findings: &mut Findings) -> Option<Value> {
+fn cob_id(tree: &KeyedTree, kind: PdoKind, number: i128, findings: &mut Findings) -> Option<Value> {
     if tree.text() == Some("off") {
         return Some(usual_cob_id(kind, u16::try_from(number).unwrap_or(1)).disabled().to_value());
     }
@@ -89,7 +89,7 @@ fn usual_cob_id(kind: PdoKind, number: u16) -> CobId {
     kind.predefined_can_id(number).map_or(CobId::new(CobId::BIT_31), predefined::per_node)
 }
 
-fn mapped(section: &Section<'_>, device: &Device, findings: &mut Findings) -> Vec<MappedObject> {
+fn mapped(section: &KeyedTable<'_>, device: &Device, findings: &mut Findings) -> Vec<MappedObject> {
     let mut mapped = Vec::new();
     for text in section.texts("map", findings) {
         match mapped_object(text.value, device) {

@@ -3,7 +3,7 @@
 use std::collections::BTreeMap;
 
 use super::words::{index, subs};
-use objdict_keyed::tree::Tree;
+use objdict_keyed::tree::KeyedTree;
 use objdict_model::model::{Field, Part, PdoKind, Place};
 use objdict_model::source::Span;
 
@@ -30,13 +30,13 @@ pub(super) struct Places {
 }
 
 impl Places {
-    pub(super) fn new(tree: &Tree) -> Self {
+    pub(super) fn new(tree: &KeyedTree) -> Self {
         let mut places = Self::default();
         places.add(tree, &mut Vec::new());
         places
     }
 
-    fn add(&mut self, tree: &Tree, path: &mut Vec<String>) {
+    fn add(&mut self, tree: &KeyedTree, path: &mut Vec<String>) {
         for entry in tree.entries().unwrap_or_default() {
             let name = entry.key.spelled();
             // digits of indexes in one spelling

@@ -9,8 +9,8 @@ use super::keys::{DEVICE, features};
 use super::words::{index, quoted, sub};
 use crate::scaffold::{self, FEATURES, FeatureValue, Features};
 use objdict_keyed::rules::WRONG_TYPE;
-use objdict_keyed::section::{Section, Shape};
-use objdict_keyed::tree::{Kind, Tree};
+use objdict_keyed::section::{KeyedTable, Shape};
+use objdict_keyed::tree::{KeyedTree, Kind};
 use objdict_model::diagnostic::{Diagnostic, Findings, say};
 use objdict_model::model::{DataType, Device, DeviceInfo, Object};
 
@@ -62,7 +62,7 @@ impl ProfileSaid {
 }
 
 /// Reads `profile` and `features` into the device that they demand; an empty one without a profile.
-pub(super) fn read(root: &Section<'_>, findings: &mut Findings) -> Option<Device> {
+pub(super) fn read(root: &KeyedTable<'_>, findings: &mut Findings) -> Option<Device> {
     let said = root.text("profile", findings)?;
     let numbers = said
         .value
@@ -86,9 +86,10 @@ pub(super) fn read(root: &Section<'_>, findings: &mut Findings) -> Option<Device
     }
 }
 
-fn read_features(root: &Section<'_>, findings: &mut Findings) -> Features {
+fn read_features(root: &KeyedTable<'_>, findings: &mut Findings) -> Features {
     let mut read = Features::default();
-    let section = root.get("features").and_then(|tree| Section::new("features", tree, features(), findings));
+    let section =
+        root.get("features").and_then(|tree| KeyedTable::new("features", tree, features(), findings));
     let Some(section) = section else { return read };
     for key in features() {
         let Some(tree) = section.get(key.name) else { continue };
@@ -137,14 +138,14 @@ pub(super) fn implied_granularity(of_profile: Option<u8>, pdo_counts: [u16; 2]) 
 
 /// Removes what the device does not have; some of it may be taken away already, and the profile need not bring that.
 pub(super) fn remove(
-    root: &Section<'_>,
+    root: &KeyedTable<'_>,
     taken: &BTreeSet<String>,
     device: &mut Device,
     findings: &mut Findings,
 ) {
     let Some(tree) = root.get("remove") else { return };
     let mut take =
-        |at: &Tree| {
+        |at: &KeyedTree| {
             let text = at.spelled();
             if !take_away(&text, device) && !taken.contains(&text.to_ascii_uppercase()) {
                 let message = say!("`{}` cannot be removed: the profile does not bring it", text);

@@ -6,14 +6,14 @@ use super::words::{key, quoted};
 use super::writer::insert_before_tables;
 use crate::compare::{Datum, DatumChange, DatumDifference, overlay};
 use objdict_keyed::rules::WRONG_TYPE;
-use objdict_keyed::section::Section;
-use objdict_keyed::tree::{Kind, Tree};
+use objdict_keyed::section::KeyedTable;
+use objdict_keyed::tree::{KeyedTree, Kind};
 use objdict_model::diagnostic::{Diagnostic, Findings, say};
 use objdict_model::model::Device;
 use objdict_model::source::Span;
 
 /// Reads `raw` and `raw-remove` into a device.
-pub(super) fn read(root: &Section<'_>, device: &mut Device, findings: &mut Findings) {
+pub(super) fn read(root: &KeyedTable<'_>, device: &mut Device, findings: &mut Findings) {
     let mut changes = Vec::new();
     let mut spans: Vec<(String, Span)> = Vec::new();
     let mut change = |path: String, after: Option<Value>, span| {
@@ -37,7 +37,7 @@ pub(super) fn read(root: &Section<'_>, device: &mut Device, findings: &mut Findi
     }
 }
 
-fn json(tree: &Tree) -> Value {
+fn json(tree: &KeyedTree) -> Value {
     match &*tree.kind {
         Kind::Null => Value::Null,
         Kind::Bool(flag) => (*flag).into(),

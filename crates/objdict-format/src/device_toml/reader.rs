@@ -8,8 +8,8 @@ use super::keys::{DEFAULTS, ENTRY, OBJECT};
 use super::meaning;
 use super::words::{TypeSaid, data_type, index, indexes, subs, type_words, value_of};
 use objdict_keyed::rules::{DUPLICATE_KEY, OUT_OF_RANGE, UNKNOWN_KEY, WRONG_TYPE};
-use objdict_keyed::section::Section;
-use objdict_keyed::tree::{Kind, Tree};
+use objdict_keyed::section::KeyedTable;
+use objdict_keyed::tree::{KeyedTree, Kind};
 use objdict_model::diagnostic::{Diagnostic, Findings, Severity, nearest, say};
 use objdict_model::model::{
     Access, ApplicationProcess, Compact, Entry, ObjFlags, Object, ObjectType, Objects, PdoMapping,
@@ -31,8 +31,8 @@ const MAX_RANGED: usize = 15_000;
 
 impl Reader<'_> {
     /// Reads `[defaults]`.
-    pub(super) fn read_defaults(&mut self, tree: &Tree) {
-        let Some(section) = Section::new("defaults", tree, DEFAULTS, self.findings) else { return };
+    pub(super) fn read_defaults(&mut self, tree: &KeyedTree) {
+        let Some(section) = KeyedTable::new("defaults", tree, DEFAULTS, self.findings) else { return };
         if let Some(access) = section.word("access", self.findings) {
             self.defaults.access = Access::from_name(&access.value).unwrap_or(Access::Rw);
         }
@@ -41,7 +41,7 @@ impl Reader<'_> {
         }
         self.defaults.unstated = Omissions::read(&section, self.findings).unwrap_or_default();
         if let Some(tree) = section.get("sub0")
-            && let Some(section) = Section::new("sub0", tree, ENTRY, self.findings)
+            && let Some(section) = KeyedTable::new("sub0", tree, ENTRY, self.findings)
         {
             let implied = self.defaults.sub0.clone();
             let unstated = Omissions::read(&section, self.findings).unwrap_or_default();
@@ -51,7 +51,7 @@ impl Reader<'_> {
     }
 
     /// Reads those objects of a table by index that are wanted, into those that a profile demands.
-    pub(super) fn read_objects(&mut self, tree: &Tree, objects: &mut Objects, wanted: fn(u16) -> bool) {
+    pub(super) fn read_objects(&mut self, tree: &KeyedTree, objects: &mut Objects, wanted: fn(u16) -> bool) {
         let Some(entries) = tree.entries() else {
             let message = say!("`object` is {}, not a table of objects", tree.kind_name());
             let finding = Diagnostic::new(&WRONG_TYPE, tree.span, message);
@@ -85,8 +85,8 @@ impl Reader<'_> {
         }
     }
 
-    fn object(&mut self, index: u16, name: &str, tree: &Tree, base: Option<Object>) -> Option<Object> {
-        let section = Section::new(name, tree, OBJECT, self.findings)?;
+    fn object(&mut self, index: u16, name: &str, tree: &KeyedTree, base: Option<Object>) -> Option<Object> {
+        let section = KeyedTable::new(name, tree, OBJECT, self.findings)?;
         let said = self.said(&section);
         let is_new = base.is_none();
         let mut object = base.unwrap_or_default();
@@ -114,7 +114,7 @@ impl Reader<'_> {
     }
 
     /// The types of an object that are no consequence of `type`.
-    fn override_types(&mut self, section: &Section<'_>, main: &mut Entry) {
+    fn override_types(&mut self, section: &KeyedTable<'_>, main: &mut Entry) {
         if let Some(word) = section.text("data-type", self.findings) {
             main.data_type = data_type(&word.value);
             if main.data_type.is_none() {
@@ -126,9 +126,9 @@ impl Reader<'_> {
         }
     }
 
-    fn compact(&mut self, section: &Section<'_>, count: u8, main: &Entry) -> Compact {
+    fn compact(&mut self, section: &KeyedTable<'_>, count: u8, main: &Entry) -> Compact {
         let mut compact = Compact { count, ..Compact::default() };
-        let mut listed = |name: &str, keep: &mut dyn FnMut(u8, &Tree) -> bool| {
+        let mut listed = |name: &str, keep: &mut dyn FnMut(u8, &KeyedTree) -> bool| {
             for entry in section.named(name, self.findings) {
                 let sub = subs(&entry.key.spelled()).filter(|(first, last)| first == last);
                 if !sub.is_some_and(|(sub, _)| keep(sub, &entry.value)) {
@@ -157,7 +157,7 @@ impl Reader<'_> {
     }
 
     /// The entries of an object, and what follows from them.
-    fn subs(&mut self, index: u16, section: &Section<'_>, object: &mut Object, unstated: Omissions) {
+    fn subs(&mut self, index: u16, section: &KeyedTable<'_>, object: &mut Object, unstated: Omissions) {
         let entries = section.named("sub", self.findings);
         self.check_hexadecimal(index, entries);
         let highest_before = Some(object.highest_sub()).filter(|_| object.subs.get(0).is_some());
@@ -171,7 +171,7 @@ impl Reader<'_> {
                     .push(finding.help("write one or two hex digits, or a range of them such as `1-8`"));
                 continue;
             };
-            let Some(section) = Section::new(&name, &entry.value, ENTRY, self.findings) else { continue };
+            let Some(section) = KeyedTable::new(&name, &entry.value, ENTRY, self.findings) else { continue };
             if let Some(twice) = (first..=last).find(|sub| !seen.insert(*sub)) {
                 let message = say!("the sub-index {} is there twice", format!("{twice:X}"));
                 let finding = Diagnostic::new(&DUPLICATE_KEY, entry.key.span, message);
@@ -183,7 +183,7 @@ impl Reader<'_> {
             return;
         }
         let highest = object.highest_sub();
-        let has_default = |entries: &[objdict_keyed::tree::Entry]| {
+        let has_default = |entries: &[objdict_keyed::tree::Pair]| {
             let first =
                 entries.iter().find(|entry| subs(&entry.key.spelled()).is_some_and(|(first, _)| first == 0));
             first.is_some_and(|entry| {
@@ -210,7 +210,7 @@ impl Reader<'_> {
     }
 
     /// Puts an entry into an object, once or for each sub-index of a range.
-    fn range(&mut self, index: u16, section: &Section<'_>, (first, last): (u8, u8), object: &mut Object) {
+    fn range(&mut self, index: u16, section: &KeyedTable<'_>, (first, last): (u8, u8), object: &mut Object) {
         let defaults = section.get("default").and_then(|tree| match &*tree.kind {
             Kind::List(items) => Some((tree, items)),
             _ => None,
@@ -249,7 +249,7 @@ impl Reader<'_> {
         }
     }
 
-    fn sub(&mut self, address: &str, section: &Section<'_>, role: Role, before: Option<Entry>) -> Entry {
+    fn sub(&mut self, address: &str, section: &KeyedTable<'_>, role: Role, before: Option<Entry>) -> Entry {
         let (mut entry, _) = self.entry(address, section, role, before);
         if let Some(word) = section.word("object-type", self.findings) {
             entry.object_type = object_type(&word.value);
@@ -258,7 +258,7 @@ impl Reader<'_> {
     }
 
     /// Sub-indexes are hexadecimal; `9` and `10` without `A` look as if they were not.
-    fn check_hexadecimal(&mut self, index: u16, entries: &[objdict_keyed::tree::Entry]) {
+    fn check_hexadecimal(&mut self, index: u16, entries: &[objdict_keyed::tree::Pair]) {
         let keys: Vec<String> =
             entries.iter().map(|entry| entry.key.spelled().to_ascii_uppercase()).collect();
         let has = |key: &str| keys.iter().any(|other| other == key);
@@ -272,7 +272,7 @@ impl Reader<'_> {
         }
     }
 
-    fn said(&mut self, section: &Section<'_>) -> Option<TypeSaid> {
+    fn said(&mut self, section: &KeyedTable<'_>) -> Option<TypeSaid> {
         let word = section.get("type")?.text()?;
         TypeSaid::parse(word)
     }
@@ -289,7 +289,7 @@ impl Reader<'_> {
     fn entry(
         &mut self,
         address: &str,
-        section: &Section<'_>,
+        section: &KeyedTable<'_>,
         role: Role,
         before: Option<Entry>,
     ) -> (Entry, Omissions) {
@@ -336,8 +336,8 @@ impl Reader<'_> {
         (entry, unstated)
     }
 
-    fn values(&mut self, section: &Section<'_>, entry: &mut Entry) {
-        let is_list = |tree: &Tree| matches!(&*tree.kind, Kind::List(_));
+    fn values(&mut self, section: &KeyedTable<'_>, entry: &mut Entry) {
+        let is_list = |tree: &KeyedTree| matches!(&*tree.kind, Kind::List(_));
         if let Some(tree) = section.get("default").filter(|tree| !is_list(tree)) {
             entry.default = self.value("default", tree, entry);
         }
@@ -366,7 +366,7 @@ impl Reader<'_> {
         }
     }
 
-    fn stack(&mut self, section: &Section<'_>, entry: &mut Entry) {
+    fn stack(&mut self, section: &KeyedTable<'_>, entry: &mut Entry) {
         for name in ["group", "count-label"] {
             let Some(text) = section.text(name, self.findings) else { continue };
             let stack = entry.stack_mut();
@@ -389,7 +389,7 @@ impl Reader<'_> {
     }
 
     /// A value of an entry, whose type is known.
-    fn value(&mut self, name: &str, tree: &Tree, entry: &Entry) -> Option<Value> {
+    fn value(&mut self, name: &str, tree: &KeyedTree, entry: &Entry) -> Option<Value> {
         let data_type = entry.implied_type();
         let value = value_of(tree, data_type);
         if value.is_none() {
@@ -412,7 +412,7 @@ impl Reader<'_> {
 }
 
 /// Whether a text or a list of texts has a word.
-pub(super) fn names(tree: &Tree, word: &str) -> bool {
+pub(super) fn names(tree: &KeyedTree, word: &str) -> bool {
     match &*tree.kind {
         Kind::List(items) => items.iter().any(|item| item.text() == Some(word)),
         _ => tree.text() == Some(word),

@@ -3,8 +3,8 @@
 use super::keys::variant_keys;
 use super::merge::Merged;
 use objdict_keyed::rules::{OUT_OF_RANGE, SHARED_PRODUCT_CODE, WRONG_TYPE};
-use objdict_keyed::section::Section;
-use objdict_keyed::tree::{Entry, Kind, Tree};
+use objdict_keyed::section::KeyedTable;
+use objdict_keyed::tree::{KeyedTree, Kind, Pair};
 use objdict_model::diagnostic::{Diagnostic, Findings, say};
 use objdict_model::model::Device;
 
@@ -12,8 +12,8 @@ use objdict_model::model::Device;
 const MAX_VARIANTS: usize = 64;
 
 /// The names of the variants of a tree, in its order.
-pub(super) fn names(tree: &Tree) -> Vec<String> {
-    let entries = tree.get("variant").and_then(Tree::entries).unwrap_or_default();
+pub(super) fn names(tree: &KeyedTree) -> Vec<String> {
+    let entries = tree.get("variant").and_then(KeyedTree::entries).unwrap_or_default();
     let names = entries.iter().map(|entry| entry.key.spelled());
     names.filter(|name| is_name(name)).take(MAX_VARIANTS).collect()
 }
@@ -25,24 +25,24 @@ fn is_name(name: &str) -> bool {
 }
 
 /// Reports names that no variant can have.
-pub(super) fn check(root: &Section<'_>, findings: &mut Findings) {
+pub(super) fn check(root: &KeyedTable<'_>, findings: &mut Findings) {
     let entries = root.named("variant", findings);
-    for Entry { key, .. } in entries.iter().filter(|entry| !is_name(&entry.key.spelled())) {
+    for Pair { key, .. } in entries.iter().filter(|entry| !is_name(&entry.key.spelled())) {
         let message = say!("`{}` is not a name for a variant", key.spelled());
         let finding = Diagnostic::new(&WRONG_TYPE, key.span, message);
         findings.push(finding.help("write a name of letters and digits, `-`, `_` and `.`"));
     }
-    if let Some(Entry { key, .. }) = entries.get(MAX_VARIANTS) {
+    if let Some(Pair { key, .. }) = entries.get(MAX_VARIANTS) {
         let message = say!("there are {} variants, more than {}", entries.len(), MAX_VARIANTS);
         findings.push(Diagnostic::new(&OUT_OF_RANGE, key.span, message).help("write a file for each family"));
     }
 }
 
 /// Reports variants that a manager cannot know from each other.
-pub(super) fn check_product_codes(base: &Tree, findings: &mut Findings) {
-    let variants = base.get("variant").and_then(Tree::entries).unwrap_or_default();
+pub(super) fn check_product_codes(base: &KeyedTree, findings: &mut Findings) {
+    let variants = base.get("variant").and_then(KeyedTree::entries).unwrap_or_default();
     let of_base = product_code(base);
-    let mut seen: Vec<(i128, Option<&Entry>)> = of_base.map(|code| (code, None)).into_iter().collect();
+    let mut seen: Vec<(i128, Option<&Pair>)> = of_base.map(|code| (code, None)).into_iter().collect();
     for variant in variants.iter().take(MAX_VARIANTS) {
         let own = product_code(&variant.value);
         let Some(code) = own.or(of_base).filter(|code| *code != 0) else { continue };
@@ -63,7 +63,7 @@ pub(super) fn check_product_codes(base: &Tree, findings: &mut Findings) {
 }
 
 /// The product code that a table states.
-fn product_code(tree: &Tree) -> Option<i128> {
+fn product_code(tree: &KeyedTree) -> Option<i128> {
     let at = |path: &[&str]| match &*path.iter().try_fold(tree, |tree, key| tree.get(key))?.kind {
         Kind::Integer(number) => Some(*number),
         _ => None,
@@ -72,23 +72,23 @@ fn product_code(tree: &Tree) -> Option<i128> {
 }
 
 /// What the file says of a variant.
-fn own<'t>(tree: &'t Tree, name: &str) -> Option<&'t Tree> {
-    let variants = tree.get("variant").and_then(Tree::entries).unwrap_or_default();
+fn own<'t>(tree: &'t KeyedTree, name: &str) -> Option<&'t KeyedTree> {
+    let variants = tree.get("variant").and_then(KeyedTree::entries).unwrap_or_default();
     variants.iter().find(|entry| entry.key.spelled() == name).map(|entry| &entry.value)
 }
 
 /// The tree of a variant.
 pub(super) fn merged(base: Merged, name: &str, findings: &mut Findings) -> Merged {
     let Some(own) = own(&base.tree, name).cloned() else { return base };
-    let Some(section) = Section::new(name, &own, variant_keys(), findings) else { return base };
+    let Some(section) = KeyedTable::new(name, &own, variant_keys(), findings) else { return base };
     let entries = own.entries().unwrap_or_default().iter();
     let known = entries.filter(|entry| variant_keys().iter().any(|key| key.name == entry.key.spelled()));
-    base.with(&Tree::new(section.span(), Kind::Map(known.cloned().collect())))
+    base.with(&KeyedTree::new(section.span(), Kind::Map(known.cloned().collect())))
 }
 
 /// Gives a variant without a file name of its own one.
-pub(super) fn name_file(tree: &Tree, variant: &str, device: &mut Device) {
-    let has_own = |tree: &Tree| tree.get("file").is_some_and(|file| file.get("file-name").is_some());
+pub(super) fn name_file(tree: &KeyedTree, variant: &str, device: &mut Device) {
+    let has_own = |tree: &KeyedTree| tree.get("file").is_some_and(|file| file.get("file-name").is_some());
     let name = device.file_info.as_mut().and_then(|info| info.file_name.as_mut());
     if let Some(name) = name.filter(|_| !own(tree, variant).is_some_and(has_own)) {
         let (stem, ending) = name.rsplit_once('.').unwrap_or((name, "eds"));

@@ -1,6 +1,6 @@
 //! The words and values of `device.toml`: data types, values, lists of indexes.
 
-use objdict_keyed::tree::{Kind, Tree};
+use objdict_keyed::tree::{KeyedTree, Kind};
 use objdict_keyed::types;
 use objdict_keyed::types::TYPES;
 use objdict_model::literal;
@@ -85,7 +85,7 @@ impl TypeSaid {
 }
 
 /// The value that a key states for an entry of this type; `None` if it is none of the type.
-pub(super) fn value_of(tree: &Tree, data_type: Option<DataType>) -> Option<Value> {
+pub(super) fn value_of(tree: &KeyedTree, data_type: Option<DataType>) -> Option<Value> {
     let kind = data_type.map_or(TypeKind::Reserved, DataType::kind);
     let is_open = matches!(kind, TypeKind::Structure | TypeKind::Defined | TypeKind::Reserved);
     match &*tree.kind {

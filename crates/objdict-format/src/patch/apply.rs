@@ -10,7 +10,7 @@ use crate::compare::{self, Datum, DatumChange};
 use crate::patch::fields::{entry, get, set};
 use crate::patch::words::CIA306;
 use crate::{Description, ReadError};
-use objdict_keyed::tree::{Kind, Tree};
+use objdict_keyed::tree::{KeyedTree, Kind};
 use objdict_model::diagnostic::{At, Diagnostic, Findings, Severity, Text, say};
 use objdict_model::model::{Address, Device, Entry, Field, Object, ObjectList, Part, Place};
 use objdict_model::source::{Said, Span};
@@ -296,7 +296,7 @@ fn shown(kind: &Kind) -> String {
                 entries.iter().map(|entry| format!("{} = {}", entry.key.spelled(), entry.value.spelled()));
             entries.collect::<Vec<_>>().join(", ")
         }
-        kind => Tree::new(Span::default(), kind.clone()).spelled(),
+        kind => KeyedTree::new(Span::default(), kind.clone()).spelled(),
     }
 }
 

@@ -4,7 +4,7 @@ use serde_json::Value as Json;
 
 use super::words::{data_type, data_type_word, facts_of, object_type};
 use crate::compare::{Datum, DatumChange, apply};
-use objdict_keyed::tree::{Entry as Keyed, Kind, Tree};
+use objdict_keyed::tree::{KeyedTree, Kind, Pair};
 use objdict_model::diagnostic::{Text, say};
 use objdict_model::literal;
 use objdict_model::literal::{Quirks, Spelling};
@@ -100,7 +100,12 @@ pub(crate) fn get(device: &Device, part: &Part, word: &str) -> Option<Kind> {
 ///
 /// # Errors
 /// Why the value is not valid there.
-pub(crate) fn set(device: &mut Device, part: &Part, word: &str, value: Option<&Tree>) -> Result<(), Text> {
+pub(crate) fn set(
+    device: &mut Device,
+    part: &Part,
+    word: &str,
+    value: Option<&KeyedTree>,
+) -> Result<(), Text> {
     if let Some(facts) = facts_of(part) {
         let Some((_, path)) = facts.iter().find(|(key, _)| key.eq_ignore_ascii_case(word)) else {
             return Err(say!("there is no fact `{}`", word));
@@ -113,7 +118,7 @@ pub(crate) fn set(device: &mut Device, part: &Part, word: &str, value: Option<&T
         _ => {}
     }
     let Some(entry) = entry_mut(device, part) else { return set_compact(device, part, word, value) };
-    let text = value.map(Tree::spelled);
+    let text = value.map(KeyedTree::spelled);
     let boxed = || text.as_deref().map(Box::<str>::from);
     let is =
         |what: &str| say!("`{}` is not {}", text.clone().unwrap_or_default(), Text::from(what.to_owned()));
@@ -175,7 +180,7 @@ fn parsed<T>(text: &Option<String>, parse: impl Fn(&str) -> Option<T>) -> Option
 fn set_parameter(
     parameter: &mut Parameter,
     word: &str,
-    value: Option<&Tree>,
+    value: Option<&KeyedTree>,
     text: Option<Box<str>>,
 ) -> Result<(), Text> {
     match word {
@@ -213,13 +218,13 @@ fn set_parameter(
 }
 
 /// The names of a table and what each of them is.
-fn pairs(word: &str, value: &Tree) -> Result<Vec<(String, String)>, Text> {
+fn pairs(word: &str, value: &KeyedTree) -> Result<Vec<(String, String)>, Text> {
     let entries = value.entries().ok_or_else(|| say!("`{}` is a table of names and numbers", word))?;
-    Ok(entries.iter().map(|Keyed { key, value }| (key.spelled(), value.spelled())).collect())
+    Ok(entries.iter().map(|Pair { key, value }| (key.spelled(), value.spelled())).collect())
 }
 
 /// A name or the value of an entry of compact storage, which has lists for them.
-fn set_compact(device: &mut Device, part: &Part, word: &str, value: Option<&Tree>) -> Result<(), Text> {
+fn set_compact(device: &mut Device, part: &Part, word: &str, value: Option<&KeyedTree>) -> Result<(), Text> {
     fn put<T>(list: &mut Vec<(u8, T)>, sub: u8, item: Option<T>) {
         list.retain(|(other, _)| *other != sub);
         list.extend(item.map(|item| (sub, item)));
@@ -252,7 +257,7 @@ fn set_compact(device: &mut Device, part: &Part, word: &str, value: Option<&Tree
 }
 
 /// The value that a tree is, for an entry of this type.
-fn value_of(tree: &Tree, data_type: Option<DataType>) -> Result<Value, Text> {
+fn value_of(tree: &KeyedTree, data_type: Option<DataType>) -> Result<Value, Text> {
     let text = match &*tree.kind {
         Kind::Bool(flag) => u8::from(*flag).to_string(),
         Kind::List(_) | Kind::Map(_) | Kind::Null => return Err(say!("{} is not a value", tree.kind_name())),
@@ -266,7 +271,7 @@ fn value_of(tree: &Tree, data_type: Option<DataType>) -> Result<Value, Text> {
     value.map_err(|_| say!("`{}` is not a valid `{}`", text, data_type_word(data_type)))
 }
 
-fn set_value(entry: &mut Entry, word: &str, value: Option<&Tree>) -> Result<(), Text> {
+fn set_value(entry: &mut Entry, word: &str, value: Option<&KeyedTree>) -> Result<(), Text> {
     let value = value.map(|value| value_of(value, entry.implied_type())).transpose()?;
     let field = match word {
         "default" => {
@@ -341,7 +346,7 @@ fn kind_of_mapping(mapping: PdoMapping) -> Kind {
     }
 }
 
-fn mapping(tree: &Tree) -> Option<PdoMapping> {
+fn mapping(tree: &KeyedTree) -> Option<PdoMapping> {
     Some(match &*tree.spelled() {
         "false" | "0" | "no" => PdoMapping::No,
         "true" | "1" | "optional" => PdoMapping::Optional,
@@ -354,9 +359,9 @@ fn mapping(tree: &Tree) -> Option<PdoMapping> {
 
 /// A map without a place in a text.
 fn map(entries: impl Iterator<Item = (String, Kind)>) -> Option<Kind> {
-    let tree = |kind| Tree::new(Span::default(), kind);
-    let entries: Vec<Keyed> =
-        entries.map(|(key, value)| Keyed { key: tree(Kind::Text(key)), value: tree(value) }).collect();
+    let tree = |kind| KeyedTree::new(Span::default(), kind);
+    let entries: Vec<Pair> =
+        entries.map(|(key, value)| Pair { key: tree(Kind::Text(key)), value: tree(value) }).collect();
     (!entries.is_empty()).then_some(Kind::Map(entries))
 }
 
@@ -394,7 +399,7 @@ fn bit_range(text: &str) -> Option<(u8, u8)> {
     (first <= last && last < 64).then_some((first, last - first + 1))
 }
 
-fn set_bits(device: &mut Device, part: &Part, value: Option<&Tree>) -> Result<(), Text> {
+fn set_bits(device: &mut Device, part: &Part, value: Option<&KeyedTree>) -> Result<(), Text> {
     let mut members = Vec::new();
     for (name, bits) in value.map_or(Ok(Vec::new()), |value| pairs("bits", value))? {
         let (first, size) = bit_range(&bits)
@@ -474,7 +479,7 @@ fn group_of(groups: &[ParameterGroup], id: &str) -> Option<String> {
     })
 }
 
-fn set_group(device: &mut Device, part: &Part, value: Option<&Tree>) -> Result<(), Text> {
+fn set_group(device: &mut Device, part: &Part, value: Option<&KeyedTree>) -> Result<(), Text> {
     fn leave(groups: &mut Vec<ParameterGroup>, id: &str) {
         for group in groups.iter_mut() {
             group.parameters.retain(|parameter| **parameter != *id);
@@ -485,7 +490,7 @@ fn set_group(device: &mut Device, part: &Part, value: Option<&Tree>) -> Result<(
     let missing = || say!("there is no `{}` of its own", part.to_string());
     let id = parameter_id(part, entry(device, part).ok_or_else(missing)?.parameter.as_deref());
     device.application.iter_mut().for_each(|process| leave(&mut process.groups, &id));
-    if let Some(path) = value.map(Tree::spelled) {
+    if let Some(path) = value.map(KeyedTree::spelled) {
         let mut groups = &mut process_mut(device).groups;
         let mut steps = path.split('/').peekable();
         let mut unique_id = "GROUP".to_owned();
@@ -532,7 +537,7 @@ fn kind_of(json: Json) -> Option<Kind> {
     }
 }
 
-fn set_fact(device: &mut Device, path: &str, value: Option<&Tree>) -> Result<(), Text> {
+fn set_fact(device: &mut Device, path: &str, value: Option<&KeyedTree>) -> Result<(), Text> {
     let before = fact(device, path).map(|before| Datum::from(before).fingerprint());
     let json = value.map(|value| match &*value.kind {
         Kind::Bool(flag) => Ok(Json::from(*flag)),
@@ -545,6 +550,6 @@ fn set_fact(device: &mut Device, path: &str, value: Option<&Tree>) -> Result<(),
     let change = DatumChange { path: path.to_owned(), before, after };
     match apply(device, vec![change]).is_empty() {
         true => Ok(()),
-        false => Err(say!("`{}` is not a valid value", value.map(Tree::spelled).unwrap_or_default())),
+        false => Err(say!("`{}` is not a valid value", value.map(KeyedTree::spelled).unwrap_or_default())),
     }
 }

@@ -9,7 +9,7 @@ use super::keys::FORMAT;
 use crate::compare::differences;
 use crate::patch::fields::{get, set};
 use crate::patch::words::{ENTRY, FACTS, facts_of};
-use objdict_keyed::tree::{Kind, Tree};
+use objdict_keyed::tree::{KeyedTree, Kind};
 use objdict_model::diagnostic::{printable, visible};
 use objdict_model::model::{Device, Part};
 use objdict_model::source::Span;
@@ -134,7 +134,7 @@ impl Maker<'_> {
         let object = part.object().and_then(|index| self.work.object(index).cloned());
         // a group or a type of bits is there, and nothing else of a word
         let application = matches!(word, "bits" | "group").then(|| self.work.application.clone());
-        let value = after.map(|kind| Tree::new(Span::default(), kind.clone()));
+        let value = after.map(|kind| KeyedTree::new(Span::default(), kind.clone()));
         let is_set = set(&mut self.work, part, word, value.as_ref()).is_ok();
         if is_set && same(&get(&self.work, part, word), &after.cloned()) && self.is_sound(part, word) {
             return true;
@@ -216,8 +216,9 @@ fn toml(kind: &Kind) -> String {
             format!("[{}]", items.iter().map(|item| toml(&item.kind)).collect::<Vec<_>>().join(", "))
         }
         Kind::Map(entries) => {
-            let entry =
-                |key: &Tree, value: &Tree| format!("{} = {}", quoted(&key.spelled()), toml(&value.kind));
+            let entry = |key: &KeyedTree, value: &KeyedTree| {
+                format!("{} = {}", quoted(&key.spelled()), toml(&value.kind))
+            };
             let entries: Vec<String> = entries.iter().map(|of| entry(&of.key, &of.value)).collect();
             format!("{{ {} }}", entries.join(", "))
         }

@@ -24,7 +24,7 @@ pub(super) use self::edit::edited;
 pub use self::make::make;
 pub(super) use self::rules::RULES;
 use crate::compare::DatumChange;
-use objdict_keyed::tree::Tree;
+use objdict_keyed::tree::KeyedTree;
 use objdict_model::diagnostic::{Findings, Text};
 use objdict_model::model::{Address, Device, Part};
 use objdict_model::source::{Said, SourceError, SourceFile, SourceOptions, Span};
@@ -100,7 +100,7 @@ impl Words {
 #[derive(Clone, Debug)]
 struct Worded {
     word: String,
-    value: Tree,
+    value: KeyedTree,
 }
 
 impl Patch {

@@ -8,9 +8,9 @@ use super::rules::INVALID_CHANGE;
 use super::{Change, Patch, Selector, What, Worded, Words, no_part};
 use crate::compare::{Datum, DatumChange};
 use crate::patch::words::{FACTS, FIELDS, word_of};
-use objdict_keyed::section::Section;
+use objdict_keyed::section::KeyedTable;
 use objdict_keyed::toml;
-use objdict_keyed::tree::{Entry, Kind, Tree};
+use objdict_keyed::tree::{KeyedTree, Kind, Pair};
 use objdict_model::diagnostic::{Diagnostic, Findings, say};
 use objdict_model::model::{Address, Part};
 use objdict_model::source::{Said, SourceFile};
@@ -27,7 +27,7 @@ pub(super) fn read(source: SourceFile) -> Patch {
         source,
     };
     if let Some(tree) = toml::read(patch.source.text(), &mut findings)
-        && let Some(section) = Section::new("the patch", &tree, PATCH, &mut findings)
+        && let Some(section) = KeyedTable::new("the patch", &tree, PATCH, &mut findings)
     {
         section.required("the patch", "format", &mut findings);
         section.word("format", &mut findings);
@@ -43,11 +43,11 @@ pub(super) fn read(source: SourceFile) -> Patch {
     patch
 }
 
-fn selector(section: &Section<'_>, findings: &mut Findings) -> Selector {
-    let number = |section: &Section<'_>, name: &str, findings: &mut Findings| {
+fn selector(section: &KeyedTable<'_>, findings: &mut Findings) -> Selector {
+    let number = |section: &KeyedTable<'_>, name: &str, findings: &mut Findings| {
         section.integer(name, findings).map(|number: Said<u32>| number.value)
     };
-    let is_any = section.get("revision").and_then(Tree::text) == Some("any");
+    let is_any = section.get("revision").and_then(KeyedTree::text) == Some("any");
     let sha256 =
         section.text("sha256", findings).map(|hash| Said::new(hash.value.to_ascii_lowercase(), hash.at));
     let is_hash = |hash: &str| hash.len() == 64 && hash.bytes().all(|byte| byte.is_ascii_hexdigit());
@@ -66,8 +66,8 @@ fn selector(section: &Section<'_>, findings: &mut Findings) -> Selector {
     }
 }
 
-fn change(tree: &Tree, findings: &mut Findings) -> Option<Change> {
-    let section = Section::new("change", tree, CHANGE, findings)?;
+fn change(tree: &KeyedTree, findings: &mut Findings) -> Option<Change> {
+    let section = KeyedTable::new("change", tree, CHANGE, findings)?;
     let at = section.required("change", "at", findings)?;
     let is_text = at.text().is_some();
     let at = Said::new(at.spelled(), at.span);
@@ -134,12 +134,12 @@ fn named(name: &str) -> String {
 }
 
 /// Fields with their values, the type before the values that it decides about.
-fn fields(section: &Section<'_>, name: &str, findings: &mut Findings) -> Vec<Worded> {
+fn fields(section: &KeyedTable<'_>, name: &str, findings: &mut Findings) -> Vec<Worded> {
     let Some(tree) = section.get(name) else { return Vec::new() };
-    if Section::new(name, tree, FIELDS, findings).is_none() {
+    if KeyedTable::new(name, tree, FIELDS, findings).is_none() {
         return Vec::new();
     }
-    let known = |entry: &&Entry| {
+    let known = |entry: &&Pair| {
         let key = entry.key.spelled();
         FIELDS.iter().any(|field| field.name == key) && !matches!(&*entry.value.kind, Kind::List(_))
     };
@@ -151,7 +151,7 @@ fn fields(section: &Section<'_>, name: &str, findings: &mut Findings) -> Vec<Wor
     fields
 }
 
-fn names(section: &Section<'_>, name: &str, findings: &mut Findings) -> Vec<Said<String>> {
+fn names(section: &KeyedTable<'_>, name: &str, findings: &mut Findings) -> Vec<Said<String>> {
     let mut names = Vec::new();
     for said in section.texts(name, findings) {
         let word = named(said.value);
@@ -167,8 +167,8 @@ fn names(section: &Section<'_>, name: &str, findings: &mut Findings) -> Vec<Said
 }
 
 /// A change without words.
-fn raw(tree: &Tree, findings: &mut Findings) -> Option<Change> {
-    let section = Section::new("raw", tree, RAW, findings)?;
+fn raw(tree: &KeyedTree, findings: &mut Findings) -> Option<Change> {
+    let section = KeyedTable::new("raw", tree, RAW, findings)?;
     section.required("raw", "path", findings)?;
     let path = section.text("path", findings)?;
     let mut datum = |name: &str| match section.text(name, findings) {

@@ -107,7 +107,7 @@ pub fn base(profile: u16, version: u16, features: &Features) -> Result<Device, B
         }
     }
     let documents = documents(profile);
-    let maker = Maker { plan: Plan::new(profile, features), documents: &documents };
+    let maker = Maker { plan: Demanded::new(profile, features), documents: &documents };
     Ok(device(&maker))
 }
 
@@ -181,12 +181,12 @@ const SERVO_DRIVE: u32 = 1 << 17;
 
 /// A profile with features, all of which have a value.
 #[derive(Clone, Debug)]
-pub struct Plan {
+pub struct Demanded {
     pub(super) profile: u16,
     pub(super) features: Features,
 }
 
-impl Plan {
+impl Demanded {
     /// The plan of a device with a profile and its features.
     pub fn new(profile: u16, features: &Features) -> Self {
         let mut all = features.clone();

@@ -1,6 +1,6 @@
 //! The profile and the features that come closest to an existing device.
 
-use super::base::{OF_CLASS_2, Plan, base, channels, newest_version};
+use super::base::{Demanded, OF_CLASS_2, base, channels, newest_version};
 use super::features::{
     Describes, EncoderClass, FEATURES, Feature, FeatureKind, FeatureValue, Features, VALUE_TYPES,
 };
@@ -14,7 +14,7 @@ pub fn infer(device: &Device) -> (u16, Features) {
     let profile = device.profile().filter(|&profile| newest_version(profile).is_some()).unwrap_or(301);
     let mut features = of_profile(device, profile);
     for feature in FEATURES.iter().filter(|feature| feature.is_of(profile)) {
-        let plan = Plan { profile, features: features.clone() };
+        let plan = Demanded { profile, features: features.clone() };
         if let Some(value) = value(device, &plan, feature) {
             // what is beyond the range of the feature stays unset
             let _ = features.set(feature.word, &value);
@@ -51,7 +51,7 @@ fn of_profile(device: &Device, profile: u16) -> Features {
 }
 
 /// The value of a feature, as far as the objects that it describes say so.
-fn value(device: &Device, plan: &Plan, feature: &Feature) -> Option<FeatureValue> {
+fn value(device: &Device, plan: &Demanded, feature: &Feature) -> Option<FeatureValue> {
     let elements = |index: u16| device.object(index).and_then(Object::highest_sub).unwrap_or(0).into();
     let has = |index: u16| device.object(index).is_some();
     if let FeatureKind::Bits { index, .. } = feature.kind {

@@ -18,7 +18,7 @@ pub use infer::infer;
 #[cfg(feature = "full")]
 pub use usual::{MIDNIGHT, NO_VENDOR, now};
 
-use base::Plan;
+use base::Demanded;
 use objdict_model::model::{
     BaudRates, ClockTime, DataType, Date, Device, DeviceInfo, FileInfo, ObjectList, PdoKind, Value,
 };
@@ -95,7 +95,7 @@ pub fn identify(device: &mut Device) {
 /// Adds objects as CiA 301 and the document of a profile describe them, with their usual values, to a device that lacks them.
 pub fn add_objects(device: &mut Device, profile: u16, indexes: &[u16]) {
     let documents = base::documents(profile);
-    let maker = objects::Maker { plan: Plan::new(profile, &Features::default()), documents: &documents };
+    let maker = objects::Maker { plan: Demanded::new(profile, &Features::default()), documents: &documents };
     for &index in indexes {
         maker.add(device, index);
         if let Some(list) = ObjectList::of(index) {
@@ -112,7 +112,7 @@ pub fn object(device: &Device, index: u16) -> Option<Object> {
     let number = device.profile().unwrap_or_default();
     let documents = base::documents(number);
     documents.iter().find_map(|document| document.object(index))?;
-    let maker = objects::Maker { plan: Plan::new(number, &Features::default()), documents: &documents };
+    let maker = objects::Maker { plan: Demanded::new(number, &Features::default()), documents: &documents };
     let mut made = Device::default();
     maker.add(&mut made, index);
     made.objects.remove(&index)
@@ -124,7 +124,7 @@ pub fn entry(device: &Device, index: u16, sub: u8) -> Option<Entry> {
     let number = device.profile().unwrap_or_default();
     let documents = base::documents(number);
     documents.iter().find_map(|document| document.object(index)?.entry(sub))?;
-    let maker = objects::Maker { plan: Plan::new(number, &Features::default()), documents: &documents };
+    let maker = objects::Maker { plan: Demanded::new(number, &Features::default()), documents: &documents };
     Some(maker.entry(index, sub))
 }
 
@@ -138,7 +138,7 @@ pub fn pdo(
 ) -> Option<[(u16, Object); 2]> {
     let profile = device.profile().unwrap_or_default();
     let documents = base::documents(profile);
-    let maker = objects::Maker { plan: Plan::new(profile, &Features::default()), documents: &documents };
+    let maker = objects::Maker { plan: Demanded::new(profile, &Features::default()), documents: &documents };
     pdos::records(&maker, &PdoMap { kind, number, mapped })
 }
 
@@ -164,7 +164,7 @@ pub fn file_info(wanted: &Wanted) -> FileInfo {
 }
 
 /// What a new description says of its device.
-pub fn device_info(plan: &Plan, device: &Device) -> DeviceInfo {
+pub fn device_info(plan: &Demanded, device: &Device) -> DeviceInfo {
     let count = |kind: PdoKind| u16::try_from(device.pdo_count(kind)).unwrap_or(PdoKind::MAX);
     DeviceInfo {
         order_code: Some(String::new()),

@@ -1,6 +1,6 @@
 //! Objects as documents describe them.
 
-use super::base::Plan;
+use super::base::Demanded;
 use super::number;
 use objdict_model::model::{
     Access, CobId, DataType, Device, Entry, ObjFlags, Object, ObjectType, PdoMapping, Value, predefined,
@@ -10,7 +10,7 @@ use objdict_profile::{EntryFacts, Mapping, ObjectFacts, Profile};
 /// Makes objects of what the documents say of them, the general document first.
 pub struct Maker<'a> {
     /// The profile and the features.
-    pub plan: Plan,
+    pub plan: Demanded,
     /// The documents that demand objects.
     pub documents: &'a [&'a Profile],
 }
@@ -137,7 +137,7 @@ impl Maker<'_> {
 
     /// The value of an entry that depends on the device, or that a new device has where the documents leave it open.
     fn value(&self, index: u16, sub: u8) -> Option<Value> {
-        let Plan { profile, features } = &self.plan;
+        let Demanded { profile, features } = &self.plan;
         let is_on = |feature| feature == Some(true);
         Some(match (index, sub) {
             (0x1000, 0) => Value::Unsigned(self.plan.device_type().into()),

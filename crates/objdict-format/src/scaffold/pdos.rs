@@ -1,7 +1,7 @@
 //! The PDOs of a new device: those that its profile maps by default, further ones, switched off, for channels that these have
 //! no room for, and those without a mapping that are asked for.
 
-use super::base::Plan;
+use super::base::Demanded;
 use super::features::Features;
 use super::number;
 use super::objects::Maker;
@@ -51,7 +51,7 @@ fn wanted(device: &Device, maker: &Maker<'_>) -> Vec<PdoMap> {
 }
 
 /// What the profile maps by default, as far as the device has it.
-pub(super) fn default_pdos(device: &Device, plan: &Plan) -> Vec<PdoMap> {
+pub(super) fn default_pdos(device: &Device, plan: &Demanded) -> Vec<PdoMap> {
     let mut pdos = match plan.profile {
         401 => default_mapping::of_channels(&counts(&plan.features)),
         402 => of_drive(),
@@ -104,7 +104,7 @@ fn of_drive() -> Vec<PdoMap> {
 }
 
 /// Digital channels, then analogue ones, as many as fit into a PDO each (CiA 404 leaves it to the device).
-fn of_measured(device: &Device, plan: &Plan) -> Vec<PdoMap> {
+fn of_measured(device: &Device, plan: &Demanded) -> Vec<PdoMap> {
     let entries = |index: u16, bits: usize| -> Vec<MappedObject> {
         let index = plan.channel_index(index);
         let count = device.object(index).and_then(Object::highest_sub).unwrap_or_default();

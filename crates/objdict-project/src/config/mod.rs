@@ -4,6 +4,7 @@
 //! hold.
 //!
 //! ```
+//! # mod objdict { pub use objdict_lint as lint; pub use objdict_model::source; pub use objdict_project::config; }
 //! use objdict::config::Config;
 //! use objdict::lint::Severities;
 //! use objdict::source::SourceFile;

@@ -31,7 +31,7 @@ impl<W: Write> Concise<W> {
 
 impl<W: Write> Report for Concise<W> {
     fn file(&mut self, subject: Subject<'_>, findings: &Findings) -> io::Result<()> {
-        self.tally.add(findings);
+        self.tally.take(subject, findings);
         if self.detail.has_statistics() {
             self.statistics.add(subject, findings);
         }

@@ -54,7 +54,7 @@ impl<W: Write> Github<W> {
 
 impl<W: Write> Report for Github<W> {
     fn file(&mut self, subject: Subject<'_>, findings: &Findings) -> io::Result<()> {
-        self.tally.add(findings);
+        self.tally.take(subject, findings);
         let name = self.base.relative(subject.source().name());
         let file = property(&name);
         for finding in findings {

@@ -28,7 +28,7 @@ pub struct Json<W> {
 #[cfg(feature = "schema")]
 #[derive(schemars::JsonSchema)]
 #[allow(dead_code, reason = "its schema is all that is made of it")]
-pub struct Document<'a> {
+pub struct CheckJson<'a> {
     /// The version of the document.
     version: objdict_model::json::Version<VERSION>,
     /// The findings, file by file in the order of the arguments, in each file in the order of its text; absent with
@@ -210,7 +210,7 @@ impl<W: Write> Json<W> {
 
 impl<W: Write> Report for Json<W> {
     fn file(&mut self, subject: Subject<'_>, findings: &Findings) -> io::Result<()> {
-        self.tally.add(findings);
+        self.tally.take(subject, findings);
         if self.detail.has_statistics() {
             self.statistics.add(subject, findings);
         }

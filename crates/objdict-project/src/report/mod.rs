@@ -42,7 +42,7 @@ pub use github::Github;
 pub use gitlab::Gitlab;
 pub use group::grouped;
 #[cfg(feature = "schema")]
-pub use json::Document as FindingsDocument;
+pub use json::CheckJson;
 #[cfg(feature = "full")]
 pub use json::Json;
 #[cfg(feature = "xdd")]
@@ -166,13 +166,29 @@ pub struct Tally {
     pub omitted: usize,
     /// Findings that the file, the configuration or a baseline says not to report.
     pub suppressed: usize,
+    /// Whether the file that was added last is among those with findings.
+    has_last: bool,
 }
 
 impl Tally {
+    /// Adds what a report takes: a file, or one more device of the last file.
+    pub(crate) fn take(&mut self, subject: Subject<'_>, findings: &Findings) {
+        let is_same = subject.description().is_some_and(|description| description.number() > 0);
+        let before = *self;
+        self.add(findings);
+        if is_same && before.files > 0 {
+            self.files = before.files;
+            self.has_last |= before.has_last;
+            self.files_with_findings =
+                before.files_with_findings + usize::from(self.has_last && !before.has_last);
+        }
+    }
+
     /// Adds one file.
     pub fn add(&mut self, findings: &Findings) {
         self.files += 1;
-        self.files_with_findings += usize::from(!findings.is_empty());
+        self.has_last = !findings.is_empty();
+        self.files_with_findings += usize::from(self.has_last);
         for finding in findings {
             self.places += 1 + finding.also.len();
             match finding.severity {

@@ -87,7 +87,7 @@ impl<W> TextReport<W> {
 
 impl<W: Write> Report for TextReport<W> {
     fn file(&mut self, subject: Subject<'_>, findings: &Findings) -> io::Result<()> {
-        self.tally.add(findings);
+        self.tally.take(subject, findings);
         if self.detail.has_statistics() || self.is_brief {
             self.statistics.add(subject, findings);
         }

@@ -4,7 +4,7 @@ use std::collections::BTreeMap;
 
 use crate::probe::{Exchange, SdoAnswer, SdoRequest};
 use objdict_bus::Abort;
-use objdict_format::scaffold::base::{Plan, documents};
+use objdict_format::scaffold::base::{Demanded, documents};
 use objdict_format::scaffold::objects::Maker;
 use objdict_format::scaffold::{Features, Wanted, device_info, file_info, newest_version};
 use objdict_model::model::{
@@ -43,7 +43,7 @@ pub fn learn(
     let profile = number(0x1000, 0).and_then(|device_type| u16::try_from(device_type & 0xFFFF).ok());
     let profile = profile.filter(|profile| newest_version(*profile).is_some()).unwrap_or(301);
     let documents = documents(profile);
-    let maker = Maker { plan: Plan::new(profile, &Features::default()), documents: &documents };
+    let maker = Maker { plan: Demanded::new(profile, &Features::default()), documents: &documents };
     let mut device = Device::default();
     for (&index, entries) in &seen {
         let object = Learner { maker: &maker, node_id, index }.object(entries);
