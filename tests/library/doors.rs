@@ -77,8 +77,7 @@ fn command(folder: &Path, arguments: &[&str]) -> String {
 }
 
 fn of_command(folder: &Path, file: &str) -> Found {
-    let report: Value =
-        serde_json::from_str(&command(folder, &["check", "--format", "json", file])).unwrap();
+    let report: Value = serde_json::from_str(&command(folder, &["check", "--format", "json", file])).unwrap();
     assert_eq!(report["summary"]["files"], 1, "{file}");
     let findings = report["findings"].as_array().unwrap().iter();
     findings

@@ -45,7 +45,7 @@ pub(super) fn run(args: &HelpArgs, texts: &Texts, out: &mut Output) -> Result<Ou
     };
     match (topic, args.subject.as_slice()) {
         (Some((.., Text::Section(page, heading))), _) => {
-            out.write_all(section(page(texts), heading).as_bytes())?
+            out.write_all(section(page(texts), heading).as_bytes())?;
         }
         (Some((.., Text::Targets)), _) => write_targets(out)?,
         (None, [topic]) if topic == "topics" => write_topics(out)?,

@@ -395,7 +395,7 @@ impl Description {
         &self.device
     }
 
-    /// The description of a configured node beside that of its type, with which it is then [checked](objdict_project::check()) too.
+    /// The description of a configured node beside that of its type, with which it is then checked too.
     #[must_use]
     pub fn with_origin(self, origin: Self) -> Self {
         Self { origin: Some(Box::new(origin)), ..self }

@@ -108,7 +108,7 @@ pub fn object_writer(text: &str) -> Option<impl Fn(u16, &Object) -> String> {
 /// object and a PDO in comments.
 ///
 /// # Errors
-/// As [`crate::scaffold::base`].
+/// As [`crate::scaffold::base()`].
 #[cfg(feature = "full")]
 pub fn new_device_toml(wanted: &Wanted) -> Result<String, BaseError> {
     device_toml::start(wanted.profile, &wanted.features, &scaffold(wanted)?)

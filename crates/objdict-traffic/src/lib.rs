@@ -16,7 +16,6 @@ use std::io::{self, BufRead};
 pub use self::against::findings;
 use self::candidates::Candidates;
 pub use self::described::{DescribedNode, Descriptions};
-#[cfg(feature = "schema")]
 pub use self::line::FrameDocument;
 pub use self::line::digits;
 pub use self::merged::{MergedLogs, NamedLog, Origin};

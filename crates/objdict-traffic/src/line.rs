@@ -18,7 +18,7 @@ const START: &str = "{\"version\":1,\"time\":0.0,";
 /// A frame as the JSON document of `objdict decode --format json`: what it is, and what it says.
 #[derive(Serialize)]
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
-pub(crate) struct FrameDocument<'a> {
+pub struct FrameDocument<'a> {
     /// The version of the line.
     version: Version<VERSION>,
     /// When it was seen, in seconds with the digits of the log.

@@ -362,9 +362,7 @@ fn is_made(description: &Description, change: &Change) -> bool {
 
 /// The description in the bytes of a file; `from` is its format where that is known.
 fn read(name: &str, bytes: Vec<u8>, from: Option<FileKind>) -> Result<Description, Refusal> {
-    let mut reading = Reading::default();
-    reading.from = from;
-    match reading.read(name, bytes)? {
+    match (Reading { from, ..Reading::default() }).read(name, bytes)? {
         (_, Input::Description(description)) => Ok(*description),
         (kind, _) => {
             let message =

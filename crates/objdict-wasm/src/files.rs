@@ -82,8 +82,7 @@ pub(crate) fn save(description: &Description, name: &str, node: Node, storage: O
         if is_node {
             (device.commissioning, device.kind) = (Some(commissioning), DeviceKind::Node);
         }
-        let mut options = WriteOptions::default();
-        options.embed = true;
+        let mut options = WriteOptions { embed: true, ..WriteOptions::default() };
         options.eds.compact = storage == Some(Storage::Compact);
         let written =
             format::convert(device, Path::new(name), format, false, &options).map_err(Refusal::new)?;

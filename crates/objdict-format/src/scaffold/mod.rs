@@ -58,7 +58,7 @@ pub struct Wanted {
 /// The description of a new device, of the newest version of its profile.
 ///
 /// # Errors
-/// As [`base`].
+/// As [`base()`].
 pub fn scaffold(wanted: &Wanted) -> Result<Device, BaseError> {
     let version = newest_version(wanted.profile).ok_or(BaseError::Profile(wanted.profile))?;
     let mut device = base(wanted.profile, version, &wanted.features)?;

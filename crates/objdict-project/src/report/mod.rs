@@ -41,7 +41,7 @@ pub use github::Github;
 #[cfg(feature = "full")]
 pub use gitlab::Gitlab;
 pub use group::grouped;
-#[cfg(feature = "schema")]
+#[cfg(feature = "full")]
 pub use json::CheckJson;
 #[cfg(feature = "full")]
 pub use json::Json;
