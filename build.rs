@@ -1,4 +1,7 @@
 //! Finds the page that the feature `open` puts into the command.
+//!
+//! The feature `open` is not part of `cli`, so `cargo install` needs neither Node nor a compiler for WebAssembly.
+//! Every build contains the server, which reads the page from the file in the variable `OBJDICT_WORKBENCH`.
 
 #![allow(clippy::print_stdout, reason = "so a build script talks to Cargo")]
 

@@ -1,5 +1,8 @@
 //! What Cargo compiles for the commands of README. Features that one command turns on and another does not would make Cargo compile most
 //! crates again, so whoever has run `cargo run` waits half as long for `cargo test`, and the gate compiles everything once.
+//!
+//! Therefore all commands use the default members of the workspace, and `xtask` and `tests/crates` depend on some
+//! crates only to enable the features that dependencies of tests enable.
 
 #![cfg(test)]
 

@@ -1,4 +1,7 @@
 //! The dictionary of a description at run time.
+//!
+//! Its rows are those of the generated tables (`live_entries`), so a simulated node rejects the same writes as a
+//! generated one.
 
 use std::cmp::Ordering;
 

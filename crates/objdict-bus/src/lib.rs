@@ -1,5 +1,7 @@
 //! Nodes and their manager on a simulated bus. Part of `objdict`; depend on that crate instead.
 //!
+//! The crate knows networks only as a `Plant`; `objdict-document` describes its frames.
+//!
 //! A [`Plant`] is a network of descriptions and of the objects of its manager. [`boot`] lets the manager boot it (CiA 302-2): real
 //! frames, arbitrated by CAN-ID and as long as the bit rate makes them, between an NMT master and nodes that are
 //! `objdict-device` over a [`LiveDictionary`]. What happens is a [`Run`], the same in every run.

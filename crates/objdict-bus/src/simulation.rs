@@ -1,4 +1,7 @@
 //! The bus: who may send next, and when what happens.
+//!
+//! Time is simulated: frames in nanoseconds, timers of nodes every millisecond. A run therefore gives the same
+//! result on every machine.
 
 use std::collections::BTreeMap;
 

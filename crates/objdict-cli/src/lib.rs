@@ -1,5 +1,8 @@
 //! The command `objdict`: one file a command. Results go to the standard output, messages to the
 //! standard error.
+//!
+//! `dcf`, `convert`, `network`, `show` and `docs` import their submodules and vice versa: they share printed
+//! output and are split for length.
 
 mod annotation;
 mod args;

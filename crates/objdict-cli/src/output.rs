@@ -1,4 +1,7 @@
 //! The standard output.
+//!
+//! Text is made harmless where it is printed, not where it is created: names and texts of files could otherwise
+//! steer a terminal or a CI service. A name must be one line (`one_line`, `name_of`).
 
 use std::borrow::Cow;
 use std::fmt::Display;

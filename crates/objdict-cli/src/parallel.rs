@@ -1,4 +1,7 @@
 //! Work on many files at the same time, with results in their order.
+//!
+//! A batch is limited in files and bytes, so the output does not depend on the number of threads and thousands of
+//! files are never in memory together.
 
 use std::num::NonZeroUsize;
 use std::sync::mpsc;

@@ -1,5 +1,9 @@
 //! `objdict schema`: the JSON Schemas of the documents that objdict writes. They are made of the types that write them
 //! (`cargo xtask docs`, feature `schema`) and are part of the program.
+//!
+//! The texts in `schemas` are compiled in, so the command needs no crate for them. For a document that is written
+//! piece by piece, a type behind the feature `schema` declares the outer fields. A new field needs a comment,
+//! which becomes its description.
 
 use std::io::Write;
 

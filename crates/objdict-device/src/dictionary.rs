@@ -1,4 +1,7 @@
 //! What the services need of an object dictionary.
+//!
+//! The services know only this trait. They take frames and the time, return frames, and report when they are due
+//! (`next`), so they are tested without a bus.
 
 use crate::Abort;
 use crate::table::{Data, Entry, Table};

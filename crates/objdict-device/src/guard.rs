@@ -1,4 +1,7 @@
 //! The dictionary as SDO servers have it.
+//!
+//! SDO writes go through it. It asks `rules` about values that no service could follow, and passes the others on
+//! to the services.
 
 use crate::dictionary::{Dictionary, Scope};
 use crate::{Abort, Attributes, errors, rules};

@@ -1,5 +1,8 @@
 //! The text of [`table`](crate::table), which the generator writes into files without dependencies.
 //!
+//! They name items of `core` in full and derive traits of other crates by `#[cfg_attr(feature = "…",
+//! derive(…))]`, so the generated file needs neither imports nor dependencies.
+//!
 //! The files import each other by `use super::…;` alone, so that their texts can be joined without these lines. They
 //! are also valid in edition 2021.
 

@@ -1,5 +1,8 @@
 //! Documentation generated from a description: pages for reading, tables for programs, a DBC for tools of the bus.
 //!
+//! `objdict-network` is needed for the index of a site, `objdict-node` for the downloads of a node, and
+//! `objdict-device` for the texts of abort codes.
+//!
 //! A page contains the words in reading order; a [`Form`] writes it. Neither reads files: the findings of
 //! `check` and the file name are passed with the device ([`Subject`]).
 

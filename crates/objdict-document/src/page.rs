@@ -1,4 +1,7 @@
 //! The content of a page in reading order.
+//!
+//! A new part is a field of `Page` with its data in a file of its own, partials in `templates/html` and
+//! `templates/markdown`, and words in `texts` in both languages.
 
 use super::card::Card;
 use super::communication::Communication;

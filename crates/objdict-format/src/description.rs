@@ -1,4 +1,6 @@
 //! A description that was read: the device together with the text that it came from.
+//!
+//! It and the parent module import each other, because a description reads and writes every format.
 
 mod edits;
 

@@ -1,4 +1,7 @@
 //! Any file that commands and build scripts read: what it is, and what is in it.
+//!
+//! Memory depends on the number of the shortest parts, so sections, elements and JSON values are counted in the
+//! text before they are read. The limits grow with the file; real files do not reach them.
 
 mod error;
 mod tags;

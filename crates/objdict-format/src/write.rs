@@ -1,4 +1,7 @@
 //! Writing a device: the text of a format, what does not come back of it, and where that is kept.
+//!
+//! Losses are measured: the written text is read back and compared. One mechanism therefore covers all pairs of
+//! formats, and no list of the gaps of a format is needed.
 
 use std::borrow::Cow;
 use std::collections::BTreeSet;

@@ -1,4 +1,8 @@
 //! The object dictionary as visible on the network with resolved entries: the input of every stack backend.
+//!
+//! Each entry that a table cannot contain gets a note. C backends share `variables`, `c_code` and `memory::Tally`;
+//! `rust` and `c` share `Table` and the modules for frames, defaults, meanings, storage groups and hooks. Only the
+//! target `concise` needs `objdict-node`.
 
 use std::borrow::Cow;
 

@@ -1,5 +1,7 @@
 //! `objdict lsp`: a language server for descriptions, networks and what belongs to them.
 //!
+//! No result is updated in place, so tests can compare its findings with those of a check.
+//!
 //! The text is the truth: each change brings the whole text of a file, which is read and checked again. Answers are made of what
 //! the readers of the library give: places of the model and spans of the text.
 

@@ -1,4 +1,6 @@
 //! What the words of an EDS or DCF are, for their colours.
+//!
+//! There is no Tree-sitter grammar: the server knows more about a value than a grammar can express.
 
 use super::file::File;
 use super::protocol::SemanticTokens;

@@ -1,5 +1,8 @@
 //! The foundation of objdict: texts with positions, findings as data, and the typed dictionary of a device.
 //! Part of `objdict`, which is the crate to depend on.
+//!
+//! Value spelling (`literal`) is here because EDS, XDD, settings and the text of concise DCF share it;
+//! `canopennode` is here because the rules and the generator share it. No other crate is below all of these.
 
 /// Implements `Display` and `Error` for an error: the message of each pattern, and `From` for what a variant wraps.
 #[doc(hidden)]

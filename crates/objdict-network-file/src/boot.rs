@@ -1,4 +1,7 @@
 //! A network as its manager and its nodes find it when they are switched on: from the files that are built of it.
+//!
+//! The manager knows only the bytes of the built files, never the network in memory, so a simulated boot tests
+//! the files.
 
 use std::path::Path;
 

@@ -1,4 +1,7 @@
 //! The downloads of each node, in the order of dcfgen 2.4.2.
+//!
+//! It depends on its submodule `compiler`, which applies each download when it is created and returns the type
+//! that this module is about.
 
 mod compiler;
 mod pdo;

@@ -1,4 +1,8 @@
 //! The nodes of a network with their configurations.
+//!
+//! `Slave::device` is the one effective dictionary of a node: its description, configured values and downloads.
+//! PDOs, messages, load, checks, pages and all targets are computed from it. Only `DcfgenMode::Exact` also uses
+//! the requests, because dcfgen does.
 
 use std::collections::BTreeMap;
 

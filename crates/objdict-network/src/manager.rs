@@ -1,4 +1,6 @@
 //! What the manager knows of the nodes: the values of its objects (CiA 301, CiA 302-2).
+//!
+//! These values are computed once, for checks, boot plans and built files.
 
 use std::collections::BTreeMap;
 

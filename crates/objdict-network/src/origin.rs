@@ -1,4 +1,7 @@
 //! Where the descriptions of nodes have what findings are about.
+//!
+//! A label into a description is `Slave::origin` for a value that no download replaces, and `because` for a
+//! field.
 
 use crate::compiled::Origins;
 use crate::compiled::{Slave, indexes};

@@ -1,6 +1,9 @@
 //! Conditions of profiles, which decide whether an object is mandatory: a text form for authors, and its
 //! evaluation.
 //!
+//! Conditions are three-valued: if the description does not state a value, the condition is undecided and the
+//! requirement does not apply.
+//!
 //! ```text
 //! 6040h                      the object is described
 //! 1A00h:2                    the sub-index is described

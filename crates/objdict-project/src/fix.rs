@@ -1,4 +1,7 @@
 //! Findings fixed: fixes applied, and proven by reading and checking the text again.
+//!
+//! All fixes that do not overlap are applied together, the text is read and checked again, and fixes that did not
+//! help are reverted.
 
 use std::collections::{BTreeMap, BTreeSet};
 

@@ -1,4 +1,7 @@
 //! Logs of buses, read with descriptions of the nodes.
+//!
+//! A log reader borrows its descriptions, and a Python iterator cannot. A thread therefore owns both and sends
+//! the lines of `objdict decode --format json` as far as they are requested.
 
 use std::fs::File;
 use std::io::{self, BufRead, BufReader};

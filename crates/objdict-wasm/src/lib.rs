@@ -1,5 +1,9 @@
 //! The engine of the workbench (`web`): objdict as it runs in the browser. The page sends requests as JSON and gets answers as
 //! JSON; bytes of files go beside them. An error is an answer too.
+//!
+//! The page knows no format: it asks the engine for everything that it shows. Findings are the document of `check
+//! --format json`, so fixes and typed text are edits by line and column. State of the device in the page, or a
+//! framework, would be a second model next to that of objdict.
 
 mod answer;
 mod document;

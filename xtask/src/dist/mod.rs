@@ -1,5 +1,8 @@
 //! Packages of the command, of the Python module and of the extension of VS Code, into `target/dist`, with their checksums.
 //!
+//! docs/install.md is the test: `cargo xtask dist try` runs its blocks. The feature `open` is enabled if the page
+//! of the workbench has been built.
+//!
 //! The command is built once and linked statically where the system allows it, so one program runs on every Linux, in an empty
 //! image, and beside any Python. With `--program` nothing is built but the Python module: the gate packs the program that it tested,
 //! and its packages run on this machine alone.

@@ -1,4 +1,7 @@
 //! The wheel: the module, and the command as a script of it, so that the command starts without Python.
+//!
+//! As an entry point of the module, the command would start an interpreter first; a second distribution would
+//! need a second release.
 
 use std::env::consts::EXE_SUFFIX;
 use std::fs;

@@ -1,4 +1,7 @@
 //! The archive of the command for Windows, as [`tarball`](super::tarball) is for others. On Linux the command is built with mingw.
+//!
+//! It is tested under wine with the existing tests of `tests/command` (`OBJDICT_PROGRAM`, `.ci/windows`). Tests
+//! built for Windows would compile everything a second time.
 
 use std::process::Command;
 

@@ -1,5 +1,7 @@
 //! The list of the files that objdict wrote into a folder. It has the form of `sha256sum`, which checks it too; a comment in
 //! front of files says what wrote them.
+//!
+//! A file is listed before it is written, so a killed run leaves no file that the next run does not recognise.
 
 use std::collections::{BTreeMap, BTreeSet};
 use std::fmt::{self, Write as _};

@@ -1,6 +1,8 @@
 //! All files of a folder that belong together, replaced at once: a run that fails or is killed leaves the former files, and
 //! never some of them beside new ones.
 //!
+//! Renaming the files one by one would leave a mixture after a kill; a journal would need readers that know it.
+//!
 //! A folder that holds nothing else is built beside the old one, and both change places in one step. Where that is not
 //! possible, as with files of others in the folder, the old files leave it before the new ones come.
 

@@ -1,4 +1,7 @@
 //! As much of HTTP/1.1 as the page of `objdict open` needs: one request on a connection, with bounds for its size and its time.
+//!
+//! No HTTP crate is used: tiny_http has no read timeout, keeps connections open and had its last release in 2022;
+//! an asynchronous server needs a runtime.
 
 use std::borrow::Cow;
 use std::io::{self, BufRead, BufReader, Read, Write};

@@ -1,5 +1,8 @@
 //! The server of `objdict open`: the page, the list of its files, and their bytes. Only a program on this computer reaches it, only one that
 //! knows the token is answered, and only a page that it served itself may write.
+//!
+//! The token is part of the path, so the page can ask for `files/3` without knowing it. A file is compared by its
+//! SHA-256 under a lock before it is written; only a different program could change it in between.
 
 use std::borrow::Cow;
 use std::fmt::Write as _;

@@ -1,4 +1,6 @@
 //! The order of sections in a description and of keys in a section, as in the canonical text.
+//!
+//! The writer, the formatter and fixes that add sections use the same order.
 
 use super::keys::Key;
 use crate::model::{Field, ModulePart, ObjectList, Part};

@@ -1,4 +1,7 @@
 //! An INI file as its text, split into sections on demand.
+//!
+//! Lines are not stored. Scanning again is fast enough for reading, printing and locating, and a file of a
+//! million lines needs no more memory than its text.
 
 use super::{Line, LineKind, Lines};
 use crate::source::{SourceFile, Span};

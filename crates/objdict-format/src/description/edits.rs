@@ -1,4 +1,6 @@
 //! Descriptions with changes: as the description of a node or a type, in order, with fixes.
+//!
+//! `arranged` compares the devices before and after, because it moves text that the model does not contain.
 
 #[cfg(feature = "full")]
 use super::says_the_same;

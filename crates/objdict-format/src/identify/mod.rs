@@ -1,5 +1,7 @@
 //! What a file is, found out from its content: the formats of CANopen, and the look-alikes that are taken for them.
 //!
+//! Its readers return the type of this module, so they import each other.
+//!
 //! The name counts only where the content does not decide: an EDS and a DCF, or an XDD and an XDC, may have the same text.
 //! Nothing here fails on malformed content; unrecognised content is [`ContentKind::Unknown`].
 

@@ -1,4 +1,7 @@
 //! The text of a description as another device, by as few edits as the format has places for.
+//!
+//! The canonical EDS texts of both devices are compared key by key (`eds::stated`). The differences become
+//! changes as fixes use them; the rest is embedded.
 
 use std::collections::BTreeMap;
 

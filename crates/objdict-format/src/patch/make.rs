@@ -1,4 +1,6 @@
 //! A patch made of two descriptions: the original, and one that was edited.
+//!
+//! It is the reverse of applying a patch; its text is read again and compared.
 
 use std::collections::BTreeSet;
 use std::fmt::Write;

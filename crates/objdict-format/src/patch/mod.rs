@@ -1,5 +1,9 @@
 //! Patches: corrections of description files that belong to others (docs/patches.md).
 //!
+//! `Reading` applies patches to every description that it opens, so commands and build scripts share one entry. A
+//! patched description keeps the text of its file and thus the line numbers of findings; a label `At::Patch`
+//! points to the cause.
+//!
 //! A patch changes the model, each datum by its address, and says what it expects there. The text of the file
 //! follows by edits of what is different ([`Description::realised`](super::Description)), so one patch serves all formats.
 

@@ -1,4 +1,6 @@
 //! The words by which files that people write name the fields of a device, and the keys that they may have.
+//!
+//! A new word of a field also needs its arms in `fields` and a row in docs/patches.md.
 
 use objdict_keyed::section::{Key, Shape, bits};
 use objdict_keyed::types;

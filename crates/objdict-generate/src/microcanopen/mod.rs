@@ -1,6 +1,9 @@
 //! The target `microcanopen`: tables for MicroCANopen as described in chapter 6 of "Embedded Networking with
 //! CAN and CANopen".
 //!
+//! This target and `objdict-macros` are code, not templates of the target `template`: a template sees one device
+//! and writes one file, so notes, the process image and `--report size` would be lost.
+//!
 //! Constant values become prepared SDO replies. Values that can change are in the process image, from which
 //! the stack takes PDO data. So the image starts with the mapped objects in PDO mapping order; all others
 //! follow.

@@ -1,4 +1,7 @@
 //! The target `rust`: one file without dependencies, `od.rs`.
+//!
+//! Values are one array of bytes (`Data`) in SDO byte order. A handle is a constant with the position of its
+//! value, so `get` is a load without code of its own, and access by index uses one path for all entries.
 
 mod defaults;
 mod literal;

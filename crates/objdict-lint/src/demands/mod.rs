@@ -1,6 +1,8 @@
 //! Descriptions, compared with documents: one walk for the rules of all documents. A rule compares the
 //! device with the document of its own group (`cia401/…` with CiA 401, `custom/…` with custom profiles), so
 //! the groups contain only the pages of the rules, and the checks are here.
+//!
+//! Custom profiles are therefore checked by the same code as documents of CiA.
 
 #[cfg(feature = "catalogue")]
 mod bits;

@@ -1,5 +1,8 @@
 //! The texts of findings: a template with gaps, and the values for the gaps. The text is rendered for
 //! display, in the words of the syntax of the file.
+//!
+//! Code must not depend on the wording of a message: it uses the values. Rules use the terms of the model, and a
+//! `Vocabulary` replaces them for other syntaxes.
 
 use std::borrow::{Borrow, Cow};
 use std::fmt;

@@ -1,4 +1,7 @@
 //! The spelling of values in description files: CiA 306-1 §4.3 and the practice of real files.
+//!
+//! Readers accept the spellings of real files (octal, `n+$NODEID`, comments after numbers, C suffixes) and report
+//! each as a `Quirk`. The model stores only the value; `spelling` turns quirks into findings.
 
 mod calendar;
 mod intended;

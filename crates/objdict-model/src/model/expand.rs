@@ -1,4 +1,7 @@
 //! Expands compactly stored entries, and stores entries compactly.
+//!
+//! The model keeps compact objects compact: real files describe tens of thousands of entries this way.
+//! `Object::entries` shows them expanded, `Object::described` shows the stated ones.
 
 use std::borrow::Cow;
 

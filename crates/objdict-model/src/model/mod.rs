@@ -1,6 +1,8 @@
 //! The typed object dictionary. The model is independent of files, spans and text formats; every stage after
 //! reading takes a [`Device`].
 //!
+//! Typed fields therefore hold valid values only, and no later stage has to check one.
+//!
 //! Names follow CANopen: a device has *objects* at an *index*, objects have *entries* at a *sub-index*, an
 //! entry has a *data type*, an *access* type and *values*. If a text of a description is not valid in its
 //! field, the typed field is empty and the text is in the [`InvalidValues`]; keys without a field are in

@@ -1,5 +1,8 @@
 //! Parameters of the application process: the meaning of entries for users and applications (CiA 311
 //! §6.4.5).
+//!
+//! Attributes that a parameter shares with an entry are stored in the entry, so rules and generators see one
+//! dictionary for all formats.
 
 use super::part::{part, words};
 use super::{DataTypeRef, Labels};

@@ -1,4 +1,7 @@
 //! Texts in front of the disk: what an editor has in its buffers, or a browser in place of files.
+//!
+//! Everything that readers open goes through `read`, so no reader needs a parameter for buffers. The language
+//! server also records which files a result depends on, and drops the result when one of them changes.
 
 use std::cell::RefCell;
 use std::path::Path;

@@ -1,4 +1,7 @@
 //! Suppression of findings by comments.
+//!
+//! Comments apply wherever a file is checked, also in build scripts. A baseline belongs to a run over files, so
+//! the command applies it. Both count the findings that they remove.
 
 use super::comments::{Directive, directives};
 use crate::registry;

@@ -1,5 +1,8 @@
 //! The table: rule, tools, reaction. Tested with dcf-tools 2.4.2, canopen 2.4.1 for Python, canopen 6.2.1 of npm and CANopenNode 4; taken from
 //! the sources of CANopenEditor of July 2026 and CANopenNode 4, and from the manual of CODESYS.
+//!
+//! A cause that no rule finds needs a rule in the group `portability`: in `objdict-lint`, or in `objdict-eds` if
+//! only the text shows it.
 
 use super::{Effect, Reaction, When};
 use objdict_format::Description;

@@ -1,4 +1,7 @@
 //! The settings of a text in TOML.
+//!
+//! The TOML tree is walked by hand instead of being deserialised, so that one invalid setting does not hide the
+//! others.
 
 use std::ops::Range;
 

@@ -1,4 +1,6 @@
 //! Which findings another one explains, so that a report says the cause alone.
+//!
+//! Only findings of no higher severity are left out, so the exit code never changes.
 
 use std::collections::{BTreeMap, HashMap, HashSet};
 

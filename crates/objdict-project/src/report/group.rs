@@ -1,4 +1,7 @@
 //! Findings of one cause as one finding: the first one, with the others behind it.
+//!
+//! Findings are joined if only places and found values differ; a gap `{!}` holds a required value, which must be
+//! equal.
 
 use std::collections::BTreeMap;
 

@@ -1,4 +1,7 @@
 //! What findings are about.
+//!
+//! A label of a network may point into the description of a node (`At::Node`); `Subject::of_label` selects the
+//! file.
 
 #[cfg(feature = "network")]
 use std::collections::BTreeMap;

@@ -1,4 +1,6 @@
 //! The objects of a description while it is read.
+//!
+//! Objects are appended to a list in the order of the file, and the map is built at the end.
 
 use std::collections::BTreeMap;
 

@@ -1,5 +1,7 @@
 //! From EDS and DCF texts to the model. Reading never fails: what cannot be read becomes a finding or an
 //! invalid value.
+//!
+//! If a key or section occurs twice, the first one is used; object lists are merged. Findings report both cases.
 
 mod compact;
 mod dictionary;

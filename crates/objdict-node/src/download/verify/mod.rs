@@ -1,5 +1,8 @@
 //! Checks whether a node accepts a configuration. The downloads are applied to the dictionary one by one, as
 //! a device does (CiA 301 §7.5.2, CiA 302-3).
+//!
+//! `objdict-device` decides which writes are rejected; this module explains the reason. Products, simulated nodes
+//! and checks therefore share one table of rules.
 
 mod node;
 mod objection;

@@ -1,6 +1,10 @@
 //! CiA 311 (versions 1.0 and 1.1) in one table: the elements, their content and its order, the values of
 //! their attributes, and their fields in the model. Reading, writing, checking, locating and the wording of
 //! findings use this table.
+//!
+//! *Stray* elements and attributes are those that the model has and the standard does not allow in this place.
+//! The table spans several modules that import each other (`fact`, `shape`, this folder), one per body of CiA
+//! 311.
 
 pub(crate) mod application;
 pub(crate) mod container;

@@ -1,5 +1,8 @@
 //! The plain parts of CiA 311, read and written by the schema.
 //!
+//! A `Shape<P>` links an element to the part `P` of the model that stores it: `Lens` pairs access one field,
+//! `Keep` states how children are stored. A field of a different part therefore does not compile.
+//!
 //! Reading compares local names and never fails: of two values for one field the first counts, and
 //! everything without a place in the model goes to the [`Leftovers`].
 
