@@ -1,4 +1,6 @@
 //! The options of a check.
+//!
+//! The severities of rules are part of them; `Config::options` fills them for a path.
 
 use std::sync::Arc;
 

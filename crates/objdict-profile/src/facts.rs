@@ -1,4 +1,6 @@
 //! Definitions of objects and entries in a document.
+//!
+//! They are views of rows in `tables`, so a check touches only the rows that it uses.
 
 use std::ops::RangeInclusive;
 
