@@ -204,7 +204,7 @@ pub use objdict_format::compare;
 #[cfg(any(feature = "c", feature = "canopennode", feature = "rust", feature = "template"))]
 pub use objdict_generate as generate;
 pub use objdict_lint as lint;
-pub use objdict_model::{Language, diagnostic, model, source};
+pub use objdict_model::{Language, model, source};
 #[cfg(feature = "full")]
 pub use objdict_network as network;
 #[cfg(feature = "toml")]
@@ -218,11 +218,35 @@ pub use objdict_project::compat;
 pub use objdict_project::{AppliedFix, Fixed, config, fix, fix_for_readers, with_sound_fixes, workspace};
 pub use objdict_project::{check, check_with, registry, report};
 #[cfg(feature = "full")]
-pub use objdict_traffic::{self as traffic, probe};
+#[doc(hidden)] // for the command, the workbench and the module of Python
+pub use objdict_traffic as traffic;
+#[cfg(feature = "full")]
+pub use objdict_traffic::probe;
+
+/// Findings as plain data: a rule, a severity, a message, places or spans, a help and a fix.
+pub mod diagnostic {
+    pub use objdict_model::diagnostic::{
+        Applicability, At, Change, Diagnostic, Findings, Fix, FixSafety, MAX_PER_RULE, RuleInfo, Selection,
+        Severity, SourceLabel, Span, Text, Tidy, Tool,
+    };
+}
 
 /// Description files: what a file is, and from its bytes to the model.
 pub mod format {
-    pub use objdict_format::*;
+    #[cfg(feature = "xdd")]
+    pub use objdict_format::XddVersion;
+    #[cfg(feature = "xdd")]
+    pub use objdict_format::check_structure;
+    #[cfg(feature = "full")]
+    pub use objdict_format::nodelist;
+    #[cfg(feature = "toml")]
+    pub use objdict_format::{
+        ConfiguredFile, Dialect, Loss, LossKind, NodeSettings, Style, WriteOptions, Written, concise,
+        convert, device_schema, json, losses, new_device_toml, patch, write,
+    };
+    pub use objdict_format::{Description, ReadError, identify, input, open, read};
+    pub use objdict_model::source::EditError;
+    pub use objdict_model::{Format, Syntax};
     #[cfg(feature = "full")]
     pub use objdict_network_file as network;
     #[cfg(feature = "full")]
@@ -231,7 +255,10 @@ pub mod format {
 
 /// New descriptions: a device that has what its profile demands of it, and nothing that it does not.
 pub mod scaffold {
-    pub use objdict_format::scaffold::*;
+    pub use objdict_format::scaffold::{
+        BaseError, EncoderClass, FEATURES, Feature, FeatureError, FeatureKind, FeatureValue, Features,
+        PROFILES, Wanted, add_objects, base, identify, infer, newest_version, scaffold,
+    };
     #[cfg(feature = "full")]
     pub use objdict_traffic::probe::learn;
 }

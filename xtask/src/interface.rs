@@ -16,16 +16,21 @@ const COMPILER: &str = "rustc 1.95.";
 const ROOTS: [&str; 2] = ["objdict", "objdict_device"];
 
 /// The crates that `objdict` is made of: their items are listed where it exports them.
-const PARTS: [&str; 10] = [
+const PARTS: [&str; 15] = [
+    "objdict_build",
     "objdict_bus",
     "objdict_document",
     "objdict_eds",
+    "objdict_format",
     "objdict_generate",
     "objdict_lint",
     "objdict_model",
     "objdict_network",
+    "objdict_network_file",
     "objdict_node",
     "objdict_profile",
+    "objdict_project",
+    "objdict_traffic",
     "objdict_xdd",
 ];
 

@@ -12,6 +12,7 @@ mod drive;
 mod facts;
 mod index_set;
 mod options;
+#[doc(hidden)] // for the crates that read recordings
 pub mod recorded;
 mod respell;
 mod rule;

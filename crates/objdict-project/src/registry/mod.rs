@@ -3,7 +3,8 @@
 //!
 //! The registry is in this crate because `objdict-lint` sees no format.
 
-pub mod groups;
+mod groups;
+#[doc(hidden)] // for the configuration
 pub mod own;
 
 use std::borrow::Cow;

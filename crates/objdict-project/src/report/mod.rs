@@ -41,7 +41,7 @@ pub use github::Github;
 #[cfg(feature = "full")]
 pub use gitlab::Gitlab;
 pub use group::grouped;
-#[cfg(feature = "full")]
+#[cfg(feature = "schema")]
 pub use json::CheckJson;
 #[cfg(feature = "full")]
 pub use json::Json;
