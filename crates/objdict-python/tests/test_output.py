@@ -1,5 +1,9 @@
 """What is made of a description."""
 
+import json
+import shutil
+import subprocess
+import sys
 from pathlib import Path
 
 import pytest
@@ -14,6 +18,25 @@ def test_findings_have_places_and_fixes(fixtures: Path) -> None:
     assert found.path.endswith("c-suffix-numbers.eds") and str(found).startswith(f"{found.path}:207:14: warning")
     assert found.place is not None and found.related and len(found.fingerprint) == 16
     assert found.fixes[0].safety == "safe" and found.fixes[0].edits[0].line == 207
+
+
+def test_the_command_finds_the_same(fixtures: Path, tmp_path: Path) -> None:
+    command = shutil.which("objdict", path=str(Path(sys.executable).parent))
+    if command is None:
+        pytest.skip("the command is not installed")
+    eds = (fixtures / "eds/io-401.eds").read_text("utf-8")
+    (tmp_path / "io-401.eds").write_text(eds, "utf-8")
+    node = eds.replace("[FileInfo]", "[FileInfo]\nLastEDS=io-401.eds").replace("DataType=0x0007", "DataType=0x0006", 1)
+    (tmp_path / "node.dcf").write_text(node + "\n[DeviceComissioning]\nNodeID=5\nBaudrate=250\n", "utf-8")
+    lamp = 'format = "objdict-device/1"\nprofile = "301@1"\n[object.2000]\nname = "Level"\ntype = "u8"\n'
+    (tmp_path / "lamp.toml").write_text(lamp + "[variant.bright.object.2000]\ndefault = 300\n", "utf-8")
+    for name in ["io-401.eds", "node.dcf", "lamp.toml"]:
+        run = subprocess.run([command, "check", "--format", "json", name], cwd=tmp_path, capture_output=True, text=True)
+        rows = [(row["rule"], row["line"]) for row in json.loads(run.stdout)["findings"]]
+        assert [(finding.rule, finding.line) for finding in check(tmp_path / name)] == rows, name
+        assert rows or name == "io-401.eds"
+    of_node = load(tmp_path / "node.dcf").findings
+    assert any(finding.rule == "configuration/different-type" for finding in of_node)
 
 
 def test_healthy_fixtures_have_no_error(fixtures: Path) -> None:

@@ -54,6 +54,19 @@ fn a_file_is_saved_in_place_as_it_is() {
     }
 }
 
+#[test]
+fn a_variant_repeats_no_finding_of_its_device() {
+    let text = "format = \"objdict-device/1\"\nprofile = \"301@1\"\n[device]\nvendor-number = 1\n\
+                [object.2000]\nname = \"Level\"\ntype = \"u8\"\n[variant.bright.object.2000]\ndefault = 300\n";
+    let mut workbench = Workbench::new();
+    workbench.call(&json!({ "do": "open", "name": "lamp.toml" }).to_string(), text.into());
+    let report = ok(&mut workbench, json!({ "do": "check", "document": 0 }));
+    let findings = report["findings"].as_array().cloned().unwrap_or_default();
+    let count = |rule: &str| findings.iter().filter(|finding| finding["rule"] == rule).count();
+    assert_eq!((count("cia306/missing-device-info-key"), count("keys/wrong-type")), (1, 1), "{report}");
+    assert_eq!(report["summary"]["files"], 1);
+}
+
 /// The lines that differ.
 fn changed(before: &str, after: &str) -> Vec<String> {
     let (before, after): (Vec<_>, Vec<_>) = (before.lines().collect(), after.lines().collect());
