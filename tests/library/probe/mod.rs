@@ -117,6 +117,21 @@ fn recorded(log: &str) -> Vec<Exchange> {
     conversation.into_exchanges()
 }
 
+#[test]
+fn requests_without_the_bytes_that_mean_nothing_are_recorded() {
+    let request = |bytes: &str| format!("(1.0) can0 {:03X}#{bytes}\n", 0x600 + u16::from(NODE));
+    let response = |bytes: &str| format!("(1.1) can0 {:03X}#{bytes}\n", 0x580 + u16::from(NODE));
+    let short = request("40001000")
+        + &response("4300100091010800")
+        + &request("40171000")
+        + &response("4B17100000000000");
+    let whole = short.replace("40001000\n", "4000100000000000\n").replace("40171000\n", "4017100000000000\n");
+    assert_eq!(recorded(&short).len(), 2);
+    assert_eq!(recorded(&short), recorded(&whole));
+    // the index is incomplete
+    assert!(recorded(&request("400010")).is_empty());
+}
+
 /// Asserts that recorded exchanges are those that were made; of a value that was refused before it was transferred, the length is
 /// known.
 fn assert_recorded(log: &str, made: &[Exchange]) {

@@ -2,6 +2,7 @@
 
 use super::exchange::{Exchange, NodeReset, SdoAnswer, SdoRequest};
 use objdict_bus::Abort;
+use objdict_document::describe::frames::whole_sdo;
 use objdict_model::model::{CobId, Device, SdoChannel, predefined};
 
 /// The frames of the SDO channels of a node, taken in their order.
@@ -95,12 +96,13 @@ impl Conversation {
     }
 
     fn transfer(&mut self, can_id: u32, is_extended: bool, data: &[u8]) {
-        let Ok(bytes) = <[u8; 8]>::try_from(data) else { return };
         let node_id = self.node_id;
         let is_of = |cob_id: CobId| (cob_id.can_id(node_id), cob_id.is_extended()) == (can_id, is_extended);
         let mut ended = Vec::new();
         for channel in &mut self.channels {
-            if is_of(channel.request) {
+            let is_request = is_of(channel.request);
+            let Some(bytes) = whole_sdo(data, is_request) else { continue };
+            if is_request {
                 ended.extend(channel.request(bytes));
             } else if is_of(channel.response) {
                 ended.extend(channel.response(bytes));

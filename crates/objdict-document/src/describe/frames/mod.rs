@@ -16,6 +16,7 @@ use objdict_network::Service;
 
 pub use self::decoded::{DecodedFrame, FrameKind, RawFrame, SdoFrame, SdoStep};
 use self::sdo::Transfers;
+pub use self::sdo::whole as whole_sdo;
 use self::signals::SignalPlace;
 pub use self::signals::{PdoSignal, SignalReading};
 pub use self::talker::Talker;

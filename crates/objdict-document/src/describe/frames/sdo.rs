@@ -72,8 +72,9 @@ impl Transfers {
     }
 }
 
-/// The eight bytes of a frame. Hand-made requests often lack the bytes at the end that have no meaning, and nodes answer them.
-fn whole(data: &[u8], is_request: bool) -> Option<[u8; 8]> {
+/// The eight bytes of an SDO frame; `None` if bytes with a meaning are missing. Hand-made requests often lack the bytes at the end that
+/// have none, and nodes answer them.
+pub fn whole(data: &[u8], is_request: bool) -> Option<[u8; 8]> {
     let mut bytes = [0; 8];
     bytes.get_mut(..data.len())?.copy_from_slice(data);
     let [command, _, _, _, value @ ..] = bytes;
