@@ -10,7 +10,7 @@ pub mod compat;
 pub mod config;
 #[cfg(feature = "lint")]
 mod fix;
-#[cfg(feature = "full")]
+#[cfg(feature = "network")]
 pub mod line_diff;
 pub mod registry;
 pub mod report;
