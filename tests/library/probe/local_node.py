@@ -92,9 +92,9 @@ def main(script, eds, output, differences=None):
     notifier.stop()
     recorder.shutdown()
     device.disconnect()
-    # a virtual bus may hand the recorder an answer before its request
+    # a virtual bus may hand the recorder an answer before its request, in the same microsecond too; the CAN-ID of requests is higher
     with open(output + ".log", encoding="utf-8") as file:
-        frames = sorted(file, key=lambda line: line[:line.index(")")])
+        frames = sorted(file, key=lambda line: (line[:line.index(")")], -int(line.split()[2].split("#")[0], 16)))
     with open(output + ".log", "w", encoding="utf-8") as file:
         file.writelines(frames)
 
