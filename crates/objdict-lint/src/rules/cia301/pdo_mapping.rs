@@ -261,11 +261,11 @@ fn pdo_length_exceeded(facts: &Facts<'_>, pdo: &PdoFacts<'_>, findings: &mut Fin
         return;
     }
     let mut placed = MappedObject::placed(&pdo.mapped, |mapped| mapped.object.bits);
-    let beyond =
-        placed.find(|(first, mapped)| first + u32::from(mapped.object.bits) > Pdo::FRAME_BITS);
+    let beyond = placed.find(|(first, mapped)| first + u32::from(mapped.object.bits) > Pdo::FRAME_BITS);
     let index = pdo.pdo.mapping_index();
     let place = facts.device.value_place(index, beyond.map_or(0, |(_, mapped)| mapped.slot));
-    let message = say!("{} maps {} bits, {} more than a CAN frame holds", pdo.pdo, bits, bits - Pdo::FRAME_BITS);
+    let message =
+        say!("{} maps {} bits, {} more than a CAN frame holds", pdo.pdo, bits, bits - Pdo::FRAME_BITS);
     let finding = PDO_LENGTH_EXCEEDED.at(place, message);
     let finding = finding.label(facts.device.value_place(index, 0), "the number of mapped objects");
     findings.push(finding.help("move this object and the following ones to another PDO"));
