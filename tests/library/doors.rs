@@ -122,6 +122,40 @@ fn of_page(folder: &Path, file: &str, found: &Found) -> Found {
 }
 
 #[test]
+fn a_build_script_runs_again_when_the_eds_of_a_node_changes() {
+    let client = Client::start();
+    write_all(&client);
+    let out = tempfile::tempdir().unwrap();
+    let mut cargo = Vec::new();
+    let builder = Builder::new(client.path("node.dcf")).target(Target::C).out_dir(out.path()).force(true);
+    builder.generate_to(&mut cargo).unwrap();
+    let line = format!("cargo:rerun-if-changed={}\n", client.path("io-401.eds").display());
+    let cargo = String::from_utf8(cargo).unwrap();
+    assert!(cargo.contains(&line), "{cargo}");
+}
+
+/// Another variant's errors are not those of the product that is made.
+#[test]
+fn a_selected_variant_is_checked_alone() {
+    let client = Client::start();
+    client.write(
+        "lamp.toml",
+        LAMP.replace("variant.bright", "variant.dim.object.2000]\ndefault = 1\n\n[variant.bright"),
+    );
+    let found = |variant: &str| {
+        let out = tempfile::tempdir().unwrap();
+        let builder = Builder::new(client.path("lamp.toml")).variant(variant).deny(Severity::Error);
+        match builder.target(Target::C).out_dir(out.path()).generate_to(&mut Vec::new()) {
+            Err(Error::Findings { findings, .. }) => findings.iter().map(|finding| finding.rule.id).collect(),
+            Err(error) => panic!("{error}"),
+            Ok(_) => Vec::new(),
+        }
+    };
+    assert_eq!(found("dim"), Vec::<&str>::new());
+    assert_eq!(found("bright"), ["keys/wrong-type"]);
+}
+
+#[test]
 fn every_door_leads_to_the_same_findings() {
     let mut client = Client::start();
     let files = write_all(&client);

@@ -162,10 +162,6 @@ pub struct Generation {
 impl Request {
     /// Reads and checks the bytes of the description, which reports call `name`. The other files that are read for it go
     /// to `files`, whatever becomes of it.
-    #[cfg_attr(
-        not(feature = "lint"),
-        expect(clippy::ptr_arg, unused_variables, reason = "configuration and profiles join it")
-    )]
     pub fn check(
         &self,
         name: &str,
@@ -179,17 +175,16 @@ impl Request {
         let described = match reading.read_one(name, bytes)? {
             (_, Input::Description(description)) => {
                 let options = SourceOptions { encoding: None, max_size: reading.max_size };
-                Described::Text(Box::new(with_origin_beside(&self.file, *description, &options)))
+                let description = with_origin_beside(&self.file, *description, &options);
+                files.extend_from_slice(description.extended_files());
+                files.extend(description.origin().map(|origin| PathBuf::from(origin.source().name())));
+                Described::Text(Box::new(description))
             }
             #[cfg(feature = "full")]
             (_, Input::Device(device)) => Described::Model(device),
             #[cfg(feature = "full")]
             (kind, _) => return Err(ReadError::NoDevice { name: name.to_owned(), kind }.into()),
         };
-        #[cfg(feature = "full")]
-        if let Described::Text(description) = &described {
-            files.extend_from_slice(description.extended_files());
-        }
         #[cfg(feature = "lint")]
         let (options, of_config) = self.configured(files)?;
         #[cfg(feature = "full")]
@@ -438,10 +433,11 @@ impl CheckedDescription {
     }
 }
 
-/// The findings of a description. A source with variants is checked as a whole: a product of it is made of a source without errors.
+/// The findings of a description. A `device.toml` is checked with its variants, because its author corrects both; a selected variant is
+/// checked alone.
 fn checked(description: &Description, options: &lint::Options) -> Findings {
     let check = |description: &Description| objdict_project::check_with(description, options);
-    if description.format() != Format::Toml {
+    if description.format() != Format::Toml || description.variant().is_some() {
         return check(description);
     }
     of_devices(description, check).into_iter().fold(Findings::new(), |mut all, found| {
