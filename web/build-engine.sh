@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
 # Builds the engine of the workbench, crates/objdict-wasm, into web/src/wasm: with the target of rustup where it is installed, else
 # with Debian's `rustc-web`, `rust-web-src` and `lld-19`. `build-engine.sh --check` only says whether one of them is there, and
-# `--profile NAME` takes another profile than `wasm`: `wasm-quick` links in seconds, for work on the page.
+# `--profile NAME` takes another profile than `wasm`: `wasm-quick` optimises nothing, for work on the page.
 set -euo pipefail
 cd "$(dirname "$0")/.."
 
@@ -22,11 +22,12 @@ else
 fi
 [ "${1:-}" != --check ] || exit 0
 
-# the program that writes the JavaScript must be of the version of the crate
+# the program that writes the JavaScript must be of the version of the crate; TLS is for its test runner
 version=$(sed -n 's/^wasm-bindgen = "=\(.*\)"/\1/p' crates/objdict-wasm/Cargo.toml)
 export PATH="$PWD/target/wasm-bindgen/bin:$PATH"
 if [ "$(wasm-bindgen --version 2>/dev/null)" != "wasm-bindgen $version" ]; then
-  env -u RUSTC -u RUSTC_BOOTSTRAP cargo install wasm-bindgen-cli --version "$version" --debug --quiet --root target/wasm-bindgen
+  env -u RUSTC -u RUSTC_BOOTSTRAP cargo install wasm-bindgen-cli --version "$version" --debug --quiet --no-default-features --bin wasm-bindgen \
+    --root target/wasm-bindgen
 fi
 
 CARGO_INCREMENTAL=0 cargo "${arguments[@]}"
