@@ -2,7 +2,7 @@
 
 use super::exchange::{Exchange, NodeReset, SdoAnswer, SdoRequest};
 use objdict_bus::Abort;
-use objdict_document::describe::frames::whole_sdo;
+use objdict_document::describe::frames::{SdoStep, SdoTransfer};
 use objdict_model::model::{CobId, Device, SdoChannel, predefined};
 
 /// The frames of the SDO channels of a node, taken in their order.
@@ -22,27 +22,21 @@ pub struct Conversation {
 struct Channel {
     request: CobId,
     response: CobId,
-    current: Option<Transfer>,
+    transfer: SdoTransfer,
+    asked: Option<Asked>,
 }
 
-/// A transfer that is under way.
-#[derive(Clone, Debug)]
-struct Transfer {
+/// A request without an answer so far.
+#[derive(Clone, Copy, Debug)]
+struct Asked {
     index: u16,
     sub: u8,
     is_download: bool,
-    data: Vec<u8>,
-    /// The length that the sender of the value states.
-    length: Option<usize>,
+    /// The size that the sender of the value states.
+    size: Option<u32>,
     /// Whether the server has answered.
     is_answered: bool,
-    /// Whether the value is complete.
-    is_complete: bool,
-    /// Of a block transfer: the bytes that are confirmed, and the number of the last segment.
-    block: Option<(usize, u8)>,
 }
-
-const ABORT: u8 = 4;
 
 /// The most bytes of a value that is refused before it is transferred.
 const LONGEST: usize = 1 << 16;
@@ -50,8 +44,7 @@ const LONGEST: usize = 1 << 16;
 impl Conversation {
     /// The conversation with a node on its default channel.
     pub fn new(node_id: u8) -> Self {
-        let channel = |request, response| Channel { request, response, current: None };
-        let default = channel(
+        let default = Channel::new(
             predefined::per_node(predefined::SDO_REQUEST),
             predefined::per_node(predefined::SDO_RESPONSE),
         );
@@ -64,7 +57,7 @@ impl Conversation {
         for SdoChannel { number, request, response, .. } in device.services().sdo_servers {
             let valid = request.zip(response).filter(|ids| ids.0.is_valid() && ids.1.is_valid());
             if let (2.., Some((request, response))) = (number, valid) {
-                conversation.channels.push(Channel { request, response, current: None });
+                conversation.channels.push(Channel::new(request, response));
             }
         }
         conversation
@@ -100,12 +93,10 @@ impl Conversation {
         let is_of = |cob_id: CobId| (cob_id.can_id(node_id), cob_id.is_extended()) == (can_id, is_extended);
         let mut ended = Vec::new();
         for channel in &mut self.channels {
-            let is_request = is_of(channel.request);
-            let Some(bytes) = whole_sdo(data, is_request) else { continue };
-            if is_request {
-                ended.extend(channel.request(bytes));
+            if is_of(channel.request) {
+                ended.extend(channel.request(data));
             } else if is_of(channel.response) {
-                ended.extend(channel.response(bytes));
+                ended.extend(channel.response(data));
             }
         }
         self.add(ended);
@@ -131,169 +122,90 @@ impl Conversation {
 }
 
 impl Channel {
-    /// Takes a request; the transfer that ends with it, or is given up for it.
-    fn request(&mut self, bytes: [u8; 8]) -> Option<Exchange> {
-        let [command, segment @ ..] = bytes;
-        if let Some(transfer) = self.current.as_mut().filter(|transfer| transfer.is_in_block(true)) {
-            transfer.block_segment(command, &segment);
-            return None;
-        }
-        match (command >> 5, &mut self.current) {
-            (1 | 2, _) | (5, _) if command >> 5 != 5 || command & 3 == 0 => return self.begin(bytes),
-            (6, _) if command & 1 == 0 => return self.begin(bytes),
-            (0, Some(transfer)) if transfer.is_download => transfer.segment(command, &segment),
-            // the end of a block download, with the number of bytes without data
-            (6, Some(transfer)) if transfer.is_download => transfer.end_of_blocks(command),
-            (5, Some(transfer)) if command & 3 == 2 => transfer.confirm(segment[0]),
-            (5, Some(transfer)) if command & 3 == 3 => transfer.block = Some((0, 0)),
-            // a client that wants no more than the beginning, or that waited in vain
-            (ABORT, Some(transfer)) if transfer.is_answered && !transfer.is_download => {
-                return self.end(|transfer| SdoAnswer::Length(transfer.length));
-            }
-            (ABORT, Some(_)) => return self.give_up(),
-            _ => {}
-        }
-        None
+    fn new(request: CobId, response: CobId) -> Self {
+        Self { request, response, transfer: SdoTransfer::default(), asked: None }
     }
 
-    /// Takes a response; the transfer that ends with it.
-    fn response(&mut self, bytes: [u8; 8]) -> Option<Exchange> {
-        let [command, segment @ ..] = bytes;
-        let transfer = self.current.as_mut()?;
-        if transfer.is_in_block(false) {
-            transfer.block_segment(command, &segment);
-            return None;
-        }
-        transfer.is_answered = true;
-        let [low, high, sub, value @ ..] = segment;
-        let is_of_entry = (u16::from_le_bytes([low, high]), sub) == (transfer.index, transfer.sub);
-        match (command >> 5, transfer.is_download) {
-            (ABORT, _) => {
-                let abort = Abort::from(u32::from_le_bytes(value));
-                return self.end(|_| SdoAnswer::Abort(abort));
-            }
-            (2, false) if command & 2 != 0 && is_of_entry => {
-                let answer = match stated(command, value) {
-                    Some(bytes) => SdoAnswer::Bytes(bytes),
-                    None => SdoAnswer::Unsized(value),
-                };
-                return self.end(|_| answer);
-            }
-            (2, false) if is_of_entry => transfer.length = sized(command & 1 != 0, value),
-            (6, false) if command & 1 == 0 => transfer.length = sized(command & 2 != 0, value),
-            (0, false) => {
-                transfer.segment(command, &segment);
-                if transfer.is_complete {
-                    return self.end(|transfer| SdoAnswer::Bytes(transfer.data));
-                }
-            }
-            (6, false) => {
-                transfer.end_of_blocks(command);
-                return self.end(|transfer| SdoAnswer::Bytes(transfer.data));
-            }
-            (5, true) if command & 3 == 2 => transfer.confirm(segment[0]),
-            (5, true) if command & 3 == 0 => transfer.block = Some((0, 0)),
-            (1 | 3, true) | (5, true) if transfer.is_complete => return self.end(|_| SdoAnswer::Done),
-            _ => {}
-        }
-        None
-    }
-
-    fn begin(&mut self, bytes: [u8; 8]) -> Option<Exchange> {
-        let before = self.give_up();
-        let [command, low, high, sub, value @ ..] = bytes;
-        let is_download = matches!(command >> 5, 1 | 6);
-        let is_expedited = command >> 5 == 1 && command & 2 != 0;
-        let data = if is_expedited { stated(command, value).unwrap_or(value.to_vec()) } else { Vec::new() };
-        self.current = Some(Transfer {
-            index: u16::from_le_bytes([low, high]),
-            sub,
-            is_download,
-            data,
-            length: match command >> 5 {
-                1 => sized(command & 3 == 1, value),
-                6 => sized(command & 2 != 0, value),
-                _ => None,
-            },
-            is_answered: false,
-            is_complete: is_expedited,
-            block: None,
-        });
+    /// Takes a request; the exchange that ends with it, or is given up for it.
+    fn request(&mut self, data: &[u8]) -> Option<Exchange> {
+        // what was sent of the present value is gone with the new one
+        let before = if self.transfer.is_begun_by(data) { self.give_up() } else { None };
+        let step = self.transfer.frame(data, true);
+        let size = match step {
+            SdoStep::WriteStart(size) => size,
+            SdoStep::Read | SdoStep::BlockRead | SdoStep::Write => None,
+            // of a client that wants no more than the beginning, or that waited in vain
+            SdoStep::Abort(_) => return self.give_up(),
+            _ => return before,
+        };
+        let is_download = self.transfer.is_download();
+        let asked = |(index, sub)| Asked { index, sub, is_download, size, is_answered: false };
+        self.asked = self.transfer.entry().map(asked);
         before
     }
 
-    fn end(&mut self, answer: impl FnOnce(Transfer) -> SdoAnswer) -> Option<Exchange> {
-        let mut transfer = self.current.take()?;
-        let (index, sub) = (transfer.index, transfer.sub);
-        let request = match transfer.is_download {
-            // bytes that were not transferred are zeros: a server may refuse the length
-            true => {
-                let (length, sent) = (transfer.length.unwrap_or(0), transfer.data.len());
-                transfer.data.resize(length.clamp(sent, sent.max(LONGEST)), 0);
-                SdoRequest::Download(std::mem::take(&mut transfer.data))
+    /// Takes a response; the exchange that ends with it.
+    fn response(&mut self, data: &[u8]) -> Option<Exchange> {
+        let asked = self.asked.as_mut()?;
+        // the late answer to an upload that the client gave up is none to its download
+        if asked.is_download && matches!(data.first()? >> 5, 0 | 2) {
+            return None;
+        }
+        let step = self.transfer.frame(data, false);
+        asked.is_answered |= step != SdoStep::Malformed;
+        let is_of_entry = self.transfer.entry() == Some((asked.index, asked.sub));
+        let answer = match step {
+            SdoStep::Abort(code) => SdoAnswer::Abort(Abort::from(code)),
+            SdoStep::Value if !is_of_entry => return None,
+            SdoStep::Value | SdoStep::LastSegment | SdoStep::BlockEnd => self.value(),
+            SdoStep::Written if self.transfer.is_complete() => SdoAnswer::Done,
+            SdoStep::ValueStart(size) => {
+                asked.size = size;
+                return None;
             }
-            false => SdoRequest::Upload,
+            _ => return None,
         };
-        Some(Exchange { reset: None, index, sub, request, answer: answer(transfer) })
+        self.end(answer)
+    }
+
+    /// The value that the server sent.
+    fn value(&self) -> SdoAnswer {
+        let bytes = self.transfer.data();
+        match <[u8; 4]>::try_from(bytes) {
+            Ok(bytes) if self.transfer.is_padded() => SdoAnswer::Unsized(bytes),
+            _ => SdoAnswer::Bytes(bytes.to_vec()),
+        }
+    }
+
+    fn end(&mut self, answer: SdoAnswer) -> Option<Exchange> {
+        let Asked { index, sub, is_download, size, .. } = self.asked.take()?;
+        let request = if is_download {
+            let mut data = self.transfer.data().to_vec();
+            // bytes that were not transferred are zeros: a server may refuse the length
+            let length = length_of(size).unwrap_or(0).clamp(data.len(), data.len().max(LONGEST));
+            data.resize(length, 0);
+            SdoRequest::Download(data)
+        } else {
+            SdoRequest::Upload
+        };
+        Some(Exchange { reset: None, index, sub, request, answer })
     }
 
     /// The end of a transfer that was not brought to its end.
     fn give_up(&mut self) -> Option<Exchange> {
-        let transfer = self.current.as_ref()?;
-        match (transfer.is_answered, transfer.is_download) {
-            (true, false) => self.end(|transfer| SdoAnswer::Length(transfer.length)),
+        let asked = self.asked?;
+        match (asked.is_answered, asked.is_download) {
+            (true, false) => self.end(SdoAnswer::Length(length_of(asked.size))),
             // part of a value was written: nothing is known of the rest
             (true, true) => {
-                self.current = None;
+                self.asked = None;
                 None
             }
-            (false, _) => self.end(|_| SdoAnswer::Silence),
+            (false, _) => self.end(SdoAnswer::Silence),
         }
     }
 }
 
-impl Transfer {
-    /// Whether segments of blocks come from the client (or the server).
-    const fn is_in_block(&self, from_client: bool) -> bool {
-        self.block.is_some() && !self.is_complete && self.is_download == from_client
-    }
-
-    fn segment(&mut self, command: u8, segment: &[u8; 7]) {
-        let used = 7 - usize::from(command >> 1 & 7);
-        self.data.extend(&segment[..used]);
-        self.is_complete = command & 1 != 0;
-    }
-
-    fn block_segment(&mut self, command: u8, segment: &[u8; 7]) {
-        let Some((_, last)) = &mut self.block else { return };
-        // what comes after a lost segment is sent again
-        if command & 0x7F == *last + 1 {
-            *last += 1;
-            self.data.extend(segment);
-            self.is_complete = command & 0x80 != 0;
-        }
-    }
-
-    /// The receiver has so many segments of the block.
-    fn confirm(&mut self, segments: u8) {
-        let Some((confirmed, last)) = &mut self.block else { return };
-        let length = *confirmed + 7 * usize::from(segments);
-        self.is_complete &= length >= self.data.len();
-        self.data.truncate(length);
-        (*confirmed, *last) = (self.data.len(), 0);
-    }
-
-    fn end_of_blocks(&mut self, command: u8) {
-        let unused = usize::from(command >> 2 & 7);
-        self.data.truncate(self.data.len().saturating_sub(unused));
-    }
-}
-
-/// The bytes of an expedited transfer that states their number.
-fn stated(command: u8, value: [u8; 4]) -> Option<Vec<u8>> {
-    (command & 1 != 0).then(|| value[..4 - usize::from(command >> 2 & 3)].to_vec())
-}
-
-fn sized(is_stated: bool, value: [u8; 4]) -> Option<usize> {
-    usize::try_from(u32::from_le_bytes(value)).ok().filter(|_| is_stated)
+fn length_of(size: Option<u32>) -> Option<usize> {
+    size.and_then(|size| usize::try_from(size).ok())
 }

@@ -15,8 +15,8 @@ use std::collections::BTreeSet;
 use objdict_network::Service;
 
 pub use self::decoded::{DecodedFrame, FrameKind, RawFrame, SdoFrame, SdoStep};
+pub use self::sdo::SdoTransfer;
 use self::sdo::Transfers;
-pub use self::sdo::whole as whole_sdo;
 use self::signals::SignalPlace;
 pub use self::signals::{PdoSignal, SignalReading};
 pub use self::talker::Talker;
@@ -280,10 +280,7 @@ impl<'a> FrameReader<'a> {
     fn sdo(&mut self, channel: (u8, u16), data: &[u8], is_request: bool) -> DecodedFrame {
         let (node_id, _) = channel;
         let is_download = self.transfers.is_download(channel);
-        let sdo = match is_request {
-            true => self.transfers.request(channel, data),
-            false => self.transfers.response(channel, data),
-        };
+        let sdo = self.transfers.frame(channel, data, is_request);
         if let Some(entry) = sdo.entry {
             self.learn(node_id, entry);
             let is_accepted = is_download && !is_request && sdo.step == SdoStep::Written;

@@ -4,17 +4,19 @@ use std::collections::BTreeMap;
 
 use super::decoded::{SdoFrame, SdoStep};
 
-/// The most bytes of a value that are kept to show it.
-const LONGEST: usize = 1 << 16;
+/// The most bytes of a value that are kept.
+const LONGEST: usize = 1 << 24;
 
-/// A transfer of one channel, from its request on.
-#[derive(Debug, Default)]
-struct Transfer {
+/// The most bytes of a value that are shown.
+const SHOWN: usize = 1 << 16;
+
+/// The present transfer of one channel, as its frames show it.
+#[derive(Clone, Debug, Default)]
+pub struct SdoTransfer {
     entry: Option<(u16, u8)>,
     is_download: bool,
-    /// What is known of the value.
+    /// What is known of the value; an abort keeps it.
     data: Vec<u8>,
-    /// Whether these are the four bytes of an expedited transfer that does not say how many of them are the value.
     is_padded: bool,
     is_complete: bool,
     blocks: Option<Blocks>,
@@ -35,27 +37,12 @@ struct Blocks {
 
 /// The transfers by node-ID of the server and number of the channel.
 #[derive(Debug, Default)]
-pub(super) struct Transfers(BTreeMap<(u8, u16), Transfer>);
+pub(super) struct Transfers(BTreeMap<(u8, u16), SdoTransfer>);
 
 impl Transfers {
-    /// A frame of the client.
-    pub(super) fn request(&mut self, channel: (u8, u16), data: &[u8]) -> SdoFrame {
-        self.frame(channel, data, true)
-    }
-
-    /// A frame of the server.
-    pub(super) fn response(&mut self, channel: (u8, u16), data: &[u8]) -> SdoFrame {
-        self.frame(channel, data, false)
-    }
-
-    fn frame(&mut self, channel: (u8, u16), data: &[u8], is_request: bool) -> SdoFrame {
+    pub(super) fn frame(&mut self, channel: (u8, u16), data: &[u8], is_request: bool) -> SdoFrame {
         let transfer = self.0.entry(channel).or_default();
-        let step = match whole(data, is_request) {
-            Some(bytes) if transfer.has_segment(is_request, bytes[0]) => transfer.block_segment(bytes),
-            Some(bytes) if is_request => transfer.request(bytes),
-            Some(bytes) => transfer.response(bytes),
-            None => SdoStep::Malformed,
-        };
+        let step = transfer.frame(data, is_request);
         SdoFrame { entry: transfer.entry, step, channel: channel.1, is_request }
     }
 
@@ -63,7 +50,8 @@ impl Transfers {
     pub(super) fn value(&self, channel: (u8, u16), length: Option<u8>) -> &[u8] {
         let Some(transfer) = self.0.get(&channel) else { return &[] };
         let length = length.filter(|_| transfer.is_padded);
-        length.and_then(|length| transfer.data.get(..length.into())).unwrap_or(&transfer.data)
+        let shown = length.map_or(SHOWN, usize::from).min(transfer.data.len());
+        &transfer.data[..shown]
     }
 
     /// Whether the server answers to a download.
@@ -74,7 +62,7 @@ impl Transfers {
 
 /// The eight bytes of an SDO frame; `None` if bytes with a meaning are missing. Hand-made requests often lack the bytes at the end that
 /// have none, and nodes answer them.
-pub fn whole(data: &[u8], is_request: bool) -> Option<[u8; 8]> {
+fn whole(data: &[u8], is_request: bool) -> Option<[u8; 8]> {
     let mut bytes = [0; 8];
     bytes.get_mut(..data.len())?.copy_from_slice(data);
     let [command, _, _, _, value @ ..] = bytes;
@@ -86,7 +74,53 @@ pub fn whole(data: &[u8], is_request: bool) -> Option<[u8; 8]> {
     (data.len() >= needed).then_some(bytes)
 }
 
-impl Transfer {
+impl SdoTransfer {
+    /// Takes a frame of the client (a request) or of the server, and says what happens with it.
+    pub fn frame(&mut self, data: &[u8], is_request: bool) -> SdoStep {
+        match whole(data, is_request) {
+            Some(bytes) if self.has_segment(is_request, bytes[0]) => self.block_segment(bytes),
+            Some(bytes) if is_request => self.request(bytes),
+            Some(bytes) => self.response(bytes),
+            None => SdoStep::Malformed,
+        }
+    }
+
+    /// Whether a frame of the client begins another transfer.
+    pub fn is_begun_by(&self, data: &[u8]) -> bool {
+        let bytes = whole(data, true).filter(|[command, ..]| !self.has_segment(true, *command));
+        bytes.is_some_and(|[command, ..]| match command >> 5 {
+            1 | 2 => true,
+            5 => command & 3 == 0,
+            6 => command & 1 == 0,
+            _ => false,
+        })
+    }
+
+    /// Index and sub-index; `None` before the first transfer.
+    pub const fn entry(&self) -> Option<(u16, u8)> {
+        self.entry
+    }
+
+    /// Whether the client writes.
+    pub const fn is_download(&self) -> bool {
+        self.is_download
+    }
+
+    /// The bytes of the value that were sent.
+    pub fn data(&self) -> &[u8] {
+        &self.data
+    }
+
+    /// Whether these are the four bytes of an expedited transfer that does not say how many of them are the value.
+    pub const fn is_padded(&self) -> bool {
+        self.is_padded
+    }
+
+    /// Whether all bytes of the value were sent.
+    pub const fn is_complete(&self) -> bool {
+        self.is_complete
+    }
+
     fn request(&mut self, bytes: [u8; 8]) -> SdoStep {
         let [command, _, _, _, value @ ..] = bytes;
         match command >> 5 {
@@ -161,7 +195,8 @@ impl Transfer {
 
     fn abort(&mut self, bytes: [u8; 8]) -> SdoStep {
         let [_, _, _, _, code @ ..] = bytes;
-        *self = Self { entry: Some(entry_of(bytes)), is_download: self.is_download, ..Self::default() };
+        let (data, is_download) = (std::mem::take(&mut self.data), self.is_download);
+        *self = Self { entry: Some(entry_of(bytes)), is_download, data, ..Self::default() };
         SdoStep::Abort(u32::from_le_bytes(code))
     }
 
