@@ -1,7 +1,7 @@
 //! What a file is, and what is found in it: the same as `objdict check` and `objdict network check` find.
 
 use std::path::Path;
-use std::rc::Rc;
+use std::sync::Arc;
 
 use objdict_format as format;
 use objdict_format::identify::{ContentKind, identify_source};
@@ -41,7 +41,7 @@ pub(super) struct Analysis {
     pub(super) errors: Vec<ReadProblem>,
     pub(super) options: Options,
     /// The configuration that holds for the file.
-    project: Rc<Option<Project>>,
+    project: Option<Arc<Project>>,
 }
 
 /// Why a file cannot be read or used.
@@ -94,7 +94,7 @@ impl Analysis {
         let encoding = Some(source.encoding()).filter(|encoding| *encoding != Encoding::Utf8);
         let bytes = encoding.and_then(|encoding| encoding.encode(text).ok());
         let bytes = bytes.unwrap_or_else(|| text.as_bytes().to_vec());
-        analyse(Path::new(source.name()), bytes, encoding, Rc::clone(&self.project))
+        analyse(Path::new(source.name()), bytes, encoding, self.project.clone())
     }
 
     /// What a check finds in another text of the description.
@@ -103,7 +103,7 @@ impl Analysis {
     }
 
     fn of(content: Content, findings: Findings, options: Options) -> Self {
-        Self { content, findings: vec![findings], errors: Vec::new(), options, project: Rc::default() }
+        Self { content, findings: vec![findings], errors: Vec::new(), options, project: None }
     }
 }
 
@@ -112,9 +112,9 @@ pub(super) fn analyse(
     path: &Path,
     bytes: Vec<u8>,
     encoding: Option<Encoding>,
-    project: Rc<Option<Project>>,
+    project: Option<Arc<Project>>,
 ) -> Analysis {
-    let analysis = read_and_checked(path, bytes, encoding, (*project).as_ref());
+    let analysis = read_and_checked(path, bytes, encoding, project.as_deref());
     Analysis { project, ..analysis }
 }
 

@@ -4,6 +4,7 @@ use std::cell::RefCell;
 use std::collections::{BTreeMap, BTreeSet};
 use std::path::{Path, PathBuf};
 use std::rc::Rc;
+use std::sync::Arc;
 
 use lsp_server::Request;
 
@@ -18,7 +19,8 @@ use objdict_format::mention::Mention;
 use objdict_model::source;
 use objdict_model::source::{Buffers, Encoding, SourceFile, SourceOptions, absolute};
 use objdict_network_file::may_be_network;
-use objdict_project::config::{Config, Project};
+use objdict_project::config::Project;
+use objdict_project::workspace;
 
 /// A text that is open in the editor.
 #[derive(Debug)]
@@ -85,7 +87,7 @@ pub(super) struct Workspace {
     pub(super) requests: Vec<Request>,
     analyses: BTreeMap<PathBuf, Derived<Analysis>>,
     /// The configurations by the folders that they hold in.
-    projects: BTreeMap<PathBuf, Derived<Option<Project>>>,
+    projects: BTreeMap<PathBuf, Derived<Option<Arc<Project>>>>,
 }
 
 impl Workspace {
@@ -142,7 +144,7 @@ impl Workspace {
         let (analysis, mut files) = self.recorded(|| {
             let bytes = source::read(path, source::DEFAULT_MAX_SIZE).ok()?;
             let encoding = self.texts.borrow().get(path).and_then(|buffer| buffer.encoding);
-            let mut analysis = analyse(path, bytes, encoding, Rc::clone(&project.0));
+            let mut analysis = analyse(path, bytes, encoding, project.0.clone());
             if let Some(baseline) = &self.baseline {
                 baseline::sift(baseline, &mut analysis);
             }
@@ -221,15 +223,16 @@ impl Workspace {
     }
 
     /// The configuration that holds for a file, and the files that it depends on.
-    fn project(&mut self, path: &Path) -> (Rc<Option<Project>>, BTreeSet<PathBuf>) {
+    fn project(&mut self, path: &Path) -> (Option<Arc<Project>>, BTreeSet<PathBuf>) {
         let folder = path.parent().map(absolute).unwrap_or_default();
         if !self.projects.contains_key(&folder) {
-            let (project, files) =
-                self.recorded(|| Config::find(&folder).and_then(|path| Project::open(&path).ok()));
+            // what cannot be opened is an error in the configuration's own analysis
+            let find = || workspace::Workspace::default().project_of(path).ok().flatten();
+            let (project, files) = self.recorded(find);
             self.projects.insert(folder.clone(), Derived { value: Rc::new(project), files });
         }
         let known = &self.projects[&folder];
-        (Rc::clone(&known.value), known.files.clone())
+        (Option::clone(&known.value), known.files.clone())
     }
 
     /// What a function makes of the buffers and the disk, and the files that it asked for.
