@@ -26,8 +26,8 @@ fi
 version=$(sed -n 's/^wasm-bindgen = "=\(.*\)"/\1/p' crates/objdict-wasm/Cargo.toml)
 export PATH="$PWD/target/wasm-bindgen/bin:$PATH"
 if [ "$(wasm-bindgen --version 2>/dev/null)" != "wasm-bindgen $version" ]; then
-  env -u RUSTC -u RUSTC_BOOTSTRAP cargo install wasm-bindgen-cli --version "$version" --debug --quiet --no-default-features --bin wasm-bindgen \
-    --root target/wasm-bindgen
+  env -u RUSTC -u RUSTC_BOOTSTRAP CARGO_PROFILE_DEV_DEBUG=0 cargo install wasm-bindgen-cli --version "$version" \
+    --debug --quiet --no-default-features --bin wasm-bindgen --root target/wasm-bindgen
 fi
 
 CARGO_INCREMENTAL=0 cargo "${arguments[@]}"
