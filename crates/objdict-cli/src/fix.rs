@@ -59,7 +59,7 @@ pub(super) fn amend(
     numbers: Range<usize>,
     fix: impl Fn(Description) -> Fixed,
 ) -> Option<(Description, Option<Amended>)> {
-    let (format, before) = (description.format(), copy(description.source())?);
+    let (format, before) = (description.format(), description.source().with_bytes(description.print()).ok()?);
     let mut next = description;
     let (mut applied, mut skipped, mut is_unfinished) = (0, Vec::new(), false);
     for number in numbers.clone() {
@@ -70,7 +70,7 @@ pub(super) fn amend(
         next = fixed.description;
     }
     let bytes = next.print();
-    let after = copy(next.source())?;
+    let after = next.source().with_bytes(bytes.clone()).ok()?;
     let amended =
         Amended { path: path.to_owned(), format, before, after, bytes, applied, skipped, is_unfinished };
     let is_changed = amended.applied > 0 || is_unfinished || !amended.skipped.is_empty();
@@ -90,12 +90,6 @@ impl Amended {
     pub(super) fn original(self) -> Description {
         format::read(self.before, self.format)
     }
-}
-
-fn copy(source: &SourceFile) -> Option<SourceFile> {
-    let mut options = objdict_model::source::SourceOptions::default();
-    (options.encoding, options.max_size) = (Some(source.encoding()), u64::MAX);
-    SourceFile::from_bytes(source.name(), source.to_bytes(), &options).ok()
 }
 
 /// What was fixed in all files.

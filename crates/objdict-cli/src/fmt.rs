@@ -14,7 +14,7 @@ use super::progress::give_way;
 use super::save::{Saved, save_in_place};
 use super::settings::{Settings, SettingsArgs};
 use objdict_model::diagnostic::plural;
-use objdict_model::source::{SourceFile, SourceOptions};
+use objdict_model::source::SourceFile;
 use objdict_project::compat;
 
 pub(super) fn run(args: &FmtArgs, out: &mut Output) -> Result<Outcome, Failure> {
@@ -64,19 +64,13 @@ fn arrange(args: &FmtArgs, file: &File) -> Result<Option<Arranged>, Failure> {
         Candidate::Foreign(_, failure) => return Err(failure),
     };
     let source = description.source();
-    let name = source.name().to_owned();
-    let read = |bytes, encoding| {
-        let mut options = SourceOptions::default();
-        (options.encoding, options.max_size) = (Some(encoding), u64::MAX);
-        SourceFile::from_bytes(&*name, bytes, &options).map_err(Failure::new)
-    };
-    let before = read(source.to_bytes(), source.encoding())?;
+    let before = source.with_bytes(source.to_bytes()).map_err(Failure::new)?;
     let description = match args.dialect.tool().filter(|_| description.document().is_some()) {
         Some(tool) => compat::adapt(description, tool),
         None => description,
     };
     let bytes = description.arranged().map_err(Failure::new)?;
-    let after = read(bytes.clone(), description.source().encoding())?;
+    let after = description.source().with_bytes(bytes.clone()).map_err(Failure::new)?;
     Ok(Some(Arranged { file: file.path.clone(), before, after, bytes }))
 }
 

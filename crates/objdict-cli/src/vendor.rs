@@ -38,7 +38,7 @@ impl VendorReport {
 
 fn page(patched: &Description, options: &Options) -> String {
     // the vendor has the file without the patches
-    let original = patched.patched().and_then(|_| again(patched));
+    let original = patched.patched().and_then(|_| patched.with_bytes(patched.print()));
     let description = original.as_ref().unwrap_or(patched);
     let subject = Subject::from(description);
     let all = Options { tools: Tool::ALL.to_vec(), ..options.clone() };
@@ -166,7 +166,7 @@ fn corrections(text: &mut String, description: &Description, options: &Options) 
         patches.push(patch.source().text().to_owned());
     }
     if patches.is_empty()
-        && let Some(original) = again(description)
+        && let Some(original) = description.with_bytes(description.print())
     {
         let check = |description: &Description| objdict_project::check_with(description, options);
         let fixed = objdict_project::fix(original, Applicability::Safe, check);
@@ -178,16 +178,6 @@ fn corrections(text: &mut String, description: &Description, options: &Options) 
         let fence = "`".repeat(patch.split(|c| c != '`').map(str::len).max().unwrap_or(0).max(2) + 1);
         text.push_str(&format!("{fence}toml\n{}\n{fence}\n", patch.trim_end()));
     }
-}
-
-/// The description once more, for fixes.
-fn again(description: &Description) -> Option<Description> {
-    let source = description.source();
-    let mut options = objdict_model::source::SourceOptions::default();
-    (options.encoding, options.max_size) = (Some(source.encoding()), u64::MAX);
-    let source =
-        objdict_model::source::SourceFile::from_bytes(source.name(), source.to_bytes(), &options).ok()?;
-    objdict_format::read(source, description.format()).select(description.number())
 }
 
 /// A text of the file in Markdown: on one line, and without marks but the backticks of messages.

@@ -10,7 +10,7 @@ use objdict_model::literal::Spelling;
 use objdict_model::model::{
     Assignment, Commissioning, Device, DeviceKind, ExplicitDownload, Field, Part, Place,
 };
-use objdict_model::source::{EditError, Edits, SourceFile, SourceOptions};
+use objdict_model::source::{EditError, Edits};
 
 /// What a node is configured to be.
 #[derive(Clone, Copy, Debug)]
@@ -49,7 +49,6 @@ impl Description {
         file_name: &str,
         settings: &NodeSettings<'_>,
     ) -> Result<ConfiguredFile, EditError> {
-        #[cfg(feature = "full")]
         if let Some(realised) = self.realised()? {
             return realised.configured(file_name, settings);
         }
@@ -79,11 +78,9 @@ impl Description {
 
     /// The bytes of this text with the additional objects of `device`; `None` where edits cannot add them.
     pub fn with_objects(&self, device: &Device) -> Option<Vec<u8>> {
-        #[cfg(feature = "full")]
         if let Some(realised) = self.realised().ok()? {
             return realised.with_objects(device);
         }
-        #[cfg(feature = "xdd")]
         if let Some(tree) = self.tree() {
             return objdict_xdd::xdd::with_objects(tree, device)?.ok();
         }
@@ -116,18 +113,9 @@ impl Description {
             );
         }
         if edits.is_empty() {
-            return self.again(&self.source().to_bytes());
+            return self.with_bytes(self.source().to_bytes());
         }
-        self.again(&edits.to_bytes().ok()?)
-    }
-
-    /// The same file with other bytes.
-    fn again(&self, bytes: &[u8]) -> Option<Self> {
-        let source = self.source();
-        let mut options = SourceOptions::default();
-        (options.encoding, options.max_size) = (Some(source.encoding()), u64::MAX);
-        let source = SourceFile::from_bytes(source.name(), bytes.to_vec(), &options).ok()?;
-        super::read(source, self.format()).select(self.number())
+        self.with_bytes(edits.to_bytes().ok()?)
     }
 }
 

@@ -10,7 +10,6 @@ use objdict_model::model::{
     Characteristic, CharacteristicsList, Device, DeviceFunction, EMBEDDED_COMMENT, EMBEDDED_SECTION, Entry,
     Extra, ExtraSection, Field, Labels, Part, Place, Property,
 };
-#[cfg(feature = "full")]
 use objdict_model::source::{Edits, Span};
 
 /// The prefix of the path in the name of a property.
@@ -110,7 +109,6 @@ fn lines(change: &DatumChange) -> Vec<(String, String)> {
 }
 
 /// The edits that put a datum in place of the one at its path in the comment lines of an EDS or DCF, or remove it.
-#[cfg(feature = "full")]
 pub(super) fn edit_lines(edits: &mut Edits<'_>, path: &str, datum: Option<Datum>) {
     remove_lines(edits, |key| key == path);
     if let Some(after) = datum {
@@ -119,7 +117,6 @@ pub(super) fn edit_lines(edits: &mut Edits<'_>, path: &str, datum: Option<Datum>
 }
 
 /// The edits that remove the comment lines of an EDS or DCF with data of these paths.
-#[cfg(feature = "full")]
 pub(super) fn remove_lines(edits: &mut Edits<'_>, is_removed: impl Fn(&str) -> bool) {
     let text = edits.source().text();
     let mut start = 0;
@@ -135,7 +132,6 @@ pub(super) fn remove_lines(edits: &mut Edits<'_>, is_removed: impl Fn(&str) -> b
 }
 
 /// The edits that add changes as comment lines at the end of an EDS or DCF.
-#[cfg(feature = "full")]
 pub(super) fn add_lines(edits: &mut Edits<'_>, changes: &[DatumChange]) {
     let text = edits.source().text();
     let line_end = if text.contains("\r\n") { "\r\n" } else { "\n" };

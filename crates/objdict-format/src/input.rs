@@ -201,7 +201,6 @@ pub struct Reading {
     /// The node that formulas in the text of a concise DCF are evaluated for.
     pub node_id: Option<u8>,
     /// Which variant of a `device.toml`; `None` is the device without its variants.
-    #[cfg(feature = "full")]
     pub variant: Option<String>,
     /// Patches, which are made in the descriptions that they are for.
     #[cfg(feature = "full")]
@@ -218,7 +217,6 @@ impl Default for Reading {
             max_size,
             max_entries,
             node_id: None,
-            #[cfg(feature = "full")]
             variant: None,
             #[cfg(feature = "full")]
             patches: Vec::new(),
@@ -264,7 +262,6 @@ impl Reading {
     /// When there is no such variant.
     pub fn described(&self, source: SourceFile, format: Format) -> Result<Description, ReadError> {
         let description = super::read(source, format);
-        #[cfg(feature = "full")]
         let description = match &self.variant {
             Some(variant) => {
                 let (name, variant) = (description.source().name().to_owned(), variant.clone());

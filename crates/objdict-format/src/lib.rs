@@ -30,6 +30,7 @@ mod objdictgen;
 #[cfg(feature = "full")]
 pub mod patch;
 pub mod scaffold;
+mod text;
 #[cfg(feature = "full")]
 mod write;
 
@@ -37,9 +38,7 @@ mod write;
 pub use self::configured::{ConfiguredFile, NodeSettings};
 #[cfg(feature = "full")]
 pub use self::convert::convert;
-pub use self::description::Description;
-#[cfg(feature = "full")]
-pub use self::description::stated_name;
+pub use self::description::{Description, stated_name};
 #[cfg(feature = "full")]
 pub use self::dialect::Dialect;
 pub use self::input::{ReadError, open};

@@ -11,7 +11,6 @@ use serde::Serialize;
 use serde_json::Value;
 
 use super::complete;
-#[cfg(feature = "full")]
 use super::device_toml;
 use super::embedded::{self, Carrier};
 use super::input::DEFAULT_MAX_ENTRIES;
@@ -225,7 +224,6 @@ fn value_of_entry(json: &Datum) -> Option<objdict_model::model::Value> {
 
 /// The text of a device in a format, and what it does not give back.
 pub(super) fn write(device: &Device, format: Format, options: &WriteOptions) -> Result<Written, EditError> {
-    #[cfg(feature = "full")]
     if format == Format::Toml {
         // it has a place for everything
         let bytes = device_toml::write(device, options.max_losses)?.into_bytes();
@@ -445,7 +443,6 @@ fn encode(device: &Device, format: Format, options: &WriteOptions) -> Vec<u8> {
     match format.syntax() {
         Syntax::Ini => eds::write(&options.dialect.adapted(device), &options.eds),
         Syntax::Xml => xdd::write(&complete::with_valid_access(device), options.xdd_version).into_bytes(),
-        #[cfg(feature = "full")]
         Syntax::Toml => device_toml::write(device, options.max_losses).unwrap_or_default().into_bytes(),
         #[cfg(not(feature = "full"))]
         Syntax::Toml => Vec::new(),
@@ -493,7 +490,6 @@ fn decode(bytes: Vec<u8>, format: Format, encoding: Option<Encoding>) -> Decoded
             let stated = frame(&xdd::read_literally(&tree, format.kind()));
             Decoded { bytes: tree.into_source().into_bytes(), device, stated, violation }
         }
-        #[cfg(feature = "full")]
         Syntax::Toml => {
             let device = device_toml::read(source.text()).0;
             let stated = frame(&device);

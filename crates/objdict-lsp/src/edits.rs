@@ -10,7 +10,7 @@ use objdict_model::diagnostic::{Change, Fix};
 use objdict_model::model::{
     DataType, Device, Entry, Field, MappedObject, Object, ObjectList, ObjectType, Part, PdoKind, Place,
 };
-use objdict_model::source::{Edits, SourceFile, SourceOptions};
+use objdict_model::source::{Edits, SourceFile};
 
 /// The bits of a frame.
 const FRAME: u32 = 64;
@@ -19,8 +19,7 @@ const FRAME: u32 = 64;
 pub(super) fn formatted(file: &File) -> Option<Vec<TextEdit>> {
     let description = file.description()?;
     let bytes = description.arranged().ok()?;
-    let options = SourceOptions { encoding: Some(file.source().encoding()), max_size: u64::MAX };
-    let source = SourceFile::from_bytes(file.source().name(), bytes, &options).ok()?;
+    let source = file.source().with_bytes(bytes).ok()?;
     Some(file.edits_to(source.text()))
 }
 

@@ -28,7 +28,6 @@ pub fn apply(device: &mut Device, changes: Vec<DatumChange>) -> Vec<DatumChange>
 }
 
 /// Makes changes whatever is in their places. Returns those that lead to no device.
-#[cfg(feature = "full")]
 pub fn overlay(device: &mut Device, changes: Vec<DatumChange>) -> Vec<DatumChange> {
     make_changes(device, changes, Check::Nothing)
 }

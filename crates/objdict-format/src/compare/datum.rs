@@ -3,7 +3,6 @@
 use std::fmt;
 use std::io::{self, Write};
 
-#[cfg(feature = "xdd")]
 use serde::de::IgnoredAny;
 use serde::{Serialize, Serializer};
 use serde_json::Value;
@@ -22,7 +21,6 @@ impl Datum {
     }
 
     /// The text of a value as it is; `None` when it does not begin with one. With it comes what is behind.
-    #[cfg(feature = "xdd")]
     pub fn prefix(text: &str) -> Option<(Self, &str)> {
         let mut values = serde_json::Deserializer::from_str(text).into_iter::<IgnoredAny>();
         values.next()?.ok()?;

@@ -14,7 +14,6 @@ mod sections;
 use serde::Serialize;
 use serde_json::{Map, Value};
 
-#[cfg(feature = "full")]
 pub use apply::overlay;
 pub use apply::{DatumChange, apply};
 pub use datum::Datum;

@@ -3,63 +3,36 @@
 use std::path::PathBuf;
 use std::sync::{Arc, OnceLock};
 
+use super::edits::Editor;
 use super::extends::{self, Base};
+use super::mentions;
 use super::places::Places;
-use objdict_model::diagnostic::Findings;
-use objdict_model::model::{Device, Place};
-use objdict_model::source::{SourceFile, Span};
+use crate::mention::Mention;
+use crate::text::{ReadText, Text, TextEdits};
+use objdict_model::diagnostic::{Change, Findings};
+use objdict_model::model::{Commissioning, Device, Place};
+use objdict_model::source::{EditError, Edits, SourceFile, Span};
 
 /// A text, or a variant of it, with what finds places in it.
 #[derive(Debug)]
-pub(crate) struct Document {
+struct TomlText {
     source: Arc<SourceFile>,
     base: Option<Arc<Base>>,
     variant: Option<String>,
     places: OnceLock<Places>,
 }
 
-impl Document {
-    /// A text and the device that it describes.
-    pub(crate) fn read(source: SourceFile) -> (Self, Device, Findings) {
-        let mut findings = Findings::new();
-        let base = extends::read(source.text(), source.name(), &mut findings).map(Arc::new);
-        let device = super::read_on(source.text(), base.as_deref(), &mut findings);
-        let source = Arc::new(source);
-        (Self { source, base, variant: None, places: OnceLock::new() }, device, findings)
-    }
+/// A text and the device that it describes.
+pub(crate) fn read(source: SourceFile) -> ReadText {
+    let mut findings = Findings::new();
+    let base = extends::read(source.text(), source.name(), &mut findings).map(Arc::new);
+    let device = super::read_on(source.text(), base.as_deref(), &mut findings);
+    let text = TomlText { source: Arc::new(source), base, variant: None, places: OnceLock::new() };
+    (Box::new(text), device, findings)
+}
 
-    /// The same text as that of a variant, and the device that this describes.
-    pub(crate) fn read_variant(&self, variant: String) -> (Self, Device, Findings) {
-        let (device, findings) = super::read_variant(self.source.text(), self.base.as_deref(), &variant);
-        let (source, base) = (Arc::clone(&self.source), self.base.clone());
-        (Self { source, base, variant: Some(variant), places: OnceLock::new() }, device, findings)
-    }
-
-    /// The names of the variants in the text.
-    pub(crate) fn variants(&self) -> Vec<String> {
-        super::variants_of(self.source.text())
-    }
-
-    /// The variant that it is read as.
-    pub(crate) fn variant(&self) -> Option<&str> {
-        self.variant.as_deref()
-    }
-
-    /// What the text extends, and where it says so.
-    pub(crate) fn extended(&self) -> Option<(&str, Span)> {
-        self.base.as_ref().map(|base| (base.name.as_str(), base.span))
-    }
-
-    /// The files that the text extends, the nearest first.
-    pub(crate) fn extended_files(&self) -> &[PathBuf] {
-        self.base.as_ref().map(|base| &base.files[..]).unwrap_or_default()
-    }
-
-    pub(crate) fn source(&self) -> &SourceFile {
-        &self.source
-    }
-
-    pub(super) fn places(&self) -> &Places {
+impl TomlText {
+    fn places(&self) -> &Places {
         self.places.get_or_init(|| {
             let tree =
                 super::merged(self.source.text(), self.base.as_deref(), self.variant(), &mut Findings::new());
@@ -67,13 +40,81 @@ impl Document {
         })
     }
 
-    /// The span of a place of the model.
-    pub(crate) fn locate(&self, place: &Place) -> Option<Span> {
+    fn editor(&self) -> Editor<'_> {
+        Editor { text: self.source.text(), places: self.places() }
+    }
+
+    /// The bytes of the text with edits; `None` for a text that does not say alone what the device is.
+    fn edited(&self, edits: TextEdits) -> Option<Result<Vec<u8>, EditError>> {
+        let mut edited = Edits::new(&self.source);
+        edits.into_iter().for_each(|(span, text)| edited.replace(span, text));
+        (self.variant.is_none() && self.base.is_none()).then(|| edited.to_bytes())
+    }
+}
+
+impl Text for TomlText {
+    fn source(&self) -> &SourceFile {
+        &self.source
+    }
+
+    fn locate(&self, place: &Place) -> Option<Span> {
         self.places().locate(place)
     }
 
-    /// The part of the model at a byte.
-    pub(crate) fn place_at(&self, at: u32) -> Option<Place> {
+    fn place_at(&self, at: u32) -> Option<Place> {
         self.places().place_at(at)
+    }
+
+    fn sibling(&self, number: usize) -> Option<ReadText> {
+        let variant = self.variants().into_iter().nth(number.checked_sub(1)?)?;
+        let (device, findings) = super::read_variant(self.source.text(), self.base.as_deref(), &variant);
+        let (source, base) = (Arc::clone(&self.source), self.base.clone());
+        let text = Self { source, base, variant: Some(variant), places: OnceLock::new() };
+        Some((Box::new(text), device, findings))
+    }
+
+    fn variants(&self) -> Vec<String> {
+        super::variants_of(self.source.text())
+    }
+
+    fn variant(&self) -> Option<&str> {
+        self.variant.as_deref()
+    }
+
+    fn extended(&self) -> Option<(&str, Span)> {
+        self.base.as_ref().map(|base| (base.name.as_str(), base.span))
+    }
+
+    fn extended_files(&self) -> &[PathBuf] {
+        self.base.as_ref().map(|base| &base.files[..]).unwrap_or_default()
+    }
+
+    fn mentions(&self) -> Option<Vec<Mention>> {
+        Some(mentions::of(self.source.text()))
+    }
+
+    fn edits(&self, device: &Device, changes: &[Change]) -> Option<TextEdits> {
+        self.editor().edits(device, changes)
+    }
+
+    fn can_take(&self, edits: &TextEdits) -> bool {
+        self.editor().is_toml(edits)
+    }
+
+    fn of_node(
+        &self,
+        file_name: &str,
+        node: Option<&Commissioning>,
+        _: Option<&str>,
+    ) -> Option<Result<Vec<u8>, EditError>> {
+        let edits = match node {
+            Some(node) => self.editor().to_node(file_name, node),
+            None => self.editor().to_type(file_name),
+        };
+        self.edited(edits?)
+    }
+
+    fn arranged<'a>(&'a self, _: &'a Device) -> Box<dyn Iterator<Item = String> + 'a> {
+        Box::new(std::iter::once_with(|| self.editor().arranged()))
     }
 }

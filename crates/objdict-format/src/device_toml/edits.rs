@@ -1,10 +1,10 @@
 //! Edits of the text: values of keys in their places, and keys that are added or taken away.
 
-use super::document::Document;
 use super::facts;
 use super::keys::{DEVICE, FILE, NODE};
 use super::places::{Places, Spot, keys_of};
 use super::words::{key, quoted, spelled, subs, type_word};
+use crate::text::TextEdits;
 use objdict_keyed::section::{Key, Shape};
 use objdict_keyed::toml;
 use objdict_model::diagnostic::{Change, Findings};
@@ -12,72 +12,62 @@ use objdict_model::literal;
 use objdict_model::model::{Commissioning, DataType, Device, Entry, Field, ObjectType, Part, Place, Value};
 use objdict_model::source::Span;
 
-/// Edits: each span with its replacement.
-pub(crate) type TextEdits = Vec<(Span, String)>;
-
-/// The edits that make changes of a device; `None` where the text has no place for one of them. Whether the text is still TOML then,
-/// [`is_toml`] says.
-pub(crate) fn edits(document: &Document, device: &Device, changes: &[Change]) -> Option<TextEdits> {
-    let editor = Editor { text: document.source().text(), places: document.places() };
-    let mut edits = TextEdits::new();
-    let each: Option<Vec<TextEdits>> = changes.iter().map(|change| editor.change(device, change)).collect();
-    for (span, new) in each?.concat() {
-        match edits.iter_mut().find(|(known, _)| *known == span && span.start == span.end) {
-            // keys that are added at one place are one edit: those that touch each other are refused
-            Some((_, before)) => before.push_str(&new),
-            None => edits.push((span, new)),
-        }
-    }
-    Some(edits)
-}
-
-/// Whether the text is TOML with these edits, and none overlaps another.
-pub(crate) fn is_toml(document: &Document, edits: &TextEdits) -> bool {
-    Editor { text: document.source().text(), places: document.places() }.is_toml(edits)
-}
-
-/// The edits that make a text the description of a node in a file of this name.
-pub(crate) fn to_node(document: &Document, file_name: &str, node: &Commissioning) -> Option<TextEdits> {
-    let editor = Editor { text: document.source().text(), places: document.places() };
-    let node_path = ["node".to_owned()];
-    let mut edits = editor.remove(&node_path).unwrap_or_default();
-    let mut block = format!("[node]\n{}\n\n", facts::lines(node, NODE, &[]).join("\n"));
-    if editor.places.at(&["file".to_owned()]).is_some() {
-        edits.extend(editor.set(&["file".to_owned()], "file-name", &quoted(file_name))?);
-    } else {
-        block = format!("[file]\nfile-name = {}\n\n{block}", quoted(file_name));
-    }
-    let at = editor.places.at(&node_path).map(|spot| editor.line(spot.key.start).start);
-    edits.push((Span::empty(at.unwrap_or_else(|| editor.first_table_of_objects())), block));
-    editor.is_toml(&edits).then_some(edits)
-}
-
-/// The edits that take away what is configured for a node.
-pub(crate) fn to_type(document: &Document, file_name: &str) -> Option<TextEdits> {
-    let editor = Editor { text: document.source().text(), places: document.places() };
-    let mut edits = editor.remove(&["node".to_owned()]).unwrap_or_default();
-    if editor.places.at(&["file".to_owned(), "file-name".to_owned()]).is_some() {
-        edits.extend(editor.set(&["file".to_owned()], "file-name", &quoted(file_name))?);
-    }
-    let object = ["object".to_owned()];
-    let is_configured = |rest: &[String]| {
-        let names = ["value", "values", "denotation", "denotations", "upload-file", "download-file"];
-        rest.last().is_some_and(|name| names.contains(&name.as_str())) && matches!(rest.len(), 2 | 4)
-    };
-    for (rest, _) in editor.places.below(&object).filter(|(rest, _)| is_configured(rest)) {
-        edits.extend(editor.remove(&[object.as_slice(), rest].concat())?);
-    }
-    editor.is_toml(&edits).then_some(edits)
-}
-
-struct Editor<'a> {
-    text: &'a str,
-    places: &'a Places,
+/// What edits a text.
+pub(super) struct Editor<'a> {
+    pub text: &'a str,
+    pub places: &'a Places,
 }
 
 impl Editor<'_> {
+    /// The edits that make changes of a device; `None` where the text has no place for one of them. Whether the text is still
+    /// TOML then, [`is_toml`](Self::is_toml) says.
+    pub(super) fn edits(&self, device: &Device, changes: &[Change]) -> Option<TextEdits> {
+        let mut edits = TextEdits::new();
+        let each: Option<Vec<TextEdits>> = changes.iter().map(|change| self.change(device, change)).collect();
+        for (span, new) in each?.concat() {
+            match edits.iter_mut().find(|(known, _)| *known == span && span.start == span.end) {
+                // keys that are added at one place are one edit: those that touch each other are refused
+                Some((_, before)) => before.push_str(&new),
+                None => edits.push((span, new)),
+            }
+        }
+        Some(edits)
+    }
+
+    /// The edits that make a text the description of a node in a file of this name.
+    pub(super) fn to_node(&self, file_name: &str, node: &Commissioning) -> Option<TextEdits> {
+        let node_path = ["node".to_owned()];
+        let mut edits = self.remove(&node_path).unwrap_or_default();
+        let mut block = format!("[node]\n{}\n\n", facts::lines(node, NODE, &[]).join("\n"));
+        if self.places.at(&["file".to_owned()]).is_some() {
+            edits.extend(self.set(&["file".to_owned()], "file-name", &quoted(file_name))?);
+        } else {
+            block = format!("[file]\nfile-name = {}\n\n{block}", quoted(file_name));
+        }
+        let at = self.places.at(&node_path).map(|spot| self.line(spot.key.start).start);
+        edits.push((Span::empty(at.unwrap_or_else(|| self.first_table_of_objects())), block));
+        self.is_toml(&edits).then_some(edits)
+    }
+
+    /// The edits that take away what is configured for a node.
+    pub(super) fn to_type(&self, file_name: &str) -> Option<TextEdits> {
+        let mut edits = self.remove(&["node".to_owned()]).unwrap_or_default();
+        if self.places.at(&["file".to_owned(), "file-name".to_owned()]).is_some() {
+            edits.extend(self.set(&["file".to_owned()], "file-name", &quoted(file_name))?);
+        }
+        let object = ["object".to_owned()];
+        let is_configured = |rest: &[String]| {
+            let names = ["value", "values", "denotation", "denotations", "upload-file", "download-file"];
+            rest.last().is_some_and(|name| names.contains(&name.as_str())) && matches!(rest.len(), 2 | 4)
+        };
+        for (rest, _) in self.places.below(&object).filter(|(rest, _)| is_configured(rest)) {
+            edits.extend(self.remove(&[object.as_slice(), rest].concat())?);
+        }
+        self.is_toml(&edits).then_some(edits)
+    }
+
     /// Whether a text is TOML with the edits, and no edit overlaps another.
-    fn is_toml(&self, edits: &TextEdits) -> bool {
+    pub(super) fn is_toml(&self, edits: &TextEdits) -> bool {
         let mut sorted: Vec<&(Span, String)> = edits.iter().collect();
         sorted.sort_by_key(|(span, _)| (span.start, span.end));
         let mut text = String::with_capacity(self.text.len());
@@ -90,6 +80,31 @@ impl Editor<'_> {
         }
         text.push_str(self.text.get(end..).unwrap_or_default());
         toml::read(&text, &mut Findings::new()).is_some()
+    }
+
+    /// A text with blanks at the ends of lines and repeated empty lines taken away, but for those in texts of several lines.
+    pub(super) fn arranged(&self) -> String {
+        let long: Vec<Span> = self.places.long_values(self.text);
+        let mut arranged = String::with_capacity(self.text.len());
+        let (mut at, mut empty) = (0u32, true);
+        for line in self.text.split_inclusive('\n') {
+            let end = at + line.len() as u32;
+            let is_within = long.iter().any(|span| span.start < end && at < span.end);
+            let trimmed = line.trim_end();
+            if is_within {
+                arranged.push_str(line);
+                empty = false;
+            } else if !(trimmed.is_empty() && empty) {
+                arranged.push_str(trimmed.trim_start());
+                arranged.push('\n');
+                empty = trimmed.is_empty();
+            }
+            at = end;
+        }
+        let length = arranged.trim_end().len();
+        arranged.truncate(length);
+        arranged.push('\n');
+        arranged
     }
 
     fn change(&self, device: &Device, change: &Change) -> Option<TextEdits> {
@@ -380,30 +395,4 @@ fn fact(known: &Key, text: &str) -> Option<String> {
         }
         _ => quoted(text),
     })
-}
-
-/// A text with blanks at the ends of lines and repeated empty lines taken away, but for those in texts of several lines.
-pub(crate) fn arranged(document: &Document) -> String {
-    let text = document.source().text();
-    let long: Vec<Span> = document.places().long_values(text);
-    let mut arranged = String::with_capacity(text.len());
-    let (mut at, mut empty) = (0u32, true);
-    for line in text.split_inclusive('\n') {
-        let end = at + line.len() as u32;
-        let is_within = long.iter().any(|span| span.start < end && at < span.end);
-        let trimmed = line.trim_end();
-        if is_within {
-            arranged.push_str(line);
-            empty = false;
-        } else if !(trimmed.is_empty() && empty) {
-            arranged.push_str(trimmed.trim_start());
-            arranged.push('\n');
-            empty = trimmed.is_empty();
-        }
-        at = end;
-    }
-    let length = arranged.trim_end().len();
-    arranged.truncate(length);
-    arranged.push('\n');
-    arranged
 }

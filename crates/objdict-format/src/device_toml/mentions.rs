@@ -1,28 +1,24 @@
 //! Where the text of a `device.toml` names objects: tables, mappings, lists and links.
 
-use super::document::Document;
 use crate::mention::{Digits, Mention, MentionKind};
 use objdict_keyed::toml;
 use objdict_keyed::tree::{KeyedTree, Kind, Pair};
 use objdict_model::source::Span;
 
-impl Document {
-    /// All that the text names, of its variants too, in the order of the text.
-    pub(crate) fn mentions(&self) -> Vec<Mention> {
-        let text = self.source().text();
-        let mut finder = Finder { text, found: Vec::new() };
-        if let Some(tree) = toml::read(text, &mut objdict_model::diagnostic::Findings::new()) {
-            finder.of_device(&tree);
-            for Pair { value, .. } in tree.get("variant").and_then(KeyedTree::entries).unwrap_or_default() {
-                finder.of_device(value);
-            }
-            finder.headers();
+/// All that a text names, in its variants too, in the order of the text.
+pub(super) fn of(text: &str) -> Vec<Mention> {
+    let mut finder = Finder { text, found: Vec::new() };
+    if let Some(tree) = toml::read(text, &mut objdict_model::diagnostic::Findings::new()) {
+        finder.of_device(&tree);
+        for Pair { value, .. } in tree.get("variant").and_then(KeyedTree::entries).unwrap_or_default() {
+            finder.of_device(value);
         }
-        let mut found = finder.found;
-        found.sort_by_key(|mention| mention.span.start);
-        found.dedup_by_key(|mention| mention.span);
-        found
+        finder.headers();
     }
+    let mut found = finder.found;
+    found.sort_by_key(|mention| mention.span.start);
+    found.dedup_by_key(|mention| mention.span);
+    found
 }
 
 struct Finder<'a> {

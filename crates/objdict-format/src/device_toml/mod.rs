@@ -1,14 +1,13 @@
 //! `device.toml`: a device in few lines, which says only what does not follow from something else (docs/device.md).
 
 mod defaults;
-mod document;
-pub(super) mod edits;
+pub(super) mod document;
+mod edits;
 mod extends;
 mod facts;
 pub mod keys;
 mod lists;
 mod meaning;
-#[cfg(feature = "full")]
 mod mentions;
 mod merge;
 mod objects;
@@ -26,7 +25,6 @@ mod words;
 mod writer;
 
 use self::defaults::Defaults;
-pub(super) use self::document::Document;
 use self::extends::Base;
 use self::keys::{DEVICE, FILE, LISTS, NODE};
 use self::merge::Merged;
@@ -41,7 +39,6 @@ use objdict_keyed::section::KeyedTable;
 use objdict_keyed::toml;
 use objdict_keyed::tree::{KeyedTree, Kind};
 use objdict_model::diagnostic::{Diagnostic, Findings, say};
-#[cfg(feature = "full")]
 use objdict_model::model::Object;
 use objdict_model::model::{
     ApplicationProcess, Device, DeviceInfo, DeviceKind, DummyUsage, Extra, ExtraSection, ObjectLists, PdoKind,
@@ -130,7 +127,6 @@ fn reader<'f>(root: &KeyedTable<'_>, findings: &'f mut Findings) -> Reader<'f> {
 }
 
 /// What writes an object that a text does not have, as a line of its table `object`.
-#[cfg(feature = "full")]
 pub(super) fn object_writer(text: &str) -> Option<impl Fn(u16, &Object) -> String> {
     let mut findings = Findings::new();
     let tree = merged(text, None, None, &mut findings)?.tree;

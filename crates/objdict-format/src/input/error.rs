@@ -5,9 +5,7 @@ use std::num::NonZeroUsize;
 
 use super::{FileKind, MAX_DEVICES};
 use crate::identify::Identification;
-use objdict_model::diagnostic::counted;
-#[cfg(feature = "full")]
-use objdict_model::diagnostic::series;
+use objdict_model::diagnostic::{counted, series};
 use objdict_model::source::{FolderError, SourceError};
 
 /// Why a file is not read.
@@ -76,7 +74,6 @@ pub enum ReadError {
         count: usize,
     },
     /// It has no variant of this name.
-    #[cfg(feature = "full")]
     NoSuchVariant {
         /// The file.
         name: String,
@@ -125,7 +122,6 @@ objdict_model::error_messages! { ReadError:
         "`{name}` has no device {number}, it describes {}", counted(*count, "device", "devices");
     Self::TooManyDevices { name, count } =>
         "`{name}`: there are {count} devices, but a network has at most {MAX_DEVICES}";
-    #[cfg(feature = "full")]
     Self::NoSuchVariant { name, variant, .. } => "`{name}` has no variant `{variant}`";
     Self::NoDevice { name, kind } => "`{name}` is read as {} and describes no device", kind.name();
     Self::NotPatched { name, problems } => "cannot apply the patches to `{name}`\n{problems}";
@@ -143,11 +139,9 @@ impl ReadError {
             Self::Named(error) => error.help().map(str::to_owned),
             Self::Foreign { found, .. } => found.advice().map(str::to_owned),
             Self::SeveralDevices { .. } => Some("choose one by its number, counted from 1".to_owned()),
-            #[cfg(feature = "full")]
             Self::NoSuchVariant { known, .. } if known.is_empty() => {
                 Some("only a `device.toml` with `[variant.…]` has variants".to_owned())
             }
-            #[cfg(feature = "full")]
             Self::NoSuchVariant { known, .. } => {
                 Some(format!("it has {}", series(known.iter().map(|name| format!("`{name}`")))))
             }

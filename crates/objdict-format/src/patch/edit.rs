@@ -12,7 +12,7 @@ use crate::{Description, EditError, Syntax, WriteOptions, embedded};
 use objdict_eds::eds;
 use objdict_model::diagnostic::{Change, Fix};
 use objdict_model::model::{Device, Field, ObjectList, Part, Place};
-use objdict_model::source::{Edits, SourceFile, SourceOptions};
+use objdict_model::source::Edits;
 
 /// The description with the text of `wanted`: where its format has a place by edits, in an EDS or DCF else by embedding; where
 /// neither is possible, it is written anew.
@@ -31,16 +31,7 @@ pub(crate) fn edited(original: &Description, wanted: &Device) -> Result<Descript
         return Ok(edited);
     }
     let bytes = format::write(wanted, original.format(), &options)?.bytes;
-    again(original, bytes).ok_or_else(|| EditError::OtherMeaning(original.source().name().to_owned()))
-}
-
-/// The same file with other bytes.
-fn again(original: &Description, bytes: Vec<u8>) -> Option<Description> {
-    let source = original.source();
-    let mut options = SourceOptions::default();
-    (options.encoding, options.max_size) = (Some(source.encoding()), u64::MAX);
-    let source = SourceFile::from_bytes(source.name(), bytes, &options).ok()?;
-    format::read(source, original.format()).select(original.number())
+    original.with_bytes(bytes).ok_or_else(|| EditError::OtherMeaning(original.source().name().to_owned()))
 }
 
 /// What edits can make of it.
@@ -54,13 +45,12 @@ fn with_edits(original: &Description, wanted: &Device) -> Option<Description> {
     });
     let mut edits = Edits::new(original.source());
     found.into_iter().flatten().for_each(|(span, text)| edits.replace(span, text));
-    let edited = again(original, edits.to_bytes().ok()?)?;
-    #[cfg(feature = "xdd")]
+    let edited = original.with_bytes(edits.to_bytes().ok()?)?;
     if let Some(tree) = edited.tree()
         && wanted.objects.keys().any(|index| edited.device().object(*index).is_none())
     {
         let bytes = objdict_xdd::xdd::with_objects(tree, wanted)?.ok()?;
-        return again(original, bytes);
+        return original.with_bytes(bytes);
     }
     Some(edited)
 }
@@ -112,7 +102,7 @@ fn with_embedded(edited: Description, wanted: &Device, limit: usize) -> Option<D
     }
     let mut edits = Edits::new(edited.source());
     embedded::remove_lines(&mut edits, |_| true);
-    let bare = again(&edited, edits.to_bytes().ok()?)?;
+    let bare = edited.with_bytes(edits.to_bytes().ok()?)?;
     let mut changes = Vec::new();
     let mut found = |difference: crate::compare::DatumDifference| {
         let before = difference.left.map(|left| left.fingerprint());
@@ -121,5 +111,5 @@ fn with_embedded(edited: Description, wanted: &Device, limit: usize) -> Option<D
     each_difference(bare.device(), wanted, limit, &mut found).ok()?;
     let mut edits = Edits::new(bare.source());
     embedded::add_lines(&mut edits, &changes);
-    again(&bare, edits.to_bytes().ok()?).filter(|edited| edited.says(wanted))
+    bare.with_bytes(edits.to_bytes().ok()?).filter(|edited| edited.says(wanted))
 }

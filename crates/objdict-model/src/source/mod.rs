@@ -176,6 +176,15 @@ impl SourceFile {
         Self::from_bytes(shown(path), read(path, options.max_size)?, options)
     }
 
+    /// The same file with other bytes in the same encoding.
+    ///
+    /// # Errors
+    /// When there are more bytes than any file may have.
+    pub fn with_bytes(&self, bytes: Vec<u8>) -> Result<Self, SourceError> {
+        let options = SourceOptions { encoding: Some(self.encoding()), max_size: u64::MAX };
+        Self::from_bytes(self.name(), bytes, &options)
+    }
+
     /// A source of the given bytes; `name` is its name in reports.
     ///
     /// # Errors

@@ -1,0 +1,118 @@
+//! Descriptions whose text is written: with patches, in order, or anew.
+//!
+//! `arranged` compares the devices before and after, because it moves text that the model does not contain.
+
+use std::borrow::Cow;
+
+use super::Description;
+use crate::input::DEFAULT_MAX_ENTRIES;
+use crate::mention::Mention;
+use crate::patch::{self, Patched};
+use crate::{Format, WriteOptions};
+use objdict_model::model::{Commissioning, Device, DeviceKind};
+use objdict_model::source::{EditError, SourceFile};
+
+impl Description {
+    /// The description with this device in place of that of its text, made by patches.
+    pub(crate) fn with_patched(self, device: Device, patched: Patched) -> Self {
+        Self { device, patched: Some(Box::new(patched)), ..self }
+    }
+
+    /// The description with the patches that were given for another device of the file.
+    pub(super) fn with_patches_of(self, other: &Self) -> Self {
+        match &other.patched {
+            Some(patched) => patch::apply(self, &patched.given),
+            None => self,
+        }
+    }
+
+    /// The patches that were made in it; `None` where none was for it.
+    pub fn patched(&self) -> Option<&Patched> {
+        self.patched.as_deref()
+    }
+
+    /// The description with a text that says what its patches make of it; `None` where none was for it.
+    ///
+    /// # Errors
+    /// When that text cannot be written in the encoding of the file.
+    pub fn realised(&self) -> Result<Option<Self>, EditError> {
+        if self.patched.is_none() {
+            return Ok(None);
+        }
+        let original = if self.is_composed() { None } else { self.with_bytes(self.source().to_bytes()) };
+        let original = original.ok_or_else(|| EditError::ReadOnly(self.source().name().to_owned()))?;
+        patch::edited(&original, &self.device).map(Some)
+    }
+
+    /// Whether the text says the same as this device.
+    pub(crate) fn says(&self, device: &Device) -> bool {
+        says_the_same(&self.device, device)
+    }
+
+    /// Where a `device.toml` names its objects; `None` for another format.
+    pub fn toml_mentions(&self) -> Option<Vec<Mention>> {
+        self.text.mentions()
+    }
+
+    /// A new text in the same syntax, where that of the file has no place for it: a file of several devices, or one
+    /// without communication network profile.
+    pub(super) fn anew(&self, file_name: &str, node: Option<&Commissioning>) -> Result<Vec<u8>, EditError> {
+        let mut device = self.device.clone();
+        if let Some(info) = &mut device.file_info {
+            info.file_name = Some(file_name.to_owned());
+        }
+        if let Some(node) = node {
+            device.kind = DeviceKind::Node;
+            device.commissioning = Some(node.clone());
+        }
+        let kind = if node.is_some() { DeviceKind::Node } else { DeviceKind::Type };
+        let format = Format::of(self.format.syntax(), kind);
+        let max_losses = WriteOptions::max_losses_of(self.source().text().len(), DEFAULT_MAX_ENTRIES);
+        let options = WriteOptions { embed: true, max_losses, ..WriteOptions::default() };
+        Ok(crate::write(&device, format, &options)?.bytes)
+    }
+
+    /// One of the devices of the file.
+    fn device_at(&self, number: usize) -> Cow<'_, Device> {
+        if number == self.number {
+            return Cow::Borrowed(&self.device);
+        }
+        Cow::Owned(self.sibling(number).map(|other| other.device).unwrap_or_default())
+    }
+
+    /// The bytes of this text in the canonical order and spelling. EDS and DCF: sections and keys in the order of CiA 306-1,
+    /// with the comments that belong to them; keys, section names, hex numbers and formulas spelled alike. XDD and XDC: elements
+    /// and attributes in the order of CiA 311, one element a line. What is read of it stays the same.
+    ///
+    /// # Errors
+    /// When the text cannot be written in the encoding of the file, something else would be read of it, or it is XML that is not
+    /// well-formed or has a document type.
+    pub fn arranged(&self) -> Result<Vec<u8>, EditError> {
+        if let Some(realised) = self.realised()? {
+            return realised.arranged();
+        }
+        let source = self.source();
+        if source.is_read_only() {
+            return Err(EditError::ReadOnly(source.name().to_owned()));
+        }
+        let is_same = |text: &String| {
+            let again = Self::read(SourceFile::from_text(source.name(), text.clone()), self.format);
+            // a network has several devices
+            (0..self.device_count())
+                .all(|number| says_the_same(&self.device_at(number), &again.device_at(number)))
+        };
+        let found = self.text.arranged(&self.device).find(is_same);
+        let text = found.ok_or_else(|| EditError::OtherMeaning(source.name().to_owned()))?;
+        source.encode(&text).map_err(EditError::from)
+    }
+}
+
+/// Whether two devices are the same, but for the order of the sections that the model does not know.
+fn says_the_same(one: &Device, other: &Device) -> bool {
+    let sorted = |device: &Device| {
+        let mut device = device.clone();
+        device.extra.sort_by_key(|section| section.name().to_ascii_lowercase());
+        device
+    };
+    one == other || sorted(one) == sorted(other)
+}
