@@ -1,71 +1,34 @@
 //! From a description to the files of a product, in one piece for the command and for build scripts: reading, checking as
 //! the configuration says, generating, writing. Callers supply arguments and reporting.
 
-#[cfg(feature = "full")]
-mod conversion;
-#[cfg(feature = "command")]
+#[cfg(feature = "lint")]
+mod configured;
 mod depfile;
 mod error;
+#[cfg(feature = "full")]
+mod full;
 
 use std::borrow::Cow;
 use std::cmp::Reverse;
-#[cfg(feature = "lint")]
-use std::collections::BTreeMap;
 use std::collections::BTreeSet;
 use std::path::{Path, PathBuf};
-#[cfg(feature = "lint")]
-use std::sync::Arc;
 
-#[cfg(feature = "full")]
-use self::conversion::Conversion;
-#[cfg(feature = "command")]
 pub use self::depfile::depfile;
-pub use self::error::Error;
-pub use self::error::placed;
-#[cfg(feature = "command")]
-pub use self::error::report_lines;
-#[cfg(feature = "command")]
-pub use crate::output::Hash;
-pub use crate::output::OutputError;
-#[cfg(feature = "command")]
-pub use crate::output::{Manifest, Saved, State, abandon, save};
-pub use crate::output::{OutputFolder, Used};
-#[cfg(feature = "full")]
-use objdict_format::ReadError;
+pub use self::error::{Error, placed, report_lines};
+pub use crate::output::{Hash, Manifest, OutputError, OutputFolder, Saved, State, Used, abandon, save};
 use objdict_format::input::{Input, Reading};
-#[cfg(feature = "full")]
-use objdict_format::patch::{Patch, Patched};
 use objdict_format::{Description, Format};
 use objdict_generate as generate;
 use objdict_generate::{Generated, Note, Options, OutputFile, Size, Sizes, Target, files_of, general_notes};
 use objdict_lint as lint;
 use objdict_lint::Severities;
-#[cfg(feature = "full")]
-use objdict_model::diagnostic::At;
-use objdict_model::diagnostic::one_line;
-use objdict_model::diagnostic::{Diagnostic, Findings, Severity};
-#[cfg(feature = "lint")]
-use objdict_model::model::Address;
+use objdict_model::diagnostic::{At, Diagnostic, Findings, Severity, one_line};
 use objdict_model::model::{Device, Place};
-#[cfg(feature = "lint")]
-use objdict_model::source::{MAX_TOML_SIZE, read_text, shown};
 use objdict_model::source::{SourceOptions, hash};
-#[cfg(feature = "lint")]
-use objdict_profile as profile;
-#[cfg(feature = "lint")]
-use objdict_profile::Profile;
-#[cfg(feature = "full")]
-use objdict_project::baseline;
-#[cfg(feature = "full")]
-use objdict_project::baseline::Baseline;
 use objdict_project::check::{of_devices, with_origin_beside};
-#[cfg(feature = "lint")]
-use objdict_project::config::Project;
 use objdict_project::report::{Location, Subject, grouped, listed};
 #[cfg(feature = "lint")]
 pub use objdict_project::workspace::ConfigSource;
-#[cfg(feature = "lint")]
-use objdict_project::workspace::{Overrides, Workspace};
 
 /// What is to be made of a description.
 #[derive(Debug, Default)]
@@ -75,7 +38,6 @@ pub struct Request {
     /// How it is read.
     pub reading: Reading,
     /// Patches, which are read when the description is.
-    #[cfg(feature = "full")]
     pub patches: Vec<PathBuf>,
     /// The settings of the check.
     pub check: CheckSettings,
@@ -86,12 +48,10 @@ pub struct Request {
     /// The lowest severity of a finding that stops it, beside those that make a table wrong.
     pub deny: Option<Severity>,
     /// A file of findings that are known and neither stop nor count.
-    #[cfg(feature = "full")]
     pub baseline: Option<PathBuf>,
     /// What to generate; what is there twice counts once.
     pub targets: Vec<Target>,
     /// The files that the description is also written to, in the formats of their names.
-    #[cfg(feature = "full")]
     pub conversions: Vec<PathBuf>,
     /// The options; the names of files, those in the file of names, and the hash are found out.
     pub options: Options,
@@ -110,7 +70,6 @@ pub struct CheckSettings {
     /// The severities that replace those of the rules.
     pub severities: Severities,
     /// Profiles to check against beside that of the device: numbers, or paths of files.
-    #[cfg(feature = "lint")]
     pub profiles: Vec<String>,
 }
 
@@ -130,8 +89,18 @@ pub struct CheckedDescription {
 #[derive(Debug)]
 enum Described {
     Text(Box<Description>),
-    #[cfg(feature = "full")]
     Model(Box<Device>),
+}
+
+/// The description as a file of another format, before it is written.
+#[derive(Debug)]
+pub struct Conversion {
+    /// The file.
+    pub path: PathBuf,
+    /// Its bytes.
+    pub bytes: Vec<u8>,
+    /// What it does not have of the device, a line each.
+    pub lost: Vec<String>,
 }
 
 /// What tables may take at most, in bytes.
@@ -153,7 +122,6 @@ pub struct Generation {
     /// What was made, in the order of the targets.
     pub outputs: Vec<(Target, Generated)>,
     /// The description in other formats.
-    #[cfg(feature = "full")]
     pub conversions: Vec<Conversion>,
     /// Sizes of the tables; empty unless requested.
     pub sizes: Vec<(Target, Sizes)>,
@@ -168,10 +136,9 @@ impl Request {
         bytes: Vec<u8>,
         files: &mut Vec<PathBuf>,
     ) -> Result<CheckedDescription, Error> {
+        let reading = self.reading.clone();
         #[cfg(feature = "full")]
-        let reading = &self.with_patches(files)?;
-        #[cfg(not(feature = "full"))]
-        let reading = &self.reading;
+        let reading = self.with_patches(reading, files)?;
         let described = match reading.read_one(name, bytes)? {
             (_, Input::Description(description)) => {
                 let options = SourceOptions { encoding: None, max_size: reading.max_size };
@@ -180,26 +147,19 @@ impl Request {
                 files.extend(description.origin().map(|origin| PathBuf::from(origin.source().name())));
                 Described::Text(Box::new(description))
             }
-            #[cfg(feature = "full")]
             (_, Input::Device(device)) => Described::Model(device),
             #[cfg(feature = "full")]
-            (kind, _) => return Err(ReadError::NoDevice { name: name.to_owned(), kind }.into()),
-        };
-        #[cfg(feature = "lint")]
-        let (options, of_config) = self.configured(files)?;
-        #[cfg(feature = "full")]
-        let of_config = match &described {
-            Described::Text(description) => {
-                let patched = description.patched().map(Patched::lines).unwrap_or_default();
-                of_config.into_iter().chain(patched).collect()
+            (kind, _) => {
+                return Err(objdict_format::ReadError::NoDevice { name: name.to_owned(), kind }.into());
             }
-            Described::Model(_) => of_config,
         };
+        let node_id = self.options.node_id.filter(|id| (1..=127).contains(id));
+        #[cfg(feature = "lint")]
+        let (options, of_config) = self.configured(node_id, files)?;
+        #[cfg(feature = "full")]
+        let of_config = described.with_lines_of_patches(of_config);
         #[cfg(not(feature = "lint"))]
-        let (options, of_config) = {
-            let node_id = self.options.node_id.filter(|id| (1..=127).contains(id));
-            (lint::Options { node_id, ..lint::Options::default() }, Vec::new())
-        };
+        let (options, of_config) = (lint::Options { node_id, ..lint::Options::default() }, Vec::new());
         let findings = match &described {
             Described::Text(description) => {
                 let findings = checked(description, &options);
@@ -207,80 +167,9 @@ impl Request {
                 let findings = self.unknown(description, findings, files)?;
                 grouped(&**description, findings)
             }
-            #[cfg(feature = "full")]
             Described::Model(device) => options.severities.apply(lint::check(device, &options)),
         };
         Ok(CheckedDescription { name: name.to_owned(), described, findings, of_config })
-    }
-
-    /// How the description is read, with the patches of arguments and configuration.
-    #[cfg(feature = "full")]
-    fn with_patches(&self, files: &mut Vec<PathBuf>) -> Result<Reading, Error> {
-        let mut reading = self.reading.clone();
-        for path in &self.patches {
-            files.push(path.clone());
-            let patch = Patch::open(path).map_err(ReadError::from)?;
-            reading.patches.push(Arc::new(patch));
-        }
-        if let Some(project) = self.project(&mut Vec::new())? {
-            reading.patches.extend(project.patches.iter().cloned());
-        }
-        Ok(reading)
-    }
-
-    /// The findings that are not in the baseline.
-    #[cfg(feature = "full")]
-    fn unknown(
-        &self,
-        description: &Description,
-        mut findings: Findings,
-        files: &mut Vec<PathBuf>,
-    ) -> Result<Findings, Error> {
-        if let Some(path) = &self.baseline {
-            files.push(path.clone());
-            let text = read_text(path, baseline::MAX_SIZE)?;
-            let baseline =
-                Baseline::read(&text).map_err(|error| Error::Baseline { path: path.clone(), error })?;
-            baseline.suppress_beside(path, description, &mut findings);
-        }
-        Ok(findings)
-    }
-
-    /// The options of the check, and the problems of the configuration that they come from.
-    #[cfg(feature = "lint")]
-    fn configured(&self, files: &mut Vec<PathBuf>) -> Result<(lint::Options, Vec<String>), Error> {
-        let project = self.project(files)?;
-        let profiles = self.check.profiles.iter().map(|name| self.profile(name, files));
-        let overrides = Overrides {
-            severities: self.check.severities.clone(),
-            profiles: profiles.collect::<Result<_, _>>()?,
-            node_id: self.options.node_id.filter(|id| (1..=127).contains(id)),
-            ..Overrides::default()
-        };
-        let options = overrides.options(&self.file, project.as_ref());
-        let findings = project.map(|project| config_findings(&project, &options)).transpose()?;
-        Ok((options, findings.unwrap_or_default()))
-    }
-
-    #[cfg(feature = "lint")]
-    fn project(&self, files: &mut Vec<PathBuf>) -> Result<Option<Project>, Error> {
-        let mut workspace = Workspace::new(self.check.config.clone(), Overrides::default())?;
-        let project = workspace.project_of(&self.file)?;
-        files.extend(workspace.inputs());
-        drop(workspace);
-        let Some(mut project) = project.and_then(Arc::into_inner) else { return Ok(None) };
-        if !project.failures.is_empty() {
-            return Err(project.failures.swap_remove(0).into());
-        }
-        Ok(Some(project))
-    }
-
-    #[cfg(feature = "lint")]
-    fn profile(&self, name: &str, files: &mut Vec<PathBuf>) -> Result<Arc<Profile>, Error> {
-        if profile::named(name).is_none() && Path::new(name).is_file() {
-            files.push(name.into());
-        }
-        Ok(profile::open(name, Path::new(""))?)
     }
 
     /// Everything that is to be written, before anything is.
@@ -328,19 +217,11 @@ impl Request {
             first.notes.splice(0..0, general_notes(&device, &self.targets, &options));
         }
         let entries = device.objects.values().map(|object| object.entries().count()).sum();
-        Ok(Generation {
-            objects: device.objects.len(),
-            entries,
-            outputs,
-            #[cfg(feature = "full")]
-            conversions: self.conversions_of(checked.device())?,
-            sizes,
-        })
-    }
-
-    #[cfg(feature = "full")]
-    fn conversions_of(&self, device: &Device) -> Result<Vec<Conversion>, Error> {
-        self.conversions.iter().map(|path| Conversion::of(device, path)).collect()
+        let conversions = Vec::new();
+        let generation = Generation { objects: device.objects.len(), entries, outputs, conversions, sizes };
+        #[cfg(feature = "full")]
+        let generation = self.with_conversions(generation, checked.device())?;
+        Ok(generation)
     }
 
     fn is_stopped_by(&self, finding: &Diagnostic) -> bool {
@@ -353,15 +234,11 @@ impl Request {
         options.file_stem = stem(&self.file);
         options.source_hash = match &checked.described {
             Described::Text(description) => Some(hash(description.source().text().as_bytes())),
-            #[cfg(feature = "full")]
             Described::Model(_) => None,
         };
         files.extend(options.template.clone());
         #[cfg(feature = "lint")]
-        if let Some(path) = options.rename.take() {
-            files.push(path.clone());
-            options.renamed.extend(names_in(&path)?);
-        }
+        configured::rename(&mut options, files)?;
         Ok(options)
     }
 }
@@ -407,7 +284,6 @@ impl CheckedDescription {
     fn device(&self) -> &Device {
         match &self.described {
             Described::Text(description) => description.device(),
-            #[cfg(feature = "full")]
             Described::Model(device) => device,
         }
     }
@@ -416,7 +292,6 @@ impl CheckedDescription {
     fn refuse(&self, stops: impl Fn(&Diagnostic) -> bool) -> Result<(), Error> {
         refusal(&self.name, &self.findings, stops, |errors| match &self.described {
             Described::Text(description) => text_of((&**description).into(), errors),
-            #[cfg(feature = "full")]
             Described::Model(_) => {
                 errors.iter().map(|error| without_text(&self.name, error) + "\n").collect()
             }
@@ -427,7 +302,6 @@ impl CheckedDescription {
     pub fn line(&self, finding: &Diagnostic) -> String {
         match &self.described {
             Described::Text(description) => line((&**description).into(), finding),
-            #[cfg(feature = "full")]
             Described::Model(_) => without_text(&self.name, finding),
         }
     }
@@ -444,18 +318,6 @@ fn checked(description: &Description, options: &lint::Options) -> Findings {
         all.append(found);
         all
     })
-}
-
-/// Warnings about a configuration, a line each. Its errors stop the run even with `--force`, because the intended check is
-/// unknown.
-#[cfg(feature = "lint")]
-fn config_findings(project: &Project, options: &lint::Options) -> Result<Vec<String>, Error> {
-    let findings = options.severities.apply(project.findings.clone());
-    let subject = Subject::Text(project.config.source());
-    let is_error = |finding: &Diagnostic| finding.severity == Severity::Error;
-    refusal(subject.source().name(), &findings, is_error, |errors| text_of(subject, errors))?;
-    let warnings = findings.iter().filter(|finding| finding.severity >= Severity::Warning);
-    Ok(warnings.map(|finding| line(subject, finding)).collect())
 }
 
 /// The findings that stop as an error, the worst first.
@@ -489,7 +351,6 @@ fn line(subject: Subject<'_>, finding: &Diagnostic) -> String {
 }
 
 /// A finding of a device that has no text.
-#[cfg(feature = "full")]
 fn without_text(name: &str, finding: &Diagnostic) -> String {
     let place = match finding.labels.first().map(|label| &label.at) {
         Some(At::Place(place)) => place.to_string(),
@@ -497,13 +358,6 @@ fn without_text(name: &str, finding: &Diagnostic) -> String {
     };
     let (rule, severity, message) = (finding.rule.id, finding.severity, &finding.message);
     one_line(&format!("{name}: {severity} {rule}: {place}: {message}"))
-}
-
-/// The names that a file gives to objects and entries.
-#[cfg(feature = "lint")]
-fn names_in(path: &Path) -> Result<BTreeMap<Address, String>, Error> {
-    let text = read_text(path, MAX_TOML_SIZE)?;
-    generate::renames(&text).map_err(|error| Error::Names { file: shown(path), error })
 }
 
 /// The file's name without its last ending.

@@ -3,6 +3,8 @@
 //! Memory depends on the number of the shortest parts, so sections, elements and JSON values are counted in the
 //! text before they are read. The limits grow with the file; real files do not reach them.
 
+#[cfg(feature = "full")]
+mod content;
 mod error;
 mod tags;
 
@@ -13,18 +15,11 @@ pub use self::error::ReadError;
 use self::tags::{containers, start_tags};
 use super::identify::{ContentKind, identify_source};
 #[cfg(feature = "full")]
-use super::json::{self, DocumentKind};
-#[cfg(feature = "node-list")]
-use super::nodelist;
-#[cfg(feature = "full")]
 use super::patch::{Patch, refuse};
 use super::{Description, Format, Syntax};
+use objdict_model::model::Device;
 use objdict_model::source;
 use objdict_model::source::{DEFAULT_MAX_SIZE, Encoding, SourceError, SourceFile, SourceOptions};
-#[cfg(feature = "full")]
-use objdict_node::concise;
-#[cfg(feature = "full")]
-use objdict_node::download::ConciseDcf;
 
 /// Declares the kinds of files, each with its word on the command line and the ending of its files, what people call it, the
 /// feature of this crate with which it is read, and its format where it is a description with its text.
@@ -158,11 +153,10 @@ pub enum Input {
     /// A device as text: EDS, DCF, XDD or XDC.
     Description(Box<Description>),
     /// A device as JSON.
-    #[cfg(feature = "full")]
-    Device(Box<objdict_model::model::Device>),
+    Device(Box<Device>),
     /// The downloads of a concise DCF, as such or as JSON.
     #[cfg(feature = "full")]
-    Concise(ConciseDcf),
+    Concise(objdict_node::download::ConciseDcf),
     /// The nodes of networks.
     #[cfg(feature = "node-list")]
     NodeList(objdict_model::model::NodeList),
@@ -175,10 +169,6 @@ pub const DEFAULT_MAX_ENTRIES: usize = 250_000;
 /// [allowed](Reading::max_entries): those of real descriptions are longer.
 const BYTES_PER_PART: usize = 64;
 const ENTRIES_PER_PART: usize = 16;
-
-/// The JSON of a device may have a value for so many bytes, and one for each entry that is allowed.
-#[cfg(feature = "full")]
-const BYTES_PER_VALUE: usize = 16;
 
 /// A file with several devices is a network, and a node-ID is one of 127.
 pub const MAX_DEVICES: usize = 127;
@@ -246,7 +236,10 @@ impl Reading {
         }
         let input = match kind.format() {
             Some(format) => Input::Description(Box::new(self.described(source, format)?)),
+            #[cfg(feature = "full")]
             None => self.content(kind, &source)?,
+            #[cfg(not(feature = "full"))]
+            None => return Err(ReadError::NotBuilt { name: name.to_owned(), kind }),
         };
         self.limited(name, &input)?;
         #[cfg(feature = "full")]
@@ -288,67 +281,17 @@ impl Reading {
         if count > limit { Err(ReadError::TooManyParts { name, what, count, limit }) } else { Ok(()) }
     }
 
-    /// Refuses a document of many short values: each takes more memory than its text.
-    #[cfg(feature = "full")]
-    fn limited_values(&self, source: &SourceFile) -> Result<(), ReadError> {
-        let count = memchr::memchr3_iter(b',', b'[', b'{', source.text().as_bytes()).count();
-        let limit = self.max_entries + source.text().len() / BYTES_PER_VALUE;
-        let name = source.name().to_owned();
-        if count > limit {
-            Err(ReadError::TooManyParts { name, what: "values", count, limit })
-        } else {
-            Ok(())
-        }
-    }
-
     /// Refuses a device that would take too much memory expanded.
     fn limited(&self, name: &str, input: &Input) -> Result<(), ReadError> {
-        let count = match input {
-            Input::Description(description) => description.device().compact_entries(),
+        let device = match input {
+            Input::Description(description) => description.device(),
+            Input::Device(device) => device,
             #[cfg(feature = "full")]
-            Input::Device(device) => device.compact_entries(),
-            #[cfg(feature = "full")]
-            _ => 0,
+            _ => return Ok(()),
         };
+        let count = device.compact_entries();
         let (name, limit) = (name.to_owned(), self.max_entries);
         if count > limit { Err(ReadError::TooManyEntries { name, count, limit }) } else { Ok(()) }
-    }
-
-    /// What a source of another kind than a description holds.
-    fn content(&self, kind: FileKind, source: &SourceFile) -> Result<Input, ReadError> {
-        #[cfg(feature = "full")]
-        let damaged = |error: Box<dyn std::error::Error + Send + Sync>| ReadError::Content {
-            name: source.name().to_owned(),
-            error,
-        };
-        match kind {
-            #[cfg(feature = "full")]
-            FileKind::Json => {
-                self.limited_values(source)?;
-                match json::kind(source.text()).map_err(|error| damaged(error.into()))? {
-                    DocumentKind::Device => {
-                        json::read_device(source.text()).map(|device| Input::Device(Box::new(device)))
-                    }
-                    DocumentKind::ConciseDcf => json::read_configuration(source.text()).map(Input::Concise),
-                }
-                .map_err(|error| damaged(error.into()))
-            }
-            #[cfg(feature = "full")]
-            FileKind::Cdcf => {
-                let configuration = ConciseDcf::parse(&source.to_bytes());
-                configuration.map(Input::Concise).map_err(|error| damaged(error.into()))
-            }
-            #[cfg(feature = "full")]
-            FileKind::CdcfText => {
-                let configuration = concise::parse(source.text(), self.node_id);
-                configuration.map(Input::Concise).map_err(|error| damaged(error.into()))
-            }
-            #[cfg(feature = "node-list")]
-            FileKind::Cpj => {
-                nodelist::read(source).map(Input::NodeList).map_err(|error| damaged(error.into()))
-            }
-            kind => Err(ReadError::NotBuilt { name: source.name().to_owned(), kind }),
-        }
     }
 
     /// As [`read`](Self::read), of several devices the one that was asked for.
@@ -361,7 +304,6 @@ impl Reading {
             Input::Description(description) => {
                 (kind, Input::Description(Box::new(self.select(name, *description)?)))
             }
-            #[cfg(feature = "full")]
             input => (kind, input),
         })
     }

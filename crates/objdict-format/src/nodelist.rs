@@ -5,7 +5,7 @@
 
 use ini::{Ini, ParseOption, Properties};
 
-use super::identify::is_topology;
+use super::identify::ini::is_topology;
 use objdict_eds::ini::Lines;
 use objdict_model::literal;
 use objdict_model::literal::Quirks;

@@ -222,8 +222,12 @@ fn value_of_entry(json: &Datum) -> Option<objdict_model::model::Value> {
     if json.text().starts_with('{') { serde_json::from_str(json.text()).ok() } else { None }
 }
 
-/// The text of a device in a format, and what it does not give back.
-pub(super) fn write(device: &Device, format: Format, options: &WriteOptions) -> Result<Written, EditError> {
+/// The canonical text of a device that has no source: as an EDS without what was configured for a node, as a DCF with it.
+/// With it comes what the text does not give back: the differences of the device and what is read of the text.
+///
+/// # Errors
+/// When the text violates CiA 311, which is an error of objdict, or does not give back more values than allowed.
+pub fn write(device: &Device, format: Format, options: &WriteOptions) -> Result<Written, EditError> {
     if format == Format::Toml {
         // it has a place for everything
         let bytes = device_toml::write(device, options.max_losses)?.into_bytes();
@@ -318,8 +322,11 @@ fn lost_without_objects(device: &mut Device, format: Format, options: &WriteOpti
     lost.into_iter().map(|found| found.change).filter(is_apart).collect()
 }
 
-/// What a text does not give back of the device that it was made of.
-pub(super) fn losses(
+/// What a text of a format does not give back of the device that it was made of. Of the options the encoding and the limit count.
+///
+/// # Errors
+/// [`EditError::TooMuchLost`] where that is more than the limit.
+pub fn losses(
     device: &Device,
     bytes: &[u8],
     format: Format,

@@ -2,7 +2,6 @@
 
 use std::ops::RangeInclusive;
 
-#[cfg(feature = "rust")]
 use crate::{Note, model::Place, table::Table};
 
 /// Objects that SDOs may write without an effect on the node, or with less than CiA 301 and 302 say.
@@ -52,11 +51,9 @@ pub const UNSERVED: [Unserved; 10] = [
 ];
 
 /// The object that stores values.
-#[cfg(feature = "rust")]
 const STORE: RangeInclusive<u16> = 0x1010..=0x1011;
 
 /// Notes about objects that can be written and that the node does not serve.
-#[cfg(feature = "rust")]
 pub(crate) fn notes(table: &Table) -> Vec<Note> {
     let is_written = |indexes: &RangeInclusive<u16>| {
         let mut rows = table.rows.iter().filter(|row| indexes.contains(&row.index));

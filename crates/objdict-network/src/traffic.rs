@@ -26,12 +26,11 @@ pub(crate) struct Sync {
 }
 
 /// Messages without a rhythm, which the load of the bus does not count.
-#[derive(Clone, Debug, Default, PartialEq, Eq)]
-#[cfg_attr(feature = "serde", derive(serde::Serialize))]
+#[derive(Clone, Debug, Default, PartialEq, Eq, serde::Serialize)]
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 pub struct Uncounted {
     /// The CAN-IDs of PDOs that an event or a request triggers and that have neither inhibit time nor event timer.
-    #[cfg_attr(feature = "serde", serde(serialize_with = "crate::overview::hexes"))]
+    #[serde(serialize_with = "crate::overview::hexes")]
     #[cfg_attr(feature = "schema", schemars(with = "Vec<crate::overview::CanIdText>"))]
     pub pdos: Vec<MessageId>,
     /// Other services: `NMT`, `TIME`, `EMCY`, `SDO`.

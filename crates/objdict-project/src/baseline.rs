@@ -1,18 +1,15 @@
 //! Findings that are known: a check with a baseline reports what came since (docs/config.md).
 
 use std::collections::{BTreeMap, BTreeSet};
-#[cfg(feature = "lint")]
 use std::path::{Path, PathBuf};
 
 use serde::{Deserialize, Serialize};
 
 use crate::report::{FINGERPRINT_NAME, Fingerprint, Subject, fingerprints};
 use objdict_model::diagnostic::Findings;
-#[cfg(feature = "lint")]
 use objdict_model::source::absolute;
 
 /// The largest baseline in bytes: 80,000 findings, which take 40 MB of memory.
-#[cfg(feature = "lint")]
 pub const MAX_SIZE: u64 = 16 << 20;
 
 /// The version of the file.
@@ -148,7 +145,6 @@ impl Baseline {
     }
 
     /// [`Baseline::suppress`] of a baseline in a file, beside which what is not there is gone.
-    #[cfg(feature = "lint")]
     pub fn suppress_beside<'a>(
         &self,
         path: &Path,
@@ -186,14 +182,12 @@ impl Baseline {
 }
 
 /// The folder that the names in a baseline start from.
-#[cfg(feature = "lint")]
 pub fn folder_of(path: &Path) -> PathBuf {
     let path = absolute(path);
     path.parent().unwrap_or(&path).to_owned()
 }
 
 /// What a file is called from the folder of a baseline, with `/` between folders.
-#[cfg(feature = "lint")]
 pub fn name_in(baseline: &Path, file: &str) -> String {
     if file.starts_with('<') {
         // the standard input
@@ -283,7 +277,6 @@ mod tests {
         assert!(Baseline::read(&text).is_err());
     }
 
-    #[cfg(feature = "lint")]
     #[test]
     fn files_are_called_from_the_folder_of_the_baseline() {
         let name = |baseline: &str, file: &str| name_in(Path::new(baseline), file);

@@ -7,8 +7,6 @@ use std::path::{Path, PathBuf};
 
 use super::cargo::Cargo;
 use super::{Built, Error};
-#[cfg(feature = "lint")]
-use crate::pipeline::ConfigSource;
 use crate::pipeline::{CheckedDescription, Generation, OutputFolder, Request, Used, placed};
 use objdict_format::ReadError;
 use objdict_format::input::FileKind;
@@ -51,14 +49,6 @@ impl Builder {
     /// that the features of this crate bring: `rust`, where it is among them.
     pub fn target(mut self, target: Target) -> Self {
         self.request.targets.push(target);
-        self
-    }
-
-    /// Also writes the description to the file at `path`, in the format of its ending and with the bytes of `objdict convert`,
-    /// and replaces what is there; may be called several times. For an EDS or XDD that goes with the firmware.
-    #[cfg(feature = "full")]
-    pub fn convert_to(mut self, path: impl AsRef<Path>) -> Self {
-        self.request.conversions.push(path.as_ref().to_owned());
         self
     }
 
@@ -124,13 +114,6 @@ impl Builder {
         self
     }
 
-    /// Which variant of a `device.toml`, by its name.
-    #[cfg(feature = "full")]
-    pub fn variant(mut self, name: impl Into<String>) -> Self {
-        self.request.reading.variant = Some(name.into());
-        self
-    }
-
     /// The encoding of the description, if it cannot be detected.
     pub fn encoding(mut self, encoding: Encoding) -> Self {
         self.request.reading.encoding = Some(encoding);
@@ -147,20 +130,6 @@ impl Builder {
     /// [250,000](objdict_format::input::DEFAULT_MAX_ENTRIES).
     pub fn max_entries(mut self, count: usize) -> Self {
         self.request.reading.max_entries = count;
-        self
-    }
-
-    /// The configuration; without it, the nearest `objdict.toml` in the folder of the description or above.
-    #[cfg(feature = "lint")]
-    pub fn config(mut self, file: impl AsRef<Path>) -> Self {
-        self.request.check.config = ConfigSource::At(file.as_ref().to_owned());
-        self
-    }
-
-    /// Uses no configuration.
-    #[cfg(feature = "lint")]
-    pub fn no_config(mut self) -> Self {
-        self.request.check.config = ConfigSource::Off;
         self
     }
 
@@ -187,34 +156,11 @@ impl Builder {
         self
     }
 
-    /// A file of findings that are known, as `objdict check --write-baseline` writes it: they neither stop the generation nor
-    /// become warnings.
-    #[cfg(feature = "full")]
-    pub fn baseline(mut self, file: impl AsRef<Path>) -> Self {
-        self.request.baseline = Some(file.as_ref().to_owned());
-        self
-    }
-
     fn with_rules(mut self, name: &str, change: impl FnOnce(&mut Severities, Selection)) -> Self {
         match registry::select(name) {
             Some(rules) => change(&mut self.request.check.severities, rules),
             None => self.fail(Error::UnknownRule { name: name.to_owned() }),
         }
-        self
-    }
-
-    /// Also applies a patch to the description, if it is for it (docs/patches.md), beside those of `objdict.toml`; may be called several
-    /// times.
-    #[cfg(feature = "full")]
-    pub fn patch(mut self, path: impl AsRef<Path>) -> Self {
-        self.request.patches.push(path.as_ref().to_owned());
-        self
-    }
-
-    /// Also checks against a profile: a CiA number such as `401`, or the path of a custom profile; may be called several times.
-    #[cfg(feature = "lint")]
-    pub fn profile(mut self, name: impl Into<String>) -> Self {
-        self.request.check.profiles.push(name.into());
         self
     }
 
@@ -297,7 +243,6 @@ impl Builder {
                 format!("{file}: {notes} of the target {target}; run `objdict generate`")
             })?;
         }
-        #[cfg(feature = "full")]
         for conversion in &generation.conversions {
             let to = source::shown(&conversion.path);
             let lost = conversion.lost.iter().map(|loss| format!("{file}: {to}: {loss}"));
@@ -311,6 +256,59 @@ impl Builder {
 
     fn fail(&mut self, error: Error) {
         self.failure.get_or_insert(error);
+    }
+}
+
+/// Settings of the check.
+#[cfg(feature = "lint")]
+impl Builder {
+    /// The configuration; without it, the nearest `objdict.toml` in the folder of the description or above.
+    pub fn config(mut self, file: impl AsRef<Path>) -> Self {
+        self.request.check.config = crate::pipeline::ConfigSource::At(file.as_ref().to_owned());
+        self
+    }
+
+    /// Uses no configuration.
+    pub fn no_config(mut self) -> Self {
+        self.request.check.config = crate::pipeline::ConfigSource::Off;
+        self
+    }
+
+    /// Also checks against a profile: a CiA number such as `401`, or the path of a custom profile; may be called several times.
+    pub fn profile(mut self, name: impl Into<String>) -> Self {
+        self.request.check.profiles.push(name.into());
+        self
+    }
+}
+
+/// Other files beside the description.
+#[cfg(feature = "full")]
+impl Builder {
+    /// Also writes the description to the file at `path`, in the format of its ending and with the bytes of `objdict convert`,
+    /// and replaces what is there; may be called several times. For an EDS or XDD that goes with the firmware.
+    pub fn convert_to(mut self, path: impl AsRef<Path>) -> Self {
+        self.request.conversions.push(path.as_ref().to_owned());
+        self
+    }
+
+    /// Which variant of a `device.toml`, by its name.
+    pub fn variant(mut self, name: impl Into<String>) -> Self {
+        self.request.reading.variant = Some(name.into());
+        self
+    }
+
+    /// Also applies a patch to the description, if it is for it (docs/patches.md), beside those of `objdict.toml`; may be called several
+    /// times.
+    pub fn patch(mut self, path: impl AsRef<Path>) -> Self {
+        self.request.patches.push(path.as_ref().to_owned());
+        self
+    }
+
+    /// A file of findings that are known, as `objdict check --write-baseline` writes it: they neither stop the generation nor
+    /// become warnings.
+    pub fn baseline(mut self, file: impl AsRef<Path>) -> Self {
+        self.request.baseline = Some(file.as_ref().to_owned());
+        self
     }
 }
 
@@ -356,7 +354,6 @@ fn write(generation: &Generation, mut folder: OutputFolder, read: &[PathBuf]) ->
     read.iter().for_each(|file| used.add(file));
     let files = || generation.outputs.iter().flat_map(|(_, generated)| &generated.files);
     files().try_for_each(|file| folder.admit(&file.path, &file.contents, &used))?;
-    #[cfg(feature = "full")]
     generation.conversions.iter().try_for_each(|conversion| used.require_other(&conversion.path))?;
     let Generation { objects, entries, .. } = *generation;
     let sizes = generation.sizes.iter().map(|(target, sizes)| (target.name(), sizes.clone())).collect();
@@ -366,7 +363,6 @@ fn write(generation: &Generation, mut folder: OutputFolder, read: &[PathBuf]) ->
         built.files.push(folder.join(&file.path));
     }
     folder.finish()?;
-    #[cfg(feature = "full")]
     for conversion in &generation.conversions {
         used.save(&conversion.path, &conversion.bytes)?;
         built.files.push(conversion.path.clone());

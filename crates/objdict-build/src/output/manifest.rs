@@ -66,7 +66,6 @@ pub(super) struct Record {
 }
 
 /// What a file of the list is now.
-#[cfg(feature = "command")]
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum State {
     /// As it was written.
@@ -87,7 +86,6 @@ pub struct Manifest {
 
 impl Manifest {
     /// What it is called in its folder.
-    #[cfg(feature = "command")]
     pub const NAME: &str = NAME;
 
     /// The list of a folder; `None` where there is none.
@@ -159,19 +157,16 @@ impl Manifest {
     }
 
     /// Whether a file is in the list, or is the list.
-    #[cfg(feature = "command")]
     pub fn lists(&self, name: &str) -> bool {
         name == NAME || self.files.contains_key(name)
     }
 
     /// The files with what they are now, by their names.
-    #[cfg(feature = "command")]
     pub fn verify(&self, folder: &Path) -> impl Iterator<Item = (&str, io::Result<State>)> {
         self.files.iter().map(move |(name, record)| (name.as_str(), record.state(&folder.join(name))))
     }
 }
 
-#[cfg(feature = "command")]
 impl Record {
     fn state(&self, path: &Path) -> io::Result<State> {
         let bytes = match std::fs::read(path) {

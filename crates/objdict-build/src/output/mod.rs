@@ -15,10 +15,6 @@ mod used;
 
 pub use self::error::OutputError;
 pub use self::folder::OutputFolder;
-#[cfg(feature = "command")]
-pub use self::manifest::Hash;
-#[cfg(feature = "command")]
-pub use self::manifest::{Manifest, State};
-#[cfg(feature = "command")]
+pub use self::manifest::{Hash, Manifest, State};
 pub use self::save::{Saved, abandon, save};
 pub use self::used::Used;

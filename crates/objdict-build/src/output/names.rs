@@ -1,8 +1,6 @@
 //! Names of files that every system can have. They are judged as texts, so that the same is refused everywhere.
 
-#[cfg(feature = "full")]
 use std::ffi::OsStr;
-#[cfg(feature = "full")]
 use std::path::Path;
 
 use super::error::OutputError;
@@ -21,17 +19,7 @@ pub(super) fn require_portable(name: &str) -> Result<(), OutputError> {
     }
 }
 
-/// The same for a file that is in the folder itself.
-#[cfg(feature = "command")]
-pub(super) fn require_flat(name: &str) -> Result<(), OutputError> {
-    if name.contains('/') {
-        return Err(OutputError::Name { name: name.to_owned(), reason: "it leads to another folder" });
-    }
-    require_portable(name)
-}
-
 /// The same for a file that an argument names, whose folder is given. `NUL` is what Windows calls `/dev/null`.
-#[cfg(feature = "full")]
 pub(super) fn require_file(path: &Path) -> Result<(), OutputError> {
     match path.file_name().and_then(OsStr::to_str).filter(|name| name.contains('.') && is_device(name)) {
         Some(name) => Err(OutputError::Name { name: name.to_owned(), reason: RESERVED }),

@@ -13,8 +13,8 @@ use std::path::{Path, PathBuf};
 use super::error::OutputError;
 use super::folder::{Found, OutputFolder};
 use super::manifest::{Hash, Log, Manifest, NAME};
-use super::names::require_flat;
-use super::save::{Temporary, pending};
+use super::names::require_portable;
+use super::save::{ENDING, Temporary, pending};
 use super::used::Used;
 
 /// A file that is to be in the folder.
@@ -289,4 +289,37 @@ fn has_owner_of(one: &Path, other: &Path) -> bool {
 #[cfg(not(unix))]
 fn has_owner_of(_: &Path, _: &Path) -> bool {
     true
+}
+
+/// Refuses the name of a file that is not in the folder itself, or that not every system can have.
+fn require_flat(name: &str) -> Result<(), OutputError> {
+    if name.contains('/') {
+        return Err(OutputError::Name { name: name.to_owned(), reason: "it leads to another folder" });
+    }
+    require_portable(name)
+}
+
+impl Temporary {
+    /// A new folder, to be renamed to `path`.
+    fn folder_beside(path: &Path) -> io::Result<Self> {
+        Self::make(path, |path| fs::create_dir(path)).map(|((), made)| made)
+    }
+
+    /// What killed runs have left in a folder beside files of these names.
+    fn left_in(folder: &Path, names: &[&str]) -> Vec<PathBuf> {
+        let is_left = |name: &str| {
+            let rest = name.strip_prefix('.').and_then(|name| name.strip_suffix(ENDING));
+            let parts = rest.and_then(|rest| rest.rsplit_once('.'));
+            parts.is_some_and(|(name, random)| {
+                names.contains(&name)
+                    && random.len() == 16
+                    && random.bytes().all(|byte| byte.is_ascii_hexdigit())
+            })
+        };
+        let entries = fs::read_dir(folder).into_iter().flatten().flatten();
+        entries
+            .filter(|entry| entry.file_name().to_str().is_some_and(is_left))
+            .map(|entry| entry.path())
+            .collect()
+    }
 }

@@ -107,7 +107,7 @@ fn overwrite(path: &Path, mut backup: File, temporary: Temporary, contents: &[u8
 pub(super) struct Temporary(pub(super) PathBuf);
 
 /// The last extension of temporary files.
-const ENDING: &str = ".new";
+pub(super) const ENDING: &str = ".new";
 
 impl Temporary {
     /// A new file, to be renamed to `path`.
@@ -115,13 +115,7 @@ impl Temporary {
         Self::make(path, |path| File::create_new(path))
     }
 
-    /// A new folder, to be renamed to `path`.
-    #[cfg(feature = "command")]
-    pub(super) fn folder_beside(path: &Path) -> io::Result<Self> {
-        Self::make(path, |path| fs::create_dir(path)).map(|((), made)| made)
-    }
-
-    fn make<T>(path: &Path, make: impl Fn(&Path) -> io::Result<T>) -> io::Result<(T, Self)> {
+    pub(super) fn make<T>(path: &Path, make: impl Fn(&Path) -> io::Result<T>) -> io::Result<(T, Self)> {
         loop {
             let temporary = Self::name_beside(path);
             let mut pending = pending();
@@ -141,25 +135,6 @@ impl Temporary {
         let name = path.file_name().unwrap_or_default().to_string_lossy();
         let random = RandomState::new().hash_one(path);
         path.with_file_name(format!(".{name}.{random:016x}{ENDING}"))
-    }
-
-    /// What killed runs have left in a folder beside files of these names.
-    #[cfg(feature = "command")]
-    pub(super) fn left_in(folder: &Path, names: &[&str]) -> Vec<PathBuf> {
-        let is_left = |name: &str| {
-            let rest = name.strip_prefix('.').and_then(|name| name.strip_suffix(ENDING));
-            let parts = rest.and_then(|rest| rest.rsplit_once('.'));
-            parts.is_some_and(|(name, random)| {
-                names.contains(&name)
-                    && random.len() == 16
-                    && random.bytes().all(|byte| byte.is_ascii_hexdigit())
-            })
-        };
-        let entries = fs::read_dir(folder).into_iter().flatten().flatten();
-        entries
-            .filter(|entry| entry.file_name().to_str().is_some_and(is_left))
-            .map(|entry| entry.path())
-            .collect()
     }
 
     fn remove(path: &Path) {
@@ -182,7 +157,6 @@ pub(super) fn pending() -> MutexGuard<'static, Vec<PathBuf>> {
 }
 
 /// Removes all temporary files and runs `end`, before which no other one is made.
-#[cfg(feature = "command")]
 pub fn abandon(end: impl FnOnce()) {
     let pending = pending();
     pending.iter().for_each(|path| Temporary::remove(path));

@@ -6,9 +6,7 @@ use std::path::Path;
 use std::path::PathBuf;
 
 use super::error::OutputError;
-#[cfg(feature = "full")]
 use super::names::require_file;
-#[cfg(feature = "full")]
 use super::save::{Saved, save};
 
 /// What a file is, whatever it is called: its device and its number there, or its full path where files have no numbers.
@@ -60,7 +58,6 @@ impl Used {
     }
 
     /// Writes a file that an argument names: it replaces what is there, but nothing that the run uses.
-    #[cfg(feature = "full")]
     pub fn save(&mut self, path: &Path, contents: &[u8]) -> Result<Saved, OutputError> {
         require_file(path)?;
         self.require_other(path)?;

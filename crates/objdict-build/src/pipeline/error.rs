@@ -2,16 +2,12 @@
 
 use std::fmt::{self, Display};
 use std::io;
-#[cfg(feature = "full")]
 use std::path::PathBuf;
 
 use crate::output::OutputError;
-#[cfg(feature = "full")]
-use objdict_format::EditError;
-use objdict_format::ReadError;
+use objdict_format::{EditError, ReadError};
 use objdict_generate::{ChoiceError, GenerateError, Note};
-use objdict_model::diagnostic::plural;
-use objdict_model::diagnostic::{Findings, one_line};
+use objdict_model::diagnostic::{Findings, one_line, plural};
 use objdict_model::model::Place;
 use objdict_model::source::SourceError;
 #[cfg(feature = "lint")]
@@ -93,13 +89,11 @@ pub enum Error {
         why: &'static str,
     },
     /// The name of a file for the description is that of no format that can describe the device.
-    #[cfg(feature = "full")]
     NoFormat {
         /// The file.
         path: PathBuf,
     },
     /// The description cannot be written in another format.
-    #[cfg(feature = "full")]
     Conversion {
         /// The file.
         path: PathBuf,
@@ -139,9 +133,7 @@ objdict_model::error_messages! { Error:
         "target `{target}`: the tables take {bytes} bytes of {memory}, the limit is {most}";
     Self::NotMeasured { target, why } =>
         "target `{target}`: the size of the tables is unknown and cannot be limited: {why}";
-    #[cfg(feature = "full")]
     Self::NoFormat { path } => "the description cannot be written as `{}`", objdict_model::source::shown(path);
-    #[cfg(feature = "full")]
     Self::Conversion { path, error } =>
         "the description cannot be written as `{}`: {error}", objdict_model::source::shown(path);
     Self::Output(error) => "{error}";
@@ -182,12 +174,13 @@ impl Error {
             Self::NoOutDir => {
                 Some("Cargo sets it for build scripts; otherwise set the folder with `out_dir`".to_owned())
             }
-            #[cfg(feature = "full")]
             Self::NoFormat { .. } => Some("name a file that ends in .eds or .xdd".to_owned()),
-            #[cfg(feature = "full")]
-            Self::Conversion { .. } => None,
             Self::Output(error) => error.help("overwrite"),
-            Self::Config(_) | Self::Choice(_) | Self::Target { .. } | Self::Cargo(_) => None,
+            Self::Config(_)
+            | Self::Choice(_)
+            | Self::Target { .. }
+            | Self::Conversion { .. }
+            | Self::Cargo(_) => None,
         }
     }
 

@@ -30,8 +30,8 @@ use self::keys::{DEVICE, FILE, LISTS, NODE};
 use self::merge::Merged;
 use self::profile::ProfileSaid;
 use self::reader::Reader;
-pub(super) use self::schema::schema;
-pub(super) use self::start::start;
+pub use self::schema::schema;
+pub use self::start::new_device_toml;
 use crate::compare::each_difference;
 use crate::scaffold;
 use objdict_keyed::rules::WRONG_TYPE;
@@ -126,8 +126,8 @@ fn reader<'f>(root: &KeyedTable<'_>, findings: &'f mut Findings) -> Reader<'f> {
     reader
 }
 
-/// What writes an object that a text does not have, as a line of its table `object`.
-pub(super) fn object_writer(text: &str) -> Option<impl Fn(u16, &Object) -> String> {
+/// What writes an object that a text does not have, as a line of the table `object` of a `device.toml`; `None` of a text that is none.
+pub fn object_writer(text: &str) -> Option<impl Fn(u16, &Object) -> String> {
     let mut findings = Findings::new();
     let tree = merged(text, None, None, &mut findings)?.tree;
     let root = KeyedTable::new("device.toml", &tree, keys::root(), &mut findings)?;

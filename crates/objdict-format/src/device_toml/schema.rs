@@ -5,8 +5,8 @@ use serde_json::{Value, json};
 use super::keys::{ENTRY, OBJECT, root, variant_keys};
 use objdict_keyed::schema::{DIALECT, object};
 
-/// The JSON Schema.
-pub(crate) fn schema() -> Value {
+/// The JSON Schema of `device.toml`, by which editors complete and check it.
+pub fn schema() -> Value {
     let mut schema = object(root());
     refine(&mut schema["properties"]);
     let mut variant = object(variant_keys());

@@ -5,14 +5,19 @@ use super::keys::{DEVICE, FILE, FORMAT};
 use super::profile::{ProfileSaid, implied_device};
 use super::words::quoted;
 use super::writer::{push, section, write_features};
-use crate::scaffold::{self, BaseError, Features};
+use crate::scaffold::{self, BaseError, Wanted};
 use objdict_model::model::{Device, FileInfo, PdoKind};
 
 /// The TPDOs that have a CAN-ID without a word.
 const PREDEFINED: std::ops::RangeInclusive<u16> = 1..=4;
 
-/// The text of a device that is what its profile, in the newest version, demands for its features.
-pub(crate) fn start(profile: u16, features: &Features, device: &Device) -> Result<String, BaseError> {
+/// The `device.toml` of a [new device](crate::scaffold::scaffold): its profile, identity and features, with an example of an
+/// object and a PDO in comments.
+///
+/// # Errors
+/// As [`crate::scaffold::base()`].
+pub fn new_device_toml(wanted: &Wanted) -> Result<String, BaseError> {
+    let (profile, features, device) = (wanted.profile, &wanted.features, &scaffold::scaffold(wanted)?);
     let version = scaffold::newest_version(profile).ok_or(BaseError::Profile(profile))?;
     let said = ProfileSaid { profile, version, features: features.clone() };
     let base = scaffold::base(profile, version, features)?;

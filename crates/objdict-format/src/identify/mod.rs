@@ -6,8 +6,8 @@
 //! Nothing here fails on malformed content; unrecognised content is [`ContentKind::Unknown`].
 
 #[cfg(feature = "full")]
-mod binary;
-mod ini;
+mod concise;
+pub(super) mod ini;
 mod kind;
 mod text;
 #[cfg(feature = "xdd")]
@@ -16,8 +16,6 @@ mod xml;
 use std::borrow::Cow;
 use std::fmt;
 
-#[cfg(feature = "node-list")]
-pub(super) use self::ini::is_topology;
 pub use self::kind::ContentKind;
 use objdict_model::source::{Encoding, SourceFile};
 
@@ -79,7 +77,7 @@ pub fn identify(name: &str, bytes: &[u8]) -> Identification {
     }
     let content = Content::new(name, bytes);
     #[cfg(feature = "full")]
-    if let Some(found) = content.looks_binary().then(|| binary::identify(bytes)).flatten() {
+    if let Some(found) = content.looks_binary().then(|| concise::of_stream(bytes)).flatten() {
         return found;
     }
     of_text(&content)
@@ -227,17 +225,6 @@ impl<'a> Content<'a> {
         let mut parts = self.name.rsplit('.');
         parts.any(|part| endings.iter().any(|ending| ending.eq_ignore_ascii_case(part)))
     }
-
-    /// Whether the content contains a word.
-    #[cfg(feature = "xdd")]
-    fn contains(&self, word: &str) -> bool {
-        self.find(word).is_some()
-    }
-
-    #[cfg(feature = "xdd")]
-    fn find(&self, word: &str) -> Option<usize> {
-        memchr::memmem::find(self.bytes, word.as_bytes())
-    }
 }
 
 fn of_text(content: &Content<'_>) -> Identification {
@@ -246,10 +233,7 @@ fn of_text(content: &Content<'_>) -> Identification {
         let reason = if content.bytes.is_empty() { "the file is empty" } else { "there are only blanks" };
         return Identification::new(ContentKind::Unknown, reason);
     }
-    #[cfg(feature = "xdd")]
     let xml = xml::identify(content, text);
-    #[cfg(not(feature = "xdd"))]
-    let xml = of_xml(text);
     if let Some(found) = &xml
         && found.kind != ContentKind::OtherXml
     {
@@ -263,23 +247,23 @@ fn of_text(content: &Content<'_>) -> Identification {
     ini::identify(content)
         .or(xml)
         .or_else(|| text::identify(content, text))
-        .or_else(|| behind_junk(content))
+        .or_else(|| xml::behind_junk(content))
         .unwrap_or_else(|| unknown(content))
 }
 
-#[cfg(feature = "xdd")]
-use self::xml::behind_junk;
-
 /// XML, which a build without the feature `xdd` does not look into.
 #[cfg(not(feature = "xdd"))]
-fn of_xml(text: &str) -> Option<Identification> {
-    let reason = "it starts with `<`, and this build of objdict reads no XML: enable its feature `xdd`";
-    text.starts_with('<').then(|| Identification::new(ContentKind::OtherXml, reason))
-}
+mod xml {
+    use super::{Content, ContentKind, Identification};
 
-#[cfg(not(feature = "xdd"))]
-fn behind_junk(_: &Content<'_>) -> Option<Identification> {
-    None
+    pub(super) fn identify(_: &Content<'_>, text: &str) -> Option<Identification> {
+        let reason = "it starts with `<`, and this build of objdict reads no XML: enable its feature `xdd`";
+        text.starts_with('<').then(|| Identification::new(ContentKind::OtherXml, reason))
+    }
+
+    pub(super) fn behind_junk(_: &Content<'_>) -> Option<Identification> {
+        None
+    }
 }
 
 fn unknown(content: &Content<'_>) -> Identification {

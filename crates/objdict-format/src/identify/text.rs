@@ -1,15 +1,13 @@
 //! Other texts: JSON, YAML, and the look-alikes that are neither INI nor XML.
 
 use super::{Content, ContentKind, Identification, list, quoted};
-#[cfg(feature = "full")]
-use objdict_node::concise::looks_like;
 
 pub(super) fn identify(content: &Content<'_>, text: &str) -> Option<Identification> {
     if text.starts_with('{') {
         return json(text);
     }
     #[cfg(feature = "full")]
-    if let Some(found) = concise(text) {
+    if let Some(found) = super::concise::of_text(text) {
         return Some(found);
     }
     gsd(text)
@@ -47,13 +45,6 @@ fn json(text: &str) -> Option<Identification> {
             kinds.into_iter().find(|(word, _)| is(word).is_some_and(|rest| rest.starts_with('"')))?;
         Some(Identification::new(kind, format!("it is JSON with a `version` and the `kind` `{word}`")))
     })
-}
-
-/// Our text of a concise DCF: the first line has an entry and a data type.
-#[cfg(feature = "full")]
-fn concise(text: &str) -> Option<Identification> {
-    let reason = "its first line has an entry, a data type and a value, as the text of a download";
-    looks_like(text).then(|| Identification::new(ContentKind::ConciseText, reason))
 }
 
 /// PROFIBUS: the first thing that is no comment is `#Profibus_DP`.

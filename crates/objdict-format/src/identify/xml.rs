@@ -8,6 +8,17 @@ use super::{Content, ContentKind, Identification, quoted};
 /// The element that holds the profiles of an XDD.
 const CONTAINER: &str = "ISO15745ProfileContainer";
 
+impl Content<'_> {
+    /// Whether the content contains a word.
+    fn contains(&self, word: &str) -> bool {
+        self.find(word).is_some()
+    }
+
+    fn find(&self, word: &str) -> Option<usize> {
+        memchr::memmem::find(self.bytes, word.as_bytes())
+    }
+}
+
 /// What an XML file says of itself.
 #[derive(Default)]
 struct Signs {

@@ -9,23 +9,19 @@ mod features;
 mod infer;
 pub mod objects;
 mod pdos;
-#[cfg(feature = "full")]
 mod usual;
 
 pub use base::{BaseError, PROFILES, base, newest_version};
 pub use features::{EncoderClass, FEATURES, Feature, FeatureError, FeatureKind, FeatureValue, Features};
 pub use infer::infer;
-#[cfg(feature = "full")]
 pub use usual::{MIDNIGHT, NO_VENDOR, now};
 
 use base::Demanded;
 use objdict_model::model::{
-    BaudRates, ClockTime, DataType, Date, Device, DeviceInfo, FileInfo, ObjectList, PdoKind, Value,
+    BaudRates, ClockTime, DataType, Date, Device, DeviceInfo, Entry, FileInfo, MappedObject, Object,
+    ObjectList, PdoKind, Value,
 };
-#[cfg(feature = "full")]
-use objdict_model::model::{Entry, MappedObject, Object};
 use objdict_profile as profile;
-#[cfg(feature = "full")]
 use objdict_profile::default_mapping::PdoMap;
 
 /// Properties of a new device.
@@ -107,7 +103,6 @@ pub fn add_objects(device: &mut Device, profile: u16, indexes: &[u16]) {
 }
 
 /// An object as the documents for a device demand it; `None` if no document has it.
-#[cfg(feature = "full")]
 pub fn object(device: &Device, index: u16) -> Option<Object> {
     let number = device.profile().unwrap_or_default();
     let documents = base::documents(number);
@@ -119,7 +114,6 @@ pub fn object(device: &Device, index: u16) -> Option<Object> {
 }
 
 /// A sub-index of an object as the documents for a device demand it; `None` if no document has it.
-#[cfg(feature = "full")]
 pub fn entry(device: &Device, index: u16, sub: u8) -> Option<Entry> {
     let number = device.profile().unwrap_or_default();
     let documents = base::documents(number);
@@ -129,7 +123,6 @@ pub fn entry(device: &Device, index: u16, sub: u8) -> Option<Entry> {
 }
 
 /// The communication and the mapping parameter of a PDO of a device that carries these objects.
-#[cfg(feature = "full")]
 pub fn pdo(
     device: &Device,
     kind: PdoKind,

@@ -66,7 +66,6 @@ impl Maker<'_> {
     }
 
     /// What the last document says of an object that has one.
-    #[cfg(feature = "full")]
     pub fn described(&self, index: u16) -> Option<Object> {
         let facts = self.facts(index);
         let facts = facts.iter().rfind(|facts| facts.states_type())?;
@@ -77,7 +76,6 @@ impl Maker<'_> {
     }
 
     /// Whether a document describes an entry.
-    #[cfg(feature = "full")]
     pub fn knows(&self, index: u16, sub: u8) -> bool {
         self.facts(index).iter().any(|facts| facts.entry(sub).is_some())
     }

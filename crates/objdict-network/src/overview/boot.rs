@@ -9,8 +9,7 @@ use crate::manager::numbers;
 use crate::network::{Manager, Node, Startup};
 
 /// What the manager does.
-#[derive(Clone, Debug)]
-#[cfg_attr(feature = "serde", derive(serde::Serialize))]
+#[derive(Clone, Debug, serde::Serialize)]
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 pub struct BootPlan {
     /// The name of the manager.
@@ -24,8 +23,7 @@ pub struct BootPlan {
 }
 
 /// What the manager does for a node.
-#[derive(Clone, Debug)]
-#[cfg_attr(feature = "serde", derive(serde::Serialize))]
+#[derive(Clone, Debug, serde::Serialize)]
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 pub struct BootStep {
     /// The node-ID.

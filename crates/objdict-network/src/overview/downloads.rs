@@ -7,8 +7,7 @@ use crate::model::Device;
 use objdict_node::concise;
 
 /// A download to a node.
-#[derive(Clone, Debug, PartialEq, Eq)]
-#[cfg_attr(feature = "serde", derive(serde::Serialize))]
+#[derive(Clone, Debug, PartialEq, Eq, serde::Serialize)]
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 pub struct DownloadRow {
     /// The entry that is written.

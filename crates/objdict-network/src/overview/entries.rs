@@ -8,12 +8,11 @@ use crate::messages::{Message, MessageId, Party, Service};
 use crate::model::{Address, Device, Entry, MappedObject};
 
 /// A PDO from its sender to one receiver.
-#[derive(Clone, Debug)]
-#[cfg_attr(feature = "serde", derive(serde::Serialize))]
+#[derive(Clone, Debug, serde::Serialize)]
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 pub struct LinkRow {
     /// The CAN-ID.
-    #[cfg_attr(feature = "serde", serde(serialize_with = "super::hex"))]
+    #[serde(serialize_with = "super::hex")]
     #[cfg_attr(feature = "schema", schemars(with = "super::CanIdText"))]
     pub can_id: MessageId,
     /// Who sends it; `None` if no node does.
@@ -25,8 +24,7 @@ pub struct LinkRow {
 }
 
 /// A part of a PDO.
-#[derive(Clone, Debug, PartialEq, Eq)]
-#[cfg_attr(feature = "serde", derive(serde::Serialize))]
+#[derive(Clone, Debug, PartialEq, Eq, serde::Serialize)]
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 pub struct CarriedEntry {
     /// The first bit in the PDO.
@@ -60,7 +58,6 @@ impl fmt::Display for MappedEntry {
     }
 }
 
-#[cfg(feature = "serde")]
 impl serde::Serialize for MappedEntry {
     fn serialize<S: serde::Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
         serializer.collect_str(self)

@@ -16,12 +16,11 @@ use crate::traffic::{Sync, Traffic, Uncounted};
 use crate::unlinked::UnlinkedPdos;
 
 /// What a network is and does, ready to be shown.
-#[derive(Clone, Debug)]
-#[cfg_attr(feature = "serde", derive(serde::Serialize))]
+#[derive(Clone, Debug, serde::Serialize)]
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 pub struct Overview {
     /// The language of its words.
-    #[cfg_attr(feature = "serde", serde(skip))]
+    #[serde(skip)]
     pub language: Language,
     /// The name of the network.
     pub name: Option<String>,
@@ -45,8 +44,7 @@ pub struct Overview {
 }
 
 /// A node.
-#[derive(Clone, Debug)]
-#[cfg_attr(feature = "serde", derive(serde::Serialize))]
+#[derive(Clone, Debug, serde::Serialize)]
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 pub struct NodeRow {
     /// The node-ID.
@@ -68,46 +66,43 @@ pub struct NodeRow {
     /// These downloads, in the order in which they are sent.
     pub configuration: Vec<DownloadRow>,
     /// The position in [`Network::nodes`]; `None` for a manager without a description.
-    #[cfg_attr(feature = "serde", serde(skip))]
+    #[serde(skip)]
     pub position: Option<usize>,
 }
 
 /// The PDOs of a node that are as its description has them by default, and that no other node sends or receives.
-#[derive(Clone, Debug)]
-#[cfg_attr(feature = "serde", derive(serde::Serialize))]
+#[derive(Clone, Debug, serde::Serialize)]
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 pub struct UnlinkedRow {
     /// The name of the node.
     pub node: String,
     /// The position in [`Network::nodes`].
-    #[cfg_attr(feature = "serde", serde(skip))]
+    #[serde(skip)]
     pub position: usize,
     /// RPDOs, then TPDOs, by CAN-ID.
     pub pdos: Vec<UnlinkedEnd>,
 }
 
 /// A PDO whose other side no node has.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-#[cfg_attr(feature = "serde", derive(serde::Serialize))]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, serde::Serialize)]
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 pub struct UnlinkedEnd {
     /// The CAN-ID.
-    #[cfg_attr(feature = "serde", serde(serialize_with = "hex"))]
+    #[serde(serialize_with = "hex")]
     #[cfg_attr(feature = "schema", schemars(with = "CanIdText"))]
     pub can_id: MessageId,
     /// The PDO: `TPDO 1`.
-    #[cfg_attr(feature = "serde", serde(serialize_with = "text"))]
+    #[serde(serialize_with = "text")]
     #[cfg_attr(feature = "schema", schemars(with = "String"))]
     pub service: Service,
 }
 
 /// A message on the bus.
-#[derive(Clone, Debug)]
-#[cfg_attr(feature = "serde", derive(serde::Serialize))]
+#[derive(Clone, Debug, serde::Serialize)]
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 pub struct MessageRow {
     /// The CAN-ID.
-    #[cfg_attr(feature = "serde", serde(serialize_with = "hex"))]
+    #[serde(serialize_with = "hex")]
     #[cfg_attr(feature = "schema", schemars(with = "CanIdText"))]
     pub can_id: MessageId,
     /// Who sends it.
@@ -117,7 +112,7 @@ pub struct MessageRow {
     /// The bytes that it has at most; `None` where the description does not say.
     pub bytes: Option<u8>,
     /// The lengths of several senders, in their order, where they differ; else empty.
-    #[cfg_attr(feature = "serde", serde(skip_serializing_if = "Vec::is_empty"))]
+    #[serde(skip_serializing_if = "Vec::is_empty")]
     pub lengths: Vec<u8>,
     /// What triggers it, in words.
     pub trigger: String,
@@ -136,17 +131,16 @@ impl MessageRow {
 }
 
 /// A node that sends or receives a message.
-#[derive(Clone, Debug, PartialEq, Eq)]
-#[cfg_attr(feature = "serde", derive(serde::Serialize))]
+#[derive(Clone, Debug, PartialEq, Eq, serde::Serialize)]
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 pub struct End {
     /// The name of the node.
     pub node: String,
     /// The position in [`Network::nodes`]; `None` for a manager without a description.
-    #[cfg_attr(feature = "serde", serde(skip))]
+    #[serde(skip)]
     pub position: Option<usize>,
     /// With which of its services: `TPDO 1`, `SYNC`.
-    #[cfg_attr(feature = "serde", serde(serialize_with = "text"))]
+    #[serde(serialize_with = "text")]
     #[cfg_attr(feature = "schema", schemars(with = "String"))]
     pub service: Service,
 }
@@ -178,20 +172,17 @@ objdict_model::inline_schemas! {
     CanIdText: |_| schemars::json_schema!({ "type": "string", "pattern": "^0x([0-9A-F]{3}|[0-9A-F]{8})$" });
 }
 
-#[cfg(feature = "serde")]
 fn hex<S: serde::Serializer>(can_id: &MessageId, serializer: S) -> Result<S::Ok, S::Error> {
     let width = if can_id.is_extended { 10 } else { 5 };
     serializer.collect_str(&format_args!("{:#0width$X}", can_id.number))
 }
 
-#[cfg(feature = "serde")]
 pub(crate) fn hexes<S: serde::Serializer>(can_ids: &[MessageId], serializer: S) -> Result<S::Ok, S::Error> {
     #[derive(serde::Serialize)]
     struct Hex(#[serde(serialize_with = "hex")] MessageId);
     serializer.collect_seq(can_ids.iter().map(|can_id| Hex(*can_id)))
 }
 
-#[cfg(feature = "serde")]
 fn text<S: serde::Serializer>(service: &Service, serializer: S) -> Result<S::Ok, S::Error> {
     serializer.collect_str(service)
 }

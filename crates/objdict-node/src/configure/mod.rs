@@ -23,7 +23,7 @@
 //! ```
 
 mod entry;
-#[cfg(feature = "toml")]
+#[cfg(feature = "serde")]
 mod file;
 mod heartbeat;
 mod missing;
@@ -39,7 +39,7 @@ use std::fmt;
 use crate::model::{Address, Assignment, Device, ExplicitDownload, Place, Value};
 use crate::resolve::ObjectName;
 
-#[cfg(feature = "toml")]
+#[cfg(feature = "serde")]
 pub use file::{SettingsFile, SettingsFileError};
 pub use objdict_model::literal::nanoseconds;
 pub use rebase::{Rebased, rebase};

@@ -1,12 +1,11 @@
 //! Comments that suppress findings: `; objdict: allow cia306/file-name -- named by the customer`.
 
+#[cfg(feature = "xdd")]
+mod elements;
+
 use objdict_eds::ini::{Document, LineKind};
 use objdict_format::Description;
 use objdict_model::source::Span;
-#[cfg(feature = "xdd")]
-use objdict_xdd::xml;
-#[cfg(feature = "xdd")]
-use objdict_xdd::xml::Tree;
 
 /// The start of such a comment, after the comment character.
 const KEYWORD: &str = "objdict:";
@@ -63,17 +62,16 @@ pub(super) fn directives(description: &Description) -> Vec<Directive> {
     }
     #[cfg(feature = "xdd")]
     if let Some(tree) = description.tree() {
-        return in_elements(tree);
+        return elements::directives(tree);
     }
     description.document().map_or_else(Vec::new, in_lines)
 }
 
 /// Where a comment that allows a rule for the section or element around an offset is inserted, and the comment; `None` in a format
 /// without such comments.
-#[cfg(feature = "full")]
 pub fn insertion(description: &Description, offset: u32, rule: &str) -> Option<(Span, String)> {
     let text = description.source().text();
-    let before = text.get(..offset as usize)?;
+    text.get(..offset as usize)?;
     if let Some(document) = description.document() {
         let headers = document.lines().filter(|line| matches!(line.kind, LineKind::Section { .. }));
         let header = headers.take_while(|line| line.span.start <= offset).last();
@@ -82,13 +80,7 @@ pub fn insertion(description: &Description, offset: u32, rule: &str) -> Option<(
     }
     #[cfg(feature = "xdd")]
     if description.tree().is_some() {
-        let at = before.rfind('<')?;
-        let is_element = text[at + 1..].starts_with(|c: char| c.is_alphabetic() || c == '_');
-        let line = &before[before[..at].rfind(['\n', '\r']).map_or(0, |end| end + 1)..at];
-        let indent = if line.trim().is_empty() { line } else { "" };
-        let line_end = if text.contains("\r\n") { "\r\n" } else { "\n" };
-        return is_element
-            .then(|| (Span::empty(at as u32), format!("<!-- {KEYWORD} allow {rule} -->{line_end}{indent}")));
+        return elements::insertion(text, offset, rule);
     }
     None
 }
@@ -127,43 +119,6 @@ fn end_at(directives: &mut [Directive], end: u32) {
     for scope in directives.iter_mut().filter_map(|directive| directive.scope.as_mut()) {
         scope.end = end;
     }
-}
-
-/// A comment applies to the next element, and before the root to the whole file.
-#[cfg(feature = "xdd")]
-fn in_elements(tree: &Tree) -> Vec<Directive> {
-    let text = tree.text();
-    let directive = |comment: Span| {
-        let inner = comment.of(text);
-        let inner = inner.strip_prefix("<!--").unwrap_or(inner);
-        let length = inner.strip_suffix("-->").unwrap_or(inner).len() as u32;
-        let inner = Span::new(comment.start + 4, comment.start + 4 + length);
-        let mut directive = Directive::parse(text, line_around(text, comment), inner)?;
-        directive.scope = match tree.next_element(comment.end) {
-            Some(element) if element.parent().is_none() => None,
-            Some(element) => Some(element.span()),
-            None => Some(Span::empty(comment.end)),
-        };
-        Some(directive)
-    };
-    xml::comments(text).filter_map(directive).collect()
-}
-
-/// The line of a comment with its line end if it contains nothing else; otherwise the comment.
-#[cfg(feature = "xdd")]
-fn line_around(text: &str, comment: Span) -> Span {
-    let (before, behind) = (&text[..comment.start as usize], &text[comment.end as usize..]);
-    let line_start = before.trim_end_matches([' ', '\t']).len();
-    let blanks = leading(behind, |c| matches!(c, ' ' | '\t')) as usize;
-    let line_end = match &behind.as_bytes()[blanks..] {
-        [b'\r', b'\n', ..] => 2,
-        [b'\r' | b'\n', ..] => 1,
-        _ => return comment,
-    };
-    if !before[..line_start].ends_with(['\r', '\n']) {
-        return comment;
-    }
-    Span::new(line_start as u32, comment.end + (blanks + line_end) as u32)
 }
 
 /// The words of a text, separated by commas and blanks.

@@ -1,6 +1,8 @@
 //! All findings of a description: one call for the rules about the text and about the model, without the findings that
 //! comments suppress.
 
+#[cfg(feature = "full")]
+mod causes;
 mod comments;
 mod origin;
 mod suppression;
@@ -13,14 +15,9 @@ use objdict_eds::eds;
 use objdict_format::{Description, Format, Syntax};
 use objdict_lint as lint;
 use objdict_lint::Options;
-#[cfg(feature = "full")]
-use objdict_model::diagnostic::At;
 use objdict_model::diagnostic::{Diagnostic, Findings, Reach};
 use objdict_model::model::OBJDICTGEN_SECTION;
-#[cfg(feature = "xdd")]
-use objdict_xdd::xdd::wording;
 
-#[cfg(feature = "full")]
 pub use self::comments::insertion;
 pub use self::origin::{last_eds, with_origin_beside};
 pub use self::variants::of_devices;
@@ -56,7 +53,7 @@ pub fn check_with(description: &Description, options: &Options) -> Findings {
     let findings = without_fixes_of_lost(description, findings);
     #[cfg(feature = "xdd")]
     let findings = if is_xml {
-        wording::of_xdd(findings, description.source().text(), |at| description.span_of(at))
+        objdict_xdd::xdd::wording::of_xdd(findings, description.source().text(), |at| description.span_of(at))
     } else {
         findings
     };
@@ -71,29 +68,13 @@ pub fn check_with(description: &Description, options: &Options) -> Findings {
     let about_comments = suppression::apply(description, options, &mut findings);
     findings.append(options.severities.apply(about_comments));
     #[cfg(feature = "full")]
-    let findings = with_causes(description, findings);
+    let findings = causes::named(description, findings);
     let mut findings = variants::named(description, findings);
     findings.sort_by_key(|finding| {
         let start = finding.labels.first().map_or(0, |label| description.span_of(&label.at).start);
         (start, finding.rule.id)
     });
     findings
-}
-
-/// The findings with the places of patches that changed what they are about.
-#[cfg(feature = "full")]
-fn with_causes(description: &Description, findings: Findings) -> Findings {
-    let Some(patched) = description.patched() else { return findings };
-    findings.filter_map(|finding| {
-        let cause = finding.labels.iter().find_map(|label| match &label.at {
-            At::Place(place) => patched.cause_of(place),
-            _ => None,
-        });
-        Some(match cause {
-            Some((patch, span)) => finding.label(At::Patch(patch, span), "changed by this patch"),
-            None => finding,
-        })
-    })
 }
 
 /// What a project of objdictgen has no place for, or objdictgen itself decides: bit rates, flags, and which of the objects of

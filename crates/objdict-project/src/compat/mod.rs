@@ -11,15 +11,11 @@ mod reactions;
 mod spellings;
 
 use objdict_format::Description;
-#[cfg(feature = "full")]
-use objdict_lint::Options;
 use objdict_lint::PORTABILITY;
-#[cfg(feature = "full")]
-use objdict_model::diagnostic::Applicability;
 use objdict_model::diagnostic::{Diagnostic, Findings, Severity, Text, Tool, say};
 use objdict_model::model::DeviceKind;
 #[cfg(feature = "lint")]
-pub use spellings::with_refused_spellings;
+pub use spellings::{adapt, with_refused_spellings};
 
 pub use canchkeds::MESSAGES;
 pub use reactions::REACTIONS;
@@ -83,18 +79,6 @@ impl Effect {
             Self::Warned => "warning",
         }
     }
-}
-
-/// A description with the safe fixes of what a tool refuses, misreads or drops.
-#[cfg(feature = "full")]
-pub fn adapt(description: Description, tool: Tool) -> Description {
-    let options = Options { tools: vec![tool], ..Options::default() };
-    let concerns = |rule: &str| REACTIONS.iter().any(|row| row.rule == rule && row.tools.contains(&tool));
-    let check = |description: &Description| {
-        let findings = crate::check_with(description, &options);
-        findings.filter_map(|finding| concerns(finding.rule.id).then_some(finding))
-    };
-    crate::fix(description, Applicability::Safe, check).description
 }
 
 /// Adds the reactions of the selected tools to the findings, and chooses the fixes that they need; removes findings of the

@@ -19,6 +19,8 @@
 //! ```
 
 mod configuration;
+#[cfg(feature = "full")]
+mod patches;
 mod path;
 mod project;
 mod read;

@@ -5,11 +5,7 @@ use std::sync::Arc;
 
 use super::configuration::Config;
 use crate::registry::own::invalid_setting;
-#[cfg(feature = "full")]
-use objdict_format::patch::Patch;
 use objdict_model::diagnostic::Findings;
-#[cfg(feature = "full")]
-use objdict_model::diagnostic::say;
 use objdict_model::source::SourceError;
 use objdict_profile as profile;
 use objdict_profile::{OpenError, Profile};
@@ -23,7 +19,7 @@ pub struct Project {
     pub profiles: Vec<Arc<Profile>>,
     /// The patches that it names by patterns.
     #[cfg(feature = "full")]
-    pub patches: Vec<Arc<Patch>>,
+    pub patches: Vec<Arc<objdict_format::patch::Patch>>,
     /// Its errors.
     pub findings: Findings,
     /// Errors in the profiles that it names: with one of them files cannot be checked as it says.
@@ -59,7 +55,7 @@ impl Project {
             }
         }
         #[cfg(feature = "full")]
-        let patches = patches_of(&config, folder, &mut findings);
+        let patches = super::patches::named(&config, folder, &mut findings);
         Self {
             config,
             profiles,
@@ -84,34 +80,6 @@ impl Project {
         let files = files.chain(self.patches.iter().map(|patch| PathBuf::from(patch.source().name())));
         files
     }
-}
-
-/// The patches that a configuration names, sorted for each pattern.
-#[cfg(feature = "full")]
-fn patches_of(config: &Config, folder: &Path, findings: &mut Findings) -> Vec<Arc<Patch>> {
-    let mut patches = Vec::new();
-    for wanted in config.patches() {
-        let pattern = format!("{}/{}", glob::Pattern::escape(&folder.display().to_string()), wanted.pattern);
-        let pattern = if folder == Path::new("") { wanted.pattern.clone() } else { pattern };
-        let found =
-            glob::glob(&pattern).into_iter().flatten().filter_map(Result::ok).filter(|path| path.is_file());
-        let before = patches.len();
-        for path in found {
-            match Patch::open(&path) {
-                Ok(patch) => patches.push(Arc::new(patch)),
-                Err(error) => findings
-                    .push(invalid_setting(wanted.span, error.to_string()).help("name patches of TOML")),
-            }
-        }
-        if patches.len() == before {
-            let message = say!("`{}` matches no patch", wanted.pattern.as_str());
-            findings.push(
-                invalid_setting(wanted.span, message)
-                    .help("write a pattern relative to the folder of this configuration"),
-            );
-        }
-    }
-    patches
 }
 
 /// A path as it is called from the current folder, where it is in it.

@@ -2,9 +2,7 @@
 //! because they check the names of rules.
 
 use super::nearest_selection;
-#[cfg(feature = "lint")]
-use objdict_model::diagnostic::Text;
-use objdict_model::diagnostic::{Diagnostic, say, text_rules};
+use objdict_model::diagnostic::{Diagnostic, Text, say, text_rules};
 use objdict_model::source::Span;
 
 text_rules! {
@@ -58,7 +56,6 @@ text_rules! {
 }
 
 /// A setting with an invalid value.
-#[cfg(feature = "lint")]
 pub fn invalid_setting(span: Span, message: impl Into<Text>) -> Diagnostic {
     Diagnostic::new(&INVALID_SETTING, span, message)
 }

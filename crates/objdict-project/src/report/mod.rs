@@ -13,6 +13,8 @@ mod group;
 mod json;
 #[cfg(feature = "xdd")]
 mod junit;
+#[cfg(feature = "network")]
+mod of_network;
 mod path;
 #[cfg(any(test, not(feature = "text")))]
 #[cfg_attr(feature = "text", allow(unreachable_pub, reason = "`text` takes its place"))]
@@ -35,30 +37,27 @@ use objdict_model::model::Place;
 use objdict_model::source::{LineColumn, SourceFile, Span};
 
 pub use concise::Concise;
-#[cfg(feature = "full")]
-pub use fingerprint::{FINGERPRINT_NAME, Fingerprint, fingerprint, fingerprints};
 pub use github::Github;
-#[cfg(feature = "full")]
-pub use gitlab::Gitlab;
 pub use group::grouped;
 #[cfg(feature = "schema")]
 pub use json::CheckJson;
-#[cfg(feature = "full")]
-pub use json::Json;
 #[cfg(feature = "xdd")]
 pub use junit::Junit;
 #[cfg(not(feature = "text"))]
 pub use plain::listed;
 #[cfg(all(feature = "lint", not(feature = "text")))]
 pub use plain::problem;
-#[cfg(feature = "full")]
-pub use sarif::Sarif;
 pub use statistics::{Detail, Statistic, Statistics};
 pub use subject::Subject;
 #[cfg(feature = "text")]
-pub use text::TextReport;
-#[cfg(feature = "text")]
-pub use text::{listed, problem};
+pub use text::{TextReport, listed, problem};
+#[cfg(feature = "full")]
+pub use {
+    fingerprint::{FINGERPRINT_NAME, Fingerprint, fingerprint, fingerprints},
+    gitlab::Gitlab,
+    json::Json,
+    sarif::Sarif,
+};
 
 /// Writes what was found in files.
 pub trait Report {

@@ -3,13 +3,8 @@
 //! A label of a network may point into the description of a node (`At::Node`); `Subject::of_label` selects the
 //! file.
 
-#[cfg(feature = "network")]
-use std::collections::BTreeMap;
-
 use objdict_format::Description;
 use objdict_model::diagnostic::At;
-#[cfg(feature = "network")]
-use objdict_model::diagnostic::Findings;
 use objdict_model::source::{SourceFile, Span};
 #[cfg(feature = "network")]
 use objdict_network_file::NetworkFile;
@@ -63,9 +58,7 @@ impl<'a> Subject<'a> {
                 let patch = description.patched().and_then(|patched| patched.patches.get(*number));
                 patch.map_or(self, |patch| Self::Text(patch.source()))
             }
-            #[cfg(feature = "network")]
-            (Self::Node(..), _) => self.description().map_or(self, Self::Description),
-            _ => self,
+            _ => self.description().map_or(self, Self::Description),
         }
     }
 
@@ -88,38 +81,11 @@ impl<'a> Subject<'a> {
             _ => None,
         }
     }
-
-    /// The findings of a network by what they are about: its file or, if it has none, the descriptions of its nodes.
-    #[cfg(feature = "network")]
-    pub fn of_network(network: &'a NetworkFile, findings: Findings) -> Vec<(Self, Findings)> {
-        if !network.is_made {
-            return vec![(network.into(), findings)];
-        }
-        let nodes = network.described_nodes();
-        let mut by_node: BTreeMap<Option<usize>, Findings> =
-            nodes.map(|node| (Some(node), Findings::new())).collect();
-        for finding in &findings {
-            let described = network.in_description(finding);
-            let (node, finding) =
-                described.map_or_else(|| (None, finding.clone()), |(node, finding)| (Some(node), finding));
-            by_node.entry(node).or_default().push(finding);
-        }
-        let subject =
-            |node: Option<usize>| node.map_or(Self::Network(network), |node| Self::Node(network, node));
-        by_node.into_iter().map(|(node, findings)| (subject(node), findings)).collect()
-    }
 }
 
 impl<'a> From<&'a Description> for Subject<'a> {
     fn from(description: &'a Description) -> Self {
         Self::Description(description)
-    }
-}
-
-#[cfg(feature = "network")]
-impl<'a> From<&'a NetworkFile> for Subject<'a> {
-    fn from(network: &'a NetworkFile) -> Self {
-        Self::Network(network)
     }
 }
 

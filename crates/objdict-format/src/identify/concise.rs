@@ -1,6 +1,7 @@
-//! The stream of a concise DCF, and the same layout in Ethernet POWERLINK.
+//! A concise DCF as a stream or as a text, and the layout of the stream in Ethernet POWERLINK.
 
 use super::{ContentKind, Identification, list};
+use objdict_node::concise::looks_like;
 use objdict_node::download::{ConciseDcf, DecodeErrorKind, Download};
 
 /// The count, and the least that each entry has.
@@ -8,7 +9,7 @@ const COUNT: usize = 4;
 const HEADER: usize = 7;
 
 /// A stream that is a concise DCF from the first to the last byte.
-pub(super) fn identify(bytes: &[u8]) -> Option<Identification> {
+pub(super) fn of_stream(bytes: &[u8]) -> Option<Identification> {
     let count = u32::from_le_bytes(*bytes.first_chunk()?);
     let least = u64::from(count) * HEADER as u64 + COUNT as u64;
     if least > bytes.len() as u64 {
@@ -21,6 +22,12 @@ pub(super) fn identify(bytes: &[u8]) -> Option<Identification> {
         ),
         Err(_) => None,
     }
+}
+
+/// Our text of a concise DCF: the first line has an entry and a data type.
+pub(super) fn of_text(text: &str) -> Option<Identification> {
+    let reason = "its first line has an entry, a data type and a value, as the text of a download";
+    looks_like(text).then(|| Identification::new(ContentKind::ConciseText, reason))
 }
 
 fn identified(configuration: &ConciseDcf, length: usize) -> Identification {
@@ -71,15 +78,15 @@ mod tests {
 
     fn kind(downloads: Vec<Download>) -> Option<ContentKind> {
         let stream = ConciseDcf(downloads).write().unwrap();
-        identify(&stream).map(|found| found.kind)
+        of_stream(&stream).map(|found| found.kind)
     }
 
     #[test]
     fn a_stream_is_read_to_its_end() {
         let stream = ConciseDcf(vec![Download::new(0x1017, 0, [0xFA, 0])]).write().unwrap();
-        assert_eq!(identify(&stream).map(|found| found.kind), Some(ContentKind::ConciseDcf));
-        assert_eq!(identify(&stream[..stream.len() - 1]), None);
-        assert_eq!(identify(&[stream, vec![0]].concat()), None);
+        assert_eq!(of_stream(&stream).map(|found| found.kind), Some(ContentKind::ConciseDcf));
+        assert_eq!(of_stream(&stream[..stream.len() - 1]), None);
+        assert_eq!(of_stream(&[stream, vec![0]].concat()), None);
     }
 
     #[test]
@@ -95,7 +102,7 @@ mod tests {
         let mut stream = 2u32.to_le_bytes().to_vec();
         stream.extend([0x00, 0x20, 0, 3, 0, 0, 0, 1, 2, 3, 0]);
         stream.extend([0x17, 0x10, 0, 2, 0, 0, 0, 0xFA, 0]);
-        let found = identify(&stream).unwrap();
+        let found = of_stream(&stream).unwrap();
         assert_eq!(found.kind, ContentKind::ConciseDcf);
         assert!(found.reason.contains("dcfgen"), "{}", found.reason);
     }
