@@ -22,25 +22,26 @@ use clap::{Parser, Subcommand, ValueEnum};
 use clap_complete::Shell;
 use objdict_node::ObjectName;
 
-pub(super) use self::configure::{ConfigureArgs, ModulesArgs, ModulesFormat, VariantsArgs, VariantsFormat};
+pub(super) use self::configure::{ConfigureArgs, ModulesArgs, VariantsArgs, VariantsFormat};
 pub(super) use self::convert::ConvertArgs;
 pub(super) use self::dcf::indexes;
 pub(super) use self::dcf::{
-    BlobFormat, DcfArgs, DcfCommand, DcfDiffArgs, NamingArgs, PackArgs, PackOrder, UnpackArgs, VerdictFormat,
-    VerifyArgs,
+    BlobFormat, DcfArgs, DcfCommand, DcfDiffArgs, NamingArgs, PackArgs, UnpackArgs, VerifyArgs,
 };
 pub(super) use self::decode::{DecodeArgs, DecodeFormat, FrameFilterArgs, WithFile};
-pub(super) use self::diff::{DeniedVerdict, DiffArgs, DiffFormat, ReleaseArgs, SidesArgs};
+pub(super) use self::diff::{DiffArgs, DiffFormat, ReleaseArgs, SidesArgs};
 pub(super) use self::docs::DocsArgs;
 pub(super) use self::generate::{GenerateArgs, SizeFormat};
 pub(super) use self::network::{
-    BootTarget, GraphFormat, NetworkArgs, NetworkBootArgs, NetworkBuildArgs, NetworkCheckArgs,
-    NetworkCommand, NetworkDiffArgs, NetworkFormat, NetworkGraphArgs, NetworkInitArgs, NetworkInputArgs,
-    NetworkSchemaArgs, NetworkShowArgs, NetworkTarget, NetworkTimingArgs, NetworkVerifyArgs,
+    GraphFormat, NetworkArgs, NetworkBootArgs, NetworkBuildArgs, NetworkCheckArgs, NetworkCommand,
+    NetworkDiffArgs, NetworkFormat, NetworkGraphArgs, NetworkInitArgs, NetworkInputArgs, NetworkSchemaArgs,
+    NetworkShowArgs, NetworkTarget, NetworkTimingArgs, NetworkVerifyArgs,
 };
 pub(super) use self::new::NewArgs;
 pub(super) use self::open::OpenArgs;
-pub(super) use self::output::{Counting, ReportArgs, ReportDetailArgs, ReportFormat, ShowFormat};
+pub(super) use self::output::{
+    Counting, PlainFormat, ReportArgs, ReportDetailArgs, ReportFormat, ShowFormat,
+};
 pub(super) use self::patch::{PatchApplyArgs, PatchCheckArgs, PatchCommand, PatchCommandArgs, PatchMakeArgs};
 pub(super) use self::probe::ProbeArgs;
 use super::baseline::BaselineArgs;

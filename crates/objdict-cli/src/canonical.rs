@@ -1,7 +1,6 @@
 //! How an EDS or DCF is written.
 
-use clap::ValueEnum;
-
+use super::values::one_of;
 use objdict_format::{Dialect, WriteOptions};
 use objdict_model::diagnostic::{Tool, series};
 use objdict_model::literal::RealSpelling;
@@ -47,8 +46,8 @@ pub(super) struct CanonicalArgs {
     #[command(flatten)]
     pub dialect: DialectArgs,
     /// Spelling of REAL numbers; implies --canonical
-    #[arg(long, value_enum, value_name = "SPELLING")]
-    pub real: Option<Real>,
+    #[arg(long, value_parser = one_of(&REALS), value_name = "SPELLING")]
+    pub real: Option<RealSpelling>,
     /// Quote strings, as Lely's tools require; implies --canonical
     #[arg(long)]
     pub quote_strings: bool,
@@ -60,14 +59,11 @@ pub(super) struct CanonicalArgs {
     pub output_encoding: Option<Encoding>,
 }
 
-/// A spelling of REAL numbers.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
-pub(super) enum Real {
-    /// As decimal numbers
-    Decimal,
-    /// As the hex digits of their bits, as Lely's tools read them
-    Bits,
-}
+/// The spellings of REAL numbers.
+const REALS: [(RealSpelling, &str, &str); 2] = [
+    (RealSpelling::Decimal, "decimal", "As decimal numbers"),
+    (RealSpelling::Hex, "bits", "As the hex digits of their bits, as Lely's tools read them"),
+];
 
 impl CanonicalArgs {
     /// Whether a new text is wanted although there is one to edit.
@@ -83,10 +79,8 @@ impl CanonicalArgs {
     /// How the text is written; an encoding that was said for reading holds for writing too.
     pub(super) fn options(&self, read_in: Option<Encoding>) -> WriteOptions {
         let mut options = self.dialect.options();
-        match self.real {
-            Some(Real::Bits) => options.eds.real = RealSpelling::Hex,
-            Some(Real::Decimal) => options.eds.real = RealSpelling::Decimal,
-            None => {}
+        if let Some(real) = self.real {
+            options.eds.real = real;
         }
         options.eds.quote_strings |= self.quote_strings;
         options.eds.compact = self.compact;

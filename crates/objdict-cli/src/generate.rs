@@ -188,7 +188,7 @@ fn request(args: &GenerateArgs) -> Result<Request, Failure> {
         reading: args.input.reading(),
         patches: Vec::new(),
         check: args.config.check(&args.profiles),
-        deny: args.deny.map(Severity::from),
+        deny: args.deny,
         baseline: args.baseline.clone(),
         implicit_pdos: args.expand.implicit_pdos,
         force: args.force,

@@ -4,7 +4,7 @@ use std::io::{self, Write};
 
 use serde::Serialize;
 
-use super::args::{ModulesArgs, ModulesFormat};
+use super::args::{ModulesArgs, PlainFormat};
 use super::input::{Input, name_of, source_name};
 use super::outcome::{Failure, Outcome};
 use super::output::Output;
@@ -36,8 +36,8 @@ pub(super) fn run(args: &ModulesArgs, out: &mut Output) -> Result<Outcome, Failu
     let connected = device.modules.as_ref().and_then(|modules| modules.connected.as_deref());
     let rows: Vec<Row<'_>> = modules.iter().map(|(&number, module)| row(number, module, connected)).collect();
     match args.format {
-        ModulesFormat::Text => text(&rows, out)?,
-        ModulesFormat::Json => {
+        PlainFormat::Text => text(&rows, out)?,
+        PlainFormat::Json => {
             let file = source_name(&args.file);
             let document = Document { version: Version, file: &file, connected, modules: rows };
             json::write_pretty(&mut out.raw()?, &document)?;

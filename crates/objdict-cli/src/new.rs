@@ -21,7 +21,7 @@ pub(super) fn run(args: &NewArgs, out: &mut Output) -> Result<Outcome, Failure> 
     let name = args.output.file_name().unwrap_or_default().to_string_lossy();
     let is_stdout = is_stdout(&args.output);
     let by_name = || FileKind::of(&args.output).filter(|_| !is_stdout).unwrap_or(FileKind::Eds);
-    let kind = args.to.map_or_else(by_name, FileKind::from);
+    let kind = args.to.unwrap_or_else(by_name);
     let wanted = Wanted {
         profile,
         features: args.features.0.clone(),

@@ -5,14 +5,14 @@ use std::path::{Path, PathBuf};
 use std::str::FromStr;
 use std::sync::Arc;
 
-use clap::{Args, ValueEnum};
+use clap::Args;
 
 use super::input::detail;
 use super::outcome::Failure;
 use super::patches::remember;
 use super::profiles::ProfileArgs;
 use super::save::keep;
-use super::values::node_id;
+use super::values::{node_id, one_of};
 pub(crate) use objdict_build::pipeline::CheckSettings;
 use objdict_format::patch::Patch;
 use objdict_lint::{Level, Options, Severities};
@@ -58,8 +58,8 @@ pub(super) struct SettingsArgs {
     #[command(flatten)]
     config: ConfigArgs,
     /// Lowest severity that fails the run: note, warning or error [default: error]
-    #[arg(long, value_enum, value_name = "SEVERITY", hide_possible_values = true)]
-    deny: Option<Deny>,
+    #[arg(long, value_parser = one_of(&SEVERITIES), value_name = "SEVERITY", hide_possible_values = true)]
+    deny: Option<Severity>,
     /// Evaluate formulas for this node-ID [default: from the DCF]
     #[arg(long, value_name = "N", value_parser = node_id)]
     node_id: Option<u8>,
@@ -155,7 +155,7 @@ impl SettingsArgs {
 
     /// The lowest severity that fails the run, if an argument sets it.
     pub(super) fn stated_deny(&self) -> Option<Severity> {
-        self.deny.map(Severity::from)
+        self.deny
     }
 }
 
@@ -246,20 +246,6 @@ fn take(path: &Path, project: &Project) {
     remember(&project.patches);
 }
 
-/// A severity, as an argument.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
-pub(super) enum Deny {
-    Note,
-    Warning,
-    Error,
-}
-
-impl From<Deny> for Severity {
-    fn from(deny: Deny) -> Self {
-        match deny {
-            Deny::Note => Self::Note,
-            Deny::Warning => Self::Warning,
-            Deny::Error => Self::Error,
-        }
-    }
-}
+/// The severities, as arguments.
+pub(super) const SEVERITIES: [(Severity, &str, &str); 3] =
+    [(Severity::Note, "note", ""), (Severity::Warning, "warning", ""), (Severity::Error, "error", "")];

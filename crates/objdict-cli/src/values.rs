@@ -1,5 +1,20 @@
 //! Values of arguments.
 
+use clap::builder::{PossibleValue, PossibleValuesParser, TypedValueParser};
+
+/// A value of a few, each with its word and what it is.
+pub(super) fn one_of<T: Clone + Send + Sync>(
+    all: &'static [(T, &'static str, &'static str)],
+) -> impl TypedValueParser<Value = T> {
+    let words = all.iter().map(|(_, word, about)| {
+        PossibleValue::new(*word).help(Some(*about).filter(|about| !about.is_empty()))
+    });
+    PossibleValuesParser::new(words).try_map(|given| {
+        let found = all.iter().find(|(_, word, _)| *word == given);
+        found.map(|(value, ..)| value.clone()).ok_or("there is no such value")
+    })
+}
+
 /// A text of one line.
 pub(super) fn node_name(text: &str) -> Result<String, String> {
     if text.chars().any(char::is_control) {

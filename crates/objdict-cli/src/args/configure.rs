@@ -6,6 +6,7 @@ use std::path::{Path, PathBuf};
 
 use clap::ValueEnum;
 
+use super::output::PlainFormat;
 use crate::canonical::DialectArgs;
 use crate::input::{EntriesArgs, InputArgs, SizeArgs};
 use crate::patches::PatchArgs;
@@ -174,7 +175,7 @@ pub(crate) struct ModulesArgs {
     pub file: PathBuf,
     /// Output format
     #[arg(long, value_enum, default_value = "text")]
-    pub format: ModulesFormat,
+    pub format: PlainFormat,
     #[command(flatten)]
     pub input: InputArgs,
 }
@@ -199,13 +200,4 @@ pub(crate) enum VariantsFormat {
     Json,
     /// A page with the table
     Html,
-}
-
-/// How modules are listed.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
-pub(crate) enum ModulesFormat {
-    /// Plain text
-    Text,
-    /// For programs: one JSON document (docs/json.md)
-    Json,
 }

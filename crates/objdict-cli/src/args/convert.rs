@@ -2,7 +2,6 @@
 
 use std::path::PathBuf;
 
-use clap::ValueEnum;
 use clap::builder::{PossibleValuesParser, TypedValueParser};
 
 use super::network::NetworkPathArgs;
@@ -10,7 +9,7 @@ use crate::canonical::CanonicalArgs;
 use crate::input::{ExpandArgs, FileKind, InputArgs};
 use crate::save::OverwriteArgs;
 use crate::settings::ConfigFileArgs;
-use crate::values::{node_id, node_name};
+use crate::values::{node_id, node_name, one_of};
 use objdict_format::XddVersion;
 
 #[derive(Debug, clap::Args)]
@@ -40,8 +39,8 @@ pub(crate) struct ConvertArgs {
     #[arg(long)]
     pub keep_disabled: bool,
     /// Version of CiA 311 of a new XDD or XDC
-    #[arg(long, value_enum, value_name = "VERSION")]
-    pub xdd_version: Option<Version>,
+    #[arg(long, value_parser = one_of(&VERSIONS), value_name = "VERSION")]
+    pub xdd_version: Option<XddVersion>,
     /// Node-ID in the DCF, XDC, concise DCF or DBC
     #[arg(long, value_name = "N", value_parser = node_id)]
     pub node_id: Option<u8>,
@@ -87,23 +86,9 @@ impl ConvertArgs {
     }
 }
 
-/// A version of CiA 311, as an argument.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
-pub(crate) enum Version {
-    #[value(name = "1.0")]
-    V1_0,
-    #[value(name = "1.1")]
-    V1_1,
-}
-
-impl From<Version> for XddVersion {
-    fn from(version: Version) -> Self {
-        match version {
-            Version::V1_0 => Self::V1_0,
-            Version::V1_1 => Self::V1_1,
-        }
-    }
-}
+/// The versions of CiA 311.
+const VERSIONS: [(XddVersion, &str, &str); 2] =
+    [(XddVersion::V1_0, "1.0", ""), (XddVersion::V1_1, "1.1", "")];
 
 /// The kinds of files that a description is converted to, by their words.
 fn written_kinds() -> impl TypedValueParser<Value = FileKind> {

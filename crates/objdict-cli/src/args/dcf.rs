@@ -6,9 +6,11 @@ use std::path::PathBuf;
 use clap::{Subcommand, ValueEnum};
 
 use super::network::AllowedPathArgs;
+use super::output::PlainFormat;
 use crate::input::{ExpandArgs, InputArgs};
-use crate::values::node_id;
+use crate::values::{node_id, one_of};
 use objdict_node::concise::BlobSpelling;
+use objdict_node::download::Order;
 
 #[derive(Debug, clap::Args)]
 pub(crate) struct DcfArgs {
@@ -58,8 +60,8 @@ pub(crate) struct PackArgs {
     #[arg(long, value_name = "INDEXES", value_delimiter = ',', value_parser = indexes)]
     pub only: Vec<RangeInclusive<u16>>,
     /// The order of the downloads: as CiA 301 requires, or as dcfgen of lely-core writes them
-    #[arg(long, value_enum, default_value = "safe", hide_possible_values = true, value_name = "safe|dcfgen")]
-    pub order: PackOrder,
+    #[arg(long, value_parser = one_of(&ORDERS), default_value = "safe", hide_possible_values = true, value_name = "safe|dcfgen")]
+    pub order: Order,
     /// The EDS of the node, which provides the defaults and verifies the stream
     #[arg(long, value_name = "FILE")]
     pub eds: Option<PathBuf>,
@@ -77,14 +79,11 @@ pub(crate) struct PackArgs {
     pub input: InputArgs,
 }
 
-/// The order of downloads.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
-pub(crate) enum PackOrder {
-    /// The order that a node accepts by CiA 301
-    Safe,
-    /// The order of dcfgen of lely-core
-    Dcfgen,
-}
+/// The orders of downloads.
+const ORDERS: [(Order, &str, &str); 2] = [
+    (Order::Safe, "safe", "The order that a node accepts by CiA 301"),
+    (Order::Dcfgen, "dcfgen", "The order of dcfgen of lely-core"),
+];
 
 /// An index, or a range of them: `1400-1BFF`.
 pub(crate) fn indexes(text: &str) -> Result<RangeInclusive<u16>, String> {
@@ -133,7 +132,7 @@ pub(crate) struct VerifyArgs {
     pub node_id: Option<u8>,
     /// Output format
     #[arg(long, value_enum, default_value = "text")]
-    pub format: VerdictFormat,
+    pub format: PlainFormat,
     #[command(flatten)]
     pub expand: ExpandArgs,
     #[command(flatten)]
@@ -181,13 +180,4 @@ impl BlobFormat {
             Self::Rust => BlobSpelling::Rust,
         })
     }
-}
-
-/// How what is found is written.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
-pub(crate) enum VerdictFormat {
-    /// Plain text
-    Text,
-    /// For programs: one JSON document (docs/json.md)
-    Json,
 }

@@ -10,7 +10,7 @@ use super::output::ReportArgs;
 use crate::changes::Choice;
 use crate::input::InputArgs;
 use crate::settings::ConfigFileArgs;
-use crate::values::node_id;
+use crate::values::{node_id, one_of};
 use objdict_model::diagnostic::Severity;
 use objdict_model::model::Date;
 
@@ -32,8 +32,8 @@ pub(crate) struct DiffArgs {
     #[arg(long, value_name = "WHAT", value_delimiter = ',')]
     pub ignore: Vec<Choice>,
     /// Lowest verdict that fails the run: compatible, risky or breaking [default: breaking]
-    #[arg(long, value_enum, value_name = "VERDICT", hide_possible_values = true)]
-    pub deny: Option<DeniedVerdict>,
+    #[arg(long, value_parser = one_of(&VERDICTS), value_name = "VERDICT", hide_possible_values = true)]
+    pub deny: Option<Severity>,
     /// Also report which downloads of this stored configuration the new device refuses: a concise DCF, DCF or XDC, or a network with
     /// nodes that are the old device
     #[arg(long, value_name = "FILE")]
@@ -109,24 +109,9 @@ pub(crate) enum DiffFormat {
     Github,
 }
 
-/// The lowest verdict that fails the run.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
-pub(crate) enum DeniedVerdict {
-    /// Any change
-    Compatible,
-    /// Changes that are risky or breaking
-    Risky,
-    /// Changes that are breaking
-    Breaking,
-}
-
-impl DeniedVerdict {
-    /// The severity of a finding about such a change.
-    pub(crate) const fn severity(self) -> Severity {
-        match self {
-            Self::Compatible => Severity::Note,
-            Self::Risky => Severity::Warning,
-            Self::Breaking => Severity::Error,
-        }
-    }
-}
+/// The lowest verdict that fails the run, as the severity of a finding about such a change.
+const VERDICTS: [(Severity, &str, &str); 3] = [
+    (Severity::Note, "compatible", "Any change"),
+    (Severity::Warning, "risky", "Changes that are risky or breaking"),
+    (Severity::Error, "breaking", "Changes that are breaking"),
+];

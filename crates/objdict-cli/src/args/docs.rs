@@ -2,12 +2,11 @@
 
 use std::path::PathBuf;
 
-use clap::ValueEnum;
-
 use super::network::NetworkPathArgs;
 use crate::input::{ExpandArgs, InputArgs};
 use crate::save::OverwriteArgs;
 use crate::settings::SettingsArgs;
+use crate::values::one_of;
 use objdict_document::Form;
 
 #[derive(Debug, clap::Args)]
@@ -23,8 +22,8 @@ pub(crate) struct DocsArgs {
     #[command(flatten)]
     pub overwrite: OverwriteArgs,
     /// The format of the pages [default: by the extension of the output, else html]
-    #[arg(long, alias = "format", value_enum, value_name = "FORMAT")]
-    pub to: Option<DocsFormat>,
+    #[arg(long, alias = "format", value_parser = one_of(&FORMS), value_name = "FORMAT")]
+    pub to: Option<Form>,
     /// The title of the page or site [default: the name of the product or network]
     #[arg(long, value_name = "TEXT")]
     pub title: Option<String>,
@@ -56,22 +55,8 @@ fn workbench(text: &str) -> Result<String, String> {
 }
 
 /// How documentation is written.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
-pub(crate) enum DocsFormat {
-    /// One self-contained page
-    Html,
-    /// One file of tables, as GitHub and GitLab render them
-    Markdown,
-    /// One line for each entry, for spreadsheets
-    Csv,
-}
-
-impl From<DocsFormat> for Form {
-    fn from(format: DocsFormat) -> Self {
-        match format {
-            DocsFormat::Html => Self::Html,
-            DocsFormat::Markdown => Self::Markdown,
-            DocsFormat::Csv => Self::Csv,
-        }
-    }
-}
+const FORMS: [(Form, &str, &str); 3] = [
+    (Form::Html, "html", "One self-contained page"),
+    (Form::Markdown, "markdown", "One file of tables, as GitHub and GitLab render them"),
+    (Form::Csv, "csv", "One line for each entry, for spreadsheets"),
+];

@@ -8,12 +8,13 @@ use clap::{Args, ValueEnum};
 use crate::input::{ExpandArgs, InputArgs};
 use crate::profiles::ProfileArgs;
 use crate::save::OverwriteArgs;
-use crate::settings::{ConfigArgs, Deny};
-use crate::values::node_id;
+use crate::settings::{ConfigArgs, SEVERITIES};
+use crate::values::{self, node_id};
 use objdict_generate::{
     CTable, Derive, Names, OptionField, OptionValue, Options, PdoMappings, SharedCell, StackLayout,
     StorageGroup, Target,
 };
+use objdict_model::diagnostic::Severity;
 use objdict_model::model::Address;
 
 #[derive(Debug, Args)]
@@ -76,8 +77,8 @@ pub(crate) struct GenerateArgs {
     #[command(flatten)]
     pub profiles: ProfileArgs,
     /// Lowest severity that stops the generation: note, warning or error [default: errors that make a table wrong]
-    #[arg(long, value_enum, value_name = "SEVERITY", hide_possible_values = true, help_heading = "Settings")]
-    pub deny: Option<Deny>,
+    #[arg(long, value_parser = values::one_of(&SEVERITIES), value_name = "SEVERITY", hide_possible_values = true, help_heading = "Settings")]
+    pub deny: Option<Severity>,
     /// Ignore the findings in this file, which `check --write-baseline` writes
     #[arg(long, value_name = "FILE", help_heading = "Settings")]
     pub baseline: Option<PathBuf>,
@@ -146,13 +147,8 @@ impl<S: OptionField<Value: Clone>> Given<S> for Vec<S::Value> {
     }
 }
 
-/// The names of a few values, each with what it is.
 fn one_of<T: OptionValue>() -> impl TypedValueParser<Value = T> {
-    let names = T::ALL.iter().map(|(_, name, help)| PossibleValue::new(*name).help(*help));
-    PossibleValuesParser::new(names).try_map(|given| {
-        let found = T::ALL.iter().find(|(_, name, _)| *name == given);
-        found.map(|(value, ..)| *value).ok_or("there is no such value")
-    })
+    values::one_of(T::ALL)
 }
 
 /// What is reported about the output.

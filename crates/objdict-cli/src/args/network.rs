@@ -10,9 +10,10 @@ use crate::outcome::Failure;
 use crate::patches::PatchArgs;
 use crate::save::OverwriteArgs;
 use crate::settings::{ConfigFileArgs, Settings, SettingsArgs};
+use crate::values::one_of;
 use objdict_model::model::Date;
 use objdict_model::source::Folder;
-use objdict_network_file::{ConfigurationTime, PathOptions};
+use objdict_network_file::{BootFiles, ConfigurationTime, PathOptions};
 use objdict_node::configure::nanoseconds;
 
 #[derive(Debug, clap::Args)]
@@ -233,8 +234,8 @@ pub(crate) struct NetworkBootArgs {
     #[arg(required = true, value_name = "FILE")]
     pub files: Vec<PathBuf>,
     /// The files to build and boot [default: lely for bus.yml, dcf for others]
-    #[arg(long, value_enum, value_name = "TARGET")]
-    pub target: Option<BootTarget>,
+    #[arg(long, value_parser = one_of(&BOOT_FILES), value_name = "TARGET")]
+    pub target: Option<BootFiles>,
     /// Output format
     #[arg(long, value_enum, default_value = "table")]
     pub format: ShowFormat,
@@ -291,13 +292,10 @@ pub(crate) struct NetworkTimingArgs {
 }
 
 /// The files that boot a network.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
-pub(crate) enum BootTarget {
-    /// The DCF or XDC of each node, and the DCF of the manager
-    Dcf,
-    /// The files of Lely's master; the nodes are their descriptions
-    Lely,
-}
+const BOOT_FILES: [(BootFiles, &str, &str); 2] = [
+    (BootFiles::Dcf, "dcf", "The DCF or XDC of each node, and the DCF of the manager"),
+    (BootFiles::Lely, "lely", "The files of Lely's master; the nodes are their descriptions"),
+];
 
 /// What is built of a network.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]

@@ -2,9 +2,8 @@
 
 use std::path::PathBuf;
 
-use clap::ValueEnum;
-
 use super::features::FeatureArgs;
+use crate::values::one_of;
 use objdict_format::input::FileKind;
 use objdict_model::model::Date;
 
@@ -14,8 +13,8 @@ pub(crate) struct NewArgs {
     #[arg(short, long, value_name = "FILE")]
     pub output: PathBuf,
     /// The format to write [default: by the extension of the output, else eds]
-    #[arg(long, value_enum, value_name = "FORMAT")]
-    pub to: Option<NewFormat>,
+    #[arg(long, value_parser = one_of(&KINDS), value_name = "FORMAT")]
+    pub to: Option<FileKind>,
     /// The device profile: 301, 401, 402, 404 or 406 [default: that of the features]
     #[arg(long, value_name = "NUMBER")]
     pub profile: Option<u16>,
@@ -47,26 +46,13 @@ pub(crate) struct NewArgs {
     pub features: FeatureArgs,
 }
 
-/// A format of new descriptions.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
-pub(crate) enum NewFormat {
-    Eds,
-    Xdd,
-    /// The short source of a device (docs/device.md)
-    Toml,
-    Json,
-}
-
-impl From<NewFormat> for FileKind {
-    fn from(format: NewFormat) -> Self {
-        match format {
-            NewFormat::Eds => Self::Eds,
-            NewFormat::Xdd => Self::Xdd,
-            NewFormat::Toml => Self::Toml,
-            NewFormat::Json => Self::Json,
-        }
-    }
-}
+/// The formats of new descriptions.
+const KINDS: [(FileKind, &str, &str); 4] = [
+    (FileKind::Eds, "eds", ""),
+    (FileKind::Xdd, "xdd", ""),
+    (FileKind::Toml, "toml", "The short source of a device (docs/device.md)"),
+    (FileKind::Json, "json", ""),
+];
 
 /// A number in decimal or, behind `0x`, in hexadecimal.
 pub(super) fn number(text: &str) -> Result<u32, String> {

@@ -61,3 +61,12 @@ pub(crate) enum ShowFormat {
     /// For programs: one JSON document, one entry per line (docs/json.md)
     Json,
 }
+
+/// How what is found is written.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
+pub(crate) enum PlainFormat {
+    /// Plain text
+    Text,
+    /// For programs: one JSON document (docs/json.md)
+    Json,
+}

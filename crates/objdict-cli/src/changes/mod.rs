@@ -17,13 +17,14 @@ pub(super) use self::choice::Choice;
 #[cfg(feature = "schema")]
 pub(super) use self::json::Document as ChangesDocument;
 use self::side::{Side, sides};
-use super::args::{DeniedVerdict, DiffArgs, DiffFormat};
+use super::args::{DiffArgs, DiffFormat};
 use super::outcome::{Failure, Outcome};
 use super::output::Output;
 use super::settings::{Settings, SettingsArgs};
 use objdict_lint::changes::{ChangeVerdict, DeviceChange, compare};
 use objdict_lint::{Level, Severities};
 use objdict_model::diagnostic::Findings;
+use objdict_model::diagnostic::Severity;
 use objdict_project::report::{Github, Report, Subject};
 
 /// Both descriptions and what changes between them.
@@ -55,7 +56,7 @@ pub(super) fn run(args: &DiffArgs, out: &mut Output) -> Result<Outcome, Failure>
         }
         DiffFormat::Github => github(&comparison, out)?,
     }
-    let denied = args.deny.unwrap_or(DeniedVerdict::Breaking).severity();
+    let denied = args.deny.unwrap_or(Severity::Error);
     let severity = |change: &DeviceChange| match severities.of(&change.rule.info) {
         Some(Level::At(severity)) => severity,
         _ => change.finding().severity,

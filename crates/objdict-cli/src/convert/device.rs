@@ -170,7 +170,7 @@ fn anew(
     let mut options = args.canonical.options(args.input.encoding);
     options.embed = embed;
     options.max_losses = max_losses;
-    options.xdd_version = args.xdd_version.map(Into::into).unwrap_or_default();
+    options.xdd_version = args.xdd_version.unwrap_or_default();
     let format = job.to.format().unwrap_or(Format::Eds);
     let written = format::convert(device, &job.output, format, args.keep_disabled, &options)?;
     Ok(Converted { bytes: written.bytes, losses: written.losses })

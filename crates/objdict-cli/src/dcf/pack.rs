@@ -3,7 +3,7 @@
 use std::path::Path;
 
 use super::super::annotation::Described;
-use super::super::args::{BlobFormat, PackArgs, PackOrder};
+use super::super::args::{BlobFormat, PackArgs};
 use super::super::convert::{read_data, refusal, tell_skipped};
 use super::super::input::{ExpandArgs, Input, InputArgs, source_name};
 use super::super::outcome::{Failure, Outcome, tell};
@@ -12,7 +12,7 @@ use super::{count, deliver, device, hex_of, stream_of, verify};
 use objdict_format::input::FileKind;
 use objdict_model::model::Device;
 use objdict_node::concise;
-use objdict_node::download::{ConciseDcf, Order, PlanOptions, Scope};
+use objdict_node::download::{ConciseDcf, PlanOptions, Scope};
 
 pub(super) fn run(args: &PackArgs, out: &mut Output) -> Result<Outcome, Failure> {
     let eds = args.eds.as_ref().map(|path| device(path, &args.input, &args.expand)).transpose()?;
@@ -94,10 +94,7 @@ fn planned(args: &PackArgs, device: &Device, eds: Option<&Device>) -> Result<Con
             (_, true) => Scope::Pdos,
             _ => Scope::Changed,
         },
-        order: match args.order {
-            PackOrder::Safe => Order::Safe,
-            PackOrder::Dcfgen => Order::Dcfgen,
-        },
+        order: args.order,
         only: (!args.only.is_empty()).then(|| args.only.iter().cloned().flatten().collect()),
         ..PlanOptions::default()
     };

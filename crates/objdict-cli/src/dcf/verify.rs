@@ -5,7 +5,7 @@ use std::io::{self, Write};
 use serde::Serialize;
 
 use super::super::annotation::Described;
-use super::super::args::{VerdictFormat, VerifyArgs};
+use super::super::args::{PlainFormat, VerifyArgs};
 use super::super::input::{name_of, source_name};
 use super::super::outcome::{Failure, Outcome};
 use super::super::output::Output;
@@ -23,14 +23,14 @@ pub(super) fn run(args: &VerifyArgs, out: &mut Output) -> Result<Outcome, Failur
     let configuration = stream(&args.blob, &args.input, node_id)?;
     let verification = configuration.verify(&device, node_id);
     match args.format {
-        VerdictFormat::Text => {
+        PlainFormat::Text => {
             let refused = verification.refusals().count();
             let verdict = if refused == 0 { "none refused".to_owned() } else { format!("{refused} refused") };
             let described = Described { device: Some(&device), node_id };
             writeln!(out, "{}: {}, {verdict}", name_of(&args.blob), count(&configuration))?;
             out.write_all(text(&verification, described).as_bytes())?;
         }
-        VerdictFormat::Json => write_json(&source_name(&args.blob), &verification, out)?,
+        PlainFormat::Json => write_json(&source_name(&args.blob), &verification, out)?,
     }
     Ok(if verification.is_accepted() { Outcome::Clean } else { Outcome::Findings })
 }

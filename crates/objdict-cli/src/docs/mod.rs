@@ -233,7 +233,7 @@ fn collect_languages(value: &Value, known: &mut BTreeSet<String>) {
 
 fn form(args: &DocsArgs) -> Result<Form, Failure> {
     if let Some(format) = args.to {
-        return Ok(format.into());
+        return Ok(format);
     }
     match args.output.extension().filter(|_| !is_folder(&args.output)) {
         None => Ok(Form::Html),

@@ -5,7 +5,7 @@ use std::path::{Path, PathBuf};
 
 use serde::Serialize;
 
-use super::super::args::{BootTarget, NetworkBootArgs, ShowFormat};
+use super::super::args::{NetworkBootArgs, ShowFormat};
 use super::super::input::name_of;
 use super::super::outcome::{Failure, Outcome, note};
 use super::super::output::Output;
@@ -19,7 +19,7 @@ use objdict_model::json;
 use objdict_model::json::Version;
 use objdict_model::source;
 use objdict_model::source::DEFAULT_MAX_SIZE;
-use objdict_network_file::{BootFiles, BuiltFile, InstallError, Installation, install};
+use objdict_network_file::{BuiltFile, InstallError, Installation, install};
 
 /// The version of the JSON document. It changes when a field is removed or means something else, not when one is added.
 const VERSION: u32 = 1;
@@ -80,20 +80,11 @@ fn installation(args: &NetworkBootArgs) -> Result<Installation, Failure> {
     };
     match (folders.as_slice(), network) {
         ([], Some(network)) => {
-            let target = args.target.map_or_else(|| network.boot_files(), BootFiles::from);
+            let target = args.target.unwrap_or_else(|| network.boot_files());
             network.install(target).map_err(failed)
         }
         ([folder], network) => install(&read(folder)?, network.as_ref()).map_err(failed),
         _ => Err(Failure::new("several folders cannot be booted together").help("name one folder")),
-    }
-}
-
-impl From<BootTarget> for BootFiles {
-    fn from(target: BootTarget) -> Self {
-        match target {
-            BootTarget::Dcf => Self::Dcf,
-            BootTarget::Lely => Self::Lely,
-        }
     }
 }
 
