@@ -3,6 +3,8 @@
 use std::borrow::Cow;
 use std::collections::BTreeMap;
 
+use serde::{Serialize, Serializer};
+
 use crate::Language;
 use crate::compiled::{Compiled, PdoState, Slave, indexes};
 use crate::configure::PdoName;
@@ -37,6 +39,26 @@ impl std::fmt::Display for MessageId {
         let width = if self.is_extended { 8 } else { 3 };
         write!(f, "{:0width$X}h", self.number)
     }
+}
+
+/// `"0x18B"`, `"0x1ABCDEFF"`.
+impl Serialize for MessageId {
+    fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
+        let width = if self.is_extended { 10 } else { 5 };
+        serializer.collect_str(&format_args!("{:#0width$X}", self.number))
+    }
+}
+
+impl Serialize for Service {
+    fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
+        serializer.collect_str(self)
+    }
+}
+
+#[cfg(feature = "schema")]
+objdict_model::inline_schemas! {
+    MessageId: |_| schemars::json_schema!({ "type": "string", "pattern": "^0x([0-9A-F]{3}|[0-9A-F]{8})$" });
+    Service: |_| schemars::json_schema!({ "type": "string" });
 }
 
 /// A service of CiA 301, as one node uses it.

@@ -30,8 +30,6 @@ pub(crate) struct Sync {
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 pub struct Uncounted {
     /// The CAN-IDs of PDOs that an event or a request triggers and that have neither inhibit time nor event timer.
-    #[serde(serialize_with = "crate::overview::hexes")]
-    #[cfg_attr(feature = "schema", schemars(with = "Vec<crate::overview::CanIdText>"))]
     pub pdos: Vec<MessageId>,
     /// Other services: `NMT`, `TIME`, `EMCY`, `SDO`.
     pub services: Vec<&'static str>,

@@ -12,8 +12,6 @@ use crate::model::{Address, Device, Entry, MappedObject};
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 pub struct LinkRow {
     /// The CAN-ID.
-    #[serde(serialize_with = "super::hex")]
-    #[cfg_attr(feature = "schema", schemars(with = "super::CanIdText"))]
     pub can_id: MessageId,
     /// Who sends it; `None` if no node does.
     pub sender: Option<End>,

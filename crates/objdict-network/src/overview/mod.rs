@@ -88,12 +88,8 @@ pub struct UnlinkedRow {
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 pub struct UnlinkedEnd {
     /// The CAN-ID.
-    #[serde(serialize_with = "hex")]
-    #[cfg_attr(feature = "schema", schemars(with = "CanIdText"))]
     pub can_id: MessageId,
     /// The PDO: `TPDO 1`.
-    #[serde(serialize_with = "text")]
-    #[cfg_attr(feature = "schema", schemars(with = "String"))]
     pub service: Service,
 }
 
@@ -102,8 +98,6 @@ pub struct UnlinkedEnd {
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 pub struct MessageRow {
     /// The CAN-ID.
-    #[serde(serialize_with = "hex")]
-    #[cfg_attr(feature = "schema", schemars(with = "CanIdText"))]
     pub can_id: MessageId,
     /// Who sends it.
     pub senders: Vec<End>,
@@ -140,8 +134,6 @@ pub struct End {
     #[serde(skip)]
     pub position: Option<usize>,
     /// With which of its services: `TPDO 1`, `SYNC`.
-    #[serde(serialize_with = "text")]
-    #[cfg_attr(feature = "schema", schemars(with = "String"))]
     pub service: Service,
 }
 
@@ -161,30 +153,6 @@ impl std::fmt::Display for End {
     fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
         write!(f, "{} of {}", self.service, self.node)
     }
-}
-
-/// A CAN-ID as [`hex`] writes it.
-#[cfg(feature = "schema")]
-pub(crate) struct CanIdText;
-
-#[cfg(feature = "schema")]
-objdict_model::inline_schemas! {
-    CanIdText: |_| schemars::json_schema!({ "type": "string", "pattern": "^0x([0-9A-F]{3}|[0-9A-F]{8})$" });
-}
-
-fn hex<S: serde::Serializer>(can_id: &MessageId, serializer: S) -> Result<S::Ok, S::Error> {
-    let width = if can_id.is_extended { 10 } else { 5 };
-    serializer.collect_str(&format_args!("{:#0width$X}", can_id.number))
-}
-
-pub(crate) fn hexes<S: serde::Serializer>(can_ids: &[MessageId], serializer: S) -> Result<S::Ok, S::Error> {
-    #[derive(serde::Serialize)]
-    struct Hex(#[serde(serialize_with = "hex")] MessageId);
-    serializer.collect_seq(can_ids.iter().map(|can_id| Hex(*can_id)))
-}
-
-fn text<S: serde::Serializer>(service: &Service, serializer: S) -> Result<S::Ok, S::Error> {
-    serializer.collect_str(service)
 }
 
 impl Overview {
