@@ -50,7 +50,7 @@ impl<'de, T: Deserialize<'de>> Deserialize<'de> for OneOrMany<T> {
 struct Named<T>(T);
 
 /// Types with keywords in profiles.
-trait Word: Sized {
+pub(super) trait Word: Sized {
     const EXPECTED: &'static str;
     fn of(word: &str) -> Option<Self>;
 }
@@ -103,28 +103,14 @@ impl<'de, T: Word> Deserialize<'de> for Named<T> {
     }
 }
 
-fn words<'de, D: Deserializer<'de>, T: Word>(deserializer: D) -> Result<Vec<T>, D::Error> {
+/// One keyword or a list of them.
+pub(super) fn words<'de, D: Deserializer<'de>, T: Word>(deserializer: D) -> Result<Vec<T>, D::Error> {
     let words = OneOrMany::<Named<T>>::deserialize(deserializer)?;
     Ok(words.0.into_iter().map(|word| word.0).collect())
 }
 
-pub(super) fn object_types<'de, D: Deserializer<'de>>(deserializer: D) -> Result<Vec<ObjectType>, D::Error> {
-    words(deserializer)
-}
-
-pub(super) fn data_types<'de, D: Deserializer<'de>>(deserializer: D) -> Result<Vec<DataType>, D::Error> {
-    words(deserializer)
-}
-
-pub(super) fn access_types<'de, D: Deserializer<'de>>(deserializer: D) -> Result<Vec<Access>, D::Error> {
-    words(deserializer)
-}
-
-pub(super) fn mapping<'de, D: Deserializer<'de>>(deserializer: D) -> Result<Option<Mapping>, D::Error> {
-    Named::deserialize(deserializer).map(|word| Some(word.0))
-}
-
-pub(super) fn confidence<'de, D: Deserializer<'de>>(deserializer: D) -> Result<Option<Confidence>, D::Error> {
+/// A keyword.
+pub(super) fn word<'de, D: Deserializer<'de>, T: Word>(deserializer: D) -> Result<Option<T>, D::Error> {
     Named::deserialize(deserializer).map(|word| Some(word.0))
 }
 
@@ -164,14 +150,11 @@ impl<'de> Deserialize<'de> for ConditionText {
 }
 
 /// Numbers, and pairs of a smallest and a largest number.
-#[derive(Default)]
-pub(super) struct Ranges(pub Vec<RangeInclusive<i128>>);
-
-impl<'de> Deserialize<'de> for Ranges {
-    fn deserialize<D: Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
-        let ranges: Vec<NumberOrPair> = Vec::deserialize(deserializer)?;
-        Ok(Self(ranges.into_iter().map(|range| range.0).collect()))
-    }
+pub(super) fn ranges<'de, D: Deserializer<'de>>(
+    deserializer: D,
+) -> Result<Vec<RangeInclusive<i128>>, D::Error> {
+    let ranges: Vec<NumberOrPair> = Vec::deserialize(deserializer)?;
+    Ok(ranges.into_iter().map(|range| range.0).collect())
 }
 
 /// A range of bits, lowest first.

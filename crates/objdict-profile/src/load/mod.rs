@@ -10,10 +10,7 @@ use std::ops::RangeInclusive;
 use serde::Deserialize;
 use toml::Spanned;
 
-use self::fields::{
-    BitRange, ConditionText, Meanings, NeedText, NumberOrPair, Ranges, access_types, confidence, data_types,
-    mapping, number, object_types,
-};
+use self::fields::{BitRange, ConditionText, Meanings, NeedText, NumberOrPair, number, ranges, word, words};
 use self::machine::MachineTable;
 use self::pack::Packer;
 use super::tables::{BitRow, EntryRow, NeedRow, ObjectRow, Tables};
@@ -109,7 +106,7 @@ struct ProfileFile {
     number: Option<u16>,
     #[serde(default)]
     repeats: bool,
-    #[serde(default, deserialize_with = "confidence")]
+    #[serde(default, deserialize_with = "word")]
     confidence: Option<Confidence>,
     #[serde(default)]
     object: Vec<Spanned<ObjectTable>>,
@@ -124,12 +121,12 @@ struct ObjectTable {
     index: u16,
     last: Option<u16>,
     name: String,
-    #[serde(default, deserialize_with = "object_types")]
+    #[serde(default, deserialize_with = "words")]
     object_type: Vec<ObjectType>,
     need: Option<NeedText>,
     only: Option<ConditionText>,
     source: Option<String>,
-    #[serde(default, deserialize_with = "confidence")]
+    #[serde(default, deserialize_with = "word")]
     confidence: Option<Confidence>,
     about: Option<String>,
     #[serde(default)]
@@ -137,14 +134,14 @@ struct ObjectTable {
     entries: Option<Vec<EntryTable>>,
     elements: Option<NumberOrPair>,
     // applies to the value of a VAR
-    #[serde(default, deserialize_with = "data_types")]
+    #[serde(default, deserialize_with = "words")]
     data_type: Vec<DataType>,
-    #[serde(default, deserialize_with = "access_types")]
+    #[serde(default, deserialize_with = "words")]
     access: Vec<Access>,
-    #[serde(default, deserialize_with = "mapping")]
+    #[serde(default, deserialize_with = "word")]
     mapping: Option<Mapping>,
-    #[serde(default)]
-    values: Ranges,
+    #[serde(default, deserialize_with = "ranges")]
+    values: Vec<RangeInclusive<i128>>,
     default: Option<toml::Value>,
     unit: Option<String>,
     #[serde(default)]
@@ -159,14 +156,14 @@ struct EntryTable {
     #[serde(default)]
     name: String,
     need: Option<NeedText>,
-    #[serde(default, deserialize_with = "data_types")]
+    #[serde(default, deserialize_with = "words")]
     data_type: Vec<DataType>,
-    #[serde(default, deserialize_with = "access_types")]
+    #[serde(default, deserialize_with = "words")]
     access: Vec<Access>,
-    #[serde(default, deserialize_with = "mapping")]
+    #[serde(default, deserialize_with = "word")]
     mapping: Option<Mapping>,
-    #[serde(default)]
-    values: Ranges,
+    #[serde(default, deserialize_with = "ranges")]
+    values: Vec<RangeInclusive<i128>>,
     default: Option<toml::Value>,
     unit: Option<String>,
     #[serde(default)]
@@ -190,7 +187,7 @@ impl ObjectTable {
         }
         let mut object_types = self.object_type;
         let has_value = !self.data_type.is_empty() || !self.access.is_empty() || self.mapping.is_some();
-        let has_value = has_value || !self.values.0.is_empty() || self.default.is_some();
+        let has_value = has_value || !self.values.is_empty() || self.default.is_some();
         let has_value = has_value || self.unit.is_some() || !self.bits.is_empty();
         let value = EntryTable {
             sub: 0,
@@ -274,7 +271,7 @@ impl EntryTable {
             access: packer.access.part(&self.access),
             need: packer.need(self.need),
             mapping: self.mapping,
-            values: packer.values.part(&self.values.0),
+            values: packer.values.part(&self.values),
             default: default.map(|default| packer.default_value(default)),
             unit: packer.text(self.unit.as_deref().unwrap_or_default()),
             bits: packer.bits.part(&bits),
