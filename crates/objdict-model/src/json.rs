@@ -9,7 +9,8 @@ use serde::{Deserialize, Deserializer, Serialize, Serializer};
 
 use crate::diagnostic::visible;
 
-/// The version of a document: this number, and no other.
+/// The version of a document: this number, and no other. It changes when a field is removed or means something else, not when
+/// one is added.
 #[derive(Clone, Copy, Debug)]
 pub struct Version<const NUMBER: u32>;
 
@@ -68,6 +69,11 @@ pub fn write_pretty(out: &mut dyn Write, value: &(impl Serialize + ?Sized)) -> i
 /// A value in one line.
 pub fn text(value: &(impl Serialize + ?Sized)) -> serde_json::Result<String> {
     serde_json::to_string(value).map(escaped)
+}
+
+/// A text in quotes, which TOML and YAML read as JSON does.
+pub fn quoted(text: &str) -> String {
+    self::text(text).unwrap_or_default()
 }
 
 /// A value in lines.

@@ -5,9 +5,10 @@ use std::fmt::Write as _;
 use std::num::NonZeroUsize;
 use std::path::{Path, PathBuf};
 
+use super::PathOptions;
 use super::topology::location;
-use super::{PathOptions, quoted};
 use objdict_format::input::{Input, MAX_DEVICES, ReadError, Reading};
+use objdict_model::json::quoted;
 use objdict_model::model::{BaudRates, Device, MappedObject, NodeList, PdoKind};
 use objdict_model::source::{Folder, Span};
 use objdict_network::{DcfgenMode, Network, Node, PdoState, Said, Slave, compile};

@@ -337,11 +337,6 @@ fn selected(name: &str) -> (&str, Option<&str>) {
     name.rsplit_once('#').map_or((name, None), |(path, which)| (path, Some(which)))
 }
 
-/// A text in quotes, as JSON has it, of which YAML and TOML take all.
-fn quoted(text: &str) -> String {
-    objdict_model::json::text(&text).unwrap_or_default()
-}
-
 /// The name of the variable that a text begins with, and the length of both with what marks it; 0 if it is none.
 fn variable(text: &str) -> (&str, usize) {
     let named = |start: usize, ending: &str| {

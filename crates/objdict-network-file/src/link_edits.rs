@@ -1,6 +1,7 @@
 //! Links as edits of the text of a `network.toml`.
 
-use super::{NetworkFile, keyed, quoted};
+use super::{NetworkFile, keyed};
+use objdict_model::json::quoted;
 use objdict_model::source::{Edits, Span};
 use objdict_network::LinkEnd;
 

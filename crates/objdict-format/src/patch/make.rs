@@ -12,7 +12,8 @@ use crate::compare::differences;
 use crate::patch::fields::{get, set};
 use crate::patch::words::{ENTRY, FACTS, facts_of};
 use objdict_keyed::tree::{KeyedTree, Kind};
-use objdict_model::diagnostic::{printable, visible};
+use objdict_model::diagnostic::printable;
+use objdict_model::json::quoted;
 use objdict_model::model::{Device, Part};
 use objdict_model::source::Span;
 
@@ -225,19 +226,6 @@ fn toml(kind: &Kind) -> String {
             format!("{{ {} }}", entries.join(", "))
         }
     }
-}
-
-/// A text in quotes; the escapes of JSON are those of TOML. What steers a terminal or a CI service is escaped too.
-fn quoted(text: &str) -> String {
-    let mut quoted = String::new();
-    for character in serde_json::to_string(text).unwrap_or_default().chars() {
-        match character {
-            '#' if quoted.ends_with('#') => quoted.push_str("\\u0023"),
-            _ if visible(character) == character => quoted.push(character),
-            _ => quoted.push_str(&format!("\\u{:04X}", u32::from(character))),
-        }
-    }
-    quoted
 }
 
 /// A text with quotes in it, without escapes where that is possible.

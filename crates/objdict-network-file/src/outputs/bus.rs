@@ -4,8 +4,8 @@ use std::collections::BTreeMap;
 use std::collections::btree_map::Entry;
 use std::fmt::Write as _;
 
-use super::super::quoted;
 use super::{Build, BuiltFile};
+use objdict_model::json::quoted;
 use objdict_model::model::PdoKind;
 use objdict_network::{
     DownloadRequest, Heartbeat, Manager, Node, PdoRequest, RequestedCobId, RequestedValue, Said,
